@@ -1,0 +1,213 @@
+#include "artefact/hdf5.hpp"
+
+#include <algorithm>
+#include <cstring>
+#include <stdexcept>
+
+namespace piae::artefact::hdf5 {
+
+namespace {
+
+// HDF5 prints its error stack by itself; here the reason travels in the exception instead.
+[[maybe_unused]] const bool quiet = H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr) >= 0;
+
+herr_t keep_deepest(unsigned /*depth*/, const H5E_error2_t* error, void* reason) {
+  if (error->desc != nullptr && *error->desc != '\0') {
+    *static_cast<std::string*>(reason) = error->desc;
+  }
+  return 0;
+}
+
+std::string reason_from_hdf5() {
+  std::string reason;
+  H5Ewalk2(H5E_DEFAULT, H5E_WALK_DOWNWARD, keep_deepest, &reason);
+  H5Eclear2(H5E_DEFAULT);
+  return reason.empty() ? "unknown HDF5 error" : reason;
+}
+
+Handle property_list(hid_t type) { return {H5Pcreate(type), "property list"}; }
+
+/// Makes the groups that lead to `path`. HDF5 can make them by itself, but then with timestamps.
+void make_parents(hid_t file, const std::string& path) {
+  const Handle creation = property_list(H5P_GROUP_CREATE);
+  check(H5Pset_obj_track_times(creation, 0), path.c_str());
+  for (std::size_t slash = path.find('/', 1); slash != std::string::npos;
+       slash = path.find('/', slash + 1)) {
+    const std::string group = path.substr(0, slash);
+    if (H5Lexists(file, group.c_str(), H5P_DEFAULT) > 0) continue;
+    const Handle made(H5Gcreate2(file, group.c_str(), H5P_DEFAULT, creation, H5P_DEFAULT),
+                      group.c_str());
+  }
+}
+
+Handle fixed_string_type(std::size_t length) {
+  Handle type(H5Tcopy(H5T_C_S1), "string type");
+  check(H5Tset_size(type, std::max<std::size_t>(length, 1)), "string type");
+  check(H5Tset_strpad(type, H5T_STR_NULLPAD), "string type");
+  check(H5Tset_cset(type, H5T_CSET_UTF8), "string type");
+  return type;
+}
+
+std::vector<hsize_t> extent(const Shape& shape) { return {shape.begin(), shape.end()}; }
+
+}  // namespace
+
+void make_group(hid_t file, const std::string& path) { make_parents(file, path + "/"); }
+
+hid_t check(hid_t result, const char* what) {
+  if (result < 0) throw std::runtime_error(std::string(what) + ": " + reason_from_hdf5());
+  return result;
+}
+
+Handle new_file_in_memory() {
+  const Handle access = property_list(H5P_FILE_ACCESS);
+  check(H5Pset_fapl_core(access, std::size_t{1} << 20U, 0), "file in memory");
+  check(H5Pset_libver_bounds(access, H5F_LIBVER_V110, H5F_LIBVER_V110), "file format");
+  const Handle creation = property_list(H5P_FILE_CREATE);
+  check(H5Pset_obj_track_times(creation, 0), "file without timestamps");
+  return {H5Fcreate("artefact", H5F_ACC_TRUNC, creation, access), "file in memory"};
+}
+
+std::vector<std::byte> image_of(hid_t file) {
+  check(H5Fflush(file, H5F_SCOPE_GLOBAL), "flush");
+  const ssize_t size = H5Fget_file_image(file, nullptr, 0);
+  check(size, "file image");
+  std::vector<std::byte> image(static_cast<std::size_t>(size));
+  check(H5Fget_file_image(file, image.data(), image.size()), "file image");
+  return image;
+}
+
+Handle open_image(std::span<const std::byte> image) {
+  const Handle access = property_list(H5P_FILE_ACCESS);
+  check(H5Pset_fapl_core(access, std::size_t{1} << 20U, 0), "file in memory");
+  // HDF5 copies the image; the interface is merely not const-correct.
+  check(H5Pset_file_image(access, const_cast<std::byte*>(image.data()), image.size()), "open");
+  return {H5Fopen("artefact", H5F_ACC_RDONLY, access), "open"};
+}
+
+void write_numbers(hid_t file, const std::string& path, hid_t type, const void* data,
+                   const Shape& shape) {
+  make_parents(file, path);
+  const std::vector<hsize_t> dims = extent(shape);
+  std::vector<hsize_t> chunk = dims;  // one chunk: artefacts are read whole
+  for (hsize_t& n : chunk) n = std::max<hsize_t>(n, 1);
+  const Handle creation = property_list(H5P_DATASET_CREATE);
+  check(H5Pset_obj_track_times(creation, 0), path.c_str());
+  check(H5Pset_chunk(creation, static_cast<int>(chunk.size()), chunk.data()), path.c_str());
+  check(H5Pset_fletcher32(creation), path.c_str());
+  const Handle space(H5Screate_simple(static_cast<int>(dims.size()), dims.data(), nullptr),
+                     path.c_str());
+  const Handle dataset(
+      H5Dcreate2(file, path.c_str(), type, space, H5P_DEFAULT, creation, H5P_DEFAULT),
+      path.c_str());
+  if (std::ranges::find(dims, hsize_t{0}) != dims.end()) return;
+  check(H5Dwrite(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, data), path.c_str());
+}
+
+void write_strings(hid_t file, const std::string& path, const std::vector<std::string>& strings) {
+  make_parents(file, path);
+  std::size_t longest = 1;
+  for (const std::string& s : strings) longest = std::max(longest, s.size());
+  std::string packed;
+  for (const std::string& s : strings) packed += s + std::string(longest - s.size(), '\0');
+  const Handle type = fixed_string_type(longest);
+  const hsize_t count = strings.size();
+  const Handle space(H5Screate_simple(1, &count, nullptr), path.c_str());
+  const Handle creation = property_list(H5P_DATASET_CREATE);
+  check(H5Pset_obj_track_times(creation, 0), path.c_str());
+  const Handle dataset(
+      H5Dcreate2(file, path.c_str(), type, space, H5P_DEFAULT, creation, H5P_DEFAULT),
+      path.c_str());
+  if (count == 0) return;
+  check(H5Dwrite(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, packed.data()), path.c_str());
+}
+
+Handle open_dataset(hid_t file, const std::string& path) {
+  return {H5Dopen2(file, path.c_str(), H5P_DEFAULT), path.c_str()};
+}
+
+Shape shape_of(hid_t dataset) {
+  const Handle space(H5Dget_space(dataset), "dataspace");
+  const int rank = H5Sget_simple_extent_ndims(space);
+  check(rank, "dataspace");
+  std::vector<hsize_t> dims(static_cast<std::size_t>(rank));
+  check(H5Sget_simple_extent_dims(space, dims.data(), nullptr), "dataspace");
+  return {dims.begin(), dims.end()};
+}
+
+std::vector<std::string> read_strings(hid_t file, const std::string& path) {
+  const Handle dataset = open_dataset(file, path);
+  const Handle type(H5Dget_type(dataset), path.c_str());
+  if (H5Tget_class(type) != H5T_STRING || H5Tis_variable_str(type) != 0) {
+    throw std::runtime_error(path + ": is not a list of fixed-length strings");
+  }
+  const Shape shape = shape_of(dataset);
+  const std::size_t count = shape.size() == 1 ? shape[0] : 0;
+  const std::size_t length = H5Tget_size(type);
+  std::string packed(count * length, '\0');
+  if (count > 0) {
+    check(H5Dread(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, packed.data()), path.c_str());
+  }
+  std::vector<std::string> strings;
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::string padded = packed.substr(i * length, length);
+    strings.push_back(padded.substr(0, padded.find('\0')));
+  }
+  return strings;
+}
+
+void write_attribute(hid_t file, const std::string& object_path, const std::string& name,
+                     hid_t type, const void* value) {
+  const Handle object(H5Oopen(file, object_path.c_str(), H5P_DEFAULT), object_path.c_str());
+  const Handle space(H5Screate(H5S_SCALAR), name.c_str());
+  const Handle attribute(H5Acreate2(object, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT),
+                         name.c_str());
+  check(H5Awrite(attribute, type, value), name.c_str());
+}
+
+void write_attribute(hid_t file, const std::string& object_path, const std::string& name,
+                     const std::string& value) {
+  const Handle type = fixed_string_type(value.size());
+  const std::string padded = value.empty() ? std::string(1, '\0') : value;
+  write_attribute(file, object_path, name, type, padded.data());
+}
+
+std::string read_string_attribute(hid_t file, const std::string& object_path,
+                                  const std::string& name) {
+  const Handle attribute(
+      H5Aopen_by_name(file, object_path.c_str(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT),
+      name.c_str());
+  const Handle type(H5Aget_type(attribute), name.c_str());
+  if (H5Tget_class(type) != H5T_STRING || H5Tis_variable_str(type) != 0) {
+    throw std::runtime_error(name + ": is not a fixed-length string");
+  }
+  std::string value(H5Tget_size(type), '\0');
+  check(H5Aread(attribute, type, value.data()), name.c_str());
+  return value.substr(0, value.find('\0'));
+}
+
+std::vector<std::string> object_paths(hid_t file) {
+  std::vector<std::string> paths;
+  const auto visit = [](hid_t, const char* name, const H5O_info_t*, void* out) -> herr_t {
+    if (std::strcmp(name, ".") != 0) {
+      static_cast<std::vector<std::string>*>(out)->push_back("/" + std::string(name));
+    }
+    return 0;
+  };
+  check(H5Ovisit(file, H5_INDEX_NAME, H5_ITER_INC, visit, &paths), "list of datasets");
+  std::ranges::sort(paths);
+  return paths;
+}
+
+std::vector<std::string> attribute_names(hid_t object) {
+  std::vector<std::string> names;
+  const auto visit = [](hid_t, const char* name, const H5A_info_t*, void* out) -> herr_t {
+    static_cast<std::vector<std::string>*>(out)->emplace_back(name);
+    return 0;
+  };
+  check(H5Aiterate2(object, H5_INDEX_NAME, H5_ITER_INC, nullptr, visit, &names), "attributes");
+  std::ranges::sort(names);
+  return names;
+}
+
+}  // namespace piae::artefact::hdf5

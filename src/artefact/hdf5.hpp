@@ -1,0 +1,91 @@
+#pragma once
+
+#include <hdf5.h>
+
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+/// A thin layer over HDF5's C interface: handles that close themselves, and calls that throw with
+/// the reason that HDF5 gives. Files live in memory here; artefact/file.hpp moves them to and from
+/// the disk, so that a full disk is an ordinary error and not a half-closed HDF5 file.
+namespace piae::artefact::hdf5 {
+
+/// Throws std::runtime_error("<what>: <HDF5's own reason>") when `result` says that a call failed.
+hid_t check(hid_t result, const char* what);
+
+/// Owns one HDF5 identifier.
+class Handle {
+ public:
+  Handle() = default;
+  Handle(hid_t id, const char* what) : id_(check(id, what)) {}
+  Handle(Handle&& other) noexcept : id_(std::exchange(other.id_, H5I_INVALID_HID)) {}
+  Handle& operator=(Handle&& other) noexcept {
+    std::swap(id_, other.id_);
+    return *this;
+  }
+  Handle(const Handle&) = delete;
+  Handle& operator=(const Handle&) = delete;
+  ~Handle() {
+    if (id_ >= 0) H5Idec_ref(id_);
+  }
+  // Every HDF5 call takes the bare identifier.
+  operator hid_t() const { return id_; }  // NOLINT(google-explicit-constructor)
+
+ private:
+  hid_t id_ = H5I_INVALID_HID;
+};
+
+template <class T>
+concept Number = std::same_as<T, float> || std::same_as<T, double> ||
+    std::same_as<T, std::int32_t> || std::same_as<T, std::int64_t>;
+
+/// HDF5's little-endian type that stores T.
+template <Number T>
+hid_t stored_type() {
+  if constexpr (std::same_as<T, float>) return H5T_IEEE_F32LE;
+  if constexpr (std::same_as<T, double>) return H5T_IEEE_F64LE;
+  if constexpr (std::same_as<T, std::int32_t>) return H5T_STD_I32LE;
+  if constexpr (std::same_as<T, std::int64_t>) return H5T_STD_I64LE;
+}
+
+using Shape = std::vector<std::size_t>;
+
+/// An empty file in memory, in HDF5's 1.10 format (the first with checksums on all its metadata),
+/// without timestamps.
+Handle new_file_in_memory();
+/// The bytes that the file would have on a disk.
+std::vector<std::byte> image_of(hid_t file);
+/// Opens a file from its bytes, read-only. `image` must outlive the handle.
+Handle open_image(std::span<const std::byte> image);
+
+/// Makes a group and those above it, where they do not exist.
+void make_group(hid_t file, const std::string& path);
+/// Writes a dataset of numbers with a fletcher32 checksum; groups on its path are made.
+void write_numbers(hid_t file, const std::string& path, hid_t type, const void* data,
+                   const Shape& shape);
+/// Writes a list of strings of fixed length (variable-length strings have no checksum in HDF5).
+void write_strings(hid_t file, const std::string& path, const std::vector<std::string>& strings);
+
+Handle open_dataset(hid_t file, const std::string& path);
+Shape shape_of(hid_t dataset);
+std::vector<std::string> read_strings(hid_t file, const std::string& path);
+
+/// Attributes of the object at `object_path` ("/" for the file).
+void write_attribute(hid_t file, const std::string& object_path, const std::string& name,
+                     hid_t type, const void* value);
+void write_attribute(hid_t file, const std::string& object_path, const std::string& name,
+                     const std::string& value);
+std::string read_string_attribute(hid_t file, const std::string& object_path,
+                                  const std::string& name);
+
+/// Names of all datasets and groups, in alphabetical order of their paths, without the root.
+std::vector<std::string> object_paths(hid_t file);
+/// Names of an object's attributes, in alphabetical order.
+std::vector<std::string> attribute_names(hid_t object);
+
+}  // namespace piae::artefact::hdf5

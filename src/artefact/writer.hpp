@@ -1,0 +1,54 @@
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "artefact/hdf5.hpp"
+#include "artefact/provenance.hpp"
+
+namespace piae::artefact {
+
+/// Version of the layout of all artefacts. A reader refuses any other.
+inline constexpr std::int64_t schema_version = 1;
+
+/// Builds one artefact in memory and writes it at once, complete or not at all.
+///
+///     Writer writer("windows");
+///     writer.numbers("/windows", samples, {n, 1024});
+///     writer.attribute("/", "seed", std::int64_t{3});
+///     writer.save("A.h5", provenance);
+class Writer {
+ public:
+  explicit Writer(const std::string& kind);
+
+  /// Row-major numbers (float, double, int32 or int64). Throws std::logic_error when the number of
+  /// values does not fit the shape, and Error(failed) when one of them is NaN or infinite: no
+  /// stage writes such a number, whatever went wrong before it.
+  template <hdf5::Number T>
+  void numbers(const std::string& path, std::span<const T> values, const hdf5::Shape& shape);
+  template <hdf5::Number T>
+  void numbers(const std::string& path, const std::vector<T>& values, const hdf5::Shape& shape) {
+    numbers(path, std::span<const T>(values), shape);
+  }
+  template <hdf5::Number T>
+  void numbers(const std::string& path, const std::vector<T>& values) {
+    numbers(path, std::span<const T>(values), {values.size()});
+  }
+  void strings(const std::string& path, const std::vector<std::string>& values);
+  void group(const std::string& path);
+
+  void attribute(const std::string& object, const std::string& name, double value);
+  void attribute(const std::string& object, const std::string& name, std::int64_t value);
+  void attribute(const std::string& object, const std::string& name, const std::string& value);
+
+  /// Adds provenance and digests, and puts the file in place atomically (see artefact/file.hpp).
+  /// The last call on a writer.
+  void save(const std::filesystem::path& path, const Provenance& provenance);
+
+ private:
+  hdf5::Handle file_;
+};
+
+}  // namespace piae::artefact

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace piae {
+
+/// SHA-256 (FIPS 180-4, by OpenSSL) over everything fed to it.
+class Sha256 {
+ public:
+  Sha256();
+  Sha256& update(std::span<const std::byte> bytes);
+  Sha256& update(std::string_view text);
+  /// The 32 bytes of the digest; nothing can be fed afterwards.
+  std::string finish();
+  /// The same as 64 lower-case hexadecimal digits.
+  std::string finish_hex();
+
+ private:
+  struct Free {
+    void operator()(void* context) const;
+  };
+  std::unique_ptr<void, Free> context_;
+};
+
+/// Hexadecimal SHA-256 of a file's bytes. Throws Error(input_missing) if it cannot be read.
+std::string sha256_of_file(const std::filesystem::path& path);
+
+}  // namespace piae

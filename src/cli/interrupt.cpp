@@ -1,0 +1,24 @@
+#include "cli/interrupt.hpp"
+
+#include <csignal>
+
+namespace piae::cli {
+
+namespace {
+
+volatile std::sig_atomic_t caught = 0;
+
+void remember(int /*signal*/) { caught = 1; }
+
+}  // namespace
+
+void catch_interrupts() {
+  struct sigaction action {};
+  action.sa_handler = remember;
+  sigaction(SIGTERM, &action, nullptr);
+  sigaction(SIGINT, &action, nullptr);
+}
+
+bool interrupted() { return caught != 0; }
+
+}  // namespace piae::cli

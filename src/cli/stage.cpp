@@ -1,0 +1,132 @@
+#include "cli/stage.hpp"
+
+#include <spdlog/sinks/stdout_color_sinks.h>
+#include <spdlog/spdlog.h>
+
+#include <iostream>
+#include <new>
+
+#include "base/error.hpp"
+#include "base/sha256.hpp"
+#include "cli/toml_config.hpp"
+
+namespace piae::cli {
+
+namespace {
+
+const std::string files_group = "Files";
+
+void log_to_stderr(const std::string& name) {
+  if (spdlog::get(name)) return;
+  spdlog::set_default_logger(spdlog::stderr_color_mt(name));
+  spdlog::set_pattern("%n: %v");
+}
+
+/// One line: CLI11 ends some of its messages with a second one.
+std::string first_line(std::string text) { return text.substr(0, text.find('\n')); }
+
+int fail(const std::string& name, Exit exit, const std::string& line) {
+  std::cerr << name << ": " << line << '\n';
+  return static_cast<int>(exit);
+}
+
+}  // namespace
+
+Stage::Stage(std::string name, const std::string& summary, const std::string& example)
+    : name_(std::move(name)), app_(summary, name_) {
+  app_.footer("Example:\n  " + example +
+              "\n\nExit codes: 0 done, 1 failed, 2 usage, 65 bad input data, 66 input missing,\n"
+              "75 interrupted after a checkpoint (run the same command again)");
+  app_.option_defaults()->always_capture_default();
+  app_.get_formatter()->column_width(38);
+  app_.set_config("--config", "", "TOML file to read options from, table [" + name_ + "]")
+      ->group(files_group);
+  app_.config_formatter(std::make_shared<TomlConfig>(name_, ""));
+  app_.allow_config_extras(CLI::config_extras_mode::error);
+}
+
+CLI::Option* Stage::input_file(const std::string& option, std::filesystem::path& path,
+                               const std::string& help) {
+  return app_.add_option(option, path, help)->required()->group(files_group)->type_name("FILE");
+}
+
+CLI::Option* Stage::output_file(const std::string& option, std::filesystem::path& path,
+                                const std::string& help) {
+  return app_.add_option(option, path, help)->required()->group(files_group)->type_name("PATH");
+}
+
+std::string Stage::choose_variant(int argc, char** argv, const std::string& option) {
+  CLI::App first;
+  first.set_help_flag();
+  first.allow_extras();
+  first.allow_config_extras(CLI::config_extras_mode::ignore_all);
+  std::string variant;
+  first.add_option(option, variant);
+  first.set_config("--config");
+  first.config_formatter(std::make_shared<TomlConfig>(name_, ""));
+  try {
+    first.parse(argc, argv);
+  } catch (const CLI::Error&) {
+    return {};  // run() meets the same error and reports it
+  }
+  app_.config_formatter(std::make_shared<TomlConfig>(name_, variant));
+  return variant;
+}
+
+int Stage::run(int argc, char** argv, const std::function<void()>& body) {
+  log_to_stderr(name_);
+  try {
+    app_.parse(argc, argv);
+    body();
+    return static_cast<int>(Exit::done);
+  } catch (const CLI::CallForHelp&) {
+    std::cout << app_.help();
+    return static_cast<int>(Exit::done);
+  } catch (const CLI::FileError& error) {
+    return fail(name_, Exit::input_missing, first_line(error.what()));
+  } catch (const CLI::Error& error) {
+    return fail(name_, Exit::usage, first_line(error.what()) + " (see " + name_ + " --help)");
+  } catch (const Error& error) {
+    return fail(name_, error.exit(), error.what());
+  } catch (const std::bad_alloc&) {
+    return fail(name_, Exit::failed, "out of memory");
+  } catch (const std::exception& error) {
+    return fail(name_, Exit::failed, first_line(error.what()));
+  }
+}
+
+artefact::Reader Stage::open(const std::string& role, const std::filesystem::path& path,
+                             const std::string& kind) {
+  artefact::Reader reader(path, kind);
+  inputs_.push_back({role, path.filename().string(), reader.digest()});
+  return reader;
+}
+
+void Stage::note_input(const std::string& role, const std::filesystem::path& path) {
+  inputs_.push_back({role, path.filename().string(), sha256_of_file(path)});
+}
+
+artefact::Provenance Stage::provenance() const { return {name_, resolved_options(), inputs_}; }
+
+void Stage::save(artefact::Writer& writer, const std::filesystem::path& path) const {
+  writer.save(path, provenance());
+}
+
+std::string Stage::resolved_options() const {
+  std::string text;
+  for (const CLI::Option* option : app_.get_options()) {
+    const bool has_name = !option->get_lnames().empty();
+    if (!has_name || option->get_group() == files_group || option == app_.get_help_ptr()) continue;
+    std::string value = option->get_default_str();
+    if (option->count() > 0) {
+      value.clear();
+      for (const std::string& result : option->reduced_results()) {
+        value += (value.empty() ? "" : ", ") + result;
+      }
+    }
+    text += option->get_lnames().front() + " = \"" + value + "\"\n";
+  }
+  return text;
+}
+
+}  // namespace piae::cli

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <functional>
+#include <string>
+
+#include "artefact/provenance.hpp"
+#include "artefact/reader.hpp"
+#include "artefact/writer.hpp"
+
+namespace piae::cli {
+
+/// What all stage programs share: help with an example, options from the command line and from a
+/// TOML file, provenance, one line for an error, and exit codes.
+///
+///     int main(int argc, char** argv) {
+///       cli::Stage stage("split", "Cuts records into windows ...", "split --records records.h5
+///       ..."); SplitOptions options; bind(stage.app(), options); fs::path records;
+///       stage.input_file("--records", records, "records.h5 made by ingest or simulate");
+///       return stage.run(argc, argv, [&] {
+///         const Recordings recordings = read_recordings(stage.open("records", records,
+///         "records"));
+///         ...
+///         stage.save(writer, output);
+///       });
+///     }
+class Stage {
+ public:
+  Stage(std::string name, const std::string& summary, const std::string& example);
+
+  CLI::App& app() { return app_; }
+
+  /// A required option that names a file or folder. Such options are not part of the recorded
+  /// settings: the same settings in another folder are the same settings.
+  CLI::Option* input_file(const std::string& option, std::filesystem::path& path,
+                          const std::string& help);
+  CLI::Option* output_file(const std::string& option, std::filesystem::path& path,
+                           const std::string& help);
+
+  /// Reads the value of `option` from the command line or the TOML file before all others are
+  /// known, because others depend on it (`--method` decides which options train has). It also names
+  /// the variant's table in the TOML file. Empty when not given. Ends the program on a usage error.
+  std::string choose_variant(int argc, char** argv, const std::string& option);
+
+  /// Parses, runs the body, and turns errors into one line on standard error and an exit code.
+  int run(int argc, char** argv, const std::function<void()>& body);
+
+  /// Opens an artefact of a kind, and notes it as an input of whatever is saved later.
+  artefact::Reader open(const std::string& role, const std::filesystem::path& path,
+                        const std::string& kind);
+  /// Notes an input that is not an artefact, by the sha256 of its bytes.
+  void note_input(const std::string& role, const std::filesystem::path& path);
+
+  /// Options as resolved, without files; inputs as opened so far.
+  [[nodiscard]] artefact::Provenance provenance() const;
+  void save(artefact::Writer& writer, const std::filesystem::path& path) const;
+
+ private:
+  [[nodiscard]] std::string resolved_options() const;
+
+  std::string name_;
+  CLI::App app_;
+  std::string config_path_;
+  std::vector<artefact::Provenance::Input> inputs_;
+};
+
+}  // namespace piae::cli

@@ -1,0 +1,63 @@
+#include "cli/toml_config.hpp"
+
+#include <toml++/toml.h>
+
+#include <map>
+#include <sstream>
+
+namespace piae::cli {
+
+namespace {
+
+std::string text_of(const toml::node& node) {
+  if (const auto* text = node.as_string()) return text->get();
+  std::ostringstream out;
+  out << toml::node_view<const toml::node>(node);
+  return out.str();
+}
+
+std::vector<std::string> values_of(const toml::node& node) {
+  std::vector<std::string> values;
+  if (const auto* array = node.as_array()) {
+    for (const toml::node& element : *array) values.push_back(text_of(element));
+  } else {
+    values.push_back(text_of(node));
+  }
+  return values;
+}
+
+using Values = std::map<std::string, std::vector<std::string>>;
+
+/// Takes the plain values of a table, and leaves the tables in it alone.
+void take_values(const toml::table& table, Values& values) {
+  for (const auto& [key, node] : table) {
+    if (!node.is_table() && !node.is_array_of_tables()) {
+      values[std::string(key.str())] = values_of(node);
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<CLI::ConfigItem> TomlConfig::from_config(std::istream& input) const {
+  toml::table file;
+  try {
+    file = toml::parse(input);
+  } catch (const toml::parse_error& error) {
+    std::ostringstream line;
+    line << "not valid TOML: " << error.description() << " (line " << error.source().begin.line
+         << ")";
+    throw CLI::ConversionError(line.str());
+  }
+  const toml::table* table = file[program_].as_table();
+  Values values;
+  take_values(table != nullptr ? *table : file, values);
+  if (table != nullptr && !variant_.empty()) {
+    if (const toml::table* inner = (*table)[variant_].as_table()) take_values(*inner, values);
+  }
+  std::vector<CLI::ConfigItem> items;
+  for (auto& [name, inputs] : values) items.push_back({{}, name, std::move(inputs)});
+  return items;
+}
+
+}  // namespace piae::cli

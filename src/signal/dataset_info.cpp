@@ -1,0 +1,88 @@
+#include "signal/dataset_info.hpp"
+
+#include <array>
+
+#include "base/error.hpp"
+
+namespace piae::signal {
+
+namespace {
+
+constexpr std::array<const char*, 4> defect_words{"none", "outer", "inner", "roller"};
+
+}  // namespace
+
+std::string to_string(Defect defect) { return defect_words[static_cast<std::size_t>(defect)]; }
+
+Defect parse_defect(const std::string& word) {
+  for (std::size_t i = 0; i < defect_words.size(); ++i) {
+    if (word == defect_words[i]) return static_cast<Defect>(i);
+  }
+  throw Error(Exit::bad_input,
+              "unknown defect '" + word + "'; known are none, outer, inner and roller");
+}
+
+int DatasetInfo::healthy_label() const {
+  int label = -1;
+  for (std::size_t i = 0; i < classes.size(); ++i) {
+    if (classes[i].defect != Defect::none) continue;
+    if (label >= 0) {
+      throw Error(Exit::bad_input, "dataset " + name + ": both " + classes[label].name + " and " +
+                                       classes[i].name + " have defect 'none'; one class may");
+    }
+    label = static_cast<int>(i);
+  }
+  if (label < 0) {
+    throw Error(Exit::bad_input, "dataset " + name + ": no class has defect 'none'; one must");
+  }
+  return label;
+}
+
+void write(artefact::Writer& writer, const DatasetInfo& info) {
+  writer.attribute("/", "dataset", info.name);
+  writer.attribute("/", "sample_rate_hz", info.sample_rate_hz);
+  writer.attribute("/", "shaft_speed_rpm", info.shaft_speed_rpm);
+  writer.group("/bearing");
+  writer.attribute("/bearing", "balls", std::int64_t{info.bearing.balls});
+  writer.attribute("/bearing", "ball_diameter_mm", info.bearing.ball_diameter_mm);
+  writer.attribute("/bearing", "pitch_diameter_mm", info.bearing.pitch_diameter_mm);
+  writer.attribute("/bearing", "inner_raceway_mm", info.bearing.inner_raceway_mm);
+  writer.attribute("/bearing", "outer_raceway_mm", info.bearing.outer_raceway_mm);
+  writer.attribute("/bearing", "contact_angle_deg", info.bearing.contact_angle_deg);
+  std::vector<std::string> names;
+  std::vector<std::string> defects;
+  std::vector<double> sizes;
+  for (const ClassInfo& c : info.classes) {
+    names.push_back(c.name);
+    defects.push_back(to_string(c.defect));
+    sizes.push_back(c.defect_size_mm);
+  }
+  writer.strings("/classes/name", names);
+  writer.strings("/classes/defect", defects);
+  writer.numbers("/classes/defect_size_mm", sizes);
+}
+
+DatasetInfo read_dataset_info(const artefact::Reader& reader) {
+  DatasetInfo info;
+  info.name = reader.text("/", "dataset");
+  info.sample_rate_hz = reader.real("/", "sample_rate_hz");
+  info.shaft_speed_rpm = reader.real("/", "shaft_speed_rpm");
+  info.bearing.balls = static_cast<int>(reader.integer("/bearing", "balls"));
+  info.bearing.ball_diameter_mm = reader.real("/bearing", "ball_diameter_mm");
+  info.bearing.pitch_diameter_mm = reader.real("/bearing", "pitch_diameter_mm");
+  info.bearing.inner_raceway_mm = reader.real("/bearing", "inner_raceway_mm");
+  info.bearing.outer_raceway_mm = reader.real("/bearing", "outer_raceway_mm");
+  info.bearing.contact_angle_deg = reader.real("/bearing", "contact_angle_deg");
+  const std::vector<std::string> names = reader.strings("/classes/name");
+  const std::vector<std::string> defects = reader.strings("/classes/defect");
+  const std::vector<double> sizes =
+      reader.numbers<double>("/classes/defect_size_mm", {names.size()}).values;
+  if (defects.size() != names.size())
+    reader.refuse("/classes/defect", "does not fit /classes/name");
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    info.classes.push_back({names[i], parse_defect(defects[i]), sizes[i]});
+  }
+  return info;
+}
+
+}  // namespace piae::signal
