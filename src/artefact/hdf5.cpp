@@ -1,6 +1,8 @@
 #include "artefact/hdf5.hpp"
 
 #include <algorithm>
+#include <atomic>
+#include <cstdlib>
 #include <cstring>
 #include <stdexcept>
 
@@ -48,7 +50,45 @@ Handle fixed_string_type(std::size_t length) {
   return type;
 }
 
+/// Keeps the bytes of a file in memory when HDF5 lets go of them in closing it.
+struct ImageKeeper {
+  std::size_t wanted = 0;  ///< bytes of the file; 0 while none is being closed
+  std::vector<std::byte> image;
+};
+
+thread_local ImageKeeper keeper;
+
+void* allocate_image(size_t size, H5FD_file_image_op_t, void*) { return std::malloc(size); }
+
+void* copy_image(void* to, const void* from, size_t size, H5FD_file_image_op_t, void*) {
+  return std::memcpy(to, from, size);
+}
+
+void* reallocate_image(void* image, size_t size, H5FD_file_image_op_t, void*) {
+  return std::realloc(image, size);
+}
+
+herr_t release_image(void* image, H5FD_file_image_op_t operation, void*) {
+  if (operation == H5FD_FILE_IMAGE_OP_FILE_CLOSE && keeper.wanted > 0) {
+    const auto* bytes = static_cast<const std::byte*>(image);
+    keeper.image.assign(bytes, bytes + keeper.wanted);
+  }
+  std::free(image);
+  return 0;
+}
+
+void* same_keeper(void* udata) { return udata; }
+
+herr_t no_keeper_to_free(void*) { return 0; }
+
 std::vector<hsize_t> extent(const Shape& shape) { return {shape.begin(), shape.end()}; }
+
+/// A name that no other file of this process has: HDF5 takes two files in memory of one name for
+/// the same file, and would read the one that was opened first.
+std::string new_name() {
+  static std::atomic<std::uint64_t> count = 0;
+  return "artefact-" + std::to_string(++count);
+}
 
 }  // namespace
 
@@ -59,22 +99,26 @@ hid_t check(hid_t result, const char* what) {
   return result;
 }
 
-Handle new_file_in_memory() {
-  const Handle access = property_list(H5P_FILE_ACCESS);
-  check(H5Pset_fapl_core(access, std::size_t{1} << 20U, 0), "file in memory");
-  check(H5Pset_libver_bounds(access, H5F_LIBVER_V110, H5F_LIBVER_V110), "file format");
+MemoryFile::MemoryFile() : access_(property_list(H5P_FILE_ACCESS)) {
+  H5FD_file_image_callbacks_t callbacks{allocate_image, copy_image,  reallocate_image,
+                                        release_image,  same_keeper, no_keeper_to_free,
+                                        &keeper};
+  check(H5Pset_fapl_core(access_, std::size_t{1} << 20U, 0), "file in memory");
+  check(H5Pset_file_image_callbacks(access_, &callbacks), "file in memory");
+  check(H5Pset_libver_bounds(access_, H5F_LIBVER_V110, H5F_LIBVER_V110), "file format");
   const Handle creation = property_list(H5P_FILE_CREATE);
   check(H5Pset_obj_track_times(creation, 0), "file without timestamps");
-  return {H5Fcreate("artefact", H5F_ACC_TRUNC, creation, access), "file in memory"};
+  file_ = Handle(H5Fcreate(new_name().c_str(), H5F_ACC_TRUNC, creation, access_), "file in memory");
 }
 
-std::vector<std::byte> image_of(hid_t file) {
-  check(H5Fflush(file, H5F_SCOPE_GLOBAL), "flush");
-  const ssize_t size = H5Fget_file_image(file, nullptr, 0);
-  check(size, "file image");
-  std::vector<std::byte> image(static_cast<std::size_t>(size));
-  check(H5Fget_file_image(file, image.data(), image.size()), "file image");
-  return image;
+std::vector<std::byte> MemoryFile::close() {
+  check(H5Fflush(file_, H5F_SCOPE_GLOBAL), "flush");
+  hsize_t size = 0;
+  check(H5Fget_filesize(file_, &size), "file size");
+  keeper.wanted = static_cast<std::size_t>(size);
+  file_ = Handle();
+  keeper.wanted = 0;
+  return std::exchange(keeper.image, {});
 }
 
 Handle open_image(std::span<const std::byte> image) {
@@ -82,7 +126,7 @@ Handle open_image(std::span<const std::byte> image) {
   check(H5Pset_fapl_core(access, std::size_t{1} << 20U, 0), "file in memory");
   // HDF5 copies the image; the interface is merely not const-correct.
   check(H5Pset_file_image(access, const_cast<std::byte*>(image.data()), image.size()), "open");
-  return {H5Fopen("artefact", H5F_ACC_RDONLY, access), "open"};
+  return {H5Fopen(new_name().c_str(), H5F_ACC_RDONLY, access), "open"};
 }
 
 void write_numbers(hid_t file, const std::string& path, hid_t type, const void* data,

@@ -55,11 +55,21 @@ hid_t stored_type() {
 
 using Shape = std::vector<std::size_t>;
 
-/// An empty file in memory, in HDF5's 1.10 format (the first with checksums on all its metadata),
-/// without timestamps.
-Handle new_file_in_memory();
-/// The bytes that the file would have on a disk.
-std::vector<std::byte> image_of(hid_t file);
+/// A new file that is built in memory, in HDF5's 1.10 format (the first with checksums on all its
+/// metadata) and without timestamps.
+class MemoryFile {
+ public:
+  MemoryFile();
+  [[nodiscard]] hid_t id() const { return file_; }
+  /// Closes the file and returns the bytes that it would have on a disk. H5Fget_file_image would
+  /// not do: until HDF5 1.14.6 it leaves a wrong checksum in the superblock of such files.
+  std::vector<std::byte> close();
+
+ private:
+  Handle access_;
+  Handle file_;
+};
+
 /// Opens a file from its bytes, read-only. `image` must outlive the handle.
 Handle open_image(std::span<const std::byte> image);
 

@@ -42,7 +42,7 @@ void write_provenance(hid_t file, const Provenance& provenance) {
 
 }  // namespace
 
-Writer::Writer(const std::string& kind) : file_(hdf5::new_file_in_memory()) {
+Writer::Writer(const std::string& kind) {
   attribute("/", "kind", kind);
   attribute("/", "schema", schema_version);
 }
@@ -53,7 +53,7 @@ void Writer::numbers(const std::string& path, std::span<const T> values, const h
   for (const std::size_t n : shape) count *= n;
   if (count != values.size()) throw std::logic_error(path + ": values do not fit the shape");
   require_finite(path, values);
-  hdf5::write_numbers(file_, path, hdf5::stored_type<T>(), values.data(), shape);
+  hdf5::write_numbers(file_.id(), path, hdf5::stored_type<T>(), values.data(), shape);
 }
 
 template void Writer::numbers(const std::string&, std::span<const float>, const hdf5::Shape&);
@@ -64,30 +64,31 @@ template void Writer::numbers(const std::string&, std::span<const std::int64_t>,
                               const hdf5::Shape&);
 
 void Writer::strings(const std::string& path, const std::vector<std::string>& values) {
-  hdf5::write_strings(file_, path, values);
+  hdf5::write_strings(file_.id(), path, values);
 }
 
-void Writer::group(const std::string& path) { hdf5::make_group(file_, path); }
+void Writer::group(const std::string& path) { hdf5::make_group(file_.id(), path); }
 
 void Writer::attribute(const std::string& object, const std::string& name, double value) {
   require_finite(object + ", attribute " + name, std::span<const double>(&value, 1));
-  hdf5::write_attribute(file_, object, name, hdf5::stored_type<double>(), &value);
+  hdf5::write_attribute(file_.id(), object, name, hdf5::stored_type<double>(), &value);
 }
 
 void Writer::attribute(const std::string& object, const std::string& name, std::int64_t value) {
-  hdf5::write_attribute(file_, object, name, hdf5::stored_type<std::int64_t>(), &value);
+  hdf5::write_attribute(file_.id(), object, name, hdf5::stored_type<std::int64_t>(), &value);
 }
 
 void Writer::attribute(const std::string& object, const std::string& name,
                        const std::string& value) {
-  hdf5::write_attribute(file_, object, name, value);
+  hdf5::write_attribute(file_.id(), object, name, value);
 }
 
 void Writer::save(const std::filesystem::path& path, const Provenance& provenance) {
-  write_provenance(file_, provenance);
-  hdf5::write_attribute(file_, provenance_group, digest_attribute, provenance_digest(file_));
-  hdf5::write_attribute(file_, "/", digest_attribute, content_digest(file_));
-  write_file_atomically(path, hdf5::image_of(file_));
+  write_provenance(file_.id(), provenance);
+  hdf5::write_attribute(file_.id(), provenance_group, digest_attribute,
+                        provenance_digest(file_.id()));
+  hdf5::write_attribute(file_.id(), "/", digest_attribute, content_digest(file_.id()));
+  write_file_atomically(path, file_.close());
 }
 
 }  // namespace piae::artefact

@@ -48,7 +48,7 @@ class Writer {
   void save(const std::filesystem::path& path, const Provenance& provenance);
 
  private:
-  hdf5::Handle file_;
+  hdf5::MemoryFile file_;
 };
 
 }  // namespace piae::artefact

@@ -36,7 +36,7 @@ Stage::Stage(std::string name, const std::string& summary, const std::string& ex
     : name_(std::move(name)), app_(summary, name_) {
   app_.footer("Example:\n  " + example +
               "\n\nExit codes: 0 done, 1 failed, 2 usage, 65 bad input data, 66 input missing,\n"
-              "75 interrupted after a checkpoint (run the same command again)");
+              "75 interrupted after a checkpoint (run the same command again)\n");
   app_.option_defaults()->always_capture_default();
   app_.get_formatter()->column_width(38);
   app_.set_config("--config", "", "TOML file to read options from, table [" + name_ + "]")

@@ -42,6 +42,7 @@ void write(artefact::Writer& writer, const DatasetInfo& info) {
   writer.attribute("/", "dataset", info.name);
   writer.attribute("/", "sample_rate_hz", info.sample_rate_hz);
   writer.attribute("/", "shaft_speed_rpm", info.shaft_speed_rpm);
+  writer.attribute("/", "unit_m_per_s2", info.unit_m_per_s2);
   writer.group("/bearing");
   writer.attribute("/bearing", "balls", std::int64_t{info.bearing.balls});
   writer.attribute("/bearing", "ball_diameter_mm", info.bearing.ball_diameter_mm);
@@ -67,6 +68,7 @@ DatasetInfo read_dataset_info(const artefact::Reader& reader) {
   info.name = reader.text("/", "dataset");
   info.sample_rate_hz = reader.real("/", "sample_rate_hz");
   info.shaft_speed_rpm = reader.real("/", "shaft_speed_rpm");
+  info.unit_m_per_s2 = reader.real("/", "unit_m_per_s2");
   info.bearing.balls = static_cast<int>(reader.integer("/bearing", "balls"));
   info.bearing.ball_diameter_mm = reader.real("/bearing", "ball_diameter_mm");
   info.bearing.pitch_diameter_mm = reader.real("/bearing", "pitch_diameter_mm");

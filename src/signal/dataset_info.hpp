@@ -6,12 +6,13 @@
 
 #include "artefact/reader.hpp"
 #include "artefact/writer.hpp"
+#include "bearing/defect.hpp"
 #include "bearing/geometry.hpp"
 
 namespace piae::signal {
 
-/// Where the defect of a class sits; the paper's lambda_o, lambda_i, lambda_r (eq. 11).
-enum class Defect { none, outer, inner, roller };
+/// Where the defect of a class sits.
+using bearing::Defect;
 
 /// "none", "outer", "inner", "roller". parse_defect throws Error(bad_input) for any other word.
 std::string to_string(Defect defect);
@@ -28,6 +29,7 @@ struct DatasetInfo {
   std::string name;           ///< "cwru"
   double sample_rate_hz = 0;  ///< of all signals and windows, after resampling
   double shaft_speed_rpm = 0;
+  double unit_m_per_s2 = 1;  ///< one unit of the signals: 9.80665 where they are in g
   bearing::Geometry bearing;
   std::vector<ClassInfo> classes;
 

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "signal/dataset_info.hpp"
@@ -29,7 +30,8 @@ struct WindowSet {
   [[nodiscard]] std::vector<std::size_t> indices_of(int label) const;
   [[nodiscard]] std::size_t count_of(int label) const;
 
-  /// Appends window i of another set of the same dataset and length, with all that is known of it.
+  /// Appends window i of another set of the same dataset and length. Origins and parameters stay
+  /// only while all windows have them: cut and generated windows in one set keep neither.
   void append(const WindowSet& other, std::size_t i);
 };
 

@@ -1,0 +1,94 @@
+# The front door. `make help` says what there is; the experiment itself is in pipeline/grid.mk.
+
+ifneq ($(firstword $(sort 4.3 $(MAKE_VERSION))),4.3)
+$(error GNU make 4.3 or later is needed, this is $(MAKE_VERSION))
+endif
+SHELL := /bin/bash
+MAKEFLAGS += --no-builtin-rules --no-print-directory
+
+# ---- what is run: each can be given on the command line -----------------------------------------
+RUN      := paper
+DATASETS := cwru
+METHODS  := none piae-dt
+RATIOS   := 100to1 50to1 25to1 10to1 5to1 2to1 1to1
+SEEDS    := 0 1 2 3 4 5 6 7 8 9
+PROTOCOL := random
+DATA_DIR ?= data
+ARCH     ?= native
+SUBMIT   :=
+V        :=
+
+# The demo is a small grid of the same kind, on all cores unless -j says otherwise.
+ifneq (,$(filter demo,$(MAKECMDGOALS)))
+RUN      := demo
+DATASETS := simulated
+METHODS  := none piae-dt
+RATIOS   := 100to1 10to1
+SEEDS    := 0 1
+MAKEFLAGS += -j$(shell env -u OMP_NUM_THREADS nproc)
+endif
+
+# Programs are built first, unless BIN= names a folder where they already are.
+ifneq ($(origin BIN),command line)
+BIN      := build/bin
+programs := build
+endif
+
+export BIN SUBMIT
+Q := $(if $(V),,@)
+
+.DEFAULT_GOAL := help
+.PHONY: help demo all cells records data test bench deps build clean
+
+help:
+	@printf '  %-10s%s\n' \
+	  demo     'install what is missing, build, run the method on a simulated bearing: start here' \
+	  all      'run the grid and make its tables in results/RUN/<dataset>/' \
+	  cells    'run the grid without the tables (on a cluster: see jobs/)' \
+	  records  'only read or simulate the data sets' \
+	  data     'download the recordings that have an official address into DATA_DIR' \
+	  test     'build and run every test; those on real recordings when DATA_DIR has them' \
+	  bench    'build and run the benchmarks' \
+	  deps     'install the packages that are missing (apt)' \
+	  build    'build the programs into build/bin' \
+	  clean    'remove build/; results and data stay' \
+	  | sed 's/^ /make/; 1i\Targets'
+	@printf '  %-10s%s\n' \
+	  RUN      'folder under results/; PROTOCOL=blocked adds "-blocked"  [$(RUN)]' \
+	  DATASETS 'any of $(known_datasets)  [$(DATASETS)]' \
+	  METHODS  'none runs at 100to1, all others at the other ratios  [$(METHODS)]' \
+	  RATIOS   'windows known to generated  [$(RATIOS)]' \
+	  SEEDS    'independent repeats; 100-104 are for choosing parameters  [$(SEEDS)]' \
+	  PROTOCOL 'the split: random (the paper) or blocked (no overlaps)  [$(PROTOCOL)]' \
+	  DATA_DIR 'folder of the recordings  [$(DATA_DIR)]' \
+	  ARCH     'processor to build for: native, x86-64-v3, ...  [$(ARCH)]' \
+	  BIN      'folder of programs to use as they are, instead of building  [$(BIN)]' \
+	  SUBMIT   'command put before every step, such as "srun --ntasks=1 --mem=2G"  [$(SUBMIT)]' \
+	  V        'V=1 shows the commands  [$(V)]' \
+	  | sed '1i\\nVariables, and their values now'
+	@printf '%s\n' '' \
+	  'make -j2 runs two steps at a time, -k carries on after a failed cell, -n shows what would run.' \
+	  'A setting changed in pipeline/ makes exactly what depends on it again. Programs built again do' \
+	  'not discard results: to start over, remove the folder of the run.'
+
+deps:
+	$(Q)pipeline/deps.sh
+
+build: deps
+	$(Q)pipeline/build.sh $(ARCH) programs
+
+bench: deps
+	$(Q)pipeline/build.sh $(ARCH) benches
+	$(Q)for bench in build/bin/bench_*; do $$bench || exit; done
+
+test: deps
+	$(Q)pipeline/build.sh $(ARCH) programs tests
+	$(Q)DATA_DIR='$(DATA_DIR)' tests/run.sh
+
+data: | $(programs)
+	$(Q)pipeline/download.sh '$(DATA_DIR)' $(filter-out $(simulated),$(DATASETS))
+
+clean:
+	rm -rf build
+
+include pipeline/grid.mk

@@ -1,0 +1,28 @@
+#!/bin/bash
+# Configures and builds into build/, on as many cores as there is memory for.
+# usage: pipeline/build.sh ARCH TARGET...
+set -euo pipefail
+
+arch=$1
+shift
+# Our own jobs, not those of the make that called: nothing else of it runs before the programs do.
+unset MAKEFLAGS MFLAGS MAKELEVEL MAKEOVERRIDES
+
+mkdir -p build
+exec 9>build/.lock
+flock 9 # two makes at once, as on a cluster, build once
+
+# What a file with LibTorch's headers takes to compile, in kB.
+per_job=1200000
+cores=$(env -u OMP_NUM_THREADS nproc)
+memory=$(awk '/^MemAvailable/ { print $2 }' /proc/meminfo)
+jobs=$((memory / per_job < cores ? memory / per_job : cores))
+
+cmake -S . -B build "-DPIAE_ARCH=$arch" >build/configure.log 2>&1 || {
+  cat build/configure.log >&2
+  echo "build: cmake could not configure; above is why (also in build/configure.log)" >&2
+  exit 1
+}
+# What is left when there is nothing to build says nothing.
+cmake --build build --parallel $((jobs > 0 ? jobs : 1)) --target "$@" |
+  { grep --line-buffered -vE '^\[ *[0-9]+%\] Built target|^Consolidate compiler|^ninja: no work' || true; }

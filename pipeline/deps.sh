@@ -1,0 +1,48 @@
+#!/bin/bash
+# Installs by apt what the project needs and the machine lacks: as root, or with sudo. Where neither
+# is possible it prints the line for somebody who may, and exits with 2. When nothing is missing it
+# does nothing, and needs no network.
+set -euo pipefail
+
+packages=(
+  g++ make cmake pkgconf git                          # to build; git also names the commit in artefacts
+  libtorch-dev libopenblas-dev libeigen3-dev          # networks and linear algebra
+  libhdf5-dev hdf5-tools libmatio-dev libsoxr-dev     # artefacts, MATLAB files, resampling
+  libcli11-dev libtomlplusplus-dev libspdlog-dev      # options, settings, log lines
+  libboost-dev libboost-math-dev libssl-dev           # differential equations, statistics, sha256
+  libgtest-dev libgmock-dev libbenchmark-dev          # tests and benchmarks
+  curl ca-certificates                                # make data
+)
+
+if ! command -v dpkg-query >/dev/null; then
+  echo "deps: not Debian or Ubuntu, so nothing is installed here; needed are: ${packages[*]}" >&2
+  exit 0
+fi
+
+installed=$(dpkg-query --show --showformat '${db:Status-Status} ${Package}\n' "${packages[@]}" 2>/dev/null || true)
+missing=()
+for package in "${packages[@]}"; do
+  grep -qx "installed $package" <<<"$installed" || missing+=("$package")
+done
+((${#missing[@]})) || exit 0
+
+apt="env DEBIAN_FRONTEND=noninteractive apt-get"
+install="$apt install --yes --no-install-recommends ${missing[*]}"
+if ((EUID == 0)); then
+  as_root=
+elif command -v sudo >/dev/null && { sudo -n true 2>/dev/null || { [[ -t 0 ]] && sudo -v; }; }; then
+  as_root=sudo
+else
+  echo "deps: packages are missing, and installing them needs root. Run this, or have it run:" >&2
+  echo "  sudo apt-get update && sudo apt-get install --yes --no-install-recommends ${missing[*]}" >&2
+  exit 2
+fi
+
+echo "deps: installing ${missing[*]}"
+for command in "$apt update --quiet=2" "$install --quiet=2"; do
+  # shellcheck disable=SC2086
+  $as_root $command >/dev/null || {
+    echo "deps: failed: $as_root $command" >&2
+    exit 1
+  }
+done

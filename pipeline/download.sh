@@ -1,0 +1,57 @@
+#!/bin/bash
+# Fetches the recordings of data sets from their official addresses, as their descriptions give
+# them, checks their sha256 sums, and goes on where it was stopped.
+# usage: pipeline/download.sh DATA_DIR DATASET...      (BIN in the environment: folder of ingest)
+set -euo pipefail
+
+data_dir=$1
+shift
+
+is_right() { [[ -f $1 ]] && echo "$2  $1" | sha256sum --check --status; }
+
+give_up() { # file, sha256, what happened
+  echo "data: $1: $3. Run the same command to go on, or put the file there by hand (sha256 $2)," \
+    "or name a folder that has the recordings: DATA_DIR=..." >&2
+  exit 1
+}
+
+fetch() { # file, sha256, url
+  local file=$1 sum=$2 url=$3 part=$1.part message
+  mkdir -p "${file%/*}" || give_up "$file" "$sum" "its folder cannot be made"
+  if ! is_right "$part" "$sum"; then
+    echo "data: $file from $url"
+    message=$(curl --fail --location --silent --show-error --retry 3 --connect-timeout 20 \
+      --continue-at - --output "$part" "$url" 2>&1) ||
+      give_up "$file" "$sum" "could not be downloaded from $url (${message##*$'\n'})"
+  fi
+  if ! is_right "$part" "$sum"; then
+    rm -f "$part"
+    give_up "$file" "$sum" "what $url sent is not the recording that is described"
+  fi
+  mv "$part" "$file"
+}
+
+for dataset in "$@"; do
+  sources=$("$BIN/ingest" --sources --description "pipeline/datasets/$dataset.toml" |
+    awk '!seen[$0]++')
+  there=0 fetched=0 missing=()
+  # "sha256  file  url", two spaces between; "-" for a sum or an address that there is not.
+  while read -r line; do
+    sum=${line%%  *} url=${line##*  } file=${line#*  }
+    file=$data_dir/${file%  *}
+    if [[ $sum == - && -f $file ]] || is_right "$file" "$sum"; then
+      there=$((there + 1))
+    elif [[ $sum == - || $url == - ]]; then
+      missing+=("$file")
+    else
+      fetch "$file" "$sum" "$url"
+      fetched=$((fetched + 1))
+    fi
+  done <<<"$sources"
+  echo "data: $dataset: $fetched files fetched, $there were there"
+  if ((${#missing[@]})); then
+    echo "data: $dataset: no official address for ${missing[*]}: put them there by hand," \
+      "or name a folder that has the recordings: DATA_DIR=..." >&2
+    exit 1
+  fi
+done

@@ -1,0 +1,58 @@
+#!/bin/bash
+# Runs one stage for one folder of a run: a log beside what it makes, warnings and errors on
+# standard error, one line when it is done. Whatever it prints begins with the cell it belongs to.
+#
+# usage: pipeline/step.sh results/RUN/DATASET/... STAGE OPTION...
+# From the environment: BIN (folder of the programs), SUBMIT (a command to put before the stage).
+set -u
+LC_NUMERIC=C
+
+folder=$1 stage=$2
+shift 2
+cell=${folder#results/*/}
+log=$folder/$stage.log
+# A stage runs on one thread: make and the scheduler fill the cores.
+export OMP_NUM_THREADS=${OMP_NUM_THREADS:-1} OPENBLAS_NUM_THREADS=${OPENBLAS_NUM_THREADS:-1}
+
+report() { printf '%-32s %-8s %s\n' "$cell" "$stage" "$1"; }
+
+show_and_log() {
+  trap '' INT TERM HUP # it ends when the stage does
+  while IFS= read -r line; do
+    printf '%s\n' "$line" >>"$log"
+    printf '%-32s %s\n' "$cell" "$line" >&2
+  done
+}
+
+if ! { mkdir -p "$folder" && echo "${SUBMIT:+$SUBMIT }$BIN/$stage $*" >"$log"; } 2>/dev/null; then
+  report "failed: cannot write $log" >&2
+  exit 1
+fi
+
+started=${EPOCHREALTIME/./}
+exec 3> >(show_and_log)
+reader=$!
+# SUBMIT is a command with its options: its words are meant to be split.
+# shellcheck disable=SC2086
+$SUBMIT "$BIN/$stage" "$@" >>"$log" 2>&3 3>&- &
+child=$!
+exec 3>&-
+
+# A signal is passed on, and the stage waited for: it may be writing a checkpoint.
+signalled=1
+trap 'signalled=1; kill -TERM "$child" 2>/dev/null' INT TERM HUP
+while ((signalled)); do
+  signalled=0
+  wait "$child"
+  status=$?
+done
+wait "$reader"
+
+seconds=$(((${EPOCHREALTIME/./} - started) / 1000))
+seconds=$((seconds / 1000)).$((seconds % 1000 / 100))
+case $status in
+  0) report "$(printf '%8s s  %s' "$seconds" "$(tail -n 1 "$log")")" ;;
+  75) report "interrupted after a checkpoint; the same command goes on from there" >&2 ;;
+  *) report "failed with exit code $status after $seconds s (log: $log)" >&2 ;;
+esac
+exit "$status"

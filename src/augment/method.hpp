@@ -1,0 +1,47 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <cstddef>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "artefact/reader.hpp"
+#include "artefact/writer.hpp"
+#include "base/random.hpp"
+#include "nets/trainee.hpp"
+#include "signal/window_set.hpp"
+
+namespace piae::augment {
+
+/// One way of making fault windows from the few that are known: an entry of the grid's METHODS.
+/// A new one is a class of its own and a line in registry.cpp; stages, grid and tables learn of it
+/// there.
+class Method {
+ public:
+  virtual ~Method() = default;
+
+  /// Adds the options of `train` that are this method's own.
+  virtual void bind(CLI::App& app) = 0;
+
+  /// Learns from the known fault windows C and writes what `generate` needs into the model. Long
+  /// training runs through nets::run_epochs with the checkpoint.
+  virtual void train(const signal::WindowSet& known, const Stream& stream,
+                     const std::string& device, const nets::Checkpoint& checkpoint,
+                     artefact::Writer& model) = 0;
+
+  /// `count` windows of each class with a defect, class by class. Window i of a class must not
+  /// depend on `count`: its random numbers come from the stream's child "<class>/<i>".
+  virtual signal::WindowSet generate(const artefact::Reader& model, std::size_t count,
+                                     const Stream& stream, const std::string& device) = 0;
+};
+
+/// Names of all methods, in the order of the paper's tables.
+std::vector<std::string> method_names();
+
+/// Throws Error(usage) that lists the known ones.
+std::unique_ptr<Method> make_method(const std::string& name);
+
+}  // namespace piae::augment

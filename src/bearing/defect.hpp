@@ -1,0 +1,37 @@
+#pragma once
+
+#include "bearing/geometry.hpp"
+
+namespace piae::bearing {
+
+/// Where a defect sits; the paper's lambda_o, lambda_i, lambda_r (eq. 11).
+enum class Defect { none, outer, inner, roller };
+
+/// A rectangular spall across the raceway or the ball.
+struct LocalDefect {
+  Defect kind = Defect::none;
+  double size_mm = 0;  ///< L_o, L_i or L_r: its length along the running direction; 0 for none
+};
+
+/// Throws Error(bad_input) unless a healthy bearing has size 0, and any other a positive one so
+/// small that the ball does not reach the bottom (L < d) and one ball at a time is in the defect.
+void validate(const Geometry& geometry, const LocalDefect& defect);
+
+/// Eq. 8: half of the angle that the defect spans, seen from the centre of the race or ball. In
+/// radians; 0 for a healthy bearing.
+double half_angle_rad(const Geometry& geometry, const LocalDefect& defect);
+
+/// Eq. 10: how far a ball sinks into a defect of this size, in m. The same for all three kinds.
+double defect_depth_m(const Geometry& geometry, double size_mm);
+
+/// An angle, in radians, brought to [-pi, pi].
+double wrapped(double angle_rad);
+
+/// Eq. 9: whether two directions are less than the half angle apart. The difference is wrapped as a
+/// whole: that of two angles each taken mod 2 pi, as printed, is wrong across 0.
+bool meet(double angle_rad, double other_rad, double half_angle_rad);
+
+/// Eq. 9, last case: a ball's defect faces a race twice a turn, at spin angles pi/2 and 3 pi/2.
+bool faces_a_race(double spin_angle_rad, double half_angle_rad);
+
+}  // namespace piae::bearing

@@ -1,0 +1,47 @@
+#include "diagnosis/standardise.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+#include "base/error.hpp"
+
+namespace piae::diagnosis {
+
+namespace {
+
+void append_standardised(std::span<const float> window, std::vector<float>& samples) {
+  const auto n = static_cast<double>(window.size());
+  double sum = 0;
+  for (const float x : window) sum += x;
+  const double mean = sum / n;
+  double squares = 0;
+  for (const float x : window) squares += (x - mean) * (x - mean);
+  const double scale = 1 / std::sqrt(squares / n);
+  for (const float x : window) samples.push_back(static_cast<float>((x - mean) * scale));
+}
+
+}  // namespace
+
+LabelledWindows standardise(const signal::WindowSet& windows, const std::string& what) {
+  LabelledWindows result;
+  result.length = windows.length;
+  result.classes = windows.info.classes.size();
+  result.labels = windows.labels;
+  result.samples.reserve(windows.samples.size());
+  for (std::size_t i = 0; i < windows.size(); ++i) {
+    const std::span<const float> window = windows.window(i);
+    const auto [low, high] = std::ranges::minmax(window);
+    if (low == high) {
+      throw Error(Exit::bad_input,
+                  what + ": window " + std::to_string(i) + " (class " +
+                      windows.info.classes[static_cast<std::size_t>(windows.labels[i])].name +
+                      ") is constant and cannot be scaled to unit standard deviation; "
+                      "a window needs at least two different samples");
+    }
+    append_standardised(window, result.samples);
+  }
+  return result;
+}
+
+}  // namespace piae::diagnosis

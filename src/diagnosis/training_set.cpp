@@ -1,0 +1,115 @@
+#include "diagnosis/training_set.hpp"
+
+#include <string>
+
+#include "base/error.hpp"
+
+namespace piae::diagnosis {
+
+namespace {
+
+using signal::WindowSet;
+
+/// What is wrong with a set is said with the option that names its file.
+[[noreturn]] void refuse(const std::string& option, const std::string& what) {
+  throw Error(Exit::bad_input, option + ": " + what);
+}
+
+std::string in_quotes(const WindowSet& windows, int label) {
+  return "'" + windows.info.classes[static_cast<std::size_t>(label)].name + "'";
+}
+
+void require_alike(const WindowSet& set, const std::string& option, const WindowSet& other,
+                   const std::string& other_option) {
+  const auto require_equal = [&](const std::string& what, const std::string& own,
+                                 const std::string& others) {
+    if (own == others) return;
+    refuse(option, what + " " + own + ", but " + other_option + " has " + others +
+                       "; all sets must come from one split");
+  };
+  require_equal("is of dataset", set.info.name, other.info.name);
+  require_equal("has sample rate (Hz)", std::to_string(set.info.sample_rate_hz),
+                std::to_string(other.info.sample_rate_hz));
+  require_equal("has windows of length", std::to_string(set.length), std::to_string(other.length));
+  require_equal("has a number of classes of", std::to_string(set.info.classes.size()),
+                std::to_string(other.info.classes.size()));
+  for (std::size_t i = 0; i < set.info.classes.size(); ++i) {
+    require_equal("has class " + std::to_string(i), set.info.classes[i].name,
+                  other.info.classes[i].name);
+  }
+}
+
+void require_windows_of_class(const WindowSet& set, const std::string& option, int label,
+                              bool belongs) {
+  if ((set.count_of(label) > 0) == belongs) return;
+  refuse(option, belongs ? "holds no window of class " + in_quotes(set, label) + "; it needs some"
+                         : "holds windows of class " + in_quotes(set, label) +
+                               ", which do not belong there; give the file that split or generate "
+                               "made for this option");
+}
+
+/// Whether every class that belongs there is there, and no other.
+void require_classes(const WindowSet& set, const std::string& option, bool healthy, bool faults) {
+  const int healthy_label = set.info.healthy_label();
+  for (int label = 0; label < static_cast<int>(set.info.classes.size()); ++label) {
+    require_windows_of_class(set, option, label, label == healthy_label ? healthy : faults);
+  }
+}
+
+void require_enough(const WindowSet& generated, int label, std::size_t needed) {
+  const std::size_t there = generated.count_of(label);
+  if (there >= needed) return;
+  refuse("--generated", "holds " + std::to_string(there) + " windows of class " +
+                            in_quotes(generated, label) + ", but the ratio needs " +
+                            std::to_string(needed) + "; generate with --count " +
+                            std::to_string(needed) + " or more, or choose another --ratio");
+}
+
+void append_first(WindowSet& training, const WindowSet& generated, std::size_t per_class) {
+  const int healthy = generated.info.healthy_label();
+  for (int label = 0; label < static_cast<int>(generated.info.classes.size()); ++label) {
+    if (label == healthy) continue;
+    require_enough(generated, label, per_class);
+    const std::vector<std::size_t> indices = generated.indices_of(label);
+    for (std::size_t i = 0; i < per_class; ++i) training.append(generated, indices[i]);
+  }
+}
+
+void require_generated_where_used(const WindowSet* generated, std::int64_t per_class) {
+  if (generated == nullptr && per_class > 0) {
+    throw Error(Exit::usage, "--generated: missing, but the ratio needs " +
+                                 std::to_string(per_class) +
+                                 " generated windows for each fault class; give E.h5, or choose "
+                                 "--ratio 100to1");
+  }
+  if (generated != nullptr && per_class == 0) {
+    throw Error(Exit::usage,
+                "--generated: this ratio uses no generated window; leave the option out, or choose "
+                "another --ratio, such as 10to1");
+  }
+}
+
+}  // namespace
+
+WindowSet compose_training_set(const WindowSet& normal, const WindowSet& known,
+                               const WindowSet* generated, std::int64_t generated_per_class) {
+  require_generated_where_used(generated, generated_per_class);
+  require_alike(known, "--known", normal, "--normal");
+  require_classes(normal, "--normal", true, false);
+  require_classes(known, "--known", false, true);
+  WindowSet training = normal;
+  for (std::size_t i = 0; i < known.size(); ++i) training.append(known, i);
+  if (generated != nullptr) {
+    require_alike(*generated, "--generated", normal, "--normal");
+    require_classes(*generated, "--generated", false, true);
+    append_first(training, *generated, static_cast<std::size_t>(generated_per_class));
+  }
+  return training;
+}
+
+void require_fitting_test_set(const WindowSet& test, const WindowSet& training) {
+  require_alike(test, "--test", training, "--normal");
+  require_classes(test, "--test", true, true);
+}
+
+}  // namespace piae::diagnosis

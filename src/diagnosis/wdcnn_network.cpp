@@ -1,0 +1,80 @@
+#include "diagnosis/wdcnn_network.hpp"
+
+#include <torch/torch.h>
+
+#include <cmath>
+#include <string>
+
+namespace piae::diagnosis {
+
+namespace {
+
+constexpr std::size_t convolutions = WdcnnLayers::convolutions.size();
+
+std::string layer_name(std::size_t i) {
+  return i < convolutions ? "conv" + std::to_string(i + 1) : "dense";
+}
+
+/// Weight, and scale and shift of the batch normalisation that follows.
+void add_normalised_layer(std::vector<nets::ParameterSpec>& specs, const std::string& name,
+                          const std::vector<std::int64_t>& shape, std::int64_t fan_in) {
+  specs.push_back({name + "/weight", shape, 1 / std::sqrt(static_cast<double>(fan_in))});
+  specs.push_back({name + "/scale", {shape[0]}, 0, 1});
+  specs.push_back({name + "/shift", {shape[0]}, 0, 0});
+}
+
+std::vector<nets::ParameterSpec> specs_of(std::int64_t length, std::int64_t classes) {
+  std::vector<nets::ParameterSpec> specs;
+  for (std::size_t i = 0; i < convolutions; ++i) {
+    const Convolution& c = WdcnnLayers::convolutions[i];
+    add_normalised_layer(specs, layer_name(i), {c.outputs, c.inputs, c.width}, c.fan_in());
+  }
+  const std::int64_t features = WdcnnLayers::features(length);
+  add_normalised_layer(specs, "dense", {WdcnnLayers::hidden, features}, features);
+  for (nets::ParameterSpec& spec : nets::dense_specs("classes", WdcnnLayers::hidden, classes)) {
+    specs.push_back(std::move(spec));
+  }
+  return specs;
+}
+
+}  // namespace
+
+WdcnnNetwork::WdcnnNetwork(std::int64_t length, std::int64_t classes, const Stream& stream,
+                           torch::Dtype dtype, torch::Device device)
+    : parameters_(specs_of(length, classes), stream, dtype, device) {
+  for (std::size_t i = 0; i <= convolutions; ++i) {
+    const std::string name = layer_name(i);
+    const torch::Tensor& shift = parameters_[name + "/shift"];
+    layers_.push_back({parameters_[name + "/weight"],
+                       parameters_[name + "/scale"],
+                       shift,
+                       {torch::zeros_like(shift), torch::ones_like(shift)}});
+  }
+  classes_weight_ = parameters_["classes/weight"];
+  classes_bias_ = parameters_["classes/bias"];
+}
+
+torch::Tensor WdcnnNetwork::normalise(const Layer& layer, const torch::Tensor& input, Mode mode) {
+  return torch::batch_norm(input, layer.scale, layer.shift, layer.running.mean,
+                           layer.running.variance, mode == Mode::training,
+                           BatchNormalisation::momentum, BatchNormalisation::epsilon,
+                           /*cudnn_enabled=*/true);
+}
+
+torch::Tensor WdcnnNetwork::convolve(std::size_t i, const torch::Tensor& input, Mode mode) {
+  const Convolution& c = WdcnnLayers::convolutions.at(i);
+  const Layer& layer = layers_[i];
+  const torch::Tensor filtered = torch::conv1d(input, layer.weight, {}, c.stride, c.padding);
+  // ReLU after pooling is the same as before it, on half as many values.
+  return torch::max_pool1d(normalise(layer, filtered, mode), WdcnnLayers::pooling).relu_();
+}
+
+torch::Tensor WdcnnNetwork::forward(const torch::Tensor& windows, Mode mode) {
+  torch::Tensor x = windows.unsqueeze(1);
+  for (std::size_t i = 0; i < convolutions; ++i) x = convolve(i, x, mode);
+  const Layer& dense = layers_[convolutions];
+  x = normalise(dense, torch::linear(x.flatten(1), dense.weight), mode).relu_();
+  return torch::linear(x, classes_weight_, classes_bias_);
+}
+
+}  // namespace piae::diagnosis

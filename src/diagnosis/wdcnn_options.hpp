@@ -1,0 +1,18 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <cstdint>
+
+namespace piae::diagnosis {
+
+/// How WDCNN is trained. The literature gives none of these values; they are calibrated on seeds
+/// 100-104 (pipeline/protocol.toml, [diagnose]).
+struct WdcnnOptions {
+  std::int64_t epochs = 50;     ///< passes over the training set
+  std::int64_t batch = 32;      ///< windows a step
+  double learning_rate = 1e-2;  ///< of Adam, constant
+};
+
+void bind(CLI::App& app, WdcnnOptions& options);
+
+}  // namespace piae::diagnosis

@@ -1,0 +1,50 @@
+#include "nets/adam.hpp"
+
+#include <torch/torch.h>
+
+#include <cmath>
+
+#include "nets/parameters.hpp"
+
+namespace piae::nets {
+
+Adam::Adam(torch::Tensor values, torch::Tensor gradients, double beta1, double beta2)
+    : values_(std::move(values)),
+      gradients_(std::move(gradients)),
+      first_moment_(torch::zeros_like(values_)),
+      second_moment_(torch::zeros_like(values_)),
+      beta1_(beta1),
+      beta2_(beta2) {}
+
+void Adam::step(double learning_rate) {
+  const torch::NoGradGuard no_grad;
+  ++steps_;
+  const auto t = static_cast<double>(steps_);
+  first_moment_.mul_(beta1_).add_(gradients_, 1 - beta1_);
+  second_moment_.mul_(beta2_).addcmul_(gradients_, gradients_, 1 - beta2_);
+  const torch::Tensor denominator =
+      second_moment_.sqrt().div_(std::sqrt(1 - std::pow(beta2_, t))).add_(epsilon);
+  values_.addcdiv_(first_moment_, denominator, -learning_rate / (1 - std::pow(beta1_, t)));
+}
+
+void Adam::write(artefact::Writer& writer, const std::string& group) const {
+  writer.numbers(group + "/first_moment", to_vector(first_moment_));
+  writer.numbers(group + "/second_moment", to_vector(second_moment_));
+  writer.attribute(group, "steps", steps_);
+}
+
+void Adam::read(const artefact::Reader& reader, const std::string& group) {
+  const auto size = static_cast<std::size_t>(values_.numel());
+  copy_into(first_moment_, reader.numbers<float>(group + "/first_moment", {size}).values);
+  copy_into(second_moment_, reader.numbers<float>(group + "/second_moment", {size}).values);
+  steps_ = reader.integer(group, "steps");
+}
+
+double clip_norm(const torch::Tensor& gradients, double max_norm) {
+  const torch::NoGradGuard no_grad;
+  const auto norm = gradients.norm().item<double>();
+  if (norm > max_norm) gradients.mul_(max_norm / norm);
+  return norm;
+}
+
+}  // namespace piae::nets

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <torch/types.h>
+
+#include <cstdint>
+#include <string>
+
+#include "artefact/reader.hpp"
+#include "artefact/writer.hpp"
+
+namespace piae::nets {
+
+/// Adam (Kingma and Ba 2015, Algorithm 1) over one flat vector of parameters, without weight decay.
+/// The same mathematics as torch::optim::Adam, with a state that is three plain arrays.
+class Adam {
+ public:
+  static constexpr double default_beta1 = 0.9;
+  static constexpr double default_beta2 = 0.999;
+  static constexpr double epsilon = 1e-8;
+
+  /// Both tensors are flat, of one size, and are only borrowed: ParameterSet owns them.
+  Adam(torch::Tensor values, torch::Tensor gradients, double beta1 = default_beta1,
+       double beta2 = default_beta2);
+
+  void step(double learning_rate);
+
+  /// Moments and step count, as <group>/first_moment, <group>/second_moment, attribute `steps`.
+  void write(artefact::Writer& writer, const std::string& group) const;
+  void read(const artefact::Reader& reader, const std::string& group);
+
+ private:
+  torch::Tensor values_;
+  torch::Tensor gradients_;
+  torch::Tensor first_moment_;
+  torch::Tensor second_moment_;
+  double beta1_;
+  double beta2_;
+  std::int64_t steps_ = 0;
+};
+
+/// Scales the gradients so that their Euclidean norm is at most `max_norm`; returns the norm that
+/// they had.
+double clip_norm(const torch::Tensor& gradients, double max_norm);
+
+}  // namespace piae::nets

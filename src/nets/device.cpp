@@ -1,0 +1,22 @@
+#include "nets/device.hpp"
+
+#include <torch/torch.h>
+
+#include "base/error.hpp"
+
+namespace piae::nets {
+
+torch::Device prepare_device(const std::string& name) {
+  torch::set_num_threads(1);
+  at::globalContext().setDeterministicAlgorithms(true, /*warn_only=*/true);
+  if (name == "cpu") return torch::kCPU;
+  if (name != "cuda") {
+    throw Error(Exit::usage, "--device: unknown device '" + name + "'; known are cpu and cuda");
+  }
+  if (!torch::cuda::is_available()) {
+    throw Error(Exit::usage, "--device: this LibTorch finds no CUDA device; use cpu");
+  }
+  return torch::kCUDA;
+}
+
+}  // namespace piae::nets

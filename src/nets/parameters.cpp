@@ -1,0 +1,140 @@
+#include "nets/parameters.hpp"
+
+#include <torch/torch.h>
+
+#include <cmath>
+#include <stdexcept>
+
+namespace piae::nets {
+
+namespace {
+
+std::int64_t size_of(const ParameterSpec& spec) {
+  std::int64_t size = 1;
+  for (const std::int64_t n : spec.shape) size *= n;
+  return size;
+}
+
+std::vector<double> initial_values(const ParameterSpec& spec, const Stream& stream) {
+  std::vector<double> values(static_cast<std::size_t>(size_of(spec)), spec.constant);
+  if (spec.bound > 0) {
+    Stream own = stream.child(spec.name);
+    for (double& value : values) value = own.uniform(-spec.bound, spec.bound);
+  }
+  return values;
+}
+
+}  // namespace
+
+std::vector<ParameterSpec> dense_specs(const std::string& name, std::int64_t inputs,
+                                       std::int64_t outputs) {
+  const double bound = 1.0 / std::sqrt(static_cast<double>(inputs));
+  return {{name + "/weight", {outputs, inputs}, bound}, {name + "/bias", {outputs}, bound}};
+}
+
+ParameterSet::ParameterSet(std::vector<ParameterSpec> specs, const Stream& stream,
+                           torch::Dtype dtype, torch::Device device)
+    : specs_(std::move(specs)) {
+  std::vector<double> initial;
+  for (const ParameterSpec& spec : specs_) {
+    const std::vector<double> values = initial_values(spec, stream);
+    initial.insert(initial.end(), values.begin(), values.end());
+  }
+  values_ = torch::tensor(initial, torch::kFloat64).to(device, dtype);
+  gradients_ = torch::zeros_like(values_);
+  std::int64_t begin = 0;
+  for (const ParameterSpec& spec : specs_) {
+    const std::int64_t size = size_of(spec);
+    torch::Tensor view = values_.narrow(0, begin, size).view(spec.shape).detach();
+    view.requires_grad_();
+    view.mutable_grad() = gradients_.narrow(0, begin, size).view(spec.shape);
+    tensors_[spec.name] = view;
+    begin += size;
+  }
+}
+
+const torch::Tensor& ParameterSet::operator[](const std::string& name) const {
+  const auto found = tensors_.find(name);
+  if (found == tensors_.end()) throw std::logic_error("no parameter is called " + name);
+  return found->second;
+}
+
+std::vector<torch::Tensor> ParameterSet::with_prefix(const std::string& prefix) const {
+  std::vector<torch::Tensor> tensors;
+  for (const ParameterSpec& spec : specs_) {
+    if (spec.name.starts_with(prefix)) tensors.push_back(tensors_.at(spec.name));
+  }
+  return tensors;
+}
+
+ParameterSet::Range ParameterSet::range_of(const std::string& prefix) const {
+  Range range{-1, -1};
+  std::int64_t begin = 0;
+  for (const ParameterSpec& spec : specs_) {
+    const std::int64_t end = begin + size_of(spec);
+    if (spec.name.starts_with(prefix)) {
+      if (range.begin >= 0 && range.end != begin) {
+        throw std::logic_error("parameters " + prefix + "* do not stand next to each other");
+      }
+      if (range.begin < 0) range.begin = begin;
+      range.end = end;
+    }
+    begin = end;
+  }
+  if (range.begin < 0) throw std::logic_error("no parameter begins with " + prefix);
+  return range;
+}
+
+torch::Tensor ParameterSet::values(const std::string& prefix) const {
+  const Range range = range_of(prefix);
+  return values_.narrow(0, range.begin, range.end - range.begin);
+}
+
+torch::Tensor ParameterSet::gradients(const std::string& prefix) const {
+  const Range range = range_of(prefix);
+  return gradients_.narrow(0, range.begin, range.end - range.begin);
+}
+
+void ParameterSet::zero_gradients() { gradients_.zero_(); }
+
+void ParameterSet::set_gradients(const std::string& prefix,
+                                 const std::vector<torch::Tensor>& gradients) {
+  const torch::NoGradGuard no_grad;
+  std::vector<torch::Tensor> tensors = with_prefix(prefix);
+  for (std::size_t i = 0; i < tensors.size(); ++i) tensors[i].mutable_grad().copy_(gradients.at(i));
+}
+
+void ParameterSet::write(artefact::Writer& writer, const std::string& group,
+                         const torch::Tensor& values) const {
+  const std::vector<float> flat = to_vector(values);
+  std::span<const float> rest(flat);
+  for (const ParameterSpec& spec : specs_) {
+    const auto size = static_cast<std::size_t>(size_of(spec));
+    writer.numbers(group + "/" + spec.name, rest.first(size),
+                   {spec.shape.begin(), spec.shape.end()});
+    rest = rest.subspan(size);
+  }
+}
+
+void ParameterSet::read(const artefact::Reader& reader, const std::string& group) {
+  for (const ParameterSpec& spec : specs_) {
+    const artefact::hdf5::Shape shape(spec.shape.begin(), spec.shape.end());
+    copy_into(tensors_.at(spec.name), reader.numbers<float>(group + "/" + spec.name, shape).values);
+  }
+}
+
+std::vector<float> to_vector(const torch::Tensor& tensor) {
+  const torch::Tensor flat = tensor.detach().to(torch::kCPU, torch::kFloat32).contiguous();
+  const float* data = flat.data_ptr<float>();
+  return {data, data + flat.numel()};
+}
+
+void copy_into(torch::Tensor tensor, std::span<const float> values) {
+  const torch::NoGradGuard no_grad;
+  const torch::Tensor source =
+      torch::from_blob(const_cast<float*>(values.data()),
+                       {static_cast<std::int64_t>(values.size())}, torch::kFloat32);
+  tensor.copy_(source.view(tensor.sizes()));
+}
+
+}  // namespace piae::nets

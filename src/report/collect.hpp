@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "base/error.hpp"
+#include "report/grid.hpp"
+#include "report/layout.hpp"
+#include "scoring/quality_record.hpp"
+
+namespace piae::report {
+
+/// What tables need of one diagnosis.h5.
+struct Diagnosis {
+  std::string method;
+  std::string ratio;
+  std::int64_t seed = 0;
+  std::int64_t generated_per_class = 0;
+  double true_ratio = 0;
+  std::string protocol;
+  double accuracy = 0;  ///< in [0, 1]
+};
+
+/// All cells of a grid, or what is wrong with those that could not be had.
+struct Results {
+  std::vector<Diagnosis> diagnoses;               ///< by combination, then seed
+  std::vector<scoring::QualityRecord> qualities;  ///< by generator, then seed
+  std::vector<std::string> problems;              ///< one line for each missing or refused file
+  Exit exit = Exit::done;  ///< for these problems: bad_input if any file is damaged or belongs
+                           ///< elsewhere, else input_missing
+};
+
+/// Reads every cell, and goes on after one that cannot be read. A file is refused also when it
+/// holds another cell than its place says, or when it was made under other conditions than those
+/// before it (split protocol; counts at the same ratio; classes): a table would average what does
+/// not belong together.
+Results collect(const Layout& layout, const Grid& grid);
+
+}  // namespace piae::report

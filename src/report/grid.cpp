@@ -1,0 +1,92 @@
+#include "report/grid.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <string_view>
+
+#include "base/error.hpp"
+#include "scoring/ratios.hpp"
+
+namespace piae::report {
+
+namespace {
+
+/// make passes a list as one word or as many: "0 1 2", "0,1,2" and 0 1 2 are the same list.
+std::vector<std::string> split_list(const std::string& option,
+                                    const std::vector<std::string>& values) {
+  constexpr std::string_view separators = ", \t\n";
+  std::vector<std::string> words;
+  for (const std::string_view value : values) {
+    std::size_t first = value.find_first_not_of(separators);
+    while (first != std::string_view::npos) {
+      const std::size_t end = std::min(value.find_first_of(separators, first), value.size());
+      words.emplace_back(value.substr(first, end - first));
+      if (std::count(words.begin(), words.end(), words.back()) > 1) {
+        throw Error(Exit::usage, option + " names " + words.back() + " twice");
+      }
+      first = value.find_first_not_of(separators, end);
+    }
+  }
+  if (words.empty()) throw Error(Exit::usage, option + " is empty; name at least one");
+  return words;
+}
+
+std::int64_t parse_seed(const std::string& word) {
+  std::int64_t seed = -1;
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), seed);
+  if (error != std::errc() || end != word.data() + word.size() || seed < 0) {
+    throw Error(Exit::usage, "--seeds: '" + word + "' is not a seed; seeds are 0, 1, 2, ...");
+  }
+  return seed;
+}
+
+std::vector<std::string> in_order_of_table_5(const std::vector<std::string>& names) {
+  std::vector<std::string> ordered;
+  for (const std::string& name : names) scoring::find_ratio(name);
+  for (const scoring::Ratio& ratio : scoring::all_ratios()) {
+    if (std::ranges::find(names, ratio.name) != names.end()) ordered.emplace_back(ratio.name);
+  }
+  return ordered;
+}
+
+}  // namespace
+
+void bind(CLI::App& app, GridOptions& options) {
+  app.add_option("--dataset", options.dataset, "Dataset, such as cwru")->required();
+  app.add_option("--methods", options.methods, "Methods, such as: none piae-dt")
+      ->required()
+      ->default_str("");
+  app.add_option("--ratios", options.ratios, "Ratios, such as: 100to1 10to1 1to1")
+      ->required()
+      ->default_str("");
+  app.add_option("--seeds", options.seeds, "Seeds, such as: 0 1 2")->required()->default_str("");
+}
+
+Grid resolve(const GridOptions& options) {
+  Grid grid;
+  grid.dataset = options.dataset;
+  const auto ratios = in_order_of_table_5(split_list("--ratios", options.ratios));
+  for (const std::string& word : split_list("--seeds", options.seeds)) {
+    grid.seeds.push_back(parse_seed(word));
+  }
+  std::ranges::sort(grid.seeds);
+  const auto twice = std::ranges::adjacent_find(grid.seeds);  // "00" is 0, too
+  if (twice != grid.seeds.end()) {
+    throw Error(Exit::usage, "--seeds names " + std::to_string(*twice) + " twice");
+  }
+  for (const std::string& method : split_list("--methods", options.methods)) {
+    if (method != no_method) grid.generators.push_back(method);
+    for (const std::string& ratio : ratios) {
+      const bool generates_nothing = scoring::find_ratio(ratio).generated_per_class == 0;
+      if ((method == no_method) == generates_nothing) grid.combinations.push_back({method, ratio});
+    }
+  }
+  if (grid.combinations.empty()) {
+    throw Error(Exit::usage,
+                "none of these methods and ratios go together: 'none' exists at 100to1 only, every "
+                "other method at every other ratio only");
+  }
+  return grid;
+}
+
+}  // namespace piae::report

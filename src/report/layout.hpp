@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+
+namespace piae::report {
+
+/// Where a run keeps what its tables are made from, and the tables. The make rules in pipeline/ put
+/// the artefacts there.
+class Layout {
+ public:
+  /// `run` is the run's folder, such as results/paper.
+  Layout(const std::filesystem::path& run, const std::string& dataset) : folder_(run / dataset) {}
+
+  [[nodiscard]] std::filesystem::path score(const std::string& method, std::int64_t seed) const {
+    return method_folder(method, seed) / "score.h5";
+  }
+  [[nodiscard]] std::filesystem::path diagnosis(const std::string& method, const std::string& ratio,
+                                                std::int64_t seed) const {
+    return method_folder(method, seed) / ratio / "diagnosis.h5";
+  }
+  [[nodiscard]] std::filesystem::path accuracy_csv() const { return folder_ / "accuracy.csv"; }
+  [[nodiscard]] std::filesystem::path quality_csv() const { return folder_ / "quality.csv"; }
+  [[nodiscard]] std::filesystem::path tables_markdown() const { return folder_ / "tables.md"; }
+
+ private:
+  [[nodiscard]] std::filesystem::path method_folder(const std::string& method,
+                                                    std::int64_t seed) const {
+    return folder_ / ("seed" + std::to_string(seed)) / method;
+  }
+
+  std::filesystem::path folder_;
+};
+
+}  // namespace piae::report

@@ -1,0 +1,41 @@
+#include "scoring/accuracy.hpp"
+
+#include <numeric>
+#include <stdexcept>
+
+namespace piae::scoring {
+
+namespace {
+
+std::size_t checked(std::int32_t label, std::size_t classes) {
+  if (label < 0 || static_cast<std::size_t>(label) >= classes) {
+    throw std::logic_error("class " + std::to_string(label) + " of " + std::to_string(classes));
+  }
+  return static_cast<std::size_t>(label);
+}
+
+}  // namespace
+
+Confusion confusion_matrix(std::span<const std::int32_t> labels,
+                           std::span<const std::int32_t> predictions, std::size_t classes) {
+  if (labels.size() != predictions.size()) {
+    throw std::logic_error("as many predictions as labels are needed");
+  }
+  Confusion confusion{classes, std::vector<std::int64_t>(classes * classes, 0)};
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    const std::size_t truth = checked(labels[i], classes);
+    ++confusion.counts[truth * classes + checked(predictions[i], classes)];
+  }
+  return confusion;
+}
+
+double accuracy(const Confusion& confusion) {
+  const std::int64_t all =
+      std::accumulate(confusion.counts.begin(), confusion.counts.end(), std::int64_t{0});
+  if (all == 0) throw std::logic_error("no window to be accurate about");
+  std::int64_t right = 0;
+  for (std::size_t i = 0; i < confusion.classes; ++i) right += confusion.at(i, i);
+  return static_cast<double>(right) / static_cast<double>(all);
+}
+
+}  // namespace piae::scoring

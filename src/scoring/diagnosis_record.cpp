@@ -1,0 +1,84 @@
+#include "scoring/diagnosis_record.hpp"
+
+#include <stdexcept>
+
+namespace piae::scoring {
+
+namespace {
+
+std::vector<std::int32_t> read_classes(const artefact::Reader& reader, const std::string& path,
+                                       std::size_t count, std::size_t classes) {
+  std::vector<std::int32_t> labels = reader.numbers<std::int32_t>(path, {count}).values;
+  if (labels.empty()) reader.refuse(path, "is empty");
+  for (const std::int32_t label : labels) {
+    if (label < 0 || static_cast<std::size_t>(label) >= classes) {
+      reader.refuse(path, "holds class " + std::to_string(label) + ", the dataset has " +
+                              std::to_string(classes));
+    }
+  }
+  return labels;
+}
+
+void require_consistent(const artefact::Reader& reader, const DiagnosisRecord& record) {
+  const std::size_t classes = record.info.classes.size();
+  const Confusion stored{classes,
+                         reader.numbers<std::int64_t>("/confusion", {classes, classes}).values};
+  if (stored != record.confusion()) {
+    reader.refuse("/confusion", "is not the confusion matrix of /labels and /predictions");
+  }
+  if (reader.real("/", "accuracy") != accuracy(stored)) {
+    reader.refuse("/, attribute accuracy", "is not the accuracy of /confusion");
+  }
+}
+
+}  // namespace
+
+void write(artefact::Writer& writer, const DiagnosisRecord& record) {
+  const std::size_t n = record.labels.size();
+  const std::size_t classes = record.info.classes.size();
+  if (record.loss.size() != record.train_accuracy.size()) {
+    throw std::logic_error("the curves of a diagnosis differ in length");
+  }
+  signal::write(writer, record.info);
+  writer.attribute("/", "method", record.method);
+  writer.attribute("/", "ratio", record.ratio);
+  writer.attribute("/", "generated_per_class", record.generated_per_class);
+  writer.attribute("/", "true_ratio", record.true_ratio);
+  writer.attribute("/", "seed", record.seed);
+  writer.attribute("/", "protocol", record.protocol);
+  writer.attribute("/", "accuracy", record.accuracy());
+  if (record.train_windows_per_second) {
+    writer.attribute("/", "train_windows_per_second", *record.train_windows_per_second);
+  }
+  writer.numbers("/labels", record.labels);
+  writer.numbers("/predictions", record.predictions);
+  writer.numbers("/confusion", record.confusion().counts, {classes, classes});
+  writer.numbers("/scores", record.scores, {n, classes});
+  writer.numbers("/curves/loss", record.loss);
+  writer.numbers("/curves/train_accuracy", record.train_accuracy);
+}
+
+DiagnosisRecord read_diagnosis(const artefact::Reader& reader) {
+  DiagnosisRecord record;
+  record.info = signal::read_dataset_info(reader);
+  const std::size_t classes = record.info.classes.size();
+  record.method = reader.text("/", "method");
+  record.ratio = reader.text("/", "ratio");
+  record.generated_per_class = reader.integer("/", "generated_per_class");
+  record.true_ratio = reader.real("/", "true_ratio");
+  record.seed = reader.integer("/", "seed");
+  record.protocol = reader.text("/", "protocol");
+  record.labels = read_classes(reader, "/labels", 0, classes);
+  record.predictions = read_classes(reader, "/predictions", record.labels.size(), classes);
+  record.scores = reader.numbers<float>("/scores", {record.labels.size(), classes}).values;
+  record.loss = reader.numbers<double>("/curves/loss", {0}).values;
+  record.train_accuracy =
+      reader.numbers<double>("/curves/train_accuracy", {record.loss.size()}).values;
+  if (reader.has_attribute("/", "train_windows_per_second")) {
+    record.train_windows_per_second = reader.real("/", "train_windows_per_second");
+  }
+  require_consistent(reader, record);
+  return record;
+}
+
+}  // namespace piae::scoring

@@ -1,0 +1,94 @@
+#include "scoring/quality.hpp"
+
+#include <algorithm>
+#include <array>
+#include <string>
+
+#include "base/error.hpp"
+#include "scoring/mmd.hpp"
+#include "scoring/spectrum.hpp"
+#include "scoring/waveform.hpp"
+
+namespace piae::scoring {
+
+namespace {
+
+constexpr std::array<Metric, 5> metrics{{
+    {"mmd", &ClassQuality::mmd},
+    {"rmse", &ClassQuality::rmse},
+    {"aligned_rmse", &ClassQuality::aligned_rmse},
+    {"amplitude_ratio", &ClassQuality::amplitude_ratio},
+    {"spectral_distance_db", &ClassQuality::spectral_distance_db},
+}};
+
+constexpr double rounding = 1e-12;  // distances are differences of squares
+
+[[noreturn]] void refuse(const std::string& line) { throw Error(Exit::bad_input, line); }
+
+void require_comparable(const signal::WindowSet& generated, const signal::WindowSet& real) {
+  const auto same_name = [](const signal::ClassInfo& a, const signal::ClassInfo& b) {
+    return a.name == b.name;
+  };
+  if (generated.info.name != real.info.name ||
+      !std::ranges::equal(generated.info.classes, real.info.classes, same_name)) {
+    refuse("the generated windows are of dataset " + generated.info.name +
+           ", the real ones of dataset " + real.info.name +
+           " or of other classes; score windows of one dataset");
+  }
+  if (generated.length != real.length) {
+    refuse("generated windows have " + std::to_string(generated.length) + " samples, real ones " +
+           std::to_string(real.length) + "; generate from a model trained on the same split");
+  }
+  if (real.size() == 0) refuse("there are no real windows to compare with");
+}
+
+/// The first windows of a class in D are what the others are measured by.
+void require_reference(const std::string& name, const Windows& real, double squared_distance) {
+  const Eigen::VectorXd means = real.rowwise().mean();
+  if ((real.colwise() - means).isZero(0)) refuse("class " + name + ": the real windows are silent");
+  const double mean_square = real.squaredNorm() / static_cast<double>(real.rows());
+  if (squared_distance <= rounding * mean_square) {
+    refuse("class " + name + ": all real windows are the same");
+  }
+}
+
+ClassQuality judge_class(const signal::WindowSet& generated, const signal::WindowSet& real,
+                         std::int32_t label) {
+  const std::string& name = real.info.classes[static_cast<std::size_t>(label)].name;
+  const std::size_t count = std::min(generated.count_of(label), real.count_of(label));
+  if (count == 0) {
+    refuse("class " + name + " has " + std::to_string(generated.count_of(label)) +
+           " generated and " + std::to_string(real.count_of(label)) +
+           " real windows; both need at least one");
+  }
+  const Windows reference = windows_of(real, label, real.count_of(label));
+  if (reference.rows() < 2) refuse("class " + name + ": one real window is no reference; two are");
+  const double squared_distance = mean_squared_distance(reference);
+  const Windows x = windows_of(generated, label, count);
+  const Windows y = reference.topRows(static_cast<Eigen::Index>(count));
+  require_reference(name, y, squared_distance);
+  return {.label = label,
+          .windows = static_cast<std::int64_t>(count),
+          .mmd = mmd_squared(x, y, squared_distance),
+          .rmse = rmse(x, y),
+          .aligned_rmse = aligned_rmse(x, y),
+          .amplitude_ratio = amplitude_ratio(x, y),
+          .spectral_distance_db = spectral_distance_db(x, y)};
+}
+
+}  // namespace
+
+std::span<const Metric> all_metrics() { return metrics; }
+
+std::vector<ClassQuality> judge(const signal::WindowSet& generated, const signal::WindowSet& real) {
+  require_comparable(generated, real);
+  std::vector<ClassQuality> classes;
+  const auto labels = static_cast<std::int32_t>(real.info.classes.size());
+  for (std::int32_t label = 0; label < labels; ++label) {
+    if (real.count_of(label) + generated.count_of(label) == 0) continue;
+    classes.push_back(judge_class(generated, real, label));
+  }
+  return classes;
+}
+
+}  // namespace piae::scoring

@@ -1,0 +1,49 @@
+#include "scoring/quality_record.hpp"
+
+namespace piae::scoring {
+
+void write(artefact::Writer& writer, const QualityRecord& record) {
+  signal::write(writer, record.info);
+  writer.attribute("/", "method", record.method);
+  writer.attribute("/", "seed", record.seed);
+  writer.attribute("/", "protocol", record.protocol);
+  std::vector<std::int32_t> labels;
+  std::vector<std::int64_t> windows;
+  for (const ClassQuality& quality : record.classes) {
+    labels.push_back(quality.label);
+    windows.push_back(quality.windows);
+  }
+  writer.numbers("/labels", labels);
+  writer.numbers("/windows_compared", windows);
+  for (const Metric& metric : all_metrics()) {
+    std::vector<double> values;
+    for (const ClassQuality& quality : record.classes) values.push_back(quality.*metric.value);
+    writer.numbers(std::string("/quality/") + metric.name, values);
+  }
+}
+
+QualityRecord read_quality(const artefact::Reader& reader) {
+  QualityRecord record;
+  record.info = signal::read_dataset_info(reader);
+  record.method = reader.text("/", "method");
+  record.seed = reader.integer("/", "seed");
+  record.protocol = reader.text("/", "protocol");
+  const auto labels = reader.numbers<std::int32_t>("/labels", {0}).values;
+  const auto windows = reader.numbers<std::int64_t>("/windows_compared", {labels.size()}).values;
+  const auto classes = static_cast<std::int32_t>(record.info.classes.size());
+  if (labels.empty()) reader.refuse("/labels", "is empty");
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    if (labels[i] < 0 || labels[i] >= classes || (i > 0 && labels[i] <= labels[i - 1])) {
+      reader.refuse("/labels", "are not labels of the dataset's classes in increasing order");
+    }
+    record.classes.push_back({.label = labels[i], .windows = windows[i]});
+  }
+  for (const Metric& metric : all_metrics()) {
+    const auto values =
+        reader.numbers<double>(std::string("/quality/") + metric.name, {labels.size()}).values;
+    for (std::size_t i = 0; i < values.size(); ++i) record.classes[i].*metric.value = values[i];
+  }
+  return record;
+}
+
+}  // namespace piae::scoring

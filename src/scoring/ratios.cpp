@@ -1,0 +1,38 @@
+#include "scoring/ratios.hpp"
+
+#include <array>
+
+#include "base/error.hpp"
+
+namespace piae::scoring {
+
+namespace {
+
+constexpr std::array<Ratio, 7> table_5{{{"100to1", 0},
+                                        {"50to1", 5},
+                                        {"25to1", 15},
+                                        {"10to1", 45},
+                                        {"5to1", 95},
+                                        {"2to1", 145},
+                                        {"1to1", 495}}};
+
+}  // namespace
+
+std::span<const Ratio> all_ratios() { return table_5; }
+
+const Ratio& find_ratio(const std::string& name) {
+  std::string known;
+  for (const Ratio& ratio : table_5) {
+    if (name == ratio.name) return ratio;
+    known += std::string(known.empty() ? "" : ", ") + ratio.name;
+  }
+  throw Error(Exit::usage, "unknown ratio '" + name + "'; known are " + known);
+}
+
+double true_ratio(std::int64_t normal_windows, std::int64_t known_per_class,
+                  std::int64_t generated_per_class) {
+  return static_cast<double>(normal_windows) /
+         static_cast<double>(known_per_class + generated_per_class);
+}
+
+}  // namespace piae::scoring

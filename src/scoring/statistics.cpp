@@ -1,0 +1,37 @@
+#include "scoring/statistics.hpp"
+
+#include <boost/math/distributions/students_t.hpp>
+#include <cmath>
+#include <numeric>
+#include <stdexcept>
+
+namespace piae::scoring {
+
+namespace {
+
+constexpr double tail = 0.025;  // on either side of a 95 % interval
+
+double sample_deviation(std::span<const double> values, double mean) {
+  double sum = 0;
+  for (const double value : values) sum += (value - mean) * (value - mean);
+  return std::sqrt(sum / static_cast<double>(values.size() - 1));
+}
+
+}  // namespace
+
+Summary summarise(std::span<const double> values) {
+  if (values.empty()) throw std::logic_error("no value to summarise");
+  const auto n = static_cast<double>(values.size());
+  Summary summary;
+  summary.count = values.size();
+  summary.mean = std::accumulate(values.begin(), values.end(), 0.0) / n;
+  if (values.size() == 1) return summary;
+  summary.deviation = sample_deviation(values, summary.mean);
+  const boost::math::students_t student(n - 1);
+  const double half = boost::math::quantile(boost::math::complement(student, tail)) *
+                      *summary.deviation / std::sqrt(n);
+  summary.interval = {summary.mean - half, summary.mean + half};
+  return summary;
+}
+
+}  // namespace piae::scoring

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+
+namespace piae::scoring {
+
+/// What independent repeats say about a number.
+struct Summary {
+  struct Interval {
+    double low;
+    double high;
+  };
+
+  std::size_t count = 0;
+  double mean = 0;
+  /// Sample standard deviation (divided by n - 1). One repeat has none.
+  std::optional<double> deviation;
+  /// 95 % confidence interval of the mean, by Student's t with n - 1 degrees of freedom. One repeat
+  /// has none.
+  std::optional<Interval> interval;
+};
+
+/// Throws std::logic_error when there is no value.
+Summary summarise(std::span<const double> values);
+
+}  // namespace piae::scoring

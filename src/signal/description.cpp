@@ -1,0 +1,193 @@
+#include "signal/description.hpp"
+
+#include <algorithm>
+#include <string_view>
+
+#include "base/error.hpp"
+
+namespace piae::signal {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view letters_and_digits =
+    "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789";
+
+/// Names become folders, HDF5 paths and columns of a CSV.
+std::string plain_name(TomlTable& table, const std::string& key) {
+  std::string name = table.text(key);
+  const std::string allowed = std::string(letters_and_digits) + "-_.";
+  if (name.find_first_not_of(allowed) != std::string::npos || name.front() == '.') {
+    table.refuse(key, "'" + name + "' may hold letters, digits, '-', '_' and '.' only");
+  }
+  return name;
+}
+
+bearing::Geometry read_bearing(TomlTable table) {
+  bearing::Geometry bearing;
+  const std::int64_t balls = table.integer("balls");
+  if (balls < 1 || balls > 1000) table.refuse("balls", "must be between 1 and 1000");
+  bearing.balls = static_cast<int>(balls);
+  bearing.ball_diameter_mm = table.positive("ball_diameter_mm");
+  bearing.pitch_diameter_mm = table.positive("pitch_diameter_mm");
+  bearing.inner_raceway_mm = table.positive("inner_raceway_mm");
+  bearing.outer_raceway_mm = table.positive("outer_raceway_mm");
+  bearing.contact_angle_deg = table.number("contact_angle_deg");
+  if (bearing.contact_angle_deg < 0 || bearing.contact_angle_deg >= 90) {
+    table.refuse("contact_angle_deg", "must be from 0 to below 90");
+  }
+  table.finish();
+  return bearing;
+}
+
+Defect read_defect(TomlTable& table) {
+  try {
+    return parse_defect(table.text("defect"));
+  } catch (const Error& error) {
+    const bool ours = std::string_view(error.what()).starts_with("unknown defect");
+    if (!ours) throw;
+    table.refuse("defect", std::string("holds an ") + error.what());
+  }
+}
+
+ClassInfo read_class(TomlTable& table) {
+  ClassInfo info;
+  info.name = plain_name(table, "name");
+  info.defect = read_defect(table);
+  if (info.defect != Defect::none) {
+    info.defect_size_mm = table.positive("defect_size_mm");
+  } else if (table.has("defect_size_mm")) {
+    table.refuse("defect_size_mm", "makes no sense where the defect is 'none'");
+  }
+  return info;
+}
+
+int label_of(const DatasetInfo& info, TomlTable& record) {
+  const std::string name = record.text("class");
+  const auto found = std::ranges::find(info.classes, name, &ClassInfo::name);
+  if (found == info.classes.end()) record.refuse("class", "'" + name + "' is not a [[class]]");
+  return static_cast<int>(found - info.classes.begin());
+}
+
+std::string read_file_name(TomlTable& record) {
+  std::string name = record.text("file");
+  const fs::path path(name);
+  if (path.is_absolute() || std::ranges::find(path, fs::path("..")) != path.end()) {
+    record.refuse("file", "must be a path below the data folder");
+  }
+  return name;
+}
+
+std::string read_sha256(TomlTable& record) {
+  std::string sum = record.optional_text("sha256");
+  const bool hexadecimal = sum.find_first_not_of("0123456789abcdef") == std::string::npos;
+  if (!sum.empty() && (sum.size() != 64 || !hexadecimal)) {
+    record.refuse("sha256", "must be 64 hexadecimal digits in lower case");
+  }
+  return sum;
+}
+
+RecordSource read_record(TomlTable& table, const DatasetInfo& info) {
+  RecordSource record;
+  record.label = label_of(info, table);
+  record.file = read_file_name(table);
+  record.variable = table.text("variable");
+  record.sample_rate_hz = table.positive("sample_rate_hz");
+  record.shaft_speed_rpm =
+      table.optional_positive("shaft_speed_rpm").value_or(info.shaft_speed_rpm);
+  record.sha256 = read_sha256(table);
+  record.url = table.optional_text("url");
+  table.finish();
+  return record;
+}
+
+/// "IR007" where a class has one record; else "IR007-01", "IR007-02", ... in the order of the file.
+void name_records(const DatasetInfo& info, std::vector<RecordSource>& records) {
+  for (std::size_t label = 0; label < info.classes.size(); ++label) {
+    std::vector<RecordSource*> of_class;
+    for (RecordSource& record : records) {
+      if (record.label == static_cast<int>(label)) of_class.push_back(&record);
+    }
+    const std::string& name = info.classes[label].name;
+    const std::size_t digits = std::max<std::size_t>(2, std::to_string(of_class.size()).size());
+    for (std::size_t i = 0; i < of_class.size(); ++i) {
+      const std::string number = std::to_string(i + 1);
+      of_class[i]->name = of_class.size() == 1
+                              ? name
+                              : name + "-" + std::string(digits - number.size(), '0') + number;
+    }
+  }
+}
+
+void require_a_record_for_each_class(const fs::path& file, const Description& description) {
+  for (std::size_t label = 0; label < description.info.classes.size(); ++label) {
+    if (std::ranges::count(description.records, static_cast<int>(label), &RecordSource::label) > 0)
+      continue;
+    throw Error(Exit::bad_input, file.string() + ": class " + description.info.classes[label].name +
+                                     " has no [[record]]");
+  }
+}
+
+void require_different_names(const fs::path& file, const std::vector<RecordSource>& records) {
+  const auto twice = std::ranges::adjacent_find(records, {}, &RecordSource::name);
+  if (twice == records.end()) return;
+  throw Error(Exit::bad_input, file.string() + ": two records would be called " + twice->name +
+                                   "; rename the class that ends like a number");
+}
+
+/// The rate that all records share, for a dataset that names none.
+double common_rate(const TomlTable& root, const std::vector<RecordSource>& records) {
+  for (const RecordSource& record : records) {
+    if (record.sample_rate_hz != records.front().sample_rate_hz) {
+      root.refuse("sample_rate_hz", "is missing, and the records " + records.front().file +
+                                        " and " + record.file +
+                                        " have different rates: say to which all are resampled");
+    }
+  }
+  return records.front().sample_rate_hz;
+}
+
+}  // namespace
+
+DatasetInfo read_info(TomlTable& root, std::vector<TomlTable>& classes) {
+  DatasetInfo info;
+  info.name = plain_name(root, "name");
+  info.shaft_speed_rpm = root.positive("shaft_speed_rpm");
+  info.unit_m_per_s2 = root.optional_positive("unit_m_per_s2").value_or(info.unit_m_per_s2);
+  info.bearing = read_bearing(root.table("bearing"));
+  for (TomlTable& table : classes) {
+    const ClassInfo next = read_class(table);
+    if (std::ranges::find(info.classes, next.name, &ClassInfo::name) != info.classes.end()) {
+      table.refuse("name", "'" + next.name + "' is given twice");
+    }
+    info.classes.push_back(next);
+  }
+  try {
+    (void)info.healthy_label();
+  } catch (const Error& error) {
+    root.refuse("class", std::string("is refused: ") + error.what());
+  }
+  return info;
+}
+
+Description read_description(const fs::path& file) {
+  TomlTable root(file);
+  Description description;
+  std::vector<TomlTable> classes = root.tables("class");
+  description.info = read_info(root, classes);
+  for (const TomlTable& table : classes) table.finish();
+  for (TomlTable& table : root.tables("record")) {
+    description.records.push_back(read_record(table, description.info));
+  }
+  const auto rate = root.optional_positive("sample_rate_hz");
+  root.finish();
+  description.info.sample_rate_hz = rate ? *rate : common_rate(root, description.records);
+  name_records(description.info, description.records);
+  std::ranges::sort(description.records, {}, &RecordSource::name);
+  require_different_names(file, description.records);
+  require_a_record_for_each_class(file, description);
+  return description;
+}
+
+}  // namespace piae::signal

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "signal/dataset_info.hpp"
+#include "signal/toml_table.hpp"
+
+namespace piae::signal {
+
+/// One raw recording as the description declares it.
+struct RecordSource {
+  std::string name;  ///< of its class, and numbered where the class has several: "IR007-02"
+  int label = 0;
+  std::string file;      ///< below DATA_DIR; the extension says the format (raw_file.hpp)
+  std::string variable;  ///< of a .mat; column of a .csv; dataset of an .h5
+  double sample_rate_hz = 0;
+  double shaft_speed_rpm = 0;
+  std::string sha256;  ///< of the file, 64 hexadecimal digits; empty: not checked
+  std::string url;     ///< where it can be had; empty: nowhere by download
+};
+
+/// A dataset description (pipeline/datasets/<name>.toml):
+///
+///     name = "cwru"
+///     sample_rate_hz = 12000      # all records are resampled to it; without it they must agree
+///     shaft_speed_rpm = 1797
+///     unit_m_per_s2 = 9.80665     # one unit of the signals, here g; without it m/s^2
+///     [bearing]                   # all keys of bearing::Geometry
+///     [[class]]                   # labels in this order
+///     name = "IR007"
+///     defect = "inner"            # none (exactly one class), outer, inner or roller
+///     defect_size_mm = 0.1778     # along the raceway; not for "none"
+///     [[record]]                  # one or more for each class
+///     class = "IR007"
+///     file = "cwru/105.mat"
+///     variable = "X105_DE_time"
+///     sample_rate_hz = 12000
+///     shaft_speed_rpm = 1797      # optional, the dataset's otherwise
+///     sha256 = "..."              # optional
+///     url = "https://..."         # optional
+struct Description {
+  DatasetInfo info;
+  std::vector<RecordSource> records;  ///< in alphabetical order of their names
+};
+
+/// Throws Error(bad_input) with the file, line and key for unknown or missing keys, wrong types,
+/// names twice, unknown classes, classes without a record, and rates that differ without a
+/// sample_rate_hz of the dataset; Error(input_missing) when there is no such file.
+Description read_description(const std::filesystem::path& file);
+
+/// The part that every description has: name, shaft_speed_rpm, unit_m_per_s2, [bearing] and the
+/// given [[class]] tables. Leaves sample_rate_hz to the caller, and finish() of `root` and `classes` too: other
+/// keys may follow.
+DatasetInfo read_info(TomlTable& root, std::vector<TomlTable>& classes);
+
+}  // namespace piae::signal

@@ -1,0 +1,99 @@
+#include "signal/ingest.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <span>
+
+#include "base/error.hpp"
+#include "base/sha256.hpp"
+#include "signal/raw_file.hpp"
+#include "signal/resample.hpp"
+
+namespace piae::signal {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void refuse(const fs::path& file, const RecordSource& source,
+                         const std::string& what) {
+  throw Error(Exit::bad_input, file.string() + " (record " + source.name + "): " + what);
+}
+
+void require_file(const fs::path& file, const RecordSource& source, const DatasetInfo& info) {
+  std::error_code ignored;
+  if (fs::is_regular_file(file, ignored)) return;
+  throw Error(Exit::input_missing,
+              file.string() + ": no such file; record " + source.name + " of dataset " + info.name +
+                  " needs it: run `make data`, or name the folder that holds " + source.file +
+                  " by DATA_DIR= (--data-dir)");
+}
+
+/// The file's sha256, which must be the declared one where there is one.
+std::string checked_sha256(const fs::path& file, const RecordSource& source) {
+  const std::string found = sha256_of_file(file);
+  if (!source.sha256.empty() && source.sha256 != found) {
+    refuse(file, source,
+           "sha256 is " + found + ", expected " + source.sha256 +
+               "; the file is damaged or another one, fetch it again");
+  }
+  return found;
+}
+
+void require_usable(const fs::path& file, const RecordSource& source,
+                    std::span<const double> signal) {
+  if (signal.empty()) refuse(file, source, source.variable + " holds no sample");
+  const auto odd = std::ranges::find_if_not(signal, [](double x) { return std::isfinite(x); });
+  if (odd != signal.end()) {
+    refuse(file, source,
+           source.variable + " is NaN or infinite at sample " +
+               std::to_string(odd - signal.begin()) + " (counted from 0)");
+  }
+  const auto [low, high] = std::ranges::minmax(signal);
+  if (low == high) refuse(file, source, source.variable + " never changes: a dead channel");
+}
+
+/// Finds signals that were seen before by the sha256 of their samples.
+class Duplicates {
+ public:
+  void require_new(const fs::path& file, const RecordSource& source,
+                   std::span<const double> signal) {
+    const std::string digest = Sha256().update(std::as_bytes(signal)).finish();
+    const auto [seen, is_new] = seen_.emplace(digest, &source);
+    if (is_new) return;
+    refuse(file, source,
+           "holds the same samples as record " + seen->second->name + " (" + seen->second->file +
+               (seen->second->label == source.label ? "); name each recording once"
+                                                    : "), under another class"));
+  }
+
+ private:
+  std::map<std::string, const RecordSource*> seen_;
+};
+
+}  // namespace
+
+Recordings ingest(const Description& description, const fs::path& data_dir,
+                  const RecordsDone& done) {
+  const DatasetInfo& info = description.info;
+  Recordings recordings{info, {}};
+  Duplicates duplicates;
+  for (const RecordSource& source : description.records) {
+    const fs::path file = data_dir / source.file;
+    require_file(file, source, info);
+    const std::string sha256 = checked_sha256(file, source);
+    const std::vector<double> raw = read_raw_file(file, source.variable);
+    require_usable(file, source, raw);
+    duplicates.require_new(file, source, raw);
+    std::vector<double> signal = resample(raw, source.sample_rate_hz, info.sample_rate_hz);
+    if (signal.empty()) refuse(file, source, "is shorter than one sample at the dataset's rate");
+    recordings.records.push_back({source.name, source.label, source.sample_rate_hz,
+                                  source.shaft_speed_rpm, source.file, sha256, std::move(signal),
+                                  std::nullopt});
+    if (done) done(recordings.records.size());
+  }
+  return recordings;
+}
+
+}  // namespace piae::signal

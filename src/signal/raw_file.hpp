@@ -1,0 +1,24 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace piae::signal {
+
+/// One signal out of a raw recording. The extension says the format:
+///   .mat          MATLAB v5 and v7.3, by libmatio: `variable` is a real vector of any number type
+///   .csv          `variable` is a column: its number, counted from 1, or its name in the first
+///   line .h5, .hdf5    `variable` is the path of a one-dimensional dataset of integers or floats
+/// Throws Error(bad_input) in one line with the file: what is wrong, and, where the variable is not
+/// in the file, what the file has instead. NaN and infinite samples are passed on, not judged here.
+std::vector<double> read_raw_file(const std::filesystem::path& file, const std::string& variable);
+
+/// The formats one by one, whatever the extension.
+std::vector<double> read_mat(const std::filesystem::path& file, const std::string& variable);
+/// Strict: fields are separated by ',', ';' or tabs (whichever the first line has), every line has
+/// as many fields as the first, numbers have a decimal point, only the first line may be a header.
+std::vector<double> read_csv(const std::filesystem::path& file, const std::string& column);
+std::vector<double> read_hdf5(const std::filesystem::path& file, const std::string& dataset);
+
+}  // namespace piae::signal

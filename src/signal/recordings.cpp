@@ -1,0 +1,82 @@
+#include "signal/recordings.hpp"
+
+#include <stdexcept>
+
+namespace piae::signal {
+
+namespace {
+
+const std::string group = "/records";
+
+void write(artefact::Writer& writer, const Record& record) {
+  if (record.name.empty() || record.name.find('/') != std::string::npos) {
+    throw std::logic_error("'" + record.name + "' cannot name a record");
+  }
+  const std::string path = group + "/" + record.name;
+  writer.numbers(path, record.signal);
+  writer.attribute(path, "label", std::int64_t{record.label});
+  writer.attribute(path, "original_sample_rate_hz", record.original_sample_rate_hz);
+  writer.attribute(path, "shaft_speed_rpm", record.shaft_speed_rpm);
+  writer.attribute(path, "source", record.source);
+  writer.attribute(path, "source_sha256", record.source_sha256);
+  if (record.parameters) {
+    writer.attribute(path, "stiffness_n_per_m", record.parameters->stiffness_n_per_m);
+    writer.attribute(path, "damping_ns_per_m", record.parameters->damping_ns_per_m);
+  }
+}
+
+Record read_record(const artefact::Reader& reader, const std::string& name, std::size_t classes) {
+  const std::string path = group + "/" + name;
+  Record record;
+  record.name = name;
+  record.signal = reader.numbers<double>(path, {0}).values;
+  if (record.signal.empty()) reader.refuse(path, "holds no sample");
+  const std::int64_t label = reader.integer(path, "label");
+  if (label < 0 || label >= static_cast<std::int64_t>(classes)) {
+    reader.refuse(path, "has label " + std::to_string(label) + ", but there are " +
+                            std::to_string(classes) + " classes");
+  }
+  record.label = static_cast<int>(label);
+  record.original_sample_rate_hz = reader.real(path, "original_sample_rate_hz");
+  record.shaft_speed_rpm = reader.real(path, "shaft_speed_rpm");
+  record.source = reader.text(path, "source");
+  record.source_sha256 = reader.text(path, "source_sha256");
+  if (reader.has_attribute(path, "stiffness_n_per_m")) {
+    record.parameters = DynamicParameters{reader.real(path, "stiffness_n_per_m"),
+                                          reader.real(path, "damping_ns_per_m")};
+  }
+  return record;
+}
+
+void require_a_record_for_each_class(const artefact::Reader& reader, const Recordings& recordings) {
+  std::vector<bool> seen(recordings.info.classes.size(), false);
+  for (const Record& record : recordings.records) {
+    seen[static_cast<std::size_t>(record.label)] = true;
+  }
+  for (std::size_t label = 0; label < seen.size(); ++label) {
+    if (!seen[label]) {
+      reader.refuse(group, "has no record of class " + recordings.info.classes[label].name);
+    }
+  }
+}
+
+}  // namespace
+
+void write(artefact::Writer& writer, const Recordings& recordings) {
+  write(writer, recordings.info);
+  writer.group(group);
+  for (const Record& record : recordings.records) write(writer, record);
+}
+
+Recordings read_recordings(const artefact::Reader& reader) {
+  Recordings recordings;
+  recordings.info = read_dataset_info(reader);
+  if (!reader.has(group)) reader.refuse(group, "is missing");
+  for (const std::string& name : reader.list(group)) {
+    recordings.records.push_back(read_record(reader, name, recordings.info.classes.size()));
+  }
+  require_a_record_for_each_class(reader, recordings);
+  return recordings;
+}
+
+}  // namespace piae::signal

@@ -1,0 +1,112 @@
+#include "signal/roles.hpp"
+
+#include <algorithm>
+#include <map>
+#include <tuple>
+
+namespace piae::signal {
+
+namespace {
+
+/// One window on the time axis of its record.
+struct Piece {
+  std::int64_t first_sample;
+  const RoleSet* set;
+};
+using Pieces = std::map<std::string, std::vector<Piece>>;  // by the record's name
+
+/// Places at which two roles come too close in one record.
+struct Conflict {
+  std::size_t places = 0;
+  std::int64_t first_sample = 0;  ///< of the first place
+  std::int64_t distance = 0;  ///< there: samples between the ranges, negative where they overlap
+};
+using Conflicts = std::map<std::tuple<std::string, std::string, std::string>, Conflict>;
+
+void compare(const RoleSet& one, const RoleSet& other, std::vector<std::string>& findings) {
+  const auto differ = [&](const std::string& what, const std::string& a, const std::string& b) {
+    if (a == b) return;
+    findings.push_back(other.file + ": has " + what + " " + b + ", but " + one.file + " has " + a +
+                       "; they are not of one split");
+  };
+  differ("protocol", one.protocol, other.protocol);
+  differ("seed", std::to_string(one.seed), std::to_string(other.seed));
+  differ("records_digest", one.records_digest, other.records_digest);
+  differ("window length", std::to_string(one.windows.length), std::to_string(other.windows.length));
+}
+
+Pieces in_time_order(const std::vector<RoleSet>& sets) {
+  Pieces pieces;
+  for (const RoleSet& set : sets) {
+    for (std::size_t i = 0; i < set.windows.size(); ++i) {
+      const auto record = static_cast<std::size_t>(set.windows.record[i]);
+      pieces[set.windows.record_names[record]].push_back({set.windows.first_sample[i], &set});
+    }
+  }
+  for (auto& [record, of_record] : pieces) {
+    std::ranges::stable_sort(of_record, {}, &Piece::first_sample);
+  }
+  return pieces;
+}
+
+/// Windows have equal lengths, so neighbours in time order come closest.
+Conflicts conflicts_in(const Pieces& pieces, std::int64_t length, bool blocked) {
+  Conflicts conflicts;
+  for (const auto& [record, of_record] : pieces) {
+    for (std::size_t i = 1; i < of_record.size(); ++i) {
+      const Piece& before = of_record[i - 1];
+      const Piece& after = of_record[i];
+      const std::int64_t distance = after.first_sample - before.first_sample - length;
+      const bool too_close = blocked ? distance < length : distance == -length;
+      if (before.set->role == after.set->role || !too_close) continue;
+      Conflict& conflict = conflicts[{record, std::min(before.set->role, after.set->role),
+                                      std::max(before.set->role, after.set->role)}];
+      if (conflict.places++ == 0) {
+        conflict.first_sample = after.first_sample;
+        conflict.distance = distance;
+      }
+    }
+  }
+  return conflicts;
+}
+
+std::string line_of(const Conflicts::value_type& entry, std::int64_t length) {
+  const auto& [key, conflict] = entry;
+  const auto& [record, one, other] = key;
+  const std::string who = "record " + record + ": roles " + one + " and " + other;
+  const std::string where = " at sample " + std::to_string(conflict.first_sample) + " (" +
+                            std::to_string(conflict.places) + " places)";
+  if (conflict.distance == -length) return who + " share a window" + where;
+  return who + " lie " + std::to_string(conflict.distance) + " samples apart" + where +
+         "; a blocked split keeps " + std::to_string(length);
+}
+
+}  // namespace
+
+RoleSet read_role_set(const artefact::Reader& reader) {
+  RoleSet set;
+  set.file = reader.path().string();
+  set.role = reader.text("/", "role");
+  set.protocol = reader.text("/", "protocol");
+  set.seed = reader.integer("/", "seed");
+  set.records_digest = reader.text("/", "records_digest");
+  set.windows = read_window_set(reader);
+  if (set.windows.record.size() != set.windows.size()) {
+    reader.refuse("/record", "is missing: the windows do not say where they were cut");
+  }
+  return set;
+}
+
+std::vector<std::string> check_roles(const std::vector<RoleSet>& sets) {
+  std::vector<std::string> findings;
+  for (const RoleSet& set : sets) compare(sets.front(), set, findings);
+  if (!findings.empty() || sets.empty()) return findings;  // samples of different splits may meet
+  const auto length = static_cast<std::int64_t>(sets.front().windows.length);
+  const bool blocked = sets.front().protocol == "blocked";
+  for (const auto& entry : conflicts_in(in_time_order(sets), length, blocked)) {
+    findings.push_back(line_of(entry, length));
+  }
+  return findings;
+}
+
+}  // namespace piae::signal

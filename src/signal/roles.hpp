@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "artefact/reader.hpp"
+#include "signal/window_set.hpp"
+
+namespace piae::signal {
+
+/// A window set that one split made, with what says which split that was.
+struct RoleSet {
+  std::string file;
+  std::string role;      ///< "A", "B", "C" or "D"
+  std::string protocol;  ///< "random" or "blocked"
+  std::int64_t seed = 0;
+  std::string records_digest;  ///< of the records that were split
+  WindowSet windows;
+};
+
+/// Reads a role of a split. Throws artefact::Refusal when an attribute is missing or the windows do
+/// not say where they were cut.
+RoleSet read_role_set(const artefact::Reader& reader);
+
+/// Proves from what is stored that the sets are roles of one split and that no window plays two:
+///   - protocol, seed, records_digest and window length are the same in all,
+///   - no (record, first sample) has two roles,
+///   - for "blocked", samples of different roles lie at least one window length apart.
+/// Returns one line for each thing that is not so; nothing when all is good.
+std::vector<std::string> check_roles(const std::vector<RoleSet>& sets);
+
+}  // namespace piae::signal

@@ -1,0 +1,205 @@
+#include "signal/simulation.hpp"
+
+#include <spdlog/fmt/fmt.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <exception>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "base/error.hpp"
+#include "base/random.hpp"
+#include "bearing/kinematics.hpp"
+#include "signal/description.hpp"
+#include "signal/toml_table.hpp"
+
+namespace piae::signal {
+
+namespace {
+
+constexpr double cut_at = 3;  // standard deviations of a drawn parameter
+
+double read_spread(TomlTable& table, const std::string& key) {
+  const double spread = table.number(key);
+  if (spread < 0 || spread >= 1 / cut_at) table.refuse(key, "must be from 0 to below 1/3");
+  return spread;
+}
+
+bearing::DynamicsOptions read_dynamics(TomlTable& table, double stiffness_spread) {
+  bearing::DynamicsOptions dynamics;
+  dynamics.mass_kg = table.positive("mass_kg");
+  dynamics.stiffness_n_per_m = table.positive("stiffness_n_per_m");
+  dynamics.damping_ns_per_m = table.positive("damping_ns_per_m");
+  dynamics.clearance_um = table.positive("clearance_um");
+  dynamics.load_n = table.positive("load_n");
+  const double stiffest = dynamics.stiffness_n_per_m * (1 + cut_at * stiffness_spread);
+  const double lift = stiffest * dynamics.clearance_um * 1e-6;
+  if (dynamics.load_n <= lift) {
+    table.refuse("load_n", fmt::format("must exceed {:.6g} N, the largest stiffness times the "
+                                       "clearance: below, no ball is ever touched",
+                                       lift));
+  }
+  return dynamics;
+}
+
+void read_table(TomlTable& table, Simulation& simulation) {
+  simulation.seed = table.integer("seed");
+  if (simulation.seed < 0) table.refuse("seed", "must be 0 or more");
+  const std::int64_t records = table.integer("records_per_class");
+  if (records < 1 || records > 100000) table.refuse("records_per_class", "must be 1 to 100000");
+  simulation.records_per_class = static_cast<std::size_t>(records);
+  const double samples = std::floor(table.positive("record_s") * simulation.info.sample_rate_hz);
+  if (samples < 1 || samples > 1e8) table.refuse("record_s", "must give 1 to 1e8 samples");
+  simulation.samples = static_cast<std::size_t>(samples);
+  simulation.stiffness_spread = read_spread(table, "stiffness_spread");
+  simulation.damping_spread = read_spread(table, "damping_spread");
+  simulation.speed_spread = read_spread(table, "speed_spread");
+  simulation.dynamics = read_dynamics(table, simulation.stiffness_spread);
+  simulation.slip_max = table.number("slip_max");
+  if (simulation.slip_max < 0 || simulation.slip_max >= 1) {
+    table.refuse("slip_max", "must be from 0 to below 1");
+  }
+  if (table.has("snr_db")) simulation.snr_db = table.number("snr_db");
+  const bool faulty = simulation.info.classes.size() > 1;
+  if (simulation.snr_db && !faulty) {
+    table.refuse("snr_db", "needs a faulty [[class]]: the noise is measured by it");
+  }
+  table.finish();
+}
+
+bearing::LocalDefect defect_of(const ClassInfo& c) { return {c.defect, c.defect_size_mm}; }
+
+/// Geometry and defects that parse, but cannot be: named by their place in the file.
+void require_possible(const DatasetInfo& info, const TomlTable& root,
+                      const std::vector<TomlTable>& classes) {
+  try {
+    bearing::validate(info.bearing);
+  } catch (const Error& error) {
+    root.refuse("bearing", std::string("is refused: ") + error.what());
+  }
+  for (std::size_t i = 0; i < classes.size(); ++i) {
+    try {
+      bearing::validate(info.bearing, defect_of(info.classes[i]));
+    } catch (const Error& error) {
+      classes[i].refuse("defect_size_mm", std::string("is refused: ") + error.what());
+    }
+  }
+}
+
+double draw(Stream& stream, double mean, double spread) {
+  for (;;) {
+    const double deviation = stream.normal(0, 1);
+    if (std::abs(deviation) <= cut_at) return mean * (1 + spread * deviation);
+  }
+}
+
+double draw_angle(Stream& stream) { return stream.uniform(0, 2 * std::numbers::pi); }
+
+std::string record_name(const Simulation& simulation, std::size_t label, std::size_t number) {
+  const std::size_t digits =
+      std::max<std::size_t>(2, std::to_string(simulation.records_per_class).size());
+  return fmt::format("{}-{:0{}}", simulation.info.classes[label].name, number + 1, digits);
+}
+
+Stream stream_of(const Simulation& simulation, const Record& record) {
+  const std::string& class_name = simulation.info.classes[record.label].name;
+  return Stream(fmt::format("{}/seed{}/simulate/{}/{}", simulation.info.name, simulation.seed,
+                            class_name, record.name));
+}
+
+/// Without noise: how strong that is depends on all records.
+Record clean_record(const Simulation& simulation, std::size_t label, std::size_t number) {
+  const DatasetInfo& info = simulation.info;
+  Record record;
+  record.name = record_name(simulation, label, number);
+  record.label = static_cast<int>(label);
+  record.original_sample_rate_hz = info.sample_rate_hz;
+  record.source = "simulated";
+  Stream stream = stream_of(simulation, record);
+  bearing::DynamicsOptions dynamics = simulation.dynamics;
+  dynamics.stiffness_n_per_m =
+      draw(stream, dynamics.stiffness_n_per_m, simulation.stiffness_spread);
+  dynamics.damping_ns_per_m = draw(stream, dynamics.damping_ns_per_m, simulation.damping_spread);
+  bearing::Motion motion;
+  motion.shaft_speed_rpm = draw(stream, info.shaft_speed_rpm, simulation.speed_spread);
+  motion.slip = simulation.slip_max * stream.uniform(0, 1);
+  motion.cage_angle_rad = draw_angle(stream);
+  const bool turns = info.classes[label].defect != Defect::outer;
+  if (turns) motion.defect_angle_rad = draw_angle(stream);
+  record.shaft_speed_rpm = motion.shaft_speed_rpm;
+  record.parameters = DynamicParameters{dynamics.stiffness_n_per_m, dynamics.damping_ns_per_m};
+  record.signal = bearing::simulate(info.bearing, defect_of(info.classes[label]), motion, dynamics,
+                                    {info.sample_rate_hz, simulation.samples});
+  return record;
+}
+
+double power(const std::vector<double>& signal) {
+  double sum = 0;
+  for (const double x : signal) sum += x * x;
+  return sum / static_cast<double>(signal.size());
+}
+
+double faintest_faulty_power(const Recordings& recordings) {
+  std::vector<double> sums(recordings.info.classes.size(), 0);
+  for (const Record& record : recordings.records) sums[record.label] += power(record.signal);
+  const int healthy = recordings.info.healthy_label();
+  sums.erase(sums.begin() + healthy);
+  const std::size_t per_class = recordings.records.size() / recordings.info.classes.size();
+  return *std::ranges::min_element(sums) / static_cast<double>(per_class);
+}
+
+void add_noise(const Simulation& simulation, Recordings& recordings) {
+  const double deviation =
+      std::sqrt(faintest_faulty_power(recordings) * std::pow(10, -*simulation.snr_db / 10));
+  for (Record& record : recordings.records) {
+    Stream noise = stream_of(simulation, record).child("noise");
+    for (double& x : record.signal) x += noise.normal(0, deviation);
+  }
+}
+
+}  // namespace
+
+Simulation read_simulation(const std::filesystem::path& file) {
+  TomlTable root(file);
+  Simulation simulation;
+  std::vector<TomlTable> classes = root.tables("class");
+  simulation.info = read_info(root, classes);
+  simulation.info.sample_rate_hz = root.positive("sample_rate_hz");
+  TomlTable table = root.table("simulation");
+  root.finish();
+  for (const TomlTable& c : classes) c.finish();
+  require_possible(simulation.info, root, classes);
+  read_table(table, simulation);
+  return simulation;
+}
+
+Recordings simulate(const Simulation& simulation, const std::function<void(std::size_t)>& done) {
+  Recordings recordings{simulation.info, {}};
+  recordings.records.resize(simulation.info.classes.size() * simulation.records_per_class);
+  const auto total = static_cast<std::int64_t>(recordings.records.size());
+  std::size_t count = 0;
+  std::vector<std::exception_ptr> failures(recordings.records.size());
+#pragma omp parallel for schedule(dynamic)
+  for (std::int64_t i = 0; i < total; ++i) {
+    const auto [label, number] =
+        std::lldiv(i, static_cast<std::int64_t>(simulation.records_per_class));
+    try {
+      recordings.records[i] = clean_record(simulation, label, number);
+    } catch (...) {  // must not leave the parallel loop
+      failures[i] = std::current_exception();
+    }
+#pragma omp critical(simulation_progress)
+    if (done) done(++count);
+  }
+  for (const std::exception_ptr& failure : failures) {
+    if (failure) std::rethrow_exception(failure);  // the first, whichever thread met one first
+  }
+  if (simulation.snr_db) add_noise(simulation, recordings);
+  std::ranges::sort(recordings.records, {}, &Record::name);
+  return recordings;
+}
+
+}  // namespace piae::signal

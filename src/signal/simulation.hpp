@@ -1,0 +1,62 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <functional>
+#include <optional>
+
+#include "bearing/dynamics.hpp"
+#include "signal/recordings.hpp"
+
+namespace piae::signal {
+
+/// A dataset that is simulated (pipeline/datasets/simulated.toml). The description has the head of
+/// every other one (description.hpp) with sample_rate_hz, no [[record]], and a table [simulation]
+/// with all of the keys below; its presence is what marks a simulated dataset.
+///
+///     [simulation]
+///     seed = 0                    # another seed, another realisation
+///     records_per_class = 40      # "IR007-01" ... "IR007-40"
+///     record_s = 0.7              # length of each
+///     mass_kg = 1.0               # eq. 13; bearing::DynamicsOptions
+///     stiffness_n_per_m = 1e8     # mean over the records
+///     stiffness_spread = 0.1      # standard deviation / mean
+///     damping_ns_per_m = 500
+///     damping_spread = 0.2
+///     clearance_um = 2
+///     load_n = 1000
+///     slip_max = 0.01             # loss of cage and spin speed: uniform from 0 to this
+///     speed_spread = 0.001        # standard deviation of the shaft speed / its mean
+///     snr_db = 10                 # may be left out: no noise
+struct Simulation {
+  DatasetInfo info;
+  std::int64_t seed = 0;
+  std::size_t records_per_class = 0;
+  std::size_t samples = 0;            ///< of a record
+  bearing::DynamicsOptions dynamics;  ///< with the mean stiffness and damping
+
+  /// Each record has its own stiffness, damping and shaft speed: normal with these relative
+  /// standard deviations, cut at 3 of them. Below 1/3, so that all stay positive.
+  double stiffness_spread = 0;
+  double damping_spread = 0;
+  double speed_spread = 0;
+  double slip_max = 0;
+
+  /// One white measurement noise for the whole dataset, as one sensor would have: this far, in dB,
+  /// below the mean power of the faintest faulty class. So a stronger fault has a better ratio,
+  /// and of a healthy bearing one records the noise and the little that the balls' passage leaves.
+  std::optional<double> snr_db;
+};
+
+/// Throws Error(bad_input) with file, line and key for unknown and missing keys, wrong types and
+/// values that cannot be simulated; Error(input_missing) when there is no such file.
+Simulation read_simulation(const std::filesystem::path& file);
+
+/// Simulates all records, OpenMP parallel over them; the result does not depend on the number of
+/// threads. Random numbers come from Stream("<name>/seed<k>/simulate/<class>/<record>"). A defect
+/// of the outer race sits in the middle of the load zone; all other angles are drawn for each
+/// record. `done` is told how many records are done. Throws Error(failed) when eq. 13 diverges.
+Recordings simulate(const Simulation& simulation,
+                    const std::function<void(std::size_t)>& done = nullptr);
+
+}  // namespace piae::signal

@@ -1,0 +1,194 @@
+#include "signal/split.hpp"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <numeric>
+
+#include "base/error.hpp"
+#include "base/random.hpp"
+#include "signal/stride.hpp"
+
+namespace piae::signal {
+
+namespace {
+
+enum Role : std::size_t { A, B, C, D };
+
+struct Place {
+  std::size_t record;  ///< index into Recordings::records
+  std::size_t first_sample;
+};
+
+/// A role, and how many windows of a class play it.
+struct Share {
+  Role role;
+  std::size_t count;
+};
+
+[[noreturn]] void refuse_options(const std::string& what) { throw Error(Exit::usage, what); }
+
+void require_sensible(const SplitOptions& options) {
+  if (options.window == 0 || options.max_stride == 0 || options.test_per_class == 0 ||
+      options.known_per_class == 0 || options.guard_windows == 0) {
+    refuse_options(
+        "window, max-stride, test-per-class, known-per-class and guard-windows must be "
+        "at least 1");
+  }
+  if (options.windows_per_class <= options.test_per_class + options.known_per_class) {
+    refuse_options("windows-per-class (" + std::to_string(options.windows_per_class) +
+                   ") must exceed test-per-class plus known-per-class (" +
+                   std::to_string(options.test_per_class) + " + " +
+                   std::to_string(options.known_per_class) + ")");
+  }
+  if (options.seed < 0) refuse_options("seed must not be negative");
+  if (options.protocol != "random" && options.protocol != "blocked") {
+    refuse_options("unknown protocol '" + options.protocol + "'; known are random and blocked");
+  }
+}
+
+void require_a_fault_class(const DatasetInfo& info) {
+  (void)info.healthy_label();
+  if (info.classes.size() < 2) {
+    throw Error(Exit::bad_input, "dataset " + info.name + ": has no fault class");
+  }
+}
+
+/// In the order in which they are dealt out, and lie in time where the protocol is blocked.
+std::vector<Share> shares_of(bool healthy, const SplitOptions& options) {
+  const std::size_t rest = options.windows_per_class - options.test_per_class;
+  if (healthy) return {{A, options.test_per_class}, {B, rest}};
+  return {{A, options.test_per_class},
+          {C, options.known_per_class},
+          {D, rest - options.known_per_class}};
+}
+
+std::vector<std::size_t> records_of(const Recordings& recordings, int label) {
+  std::vector<std::size_t> indices;
+  for (std::size_t i = 0; i < recordings.records.size(); ++i) {
+    if (recordings.records[i].label == label) indices.push_back(i);
+  }
+  return indices;
+}
+
+std::vector<std::size_t> lengths_of(const Recordings& recordings,
+                                    const std::vector<std::size_t>& indices) {
+  std::vector<std::size_t> lengths;
+  for (const std::size_t i : indices) lengths.push_back(recordings.records[i].signal.size());
+  return lengths;
+}
+
+/// Where the class's windows start, in time order, record by record.
+std::vector<Place> places_of(const Recordings& recordings, const std::vector<std::size_t>& records,
+                             const WindowGrid& grid, std::size_t stride) {
+  std::vector<Place> places;
+  for (const std::size_t i : records) {
+    const std::size_t count = windows_in(recordings.records[i].signal.size(), grid.window, stride);
+    for (std::size_t k = 0; k < count; ++k) places.push_back({i, k * stride});
+  }
+  return places;
+}
+
+/// The order in which a class's windows are dealt out.
+std::vector<std::size_t> order_of(std::size_t count, bool blocked, Stream& stream) {
+  if (!blocked) return stream.permutation(count);
+  std::vector<std::size_t> order(count);
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::rotate(order, order.begin() + static_cast<std::ptrdiff_t>(stream.below(count)));
+  return order;
+}
+
+WindowGrid grid_of(const SplitOptions& options, std::size_t blocks) {
+  const bool blocked = options.protocol == "blocked";
+  return {options.window, options.max_stride, options.windows_per_class, blocked ? blocks : 0,
+          options.guard_windows * options.window};
+}
+
+/// Appends the window at a place to a set whose record_names are those of all records.
+void cut(WindowSet& set, const Record& record, const Place& place, bool with_parameters) {
+  const auto first = record.signal.begin() + static_cast<std::ptrdiff_t>(place.first_sample);
+  std::transform(first, first + static_cast<std::ptrdiff_t>(set.length),
+                 std::back_inserter(set.samples), [](double x) { return static_cast<float>(x); });
+  set.labels.push_back(record.label);
+  set.record.push_back(static_cast<std::int32_t>(place.record));
+  set.first_sample.push_back(static_cast<std::int64_t>(place.first_sample));
+  if (with_parameters) set.parameters.push_back(*record.parameters);
+}
+
+Split empty_split(const Recordings& recordings, const SplitOptions& options) {
+  WindowSet set;
+  set.info = recordings.info;
+  set.length = options.window;
+  for (const Record& record : recordings.records) set.record_names.push_back(record.name);
+  return {{set, set, set, set}, {}};
+}
+
+void split_class(const Recordings& recordings, int label, const SplitOptions& options,
+                 bool with_parameters, Split& out) {
+  const DatasetInfo& info = recordings.info;
+  const std::string& name = info.classes[static_cast<std::size_t>(label)].name;
+  const auto shares = shares_of(label == info.healthy_label(), options);
+  const auto records = records_of(recordings, label);
+  const WindowGrid grid = grid_of(options, shares.size());
+  const std::size_t stride = largest_stride("dataset " + info.name + ", class " + name,
+                                            lengths_of(recordings, records), grid);
+  const auto places = places_of(recordings, records, grid, stride);
+  Stream stream(info.name + "/seed" + std::to_string(options.seed) + "/split/" + name);
+  const auto order = order_of(places.size(), grid.blocks > 0, stream);
+  const std::size_t skipped = grid.blocks > 0 ? skipped_windows(grid, stride) : 0;
+  std::size_t next = 0;
+  for (const Share& share : shares) {
+    for (std::size_t i = 0; i < share.count; ++i) {
+      const Place& place = places[order[next + i]];
+      cut(out.sets[share.role], recordings.records[place.record], place, with_parameters);
+    }
+    next += share.count + skipped;
+  }
+  out.strides.push_back(static_cast<std::int64_t>(stride));
+}
+
+}  // namespace
+
+void bind(CLI::App& app, SplitOptions& options) {
+  constexpr int most = 1000000000;  // keeps CLI11 from reading -1 as a large count
+  app.add_option("--seed", options.seed, "The repeat: each seed has its own split")
+      ->required()
+      ->check(CLI::Range(0, most));
+  app.add_option("--protocol", options.protocol,
+                 "random: the paper's; blocked: contiguous blocks with a guard gap")
+      ->check(CLI::IsMember({"random", "blocked"}));
+  const auto count = [&](const char* name, std::size_t& value, const char* help) {
+    app.add_option(name, value, help)->check(CLI::Range(1, most));
+  };
+  count("--window", options.window, "Samples in a window");
+  count("--max-stride", options.max_stride,
+        "Samples between two windows at most; less where the windows need it");
+  count("--windows-per-class", options.windows_per_class, "Windows cut of each class");
+  count("--test-per-class", options.test_per_class, "Windows of each class in A (test)");
+  count("--known-per-class", options.known_per_class, "Windows of each fault class in C (known)");
+  count("--guard-windows", options.guard_windows,
+        "Window lengths left unused between two roles (blocked only)");
+}
+
+Split split(const Recordings& recordings, const SplitOptions& options) {
+  require_sensible(options);
+  require_a_fault_class(recordings.info);
+  const bool with_parameters = std::ranges::all_of(
+      recordings.records, [](const Record& record) { return record.parameters.has_value(); });
+  Split out = empty_split(recordings, options);
+  for (std::size_t label = 0; label < recordings.info.classes.size(); ++label) {
+    split_class(recordings, static_cast<int>(label), options, with_parameters, out);
+  }
+  return out;
+}
+
+void write(artefact::Writer& writer, const Split& split, std::size_t role,
+           const SplitOptions& options, const std::string& records_digest) {
+  write(writer, split.sets[role]);
+  writer.numbers("/classes/stride", split.strides);
+  writer.attribute("/", "role", std::string(Split::roles[role]));
+  writer.attribute("/", "protocol", options.protocol);
+  writer.attribute("/", "seed", options.seed);
+  writer.attribute("/", "records_digest", records_digest);
+}
+
+}  // namespace piae::signal

@@ -1,0 +1,115 @@
+#include "signal/toml_table.hpp"
+
+#include <cmath>
+#include <sstream>
+#include <string_view>
+
+#include "artefact/file.hpp"
+#include "base/error.hpp"
+
+namespace piae::signal {
+
+namespace {
+
+toml::table parse(const std::filesystem::path& file) {
+  const std::vector<std::byte> bytes = artefact::read_file(file);
+  const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  try {
+    return toml::parse(text);
+  } catch (const toml::parse_error& error) {
+    std::ostringstream line;
+    line << file.string() << ", line " << error.source().begin.line
+         << ": not valid TOML: " << error.description();
+    throw Error(Exit::bad_input, line.str());
+  }
+}
+
+std::string keys_of(const std::set<std::string>& keys) {
+  std::string list;
+  for (const std::string& key : keys) list += (list.empty() ? "" : ", ") + key;
+  return list;
+}
+
+}  // namespace
+
+TomlTable::TomlTable(const std::filesystem::path& file)
+    : file_(std::make_shared<File>(File{file.string(), parse(file)})), table_(&file_->root) {}
+
+const toml::node& TomlTable::node(const std::string& key) {
+  asked_.insert(key);
+  const toml::node* node = table_->get(key);
+  if (node == nullptr) refuse(key, "is missing");
+  return *node;
+}
+
+std::string TomlTable::text(const std::string& key) {
+  const auto* text = node(key).as_string();
+  if (text == nullptr) refuse(key, "must be a text in quotes");
+  if (text->get().empty()) refuse(key, "is empty");
+  return text->get();
+}
+
+std::string TomlTable::optional_text(const std::string& key) {
+  asked_.insert(key);
+  return has(key) ? text(key) : std::string();
+}
+
+double TomlTable::number(const std::string& key) {
+  const auto value = node(key).is_number() ? node(key).value<double>() : std::nullopt;
+  if (!value || !std::isfinite(*value)) refuse(key, "must be a finite number");
+  return *value;
+}
+
+double TomlTable::positive(const std::string& key) {
+  const double value = number(key);
+  if (value <= 0) refuse(key, "must be above 0");
+  return value;
+}
+
+std::optional<double> TomlTable::optional_positive(const std::string& key) {
+  asked_.insert(key);
+  return has(key) ? std::optional(positive(key)) : std::nullopt;
+}
+
+std::int64_t TomlTable::integer(const std::string& key) {
+  const auto* value = node(key).as_integer();
+  if (value == nullptr) refuse(key, "must be a whole number");
+  return value->get();
+}
+
+TomlTable TomlTable::table(const std::string& key) {
+  const toml::table* inner = node(key).as_table();
+  if (inner == nullptr) refuse(key, "must be a table, [" + key + "]");
+  return {file_, inner, key};
+}
+
+std::vector<TomlTable> TomlTable::tables(const std::string& key) {
+  const toml::array* array = node(key).as_array();
+  if (array == nullptr || array->empty() || !array->is_homogeneous<toml::table>()) {
+    refuse(key, "must be a list of tables, [[" + key + "]]");
+  }
+  std::vector<TomlTable> tables;
+  for (const toml::node& element : *array) {
+    tables.push_back(TomlTable(file_, element.as_table(), key));
+  }
+  return tables;
+}
+
+void TomlTable::finish() const {
+  for (const auto& [key, node] : *table_) {
+    const std::string name(key.str());
+    if (!asked_.contains(name)) refuse(name, "is unknown; known keys are " + keys_of(asked_));
+  }
+}
+
+void TomlTable::refuse(const std::string& key, const std::string& what) const {
+  const toml::node* node = table_->get(key);
+  const auto line = (node != nullptr ? node->source() : table_->source()).begin.line;
+  std::ostringstream text;
+  text << file_->name;
+  if (line > 0) text << ", line " << line;
+  text << ": " << (name_.empty() ? key : name_ + "." + key) << ' ' << what;
+  throw Error(Exit::bad_input, text.str());
+}
+
+}  // namespace piae::signal

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <toml++/toml.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace piae::signal {
+
+/// One table of a TOML file, read strictly: every key must be known, present where it is needed,
+/// and of the right type. All errors are one line with the file, the line and the key
+/// (Error(bad_input); Error(input_missing) when there is no file).
+///
+///     TomlTable root("pipeline/datasets/cwru.toml");
+///     name = root.text("name");
+///     for (TomlTable& record : root.tables("record")) { ...; record.finish(); }
+///     root.finish();
+class TomlTable {
+ public:
+  explicit TomlTable(const std::filesystem::path& file);
+
+  [[nodiscard]] bool has(const std::string& key) const { return table_->contains(key); }
+
+  std::string text(const std::string& key);  ///< not empty
+  std::string optional_text(const std::string& key);
+  double number(const std::string& key);    ///< finite; an integer will do
+  double positive(const std::string& key);  ///< a number above 0
+  std::optional<double> optional_positive(const std::string& key);
+  std::int64_t integer(const std::string& key);
+
+  TomlTable table(const std::string& key);                ///< [key]
+  std::vector<TomlTable> tables(const std::string& key);  ///< [[key]], at least one
+
+  /// Call it when all keys that may stand here have been asked for: any other one is an error.
+  void finish() const;
+
+  /// Throws Error(bad_input): "<file>, line <n>: <table>.<key> <what>".
+  [[noreturn]] void refuse(const std::string& key, const std::string& what) const;
+
+ private:
+  struct File {
+    std::string name;
+    toml::table root;
+  };
+  TomlTable(std::shared_ptr<const File> file, const toml::table* table, std::string name)
+      : file_(std::move(file)), table_(table), name_(std::move(name)) {}
+
+  const toml::node& node(const std::string& key);
+
+  std::shared_ptr<const File> file_;
+  const toml::table* table_;
+  std::string name_;             ///< "record"; empty for the whole file
+  std::set<std::string> asked_;  ///< the keys that may stand here
+};
+
+}  // namespace piae::signal

@@ -1,0 +1,124 @@
+#include "signal/window_set.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace piae::signal {
+
+namespace {
+
+/// The index of a name in a list, where it is added if it is new.
+std::int32_t index_of(std::vector<std::string>& names, const std::string& name) {
+  const auto found = std::ranges::find(names, name);
+  const auto index = static_cast<std::int32_t>(found - names.begin());
+  if (found == names.end()) names.push_back(name);
+  return index;
+}
+
+void require_known_labels(const artefact::Reader& reader, const WindowSet& windows) {
+  const auto classes = static_cast<std::int32_t>(windows.info.classes.size());
+  for (const std::int32_t label : windows.labels) {
+    if (label < 0 || label >= classes) {
+      reader.refuse("/labels", "holds label " + std::to_string(label) + ", but there are " +
+                                   std::to_string(classes) + " classes");
+    }
+  }
+}
+
+void read_origins(const artefact::Reader& reader, WindowSet& windows) {
+  windows.record_names = reader.strings("/record/name");
+  windows.record = reader.numbers<std::int32_t>("/record/index", {0}).values;
+  windows.first_sample = reader.numbers<std::int64_t>("/first_sample", {0}).values;
+  if (windows.record.size() != windows.size()) reader.refuse("/record/index", "misfits /labels");
+  if (windows.first_sample.size() != windows.size()) {
+    reader.refuse("/first_sample", "misfits /labels");
+  }
+  const auto known = static_cast<std::int32_t>(windows.record_names.size());
+  for (const std::int32_t index : windows.record) {
+    if (index < 0 || index >= known) {
+      reader.refuse("/record/index",
+                    "points to record " + std::to_string(index) + " of " + std::to_string(known));
+    }
+  }
+  for (const std::int64_t first : windows.first_sample) {
+    if (first < 0) reader.refuse("/first_sample", "holds " + std::to_string(first));
+  }
+}
+
+void read_parameters(const artefact::Reader& reader, WindowSet& windows) {
+  const auto pairs = reader.numbers<double>("/parameters", {0, 2});
+  if (pairs.shape[0] != windows.size()) reader.refuse("/parameters", "misfits /labels");
+  for (std::size_t i = 0; i < windows.size(); ++i) {
+    windows.parameters.push_back({pairs.values[2 * i], pairs.values[2 * i + 1]});
+  }
+}
+
+}  // namespace
+
+std::vector<std::size_t> WindowSet::indices_of(int label) const {
+  std::vector<std::size_t> indices;
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    if (labels[i] == label) indices.push_back(i);
+  }
+  return indices;
+}
+
+std::size_t WindowSet::count_of(int label) const {
+  return static_cast<std::size_t>(std::ranges::count(labels, label));
+}
+
+void WindowSet::append(const WindowSet& other, std::size_t i) {
+  if (other.length != length) throw std::logic_error("windows of different lengths in one set");
+  if (!other.record.empty() && record.size() == size()) {
+    const auto from = static_cast<std::size_t>(other.record[i]);
+    record.push_back(index_of(record_names, other.record_names[from]));
+    first_sample.push_back(other.first_sample[i]);
+  } else {
+    record_names.clear();
+    record.clear();
+    first_sample.clear();
+  }
+  if (!other.parameters.empty() && parameters.size() == size()) {
+    parameters.push_back(other.parameters[i]);
+  } else {
+    parameters.clear();
+  }
+  const std::span<const float> window = other.window(i);
+  samples.insert(samples.end(), window.begin(), window.end());
+  labels.push_back(other.labels[i]);
+}
+
+void write(artefact::Writer& writer, const WindowSet& windows) {
+  write(writer, windows.info);
+  writer.numbers("/windows", windows.samples, {windows.size(), windows.length});
+  writer.numbers("/labels", windows.labels);
+  if (!windows.record.empty()) {
+    writer.strings("/record/name", windows.record_names);
+    writer.numbers("/record/index", windows.record);
+    writer.numbers("/first_sample", windows.first_sample);
+  }
+  if (!windows.parameters.empty()) {
+    std::vector<double> pairs;
+    for (const DynamicParameters& p : windows.parameters) {
+      pairs.insert(pairs.end(), {p.stiffness_n_per_m, p.damping_ns_per_m});
+    }
+    writer.numbers("/parameters", pairs, {windows.size(), 2});
+  }
+}
+
+WindowSet read_window_set(const artefact::Reader& reader) {
+  WindowSet windows;
+  windows.info = read_dataset_info(reader);
+  auto samples = reader.numbers<float>("/windows", {0, 0});
+  windows.length = samples.shape[1];
+  windows.samples = std::move(samples.values);
+  windows.labels = reader.numbers<std::int32_t>("/labels", {0}).values;
+  if (windows.length == 0) reader.refuse("/windows", "holds windows without samples");
+  if (windows.size() != samples.shape[0]) reader.refuse("/labels", "misfits /windows");
+  require_known_labels(reader, windows);
+  if (reader.has("/record")) read_origins(reader, windows);
+  if (reader.has("/parameters")) read_parameters(reader, windows);
+  return windows;
+}
+
+}  // namespace piae::signal

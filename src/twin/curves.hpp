@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "artefact/reader.hpp"
+#include "artefact/writer.hpp"
+
+namespace piae::twin {
+
+/// What Figs 7 and 8 show, one value an epoch: means of the losses over the epoch's batches, the
+/// weights of eq. 23 and the learning rate at its end.
+struct Curves {
+  std::vector<double> reconstruction;  ///< L_Rec
+  std::vector<double> differential;    ///< L_DDL
+  std::vector<double> twin;            ///< L_DT
+  std::vector<double> total;           ///< L_total
+  std::vector<double> alpha;
+  std::vector<double> beta;
+  std::vector<double> gamma;
+  std::vector<double> learning_rate;
+
+  /// As /curves/<name>, [epochs].
+  void write(artefact::Writer& writer) const;
+  void read(const artefact::Reader& reader);
+};
+
+}  // namespace piae::twin

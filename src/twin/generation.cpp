@@ -1,0 +1,66 @@
+#include "twin/generation.hpp"
+
+#include <torch/torch.h>
+
+#include "nets/device.hpp"
+#include "twin/model.hpp"
+#include "twin/physics.hpp"
+#include "twin/space.hpp"
+
+namespace piae::twin {
+
+namespace {
+
+/// k~ and c~ of the points as [n, 2].
+torch::Tensor as_tensor(const std::vector<TwinPoint>& points) {
+  std::vector<double> flat;
+  for (const TwinPoint& point : points) flat.insert(flat.end(), {point.k, point.c});
+  return torch::tensor(flat, torch::kFloat64).view({-1, 2}).to(torch::kFloat32);
+}
+
+std::vector<TwinPoint> draw(const TwinSpace& space, std::size_t count, const Stream& stream) {
+  std::vector<TwinPoint> points;
+  for (std::size_t i = 0; i < count; ++i) {
+    Stream own = stream.child(std::to_string(i));
+    points.push_back(space.sample(own));
+  }
+  return points;
+}
+
+}  // namespace
+
+signal::WindowSet generate(const artefact::Reader& model, std::size_t count, const Stream& stream,
+                           const std::string& device_name) {
+  const torch::NoGradGuard no_grad;
+  const torch::Device device = nets::prepare_device(device_name);
+  const ModelDescription description = read_model_description(model);
+  const TwinSpace space(model);
+  nets::ParameterSet parameters(network_specs(description.shape, description.options), stream,
+                                torch::kFloat32, device);
+  parameters.read(model, "/" + description.options.keep);
+
+  signal::WindowSet generated;
+  generated.info = description.info;
+  generated.length = static_cast<std::size_t>(description.shape.samples);
+  for (std::size_t label = 0; label < description.info.classes.size(); ++label) {
+    const signal::ClassInfo& c = description.info.classes[label];
+    if (c.defect == signal::Defect::none) continue;
+    const std::vector<TwinPoint> points = draw(space, count, stream.child(c.name));
+    const torch::Tensor k_and_c = as_tensor(points).to(device);
+    const torch::Tensor one_hot =
+        torch::one_hot(torch::tensor({static_cast<std::int64_t>(label)}), description.shape.classes)
+            .to(k_and_c.options())
+            .expand({k_and_c.size(0), -1});
+    const torch::Tensor a = decode(parameters, k_and_c, one_hot) * description.acceleration[label];
+    const std::vector<float> samples = nets::to_vector(a);
+    generated.samples.insert(generated.samples.end(), samples.begin(), samples.end());
+    generated.labels.insert(generated.labels.end(), count, static_cast<std::int32_t>(label));
+    for (const TwinPoint& point : points) {
+      generated.parameters.push_back(
+          {point.k * stiffness_scale_n_per_m, point.c * damping_scale_ns_per_m});
+    }
+  }
+  return generated;
+}
+
+}  // namespace piae::twin

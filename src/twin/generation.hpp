@@ -1,0 +1,19 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include "artefact/reader.hpp"
+#include "base/random.hpp"
+#include "signal/window_set.hpp"
+
+namespace piae::twin {
+
+/// Eqs 15 and 26: draws `count` points of the digital twin space for each class with a defect,
+/// decodes them with the class's label, and returns the windows in the recordings' unit with the
+/// (k, c) they came from. Window i of a class comes from the stream's child "<class>/<i>", so that
+/// the first n windows are the same however many are asked for.
+signal::WindowSet generate(const artefact::Reader& model, std::size_t count, const Stream& stream,
+                           const std::string& device);
+
+}  // namespace piae::twin

@@ -1,0 +1,28 @@
+#include "twin/model.hpp"
+
+#include <torch/torch.h>
+
+namespace piae::twin {
+
+void write(artefact::Writer& writer, const ModelDescription& description) {
+  signal::write(writer, description.info);
+  writer.attribute("/", "samples", description.shape.samples);
+  writer.attribute("/", "depth", std::int64_t{description.options.depth});
+  writer.attribute("/", "width", std::int64_t{description.options.width});
+  writer.attribute("/", "keep", description.options.keep);
+  writer.numbers("/classes/acceleration", description.acceleration);
+}
+
+ModelDescription read_model_description(const artefact::Reader& reader) {
+  ModelDescription description;
+  description.info = signal::read_dataset_info(reader);
+  const std::size_t classes = description.info.classes.size();
+  description.shape = {reader.integer("/", "samples"), static_cast<std::int64_t>(classes)};
+  description.options.depth = static_cast<int>(reader.integer("/", "depth"));
+  description.options.width = static_cast<int>(reader.integer("/", "width"));
+  description.options.keep = reader.text("/", "keep");
+  description.acceleration = reader.numbers<double>("/classes/acceleration", {classes}).values;
+  return description;
+}
+
+}  // namespace piae::twin

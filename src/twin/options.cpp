@@ -1,0 +1,33 @@
+#include "twin/options.hpp"
+
+namespace piae::twin {
+
+void bind(CLI::App& app, TwinOptions& o) {
+  const std::string group = "piae-dt";
+  const auto add = [&](const std::string& name, auto& value, const std::string& help) {
+    return app.add_option(name, value, help)->group(group);
+  };
+  add("--epochs", o.epochs, "passes over the known windows")->check(CLI::PositiveNumber);
+  add("--batch", o.batch, "windows in a batch")->check(CLI::PositiveNumber);
+  add("--learning-rate", o.learning_rate, "of Adam, at the start")->check(CLI::PositiveNumber);
+  add("--decay-every", o.decay_every, "epochs between decays of the learning rate")
+      ->check(CLI::PositiveNumber);
+  add("--decay", o.decay, "factor on the learning rate at each decay")->check(CLI::Range(0.0, 1.0));
+  add("--max-gradient-norm", o.max_gradient_norm, "gradients are clipped to this norm")
+      ->check(CLI::PositiveNumber);
+  add("--depth", o.depth, "dense layers of encoder, decoder and physics module")
+      ->check(CLI::Range(1, 32));
+  add("--width", o.width, "units of a hidden layer")->check(CLI::PositiveNumber);
+  add("--stage-epochs", o.stage_epochs, "epochs in Stage 1 (eq. 24), then in Stage 2 (eq. 25)")
+      ->check(CLI::PositiveNumber);
+  add("--space-bins", o.space_bins, "bins of the digital twin space, for k and for c")
+      ->check(CLI::PositiveNumber);
+  add("--keep", o.keep, "model that generates: best (lowest training loss) or final")
+      ->check(CLI::IsMember({"best", "final"}));
+  add("--mass-kg", o.mass_kg, "M of eq. 22, kg")->check(CLI::PositiveNumber);
+  add("--load-n", o.load_n, "W of eq. 22, N")->check(CLI::PositiveNumber);
+  add("--clearance-um", o.clearance_um, "radial clearance of eq. 11, micrometres")
+      ->check(CLI::NonNegativeNumber);
+}
+
+}  // namespace piae::twin

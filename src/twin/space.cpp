@@ -1,0 +1,83 @@
+#include "twin/space.hpp"
+
+#include <algorithm>
+#include <string>
+
+namespace piae::twin {
+
+namespace {
+
+const std::string group = "/twin_space";
+
+std::vector<double> equal_edges(double low, double high, int bins) {
+  std::vector<double> edges;
+  for (int i = 0; i <= bins; ++i) edges.push_back(low + (high - low) * i / bins);
+  edges.back() = high;
+  return edges;
+}
+
+std::vector<double> edges_over(const std::vector<TwinPoint>& points, double TwinPoint::*parameter,
+                               int bins) {
+  const auto [low, high] = std::ranges::minmax_element(
+      points, {}, [&](const TwinPoint& point) { return point.*parameter; });
+  return equal_edges((*low).*parameter, (*high).*parameter, bins);
+}
+
+std::size_t bin_of(double value, const std::vector<double>& edges) {
+  const auto above = std::upper_bound(edges.begin() + 1, edges.end() - 1, value);
+  return static_cast<std::size_t>(above - edges.begin()) - 1;
+}
+
+}  // namespace
+
+TwinSpace::TwinSpace(const std::vector<TwinPoint>& points, int bins)
+    : points_(points),
+      k_edges_(edges_over(points, &TwinPoint::k, bins)),
+      c_edges_(edges_over(points, &TwinPoint::c, bins)),
+      counts_(static_cast<std::size_t>(bins) * static_cast<std::size_t>(bins)) {
+  const std::size_t columns = c_edges_.size() - 1;
+  for (const TwinPoint& point : points) {
+    ++counts_[bin_of(point.k, k_edges_) * columns + bin_of(point.c, c_edges_)];
+  }
+}
+
+TwinSpace::TwinSpace(const artefact::Reader& reader) {
+  const auto flat = reader.numbers<double>(group + "/points", {0, 2}).values;
+  for (std::size_t i = 0; i < flat.size(); i += 2) points_.push_back({flat[i], flat[i + 1]});
+  k_edges_ = reader.numbers<double>(group + "/k_edges", {0}).values;
+  c_edges_ = reader.numbers<double>(group + "/c_edges", {0}).values;
+  if (k_edges_.size() < 2 || c_edges_.size() < 2) reader.refuse(group, "has no bins");
+  counts_ =
+      reader.numbers<std::int64_t>(group + "/counts", {k_edges_.size() - 1, c_edges_.size() - 1})
+          .values;
+  if (std::ranges::any_of(counts_, [](std::int64_t n) { return n < 0; }) ||
+      std::ranges::all_of(counts_, [](std::int64_t n) { return n == 0; })) {
+    reader.refuse(group + "/counts", "is not a histogram");
+  }
+}
+
+TwinPoint TwinSpace::sample(Stream& stream) const {
+  std::size_t total = 0;
+  for (const std::int64_t n : counts_) total += static_cast<std::size_t>(n);
+  auto left = static_cast<std::int64_t>(stream.below(total));
+  std::size_t bin = 0;
+  while (left >= counts_[bin]) left -= counts_[bin++];
+  const std::size_t row = bin / (c_edges_.size() - 1);
+  const std::size_t column = bin % (c_edges_.size() - 1);
+  const auto within = [&](double low, double high) {
+    return low < high ? stream.uniform(low, high) : low;  // all known windows may agree
+  };
+  const double k = within(k_edges_[row], k_edges_[row + 1]);
+  return {k, within(c_edges_[column], c_edges_[column + 1])};
+}
+
+void TwinSpace::write(artefact::Writer& writer) const {
+  std::vector<double> flat;
+  for (const TwinPoint& point : points_) flat.insert(flat.end(), {point.k, point.c});
+  writer.numbers(group + "/points", flat, {points_.size(), 2});
+  writer.numbers(group + "/k_edges", k_edges_);
+  writer.numbers(group + "/c_edges", c_edges_);
+  writer.numbers(group + "/counts", counts_, {k_edges_.size() - 1, c_edges_.size() - 1});
+}
+
+}  // namespace piae::twin

@@ -1,0 +1,50 @@
+// Makes fault windows with a trained model.
+
+#include <spdlog/fmt/fmt.h>
+
+#include <iostream>
+
+#include "augment/method.hpp"
+#include "cli/stage.hpp"
+
+using namespace piae;
+namespace fs = std::filesystem;
+
+int main(int argc, char** argv) {
+  cli::Stage stage("generate",
+                   "Makes windows of every fault class with a trained model (paper, eqs 15 and 26) "
+                   "and writes them as dataset E, with the (k, c) that each came from where the "
+                   "method knows it. The first n windows of a class do not depend on --count.",
+                   "generate --model model.h5 --count 495 --seed 0 --output E.h5");
+  std::size_t count = 495;
+  std::int64_t seed = 0;
+  std::string device = "cpu";
+  fs::path model_file;
+  fs::path output;
+  stage.app()
+      .add_option("--count", count, "windows of each fault class")
+      ->check(CLI::PositiveNumber);
+  stage.app().add_option("--seed", seed, "the repeat; names the random streams")->required();
+  stage.app().add_option("--device", device, "cpu or cuda");
+  stage.input_file("--model", model_file, "model.h5 made by train");
+  stage.output_file("--output", output, "E.h5, the generated windows");
+
+  return stage.run(argc, argv, [&] {
+    const artefact::Reader model = stage.open("model", model_file, "model");
+    const std::string method = model.text("/", "method");
+    const std::string dataset = model.text("/", "dataset");
+    const Stream stream(fmt::format("{}/seed{}/generate/{}", dataset, seed, method));
+    const signal::WindowSet windows =
+        augment::make_method(method)->generate(model, count, stream, device);
+
+    artefact::Writer writer("windows");
+    signal::write(writer, windows);
+    writer.attribute("/", "role", std::string("E"));
+    writer.attribute("/", "method", method);
+    writer.attribute("/", "seed", seed);
+    writer.attribute("/", "protocol", model.text("/", "protocol"));
+    stage.save(writer, output);
+    std::cout << fmt::format("generated {} windows with {}: {}\n", windows.size(), method,
+                             output.string());
+  });
+}

@@ -1,0 +1,64 @@
+// Compares generated windows with real ones.
+
+#include <spdlog/fmt/fmt.h>
+
+#include <iostream>
+
+#include "cli/stage.hpp"
+#include "scoring/quality_record.hpp"
+
+using namespace piae;
+namespace fs = std::filesystem;
+
+namespace {
+
+void require_role(const artefact::Reader& reader, const std::string& role) {
+  const std::string holds = reader.text("/", "role");
+  if (holds != role) reader.refuse("/", "has role " + holds + ", needed is " + role);
+}
+
+std::int64_t windows_of(const scoring::QualityRecord& record) {
+  std::int64_t windows = 0;
+  for (const scoring::ClassQuality& quality : record.classes) windows += quality.windows;
+  return windows;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  cli::Stage stage("score",
+                   "Compares the generated windows of each class with the real ones that no "
+                   "generator has seen: MMD (its square, as is the custom; no unit), RMSE as the "
+                   "paper has it and after the best circular shift (unit of the recordings), ratio "
+                   "of RMS amplitudes (generated to real), and log-spectral distance (dB).",
+                   "score --generated E.h5 --real D.h5 --output score.h5");
+  fs::path generated_file;
+  fs::path real_file;
+  fs::path output;
+  stage.input_file("--generated", generated_file, "E.h5 made by generate");
+  stage.input_file("--real", real_file, "D.h5 made by split");
+  stage.output_file("--output", output, "score.h5, the metrics of each class");
+
+  return stage.run(argc, argv, [&] {
+    const artefact::Reader generated = stage.open("generated", generated_file, "windows");
+    const artefact::Reader real = stage.open("real", real_file, "windows");
+    require_role(generated, "E");
+    require_role(real, "D");
+    scoring::QualityRecord record;
+    record.method = generated.text("/", "method");
+    record.seed = generated.integer("/", "seed");
+    record.protocol = generated.text("/", "protocol");
+    if (real.text("/", "protocol") != record.protocol) {
+      real.refuse("/", "is of another split protocol than " + generated.path().string());
+    }
+    const signal::WindowSet real_windows = signal::read_window_set(real);
+    record.info = real_windows.info;
+    record.classes = scoring::judge(signal::read_window_set(generated), real_windows);
+
+    artefact::Writer writer("score");
+    scoring::write(writer, record);
+    stage.save(writer, output);
+    std::cout << fmt::format("scored {} windows of {} classes: {}\n", windows_of(record),
+                             record.classes.size(), output.string());
+  });
+}

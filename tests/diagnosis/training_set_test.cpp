@@ -1,0 +1,128 @@
+#include "diagnosis/training_set.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <functional>
+
+#include "base/error.hpp"
+#include "diagnosis/sets.hpp"
+
+namespace piae::diagnosis {
+namespace {
+
+using signal::WindowSet;
+using testing::HasSubstr;
+
+class TrainingSet : public testing::Test {
+ protected:
+  TrainingSet() {
+    testing_sets::add(normal, 0, 6, 100);
+    testing_sets::add(known, 1, 2, 200);
+    testing_sets::add(known, 2, 2, 300);
+    // Labels of E alternate: "the first n of a class" are not the first n windows.
+    for (std::size_t i = 0; i < 3; ++i) {
+      testing_sets::add(generated, 2, 1, 500 + static_cast<float>(i));
+      testing_sets::add(generated, 1, 1, 400 + static_cast<float>(i));
+    }
+    testing_sets::add(test, 0, 1, 1);
+    testing_sets::add(test, 1, 1, 1);
+    testing_sets::add(test, 2, 1, 1);
+  }
+
+  void expect_error(Exit exit, const std::string& part, const WindowSet* e, std::int64_t n) const {
+    try {
+      compose_training_set(normal, known, e, n);
+      FAIL() << "no error with " << part;
+    } catch (const Error& error) {
+      EXPECT_EQ(error.exit(), exit);
+      EXPECT_THAT(error.what(), HasSubstr(part));
+    }
+  }
+
+  WindowSet normal = testing_sets::empty_set(4);
+  WindowSet known = testing_sets::empty_set(4);
+  WindowSet generated = testing_sets::empty_set(4);
+  WindowSet test = testing_sets::empty_set(4);
+};
+
+std::vector<float> first_samples(const WindowSet& set) {
+  std::vector<float> firsts;
+  for (std::size_t i = 0; i < set.size(); ++i) firsts.push_back(set.window(i)[0]);
+  return firsts;
+}
+
+TEST_F(TrainingSet, WithoutGeneratedWindows) {
+  const WindowSet set = compose_training_set(normal, known, nullptr, 0);
+  EXPECT_THAT(first_samples(set),
+              testing::ElementsAre(100, 101, 102, 103, 104, 105, 200, 201, 300, 301));
+  EXPECT_THAT(set.labels, testing::ElementsAre(0, 0, 0, 0, 0, 0, 1, 1, 2, 2));
+}
+
+TEST_F(TrainingSet, WithTheFirstGeneratedOfEachClass) {
+  const WindowSet set = compose_training_set(normal, known, &generated, 2);
+  EXPECT_EQ(set.size(), 14U);
+  EXPECT_EQ(set.samples.size(), 14U * 4);
+  const std::vector<float> firsts = first_samples(set);
+  EXPECT_THAT(std::vector(firsts.begin() + 10, firsts.end()),
+              testing::ElementsAre(400, 401, 500, 501));
+  EXPECT_THAT(std::vector(set.labels.begin() + 10, set.labels.end()),
+              testing::ElementsAre(1, 1, 2, 2));
+}
+
+TEST_F(TrainingSet, GeneratedWindowsExactlyWhereTheyAreUsed) {
+  expect_error(Exit::usage, "--generated: missing, but the ratio needs 2", nullptr, 2);
+  expect_error(Exit::usage, "--generated: this ratio uses no generated window", &generated, 0);
+}
+
+TEST_F(TrainingSet, TooFewGeneratedWindows) {
+  expect_error(Exit::bad_input, "--generated: holds 3 windows of class 'IR', but the ratio needs 4",
+               &generated, 4);
+}
+
+TEST_F(TrainingSet, EveryClassWhereItBelongsAndNowhereElse) {
+  const WindowSet good_known = known;
+  known = testing_sets::empty_set(4);
+  testing_sets::add(known, 1, 2, 0);
+  expect_error(Exit::bad_input, "--known: holds no window of class 'OR'", nullptr, 0);
+
+  known = good_known;
+  testing_sets::add(known, 0, 1, 0);
+  expect_error(Exit::bad_input, "--known: holds windows of class 'Normal'", nullptr, 0);
+
+  std::swap(normal, known = good_known);
+  expect_error(Exit::bad_input, "--normal: holds no window of class 'Normal'", nullptr, 0);
+}
+
+TEST_F(TrainingSet, SetsOfDifferentOrigin) {
+  const WindowSet good_known = known;
+  known.info.name = "cwru";
+  expect_error(Exit::bad_input, "--known: is of dataset cwru, but --normal has toy", nullptr, 0);
+
+  known = good_known;
+  known.info.classes[1].name = "IR007";
+  expect_error(Exit::bad_input, "--known: has class 1 IR007, but --normal has IR", nullptr, 0);
+
+  known = good_known;
+  known.info.classes.pop_back();
+  expect_error(Exit::bad_input, "--known: has a number of classes of 2", nullptr, 0);
+
+  known = good_known;
+  generated.length = 2;
+  expect_error(Exit::bad_input, "--generated: has windows of length 2, but --normal has 4",
+               &generated, 1);
+}
+
+TEST_F(TrainingSet, TestSetHasEveryClass) {
+  const WindowSet training = compose_training_set(normal, known, nullptr, 0);
+  EXPECT_NO_THROW(require_fitting_test_set(test, training));
+  WindowSet lacking = testing_sets::empty_set(4);
+  testing_sets::add(lacking, 0, 1, 1);
+  testing_sets::add(lacking, 1, 1, 1);
+  EXPECT_THROW(require_fitting_test_set(lacking, training), Error);
+  test.info.sample_rate_hz = 48000;
+  EXPECT_THROW(require_fitting_test_set(test, training), Error);
+}
+
+}  // namespace
+}  // namespace piae::diagnosis

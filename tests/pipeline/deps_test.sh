@@ -1,0 +1,73 @@
+#!/bin/bash
+# Installing packages, with stand-ins for dpkg-query, apt-get and sudo that write down their calls.
+# shellcheck source-path=SCRIPTDIR disable=SC2016
+source "${0%/*}/check.sh"
+
+command_that() { # name, body
+  printf '#!/bin/bash\n%s\n' "$2" >"path/$1"
+  chmod +x "path/$1"
+}
+
+# Every package is installed but those named.
+all_but() {
+  command_that dpkg-query 'shift 3; for p; do case " '"$*"' " in
+    *" $p "*) echo "config-files $p" ;; *) echo "installed $p" ;; esac; done'
+}
+
+# Only what a minimal Debian has, beside the stand-ins.
+machine() {
+  mkdir path
+  local tool
+  for tool in bash env grep; do ln -s "$(command -v $tool)" path/; done
+  command_that apt-get 'echo "apt-get $* [$DEBIAN_FRONTEND]" >>apt-calls'
+}
+
+# deps.sh asks EUID who it is; a user namespace or root is not needed to play the one or the other.
+deps_as() { # 0 or another id
+  sed "s/((EUID == 0))/(($1 == 0))/" pipeline/deps.sh >deps-as.sh
+  PATH=$PWD/path bash deps-as.sh </dev/null
+}
+
+test_nothing_missing_touches_nothing() {
+  machine
+  all_but
+  expect_equal "$(deps_as 1000 2>&1)" ""
+  [[ ! -e apt-calls ]] || fail "apt was called: $(<apt-calls)"
+}
+
+test_root_installs_only_what_is_missing() {
+  machine
+  all_but libtorch-dev curl
+  deps_as 0 >/dev/null
+  expect_equal "$(<apt-calls)" "$(printf '%s\n' 'apt-get update --quiet=2 [noninteractive]' \
+    'apt-get install --yes --no-install-recommends libtorch-dev curl --quiet=2 [noninteractive]')"
+}
+
+test_sudo_is_used_when_it_works() {
+  machine
+  all_but curl
+  command_that sudo '[[ $1 == -n ]] && exit; echo sudo >>apt-calls; exec "$@"'
+  deps_as 1000 >/dev/null
+  expect_equal "$(grep -c sudo apt-calls) $(grep -c 'install.*curl' apt-calls)" "2 1"
+}
+
+test_without_rights_the_line_is_printed() {
+  machine
+  all_but libtorch-dev
+  expect_line "$(deps_as 1000 2>&1 || true)" \
+    '^  sudo apt-get update && sudo apt-get install --yes --no-install-recommends libtorch-dev$'
+  expect_exit 2 deps_as 1000
+  command_that sudo 'exit 1'
+  expect_exit 2 deps_as 1000
+  [[ ! -e apt-calls ]] || fail "apt was called: $(<apt-calls)"
+}
+
+test_a_failed_install_fails() {
+  machine
+  all_but curl
+  command_that apt-get 'echo "E: no network" >&2; exit 100'
+  expect_exit 1 deps_as 0
+  expect_line "$(deps_as 0 2>&1 || true)" 'E: no network'
+}
+
+run_tests

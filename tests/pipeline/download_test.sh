@@ -1,0 +1,72 @@
+#!/bin/bash
+# `make data`, from addresses on this machine (file://).
+# shellcheck source-path=SCRIPTDIR
+source "${0%/*}/check.sh"
+
+# An official site with two recordings, and an `ingest --sources` that names them.
+site() {
+  rm -f pipeline/datasets/*
+  touch pipeline/datasets/real.toml
+  mkdir site
+  seq 1 20000 >site/1.mat
+  seq 1 30000 >site/2.mat
+  local n
+  for n in 1 2; do
+    echo "$(sha256sum <site/$n.mat | cut -d' ' -f1)  real/file $n.mat  file://$PWD/site/$n.mat"
+  done >sources
+  rm fake/ingest
+  # shellcheck disable=SC2016
+  printf '#!/bin/bash\n[[ $1 == --sources ]] && cat sources\n' >fake/ingest
+  chmod +x fake/ingest
+}
+
+data() { make --silent data BIN=fake DATASETS=real DATA_DIR=d; }
+
+test_fetches_and_checks() {
+  site
+  expect_line "$(data)" "real: 2 files fetched, 0 were there"
+  cmp "d/real/file 1.mat" site/1.mat
+  cmp "d/real/file 2.mat" site/2.mat
+  expect_line "$(data)" "real: 0 files fetched, 2 were there"
+}
+
+test_goes_on_where_it_was_stopped() {
+  site
+  mkdir -p d/real
+  head -c 5000 site/1.mat >"d/real/file 1.mat.part"
+  cp site/2.mat "d/real/file 2.mat.part"
+  expect_line "$(data)" "real: 2 files fetched"
+  cmp "d/real/file 1.mat" site/1.mat
+  expect_equal "$(ls d/real)" "$(printf '%s\n' 'file 1.mat' 'file 2.mat')"
+}
+
+test_a_wrong_sum_is_refused() {
+  site
+  tr 1 2 <site/2.mat >other
+  mv other site/2.mat
+  expect_line "$(data 2>&1 || true)" "d/real/file 2.mat: what file://.* is not the recording that is described"
+  expect_exit 2 data
+  expect_equal "$(ls d/real)" "file 1.mat"
+  cp site/2.mat "d/real/file 2.mat"
+  expect_exit 2 data
+}
+
+test_what_cannot_be_fetched_is_named_with_the_alternatives() {
+  site
+  rm site/1.mat
+  expect_line "$(data 2>&1 || true)" \
+    "d/real/file 1.mat: could not be downloaded .*Run the same command to go on, or put the file there by hand .*DATA_DIR="
+  expect_exit 2 data
+}
+
+test_recordings_without_an_address() {
+  site
+  echo "-  real/mine.csv  -" >sources
+  expect_line "$(data 2>&1 || true)" "real: no official address for d/real/mine.csv"
+  expect_exit 2 data
+  mkdir -p d/real
+  touch d/real/mine.csv
+  expect_line "$(data)" "real: 0 files fetched, 1 were there"
+}
+
+run_tests

@@ -1,0 +1,214 @@
+#!/bin/bash
+# The grid as a graph: what is made, what is made again after a change, what a failure leaves.
+# shellcheck source-path=SCRIPTDIR
+source "${0%/*}/check.sh"
+
+# Two data sets, so that what belongs to one of them can be told apart.
+describe() {
+  rm -f pipeline/datasets/*
+  printf 'name = "real"\nsha256 = "#1" # a comment\n' >pipeline/datasets/real.toml
+  printf 'name = "made"\n[simulation]\nnoise = 0.1\n' >pipeline/datasets/made.toml
+  cat >pipeline/protocol.toml <<'TOML'
+[split]
+window = 1024  # samples
+[train]
+epochs = 200
+[train.smote]
+neighbours = 4
+[train.piae-dt]
+layers = [
+  # depth
+  3,
+]
+[generate]
+count = 495
+[score]
+kernels = 5
+[diagnose]
+epochs = 50
+TOML
+}
+
+grid() {
+  make --silent all BIN=fake RUN=t DATASETS="real made" METHODS="none smote piae-dt" \
+    RATIOS="100to1 10to1 1to1" SEEDS="0 1" "$@"
+}
+
+# The stages that ran since the last call, counted: "12 diagnose, 4 train".
+ran() {
+  [[ -e calls ]] || return 0
+  awk '{ n[$1]++ } END { for (stage in n) print n[stage], stage }' calls | sort -k2 |
+    paste -sd, | sed 's/,/, /g'
+  rm calls
+}
+
+finished_grid() {
+  describe
+  grid >/dev/null 2>&1
+  rm calls
+}
+
+test_makes_every_cell_once() {
+  describe
+  grid -j4 >/dev/null
+  expect_equal "$(ran)" "20 diagnose, 8 generate, 1 ingest, 8 score, 1 simulate, 4 split, 2 tabulate, 8 train"
+}
+
+test_gives_each_stage_its_files() {
+  finished_grid
+  local r=results/t/real s=results/t/.settings
+  expect_equal "$(<$r/records.h5)" \
+    "ingest --data-dir data --description $s/datasets/real.toml --output $r/records.h5"
+  expect_equal "$(<results/t/made/records.h5)" \
+    "simulate --description $s/datasets/made.toml --output results/t/made/records.h5"
+  expect_equal "$(<$r/seed1/A.h5)" \
+    "split --config $s/split.toml --records $r/records.h5 --seed 1 --protocol random --output-dir $r/seed1"
+  expect_equal "$(<$r/seed1/smote/model.h5)" \
+    "train --config $s/train.smote.toml --method smote --known $r/seed1/C.h5 --seed 1 --output $r/seed1/smote/model.h5"
+  expect_equal "$(<$r/seed1/smote/E.h5)" \
+    "generate --config $s/generate.toml --model $r/seed1/smote/model.h5 --seed 1 --output $r/seed1/smote/E.h5"
+  expect_equal "$(<$r/seed1/smote/score.h5)" \
+    "score --config $s/score.toml --generated $r/seed1/smote/E.h5 --real $r/seed1/D.h5 --output $r/seed1/smote/score.h5"
+  local windows="--test $r/seed1/A.h5 --normal $r/seed1/B.h5 --known $r/seed1/C.h5"
+  expect_equal "$(<$r/seed1/smote/10to1/diagnosis.h5)" \
+    "diagnose --config $s/diagnose.toml $windows --generated $r/seed1/smote/E.h5 --ratio 10to1 --seed 1 --reproducible --output $r/seed1/smote/10to1/diagnosis.h5"
+  expect_equal "$(<$r/seed1/none/100to1/diagnosis.h5)" \
+    "diagnose --config $s/diagnose.toml $windows --ratio 100to1 --seed 1 --reproducible --output $r/seed1/none/100to1/diagnosis.h5"
+  expect_equal "$(<$r/accuracy.csv)" \
+    "tabulate --config $s/tabulate.real.toml --run results/t --dataset real --methods none smote piae-dt --ratios 100to1 10to1 1to1 --seeds 0 1 --published results/published"
+}
+
+test_none_only_without_generated_windows() {
+  finished_grid
+  expect_equal "$(cd results/t/real/seed0 && echo {none,smote}/*to1)" "none/100to1 smote/10to1 smote/1to1"
+}
+
+test_second_run_does_nothing() {
+  finished_grid
+  grid >/dev/null
+  expect_equal "$(ran)" ""
+}
+
+test_dry_run_shows_the_graph_and_makes_nothing() {
+  describe
+  expect_equal "$(grid -n | grep -c pipeline/step.sh)" 52
+  expect_equal "$(ran)" ""
+  finished_grid
+  expect_equal "$(grid -n | grep -c pipeline/step.sh)" 0
+}
+
+test_touching_and_comments_change_nothing() {
+  finished_grid
+  touch pipeline/*.toml pipeline/datasets/*.toml fake/*
+  sed -i 's/# samples/# of 12 kHz/; s/# depth/# how deep/; s/^\[score\]/\n&\n/' pipeline/protocol.toml
+  sed -i 's/# a comment/# another/' pipeline/datasets/real.toml
+  grid >/dev/null
+  expect_equal "$(ran)" ""
+}
+
+test_an_option_of_one_method_remakes_that_method() {
+  finished_grid
+  sed -i 's/^  3,/  4,/' pipeline/protocol.toml
+  grid >/dev/null
+  expect_no_line "$(<calls)" "smote|none"
+  expect_equal "$(ran)" "8 diagnose, 4 generate, 4 score, 2 tabulate, 4 train"
+}
+
+test_an_option_of_all_methods_remakes_them() {
+  finished_grid
+  sed -i 's/epochs = 200/epochs = 100/' pipeline/protocol.toml
+  grid >/dev/null
+  expect_equal "$(ran)" "16 diagnose, 8 generate, 8 score, 2 tabulate, 8 train"
+}
+
+test_an_option_of_a_late_stage_remakes_that_stage() {
+  finished_grid
+  sed -i 's/epochs = 50/epochs = 60/' pipeline/protocol.toml
+  grid >/dev/null
+  expect_equal "$(ran)" "20 diagnose, 2 tabulate"
+  sed -i 's/kernels = 5/kernels = 3/' pipeline/protocol.toml
+  grid >/dev/null
+  expect_equal "$(ran)" "8 score, 2 tabulate"
+}
+
+test_a_description_remakes_its_data_set() {
+  finished_grid
+  sed -i 's/"#1"/"#2"/' pipeline/datasets/real.toml
+  grid >/dev/null
+  expect_no_line "$(<calls)" "made"
+  expect_equal "$(ran)" "10 diagnose, 4 generate, 1 ingest, 4 score, 2 split, 1 tabulate, 4 train"
+}
+
+test_stages_read_the_settings_that_were_compared() {
+  finished_grid
+  expect_equal "$(grep -v '^#' results/t/.settings/train.smote.toml)" \
+    $'[train]\nepochs = 200\n[train.smote]\nneighbours = 4'
+  expect_equal "$(grep -v '^#' results/t/.settings/train.piae-dt.toml)" \
+    $'[train]\nepochs = 200\n[train.piae-dt]\nlayers = [\n3,\n]'
+  expect_equal "$(grep -v '^#' results/t/.settings/datasets/real.toml)" $'name = "real"\nsha256 = "#1"'
+}
+
+test_a_subset_shares_what_is_there() {
+  finished_grid
+  grid SEEDS=0 >/dev/null
+  expect_equal "$(ran)" "2 tabulate"
+  grid SEEDS="0 2" DATASETS=real METHODS="none smote" >/dev/null
+  expect_equal "$(ran)" "3 diagnose, 1 generate, 1 score, 1 split, 1 tabulate, 1 train"
+}
+
+test_blocked_protocol_has_its_own_folder() {
+  finished_grid
+  grid PROTOCOL=blocked DATASETS=real SEEDS=0 METHODS=none >/dev/null
+  expect_equal "$(ran)" "1 diagnose, 1 ingest, 1 split, 1 tabulate"
+  expect_line "$(<results/t-blocked/real/seed0/A.h5)" "--protocol blocked"
+  grid >/dev/null
+  expect_equal "$(ran)" ""
+}
+
+test_a_failed_cell_is_named_and_leaves_the_others() {
+  describe
+  echo "train real/seed1/smote/model.h5" >broken
+  local output code=0
+  output=$(grid -k -j2 2>&1) || code=$?
+  expect_equal "$code" 2
+  expect_line "$output" "^real/seed1/smote +train: the reason$"
+  expect_line "$output" "^real/seed1/smote +train +failed with exit code 65 after .*results/t/real/seed1/smote/train.log"
+  expect_line "$output" "Target 'all' not remade because of errors"
+  expect_equal "$(ran)" "18 diagnose, 7 generate, 1 ingest, 7 score, 1 simulate, 4 split, 1 tabulate, 7 train"
+  rm broken
+  grid >/dev/null
+  expect_equal "$(ran)" "2 diagnose, 1 generate, 1 score, 1 tabulate, 1 train"
+}
+
+test_a_lost_window_file_brings_back_its_split() {
+  finished_grid
+  rm results/t/real/seed0/D.h5
+  grid >/dev/null
+  expect_equal "$(ran)" "5 diagnose, 2 generate, 2 score, 1 split, 1 tabulate, 2 train"
+}
+
+test_unknown_names_are_refused() {
+  describe
+  expect_line "$(grid DATASETS=nowhere 2>&1 || true)" "DATASETS: unknown 'nowhere'; there are: made real"
+  expect_line "$(grid RATIOS=3to1 2>&1 || true)" "RATIOS: unknown '3to1'"
+  expect_line "$(grid METHODS=none RATIOS=1to1 2>&1 || true)" "no cells"
+  expect_exit 2 grid PROTOCOL=other
+  expect_equal "$(ls)" "$(printf '%s\n' Makefile fake jobs pipeline)"
+}
+
+test_a_single_artefact_is_a_goal() {
+  describe
+  make --silent BIN=fake RUN=t DATASETS=real results/t/real/seed3/piae-dt/model.h5 >/dev/null
+  expect_equal "$(ran)" "1 ingest, 1 split, 1 train"
+}
+
+test_demo_is_a_small_grid_of_its_own() {
+  describe
+  mv pipeline/datasets/made.toml pipeline/datasets/simulated.toml
+  local output
+  output=$(make --silent demo BIN=fake 2>&1)
+  expect_equal "$(ran)" "4 diagnose, 2 generate, 2 score, 1 simulate, 2 split, 1 tabulate, 2 train"
+  expect_line "$(tail -n 1 <<<"$output")" "results/demo/simulated/"
+}
+
+run_tests

@@ -1,0 +1,109 @@
+#!/bin/bash
+# One step of the grid: its line, its log, its exit code, and signals.
+# shellcheck source-path=SCRIPTDIR
+source "${0%/*}/check.sh"
+
+export BIN=fake SUBMIT=
+
+# A stage called `own` that does what the test says.
+own_stage() {
+  { echo '#!/bin/bash' && cat; } >fake/own
+  chmod +x fake/own
+}
+
+step() { pipeline/step.sh results/t/real/seed0 own "$@"; }
+
+test_says_in_one_line_what_was_done() {
+  own_stage <<<'echo many words; echo "own: 3 windows"'
+  expect_line "$(step)" '^real/seed0 +own +[0-9]+\.[0-9] s  own: 3 windows$'
+  expect_equal "$(step | wc -l)" 1
+}
+
+test_passes_arguments_and_keeps_a_log() {
+  own_stage <<<'printf "<%s>\n" "$@"; echo warned >&2'
+  expect_equal "$(step --a 'two words' 2>&1 >/dev/null)" "$(printf '%-32s warned' real/seed0)"
+  expect_equal "$(sort results/t/real/seed0/own.log)" "$(printf '%s\n' '<--a>' '<two words>' 'fake/own --a two words' warned | sort)"
+}
+
+test_passes_the_exit_code() {
+  own_stage <<<'echo "own: the reason" >&2; exit 66'
+  expect_exit 66 step
+  expect_line "$(step 2>&1 || true)" '^real/seed0 +own: the reason$'
+  expect_line "$(step 2>&1 || true)" '^real/seed0 +own +failed with exit code 66'
+}
+
+test_missing_program_fails() {
+  rm -f fake/own
+  expect_exit 127 step
+}
+
+test_names_a_folder_that_cannot_be_made() {
+  own_stage <<<'true'
+  mkdir -p results/t && echo x >results/t/real
+  expect_line "$(step 2>&1 || true)" 'cannot write results/t/real/seed0/own.log'
+  expect_exit 1 step
+}
+
+test_submit_goes_before_the_stage() {
+  own_stage <<<'echo "own: here"'
+  expect_line "$(SUBMIT="env MARK=1 nice -n 1" step)" "own: here"
+  expect_line "$(<results/t/real/seed0/own.log)" '^env MARK=1 nice -n 1 fake/own'
+}
+
+test_stages_get_one_thread() {
+  # shellcheck disable=SC2016
+  own_stage <<<'echo "threads $OMP_NUM_THREADS $OPENBLAS_NUM_THREADS"'
+  expect_line "$(step)" 'threads 1 1$'
+  expect_line "$(OMP_NUM_THREADS=3 step)" 'threads 3 1$'
+}
+
+# A stage that answers SIGTERM with a checkpoint and 75, as train does.
+checkpointing_stage() {
+  own_stage <<'STAGE'
+trap 'echo saved >checkpoint; exit 75' TERM
+touch started
+while :; do sleep 0.05; done
+STAGE
+}
+
+wait_for() {
+  local tries=0
+  until [[ -e $1 ]]; do
+    sleep 0.05
+    ((++tries < 200)) || fail "$1 did not come"
+  done
+}
+
+test_a_signal_reaches_the_stage_which_is_waited_for() {
+  checkpointing_stage
+  local signal code
+  for signal in TERM INT HUP; do
+    rm -f checkpoint started
+    # Job control, because a background job without it ignores SIGINT.
+    set -m
+    pipeline/step.sh results/t/real/seed0 own >/dev/null 2>messages &
+    set +m
+    wait_for started
+    kill -$signal $!
+    code=0
+    wait $! || code=$?
+    expect_equal "$signal $code $(<checkpoint)" "$signal 75 saved"
+    expect_line "$(<messages)" 'interrupted after a checkpoint; the same command goes on'
+  done
+}
+
+test_interrupting_make_interrupts_the_stage() {
+  checkpointing_stage
+  mv fake/own fake/train
+  printf 'name = "real"\n' >pipeline/datasets/real.toml
+  set -m
+  make --silent cells BIN=fake DATASETS=real METHODS=piae-dt SEEDS=0 >/dev/null 2>&1 &
+  set +m
+  wait_for started
+  kill -TERM $!
+  expect_exit 143 wait $!
+  wait_for checkpoint
+  [[ -e results/paper/real/seed0/C.h5 ]] || fail "what was finished is gone"
+}
+
+run_tests

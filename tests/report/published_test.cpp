@@ -1,0 +1,118 @@
+#include "report/published.hpp"
+
+#include <gmock/gmock.h>
+
+#include <fstream>
+
+#include "base/error.hpp"
+#include "scoring/sets.hpp"
+
+namespace piae::report {
+namespace {
+
+using testing::ElementsAre;
+using testing::EndsWith;
+using testing::IsEmpty;
+
+class PublishedTables : public testing::Test {
+ protected:
+  PublishedTables() {
+    write(baseline_, "# comment\ndataset,run1,run2,average\ncwru,61.8,62.0,61.9\n");
+    write(methods_, "dataset,method,50to1,1to1\ncwru,vae,78.0,95.8\ncwru,piae-dt,80.0,97.6\n");
+    write(ablation_, "dataset,model,50to1,1to1\ncwru,model1,80,97.6\n\ncwru,model2,79.2,97.5\n");
+  }
+  void write(const std::string& name, const std::string& text) {
+    std::ofstream(folder_.path() / name) << text;
+  }
+  void expect_refused(const std::string& name, const std::string& text, const std::string& what) {
+    write(name, text);
+    try {
+      Published published(folder_.path());
+      ADD_FAILURE() << "not refused: " << what;
+    } catch (const Error& error) {
+      EXPECT_EQ(error.exit(), Exit::bad_input);
+      EXPECT_THAT(error.what(), EndsWith(name + what));
+    }
+  }
+
+  testing_sets::TemporaryFolder folder_;
+  const std::string baseline_ = "table6-7-baseline.csv";
+  const std::string methods_ = "table8-9-methods.csv";
+  const std::string ablation_ = "table10-11-ablation.csv";
+};
+
+TEST_F(PublishedTables, AreLookedUpByTheNamesOfTheGrid) {
+  const Published published(folder_.path());
+  EXPECT_EQ(published.percent("cwru", "none", "100to1"), 61.9);
+  EXPECT_EQ(published.percent("cwru", "vae", "50to1"), 78.0);
+  EXPECT_EQ(published.percent("cwru", "piae-dt", "1to1"), 97.6);
+  EXPECT_EQ(published.percent("cwru", "ae", "50to1"), 79.2);
+  EXPECT_THAT(published.baseline_runs("cwru"), ElementsAre(61.8, 62.0));
+}
+
+TEST_F(PublishedTables, AreSilentOnWhatThePaperHasNot) {
+  const Published published(folder_.path());
+  EXPECT_EQ(published.percent("hit-sm", "none", "100to1"), std::nullopt);
+  EXPECT_EQ(published.percent("cwru", "none", "1to1"), std::nullopt);
+  EXPECT_EQ(published.percent("cwru", "vae", "25to1"), std::nullopt);
+  EXPECT_THAT(published.baseline_runs("hit-sm"), IsEmpty());
+}
+
+TEST_F(PublishedTables, MissingFileIsNamed) {
+  std::filesystem::remove(folder_.path() / methods_);
+  try {
+    Published published(folder_.path());
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.exit(), Exit::input_missing);
+    EXPECT_THAT(error.what(), testing::HasSubstr(methods_));
+  }
+}
+
+TEST_F(PublishedTables, NumbersMustBePercentages) {
+  for (const std::string number : {"x", "", "80.0x", "-1", "100.1", "nan", "inf", " 80"}) {
+    expect_refused(methods_, "dataset,method,50to1\n# c\ncwru,vae," + number + "\n",
+                   ", line 3: '" + number + "' is not a percentage");
+  }
+}
+
+TEST_F(PublishedTables, RowsMustBeAsLongAsTheHeader) {
+  expect_refused(methods_, "dataset,method,50to1\ncwru,vae\n",
+                 ", line 2: has 2 fields, the header has 3");
+}
+
+TEST_F(PublishedTables, HeadersMustBeKnown) {
+  expect_refused(methods_, "dataset,model,50to1\ncwru,vae,1\n",
+                 ", line 1: field 2 of the header must be 'method'");
+  expect_refused(methods_, "dataset\ncwru\n", ", line 1: field 2 of the header must be 'method'");
+  expect_refused(methods_, "dataset,method,51to1\ncwru,vae,1\n",
+                 ", line 1: unknown ratio '51to1'; known are 100to1, 50to1, 25to1, 10to1, 5to1, "
+                 "2to1, 1to1");
+}
+
+TEST_F(PublishedTables, BaselineHeaderMustBeKnown) {
+  expect_refused(baseline_, "dataset,run2,average\ncwru,1,1\n",
+                 ", line 1: field 2 of the header must be 'run1'");
+}
+
+TEST_F(PublishedTables, ModelsMustBeKnown) {
+  expect_refused(ablation_, "dataset,model,50to1\ncwru,model6,1\n",
+                 ", line 2: unknown model 'model6'; known are model1 to model5");
+}
+
+TEST_F(PublishedTables, FiguresMustNotContradictEachOther) {
+  expect_refused(ablation_, "dataset,model,50to1\ncwru,model1,81\n",
+                 ", line 2: contradicts another figure for piae-dt at 50to1");
+}
+
+TEST_F(PublishedTables, DatasetsMustNotComeTwice) {
+  expect_refused(baseline_, "dataset,run1,average\ncwru,1,1\ncwru,1,1\n",
+                 ", line 3: names dataset cwru again");
+}
+
+TEST_F(PublishedTables, FilesMustHoldATable) {
+  expect_refused(baseline_, "# nothing\n", ": holds no table");
+}
+
+}  // namespace
+}  // namespace piae::report

@@ -1,0 +1,24 @@
+#!/bin/bash
+# Runs every test that was built, and ends with a line that counts them.
+# usage: DATA_DIR=... tests/run.sh      from the project's folder
+set -uo pipefail
+
+# Tests on real recordings look for them here, and skip themselves when it is not set.
+if [[ -d ${DATA_DIR:-} ]]; then
+  DATA_DIR=$(realpath "$DATA_DIR")
+  export DATA_DIR
+else
+  unset DATA_DIR
+fi
+# Tests call make and the stages as a user does, not as parts of the make that called.
+unset MAKEFLAGS MFLAGS MAKELEVEL MAKEOVERRIDES
+export OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1
+
+report=$PWD/build/tests.xml
+rm -f "$report"
+ctest --test-dir build --parallel "$(env -u OMP_NUM_THREADS nproc)" --output-on-failure \
+  --no-tests=error --output-junit "$report"
+status=$?
+
+awk -f tests/count.awk "$report" || status=1
+exit $status

@@ -1,0 +1,121 @@
+#include "scoring/quality.hpp"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+
+#include "base/error.hpp"
+#include "scoring/mmd.hpp"
+#include "scoring/sets.hpp"
+
+namespace piae::scoring {
+namespace {
+
+using testing::HasSubstr;
+using testing_sets::add;
+
+signal::WindowSet empty_set() {
+  signal::WindowSet set;
+  set.info = testing_sets::three_classes();
+  set.length = 4;
+  return set;
+}
+
+/// Class IR holds two windows, class OR three.
+signal::WindowSet real_set() {
+  signal::WindowSet set = empty_set();
+  add(set, 1, {1, 0, 0, 0});
+  add(set, 2, {2, 0, 0, 1});
+  add(set, 1, {0, 1, 0, 0});
+  add(set, 2, {0, 2, 0, 1});
+  add(set, 2, {0, 0, 2, 1});
+  return set;
+}
+
+void expect_refused(const signal::WindowSet& generated, const signal::WindowSet& real,
+                    const std::string& what) {
+  try {
+    judge(generated, real);
+    ADD_FAILURE() << "not refused: " << what;
+  } catch (const Error& error) {
+    EXPECT_EQ(error.exit(), Exit::bad_input);
+    EXPECT_THAT(error.what(), HasSubstr(what));
+  }
+}
+
+TEST(Judge, RealAgainstThemselvesIsPerfect) {
+  const auto classes = judge(real_set(), real_set());
+  ASSERT_EQ(classes.size(), 2U);
+  EXPECT_EQ(classes[0].label, 1);
+  EXPECT_EQ(classes[0].windows, 2);
+  EXPECT_EQ(classes[1].label, 2);
+  EXPECT_EQ(classes[1].windows, 3);
+  for (const ClassQuality& quality : classes) {
+    EXPECT_NEAR(quality.mmd, 0, 1e-12);
+    EXPECT_EQ(quality.rmse, 0);
+    EXPECT_EQ(quality.aligned_rmse, 0);
+    EXPECT_EQ(quality.amplitude_ratio, 1);
+    EXPECT_EQ(quality.spectral_distance_db, 0);
+  }
+}
+
+TEST(Judge, PairsTheFirstWindowsOfAClassInTheirOrder) {
+  signal::WindowSet generated = empty_set();
+  add(generated, 2, {4, 0, 0, 1});  // against {2, 0, 0, 1}: RMSE 1
+  add(generated, 1, {0, 1, 0, 0});  // against {1, 0, 0, 0}: RMSE sqrt(1/2), aligned 0
+  add(generated, 2, {0, 2, 0, 1});  // against {0, 2, 0, 1}: 0
+  const auto classes = judge(generated, real_set());
+  EXPECT_EQ(classes[0].windows, 1);
+  EXPECT_NEAR(classes[0].rmse, std::sqrt(0.5), 1e-15);
+  EXPECT_EQ(classes[0].aligned_rmse, 0);
+  EXPECT_EQ(classes[1].windows, 2);
+  EXPECT_NEAR(classes[1].rmse, 0.5, 1e-15);
+  EXPECT_NEAR(classes[1].amplitude_ratio, std::sqrt((17.0 + 5) / (5.0 + 5)), 1e-15);
+}
+
+TEST(Judge, TakesTheBandwidthFromAllRealWindowsOfTheClass) {
+  signal::WindowSet generated = empty_set();
+  add(generated, 1, {1, 0, 0, 0});
+  add(generated, 2, {0, 0, 0, 1});
+  const auto classes = judge(generated, real_set());
+  // One pair 4 apart; the three real windows lie 8 from each other.
+  double kernels = 0;
+  for (const double m : {1, 2, 4, 8, 16}) kernels += std::exp(-4 / (8.0 / 4 * m));
+  EXPECT_NEAR(classes[1].mmd, 2 * (5 - kernels), 1e-12);
+}
+
+TEST(Judge, RefusesAClassThatOneSideLacks) {
+  signal::WindowSet generated = empty_set();
+  add(generated, 1, {1, 0, 0, 0});
+  expect_refused(generated, real_set(), "class OR has 0 generated and 3 real windows");
+  generated = real_set();
+  add(generated, 0, {1, 0, 0, 0});
+  expect_refused(generated, real_set(), "class Normal has 1 generated and 0 real windows");
+}
+
+TEST(Judge, RefusesAnotherDatasetOrLength) {
+  signal::WindowSet generated = real_set();
+  generated.info.name = "other";
+  expect_refused(generated, real_set(), "are of dataset other, the real ones of dataset toy");
+  generated = real_set();
+  generated.info.classes[2].name = "B";
+  expect_refused(generated, real_set(), "other classes");
+  generated = empty_set();
+  add(generated, 1, {1, 2});
+  expect_refused(generated, real_set(), "generated windows have 2 samples, real ones 4");
+  expect_refused(real_set(), empty_set(), "no real windows");
+}
+
+TEST(Judge, RefusesRealWindowsThatAreNoReference) {
+  const auto refused = [](const std::vector<std::vector<float>>& windows, const std::string& what) {
+    signal::WindowSet real = empty_set();
+    for (const auto& window : windows) add(real, 1, window);
+    expect_refused(real, real, what);
+  };
+  refused({{1, 2, 3, 4}}, "class IR: one real window is no reference");
+  refused({{1, 2, 3, 4.1F}, {1, 2, 3, 4.1F}, {1, 2, 3, 4.1F}}, "all real windows are the same");
+  refused({{0, 0, 0, 0}, {5, 5, 5, 5}}, "class IR: the real windows are silent");
+}
+
+}  // namespace
+}  // namespace piae::scoring

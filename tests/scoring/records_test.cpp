@@ -1,0 +1,178 @@
+#include <gmock/gmock.h>
+
+#include "artefact/reader.hpp"
+#include "artefact/writer.hpp"
+#include "scoring/diagnosis_record.hpp"
+#include "scoring/quality_record.hpp"
+#include "scoring/sets.hpp"
+
+namespace piae::scoring {
+namespace {
+
+using artefact::Reader;
+using artefact::Refusal;
+using artefact::Writer;
+using testing::HasSubstr;
+
+class Records : public testing::Test {
+ protected:
+  template <class Record>
+  Reader stored(const std::string& kind, const Record& record) {
+    Writer writer(kind);
+    write(writer, record);
+    return save(writer, kind);
+  }
+  Reader save(Writer& writer, const std::string& kind) {
+    writer.save(folder_.path() / "file.h5", {"test", "", {}});
+    return {folder_.path() / "file.h5", kind};
+  }
+
+  testing_sets::TemporaryFolder folder_;
+};
+
+DiagnosisRecord diagnosis() {
+  DiagnosisRecord record;
+  record.info = testing_sets::three_classes();
+  record.method = "piae-dt";
+  record.ratio = "2to1";
+  record.generated_per_class = 145;
+  record.true_ratio = 500.0 / 150;
+  record.seed = 3;
+  record.protocol = "random";
+  record.labels = {0, 1, 2, 1};
+  record.predictions = {0, 1, 0, 1};
+  record.scores = {0.8F, 0.1F, 0.1F, 0, 1, 0, 0.5F, 0.25F, 0.25F, 0, 1, 0};
+  record.loss = {1.5, 0.5};
+  record.train_accuracy = {0.25, 1};
+  return record;
+}
+
+QualityRecord quality() {
+  return {testing_sets::three_classes(),
+          "vae",
+          4,
+          "blocked",
+          {{1, 495, 0.1, 0.2, 0.3, 0.4, 0.5}, {2, 494, 1.1, 1.2, 1.3, 1.4, 1.5}}};
+}
+
+TEST_F(Records, DiagnosisComesBackAsItWas) {
+  DiagnosisRecord record = diagnosis();
+  EXPECT_FALSE(read_diagnosis(stored("diagnosis", record)).train_windows_per_second);
+  record.train_windows_per_second = 12.5;
+  const Reader reader = stored("diagnosis", record);
+  EXPECT_EQ(reader.real("/", "accuracy"), 0.75);
+  EXPECT_THAT(reader.numbers<std::int64_t>("/confusion", {3, 3}).values,
+              testing::ElementsAre(1, 0, 0, 0, 2, 0, 1, 0, 0));
+  const DiagnosisRecord read = read_diagnosis(reader);
+  EXPECT_EQ(read.info.name, "toy");
+  EXPECT_EQ(read.method, record.method);
+  EXPECT_EQ(read.ratio, record.ratio);
+  EXPECT_EQ(read.generated_per_class, record.generated_per_class);
+  EXPECT_EQ(read.true_ratio, record.true_ratio);
+  EXPECT_EQ(read.seed, record.seed);
+  EXPECT_EQ(read.protocol, record.protocol);
+  EXPECT_EQ(read.labels, record.labels);
+  EXPECT_EQ(read.predictions, record.predictions);
+  EXPECT_EQ(read.scores, record.scores);
+  EXPECT_EQ(read.loss, record.loss);
+  EXPECT_EQ(read.train_accuracy, record.train_accuracy);
+  EXPECT_EQ(read.train_windows_per_second, record.train_windows_per_second);
+  EXPECT_EQ(read.accuracy(), 0.75);
+}
+
+/// Content that the digests vouch for, but that no diagnosis can have.
+class WrongDiagnosis : public Records {
+ protected:
+  void SetUp() override {
+    signal::write(writer_, diagnosis().info);
+    for (const char* name : {"method", "ratio", "protocol"}) {
+      writer_.attribute("/", name, std::string("word"));
+    }
+    writer_.attribute("/", "generated_per_class", std::int64_t{0});
+    writer_.attribute("/", "seed", std::int64_t{0});
+    writer_.attribute("/", "true_ratio", 100.0);
+  }
+  void expect_refused(const std::vector<std::int32_t>& labels,
+                      const std::vector<std::int32_t>& predictions,
+                      const std::vector<std::int64_t>& confusion, double accuracy,
+                      const std::string& what) {
+    writer_.attribute("/", "accuracy", accuracy);
+    writer_.numbers("/labels", labels);
+    writer_.numbers("/predictions", predictions);
+    writer_.numbers("/confusion", confusion, {3, 3});
+    writer_.numbers("/scores", std::vector<float>(3 * labels.size()), {labels.size(), 3});
+    writer_.numbers("/curves/loss", std::vector<double>{1});
+    writer_.numbers("/curves/train_accuracy", std::vector<double>{1});
+    const Reader reader = save(writer_, "diagnosis");
+    try {
+      read_diagnosis(reader);
+      ADD_FAILURE() << "not refused: " << what;
+    } catch (const Refusal& refusal) {
+      EXPECT_EQ(refusal.fault(), artefact::Fault::bad_content);
+      EXPECT_THAT(refusal.what(), HasSubstr(what));
+      EXPECT_THAT(refusal.what(), HasSubstr("file.h5"));
+    }
+  }
+
+ private:
+  Writer writer_{"diagnosis"};
+};
+
+TEST_F(WrongDiagnosis, AccuracyOfAnotherMatrix) {
+  expect_refused({0, 1}, {0, 2}, {1, 0, 0, 0, 0, 1, 0, 0, 0}, 0.9, "attribute accuracy");
+}
+TEST_F(WrongDiagnosis, MatrixOfOtherPredictions) {
+  expect_refused({0, 1}, {0, 2}, {1, 0, 0, 0, 1, 0, 0, 0, 0}, 1.0, "/confusion is not");
+}
+TEST_F(WrongDiagnosis, LabelThatDoesNotExist) {
+  expect_refused({0, 3}, {0, 2}, {1, 0, 0, 0, 1, 0, 0, 0, 0}, 1.0, "/labels holds class 3");
+}
+TEST_F(WrongDiagnosis, PredictionThatDoesNotExist) {
+  expect_refused({0, 1}, {0, -1}, {1, 0, 0, 0, 1, 0, 0, 0, 0}, 1.0, "/predictions holds class -1");
+}
+TEST_F(WrongDiagnosis, FewerPredictionsThanLabels) {
+  expect_refused({0, 1}, {0}, {1, 0, 0, 0, 1, 0, 0, 0, 0}, 1.0, "/predictions has another shape");
+}
+TEST_F(WrongDiagnosis, NoWindow) {
+  expect_refused({}, {}, {0, 0, 0, 0, 0, 0, 0, 0, 0}, 1.0, "/labels is empty");
+}
+
+TEST_F(Records, QualityComesBackAsItWas) {
+  const Reader reader = stored("score", quality());
+  EXPECT_THAT(reader.list("/quality"),
+              testing::UnorderedElementsAre("mmd", "rmse", "aligned_rmse", "amplitude_ratio",
+                                            "spectral_distance_db"));
+  EXPECT_THAT(reader.numbers<double>("/quality/rmse", {2}).values, testing::ElementsAre(0.2, 1.2));
+  const QualityRecord read = read_quality(reader);
+  EXPECT_EQ(read.info.name, "toy");
+  EXPECT_EQ(read.method, "vae");
+  EXPECT_EQ(read.seed, 4);
+  EXPECT_EQ(read.protocol, "blocked");
+  ASSERT_EQ(read.classes.size(), 2U);
+  EXPECT_EQ(read.classes[1].label, 2);
+  EXPECT_EQ(read.classes[1].windows, 494);
+  for (const Metric& metric : all_metrics()) {
+    for (std::size_t i = 0; i < 2; ++i) {
+      EXPECT_EQ(read.classes[i].*metric.value, quality().classes[i].*metric.value) << metric.name;
+    }
+  }
+}
+
+TEST_F(Records, QualityOfClassesThatCannotBeIsRefused) {
+  for (const int label : {3, -1, 2}) {
+    QualityRecord record = quality();
+    record.classes[0].label = label;
+    EXPECT_THROW(read_quality(stored("score", record)), Refusal) << label;
+  }
+  QualityRecord nothing = quality();
+  nothing.classes.clear();
+  EXPECT_THROW(read_quality(stored("score", nothing)), Refusal);
+}
+
+TEST_F(Records, OfOneKindAreNotReadAsAnother) {
+  EXPECT_THROW(read_diagnosis(stored("score", quality())), Refusal);
+  EXPECT_THROW(read_quality(stored("diagnosis", diagnosis())), Refusal);
+}
+
+}  // namespace
+}  // namespace piae::scoring

@@ -1,0 +1,54 @@
+#include "scoring/statistics.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <stdexcept>
+#include <vector>
+
+namespace piae::scoring {
+namespace {
+
+TEST(Summary, OfTheFiveRunsOfTable6) {
+  const Summary summary = summarise(std::vector<double>{61.8, 62.0, 61.7, 62.3, 62.3});
+  EXPECT_EQ(summary.count, 5U);
+  EXPECT_NEAR(summary.mean, 62.02, 1e-12);
+  EXPECT_NEAR(*summary.deviation, std::sqrt(0.308 / 4), 1e-12);  // squares add up to 0.308
+  const double half = 2.776445 * std::sqrt(0.308 / 4) / std::sqrt(5.0);
+  EXPECT_NEAR(summary.interval->low, 62.02 - half, 1e-6);
+  EXPECT_NEAR(summary.interval->high, 62.02 + half, 1e-6);
+}
+
+/// The half-width of n values with standard deviation 1 is t / sqrt(n), and t is in every table.
+TEST(Summary, IntervalIsStudents) {
+  const std::vector<std::pair<std::size_t, double>> table{{2, 12.7062}, {3, 4.3027},  {4, 3.1824},
+                                                          {6, 2.5706},  {10, 2.2622}, {30, 2.0452}};
+  for (const auto& [n, t] : table) {
+    std::vector<double> values(n, 0.0);
+    values[0] = std::sqrt(static_cast<double>(n));  // mean 1 / sqrt(n), deviation 1
+    const Summary summary = summarise(values);
+    EXPECT_NEAR(*summary.deviation, 1, 1e-12);
+    EXPECT_NEAR((summary.interval->high - summary.mean) * values[0], t, 6e-5) << n;
+    EXPECT_NEAR((summary.mean - summary.interval->low) * values[0], t, 6e-5) << n;
+  }
+}
+
+TEST(Summary, OfOneValueHasNoSpread) {
+  const Summary summary = summarise(std::vector<double>{7});
+  EXPECT_EQ(summary.count, 1U);
+  EXPECT_EQ(summary.mean, 7);
+  EXPECT_FALSE(summary.deviation);
+  EXPECT_FALSE(summary.interval);
+}
+
+TEST(Summary, OfEqualValuesIsAPoint) {
+  const Summary summary = summarise(std::vector<double>{3, 3, 3});
+  EXPECT_EQ(*summary.deviation, 0);
+  EXPECT_EQ(summary.interval->low, 3);
+  EXPECT_EQ(summary.interval->high, 3);
+}
+
+TEST(Summary, NeedsAValue) { EXPECT_THROW(summarise({}), std::logic_error); }
+
+}  // namespace
+}  // namespace piae::scoring

@@ -1,0 +1,78 @@
+#include "scoring/waveform.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <stdexcept>
+
+#include "scoring/sets.hpp"
+
+namespace piae::scoring {
+namespace {
+
+using testing_sets::noise;
+
+TEST(Rmse, IsTheMeanOverPairsNotTheRootOfTheMeanSquare) {
+  Windows generated(2, 2);
+  generated << 3, 4, 1, 1;
+  Windows real(2, 2);
+  real << 0, 0, 2, 2;
+  EXPECT_NEAR(rmse(generated, real), (std::sqrt(12.5) + 1) / 2, 1e-15);
+}
+
+TEST(Rmse, OfSilenceIsTheRootMeanSquareOfTheRealWindow) {
+  const Windows real = noise(1, 512, "real");
+  EXPECT_NEAR(rmse(real * 0, real), std::sqrt(real.squaredNorm() / 512), 1e-15);
+}
+
+/// Lengths with and without a factor of two, and a prime.
+TEST(AlignedRmse, FindsEveryCircularShift) {
+  for (const Eigen::Index length : {16, 15, 13}) {
+    const Windows real = noise(1, static_cast<std::size_t>(length), "real");
+    for (Eigen::Index shift = 0; shift < length; ++shift) {
+      Windows generated(1, length);
+      for (Eigen::Index i = 0; i < length; ++i) generated(0, (i + shift) % length) = real(0, i);
+      EXPECT_EQ(aligned_rmse(generated, real), 0) << length << " shifted by " << shift;
+    }
+  }
+}
+
+TEST(AlignedRmse, IsTheSmallestOverAllShifts) {
+  const Windows generated = noise(1, 32, "generated");
+  const Windows real = noise(1, 32, "real");
+  double smallest = rmse(generated, real);
+  Windows shifted = generated;
+  for (Eigen::Index shift = 1; shift < 32; ++shift) {
+    for (Eigen::Index i = 0; i < 32; ++i) shifted(0, i) = generated(0, (i + shift) % 32);
+    smallest = std::min(smallest, rmse(shifted, real));
+  }
+  EXPECT_LT(smallest, rmse(generated, real));
+  EXPECT_EQ(aligned_rmse(generated, real), smallest);
+}
+
+/// A shift can turn a sine into its negative, but nothing else can.
+TEST(AlignedRmse, DoesNotTurnWindowsUpsideDown) {
+  Windows real = Windows::Zero(1, 8);
+  real(0, 3) = 1;
+  EXPECT_NEAR(aligned_rmse(-real, real), std::sqrt(2.0 / 8), 1e-12);
+}
+
+TEST(AmplitudeRatio, IsGeneratedToReal) {
+  const Windows real = noise(5, 64, "real");
+  EXPECT_NEAR(amplitude_ratio(real * -2, real), 2, 1e-14);
+  EXPECT_EQ(amplitude_ratio(real * 0, real), 0);
+  EXPECT_THROW(amplitude_ratio(real, real * 0), std::logic_error);
+}
+
+TEST(Waveform, RefusesWhatIsNotInPairs) {
+  const Windows two = noise(2, 8, "x");
+  for (const Windows& other : {noise(3, 8, "y"), noise(2, 9, "y"), Windows(0, 8)}) {
+    EXPECT_THROW(rmse(two, other), std::logic_error);
+    EXPECT_THROW(aligned_rmse(two, other), std::logic_error);
+    EXPECT_THROW(amplitude_ratio(two, other), std::logic_error);
+  }
+  EXPECT_THROW(rmse(Windows(0, 8), Windows(0, 8)), std::logic_error);
+}
+
+}  // namespace
+}  // namespace piae::scoring

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cmath>
+#include <string>
+
+#include "signal/recordings.hpp"
+
+namespace piae::signal {
+
+/// A record of a label whose samples all differ: sample i of it is label * 1e6 + number * 1e5 + i.
+inline Record counting_record(const std::string& name, int label, int number, std::size_t samples) {
+  Record record;
+  record.name = name;
+  record.label = label;
+  record.original_sample_rate_hz = 12000;
+  record.shaft_speed_rpm = 1797;
+  record.source = "simulated";
+  for (std::size_t i = 0; i < samples; ++i) {
+    record.signal.push_back(label * 1e6 + number * 1e5 + static_cast<double>(i));
+  }
+  return record;
+}
+
+/// Three classes; the inner one has two records.
+inline Recordings counting_recordings(std::size_t samples) {
+  Recordings r;
+  r.info.name = "counting";
+  r.info.sample_rate_hz = 12000;
+  r.info.shaft_speed_rpm = 1797;
+  r.info.classes = {{"N", Defect::none, 0}, {"I", Defect::inner, 0.2}, {"R", Defect::roller, 0.5}};
+  r.records = {counting_record("I-01", 1, 0, samples / 2),
+               counting_record("I-02", 1, 1, samples / 2), counting_record("N", 0, 0, samples),
+               counting_record("R", 2, 0, samples)};
+  return r;
+}
+
+}  // namespace piae::signal

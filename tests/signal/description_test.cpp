@@ -1,0 +1,159 @@
+#include "signal/description.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "signal/folder.hpp"
+
+namespace piae::signal {
+namespace {
+
+using testing::ElementsAre;
+
+const std::string bearing_table =
+    "[bearing]\nballs = 8\nball_diameter_mm = 7\npitch_diameter_mm = 33.5\n"
+    "inner_raceway_mm = 26.5\nouter_raceway_mm = 40.5\ncontact_angle_deg = 15\n";
+
+/// Line 2 is the rate, lines 14 and on are what follows the bearing.
+const std::string head =
+    "name = \"rig\"\nsample_rate_hz = 8000\nshaft_speed_rpm = 900\n\n" + bearing_table + "\n\n";
+
+const std::string good = head + R"([[class]]
+name = "ok"
+defect = "none"
+[[class]]
+name = "cracked"
+defect = "outer"
+defect_size_mm = 0.5
+
+[[record]]
+class = "cracked"
+file = "rig/b.csv"
+variable = "2"
+sample_rate_hz = 16000
+[[record]]
+class = "ok"
+file = "rig/a.mat"
+variable = "x"
+sample_rate_hz = 8000
+shaft_speed_rpm = 905.5
+url = "https://example.org/a.mat"
+[[record]]
+class = "cracked"
+file = "rig/c.csv"
+variable = "2"
+sample_rate_hz = 8000
+)";
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  const std::size_t at = text.find(from);
+  EXPECT_NE(at, std::string::npos) << from;
+  return text.replace(at, from.size(), to);
+}
+
+TEST(Description, IsReadAsItStands) {
+  const Folder folder;
+  const Description d = read_description(folder.write("rig.toml", good));
+  EXPECT_EQ(d.info.name, "rig");
+  EXPECT_EQ(d.info.sample_rate_hz, 8000);
+  EXPECT_EQ(d.info.shaft_speed_rpm, 900);
+  EXPECT_EQ(d.info.unit_m_per_s2, 1);
+  EXPECT_EQ(d.info.bearing.balls, 8);
+  EXPECT_EQ(d.info.bearing.contact_angle_deg, 15);
+  ASSERT_EQ(d.info.classes.size(), 2U);
+  EXPECT_EQ(d.info.classes[1].name, "cracked");
+  EXPECT_EQ(d.info.classes[1].defect, Defect::outer);
+  EXPECT_EQ(d.info.classes[1].defect_size_mm, 0.5);
+  EXPECT_EQ(d.info.healthy_label(), 0);
+}
+
+TEST(Description, NamesRecordsAfterTheirClassAndSortsThem) {
+  const Folder folder;
+  const Description d = read_description(folder.write("rig.toml", good));
+  std::vector<std::string> names;
+  for (const RecordSource& r : d.records) names.push_back(r.name + "=" + r.file);
+  EXPECT_THAT(names, ElementsAre("cracked-01=rig/b.csv", "cracked-02=rig/c.csv", "ok=rig/a.mat"));
+  EXPECT_EQ(d.records[0].label, 1);
+  EXPECT_EQ(d.records[0].sample_rate_hz, 16000);
+  EXPECT_EQ(d.records[0].shaft_speed_rpm, 900);
+  EXPECT_EQ(d.records[2].shaft_speed_rpm, 905.5);
+  EXPECT_EQ(d.records[2].url, "https://example.org/a.mat");
+  EXPECT_EQ(d.records[2].sha256, "");
+}
+
+TEST(Description, KeepsTheUnit) {
+  const Folder folder;
+  const std::string text = replaced(good, "[bearing]", "unit_m_per_s2 = 9.80665\n[bearing]");
+  EXPECT_EQ(read_description(folder.write("rig.toml", text)).info.unit_m_per_s2, 9.80665);
+}
+
+TEST(Description, WithoutARateTakesTheOneOfAllRecords) {
+  const Folder folder;
+  std::string text = replaced(good, "sample_rate_hz = 8000\n", "");
+  text = replaced(text, "16000", "8000");
+  EXPECT_EQ(read_description(folder.write("rig.toml", text)).info.sample_rate_hz, 8000);
+}
+
+TEST(Description, MissingFile) {
+  EXPECT_ERROR(read_description("/nowhere/rig.toml"), Exit::input_missing, "/nowhere/rig.toml");
+}
+
+struct Damage {
+  const char* from;
+  const char* to;
+  const char* says;
+};
+
+class DamagedDescription : public testing::TestWithParam<Damage> {};
+
+TEST_P(DamagedDescription, IsOneLineWithFileLineAndKey) {
+  const Folder folder;
+  const Damage& damage = GetParam();
+  const auto file = folder.write("rig.toml", replaced(good, damage.from, damage.to));
+  EXPECT_ERROR(read_description(file), Exit::bad_input, file.string());
+  EXPECT_ERROR(read_description(file), Exit::bad_input, damage.says);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, DamagedDescription,
+    testing::Values(
+        Damage{"= \"rig\"", "= \"rig", "line 1: not valid TOML"},
+        Damage{"= \"rig\"", "= 3", "line 1: name must be a text"},
+        Damage{"= \"rig\"", "= \"\"", "line 1: name is empty"},
+        Damage{"= \"rig\"", "= \"a/b\"", "line 1: name 'a/b' may hold"},
+        Damage{"= 8000", "= \"8 kHz\"", "line 2: sample_rate_hz must be a finite number"},
+        Damage{"= 8000", "= nan", "line 2: sample_rate_hz must be a finite number"},
+        Damage{"= 8000", "= 0", "line 2: sample_rate_hz must be above 0"},
+        Damage{"sample_rate_hz", "rate", "line 2: rate is unknown; known keys are bearing, class"},
+        Damage{"sample_rate_hz = 8000\n", "", "rig/b.csv and rig/a.mat have different rates"},
+        Damage{"shaft_speed_rpm = 900", "", "shaft_speed_rpm is missing"},
+        Damage{"balls = 8", "balls = 8.5", "line 6: bearing.balls must be a whole number"},
+        Damage{"balls = 8", "balls = 0", "line 6: bearing.balls must be between 1 and 1000"},
+        Damage{"pitch_diameter_mm = 33.5", "", "line 5: bearing.pitch_diameter_mm is missing"},
+        Damage{"= 15", "= 90", "bearing.contact_angle_deg must be from 0 to below 90"},
+        Damage{"= \"none\"", "= \"cage\"", "class.defect holds an unknown defect 'cage'"},
+        Damage{"= \"none\"", "= \"none\"\ndefect_size_mm = 1", "class.defect_size_mm makes no"},
+        Damage{"= \"none\"", "= \"inner\"\ndefect_size_mm = 1", "no class has defect 'none'"},
+        Damage{"defect_size_mm = 0.5", "", "class.defect_size_mm is missing"},
+        Damage{"name = \"cracked\"", "name = \"ok\"", "class.name 'ok' is given twice"},
+        Damage{"class = \"ok\"", "class = \"okay\"", "record.class 'okay' is not a [[class]]"},
+        Damage{"class = \"ok\"", "class = \"cracked\"", "class ok has no [[record]]"},
+        Damage{"\"rig/a.mat\"", "\"../a.mat\"", "record.file must be a path below"},
+        Damage{"\"rig/a.mat\"", "\"/a.mat\"", "record.file must be a path below"},
+        Damage{"variable = \"x\"", "channel = \"x\"", "record.variable is missing"},
+        Damage{"url", "sha256", "record.sha256 must be 64 hexadecimal digits"},
+        Damage{"url", "link", "record.link is unknown"},
+        Damage{"name = \"ok\"", "name = \"ok\"\ncolour = 1", "class.colour is unknown"}));
+
+TEST(Description, RefusesClassesThatWouldShareARecordName) {
+  const Folder folder;
+  const std::string more =
+      "[[class]]\nname = \"cracked-01\"\ndefect = \"inner\"\ndefect_size_mm = 1\n"
+      "[[record]]\nclass = \"cracked-01\"\nfile = \"d.csv\"\nvariable = \"1\"\n"
+      "sample_rate_hz = 8000\n";
+  EXPECT_ERROR(read_description(folder.write("rig.toml", good + more)), Exit::bad_input,
+               "two records would be called cracked-01");
+}
+
+}  // namespace
+}  // namespace piae::signal

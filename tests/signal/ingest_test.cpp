@@ -1,0 +1,107 @@
+#include "signal/ingest.hpp"
+
+#include <gtest/gtest.h>
+
+#include "base/sha256.hpp"
+#include "signal/folder.hpp"
+
+namespace piae::signal {
+namespace {
+
+/// Two classes with one CSV each, written into the folder.
+Description description_in(const Folder& folder) {
+  folder.write("rig/a.csv", "1\n2\n3\n4\n");
+  folder.write("rig/b.csv", "5\n6\n7\n8\n");
+  Description d;
+  d.info.name = "rig";
+  d.info.sample_rate_hz = 1000;
+  d.info.classes = {{"ok", Defect::none, 0}, {"bad", Defect::outer, 1}};
+  d.records = {{"bad", 1, "rig/b.csv", "1", 1000, 600, "", ""},
+               {"ok", 0, "rig/a.csv", "1", 1000, 600, "", ""}};
+  return d;
+}
+
+TEST(Ingest, KeepsWhatIsKnownOfEachRecord) {
+  const Folder folder;
+  Description d = description_in(folder);
+  d.records[0].sha256 = sha256_of_file(folder / "rig/b.csv");
+  std::size_t last = 0;
+  const Recordings r = ingest(d, folder.path(), [&](std::size_t done) { last = done; });
+  EXPECT_EQ(last, 2U);
+  ASSERT_EQ(r.records.size(), 2U);
+  EXPECT_EQ(r.records[0].name, "bad");
+  EXPECT_EQ(r.records[0].label, 1);
+  EXPECT_EQ(r.records[0].source, "rig/b.csv");
+  EXPECT_EQ(r.records[0].source_sha256, d.records[0].sha256);
+  EXPECT_EQ(r.records[0].shaft_speed_rpm, 600);
+  EXPECT_EQ(r.records[0].signal, (std::vector<double>{5, 6, 7, 8}));
+  EXPECT_FALSE(r.records[0].parameters.has_value());
+}
+
+TEST(Ingest, BringsRecordsToTheRateOfTheDataset) {
+  const Folder folder;
+  Description d = description_in(folder);
+  d.records[0].sample_rate_hz = 2000;
+  const Recordings r = ingest(d, folder.path());
+  EXPECT_EQ(r.records[0].signal.size(), 2U);
+  EXPECT_EQ(r.records[0].original_sample_rate_hz, 2000);
+  EXPECT_EQ(r.records[1].signal.size(), 4U);
+}
+
+TEST(Ingest, MissingFileSaysWhatWouldHelp) {
+  const Folder folder;
+  Description d = description_in(folder);
+  std::filesystem::remove(folder / "rig/b.csv");
+  EXPECT_ERROR(ingest(d, folder.path()), Exit::input_missing,
+               "rig/b.csv: no such file; record bad");
+  EXPECT_ERROR(ingest(d, folder.path()), Exit::input_missing, "`make data`");
+  EXPECT_ERROR(ingest(d, folder.path()), Exit::input_missing, "DATA_DIR=");
+}
+
+TEST(Ingest, WrongSumNamesBoth) {
+  const Folder folder;
+  Description d = description_in(folder);
+  d.records[1].sha256 = std::string(64, '0');
+  EXPECT_ERROR(ingest(d, folder.path()), Exit::bad_input,
+               "sha256 is " + sha256_of_file(folder / "rig/a.csv") + ", expected 0000");
+}
+
+TEST(Ingest, RefusesUnusableSignals) {
+  const Folder folder;
+  const Description d = description_in(folder);
+  const auto with = [&](const std::string& text) {
+    folder.write("rig/a.csv", text);
+    return ingest(d, folder.path());
+  };
+  EXPECT_ERROR(with("1\n2\nnan\n"), Exit::bad_input,
+               "(record ok): 1 is NaN or infinite at sample 2");
+  EXPECT_ERROR(with("1\n-inf\n3\n"), Exit::bad_input, "NaN or infinite at sample 1");
+  EXPECT_ERROR(with(""), Exit::bad_input, "(record ok): 1 holds no sample");
+  EXPECT_ERROR(with("2\n2\n2\n"), Exit::bad_input, "never changes");
+}
+
+TEST(Ingest, RefusesOneRecordingUnderTwoClasses) {
+  const Folder folder;
+  const Description d = description_in(folder);
+  folder.write("rig/a.csv", "5.0\n6.0\n7\n8\n");  // other bytes, the same samples
+  EXPECT_ERROR(
+      ingest(d, folder.path()), Exit::bad_input,
+      "(record ok): holds the same samples as record bad (rig/b.csv), under another class");
+}
+
+TEST(Ingest, RefusesOneRecordingTwice) {
+  const Folder folder;
+  Description d = description_in(folder);
+  d.records.insert(d.records.begin() + 1, d.records[0]);
+  EXPECT_ERROR(ingest(d, folder.path()), Exit::bad_input, "name each recording once");
+}
+
+TEST(Ingest, RefusesARecordThatVanishesInResampling) {
+  const Folder folder;
+  Description d = description_in(folder);
+  d.records[0].sample_rate_hz = 5000;
+  EXPECT_ERROR(ingest(d, folder.path()), Exit::bad_input, "shorter than one sample");
+}
+
+}  // namespace
+}  // namespace piae::signal

@@ -1,0 +1,223 @@
+#include "signal/raw_file.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <hdf5.h>
+#include <matio.h>
+
+#include <cmath>
+#include <cstdint>
+
+#include "signal/folder.hpp"
+
+namespace piae::signal {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+// ---- CSV
+// -----------------------------------------------------------------------------------------
+
+TEST(Csv, ReadsAColumnByNumberOrName) {
+  const Folder folder;
+  const fs::path file = folder.write("a.csv", "time,acc\n0,1.5\n1,-2e-3\n2,3\n");
+  EXPECT_THAT(read_raw_file(file, "acc"), ElementsAre(1.5, -0.002, 3));
+  EXPECT_THAT(read_raw_file(file, "2"), ElementsAre(1.5, -0.002, 3));
+  EXPECT_THAT(read_raw_file(file, "time"), ElementsAre(0, 1, 2));
+}
+
+TEST(Csv, NeedsNeitherHeaderNorLastLineEnd) {
+  const Folder folder;
+  EXPECT_THAT(read_csv(folder.write("a.csv", "1\n2\n3"), "1"), ElementsAre(1, 2, 3));
+}
+
+TEST(Csv, TakesOtherSeparatorsLineEndsQuotesAndAByteOrderMark) {
+  const Folder folder;
+  const std::string text = "\xEF\xBB\xBF\"t\"; \"a b\"\r\n0; 4\r\n1; 5\r\n";
+  EXPECT_THAT(read_csv(folder.write("a.csv", text), "a b"), ElementsAre(4, 5));
+  EXPECT_THAT(read_csv(folder.write("b.csv", "1\t2\n3\t4\n"), "2"), ElementsAre(2, 4));
+}
+
+TEST(Csv, PassesNaNOnAndAnEmptyFileAsNoSample) {
+  const Folder folder;
+  EXPECT_TRUE(std::isnan(read_csv(folder.write("a.csv", "1\nnan\n"), "1").at(1)));
+  EXPECT_THAT(read_csv(folder.write("b.csv", ""), "1"), IsEmpty());
+  EXPECT_THAT(read_csv(folder.write("c.csv", "acc\n"), "acc"), IsEmpty());
+}
+
+TEST(Csv, RefusesWhatIsNotStrictlyNumbersInColumns) {
+  const Folder folder;
+  const auto read = [&](const std::string& text, const std::string& column) {
+    return read_csv(folder.write("a.csv", text), column);
+  };
+  EXPECT_ERROR(read("t,a\n0,1\n1\n", "a"), Exit::bad_input, "line 3: has 1 fields");
+  EXPECT_ERROR(read("t,a\n0,1\n\n1,2\n", "a"), Exit::bad_input, "line 3: has 1 fields");
+  EXPECT_ERROR(read("t,a\n0,1\n1,x2\n", "a"), Exit::bad_input, "line 3: column a holds 'x2'");
+  EXPECT_ERROR(read("t,a\n0,1\n1,2x\n", "a"), Exit::bad_input, "line 3: column a holds '2x'");
+  EXPECT_ERROR(read("t,a\n0,1\n1,\n", "a"), Exit::bad_input, "line 3: column a holds ''");
+  EXPECT_ERROR(read("t;a\n0;1,5\n", "a"), Exit::bad_input, "line 2: column a holds '1,5'");
+  EXPECT_ERROR(read("t,a\n0,1\n", "b"), Exit::bad_input, "has no column b; it has t, a");
+  EXPECT_ERROR(read("a,a\n0,1\n", "a"), Exit::bad_input, "has several columns a");
+  EXPECT_ERROR(read("t,a\n0,1\n", "3"), Exit::bad_input, "has no column 3; columns are 1 to 2");
+  EXPECT_ERROR(read("t,a\n0,1\n", "0"), Exit::bad_input, "has no column 0");
+}
+
+// ---- MATLAB
+// --------------------------------------------------------------------------------------
+
+struct MatVariable {
+  const char* name;
+  matio_classes class_type;
+  matio_types data_type;
+  std::vector<std::size_t> dims;
+  const void* data;
+};
+
+fs::path write_mat(const fs::path& file, mat_ft version, const std::vector<MatVariable>& variables,
+                   matio_compression compression = MAT_COMPRESSION_NONE) {
+  mat_t* mat = Mat_CreateVer(file.c_str(), nullptr, version);
+  for (MatVariable v : variables) {
+    matvar_t* variable =
+        Mat_VarCreate(v.name, v.class_type, v.data_type, static_cast<int>(v.dims.size()),
+                      v.dims.data(), const_cast<void*>(v.data), 0);
+    EXPECT_EQ(Mat_VarWrite(mat, variable, compression), 0);
+    Mat_VarFree(variable);
+  }
+  Mat_Close(mat);
+  return file;
+}
+
+const std::vector<double> doubles{1.5, -2, 3e-9};
+
+class Mat : public testing::TestWithParam<mat_ft> {};
+
+TEST_P(Mat, ReadsRealVectorsOfAnyNumberType) {
+  const Folder folder;
+  const std::vector<float> floats{0.5F, 1};
+  const std::vector<std::int16_t> shorts{-32768, 7};
+  const fs::path file = write_mat(folder / "a.mat", GetParam(),
+                                  {{"column", MAT_C_DOUBLE, MAT_T_DOUBLE, {3, 1}, doubles.data()},
+                                   {"row", MAT_C_DOUBLE, MAT_T_DOUBLE, {1, 3}, doubles.data()},
+                                   {"single", MAT_C_SINGLE, MAT_T_SINGLE, {2, 1}, floats.data()},
+                                   {"int16", MAT_C_INT16, MAT_T_INT16, {2, 1}, shorts.data()}});
+  EXPECT_EQ(read_raw_file(file, "column"), doubles);
+  EXPECT_EQ(read_raw_file(file, "row"), doubles);
+  EXPECT_THAT(read_raw_file(file, "single"), ElementsAre(0.5, 1));
+  EXPECT_THAT(read_raw_file(file, "int16"), ElementsAre(-32768, 7));
+}
+
+TEST_P(Mat, NamesTheVariablesThatAFileHas) {
+  const Folder folder;
+  const fs::path file =
+      write_mat(folder / "a.mat", GetParam(),
+                {{"X098_DE", MAT_C_DOUBLE, MAT_T_DOUBLE, {3, 1}, doubles.data()},
+                 {"X099_DE", MAT_C_DOUBLE, MAT_T_DOUBLE, {3, 1}, doubles.data()}});
+  EXPECT_ERROR(read_mat(file, "X097_DE"), Exit::bad_input,
+               "a.mat: has no variable X097_DE; it has X098_DE, X099_DE");
+}
+
+TEST_P(Mat, RefusesAMatrixAndText) {
+  const Folder folder;
+  const std::vector<double> four{1, 2, 3, 4};
+  const fs::path file = write_mat(folder / "a.mat", GetParam(),
+                                  {{"m", MAT_C_DOUBLE, MAT_T_DOUBLE, {2, 2}, four.data()},
+                                   {"t", MAT_C_CHAR, MAT_T_UINT8, {1, 3}, "abc"}});
+  EXPECT_ERROR(read_mat(file, "m"), Exit::bad_input, "variable m is not a real vector");
+  EXPECT_ERROR(read_mat(file, "t"), Exit::bad_input, "variable t does not hold numbers");
+}
+
+INSTANTIATE_TEST_SUITE_P(Versions, Mat, testing::Values(MAT_FT_MAT5, MAT_FT_MAT73),
+                         [](const auto& info) { return info.param == MAT_FT_MAT5 ? "v5" : "v73"; });
+
+TEST(MatFile, ThatIsCutAnywhereIsRefused) {
+  const Folder folder;
+  std::vector<double> noise(3000);
+  for (std::size_t i = 0; i < noise.size(); ++i) noise[i] = std::sin(static_cast<double>(i * i));
+  const std::vector<std::pair<mat_ft, matio_compression>> kinds{
+      {MAT_FT_MAT5, MAT_COMPRESSION_NONE},
+      {MAT_FT_MAT5, MAT_COMPRESSION_ZLIB},
+      {MAT_FT_MAT73, MAT_COMPRESSION_NONE}};
+  for (const auto& [version, compression] : kinds) {
+    const fs::path file =
+        write_mat(folder / "a.mat", version,
+                  {{"x", MAT_C_DOUBLE, MAT_T_DOUBLE, {3000, 1}, noise.data()}}, compression);
+    EXPECT_EQ(read_mat(file, "x"), noise);
+    const std::uintmax_t whole = fs::file_size(file);
+    for (const std::uintmax_t size : {whole - 8, whole / 2, std::uintmax_t{200},
+                                      std::uintmax_t{128}, std::uintmax_t{50}, std::uintmax_t{0}}) {
+      fs::resize_file(file, size);
+      EXPECT_ERROR(read_mat(file, "x"), Exit::bad_input, "a.mat");
+    }
+    fs::remove(file);
+  }
+}
+
+TEST(MatFile, ThatIsNoneIsRefused) {
+  const Folder folder;
+  EXPECT_ERROR(read_mat(folder.write("a.mat", "<html>404</html>"), "x"), Exit::bad_input,
+               "not a MATLAB file");
+}
+
+// ---- HDF5
+// ----------------------------------------------------------------------------------------
+
+void write_dataset(hid_t file, const char* name, hid_t type, const std::vector<hsize_t>& dims,
+                   const void* data) {
+  const hid_t space = H5Screate_simple(static_cast<int>(dims.size()), dims.data(), nullptr);
+  const hid_t set = H5Dcreate2(file, name, type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
+  EXPECT_GE(H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, data), 0);
+  H5Dclose(set);
+  H5Sclose(space);
+}
+
+fs::path write_hdf5(const fs::path& path) {
+  const hid_t file = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
+  const std::vector<float> floats{0.5F, 1, 2, 3};
+  const std::vector<std::int32_t> integers{-7, 8};
+  H5Gclose(H5Gcreate2(file, "raw", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT));
+  write_dataset(file, "raw/acc", H5T_NATIVE_FLOAT, {4}, floats.data());
+  write_dataset(file, "raw/matrix", H5T_NATIVE_FLOAT, {2, 2}, floats.data());
+  write_dataset(file, "column", H5T_NATIVE_FLOAT, {4, 1}, floats.data());
+  write_dataset(file, "counts", H5T_STD_I32BE, {2}, integers.data());
+  const hid_t text = H5Tcopy(H5T_C_S1);
+  write_dataset(file, "text", text, {4}, "abcd");
+  H5Tclose(text);
+  H5Fclose(file);
+  return path;
+}
+
+TEST(Hdf5, ReadsFloatsAndIntegersOfAnyByteOrder) {
+  const Folder folder;
+  const fs::path file = write_hdf5(folder / "a.h5");
+  EXPECT_THAT(read_raw_file(file, "/raw/acc"), ElementsAre(0.5, 1, 2, 3));
+  EXPECT_THAT(read_raw_file(file, "raw/acc"), ElementsAre(0.5, 1, 2, 3));
+  EXPECT_THAT(read_raw_file(file, "column"), ElementsAre(0.5, 1, 2, 3));
+  // The bytes of -7 and 8 as this machine has them, read as big-endian numbers.
+  EXPECT_THAT(read_raw_file(file, "counts"), ElementsAre(-100663297, 134217728));
+}
+
+TEST(Hdf5, RefusesWhatIsNotAVectorOfNumbers) {
+  const Folder folder;
+  const fs::path file = write_hdf5(folder / "a.hdf5");
+  EXPECT_ERROR(read_raw_file(file, "acc"), Exit::bad_input,
+               "has no dataset /acc; it has /column, /counts, /raw/acc, /raw/matrix, /text");
+  EXPECT_ERROR(read_raw_file(file, "raw"), Exit::bad_input, "has no dataset /raw");
+  EXPECT_ERROR(read_raw_file(file, "raw/matrix"), Exit::bad_input, "is not a vector");
+  EXPECT_ERROR(read_raw_file(file, "text"), Exit::bad_input, "does not hold numbers");
+}
+
+TEST(Hdf5, RefusesATruncatedFile) {
+  const Folder folder;
+  const fs::path file = write_hdf5(folder / "a.h5");
+  fs::resize_file(file, fs::file_size(file) / 2);
+  EXPECT_ERROR(read_hdf5(file, "raw/acc"), Exit::bad_input, "a.h5: truncated, damaged or not");
+}
+
+TEST(RawFile, OfAnUnknownFormatIsRefused) {
+  EXPECT_ERROR(read_raw_file("a.wav", "x"), Exit::bad_input, "unknown format '.wav'");
+}
+
+}  // namespace
+}  // namespace piae::signal

@@ -1,0 +1,81 @@
+#include "signal/recordings.hpp"
+
+#include <gtest/gtest.h>
+
+#include "signal/counting.hpp"
+#include "signal/folder.hpp"
+
+namespace piae::signal {
+namespace {
+
+std::filesystem::path save(const Folder& folder, const Recordings& recordings) {
+  artefact::Writer writer("records");
+  write(writer, recordings);
+  writer.save(folder / "records.h5", {});
+  return folder / "records.h5";
+}
+
+Recordings load(const std::filesystem::path& file) {
+  return read_recordings(artefact::Reader(file, "records"));
+}
+
+TEST(Recordings, ComeBackFromTheirFile) {
+  const Folder folder;
+  Recordings in = counting_recordings(10);
+  in.info.unit_m_per_s2 = 9.80665;
+  in.records[3].parameters = DynamicParameters{1e8, 500};
+  in.records[2].source = "rig/a.mat";
+  in.records[2].source_sha256 = std::string(64, 'a');
+  const Recordings out = load(save(folder, in));
+  EXPECT_EQ(out.info.name, "counting");
+  EXPECT_EQ(out.info.unit_m_per_s2, 9.80665);
+  ASSERT_EQ(out.info.classes.size(), 3U);
+  EXPECT_EQ(out.info.classes[2].defect, Defect::roller);
+  ASSERT_EQ(out.records.size(), in.records.size());
+  for (std::size_t i = 0; i < in.records.size(); ++i) {
+    EXPECT_EQ(out.records[i].name, in.records[i].name);
+    EXPECT_EQ(out.records[i].label, in.records[i].label);
+    EXPECT_EQ(out.records[i].signal, in.records[i].signal);
+    EXPECT_EQ(out.records[i].source, in.records[i].source);
+    EXPECT_EQ(out.records[i].source_sha256, in.records[i].source_sha256);
+    EXPECT_EQ(out.records[i].original_sample_rate_hz, 12000);
+    EXPECT_EQ(out.records[i].shaft_speed_rpm, 1797);
+    EXPECT_EQ(out.records[i].parameters.has_value(), i == 3);
+  }
+  EXPECT_EQ(out.records[3].parameters->stiffness_n_per_m, 1e8);
+  EXPECT_EQ(out.records[3].parameters->damping_ns_per_m, 500);
+}
+
+TEST(Recordings, AreRefusedWithoutARecordOfAClass) {
+  const Folder folder;
+  Recordings r = counting_recordings(10);
+  r.records.pop_back();
+  EXPECT_ERROR(load(save(folder, r)), Exit::bad_input, "/records has no record of class R");
+}
+
+TEST(Recordings, AreRefusedWithAnUnknownLabel) {
+  const Folder folder;
+  for (const int label : {3, -1}) {
+    Recordings r = counting_recordings(10);
+    r.records[3].label = label;
+    EXPECT_ERROR(load(save(folder, r)), Exit::bad_input, "/records/R has label");
+  }
+}
+
+TEST(Recordings, AreRefusedWithAnEmptySignal) {
+  const Folder folder;
+  Recordings r = counting_recordings(10);
+  r.records[3].signal.clear();
+  EXPECT_ERROR(load(save(folder, r)), Exit::bad_input, "/records/R holds no sample");
+}
+
+TEST(Recordings, WithANaNAreNotEvenWritten) {
+  const Folder folder;
+  Recordings r = counting_recordings(10);
+  r.records[0].signal[2] = std::nan("");
+  EXPECT_ERROR(save(folder, r), Exit::failed, "/records/I-01: value 2 is NaN");
+  EXPECT_FALSE(std::filesystem::exists(folder / "records.h5"));
+}
+
+}  // namespace
+}  // namespace piae::signal

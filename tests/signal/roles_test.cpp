@@ -1,0 +1,127 @@
+#include "signal/roles.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "signal/counting.hpp"
+#include "signal/folder.hpp"
+#include "signal/split.hpp"
+
+namespace piae::signal {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+/// Windows of ten samples in the records "one" and "two".
+RoleSet role(const std::string& name, const std::string& protocol,
+             const std::vector<std::pair<std::int32_t, std::int64_t>>& places) {
+  RoleSet set{name + ".h5", name, protocol, 0, "digest", {}};
+  set.windows.length = 10;
+  set.windows.record_names = {"one", "two"};
+  for (const auto& [record, first] : places) {
+    set.windows.labels.push_back(0);
+    set.windows.record.push_back(record);
+    set.windows.first_sample.push_back(first);
+  }
+  return set;
+}
+
+TEST(Roles, MayOverlapButNotShareAWindowAtRandom) {
+  EXPECT_THAT(check_roles({role("A", "random", {{0, 0}, {0, 5}}), role("D", "random", {{0, 6}})}),
+              IsEmpty());
+  EXPECT_THAT(check_roles({role("A", "random", {{0, 0}, {0, 5}}), role("D", "random", {{0, 5}})}),
+              ElementsAre("record one: roles A and D share a window at sample 5 (1 places)"));
+}
+
+TEST(Roles, AreTheSamePlaceOnlyInTheSameRecord) {
+  EXPECT_THAT(check_roles({role("A", "random", {{0, 5}}), role("D", "random", {{1, 5}})}),
+              IsEmpty());
+}
+
+TEST(Roles, MeetByTheNameOfTheRecordNotByItsIndex) {
+  RoleSet d = role("D", "random", {{1, 5}});
+  d.windows.record_names = {"two", "one"};
+  EXPECT_THAT(check_roles({role("A", "random", {{0, 5}}), d}),
+              ElementsAre(HasSubstr("record one: roles A and D share a window")));
+}
+
+TEST(Roles, KeepAWindowLengthApartInBlocks) {
+  const RoleSet a = role("A", "blocked", {{0, 0}, {0, 5}});
+  EXPECT_THAT(check_roles({a, role("C", "blocked", {{0, 25}, {0, 28}})}), IsEmpty());
+  EXPECT_THAT(
+      check_roles({a, role("C", "blocked", {{0, 24}, {0, 28}})}),
+      ElementsAre("record one: roles A and C lie 9 samples apart at sample 24 (1 places); a "
+                  "blocked split keeps 10"));
+  EXPECT_THAT(check_roles({a, role("C", "blocked", {{0, 3}})}),
+              ElementsAre(HasSubstr("lie -7 samples apart at sample 3 (2 places)")));
+  EXPECT_THAT(check_roles({a, role("C", "blocked", {{0, 5}})}),
+              ElementsAre(HasSubstr("share a window at sample 5")));
+}
+
+TEST(Roles, MustBeOfOneSplit) {
+  const RoleSet a = role("A", "random", {{0, 0}});
+  RoleSet d = role("D", "random", {{0, 20}});
+  d.seed = 1;
+  EXPECT_THAT(check_roles({a, d}),
+              ElementsAre("D.h5: has seed 1, but A.h5 has 0; they are not of one split"));
+  d = role("D", "blocked", {{0, 20}});
+  EXPECT_THAT(check_roles({a, d}), ElementsAre(HasSubstr("has protocol blocked")));
+  d = role("D", "random", {{0, 20}});
+  d.records_digest = "other";
+  EXPECT_THAT(check_roles({a, d}), ElementsAre(HasSubstr("has records_digest other")));
+  d = role("D", "random", {{0, 20}});
+  d.windows.length = 20;
+  EXPECT_THAT(check_roles({a, d}), ElementsAre(HasSubstr("has window length 20")));
+}
+
+TEST(Roles, OfNothingAreGood) { EXPECT_THAT(check_roles({}), IsEmpty()); }
+
+void save(const Folder& folder, const Split& split, std::size_t role, const SplitOptions& options) {
+  artefact::Writer writer("windows");
+  write(writer, split, role, options, "the digest");
+  writer.save(folder / (std::string(Split::roles[role]) + ".h5"), {"split", "", {}});
+}
+
+TEST(Roles, ComeBackFromTheirFiles) {
+  const Folder folder;
+  SplitOptions options;
+  options.seed = 7;
+  const Split s = split(counting_recordings(80000), options);
+  std::vector<RoleSet> sets;
+  for (std::size_t i = 0; i < s.sets.size(); ++i) {
+    save(folder, s, i, options);
+    const artefact::Reader reader(folder / (std::string(Split::roles[i]) + ".h5"), "windows");
+    sets.push_back(read_role_set(reader));
+    EXPECT_EQ(sets.back().role, Split::roles[i]);
+    EXPECT_EQ(sets.back().protocol, "random");
+    EXPECT_EQ(sets.back().seed, 7);
+    EXPECT_EQ(sets.back().records_digest, "the digest");
+    EXPECT_EQ(sets.back().windows.samples, s.sets[i].samples);
+    EXPECT_EQ(sets.back().windows.first_sample, s.sets[i].first_sample);
+    EXPECT_EQ(reader.numbers<std::int64_t>("/classes/stride", {3}).values, s.strides);
+  }
+  EXPECT_THAT(check_roles(sets), IsEmpty());
+}
+
+TEST(Roles, CannotBeReadFromGeneratedWindows) {
+  const Folder folder;
+  WindowSet generated;
+  generated.info = counting_recordings(10).info;
+  generated.length = 2;
+  generated.samples = {1, 2};
+  generated.labels = {1};
+  artefact::Writer writer("windows");
+  write(writer, generated);
+  writer.attribute("/", "role", std::string("E"));
+  writer.attribute("/", "protocol", std::string("random"));
+  writer.attribute("/", "seed", std::int64_t{0});
+  writer.attribute("/", "records_digest", std::string("d"));
+  writer.save(folder / "E.h5", {});
+  const artefact::Reader reader(folder / "E.h5", "windows");
+  EXPECT_ERROR(read_role_set(reader), Exit::bad_input, "do not say where they were cut");
+}
+
+}  // namespace
+}  // namespace piae::signal

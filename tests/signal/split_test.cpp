@@ -1,0 +1,196 @@
+#include "signal/split.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "signal/counting.hpp"
+#include "signal/folder.hpp"
+#include "signal/roles.hpp"
+
+namespace piae::signal {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+enum { A, B, C, D };
+
+SplitOptions options_of(const std::string& protocol, std::int64_t seed = 0) {
+  SplitOptions options;
+  options.seed = seed;
+  options.protocol = protocol;
+  return options;
+}
+
+/// The roles of a split as verify would read them.
+std::vector<RoleSet> role_sets(const Split& split, const SplitOptions& options) {
+  std::vector<RoleSet> sets;
+  for (std::size_t i = 0; i < split.sets.size(); ++i) {
+    sets.push_back({std::string(Split::roles[i]) + ".h5", Split::roles[i], options.protocol,
+                    options.seed, "digest", split.sets[i]});
+  }
+  return sets;
+}
+
+class Protocols : public testing::TestWithParam<const char*> {};
+
+TEST_P(Protocols, DealOutThePapersNumbers) {
+  const Split s = split(counting_recordings(80000), options_of(GetParam()));
+  EXPECT_EQ(s.sets[A].size(), 300U);
+  EXPECT_EQ(s.sets[B].size(), 500U);
+  EXPECT_EQ(s.sets[C].size(), 10U);
+  EXPECT_EQ(s.sets[D].size(), 990U);
+  for (int label = 0; label < 3; ++label) {
+    const bool healthy = label == 0;
+    EXPECT_EQ(s.sets[A].count_of(label), 100U);
+    EXPECT_EQ(s.sets[B].count_of(label), healthy ? 500U : 0U);
+    EXPECT_EQ(s.sets[C].count_of(label), healthy ? 0U : 5U);
+    EXPECT_EQ(s.sets[D].count_of(label), healthy ? 0U : 495U);
+  }
+}
+
+TEST_P(Protocols, GiveNoWindowTwoRoles) {
+  const Recordings recordings = counting_recordings(80000);
+  for (std::int64_t seed = 0; seed < 20; ++seed) {
+    const SplitOptions options = options_of(GetParam(), seed);
+    const Split s = split(recordings, options);
+    EXPECT_THAT(check_roles(role_sets(s, options)), IsEmpty()) << seed;
+    std::set<std::pair<std::int32_t, std::int64_t>> places;
+    std::size_t windows = 0;
+    for (const WindowSet& set : s.sets) {
+      windows += set.size();
+      for (std::size_t i = 0; i < set.size(); ++i) {
+        places.emplace(set.record[i], set.first_sample[i]);
+      }
+    }
+    EXPECT_EQ(places.size(), windows) << seed;
+  }
+}
+
+TEST_P(Protocols, CutWindowsWhereTheySay) {
+  const Recordings recordings = counting_recordings(80000);
+  const Split s = split(recordings, options_of(GetParam()));
+  for (const WindowSet& set : s.sets) {
+    for (std::size_t i = 0; i < set.size(); ++i) {
+      const Record& record = recordings.records[static_cast<std::size_t>(set.record[i])];
+      const auto first = static_cast<std::size_t>(set.first_sample[i]);
+      ASSERT_EQ(set.record_names[static_cast<std::size_t>(set.record[i])], record.name);
+      ASSERT_EQ(set.labels[i], record.label);
+      ASSERT_EQ(set.window(i)[0], static_cast<float>(record.signal[first]));
+      ASSERT_EQ(set.window(i)[1023], static_cast<float>(record.signal.at(first + 1023)));
+    }
+  }
+}
+
+TEST_P(Protocols, DependOnTheSeedAlone) {
+  const Recordings recordings = counting_recordings(80000);
+  const Split one = split(recordings, options_of(GetParam(), 3));
+  const Split same = split(recordings, options_of(GetParam(), 3));
+  const Split other = split(recordings, options_of(GetParam(), 4));
+  EXPECT_EQ(one.sets[C].first_sample, same.sets[C].first_sample);
+  EXPECT_EQ(one.sets[C].record, same.sets[C].record);
+  EXPECT_NE(one.sets[C].first_sample, other.sets[C].first_sample);
+}
+
+TEST_P(Protocols, DealAClassTheSameWhateverTheOthersAre) {
+  const Recordings all = counting_recordings(80000);
+  Recordings fewer = all;
+  fewer.info.classes.erase(fewer.info.classes.begin() + 1);
+  std::erase_if(fewer.records, [](const Record& r) { return r.label == 1; });
+  for (Record& r : fewer.records) r.label = r.label == 2 ? 1 : 0;
+  const auto places_of = [](const WindowSet& set, int label) {
+    std::vector<std::int64_t> places;
+    for (const std::size_t i : set.indices_of(label)) places.push_back(set.first_sample[i]);
+    return places;
+  };
+  EXPECT_EQ(places_of(split(all, options_of(GetParam())).sets[D], 2),
+            places_of(split(fewer, options_of(GetParam())).sets[D], 1));
+}
+
+TEST_P(Protocols, CarryTrueParametersWhereAllRecordsHaveThem) {
+  Recordings recordings = counting_recordings(80000);
+  EXPECT_THAT(split(recordings, options_of(GetParam())).sets[C].parameters, IsEmpty());
+  for (std::size_t i = 0; i < recordings.records.size(); ++i) {
+    recordings.records[i].parameters = DynamicParameters{1e8 + static_cast<double>(i), 500};
+  }
+  const WindowSet c = split(recordings, options_of(GetParam())).sets[C];
+  ASSERT_EQ(c.parameters.size(), c.size());
+  for (std::size_t i = 0; i < c.size(); ++i) {
+    EXPECT_EQ(c.parameters[i].stiffness_n_per_m, 1e8 + c.record[i]);
+    EXPECT_EQ(c.parameters[i].damping_ns_per_m, 500);
+  }
+}
+
+TEST_P(Protocols, RefuseRecordsThatAreTooShort) {
+  EXPECT_ERROR(split(counting_recordings(1500), options_of(GetParam())), Exit::bad_input,
+               "dataset counting, class N: 600 windows of 1024 samples do not fit");
+}
+
+INSTANTIATE_TEST_SUITE_P(Both, Protocols, testing::Values("random", "blocked"),
+                         [](const auto& info) { return std::string(info.param); });
+
+TEST(SplitRandom, UsesTheLargestStrideOverAllRecordsOfAClass) {
+  // N and R: (80000 - 1024) / 599 = 131.8. I: two records of 40000, 300 windows each at
+  // (40000 - 1024) / 299 = 130.4.
+  const Split s = split(counting_recordings(80000), options_of("random"));
+  EXPECT_THAT(s.strides, ElementsAre(131, 130, 131));
+}
+
+TEST(SplitBlocked, KeepsARoleInOneStretchOfTime) {
+  const Split s = split(counting_recordings(80000), options_of("blocked"));
+  const WindowSet& c = s.sets[C];
+  const auto indices = c.indices_of(2);
+  const std::int64_t stride = s.strides[2];
+  int jumps = 0;
+  for (std::size_t i = 1; i < indices.size(); ++i) {
+    jumps += c.first_sample[indices[i]] - c.first_sample[indices[i - 1]] == stride ? 0 : 1;
+  }
+  EXPECT_LE(jumps, 1);  // one where the block runs over the end of the record
+}
+
+TEST(SplitBlocked, KeepsAWiderGuardWhereAsked) {
+  SplitOptions options = options_of("blocked");
+  options.guard_windows = 3;
+  const Split s = split(counting_recordings(80000), options);
+  for (const std::size_t one : {std::size_t{A}, std::size_t{C}}) {
+    for (std::size_t other = one + 1; other < s.sets.size(); ++other) {
+      for (std::size_t i = 0; i < s.sets[one].size(); ++i) {
+        for (std::size_t j = 0; j < s.sets[other].size(); ++j) {
+          if (s.sets[one].record[i] != s.sets[other].record[j]) continue;
+          const auto apart =
+              std::abs(s.sets[one].first_sample[i] - s.sets[other].first_sample[j]) - 1024;
+          ASSERT_GE(apart, 3 * 1024);
+        }
+      }
+    }
+  }
+}
+
+TEST(SplitOptionsCheck, RefusesContradictions) {
+  const Recordings recordings = counting_recordings(80000);
+  const auto with = [&](const auto& change) {
+    SplitOptions options;
+    change(options);
+    return split(recordings, options);
+  };
+  EXPECT_ERROR(with([](auto& o) { o.windows_per_class = 105; }), Exit::usage, "must exceed");
+  EXPECT_ERROR(with([](auto& o) { o.known_per_class = 0; }), Exit::usage, "at least 1");
+  EXPECT_ERROR(with([](auto& o) { o.max_stride = 0; }), Exit::usage, "at least 1");
+  EXPECT_ERROR(with([](auto& o) { o.seed = -1; }), Exit::usage, "seed");
+  EXPECT_ERROR(with([](auto& o) { o.protocol = "ordered"; }), Exit::usage, "random and blocked");
+}
+
+TEST(SplitDataset, NeedsAHealthyAndAFaultClass) {
+  Recordings healthy = counting_recordings(80000);
+  healthy.info.classes.resize(1);
+  std::erase_if(healthy.records, [](const Record& r) { return r.label != 0; });
+  EXPECT_ERROR(split(healthy, {}), Exit::bad_input, "has no fault class");
+  Recordings faulty = counting_recordings(80000);
+  faulty.info.classes[0].defect = Defect::outer;
+  EXPECT_ERROR(split(faulty, {}), Exit::bad_input, "no class has defect 'none'");
+}
+
+}  // namespace
+}  // namespace piae::signal

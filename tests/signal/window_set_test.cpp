@@ -1,0 +1,139 @@
+#include "signal/window_set.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+#include "signal/counting.hpp"
+#include "signal/folder.hpp"
+
+namespace piae::signal {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+WindowSet empty_set() {
+  WindowSet set;
+  set.info = counting_recordings(10).info;
+  set.length = 2;
+  return set;
+}
+
+/// Three windows of two samples that were cut, with their true parameters.
+WindowSet cut_set() {
+  WindowSet set = empty_set();
+  set.samples = {1, 2, 3, 4, 5, 6};
+  set.labels = {0, 2, 0};
+  set.record_names = {"N", "R"};
+  set.record = {0, 1, 0};
+  set.first_sample = {10, 20, 30};
+  set.parameters = {{1, 2}, {3, 4}, {5, 6}};
+  return set;
+}
+
+WindowSet generated_set() {
+  WindowSet set = empty_set();
+  set.samples = {7, 8};
+  set.labels = {1};
+  set.parameters = {{7, 8}};
+  return set;
+}
+
+std::filesystem::path save(const Folder& folder, const WindowSet& set) {
+  artefact::Writer writer("windows");
+  write(writer, set);
+  writer.save(folder / "A.h5", {});
+  return folder / "A.h5";
+}
+
+WindowSet load(const std::filesystem::path& file) {
+  return read_window_set(artefact::Reader(file, "windows"));
+}
+
+TEST(WindowSet, FindsTheWindowsOfALabel) {
+  const WindowSet set = cut_set();
+  EXPECT_THAT(set.indices_of(0), ElementsAre(0, 2));
+  EXPECT_THAT(set.indices_of(1), IsEmpty());
+  EXPECT_EQ(set.count_of(0), 2U);
+  EXPECT_EQ(set.count_of(1), 0U);
+  EXPECT_THAT(set.window(1), ElementsAre(3, 4));
+}
+
+TEST(WindowSet, ComesBackFromItsFile) {
+  const Folder folder;
+  const WindowSet out = load(save(folder, cut_set()));
+  EXPECT_EQ(out.length, 2U);
+  EXPECT_EQ(out.samples, cut_set().samples);
+  EXPECT_EQ(out.labels, cut_set().labels);
+  EXPECT_EQ(out.record_names, cut_set().record_names);
+  EXPECT_EQ(out.record, cut_set().record);
+  EXPECT_EQ(out.first_sample, cut_set().first_sample);
+  ASSERT_EQ(out.parameters.size(), 3U);
+  EXPECT_EQ(out.parameters[1].stiffness_n_per_m, 3);
+  EXPECT_EQ(out.parameters[1].damping_ns_per_m, 4);
+}
+
+TEST(WindowSet, GeneratedOrEmptyComesBackToo) {
+  const Folder folder;
+  const WindowSet generated = load(save(folder, generated_set()));
+  EXPECT_THAT(generated.record, IsEmpty());
+  EXPECT_EQ(generated.parameters.size(), 1U);
+  EXPECT_EQ(load(save(folder, empty_set())).size(), 0U);
+}
+
+TEST(WindowSet, AppendsWithAllThatIsKnown) {
+  WindowSet set = empty_set();
+  set.append(cut_set(), 1);
+  set.append(cut_set(), 2);
+  set.append(cut_set(), 1);
+  EXPECT_THAT(set.labels, ElementsAre(2, 0, 2));
+  EXPECT_THAT(set.samples, ElementsAre(3, 4, 5, 6, 3, 4));
+  EXPECT_THAT(set.record_names, ElementsAre("R", "N"));
+  EXPECT_THAT(set.record, ElementsAre(0, 1, 0));
+  EXPECT_THAT(set.first_sample, ElementsAre(20, 30, 20));
+  EXPECT_EQ(set.parameters[1].stiffness_n_per_m, 5);
+}
+
+TEST(WindowSet, OfCutAndGeneratedWindowsKeepsWhatAllHave) {
+  WindowSet set = cut_set();
+  set.append(generated_set(), 0);
+  set.append(cut_set(), 0);
+  EXPECT_EQ(set.size(), 5U);
+  EXPECT_THAT(set.record, IsEmpty());
+  EXPECT_THAT(set.first_sample, IsEmpty());
+  EXPECT_THAT(set.record_names, IsEmpty());
+  EXPECT_EQ(set.parameters.size(), 5U);
+}
+
+TEST(WindowSet, TakesNoWindowOfAnotherLength) {
+  WindowSet set = empty_set();
+  set.length = 3;
+  EXPECT_THROW(set.append(cut_set(), 0), std::logic_error);
+}
+
+TEST(WindowSet, IsRefusedWhereItsPartsDoNotFit) {
+  const Folder folder;
+  const auto with = [&](const auto& change) {
+    WindowSet set = cut_set();
+    change(set);
+    return load(save(folder, set));
+  };
+  EXPECT_ERROR(with([](auto& s) { s.labels[1] = 3; }), Exit::bad_input, "/labels holds label 3");
+  EXPECT_ERROR(with([](auto& s) { s.labels[1] = -1; }), Exit::bad_input, "/labels holds label -1");
+  EXPECT_ERROR(with([](auto& s) { s.record[1] = 2; }), Exit::bad_input, "points to record 2 of 2");
+  EXPECT_ERROR(with([](auto& s) { s.record.pop_back(); }), Exit::bad_input,
+               "/record/index misfits");
+  EXPECT_ERROR(with([](auto& s) { s.first_sample.pop_back(); }), Exit::bad_input,
+               "/first_sample misfits");
+  EXPECT_ERROR(with([](auto& s) { s.first_sample[0] = -5; }), Exit::bad_input, "holds -5");
+  EXPECT_ERROR(with([](auto& s) {
+                 s.samples.clear();
+                 s.length = 0;
+               }),
+               Exit::bad_input, "/windows holds windows without samples");
+}
+
+}  // namespace
+}  // namespace piae::signal
