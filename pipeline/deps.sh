@@ -26,22 +26,27 @@ for package in "${packages[@]}"; do
 done
 ((${#missing[@]})) || exit 0
 
-apt="env DEBIAN_FRONTEND=noninteractive apt-get"
-install="$apt install --yes --no-install-recommends ${missing[*]}"
+# A fresh machine may be installing its own updates; apt waits for that.
+apt="env DEBIAN_FRONTEND=noninteractive apt-get --option DPkg::Lock::Timeout=300"
+packages_to_install="--yes --no-install-recommends ${missing[*]}"
 if ((EUID == 0)); then
   as_root=
 elif command -v sudo >/dev/null && { sudo -n true 2>/dev/null || { [[ -t 0 ]] && sudo -v; }; }; then
   as_root=sudo
 else
   echo "deps: packages are missing, and installing them needs root. Run this, or have it run:" >&2
-  echo "  sudo apt-get update && sudo apt-get install --yes --no-install-recommends ${missing[*]}" >&2
+  echo "  sudo apt-get update && sudo apt-get install $packages_to_install" >&2
   exit 2
 fi
 
 echo "deps: installing ${missing[*]}"
-for command in "$apt update --quiet=2" "$install --quiet=2"; do
+# On a terminal apt shows how far it is; a log needs none of its hundreds of lines.
+quiet=--quiet=2
+show=/dev/null
+[[ -t 1 ]] && quiet='' show=/dev/stdout
+for command in "$apt update $quiet" "$apt install $quiet $packages_to_install"; do
   # shellcheck disable=SC2086
-  $as_root $command >/dev/null || {
+  $as_root $command >$show || {
     echo "deps: failed: $as_root $command" >&2
     exit 1
   }

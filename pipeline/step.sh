@@ -11,8 +11,10 @@ folder=$1 stage=$2
 shift 2
 cell=${folder#results/*/}
 log=$folder/$stage.log
-# A stage runs on one thread: make and the scheduler fill the cores.
-export OMP_NUM_THREADS=${OMP_NUM_THREADS:-1} OPENBLAS_NUM_THREADS=${OPENBLAS_NUM_THREADS:-1}
+# A stage runs on one thread: make and the scheduler fill the cores. Only simulate, which everything
+# else waits for, takes what there is.
+export OPENBLAS_NUM_THREADS=${OPENBLAS_NUM_THREADS:-1}
+[[ $stage == simulate ]] || export OMP_NUM_THREADS=${OMP_NUM_THREADS:-1}
 
 report() { printf '%-32s %-8s %s\n' "$cell" "$stage" "$1"; }
 

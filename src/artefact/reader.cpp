@@ -163,6 +163,18 @@ T Reader::scalar(const std::string& object, const std::string& name) const {
   return value;
 }
 
+void Reader::require_finite() const {
+  for (const std::string& path : hdf5::object_paths(file_)) {
+    const Handle object(H5Oopen(file_, path.c_str(), H5P_DEFAULT), path.c_str());
+    if (H5Iget_type(object) != H5I_DATASET) continue;
+    const hdf5::Shape any(hdf5::shape_of(object).size(), 0);
+    const Handle type(H5Dget_type(object), path.c_str());
+    // Reading refuses what is not finite.
+    if (H5Tequal(type, hdf5::stored_type<float>()) > 0) (void)numbers<float>(path, any);
+    if (H5Tequal(type, hdf5::stored_type<double>()) > 0) (void)numbers<double>(path, any);
+  }
+}
+
 double Reader::real(const std::string& object, const std::string& name) const {
   return scalar<double>(object, name);
 }

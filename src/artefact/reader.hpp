@@ -61,6 +61,9 @@ class Reader {
   [[nodiscard]] std::int64_t integer(const std::string& object, const std::string& name) const;
   [[nodiscard]] std::string text(const std::string& object, const std::string& name) const;
 
+  /// Throws Refusal when any dataset of the file holds a NaN or an infinite value.
+  void require_finite() const;
+
   /// For content that only the caller can judge: throws Refusal(bad_content) naming this file.
   [[noreturn]] void refuse(const std::string& where, const std::string& what) const;
 

@@ -125,16 +125,17 @@ std::vector<double> integrate(const EquationOfMotion& equation, const BallPassag
   require_positive(sampling.rate_hz, "sample rate in Hz");
   require_positive(max_sub_step_s, "longest sub-step in s");
   const double interval_s = 1 / sampling.rate_hz;
-  const double steps = std::ceil(interval_s / max_sub_step_s);
-  SubSteps sub_steps(equation, passage, start_s, interval_s / steps);
+  const auto steps = static_cast<std::size_t>(std::ceil(interval_s / max_sub_step_s));
+  const double step_s = interval_s / static_cast<double>(steps);
+  SubSteps sub_steps(equation, passage, start_s, step_s);
   std::vector<double> acceleration(sampling.samples);
   for (std::size_t i = 0; i < sampling.samples; ++i) {
     const double velocity = state[1];
-    for (double step = 0; step < steps; ++step) sub_steps.advance(state);
+    for (std::size_t step = 0; step < steps; ++step) sub_steps.advance(state);
     acceleration[i] = (state[1] - velocity) * sampling.rate_hz;
     const bool sane = std::isfinite(state[1]) && std::abs(state[0]) < 1;  // 1 m: never a bearing
     if (!sane) {
-      fail_diverged(start_s + static_cast<double>(i + 1) * interval_s, interval_s / steps);
+      fail_diverged(start_s + static_cast<double>(i + 1) * interval_s, step_s);
     }
   }
   return acceleration;

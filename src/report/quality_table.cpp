@@ -14,6 +14,7 @@ using scoring::QualityRecord;
 std::string line_of(const std::vector<const QualityRecord*>& seeds, std::size_t i,
                     const scoring::Metric& metric) {
   std::vector<double> values;
+  values.reserve(seeds.size());
   for (const QualityRecord* record : seeds) values.push_back(record->classes[i].*metric.value);
   const scoring::Summary summary = scoring::summarise(values);
   const QualityRecord& first = *seeds.front();

@@ -102,6 +102,14 @@ RecordSource read_record(TomlTable& table, const DatasetInfo& info) {
   return record;
 }
 
+/// "-07": as many digits as the last number has, two at least, so that names sort by number.
+std::string numbered(std::size_t number, std::size_t last) {
+  const std::size_t digits = std::max<std::size_t>(2, std::to_string(last).size());
+  std::string text = std::to_string(number);
+  text.insert(0, digits - text.size(), '0');
+  return "-" + text;
+}
+
 /// "IR007" where a class has one record; else "IR007-01", "IR007-02", ... in the order of the file.
 void name_records(const DatasetInfo& info, std::vector<RecordSource>& records) {
   for (std::size_t label = 0; label < info.classes.size(); ++label) {
@@ -109,13 +117,9 @@ void name_records(const DatasetInfo& info, std::vector<RecordSource>& records) {
     for (RecordSource& record : records) {
       if (record.label == static_cast<int>(label)) of_class.push_back(&record);
     }
-    const std::string& name = info.classes[label].name;
-    const std::size_t digits = std::max<std::size_t>(2, std::to_string(of_class.size()).size());
     for (std::size_t i = 0; i < of_class.size(); ++i) {
-      const std::string number = std::to_string(i + 1);
-      of_class[i]->name = of_class.size() == 1
-                              ? name
-                              : name + "-" + std::string(digits - number.size(), '0') + number;
+      of_class[i]->name = info.classes[label].name;
+      if (of_class.size() > 1) of_class[i]->name += numbered(i + 1, of_class.size());
     }
   }
 }

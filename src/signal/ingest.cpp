@@ -32,7 +32,7 @@ void require_file(const fs::path& file, const RecordSource& source, const Datase
 
 /// The file's sha256, which must be the declared one where there is one.
 std::string checked_sha256(const fs::path& file, const RecordSource& source) {
-  const std::string found = sha256_of_file(file);
+  std::string found = sha256_of_file(file);
   if (!source.sha256.empty() && source.sha256 != found) {
     refuse(file, source,
            "sha256 is " + found + ", expected " + source.sha256 +

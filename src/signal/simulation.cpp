@@ -164,6 +164,9 @@ void add_noise(const Simulation& simulation, Recordings& recordings) {
 
 Simulation read_simulation(const std::filesystem::path& file) {
   TomlTable root(file);
+  if (!root.has("simulation")) {
+    root.refuse("simulation", "is missing: this dataset is not simulated, use ingest");
+  }
   Simulation simulation;
   std::vector<TomlTable> classes = root.tables("class");
   simulation.info = read_info(root, classes);

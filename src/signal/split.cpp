@@ -93,7 +93,8 @@ std::vector<std::size_t> order_of(std::size_t count, bool blocked, Stream& strea
   if (!blocked) return stream.permutation(count);
   std::vector<std::size_t> order(count);
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::ranges::rotate(order, order.begin() + static_cast<std::ptrdiff_t>(stream.below(count)));
+  const auto first = order.begin() + static_cast<std::ptrdiff_t>(stream.below(count));
+  std::rotate(order.begin(), first, order.end());
   return order;
 }
 

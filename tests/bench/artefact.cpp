@@ -48,7 +48,7 @@ void count_bytes(benchmark::State& state, const signal::WindowSet& set) {
 void write_window_set(benchmark::State& state) {
   const signal::WindowSet set = window_set();
   const fs::path path = file_of_this_process();
-  for (auto _ : state) write_file(set, path);
+  while (state.KeepRunning()) write_file(set, path);
   fs::remove(path);
   count_bytes(state, set);
 }
@@ -57,7 +57,7 @@ void read_window_set(benchmark::State& state) {
   const signal::WindowSet set = window_set();
   const fs::path path = file_of_this_process();
   write_file(set, path);
-  for (auto _ : state) {
+  while (state.KeepRunning()) {
     benchmark::DoNotOptimize(signal::read_window_set(artefact::Reader(path, "windows")));
   }
   fs::remove(path);

@@ -28,7 +28,7 @@ void mmd(benchmark::State& state) {
   const Windows x = noise("bench/mmd/x");
   const Windows y = noise("bench/mmd/y");
   const double squared_distance = piae::scoring::mean_squared_distance(y);
-  for (auto _ : state) {
+  while (state.KeepRunning()) {
     benchmark::DoNotOptimize(piae::scoring::mmd_squared(x, y, squared_distance));
   }
   state.counters["FLOP/s"] = benchmark::Counter(3.0 * 2.0 * count * count * length,

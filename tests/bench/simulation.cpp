@@ -15,7 +15,7 @@ void simulate_one_second(benchmark::State& state) {
   const Motion motion{.shaft_speed_rpm = 1797};
   const DynamicsOptions options;
   const Sampling sampling{12000, 12000};
-  for (auto _ : state) {
+  while (state.KeepRunning()) {
     benchmark::DoNotOptimize(simulate({}, defect, motion, options, sampling));
   }
   const double steps_per_sample = std::ceil(1 / (sampling.rate_hz * options.max_sub_step_s));

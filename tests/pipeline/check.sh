@@ -21,6 +21,14 @@ expect_exit() { # code, command...
   ((code == $1)) || fail "expected exit code $1, got $code from: ${*:2}"
 }
 
+wait_for() { # file
+  local tries=0
+  until [[ -e $1 ]]; do
+    sleep 0.05
+    ((++tries < 600)) || fail "$1 did not come"
+  done
+}
+
 # What a stage does to the files: copies of its options into its outputs, and a line in `calls`.
 stand_ins() {
   mkdir fake

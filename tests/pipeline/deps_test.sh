@@ -39,8 +39,8 @@ test_root_installs_only_what_is_missing() {
   machine
   all_but libtorch-dev curl
   deps_as 0 >/dev/null
-  expect_equal "$(<apt-calls)" "$(printf '%s\n' 'apt-get update --quiet=2 [noninteractive]' \
-    'apt-get install --yes --no-install-recommends libtorch-dev curl --quiet=2 [noninteractive]')"
+  expect_equal "$(<apt-calls)" "$(printf '%s\n' 'apt-get --option DPkg::Lock::Timeout=300 update --quiet=2 [noninteractive]' \
+    'apt-get --option DPkg::Lock::Timeout=300 install --quiet=2 --yes --no-install-recommends libtorch-dev curl [noninteractive]')"
 }
 
 test_sudo_is_used_when_it_works() {

@@ -63,7 +63,7 @@ test_a_job_out_of_time_goes_back_into_the_queue() {
   chmod +x build/bin/train
   export SLURM_ARRAY_TASK_ID=0 SLURM_JOB_ID=7
   bash jobs/seed.sbatch DATASETS=real METHODS=piae-dt >/dev/null 2>&1 &
-  until [[ -e started ]]; do sleep 0.05; done
+  wait_for started
   kill -TERM $!
   expect_exit 0 wait $!
   expect_equal "$(<submitted)" "scontrol requeue 7"

@@ -66,14 +66,6 @@ while :; do sleep 0.05; done
 STAGE
 }
 
-wait_for() {
-  local tries=0
-  until [[ -e $1 ]]; do
-    sleep 0.05
-    ((++tries < 200)) || fail "$1 did not come"
-  done
-}
-
 test_a_signal_reaches_the_stage_which_is_waited_for() {
   checkpointing_stage
   local signal code

@@ -1,0 +1,55 @@
+#include "diagnosis/inputs.hpp"
+
+#include "base/error.hpp"
+#include "signal/roles.hpp"
+
+namespace piae::diagnosis {
+
+namespace {
+
+void require_role(const artefact::Reader& reader, const std::string& role) {
+  const std::string holds = reader.text("/", "role");
+  if (holds != role) reader.refuse("/", "has role " + holds + ", needed is " + role);
+}
+
+signal::RoleSet read_role(const artefact::Reader& reader, const std::string& role) {
+  require_role(reader, role);
+  return signal::read_role_set(reader);
+}
+
+void require_same_repeat(const artefact::Reader& generated, const signal::RoleSet& split) {
+  if (const std::int64_t seed = generated.integer("/", "seed"); seed != split.seed) {
+    generated.refuse("/", "has seed " + std::to_string(seed) + ", but " + split.file +
+                              " has seed " + std::to_string(split.seed) +
+                              "; windows must be generated from the C of the same split");
+  }
+  if (const std::string protocol = generated.text("/", "protocol"); protocol != split.protocol) {
+    generated.refuse(
+        "/", "is of split protocol " + protocol + ", but " + split.file + " of " + split.protocol);
+  }
+}
+
+}  // namespace
+
+Inputs read_inputs(const artefact::Reader& test, const artefact::Reader& normal,
+                   const artefact::Reader& known, const artefact::Reader* generated) {
+  std::vector<signal::RoleSet> split{read_role(test, "A"), read_role(normal, "B"),
+                                     read_role(known, "C")};
+  if (const auto findings = signal::check_roles(split); !findings.empty()) {
+    throw Error(Exit::bad_input, findings.front());
+  }
+  Inputs inputs;
+  inputs.protocol = split[0].protocol;
+  if (generated != nullptr) {
+    require_role(*generated, "E");
+    require_same_repeat(*generated, split[0]);
+    inputs.generated = signal::read_window_set(*generated);
+    inputs.method = generated->text("/", "method");
+  }
+  inputs.test = std::move(split[0].windows);
+  inputs.normal = std::move(split[1].windows);
+  inputs.known = std::move(split[2].windows);
+  return inputs;
+}
+
+}  // namespace piae::diagnosis

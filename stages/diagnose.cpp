@@ -1,0 +1,119 @@
+// Trains the classifier on known and generated windows, and tries it on the test windows.
+
+#include <spdlog/fmt/fmt.h>
+
+#include <iostream>
+#include <optional>
+
+#include "cli/progress.hpp"
+#include "cli/stage.hpp"
+#include "diagnosis/inputs.hpp"
+#include "diagnosis/training_set.hpp"
+#include "diagnosis/wdcnn.hpp"
+#include "scoring/diagnosis_record.hpp"
+#include "scoring/ratios.hpp"
+
+using namespace piae;
+namespace fs = std::filesystem;
+
+namespace {
+
+scoring::DiagnosisRecord make_record(const diagnosis::Inputs& inputs, const scoring::Ratio& ratio,
+                                     std::int64_t seed, const diagnosis::WdcnnResult& result) {
+  scoring::DiagnosisRecord record;
+  record.info = inputs.test.info;
+  record.method = inputs.method;
+  record.ratio = ratio.name;
+  record.generated_per_class = ratio.generated_per_class;
+  const auto fault_classes = static_cast<std::int64_t>(record.info.classes.size()) - 1;
+  record.true_ratio = scoring::true_ratio(
+      static_cast<std::int64_t>(inputs.normal.size()),
+      static_cast<std::int64_t>(inputs.known.size()) / fault_classes, ratio.generated_per_class);
+  record.seed = seed;
+  record.protocol = inputs.protocol;
+  record.labels = inputs.test.labels;
+  record.predictions = result.predictions;
+  record.scores = result.scores;
+  record.loss = result.loss;
+  record.train_accuracy = result.train_accuracy;
+  return record;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  cli::Stage stage(
+      "diagnose",
+      "Trains the classifier WDCNN on the healthy windows B, the known fault windows C and, of "
+      "each fault class, the first windows of E that the ratio asks for; then tries it on the test "
+      "windows A. Every window is freed of its mean and scaled to unit standard deviation. The "
+      "model of the last epoch is used, never one chosen on A.",
+      "diagnose --test A.h5 --normal B.h5 --known C.h5 --generated E.h5 --ratio 10to1 "
+      "--seed 0 --output diagnosis.h5");
+  diagnosis::WdcnnOptions options;
+  std::string ratio_name;
+  std::int64_t seed = 0;
+  std::string device = "cpu";
+  bool reproducible = false;
+  fs::path test_file;
+  fs::path normal_file;
+  fs::path known_file;
+  fs::path generated_file;
+  fs::path output;
+  stage.input_file("--test", test_file, "A.h5 made by split");
+  stage.input_file("--normal", normal_file, "B.h5 made by split");
+  stage.input_file("--known", known_file, "C.h5 made by split");
+  stage.input_file("--generated", generated_file, "E.h5 made by generate; not with 100to1")
+      ->required(false);
+  stage.output_file("--output", output, "diagnosis.h5, predictions and training curves");
+  stage.app()
+      .add_option("--ratio", ratio_name,
+                  "normal to fault windows: 100to1, 50to1, 25to1, 10to1, 5to1, 2to1 or 1to1, for "
+                  "0, 5, 15, 45, 95, 145 or 495 generated windows of each fault class")
+      ->required();
+  stage.app().add_option("--seed", seed, "the repeat; names the random streams")->required();
+  stage.app().add_option("--device", device, "cpu or cuda");
+  stage.app().add_flag("--reproducible", reproducible,
+                       "leave out the attribute train_windows_per_second, the one thing here that "
+                       "differs from run to run, so that the bytes are the same each time");
+  bind(stage.app(), options);
+
+  return stage.run(argc, argv, [&] {
+    const scoring::Ratio& ratio = scoring::find_ratio(ratio_name);
+    std::optional<artefact::Reader> generated;
+    const artefact::Reader test = stage.open("test", test_file, "windows");
+    const artefact::Reader normal = stage.open("normal", normal_file, "windows");
+    const artefact::Reader known = stage.open("known", known_file, "windows");
+    if (!generated_file.empty()) {
+      generated.emplace(stage.open("generated", generated_file, "windows"));
+    }
+    const diagnosis::Inputs inputs =
+        diagnosis::read_inputs(test, normal, known, generated ? &*generated : nullptr);
+    const signal::WindowSet training = diagnosis::compose_training_set(
+        inputs.normal, inputs.known, inputs.generated ? &*inputs.generated : nullptr,
+        ratio.generated_per_class);
+    diagnosis::require_fitting_test_set(inputs.test, training);
+
+    const Stream stream(fmt::format("{}/seed{}/diagnose/{}", training.info.name, seed, ratio.name));
+    cli::Progress progress("diagnose", "epochs", static_cast<std::size_t>(options.epochs));
+    const diagnosis::WdcnnResult result = diagnosis::train_and_test(
+        diagnosis::standardise(training, "training set"),
+        diagnosis::standardise(inputs.test, "--test"), options, stream, device,
+        [&](std::int64_t done, double loss) {
+          progress.update(static_cast<std::size_t>(done), fmt::format("loss {:.3g}", loss));
+        });
+
+    scoring::DiagnosisRecord record = make_record(inputs, ratio, seed, result);
+    const double rate = static_cast<double>(options.epochs) * static_cast<double>(training.size()) /
+                        result.training_seconds;
+    if (!reproducible) record.train_windows_per_second = rate;
+    artefact::Writer writer("diagnosis");
+    scoring::write(writer, record);
+    stage.save(writer, output);
+    std::cout << fmt::format(
+        "diagnosed {} windows after training on {} ({} {}, seed {}): accuracy {:.2f} %, {:.0f} "
+        "windows/s in training: {}\n",
+        record.labels.size(), training.size(), record.method, record.ratio, seed,
+        100 * record.accuracy(), rate, output.string());
+  });
+}

@@ -1,0 +1,31 @@
+// Checks artefacts: silent and 0 when all are good, otherwise a line for each thing that is wrong.
+
+#include <iostream>
+
+#include "cli/stage.hpp"
+#include "report/verification.hpp"
+
+using namespace piae;
+
+int main(int argc, char** argv) {
+  cli::Stage stage(
+      "verify",
+      "Checks artefacts of any kind: complete, undamaged, finite, of a known schema, and "
+      "no window with two roles in a split. Silent with exit status 0 when all is good; "
+      "otherwise one line each and the bit-or of the reasons: 1 missing, truncated or "
+      "not HDF5; 4 damaged; 8 wrong kind or schema; 16 content that cannot be; 32 a "
+      "window with two roles. A usage error is 2.",
+      "verify results/demo/simulated/seed0/*.h5");
+  std::vector<std::filesystem::path> files;
+  stage.app()
+      .add_option("FILE", files, "artefacts; the roles of a split are checked together")
+      ->required();
+
+  int status = 0;
+  const int error = stage.run(argc, argv, [&] {
+    const std::vector<report::Finding> findings = report::verify(files);
+    for (const report::Finding& finding : findings) std::cout << finding.line << '\n';
+    status = report::status_of(findings);
+  });
+  return error != 0 ? error : status;
+}

@@ -1,0 +1,181 @@
+#include "twin/training.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "base/error.hpp"
+#include "known_windows.hpp"
+#include "twin/curves.hpp"
+#include "twin/generation.hpp"
+#include "twin/space.hpp"
+
+namespace piae::twin {
+namespace {
+
+namespace fs = std::filesystem;
+
+TwinOptions quick_options() {
+  TwinOptions options;
+  options.epochs = 6;
+  options.width = 16;
+  return options;
+}
+
+nets::Checkpoint checkpoint_at(const std::string& name) {
+  nets::Checkpoint checkpoint;
+  checkpoint.path = fs::path(testing::TempDir()) / name;
+  fs::remove(checkpoint.path);
+  checkpoint.interrupted = [] { return false; };
+  return checkpoint;
+}
+
+std::string bytes_of(const fs::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  std::ostringstream bytes;
+  bytes << in.rdbuf();
+  return bytes.str();
+}
+
+/// Trains with the checkpoint and returns the stored model.
+fs::path train(const nets::Checkpoint& checkpoint, const TwinOptions& options,
+               const std::string& name) {
+  const auto training = make_twin_training(known_windows(), options, Stream("test"), "cpu");
+  nets::run_epochs(*training, checkpoint);
+  artefact::Writer writer("model");
+  training->write_model(writer);
+  const fs::path path = fs::path(testing::TempDir()) / name;
+  writer.save(path, {});
+  return path;
+}
+
+TEST(TwinTraining, GivesTheSameBytesTwice) {
+  const fs::path first = train(checkpoint_at("a.ckpt"), quick_options(), "first.h5");
+  const fs::path second = train(checkpoint_at("b.ckpt"), quick_options(), "second.h5");
+  EXPECT_EQ(bytes_of(first), bytes_of(second));
+}
+
+TEST(TwinTraining, CutAfterAnyEpochAndContinuedEqualsAnUncutOne) {
+  const TwinOptions options = quick_options();
+  const std::string uncut = bytes_of(train(checkpoint_at("uncut.ckpt"), options, "uncut.h5"));
+  for (int cut = 1; cut <= options.epochs; ++cut) {
+    nets::Checkpoint checkpoint = checkpoint_at("cut.ckpt");
+    int asked = 0;
+    checkpoint.interrupted = [&] { return ++asked == cut; };
+    try {
+      train(checkpoint, options, "never.h5");
+      FAIL() << "was not interrupted after epoch " << cut;
+    } catch (const Error& error) {
+      EXPECT_EQ(error.exit(), Exit::interrupted);
+    }
+    checkpoint.interrupted = [] { return false; };
+    EXPECT_EQ(bytes_of(train(checkpoint, options, "continued.h5")), uncut) << "cut after " << cut;
+  }
+}
+
+TEST(TwinTraining, DoesNotUseACheckpointOfOtherSettings) {
+  nets::Checkpoint checkpoint = checkpoint_at("other.ckpt");
+  checkpoint.interrupted = [] { return true; };
+  EXPECT_THROW(train(checkpoint, quick_options(), "never.h5"), Error);
+  checkpoint.interrupted = [] { return false; };
+  checkpoint.provenance.options = "epochs = \"7\"\n";
+  const std::string uncut =
+      bytes_of(train(checkpoint_at("uncut.ckpt"), quick_options(), "uncut.h5"));
+  EXPECT_EQ(bytes_of(train(checkpoint, quick_options(), "anew.h5")), uncut);
+}
+
+TEST(TwinTraining, StartsAnewFromADamagedCheckpoint) {
+  nets::Checkpoint checkpoint = checkpoint_at("damaged.ckpt");
+  std::ofstream(checkpoint.path) << "not a checkpoint";
+  const std::string uncut =
+      bytes_of(train(checkpoint_at("uncut.ckpt"), quick_options(), "uncut.h5"));
+  EXPECT_EQ(bytes_of(train(checkpoint, quick_options(), "anew.h5")), uncut);
+}
+
+TEST(TwinTraining, StageOneLeavesTheLossWeightsAlone) {
+  TwinOptions options = quick_options();
+  options.stage_epochs = 2;  // Stage 1, 1, 2, 2, 1, 1
+  Curves curves;
+  curves.read(artefact::Reader(train(checkpoint_at("w.ckpt"), options, "weights.h5"), "model"));
+  EXPECT_EQ(curves.alpha[0], 1);
+  EXPECT_EQ(curves.alpha[1], 1);
+  EXPECT_NE(curves.alpha[2], 1);
+  EXPECT_NE(curves.alpha[3], curves.alpha[2]);
+  EXPECT_EQ(curves.alpha[4], curves.alpha[3]);
+}
+
+TEST(TwinTraining, HalvesTheLearningRate) {
+  TwinOptions options = quick_options();
+  options.decay_every = 2;
+  Curves curves;
+  curves.read(artefact::Reader(train(checkpoint_at("lr.ckpt"), options, "rate.h5"), "model"));
+  EXPECT_EQ(curves.learning_rate,
+            (std::vector<double>{5e-4, 5e-4, 2.5e-4, 2.5e-4, 1.25e-4, 1.25e-4}));
+}
+
+TEST(TwinTraining, LearnsToReconstruct) {
+  TwinOptions options = quick_options();
+  options.epochs = 120;
+  options.learning_rate = 2e-3;
+  options.width = 64;
+  Curves curves;
+  curves.read(artefact::Reader(train(checkpoint_at("learn.ckpt"), options, "learn.h5"), "model"));
+  EXPECT_LT(curves.reconstruction.back(), 0.8 * curves.reconstruction.front());
+  EXPECT_LT(curves.differential.back(), 0.5 * curves.differential.front());
+}
+
+TEST(TwinTraining, RefusesASilentClass) {
+  signal::WindowSet windows = known_windows();
+  std::fill(windows.samples.begin(), windows.samples.begin() + 5 * 64, 1.0F);
+  EXPECT_THROW(make_twin_training(windows, quick_options(), Stream("test"), "cpu"), Error);
+}
+
+TEST(TwinGeneration, KeepsTheFirstWindowsWhateverTheCount) {
+  const fs::path path = train(checkpoint_at("g.ckpt"), quick_options(), "generate.h5");
+  const artefact::Reader model(path, "model");
+  const signal::WindowSet few = generate(model, 2, Stream("g"), "cpu");
+  const signal::WindowSet many = generate(model, 7, Stream("g"), "cpu");
+  ASSERT_EQ(few.size(), 4U);  // two fault classes
+  ASSERT_EQ(many.size(), 14U);
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_EQ(few.parameters[i].stiffness_n_per_m, many.parameters[i].stiffness_n_per_m);
+    for (std::size_t t = 0; t < few.length; ++t) {
+      EXPECT_NEAR(few.window(i)[t], many.window(i)[t], 1e-5);
+    }
+  }
+}
+
+TEST(TwinGeneration, DrawsFromTheTwinSpace) {
+  const fs::path path = train(checkpoint_at("s.ckpt"), quick_options(), "space.h5");
+  const artefact::Reader model(path, "model");
+  const TwinSpace space(model);
+  for (const auto& parameters : generate(model, 50, Stream("g"), "cpu").parameters) {
+    EXPECT_GE(parameters.stiffness_n_per_m, space.k_edges().front() * 1e8);
+    EXPECT_LE(parameters.stiffness_n_per_m, space.k_edges().back() * 1e8);
+    EXPECT_GE(parameters.damping_ns_per_m, space.c_edges().front() * 1e2);
+    EXPECT_LE(parameters.damping_ns_per_m, space.c_edges().back() * 1e2);
+  }
+}
+
+TEST(TwinGeneration, DependsOnTheModelThatIsKept) {
+  TwinOptions options = quick_options();
+  const fs::path best = train(checkpoint_at("k1.ckpt"), options, "best.h5");
+  options.keep = "final";
+  const fs::path last = train(checkpoint_at("k2.ckpt"), options, "final.h5");
+  const artefact::Reader best_model(best, "model");
+  const artefact::Reader final_model(last, "model");
+  for (const std::string group : {"/best", "/final"}) {
+    const std::string weight = group + "/net/decoder/0/weight";
+    EXPECT_EQ(best_model.numbers<float>(weight, {0, 0}).values,
+              final_model.numbers<float>(weight, {0, 0}).values);
+  }
+  const bool last_is_best = best_model.integer("/", "best_epoch") == options.epochs;
+  const auto a = generate(best_model, 3, Stream("g"), "cpu").samples;
+  const auto b = generate(final_model, 3, Stream("g"), "cpu").samples;
+  EXPECT_EQ(a == b, last_is_best);
+}
+
+}  // namespace
+}  // namespace piae::twin
