@@ -52,8 +52,12 @@ wait "$reader"
 
 seconds=$(((${EPOCHREALTIME/./} - started) / 1000))
 seconds=$((seconds / 1000)).$((seconds % 1000 / 100))
+# The stage's last line says what it did; which stage and where stands before it already.
+summary=$(tail -n 1 "$log")
+summary=${summary#"$stage: "}
+summary=${summary%%": $folder/"*}
 case $status in
-  0) report "$(printf '%8s s  %s' "$seconds" "$(tail -n 1 "$log")")" ;;
+  0) report "$(printf '%8s s  %s' "$seconds" "$summary")" ;;
   75) report "interrupted after a checkpoint; the same command goes on from there" >&2 ;;
   *) report "failed with exit code $status after $seconds s (log: $log)" >&2 ;;
 esac

@@ -50,6 +50,9 @@ Handle fixed_string_type(std::size_t length) {
   return type;
 }
 
+/// Bytes by which a file in memory grows; the file on the disk is padded to a multiple of it.
+constexpr std::size_t growth = 4096;
+
 /// Keeps the bytes of a file in memory when HDF5 lets go of them in closing it.
 struct ImageKeeper {
   std::size_t wanted = 0;  ///< bytes of the file; 0 while none is being closed
@@ -103,7 +106,7 @@ MemoryFile::MemoryFile() : access_(property_list(H5P_FILE_ACCESS)) {
   H5FD_file_image_callbacks_t callbacks{allocate_image, copy_image,  reallocate_image,
                                         release_image,  same_keeper, no_keeper_to_free,
                                         &keeper};
-  check(H5Pset_fapl_core(access_, std::size_t{1} << 20U, 0), "file in memory");
+  check(H5Pset_fapl_core(access_, growth, 0), "file in memory");
   check(H5Pset_file_image_callbacks(access_, &callbacks), "file in memory");
   check(H5Pset_libver_bounds(access_, H5F_LIBVER_V110, H5F_LIBVER_V110), "file format");
   const Handle creation = property_list(H5P_FILE_CREATE);
@@ -123,7 +126,7 @@ std::vector<std::byte> MemoryFile::close() {
 
 Handle open_image(std::span<const std::byte> image) {
   const Handle access = property_list(H5P_FILE_ACCESS);
-  check(H5Pset_fapl_core(access, std::size_t{1} << 20U, 0), "file in memory");
+  check(H5Pset_fapl_core(access, growth, 0), "file in memory");
   // HDF5 copies the image; the interface is merely not const-correct.
   check(H5Pset_file_image(access, const_cast<std::byte*>(image.data()), image.size()), "open");
   return {H5Fopen(new_name().c_str(), H5F_ACC_RDONLY, access), "open"};

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <string>
+#include <tuple>
 
 namespace piae::diagnosis {
 
@@ -37,6 +38,14 @@ std::vector<nets::ParameterSpec> specs_of(std::int64_t length, std::int64_t clas
   return specs;
 }
 
+/// Max-pooling of [n, channels, length]. A maximum over an axis of two costs LibTorch a third less
+/// than its max_pool1d, and gives the same bits.
+torch::Tensor pool(torch::Tensor x) {
+  const std::int64_t pooled = x.size(2) / WdcnnLayers::pooling;
+  if (x.size(2) % WdcnnLayers::pooling != 0) x = x.narrow(2, 0, pooled * WdcnnLayers::pooling);
+  return std::get<0>(x.unflatten(2, {pooled, WdcnnLayers::pooling}).max(3));
+}
+
 }  // namespace
 
 WdcnnNetwork::WdcnnNetwork(std::int64_t length, std::int64_t classes, const Stream& stream,
@@ -66,7 +75,7 @@ torch::Tensor WdcnnNetwork::convolve(std::size_t i, const torch::Tensor& input, 
   const Layer& layer = layers_[i];
   const torch::Tensor filtered = torch::conv1d(input, layer.weight, {}, c.stride, c.padding);
   // ReLU after pooling is the same as before it, on half as many values.
-  return torch::max_pool1d(normalise(layer, filtered, mode), WdcnnLayers::pooling).relu_();
+  return pool(normalise(layer, filtered, mode)).relu_();
 }
 
 torch::Tensor WdcnnNetwork::forward(const torch::Tensor& windows, Mode mode) {

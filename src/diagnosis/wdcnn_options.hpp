@@ -10,7 +10,7 @@ namespace piae::diagnosis {
 struct WdcnnOptions {
   std::int64_t epochs = 50;     ///< passes over the training set
   std::int64_t batch = 32;      ///< windows a step
-  double learning_rate = 1e-2;  ///< of Adam, constant
+  double learning_rate = 5e-3;  ///< of Adam, constant
 };
 
 void bind(CLI::App& app, WdcnnOptions& options);

@@ -52,8 +52,8 @@ struct Description {
 Description read_description(const std::filesystem::path& file);
 
 /// The part that every description has: name, shaft_speed_rpm, unit_m_per_s2, [bearing] and the
-/// given [[class]] tables. Leaves sample_rate_hz to the caller, and finish() of `root` and `classes` too: other
-/// keys may follow.
+/// given [[class]] tables. Leaves sample_rate_hz to the caller, and finish() of `root` and
+/// `classes` too: other keys may follow.
 DatasetInfo read_info(TomlTable& root, std::vector<TomlTable>& classes);
 
 }  // namespace piae::signal

@@ -73,6 +73,7 @@ std::vector<std::size_t> records_of(const Recordings& recordings, int label) {
 std::vector<std::size_t> lengths_of(const Recordings& recordings,
                                     const std::vector<std::size_t>& indices) {
   std::vector<std::size_t> lengths;
+  lengths.reserve(indices.size());
   for (const std::size_t i : indices) lengths.push_back(recordings.records[i].signal.size());
   return lengths;
 }

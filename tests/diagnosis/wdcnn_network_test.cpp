@@ -15,11 +15,13 @@ using Batch = std::vector<Channels>;                // [n]
 
 constexpr std::int64_t classes = 10;
 
-WdcnnNetwork double_network() { return {1024, classes, Stream("network"), torch::kFloat64}; }
+WdcnnNetwork double_network(std::int64_t length = 1024) {
+  return {length, classes, Stream("network"), torch::kFloat64};
+}
 
-torch::Tensor random_windows(std::int64_t n) {
+torch::Tensor random_windows(std::int64_t n, std::int64_t length = 1024) {
   Stream stream("windows");
-  torch::Tensor windows = torch::empty({n, 1024}, torch::kFloat64);
+  torch::Tensor windows = torch::empty({n, length}, torch::kFloat64);
   for (std::int64_t i = 0; i < windows.numel(); ++i) {
     windows.data_ptr<double>()[i] = stream.normal(0, 1);
   }
@@ -205,6 +207,13 @@ TEST(WdcnnNetwork, ForwardPassEqualsPlainLoops) {
   expect_equal(by_loops(network, windows, false), network.forward(windows, Mode::training));
   // The pass above has moved the running statistics away from 0 and 1.
   expect_equal(by_loops(network, windows, true), network.forward(windows, Mode::evaluation));
+}
+
+TEST(WdcnnNetwork, ForwardPassWhereAValueIsLeftOverInPooling) {
+  constexpr std::int64_t length = 1040;  // 65 values after the first convolution
+  WdcnnNetwork network = double_network(length);
+  const torch::Tensor windows = random_windows(3, length);
+  expect_equal(by_loops(network, windows, false), network.forward(windows, Mode::training));
 }
 
 TEST(WdcnnNetwork, RunningStatisticsFollowTheClosedForm) {

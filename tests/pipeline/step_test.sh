@@ -14,8 +14,8 @@ own_stage() {
 step() { pipeline/step.sh results/t/real/seed0 own "$@"; }
 
 test_says_in_one_line_what_was_done() {
-  own_stage <<<'echo many words; echo "own: 3 windows"'
-  expect_line "$(step)" '^real/seed0 +own +[0-9]+\.[0-9] s  own: 3 windows$'
+  own_stage <<<'echo many words; echo "own: 3 windows: results/t/real/seed0/A.h5"'
+  expect_line "$(step)" '^real/seed0 +own +[0-9]+\.[0-9] s  3 windows$'
   expect_equal "$(step | wc -l)" 1
 }
 
@@ -46,7 +46,7 @@ test_names_a_folder_that_cannot_be_made() {
 
 test_submit_goes_before_the_stage() {
   own_stage <<<'echo "own: here"'
-  expect_line "$(SUBMIT="env MARK=1 nice -n 1" step)" "own: here"
+  expect_line "$(SUBMIT="env MARK=1 nice -n 1" step)" "here"
   expect_line "$(<results/t/real/seed0/own.log)" '^env MARK=1 nice -n 1 fake/own'
 }
 

@@ -1,0 +1,209 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <hdf5.h>
+
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <set>
+#include <sstream>
+
+#include "artefact/file.hpp"
+#include "artefact/reader.hpp"
+#include "artefact/writer.hpp"
+#include "base/random.hpp"
+
+namespace piae::artefact {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+class Artefact : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ =
+        fs::path(testing::TempDir()) /
+        ("artefact-" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  /// An artefact with one dataset of every type, a list of strings and attributes.
+  fs::path example(const std::string& name, const std::string& options = "a = \"1\"\n") const {
+    Writer writer("example");
+    writer.numbers("/float", std::vector<float>{1.5F, -2.0F, 0.25F, 4.0F, 5.0F, 6.0F}, {2, 3});
+    writer.numbers("/group/double", std::vector<double>{1e300, -1e-300});
+    writer.numbers("/group/int32", std::vector<std::int32_t>{-7, 7});
+    writer.numbers("/group/int64", std::vector<std::int64_t>{1LL << 60});
+    writer.strings("/names", {"Normal", "", "IR007"});
+    writer.attribute("/", "seed", std::int64_t{3});
+    writer.attribute("/group", "rate_hz", 12000.0);
+    writer.attribute("/", "empty", std::string());
+    writer.save(folder_ / name, {"tester", options, {{"known", "C.h5", "abc"}}});
+    return folder_ / name;
+  }
+
+  static Refusal refusal_of(const fs::path& path, const std::string& kind = "example") {
+    try {
+      const Reader reader(path, kind);
+    } catch (const Refusal& refusal) {
+      return refusal;
+    }
+    throw std::runtime_error("was not refused");
+  }
+
+  fs::path folder_;
+};
+
+std::vector<std::byte> slurp(const fs::path& path) { return read_file(path); }
+
+void spill(const fs::path& path, const std::vector<std::byte>& bytes) {
+  std::ofstream(path, std::ios::binary)
+      .write(reinterpret_cast<const char*>(bytes.data()),
+             static_cast<std::streamsize>(bytes.size()));
+}
+
+TEST_F(Artefact, GivesBackWhatWasWritten) {
+  const Reader reader(example("a.h5"), "example");
+  const auto floats = reader.numbers<float>("/float", {2, 0});
+  EXPECT_EQ(floats.shape, (hdf5::Shape{2, 3}));
+  EXPECT_EQ(floats.values, (std::vector<float>{1.5F, -2.0F, 0.25F, 4.0F, 5.0F, 6.0F}));
+  EXPECT_EQ(reader.numbers<double>("/group/double", {0}).values,
+            (std::vector<double>{1e300, -1e-300}));
+  EXPECT_EQ(reader.numbers<std::int32_t>("/group/int32", {2}).values,
+            (std::vector<std::int32_t>{-7, 7}));
+  EXPECT_EQ(reader.numbers<std::int64_t>("/group/int64", {1}).values[0], 1LL << 60);
+  EXPECT_EQ(reader.strings("/names"), (std::vector<std::string>{"Normal", "", "IR007"}));
+  EXPECT_EQ(reader.integer("/", "seed"), 3);
+  EXPECT_EQ(reader.real("/group", "rate_hz"), 12000.0);
+  EXPECT_EQ(reader.text("/", "empty"), "");
+  EXPECT_EQ(reader.list("/group"), (std::vector<std::string>{"double", "int32", "int64"}));
+  EXPECT_TRUE(reader.has("/group/int32"));
+  EXPECT_FALSE(reader.has("/no/such"));
+}
+
+TEST_F(Artefact, HasTheSameBytesWhenWrittenAgain) {
+  EXPECT_EQ(slurp(example("a.h5")), slurp(example("b.h5")));
+}
+
+TEST_F(Artefact, DigestLeavesProvenanceOut) {
+  const Reader one(example("a.h5", "a = \"1\"\n"), "");
+  const Reader two(example("b.h5", "a = \"2\"\n"), "");
+  EXPECT_EQ(one.digest(), two.digest());
+  EXPECT_NE(slurp(one.path()), slurp(two.path()));
+}
+
+TEST_F(Artefact, DigestDependsOnEveryValueNameAndShape) {
+  std::set<std::string> digests;
+  const auto add = [&](const std::string& path, std::vector<std::int32_t> values,
+                       const hdf5::Shape& shape, std::int64_t attribute) {
+    Writer writer("example");
+    writer.numbers(path, values, shape);
+    writer.attribute("/", "x", attribute);
+    writer.save(folder_ / "d.h5", {});
+    digests.insert(Reader(folder_ / "d.h5", "").digest());
+  };
+  add("/a", {1, 2}, {2}, 0);
+  add("/a", {1, 3}, {2}, 0);
+  add("/b", {1, 2}, {2}, 0);
+  add("/a", {1, 2}, {1, 2}, 0);
+  add("/a", {1, 2}, {2}, 1);
+  EXPECT_EQ(digests.size(), 5U);
+}
+
+// The promise itself: whatever byte changes, no changed value is ever read.
+TEST_F(Artefact, NoFlippedByteIsSilentlyUsed) {
+  const fs::path good = example("good.h5");
+  const std::vector<std::byte> bytes = slurp(good);
+  const std::string digest = Reader(good, "").digest();
+  const fs::path bad = folder_ / "bad.h5";
+  std::size_t refused = 0;
+  for (std::size_t i = 0; i < bytes.size(); i += 7) {
+    std::vector<std::byte> flipped = bytes;
+    flipped[i] ^= std::byte{0x10};
+    spill(bad, flipped);
+    try {
+      const Reader reader(bad, "example");
+      EXPECT_EQ(reader.digest(), digest) << "byte " << i;
+      EXPECT_EQ(reader.numbers<float>("/float", {2, 3}).values[1], -2.0F) << "byte " << i;
+    } catch (const Refusal& refusal) {
+      ++refused;
+      EXPECT_THAT(refusal.what(), HasSubstr("bad.h5")) << "byte " << i;
+    }
+  }
+  EXPECT_GT(refused, bytes.size() / 140);  // the rest is padding that holds no value
+}
+
+TEST_F(Artefact, ATruncatedFileIsRefused) {
+  const std::vector<std::byte> bytes = slurp(example("good.h5"));
+  for (const std::size_t keep :
+       {std::size_t{0}, std::size_t{7}, std::size_t{100}, bytes.size() / 2}) {
+    spill(folder_ / "short.h5", {bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(keep)});
+    const Refusal refusal = refusal_of(folder_ / "short.h5");
+    EXPECT_EQ(refusal.exit(), Exit::bad_input);
+    EXPECT_EQ(refusal.fault(), Fault::unreadable);
+  }
+}
+
+TEST_F(Artefact, RefusalsSayWhatAndWhere) {
+  const Refusal missing = refusal_of(folder_ / "none.h5");
+  EXPECT_EQ(missing.exit(), Exit::input_missing);
+  EXPECT_THAT(missing.what(), HasSubstr("none.h5"));
+  EXPECT_EQ(refusal_of(folder_).exit(), Exit::input_missing);
+
+  const Refusal kind = refusal_of(example("a.h5"), "windows");
+  EXPECT_EQ(kind.fault(), Fault::wrong_kind);
+  EXPECT_THAT(kind.what(), HasSubstr("'example'"));
+  EXPECT_THAT(kind.what(), HasSubstr("'windows'"));
+
+  const fs::path foreign = folder_ / "foreign.h5";
+  H5Fclose(H5Fcreate(foreign.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT));
+  EXPECT_EQ(refusal_of(foreign).fault(), Fault::wrong_kind);
+
+  const Reader reader(example("b.h5"), "example");
+  EXPECT_THROW((void)reader.numbers<double>("/float", {0, 0}), Refusal);  // another type
+  EXPECT_THROW((void)reader.numbers<float>("/float", {6}), Refusal);      // another rank
+  EXPECT_THROW((void)reader.numbers<float>("/float", {3, 2}), Refusal);   // another shape
+  EXPECT_THROW((void)reader.numbers<float>("/no", {0}), Refusal);
+  EXPECT_THROW((void)reader.strings("/float"), Refusal);
+  EXPECT_THROW((void)reader.real("/", "seed"), Refusal);  // an integer
+  EXPECT_THROW((void)reader.text("/", "no"), Refusal);
+}
+
+TEST_F(Artefact, NothingThatIsNotFiniteIsWritten) {
+  Writer writer("example");
+  const std::vector<float> values{1, std::numeric_limits<float>::quiet_NaN()};
+  EXPECT_THROW(writer.numbers("/x", values), Error);
+  EXPECT_THROW(writer.attribute("/", "x", std::numeric_limits<double>::infinity()), Error);
+  EXPECT_THROW(writer.numbers("/x", std::vector<float>{1, 2}, {3}), std::logic_error);
+}
+
+TEST_F(Artefact, FailedWritesLeaveNothing) {
+  std::ofstream(folder_ / "file") << "not a folder";
+  Writer writer("example");
+  try {
+    writer.save(folder_ / "file" / "a.h5", {});
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.exit(), Exit::failed);
+    EXPECT_THAT(error.what(), HasSubstr("file"));
+  }
+  fs::create_directories(folder_ / "a.h5");  // a folder stands where the artefact should
+  const std::byte byte{1};
+  EXPECT_THROW(write_file_atomically(folder_ / "a.h5", {&byte, 1}), Error);
+  EXPECT_FALSE(fs::exists(folder_ / "a.h5.partial"));
+}
+
+TEST_F(Artefact, SaysHowItWasMade) {
+  const Reader reader(example("a.h5"), "");
+  EXPECT_EQ(reader.text("/provenance", "program"), "tester");
+  EXPECT_EQ(reader.strings("/provenance/options"), (std::vector<std::string>{"a = \"1\"\n"}));
+  EXPECT_EQ(reader.strings("/provenance/inputs"), (std::vector<std::string>{"known C.h5 abc"}));
+  EXPECT_THAT(reader.text("/provenance", "libraries"), HasSubstr("HDF5"));
+  EXPECT_THAT(reader.text("/provenance", "cpu"), HasSubstr("threads"));
+}
+
+}  // namespace
+}  // namespace piae::artefact

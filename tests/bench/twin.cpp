@@ -1,0 +1,43 @@
+// One training epoch of PIAE-DT as on CWRU: 45 known windows of 1024 samples, 9 fault classes,
+// batch 5. Stage 1 (eq. 24) and Stage 2 (eq. 25) cost differently and are timed apart.
+
+#include <benchmark/benchmark.h>
+
+#include "base/random.hpp"
+#include "twin/training.hpp"
+
+namespace piae::twin {
+namespace {
+
+signal::WindowSet known_windows() {
+  signal::WindowSet set;
+  set.info.name = "bench";
+  set.info.sample_rate_hz = 12000;
+  set.info.shaft_speed_rpm = 1797;
+  set.info.classes.push_back({"Normal", signal::Defect::none, 0});
+  set.length = 1024;
+  Stream stream("bench/twin");
+  for (std::int32_t label = 1; label <= 9; ++label) {
+    set.info.classes.push_back({"fault" + std::to_string(label), signal::Defect::inner, 0.2});
+    set.labels.insert(set.labels.end(), 5, label);
+  }
+  set.samples.resize(set.size() * set.length);
+  for (float& sample : set.samples) sample = static_cast<float>(stream.normal(0, 1));
+  return set;
+}
+
+void twin_training_epoch(benchmark::State& state) {
+  const signal::WindowSet known = known_windows();
+  const auto training = make_twin_training(known, TwinOptions{}, Stream("bench"), "cpu");
+  training->run_epoch(0);  // LibTorch warms up
+  // With one epoch a stage, even epochs are in Stage 1 and odd ones in Stage 2.
+  const auto epoch = static_cast<std::size_t>(state.range(0) - 1);
+  while (state.KeepRunning()) training->run_epoch(epoch);
+  state.counters["windows/s"] = benchmark::Counter(
+      static_cast<double>(state.iterations()) * static_cast<double>(known.size()),
+      benchmark::Counter::kIsRate);
+}
+BENCHMARK(twin_training_epoch)->ArgName("stage")->Arg(1)->Arg(2)->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace piae::twin

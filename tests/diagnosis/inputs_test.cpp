@@ -1,0 +1,100 @@
+#include "diagnosis/inputs.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "artefact/writer.hpp"
+#include "base/error.hpp"
+#include "diagnosis/sets.hpp"
+
+namespace piae::diagnosis {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+/// What differs between the files of the tests.
+struct File {
+  std::string role;
+  std::int64_t seed = 0;
+  std::string protocol = "random";
+  std::string records_digest = "abc";
+  std::int64_t first_sample = 0;
+};
+
+artefact::Reader written(const File& file) {
+  signal::WindowSet set = testing_sets::empty_set(4);
+  testing_sets::add(set, file.role == "B" ? 0 : 1, 1, 5);
+  if (file.role != "E") {
+    set.record_names = {"r"};
+    set.record = {0};
+    set.first_sample = {file.first_sample};
+  }
+  artefact::Writer writer("windows");
+  write(writer, set);
+  writer.attribute("/", "role", file.role);
+  writer.attribute("/", "seed", file.seed);
+  writer.attribute("/", "protocol", file.protocol);
+  if (file.role == "E") {
+    writer.attribute("/", "method", std::string("piae-dt"));
+  } else {
+    writer.attribute("/", "records_digest", file.records_digest);
+  }
+  const fs::path path = fs::path(testing::TempDir()) / ("inputs_" + file.role + ".h5");
+  writer.save(path, {});
+  return {path, "windows"};
+}
+
+const File a{"A", 3, "random", "abc", 0};
+const File b{"B", 3, "random", "abc", 10};
+const File c{"C", 3, "random", "abc", 20};
+const File e{"E", 3};
+
+void expect_refused(const std::string& part, const File& test, const File& normal,
+                    const File& known, const File& generated) {
+  const artefact::Reader readers[] = {written(test), written(normal), written(known),
+                                      written(generated)};
+  try {
+    read_inputs(readers[0], readers[1], readers[2], &readers[3]);
+    FAIL() << "no error with " << part;
+  } catch (const Error& error) {
+    EXPECT_EQ(error.exit(), Exit::bad_input);
+    EXPECT_THAT(error.what(), HasSubstr(part));
+  }
+}
+
+TEST(Inputs, OfOneRepeat) {
+  const artefact::Reader generated = written(e);
+  const Inputs inputs = read_inputs(written(a), written(b), written(c), &generated);
+  EXPECT_EQ(inputs.method, "piae-dt");
+  EXPECT_EQ(inputs.protocol, "random");
+  EXPECT_EQ(inputs.test.first_sample.at(0), 0);
+  EXPECT_EQ(inputs.normal.first_sample.at(0), 10);
+  EXPECT_EQ(inputs.known.first_sample.at(0), 20);
+  EXPECT_EQ(inputs.generated.value().size(), 1U);
+}
+
+TEST(Inputs, WithoutGeneratedWindowsTheMethodIsNone) {
+  const Inputs inputs = read_inputs(written(a), written(b), written(c), nullptr);
+  EXPECT_EQ(inputs.method, "none");
+  EXPECT_FALSE(inputs.generated.has_value());
+}
+
+TEST(Inputs, RefusesFilesInEachOthersPlace) {
+  expect_refused("has role B, needed is A", b, b, c, e);
+  expect_refused("has role A, needed is C", a, b, a, e);
+  expect_refused("has role C, needed is E", a, b, c, c);
+}
+
+TEST(Inputs, RefusesFilesOfDifferentSplits) {
+  expect_refused("has seed 4", a, b, {"C", 4, "random", "abc", 20}, e);
+  expect_refused("records_digest", a, b, {"C", 3, "random", "other", 20}, e);
+  expect_refused("share a window", a, b, {"C", 3, "random", "abc", 0}, e);
+  expect_refused("has seed 2", a, b, c, {"E", 2});
+  expect_refused("is of split protocol blocked", a, b, c, {"E", 3, "blocked"});
+}
+
+}  // namespace
+}  // namespace piae::diagnosis

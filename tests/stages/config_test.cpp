@@ -1,0 +1,109 @@
+#include <gtest/gtest.h>
+
+#include "stages/tiny.hpp"
+
+/// Options from a TOML file.
+namespace piae::stages {
+namespace {
+
+const Arguments split_files{"--config", "options.toml", "--records", "records.h5", "--seed",
+                            "0",        "--output-dir", "configured"};
+const Arguments train_files{"--config", "options.toml", "--known",      "C.h5", "--seed",
+                            "0",        "--output",     "configured.h5"};
+
+void expect_same_bytes(const fs::path& one, const fs::path& other) {
+  EXPECT_EQ(bytes_of(one), bytes_of(other)) << one << ' ' << other;
+}
+
+TEST(Config, GivesWhatTheCommandLineGives) {
+  const Tiny tiny;
+  tiny.run_chain_before("generate");
+  tiny.write("options.toml", R"(
+[split]
+windows-per-class = 40
+test-per-class = 10   # a comment
+known-per-class = 5
+[train]
+method = "piae-dt"
+epochs = 9            # the method's own table wins
+[train.piae-dt]
+width = 8
+epochs = 4
+[train.other]
+colour = "not this program's business"
+[diagnose]
+colour = "not this program's business"
+)");
+  const Outcome split = tiny.run("split", split_files);
+  ASSERT_EQ(split.status, 0) << split.err;
+  expect_same_bytes(tiny / "C.h5", tiny / "configured/C.h5");
+  const Outcome train = tiny.run("train", train_files);
+  ASSERT_EQ(train.status, 0) << train.err;
+  expect_same_bytes(tiny / "model.h5", tiny / "configured.h5");
+}
+
+TEST(Config, FileForOneProgramNeedsNoTable) {
+  const Tiny tiny;
+  tiny.run_chain_before("train");
+  tiny.write("options.toml", "windows-per-class = 40\ntest-per-class = 10\nknown-per-class = 5\n");
+  ASSERT_EQ(tiny.run("split", split_files).status, 0);
+  expect_same_bytes(tiny / "A.h5", tiny / "configured/A.h5");
+}
+
+TEST(Config, CommandLineWins) {
+  const Tiny tiny;
+  tiny.run_chain_before("train");
+  tiny.write(
+      "options.toml",
+      "[split]\nseed = 7\nwindows-per-class = 30\ntest-per-class = 10\nknown-per-class = 5\n");
+  ASSERT_EQ(tiny.run("split", with(split_files, "--windows-per-class", "40")).status, 0);
+  expect_same_bytes(tiny / "A.h5", tiny / "configured/A.h5");
+}
+
+/// The text of options.toml is refused with these words, and nothing is written.
+void expect_text_refused(const std::string& text, std::vector<std::string> words) {
+  SCOPED_TRACE(text);
+  const Tiny tiny;
+  tiny.write("options.toml", text);
+  const std::set<std::string> before = tiny.files();
+  words.emplace_back("options.toml");
+  expect_refusal(tiny.run("split", split_files), "split", 2, words);
+  EXPECT_EQ(tiny.files(), before);
+}
+
+TEST(Config, UnknownKeyIsNamed) {
+  expect_text_refused("[split]\ncolour = 3\n", {"colour"});
+  expect_text_refused("colour = 3\n", {"colour"});
+}
+
+TEST(Config, InvalidFileIsNamedWithTheLine) {
+  expect_text_refused("[split]\nwindow = \n", {"TOML", "line 2"});
+  expect_text_refused("\x89PNG", {"TOML"});
+}
+
+TEST(Config, WrongValueIsNamed) {
+  const Tiny tiny;
+  tiny.write("options.toml", "[split]\nwindow = \"wide\"\n");
+  expect_refusal(tiny.run("split", split_files), "split", 2, {"window", "wide"});
+}
+
+TEST(Config, MissingFileIsAMissingInput) {
+  const Tiny tiny;
+  expect_refusal(tiny.run("split", split_files), "split", 66, {"options.toml"});
+  expect_refusal(tiny.run("train", with(train_files, "--method", "piae-dt")), "train", 66,
+                 {"options.toml"});
+}
+
+TEST(Config, TheProtocolOfTheProjectIsUnderstoodByEveryStage) {
+  // Up to the first missing input: by then all options have been read.
+  const Tiny tiny;
+  const std::string protocol = std::string(PIAE_SOURCE) + "/pipeline/protocol.toml";
+  for (const Step& step : chain()) {
+    if (step.stage == "simulate") continue;
+    const Outcome outcome = tiny.run(step.stage, with(step.arguments, "--config", protocol));
+    EXPECT_EQ(outcome.status, 66) << step.stage << ": " << outcome.err;
+  }
+}
+
+}  // namespace
+}  // namespace piae::stages

@@ -1,0 +1,121 @@
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <random>
+#include <thread>
+
+#include "stages/tiny.hpp"
+
+/// Stages that are cut at any moment.
+namespace piae::stages {
+namespace {
+
+class Interruption : public testing::Test {
+ protected:
+  void SetUp() override {
+    tiny_.run_chain_before("train");
+    ASSERT_EQ(tiny_.run("train", to("uncut.h5")).status, 0);
+  }
+
+  [[nodiscard]] static Arguments to(const std::string& model) {
+    return with(with(step_of("train").arguments, "--epochs", "400"), "--output", model);
+  }
+
+  /// A file under its final name is complete.
+  void expect_nothing_or_good(const std::string& file) const {
+    if (!fs::exists(tiny_ / file)) return;
+    const Outcome verified = tiny_.run("verify", {file});
+    EXPECT_EQ(verified.status, 0) << verified.out;
+  }
+  void expect_finished_as_uncut() const {
+    const Outcome outcome = tiny_.run("train", to("cut.h5"));
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_EQ(bytes_of(tiny_ / "cut.h5"), bytes_of(tiny_ / "uncut.h5"));
+    EXPECT_FALSE(fs::exists(tiny_ / "cut.h5.checkpoint"));
+    EXPECT_FALSE(fs::exists(tiny_ / "cut.h5.partial"));
+    EXPECT_FALSE(fs::exists(tiny_ / "cut.h5.checkpoint.partial"));
+  }
+
+  Tiny tiny_;
+  std::mt19937 random_{17};
+};
+
+TEST_F(Interruption, SigtermLeavesACheckpointFromWhichTheSameCommandGoesOn) {
+  for (int cut = 0; cut < 2; ++cut) {
+    Process train(tiny_.path(), "train", to("cut.h5"));
+    train.wait_until_it_catches_sigterm();
+    train.send(SIGTERM);
+    const Outcome outcome = train.wait();
+    ASSERT_EQ(outcome.status, 75) << outcome.err;
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_NE(outcome.err.find("train: interrupted after epoch"), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find("cut.h5.checkpoint"), std::string::npos) << outcome.err;
+    EXPECT_FALSE(fs::exists(tiny_ / "cut.h5"));
+    ASSERT_TRUE(fs::exists(tiny_ / "cut.h5.checkpoint"));
+    expect_nothing_or_good("cut.h5.checkpoint");
+  }
+  expect_finished_as_uncut();
+}
+
+TEST_F(Interruption, DamagedOrForeignCheckpointIsNotUsed) {
+  Process train(tiny_.path(), "train", to("cut.h5"));
+  train.wait_until_it_catches_sigterm();
+  train.send(SIGTERM);
+  ASSERT_EQ(train.wait().status, 75);
+  const std::string checkpoint = bytes_of(tiny_ / "cut.h5.checkpoint");
+
+  std::string damaged = checkpoint;
+  damaged[damaged.size() / 2] = static_cast<char>(damaged[damaged.size() / 2] ^ 1);
+  write_bytes(tiny_ / "cut.h5.checkpoint", damaged);
+  expect_finished_as_uncut();
+
+  write_bytes(tiny_ / "other.h5.checkpoint", checkpoint);
+  const Arguments other = with(with(to("other.h5"), "--epochs", "4"), "--seed", "1");
+  const Outcome outcome = tiny_.run("train", other);
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_NE(outcome.err.find("starts anew"), std::string::npos) << outcome.err;
+  ASSERT_EQ(tiny_.run("train", with(other, "--output", "fresh.h5")).status, 0);
+  EXPECT_EQ(bytes_of(tiny_ / "other.h5"), bytes_of(tiny_ / "fresh.h5"));
+}
+
+TEST_F(Interruption, KilledTrainingLeavesNothingHalf) {
+  for (int cut = 0; cut < 6; ++cut) {
+    Process train(tiny_.path(), "train", to("cut.h5"));
+    train.wait_until_it_catches_sigterm();
+    std::this_thread::sleep_for(std::chrono::milliseconds(random_() % 30));
+    train.send(SIGTERM);  // so that the kill falls around the checkpoint
+    std::this_thread::sleep_for(std::chrono::microseconds(random_() % 8000));
+    train.send(SIGKILL);
+    const int status = train.wait().status;
+    EXPECT_TRUE(status == 128 + SIGKILL || status == 75) << status;
+    expect_nothing_or_good("cut.h5");
+    expect_nothing_or_good("cut.h5.checkpoint");
+  }
+  expect_finished_as_uncut();
+}
+
+TEST(Killed, SplitLeavesNothingHalf) {
+  const Tiny tiny;
+  tiny.run_chain_before("train");
+  const Arguments arguments = with(step_of("split").arguments, "--output-dir", "cut");
+  std::mt19937 random(5);
+  for (int cut = 0; cut < 12; ++cut) {
+    Process split(tiny.path(), "split", arguments);
+    std::this_thread::sleep_for(std::chrono::microseconds(random() % 40000));
+    split.send(SIGKILL);
+    (void)split.wait();
+    for (const std::string& role : step_of("split").outputs) {
+      const std::string file = "cut/" + role;
+      if (!fs::exists(tiny / file)) continue;
+      EXPECT_EQ(tiny.run("verify", {file}).status, 0) << file;
+    }
+  }
+  ASSERT_EQ(tiny.run("split", arguments).status, 0);
+  for (const std::string& role : step_of("split").outputs) {
+    EXPECT_EQ(bytes_of(tiny / role), bytes_of(tiny / ("cut/" + role)));
+    EXPECT_FALSE(fs::exists(tiny / ("cut/" + role + ".partial")));
+  }
+}
+
+}  // namespace
+}  // namespace piae::stages

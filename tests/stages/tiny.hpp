@@ -1,0 +1,182 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "signal/folder.hpp"
+#include "stages/program.hpp"
+
+namespace piae::stages {
+
+/// A simulated dataset that takes a fraction of a second: three classes of two short records.
+inline const std::string tiny_description = R"(
+name = "tiny"
+sample_rate_hz = 12000
+shaft_speed_rpm = 1797
+[bearing]
+balls = 9
+ball_diameter_mm = 7.94
+pitch_diameter_mm = 39.0
+inner_raceway_mm = 31.06
+outer_raceway_mm = 46.94
+contact_angle_deg = 0
+[[class]]
+name = "Normal"
+defect = "none"
+[[class]]
+name = "IR007"
+defect = "inner"
+defect_size_mm = 0.1778
+[[class]]
+name = "OR021"
+defect = "outer"
+defect_size_mm = 0.5334
+[simulation]
+seed = 0
+records_per_class = 2
+record_s = 0.5
+mass_kg = 1.0
+stiffness_n_per_m = 1e8
+stiffness_spread = 0.1
+damping_ns_per_m = 500
+damping_spread = 0.2
+clearance_um = 2.0
+load_n = 1000
+slip_max = 0.01
+speed_spread = 0.001
+snr_db = 10
+)";
+
+/// One step of the chain from a simulation to the tables.
+struct Step {
+  std::string stage;
+  Arguments arguments;
+  std::vector<std::string> outputs;
+};
+
+/// The whole chain, each step with the files that it writes, below the folder it runs in. Two
+/// diagnoses: without and with generated windows.
+inline const std::vector<Step>& chain() {
+  static const std::string cell = "run/tiny/seed0/";
+  static const std::vector<Step> steps{
+      {"simulate", {"--description", "tiny.toml", "--output", "records.h5"}, {"records.h5"}},
+      {"split",
+       {"--records", "records.h5", "--seed", "0", "--windows-per-class", "40", "--test-per-class",
+        "10", "--known-per-class", "5", "--output-dir", "."},
+       {"A.h5", "B.h5", "C.h5", "D.h5"}},
+      {"train",
+       {"--method", "piae-dt", "--known", "C.h5", "--seed", "0", "--width", "8", "--epochs", "4",
+        "--output", "model.h5"},
+       {"model.h5"}},
+      {"generate",
+       {"--model", "model.h5", "--count", "5", "--seed", "0", "--output", "E.h5"},
+       {"E.h5"}},
+      {"score",
+       {"--generated", "E.h5", "--real", "D.h5", "--output", cell + "piae-dt/score.h5"},
+       {cell + "piae-dt/score.h5"}},
+      {"diagnose",
+       {"--test", "A.h5", "--normal", "B.h5", "--known", "C.h5", "--ratio", "100to1", "--seed", "0",
+        "--epochs", "2", "--reproducible", "--output", cell + "none/100to1/diagnosis.h5"},
+       {cell + "none/100to1/diagnosis.h5"}},
+      {"diagnose",
+       {"--test", "A.h5", "--normal", "B.h5", "--known", "C.h5", "--generated", "E.h5", "--ratio",
+        "50to1", "--seed", "0", "--epochs", "2", "--reproducible", "--output",
+        cell + "piae-dt/50to1/diagnosis.h5"},
+       {cell + "piae-dt/50to1/diagnosis.h5"}},
+      {"tabulate",
+       {"--run", "run", "--dataset", "tiny", "--methods", "none", "piae-dt", "--ratios", "100to1",
+        "50to1", "--seeds", "0", "--published", std::string(PIAE_SOURCE) + "/results/published"},
+       {"run/tiny/accuracy.csv", "run/tiny/quality.csv", "run/tiny/tables.md"}},
+  };
+  return steps;
+}
+
+/// The last step of a stage: for diagnose the one with generated windows.
+inline const Step& step_of(const std::string& stage) {
+  const Step* found = nullptr;
+  for (const Step& step : chain()) {
+    if (step.stage == stage) found = &step;
+  }
+  if (found == nullptr) throw std::logic_error("no step " + stage);
+  return *found;
+}
+
+/// A copy with another value for an option.
+inline Arguments with(Arguments arguments, const std::string& option, const std::string& value) {
+  for (std::size_t i = 0; i + 1 < arguments.size(); ++i) {
+    if (arguments[i] == option) {
+      arguments[i + 1] = value;
+      return arguments;
+    }
+  }
+  arguments.insert(arguments.end(), {option, value});
+  return arguments;
+}
+
+/// A folder with the description, in which the chain runs as far as a test needs it.
+class Tiny {
+ public:
+  Tiny() { folder_.write("tiny.toml", tiny_description); }
+
+  [[nodiscard]] const fs::path& path() const { return folder_.path(); }
+  [[nodiscard]] fs::path operator/(const std::string& name) const { return folder_ / name; }
+  fs::path write(const std::string& name, const std::string& text) const {
+    return folder_.write(name, text);
+  }
+
+  /// Runs all steps before the first one of this stage; all of them for an empty name.
+  void run_chain_before(const std::string& stage) const {
+    for (const Step& step : chain()) {
+      if (step.stage == stage) return;
+      const Outcome outcome = stages::run(path(), step.stage, step.arguments);
+      ASSERT_EQ(outcome.status, 0) << step.stage << ": " << outcome.err;
+    }
+  }
+  [[nodiscard]] Outcome run(const std::string& stage, const Arguments& arguments) const {
+    return stages::run(path(), stage, arguments);
+  }
+  [[nodiscard]] Outcome run_step(const std::string& stage) const {
+    return run(stage, step_of(stage).arguments);
+  }
+
+  /// Names of all files and links below the folder.
+  [[nodiscard]] std::set<std::string> files() const {
+    std::set<std::string> names;
+    for (const auto& entry : fs::recursive_directory_iterator(path())) {
+      if (!entry.is_directory()) names.insert(fs::relative(entry.path(), path()).string());
+    }
+    return names;
+  }
+
+ private:
+  signal::Folder folder_;
+};
+
+inline std::string bytes_of(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  EXPECT_TRUE(in) << file;
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+inline void write_bytes(const fs::path& file, const std::string& bytes) {
+  std::ofstream(file, std::ios::binary) << bytes;
+}
+
+/// All artefacts of the chain.
+inline std::vector<std::string> artefacts() {
+  std::vector<std::string> names;
+  for (const Step& step : chain()) {
+    for (const std::string& output : step.outputs) {
+      if (output.ends_with(".h5")) names.push_back(output);
+    }
+  }
+  return names;
+}
+
+}  // namespace piae::stages

@@ -1,0 +1,105 @@
+#include <gtest/gtest.h>
+
+#include "stages/tiny.hpp"
+
+namespace piae::stages {
+namespace {
+
+class Usage : public testing::TestWithParam<const char*> {};
+
+TEST_P(Usage, HelpShowsAnExample) {
+  const signal::Folder folder;
+  const Outcome help = run(folder.path(), GetParam(), {"--help"});
+  EXPECT_EQ(help.status, 0);
+  EXPECT_EQ(help.err, "");
+  EXPECT_NE(help.out.find(std::string("Example:\n  ") + GetParam() + ' '), std::string::npos)
+      << help.out;
+}
+
+TEST_P(Usage, NoArgumentsIsAUsageError) {
+  const signal::Folder folder;
+  expect_refusal(run(folder.path(), GetParam(), {}), GetParam(), 2, {"required", "--help"});
+  EXPECT_TRUE(fs::is_empty(folder.path()));
+}
+
+TEST_P(Usage, UnknownOptionIsNamed) {
+  const Tiny tiny;
+  Arguments arguments{"some.h5"};
+  if (GetParam() == std::string("ingest")) {
+    arguments = {"--description", "tiny.toml", "--output", "x.h5"};
+  } else if (GetParam() != std::string("verify")) {
+    arguments = step_of(GetParam()).arguments;
+  }
+  arguments.emplace_back("--colour");
+  expect_refusal(tiny.run(GetParam(), arguments), GetParam(), 2, {"--colour"});
+  EXPECT_EQ(tiny.files(), std::set<std::string>{"tiny.toml"});
+}
+
+INSTANTIATE_TEST_SUITE_P(Stages, Usage,
+                         testing::Values("ingest", "simulate", "split", "train", "generate",
+                                         "score", "diagnose", "tabulate", "verify"),
+                         [](const auto& info) { return info.param; });
+
+TEST(Usage, TrainHelpShowsTheOptionsOfTheMethod) {
+  const signal::Folder folder;
+  const Outcome help = run(folder.path(), "train", {"--method", "piae-dt", "--help"});
+  EXPECT_EQ(help.status, 0);
+  EXPECT_NE(help.out.find("--learning-rate"), std::string::npos) << help.out;
+}
+
+/// An option whose value cannot be, and the words that must be in the answer.
+struct Impossible {
+  const char* stage;
+  const char* option;
+  const char* value;
+  std::vector<std::string> words;
+};
+
+TEST(Usage, ImpossibleValuesAreNamedWithThoseThatAreKnown) {
+  const std::vector<Impossible> cases{
+      {"train", "--method", "magic", {"magic", "piae-dt"}},
+      {"train", "--epochs", "0", {"--epochs"}},
+      {"train", "--epochs", "many", {"--epochs", "many"}},
+      {"train", "--seed", "first", {"--seed", "first"}},
+      {"train", "--keep", "worst", {"--keep", "best", "final"}},
+      {"generate", "--count", "0", {"--count"}},
+      {"generate", "--count", "-5", {"--count"}},
+      {"split", "--protocol", "fair", {"fair", "random", "blocked"}},
+      {"split", "--window", "0", {"--window"}},
+      {"split", "--windows-per-class", "-40", {"--windows-per-class"}},
+      {"split", "--test-per-class", "40", {"40"}},
+      {"diagnose", "--ratio", "7to1", {"7to1", "100to1", "50to1", "10to1", "1to1"}},
+      {"diagnose", "--batch", "1", {"--batch"}},
+      {"tabulate", "--ratios", "7to1", {"7to1", "100to1", "50to1", "10to1", "1to1"}},
+      {"tabulate", "--methods", "none,none", {"none"}},
+      {"tabulate", "--seeds", "one", {"one"}},
+  };
+  const Tiny tiny;
+  tiny.run_chain_before("train");
+  const std::set<std::string> before = tiny.files();
+  for (const Impossible& c : cases) {
+    SCOPED_TRACE(std::string(c.stage) + ' ' + c.option + ' ' + c.value);
+    Arguments arguments = with(step_of(c.stage).arguments, c.option, c.value);
+    std::erase(arguments, "piae-dt");  // a second value of --methods; train's is replaced
+    std::erase(arguments, "50to1");
+    if (c.stage == std::string("train")) arguments = with(arguments, "--method", "piae-dt");
+    if (c.option == std::string("--method")) arguments = with(arguments, "--method", c.value);
+    if (c.stage == std::string("tabulate") && c.option == std::string("--methods")) {
+      arguments = with(arguments, "--ratios", "100to1");
+    }
+    expect_refusal(tiny.run(c.stage, arguments), c.stage, 2, c.words);
+    EXPECT_EQ(tiny.files(), before);
+  }
+}
+
+TEST(Usage, DiagnoseNeedsGeneratedWindowsExactlyWhereTheRatioUsesThem) {
+  const Tiny tiny;
+  tiny.run_chain_before("train");
+  fs::copy_file(tiny / "C.h5", tiny / "E.h5");
+  const Arguments without = chain()[5].arguments;
+  expect_refusal(tiny.run("diagnose", with(without, "--ratio", "50to1")), "diagnose", 2,
+                 {"--generated", "100to1"});
+}
+
+}  // namespace
+}  // namespace piae::stages
