@@ -6,16 +6,12 @@
 
 #include "cli/stage.hpp"
 #include "scoring/quality_record.hpp"
+#include "signal/roles.hpp"
 
 using namespace piae;
 namespace fs = std::filesystem;
 
 namespace {
-
-void require_role(const artefact::Reader& reader, const std::string& role) {
-  const std::string holds = reader.text("/", "role");
-  if (holds != role) reader.refuse("/", "has role " + holds + ", needed is " + role);
-}
 
 std::int64_t windows_of(const scoring::QualityRecord& record) {
   std::int64_t windows = 0;
@@ -42,8 +38,8 @@ int main(int argc, char** argv) {
   return stage.run(argc, argv, [&] {
     const artefact::Reader generated = stage.open("generated", generated_file, "windows");
     const artefact::Reader real = stage.open("real", real_file, "windows");
-    require_role(generated, "E");
-    require_role(real, "D");
+    signal::require_role(generated, "E");
+    signal::require_role(real, "D");
     scoring::QualityRecord record;
     record.method = generated.text("/", "method");
     record.seed = generated.integer("/", "seed");

@@ -7,6 +7,7 @@
 #include "augment/method.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/stage.hpp"
+#include "signal/roles.hpp"
 
 using namespace piae;
 namespace fs = std::filesystem;
@@ -45,7 +46,9 @@ int main(int argc, char** argv) {
   return stage.run(argc, argv, [&] {
     if (!method) method = augment::make_method(name);
     const artefact::Reader reader = stage.open("known", known_file, "windows");
+    signal::require_role(reader, "C");
     const signal::WindowSet known = signal::read_window_set(reader);
+    signal::require_classes(reader, "C", known);
     const Stream stream(fmt::format("{}/seed{}/train/{}", known.info.name, seed, name));
 
     cli::catch_interrupts();

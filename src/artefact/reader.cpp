@@ -56,6 +56,10 @@ void require_undamaged(const fs::path& path, hid_t file) {
 }
 
 std::string stored_kind(const fs::path& path, hid_t file) {
+  if (H5Aexists(file, "kind") < 0) {
+    throw Refusal(Exit::bad_input, Fault::damaged,
+                  path.string() + ": damaged: its attributes cannot be read" + remedy);
+  }
   try {
     return hdf5::read_string_attribute(file, "/", "kind");
   } catch (const std::exception&) {

@@ -1,4 +1,3 @@
-#include <array>
 #include <utility>
 
 #include "augment/method.hpp"
@@ -16,9 +15,9 @@ std::unique_ptr<Method> make() {
   return std::make_unique<M>();
 }
 
-const std::array<std::pair<const char*, Factory>, 1> registry{{
+const std::pair<const char*, Factory> registry[] = {
     {"piae-dt", make<PiaeDt>},
-}};
+};
 
 }  // namespace
 

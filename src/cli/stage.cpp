@@ -25,6 +25,12 @@ void log_to_stderr(const std::string& name) {
 /// One line: CLI11 ends some of its messages with a second one.
 std::string first_line(std::string text) { return text.substr(0, text.find('\n')); }
 
+/// CLI11 calls every file of options an INI file.
+std::string in_our_words(const std::string& text) {
+  const std::string theirs = "INI was not able to parse ";
+  return text.starts_with(theirs) ? "unknown option " + text.substr(theirs.size()) : text;
+}
+
 int fail(const std::string& name, Exit exit, const std::string& line) {
   std::cerr << name << ": " << line << '\n';
   return static_cast<int>(exit);
@@ -84,6 +90,10 @@ int Stage::run(int argc, char** argv, const std::function<void()>& body) {
     return static_cast<int>(Exit::done);
   } catch (const CLI::FileError& error) {
     return fail(name_, Exit::input_missing, first_line(error.what()));
+  } catch (const CLI::ConfigError& error) {
+    return fail(name_, Exit::usage,
+                app_.get_config_ptr()->as<std::string>() + ": " +
+                    in_our_words(first_line(error.what())) + " (see " + name_ + " --help)");
   } catch (const CLI::Error& error) {
     return fail(name_, Exit::usage, first_line(error.what()) + " (see " + name_ + " --help)");
   } catch (const Error& error) {

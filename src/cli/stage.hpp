@@ -61,7 +61,6 @@ class Stage {
 
   std::string name_;
   CLI::App app_;
-  std::string config_path_;
   std::vector<artefact::Provenance::Input> inputs_;
 };
 

@@ -47,7 +47,7 @@ std::vector<CLI::ConfigItem> TomlConfig::from_config(std::istream& input) const 
     std::ostringstream line;
     line << "not valid TOML: " << error.description() << " (line " << error.source().begin.line
          << ")";
-    throw CLI::ConversionError(line.str());
+    throw CLI::ConfigError(line.str());
   }
   const toml::table* table = file[program_].as_table();
   Values values;

@@ -7,13 +7,8 @@ namespace piae::diagnosis {
 
 namespace {
 
-void require_role(const artefact::Reader& reader, const std::string& role) {
-  const std::string holds = reader.text("/", "role");
-  if (holds != role) reader.refuse("/", "has role " + holds + ", needed is " + role);
-}
-
 signal::RoleSet read_role(const artefact::Reader& reader, const std::string& role) {
-  require_role(reader, role);
+  signal::require_role(reader, role);
   return signal::read_role_set(reader);
 }
 
@@ -41,7 +36,7 @@ Inputs read_inputs(const artefact::Reader& test, const artefact::Reader& normal,
   Inputs inputs;
   inputs.protocol = split[0].protocol;
   if (generated != nullptr) {
-    require_role(*generated, "E");
+    signal::require_role(*generated, "E");
     require_same_repeat(*generated, split[0]);
     inputs.generated = signal::read_window_set(*generated);
     inputs.method = generated->text("/", "method");

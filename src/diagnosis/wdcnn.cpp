@@ -1,5 +1,6 @@
 #include "diagnosis/wdcnn.hpp"
 
+#include <spdlog/fmt/fmt.h>
 #include <torch/torch.h>
 
 #include <algorithm>
@@ -58,7 +59,7 @@ void require_usable(const LabelledWindows& train, const LabelledWindows& test) {
 
 [[noreturn]] void report_divergence(const std::string& what, const WdcnnOptions& options) {
   throw Error(Exit::failed, "WDCNN: " + what + " became NaN or infinite with --learning-rate " +
-                                std::to_string(options.learning_rate) +
+                                fmt::format("{:g}", options.learning_rate) +
                                 "; a smaller one would work, such as 0.001");
 }
 

@@ -28,7 +28,7 @@ class Trainee {
 struct Checkpoint {
   std::filesystem::path path;         ///< removed by the stage once the model is in place
   artefact::Provenance provenance;    ///< a checkpoint of other inputs or options is not used
-  double interval_s = 30;             ///< how much work a kill -9 may cost
+  double interval_s = 10;             ///< how much work a kill -9 may cost
   std::function<bool()> interrupted;  ///< asked after each epoch
 };
 

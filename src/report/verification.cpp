@@ -1,6 +1,7 @@
 #include "report/verification.hpp"
 
 #include <map>
+#include <set>
 
 #include "scoring/diagnosis_record.hpp"
 #include "scoring/quality_record.hpp"
@@ -18,37 +19,31 @@ using artefact::Reader;
 /// Roles of one split, by dataset, protocol and seed.
 using Splits = std::map<std::string, std::vector<signal::RoleSet>>;
 
-/// A must hold every class, B the healthy one, C, D and E every class with a defect.
-void require_classes(const Reader& reader, const std::string& role,
-                     const signal::WindowSet& windows) {
-  for (std::size_t label = 0; label < windows.info.classes.size(); ++label) {
-    const signal::ClassInfo& c = windows.info.classes[label];
-    const bool healthy = c.defect == signal::Defect::none;
-    const bool wanted = role == "A" || healthy == (role == "B");
-    const bool present = windows.count_of(static_cast<int>(label)) > 0;
-    if (wanted && !present) reader.refuse("/labels", "has no window of class " + c.name);
-    if (!wanted && present) {
-      reader.refuse("/labels",
-                    "has windows of class " + c.name + ", which role " + role + " must not have");
-    }
-  }
-}
-
 void check_windows(const Reader& reader, Splits& splits) {
   const std::string role = reader.text("/", "role");
   if (role == "E") {
-    require_classes(reader, role, signal::read_window_set(reader));
+    signal::require_classes(reader, role, signal::read_window_set(reader));
     return;
   }
   signal::RoleSet set = signal::read_role_set(reader);
-  require_classes(reader, role, set.windows);
+  signal::require_classes(reader, role, set.windows);
   const std::string split =
       set.windows.info.name + " " + set.protocol + " " + std::to_string(set.seed);
   set.windows.samples.clear();  // the proof needs their places alone
   splits[split].push_back(std::move(set));
 }
 
+void require_known_kind(const Reader& reader) {
+  static const std::set<std::string> known{"records", "windows",   "model",
+                                           "score",   "diagnosis", "checkpoint"};
+  if (known.contains(reader.kind())) return;
+  throw artefact::Refusal(
+      Exit::bad_input, Fault::wrong_kind,
+      reader.path().string() + ": is of kind '" + reader.kind() + "', which no stage makes");
+}
+
 void check_content(const Reader& reader, Splits& splits) {
+  require_known_kind(reader);
   reader.require_finite();
   if (reader.kind() == "records") (void)signal::read_recordings(reader);
   if (reader.kind() == "windows") check_windows(reader, splits);

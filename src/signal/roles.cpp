@@ -83,6 +83,26 @@ std::string line_of(const Conflicts::value_type& entry, std::int64_t length) {
 
 }  // namespace
 
+void require_role(const artefact::Reader& reader, const std::string& role) {
+  const std::string holds = reader.text("/", "role");
+  if (holds != role) reader.refuse("/", "has role " + holds + ", needed is " + role);
+}
+
+void require_classes(const artefact::Reader& reader, const std::string& role,
+                     const WindowSet& windows) {
+  for (std::size_t label = 0; label < windows.info.classes.size(); ++label) {
+    const ClassInfo& c = windows.info.classes[label];
+    const bool healthy = c.defect == Defect::none;
+    const bool wanted = role == "A" || healthy == (role == "B");
+    const bool present = windows.count_of(static_cast<int>(label)) > 0;
+    if (wanted && !present) reader.refuse("/labels", "has no window of class " + c.name);
+    if (!wanted && present) {
+      reader.refuse("/labels",
+                    "has windows of class " + c.name + ", which role " + role + " must not have");
+    }
+  }
+}
+
 RoleSet read_role_set(const artefact::Reader& reader) {
   RoleSet set;
   set.file = reader.path().string();

@@ -19,6 +19,14 @@ struct RoleSet {
   WindowSet windows;
 };
 
+/// Throws artefact::Refusal when a window set plays another role ("A" to "D", or "E").
+void require_role(const artefact::Reader& reader, const std::string& role);
+
+/// A must hold every class, B the healthy one, C, D and E every class with a defect, and none of
+/// them any other. Throws artefact::Refusal naming the class.
+void require_classes(const artefact::Reader& reader, const std::string& role,
+                     const WindowSet& windows);
+
 /// Reads a role of a split. Throws artefact::Refusal when an attribute is missing or the windows do
 /// not say where they were cut.
 RoleSet read_role_set(const artefact::Reader& reader);

@@ -12,7 +12,7 @@ const Arguments train_files{"--config", "options.toml", "--known",      "C.h5", 
                             "0",        "--output",     "configured.h5"};
 
 void expect_same_bytes(const fs::path& one, const fs::path& other) {
-  EXPECT_EQ(bytes_of(one), bytes_of(other)) << one << ' ' << other;
+  EXPECT_TRUE(bytes_of(one) == bytes_of(other)) << one << ' ' << other;
 }
 
 TEST(Config, GivesWhatTheCommandLineGives) {
@@ -98,10 +98,9 @@ TEST(Config, TheProtocolOfTheProjectIsUnderstoodByEveryStage) {
   // Up to the first missing input: by then all options have been read.
   const Tiny tiny;
   const std::string protocol = std::string(PIAE_SOURCE) + "/pipeline/protocol.toml";
-  for (const Step& step : chain()) {
-    if (step.stage == "simulate") continue;
-    const Outcome outcome = tiny.run(step.stage, with(step.arguments, "--config", protocol));
-    EXPECT_EQ(outcome.status, 66) << step.stage << ": " << outcome.err;
+  for (const std::string stage : {"split", "train", "generate", "score", "diagnose", "tabulate"}) {
+    const Outcome outcome = tiny.run(stage, with(step_of(stage).arguments, "--config", protocol));
+    EXPECT_EQ(outcome.status, 66) << stage << ": " << outcome.err;
   }
 }
 

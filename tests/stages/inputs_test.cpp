@@ -1,8 +1,10 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 
+#include "artefact/writer.hpp"
 #include "stages/doctor.hpp"
 #include "stages/tiny.hpp"
 
@@ -45,31 +47,27 @@ class Inputs : public testing::TestWithParam<Input> {
   Tiny tiny_;
 };
 
-TEST_P(Inputs, MustBeThere) {
+TEST_P(Inputs, AreRefusedWhenTheyCannotBeUsed) {
   expect_refused("nowhere.h5", 66, {"No such file"});
   fs::create_directory(tiny_ / "folder.h5");
   expect_refused("folder.h5", 66, {"not a file"});
-}
 
-TEST_P(Inputs, MustBeWholeAndUndamaged) {
   const std::string good = bytes_of(tiny_ / GetParam().file);
   expect_bytes_refused("empty.h5", "");
-  expect_bytes_refused("half.h5", good.substr(0, good.size() / 2));
-  expect_bytes_refused("shorter-by-one.h5", good.substr(0, good.size() - 1));
   expect_bytes_refused("text.h5", "a,b\n1,2\n");
+  expect_bytes_refused("half.h5", good.substr(0, good.size() / 2));
+  expect_bytes_refused("shorter.h5", good.substr(0, good.size() - 4096));  // more than is padding
   std::string flipped = good;
   const std::size_t middle = good.size() / 2;
   flipped[middle] = static_cast<char>(flipped[middle] ^ 1);
   expect_bytes_refused("flipped.h5", flipped);
-}
 
-TEST_P(Inputs, MustBeOfTheRightKind) {
-  const std::string other = GetParam().kind == std::string("records") ? "A.h5" : "records.h5";
-  if (!fs::exists(tiny_ / other)) {
-    ASSERT_EQ(tiny_.run_step("split").status, 0);
+  const bool wants_records = GetParam().kind == std::string("records");
+  const std::string other = wants_records ? "diagnosis" : "records";
+  if (wants_records) {
+    artefact::Writer(other).save(tiny_ / "diagnosis.h5", {"test", "", {}});
   }
-  const std::string holds = other == "A.h5" ? "'windows'" : "'records'";
-  expect_refused(other, 65, {holds, "'" + std::string(GetParam().kind) + "'"});
+  expect_refused(other + ".h5", 65, {"'" + other + "'", "'" + std::string(GetParam().kind) + "'"});
 }
 
 INSTANTIATE_TEST_SUITE_P(Stages, Inputs,
@@ -95,6 +93,17 @@ TEST(InputsOfDiagnose, AllAreChecked) {
   }
   expect_refusal(tiny.run("diagnose", with(good, "--ratio", "1to1")), "diagnose", 65,
                  {"495", "--count", "IR007"});
+  EXPECT_EQ(tiny.files(), before);
+}
+
+TEST(InputsOfTrain, NothingButTheKnownWindowsIsTakenForTraining) {
+  const Tiny tiny;
+  tiny.run_chain_before("train");
+  const std::set<std::string> before = tiny.files();
+  for (const std::string role : {"A", "B", "D"}) {
+    expect_refusal(tiny.run("train", with(step_of("train").arguments, "--known", role + ".h5")),
+                   "train", 65, {role + ".h5", "role " + role});
+  }
   EXPECT_EQ(tiny.files(), before);
 }
 

@@ -18,7 +18,7 @@ class Interruption : public testing::Test {
   }
 
   [[nodiscard]] static Arguments to(const std::string& model) {
-    return with(with(step_of("train").arguments, "--epochs", "400"), "--output", model);
+    return with(with(step_of("train").arguments, "--epochs", "150"), "--output", model);
   }
 
   /// A file under its final name is complete.
@@ -30,7 +30,7 @@ class Interruption : public testing::Test {
   void expect_finished_as_uncut() const {
     const Outcome outcome = tiny_.run("train", to("cut.h5"));
     EXPECT_EQ(outcome.status, 0) << outcome.err;
-    EXPECT_EQ(bytes_of(tiny_ / "cut.h5"), bytes_of(tiny_ / "uncut.h5"));
+    EXPECT_TRUE(bytes_of(tiny_ / "cut.h5") == bytes_of(tiny_ / "uncut.h5"));
     EXPECT_FALSE(fs::exists(tiny_ / "cut.h5.checkpoint"));
     EXPECT_FALSE(fs::exists(tiny_ / "cut.h5.partial"));
     EXPECT_FALSE(fs::exists(tiny_ / "cut.h5.checkpoint.partial"));
@@ -75,7 +75,7 @@ TEST_F(Interruption, DamagedOrForeignCheckpointIsNotUsed) {
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_NE(outcome.err.find("starts anew"), std::string::npos) << outcome.err;
   ASSERT_EQ(tiny_.run("train", with(other, "--output", "fresh.h5")).status, 0);
-  EXPECT_EQ(bytes_of(tiny_ / "other.h5"), bytes_of(tiny_ / "fresh.h5"));
+  EXPECT_TRUE(bytes_of(tiny_ / "other.h5") == bytes_of(tiny_ / "fresh.h5"));
 }
 
 TEST_F(Interruption, KilledTrainingLeavesNothingHalf) {
@@ -112,7 +112,7 @@ TEST(Killed, SplitLeavesNothingHalf) {
   }
   ASSERT_EQ(tiny.run("split", arguments).status, 0);
   for (const std::string& role : step_of("split").outputs) {
-    EXPECT_EQ(bytes_of(tiny / role), bytes_of(tiny / ("cut/" + role)));
+    EXPECT_TRUE(bytes_of(tiny / role) == bytes_of(tiny / ("cut/" + role)));
     EXPECT_FALSE(fs::exists(tiny / ("cut/" + role + ".partial")));
   }
 }

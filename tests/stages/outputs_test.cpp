@@ -15,64 +15,57 @@ struct Output {
 
 class Outputs : public testing::TestWithParam<Output> {
  protected:
-  void SetUp() override {
-    tiny_.run_chain_before(GetParam().stage);
-    arguments_ = step_of(GetParam().stage).arguments;
-  }
+  void SetUp() override { tiny_.run_chain_before(stage_); }
 
-  /// Sends the output to a folder.
-  [[nodiscard]] Arguments into(const std::string& folder) const {
+  /// Sends the output to a folder; the stage must fail and change no file.
+  void expect_failed(const std::string& folder, const std::string& word,
+                     const Surroundings& surroundings = {}) const {
+    SCOPED_TRACE(folder);
+    const std::set<std::string> before = tiny_.files();
     const std::string option = GetParam().option;
     const bool names_folder = option == "--output-dir";
-    return with(arguments_, option, names_folder ? folder : folder + '/' + GetParam().file);
-  }
-  void expect_failed(const Arguments& arguments, const std::string& word,
-                     const Surroundings& surroundings = {}) const {
-    const std::set<std::string> before = tiny_.files();
-    const Outcome outcome = run(tiny_.path(), GetParam().stage, arguments, surroundings);
-    expect_refusal(outcome, GetParam().stage, 1, {word});
+    const Arguments arguments = with(step_of(stage_).arguments, option,
+                                     names_folder ? folder : folder + '/' + GetParam().file);
+    const Outcome outcome = run(tiny_.path(), stage_, arguments, surroundings);
+    expect_refusal(outcome, stage_, 1, {folder, word});
     EXPECT_EQ(tiny_.files(), before);
   }
 
   Tiny tiny_;
-  Arguments arguments_;
+  std::string stage_ = GetParam().stage;
 };
 
-TEST_P(Outputs, FolderCannotBeMade) {
+TEST_P(Outputs, CannotBeMade) {
   tiny_.write("file", "in the way");
-  expect_failed(into("file/folder"), "file/folder");
-}
+  expect_failed("file/folder", "choose another");
 
-TEST_P(Outputs, FolderIsReadOnly) {
-  if (geteuid() == 0) GTEST_SKIP() << "root may write into read-only folders";
   fs::create_directory(tiny_ / "fixed");
   fs::permissions(tiny_ / "fixed", fs::perms::owner_read | fs::perms::owner_exec);
-  expect_failed(into("fixed"), "Permission denied");
-  fs::permissions(tiny_ / "fixed", fs::perms::owner_all);
+  Surroundings user;
+  user.without_root_rights = true;
+  expect_failed("fixed", "Permission denied", user);
 }
 
-TEST_P(Outputs, DiskIsFull) {
+TEST_P(Outputs, DoNotFitOnTheDisk) {
+  Surroundings small_disk;
+  small_disk.largest_file = 2000;
+  expect_failed("new", "File too large", small_disk);
+
+  const std::string former = std::string("old/") + GetParam().file;
+  tiny_.write(former, "the former one");
+  expect_failed("old", "File too large", small_disk);
+  EXPECT_EQ(bytes_of(tiny_ / former), "the former one");
+
   // The temporary file leads to a device that is always full.
-  const std::string partial = std::string("full/") + GetParam().file + ".partial";
-  fs::create_directory(tiny_ / "full");
-  fs::create_symlink("/dev/full", tiny_ / partial);
-  const Outcome outcome = tiny_.run(GetParam().stage, into("full"));
-  expect_refusal(outcome, GetParam().stage, 1, {GetParam().file, "No space left", "room"});
-  EXPECT_TRUE(fs::is_empty(tiny_ / "full"));
-}
-
-TEST_P(Outputs, DiskIsFullInTheMiddleOfAFile) {
-  Surroundings surroundings;
-  surroundings.largest_file = 2000;
-  expect_failed(into("part"), "File too large", surroundings);
-}
-
-TEST_P(Outputs, FailureLeavesTheFormerFile) {
-  tiny_.write(std::string("old/") + GetParam().file, "the former one");
-  Surroundings surroundings;
-  surroundings.largest_file = 2000;
-  expect_failed(into("old"), "File too large", surroundings);
-  EXPECT_EQ(bytes_of(tiny_ / (std::string("old/") + GetParam().file)), "the former one");
+  fs::create_symlink("/dev/full", tiny_ / (former + ".partial"));
+  const std::set<std::string> before = tiny_.files();
+  const Outcome outcome = tiny_.run(stage_, with(step_of(stage_).arguments, GetParam().option,
+                                                 stage_ == "split" ? "old" : former));
+  expect_refusal(outcome, stage_, 1, {former, "No space left", "make room"});
+  std::set<std::string> after = before;
+  after.erase(former + ".partial");
+  EXPECT_EQ(tiny_.files(), after);
+  EXPECT_EQ(bytes_of(tiny_ / former), "the former one");
 }
 
 INSTANTIATE_TEST_SUITE_P(Stages, Outputs,

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <gtest/gtest.h>
+#include <linux/capability.h>
+#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -33,6 +35,7 @@ struct Outcome {
 struct Surroundings {
   std::vector<std::pair<std::string, std::string>> environment = {{"OMP_NUM_THREADS", "1"}};
   rlim_t largest_file = RLIM_INFINITY;  ///< bytes; a write beyond fails as on a full disk
+  bool without_root_rights = false;     ///< permissions of files hold even for root
 };
 
 inline std::string read_all(std::FILE* file) {
@@ -108,6 +111,10 @@ class Process {
                            const Surroundings& surroundings) const {
     for (const auto& [name, value] : surroundings.environment) {
       ::setenv(name.c_str(), value.c_str(), 1);
+    }
+    if (surroundings.without_root_rights) {
+      ::prctl(PR_CAPBSET_DROP, CAP_DAC_OVERRIDE, 0, 0, 0);
+      ::prctl(PR_CAPBSET_DROP, CAP_DAC_READ_SEARCH, 0, 0, 0);
     }
     const rlimit limit{surroundings.largest_file, surroundings.largest_file};
     const bool limited = surroundings.largest_file != RLIM_INFINITY;

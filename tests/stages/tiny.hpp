@@ -149,7 +149,7 @@ class Tiny {
   [[nodiscard]] std::set<std::string> files() const {
     std::set<std::string> names;
     for (const auto& entry : fs::recursive_directory_iterator(path())) {
-      if (!entry.is_directory()) names.insert(fs::relative(entry.path(), path()).string());
+      if (!entry.is_directory()) names.insert(entry.path().lexically_relative(path()).string());
     }
     return names;
   }
