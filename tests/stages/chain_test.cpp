@@ -60,6 +60,19 @@ TEST(Chain, LeadsFromASimulationToTheTablesWithTheSameBytesInEveryFolder) {
   expect_same_bytes_elsewhere(tiny);
 }
 
+/// The fixture of the other tests of this program (tests/CMakeLists.txt): runs the chain once, in
+/// the folder that PIAE_TINY_CHAIN names.
+TEST(TinyChain, IsMade) {
+  const char* folder = std::getenv("PIAE_TINY_CHAIN");
+  if (folder == nullptr) GTEST_SKIP() << "PIAE_TINY_CHAIN is not set";
+  fs::remove_all(folder);
+  fs::create_directories(folder);
+  write_bytes(fs::path(folder) / "tiny.toml", tiny_description);
+  for (const Step& step : chain()) {
+    ASSERT_EQ(run(folder, step.stage, step.arguments).status, 0) << step.stage;
+  }
+}
+
 TEST(Chain, ContentDoesNotDependOnTheNumberOfThreads) {
   const Tiny one;
   const Tiny two;

@@ -1,11 +1,12 @@
 #include <gtest/gtest.h>
 
+#include <map>
 #include <random>
 
 #include "artefact/reader.hpp"
 #include "stages/tiny.hpp"
 
-/// One byte that is not what it was.
+/// One byte that is not what it was, or the end of a file that is not there.
 namespace piae::stages {
 namespace {
 
@@ -72,24 +73,48 @@ void expect_refused_by_programs(const Tiny& tiny, const Consumer& c, bool refuse
   EXPECT_EQ(tiny.files(), before);
 }
 
-TEST(Flips, AreRefusedOrChangeNoValue) {
-  const Tiny tiny;
-  tiny.run_chain_before("tabulate");
-  std::mt19937_64 random(20240229);
+/// The chain's artefacts, one of which is damaged at a time.
+class Damage : public testing::Test {
+ protected:
+  void SetUp() override {
+    tiny_.run_chain_before("tabulate");
+    for (const Consumer& c : consumers) digests_[c.file] = digests_of(Reader(tiny_ / c.file, ""));
+  }
+
+  [[nodiscard]] bool is_refused(const Consumer& c) const {
+    return stages::is_refused(tiny_ / c.file, digests_.at(c.file));
+  }
+
+  Tiny tiny_;
+  std::map<std::string, std::string> digests_;
+  std::mt19937_64 random_{20240229};
+};
+
+TEST_F(Damage, IsRefusedOrChangesNoValue) {
   std::size_t refused = 0;
   for (std::size_t i = 0; i < 200; ++i) {
     const Consumer& c = consumers[i % consumers.size()];
     SCOPED_TRACE(c.file + ", flip " + std::to_string(i));
-    const std::string good = bytes_of(tiny / c.file);
-    const std::string digests = digests_of(Reader(tiny / c.file, ""));
-    write_bytes(tiny / c.file, flipped(good, random));
-    const bool is_bad = is_refused(tiny / c.file, digests);
+    const std::string good = bytes_of(tiny_ / c.file);
+    write_bytes(tiny_ / c.file, flipped(good, random_));
+    const bool is_bad = is_refused(c);
     if (is_bad) ++refused;
-    if (i % 10 == 0) expect_refused_by_programs(tiny, c, is_bad);
-    write_bytes(tiny / c.file, good);
+    if (i % 10 == 0) expect_refused_by_programs(tiny_, c, is_bad);
+    write_bytes(tiny_ / c.file, good);
   }
   std::cout << refused << " flips refused, " << 200 - refused << " without effect on any value\n";
   EXPECT_GT(refused, 100);
+
+  refused = 0;
+  for (std::size_t i = 0; i < 90; ++i) {
+    const Consumer& c = consumers[i % consumers.size()];
+    SCOPED_TRACE(c.file + ", cut " + std::to_string(i));
+    const std::string good = bytes_of(tiny_ / c.file);
+    write_bytes(tiny_ / c.file, good.substr(0, random_() % good.size()));
+    if (is_refused(c)) ++refused;
+    write_bytes(tiny_ / c.file, good);
+  }
+  EXPECT_GT(refused, 45);
 }
 
 }  // namespace

@@ -13,6 +13,9 @@ struct Output {
   const char* file;
 };
 
+/// How GoogleTest names it.
+void PrintTo(const Output& output, std::ostream* out) { *out << output.stage; }
+
 class Outputs : public testing::TestWithParam<Output> {
  protected:
   void SetUp() override { tiny_.run_chain_before(stage_); }

@@ -98,7 +98,7 @@ TEST(Usage, UnknownPartsOfTheGridAreNamed) {
   };
   expect_refusal(tabulate("none", "7to1", "0"), "tabulate", 2, {"7to1", "100to1", "1to1"});
   expect_refusal(tabulate("none,none", "100to1", "0"), "tabulate", 2, {"none"});
-  expect_refusal(tabulate("none", "10to1", "0"), "tabulate", 2, {"none", "10to1"});
+  expect_refusal(tabulate("none", "10to1", "0"), "tabulate", 2, {"none", "100to1"});
   expect_refusal(tabulate("none", "100to1", "one"), "tabulate", 2, {"one"});
 }
 
