@@ -50,8 +50,13 @@ Handle fixed_string_type(std::size_t length) {
   return type;
 }
 
-/// Bytes by which a file in memory grows; the file on the disk is padded to a multiple of it.
+/// Bytes by which a file in memory grows.
 constexpr std::size_t growth = 4096;
+
+/// Where a superblock of HDF5 1.8 and later holds the address at which the file ends. What follows
+/// it in memory is room to grow, which the file on the disk does without: it then cannot lose a
+/// byte unnoticed.
+constexpr std::size_t end_address_at = 28;
 
 /// Keeps the bytes of a file in memory when HDF5 lets go of them in closing it.
 struct ImageKeeper {
@@ -121,6 +126,9 @@ std::vector<std::byte> MemoryFile::close() {
   keeper.wanted = static_cast<std::size_t>(size);
   file_ = Handle();
   keeper.wanted = 0;
+  std::uint64_t end = 0;
+  std::memcpy(&end, keeper.image.data() + end_address_at, sizeof end);
+  keeper.image.resize(static_cast<std::size_t>(end));
   return std::exchange(keeper.image, {});
 }
 

@@ -139,7 +139,7 @@ TEST_F(Artefact, NoFlippedByteIsSilentlyUsed) {
 TEST_F(Artefact, ATruncatedFileIsRefused) {
   const std::vector<std::byte> bytes = slurp(example("good.h5"));
   for (const std::size_t keep :
-       {std::size_t{0}, std::size_t{7}, std::size_t{100}, bytes.size() / 2}) {
+       {std::size_t{0}, std::size_t{7}, std::size_t{100}, bytes.size() / 2, bytes.size() - 1}) {
     spill(folder_ / "short.h5", {bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(keep)});
     const Refusal refusal = refusal_of(folder_ / "short.h5");
     EXPECT_EQ(refusal.exit(), Exit::bad_input);
