@@ -8,9 +8,11 @@
 #
 # What makes a step run again: its inputs, and its settings, which are compared by content
 # (pipeline/settings.sh). The programs come after a bar, as order-only prerequisites: building them
-# again does not throw away days of results. The raw recordings are no prerequisites either: their
-# sha256 sums stand in the description, and ingest refuses any other file.
+# again does not throw away days of results. The raw recordings are no prerequisites either: where
+# the description gives their sha256 sums, ingest refuses any other file.
 
+# The registry is the one place that knows the methods.
+known_methods  := none $(shell sed -n 's/^ *{"\([a-z0-9-]*\)", make<.*/\1/p' src/augment/registry.cpp)
 ratio_names    := 100to1 50to1 25to1 10to1 5to1 2to1 1to1
 known_datasets := $(basename $(notdir $(wildcard pipeline/datasets/*.toml)))
 simulated      := $(basename $(notdir $(shell grep -ls '^\[simulation' pipeline/datasets/*.toml)))
@@ -24,6 +26,12 @@ endef
 $(call check_words,DATASETS,$(DATASETS),$(known_datasets))
 $(call check_words,RATIOS,$(RATIOS),$(ratio_names))
 $(call check_words,PROTOCOL,$(PROTOCOL),random blocked)
+$(call check_words,METHODS,$(METHODS),$(known_methods))
+$(foreach name,DATASETS METHODS RATIOS SEEDS,$(if $($(name)),,$(error $(name): is empty)))
+$(if $(shell printf '%s\n' $(SEEDS) | grep -vxE '0|[1-9][0-9]*'),\
+  $(error SEEDS: whole numbers from 0 up, not '$(SEEDS)'))
+$(if $(filter-out $(words $(SEEDS)),$(words $(sort $(SEEDS)))),$(error SEEDS: '$(SEEDS)' names one twice))
+$(if $(findstring /,$(RUN)),$(error RUN: the name of a folder under results/, not a path: '$(RUN)'))
 $(if $(filter 1,$(words $(RUN))),,$(error RUN: one word, the name of a folder under results/))
 
 results  := results/$(RUN)$(patsubst %,-%,$(filter blocked,$(PROTOCOL)))
@@ -49,6 +57,9 @@ $(shell pipeline/settings.sh $(settings) $(settings_files))
 $(if $(filter 0,$(.SHELLSTATUS)),,$(error the settings could not be written to $(settings)))
 
 # ---- rules --------------------------------------------------------------------------------------
+# What is there is complete, so make has no cause to remove it when it is interrupted.
+.PRECIOUS: %.h5
+
 # A step runs a stage for the folder of its target. Its settings file is also what the stage reads.
 step   = $(Q)pipeline/step.sh $(@D)
 config = --config $(filter $(settings)/%,$^)

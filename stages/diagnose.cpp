@@ -5,6 +5,7 @@
 #include <iostream>
 #include <optional>
 
+#include "cli/numbers.hpp"
 #include "cli/progress.hpp"
 #include "cli/stage.hpp"
 #include "diagnosis/inputs.hpp"
@@ -71,7 +72,10 @@ int main(int argc, char** argv) {
                   "normal to fault windows: 100to1, 50to1, 25to1, 10to1, 5to1, 2to1 or 1to1, for "
                   "0, 5, 15, 45, 95, 145 or 495 generated windows of each fault class")
       ->required();
-  stage.app().add_option("--seed", seed, "the repeat; names the random streams")->required();
+  stage.app()
+      .add_option("--seed", seed, "the repeat; names the random streams")
+      ->required()
+      ->check(cli::natural_number());
   stage.app().add_option("--device", device, "cpu or cuda");
   stage.app().add_flag("--reproducible", reproducible,
                        "leave out the attribute train_windows_per_second, the one thing here that "

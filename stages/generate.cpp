@@ -5,7 +5,9 @@
 #include <iostream>
 
 #include "augment/method.hpp"
+#include "cli/numbers.hpp"
 #include "cli/stage.hpp"
+#include "signal/roles.hpp"
 
 using namespace piae;
 namespace fs = std::filesystem;
@@ -23,8 +25,11 @@ int main(int argc, char** argv) {
   fs::path output;
   stage.app()
       .add_option("--count", count, "windows of each fault class")
-      ->check(CLI::PositiveNumber);
-  stage.app().add_option("--seed", seed, "the repeat; names the random streams")->required();
+      ->check(CLI::Range(std::size_t{1}, std::size_t{1000000}));
+  stage.app()
+      .add_option("--seed", seed, "the repeat; names the random streams")
+      ->required()
+      ->check(cli::natural_number());
   stage.app().add_option("--device", device, "cpu or cuda");
   stage.input_file("--model", model_file, "model.h5 made by train");
   stage.output_file("--output", output, "E.h5, the generated windows");
@@ -42,7 +47,7 @@ int main(int argc, char** argv) {
     writer.attribute("/", "role", std::string("E"));
     writer.attribute("/", "method", method);
     writer.attribute("/", "seed", seed);
-    writer.attribute("/", "protocol", model.text("/", "protocol"));
+    signal::write(writer, signal::read_origin(model));
     stage.save(writer, output);
     std::cout << fmt::format("generated {} windows with {}: {}\n", windows.size(), method,
                              output.string());

@@ -44,9 +44,7 @@ int main(int argc, char** argv) {
     record.method = generated.text("/", "method");
     record.seed = generated.integer("/", "seed");
     record.protocol = generated.text("/", "protocol");
-    if (real.text("/", "protocol") != record.protocol) {
-      real.refuse("/", "is of another split protocol than " + generated.path().string());
-    }
+    signal::require_same_split(generated, real);
     const signal::WindowSet real_windows = signal::read_window_set(real);
     record.info = real_windows.info;
     record.classes = scoring::judge(signal::read_window_set(generated), real_windows);

@@ -6,6 +6,7 @@
 
 #include "augment/method.hpp"
 #include "cli/interrupt.hpp"
+#include "cli/numbers.hpp"
 #include "cli/stage.hpp"
 #include "signal/roles.hpp"
 
@@ -28,7 +29,10 @@ int main(int argc, char** argv) {
       .add_option("--method", name,
                   "one of: " + fmt::format("{}", fmt::join(augment::method_names(), ", ")))
       ->required();
-  stage.app().add_option("--seed", seed, "the repeat; names the random streams")->required();
+  stage.app()
+      .add_option("--seed", seed, "the repeat; names the random streams")
+      ->required()
+      ->check(cli::natural_number());
   stage.app().add_option("--device", device, "cpu or cuda");
   stage.input_file("--known", known_file, "C.h5: the known fault windows, made by split");
   stage.output_file("--output", model_file,
@@ -59,7 +63,7 @@ int main(int argc, char** argv) {
     artefact::Writer model("model");
     model.attribute("/", "method", name);
     model.attribute("/", "seed", seed);
-    model.attribute("/", "protocol", reader.text("/", "protocol"));
+    signal::write(model, signal::origin_of_known(reader));
     method->train(known, stream, device, checkpoint, model);
     stage.save(model, model_file);
     fs::remove(checkpoint.path);

@@ -77,6 +77,12 @@ std::vector<std::byte> read_file(const fs::path& path) {
 }
 
 void write_file_atomically(const fs::path& path, std::span<const std::byte> bytes) {
+  std::error_code ignored;
+  if (fs::exists(path, ignored) && !fs::is_regular_file(path, ignored)) {
+    throw Error(Exit::failed, path.string() +
+                                  ": is not a file that could be replaced; choose "
+                                  "another output");
+  }
   const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
   std::error_code no_folder;
   fs::create_directories(folder, no_folder);

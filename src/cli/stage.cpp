@@ -23,7 +23,7 @@ void log_to_stderr(const std::string& name) {
 }
 
 /// One line: CLI11 ends some of its messages with a second one.
-std::string first_line(std::string text) { return text.substr(0, text.find('\n')); }
+std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
 
 /// CLI11 calls every file of options an INI file.
 std::string in_our_words(const std::string& text) {
@@ -109,16 +109,24 @@ artefact::Reader Stage::open(const std::string& role, const std::filesystem::pat
                              const std::string& kind) {
   artefact::Reader reader(path, kind);
   inputs_.push_back({role, path.filename().string(), reader.digest()});
+  input_paths_.push_back(path);
   return reader;
 }
 
 void Stage::note_input(const std::string& role, const std::filesystem::path& path) {
   inputs_.push_back({role, path.filename().string(), sha256_of_file(path)});
+  input_paths_.push_back(path);
 }
 
 artefact::Provenance Stage::provenance() const { return {name_, resolved_options(), inputs_}; }
 
 void Stage::save(artefact::Writer& writer, const std::filesystem::path& path) const {
+  for (const std::filesystem::path& input : input_paths_) {
+    std::error_code none_there;
+    if (std::filesystem::equivalent(input, path, none_there)) {
+      throw Error(Exit::usage, path.string() + ": is an input; choose another output");
+    }
+  }
   writer.save(path, provenance());
 }
 

@@ -52,9 +52,11 @@ class Stage {
   /// Notes an input that is not an artefact, by the sha256 of its bytes.
   void note_input(const std::string& role, const std::filesystem::path& path);
 
+  /// Throws Error(usage) when the path is that of an input: an output must not replace it.
+  void save(artefact::Writer& writer, const std::filesystem::path& path) const;
+
   /// Options as resolved, without files; inputs as opened so far.
   [[nodiscard]] artefact::Provenance provenance() const;
-  void save(artefact::Writer& writer, const std::filesystem::path& path) const;
 
  private:
   [[nodiscard]] std::string resolved_options() const;
@@ -62,6 +64,7 @@ class Stage {
   std::string name_;
   CLI::App app_;
   std::vector<artefact::Provenance::Input> inputs_;
+  std::vector<std::filesystem::path> input_paths_;
 };
 
 }  // namespace piae::cli

@@ -12,18 +12,6 @@ signal::RoleSet read_role(const artefact::Reader& reader, const std::string& rol
   return signal::read_role_set(reader);
 }
 
-void require_same_repeat(const artefact::Reader& generated, const signal::RoleSet& split) {
-  if (const std::int64_t seed = generated.integer("/", "seed"); seed != split.seed) {
-    generated.refuse("/", "has seed " + std::to_string(seed) + ", but " + split.file +
-                              " has seed " + std::to_string(split.seed) +
-                              "; windows must be generated from the C of the same split");
-  }
-  if (const std::string protocol = generated.text("/", "protocol"); protocol != split.protocol) {
-    generated.refuse(
-        "/", "is of split protocol " + protocol + ", but " + split.file + " of " + split.protocol);
-  }
-}
-
 }  // namespace
 
 Inputs read_inputs(const artefact::Reader& test, const artefact::Reader& normal,
@@ -37,7 +25,7 @@ Inputs read_inputs(const artefact::Reader& test, const artefact::Reader& normal,
   inputs.protocol = split[0].protocol;
   if (generated != nullptr) {
     signal::require_role(*generated, "E");
-    require_same_repeat(*generated, split[0]);
+    signal::require_learned_from(*generated, known);
     inputs.generated = signal::read_window_set(*generated);
     inputs.method = generated->text("/", "method");
   }

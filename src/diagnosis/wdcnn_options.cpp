@@ -2,6 +2,8 @@
 
 #include <limits>
 
+#include "cli/numbers.hpp"
+
 namespace piae::diagnosis {
 
 namespace {
@@ -15,7 +17,8 @@ void bind(CLI::App& app, WdcnnOptions& options) {
       ->check(CLI::Range(std::int64_t{1}, many).description("POSITIVE"));
   app.add_option("--batch", options.batch, "windows a training step, at least 2")
       ->check(CLI::Range(std::int64_t{2}, many).description(">=2"));
-  app.add_option("--learning-rate", options.learning_rate, "of Adam")->check(CLI::PositiveNumber);
+  app.add_option("--learning-rate", options.learning_rate, "of Adam")
+      ->check(cli::positive_number());
 }
 
 }  // namespace piae::diagnosis

@@ -83,6 +83,42 @@ std::string line_of(const Conflicts::value_type& entry, std::int64_t length) {
 
 }  // namespace
 
+void write(artefact::Writer& writer, const Origin& origin) {
+  writer.attribute("/", "split_seed", origin.split_seed);
+  writer.attribute("/", "protocol", origin.protocol);
+  writer.attribute("/", "records_digest", origin.records_digest);
+  writer.attribute("/", "known_digest", origin.known_digest);
+}
+
+Origin read_origin(const artefact::Reader& reader) {
+  return {reader.integer("/", "split_seed"), reader.text("/", "protocol"),
+          reader.text("/", "records_digest"), reader.text("/", "known_digest")};
+}
+
+Origin origin_of_known(const artefact::Reader& known) {
+  return {known.integer("/", "seed"), known.text("/", "protocol"),
+          known.text("/", "records_digest"), known.digest()};
+}
+
+void require_same_split(const artefact::Reader& generated, const artefact::Reader& real) {
+  const Origin origin = read_origin(generated);
+  if (origin.split_seed == real.integer("/", "seed") &&
+      origin.protocol == real.text("/", "protocol") &&
+      origin.records_digest == real.text("/", "records_digest")) {
+    return;
+  }
+  generated.refuse("/", "was learned from the C of another split (seed " +
+                            std::to_string(origin.split_seed) + ", " + origin.protocol +
+                            ") than that of " + real.path().string() +
+                            "; train and generate with this split's C");
+}
+
+void require_learned_from(const artefact::Reader& generated, const artefact::Reader& known) {
+  if (read_origin(generated).known_digest == known.digest()) return;
+  generated.refuse("/", "was learned from other known windows than " + known.path().string() +
+                            ", which may be test windows here; train and generate with this C");
+}
+
 void require_role(const artefact::Reader& reader, const std::string& role) {
   const std::string holds = reader.text("/", "role");
   if (holds != role) reader.refuse("/", "has role " + holds + ", needed is " + role);

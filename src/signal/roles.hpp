@@ -19,6 +19,28 @@ struct RoleSet {
   WindowSet windows;
 };
 
+/// The split that windows come from. A model and the windows it makes carry that of the C they were
+/// learned from, and the content digest of that C, so that no generator that has seen windows of
+/// another split's C can be tried on this one's A or D.
+struct Origin {
+  std::int64_t split_seed = 0;
+  std::string protocol;
+  std::string records_digest;
+  std::string known_digest;  ///< of C
+};
+
+/// As attributes of the root: split_seed, protocol, records_digest, known_digest.
+void write(artefact::Writer& writer, const Origin& origin);
+/// Of a model or of generated windows.
+Origin read_origin(const artefact::Reader& reader);
+/// Of what is learned from this C.
+Origin origin_of_known(const artefact::Reader& known);
+
+/// Throws artefact::Refusal when generated windows come from another split than D, or from another
+/// C.
+void require_same_split(const artefact::Reader& generated, const artefact::Reader& real);
+void require_learned_from(const artefact::Reader& generated, const artefact::Reader& known);
+
 /// Throws artefact::Refusal when a window set plays another role ("A" to "D", or "E").
 void require_role(const artefact::Reader& reader, const std::string& role);
 

@@ -36,7 +36,8 @@ std::size_t first_stride(const std::vector<std::size_t>& lengths, const WindowGr
   }
   std::size_t samples = 0;
   for (const std::size_t length : lengths) samples += length;
-  const std::string cure = most == 0 ? "none fits: lower --window, or give longer recordings"
+  const std::string cure = most == 0 ? "none fits: lower --window or (protocol blocked) "
+                                       "--guard-windows, or give longer recordings"
                                      : "at most " + std::to_string(most) + " fit, at stride " +
                                            std::to_string(at_stride) +
                                            ": lower --windows-per-class or --window";

@@ -1,5 +1,7 @@
 #include "twin/options.hpp"
 
+#include "cli/numbers.hpp"
+
 namespace piae::twin {
 
 void bind(CLI::App& app, TwinOptions& o) {
@@ -7,27 +9,27 @@ void bind(CLI::App& app, TwinOptions& o) {
   const auto add = [&](const std::string& name, auto& value, const std::string& help) {
     return app.add_option(name, value, help)->group(group);
   };
-  add("--epochs", o.epochs, "passes over the known windows")->check(CLI::PositiveNumber);
-  add("--batch", o.batch, "windows in a batch")->check(CLI::PositiveNumber);
-  add("--learning-rate", o.learning_rate, "of Adam, at the start")->check(CLI::PositiveNumber);
+  add("--epochs", o.epochs, "passes over the known windows")->check(cli::positive_number());
+  add("--batch", o.batch, "windows in a batch")->check(cli::positive_number());
+  add("--learning-rate", o.learning_rate, "of Adam, at the start")->check(cli::positive_number());
   add("--decay-every", o.decay_every, "epochs between decays of the learning rate")
-      ->check(CLI::PositiveNumber);
-  add("--decay", o.decay, "factor on the learning rate at each decay")->check(CLI::Range(0.0, 1.0));
+      ->check(cli::positive_number());
+  add("--decay", o.decay, "factor on the learning rate at each decay")->check(cli::share());
   add("--max-gradient-norm", o.max_gradient_norm, "gradients are clipped to this norm")
-      ->check(CLI::PositiveNumber);
+      ->check(cli::positive_number());
   add("--depth", o.depth, "dense layers of encoder, decoder and physics module")
       ->check(CLI::Range(1, 32));
-  add("--width", o.width, "units of a hidden layer")->check(CLI::PositiveNumber);
+  add("--width", o.width, "units of a hidden layer")->check(cli::positive_number());
   add("--stage-epochs", o.stage_epochs, "epochs in Stage 1 (eq. 24), then in Stage 2 (eq. 25)")
-      ->check(CLI::PositiveNumber);
+      ->check(cli::positive_number());
   add("--space-bins", o.space_bins, "bins of the digital twin space, for k and for c")
-      ->check(CLI::PositiveNumber);
+      ->check(cli::positive_number());
   add("--keep", o.keep, "model that generates: best (lowest training loss) or final")
       ->check(CLI::IsMember({"best", "final"}));
-  add("--mass-kg", o.mass_kg, "M of eq. 22, kg")->check(CLI::PositiveNumber);
-  add("--load-n", o.load_n, "W of eq. 22, N")->check(CLI::PositiveNumber);
+  add("--mass-kg", o.mass_kg, "M of eq. 22, kg")->check(cli::positive_number());
+  add("--load-n", o.load_n, "W of eq. 22, N")->check(cli::positive_number());
   add("--clearance-um", o.clearance_um, "radial clearance of eq. 11, micrometres")
-      ->check(CLI::NonNegativeNumber);
+      ->check(cli::non_negative_number());
 }
 
 }  // namespace piae::twin

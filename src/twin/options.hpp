@@ -17,7 +17,9 @@ struct TwinOptions {
   int width = 256;                 ///< units of a hidden layer; open in the paper
   int stage_epochs = 1;            ///< epochs in Stage 1, then in Stage 2; open in the paper
   int space_bins = 10;             ///< of the histogram, for k and for c; open in the paper
-  std::string keep = "best";       ///< which model generates: "best" or "final"; open
+  std::string keep = "best";       ///< which model generates: "final", or "best" (after
+                                   ///< the epoch with the lowest mean of L_Rec + L_DDL + L_DT
+                                   ///< over its batches); open
   double mass_kg = 1.0;            ///< M of eq. 22; open, working set of the project's notes
   double load_n = 1000.0;          ///< W of eq. 22; open, working set
   double clearance_um = 2.0;       ///< gamma of eq. 11; open, working set

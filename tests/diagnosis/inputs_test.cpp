@@ -8,6 +8,7 @@
 #include "artefact/writer.hpp"
 #include "base/error.hpp"
 #include "diagnosis/sets.hpp"
+#include "signal/roles.hpp"
 
 namespace piae::diagnosis {
 namespace {
@@ -22,7 +23,13 @@ struct File {
   std::string protocol = "random";
   std::string records_digest = "abc";
   std::int64_t first_sample = 0;
+  std::string known_digest;  ///< of E: of the C it was learned from; empty for that of c below
 };
+
+artefact::Reader written(const File& file);
+
+/// The C that all tests use, and the digest that E carries when it was learned from it.
+const File c{"C", 3, "random", "abc", 20, ""};
 
 artefact::Reader written(const File& file) {
   signal::WindowSet set = testing_sets::empty_set(4);
@@ -36,10 +43,13 @@ artefact::Reader written(const File& file) {
   write(writer, set);
   writer.attribute("/", "role", file.role);
   writer.attribute("/", "seed", file.seed);
-  writer.attribute("/", "protocol", file.protocol);
   if (file.role == "E") {
     writer.attribute("/", "method", std::string("piae-dt"));
+    signal::Origin origin = signal::origin_of_known(written(c));
+    if (!file.known_digest.empty()) origin.known_digest = file.known_digest;
+    signal::write(writer, origin);
   } else {
+    writer.attribute("/", "protocol", file.protocol);
     writer.attribute("/", "records_digest", file.records_digest);
   }
   const fs::path path = fs::path(testing::TempDir()) / ("inputs_" + file.role + ".h5");
@@ -47,10 +57,9 @@ artefact::Reader written(const File& file) {
   return {path, "windows"};
 }
 
-const File a{"A", 3, "random", "abc", 0};
-const File b{"B", 3, "random", "abc", 10};
-const File c{"C", 3, "random", "abc", 20};
-const File e{"E", 3};
+const File a{"A", 3, "random", "abc", 0, ""};
+const File b{"B", 3, "random", "abc", 10, ""};
+const File e{"E", 3, "random", "abc", 0, ""};
 
 void expect_refused(const std::string& part, const File& test, const File& normal,
                     const File& known, const File& generated) {
@@ -89,11 +98,11 @@ TEST(Inputs, RefusesFilesInEachOthersPlace) {
 }
 
 TEST(Inputs, RefusesFilesOfDifferentSplits) {
-  expect_refused("has seed 4", a, b, {"C", 4, "random", "abc", 20}, e);
-  expect_refused("records_digest", a, b, {"C", 3, "random", "other", 20}, e);
-  expect_refused("share a window", a, b, {"C", 3, "random", "abc", 0}, e);
-  expect_refused("has seed 2", a, b, c, {"E", 2});
-  expect_refused("is of split protocol blocked", a, b, c, {"E", 3, "blocked"});
+  expect_refused("has seed 4", a, b, {"C", 4, "random", "abc", 20, ""}, e);
+  expect_refused("records_digest", a, b, {"C", 3, "random", "other", 20, ""}, e);
+  expect_refused("share a window", a, b, {"C", 3, "random", "abc", 0, ""}, e);
+  expect_refused("learned from other known windows", a, b, c,
+                 {"E", 3, "random", "abc", 0, "another C"});
 }
 
 }  // namespace

@@ -31,7 +31,8 @@ wait_for() { # file
 
 # What a stage does to the files: copies of its options into its outputs, and a line in `calls`.
 stand_ins() {
-  mkdir fake
+  mkdir -p fake src/augment
+  printf '    {"%s", make<X>},\n' smote piae-dt >src/augment/registry.cpp
   cat >fake/stage <<'STAGE'
 #!/bin/bash
 stage=${0##*/} options="$*" outputs=()

@@ -192,8 +192,13 @@ test_unknown_names_are_refused() {
   expect_line "$(grid DATASETS=nowhere 2>&1 || true)" "DATASETS: unknown 'nowhere'; there are: made real"
   expect_line "$(grid RATIOS=3to1 2>&1 || true)" "RATIOS: unknown '3to1'"
   expect_line "$(grid METHODS=none RATIOS=1to1 2>&1 || true)" "no cells"
+  expect_line "$(grid METHODS=magic 2>&1 || true)" "METHODS: unknown 'magic'; there are: none smote piae-dt"
+  expect_line "$(grid SEEDS='0 x' 2>&1 || true)" "SEEDS: whole numbers"
+  expect_line "$(grid SEEDS='1 1' 2>&1 || true)" "names one twice"
+  expect_line "$(grid SEEDS= 2>&1 || true)" "SEEDS: is empty"
+  expect_line "$(grid RUN=../t 2>&1 || true)" "not a path"
   expect_exit 2 grid PROTOCOL=other
-  expect_equal "$(ls)" "$(printf '%s\n' Makefile fake jobs pipeline)"
+  expect_equal "$(ls)" "$(printf '%s\n' Makefile fake jobs pipeline src)"
 }
 
 test_a_single_artefact_is_a_goal() {

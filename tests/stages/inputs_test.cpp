@@ -278,5 +278,18 @@ TEST(Simulate, RefusesADescriptionThatCannotBeSimulated) {
   expect_refusal(tiny.run_step("simulate"), "simulate", 66, {"tiny.toml"});
 }
 
+// Windows of another split's C may stand in this split's A or D.
+TEST(InputsOfDiagnoseAndScore, AGeneratorOfAnotherSplitIsRefused) {
+  const Tiny tiny;
+  tiny.run_chain_before("train");
+  Arguments other_split = step_of("split").arguments;
+  other_split = with(with(other_split, "--seed", "1"), "--output-dir", "other");
+  ASSERT_EQ(tiny.run("split", other_split).status, 0);
+  ASSERT_EQ(tiny.run("train", with(step_of("train").arguments, "--known", "other/C.h5")).status, 0);
+  ASSERT_EQ(tiny.run_step("generate").status, 0);
+  expect_refusal(tiny.run_step("diagnose"), "diagnose", 65, {"E.h5", "C.h5", "learned from"});
+  expect_refusal(tiny.run_step("score"), "score", 65, {"E.h5", "D.h5", "another split"});
+}
+
 }  // namespace
 }  // namespace piae::stages

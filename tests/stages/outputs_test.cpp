@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include "stages/tiny.hpp"
 
@@ -87,6 +88,25 @@ TEST(OutputsOfTabulate, FullDiskLeavesNoTable) {
   fs::create_symlink("/dev/full", tiny / "run/tiny/accuracy.csv.partial");
   expect_refusal(tiny.run_step("tabulate"), "tabulate", 1, {"accuracy.csv", "No space left"});
   EXPECT_EQ(tiny.files(), before);
+}
+
+TEST(OutputsOfGenerate, DoNotReplaceTheirInput) {
+  const Tiny tiny;
+  tiny.run_chain_before("generate");
+  const std::string before = bytes_of(tiny / "model.h5");
+  const Arguments arguments = with(step_of("generate").arguments, "--output", "./model.h5");
+  expect_refusal(tiny.run("generate", arguments), "generate", 2, {"model.h5", "is an input"});
+  EXPECT_TRUE(bytes_of(tiny / "model.h5") == before);
+}
+
+TEST(OutputsOfGenerate, DoNotReplaceWhatIsNoFile) {
+  const Tiny tiny;
+  tiny.run_chain_before("generate");
+  fs::create_directory(tiny / "pipes");
+  ASSERT_EQ(mkfifo((tiny / "pipes/pipe").c_str(), 0600), 0);
+  const Arguments arguments = with(step_of("generate").arguments, "--output", "pipes/pipe");
+  expect_refusal(tiny.run("generate", arguments), "generate", 1, {"pipes/pipe", "not a file"});
+  EXPECT_TRUE(fs::is_fifo(tiny / "pipes/pipe"));
 }
 
 }  // namespace
