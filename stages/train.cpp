@@ -4,6 +4,7 @@
 
 #include <iostream>
 
+#include "artefact/file.hpp"
 #include "augment/method.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/numbers.hpp"
@@ -66,7 +67,7 @@ int main(int argc, char** argv) {
     signal::write(model, signal::origin_of_known(reader));
     method->train(known, stream, device, checkpoint, model);
     stage.save(model, model_file);
-    fs::remove(checkpoint.path);
+    artefact::remove_file(checkpoint.path);
     std::cout << fmt::format("trained {} on {} windows of {} fault classes: {}\n", name,
                              known.size(), known.info.classes.size() - 1, model_file.string());
   });

@@ -15,6 +15,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
+fs::path partial_of(const fs::path& path) { return path.string() + ".partial"; }
+
 std::string reason() { return std::generic_category().message(errno); }
 
 /// A POSIX file descriptor that is closed on every way out.
@@ -90,7 +92,7 @@ void write_file_atomically(const fs::path& path, std::span<const std::byte> byte
     throw Error(Exit::failed, folder.string() + ": cannot make this folder: " +
                                   no_folder.message() + "; choose another output");
   }
-  const fs::path partial = path.string() + ".partial";
+  const fs::path partial = partial_of(path);
   const auto fail = [&](const std::string& what) {
     const std::string why = reason();
     ::unlink(partial.c_str());
@@ -103,6 +105,11 @@ void write_file_atomically(const fs::path& path, std::span<const std::byte> byte
     fail("cannot be written");
   if (::rename(partial.c_str(), path.c_str()) != 0) fail("cannot be put in place");
   sync_folder(folder);
+}
+
+void remove_file(const fs::path& path) {
+  fs::remove(path);
+  fs::remove(partial_of(path));
 }
 
 }  // namespace piae::artefact

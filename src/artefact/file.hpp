@@ -16,4 +16,7 @@ std::vector<std::byte> read_file(const std::filesystem::path& path);
 /// written or the disk is full.
 void write_file_atomically(const std::filesystem::path& path, std::span<const std::byte> bytes);
 
+/// Removes a file, where there is one, and what a killed write of it has left.
+void remove_file(const std::filesystem::path& path);
+
 }  // namespace piae::artefact
