@@ -127,8 +127,8 @@ class Training final : public TwinTraining {
 
  private:
   [[nodiscard]] double learning_rate_at(std::size_t epoch) const {
-    const auto decays = static_cast<double>(epoch / static_cast<std::size_t>(options_.decay_every));
-    return options_.learning_rate * std::pow(options_.decay, decays);
+    const std::size_t decays = epoch / static_cast<std::size_t>(options_.decay_every);
+    return options_.learning_rate * std::pow(options_.decay, static_cast<double>(decays));
   }
 
   [[nodiscard]] Losses losses_of(const torch::Tensor& batch) const {
