@@ -40,7 +40,8 @@ class Stage {
 
   /// Reads the value of `option` from the command line or the TOML file before all others are
   /// known, because others depend on it (`--method` decides which options train has). It also names
-  /// the variant's table in the TOML file. Empty when not given. Ends the program on a usage error.
+  /// the variant's table in the TOML file. Empty when not given; run() reports what is wrong with
+  /// it.
   std::string choose_variant(int argc, char** argv, const std::string& option);
 
   /// Parses, runs the body, and turns errors into one line on standard error and an exit code.
