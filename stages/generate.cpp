@@ -5,7 +5,7 @@
 #include <iostream>
 
 #include "augment/method.hpp"
-#include "cli/numbers.hpp"
+#include "cli/run_options.hpp"
 #include "cli/stage.hpp"
 #include "signal/roles.hpp"
 
@@ -19,18 +19,13 @@ int main(int argc, char** argv) {
                    "method knows it. The first n windows of a class do not depend on --count.",
                    "generate --model model.h5 --count 495 --seed 0 --output E.h5");
   std::size_t count = 495;
-  std::int64_t seed = 0;
-  std::string device = "cpu";
+  cli::RunOptions run;
   fs::path model_file;
   fs::path output;
   stage.app()
       .add_option("--count", count, "windows of each fault class")
       ->check(CLI::Range(std::size_t{1}, std::size_t{1000000}));
-  stage.app()
-      .add_option("--seed", seed, "the repeat; names the random streams")
-      ->required()
-      ->check(cli::natural_number());
-  stage.app().add_option("--device", device, "cpu or cuda");
+  bind(stage.app(), run);
   stage.input_file("--model", model_file, "model.h5 made by train");
   stage.output_file("--output", output, "E.h5, the generated windows");
 
@@ -38,15 +33,15 @@ int main(int argc, char** argv) {
     const artefact::Reader model = stage.open("model", model_file, "model");
     const std::string method = model.text("/", "method");
     const std::string dataset = model.text("/", "dataset");
-    const Stream stream(fmt::format("{}/seed{}/generate/{}", dataset, seed, method));
+    const Stream stream(fmt::format("{}/seed{}/generate/{}", dataset, run.seed, method));
     const signal::WindowSet windows =
-        augment::make_method(method)->generate(model, count, stream, device);
+        augment::make_method(method)->generate(model, count, stream, run.device);
 
     artefact::Writer writer("windows");
     signal::write(writer, windows);
     writer.attribute("/", "role", std::string("E"));
     writer.attribute("/", "method", method);
-    writer.attribute("/", "seed", seed);
+    writer.attribute("/", "seed", run.seed);
     signal::write(writer, signal::read_origin(model));
     stage.save(writer, output);
     std::cout << fmt::format("generated {} windows with {}: {}\n", windows.size(), method,

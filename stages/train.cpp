@@ -7,12 +7,26 @@
 #include "artefact/file.hpp"
 #include "augment/method.hpp"
 #include "cli/interrupt.hpp"
-#include "cli/numbers.hpp"
+#include "cli/run_options.hpp"
 #include "cli/stage.hpp"
 #include "signal/roles.hpp"
 
 using namespace piae;
 namespace fs = std::filesystem;
+
+namespace {
+
+/// Real windows of the split that the known ones are of: proved by where each was cut.
+signal::WindowSet read_real(const artefact::Reader& real, const artefact::Reader& known) {
+  signal::require_role(real, "D");
+  const std::vector<signal::RoleSet> roles{signal::read_role_set(known),
+                                           signal::read_role_set(real)};
+  signal::require_one_split(roles);
+  signal::require_classes(real, "D", roles.back().windows);
+  return roles.back().windows;
+}
+
+}  // namespace
 
 int main(int argc, char** argv) {
   cli::Stage stage(
@@ -22,19 +36,15 @@ int main(int argc, char** argv) {
       "options of its own: train --method piae-dt --help.",
       "train --method piae-dt --known seed0/C.h5 --seed 0 --output model.h5");
   std::string name = stage.choose_variant(argc, argv, "--method");
-  std::int64_t seed = 0;
-  std::string device = "cpu";
+  cli::RunOptions run;
   fs::path known_file;
+  fs::path real_file;
   fs::path model_file;
   stage.app()
       .add_option("--method", name,
                   "one of: " + fmt::format("{}", fmt::join(augment::method_names(), ", ")))
       ->required();
-  stage.app()
-      .add_option("--seed", seed, "the repeat; names the random streams")
-      ->required()
-      ->check(cli::natural_number());
-  stage.app().add_option("--device", device, "cpu or cuda");
+  bind(stage.app(), run);
   stage.input_file("--known", known_file, "C.h5: the known fault windows, made by split");
   stage.output_file("--output", model_file,
                     "the model; FILE.checkpoint stands beside it meanwhile");
@@ -43,6 +53,10 @@ int main(int argc, char** argv) {
     try {
       method = augment::make_method(name);
       method->bind(stage.app());
+      if (method->learns_from() == augment::LearnsFrom::real) {
+        stage.input_file("--real", real_file,
+                         "D.h5 of the same split, which only a ceiling learns from");
+      }
     } catch (const Error&) {
       // An unknown method is reported by run(), like every other error.
     }
@@ -52,9 +66,12 @@ int main(int argc, char** argv) {
     if (!method) method = augment::make_method(name);
     const artefact::Reader reader = stage.open("known", known_file, "windows");
     signal::require_role(reader, "C");
-    const signal::WindowSet known = signal::read_window_set(reader);
-    signal::require_classes(reader, "C", known);
-    const Stream stream(fmt::format("{}/seed{}/train/{}", known.info.name, seed, name));
+    signal::WindowSet windows = signal::read_window_set(reader);
+    signal::require_classes(reader, "C", windows);
+    if (method->learns_from() == augment::LearnsFrom::real) {
+      windows = read_real(stage.open("real", real_file, "windows"), reader);
+    }
+    const Stream stream(fmt::format("{}/seed{}/train/{}", windows.info.name, run.seed, name));
 
     cli::catch_interrupts();
     nets::Checkpoint checkpoint;
@@ -63,12 +80,12 @@ int main(int argc, char** argv) {
     checkpoint.interrupted = cli::interrupted;
     artefact::Writer model("model");
     model.attribute("/", "method", name);
-    model.attribute("/", "seed", seed);
+    model.attribute("/", "seed", run.seed);
     signal::write(model, signal::origin_of_known(reader));
-    method->train(known, stream, device, checkpoint, model);
+    method->train(windows, stream, run.device, checkpoint, model);
     stage.save(model, model_file);
     artefact::remove_file(checkpoint.path);
     std::cout << fmt::format("trained {} on {} windows of {} fault classes: {}\n", name,
-                             known.size(), known.info.classes.size() - 1, model_file.string());
+                             windows.size(), windows.info.classes.size() - 1, model_file.string());
   });
 }

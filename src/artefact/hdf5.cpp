@@ -60,7 +60,7 @@ constexpr std::size_t end_address_at = 28;
 
 /// Keeps the bytes of a file in memory when HDF5 lets go of them in closing it.
 struct ImageKeeper {
-  std::size_t wanted = 0;  ///< bytes of the file; 0 while none is being closed
+  bool wanted = false;  ///< while MemoryFile::close() runs
   std::vector<std::byte> image;
 };
 
@@ -77,9 +77,11 @@ void* reallocate_image(void* image, size_t size, H5FD_file_image_op_t, void*) {
 }
 
 herr_t release_image(void* image, H5FD_file_image_op_t operation, void*) {
-  if (operation == H5FD_FILE_IMAGE_OP_FILE_CLOSE && keeper.wanted > 0) {
+  if (operation == H5FD_FILE_IMAGE_OP_FILE_CLOSE && keeper.wanted) {
     const auto* bytes = static_cast<const std::byte*>(image);
-    keeper.image.assign(bytes, bytes + keeper.wanted);
+    std::uint64_t end = 0;
+    std::memcpy(&end, bytes + end_address_at, sizeof end);
+    keeper.image.assign(bytes, bytes + end);
   }
   std::free(image);
   return 0;
@@ -121,14 +123,9 @@ MemoryFile::MemoryFile() : access_(property_list(H5P_FILE_ACCESS)) {
 
 std::vector<std::byte> MemoryFile::close() {
   check(H5Fflush(file_, H5F_SCOPE_GLOBAL), "flush");
-  hsize_t size = 0;
-  check(H5Fget_filesize(file_, &size), "file size");
-  keeper.wanted = static_cast<std::size_t>(size);
+  keeper.wanted = true;
   file_ = Handle();
-  keeper.wanted = 0;
-  std::uint64_t end = 0;
-  std::memcpy(&end, keeper.image.data() + end_address_at, sizeof end);
-  keeper.image.resize(static_cast<std::size_t>(end));
+  keeper.wanted = false;
   return std::exchange(keeper.image, {});
 }
 

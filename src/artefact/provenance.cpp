@@ -6,6 +6,7 @@
 #include <Eigen/Core>
 #include <boost/version.hpp>
 #include <fstream>
+#include <map>
 
 #include "artefact/build_info.hpp"
 
@@ -13,12 +14,32 @@ namespace piae::artefact {
 
 namespace {
 
-std::string processor_model() {
+/// What /proc/cpuinfo says of the first processor.
+std::map<std::string, std::string> processor() {
+  std::map<std::string, std::string> values;
   std::ifstream in("/proc/cpuinfo");
-  for (std::string line; std::getline(in, line);) {
-    if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
+  for (std::string line; std::getline(in, line) && !line.empty();) {
+    const std::size_t colon = line.find(':');
+    if (colon == std::string::npos) continue;
+    const std::size_t begin = line.find_first_not_of(" \t", colon + 1);
+    values[line.substr(0, line.find_last_not_of(" \t", colon - 1) + 1)] =
+        begin == std::string::npos ? "" : line.substr(begin);
   }
-  return "unknown processor";
+  return values;
+}
+
+/// Virtual machines hide the model's name, and instructions that a library would choose its code
+/// by.
+std::string processor_model() {
+  std::map<std::string, std::string> values = processor();
+  if (!values.contains("model name")) return "unknown processor";
+  const std::string flags = " " + values["flags"] + " ";
+  std::string widest = "no AVX";
+  for (const char* set : {"avx", "avx2", "avx512f"}) {
+    if (flags.find(std::string(" ") + set + " ") != std::string::npos) widest = set;
+  }
+  return values["model name"] + " (family " + values["cpu family"] + ", model " + values["model"] +
+         ", stepping " + values["stepping"] + ", " + widest + ")";
 }
 
 }  // namespace

@@ -37,6 +37,23 @@ void take_values(const toml::table& table, Values& values) {
   }
 }
 
+/// The values of a variant's table, on top of those of the one that it is `like`.
+void take_variant(const toml::table& program, const std::string& variant, Values& values) {
+  const toml::table* own = program[variant].as_table();
+  if (own == nullptr) return;
+  if (own->contains("like")) {
+    const auto name = (*own)["like"].value_or<std::string>("");
+    const toml::table* other = program[name].as_table();
+    if (other == nullptr || other->contains("like")) {
+      throw CLI::ConfigError("table of '" + variant + "': like = '" + name +
+                             "' must name a variant that has a table and is itself like none");
+    }
+    take_values(*other, values);
+  }
+  take_values(*own, values);
+  values.erase("like");
+}
+
 }  // namespace
 
 std::vector<CLI::ConfigItem> TomlConfig::from_config(std::istream& input) const {
@@ -52,9 +69,7 @@ std::vector<CLI::ConfigItem> TomlConfig::from_config(std::istream& input) const 
   const toml::table* table = file[program_].as_table();
   Values values;
   take_values(table != nullptr ? *table : file, values);
-  if (table != nullptr && !variant_.empty()) {
-    if (const toml::table* inner = (*table)[variant_].as_table()) take_values(*inner, values);
-  }
+  if (table != nullptr) take_variant(*table, variant_, values);
   std::vector<CLI::ConfigItem> items;
   for (auto& [name, inputs] : values) items.push_back({{}, name, std::move(inputs)});
   return items;

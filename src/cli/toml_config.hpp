@@ -10,7 +10,8 @@ namespace piae::cli {
 /// Of a file with tables, such as pipeline/protocol.toml, a program reads its own table, [train],
 /// and below it the table of the chosen variant, [train.piae-dt]. A file without that table is read
 /// from the top, so that a file for one program alone needs none. An option given on the command
-/// line wins over the file, the variant's table over the program's.
+/// line wins over the file, the variant's table over the program's. A variant that differs little
+/// from another names it, like = "piae-dt", and stands on top of its table.
 class TomlConfig : public CLI::Config {
  public:
   TomlConfig(std::string program, std::string variant)

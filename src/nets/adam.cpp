@@ -23,7 +23,7 @@ void Adam::step(double learning_rate) {
   first_moment_.mul_(beta1_).add_(gradients_, 1 - beta1_);
   second_moment_.mul_(beta2_).addcmul_(gradients_, gradients_, 1 - beta2_);
   const torch::Tensor denominator =
-      second_moment_.sqrt().div_(std::sqrt(1 - std::pow(beta2_, t))).add_(epsilon);
+      second_moment_.sqrt().div_(std::sqrt(1 - std::pow(beta2_, t))).add_(AdamConstants::epsilon);
   values_.addcdiv_(first_moment_, denominator, -learning_rate / (1 - std::pow(beta1_, t)));
 }
 

@@ -7,6 +7,7 @@
 
 #include "artefact/reader.hpp"
 #include "artefact/writer.hpp"
+#include "nets/flat_adam.hpp"
 
 namespace piae::nets {
 
@@ -14,13 +15,9 @@ namespace piae::nets {
 /// The same mathematics as torch::optim::Adam, with a state that is three plain arrays.
 class Adam {
  public:
-  static constexpr double default_beta1 = 0.9;
-  static constexpr double default_beta2 = 0.999;
-  static constexpr double epsilon = 1e-8;
-
   /// Both tensors are flat, of one size, and are only borrowed: ParameterSet owns them.
-  Adam(torch::Tensor values, torch::Tensor gradients, double beta1 = default_beta1,
-       double beta2 = default_beta2);
+  Adam(torch::Tensor values, torch::Tensor gradients, double beta1 = AdamConstants::beta1,
+       double beta2 = AdamConstants::beta2);
 
   void step(double learning_rate);
 

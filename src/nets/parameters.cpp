@@ -2,35 +2,9 @@
 
 #include <torch/torch.h>
 
-#include <cmath>
 #include <stdexcept>
 
 namespace piae::nets {
-
-namespace {
-
-std::int64_t size_of(const ParameterSpec& spec) {
-  std::int64_t size = 1;
-  for (const std::int64_t n : spec.shape) size *= n;
-  return size;
-}
-
-std::vector<double> initial_values(const ParameterSpec& spec, const Stream& stream) {
-  std::vector<double> values(static_cast<std::size_t>(size_of(spec)), spec.constant);
-  if (spec.bound > 0) {
-    Stream own = stream.child(spec.name);
-    for (double& value : values) value = own.uniform(-spec.bound, spec.bound);
-  }
-  return values;
-}
-
-}  // namespace
-
-std::vector<ParameterSpec> dense_specs(const std::string& name, std::int64_t inputs,
-                                       std::int64_t outputs) {
-  const double bound = 1.0 / std::sqrt(static_cast<double>(inputs));
-  return {{name + "/weight", {outputs, inputs}, bound}, {name + "/bias", {outputs}, bound}};
-}
 
 ParameterSet::ParameterSet(std::vector<ParameterSpec> specs, const Stream& stream,
                            torch::Dtype dtype, torch::Device device)
@@ -44,7 +18,7 @@ ParameterSet::ParameterSet(std::vector<ParameterSpec> specs, const Stream& strea
   gradients_ = torch::zeros_like(values_);
   std::int64_t begin = 0;
   for (const ParameterSpec& spec : specs_) {
-    const std::int64_t size = size_of(spec);
+    const std::int64_t size = spec.size();
     torch::Tensor view = values_.narrow(0, begin, size).view(spec.shape).detach();
     view.requires_grad_();
     view.mutable_grad() = gradients_.narrow(0, begin, size).view(spec.shape);
@@ -71,7 +45,7 @@ ParameterSet::Range ParameterSet::range_of(const std::string& prefix) const {
   Range range{-1, -1};
   std::int64_t begin = 0;
   for (const ParameterSpec& spec : specs_) {
-    const std::int64_t end = begin + size_of(spec);
+    const std::int64_t end = begin + spec.size();
     if (spec.name.starts_with(prefix)) {
       if (range.begin >= 0 && range.end != begin) {
         throw std::logic_error("parameters " + prefix + "* do not stand next to each other");
@@ -109,7 +83,7 @@ void ParameterSet::write(artefact::Writer& writer, const std::string& group,
   const std::vector<float> flat = to_vector(values);
   std::span<const float> rest(flat);
   for (const ParameterSpec& spec : specs_) {
-    const auto size = static_cast<std::size_t>(size_of(spec));
+    const auto size = static_cast<std::size_t>(spec.size());
     writer.numbers(group + "/" + spec.name, rest.first(size),
                    {spec.shape.begin(), spec.shape.end()});
     rest = rest.subspan(size);
@@ -129,7 +103,7 @@ std::vector<float> to_vector(const torch::Tensor& tensor) {
   return {data, data + flat.numel()};
 }
 
-void copy_into(torch::Tensor tensor, std::span<const float> values) {
+void copy_into(const torch::Tensor& tensor, std::span<const float> values) {
   const torch::NoGradGuard no_grad;
   const torch::Tensor source =
       torch::from_blob(const_cast<float*>(values.data()),

@@ -11,22 +11,9 @@
 #include "artefact/reader.hpp"
 #include "artefact/writer.hpp"
 #include "base/random.hpp"
+#include "nets/parameter_spec.hpp"
 
 namespace piae::nets {
-
-/// One parameter tensor of a network, and how it starts: uniform in [-bound, bound], or `constant`
-/// where bound is 0. LibTorch's own default for dense, convolutional and recurrent layers is
-/// bound = 1 / sqrt(inputs of one unit), for weights and biases alike.
-struct ParameterSpec {
-  std::string name;  ///< "encoder/0/weight"
-  std::vector<std::int64_t> shape;
-  double bound = 0;
-  double constant = 0;
-};
-
-/// Weight [outputs, inputs] and bias [outputs] of a dense layer called "<name>".
-std::vector<ParameterSpec> dense_specs(const std::string& name, std::int64_t inputs,
-                                       std::int64_t outputs);
 
 /// All parameters of a model in one flat vector, and their gradients in another: the optimiser,
 /// gradient clipping and checkpoints each are one pass over contiguous memory. Every tensor that
@@ -72,6 +59,6 @@ class ParameterSet {
 
 /// A flat tensor as float32 numbers and back; the shape must fit.
 std::vector<float> to_vector(const torch::Tensor& tensor);
-void copy_into(torch::Tensor tensor, std::span<const float> values);
+void copy_into(const torch::Tensor& tensor, std::span<const float> values);
 
 }  // namespace piae::nets

@@ -4,6 +4,8 @@
 #include <map>
 #include <tuple>
 
+#include "base/error.hpp"
+
 namespace piae::signal {
 
 namespace {
@@ -163,6 +165,11 @@ std::vector<std::string> check_roles(const std::vector<RoleSet>& sets) {
     findings.push_back(line_of(entry, length));
   }
   return findings;
+}
+
+void require_one_split(const std::vector<RoleSet>& sets) {
+  const std::vector<std::string> findings = check_roles(sets);
+  if (!findings.empty()) throw Error(Exit::bad_input, findings.front());
 }
 
 }  // namespace piae::signal

@@ -60,4 +60,7 @@ RoleSet read_role_set(const artefact::Reader& reader);
 /// Returns one line for each thing that is not so; nothing when all is good.
 std::vector<std::string> check_roles(const std::vector<RoleSet>& sets);
 
+/// Throws Error(bad_input) with the first of these lines.
+void require_one_split(const std::vector<RoleSet>& sets);
+
 }  // namespace piae::signal

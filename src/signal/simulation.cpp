@@ -5,12 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <exception>
-#include <numbers>
 #include <string>
 #include <vector>
 
 #include "base/error.hpp"
+#include "base/parallel.hpp"
 #include "base/random.hpp"
 #include "bearing/kinematics.hpp"
 #include "signal/description.hpp"
@@ -20,23 +19,21 @@ namespace piae::signal {
 
 namespace {
 
-constexpr double cut_at = 3;  // standard deviations of a drawn parameter
-
 double read_spread(TomlTable& table, const std::string& key) {
   const double spread = table.number(key);
-  if (spread < 0 || spread >= 1 / cut_at) table.refuse(key, "must be from 0 to below 1/3");
+  if (spread < 0 || spread >= bearing::spread_limit)
+    table.refuse(key, "must be from 0 to below 1/3");
   return spread;
 }
 
-bearing::DynamicsOptions read_dynamics(TomlTable& table, double stiffness_spread) {
+bearing::DynamicsOptions read_dynamics(TomlTable& table, const bearing::Variation& variation) {
   bearing::DynamicsOptions dynamics;
   dynamics.mass_kg = table.positive("mass_kg");
   dynamics.stiffness_n_per_m = table.positive("stiffness_n_per_m");
   dynamics.damping_ns_per_m = table.positive("damping_ns_per_m");
   dynamics.clearance_um = table.positive("clearance_um");
   dynamics.load_n = table.positive("load_n");
-  const double stiffest = dynamics.stiffness_n_per_m * (1 + cut_at * stiffness_spread);
-  const double lift = stiffest * dynamics.clearance_um * 1e-6;
+  const double lift = bearing::largest_lift_n(dynamics, variation);
   if (dynamics.load_n <= lift) {
     table.refuse("load_n", fmt::format("must exceed {:.6g} N, the largest stiffness times the "
                                        "clearance: below, no ball is ever touched",
@@ -54,12 +51,13 @@ void read_table(TomlTable& table, Simulation& simulation) {
   const double samples = std::floor(table.positive("record_s") * simulation.info.sample_rate_hz);
   if (samples < 1 || samples > 1e8) table.refuse("record_s", "must give 1 to 1e8 samples");
   simulation.samples = static_cast<std::size_t>(samples);
-  simulation.stiffness_spread = read_spread(table, "stiffness_spread");
-  simulation.damping_spread = read_spread(table, "damping_spread");
-  simulation.speed_spread = read_spread(table, "speed_spread");
-  simulation.dynamics = read_dynamics(table, simulation.stiffness_spread);
-  simulation.slip_max = table.number("slip_max");
-  if (simulation.slip_max < 0 || simulation.slip_max >= 1) {
+  bearing::Variation& variation = simulation.variation;
+  variation.stiffness_spread = read_spread(table, "stiffness_spread");
+  variation.damping_spread = read_spread(table, "damping_spread");
+  variation.speed_spread = read_spread(table, "speed_spread");
+  simulation.dynamics = read_dynamics(table, variation);
+  variation.slip_max = table.number("slip_max");
+  if (variation.slip_max < 0 || variation.slip_max >= 1) {
     table.refuse("slip_max", "must be from 0 to below 1");
   }
   if (table.has("snr_db")) simulation.snr_db = table.number("snr_db");
@@ -89,15 +87,6 @@ void require_possible(const DatasetInfo& info, const TomlTable& root,
   }
 }
 
-double draw(Stream& stream, double mean, double spread) {
-  for (;;) {
-    const double deviation = stream.normal(0, 1);
-    if (std::abs(deviation) <= cut_at) return mean * (1 + spread * deviation);
-  }
-}
-
-double draw_angle(Stream& stream) { return stream.uniform(0, 2 * std::numbers::pi); }
-
 std::string record_name(const Simulation& simulation, std::size_t label, std::size_t number) {
   const std::size_t digits =
       std::max<std::size_t>(2, std::to_string(simulation.records_per_class).size());
@@ -119,19 +108,14 @@ Record clean_record(const Simulation& simulation, std::size_t label, std::size_t
   record.original_sample_rate_hz = info.sample_rate_hz;
   record.source = "simulated";
   Stream stream = stream_of(simulation, record);
-  bearing::DynamicsOptions dynamics = simulation.dynamics;
-  dynamics.stiffness_n_per_m =
-      draw(stream, dynamics.stiffness_n_per_m, simulation.stiffness_spread);
-  dynamics.damping_ns_per_m = draw(stream, dynamics.damping_ns_per_m, simulation.damping_spread);
-  bearing::Motion motion;
-  motion.shaft_speed_rpm = draw(stream, info.shaft_speed_rpm, simulation.speed_spread);
-  motion.slip = simulation.slip_max * stream.uniform(0, 1);
-  motion.cage_angle_rad = draw_angle(stream);
-  const bool turns = info.classes[label].defect != Defect::outer;
-  if (turns) motion.defect_angle_rad = draw_angle(stream);
+  const bearing::DynamicsOptions dynamics =
+      bearing::draw_dynamics(stream, simulation.dynamics, simulation.variation);
+  const bearing::LocalDefect defect = defect_of(info.classes[label]);
+  const bearing::Motion motion =
+      bearing::draw_motion(stream, defect.kind, info.shaft_speed_rpm, simulation.variation);
   record.shaft_speed_rpm = motion.shaft_speed_rpm;
   record.parameters = DynamicParameters{dynamics.stiffness_n_per_m, dynamics.damping_ns_per_m};
-  record.signal = bearing::simulate(info.bearing, defect_of(info.classes[label]), motion, dynamics,
+  record.signal = bearing::simulate(info.bearing, defect, motion, dynamics,
                                     {info.sample_rate_hz, simulation.samples});
   return record;
 }
@@ -182,24 +166,13 @@ Simulation read_simulation(const std::filesystem::path& file) {
 Recordings simulate(const Simulation& simulation, const std::function<void(std::size_t)>& done) {
   Recordings recordings{simulation.info, {}};
   recordings.records.resize(simulation.info.classes.size() * simulation.records_per_class);
-  const auto total = static_cast<std::int64_t>(recordings.records.size());
   std::size_t count = 0;
-  std::vector<std::exception_ptr> failures(recordings.records.size());
-#pragma omp parallel for schedule(dynamic)
-  for (std::int64_t i = 0; i < total; ++i) {
-    const auto [label, number] =
-        std::lldiv(i, static_cast<std::int64_t>(simulation.records_per_class));
-    try {
-      recordings.records[i] = clean_record(simulation, label, number);
-    } catch (...) {  // must not leave the parallel loop
-      failures[i] = std::current_exception();
-    }
+  parallel_for(recordings.records.size(), [&](std::size_t i) {
+    recordings.records[i] = clean_record(simulation, i / simulation.records_per_class,
+                                         i % simulation.records_per_class);
 #pragma omp critical(simulation_progress)
     if (done) done(++count);
-  }
-  for (const std::exception_ptr& failure : failures) {
-    if (failure) std::rethrow_exception(failure);  // the first, whichever thread met one first
-  }
+  });
   if (simulation.snr_db) add_noise(simulation, recordings);
   std::ranges::sort(recordings.records, {}, &Record::name);
   return recordings;

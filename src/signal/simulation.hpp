@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "bearing/dynamics.hpp"
+#include "bearing/variation.hpp"
 #include "signal/recordings.hpp"
 
 namespace piae::signal {
@@ -34,13 +35,7 @@ struct Simulation {
   std::size_t records_per_class = 0;
   std::size_t samples = 0;            ///< of a record
   bearing::DynamicsOptions dynamics;  ///< with the mean stiffness and damping
-
-  /// Each record has its own stiffness, damping and shaft speed: normal with these relative
-  /// standard deviations, cut at 3 of them. Below 1/3, so that all stay positive.
-  double stiffness_spread = 0;
-  double damping_spread = 0;
-  double speed_spread = 0;
-  double slip_max = 0;
+  bearing::Variation variation;       ///< from record to record
 
   /// One white measurement noise for the whole dataset, as one sensor would have: this far, in dB,
   /// below the mean power of the faintest faulty class. So a stronger fault has a better ratio,

@@ -53,6 +53,23 @@ TEST(TomlConfig, TheVariantsTableWinsOverThePrograms) {
   EXPECT_EQ(parse(toml, "smote").epochs, 20);
 }
 
+TEST(TomlConfig, AVariantStandsOnTopOfTheOneThatItIsLike) {
+  const std::string toml =
+      "[train]\nepochs = 20\nrate = 0.1\n[train.ae]\nlike = \"vae\"\nepochs = 4\n"
+      "[train.vae]\nepochs = 30\nrate = 0.2\n";
+  EXPECT_EQ(parse(toml, "ae").epochs, 4);
+  EXPECT_EQ(parse(toml, "ae").rate, 0.2);
+  EXPECT_EQ(parse(toml, "vae").epochs, 30);
+}
+
+TEST(TomlConfig, RefusesToBeLikeWhatHasNoTableOfItsOwn) {
+  const std::string toml =
+      "[train.ae]\nlike = \"vae\"\n[train.cnn]\nlike = \"ae\"\n[train.rnn]\nlike = 3\n";
+  for (const std::string variant : {"ae", "cnn", "rnn"}) {
+    EXPECT_THROW(parse(toml, variant), CLI::ConfigError) << variant;
+  }
+}
+
 TEST(TomlConfig, TheCommandLineWinsOverTheFile) {
   EXPECT_EQ(parse("[train]\nepochs = 20\n", "", {"--epochs", "5"}).epochs, 5);
 }

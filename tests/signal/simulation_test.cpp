@@ -12,6 +12,7 @@
 #include <string>
 
 #include "base/error.hpp"
+#include "signal/description_text.hpp"
 
 namespace piae::signal {
 namespace {
@@ -19,43 +20,13 @@ namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 
-const std::string head = R"(name = "small"
-sample_rate_hz = 12000
-shaft_speed_rpm = 1797
-[bearing]
-balls = 9
-ball_diameter_mm = 7.94
-pitch_diameter_mm = 39.0
-inner_raceway_mm = 31.06
-outer_raceway_mm = 46.94
-contact_angle_deg = 0
-[[class]]
-name = "Normal"
-defect = "none"
-)";
-const std::string faulty = R"([[class]]
-name = "OR021"
-defect = "outer"
-defect_size_mm = 0.5334
-[[class]]
+const std::string head = described_bearing("small") + described_normal;
+const std::string faulty = described_or021 + R"([[class]]
 name = "B007"
 defect = "roller"
 defect_size_mm = 0.1778
 )";
-const std::string table = R"([simulation]
-seed = 0
-records_per_class = 4
-record_s = 0.2
-mass_kg = 1.0
-stiffness_n_per_m = 1e8
-stiffness_spread = 0.1
-damping_ns_per_m = 500
-damping_spread = 0.2
-clearance_um = 2.0
-load_n = 1000
-slip_max = 0.01
-speed_spread = 0.001
-)";
+const std::string table = described_simulation("4", "0.2");
 
 std::string replaced(std::string text, const std::string& what, const std::string& by) {
   const std::size_t at = text.find(what);
@@ -120,10 +91,10 @@ TEST_F(SimulationTest, ReadsWhatTheDescriptionSays) {
   EXPECT_EQ(s.dynamics.damping_ns_per_m, 500);
   EXPECT_EQ(s.dynamics.clearance_um, 2);
   EXPECT_EQ(s.dynamics.load_n, 1000);
-  EXPECT_EQ(s.stiffness_spread, 0.1);
-  EXPECT_EQ(s.damping_spread, 0.2);
-  EXPECT_EQ(s.slip_max, 0.01);
-  EXPECT_EQ(s.speed_spread, 0.001);
+  EXPECT_EQ(s.variation.stiffness_spread, 0.1);
+  EXPECT_EQ(s.variation.damping_spread, 0.2);
+  EXPECT_EQ(s.variation.slip_max, 0.01);
+  EXPECT_EQ(s.variation.speed_spread, 0.001);
   EXPECT_EQ(s.snr_db, -3);
   EXPECT_FALSE(read(description).snr_db.has_value());
 }

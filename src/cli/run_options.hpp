@@ -1,0 +1,17 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <cstdint>
+#include <string>
+
+namespace piae::cli {
+
+/// What every stage with neural networks is told about the run.
+struct RunOptions {
+  std::int64_t seed = 0;       ///< the repeat; names the random streams. Must be given
+  std::string device = "cpu";  ///< cpu or cuda
+};
+
+void bind(CLI::App& app, RunOptions& options);
+
+}  // namespace piae::cli

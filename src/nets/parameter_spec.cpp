@@ -1,0 +1,28 @@
+#include "nets/parameter_spec.hpp"
+
+#include <cmath>
+
+namespace piae::nets {
+
+std::int64_t ParameterSpec::size() const {
+  std::int64_t size = 1;
+  for (const std::int64_t n : shape) size *= n;
+  return size;
+}
+
+std::vector<ParameterSpec> dense_specs(const std::string& name, std::int64_t inputs,
+                                       std::int64_t outputs) {
+  const double bound = 1.0 / std::sqrt(static_cast<double>(inputs));
+  return {{name + "/weight", {outputs, inputs}, bound}, {name + "/bias", {outputs}, bound}};
+}
+
+std::vector<double> initial_values(const ParameterSpec& spec, const Stream& stream) {
+  std::vector<double> values(static_cast<std::size_t>(spec.size()), spec.constant);
+  if (spec.bound > 0) {
+    Stream own = stream.child(spec.name);
+    for (double& value : values) value = own.uniform(-spec.bound, spec.bound);
+  }
+  return values;
+}
+
+}  // namespace piae::nets

@@ -1,0 +1,36 @@
+#include "signal/amplitude.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "signal/folder.hpp"
+
+namespace piae::signal {
+namespace {
+
+WindowSet two_classes() {
+  WindowSet windows;
+  windows.info.classes = {{"Normal", Defect::none, 0}, {"OR", Defect::outer, 0.2}};
+  windows.length = 2;
+  // Deviations from the windows' own means: -1 1, then -3 3.
+  windows.samples = {9, 11, -3, 3};
+  windows.labels = {1, 1};
+  return windows;
+}
+
+TEST(Amplitude, IsTheRmsAboutEachWindowsOwnMean) {
+  const std::vector<double> rms = rms_by_class(two_classes());
+  ASSERT_EQ(rms.size(), 2U);
+  EXPECT_DOUBLE_EQ(rms[0], 1);  // no windows
+  EXPECT_DOUBLE_EQ(rms[1], std::sqrt((1.0 + 1 + 9 + 9) / 4));
+}
+
+TEST(Amplitude, OfConstantWindowsIsRefused) {
+  WindowSet windows = two_classes();
+  windows.samples = {2, 2, 5, 5};
+  EXPECT_ERROR(rms_by_class(windows), Exit::bad_input, "class OR");
+}
+
+}  // namespace
+}  // namespace piae::signal
