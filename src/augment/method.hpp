@@ -16,6 +16,12 @@
 
 namespace piae::augment {
 
+/// The windows of a split that a method may see.
+enum class LearnsFrom {
+  known,  ///< C. So do all methods
+  real,   ///< D, the real windows that generated ones are to replace: of a ceiling, not a method
+};
+
 /// One way of making fault windows from the few that are known: an entry of the grid's METHODS.
 /// A new one is a class of its own and a line in registry.cpp; stages, grid and tables learn of it
 /// there.
@@ -23,11 +29,13 @@ class Method {
  public:
   virtual ~Method() = default;
 
+  [[nodiscard]] virtual LearnsFrom learns_from() const { return LearnsFrom::known; }
+
   /// Adds the options of `train` that are this method's own.
   virtual void bind(CLI::App& app) = 0;
 
-  /// Learns from the known fault windows C and writes what `generate` needs into the model. Long
-  /// training runs through nets::run_epochs with the checkpoint.
+  /// Learns from the known fault windows C (or those of learns_from) and writes what `generate`
+  /// needs into the model. Long training runs through nets::run_epochs with the checkpoint.
   virtual void train(const signal::WindowSet& known, const Stream& stream,
                      const std::string& device, const nets::Checkpoint& checkpoint,
                      artefact::Writer& model) = 0;

@@ -9,14 +9,14 @@ void PiaeDt::bind(CLI::App& app) { twin::bind(app, options_); }
 
 void PiaeDt::train(const signal::WindowSet& known, const Stream& stream, const std::string& device,
                    const nets::Checkpoint& checkpoint, artefact::Writer& model) {
-  const auto training = twin::make_twin_training(known, options_, stream, device);
+  const auto training = twin::make_twin_training(known, options_, variant_, stream, device);
   nets::run_epochs(*training, checkpoint);
   training->write_model(model);
 }
 
 signal::WindowSet PiaeDt::generate(const artefact::Reader& model, std::size_t count,
                                    const Stream& stream, const std::string& device) {
-  return twin::generate(model, count, stream, device);
+  return twin::generate(model, variant_, count, stream, device);
 }
 
 }  // namespace piae::augment

@@ -2,12 +2,16 @@
 
 #include "augment/method.hpp"
 #include "twin/options.hpp"
+#include "twin/variant.hpp"
 
 namespace piae::augment {
 
-/// The paper's method (src/twin) as an entry of the grid.
+/// The paper's method (src/twin) and its ablations as entries of the grid. All have the same
+/// options, also those that an ablation has no use for, so that they can share their settings.
 class PiaeDt final : public Method {
  public:
+  explicit PiaeDt(const twin::TwinVariant& variant) : variant_(variant) {}
+
   void bind(CLI::App& app) override;
   void train(const signal::WindowSet& known, const Stream& stream, const std::string& device,
              const nets::Checkpoint& checkpoint, artefact::Writer& model) override;
@@ -15,6 +19,7 @@ class PiaeDt final : public Method {
                              const std::string& device) override;
 
  private:
+  twin::TwinVariant variant_;
   twin::TwinOptions options_;
 };
 

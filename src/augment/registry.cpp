@@ -1,7 +1,15 @@
 #include <utility>
 
+#include "augment/dynamics.hpp"
 #include "augment/method.hpp"
+#include "augment/oracle.hpp"
+#include "augment/physics.hpp"
 #include "augment/piae_dt.hpp"
+#include "augment/piae_dt_phase.hpp"
+#include "augment/repetition.hpp"
+#include "augment/smote.hpp"
+#include "augment/vae.hpp"
+#include "augment/wgan_gp.hpp"
 #include "base/error.hpp"
 
 namespace piae::augment {
@@ -10,13 +18,27 @@ namespace {
 
 using Factory = std::unique_ptr<Method> (*)();
 
-template <class M>
+/// A method of class M, made of these arguments.
+template <class M, auto... arguments>
 std::unique_ptr<Method> make() {
-  return std::make_unique<M>();
+  return std::make_unique<M>(arguments...);
 }
 
+// The comments keep one on a line, as pipeline/grid.mk reads them.
 const std::pair<const char*, Factory> registry[] = {
-    {"piae-dt", make<PiaeDt>},
+    {"dynamics", make<Dynamics>},                               // paper 4.5.3
+    {"smote", make<Smote>},                                     // 4.5.3
+    {"vae", make<Vae>},                                         // 4.5.3
+    {"wgan-gp", make<WganGp>},                                  // 4.5.3
+    {"piae-dt", make<PiaeDt, twin::full_model>},                // the method; Model 1 of 4.5.4
+    {"ae", make<PiaeDt, twin::without_physics>},                // Model 2
+    {"physics", make<Physics>},                                 // Model 3
+    {"piae-dt-cnn", make<PiaeDt, twin::convolutional_model>},   // Model 4
+    {"piae-dt-rnn", make<PiaeDt, twin::recurrent_model>},       // Model 5
+    {"piae-dt-phase", make<PiaeDtPhase>},                       // ours: src/phase
+    {"oversample", make<Repetition, Repetition::Shift::none>},  // honest company
+    {"shift", make<Repetition, Repetition::Shift::circular>},   // honest company
+    {"oracle", make<Oracle>},                                   // a ceiling, not a method
 };
 
 }  // namespace

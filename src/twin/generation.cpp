@@ -29,14 +29,15 @@ std::vector<TwinPoint> draw(const TwinSpace& space, std::size_t count, const Str
 
 }  // namespace
 
-signal::WindowSet generate(const artefact::Reader& model, std::size_t count, const Stream& stream,
+signal::WindowSet generate(const artefact::Reader& model, const TwinVariant& variant,
+                           std::size_t count, const Stream& stream,
                            const std::string& device_name) {
   const torch::NoGradGuard no_grad;
   const torch::Device device = nets::prepare_device(device_name);
   const ModelDescription description = read_model_description(model);
   const TwinSpace space(model);
-  nets::ParameterSet parameters(network_specs(description.shape, description.options), stream,
-                                torch::kFloat32, device);
+  const Networks networks(variant, description.shape, description.options);
+  nets::ParameterSet parameters(networks.specs(), stream, torch::kFloat32, device);
   parameters.read(model, "/" + description.options.keep);
 
   signal::WindowSet generated;
@@ -51,7 +52,8 @@ signal::WindowSet generate(const artefact::Reader& model, std::size_t count, con
         torch::one_hot(torch::tensor({static_cast<std::int64_t>(label)}), description.shape.classes)
             .to(k_and_c.options())
             .expand({k_and_c.size(0), -1});
-    const torch::Tensor a = decode(parameters, k_and_c, one_hot) * description.acceleration[label];
+    const torch::Tensor a =
+        networks.decode(parameters, k_and_c, one_hot) * description.acceleration[label];
     const std::vector<float> samples = nets::to_vector(a);
     generated.samples.insert(generated.samples.end(), samples.begin(), samples.end());
     generated.labels.insert(generated.labels.end(), count, static_cast<std::int32_t>(label));

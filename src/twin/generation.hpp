@@ -6,6 +6,7 @@
 #include "artefact/reader.hpp"
 #include "base/random.hpp"
 #include "signal/window_set.hpp"
+#include "twin/variant.hpp"
 
 namespace piae::twin {
 
@@ -13,7 +14,8 @@ namespace piae::twin {
 /// decodes them with the class's label, and returns the windows in the recordings' unit with the
 /// (k, c) they came from. Window i of a class comes from the stream's child "<class>/<i>", so that
 /// the first n windows are the same however many are asked for.
-signal::WindowSet generate(const artefact::Reader& model, std::size_t count, const Stream& stream,
-                           const std::string& device);
+/// Throws artefact::Refusal for a model of another variant.
+signal::WindowSet generate(const artefact::Reader& model, const TwinVariant& variant,
+                           std::size_t count, const Stream& stream, const std::string& device);
 
 }  // namespace piae::twin

@@ -34,8 +34,13 @@ BatchPhysics batch_physics(const Physics& physics, const torch::Tensor& labels,
 torch::Tensor twin_loss(const torch::Tensor& k_and_c, const torch::Tensor& a, const Motion& motion,
                         const BatchPhysics& batch, const Physics& physics);
 
-/// L_total, eq. 23, for log_weights = (log alpha, log beta, log gamma). Its stationary point is at
-/// alpha = 1 / (2 L_DDL), beta = 1 / (2 L_DT), gamma = 1 / (2 L_Rec).
+/// alpha L_DDL + beta L_DT + gamma L_Rec for log_weights = (log alpha, log beta, log gamma): eq. 23
+/// without its logarithms. Where the weights are learned by it, nothing holds them above zero.
+torch::Tensor weighted_loss(const torch::Tensor& differential, const torch::Tensor& twin,
+                            const torch::Tensor& reconstruction, const torch::Tensor& log_weights);
+
+/// L_total, eq. 23. Its stationary point is at alpha = 1 / (2 L_DDL), beta = 1 / (2 L_DT), gamma =
+/// 1 / (2 L_Rec).
 torch::Tensor total_loss(const torch::Tensor& differential, const torch::Tensor& twin,
                          const torch::Tensor& reconstruction, const torch::Tensor& log_weights);
 

@@ -2,31 +2,29 @@
 
 #include <torch/torch.h>
 
-#include <string>
+#include <stdexcept>
+
+#include "twin/convolutional_coder.hpp"
+#include "twin/dense_coder.hpp"
+#include "twin/recurrent_coder.hpp"
 
 namespace piae::twin {
 
 namespace {
 
-void add_chain(std::vector<nets::ParameterSpec>& specs, const std::string& name,
-               std::int64_t inputs, std::int64_t outputs, const TwinOptions& options) {
-  for (int layer = 0; layer < options.depth; ++layer) {
-    const bool last = layer + 1 == options.depth;
-    const std::int64_t units = last ? outputs : options.width;
-    const auto dense = nets::dense_specs(name + "/" + std::to_string(layer), inputs, units);
-    specs.insert(specs.end(), dense.begin(), dense.end());
-    inputs = units;
-  }
-}
+const std::string physics_module = "net/physics";
 
-torch::Tensor run_chain(const nets::ParameterSet& parameters, const std::string& name,
-                        torch::Tensor x) {
-  const std::vector<torch::Tensor> tensors = parameters.with_prefix(name + "/");
-  for (std::size_t i = 0; i < tensors.size(); i += 2) {
-    if (i > 0) x = torch::relu(x);
-    x = torch::linear(x, tensors[i], tensors[i + 1]);
+std::unique_ptr<Coder> make_coder(CoderKind kind, const NetworkShape& shape,
+                                  const TwinOptions& options) {
+  switch (kind) {
+    case CoderKind::dense:
+      return std::make_unique<DenseCoder>(shape, options);
+    case CoderKind::convolutional:
+      return std::make_unique<ConvolutionalCoder>(shape, options);
+    case CoderKind::recurrent:
+      return std::make_unique<RecurrentCoder>(shape, options);
   }
-  return x;
+  throw std::logic_error("no such coder");
 }
 
 /// Times of the samples, from 0 to 1 over the window, one row a window.
@@ -37,27 +35,39 @@ torch::Tensor times_like(const torch::Tensor& acceleration) {
 
 }  // namespace
 
-std::vector<nets::ParameterSpec> network_specs(const NetworkShape& shape,
-                                               const TwinOptions& options) {
-  std::vector<nets::ParameterSpec> specs;
-  add_chain(specs, "net/encoder", shape.samples, 2, options);
-  add_chain(specs, "net/decoder", 2 + shape.classes, shape.samples, options);
-  add_chain(specs, "net/physics", 2 * shape.samples, 2 * shape.samples, options);
+Networks::Networks(const TwinVariant& variant, const NetworkShape& shape,
+                   const TwinOptions& options)
+    : variant_(variant),
+      shape_(shape),
+      module_{options.depth, options.width},
+      coder_(make_coder(variant.coder, shape, options)) {}
+
+std::vector<nets::ParameterSpec> Networks::specs() const {
+  std::vector<nets::ParameterSpec> specs = coder_->specs();
+  if (!variant_.encoder) {
+    std::erase_if(specs, [](const auto& spec) { return spec.name.starts_with("net/encoder/"); });
+  }
+  if (!variant_.physics) return specs;
+  const auto module =
+      nets::dense_chain_specs(physics_module, 2 * shape_.samples, 2 * shape_.samples, module_);
+  specs.insert(specs.end(), module.begin(), module.end());
   return specs;
 }
 
-torch::Tensor encode(const nets::ParameterSet& parameters, const torch::Tensor& x) {
-  return torch::softplus(run_chain(parameters, "net/encoder", x));
+torch::Tensor Networks::encode(const nets::ParameterSet& parameters, const torch::Tensor& x) const {
+  return torch::softplus(coder_->encode(parameters, x));
 }
 
-torch::Tensor decode(const nets::ParameterSet& parameters, const torch::Tensor& k_and_c,
-                     const torch::Tensor& label) {
-  return run_chain(parameters, "net/decoder", torch::cat({k_and_c, label}, 1));
+torch::Tensor Networks::decode(const nets::ParameterSet& parameters, const torch::Tensor& k_and_c,
+                               const torch::Tensor& label) const {
+  return coder_->decode(parameters, torch::cat({k_and_c, label}, 1));
 }
 
-Motion move(const nets::ParameterSet& parameters, const torch::Tensor& acceleration) {
+Motion Networks::move(const nets::ParameterSet& parameters,
+                      const torch::Tensor& acceleration) const {
   const torch::Tensor input = torch::cat({acceleration, times_like(acceleration)}, 1);
-  const std::vector<torch::Tensor> halves = run_chain(parameters, "net/physics", input).chunk(2, 1);
+  const std::vector<torch::Tensor> halves =
+      nets::run_dense_chain(parameters, physics_module, input).chunk(2, 1);
   return {halves[0], halves[1]};
 }
 

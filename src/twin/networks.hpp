@@ -2,34 +2,16 @@
 
 #include <torch/types.h>
 
-#include <cstdint>
-#include <utility>
+#include <memory>
 #include <vector>
 
+#include "nets/dense.hpp"
 #include "nets/parameters.hpp"
+#include "twin/coder.hpp"
 #include "twin/options.hpp"
+#include "twin/variant.hpp"
 
 namespace piae::twin {
-
-/// Sizes that the three networks share.
-struct NetworkShape {
-  std::int64_t samples = 0;  ///< of a window, N
-  std::int64_t classes = 0;  ///< of the dataset; the label enters as a one-hot vector
-};
-
-/// Parameters of the encoder (eq. 16), decoder (eq. 17) and physics-informed module (eq. 18), named
-/// net/encoder/..., net/decoder/..., net/physics/..., each a chain of dense layers with ReLU
-/// between.
-std::vector<nets::ParameterSpec> network_specs(const NetworkShape& shape,
-                                               const TwinOptions& options);
-
-/// (k~, c~) = Encoder(x): [batch, N] -> [batch, 2], positive by softplus.
-torch::Tensor encode(const nets::ParameterSet& parameters, const torch::Tensor& x);
-
-/// a = Decoder(k~, c~, label): [batch, 2], one-hot [batch, classes] -> acceleration [batch, N], in
-/// units of the class's a_ref.
-torch::Tensor decode(const nets::ParameterSet& parameters, const torch::Tensor& k_and_c,
-                     const torch::Tensor& label);
 
 /// Displacement and velocity, dimensionless (twin/physics.hpp).
 struct Motion {
@@ -37,7 +19,35 @@ struct Motion {
   torch::Tensor velocity;      ///< v, [batch, N]
 };
 
-/// (u, v) = PIM(a, t): decoded acceleration [batch, N] and the time of its samples -> motion.
-Motion move(const nets::ParameterSet& parameters, const torch::Tensor& acceleration);
+/// Encoder, decoder and physics-informed module as functions of their parameters.
+class Networks {
+ public:
+  /// Throws Error(usage) for a length of window or a depth that the variant's coder cannot have.
+  Networks(const TwinVariant& variant, const NetworkShape& shape, const TwinOptions& options);
+
+  /// net/encoder/..., net/decoder/... and, where the variant has it, net/physics/...
+  [[nodiscard]] std::vector<nets::ParameterSpec> specs() const;
+
+  /// Eq. 16, (k~, c~) = Encoder(x): [batch, N] -> [batch, 2], positive by softplus.
+  [[nodiscard]] torch::Tensor encode(const nets::ParameterSet& parameters,
+                                     const torch::Tensor& x) const;
+
+  /// Eq. 17, a = Decoder(k~, c~, label): [batch, 2], one-hot [batch, classes] -> acceleration
+  /// [batch, N], in units of the class's a_ref.
+  [[nodiscard]] torch::Tensor decode(const nets::ParameterSet& parameters,
+                                     const torch::Tensor& k_and_c,
+                                     const torch::Tensor& label) const;
+
+  /// Eq. 18, (u, v) = PIM(a, t): decoded acceleration [batch, N] and the time of its samples ->
+  /// motion. A chain of dense layers with ReLU between.
+  [[nodiscard]] Motion move(const nets::ParameterSet& parameters,
+                            const torch::Tensor& acceleration) const;
+
+ private:
+  TwinVariant variant_;
+  NetworkShape shape_;
+  nets::DenseSize module_;
+  std::unique_ptr<Coder> coder_;
+};
 
 }  // namespace piae::twin

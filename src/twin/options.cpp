@@ -17,11 +17,16 @@ void bind(CLI::App& app, TwinOptions& o) {
   add("--decay", o.decay, "factor on the learning rate at each decay")->check(cli::share());
   add("--max-gradient-norm", o.max_gradient_norm, "gradients are clipped to this norm")
       ->check(cli::positive_number());
-  add("--depth", o.depth, "dense layers of encoder, decoder and physics module")
+  add("--depth", o.depth, "layers of encoder, decoder and physics module")
       ->check(CLI::Range(1, 32));
-  add("--width", o.width, "units of a hidden layer")->check(cli::positive_number());
+  add("--width", o.width, "units of a hidden dense layer")->check(cli::positive_number());
   add("--stage-epochs", o.stage_epochs, "epochs in Stage 1 (eq. 24), then in Stage 2 (eq. 25)")
       ->check(cli::positive_number());
+  add("--loss-weights", o.loss_weights,
+      "alpha, beta, gamma of eq. 23: adaptive, adaptive-without-log (the term that holds them "
+      "above "
+      "zero), or fixed (at 1)")
+      ->check(CLI::IsMember({"adaptive", "adaptive-without-log", "fixed"}));
   add("--space-bins", o.space_bins, "bins of the digital twin space, for k and for c")
       ->check(cli::positive_number());
   add("--keep", o.keep, "model that generates: best (lowest training loss) or final")

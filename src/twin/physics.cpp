@@ -28,7 +28,11 @@ Physics make_physics(const signal::DatasetInfo& info, const std::vector<double>&
 }
 
 double static_equilibrium_m(double stiffness_n_per_m, double deflection_m, const Physics& physics) {
-  double s = physics.load_n / stiffness_n_per_m;  // the root without contact: never too small
+  // Neither the spring nor the contact carries more than the load: the smaller of their deflections
+  // under it is never too small. An encoder may well put the stiffness at 0.
+  const double contact_alone =
+      deflection_m + std::pow(physics.load_n / physics.contact_n_per_m15, 2.0 / 3.0);
+  double s = std::min(physics.load_n / stiffness_n_per_m, contact_alone);
   for (int i = 0; i < 50; ++i) {
     const double compression = std::max(s - deflection_m, 0.0);
     const double excess = stiffness_n_per_m * s +

@@ -37,7 +37,8 @@ Physics make_physics(const signal::DatasetInfo& info, const std::vector<double>&
                      const TwinOptions& options);
 
 /// s_0 in metres for stiffness k: the root of k s + K_b max(s - delta, 0)^1.5 = W, by Newton's
-/// method from above, where the function is convex and increasing.
+/// method from above, where the function is convex and increasing. The stiffness may be 0, where
+/// the contact carries the load.
 double static_equilibrium_m(double stiffness_n_per_m, double deflection_m, const Physics& physics);
 
 }  // namespace piae::twin

@@ -9,6 +9,7 @@
 #include "base/error.hpp"
 #include "nets/adam.hpp"
 #include "nets/device.hpp"
+#include "signal/amplitude.hpp"
 #include "twin/curves.hpp"
 #include "twin/losses.hpp"
 #include "twin/model.hpp"
@@ -21,10 +22,17 @@ namespace {
 
 const std::string log_weights_name = "loss/log_weights";
 
-std::vector<nets::ParameterSpec> all_specs(const NetworkShape& shape, const TwinOptions& options) {
-  std::vector<nets::ParameterSpec> specs = network_specs(shape, options);
+std::vector<nets::ParameterSpec> all_specs(const Networks& networks) {
+  std::vector<nets::ParameterSpec> specs = networks.specs();
   specs.push_back({log_weights_name, {3}});  // alpha = beta = gamma = 1 at the start
   return specs;
+}
+
+/// k~ and c~ of windows as [n, 2].
+torch::Tensor as_tensor(const std::vector<TwinPoint>& points, torch::Device device) {
+  std::vector<double> flat;
+  for (const TwinPoint& point : points) flat.insert(flat.end(), {point.k, point.c});
+  return torch::tensor(flat, torch::kFloat64).view({-1, 2}).to(device, torch::kFloat32);
 }
 
 struct Losses {
@@ -33,6 +41,12 @@ struct Losses {
   torch::Tensor twin;
   torch::Tensor total;
 };
+
+/// Where there is no physics module.
+Losses reconstruction_alone(const torch::Tensor& loss) {
+  const torch::Tensor none = torch::zeros_like(loss);
+  return {loss, none, none, loss};
+}
 
 /// Sums over the batches of an epoch.
 struct EpochSums {
@@ -53,22 +67,27 @@ struct EpochSums {
 
 class Training final : public TwinTraining {
  public:
-  Training(const signal::WindowSet& known, const TwinOptions& options, const Stream& stream,
-           torch::Device device)
+  Training(const signal::WindowSet& known, const TwinOptions& options, const TwinVariant& variant,
+           const Stream& stream, torch::Device device, const std::optional<KnownStates>& states)
       : options_(options),
+        variant_(variant),
         stream_(stream),
         info_(known.info),
-        scale_(rms_by_class(known)),
+        scale_(signal::rms_by_class(known)),
         physics_(make_physics(known.info, scale_, options)),
         shape_{static_cast<std::int64_t>(known.length),
                static_cast<std::int64_t>(known.info.classes.size())},
+        networks_(variant, shape_, options),
         windows_(scaled_windows(known, scale_).to(device)),
         labels_(torch::tensor(known.labels, torch::kInt64).to(device)),
-        parameters_(all_specs(shape_, options), stream.child("initial"), torch::kFloat32, device),
+        parameters_(all_specs(networks_), stream.child("initial"), torch::kFloat32, device),
         networks_adam_(parameters_.values("net/"), parameters_.gradients("net/")),
         weights_adam_(parameters_.values(log_weights_name),
                       parameters_.gradients(log_weights_name)),
-        best_(parameters_.values().clone()) {}
+        best_(parameters_.values().clone()) {
+    if (!states) return;
+    given_ = {as_tensor(states->points, device), as_tensor(states->decoder_inputs, device)};
+  }
 
   [[nodiscard]] std::size_t epochs() const override {
     return static_cast<std::size_t>(options_.epochs);
@@ -131,21 +150,44 @@ class Training final : public TwinTraining {
     return options_.learning_rate * std::pow(options_.decay, static_cast<double>(decays));
   }
 
+  /// (k~, c~), and what the decoder is given of them, as [n, 2] each.
+  struct States {
+    torch::Tensor k_and_c;
+    torch::Tensor decoder_input;
+  };
+
+  [[nodiscard]] States states_of(const torch::Tensor& batch, const torch::Tensor& x) const {
+    if (variant_.encoder) {
+      const torch::Tensor encoded = networks_.encode(parameters_, x);
+      return {encoded, encoded};
+    }
+    return {given_.k_and_c.index_select(0, batch), given_.decoder_input.index_select(0, batch)};
+  }
+
   [[nodiscard]] Losses losses_of(const torch::Tensor& batch) const {
     const torch::Tensor x = windows_.index_select(0, batch);
     const torch::Tensor labels = labels_.index_select(0, batch);
     const torch::Tensor one_hot = torch::one_hot(labels, shape_.classes).to(x.options());
-    const torch::Tensor k_and_c = encode(parameters_, x);
-    const torch::Tensor a = decode(parameters_, k_and_c, one_hot);
-    const Motion motion = move(parameters_, a);
+    const States states = states_of(batch, x);
+    const torch::Tensor a = networks_.decode(parameters_, states.decoder_input, one_hot);
+    if (!variant_.physics) return reconstruction_alone(reconstruction_loss(x, a));
+    const Motion motion = networks_.move(parameters_, a);
     Losses losses;
     losses.reconstruction = reconstruction_loss(x, a);
     losses.differential = differential_loss(motion, a, physics_.step);
-    losses.twin =
-        twin_loss(k_and_c, a, motion, batch_physics(physics_, labels, x.options()), physics_);
-    losses.total = total_loss(losses.differential, losses.twin, losses.reconstruction,
-                              parameters_[log_weights_name]);
+    losses.twin = twin_loss(states.k_and_c, a, motion, batch_physics(physics_, labels, x.options()),
+                            physics_);
+    losses.total = total_of(losses);
     return losses;
+  }
+
+  /// Eq. 23, or what --loss-weights makes of it.
+  [[nodiscard]] torch::Tensor total_of(const Losses& losses) const {
+    const bool fixed = options_.loss_weights == "fixed";
+    const torch::Tensor& learned = parameters_[log_weights_name];
+    return (options_.loss_weights == "adaptive" ? total_loss : weighted_loss)(
+        losses.differential, losses.twin, losses.reconstruction,
+        fixed ? learned.detach() : learned);
   }
 
   /// Eq. 24: the gradient of each network's own loss with respect to that network alone.
@@ -158,13 +200,16 @@ class Training final : public TwinTraining {
       nets::clip_norm(parameters_.gradients(network), options_.max_gradient_norm);
     };
     follow("net/decoder/", losses.reconstruction);
-    follow("net/encoder/", losses.twin);
-    follow("net/physics/", losses.differential);
+    if (variant_.encoder) {
+      follow("net/encoder/", variant_.physics ? losses.twin : losses.reconstruction);
+    }
+    if (variant_.physics) follow("net/physics/", losses.differential);
     networks_adam_.step(learning_rate);
     return losses;
   }
 
-  /// Eq. 25: all networks and the weights of the losses together.
+  /// Eq. 25: all networks and the weights of the losses together. Weights that are not learned have
+  /// no gradient, and Adam leaves them as they are.
   Losses step_stage_2(const torch::Tensor& batch, double learning_rate) {
     parameters_.zero_gradients();
     Losses losses = losses_of(batch);
@@ -201,20 +246,24 @@ class Training final : public TwinTraining {
 
   /// Eqs 14 and 15, with the networks as they stand.
   void write_twin_space(artefact::Writer& writer) const {
-    const std::vector<float> flat = nets::to_vector(encode(parameters_, windows_));
+    const std::vector<float> flat = nets::to_vector(
+        variant_.encoder ? networks_.encode(parameters_, windows_) : given_.k_and_c);
     std::vector<TwinPoint> points;
     for (std::size_t i = 0; i < flat.size(); i += 2) points.push_back({flat[i], flat[i + 1]});
     TwinSpace(points, options_.space_bins).write(writer);
   }
 
   TwinOptions options_;
+  TwinVariant variant_;
   Stream stream_;
   signal::DatasetInfo info_;
   std::vector<double> scale_;
   Physics physics_;
   NetworkShape shape_;
+  Networks networks_;
   torch::Tensor windows_;
   torch::Tensor labels_;
+  States given_;  // of all known windows, where there is no encoder
   nets::ParameterSet parameters_;
   nets::Adam networks_adam_;
   nets::Adam weights_adam_;
@@ -227,9 +276,12 @@ class Training final : public TwinTraining {
 }  // namespace
 
 std::unique_ptr<TwinTraining> make_twin_training(const signal::WindowSet& known,
-                                                 const TwinOptions& options, const Stream& stream,
-                                                 const std::string& device) {
-  return std::make_unique<Training>(known, options, stream, nets::prepare_device(device));
+                                                 const TwinOptions& options,
+                                                 const TwinVariant& variant, const Stream& stream,
+                                                 const std::string& device,
+                                                 const std::optional<KnownStates>& states) {
+  return std::make_unique<Training>(known, options, variant, stream, nets::prepare_device(device),
+                                    states);
 }
 
 }  // namespace piae::twin

@@ -1,17 +1,22 @@
 #pragma once
 
 #include <memory>
+#include <optional>
+#include <vector>
 
 #include "base/random.hpp"
 #include "nets/trainee.hpp"
 #include "signal/window_set.hpp"
 #include "twin/options.hpp"
+#include "twin/space.hpp"
+#include "twin/variant.hpp"
 
 namespace piae::twin {
 
-/// Training of PIAE-DT on the known windows C (paper 3.3.3). Epochs alternate between Stage 1,
-/// where each network follows its own loss (eq. 24), and Stage 2, where all parameters and the
-/// weights of the losses follow the total (eq. 25).
+/// Training of PIAE-DT, or of one of its variants, on the known windows C (paper 3.3.3). Epochs
+/// alternate between Stage 1, where each network follows its own loss (eq. 24), and Stage 2, where
+/// all parameters and the weights of the losses follow the total (eq. 25). Without the physics
+/// module every loss is L_Rec.
 class TwinTraining : public nets::Trainee {
  public:
   /// The model: final and best networks, the digital twin space of those that generate, optimiser
@@ -19,9 +24,19 @@ class TwinTraining : public nets::Trainee {
   virtual void write_model(artefact::Writer& writer) = 0;
 };
 
-/// `device` is "cpu" or "cuda". Throws Error(bad_input) when a class of C is silent.
+/// States of the known windows for a variant without an encoder.
+struct KnownStates {
+  std::vector<TwinPoint> points;          ///< k~ and c~ of each window
+  std::vector<TwinPoint> decoder_inputs;  ///< what the decoder is given in their place
+};
+
+/// `device` is "cpu" or "cuda". `states` are given where the variant has no encoder. Throws
+/// Error(bad_input) when a class of C is silent, and Error(usage) for windows or a depth that the
+/// variant cannot have.
 std::unique_ptr<TwinTraining> make_twin_training(const signal::WindowSet& known,
-                                                 const TwinOptions& options, const Stream& stream,
-                                                 const std::string& device);
+                                                 const TwinOptions& options,
+                                                 const TwinVariant& variant, const Stream& stream,
+                                                 const std::string& device,
+                                                 const std::optional<KnownStates>& states = {});
 
 }  // namespace piae::twin

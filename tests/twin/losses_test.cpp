@@ -193,6 +193,17 @@ TEST(TwinLoss, GradientStaysFiniteWhereContactIsLost) {
   EXPECT_TRUE(torch::autograd::grad({loss}, {k_and_c})[0].isfinite().all().item<bool>());
 }
 
+/// A softplus may well be 0 in single precision.
+TEST(TwinLoss, AndItsGradientStayFiniteWithoutStiffness) {
+  const Physics physics = example_physics();
+  const auto batch = batch_physics(physics, torch::tensor({0}, torch::kInt64), torch::kFloat32);
+  const torch::Tensor k_and_c = torch::zeros({1, 2}).requires_grad_();
+  const torch::Tensor one = torch::ones({1, 4});
+  const torch::Tensor loss = twin_loss(k_and_c, one, {one, one}, batch, physics);
+  EXPECT_TRUE(loss.isfinite().item<bool>());
+  EXPECT_TRUE(torch::autograd::grad({loss}, {k_and_c})[0].isfinite().all().item<bool>());
+}
+
 TEST(TotalLoss, IsStationaryWherePaperNotesSay) {
   const auto scalar = [](double x) { return torch::tensor(x, torch::kFloat64); };
   const torch::Tensor log_weights =
@@ -200,6 +211,15 @@ TEST(TotalLoss, IsStationaryWherePaperNotesSay) {
           .requires_grad_();
   const torch::Tensor loss = total_loss(scalar(0.3), scalar(0.05), scalar(2.0), log_weights);
   EXPECT_LT(torch::autograd::grad({loss}, {log_weights})[0].abs().max().item<double>(), 1e-12);
+}
+
+TEST(TotalLoss, IsTheWeightedLossesAndTheLogarithmsOfTheWeights) {
+  const torch::Tensor losses = torch::tensor({0.3, 0.05, 2.0}, torch::kFloat64);
+  const torch::Tensor log_weights = torch::tensor({2.0, 0.5, 0.25}, torch::kFloat64).log();
+  const auto weighted = weighted_loss(losses[0], losses[1], losses[2], log_weights).item<double>();
+  EXPECT_NEAR(weighted, 2 * 0.3 + 0.5 * 0.05 + 0.25 * 2, 1e-12);
+  EXPECT_NEAR(total_loss(losses[0], losses[1], losses[2], log_weights).item<double>(),
+              weighted - 0.5 * std::log(0.25), 1e-12);
 }
 
 TEST(TotalLoss, GradientsEqualFiniteDifferences) {

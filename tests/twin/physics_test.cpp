@@ -29,6 +29,13 @@ TEST(StaticEquilibrium, IsTheSpringAloneWhereContactIsLost) {
   EXPECT_DOUBLE_EQ(static_equilibrium_m(1e8, 1.0, working_set()), 1e-5);
 }
 
+TEST(StaticEquilibrium, IsTheContactAloneWithoutStiffness) {
+  const double contact = std::pow(1000 / 8.58e9, 2.0 / 3.0);
+  for (const double k : {0.0, 1e-300, 1e-30}) {
+    EXPECT_NEAR(static_equilibrium_m(k, 2e-6, working_set()), 2e-6 + contact, 1e-15) << k;
+  }
+}
+
 TEST(MakePhysics, MeasuresTimeAndMotionInTheScalesOfEquation19) {
   signal::DatasetInfo info;
   info.sample_rate_hz = 12000;

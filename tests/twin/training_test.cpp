@@ -41,8 +41,9 @@ std::string bytes_of(const fs::path& path) {
 
 /// Trains with the checkpoint and returns the stored model.
 fs::path train(const nets::Checkpoint& checkpoint, const TwinOptions& options,
-               const std::string& name) {
-  const auto training = make_twin_training(known_windows(), options, Stream("test"), "cpu");
+               const std::string& name, const TwinVariant& variant = full_model) {
+  const auto training =
+      make_twin_training(known_windows(), options, variant, Stream("test"), "cpu");
   nets::run_epochs(*training, checkpoint);
   artefact::Writer writer("model");
   training->write_model(writer);
@@ -57,21 +58,134 @@ TEST(TwinTraining, GivesTheSameBytesTwice) {
   EXPECT_EQ(bytes_of(first), bytes_of(second));
 }
 
-TEST(TwinTraining, CutAfterAnyEpochAndContinuedEqualsAnUncutOne) {
+struct NamedVariant {
+  const char* name;
+  TwinVariant variant;
+};
+
+class TwinVariantTraining : public testing::TestWithParam<NamedVariant> {};
+
+TEST_P(TwinVariantTraining, CutAfterAnyEpochAndContinuedEqualsAnUncutOne) {
+  const TwinVariant& variant = GetParam().variant;
   const TwinOptions options = quick_options();
-  const std::string uncut = bytes_of(train(checkpoint_at("uncut.ckpt"), options, "uncut.h5"));
+  const std::string uncut =
+      bytes_of(train(checkpoint_at("uncut.ckpt"), options, "uncut.h5", variant));
   for (int cut = 1; cut <= options.epochs; ++cut) {
     nets::Checkpoint checkpoint = checkpoint_at("cut.ckpt");
     int asked = 0;
     checkpoint.interrupted = [&] { return ++asked == cut; };
     try {
-      train(checkpoint, options, "never.h5");
+      train(checkpoint, options, "never.h5", variant);
       FAIL() << "was not interrupted after epoch " << cut;
     } catch (const Error& error) {
       EXPECT_EQ(error.exit(), Exit::interrupted);
     }
     checkpoint.interrupted = [] { return false; };
-    EXPECT_EQ(bytes_of(train(checkpoint, options, "continued.h5")), uncut) << "cut after " << cut;
+    EXPECT_EQ(bytes_of(train(checkpoint, options, "continued.h5", variant)), uncut)
+        << "cut after " << cut;
+  }
+}
+
+TEST_P(TwinVariantTraining, Learns) {
+  TwinOptions options = quick_options();
+  options.epochs = 60;
+  options.learning_rate = 4e-3;
+  options.width = 64;
+  Curves curves;
+  curves.read(artefact::Reader(
+      train(checkpoint_at("learn.ckpt"), options, "learn.h5", GetParam().variant), "model"));
+  EXPECT_LT(curves.reconstruction.back(), 0.8 * curves.reconstruction.front());
+  if (GetParam().variant.physics) {
+    EXPECT_LT(curves.differential.back(), 0.5 * curves.differential.front());
+  }
+}
+
+TEST_P(TwinVariantTraining, GeneratesWithWhatWasTrained) {
+  const TwinVariant& variant = GetParam().variant;
+  const fs::path path = train(checkpoint_at("g.ckpt"), quick_options(), "generate.h5", variant);
+  const artefact::Reader model(path, "model");
+  const signal::WindowSet few = generate(model, variant, 2, Stream("g"), "cpu");
+  const signal::WindowSet many = generate(model, variant, 7, Stream("g"), "cpu");
+  ASSERT_EQ(few.size(), 4U);  // two fault classes
+  ASSERT_EQ(many.size(), 14U);
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_GT(few.parameters[i].stiffness_n_per_m, 0);
+    EXPECT_EQ(few.parameters[i].stiffness_n_per_m, many.parameters[i].stiffness_n_per_m);
+    for (std::size_t t = 0; t < few.length; ++t) {
+      EXPECT_NEAR(few.window(i)[t], many.window(i)[t], 1e-5);
+    }
+  }
+}
+
+const NamedVariant variants[] = {{"Full", full_model},
+                                 {"WithoutPhysics", without_physics},
+                                 {"Convolutional", convolutional_model},
+                                 {"Recurrent", recurrent_model}};
+INSTANTIATE_TEST_SUITE_P(Twin, TwinVariantTraining, testing::ValuesIn(variants),
+                         [](const auto& info) { return info.param.name; });
+
+TEST(TwinGeneration, RefusesAModelThatLacksWhatTheVariantHas) {
+  for (const auto& [name, variant] : variants) {
+    if (name == variants[0].name) continue;
+    const artefact::Reader model(train(checkpoint_at("v.ckpt"), quick_options(), "v.h5", variant),
+                                 "model");
+    EXPECT_THROW(generate(model, full_model, 1, Stream("g"), "cpu"), artefact::Refusal) << name;
+  }
+}
+
+TEST(TwinTraining, WithoutPhysicsFollowsTheReconstructionLossAlone) {
+  TwinOptions options = quick_options();
+  const auto model_of = [&](const std::string& name) {
+    return artefact::Reader(train(checkpoint_at("p.ckpt"), options, name, without_physics),
+                            "model");
+  };
+  const artefact::Reader model = model_of("ae.h5");
+  EXPECT_TRUE(model.has("/final/net/decoder/0/weight"));
+  EXPECT_FALSE(model.has("/final/net/physics/0/weight"));
+  Curves curves;
+  curves.read(model);
+  EXPECT_EQ(curves.total, curves.reconstruction);
+  const std::vector<double> zeros(6, 0.0);
+  const std::vector<double> ones(6, 1.0);
+  EXPECT_EQ(curves.differential, zeros);
+  EXPECT_EQ(curves.twin, zeros);
+  EXPECT_EQ(curves.alpha, ones);
+  EXPECT_EQ(curves.gamma, ones);
+
+  // Settings that it has no use for change nothing but what is stored of them, which is nothing.
+  options.mass_kg = 3;
+  options.clearance_um = 7;
+  options.loss_weights = "fixed";
+  Curves same;
+  same.read(model_of("heavy.h5"));
+  EXPECT_EQ(same.reconstruction, curves.reconstruction);
+}
+
+TEST(TwinTraining, HoldsFixedLossWeightsAtOne) {
+  TwinOptions options = quick_options();
+  options.loss_weights = "fixed";
+  Curves curves;
+  curves.read(artefact::Reader(train(checkpoint_at("f.ckpt"), options, "fixed.h5"), "model"));
+  const std::vector<double> ones(6, 1.0);
+  EXPECT_EQ(curves.alpha, ones);
+  EXPECT_EQ(curves.beta, ones);
+  EXPECT_EQ(curves.gamma, ones);
+  for (std::size_t i = 0; i < 6; ++i) {
+    EXPECT_NEAR(curves.total[i], curves.reconstruction[i] + curves.differential[i] + curves.twin[i],
+                1e-5);
+  }
+}
+
+/// Eq. 23 without its logarithms only ever rewards smaller weights.
+TEST(TwinTraining, WithoutTheLogarithmsAllLossWeightsShrink) {
+  TwinOptions options = quick_options();
+  options.loss_weights = "adaptive-without-log";
+  Curves curves;
+  curves.read(artefact::Reader(train(checkpoint_at("n.ckpt"), options, "nolog.h5"), "model"));
+  for (const auto weight : {&Curves::alpha, &Curves::beta, &Curves::gamma}) {
+    EXPECT_LT((curves.*weight)[1], 1);
+    EXPECT_LT((curves.*weight)[5], (curves.*weight)[1]);
+    EXPECT_GT((curves.*weight)[5], 0);
   }
 }
 
@@ -115,43 +229,18 @@ TEST(TwinTraining, HalvesTheLearningRate) {
             (std::vector<double>{5e-4, 5e-4, 2.5e-4, 2.5e-4, 1.25e-4, 1.25e-4}));
 }
 
-TEST(TwinTraining, LearnsToReconstruct) {
-  TwinOptions options = quick_options();
-  options.epochs = 120;
-  options.learning_rate = 2e-3;
-  options.width = 64;
-  Curves curves;
-  curves.read(artefact::Reader(train(checkpoint_at("learn.ckpt"), options, "learn.h5"), "model"));
-  EXPECT_LT(curves.reconstruction.back(), 0.8 * curves.reconstruction.front());
-  EXPECT_LT(curves.differential.back(), 0.5 * curves.differential.front());
-}
-
 TEST(TwinTraining, RefusesASilentClass) {
   signal::WindowSet windows = known_windows();
   std::fill(windows.samples.begin(), windows.samples.begin() + 5 * 64, 1.0F);
-  EXPECT_THROW(make_twin_training(windows, quick_options(), Stream("test"), "cpu"), Error);
-}
-
-TEST(TwinGeneration, KeepsTheFirstWindowsWhateverTheCount) {
-  const fs::path path = train(checkpoint_at("g.ckpt"), quick_options(), "generate.h5");
-  const artefact::Reader model(path, "model");
-  const signal::WindowSet few = generate(model, 2, Stream("g"), "cpu");
-  const signal::WindowSet many = generate(model, 7, Stream("g"), "cpu");
-  ASSERT_EQ(few.size(), 4U);  // two fault classes
-  ASSERT_EQ(many.size(), 14U);
-  for (std::size_t i = 0; i < 2; ++i) {
-    EXPECT_EQ(few.parameters[i].stiffness_n_per_m, many.parameters[i].stiffness_n_per_m);
-    for (std::size_t t = 0; t < few.length; ++t) {
-      EXPECT_NEAR(few.window(i)[t], many.window(i)[t], 1e-5);
-    }
-  }
+  EXPECT_THROW(make_twin_training(windows, quick_options(), full_model, Stream("test"), "cpu"),
+               Error);
 }
 
 TEST(TwinGeneration, DrawsFromTheTwinSpace) {
   const fs::path path = train(checkpoint_at("s.ckpt"), quick_options(), "space.h5");
   const artefact::Reader model(path, "model");
   const TwinSpace space(model);
-  for (const auto& parameters : generate(model, 50, Stream("g"), "cpu").parameters) {
+  for (const auto& parameters : generate(model, full_model, 50, Stream("g"), "cpu").parameters) {
     EXPECT_GE(parameters.stiffness_n_per_m, space.k_edges().front() * 1e8);
     EXPECT_LE(parameters.stiffness_n_per_m, space.k_edges().back() * 1e8);
     EXPECT_GE(parameters.damping_ns_per_m, space.c_edges().front() * 1e2);
@@ -172,8 +261,8 @@ TEST(TwinGeneration, DependsOnTheModelThatIsKept) {
               final_model.numbers<float>(weight, {0, 0}).values);
   }
   const bool last_is_best = best_model.integer("/", "best_epoch") == options.epochs;
-  const auto a = generate(best_model, 3, Stream("g"), "cpu").samples;
-  const auto b = generate(final_model, 3, Stream("g"), "cpu").samples;
+  const auto a = generate(best_model, full_model, 3, Stream("g"), "cpu").samples;
+  const auto b = generate(final_model, full_model, 3, Stream("g"), "cpu").samples;
   EXPECT_EQ(a == b, last_is_best);
 }
 

@@ -1,0 +1,58 @@
+#include "augment/dynamics.hpp"
+
+#include <spdlog/fmt/fmt.h>
+
+#include "base/error.hpp"
+#include "cli/numbers.hpp"
+
+namespace piae::augment {
+
+namespace {
+
+void require_contact(const SimulationOptions& options) {
+  const double lift = bearing::largest_lift_n(options.dynamics, options.variation);
+  if (options.dynamics.load_n > lift) return;
+  throw Error(
+      Exit::usage,
+      fmt::format("--load-n {}: must exceed {:.6g} N, the largest stiffness (its mean and 3 "
+                  "standard deviations) times the clearance: below, no ball is ever touched",
+                  options.dynamics.load_n, lift));
+}
+
+}  // namespace
+
+void Dynamics::bind(CLI::App& app) {
+  const std::string group = "dynamics";
+  const auto add = [&](const std::string& name, double& value, const std::string& help) {
+    return app.add_option(name, value, help)->group(group);
+  };
+  add("--stiffness-n-per-m", options_.dynamics.stiffness_n_per_m, "K of eq. 13: mean over windows")
+      ->check(cli::positive_number());
+  add("--stiffness-spread", options_.variation.stiffness_spread,
+      "of K from window to window: standard deviation / mean")
+      ->check(spread());
+  add("--damping-ns-per-m", options_.dynamics.damping_ns_per_m, "C of eq. 13: mean over windows")
+      ->check(cli::positive_number());
+  add("--damping-spread", options_.variation.damping_spread,
+      "of C from window to window: standard deviation / mean")
+      ->check(spread());
+  augment::bind(app, options_, group);
+}
+
+void Dynamics::train(const signal::WindowSet& known, const Stream& /*stream*/,
+                     const std::string& /*device*/, const nets::Checkpoint& /*checkpoint*/,
+                     artefact::Writer& model) {
+  require_contact(options_);
+  write(model, simulation_like(known, options_));
+}
+
+signal::WindowSet Dynamics::generate(const artefact::Reader& model, std::size_t count,
+                                     const Stream& stream, const std::string& /*device*/) {
+  const WindowSimulation simulation = read_window_simulation(model);
+  return simulate_windows(simulation, count, stream, [&](Stream& random) {
+    return bearing::draw_dynamics(random, simulation.options.dynamics,
+                                  simulation.options.variation);
+  });
+}
+
+}  // namespace piae::augment

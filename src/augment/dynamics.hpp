@@ -1,0 +1,23 @@
+#pragma once
+
+#include "augment/method.hpp"
+#include "augment/window_simulation.hpp"
+
+namespace piae::augment {
+
+/// The dynamics baseline (paper, Section 4.5.3): eq. 13 with stiffness and damping from the
+/// literature, each window with a small deviation of its own. Of the known windows it uses nothing
+/// but their RMS. Options under which the load cannot close the clearance are Error(usage).
+class Dynamics final : public Method {
+ public:
+  void bind(CLI::App& app) override;
+  void train(const signal::WindowSet& known, const Stream& stream, const std::string& device,
+             const nets::Checkpoint& checkpoint, artefact::Writer& model) override;
+  signal::WindowSet generate(const artefact::Reader& model, std::size_t count, const Stream& stream,
+                             const std::string& device) override;
+
+ private:
+  SimulationOptions options_;
+};
+
+}  // namespace piae::augment

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+namespace piae::augment {
+
+/// Settings that a VAE and a GAN share. Each has defaults of its own.
+struct LatentOptions {
+  int epochs = 0;            ///< passes over the known windows
+  int batch = 0;             ///< windows in a step
+  double learning_rate = 0;  ///< of Adam, constant
+  int latent = 0;            ///< Gaussian numbers that a window is made from
+  int depth = 0;             ///< dense layers of each network
+  int width = 0;             ///< units of a hidden layer
+};
+
+/// `group`: the heading of the options in --help, the method's name.
+void bind(CLI::App& app, LatentOptions& options, const std::string& group);
+
+}  // namespace piae::augment

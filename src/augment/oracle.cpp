@@ -1,0 +1,55 @@
+#include "augment/oracle.hpp"
+
+#include <spdlog/fmt/fmt.h>
+
+#include "augment/windows.hpp"
+#include "base/error.hpp"
+
+namespace piae::augment {
+
+namespace {
+
+/// Of each class with a defect its windows, shuffled; of the healthy one nothing.
+std::vector<std::vector<std::size_t>> shuffled_classes(const signal::WindowSet& real,
+                                                       std::size_t count, const Stream& stream) {
+  std::vector<std::vector<std::size_t>> all(real.info.classes.size());
+  for (std::size_t label = 0; label < all.size(); ++label) {
+    const signal::ClassInfo& c = real.info.classes[label];
+    if (c.defect == signal::Defect::none) continue;
+    const std::vector<std::size_t> own = real.indices_of(static_cast<int>(label));
+    if (count > own.size()) {
+      throw Error(
+          Exit::usage,
+          fmt::format("--count {}: class {} has {} real windows, and the oracle makes none; "
+                      "the largest count that works is {}",
+                      count, c.name, own.size(), own.size()));
+    }
+    for (const std::size_t i : stream.child(c.name).permutation(own.size())) {
+      all[label].push_back(own[i]);
+    }
+  }
+  return all;
+}
+
+}  // namespace
+
+void Oracle::bind(CLI::App& /*app*/) {}
+
+void Oracle::train(const signal::WindowSet& real, const Stream& /*stream*/,
+                   const std::string& /*device*/, const nets::Checkpoint& /*checkpoint*/,
+                   artefact::Writer& model) {
+  signal::write(model, real);
+}
+
+signal::WindowSet Oracle::generate(const artefact::Reader& model, std::size_t count,
+                                   const Stream& stream, const std::string& /*device*/) {
+  const signal::WindowSet real = signal::read_window_set(model);
+  const auto order = shuffled_classes(real, count, stream);
+  const auto take = [&](int label, std::size_t index, Stream& /*random*/) {
+    const auto window = real.window(order[static_cast<std::size_t>(label)][index]);
+    return std::vector<float>(window.begin(), window.end());
+  };
+  return make_windows(real.info, real.length, count, stream, take);
+}
+
+}  // namespace piae::augment

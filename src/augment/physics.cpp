@@ -1,0 +1,108 @@
+#include "augment/physics.hpp"
+
+#include <spdlog/fmt/fmt.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/parallel.hpp"
+#include "cli/numbers.hpp"
+#include "twin/physics.hpp"
+#include "twin/space.hpp"
+
+namespace piae::augment {
+
+namespace {
+
+using twin::damping_scale_ns_per_m;
+using twin::stiffness_scale_n_per_m;
+
+/// Fits all windows of one class with a defect in an epoch.
+class Fitting final : public nets::Trainee {
+ public:
+  Fitting(const signal::WindowSet& known, const WindowSimulation& simulation,
+          const FitOptions& options)
+      : known_(known), simulation_(simulation), options_(options) {
+    for (std::size_t label = 0; label < known.info.classes.size(); ++label) {
+      if (known.info.classes[label].defect != signal::Defect::none) {
+        labels_.push_back(static_cast<int>(label));
+      }
+    }
+  }
+
+  [[nodiscard]] std::size_t epochs() const override { return labels_.size(); }
+
+  std::string run_epoch(std::size_t epoch) override {
+    const int label = labels_[epoch];
+    const SpectralFit spectral_fit(simulation_, label, options_);
+    const std::vector<std::size_t> windows = known_.indices_of(label);
+    std::vector<twin::TwinPoint> fitted(windows.size());
+    parallel_for(windows.size(), [&](std::size_t i) {
+      const signal::DynamicParameters p = spectral_fit.fit(known_.window(windows[i]));
+      fitted[i] = {p.stiffness_n_per_m / stiffness_scale_n_per_m,
+                   p.damping_ns_per_m / damping_scale_ns_per_m};
+    });
+    points_.insert(points_.end(), fitted.begin(), fitted.end());
+    return known_.info.classes[static_cast<std::size_t>(label)].name;
+  }
+
+  void write_state(artefact::Writer& writer) const override {
+    std::vector<double> flat;
+    for (const twin::TwinPoint& point : points_) flat.insert(flat.end(), {point.k, point.c});
+    writer.numbers("/points", flat, {points_.size(), 2});
+  }
+
+  void read_state(const artefact::Reader& reader) override {
+    const auto flat = reader.numbers<double>("/points", {0, 2}).values;
+    points_.clear();
+    for (std::size_t i = 0; i < flat.size(); i += 2) points_.push_back({flat[i], flat[i + 1]});
+  }
+
+  [[nodiscard]] const std::vector<twin::TwinPoint>& points() const { return points_; }
+
+ private:
+  const signal::WindowSet& known_;
+  const WindowSimulation& simulation_;
+  const FitOptions& options_;
+  std::vector<int> labels_;
+  std::vector<twin::TwinPoint> points_;
+};
+
+}  // namespace
+
+void bind(CLI::App& app, PhysicsOptions& options) {
+  const std::string group = "physics";
+  bind(app, options.simulation, group);
+  bind(app, options.fit, group);
+  app.add_option("--space-bins", options.space_bins,
+                 "bins of the digital twin space, for k and for c")
+      ->check(cli::positive_number())
+      ->group(group);
+}
+
+void Physics::bind(CLI::App& app) { augment::bind(app, options_); }
+
+void Physics::train(const signal::WindowSet& known, const Stream& /*stream*/,
+                    const std::string& /*device*/, const nets::Checkpoint& checkpoint,
+                    artefact::Writer& model) {
+  const WindowSimulation simulation = simulation_like(known, options_.simulation);
+  Fitting fitting(known, simulation, options_.fit);
+  nets::run_epochs(fitting, checkpoint);
+  write(model, simulation);
+  twin::TwinSpace(fitting.points(), options_.space_bins).write(model);
+}
+
+signal::WindowSet Physics::generate(const artefact::Reader& model, std::size_t count,
+                                    const Stream& stream, const std::string& /*device*/) {
+  const WindowSimulation simulation = read_window_simulation(model);
+  const twin::TwinSpace space(model);
+  return simulate_windows(simulation, count, stream, [&](Stream& random) {
+    const twin::TwinPoint point = space.sample(random);
+    bearing::DynamicsOptions dynamics = simulation.options.dynamics;
+    dynamics.stiffness_n_per_m = point.k * stiffness_scale_n_per_m;
+    dynamics.damping_ns_per_m = point.c * damping_scale_ns_per_m;
+    return dynamics;
+  });
+}
+
+}  // namespace piae::augment

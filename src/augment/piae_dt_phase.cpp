@@ -1,0 +1,23 @@
+#include "augment/piae_dt_phase.hpp"
+
+#include "phase/generation.hpp"
+#include "phase/training.hpp"
+
+namespace piae::augment {
+
+void PiaeDtPhase::bind(CLI::App& app) { phase::bind(app, options_); }
+
+void PiaeDtPhase::train(const signal::WindowSet& known, const Stream& stream,
+                        const std::string& device, const nets::Checkpoint& checkpoint,
+                        artefact::Writer& model) {
+  const auto training = phase::make_phase_training(known, options_, stream, device);
+  nets::run_epochs(*training, checkpoint);
+  training->write_model(model);
+}
+
+signal::WindowSet PiaeDtPhase::generate(const artefact::Reader& model, std::size_t count,
+                                        const Stream& stream, const std::string& device) {
+  return phase::generate(model, count, stream, device);
+}
+
+}  // namespace piae::augment

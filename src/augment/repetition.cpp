@@ -1,0 +1,33 @@
+#include "augment/repetition.hpp"
+
+#include <algorithm>
+
+#include "augment/windows.hpp"
+
+namespace piae::augment {
+
+void Repetition::bind(CLI::App& /*app*/) {}
+
+void Repetition::train(const signal::WindowSet& known, const Stream& /*stream*/,
+                       const std::string& /*device*/, const nets::Checkpoint& /*checkpoint*/,
+                       artefact::Writer& model) {
+  signal::write(model, known);
+}
+
+signal::WindowSet Repetition::generate(const artefact::Reader& model, std::size_t count,
+                                       const Stream& stream, const std::string& /*device*/) {
+  const signal::WindowSet known = signal::read_window_set(model);
+  const auto make = [&](int label, std::size_t index, Stream& random) {
+    const std::vector<std::size_t> own = known.indices_of(label);
+    const auto window = known.window(own[index % own.size()]);
+    std::vector<float> samples(window.begin(), window.end());
+    if (shift_ == Shift::circular) {
+      const auto first = static_cast<std::ptrdiff_t>(random.below(samples.size()));
+      std::rotate(samples.begin(), samples.begin() + first, samples.end());
+    }
+    return samples;
+  };
+  return make_windows(known.info, known.length, count, stream, make);
+}
+
+}  // namespace piae::augment

@@ -1,0 +1,78 @@
+#include "augment/smote.hpp"
+
+#include <spdlog/fmt/fmt.h>
+
+#include "augment/interpolation.hpp"
+#include "augment/windows.hpp"
+#include "base/error.hpp"
+#include "cli/numbers.hpp"
+
+namespace piae::augment {
+
+namespace {
+
+/// Known windows of one class and who is near to whom.
+struct Neighbourhood {
+  std::vector<Window> windows;
+  std::vector<std::vector<std::size_t>> neighbours;
+};
+
+void require_neighbours(const signal::ClassInfo& c, std::size_t n, int k) {
+  if (static_cast<std::size_t>(k) < n) return;
+  const std::string remedy =
+      n > 1 ? fmt::format("the largest that works is {}", n - 1) : "SMOTE needs at least 2";
+  throw Error(Exit::usage, fmt::format("--neighbours {}: class {} has {} known window{}; {}", k,
+                                       c.name, n, n == 1 ? "" : "s", remedy));
+}
+
+/// One for each class; empty for the healthy one, of which nothing is generated.
+std::vector<Neighbourhood> neighbourhoods(const signal::WindowSet& known, int k) {
+  std::vector<Neighbourhood> all;
+  for (std::size_t label = 0; label < known.info.classes.size(); ++label) {
+    const signal::ClassInfo& c = known.info.classes[label];
+    Neighbourhood& own = all.emplace_back();
+    if (c.defect == signal::Defect::none) continue;
+    for (const std::size_t i : known.indices_of(static_cast<int>(label))) {
+      own.windows.push_back(known.window(i));
+    }
+    require_neighbours(c, own.windows.size(), k);
+    own.neighbours = nearest_neighbours(own.windows, static_cast<std::size_t>(k));
+  }
+  return all;
+}
+
+}  // namespace
+
+void bind(CLI::App& app, SmoteOptions& options) {
+  app.add_option("--neighbours", options.neighbours,
+                 "k: a window is drawn towards one of so many nearest of its class")
+      ->check(cli::positive_number())
+      ->group("smote");
+}
+
+void Smote::bind(CLI::App& app) { augment::bind(app, options_); }
+
+void Smote::train(const signal::WindowSet& known, const Stream& /*stream*/,
+                  const std::string& /*device*/, const nets::Checkpoint& /*checkpoint*/,
+                  artefact::Writer& model) {
+  neighbourhoods(known, options_.neighbours);  // what cannot be is said here, not in generate
+  signal::write(model, known);
+  model.attribute("/", "neighbours", std::int64_t{options_.neighbours});
+}
+
+signal::WindowSet Smote::generate(const artefact::Reader& model, std::size_t count,
+                                  const Stream& stream, const std::string& /*device*/) {
+  const signal::WindowSet known = signal::read_window_set(model);
+  const std::vector<Neighbourhood> all =
+      neighbourhoods(known, static_cast<int>(model.integer("/", "neighbours")));
+  const auto make = [&](int label, std::size_t index, Stream& random) {
+    const Neighbourhood& own = all[static_cast<std::size_t>(label)];
+    const std::size_t base = index % own.windows.size();
+    const std::vector<std::size_t>& near = own.neighbours[base];
+    const std::size_t neighbour = near[random.below(near.size())];
+    return interpolate(own.windows[base], own.windows[neighbour], random.uniform(0, 1));
+  };
+  return make_windows(known.info, known.length, count, stream, make);
+}
+
+}  // namespace piae::augment

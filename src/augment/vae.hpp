@@ -1,0 +1,32 @@
+#pragma once
+
+#include "augment/latent_options.hpp"
+#include "augment/method.hpp"
+
+namespace piae::augment {
+
+/// The paper names the VAE and nothing of it; see pipeline/protocol.toml, [train.vae].
+inline constexpr LatentOptions vae_defaults{
+    .epochs = 200,          // the paper's own networks, Table 4
+    .batch = 5,             // Table 4
+    .learning_rate = 5e-4,  // Table 4
+    .latent = 20,           // one of Kingma and Welling 2014, Fig. 2
+    .depth = 3,             // as PIAE-DT
+    .width = 256,           // as PIAE-DT
+};
+
+/// A conditional VAE on the known windows (Kingma and Welling 2014; given the class as in Sohn et
+/// al. 2015) as an entry of the grid. Generates from the final network.
+class Vae final : public Method {
+ public:
+  void bind(CLI::App& app) override;
+  void train(const signal::WindowSet& known, const Stream& stream, const std::string& device,
+             const nets::Checkpoint& checkpoint, artefact::Writer& model) override;
+  signal::WindowSet generate(const artefact::Reader& model, std::size_t count, const Stream& stream,
+                             const std::string& device) override;
+
+ private:
+  LatentOptions options_ = vae_defaults;
+};
+
+}  // namespace piae::augment

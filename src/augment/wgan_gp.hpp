@@ -1,0 +1,38 @@
+#pragma once
+
+#include "augment/latent_options.hpp"
+#include "augment/method.hpp"
+
+namespace piae::augment {
+
+/// The paper names WGAN-GP and nothing of it; see pipeline/protocol.toml, [train.wgan-gp].
+struct WganGpOptions {
+  LatentOptions networks{
+      .epochs = 1000,         // calibrated
+      .batch = 5,             // as PIAE-DT, the paper's Table 4
+      .learning_rate = 1e-4,  // Gulrajani et al. 2017, Algorithm 1
+      .latent = 20,           // as the VAE
+      .depth = 3,             // as PIAE-DT
+      .width = 256,           // as PIAE-DT
+  };
+  int critic_steps = 5;  ///< for each step of the generator; Gulrajani et al., Algorithm 1
+  double penalty = 10;   ///< lambda, weight of the gradient penalty; Gulrajani et al., Algorithm 1
+};
+
+void bind(CLI::App& app, WganGpOptions& options);
+
+/// A conditional WGAN-GP on the known windows (Gulrajani et al. 2017, "Improved training of
+/// Wasserstein GANs") as an entry of the grid. Generates from the final network.
+class WganGp final : public Method {
+ public:
+  void bind(CLI::App& app) override;
+  void train(const signal::WindowSet& known, const Stream& stream, const std::string& device,
+             const nets::Checkpoint& checkpoint, artefact::Writer& model) override;
+  signal::WindowSet generate(const artefact::Reader& model, std::size_t count, const Stream& stream,
+                             const std::string& device) override;
+
+ private:
+  WganGpOptions options_;
+};
+
+}  // namespace piae::augment

@@ -1,0 +1,172 @@
+#include "augment/window_simulation.hpp"
+
+#include <spdlog/fmt/fmt.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+#include "base/error.hpp"
+#include "base/parallel.hpp"
+#include "cli/numbers.hpp"
+#include "signal/amplitude.hpp"
+
+namespace piae::augment {
+
+namespace {
+
+const std::string simulation_group = "/simulation";
+
+/// Stored numbers of a part of the options, each by the name of its option.
+template <class Part>
+using Stored = std::pair<const char*, double Part::*>;
+
+constexpr std::array<Stored<bearing::DynamicsOptions>, 5> stored_dynamics{{
+    {"mass_kg", &bearing::DynamicsOptions::mass_kg},
+    {"stiffness_n_per_m", &bearing::DynamicsOptions::stiffness_n_per_m},
+    {"damping_ns_per_m", &bearing::DynamicsOptions::damping_ns_per_m},
+    {"clearance_um", &bearing::DynamicsOptions::clearance_um},
+    {"load_n", &bearing::DynamicsOptions::load_n},
+}};
+
+constexpr std::array<Stored<bearing::Variation>, 4> stored_variation{{
+    {"stiffness_spread", &bearing::Variation::stiffness_spread},
+    {"damping_spread", &bearing::Variation::damping_spread},
+    {"speed_spread", &bearing::Variation::speed_spread},
+    {"slip_max", &bearing::Variation::slip_max},
+}};
+
+/// One window before eq. 13 is solved for it.
+struct Draw {
+  std::size_t label = 0;
+  bearing::DynamicsOptions dynamics;
+  bearing::Motion motion;
+};
+
+std::vector<Draw> draw_all(const WindowSimulation& simulation, std::size_t count,
+                           const Stream& stream, const DrawDynamics& draw) {
+  std::vector<Draw> draws;
+  const signal::DatasetInfo& info = simulation.info;
+  for (std::size_t label = 0; label < info.classes.size(); ++label) {
+    const signal::ClassInfo& c = info.classes[label];
+    if (c.defect == signal::Defect::none) continue;
+    const Stream own = stream.child(c.name);
+    for (std::size_t i = 0; i < count; ++i) {
+      Stream random = own.child(std::to_string(i));
+      const bearing::DynamicsOptions dynamics = draw(random);
+      draws.push_back({label, dynamics,
+                       bearing::draw_motion(random, c.defect, info.shaft_speed_rpm,
+                                            simulation.options.variation)});
+    }
+  }
+  return draws;
+}
+
+std::vector<double> solve(const WindowSimulation& simulation, const Draw& draw) {
+  const signal::DatasetInfo& info = simulation.info;
+  const signal::ClassInfo& c = info.classes[draw.label];
+  try {
+    return bearing::simulate(info.bearing, {c.defect, c.defect_size_mm}, draw.motion, draw.dynamics,
+                             {info.sample_rate_hz, simulation.length});
+  } catch (const Error& error) {
+    throw Error(error.exit(), fmt::format("class {}: {}", c.name, error.what()));
+  }
+}
+
+/// Without its mean, and with this RMS.
+std::vector<float> scaled(const std::vector<double>& signal, double rms) {
+  const auto samples = static_cast<double>(signal.size());
+  const double mean = std::accumulate(signal.begin(), signal.end(), 0.0) / samples;
+  double squares = 0;
+  for (const double x : signal) squares += (x - mean) * (x - mean);
+  if (!(squares > 0)) throw Error(Exit::failed, "eq. 13 gave a window without any vibration");
+  const double factor = rms / std::sqrt(squares / samples);
+  std::vector<float> window;
+  for (const double x : signal) window.push_back(static_cast<float>((x - mean) * factor));
+  return window;
+}
+
+}  // namespace
+
+void bind(CLI::App& app, SimulationOptions& options, const std::string& group) {
+  const auto add = [&](const std::string& name, double& value, const std::string& help) {
+    return app.add_option(name, value, help)->group(group);
+  };
+  add("--mass-kg", options.dynamics.mass_kg, "M of eq. 13, kg")->check(cli::positive_number());
+  add("--load-n", options.dynamics.load_n, "W of eq. 13, N")->check(cli::positive_number());
+  add("--clearance-um", options.dynamics.clearance_um,
+      "radial clearance of eq. 11, micrometres; the load must exceed it times the stiffness")
+      ->check(cli::positive_number());
+  add("--speed-spread", options.variation.speed_spread,
+      "of the shaft speed from window to window: standard deviation / mean")
+      ->check(spread());
+  add("--slip-max", options.variation.slip_max,
+      "relative loss of cage and spin speed: uniform from 0 to this")
+      ->check(cli::share());
+}
+
+CLI::Validator spread() {
+  const auto check = [](std::string& text) -> std::string {
+    double value = 0;
+    const bool good =
+        CLI::detail::lexical_cast(text, value) && value >= 0 && value < bearing::spread_limit;
+    return good ? std::string() : "'" + text + "' is not a number from 0 to below 1/3";
+  };
+  return {check, "SPREAD"};
+}
+
+WindowSimulation simulation_like(const signal::WindowSet& known, const SimulationOptions& options) {
+  return {known.info, known.length, signal::rms_by_class(known), options};
+}
+
+void write(artefact::Writer& writer, const WindowSimulation& simulation) {
+  signal::write(writer, simulation.info);
+  writer.attribute("/", "samples", static_cast<std::int64_t>(simulation.length));
+  writer.numbers("/classes/rms", simulation.rms);
+  writer.group(simulation_group);
+  for (const auto& [name, member] : stored_dynamics) {
+    writer.attribute(simulation_group, name, simulation.options.dynamics.*member);
+  }
+  for (const auto& [name, member] : stored_variation) {
+    writer.attribute(simulation_group, name, simulation.options.variation.*member);
+  }
+}
+
+WindowSimulation read_window_simulation(const artefact::Reader& reader) {
+  WindowSimulation simulation;
+  simulation.info = signal::read_dataset_info(reader);
+  const std::int64_t samples = reader.integer("/", "samples");
+  if (samples < 1) reader.refuse("samples", "holds " + std::to_string(samples));
+  simulation.length = static_cast<std::size_t>(samples);
+  simulation.rms = reader.numbers<double>("/classes/rms", {simulation.info.classes.size()}).values;
+  for (const auto& [name, member] : stored_dynamics) {
+    simulation.options.dynamics.*member = reader.real(simulation_group, name);
+  }
+  for (const auto& [name, member] : stored_variation) {
+    simulation.options.variation.*member = reader.real(simulation_group, name);
+  }
+  return simulation;
+}
+
+signal::WindowSet simulate_windows(const WindowSimulation& simulation, std::size_t count,
+                                   const Stream& stream, const DrawDynamics& draw) {
+  const std::vector<Draw> draws = draw_all(simulation, count, stream, draw);
+  signal::WindowSet windows;
+  windows.info = simulation.info;
+  windows.length = simulation.length;
+  windows.samples.resize(draws.size() * simulation.length);
+  parallel_for(draws.size(), [&](std::size_t i) {
+    const auto window = scaled(solve(simulation, draws[i]), simulation.rms[draws[i].label]);
+    std::ranges::copy(window,
+                      windows.samples.begin() + static_cast<std::ptrdiff_t>(i * simulation.length));
+  });
+  for (const Draw& one : draws) {
+    windows.labels.push_back(static_cast<std::int32_t>(one.label));
+    windows.parameters.push_back({one.dynamics.stiffness_n_per_m, one.dynamics.damping_ns_per_m});
+  }
+  return windows;
+}
+
+}  // namespace piae::augment

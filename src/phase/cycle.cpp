@@ -1,0 +1,75 @@
+#include "phase/cycle.hpp"
+
+#include <spdlog/fmt/fmt.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "base/error.hpp"
+#include "bearing/kinematics.hpp"
+
+namespace piae::phase {
+
+namespace {
+
+/// What is left of a window at least, to blend the cycle's end into its beginning.
+constexpr double least_blend = 1.0 / 32;
+/// A longer blend would soften more of the cycle than the seam needs.
+constexpr std::size_t longest_blend = 64;
+
+}  // namespace
+
+double strike_frequency_hz(const signal::DatasetInfo& info, std::size_t label) {
+  const auto lines = bearing::fault_frequencies(info.bearing, info.shaft_speed_rpm);
+  switch (info.classes.at(label).defect) {
+    case signal::Defect::outer:
+      return lines.bpfo_hz;
+    case signal::Defect::inner:
+      return lines.bpfi_hz;
+    case signal::Defect::roller:
+      return 2 * lines.bsf_hz;
+    case signal::Defect::none:
+      break;
+  }
+  throw Error(Exit::bad_input, info.name + ": class " + info.classes.at(label).name +
+                                   " has no defect, and so no fault frequency");
+}
+
+std::size_t Cycle::offset_of_strike(std::size_t j) const {
+  return static_cast<std::size_t>(
+      std::lround(static_cast<double>(j * samples) / static_cast<double>(strikes)));
+}
+
+double Cycle::angle_rad(std::size_t sample) const {
+  const double turns = static_cast<double>(sample * strikes) / static_cast<double>(samples);
+  return 2 * std::numbers::pi * (turns - std::floor(turns));
+}
+
+Cycle cycle_of(const signal::DatasetInfo& info, std::size_t label, std::size_t length) {
+  const double strike_samples = info.sample_rate_hz / strike_frequency_hz(info, label);
+  const double usable = static_cast<double>(length) * (1 - least_blend);
+  const double strikes = std::floor(usable / strike_samples);
+  if (strikes < 1) {
+    throw Error(Exit::bad_input,
+                fmt::format("{}: windows of {} samples do not hold one strike of class {}, every "
+                            "{:.1f} samples; longer windows would",
+                            info.name, length, info.classes.at(label).name, strike_samples));
+  }
+  Cycle cycle;
+  cycle.strikes = static_cast<std::size_t>(strikes);
+  cycle.samples = static_cast<std::size_t>(std::lround(strikes * strike_samples));
+  cycle.blend = std::min({length - cycle.samples, cycle.samples, longest_blend});
+  return cycle;
+}
+
+std::vector<double> closed_cycle(std::span<const double> window, const Cycle& cycle) {
+  std::vector<double> waveform(window.begin(), window.begin() + cycle.samples);
+  for (std::size_t i = 0; i < cycle.blend; ++i) {
+    const double weight = (static_cast<double>(i) + 0.5) / static_cast<double>(cycle.blend);
+    waveform[i] = weight * window[i] + (1 - weight) * window[cycle.samples + i];
+  }
+  return waveform;
+}
+
+}  // namespace piae::phase

@@ -1,0 +1,28 @@
+#include "phase/features.hpp"
+
+#include <Eigen/Core>
+#include <complex>
+#include <unsupported/Eigen/FFT>
+
+namespace piae::phase {
+
+std::vector<float> autocorrelation(std::span<const float> window) {
+  const auto samples = static_cast<Eigen::Index>(window.size());
+  // Zeros after the window keep its end from meeting its beginning.
+  Eigen::VectorXf padded = Eigen::VectorXf::Zero(samples + static_cast<Eigen::Index>(feature_lags));
+  const Eigen::Map<const Eigen::VectorXf> values(window.data(), samples);
+  padded.head(samples) = values.array() - values.mean();
+  Eigen::FFT<float> fft;
+  Eigen::VectorXcf spectrum;
+  fft.fwd(spectrum, padded);
+  spectrum = spectrum.cwiseAbs2().cast<std::complex<float>>();
+  Eigen::VectorXf lags;
+  fft.inv(lags, spectrum);
+  std::vector<float> features(feature_lags);
+  for (std::size_t i = 0; i < feature_lags; ++i) {
+    features[i] = lags[static_cast<Eigen::Index>(i) + 1] / lags[0];
+  }
+  return features;
+}
+
+}  // namespace piae::phase

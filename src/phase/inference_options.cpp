@@ -1,0 +1,24 @@
+#include "phase/inference_options.hpp"
+
+#include "cli/numbers.hpp"
+
+namespace piae::phase {
+
+void bind(CLI::App& app, InferenceOptions& o, const std::string& group) {
+  const auto add = [&](const std::string& name, auto& value, const std::string& help) {
+    return app.add_option(name, value, help)->group(group)->check(cli::positive_number());
+  };
+  add("--stiffness-from-n-per-m", o.stiffness_from_n_per_m,
+      "least stiffness looked for; the largest is load / clearance");
+  add("--damping-from-ns-per-m", o.damping_from_ns_per_m, "least damping looked for");
+  add("--damping-to-ns-per-m", o.damping_to_ns_per_m, "largest damping looked for");
+  add("--simulations", o.simulations,
+      "simulated windows of each class that the inference of (k, c) learns from");
+  add("--inference-epochs", o.epochs, "passes over them, in each of two rounds");
+  add("--inference-batch", o.batch, "simulated windows in a batch");
+  add("--inference-width", o.width, "units of its hidden layers");
+  add("--inference-learning-rate", o.learning_rate, "of its Adam, at the start");
+  add("--snr-to-db", o.snr_to_db, "measurement noise is drawn from 0 dB to this");
+}
+
+}  // namespace piae::phase

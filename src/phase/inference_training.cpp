@@ -1,0 +1,187 @@
+#include "phase/inference_training.hpp"
+
+#include <spdlog/fmt/fmt.h>
+#include <torch/torch.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "base/error.hpp"
+#include "twin/physics.hpp"
+
+namespace piae::phase {
+
+namespace {
+
+using twin::damping_scale_ns_per_m;
+using twin::stiffness_scale_n_per_m;
+
+constexpr std::size_t rounds = 2;
+/// The first round only has to find the neighbourhood.
+constexpr int windows_of_first_round = 3;  // a third of the last round's
+/// Realisations of the noise; more teach no better.
+constexpr std::size_t noise_realisations = 4;
+/// The prior of the second round goes this far beyond what the first inferred, as factors.
+constexpr double margin_k = 1.25;
+constexpr double margin_c = 1.6;
+/// Near k = W / clearance the contact is lost, and all vibration with it.
+constexpr double share_of_largest_stiffness = 0.98;
+/// Eq. 13 is solved this coarsely: 1 % of the waveform, which is below the noise that is added.
+constexpr double sub_step_s = 6e-6;
+
+std::vector<twin::TwinPoint> points_of(const signal::WindowSet& windows) {
+  std::vector<twin::TwinPoint> points;
+  for (const signal::DynamicParameters& p : windows.parameters) {
+    points.push_back({p.stiffness_n_per_m / stiffness_scale_n_per_m,
+                      p.damping_ns_per_m / damping_scale_ns_per_m});
+  }
+  return points;
+}
+
+double draw_log(Stream& stream, double low, double high) {
+  return std::exp(stream.uniform(std::log(low), std::log(high)));
+}
+
+signal::WindowSet with_noise(signal::WindowSet windows, const Stream& stream, double snr_to_db) {
+  for (std::size_t i = 0; i < windows.size(); ++i) {
+    Stream noise = stream.child(std::to_string(i));
+    const std::span<float> window =
+        std::span(windows.samples).subspan(i * windows.length, windows.length);
+    double power = 0;
+    for (const float x : window) power += static_cast<double>(x) * x;
+    const double snr_db = noise.uniform(0, snr_to_db);
+    const double deviation =
+        std::sqrt(power / static_cast<double>(windows.length) * std::pow(10, -snr_db / 10));
+    for (float& x : window) x += static_cast<float>(noise.normal(0, deviation));
+  }
+  return windows;
+}
+
+}  // namespace
+
+InferenceTraining::InferenceTraining(const signal::WindowSet& known,
+                                     const augment::SimulationOptions& simulation,
+                                     const InferenceOptions& options, const Stream& stream,
+                                     torch::Device device)
+    : known_(known),
+      simulation_(augment::simulation_like(known, simulation)),
+      options_(options),
+      stream_(stream),
+      inference_(static_cast<std::int64_t>(known.info.classes.size()), options.width,
+                 stream.child("initial"), device),
+      adam_(inference_.parameters().values(), inference_.parameters().gradients()) {
+  simulation_.options.dynamics.max_sub_step_s = sub_step_s;
+  const Bounds bounds = first_bounds();
+  if (bounds.low.k >= bounds.high.k || bounds.low.c >= bounds.high.c) {
+    throw Error(Exit::usage,
+                "inference: nothing lies between the bounds; "
+                "--stiffness-from-n-per-m must be below load / clearance, "
+                "--damping-from-ns-per-m below --damping-to-ns-per-m");
+  }
+}
+
+std::size_t InferenceTraining::epochs() const {
+  return rounds * static_cast<std::size_t>(options_.epochs);
+}
+
+Bounds InferenceTraining::first_bounds() const {
+  const bearing::DynamicsOptions& dynamics = simulation_.options.dynamics;
+  const double largest_n_per_m =
+      share_of_largest_stiffness * dynamics.load_n / (dynamics.clearance_um * 1e-6);
+  return {{options_.stiffness_from_n_per_m / stiffness_scale_n_per_m,
+           options_.damping_from_ns_per_m / damping_scale_ns_per_m},
+          {largest_n_per_m / stiffness_scale_n_per_m,
+           options_.damping_to_ns_per_m / damping_scale_ns_per_m}};
+}
+
+Bounds InferenceTraining::bounds_around_known() const {
+  const std::vector<twin::TwinPoint> points = inference_.infer(known_);
+  const auto [low_k, high_k] = std::ranges::minmax(points, {}, &twin::TwinPoint::k);
+  const auto [low_c, high_c] = std::ranges::minmax(points, {}, &twin::TwinPoint::c);
+  const Bounds all = first_bounds();
+  const auto within = [](double value, double low, double high) {
+    return std::clamp(value, low, high);
+  };
+  return {{within(low_k.k / margin_k, all.low.k, all.high.k / margin_k),
+           within(low_c.c / margin_c, all.low.c, all.high.c / margin_c)},
+          {within(high_k.k * margin_k, all.low.k * margin_k, all.high.k),
+           within(high_c.c * margin_c, all.low.c * margin_c, all.high.c)}};
+}
+
+void InferenceTraining::prepare_lessons(std::size_t round, const Bounds& bounds) {
+  const bool last = round + 1 == rounds;
+  const int count =
+      last ? options_.simulations : std::max(1, options_.simulations / windows_of_first_round);
+  const Stream stream = stream_.child("round" + std::to_string(round));
+  const signal::WindowSet windows = augment::simulate_windows(
+      simulation_, static_cast<std::size_t>(count), stream, [&](Stream& own) {
+        bearing::DynamicsOptions dynamics = simulation_.options.dynamics;
+        dynamics.stiffness_n_per_m =
+            draw_log(own, bounds.low.k, bounds.high.k) * stiffness_scale_n_per_m;
+        dynamics.damping_ns_per_m =
+            draw_log(own, bounds.low.c, bounds.high.c) * damping_scale_ns_per_m;
+        return dynamics;
+      });
+  lessons_ = {{}, inference_.labels_of(windows), points_of(windows)};
+  for (std::size_t i = 0; i < noise_realisations; ++i) {
+    const Stream noise = stream.child("noise" + std::to_string(i));
+    lessons_.features.push_back(
+        inference_.features_of(with_noise(windows, noise, options_.snr_to_db)));
+  }
+}
+
+std::string InferenceTraining::run_epoch(std::size_t epoch) {
+  const auto epochs_of_round = static_cast<std::size_t>(options_.epochs);
+  const std::size_t round = epoch / epochs_of_round;
+  const std::size_t of_round = epoch % epochs_of_round;
+  if (of_round == 0) {
+    const Bounds bounds = round == 0 ? first_bounds() : bounds_around_known();
+    prepare_lessons(round, bounds);
+    inference_.set_scale(bounds, lessons_.features.front());
+  } else if (lessons_.features.empty()) {  // continued from a checkpoint within the round
+    prepare_lessons(round, inference_.bounds());
+  }
+  const double progress = static_cast<double>(of_round) / static_cast<double>(epochs_of_round);
+  const double learning_rate =
+      options_.learning_rate * (1 + std::cos(std::numbers::pi * progress)) / 2;
+  Stream shuffle = stream_.child("epoch" + std::to_string(epoch));
+  const double loss = learn(lessons_.features[epoch % noise_realisations], shuffle, learning_rate);
+  if (!std::isfinite(loss)) {
+    throw Error(Exit::failed, "the inference of (k, c) diverged in epoch " +
+                                  std::to_string(epoch + 1) +
+                                  "; a smaller --inference-learning-rate may help");
+  }
+  return fmt::format("inference, round {}, loss {:.3f}", round + 1, loss);
+}
+
+double InferenceTraining::learn(const torch::Tensor& features, Stream& shuffle,
+                                double learning_rate) {
+  const torch::Tensor targets = inference_.targets_of(lessons_.points);
+  const std::vector<std::size_t> order = shuffle.permutation(lessons_.points.size());
+  const torch::Tensor rows =
+      torch::tensor(std::vector<std::int64_t>(order.begin(), order.end())).to(features.device());
+  double sum = 0;
+  for (const torch::Tensor& batch : rows.split(options_.batch)) {
+    inference_.parameters().zero_gradients();
+    const torch::Tensor estimates =
+        inference_.forward(features.index_select(0, batch), lessons_.labels.index_select(0, batch));
+    const torch::Tensor loss = (estimates - targets.index_select(0, batch)).square().mean();
+    loss.backward();
+    adam_.step(learning_rate);
+    sum += loss.item<double>() * static_cast<double>(batch.size(0));
+  }
+  return sum / static_cast<double>(order.size());
+}
+
+void InferenceTraining::write_state(artefact::Writer& writer) const {
+  inference_.write(writer);
+  adam_.write(writer, "/inference/adam");
+}
+
+void InferenceTraining::read_state(const artefact::Reader& reader) {
+  inference_.read(reader);
+  adam_.read(reader, "/inference/adam");
+}
+
+}  // namespace piae::phase

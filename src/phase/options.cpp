@@ -1,0 +1,10 @@
+#include "phase/options.hpp"
+
+namespace piae::phase {
+
+void bind(CLI::App& app, PhaseOptions& options) {
+  twin::bind(app, options.twin);
+  bind(app, options.inference, "piae-dt-phase");
+}
+
+}  // namespace piae::phase

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include "phase/inference_options.hpp"
+#include "twin/options.hpp"
+
+namespace piae::phase {
+
+/// Settings of piae-dt-phase: those of the twin, whose mass, load and clearance are also the
+/// simulations', and those of the inference.
+struct PhaseOptions {
+  twin::TwinOptions twin;
+  InferenceOptions inference;
+};
+
+void bind(CLI::App& app, PhaseOptions& options);
+
+}  // namespace piae::phase

@@ -1,0 +1,135 @@
+#include "phase/training.hpp"
+
+#include <torch/torch.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "nets/device.hpp"
+#include "phase/alignment.hpp"
+#include "phase/cycle.hpp"
+#include "phase/inference_training.hpp"
+#include "phase/states.hpp"
+#include "signal/amplitude.hpp"
+#include "twin/training.hpp"
+
+namespace piae::phase {
+
+namespace {
+
+/// The known windows turned to one common angle of their class, and where each of them began.
+struct Turned {
+  signal::WindowSet windows;
+  std::vector<std::int64_t> starts;  ///< samples of the class's cycle
+};
+
+std::vector<double> without_mean(std::span<const float> window) {
+  const double mean = signal::mean_of(window);
+  std::vector<double> values;
+  for (const float x : window) values.push_back(x - mean);
+  return values;
+}
+
+Turned turn_to_common_angle(const signal::WindowSet& known) {
+  Turned turned{known, std::vector<std::int64_t>(known.size())};
+  for (std::size_t label = 0; label < known.info.classes.size(); ++label) {
+    const std::vector<std::size_t> indices = known.indices_of(static_cast<int>(label));
+    if (indices.empty()) continue;
+    const Cycle cycle = cycle_of(known.info, label, known.length);
+    std::vector<std::vector<double>> waveforms;
+    for (const std::size_t i : indices) {
+      waveforms.push_back(closed_cycle(without_mean(known.window(i)), cycle));
+    }
+    const Alignment alignment = align(waveforms);
+    for (std::size_t j = 0; j < indices.size(); ++j) {
+      const std::size_t start = alignment.starts[j];
+      const std::vector<double> window =
+          read(std::span<const double>(waveforms[j]), cycle.samples - start, known.length);
+      std::ranges::copy(window, turned.windows.samples.begin() +
+                                    static_cast<std::ptrdiff_t>(indices[j] * known.length));
+      turned.starts[indices[j]] = static_cast<std::int64_t>(start);
+    }
+  }
+  return turned;
+}
+
+class Training final : public PhaseTraining {
+ public:
+  Training(const signal::WindowSet& known, const PhaseOptions& options, const Stream& stream,
+           const std::string& device)
+      : known_(known),
+        options_(options),
+        stream_(stream),
+        device_(device),
+        turned_(turn_to_common_angle(known)),
+        inference_(known, simulation_of(options), options.inference, stream.child("inference"),
+                   nets::prepare_device(device)) {}
+
+  [[nodiscard]] std::size_t epochs() const override {
+    return inference_.epochs() + static_cast<std::size_t>(options_.twin.epochs);
+  }
+
+  std::string run_epoch(std::size_t epoch) override {
+    if (epoch < inference_.epochs()) return inference_.run_epoch(epoch);
+    if (!twin_) make_twin();
+    return twin_->run_epoch(epoch - inference_.epochs());
+  }
+
+  void write_state(artefact::Writer& writer) const override {
+    inference_.write_state(writer);
+    writer.attribute("/", "has_twin", std::int64_t{twin_ ? 1 : 0});
+    if (twin_) twin_->write_state(writer);
+  }
+
+  void read_state(const artefact::Reader& reader) override {
+    inference_.read_state(reader);
+    if (reader.integer("/", "has_twin") == 0) return;
+    make_twin();
+    twin_->read_state(reader);
+  }
+
+  void write_model(artefact::Writer& writer) override {
+    twin_->write_model(writer);
+    inference_.inference().write(writer);
+    writer.attribute("/inference", "width", std::int64_t{options_.inference.width});
+    writer.numbers("/phase/labels", known_.labels);
+    writer.attribute("/phase", "space_bins", std::int64_t{options_.twin.space_bins});
+    writer.numbers("/phase/start", turned_.starts);
+  }
+
+ private:
+  static augment::SimulationOptions simulation_of(const PhaseOptions& options) {
+    augment::SimulationOptions simulation;
+    simulation.dynamics.mass_kg = options.twin.mass_kg;
+    simulation.dynamics.load_n = options.twin.load_n;
+    simulation.dynamics.clearance_um = options.twin.clearance_um;
+    return simulation;
+  }
+
+  void make_twin() {
+    const std::vector<twin::TwinPoint> points = inference_.inference().infer(known_);
+    const StateScale scale(points, known_.labels, known_.info.classes.size());
+    twin_ = twin::make_twin_training(
+        turned_.windows, options_.twin, twin::without_encoder, stream_.child("twin"), device_,
+        twin::KnownStates{points, scale.standardised(points, known_.labels)});
+  }
+
+  const signal::WindowSet& known_;
+  PhaseOptions options_;
+  Stream stream_;
+  std::string device_;
+  Turned turned_;
+  InferenceTraining inference_;
+  std::unique_ptr<twin::TwinTraining> twin_;
+};
+
+}  // namespace
+
+std::unique_ptr<PhaseTraining> make_phase_training(const signal::WindowSet& known,
+                                                   const PhaseOptions& options,
+                                                   const Stream& stream,
+                                                   const std::string& device) {
+  return std::make_unique<Training>(known, options, stream, device);
+}
+
+}  // namespace piae::phase

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "twin/coder.hpp"
+#include "twin/options.hpp"
+
+namespace piae::twin {
+
+/// Encoder and decoder of PIAE-DT itself (eqs 16 and 17): chains of `depth` dense layers, `width`
+/// wide, with ReLU between. Windows may have any length.
+class DenseCoder final : public Coder {
+ public:
+  DenseCoder(const NetworkShape& shape, const TwinOptions& options)
+      : shape_(shape), depth_(options.depth), width_(options.width) {}
+
+  [[nodiscard]] std::vector<nets::ParameterSpec> specs() const override;
+  [[nodiscard]] torch::Tensor encode(const nets::ParameterSet& parameters,
+                                     const torch::Tensor& x) const override;
+  [[nodiscard]] torch::Tensor decode(const nets::ParameterSet& parameters,
+                                     const torch::Tensor& input) const override;
+
+ private:
+  NetworkShape shape_;
+  int depth_;
+  int width_;
+};
+
+}  // namespace piae::twin

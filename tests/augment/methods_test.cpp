@@ -1,0 +1,131 @@
+// What every method that generates from the known windows owes the grid.
+
+#include "methods.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.hpp"
+
+namespace piae::augment {
+namespace {
+
+struct Case {
+  std::string method;
+  std::string options;  ///< for a quick training
+};
+
+const Case dynamics{"dynamics", ""};
+const Case physics{"physics", "--stiffness-grid 3 --damping-grid 2"};
+const Case smote{"smote", "--neighbours 2"};
+const Case oversample{"oversample", ""};
+const Case shift{"shift", ""};
+const Case vae{"vae", "--epochs 4 --width 8 --latent 3 --batch 4"};
+// Three batches an epoch: the generator's steps fall on other batches in each.
+const Case wgan_gp{"wgan-gp", "--epochs 4 --width 8 --latent 3 --batch 4 --critic-steps 2"};
+
+std::string name_of(const testing::TestParamInfo<Case>& info) {
+  std::string name = info.param.method;
+  std::ranges::replace(name, '-', '_');
+  return name;
+}
+
+std::filesystem::path trained(const Case& method, const std::string& name,
+                              const nets::Checkpoint& checkpoint) {
+  return train(method.method, method.options, twin::known_windows(), checkpoint, name);
+}
+
+class GeneratingMethod : public testing::TestWithParam<Case> {
+ protected:
+  [[nodiscard]] static std::filesystem::path model(const std::string& name) {
+    return trained(GetParam(), name, checkpoint_at(name + ".checkpoint"));
+  }
+};
+
+INSTANTIATE_TEST_SUITE_P(Augment, GeneratingMethod,
+                         testing::Values(dynamics, physics, smote, oversample, shift, vae, wgan_gp),
+                         name_of);
+
+TEST_P(GeneratingMethod, MakesWindowsOfEveryFaultClassInOrder) {
+  const signal::WindowSet windows = generate(GetParam().method, model("model.h5"), 3);
+  EXPECT_EQ(windows.labels, (std::vector<std::int32_t>{1, 1, 1, 2, 2, 2}));
+  EXPECT_EQ(windows.length, 64U);
+  EXPECT_EQ(windows.samples.size(), 6U * 64U);
+  EXPECT_EQ(windows.info.classes[2].name, "OR");
+  EXPECT_TRUE(windows.record.empty());  // they were not cut from any recording
+}
+
+TEST_P(GeneratingMethod, MakesTheFirstWindowsTheSameWhateverTheCount) {
+  const std::filesystem::path path = model("model.h5");
+  const signal::WindowSet few = generate(GetParam().method, path, 2);
+  const signal::WindowSet many = generate(GetParam().method, path, 7);
+  for (std::size_t label = 0; label < 2; ++label) {
+    for (std::size_t i = 0; i < 2; ++i) {
+      const auto expected = few.window(label * 2 + i);
+      const auto window = many.window(label * 7 + i);
+      EXPECT_TRUE(std::ranges::equal(window, expected)) << "class " << label << ", window " << i;
+    }
+  }
+}
+
+TEST_P(GeneratingMethod, MakesDifferentWindows) {
+  const signal::WindowSet windows = generate(GetParam().method, model("model.h5"), 20);
+  for (std::size_t i = 0; i + 1 < windows.size(); ++i) {
+    EXPECT_FALSE(std::ranges::equal(windows.window(i), windows.window(i + 1))) << i;
+  }
+}
+
+TEST_P(GeneratingMethod, GivesTheSameModelTwice) {
+  EXPECT_EQ(bytes_of(model("first.h5")), bytes_of(model("second.h5")));
+}
+
+TEST_P(GeneratingMethod, KeepsTheUnitOfTheRecordings) {
+  signal::WindowSet known = twin::known_windows();
+  const auto small = train(GetParam().method, GetParam().options, known,
+                           checkpoint_at("small.checkpoint"), "small.h5");
+  for (float& sample : known.samples) sample *= 1024;  // exact in binary
+  const auto large = train(GetParam().method, GetParam().options, known,
+                           checkpoint_at("large.checkpoint"), "large.h5");
+  const std::vector<float> in_small_unit = generate(GetParam().method, small, 2).samples;
+  const std::vector<float> in_large_unit = generate(GetParam().method, large, 2).samples;
+  for (std::size_t i = 0; i < in_small_unit.size(); ++i) {
+    ASSERT_NEAR(in_large_unit[i], in_small_unit[i] * 1024, 1e-3 * (1 + std::abs(in_large_unit[i])));
+  }
+}
+
+/// Those with epochs.
+class TrainedMethod : public testing::TestWithParam<Case> {};
+INSTANTIATE_TEST_SUITE_P(Augment, TrainedMethod, testing::Values(vae, wgan_gp), name_of);
+
+TEST_P(TrainedMethod, CutAfterAnyEpochAndContinuedEqualsAnUncutOne) {
+  const std::string uncut = bytes_of(trained(GetParam(), "uncut.h5", checkpoint_at("uncut")));
+  for (int cut = 1; cut <= 4; ++cut) {
+    nets::Checkpoint checkpoint = checkpoint_at("cut");
+    int asked = 0;
+    checkpoint.interrupted = [&] { return ++asked == cut; };
+    EXPECT_THROW(trained(GetParam(), "never.h5", checkpoint), Error) << "cut after " << cut;
+    checkpoint.interrupted = [] { return false; };
+    EXPECT_EQ(bytes_of(trained(GetParam(), "continued.h5", checkpoint)), uncut)
+        << "cut after " << cut;
+  }
+}
+
+TEST_P(TrainedMethod, SaysWhenItsTrainingDiverged) {
+  try {
+    train(GetParam().method, "--epochs 50 --width 8 --learning-rate 1e30", twin::known_windows(),
+          checkpoint_at("checkpoint"), "never.h5");
+    FAIL() << "did not diverge";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.exit(), Exit::failed);
+    EXPECT_NE(std::string(error.what()).find("--learning-rate"), std::string::npos);
+  }
+}
+
+TEST_P(TrainedMethod, RefusesASilentClass) {
+  signal::WindowSet known = twin::known_windows();
+  std::fill_n(known.samples.begin(), 5 * known.length, 1.0F);
+  EXPECT_THROW(train(GetParam().method, "", known, checkpoint_at("checkpoint"), "never.h5"), Error);
+}
+
+}  // namespace
+}  // namespace piae::augment

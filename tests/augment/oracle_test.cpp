@@ -1,0 +1,78 @@
+#include <set>
+
+#include "base/error.hpp"
+#include "methods.hpp"
+
+namespace piae::augment {
+namespace {
+
+/// 30 real windows of each fault class in order of time: each holds its own number.
+signal::WindowSet numbered_windows() {
+  signal::WindowSet real;
+  real.info = twin::known_windows().info;
+  real.length = 2;
+  for (int i = 0; i < 60; ++i) {
+    real.samples.insert(real.samples.end(), 2, static_cast<float>(i));
+    real.labels.push_back(i < 30 ? 1 : 2);
+  }
+  return real;
+}
+
+std::filesystem::path model() {
+  return train("oracle", "", numbered_windows(), checkpoint_at("checkpoint"), "model.h5");
+}
+
+std::vector<int> numbers_of(const signal::WindowSet& windows, std::int32_t label) {
+  std::vector<int> numbers;
+  for (const std::size_t i : windows.indices_of(label)) {
+    numbers.push_back(static_cast<int>(windows.window(i)[0]));
+  }
+  return numbers;
+}
+
+TEST(Oracle, AloneLearnsFromRealWindows) {
+  for (const std::string& name : method_names()) {
+    const LearnsFrom from = make_method(name)->learns_from();
+    EXPECT_EQ(from, name == "oracle" ? LearnsFrom::real : LearnsFrom::known) << name;
+  }
+}
+
+TEST(Oracle, TakesEachWindowOnceAndOfItsOwnClass) {
+  const signal::WindowSet all = generate("oracle", model(), 30);
+  for (const int label : {1, 2}) {
+    const std::vector<int> numbers = numbers_of(all, label);
+    const std::set<int> different(numbers.begin(), numbers.end());
+    EXPECT_EQ(different.size(), 30U);
+    EXPECT_EQ(*different.begin(), 30 * (label - 1));
+    EXPECT_EQ(*different.rbegin(), 30 * label - 1);
+  }
+  EXPECT_TRUE(all.record.empty());
+}
+
+/// A blocked D is in order of time: its first windows alone would be one stretch of the record.
+TEST(Oracle, TakesThemFromAllOverTheRecord) {
+  std::vector<int> first = numbers_of(generate("oracle", model(), 5), 1);
+  std::ranges::sort(first);
+  EXPECT_GT(first.back() - first.front(), 10);
+}
+
+TEST(Oracle, TakesTheSameFirstWindowsWhateverTheCount) {
+  const std::vector<int> few = numbers_of(generate("oracle", model(), 4), 2);
+  std::vector<int> many = numbers_of(generate("oracle", model(), 20), 2);
+  many.resize(4);
+  EXPECT_EQ(many, few);
+}
+
+TEST(Oracle, SaysHowManyThereAre) {
+  try {
+    generate("oracle", model(), 31);
+    FAIL() << "made a real window";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.exit(), Exit::usage);
+    EXPECT_NE(std::string(error.what()).find("class IR has 30 real windows"), std::string::npos);
+    EXPECT_NE(std::string(error.what()).find("works is 30"), std::string::npos);
+  }
+}
+
+}  // namespace
+}  // namespace piae::augment

@@ -1,0 +1,57 @@
+#include <map>
+
+#include "methods.hpp"
+
+namespace piae::augment {
+namespace {
+
+using Samples = std::vector<float>;
+
+/// Two known windows of class IR and one of class OR, all of whose shifts differ.
+signal::WindowSet three_windows() {
+  signal::WindowSet known;
+  known.info = twin::known_windows().info;
+  known.length = 4;
+  known.samples = {1, 2, 3, 4, 5, 6, 7, 8, 10, 20, 30, 40};
+  known.labels = {1, 1, 2};
+  return known;
+}
+
+signal::WindowSet windows_of(const std::string& method, std::size_t count) {
+  const auto model = train(method, "", three_windows(), checkpoint_at("checkpoint"), "model.h5");
+  return generate(method, model, count);
+}
+
+Samples window(const signal::WindowSet& set, std::size_t i) {
+  return {set.window(i).begin(), set.window(i).end()};
+}
+
+TEST(Oversample, RepeatsTheKnownWindowsInTurn) {
+  EXPECT_EQ(windows_of("oversample", 3).samples,
+            (Samples{1,  2,  3,  4,  5,  6,  7,  8,  1,  2,  3,  4,  //
+                     10, 20, 30, 40, 10, 20, 30, 40, 10, 20, 30, 40}));
+}
+
+TEST(Shift, TurnsTheKnownWindowsRoundByWhatTheirRandomNumbersSay) {
+  const signal::WindowSet windows = windows_of("shift", 8);
+  const Samples known[] = {{1, 2, 3, 4}, {5, 6, 7, 8}};
+  for (std::size_t i = 0; i < 8; ++i) {
+    const std::size_t shift = Stream("generate/IR/" + std::to_string(i)).below(4);
+    Samples expected;
+    for (std::size_t t = 0; t < 4; ++t) expected.push_back(known[i % 2][(t + shift) % 4]);
+    EXPECT_EQ(window(windows, i), expected) << i;
+  }
+}
+
+TEST(Shift, MakesEveryShiftEquallyOften) {
+  const signal::WindowSet windows = windows_of("shift", 400);
+  std::map<float, int> firsts;  // of class OR, which has one known window
+  for (std::size_t i = 400; i < 800; ++i) ++firsts[windows.window(i)[0]];
+  ASSERT_EQ(firsts.size(), 4U);
+  for (const auto& [first, times] : firsts) {
+    EXPECT_NEAR(times, 100, 29) << first;  // 3.3 standard deviations of 8.7
+  }
+}
+
+}  // namespace
+}  // namespace piae::augment

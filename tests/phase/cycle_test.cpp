@@ -1,0 +1,83 @@
+#include "phase/cycle.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "base/error.hpp"
+#include "simulated.hpp"
+
+namespace piae::phase {
+namespace {
+
+// Harris' formulas by hand for 9 balls, d / D = 7.94 / 39, 29.95 Hz: BPFI = 9/2 f (1 + d/D) =
+// 162.21 Hz, BPFO = 9/2 f (1 - d/D) = 107.34 Hz, 2 BSF = f D/d (1 - (d/D)^2) = 141.01 Hz.
+TEST(Cycle, StrikesComeAtTheFaultFrequency) {
+  signal::DatasetInfo info = bearing_info();
+  EXPECT_NEAR(strike_frequency_hz(info, 1), 162.21, 0.01);
+  EXPECT_NEAR(strike_frequency_hz(info, 2), 107.34, 0.01);
+  info.classes[2].defect = signal::Defect::roller;
+  EXPECT_NEAR(strike_frequency_hz(info, 2), 141.01, 0.02);
+  EXPECT_THROW(strike_frequency_hz(info, 0), Error);
+}
+
+// A strike every 12000 / 107.34 = 111.79 samples: 8 in 894.4, 9 would leave only 18 of 1024.
+TEST(Cycle, HoldsAsManyWholeStrikesAsLeaveSomethingToBlend) {
+  const Cycle cycle = cycle_of(bearing_info(), 2, 1024);
+  EXPECT_EQ(cycle.strikes, 8U);
+  EXPECT_EQ(cycle.samples, 894U);
+  EXPECT_EQ(cycle.offset_of_strike(0), 0U);
+  EXPECT_EQ(cycle.offset_of_strike(1), 112U);
+  EXPECT_EQ(cycle.offset_of_strike(4), 447U);
+  EXPECT_NEAR(cycle.angle_rad(447), 0, 1e-12);
+  EXPECT_NEAR(cycle.angle_rad(1), 2 * std::numbers::pi * 8 / 894, 1e-12);
+}
+
+TEST(Cycle, RefusesWindowsWithoutAWholeStrike) {
+  try {
+    cycle_of(bearing_info(), 2, 100);
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.exit(), Exit::bad_input);
+    EXPECT_NE(std::string(error.what()).find("OR021"), std::string::npos) << error.what();
+  }
+}
+
+TEST(ClosedCycle, LeavesAPeriodicSignalAsItIs) {
+  const Cycle cycle{90, 3, 16};
+  std::vector<double> window(128);
+  for (std::size_t i = 0; i < window.size(); ++i) {
+    window[i] = std::sin(2 * std::numbers::pi * static_cast<double>(i) / 30);
+  }
+  const std::vector<double> waveform = closed_cycle(window, cycle);
+  ASSERT_EQ(waveform.size(), 90U);
+  for (std::size_t i = 0; i < 90; ++i) EXPECT_NEAR(waveform[i], window[i], 1e-12);
+}
+
+// A ramp jumps by its whole height at the seam of a cut; blended, no step is larger than that of
+// the blend, height / 16, plus its own.
+TEST(ClosedCycle, LetsTheEndGoOverIntoTheBeginning) {
+  const Cycle cycle{90, 3, 16};
+  std::vector<double> window(128);
+  for (std::size_t i = 0; i < window.size(); ++i) window[i] = static_cast<double>(i);
+  const std::vector<double> waveform = closed_cycle(window, cycle);
+  for (std::size_t i = 0; i < 90; ++i) {
+    EXPECT_LE(std::abs(waveform[(i + 1) % 90] - waveform[i]), 90.0 / 16 + 1) << i;
+  }
+}
+
+// The promise of the twin: another start angle is the same waveform, shifted.
+TEST(Read, ShiftsTheWaveformBitForBit) {
+  Stream stream("waveform");
+  std::vector<float> waveform(97);
+  for (float& x : waveform) x = static_cast<float>(stream.normal(0, 1));
+  const std::vector<float> window = read(std::span<const float>(waveform), 5, 300);
+  for (const std::size_t shift : {1U, 40U, 96U}) {
+    const std::vector<float> shifted = read(std::span<const float>(waveform), 5 + shift, 300);
+    for (std::size_t i = 0; i + shift < 300; ++i) ASSERT_EQ(shifted[i], window[i + shift]);
+  }
+}
+
+}  // namespace
+}  // namespace piae::phase

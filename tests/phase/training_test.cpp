@@ -1,0 +1,104 @@
+#include "phase/training.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "base/error.hpp"
+#include "phase/generation.hpp"
+#include "simulated.hpp"
+
+namespace piae::phase {
+namespace {
+
+namespace fs = std::filesystem;
+
+PhaseOptions quick_options() {
+  PhaseOptions options;
+  options.twin.epochs = 4;
+  options.twin.width = 16;
+  options.inference.simulations = 12;
+  options.inference.epochs = 3;
+  options.inference.width = 16;
+  return options;
+}
+
+nets::Checkpoint checkpoint_at(const std::string& name) {
+  nets::Checkpoint checkpoint;
+  checkpoint.path = fs::path(testing::TempDir()) / ("phase_" + name);
+  fs::remove(checkpoint.path);
+  checkpoint.interrupted = [] { return false; };
+  return checkpoint;
+}
+
+std::string bytes_of(const fs::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  std::ostringstream bytes;
+  bytes << in.rdbuf();
+  return bytes.str();
+}
+
+fs::path train(const nets::Checkpoint& checkpoint, const std::string& name) {
+  const signal::WindowSet known = simulated_windows(5, "known");
+  const auto training = make_phase_training(known, quick_options(), Stream("test"), "cpu");
+  nets::run_epochs(*training, checkpoint);
+  artefact::Writer writer("model");
+  training->write_model(writer);
+  const fs::path path = fs::path(testing::TempDir()) / ("phase_" + name);
+  writer.save(path, {});
+  return path;
+}
+
+// Within the first round, at its end, within the second, at its end, within the twin's training.
+TEST(PhaseTraining, CutAnywhereAndContinuedEqualsAnUncutOne) {
+  const std::string uncut = bytes_of(train(checkpoint_at("uncut.ckpt"), "uncut.h5"));
+  for (const int cut : {1, 3, 5, 6, 8}) {
+    nets::Checkpoint checkpoint = checkpoint_at("cut.ckpt");
+    int asked = 0;
+    checkpoint.interrupted = [&] { return ++asked == cut; };
+    EXPECT_THROW(train(checkpoint, "never.h5"), Error) << cut;
+    checkpoint.interrupted = [] { return false; };
+    EXPECT_EQ(bytes_of(train(checkpoint, "continued.h5")), uncut) << cut;
+  }
+}
+
+TEST(PhaseGeneration, FirstWindowsDoNotDependOnTheirNumber) {
+  const artefact::Reader model(train(checkpoint_at("model.ckpt"), "model.h5"), "model");
+  const signal::WindowSet few = generate(model, 2, Stream("generate"), "cpu");
+  const signal::WindowSet many = generate(model, 7, Stream("generate"), "cpu");
+  ASSERT_EQ(few.size(), 4U);
+  ASSERT_EQ(many.size(), 14U);
+  for (std::size_t i = 0; i < few.length; ++i) {
+    // A matrix product of more rows may round otherwise.
+    ASSERT_NEAR(few.window(1)[i], many.window(1)[i], 1e-3) << i;
+    ASSERT_NEAR(few.window(2)[i], many.window(7)[i], 1e-3) << i;
+  }
+}
+
+TEST(PhaseTraining, RefusesWindowsThatAreTooShort) {
+  signal::WindowSet known = simulated_windows(5, "known");
+  known.length = 64;
+  EXPECT_THROW(make_phase_training(known, quick_options(), Stream("test"), "cpu"), Error);
+}
+
+// A later start shifts the window; the change from one state to the other stays where it is.
+TEST(Pass, StartsAtTheAngleAndGoesOnInRhythm) {
+  std::vector<float> first(30);
+  std::vector<float> second(30);
+  for (std::size_t i = 0; i < 30; ++i) {
+    first[i] = static_cast<float>(i);
+    second[i] = static_cast<float>(100 + i);
+  }
+  const Cycle cycle{30, 3, 4};
+  const std::vector<float> window = pass(first, second, cycle, {28, 4, 2}, 8);
+  // 28 29 0 1 of the first; then, 2 strikes of 10 samples ahead, 2 + 20 ... of the second.
+  EXPECT_EQ(window, (std::vector<float>{28, 29, 0, 1, 122, 123, 124, 125}));
+  const std::vector<float> later = pass(first, second, cycle, {29, 4, 2}, 8);
+  for (const std::size_t i : {0U, 1U, 2U, 4U, 5U, 6U}) EXPECT_EQ(later[i], window[i + 1]) << i;
+}
+
+}  // namespace
+}  // namespace piae::phase
