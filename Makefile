@@ -16,6 +16,7 @@ PROTOCOL := random
 DATA_DIR ?= data
 ARCH     ?= native
 SUBMIT   :=
+TOLERANCE := auto
 V        :=
 
 # The demo is a small grid of the same kind, on all cores unless -j says otherwise.
@@ -34,18 +35,25 @@ BIN      := build/bin
 programs := build
 endif
 
+# The folder, as a shell completes it, will do: RUN=results/try/ is RUN=try.
+override RUN := $(patsubst results/%,%,$(RUN:/=))
+
 export BIN SUBMIT
 Q := $(if $(V),,@)
 
 .DEFAULT_GOAL := help
-.PHONY: help demo all cells records data test bench deps build clean
+.PHONY: help demo all cells tables holes sweep records status check reference data test bench deps build clean
 
 help:
-	@printf '  %-10s%s\n' \
+	@printf '  %-11s%s\n' \
 	  demo     'install what is missing, build, run the method on a simulated bearing: start here' \
 	  all      'run the grid and make its tables in results/RUN/<dataset>/' \
 	  cells    'run the grid without the tables (on a cluster: see jobs/)' \
-	  records  'only read or simulate the data sets' \
+	  sweep    'vary the settings of piae-dt one at a time (pipeline/sweep.mk): sweep.csv, sweep.md' \
+  records  'only read or simulate the data sets' \
+	  status   'how far the grid is: cells done, running, failed, missing, and the time left' \
+	  check    'compare RUN with results/reference: all cells, or those of the variables given' \
+	  reference 'store RUN, or the cells of the variables given, as results/reference' \
 	  data     'download the recordings that have an official address into DATA_DIR' \
 	  test     'build and run every test; those on real recordings when DATA_DIR has them' \
 	  bench    'build and run the benchmarks' \
@@ -53,7 +61,7 @@ help:
 	  build    'build the programs into build/bin' \
 	  clean    'remove build/; results and data stay' \
 	  | sed 's/^ /make/; 1i\Targets'
-	@printf '  %-10s%s\n' \
+	@printf '  %-11s%s\n' \
 	  RUN      'folder under results/; PROTOCOL=blocked adds "-blocked"  [$(RUN)]' \
 	  DATASETS 'any of $(known_datasets)  [$(DATASETS)]' \
 	  METHODS  'none runs at 100to1, all others at the other ratios  [$(METHODS)]' \
@@ -64,6 +72,7 @@ help:
 	  ARCH     'processor to build for: native, x86-64-v3, ...  [$(ARCH)]' \
 	  BIN      'folder of programs to use as they are, instead of building  [$(BIN)]' \
 	  SUBMIT   'command put before every step, such as "srun --ntasks=1 --mem=2G"  [$(SUBMIT)]' \
+	  TOLERANCE 'of check: exact, spread, or auto: exact on the same processor and libraries  [$(TOLERANCE)]' \
 	  V        'V=1 shows the commands  [$(V)]' \
 	  | sed '1i\\nVariables, and their values now'
 	@printf '%s\n' '' \
@@ -84,6 +93,18 @@ bench: deps
 test: deps
 	$(Q)pipeline/build.sh $(ARCH) programs tests
 	$(Q)DATA_DIR='$(DATA_DIR)' tests/run.sh
+
+# Of the grid's variables only those that are given narrow down what is compared or stored.
+given = $(foreach name,DATASETS METHODS RATIOS SEEDS,\
+          $(if $(filter command,$(firstword $(origin $(name)))),--$(shell echo $(name) | tr A-Z a-z) $($(name))))
+compare = $(BIN)/compare --run $(results) --reference results/reference $(given)
+check: | $(programs)
+	$(Q)$(compare) --tolerance $(TOLERANCE)
+reference: | $(programs)
+	$(Q)$(compare) --store
+
+status:
+	$(Q)pipeline/status.sh '$(results)' $(MAKE) $(choice)
 
 data: | $(programs)
 	$(Q)pipeline/download.sh '$(DATA_DIR)' $(filter-out $(simulated),$(DATASETS))

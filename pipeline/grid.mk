@@ -1,7 +1,7 @@
 # The experiment as a graph: data set x seed x method x ratio.
 #
 #   records.h5 -> A B C D -> model.h5 -> E.h5 -> score.h5
-#                        \-------------------\-> <ratio>/diagnosis.h5 -> accuracy.csv, quality.csv
+#                        \-------------------\-> <ratio>/diagnosis.h5 -> accuracy.csv, tables.md, ...
 #
 # A file under its final name is complete, since every stage writes beside it and renames; so a run
 # can be stopped at any moment, killed even, and the same command goes on where it was.
@@ -17,8 +17,12 @@ ratio_names    := 100to1 50to1 25to1 10to1 5to1 2to1 1to1
 known_datasets := $(basename $(notdir $(wildcard pipeline/datasets/*.toml)))
 simulated      := $(basename $(notdir $(shell grep -ls '^\[simulation' pipeline/datasets/*.toml)))
 
+results := results/$(RUN)$(patsubst %,-%,$(filter blocked,$(PROTOCOL)))
+# The same choice for another make.
+choice  = $(foreach name,RUN DATASETS METHODS RATIOS SEEDS PROTOCOL BIN,'$(name)=$($(name))')
+
 # The rules below are made only when a goal needs them: anything but these.
-ifneq (,$(filter-out help deps build bench test data clean,$(MAKECMDGOALS)))
+ifneq (,$(filter-out help deps build bench test data clean status check reference,$(MAKECMDGOALS)))
 
 define check_words # name, words, known words
 $(foreach word,$(filter-out $3,$2),$(error $1: unknown '$(word)'; there are: $3))
@@ -34,7 +38,6 @@ $(if $(filter-out $(words $(SEEDS)),$(words $(sort $(SEEDS)))),$(error SEEDS: '$
 $(if $(findstring /,$(RUN)),$(error RUN: the name of a folder under results/, not a path: '$(RUN)'))
 $(if $(filter 1,$(words $(RUN))),,$(error RUN: one word, the name of a folder under results/))
 
-results  := results/$(RUN)$(patsubst %,-%,$(filter blocked,$(PROTOCOL)))
 settings := $(results)/.settings
 
 # `none` is the case without generated windows, and so is the ratio 100to1.
@@ -78,9 +81,13 @@ $(call windows,$3) &: $(results)/$1/records.h5 $(settings)/split.toml | $(progra
 	$$(step) split $$(config) --records $$< --seed $2 --protocol $(PROTOCOL) --output-dir $$(@D)
 endef
 
-define generator_rules # seed, its folder, method
-$2/$3/model.h5: $(call windows,$2) $(settings)/train.$3.toml | $(programs)
-	$$(step) train $$(config) --method $3 --known $2/C.h5 --seed $1 --output $$@
+# Not a method but a ceiling: learns from D what all others may not see. A score would compare D with
+# itself, so it has none.
+ceilings := oracle
+
+define generator_rules # seed, its folder, cell; where that is not a method: the method, further options
+$2/$3/model.h5: $(call windows,$2) $(settings)/train.$(or $4,$3).toml | $(programs)
+	$$(step) train $$(config) --method $(or $4,$3) $(if $5,$5 )$(if $(filter $(ceilings),$3),--real $2/D.h5 )--known $2/C.h5 --seed $1 --output $$@
 $2/$3/E.h5: $2/$3/model.h5 $(settings)/generate.toml | $(programs)
 	$$(step) generate $$(config) --model $$< --seed $1 --output $$@
 $2/$3/score.h5: $2/$3/E.h5 $(call windows,$2) $(settings)/score.toml | $(programs)
@@ -89,7 +96,7 @@ endef
 
 # Elapsed times are left out of what is stored (--reproducible), so that a cell computed again is
 # equal byte for byte; the log beside it has them.
-define diagnosis_rule # seed, its folder, method
+define diagnosis_rule # seed, its folder, cell
 $(patsubst %,$2/$3/%/diagnosis.h5,$(call method_ratios,$3)): $2/$3/%/diagnosis.h5: \
     $(call windows,$2) $(if $(filter none,$3),,$2/$3/E.h5) $(settings)/diagnose.toml | $(programs)
 	$$(step) diagnose $$(config) --test $2/A.h5 --normal $2/B.h5 --known $2/C.h5 \
@@ -97,15 +104,26 @@ $(patsubst %,$2/$3/%/diagnosis.h5,$(call method_ratios,$3)): $2/$3/%/diagnosis.h
 endef
 
 seed_folders = $(foreach seed,$(SEEDS),$(results)/$1/seed$(seed))
-scores       = $(foreach folder,$(seed_folders),$(generators:%=$(folder)/%/score.h5))
+scores       = $(foreach folder,$(seed_folders),$(patsubst %,$(folder)/%/score.h5,$(filter-out $(ceilings),$(generators))))
 diagnoses    = $(foreach folder,$(seed_folders),$(foreach method,$(methods),\
                  $(patsubst %,$(folder)/$(method)/%/diagnosis.h5,$(call method_ratios,$(method)))))
+cell_files   = $(call diagnoses,$1) $(call scores,$1)
+lost_files   = $(filter-out $(wildcard $(cell_files)),$(cell_files))
+old_files    = $(wildcard $(filter $(file <$(NOT_MADE)),$(cell_files)))
 table_names := accuracy.csv quality.csv tables.md
+tabulate     = $(Q)pipeline/step.sh $(results)/$1 tabulate $(config) \
+  --run $(results) --dataset $1 $(selection) --published results/published
 
+# Asked for tables with holes, the same step names the holes and makes none. Cells that are there but
+# were to be made again are holes, too: NOT_MADE is a file that lists what could not be made.
 define tables_rule # data set
-$(table_names:%=$(results)/$1/%) &: $(call scores,$1) $(call diagnoses,$1) \
+$(table_names:%=$(results)/$1/%) &: $(call cell_files,$1) \
     $(wildcard results/published/*.csv) $(settings)/tabulate.$1.toml | $(programs)
-	$$(step) tabulate $$(config) --run $(results) --dataset $1 $(selection) --published results/published
+	$$(call tabulate,$1)
+.PHONY: $1.holes
+$1.holes: $(settings)/tabulate.$1.toml
+	$$(if $$(call lost_files,$1)$$(call old_files,$1),\
+	  $$(call tabulate,$1) $$(addprefix --outdated ,$$(call old_files,$1)),@:)
 endef
 
 # A rule holds nothing that make would expand a second time, apart from what $$ defers.
@@ -118,9 +136,18 @@ $(foreach dataset,$(DATASETS),\
     $(foreach method,$(methods),$(eval $(call diagnosis_rule,$(seed),$(folder),$(method))))))
 
 records: $(DATASETS:%=$(results)/%/records.h5)
-cells: $(foreach dataset,$(DATASETS),$(call scores,$(dataset)) $(call diagnoses,$(dataset)))
-all demo: $(foreach dataset,$(DATASETS),$(table_names:%=$(results)/$(dataset)/%))
-	@cat $(filter %/tables.md,$^)
+cells: $(foreach dataset,$(DATASETS),$(call cell_files,$(dataset)))
+tables: $(foreach dataset,$(DATASETS),$(table_names:%=$(results)/$(dataset)/%))
+	@:
+holes: $(DATASETS:%=%.holes)
+
+# make does nothing more for a target when a prerequisite has failed. So a make of its own makes the
+# tables; where that fails, another has the holes named.
+all demo: | $(programs)
+	$(Q)+pipeline/tables.sh $(MAKE) $(choice)
+	@cat $(DATASETS:%=$(results)/%/tables.md)
 	@printf 'tables and artefacts: %s\n' $(DATASETS:%=$(results)/%/)
+
+include pipeline/sweep.mk
 
 endif

@@ -2,6 +2,11 @@
 # Runs one stage for one folder of a run: a log beside what it makes, warnings and errors on
 # standard error, one line when it is done. Whatever it prints begins with the cell it belongs to.
 #
+# The log is locked while the step runs, and ends with a line that says how it ended:
+#   step: exit 65 after 12.3 s
+# Locked and without that line, a step is running; not locked and without it, it was killed. `make
+# status` reads this.
+#
 # usage: pipeline/step.sh results/RUN/DATASET/... STAGE OPTION...
 # From the environment: BIN (folder of the programs), SUBMIT (a command to put before the stage).
 set -u
@@ -26,10 +31,20 @@ show_and_log() {
   done
 }
 
-if ! { mkdir -p "$folder" && echo "${SUBMIT:+$SUBMIT }$BIN/$stage $*" >"$log"; } 2>/dev/null; then
+cannot_write() {
   report "failed: cannot write $log" >&2
   exit 1
+}
+mkdir -p "$folder" 2>/dev/null || cannot_write
+{ exec 9>>"$log"; } 2>/dev/null || cannot_write
+# The stage inherits the lock: should this script be killed alone, its stage is still running. Status
+# code 1 says that another has it; any other that this file system has no locks, and we go without.
+flock --timeout 1 9 2>/dev/null
+if (($? == 1)); then
+  report "waits: another make is at this step" >&2
+  flock 9
 fi
+echo "${SUBMIT:+$SUBMIT }$BIN/$stage $*" 2>/dev/null >"$log" || cannot_write
 
 started=${EPOCHREALTIME/./}
 exec 3> >(show_and_log)
@@ -56,6 +71,7 @@ seconds=$((seconds / 1000)).$((seconds % 1000 / 100))
 summary=$(tail -n 1 "$log")
 summary=${summary#"$stage: "}
 summary=${summary%%": $folder/"*}
+echo "step: exit $status after $seconds s" >>"$log"
 case $status in
   0) report "$(printf '%8s s  %s' "$seconds" "$summary")" ;;
   75) report "interrupted after a checkpoint; the same command goes on from there" >&2 ;;

@@ -5,10 +5,14 @@
 #include <iostream>
 #include <optional>
 
-#include "cli/numbers.hpp"
+#include "cli/hand_over.hpp"
 #include "cli/progress.hpp"
+#include "cli/run_options.hpp"
 #include "cli/stage.hpp"
+#include "diagnosis/backend_choice.hpp"
 #include "diagnosis/inputs.hpp"
+#include "diagnosis/libtorch_backend.hpp"
+#include "diagnosis/native_backend.hpp"
 #include "diagnosis/training_set.hpp"
 #include "diagnosis/wdcnn.hpp"
 #include "scoring/diagnosis_record.hpp"
@@ -40,6 +44,18 @@ scoring::DiagnosisRecord make_record(const diagnosis::Inputs& inputs, const scor
   return record;
 }
 
+/// LibTorch costs 0.4 s and 160 MB at each start, so it is linked to a program of its own, built
+/// from this file too.
+diagnosis::MakeWdcnnBackend choose_backend(const std::string& backend, const std::string& device,
+                                           [[maybe_unused]] char** argv) {
+  if (!diagnosis::needs_libtorch(backend, device)) return diagnosis::make_native_backend;
+#ifdef PIAE_WITH_LIBTORCH
+  return diagnosis::libtorch_backend(device);
+#else
+  cli::hand_over("diagnose-libtorch", argv);
+#endif
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -53,8 +69,7 @@ int main(int argc, char** argv) {
       "--seed 0 --output diagnosis.h5");
   diagnosis::WdcnnOptions options;
   std::string ratio_name;
-  std::int64_t seed = 0;
-  std::string device = "cpu";
+  cli::RunOptions run;
   bool reproducible = false;
   fs::path test_file;
   fs::path normal_file;
@@ -72,17 +87,14 @@ int main(int argc, char** argv) {
                   "normal to fault windows: 100to1, 50to1, 25to1, 10to1, 5to1, 2to1 or 1to1, for "
                   "0, 5, 15, 45, 95, 145 or 495 generated windows of each fault class")
       ->required();
-  stage.app()
-      .add_option("--seed", seed, "the repeat; names the random streams")
-      ->required()
-      ->check(cli::natural_number());
-  stage.app().add_option("--device", device, "cpu or cuda");
+  bind(stage.app(), run);
   stage.app().add_flag("--reproducible", reproducible,
                        "leave out the attribute train_windows_per_second, the one thing here that "
                        "differs from run to run, so that the bytes are the same each time");
   bind(stage.app(), options);
 
   return stage.run(argc, argv, [&] {
+    const auto make_backend = choose_backend(options.backend, run.device, argv);
     const scoring::Ratio& ratio = scoring::find_ratio(ratio_name);
     std::optional<artefact::Reader> generated;
     const artefact::Reader test = stage.open("test", test_file, "windows");
@@ -98,16 +110,17 @@ int main(int argc, char** argv) {
         ratio.generated_per_class);
     diagnosis::require_fitting_test_set(inputs.test, training);
 
-    const Stream stream(fmt::format("{}/seed{}/diagnose/{}", training.info.name, seed, ratio.name));
+    const Stream stream(
+        fmt::format("{}/seed{}/diagnose/{}", training.info.name, run.seed, ratio.name));
     cli::Progress progress("diagnose", "epochs", static_cast<std::size_t>(options.epochs));
     const diagnosis::WdcnnResult result = diagnosis::train_and_test(
         diagnosis::standardise(training, "training set"),
-        diagnosis::standardise(inputs.test, "--test"), options, stream, device,
+        diagnosis::standardise(inputs.test, "--test"), options, stream, make_backend,
         [&](std::int64_t done, double loss) {
           progress.update(static_cast<std::size_t>(done), fmt::format("loss {:.3g}", loss));
         });
 
-    scoring::DiagnosisRecord record = make_record(inputs, ratio, seed, result);
+    scoring::DiagnosisRecord record = make_record(inputs, ratio, run.seed, result);
     const double rate = static_cast<double>(options.epochs) * static_cast<double>(training.size()) /
                         result.training_seconds;
     if (!reproducible) record.train_windows_per_second = rate;
@@ -117,7 +130,7 @@ int main(int argc, char** argv) {
     std::cout << fmt::format(
         "diagnosed {} windows after training on {} ({} {}, seed {}): accuracy {:.2f} %, {:.0f} "
         "windows/s in training: {}\n",
-        record.labels.size(), training.size(), record.method, record.ratio, seed,
+        record.labels.size(), training.size(), record.method, record.ratio, run.seed,
         100 * record.accuracy(), rate, output.string());
   });
 }

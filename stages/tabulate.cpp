@@ -1,70 +1,66 @@
 // Makes the tables of a run from its diagnoses and scores.
 
 #include <spdlog/fmt/fmt.h>
-#include <spdlog/spdlog.h>
 
 #include <iostream>
-#include <span>
 
-#include "artefact/file.hpp"
 #include "cli/stage.hpp"
-#include "report/markdown.hpp"
 #include "report/quality_table.hpp"
+#include "report/tables.hpp"
+#include "report/text_file.hpp"
 
 using namespace piae;
 namespace fs = std::filesystem;
 
-namespace {
-
-void save_text(const fs::path& path, const std::string& text) {
-  artefact::write_file_atomically(path, std::as_bytes(std::span(text)));
-}
-
-/// A table with a hole in it is no table: every missing or refused cell is named, and that is all.
-void require_all(const report::Results& results) {
-  if (results.problems.empty()) return;
-  for (const std::string& problem : results.problems) spdlog::error(problem);
-  throw Error(
-      results.exit,
-      fmt::format("{} of the files that the tables need {} missing or refused; no table was "
-                  "written (make the cells named above, or ask for fewer)",
-                  results.problems.size(), results.problems.size() == 1 ? "is" : "are"));
-}
-
-}  // namespace
-
 int main(int argc, char** argv) {
   cli::Stage stage(
       "tabulate",
-      "Makes accuracy.csv, quality.csv and tables.md in RUN/DATASET from the diagnoses "
-      "and scores there, with the published figures beside ours, and prints the "
-      "accuracies in percent. Lists may be several values, or one with commas.",
+      "Makes the tables of RUN/DATASET from the diagnoses and scores there, with the published "
+      "figures beside ours: accuracy.csv, gains.csv and quality.csv; comparisons.csv and "
+      "ranks.csv, "
+      "which say what is more than chance; and all of them for people as tables.md and tables.tex. "
+      "Prints the accuracies in percent. Lists may be several values, or one with commas.",
       "tabulate --run results/try --dataset cwru --methods none piae-dt --ratios "
       "100to1 10to1 --seeds 0 1 --published results/published");
   report::GridOptions options;
+  std::string against;
   fs::path run;
   fs::path published_folder;
   bind(stage.app(), options);
+  stage.app().add_option("--against", against,
+                         "Method that all others are compared with; where it is not given, "
+                         "piae-dt-phase or else piae-dt, where they are among the methods");
   stage.input_file("--run", run, "Folder of the run, such as results/try");
   stage.input_file("--published", published_folder, "Folder of the paper's tables as CSV");
+
+  std::vector<fs::path> outdated;
+  stage.app()
+      .add_option("--outdated", outdated, "Cells that make could not make again: refused by name")
+      ->default_str("")
+      ->type_name("FILE");
 
   return stage.run(argc, argv, [&] {
     const report::Grid grid = report::resolve(options);
     const report::Published published(published_folder);
     const report::Layout layout(run, grid.dataset);
-    const report::Results results = report::collect(layout, grid);
-    require_all(results);
+    report::Results results = report::collect(layout, grid);
+    report::refuse_outdated(outdated, results);
+    report::require_all(results);
 
     const auto rows = report::accuracy_rows(grid, results, published);
-    const std::string quality = report::quality_csv(grid, results);
-    const std::string tables = report::tables_markdown(grid, results, rows, published);
-    save_text(layout.accuracy_csv(), report::accuracy_csv(rows));
-    save_text(layout.quality_csv(), quality);
-    save_text(layout.tables_markdown(), tables);
+    const report::Comparisons comparisons = report::compare_methods(rows, against);
+    const report::RankTable ranks = report::rank_methods(rows);
+    const report::Document tables =
+        report::tables(grid, results, rows, published, comparisons, ranks);
+    report::save_all({{layout.accuracy_csv(), report::accuracy_csv(rows)},
+                      {layout.gains_csv(), report::accuracy_csv(report::gain_rows(rows))},
+                      {layout.quality_csv(), report::quality_csv(grid, results)},
+                      {layout.comparisons_csv(), report::comparisons_csv(comparisons)},
+                      {layout.ranks_csv(), report::ranks_csv(ranks)},
+                      {layout.tables_markdown(), report::markdown(tables)},
+                      {layout.tables_latex(), report::latex(tables)}});
     std::cout << report::accuracy_text(rows)
-              << fmt::format("tabulated {} diagnoses and {} scores: {} {} {}\n",
-                             results.diagnoses.size(), results.qualities.size(),
-                             layout.accuracy_csv().string(), layout.quality_csv().string(),
-                             layout.tables_markdown().string());
+              << fmt::format("tabulated {} diagnoses and {} scores: {}\n", results.diagnoses.size(),
+                             results.qualities.size(), layout.tables_markdown().string());
   });
 }

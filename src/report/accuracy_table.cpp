@@ -2,14 +2,25 @@
 
 #include <spdlog/fmt/fmt.h>
 
-#include <cmath>
+#include <algorithm>
+#include <functional>
+#include <iterator>
 
+#include "report/counterpart.hpp"
 #include "report/csv.hpp"
+#include "report/labels.hpp"
 #include "report/text_table.hpp"
 
 namespace piae::report {
 
 namespace {
+
+void add_published(AccuracyRow& row, const Published& published) {
+  const std::optional<Counterpart> beside = counterpart(row.dataset);
+  if (!beside) return;
+  const auto percent = published.percent(beside->paper.name, row.method, row.ratio);
+  (beside->own ? row.published : row.orientation) = percent;
+}
 
 AccuracyRow row_of(const Combination& combination, const Grid& grid, const Results& results,
                    const Published& published) {
@@ -21,10 +32,22 @@ AccuracyRow row_of(const Combination& combination, const Grid& grid, const Resul
     if (cell.method != row.method || cell.ratio != row.ratio) continue;
     row.generated_per_class = cell.generated_per_class;
     row.true_ratio = cell.true_ratio;
-    row.percents.push_back(100 * cell.accuracy);
+    row.values.push_back(100 * cell.accuracy);
   }
-  row.summary = scoring::summarise(row.percents);
-  row.published = published.percent(row.dataset, row.method, row.ratio);
+  row.summary = scoring::summarise(row.values);
+  add_published(row, published);
+  return row;
+}
+
+std::optional<double> difference(std::optional<double> a, std::optional<double> b) {
+  return a && b ? std::optional(*a - *b) : std::nullopt;
+}
+
+AccuracyRow gain_of(AccuracyRow row, const AccuracyRow& baseline) {
+  std::ranges::transform(row.values, baseline.values, row.values.begin(), std::minus());
+  row.summary = scoring::summarise(row.values);
+  row.published = difference(row.published, baseline.published);
+  row.orientation = difference(row.orientation, baseline.orientation);
   return row;
 }
 
@@ -47,6 +70,51 @@ std::vector<AccuracyRow> accuracy_rows(const Grid& grid, const Results& results,
   return rows;
 }
 
+std::vector<std::string> methods_of(const std::vector<AccuracyRow>& rows) {
+  std::vector<std::string> methods;
+  for (const AccuracyRow& row : rows) {
+    if (std::ranges::count(methods, row.method) == 0) methods.push_back(row.method);
+  }
+  return methods;
+}
+
+std::vector<AccuracyRow> rows_of(const std::vector<AccuracyRow>& rows, const std::string& method) {
+  std::vector<AccuracyRow> own;
+  std::ranges::copy_if(rows, std::back_inserter(own),
+                       [&](const AccuracyRow& row) { return row.method == method; });
+  return own;
+}
+
+std::vector<AccuracyRow> gain_rows(const std::vector<AccuracyRow>& rows) {
+  std::vector<AccuracyRow> gains;
+  const auto baseline = std::ranges::find(rows, no_method, &AccuracyRow::method);
+  if (baseline == rows.end()) return gains;
+  for (const AccuracyRow& row : rows) {
+    if (row.method != no_method) gains.push_back(gain_of(row, *baseline));
+  }
+  return gains;
+}
+
+std::vector<AccuracyRow> mean_rows(const std::vector<AccuracyRow>& rows) {
+  std::vector<AccuracyRow> means;
+  for (const std::string& method : methods_of(rows)) {
+    const std::vector<AccuracyRow> own = rows_of(rows, method);
+    if (own.size() < 2) continue;
+    AccuracyRow& mean = means.emplace_back();
+    mean.dataset = own.front().dataset;
+    mean.method = method;
+    mean.ratio = mean_of_ratios;
+    mean.values.resize(own.front().values.size());
+    for (const AccuracyRow& row : own) {
+      for (std::size_t i = 0; i < mean.values.size(); ++i) {
+        mean.values[i] += row.values[i] / static_cast<double>(own.size());
+      }
+    }
+    mean.summary = scoring::summarise(mean.values);
+  }
+  return means;
+}
+
 std::string accuracy_csv(const std::vector<AccuracyRow>& rows) {
   std::string text = csv_line({"dataset", "method", "ratio", "generated_per_class", "seeds", "mean",
                                "std", "ci95_low", "ci95_high", "published"});
@@ -64,29 +132,11 @@ std::string accuracy_text(const std::vector<AccuracyRow>& rows) {
   TextTable table({"method", "ratio", "generated", "seeds", "accuracy %", "95 % interval", "paper"},
                   2);
   for (const AccuracyRow& row : rows) {
-    table.row({row.method, ratio_label(row), std::to_string(row.generated_per_class),
-               std::to_string(row.summary.count), mean_label(row.summary),
-               interval_label(row.summary), as_published(row.published)});
+    table.row({method_label(row.method), ratio_label(row.ratio, row.true_ratio),
+               std::to_string(row.generated_per_class), std::to_string(row.summary.count),
+               mean_label(row.summary), interval_label(row.summary), as_published(row.published)});
   }
   return table.plain();
-}
-
-std::string ratio_label(const AccuracyRow& row) {
-  const std::size_t to = row.ratio.find("to");
-  const double named = std::stod(row.ratio.substr(0, to)) / std::stod(row.ratio.substr(to + 2));
-  const std::string label = row.ratio.substr(0, to) + ":" + row.ratio.substr(to + 2);
-  const bool as_named = std::abs(row.true_ratio - named) < 0.005 * named;
-  return as_named ? label : fmt::format("{} ({:.3g}:1)", label, row.true_ratio);
-}
-
-std::string mean_label(const scoring::Summary& summary) {
-  if (!summary.deviation) return fmt::format("{:.2f}", summary.mean);
-  return fmt::format("{:.2f} ± {:.2f}", summary.mean, *summary.deviation);
-}
-
-std::string interval_label(const scoring::Summary& summary) {
-  if (!summary.interval) return "";
-  return fmt::format("[{:.2f}, {:.2f}]", summary.interval->low, summary.interval->high);
 }
 
 }  // namespace piae::report

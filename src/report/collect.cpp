@@ -1,5 +1,8 @@
 #include "report/collect.hpp"
 
+#include <spdlog/fmt/fmt.h>
+#include <spdlog/spdlog.h>
+
 #include <algorithm>
 #include <functional>
 
@@ -68,31 +71,71 @@ void add_quality(const fs::path& path, const std::string& dataset, const std::st
   qualities.push_back(std::move(record));
 }
 
+/// Where a file of the grid should be, and what it should hold.
+struct Place {
+  std::string cell;  ///< in words
+  fs::path path;
+  std::function<void()> read;
+};
+
+void attempt(const Place& place, Results& results) {
+  try {
+    place.read();
+  } catch (const Error& error) {
+    std::string problem = place.cell + ": " + error.what();
+    const auto log = Layout::unfinished_log(place.path);
+    if (error.exit() == Exit::input_missing && log) {
+      problem += "; a step on the way to it failed or is not done, see " + log->string();
+    }
+    results.problems.push_back(problem);
+    if (results.exit != Exit::bad_input) results.exit = error.exit();
+  }
+}
+
 }  // namespace
+
+void collect_diagnoses(const Layout& layout, const Grid& grid, const Series& series,
+                       Results& results) {
+  const Combination& cell = series.combination;
+  for (const std::int64_t seed : grid.seeds) {
+    const fs::path path = layout.diagnosis(series.folder, cell.ratio, seed);
+    attempt({fmt::format("{}, ratio {}, seed {}", series.name, cell.ratio, seed), path,
+             [&] { add_diagnosis(path, grid.dataset, cell, seed, results.diagnoses); }},
+            results);
+  }
+}
 
 Results collect(const Layout& layout, const Grid& grid) {
   Results results;
-  const auto attempt = [&results](const std::function<void()>& read) {
-    try {
-      read();
-    } catch (const Error& error) {
-      results.problems.emplace_back(error.what());
-      if (results.exit != Exit::bad_input) results.exit = error.exit();
-    }
-  };
-  for (const Combination& place : grid.combinations) {
-    for (const std::int64_t seed : grid.seeds) {
-      const fs::path path = layout.diagnosis(place.method, place.ratio, seed);
-      attempt([&] { add_diagnosis(path, grid.dataset, place, seed, results.diagnoses); });
-    }
+  for (const Combination& cell : grid.combinations) {
+    collect_diagnoses(layout, grid, {"method " + cell.method, cell.method, cell}, results);
   }
-  for (const std::string& method : grid.generators) {
+  for (const std::string& method : grid.scored) {
     for (const std::int64_t seed : grid.seeds) {
       const fs::path path = layout.score(method, seed);
-      attempt([&] { add_quality(path, grid.dataset, method, seed, results.qualities); });
+      attempt({fmt::format("method {}, seed {}", method, seed), path,
+               [&] { add_quality(path, grid.dataset, method, seed, results.qualities); }},
+              results);
     }
   }
   return results;
+}
+
+void refuse_outdated(const std::vector<fs::path>& files, Results& results) {
+  for (const fs::path& file : files) {
+    results.problems.push_back(file.string() + ": is out of date and could not be made again");
+    results.exit = Exit::bad_input;
+  }
+}
+
+void require_all(const Results& results) {
+  if (results.problems.empty()) return;
+  for (const std::string& problem : results.problems) spdlog::error(problem);
+  throw Error(
+      results.exit,
+      fmt::format("{} of the files that the tables need {} missing or refused; no table was "
+                  "written (make the cells named above, or ask for fewer)",
+                  results.problems.size(), results.problems.size() == 1 ? "is" : "are"));
 }
 
 }  // namespace piae::report

@@ -11,26 +11,6 @@ namespace piae::report {
 
 namespace {
 
-/// make passes a list as one word or as many: "0 1 2", "0,1,2" and 0 1 2 are the same list.
-std::vector<std::string> split_list(const std::string& option,
-                                    const std::vector<std::string>& values) {
-  constexpr std::string_view separators = ", \t\n";
-  std::vector<std::string> words;
-  for (const std::string_view value : values) {
-    std::size_t first = value.find_first_not_of(separators);
-    while (first != std::string_view::npos) {
-      const std::size_t end = std::min(value.find_first_of(separators, first), value.size());
-      words.emplace_back(value.substr(first, end - first));
-      if (std::count(words.begin(), words.end(), words.back()) > 1) {
-        throw Error(Exit::usage, option + " names " + words.back() + " twice");
-      }
-      first = value.find_first_not_of(separators, end);
-    }
-  }
-  if (words.empty()) throw Error(Exit::usage, option + " is empty; name at least one");
-  return words;
-}
-
 std::int64_t parse_seed(const std::string& word) {
   std::int64_t seed = -1;
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), seed);
@@ -51,8 +31,14 @@ std::vector<std::string> in_order_of_table_5(const std::vector<std::string>& nam
 
 }  // namespace
 
+bool is_ceiling(const std::string& method) { return method == "oracle"; }
+
 void bind(CLI::App& app, GridOptions& options) {
   app.add_option("--dataset", options.dataset, "Dataset, such as cwru")->required();
+  bind_cells(app, options);
+}
+
+void bind_cells(CLI::App& app, GridOptions& options) {
   app.add_option("--methods", options.methods, "Methods, such as: none piae-dt")
       ->required()
       ->default_str("");
@@ -60,6 +46,25 @@ void bind(CLI::App& app, GridOptions& options) {
       ->required()
       ->default_str("");
   app.add_option("--seeds", options.seeds, "Seeds, such as: 0 1 2")->required()->default_str("");
+}
+
+std::vector<std::string> split_list(const std::string& option,
+                                    const std::vector<std::string>& values) {
+  constexpr std::string_view separators = ", \t\n";
+  std::vector<std::string> words;
+  for (const std::string_view value : values) {
+    std::size_t first = value.find_first_not_of(separators);
+    while (first != std::string_view::npos) {
+      const std::size_t end = std::min(value.find_first_of(separators, first), value.size());
+      words.emplace_back(value.substr(first, end - first));
+      if (std::count(words.begin(), words.end(), words.back()) > 1) {
+        throw Error(Exit::usage, option + " names " + words.back() + " twice");
+      }
+      first = value.find_first_not_of(separators, end);
+    }
+  }
+  if (words.empty()) throw Error(Exit::usage, option + " is empty; name at least one");
+  return words;
 }
 
 Grid resolve(const GridOptions& options) {
@@ -75,7 +80,7 @@ Grid resolve(const GridOptions& options) {
     throw Error(Exit::usage, "--seeds names " + std::to_string(*twice) + " twice");
   }
   for (const std::string& method : split_list("--methods", options.methods)) {
-    if (method != no_method) grid.generators.push_back(method);
+    if (method != no_method && !is_ceiling(method)) grid.scored.push_back(method);
     for (const std::string& ratio : ratios) {
       const bool generates_nothing = scoring::find_ratio(ratio).generated_per_class == 0;
       if ((method == no_method) == generates_nothing) grid.combinations.push_back({method, ratio});

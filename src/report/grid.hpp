@@ -10,6 +10,10 @@ namespace piae::report {
 /// The method that generates nothing. It has the ratio 100to1 to itself.
 inline const std::string no_method = "none";
 
+/// Whether this is no method but a ceiling, `oracle`, which takes the real windows that others are
+/// to replace. It has no score, which would compare them with themselves.
+bool is_ceiling(const std::string& method);
+
 /// The part of the grid that a table shows, by the names that make and the folders use.
 struct GridOptions {
   std::string dataset;
@@ -19,6 +23,8 @@ struct GridOptions {
 };
 
 void bind(CLI::App& app, GridOptions& options);
+/// All but --dataset, for a program that knows it otherwise.
+void bind_cells(CLI::App& app, GridOptions& options);
 
 /// One line of a table: its cells differ in nothing but the seed.
 struct Combination {
@@ -28,10 +34,16 @@ struct Combination {
 
 struct Grid {
   std::string dataset;
-  std::vector<std::string> generators;    ///< the methods that generate windows, as asked for
+  std::vector<std::string> scored;        ///< the methods that have scores, as asked for
   std::vector<Combination> combinations;  ///< methods as asked for, ratios as in Table 5
   std::vector<std::int64_t> seeds;        ///< ascending
 };
+
+/// The words of a list, which make may pass as one value or as many: "0 1 2", "0,1,2" and 0 1 2 are
+/// the same. Throws Error(usage) with the option's name for an empty list and for a word named
+/// twice.
+std::vector<std::string> split_list(const std::string& option,
+                                    const std::vector<std::string>& values);
 
 /// Of the methods and ratios asked for, only these go together: `none` with 100to1, and every other
 /// method with every other ratio. Lists may also come as one value with commas or spaces in it.

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 
 namespace piae::report {
@@ -21,8 +22,21 @@ class Layout {
     return method_folder(method, seed) / ratio / "diagnosis.h5";
   }
   [[nodiscard]] std::filesystem::path accuracy_csv() const { return folder_ / "accuracy.csv"; }
+  [[nodiscard]] std::filesystem::path gains_csv() const { return folder_ / "gains.csv"; }
   [[nodiscard]] std::filesystem::path quality_csv() const { return folder_ / "quality.csv"; }
+  [[nodiscard]] std::filesystem::path comparisons_csv() const {
+    return folder_ / "comparisons.csv";
+  }
+  [[nodiscard]] std::filesystem::path ranks_csv() const { return folder_ / "ranks.csv"; }
   [[nodiscard]] std::filesystem::path tables_markdown() const { return folder_ / "tables.md"; }
+  [[nodiscard]] std::filesystem::path tables_latex() const { return folder_ / "tables.tex"; }
+  [[nodiscard]] std::filesystem::path sweep_csv() const { return folder_ / "sweep.csv"; }
+  [[nodiscard]] std::filesystem::path sweep_markdown() const { return folder_ / "sweep.md"; }
+
+  /// Why the diagnosis or score `cell`, as named by the functions above, may be missing: the log of
+  /// the first step on the way to it that has begun and left no result. Empty where none has.
+  [[nodiscard]] static std::optional<std::filesystem::path> unfinished_log(
+      const std::filesystem::path& cell);
 
  private:
   [[nodiscard]] std::filesystem::path method_folder(const std::string& method,

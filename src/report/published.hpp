@@ -12,6 +12,8 @@ namespace piae::report {
 /// Accuracies that the paper publishes, in percent.
 class Published {
  public:
+  /// Knows of nothing.
+  Published() = default;
   /// Reads table6-7-baseline.csv, table8-9-methods.csv and table10-11-ablation.csv of a folder.
   /// Throws Error(input_missing) for a file that cannot be read, and Error(bad_input) naming file
   /// and line for a header, method or ratio that is not known, a row of another length than the

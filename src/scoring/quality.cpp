@@ -14,11 +14,21 @@ namespace piae::scoring {
 namespace {
 
 constexpr std::array<Metric, 5> metrics{{
-    {"mmd", &ClassQuality::mmd},
-    {"rmse", &ClassQuality::rmse},
-    {"aligned_rmse", &ClassQuality::aligned_rmse},
-    {"amplitude_ratio", &ClassQuality::amplitude_ratio},
-    {"spectral_distance_db", &ClassQuality::spectral_distance_db},
+    {"mmd", &ClassQuality::mmd, "MMD²",
+     "Squared maximum mean discrepancy, biased estimate; less is better. It hardly sees structure: "
+     "noise of the right power scores better than a few real windows repeated.",
+     true},
+    {"rmse", &ClassQuality::rmse, "RMSE",
+     "In the unit of the recordings; less is better, but windows start at any angle of the shaft, "
+     "so that silence scores better than real windows do.",
+     true},
+    {"aligned_rmse", &ClassQuality::aligned_rmse, "aligned RMSE",
+     "RMSE after the circular shift that fits best, in the unit of the recordings; less is better.",
+     false},
+    {"amplitude_ratio", &ClassQuality::amplitude_ratio, "amplitude ratio",
+     "RMS of the generated windows to that of the real ones; 1 is right, 0 is silence.", false},
+    {"spectral_distance_db", &ClassQuality::spectral_distance_db, "log-spectral distance, dB",
+     "Between the mean power spectra; less is better.", false},
 }};
 
 constexpr double rounding = 1e-12;  // distances are differences of squares

@@ -19,10 +19,13 @@ struct ClassQuality {
   double spectral_distance_db = 0;
 };
 
-/// A metric of ClassQuality with the name that it has in files.
+/// A metric of ClassQuality.
 struct Metric {
-  const char* name;
+  const char* name;  ///< in files
   double ClassQuality::*value;
+  const char* title;    ///< in tables
+  const char* meaning;  ///< how to read it, in sentences
+  bool in_paper;        ///< the paper shows it, in Figs 13, 14, 16 and 17, without numbers
 };
 std::span<const Metric> all_metrics();
 

@@ -36,12 +36,14 @@ stand_ins() {
   cat >fake/stage <<'STAGE'
 #!/bin/bash
 stage=${0##*/} options="$*" outputs=()
+tables=(accuracy.csv gains.csv quality.csv tables.md tables.tex)
+[[ $stage != sweep ]] || tables=(sweep.csv sweep.md)
 while (($#)); do
   case $1 in
     --output) outputs+=("$2") ;;
     --output-dir) outputs+=("$2"/{A,B,C,D}.h5) ;;
     --run) run=$2 ;;
-    --dataset) outputs+=("$run/$2"/{accuracy.csv,quality.csv,tables.md}) ;;
+    --dataset) outputs+=("${tables[@]/#/$run/$2/}") ;;
   esac
   shift
 done
@@ -56,7 +58,7 @@ echo "$stage: 1 thing done"
 STAGE
   chmod +x fake/stage
   local stage
-  for stage in ingest simulate split train generate score diagnose tabulate; do
+  for stage in ingest simulate split train generate score diagnose tabulate sweep; do
     ln -s stage "fake/$stage"
   done
 }

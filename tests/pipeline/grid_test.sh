@@ -114,6 +114,20 @@ test_an_option_of_one_method_remakes_that_method() {
   expect_equal "$(ran)" "8 diagnose, 4 generate, 4 score, 2 tabulate, 4 train"
 }
 
+test_an_option_remakes_what_is_like_that_method() {
+  describe
+  printf '    {"%s", make<X>},\n' smote piae-dt ae >src/augment/registry.cpp
+  printf '[train.ae]\nlike = "piae-dt"\n' >>pipeline/protocol.toml
+  grid METHODS="smote ae" >/dev/null
+  rm calls
+  sed -i 's/^  3,/  4,/' pipeline/protocol.toml
+  grid METHODS="smote ae" >/dev/null
+  expect_no_line "$(<calls)" "smote"
+  expect_equal "$(ran)" "8 diagnose, 4 generate, 4 score, 2 tabulate, 4 train"
+  expect_equal "$(grep -v '^#' results/t/.settings/train.ae.toml)" \
+    $'[train]\nepochs = 200\n[train.piae-dt]\nlayers = [\n4,\n]\n[train.ae]\nlike = "piae-dt"'
+}
+
 test_an_option_of_all_methods_remakes_them() {
   finished_grid
   sed -i 's/epochs = 200/epochs = 100/' pipeline/protocol.toml
@@ -165,19 +179,80 @@ test_blocked_protocol_has_its_own_folder() {
   expect_equal "$(ran)" ""
 }
 
-test_a_failed_cell_is_named_and_leaves_the_others() {
+# A table stage that looks for its cells, as the real one does.
+fussy_tabulate() {
+  mkdir fake/lenient
+  mv fake/tabulate fake/lenient
+  ln -sf ../stage fake/lenient/tabulate
+  cat >fake/tabulate <<'STAGE'
+#!/bin/bash
+run=$4/$6 status=0 # --config FILE --run FOLDER --dataset NAME
+for file in "$run"/seed{0,1}/{none/100to1/diagnosis,{smote,piae-dt}/{score,10to1/diagnosis,1to1/diagnosis}}.h5; do
+  [[ -e $file ]] || { echo "tabulate: $file: missing" >&2 && status=66; }
+done
+((status)) && exit $status
+exec fake/lenient/tabulate "$@"
+STAGE
+  chmod +x fake/tabulate
+}
+
+test_every_hole_is_named_and_the_other_cells_are_made() {
   describe
+  fussy_tabulate
   echo "train real/seed1/smote/model.h5" >broken
   local output code=0
   output=$(grid -k -j2 2>&1) || code=$?
   expect_equal "$code" 2
   expect_line "$output" "^real/seed1/smote +train: the reason$"
   expect_line "$output" "^real/seed1/smote +train +failed with exit code 65 after .*results/t/real/seed1/smote/train.log"
-  expect_line "$output" "Target 'all' not remade because of errors"
+  expect_equal "$(sed -n 's/^real  *tabulate: \(.*\): missing/\1/p' <<<"$output")" \
+    "$(printf 'results/t/real/seed1/smote/%s.h5\n' score 10to1/diagnosis 1to1/diagnosis)"
+  expect_no_line "$output" "^made .* missing"
   expect_equal "$(ran)" "18 diagnose, 7 generate, 1 ingest, 7 score, 1 simulate, 4 split, 1 tabulate, 7 train"
+  [[ ! -e results/t/real/accuracy.csv ]] || fail "there is a table with holes"
   rm broken
-  grid >/dev/null
+  expect_exit 0 grid
   expect_equal "$(ran)" "2 diagnose, 1 generate, 1 score, 1 tabulate, 1 train"
+}
+
+test_the_holes_are_named_also_when_make_stops_at_the_first() {
+  describe
+  fussy_tabulate
+  echo "score real/seed0/smote/score.h5" >broken
+  local output code=0
+  output=$(grid 2>&1) || code=$?
+  expect_equal "$code" 2
+  expect_line "$output" "^real +tabulate: results/t/real/seed0/smote/score.h5: missing"
+  rm broken
+  expect_exit 0 grid
+  expect_equal "$(awk '{ print $2 }' calls | grep -c smote)" 20 # none of them twice
+}
+
+test_cells_that_could_not_be_made_again_are_holes() {
+  finished_grid
+  sed -i 's/^neighbours = 4/neighbours = 3/' pipeline/protocol.toml
+  echo "train real/seed1/smote/model.h5" >broken
+  grid -k >/dev/null 2>&1 || true
+  local cell=results/t/real/seed1/smote
+  expect_line "$(<results/t/real/accuracy.csv)" \
+    " --outdated $cell/10to1/diagnosis.h5 --outdated $cell/1to1/diagnosis.h5 --outdated $cell/score.h5$"
+  expect_no_line "$(<results/t/made/accuracy.csv)" "outdated"
+}
+
+test_a_signal_to_make_all_reaches_the_stage() {
+  describe
+  rm fake/train
+  # shellcheck disable=SC2016
+  printf '#!/bin/bash\ntrap "touch saved; exit 75" TERM\ntouch started\nwhile :; do sleep 0.05; done\n' >fake/train
+  chmod +x fake/train
+  set -m
+  make --silent all BIN=fake DATASETS=real METHODS=piae-dt SEEDS=0 >messages 2>&1 &
+  set +m
+  wait_for started
+  kill -TERM $!
+  expect_exit 143 wait $!
+  wait_for saved
+  expect_no_line "$(<messages)" "not every cell"
 }
 
 test_a_lost_window_file_brings_back_its_split() {

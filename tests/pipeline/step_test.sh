@@ -22,7 +22,9 @@ test_says_in_one_line_what_was_done() {
 test_passes_arguments_and_keeps_a_log() {
   own_stage <<<'printf "<%s>\n" "$@"; echo warned >&2'
   expect_equal "$(step --a 'two words' 2>&1 >/dev/null)" "$(printf '%-32s warned' real/seed0)"
-  expect_equal "$(sort results/t/real/seed0/own.log)" "$(printf '%s\n' '<--a>' '<two words>' 'fake/own --a two words' warned | sort)"
+  expect_equal "$(sed '$d' results/t/real/seed0/own.log | sort)" \
+    "$(printf '%s\n' '<--a>' '<two words>' 'fake/own --a two words' warned | sort)"
+  expect_line "$(tail -n 1 results/t/real/seed0/own.log)" '^step: exit 0 after [0-9]+\.[0-9] s$'
 }
 
 test_passes_the_exit_code() {
@@ -30,6 +32,20 @@ test_passes_the_exit_code() {
   expect_exit 66 step
   expect_line "$(step 2>&1 || true)" '^real/seed0 +own: the reason$'
   expect_line "$(step 2>&1 || true)" '^real/seed0 +own +failed with exit code 66'
+  expect_line "$(<results/t/real/seed0/own.log)" '^step: exit 66 after'
+}
+
+test_two_makes_do_not_run_one_step_at_once() {
+  own_stage <<<'mkdir only-one; touch started; until [[ -e go-on ]]; do sleep 0.05; done; rmdir only-one'
+  step >/dev/null &
+  wait_for started
+  step >/dev/null 2>messages &
+  until grep -qs waits messages; do sleep 0.05; done
+  expect_line "$(<messages)" '^real/seed0 +own +waits: another make is at this step$'
+  touch go-on
+  expect_exit 0 wait %1
+  expect_exit 0 wait %2
+  expect_no_line "$(<messages)" "only-one"
 }
 
 test_missing_program_fails() {

@@ -28,11 +28,11 @@ void expect_usage_error(const GridOptions& options, const std::string& what) {
 }
 
 TEST(Grid, HasNoneAt100to1AndTheOthersElsewhere) {
-  const Grid grid =
-      resolve({"cwru", {"vae", "none", "smote"}, {"1to1", "100to1", "10to1"}, {"10", "2", "0"}});
-  EXPECT_THAT(cells(grid),
-              ElementsAre("vae 10to1", "vae 1to1", "none 100to1", "smote 10to1", "smote 1to1"));
-  EXPECT_THAT(grid.generators, ElementsAre("vae", "smote"));
+  const Grid grid = resolve(
+      {"cwru", {"vae", "none", "smote", "oracle"}, {"1to1", "100to1", "10to1"}, {"10", "2", "0"}});
+  EXPECT_THAT(cells(grid), ElementsAre("vae 10to1", "vae 1to1", "none 100to1", "smote 10to1",
+                                       "smote 1to1", "oracle 10to1", "oracle 1to1"));
+  EXPECT_THAT(grid.scored, ElementsAre("vae", "smote"));
   EXPECT_THAT(grid.seeds, ElementsAre(0, 2, 10));
   EXPECT_EQ(grid.dataset, "cwru");
 }

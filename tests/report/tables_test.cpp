@@ -1,118 +1,46 @@
-#include <gmock/gmock.h>
+#include "report/tables.hpp"
 
-#include <fstream>
+#include <sstream>
 
-#include "base/error.hpp"
-#include "report/accuracy_table.hpp"
-#include "report/markdown.hpp"
 #include "report/quality_table.hpp"
-#include "scoring/diagnosis_record.hpp"
-#include "scoring/sets.hpp"
+#include "report/run.hpp"
 
 namespace piae::report {
 namespace {
 
 using testing::AllOf;
-using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::Not;
 using testing::StartsWith;
 
-/// A run in a temporary folder: dataset cwru with three classes and 20 windows in A.
-class Tables : public testing::Test {
+const std::string csv_header =
+    "dataset,method,ratio,generated_per_class,seeds,mean,std,ci95_low,ci95_high,published\n";
+
+class Tables : public Run {
  protected:
-  Tables() {
-    write_text("table6-7-baseline.csv", "dataset,run1,run2,run3,average\ncwru,61.8,62,61.7,61.8\n");
-    write_text("table8-9-methods.csv", "dataset,method,2to1\ncwru,vae,91.2\n");
-    write_text("table10-11-ablation.csv", "dataset,model,2to1\ncwru,model2,91.7\n");
+  explicit Tables(const std::string& dataset = "cwru") : Run(dataset) {}
+  [[nodiscard]] std::vector<AccuracyRow> rows(const Grid& grid) const {
+    return accuracy_rows(grid, collect(layout_, grid), published());
   }
-  void write_text(const std::string& name, const std::string& text) {
-    std::ofstream(folder_.path() / name) << text;
+  [[nodiscard]] Document document(const Grid& grid) const {
+    return tables(grid, collect(layout_, grid), rows(grid), published(),
+                  compare_methods(rows(grid), ""), rank_methods(rows(grid)));
   }
-
-  static scoring::DiagnosisRecord diagnosis(const std::string& method, const std::string& ratio,
-                                            int generated, int seed, int right) {
-    scoring::DiagnosisRecord record;
-    record.info = testing_sets::three_classes(dataset);
-    record.method = method;
-    record.ratio = ratio;
-    record.generated_per_class = generated;
-    record.true_ratio = 500.0 / (5 + generated);
-    record.seed = seed;
-    record.protocol = "random";
-    record.labels.assign(20, 1);
-    record.predictions.assign(20, 2);
-    std::fill_n(record.predictions.begin(), right, 1);
-    record.scores.assign(60, 0);
-    record.loss = {1};
-    record.train_accuracy = {1};
-    return record;
+  [[nodiscard]] std::string gains(const Grid& grid) const {
+    return accuracy_csv(gain_rows(rows(grid)));
   }
-  static scoring::QualityRecord quality(const std::string& method, int seed, double value) {
-    return {testing_sets::three_classes(dataset),
-            method,
-            seed,
-            "random",
-            {{1, 9, value, 2 * value, 3, 4, 5}, {2, 9, 1e-7, 1, 1, 1, 1}}};
-  }
-  template <class Record>
-  static void save(const std::string& kind, const Record& record,
-                   const std::filesystem::path& path) {
-    artefact::Writer writer(kind);
-    scoring::write(writer, record);
-    writer.save(path, {"test", "", {}});
-  }
-  void add(const scoring::DiagnosisRecord& record) {
-    save("diagnosis", record, layout_.diagnosis(record.method, record.ratio, record.seed));
-  }
-  void add(const scoring::QualityRecord& record) {
-    save("score", record, layout_.score(record.method, record.seed));
-  }
-  void add_all() {
-    add(diagnosis("none", "100to1", 0, 0, 12));
-    add(diagnosis("none", "100to1", 0, 1, 13));
-    add(diagnosis("vae", "10to1", 45, 0, 15));
-    add(diagnosis("vae", "10to1", 45, 1, 15));
-    add(diagnosis("vae", "2to1", 145, 0, 17));
-    add(diagnosis("vae", "2to1", 145, 1, 19));
-    add(quality("vae", 0, 0.5));
-    add(quality("vae", 1, 0.7));
-  }
-  void expect_problem(const std::string& what, Exit exit) {
-    const Results results = collect(layout_, grid_);
-    EXPECT_THAT(results.problems, ElementsAre(HasSubstr(what)));
-    EXPECT_EQ(results.exit, exit);
-  }
-
-  static constexpr const char* dataset = "cwru";
-  testing_sets::TemporaryFolder folder_;
-  const Layout layout_{folder_.path() / "run", dataset};
-  const Grid grid_ = resolve({dataset, {"none vae"}, {"100to1 10to1 2to1"}, {"0 1"}});
 };
-
-TEST_F(Tables, LieWhereTheGridKeepsThem) {
-  const Layout layout("results/try", "cwru");
-  EXPECT_EQ(layout.diagnosis("vae", "10to1", 3), "results/try/cwru/seed3/vae/10to1/diagnosis.h5");
-  EXPECT_EQ(layout.score("vae", 3), "results/try/cwru/seed3/vae/score.h5");
-  EXPECT_EQ(layout.accuracy_csv(), "results/try/cwru/accuracy.csv");
-  EXPECT_EQ(layout.quality_csv(), "results/try/cwru/quality.csv");
-  EXPECT_EQ(layout.tables_markdown(), "results/try/cwru/tables.md");
-}
 
 /// Of two values a, b the deviation is |a - b| / sqrt(2), and the interval's half 12.7062 |a - b|
 /// / 2.
-TEST_F(Tables, OfTwoSeeds) {
+TEST_F(Tables, OfTwoSeedsAsCsv) {
   add_all();
-  const Results results = collect(layout_, grid_);
-  EXPECT_THAT(results.problems, ElementsAre());
-  EXPECT_EQ(results.exit, Exit::done);
-  const Published published(folder_.path());
-  const auto rows = accuracy_rows(grid_, results, published);
-  EXPECT_EQ(accuracy_csv(rows),
-            "dataset,method,ratio,generated_per_class,seeds,mean,std,ci95_low,ci95_high,published\n"
-            "cwru,none,100to1,0,2,62.5000,3.5355,30.7345,94.2655,61.8\n"
-            "cwru,vae,10to1,45,2,75.0000,0.0000,75.0000,75.0000,\n"
-            "cwru,vae,2to1,145,2,90.0000,7.0711,26.4690,153.5310,91.2\n");
-  EXPECT_EQ(quality_csv(grid_, results),
+  EXPECT_EQ(accuracy_csv(rows(grid_)),
+            csv_header +
+                "cwru,none,100to1,0,2,62.5000,3.5355,30.7345,94.2655,61.8\n"
+                "cwru,vae,10to1,45,2,75.0000,0.0000,75.0000,75.0000,\n"
+                "cwru,vae,2to1,145,2,90.0000,7.0711,26.4690,153.5310,91.2\n");
+  EXPECT_EQ(quality_csv(grid_, collect(layout_, grid_)),
             "dataset,method,class,metric,seeds,mean,std\n"
             "cwru,vae,IR,mmd,2,0.6,0.141421\n"
             "cwru,vae,IR,rmse,2,1.2,0.282843\n"
@@ -124,122 +52,230 @@ TEST_F(Tables, OfTwoSeeds) {
             "cwru,vae,OR,aligned_rmse,2,1,0\n"
             "cwru,vae,OR,amplitude_ratio,2,1,0\n"
             "cwru,vae,OR,spectral_distance_db,2,1,0\n");
-  EXPECT_EQ(accuracy_text(rows),
+}
+
+/// Paired by seed: 75 - 60 and 75 - 65; 85 - 60 and 95 - 65. Published: 91.2 - 61.8.
+TEST_F(Tables, OfGainsArePairedBySeed) {
+  add_all();
+  EXPECT_EQ(gains(grid_), csv_header +
+                              "cwru,vae,10to1,45,2,12.5000,3.5355,-19.2655,44.2655,\n"
+                              "cwru,vae,2to1,145,2,27.5000,3.5355,-4.2655,59.2655,29.4\n");
+  EXPECT_EQ(gains(grid("vae", "10to1")), csv_header) << "nothing to compare with";
+  EXPECT_EQ(gains(grid("none", "100to1")), csv_header) << "nothing to compare";
+}
+
+TEST_F(Tables, OfTwoSeedsForATerminal) {
+  add_all();
+  EXPECT_EQ(accuracy_text(rows(grid_)),
             "method  ratio         generated  seeds    accuracy %    95 % interval  paper\n"
             "none    100:1                 0      2  62.50 ± 3.54   [30.73, 94.27]   61.8\n"
             "vae     10:1                 45      2  75.00 ± 0.00   [75.00, 75.00]\n"
             "vae     2:1 (3.33:1)        145      2  90.00 ± 7.07  [26.47, 153.53]   91.2\n");
+}
+
+TEST_F(Tables, OfTwoSeedsAsMarkdown) {
+  add_all();
+  const std::string text = markdown(document(grid_));
+  EXPECT_THAT(text, StartsWith("# Results on cwru\n\nSplit protocol random; 2 seeds, each"));
   EXPECT_THAT(
-      tables_markdown(grid_, results, rows, published),
-      AllOf(
-          StartsWith("# Diagnostic accuracy on cwru\n\nPercent. Split protocol `random`; 2 seeds"),
-          HasSubstr("\n## Without augmentation, 100:1 (the paper's Table 6)\n\n"
-                    "|                 | run 1 | run 2 | run 3 |         mean |  95 % interval |\n"
-                    "|-----------------|------:|------:|------:|-------------:|---------------:|\n"
-                    "| here, seeds 0 1 | 60.00 | 65.00 |       | 62.50 ± 3.54 | [30.73, 94.27] |\n"
-                    "| paper           | 61.80 | 62.00 | 61.70 |        61.80 |                |\n"
-                    "\n## With augmentation (the paper's Table 8)\n\n"
-                    "| method |       |           10:1 |    2:1 (3.33:1) |\n"
-                    "|--------|-------|---------------:|----------------:|\n"
-                    "| vae    | here  |   75.00 ± 0.00 |    90.00 ± 7.07 |\n"
-                    "|        | 95 %  | [75.00, 75.00] | [26.47, 153.53] |\n"
-                    "|        | paper |                |           91.20 |\n")));
+      text,
+      HasSubstr("\n## Accuracy on cwru without generated windows, 100:1, percent (the "
+                "paper's Table 6)\n\n"
+                "|                 | run 1 | run 2 | run 3 |         mean |  95 % interval |\n"
+                "|-----------------|------:|------:|------:|-------------:|---------------:|\n"
+                "| here, seeds 0 1 | 60.00 | 65.00 |       | 62.50 ± 3.54 | [30.73, 94.27] |\n"
+                "| paper           | 61.80 | 62.00 | 61.70 |        61.80 |                |\n"
+                "\n## Accuracy of the methods on cwru, percent (the paper's Table 8)\n\n"
+                "| method |       |           10:1 |    2:1 (3.33:1) |\n"
+                "|--------|-------|---------------:|----------------:|\n"
+                "| vae    | here  |   75.00 ± 0.00 |    90.00 ± 7.07 |\n"
+                "|        | 95 %  | [75.00, 75.00] | [26.47, 153.53] |\n"
+                "|        | paper |                |           91.20 |\n"
+                "\n## Gain of the methods over none on cwru, points (the paper's Fig. 15)\n\n"
+                "Accuracy minus "));
+  EXPECT_THAT(text, HasSubstr("| vae    | here  |    +12.50 ± 3.54 |   +27.50 ± 3.54 |\n"
+                              "|        | 95 %  | [-19.27, +44.27] | [-4.27, +59.27] |\n"
+                              "|        | paper |                  |          +29.40 |\n"));
+}
+
+/// The mean over the classes is one of each seed: of 0.5 and 1e-7, of 0.7 and 1e-7.
+TEST_F(Tables, OfQualityHaveAClassARowAndAMethodAColumn) {
+  add_baseline();
+  add_method("vae");
+  add_method("smote");
+  add(quality("smote", 0, 0.25));
+  add(quality("smote", 1, 0.25));
+  const std::string text = markdown(document(grid("vae smote", "10to1")));
+  EXPECT_THAT(text, HasSubstr("\n## Quality of the methods on cwru: MMD² (the paper's Fig. 13)\n"));
+  EXPECT_THAT(text, HasSubstr("\n## Quality of the methods on cwru: aligned RMSE\n"));
+  EXPECT_THAT(text, HasSubstr("| class           |             vae |           smote |\n"
+                              "|-----------------|----------------:|----------------:|\n"
+                              "| IR              | 0.6000 ± 0.1414 | 0.2500 ± 0.0000 |\n"
+                              "| OR              | 0.0000 ± 0.0000 | 0.0000 ± 0.0000 |\n"
+                              "| mean of classes | 0.3000 ± 0.0707 | 0.1250 ± 0.0000 |\n"));
+  EXPECT_THAT(text, HasSubstr("| IR              | 1.200 ± 0.283 | 0.500 ± 0.000 |\n"
+                              "| OR              | 1.000 ± 0.000 | 1.000 ± 0.000 |\n"
+                              "| mean of classes | 1.100 ± 0.141 | 0.750 ± 0.000 |\n"));
 }
 
 TEST_F(Tables, OfOneSeedHaveNoSpread) {
   add_all();
-  const Grid grid = resolve({dataset, {"none vae"}, {"100to1 10to1"}, {"1"}});
-  const Results results = collect(layout_, grid);
-  const Published published(folder_.path());
-  const auto rows = accuracy_rows(grid, results, published);
-  EXPECT_THAT(accuracy_csv(rows), HasSubstr("\ncwru,none,100to1,0,1,65.0000,,,,61.8\n"
-                                            "cwru,vae,10to1,45,1,75.0000,,,,\n"));
-  EXPECT_THAT(quality_csv(grid, results), HasSubstr("\ncwru,vae,IR,mmd,1,0.7,\n"));
+  const Grid one = grid("none vae", "100to1 10to1", "1");
+  EXPECT_EQ(accuracy_csv(rows(one)), csv_header +
+                                         "cwru,none,100to1,0,1,65.0000,,,,61.8\n"
+                                         "cwru,vae,10to1,45,1,75.0000,,,,\n");
+  EXPECT_EQ(gains(one), csv_header + "cwru,vae,10to1,45,1,10.0000,,,,\n");
+  EXPECT_THAT(quality_csv(one, collect(layout_, one)), HasSubstr("\ncwru,vae,IR,mmd,1,0.7,\n"));
   EXPECT_THAT(
-      tables_markdown(grid, results, rows, published),
-      AllOf(HasSubstr("1 seed,"), HasSubstr("| here, seed 1 | 65.00 |       |       | 65.00 |"),
-            HasSubstr("| vae    | here | 75.00 |\n")));
+      markdown(document(one)),
+      AllOf(HasSubstr("; 1 seed, each"),
+            HasSubstr("| here, seed 1 | 65.00 |       |       | 65.00 |"),
+            HasSubstr("| vae    | here | 75.00 |\n\n"), HasSubstr("| vae    | here | +10.00 |\n\n"),
+            HasSubstr("| IR              | "
+                      "0.7000 |\n")));
 }
 
 TEST_F(Tables, OfOneSideOfTheGridOnly) {
   add_all();
-  const Published published(folder_.path());
-  const auto markdown = [&](const std::string& methods) {
-    const Grid grid = resolve({dataset, {methods}, {"100to1 10to1"}, {"0 1"}});
-    const Results results = collect(layout_, grid);
-    return tables_markdown(grid, results, accuracy_rows(grid, results, published), published);
-  };
-  EXPECT_THAT(markdown("none"), testing::Not(HasSubstr("## With augmentation")));
-  EXPECT_THAT(markdown("vae"), testing::Not(HasSubstr("## Without augmentation")));
-  EXPECT_EQ(quality_csv(resolve({dataset, {"none"}, {"100to1"}, {"0"}}), {}),
+  const std::string none = markdown(document(grid("none", "100to1")));
+  EXPECT_THAT(none, AllOf(HasSubstr("Accuracy on cwru without"), Not(HasSubstr("the methods"))));
+  const std::string vae = markdown(document(grid("vae", "10to1")));
+  EXPECT_THAT(vae, AllOf(HasSubstr("Accuracy of the methods"), Not(HasSubstr("without generated")),
+                         Not(HasSubstr("## Gain"))));
+  EXPECT_EQ(quality_csv(grid("none", "100to1"), {}),
             "dataset,method,class,metric,seeds,mean,std\n");
+  // Asked for, but without a cell at these ratios.
+  EXPECT_THAT(
+      markdown(document(grid("none vae", "100to1"))),
+      AllOf(HasSubstr("Quality of the methods"), Not(HasSubstr("Accuracy of the methods"))));
 }
 
-TEST_F(Tables, EveryMissingCellIsNamed) {
+TEST_F(Tables, OfTheAblationStandApart) {
+  add_baseline();
+  for (const char* method : {"vae", "piae-dt", "ae"}) add_method(method);
+  const std::string text = markdown(document(grid("none vae piae-dt ae", "100to1 2to1")));
+  EXPECT_THAT(text, HasSubstr("| vae     | here  |    90.00 ± 7.07 |\n"
+                              "|         | 95 %  | [26.47, 153.53] |\n"
+                              "|         | paper |           91.20 |\n"
+                              "| piae-dt | here  |    90.00 ± 7.07 |\n"
+                              "|         | 95 %  | [26.47, 153.53] |\n"
+                              "|         | paper |           93.70 |\n\n"));
+  EXPECT_THAT(text,
+              HasSubstr("\n## Accuracy of the ablations on cwru, percent (the paper's Table 10)\n\n"
+                        "Model 1: piae-dt, the full model; Model 2: ae, without the physics.\n\n"
+                        "| method            |       |    2:1 (3.33:1) |\n"
+                        "|-------------------|-------|----------------:|\n"
+                        "| piae-dt (Model 1) | here  |    90.00 ± 7.07 |\n"
+                        "|                   | 95 %  | [26.47, 153.53] |\n"
+                        "|                   | paper |           93.70 |\n"
+                        "| ae (Model 2)      | here  |    90.00 ± 7.07 |\n"
+                        "|                   | 95 %  | [26.47, 153.53] |\n"
+                        "|                   | paper |           91.70 |\n"));
+  EXPECT_THAT(
+      text, HasSubstr("## Gain of the ablations over none on cwru, points (the paper's Fig. 18)"));
+  EXPECT_THAT(text, HasSubstr("## Quality of the ablations on cwru: RMSE (the paper's Fig. 16)"));
+}
+
+class TablesOfTheStandIn : public Tables {
+ protected:
+  TablesOfTheStandIn() : Tables("hit-sm") {}
+};
+
+TEST_F(TablesOfTheStandIn, AreNeverTakenForThePapers) {
   add_all();
-  std::filesystem::remove(layout_.diagnosis("none", "100to1", 1));
-  std::filesystem::remove(layout_.diagnosis("vae", "2to1", 0));
-  std::filesystem::remove(layout_.score("vae", 0));
-  const Results results = collect(layout_, grid_);
-  EXPECT_THAT(results.problems,
-              ElementsAre(HasSubstr("cwru/seed1/none/100to1/diagnosis.h5: No such file"),
-                          HasSubstr("cwru/seed0/vae/2to1/diagnosis.h5: No such file"),
-                          HasSubstr("cwru/seed0/vae/score.h5: No such file")));
-  EXPECT_EQ(results.exit, Exit::input_missing);
+  for (const std::string& text : {markdown(document(grid_)), latex(document(grid_))}) {
+    EXPECT_THAT(text, HasSubstr("Results on hit-sm, which stands in for HFHP\n"));
+    EXPECT_THAT(text, HasSubstr("for orientation only"));
+    EXPECT_THAT(text, Not(HasSubstr("(the paper's")));
+  }
+  for (const Section& section : document(grid_).sections) {
+    EXPECT_THAT(section.title, testing::EndsWith("hit-sm stands in for HFHP)"));
+  }
 }
 
-TEST_F(Tables, DamageOutweighsAbsence) {
+TEST_F(TablesOfTheStandIn, HaveThePapersFiguresBesideThemButNotInTheirCsv) {
   add_all();
-  std::filesystem::remove(layout_.score("vae", 0));
-  std::filesystem::remove(layout_.score("vae", 1));
-  std::filesystem::resize_file(layout_.diagnosis("vae", "2to1", 0), 1000);
-  const Results results = collect(layout_, grid_);
-  EXPECT_EQ(results.problems.size(), 3U);
-  EXPECT_EQ(results.exit, Exit::bad_input);
+  const std::string text = markdown(document(grid_));
+  EXPECT_THAT(text, HasSubstr("| here, seeds 0 1 | 60.00 | 65.00 |       | 62.50 ± 3.54 | [30.73, "
+                              "94.27] |\n"
+                              "| paper, HFHP     | 61.00 | 62.00 | 63.00 |        62.00 |"));
+  EXPECT_THAT(text, HasSubstr("|        | paper, HFHP |                |           90.86 |\n"));
+  EXPECT_THAT(text, HasSubstr("|        | paper, HFHP |                  |          +28.86 |\n"));
+  EXPECT_EQ(accuracy_csv(rows(grid_)),
+            csv_header +
+                "hit-sm,none,100to1,0,2,62.5000,3.5355,30.7345,94.2655,\n"
+                "hit-sm,vae,10to1,45,2,75.0000,0.0000,75.0000,75.0000,\n"
+                "hit-sm,vae,2to1,145,2,90.0000,7.0711,26.4690,153.5310,\n");
 }
 
-TEST_F(Tables, CellInTheWrongPlaceIsRefused) {
-  const auto path = layout_.diagnosis("vae", "2to1", 1);
-  const auto expect_refused = [&](const scoring::DiagnosisRecord& record, const std::string& what) {
-    add_all();
-    save("diagnosis", record, path);
-    expect_problem(what, Exit::bad_input);
-  };
-  expect_refused(diagnosis("ae", "2to1", 145, 1, 9), "the method is ae, here it must be vae");
-  expect_refused(diagnosis("vae", "1to1", 145, 1, 9), "the ratio is 1to1, here it must be 2to1");
-  expect_refused(diagnosis("vae", "2to1", 145, 0, 9), "the seed is 0, here it must be 1");
-  scoring::DiagnosisRecord other = diagnosis("vae", "2to1", 145, 1, 9);
-  other.info.name = "hit-sm";
-  expect_refused(other, "the dataset is hit-sm, here it must be cwru");
-}
+class TablesOfAnotherDataset : public Tables {
+ protected:
+  TablesOfAnotherDataset() : Tables("100%_{mine}") {}
+};
 
-TEST_F(Tables, CellsThatDoNotBelongTogetherAreRefused) {
+TEST_F(TablesOfAnotherDataset, DoNotMentionThePapers) {
   add_all();
-  scoring::DiagnosisRecord other = diagnosis("vae", "2to1", 145, 1, 9);
-  other.protocol = "blocked";
-  add(other);
-  expect_problem("the split protocol is blocked, here it must be random", Exit::bad_input);
-  add(diagnosis("vae", "2to1", 95, 1, 9));
-  expect_problem("the number of generated windows per class is 95, here it must be 145",
-                 Exit::bad_input);
-  other = diagnosis("vae", "2to1", 145, 1, 9);
-  other.true_ratio = 2;
-  add(other);
-  expect_problem("the true ratio is 2.000000, here it must be 3.333333", Exit::bad_input);
+  const std::string text = markdown(document(grid_));
+  EXPECT_THAT(text, AllOf(StartsWith("# Results on 100%_{mine}\n"), Not(HasSubstr("| paper")),
+                          Not(HasSubstr("the paper's"))));
 }
 
-TEST_F(Tables, ScoresThatDoNotBelongTogetherAreRefused) {
+/// How often a character stands in a LaTeX text without a backslash before it.
+std::size_t bare(const std::string& text, char c) {
+  std::size_t found = 0;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == '\\') {
+      ++i;
+    } else if (text[i] == c) {
+      ++found;
+    }
+  }
+  return found;
+}
+
+/// What LaTeX would stop at, or drop without a word. A row of a table is a line.
+void expect_sound_latex(const std::string& text) {
+  EXPECT_EQ(bare(text, '{'), bare(text, '}'));
+  std::istringstream lines(text);
+  std::size_t columns = 0;
+  std::size_t rows = 0;
+  for (std::string line; std::getline(lines, line);) {
+    const std::string begin = "\\begin{tabular}{";
+    if (line.starts_with(begin)) columns = line.size() - begin.size() - 1;
+    if (line.starts_with("% ")) continue;
+    EXPECT_EQ(bare(line, '$') % 2, 0U) << line;
+    EXPECT_EQ(bare(line, '#') + bare(line, '_') + bare(line, '~'), 0U) << line;
+    EXPECT_TRUE(bare(line, '%') == 0 || line.ends_with("{!}{%")) << line;
+    EXPECT_TRUE(bare(line, '^') == 0 || line.find("$^2$") != std::string::npos) << line;
+    const bool is_row = line.ends_with(" \\\\");
+    EXPECT_EQ(bare(line, '&'), is_row ? columns - 1 : 0) << line;
+    rows += is_row ? 1 : 0;
+  }
+  EXPECT_GT(rows, 0U);
+}
+
+TEST_F(TablesOfAnotherDataset, AreSoundLatexWhateverTheNames) {
   add_all();
-  scoring::QualityRecord other = quality("vae", 1, 0.5);
-  other.classes.pop_back();
-  add(other);
-  expect_problem("the list of classes is IR, here it must be IR OR", Exit::bad_input);
-  other = quality("vae", 1, 0.5);
-  other.protocol = "blocked";
-  add(other);
-  expect_problem("the split protocol is blocked, here it must be random", Exit::bad_input);
-  save("score", quality("vae", 0, 0.5), layout_.score("vae", 1));
-  expect_problem("the seed is 0, here it must be 1", Exit::bad_input);
+  const std::string text = latex(document(grid_));
+  expect_sound_latex(text);
+  EXPECT_THAT(text, StartsWith("% Results on 100\\%\\_\\{mine\\}\n"));
+  EXPECT_THAT(text, HasSubstr("\\label{tab:100---mine--quality-methods-spectral-distance-db}"));
+}
+
+TEST_F(Tables, AreSoundLatex) {
+  add_baseline();
+  for (const char* method : {"vae", "piae-dt", "ae"}) add_method(method);
+  const std::string text = latex(document(grid("none vae piae-dt ae", "100to1 10to1 2to1")));
+  expect_sound_latex(text);
+  EXPECT_THAT(text, HasSubstr("\\begin{tabular}{llrr}\n"
+                              "  \\toprule\n"
+                              "  method &  & 10:1 & 2:1 (3.33:1) \\\\\n"
+                              "  \\midrule\n"
+                              "  vae & here & 75.00 $\\pm$ 0.00 & 90.00 $\\pm$ 7.07 \\\\\n"
+                              "   & 95 \\% & {[}75.00, 75.00{]} & {[}26.47, 153.53{]} \\\\\n"
+                              "   & paper &  & 91.20 \\\\\n"
+                              "  \\addlinespace\n"
+                              "  piae-dt & here &"));
 }
 
 }  // namespace

@@ -120,8 +120,9 @@ TEST(InputsOfTabulate, EveryMissingOrDamagedCellIsNamed) {
   write_bytes(tiny / diagnosis, bytes.substr(0, bytes.size() / 2));
   const Outcome outcome = tiny.run_step("tabulate");
   EXPECT_EQ(outcome.status, 65);
-  EXPECT_NE(outcome.err.find(score), std::string::npos) << outcome.err;
-  EXPECT_NE(outcome.err.find(diagnosis), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("method piae-dt, seed 0: " + score), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("method none, ratio 100to1, seed 0: " + diagnosis), std::string::npos)
+      << outcome.err;
   EXPECT_FALSE(fs::exists(tiny / "run/tiny/accuracy.csv"));
 
   write_bytes(tiny / diagnosis, bytes);
@@ -166,15 +167,8 @@ TEST(Content, MoreWindowsThanFitAreRefusedWithTheNumberThatFits) {
 
 /// A description of two CSV recordings for ingest.
 std::string raw_description(const std::string& more = "") {
-  return tiny_description.substr(0, tiny_description.find("[[class]]")) + R"(
-[[class]]
-name = "Normal"
-defect = "none"
-[[class]]
-name = "IR007"
-defect = "inner"
-defect_size_mm = 0.1778
-[[record]]
+  return signal::described_bearing("tiny") + signal::described_normal + signal::described_ir007 +
+         R"([[record]]
 class = "Normal"
 file = "normal.csv"
 variable = "acceleration"

@@ -10,49 +10,16 @@
 #include <string>
 #include <vector>
 
+#include "signal/description_text.hpp"
 #include "signal/folder.hpp"
 #include "stages/program.hpp"
 
 namespace piae::stages {
 
 /// A simulated dataset that takes a fraction of a second: three classes of two short records.
-inline const std::string tiny_description = R"(
-name = "tiny"
-sample_rate_hz = 12000
-shaft_speed_rpm = 1797
-[bearing]
-balls = 9
-ball_diameter_mm = 7.94
-pitch_diameter_mm = 39.0
-inner_raceway_mm = 31.06
-outer_raceway_mm = 46.94
-contact_angle_deg = 0
-[[class]]
-name = "Normal"
-defect = "none"
-[[class]]
-name = "IR007"
-defect = "inner"
-defect_size_mm = 0.1778
-[[class]]
-name = "OR021"
-defect = "outer"
-defect_size_mm = 0.5334
-[simulation]
-seed = 0
-records_per_class = 2
-record_s = 0.5
-mass_kg = 1.0
-stiffness_n_per_m = 1e8
-stiffness_spread = 0.1
-damping_ns_per_m = 500
-damping_spread = 0.2
-clearance_um = 2.0
-load_n = 1000
-slip_max = 0.01
-speed_spread = 0.001
-snr_db = 10
-)";
+inline const std::string tiny_description =
+    signal::described_bearing("tiny") + signal::described_normal + signal::described_ir007 +
+    signal::described_or021 + signal::described_simulation("2", "0.5") + "snr_db = 10\n";
 
 /// One step of the chain from a simulation to the tables.
 struct Step {
@@ -93,7 +60,9 @@ inline const std::vector<Step>& chain() {
       {"tabulate",
        {"--run", "run", "--dataset", "tiny", "--methods", "none", "piae-dt", "--ratios", "100to1",
         "50to1", "--seeds", "0", "--published", std::string(PIAE_SOURCE) + "/results/published"},
-       {"run/tiny/accuracy.csv", "run/tiny/quality.csv", "run/tiny/tables.md"}},
+       {"run/tiny/accuracy.csv", "run/tiny/gains.csv", "run/tiny/quality.csv",
+        "run/tiny/comparisons.csv", "run/tiny/ranks.csv", "run/tiny/tables.md",
+        "run/tiny/tables.tex"}},
   };
   return steps;
 }

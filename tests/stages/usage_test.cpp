@@ -27,6 +27,11 @@ TEST_P(Usage, UnknownOptionIsNamed) {
   Arguments arguments{"some.h5"};
   if (GetParam() == std::string("ingest")) {
     arguments = {"--description", "tiny.toml", "--output", "x.h5"};
+  } else if (GetParam() == std::string("sweep")) {
+    arguments = {"--run",   "run",      "--dataset", "tiny",    "--points",
+                 "batch=1", "--ratios", "50to1",     "--seeds", "0"};
+  } else if (GetParam() == std::string("compare")) {
+    arguments = {"--run", "run", "--reference", "reference"};
   } else if (GetParam() != std::string("verify")) {
     arguments = step_of(GetParam()).arguments;
   }
@@ -37,7 +42,8 @@ TEST_P(Usage, UnknownOptionIsNamed) {
 
 INSTANTIATE_TEST_SUITE_P(Stages, Usage,
                          testing::Values("ingest", "simulate", "split", "train", "generate",
-                                         "score", "diagnose", "tabulate", "verify"),
+                                         "score", "diagnose", "tabulate", "sweep", "compare",
+                                         "verify"),
                          [](const auto& info) { return info.param; });
 
 TEST(Usage, TrainHelpShowsTheOptionsOfTheMethod) {

@@ -1,0 +1,59 @@
+#!/bin/bash
+# How far a run is: the cells of every data set and method that are done, running, failed and missing,
+# the failed ones by name, and an estimate of the time left. Reads only; a run may go on meanwhile.
+# usage: pipeline/status.sh results/RUN MAKE VARIABLE=VALUE...
+set -euo pipefail
+
+run=$1
+shift
+scratch=$(mktemp -d)
+trap 'rm -r "$scratch"' EXIT
+unset MAKEFLAGS MFLAGS MAKELEVEL MAKEOVERRIDES
+
+# What is to be done, make itself says, by the settings as they are now: so what an older setting has
+# made counts as missing. Settings are written by looking at the rules, hence to a copy.
+mkdir "$scratch/settings"
+[[ ! -d $run/.settings ]] || cp -rp "$run/.settings/." "$scratch/settings"
+ask() { "$@" "settings=$scratch/settings"; }
+# shellcheck disable=SC2016
+ask "$@" --silent --eval 'names: ; $(foreach d,$(DATASETS),$(foreach f,$(call cell_files,$d),$(info $f)))@:' \
+  names >"$scratch/cells"
+ask "$@" --dry-run cells | awk '$1 == "pipeline/step.sh" { print $2, $3 }' >"$scratch/steps"
+
+# A line for each step that is to be done: folder, stage, state, and of a failed one its exit code. See
+# step.sh for what the logs say.
+while read -r folder stage; do
+  log=$folder/$stage.log
+  state=missing code=
+  if [[ -f $log ]]; then
+    code=$(sed -n 's/^step: exit \([0-9]*\) after .*/\1/p' "$log" | tail -n 1)
+    case $code in
+      0 | 75 | 129 | 130 | 143) ;; # of older settings, or stopped
+      '') flock --shared --nonblock "$log" true || state=running ;;
+      *) state=failed ;;
+    esac
+  fi
+  echo "$folder $stage $state $code"
+done <"$scratch/steps" >"$scratch/states"
+
+# What steps have taken: folder, stage, seconds.
+{ grep -rH --include='*.log' '^step: exit 0 after ' "$run" 2>/dev/null || true; } |
+  sed -n 's|^\(.*\)/\([^/]*\)\.log:step: exit 0 after \([0-9.]*\) s$|\1 \2 \3|p' >"$scratch/durations"
+
+awk -v run="$run" -f "${0%/*}/status.awk" \
+  "$scratch/durations" "$scratch/states" "$scratch/cells"
+
+# The steps in a state, each with the first line of its log that a pattern fits.
+list() { # state, pattern (STAGE stands for the stage's name), which of the lines
+  local folder stage state code log line
+  grep -q " $1 " "$scratch/states" || return 0
+  printf '\n%s\n' "$1"
+  while read -r folder stage state code; do
+    [[ $state == "$1" ]] || continue
+    log=$folder/$stage.log
+    line=$({ grep "${2//STAGE/$stage}" "$log" || true; } | "$3" -n 1)
+    printf '  %s: %s (log: %s)\n' "${folder#"$run/"}" "${line:-$stage: ${code:+exit code $code}}" "$log"
+  done <"$scratch/states"
+}
+list running '^STAGE  ' tail
+list failed '^STAGE: ' head

@@ -1,0 +1,127 @@
+#include "report/contrast.hpp"
+
+#include <spdlog/fmt/fmt.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "base/error.hpp"
+#include "report/csv.hpp"
+#include "report/labels.hpp"
+#include "report/ratio_columns.hpp"
+
+namespace piae::report {
+
+namespace {
+
+using Cells = std::vector<std::string>;
+
+struct Names {
+  std::string with;
+  std::string without;
+};
+
+/// What tells the sides apart.
+Names names_of(const Side& with, const Side& without) {
+  Names names;
+  const auto add = [&](const std::string& one, const std::string& other) {
+    if (one == other) return;
+    names.with += (names.with.empty() ? "" : " ") + one;
+    names.without += (names.without.empty() ? "" : " ") + other;
+  };
+  add(with.dataset, without.dataset);
+  add(with.protocol, without.protocol);
+  if (names.with.empty()) add(with.run.filename(), without.run.filename());
+  return names;
+}
+
+Cells spread_fields(const scoring::Summary& summary) {
+  return {fmt::format("{:.4f}", summary.mean),
+          summary.deviation ? fmt::format("{:.4f}", *summary.deviation) : ""};
+}
+
+std::string joined_line(Cells cells, const std::vector<Cells>& others) {
+  for (const Cells& other : others) cells.insert(cells.end(), other.begin(), other.end());
+  return csv_line(cells);
+}
+
+/// The accuracies of one side, a ratio a column. `first`: what stands before the side's name.
+Cells side_line(const std::string& first, const std::string& name, const Side& side,
+                const std::string& method, const std::vector<RatioColumn>& columns) {
+  Cells cells{first, name};
+  for (const RatioColumn& column : columns) {
+    const auto row = std::ranges::find_if(side.rows, [&](const AccuracyRow& each) {
+      return each.method == method && each.ratio == column.ratio;
+    });
+    cells.push_back(row == side.rows.end() ? "" : mean_label(row->summary));
+  }
+  return cells;
+}
+
+TextTable table_of(const Contrast& contrast, const Names& names) {
+  const std::vector<RatioColumn> columns = ratio_columns(contrast.with.rows);
+  Cells header{"method", ""};
+  for (const RatioColumn& column : columns) header.push_back(column.label);
+  TextTable table(header, 2);
+  for (const std::string& method : methods_of(contrast.with.rows)) {
+    table.row(side_line(method_label(method), names.with, contrast.with, method, columns));
+    table.row(side_line("", names.without, contrast.without, method, columns));
+    add_paired(table, "", method, contrast.rows, columns);
+  }
+  return table;
+}
+
+}  // namespace
+
+Side read_side(const std::filesystem::path& folder, GridOptions options) {
+  const std::filesystem::path path = folder.has_filename() ? folder : folder.parent_path();
+  options.dataset = path.filename();
+  const Grid grid = resolve(options);
+  const Results results = collect(Layout(path.parent_path(), grid.dataset), grid);
+  require_all(results);
+  return {path.parent_path(), grid.dataset, results.diagnoses.front().protocol,
+          with_means(accuracy_rows(grid, results, Published()))};
+}
+
+Contrast contrast(Side with, Side without) {
+  if (names_of(with, without).with.empty()) {
+    throw Error(Exit::usage, "--with and --without: both are " + with.dataset + ", " +
+                                 with.protocol +
+                                 ", of a run of the same name; name two that differ");
+  }
+  Contrast contrast{std::move(with), std::move(without), {}};
+  for (std::size_t i = 0; i < contrast.with.rows.size(); ++i) {
+    const AccuracyRow& row = contrast.with.rows[i];
+    contrast.rows.push_back(pair(row, row.ratio, contrast.without.rows[i]));
+  }
+  correct(contrast.rows);
+  return contrast;
+}
+
+std::string contrast_csv(const Contrast& contrast) {
+  const Names names = names_of(contrast.with, contrast.without);
+  std::string text = joined_line({"with", "without", "method", "ratio", "with_mean", "with_std",
+                                  "without_mean", "without_std"},
+                                 {paired_header()});
+  for (std::size_t i = 0; i < contrast.rows.size(); ++i) {
+    const PairedRow& row = contrast.rows[i];
+    text += joined_line({names.with, names.without, row.method, row.ratio},
+                        {spread_fields(contrast.with.rows[i].summary),
+                         spread_fields(contrast.without.rows[i].summary), paired_fields(row)});
+  }
+  return text;
+}
+
+Document contrast_document(const Contrast& contrast) {
+  const Names names = names_of(contrast.with, contrast.without);
+  const std::string& dataset = contrast.with.dataset;
+  const std::string what = names.with + " against " + names.without;
+  Document document{dataset, dataset + ": " + what, {}, {}};
+  document.paragraphs.push_back(
+      "What " + names.with + " is worth: accuracy in percent with it, and with " + names.without +
+      " in its place; the difference is the first minus the second. " + paired_note(contrast.rows));
+  document.sections.push_back({"contrast", "Accuracy, " + what, "", table_of(contrast, names)});
+  return document;
+}
+
+}  // namespace piae::report

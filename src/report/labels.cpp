@@ -1,0 +1,40 @@
+#include "report/labels.hpp"
+
+#include <spdlog/fmt/fmt.h>
+
+#include <cmath>
+
+#include "report/grid.hpp"
+
+namespace piae::report {
+
+std::string number_label(double number, NumberStyle style) {
+  return style.sign ? fmt::format("{:+.{}f}", number, style.decimals)
+                    : fmt::format("{:.{}f}", number, style.decimals);
+}
+
+std::string mean_label(const scoring::Summary& summary, NumberStyle style) {
+  const std::string mean = number_label(summary.mean, style);
+  if (!summary.deviation) return mean;
+  return mean + " ± " + number_label(*summary.deviation, {style.decimals});
+}
+
+std::string interval_label(const scoring::Summary& summary, NumberStyle style) {
+  if (!summary.interval) return "";
+  return "[" + number_label(summary.interval->low, style) + ", " +
+         number_label(summary.interval->high, style) + "]";
+}
+
+std::string method_label(const std::string& method) {
+  return is_ceiling(method) ? method + " (ceiling)" : method;
+}
+
+std::string ratio_label(const std::string& name, double true_ratio) {
+  const std::size_t to = name.find("to");
+  const double named = std::stod(name.substr(0, to)) / std::stod(name.substr(to + 2));
+  const std::string label = name.substr(0, to) + ":" + name.substr(to + 2);
+  const bool as_named = std::abs(true_ratio - named) < 0.005 * named;
+  return as_named ? label : fmt::format("{} ({:.3g}:1)", label, true_ratio);
+}
+
+}  // namespace piae::report

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <string>
+
+#include "scoring/statistics.hpp"
+
+namespace piae::report {
+
+/// How numbers of a table for people are written.
+struct NumberStyle {
+  int decimals = 2;
+  bool sign = false;  ///< "+1.20": for differences
+};
+
+std::string number_label(double number, NumberStyle style = {});
+/// "85.40 ± 1.20", "[84.01, 86.79]"; without a spread "85.40" and nothing.
+std::string mean_label(const scoring::Summary& summary, NumberStyle style = {});
+std::string interval_label(const scoring::Summary& summary, NumberStyle style = {});
+
+/// "shift", and "oracle (ceiling)" for what is no method (report/grid.hpp).
+std::string method_label(const std::string& method);
+
+/// Of a ratio by its name: "10:1", and "2:1 (3.33:1)" where the true ratio is not what the name
+/// says.
+std::string ratio_label(const std::string& name, double true_ratio);
+
+}  // namespace piae::report

@@ -1,0 +1,54 @@
+#include "report/tables.hpp"
+
+#include <spdlog/fmt/fmt.h>
+
+#include <algorithm>
+#include <iterator>
+
+#include "report/accuracy_sections.hpp"
+#include "report/paper_reference.hpp"
+#include "report/quality_table.hpp"
+
+namespace piae::report {
+
+namespace {
+
+std::string ceiling_note(const Grid& grid) {
+  const auto of_ceiling = [](const Combination& cell) { return is_ceiling(cell.method); };
+  if (std::ranges::none_of(grid.combinations, of_ceiling)) return "";
+  return " The oracle is no method but a ceiling: it takes real windows that no method may see in "
+         "the place of generated ones, and has no quality, which would compare them with "
+         "themselves.";
+}
+
+std::string how_to_read(const Grid& grid, const std::string& protocol) {
+  return fmt::format(
+      "Split protocol {}; {} seed{}, each with a split, a generator and a classifier of its own. "
+      "Numbers are the mean ± the sample standard deviation over the seeds; 95 % is the interval "
+      "of the mean by Student's t. Ratios are healthy windows to those of each fault class, as the "
+      "paper names them; where the true one differs, it follows in brackets.{}",
+      protocol, grid.seeds.size(), grid.seeds.size() == 1 ? "" : "s", ceiling_note(grid));
+}
+
+}  // namespace
+
+Document tables(const Grid& grid, const Results& results, const std::vector<AccuracyRow>& rows,
+                const Published& published, const Comparisons& comparisons,
+                const RankTable& ranks) {
+  const auto beside = PaperReference(grid.dataset).beside();
+  const bool stands_in = beside && !beside->own;
+  Document document{grid.dataset, "Results on " + grid.dataset, {}, {}};
+  if (stands_in) {
+    document.title += std::string(", which ") + beside->relation;
+    document.paragraphs.emplace_back(beside->caution);
+  }
+  document.paragraphs.push_back(how_to_read(grid, results.diagnoses.front().protocol));
+  for (std::vector<Section> sections :
+       {accuracy_sections(grid, rows, published), comparison_sections(comparisons, rows),
+        rank_sections(ranks), quality_sections(grid, results)}) {
+    std::ranges::move(sections, std::back_inserter(document.sections));
+  }
+  return document;
+}
+
+}  // namespace piae::report

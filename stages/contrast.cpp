@@ -1,0 +1,48 @@
+// Sets two runs side by side that differ in one condition.
+
+#include "report/contrast.hpp"
+
+#include <spdlog/fmt/fmt.h>
+
+#include <iostream>
+
+#include "cli/stage.hpp"
+#include "report/text_file.hpp"
+
+using namespace piae;
+namespace fs = std::filesystem;
+
+int main(int argc, char** argv) {
+  cli::Stage stage(
+      "contrast",
+      "Sets the accuracies of two runs side by side that differ in one condition, such as the "
+      "split "
+      "protocol or the data set, with what that is worth in points, paired by seed: mean, "
+      "interval, "
+      "effect, Wilcoxon's test with Holm's correction. Beside the Markdown file stand the same as "
+      ".csv and .tex.",
+      "contrast --with results/try/cwru --without results/try-blocked/cwru --methods none piae-dt "
+      "--ratios 100to1 10to1 --seeds 0 1 --output protocols.md");
+  report::GridOptions options;
+  fs::path with;
+  fs::path without;
+  fs::path output;
+  report::bind_cells(stage.app(), options);
+  stage.input_file("--with", with, "Folder RUN/DATASET, such as results/try/cwru");
+  stage.input_file("--without", without, "the same without the condition");
+  stage.output_file("--output", output, "the table as Markdown, FILE.md");
+
+  return stage.run(argc, argv, [&] {
+    const report::Contrast contrast =
+        report::contrast(report::read_side(with, options), report::read_side(without, options));
+    const report::Document document = report::contrast_document(contrast);
+    const auto beside = [&](const char* extension) {
+      return fs::path(output).replace_extension(extension);
+    };
+    report::save_all({{beside(".md"), report::markdown(document)},
+                      {beside(".csv"), report::contrast_csv(contrast)},
+                      {beside(".tex"), report::latex(document)}});
+    std::cout << fmt::format("compared {} cells of two runs: {}\n", contrast.rows.size(),
+                             beside(".md").string());
+  });
+}

@@ -1,0 +1,54 @@
+#!/bin/bash
+# What `make check` and `make reference` compare. The comparison itself: reference_test.sh and
+# tests/report/comparison_test.cpp.
+# shellcheck source-path=SCRIPTDIR
+source "${0%/*}/check.sh"
+
+# A stage that only says how it was called, and fails when it is told to.
+compare_stage() {
+  # shellcheck disable=SC2016
+  printf '#!/bin/bash\necho "$*"\n[[ ! -e moved ]]\n' >fake/compare
+  chmod +x fake/compare
+}
+
+called() { make --silent "$@" BIN=fake; }
+
+test_everything_is_compared_unless_a_part_is_given() {
+  compare_stage
+  expect_equal "$(called check RUN=try)" \
+    "--run results/try --reference results/reference --tolerance auto"
+  expect_equal "$(called check RUN=try SEEDS="0 1" DATASETS="cwru hit-sm" METHODS=none RATIOS=100to1 TOLERANCE=exact)" \
+    "--run results/try --reference results/reference --datasets cwru hit-sm --methods none --ratios 100to1 --seeds 0 1 --tolerance exact"
+}
+
+test_the_run_is_a_name_or_a_folder() {
+  compare_stage
+  local run
+  for run in try results/try results/try/; do
+    expect_line "$(called check RUN=$run)" '^--run results/try --'
+  done
+  expect_line "$(called check)" '^--run results/paper --'
+  expect_line "$(called check RUN=results/try PROTOCOL=blocked)" '^--run results/try-blocked --'
+}
+
+test_reference_stores() {
+  compare_stage
+  expect_equal "$(called reference RUN=results/try DATASETS=cwru)" \
+    "--run results/try --reference results/reference --datasets cwru --store"
+}
+
+test_a_difference_is_a_failure() {
+  compare_stage
+  expect_exit 0 called check
+  touch moved
+  expect_exit 2 called check
+}
+
+test_the_run_is_left_as_it_is() {
+  compare_stage
+  called check >/dev/null
+  called reference >/dev/null
+  [[ ! -e results ]] || fail "there is $(find results)"
+}
+
+run_tests

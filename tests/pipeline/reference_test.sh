@@ -1,0 +1,119 @@
+#!/bin/bash
+# The regression check on a tiny grid, with the built programs: the numbers are still those that are
+# stored in tests/reference. On the processor and with the libraries that made them they must be the
+# same, elsewhere within their spread.
+#
+# After a change that is meant to change numbers:
+#   PIAE_BIN=build/bin tests/pipeline/reference_test.sh store
+# shellcheck source-path=SCRIPTDIR
+source "${0%/*}/check.sh"
+
+programs=$(realpath "${PIAE_BIN:-$project/build/bin}")
+grid=$(mktemp -d)
+trap 'rm -r "$grid"' EXIT
+
+# In a folder with the front door alone, and the stand-ins' registry: it knows smote and piae-dt.
+lay_out() {
+  rm -r pipeline/datasets
+  mkdir -p pipeline/datasets results
+  cp "$project/tests/reference/tiny.toml" pipeline/datasets
+  cp "$project/tests/reference/protocol.toml" pipeline
+  cp -r "$project/results/published" results
+}
+tiny() {
+  make --silent "$@" "BIN=$programs" RUN=tiny
+}
+
+# The grid is made once, by the first test that needs it.
+made() {
+  lay_out
+  if [[ ! -d $grid/tiny ]]; then
+    tiny all DATASETS=tiny METHODS="none smote piae-dt" RATIOS="100to1 50to1 10to1" SEEDS="0 1" \
+      -j"$(nproc)" >messages 2>&1 || fail "$(<messages)"
+    cp -r results/tiny "$grid"
+  fi
+  cp -r "$grid/tiny" results
+  mkdir -p results/reference
+  cp -r "$project/tests/reference/random" results/reference
+}
+
+reference=results/reference/random/tiny.csv
+# Numbers of the reference moved by so much: lines that fit a pattern, summand.
+move() {
+  awk -F, -v OFS=, -v pattern="$1" -v by="$2" '$0 ~ pattern { $5 += by } { print }' $reference >moved
+  mv moved $reference
+}
+# As if the reference came from another machine.
+from_elsewhere() { sed -i 's/^# computed with: .*/# computed with: another machine/' $reference; }
+
+test_numbers_are_as_stored() {
+  made
+  tiny check >messages 2>&1 || fail "not the numbers of tests/reference/random/tiny.csv: $(<messages)"
+  from_elsewhere
+  tiny check >messages || fail "$(<messages)"
+}
+
+test_one_digit_of_one_seed_is_seen_on_the_same_machine() {
+  made
+  tiny reference >/dev/null
+  expect_exit 0 tiny check
+  move '^smote,,mmd,1,' 1e-12
+  expect_exit 2 tiny check
+  expect_line "$(tiny check 2>&1 || true)" '^smote +score +mmd +OUTSIDE +2 +1 '
+  expect_exit 0 tiny check TOLERANCE=spread
+}
+
+test_what_chance_does_not_explain_is_seen_on_any_machine() {
+  made
+  tiny reference >/dev/null
+  from_elsewhere
+  move '^smote,10to1,accuracy,' 0.01
+  expect_line "$(tiny check)" '^smote +10to1 +accuracy +2 +2 .* -0\.0[0-9]+ +[0-9.]+$'
+  move '^none,100to1,accuracy,' -0.9
+  expect_exit 2 tiny check
+  expect_line "$(tiny check 2>&1 || true)" '^none +100to1 +accuracy +OUTSIDE +2 +2 '
+  expect_line "$(tiny check 2>&1 || true)" '^compared 15 quantities of tiny: 2 moved, 1 outside'
+}
+
+test_cells_of_one_side_are_named() {
+  made
+  rm results/tiny/tiny/seed1/smote/10to1/diagnosis.h5
+  sed -i '/^piae-dt,,.*,0,/d' $reference
+  local output
+  output=$(tiny check 2>&1 || true)
+  expect_line "$output" '^missing in the run: smote 10to1, seed 1$'
+  expect_line "$output" '^not in the reference: piae-dt score, seed 0$'
+  expect_exit 2 tiny check
+  tiny check SEEDS=0 METHODS="none smote" >messages || fail "$(<messages)"
+  tiny check RATIOS="100to1 50to1" SEEDS=1 >messages || fail "$(<messages)"
+}
+
+test_without_a_reference_nothing_passes() {
+  made
+  rm $reference
+  expect_exit 2 tiny check
+  expect_line "$(tiny check 2>&1 || true)" '^compare: results/reference/random/tiny.csv: there is no reference for tiny \(`make reference'
+  tiny reference >/dev/null
+  expect_exit 0 tiny check
+  tiny reference SEEDS=0 >/dev/null
+  expect_line "$(tiny check 2>&1 || true)" '^not in the reference: none 100to1, seed 1$'
+}
+
+test_a_data_set_that_the_run_lacks_is_a_failure() {
+  made
+  sed '2,$s/^#\(.*\)/#\1/' $reference >results/reference/random/other.csv
+  expect_exit 2 tiny check
+  expect_line "$(tiny check 2>&1 || true)" '^missing in the run: smote score, seeds 0 1$'
+  expect_exit 0 tiny check DATASETS=tiny
+}
+
+store() {
+  mkdir "$grid/here"
+  cp -r "$project"/{Makefile,pipeline} "$grid/here"
+  cd "$grid/here" || exit
+  stand_ins
+  test_store() { made && tiny reference && cp $reference "$project/tests/reference/random"; }
+  test_store
+}
+
+if [[ ${1:-} == store ]]; then store; else run_tests; fi

@@ -1,0 +1,191 @@
+#!/bin/bash
+# `make status`: what is done, running, failed and missing, and how long the rest will take.
+# shellcheck source-path=SCRIPTDIR
+source "${0%/*}/check.sh"
+
+describe() {
+  rm -f pipeline/datasets/*
+  printf 'name = "real"\n' >pipeline/datasets/real.toml
+  printf 'name = "made"\n[simulation]\nnoise = 0.1\n' >pipeline/datasets/made.toml
+  printf '[train.smote]\nneighbours = 4\n' >pipeline/protocol.toml
+}
+
+with_grid() { # goal, variables
+  make --silent "$1" BIN=fake RUN=t METHODS="none smote" RATIOS="100to1 10to1 1to1" SEEDS="0 1" "${@:2}"
+}
+status() { with_grid status DATASETS=real "$@"; }
+cells() { with_grid cells DATASETS=real "$@" >/dev/null 2>&1; }
+
+# The words of a line of the table, with one space between.
+counts() { # data set, method
+  status "${@:3}" | awk -v d="$1" -v m="$2" '$1 == d && (d == "all" || $2 == m) { $1 = $1; print }'
+}
+
+# The log of a step as if it had taken this long.
+took() { # folder, stage, seconds
+  sed -i "s/^step: exit 0 after .*/step: exit 0 after $3 s/" "results/t/$1/$2.log"
+}
+
+test_before_anything_has_run() {
+  describe
+  local output
+  output=$(status DATASETS="real made")
+  expect_line "$output" '^data set +method +cells +done +running +failed +missing +time left$'
+  expect_line "$output" '^real +none +2 +0 +0 +0 +2 +not known yet$'
+  expect_line "$output" '^made +smote +6 +0 +0 +0 +6 +not known yet$'
+  expect_line "$output" '^all +16 +0 +0 +0 +16 +not known yet$'
+  [[ ! -e results && ! -e calls ]] || fail "status has made something"
+}
+
+test_when_all_is_done() {
+  describe
+  cells
+  expect_equal "$(status | sed 's/  */ /g')" "$(printf '%s\n' \
+    'data set method cells done running failed missing time left' \
+    'real none 2 2 0 0 0 0 s' 'real smote 6 6 0 0 0 0 s' 'all 8 8 0 0 0 0 s')"
+}
+
+test_only_the_chosen_part_is_counted() {
+  describe
+  cells SEEDS=0
+  expect_equal "$(counts all '')" 'all 8 4 0 0 4 0 s'
+  expect_equal "$(counts all '' SEEDS=0)" 'all 4 4 0 0 0 0 s'
+  expect_equal "$(counts all '' SEEDS=1 METHODS=smote RATIOS=1to1)" 'all 2 0 0 0 2 0 s'
+  expect_equal "$(counts all '' PROTOCOL=blocked | cut -d' ' -f1-6)" 'all 8 0 0 0 8'
+}
+
+test_a_failed_step_is_named_with_its_reason_and_log() {
+  describe
+  echo "train real/seed1/smote/model.h5" >broken
+  cells -k || true
+  local output
+  output=$(status)
+  expect_equal "$(counts real smote)" 'real smote 6 3 0 3 0 0 s'
+  expect_equal "$(counts real none)" 'real none 2 2 0 0 0 0 s'
+  expect_equal "$(tail -n 2 <<<"$output")" \
+    $'failed\n  real/seed1/smote: train: the reason (log: results/t/real/seed1/smote/train.log)'
+  rm broken
+  cells
+  expect_equal "$(counts real smote)" 'real smote 6 6 0 0 0 0 s'
+}
+
+test_a_failed_score_is_one_cell() {
+  describe
+  echo "score real/seed1/smote/score.h5" >broken
+  cells -k || true
+  expect_equal "$(counts real smote)" 'real smote 6 5 0 1 0 0 s'
+}
+
+test_a_crash_without_a_word_is_a_failure() {
+  describe
+  rm fake/train
+  # shellcheck disable=SC2016
+  printf '#!/bin/bash\nkill -SEGV $$\n' >fake/train
+  chmod +x fake/train
+  cells SEEDS=0 || true
+  expect_line "$(status)" '^  real/seed0/smote: train: exit code 139 \(log'
+}
+
+# A train that runs until it is stopped.
+endless_train() {
+  rm fake/train
+  cat >fake/train <<'STAGE'
+#!/bin/bash
+trap 'exit 75' TERM
+echo "train  ####....   40 %" >&2
+echo $$ >started
+while :; do sleep 0.05; done
+STAGE
+  chmod +x fake/train
+}
+
+test_running_is_what_a_living_process_is_at() {
+  describe
+  endless_train
+  with_grid cells DATASETS=real SEEDS=0 >/dev/null 2>&1 &
+  wait_for started
+  until grep -q 40 results/t/real/seed0/smote/train.log; do sleep 0.05; done
+  expect_equal "$(counts real smote | cut -d' ' -f1-7)" 'real smote 6 0 3 0 3'
+  expect_line "$(status)" '^  real/seed0/smote: train  ####....   40 % \(log: '
+  # Stopped in order: a checkpoint, nothing failed.
+  kill -TERM "$(<started)"
+  expect_exit 2 wait $!
+  expect_equal "$(counts real smote | cut -d' ' -f1-7)" 'real smote 6 0 0 0 6'
+}
+
+test_killed_is_missing_but_its_orphan_runs() {
+  describe
+  endless_train
+  mkdir -p results/t/real/seed0/smote
+  BIN=fake SUBMIT='' pipeline/step.sh results/t/real/seed0/smote train >/dev/null 2>&1 &
+  wait_for started
+  kill -KILL $!
+  { wait $! || true; } 2>/dev/null
+  expect_equal "$(counts real smote | cut -d' ' -f1-7)" 'real smote 6 0 3 0 3'
+  kill -KILL "$(<started)"
+  until flock --nonblock results/t/real/seed0/smote/train.log true; do sleep 0.05; done
+  expect_equal "$(counts real smote | cut -d' ' -f1-7)" 'real smote 6 0 0 0 6'
+}
+
+test_a_changed_setting_makes_cells_missing_and_status_changes_nothing() {
+  describe
+  cells
+  rm calls
+  sed -i 's/4/3/' pipeline/protocol.toml
+  expect_equal "$(counts real smote | cut -d' ' -f1-7)" 'real smote 6 0 0 0 6'
+  expect_equal "$(counts real none)" 'real none 2 2 0 0 0 0 s'
+  expect_line "$(<results/t/.settings/train.smote.toml)" "neighbours = 4"
+  sed -i 's/3/4/' pipeline/protocol.toml
+  cells
+  [[ ! -e calls ]] || fail "status has made steps run again: $(<calls)"
+}
+
+# Seed 0 is done: train 100 s, generate 10 s, score 1 s, diagnose 20 s at 10to1 and 40 s at 1to1.
+# Of seed 1 all but one diagnosis of 40 s is there; seed 2 is new and needs a split of 5 s, and 171 s
+# for smote.
+test_the_time_left_is_that_of_steps_like_those_to_come() {
+  describe
+  cells
+  local seed
+  for seed in seed0 seed1; do
+    took real/$seed split 5
+    took real/$seed/none/100to1 diagnose 7
+    took real/$seed/smote train 100
+    took real/$seed/smote generate 10
+    took real/$seed/smote score 1
+    took real/$seed/smote/10to1 diagnose 20
+    took real/$seed/smote/1to1 diagnose 40
+  done
+  rm results/t/real/seed1/smote/1to1/diagnosis.h5
+  expect_equal "$(counts real smote)" 'real smote 6 5 0 0 1 40 s'
+  local output
+  output=$(status SEEDS="0 1 2" | sed 's/  */ /g')
+  expect_line "$output" '^real records, split 0 0 0 0 0 5 s$'
+  expect_line "$output" '^real none 3 2 0 0 1 7 s$'
+  expect_line "$output" '^real smote 9 5 0 0 4 4 min$' # 40 + 171 s
+  expect_line "$output" '^all 12 7 0 0 5 4 min$'
+  # The mean of seeds that differ.
+  took real/seed0/smote train 7000
+  output=$(status SEEDS="0 1 2" | sed 's/  */ /g')
+  expect_line "$output" '^real smote 9 5 0 0 4 1 h 01 min$' # 3550 + 111 s
+}
+
+test_another_data_set_or_method_stands_in_where_nothing_is_known() {
+  describe
+  cells
+  took real/seed0/none/100to1 diagnose 10
+  took real/seed1/none/100to1 diagnose 30
+  expect_equal "$(counts made none DATASETS=made)" 'made none 2 0 0 0 2 40 s'
+  took real/seed0/smote/1to1 diagnose 30
+  took real/seed1/smote/1to1 diagnose 30
+  sed -i '/^step:/d' results/t/real/seed*/smote/train.log
+  expect_line "$(status DATASETS=made)" '^made +smote .* 6 +1 min or more$'
+}
+
+test_wrong_words_are_refused() {
+  describe
+  expect_line "$(status METHODS=magic 2>&1 || true)" "unknown 'magic'"
+  expect_exit 2 status METHODS=magic
+}
+
+run_tests

@@ -1,0 +1,66 @@
+#include <gtest/gtest.h>
+
+#include "stages/tiny.hpp"
+
+namespace piae::stages {
+namespace {
+
+const Arguments compared{"--run", "run", "--reference", "reference"};
+
+class Compare : public testing::Test {
+ protected:
+  void SetUp() override { tiny_.run_chain_before("tabulate"); }
+  void store() const {
+    const Outcome stored = tiny_.run("compare", with_flag("--store"));
+    ASSERT_EQ(stored.status, 0) << stored.err;
+    EXPECT_EQ(stored.out, "stored 7 numbers of tiny: reference/random/tiny.csv\n");
+  }
+  static Arguments with_flag(const std::string& flag) {
+    Arguments arguments = compared;
+    arguments.push_back(flag);
+    return arguments;
+  }
+
+  Tiny tiny_;
+};
+
+TEST_F(Compare, StoresARunAndFindsItTheSame) {
+  store();
+  const Outcome same = tiny_.run("compare", compared);
+  EXPECT_EQ(same.status, 0) << same.err;
+  EXPECT_NE(same.out.find("compared 7 quantities of tiny: 0 moved, 0 outside the tolerance\n"),
+            std::string::npos)
+      << same.out;
+  // What another build has made is judged by its spread, and of one seed there is none.
+  std::string text = bytes_of(tiny_ / "reference/random/tiny.csv");
+  const std::string mark = "computed with: ";
+  text.insert(text.find(mark) + mark.size(), "another machine, ");
+  const std::size_t last_value = text.rfind(',') + 1;
+  text.replace(last_value, std::string::npos, "1e9\n");
+  write_bytes(tiny_ / "reference/random/tiny.csv", text);
+  const Outcome other = tiny_.run("compare", compared);
+  EXPECT_EQ(other.status, 1);
+  EXPECT_NE(other.out.find("1 moved, 1 outside"), std::string::npos) << other.out;
+  EXPECT_NE(other.err.find("compare: run is not as the reference on 1 of 1 datasets"),
+            std::string::npos)
+      << other.err;
+}
+
+TEST_F(Compare, RefusesWhatCannotBeCompared) {
+  expect_refusal(tiny_.run("compare", compared), "compare", 66,
+                 {"reference/random/tiny.csv", "`make reference RUN=...` makes one"});
+  store();
+  expect_refusal(tiny_.run("compare", with(compared, "--run", "nowhere")), "compare", 66,
+                 {"nowhere: holds no diagnosis"});
+  expect_refusal(tiny_.run("compare", with(compared, "--seeds", "5")), "compare", 66,
+                 {"run: holds no diagnosis or score of those asked for"});
+  expect_refusal(tiny_.run("compare", with(compared, "--tolerance", "some")), "compare", 2,
+                 {"--tolerance", "exact", "spread"});
+  expect_refusal(tiny_.run("compare", with(compared, "--ratios", "7to1")), "compare", 2, {"7to1"});
+  const std::string cell = chain()[5].outputs.front();
+  write_bytes(tiny_ / cell, bytes_of(tiny_ / cell).substr(0, 1000));
+  expect_refusal(tiny_.run("compare", compared), "compare", 65, {cell});
+}
+
+}  // namespace
+}  // namespace piae::stages

@@ -1,0 +1,62 @@
+#include <gtest/gtest.h>
+
+#include "stages/tiny.hpp"
+
+/// The table of a sweep, from cells that the other stages have made.
+namespace piae::stages {
+namespace {
+
+const Arguments sweep{"--run",    "run",     "--dataset", "tiny",  "--points", "batch=2", "batch=5",
+                      "--centre", "batch=5", "--ratios",  "50to1", "--seeds",  "0"};
+const std::string cell = "run/tiny/seed0/sweep/batch-2/50to1/diagnosis.h5";
+
+/// The chain has the common point; this is the other one.
+void make_moved_cell(const Tiny& tiny) {
+  const auto run = [&](const std::string& stage, Arguments arguments) {
+    const Outcome outcome = tiny.run(stage, arguments);
+    ASSERT_EQ(outcome.status, 0) << stage << ": " << outcome.err;
+  };
+  run("train", with(with(step_of("train").arguments, "--batch", "2"), "--output", "moved.h5"));
+  run("generate",
+      with(with(step_of("generate").arguments, "--model", "moved.h5"), "--output", "moved_E.h5"));
+  run("diagnose",
+      with(with(step_of("diagnose").arguments, "--generated", "moved_E.h5"), "--output", cell));
+}
+
+TEST(Sweep, TableIsMadeFromItsOwnCellsAndTheGrids) {
+  const Tiny tiny;
+  tiny.run_chain_before("tabulate");
+  make_moved_cell(tiny);
+  const Outcome outcome = tiny.run("sweep", sweep);
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_EQ(outcome.out, "tabulated 2 diagnoses of 2 settings: run/tiny/sweep.md\n");
+  const std::string csv = bytes_of(tiny / "run/tiny/sweep.csv");
+  EXPECT_TRUE(
+      csv.starts_with("dataset,factor,value,ratio,seeds,mean,std,ci95_low,ci95_high\n"
+                      "tiny,batch,2,50to1,1,"))
+      << csv;
+  EXPECT_NE(csv.find("\ntiny,batch,5,50to1,1,"), std::string::npos) << csv;
+  EXPECT_NE(bytes_of(tiny / "run/tiny/sweep.md").find("as in the grid"), std::string::npos);
+}
+
+TEST(Sweep, MissingCellIsNamedAndNoTableIsMade) {
+  const Tiny tiny;
+  tiny.run_chain_before("tabulate");
+  const std::set<std::string> before = tiny.files();
+  const Outcome outcome = tiny.run("sweep", sweep);
+  EXPECT_EQ(outcome.status, 66);
+  EXPECT_EQ(outcome.out, "");
+  EXPECT_NE(outcome.err.find("batch 2, ratio 50to1, seed 0: "), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find(cell), std::string::npos) << outcome.err;
+  EXPECT_EQ(tiny.files(), before);
+}
+
+TEST(Sweep, PointsThatCannotBeAreNamed) {
+  const Tiny tiny;
+  tiny.run_chain_before("tabulate");
+  expect_refusal(tiny.run("sweep", with(sweep, "--centre", "batch=7")), "sweep", 2, {"batch=7"});
+  expect_refusal(tiny.run("sweep", with(sweep, "--ratios", "100to1")), "sweep", 2, {"100to1"});
+}
+
+}  // namespace
+}  // namespace piae::stages
