@@ -2,11 +2,11 @@
 
 #include <cstdint>
 #include <functional>
-#include <string>
 #include <vector>
 
 #include "base/random.hpp"
 #include "diagnosis/standardise.hpp"
+#include "diagnosis/wdcnn_backend.hpp"
 #include "diagnosis/wdcnn_options.hpp"
 
 namespace piae::diagnosis {
@@ -25,11 +25,12 @@ using EpochDone = std::function<void(std::int64_t done, double loss)>;
 /// Trains WDCNN (paper-notes, "The classifier"; layers in wdcnn_layers.hpp) by Adam on the
 /// cross-entropy, and tries the model of the last epoch on the test windows: none is chosen by how
 /// well it does on them. Initial values come from stream.child("initial"), the order of windows in
-/// epoch e, counted from 1, from stream.child("epoch<e>"). `device` is "cpu" or "cuda".
+/// epoch e, counted from 1, from stream.child("epoch<e>"): every back end starts from the same
+/// network and sees the same batches.
 /// Throws Error(bad_input) for fewer than two training windows, no test window, or windows that are
 /// too short or of two lengths; Error(failed) when the loss becomes NaN or infinite.
 WdcnnResult train_and_test(const LabelledWindows& train, const LabelledWindows& test,
                            const WdcnnOptions& options, const Stream& stream,
-                           const std::string& device, const EpochDone& epoch_done = {});
+                           const MakeWdcnnBackend& make_backend, const EpochDone& epoch_done = {});
 
 }  // namespace piae::diagnosis

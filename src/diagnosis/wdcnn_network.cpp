@@ -2,41 +2,16 @@
 
 #include <torch/torch.h>
 
-#include <cmath>
 #include <string>
 #include <tuple>
+
+#include "diagnosis/wdcnn_parameters.hpp"
 
 namespace piae::diagnosis {
 
 namespace {
 
 constexpr std::size_t convolutions = WdcnnLayers::convolutions.size();
-
-std::string layer_name(std::size_t i) {
-  return i < convolutions ? "conv" + std::to_string(i + 1) : "dense";
-}
-
-/// Weight, and scale and shift of the batch normalisation that follows.
-void add_normalised_layer(std::vector<nets::ParameterSpec>& specs, const std::string& name,
-                          const std::vector<std::int64_t>& shape, std::int64_t fan_in) {
-  specs.push_back({name + "/weight", shape, 1 / std::sqrt(static_cast<double>(fan_in))});
-  specs.push_back({name + "/scale", {shape[0]}, 0, 1});
-  specs.push_back({name + "/shift", {shape[0]}, 0, 0});
-}
-
-std::vector<nets::ParameterSpec> specs_of(std::int64_t length, std::int64_t classes) {
-  std::vector<nets::ParameterSpec> specs;
-  for (std::size_t i = 0; i < convolutions; ++i) {
-    const Convolution& c = WdcnnLayers::convolutions[i];
-    add_normalised_layer(specs, layer_name(i), {c.outputs, c.inputs, c.width}, c.fan_in());
-  }
-  const std::int64_t features = WdcnnLayers::features(length);
-  add_normalised_layer(specs, "dense", {WdcnnLayers::hidden, features}, features);
-  for (nets::ParameterSpec& spec : nets::dense_specs("classes", WdcnnLayers::hidden, classes)) {
-    specs.push_back(std::move(spec));
-  }
-  return specs;
-}
 
 /// Max-pooling of [n, channels, length]. A maximum over an axis of two costs LibTorch a third less
 /// than its max_pool1d, and gives the same bits.
@@ -50,7 +25,7 @@ torch::Tensor pool(torch::Tensor x) {
 
 WdcnnNetwork::WdcnnNetwork(std::int64_t length, std::int64_t classes, const Stream& stream,
                            torch::Dtype dtype, torch::Device device)
-    : parameters_(specs_of(length, classes), stream, dtype, device) {
+    : parameters_(wdcnn_parameters(length, classes), stream, dtype, device) {
   for (std::size_t i = 0; i <= convolutions; ++i) {
     const std::string name = layer_name(i);
     const torch::Tensor& shift = parameters_[name + "/shift"];

@@ -12,11 +12,7 @@
 
 namespace piae::diagnosis {
 
-/// WDCNN as LibTorch tensors. Parameters are called conv1/weight [outputs, inputs, width],
-/// conv1/scale, conv1/shift (those of its batch normalisation) ... conv5, dense/weight [100,
-/// features], dense/scale, dense/shift, classes/weight [classes, 100], classes/bias. Weights and
-/// the bias start uniform in +-1/sqrt(inputs of a unit), as LibTorch's layers do, scales at 1,
-/// shifts at 0.
+/// WDCNN as LibTorch tensors. Parameters are called, shaped and started as wdcnn_parameters() says.
 class WdcnnNetwork {
  public:
   /// For windows of `length` samples, at least WdcnnLayers::shortest_window.

@@ -19,6 +19,9 @@ void bind(CLI::App& app, WdcnnOptions& options) {
       ->check(CLI::Range(std::int64_t{2}, many).description(">=2"));
   app.add_option("--learning-rate", options.learning_rate, "of Adam")
       ->check(cli::positive_number());
+  app.add_option("--backend", options.backend,
+                 "what computes the network: native (one core, the fastest), libtorch, or auto: "
+                 "native on the cpu, libtorch on cuda");
 }
 
 }  // namespace piae::diagnosis

@@ -3,32 +3,16 @@
 
 #include <benchmark/benchmark.h>
 
-#include "base/random.hpp"
+#include "known_windows.hpp"
 #include "twin/training.hpp"
 
 namespace piae::twin {
 namespace {
 
-signal::WindowSet known_windows() {
-  signal::WindowSet set;
-  set.info.name = "bench";
-  set.info.sample_rate_hz = 12000;
-  set.info.shaft_speed_rpm = 1797;
-  set.info.classes.push_back({"Normal", signal::Defect::none, 0});
-  set.length = 1024;
-  Stream stream("bench/twin");
-  for (std::int32_t label = 1; label <= 9; ++label) {
-    set.info.classes.push_back({"fault" + std::to_string(label), signal::Defect::inner, 0.2});
-    set.labels.insert(set.labels.end(), 5, label);
-  }
-  set.samples.resize(set.size() * set.length);
-  for (float& sample : set.samples) sample = static_cast<float>(stream.normal(0, 1));
-  return set;
-}
-
 void twin_training_epoch(benchmark::State& state) {
   const signal::WindowSet known = known_windows();
-  const auto training = make_twin_training(known, TwinOptions{}, Stream("bench"), "cpu");
+  const auto training =
+      make_twin_training(known, TwinOptions{}, full_model, Stream("bench"), "cpu");
   training->run_epoch(0);  // LibTorch warms up
   // With one epoch a stage, even epochs are in Stage 1 and odd ones in Stage 2.
   const auto epoch = static_cast<std::size_t>(state.range(0) - 1);

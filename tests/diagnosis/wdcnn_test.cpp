@@ -8,6 +8,9 @@
 #include <numeric>
 
 #include "base/error.hpp"
+#include "diagnosis/backend_choice.hpp"
+#include "diagnosis/libtorch_backend.hpp"
+#include "diagnosis/native_backend.hpp"
 #include "diagnosis/sets.hpp"
 
 namespace piae::diagnosis {
@@ -30,20 +33,30 @@ double share_equal(const std::vector<std::int32_t>& a, const std::vector<std::in
   return equal / static_cast<double>(a.size());
 }
 
-TEST(Wdcnn, LearnsTones) {
+/// What is true of training whatever computes it.
+class Wdcnn : public testing::TestWithParam<std::string> {
+ protected:
+  [[nodiscard]] static MakeWdcnnBackend backend() {
+    return GetParam() == "native" ? make_native_backend : libtorch_backend("cpu");
+  }
+};
+INSTANTIATE_TEST_SUITE_P(With, Wdcnn, testing::Values("native", "libtorch"),
+                         [](const auto& info) { return info.param; });
+
+TEST_P(Wdcnn, LearnsTones) {
   const LabelledWindows test = tones(40, "test");
   const WdcnnResult result =
-      train_and_test(tones(30, "train"), test, short_training(12), Stream("learn"), "cpu");
+      train_and_test(tones(30, "train"), test, short_training(12), Stream("learn"), backend());
   EXPECT_GT(share_equal(result.predictions, test.labels), 0.95);
   EXPECT_GT(result.train_accuracy.back(), 0.95);
   EXPECT_LT(result.loss.back(), 0.2 * result.loss.front());
   EXPECT_GT(result.training_seconds, 0);
 }
 
-TEST(Wdcnn, ScoresAreProbabilitiesAndPredictionsTheirMaximum) {
+TEST_P(Wdcnn, ScoresAreProbabilitiesAndPredictionsTheirMaximum) {
   const LabelledWindows test = tones(35, "test");  // 105 windows: more than are tried at a time
   const WdcnnResult result =
-      train_and_test(tones(5, "train"), test, short_training(), Stream("scores"), "cpu");
+      train_and_test(tones(5, "train"), test, short_training(), Stream("scores"), backend());
   ASSERT_EQ(result.predictions.size(), 105U);
   ASSERT_EQ(result.scores.size(), 105U * 3);
   ASSERT_EQ(result.loss.size(), 2U);
@@ -55,20 +68,20 @@ TEST(Wdcnn, ScoresAreProbabilitiesAndPredictionsTheirMaximum) {
   }
 }
 
-TEST(Wdcnn, StartsFromTheLossOfAGuess) {
+TEST_P(Wdcnn, StartsFromTheLossOfAGuess) {
   // A step so small that nothing is learnt: cross-entropy stays near that of chance, ln 3.
   WdcnnOptions options = short_training(1);
   options.learning_rate = 1e-12;
   const WdcnnResult result =
-      train_and_test(tones(20, "train"), tones(1, "test"), options, Stream("guess"), "cpu");
+      train_and_test(tones(20, "train"), tones(1, "test"), options, Stream("guess"), backend());
   EXPECT_NEAR(result.loss[0], std::log(3.0), 0.25);
 }
 
-TEST(Wdcnn, SameStreamSameBits) {
+TEST_P(Wdcnn, SameStreamSameBits) {
   const LabelledWindows train = tones(11, "train");  // 33 windows: the last batch is of 9
   const LabelledWindows test = tones(4, "test");
   const auto run = [&](const char* name) {
-    return train_and_test(train, test, short_training(), Stream(name), "cpu");
+    return train_and_test(train, test, short_training(), Stream(name), backend());
   };
   const WdcnnResult first = run("a");
   const WdcnnResult other = run("b");
@@ -79,20 +92,20 @@ TEST(Wdcnn, SameStreamSameBits) {
   EXPECT_NE(first.scores, other.scores);
 }
 
-TEST(Wdcnn, AnEpochDoesNotKnowHowManyFollow) {
+TEST_P(Wdcnn, AnEpochDoesNotKnowHowManyFollow) {
   const LabelledWindows train = tones(8, "train");
   const auto loss = [&](std::int64_t epochs) {
-    return train_and_test(train, train, short_training(epochs), Stream("a"), "cpu").loss;
+    return train_and_test(train, train, short_training(epochs), Stream("a"), backend()).loss;
   };
   const std::vector<double> three = loss(3);
   EXPECT_EQ(loss(2), std::vector(three.begin(), three.begin() + 2));
 }
 
-TEST(Wdcnn, ReportsEveryEpoch) {
+TEST_P(Wdcnn, ReportsEveryEpoch) {
   std::vector<std::int64_t> done;
   std::vector<double> losses;
   const WdcnnResult result =
-      train_and_test(tones(3, "train"), tones(1, "test"), short_training(3), Stream("a"), "cpu",
+      train_and_test(tones(3, "train"), tones(1, "test"), short_training(3), Stream("a"), backend(),
                      [&](std::int64_t epoch, double loss) {
                        done.push_back(epoch);
                        losses.push_back(loss);
@@ -102,9 +115,10 @@ TEST(Wdcnn, ReportsEveryEpoch) {
 }
 
 void expect_error(Exit exit, const std::string& part, const LabelledWindows& train,
-                  const LabelledWindows& test, const WdcnnOptions& options = short_training()) {
+                  const LabelledWindows& test, const MakeWdcnnBackend& backend,
+                  const WdcnnOptions& options = short_training()) {
   try {
-    train_and_test(train, test, options, Stream("error"), "cpu");
+    train_and_test(train, test, options, Stream("error"), backend);
     FAIL() << "no error with " << part;
   } catch (const Error& error) {
     EXPECT_EQ(error.exit(), exit);
@@ -112,34 +126,74 @@ void expect_error(Exit exit, const std::string& part, const LabelledWindows& tra
   }
 }
 
-TEST(Wdcnn, ImpossibleSets) {
+TEST_P(Wdcnn, ImpossibleSets) {
   const LabelledWindows good = tones(2, "train");
   LabelledWindows one = good;
   one.labels.resize(1);
   one.samples.resize(1024);
-  expect_error(Exit::bad_input, "1 training windows", one, good);
+  expect_error(Exit::bad_input, "1 training windows", one, good, backend());
 
   LabelledWindows none = good;
   none.labels.clear();
   none.samples.clear();
-  expect_error(Exit::bad_input, "no test window", good, none);
+  expect_error(Exit::bad_input, "no test window", good, none, backend());
 
   LabelledWindows two_long = good;
   two_long.length = 2048;
   two_long.labels.resize(3);
-  expect_error(Exit::bad_input, "both must be the same", good, two_long);
+  expect_error(Exit::bad_input, "both must be the same", good, two_long, backend());
 
   LabelledWindows too_short = good;
   too_short.length = 512;
   too_short.labels.resize(12);
-  expect_error(Exit::bad_input, "at least 1024", too_short, too_short);
+  expect_error(Exit::bad_input, "at least 1024", too_short, too_short, backend());
 }
 
-TEST(Wdcnn, DivergedTrainingSaysWhatWouldWork) {
+TEST_P(Wdcnn, DivergedTrainingSaysWhatWouldWork) {
   WdcnnOptions options = short_training(20);
   options.learning_rate = 1e30;
   const LabelledWindows train = tones(4, "train");
-  expect_error(Exit::failed, "a smaller one would work", train, train, options);
+  expect_error(Exit::failed, "a smaller one would work", train, train, backend(), options);
+}
+
+TEST(WdcnnBackends, FollowOneCourseUntilRoundingHasGrown) {
+  const LabelledWindows train = tones(11, "train");  // 33 windows: the last batch is of 9
+  const LabelledWindows test = tones(20, "test");
+  const auto run = [&](const MakeWdcnnBackend& backend) {
+    return train_and_test(train, test, short_training(4), Stream("course"), backend);
+  };
+  const WdcnnResult native = run(make_native_backend);
+  const WdcnnResult libtorch = run(libtorch_backend("cpu"));
+  for (std::size_t epoch = 0; epoch < 4; ++epoch) {
+    EXPECT_NEAR(native.loss[epoch], libtorch.loss[epoch], 1e-3 * libtorch.loss[epoch]);
+    EXPECT_NEAR(native.train_accuracy[epoch], libtorch.train_accuracy[epoch], 1.5 / 33);
+  }
+  for (std::size_t i = 0; i < native.scores.size(); ++i) {
+    EXPECT_NEAR(native.scores[i], libtorch.scores[i], 0.02);
+  }
+}
+
+TEST(WdcnnBackends, AreChosenByOptionAndDevice) {
+  EXPECT_FALSE(needs_libtorch("auto", "cpu"));
+  EXPECT_TRUE(needs_libtorch("auto", "cuda"));
+  EXPECT_FALSE(needs_libtorch("native", "cpu"));
+  EXPECT_TRUE(needs_libtorch("libtorch", "cpu"));
+  EXPECT_TRUE(needs_libtorch("libtorch", "cuda"));
+}
+
+TEST(WdcnnBackends, ThatCannotBeAreErrorsThatSayWhatCan) {
+  const auto expect_usage_error = [](const std::string& part, const auto& choose) {
+    try {
+      choose();
+      FAIL() << "no error with " << part;
+    } catch (const Error& error) {
+      EXPECT_EQ(error.exit(), Exit::usage);
+      EXPECT_THAT(error.what(), HasSubstr(part));
+    }
+  };
+  expect_usage_error("known are auto, native and libtorch", [] { needs_libtorch("eigen", "cpu"); });
+  expect_usage_error("not on cuda; use libtorch", [] { needs_libtorch("native", "cuda"); });
+  expect_usage_error("known are cpu and cuda", [] { libtorch_backend("tpu"); });
 }
 
 }  // namespace

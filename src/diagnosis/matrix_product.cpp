@@ -1,0 +1,77 @@
+#include "diagnosis/matrix_product.hpp"
+
+#include <algorithm>
+
+#include "diagnosis/vector.hpp"
+
+namespace piae::diagnosis {
+
+namespace {
+
+/// Vectors of a row of C that are summed at a time.
+constexpr int widest_tile = vector_registers / 8;
+
+/// Rows of C that are summed at a time: as many as there are registers for beside a row of B and a
+/// number of A. More than 8 do not help.
+constexpr int tile_rows(int vectors) {
+  return std::min(8, (vector_registers - vectors - 1) / vectors);
+}
+
+/// A tile of C whose sums stay in registers: `rows` by `vectors`, from where a, b and c point.
+template <class T, int rows, int vectors>
+void multiply_tile(const MatrixProduct<T>& p, const T* a, const T* b, T* c) {
+  Vector<T> sums[rows][vectors] = {};
+  for (std::int64_t block = 0; block < p.blocks; ++block) {
+    const T* a_at = a + block * p.a_block;
+    const T* b_at = b + block * p.b_block;
+    for (std::int64_t k = 0; k < p.depth; ++k) {
+      Vector<T> b_row[vectors];
+      for (int v = 0; v < vectors; ++v) b_row[v] = load(b_at + v * lanes<T>);
+      for (int r = 0; r < rows; ++r) {
+        for (int v = 0; v < vectors; ++v) sums[r][v] += b_row[v] * a_at[r * p.a_row];
+      }
+      a_at += p.a_column;
+      b_at += p.columns;
+    }
+  }
+  for (int r = 0; r < rows; ++r) {
+    for (int v = 0; v < vectors; ++v) store(c + r * p.columns + v * lanes<T>, sums[r][v]);
+  }
+}
+
+/// Tiles of so many rows, from row `row` on, for as long as they fit. Returns the row after them.
+template <class T, int rows, int vectors>
+std::int64_t multiply_rows(const MatrixProduct<T>& p, std::int64_t row, std::int64_t column) {
+  for (; row + rows <= p.rows; row += rows) {
+    multiply_tile<T, rows, vectors>(p, p.a + row * p.a_row, p.b + column,
+                                    p.c + row * p.columns + column);
+  }
+  return row;
+}
+
+/// All rows of the columns from `column` on, for as long as they fill so many vectors. Returns the
+/// column after them.
+template <class T, int vectors>
+std::int64_t multiply_columns(const MatrixProduct<T>& p, std::int64_t column) {
+  constexpr std::int64_t width = vectors * lanes<T>;
+  for (; column + width <= p.columns; column += width) {
+    std::int64_t row = multiply_rows<T, tile_rows(vectors), vectors>(p, 0, column);
+    row = multiply_rows<T, 4, vectors>(p, row, column);
+    multiply_rows<T, 1, vectors>(p, row, column);
+  }
+  return column;
+}
+
+}  // namespace
+
+template <class T>
+void multiply(const MatrixProduct<T>& product) {
+  std::int64_t column = multiply_columns<T, widest_tile>(product, 0);
+  if constexpr (widest_tile > 2) column = multiply_columns<T, 2>(product, column);
+  multiply_columns<T, 1>(product, column);
+}
+
+template void multiply(const MatrixProduct<float>&);
+template void multiply(const MatrixProduct<double>&);
+
+}  // namespace piae::diagnosis

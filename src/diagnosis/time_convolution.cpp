@@ -1,0 +1,130 @@
+#include "diagnosis/time_convolution.hpp"
+
+#include <algorithm>
+
+#include "diagnosis/matrix_product.hpp"
+#include "diagnosis/vector.hpp"
+
+namespace piae::diagnosis {
+
+namespace {
+
+struct Range {
+  std::int64_t begin;
+  std::int64_t end;
+
+  bool operator==(const Range&) const = default;
+  [[nodiscard]] std::int64_t size() const { return end - begin; }
+};
+
+/// Indices i in [0, n) for which first + i is in [0, length).
+Range inside(std::int64_t first, std::int64_t n, std::int64_t length) {
+  return {std::max(std::int64_t{0}, -first), std::min(n, length - first)};
+}
+
+/// [time, window, channel] of a stack of times to another, tap by tap.
+struct Taps {
+  std::int64_t width;
+  std::int64_t padding;
+  std::int64_t from_length;
+  std::int64_t from_channels;
+  std::int64_t to_length;
+  std::int64_t to_channels;
+};
+
+/// to[t] = sum over k of from[t - padding + k] weight[k], where from reaches. Times that have the
+/// same taps within reach, which are all but the first and last few, are one product.
+template <class T>
+void apply(const Taps& taps, std::int64_t windows, const T* from, const T* weight, T* to) {
+  for (std::int64_t begin = 0; begin < taps.to_length;) {
+    const Range reach = inside(begin - taps.padding, taps.width, taps.from_length);
+    std::int64_t end = begin + 1;
+    while (end < taps.to_length &&
+           inside(end - taps.padding, taps.width, taps.from_length) == reach) {
+      ++end;
+    }
+    const std::int64_t from_time = windows * taps.from_channels;
+    const std::int64_t tap_weights = taps.from_channels * taps.to_channels;
+    multiply<T>({.a = from + (begin - taps.padding + reach.begin) * from_time,
+                 .a_row = taps.from_channels,
+                 .a_column = 1,
+                 .a_block = from_time,
+                 .b = weight + reach.begin * tap_weights,
+                 .b_block = tap_weights,
+                 .c = to + begin * windows * taps.to_channels,
+                 .rows = (end - begin) * windows,
+                 .columns = taps.to_channels,
+                 .depth = taps.from_channels,
+                 .blocks = reach.size()});
+    begin = end;
+  }
+}
+
+/// Squares at a time, so that what is read and written stays in the fastest cache.
+template <class T>
+void transpose(std::int64_t rows, std::int64_t columns, const T* from, T* to) {
+  for (std::int64_t r0 = 0; r0 < rows; r0 += row_granule) {
+    for (std::int64_t c0 = 0; c0 < columns; c0 += row_granule) {
+      for (std::int64_t r = r0; r < r0 + row_granule; ++r) {
+        for (std::int64_t c = c0; c < c0 + row_granule; ++c) {
+          to[c * rows + r] = from[r * columns + c];
+        }
+      }
+    }
+  }
+}
+
+}  // namespace
+
+template <class T>
+void convolve(const TimeConvolution& shape, std::int64_t windows, const T* input, const T* weight,
+              T* output) {
+  apply({shape.width, shape.padding, shape.input_length, shape.inputs, shape.output_length(),
+         shape.outputs},
+        windows, input, weight, output);
+}
+
+template <class T>
+void weight_gradient(const TimeConvolution& shape, std::int64_t windows, const T* input,
+                     const T* output_gradient, T* gradient) {
+  for (std::int64_t tap = 0; tap < shape.width; ++tap) {
+    const std::int64_t shift = tap - shape.padding;
+    const Range times = inside(shift, shape.output_length(), shape.input_length);
+    multiply<T>({.a = input + (times.begin + shift) * windows * shape.inputs,
+                 .a_row = 1,
+                 .a_column = shape.inputs,
+                 .a_block = 0,
+                 .b = output_gradient + times.begin * windows * shape.outputs,
+                 .b_block = 0,
+                 .c = gradient + tap * shape.inputs * shape.outputs,
+                 .rows = shape.inputs,
+                 .columns = shape.outputs,
+                 .depth = times.size() * windows});
+  }
+}
+
+template <class T>
+void input_gradient(const TimeConvolution& shape, std::int64_t windows, const T* weight,
+                    const T* output_gradient, T* transposed, T* gradient) {
+  // A convolution the other way, with the taps in reverse.
+  for (std::int64_t tap = 0; tap < shape.width; ++tap) {
+    transpose(shape.inputs, shape.outputs, weight + tap * shape.inputs * shape.outputs,
+              transposed + (shape.width - 1 - tap) * shape.inputs * shape.outputs);
+  }
+  apply({shape.width, shape.width - 1 - shape.padding, shape.output_length(), shape.outputs,
+         shape.input_length, shape.inputs},
+        windows, output_gradient, static_cast<const T*>(transposed), gradient);
+}
+
+template void convolve(const TimeConvolution&, std::int64_t, const float*, const float*, float*);
+template void convolve(const TimeConvolution&, std::int64_t, const double*, const double*, double*);
+template void weight_gradient(const TimeConvolution&, std::int64_t, const float*, const float*,
+                              float*);
+template void weight_gradient(const TimeConvolution&, std::int64_t, const double*, const double*,
+                              double*);
+template void input_gradient(const TimeConvolution&, std::int64_t, const float*, const float*,
+                             float*, float*);
+template void input_gradient(const TimeConvolution&, std::int64_t, const double*, const double*,
+                             double*, double*);
+
+}  // namespace piae::diagnosis
