@@ -42,7 +42,7 @@ export BIN SUBMIT
 Q := $(if $(V),,@)
 
 .DEFAULT_GOAL := help
-.PHONY: help demo all cells tables holes sweep records status check reference data test bench deps build clean
+.PHONY: help demo all cells tables holes sweep contrast records status check reference data test bench deps build clean
 
 help:
 	@printf '  %-11s%s\n' \
@@ -50,6 +50,7 @@ help:
 	  all      'run the grid and make its tables in results/RUN/<dataset>/' \
 	  cells    'run the grid without the tables (on a cluster: see jobs/)' \
 	  sweep    'vary the settings of piae-dt one at a time (pipeline/sweep.mk): sweep.csv, sweep.md' \
+  contrast 'set both protocols, and cwru with its sample rates mixed, side by side: protocols.md, rates.md' \
   records  'only read or simulate the data sets' \
 	  status   'how far the grid is: cells done, running, failed, missing, and the time left' \
 	  check    'compare RUN with results/reference: all cells, or those of the variables given' \

@@ -1,18 +1,30 @@
-# What a condition is worth: two runs side by side that differ in it alone, paired by seed.
+# What a condition is worth in points of accuracy: two runs side by side that differ in it alone.
 #
-#   RUN and RUN-blocked      -> <dataset>/protocols.md     what the overlap of the split random is worth
-#   cwru-as-published, cwru  -> cwru-as-published/rates.md what the mixed sample rates are worth
+#   RUN and RUN-blocked      -> <dataset>/protocols.md      the overlap of windows in the split `random`
+#   cwru-as-published, cwru  -> cwru-as-published/rates.md  the mixed sample rates; where both are in
+#                                                           DATASETS
 #
-# The cells of both protocols are made by a make each. The tables cost nothing, and are made each time.
+# Each protocol has a make of its own for its cells. The tables cost nothing and are made each time.
 
-contrast_grid = --methods $(METHODS) --ratios $(RATIOS) --seeds $(SEEDS)
-contrast_run  = results/$(RUN)/$1
-other_choice  = $(filter-out 'PROTOCOL=%,$(choice))
+one_protocol = $(filter-out 'PROTOCOL=%,$(choice)) PROTOCOL=$1
+# Folder and name of the table, the two runs' folders.
+contrast     = $(Q)pipeline/step.sh $1 contrast --with $3 --without $4 \
+  --methods $(METHODS) --ratios $(RATIOS) --seeds $(SEEDS) --output $1/$2.md
+both_rates   = $(filter 2,$(words $(filter cwru cwru-as-published,$(DATASETS))))
+run_folder   = results/$(RUN)
+contrast_tables = $(DATASETS:%=$(run_folder)/%/protocols.md) \
+  $(if $(both_rates),$(run_folder)/cwru-as-published/rates.md)
 
-ifneq (,$(filter contrast %.protocols %.rates,$(MAKECMDGOALS)))
+define newline
 
-.PHONY: contrast both_protocols
-both_protocols: | $(programs)
-	$(Q)+$(MAKE) $(other_choice) PROTOCOL=random cells
-	$(Q)+$(MAKE) $(other_choice) PROTOCOL=blocked cells
 
+endef
+
+contrast: | $(programs)
+	$(Q)+$(MAKE) $(call one_protocol,random) cells
+	$(Q)+$(MAKE) $(call one_protocol,blocked) cells
+	$(foreach dataset,$(DATASETS),$(call \
+	  contrast,$(run_folder)/$(dataset),protocols,$(run_folder)/$(dataset),$(run_folder)-blocked/$(dataset))$(newline))
+	$(if $(both_rates),$(call \
+	  contrast,$(run_folder)/cwru-as-published,rates,$(run_folder)/cwru-as-published,$(run_folder)/cwru))
+	@cat $(contrast_tables)

@@ -110,7 +110,7 @@ diagnoses    = $(foreach folder,$(seed_folders),$(foreach method,$(methods),\
 cell_files   = $(call diagnoses,$1) $(call scores,$1)
 lost_files   = $(filter-out $(wildcard $(cell_files)),$(cell_files))
 old_files    = $(wildcard $(filter $(file <$(NOT_MADE)),$(cell_files)))
-table_names := accuracy.csv quality.csv tables.md
+table_names := accuracy.csv quality.csv comparisons.csv tables.md
 tabulate     = $(Q)pipeline/step.sh $(results)/$1 tabulate $(config) \
   --run $(results) --dataset $1 $(selection) --published results/published
 
@@ -149,5 +149,6 @@ all demo: | $(programs)
 	@printf 'tables and artefacts: %s\n' $(DATASETS:%=$(results)/%/)
 
 include pipeline/sweep.mk
+include pipeline/contrast.mk
 
 endif

@@ -30,11 +30,13 @@ void bind(CLI::App& app, FitOptions& options, const std::string& group);
 /// are profiled out. Searched on a grid first, then by Brent's method, one coordinate after the
 /// other.
 ///
-/// How well it finds known values, on simulated windows of 1024 (k 1e8 and 3e8 N/m, c 300 to 1500
-/// N s/m, random angles and slip, with noise 10 dB below or without): k within 1 to 3 % in the
-/// median and 6 % at worst. c within 9 to 16 % in the median, for a roller without noise 54 %; at
-/// worst by a factor of 2 (inner), 3 (outer), 9 (roller, whose defect may hardly strike in a
-/// window). Below 5e7 N/m the balls hold the ring alone, and k is found worse.
+/// How well it finds known values, on 576 simulated windows of 1024 (7 and 21 mil defects, k 5e7 to
+/// 3.5e8 N/m, c 250 to 1500 N s/m, random angles and slip, without noise and with noise 10 dB
+/// below): k to 1 % in the median and 9 in 10 within 7 % (at 5e7 N/m, where the balls hold the ring
+/// as much as k does, to 6 % and 9 %), at worst 34 %. c of race defects to 7 to 17 % in the median,
+/// 9 in 10 within a factor of 1.7, at worst 5. c of roller defects is poorly seen, since the defect
+/// may hardly strike in a window: to a factor of 1.2 to 1.5 in the median, 9 in 10 within 3, at
+/// worst 14.
 class SpectralFit {
  public:
   /// Solves eq. 13 over the grid for the defect of a class, OpenMP parallel. Throws Error(usage)

@@ -17,25 +17,30 @@ constexpr int tile_rows(int vectors) {
   return std::min(8, (vector_registers - vectors - 1) / vectors);
 }
 
-/// A tile of C whose sums stay in registers: `rows` by `vectors`, from where a, b and c point.
+/// A tile of C whose sums stay in registers, as they do where GCC unrolls the loops: `rows` by
+/// `vectors`, from where a, b and c point.
 template <class T, int rows, int vectors>
 void multiply_tile(const MatrixProduct<T>& p, const T* a, const T* b, T* c) {
-  Vector<T> sums[rows][vectors] = {};
+  Vector<T> sums[rows * vectors];
+#pragma GCC unroll 64
+  for (Vector<T>& sum : sums) sum = Vector<T>{};
   for (std::int64_t block = 0; block < p.blocks; ++block) {
     const T* a_at = a + block * p.a_block;
     const T* b_at = b + block * p.b_block;
     for (std::int64_t k = 0; k < p.depth; ++k) {
       Vector<T> b_row[vectors];
       for (int v = 0; v < vectors; ++v) b_row[v] = load(b_at + v * lanes<T>);
-      for (int r = 0; r < rows; ++r) {
-        for (int v = 0; v < vectors; ++v) sums[r][v] += b_row[v] * a_at[r * p.a_row];
+#pragma GCC unroll 64
+      for (int i = 0; i < rows * vectors; ++i) {
+        sums[i] += b_row[i % vectors] * a_at[i / vectors * p.a_row];
       }
       a_at += p.a_column;
       b_at += p.columns;
     }
   }
-  for (int r = 0; r < rows; ++r) {
-    for (int v = 0; v < vectors; ++v) store(c + r * p.columns + v * lanes<T>, sums[r][v]);
+#pragma GCC unroll 64
+  for (int i = 0; i < rows * vectors; ++i) {
+    store(c + i / vectors * p.columns + i % vectors * lanes<T>, sums[i]);
   }
 }
 

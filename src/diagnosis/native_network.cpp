@@ -127,15 +127,20 @@ Normalisation<T> NativeNetwork<T>::normalisation(NormalisedLayer& layer) const {
 template <class T>
 void NativeNetwork<T>::read(std::span<const float* const> windows) {
   windows_ = static_cast<std::int64_t>(windows.size());
-  T* to = layers_.front().input.data();
-  for (std::int64_t t = 0; t < layers_.front().convolution.input_length; ++t) {
-    const std::int64_t from = t * first_channels - first.padding;
-    const std::int64_t before = std::clamp<std::int64_t>(-from, 0, first_channels);
-    const std::int64_t within = std::clamp<std::int64_t>(length_ - from, before, first_channels);
-    for (const float* window : windows) {
-      T* const end =
-          std::copy(window + from + before, window + from + within, std::fill_n(to, before, T{0}));
-      to = std::fill_n(end, first_channels - within, T{0});
+  const std::int64_t times = layers_.front().convolution.input_length;
+  for (std::int64_t i = 0; i < windows_; ++i) {
+    const float* const window = windows[static_cast<std::size_t>(i)];
+    for (std::int64_t t = 0; t < times; ++t) {
+      T* const to = layers_.front().input.data() + (t * windows_ + i) * first_channels;
+      const std::int64_t begin = t * first_channels - first.padding;
+      if (begin >= 0 && begin + first_channels <= length_) {
+        std::copy_n(window + begin, first_channels, to);
+        continue;
+      }
+      for (std::int64_t c = 0; c < first_channels; ++c) {
+        const std::int64_t at = begin + c;
+        to[c] = at >= 0 && at < length_ ? static_cast<T>(window[at]) : T{0};
+      }
     }
   }
 }

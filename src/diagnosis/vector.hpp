@@ -39,7 +39,7 @@ Vector<T> load(const T* from) {
 }
 
 template <class T>
-void store(T* to, const Vector<T>& vector) {
+void store(T* to, Vector<T> vector) {
   std::memcpy(to, &vector, sizeof vector);
 }
 

@@ -76,7 +76,8 @@ TextTable table_of(const Contrast& contrast, const Names& names) {
 Side read_side(const std::filesystem::path& folder, GridOptions options) {
   const std::filesystem::path path = folder.has_filename() ? folder : folder.parent_path();
   options.dataset = path.filename();
-  const Grid grid = resolve(options);
+  Grid grid = resolve(options);
+  grid.scored.clear();  // accuracies alone are compared
   const Results results = collect(Layout(path.parent_path(), grid.dataset), grid);
   require_all(results);
   return {path.parent_path(), grid.dataset, results.diagnoses.front().protocol,

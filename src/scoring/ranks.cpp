@@ -39,7 +39,9 @@ double p_of_friedman(const std::vector<double>& average, double n) {
   for (const double rank : average) squares += rank * rank;
   const double chi_squared = 12 * n / (k * (k + 1)) * (squares - k * (k + 1) * (k + 1) / 4);
   const double rest = n * (k - 1) - chi_squared;
-  if (rest <= 1e-9 * chi_squared) return 0;  // all blocks agree on all methods
+  // Where all blocks agree on all methods F is infinite, and p what chance gives: that all blocks
+  // have the order of the first.
+  if (rest <= 1e-9 * chi_squared) return std::pow(std::tgamma(k + 1), 1 - n);
   const double f = std::max(0.0, (n - 1) * chi_squared / rest);
   const boost::math::fisher_f distribution(k - 1, (k - 1) * (n - 1));
   return boost::math::cdf(boost::math::complement(distribution, f));

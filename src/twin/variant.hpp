@@ -22,6 +22,6 @@ inline constexpr TwinVariant full_model{};                                      
 inline constexpr TwinVariant without_physics{.physics = false};                       // Model 2
 inline constexpr TwinVariant convolutional_model{.coder = CoderKind::convolutional};  // Model 4
 inline constexpr TwinVariant recurrent_model{.coder = CoderKind::recurrent};          // Model 5
-inline constexpr TwinVariant without_encoder{.encoder = false};                       // phase/
+inline constexpr TwinVariant without_encoder{.physics = false, .encoder = false};     // phase/
 
 }  // namespace piae::twin

@@ -42,7 +42,8 @@ signal::WindowSet windows_of(const Truth& truth, std::size_t count, double noise
 
 class Recovery : public testing::TestWithParam<Truth> {
  protected:
-  /// Stiffness is found within 5 %, damping within a factor of 1.5.
+  /// Stiffness is found within 5 %, damping within a factor of 1.5. Of race defects: what a window
+  /// says about the damping of a faulty roller is less (augment/spectral_fit.hpp).
   static void expect_found(double noise_rms) {
     const Truth truth = GetParam();
     const FitOptions coarse{.stiffness_from_n_per_m = 7e7,

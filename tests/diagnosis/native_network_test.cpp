@@ -282,7 +282,9 @@ TEST(NativeNetwork, WhatFillsVectorsStaysZero) {
   }
   EXPECT_EQ(std::ranges::count(used, true), 41370);  // WdcnnNetwork.NumberOfParameters
   for (std::size_t j = 0; j < used.size(); ++j) {
-    if (!used[j]) ASSERT_EQ(pair.native.values()[j], 0) << j;
+    if (!used[j]) {
+      ASSERT_EQ(pair.native.values()[j], 0) << j;
+    }
   }
 }
 

@@ -36,7 +36,7 @@ stand_ins() {
   cat >fake/stage <<'STAGE'
 #!/bin/bash
 stage=${0##*/} options="$*" outputs=()
-tables=(accuracy.csv gains.csv quality.csv tables.md tables.tex)
+tables=(accuracy.csv gains.csv quality.csv comparisons.csv ranks.csv tables.md tables.tex)
 [[ $stage != sweep ]] || tables=(sweep.csv sweep.md)
 while (($#)); do
   case $1 in
@@ -58,7 +58,7 @@ echo "$stage: 1 thing done"
 STAGE
   chmod +x fake/stage
   local stage
-  for stage in ingest simulate split train generate score diagnose tabulate sweep; do
+  for stage in ingest simulate split train generate score diagnose tabulate sweep contrast; do
     ln -s stage "fake/$stage"
   done
 }

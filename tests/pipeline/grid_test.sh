@@ -78,6 +78,17 @@ test_gives_each_stage_its_files() {
     "tabulate --config $s/tabulate.real.toml --run results/t --dataset real --methods none smote piae-dt --ratios 100to1 10to1 1to1 --seeds 0 1 --published results/published"
 }
 
+test_only_the_oracle_sees_real_windows_and_it_has_no_score() {
+  describe
+  printf '    {"%s", make<X>},\n' smote piae-dt oracle >src/augment/registry.cpp
+  grid DATASETS=real METHODS="smote oracle" SEEDS=0 >/dev/null
+  expect_equal "$(ran)" "4 diagnose, 2 generate, 1 ingest, 1 score, 1 split, 1 tabulate, 2 train"
+  local r=results/t/real s=results/t/.settings
+  expect_equal "$(<$r/seed0/oracle/model.h5)" \
+    "train --config $s/train.oracle.toml --method oracle --real $r/seed0/D.h5 --known $r/seed0/C.h5 --seed 0 --output $r/seed0/oracle/model.h5"
+  expect_no_line "$(<$r/seed0/smote/model.h5)" "D.h5"
+}
+
 test_none_only_without_generated_windows() {
   finished_grid
   expect_equal "$(cd results/t/real/seed0 && echo {none,smote}/*to1)" "none/100to1 smote/10to1 smote/1to1"

@@ -150,6 +150,29 @@ TEST_F(Tables, OfOneSideOfTheGridOnly) {
       AllOf(HasSubstr("Quality of the methods"), Not(HasSubstr("Accuracy of the methods"))));
 }
 
+TEST_F(Tables, MarkTheCeilingWhichHasNoQuality) {
+  add_all();
+  add(diagnosis("oracle", "2to1", 145, 0, 20));
+  add(diagnosis("oracle", "2to1", 145, 1, 20));
+  const Grid with_oracle = grid("none vae oracle", "100to1 2to1");
+  const std::string text = markdown(document(with_oracle));
+  EXPECT_THAT(text, AllOf(HasSubstr("| oracle (ceiling) | here  |    100.00 ± 0.00 |"),
+                          HasSubstr("The oracle is no method but a ceiling")));
+  EXPECT_THAT(accuracy_text(rows(with_oracle)), HasSubstr("\noracle (ceiling)  2:1"));
+  EXPECT_THAT(quality_csv(with_oracle, collect(layout_, with_oracle)), Not(HasSubstr("oracle")));
+  EXPECT_THAT(markdown(document(grid_)), Not(HasSubstr("oracle is")));
+}
+
+TEST_F(Tables, SayWhatIsMoreThanChance) {
+  add_baseline();
+  add_method("vae");
+  add_method("piae-dt");
+  const std::string text = markdown(document(grid("none vae piae-dt", "100to1 10to1 2to1")));
+  EXPECT_THAT(text, HasSubstr("\n## Accuracy minus that of piae-dt on cwru\n"));
+  EXPECT_THAT(text, HasSubstr("\n## Average ranks on cwru\n"));
+  EXPECT_THAT(text, HasSubstr("| vae    | difference |     +0.00 ± 0.00 |"));
+}
+
 TEST_F(Tables, OfTheAblationStandApart) {
   add_baseline();
   for (const char* method : {"vae", "piae-dt", "ae"}) add_method(method);

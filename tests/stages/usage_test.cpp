@@ -30,6 +30,9 @@ TEST_P(Usage, UnknownOptionIsNamed) {
   } else if (GetParam() == std::string("sweep")) {
     arguments = {"--run",   "run",      "--dataset", "tiny",    "--points",
                  "batch=1", "--ratios", "50to1",     "--seeds", "0"};
+  } else if (GetParam() == std::string("contrast")) {
+    arguments = {"--with",   "run/tiny", "--without", "other/tiny", "--methods", "none",
+                 "--ratios", "100to1",   "--seeds",   "0",          "--output",  "x.md"};
   } else if (GetParam() == std::string("compare")) {
     arguments = {"--run", "run", "--reference", "reference"};
   } else if (GetParam() != std::string("verify")) {
@@ -43,7 +46,7 @@ TEST_P(Usage, UnknownOptionIsNamed) {
 INSTANTIATE_TEST_SUITE_P(Stages, Usage,
                          testing::Values("ingest", "simulate", "split", "train", "generate",
                                          "score", "diagnose", "tabulate", "sweep", "compare",
-                                         "verify"),
+                                         "contrast", "verify"),
                          [](const auto& info) { return info.param; });
 
 TEST(Usage, TrainHelpShowsTheOptionsOfTheMethod) {

@@ -1,0 +1,76 @@
+#include "report/rank_table.hpp"
+
+#include <gmock/gmock.h>
+
+#include "report/accuracy_rows.hpp"
+
+namespace piae::report {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+
+const std::string header =
+    "dataset,ratio,method,seeds,average_rank,friedman_p,critical_difference\n";
+
+/// By hand. At 10to1 all five seeds have the same order: p is 1 / 6^4. At 2to1 shift is first in
+/// three: chi squared 7.6, F 12.667, and for (2, 8) degrees of freedom p is (1 + F / 4)^-4. The
+/// difference is 2.3437 sqrt(12 / 30).
+TEST(Ranks, AreThoseWorkedByHand) {
+  EXPECT_EQ(ranks_csv(rank_methods(five_seeds())),
+            header +
+                "cwru,10to1,none,5,3.0000,0.000771605,1.4823\n"
+                "cwru,10to1,shift,5,1.0000,0.000771605,1.4823\n"
+                "cwru,10to1,piae-dt,5,2.0000,0.000771605,1.4823\n"
+                "cwru,2to1,none,5,3.0000,0.00331776,1.4823\n"
+                "cwru,2to1,shift,5,1.4000,0.00331776,1.4823\n"
+                "cwru,2to1,piae-dt,5,1.6000,0.00331776,1.4823\n"
+                "cwru,all,none,5,3.0000,,\n"
+                "cwru,all,shift,5,1.2000,,\n"
+                "cwru,all,piae-dt,5,1.8000,,\n");
+}
+
+std::string text(const std::vector<AccuracyRow>& rows) {
+  return markdown({"cwru", "cwru", {}, rank_sections(rank_methods(rows))});
+}
+
+TEST(Ranks, HaveARatioAColumn) {
+  EXPECT_THAT(text(five_seeds()), HasSubstr("## Average ranks on cwru\n\n"));
+  EXPECT_THAT(text(five_seeds()), HasSubstr("| method  |     10:1 | 2:1 (3.33:1) | all cells |\n"
+                                            "|---------|---------:|-------------:|----------:|\n"
+                                            "| none    |     3.00 |         3.00 |      3.00 |\n"
+                                            "| shift   |     1.00 |         1.40 |      1.20 |\n"
+                                            "| piae-dt |     2.00 |         1.60 |      1.80 |\n"
+                                            "| p       | 0.000772 |      0.00332 |           |\n"));
+}
+
+TEST(Ranks, AreNotForTheCeiling) {
+  std::vector<AccuracyRow> rows = five_seeds();
+  rows.push_back(row_with("oracle", "10to1", {99, 99, 99, 99, 99}));
+  EXPECT_EQ(ranks_csv(rank_methods(rows)), ranks_csv(rank_methods(five_seeds())));
+}
+
+TEST(Ranks, OfOneSeedHaveNoTest) {
+  const std::vector<AccuracyRow> rows{row_with("shift", "10to1", {81}),
+                                      row_with("piae-dt", "10to1", {80})};
+  EXPECT_EQ(ranks_csv(rank_methods(rows)), header +
+                                               "cwru,10to1,shift,1,1.0000,,\n"
+                                               "cwru,10to1,piae-dt,1,2.0000,,\n"
+                                               "cwru,all,shift,1,1.0000,,\n"
+                                               "cwru,all,piae-dt,1,2.0000,,\n");
+  EXPECT_THAT(text(rows), Not(HasSubstr("Friedman")));
+}
+
+TEST(Ranks, OfNothingAreEmpty) {
+  const std::vector<AccuracyRow> alone{row_with("piae-dt", "10to1", {1, 2})};
+  EXPECT_EQ(ranks_csv(rank_methods(alone)), header);
+  EXPECT_THAT(rank_sections(rank_methods(alone)), IsEmpty());
+  const std::vector<AccuracyRow> apart{row_with("vae", "10to1", {1, 2}),
+                                       row_with("piae-dt", "2to1", {1, 2})};
+  EXPECT_EQ(ranks_csv(rank_methods(apart)), header);
+}
+
+}  // namespace
+}  // namespace piae::report
