@@ -9,7 +9,7 @@ MAKEFLAGS += --no-builtin-rules --no-print-directory
 # ---- what is run: each can be given on the command line -----------------------------------------
 RUN      := paper
 DATASETS := cwru
-METHODS  := none piae-dt
+METHODS  := none dynamics smote vae wgan-gp piae-dt ae physics piae-dt-cnn piae-dt-rnn
 RATIOS   := 100to1 50to1 25to1 10to1 5to1 2to1 1to1
 SEEDS    := 0 1 2 3 4 5 6 7 8 9
 PROTOCOL := random
@@ -50,7 +50,7 @@ help:
 	  all      'run the grid and make its tables in results/RUN/<dataset>/' \
 	  cells    'run the grid without the tables (on a cluster: see jobs/)' \
 	  sweep    'vary the settings of piae-dt one at a time (pipeline/sweep.mk): sweep.csv, sweep.md' \
-  contrast 'set both protocols, and cwru with its sample rates mixed, side by side: protocols.md, rates.md' \
+  contrast 'both protocols side by side, and both readings of cwru: protocols.md, rates.md' \
   records  'only read or simulate the data sets' \
 	  status   'how far the grid is: cells done, running, failed, missing, and the time left' \
 	  check    'compare RUN with results/reference: all cells, or those of the variables given' \

@@ -22,7 +22,7 @@ Range inside(std::int64_t first, std::int64_t n, std::int64_t length) {
   return {std::max(std::int64_t{0}, -first), std::min(n, length - first)};
 }
 
-/// [time, window, channel] of a stack of times to another, tap by tap.
+/// How times of one batch are summed, tap by tap, to those of another.
 struct Taps {
   std::int64_t width;
   std::int64_t padding;
