@@ -10,7 +10,7 @@ inline constexpr LatentOptions vae_defaults{
     .epochs = 200,          // the paper's own networks, Table 4
     .batch = 5,             // Table 4
     .learning_rate = 5e-4,  // Table 4
-    .latent = 20,           // one of Kingma and Welling 2014, Fig. 2
+    .latent = 10,           // calibrated
     .depth = 3,             // as PIAE-DT
     .width = 256,           // as PIAE-DT
 };

@@ -11,7 +11,7 @@ struct WganGpOptions {
       .epochs = 1000,         // calibrated
       .batch = 5,             // as PIAE-DT, the paper's Table 4
       .learning_rate = 1e-4,  // Gulrajani et al. 2017, Algorithm 1
-      .latent = 20,           // as the VAE
+      .latent = 20,           // our choice
       .depth = 3,             // as PIAE-DT
       .width = 256,           // as PIAE-DT
   };

@@ -4,6 +4,8 @@
 #include <complex>
 #include <unsupported/Eigen/FFT>
 
+#include "signal/amplitude.hpp"
+
 namespace piae::phase {
 
 std::vector<float> autocorrelation(std::span<const float> window) {
@@ -11,7 +13,8 @@ std::vector<float> autocorrelation(std::span<const float> window) {
   // Zeros after the window keep its end from meeting its beginning.
   Eigen::VectorXf padded = Eigen::VectorXf::Zero(samples + static_cast<Eigen::Index>(feature_lags));
   const Eigen::Map<const Eigen::VectorXf> values(window.data(), samples);
-  padded.head(samples) = values.array() - values.mean();
+  // Eigen's own mean adds in an order that depends on where the window lies in memory.
+  padded.head(samples) = values.array() - static_cast<float>(signal::mean_of(window));
   Eigen::FFT<float> fft;
   Eigen::VectorXcf spectrum;
   fft.fwd(spectrum, padded);
