@@ -1,10 +1,14 @@
 #include "signal/ingest.hpp"
 
+#include <spdlog/fmt/fmt.h>
+
 #include <iostream>
 
 #include "base/error.hpp"
 #include "cli/progress.hpp"
 #include "cli/stage.hpp"
+#include "report/text_table.hpp"
+#include "signal/check.hpp"
 
 namespace fs = std::filesystem;
 using namespace piae;
@@ -24,6 +28,51 @@ signal::Recordings read_raw_files(const signal::Description& description, const 
   return signal::ingest(description, folder, [&](std::size_t done) { progress.update(done); });
 }
 
+/// What was found, as tables; then each problem in a line of its own.
+void print_check(const signal::Description& description, const signal::DatasetCheck& check) {
+  const signal::DatasetInfo& info = description.info;
+  report::TextTable records({"record", "file", "Hz", "samples", "s", "rpm", "RMS"}, 2);
+  for (const signal::RecordCheck& record : check.records) {
+    const signal::RecordSource& source = *record.source;
+    const auto samples = static_cast<double>(record.samples);
+    if (!record.problem.empty()) {
+      records.row({source.name, source.file, "unreadable"});
+      continue;
+    }
+    records.row({source.name, source.file, fmt::format("{:g}", source.sample_rate_hz),
+                 std::to_string(record.samples),
+                 fmt::format("{:.2f}", samples / info.sample_rate_hz),
+                 fmt::format("{:g}", source.shaft_speed_rpm), fmt::format("{:.4g}", record.rms)});
+  }
+  report::TextTable classes({"class", "defect", "mm", "records", "stride"}, 2);
+  for (const signal::ClassCheck& c : check.classes) {
+    const signal::ClassInfo& known = info.classes[static_cast<std::size_t>(c.label)];
+    classes.row({known.name, signal::to_string(known.defect),
+                 fmt::format("{:g}", known.defect_size_mm), std::to_string(c.records),
+                 c.stride > 0 ? std::to_string(c.stride) : "-"});
+  }
+  std::cout << fmt::format("{}, samples at {:g} Hz\n\n{}\n{}", info.name, info.sample_rate_hz,
+                           records.plain(), classes.plain());
+  for (const auto& record : check.records) {
+    if (!record.problem.empty()) std::cout << record.problem << '\n';
+  }
+  for (const auto& c : check.classes) {
+    if (!c.problem.empty()) {
+      std::cout << info.classes[static_cast<std::size_t>(c.label)].name << ": " << c.problem
+                << '\n';
+    }
+  }
+}
+
+void check_files(const signal::Description& description, const fs::path& folder) {
+  cli::Progress progress("check", "records", description.records.size());
+  const signal::DatasetCheck check =
+      signal::check(description, folder, [&](std::size_t done) { progress.update(done); });
+  print_check(description, check);
+  if (check.exit == Exit::done) return;
+  throw Error(check.exit, description.info.name + ": cannot be used as it is, see above");
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -36,17 +85,24 @@ int main(int argc, char** argv) {
   fs::path data_dir = "data";
   fs::path output;
   bool sources = false;
+  bool check = false;
   stage.input_file("--description", file, "Dataset description (TOML)");
   stage.input_file("--data-dir", data_dir, "Folder that holds the files it names")->required(false);
-  stage.output_file("--output", output, "Artefact to write (needed unless --sources)")
+  stage.output_file("--output", output, "Artefact to write (needed unless --check or --sources)")
       ->required(false);
   stage.app()
       .add_flag("--sources", sources, "Print 'sha256  file  url' of each raw file and stop")
       ->group("Files");
 
+  stage.app()
+      .add_flag("--check", check,
+                "Read everything, say what was found and what is wrong, and write nothing")
+      ->group("Files");
+
   return stage.run(argc, argv, [&] {
     const signal::Description description = signal::read_description(file);
     if (sources) return print_sources(description);
+    if (check) return check_files(description, data_dir);
     if (output.empty()) throw Error(Exit::usage, "--output is required (see ingest --help)");
     stage.note_input("description", file);
     const signal::Recordings recordings = read_raw_files(description, data_dir);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <span>
 
 #include "base/error.hpp"
@@ -54,43 +53,41 @@ void require_usable(const fs::path& file, const RecordSource& source,
   if (low == high) refuse(file, source, source.variable + " never changes: a dead channel");
 }
 
-/// Finds signals that were seen before by the sha256 of their samples.
-class Duplicates {
- public:
-  void require_new(const fs::path& file, const RecordSource& source,
-                   std::span<const double> signal) {
-    const std::string digest = Sha256().update(std::as_bytes(signal)).finish();
-    const auto [seen, is_new] = seen_.emplace(digest, &source);
-    if (is_new) return;
-    refuse(file, source,
-           "holds the same samples as record " + seen->second->name + " (" + seen->second->file +
-               (seen->second->label == source.label ? "); name each recording once"
-                                                    : "), under another class"));
-  }
-
- private:
-  std::map<std::string, const RecordSource*> seen_;
-};
-
 }  // namespace
+
+RecordReader::RecordReader(const Description& description, fs::path data_dir)
+    : info_(description.info), data_dir_(std::move(data_dir)) {}
+
+void RecordReader::require_new(const fs::path& file, const RecordSource& source,
+                               std::span<const double> signal) {
+  const std::string digest = Sha256().update(std::as_bytes(signal)).finish();
+  const auto [seen, is_new] = seen_.emplace(digest, &source);
+  if (is_new) return;
+  refuse(file, source,
+         "holds the same samples as record " + seen->second->name + " (" + seen->second->file +
+             (seen->second->label == source.label ? "); name each recording once"
+                                                  : "), under another class"));
+}
+
+Record RecordReader::read(const RecordSource& source) {
+  const fs::path file = data_dir_ / source.file;
+  require_file(file, source, info_);
+  const std::string sha256 = checked_sha256(file, source);
+  const std::vector<double> raw = read_raw_file(file, source.variable);
+  require_usable(file, source, raw);
+  require_new(file, source, raw);
+  std::vector<double> signal = resample(raw, source.sample_rate_hz, info_.sample_rate_hz);
+  if (signal.empty()) refuse(file, source, "is shorter than one sample at the dataset's rate");
+  return {source.name, source.label, source.sample_rate_hz, source.shaft_speed_rpm,
+          source.file, sha256,       std::move(signal),     std::nullopt};
+}
 
 Recordings ingest(const Description& description, const fs::path& data_dir,
                   const RecordsDone& done) {
-  const DatasetInfo& info = description.info;
-  Recordings recordings{info, {}};
-  Duplicates duplicates;
+  Recordings recordings{description.info, {}};
+  RecordReader reader(description, data_dir);
   for (const RecordSource& source : description.records) {
-    const fs::path file = data_dir / source.file;
-    require_file(file, source, info);
-    const std::string sha256 = checked_sha256(file, source);
-    const std::vector<double> raw = read_raw_file(file, source.variable);
-    require_usable(file, source, raw);
-    duplicates.require_new(file, source, raw);
-    std::vector<double> signal = resample(raw, source.sample_rate_hz, info.sample_rate_hz);
-    if (signal.empty()) refuse(file, source, "is shorter than one sample at the dataset's rate");
-    recordings.records.push_back({source.name, source.label, source.sample_rate_hz,
-                                  source.shaft_speed_rpm, source.file, sha256, std::move(signal),
-                                  std::nullopt});
+    recordings.records.push_back(reader.read(source));
     if (done) done(recordings.records.size());
   }
   return recordings;

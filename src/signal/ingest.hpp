@@ -2,21 +2,41 @@
 
 #include <filesystem>
 #include <functional>
+#include <map>
+#include <span>
+#include <string>
 
 #include "signal/description.hpp"
 #include "signal/recordings.hpp"
 
 namespace piae::signal {
 
+/// Reads the raw files of a dataset below `data_dir` one by one, checks them, and brings each
+/// record to the dataset's sample rate. Samples keep the unit of their source.
+class RecordReader {
+ public:
+  RecordReader(const Description& description, std::filesystem::path data_dir);
+
+  /// Throws Error(input_missing) for a file that is not there, and Error(bad_input), with the file
+  /// and the record, for
+  ///   - a file whose sha256 is not the declared one, or that cannot be read (raw_file.hpp),
+  ///   - a signal that is empty, has a NaN or infinite sample (with its index), or never changes,
+  ///   - the same samples as a record that was read before, under one label or two.
+  Record read(const RecordSource& source);
+
+ private:
+  void require_new(const std::filesystem::path& file, const RecordSource& source,
+                   std::span<const double> signal);
+
+  const DatasetInfo& info_;
+  std::filesystem::path data_dir_;
+  std::map<std::string, const RecordSource*> seen_;  // by the sha256 of the samples
+};
+
 /// Called after each record that was read, with how many are done.
 using RecordsDone = std::function<void(std::size_t)>;
 
-/// Reads the raw files of a dataset below `data_dir`, checks them, and brings every record to the
-/// dataset's sample rate. Samples keep the unit of their source. Throws Error(input_missing) for a
-/// file that is not there, and Error(bad_input), with the file and the record, for
-///   - a file whose sha256 is not the declared one, or that cannot be read (raw_file.hpp),
-///   - a signal that is empty, has a NaN or infinite sample (with its index), or never changes,
-///   - two records with the same samples, under one label or two.
+/// All records of a dataset; the first that cannot be read ends it, with RecordReader's error.
 Recordings ingest(const Description& description, const std::filesystem::path& data_dir,
                   const RecordsDone& done = {});
 

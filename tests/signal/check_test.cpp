@@ -1,0 +1,81 @@
+#include "signal/check.hpp"
+
+#include <gtest/gtest.h>
+
+#include "signal/folder.hpp"
+
+namespace piae::signal {
+namespace {
+
+/// Two classes, one of two files, one of one.
+Description description() {
+  Description d;
+  d.info.name = "rig";
+  d.info.sample_rate_hz = 1000;
+  d.info.classes = {{"ok", Defect::none, 0}, {"bad", Defect::outer, 1}};
+  d.records = {{"bad", 1, "bad.csv", "1", 1000, 600, "", ""},
+               {"ok-01", 0, "ok1.csv", "1", 1000, 600, "", ""},
+               {"ok-02", 0, "ok2.csv", "1", 1000, 600, "", ""}};
+  return d;
+}
+
+/// `samples` numbers first, -first, first, ...: RMS first, and a file of its own by `first`.
+void write_signal(const Folder& folder, const std::string& file, std::size_t samples, int first) {
+  std::string text;
+  for (std::size_t i = 0; i < samples; ++i) {
+    text += std::to_string(i % 2 == 0 ? first : -first) + "\n";
+  }
+  folder.write(file, text);
+}
+
+// 600 windows of 1024 in 1024 + 599 * 3 = 2821 samples: stride 3. In two records of 1324 at stride
+// 1: 301 windows each, and 2 at most that way.
+TEST(Check, FindsSamplesLevelsAndStrides) {
+  const Folder folder;
+  write_signal(folder, "bad.csv", 2821, 3);
+  write_signal(folder, "ok1.csv", 1324, 1);
+  write_signal(folder, "ok2.csv", 1324, 2);
+  const Description d = description();
+  const DatasetCheck found = check(d, folder.path());
+  EXPECT_EQ(found.exit, Exit::done);
+  ASSERT_EQ(found.records.size(), 3U);
+  EXPECT_EQ(found.records[0].samples, 2821U);
+  EXPECT_NEAR(found.records[0].rms, 3, 1e-5);
+  EXPECT_NEAR(found.records[2].rms, 2, 1e-9);
+  ASSERT_EQ(found.classes.size(), 2U);
+  EXPECT_EQ(found.classes[0].records, 2U);
+  EXPECT_EQ(found.classes[0].stride, 1U);
+  EXPECT_EQ(found.classes[1].stride, 3U);
+}
+
+TEST(Check, GoesOnAfterWhatCannotBeRead) {
+  const Folder folder;
+  write_signal(folder, "ok1.csv", 1324, 1);
+  folder.write("ok2.csv", "1\nnan\n2\n");
+  const Description d = description();
+  const DatasetCheck found = check(d, folder.path());
+  EXPECT_EQ(found.exit, Exit::bad_input);  // though a file is missing, too
+  EXPECT_NE(found.records[0].problem.find("no such file"), std::string::npos);
+  EXPECT_EQ(found.records[1].problem, "");
+  EXPECT_NE(found.records[2].problem.find("NaN"), std::string::npos) << found.records[2].problem;
+  EXPECT_EQ(found.classes[0].stride, 0U);
+}
+
+TEST(Check, OnlyMissingFilesAreMissingInput) {
+  const Folder folder;
+  EXPECT_EQ(check(description(), folder.path()).exit, Exit::input_missing);
+}
+
+TEST(Check, RefusesRecordsThatAreTooShortForAllWindows) {
+  const Folder folder;
+  write_signal(folder, "bad.csv", 1100, 3);
+  write_signal(folder, "ok1.csv", 1324, 1);
+  write_signal(folder, "ok2.csv", 1324, 2);
+  const Description d = description();
+  const DatasetCheck found = check(d, folder.path());
+  EXPECT_EQ(found.exit, Exit::bad_input);
+  EXPECT_NE(found.classes[1].problem.find("bad"), std::string::npos) << found.classes[1].problem;
+}
+
+}  // namespace
+}  // namespace piae::signal
