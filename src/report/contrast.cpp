@@ -117,10 +117,14 @@ Document contrast_document(const Contrast& contrast) {
   const Names names = names_of(contrast.with, contrast.without);
   const std::string& dataset = contrast.with.dataset;
   const std::string what = names.with + " against " + names.without;
-  Document document{dataset, dataset + ": " + what, {}, {}};
+  const bool same_dataset = dataset == contrast.without.dataset;
+  Document document{dataset, (same_dataset ? dataset + ": " : "") + what, {}, {}};
   document.paragraphs.push_back(
       "What " + names.with + " is worth: accuracy in percent with it, and with " + names.without +
-      " in its place; the difference is the first minus the second. " + paired_note(contrast.rows));
+      " in its place; the difference is the first minus the second. Each "
+      "side has splits of its own: a pair has the seed in common, not "
+      "the windows. " +
+      paired_note(contrast.rows));
   document.sections.push_back({"contrast", "Accuracy, " + what, "", table_of(contrast, names)});
   return document;
 }

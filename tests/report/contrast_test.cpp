@@ -61,6 +61,8 @@ TEST(Contrast, NamesItsSidesByWhatDiffers) {
   other.dataset = "cwru-as-published";
   EXPECT_EQ(contrast_csv(contrast(other, side)),
             header + "cwru-as-published,cwru,none,100to1,70.0000,,70.0000,,1,0.0000,,,,,\n");
+  EXPECT_THAT(markdown(contrast_document(contrast(other, side))),
+              testing::StartsWith("# cwru-as-published against cwru\n"));
   other.protocol = "blocked";
   EXPECT_THAT(contrast_csv(contrast(other, side)),
               HasSubstr("\ncwru-as-published blocked,cwru random,none,"));
