@@ -2,6 +2,8 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include <CLI/CLI.hpp>
+
 #include "base/error.hpp"
 #include "cli/numbers.hpp"
 
@@ -9,7 +11,7 @@ namespace piae::augment {
 
 namespace {
 
-void require_contact(const SimulationOptions& options) {
+void require_contact(const signal::SimulationOptions& options) {
   const double lift = bearing::largest_lift_n(options.dynamics, options.variation);
   if (options.dynamics.load_n > lift) return;
   throw Error(
@@ -30,29 +32,30 @@ void Dynamics::bind(CLI::App& app) {
       ->check(cli::positive_number());
   add("--stiffness-spread", options_.variation.stiffness_spread,
       "of K from window to window: standard deviation / mean")
-      ->check(spread());
+      ->check(signal::spread());
   add("--damping-ns-per-m", options_.dynamics.damping_ns_per_m, "C of eq. 13: mean over windows")
       ->check(cli::positive_number());
   add("--damping-spread", options_.variation.damping_spread,
       "of C from window to window: standard deviation / mean")
-      ->check(spread());
-  augment::bind(app, options_, group);
+      ->check(signal::spread());
+  signal::bind(app, options_, group);
 }
 
 void Dynamics::train(const signal::WindowSet& known, const Stream& /*stream*/,
                      const std::string& /*device*/, const nets::Checkpoint& /*checkpoint*/,
                      artefact::Writer& model) {
   require_contact(options_);
-  write(model, simulation_like(known, options_));
+  signal::write(model, signal::simulation_like(known, options_));
 }
 
 signal::WindowSet Dynamics::generate(const artefact::Reader& model, std::size_t count,
                                      const Stream& stream, const std::string& /*device*/) {
-  const WindowSimulation simulation = read_window_simulation(model);
-  return simulate_windows(simulation, count, stream, [&](Stream& random) {
-    return bearing::draw_dynamics(random, simulation.options.dynamics,
-                                  simulation.options.variation);
-  });
+  const signal::WindowSimulation simulation = signal::read_window_simulation(model);
+  return signal::simulate_windows(
+      simulation, count, stream, [&](std::size_t /*label*/, Stream& random) {
+        return bearing::draw_dynamics(random, simulation.options.dynamics,
+                                      simulation.options.variation);
+      });
 }
 
 }  // namespace piae::augment

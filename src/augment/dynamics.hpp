@@ -1,7 +1,8 @@
 #pragma once
 
 #include "augment/method.hpp"
-#include "augment/window_simulation.hpp"
+#include "cli/app.hpp"
+#include "signal/window_simulation.hpp"
 
 namespace piae::augment {
 
@@ -17,7 +18,7 @@ class Dynamics final : public Method {
                              const std::string& device) override;
 
  private:
-  SimulationOptions options_;
+  signal::SimulationOptions options_;
 };
 
 }  // namespace piae::augment

@@ -1,9 +1,8 @@
 #include "augment/latent_generator.hpp"
 
-#include <torch/torch.h>
-
 #include "augment/windows.hpp"
 #include "nets/device.hpp"
+#include "nets/torch.hpp"
 
 namespace piae::augment {
 

@@ -1,5 +1,7 @@
 #include "augment/latent_options.hpp"
 
+#include <CLI/CLI.hpp>
+
 #include "cli/numbers.hpp"
 
 namespace piae::augment {

@@ -1,12 +1,12 @@
 #include "augment/latent_training.hpp"
 
 #include <spdlog/fmt/fmt.h>
-#include <torch/torch.h>
 
 #include <cmath>
 
 #include "base/error.hpp"
 #include "nets/device.hpp"
+#include "nets/torch.hpp"
 #include "signal/amplitude.hpp"
 #include "twin/scaling.hpp"
 

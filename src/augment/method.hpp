@@ -1,6 +1,5 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <cstddef>
 #include <filesystem>
 #include <functional>
@@ -11,6 +10,7 @@
 #include "artefact/reader.hpp"
 #include "artefact/writer.hpp"
 #include "base/random.hpp"
+#include "cli/app.hpp"
 #include "nets/trainee.hpp"
 #include "signal/window_set.hpp"
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "augment/method.hpp"
+#include "cli/app.hpp"
 
 namespace piae::augment {
 

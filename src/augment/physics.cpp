@@ -2,6 +2,7 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 
@@ -20,7 +21,7 @@ using twin::stiffness_scale_n_per_m;
 /// Fits all windows of one class with a defect in an epoch.
 class Fitting final : public nets::Trainee {
  public:
-  Fitting(const signal::WindowSet& known, const WindowSimulation& simulation,
+  Fitting(const signal::WindowSet& known, const signal::WindowSimulation& simulation,
           const FitOptions& options)
       : known_(known), simulation_(simulation), options_(options) {
     for (std::size_t label = 0; label < known.info.classes.size(); ++label) {
@@ -62,7 +63,7 @@ class Fitting final : public nets::Trainee {
 
  private:
   const signal::WindowSet& known_;
-  const WindowSimulation& simulation_;
+  const signal::WindowSimulation& simulation_;
   const FitOptions& options_;
   std::vector<int> labels_;
   std::vector<twin::TwinPoint> points_;
@@ -85,7 +86,7 @@ void Physics::bind(CLI::App& app) { augment::bind(app, options_); }
 void Physics::train(const signal::WindowSet& known, const Stream& /*stream*/,
                     const std::string& /*device*/, const nets::Checkpoint& checkpoint,
                     artefact::Writer& model) {
-  const WindowSimulation simulation = simulation_like(known, options_.simulation);
+  const signal::WindowSimulation simulation = signal::simulation_like(known, options_.simulation);
   Fitting fitting(known, simulation, options_.fit);
   nets::run_epochs(fitting, checkpoint);
   write(model, simulation);
@@ -94,15 +95,16 @@ void Physics::train(const signal::WindowSet& known, const Stream& /*stream*/,
 
 signal::WindowSet Physics::generate(const artefact::Reader& model, std::size_t count,
                                     const Stream& stream, const std::string& /*device*/) {
-  const WindowSimulation simulation = read_window_simulation(model);
+  const signal::WindowSimulation simulation = signal::read_window_simulation(model);
   const twin::TwinSpace space(model);
-  return simulate_windows(simulation, count, stream, [&](Stream& random) {
-    const twin::TwinPoint point = space.sample(random);
-    bearing::DynamicsOptions dynamics = simulation.options.dynamics;
-    dynamics.stiffness_n_per_m = point.k * stiffness_scale_n_per_m;
-    dynamics.damping_ns_per_m = point.c * damping_scale_ns_per_m;
-    return dynamics;
-  });
+  return signal::simulate_windows(simulation, count, stream,
+                                  [&](std::size_t /*label*/, Stream& random) {
+                                    const twin::TwinPoint point = space.sample(random);
+                                    bearing::DynamicsOptions dynamics = simulation.options.dynamics;
+                                    dynamics.stiffness_n_per_m = point.k * stiffness_scale_n_per_m;
+                                    dynamics.damping_ns_per_m = point.c * damping_scale_ns_per_m;
+                                    return dynamics;
+                                  });
 }
 
 }  // namespace piae::augment

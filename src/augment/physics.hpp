@@ -2,12 +2,13 @@
 
 #include "augment/method.hpp"
 #include "augment/spectral_fit.hpp"
-#include "augment/window_simulation.hpp"
+#include "cli/app.hpp"
+#include "signal/window_simulation.hpp"
 
 namespace piae::augment {
 
 struct PhysicsOptions {
-  SimulationOptions simulation;
+  signal::SimulationOptions simulation;
   FitOptions fit;
   int space_bins = 10;  ///< of the histogram, for k and for c, as for PIAE-DT; open in the paper
 };

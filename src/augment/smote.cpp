@@ -2,6 +2,8 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include <CLI/CLI.hpp>
+
 #include "augment/interpolation.hpp"
 #include "augment/windows.hpp"
 #include "base/error.hpp"

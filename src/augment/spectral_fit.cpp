@@ -2,6 +2,7 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <boost/math/tools/minima.hpp>
 #include <cmath>
@@ -28,8 +29,6 @@ constexpr Index segments = 7;
 /// Half width of the smoothing, which melts the lines of a fault into its resonance. With 60 Hz
 /// parameters of simulated windows were found less well.
 constexpr double smoothing_hz = 120;
-/// Near k = W / clearance the contact is lost, and all vibration with it.
-constexpr double share_of_largest_stiffness = 0.98;
 /// Noise to signal power, as natural logarithms: from none to nothing else.
 constexpr double lowest_log_noise = -16;
 constexpr double highest_log_noise = 5;
@@ -101,13 +100,13 @@ void bind(CLI::App& app, FitOptions& o, const std::string& group) {
       ->check(CLI::Range(2, 1000));
 }
 
-SpectralFit::SpectralFit(const WindowSimulation& simulation, int label, const FitOptions& options)
+SpectralFit::SpectralFit(const signal::WindowSimulation& simulation, int label,
+                         const FitOptions& options)
     : info_(simulation.info), length_(simulation.length), dynamics_(simulation.options.dynamics) {
   const signal::ClassInfo& c = info_.classes.at(static_cast<std::size_t>(label));
   defect_ = {c.defect, c.defect_size_mm};
   dynamics_.max_sub_step_s = sub_step_s;
-  const double largest_n_per_m =
-      share_of_largest_stiffness * dynamics_.load_n / (dynamics_.clearance_um * 1e-6);
+  const double largest_n_per_m = bearing::largest_stiffness_n_per_m(dynamics_);
   require_between("--stiffness-from-n-per-m", options.stiffness_from_n_per_m, largest_n_per_m,
                   "the load over the clearance: above, no ball is ever touched");
   require_between("--damping-from-ns-per-m", options.damping_from_ns_per_m,

@@ -1,12 +1,12 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <Eigen/Core>
 #include <span>
 #include <string>
 #include <vector>
 
-#include "augment/window_simulation.hpp"
+#include "cli/app.hpp"
+#include "signal/window_simulation.hpp"
 
 namespace piae::augment {
 
@@ -41,7 +41,7 @@ class SpectralFit {
  public:
   /// Solves eq. 13 over the grid for the defect of a class, OpenMP parallel. Throws Error(usage)
   /// when the bounds leave nothing between them.
-  SpectralFit(const WindowSimulation& simulation, int label, const FitOptions& options);
+  SpectralFit(const signal::WindowSimulation& simulation, int label, const FitOptions& options);
 
   /// `window` has the simulation's length.
   [[nodiscard]] signal::DynamicParameters fit(std::span<const float> window) const;

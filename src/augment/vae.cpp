@@ -1,9 +1,8 @@
 #include "augment/vae.hpp"
 
-#include <torch/torch.h>
-
 #include "augment/vae_losses.hpp"
 #include "nets/adam.hpp"
+#include "nets/torch.hpp"
 
 namespace piae::augment {
 

@@ -2,6 +2,7 @@
 
 #include "augment/latent_options.hpp"
 #include "augment/method.hpp"
+#include "cli/app.hpp"
 
 namespace piae::augment {
 

@@ -1,10 +1,11 @@
 #include "augment/wgan_gp.hpp"
 
-#include <torch/torch.h>
+#include <CLI/CLI.hpp>
 
 #include "augment/wgan_gp_losses.hpp"
 #include "cli/numbers.hpp"
 #include "nets/adam.hpp"
+#include "nets/torch.hpp"
 
 namespace piae::augment {
 

@@ -1,6 +1,6 @@
 #include "augment/wgan_gp_losses.hpp"
 
-#include <torch/torch.h>
+#include "nets/torch.hpp"
 
 namespace piae::augment {
 

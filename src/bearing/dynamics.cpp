@@ -102,6 +102,10 @@ double EquationOfMotion::acceleration(const State& state,
          mass_kg;
 }
 
+double largest_stiffness_n_per_m(const DynamicsOptions& options) {
+  return 0.98 * options.load_n / (options.clearance_um * 1e-6);
+}
+
 double static_equilibrium_m(const EquationOfMotion& e, std::span<const BallContact> balls) {
   // The force at rest is convex and growing in s: from above, Newton's method comes down to its
   // root. Without contact the first guess is the root.

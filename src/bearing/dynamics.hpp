@@ -27,6 +27,9 @@ struct DynamicsOptions {
   double max_sub_step_s = 2e-6;
 };
 
+/// Up to this stiffness, a little below W / clearance, there is contact, and so vibration.
+double largest_stiffness_n_per_m(const DynamicsOptions& options);
+
 /// Displacement s in m, positive in the direction of the load, and its velocity in m/s.
 using State = std::array<double, 2>;
 

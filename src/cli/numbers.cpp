@@ -1,5 +1,6 @@
 #include "cli/numbers.hpp"
 
+#include <CLI/CLI.hpp>
 #include <cmath>
 #include <cstdint>
 #include <string>

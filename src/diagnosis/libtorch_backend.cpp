@@ -1,10 +1,9 @@
 #include "diagnosis/libtorch_backend.hpp"
 
-#include <torch/torch.h>
-
 #include "diagnosis/wdcnn_network.hpp"
 #include "nets/adam.hpp"
 #include "nets/device.hpp"
+#include "nets/torch.hpp"
 
 namespace piae::diagnosis {
 
@@ -53,7 +52,7 @@ class LibtorchBackend final : public WdcnnBackend {
     network_.parameters().zero_gradients();
     const torch::Tensor logits =
         network_.forward(shuffled_windows_.slice(0, begin, end), Mode::training);
-    const torch::Tensor loss = torch::nn::functional::cross_entropy(logits, labels);
+    const torch::Tensor loss = torch::cross_entropy_loss(logits, labels);
     loss.backward();
     adam_.step(learning_rate_);
     // Summed where the network is, so that a GPU is not waited for at every step.

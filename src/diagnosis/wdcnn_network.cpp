@@ -1,11 +1,10 @@
 #include "diagnosis/wdcnn_network.hpp"
 
-#include <torch/torch.h>
-
 #include <string>
 #include <tuple>
 
 #include "diagnosis/wdcnn_parameters.hpp"
+#include "nets/torch.hpp"
 
 namespace piae::diagnosis {
 

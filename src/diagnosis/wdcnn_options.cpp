@@ -1,5 +1,6 @@
 #include "diagnosis/wdcnn_options.hpp"
 
+#include <CLI/CLI.hpp>
 #include <limits>
 
 #include "cli/numbers.hpp"

@@ -1,10 +1,9 @@
 #include "nets/adam.hpp"
 
-#include <torch/torch.h>
-
 #include <cmath>
 
 #include "nets/parameters.hpp"
+#include "nets/torch.hpp"
 
 namespace piae::nets {
 

@@ -1,6 +1,6 @@
 #include "nets/dense.hpp"
 
-#include <torch/torch.h>
+#include "nets/torch.hpp"
 
 namespace piae::nets {
 

@@ -1,8 +1,7 @@
 #include "nets/device.hpp"
 
-#include <torch/torch.h>
-
 #include "base/error.hpp"
+#include "nets/torch.hpp"
 
 namespace piae::nets {
 

@@ -1,8 +1,8 @@
 #include "nets/parameters.hpp"
 
-#include <torch/torch.h>
-
 #include <stdexcept>
+
+#include "nets/torch.hpp"
 
 namespace piae::nets {
 

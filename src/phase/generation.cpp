@@ -1,11 +1,11 @@
 #include "phase/generation.hpp"
 
-#include <torch/torch.h>
-
 #include <algorithm>
 
 #include "nets/device.hpp"
+#include "nets/torch.hpp"
 #include "phase/states.hpp"
+#include "twin/inputs.hpp"
 #include "twin/model.hpp"
 #include "twin/networks.hpp"
 #include "twin/physics.hpp"
@@ -55,17 +55,14 @@ std::vector<Draw> draw(const twin::TwinSpace& space, const Cycle& cycle, std::si
   return draws;
 }
 
-/// Decoder inputs of all first states, then all second ones, [2 count, 2].
-torch::Tensor decoder_inputs(const std::vector<Draw>& draws, const StateScale& scale,
-                             std::size_t label) {
-  std::vector<double> flat;
+/// Decoder inputs of all first states, then all second ones.
+std::vector<twin::TwinPoint> decoder_inputs(const std::vector<Draw>& draws, const StateScale& scale,
+                                            std::size_t label) {
+  std::vector<twin::TwinPoint> inputs;
   for (const auto state : {&Draw::first, &Draw::second}) {
-    for (const Draw& d : draws) {
-      const twin::TwinPoint input = scale.standardised(d.*state, label);
-      flat.insert(flat.end(), {input.k, input.c});
-    }
+    for (const Draw& d : draws) inputs.push_back(scale.standardised(d.*state, label));
   }
-  return torch::tensor(flat, torch::kFloat64).view({-1, 2}).to(torch::kFloat32);
+  return inputs;
 }
 
 }  // namespace
@@ -103,13 +100,10 @@ signal::WindowSet generate(const artefact::Reader& model, std::size_t count, con
     const Cycle cycle = cycle_of(info, label, generated.length);
     const std::vector<Draw> draws = draw(known.space_of(label), cycle, generated.length, count,
                                          stream.child(info.classes[label].name));
-    const torch::Tensor inputs = decoder_inputs(draws, scale, label).to(device);
-    const torch::Tensor one_hot =
-        torch::one_hot(torch::tensor({static_cast<std::int64_t>(label)}), description.shape.classes)
-            .to(inputs.options())
-            .expand({inputs.size(0), -1});
     const std::vector<float> waveforms = nets::to_vector(
-        networks.decode(parameters, inputs, one_hot) * description.acceleration[label]);
+        networks.decode(parameters, twin::as_tensor(decoder_inputs(draws, scale, label), device),
+                        twin::one_hot_of(label, description.shape.classes, 2 * count, device)) *
+        description.acceleration[label]);
     const auto waveform = [&](std::size_t row) {
       return std::span(waveforms).subspan(row * generated.length, cycle.samples);
     };

@@ -1,14 +1,13 @@
 #include "phase/inference.hpp"
 
 #include <spdlog/fmt/fmt.h>
-#include <torch/torch.h>
 
-#include <array>
 #include <cmath>
 #include <numbers>
 
 #include "base/error.hpp"
 #include "nets/dense.hpp"
+#include "nets/torch.hpp"
 #include "phase/features.hpp"
 
 namespace piae::phase {
@@ -29,8 +28,17 @@ struct LogScale {
   double spread;
 };
 
-LogScale scale_of_k(const Bounds& bounds) { return {bounds.low.k, bounds.high.k}; }
-LogScale scale_of_c(const Bounds& bounds) { return {bounds.low.c, bounds.high.c}; }
+/// Of both, for a class.
+struct PointScale {
+  explicit PointScale(const Bounds& bounds)
+      : k(bounds.low.k, bounds.high.k), c(bounds.low.c, bounds.high.c) {}
+  LogScale k;
+  LogScale c;
+};
+
+std::vector<PointScale> scales_of(const std::vector<Bounds>& bounds) {
+  return {bounds.begin(), bounds.end()};
+}
 
 }  // namespace
 
@@ -73,13 +81,14 @@ torch::Tensor Inference::forward(const torch::Tensor& features, const torch::Ten
   return nets::run_dense_chain(parameters_, network, torch::cat({standardised, labels}, 1));
 }
 
-torch::Tensor Inference::targets_of(const std::vector<twin::TwinPoint>& points) const {
-  const LogScale k = scale_of_k(bounds_);
-  const LogScale c = scale_of_c(bounds_);
+torch::Tensor Inference::targets_of(const std::vector<twin::TwinPoint>& points,
+                                    const std::vector<std::int32_t>& labels) const {
+  const std::vector<PointScale> scales = scales_of(bounds_);
   std::vector<double> flat;
-  for (const twin::TwinPoint& point : points) {
-    flat.push_back((std::log(point.k) - k.centre) / k.spread);
-    flat.push_back((std::log(point.c) - c.centre) / c.spread);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const auto& [k, c] = scales[static_cast<std::size_t>(labels[i])];
+    flat.push_back((std::log(points[i].k) - k.centre) / k.spread);
+    flat.push_back((std::log(points[i].c) - c.centre) / c.spread);
   }
   return torch::tensor(flat, torch::kFloat64).view({-1, 2}).to(device_, torch::kFloat32);
 }
@@ -88,17 +97,17 @@ std::vector<twin::TwinPoint> Inference::infer(const signal::WindowSet& windows) 
   const torch::NoGradGuard no_grad;
   const std::vector<float> flat =
       nets::to_vector(forward(features_of(windows), labels_of(windows)));
-  const LogScale k = scale_of_k(bounds_);
-  const LogScale c = scale_of_c(bounds_);
+  const std::vector<PointScale> scales = scales_of(bounds_);
   std::vector<twin::TwinPoint> points;
-  for (std::size_t i = 0; i < flat.size(); i += 2) {
-    points.push_back(
-        {std::exp(k.centre + k.spread * flat[i]), std::exp(c.centre + c.spread * flat[i + 1])});
+  for (std::size_t i = 0; i < windows.size(); ++i) {
+    const auto& [k, c] = scales[static_cast<std::size_t>(windows.labels[i])];
+    points.push_back({std::exp(k.centre + k.spread * flat[2 * i]),
+                      std::exp(c.centre + c.spread * flat[2 * i + 1])});
   }
   return points;
 }
 
-void Inference::set_scale(const Bounds& bounds, const torch::Tensor& features) {
+void Inference::set_scale(const std::vector<Bounds>& bounds, const torch::Tensor& features) {
   bounds_ = bounds;
   feature_mean_ = features.mean(0);
   feature_spread_ = features.std(0).clamp_min(1e-6);
@@ -108,8 +117,11 @@ void Inference::write(artefact::Writer& writer) const {
   parameters_.write(writer, group, parameters_.values());
   writer.numbers(group + "/feature_mean", nets::to_vector(feature_mean_));
   writer.numbers(group + "/feature_spread", nets::to_vector(feature_spread_));
-  const std::array bounds{bounds_.low.k, bounds_.high.k, bounds_.low.c, bounds_.high.c};
-  writer.numbers(group + "/bounds", std::vector<double>(bounds.begin(), bounds.end()), {2, 2});
+  std::vector<double> flat;
+  for (const auto& [low, high] : bounds_) {
+    flat.insert(flat.end(), {low.k, high.k, low.c, high.c});
+  }
+  writer.numbers(group + "/bounds", flat, {bounds_.size(), 2, 2});
 }
 
 void Inference::read(const artefact::Reader& reader) {
@@ -118,8 +130,12 @@ void Inference::read(const artefact::Reader& reader) {
                   reader.numbers<float>(group + "/feature_mean", {feature_lags}).values);
   nets::copy_into(feature_spread_,
                   reader.numbers<float>(group + "/feature_spread", {feature_lags}).values);
-  const auto bounds = reader.numbers<double>(group + "/bounds", {2, 2}).values;
-  bounds_ = {{bounds[0], bounds[2]}, {bounds[1], bounds[3]}};
+  const auto classes = static_cast<std::size_t>(classes_);
+  const auto flat = reader.numbers<double>(group + "/bounds", {classes, 2, 2}).values;
+  bounds_.clear();
+  for (std::size_t i = 0; i < flat.size(); i += 4) {
+    bounds_.push_back({{flat[i], flat[i + 2]}, {flat[i + 1], flat[i + 3]}});
+  }
 }
 
 }  // namespace piae::phase

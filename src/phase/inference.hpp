@@ -36,16 +36,18 @@ class Inference {
   [[nodiscard]] torch::Tensor features_of(const signal::WindowSet& windows) const;
   [[nodiscard]] torch::Tensor labels_of(const signal::WindowSet& windows) const;
 
-  /// The network: log k~ and log c~ standardised over the bounds, [n, 2].
+  /// The network: log k~ and log c~ standardised over the bounds of the window's class, [n, 2].
   [[nodiscard]] torch::Tensor forward(const torch::Tensor& features,
                                       const torch::Tensor& labels) const;
   /// What forward() should give for these points.
-  [[nodiscard]] torch::Tensor targets_of(const std::vector<twin::TwinPoint>& points) const;
+  [[nodiscard]] torch::Tensor targets_of(const std::vector<twin::TwinPoint>& points,
+                                         const std::vector<std::int32_t>& labels) const;
 
-  /// From here on, points lie within these bounds and features have these means and spreads.
-  void set_scale(const Bounds& bounds, const torch::Tensor& features);
+  /// From here on, points of a class lie within its bounds, and features have the mean and the
+  /// spread of these.
+  void set_scale(const std::vector<Bounds>& bounds, const torch::Tensor& features);
 
-  [[nodiscard]] const Bounds& bounds() const { return bounds_; }
+  [[nodiscard]] const std::vector<Bounds>& bounds() const { return bounds_; }
   nets::ParameterSet& parameters() { return parameters_; }
 
   /// Weights and scale, below /inference.
@@ -56,7 +58,7 @@ class Inference {
   std::int64_t classes_;
   torch::Device device_;
   nets::ParameterSet parameters_;
-  Bounds bounds_;
+  std::vector<Bounds> bounds_;    ///< of each class
   torch::Tensor feature_mean_;    ///< [feature_lags]
   torch::Tensor feature_spread_;  ///< [feature_lags]
 };

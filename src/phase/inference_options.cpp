@@ -1,5 +1,7 @@
 #include "phase/inference_options.hpp"
 
+#include <CLI/CLI.hpp>
+
 #include "cli/numbers.hpp"
 
 namespace piae::phase {

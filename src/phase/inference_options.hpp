@@ -1,7 +1,8 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <string>
+
+#include "cli/app.hpp"
 
 namespace piae::phase {
 
@@ -11,7 +12,7 @@ struct InferenceOptions {
   double stiffness_from_n_per_m = 1e7;  ///< of the first round; the largest is load / clearance
   double damping_from_ns_per_m = 100;   ///< of the first round
   double damping_to_ns_per_m = 5000;    ///< of the first round
-  int simulations = 800;                ///< windows of each class in the last round
+  int simulations = 3000;               ///< windows of each class in the last round
   int epochs = 40;                      ///< of each round
   int batch = 64;
   int width = 256;              ///< units of a hidden layer

@@ -1,13 +1,13 @@
 #include "phase/inference_training.hpp"
 
 #include <spdlog/fmt/fmt.h>
-#include <torch/torch.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "base/error.hpp"
+#include "nets/torch.hpp"
 #include "twin/physics.hpp"
 
 namespace piae::phase {
@@ -22,11 +22,9 @@ constexpr std::size_t rounds = 2;
 constexpr int windows_of_first_round = 3;  // a third of the last round's
 /// Realisations of the noise; more teach no better.
 constexpr std::size_t noise_realisations = 4;
-/// The prior of the second round goes this far beyond what the first inferred, as factors.
-constexpr double margin_k = 1.25;
-constexpr double margin_c = 1.6;
-/// Near k = W / clearance the contact is lost, and all vibration with it.
-constexpr double share_of_largest_stiffness = 0.98;
+/// The prior of the second round goes from the class's median over this to it times this.
+constexpr double prior_factor_k = 1.5;
+constexpr double prior_factor_c = 2;
 /// Eq. 13 is solved this coarsely: 1 % of the waveform, which is below the noise that is added.
 constexpr double sub_step_s = 6e-6;
 
@@ -41,6 +39,20 @@ std::vector<twin::TwinPoint> points_of(const signal::WindowSet& windows) {
 
 double draw_log(Stream& stream, double low, double high) {
   return std::exp(stream.uniform(std::log(low), std::log(high)));
+}
+
+double median_of(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::ranges::nth_element(values, middle);
+  return *middle;
+}
+
+/// To centre / factor ... centre * factor, as far as that lies between the bounds, with a centre
+/// that does.
+void narrow(double& low, double& high, double centre, double factor) {
+  centre = std::clamp(centre, low, high);
+  low = std::max(low, centre / factor);
+  high = std::min(high, centre * factor);
 }
 
 signal::WindowSet with_noise(signal::WindowSet windows, const Stream& stream, double snr_to_db) {
@@ -61,11 +73,11 @@ signal::WindowSet with_noise(signal::WindowSet windows, const Stream& stream, do
 }  // namespace
 
 InferenceTraining::InferenceTraining(const signal::WindowSet& known,
-                                     const augment::SimulationOptions& simulation,
+                                     const signal::SimulationOptions& simulation,
                                      const InferenceOptions& options, const Stream& stream,
                                      torch::Device device)
     : known_(known),
-      simulation_(augment::simulation_like(known, simulation)),
+      simulation_(signal::simulation_like(known, simulation)),
       options_(options),
       stream_(stream),
       inference_(static_cast<std::int64_t>(known.info.classes.size()), options.width,
@@ -86,44 +98,45 @@ std::size_t InferenceTraining::epochs() const {
 }
 
 Bounds InferenceTraining::first_bounds() const {
-  const bearing::DynamicsOptions& dynamics = simulation_.options.dynamics;
-  const double largest_n_per_m =
-      share_of_largest_stiffness * dynamics.load_n / (dynamics.clearance_um * 1e-6);
+  const double largest_n_per_m = bearing::largest_stiffness_n_per_m(simulation_.options.dynamics);
   return {{options_.stiffness_from_n_per_m / stiffness_scale_n_per_m,
            options_.damping_from_ns_per_m / damping_scale_ns_per_m},
           {largest_n_per_m / stiffness_scale_n_per_m,
            options_.damping_to_ns_per_m / damping_scale_ns_per_m}};
 }
 
-Bounds InferenceTraining::bounds_around_known() const {
+std::vector<Bounds> InferenceTraining::bounds_around_known() const {
   const std::vector<twin::TwinPoint> points = inference_.infer(known_);
-  const auto [low_k, high_k] = std::ranges::minmax(points, {}, &twin::TwinPoint::k);
-  const auto [low_c, high_c] = std::ranges::minmax(points, {}, &twin::TwinPoint::c);
-  const Bounds all = first_bounds();
-  const auto within = [](double value, double low, double high) {
-    return std::clamp(value, low, high);
-  };
-  return {{within(low_k.k / margin_k, all.low.k, all.high.k / margin_k),
-           within(low_c.c / margin_c, all.low.c, all.high.c / margin_c)},
-          {within(high_k.k * margin_k, all.low.k * margin_k, all.high.k),
-           within(high_c.c * margin_c, all.low.c * margin_c, all.high.c)}};
+  std::vector<Bounds> bounds(known_.info.classes.size(), first_bounds());
+  for (std::size_t label = 0; label < bounds.size(); ++label) {
+    std::vector<double> k;
+    std::vector<double> c;
+    for (const std::size_t i : known_.indices_of(static_cast<int>(label))) {
+      k.push_back(points[i].k);
+      c.push_back(points[i].c);
+    }
+    if (k.empty()) continue;
+    Bounds& own = bounds[label];
+    narrow(own.low.k, own.high.k, median_of(k), prior_factor_k);
+    narrow(own.low.c, own.high.c, median_of(c), prior_factor_c);
+  }
+  return bounds;
 }
 
-void InferenceTraining::prepare_lessons(std::size_t round, const Bounds& bounds) {
+void InferenceTraining::prepare_lessons(std::size_t round, const std::vector<Bounds>& bounds) {
   const bool last = round + 1 == rounds;
   const int count =
       last ? options_.simulations : std::max(1, options_.simulations / windows_of_first_round);
   const Stream stream = stream_.child("round" + std::to_string(round));
-  const signal::WindowSet windows = augment::simulate_windows(
-      simulation_, static_cast<std::size_t>(count), stream, [&](Stream& own) {
+  const signal::WindowSet windows = signal::simulate_windows(
+      simulation_, static_cast<std::size_t>(count), stream, [&](std::size_t label, Stream& own) {
+        const auto& [low, high] = bounds[label];
         bearing::DynamicsOptions dynamics = simulation_.options.dynamics;
-        dynamics.stiffness_n_per_m =
-            draw_log(own, bounds.low.k, bounds.high.k) * stiffness_scale_n_per_m;
-        dynamics.damping_ns_per_m =
-            draw_log(own, bounds.low.c, bounds.high.c) * damping_scale_ns_per_m;
+        dynamics.stiffness_n_per_m = draw_log(own, low.k, high.k) * stiffness_scale_n_per_m;
+        dynamics.damping_ns_per_m = draw_log(own, low.c, high.c) * damping_scale_ns_per_m;
         return dynamics;
       });
-  lessons_ = {{}, inference_.labels_of(windows), points_of(windows)};
+  lessons_ = {{}, inference_.labels_of(windows), windows.labels, points_of(windows)};
   for (std::size_t i = 0; i < noise_realisations; ++i) {
     const Stream noise = stream.child("noise" + std::to_string(i));
     lessons_.features.push_back(
@@ -136,7 +149,9 @@ std::string InferenceTraining::run_epoch(std::size_t epoch) {
   const std::size_t round = epoch / epochs_of_round;
   const std::size_t of_round = epoch % epochs_of_round;
   if (of_round == 0) {
-    const Bounds bounds = round == 0 ? first_bounds() : bounds_around_known();
+    const std::vector<Bounds> bounds = round == 0
+                                           ? std::vector(known_.info.classes.size(), first_bounds())
+                                           : bounds_around_known();
     prepare_lessons(round, bounds);
     inference_.set_scale(bounds, lessons_.features.front());
   } else if (lessons_.features.empty()) {  // continued from a checkpoint within the round
@@ -157,15 +172,15 @@ std::string InferenceTraining::run_epoch(std::size_t epoch) {
 
 double InferenceTraining::learn(const torch::Tensor& features, Stream& shuffle,
                                 double learning_rate) {
-  const torch::Tensor targets = inference_.targets_of(lessons_.points);
+  const torch::Tensor targets = inference_.targets_of(lessons_.points, lessons_.labels);
   const std::vector<std::size_t> order = shuffle.permutation(lessons_.points.size());
   const torch::Tensor rows =
       torch::tensor(std::vector<std::int64_t>(order.begin(), order.end())).to(features.device());
   double sum = 0;
   for (const torch::Tensor& batch : rows.split(options_.batch)) {
     inference_.parameters().zero_gradients();
-    const torch::Tensor estimates =
-        inference_.forward(features.index_select(0, batch), lessons_.labels.index_select(0, batch));
+    const torch::Tensor estimates = inference_.forward(features.index_select(0, batch),
+                                                       lessons_.one_hot.index_select(0, batch));
     const torch::Tensor loss = (estimates - targets.index_select(0, batch)).square().mean();
     loss.backward();
     adam_.step(learning_rate);

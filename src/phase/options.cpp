@@ -1,5 +1,7 @@
 #include "phase/options.hpp"
 
+#include <CLI/CLI.hpp>
+
 namespace piae::phase {
 
 void bind(CLI::App& app, PhaseOptions& options) {

@@ -1,7 +1,6 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
-
+#include "cli/app.hpp"
 #include "phase/inference_options.hpp"
 #include "twin/options.hpp"
 

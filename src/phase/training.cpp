@@ -1,11 +1,10 @@
 #include "phase/training.hpp"
 
-#include <torch/torch.h>
-
 #include <algorithm>
 #include <optional>
 
 #include "nets/device.hpp"
+#include "nets/torch.hpp"
 #include "phase/alignment.hpp"
 #include "phase/cycle.hpp"
 #include "phase/inference_training.hpp"
@@ -98,8 +97,8 @@ class Training final : public PhaseTraining {
   }
 
  private:
-  static augment::SimulationOptions simulation_of(const PhaseOptions& options) {
-    augment::SimulationOptions simulation;
+  static signal::SimulationOptions simulation_of(const PhaseOptions& options) {
+    signal::SimulationOptions simulation;
     simulation.dynamics.mass_kg = options.twin.mass_kg;
     simulation.dynamics.load_n = options.twin.load_n;
     simulation.dynamics.clearance_um = options.twin.clearance_um;

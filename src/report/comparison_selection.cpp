@@ -1,5 +1,6 @@
 #include "report/comparison_selection.hpp"
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 
 #include "scoring/ratios.hpp"

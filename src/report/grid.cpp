@@ -1,5 +1,6 @@
 #include "report/grid.hpp"
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <charconv>
 #include <string_view>

@@ -1,9 +1,9 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <string>
 #include <vector>
 
+#include "cli/app.hpp"
 #include "report/collect.hpp"
 #include "report/document.hpp"
 #include "report/grid.hpp"

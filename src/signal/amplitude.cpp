@@ -1,6 +1,7 @@
 #include "signal/amplitude.hpp"
 
 #include <cmath>
+#include <numeric>
 
 #include "base/error.hpp"
 
@@ -10,6 +11,14 @@ double mean_of(std::span<const float> window) {
   double sum = 0;
   for (const float x : window) sum += x;
   return sum / static_cast<double>(window.size());
+}
+
+double rms_of(std::span<const double> signal) {
+  const auto n = static_cast<double>(signal.size());
+  const double mean = std::accumulate(signal.begin(), signal.end(), 0.0) / n;
+  double squares = 0;
+  for (const double x : signal) squares += (x - mean) * (x - mean);
+  return std::sqrt(squares / n);
 }
 
 std::vector<double> rms_by_class(const WindowSet& windows) {

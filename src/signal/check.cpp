@@ -1,22 +1,12 @@
 #include "signal/check.hpp"
 
-#include <cmath>
-
+#include "signal/amplitude.hpp"
 #include "signal/split.hpp"
 #include "signal/stride.hpp"
 
 namespace piae::signal {
 
 namespace {
-
-double rms_of(const std::vector<double>& signal) {
-  const auto n = static_cast<double>(signal.size());
-  double mean = 0;
-  for (const double x : signal) mean += x / n;
-  double square = 0;
-  for (const double x : signal) square += (x - mean) * (x - mean) / n;
-  return std::sqrt(square);
-}
 
 void note(DatasetCheck& check, Exit exit) {
   if (check.exit != Exit::bad_input) check.exit = exit;

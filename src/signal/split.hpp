@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "artefact/writer.hpp"
+#include "cli/app.hpp"
 #include "signal/recordings.hpp"
 #include "signal/window_set.hpp"
 

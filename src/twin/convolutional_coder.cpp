@@ -1,11 +1,11 @@
 #include "twin/convolutional_coder.hpp"
 
 #include <spdlog/fmt/fmt.h>
-#include <torch/torch.h>
 
 #include <cmath>
 
 #include "base/error.hpp"
+#include "nets/torch.hpp"
 
 namespace piae::twin {
 

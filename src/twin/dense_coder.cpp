@@ -1,8 +1,7 @@
 #include "twin/dense_coder.hpp"
 
-#include <torch/torch.h>
-
 #include "nets/dense.hpp"
+#include "nets/torch.hpp"
 
 namespace piae::twin {
 

@@ -1,8 +1,8 @@
 #include "twin/generation.hpp"
 
-#include <torch/torch.h>
-
 #include "nets/device.hpp"
+#include "nets/torch.hpp"
+#include "twin/inputs.hpp"
 #include "twin/model.hpp"
 #include "twin/physics.hpp"
 #include "twin/space.hpp"
@@ -10,13 +10,6 @@
 namespace piae::twin {
 
 namespace {
-
-/// k~ and c~ of the points as [n, 2].
-torch::Tensor as_tensor(const std::vector<TwinPoint>& points) {
-  std::vector<double> flat;
-  for (const TwinPoint& point : points) flat.insert(flat.end(), {point.k, point.c});
-  return torch::tensor(flat, torch::kFloat64).view({-1, 2}).to(torch::kFloat32);
-}
 
 std::vector<TwinPoint> draw(const TwinSpace& space, std::size_t count, const Stream& stream) {
   std::vector<TwinPoint> points;
@@ -47,13 +40,10 @@ signal::WindowSet generate(const artefact::Reader& model, const TwinVariant& var
     const signal::ClassInfo& c = description.info.classes[label];
     if (c.defect == signal::Defect::none) continue;
     const std::vector<TwinPoint> points = draw(space, count, stream.child(c.name));
-    const torch::Tensor k_and_c = as_tensor(points).to(device);
-    const torch::Tensor one_hot =
-        torch::one_hot(torch::tensor({static_cast<std::int64_t>(label)}), description.shape.classes)
-            .to(k_and_c.options())
-            .expand({k_and_c.size(0), -1});
     const torch::Tensor a =
-        networks.decode(parameters, k_and_c, one_hot) * description.acceleration[label];
+        networks.decode(parameters, as_tensor(points, device),
+                        one_hot_of(label, description.shape.classes, count, device)) *
+        description.acceleration[label];
     const std::vector<float> samples = nets::to_vector(a);
     generated.samples.insert(generated.samples.end(), samples.begin(), samples.end());
     generated.labels.insert(generated.labels.end(), count, static_cast<std::int32_t>(label));

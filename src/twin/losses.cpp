@@ -1,8 +1,8 @@
 #include "twin/losses.hpp"
 
-#include <torch/torch.h>
-
 #include <vector>
+
+#include "nets/torch.hpp"
 
 namespace piae::twin {
 

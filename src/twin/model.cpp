@@ -1,6 +1,6 @@
 #include "twin/model.hpp"
 
-#include <torch/torch.h>
+#include "nets/torch.hpp"
 
 namespace piae::twin {
 

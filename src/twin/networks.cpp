@@ -1,9 +1,8 @@
 #include "twin/networks.hpp"
 
-#include <torch/torch.h>
-
 #include <stdexcept>
 
+#include "nets/torch.hpp"
 #include "twin/convolutional_coder.hpp"
 #include "twin/dense_coder.hpp"
 #include "twin/recurrent_coder.hpp"

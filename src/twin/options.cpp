@@ -1,5 +1,7 @@
 #include "twin/options.hpp"
 
+#include <CLI/CLI.hpp>
+
 #include "cli/numbers.hpp"
 
 namespace piae::twin {

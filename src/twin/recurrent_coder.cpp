@@ -1,12 +1,12 @@
 #include "twin/recurrent_coder.hpp"
 
 #include <spdlog/fmt/fmt.h>
-#include <torch/torch.h>
 
 #include <cmath>
 #include <tuple>
 
 #include "base/error.hpp"
+#include "nets/torch.hpp"
 
 namespace piae::twin {
 

@@ -1,7 +1,6 @@
 #include "twin/scaling.hpp"
 
-#include <torch/torch.h>
-
+#include "nets/torch.hpp"
 #include "signal/amplitude.hpp"
 
 namespace piae::twin {

@@ -1,7 +1,6 @@
 #include "twin/training.hpp"
 
 #include <spdlog/fmt/fmt.h>
-#include <torch/torch.h>
 
 #include <cmath>
 #include <limits>
@@ -9,8 +8,10 @@
 #include "base/error.hpp"
 #include "nets/adam.hpp"
 #include "nets/device.hpp"
+#include "nets/torch.hpp"
 #include "signal/amplitude.hpp"
 #include "twin/curves.hpp"
+#include "twin/inputs.hpp"
 #include "twin/losses.hpp"
 #include "twin/model.hpp"
 #include "twin/scaling.hpp"
@@ -26,13 +27,6 @@ std::vector<nets::ParameterSpec> all_specs(const Networks& networks) {
   std::vector<nets::ParameterSpec> specs = networks.specs();
   specs.push_back({log_weights_name, {3}});  // alpha = beta = gamma = 1 at the start
   return specs;
-}
-
-/// k~ and c~ of windows as [n, 2].
-torch::Tensor as_tensor(const std::vector<TwinPoint>& points, torch::Device device) {
-  std::vector<double> flat;
-  for (const TwinPoint& point : points) flat.insert(flat.end(), {point.k, point.c});
-  return torch::tensor(flat, torch::kFloat64).view({-1, 2}).to(device, torch::kFloat32);
 }
 
 struct Losses {

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <torch/torch.h>
-
 #include <algorithm>
 #include <functional>
 #include <string>
@@ -9,6 +7,7 @@
 
 #include "augment/latent_training.hpp"
 #include "base/random.hpp"
+#include "nets/torch.hpp"
 
 namespace piae::augment {
 

@@ -17,8 +17,8 @@ struct Truth {
   double damping_ns_per_m;
 };
 
-WindowSimulation simulation_of(const signal::ClassInfo& fault) {
-  WindowSimulation simulation;
+signal::WindowSimulation simulation_of(const signal::ClassInfo& fault) {
+  signal::WindowSimulation simulation;
   simulation.info.name = "example";
   simulation.info.sample_rate_hz = 12000;
   simulation.info.shaft_speed_rpm = 1797;
@@ -30,8 +30,8 @@ WindowSimulation simulation_of(const signal::ClassInfo& fault) {
 
 /// Windows at random angles, speeds and slips with the true (k, c), of RMS 1, plus white noise.
 signal::WindowSet windows_of(const Truth& truth, std::size_t count, double noise_rms) {
-  signal::WindowSet windows =
-      simulate_windows(simulation_of(truth.fault), count, Stream("truth"), [&](Stream&) {
+  signal::WindowSet windows = signal::simulate_windows(
+      simulation_of(truth.fault), count, Stream("truth"), [&](std::size_t, Stream&) {
         return bearing::DynamicsOptions{.stiffness_n_per_m = truth.stiffness_n_per_m,
                                         .damping_ns_per_m = truth.damping_ns_per_m};
       });
@@ -88,7 +88,7 @@ TEST(SpectralFit, DoesNotDependOnScaleAndOffset) {
 
 TEST(SpectralFit, StaysBelowTheStiffnessThatLosesContact) {
   // Noise above the highest resonance there can be: 1e8 N/m is the bound for 200 N and 2 um.
-  WindowSimulation simulation = simulation_of({"OR", signal::Defect::outer, 0.5334});
+  signal::WindowSimulation simulation = simulation_of({"OR", signal::Defect::outer, 0.5334});
   simulation.options.dynamics.load_n = 200;
   const SpectralFit fit(simulation, 1, {.stiffness_grid = 4, .damping_grid = 3});
   std::vector<float> tone;

@@ -1,12 +1,12 @@
 #include "augment/vae_losses.hpp"
 
 #include <gtest/gtest.h>
-#include <torch/torch.h>
 
 #include <cmath>
 #include <numbers>
 
 #include "gradients.hpp"
+#include "nets/torch.hpp"
 
 namespace piae::augment {
 namespace {

@@ -1,11 +1,11 @@
 #include "augment/wgan_gp_losses.hpp"
 
 #include <gtest/gtest.h>
-#include <torch/torch.h>
 
 #include <cmath>
 
 #include "gradients.hpp"
+#include "nets/torch.hpp"
 
 namespace piae::augment {
 namespace {

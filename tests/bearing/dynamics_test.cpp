@@ -183,6 +183,14 @@ TEST(Simulate, LoadMustCloseTheClearance) {
   EXPECT_EQ(message({.load_n = 201}), "no error");
 }
 
+TEST(Simulate, ContactIsThereUpToTheLargestStiffness) {
+  DynamicsOptions options{.clearance_um = 4, .load_n = 600};
+  options.stiffness_n_per_m = largest_stiffness_n_per_m(options);
+  EXPECT_EQ(message(options), "no error");
+  options.stiffness_n_per_m *= 1.05;
+  EXPECT_THAT(message(options), testing::HasSubstr("does not close the clearance"));
+}
+
 TEST(Simulate, RefusesImpossibleValues) {
   using testing::HasSubstr;
   const double nan = std::numeric_limits<double>::quiet_NaN();

@@ -5,13 +5,13 @@
 #include "diagnosis/wdcnn.hpp"
 
 #include <benchmark/benchmark.h>
-#include <torch/torch.h>
 
 #include <ctime>
 
 #include "diagnosis/libtorch_backend.hpp"
 #include "diagnosis/native_backend.hpp"
 #include "diagnosis/wdcnn_layers.hpp"
+#include "nets/torch.hpp"
 
 namespace piae::diagnosis {
 namespace {

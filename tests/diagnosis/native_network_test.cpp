@@ -1,7 +1,6 @@
 #include "diagnosis/native_network.hpp"
 
 #include <gtest/gtest.h>
-#include <torch/torch.h>
 
 #include <algorithm>
 #include <cmath>
@@ -11,6 +10,7 @@
 #include "diagnosis/wdcnn_network.hpp"
 #include "nets/adam.hpp"
 #include "nets/flat_adam.hpp"
+#include "nets/torch.hpp"
 
 // The native network against LibTorch's, in single and in double precision, and against finite
 // differences.
@@ -120,7 +120,7 @@ struct Pair {
     libtorch.parameters().zero_gradients();
     const torch::Tensor logits = libtorch.forward(tensor_of(batch), WdcnnNetwork::Mode::training);
     const torch::Tensor loss =
-        torch::nn::functional::cross_entropy(logits, torch::tensor(batch.labels, torch::kInt64));
+        torch::cross_entropy_loss(logits, torch::tensor(batch.labels, torch::kInt64));
     loss.backward();
     return loss.template item<double>() * static_cast<double>(batch.labels.size());
   }

@@ -1,10 +1,11 @@
 #include "diagnosis/wdcnn_network.hpp"
 
 #include <gtest/gtest.h>
-#include <torch/torch.h>
 
 #include <cmath>
 #include <functional>
+
+#include "nets/torch.hpp"
 
 namespace piae::diagnosis {
 namespace {
@@ -259,7 +260,7 @@ TEST(WdcnnNetwork, GradientEqualsFiniteDifferences) {
   const torch::Tensor windows = random_windows(6);
   const torch::Tensor labels = torch::arange(6, torch::kInt64);
   const auto loss = [&] {
-    return torch::nn::functional::cross_entropy(network.forward(windows, Mode::training), labels);
+    return torch::cross_entropy_loss(network.forward(windows, Mode::training), labels);
   };
   loss().backward();
   const torch::NoGradGuard no_grad;

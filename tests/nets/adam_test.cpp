@@ -1,10 +1,12 @@
 #include "nets/adam.hpp"
 
 #include <gtest/gtest.h>
-#include <torch/torch.h>
+#include <torch/optim/adam.h>
 
 #include <cmath>
 #include <filesystem>
+
+#include "nets/torch.hpp"
 
 namespace piae::nets {
 namespace {

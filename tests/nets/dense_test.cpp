@@ -1,7 +1,8 @@
 #include "nets/dense.hpp"
 
 #include <gtest/gtest.h>
-#include <torch/torch.h>
+
+#include "nets/torch.hpp"
 
 namespace piae::nets {
 namespace {

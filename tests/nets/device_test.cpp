@@ -1,9 +1,9 @@
 #include "nets/device.hpp"
 
 #include <gtest/gtest.h>
-#include <torch/torch.h>
 
 #include "base/error.hpp"
+#include "nets/torch.hpp"
 
 namespace piae::nets {
 namespace {

@@ -1,10 +1,11 @@
 #include "nets/parameters.hpp"
 
 #include <gtest/gtest.h>
-#include <torch/torch.h>
 
 #include <filesystem>
 #include <stdexcept>
+
+#include "nets/torch.hpp"
 
 namespace piae::nets {
 namespace {

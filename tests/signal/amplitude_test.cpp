@@ -26,6 +26,11 @@ TEST(Amplitude, IsTheRmsAboutEachWindowsOwnMean) {
   EXPECT_DOUBLE_EQ(rms[1], std::sqrt((1.0 + 1 + 9 + 9) / 4));
 }
 
+TEST(Amplitude, OfASignalIsAboutItsMean) {
+  const std::vector<double> signal{7, 11, 9, 9};
+  EXPECT_DOUBLE_EQ(rms_of(signal), std::sqrt(8.0 / 4));
+}
+
 TEST(Amplitude, OfConstantWindowsIsRefused) {
   WindowSet windows = two_classes();
   windows.samples = {2, 2, 5, 5};

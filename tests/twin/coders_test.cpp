@@ -1,9 +1,9 @@
 #include <gmock/gmock.h>
-#include <torch/torch.h>
 
 #include <cmath>
 
 #include "base/error.hpp"
+#include "nets/torch.hpp"
 #include "twin/losses.hpp"
 #include "twin/networks.hpp"
 #include "twin/recurrent_coder.hpp"

@@ -1,13 +1,13 @@
 #include "twin/losses.hpp"
 
 #include <gtest/gtest.h>
-#include <torch/torch.h>
 
 #include <cmath>
 #include <functional>
 #include <numbers>
 
 #include "base/random.hpp"
+#include "nets/torch.hpp"
 
 namespace piae::twin {
 namespace {

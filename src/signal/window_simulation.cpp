@@ -1,7 +1,8 @@
-#include "augment/window_simulation.hpp"
+#include "signal/window_simulation.hpp"
 
 #include <spdlog/fmt/fmt.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -13,7 +14,7 @@
 #include "cli/numbers.hpp"
 #include "signal/amplitude.hpp"
 
-namespace piae::augment {
+namespace piae::signal {
 
 namespace {
 
@@ -48,14 +49,14 @@ struct Draw {
 std::vector<Draw> draw_all(const WindowSimulation& simulation, std::size_t count,
                            const Stream& stream, const DrawDynamics& draw) {
   std::vector<Draw> draws;
-  const signal::DatasetInfo& info = simulation.info;
+  const DatasetInfo& info = simulation.info;
   for (std::size_t label = 0; label < info.classes.size(); ++label) {
-    const signal::ClassInfo& c = info.classes[label];
-    if (c.defect == signal::Defect::none) continue;
+    const ClassInfo& c = info.classes[label];
+    if (c.defect == Defect::none) continue;
     const Stream own = stream.child(c.name);
     for (std::size_t i = 0; i < count; ++i) {
       Stream random = own.child(std::to_string(i));
-      const bearing::DynamicsOptions dynamics = draw(random);
+      const bearing::DynamicsOptions dynamics = draw(label, random);
       draws.push_back({label, dynamics,
                        bearing::draw_motion(random, c.defect, info.shaft_speed_rpm,
                                             simulation.options.variation)});
@@ -65,8 +66,8 @@ std::vector<Draw> draw_all(const WindowSimulation& simulation, std::size_t count
 }
 
 std::vector<double> solve(const WindowSimulation& simulation, const Draw& draw) {
-  const signal::DatasetInfo& info = simulation.info;
-  const signal::ClassInfo& c = info.classes[draw.label];
+  const DatasetInfo& info = simulation.info;
+  const ClassInfo& c = info.classes[draw.label];
   try {
     return bearing::simulate(info.bearing, {c.defect, c.defect_size_mm}, draw.motion, draw.dynamics,
                              {info.sample_rate_hz, simulation.length});
@@ -117,12 +118,12 @@ CLI::Validator spread() {
   return {check, "SPREAD"};
 }
 
-WindowSimulation simulation_like(const signal::WindowSet& known, const SimulationOptions& options) {
-  return {known.info, known.length, signal::rms_by_class(known), options};
+WindowSimulation simulation_like(const WindowSet& known, const SimulationOptions& options) {
+  return {known.info, known.length, rms_by_class(known), options};
 }
 
 void write(artefact::Writer& writer, const WindowSimulation& simulation) {
-  signal::write(writer, simulation.info);
+  write(writer, simulation.info);
   writer.attribute("/", "samples", static_cast<std::int64_t>(simulation.length));
   writer.numbers("/classes/rms", simulation.rms);
   writer.group(simulation_group);
@@ -136,7 +137,7 @@ void write(artefact::Writer& writer, const WindowSimulation& simulation) {
 
 WindowSimulation read_window_simulation(const artefact::Reader& reader) {
   WindowSimulation simulation;
-  simulation.info = signal::read_dataset_info(reader);
+  simulation.info = read_dataset_info(reader);
   const std::int64_t samples = reader.integer("/", "samples");
   if (samples < 1) reader.refuse("samples", "holds " + std::to_string(samples));
   simulation.length = static_cast<std::size_t>(samples);
@@ -150,10 +151,10 @@ WindowSimulation read_window_simulation(const artefact::Reader& reader) {
   return simulation;
 }
 
-signal::WindowSet simulate_windows(const WindowSimulation& simulation, std::size_t count,
-                                   const Stream& stream, const DrawDynamics& draw) {
+WindowSet simulate_windows(const WindowSimulation& simulation, std::size_t count,
+                           const Stream& stream, const DrawDynamics& draw) {
   const std::vector<Draw> draws = draw_all(simulation, count, stream, draw);
-  signal::WindowSet windows;
+  WindowSet windows;
   windows.info = simulation.info;
   windows.length = simulation.length;
   windows.samples.resize(draws.size() * simulation.length);
@@ -169,4 +170,4 @@ signal::WindowSet simulate_windows(const WindowSimulation& simulation, std::size
   return windows;
 }
 
-}  // namespace piae::augment
+}  // namespace piae::signal

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <cstddef>
 #include <functional>
 #include <string>
@@ -11,9 +10,10 @@
 #include "base/random.hpp"
 #include "bearing/dynamics.hpp"
 #include "bearing/variation.hpp"
+#include "cli/app.hpp"
 #include "signal/window_set.hpp"
 
-namespace piae::augment {
+namespace piae::signal {
 
 /// The bearing of eq. 13, and what differs from window to window.
 struct SimulationOptions {
@@ -29,21 +29,21 @@ CLI::Validator spread();
 
 /// What solving eq. 13 for windows like the known ones takes; the model of the methods that do.
 struct WindowSimulation {
-  signal::DatasetInfo info;
+  DatasetInfo info;
   std::size_t length = 0;   ///< samples in a window
-  std::vector<double> rms;  ///< for each class, of its known windows (signal::rms_by_class)
+  std::vector<double> rms;  ///< for each class, of its known windows (rms_by_class)
   SimulationOptions options;
 };
 
 /// Throws Error(bad_input) when the windows of a class are constant.
-WindowSimulation simulation_like(const signal::WindowSet& known, const SimulationOptions& options);
+WindowSimulation simulation_like(const WindowSet& known, const SimulationOptions& options);
 
 /// Info, length and options as attributes of the root and of /simulation, and /classes/rms.
 void write(artefact::Writer& writer, const WindowSimulation& simulation);
 WindowSimulation read_window_simulation(const artefact::Reader& reader);
 
-/// Gives a window its stiffness and damping; the rest is that of the options.
-using DrawDynamics = std::function<bearing::DynamicsOptions(Stream& stream)>;
+/// Gives a window of a class its stiffness and damping; the rest is that of the options.
+using DrawDynamics = std::function<bearing::DynamicsOptions(std::size_t label, Stream& stream)>;
 
 /// `count` windows of each class with a defect, class by class: eq. 13 with what `draw` gives, and
 /// speed, slip and angles drawn by bearing::draw_motion. Each window is freed of its mean and
@@ -51,7 +51,7 @@ using DrawDynamics = std::function<bearing::DynamicsOptions(Stream& stream)>;
 /// modelled. Window i of a class draws from the stream's child "<class>/<i>". OpenMP parallel; the
 /// result does not depend on the number of threads. Throws Error(failed) when eq. 13 diverges or a
 /// window stays silent.
-signal::WindowSet simulate_windows(const WindowSimulation& simulation, std::size_t count,
-                                   const Stream& stream, const DrawDynamics& draw);
+WindowSet simulate_windows(const WindowSimulation& simulation, std::size_t count,
+                           const Stream& stream, const DrawDynamics& draw);
 
-}  // namespace piae::augment
+}  // namespace piae::signal
