@@ -87,6 +87,13 @@ herr_t release_image(void* image, H5FD_file_image_op_t operation, void*) {
   return 0;
 }
 
+/// An image that is only read is not copied: HDF5 is given its own place whenever it asks for one.
+void* given_image(size_t, H5FD_file_image_op_t, void* image) { return image; }
+
+void* image_in_place(void* to, const void*, size_t, H5FD_file_image_op_t, void*) { return to; }
+
+herr_t leave_image(void*, H5FD_file_image_op_t, void*) { return 0; }
+
 void* same_keeper(void* udata) { return udata; }
 
 herr_t no_keeper_to_free(void*) { return 0; }
@@ -130,10 +137,14 @@ std::vector<std::byte> MemoryFile::close() {
 }
 
 Handle open_image(std::span<const std::byte> image) {
+  // HDF5 is not const-correct here; a file that is open for reading is not written to.
+  auto* const bytes = const_cast<std::byte*>(image.data());
+  H5FD_file_image_callbacks_t callbacks{given_image, image_in_place,    nullptr, leave_image,
+                                        same_keeper, no_keeper_to_free, bytes};
   const Handle access = property_list(H5P_FILE_ACCESS);
   check(H5Pset_fapl_core(access, growth, 0), "file in memory");
-  // HDF5 copies the image; the interface is merely not const-correct.
-  check(H5Pset_file_image(access, const_cast<std::byte*>(image.data()), image.size()), "open");
+  check(H5Pset_file_image_callbacks(access, &callbacks), "file in memory");
+  check(H5Pset_file_image(access, bytes, image.size()), "open");
   return {H5Fopen(new_name().c_str(), H5F_ACC_RDONLY, access), "open"};
 }
 
@@ -185,6 +196,12 @@ Shape shape_of(hid_t dataset) {
   std::vector<hsize_t> dims(static_cast<std::size_t>(rank));
   check(H5Sget_simple_extent_dims(space, dims.data(), nullptr), "dataspace");
   return {dims.begin(), dims.end()};
+}
+
+void read_checked(hid_t dataset, hid_t type, void* values, const std::string& path) {
+  const Handle transfer = property_list(H5P_DATASET_XFER);
+  check(H5Pset_edc_check(transfer, H5Z_DISABLE_EDC), path.c_str());
+  check(H5Dread(dataset, type, H5S_ALL, H5S_ALL, transfer, values), path.c_str());
 }
 
 std::vector<std::string> read_strings(hid_t file, const std::string& path) {

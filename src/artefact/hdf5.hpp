@@ -83,6 +83,9 @@ void write_strings(hid_t file, const std::string& path, const std::vector<std::s
 
 Handle open_dataset(hid_t file, const std::string& path);
 Shape shape_of(hid_t dataset);
+/// All values of a dataset, without computing its checksum: for one whose digest has been found
+/// good.
+void read_checked(hid_t dataset, hid_t type, void* values, const std::string& path);
 std::vector<std::string> read_strings(hid_t file, const std::string& path);
 
 /// Attributes of the object at `object_path` ("/" for the file).

@@ -23,10 +23,9 @@ std::vector<std::byte> bytes_of(const fs::path& path) {
   }
 }
 
-Handle open_checked(const fs::path& path) {
-  const std::vector<std::byte> bytes = bytes_of(path);
+Handle open_checked(const fs::path& path, std::span<const std::byte> image) {
   try {
-    return hdf5::open_image(bytes);
+    return hdf5::open_image(image);
   } catch (const std::exception& error) {
     throw Refusal(
         Exit::bad_input, Fault::unreadable,
@@ -73,7 +72,10 @@ std::string stored_kind(const fs::path& path, hid_t file) {
 }  // namespace
 
 Reader::Reader(const fs::path& path, const std::string& kind)
-    : path_(path), file_(open_checked(path)), kind_(stored_kind(path, file_)) {
+    : path_(path),
+      image_(bytes_of(path)),
+      file_(open_checked(path, image_)),
+      kind_(stored_kind(path, file_)) {
   require_undamaged(path_, file_);
   if (const std::int64_t schema = integer("/", "schema"); schema != schema_version) {
     throw Refusal(Exit::bad_input, Fault::wrong_kind,
@@ -128,9 +130,7 @@ Array<T> Reader::numbers(const std::string& path, const hdf5::Shape& shape) cons
   if (!fits) refuse(path, "has another shape");
   array.values.resize(count);
   if (count > 0) {
-    hdf5::check(H5Dread(dataset, hdf5::stored_type<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT,
-                        array.values.data()),
-                path.c_str());
+    hdf5::read_checked(dataset, hdf5::stored_type<T>(), array.values.data(), path);
   }
   if constexpr (std::floating_point<T>) {
     for (const T value : array.values) {

@@ -72,6 +72,7 @@ class Reader {
   [[nodiscard]] T scalar(const std::string& object, const std::string& name) const;
 
   std::filesystem::path path_;
+  std::vector<std::byte> image_;  ///< what file_ reads from
   hdf5::Handle file_;
   std::string kind_;
   std::string digest_;

@@ -2,6 +2,8 @@
 
 #include <benchmark/benchmark.h>
 
+#include <CLI/CLI.hpp>
+
 #include "augment/method.hpp"
 #include "known_windows.hpp"
 

@@ -1,0 +1,80 @@
+#!/bin/bash
+# What CONTRIBUTING.md promises a newcomer, with the built programs: a method takes one class and one
+# line of the registry, a data set takes one TOML file, and the grid knows both.
+# shellcheck source-path=SCRIPTDIR
+source "${0%/*}/check.sh"
+
+programs=$(realpath "${PIAE_BIN:-$project/build/bin}")
+shown=$(realpath "${PIAE_SHOWN:-$project/build/tests/contributing}")
+
+# The programs, and those that have the shown method in the place of the others.
+lay_out() {
+  mkdir bin
+  ln -s "$programs"/* bin
+  ln -sf "$shown"/bin/* bin
+  cp "$shown/augment/registry.cpp" src/augment
+  cp "$project/tests/reference/protocol.toml" pipeline
+  mkdir -p results
+  cp -r "$project/results/published" results
+}
+
+# Ringing struck every 80 samples, ever louder from class to class, and noise.
+record() { # file, loudness
+  awk -v loudness="$2" 'BEGIN {
+    srand(loudness + 1)
+    for (i = 0; i < 70000; ++i) {
+      t = i % 80
+      printf "%.6f\n", loudness * exp(-t / 12) * sin(t * (0.8 + 0.1 * loudness)) + 0.2 * (rand() - 0.5)
+    }
+  }' >"$1"
+}
+
+describe_rig() {
+  mkdir recordings
+  {
+    cat <<'RIG'
+name = "rig"
+sample_rate_hz = 12000
+shaft_speed_rpm = 1500
+[bearing]
+balls = 9
+ball_diameter_mm = 7.94
+pitch_diameter_mm = 39
+inner_raceway_mm = 31.06
+outer_raceway_mm = 46.94
+contact_angle_deg = 0
+RIG
+    local class loudness=0
+    for class in none inner outer; do
+      record "recordings/$class.csv" $((loudness++))
+      printf '[[class]]\nname = "%s-1"\ndefect = "%s"\n' $class $class
+      [[ $class == none ]] || echo 'defect_size_mm = 0.3'
+      printf '[[record]]\nclass = "%s-1"\nfile = "%s.csv"\nvariable = "1"\nsample_rate_hz = 12000\n' \
+        $class $class
+    done
+  } >pipeline/datasets/rig.toml
+}
+
+test_the_shown_method_and_a_described_data_set_run_in_the_grid() {
+  lay_out
+  describe_rig
+  bin/ingest --check --description pipeline/datasets/rig.toml --data-dir recordings >messages 2>&1 ||
+    fail "$(<messages)"
+  make --silent all BIN=bin RUN=new DATASETS=rig METHODS="none reverse" RATIOS="100to1 10to1" \
+    SEEDS=0 DATA_DIR=recordings >messages 2>&1 || fail "$(<messages)"
+  expect_line "$(<results/new/rig/accuracy.csv)" '^rig,reverse,10to1,45,1,'
+  expect_line "$(<results/new/rig/tables.md)" 'reverse'
+}
+
+test_the_shown_method_plays_backwards() {
+  lay_out
+  describe_rig
+  make --silent cells BIN=bin RUN=new DATASETS=rig METHODS=reverse RATIOS=10to1 SEEDS=0 \
+    DATA_DIR=recordings >messages 2>&1 || fail "$(<messages)"
+  local cell=results/new/rig/seed0
+  # Window 0 of E is window 0 of that class in C, from its end.
+  first_window() { h5dump -d "/windows[0,0;;1,1024;]" -y -w 1 "$1" | grep -oE '^ +-?[0-9][0-9.e+-]*' | tr -d ' '; }
+  expect_equal "$(first_window $cell/reverse/E.h5)" "$(first_window $cell/C.h5 | tac)"
+}
+
+run_tests
