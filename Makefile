@@ -29,6 +29,12 @@ SEEDS    := 0 1
 MAKEFLAGS += -j$(shell env -u OMP_NUM_THREADS nproc)
 endif
 
+# Only simulated windows have a known (k, c).
+ifneq (,$(filter identify,$(MAKECMDGOALS)))
+DATASETS := simulated
+METHODS  := piae-dt piae-dt-phase
+endif
+
 # Programs are built first, unless BIN= names a folder where they already are.
 ifneq ($(origin BIN),command line)
 BIN      := build/bin
@@ -42,7 +48,7 @@ export BIN SUBMIT
 Q := $(if $(V),,@)
 
 .DEFAULT_GOAL := help
-.PHONY: help demo all cells tables holes sweep contrast records status check reference data test bench deps build clean
+.PHONY: help demo all cells tables holes sweep contrast identify records status check reference data test bench deps build clean
 
 help:
 	@printf '  %-11s%s\n' \
@@ -50,8 +56,9 @@ help:
 	  all      'run the grid and make its tables in results/RUN/<dataset>/' \
 	  cells    'run the grid without the tables (on a cluster: see jobs/)' \
 	  sweep    'vary the settings of piae-dt one at a time (pipeline/sweep.mk): sweep.csv, sweep.md' \
-  contrast 'both protocols side by side, and both readings of cwru: protocols.md, rates.md' \
-  records  'only read or simulate the data sets' \
+	  contrast 'both protocols side by side, and both readings of cwru: protocols.md, rates.md' \
+	  identify 'whether the (k, c) of the twin are the true ones, on simulated windows: identifiability.md' \
+	  records  'only read or simulate the data sets' \
 	  status   'how far the grid is: cells done, running, failed, missing, and the time left' \
 	  check    'compare RUN with results/reference: all cells, or those of the variables given' \
 	  reference 'store RUN, or the cells of the variables given, as results/reference' \

@@ -150,5 +150,6 @@ all demo: | $(programs)
 
 include pipeline/sweep.mk
 include pipeline/contrast.mk
+include pipeline/identify.mk
 
 endif

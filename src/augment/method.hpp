@@ -44,6 +44,12 @@ class Method {
   /// depend on `count`: its random numbers come from the stream's child "<class>/<i>".
   virtual signal::WindowSet generate(const artefact::Reader& model, std::size_t count,
                                      const Stream& stream, const std::string& device) = 0;
+
+  /// Stiffness and damping of windows that the model has not seen, one for each. Throws
+  /// Error(usage) where the method knows neither.
+  virtual std::vector<signal::DynamicParameters> infer(const artefact::Reader& model,
+                                                       const signal::WindowSet& windows,
+                                                       const std::string& device);
 };
 
 /// Names of all methods, in the order of the paper's tables.

@@ -1,6 +1,7 @@
 #include "augment/piae_dt.hpp"
 
 #include "twin/generation.hpp"
+#include "twin/inference.hpp"
 #include "twin/training.hpp"
 
 namespace piae::augment {
@@ -17,6 +18,12 @@ void PiaeDt::train(const signal::WindowSet& known, const Stream& stream, const s
 signal::WindowSet PiaeDt::generate(const artefact::Reader& model, std::size_t count,
                                    const Stream& stream, const std::string& device) {
   return twin::generate(model, variant_, count, stream, device);
+}
+
+std::vector<signal::DynamicParameters> PiaeDt::infer(const artefact::Reader& model,
+                                                     const signal::WindowSet& windows,
+                                                     const std::string& device) {
+  return twin::infer(model, variant_, windows, device);
 }
 
 }  // namespace piae::augment

@@ -18,6 +18,9 @@ class PiaeDt final : public Method {
              const nets::Checkpoint& checkpoint, artefact::Writer& model) override;
   signal::WindowSet generate(const artefact::Reader& model, std::size_t count, const Stream& stream,
                              const std::string& device) override;
+  std::vector<signal::DynamicParameters> infer(const artefact::Reader& model,
+                                               const signal::WindowSet& windows,
+                                               const std::string& device) override;
 
  private:
   twin::TwinVariant variant_;

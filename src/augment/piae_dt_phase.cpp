@@ -1,6 +1,7 @@
 #include "augment/piae_dt_phase.hpp"
 
 #include "phase/generation.hpp"
+#include "phase/stored_inference.hpp"
 #include "phase/training.hpp"
 
 namespace piae::augment {
@@ -18,6 +19,12 @@ void PiaeDtPhase::train(const signal::WindowSet& known, const Stream& stream,
 signal::WindowSet PiaeDtPhase::generate(const artefact::Reader& model, std::size_t count,
                                         const Stream& stream, const std::string& device) {
   return phase::generate(model, count, stream, device);
+}
+
+std::vector<signal::DynamicParameters> PiaeDtPhase::infer(const artefact::Reader& model,
+                                                          const signal::WindowSet& windows,
+                                                          const std::string& device) {
+  return phase::infer(model, windows, device);
 }
 
 }  // namespace piae::augment

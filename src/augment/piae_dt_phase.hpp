@@ -14,6 +14,9 @@ class PiaeDtPhase final : public Method {
              const nets::Checkpoint& checkpoint, artefact::Writer& model) override;
   signal::WindowSet generate(const artefact::Reader& model, std::size_t count, const Stream& stream,
                              const std::string& device) override;
+  std::vector<signal::DynamicParameters> infer(const artefact::Reader& model,
+                                               const signal::WindowSet& windows,
+                                               const std::string& device) override;
 
  private:
   phase::PhaseOptions options_;

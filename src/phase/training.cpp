@@ -44,8 +44,9 @@ Turned turn_to_common_angle(const signal::WindowSet& known) {
       const std::size_t start = alignment.starts[j];
       const std::vector<double> window =
           read(std::span<const double>(waveforms[j]), cycle.samples - start, known.length);
-      std::ranges::copy(window, turned.windows.samples.begin() +
-                                    static_cast<std::ptrdiff_t>(indices[j] * known.length));
+      std::copy(
+          window.begin(), window.end(),
+          turned.windows.samples.begin() + static_cast<std::ptrdiff_t>(indices[j] * known.length));
       turned.starts[indices[j]] = static_cast<std::int64_t>(start);
     }
   }

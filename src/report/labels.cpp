@@ -14,7 +14,7 @@ std::string number_label(double number, NumberStyle style) {
 }
 
 std::string mean_label(const scoring::Summary& summary, NumberStyle style) {
-  const std::string mean = number_label(summary.mean, style);
+  std::string mean = number_label(summary.mean, style);
   if (!summary.deviation) return mean;
   return mean + " ± " + number_label(*summary.deviation, {style.decimals});
 }

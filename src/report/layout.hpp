@@ -21,6 +21,12 @@ class Layout {
                                                 std::int64_t seed) const {
     return method_folder(method, seed) / ratio / "diagnosis.h5";
   }
+  [[nodiscard]] std::filesystem::path model(const std::string& method, std::int64_t seed) const {
+    return method_folder(method, seed) / "model.h5";
+  }
+  [[nodiscard]] std::filesystem::path real_windows(std::int64_t seed) const {
+    return seed_folder(seed) / "D.h5";
+  }
   [[nodiscard]] std::filesystem::path accuracy_csv() const { return folder_ / "accuracy.csv"; }
   [[nodiscard]] std::filesystem::path gains_csv() const { return folder_ / "gains.csv"; }
   [[nodiscard]] std::filesystem::path quality_csv() const { return folder_ / "quality.csv"; }
@@ -32,6 +38,13 @@ class Layout {
   [[nodiscard]] std::filesystem::path tables_latex() const { return folder_ / "tables.tex"; }
   [[nodiscard]] std::filesystem::path sweep_csv() const { return folder_ / "sweep.csv"; }
   [[nodiscard]] std::filesystem::path sweep_markdown() const { return folder_ / "sweep.md"; }
+  [[nodiscard]] std::filesystem::path identifiability_csv() const {
+    return folder_ / "identifiability.csv";
+  }
+  [[nodiscard]] std::filesystem::path scatter_csv() const { return folder_ / "scatter.csv"; }
+  [[nodiscard]] std::filesystem::path identifiability_markdown() const {
+    return folder_ / "identifiability.md";
+  }
 
   /// Why the diagnosis or score `cell`, as named by the functions above, may be missing: the log of
   /// the first step on the way to it that has begun and left no result. Empty where none has.
@@ -41,7 +54,10 @@ class Layout {
  private:
   [[nodiscard]] std::filesystem::path method_folder(const std::string& method,
                                                     std::int64_t seed) const {
-    return folder_ / ("seed" + std::to_string(seed)) / method;
+    return seed_folder(seed) / method;
+  }
+  [[nodiscard]] std::filesystem::path seed_folder(std::int64_t seed) const {
+    return folder_ / ("seed" + std::to_string(seed));
   }
 
   std::filesystem::path folder_;

@@ -40,6 +40,7 @@ stand_ins() {
 stage=${0##*/} options="$*" outputs=()
 tables=(accuracy.csv gains.csv quality.csv comparisons.csv ranks.csv tables.md tables.tex)
 [[ $stage != sweep ]] || tables=(sweep.csv sweep.md)
+[[ $stage != identify ]] || tables=(identifiability.csv scatter.csv identifiability.md)
 while (($#)); do
   case $1 in
     --output) outputs+=("$2") ;;
@@ -60,7 +61,7 @@ echo "$stage: 1 thing done"
 STAGE
   chmod +x fake/stage
   local stage
-  for stage in ingest simulate split train generate score diagnose tabulate sweep contrast; do
+  for stage in ingest simulate split train generate score diagnose tabulate sweep contrast identify; do
     ln -s stage "fake/$stage"
   done
 }

@@ -33,6 +33,8 @@ TEST_P(Usage, UnknownOptionIsNamed) {
   } else if (GetParam() == std::string("contrast")) {
     arguments = {"--with",   "run/tiny", "--without", "other/tiny", "--methods", "none",
                  "--ratios", "100to1",   "--seeds",   "0",          "--output",  "x.md"};
+  } else if (GetParam() == std::string("identify")) {
+    arguments = {"--run", "run", "--dataset", "tiny", "--methods", "piae-dt", "--seeds", "0"};
   } else if (GetParam() == std::string("compare")) {
     arguments = {"--run", "run", "--reference", "reference"};
   } else if (GetParam() != std::string("verify")) {
@@ -46,7 +48,7 @@ TEST_P(Usage, UnknownOptionIsNamed) {
 INSTANTIATE_TEST_SUITE_P(Stages, Usage,
                          testing::Values("ingest", "simulate", "split", "train", "generate",
                                          "score", "diagnose", "tabulate", "sweep", "compare",
-                                         "contrast", "verify"),
+                                         "contrast", "identify", "verify"),
                          [](const auto& info) { return info.param; });
 
 TEST(Usage, TrainHelpShowsTheOptionsOfTheMethod) {

@@ -1,0 +1,34 @@
+#include "phase/stored_inference.hpp"
+
+#include <spdlog/fmt/fmt.h>
+
+#include "base/error.hpp"
+#include "nets/device.hpp"
+#include "nets/torch.hpp"
+#include "phase/inference.hpp"
+#include "twin/physics.hpp"
+
+namespace piae::phase {
+
+std::vector<signal::DynamicParameters> infer(const artefact::Reader& model,
+                                             const signal::WindowSet& windows,
+                                             const std::string& device_name) {
+  const std::size_t classes = signal::read_dataset_info(model).classes.size();
+  if (windows.info.classes.size() != classes) {
+    throw Error(Exit::bad_input,
+                fmt::format("{}: learned {} classes, and (k, c) is to be inferred of {}",
+                            model.path().string(), classes, windows.info.classes.size()));
+  }
+  Inference inference(static_cast<std::int64_t>(classes),
+                      static_cast<int>(model.integer("/inference", "width")), Stream("initial"),
+                      nets::prepare_device(device_name));
+  inference.read(model);
+  std::vector<signal::DynamicParameters> inferred;
+  for (const twin::TwinPoint& point : inference.infer(windows)) {
+    inferred.push_back(
+        {point.k * twin::stiffness_scale_n_per_m, point.c * twin::damping_scale_ns_per_m});
+  }
+  return inferred;
+}
+
+}  // namespace piae::phase

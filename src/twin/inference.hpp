@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "artefact/reader.hpp"
+#include "signal/window_set.hpp"
+#include "twin/variant.hpp"
+
+namespace piae::twin {
+
+/// What the encoder of a stored model (eq. 16) makes of windows: stiffness in N/m and damping in
+/// N s/m, one pair for each. Windows are scaled by their class, as those of the training were.
+/// Throws Error(bad_input) for windows of another length or of other classes than the model's.
+std::vector<signal::DynamicParameters> infer(const artefact::Reader& model,
+                                             const TwinVariant& variant,
+                                             const signal::WindowSet& windows,
+                                             const std::string& device_name);
+
+}  // namespace piae::twin

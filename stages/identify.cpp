@@ -1,0 +1,63 @@
+// Compares the stiffness and damping that trained models infer with the true ones.
+
+#include <spdlog/fmt/fmt.h>
+
+#include <iostream>
+
+#include "augment/method.hpp"
+#include "cli/stage.hpp"
+#include "report/identifiability.hpp"
+#include "report/layout.hpp"
+#include "report/text_file.hpp"
+#include "signal/roles.hpp"
+
+using namespace piae;
+namespace fs = std::filesystem;
+
+namespace {
+
+report::Identification identify(const report::Layout& layout, const std::string& method,
+                                std::int64_t seed) {
+  const artefact::Reader model(layout.model(method, seed), "model");
+  const artefact::Reader real(layout.real_windows(seed), "windows");
+  signal::require_role(real, "D");
+  signal::require_same_split(model, real);
+  report::Identification result{method, seed, signal::read_window_set(real), {}};
+  result.inferred =
+      augment::make_method(model.text("/", "method"))->infer(model, result.windows, "cpu");
+  return result;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  cli::Stage stage(
+      "identify",
+      "Makes identifiability.csv, scatter.csv and identifiability.md in RUN/DATASET: how well the "
+      "stiffness and damping that models infer of the windows D, which they have not seen, agree "
+      "with those that the windows were simulated with (R², bias, correlation², a scatter table).",
+      "identify --run results/try --dataset simulated --methods piae-dt --seeds 0 1");
+  report::IdentifiabilityOptions options;
+  fs::path run;
+  bind(stage.app(), options);
+  stage.input_file("--run", run, "Folder of the run, such as results/try");
+
+  return stage.run(argc, argv, [&] {
+    const report::Grid grid = report::resolve(options);
+    const report::Layout layout(run, grid.dataset);
+    std::vector<report::Identification> all;
+    for (const report::Combination& combination : grid.combinations) {
+      for (const std::int64_t seed : grid.seeds) {
+        all.push_back(identify(layout, combination.method, seed));
+      }
+    }
+    const auto rows = report::identifiability_rows(all);
+    const report::Document document = report::identifiability_document(grid.dataset, rows, all);
+    report::save_all(
+        {{layout.identifiability_csv(), report::identifiability_csv(grid.dataset, rows)},
+         {layout.scatter_csv(), report::scatter_csv(grid.dataset, all)},
+         {layout.identifiability_markdown(), report::markdown(document)}});
+    std::cout << fmt::format("compared (k, c) of {} models with the truth: {}\n", all.size(),
+                             layout.identifiability_markdown().string());
+  });
+}
