@@ -26,7 +26,9 @@ int main(int argc, char** argv) {
                    "Compares the generated windows of each class with the real ones that no "
                    "generator has seen: MMD (its square, as is the custom; no unit), RMSE as the "
                    "paper has it and after the best circular shift (unit of the recordings), ratio "
-                   "of RMS amplitudes (generated to real), and log-spectral distance (dB).",
+                   "of RMS amplitudes (generated to real), log-spectral distance (dB), and how far "
+                   "the lines of the class's own fault stand out of the envelope spectrum (dB; and "
+                   "that minus what real windows show).",
                    "score --generated E.h5 --real D.h5 --output score.h5");
   fs::path generated_file;
   fs::path real_file;

@@ -59,8 +59,9 @@ std::string line_of(const Seeds& seeds, std::size_t i, const Metric& metric) {
                    summary.deviation ? fmt::format("{:.6g}", *summary.deviation) : ""});
 }
 
-/// As many decimals as give the smallest of these three significant digits, but no more than four.
-int decimals_for(const std::vector<std::vector<Summary>>& rows) {
+/// As many decimals as give the smallest of these three significant digits, but no more than
+/// `most`.
+int decimals_for(const std::vector<std::vector<Summary>>& rows, int most) {
   int decimals = 1;
   for (const auto& row : rows) {
     for (const Summary& summary : row) {
@@ -69,7 +70,7 @@ int decimals_for(const std::vector<std::vector<Summary>>& rows) {
         decimals = std::max(decimals, 2 - static_cast<int>(std::floor(std::log10(size))));
     }
   }
-  return std::min(decimals, 4);
+  return std::min(decimals, most);
 }
 
 TextTable metric_table(const std::vector<Seeds>& methods, const Metric& metric) {
@@ -82,7 +83,7 @@ TextTable metric_table(const std::vector<Seeds>& methods, const Metric& metric) 
     for (std::size_t i = 0; i < classes; ++i) rows[i].push_back(of_class(seeds, i, metric));
     rows[classes].push_back(of_all_classes(seeds, metric));
   }
-  const NumberStyle style{decimals_for(rows)};
+  const NumberStyle style{decimals_for(rows, metric.decimals)};
   TextTable table(header, 1);
   for (std::size_t i = 0; i <= classes; ++i) {
     std::vector<std::string> cells{i < classes ? class_name(first, i) : "mean of classes"};

@@ -17,6 +17,8 @@ struct ClassQuality {
   double aligned_rmse = 0;
   double amplitude_ratio = 0;
   double spectral_distance_db = 0;
+  double fault_line_db = 0;             ///< of the generated windows, see scoring/envelope.hpp
+  double fault_line_difference_db = 0;  ///< that minus that of the real ones
 };
 
 /// A metric of ClassQuality.
@@ -26,6 +28,7 @@ struct Metric {
   const char* title;    ///< in tables
   const char* meaning;  ///< how to read it, in sentences
   bool in_paper;        ///< the paper shows it, in Figs 13, 14, 16 and 17, without numbers
+  int decimals = 4;     ///< in tables, no more than these
 };
 std::span<const Metric> all_metrics();
 

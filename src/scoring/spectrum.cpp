@@ -27,12 +27,12 @@ Eigen::RowVectorXd hann(Index length) {
 
 }  // namespace
 
-Eigen::ArrayXd mean_power_spectrum(const Windows& windows) {
-  const Index bins = windows.cols() / 2 + 1;
+Eigen::ArrayXd mean_power_spectrum(const Windows& windows, Index padding) {
+  const Index bins = padding * windows.cols() / 2 + 1;
   const Eigen::RowVectorXd taper = hann(windows.cols());
   Eigen::FFT<double> fft;
   Eigen::ArrayXd power = Eigen::ArrayXd::Zero(bins);
-  std::vector<double> tapered(static_cast<std::size_t>(windows.cols()));
+  std::vector<double> tapered(static_cast<std::size_t>(padding * windows.cols()));
   std::vector<std::complex<double>> spectrum;
   for (Index i = 0; i < windows.rows(); ++i) {
     Eigen::Map<Eigen::RowVectorXd>(tapered.data(), windows.cols()) =

@@ -6,8 +6,9 @@ namespace piae::scoring {
 
 /// Mean power of each frequency bin 0 .. length / 2 over all windows: Welch's estimate (1967) with
 /// the windows as its segments, each freed of its mean and tapered by Hann's window. Not scaled to
-/// a density: only ratios are used.
-Eigen::ArrayXd mean_power_spectrum(const Windows& windows);
+/// a density: only ratios are used. With zeros appended to `padding` times the length, bins lie
+/// that much closer, 0 .. padding * length / 2.
+Eigen::ArrayXd mean_power_spectrum(const Windows& windows, Eigen::Index padding = 1);
 
 /// Log-spectral distance (Gray and Markel 1976, the L2 norm) between the mean power spectra P of
 /// two sets of windows, in dB: the root mean square over the bins 1 .. length / 2 of 10

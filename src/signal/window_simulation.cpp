@@ -5,7 +5,6 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <numeric>
 #include <utility>
 
@@ -78,13 +77,13 @@ std::vector<double> solve(const WindowSimulation& simulation, const Draw& draw) 
 
 /// Without its mean, and with this RMS.
 std::vector<float> scaled(const std::vector<double>& signal, double rms) {
-  const auto samples = static_cast<double>(signal.size());
-  const double mean = std::accumulate(signal.begin(), signal.end(), 0.0) / samples;
-  double squares = 0;
-  for (const double x : signal) squares += (x - mean) * (x - mean);
-  if (!(squares > 0)) throw Error(Exit::failed, "eq. 13 gave a window without any vibration");
-  const double factor = rms / std::sqrt(squares / samples);
+  const double mean =
+      std::accumulate(signal.begin(), signal.end(), 0.0) / static_cast<double>(signal.size());
+  const double own_rms = rms_of(signal);
+  if (!(own_rms > 0)) throw Error(Exit::failed, "eq. 13 gave a window without any vibration");
+  const double factor = rms / own_rms;
   std::vector<float> window;
+  window.reserve(signal.size());
   for (const double x : signal) window.push_back(static_cast<float>((x - mean) * factor));
   return window;
 }

@@ -72,7 +72,7 @@ test_what_chance_does_not_explain_is_seen_on_any_machine() {
   move '^none,100to1,accuracy,' -0.9
   expect_exit 2 tiny check
   expect_line "$(tiny check 2>&1 || true)" '^none +100to1 +accuracy +OUTSIDE +2 +2 '
-  expect_line "$(tiny check 2>&1 || true)" '^compared 15 quantities of tiny: 2 moved, 1 outside'
+  expect_line "$(tiny check 2>&1 || true)" '^compared 19 quantities of tiny: 2 moved, 1 outside'
 }
 
 test_cells_of_one_side_are_named() {

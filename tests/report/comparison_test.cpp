@@ -286,6 +286,8 @@ TEST_F(Run, IsReadWithWhatMadeIt) {
             "vae 2to1 accuracy 0.850000\n"
             "vae  aligned_rmse 2.000000\n"
             "vae  amplitude_ratio 2.500000\n"
+            "vae  fault_line_db 3.500000\n"
+            "vae  fault_line_difference_db 4.000000\n"
             "vae  mmd 0.250000\n"
             "vae  rmse 1.000000\n"
             "vae  spectral_distance_db 3.000000\n");
@@ -294,7 +296,7 @@ TEST_F(Run, IsReadWithWhatMadeIt) {
 TEST_F(Run, IsReadAsFarAsItIsSelected) {
   add_all();
   const auto run = folder_.path() / "run";
-  EXPECT_EQ(read_run(run, {{}, {"vae"}, {"2to1"}, {1}}).front().values.size(), 6U);
+  EXPECT_EQ(read_run(run, {{}, {"vae"}, {"2to1"}, {1}}).front().values.size(), 8U);
   for (const Selection& nothing : {Selection{{"hit-sm"}, {}, {}, {}}, {{}, {}, {}, {9}}}) {
     try {
       (void)read_run(run, nothing);

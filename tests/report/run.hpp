@@ -54,7 +54,7 @@ class Run : public testing::Test {
             method,
             seed,
             "random",
-            {{1, 9, value, 2 * value, 3, 4, 5}, {2, 9, 1e-7, 1, 1, 1, 1}}};
+            {{1, 9, value, 2 * value, 3, 4, 5, 6, 7}, {2, 9, 1e-7, 1, 1, 1, 1, 1, 1}}};
   }
   template <class Record>
   static void save(const std::string& kind, const Record& record,

@@ -47,11 +47,15 @@ TEST_F(Tables, OfTwoSeedsAsCsv) {
             "cwru,vae,IR,aligned_rmse,2,3,0\n"
             "cwru,vae,IR,amplitude_ratio,2,4,0\n"
             "cwru,vae,IR,spectral_distance_db,2,5,0\n"
+            "cwru,vae,IR,fault_line_db,2,6,0\n"
+            "cwru,vae,IR,fault_line_difference_db,2,7,0\n"
             "cwru,vae,OR,mmd,2,1e-07,0\n"
             "cwru,vae,OR,rmse,2,1,0\n"
             "cwru,vae,OR,aligned_rmse,2,1,0\n"
             "cwru,vae,OR,amplitude_ratio,2,1,0\n"
-            "cwru,vae,OR,spectral_distance_db,2,1,0\n");
+            "cwru,vae,OR,spectral_distance_db,2,1,0\n"
+            "cwru,vae,OR,fault_line_db,2,1,0\n"
+            "cwru,vae,OR,fault_line_difference_db,2,1,0\n");
 }
 
 /// Paired by seed: 75 - 60 and 75 - 65; 85 - 60 and 95 - 65. Published: 91.2 - 61.8.

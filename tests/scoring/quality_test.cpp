@@ -56,6 +56,7 @@ TEST(Judge, RealAgainstThemselvesIsPerfect) {
     EXPECT_EQ(quality.aligned_rmse, 0);
     EXPECT_EQ(quality.amplitude_ratio, 1);
     EXPECT_EQ(quality.spectral_distance_db, 0);
+    EXPECT_EQ(quality.fault_line_difference_db, 0);
   }
 }
 

@@ -48,11 +48,12 @@ DiagnosisRecord diagnosis() {
 }
 
 QualityRecord quality() {
-  return {testing_sets::three_classes(),
-          "vae",
-          4,
-          "blocked",
-          {{1, 495, 0.1, 0.2, 0.3, 0.4, 0.5}, {2, 494, 1.1, 1.2, 1.3, 1.4, 1.5}}};
+  return {
+      testing_sets::three_classes(),
+      "vae",
+      4,
+      "blocked",
+      {{1, 495, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7}, {2, 494, 1.1, 1.2, 1.3, 1.4, 1.5, 1.6, 1.7}}};
 }
 
 TEST_F(Records, DiagnosisComesBackAsItWas) {
@@ -141,7 +142,8 @@ TEST_F(Records, QualityComesBackAsItWas) {
   const Reader reader = stored("score", quality());
   EXPECT_THAT(reader.list("/quality"),
               testing::UnorderedElementsAre("mmd", "rmse", "aligned_rmse", "amplitude_ratio",
-                                            "spectral_distance_db"));
+                                            "spectral_distance_db", "fault_line_db",
+                                            "fault_line_difference_db"));
   EXPECT_THAT(reader.numbers<double>("/quality/rmse", {2}).values, testing::ElementsAre(0.2, 1.2));
   const QualityRecord read = read_quality(reader);
   EXPECT_EQ(read.info.name, "toy");

@@ -13,7 +13,7 @@ class Compare : public testing::Test {
   void store() const {
     const Outcome stored = tiny_.run("compare", with_flag("--store"));
     ASSERT_EQ(stored.status, 0) << stored.err;
-    EXPECT_EQ(stored.out, "stored 7 numbers of tiny: reference/random/tiny.csv\n");
+    EXPECT_EQ(stored.out, "stored 9 numbers of tiny: reference/random/tiny.csv\n");
   }
   static Arguments with_flag(const std::string& flag) {
     Arguments arguments = compared;
@@ -28,7 +28,7 @@ TEST_F(Compare, StoresARunAndFindsItTheSame) {
   store();
   const Outcome same = tiny_.run("compare", compared);
   EXPECT_EQ(same.status, 0) << same.err;
-  EXPECT_NE(same.out.find("compared 7 quantities of tiny: 0 moved, 0 outside the tolerance\n"),
+  EXPECT_NE(same.out.find("compared 9 quantities of tiny: 0 moved, 0 outside the tolerance\n"),
             std::string::npos)
       << same.out;
   // What another build has made is judged by its spread, and of one seed there is none.

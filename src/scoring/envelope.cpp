@@ -1,0 +1,118 @@
+#include "scoring/envelope.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <limits>
+#include <stdexcept>
+#include <unsupported/Eigen/FFT>
+#include <vector>
+
+#include "bearing/kinematics.hpp"
+#include "scoring/spectrum.hpp"
+
+namespace piae::scoring {
+
+namespace {
+
+using Eigen::Index;
+using Complex = std::complex<double>;
+
+constexpr int harmonics = 3;
+constexpr Index padding = 4;
+constexpr double tolerance = 0.02;
+constexpr double lobe_bins = 2;           // half of the main lobe of Hann's window, before padding
+constexpr double rounding_power = 1e-20;  // what is less, to the windows' power, is rounding
+
+/// Twice the positive frequencies, none of the negative ones.
+void make_analytic(std::vector<Complex>& spectrum) {
+  for (std::size_t i = 1; i < spectrum.size(); ++i) {
+    if (2 * i < spectrum.size()) spectrum[i] *= 2;
+    if (2 * i > spectrum.size()) spectrum[i] = 0;
+  }
+}
+
+struct Spectrum {
+  Eigen::ArrayXd power;
+  double bin_hz = 0;
+  double rounding = 0;  ///< power that means nothing
+
+  [[nodiscard]] Index bin(double hz) const { return std::lround(hz / bin_hz); }
+};
+
+Spectrum envelope_spectrum(const Windows& windows, double rate_hz) {
+  const auto length = static_cast<double>(windows.cols());
+  const double mean_square = windows.squaredNorm() / static_cast<double>(windows.size());
+  return {mean_power_spectrum(envelopes(windows), padding), rate_hz / (padding * length),
+          rounding_power * mean_square * length * length + std::numeric_limits<double>::min()};
+}
+
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+/// A line of its own spans the main lobe of the window, anywhere within the tolerance.
+double harmonic_db(const Spectrum& spectrum, int number, double line_hz) {
+  const double hz = number * line_hz;
+  const double lobe_hz = tolerance * hz + lobe_bins * padding * spectrum.bin_hz;
+  const Index last = spectrum.bin(hz + line_hz / 2);
+  if (last >= spectrum.power.size()) return 0;
+  std::vector<double> beside;
+  double line = spectrum.rounding;
+  for (Index i = spectrum.bin(hz - line_hz / 2); i <= last; ++i) {
+    const double distance_hz = std::abs(static_cast<double>(i) * spectrum.bin_hz - hz);
+    if (distance_hz > lobe_hz) beside.push_back(spectrum.power[i]);
+  }
+  if (beside.empty()) return 0;
+  for (Index i = spectrum.bin(hz * (1 - tolerance)); i <= spectrum.bin(hz * (1 + tolerance)); ++i) {
+    line = std::max(line, spectrum.power[i]);
+  }
+  return 10 * std::log10(line / std::max(median(beside), spectrum.rounding));
+}
+
+}  // namespace
+
+Windows envelopes(const Windows& windows) {
+  Eigen::FFT<double> fft;
+  Windows result(windows.rows(), windows.cols());
+  std::vector<Complex> samples(static_cast<std::size_t>(windows.cols()));
+  std::vector<Complex> spectrum;
+  for (Index i = 0; i < windows.rows(); ++i) {
+    Eigen::Map<Eigen::RowVectorXcd> row(samples.data(), windows.cols());
+    row = (windows.row(i).array() - windows.row(i).mean()).cast<Complex>();
+    fft.fwd(spectrum, samples);
+    make_analytic(spectrum);
+    fft.inv(samples, spectrum);
+    result.row(i) = row.cwiseAbs();
+  }
+  return result;
+}
+
+double fault_line_hz(const signal::DatasetInfo& info, signal::Defect defect) {
+  const auto f = bearing::fault_frequencies(info.bearing, info.shaft_speed_rpm);
+  switch (defect) {
+    case signal::Defect::outer:
+      return f.bpfo_hz;
+    case signal::Defect::inner:
+      return f.bpfi_hz;
+    case signal::Defect::roller:
+      return 2 * f.bsf_hz;
+    case signal::Defect::none:
+      return 0;
+  }
+  throw std::logic_error("no such defect");
+}
+
+double fault_line_db(const Windows& windows, double line_hz, double rate_hz) {
+  if (windows.size() == 0) throw std::logic_error("no windows have no envelope spectrum");
+  const Spectrum spectrum = envelope_spectrum(windows, rate_hz);
+  double sum = 0;
+  for (int number = 1; number <= harmonics; ++number) {
+    sum += harmonic_db(spectrum, number, line_hz);
+  }
+  return sum / harmonics;
+}
+
+}  // namespace piae::scoring
