@@ -97,7 +97,7 @@ TEST_F(Artefact, DigestLeavesProvenanceOut) {
 
 TEST_F(Artefact, DigestDependsOnEveryValueNameAndShape) {
   std::set<std::string> digests;
-  const auto add = [&](const std::string& path, std::vector<std::int32_t> values,
+  const auto add = [&](const std::string& path, const std::vector<std::int32_t>& values,
                        const hdf5::Shape& shape, std::int64_t attribute) {
     Writer writer("example");
     writer.numbers(path, values, shape);

@@ -45,7 +45,7 @@ inline std::filesystem::path train(const std::string& method, const std::string&
                                    const nets::Checkpoint& checkpoint, const std::string& name) {
   artefact::Writer writer("model");
   method_with(method, options)->train(known, Stream("train"), "cpu", checkpoint, writer);
-  const std::filesystem::path path = scratch_file(name);
+  std::filesystem::path path = scratch_file(name);
   writer.save(path, {});
   return path;
 }

@@ -47,7 +47,7 @@ fs::path train(const nets::Checkpoint& checkpoint, const TwinOptions& options,
   nets::run_epochs(*training, checkpoint);
   artefact::Writer writer("model");
   training->write_model(writer);
-  const fs::path path = fs::path(testing::TempDir()) / name;
+  fs::path path = fs::path(testing::TempDir()) / name;
   writer.save(path, {});
   return path;
 }
