@@ -62,7 +62,7 @@ double train(benchmark::State& state, const MakeWdcnnBackend& make_backend) {
   options.batch = 32;
   double trained = 0;
   const double start = processor_seconds();
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto _ : state) {
     train_and_test(train, test, options, Stream("bench"), make_backend);
     trained += static_cast<double>(options.epochs) * windows;
   }
@@ -91,7 +91,7 @@ void sgemm_1024(benchmark::State& state) {
   const torch::Tensor a = torch::rand({n, n});
   const torch::Tensor b = torch::rand({n, n});
   torch::Tensor c = torch::empty({n, n});
-  for (auto _ : state) torch::mm_out(c, a, b);
+  for ([[maybe_unused]] auto _ : state) torch::mm_out(c, a, b);
   state.counters["FLOP/s"] =
       benchmark::Counter(2. * n * n * n, benchmark::Counter::kIsIterationInvariantRate);
 }

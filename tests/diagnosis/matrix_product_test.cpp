@@ -63,7 +63,7 @@ TEST(MatrixProduct, ARowDoesNotDependOnThoseBesideIt) {
   const std::vector<double> numbers = random_numbers(2000, "a");
   const std::vector<float> a(numbers.begin(), numbers.end());
   const std::vector<float> b(numbers.rbegin(), numbers.rend());
-  std::vector<float> together(19 * 48);
+  std::vector<float> together(std::size_t{19} * 48);
   std::vector<float> alone(48);
   multiply<float>({a.data(), 30, 1, 0, b.data(), 0, together.data(), 19, 48, 30});
   for (std::size_t row = 0; row < 19; ++row) {
