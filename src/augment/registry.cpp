@@ -43,13 +43,6 @@ const std::pair<const char*, Factory> registry[] = {
 
 }  // namespace
 
-std::vector<signal::DynamicParameters> Method::infer(const artefact::Reader& model,
-                                                     const signal::WindowSet& /*windows*/,
-                                                     const std::string& /*device*/) {
-  throw Error(Exit::usage, model.path().string() + ": method " + model.text("/", "method") +
-                               " infers neither stiffness nor damping; piae-dt and its like do");
-}
-
 std::vector<std::string> method_names() {
   std::vector<std::string> names;
   for (const auto& [name, factory] : registry) names.emplace_back(name);

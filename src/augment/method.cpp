@@ -1,0 +1,14 @@
+#include "augment/method.hpp"
+
+#include "base/error.hpp"
+
+namespace piae::augment {
+
+std::vector<signal::DynamicParameters> Method::infer(const artefact::Reader& model,
+                                                     const signal::WindowSet& /*windows*/,
+                                                     const std::string& /*device*/) {
+  throw Error(Exit::usage, model.path().string() + ": method " + model.text("/", "method") +
+                               " infers neither stiffness nor damping; piae-dt and its like do");
+}
+
+}  // namespace piae::augment
