@@ -47,7 +47,8 @@ torch::Tensor WdcnnNetwork::normalise(const Layer& layer, const torch::Tensor& i
 torch::Tensor WdcnnNetwork::convolve(std::size_t i, const torch::Tensor& input, Mode mode) {
   const Convolution& c = WdcnnLayers::convolutions.at(i);
   const Layer& layer = layers_[i];
-  const torch::Tensor filtered = torch::conv1d(input, layer.weight, c10::nullopt, c.stride, c.padding);
+  const torch::Tensor filtered =
+      torch::conv1d(input, layer.weight, torch::Tensor(), c.stride, c.padding);
   // ReLU after pooling is the same as before it, on half as many values.
   return pool(normalise(layer, filtered, mode)).relu_();
 }

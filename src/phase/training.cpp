@@ -36,6 +36,7 @@ Turned turn_to_common_angle(const signal::WindowSet& known) {
     if (indices.empty()) continue;
     const Cycle cycle = cycle_of(known.info, label, known.length);
     std::vector<std::vector<double>> waveforms;
+    waveforms.reserve(indices.size());
     for (const std::size_t i : indices) {
       waveforms.push_back(closed_cycle(without_mean(known.window(i)), cycle));
     }

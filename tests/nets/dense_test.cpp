@@ -9,8 +9,7 @@ namespace {
 
 void set(const ParameterSet& parameters, const std::string& name, const torch::Tensor& values) {
   const torch::NoGradGuard no_grad;
-  torch::Tensor parameter = parameters[name];
-  parameter.copy_(values);
+  parameters[name].copy_(values);
 }
 
 TEST(DenseChain, HasItsLayersInOrderWithTheWidthBetween) {

@@ -7,7 +7,6 @@
 namespace piae::report {
 namespace {
 
-using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
