@@ -30,7 +30,7 @@ MAKEFLAGS += -j$(shell env -u OMP_NUM_THREADS nproc)
 endif
 
 # Only simulated windows have a known (k, c).
-ifneq (,$(filter identify,$(MAKECMDGOALS)))
+ifeq (identify,$(strip $(MAKECMDGOALS)))
 DATASETS := simulated
 METHODS  := piae-dt piae-dt-phase
 endif

@@ -25,17 +25,20 @@ choice  = $(foreach name,RUN DATASETS METHODS RATIOS SEEDS PROTOCOL BIN,'$(name)
 ifneq (,$(filter-out help deps build bench test data clean status check reference,$(MAKECMDGOALS)))
 
 define check_words # name, words, known words
-$(foreach word,$(filter-out $3,$2),$(error $1: unknown '$(word)'; there are: $3))
+$(foreach word,$(filter-out $3,$2),$(error $1: unknown '$(word)'; there are: $3))\
+$(if $(filter-out $(words $2),$(words $(sort $2))),$(error $1: '$2' names one twice))
 endef
 $(call check_words,DATASETS,$(DATASETS),$(known_datasets))
 $(call check_words,RATIOS,$(RATIOS),$(ratio_names))
 $(call check_words,PROTOCOL,$(PROTOCOL),random blocked)
 $(call check_words,METHODS,$(METHODS),$(known_methods))
+$(if $(filter 1,$(words $(PROTOCOL))),,$(error PROTOCOL: one of random and blocked))
 $(foreach name,DATASETS METHODS RATIOS SEEDS,$(if $($(name)),,$(error $(name): is empty)))
 $(if $(shell printf '%s\n' $(SEEDS) | grep -vxE '0|[1-9][0-9]*'),\
   $(error SEEDS: whole numbers from 0 up, not '$(SEEDS)'))
 $(if $(filter-out $(words $(SEEDS)),$(words $(sort $(SEEDS)))),$(error SEEDS: '$(SEEDS)' names one twice))
 $(if $(findstring /,$(RUN)),$(error RUN: the name of a folder under results/, not a path: '$(RUN)'))
+$(if $(filter . .. published reference,$(RUN)),$(error RUN: '$(RUN)' cannot be the name of a run))
 $(if $(filter 1,$(words $(RUN))),,$(error RUN: one word, the name of a folder under results/))
 
 settings := $(results)/.settings
@@ -49,6 +52,9 @@ $(if $(methods),,$(error no cells: METHODS="$(METHODS)" RATIOS="$(RATIOS)"; none
 # ---- settings -----------------------------------------------------------------------------------
 # file|source|tables|options that make gives on the command line
 protocol       := pipeline/protocol.toml
+# A table that nothing reads is a name mistyped.
+$(call check_words,$(protocol),$(shell sed -n 's/^[ \t]*\[\([^]]*\)\].*/\1/p' $(protocol)),\
+  split generate score diagnose tabulate train $(patsubst %,train.%,$(known_methods)))
 selection      := --methods $(METHODS) --ratios $(RATIOS) --seeds $(SEEDS)
 settings_files := \
   $(foreach dataset,$(DATASETS),'datasets/$(dataset).toml|pipeline/datasets/$(dataset).toml||') \

@@ -11,10 +11,10 @@ set -euo pipefail
 # A table that says like = "NAME" stands on top of that one beside it, which then counts, too.
 values_of() { # source, tables
   local values like
-  values=$(awk -v wanted="$2" -f "${0%/*}/tables.awk" "$1")
+  values=$(awk -v wanted="$2" -f "${0%/*}/tables.awk" "$1") || return
   like=$(sed -n 's/^like *= *"\(.*\)"$/\1/p' <<<"$values")
   if [[ -n $like ]]; then
-    values=$(awk -v wanted="$2 ${2%% *}.$like" -f "${0%/*}/tables.awk" "$1")
+    values=$(awk -v wanted="$2 ${2%% *}.$like" -f "${0%/*}/tables.awk" "$1") || return
   fi
   printf '%s' "$values"
 }

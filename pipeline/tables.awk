@@ -29,6 +29,10 @@ BEGIN {
   line = without_comment($0)
   gsub(/^[ \t\r]+|[ \t\r]+$/, "", line)
   if (line == "") next
+  if (!inside_value && line !~ /^\[[^][]+\]$/ && line !~ /^\[\[[^][]+\]\]$/ && line !~ /^[A-Za-z0-9_."'-]+[ \t]*=/) {
+    print FILENAME ", line " FNR ": neither a [table] nor key = value: " line >"/dev/stderr"
+    exit 1
+  }
   if (!inside_value && line ~ /^\[/) {
     name = line
     gsub(/[][ \t]/, "", name)

@@ -20,11 +20,15 @@ report::Identification identify(const report::Layout& layout, const std::string&
                                 std::int64_t seed) {
   const artefact::Reader model(layout.model(method, seed), "model");
   const artefact::Reader real(layout.real_windows(seed), "windows");
+  if (model.text("/", "method") != method || model.integer("/", "seed") != seed) {
+    model.refuse("/",
+                 fmt::format("is of method {}, seed {}; here it must be {}, seed {}",
+                             model.text("/", "method"), model.integer("/", "seed"), method, seed));
+  }
   signal::require_role(real, "D");
   signal::require_same_split(model, real);
   report::Identification result{method, seed, signal::read_window_set(real), {}};
-  result.inferred =
-      augment::make_method(model.text("/", "method"))->infer(model, result.windows, "cpu");
+  result.inferred = augment::make_method(method)->infer(model, result.windows, "cpu");
   return result;
 }
 

@@ -7,7 +7,6 @@
 #include <cmath>
 
 #include "base/parallel.hpp"
-#include "cli/numbers.hpp"
 #include "twin/physics.hpp"
 #include "twin/space.hpp"
 
@@ -77,7 +76,7 @@ void bind(CLI::App& app, PhysicsOptions& options) {
   bind(app, options.fit, group);
   app.add_option("--space-bins", options.space_bins,
                  "bins of the digital twin space, for k and for c")
-      ->check(cli::positive_number())
+      ->check(CLI::Range(1, 1000))
       ->group(group);
 }
 

@@ -36,8 +36,9 @@ CLI::Validator share() {
 }
 
 CLI::Validator natural_number() {
-  return number("NATURAL", "a whole number from 0 up",
-                [](double x) { return x >= 0 && x == std::floor(x); });
+  constexpr double most = 1e15;  // beyond, a double does not hold every whole number
+  return number("NATURAL", "a whole number from 0 to 10^15",
+                [](double x) { return x >= 0 && x <= most && x == std::floor(x); });
 }
 
 }  // namespace piae::cli

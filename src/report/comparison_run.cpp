@@ -1,6 +1,7 @@
 #include "report/comparison_run.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <numeric>
 #include <optional>
 #include <tuple>
@@ -31,10 +32,10 @@ std::vector<std::string> folders_in(const fs::path& folder) {
 std::optional<std::int64_t> seed_of(const std::string& folder) {
   const std::string prefix = "seed";
   const std::string digits = folder.starts_with(prefix) ? folder.substr(prefix.size()) : "";
-  if (digits.empty() || !std::ranges::all_of(digits, [](char c) { return c >= '0' && c <= '9'; })) {
-    return std::nullopt;
-  }
-  return std::stoll(digits);
+  std::int64_t seed = -1;
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), seed);
+  if (error != std::errc() || end != digits.data() + digits.size() || seed < 0) return std::nullopt;
+  return seed;
 }
 
 void note_origin(const fs::path& file, Measurements& measurements) {

@@ -4,6 +4,8 @@
 #include <string_view>
 
 #include "base/error.hpp"
+#include "bearing/defect.hpp"
+#include "bearing/kinematics.hpp"
 
 namespace piae::signal {
 
@@ -38,6 +40,11 @@ bearing::Geometry read_bearing(TomlTable table) {
     table.refuse("contact_angle_deg", "must be from 0 to below 90");
   }
   table.finish();
+  try {
+    bearing::validate(bearing);
+  } catch (const Error& error) {
+    table.refuse("balls", std::string("and its neighbours make no bearing: ") + error.what());
+  }
   return bearing;
 }
 
@@ -169,6 +176,9 @@ DatasetInfo read_info(TomlTable& root, std::vector<TomlTable>& classes) {
   }
   try {
     (void)info.healthy_label();
+    for (const ClassInfo& c : info.classes) {
+      bearing::validate(info.bearing, {c.defect, c.defect_size_mm});
+    }
   } catch (const Error& error) {
     root.refuse("class", std::string("is refused: ") + error.what());
   }

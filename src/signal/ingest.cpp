@@ -43,10 +43,11 @@ std::string checked_sha256(const fs::path& file, const RecordSource& source) {
 void require_usable(const fs::path& file, const RecordSource& source,
                     std::span<const double> signal) {
   if (signal.empty()) refuse(file, source, source.variable + " holds no sample");
-  const auto odd = std::ranges::find_if_not(signal, [](double x) { return std::isfinite(x); });
+  const auto odd = std::ranges::find_if_not(
+      signal, [](double x) { return std::isfinite(static_cast<float>(x)); });
   if (odd != signal.end()) {
     refuse(file, source,
-           source.variable + " is NaN or infinite at sample " +
+           source.variable + " is NaN, infinite or beyond 32 bits at sample " +
                std::to_string(odd - signal.begin()) + " (counted from 0)");
   }
   const auto [low, high] = std::ranges::minmax(signal);

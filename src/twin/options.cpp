@@ -30,7 +30,7 @@ void bind(CLI::App& app, TwinOptions& o) {
       "zero), or fixed (at 1)")
       ->check(CLI::IsMember({"adaptive", "adaptive-without-log", "fixed"}));
   add("--space-bins", o.space_bins, "bins of the digital twin space, for k and for c")
-      ->check(cli::positive_number());
+      ->check(CLI::Range(1, 1000));
   add("--keep", o.keep, "model that generates: best (lowest training loss) or final")
       ->check(CLI::IsMember({"best", "final"}));
   add("--mass-kg", o.mass_kg, "M of eq. 22, kg")->check(cli::positive_number());

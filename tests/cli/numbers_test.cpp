@@ -20,6 +20,7 @@ TEST(Numbers, AcceptWhatTheySay) {
   EXPECT_TRUE(accepts(natural_number(), "0"));
   EXPECT_FALSE(accepts(natural_number(), "-1"));
   EXPECT_FALSE(accepts(natural_number(), "1.5"));
+  EXPECT_FALSE(accepts(natural_number(), "99999999999999999999"));
 }
 
 TEST(Numbers, RefuseWhatIsNotAFiniteNumber) {

@@ -283,8 +283,21 @@ test_unknown_names_are_refused() {
   expect_line "$(grid SEEDS='1 1' 2>&1 || true)" "names one twice"
   expect_line "$(grid SEEDS= 2>&1 || true)" "SEEDS: is empty"
   expect_line "$(grid RUN=../t 2>&1 || true)" "not a path"
+  expect_line "$(grid METHODS='smote smote' 2>&1 || true)" "METHODS: 'smote smote' names one twice"
+  expect_line "$(grid RUN=reference 2>&1 || true)" "RUN: 'reference' cannot be the name of a run"
+  expect_line "$(grid PROTOCOL='random blocked' 2>&1 || true)" "PROTOCOL: one of random and blocked"
   expect_exit 2 grid PROTOCOL=other
   expect_equal "$(ls)" "$(printf '%s\n' Makefile fake jobs pipeline src)"
+}
+
+# Else a stage would run with what its program has built in.
+test_a_table_of_the_protocol_that_nothing_reads_is_refused() {
+  describe
+  echo '[diagnoze]' >>pipeline/protocol.toml
+  expect_line "$(grid 2>&1 || true)" "pipeline/protocol.toml: unknown 'diagnoze'"
+  sed -i 's/^\[diagnoze\]/[diagnose/' pipeline/protocol.toml
+  expect_line "$(grid 2>&1 || true)" "protocol.toml, line [0-9]+: neither a \[table\] nor key = value: \[diagnose"
+  [[ ! -e calls ]] || fail "ran: $(<calls)"
 }
 
 test_a_single_artefact_is_a_goal() {

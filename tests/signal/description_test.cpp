@@ -130,6 +130,8 @@ INSTANTIATE_TEST_SUITE_P(
         Damage{"balls = 8", "balls = 8.5", "line 6: bearing.balls must be a whole number"},
         Damage{"balls = 8", "balls = 0", "line 6: bearing.balls must be between 1 and 1000"},
         Damage{"pitch_diameter_mm = 33.5", "", "line 5: bearing.pitch_diameter_mm is missing"},
+        Damage{"pitch_diameter_mm = 33.5", "pitch_diameter_mm = 3.5", "make no bearing: "},
+        Damage{"defect_size_mm = 0.5", "defect_size_mm = 50", "defect size 50 mm; it must lie"},
         Damage{"= 15", "= 90", "bearing.contact_angle_deg must be from 0 to below 90"},
         Damage{"= \"none\"", "= \"cage\"", "class.defect holds an unknown defect 'cage'"},
         Damage{"= \"none\"", "= \"none\"\ndefect_size_mm = 1", "class.defect_size_mm makes no"},

@@ -74,8 +74,9 @@ TEST(Ingest, RefusesUnusableSignals) {
     return ingest(d, folder.path());
   };
   EXPECT_ERROR(with("1\n2\nnan\n"), Exit::bad_input,
-               "(record ok): 1 is NaN or infinite at sample 2");
-  EXPECT_ERROR(with("1\n-inf\n3\n"), Exit::bad_input, "NaN or infinite at sample 1");
+               "(record ok): 1 is NaN, infinite or beyond 32 bits at sample 2");
+  EXPECT_ERROR(with("1\n-inf\n3\n"), Exit::bad_input, "beyond 32 bits at sample 1");
+  EXPECT_ERROR(with("1\n2\n1e39\n"), Exit::bad_input, "beyond 32 bits at sample 2");
   EXPECT_ERROR(with(""), Exit::bad_input, "(record ok): 1 holds no sample");
   EXPECT_ERROR(with("2\n2\n2\n"), Exit::bad_input, "never changes");
 }
