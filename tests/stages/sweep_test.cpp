@@ -12,7 +12,7 @@ const std::string cell = "run/tiny/seed0/sweep/batch-2/50to1/diagnosis.h5";
 
 /// The chain has the common point; this is the other one.
 void make_moved_cell(const Tiny& tiny) {
-  const auto run = [&](const std::string& stage, Arguments arguments) {
+  const auto run = [&](const std::string& stage, const Arguments& arguments) {
     const Outcome outcome = tiny.run(stage, arguments);
     ASSERT_EQ(outcome.status, 0) << stage << ": " << outcome.err;
   };

@@ -119,6 +119,7 @@ INSTANTIATE_TEST_SUITE_P(Twin, Coders,
 
 std::vector<std::string> names_of(const std::vector<nets::ParameterSpec>& specs) {
   std::vector<std::string> names;
+  names.reserve(specs.size());
   for (const nets::ParameterSpec& spec : specs) names.push_back(spec.name);
   return names;
 }

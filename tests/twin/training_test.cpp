@@ -231,7 +231,7 @@ TEST(TwinTraining, HalvesTheLearningRate) {
 
 TEST(TwinTraining, RefusesASilentClass) {
   signal::WindowSet windows = known_windows();
-  std::fill(windows.samples.begin(), windows.samples.begin() + 5 * 64, 1.0F);
+  std::fill(windows.samples.begin(), windows.samples.begin() + std::ptrdiff_t{5} * 64, 1.0F);
   EXPECT_THROW(make_twin_training(windows, quick_options(), full_model, Stream("test"), "cpu"),
                Error);
 }
