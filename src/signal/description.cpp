@@ -40,11 +40,6 @@ bearing::Geometry read_bearing(TomlTable table) {
     table.refuse("contact_angle_deg", "must be from 0 to below 90");
   }
   table.finish();
-  try {
-    bearing::validate(bearing);
-  } catch (const Error& error) {
-    table.refuse("balls", std::string("and its neighbours make no bearing: ") + error.what());
-  }
   return bearing;
 }
 
@@ -68,6 +63,23 @@ ClassInfo read_class(TomlTable& table) {
     table.refuse("defect_size_mm", "makes no sense where the defect is 'none'");
   }
   return info;
+}
+
+/// Geometry and defects that parse, but cannot be: named by their place in the file.
+void require_possible(const DatasetInfo& info, const TomlTable& root,
+                      const std::vector<TomlTable>& classes) {
+  try {
+    bearing::validate(info.bearing);
+  } catch (const Error& error) {
+    root.refuse("bearing", std::string("is refused: ") + error.what());
+  }
+  for (std::size_t i = 0; i < classes.size(); ++i) {
+    try {
+      bearing::validate(info.bearing, {info.classes[i].defect, info.classes[i].defect_size_mm});
+    } catch (const Error& error) {
+      classes[i].refuse("defect_size_mm", std::string("is refused: ") + error.what());
+    }
+  }
 }
 
 int label_of(const DatasetInfo& info, TomlTable& record) {
@@ -176,12 +188,10 @@ DatasetInfo read_info(TomlTable& root, std::vector<TomlTable>& classes) {
   }
   try {
     (void)info.healthy_label();
-    for (const ClassInfo& c : info.classes) {
-      bearing::validate(info.bearing, {c.defect, c.defect_size_mm});
-    }
   } catch (const Error& error) {
     root.refuse("class", std::string("is refused: ") + error.what());
   }
+  require_possible(info, root, classes);
   return info;
 }
 

@@ -68,25 +68,6 @@ void read_table(TomlTable& table, Simulation& simulation) {
   table.finish();
 }
 
-bearing::LocalDefect defect_of(const ClassInfo& c) { return {c.defect, c.defect_size_mm}; }
-
-/// Geometry and defects that parse, but cannot be: named by their place in the file.
-void require_possible(const DatasetInfo& info, const TomlTable& root,
-                      const std::vector<TomlTable>& classes) {
-  try {
-    bearing::validate(info.bearing);
-  } catch (const Error& error) {
-    root.refuse("bearing", std::string("is refused: ") + error.what());
-  }
-  for (std::size_t i = 0; i < classes.size(); ++i) {
-    try {
-      bearing::validate(info.bearing, defect_of(info.classes[i]));
-    } catch (const Error& error) {
-      classes[i].refuse("defect_size_mm", std::string("is refused: ") + error.what());
-    }
-  }
-}
-
 std::string record_name(const Simulation& simulation, std::size_t label, std::size_t number) {
   const std::size_t digits =
       std::max<std::size_t>(2, std::to_string(simulation.records_per_class).size());
@@ -110,7 +91,7 @@ Record clean_record(const Simulation& simulation, std::size_t label, std::size_t
   Stream stream = stream_of(simulation, record);
   const bearing::DynamicsOptions dynamics =
       bearing::draw_dynamics(stream, simulation.dynamics, simulation.variation);
-  const bearing::LocalDefect defect = defect_of(info.classes[label]);
+  const bearing::LocalDefect defect{info.classes[label].defect, info.classes[label].defect_size_mm};
   const bearing::Motion motion =
       bearing::draw_motion(stream, defect.kind, info.shaft_speed_rpm, simulation.variation);
   record.shaft_speed_rpm = motion.shaft_speed_rpm;
@@ -158,7 +139,6 @@ Simulation read_simulation(const std::filesystem::path& file) {
   TomlTable table = root.table("simulation");
   root.finish();
   for (const TomlTable& c : classes) c.finish();
-  require_possible(simulation.info, root, classes);
   read_table(table, simulation);
   return simulation;
 }
