@@ -39,8 +39,7 @@ class Fitting final : public nets::Trainee {
     std::vector<twin::TwinPoint> fitted(windows.size());
     parallel_for(windows.size(), [&](std::size_t i) {
       const signal::DynamicParameters p = spectral_fit.fit(known_.window(windows[i]));
-      fitted[i] = {p.stiffness_n_per_m / stiffness_scale_n_per_m,
-                   p.damping_ns_per_m / damping_scale_ns_per_m};
+      fitted[i] = twin::without_units(p);
     });
     points_.insert(points_.end(), fitted.begin(), fitted.end());
     return known_.info.classes[static_cast<std::size_t>(label)].name;

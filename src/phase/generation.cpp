@@ -112,8 +112,7 @@ signal::WindowSet generate(const artefact::Reader& model, std::size_t count, con
           pass(waveform(i), waveform(count + i), cycle, draws[i].passage, generated.length);
       generated.samples.insert(generated.samples.end(), window.begin(), window.end());
       generated.labels.push_back(static_cast<std::int32_t>(label));
-      generated.parameters.push_back({draws[i].first.k * twin::stiffness_scale_n_per_m,
-                                      draws[i].first.c * twin::damping_scale_ns_per_m});
+      generated.parameters.push_back(twin::in_units(draws[i].first));
     }
   }
   return generated;

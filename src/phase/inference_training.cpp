@@ -8,6 +8,7 @@
 
 #include "base/error.hpp"
 #include "nets/torch.hpp"
+#include "scoring/statistics.hpp"
 #include "twin/physics.hpp"
 
 namespace piae::phase {
@@ -31,20 +32,13 @@ constexpr double sub_step_s = 6e-6;
 std::vector<twin::TwinPoint> points_of(const signal::WindowSet& windows) {
   std::vector<twin::TwinPoint> points;
   for (const signal::DynamicParameters& p : windows.parameters) {
-    points.push_back({p.stiffness_n_per_m / stiffness_scale_n_per_m,
-                      p.damping_ns_per_m / damping_scale_ns_per_m});
+    points.push_back(twin::without_units(p));
   }
   return points;
 }
 
 double draw_log(Stream& stream, double low, double high) {
   return std::exp(stream.uniform(std::log(low), std::log(high)));
-}
-
-double median_of(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 /// To centre / factor ... centre * factor, as far as that lies between the bounds, with a centre
@@ -99,10 +93,8 @@ std::size_t InferenceTraining::epochs() const {
 
 Bounds InferenceTraining::first_bounds() const {
   const double largest_n_per_m = bearing::largest_stiffness_n_per_m(simulation_.options.dynamics);
-  return {{options_.stiffness_from_n_per_m / stiffness_scale_n_per_m,
-           options_.damping_from_ns_per_m / damping_scale_ns_per_m},
-          {largest_n_per_m / stiffness_scale_n_per_m,
-           options_.damping_to_ns_per_m / damping_scale_ns_per_m}};
+  return {twin::without_units({options_.stiffness_from_n_per_m, options_.damping_from_ns_per_m}),
+          twin::without_units({largest_n_per_m, options_.damping_to_ns_per_m})};
 }
 
 std::vector<Bounds> InferenceTraining::bounds_around_known() const {
@@ -117,8 +109,8 @@ std::vector<Bounds> InferenceTraining::bounds_around_known() const {
     }
     if (k.empty()) continue;
     Bounds& own = bounds[label];
-    narrow(own.low.k, own.high.k, median_of(k), prior_factor_k);
-    narrow(own.low.c, own.high.c, median_of(c), prior_factor_c);
+    narrow(own.low.k, own.high.k, scoring::median(k), prior_factor_k);
+    narrow(own.low.c, own.high.c, scoring::median(c), prior_factor_c);
   }
   return bounds;
 }

@@ -25,8 +25,7 @@ std::vector<signal::DynamicParameters> infer(const artefact::Reader& model,
   inference.read(model);
   std::vector<signal::DynamicParameters> inferred;
   for (const twin::TwinPoint& point : inference.infer(windows)) {
-    inferred.push_back(
-        {point.k * twin::stiffness_scale_n_per_m, point.c * twin::damping_scale_ns_per_m});
+    inferred.push_back(twin::in_units(point));
   }
   return inferred;
 }

@@ -10,6 +10,7 @@
 
 #include "bearing/kinematics.hpp"
 #include "scoring/spectrum.hpp"
+#include "scoring/statistics.hpp"
 
 namespace piae::scoring {
 
@@ -45,12 +46,6 @@ Spectrum envelope_spectrum(const Windows& windows, double rate_hz) {
   const double mean_square = windows.squaredNorm() / static_cast<double>(windows.size());
   return {mean_power_spectrum(envelopes(windows), padding), rate_hz / (padding * length),
           rounding_power * mean_square * length * length + std::numeric_limits<double>::min()};
-}
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 /// A line of its own spans the main lobe of the window, anywhere within the tolerance.

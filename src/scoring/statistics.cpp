@@ -1,5 +1,6 @@
 #include "scoring/statistics.hpp"
 
+#include <algorithm>
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <numeric>
@@ -32,6 +33,12 @@ Summary summarise(std::span<const double> values) {
                       *summary.deviation / std::sqrt(n);
   summary.interval = {summary.mean - half, summary.mean + half};
   return summary;
+}
+
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
 }
 
 }  // namespace piae::scoring

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <optional>
 #include <span>
+#include <vector>
 
 namespace piae::scoring {
 
@@ -24,5 +25,9 @@ struct Summary {
 
 /// Throws std::logic_error when there is no value.
 Summary summarise(std::span<const double> values);
+
+/// The value in the middle; of an even number of values the upper of the two. There is at least
+/// one.
+double median(std::vector<double> values);
 
 }  // namespace piae::scoring

@@ -48,8 +48,7 @@ signal::WindowSet generate(const artefact::Reader& model, const TwinVariant& var
     generated.samples.insert(generated.samples.end(), samples.begin(), samples.end());
     generated.labels.insert(generated.labels.end(), count, static_cast<std::int32_t>(label));
     for (const TwinPoint& point : points) {
-      generated.parameters.push_back(
-          {point.k * stiffness_scale_n_per_m, point.c * damping_scale_ns_per_m});
+      generated.parameters.push_back(in_units(point));
     }
   }
   return generated;

@@ -29,7 +29,7 @@ std::vector<signal::DynamicParameters> infer(const artefact::Reader& model,
       networks.encode(parameters, scaled_windows(windows, description.acceleration).to(device)));
   std::vector<signal::DynamicParameters> inferred;
   for (std::size_t i = 0; i < flat.size(); i += 2) {
-    inferred.push_back({flat[i] * stiffness_scale_n_per_m, flat[i + 1] * damping_scale_ns_per_m});
+    inferred.push_back(in_units({flat[i], flat[i + 1]}));
   }
   return inferred;
 }

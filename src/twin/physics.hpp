@@ -3,13 +3,24 @@
 #include <vector>
 
 #include "signal/dataset_info.hpp"
+#include "signal/window_set.hpp"
 #include "twin/options.hpp"
+#include "twin/space.hpp"
 
 namespace piae::twin {
 
 /// Baselines of eq. 19: k = k~ * 1e8 N/m, c = c~ * 1e2 N s/m.
 inline constexpr double stiffness_scale_n_per_m = 1e8;
 inline constexpr double damping_scale_ns_per_m = 1e2;
+
+/// A point of the twin space in units, and back.
+inline signal::DynamicParameters in_units(const TwinPoint& point) {
+  return {point.k * stiffness_scale_n_per_m, point.c * damping_scale_ns_per_m};
+}
+inline TwinPoint without_units(const signal::DynamicParameters& p) {
+  return {p.stiffness_n_per_m / stiffness_scale_n_per_m,
+          p.damping_ns_per_m / damping_scale_ns_per_m};
+}
 
 /// What the digital twin loss (eq. 22) needs to be free of units.
 ///
