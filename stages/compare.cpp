@@ -68,12 +68,11 @@ int main(int argc, char** argv) {
   bool as_reference = false;
   stage.input_file("--run", run_folder, "Folder of the run, such as results/try");
   stage.input_file("--reference", reference_folder, "Folder of the reference");
-  bind(stage.app(), selection);
-  stage.app()
-      .add_option("--tolerance", tolerance,
-                  "auto: exact where processor and libraries are the same")
-      ->check(CLI::IsMember({"auto", "exact", "spread"}));
-  stage.app().add_flag("--store", as_reference,
+  bind(stage.options(), selection);
+  stage.options()
+      .add("--tolerance", tolerance, "auto: exact where processor and libraries are the same")
+      .check(cli::one_of({"auto", "exact", "spread"}));
+  stage.options().flag("--store", as_reference,
                        "Make these cells of the run the reference instead of comparing");
 
   return stage.run(argc, argv, [&] {

@@ -27,7 +27,7 @@ int main(int argc, char** argv) {
   fs::path with;
   fs::path without;
   fs::path output;
-  report::bind_cells(stage.app(), options);
+  report::bind_cells(stage.options(), options);
   stage.input_file("--with", with, "Folder RUN/DATASET, such as results/try/cwru");
   stage.input_file("--without", without, "the same without the condition");
   stage.output_file("--output", output, "the table as Markdown, FILE.md");

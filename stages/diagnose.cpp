@@ -80,18 +80,18 @@ int main(int argc, char** argv) {
   stage.input_file("--normal", normal_file, "B.h5 made by split");
   stage.input_file("--known", known_file, "C.h5 made by split");
   stage.input_file("--generated", generated_file, "E.h5 made by generate; not with 100to1")
-      ->required(false);
+      .required(false);
   stage.output_file("--output", output, "diagnosis.h5, predictions and training curves");
-  stage.app()
-      .add_option("--ratio", ratio_name,
-                  "normal to fault windows: 100to1, 50to1, 25to1, 10to1, 5to1, 2to1 or 1to1, for "
-                  "0, 5, 15, 45, 95, 145 or 495 generated windows of each fault class")
-      ->required();
-  bind(stage.app(), run);
-  stage.app().add_flag("--reproducible", reproducible,
+  stage.options()
+      .add("--ratio", ratio_name,
+           "normal to fault windows: 100to1, 50to1, 25to1, 10to1, 5to1, 2to1 or 1to1, for "
+           "0, 5, 15, 45, 95, 145 or 495 generated windows of each fault class")
+      .required();
+  bind(stage.options(), run);
+  stage.options().flag("--reproducible", reproducible,
                        "leave out the attribute train_windows_per_second, the one thing here that "
                        "differs from run to run, so that the bytes are the same each time");
-  bind(stage.app(), options);
+  bind(stage.options(), options);
 
   return stage.run(argc, argv, [&] {
     const auto make_backend = choose_backend(options.backend, run.device, argv);

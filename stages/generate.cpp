@@ -22,10 +22,10 @@ int main(int argc, char** argv) {
   cli::RunOptions run;
   fs::path model_file;
   fs::path output;
-  stage.app()
-      .add_option("--count", count, "windows of each fault class")
-      ->check(CLI::Range(std::size_t{1}, std::size_t{1000000}));
-  bind(stage.app(), run);
+  stage.options()
+      .add("--count", count, "windows of each fault class")
+      .check(cli::whole_number(1, 1000000));
+  bind(stage.options(), run);
   stage.input_file("--model", model_file, "model.h5 made by train");
   stage.output_file("--output", output, "E.h5, the generated windows");
 

@@ -43,7 +43,7 @@ int main(int argc, char** argv) {
       "identify --run results/try --dataset simulated --methods piae-dt --seeds 0 1");
   report::IdentifiabilityOptions options;
   fs::path run;
-  bind(stage.app(), options);
+  bind(stage.options(), options);
   stage.input_file("--run", run, "Folder of the run, such as results/try");
 
   return stage.run(argc, argv, [&] {

@@ -87,17 +87,13 @@ int main(int argc, char** argv) {
   bool sources = false;
   bool check = false;
   stage.input_file("--description", file, "Dataset description (TOML)");
-  stage.input_file("--data-dir", data_dir, "Folder that holds the files it names")->required(false);
+  stage.input_file("--data-dir", data_dir, "Folder that holds the files it names").required(false);
   stage.output_file("--output", output, "Artefact to write (needed unless --check or --sources)")
-      ->required(false);
-  stage.app()
-      .add_flag("--sources", sources, "Print 'sha256  file  url' of each raw file and stop")
-      ->group("Files");
+      .required(false);
+  stage.file_flag("--sources", sources, "Print 'sha256  file  url' of each raw file and stop");
 
-  stage.app()
-      .add_flag("--check", check,
-                "Read everything, say what was found and what is wrong, and write nothing")
-      ->group("Files");
+  stage.file_flag("--check", check,
+                  "Read everything, say what was found and what is wrong, and write nothing");
 
   return stage.run(argc, argv, [&] {
     const signal::Description description = signal::read_description(file);

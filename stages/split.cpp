@@ -36,7 +36,7 @@ int main(int argc, char** argv) {
   fs::path folder;
   stage.input_file("--records", records, "records.h5 made by ingest or simulate");
   stage.output_file("--output-dir", folder, "Folder for A.h5, B.h5, C.h5 and D.h5");
-  bind(stage.app(), options);
+  bind(stage.options(), options);
 
   return stage.run(argc, argv, [&] {
     const artefact::Reader reader = stage.open("records", records, "records");

@@ -23,7 +23,7 @@ int main(int argc, char** argv) {
       "--ratios 1to1 --seeds 0 1");
   report::SweepOptions options;
   fs::path run;
-  bind(stage.app(), options);
+  bind(stage.options(), options);
   stage.input_file("--run", run, "Folder of the run, such as results/try");
 
   return stage.run(argc, argv, [&] {

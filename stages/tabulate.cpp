@@ -26,18 +26,18 @@ int main(int argc, char** argv) {
   std::string against;
   fs::path run;
   fs::path published_folder;
-  bind(stage.app(), options);
-  stage.app().add_option("--against", against,
-                         "Method that all others are compared with; where it is not given, "
-                         "piae-dt-phase or else piae-dt, where they are among the methods");
+  bind(stage.options(), options);
+  stage.options().add("--against", against,
+                      "Method that all others are compared with; where it is not given, "
+                      "piae-dt-phase or else piae-dt, where they are among the methods");
   stage.input_file("--run", run, "Folder of the run, such as results/try");
   stage.input_file("--published", published_folder, "Folder of the paper's tables as CSV");
 
   std::vector<fs::path> outdated;
-  stage.app()
-      .add_option("--outdated", outdated, "Cells that make could not make again: refused by name")
-      ->default_str("")
-      ->type_name("FILE");
+  stage.options()
+      .add("--outdated", outdated, "Cells that make could not make again: refused by name")
+
+      .type_name("FILE");
 
   return stage.run(argc, argv, [&] {
     const report::Grid grid = report::resolve(options);

@@ -40,11 +40,11 @@ int main(int argc, char** argv) {
   fs::path known_file;
   fs::path real_file;
   fs::path model_file;
-  stage.app()
-      .add_option("--method", name,
-                  "one of: " + fmt::format("{}", fmt::join(augment::method_names(), ", ")))
-      ->required();
-  bind(stage.app(), run);
+  stage.options()
+      .add("--method", name,
+           "one of: " + fmt::format("{}", fmt::join(augment::method_names(), ", ")))
+      .required();
+  bind(stage.options(), run);
   stage.input_file("--known", known_file, "C.h5: the known fault windows, made by split");
   stage.output_file("--output", model_file,
                     "the model; FILE.checkpoint stands beside it meanwhile");
@@ -52,7 +52,7 @@ int main(int argc, char** argv) {
   if (!name.empty()) {
     try {
       method = augment::make_method(name);
-      method->bind(stage.app());
+      method->bind(stage.options().in_group(name));
       if (method->learns_from() == augment::LearnsFrom::real) {
         stage.input_file("--real", real_file,
                          "D.h5 of the same split, which only a ceiling learns from");

@@ -17,9 +17,9 @@ int main(int argc, char** argv) {
       "window with two roles. A usage error is 2.",
       "verify results/demo/simulated/seed0/*.h5");
   std::vector<std::filesystem::path> files;
-  stage.app()
-      .add_option("FILE", files, "artefacts; the roles of a split are checked together")
-      ->required();
+  stage.options()
+      .add("FILE", files, "artefacts; the roles of a split are checked together")
+      .required();
 
   int status = 0;
   const int error = stage.run(argc, argv, [&] {

@@ -2,10 +2,7 @@
 
 #include <spdlog/fmt/fmt.h>
 
-#include <CLI/CLI.hpp>
-
 #include "base/error.hpp"
-#include "cli/numbers.hpp"
 
 namespace piae::augment {
 
@@ -23,22 +20,24 @@ void require_contact(const signal::SimulationOptions& options) {
 
 }  // namespace
 
-void Dynamics::bind(CLI::App& app) {
-  const std::string group = "dynamics";
-  const auto add = [&](const std::string& name, double& value, const std::string& help) {
-    return app.add_option(name, value, help)->group(group);
-  };
-  add("--stiffness-n-per-m", options_.dynamics.stiffness_n_per_m, "K of eq. 13: mean over windows")
-      ->check(cli::positive_number());
-  add("--stiffness-spread", options_.variation.stiffness_spread,
-      "of K from window to window: standard deviation / mean")
-      ->check(signal::spread());
-  add("--damping-ns-per-m", options_.dynamics.damping_ns_per_m, "C of eq. 13: mean over windows")
-      ->check(cli::positive_number());
-  add("--damping-spread", options_.variation.damping_spread,
-      "of C from window to window: standard deviation / mean")
-      ->check(signal::spread());
-  signal::bind(app, options_, group);
+void Dynamics::bind(const cli::Options& command) {
+  command
+      .add("--stiffness-n-per-m", options_.dynamics.stiffness_n_per_m,
+           "K of eq. 13: mean over windows")
+      .check(cli::positive_number());
+  command
+      .add("--stiffness-spread", options_.variation.stiffness_spread,
+           "of K from window to window: standard deviation / mean")
+      .check(signal::spread());
+  command
+      .add("--damping-ns-per-m", options_.dynamics.damping_ns_per_m,
+           "C of eq. 13: mean over windows")
+      .check(cli::positive_number());
+  command
+      .add("--damping-spread", options_.variation.damping_spread,
+           "of C from window to window: standard deviation / mean")
+      .check(signal::spread());
+  signal::bind(command, options_);
 }
 
 void Dynamics::train(const signal::WindowSet& known, const Stream& /*stream*/,

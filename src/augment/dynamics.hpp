@@ -1,7 +1,7 @@
 #pragma once
 
 #include "augment/method.hpp"
-#include "cli/app.hpp"
+#include "cli/options.hpp"
 #include "signal/window_simulation.hpp"
 
 namespace piae::augment {
@@ -11,7 +11,7 @@ namespace piae::augment {
 /// but their RMS. Options under which the load cannot close the clearance are Error(usage).
 class Dynamics final : public Method {
  public:
-  void bind(CLI::App& app) override;
+  void bind(const cli::Options& command) override;
   void train(const signal::WindowSet& known, const Stream& stream, const std::string& device,
              const nets::Checkpoint& checkpoint, artefact::Writer& model) override;
   signal::WindowSet generate(const artefact::Reader& model, std::size_t count, const Stream& stream,

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "cli/app.hpp"
+#include "cli/options.hpp"
 
 namespace piae::augment {
 
@@ -17,6 +17,6 @@ struct LatentOptions {
 };
 
 /// `group`: the heading of the options in --help, the method's name.
-void bind(CLI::App& app, LatentOptions& options, const std::string& group);
+void bind(const cli::Options& command, LatentOptions& options);
 
 }  // namespace piae::augment

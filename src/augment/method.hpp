@@ -10,7 +10,7 @@
 #include "artefact/reader.hpp"
 #include "artefact/writer.hpp"
 #include "base/random.hpp"
-#include "cli/app.hpp"
+#include "cli/options.hpp"
 #include "nets/trainee.hpp"
 #include "signal/window_set.hpp"
 
@@ -32,7 +32,7 @@ class Method {
   [[nodiscard]] virtual LearnsFrom learns_from() const { return LearnsFrom::known; }
 
   /// Adds the options of `train` that are this method's own.
-  virtual void bind(CLI::App& app) = 0;
+  virtual void bind(const cli::Options& command) = 0;
 
   /// Learns from the known fault windows C (or those of learns_from) and writes what `generate`
   /// needs into the model. Long training runs through nets::run_epochs with the checkpoint.

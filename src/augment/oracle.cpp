@@ -33,7 +33,7 @@ std::vector<std::vector<std::size_t>> shuffled_classes(const signal::WindowSet& 
 
 }  // namespace
 
-void Oracle::bind(CLI::App& /*app*/) {}
+void Oracle::bind(const cli::Options& /*command*/) {}
 
 void Oracle::train(const signal::WindowSet& real, const Stream& /*stream*/,
                    const std::string& /*device*/, const nets::Checkpoint& /*checkpoint*/,

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "augment/method.hpp"
-#include "cli/app.hpp"
+#include "cli/options.hpp"
 
 namespace piae::augment {
 
@@ -12,7 +12,7 @@ namespace piae::augment {
 class Oracle final : public Method {
  public:
   [[nodiscard]] LearnsFrom learns_from() const override { return LearnsFrom::real; }
-  void bind(CLI::App& app) override;
+  void bind(const cli::Options& command) override;
   void train(const signal::WindowSet& real, const Stream& stream, const std::string& device,
              const nets::Checkpoint& checkpoint, artefact::Writer& model) override;
   signal::WindowSet generate(const artefact::Reader& model, std::size_t count, const Stream& stream,

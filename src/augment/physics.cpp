@@ -2,7 +2,6 @@
 
 #include <spdlog/fmt/fmt.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 
@@ -69,17 +68,14 @@ class Fitting final : public nets::Trainee {
 
 }  // namespace
 
-void bind(CLI::App& app, PhysicsOptions& options) {
-  const std::string group = "physics";
-  bind(app, options.simulation, group);
-  bind(app, options.fit, group);
-  app.add_option("--space-bins", options.space_bins,
-                 "bins of the digital twin space, for k and for c")
-      ->check(CLI::Range(1, 1000))
-      ->group(group);
+void bind(const cli::Options& command, PhysicsOptions& options) {
+  bind(command, options.simulation);
+  bind(command, options.fit);
+  command.add("--space-bins", options.space_bins, "bins of the digital twin space, for k and for c")
+      .check(cli::whole_number(1, 1000));
 }
 
-void Physics::bind(CLI::App& app) { augment::bind(app, options_); }
+void Physics::bind(const cli::Options& command) { augment::bind(command, options_); }
 
 void Physics::train(const signal::WindowSet& known, const Stream& /*stream*/,
                     const std::string& /*device*/, const nets::Checkpoint& checkpoint,

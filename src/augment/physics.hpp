@@ -2,7 +2,7 @@
 
 #include "augment/method.hpp"
 #include "augment/spectral_fit.hpp"
-#include "cli/app.hpp"
+#include "cli/options.hpp"
 #include "signal/window_simulation.hpp"
 
 namespace piae::augment {
@@ -13,7 +13,7 @@ struct PhysicsOptions {
   int space_bins = 10;  ///< of the histogram, for k and for c, as for PIAE-DT; open in the paper
 };
 
-void bind(CLI::App& app, PhysicsOptions& options);
+void bind(const cli::Options& command, PhysicsOptions& options);
 
 /// Model 3 of the ablation (paper, Section 4.5.4): PIAE-DT without its auto-encoder. Stiffness and
 /// damping of each known window are fitted by eq. 13 itself (SpectralFit), their joint histogram
@@ -21,7 +21,7 @@ void bind(CLI::App& app, PhysicsOptions& options);
 /// points drawn from it.
 class Physics final : public Method {
  public:
-  void bind(CLI::App& app) override;
+  void bind(const cli::Options& command) override;
   void train(const signal::WindowSet& known, const Stream& stream, const std::string& device,
              const nets::Checkpoint& checkpoint, artefact::Writer& model) override;
   signal::WindowSet generate(const artefact::Reader& model, std::size_t count, const Stream& stream,

@@ -6,7 +6,7 @@
 
 namespace piae::augment {
 
-void PiaeDt::bind(CLI::App& app) { twin::bind(app, options_); }
+void PiaeDt::bind(const cli::Options& command) { twin::bind(command, options_); }
 
 void PiaeDt::train(const signal::WindowSet& known, const Stream& stream, const std::string& device,
                    const nets::Checkpoint& checkpoint, artefact::Writer& model) {

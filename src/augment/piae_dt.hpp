@@ -1,7 +1,7 @@
 #pragma once
 
 #include "augment/method.hpp"
-#include "cli/app.hpp"
+#include "cli/options.hpp"
 #include "twin/options.hpp"
 #include "twin/variant.hpp"
 
@@ -13,7 +13,7 @@ class PiaeDt final : public Method {
  public:
   explicit PiaeDt(const twin::TwinVariant& variant) : variant_(variant) {}
 
-  void bind(CLI::App& app) override;
+  void bind(const cli::Options& command) override;
   void train(const signal::WindowSet& known, const Stream& stream, const std::string& device,
              const nets::Checkpoint& checkpoint, artefact::Writer& model) override;
   signal::WindowSet generate(const artefact::Reader& model, std::size_t count, const Stream& stream,

@@ -6,7 +6,7 @@
 
 namespace piae::augment {
 
-void PiaeDtPhase::bind(CLI::App& app) { phase::bind(app, options_); }
+void PiaeDtPhase::bind(const cli::Options& command) { phase::bind(command, options_); }
 
 void PiaeDtPhase::train(const signal::WindowSet& known, const Stream& stream,
                         const std::string& device, const nets::Checkpoint& checkpoint,

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "augment/method.hpp"
-#include "cli/app.hpp"
+#include "cli/options.hpp"
 #include "phase/options.hpp"
 
 namespace piae::augment {
@@ -9,7 +9,7 @@ namespace piae::augment {
 /// PIAE-DT with the start angle in its twin space (src/phase) as an entry of the grid.
 class PiaeDtPhase final : public Method {
  public:
-  void bind(CLI::App& app) override;
+  void bind(const cli::Options& command) override;
   void train(const signal::WindowSet& known, const Stream& stream, const std::string& device,
              const nets::Checkpoint& checkpoint, artefact::Writer& model) override;
   signal::WindowSet generate(const artefact::Reader& model, std::size_t count, const Stream& stream,

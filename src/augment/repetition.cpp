@@ -6,7 +6,7 @@
 
 namespace piae::augment {
 
-void Repetition::bind(CLI::App& /*app*/) {}
+void Repetition::bind(const cli::Options& /*command*/) {}
 
 void Repetition::train(const signal::WindowSet& known, const Stream& /*stream*/,
                        const std::string& /*device*/, const nets::Checkpoint& /*checkpoint*/,

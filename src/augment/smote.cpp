@@ -2,12 +2,9 @@
 
 #include <spdlog/fmt/fmt.h>
 
-#include <CLI/CLI.hpp>
-
 #include "augment/interpolation.hpp"
 #include "augment/windows.hpp"
 #include "base/error.hpp"
-#include "cli/numbers.hpp"
 
 namespace piae::augment {
 
@@ -45,14 +42,14 @@ std::vector<Neighbourhood> neighbourhoods(const signal::WindowSet& known, int k)
 
 }  // namespace
 
-void bind(CLI::App& app, SmoteOptions& options) {
-  app.add_option("--neighbours", options.neighbours,
-                 "k: a window is drawn towards one of so many nearest of its class")
-      ->check(cli::positive_number())
-      ->group("smote");
+void bind(const cli::Options& command, SmoteOptions& options) {
+  command
+      .add("--neighbours", options.neighbours,
+           "k: a window is drawn towards one of so many nearest of its class")
+      .check(cli::positive_number());
 }
 
-void Smote::bind(CLI::App& app) { augment::bind(app, options_); }
+void Smote::bind(const cli::Options& command) { augment::bind(command, options_); }
 
 void Smote::train(const signal::WindowSet& known, const Stream& /*stream*/,
                   const std::string& /*device*/, const nets::Checkpoint& /*checkpoint*/,

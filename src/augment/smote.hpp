@@ -1,7 +1,7 @@
 #pragma once
 
 #include "augment/method.hpp"
-#include "cli/app.hpp"
+#include "cli/options.hpp"
 
 namespace piae::augment {
 
@@ -9,7 +9,7 @@ struct SmoteOptions {
   int neighbours = 4;  ///< k. Chawla et al. take 5; with five known windows 4 is all there are
 };
 
-void bind(CLI::App& app, SmoteOptions& options);
+void bind(const cli::Options& command, SmoteOptions& options);
 
 /// SMOTE (Chawla et al. 2002, "SMOTE: synthetic minority over-sampling technique"): a generated
 /// window lies on the line from a known window of the class to one of its k nearest of that class,
@@ -19,7 +19,7 @@ void bind(CLI::App& app, SmoteOptions& options);
 /// The model holds the known windows; k above n - 1 is Error(usage).
 class Smote final : public Method {
  public:
-  void bind(CLI::App& app) override;
+  void bind(const cli::Options& command) override;
   void train(const signal::WindowSet& known, const Stream& stream, const std::string& device,
              const nets::Checkpoint& checkpoint, artefact::Writer& model) override;
   signal::WindowSet generate(const artefact::Reader& model, std::size_t count, const Stream& stream,

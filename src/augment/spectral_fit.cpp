@@ -2,7 +2,6 @@
 
 #include <spdlog/fmt/fmt.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <boost/math/tools/minima.hpp>
 #include <cmath>
@@ -11,7 +10,6 @@
 
 #include "base/error.hpp"
 #include "base/parallel.hpp"
-#include "cli/numbers.hpp"
 #include "scoring/spectrum.hpp"
 
 namespace piae::augment {
@@ -83,21 +81,19 @@ void require_between(const std::string& option, double from, double to, const st
 
 }  // namespace
 
-void bind(CLI::App& app, FitOptions& o, const std::string& group) {
-  const auto add = [&](const std::string& name, auto& value, const std::string& help) {
-    return app.add_option(name, value, help)->group(group);
-  };
-  add("--stiffness-from-n-per-m", o.stiffness_from_n_per_m,
-      "least stiffness of the fit; the largest is load / clearance")
-      ->check(cli::positive_number());
-  add("--damping-from-ns-per-m", o.damping_from_ns_per_m, "least damping of the fit")
-      ->check(cli::positive_number());
-  add("--damping-to-ns-per-m", o.damping_to_ns_per_m, "largest damping of the fit")
-      ->check(cli::positive_number());
-  add("--stiffness-grid", o.stiffness_grid, "values of k that the fit begins with")
-      ->check(CLI::Range(2, 1000));
-  add("--damping-grid", o.damping_grid, "values of c that the fit begins with")
-      ->check(CLI::Range(2, 1000));
+void bind(const cli::Options& command, FitOptions& o) {
+  command
+      .add("--stiffness-from-n-per-m", o.stiffness_from_n_per_m,
+           "least stiffness of the fit; the largest is load / clearance")
+      .check(cli::positive_number());
+  command.add("--damping-from-ns-per-m", o.damping_from_ns_per_m, "least damping of the fit")
+      .check(cli::positive_number());
+  command.add("--damping-to-ns-per-m", o.damping_to_ns_per_m, "largest damping of the fit")
+      .check(cli::positive_number());
+  command.add("--stiffness-grid", o.stiffness_grid, "values of k that the fit begins with")
+      .check(cli::whole_number(2, 1000));
+  command.add("--damping-grid", o.damping_grid, "values of c that the fit begins with")
+      .check(cli::whole_number(2, 1000));
 }
 
 SpectralFit::SpectralFit(const signal::WindowSimulation& simulation, int label,

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/app.hpp"
+#include "cli/options.hpp"
 #include "signal/window_simulation.hpp"
 
 namespace piae::augment {
@@ -20,7 +20,7 @@ struct FitOptions {
   int damping_grid = 10;
 };
 
-void bind(CLI::App& app, FitOptions& options, const std::string& group);
+void bind(const cli::Options& command, FitOptions& options);
 
 /// (k, c) of a window by eq. 13 itself: eq. 14's argmax of p(k, c | x) with a flat prior in log k
 /// and log c. Where on the shaft's turn a window starts is unknown, so it is judged by its

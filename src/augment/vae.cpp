@@ -42,7 +42,7 @@ class VaeTraining final : public LatentTraining {
 
 }  // namespace
 
-void Vae::bind(CLI::App& app) { augment::bind(app, options_, "vae"); }
+void Vae::bind(const cli::Options& command) { augment::bind(command, options_); }
 
 void Vae::train(const signal::WindowSet& known, const Stream& stream, const std::string& device,
                 const nets::Checkpoint& checkpoint, artefact::Writer& model) {

@@ -2,7 +2,7 @@
 
 #include "augment/latent_options.hpp"
 #include "augment/method.hpp"
-#include "cli/app.hpp"
+#include "cli/options.hpp"
 
 namespace piae::augment {
 
@@ -20,7 +20,7 @@ inline constexpr LatentOptions vae_defaults{
 /// al. 2015) as an entry of the grid. Generates from the final network.
 class Vae final : public Method {
  public:
-  void bind(CLI::App& app) override;
+  void bind(const cli::Options& command) override;
   void train(const signal::WindowSet& known, const Stream& stream, const std::string& device,
              const nets::Checkpoint& checkpoint, artefact::Writer& model) override;
   signal::WindowSet generate(const artefact::Reader& model, std::size_t count, const Stream& stream,

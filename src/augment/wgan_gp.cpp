@@ -1,9 +1,6 @@
 #include "augment/wgan_gp.hpp"
 
-#include <CLI/CLI.hpp>
-
 #include "augment/wgan_gp_losses.hpp"
-#include "cli/numbers.hpp"
 #include "nets/adam.hpp"
 #include "nets/torch.hpp"
 
@@ -95,18 +92,15 @@ class WganGpTraining final : public LatentTraining {
 
 }  // namespace
 
-void bind(CLI::App& app, WganGpOptions& o) {
-  const std::string group = "wgan-gp";
-  bind(app, o.networks, group);
-  app.add_option("--critic-steps", o.critic_steps, "steps of the critic for each of the generator")
-      ->check(cli::positive_number())
-      ->group(group);
-  app.add_option("--penalty", o.penalty, "lambda, weight of the gradient penalty")
-      ->check(cli::non_negative_number())
-      ->group(group);
+void bind(const cli::Options& command, WganGpOptions& o) {
+  bind(command, o.networks);
+  command.add("--critic-steps", o.critic_steps, "steps of the critic for each of the generator")
+      .check(cli::positive_number());
+  command.add("--penalty", o.penalty, "lambda, weight of the gradient penalty")
+      .check(cli::non_negative_number());
 }
 
-void WganGp::bind(CLI::App& app) { augment::bind(app, options_); }
+void WganGp::bind(const cli::Options& command) { augment::bind(command, options_); }
 
 void WganGp::train(const signal::WindowSet& known, const Stream& stream, const std::string& device,
                    const nets::Checkpoint& checkpoint, artefact::Writer& model) {

@@ -2,7 +2,7 @@
 
 #include "augment/latent_options.hpp"
 #include "augment/method.hpp"
-#include "cli/app.hpp"
+#include "cli/options.hpp"
 
 namespace piae::augment {
 
@@ -20,13 +20,13 @@ struct WganGpOptions {
   double penalty = 10;   ///< lambda, weight of the gradient penalty; Gulrajani et al., Algorithm 1
 };
 
-void bind(CLI::App& app, WganGpOptions& options);
+void bind(const cli::Options& command, WganGpOptions& options);
 
 /// A conditional WGAN-GP on the known windows (Gulrajani et al. 2017, "Improved training of
 /// Wasserstein GANs") as an entry of the grid. Generates from the final network.
 class WganGp final : public Method {
  public:
-  void bind(CLI::App& app) override;
+  void bind(const cli::Options& command) override;
   void train(const signal::WindowSet& known, const Stream& stream, const std::string& device,
              const nets::Checkpoint& checkpoint, artefact::Writer& model) override;
   signal::WindowSet generate(const artefact::Reader& model, std::size_t count, const Stream& stream,

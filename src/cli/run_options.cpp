@@ -1,16 +1,12 @@
 #include "cli/run_options.hpp"
 
-#include <CLI/CLI.hpp>
-
-#include "cli/numbers.hpp"
-
 namespace piae::cli {
 
-void bind(CLI::App& app, RunOptions& options) {
-  app.add_option("--seed", options.seed, "the repeat; names the random streams")
-      ->required()
-      ->check(natural_number());
-  app.add_option("--device", options.device, "cpu or cuda");
+void bind(const cli::Options& command, RunOptions& options) {
+  command.add("--seed", options.seed, "the repeat; names the random streams")
+      .required()
+      .check(natural_number());
+  command.add("--device", options.device, "cpu or cuda");
 }
 
 }  // namespace piae::cli

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <string>
 
-#include "cli/app.hpp"
+#include "cli/options.hpp"
 
 namespace piae::cli {
 
@@ -13,6 +13,6 @@ struct RunOptions {
   std::string device = "cpu";  ///< cpu or cuda
 };
 
-void bind(CLI::App& app, RunOptions& options);
+void bind(const cli::Options& command, RunOptions& options);
 
 }  // namespace piae::cli

@@ -3,6 +3,7 @@
 #include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
 
+#include <CLI/CLI.hpp>
 #include <iostream>
 #include <new>
 
@@ -39,26 +40,32 @@ int fail(const std::string& name, Exit exit, const std::string& line) {
 }  // namespace
 
 Stage::Stage(std::string name, const std::string& summary, const std::string& example)
-    : name_(std::move(name)), app_(summary, name_) {
-  app_.footer("Example:\n  " + example +
-              "\n\nExit codes: 0 done, 1 failed, 2 usage, 65 bad input data, 66 input missing,\n"
-              "75 interrupted after a checkpoint (run the same command again)\n");
-  app_.option_defaults()->always_capture_default();
-  app_.get_formatter()->column_width(38);
-  app_.set_config("--config", "", "TOML file to read options from, table [" + name_ + "]")
+    : name_(std::move(name)), app_(std::make_unique<CLI::App>(summary, name_)) {
+  app_->footer("Example:\n  " + example +
+               "\n\nExit codes: 0 done, 1 failed, 2 usage, 65 bad input data, 66 input missing,\n"
+               "75 interrupted after a checkpoint (run the same command again)\n");
+  app_->option_defaults()->always_capture_default();
+  app_->get_formatter()->column_width(38);
+  app_->set_config("--config", "", "TOML file to read options from, table [" + name_ + "]")
       ->group(files_group);
-  app_.config_formatter(std::make_shared<TomlConfig>(name_, ""));
-  app_.allow_config_extras(CLI::config_extras_mode::error);
+  app_->config_formatter(std::make_shared<TomlConfig>(name_, ""));
+  app_->allow_config_extras(CLI::config_extras_mode::error);
 }
 
-CLI::Option* Stage::input_file(const std::string& option, std::filesystem::path& path,
-                               const std::string& help) {
-  return app_.add_option(option, path, help)->required()->group(files_group)->type_name("FILE");
+Stage::~Stage() = default;
+
+Option Stage::input_file(const std::string& option, std::filesystem::path& path,
+                         const std::string& help) {
+  return options().in_group(files_group).add(option, path, help).required().type_name("FILE");
 }
 
-CLI::Option* Stage::output_file(const std::string& option, std::filesystem::path& path,
-                                const std::string& help) {
-  return app_.add_option(option, path, help)->required()->group(files_group)->type_name("PATH");
+Option Stage::output_file(const std::string& option, std::filesystem::path& path,
+                          const std::string& help) {
+  return options().in_group(files_group).add(option, path, help).required().type_name("PATH");
+}
+
+Option Stage::file_flag(const std::string& option, bool& value, const std::string& help) {
+  return options().in_group(files_group).flag(option, value, help);
 }
 
 std::string Stage::choose_variant(int argc, char** argv, const std::string& option) {
@@ -75,24 +82,24 @@ std::string Stage::choose_variant(int argc, char** argv, const std::string& opti
   } catch (const CLI::Error&) {
     return {};  // run() meets the same error and reports it
   }
-  app_.config_formatter(std::make_shared<TomlConfig>(name_, variant));
+  app_->config_formatter(std::make_shared<TomlConfig>(name_, variant));
   return variant;
 }
 
 int Stage::run(int argc, char** argv, const std::function<void()>& body) {
   log_to_stderr(name_);
   try {
-    app_.parse(argc, argv);
+    app_->parse(argc, argv);
     body();
     return static_cast<int>(Exit::done);
   } catch (const CLI::CallForHelp&) {
-    std::cout << app_.help();
+    std::cout << app_->help();
     return static_cast<int>(Exit::done);
   } catch (const CLI::FileError& error) {
     return fail(name_, Exit::input_missing, first_line(error.what()));
   } catch (const CLI::ConfigError& error) {
     return fail(name_, Exit::usage,
-                app_.get_config_ptr()->as<std::string>() + ": " +
+                app_->get_config_ptr()->as<std::string>() + ": " +
                     in_our_words(first_line(error.what())) + " (see " + name_ + " --help)");
   } catch (const CLI::Error& error) {
     return fail(name_, Exit::usage, first_line(error.what()) + " (see " + name_ + " --help)");
@@ -132,9 +139,9 @@ void Stage::save(artefact::Writer& writer, const std::filesystem::path& path) co
 
 std::string Stage::resolved_options() const {
   std::string text;
-  for (const CLI::Option* option : app_.get_options()) {
+  for (const CLI::Option* option : app_->get_options()) {
     const bool has_name = !option->get_lnames().empty();
-    if (!has_name || option->get_group() == files_group || option == app_.get_help_ptr()) continue;
+    if (!has_name || option->get_group() == files_group || option == app_->get_help_ptr()) continue;
     std::string value = option->get_default_str();
     if (option->count() > 0) {
       value.clear();

@@ -1,13 +1,14 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <string>
 
 #include "artefact/provenance.hpp"
 #include "artefact/reader.hpp"
 #include "artefact/writer.hpp"
+#include "cli/options.hpp"
 
 namespace piae::cli {
 
@@ -16,7 +17,7 @@ namespace piae::cli {
 ///
 ///     int main(int argc, char** argv) {
 ///       cli::Stage stage("split", "Cuts records into windows ...", "split --records records.h5
-///       ..."); SplitOptions options; bind(stage.app(), options); fs::path records;
+///       ..."); SplitOptions options; bind(stage.options(), options); fs::path records;
 ///       stage.input_file("--records", records, "records.h5 made by ingest or simulate");
 ///       return stage.run(argc, argv, [&] {
 ///         const Recordings recordings = read_recordings(stage.open("records", records,
@@ -29,14 +30,19 @@ class Stage {
  public:
   Stage(std::string name, const std::string& summary, const std::string& example);
 
-  CLI::App& app() { return app_; }
+  ~Stage();
+
+  /// Where the program's own options are added.
+  [[nodiscard]] Options options() { return Options(*app_); }
 
   /// A required option that names a file or folder. Such options are not part of the recorded
   /// settings: the same settings in another folder are the same settings.
-  CLI::Option* input_file(const std::string& option, std::filesystem::path& path,
-                          const std::string& help);
-  CLI::Option* output_file(const std::string& option, std::filesystem::path& path,
-                           const std::string& help);
+  Option input_file(const std::string& option, std::filesystem::path& path,
+                    const std::string& help);
+  Option output_file(const std::string& option, std::filesystem::path& path,
+                     const std::string& help);
+  /// A flag that decides whether files are written, and so is no setting either.
+  Option file_flag(const std::string& option, bool& value, const std::string& help);
 
   /// Reads the value of `option` from the command line or the TOML file before all others are
   /// known, because others depend on it (`--method` decides which options train has). It also names
@@ -63,7 +69,7 @@ class Stage {
   [[nodiscard]] std::string resolved_options() const;
 
   std::string name_;
-  CLI::App app_;
+  std::unique_ptr<CLI::App> app_;
   std::vector<artefact::Provenance::Input> inputs_;
   std::vector<std::filesystem::path> input_paths_;
 };

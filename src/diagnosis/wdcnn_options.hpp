@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <string>
 
-#include "cli/app.hpp"
+#include "cli/options.hpp"
 
 namespace piae::diagnosis {
 
@@ -18,6 +18,6 @@ struct WdcnnOptions {
   std::string backend = "auto";
 };
 
-void bind(CLI::App& app, WdcnnOptions& options);
+void bind(const cli::Options& command, WdcnnOptions& options);
 
 }  // namespace piae::diagnosis

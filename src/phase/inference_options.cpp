@@ -1,14 +1,10 @@
 #include "phase/inference_options.hpp"
 
-#include <CLI/CLI.hpp>
-
-#include "cli/numbers.hpp"
-
 namespace piae::phase {
 
-void bind(CLI::App& app, InferenceOptions& o, const std::string& group) {
+void bind(const cli::Options& command, InferenceOptions& o) {
   const auto add = [&](const std::string& name, auto& value, const std::string& help) {
-    return app.add_option(name, value, help)->group(group)->check(cli::positive_number());
+    command.add(name, value, help).check(cli::positive_number());
   };
   add("--stiffness-from-n-per-m", o.stiffness_from_n_per_m,
       "least stiffness looked for; the largest is load / clearance");

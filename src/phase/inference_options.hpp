@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "cli/app.hpp"
+#include "cli/options.hpp"
 
 namespace piae::phase {
 
@@ -20,6 +20,6 @@ struct InferenceOptions {
   double snr_to_db = 30;        ///< noise is drawn from 0 dB, as strong as the signal, to this
 };
 
-void bind(CLI::App& app, InferenceOptions& options, const std::string& group);
+void bind(const cli::Options& command, InferenceOptions& options);
 
 }  // namespace piae::phase

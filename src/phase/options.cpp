@@ -1,12 +1,10 @@
 #include "phase/options.hpp"
 
-#include <CLI/CLI.hpp>
-
 namespace piae::phase {
 
-void bind(CLI::App& app, PhaseOptions& options) {
-  twin::bind(app, options.twin);
-  bind(app, options.inference, "piae-dt-phase");
+void bind(const cli::Options& command, PhaseOptions& options) {
+  twin::bind(command, options.twin);
+  bind(command, options.inference);
 }
 
 }  // namespace piae::phase

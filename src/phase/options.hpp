@@ -1,6 +1,6 @@
 #pragma once
 
-#include "cli/app.hpp"
+#include "cli/options.hpp"
 #include "phase/inference_options.hpp"
 #include "twin/options.hpp"
 
@@ -13,6 +13,6 @@ struct PhaseOptions {
   InferenceOptions inference;
 };
 
-void bind(CLI::App& app, PhaseOptions& options);
+void bind(const cli::Options& command, PhaseOptions& options);
 
 }  // namespace piae::phase

@@ -1,6 +1,5 @@
 #include "report/comparison_selection.hpp"
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 
 #include "scoring/ratios.hpp"
@@ -29,16 +28,12 @@ bool Selection::has(const std::string& method, const std::string& ratio, std::in
          among(seeds, seed);
 }
 
-void bind(CLI::App& app, Selection& selection) {
+void bind(const cli::Options& command, Selection& selection) {
   const std::string all = "; all where it is not given";
-  app.add_option("--datasets", selection.datasets,
-                 "Datasets to compare, such as: cwru hit-sm" + all)
-      ->default_str("");
-  app.add_option("--methods", selection.methods, "Methods, such as: none piae-dt" + all)
-      ->default_str("");
-  app.add_option("--ratios", selection.ratios, "Ratios, such as: 100to1 10to1" + all)
-      ->default_str("");
-  app.add_option("--seeds", selection.seeds, "Seeds, such as: 0 1" + all)->default_str("");
+  command.add("--datasets", selection.datasets, "Datasets to compare, such as: cwru hit-sm" + all);
+  command.add("--methods", selection.methods, "Methods, such as: none piae-dt" + all);
+  command.add("--ratios", selection.ratios, "Ratios, such as: 100to1 10to1" + all);
+  command.add("--seeds", selection.seeds, "Seeds, such as: 0 1" + all);
 }
 
 }  // namespace piae::report

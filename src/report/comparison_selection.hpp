@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/app.hpp"
+#include "cli/options.hpp"
 
 namespace piae::report {
 
@@ -22,6 +22,6 @@ struct Selection {
                          std::int64_t seed) const;
 };
 
-void bind(CLI::App& app, Selection& selection);
+void bind(const cli::Options& command, Selection& selection);
 
 }  // namespace piae::report

@@ -1,6 +1,5 @@
 #include "report/grid.hpp"
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <charconv>
 #include <string_view>
@@ -34,19 +33,15 @@ std::vector<std::string> in_order_of_table_5(const std::vector<std::string>& nam
 
 bool is_ceiling(const std::string& method) { return method == "oracle"; }
 
-void bind(CLI::App& app, GridOptions& options) {
-  app.add_option("--dataset", options.dataset, "Dataset, such as cwru")->required();
-  bind_cells(app, options);
+void bind(const cli::Options& command, GridOptions& options) {
+  command.add("--dataset", options.dataset, "Dataset, such as cwru").required();
+  bind_cells(command, options);
 }
 
-void bind_cells(CLI::App& app, GridOptions& options) {
-  app.add_option("--methods", options.methods, "Methods, such as: none piae-dt")
-      ->required()
-      ->default_str("");
-  app.add_option("--ratios", options.ratios, "Ratios, such as: 100to1 10to1 1to1")
-      ->required()
-      ->default_str("");
-  app.add_option("--seeds", options.seeds, "Seeds, such as: 0 1 2")->required()->default_str("");
+void bind_cells(const cli::Options& command, GridOptions& options) {
+  command.add("--methods", options.methods, "Methods, such as: none piae-dt").required();
+  command.add("--ratios", options.ratios, "Ratios, such as: 100to1 10to1 1to1").required();
+  command.add("--seeds", options.seeds, "Seeds, such as: 0 1 2").required();
 }
 
 std::vector<std::string> split_list(const std::string& option,

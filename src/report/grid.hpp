@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/app.hpp"
+#include "cli/options.hpp"
 
 namespace piae::report {
 
@@ -23,9 +23,9 @@ struct GridOptions {
   std::vector<std::string> seeds;
 };
 
-void bind(CLI::App& app, GridOptions& options);
+void bind(const cli::Options& command, GridOptions& options);
 /// All but --dataset, for a program that knows it otherwise.
-void bind_cells(CLI::App& app, GridOptions& options);
+void bind_cells(const cli::Options& command, GridOptions& options);
 
 /// One line of a table: its cells differ in nothing but the seed.
 struct Combination {

@@ -2,7 +2,6 @@
 
 #include <spdlog/fmt/fmt.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
 
@@ -138,13 +137,11 @@ Section scatter_section(const std::vector<Identification>& all, const Parameter&
 
 }  // namespace
 
-void bind(CLI::App& app, IdentifiabilityOptions& options) {
-  app.add_option("--dataset", options.dataset, "Dataset whose (k, c) are known: simulated")
-      ->required();
-  app.add_option("--methods", options.methods, "Methods that infer (k, c), such as: piae-dt")
-      ->required()
-      ->default_str("");
-  app.add_option("--seeds", options.seeds, "Seeds, such as: 0 1 2")->required()->default_str("");
+void bind(const cli::Options& command, IdentifiabilityOptions& options) {
+  command.add("--dataset", options.dataset, "Dataset whose (k, c) are known: simulated").required();
+  command.add("--methods", options.methods, "Methods that infer (k, c), such as: piae-dt")
+      .required();
+  command.add("--seeds", options.seeds, "Seeds, such as: 0 1 2").required();
 }
 
 Grid resolve(const IdentifiabilityOptions& options) {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/app.hpp"
+#include "cli/options.hpp"
 #include "report/document.hpp"
 #include "report/grid.hpp"
 #include "scoring/statistics.hpp"
@@ -19,7 +19,7 @@ struct IdentifiabilityOptions {
   std::vector<std::string> seeds;
 };
 
-void bind(CLI::App& app, IdentifiabilityOptions& options);
+void bind(const cli::Options& command, IdentifiabilityOptions& options);
 /// Throws Error(usage) as for a grid.
 Grid resolve(const IdentifiabilityOptions& options);
 

@@ -2,7 +2,6 @@
 
 #include <spdlog/fmt/fmt.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 
 #include "base/error.hpp"
@@ -73,16 +72,13 @@ TextTable factor_table(const std::string& factor, const Sweep& sweep,
 
 }  // namespace
 
-void bind(CLI::App& app, SweepOptions& options) {
-  const auto list = [&](const std::string& name, std::vector<std::string>& values,
-                        const std::string& help) {
-    return app.add_option(name, values, help)->default_str("");
-  };
-  app.add_option("--dataset", options.dataset, "Dataset, such as cwru")->required();
-  list("--points", options.points, "Settings tried, such as: batch=1 batch=5 depth=2")->required();
-  list("--centre", options.centre, "Those of them that are the method as the grid has it");
-  list("--ratios", options.ratios, "Ratios, such as: 10to1 1to1")->required();
-  list("--seeds", options.seeds, "Seeds, such as: 0 1 2")->required();
+void bind(const cli::Options& command, SweepOptions& options) {
+  command.add("--dataset", options.dataset, "Dataset, such as cwru").required();
+  command.add("--points", options.points, "Settings tried, such as: batch=1 batch=5 depth=2")
+      .required();
+  command.add("--centre", options.centre, "Those of them that are the method as the grid has it");
+  command.add("--ratios", options.ratios, "Ratios, such as: 10to1 1to1").required();
+  command.add("--seeds", options.seeds, "Seeds, such as: 0 1 2").required();
 }
 
 Sweep resolve(const SweepOptions& options) {

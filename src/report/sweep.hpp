@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/app.hpp"
+#include "cli/options.hpp"
 #include "report/collect.hpp"
 #include "report/document.hpp"
 #include "report/grid.hpp"
@@ -26,7 +26,7 @@ struct SweepOptions {
   std::vector<std::string> seeds;
 };
 
-void bind(CLI::App& app, SweepOptions& options);
+void bind(const cli::Options& command, SweepOptions& options);
 
 struct SweepPoint {
   std::string factor;

@@ -1,6 +1,5 @@
 #include "signal/split.hpp"
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <numeric>
 
@@ -150,16 +149,17 @@ void split_class(const Recordings& recordings, int label, const SplitOptions& op
 
 }  // namespace
 
-void bind(CLI::App& app, SplitOptions& options) {
-  constexpr int most = 1000000000;  // keeps CLI11 from reading -1 as a large count
-  app.add_option("--seed", options.seed, "The repeat: each seed has its own split")
-      ->required()
-      ->check(CLI::Range(0, most));
-  app.add_option("--protocol", options.protocol,
-                 "random: the paper's; blocked: contiguous blocks with a guard gap")
-      ->check(CLI::IsMember({"random", "blocked"}));
+void bind(const cli::Options& command, SplitOptions& options) {
+  constexpr std::int64_t most = 1000000000;
+  command.add("--seed", options.seed, "The repeat: each seed has its own split")
+      .required()
+      .check(cli::whole_number(0, most));
+  command
+      .add("--protocol", options.protocol,
+           "random: the paper's; blocked: contiguous blocks with a guard gap")
+      .check(cli::one_of({"random", "blocked"}));
   const auto count = [&](const char* name, std::size_t& value, const char* help) {
-    app.add_option(name, value, help)->check(CLI::Range(1, most));
+    command.add(name, value, help).check(cli::whole_number(1, most));
   };
   count("--window", options.window, "Samples in a window");
   count("--max-stride", options.max_stride,

@@ -6,13 +6,9 @@
 #include <vector>
 
 #include "artefact/writer.hpp"
-#include "cli/app.hpp"
+#include "cli/options.hpp"
 #include "signal/recordings.hpp"
 #include "signal/window_set.hpp"
-
-namespace CLI {
-class App;
-}
 
 namespace piae::signal {
 
@@ -29,7 +25,7 @@ struct SplitOptions {
 };
 
 /// Binds --seed, --protocol, --window and so on. --seed is required.
-void bind(CLI::App& app, SplitOptions& options);
+void bind(const cli::Options& command, SplitOptions& options);
 
 /// The windows of the roles. With the paper's numbers: A 100 of every class (test), B the other 500
 /// of the healthy class, C 5 of every fault class (known), D the other 495 of every fault class.

@@ -2,7 +2,6 @@
 
 #include <spdlog/fmt/fmt.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
 #include <numeric>
@@ -10,7 +9,6 @@
 
 #include "base/error.hpp"
 #include "base/parallel.hpp"
-#include "cli/numbers.hpp"
 #include "signal/amplitude.hpp"
 
 namespace piae::signal {
@@ -90,31 +88,27 @@ std::vector<float> scaled(const std::vector<double>& signal, double rms) {
 
 }  // namespace
 
-void bind(CLI::App& app, SimulationOptions& options, const std::string& group) {
-  const auto add = [&](const std::string& name, double& value, const std::string& help) {
-    return app.add_option(name, value, help)->group(group);
-  };
-  add("--mass-kg", options.dynamics.mass_kg, "M of eq. 13, kg")->check(cli::positive_number());
-  add("--load-n", options.dynamics.load_n, "W of eq. 13, N")->check(cli::positive_number());
-  add("--clearance-um", options.dynamics.clearance_um,
-      "radial clearance of eq. 11, micrometres; the load must exceed it times the stiffness")
-      ->check(cli::positive_number());
-  add("--speed-spread", options.variation.speed_spread,
-      "of the shaft speed from window to window: standard deviation / mean")
-      ->check(spread());
-  add("--slip-max", options.variation.slip_max,
-      "relative loss of cage and spin speed: uniform from 0 to this")
-      ->check(cli::share());
+void bind(const cli::Options& command, SimulationOptions& options) {
+  command.add("--mass-kg", options.dynamics.mass_kg, "M of eq. 13, kg")
+      .check(cli::positive_number());
+  command.add("--load-n", options.dynamics.load_n, "W of eq. 13, N").check(cli::positive_number());
+  command
+      .add("--clearance-um", options.dynamics.clearance_um,
+           "radial clearance of eq. 11, micrometres; the load must exceed it times the stiffness")
+      .check(cli::positive_number());
+  command
+      .add("--speed-spread", options.variation.speed_spread,
+           "of the shaft speed from window to window: standard deviation / mean")
+      .check(spread());
+  command
+      .add("--slip-max", options.variation.slip_max,
+           "relative loss of cage and spin speed: uniform from 0 to this")
+      .check(cli::share());
 }
 
-CLI::Validator spread() {
-  const auto check = [](std::string& text) -> std::string {
-    double value = 0;
-    const bool good =
-        CLI::detail::lexical_cast(text, value) && value >= 0 && value < bearing::spread_limit;
-    return good ? std::string() : "'" + text + "' is not a number from 0 to below 1/3";
-  };
-  return {check, "SPREAD"};
+cli::Check spread() {
+  return cli::number("SPREAD", "a number from 0 to below 1/3",
+                     [](double x) { return x >= 0 && x < bearing::spread_limit; });
 }
 
 WindowSimulation simulation_like(const WindowSet& known, const SimulationOptions& options) {

@@ -10,7 +10,7 @@
 #include "base/random.hpp"
 #include "bearing/dynamics.hpp"
 #include "bearing/variation.hpp"
-#include "cli/app.hpp"
+#include "cli/options.hpp"
 #include "signal/window_set.hpp"
 
 namespace piae::signal {
@@ -22,10 +22,10 @@ struct SimulationOptions {
 };
 
 /// The options that every method on eq. 13 has: all but stiffness, damping and their spreads.
-void bind(CLI::App& app, SimulationOptions& options, const std::string& group);
+void bind(const cli::Options& command, SimulationOptions& options);
 
 /// Check of an option that is a spread of bearing::Variation.
-CLI::Validator spread();
+cli::Check spread();
 
 /// What solving eq. 13 for windows like the known ones takes; the model of the methods that do.
 struct WindowSimulation {

@@ -1,42 +1,37 @@
 #include "twin/options.hpp"
 
-#include <CLI/CLI.hpp>
-
-#include "cli/numbers.hpp"
-
 namespace piae::twin {
 
-void bind(CLI::App& app, TwinOptions& o) {
-  const std::string group = "piae-dt";
-  const auto add = [&](const std::string& name, auto& value, const std::string& help) {
-    return app.add_option(name, value, help)->group(group);
-  };
-  add("--epochs", o.epochs, "passes over the known windows")->check(cli::positive_number());
-  add("--batch", o.batch, "windows in a batch")->check(cli::positive_number());
-  add("--learning-rate", o.learning_rate, "of Adam, at the start")->check(cli::positive_number());
-  add("--decay-every", o.decay_every, "epochs between decays of the learning rate")
-      ->check(cli::positive_number());
-  add("--decay", o.decay, "factor on the learning rate at each decay")->check(cli::share());
-  add("--max-gradient-norm", o.max_gradient_norm, "gradients are clipped to this norm")
-      ->check(cli::positive_number());
-  add("--depth", o.depth, "layers of encoder, decoder and physics module")
-      ->check(CLI::Range(1, 32));
-  add("--width", o.width, "units of a hidden dense layer")->check(cli::positive_number());
-  add("--stage-epochs", o.stage_epochs, "epochs in Stage 1 (eq. 24), then in Stage 2 (eq. 25)")
-      ->check(cli::positive_number());
-  add("--loss-weights", o.loss_weights,
-      "alpha, beta, gamma of eq. 23: adaptive, adaptive-without-log (the term that holds them "
-      "above "
-      "zero), or fixed (at 1)")
-      ->check(CLI::IsMember({"adaptive", "adaptive-without-log", "fixed"}));
-  add("--space-bins", o.space_bins, "bins of the digital twin space, for k and for c")
-      ->check(CLI::Range(1, 1000));
-  add("--keep", o.keep, "model that generates: best (lowest training loss) or final")
-      ->check(CLI::IsMember({"best", "final"}));
-  add("--mass-kg", o.mass_kg, "M of eq. 22, kg")->check(cli::positive_number());
-  add("--load-n", o.load_n, "W of eq. 22, N")->check(cli::positive_number());
-  add("--clearance-um", o.clearance_um, "radial clearance of eq. 11, micrometres")
-      ->check(cli::non_negative_number());
+void bind(const cli::Options& command, TwinOptions& o) {
+  command.add("--epochs", o.epochs, "passes over the known windows").check(cli::positive_number());
+  command.add("--batch", o.batch, "windows in a batch").check(cli::positive_number());
+  command.add("--learning-rate", o.learning_rate, "of Adam, at the start")
+      .check(cli::positive_number());
+  command.add("--decay-every", o.decay_every, "epochs between decays of the learning rate")
+      .check(cli::positive_number());
+  command.add("--decay", o.decay, "factor on the learning rate at each decay").check(cli::share());
+  command.add("--max-gradient-norm", o.max_gradient_norm, "gradients are clipped to this norm")
+      .check(cli::positive_number());
+  command.add("--depth", o.depth, "layers of encoder, decoder and physics module")
+      .check(cli::whole_number(1, 32));
+  command.add("--width", o.width, "units of a hidden dense layer").check(cli::positive_number());
+  command
+      .add("--stage-epochs", o.stage_epochs, "epochs in Stage 1 (eq. 24), then in Stage 2 (eq. 25)")
+      .check(cli::positive_number());
+  command
+      .add("--loss-weights", o.loss_weights,
+           "alpha, beta, gamma of eq. 23: adaptive, adaptive-without-log (the term that holds them "
+           "above "
+           "zero), or fixed (at 1)")
+      .check(cli::one_of({"adaptive", "adaptive-without-log", "fixed"}));
+  command.add("--space-bins", o.space_bins, "bins of the digital twin space, for k and for c")
+      .check(cli::whole_number(1, 1000));
+  command.add("--keep", o.keep, "model that generates: best (lowest training loss) or final")
+      .check(cli::one_of({"best", "final"}));
+  command.add("--mass-kg", o.mass_kg, "M of eq. 22, kg").check(cli::positive_number());
+  command.add("--load-n", o.load_n, "W of eq. 22, N").check(cli::positive_number());
+  command.add("--clearance-um", o.clearance_um, "radial clearance of eq. 11, micrometres")
+      .check(cli::non_negative_number());
 }
 
 }  // namespace piae::twin

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "cli/app.hpp"
+#include "cli/options.hpp"
 
 namespace piae::twin {
 
@@ -30,6 +30,6 @@ struct TwinOptions {
   double clearance_um = 2.0;  ///< gamma of eq. 11; open, working set
 };
 
-void bind(CLI::App& app, TwinOptions& options);
+void bind(const cli::Options& command, TwinOptions& options);
 
 }  // namespace piae::twin

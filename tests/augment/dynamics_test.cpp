@@ -122,9 +122,9 @@ TEST(Dynamics, RefusesALoadThatDoesNotCloseTheClearance) {
 
 TEST(Dynamics, RefusesSpreadsThatAllowNegativeParameters) {
   for (const std::string option : {"--stiffness-spread", "--damping-spread", "--speed-spread"}) {
-    EXPECT_THROW(method_with("dynamics", option + " 0.34"), CLI::ValidationError) << option;
-    EXPECT_THROW(method_with("dynamics", option + " -0.1"), CLI::ValidationError) << option;
-    EXPECT_THROW(method_with("dynamics", option + " nan"), CLI::ValidationError) << option;
+    EXPECT_THROW(method_with("dynamics", option + " 0.34"), cli::Refused) << option;
+    EXPECT_THROW(method_with("dynamics", option + " -0.1"), cli::Refused) << option;
+    EXPECT_THROW(method_with("dynamics", option + " nan"), cli::Refused) << option;
   }
 }
 

@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <fstream>
 #include <memory>
@@ -10,6 +9,7 @@
 #include <string>
 
 #include "augment/method.hpp"
+#include "command_line.hpp"
 #include "twin/known_windows.hpp"
 
 namespace piae::augment {
@@ -17,9 +17,7 @@ namespace piae::augment {
 /// The method with its options as the command line of `train` would set them.
 inline std::unique_ptr<Method> method_with(const std::string& name, const std::string& options) {
   std::unique_ptr<Method> method = make_method(name);
-  CLI::App app;
-  method->bind(app);
-  app.parse(options);
+  cli::parse(options, [&](const cli::Options& command) { method->bind(command); });
   return method;
 }
 

@@ -120,8 +120,8 @@ TEST(Smote, NeedsTwoKnownWindows) {
 }
 
 TEST(Smote, RefusesNoNeighbours) {
-  EXPECT_THROW(method_with("smote", "--neighbours 0"), CLI::ParseError);
-  EXPECT_THROW(method_with("smote", "--neighbours 1.5"), CLI::ParseError);
+  EXPECT_THROW(method_with("smote", "--neighbours 0"), cli::Refused);
+  EXPECT_THROW(method_with("smote", "--neighbours 1.5"), cli::Refused);
 }
 
 }  // namespace

@@ -2,9 +2,8 @@
 
 #include <benchmark/benchmark.h>
 
-#include <CLI/CLI.hpp>
-
 #include "augment/method.hpp"
+#include "command_line.hpp"
 #include "known_windows.hpp"
 
 namespace piae::augment {
@@ -13,9 +12,7 @@ namespace {
 void generator_training(benchmark::State& state, const std::string& name) {
   const signal::WindowSet known = known_windows();
   const std::unique_ptr<Method> method = make_method(name);
-  CLI::App app;
-  method->bind(app);
-  app.parse("--epochs 10");
+  cli::parse("--epochs 10", [&](const cli::Options& command) { method->bind(command); });
   nets::Checkpoint never;  // no file is there, and ten epochs do not take an hour
   never.path = "bench-generators.checkpoint";
   never.interval_s = 3600;

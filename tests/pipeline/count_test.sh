@@ -36,4 +36,44 @@ test_nothing_run_is_no_success() {
   expect_exit 1 count
 }
 
+room() { # name, cases of Google Test's report
+  mkdir -p rooms
+  printf '<?xml version="1.0"?>\n<testsuites>\n<testsuite name="S">\n%s\n</testsuite>\n</testsuites>\n' "$2" >"rooms/$1.xml"
+}
+
+count_with_rooms() { awk -f "$project/tests/count.awk" rooms/*.xml report.xml; }
+
+good='<testcase name="Good" status="run" result="completed" time="0" classname="S" />'
+bad='<testcase name="Bad" status="run" result="completed" time="0" classname="S">
+  <failure message="a_test.cpp:3&#x0A;Expected: &lt;1"><![CDATA[a]]></failure>
+  <failure message="a_test.cpp:4&#x0A;Expected: 2"><![CDATA[b]]></failure>
+</testcase>'
+without_data='<testcase name="Real" status="run" result="skipped" time="0" classname="S">
+  <skipped message="a_test.cpp:3&#x0A;no &quot;recordings&quot;"><![CDATA[a_test.cpp:3
+no "recordings"]]></skipped>
+</testcase>'
+
+test_tests_of_a_room_count_one_by_one() {
+  room twin "$good"$'\n'"$without_data"
+  room nets "$good"$'\n'"$bad"
+  { case_of A run "" && case_of room.twin run "" && case_of room.nets fail ""; } >report.xml
+  expect_equal "$(count_with_rooms || true)" "$(printf '%s\n' 'failed: S.Bad' \
+    'skipped: 1 (no "recordings")' '3 passed, 1 failed, 1 skipped')"
+  expect_exit 1 count_with_rooms
+}
+
+test_room_that_left_no_report_failed() {
+  room twin "$good"
+  { case_of room.twin run "" && case_of room.nets fail "" && case_of room.phase notrun ""; } >report.xml
+  expect_equal "$(count_with_rooms || true)" "$(printf '%s\n' 'failed: room.nets' 'failed: room.phase' \
+    '1 passed, 2 failed, 0 skipped')"
+}
+
+test_room_that_crashed_after_its_report_failed() {
+  room twin "$good"
+  case_of room.twin fail "" >report.xml
+  expect_equal "$(count_with_rooms || true)" "$(printf '%s\n' 'failed: room.twin' \
+    '1 passed, 1 failed, 0 skipped')"
+}
+
 run_tests

@@ -2,9 +2,8 @@
 
 #include <gmock/gmock.h>
 
-#include <CLI/CLI.hpp>
-
 #include "base/error.hpp"
+#include "command_line.hpp"
 
 namespace piae::report {
 namespace {
@@ -46,10 +45,9 @@ TEST(Grid, ListsMayComeAsOneWord) {
 }
 
 TEST(Grid, OptionsTakeSeveralValuesAfterOneFlag) {
-  CLI::App app;
   GridOptions options;
-  bind(app, options);
-  app.parse("--dataset cwru --methods none piae-dt --ratios 100to1 --seeds 0 1 2");
+  cli::parse("--dataset cwru --methods none piae-dt --ratios 100to1 --seeds 0 1 2",
+             [&](const cli::Options& command) { bind(command, options); });
   EXPECT_EQ(options.dataset, "cwru");
   EXPECT_EQ(options.methods, (Strings{"none", "piae-dt"}));
   EXPECT_EQ(options.ratios, Strings{"100to1"});

@@ -1,0 +1,68 @@
+#include "cli/options.hpp"
+
+#include <CLI/CLI.hpp>
+#include <cstdint>
+#include <filesystem>
+#include <utility>
+#include <vector>
+
+namespace piae::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A list has no default that the help could show.
+template <class T>
+void leave_out_default(CLI::Option& /*option*/, const T& /*value*/) {}
+template <class T>
+void leave_out_default(CLI::Option& option, const std::vector<T>& /*values*/) {
+  option.default_str("");
+}
+
+}  // namespace
+
+Option& Option::required(bool is_required) {
+  option_->required(is_required);
+  return *this;
+}
+
+Option& Option::check(const Check& check) {
+  option_->check([refusal = check.refusal](const std::string& text) { return refusal(text); },
+                 check.shown);
+  return *this;
+}
+
+Option& Option::type_name(const std::string& name) {
+  option_->type_name(name);
+  return *this;
+}
+
+Options::Options(CLI::App& app, std::string group) : app_(&app), group_(std::move(group)) {}
+
+Options Options::in_group(const std::string& group) const { return Options(*app_, group); }
+
+template <class T>
+Option Options::add(const std::string& name, T& value, const std::string& help) const {
+  CLI::Option* option = app_->add_option(name, value, help)->group(group_);
+  leave_out_default(*option, value);
+  return Option(option);
+}
+
+template Option Options::add(const std::string&, int&, const std::string&) const;
+template Option Options::add(const std::string&, std::int64_t&, const std::string&) const;
+template Option Options::add(const std::string&, std::size_t&, const std::string&) const;
+template Option Options::add(const std::string&, double&, const std::string&) const;
+template Option Options::add(const std::string&, std::string&, const std::string&) const;
+template Option Options::add(const std::string&, fs::path&, const std::string&) const;
+template Option Options::add(const std::string&, std::vector<std::string>&,
+                             const std::string&) const;
+template Option Options::add(const std::string&, std::vector<std::int64_t>&,
+                             const std::string&) const;
+template Option Options::add(const std::string&, std::vector<fs::path>&, const std::string&) const;
+
+Option Options::flag(const std::string& name, bool& value, const std::string& help) const {
+  return Option(app_->add_flag(name, value, help)->group(group_));
+}
+
+}  // namespace piae::cli
