@@ -10,8 +10,6 @@ namespace piae::cli {
 
 namespace {
 
-namespace fs = std::filesystem;
-
 /// A list has no default that the help could show.
 template <class T>
 void leave_out_default(CLI::Option& /*option*/, const T& /*value*/) {}
@@ -54,12 +52,13 @@ template Option Options::add(const std::string&, std::int64_t&, const std::strin
 template Option Options::add(const std::string&, std::size_t&, const std::string&) const;
 template Option Options::add(const std::string&, double&, const std::string&) const;
 template Option Options::add(const std::string&, std::string&, const std::string&) const;
-template Option Options::add(const std::string&, fs::path&, const std::string&) const;
+template Option Options::add(const std::string&, std::filesystem::path&, const std::string&) const;
 template Option Options::add(const std::string&, std::vector<std::string>&,
                              const std::string&) const;
 template Option Options::add(const std::string&, std::vector<std::int64_t>&,
                              const std::string&) const;
-template Option Options::add(const std::string&, std::vector<fs::path>&, const std::string&) const;
+template Option Options::add(const std::string&, std::vector<std::filesystem::path>&,
+                             const std::string&) const;
 
 Option Options::flag(const std::string& name, bool& value, const std::string& help) const {
   return Option(app_->add_flag(name, value, help)->group(group_));
