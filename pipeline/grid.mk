@@ -151,8 +151,8 @@ holes: $(DATASETS:%=%.holes)
 # tables; where that fails, another has the holes named.
 all demo: | $(programs)
 	$(Q)+pipeline/tables.sh $(MAKE) $(choice)
-	@cat $(DATASETS:%=$(results)/%/tables.md)
-	@printf 'tables and artefacts: %s\n' $(DATASETS:%=$(results)/%/)
+	@sed -s '/^## Gain/,$$d' $(DATASETS:%=$(results)/%/tables.md)
+	@printf 'tables and artefacts: %s (gains, ranks and quality in its tables.md)\n' $(DATASETS:%=$(results)/%/)
 
 include pipeline/sweep.mk
 include pipeline/contrast.mk

@@ -54,6 +54,17 @@ test_makes_every_cell_once() {
   expect_equal "$(ran)" "20 diagnose, 8 generate, 1 ingest, 8 score, 1 simulate, 4 split, 2 tabulate, 8 train"
 }
 
+test_ends_with_the_accuracies_of_every_data_set() {
+  finished_grid
+  local dataset
+  for dataset in real made; do
+    printf '%s\n' "accuracies of $dataset" '## Gain of the methods' 'gains' >results/t/$dataset/tables.md
+  done
+  expect_equal "$(grid 2>&1)" "$(printf '%s\n' 'accuracies of real' 'accuracies of made' \
+    'tables and artefacts: results/t/real/ (gains, ranks and quality in its tables.md)' \
+    'tables and artefacts: results/t/made/ (gains, ranks and quality in its tables.md)')"
+}
+
 test_gives_each_stage_its_files() {
   finished_grid
   local r=results/t/real s=results/t/.settings
