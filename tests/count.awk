@@ -48,6 +48,7 @@ by_google && /<skipped / {
   status = "skipped"
   reason = quoted($0, "message")
   sub(/^[^\n]*\n/, "", reason)
+  sub(/\n+$/, "", reason) # newer versions end it with one
 }
 /<skipped message="SKIP_/ { status = "skipped" }
 reason_follows && reason == "" { reason = plain($0) }

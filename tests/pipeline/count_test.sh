@@ -49,7 +49,7 @@ bad='<testcase name="Bad" status="run" result="completed" time="0" classname="S"
   <failure message="a_test.cpp:4&#x0A;Expected: 2"><![CDATA[b]]></failure>
 </testcase>'
 without_data='<testcase name="Real" status="run" result="skipped" time="0" classname="S">
-  <skipped message="a_test.cpp:3&#x0A;no &quot;recordings&quot;"><![CDATA[a_test.cpp:3
+  <skipped message="a_test.cpp:3&#x0A;no &quot;recordings&quot;&#x0A;"><![CDATA[a_test.cpp:3
 no "recordings"]]></skipped>
 </testcase>'
 

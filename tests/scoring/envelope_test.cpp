@@ -39,17 +39,18 @@ signal::DatasetInfo info() {
 /// Windows of a class by eq. 13, each from an angle of its own, the balls and the cage sliding by
 /// 1 %, with white noise 10 dB below.
 Windows simulated(int label, Eigen::Index count, Eigen::Index samples = length) {
-  const signal::ClassInfo& c = info().classes[static_cast<std::size_t>(label)];
+  const signal::DatasetInfo dataset = info();
+  const signal::ClassInfo& c = dataset.classes[static_cast<std::size_t>(label)];
   Windows windows(count, samples);
   for (Eigen::Index i = 0; i < count; ++i) {
     Stream stream("envelope/" + c.name + '/' + std::to_string(i));
     bearing::Motion motion;
-    motion.shaft_speed_rpm = info().shaft_speed_rpm;
+    motion.shaft_speed_rpm = dataset.shaft_speed_rpm;
     motion.slip = 0.01;
     motion.cage_angle_rad = stream.uniform(0, 6.28);
     motion.defect_angle_rad = label == 3 ? 0 : stream.uniform(0, 6.28);
     const std::vector<double> clean =
-        bearing::simulate(info().bearing, {c.defect, c.defect_size_mm}, motion, {},
+        bearing::simulate(dataset.bearing, {c.defect, c.defect_size_mm}, motion, {},
                           {rate_hz, static_cast<std::size_t>(samples)});
     const Eigen::Map<const Eigen::RowVectorXd> signal(clean.data(), samples);
     const double deviation = std::sqrt(0.1 * signal.squaredNorm() / static_cast<double>(samples));

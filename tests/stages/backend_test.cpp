@@ -11,7 +11,7 @@ using artefact::Reader;
 TEST(Backend, LibtorchGivesTheSameDiagnosisButForRounding) {
   const Tiny tiny;
   tiny.run_chain_before("tabulate");
-  const Step& step = step_of("diagnose");
+  const Step step = step_of("diagnose");
   const auto arguments = with(step.arguments, "--output", "libtorch.h5");
   const Outcome outcome = tiny.run("diagnose", with(arguments, "--backend", "libtorch"));
   ASSERT_EQ(outcome.status, 0) << outcome.err;
