@@ -151,7 +151,7 @@ holes: $(DATASETS:%=%.holes)
 # tables; where that fails, another has the holes named.
 all demo: | $(programs)
 	$(Q)+pipeline/tables.sh $(MAKE) $(choice)
-	@sed -s '/^## Gain/,$$d' $(DATASETS:%=$(results)/%/tables.md)
+	@awk 'FNR == 1 { show = 1 } /^## / { show = /^## Accuracy o/ } show' $(DATASETS:%=$(results)/%/tables.md)
 	@printf 'tables and artefacts: %s (gains, ranks and quality in its tables.md)\n' $(DATASETS:%=$(results)/%/)
 
 include pipeline/sweep.mk

@@ -58,9 +58,12 @@ test_ends_with_the_accuracies_of_every_data_set() {
   finished_grid
   local dataset
   for dataset in real made; do
-    printf '%s\n' "accuracies of $dataset" '## Gain of the methods' 'gains' >results/t/$dataset/tables.md
+    printf '%s\n' "# $dataset" '## Accuracy of the methods' 'one' '## Gain of the methods' 'gains' \
+      '## Accuracy of the ablations' 'two' '## Accuracy minus that' 'less' >results/t/$dataset/tables.md
   done
-  expect_equal "$(grid 2>&1)" "$(printf '%s\n' 'accuracies of real' 'accuracies of made' \
+  expect_equal "$(grid 2>&1)" "$(printf '%s\n' \
+    '# real' '## Accuracy of the methods' 'one' '## Accuracy of the ablations' 'two' \
+    '# made' '## Accuracy of the methods' 'one' '## Accuracy of the ablations' 'two' \
     'tables and artefacts: results/t/real/ (gains, ranks and quality in its tables.md)' \
     'tables and artefacts: results/t/made/ (gains, ranks and quality in its tables.md)')"
 }
