@@ -1,11 +1,21 @@
 #include "nets/adam.hpp"
 
-#include <cmath>
-
 #include "nets/parameters.hpp"
 #include "nets/torch.hpp"
 
 namespace piae::nets {
+
+namespace {
+
+/// One pass over what the tensors hold, where LibTorch's operations need eight.
+template <class T>
+void take_flat(const AdamStep& step, const torch::Tensor& values, const torch::Tensor& gradients,
+               const torch::Tensor& first_moment, const torch::Tensor& second_moment) {
+  take(step, values.data_ptr<T>(), gradients.data_ptr<T>(), first_moment.data_ptr<T>(),
+       second_moment.data_ptr<T>(), static_cast<std::size_t>(values.numel()));
+}
+
+}  // namespace
 
 Adam::Adam(torch::Tensor values, torch::Tensor gradients, double beta1, double beta2)
     : values_(std::move(values)),
@@ -17,13 +27,17 @@ Adam::Adam(torch::Tensor values, torch::Tensor gradients, double beta1, double b
 
 void Adam::step(double learning_rate) {
   const torch::NoGradGuard no_grad;
-  ++steps_;
-  const auto t = static_cast<double>(steps_);
+  const AdamStep step(++steps_, learning_rate, beta1_, beta2_);
+  if (values_.is_cpu()) {
+    return values_.scalar_type() == torch::kFloat64
+               ? take_flat<double>(step, values_, gradients_, first_moment_, second_moment_)
+               : take_flat<float>(step, values_, gradients_, first_moment_, second_moment_);
+  }
   first_moment_.mul_(beta1_).add_(gradients_, 1 - beta1_);
   second_moment_.mul_(beta2_).addcmul_(gradients_, gradients_, 1 - beta2_);
   const torch::Tensor denominator =
-      second_moment_.sqrt().div_(std::sqrt(1 - std::pow(beta2_, t))).add_(AdamConstants::epsilon);
-  values_.addcdiv_(first_moment_, denominator, -learning_rate / (1 - std::pow(beta1_, t)));
+      second_moment_.sqrt().mul_(step.correction).add_(AdamConstants::epsilon);
+  values_.addcdiv_(first_moment_, denominator, -step.rate);
 }
 
 void Adam::write(artefact::Writer& writer, const std::string& group) const {

@@ -4,26 +4,37 @@
 
 namespace piae::nets {
 
+AdamStep::AdamStep(std::int64_t t, double learning_rate, double beta1, double beta2)
+    : beta1(beta1),
+      beta2(beta2),
+      rate(learning_rate / (1 - std::pow(beta1, static_cast<double>(t)))),
+      correction(1 / std::sqrt(1 - std::pow(beta2, static_cast<double>(t)))) {}
+
 template <class T>
-void FlatAdam<T>::step(T* values, const T* gradients, double learning_rate) {
-  ++steps_;
-  const auto t = static_cast<double>(steps_);
-  constexpr auto beta1 = static_cast<T>(AdamConstants::beta1);
-  constexpr auto beta2 = static_cast<T>(AdamConstants::beta2);
-  constexpr auto newest1 = static_cast<T>(1 - AdamConstants::beta1);
-  constexpr auto newest2 = static_cast<T>(1 - AdamConstants::beta2);
+void take(const AdamStep& step, T* values, const T* gradients, T* first_moment, T* second_moment,
+          std::size_t size) {
+  const auto beta1 = static_cast<T>(step.beta1);
+  const auto beta2 = static_cast<T>(step.beta2);
+  const auto newest1 = static_cast<T>(1 - step.beta1);
+  const auto newest2 = static_cast<T>(1 - step.beta2);
+  const auto rate = static_cast<T>(step.rate);
+  const auto correction = static_cast<T>(step.correction);
   constexpr auto epsilon = static_cast<T>(AdamConstants::epsilon);
-  const auto correction = static_cast<T>(1 / std::sqrt(1 - std::pow(AdamConstants::beta2, t)));
-  const auto rate = static_cast<T>(learning_rate / (1 - std::pow(AdamConstants::beta1, t)));
-  T* const first = first_moment_.data();
-  T* const second = second_moment_.data();
-  const std::size_t size = first_moment_.size();
   for (std::size_t i = 0; i < size; ++i) {
     const T gradient = gradients[i];
-    first[i] = beta1 * first[i] + newest1 * gradient;
-    second[i] = beta2 * second[i] + newest2 * gradient * gradient;
-    values[i] -= rate * first[i] / (std::sqrt(second[i]) * correction + epsilon);
+    first_moment[i] = beta1 * first_moment[i] + newest1 * gradient;
+    second_moment[i] = beta2 * second_moment[i] + newest2 * gradient * gradient;
+    values[i] -= rate * first_moment[i] / (std::sqrt(second_moment[i]) * correction + epsilon);
   }
+}
+
+template void take(const AdamStep&, float*, const float*, float*, float*, std::size_t);
+template void take(const AdamStep&, double*, const double*, double*, double*, std::size_t);
+
+template <class T>
+void FlatAdam<T>::step(T* values, const T* gradients, double learning_rate) {
+  const AdamStep step(++steps_, learning_rate, AdamConstants::beta1, AdamConstants::beta2);
+  take(step, values, gradients, first_moment_.data(), second_moment_.data(), first_moment_.size());
 }
 
 template class FlatAdam<float>;

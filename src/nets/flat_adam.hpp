@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -12,8 +13,23 @@ struct AdamConstants {
   static constexpr double epsilon = 1e-8;
 };
 
-/// Adam (Kingma and Ba 2015, Algorithm 1) over plain numbers, in one pass: what nets::Adam does
-/// with tensors.
+/// What Algorithm 1 of Kingma and Ba (2015) needs to know of step t = 1, 2, ...
+struct AdamStep {
+  AdamStep(std::int64_t t, double learning_rate, double beta1, double beta2);
+
+  double beta1;
+  double beta2;
+  double rate;        ///< learning rate / (1 - beta1^t)
+  double correction;  ///< of the second moment's root: 1 / sqrt(1 - beta2^t)
+};
+
+/// That step over plain numbers in one pass: the arrays are what a small network's training waits
+/// for. All have `size` numbers.
+template <class T>
+void take(const AdamStep& step, T* values, const T* gradients, T* first_moment, T* second_moment,
+          std::size_t size);
+
+/// Adam over plain numbers: what nets::Adam is over tensors.
 template <class T>
 class FlatAdam {
  public:
