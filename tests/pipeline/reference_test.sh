@@ -53,6 +53,14 @@ test_numbers_are_as_stored() {
   tiny check >messages || fail "$(<messages)"
 }
 
+test_tables_are_kept_with_the_reference() {
+  made
+  tiny reference >messages
+  expect_line "$(<messages)" '^kept results/reference/random/tiny/tables.md$'
+  cmp results/tiny/tiny/tables.md results/reference/random/tiny/tables.md
+  expect_exit 0 tiny check
+}
+
 test_one_digit_of_one_seed_is_seen_on_the_same_machine() {
   made
   tiny reference >/dev/null
