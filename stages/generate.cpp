@@ -5,6 +5,7 @@
 #include <iostream>
 
 #include "augment/method.hpp"
+#include "cli/hand_over.hpp"
 #include "cli/run_options.hpp"
 #include "cli/stage.hpp"
 #include "signal/roles.hpp"
@@ -31,20 +32,21 @@ int main(int argc, char** argv) {
 
   return stage.run(argc, argv, [&] {
     const artefact::Reader model = stage.open("model", model_file, "model");
-    const std::string method = model.text("/", "method");
+    const std::string name = model.text("/", "method");
+    const std::unique_ptr<augment::Method> method = augment::make_method(name);
+    if (!method) cli::hand_over("generate-libtorch", argv);
     const std::string dataset = model.text("/", "dataset");
-    const Stream stream(fmt::format("{}/seed{}/generate/{}", dataset, run.seed, method));
-    const signal::WindowSet windows =
-        augment::make_method(method)->generate(model, count, stream, run.device);
+    const Stream stream(fmt::format("{}/seed{}/generate/{}", dataset, run.seed, name));
+    const signal::WindowSet windows = method->generate(model, count, stream, run.device);
 
     artefact::Writer writer("windows");
     signal::write(writer, windows);
     writer.attribute("/", "role", std::string("E"));
-    writer.attribute("/", "method", method);
+    writer.attribute("/", "method", name);
     writer.attribute("/", "seed", run.seed);
     signal::write(writer, signal::read_origin(model));
     stage.save(writer, output);
-    std::cout << fmt::format("generated {} windows with {}: {}\n", windows.size(), method,
+    std::cout << fmt::format("generated {} windows with {}: {}\n", windows.size(), name,
                              output.string());
   });
 }

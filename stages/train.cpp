@@ -6,6 +6,7 @@
 
 #include "artefact/file.hpp"
 #include "augment/method.hpp"
+#include "cli/hand_over.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/run_options.hpp"
 #include "cli/stage.hpp"
@@ -24,6 +25,12 @@ signal::WindowSet read_real(const artefact::Reader& real, const artefact::Reader
   signal::require_one_split(roles);
   signal::require_classes(real, "D", roles.back().windows);
   return roles.back().windows;
+}
+
+std::unique_ptr<augment::Method> make_method(const std::string& name, char** argv) {
+  std::unique_ptr<augment::Method> method = augment::make_method(name);
+  if (!method) cli::hand_over("train-libtorch", argv);
+  return method;
 }
 
 }  // namespace
@@ -51,19 +58,19 @@ int main(int argc, char** argv) {
   std::unique_ptr<augment::Method> method;
   if (!name.empty()) {
     try {
-      method = augment::make_method(name);
+      method = make_method(name, argv);
       method->bind(stage.options().in_group(name));
       if (method->learns_from() == augment::LearnsFrom::real) {
         stage.input_file("--real", real_file,
                          "D.h5 of the same split, which only a ceiling learns from");
       }
     } catch (const Error&) {
-      // An unknown method is reported by run(), like every other error.
+      // What went wrong is met again, and reported, in run().
     }
   }
 
   return stage.run(argc, argv, [&] {
-    if (!method) method = augment::make_method(name);
+    if (!method) method = make_method(name, argv);
     const artefact::Reader reader = stage.open("known", known_file, "windows");
     signal::require_role(reader, "C");
     signal::WindowSet windows = signal::read_window_set(reader);

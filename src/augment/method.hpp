@@ -27,6 +27,10 @@ enum class LearnsFrom {
 /// there.
 class Method {
  public:
+  /// A method whose train, generate or infer includes nets/torch.hpp says true: LibTorch takes 0.4
+  /// s to start, so programs that do without it know such a method by name only.
+  static constexpr bool needs_libtorch = false;
+
   virtual ~Method() = default;
 
   [[nodiscard]] virtual LearnsFrom learns_from() const { return LearnsFrom::known; }
@@ -55,7 +59,8 @@ class Method {
 /// Names of all methods, in the order of the paper's tables.
 std::vector<std::string> method_names();
 
-/// Throws Error(usage) that lists the known ones.
+/// Null where the method needs LibTorch and this program does not have it. Throws Error(usage) that
+/// lists the known ones.
 std::unique_ptr<Method> make_method(const std::string& name);
 
 }  // namespace piae::augment

@@ -11,6 +11,8 @@ namespace piae::augment {
 /// options, also those that an ablation has no use for, so that they can share their settings.
 class PiaeDt final : public Method {
  public:
+  static constexpr bool needs_libtorch = true;
+
   explicit PiaeDt(const twin::TwinVariant& variant) : variant_(variant) {}
 
   void bind(const cli::Options& command) override;

@@ -9,6 +9,8 @@ namespace piae::augment {
 /// PIAE-DT with the start angle in its twin space (src/phase) as an entry of the grid.
 class PiaeDtPhase final : public Method {
  public:
+  static constexpr bool needs_libtorch = true;
+
   void bind(const cli::Options& command) override;
   void train(const signal::WindowSet& known, const Stream& stream, const std::string& device,
              const nets::Checkpoint& checkpoint, artefact::Writer& model) override;

@@ -18,10 +18,17 @@ namespace {
 
 using Factory = std::unique_ptr<Method> (*)();
 
+#ifdef PIAE_WITH_LIBTORCH
+constexpr bool has_libtorch = true;
+#else
+constexpr bool has_libtorch = false;
+#endif
+
 /// A method of class M, made of these arguments.
 template <class M, auto... arguments>
 std::unique_ptr<Method> make() {
-  return std::make_unique<M>(arguments...);
+  if constexpr (has_libtorch || !M::needs_libtorch) return std::make_unique<M>(arguments...);
+  return nullptr;
 }
 
 // The comments keep one on a line, as pipeline/grid.mk reads them.

@@ -20,6 +20,8 @@ inline constexpr LatentOptions vae_defaults{
 /// al. 2015) as an entry of the grid. Generates from the final network.
 class Vae final : public Method {
  public:
+  static constexpr bool needs_libtorch = true;
+
   void bind(const cli::Options& command) override;
   void train(const signal::WindowSet& known, const Stream& stream, const std::string& device,
              const nets::Checkpoint& checkpoint, artefact::Writer& model) override;

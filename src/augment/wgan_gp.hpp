@@ -26,6 +26,8 @@ void bind(const cli::Options& command, WganGpOptions& options);
 /// Wasserstein GANs") as an entry of the grid. Generates from the final network.
 class WganGp final : public Method {
  public:
+  static constexpr bool needs_libtorch = true;
+
   void bind(const cli::Options& command) override;
   void train(const signal::WindowSet& known, const Stream& stream, const std::string& device,
              const nets::Checkpoint& checkpoint, artefact::Writer& model) override;

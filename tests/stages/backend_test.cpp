@@ -1,3 +1,4 @@
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "scoring/diagnosis_record.hpp"
@@ -7,6 +8,8 @@ namespace piae::stages {
 namespace {
 
 using artefact::Reader;
+using testing::HasSubstr;
+using testing::Not;
 
 TEST(Backend, LibtorchGivesTheSameDiagnosisButForRounding) {
   const Tiny tiny;
@@ -29,6 +32,39 @@ TEST(Backend, LibtorchGivesTheSameDiagnosisButForRounding) {
   ASSERT_EQ(libtorch.loss.size(), 2U);
   EXPECT_NEAR(libtorch.loss[0], native.loss[0], 1e-2 * native.loss[0]);
   EXPECT_NE(libtorch_file.digest(), native_file.digest());  // it was indeed computed by another
+}
+
+/// What the dynamic linker would load for a program.
+std::string libraries_of(const Tiny& tiny, const std::string& program) {
+  return stages::run(tiny.path(), program, {}, {{{"LD_TRACE_LOADED_OBJECTS", "1"}}}).out;
+}
+
+TEST(Backend, OnlyProgramsThatNeedLibtorchLoadIt) {
+  const Tiny tiny;
+  for (const std::string stage : {"ingest", "simulate", "split", "train", "generate", "score",
+                                  "diagnose", "tabulate", "verify"}) {
+    EXPECT_THAT(libraries_of(tiny, stage), HasSubstr("libhdf5")) << stage;
+    EXPECT_THAT(libraries_of(tiny, stage), Not(HasSubstr("libtorch"))) << stage;
+  }
+  for (const std::string stage : {"train", "generate", "diagnose"}) {
+    EXPECT_THAT(libraries_of(tiny, stage + "-libtorch"), HasSubstr("libtorch")) << stage;
+  }
+}
+
+TEST(Backend, MethodWithoutLibtorchIsTrainedWithoutIt) {
+  const Tiny tiny;
+  tiny.run_chain_before("train");
+  const fs::path alone = tiny / "bin/train";  // where no train-libtorch stands beside it
+  fs::create_directories(alone.parent_path());
+  fs::copy_file(fs::path(PIAE_BIN) / "train", alone);
+  const std::string program = fs::relative(alone, PIAE_BIN);
+  const auto arguments = [](const std::string& method) -> Arguments {
+    return {"--method", method, "--known", "C.h5", "--seed", "0", "--output", "model.h5"};
+  };
+  const Outcome smote = tiny.run(program, arguments("smote"));
+  EXPECT_EQ(smote.status, 0) << smote.err;
+  expect_refusal(tiny.run(program, arguments("vae")), "train", 1,
+                 {"bin/train-libtorch", "cannot be started", "make build"});
 }
 
 TEST(Backend, ThatCannotBeIsNamedWithThoseThatCan) {
