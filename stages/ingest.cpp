@@ -91,7 +91,6 @@ int main(int argc, char** argv) {
   stage.output_file("--output", output, "Artefact to write (needed unless --check or --sources)")
       .required(false);
   stage.file_flag("--sources", sources, "Print 'sha256  file  url' of each raw file and stop");
-
   stage.file_flag("--check", check,
                   "Read everything, say what was found and what is wrong, and write nothing");
 

@@ -36,7 +36,6 @@ int main(int argc, char** argv) {
   std::vector<fs::path> outdated;
   stage.options()
       .add("--outdated", outdated, "Cells that make could not make again: refused by name")
-
       .type_name("FILE");
 
   return stage.run(argc, argv, [&] {

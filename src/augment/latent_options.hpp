@@ -1,7 +1,5 @@
 #pragma once
 
-#include <string>
-
 #include "cli/options.hpp"
 
 namespace piae::augment {
@@ -16,7 +14,6 @@ struct LatentOptions {
   int width = 0;             ///< units of a hidden layer
 };
 
-/// `group`: the heading of the options in --help, the method's name.
 void bind(const cli::Options& command, LatentOptions& options);
 
 }  // namespace piae::augment

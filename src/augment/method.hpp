@@ -27,8 +27,8 @@ enum class LearnsFrom {
 /// there.
 class Method {
  public:
-  /// A method whose train, generate or infer includes nets/torch.hpp says true: LibTorch takes 0.4
-  /// s to start, so programs that do without it know such a method by name only.
+  /// True of a method that trains, generates or infers by nets/torch.hpp: LibTorch takes long to
+  /// start, so programs that do without it know such a method by name only.
   static constexpr bool needs_libtorch = false;
 
   virtual ~Method() = default;

@@ -3,8 +3,10 @@
 #include <spdlog/fmt/fmt.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
+#include <optional>
+
+#include "base/numbers.hpp"
 
 namespace piae::cli {
 
@@ -17,11 +19,9 @@ bool is_whole(double x) { return x == std::floor(x); }
 Check number(std::string shown, std::string wanted, std::function<bool(double)> good) {
   const auto refusal = [wanted = std::move(wanted),
                         good = std::move(good)](const std::string& text) {
-    double value = 0;
-    const char* const end = text.data() + text.size();
-    const auto [rest, error] = std::from_chars(text.data(), end, value);
-    const bool read = error == std::errc() && rest == end && std::isfinite(value);
-    return read && good(value) ? std::string() : "'" + text + "' is not " + wanted;
+    const std::optional<double> value = number_in<double>(text);
+    const bool is_good = value && std::isfinite(*value) && good(*value);
+    return is_good ? std::string() : "'" + text + "' is not " + wanted;
   };
   return {std::move(shown), refusal};
 }

@@ -1,12 +1,12 @@
 #include "report/comparison_run.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <numeric>
 #include <optional>
 #include <tuple>
 
 #include "base/error.hpp"
+#include "base/numbers.hpp"
 #include "report/collect.hpp"
 #include "report/layout.hpp"
 #include "scoring/ratios.hpp"
@@ -32,10 +32,8 @@ std::vector<std::string> folders_in(const fs::path& folder) {
 std::optional<std::int64_t> seed_of(const std::string& folder) {
   const std::string prefix = "seed";
   const std::string digits = folder.starts_with(prefix) ? folder.substr(prefix.size()) : "";
-  std::int64_t seed = -1;
-  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), seed);
-  if (error != std::errc() || end != digits.data() + digits.size() || seed < 0) return std::nullopt;
-  return seed;
+  const std::optional<std::int64_t> seed = number_in<std::int64_t>(digits);
+  return seed && *seed >= 0 ? seed : std::nullopt;
 }
 
 void note_origin(const fs::path& file, Measurements& measurements) {

@@ -1,11 +1,11 @@
 #include "report/csv.hpp"
 
-#include <charconv>
 #include <cmath>
 #include <sstream>
 
 #include "artefact/file.hpp"
 #include "base/error.hpp"
+#include "base/numbers.hpp"
 
 namespace piae::report {
 
@@ -45,11 +45,8 @@ void CsvLine::refuse(const std::string& what) const {
 }
 
 std::optional<double> CsvLine::number(std::size_t i) const {
-  const std::string& field = fields[i];
-  double value = 0;
-  const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
-  const bool whole = error == std::errc() && end == field.data() + field.size();
-  return whole && std::isfinite(value) ? std::optional(value) : std::nullopt;
+  const std::optional<double> value = number_in<double>(fields[i]);
+  return value && std::isfinite(*value) ? value : std::nullopt;
 }
 
 std::vector<CsvLine> read_csv(const std::filesystem::path& path) {

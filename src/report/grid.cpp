@@ -1,10 +1,11 @@
 #include "report/grid.hpp"
 
 #include <algorithm>
-#include <charconv>
+#include <optional>
 #include <string_view>
 
 #include "base/error.hpp"
+#include "base/numbers.hpp"
 #include "scoring/ratios.hpp"
 
 namespace piae::report {
@@ -12,12 +13,11 @@ namespace piae::report {
 namespace {
 
 std::int64_t parse_seed(const std::string& word) {
-  std::int64_t seed = -1;
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), seed);
-  if (error != std::errc() || end != word.data() + word.size() || seed < 0) {
+  const std::optional<std::int64_t> seed = number_in<std::int64_t>(word);
+  if (!seed || *seed < 0) {
     throw Error(Exit::usage, "--seeds: '" + word + "' is not a seed; seeds are 0, 1, 2, ...");
   }
-  return seed;
+  return *seed;
 }
 
 std::vector<std::string> in_order_of_table_5(const std::vector<std::string>& names) {

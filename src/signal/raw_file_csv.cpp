@@ -1,10 +1,10 @@
 #include <algorithm>
-#include <charconv>
 #include <optional>
 #include <string_view>
 
 #include "artefact/file.hpp"
 #include "base/error.hpp"
+#include "base/numbers.hpp"
 #include "signal/raw_file.hpp"
 
 namespace piae::signal {
@@ -21,13 +21,6 @@ std::string_view trimmed(std::string_view text) {
   const std::size_t first = text.find_first_not_of(" \t\"");
   if (first == std::string_view::npos) return {};
   return text.substr(first, text.find_last_not_of(" \t\"") - first + 1);
-}
-
-std::optional<double> number_in(std::string_view field) {
-  double value = 0;
-  const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
-  if (error != std::errc() || end != field.data() + field.size()) return std::nullopt;
-  return value;
 }
 
 /// Lines without their ends (LF or CRLF), without a byte order mark and without the empty rest
@@ -66,8 +59,7 @@ std::vector<std::string_view> fields_of(std::string_view line, char separator) {
 std::size_t find_column(const fs::path& file, const std::vector<std::string_view>& header,
                         const std::string& column) {
   if (column.find_first_not_of("0123456789") == std::string::npos) {
-    std::size_t number = 0;
-    std::from_chars(column.data(), column.data() + column.size(), number);
+    const std::size_t number = number_in<std::size_t>(column).value_or(0);
     if (number >= 1 && number <= header.size()) return number - 1;
     refuse(file, 1,
            "has no column " + column + "; columns are 1 to " + std::to_string(header.size()));
@@ -98,7 +90,7 @@ std::vector<double> read_csv(const fs::path& file, const std::string& column) {
              "has " + std::to_string(fields.size()) + " fields, the first line " +
                  std::to_string(header.size()));
     }
-    const auto number = number_in(fields[wanted]);
+    const auto number = number_in<double>(fields[wanted]);
     if (number) {
       numbers.push_back(*number);
     } else if (i > 0) {

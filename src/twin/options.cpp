@@ -21,8 +21,7 @@ void bind(const cli::Options& command, TwinOptions& o) {
   command
       .add("--loss-weights", o.loss_weights,
            "alpha, beta, gamma of eq. 23: adaptive, adaptive-without-log (the term that holds them "
-           "above "
-           "zero), or fixed (at 1)")
+           "above zero), or fixed (at 1)")
       .check(cli::one_of({"adaptive", "adaptive-without-log", "fixed"}));
   command.add("--space-bins", o.space_bins, "bins of the digital twin space, for k and for c")
       .check(cli::whole_number(1, 1000));
