@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "diagnosis/vector.hpp"
+#include "base/vector.hpp"
 #include "diagnosis/wdcnn_layers.hpp"
 
 namespace piae::diagnosis {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "diagnosis/vector.hpp"
+#include "base/vector.hpp"
 
 namespace piae::diagnosis {
 

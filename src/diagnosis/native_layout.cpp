@@ -1,6 +1,6 @@
 #include "diagnosis/native_layout.hpp"
 
-#include "diagnosis/vector.hpp"
+#include "base/vector.hpp"
 #include "diagnosis/wdcnn_layers.hpp"
 #include "diagnosis/wdcnn_parameters.hpp"
 

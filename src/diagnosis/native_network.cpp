@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "diagnosis/vector.hpp"
+#include "base/vector.hpp"
 #include "diagnosis/wdcnn_layers.hpp"
 #include "diagnosis/wdcnn_parameters.hpp"
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "base/vector.hpp"
 #include "diagnosis/matrix_product.hpp"
-#include "diagnosis/vector.hpp"
 
 namespace piae::diagnosis {
 

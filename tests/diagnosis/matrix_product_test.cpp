@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "base/random.hpp"
-#include "diagnosis/vector.hpp"
+#include "base/vector.hpp"
 
 namespace piae::diagnosis {
 namespace {

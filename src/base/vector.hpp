@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <cstring>
 
-namespace piae::diagnosis {
+namespace piae {
 
 // The processor's vector registers, by GCC's vector extension: arithmetic is element by element,
 // and a comparison chooses element by element. What the processor has is known from -march.
@@ -52,4 +52,4 @@ constexpr std::int64_t whole_rows(std::int64_t n) {
   return (n + row_granule - 1) / row_granule * row_granule;
 }
 
-}  // namespace piae::diagnosis
+}  // namespace piae
