@@ -15,32 +15,75 @@ namespace piae::phase {
 
 namespace {
 
-/// What a stored model knows of its twin space.
-struct Known {
-  std::vector<twin::TwinPoint> points;
-  std::vector<std::int32_t> labels;
-  int bins = 0;
+/// The decoder of a stored model and its twin space.
+class Decoder {
+ public:
+  Decoder(const artefact::Reader& model, const std::string& device)
+      : device_(nets::prepare_device(device)),
+        description_(twin::read_model_description(model)),
+        networks_(twin::without_encoder, description_.shape, description_.options),
+        parameters_(networks_.specs(), Stream("replaced"), torch::kFloat32, device_),
+        points_(twin::TwinSpace(model).points()),
+        labels_(model.numbers<std::int32_t>("/phase/labels", {points_.size()}).values),
+        bins_(static_cast<int>(model.integer("/phase", "space_bins"))),
+        scale_(points_, labels_, info().classes.size()) {
+    parameters_.read(model, "/" + description_.options.keep);
+  }
 
-  explicit Known(const artefact::Reader& model)
-      : points(twin::TwinSpace(model).points()),
-        labels(model.numbers<std::int32_t>("/phase/labels", {points.size()}).values),
-        bins(static_cast<int>(model.integer("/phase", "space_bins"))) {}
+  [[nodiscard]] const signal::DatasetInfo& info() const { return description_.info; }
+  [[nodiscard]] std::size_t length() const {
+    return static_cast<std::size_t>(description_.shape.samples);
+  }
+  [[nodiscard]] Cycle cycle(std::size_t label) const { return cycle_of(info(), label, length()); }
 
   /// The space of one class alone: the state of an inner race says nothing about a ball.
   [[nodiscard]] twin::TwinSpace space_of(std::size_t label) const {
     std::vector<twin::TwinPoint> own;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      if (static_cast<std::size_t>(labels[i]) == label) own.push_back(points[i]);
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+      if (static_cast<std::size_t>(labels_[i]) == label) own.push_back(points_[i]);
     }
-    return {own, bins};
+    return {own, bins_};
   }
-};
 
-/// What is drawn for one window.
-struct Draw {
-  twin::TwinPoint first;
-  twin::TwinPoint second;
-  Passage passage;
+  [[nodiscard]] std::vector<float> windows(std::size_t label,
+                                           const std::vector<Draw>& draws) const {
+    const torch::NoGradGuard no_grad;
+    const std::vector<float> waveforms = nets::to_vector(
+        networks_.decode(
+            parameters_, twin::as_tensor(inputs(draws, label), device_),
+            twin::one_hot_of(label, description_.shape.classes, 2 * draws.size(), device_)) *
+        description_.acceleration[label]);
+    const auto waveform = [&](std::size_t row) {
+      return std::span(waveforms).subspan(row * length(), cycle(label).samples);
+    };
+    std::vector<float> all;
+    for (std::size_t i = 0; i < draws.size(); ++i) {
+      const std::vector<float> window =
+          pass(waveform(i), waveform(draws.size() + i), cycle(label), draws[i].passage, length());
+      all.insert(all.end(), window.begin(), window.end());
+    }
+    return all;
+  }
+
+ private:
+  /// All first states, then all second ones.
+  [[nodiscard]] std::vector<twin::TwinPoint> inputs(const std::vector<Draw>& draws,
+                                                    std::size_t label) const {
+    std::vector<twin::TwinPoint> points;
+    for (const auto state : {&Draw::first, &Draw::second}) {
+      for (const Draw& d : draws) points.push_back(scale_.standardised(d.*state, label));
+    }
+    return points;
+  }
+
+  torch::Device device_;
+  twin::ModelDescription description_;
+  twin::Networks networks_;
+  nets::ParameterSet parameters_;
+  std::vector<twin::TwinPoint> points_;  // of the known windows
+  std::vector<std::int32_t> labels_;     // of the known windows
+  int bins_;
+  StateScale scale_;
 };
 
 std::vector<Draw> draw(const twin::TwinSpace& space, const Cycle& cycle, std::size_t length,
@@ -53,16 +96,6 @@ std::vector<Draw> draw(const twin::TwinSpace& space, const Cycle& cycle, std::si
     draws.push_back({first, second, draw_passage(cycle, length, own)});
   }
   return draws;
-}
-
-/// Decoder inputs of all first states, then all second ones.
-std::vector<twin::TwinPoint> decoder_inputs(const std::vector<Draw>& draws, const StateScale& scale,
-                                            std::size_t label) {
-  std::vector<twin::TwinPoint> inputs;
-  for (const auto state : {&Draw::first, &Draw::second}) {
-    for (const Draw& d : draws) inputs.push_back(scale.standardised(d.*state, label));
-  }
-  return inputs;
 }
 
 }  // namespace
@@ -80,39 +113,27 @@ std::vector<float> pass(std::span<const float> first, std::span<const float> sec
   return window;
 }
 
-signal::WindowSet generate(const artefact::Reader& model, std::size_t count, const Stream& stream,
-                           const std::string& device_name) {
-  const torch::NoGradGuard no_grad;
-  const torch::Device device = nets::prepare_device(device_name);
-  const twin::ModelDescription description = twin::read_model_description(model);
-  const signal::DatasetInfo& info = description.info;
-  const twin::Networks networks(twin::without_encoder, description.shape, description.options);
-  nets::ParameterSet parameters(networks.specs(), stream, torch::kFloat32, device);
-  parameters.read(model, "/" + description.options.keep);
-  const Known known(model);
-  const StateScale scale(known.points, known.labels, info.classes.size());
+std::vector<float> decode(const artefact::Reader& model, std::size_t label,
+                          const std::vector<Draw>& draws, const std::string& device) {
+  return Decoder(model, device).windows(label, draws);
+}
 
+signal::WindowSet generate(const artefact::Reader& model, std::size_t count, const Stream& stream,
+                           const std::string& device) {
+  const Decoder decoder(model, device);
   signal::WindowSet generated;
-  generated.info = info;
-  generated.length = static_cast<std::size_t>(description.shape.samples);
-  for (std::size_t label = 0; label < info.classes.size(); ++label) {
-    if (info.classes[label].defect == signal::Defect::none) continue;
-    const Cycle cycle = cycle_of(info, label, generated.length);
-    const std::vector<Draw> draws = draw(known.space_of(label), cycle, generated.length, count,
-                                         stream.child(info.classes[label].name));
-    const std::vector<float> waveforms = nets::to_vector(
-        networks.decode(parameters, twin::as_tensor(decoder_inputs(draws, scale, label), device),
-                        twin::one_hot_of(label, description.shape.classes, 2 * count, device)) *
-        description.acceleration[label]);
-    const auto waveform = [&](std::size_t row) {
-      return std::span(waveforms).subspan(row * generated.length, cycle.samples);
-    };
-    for (std::size_t i = 0; i < count; ++i) {
-      const std::vector<float> window =
-          pass(waveform(i), waveform(count + i), cycle, draws[i].passage, generated.length);
-      generated.samples.insert(generated.samples.end(), window.begin(), window.end());
+  generated.info = decoder.info();
+  generated.length = decoder.length();
+  for (std::size_t label = 0; label < generated.info.classes.size(); ++label) {
+    const signal::ClassInfo& c = generated.info.classes[label];
+    if (c.defect == signal::Defect::none) continue;
+    const std::vector<Draw> draws = draw(decoder.space_of(label), decoder.cycle(label),
+                                         generated.length, count, stream.child(c.name));
+    const std::vector<float> windows = decoder.windows(label, draws);
+    generated.samples.insert(generated.samples.end(), windows.begin(), windows.end());
+    for (const Draw& d : draws) {
       generated.labels.push_back(static_cast<std::int32_t>(label));
-      generated.parameters.push_back(twin::in_units(draws[i].first));
+      generated.parameters.push_back(twin::in_units(d.first));
     }
   }
   return generated;

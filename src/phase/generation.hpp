@@ -9,6 +9,7 @@
 #include "base/random.hpp"
 #include "phase/cycle.hpp"
 #include "signal/window_set.hpp"
+#include "twin/space.hpp"
 
 namespace piae::phase {
 
@@ -29,6 +30,18 @@ Passage draw_passage(const Cycle& cycle, std::size_t length, Stream& stream);
 /// in the window.
 std::vector<float> pass(std::span<const float> first, std::span<const float> second,
                         const Cycle& cycle, const Passage& passage, std::size_t length);
+
+/// What a window is made of: two states (k~, c~) of its class, and the way through them.
+struct Draw {
+  twin::TwinPoint first;
+  twin::TwinPoint second;
+  Passage passage;
+};
+
+/// The windows of these draws in the recordings' unit, of one class with a defect, [draws, N] row
+/// by row, from the decoder of a trained model.
+std::vector<float> decode(const artefact::Reader& model, std::size_t label,
+                          const std::vector<Draw>& draws, const std::string& device);
 
 /// `count` windows of each class with a defect, in the recordings' unit: two states from the
 /// histogram of the class's known (k~, c~) and a passage each, decoded. The (k, c) that are stored

@@ -1,10 +1,13 @@
 #pragma once
 
+#include <cmath>
 #include <string>
 #include <vector>
 
 #include "base/random.hpp"
 #include "bearing/dynamics.hpp"
+#include "bearing/kinematics.hpp"
+#include "bearing/variation.hpp"
 #include "signal/window_set.hpp"
 
 namespace piae::phase {
@@ -21,18 +24,44 @@ inline signal::DatasetInfo bearing_info() {
   return info;
 }
 
-/// Acceleration by eq. 13 with the outer race's defect and without slip, so that strikes are
-/// strictly periodic; white noise `snr_db` below it.
-inline std::vector<double> outer_race_signal(std::size_t samples, double snr_db, Stream noise) {
-  const signal::DatasetInfo info = bearing_info();
-  bearing::Motion motion;
-  motion.shaft_speed_rpm = info.shaft_speed_rpm;
-  std::vector<double> signal = bearing::simulate(info.bearing, {signal::Defect::outer, 0.5334},
-                                                 motion, {}, {info.sample_rate_hz, samples});
+/// A window by eq. 13 and the strike angle at its middle: what the defect has turned through, as
+/// strikes, times 2 pi; 0 where the defect and a ball (or the ball's defect and a race) meet.
+struct StruckWindow {
+  std::vector<double> samples;
+  double strike_angle_rad = 0;
+};
+
+/// A window whose (k, c), speed, slip and angles are drawn as those of a simulated dataset, with
+/// white noise 10 dB below it.
+inline StruckWindow struck_window(const signal::DatasetInfo& info, std::size_t label,
+                                  std::size_t length, Stream stream) {
+  const signal::ClassInfo& c = info.classes[label];
+  const bearing::Variation variation;
+  const bearing::Motion motion =
+      bearing::draw_motion(stream, c.defect, info.shaft_speed_rpm, variation);
+  StruckWindow window;
+  window.samples = bearing::simulate(info.bearing, {c.defect, c.defect_size_mm}, motion,
+                                     bearing::draw_dynamics(stream, {}, variation),
+                                     {info.sample_rate_hz, length});
   double power = 0;
-  for (const double x : signal) power += x * x / static_cast<double>(samples);
-  for (double& x : signal) x += noise.normal(0, std::sqrt(power * std::pow(10, -snr_db / 10)));
-  return signal;
+  for (const double x : window.samples) power += x * x / static_cast<double>(length);
+  for (double& x : window.samples) x += stream.normal(0, std::sqrt(0.1 * power));
+
+  const bearing::Speeds speeds = bearing::speeds(info.bearing, motion.shaft_speed_rpm, motion.slip);
+  const double middle_s = static_cast<double>(length) / 2 / info.sample_rate_hz;
+  const double cage = motion.cage_angle_rad + speeds.cage * middle_s;
+  switch (c.defect) {
+    case signal::Defect::outer:
+      window.strike_angle_rad = info.bearing.balls * cage;
+      break;
+    case signal::Defect::inner:
+      window.strike_angle_rad =
+          info.bearing.balls * (motion.defect_angle_rad + speeds.shaft * middle_s - cage);
+      break;
+    default:
+      window.strike_angle_rad = 2 * (motion.defect_angle_rad + speeds.spin * middle_s);
+  }
+  return window;
 }
 
 /// Five known windows of each faulty class, by eq. 13 with (k, c) drawn around those given.

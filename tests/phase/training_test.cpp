@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -76,6 +76,36 @@ TEST(PhaseGeneration, FirstWindowsDoNotDependOnTheirNumber) {
     ASSERT_NEAR(few.window(1)[i], many.window(1)[i], 1e-3) << i;
     ASSERT_NEAR(few.window(2)[i], many.window(7)[i], 1e-3) << i;
   }
+}
+
+// Through a trained decoder: a start j samples later is the same window j samples earlier, bit for
+// bit, before the change of state and after it; a whole cycle later, it is the same window.
+TEST(PhaseGeneration, AnotherStartAngleShiftsWhatTheDecoderGives) {
+  const artefact::Reader model(train(checkpoint_at("angle.ckpt"), "angle.h5"), "model");
+  constexpr std::size_t outer = 2;
+  constexpr std::size_t length = 1024;
+  constexpr std::size_t change = 600;
+  const Cycle cycle = cycle_of(bearing_info(), outer, length);
+  const Draw draw{{1.1e8, 450}, {0.9e8, 600}, {37, change, 3}};
+  std::vector<Draw> draws{draw};
+  for (const std::size_t later : {1U, 250U}) {
+    draws.push_back(draw);
+    draws.back().passage.start += later;
+  }
+  draws.push_back(draw);
+  draws.back().passage.start += cycle.samples;
+  const std::vector<float> windows = decode(model, outer, draws, "cpu");
+  ASSERT_EQ(windows.size(), draws.size() * length);
+  const auto window = [&](std::size_t i) { return std::span(windows).subspan(i * length, length); };
+  EXPECT_GT(*std::ranges::max_element(window(0)), *std::ranges::min_element(window(0)));
+  for (const std::size_t i : {1U, 2U}) {
+    const std::size_t later = draws[i].passage.start - draw.passage.start;
+    for (std::size_t t = 0; t + later < length; ++t) {
+      if (t < change && t + later >= change) continue;
+      ASSERT_EQ(window(i)[t], window(0)[t + later]) << "start " << later << " later, sample " << t;
+    }
+  }
+  EXPECT_TRUE(std::ranges::equal(window(3), window(0)));
 }
 
 TEST(PhaseTraining, RefusesWindowsThatAreTooShort) {
