@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -41,6 +42,15 @@ Vector<T> load(const T* from) {
 template <class T>
 void store(T* to, Vector<T> vector) {
   std::memcpy(to, &vector, sizeof vector);
+}
+
+/// Needs -fno-math-errno for the file, or else it is a call for each lane (see CMakeLists.txt).
+template <class T>
+Vector<T> square_root(Vector<T> x) {
+  T roots[lanes<T>];
+  store<T>(roots, x);
+  for (T& root : roots) root = std::sqrt(root);
+  return load(roots);
 }
 
 /// Rows of numbers are filled up with zeros to a multiple of this, so that they are whole vectors

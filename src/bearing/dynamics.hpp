@@ -1,14 +1,14 @@
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <span>
 #include <vector>
 
-#include "bearing/contacts.hpp"
 #include "bearing/defect.hpp"
+#include "bearing/equation_of_motion.hpp"
 #include "bearing/geometry.hpp"
 #include "bearing/hertz.hpp"
+#include "bearing/motion.hpp"
 
 namespace piae::bearing {
 
@@ -30,45 +30,30 @@ struct DynamicsOptions {
 /// Up to this stiffness, a little below W / clearance, there is contact, and so vibration.
 double largest_stiffness_n_per_m(const DynamicsOptions& options);
 
-/// Displacement s in m, positive in the direction of the load, and its velocity in m/s.
-using State = std::array<double, 2>;
+/// As few as are no longer than asked. Throws Error(bad_input) for a rate or a step that is not
+/// positive and finite.
+SubSteps sub_steps(double rate_hz, double max_sub_step_s);
 
-/// Eq. 13, with its contact term summed over the balls in the load zone:
-///     M s" + C s' + K s + K_b sum_j max(s cos(psi_j) - delta_j, 0)^1.5 cos(psi_j) = W.
-/// As printed the equation has one ball at a fixed place, which makes a healthy bearing silent.
-struct EquationOfMotion {
-  double mass_kg = 0;
-  double damping_ns_per_m = 0;
-  double stiffness_n_per_m = 0;
-  double contact_n_per_m15 = 0;  ///< K_b; 0 takes the contact away
-  double load_n = 0;
-
-  [[nodiscard]] double acceleration(const State& state, std::span<const BallContact> balls) const;
+/// One run of a bearing. Runs that are simulated together have settling_s and max_sub_step_s in
+/// common.
+struct Course {
+  Motion motion;
+  DynamicsOptions options;
 };
 
-/// Where the load is carried at rest, in m.
-double static_equilibrium_m(const EquationOfMotion& equation, std::span<const BallContact> balls);
+/// The accelerations of a bearing with the given defect, in m/s^2, [courses, samples] row by row,
+/// averaged over each sampling interval (Solution). Each course starts at static equilibrium, a
+/// settling time before the first sample; the angles in its motion hold at the first sample.
+///
+/// One thread, no random numbers. courses_at_once are solved in the time of one; whoever has many
+/// gives each thread so many. What a course gives does not depend on the others, bit for bit.
+///
+/// Throws Error(bad_input) for values that are impossible or not finite, where the load does not
+/// exceed K * gamma, and for courses that do not go together; Error(failed) when one diverges.
+std::vector<double> simulate(const Geometry& geometry, const LocalDefect& defect,
+                             std::span<const Course> courses, const Sampling& sampling);
 
-/// Samples of a signal: sample i stands for the interval [i, i + 1) / rate.
-struct Sampling {
-  double rate_hz = 0;
-  std::size_t samples = 0;
-};
-
-/// Integrates from `state` at `start_s` (classical Runge-Kutta of order 4, fixed sub-steps, by
-/// Boost.odeint) and leaves the last state in `state`. Returns the acceleration in m/s^2, averaged
-/// over each sampling interval: an accelerometer with its anti-aliasing filter sees no less, and
-/// the result changes smoothly where a defect moves across the border of two samples. The average
-/// is exact, being the change of velocity over the interval. Throws Error(failed) when the
-/// integration diverges.
-std::vector<double> integrate(const EquationOfMotion& equation, const BallPassage& passage,
-                              State& state, double start_s, const Sampling& sampling,
-                              double max_sub_step_s);
-
-/// The acceleration of a bearing with the given defect, in m/s^2, one thread, no random numbers.
-/// Starts at static equilibrium, a settling time before the first sample; the angles in `motion`
-/// hold at the first sample. Throws Error(bad_input) for values that are impossible or not finite,
-/// and where the load does not exceed K * gamma; Error(failed) when the integration diverges.
+/// Of one course, [samples].
 std::vector<double> simulate(const Geometry& geometry, const LocalDefect& defect,
                              const Motion& motion, const DynamicsOptions& options,
                              const Sampling& sampling);

@@ -28,79 +28,11 @@ double relative_error(const std::vector<double>& x, const std::vector<double>& t
   return rms(difference) / rms(truth);
 }
 
-// --- Eq. 13 without contact: a damped oscillator, released 1 um beside its equilibrium. ---
-
-constexpr EquationOfMotion oscillator{.mass_kg = 1.3,
-                                      .damping_ns_per_m = 700,
-                                      .stiffness_n_per_m = 2e8,
-                                      .contact_n_per_m15 = 0,
-                                      .load_n = 1500};
-constexpr double released_m = 1e-6;
-
-/// s' of s = W / K + released e^(-z t) (cos(w t) + z / w sin(w t)), with z = C / 2M, w^2 = K/M -
-/// z^2.
-double oscillator_velocity(double time_s) {
-  const double z = oscillator.damping_ns_per_m / (2 * oscillator.mass_kg);
-  const double k = oscillator.stiffness_n_per_m / oscillator.mass_kg;
-  const double w = std::sqrt(k - z * z);
-  return -released_m * k / w * std::exp(-z * time_s) * std::sin(w * time_s);
+TEST(SubSteps, AreAsFewAsTheLongestStepAllows) {
+  EXPECT_EQ(sub_steps(12000, 2e-6).count, 42U);  // 83.3 us
+  EXPECT_DOUBLE_EQ(sub_steps(12000, 2e-6).step_s, 1 / 12000.0 / 42);
+  EXPECT_EQ(sub_steps(12000, 1).count, 1U);
 }
-
-std::vector<double> closed_form(std::size_t samples) {
-  std::vector<double> acceleration;
-  for (std::size_t i = 0; i < samples; ++i) {
-    const double t = static_cast<double>(i) / rate_hz;
-    acceleration.push_back((oscillator_velocity(t + 1 / rate_hz) - oscillator_velocity(t)) *
-                           rate_hz);
-  }
-  return acceleration;
-}
-
-double oscillator_error(double max_sub_step_s) {
-  const BallPassage passage({}, {}, running, 0);
-  State state{oscillator.load_n / oscillator.stiffness_n_per_m + released_m, 0};
-  const auto acceleration =
-      integrate(oscillator, passage, state, 0, {rate_hz, 200}, max_sub_step_s);
-  return relative_error(acceleration, closed_form(200));
-}
-
-TEST(Integrate, DampedOscillatorIsTheClosedForm) { EXPECT_LT(oscillator_error(2e-6), 1e-7); }
-
-TEST(Integrate, IsOfFourthOrderWhereNothingJumps) {
-  const double interval_s = 1 / rate_hz;
-  const double ratio = oscillator_error(interval_s / 4) / oscillator_error(interval_s / 8);
-  EXPECT_NEAR(ratio, 16, 2);
-}
-
-TEST(Integrate, LeavesTheLastStateBehind) {
-  const BallPassage passage({}, {}, running, 0);
-  const State start{oscillator.load_n / oscillator.stiffness_n_per_m + released_m, 0};
-  State whole = start;
-  const auto all = integrate(oscillator, passage, whole, 0, {rate_hz, 20}, 2e-6);
-  State halves = start;
-  integrate(oscillator, passage, halves, 0, {rate_hz, 10}, 2e-6);
-  EXPECT_NEAR(halves[1], oscillator_velocity(10 / rate_hz), 1e-9);
-  const auto second = integrate(oscillator, passage, halves, 10 / rate_hz, {rate_hz, 10}, 2e-6);
-  for (std::size_t i = 0; i < 10; ++i) EXPECT_NEAR(second[i], all[10 + i], 1e-9);
-}
-
-// --- The equation itself ---
-
-TEST(EquationOfMotion, SumsTheForcesOfTheBalls) {
-  const EquationOfMotion e{2, 300, 1e8, 1e10, 1000};
-  // Compressions of 4 um (along 1), 1 um (along 1/2: 4 um less 2 um clearance, less 1 um) and none.
-  const std::vector<BallContact> balls{{1, 4e-6}, {0.5, 3e-6}, {0.25, 2e-6}};
-  const double contact = 1e10 * (8e-9 + 0.5 * 1e-9);  // 4e-6^1.5 = 8e-9, 1e-6^1.5 = 1e-9
-  EXPECT_NEAR(e.acceleration({8e-6, 0.1}, balls), (1000 - 30 - 800 - contact) / 2, 1e-9);
-}
-
-TEST(StaticEquilibrium, BalancesLoadSpringAndBalls) {
-  // One ball below the load: 1e8 * 6 um + 1e10 * (4 um)^1.5 = 600 N + 80 N.
-  EXPECT_NEAR(static_equilibrium_m({1, 500, 1e8, 1e10, 680}, {{{1, 2e-6}}}), 6e-6, 1e-18);
-  EXPECT_NEAR(static_equilibrium_m({1, 500, 1e8, 0, 680}, {}), 6.8e-6, 1e-18);
-}
-
-// --- Whole bearings ---
 
 TEST(Simulate, HealthyBearingStaysNearEquilibrium) {
   const auto acceleration = simulate({}, {}, running, {}, {rate_hz, 12000});

@@ -1,0 +1,97 @@
+#include "bearing/equation_of_motion.hpp"
+
+#include <limits>
+
+namespace piae::bearing {
+
+namespace {
+
+PerCourse compression_m(PerCourse displacement, const BallContact& ball) {
+  const PerCourse compression = displacement * ball.along - ball.delta_m;
+  return compression > 0 ? compression : PerCourse{};
+}
+
+/// What a state becomes, per second.
+using Rate = State;
+
+State after(const State& state, const Rate& rate, double time_s) {
+  return {state.displacement + time_s * rate.displacement, state.velocity + time_s * rate.velocity};
+}
+
+/// Runge and Kutta's sub-step, in which the balls advance twice. Where they are does not depend on
+/// the state, so the processor has that to do while it waits for the square roots before it.
+State stepped(const EquationOfMotion& equation, const PerCourse& inverse_mass, const State& state,
+              LoadedBalls& balls, double step_s) {
+  const auto rate = [&](const State& at) {
+    return Rate{at.velocity, equation.force_n(at, balls.contacts()) * inverse_mass};
+  };
+  const Rate k1 = rate(state);
+  balls.advance();
+  const Rate k2 = rate(after(state, k1, step_s / 2));
+  const Rate k3 = rate(after(state, k2, step_s / 2));
+  balls.advance();
+  const Rate k4 = rate(after(state, k3, step_s));
+  const Rate sum{
+      k1.displacement + 2 * (k2.displacement + k3.displacement) + k4.displacement,
+      k1.velocity + 2 * (k2.velocity + k3.velocity) + k4.velocity,
+  };
+  return after(state, sum, step_s / 6);
+}
+
+/// -1 in the lanes of courses that a bearing can take: less than 1 m, and a finite velocity.
+Vector<std::int64_t> sane(const State& state) {
+  constexpr double largest = std::numeric_limits<double>::max();
+  return (state.displacement < 1) & (state.displacement > -1) & (state.velocity <= largest) &
+         (state.velocity >= -largest);
+}
+
+}  // namespace
+
+PerCourse EquationOfMotion::force_n(const State& state, std::span<const BallContact> balls) const {
+  PerCourse contact{};
+  for (const BallContact& ball : balls) {
+    const PerCourse compression = compression_m(state.displacement, ball);
+    contact += compression * square_root<double>(compression) * ball.along;
+  }
+  return load_n - damping_ns_per_m * state.velocity - stiffness_n_per_m * state.displacement -
+         contact_n_per_m15 * contact;
+}
+
+PerCourse static_equilibrium_m(const EquationOfMotion& e, std::span<const BallContact> balls) {
+  // The force at rest is convex and growing in s: from above, Newton's method comes down to its
+  // root. Without contact the first guess is the root. 50 steps are more than enough: from far
+  // above, where the balls carry most, each takes a third away, near the root it doubles the
+  // digits.
+  PerCourse s = e.load_n / e.stiffness_n_per_m;
+  for (int i = 0; i < 50; ++i) {
+    PerCourse slope = e.stiffness_n_per_m;
+    for (const BallContact& ball : balls) {
+      slope += 1.5 * e.contact_n_per_m15 * square_root<double>(compression_m(s, ball)) *
+               ball.along * ball.along;
+    }
+    s += e.force_n({s, PerCourse{}}, balls) / slope;
+  }
+  return s;
+}
+
+Solution solve(const EquationOfMotion& equation, LoadedBalls& balls, State& state, double start_s,
+               const Sampling& sampling, const SubSteps& sub_steps) {
+  const PerCourse inverse_mass = 1 / equation.mass_kg;
+  balls.set_step(sub_steps.step_s / 2);
+  Solution solution;
+  solution.acceleration.reserve(sampling.samples);
+  auto still_sane = Vector<std::int64_t>{} - 1;
+  for (std::size_t i = 0; i < sampling.samples; ++i) {
+    balls.set(start_s + static_cast<double>(i) / sampling.rate_hz);  // their rotations round
+    const PerCourse velocity = state.velocity;
+    for (std::size_t step = 0; step < sub_steps.count; ++step) {
+      state = stepped(equation, inverse_mass, state, balls, sub_steps.step_s);
+    }
+    solution.acceleration.push_back((state.velocity - velocity) * sampling.rate_hz);
+    still_sane &= sane(state);
+    solution.sane_samples -= still_sane;
+  }
+  return solution;
+}
+
+}  // namespace piae::bearing
