@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdint>
 #include <numbers>
+#include <span>
 
 #include "base/error.hpp"
 #include "base/parallel.hpp"
@@ -42,6 +43,9 @@ ArrayXd power_of(const scoring::Windows& windows) {
   return scoring::mean_power_spectrum(windows).tail(windows.cols() / 2);
 }
 
+/// Samples that half overlapping windows of this length take.
+Index samples_of(Index length) { return length + (segments - 1) * (length / 2); }
+
 /// Averaged over neighbouring bins with Hann's weights.
 ArrayXd smoothed(const ArrayXd& power, double bin_hz) {
   const auto reach = static_cast<Index>(std::ceil(smoothing_hz / bin_hz));
@@ -59,6 +63,16 @@ ArrayXd smoothed(const ArrayXd& power, double bin_hz) {
     result[i] = sum / weights;
   }
   return result;
+}
+
+/// Of a signal of samples_of(length) samples, with mean 1.
+ArrayXd spectrum_of(std::span<const double> signal, Index length, double sample_rate_hz) {
+  scoring::Windows windows(segments, length);
+  for (Index i = 0; i < segments; ++i) {
+    windows.row(i) = Eigen::Map<const Eigen::RowVectorXd>(&signal[i * (length / 2)], length);
+  }
+  const ArrayXd power = smoothed(power_of(windows), sample_rate_hz / static_cast<double>(length));
+  return power / power.mean();
 }
 
 /// Whittle's negative logarithmic likelihood, per bin, with its least scale a = mean of P / (S +
@@ -117,25 +131,31 @@ SpectralFit::SpectralFit(const signal::WindowSimulation& simulation, int label,
     }
   }
   spectra_.resize(grid_.size());
-  parallel_for(grid_.size(), [&](std::size_t i) { spectra_[i] = solved_spectrum(grid_[i]); });
+  parallel_for_parts(1, grid_.size(), bearing::courses_at_once,
+                     [&](std::size_t first, std::size_t count) {
+                       std::ranges::move(solved_spectra(std::span(grid_).subspan(first, count)),
+                                         spectra_.begin() + static_cast<Index>(first));
+                     });
 }
 
-ArrayXd SpectralFit::solved_spectrum(const Point& point) const {
-  bearing::DynamicsOptions dynamics = dynamics_;
-  dynamics.stiffness_n_per_m = std::exp(point.log_k);
-  dynamics.damping_ns_per_m = std::exp(point.log_c);
-  const auto length = static_cast<Index>(length_);
-  const auto samples = static_cast<std::size_t>(length + (segments - 1) * (length / 2));
-  const std::vector<double> signal =
-      bearing::simulate(info_.bearing, defect_, {.shaft_speed_rpm = info_.shaft_speed_rpm},
-                        dynamics, {info_.sample_rate_hz, samples});
-  scoring::Windows windows(segments, length);
-  for (Index i = 0; i < segments; ++i) {
-    windows.row(i) = Eigen::Map<const Eigen::RowVectorXd>(&signal[i * (length / 2)], length);
+std::vector<ArrayXd> SpectralFit::solved_spectra(std::span<const Point> points) const {
+  std::vector<bearing::Course> courses;
+  for (const Point& point : points) {
+    bearing::DynamicsOptions dynamics = dynamics_;
+    dynamics.stiffness_n_per_m = std::exp(point.log_k);
+    dynamics.damping_ns_per_m = std::exp(point.log_c);
+    courses.push_back({{.shaft_speed_rpm = info_.shaft_speed_rpm}, dynamics});
   }
-  const ArrayXd power =
-      smoothed(power_of(windows), info_.sample_rate_hz / static_cast<double>(length_));
-  return power / power.mean();
+  const auto length = static_cast<Index>(length_);
+  const auto samples = static_cast<std::size_t>(samples_of(length));
+  const std::vector<double> signals =
+      bearing::simulate(info_.bearing, defect_, courses, {info_.sample_rate_hz, samples});
+  std::vector<ArrayXd> spectra;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    spectra.push_back(spectrum_of(std::span(signals).subspan(i * samples, samples), length,
+                                  info_.sample_rate_hz));
+  }
+  return spectra;
 }
 
 SpectralFit::Point SpectralFit::best_of_grid(const ArrayXd& power) const {
@@ -154,8 +174,11 @@ void SpectralFit::refine(const ArrayXd& power, Point& point, double Point::*coor
   };
   // Counted in grid steps from the start: Brent's tolerance is relative to the variable, and that
   // of a log k near 18 would be wider than the grid.
-  point = moved(minimum(
-      [&](double steps) { return deviance(power, solved_spectrum(moved(steps))); }, -1, 1, 6, 8));
+  const auto deviance_at = [&](double steps) {
+    const Point at = moved(steps);
+    return deviance(power, solved_spectra(std::span(&at, 1)).front());
+  };
+  point = moved(minimum(deviance_at, -1, 1, 6, 8));
 }
 
 signal::DynamicParameters SpectralFit::fit(std::span<const float> window) const {

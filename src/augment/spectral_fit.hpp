@@ -53,7 +53,7 @@ class SpectralFit {
     double log_c = 0;
   };
 
-  [[nodiscard]] Eigen::ArrayXd solved_spectrum(const Point& point) const;
+  [[nodiscard]] std::vector<Eigen::ArrayXd> solved_spectra(std::span<const Point> points) const;
   [[nodiscard]] Point best_of_grid(const Eigen::ArrayXd& power) const;
   void refine(const Eigen::ArrayXd& power, Point& point, double Point::*coordinate) const;
 

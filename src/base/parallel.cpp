@@ -1,5 +1,6 @@
 #include "base/parallel.hpp"
 
+#include <algorithm>
 #include <cstdint>
 #include <exception>
 #include <vector>
@@ -20,6 +21,15 @@ void parallel_for(std::size_t count, const std::function<void(std::size_t)>& bod
   for (const std::exception_ptr& failure : failures) {
     if (failure) std::rethrow_exception(failure);
   }
+}
+
+void parallel_for_parts(std::size_t sets, std::size_t of_each, std::size_t most,
+                        const std::function<void(std::size_t, std::size_t)>& body) {
+  const std::size_t parts = (of_each + most - 1) / most;
+  parallel_for(sets * parts, [&](std::size_t i) {
+    const std::size_t of_set = i % parts * most;
+    body(i / parts * of_each + of_set, std::min(most, of_each - of_set));
+  });
 }
 
 }  // namespace piae

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/error.hpp"
@@ -80,25 +81,53 @@ Stream stream_of(const Simulation& simulation, const Record& record) {
                             class_name, record.name));
 }
 
-/// Without noise: how strong that is depends on all records.
-Record clean_record(const Simulation& simulation, std::size_t label, std::size_t number) {
-  const DatasetInfo& info = simulation.info;
+/// What a record is before eq. 13 is solved for it.
+struct Draw {
   Record record;
+  bearing::Course course;
+};
+
+Draw draw(const Simulation& simulation, std::size_t label, std::size_t number) {
+  const DatasetInfo& info = simulation.info;
+  Draw draw;
+  Record& record = draw.record;
   record.name = record_name(simulation, label, number);
   record.label = static_cast<int>(label);
   record.original_sample_rate_hz = info.sample_rate_hz;
   record.source = "simulated";
   Stream stream = stream_of(simulation, record);
-  const bearing::DynamicsOptions dynamics =
-      bearing::draw_dynamics(stream, simulation.dynamics, simulation.variation);
-  const bearing::LocalDefect defect{info.classes[label].defect, info.classes[label].defect_size_mm};
-  const bearing::Motion motion =
-      bearing::draw_motion(stream, defect.kind, info.shaft_speed_rpm, simulation.variation);
-  record.shaft_speed_rpm = motion.shaft_speed_rpm;
+  bearing::DynamicsOptions& dynamics = draw.course.options;
+  dynamics = bearing::draw_dynamics(stream, simulation.dynamics, simulation.variation);
+  draw.course.motion = bearing::draw_motion(stream, info.classes[label].defect,
+                                            info.shaft_speed_rpm, simulation.variation);
+  record.shaft_speed_rpm = draw.course.motion.shaft_speed_rpm;
   record.parameters = DynamicParameters{dynamics.stiffness_n_per_m, dynamics.damping_ns_per_m};
-  record.signal = bearing::simulate(info.bearing, defect, motion, dynamics,
-                                    {info.sample_rate_hz, simulation.samples});
-  return record;
+  return draw;
+}
+
+/// `count` records of a class, from that of this number on. Without noise: how strong that is
+/// depends on all records.
+std::vector<Record> clean_records(const Simulation& simulation, std::size_t label,
+                                  std::size_t number, std::size_t count) {
+  std::vector<Record> records;
+  std::vector<bearing::Course> courses;
+  for (std::size_t i = 0; i < count; ++i) {
+    Draw drawn = draw(simulation, label, number + i);
+    records.push_back(std::move(drawn.record));
+    courses.push_back(drawn.course);
+  }
+  const DatasetInfo& info = simulation.info;
+  const ClassInfo& c = info.classes[label];
+  const std::vector<double> rows =
+      bearing::simulate(info.bearing, {c.defect, c.defect_size_mm}, courses,
+                        {info.sample_rate_hz, simulation.samples});
+  auto row = rows.begin();
+  for (Record& record : records) {
+    const auto end = row + static_cast<std::ptrdiff_t>(simulation.samples);
+    record.signal.assign(row, end);
+    row = end;
+  }
+  return records;
 }
 
 double power(const std::vector<double>& signal) {
@@ -145,14 +174,17 @@ Simulation read_simulation(const std::filesystem::path& file) {
 
 Recordings simulate(const Simulation& simulation, const std::function<void(std::size_t)>& done) {
   Recordings recordings{simulation.info, {}};
-  recordings.records.resize(simulation.info.classes.size() * simulation.records_per_class);
+  const std::size_t classes = simulation.info.classes.size();
+  const std::size_t of_each = simulation.records_per_class;
+  recordings.records.resize(classes * of_each);
   std::size_t count = 0;
-  parallel_for(recordings.records.size(), [&](std::size_t i) {
-    recordings.records[i] = clean_record(simulation, i / simulation.records_per_class,
-                                         i % simulation.records_per_class);
+  parallel_for_parts(
+      classes, of_each, bearing::courses_at_once, [&](std::size_t first, std::size_t part) {
+        std::ranges::move(clean_records(simulation, first / of_each, first % of_each, part),
+                          recordings.records.begin() + static_cast<std::ptrdiff_t>(first));
 #pragma omp critical(simulation_progress)
-    if (done) done(++count);
-  });
+        for (std::size_t i = 0; done && i < part; ++i) done(++count);
+      });
   if (simulation.snr_db) add_noise(simulation, recordings);
   std::ranges::sort(recordings.records, {}, &Record::name);
   return recordings;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <numeric>
+#include <span>
 #include <utility>
 
 #include "base/error.hpp"
@@ -62,11 +63,14 @@ std::vector<Draw> draw_all(const WindowSimulation& simulation, std::size_t count
   return draws;
 }
 
-std::vector<double> solve(const WindowSimulation& simulation, const Draw& draw) {
+/// Of draws of one class, row by row.
+std::vector<double> solve(const WindowSimulation& simulation, std::span<const Draw> draws) {
   const DatasetInfo& info = simulation.info;
-  const ClassInfo& c = info.classes[draw.label];
+  const ClassInfo& c = info.classes[draws.front().label];
+  std::vector<bearing::Course> courses;
+  for (const Draw& draw : draws) courses.push_back({draw.motion, draw.dynamics});
   try {
-    return bearing::simulate(info.bearing, {c.defect, c.defect_size_mm}, draw.motion, draw.dynamics,
+    return bearing::simulate(info.bearing, {c.defect, c.defect_size_mm}, courses,
                              {info.sample_rate_hz, simulation.length});
   } catch (const Error& error) {
     throw Error(error.exit(), fmt::format("class {}: {}", c.name, error.what()));
@@ -74,7 +78,7 @@ std::vector<double> solve(const WindowSimulation& simulation, const Draw& draw) 
 }
 
 /// Without its mean, and with this RMS.
-std::vector<float> scaled(const std::vector<double>& signal, double rms) {
+std::vector<float> scaled(std::span<const double> signal, double rms) {
   const double mean =
       std::accumulate(signal.begin(), signal.end(), 0.0) / static_cast<double>(signal.size());
   const double own_rms = rms_of(signal);
@@ -151,11 +155,19 @@ WindowSet simulate_windows(const WindowSimulation& simulation, std::size_t count
   windows.info = simulation.info;
   windows.length = simulation.length;
   windows.samples.resize(draws.size() * simulation.length);
-  parallel_for(draws.size(), [&](std::size_t i) {
-    const auto window = scaled(solve(simulation, draws[i]), simulation.rms[draws[i].label]);
-    std::ranges::copy(window,
-                      windows.samples.begin() + static_cast<std::ptrdiff_t>(i * simulation.length));
-  });
+  const auto solve_part = [&](std::size_t first, std::size_t part) {
+    const std::size_t length = simulation.length;
+    const std::vector<double> rows = solve(simulation, std::span(draws).subspan(first, part));
+    for (std::size_t i = 0; i < part; ++i) {
+      const auto window = scaled(std::span(rows).subspan(i * length, length),
+                                 simulation.rms[draws[first + i].label]);
+      std::ranges::copy(
+          window, windows.samples.begin() + static_cast<std::ptrdiff_t>((first + i) * length));
+    }
+  };
+  const auto faulty = std::ranges::count_if(
+      simulation.info.classes, [](const ClassInfo& c) { return c.defect != Defect::none; });
+  parallel_for_parts(static_cast<std::size_t>(faulty), count, bearing::courses_at_once, solve_part);
   for (const Draw& one : draws) {
     windows.labels.push_back(static_cast<std::int32_t>(one.label));
     windows.parameters.push_back({one.dynamics.stiffness_n_per_m, one.dynamics.damping_ns_per_m});
