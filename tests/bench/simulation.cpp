@@ -1,32 +1,140 @@
+// Eq. 13, by bearing::simulate and by the scalar reference that tests compare it with.
 #include <benchmark/benchmark.h>
 
+#include <array>
+#include <chrono>
 #include <cmath>
+#include <vector>
 
+#include "base/random.hpp"
+#include "base/vector.hpp"
 #include "bearing/dynamics.hpp"
+#include "bearing/reference_dynamics.hpp"
+#include "bearing/variation.hpp"
 
 namespace {
 
 using namespace piae::bearing;
 
-/// One second of a bearing at 12 kHz, settling included; the argument is the kind of its defect.
-void simulate_one_second(benchmark::State& state) {
-  const auto kind = static_cast<Defect>(state.range(0));
-  const LocalDefect defect{kind, kind == Defect::none ? 0 : 0.1778};
-  const Motion motion{.shaft_speed_rpm = 1797};
-  const DynamicsOptions options;
-  const Sampling sampling{12000, 12000};
-  while (state.KeepRunning()) {
-    benchmark::DoNotOptimize(simulate({}, defect, motion, options, sampling));
-  }
-  const double steps_per_sample = std::ceil(1 / (sampling.rate_hz * options.max_sub_step_s));
-  const double samples = sampling.samples + options.settling_s * sampling.rate_hz;
-  state.counters["sub_steps/s"] =
-      benchmark::Counter(steps_per_sample * samples, benchmark::Counter::kIsIterationInvariantRate);
+constexpr Sampling window{12000, 1024};
+constexpr DynamicsOptions options;
+
+/// Floating point operations of one course in one sub-step, counted in loaded_balls.cpp and
+/// equation_of_motion.cpp: an addition, multiplication, comparison or square root is one, a choice
+/// none. The reference is credited with as many, whatever it takes for the same result.
+double flops_of_sub_step(int balls) {
+  const int ahead = (balls + 1) / 2;          // balls that are looked at
+  const int rotation = 6;                     // of a direction
+  const int turn = 5 * rotation + 2;          // three by the step, two by a ball that may enter
+  const int position = 2 * (3 + 1);           // of a ball: its cosine, and that from the defect
+  const int contact = 3 + 5;                  // compression, if there is any; x sqrt(x) along, sum
+  const int stage = ahead * contact + 6 + 1;  // the other forces, over the mass
+  const int states = 3 * 4 + 2 * 5 + 4;       // of the later stages, the rates' mean, the last one
+  return 2 * (turn + 1 + ahead * position) + 4 * stage + states;
 }
 
-BENCHMARK(simulate_one_second)
-    ->ArgName("defect")
-    ->DenseRange(static_cast<int>(Defect::none), static_cast<int>(Defect::roller))
-    ->Unit(benchmark::kMillisecond);
+double sub_steps_of_window() {
+  const double samples = window.samples + std::ceil(options.settling_s * window.rate_hz);
+  return samples * static_cast<double>(sub_steps(window.rate_hz, options.max_sub_step_s).count);
+}
+
+/// Each ball that is looked at takes a root in each of the four stages.
+double roots_of_sub_step(int balls) { return 4.0 * ((balls + 1) / 2); }
+
+/// How often a second this core does `round`, which changes vectors that do not depend on each
+/// other: what keeps it from more is the number of its units.
+template <std::size_t chains, class Round>
+double rounds_per_s(const Round& round) {
+  constexpr int rounds = 2'000'000;
+  std::array<PerCourse, chains> x{};
+  const auto start = std::chrono::steady_clock::now();
+  for (int i = 0; i < rounds; ++i) round(x);
+  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+  benchmark::DoNotOptimize(x);
+  return rounds / taken.count();
+}
+
+/// Additions and multiplications of doubles, fused.
+double peak_flops_per_s() {
+  constexpr std::size_t chains = 12;
+  const auto round = [](std::array<PerCourse, chains>& x) {
+    for (PerCourse& chain : x) chain = chain * 0.5 + 1.0;
+  };
+  return 2.0 * chains * courses_at_once * rounds_per_s<chains>(round);
+}
+
+/// Square roots of doubles.
+double peak_roots_per_s() {
+  constexpr std::size_t chains = 4;
+  const auto round = [](std::array<PerCourse, chains>& x) {
+    for (PerCourse& chain : x) chain = piae::square_root<double>(chain);
+  };
+  return chains * courses_at_once * rounds_per_s<chains>(round);
+}
+
+std::vector<Course> drawn_courses(Defect kind) {
+  piae::Stream stream("bench");
+  std::vector<Course> courses;
+  for (std::size_t i = 0; i < courses_at_once; ++i) {
+    const DynamicsOptions drawn = draw_dynamics(stream, options, {});
+    courses.push_back({draw_motion(stream, kind, 1797, {}), drawn});
+  }
+  return courses;
+}
+
+LocalDefect defect_of(const benchmark::State& state) {
+  const auto kind = static_cast<Defect>(state.range(0));
+  return {kind, kind == Defect::none ? 0 : 0.1778};
+}
+
+/// Times `solve`, which solves so many windows. "of_flops" and "of_roots" are what it does of the
+/// additions and multiplications, and of the square roots, that the core could do if it did nothing
+/// else, measured in the same run: the larger one is how near this comes to the machine's limit.
+template <class Solve>
+void measure(benchmark::State& state, std::size_t windows, const Solve& solve) {
+  static const double peak_flops = peak_flops_per_s();
+  static const double peak_roots = peak_roots_per_s();
+  const auto start = std::chrono::steady_clock::now();
+  while (state.KeepRunning()) benchmark::DoNotOptimize(solve());
+  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+  const double windows_per_s = static_cast<double>(state.iterations() * windows) / taken.count();
+  const double sub_steps_per_s = windows_per_s * sub_steps_of_window();
+  const double flops_per_s = sub_steps_per_s * flops_of_sub_step(Geometry{}.balls);
+  state.counters["windows/s"] = windows_per_s;
+  state.counters["flop/s"] = flops_per_s;
+  state.counters["of_flops"] = flops_per_s / peak_flops;
+  state.counters["of_roots"] = sub_steps_per_s * roots_of_sub_step(Geometry{}.balls) / peak_roots;
+}
+
+/// As many windows as are solved at once.
+void solve_side_by_side(benchmark::State& state) {
+  const LocalDefect defect = defect_of(state);
+  const std::vector<Course> courses = drawn_courses(defect.kind);
+  measure(state, courses.size(), [&] { return simulate({}, defect, courses, window); });
+}
+
+/// One window, which takes the time of as many.
+void solve_alone(benchmark::State& state) {
+  const LocalDefect defect = defect_of(state);
+  const Course course = drawn_courses(defect.kind).front();
+  measure(state, 1, [&] { return simulate({}, defect, course.motion, course.options, window); });
+}
+
+void solve_by_reference(benchmark::State& state) {
+  const LocalDefect defect = defect_of(state);
+  const Course course = drawn_courses(defect.kind).front();
+  measure(state, 1,
+          [&] { return reference::simulate({}, defect, course.motion, course.options, window); });
+}
+
+void each_kind(benchmark::internal::Benchmark* benchmark) {
+  benchmark->ArgName("defect")
+      ->DenseRange(static_cast<int>(Defect::none), static_cast<int>(Defect::roller))
+      ->Unit(benchmark::kMillisecond);
+}
+
+BENCHMARK(solve_side_by_side)->Apply(each_kind);
+BENCHMARK(solve_alone)->Apply(each_kind);
+BENCHMARK(solve_by_reference)->Apply(each_kind);
 
 }  // namespace
