@@ -12,12 +12,12 @@
 namespace piae::phase {
 
 /// Training of piae-dt-phase: first the inference of (k~, c~), then, with what it infers of the
-/// known windows, and with their start angles taken out, PIAE-DT's decoder and physics-informed
-/// module with PIAE-DT's losses and stages (twin/training.hpp).
+/// known windows, and with their start angles taken out, PIAE-DT's decoder by L_Rec alone
+/// (twin/training.hpp).
 class PhaseTraining : public nets::Trainee {
  public:
-  /// The model: inference, decoder, physics-informed module, and the twin space with the start of
-  /// each known window on its fault cycle, /phase/start, in samples. The last call on a training.
+  /// The model: inference, decoder, and the twin space with the start of each known window on its
+  /// fault cycle, /phase/start, in samples. The last call on a training.
   virtual void write_model(artefact::Writer& writer) = 0;
 };
 
