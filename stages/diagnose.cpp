@@ -9,7 +9,6 @@
 #include "cli/progress.hpp"
 #include "cli/run_options.hpp"
 #include "cli/stage.hpp"
-#include "diagnosis/backend_choice.hpp"
 #include "diagnosis/inputs.hpp"
 #include "diagnosis/libtorch_backend.hpp"
 #include "diagnosis/native_backend.hpp"
@@ -46,11 +45,10 @@ scoring::DiagnosisRecord make_record(const diagnosis::Inputs& inputs, const scor
 
 /// LibTorch costs 0.4 s and 160 MB at each start, so it is linked to a program of its own, built
 /// from this file too.
-diagnosis::MakeWdcnnBackend choose_backend(const std::string& backend, const std::string& device,
-                                           [[maybe_unused]] char** argv) {
-  if (!diagnosis::needs_libtorch(backend, device)) return diagnosis::make_native_backend;
+diagnosis::MakeWdcnnBackend choose_backend(const Compute& compute, [[maybe_unused]] char** argv) {
+  if (!needs_libtorch(compute)) return diagnosis::make_native_backend;
 #ifdef PIAE_WITH_LIBTORCH
-  return diagnosis::libtorch_backend(device);
+  return diagnosis::libtorch_backend(compute.device);
 #else
   cli::hand_over("diagnose-libtorch", argv);
 #endif
@@ -94,7 +92,7 @@ int main(int argc, char** argv) {
   bind(stage.options(), options);
 
   return stage.run(argc, argv, [&] {
-    const auto make_backend = choose_backend(options.backend, run.device, argv);
+    const auto make_backend = choose_backend(run.compute, argv);
     const scoring::Ratio& ratio = scoring::find_ratio(ratio_name);
     std::optional<artefact::Reader> generated;
     const artefact::Reader test = stage.open("test", test_file, "windows");

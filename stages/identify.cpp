@@ -28,7 +28,7 @@ report::Identification identify(const report::Layout& layout, const std::string&
   signal::require_role(real, "D");
   signal::require_same_split(model, real);
   report::Identification result{method, seed, signal::read_window_set(real), {}};
-  result.inferred = augment::make_method(method)->infer(model, result.windows, "cpu");
+  result.inferred = augment::make_method(method)->infer(model, result.windows, {});
   return result;
 }
 

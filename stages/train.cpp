@@ -27,10 +27,11 @@ signal::WindowSet read_real(const artefact::Reader& real, const artefact::Reader
   return roles.back().windows;
 }
 
-std::unique_ptr<augment::Method> make_method(const std::string& name, char** argv) {
-  std::unique_ptr<augment::Method> method = augment::make_method(name);
-  if (!method) cli::hand_over("train-libtorch", argv);
-  return method;
+/// LibTorch takes long to start, so it is linked to a program of its own, built from this file too.
+void require_libtorch([[maybe_unused]] char** argv) {
+#ifndef PIAE_WITH_LIBTORCH
+  cli::hand_over("train-libtorch", argv);
+#endif
 }
 
 }  // namespace
@@ -58,7 +59,7 @@ int main(int argc, char** argv) {
   std::unique_ptr<augment::Method> method;
   if (!name.empty()) {
     try {
-      method = make_method(name, argv);
+      method = augment::make_method(name);
       method->bind(stage.options().in_group(name));
       if (method->learns_from() == augment::LearnsFrom::real) {
         stage.input_file("--real", real_file,
@@ -70,7 +71,8 @@ int main(int argc, char** argv) {
   }
 
   return stage.run(argc, argv, [&] {
-    if (!method) method = make_method(name, argv);
+    if (!method) method = augment::make_method(name);
+    if (method->needs_libtorch(run.compute)) require_libtorch(argv);
     const artefact::Reader reader = stage.open("known", known_file, "windows");
     signal::require_role(reader, "C");
     signal::WindowSet windows = signal::read_window_set(reader);
@@ -89,7 +91,7 @@ int main(int argc, char** argv) {
     model.attribute("/", "method", name);
     model.attribute("/", "seed", run.seed);
     signal::write(model, signal::origin_of_known(reader));
-    method->train(windows, stream, run.device, checkpoint, model);
+    method->train(windows, stream, run.compute, checkpoint, model);
     stage.save(model, model_file);
     artefact::remove_file(checkpoint.path);
     std::cout << fmt::format("trained {} on {} windows of {} fault classes: {}\n", name,

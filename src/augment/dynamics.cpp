@@ -41,14 +41,14 @@ void Dynamics::bind(const cli::Options& command) {
 }
 
 void Dynamics::train(const signal::WindowSet& known, const Stream& /*stream*/,
-                     const std::string& /*device*/, const nets::Checkpoint& /*checkpoint*/,
+                     const Compute& /*compute*/, const nets::Checkpoint& /*checkpoint*/,
                      artefact::Writer& model) {
   require_contact(options_);
   signal::write(model, signal::simulation_like(known, options_));
 }
 
 signal::WindowSet Dynamics::generate(const artefact::Reader& model, std::size_t count,
-                                     const Stream& stream, const std::string& /*device*/) {
+                                     const Stream& stream, const Compute& /*compute*/) {
   const signal::WindowSimulation simulation = signal::read_window_simulation(model);
   return signal::simulate_windows(
       simulation, count, stream, [&](std::size_t /*label*/, Stream& random) {

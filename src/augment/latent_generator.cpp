@@ -1,31 +1,19 @@
 #include "augment/latent_generator.hpp"
 
+#include "augment/latent_backend.hpp"
 #include "augment/windows.hpp"
-#include "nets/device.hpp"
-#include "nets/torch.hpp"
 
 namespace piae::augment {
 
-namespace {
-
-const std::string network = "net/generator";
-
-}  // namespace
-
 std::vector<nets::ParameterSpec> generator_specs(const LatentGenerator& generator) {
-  return nets::dense_chain_specs(network, generator.latent + generator.classes(), generator.samples,
-                                 generator.size);
+  return nets::dense_chain_specs(generator_name, generator.latent + generator.classes(),
+                                 generator.samples, generator.size);
 }
 
-torch::Tensor run_generator(const nets::ParameterSet& parameters, const torch::Tensor& z,
-                            const torch::Tensor& classes) {
-  return nets::run_dense_chain(parameters, network, torch::cat({z, classes}, 1));
-}
-
-torch::Tensor normal_numbers(Stream& stream, std::int64_t rows, std::int64_t columns) {
-  std::vector<float> numbers(static_cast<std::size_t>(rows * columns));
+std::vector<float> normal_numbers(Stream& stream, std::size_t count) {
+  std::vector<float> numbers(count);
   for (float& number : numbers) number = static_cast<float>(stream.normal(0, 1));
-  return torch::tensor(numbers).view({rows, columns});
+  return numbers;
 }
 
 void write(artefact::Writer& writer, const LatentGenerator& generator) {
@@ -49,17 +37,15 @@ LatentGenerator read_latent_generator(const artefact::Reader& reader) {
 }
 
 signal::WindowSet generate(const artefact::Reader& model, std::size_t count, const Stream& stream,
-                           const std::string& device_name) {
-  const torch::NoGradGuard no_grad;
-  const torch::Device device = nets::prepare_device(device_name);
+                           OpenGenerator open, const std::string& device) {
   const LatentGenerator generator = read_latent_generator(model);
-  nets::ParameterSet parameters(generator_specs(generator), stream, torch::kFloat32, device);
-  parameters.read(model, weights_group);
-  const torch::Tensor one_hot = torch::eye(generator.classes(), torch::device(device));
+  const std::unique_ptr<StoredGenerator> network = open(model, generator, device);
   const auto make = [&](int label, std::size_t /*index*/, Stream& random) {
-    const torch::Tensor z = normal_numbers(random, 1, generator.latent).to(device);
-    const torch::Tensor window = run_generator(parameters, z, one_hot.narrow(0, label, 1));
-    return nets::to_vector(window * generator.rms[static_cast<std::size_t>(label)]);
+    const auto of = static_cast<std::size_t>(label);
+    std::vector<float> window =
+        network->make(normal_numbers(random, static_cast<std::size_t>(generator.latent)), of);
+    for (float& x : window) x *= static_cast<float>(generator.rms[of]);
+    return window;
   };
   return make_windows(generator.info, static_cast<std::size_t>(generator.samples), count, stream,
                       make);

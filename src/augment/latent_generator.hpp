@@ -1,15 +1,15 @@
 #pragma once
 
-#include <torch/types.h>
-
 #include <cstdint>
+#include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "artefact/reader.hpp"
 #include "artefact/writer.hpp"
 #include "base/random.hpp"
-#include "nets/dense.hpp"
+#include "nets/parameter_spec.hpp"
 #include "signal/window_set.hpp"
 
 namespace piae::augment {
@@ -30,22 +30,37 @@ struct LatentGenerator {
 
 /// Where a model holds the weights.
 inline const std::string weights_group = "/final";
+inline const std::string generator_name = "net/generator";
 
+/// z and one-hot class [latent + classes] -> window [N], in units of the class's RMS.
 std::vector<nets::ParameterSpec> generator_specs(const LatentGenerator& generator);
-
-/// z [n, latent] and one-hot classes [n, classes] -> windows [n, N], in units of the class's RMS.
-torch::Tensor run_generator(const nets::ParameterSet& parameters, const torch::Tensor& z,
-                            const torch::Tensor& classes);
-
-/// Independent numbers of N(0, 1), [rows, columns], as float32 on the processor.
-torch::Tensor normal_numbers(Stream& stream, std::int64_t rows, std::int64_t columns);
 
 /// All but the weights.
 void write(artefact::Writer& writer, const LatentGenerator& generator);
 LatentGenerator read_latent_generator(const artefact::Reader& reader);
 
+/// A stored generator, to compute with.
+class StoredGenerator {
+ public:
+  virtual ~StoredGenerator() = default;
+  /// One window [N] of a class, in units of its RMS, from z [latent].
+  [[nodiscard]] virtual std::vector<float> make(std::span<const float> z, std::size_t label) = 0;
+};
+
+/// Opens the weights of a model on "cpu" or "cuda".
+using OpenGenerator = std::unique_ptr<StoredGenerator> (*)(const artefact::Reader& model,
+                                                           const LatentGenerator& generator,
+                                                           const std::string& device);
+
+std::unique_ptr<StoredGenerator> open_native_generator(const artefact::Reader& model,
+                                                       const LatentGenerator& generator,
+                                                       const std::string& device);
+std::unique_ptr<StoredGenerator> open_generator_with_libtorch(const artefact::Reader& model,
+                                                              const LatentGenerator& generator,
+                                                              const std::string& device);
+
 /// Windows of a stored model, z drawn from N(0, 1), in the recordings' unit (augment/windows.hpp).
 signal::WindowSet generate(const artefact::Reader& model, std::size_t count, const Stream& stream,
-                           const std::string& device);
+                           OpenGenerator open, const std::string& device);
 
 }  // namespace piae::augment

@@ -2,11 +2,11 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/error.hpp"
-#include "nets/device.hpp"
-#include "nets/torch.hpp"
+#include "nets/stored_parameters.hpp"
 #include "signal/amplitude.hpp"
 #include "twin/scaling.hpp"
 
@@ -14,70 +14,51 @@ namespace piae::augment {
 
 namespace {
 
-LatentGenerator make_generator(const signal::WindowSet& known, const LatentOptions& options) {
-  LatentGenerator generator;
-  generator.info = known.info;
-  generator.samples = static_cast<std::int64_t>(known.length);
-  generator.latent = options.latent;
-  generator.size = {options.depth, options.width};
-  generator.rms = signal::rms_by_class(known);
-  return generator;
-}
-
-Batch make_batch(const signal::WindowSet& known, const LatentGenerator& generator,
-                 torch::Device device) {
-  const torch::Tensor labels = torch::tensor(known.labels, torch::kInt64);
-  return {twin::scaled_windows(known, generator.rms).to(device),
-          torch::one_hot(labels, generator.classes()).to(device, torch::kFloat32)};
-}
-
-std::vector<nets::ParameterSpec> joined(std::vector<nets::ParameterSpec> specs,
-                                        const std::vector<nets::ParameterSpec>& others) {
-  specs.insert(specs.end(), others.begin(), others.end());
-  return specs;
-}
-
-torch::Tensor shuffled_rows(const Batch& known, const Stream& stream) {
-  Stream shuffle = stream.child("order");
-  const auto order = shuffle.permutation(static_cast<std::size_t>(known.windows.size(0)));
-  return torch::tensor(std::vector<std::int64_t>(order.begin(), order.end()))
-      .to(known.windows.device());
+LatentTask make_task(const signal::WindowSet& known, const LatentOptions& options) {
+  LatentTask task;
+  task.generator.info = known.info;
+  task.generator.samples = static_cast<std::int64_t>(known.length);
+  task.generator.latent = options.latent;
+  task.generator.size = {options.depth, options.width};
+  task.generator.rms = signal::rms_by_class(known);
+  task.options = options;
+  task.windows = twin::scaled_windows(known, task.generator.rms);
+  task.labels = known.labels;
+  return task;
 }
 
 }  // namespace
 
 LatentTraining::LatentTraining(const signal::WindowSet& known, const LatentOptions& options,
-                               OtherSpecs others, const std::vector<std::string>& losses,
-                               const Stream& stream, const std::string& device)
-    : options_(options),
-      stream_(stream),
-      generator_(make_generator(known, options)),
-      known_(make_batch(known, generator_, nets::prepare_device(device))),
-      parameters_(joined(generator_specs(generator_), others(generator_)), stream.child("initial"),
-                  torch::kFloat32, known_.windows.device()) {
+                               const std::vector<std::string>& losses, const Stream& stream,
+                               const MakeBackend& make_backend)
+    : stream_(stream),
+      task_(make_task(known, options)),
+      backend_(make_backend(task_, stream.child("initial"))) {
   for (const std::string& loss : losses) curves_.push_back({loss, {}});
 }
 
-std::size_t LatentTraining::epochs() const { return static_cast<std::size_t>(options_.epochs); }
+std::size_t LatentTraining::epochs() const {
+  return static_cast<std::size_t>(task_.options.epochs);
+}
 
 std::string LatentTraining::run_epoch(std::size_t epoch) {
   const Stream own = stream_.child("epoch" + std::to_string(epoch));
   Stream noise = own.child("noise");
-  const std::vector<torch::Tensor> batches = shuffled_rows(known_, own).split(options_.batch);
+  Stream shuffle = own.child("order");
+  const std::vector<std::size_t> order = shuffle.permutation(task_.labels.size());
+  const auto batch = static_cast<std::size_t>(task_.options.batch);
+  const std::size_t batches = (order.size() + batch - 1) / batch;
   std::vector<double> means(curves_.size(), 0);
-  for (std::size_t i = 0; i < batches.size(); ++i) {
-    const Batch batch{known_.windows.index_select(0, batches[i]),
-                      known_.classes.index_select(0, batches[i])};
-    const std::vector<double> losses = step(epoch * batches.size() + i, batch, noise);
+  for (std::size_t i = 0; i < batches; ++i) {
+    const auto windows =
+        std::span(order).subspan(i * batch, std::min(batch, order.size() - i * batch));
+    const std::vector<double> losses = backend_->step(epoch * batches + i, windows, noise);
     for (std::size_t k = 0; k < means.size(); ++k) {
-      means[k] += losses.at(k) / static_cast<double>(batches.size());
+      means[k] += losses.at(k) / static_cast<double>(batches);
     }
   }
   return note_epoch(epoch, means);
-}
-
-torch::Tensor LatentTraining::draw_z(const Batch& batch, Stream& noise) const {
-  return normal_numbers(noise, batch.windows.size(0), generator_.latent).to(batch.windows.device());
 }
 
 std::string LatentTraining::note_epoch(std::size_t epoch, const std::vector<double>& means) {
@@ -94,19 +75,21 @@ std::string LatentTraining::note_epoch(std::size_t epoch, const std::vector<doub
 }
 
 void LatentTraining::write_state(artefact::Writer& writer) const {
-  parameters_.write(writer, weights_group, parameters_.values());
+  nets::write_parameters(writer, weights_group, backend_->specs(), backend_->values());
   for (const Curve& curve : curves_) writer.numbers("/curves/" + curve.loss, curve.means);
+  backend_->write_adam(writer);
 }
 
 void LatentTraining::read_state(const artefact::Reader& reader) {
-  parameters_.read(reader, weights_group);
+  backend_->set_values(nets::read_parameters(reader, weights_group, backend_->specs()));
   for (Curve& curve : curves_) {
     curve.means = reader.numbers<double>("/curves/" + curve.loss, {0}).values;
   }
+  backend_->read_adam(reader);
 }
 
 void LatentTraining::write_model(artefact::Writer& writer) const {
-  write(writer, generator_);
+  write(writer, task_.generator);
   write_state(writer);
 }
 

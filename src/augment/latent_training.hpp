@@ -1,29 +1,29 @@
 #pragma once
 
-#include <torch/types.h>
-
+#include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
-#include "augment/latent_generator.hpp"
-#include "augment/latent_options.hpp"
-#include "nets/parameters.hpp"
+#include "augment/latent_backend.hpp"
 #include "nets/trainee.hpp"
 #include "signal/window_set.hpp"
 
 namespace piae::augment {
 
-/// Known windows of a training step.
-struct Batch {
-  torch::Tensor windows;  ///< about their means, in units of their class's RMS, [n, N]
-  torch::Tensor classes;  ///< one-hot, [n, classes]
-};
-
 /// Training of a LatentGenerator together with other networks, in batches of the known windows C:
 /// everything but the step itself. Shuffling and noise of an epoch come from the stream's child
 /// "epoch<i>".
-class LatentTraining : public nets::Trainee {
+class LatentTraining final : public nets::Trainee {
  public:
+  using MakeBackend =
+      std::function<std::unique_ptr<LatentBackend>(const LatentTask& task, const Stream& initial)>;
+
+  /// `losses`: names of what a step returns. Throws Error(bad_input) when a class of C is silent.
+  LatentTraining(const signal::WindowSet& known, const LatentOptions& options,
+                 const std::vector<std::string>& losses, const Stream& stream,
+                 const MakeBackend& make_backend);
+
   [[nodiscard]] std::size_t epochs() const override;
   /// Throws Error(failed) when a loss is no longer finite.
   std::string run_epoch(std::size_t epoch) override;
@@ -33,23 +33,6 @@ class LatentTraining : public nets::Trainee {
   /// The generator as trained, with its whole state: weights, optimisers, /curves/<loss>.
   void write_model(artefact::Writer& writer) const;
 
- protected:
-  /// Parameters of the networks that are trained beside the generator.
-  using OtherSpecs = std::vector<nets::ParameterSpec> (*)(const LatentGenerator&);
-
-  /// `losses`: names of what a step returns. Throws Error(bad_input) when a class of C is silent.
-  LatentTraining(const signal::WindowSet& known, const LatentOptions& options, OtherSpecs others,
-                 const std::vector<std::string>& losses, const Stream& stream,
-                 const std::string& device);
-
-  /// One step, the index-th (from 0) of the whole training; returns its losses.
-  virtual std::vector<double> step(std::size_t index, const Batch& batch, Stream& noise) = 0;
-
-  [[nodiscard]] const LatentOptions& options() const { return options_; }
-  nets::ParameterSet& parameters() { return parameters_; }
-  /// z of N(0, 1) for each window of the batch, [n, latent].
-  [[nodiscard]] torch::Tensor draw_z(const Batch& batch, Stream& noise) const;
-
  private:
   struct Curve {
     std::string loss;
@@ -57,11 +40,9 @@ class LatentTraining : public nets::Trainee {
   };
   std::string note_epoch(std::size_t epoch, const std::vector<double>& means);
 
-  LatentOptions options_;
   Stream stream_;
-  LatentGenerator generator_;
-  Batch known_;
-  nets::ParameterSet parameters_;
+  LatentTask task_;
+  std::unique_ptr<LatentBackend> backend_;
   std::vector<Curve> curves_;
 };
 

@@ -6,7 +6,7 @@ namespace piae::augment {
 
 std::vector<signal::DynamicParameters> Method::infer(const artefact::Reader& model,
                                                      const signal::WindowSet& /*windows*/,
-                                                     const std::string& /*device*/) {
+                                                     const Compute& /*compute*/) {
   throw Error(Exit::usage, model.path().string() + ": method " + model.text("/", "method") +
                                " infers neither stiffness nor damping; piae-dt and its like do");
 }

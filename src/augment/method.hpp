@@ -9,6 +9,7 @@
 
 #include "artefact/reader.hpp"
 #include "artefact/writer.hpp"
+#include "base/compute.hpp"
 #include "base/random.hpp"
 #include "cli/options.hpp"
 #include "nets/trainee.hpp"
@@ -27,40 +28,38 @@ enum class LearnsFrom {
 /// there.
 class Method {
  public:
-  /// True of a method that trains, generates or infers by nets/torch.hpp: LibTorch takes long to
-  /// start, so programs that do without it know such a method by name only.
-  static constexpr bool needs_libtorch = false;
-
   virtual ~Method() = default;
 
   [[nodiscard]] virtual LearnsFrom learns_from() const { return LearnsFrom::known; }
+
+  /// Whether LibTorch computes its networks where this is asked for: LibTorch takes long to start,
+  /// so it is linked to programs of its own. Throws Error(usage) for what cannot be.
+  [[nodiscard]] virtual bool needs_libtorch(const Compute& /*compute*/) const { return false; }
 
   /// Adds the options of `train` that are this method's own.
   virtual void bind(const cli::Options& command) = 0;
 
   /// Learns from the known fault windows C (or those of learns_from) and writes what `generate`
   /// needs into the model. Long training runs through nets::run_epochs with the checkpoint.
-  virtual void train(const signal::WindowSet& known, const Stream& stream,
-                     const std::string& device, const nets::Checkpoint& checkpoint,
-                     artefact::Writer& model) = 0;
+  virtual void train(const signal::WindowSet& known, const Stream& stream, const Compute& compute,
+                     const nets::Checkpoint& checkpoint, artefact::Writer& model) = 0;
 
   /// `count` windows of each class with a defect, class by class. Window i of a class must not
   /// depend on `count`: its random numbers come from the stream's child "<class>/<i>".
   virtual signal::WindowSet generate(const artefact::Reader& model, std::size_t count,
-                                     const Stream& stream, const std::string& device) = 0;
+                                     const Stream& stream, const Compute& compute) = 0;
 
   /// Stiffness and damping of windows that the model has not seen, one for each. Throws
   /// Error(usage) where the method knows neither.
   virtual std::vector<signal::DynamicParameters> infer(const artefact::Reader& model,
                                                        const signal::WindowSet& windows,
-                                                       const std::string& device);
+                                                       const Compute& compute);
 };
 
 /// Names of all methods, in the order of the paper's tables.
 std::vector<std::string> method_names();
 
-/// Null where the method needs LibTorch and this program does not have it. Throws Error(usage) that
-/// lists the known ones.
+/// Throws Error(usage) that lists the known ones.
 std::unique_ptr<Method> make_method(const std::string& name);
 
 }  // namespace piae::augment

@@ -36,13 +36,13 @@ std::vector<std::vector<std::size_t>> shuffled_classes(const signal::WindowSet& 
 void Oracle::bind(const cli::Options& /*command*/) {}
 
 void Oracle::train(const signal::WindowSet& real, const Stream& /*stream*/,
-                   const std::string& /*device*/, const nets::Checkpoint& /*checkpoint*/,
+                   const Compute& /*compute*/, const nets::Checkpoint& /*checkpoint*/,
                    artefact::Writer& model) {
   signal::write(model, real);
 }
 
 signal::WindowSet Oracle::generate(const artefact::Reader& model, std::size_t count,
-                                   const Stream& stream, const std::string& /*device*/) {
+                                   const Stream& stream, const Compute& /*compute*/) {
   const signal::WindowSet real = signal::read_window_set(model);
   const auto order = shuffled_classes(real, count, stream);
   const auto take = [&](int label, std::size_t index, Stream& /*random*/) {

@@ -13,10 +13,10 @@ class Oracle final : public Method {
  public:
   [[nodiscard]] LearnsFrom learns_from() const override { return LearnsFrom::real; }
   void bind(const cli::Options& command) override;
-  void train(const signal::WindowSet& real, const Stream& stream, const std::string& device,
+  void train(const signal::WindowSet& real, const Stream& stream, const Compute& compute,
              const nets::Checkpoint& checkpoint, artefact::Writer& model) override;
   signal::WindowSet generate(const artefact::Reader& model, std::size_t count, const Stream& stream,
-                             const std::string& device) override;
+                             const Compute& compute) override;
 };
 
 }  // namespace piae::augment

@@ -78,7 +78,7 @@ void bind(const cli::Options& command, PhysicsOptions& options) {
 void Physics::bind(const cli::Options& command) { augment::bind(command, options_); }
 
 void Physics::train(const signal::WindowSet& known, const Stream& /*stream*/,
-                    const std::string& /*device*/, const nets::Checkpoint& checkpoint,
+                    const Compute& /*compute*/, const nets::Checkpoint& checkpoint,
                     artefact::Writer& model) {
   const signal::WindowSimulation simulation = signal::simulation_like(known, options_.simulation);
   Fitting fitting(known, simulation, options_.fit);
@@ -88,7 +88,7 @@ void Physics::train(const signal::WindowSet& known, const Stream& /*stream*/,
 }
 
 signal::WindowSet Physics::generate(const artefact::Reader& model, std::size_t count,
-                                    const Stream& stream, const std::string& /*device*/) {
+                                    const Stream& stream, const Compute& /*compute*/) {
   const signal::WindowSimulation simulation = signal::read_window_simulation(model);
   const twin::TwinSpace space(model);
   return signal::simulate_windows(simulation, count, stream,

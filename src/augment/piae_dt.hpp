@@ -2,6 +2,7 @@
 
 #include "augment/method.hpp"
 #include "cli/options.hpp"
+#include "twin/backend.hpp"
 #include "twin/options.hpp"
 #include "twin/variant.hpp"
 
@@ -11,21 +12,25 @@ namespace piae::augment {
 /// options, also those that an ablation has no use for, so that they can share their settings.
 class PiaeDt final : public Method {
  public:
-  static constexpr bool needs_libtorch = true;
+  PiaeDt(const twin::TwinVariant& variant, const Backends<twin::MakeEngine>& engines)
+      : variant_(variant), engines_(engines) {}
 
-  explicit PiaeDt(const twin::TwinVariant& variant) : variant_(variant) {}
+  [[nodiscard]] bool needs_libtorch(const Compute& compute) const override {
+    return engines_.needs_libtorch(compute);
+  }
 
   void bind(const cli::Options& command) override;
-  void train(const signal::WindowSet& known, const Stream& stream, const std::string& device,
+  void train(const signal::WindowSet& known, const Stream& stream, const Compute& compute,
              const nets::Checkpoint& checkpoint, artefact::Writer& model) override;
   signal::WindowSet generate(const artefact::Reader& model, std::size_t count, const Stream& stream,
-                             const std::string& device) override;
+                             const Compute& compute) override;
   std::vector<signal::DynamicParameters> infer(const artefact::Reader& model,
                                                const signal::WindowSet& windows,
-                                               const std::string& device) override;
+                                               const Compute& compute) override;
 
  private:
   twin::TwinVariant variant_;
+  Backends<twin::MakeEngine> engines_;
   twin::TwinOptions options_;
 };
 

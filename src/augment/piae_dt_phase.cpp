@@ -9,22 +9,23 @@ namespace piae::augment {
 void PiaeDtPhase::bind(const cli::Options& command) { phase::bind(command, options_); }
 
 void PiaeDtPhase::train(const signal::WindowSet& known, const Stream& stream,
-                        const std::string& device, const nets::Checkpoint& checkpoint,
+                        const Compute& compute, const nets::Checkpoint& checkpoint,
                         artefact::Writer& model) {
-  const auto training = phase::make_phase_training(known, options_, stream, device);
+  const auto training =
+      phase::make_phase_training(known, options_, stream, engines_.chosen(compute)(compute.device));
   nets::run_epochs(*training, checkpoint);
   training->write_model(model);
 }
 
 signal::WindowSet PiaeDtPhase::generate(const artefact::Reader& model, std::size_t count,
-                                        const Stream& stream, const std::string& device) {
-  return phase::generate(model, count, stream, device);
+                                        const Stream& stream, const Compute& compute) {
+  return phase::generate(model, count, stream, engines_.chosen(compute)(compute.device));
 }
 
 std::vector<signal::DynamicParameters> PiaeDtPhase::infer(const artefact::Reader& model,
                                                           const signal::WindowSet& windows,
-                                                          const std::string& device) {
-  return phase::infer(model, windows, device);
+                                                          const Compute& /*compute*/) {
+  return phase::infer(model, windows);
 }
 
 }  // namespace piae::augment

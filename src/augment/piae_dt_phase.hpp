@@ -3,24 +3,29 @@
 #include "augment/method.hpp"
 #include "cli/options.hpp"
 #include "phase/options.hpp"
+#include "twin/backend.hpp"
 
 namespace piae::augment {
 
 /// PIAE-DT with the start angle in its twin space (src/phase) as an entry of the grid.
 class PiaeDtPhase final : public Method {
  public:
-  static constexpr bool needs_libtorch = true;
+  explicit PiaeDtPhase(const Backends<twin::MakeEngine>& engines) : engines_(engines) {}
 
+  [[nodiscard]] bool needs_libtorch(const Compute& compute) const override {
+    return engines_.needs_libtorch(compute);
+  }
   void bind(const cli::Options& command) override;
-  void train(const signal::WindowSet& known, const Stream& stream, const std::string& device,
+  void train(const signal::WindowSet& known, const Stream& stream, const Compute& compute,
              const nets::Checkpoint& checkpoint, artefact::Writer& model) override;
   signal::WindowSet generate(const artefact::Reader& model, std::size_t count, const Stream& stream,
-                             const std::string& device) override;
+                             const Compute& compute) override;
   std::vector<signal::DynamicParameters> infer(const artefact::Reader& model,
                                                const signal::WindowSet& windows,
-                                               const std::string& device) override;
+                                               const Compute& compute) override;
 
  private:
+  Backends<twin::MakeEngine> engines_;
   phase::PhaseOptions options_;
 };
 

@@ -11,6 +11,8 @@
 #include "augment/vae.hpp"
 #include "augment/wgan_gp.hpp"
 #include "base/error.hpp"
+#include "twin/libtorch_backend.hpp"
+#include "twin/native_backend.hpp"
 
 namespace piae::augment {
 
@@ -19,33 +21,39 @@ namespace {
 using Factory = std::unique_ptr<Method> (*)();
 
 #ifdef PIAE_WITH_LIBTORCH
-constexpr bool has_libtorch = true;
+#define LIBTORCH(back_end) back_end
 #else
-constexpr bool has_libtorch = false;
+#define LIBTORCH(back_end) nullptr
 #endif
 
-/// A method of class M, made of these arguments.
-template <class M, auto... arguments>
-std::unique_ptr<Method> make() {
-  if constexpr (has_libtorch || !M::needs_libtorch) return std::make_unique<M>(arguments...);
-  return nullptr;
+template <class M, class... Arguments>
+std::unique_ptr<Method> make(Arguments... arguments) {
+  return std::make_unique<M>(arguments...);
 }
+
+// How each back end computes.
+constexpr Backends<MakeVae> vae{native_vae, LIBTORCH(libtorch_vae)};
+constexpr Backends<MakeWganGp> wgan_gp{native_wgan_gp, LIBTORCH(libtorch_wgan_gp)};
+constexpr Backends<OpenGenerator> generator{open_native_generator,
+                                            LIBTORCH(open_generator_with_libtorch)};
+constexpr Backends<twin::MakeEngine> dense{twin::native_engine, LIBTORCH(twin::libtorch_engine)};
+constexpr Backends<twin::MakeEngine> layered{nullptr, LIBTORCH(twin::libtorch_engine)};
 
 // The comments keep one on a line, as pipeline/grid.mk reads them.
 const std::pair<const char*, Factory> registry[] = {
-    {"dynamics", make<Dynamics>},                               // paper 4.5.3
-    {"smote", make<Smote>},                                     // 4.5.3
-    {"vae", make<Vae>},                                         // 4.5.3
-    {"wgan-gp", make<WganGp>},                                  // 4.5.3
-    {"piae-dt", make<PiaeDt, twin::full_model>},                // the method; Model 1 of 4.5.4
-    {"ae", make<PiaeDt, twin::without_physics>},                // Model 2
-    {"physics", make<Physics>},                                 // Model 3
-    {"piae-dt-cnn", make<PiaeDt, twin::convolutional_model>},   // Model 4
-    {"piae-dt-rnn", make<PiaeDt, twin::recurrent_model>},       // Model 5
-    {"piae-dt-phase", make<PiaeDtPhase>},                       // ours: src/phase
-    {"oversample", make<Repetition, Repetition::Shift::none>},  // honest company
-    {"shift", make<Repetition, Repetition::Shift::circular>},   // honest company
-    {"oracle", make<Oracle>},                                   // a ceiling, not a method
+    {"dynamics", make<Dynamics>},                                       // paper 4.5.3
+    {"smote", make<Smote>},                                             // 4.5.3
+    {"vae", [] { return make<Vae>(vae, generator); }},                  // 4.5.3
+    {"wgan-gp", [] { return make<WganGp>(wgan_gp, generator); }},       // 4.5.3
+    {"piae-dt", [] { return make<PiaeDt>(twin::full_model, dense); }},  // the method
+    {"ae", [] { return make<PiaeDt>(twin::without_physics, dense); }},  // 4.5.4, Model 2
+    {"physics", make<Physics>},                                         // Model 3
+    {"piae-dt-cnn", [] { return make<PiaeDt>(twin::convolutional_model, layered); }},  // Model 4
+    {"piae-dt-rnn", [] { return make<PiaeDt>(twin::recurrent_model, layered); }},      // Model 5
+    {"piae-dt-phase", [] { return make<PiaeDtPhase>(dense); }},                // ours: src/phase
+    {"oversample", [] { return make<Repetition>(Repetition::Shift::none); }},  // honest company
+    {"shift", [] { return make<Repetition>(Repetition::Shift::circular); }},   // honest company
+    {"oracle", make<Oracle>},                                                  // a ceiling
 };
 
 }  // namespace

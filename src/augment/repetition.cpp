@@ -9,13 +9,13 @@ namespace piae::augment {
 void Repetition::bind(const cli::Options& /*command*/) {}
 
 void Repetition::train(const signal::WindowSet& known, const Stream& /*stream*/,
-                       const std::string& /*device*/, const nets::Checkpoint& /*checkpoint*/,
+                       const Compute& /*compute*/, const nets::Checkpoint& /*checkpoint*/,
                        artefact::Writer& model) {
   signal::write(model, known);
 }
 
 signal::WindowSet Repetition::generate(const artefact::Reader& model, std::size_t count,
-                                       const Stream& stream, const std::string& /*device*/) {
+                                       const Stream& stream, const Compute& /*compute*/) {
   const signal::WindowSet known = signal::read_window_set(model);
   const auto make = [&](int label, std::size_t index, Stream& random) {
     const std::vector<std::size_t> own = known.indices_of(label);

@@ -16,10 +16,10 @@ class Repetition final : public Method {
   explicit Repetition(Shift shift) : shift_(shift) {}
 
   void bind(const cli::Options& command) override;
-  void train(const signal::WindowSet& known, const Stream& stream, const std::string& device,
+  void train(const signal::WindowSet& known, const Stream& stream, const Compute& compute,
              const nets::Checkpoint& checkpoint, artefact::Writer& model) override;
   signal::WindowSet generate(const artefact::Reader& model, std::size_t count, const Stream& stream,
-                             const std::string& device) override;
+                             const Compute& compute) override;
 
  private:
   Shift shift_;

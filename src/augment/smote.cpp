@@ -52,7 +52,7 @@ void bind(const cli::Options& command, SmoteOptions& options) {
 void Smote::bind(const cli::Options& command) { augment::bind(command, options_); }
 
 void Smote::train(const signal::WindowSet& known, const Stream& /*stream*/,
-                  const std::string& /*device*/, const nets::Checkpoint& /*checkpoint*/,
+                  const Compute& /*compute*/, const nets::Checkpoint& /*checkpoint*/,
                   artefact::Writer& model) {
   neighbourhoods(known, options_.neighbours);  // what cannot be is said here, not in generate
   signal::write(model, known);
@@ -60,7 +60,7 @@ void Smote::train(const signal::WindowSet& known, const Stream& /*stream*/,
 }
 
 signal::WindowSet Smote::generate(const artefact::Reader& model, std::size_t count,
-                                  const Stream& stream, const std::string& /*device*/) {
+                                  const Stream& stream, const Compute& /*compute*/) {
   const signal::WindowSet known = signal::read_window_set(model);
   const std::vector<Neighbourhood> all =
       neighbourhoods(known, static_cast<int>(model.integer("/", "neighbours")));

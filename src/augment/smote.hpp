@@ -20,10 +20,10 @@ void bind(const cli::Options& command, SmoteOptions& options);
 class Smote final : public Method {
  public:
   void bind(const cli::Options& command) override;
-  void train(const signal::WindowSet& known, const Stream& stream, const std::string& device,
+  void train(const signal::WindowSet& known, const Stream& stream, const Compute& compute,
              const nets::Checkpoint& checkpoint, artefact::Writer& model) override;
   signal::WindowSet generate(const artefact::Reader& model, std::size_t count, const Stream& stream,
-                             const std::string& device) override;
+                             const Compute& compute) override;
 
  private:
   SmoteOptions options_;

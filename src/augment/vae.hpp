@@ -2,6 +2,7 @@
 
 #include "augment/latent_options.hpp"
 #include "augment/method.hpp"
+#include "augment/vae_backends.hpp"
 #include "cli/options.hpp"
 
 namespace piae::augment {
@@ -20,15 +21,21 @@ inline constexpr LatentOptions vae_defaults{
 /// al. 2015) as an entry of the grid. Generates from the final network.
 class Vae final : public Method {
  public:
-  static constexpr bool needs_libtorch = true;
+  Vae(const Backends<MakeVae>& train, const Backends<OpenGenerator>& open)
+      : train_(train), open_(open) {}
 
+  [[nodiscard]] bool needs_libtorch(const Compute& compute) const override {
+    return train_.needs_libtorch(compute);
+  }
   void bind(const cli::Options& command) override;
-  void train(const signal::WindowSet& known, const Stream& stream, const std::string& device,
+  void train(const signal::WindowSet& known, const Stream& stream, const Compute& compute,
              const nets::Checkpoint& checkpoint, artefact::Writer& model) override;
   signal::WindowSet generate(const artefact::Reader& model, std::size_t count, const Stream& stream,
-                             const std::string& device) override;
+                             const Compute& compute) override;
 
  private:
+  Backends<MakeVae> train_;
+  Backends<OpenGenerator> open_;
   LatentOptions options_ = vae_defaults;
 };
 

@@ -1,19 +1,10 @@
 #include "augment/vae_losses.hpp"
 
+#include "augment/latent_specs.hpp"
+#include "nets/dense.hpp"
 #include "nets/torch.hpp"
 
 namespace piae::augment {
-
-namespace {
-
-const std::string encoder = "net/encoder";
-
-}  // namespace
-
-std::vector<nets::ParameterSpec> encoder_specs(const LatentGenerator& decoder) {
-  return nets::dense_chain_specs(encoder, decoder.samples + decoder.classes(), 2 * decoder.latent,
-                                 decoder.size);
-}
 
 torch::Tensor kl_to_standard_normal(const torch::Tensor& mean, const torch::Tensor& log_variance) {
   return 0.5 * (mean.square() + log_variance.exp() - 1 - log_variance).sum(1).mean();
@@ -23,7 +14,7 @@ VaeLosses vae_losses(const nets::ParameterSet& parameters, const Batch& batch,
                      const torch::Tensor& noise) {
   const torch::Tensor input = torch::cat({batch.windows, batch.classes}, 1);
   const std::vector<torch::Tensor> posterior =
-      nets::run_dense_chain(parameters, encoder, input).chunk(2, 1);
+      nets::run_dense_chain(parameters, encoder_name, input).chunk(2, 1);
   const torch::Tensor& mean = posterior[0];
   const torch::Tensor& log_variance = posterior[1];
   const torch::Tensor z = mean + (0.5 * log_variance).exp() * noise;

@@ -4,12 +4,9 @@
 
 #include <vector>
 
-#include "augment/latent_training.hpp"
+#include "augment/libtorch_latent.hpp"
 
 namespace piae::augment {
-
-/// Parameters of the encoder, named net/encoder/...
-std::vector<nets::ParameterSpec> encoder_specs(const LatentGenerator& decoder);
 
 /// The two parts of the negative evidence bound, per window (mean over the batch).
 struct VaeLosses {

@@ -1,23 +1,15 @@
 #include "augment/wgan_gp_losses.hpp"
 
+#include "augment/latent_specs.hpp"
+#include "nets/dense.hpp"
 #include "nets/torch.hpp"
 
 namespace piae::augment {
 
-namespace {
-
-const std::string critic = "net/critic";
-
-}  // namespace
-
-std::vector<nets::ParameterSpec> critic_specs(const LatentGenerator& generator) {
-  return nets::dense_chain_specs(critic, generator.samples + generator.classes(), 1,
-                                 generator.size);
-}
-
 torch::Tensor run_critic(const nets::ParameterSet& parameters, const torch::Tensor& windows,
                          const torch::Tensor& classes) {
-  return nets::run_dense_chain(parameters, critic, torch::cat({windows, classes}, 1)).squeeze(1);
+  return nets::run_dense_chain(parameters, critic_name, torch::cat({windows, classes}, 1))
+      .squeeze(1);
 }
 
 torch::Tensor gradient_penalty(const nets::ParameterSet& parameters, const torch::Tensor& windows,

@@ -4,13 +4,9 @@
 
 #include <vector>
 
-#include "augment/latent_training.hpp"
+#include "augment/libtorch_latent.hpp"
 
 namespace piae::augment {
-
-/// Parameters of the critic, named net/critic/...: dense layers with ReLU, no normalisation (a
-/// window's score, and so its gradient, must not depend on the rest of its batch).
-std::vector<nets::ParameterSpec> critic_specs(const LatentGenerator& generator);
 
 /// Scores of windows [n, N] of one-hot classes [n, classes]: [n].
 torch::Tensor run_critic(const nets::ParameterSet& parameters, const torch::Tensor& windows,

@@ -1,16 +1,16 @@
 #pragma once
 
 #include <cstdint>
-#include <string>
 
+#include "base/compute.hpp"
 #include "cli/options.hpp"
 
 namespace piae::cli {
 
 /// What every stage with neural networks is told about the run.
 struct RunOptions {
-  std::int64_t seed = 0;       ///< the repeat; names the random streams. Must be given
-  std::string device = "cpu";  ///< cpu or cuda
+  std::int64_t seed = 0;  ///< the repeat; names the random streams. Must be given
+  Compute compute;
 };
 
 void bind(const cli::Options& command, RunOptions& options);

@@ -8,9 +8,6 @@ void bind(const cli::Options& command, WdcnnOptions& options) {
   command.add("--batch", options.batch, "windows a training step, at least 2")
       .check(cli::number(">=2", "a number of at least 2", [](double x) { return x >= 2; }));
   command.add("--learning-rate", options.learning_rate, "of Adam").check(cli::positive_number());
-  command.add("--backend", options.backend,
-              "what computes the network: native (one core, the fastest), libtorch, or auto: "
-              "native on the cpu, libtorch on cuda");
 }
 
 }  // namespace piae::diagnosis

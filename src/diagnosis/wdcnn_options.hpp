@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <string>
 
 #include "cli/options.hpp"
 
@@ -13,9 +12,6 @@ struct WdcnnOptions {
   std::int64_t epochs = 50;     ///< passes over the training set
   std::int64_t batch = 32;      ///< windows a step
   double learning_rate = 5e-3;  ///< of Adam, constant
-  /// What computes it: native, libtorch, or auto for native on the cpu and libtorch elsewhere. The
-  /// results differ by rounding, which training makes grow.
-  std::string backend = "auto";
 };
 
 void bind(const cli::Options& command, WdcnnOptions& options);

@@ -16,6 +16,19 @@ std::vector<ParameterSpec> dense_specs(const std::string& name, std::int64_t inp
   return {{name + "/weight", {outputs, inputs}, bound}, {name + "/bias", {outputs}, bound}};
 }
 
+std::vector<ParameterSpec> dense_chain_specs(const std::string& name, std::int64_t inputs,
+                                             std::int64_t outputs, DenseSize size) {
+  std::vector<ParameterSpec> specs;
+  for (int layer = 0; layer < size.depth; ++layer) {
+    const bool last = layer + 1 == size.depth;
+    const std::int64_t units = last ? outputs : size.width;
+    const auto dense = dense_specs(name + "/" + std::to_string(layer), inputs, units);
+    specs.insert(specs.end(), dense.begin(), dense.end());
+    inputs = units;
+  }
+  return specs;
+}
+
 std::vector<double> initial_values(const ParameterSpec& spec, const Stream& stream) {
   std::vector<double> values(static_cast<std::size_t>(spec.size()), spec.constant);
   if (spec.bound > 0) {

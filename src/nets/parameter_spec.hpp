@@ -24,6 +24,16 @@ struct ParameterSpec {
 std::vector<ParameterSpec> dense_specs(const std::string& name, std::int64_t inputs,
                                        std::int64_t outputs);
 
+/// Size of a chain of dense layers with ReLU between them.
+struct DenseSize {
+  int depth = 0;  ///< layers, at least 1
+  int width = 0;  ///< units of a hidden layer
+};
+
+/// Parameters of a chain from `inputs` to `outputs` numbers: <name>/0/weight, <name>/0/bias, ...
+std::vector<ParameterSpec> dense_chain_specs(const std::string& name, std::int64_t inputs,
+                                             std::int64_t outputs, DenseSize size);
+
 /// The values that it starts with, in the order of its shape. They come from the stream's child of
 /// its name, so that they do not depend on what else the model holds.
 std::vector<double> initial_values(const ParameterSpec& spec, const Stream& stream);

@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 
+#include "nets/stored_parameters.hpp"
 #include "nets/torch.hpp"
 
 namespace piae::nets {
@@ -80,21 +81,11 @@ void ParameterSet::set_gradients(const std::string& prefix,
 
 void ParameterSet::write(artefact::Writer& writer, const std::string& group,
                          const torch::Tensor& values) const {
-  const std::vector<float> flat = to_vector(values);
-  std::span<const float> rest(flat);
-  for (const ParameterSpec& spec : specs_) {
-    const auto size = static_cast<std::size_t>(spec.size());
-    writer.numbers(group + "/" + spec.name, rest.first(size),
-                   {spec.shape.begin(), spec.shape.end()});
-    rest = rest.subspan(size);
-  }
+  write_parameters(writer, group, specs_, to_vector(values));
 }
 
 void ParameterSet::read(const artefact::Reader& reader, const std::string& group) {
-  for (const ParameterSpec& spec : specs_) {
-    const artefact::hdf5::Shape shape(spec.shape.begin(), spec.shape.end());
-    copy_into(tensors_.at(spec.name), reader.numbers<float>(group + "/" + spec.name, shape).values);
-  }
+  copy_into(values_, read_parameters(reader, group, specs_));
 }
 
 std::vector<float> to_vector(const torch::Tensor& tensor) {

@@ -2,12 +2,8 @@
 
 #include <algorithm>
 
-#include "nets/device.hpp"
-#include "nets/torch.hpp"
 #include "phase/states.hpp"
-#include "twin/inputs.hpp"
 #include "twin/model.hpp"
-#include "twin/networks.hpp"
 #include "twin/physics.hpp"
 #include "twin/space.hpp"
 
@@ -18,17 +14,13 @@ namespace {
 /// The decoder of a stored model and its twin space.
 class Decoder {
  public:
-  Decoder(const artefact::Reader& model, const std::string& device)
-      : device_(nets::prepare_device(device)),
-        description_(twin::read_model_description(model)),
-        networks_(twin::without_encoder, description_.shape, description_.options),
-        parameters_(networks_.specs(), Stream("replaced"), torch::kFloat32, device_),
+  Decoder(const artefact::Reader& model, const twin::Engine& engine)
+      : description_(twin::read_model_description(model)),
+        networks_(engine.open(model, description_, twin::without_encoder)),
         points_(twin::TwinSpace(model).points()),
         labels_(model.numbers<std::int32_t>("/phase/labels", {points_.size()}).values),
         bins_(static_cast<int>(model.integer("/phase", "space_bins"))),
-        scale_(points_, labels_, info().classes.size()) {
-    parameters_.read(model, "/" + description_.options.keep);
-  }
+        scale_(points_, labels_, info().classes.size()) {}
 
   [[nodiscard]] const signal::DatasetInfo& info() const { return description_.info; }
   [[nodiscard]] std::size_t length() const {
@@ -47,12 +39,8 @@ class Decoder {
 
   [[nodiscard]] std::vector<float> windows(std::size_t label,
                                            const std::vector<Draw>& draws) const {
-    const torch::NoGradGuard no_grad;
-    const std::vector<float> waveforms = nets::to_vector(
-        networks_.decode(
-            parameters_, twin::as_tensor(inputs(draws, label), device_),
-            twin::one_hot_of(label, description_.shape.classes, 2 * draws.size(), device_)) *
-        description_.acceleration[label]);
+    std::vector<float> waveforms = networks_->decode(inputs(draws, label), label);
+    for (float& a : waveforms) a *= static_cast<float>(description_.acceleration[label]);
     const auto waveform = [&](std::size_t row) {
       return std::span(waveforms).subspan(row * length(), cycle(label).samples);
     };
@@ -76,10 +64,8 @@ class Decoder {
     return points;
   }
 
-  torch::Device device_;
   twin::ModelDescription description_;
-  twin::Networks networks_;
-  nets::ParameterSet parameters_;
+  std::unique_ptr<twin::StoredTwin> networks_;
   std::vector<twin::TwinPoint> points_;  // of the known windows
   std::vector<std::int32_t> labels_;     // of the known windows
   int bins_;
@@ -114,13 +100,13 @@ std::vector<float> pass(std::span<const float> first, std::span<const float> sec
 }
 
 std::vector<float> decode(const artefact::Reader& model, std::size_t label,
-                          const std::vector<Draw>& draws, const std::string& device) {
-  return Decoder(model, device).windows(label, draws);
+                          const std::vector<Draw>& draws, const twin::Engine& engine) {
+  return Decoder(model, engine).windows(label, draws);
 }
 
 signal::WindowSet generate(const artefact::Reader& model, std::size_t count, const Stream& stream,
-                           const std::string& device) {
-  const Decoder decoder(model, device);
+                           const twin::Engine& engine) {
+  const Decoder decoder(model, engine);
   signal::WindowSet generated;
   generated.info = decoder.info();
   generated.length = decoder.length();

@@ -2,13 +2,13 @@
 
 #include <cstddef>
 #include <span>
-#include <string>
 #include <vector>
 
 #include "artefact/reader.hpp"
 #include "base/random.hpp"
 #include "phase/cycle.hpp"
 #include "signal/window_set.hpp"
+#include "twin/backend.hpp"
 #include "twin/space.hpp"
 
 namespace piae::phase {
@@ -41,12 +41,12 @@ struct Draw {
 /// The windows of these draws in the recordings' unit, of one class with a defect, [draws, N] row
 /// by row, from the decoder of a trained model.
 std::vector<float> decode(const artefact::Reader& model, std::size_t label,
-                          const std::vector<Draw>& draws, const std::string& device);
+                          const std::vector<Draw>& draws, const twin::Engine& engine);
 
 /// `count` windows of each class with a defect, in the recordings' unit: two states from the
 /// histogram of the class's known (k~, c~) and a passage each, decoded. The (k, c) that are stored
 /// are those of the first state. Window i of a class draws from the stream's child "<class>/<i>".
 signal::WindowSet generate(const artefact::Reader& model, std::size_t count, const Stream& stream,
-                           const std::string& device);
+                           const twin::Engine& engine);
 
 }  // namespace piae::phase

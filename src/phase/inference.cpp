@@ -2,12 +2,12 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "base/error.hpp"
-#include "nets/dense.hpp"
-#include "nets/torch.hpp"
+#include "nets/stored_parameters.hpp"
 #include "phase/features.hpp"
 
 namespace piae::phase {
@@ -15,9 +15,11 @@ namespace piae::phase {
 namespace {
 
 const std::string group = "/inference";
+const std::string adam_group = "/inference/adam";
 const std::string network = "net";
 constexpr int depth = 3;  // dense layers
 constexpr auto lags = static_cast<std::int64_t>(feature_lags);
+constexpr float least_spread = 1e-6F;
 
 /// Centre and standard deviation of a logarithm that is uniform between those of two values.
 struct LogScale {
@@ -42,23 +44,23 @@ std::vector<PointScale> scales_of(const std::vector<Bounds>& bounds) {
 
 }  // namespace
 
-Inference::Inference(std::int64_t classes, int width, const Stream& stream, torch::Device device)
+Inference::Inference(std::int64_t classes, int width, int batch, const Stream& stream)
     : classes_(classes),
-      device_(device),
-      parameters_(nets::dense_chain_specs(network, lags + classes, 2, {depth, width}), stream,
-                  torch::kFloat32, device),
-      feature_mean_(torch::zeros({lags}, torch::TensorOptions(device))),
-      feature_spread_(torch::ones({lags}, torch::TensorOptions(device))) {}
+      batch_(batch),
+      specs_(nets::dense_chain_specs(network, lags + classes, 2, {depth, width})),
+      parameters_(specs_, stream),
+      network_(parameters_, network, batch),
+      feature_mean_(Row::Zero(lags)),
+      feature_spread_(Row::Ones(lags)) {}
 
-torch::Tensor Inference::features_of(const signal::WindowSet& windows) const {
+nets::RowArray<float> Inference::features_of(const signal::WindowSet& windows) {
   if (windows.length <= feature_lags) {
     throw Error(Exit::bad_input,
                 fmt::format("{}: windows of {} samples are too short to infer (k, c); {} or more "
                             "would do",
                             windows.info.name, windows.length, feature_lags + 1));
   }
-  std::vector<float> flat;
-  flat.reserve(windows.size() * feature_lags);
+  nets::RowArray<float> all(static_cast<std::int64_t>(windows.size()), lags);
   for (std::size_t i = 0; i < windows.size(); ++i) {
     const std::vector<float> features = autocorrelation(windows.window(i));
     if (!std::isfinite(features.front())) {
@@ -66,57 +68,80 @@ torch::Tensor Inference::features_of(const signal::WindowSet& windows) const {
                                                "cannot be inferred",
                                                windows.info.name, i));
     }
-    flat.insert(flat.end(), features.begin(), features.end());
+    std::ranges::copy(features, all.row(static_cast<std::int64_t>(i)).data());
   }
-  return torch::tensor(flat).view({-1, lags}).to(device_);
+  return all;
 }
 
-torch::Tensor Inference::labels_of(const signal::WindowSet& windows) const {
-  const std::vector<std::int64_t> labels(windows.labels.begin(), windows.labels.end());
-  return torch::one_hot(torch::tensor(labels), classes_).to(device_, torch::kFloat32);
+nets::RowArray<float> Inference::forward(const nets::RowArray<float>& features,
+                                         std::span<const std::int32_t> labels) const {
+  for (std::int64_t i = 0; i < features.rows(); ++i) {
+    float* const row = network_.input().row(i);
+    Eigen::Map<Row>(row, lags) = (features.row(i) - feature_mean_) / feature_spread_;
+    std::fill_n(row + lags, classes_, 0.0F);
+    row[lags + labels[static_cast<std::size_t>(i)]] = 1;
+  }
+  return nets::copied<float>(network_.forward(features.rows()), features.rows(), 2);
 }
 
-torch::Tensor Inference::forward(const torch::Tensor& features, const torch::Tensor& labels) const {
-  const torch::Tensor standardised = (features - feature_mean_) / feature_spread_;
-  return nets::run_dense_chain(parameters_, network, torch::cat({standardised, labels}, 1));
-}
-
-torch::Tensor Inference::targets_of(const std::vector<twin::TwinPoint>& points,
-                                    const std::vector<std::int32_t>& labels) const {
+nets::RowArray<float> Inference::targets_of(const std::vector<twin::TwinPoint>& points,
+                                            const std::vector<std::int32_t>& labels) const {
   const std::vector<PointScale> scales = scales_of(bounds_);
-  std::vector<double> flat;
+  nets::RowArray<float> targets(static_cast<std::int64_t>(points.size()), 2);
   for (std::size_t i = 0; i < points.size(); ++i) {
     const auto& [k, c] = scales[static_cast<std::size_t>(labels[i])];
-    flat.push_back((std::log(points[i].k) - k.centre) / k.spread);
-    flat.push_back((std::log(points[i].c) - c.centre) / c.spread);
+    targets.row(static_cast<std::int64_t>(i))
+        << static_cast<float>((std::log(points[i].k) - k.centre) / k.spread),
+        static_cast<float>((std::log(points[i].c) - c.centre) / c.spread);
   }
-  return torch::tensor(flat, torch::kFloat64).view({-1, 2}).to(device_, torch::kFloat32);
+  return targets;
+}
+
+double Inference::learn(const nets::RowArray<float>& features, std::span<const std::int32_t> labels,
+                        const nets::RowArray<float>& targets, double learning_rate) {
+  const nets::RowArray<float> error = forward(features, labels) - targets;
+  nets::put<float>(error * (2.0F / static_cast<float>(error.size())), network_.output_gradient());
+  network_.backward(error.rows(), 1, network_.no_rows);
+  const nets::AdamStep step(++steps_, learning_rate, nets::AdamConstants::beta1,
+                            nets::AdamConstants::beta2);
+  network_.take(step, 1, {error.rows(), error.rows()});
+  return static_cast<double>(error.square().mean());
 }
 
 std::vector<twin::TwinPoint> Inference::infer(const signal::WindowSet& windows) const {
-  const torch::NoGradGuard no_grad;
-  const std::vector<float> flat =
-      nets::to_vector(forward(features_of(windows), labels_of(windows)));
+  const nets::RowArray<float> features = features_of(windows);
   const std::vector<PointScale> scales = scales_of(bounds_);
   std::vector<twin::TwinPoint> points;
-  for (std::size_t i = 0; i < windows.size(); ++i) {
-    const auto& [k, c] = scales[static_cast<std::size_t>(windows.labels[i])];
-    points.push_back({std::exp(k.centre + k.spread * flat[2 * i]),
-                      std::exp(c.centre + c.spread * flat[2 * i + 1])});
+  for (std::int64_t begin = 0; begin < features.rows(); begin += batch_) {
+    const std::int64_t rows = std::min(batch_, features.rows() - begin);
+    const auto labels = std::span(windows.labels).subspan(static_cast<std::size_t>(begin));
+    const nets::RowArray<float> found = forward(features.middleRows(begin, rows), labels);
+    for (std::int64_t i = 0; i < rows; ++i) {
+      const auto& [k, c] = scales[static_cast<std::size_t>(labels[static_cast<std::size_t>(i)])];
+      points.push_back({std::exp(k.centre + k.spread * static_cast<double>(found(i, 0))),
+                        std::exp(c.centre + c.spread * static_cast<double>(found(i, 1)))});
+    }
   }
   return points;
 }
 
-void Inference::set_scale(const std::vector<Bounds>& bounds, const torch::Tensor& features) {
+void Inference::set_scale(const std::vector<Bounds>& bounds,
+                          const nets::RowArray<float>& features) {
   bounds_ = bounds;
-  feature_mean_ = features.mean(0);
-  feature_spread_ = features.std(0).clamp_min(1e-6);
+  const nets::RowArray<double> exact = features.cast<double>();
+  const auto mean = exact.colwise().mean().eval();
+  const auto variance =
+      (exact.rowwise() - mean).square().colwise().sum() / static_cast<double>(exact.rows() - 1);
+  feature_mean_ = mean.cast<float>();
+  feature_spread_ = variance.sqrt().cast<float>().max(least_spread);
 }
 
 void Inference::write(artefact::Writer& writer) const {
-  parameters_.write(writer, group, parameters_.values());
-  writer.numbers(group + "/feature_mean", nets::to_vector(feature_mean_));
-  writer.numbers(group + "/feature_spread", nets::to_vector(feature_spread_));
+  nets::write_parameters(writer, group, specs_,
+                         parameters_.read(nets::FlatParameters<float>::Kept::value));
+  writer.numbers(group + "/feature_mean", std::vector(feature_mean_.begin(), feature_mean_.end()));
+  writer.numbers(group + "/feature_spread",
+                 std::vector(feature_spread_.begin(), feature_spread_.end()));
   std::vector<double> flat;
   for (const auto& [low, high] : bounds_) {
     flat.insert(flat.end(), {low.k, high.k, low.c, high.c});
@@ -125,17 +150,29 @@ void Inference::write(artefact::Writer& writer) const {
 }
 
 void Inference::read(const artefact::Reader& reader) {
-  parameters_.read(reader, group);
-  nets::copy_into(feature_mean_,
-                  reader.numbers<float>(group + "/feature_mean", {feature_lags}).values);
-  nets::copy_into(feature_spread_,
-                  reader.numbers<float>(group + "/feature_spread", {feature_lags}).values);
+  parameters_.write(nets::FlatParameters<float>::Kept::value,
+                    nets::read_parameters(reader, group, specs_));
+  const auto row = [&](const std::string& name) {
+    const std::vector<float> values =
+        reader.numbers<float>(group + "/" + name, {feature_lags}).values;
+    return Row(Eigen::Map<const Row>(values.data(), lags));
+  };
+  feature_mean_ = row("feature_mean");
+  feature_spread_ = row("feature_spread");
   const auto classes = static_cast<std::size_t>(classes_);
   const auto flat = reader.numbers<double>(group + "/bounds", {classes, 2, 2}).values;
   bounds_.clear();
   for (std::size_t i = 0; i < flat.size(); i += 4) {
     bounds_.push_back({{flat[i], flat[i + 2]}, {flat[i + 1], flat[i + 3]}});
   }
+}
+
+void Inference::write_adam(artefact::Writer& writer) const {
+  write_moments(writer, adam_group, parameters_, network, steps_);
+}
+
+void Inference::read_adam(const artefact::Reader& reader) {
+  steps_ = read_moments(reader, adam_group, parameters_, network);
 }
 
 }  // namespace piae::phase

@@ -7,7 +7,6 @@
 #include <numbers>
 
 #include "base/error.hpp"
-#include "nets/torch.hpp"
 #include "scoring/statistics.hpp"
 #include "twin/physics.hpp"
 
@@ -68,15 +67,13 @@ signal::WindowSet with_noise(signal::WindowSet windows, const Stream& stream, do
 
 InferenceTraining::InferenceTraining(const signal::WindowSet& known,
                                      const signal::SimulationOptions& simulation,
-                                     const InferenceOptions& options, const Stream& stream,
-                                     torch::Device device)
+                                     const InferenceOptions& options, const Stream& stream)
     : known_(known),
       simulation_(signal::simulation_like(known, simulation)),
       options_(options),
       stream_(stream),
-      inference_(static_cast<std::int64_t>(known.info.classes.size()), options.width,
-                 stream.child("initial"), device),
-      adam_(inference_.parameters().values(), inference_.parameters().gradients()) {
+      inference_(static_cast<std::int64_t>(known.info.classes.size()), options.width, options.batch,
+                 stream.child("initial")) {
   simulation_.options.dynamics.max_sub_step_s = sub_step_s;
   const Bounds bounds = first_bounds();
   if (bounds.low.k >= bounds.high.k || bounds.low.c >= bounds.high.c) {
@@ -128,7 +125,7 @@ void InferenceTraining::prepare_lessons(std::size_t round, const std::vector<Bou
         dynamics.damping_ns_per_m = draw_log(own, low.c, high.c) * damping_scale_ns_per_m;
         return dynamics;
       });
-  lessons_ = {{}, inference_.labels_of(windows), windows.labels, points_of(windows)};
+  lessons_ = {{}, windows.labels, points_of(windows)};
   for (std::size_t i = 0; i < noise_realisations; ++i) {
     const Stream noise = stream.child("noise" + std::to_string(i));
     lessons_.features.push_back(
@@ -162,33 +159,31 @@ std::string InferenceTraining::run_epoch(std::size_t epoch) {
   return fmt::format("inference, round {}, loss {:.3f}", round + 1, loss);
 }
 
-double InferenceTraining::learn(const torch::Tensor& features, Stream& shuffle,
+double InferenceTraining::learn(const nets::RowArray<float>& features, Stream& shuffle,
                                 double learning_rate) {
-  const torch::Tensor targets = inference_.targets_of(lessons_.points, lessons_.labels);
+  const nets::RowArray<float> targets = inference_.targets_of(lessons_.points, lessons_.labels);
   const std::vector<std::size_t> order = shuffle.permutation(lessons_.points.size());
-  const torch::Tensor rows =
-      torch::tensor(std::vector<std::int64_t>(order.begin(), order.end())).to(features.device());
+  const auto batch = static_cast<std::size_t>(options_.batch);
   double sum = 0;
-  for (const torch::Tensor& batch : rows.split(options_.batch)) {
-    inference_.parameters().zero_gradients();
-    const torch::Tensor estimates = inference_.forward(features.index_select(0, batch),
-                                                       lessons_.one_hot.index_select(0, batch));
-    const torch::Tensor loss = (estimates - targets.index_select(0, batch)).square().mean();
-    loss.backward();
-    adam_.step(learning_rate);
-    sum += loss.item<double>() * static_cast<double>(batch.size(0));
+  for (std::size_t begin = 0; begin < order.size(); begin += batch) {
+    const auto rows = std::span(order).subspan(begin, std::min(batch, order.size() - begin));
+    std::vector<std::int32_t> labels;
+    for (const std::size_t row : rows) labels.push_back(lessons_.labels[row]);
+    const double loss = inference_.learn(features(rows, Eigen::all), labels,
+                                         targets(rows, Eigen::all), learning_rate);
+    sum += loss * static_cast<double>(rows.size());
   }
   return sum / static_cast<double>(order.size());
 }
 
 void InferenceTraining::write_state(artefact::Writer& writer) const {
   inference_.write(writer);
-  adam_.write(writer, "/inference/adam");
+  inference_.write_adam(writer);
 }
 
 void InferenceTraining::read_state(const artefact::Reader& reader) {
   inference_.read(reader);
-  adam_.read(reader, "/inference/adam");
+  inference_.read_adam(reader);
 }
 
 }  // namespace piae::phase

@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "base/random.hpp"
-#include "nets/adam.hpp"
 #include "nets/trainee.hpp"
 #include "phase/inference.hpp"
 #include "phase/inference_options.hpp"
@@ -21,7 +20,7 @@ namespace piae::phase {
 class InferenceTraining final : public nets::Trainee {
  public:
   InferenceTraining(const signal::WindowSet& known, const signal::SimulationOptions& simulation,
-                    const InferenceOptions& options, const Stream& stream, torch::Device device);
+                    const InferenceOptions& options, const Stream& stream);
 
   [[nodiscard]] std::size_t epochs() const override;
   std::string run_epoch(std::size_t epoch) override;
@@ -33,15 +32,14 @@ class InferenceTraining final : public nets::Trainee {
  private:
   /// Simulated windows with noise, as features; a few realisations of the noise take turns.
   struct Lessons {
-    std::vector<torch::Tensor> features;
-    torch::Tensor one_hot;
+    std::vector<nets::RowArray<float>> features;
     std::vector<std::int32_t> labels;
     std::vector<twin::TwinPoint> points;
   };
 
   void prepare_lessons(std::size_t round, const std::vector<Bounds>& bounds);
   /// One pass; returns the mean squared error of the standardised logarithms.
-  double learn(const torch::Tensor& features, Stream& shuffle, double learning_rate);
+  double learn(const nets::RowArray<float>& features, Stream& shuffle, double learning_rate);
   [[nodiscard]] Bounds first_bounds() const;
   [[nodiscard]] std::vector<Bounds> bounds_around_known() const;
 
@@ -50,7 +48,6 @@ class InferenceTraining final : public nets::Trainee {
   InferenceOptions options_;
   Stream stream_;
   Inference inference_;
-  nets::Adam adam_;
   Lessons lessons_;
 };
 

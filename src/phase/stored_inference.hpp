@@ -1,6 +1,5 @@
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "artefact/reader.hpp"
@@ -12,7 +11,6 @@ namespace piae::phase {
 /// damping in N s/m, one pair for each. Throws Error(bad_input) as Inference::infer, and for
 /// windows of another number of classes than the model's.
 std::vector<signal::DynamicParameters> infer(const artefact::Reader& model,
-                                             const signal::WindowSet& windows,
-                                             const std::string& device_name);
+                                             const signal::WindowSet& windows);
 
 }  // namespace piae::phase

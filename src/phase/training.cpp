@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <optional>
 
-#include "nets/device.hpp"
-#include "nets/torch.hpp"
 #include "phase/alignment.hpp"
 #include "phase/cycle.hpp"
 #include "phase/inference_training.hpp"
@@ -57,14 +55,13 @@ Turned turn_to_common_angle(const signal::WindowSet& known) {
 class Training final : public PhaseTraining {
  public:
   Training(const signal::WindowSet& known, const PhaseOptions& options, const Stream& stream,
-           const std::string& device)
+           twin::Engine engine)
       : known_(known),
         options_(options),
         stream_(stream),
-        device_(device),
+        engine_(std::move(engine)),
         turned_(turn_to_common_angle(known)),
-        inference_(known, simulation_of(options), options.inference, stream.child("inference"),
-                   nets::prepare_device(device)) {}
+        inference_(known, simulation_of(options), options.inference, stream.child("inference")) {}
 
   [[nodiscard]] std::size_t epochs() const override {
     return inference_.epochs() + static_cast<std::size_t>(options_.twin.epochs);
@@ -111,14 +108,14 @@ class Training final : public PhaseTraining {
     const std::vector<twin::TwinPoint> points = inference_.inference().infer(known_);
     const StateScale scale(points, known_.labels, known_.info.classes.size());
     twin_ = twin::make_twin_training(
-        turned_.windows, options_.twin, twin::without_encoder, stream_.child("twin"), device_,
+        turned_.windows, options_.twin, twin::without_encoder, stream_.child("twin"), engine_,
         twin::KnownStates{points, scale.standardised(points, known_.labels)});
   }
 
   const signal::WindowSet& known_;
   PhaseOptions options_;
   Stream stream_;
-  std::string device_;
+  twin::Engine engine_;
   Turned turned_;
   InferenceTraining inference_;
   std::unique_ptr<twin::TwinTraining> twin_;
@@ -129,8 +126,8 @@ class Training final : public PhaseTraining {
 std::unique_ptr<PhaseTraining> make_phase_training(const signal::WindowSet& known,
                                                    const PhaseOptions& options,
                                                    const Stream& stream,
-                                                   const std::string& device) {
-  return std::make_unique<Training>(known, options, stream, device);
+                                                   const twin::Engine& engine) {
+  return std::make_unique<Training>(known, options, stream, engine);
 }
 
 }  // namespace piae::phase

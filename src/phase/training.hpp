@@ -8,6 +8,7 @@
 #include "nets/trainee.hpp"
 #include "phase/options.hpp"
 #include "signal/window_set.hpp"
+#include "twin/backend.hpp"
 
 namespace piae::phase {
 
@@ -25,6 +26,7 @@ class PhaseTraining : public nets::Trainee {
 /// cycle.
 std::unique_ptr<PhaseTraining> make_phase_training(const signal::WindowSet& known,
                                                    const PhaseOptions& options,
-                                                   const Stream& stream, const std::string& device);
+                                                   const Stream& stream,
+                                                   const twin::Engine& engine);
 
 }  // namespace piae::phase

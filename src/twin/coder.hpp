@@ -2,18 +2,12 @@
 
 #include <torch/types.h>
 
-#include <cstdint>
 #include <vector>
 
 #include "nets/parameters.hpp"
+#include "twin/network_shape.hpp"
 
 namespace piae::twin {
-
-/// Sizes that the networks share.
-struct NetworkShape {
-  std::int64_t samples = 0;  ///< of a window, N
-  std::int64_t classes = 0;  ///< of the dataset; the label enters as a one-hot vector
-};
 
 /// The layers of encoder and decoder, which the ablations of paper 4.5.4 exchange. Their parameters
 /// stand in a ParameterSet, as net/encoder/... and net/decoder/...

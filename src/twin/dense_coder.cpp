@@ -2,32 +2,22 @@
 
 #include "nets/dense.hpp"
 #include "nets/torch.hpp"
+#include "twin/specs.hpp"
 
 namespace piae::twin {
 
-namespace {
-
-const std::string encoder = "net/encoder";
-const std::string decoder = "net/decoder";
-
-}  // namespace
-
 std::vector<nets::ParameterSpec> DenseCoder::specs() const {
-  const nets::DenseSize size{depth_, width_};
-  auto specs = nets::dense_chain_specs(encoder, shape_.samples, 2, size);
-  const auto rest = nets::dense_chain_specs(decoder, 2 + shape_.classes, shape_.samples, size);
-  specs.insert(specs.end(), rest.begin(), rest.end());
-  return specs;
+  return dense_coder_specs(shape_, options_);
 }
 
 torch::Tensor DenseCoder::encode(const nets::ParameterSet& parameters,
                                  const torch::Tensor& x) const {
-  return nets::run_dense_chain(parameters, encoder, x);
+  return nets::run_dense_chain(parameters, encoder_name, x);
 }
 
 torch::Tensor DenseCoder::decode(const nets::ParameterSet& parameters,
                                  const torch::Tensor& input) const {
-  return nets::run_dense_chain(parameters, decoder, input);
+  return nets::run_dense_chain(parameters, decoder_name, input);
 }
 
 }  // namespace piae::twin

@@ -5,12 +5,11 @@
 
 namespace piae::twin {
 
-/// Encoder and decoder of PIAE-DT itself (eqs 16 and 17): chains of `depth` dense layers, `width`
-/// wide, with ReLU between. Windows may have any length.
+/// Encoder and decoder of PIAE-DT itself (specs.hpp). Windows may have any length.
 class DenseCoder final : public Coder {
  public:
   DenseCoder(const NetworkShape& shape, const TwinOptions& options)
-      : shape_(shape), depth_(options.depth), width_(options.width) {}
+      : shape_(shape), options_(options) {}
 
   [[nodiscard]] std::vector<nets::ParameterSpec> specs() const override;
   [[nodiscard]] torch::Tensor encode(const nets::ParameterSet& parameters,
@@ -20,8 +19,7 @@ class DenseCoder final : public Coder {
 
  private:
   NetworkShape shape_;
-  int depth_;
-  int width_;
+  TwinOptions options_;
 };
 
 }  // namespace piae::twin

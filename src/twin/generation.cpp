@@ -1,8 +1,5 @@
 #include "twin/generation.hpp"
 
-#include "nets/device.hpp"
-#include "nets/torch.hpp"
-#include "twin/inputs.hpp"
 #include "twin/model.hpp"
 #include "twin/physics.hpp"
 #include "twin/space.hpp"
@@ -23,16 +20,10 @@ std::vector<TwinPoint> draw(const TwinSpace& space, std::size_t count, const Str
 }  // namespace
 
 signal::WindowSet generate(const artefact::Reader& model, const TwinVariant& variant,
-                           std::size_t count, const Stream& stream,
-                           const std::string& device_name) {
-  const torch::NoGradGuard no_grad;
-  const torch::Device device = nets::prepare_device(device_name);
+                           std::size_t count, const Stream& stream, const Engine& engine) {
   const ModelDescription description = read_model_description(model);
   const TwinSpace space(model);
-  const Networks networks(variant, description.shape, description.options);
-  nets::ParameterSet parameters(networks.specs(), stream, torch::kFloat32, device);
-  parameters.read(model, "/" + description.options.keep);
-
+  const std::unique_ptr<StoredTwin> networks = engine.open(model, description, variant);
   signal::WindowSet generated;
   generated.info = description.info;
   generated.length = static_cast<std::size_t>(description.shape.samples);
@@ -40,12 +31,9 @@ signal::WindowSet generate(const artefact::Reader& model, const TwinVariant& var
     const signal::ClassInfo& c = description.info.classes[label];
     if (c.defect == signal::Defect::none) continue;
     const std::vector<TwinPoint> points = draw(space, count, stream.child(c.name));
-    const torch::Tensor a =
-        networks.decode(parameters, as_tensor(points, device),
-                        one_hot_of(label, description.shape.classes, count, device)) *
-        description.acceleration[label];
-    const std::vector<float> samples = nets::to_vector(a);
-    generated.samples.insert(generated.samples.end(), samples.begin(), samples.end());
+    for (const float a : networks->decode(points, label)) {
+      generated.samples.push_back(a * static_cast<float>(description.acceleration[label]));
+    }
     generated.labels.insert(generated.labels.end(), count, static_cast<std::int32_t>(label));
     for (const TwinPoint& point : points) {
       generated.parameters.push_back(in_units(point));

@@ -1,11 +1,11 @@
 #pragma once
 
 #include <cstddef>
-#include <string>
 
 #include "artefact/reader.hpp"
 #include "base/random.hpp"
 #include "signal/window_set.hpp"
+#include "twin/backend.hpp"
 #include "twin/variant.hpp"
 
 namespace piae::twin {
@@ -16,6 +16,6 @@ namespace piae::twin {
 /// the first n windows are the same however many are asked for.
 /// Throws artefact::Refusal for a model of another variant.
 signal::WindowSet generate(const artefact::Reader& model, const TwinVariant& variant,
-                           std::size_t count, const Stream& stream, const std::string& device);
+                           std::size_t count, const Stream& stream, const Engine& engine);
 
 }  // namespace piae::twin

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "artefact/reader.hpp"
 #include "signal/window_set.hpp"
+#include "twin/backend.hpp"
 #include "twin/variant.hpp"
 
 namespace piae::twin {
@@ -15,6 +15,6 @@ namespace piae::twin {
 std::vector<signal::DynamicParameters> infer(const artefact::Reader& model,
                                              const TwinVariant& variant,
                                              const signal::WindowSet& windows,
-                                             const std::string& device_name);
+                                             const Engine& engine);
 
 }  // namespace piae::twin

@@ -1,7 +1,5 @@
 #include "twin/model.hpp"
 
-#include "nets/torch.hpp"
-
 namespace piae::twin {
 
 void write(artefact::Writer& writer, const ModelDescription& description) {

@@ -6,7 +6,7 @@
 #include "artefact/reader.hpp"
 #include "artefact/writer.hpp"
 #include "signal/dataset_info.hpp"
-#include "twin/networks.hpp"
+#include "twin/network_shape.hpp"
 #include "twin/options.hpp"
 
 namespace piae::twin {

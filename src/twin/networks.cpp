@@ -2,16 +2,16 @@
 
 #include <stdexcept>
 
+#include "nets/dense.hpp"
 #include "nets/torch.hpp"
 #include "twin/convolutional_coder.hpp"
 #include "twin/dense_coder.hpp"
 #include "twin/recurrent_coder.hpp"
+#include "twin/specs.hpp"
 
 namespace piae::twin {
 
 namespace {
-
-const std::string physics_module = "net/physics";
 
 std::unique_ptr<Coder> make_coder(CoderKind kind, const NetworkShape& shape,
                                   const TwinOptions& options) {
@@ -38,19 +38,11 @@ Networks::Networks(const TwinVariant& variant, const NetworkShape& shape,
                    const TwinOptions& options)
     : variant_(variant),
       shape_(shape),
-      module_{options.depth, options.width},
+      options_(options),
       coder_(make_coder(variant.coder, shape, options)) {}
 
 std::vector<nets::ParameterSpec> Networks::specs() const {
-  std::vector<nets::ParameterSpec> specs = coder_->specs();
-  if (!variant_.encoder) {
-    std::erase_if(specs, [](const auto& spec) { return spec.name.starts_with("net/encoder/"); });
-  }
-  if (!variant_.physics) return specs;
-  const auto module =
-      nets::dense_chain_specs(physics_module, 2 * shape_.samples, 2 * shape_.samples, module_);
-  specs.insert(specs.end(), module.begin(), module.end());
-  return specs;
+  return network_specs(variant_, shape_, options_, coder_->specs());
 }
 
 torch::Tensor Networks::encode(const nets::ParameterSet& parameters, const torch::Tensor& x) const {
@@ -66,7 +58,7 @@ Motion Networks::move(const nets::ParameterSet& parameters,
                       const torch::Tensor& acceleration) const {
   const torch::Tensor input = torch::cat({acceleration, times_like(acceleration)}, 1);
   const std::vector<torch::Tensor> halves =
-      nets::run_dense_chain(parameters, physics_module, input).chunk(2, 1);
+      nets::run_dense_chain(parameters, module_name, input).chunk(2, 1);
   return {halves[0], halves[1]};
 }
 

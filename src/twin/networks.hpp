@@ -5,7 +5,6 @@
 #include <memory>
 #include <vector>
 
-#include "nets/dense.hpp"
 #include "nets/parameters.hpp"
 #include "twin/coder.hpp"
 #include "twin/options.hpp"
@@ -46,7 +45,7 @@ class Networks {
  private:
   TwinVariant variant_;
   NetworkShape shape_;
-  nets::DenseSize module_;
+  TwinOptions options_;
   std::unique_ptr<Coder> coder_;
 };
 

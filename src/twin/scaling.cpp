@@ -1,11 +1,11 @@
 #include "twin/scaling.hpp"
 
-#include "nets/torch.hpp"
 #include "signal/amplitude.hpp"
 
 namespace piae::twin {
 
-torch::Tensor scaled_windows(const signal::WindowSet& windows, const std::vector<double>& scale) {
+std::vector<float> scaled_windows(const signal::WindowSet& windows,
+                                  const std::vector<double>& scale) {
   std::vector<float> scaled;
   scaled.reserve(windows.samples.size());
   for (std::size_t i = 0; i < windows.size(); ++i) {
@@ -13,8 +13,7 @@ torch::Tensor scaled_windows(const signal::WindowSet& windows, const std::vector
     const double unit = scale[static_cast<std::size_t>(windows.labels[i])];
     for (const float x : windows.window(i)) scaled.push_back(static_cast<float>((x - mean) / unit));
   }
-  return torch::tensor(scaled).view(
-      {static_cast<std::int64_t>(windows.size()), static_cast<std::int64_t>(windows.length)});
+  return scaled;
 }
 
 }  // namespace piae::twin

@@ -7,8 +7,8 @@
 #include "base/random.hpp"
 #include "nets/trainee.hpp"
 #include "signal/window_set.hpp"
+#include "twin/backend.hpp"
 #include "twin/options.hpp"
-#include "twin/space.hpp"
 #include "twin/variant.hpp"
 
 namespace piae::twin {
@@ -24,19 +24,13 @@ class TwinTraining : public nets::Trainee {
   virtual void write_model(artefact::Writer& writer) = 0;
 };
 
-/// States of the known windows for a variant without an encoder.
-struct KnownStates {
-  std::vector<TwinPoint> points;          ///< k~ and c~ of each window
-  std::vector<TwinPoint> decoder_inputs;  ///< what the decoder is given in their place
-};
-
-/// `device` is "cpu" or "cuda". `states` are given where the variant has no encoder. Throws
+/// `states` are given where the variant has no encoder. Throws
 /// Error(bad_input) when a class of C is silent, and Error(usage) for windows or a depth that the
 /// variant cannot have.
 std::unique_ptr<TwinTraining> make_twin_training(const signal::WindowSet& known,
                                                  const TwinOptions& options,
                                                  const TwinVariant& variant, const Stream& stream,
-                                                 const std::string& device,
+                                                 const Engine& engine,
                                                  const std::optional<KnownStates>& states = {});
 
 }  // namespace piae::twin

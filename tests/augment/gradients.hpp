@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "augment/latent_training.hpp"
+#include "augment/libtorch_latent.hpp"
 #include "base/random.hpp"
 #include "nets/torch.hpp"
 
@@ -22,16 +22,14 @@ inline LatentGenerator example_generator(std::int64_t samples, std::size_t class
   return generator;
 }
 
-/// The parameters of the generator and of the networks beside it, in double precision.
-inline nets::ParameterSet double_parameters(const LatentGenerator& generator,
-                                            const std::vector<nets::ParameterSpec>& others) {
-  std::vector<nets::ParameterSpec> specs = generator_specs(generator);
-  specs.insert(specs.end(), others.begin(), others.end());
+inline nets::ParameterSet double_parameters(const std::vector<nets::ParameterSpec>& specs) {
   return {specs, Stream("parameters"), torch::kFloat64};
 }
 
 inline torch::Tensor random_tensor(Stream& stream, std::int64_t rows, std::int64_t columns) {
-  return normal_numbers(stream, rows, columns).to(torch::kFloat64);
+  return torch::tensor(normal_numbers(stream, static_cast<std::size_t>(rows * columns)))
+      .view({rows, columns})
+      .to(torch::kFloat64);
 }
 
 /// Random windows, of the classes in turn.

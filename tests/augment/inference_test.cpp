@@ -24,7 +24,7 @@ class Inferring : public testing::TestWithParam<std::string> {
 
 // The twin space in the model was made from the windows C by the training itself.
 TEST_P(Inferring, GivesForTheKnownWindowsThePointsOfTheTwinSpace) {
-  const auto inferred = make_method(GetParam())->infer(reader_, known_, "cpu");
+  const auto inferred = make_method(GetParam())->infer(reader_, known_, {});
   const std::vector<twin::TwinPoint> points = twin::TwinSpace(reader_).points();
   ASSERT_EQ(inferred.size(), points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -38,7 +38,7 @@ TEST_P(Inferring, GivesForTheKnownWindowsThePointsOfTheTwinSpace) {
 TEST_P(Inferring, RefusesWindowsOfOtherClasses) {
   signal::WindowSet other = known_;
   other.info.classes.push_back({"another", signal::Defect::inner, 1});
-  EXPECT_THROW((void)make_method(GetParam())->infer(reader_, other, "cpu"), Error);
+  EXPECT_THROW((void)make_method(GetParam())->infer(reader_, other, {}), Error);
 }
 
 std::string test_name(const testing::TestParamInfo<std::string>& info) {
@@ -58,7 +58,7 @@ TEST(Inferring, IsNotForMethodsWithoutAnEncoder) {
   writer.attribute("/", "method", std::string("smote"));
   writer.save(scratch_file("model.h5"), {});
   const artefact::Reader reader(scratch_file("model.h5"), "model");
-  EXPECT_THAT([&] { (void)make_method("smote")->infer(reader, known, "cpu"); },
+  EXPECT_THAT([&] { (void)make_method("smote")->infer(reader, known, {}); },
               testing::ThrowsMessage<Error>(testing::HasSubstr("infers neither")));
 }
 

@@ -42,7 +42,7 @@ inline std::filesystem::path train(const std::string& method, const std::string&
                                    const signal::WindowSet& known,
                                    const nets::Checkpoint& checkpoint, const std::string& name) {
   artefact::Writer writer("model");
-  method_with(method, options)->train(known, Stream("train"), "cpu", checkpoint, writer);
+  method_with(method, options)->train(known, Stream("train"), {}, checkpoint, writer);
   std::filesystem::path path = scratch_file(name);
   writer.save(path, {});
   return path;
@@ -51,7 +51,7 @@ inline std::filesystem::path train(const std::string& method, const std::string&
 inline signal::WindowSet generate(const std::string& method, const std::filesystem::path& model,
                                   std::size_t count) {
   return make_method(method)->generate(artefact::Reader(model, "model"), count, Stream("generate"),
-                                       "cpu");
+                                       {});
 }
 
 inline std::string bytes_of(const std::filesystem::path& path) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "augment/latent_specs.hpp"
 #include "gradients.hpp"
 #include "nets/torch.hpp"
 
@@ -50,7 +51,7 @@ TEST(VaeLosses, AreThoseOfANetworkWorkedByHand) {
   // so z = -2; decoded 0.25 z + 1 = 0.5.
   LatentGenerator decoder = example_generator(1, 1, 1);
   decoder.size.depth = 1;
-  nets::ParameterSet parameters = double_parameters(decoder, encoder_specs(decoder));
+  nets::ParameterSet parameters = double_parameters(vae_specs(decoder));
   {
     const torch::NoGradGuard no_grad;
     parameters.values().zero_();
@@ -66,7 +67,7 @@ TEST(VaeLosses, AreThoseOfANetworkWorkedByHand) {
 
 TEST(VaeLosses, GradientEqualsFiniteDifferences) {
   const LatentGenerator decoder = example_generator(6, 3, 2);
-  nets::ParameterSet parameters = double_parameters(decoder, encoder_specs(decoder));
+  nets::ParameterSet parameters = double_parameters(vae_specs(decoder));
   Stream stream("vae");
   const Batch batch = example_batch(stream, 4, 6, 3);
   const torch::Tensor noise = random_tensor(stream, 4, 2);

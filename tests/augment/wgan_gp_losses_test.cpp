@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "augment/latent_specs.hpp"
 #include "gradients.hpp"
 #include "nets/torch.hpp"
 
@@ -15,7 +16,7 @@ namespace {
 nets::ParameterSet linear_critic(const std::vector<double>& weights) {
   LatentGenerator generator = example_generator(3, 2, 1);
   generator.size.depth = 1;
-  nets::ParameterSet parameters = double_parameters(generator, critic_specs(generator));
+  nets::ParameterSet parameters = double_parameters(wgan_gp_specs(generator));
   const torch::NoGradGuard no_grad;
   std::vector<double> row = weights;
   row.insert(row.end(), {7, -5});
@@ -61,7 +62,7 @@ TEST(GradientPenalty, StaysFiniteWhereTheScoreIsFlat) {
 
 TEST(GradientPenalty, DoesNotMixTheWindowsOfABatch) {
   const LatentGenerator generator = example_generator(6, 3, 2);
-  const nets::ParameterSet parameters = double_parameters(generator, critic_specs(generator));
+  const nets::ParameterSet parameters = double_parameters(wgan_gp_specs(generator));
   Stream stream("batch");
   const Batch batch = example_batch(stream, 4, 6, 3);
   double sum = 0;
@@ -89,7 +90,7 @@ TEST(CriticLosses, OfALinearCriticAreWorkedByHand) {
 
 TEST(CriticLosses, TakeThePenaltyBetweenKnownAndGenerated) {
   const LatentGenerator generator = example_generator(6, 3, 2);
-  const nets::ParameterSet parameters = double_parameters(generator, critic_specs(generator));
+  const nets::ParameterSet parameters = double_parameters(wgan_gp_specs(generator));
   Stream stream("between");
   const Batch known = example_batch(stream, 4, 6, 3);
   const torch::Tensor generated = random_tensor(stream, 4, 6);
@@ -101,7 +102,7 @@ TEST(CriticLosses, TakeThePenaltyBetweenKnownAndGenerated) {
 
 TEST(CriticLosses, GradientEqualsFiniteDifferences) {
   const LatentGenerator generator = example_generator(6, 3, 2);
-  const nets::ParameterSet parameters = double_parameters(generator, critic_specs(generator));
+  const nets::ParameterSet parameters = double_parameters(wgan_gp_specs(generator));
   Stream stream("critic");
   const Batch known = example_batch(stream, 4, 6, 3);
   const torch::Tensor generated = random_tensor(stream, 4, 6);

@@ -19,7 +19,7 @@ void generator_training(benchmark::State& state, const std::string& name) {
   never.interrupted = [] { return false; };
   while (state.KeepRunning()) {
     artefact::Writer model("model");
-    method->train(known, Stream("bench"), "cpu", never, model);
+    method->train(known, Stream("bench"), {}, never, model);
   }
   state.counters["windows/s"] = benchmark::Counter(
       static_cast<double>(state.iterations()) * 10 * static_cast<double>(known.size()),

@@ -4,6 +4,7 @@
 #include <benchmark/benchmark.h>
 
 #include "known_windows.hpp"
+#include "twin/native_backend.hpp"
 #include "twin/training.hpp"
 
 namespace piae::twin {
@@ -12,7 +13,7 @@ namespace {
 void twin_training_epoch(benchmark::State& state) {
   const signal::WindowSet known = known_windows();
   const auto training =
-      make_twin_training(known, TwinOptions{}, full_model, Stream("bench"), "cpu");
+      make_twin_training(known, TwinOptions{}, full_model, Stream("bench"), native_engine("cpu"));
   training->run_epoch(0);  // LibTorch warms up
   // With one epoch a stage, even epochs are in Stage 1 and odd ones in Stage 2.
   const auto epoch = static_cast<std::size_t>(state.range(0) - 1);

@@ -8,7 +8,6 @@
 #include <numeric>
 
 #include "base/error.hpp"
-#include "diagnosis/backend_choice.hpp"
 #include "diagnosis/libtorch_backend.hpp"
 #include "diagnosis/native_backend.hpp"
 #include "diagnosis/sets.hpp"
@@ -173,27 +172,14 @@ TEST(WdcnnBackends, FollowOneCourseUntilRoundingHasGrown) {
   }
 }
 
-TEST(WdcnnBackends, AreChosenByOptionAndDevice) {
-  EXPECT_FALSE(needs_libtorch("auto", "cpu"));
-  EXPECT_TRUE(needs_libtorch("auto", "cuda"));
-  EXPECT_FALSE(needs_libtorch("native", "cpu"));
-  EXPECT_TRUE(needs_libtorch("libtorch", "cpu"));
-  EXPECT_TRUE(needs_libtorch("libtorch", "cuda"));
-}
-
-TEST(WdcnnBackends, ThatCannotBeAreErrorsThatSayWhatCan) {
-  const auto expect_usage_error = [](const std::string& part, const auto& choose) {
-    try {
-      choose();
-      FAIL() << "no error with " << part;
-    } catch (const Error& error) {
-      EXPECT_EQ(error.exit(), Exit::usage);
-      EXPECT_THAT(error.what(), HasSubstr(part));
-    }
-  };
-  expect_usage_error("known are auto, native and libtorch", [] { needs_libtorch("eigen", "cpu"); });
-  expect_usage_error("not on cuda; use libtorch", [] { needs_libtorch("native", "cuda"); });
-  expect_usage_error("known are cpu and cuda", [] { libtorch_backend("tpu"); });
+TEST(LibtorchBackend, RefusesADeviceThatItDoesNotKnow) {
+  try {
+    libtorch_backend("tpu");
+    FAIL() << "no error";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.exit(), Exit::usage);
+    EXPECT_THAT(error.what(), HasSubstr("known are cpu and cuda"));
+  }
 }
 
 }  // namespace

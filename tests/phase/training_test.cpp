@@ -10,6 +10,7 @@
 #include "base/error.hpp"
 #include "phase/generation.hpp"
 #include "simulated.hpp"
+#include "twin/native_backend.hpp"
 
 namespace piae::phase {
 namespace {
@@ -43,7 +44,8 @@ std::string bytes_of(const fs::path& path) {
 
 fs::path train(const nets::Checkpoint& checkpoint, const std::string& name) {
   const signal::WindowSet known = simulated_windows(5, "known");
-  const auto training = make_phase_training(known, quick_options(), Stream("test"), "cpu");
+  const auto training =
+      make_phase_training(known, quick_options(), Stream("test"), twin::native_engine("cpu"));
   nets::run_epochs(*training, checkpoint);
   artefact::Writer writer("model");
   training->write_model(writer);
@@ -67,8 +69,8 @@ TEST(PhaseTraining, CutAnywhereAndContinuedEqualsAnUncutOne) {
 
 TEST(PhaseGeneration, FirstWindowsDoNotDependOnTheirNumber) {
   const artefact::Reader model(train(checkpoint_at("model.ckpt"), "model.h5"), "model");
-  const signal::WindowSet few = generate(model, 2, Stream("generate"), "cpu");
-  const signal::WindowSet many = generate(model, 7, Stream("generate"), "cpu");
+  const signal::WindowSet few = generate(model, 2, Stream("generate"), twin::native_engine("cpu"));
+  const signal::WindowSet many = generate(model, 7, Stream("generate"), twin::native_engine("cpu"));
   ASSERT_EQ(few.size(), 4U);
   ASSERT_EQ(many.size(), 14U);
   for (std::size_t i = 0; i < few.length; ++i) {
@@ -94,7 +96,7 @@ TEST(PhaseGeneration, AnotherStartAngleShiftsWhatTheDecoderGives) {
   }
   draws.push_back(draw);
   draws.back().passage.start += cycle.samples;
-  const std::vector<float> windows = decode(model, outer, draws, "cpu");
+  const std::vector<float> windows = decode(model, outer, draws, twin::native_engine("cpu"));
   ASSERT_EQ(windows.size(), draws.size() * length);
   const auto window = [&](std::size_t i) { return std::span(windows).subspan(i * length, length); };
   EXPECT_GT(*std::ranges::max_element(window(0)), *std::ranges::min_element(window(0)));
@@ -111,7 +113,9 @@ TEST(PhaseGeneration, AnotherStartAngleShiftsWhatTheDecoderGives) {
 TEST(PhaseTraining, RefusesWindowsThatAreTooShort) {
   signal::WindowSet known = simulated_windows(5, "known");
   known.length = 64;
-  EXPECT_THROW(make_phase_training(known, quick_options(), Stream("test"), "cpu"), Error);
+  EXPECT_THROW(
+      make_phase_training(known, quick_options(), Stream("test"), twin::native_engine("cpu")),
+      Error);
 }
 
 // A later start shifts the window; the change from one state to the other stays where it is.

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "scoring/diagnosis_record.hpp"
+#include "signal/window_set.hpp"
 #include "stages/tiny.hpp"
 
 namespace piae::stages {
@@ -51,20 +52,53 @@ TEST(Backend, OnlyProgramsThatNeedLibtorchLoadIt) {
   }
 }
 
-TEST(Backend, MethodWithoutLibtorchIsTrainedWithoutIt) {
+/// A training of one epoch.
+Arguments training(const std::string& method, const std::string& model) {
+  return {"--method", method, "--epochs", "1", "--known",  "C.h5",
+          "--seed",   "0",    "--width",  "8", "--output", model};
+}
+
+TEST(Backend, OnlyWhatHasNoNativeOneIsTrainedByLibtorch) {
   const Tiny tiny;
   tiny.run_chain_before("train");
   const fs::path alone = tiny / "bin/train";  // where no train-libtorch stands beside it
   fs::create_directories(alone.parent_path());
   fs::copy_file(fs::path(PIAE_BIN) / "train", alone);
   const std::string program = fs::relative(alone, PIAE_BIN);
-  const auto arguments = [](const std::string& method) -> Arguments {
-    return {"--method", method, "--known", "C.h5", "--seed", "0", "--output", "model.h5"};
-  };
-  const Outcome smote = tiny.run(program, arguments("smote"));
-  EXPECT_EQ(smote.status, 0) << smote.err;
-  expect_refusal(tiny.run(program, arguments("vae")), "train", 1,
-                 {"bin/train-libtorch", "cannot be started", "make build"});
+  for (const std::string method : {"vae", "wgan-gp", "piae-dt", "ae"}) {
+    const Outcome outcome = tiny.run(program, training(method, "model.h5"));
+    EXPECT_EQ(outcome.status, 0) << method << outcome.err;
+  }
+  for (const Arguments& arguments : {training("piae-dt-cnn", "cnn.h5"),
+                                     with(training("vae", "l.h5"), "--backend", "libtorch")}) {
+    expect_refusal(tiny.run(program, arguments), "train", 1,
+                   {"bin/train-libtorch", "cannot be started", "make build"});
+  }
+  expect_refusal(tiny.run(program, with(training("piae-dt-cnn", "cnn.h5"), "--backend", "native")),
+                 "train", 2, {"--backend", "no native back end", "libtorch"});
+}
+
+// Whoever trained a model, either generates from it, and but for rounding the same.
+TEST(Backend, ModelsOfOneAreReadByTheOther) {
+  const Tiny tiny;
+  tiny.run_chain_before("train");
+  for (const std::string method : {"vae", "wgan-gp", "piae-dt", "ae"}) {
+    const Outcome trained =
+        tiny.run("train", with(training(method, "model.h5"), "--backend", "libtorch"));
+    ASSERT_EQ(trained.status, 0) << trained.err;
+    std::vector<std::vector<float>> generated;
+    for (const std::string backend : {"native", "libtorch"}) {
+      const std::string file = backend + ".h5";
+      const Outcome outcome = tiny.run("generate", {"--model", "model.h5", "--count", "3", "--seed",
+                                                    "0", "--backend", backend, "--output", file});
+      ASSERT_EQ(outcome.status, 0) << outcome.err;
+      generated.push_back(signal::read_window_set(Reader(tiny / file, "windows")).samples);
+    }
+    ASSERT_EQ(generated[0].size(), generated[1].size());
+    for (std::size_t i = 0; i < generated[0].size(); ++i) {
+      ASSERT_NEAR(generated[0][i], generated[1][i], 1e-4) << method << " " << i;
+    }
+  }
 }
 
 TEST(Backend, ThatCannotBeIsNamedWithThoseThatCan) {

@@ -10,6 +10,8 @@
 #include "known_windows.hpp"
 #include "twin/curves.hpp"
 #include "twin/generation.hpp"
+#include "twin/libtorch_backend.hpp"
+#include "twin/native_backend.hpp"
 #include "twin/space.hpp"
 
 namespace piae::twin {
@@ -41,9 +43,10 @@ std::string bytes_of(const fs::path& path) {
 
 /// Trains with the checkpoint and returns the stored model.
 fs::path train(const nets::Checkpoint& checkpoint, const TwinOptions& options,
-               const std::string& name, const TwinVariant& variant = full_model) {
+               const std::string& name, const TwinVariant& variant = full_model,
+               MakeEngine engine = native_engine) {
   const auto training =
-      make_twin_training(known_windows(), options, variant, Stream("test"), "cpu");
+      make_twin_training(known_windows(), options, variant, Stream("test"), engine("cpu"));
   nets::run_epochs(*training, checkpoint);
   artefact::Writer writer("model");
   training->write_model(writer);
@@ -61,27 +64,28 @@ TEST(TwinTraining, GivesTheSameBytesTwice) {
 struct NamedVariant {
   const char* name;
   TwinVariant variant;
+  MakeEngine engine;
 };
 
 class TwinVariantTraining : public testing::TestWithParam<NamedVariant> {};
 
 TEST_P(TwinVariantTraining, CutAfterAnyEpochAndContinuedEqualsAnUncutOne) {
-  const TwinVariant& variant = GetParam().variant;
+  const auto& [_, variant, engine] = GetParam();
   const TwinOptions options = quick_options();
   const std::string uncut =
-      bytes_of(train(checkpoint_at("uncut.ckpt"), options, "uncut.h5", variant));
+      bytes_of(train(checkpoint_at("uncut.ckpt"), options, "uncut.h5", variant, engine));
   for (int cut = 1; cut <= options.epochs; ++cut) {
     nets::Checkpoint checkpoint = checkpoint_at("cut.ckpt");
     int asked = 0;
     checkpoint.interrupted = [&] { return ++asked == cut; };
     try {
-      train(checkpoint, options, "never.h5", variant);
+      train(checkpoint, options, "never.h5", variant, engine);
       FAIL() << "was not interrupted after epoch " << cut;
     } catch (const Error& error) {
       EXPECT_EQ(error.exit(), Exit::interrupted);
     }
     checkpoint.interrupted = [] { return false; };
-    EXPECT_EQ(bytes_of(train(checkpoint, options, "continued.h5", variant)), uncut)
+    EXPECT_EQ(bytes_of(train(checkpoint, options, "continued.h5", variant, engine)), uncut)
         << "cut after " << cut;
   }
 }
@@ -92,8 +96,9 @@ TEST_P(TwinVariantTraining, Learns) {
   options.learning_rate = 4e-3;
   options.width = 64;
   Curves curves;
-  curves.read(artefact::Reader(
-      train(checkpoint_at("learn.ckpt"), options, "learn.h5", GetParam().variant), "model"));
+  curves.read(artefact::Reader(train(checkpoint_at("learn.ckpt"), options, "learn.h5",
+                                     GetParam().variant, GetParam().engine),
+                               "model"));
   EXPECT_LT(curves.reconstruction.back(), 0.8 * curves.reconstruction.front());
   if (GetParam().variant.physics) {
     EXPECT_LT(curves.differential.back(), 0.5 * curves.differential.front());
@@ -101,11 +106,12 @@ TEST_P(TwinVariantTraining, Learns) {
 }
 
 TEST_P(TwinVariantTraining, GeneratesWithWhatWasTrained) {
-  const TwinVariant& variant = GetParam().variant;
-  const fs::path path = train(checkpoint_at("g.ckpt"), quick_options(), "generate.h5", variant);
+  const auto& [_, variant, engine] = GetParam();
+  const fs::path path =
+      train(checkpoint_at("g.ckpt"), quick_options(), "generate.h5", variant, engine);
   const artefact::Reader model(path, "model");
-  const signal::WindowSet few = generate(model, variant, 2, Stream("g"), "cpu");
-  const signal::WindowSet many = generate(model, variant, 7, Stream("g"), "cpu");
+  const signal::WindowSet few = generate(model, variant, 2, Stream("g"), engine("cpu"));
+  const signal::WindowSet many = generate(model, variant, 7, Stream("g"), engine("cpu"));
   ASSERT_EQ(few.size(), 4U);  // two fault classes
   ASSERT_EQ(many.size(), 14U);
   for (std::size_t i = 0; i < 2; ++i) {
@@ -117,19 +123,24 @@ TEST_P(TwinVariantTraining, GeneratesWithWhatWasTrained) {
   }
 }
 
-const NamedVariant variants[] = {{"Full", full_model},
-                                 {"WithoutPhysics", without_physics},
-                                 {"Convolutional", convolutional_model},
-                                 {"Recurrent", recurrent_model}};
+const NamedVariant variants[] = {{"Full", full_model, native_engine},
+                                 {"WithoutPhysics", without_physics, native_engine},
+                                 {"FullByLibtorch", full_model, libtorch_engine},
+                                 {"WithoutPhysicsByLibtorch", without_physics, libtorch_engine},
+                                 {"Convolutional", convolutional_model, libtorch_engine},
+                                 {"Recurrent", recurrent_model, libtorch_engine}};
 INSTANTIATE_TEST_SUITE_P(Twin, TwinVariantTraining, testing::ValuesIn(variants),
                          [](const auto& info) { return info.param.name; });
 
 TEST(TwinGeneration, RefusesAModelThatLacksWhatTheVariantHas) {
-  for (const auto& [name, variant] : variants) {
-    if (name == variants[0].name) continue;
-    const artefact::Reader model(train(checkpoint_at("v.ckpt"), quick_options(), "v.h5", variant),
-                                 "model");
-    EXPECT_THROW(generate(model, full_model, 1, Stream("g"), "cpu"), artefact::Refusal) << name;
+  for (const auto& [name, variant, engine] : variants) {
+    if (variant.physics && variant.coder == CoderKind::dense) continue;
+    const artefact::Reader model(
+        train(checkpoint_at("v.ckpt"), quick_options(), "v.h5", variant, engine), "model");
+    for (const MakeEngine other : {native_engine, libtorch_engine}) {
+      EXPECT_THROW(generate(model, full_model, 1, Stream("g"), other("cpu")), artefact::Refusal)
+          << name;
+    }
   }
 }
 
@@ -232,7 +243,8 @@ TEST(TwinTraining, HalvesTheLearningRate) {
 TEST(TwinTraining, RefusesASilentClass) {
   signal::WindowSet windows = known_windows();
   std::fill(windows.samples.begin(), windows.samples.begin() + std::ptrdiff_t{5} * 64, 1.0F);
-  EXPECT_THROW(make_twin_training(windows, quick_options(), full_model, Stream("test"), "cpu"),
+  EXPECT_THROW(make_twin_training(windows, quick_options(), full_model, Stream("test"),
+                                  native_engine("cpu")),
                Error);
 }
 
@@ -240,7 +252,8 @@ TEST(TwinGeneration, DrawsFromTheTwinSpace) {
   const fs::path path = train(checkpoint_at("s.ckpt"), quick_options(), "space.h5");
   const artefact::Reader model(path, "model");
   const TwinSpace space(model);
-  for (const auto& parameters : generate(model, full_model, 50, Stream("g"), "cpu").parameters) {
+  for (const auto& parameters :
+       generate(model, full_model, 50, Stream("g"), native_engine("cpu")).parameters) {
     EXPECT_GE(parameters.stiffness_n_per_m, space.k_edges().front() * 1e8);
     EXPECT_LE(parameters.stiffness_n_per_m, space.k_edges().back() * 1e8);
     EXPECT_GE(parameters.damping_ns_per_m, space.c_edges().front() * 1e2);
@@ -261,8 +274,8 @@ TEST(TwinGeneration, DependsOnTheModelThatIsKept) {
               final_model.numbers<float>(weight, {0, 0}).values);
   }
   const bool last_is_best = best_model.integer("/", "best_epoch") == options.epochs;
-  const auto a = generate(best_model, full_model, 3, Stream("g"), "cpu").samples;
-  const auto b = generate(final_model, full_model, 3, Stream("g"), "cpu").samples;
+  const auto a = generate(best_model, full_model, 3, Stream("g"), native_engine("cpu")).samples;
+  const auto b = generate(final_model, full_model, 3, Stream("g"), native_engine("cpu")).samples;
   EXPECT_EQ(a == b, last_is_best);
 }
 

@@ -1,0 +1,86 @@
+#include "augment/native_latent.hpp"
+
+#include <algorithm>
+
+#include "nets/stored_parameters.hpp"
+
+namespace piae::augment {
+
+namespace {
+
+class NativeGenerator final : public StoredGenerator {
+ public:
+  NativeGenerator(const artefact::Reader& model, const LatentGenerator& generator)
+      : generator_(generator),
+        parameters_(generator_specs(generator), Stream("replaced")),
+        network_(parameters_, generator_name, 1) {
+    parameters_.write(nets::FlatParameters<float>::Kept::value,
+                      nets::read_parameters(model, weights_group, generator_specs(generator)));
+  }
+
+  [[nodiscard]] std::vector<float> make(std::span<const float> z, std::size_t label) override {
+    float* const input = network_.input().row(0);
+    std::ranges::copy(z, input);
+    std::fill_n(input + generator_.latent, generator_.classes(), 0.0F);
+    input[static_cast<std::size_t>(generator_.latent) + label] = 1;
+    const float* const window = network_.forward(1).row(0);
+    return {window, window + generator_.samples};
+  }
+
+ private:
+  LatentGenerator generator_;
+  nets::FlatParameters<float> parameters_;
+  nets::DenseChain<float> network_;
+};
+
+}  // namespace
+
+NativeLatent::NativeLatent(const LatentTask& task, std::vector<nets::ParameterSpec> specs,
+                           const Stream& initial)
+    : task_(task),
+      specs_(std::move(specs)),
+      parameters_(specs_, initial),
+      generator_(parameters_, generator_name, task.options.batch) {}
+
+NativeLatent::Batch NativeLatent::batch_of(std::span<const std::size_t> windows) const {
+  const std::int64_t samples = task_.generator.samples;
+  Batch batch;
+  batch.windows.resize(static_cast<std::int64_t>(windows.size()), samples);
+  for (std::int64_t i = 0; i < batch.size(); ++i) {
+    const std::size_t window = windows[static_cast<std::size_t>(i)];
+    std::copy_n(task_.windows.begin() + static_cast<std::int64_t>(window) * samples, samples,
+                batch.windows.row(i).data());
+    batch.labels.push_back(task_.labels[window]);
+  }
+  return batch;
+}
+
+NativeLatent::Array NativeLatent::draw_z(const Batch& batch, Stream& noise) const {
+  const std::int64_t latent = task_.generator.latent;
+  const std::vector<float> numbers =
+      normal_numbers(noise, static_cast<std::size_t>(batch.size() * latent));
+  return Eigen::Map<const Array>(numbers.data(), batch.size(), latent);
+}
+
+void NativeLatent::feed(Chain& chain, const Array& rows, const Batch& batch,
+                        std::int64_t first) const {
+  nets::put(rows, chain.input().from(first));
+  for (std::int64_t i = 0; i < rows.rows(); ++i) {
+    float* const labels = chain.input().row(first + i) + rows.cols();
+    std::fill_n(labels, task_.generator.classes(), 0.0F);
+    labels[batch.labels[static_cast<std::size_t>(i)]] = 1;
+  }
+}
+
+NativeLatent::Array NativeLatent::generate(const Array& z, const Batch& batch) {
+  feed(generator_, z, batch);
+  return nets::copied(generator_.forward(batch.size()), batch.size(), task_.generator.samples);
+}
+
+std::unique_ptr<StoredGenerator> open_native_generator(const artefact::Reader& model,
+                                                       const LatentGenerator& generator,
+                                                       const std::string& /*device*/) {
+  return std::make_unique<NativeGenerator>(model, generator);
+}
+
+}  // namespace piae::augment

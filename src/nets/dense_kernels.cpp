@@ -1,0 +1,257 @@
+#include "nets/dense_kernels.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <type_traits>
+#include <vector>
+
+#include "base/vector.hpp"
+
+namespace piae::nets {
+
+namespace {
+
+/// Rows that one pass over a weight serves, and rows of the weight that are read side by side: as
+/// many as there are registers for.
+constexpr int most_rows = 6;
+constexpr int side_by_side = vector_registers >= 32 ? 4 : 2;
+
+/// All numbers of a vector, added by halves.
+template <class T>
+T sum_of(Vector<T> vector) {
+  using Whole = std::conditional_t<sizeof(T) == 4, std::int32_t, std::int64_t>;
+#pragma GCC unroll 8
+  for (Whole width = lanes<T> / 2; width > 0; width /= 2) {
+    Vector<Whole> other;
+    for (Whole i = 0; i < lanes<T>; ++i) other[i] = i ^ width;
+    vector += __builtin_shuffle(vector, other);
+  }
+  return vector[0];
+}
+
+/// Calls f.template operator()<n>(row) with blocks of n = 1 .. most_rows rows.
+template <class F>
+void in_blocks(std::int64_t rows, const F& f) {
+  std::int64_t row = 0;
+  while (rows - row > most_rows) {
+    f.template operator()<most_rows>(row);
+    row += most_rows;
+  }
+  switch (rows - row) {
+    case 1:
+      return f.template operator()<1>(row);
+    case 2:
+      return f.template operator()<2>(row);
+    case 3:
+      return f.template operator()<3>(row);
+    case 4:
+      return f.template operator()<4>(row);
+    case 5:
+      return f.template operator()<5>(row);
+    case 6:
+      return f.template operator()<6>(row);
+    default:
+      return;
+  }
+}
+
+/// `outputs` numbers of each of `rows` rows, whose sums stay in registers where GCC unrolls.
+template <class T, int rows, int outputs>
+void dot_products(std::int64_t inputs, const T* weight, const T* bias, Rows<const T> x, T* y,
+                  std::int64_t y_stride) {
+  Vector<T> sums[rows * outputs];
+#pragma GCC unroll 64
+  for (Vector<T>& sum : sums) sum = Vector<T>{};
+  for (std::int64_t i = 0; i < inputs; i += lanes<T>) {
+    Vector<T> w[outputs];
+#pragma GCC unroll 8
+    for (int j = 0; j < outputs; ++j) w[j] = load(weight + j * inputs + i);
+#pragma GCC unroll 8
+    for (int r = 0; r < rows; ++r) {
+      const Vector<T> from = load(x.row(r) + i);
+#pragma GCC unroll 8
+      for (int j = 0; j < outputs; ++j) sums[r * outputs + j] += w[j] * from;
+    }
+  }
+#pragma GCC unroll 64
+  for (int k = 0; k < rows * outputs; ++k) {
+    y[k / outputs * y_stride + k % outputs] = sum_of<T>(sums[k]) + bias[k % outputs];
+  }
+}
+
+template <class T, int rows>
+void propagate_rows(const LayerSize& size, const T* weight, const T* bias, Rows<const T> x,
+                    Rows<T> y) {
+  const std::int64_t inputs = size.held_inputs;
+  std::int64_t j = 0;
+  for (; j + side_by_side <= size.outputs; j += side_by_side) {
+    dot_products<T, rows, side_by_side>(inputs, weight + j * inputs, bias + j, x, y.data + j,
+                                        y.stride);
+  }
+  for (; j < size.outputs; ++j) {
+    dot_products<T, rows, 1>(inputs, weight + j * inputs, bias + j, x, y.data + j, y.stride);
+  }
+}
+
+/// dx += dy[0 .. outputs) W, for so many rows of the weight.
+template <class T, int rows, int outputs>
+void add_weight_rows(std::int64_t inputs, const T* weight, const T* dy, std::int64_t dy_stride,
+                     Rows<T> dx) {
+  Vector<T> factors[rows * outputs];
+#pragma GCC unroll 64
+  for (int k = 0; k < rows * outputs; ++k) {
+    factors[k] = Vector<T>{} + dy[k / outputs * dy_stride + k % outputs];
+  }
+  for (std::int64_t i = 0; i < inputs; i += lanes<T>) {
+    Vector<T> w[outputs];
+#pragma GCC unroll 8
+    for (int j = 0; j < outputs; ++j) w[j] = load(weight + j * inputs + i);
+#pragma GCC unroll 8
+    for (int r = 0; r < rows; ++r) {
+      Vector<T> sum = load(dx.row(r) + i);
+#pragma GCC unroll 8
+      for (int j = 0; j < outputs; ++j) sum += factors[r * outputs + j] * w[j];
+      store(dx.row(r) + i, sum);
+    }
+  }
+}
+
+template <class T, int rows>
+void propagate_rows_back(const LayerSize& size, const T* weight, Rows<const T> dy, Rows<T> dx) {
+  const std::int64_t inputs = size.held_inputs;
+  for (int r = 0; r < rows; ++r) std::fill_n(dx.row(r), inputs, T{0});
+  std::int64_t j = 0;
+  for (; j + side_by_side <= size.outputs; j += side_by_side) {
+    add_weight_rows<T, rows, side_by_side>(inputs, weight + j * inputs, dy.data + j, dy.stride, dx);
+  }
+  for (; j < size.outputs; ++j) {
+    add_weight_rows<T, rows, 1>(inputs, weight + j * inputs, dy.data + j, dy.stride, dx);
+  }
+}
+
+/// Numbers of Adam's step in T.
+template <class T>
+struct Constants {
+  explicit Constants(const AdamStep& step)
+      : beta1(static_cast<T>(step.beta1)),
+        beta2(static_cast<T>(step.beta2)),
+        newest1(static_cast<T>(1 - step.beta1)),
+        newest2(static_cast<T>(1 - step.beta2)),
+        rate(static_cast<T>(step.rate)),
+        correction(static_cast<T>(step.correction)) {}
+  T beta1;
+  T beta2;
+  T newest1;
+  T newest2;
+  T rate;
+  T correction;
+};
+
+/// Adam for one row of a weight; the gradient is the sum of `rows` rows of x, each times a factor.
+template <class T, int rows>
+void take_row(const Constants<T>& c, std::int64_t inputs, const T* factors, Rows<const T> x,
+              const TrainedWeight<T>& w) {
+  constexpr auto epsilon = static_cast<T>(AdamConstants::epsilon);
+  T* const values = w.values;
+  T* const first = w.first_moment;
+  T* const second = w.second_moment;
+#pragma GCC ivdep
+  for (std::int64_t i = 0; i < inputs; ++i) {
+    T gradient = 0;
+#pragma GCC unroll 8
+    for (int r = 0; r < rows; ++r) gradient += factors[r] * x.data[r * x.stride + i];
+    first[i] = c.beta1 * first[i] + c.newest1 * gradient;
+    second[i] = c.beta2 * second[i] + c.newest2 * gradient * gradient;
+    values[i] -= c.rate * first[i] / (std::sqrt(second[i]) * c.correction + epsilon);
+  }
+}
+
+/// gradient += the sum of `rows` rows of x, each times a factor.
+template <class T, int rows>
+void add_rows(std::int64_t inputs, const T* factors, Rows<const T> x, T* gradient) {
+#pragma GCC ivdep
+  for (std::int64_t i = 0; i < inputs; ++i) {
+    T sum = gradient[i];
+#pragma GCC unroll 8
+    for (int r = 0; r < rows; ++r) sum += factors[r] * x.data[r * x.stride + i];
+    gradient[i] = sum;
+  }
+}
+
+template <class T>
+double dot(std::int64_t count, const T* x, const T* y) {
+  double sum = 0;
+  for (std::int64_t i = 0; i < count; ++i) sum += static_cast<double>(x[i]) * y[i];
+  return sum;
+}
+
+}  // namespace
+
+template <class T>
+void propagate(const LayerSize& size, const T* weight, const T* bias, std::int64_t rows,
+               Rows<const T> x, Rows<T> y) {
+  in_blocks(rows, [&]<int block>(std::int64_t row) {
+    propagate_rows<T, block>(size, weight, bias, x.from(row), y.from(row));
+  });
+}
+
+template <class T>
+void propagate_back(const LayerSize& size, const T* weight, std::int64_t rows, Rows<const T> dy,
+                    Rows<T> dx) {
+  in_blocks(rows, [&]<int block>(std::int64_t row) {
+    propagate_rows_back<T, block>(size, weight, dy.from(row), dx.from(row));
+  });
+}
+
+template <class T>
+void take(const AdamStep& step, double scale, const LayerSize& size, std::int64_t rows,
+          Rows<const T> dy, Rows<const T> x, const TrainedWeight<T>& weight) {
+  const Constants<T> constants(step);
+  const std::int64_t inputs = size.held_inputs;
+  std::vector<T> factors(static_cast<std::size_t>(rows));
+  std::vector<T> gradient(static_cast<std::size_t>(inputs));
+  for (std::int64_t j = 0; j < size.outputs; ++j) {
+    for (std::int64_t r = 0; r < rows; ++r) {
+      factors[static_cast<std::size_t>(r)] = static_cast<T>(scale) * dy.row(r)[j];
+    }
+    const TrainedWeight<T> row{weight.values + j * inputs, weight.first_moment + j * inputs,
+                               weight.second_moment + j * inputs};
+    if (rows <= most_rows) {
+      in_blocks(rows, [&]<int block>(std::int64_t) {
+        take_row<T, block>(constants, inputs, factors.data(), x, row);
+      });
+      continue;
+    }
+    std::ranges::fill(gradient, T{0});
+    in_blocks(rows, [&]<int block>(std::int64_t first) {
+      add_rows<T, block>(inputs, factors.data() + first, x.from(first), gradient.data());
+    });
+    constexpr T once = 1;
+    take_row<T, 1>(constants, inputs, &once, {gradient.data(), inputs}, row);
+  }
+}
+
+template <class T>
+double squared_norm(const LayerSize& size, std::int64_t rows, Rows<const T> dy, Rows<const T> x) {
+  double sum = 0;
+  for (std::int64_t r = 0; r < rows; ++r) {
+    for (std::int64_t s = 0; s <= r; ++s) {
+      sum += (r == s ? 1 : 2) * dot(size.outputs, dy.row(r), dy.row(s)) *
+             dot(size.held_inputs, x.row(r), x.row(s));
+    }
+  }
+  return sum;
+}
+
+#define PIAE_INSTANTIATE(T)                                                                       \
+  template void propagate(const LayerSize&, const T*, const T*, std::int64_t, Rows<const T>,      \
+                          Rows<T>);                                                               \
+  template void propagate_back(const LayerSize&, const T*, std::int64_t, Rows<const T>, Rows<T>); \
+  template void take(const AdamStep&, double, const LayerSize&, std::int64_t, Rows<const T>,      \
+                     Rows<const T>, const TrainedWeight<T>&);                                     \
+  template double squared_norm(const LayerSize&, std::int64_t, Rows<const T>, Rows<const T>)
+PIAE_INSTANTIATE(float);
+PIAE_INSTANTIATE(double);
+
+}  // namespace piae::nets

@@ -1,0 +1,98 @@
+#include "nets/flat_parameters.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "base/vector.hpp"
+
+namespace piae::nets {
+
+namespace {
+
+/// Calls f(held, flat) for each row of a parameter: where it begins among all that is held, and
+/// among the parameter's own numbers in the order of its spec.
+template <class Parameter, class F>
+void for_each_row(const Parameter& parameter, const F& f) {
+  for (std::int64_t row = 0; row < parameter.rows; ++row) {
+    f(parameter.begin + row * parameter.held_columns, row * parameter.columns);
+  }
+}
+
+}  // namespace
+
+template <class T>
+FlatParameters<T>::FlatParameters(std::vector<ParameterSpec> specs, const Stream& stream) {
+  std::int64_t begin = 0;
+  for (ParameterSpec& spec : specs) {
+    const std::int64_t rows = spec.shape.size() > 1 ? spec.shape.front() : 1;
+    const std::int64_t columns = spec.size() / rows;
+    parameters_.push_back({std::move(spec), begin, rows, columns, whole_rows(columns)});
+    begin += rows * whole_rows(columns);
+  }
+  for (Numbers& numbers : kept_) numbers = Numbers::Zero(begin);
+  for (const Parameter& parameter : parameters_) {
+    const std::vector<double> initial = initial_values(parameter.spec, stream);
+    for_each_row(parameter, [&](std::int64_t held, std::int64_t flat) {
+      std::copy_n(initial.begin() + flat, parameter.columns, data(Kept::value) + held);
+    });
+  }
+}
+
+template <class T>
+const typename FlatParameters<T>::Parameter& FlatParameters<T>::find(
+    const std::string& name) const {
+  const auto found =
+      std::ranges::find(parameters_, name, [](const Parameter& p) { return p.spec.name; });
+  if (found == parameters_.end()) throw std::logic_error("no parameter is called " + name);
+  return *found;
+}
+
+template <class T>
+std::vector<float> FlatParameters<T>::read(Kept kept, const std::string& prefix) const {
+  std::vector<float> all;
+  for (const Parameter& parameter : parameters_) {
+    if (!parameter.spec.name.starts_with(prefix)) continue;
+    const std::size_t begin = all.size();
+    all.resize(begin + static_cast<std::size_t>(parameter.spec.size()));
+    for_each_row(parameter, [&](std::int64_t held, std::int64_t flat) {
+      std::copy_n(data(kept) + held, parameter.columns, all.data() + begin + flat);
+    });
+  }
+  return all;
+}
+
+template <class T>
+void FlatParameters<T>::write(Kept kept, std::span<const float> all, const std::string& prefix) {
+  for (const Parameter& parameter : parameters_) {
+    if (!parameter.spec.name.starts_with(prefix)) continue;
+    for_each_row(parameter, [&](std::int64_t held, std::int64_t i) {
+      std::copy_n(all.data() + i, parameter.columns, data(kept) + held);
+    });
+    all = all.subspan(static_cast<std::size_t>(parameter.spec.size()));
+  }
+}
+
+void write_moments(artefact::Writer& writer, const std::string& group,
+                   const FlatParameters<float>& parameters, const std::string& prefix,
+                   std::int64_t steps) {
+  using Kept = FlatParameters<float>::Kept;
+  writer.numbers(group + "/first_moment", parameters.read(Kept::first_moment, prefix));
+  writer.numbers(group + "/second_moment", parameters.read(Kept::second_moment, prefix));
+  writer.attribute(group, "steps", steps);
+}
+
+std::int64_t read_moments(const artefact::Reader& reader, const std::string& group,
+                          FlatParameters<float>& parameters, const std::string& prefix) {
+  using Kept = FlatParameters<float>::Kept;
+  const std::size_t size = parameters.read(Kept::value, prefix).size();
+  parameters.write(Kept::first_moment,
+                   reader.numbers<float>(group + "/first_moment", {size}).values, prefix);
+  parameters.write(Kept::second_moment,
+                   reader.numbers<float>(group + "/second_moment", {size}).values, prefix);
+  return reader.integer(group, "steps");
+}
+
+template class FlatParameters<float>;
+template class FlatParameters<double>;
+
+}  // namespace piae::nets

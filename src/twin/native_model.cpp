@@ -1,0 +1,57 @@
+#include "twin/native_model.hpp"
+
+#include <algorithm>
+
+#include "nets/stored_parameters.hpp"
+#include "twin/native_networks.hpp"
+
+namespace piae::twin {
+
+namespace {
+
+constexpr std::int64_t windows_at_a_time = 64;
+
+class NativeModel final : public StoredTwin {
+ public:
+  NativeModel(const artefact::Reader& model, const ModelDescription& description,
+              const TwinVariant& variant)
+      : specs_(network_specs(variant, description.shape, description.options,
+                             dense_coder_specs(description.shape, description.options))),
+        parameters_(specs_, Stream("replaced")),
+        networks_(parameters_, variant, description.shape, windows_at_a_time) {
+    parameters_.write(nets::FlatParameters<float>::Kept::value,
+                      nets::read_parameters(model, "/" + description.options.keep, specs_));
+  }
+
+  [[nodiscard]] std::vector<TwinPoint> encode(std::span<const float> windows) const override {
+    return encode_all(networks_, windows, windows_at_a_time);
+  }
+
+  [[nodiscard]] std::vector<float> decode(std::span<const TwinPoint> inputs,
+                                          std::size_t label) const override {
+    std::vector<float> windows;
+    for (std::size_t i = 0; i < inputs.size(); i += windows_at_a_time) {
+      const auto some =
+          inputs.subspan(i, std::min<std::size_t>(windows_at_a_time, inputs.size() - i));
+      const std::vector<std::int32_t> labels(some.size(), static_cast<std::int32_t>(label));
+      const RowArray<float> decoded = networks_.decode(as_rows<float>(some), labels);
+      windows.insert(windows.end(), decoded.data(), decoded.data() + decoded.size());
+    }
+    return windows;
+  }
+
+ private:
+  std::vector<nets::ParameterSpec> specs_;
+  nets::FlatParameters<float> parameters_;
+  mutable NativeNetworks<float> networks_;  // its chains keep what passes through them
+};
+
+}  // namespace
+
+std::unique_ptr<StoredTwin> open_native(const artefact::Reader& model,
+                                        const ModelDescription& description,
+                                        const TwinVariant& variant) {
+  return std::make_unique<NativeModel>(model, description, variant);
+}
+
+}  // namespace piae::twin

@@ -1,0 +1,40 @@
+#include "twin/specs.hpp"
+
+namespace piae::twin {
+
+namespace {
+
+void append(std::vector<nets::ParameterSpec>& specs, const std::vector<nets::ParameterSpec>& more) {
+  specs.insert(specs.end(), more.begin(), more.end());
+}
+
+}  // namespace
+
+std::vector<nets::ParameterSpec> dense_coder_specs(const NetworkShape& shape,
+                                                   const TwinOptions& options) {
+  const nets::DenseSize size{options.depth, options.width};
+  auto specs = nets::dense_chain_specs(encoder_name, shape.samples, 2, size);
+  append(specs, nets::dense_chain_specs(decoder_name, 2 + shape.classes, shape.samples, size));
+  return specs;
+}
+
+std::vector<nets::ParameterSpec> network_specs(const TwinVariant& variant,
+                                               const NetworkShape& shape,
+                                               const TwinOptions& options,
+                                               std::vector<nets::ParameterSpec> coder) {
+  if (!variant.encoder) {
+    std::erase_if(coder, [](const auto& spec) { return spec.name.starts_with(encoder_name); });
+  }
+  if (variant.physics) {
+    append(coder, nets::dense_chain_specs(module_name, 2 * shape.samples, 2 * shape.samples,
+                                          {options.depth, options.width}));
+  }
+  return coder;
+}
+
+std::vector<nets::ParameterSpec> with_log_weights(std::vector<nets::ParameterSpec> networks) {
+  networks.push_back({log_weights_name, {3}});
+  return networks;
+}
+
+}  // namespace piae::twin
