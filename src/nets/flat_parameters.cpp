@@ -48,16 +48,26 @@ const typename FlatParameters<T>::Parameter& FlatParameters<T>::find(
 }
 
 template <class T>
-std::vector<float> FlatParameters<T>::read(Kept kept, const std::string& prefix) const {
-  std::vector<float> all;
+void FlatParameters<T>::copy(Kept kept, std::span<float> to, const std::string& prefix) const {
   for (const Parameter& parameter : parameters_) {
     if (!parameter.spec.name.starts_with(prefix)) continue;
-    const std::size_t begin = all.size();
-    all.resize(begin + static_cast<std::size_t>(parameter.spec.size()));
     for_each_row(parameter, [&](std::int64_t held, std::int64_t flat) {
-      std::copy_n(data(kept) + held, parameter.columns, all.data() + begin + flat);
+      std::copy_n(data(kept) + held, parameter.columns, to.data() + flat);
     });
+    to = to.subspan(static_cast<std::size_t>(parameter.spec.size()));
   }
+}
+
+template <class T>
+std::vector<float> FlatParameters<T>::read(Kept kept, const std::string& prefix) const {
+  std::size_t size = 0;
+  for (const Parameter& parameter : parameters_) {
+    if (parameter.spec.name.starts_with(prefix)) {
+      size += static_cast<std::size_t>(parameter.spec.size());
+    }
+  }
+  std::vector<float> all(size);
+  copy(kept, all, prefix);
   return all;
 }
 

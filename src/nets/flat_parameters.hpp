@@ -41,6 +41,7 @@ class FlatParameters {
   [[nodiscard]] const T* data(Kept kept) const { return numbers(kept).data(); }
 
   /// Of the parameters whose names begin with `prefix`.
+  void copy(Kept kept, std::span<float> to, const std::string& prefix = "") const;
   [[nodiscard]] std::vector<float> read(Kept kept, const std::string& prefix = "") const;
   /// As many as read() gives.
   void write(Kept kept, std::span<const float> all, const std::string& prefix = "");

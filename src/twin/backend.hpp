@@ -65,9 +65,12 @@ class TwinBackend {
 
   /// All parameters: the networks', and the logarithms of the weights of the losses.
   [[nodiscard]] virtual const std::vector<nets::ParameterSpec>& specs() const = 0;
-  /// In the order of the specs.
-  [[nodiscard]] virtual std::vector<float> values() const = 0;
+  /// As many numbers as the specs have together, in their order.
+  virtual void copy_values(std::span<float> to) const = 0;
   virtual void set_values(std::span<const float> values) = 0;
+
+  /// ln alpha, ln beta and ln gamma of eq. 23.
+  [[nodiscard]] virtual std::array<float, 3> log_weights() const = 0;
 
   /// (k~, c~) that the networks, as they stand, give the known windows.
   [[nodiscard]] virtual std::vector<TwinPoint> states() = 0;

@@ -1,5 +1,7 @@
 #include "twin/libtorch_backend.hpp"
 
+#include <algorithm>
+
 #include "nets/adam.hpp"
 #include "nets/device.hpp"
 #include "nets/torch.hpp"
@@ -57,8 +59,12 @@ class LibtorchBackend final : public TwinBackend {
 
   [[nodiscard]] const std::vector<nets::ParameterSpec>& specs() const override { return specs_; }
 
-  [[nodiscard]] std::vector<float> values() const override {
-    return nets::to_vector(parameters_.values());
+  void copy_values(std::span<float> to) const override {
+    std::ranges::copy(nets::to_vector(parameters_.values()), to.begin());
+  }
+  [[nodiscard]] std::array<float, 3> log_weights() const override {
+    const std::vector<float> logs = nets::to_vector(parameters_[log_weights_name]);
+    return {logs[0], logs[1], logs[2]};
   }
 
   void set_values(std::span<const float> values) override {

@@ -71,7 +71,11 @@ class NativeBackend final : public TwinBackend {
   }
 
   [[nodiscard]] const std::vector<nets::ParameterSpec>& specs() const override { return specs_; }
-  [[nodiscard]] std::vector<float> values() const override { return parameters_.read(Kept::value); }
+  void copy_values(std::span<float> to) const override { parameters_.copy(Kept::value, to); }
+  [[nodiscard]] std::array<float, 3> log_weights() const override {
+    const float* const logs = parameters_.data(Kept::value) + log_weights_;
+    return {logs[0], logs[1], logs[2]};
+  }
   void set_values(std::span<const float> values) override {
     parameters_.write(Kept::value, values);
   }
@@ -122,8 +126,8 @@ class NativeBackend final : public TwinBackend {
   };
   [[nodiscard]] Weights weights() const {
     if (!task_.variant.physics) return {0, 0, 1};
-    const float* logs = parameters_.data(Kept::value) + log_weights_;
-    return {std::exp(logs[0]), std::exp(logs[1]), std::exp(logs[2])};
+    const auto [alpha, beta, gamma] = log_weights();
+    return {std::exp(alpha), std::exp(beta), std::exp(gamma)};
   }
 
   [[nodiscard]] BatchLosses losses_of(const Batch& batch) const {
@@ -132,8 +136,7 @@ class NativeBackend final : public TwinBackend {
     losses.total =
         w.alpha * losses.differential + w.beta * losses.twin + w.gamma * losses.reconstruction;
     if (task_.variant.physics && task_.options.loss_weights == "adaptive") {
-      const float* logs = parameters_.data(Kept::value) + log_weights_;
-      losses.total -= 0.5 * (logs[0] + logs[1] + logs[2]);
+      for (const float log_weight : log_weights()) losses.total -= 0.5 * log_weight;
     }
     return losses;
   }

@@ -53,7 +53,7 @@ class Training final : public TwinTraining {
         scale_(signal::rms_by_class(known)),
         task_(make_task(known, options, variant, scale_, states)),
         backend_(engine.train(task_, stream.child("initial"))),
-        best_(backend_->values()) {}
+        best_(values()) {}
 
   [[nodiscard]] std::size_t epochs() const override {
     return static_cast<std::size_t>(task_.options.epochs);
@@ -77,7 +77,7 @@ class Training final : public TwinTraining {
   }
 
   void write_state(artefact::Writer& writer) const override {
-    nets::write_parameters(writer, "/weights", backend_->specs(), backend_->values());
+    nets::write_parameters(writer, "/weights", backend_->specs(), values());
     backend_->write_adam(writer, "/adam");
     writer.numbers("/best", best_);
     writer.attribute("/", "best_loss", best_loss_);
@@ -96,7 +96,7 @@ class Training final : public TwinTraining {
 
   void write_model(artefact::Writer& writer) override {
     write(writer, ModelDescription{info_, task_.shape, task_.options, scale_});
-    nets::write_parameters(writer, "/final", backend_->specs(), backend_->values());
+    nets::write_parameters(writer, "/final", backend_->specs(), values());
     nets::write_parameters(writer, "/best", backend_->specs(), best_);
     if (task_.options.keep == "best") backend_->set_values(best_);
     TwinSpace(backend_->states(), task_.options.space_bins).write(writer);  // eqs 14 and 15
@@ -106,6 +106,14 @@ class Training final : public TwinTraining {
   }
 
  private:
+  [[nodiscard]] std::vector<float> values() const {
+    std::size_t size = 0;
+    for (const auto& spec : backend_->specs()) size += static_cast<std::size_t>(spec.size());
+    std::vector<float> values(size);
+    backend_->copy_values(values);
+    return values;
+  }
+
   [[nodiscard]] double learning_rate_at(std::size_t epoch) const {
     const TwinOptions& o = task_.options;
     const std::size_t decays = epoch / static_cast<std::size_t>(o.decay_every);
@@ -115,16 +123,15 @@ class Training final : public TwinTraining {
   void note_epoch(std::size_t epoch, const EpochSums& sums, double learning_rate) {
     const double n = sums.batches;
     const BatchLosses& losses = sums.losses;
-    const std::vector<float> values = backend_->values();
     curves_.reconstruction.push_back(losses.reconstruction / n);
     curves_.differential.push_back(losses.differential / n);
     curves_.twin.push_back(losses.twin / n);
     curves_.total.push_back(losses.total / n);
     curves_.learning_rate.push_back(learning_rate);
-    const auto log_weights = std::span(values).last<3>();
-    curves_.alpha.push_back(std::exp(log_weights[0]));
-    curves_.beta.push_back(std::exp(log_weights[1]));
-    curves_.gamma.push_back(std::exp(log_weights[2]));
+    const auto [log_alpha, log_beta, log_gamma] = backend_->log_weights();
+    curves_.alpha.push_back(std::exp(log_alpha));
+    curves_.beta.push_back(std::exp(log_beta));
+    curves_.gamma.push_back(std::exp(log_gamma));
     // The weights move, so totals of two epochs do not compare; the plain sum of the losses does.
     const double loss = (losses.reconstruction + losses.differential + losses.twin) / n;
     if (!std::isfinite(loss)) {
@@ -134,7 +141,7 @@ class Training final : public TwinTraining {
     if (loss < best_loss_) {
       best_loss_ = loss;
       best_epoch_ = static_cast<std::int64_t>(epoch) + 1;
-      best_ = values;
+      backend_->copy_values(best_);
     }
   }
 

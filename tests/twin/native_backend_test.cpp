@@ -46,6 +46,14 @@ TwinTask task_of(const Case& c) {
   return task;
 }
 
+std::vector<float> values_of(const TwinBackend& backend) {
+  std::size_t size = 0;
+  for (const auto& spec : backend.specs()) size += static_cast<std::size_t>(spec.size());
+  std::vector<float> values(size);
+  backend.copy_values(values);
+  return values;
+}
+
 /// The gradient of the one step that was taken: ten times Adam's first moment.
 std::vector<float> gradient_of(const TwinBackend& backend, const std::string& group) {
   artefact::Writer writer("model");
@@ -78,7 +86,7 @@ TEST_P(NativeTwin, StepsAsLibtorchDoes) {
   for (const TrainingStage stage : {TrainingStage::one, TrainingStage::two}) {
     const auto mine = native_engine("cpu").train(task, Stream("initial"));
     const auto theirs = libtorch_engine("cpu").train(task, Stream("initial"));
-    ASSERT_EQ(mine->values(), theirs->values());
+    ASSERT_EQ(values_of(*mine), values_of(*theirs));
     const BatchLosses own = mine->step(stage, batch, 1e-3);
     const BatchLosses other = theirs->step(stage, batch, 1e-3);
     EXPECT_NEAR(own.reconstruction, other.reconstruction, 1e-5 * other.reconstruction);
@@ -88,7 +96,7 @@ TEST_P(NativeTwin, StepsAsLibtorchDoes) {
     for (const std::string group : {"networks", "loss_weights"}) {
       EXPECT_LT(difference(gradient_of(*mine, group), gradient_of(*theirs, group)), 1e-4) << group;
     }
-    EXPECT_LT(difference(mine->values(), theirs->values()), 1e-4);
+    EXPECT_LT(difference(values_of(*mine), values_of(*theirs)), 1e-4);
   }
 }
 
