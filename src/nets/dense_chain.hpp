@@ -22,6 +22,9 @@ class DenseChain {
   /// Of the parameters <name>/0/weight, <name>/0/bias, ..., which must outlive it, for batches of
   /// up to `most_rows` rows.
   DenseChain(FlatParameters<T>& parameters, const std::string& name, std::int64_t most_rows);
+  // A copy of what holds both would have the parameters of another.
+  DenseChain(const DenseChain&) = delete;
+  DenseChain& operator=(const DenseChain&) = delete;
 
   /// [most_rows, inputs], to be filled; beyond the inputs it stays zero.
   Rows<T> input() { return rows_of(layers_.front().input, layers_.front().size.held_inputs); }

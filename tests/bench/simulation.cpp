@@ -2,15 +2,15 @@
 #include <benchmark/benchmark.h>
 
 #include <array>
-#include <chrono>
 #include <cmath>
+#include <map>
 #include <vector>
 
 #include "base/random.hpp"
-#include "base/vector.hpp"
 #include "bearing/dynamics.hpp"
 #include "bearing/reference_dynamics.hpp"
 #include "bearing/variation.hpp"
+#include "machine.hpp"
 
 namespace {
 
@@ -41,35 +41,13 @@ double sub_steps_of_window() {
 /// Each ball that is looked at takes a root in each of the four stages.
 double roots_of_sub_step(int balls) { return 4.0 * ((balls + 1) / 2); }
 
-/// How often a second this core does `round`, which changes vectors that do not depend on each
-/// other: what keeps it from more is the number of its units.
-template <std::size_t chains, class Round>
-double rounds_per_s(const Round& round) {
-  constexpr int rounds = 2'000'000;
-  std::array<PerCourse, chains> x{};
-  const auto start = std::chrono::steady_clock::now();
-  for (int i = 0; i < rounds; ++i) round(x);
-  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
-  benchmark::DoNotOptimize(x);
-  return rounds / taken.count();
-}
-
-/// Additions and multiplications of doubles, fused.
-double peak_flops_per_s() {
-  constexpr std::size_t chains = 12;
-  const auto round = [](std::array<PerCourse, chains>& x) {
-    for (PerCourse& chain : x) chain = chain * 0.5 + 1.0;
-  };
-  return 2.0 * chains * courses_at_once * rounds_per_s<chains>(round);
-}
-
-/// Square roots of doubles.
+/// Square roots of doubles a second.
 double peak_roots_per_s() {
   constexpr std::size_t chains = 4;
   const auto round = [](std::array<PerCourse, chains>& x) {
     for (PerCourse& chain : x) chain = piae::square_root<double>(chain);
   };
-  return chains * courses_at_once * rounds_per_s<chains>(round);
+  return chains * courses_at_once * piae::bench::rounds_per_s<double, chains>(round);
 }
 
 std::vector<Course> drawn_courses(Defect kind) {
@@ -87,23 +65,31 @@ LocalDefect defect_of(const benchmark::State& state) {
   return {kind, kind == Defect::none ? 0 : 0.1778};
 }
 
-/// Times `solve`, which solves so many windows. "of_flops" and "of_roots" are what it does of the
-/// additions and multiplications, and of the square roots, that the core could do if it did nothing
-/// else, measured in the same run: the larger one is how near this comes to the machine's limit.
+/// Windows a second of the scalar reference, which is measured first, by the kind of defect.
+std::map<std::int64_t, double> reference_rates;
+
+/// Times `solve`, which solves so many windows, and returns windows a second. "of_flops" and
+/// "of_roots" are what it does of the additions and multiplications, and of the square roots, that
+/// the core could do if it did nothing else, measured in the same run: the larger one is how near
+/// this comes to the machine's limit.
 template <class Solve>
-void measure(benchmark::State& state, std::size_t windows, const Solve& solve) {
-  static const double peak_flops = peak_flops_per_s();
+double measure(benchmark::State& state, std::size_t windows, const Solve& solve) {
+  static const double peak_flops = piae::bench::peak_flops_per_s<double>();
   static const double peak_roots = peak_roots_per_s();
-  const auto start = std::chrono::steady_clock::now();
+  const double start = piae::bench::processor_seconds();
   while (state.KeepRunning()) benchmark::DoNotOptimize(solve());
-  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
-  const double windows_per_s = static_cast<double>(state.iterations() * windows) / taken.count();
+  const double taken = piae::bench::processor_seconds() - start;
+  const double windows_per_s = static_cast<double>(state.iterations() * windows) / taken;
   const double sub_steps_per_s = windows_per_s * sub_steps_of_window();
   const double flops_per_s = sub_steps_per_s * flops_of_sub_step(Geometry{}.balls);
   state.counters["windows/s"] = windows_per_s;
   state.counters["flop/s"] = flops_per_s;
   state.counters["of_flops"] = flops_per_s / peak_flops;
   state.counters["of_roots"] = sub_steps_per_s * roots_of_sub_step(Geometry{}.balls) / peak_roots;
+  if (reference_rates.contains(state.range(0))) {
+    state.counters["times_reference"] = windows_per_s / reference_rates.at(state.range(0));
+  }
+  return windows_per_s;
 }
 
 /// As many windows as are solved at once.
@@ -123,8 +109,9 @@ void solve_alone(benchmark::State& state) {
 void solve_by_reference(benchmark::State& state) {
   const LocalDefect defect = defect_of(state);
   const Course course = drawn_courses(defect.kind).front();
-  measure(state, 1,
-          [&] { return reference::simulate({}, defect, course.motion, course.options, window); });
+  reference_rates[state.range(0)] = measure(state, 1, [&] {
+    return reference::simulate({}, defect, course.motion, course.options, window);
+  });
 }
 
 void each_kind(benchmark::internal::Benchmark* benchmark) {
@@ -133,8 +120,8 @@ void each_kind(benchmark::internal::Benchmark* benchmark) {
       ->Unit(benchmark::kMillisecond);
 }
 
+BENCHMARK(solve_by_reference)->Apply(each_kind);
 BENCHMARK(solve_side_by_side)->Apply(each_kind);
 BENCHMARK(solve_alone)->Apply(each_kind);
-BENCHMARK(solve_by_reference)->Apply(each_kind);
 
 }  // namespace

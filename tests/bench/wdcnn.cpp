@@ -6,11 +6,10 @@
 
 #include <benchmark/benchmark.h>
 
-#include <ctime>
-
 #include "diagnosis/libtorch_backend.hpp"
 #include "diagnosis/native_backend.hpp"
 #include "diagnosis/wdcnn_layers.hpp"
+#include "machine.hpp"
 #include "nets/torch.hpp"
 
 namespace piae::diagnosis {
@@ -48,8 +47,6 @@ double operations_per_window() {
          6. * WdcnnLayers::hidden * static_cast<double>(WdcnnLayers::features(length) + classes);
 }
 
-double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
-
 /// Windows a second with LibTorch, which is measured first.
 double libtorch_rate = 0;
 
@@ -61,12 +58,12 @@ double train(benchmark::State& state, const MakeWdcnnBackend& make_backend) {
   options.epochs = 10;  // over which the start is spread
   options.batch = 32;
   double trained = 0;
-  const double start = processor_seconds();
+  const double start = bench::processor_seconds();
   for ([[maybe_unused]] auto _ : state) {
     train_and_test(train, test, options, Stream("bench"), make_backend);
     trained += static_cast<double>(options.epochs) * windows;
   }
-  const double rate = trained / (processor_seconds() - start);
+  const double rate = trained / (bench::processor_seconds() - start);
   state.counters["windows/s"] = benchmark::Counter(trained, benchmark::Counter::kIsRate);
   state.counters["FLOP/s"] =
       benchmark::Counter(trained * operations_per_window(), benchmark::Counter::kIsRate);
