@@ -33,6 +33,10 @@ LatentGenerator read_latent_generator(const artefact::Reader& reader) {
   generator.size = {static_cast<int>(reader.integer("/", "depth")),
                     static_cast<int>(reader.integer("/", "width"))};
   generator.rms = reader.numbers<double>("/classes/rms", {generator.info.classes.size()}).values;
+  if (generator.samples < 1 || generator.latent < 1 || generator.size.depth < 1 ||
+      generator.size.width < 1) {
+    reader.refuse("samples, latent, depth and width", "must be positive");
+  }
   return generator;
 }
 

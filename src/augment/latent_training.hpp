@@ -24,6 +24,10 @@ class LatentTraining final : public nets::Trainee {
                  const std::vector<std::string>& losses, const Stream& stream,
                  const MakeBackend& make_backend);
 
+  // The back end refers to the task.
+  LatentTraining(const LatentTraining&) = delete;
+  LatentTraining& operator=(const LatentTraining&) = delete;
+
   [[nodiscard]] std::size_t epochs() const override;
   /// Throws Error(failed) when a loss is no longer finite.
   std::string run_epoch(std::size_t epoch) override;

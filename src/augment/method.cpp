@@ -4,6 +4,11 @@
 
 namespace piae::augment {
 
+bool Method::needs_libtorch(const Compute& compute) const {
+  (void)piae::needs_libtorch(compute);  // refuses what cannot be
+  return false;
+}
+
 std::vector<signal::DynamicParameters> Method::infer(const artefact::Reader& model,
                                                      const signal::WindowSet& /*windows*/,
                                                      const Compute& /*compute*/) {

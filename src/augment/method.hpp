@@ -33,8 +33,9 @@ class Method {
   [[nodiscard]] virtual LearnsFrom learns_from() const { return LearnsFrom::known; }
 
   /// Whether LibTorch computes its networks where this is asked for: LibTorch takes long to start,
-  /// so it is linked to programs of its own. Throws Error(usage) for what cannot be.
-  [[nodiscard]] virtual bool needs_libtorch(const Compute& /*compute*/) const { return false; }
+  /// so it is linked to programs of its own. Throws Error(usage) for what cannot be, also of a
+  /// method without networks, which this is for.
+  [[nodiscard]] virtual bool needs_libtorch(const Compute& compute) const;
 
   /// Adds the options of `train` that are this method's own.
   virtual void bind(const cli::Options& command) = 0;

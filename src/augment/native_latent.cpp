@@ -40,7 +40,8 @@ NativeLatent::NativeLatent(const LatentTask& task, std::vector<nets::ParameterSp
     : task_(task),
       specs_(std::move(specs)),
       parameters_(specs_, initial),
-      generator_(parameters_, generator_name, task.options.batch) {}
+      batch_(std::min<std::int64_t>(task.options.batch, std::ssize(task.labels))),
+      generator_(parameters_, generator_name, batch_) {}
 
 NativeLatent::Batch NativeLatent::batch_of(std::span<const std::size_t> windows) const {
   const std::int64_t samples = task_.generator.samples;

@@ -48,6 +48,7 @@ class NativeLatent : public LatentBackend {
   const LatentTask& task_;
   std::vector<nets::ParameterSpec> specs_;
   nets::FlatParameters<float> parameters_;
+  std::int64_t batch_;  ///< windows in the largest
   Chain generator_;
 };
 

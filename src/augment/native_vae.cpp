@@ -13,7 +13,7 @@ class NativeVae final : public NativeLatent {
  public:
   NativeVae(const LatentTask& task, const Stream& initial)
       : NativeLatent(task, vae_specs(task.generator), initial),
-        encoder_(parameters_, encoder_name, task.options.batch) {}
+        encoder_(parameters_, encoder_name, batch_) {}
 
   /// The losses of vae_losses.hpp, and their gradients by hand.
   std::vector<double> step(std::size_t /*index*/, std::span<const std::size_t> windows,

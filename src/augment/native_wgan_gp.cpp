@@ -15,7 +15,7 @@ class NativeWganGp final : public NativeLatent {
       : NativeLatent(task, wgan_gp_specs(task.generator), initial),
         critic_steps_(static_cast<std::size_t>(options.critic_steps)),
         lambda_(options.penalty),
-        critic_(parameters_, critic_name, 3 * std::int64_t{task.options.batch}) {}
+        critic_(parameters_, critic_name, 3 * batch_) {}
 
   std::vector<double> step(std::size_t index, std::span<const std::size_t> windows,
                            Stream& noise) override {

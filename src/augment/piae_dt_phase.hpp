@@ -7,7 +7,9 @@
 
 namespace piae::augment {
 
-/// PIAE-DT with the start angle in its twin space (src/phase) as an entry of the grid.
+/// PIAE-DT with the start angle in its twin space (src/phase) as an entry of the grid. What is
+/// computed by the back end and the device that are asked for is its decoder; the inference of
+/// (k, c) is ours, for the cpu, with each of them.
 class PiaeDtPhase final : public Method {
  public:
   explicit PiaeDtPhase(const Backends<twin::MakeEngine>& engines) : engines_(engines) {}

@@ -8,7 +8,7 @@
 namespace piae::augment {
 
 /// Minimises the negative evidence bound over all parameters (Kingma and Welling 2014). A step
-/// returns its two parts, squared error and KL divergence.
+/// returns its two parts, squared error and KL divergence. The task must outlive it.
 using MakeVae = std::unique_ptr<LatentBackend> (*)(const LatentTask& task, const Stream& initial,
                                                    const std::string& device);
 

@@ -11,6 +11,7 @@ namespace piae::augment {
 /// The critic minimises -wasserstein + lambda * penalty in every step; after each `critic_steps` of
 /// them, counted over the whole training, the generator takes one to maximise the mean score of its
 /// windows (Gulrajani et al. 2017, Algorithm 1). A step returns wasserstein and penalty.
+/// The task must outlive it.
 using MakeWganGp = std::unique_ptr<LatentBackend> (*)(const LatentTask& task,
                                                       const WganGpOptions& options,
                                                       const Stream& initial,

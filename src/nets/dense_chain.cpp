@@ -1,7 +1,7 @@
 #include "nets/dense_chain.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <stdexcept>
 
 #include "base/vector.hpp"
 
@@ -10,7 +10,7 @@ namespace piae::nets {
 template <class T>
 DenseChain<T>::DenseChain(FlatParameters<T>& parameters, const std::string& name,
                           std::int64_t most_rows)
-    : parameters_(parameters) {
+    : parameters_(parameters), most_rows_(most_rows) {
   std::int64_t widest = 0;
   for (const auto& weight : parameters.parameters()) {
     if (!weight.spec.name.starts_with(name + "/") || !weight.spec.name.ends_with("/weight")) {
@@ -24,13 +24,20 @@ DenseChain<T>::DenseChain(FlatParameters<T>& parameters, const std::string& name
                        Numbers::Zero(most_rows * held_outputs)});
     widest = std::max(widest, size.outputs);
   }
+  if (layers_.empty()) throw std::logic_error("no dense layer is called " + name + "/...");
   output_ = Numbers::Zero(most_rows * layers_.back().held_outputs);
   input_gradient_ = Numbers::Zero(most_rows * layers_.front().size.held_inputs);
   no_bias_.resize(static_cast<std::size_t>(widest));
 }
 
 template <class T>
+void DenseChain<T>::require_room_for(std::int64_t rows) const {
+  if (rows > most_rows_) throw std::logic_error("a dense chain has no room for so many rows");
+}
+
+template <class T>
 Rows<const T> DenseChain<T>::forward(std::int64_t rows) {
+  require_room_for(rows);
   for (std::size_t i = 0; i < layers_.size(); ++i) {
     Layer& layer = layers_[i];
     const bool last = i + 1 == layers_.size();
@@ -47,6 +54,7 @@ Rows<const T> DenseChain<T>::forward(std::int64_t rows) {
 
 template <class T>
 Rows<const T> DenseChain<T>::backward(std::int64_t rows, std::int64_t signals, RowRange by_input) {
+  require_room_for(signals * rows);
   for (std::size_t i = layers_.size() - 1; i > 0; --i) {
     const Layer& layer = layers_[i];
     Layer& before = layers_[i - 1];
@@ -67,6 +75,7 @@ Rows<const T> DenseChain<T>::backward(std::int64_t rows, std::int64_t signals, R
 
 template <class T>
 void DenseChain<T>::forward_derivative(std::int64_t first, std::int64_t rows) {
+  require_room_for(first + rows);
   for (std::size_t i = 0; i + 1 < layers_.size(); ++i) {
     const Layer& layer = layers_[i];
     Numbers derivative = Numbers::Zero(rows * layer.held_outputs);

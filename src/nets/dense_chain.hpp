@@ -20,7 +20,8 @@ template <class T>
 class DenseChain {
  public:
   /// Of the parameters <name>/0/weight, <name>/0/bias, ..., which must outlive it, for batches of
-  /// up to `most_rows` rows.
+  /// up to `most_rows` rows. Throws std::logic_error where there are none of that name, and later
+  /// for more rows.
   DenseChain(FlatParameters<T>& parameters, const std::string& name, std::int64_t most_rows);
   // A copy of what holds both would have the parameters of another.
   DenseChain(const DenseChain&) = delete;
@@ -83,9 +84,11 @@ class DenseChain {
   [[nodiscard]] const T* values(std::int64_t begin) const {
     return parameters_.data(Kept::value) + begin;
   }
+  void require_room_for(std::int64_t rows) const;
   [[nodiscard]] std::vector<T> bias_gradient(const Layer& layer, std::int64_t rows) const;
 
   FlatParameters<T>& parameters_;
+  std::int64_t most_rows_;
   std::vector<Layer> layers_;
   Numbers output_;          ///< [most_rows, held outputs] of the last layer
   Numbers input_gradient_;  ///< [most_rows, held inputs] of the first layer

@@ -20,6 +20,10 @@ ModelDescription read_model_description(const artefact::Reader& reader) {
   description.options.width = static_cast<int>(reader.integer("/", "width"));
   description.options.keep = reader.text("/", "keep");
   description.acceleration = reader.numbers<double>("/classes/acceleration", {classes}).values;
+  if (description.shape.samples < 1 || description.options.depth < 1 ||
+      description.options.width < 1) {
+    reader.refuse("samples, depth and width", "must be positive");
+  }
   return description;
 }
 

@@ -53,7 +53,8 @@ class NativeBackend final : public TwinBackend {
         specs_(with_log_weights(network_specs(task.variant, task.shape, task.options,
                                               dense_coder_specs(task.shape, task.options)))),
         parameters_(specs_, initial),
-        networks_(parameters_, task.variant, task.shape, task.options.batch),
+        batch_(std::min<std::int64_t>(task.options.batch, std::ssize(task.labels))),
+        networks_(parameters_, task.variant, task.shape, batch_),
         log_weights_(parameters_.find(log_weights_name).begin) {}
 
   BatchLosses step(TrainingStage stage, std::span<const std::size_t> windows,
@@ -81,8 +82,7 @@ class NativeBackend final : public TwinBackend {
   }
 
   [[nodiscard]] std::vector<TwinPoint> states() override {
-    return task_.states ? task_.states->points
-                        : encode_all(networks_, task_.windows, task_.options.batch);
+    return task_.states ? task_.states->points : encode_all(networks_, task_.windows, batch_);
   }
 
   void write_adam(artefact::Writer& writer, const std::string& group) const override {
@@ -105,10 +105,10 @@ class NativeBackend final : public TwinBackend {
       batch.labels.push_back(task_.labels[window]);
     }
     batch.k_and_c = task_.variant.encoder ? networks_.encode(batch.windows)
-                                          : as_rows<float>(chosen(task_.states->points, windows));
+                                          : as_rows(chosen(task_.states->points, windows));
     const Array inputs = task_.variant.encoder
                              ? batch.k_and_c
-                             : as_rows<float>(chosen(task_.states->decoder_inputs, windows));
+                             : as_rows(chosen(task_.states->decoder_inputs, windows));
     const Array a = networks_.decode(inputs, batch.labels);
     batch.reconstruction = reconstruction_loss<float>(batch.windows, a);
     if (!task_.variant.physics) return batch;
@@ -242,7 +242,8 @@ class NativeBackend final : public TwinBackend {
   const TwinTask& task_;
   std::vector<nets::ParameterSpec> specs_;
   Parameters parameters_;
-  NativeNetworks<float> networks_;
+  std::int64_t batch_;  ///< windows in the largest
+  NativeNetworks networks_;
   std::int64_t log_weights_;  ///< where they begin
   std::int64_t steps_ = 0;
   std::int64_t weight_steps_ = 0;

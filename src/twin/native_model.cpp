@@ -34,7 +34,7 @@ class NativeModel final : public StoredTwin {
       const auto some =
           inputs.subspan(i, std::min<std::size_t>(windows_at_a_time, inputs.size() - i));
       const std::vector<std::int32_t> labels(some.size(), static_cast<std::int32_t>(label));
-      const RowArray<float> decoded = networks_.decode(as_rows<float>(some), labels);
+      const RowArray<float> decoded = networks_.decode(as_rows(some), labels);
       windows.insert(windows.end(), decoded.data(), decoded.data() + decoded.size());
     }
     return windows;
@@ -43,7 +43,7 @@ class NativeModel final : public StoredTwin {
  private:
   std::vector<nets::ParameterSpec> specs_;
   nets::FlatParameters<float> parameters_;
-  mutable NativeNetworks<float> networks_;  // its chains keep what passes through them
+  mutable NativeNetworks networks_;  // its chains keep what passes through them
 };
 
 }  // namespace

@@ -10,98 +10,81 @@ namespace {
 using Eigen::Index;
 
 /// As LibTorch's: beyond 20 it is the identity.
-template <class T>
-T softplus(T x) {
-  return x > 20 ? x : std::log1p(std::exp(x));
-}
+float softplus(float x) { return x > 20 ? x : std::log1p(std::exp(x)); }
 
-template <class T>
-std::unique_ptr<nets::DenseChain<T>> chain(nets::FlatParameters<T>& parameters, bool exists,
-                                           const std::string& name, std::int64_t rows) {
-  return exists ? std::make_unique<nets::DenseChain<T>>(parameters, name, rows) : nullptr;
+std::unique_ptr<nets::DenseChain<float>> chain(nets::FlatParameters<float>& parameters, bool exists,
+                                               const std::string& name, std::int64_t rows) {
+  return exists ? std::make_unique<nets::DenseChain<float>>(parameters, name, rows) : nullptr;
 }
 
 }  // namespace
 
-template <class T>
-NativeNetworks<T>::NativeNetworks(nets::FlatParameters<T>& parameters, const TwinVariant& variant,
-                                  const NetworkShape& network_shape, std::int64_t most_windows)
+NativeNetworks::NativeNetworks(nets::FlatParameters<float>& parameters, const TwinVariant& variant,
+                               const NetworkShape& network_shape, std::int64_t most_windows)
     : shape(network_shape),
       encoder(chain(parameters, variant.encoder, encoder_name, most_windows)),
       decoder(chain(parameters, true, decoder_name, 2 * most_windows)),
       module(chain(parameters, variant.physics, module_name, 2 * most_windows)) {}
 
-template <class T>
-RowArray<T> NativeNetworks<T>::encode(const RowArray<T>& windows) {
+RowArray<float> NativeNetworks::encode(const RowArray<float>& windows) {
   nets::put(windows, encoder->input());
-  return nets::copied<T>(encoder->forward(windows.rows()), windows.rows(), 2)
-      .unaryExpr(&softplus<T>);
+  return nets::copied<float>(encoder->forward(windows.rows()), windows.rows(), 2)
+      .unaryExpr(&softplus);
 }
 
-template <class T>
-RowArray<T> NativeNetworks<T>::decode(const RowArray<T>& inputs,
-                                      std::span<const std::int32_t> labels) {
+RowArray<float> NativeNetworks::decode(const RowArray<float>& inputs,
+                                       std::span<const std::int32_t> labels) {
   for (Index i = 0; i < inputs.rows(); ++i) {
-    T* const row = decoder->input().row(i);
-    std::fill_n(row, 2 + shape.classes, T{0});
+    float* const row = decoder->input().row(i);
+    std::fill_n(row, 2 + shape.classes, 0.0F);
     row[0] = inputs(i, 0);
     row[1] = inputs(i, 1);
     row[2 + labels[static_cast<std::size_t>(i)]] = 1;
   }
-  return nets::copied<T>(decoder->forward(inputs.rows()), inputs.rows(), shape.samples);
+  return nets::copied<float>(decoder->forward(inputs.rows()), inputs.rows(), shape.samples);
 }
 
-template <class T>
-BatchMotion<T> NativeNetworks<T>::move(const RowArray<T>& acceleration) {
+BatchMotion<float> NativeNetworks::move(const RowArray<float>& acceleration) {
   const Index rows = acceleration.rows();
   for (Index i = 0; i < rows; ++i) {
-    T* const row = module->input().row(i);
+    float* const row = module->input().row(i);
     std::copy_n(acceleration.row(i).data(), shape.samples, row);
-    Eigen::Map<Eigen::ArrayX<T>>(row + shape.samples, shape.samples) =
-        Eigen::ArrayX<T>::LinSpaced(shape.samples, 0, 1);  // times of the samples
+    Eigen::Map<Eigen::ArrayXf>(row + shape.samples, shape.samples) =
+        Eigen::ArrayXf::LinSpaced(shape.samples, 0, 1);  // times of the samples
   }
-  const nets::Rows<const T> moved = module->forward(rows);
-  const nets::Rows<const T> velocity{moved.data + shape.samples, moved.stride};
+  const nets::Rows<const float> moved = module->forward(rows);
+  const nets::Rows<const float> velocity{moved.data + shape.samples, moved.stride};
   return {nets::copied(moved, rows, shape.samples), nets::copied(velocity, rows, shape.samples),
           acceleration};
 }
 
-std::vector<TwinPoint> encode_all(NativeNetworks<float>& networks, std::span<const float> windows,
+std::vector<TwinPoint> encode_all(NativeNetworks& networks, std::span<const float> windows,
                                   std::int64_t batch) {
   const Eigen::Map<const RowArray<float>> all(
       windows.data(), static_cast<Index>(windows.size()) / networks.shape.samples,
       networks.shape.samples);
   std::vector<TwinPoint> points;
   for (Index i = 0; i < all.rows(); i += batch) {
-    const auto some = as_points<float>(
-        networks.encode(all.middleRows(i, std::min<Index>(batch, all.rows() - i))));
+    const auto some =
+        as_points(networks.encode(all.middleRows(i, std::min<Index>(batch, all.rows() - i))));
     points.insert(points.end(), some.begin(), some.end());
   }
   return points;
 }
 
-template <class T>
-RowArray<T> as_rows(std::span<const TwinPoint> points) {
-  RowArray<T> rows(static_cast<Index>(points.size()), 2);
+RowArray<float> as_rows(std::span<const TwinPoint> points) {
+  RowArray<float> rows(static_cast<Index>(points.size()), 2);
   for (Index i = 0; i < rows.rows(); ++i) {
     const TwinPoint& point = points[static_cast<std::size_t>(i)];
-    rows.row(i) << static_cast<T>(point.k), static_cast<T>(point.c);
+    rows.row(i) << static_cast<float>(point.k), static_cast<float>(point.c);
   }
   return rows;
 }
 
-template <class T>
-std::vector<TwinPoint> as_points(const RowArray<T>& rows) {
+std::vector<TwinPoint> as_points(const RowArray<float>& rows) {
   std::vector<TwinPoint> points;
   for (Index i = 0; i < rows.rows(); ++i) points.push_back({rows(i, 0), rows(i, 1)});
   return points;
 }
-
-template struct NativeNetworks<float>;
-template struct NativeNetworks<double>;
-template RowArray<float> as_rows(std::span<const TwinPoint>);
-template RowArray<double> as_rows(std::span<const TwinPoint>);
-template std::vector<TwinPoint> as_points(const RowArray<float>&);
-template std::vector<TwinPoint> as_points(const RowArray<double>&);
 
 }  // namespace piae::twin

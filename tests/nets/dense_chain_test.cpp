@@ -175,6 +175,14 @@ TEST(DenseChain, ResultOfARowDoesNotDependOnTheRowsBesideIt) {
   }
 }
 
+TEST(DenseChain, HasNoRoomForMoreThanItWasMadeFor) {
+  Both both(3, 4);
+  EXPECT_THROW(both.chain.forward(5), std::logic_error);
+  EXPECT_THROW(both.chain.backward(3, 2, Chain::no_rows), std::logic_error);
+  EXPECT_THROW(both.chain.forward_derivative(2, 3), std::logic_error);
+  EXPECT_THROW(Chain(both.flat, "another", 4), std::logic_error);
+}
+
 // Adam itself is tested in adam_test.cpp; here, that the filled up rows of a weight take the same.
 TEST(DenseChain, TakesTheStepsOfAdam) {
   Both both;
