@@ -12,7 +12,7 @@
 # the description gives their sha256 sums, ingest refuses any other file.
 
 # The registry is the one place that knows the methods.
-known_methods  := none $(shell sed -n 's/^ *{"\([a-z0-9-]*\)", .*/\1/p' src/augment/registry.cpp)
+known_methods  := none $(shell sed -n 's/^ *{"\([a-z0-9-]*\)", \(make<\|\[\] {\).*/\1/p' src/augment/registry.cpp)
 ratio_names    := 100to1 50to1 25to1 10to1 5to1 2to1 1to1
 known_datasets := $(basename $(notdir $(wildcard pipeline/datasets/*.toml)))
 simulated      := $(basename $(notdir $(shell grep -ls '^\[simulation' pipeline/datasets/*.toml)))

@@ -13,17 +13,6 @@
 using namespace piae;
 namespace fs = std::filesystem;
 
-namespace {
-
-/// LibTorch takes long to start, so it is linked to a program of its own, built from this file too.
-void require_libtorch([[maybe_unused]] char** argv) {
-#ifndef PIAE_WITH_LIBTORCH
-  cli::hand_over("generate-libtorch", argv);
-#endif
-}
-
-}  // namespace
-
 int main(int argc, char** argv) {
   cli::Stage stage("generate",
                    "Makes windows of every fault class with a trained model (paper, eqs 15 and 26) "
@@ -45,7 +34,7 @@ int main(int argc, char** argv) {
     const artefact::Reader model = stage.open("model", model_file, "model");
     const std::string name = model.text("/", "method");
     const std::unique_ptr<augment::Method> method = augment::make_method(name);
-    if (method->needs_libtorch(run.compute)) require_libtorch(argv);
+    if (method->needs_libtorch(run.compute)) cli::require_libtorch("generate-libtorch", argv);
     const std::string dataset = model.text("/", "dataset");
     const Stream stream(fmt::format("{}/seed{}/generate/{}", dataset, run.seed, name));
     const signal::WindowSet windows = method->generate(model, count, stream, run.compute);

@@ -27,13 +27,6 @@ signal::WindowSet read_real(const artefact::Reader& real, const artefact::Reader
   return roles.back().windows;
 }
 
-/// LibTorch takes long to start, so it is linked to a program of its own, built from this file too.
-void require_libtorch([[maybe_unused]] char** argv) {
-#ifndef PIAE_WITH_LIBTORCH
-  cli::hand_over("train-libtorch", argv);
-#endif
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -72,7 +65,7 @@ int main(int argc, char** argv) {
 
   return stage.run(argc, argv, [&] {
     if (!method) method = augment::make_method(name);
-    if (method->needs_libtorch(run.compute)) require_libtorch(argv);
+    if (method->needs_libtorch(run.compute)) cli::require_libtorch("train-libtorch", argv);
     const artefact::Reader reader = stage.open("known", known_file, "windows");
     signal::require_role(reader, "C");
     signal::WindowSet windows = signal::read_window_set(reader);

@@ -46,7 +46,4 @@ class LatentBackend {
   virtual void read_adam(const artefact::Reader& reader) = 0;
 };
 
-/// Independent numbers of N(0, 1).
-std::vector<float> normal_numbers(Stream& stream, std::size_t count);
-
 }  // namespace piae::augment

@@ -1,6 +1,5 @@
 #include "augment/latent_generator.hpp"
 
-#include "augment/latent_backend.hpp"
 #include "augment/windows.hpp"
 
 namespace piae::augment {

@@ -35,6 +35,9 @@ inline const std::string generator_name = "net/generator";
 /// z and one-hot class [latent + classes] -> window [N], in units of the class's RMS.
 std::vector<nets::ParameterSpec> generator_specs(const LatentGenerator& generator);
 
+/// Independent numbers of N(0, 1).
+std::vector<float> normal_numbers(Stream& stream, std::size_t count);
+
 /// All but the weights.
 void write(artefact::Writer& writer, const LatentGenerator& generator);
 LatentGenerator read_latent_generator(const artefact::Reader& reader);

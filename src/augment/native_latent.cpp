@@ -21,8 +21,8 @@ class NativeGenerator final : public StoredGenerator {
   [[nodiscard]] std::vector<float> make(std::span<const float> z, std::size_t label) override {
     float* const input = network_.input().row(0);
     std::ranges::copy(z, input);
-    std::fill_n(input + generator_.latent, generator_.classes(), 0.0F);
-    input[static_cast<std::size_t>(generator_.latent) + label] = 1;
+    nets::put_one_hot(static_cast<std::int32_t>(label), generator_.classes(),
+                      input + generator_.latent);
     const float* const window = network_.forward(1).row(0);
     return {window, window + generator_.samples};
   }
@@ -44,15 +44,8 @@ NativeLatent::NativeLatent(const LatentTask& task, std::vector<nets::ParameterSp
       generator_(parameters_, generator_name, batch_) {}
 
 NativeLatent::Batch NativeLatent::batch_of(std::span<const std::size_t> windows) const {
-  const std::int64_t samples = task_.generator.samples;
-  Batch batch;
-  batch.windows.resize(static_cast<std::int64_t>(windows.size()), samples);
-  for (std::int64_t i = 0; i < batch.size(); ++i) {
-    const std::size_t window = windows[static_cast<std::size_t>(i)];
-    std::copy_n(task_.windows.begin() + static_cast<std::int64_t>(window) * samples, samples,
-                batch.windows.row(i).data());
-    batch.labels.push_back(task_.labels[window]);
-  }
+  Batch batch{nets::gathered<float>(task_.windows, task_.generator.samples, windows), {}};
+  for (const std::size_t i : windows) batch.labels.push_back(task_.labels[i]);
   return batch;
 }
 
@@ -67,9 +60,8 @@ void NativeLatent::feed(Chain& chain, const Array& rows, const Batch& batch,
                         std::int64_t first) const {
   nets::put(rows, chain.input().from(first));
   for (std::int64_t i = 0; i < rows.rows(); ++i) {
-    float* const labels = chain.input().row(first + i) + rows.cols();
-    std::fill_n(labels, task_.generator.classes(), 0.0F);
-    labels[batch.labels[static_cast<std::size_t>(i)]] = 1;
+    nets::put_one_hot(batch.labels[static_cast<std::size_t>(i)], task_.generator.classes(),
+                      chain.input().row(first + i) + rows.cols());
   }
 }
 

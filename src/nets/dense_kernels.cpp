@@ -1,7 +1,6 @@
 #include "nets/dense_kernels.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <type_traits>
 #include <vector>
@@ -30,30 +29,12 @@ T sum_of(Vector<T> vector) {
   return vector[0];
 }
 
-/// Calls f.template operator()<n>(row) with blocks of n = 1 .. most_rows rows.
-template <class F>
-void in_blocks(std::int64_t rows, const F& f) {
-  std::int64_t row = 0;
-  while (rows - row > most_rows) {
-    f.template operator()<most_rows>(row);
-    row += most_rows;
-  }
-  switch (rows - row) {
-    case 1:
-      return f.template operator()<1>(row);
-    case 2:
-      return f.template operator()<2>(row);
-    case 3:
-      return f.template operator()<3>(row);
-    case 4:
-      return f.template operator()<4>(row);
-    case 5:
-      return f.template operator()<5>(row);
-    case 6:
-      return f.template operator()<6>(row);
-    default:
-      return;
-  }
+/// Calls f.template operator()<n>(row) for blocks of n rows from `row` on, n = block as long as so
+/// many are left, then fewer.
+template <int block = most_rows, class F>
+void in_blocks(std::int64_t rows, const F& f, std::int64_t row = 0) {
+  for (; rows - row >= block; row += block) f.template operator()<block>(row);
+  if constexpr (block > 1) in_blocks<block - 1>(rows, f, row);
 }
 
 /// `outputs` numbers of each of `rows` rows, whose sums stay in registers where GCC unrolls.
@@ -130,40 +111,16 @@ void propagate_rows_back(const LayerSize& size, const T* weight, Rows<const T> d
   }
 }
 
-/// Numbers of Adam's step in T.
-template <class T>
-struct Constants {
-  explicit Constants(const AdamStep& step)
-      : beta1(static_cast<T>(step.beta1)),
-        beta2(static_cast<T>(step.beta2)),
-        newest1(static_cast<T>(1 - step.beta1)),
-        newest2(static_cast<T>(1 - step.beta2)),
-        rate(static_cast<T>(step.rate)),
-        correction(static_cast<T>(step.correction)) {}
-  T beta1;
-  T beta2;
-  T newest1;
-  T newest2;
-  T rate;
-  T correction;
-};
-
 /// Adam for one row of a weight; the gradient is the sum of `rows` rows of x, each times a factor.
 template <class T, int rows>
-void take_row(const Constants<T>& c, std::int64_t inputs, const T* factors, Rows<const T> x,
+void take_row(const AdamUpdate<T>& update, std::int64_t inputs, const T* factors, Rows<const T> x,
               const TrainedWeight<T>& w) {
-  constexpr auto epsilon = static_cast<T>(AdamConstants::epsilon);
-  T* const values = w.values;
-  T* const first = w.first_moment;
-  T* const second = w.second_moment;
 #pragma GCC ivdep
   for (std::int64_t i = 0; i < inputs; ++i) {
     T gradient = 0;
 #pragma GCC unroll 8
     for (int r = 0; r < rows; ++r) gradient += factors[r] * x.data[r * x.stride + i];
-    first[i] = c.beta1 * first[i] + c.newest1 * gradient;
-    second[i] = c.beta2 * second[i] + c.newest2 * gradient * gradient;
-    values[i] -= c.rate * first[i] / (std::sqrt(second[i]) * c.correction + epsilon);
+    update(gradient, w.values[i], w.first_moment[i], w.second_moment[i]);
   }
 }
 
@@ -207,7 +164,7 @@ void propagate_back(const LayerSize& size, const T* weight, std::int64_t rows, R
 template <class T>
 void take(const AdamStep& step, double scale, const LayerSize& size, std::int64_t rows,
           Rows<const T> dy, Rows<const T> x, const TrainedWeight<T>& weight) {
-  const Constants<T> constants(step);
+  const AdamUpdate<T> update(step);
   const std::int64_t inputs = size.held_inputs;
   std::vector<T> factors(static_cast<std::size_t>(rows));
   std::vector<T> gradient(static_cast<std::size_t>(inputs));
@@ -219,7 +176,7 @@ void take(const AdamStep& step, double scale, const LayerSize& size, std::int64_
                                weight.second_moment + j * inputs};
     if (rows <= most_rows) {
       in_blocks(rows, [&]<int block>(std::int64_t) {
-        take_row<T, block>(constants, inputs, factors.data(), x, row);
+        take_row<T, block>(update, inputs, factors.data(), x, row);
       });
       continue;
     }
@@ -228,7 +185,7 @@ void take(const AdamStep& step, double scale, const LayerSize& size, std::int64_
       add_rows<T, block>(inputs, factors.data() + first, x.from(first), gradient.data());
     });
     constexpr T once = 1;
-    take_row<T, 1>(constants, inputs, &once, {gradient.data(), inputs}, row);
+    take_row<T, 1>(update, inputs, &once, {gradient.data(), inputs}, row);
   }
 }
 

@@ -13,18 +13,9 @@ AdamStep::AdamStep(std::int64_t t, double learning_rate, double beta1, double be
 template <class T>
 void take(const AdamStep& step, T* values, const T* gradients, T* first_moment, T* second_moment,
           std::size_t size) {
-  const auto beta1 = static_cast<T>(step.beta1);
-  const auto beta2 = static_cast<T>(step.beta2);
-  const auto newest1 = static_cast<T>(1 - step.beta1);
-  const auto newest2 = static_cast<T>(1 - step.beta2);
-  const auto rate = static_cast<T>(step.rate);
-  const auto correction = static_cast<T>(step.correction);
-  constexpr auto epsilon = static_cast<T>(AdamConstants::epsilon);
+  const AdamUpdate<T> update(step);
   for (std::size_t i = 0; i < size; ++i) {
-    const T gradient = gradients[i];
-    first_moment[i] = beta1 * first_moment[i] + newest1 * gradient;
-    second_moment[i] = beta2 * second_moment[i] + newest2 * gradient * gradient;
-    values[i] -= rate * first_moment[i] / (std::sqrt(second_moment[i]) * correction + epsilon);
+    update(gradients[i], values[i], first_moment[i], second_moment[i]);
   }
 }
 

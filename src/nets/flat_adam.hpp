@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -21,6 +22,35 @@ struct AdamStep {
   double beta2;
   double rate;        ///< learning rate / (1 - beta1^t)
   double correction;  ///< of the second moment's root: 1 / sqrt(1 - beta2^t)
+};
+
+/// That step for one parameter, in T. A loop over it becomes vector instructions where the square
+/// root need not set errno (CMakeLists.txt).
+template <class T>
+class AdamUpdate {
+ public:
+  explicit AdamUpdate(const AdamStep& step)
+      : beta1_(static_cast<T>(step.beta1)),
+        beta2_(static_cast<T>(step.beta2)),
+        newest1_(static_cast<T>(1 - step.beta1)),
+        newest2_(static_cast<T>(1 - step.beta2)),
+        rate_(static_cast<T>(step.rate)),
+        correction_(static_cast<T>(step.correction)) {}
+
+  void operator()(T gradient, T& value, T& first_moment, T& second_moment) const {
+    constexpr auto epsilon = static_cast<T>(AdamConstants::epsilon);
+    first_moment = beta1_ * first_moment + newest1_ * gradient;
+    second_moment = beta2_ * second_moment + newest2_ * gradient * gradient;
+    value -= rate_ * first_moment / (std::sqrt(second_moment) * correction_ + epsilon);
+  }
+
+ private:
+  T beta1_;
+  T beta2_;
+  T newest1_;
+  T newest2_;
+  T rate_;
+  T correction_;
 };
 
 /// That step over plain numbers in one pass: the arrays are what a small network's training waits

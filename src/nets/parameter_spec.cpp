@@ -29,6 +29,12 @@ std::vector<ParameterSpec> dense_chain_specs(const std::string& name, std::int64
   return specs;
 }
 
+std::size_t total_size(const std::vector<ParameterSpec>& specs) {
+  std::size_t size = 0;
+  for (const ParameterSpec& spec : specs) size += static_cast<std::size_t>(spec.size());
+  return size;
+}
+
 std::vector<double> initial_values(const ParameterSpec& spec, const Stream& stream) {
   std::vector<double> values(static_cast<std::size_t>(spec.size()), spec.constant);
   if (spec.bound > 0) {

@@ -34,6 +34,9 @@ struct DenseSize {
 std::vector<ParameterSpec> dense_chain_specs(const std::string& name, std::int64_t inputs,
                                              std::int64_t outputs, DenseSize size);
 
+/// Numbers in all of them.
+std::size_t total_size(const std::vector<ParameterSpec>& specs);
+
 /// The values that it starts with, in the order of its shape. They come from the stream's child of
 /// its name, so that they do not depend on what else the model holds.
 std::vector<double> initial_values(const ParameterSpec& spec, const Stream& stream);

@@ -79,11 +79,6 @@ void ParameterSet::set_gradients(const std::string& prefix,
   for (std::size_t i = 0; i < tensors.size(); ++i) tensors[i].mutable_grad().copy_(gradients.at(i));
 }
 
-void ParameterSet::write(artefact::Writer& writer, const std::string& group,
-                         const torch::Tensor& values) const {
-  write_parameters(writer, group, specs_, to_vector(values));
-}
-
 void ParameterSet::read(const artefact::Reader& reader, const std::string& group) {
   copy_into(values_, read_parameters(reader, group, specs_));
 }

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "artefact/reader.hpp"
-#include "artefact/writer.hpp"
 #include "base/random.hpp"
 #include "nets/parameter_spec.hpp"
 
@@ -38,9 +37,7 @@ class ParameterSet {
   /// Puts the gradients that torch::autograd::grad returned for with_prefix(prefix) in place.
   void set_gradients(const std::string& prefix, const std::vector<torch::Tensor>& gradients);
 
-  /// Writes flat values [size], these or others kept of this set, as datasets <group>/<name>,
-  /// float32, with the shapes of the parameters.
-  void write(artefact::Writer& writer, const std::string& group, const torch::Tensor& values) const;
+  /// What write_parameters() wrote (stored_parameters.hpp).
   /// Throws artefact::Refusal when a parameter is missing or has another shape.
   void read(const artefact::Reader& reader, const std::string& group);
 

@@ -2,7 +2,9 @@
 
 #include <Eigen/Core>
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
+#include <span>
 
 #include "nets/dense_kernels.hpp"
 
@@ -26,6 +28,25 @@ void put(const RowArray<T>& from, Rows<T> to, std::int64_t column = 0) {
   for (std::int64_t i = 0; i < from.rows(); ++i) {
     std::copy_n(from.row(i).data(), from.cols(), to.row(i) + column);
   }
+}
+
+/// These rows of [n, columns] numbers.
+template <class T>
+RowArray<T> gathered(std::span<const T> all, std::int64_t columns,
+                     std::span<const std::size_t> rows) {
+  RowArray<T> some(std::ssize(rows), columns);
+  for (std::int64_t i = 0; i < some.rows(); ++i) {
+    const auto row = static_cast<std::int64_t>(rows[static_cast<std::size_t>(i)]);
+    std::copy_n(all.begin() + row * columns, columns, some.row(i).data());
+  }
+  return some;
+}
+
+/// A label as `classes` numbers.
+template <class T>
+void put_one_hot(std::int32_t label, std::int64_t classes, T* to) {
+  std::fill_n(to, classes, T{0});
+  to[label] = 1;
 }
 
 }  // namespace piae::nets

@@ -41,13 +41,14 @@ class Decoder {
                                            const std::vector<Draw>& draws) const {
     std::vector<float> waveforms = networks_->decode(inputs(draws, label), label);
     for (float& a : waveforms) a *= static_cast<float>(description_.acceleration[label]);
+    const Cycle own = cycle(label);
     const auto waveform = [&](std::size_t row) {
-      return std::span(waveforms).subspan(row * length(), cycle(label).samples);
+      return std::span(waveforms).subspan(row * length(), own.samples);
     };
     std::vector<float> all;
     for (std::size_t i = 0; i < draws.size(); ++i) {
       const std::vector<float> window =
-          pass(waveform(i), waveform(draws.size() + i), cycle(label), draws[i].passage, length());
+          pass(waveform(i), waveform(draws.size() + i), own, draws[i].passage, length());
       all.insert(all.end(), window.begin(), window.end());
     }
     return all;

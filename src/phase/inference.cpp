@@ -78,8 +78,7 @@ nets::RowArray<float> Inference::forward(const nets::RowArray<float>& features,
   for (std::int64_t i = 0; i < features.rows(); ++i) {
     float* const row = network_.input().row(i);
     Eigen::Map<Row>(row, lags) = (features.row(i) - feature_mean_) / feature_spread_;
-    std::fill_n(row + lags, classes_, 0.0F);
-    row[lags + labels[static_cast<std::size_t>(i)]] = 1;
+    nets::put_one_hot(labels[static_cast<std::size_t>(i)], classes_, row + lags);
   }
   return nets::copied<float>(network_.forward(features.rows()), features.rows(), 2);
 }

@@ -97,13 +97,8 @@ class NativeBackend final : public TwinBackend {
  private:
   Batch forward(std::span<const std::size_t> windows) {
     Batch batch;
-    batch.windows.resize(static_cast<std::int64_t>(windows.size()), task_.shape.samples);
-    for (std::int64_t i = 0; i < batch.size(); ++i) {
-      const std::size_t window = windows[static_cast<std::size_t>(i)];
-      const auto begin = static_cast<std::int64_t>(window) * task_.shape.samples;
-      std::copy_n(task_.windows.begin() + begin, task_.shape.samples, batch.windows.row(i).data());
-      batch.labels.push_back(task_.labels[window]);
-    }
+    batch.windows = nets::gathered<float>(task_.windows, task_.shape.samples, windows);
+    for (const std::size_t i : windows) batch.labels.push_back(task_.labels[i]);
     batch.k_and_c = task_.variant.encoder ? networks_.encode(batch.windows)
                                           : as_rows(chosen(task_.states->points, windows));
     const Array inputs = task_.variant.encoder

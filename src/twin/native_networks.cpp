@@ -36,10 +36,9 @@ RowArray<float> NativeNetworks::decode(const RowArray<float>& inputs,
                                        std::span<const std::int32_t> labels) {
   for (Index i = 0; i < inputs.rows(); ++i) {
     float* const row = decoder->input().row(i);
-    std::fill_n(row, 2 + shape.classes, 0.0F);
     row[0] = inputs(i, 0);
     row[1] = inputs(i, 1);
-    row[2 + labels[static_cast<std::size_t>(i)]] = 1;
+    nets::put_one_hot(labels[static_cast<std::size_t>(i)], shape.classes, row + 2);
   }
   return nets::copied<float>(decoder->forward(inputs.rows()), inputs.rows(), shape.samples);
 }

@@ -107,9 +107,7 @@ class Training final : public TwinTraining {
 
  private:
   [[nodiscard]] std::vector<float> values() const {
-    std::size_t size = 0;
-    for (const auto& spec : backend_->specs()) size += static_cast<std::size_t>(spec.size());
-    std::vector<float> values(size);
+    std::vector<float> values(nets::total_size(backend_->specs()));
     backend_->copy_values(values);
     return values;
   }

@@ -5,10 +5,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <filesystem>
 
 #include "base/error.hpp"
 #include "known_windows.hpp"
+#include "nets/steps.hpp"
 #include "signal/amplitude.hpp"
 #include "twin/libtorch_backend.hpp"
 #include "twin/scaling.hpp"
@@ -47,33 +47,15 @@ TwinTask task_of(const Case& c) {
 }
 
 std::vector<float> values_of(const TwinBackend& backend) {
-  std::size_t size = 0;
-  for (const auto& spec : backend.specs()) size += static_cast<std::size_t>(spec.size());
-  std::vector<float> values(size);
+  std::vector<float> values(nets::total_size(backend.specs()));
   backend.copy_values(values);
   return values;
 }
 
 /// The gradient of the one step that was taken: ten times Adam's first moment.
 std::vector<float> gradient_of(const TwinBackend& backend, const std::string& group) {
-  artefact::Writer writer("model");
-  backend.write_adam(writer, "/adam");
-  const auto path = std::filesystem::path(testing::TempDir()) / "native_backend_adam.h5";
-  writer.save(path, {});
-  return artefact::Reader(path, "model")
-      .numbers<float>("/adam/" + group + "/first_moment", {0})
-      .values;
-}
-
-/// |a - b| / |b|
-double difference(const std::vector<float>& a, const std::vector<float>& b) {
-  double squares = 0;
-  double size = 1e-30;
-  for (std::size_t i = 0; i < b.size(); ++i) {
-    squares += std::pow(static_cast<double>(a.at(i)) - b[i], 2);
-    size += std::pow(static_cast<double>(b[i]), 2);
-  }
-  return std::sqrt(squares / size);
+  return nets::first_moments([&](artefact::Writer& writer) { backend.write_adam(writer, "/adam"); },
+                             "/adam/" + group);
 }
 
 class NativeTwin : public testing::TestWithParam<Case> {};
@@ -94,9 +76,10 @@ TEST_P(NativeTwin, StepsAsLibtorchDoes) {
     EXPECT_NEAR(own.twin, other.twin, 1e-4 * other.twin);
     EXPECT_NEAR(own.total, other.total, 1e-5 * std::abs(other.total));
     for (const std::string group : {"networks", "loss_weights"}) {
-      EXPECT_LT(difference(gradient_of(*mine, group), gradient_of(*theirs, group)), 1e-4) << group;
+      EXPECT_LT(nets::difference(gradient_of(*mine, group), gradient_of(*theirs, group)), 1e-4)
+          << group;
     }
-    EXPECT_LT(difference(values_of(*mine), values_of(*theirs)), 1e-4);
+    EXPECT_LT(nets::difference(values_of(*mine), values_of(*theirs)), 1e-4);
   }
 }
 
