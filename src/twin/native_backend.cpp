@@ -215,8 +215,7 @@ class NativeBackend final : public TwinBackend {
     }
     const Array by_inputs = nets::copied<float>(
         networks_.decoder->backward(rows, signals, last(rows, signals)), rows, 2);
-    const Array softplus_slope = 1 - (-k_and_c).exp();
-    put((by_k_and_c + by_inputs) * softplus_slope, *networks_.encoder, 0);
+    put((by_k_and_c + by_inputs) * softplus_slope(k_and_c), *networks_.encoder, 0);
     networks_.encoder->backward(rows, 1, Chain::no_rows);
   }
 

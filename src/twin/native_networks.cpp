@@ -57,6 +57,8 @@ BatchMotion<float> NativeNetworks::move(const RowArray<float>& acceleration) {
           acceleration};
 }
 
+RowArray<float> softplus_slope(const RowArray<float>& k_and_c) { return -(-k_and_c).expm1(); }
+
 std::vector<TwinPoint> encode_all(NativeNetworks& networks, std::span<const float> windows,
                                   std::int64_t batch) {
   const Eigen::Map<const RowArray<float>> all(

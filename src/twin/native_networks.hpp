@@ -34,6 +34,9 @@ struct NativeNetworks {
   std::unique_ptr<nets::DenseChain<float>> module;
 };
 
+/// The slope of eq. 16's softplus where it gave these: 1 - exp(-k), to all digits of a small k.
+RowArray<float> softplus_slope(const RowArray<float>& k_and_c);
+
 /// As [n, 2], and back.
 RowArray<float> as_rows(std::span<const TwinPoint> points);
 std::vector<TwinPoint> as_points(const RowArray<float>& rows);

@@ -44,6 +44,14 @@ struct EpochSums {
   }
 };
 
+void require_derivatives(const signal::WindowSet& known, const TwinVariant& variant) {
+  constexpr std::size_t shortest = 3;  // of which one sample has a second derivative
+  if (!variant.physics || known.length >= shortest) return;
+  throw Error(Exit::usage, fmt::format("windows of {} samples: the physics-informed module needs "
+                                       "{} or more",
+                                       known.length, shortest));
+}
+
 class Training final : public TwinTraining {
  public:
   Training(const signal::WindowSet& known, const TwinOptions& options, const TwinVariant& variant,
@@ -161,6 +169,7 @@ std::unique_ptr<TwinTraining> make_twin_training(const signal::WindowSet& known,
                                                  const TwinVariant& variant, const Stream& stream,
                                                  const Engine& engine,
                                                  const std::optional<KnownStates>& states) {
+  require_derivatives(known, variant);
   return std::make_unique<Training>(known, options, variant, stream, engine, states);
 }
 

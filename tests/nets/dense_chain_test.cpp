@@ -4,6 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "nets/adam.hpp"
 #include "nets/dense.hpp"
 #include "nets/parameters.hpp"
@@ -58,6 +61,22 @@ struct Both {
         set(specs, Stream("initial"), torch::kFloat64),
         flat(specs, Stream("initial")),
         chain(flat, "net", rows) {}
+
+  /// Of what fills up the rows of values and moments.
+  double largest_filling() {
+    double largest = 0;
+    for (const Kept kept : {Kept::value, Kept::first_moment, Kept::second_moment}) {
+      for (const auto& p : flat.parameters()) {
+        for (std::int64_t i = 0; i < p.rows; ++i) {
+          for (std::int64_t j = p.columns; j < p.held_columns; ++j) {
+            largest =
+                std::max(largest, std::abs(flat.data(kept)[p.begin + i * p.held_columns + j]));
+          }
+        }
+      }
+    }
+    return largest;
+  }
 
   /// Adam's first moment after its first step is a tenth of the gradient.
   torch::Tensor gradient(const Chain::Summed& rows, double scale = 1) {
@@ -202,6 +221,7 @@ TEST(DenseChain, TakesTheStepsOfAdam) {
   const std::vector<float> mine = both.flat.read(Kept::value);
   const std::vector<float> theirs = to_vector(both.set.values());
   for (std::size_t i = 0; i < mine.size(); ++i) EXPECT_NEAR(mine[i], theirs[i], 1e-6) << i;
+  EXPECT_EQ(both.largest_filling(), 0);
 }
 
 }  // namespace

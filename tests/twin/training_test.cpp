@@ -240,6 +240,17 @@ TEST(TwinTraining, HalvesTheLearningRate) {
             (std::vector<double>{5e-4, 5e-4, 2.5e-4, 2.5e-4, 1.25e-4, 1.25e-4}));
 }
 
+TEST(TwinTraining, RefusesWindowsWithoutASecondDerivative) {
+  const signal::WindowSet windows = known_windows(2);
+  try {
+    make_twin_training(windows, quick_options(), full_model, Stream("test"), native_engine("cpu"));
+    FAIL() << "no error";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.exit(), Exit::usage);
+    EXPECT_NE(std::string(error.what()).find("3 or more"), std::string::npos) << error.what();
+  }
+}
+
 TEST(TwinTraining, RefusesASilentClass) {
   signal::WindowSet windows = known_windows();
   std::fill(windows.samples.begin(), windows.samples.begin() + std::ptrdiff_t{5} * 64, 1.0F);
