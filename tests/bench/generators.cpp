@@ -19,7 +19,7 @@ namespace piae::augment {
 namespace {
 
 constexpr double batch = 5;
-constexpr int epochs = 20;  // over which the start is spread
+constexpr int epochs = 100;  // over which the start is spread
 
 struct Subject {
   const char* method;

@@ -4,7 +4,6 @@
 #include "scoring/mmd.hpp"
 
 #include <benchmark/benchmark.h>
-#include <omp.h>
 
 #include "base/random.hpp"
 #include "machine.hpp"
@@ -51,7 +50,6 @@ BENCHMARK(dgemm_1024)->MeasureProcessCPUTime()->Unit(benchmark::kMillisecond);
 
 /// The three matrix products (x x', y y', x y') are what is counted, not the kernels' exponentials.
 void mmd_of_a_class(benchmark::State& state) {
-  omp_set_num_threads(1);
   const Windows x = noise("bench/mmd/x");
   const Windows y = noise("bench/mmd/y");
   const double squared_distance = piae::scoring::mean_squared_distance(y);

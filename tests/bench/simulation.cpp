@@ -65,9 +65,6 @@ LocalDefect defect_of(const benchmark::State& state) {
   return {kind, kind == Defect::none ? 0 : 0.1778};
 }
 
-/// Windows a second of the scalar reference, which is measured first, by the kind of defect.
-std::map<std::int64_t, double> reference_rates;
-
 /// Times `solve`, which solves so many windows, and returns windows a second. "of_flops" and
 /// "of_roots" are what it does of the additions and multiplications, and of the square roots, that
 /// the core could do if it did nothing else, measured in the same run: the larger one is how near
@@ -86,24 +83,33 @@ double measure(benchmark::State& state, std::size_t windows, const Solve& solve)
   state.counters["flop/s"] = flops_per_s;
   state.counters["of_flops"] = flops_per_s / peak_flops;
   state.counters["of_roots"] = sub_steps_per_s * roots_of_sub_step(Geometry{}.balls) / peak_roots;
-  if (reference_rates.contains(state.range(0))) {
-    state.counters["times_reference"] = windows_per_s / reference_rates.at(state.range(0));
-  }
   return windows_per_s;
+}
+
+/// Windows a second of the scalar reference, which is measured first, by the kind of defect.
+std::map<std::int64_t, double> reference_rates;
+
+void compare_with_reference(benchmark::State& state, double windows_per_s) {
+  const auto reference = reference_rates.find(state.range(0));
+  if (reference == reference_rates.end()) return;
+  state.counters["times_reference"] = windows_per_s / reference->second;
 }
 
 /// As many windows as are solved at once.
 void solve_side_by_side(benchmark::State& state) {
   const LocalDefect defect = defect_of(state);
   const std::vector<Course> courses = drawn_courses(defect.kind);
-  measure(state, courses.size(), [&] { return simulate({}, defect, courses, window); });
+  compare_with_reference(
+      state, measure(state, courses.size(), [&] { return simulate({}, defect, courses, window); }));
 }
 
 /// One window, which takes the time of as many.
 void solve_alone(benchmark::State& state) {
   const LocalDefect defect = defect_of(state);
   const Course course = drawn_courses(defect.kind).front();
-  measure(state, 1, [&] { return simulate({}, defect, course.motion, course.options, window); });
+  compare_with_reference(state, measure(state, 1, [&] {
+                           return simulate({}, defect, course.motion, course.options, window);
+                         }));
 }
 
 void solve_by_reference(benchmark::State& state) {

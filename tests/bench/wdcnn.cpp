@@ -83,7 +83,6 @@ BENCHMARK(wdcnn_native)->MeasureProcessCPUTime()->Unit(benchmark::kMillisecond);
 
 /// What the core can do at most, nearly: OpenBLAS on a product that fits it.
 void sgemm_1024(benchmark::State& state) {
-  torch::set_num_threads(1);
   constexpr std::int64_t n = 1024;
   const torch::Tensor a = torch::rand({n, n});
   const torch::Tensor b = torch::rand({n, n});
