@@ -96,7 +96,8 @@ build: deps
 
 bench: deps
 	$(Q)pipeline/build.sh $(ARCH) benches
-	$(Q)for bench in build/bin/bench_*; do OMP_NUM_THREADS=1 $$bench || exit; done  # rates of a core
+	$(Q)source pipeline/environment.sh; export OMP_NUM_THREADS=1; \
+	  for bench in build/bin/bench_*; do $$bench || exit; done
 
 test: deps
 	$(Q)pipeline/build.sh $(ARCH) programs tests

@@ -18,10 +18,9 @@ cell=${folder#results/*/}
 log=$folder/$stage.log
 # A stage runs on one thread: make and the scheduler fill the cores. Only simulate, which everything
 # else waits for, takes what there is.
-export OPENBLAS_NUM_THREADS=${OPENBLAS_NUM_THREADS:-1}
 [[ $stage == simulate ]] || export OMP_NUM_THREADS=${OMP_NUM_THREADS:-1}
-# Every stage reads its artefacts into fresh memory: huge pages save a third of what that costs.
-export GLIBC_TUNABLES=${GLIBC_TUNABLES:-glibc.malloc.hugetlb=1}
+# shellcheck source=pipeline/environment.sh
+source "${0%/*}/environment.sh"
 
 report() { printf '%-32s %-8s %s\n' "$cell" "$stage" "$1"; }
 

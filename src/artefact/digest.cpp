@@ -1,6 +1,7 @@
 #include "artefact/digest.hpp"
 
 #include <functional>
+#include <memory>
 #include <stdexcept>
 
 #include "base/sha256.hpp"
@@ -31,9 +32,10 @@ void add_values(Sha256& sha, hid_t type, hid_t space,
   check(H5Sget_simple_extent_dims(space, dims.data(), nullptr), "dataspace");
   for (const hsize_t n : dims) add_field(sha, std::to_string(n));
   const auto count = static_cast<std::size_t>(H5Sget_simple_extent_npoints(space));
-  std::vector<std::byte> bytes(count * H5Tget_size(type));
-  if (!bytes.empty()) read_into(bytes.data());
-  sha.update(bytes);
+  const std::size_t size = count * H5Tget_size(type);
+  const auto bytes = std::make_unique_for_overwrite<std::byte[]>(size);
+  if (size > 0) read_into(bytes.get());
+  sha.update({bytes.get(), size});
 }
 
 void add_attributes(Sha256& sha, hid_t object) {

@@ -1,5 +1,6 @@
 #include "artefact/reader.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "artefact/digest.hpp"
@@ -133,8 +134,9 @@ Array<T> Reader::numbers(const std::string& path, const hdf5::Shape& shape) cons
     hdf5::read_checked(dataset, hdf5::stored_type<T>(), array.values.data(), path);
   }
   if constexpr (std::floating_point<T>) {
-    for (const T value : array.values) {
-      if (!std::isfinite(value)) refuse(path, "holds a NaN or an infinite value");
+    const auto finite = [](T value) { return std::isfinite(value); };
+    if (std::ranges::count_if(array.values, finite) != std::ssize(array.values)) {
+      refuse(path, "holds a NaN or an infinite value");
     }
   }
   return array;

@@ -10,7 +10,7 @@ namespace piae::diagnosis {
 
 namespace {
 
-void append_standardised(std::span<const float> window, std::vector<float>& samples) {
+void standardise(std::span<const float> window, float* to) {
   const auto n = static_cast<double>(window.size());
   double sum = 0;
   for (const float x : window) sum += x;
@@ -18,7 +18,7 @@ void append_standardised(std::span<const float> window, std::vector<float>& samp
   double squares = 0;
   for (const float x : window) squares += (x - mean) * (x - mean);
   const double scale = 1 / std::sqrt(squares / n);
-  for (const float x : window) samples.push_back(static_cast<float>((x - mean) * scale));
+  for (const float x : window) *to++ = static_cast<float>((x - mean) * scale);
 }
 
 }  // namespace
@@ -28,7 +28,7 @@ LabelledWindows standardise(const signal::WindowSet& windows, const std::string&
   result.length = windows.length;
   result.classes = windows.info.classes.size();
   result.labels = windows.labels;
-  result.samples.reserve(windows.samples.size());
+  result.samples.resize(windows.samples.size());
   for (std::size_t i = 0; i < windows.size(); ++i) {
     const std::span<const float> window = windows.window(i);
     const auto [low, high] = std::ranges::minmax(window);
@@ -39,7 +39,7 @@ LabelledWindows standardise(const signal::WindowSet& windows, const std::string&
                       ") is constant and cannot be scaled to unit standard deviation; "
                       "a window needs at least two different samples");
     }
-    append_standardised(window, result.samples);
+    standardise(window, result.samples.data() + i * windows.length);
   }
   return result;
 }
