@@ -20,7 +20,7 @@ class NativeWganGp final : public NativeLatent {
   std::vector<double> step(std::size_t index, std::span<const std::size_t> windows,
                            Stream& noise) override {
     const Batch batch = batch_of(windows);
-    const std::vector<double> losses = step_critic(batch, noise);
+    std::vector<double> losses = step_critic(batch, noise);
     if ((index + 1) % critic_steps_ == 0) step_generator(batch, noise);
     return losses;
   }

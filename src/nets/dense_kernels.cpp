@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <type_traits>
 #include <vector>
 
 #include "base/vector.hpp"
@@ -19,14 +18,14 @@ constexpr int side_by_side = vector_registers >= 32 ? 4 : 2;
 /// All numbers of a vector, added by halves.
 template <class T>
 T sum_of(Vector<T> vector) {
-  using Whole = std::conditional_t<sizeof(T) == 4, std::int32_t, std::int64_t>;
+  T numbers[lanes<T>];
+  store<T>(numbers, vector);
 #pragma GCC unroll 8
-  for (Whole width = lanes<T> / 2; width > 0; width /= 2) {
-    Vector<Whole> other;
-    for (Whole i = 0; i < lanes<T>; ++i) other[i] = i ^ width;
-    vector += __builtin_shuffle(vector, other);
+  for (std::int64_t width = lanes<T> / 2; width > 0; width /= 2) {
+#pragma GCC unroll 16
+    for (std::int64_t i = 0; i < width; ++i) numbers[i] += numbers[i + width];
   }
-  return vector[0];
+  return numbers[0];
 }
 
 /// Calls f.template operator()<n>(row) for blocks of n rows from `row` on, n = block as long as so

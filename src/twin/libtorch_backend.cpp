@@ -60,7 +60,8 @@ class LibtorchBackend final : public TwinBackend {
   [[nodiscard]] const std::vector<nets::ParameterSpec>& specs() const override { return specs_; }
 
   void copy_values(std::span<float> to) const override {
-    std::ranges::copy(nets::to_vector(parameters_.values()), to.begin());
+    const std::vector<float> values = nets::to_vector(parameters_.values());
+    std::copy(values.begin(), values.end(), to.begin());
   }
   [[nodiscard]] std::array<float, 3> log_weights() const override {
     const std::vector<float> logs = nets::to_vector(parameters_[log_weights_name]);

@@ -14,7 +14,8 @@ float softplus(float x) { return x > 20 ? x : std::log1p(std::exp(x)); }
 
 std::unique_ptr<nets::DenseChain<float>> chain(nets::FlatParameters<float>& parameters, bool exists,
                                                const std::string& name, std::int64_t rows) {
-  return exists ? std::make_unique<nets::DenseChain<float>>(parameters, name, rows) : nullptr;
+  if (!exists) return nullptr;
+  return std::make_unique<nets::DenseChain<float>>(parameters, name, rows);
 }
 
 }  // namespace

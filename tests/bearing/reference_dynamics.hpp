@@ -5,6 +5,7 @@
 #include <boost/numeric/odeint/stepper/runge_kutta4.hpp>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <numbers>
 #include <utility>
 #include <vector>
@@ -158,18 +159,18 @@ inline std::vector<double> simulate(const Geometry& geometry, const LocalDefect&
                                     const Sampling& sampling) {
   const BallPassage passage(geometry, defect, motion, options.clearance_um * 1e-6);
   const Equation equation{options, contact_stiffness(geometry, options.hertz)};
-  const double settling = std::ceil(options.settling_s * sampling.rate_hz);
-  const double start_s = -settling / sampling.rate_hz;
+  const auto settling = static_cast<std::int64_t>(std::ceil(options.settling_s * sampling.rate_hz));
+  const double start_s = -static_cast<double>(settling) / sampling.rate_hz;
   std::vector<Contact> at_start;
   passage.at(start_s, at_start);
   State state{equation.static_equilibrium_m(at_start), 0};
   const double interval_s = 1 / sampling.rate_hz;
-  const double steps = std::ceil(interval_s / options.max_sub_step_s);
+  const auto steps = static_cast<int>(std::ceil(interval_s / options.max_sub_step_s));
   SubSteps sub_steps(equation, passage, start_s, interval_s / steps);
   std::vector<double> acceleration;
-  for (double i = -settling; i < static_cast<double>(sampling.samples); ++i) {
+  for (std::int64_t i = -settling; i < static_cast<std::int64_t>(sampling.samples); ++i) {
     const double velocity = state[1];
-    for (double step = 0; step < steps; ++step) sub_steps.advance(state);
+    for (int step = 0; step < steps; ++step) sub_steps.advance(state);
     if (i >= 0) acceleration.push_back((state[1] - velocity) * sampling.rate_hz);
   }
   return acceleration;

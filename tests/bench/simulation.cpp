@@ -39,7 +39,7 @@ double sub_steps_of_window() {
 }
 
 /// Each ball that is looked at takes a root in each of the four stages.
-double roots_of_sub_step(int balls) { return 4.0 * ((balls + 1) / 2); }
+int roots_of_sub_step(int balls) { return 4 * ((balls + 1) / 2); }
 
 /// Square roots of doubles a second.
 double peak_roots_per_s() {

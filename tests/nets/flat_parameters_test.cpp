@@ -7,6 +7,7 @@
 #include "base/vector.hpp"
 #include "nets/parameters.hpp"
 #include "nets/stored_parameters.hpp"
+#include "nets/torch.hpp"
 
 namespace piae::nets {
 namespace {
