@@ -4,7 +4,13 @@
 
 namespace piae {
 
+void require_known_device(const std::string& device) {
+  if (device == "cpu" || device == "cuda") return;
+  throw Error(Exit::usage, "--device: unknown device '" + device + "'; known are cpu and cuda");
+}
+
 bool needs_libtorch(const Compute& compute, bool has_native) {
+  require_known_device(compute.device);
   if (compute.backend == "libtorch") return true;
   if (compute.backend == "auto") return compute.device != "cpu" || !has_native;
   if (compute.backend != "native") {

@@ -11,8 +11,11 @@ struct Compute {
   std::string device = "cpu";  ///< or "cuda"
 };
 
+/// Throws Error(usage) for another word than cpu or cuda.
+void require_known_device(const std::string& device);
+
 /// Whether LibTorch is what is asked for, of something that has a native back end or has none.
-/// Throws Error(usage) for another word, and where native is asked for and cannot be.
+/// Throws Error(usage) for other words, and where native is asked for and cannot be.
 bool needs_libtorch(const Compute& compute, bool has_native = true);
 
 /// The same thing by each back end; null where there is none, as LibTorch's in a program without

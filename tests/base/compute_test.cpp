@@ -29,6 +29,8 @@ TEST(Compute, ThatCannotBeIsAnErrorThatSaysWhatCan) {
     }
   };
   expect_usage_error("known are auto, native and libtorch", {"eigen", "cpu"}, true);
+  expect_usage_error("known are cpu and cuda", {"auto", "tpu"}, true);
+  expect_usage_error("known are cpu and cuda", {"libtorch", "tpu"}, false);
   expect_usage_error("not on cuda; use libtorch", {"native", "cuda"}, true);
   expect_usage_error("no native back end; use libtorch", {"native", "cpu"}, false);
 }

@@ -14,7 +14,8 @@
 /// What this core can do at most, measured in the run that compares itself with it.
 namespace piae::bench {
 
-/// Time that this process has computed for: other programs on the machine count little in it.
+/// Time that this process has computed for: other programs on the machine count little in it, but
+/// all of its own threads, of which `make bench` allows one.
 inline double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 /// How often a second this core does `round`, which changes vectors that do not depend on each
