@@ -227,7 +227,7 @@ TYPED_TEST(NativeNetworkOf, OneUpdateEqualsLibtorchs) {
   pair.propagate(batch, outcome);
   pair.step();
   // Adam's first step is the gradient's sign, which rounding decides where the gradient is nothing:
-  // those are left out.
+  // of those, one in 1000 may be the other.
   for (const NativeParameter& parameter : pair.native.layout()) {
     const auto ours = unfolded<TypeParam>(parameter, pair.native.values());
     const auto gradient =
@@ -236,12 +236,17 @@ TYPED_TEST(NativeNetworkOf, OneUpdateEqualsLibtorchs) {
     double greatest = 0;
     for (const double g : gradient) greatest = std::max(greatest, std::abs(g));
     std::size_t compared = 0;
+    std::size_t other = 0;
     for (std::size_t i = 0; i < ours.size(); ++i) {
-      if (gradient[i] != 0 && std::abs(gradient[i]) < 1e-4 * greatest) continue;
+      const double bound = tolerance<TypeParam> * std::abs(theirs[i]) + 1e-8;
+      if (gradient[i] != 0 && std::abs(gradient[i]) < 1e-4 * greatest) {
+        if (std::abs(ours[i] - theirs[i]) > bound) ++other;
+        continue;
+      }
       ++compared;
-      EXPECT_NEAR(ours[i], theirs[i], tolerance<TypeParam> * std::abs(theirs[i]) + 1e-8)
-          << parameter.spec.name << " " << i;
+      EXPECT_NEAR(ours[i], theirs[i], bound) << parameter.spec.name << " " << i;
     }
+    EXPECT_LE(other, 1 + ours.size() / 1000) << parameter.spec.name;
     EXPECT_GE(compared, ours.size() * 9 / 10) << parameter.spec.name;
   }
 }
