@@ -106,7 +106,7 @@ test: deps
 # Of the grid's variables only those that are given narrow down what is compared or stored.
 given = $(foreach name,DATASETS METHODS RATIOS SEEDS,\
           $(if $(filter command,$(firstword $(origin $(name)))),--$(shell echo $(name) | tr A-Z a-z) $($(name))))
-compare = $(BIN)/compare --run $(results) --reference results/reference $(given)
+compare = $(BIN)/check --run $(results) --reference results/reference $(given)
 check: | $(programs)
 	$(Q)$(compare) --tolerance $(TOLERANCE)
 reference: | $(programs)

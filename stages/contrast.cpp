@@ -7,7 +7,7 @@
 #include <iostream>
 
 #include "cli/stage.hpp"
-#include "report/text_file.hpp"
+#include "text/file.hpp"
 
 using namespace piae;
 namespace fs = std::filesystem;
@@ -23,11 +23,11 @@ int main(int argc, char** argv) {
       ".csv and .tex.",
       "contrast --with results/try/cwru --without results/try-blocked/cwru --methods none piae-dt "
       "--ratios 100to1 10to1 --seeds 0 1 --output protocols.md");
-  report::GridOptions options;
+  run::GridOptions options;
   fs::path with;
   fs::path without;
   fs::path output;
-  report::bind_cells(stage.options(), options);
+  run::bind_cells(stage.options(), options);
   stage.input_file("--with", with, "Folder RUN/DATASET, such as results/try/cwru");
   stage.input_file("--without", without, "the same without the condition");
   stage.output_file("--output", output, "the table as Markdown, FILE.md");
@@ -39,7 +39,7 @@ int main(int argc, char** argv) {
     const auto beside = [&](const char* extension) {
       return fs::path(output).replace_extension(extension);
     };
-    report::save_all({{beside(".md"), report::markdown(document)},
+    text::save_all({{beside(".md"), report::markdown(document)},
                       {beside(".csv"), report::contrast_csv(contrast)},
                       {beside(".tex"), report::latex(document)}});
     std::cout << fmt::format("compared {} cells of two runs: {}\n", contrast.rows.size(),

@@ -5,15 +5,14 @@
 #include <iostream>
 #include <optional>
 
-#include "cli/hand_over.hpp"
 #include "cli/progress.hpp"
 #include "cli/run_options.hpp"
 #include "cli/stage.hpp"
 #include "diagnosis/inputs.hpp"
-#include "diagnosis/libtorch_backend.hpp"
-#include "diagnosis/native_backend.hpp"
+#include "diagnosis/one_core_backend.hpp"
 #include "diagnosis/training_set.hpp"
 #include "diagnosis/wdcnn.hpp"
+#include "libtorch/back_ends.hpp"
 #include "scoring/diagnosis_record.hpp"
 #include "scoring/ratios.hpp"
 
@@ -43,15 +42,10 @@ scoring::DiagnosisRecord make_record(const diagnosis::Inputs& inputs, const scor
   return record;
 }
 
-/// LibTorch costs 0.4 s and 160 MB at each start, so it is linked to a program of its own, built
-/// from this file too.
-diagnosis::MakeWdcnnBackend choose_backend(const Compute& compute, [[maybe_unused]] char** argv) {
-  if (!needs_libtorch(compute)) return diagnosis::make_native_backend;
-#ifdef PIAE_WITH_LIBTORCH
-  return diagnosis::libtorch_backend(compute.device);
-#else
-  cli::hand_over("diagnose-libtorch", argv);
-#endif
+diagnosis::MakeWdcnnBackend choose_backend(const Compute& compute, char** argv) {
+  if (!needs_libtorch(compute)) return diagnosis::make_one_core_backend;
+  libtorch::continue_with_libtorch(argv);
+  return libtorch::back_ends()->wdcnn(compute.device);
 }
 
 }  // namespace

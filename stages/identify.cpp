@@ -2,13 +2,15 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include <algorithm>
 #include <iostream>
 
-#include "augment/method.hpp"
+#include "augment/catalogue.hpp"
 #include "cli/stage.hpp"
 #include "report/identifiability.hpp"
-#include "report/layout.hpp"
-#include "report/text_file.hpp"
+#include "run/layout.hpp"
+#include "text/file.hpp"
+#include "libtorch/back_ends.hpp"
 #include "signal/roles.hpp"
 
 using namespace piae;
@@ -16,7 +18,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-report::Identification identify(const report::Layout& layout, const std::string& method,
+report::Identification identify(const run::Layout& layout, const std::string& method,
                                 std::int64_t seed) {
   const artefact::Reader model(layout.model(method, seed), "model");
   const artefact::Reader real(layout.real_windows(seed), "windows");
@@ -32,6 +34,12 @@ report::Identification identify(const report::Layout& layout, const std::string&
   return result;
 }
 
+bool needs_libtorch(const run::Grid& grid) {
+  return std::ranges::any_of(grid.combinations, [](const run::Combination& cell) {
+    return augment::make_method(cell.method)->needs_libtorch({});
+  });
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -42,22 +50,23 @@ int main(int argc, char** argv) {
       "with those that the windows were simulated with (R², bias, correlation², a scatter table).",
       "identify --run results/try --dataset simulated --methods piae-dt --seeds 0 1");
   report::IdentifiabilityOptions options;
-  fs::path run;
+  fs::path run_folder;
   bind(stage.options(), options);
-  stage.input_file("--run", run, "Folder of the run, such as results/try");
+  stage.input_file("--run", run_folder, "Folder of the run, such as results/try");
 
   return stage.run(argc, argv, [&] {
-    const report::Grid grid = report::resolve(options);
-    const report::Layout layout(run, grid.dataset);
+    const run::Grid grid = report::resolve(options);
+    if (needs_libtorch(grid)) libtorch::continue_with_libtorch(argv);
+    const run::Layout layout(run_folder, grid.dataset);
     std::vector<report::Identification> all;
-    for (const report::Combination& combination : grid.combinations) {
+    for (const run::Combination& combination : grid.combinations) {
       for (const std::int64_t seed : grid.seeds) {
         all.push_back(identify(layout, combination.method, seed));
       }
     }
     const auto rows = report::identifiability_rows(all);
     const report::Document document = report::identifiability_document(grid.dataset, rows, all);
-    report::save_all(
+    text::save_all(
         {{layout.identifiability_csv(), report::identifiability_csv(grid.dataset, rows)},
          {layout.scatter_csv(), report::scatter_csv(grid.dataset, all)},
          {layout.identifiability_markdown(), report::markdown(document)}});

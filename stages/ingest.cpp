@@ -7,7 +7,7 @@
 #include "base/error.hpp"
 #include "cli/progress.hpp"
 #include "cli/stage.hpp"
-#include "report/text_table.hpp"
+#include "text/table.hpp"
 #include "signal/check.hpp"
 
 namespace fs = std::filesystem;
@@ -31,7 +31,7 @@ signal::Recordings read_raw_files(const signal::Description& description, const 
 /// What was found, as tables; then each problem in a line of its own.
 void print_check(const signal::Description& description, const signal::DatasetCheck& check) {
   const signal::DatasetInfo& info = description.info;
-  report::TextTable records({"record", "file", "Hz", "samples", "s", "rpm", "RMS"}, 2);
+  text::Table records({"record", "file", "Hz", "samples", "s", "rpm", "RMS"}, 2);
   for (const signal::RecordCheck& record : check.records) {
     const signal::RecordSource& source = *record.source;
     const auto samples = static_cast<double>(record.samples);
@@ -44,7 +44,7 @@ void print_check(const signal::Description& description, const signal::DatasetCh
                  fmt::format("{:.2f}", samples / info.sample_rate_hz),
                  fmt::format("{:g}", source.shaft_speed_rpm), fmt::format("{:.4g}", record.rms)});
   }
-  report::TextTable classes({"class", "defect", "mm", "records", "stride"}, 2);
+  text::Table classes({"class", "defect", "mm", "records", "stride"}, 2);
   for (const signal::ClassCheck& c : check.classes) {
     const signal::ClassInfo& known = info.classes[static_cast<std::size_t>(c.label)];
     classes.row({known.name, signal::to_string(known.defect),

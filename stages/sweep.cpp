@@ -7,7 +7,7 @@
 #include <iostream>
 
 #include "cli/stage.hpp"
-#include "report/text_file.hpp"
+#include "text/file.hpp"
 
 using namespace piae;
 namespace fs = std::filesystem;
@@ -22,19 +22,19 @@ int main(int argc, char** argv) {
       "sweep --run results/try --dataset cwru --points batch=1 batch=5 --centre batch=5 "
       "--ratios 1to1 --seeds 0 1");
   report::SweepOptions options;
-  fs::path run;
+  fs::path run_folder;
   bind(stage.options(), options);
-  stage.input_file("--run", run, "Folder of the run, such as results/try");
+  stage.input_file("--run", run_folder, "Folder of the run, such as results/try");
 
   return stage.run(argc, argv, [&] {
     const report::Sweep sweep = report::resolve(options);
-    const report::Layout layout(run, sweep.grid.dataset);
-    report::Results results;
+    const run::Layout layout(run_folder, sweep.grid.dataset);
+    run::Results results;
     const auto rows = report::sweep_rows(layout, sweep, results);
-    report::require_all(results);
+    run::require_all(results);
 
     const std::string tables = report::markdown(report::sweep_document(sweep, rows, results));
-    report::save_all(
+    text::save_all(
         {{layout.sweep_csv(), report::sweep_csv(sweep, rows)}, {layout.sweep_markdown(), tables}});
     std::cout << fmt::format("tabulated {} diagnoses of {} settings: {}\n",
                              results.diagnoses.size(), sweep.points.size(),

@@ -7,7 +7,7 @@
 #include "cli/stage.hpp"
 #include "report/quality_table.hpp"
 #include "report/tables.hpp"
-#include "report/text_file.hpp"
+#include "text/file.hpp"
 
 using namespace piae;
 namespace fs = std::filesystem;
@@ -22,15 +22,15 @@ int main(int argc, char** argv) {
       "Prints the accuracies in percent. Lists may be several values, or one with commas.",
       "tabulate --run results/try --dataset cwru --methods none piae-dt --ratios "
       "100to1 10to1 --seeds 0 1 --published results/published");
-  report::GridOptions options;
+  run::GridOptions options;
   std::string against;
-  fs::path run;
+  fs::path run_folder;
   fs::path published_folder;
   bind(stage.options(), options);
   stage.options().add("--against", against,
                       "Method that all others are compared with; where it is not given, "
                       "piae-dt-phase or else piae-dt, where they are among the methods");
-  stage.input_file("--run", run, "Folder of the run, such as results/try");
+  stage.input_file("--run", run_folder, "Folder of the run, such as results/try");
   stage.input_file("--published", published_folder, "Folder of the paper's tables as CSV");
 
   std::vector<fs::path> outdated;
@@ -39,19 +39,19 @@ int main(int argc, char** argv) {
       .type_name("FILE");
 
   return stage.run(argc, argv, [&] {
-    const report::Grid grid = report::resolve(options);
+    const run::Grid grid = run::resolve(options);
     const report::Published published(published_folder);
-    const report::Layout layout(run, grid.dataset);
-    report::Results results = report::collect(layout, grid);
-    report::refuse_outdated(outdated, results);
-    report::require_all(results);
+    const run::Layout layout(run_folder, grid.dataset);
+    run::Results results = run::collect(layout, grid);
+    run::refuse_outdated(outdated, results);
+    run::require_all(results);
 
     const auto rows = report::accuracy_rows(grid, results, published);
     const report::Comparisons comparisons = report::compare_methods(rows, against);
     const report::RankTable ranks = report::rank_methods(rows);
     const report::Document tables =
         report::tables(grid, results, rows, published, comparisons, ranks);
-    report::save_all({{layout.accuracy_csv(), report::accuracy_csv(rows)},
+    text::save_all({{layout.accuracy_csv(), report::accuracy_csv(rows)},
                       {layout.gains_csv(), report::accuracy_csv(report::gain_rows(rows))},
                       {layout.quality_csv(), report::quality_csv(grid, results)},
                       {layout.comparisons_csv(), report::comparisons_csv(comparisons)},

@@ -5,11 +5,11 @@
 #include <iostream>
 
 #include "artefact/file.hpp"
-#include "augment/method.hpp"
-#include "cli/hand_over.hpp"
+#include "augment/catalogue.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/run_options.hpp"
 #include "cli/stage.hpp"
+#include "libtorch/back_ends.hpp"
 #include "signal/roles.hpp"
 
 using namespace piae;
@@ -65,7 +65,7 @@ int main(int argc, char** argv) {
 
   return stage.run(argc, argv, [&] {
     if (!method) method = augment::make_method(name);
-    if (method->needs_libtorch(run.compute)) cli::require_libtorch("train-libtorch", argv);
+    if (method->needs_libtorch(run.compute)) libtorch::continue_with_libtorch(argv);
     const artefact::Reader reader = stage.open("known", known_file, "windows");
     signal::require_role(reader, "C");
     signal::WindowSet windows = signal::read_window_set(reader);

@@ -3,7 +3,7 @@
 #include <iostream>
 
 #include "cli/stage.hpp"
-#include "report/verification.hpp"
+#include "verification/verify.hpp"
 
 using namespace piae;
 
@@ -23,9 +23,9 @@ int main(int argc, char** argv) {
 
   int status = 0;
   const int error = stage.run(argc, argv, [&] {
-    const std::vector<report::Finding> findings = report::verify(files);
-    for (const report::Finding& finding : findings) std::cout << finding.line << '\n';
-    status = report::status_of(findings);
+    const std::vector<verification::Finding> findings = verification::verify(files);
+    for (const verification::Finding& finding : findings) std::cout << finding.line << '\n';
+    status = verification::status_of(findings);
   });
   return error != 0 ? error : status;
 }

@@ -24,8 +24,8 @@ enum class LearnsFrom {
 };
 
 /// One way of making fault windows from the few that are known: an entry of the grid's METHODS.
-/// A new one is a class of its own and a line in registry.cpp; stages, grid and tables learn of it
-/// there.
+/// A new one is a class of its own and an entry in catalogue.cpp; programs, grid and tables learn of
+/// it there.
 class Method {
  public:
   virtual ~Method() = default;
@@ -56,11 +56,5 @@ class Method {
                                                        const signal::WindowSet& windows,
                                                        const Compute& compute);
 };
-
-/// Names of all methods, in the order of the paper's tables.
-std::vector<std::string> method_names();
-
-/// Throws Error(usage) that lists the known ones.
-std::unique_ptr<Method> make_method(const std::string& name);
 
 }  // namespace piae::augment

@@ -2,7 +2,7 @@
 
 #include <spdlog/fmt/fmt.h>
 
-#include "augment/windows.hpp"
+#include "signal/made_windows.hpp"
 #include "base/error.hpp"
 
 namespace piae::augment {
@@ -49,7 +49,7 @@ signal::WindowSet Oracle::generate(const artefact::Reader& model, std::size_t co
     const auto window = real.window(order[static_cast<std::size_t>(label)][index]);
     return std::vector<float>(window.begin(), window.end());
   };
-  return make_windows(real.info, real.length, count, stream, take);
+  return signal::make_windows(real.info, real.length, count, stream, take);
 }
 
 }  // namespace piae::augment

@@ -2,7 +2,6 @@
 
 #include "augment/method.hpp"
 #include "cli/options.hpp"
-#include "twin/backend.hpp"
 #include "twin/options.hpp"
 #include "twin/variant.hpp"
 
@@ -12,12 +11,9 @@ namespace piae::augment {
 /// options, also those that an ablation has no use for, so that they can share their settings.
 class PiaeDt final : public Method {
  public:
-  PiaeDt(const twin::TwinVariant& variant, const Backends<twin::MakeEngine>& engines)
-      : variant_(variant), engines_(engines) {}
+  explicit PiaeDt(const twin::TwinVariant& variant) : variant_(variant) {}
 
-  [[nodiscard]] bool needs_libtorch(const Compute& compute) const override {
-    return engines_.needs_libtorch(compute);
-  }
+  [[nodiscard]] bool needs_libtorch(const Compute& compute) const override;
 
   void bind(const cli::Options& command) override;
   void train(const signal::WindowSet& known, const Stream& stream, const Compute& compute,
@@ -30,7 +26,6 @@ class PiaeDt final : public Method {
 
  private:
   twin::TwinVariant variant_;
-  Backends<twin::MakeEngine> engines_;
   twin::TwinOptions options_;
 };
 

@@ -1,10 +1,27 @@
 #include "augment/piae_dt_phase.hpp"
 
+#include "libtorch/back_ends.hpp"
 #include "phase/generation.hpp"
 #include "phase/stored_inference.hpp"
 #include "phase/training.hpp"
+#include "twin/dense_backend.hpp"
 
 namespace piae::augment {
+
+namespace {
+
+/// Those of the decoder.
+Backends<twin::MakeEngine> engines() {
+  return {twin::dense_engine, libtorch::back_end(&libtorch::BackEnds::twin)};
+}
+
+twin::Engine engine(const Compute& compute) { return engines().chosen(compute)(compute.device); }
+
+}  // namespace
+
+bool PiaeDtPhase::needs_libtorch(const Compute& compute) const {
+  return engines().needs_libtorch(compute);
+}
 
 void PiaeDtPhase::bind(const cli::Options& command) { phase::bind(command, options_); }
 
@@ -12,14 +29,14 @@ void PiaeDtPhase::train(const signal::WindowSet& known, const Stream& stream,
                         const Compute& compute, const nets::Checkpoint& checkpoint,
                         artefact::Writer& model) {
   const auto training =
-      phase::make_phase_training(known, options_, stream, engines_.chosen(compute)(compute.device));
+      phase::make_phase_training(known, options_, stream, engine(compute));
   nets::run_epochs(*training, checkpoint);
   training->write_model(model);
 }
 
 signal::WindowSet PiaeDtPhase::generate(const artefact::Reader& model, std::size_t count,
                                         const Stream& stream, const Compute& compute) {
-  return phase::generate(model, count, stream, engines_.chosen(compute)(compute.device));
+  return phase::generate(model, count, stream, engine(compute));
 }
 
 std::vector<signal::DynamicParameters> PiaeDtPhase::infer(const artefact::Reader& model,

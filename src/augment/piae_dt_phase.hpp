@@ -3,7 +3,6 @@
 #include "augment/method.hpp"
 #include "cli/options.hpp"
 #include "phase/options.hpp"
-#include "twin/backend.hpp"
 
 namespace piae::augment {
 
@@ -12,11 +11,7 @@ namespace piae::augment {
 /// (k, c) is ours, for the cpu, with each of them.
 class PiaeDtPhase final : public Method {
  public:
-  explicit PiaeDtPhase(const Backends<twin::MakeEngine>& engines) : engines_(engines) {}
-
-  [[nodiscard]] bool needs_libtorch(const Compute& compute) const override {
-    return engines_.needs_libtorch(compute);
-  }
+  [[nodiscard]] bool needs_libtorch(const Compute& compute) const override;
   void bind(const cli::Options& command) override;
   void train(const signal::WindowSet& known, const Stream& stream, const Compute& compute,
              const nets::Checkpoint& checkpoint, artefact::Writer& model) override;
@@ -27,7 +22,6 @@ class PiaeDtPhase final : public Method {
                                                const Compute& compute) override;
 
  private:
-  Backends<twin::MakeEngine> engines_;
   phase::PhaseOptions options_;
 };
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "augment/windows.hpp"
+#include "signal/made_windows.hpp"
 
 namespace piae::augment {
 
@@ -27,7 +27,7 @@ signal::WindowSet Repetition::generate(const artefact::Reader& model, std::size_
     }
     return samples;
   };
-  return make_windows(known.info, known.length, count, stream, make);
+  return signal::make_windows(known.info, known.length, count, stream, make);
 }
 
 }  // namespace piae::augment

@@ -3,7 +3,7 @@
 #include <spdlog/fmt/fmt.h>
 
 #include "augment/interpolation.hpp"
-#include "augment/windows.hpp"
+#include "signal/made_windows.hpp"
 #include "base/error.hpp"
 
 namespace piae::augment {
@@ -71,7 +71,7 @@ signal::WindowSet Smote::generate(const artefact::Reader& model, std::size_t cou
     const std::size_t neighbour = near[random.below(near.size())];
     return interpolate(own.windows[base], own.windows[neighbour], random.uniform(0, 1));
   };
-  return make_windows(known.info, known.length, count, stream, make);
+  return signal::make_windows(known.info, known.length, count, stream, make);
 }
 
 }  // namespace piae::augment

@@ -1,14 +1,14 @@
 #pragma once
 
-#include "augment/latent_options.hpp"
+#include "latent/options.hpp"
 #include "augment/method.hpp"
-#include "augment/vae_backends.hpp"
+#include "latent/vae.hpp"
 #include "cli/options.hpp"
 
 namespace piae::augment {
 
 /// The paper names the VAE and nothing of it; see pipeline/protocol.toml, [train.vae].
-inline constexpr LatentOptions vae_defaults{
+inline constexpr latent::LatentOptions vae_defaults{
     .epochs = 200,          // the paper's own networks, Table 4
     .batch = 5,             // Table 4
     .learning_rate = 5e-4,  // Table 4
@@ -21,12 +21,7 @@ inline constexpr LatentOptions vae_defaults{
 /// al. 2015) as an entry of the grid. Generates from the final network.
 class Vae final : public Method {
  public:
-  Vae(const Backends<MakeVae>& train, const Backends<OpenGenerator>& open)
-      : train_(train), open_(open) {}
-
-  [[nodiscard]] bool needs_libtorch(const Compute& compute) const override {
-    return train_.needs_libtorch(compute);
-  }
+  [[nodiscard]] bool needs_libtorch(const Compute& compute) const override;
   void bind(const cli::Options& command) override;
   void train(const signal::WindowSet& known, const Stream& stream, const Compute& compute,
              const nets::Checkpoint& checkpoint, artefact::Writer& model) override;
@@ -34,9 +29,7 @@ class Vae final : public Method {
                              const Compute& compute) override;
 
  private:
-  Backends<MakeVae> train_;
-  Backends<OpenGenerator> open_;
-  LatentOptions options_ = vae_defaults;
+  latent::LatentOptions options_ = vae_defaults;
 };
 
 }  // namespace piae::augment

@@ -1,16 +1,33 @@
 #include "augment/wgan_gp.hpp"
 
-#include "augment/latent_training.hpp"
+#include "libtorch/back_ends.hpp"
+#include "latent/training.hpp"
 
 namespace piae::augment {
 
-void WganGp::bind(const cli::Options& command) { augment::bind(command, options_); }
+namespace {
+
+Backends<latent::MakeWganGp> trainings() {
+  return {latent::wgan_gp, libtorch::back_end(&libtorch::BackEnds::wgan_gp)};
+}
+
+Backends<latent::OpenGenerator> generators() {
+  return {latent::open_generator, libtorch::back_end(&libtorch::BackEnds::generator)};
+}
+
+}  // namespace
+
+bool WganGp::needs_libtorch(const Compute& compute) const {
+  return trainings().needs_libtorch(compute);
+}
+
+void WganGp::bind(const cli::Options& command) { latent::bind(command, options_); }
 
 void WganGp::train(const signal::WindowSet& known, const Stream& stream, const Compute& compute,
                    const nets::Checkpoint& checkpoint, artefact::Writer& model) {
-  LatentTraining training(known, options_.networks, {"wasserstein", "gradient_penalty"}, stream,
-                          [&](const LatentTask& task, const Stream& initial) {
-                            return train_.chosen(compute)(task, options_, initial, compute.device);
+  latent::LatentTraining training(known, options_.networks, {"wasserstein", "gradient_penalty"}, stream,
+                          [&](const latent::LatentTask& task, const Stream& initial) {
+                            return trainings().chosen(compute)(task, options_, initial, compute.device);
                           });
   nets::run_epochs(training, checkpoint);
   training.write_model(model);
@@ -18,7 +35,7 @@ void WganGp::train(const signal::WindowSet& known, const Stream& stream, const C
 
 signal::WindowSet WganGp::generate(const artefact::Reader& model, std::size_t count,
                                    const Stream& stream, const Compute& compute) {
-  return augment::generate(model, count, stream, open_.chosen(compute), compute.device);
+  return latent::generate(model, count, stream, generators().chosen(compute), compute.device);
 }
 
 }  // namespace piae::augment

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "augment/method.hpp"
-#include "augment/wgan_gp_backends.hpp"
+#include "latent/wgan_gp.hpp"
 #include "cli/options.hpp"
 
 namespace piae::augment {
@@ -10,12 +10,7 @@ namespace piae::augment {
 /// Wasserstein GANs") as an entry of the grid. Generates from the final network.
 class WganGp final : public Method {
  public:
-  WganGp(const Backends<MakeWganGp>& train, const Backends<OpenGenerator>& open)
-      : train_(train), open_(open) {}
-
-  [[nodiscard]] bool needs_libtorch(const Compute& compute) const override {
-    return train_.needs_libtorch(compute);
-  }
+  [[nodiscard]] bool needs_libtorch(const Compute& compute) const override;
   void bind(const cli::Options& command) override;
   void train(const signal::WindowSet& known, const Stream& stream, const Compute& compute,
              const nets::Checkpoint& checkpoint, artefact::Writer& model) override;
@@ -23,9 +18,7 @@ class WganGp final : public Method {
                              const Compute& compute) override;
 
  private:
-  Backends<MakeWganGp> train_;
-  Backends<OpenGenerator> open_;
-  WganGpOptions options_;
+  latent::WganGpOptions options_;
 };
 
 }  // namespace piae::augment

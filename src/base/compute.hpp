@@ -1,25 +1,30 @@
 #pragma once
 
-#include <string>
+#include "base/error.hpp"
 
 namespace piae {
 
-/// What computes neural networks: `--backend` and `--device`.
-struct Compute {
-  /// "native", ours for one core; "libtorch", for cpu and cuda; "auto", native where it can be.
-  std::string backend = "auto";
-  std::string device = "cpu";  ///< or "cuda"
+/// What computes neural networks: `--backend`.
+enum class Backend {
+  automatic,  ///< native where it can be, else LibTorch
+  native,     ///< ours, for one core
+  libtorch,   ///< LibTorch, for the cpu and for cuda
 };
 
-/// Throws Error(usage) for another word than cpu or cuda.
-void require_known_device(const std::string& device);
+/// Where: `--device`.
+enum class Device { cpu, cuda };
 
-/// Whether LibTorch is what is asked for, of something that has a native back end or has none.
-/// Throws Error(usage) for other words, and where native is asked for and cannot be.
+struct Compute {
+  Backend backend = Backend::automatic;
+  Device device = Device::cpu;
+};
+
+/// Whether LibTorch is what is asked for, of networks that our own back end can compute or cannot.
+/// Throws Error(usage) where our own is asked for and cannot do it.
 bool needs_libtorch(const Compute& compute, bool has_native = true);
 
-/// The same thing by each back end; null where there is none, as LibTorch's in a program without
-/// it.
+/// The same thing by each back end. Null where there is none: ours has no convolutional twin, and
+/// a program that is not linked with LibTorch has nothing of LibTorch's.
 template <class F>
 struct Backends {
   F native;
@@ -28,8 +33,11 @@ struct Backends {
   [[nodiscard]] bool needs_libtorch(const Compute& compute) const {
     return piae::needs_libtorch(compute, native != nullptr);
   }
+  /// Throws Error(failed) for LibTorch's in a program that is not linked with it.
   [[nodiscard]] F chosen(const Compute& compute) const {
-    return needs_libtorch(compute) ? libtorch : native;
+    if (!needs_libtorch(compute)) return native;
+    if (libtorch == nullptr) throw Error(Exit::failed, "this program is not linked with LibTorch");
+    return libtorch;
   }
 };
 

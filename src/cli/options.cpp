@@ -1,6 +1,7 @@
 #include "cli/options.hpp"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdint>
 #include <filesystem>
 #include <utility>
@@ -59,6 +60,17 @@ template Option Options::add(const std::string&, std::vector<std::int64_t>&,
                              const std::string&) const;
 template Option Options::add(const std::string&, std::vector<std::filesystem::path>&,
                              const std::string&) const;
+
+Option Options::choose_word(const std::string& name, const std::vector<std::string>& words,
+                            const std::string& now, const std::function<void(std::size_t)>& take,
+                            const std::string& help) const {
+  const auto take_word = [words, take](const std::string& text) {
+    take(static_cast<std::size_t>(std::ranges::find(words, text) - words.begin()));
+  };
+  CLI::Option* option = app_->add_option_function<std::string>(name, take_word, help);
+  option->default_str(now)->group(group_);
+  return Option(option).check(one_of(words));
+}
 
 Option Options::flag(const std::string& name, bool& value, const std::string& help) const {
   return Option(app_->add_flag(name, value, help)->group(group_));

@@ -8,7 +8,7 @@
 namespace piae::nets {
 
 template <class T>
-DenseChain<T>::DenseChain(FlatParameters<T>& parameters, const std::string& name,
+DenseChain<T>::DenseChain(Parameters<T>& parameters, const std::string& name,
                           std::int64_t most_rows)
     : parameters_(parameters), most_rows_(most_rows) {
   std::int64_t widest = 0;

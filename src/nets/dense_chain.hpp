@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "nets/dense_kernels.hpp"
-#include "nets/flat_parameters.hpp"
+#include "nets/parameters.hpp"
 
 namespace piae::nets {
 
@@ -22,7 +22,7 @@ class DenseChain {
   /// Of the parameters <name>/0/weight, <name>/0/bias, ..., which must outlive it, for batches of
   /// up to `most_rows` rows. Throws std::logic_error where there are none of that name, and later
   /// for more rows.
-  DenseChain(FlatParameters<T>& parameters, const std::string& name, std::int64_t most_rows);
+  DenseChain(Parameters<T>& parameters, const std::string& name, std::int64_t most_rows);
   // A copy of what holds both would have the parameters of another.
   DenseChain(const DenseChain&) = delete;
   DenseChain& operator=(const DenseChain&) = delete;
@@ -69,7 +69,7 @@ class DenseChain {
     Numbers input;            ///< [most_rows, held inputs]
     Numbers output_gradient;  ///< [most_rows, held outputs]
   };
-  using Kept = typename FlatParameters<T>::Kept;
+  using Kept = typename Parameters<T>::Kept;
 
   static Rows<T> rows_of(Numbers& numbers, std::int64_t stride) { return {numbers.data(), stride}; }
   static Rows<const T> rows_of(const Numbers& numbers, std::int64_t stride) {
@@ -87,7 +87,7 @@ class DenseChain {
   void require_room_for(std::int64_t rows) const;
   [[nodiscard]] std::vector<T> bias_gradient(const Layer& layer, std::int64_t rows) const;
 
-  FlatParameters<T>& parameters_;
+  Parameters<T>& parameters_;
   std::int64_t most_rows_;
   std::vector<Layer> layers_;
   Numbers output_;          ///< [most_rows, held outputs] of the last layer

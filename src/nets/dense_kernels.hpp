@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "nets/flat_adam.hpp"
+#include "nets/adam.hpp"
 
 namespace piae::nets {
 

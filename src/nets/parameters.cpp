@@ -1,100 +1,108 @@
 #include "nets/parameters.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 
-#include "nets/stored_parameters.hpp"
-#include "nets/torch.hpp"
+#include "base/vector.hpp"
 
 namespace piae::nets {
 
-ParameterSet::ParameterSet(std::vector<ParameterSpec> specs, const Stream& stream,
-                           torch::Dtype dtype, torch::Device device)
-    : specs_(std::move(specs)) {
-  std::vector<double> initial;
-  for (const ParameterSpec& spec : specs_) {
-    const std::vector<double> values = initial_values(spec, stream);
-    initial.insert(initial.end(), values.begin(), values.end());
+namespace {
+
+/// Calls f(held, flat) for each row of a parameter: where it begins among all that is held, and
+/// among the parameter's own numbers in the order of its spec.
+template <class Parameter, class F>
+void for_each_row(const Parameter& parameter, const F& f) {
+  for (std::int64_t row = 0; row < parameter.rows; ++row) {
+    f(parameter.begin + row * parameter.held_columns, row * parameter.columns);
   }
-  values_ = torch::tensor(initial, torch::kFloat64).to(device, dtype);
-  gradients_ = torch::zeros_like(values_);
+}
+
+}  // namespace
+
+template <class T>
+Parameters<T>::Parameters(std::vector<ParameterSpec> specs, const Stream& stream) {
   std::int64_t begin = 0;
-  for (const ParameterSpec& spec : specs_) {
-    const std::int64_t size = spec.size();
-    torch::Tensor view = values_.narrow(0, begin, size).view(spec.shape).detach();
-    view.requires_grad_();
-    view.mutable_grad() = gradients_.narrow(0, begin, size).view(spec.shape);
-    tensors_[spec.name] = view;
-    begin += size;
+  for (ParameterSpec& spec : specs) {
+    const std::int64_t rows = spec.shape.size() > 1 ? spec.shape.front() : 1;
+    const std::int64_t columns = spec.size() / rows;
+    parameters_.push_back({std::move(spec), begin, rows, columns, whole_rows(columns)});
+    begin += rows * whole_rows(columns);
+  }
+  for (Numbers& numbers : kept_) numbers = Numbers::Zero(begin);
+  for (const Parameter& parameter : parameters_) {
+    const std::vector<double> initial = initial_values(parameter.spec, stream);
+    for_each_row(parameter, [&](std::int64_t held, std::int64_t flat) {
+      std::copy_n(initial.begin() + flat, parameter.columns, data(Kept::value) + held);
+    });
   }
 }
 
-const torch::Tensor& ParameterSet::operator[](const std::string& name) const {
-  const auto found = tensors_.find(name);
-  if (found == tensors_.end()) throw std::logic_error("no parameter is called " + name);
-  return found->second;
+template <class T>
+const typename Parameters<T>::Parameter& Parameters<T>::find(
+    const std::string& name) const {
+  const auto found =
+      std::ranges::find(parameters_, name, [](const Parameter& p) { return p.spec.name; });
+  if (found == parameters_.end()) throw std::logic_error("no parameter is called " + name);
+  return *found;
 }
 
-std::vector<torch::Tensor> ParameterSet::with_prefix(const std::string& prefix) const {
-  std::vector<torch::Tensor> tensors;
-  for (const ParameterSpec& spec : specs_) {
-    if (spec.name.starts_with(prefix)) tensors.push_back(tensors_.at(spec.name));
+template <class T>
+void Parameters<T>::copy(Kept kept, std::span<float> to, const std::string& prefix) const {
+  for (const Parameter& parameter : parameters_) {
+    if (!parameter.spec.name.starts_with(prefix)) continue;
+    for_each_row(parameter, [&](std::int64_t held, std::int64_t flat) {
+      std::copy_n(data(kept) + held, parameter.columns, to.data() + flat);
+    });
+    to = to.subspan(static_cast<std::size_t>(parameter.spec.size()));
   }
-  return tensors;
 }
 
-ParameterSet::Range ParameterSet::range_of(const std::string& prefix) const {
-  Range range{-1, -1};
-  std::int64_t begin = 0;
-  for (const ParameterSpec& spec : specs_) {
-    const std::int64_t end = begin + spec.size();
-    if (spec.name.starts_with(prefix)) {
-      if (range.begin >= 0 && range.end != begin) {
-        throw std::logic_error("parameters " + prefix + "* do not stand next to each other");
-      }
-      if (range.begin < 0) range.begin = begin;
-      range.end = end;
+template <class T>
+std::vector<float> Parameters<T>::read(Kept kept, const std::string& prefix) const {
+  std::size_t size = 0;
+  for (const Parameter& parameter : parameters_) {
+    if (parameter.spec.name.starts_with(prefix)) {
+      size += static_cast<std::size_t>(parameter.spec.size());
     }
-    begin = end;
   }
-  if (range.begin < 0) throw std::logic_error("no parameter begins with " + prefix);
-  return range;
+  std::vector<float> all(size);
+  copy(kept, all, prefix);
+  return all;
 }
 
-torch::Tensor ParameterSet::values(const std::string& prefix) const {
-  const Range range = range_of(prefix);
-  return values_.narrow(0, range.begin, range.end - range.begin);
+template <class T>
+void Parameters<T>::write(Kept kept, std::span<const float> all, const std::string& prefix) {
+  for (const Parameter& parameter : parameters_) {
+    if (!parameter.spec.name.starts_with(prefix)) continue;
+    for_each_row(parameter, [&](std::int64_t held, std::int64_t i) {
+      std::copy_n(all.data() + i, parameter.columns, data(kept) + held);
+    });
+    all = all.subspan(static_cast<std::size_t>(parameter.spec.size()));
+  }
 }
 
-torch::Tensor ParameterSet::gradients(const std::string& prefix) const {
-  const Range range = range_of(prefix);
-  return gradients_.narrow(0, range.begin, range.end - range.begin);
+void write_moments(artefact::Writer& writer, const std::string& group,
+                   const Parameters<float>& parameters, const std::string& prefix,
+                   std::int64_t steps) {
+  using Kept = Parameters<float>::Kept;
+  writer.numbers(group + "/first_moment", parameters.read(Kept::first_moment, prefix));
+  writer.numbers(group + "/second_moment", parameters.read(Kept::second_moment, prefix));
+  writer.attribute(group, "steps", steps);
 }
 
-void ParameterSet::zero_gradients() { gradients_.zero_(); }
-
-void ParameterSet::set_gradients(const std::string& prefix,
-                                 const std::vector<torch::Tensor>& gradients) {
-  const torch::NoGradGuard no_grad;
-  std::vector<torch::Tensor> tensors = with_prefix(prefix);
-  for (std::size_t i = 0; i < tensors.size(); ++i) tensors[i].mutable_grad().copy_(gradients.at(i));
+std::int64_t read_moments(const artefact::Reader& reader, const std::string& group,
+                          Parameters<float>& parameters, const std::string& prefix) {
+  using Kept = Parameters<float>::Kept;
+  const std::size_t size = parameters.read(Kept::value, prefix).size();
+  parameters.write(Kept::first_moment,
+                   reader.numbers<float>(group + "/first_moment", {size}).values, prefix);
+  parameters.write(Kept::second_moment,
+                   reader.numbers<float>(group + "/second_moment", {size}).values, prefix);
+  return reader.integer(group, "steps");
 }
 
-void ParameterSet::read(const artefact::Reader& reader, const std::string& group) {
-  copy_into(values_, read_parameters(reader, group, specs_));
-}
-
-std::vector<float> to_vector(const torch::Tensor& tensor) {
-  const torch::Tensor flat = tensor.detach().to(torch::kCPU, torch::kFloat32).contiguous();
-  const float* data = flat.data_ptr<float>();
-  return {data, data + flat.numel()};
-}
-
-void copy_into(const torch::Tensor& tensor, std::span<const float> values) {
-  const torch::NoGradGuard no_grad;
-  const torch::Tensor source =
-      torch::from_blob(const_cast<float*>(values.data()),
-                       {static_cast<std::int64_t>(values.size())}, torch::kFloat32);
-  tensor.copy_(source.view(tensor.sizes()));
-}
+template class Parameters<float>;
+template class Parameters<double>;
 
 }  // namespace piae::nets

@@ -1,61 +1,72 @@
 #pragma once
 
-#include <torch/types.h>
-
+#include <Eigen/Core>
+#include <array>
 #include <cstdint>
-#include <map>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "artefact/reader.hpp"
+#include "artefact/writer.hpp"
 #include "base/random.hpp"
 #include "nets/parameter_spec.hpp"
 
 namespace piae::nets {
 
-/// All parameters of a model in one flat vector, and their gradients in another: the optimiser,
-/// gradient clipping and checkpoints each are one pass over contiguous memory. Every tensor that
-/// is handed out is a view, and autograd adds its gradients straight into the flat one.
-class ParameterSet {
+/// Parameters of dense networks with their moments of Adam: what ParameterSet and Adam are over
+/// tensors. Rows of a weight [outputs, inputs], and biases, are filled up with zeros to whole
+/// vectors; what fills them stays zero. Everything that is read or written whole is float32 in the
+/// order of the specs, without the filling.
+template <class T>
+class Parameters {
  public:
-  /// Initial values come from the stream's children by parameter name, so that they do not depend
-  /// on what else the model holds.
-  ParameterSet(std::vector<ParameterSpec> specs, const Stream& stream,
-               torch::Dtype dtype = torch::kFloat32, torch::Device device = torch::kCPU);
+  /// Initial values as those of ParameterSet.
+  Parameters(std::vector<ParameterSpec> specs, const Stream& stream);
 
-  /// The parameter of that name: a leaf that requires a gradient. Throws std::logic_error.
-  [[nodiscard]] const torch::Tensor& operator[](const std::string& name) const;
-  /// Parameters whose names begin with `prefix`, in order.
-  [[nodiscard]] std::vector<torch::Tensor> with_prefix(const std::string& prefix) const;
+  /// A parameter, and where its values begin. Throws std::logic_error.
+  struct Parameter {
+    ParameterSpec spec;
+    std::int64_t begin;
+    std::int64_t rows;
+    std::int64_t columns;
+    std::int64_t held_columns;
+  };
+  [[nodiscard]] const Parameter& find(const std::string& name) const;
+  [[nodiscard]] const std::vector<Parameter>& parameters() const { return parameters_; }
 
-  /// Flat values and gradients [size], of all or of the parameters whose names begin with
-  /// `prefix`, which must stand next to each other.
-  [[nodiscard]] torch::Tensor values(const std::string& prefix = "") const;
-  [[nodiscard]] torch::Tensor gradients(const std::string& prefix = "") const;
-  void zero_gradients();
-  /// Puts the gradients that torch::autograd::grad returned for with_prefix(prefix) in place.
-  void set_gradients(const std::string& prefix, const std::vector<torch::Tensor>& gradients);
+  /// What is kept of each parameter.
+  enum class Kept { value, first_moment, second_moment };
+  [[nodiscard]] T* data(Kept kept) { return numbers(kept).data(); }
+  [[nodiscard]] const T* data(Kept kept) const { return numbers(kept).data(); }
 
-  /// What write_parameters() wrote (stored_parameters.hpp).
-  /// Throws artefact::Refusal when a parameter is missing or has another shape.
-  void read(const artefact::Reader& reader, const std::string& group);
+  /// Of the parameters whose names begin with `prefix`.
+  void copy(Kept kept, std::span<float> to, const std::string& prefix = "") const;
+  [[nodiscard]] std::vector<float> read(Kept kept, const std::string& prefix = "") const;
+  /// As many as read() gives.
+  void write(Kept kept, std::span<const float> all, const std::string& prefix = "");
 
  private:
-  struct Range {
-    std::int64_t begin;
-    std::int64_t end;
-  };
-  [[nodiscard]] Range range_of(const std::string& prefix) const;
+  using Numbers = Eigen::ArrayX<T>;  // on the boundary of vectors
+  Numbers& numbers(Kept kept) { return kept_[static_cast<std::size_t>(kept)]; }
+  [[nodiscard]] const Numbers& numbers(Kept kept) const {
+    return kept_[static_cast<std::size_t>(kept)];
+  }
 
-  std::vector<ParameterSpec> specs_;
-  std::map<std::string, torch::Tensor> tensors_;
-  torch::Tensor values_;
-  torch::Tensor gradients_;
+  std::vector<Parameter> parameters_;
+  std::array<Numbers, 3> kept_;
 };
 
-/// A flat tensor as float32 numbers and back; the shape must fit.
-std::vector<float> to_vector(const torch::Tensor& tensor);
-void copy_into(const torch::Tensor& tensor, std::span<const float> values);
+/// Moments of the parameters whose names begin with `prefix`, and Adam's steps, as nets::Adam
+/// writes and reads them.
+void write_moments(artefact::Writer& writer, const std::string& group,
+                   const Parameters<float>& parameters, const std::string& prefix,
+                   std::int64_t steps);
+/// Returns the steps.
+std::int64_t read_moments(const artefact::Reader& reader, const std::string& group,
+                          Parameters<float>& parameters, const std::string& prefix);
+
+extern template class Parameters<float>;
+extern template class Parameters<double>;
 
 }  // namespace piae::nets

@@ -137,7 +137,7 @@ void Inference::set_scale(const std::vector<Bounds>& bounds,
 
 void Inference::write(artefact::Writer& writer) const {
   nets::write_parameters(writer, group, specs_,
-                         parameters_.read(nets::FlatParameters<float>::Kept::value));
+                         parameters_.read(nets::Parameters<float>::Kept::value));
   writer.numbers(group + "/feature_mean", std::vector(feature_mean_.begin(), feature_mean_.end()));
   writer.numbers(group + "/feature_spread",
                  std::vector(feature_spread_.begin(), feature_spread_.end()));
@@ -149,7 +149,7 @@ void Inference::write(artefact::Writer& writer) const {
 }
 
 void Inference::read(const artefact::Reader& reader) {
-  parameters_.write(nets::FlatParameters<float>::Kept::value,
+  parameters_.write(nets::Parameters<float>::Kept::value,
                     nets::read_parameters(reader, group, specs_));
   const auto row = [&](const std::string& name) {
     const std::vector<float> values =

@@ -8,8 +8,8 @@
 #include "artefact/writer.hpp"
 #include "base/random.hpp"
 #include "nets/dense_chain.hpp"
-#include "nets/flat_adam.hpp"
-#include "nets/flat_parameters.hpp"
+#include "nets/adam.hpp"
+#include "nets/parameters.hpp"
 #include "nets/row_array.hpp"
 #include "signal/window_set.hpp"
 #include "twin/space.hpp"
@@ -68,7 +68,7 @@ class Inference {
   std::int64_t classes_;
   std::int64_t batch_;
   std::vector<nets::ParameterSpec> specs_;
-  nets::FlatParameters<float> parameters_;
+  nets::Parameters<float> parameters_;
   mutable nets::DenseChain<float> network_;  ///< keeps what passes through it
   std::int64_t steps_ = 0;
   std::vector<Bounds> bounds_;  ///< of each class

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "augment/catalogue.hpp"
 #include "report/labels.hpp"
 #include "report/paper_methods.hpp"
 #include "report/paper_reference.hpp"
@@ -32,7 +33,7 @@ std::string seeds_label(const std::vector<std::int64_t>& seeds) {
 }
 
 /// Table 6: a run a column, ours above the paper's.
-TextTable runs_table(const Grid& grid, const AccuracyRow& row, const PaperReference& reference,
+text::Table runs_table(const run::Grid& grid, const AccuracyRow& row, const PaperReference& reference,
                      const Published& published) {
   const std::vector<double> theirs = reference.beside()
                                          ? published.baseline_runs(reference.beside()->paper.name)
@@ -41,7 +42,7 @@ TextTable runs_table(const Grid& grid, const AccuracyRow& row, const PaperRefere
   Cells header{""};
   for (std::size_t i = 0; i < runs; ++i) header.push_back("run " + std::to_string(i + 1));
   header.insert(header.end(), {"mean", "95 % interval"});
-  TextTable table(header, 1);
+  text::Table table(header, 1);
   Cells ours = runs_row(seeds_label(grid.seeds), row.values, runs);
   ours.insert(ours.end(), {mean_label(row.summary), interval_label(row.summary)});
   table.row(ours);
@@ -55,10 +56,10 @@ TextTable runs_table(const Grid& grid, const AccuracyRow& row, const PaperRefere
 
 /// "ae (Model 2)" among the models.
 std::string model_label(const std::string& method) {
-  return method + " (Model " + std::to_string(find_model(method)->number) + ")";
+  return method + " (Model " + std::to_string(augment::find_entry(method)->model) + ")";
 }
 
-void add_method(TextTable& table, const std::string& label, const std::vector<AccuracyRow>& rows,
+void add_method(text::Table& table, const std::string& label, const std::vector<AccuracyRow>& rows,
                 const PaperReference& reference, NumberStyle style) {
   Cells ours{label, "here"};
   Cells intervals{"", "95 %"};
@@ -77,13 +78,13 @@ void add_method(TextTable& table, const std::string& label, const std::vector<Ac
 }
 
 /// Table 8: a ratio a column, up to three lines a method. A grid has all its ratios of each method.
-TextTable ratios_table(const std::vector<std::string>& methods, bool as_models, const Rows& rows,
+text::Table ratios_table(const std::vector<std::string>& methods, bool as_models, const Rows& rows,
                        const PaperReference& reference, NumberStyle style) {
   Cells header{"method", ""};
   for (const AccuracyRow& row : rows_of(rows, methods.front())) {
     header.push_back(ratio_label(row.ratio, row.true_ratio));
   }
-  TextTable table(header, 2);
+  text::Table table(header, 2);
   for (const std::string& method : methods) {
     add_method(table, as_models ? model_label(method) : method_label(method), rows_of(rows, method),
                reference, style);
@@ -99,9 +100,9 @@ std::string models_note(const MethodGroup& group) {
   std::string note;
   if (!group.are_models) return note;
   for (const std::string& method : group.methods) {
-    const Model& model = *find_model(method);
-    note += (note.empty() ? "Model " : "; Model ") + std::to_string(model.number) + ": " +
-            model.method + ", " + model.what;
+    const augment::CatalogueEntry& model = *augment::find_entry(method);
+    note += (note.empty() ? "Model " : "; Model ") + std::to_string(model.model) + ": " +
+            std::string(model.name) + ", " + model.what;
   }
   return note + ".";
 }
@@ -124,12 +125,12 @@ void add_group(std::vector<Section>& sections, const MethodGroup& group, const R
 
 }  // namespace
 
-std::vector<Section> accuracy_sections(const Grid& grid, const std::vector<AccuracyRow>& rows,
+std::vector<Section> accuracy_sections(const run::Grid& grid, const std::vector<AccuracyRow>& rows,
                                        const Published& published) {
   const PaperReference reference(grid.dataset);
   const Rows gains = gain_rows(rows);
   std::vector<Section> sections;
-  for (const AccuracyRow& row : rows_of(rows, no_method)) {
+  for (const AccuracyRow& row : rows_of(rows, augment::no_method)) {
     sections.push_back({"accuracy-none",
                         "Accuracy on " + grid.dataset + " without generated windows, " +
                             ratio_label(row.ratio, row.true_ratio) + ", percent" +
@@ -137,7 +138,7 @@ std::vector<Section> accuracy_sections(const Grid& grid, const std::vector<Accur
                         "", runs_table(grid, row, reference, published)});
   }
   std::vector<std::string> methods = methods_of(rows);
-  std::erase(methods, no_method);
+  std::erase(methods, augment::no_method);
   for (const MethodGroup& group : method_groups(methods)) {
     add_group(sections, group, rows, gains, reference);
   }

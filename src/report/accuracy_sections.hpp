@@ -11,7 +11,7 @@ namespace piae::report {
 /// for another dataset, with the published figures below ours: without augmentation (a run a
 /// column), then accuracies and gains of the compared methods, then those of the ablations (a ratio
 /// a column). A table without a row is left out. `rows` are of accuracy_rows.
-std::vector<Section> accuracy_sections(const Grid& grid, const std::vector<AccuracyRow>& rows,
+std::vector<Section> accuracy_sections(const run::Grid& grid, const std::vector<AccuracyRow>& rows,
                                        const Published& published);
 
 }  // namespace piae::report

@@ -2,14 +2,15 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include "augment/catalogue.hpp"
 #include <algorithm>
 #include <functional>
 #include <iterator>
 
 #include "report/counterpart.hpp"
-#include "report/csv.hpp"
+#include "text/csv.hpp"
 #include "report/labels.hpp"
-#include "report/text_table.hpp"
+#include "text/table.hpp"
 
 namespace piae::report {
 
@@ -22,13 +23,13 @@ void add_published(AccuracyRow& row, const Published& published) {
   (beside->own ? row.published : row.orientation) = percent;
 }
 
-AccuracyRow row_of(const Combination& combination, const Grid& grid, const Results& results,
+AccuracyRow row_of(const run::Combination& combination, const run::Grid& grid, const run::Results& results,
                    const Published& published) {
   AccuracyRow row;
   row.dataset = grid.dataset;
   row.method = combination.method;
   row.ratio = combination.ratio;
-  for (const Diagnosis& cell : results.diagnoses) {
+  for (const run::Diagnosis& cell : results.diagnoses) {
     if (cell.method != row.method || cell.ratio != row.ratio) continue;
     row.generated_per_class = cell.generated_per_class;
     row.true_ratio = cell.true_ratio;
@@ -61,10 +62,10 @@ std::string as_published(std::optional<double> value) {
 
 }  // namespace
 
-std::vector<AccuracyRow> accuracy_rows(const Grid& grid, const Results& results,
+std::vector<AccuracyRow> accuracy_rows(const run::Grid& grid, const run::Results& results,
                                        const Published& published) {
   std::vector<AccuracyRow> rows;
-  for (const Combination& combination : grid.combinations) {
+  for (const run::Combination& combination : grid.combinations) {
     rows.push_back(row_of(combination, grid, results, published));
   }
   return rows;
@@ -87,10 +88,10 @@ std::vector<AccuracyRow> rows_of(const std::vector<AccuracyRow>& rows, const std
 
 std::vector<AccuracyRow> gain_rows(const std::vector<AccuracyRow>& rows) {
   std::vector<AccuracyRow> gains;
-  const auto baseline = std::ranges::find(rows, no_method, &AccuracyRow::method);
+  const auto baseline = std::ranges::find(rows, augment::no_method, &AccuracyRow::method);
   if (baseline == rows.end()) return gains;
   for (const AccuracyRow& row : rows) {
-    if (row.method != no_method) gains.push_back(gain_of(row, *baseline));
+    if (row.method != augment::no_method) gains.push_back(gain_of(row, *baseline));
   }
   return gains;
 }
@@ -116,11 +117,11 @@ std::vector<AccuracyRow> mean_rows(const std::vector<AccuracyRow>& rows) {
 }
 
 std::string accuracy_csv(const std::vector<AccuracyRow>& rows) {
-  std::string text = csv_line({"dataset", "method", "ratio", "generated_per_class", "seeds", "mean",
+  std::string text = text::csv_line({"dataset", "method", "ratio", "generated_per_class", "seeds", "mean",
                                "std", "ci95_low", "ci95_high", "published"});
   for (const AccuracyRow& row : rows) {
     const auto& interval = row.summary.interval;
-    text += csv_line({row.dataset, row.method, row.ratio, std::to_string(row.generated_per_class),
+    text += text::csv_line({row.dataset, row.method, row.ratio, std::to_string(row.generated_per_class),
                       std::to_string(row.summary.count), fixed(row.summary.mean),
                       fixed(row.summary.deviation), interval ? fixed(interval->low) : "",
                       interval ? fixed(interval->high) : "", as_published(row.published)});
@@ -129,7 +130,7 @@ std::string accuracy_csv(const std::vector<AccuracyRow>& rows) {
 }
 
 std::string accuracy_text(const std::vector<AccuracyRow>& rows) {
-  TextTable table({"method", "ratio", "generated", "seeds", "accuracy %", "95 % interval", "paper"},
+  text::Table table({"method", "ratio", "generated", "seeds", "accuracy %", "95 % interval", "paper"},
                   2);
   for (const AccuracyRow& row : rows) {
     table.row({method_label(row.method), ratio_label(row.ratio, row.true_ratio),

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "report/collect.hpp"
+#include "run/collect.hpp"
 #include "report/published.hpp"
 #include "scoring/statistics.hpp"
 
@@ -27,7 +27,7 @@ struct AccuracyRow {
 };
 
 /// One row a combination, in the order of the grid. `results` has all cells of the grid.
-std::vector<AccuracyRow> accuracy_rows(const Grid& grid, const Results& results,
+std::vector<AccuracyRow> accuracy_rows(const run::Grid& grid, const run::Results& results,
                                        const Published& published);
 
 /// Each method that has a row, once, in the order of the rows; and the rows of one.

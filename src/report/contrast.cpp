@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "base/error.hpp"
-#include "report/csv.hpp"
+#include "text/csv.hpp"
 #include "report/labels.hpp"
 #include "report/ratio_columns.hpp"
 
@@ -42,7 +42,7 @@ Cells spread_fields(const scoring::Summary& summary) {
 
 std::string joined_line(Cells cells, const std::vector<Cells>& others) {
   for (const Cells& other : others) cells.insert(cells.end(), other.begin(), other.end());
-  return csv_line(cells);
+  return text::csv_line(cells);
 }
 
 /// The accuracies of one side, a ratio a column. `first`: what stands before the side's name.
@@ -58,11 +58,11 @@ Cells side_line(const std::string& first, const std::string& name, const Side& s
   return cells;
 }
 
-TextTable table_of(const Contrast& contrast, const Names& names) {
+text::Table table_of(const Contrast& contrast, const Names& names) {
   const std::vector<RatioColumn> columns = ratio_columns(contrast.with.rows);
   Cells header{"method", ""};
   for (const RatioColumn& column : columns) header.push_back(column.label);
-  TextTable table(header, 2);
+  text::Table table(header, 2);
   for (const std::string& method : methods_of(contrast.with.rows)) {
     table.row(side_line(method_label(method), names.with, contrast.with, method, columns));
     table.row(side_line("", names.without, contrast.without, method, columns));
@@ -73,13 +73,13 @@ TextTable table_of(const Contrast& contrast, const Names& names) {
 
 }  // namespace
 
-Side read_side(const std::filesystem::path& folder, GridOptions options) {
+Side read_side(const std::filesystem::path& folder, run::GridOptions options) {
   const std::filesystem::path path = folder.has_filename() ? folder : folder.parent_path();
   options.dataset = path.filename();
-  Grid grid = resolve(options);
+  run::Grid grid = resolve(options);
   grid.scored.clear();  // accuracies alone are compared
-  const Results results = collect(Layout(path.parent_path(), grid.dataset), grid);
-  require_all(results);
+  const run::Results results = collect(run::Layout(path.parent_path(), grid.dataset), grid);
+  run::require_all(results);
   return {path.parent_path(), grid.dataset, results.diagnoses.front().protocol,
           with_means(accuracy_rows(grid, results, Published()))};
 }

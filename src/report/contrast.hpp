@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "report/collect.hpp"
+#include "run/collect.hpp"
 #include "report/document.hpp"
 #include "report/paired_rows.hpp"
 
@@ -19,8 +19,8 @@ struct Side {
 };
 
 /// The cells of a grid in a folder RUN/DATASET, which names the dataset. Throws as resolve() and
-/// require_all().
-Side read_side(const std::filesystem::path& folder, GridOptions options);
+/// run::require_all().
+Side read_side(const std::filesystem::path& folder, run::GridOptions options);
 
 /// What a condition is worth: the accuracies with it minus those without it, by method and ratio.
 struct Contrast {

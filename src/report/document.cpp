@@ -3,7 +3,7 @@
 #include <cctype>
 #include <sstream>
 
-#include "report/escape.hpp"
+#include "text/escape.hpp"
 
 namespace piae::report {
 
@@ -37,7 +37,7 @@ std::string label_of(const Document& document, const Section& section) {
 std::string latex_float(const Document& document, const Section& section) {
   const std::string note = section.note.empty() ? "" : " " + section.note;
   return "\\begin{table}\n\\centering\n" +
-         wrapped("\\caption{" + latex_text(section.title + "." + note) + "}") +
+         wrapped("\\caption{" + text::latex_text(section.title + "." + note) + "}") +
          "\\label{tab:" + label_of(document, section) +
          "}\n"
          // A table that is wider than the text is made as wide as that.
@@ -48,24 +48,24 @@ std::string latex_float(const Document& document, const Section& section) {
 }  // namespace
 
 std::string markdown(const Document& document) {
-  std::string text = "# " + markdown_text(document.title) + '\n';
+  std::string text = "# " + text::markdown_text(document.title) + '\n';
   for (const std::string& paragraph : document.paragraphs) {
-    text += '\n' + wrapped(markdown_text(paragraph));
+    text += '\n' + wrapped(text::markdown_text(paragraph));
   }
   for (const Section& section : document.sections) {
-    text += "\n## " + markdown_text(section.title) + "\n\n";
-    if (!section.note.empty()) text += wrapped(markdown_text(section.note)) + '\n';
+    text += "\n## " + text::markdown_text(section.title) + "\n\n";
+    if (!section.note.empty()) text += wrapped(text::markdown_text(section.note)) + '\n';
     text += section.table.markdown();
   }
   return text;
 }
 
 std::string latex(const Document& document) {
-  std::string text = "% " + latex_text(document.title) +
+  std::string text = "% " + text::latex_text(document.title) +
                      "\n"
                      "% For \\input. In the preamble: \\usepackage{booktabs,graphicx}\n";
   for (const std::string& paragraph : document.paragraphs) {
-    text += '\n' + wrapped(latex_text(paragraph));
+    text += '\n' + wrapped(text::latex_text(paragraph));
   }
   for (const Section& section : document.sections) text += '\n' + latex_float(document, section);
   return text;

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "report/text_table.hpp"
+#include "text/table.hpp"
 
 namespace piae::report {
 
@@ -12,7 +12,7 @@ struct Section {
   std::string key;    ///< short name, such as "accuracy-methods"
   std::string title;  ///< without a full stop
   std::string note;   ///< one paragraph of sentences; empty where nothing is to be said
-  TextTable table;
+  text::Table table;
 };
 
 /// The tables of a dataset, written once and rendered in several ways.

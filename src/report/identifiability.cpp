@@ -6,7 +6,7 @@
 #include <array>
 
 #include "base/error.hpp"
-#include "report/csv.hpp"
+#include "text/csv.hpp"
 #include "report/labels.hpp"
 #include "scoring/identifiability.hpp"
 
@@ -92,8 +92,8 @@ Cells fields_of(const scoring::Summary& summary) {
           summary.deviation ? fmt::format("{:.4f}", *summary.deviation) : ""};
 }
 
-TextTable agreement_table(const std::vector<IdentifiabilityRow>& rows) {
-  TextTable table({"method", "parameter", "class", "R²", "bias, %", "correlation²"}, 3);
+text::Table agreement_table(const std::vector<IdentifiabilityRow>& rows) {
+  text::Table table({"method", "parameter", "class", "R²", "bias, %", "correlation²"}, 3);
   for (const IdentifiabilityRow& row : rows) {
     const bool first = row.class_name == "all";
     scoring::Summary percent = row.bias;
@@ -119,7 +119,7 @@ std::vector<scoring::ScatterRow> scatter_of(const std::vector<Identification>& a
 }
 
 Section scatter_section(const std::vector<Identification>& all, const Parameter& parameter) {
-  TextTable table({"method", "true from", "to", "windows", "inferred 10 %", "50 %", "90 %"}, 1);
+  text::Table table({"method", "true from", "to", "windows", "inferred 10 %", "50 %", "90 %"}, 1);
   for (const std::string& method : methods_of(all)) {
     std::string name = method;
     for (const scoring::ScatterRow& row : scatter_of(all, method, parameter)) {
@@ -144,9 +144,9 @@ void bind(const cli::Options& command, IdentifiabilityOptions& options) {
   command.add("--seeds", options.seeds, "Seeds, such as: 0 1 2").required();
 }
 
-Grid resolve(const IdentifiabilityOptions& options) {
+run::Grid resolve(const IdentifiabilityOptions& options) {
   // The ratio plays no part: one model serves all.
-  return resolve(GridOptions{options.dataset, options.methods, {"1to1"}, options.seeds});
+  return resolve(run::GridOptions{options.dataset, options.methods, {"1to1"}, options.seeds});
 }
 
 std::vector<IdentifiabilityRow> identifiability_rows(const std::vector<Identification>& all) {
@@ -169,7 +169,7 @@ std::vector<IdentifiabilityRow> identifiability_rows(const std::vector<Identific
 std::string identifiability_csv(const std::string& dataset,
                                 const std::vector<IdentifiabilityRow>& rows) {
   std::string text =
-      csv_line({"dataset", "method", "parameter", "class", "seeds", "r2_mean", "r2_std",
+      text::csv_line({"dataset", "method", "parameter", "class", "seeds", "r2_mean", "r2_std",
                 "bias_mean", "bias_std", "correlation2_mean", "correlation2_std"});
   for (const IdentifiabilityRow& row : rows) {
     Cells cells{dataset, row.method, row.parameter, row.class_name, std::to_string(row.r2.count)};
@@ -177,18 +177,18 @@ std::string identifiability_csv(const std::string& dataset,
       const Cells fields = fields_of(*summary);
       cells.insert(cells.end(), fields.begin(), fields.end());
     }
-    text += csv_line(cells);
+    text += text::csv_line(cells);
   }
   return text;
 }
 
 std::string scatter_csv(const std::string& dataset, const std::vector<Identification>& all) {
-  std::string text = csv_line({"dataset", "method", "parameter", "truth_low", "truth_high",
+  std::string text = text::csv_line({"dataset", "method", "parameter", "truth_low", "truth_high",
                                "windows", "inferred_p10", "inferred_p50", "inferred_p90"});
   for (const std::string& method : methods_of(all)) {
     for (const Parameter& parameter : parameters) {
       for (const scoring::ScatterRow& row : scatter_of(all, method, parameter)) {
-        text += csv_line({dataset, method, parameter.name, fmt::format("{:.6g}", row.truth_low),
+        text += text::csv_line({dataset, method, parameter.name, fmt::format("{:.6g}", row.truth_low),
                           fmt::format("{:.6g}", row.truth_high), std::to_string(row.count),
                           fmt::format("{:.6g}", row.inferred_p10),
                           fmt::format("{:.6g}", row.inferred_p50),

@@ -6,7 +6,7 @@
 
 #include "cli/options.hpp"
 #include "report/document.hpp"
-#include "report/grid.hpp"
+#include "run/grid.hpp"
 #include "scoring/statistics.hpp"
 #include "signal/window_set.hpp"
 
@@ -21,7 +21,7 @@ struct IdentifiabilityOptions {
 
 void bind(const cli::Options& command, IdentifiabilityOptions& options);
 /// Throws Error(usage) as for a grid.
-Grid resolve(const IdentifiabilityOptions& options);
+run::Grid resolve(const IdentifiabilityOptions& options);
 
 /// What the model of one method and seed infers of windows that it has not seen.
 struct Identification {

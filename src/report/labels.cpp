@@ -2,9 +2,10 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include "augment/catalogue.hpp"
 #include <cmath>
 
-#include "report/grid.hpp"
+#include "run/grid.hpp"
 
 namespace piae::report {
 
@@ -26,7 +27,7 @@ std::string interval_label(const scoring::Summary& summary, NumberStyle style) {
 }
 
 std::string method_label(const std::string& method) {
-  return is_ceiling(method) ? method + " (ceiling)" : method;
+  return augment::is_ceiling(method) ? method + " (ceiling)" : method;
 }
 
 std::string ratio_label(const std::string& name, double true_ratio) {

@@ -89,7 +89,7 @@ Cells paired_fields(const PairedRow& row) {
   return fields;
 }
 
-void add_paired(TextTable& table, const std::string& name, const std::string& method,
+void add_paired(text::Table& table, const std::string& name, const std::string& method,
                 const std::vector<PairedRow>& rows, const std::vector<RatioColumn>& columns) {
   const auto line = [&](const std::string& first, const std::string& what, const Label& label) {
     Cells cells{first, what};

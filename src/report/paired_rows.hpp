@@ -6,7 +6,7 @@
 
 #include "report/accuracy_table.hpp"
 #include "report/ratio_columns.hpp"
-#include "report/text_table.hpp"
+#include "text/table.hpp"
 #include "scoring/paired.hpp"
 
 namespace piae::report {
@@ -33,7 +33,7 @@ std::vector<std::string> paired_fields(const PairedRow& row);
 
 /// The rows of a method, up to four: difference, its interval, effect, p. `name` stands in the
 /// first cell of the first. Cells without a row are empty.
-void add_paired(TextTable& table, const std::string& name, const std::string& method,
+void add_paired(text::Table& table, const std::string& name, const std::string& method,
                 const std::vector<PairedRow>& rows, const std::vector<RatioColumn>& columns);
 
 /// What those rows mean, and where the seeds are too few to tell anything.

@@ -7,28 +7,26 @@ namespace piae::report {
 
 namespace {
 
-constexpr Model models[] = {{1, "piae-dt", "the full model"},
-                            {2, "ae", "without the physics"},
-                            {3, "physics", "without the auto-encoder"},
-                            {4, "piae-dt-cnn", "with a convolutional auto-encoder"},
-                            {5, "piae-dt-rnn", "with a recurrent auto-encoder"}};
+bool is_model(const std::string& method) {
+  const augment::CatalogueEntry* const entry = augment::find_entry(method);
+  return entry != nullptr && entry->model > 0;
+}
 
 bool is_ablation(const std::string& method) {
-  const Model* model = find_model(method);
-  return model != nullptr && model->number > 1;
+  const augment::CatalogueEntry* const entry = augment::find_entry(method);
+  return entry != nullptr && entry->kind == augment::Kind::ablation;
 }
 
 }  // namespace
 
-std::span<const Model> all_models() { return models; }
-
-const Model* find_model(const std::string& method) {
-  const auto* const found = std::ranges::find(models, method, &Model::method);
-  return found == std::end(models) ? nullptr : found;
+std::vector<augment::CatalogueEntry> all_models() {
+  std::vector<augment::CatalogueEntry> models;
+  std::ranges::copy_if(augment::catalogue(), std::back_inserter(models),
+                       [](const augment::CatalogueEntry& entry) { return entry.model > 0; });
+  return models;
 }
 
 std::vector<MethodGroup> method_groups(const std::vector<std::string>& methods) {
-  const auto is_model = [](const std::string& method) { return find_model(method) != nullptr; };
   MethodGroup compared{"methods",
                        "the methods",
                        {},

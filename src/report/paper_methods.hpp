@@ -1,24 +1,15 @@
 #pragma once
 
-#include <span>
 #include <string>
 #include <vector>
 
+#include "augment/catalogue.hpp"
 #include "report/counterpart.hpp"
 
 namespace piae::report {
 
-/// One of the paper's five models (Section 4.5.4, Tables 10 and 11).
-struct Model {
-  int number;
-  const char* method;  ///< its name in the grid
-  const char* what;
-};
-
-/// Model 1, which is piae-dt itself, to Model 5.
-std::span<const Model> all_models();
-/// Null for a method that is none of them.
-const Model* find_model(const std::string& method);
+/// The paper's five models, Model 1 being piae-dt itself (Section 4.5.4, Tables 10 and 11).
+std::vector<augment::CatalogueEntry> all_models();
 
 /// Methods that share tables.
 struct MethodGroup {

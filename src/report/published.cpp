@@ -3,9 +3,10 @@
 #include <functional>
 #include <span>
 
+#include "augment/catalogue.hpp"
 #include "base/error.hpp"
-#include "report/csv.hpp"
-#include "report/grid.hpp"
+#include "text/csv.hpp"
+#include "run/grid.hpp"
 #include "report/paper_methods.hpp"
 #include "scoring/ratios.hpp"
 
@@ -15,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-double percent_of(const CsvLine& line, std::size_t i) {
+double percent_of(const text::CsvLine& line, std::size_t i) {
   const std::optional<double> value = line.number(i);
   if (!value || *value < 0 || *value > 100) {
     line.refuse("'" + line.fields[i] + "' is not a percentage");
@@ -23,13 +24,13 @@ double percent_of(const CsvLine& line, std::size_t i) {
   return *value;
 }
 
-void require_header(const CsvLine& header, std::size_t i, const std::string& word) {
+void require_header(const text::CsvLine& header, std::size_t i, const std::string& word) {
   if (i >= header.fields.size() || header.fields[i] != word) {
     header.refuse("field " + std::to_string(i + 1) + " of the header must be '" + word + "'");
   }
 }
 
-void require_ratio(const CsvLine& header, const std::string& name) {
+void require_ratio(const text::CsvLine& header, const std::string& name) {
   try {
     scoring::find_ratio(name);
   } catch (const Error& error) {
@@ -37,16 +38,16 @@ void require_ratio(const CsvLine& header, const std::string& name) {
   }
 }
 
-std::string method_of_model(const CsvLine& line) {
-  for (const Model& model : all_models()) {
-    if (line.fields[1] == "model" + std::to_string(model.number)) return model.method;
+std::string method_of_model(const text::CsvLine& line) {
+  for (const augment::CatalogueEntry& model : all_models()) {
+    if (line.fields[1] == "model" + std::to_string(model.model)) return model.name;
   }
   line.refuse("unknown model '" + line.fields[1] + "'; known are model1 to model5");
 }
 
 using Percents = std::map<std::tuple<std::string, std::string, std::string>, double>;
 
-void add(Percents& percents, const CsvLine& line, const std::string& method,
+void add(Percents& percents, const text::CsvLine& line, const std::string& method,
          const std::string& ratio, double percent) {
   const auto [place, is_new] = percents.try_emplace({line.fields[0], method, ratio}, percent);
   if (!is_new && place->second != percent) {
@@ -56,14 +57,14 @@ void add(Percents& percents, const CsvLine& line, const std::string& method,
 
 /// A table with a method in each row, and a ratio in each column from the third.
 void read_by_ratio(const fs::path& path, const std::string& second_column,
-                   const std::function<std::string(const CsvLine&)>& method_of,
+                   const std::function<std::string(const text::CsvLine&)>& method_of,
                    Percents& percents) {
-  const std::vector<CsvLine> lines = read_csv(path);
-  const CsvLine& header = lines.front();
+  const std::vector<text::CsvLine> lines = text::read_csv(path);
+  const text::CsvLine& header = lines.front();
   require_header(header, 0, "dataset");
   require_header(header, 1, second_column);
   for (std::size_t i = 2; i < header.fields.size(); ++i) require_ratio(header, header.fields[i]);
-  for (const CsvLine& line : std::span(lines).subspan(1)) {
+  for (const text::CsvLine& line : std::span(lines).subspan(1)) {
     for (std::size_t i = 2; i < line.fields.size(); ++i) {
       add(percents, line, method_of(line), header.fields[i], percent_of(line, i));
     }
@@ -73,21 +74,21 @@ void read_by_ratio(const fs::path& path, const std::string& second_column,
 }  // namespace
 
 Published::Published(const fs::path& folder) {
-  const std::vector<CsvLine> lines = read_csv(folder / "table6-7-baseline.csv");
+  const std::vector<text::CsvLine> lines = text::read_csv(folder / "table6-7-baseline.csv");
   const std::size_t average = lines.front().fields.size() - 1;
   require_header(lines.front(), 0, "dataset");
   for (std::size_t i = 1; i < average; ++i) {
     require_header(lines.front(), i, "run" + std::to_string(i));
   }
   require_header(lines.front(), average, "average");
-  for (const CsvLine& line : std::span(lines).subspan(1)) {
+  for (const text::CsvLine& line : std::span(lines).subspan(1)) {
     std::vector<double>& runs = baseline_runs_[line.fields[0]];
     if (!runs.empty()) line.refuse("names dataset " + line.fields[0] + " again");
     for (std::size_t i = 1; i < average; ++i) runs.push_back(percent_of(line, i));
-    add(percents_, line, no_method, scoring::all_ratios().front().name, percent_of(line, average));
+    add(percents_, line, augment::no_method, scoring::all_ratios().front().name, percent_of(line, average));
   }
   read_by_ratio(
-      folder / "table8-9-methods.csv", "method", [](const CsvLine& line) { return line.fields[1]; },
+      folder / "table8-9-methods.csv", "method", [](const text::CsvLine& line) { return line.fields[1]; },
       percents_);
   read_by_ratio(folder / "table10-11-ablation.csv", "model", method_of_model, percents_);
 }

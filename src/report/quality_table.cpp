@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "report/csv.hpp"
+#include "text/csv.hpp"
 #include "report/labels.hpp"
 #include "report/paper_methods.hpp"
 #include "report/paper_reference.hpp"
@@ -23,7 +23,7 @@ using scoring::Summary;
 /// The scores of one method, by seed.
 using Seeds = std::vector<const QualityRecord*>;
 
-Seeds seeds_of(const std::string& method, const Results& results) {
+Seeds seeds_of(const std::string& method, const run::Results& results) {
   Seeds seeds;
   for (const QualityRecord& record : results.qualities) {
     if (record.method == method) seeds.push_back(&record);
@@ -54,7 +54,7 @@ Summary of_all_classes(const Seeds& seeds, const Metric& metric) {
 std::string line_of(const Seeds& seeds, std::size_t i, const Metric& metric) {
   const Summary summary = of_class(seeds, i, metric);
   const QualityRecord& first = *seeds.front();
-  return csv_line({first.info.name, first.method, class_name(first, i), metric.name,
+  return text::csv_line({first.info.name, first.method, class_name(first, i), metric.name,
                    std::to_string(summary.count), fmt::format("{:.6g}", summary.mean),
                    summary.deviation ? fmt::format("{:.6g}", *summary.deviation) : ""});
 }
@@ -73,7 +73,7 @@ int decimals_for(const std::vector<std::vector<Summary>>& rows, int most) {
   return std::min(decimals, most);
 }
 
-TextTable metric_table(const std::vector<Seeds>& methods, const Metric& metric) {
+text::Table metric_table(const std::vector<Seeds>& methods, const Metric& metric) {
   std::vector<std::string> header{"class"};
   for (const Seeds& seeds : methods) header.push_back(seeds.front()->method);
   const QualityRecord& first = *methods.front().front();
@@ -84,7 +84,7 @@ TextTable metric_table(const std::vector<Seeds>& methods, const Metric& metric) 
     rows[classes].push_back(of_all_classes(seeds, metric));
   }
   const NumberStyle style{decimals_for(rows, metric.decimals)};
-  TextTable table(header, 1);
+  text::Table table(header, 1);
   for (std::size_t i = 0; i <= classes; ++i) {
     std::vector<std::string> cells{i < classes ? class_name(first, i) : "mean of classes"};
     for (const Summary& summary : rows[i]) cells.push_back(mean_label(summary, style));
@@ -95,8 +95,8 @@ TextTable metric_table(const std::vector<Seeds>& methods, const Metric& metric) 
 
 }  // namespace
 
-std::string quality_csv(const Grid& grid, const Results& results) {
-  std::string text = csv_line({"dataset", "method", "class", "metric", "seeds", "mean", "std"});
+std::string quality_csv(const run::Grid& grid, const run::Results& results) {
+  std::string text = text::csv_line({"dataset", "method", "class", "metric", "seeds", "mean", "std"});
   for (const std::string& method : grid.scored) {
     const Seeds seeds = seeds_of(method, results);
     for (std::size_t i = 0; i < seeds.front()->classes.size(); ++i) {
@@ -106,7 +106,7 @@ std::string quality_csv(const Grid& grid, const Results& results) {
   return text;
 }
 
-std::vector<Section> quality_sections(const Grid& grid, const Results& results) {
+std::vector<Section> quality_sections(const run::Grid& grid, const run::Results& results) {
   const PaperReference reference(grid.dataset);
   std::vector<Section> sections;
   for (const MethodGroup& group : method_groups(grid.scored)) {

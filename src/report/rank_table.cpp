@@ -2,9 +2,10 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include "augment/catalogue.hpp"
 #include <algorithm>
 
-#include "report/csv.hpp"
+#include "text/csv.hpp"
 #include "report/labels.hpp"
 #include "report/paper_reference.hpp"
 
@@ -45,7 +46,7 @@ std::string note_of(const RankTable& table) {
 
 RankTable rank_methods(const std::vector<AccuracyRow>& rows) {
   RankTable table{rows.front().dataset, methods_of(rows), {}, {}};
-  std::erase_if(table.methods, is_ceiling);
+  std::erase_if(table.methods, augment::is_ceiling);
   if (table.methods.size() < 2) return table;
   for (const RatioColumn& column : compared_columns(rows)) {
     const auto blocks = blocks_of(rows, table.methods, column.ratio);
@@ -63,19 +64,19 @@ RankTable rank_methods(const std::vector<AccuracyRow>& rows) {
 }
 
 std::string ranks_csv(const RankTable& table) {
-  std::string text = csv_line(
+  std::string text = text::csv_line(
       {"dataset", "ratio", "method", "seeds", "average_rank", "friedman_p", "critical_difference"});
   for (const auto& [ratio, comparison] : table.ratios) {
     for (std::size_t i = 0; i < table.methods.size(); ++i) {
       text +=
-          csv_line({table.dataset, ratio.ratio, table.methods[i], std::to_string(comparison.blocks),
+          text::csv_line({table.dataset, ratio.ratio, table.methods[i], std::to_string(comparison.blocks),
                     fmt::format("{:.4f}", comparison.average[i]),
                     comparison.p ? fmt::format("{:.6g}", *comparison.p) : "",
                     comparison.p ? fmt::format("{:.4f}", *comparison.critical_difference) : ""});
     }
   }
   for (std::size_t i = 0; i < table.over_all_cells.size(); ++i) {
-    text += csv_line({table.dataset, "all", table.methods[i],
+    text += text::csv_line({table.dataset, "all", table.methods[i],
                       std::to_string(table.ratios.front().comparison.blocks),
                       fmt::format("{:.4f}", table.over_all_cells[i]), "", ""});
   }
@@ -91,7 +92,7 @@ std::vector<Section> rank_sections(const RankTable& table) {
     tests.push_back(ratio.comparison.p ? fmt::format("{:.3g}", *ratio.comparison.p) : "");
   }
   header.emplace_back("all cells");
-  TextTable text(header, 1);
+  text::Table text(header, 1);
   for (std::size_t i = 0; i < table.methods.size(); ++i) {
     std::vector<std::string> cells{table.methods[i]};
     for (const RatioRanks& ratio : table.ratios) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "augment/catalogue.hpp"
 #include "report/labels.hpp"
 #include "scoring/ratios.hpp"
 
@@ -38,7 +39,7 @@ std::vector<AccuracyRow> with_means(std::vector<AccuracyRow> rows) {
 const AccuracyRow* find_row(const std::vector<AccuracyRow>& rows, const std::string& method,
                             const std::string& ratio) {
   const auto found = std::ranges::find_if(rows, [&](const AccuracyRow& row) {
-    return row.method == method && (row.ratio == ratio || method == no_method);
+    return row.method == method && (row.ratio == ratio || method == augment::no_method);
   });
   return found == rows.end() ? nullptr : &*found;
 }

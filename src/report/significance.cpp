@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "base/error.hpp"
-#include "report/csv.hpp"
+#include "text/csv.hpp"
 #include "report/labels.hpp"
 #include "report/paper_reference.hpp"
 
@@ -52,7 +52,7 @@ Comparisons compare_methods(const std::vector<AccuracyRow>& rows, const std::str
 std::string comparisons_csv(const Comparisons& comparisons) {
   const auto line = [](std::vector<std::string> first, const std::vector<std::string>& rest) {
     first.insert(first.end(), rest.begin(), rest.end());
-    return csv_line(first);
+    return text::csv_line(first);
   };
   std::string text = line({"dataset", "ratio", "method", "against"}, paired_header());
   for (const PairedRow& row : comparisons.rows) {
@@ -68,7 +68,7 @@ std::vector<Section> comparison_sections(const Comparisons& comparisons,
   const std::vector<RatioColumn> columns = compared_columns(with_means(rows));
   std::vector<std::string> header{"method", ""};
   for (const RatioColumn& column : columns) header.push_back(column.label);
-  TextTable table(header, 2);
+  text::Table table(header, 2);
   for (const std::string& method : methods_of(rows)) {
     if (method == comparisons.against) continue;
     add_paired(table, method_label(method), method, comparisons.rows, columns);

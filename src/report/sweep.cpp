@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "base/error.hpp"
-#include "report/csv.hpp"
+#include "text/csv.hpp"
 #include "report/labels.hpp"
 
 namespace piae::report {
@@ -22,11 +22,11 @@ SweepPoint parse_point(const std::string& word, const std::vector<std::string>& 
           std::ranges::find(centre, word) != centre.end()};
 }
 
-std::optional<SweepRow> row_of(const Layout& layout, const Sweep& sweep, const SweepPoint& point,
-                               const Combination& combination, Results& results) {
+std::optional<SweepRow> row_of(const run::Layout& layout, const Sweep& sweep, const SweepPoint& point,
+                               const run::Combination& combination, run::Results& results) {
   const std::size_t before = results.diagnoses.size();
-  const Series series{point.factor + " " + point.value, point.folder(), combination};
-  collect_diagnoses(layout, sweep.grid, series, results);
+  const run::Series series{point.factor + " " + point.value, point.folder(), combination};
+  run::collect_diagnoses(layout, sweep.grid, series, results);
   std::vector<double> percents;
   for (std::size_t i = before; i < results.diagnoses.size(); ++i) {
     percents.push_back(100 * results.diagnoses[i].accuracy);
@@ -47,14 +47,14 @@ std::vector<std::string> factors_of(const Sweep& sweep) {
 }
 
 /// A value a line, and its interval below it.
-TextTable factor_table(const std::string& factor, const Sweep& sweep,
+text::Table factor_table(const std::string& factor, const Sweep& sweep,
                        const std::vector<SweepRow>& rows) {
   const std::size_t ratios = sweep.grid.combinations.size();
   std::vector<std::string> header{factor, ""};
   for (std::size_t i = 0; i < ratios; ++i) {
     header.push_back(ratio_label(rows[i].ratio, rows[i].true_ratio));
   }
-  TextTable table(header, 2);
+  text::Table table(header, 2);
   for (std::size_t i = 0; i < rows.size(); i += ratios) {
     if (rows[i].point.factor != factor) continue;
     std::vector<std::string> means{rows[i].point.value,
@@ -83,10 +83,10 @@ void bind(const cli::Options& command, SweepOptions& options) {
 
 Sweep resolve(const SweepOptions& options) {
   Sweep sweep;
-  sweep.grid = resolve(GridOptions{options.dataset, {swept_method}, options.ratios, options.seeds});
-  const std::vector<std::string> words = split_list("--points", options.points);
+  sweep.grid = resolve(run::GridOptions{options.dataset, {swept_method}, options.ratios, options.seeds});
+  const std::vector<std::string> words = run::split_list("--points", options.points);
   std::vector<std::string> centre;
-  if (!options.centre.empty()) centre = split_list("--centre", options.centre);
+  if (!options.centre.empty()) centre = run::split_list("--centre", options.centre);
   for (const std::string& word : centre) {
     if (std::ranges::find(words, word) == words.end()) {
       throw Error(Exit::usage, "--centre: '" + word + "' is none of --points");
@@ -96,10 +96,10 @@ Sweep resolve(const SweepOptions& options) {
   return sweep;
 }
 
-std::vector<SweepRow> sweep_rows(const Layout& layout, const Sweep& sweep, Results& results) {
+std::vector<SweepRow> sweep_rows(const run::Layout& layout, const Sweep& sweep, run::Results& results) {
   std::vector<SweepRow> rows;
   for (const SweepPoint& point : sweep.points) {
-    for (const Combination& combination : sweep.grid.combinations) {
+    for (const run::Combination& combination : sweep.grid.combinations) {
       if (const auto row = row_of(layout, sweep, point, combination, results)) rows.push_back(*row);
     }
   }
@@ -107,11 +107,11 @@ std::vector<SweepRow> sweep_rows(const Layout& layout, const Sweep& sweep, Resul
 }
 
 std::string sweep_csv(const Sweep& sweep, const std::vector<SweepRow>& rows) {
-  std::string text = csv_line(
+  std::string text = text::csv_line(
       {"dataset", "factor", "value", "ratio", "seeds", "mean", "std", "ci95_low", "ci95_high"});
   for (const SweepRow& row : rows) {
     const auto& [count, mean, deviation, interval] = row.summary;
-    text += csv_line({sweep.grid.dataset, row.point.factor, row.point.value, row.ratio,
+    text += text::csv_line({sweep.grid.dataset, row.point.factor, row.point.value, row.ratio,
                       std::to_string(count), fixed(mean), deviation ? fixed(*deviation) : "",
                       interval ? fixed(interval->low) : "", interval ? fixed(interval->high) : ""});
   }
@@ -119,7 +119,7 @@ std::string sweep_csv(const Sweep& sweep, const std::vector<SweepRow>& rows) {
 }
 
 Document sweep_document(const Sweep& sweep, const std::vector<SweepRow>& rows,
-                        const Results& results) {
+                        const run::Results& results) {
   Document document{sweep.grid.dataset + "-sweep",
                     "Settings of " + swept_method + " on " + sweep.grid.dataset,
                     {},

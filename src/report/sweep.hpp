@@ -4,10 +4,10 @@
 #include <vector>
 
 #include "cli/options.hpp"
-#include "report/collect.hpp"
+#include "run/collect.hpp"
 #include "report/document.hpp"
-#include "report/grid.hpp"
-#include "report/layout.hpp"
+#include "run/grid.hpp"
+#include "run/layout.hpp"
 #include "scoring/statistics.hpp"
 
 namespace piae::report {
@@ -40,7 +40,7 @@ struct SweepPoint {
 };
 
 struct Sweep {
-  Grid grid;  ///< the swept method alone
+  run::Grid grid;  ///< the swept method alone
   std::vector<SweepPoint> points;
 };
 
@@ -58,7 +58,7 @@ struct SweepRow {
 
 /// One row for each point and ratio, points as asked for. What is missing or refused is in
 /// `results`, and has no row.
-std::vector<SweepRow> sweep_rows(const Layout& layout, const Sweep& sweep, Results& results);
+std::vector<SweepRow> sweep_rows(const run::Layout& layout, const Sweep& sweep, run::Results& results);
 
 /// sweep.csv: dataset,factor,value,ratio,seeds,mean,std,ci95_low,ci95_high in percent; `seeds` is
 /// how many there are; std and interval of one seed alone are empty.
@@ -66,6 +66,6 @@ std::string sweep_csv(const Sweep& sweep, const std::vector<SweepRow>& rows);
 
 /// The same for people, a table for each factor with a ratio a column.
 Document sweep_document(const Sweep& sweep, const std::vector<SweepRow>& rows,
-                        const Results& results);
+                        const run::Results& results);
 
 }  // namespace piae::report

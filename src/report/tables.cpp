@@ -2,6 +2,7 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include "augment/catalogue.hpp"
 #include <algorithm>
 #include <iterator>
 
@@ -13,15 +14,15 @@ namespace piae::report {
 
 namespace {
 
-std::string ceiling_note(const Grid& grid) {
-  const auto of_ceiling = [](const Combination& cell) { return is_ceiling(cell.method); };
+std::string ceiling_note(const run::Grid& grid) {
+  const auto of_ceiling = [](const run::Combination& cell) { return augment::is_ceiling(cell.method); };
   if (std::ranges::none_of(grid.combinations, of_ceiling)) return "";
   return " The oracle is no method but a ceiling: it takes real windows that no method may see in "
          "the place of generated ones, and has no quality, which would compare them with "
          "themselves.";
 }
 
-std::string how_to_read(const Grid& grid, const std::string& protocol) {
+std::string how_to_read(const run::Grid& grid, const std::string& protocol) {
   return fmt::format(
       "Split protocol {}; {} seed{}, each with a split, a generator and a classifier of its own. "
       "Numbers are the mean ± the sample standard deviation over the seeds; 95 % is the interval "
@@ -32,7 +33,7 @@ std::string how_to_read(const Grid& grid, const std::string& protocol) {
 
 }  // namespace
 
-Document tables(const Grid& grid, const Results& results, const std::vector<AccuracyRow>& rows,
+Document tables(const run::Grid& grid, const run::Results& results, const std::vector<AccuracyRow>& rows,
                 const Published& published, const Comparisons& comparisons,
                 const RankTable& ranks) {
   const auto beside = PaperReference(grid.dataset).beside();

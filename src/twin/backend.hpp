@@ -12,6 +12,7 @@
 
 #include "artefact/reader.hpp"
 #include "artefact/writer.hpp"
+#include "base/compute.hpp"
 #include "base/random.hpp"
 #include "nets/parameter_spec.hpp"
 #include "twin/model.hpp"
@@ -86,14 +87,14 @@ class StoredTwin {
   virtual ~StoredTwin() = default;
 
   /// Eq. 16: scaled windows [n, N] -> n points. Not for a variant without an encoder.
-  [[nodiscard]] virtual std::vector<TwinPoint> encode(std::span<const float> windows) const = 0;
+  [[nodiscard]] virtual std::vector<TwinPoint> encode(std::span<const float> windows) = 0;
   /// Eq. 17: acceleration [n, N] of a class, in units of its RMS.
   [[nodiscard]] virtual std::vector<float> decode(std::span<const TwinPoint> inputs,
-                                                  std::size_t label) const = 0;
+                                                  std::size_t label) = 0;
 };
 
-/// A way to compute twins: ours for one core (native_backend.hpp), LibTorch's on a device
-/// (libtorch_backend.hpp).
+/// A way to compute twins: ours for one core (dense_backend.hpp), LibTorch's on a device
+/// (libtorch/back_ends.hpp).
 struct Engine {
   /// Initial values come from `initial`; the task must outlive it. Throws Error(usage) for windows
   /// or a depth that the variant cannot have.
@@ -105,7 +106,6 @@ struct Engine {
       open;
 };
 
-/// Makes one for "cpu" or "cuda".
-using MakeEngine = Engine (*)(const std::string& device);
+using MakeEngine = Engine (*)(Device device);
 
 }  // namespace piae::twin

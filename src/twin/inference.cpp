@@ -3,7 +3,7 @@
 #include "base/error.hpp"
 #include "twin/model.hpp"
 #include "twin/physics.hpp"
-#include "twin/scaling.hpp"
+#include "signal/scaling.hpp"
 
 namespace piae::twin {
 
@@ -21,7 +21,7 @@ std::vector<signal::DynamicParameters> infer(const artefact::Reader& model,
   const std::unique_ptr<StoredTwin> networks = engine.open(model, description, variant);
   std::vector<signal::DynamicParameters> inferred;
   for (const TwinPoint& point :
-       networks->encode(scaled_windows(windows, description.acceleration))) {
+       networks->encode(signal::scaled_windows(windows, description.acceleration))) {
     inferred.push_back(in_units(point));
   }
   return inferred;

@@ -1,110 +1,206 @@
 #include "twin/losses.hpp"
 
-#include <vector>
-
-#include "nets/torch.hpp"
+#include <algorithm>
+#include <array>
+#include <cmath>
 
 namespace piae::twin {
 
 namespace {
 
-torch::Tensor squared_distances(const torch::Tensor& rows) {
-  const torch::Tensor products = torch::mm(rows, rows.t());
-  const torch::Tensor squares = products.diagonal();
-  return (squares.unsqueeze(0) + squares.unsqueeze(1) - 2 * products).clamp_min(0);
-}
+using Eigen::Index;
 
-torch::Tensor mean_square(const torch::Tensor& x) { return x.square().mean(); }
+constexpr std::array<double, 5> kernel_factors{1, 2, 4, 8, 16};
+constexpr double least_bandwidth = 1e-12;
 
-/// Contact force in newton at compression s - delta, m.
-torch::Tensor contact_force(const torch::Tensor& compression, const Physics& physics) {
-  return physics.contact_n_per_m15 * compression.clamp_min(0).pow(1.5);
-}
-
-/// Static equilibrium [batch, 1] in metres. Newton's method finds the value; one further step,
-/// with the slope held fixed, then carries the exact derivative ds_0/dk = -s_0 / slope.
-torch::Tensor static_equilibrium(const torch::Tensor& stiffness, const torch::Tensor& deflection,
-                                 const Physics& physics) {
-  const torch::Tensor k = stiffness.detach().to(torch::kCPU, torch::kFloat64).contiguous();
-  const torch::Tensor delta = deflection.to(torch::kCPU, torch::kFloat64).contiguous();
-  torch::Tensor root = torch::empty_like(k);
-  for (std::int64_t i = 0; i < k.numel(); ++i) {
-    root.data_ptr<double>()[i] =
-        static_equilibrium_m(k.data_ptr<double>()[i], delta.data_ptr<double>()[i], physics);
+/// Squared distances of all rows of z to each other, [n, n].
+template <class T>
+Eigen::ArrayXXd squared_distances(const RowArray<T>& z) {
+  Eigen::ArrayXXd distances = Eigen::ArrayXXd::Zero(z.rows(), z.rows());
+  for (Index i = 0; i < z.rows(); ++i) {
+    for (Index j = 0; j < i; ++j) {
+      distances(i, j) = static_cast<double>((z.row(i) - z.row(j)).square().sum());
+      distances(j, i) = distances(i, j);
+    }
   }
-  const torch::Tensor s = root.to(stiffness.options().requires_grad(false));
-  const torch::Tensor compression = (s - deflection).clamp_min(0);
-  const torch::Tensor slope =
-      stiffness.detach() + 1.5 * physics.contact_n_per_m15 * compression.sqrt();
-  return s - (stiffness - stiffness.detach()) * s / slope;
+  return distances;
+}
+
+template <class T>
+double mean_square(const RowArray<T>& difference) {
+  return static_cast<double>(difference.square().mean());
+}
+
+template <class T>
+RowArray<T> mean_square_gradient(const RowArray<T>& difference) {
+  return difference * static_cast<T>(2.0 / static_cast<double>(difference.size()));
+}
+
+template <class T>
+RowArray<T> inner(const RowArray<T>& samples, Index from) {
+  return samples.middleCols(from, samples.cols() - 2);
+}
+
+/// Contact force in N at a compression in m, and its derivative in N/m.
+struct Contact {
+  double force;
+  double stiffness;
+};
+
+Contact contact_at(double compression, const Physics& physics) {
+  if (compression <= 0) return {0, 0};
+  const double root = std::sqrt(compression);
+  return {physics.contact_n_per_m15 * compression * root, 1.5 * physics.contact_n_per_m15 * root};
+}
+
+/// The static equilibrium of a window's class at stiffness k~, in m, and its derivative by k~.
+struct Rest {
+  double compression;
+  double by_k;
+};
+
+Rest rest_at(double k, double deflection, const Physics& physics) {
+  const double stiffness = k * stiffness_scale_n_per_m;
+  const double s = static_equilibrium_m(stiffness, deflection, physics);
+  const double slope = stiffness + contact_at(s - deflection, physics).stiffness;
+  return {s - deflection, -s / slope * stiffness_scale_n_per_m};
 }
 
 }  // namespace
 
-torch::Tensor batch_mmd(const torch::Tensor& x, const torch::Tensor& y) {
-  const std::int64_t n = x.size(0);
-  const std::int64_t m = y.size(0);
-  const torch::Tensor distances = squared_distances(torch::cat({x, y}));
+template <class T>
+double add_batch_mmd(const RowArray<T>& x, const RowArray<T>& y, RowArray<T>* by_x,
+                     RowArray<T>& by_y) {
+  const Index n = x.rows();
+  const Index m = y.rows();
+  RowArray<T> z(n + m, x.cols());
+  z << x, y;
+  const Eigen::ArrayXXd distances = squared_distances(z);
   const auto pairs = static_cast<double>((n + m) * (n + m - 1));
-  const torch::Tensor bandwidth = (distances.sum() / pairs / 4).clamp_min(1e-12);
-  torch::Tensor kernel = torch::exp(-distances / bandwidth);
-  for (const double factor : {2.0, 4.0, 8.0, 16.0}) {
-    kernel = kernel + torch::exp(-distances / (bandwidth * factor));
+  const double mean = distances.sum() / pairs / 4;
+  const double bandwidth = std::max(mean, least_bandwidth);
+
+  Eigen::ArrayXXd weights(n + m, n + m);
+  weights.topLeftCorner(n, n) = 1.0 / static_cast<double>(n * n);
+  weights.bottomRightCorner(m, m) = 1.0 / static_cast<double>(m * m);
+  weights.topRightCorner(n, m) = -1.0 / static_cast<double>(n * m);
+  weights.bottomLeftCorner(m, n) = -1.0 / static_cast<double>(n * m);
+
+  double value = 0;
+  double by_bandwidth = 0;
+  Eigen::ArrayXXd by_distance = Eigen::ArrayXXd::Zero(n + m, n + m);
+  for (const double factor : kernel_factors) {
+    const double width = bandwidth * factor;
+    const Eigen::ArrayXXd kernel = weights * (-distances / width).exp();
+    value += kernel.sum();
+    by_distance -= kernel / width;
+    by_bandwidth += (kernel * distances).sum() / (width * bandwidth);
   }
-  return kernel.narrow(0, 0, n).narrow(1, 0, n).mean() +
-         kernel.narrow(0, n, m).narrow(1, n, m).mean() -
-         2 * kernel.narrow(0, 0, n).narrow(1, n, m).mean();
+  if (mean > least_bandwidth) by_distance += by_bandwidth / (4 * pairs);
+
+  // |z_i - z_j|^2 stands at (i, j) and at (j, i).
+  const Eigen::ArrayXXd pull = 4 * by_distance;
+  const Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic> mixing =
+      (Eigen::MatrixXd(pull.rowwise().sum().matrix().asDiagonal()) - pull.matrix())
+          .template cast<T>();
+  if (by_x) *by_x += (mixing.topRows(n) * z.matrix()).array();
+  by_y += (mixing.bottomRows(m) * z.matrix()).array();
+  return value;
 }
 
-torch::Tensor reconstruction_loss(const torch::Tensor& x, const torch::Tensor& a) {
-  return mean_square(x - a) + batch_mmd(x, a);
+template <class T>
+LossOf<T> reconstruction_loss(const RowArray<T>& x, const RowArray<T>& a) {
+  LossOf<T> loss;
+  const RowArray<T> error = a - x;
+  loss.by_acceleration = mean_square_gradient<T>(error);
+  loss.value = mean_square<T>(error) + add_batch_mmd<T>(x, a, nullptr, loss.by_acceleration);
+  return loss;
 }
 
-torch::Tensor differential_loss(const Motion& motion, const torch::Tensor& a, double step) {
-  const std::int64_t inner = a.size(1) - 2;
-  const torch::Tensor& u = motion.displacement;
-  const torch::Tensor& v = motion.velocity;
-  const torch::Tensor a_inner = a.narrow(1, 1, inner);
-  const torch::Tensor second =
-      (u.narrow(1, 2, inner) - 2 * u.narrow(1, 1, inner) + u.narrow(1, 0, inner)) / (step * step);
-  const torch::Tensor first = (v.narrow(1, 2, inner) - v.narrow(1, 0, inner)) / (2 * step);
-  return mean_square(second - a_inner) + mean_square(first - a_inner) + batch_mmd(second, a_inner) +
-         batch_mmd(first, a_inner);
+template <class T>
+LossOf<T> differential_loss(const BatchMotion<T>& motion, double step) {
+  const RowArray<T>& u = motion.displacement;
+  const RowArray<T>& v = motion.velocity;
+  const Index samples = u.cols();
+  const Index inside = samples - 2;
+  const auto per_square = static_cast<T>(1 / (step * step));
+  const auto per_step = static_cast<T>(1 / (2 * step));
+  const RowArray<T> a = inner(motion.acceleration, 1);
+  const RowArray<T> second = (inner(u, 2) - 2 * inner(u, 1) + inner(u, 0)) * per_square;
+  const RowArray<T> first = (inner(v, 2) - inner(v, 0)) * per_step;
+
+  LossOf<T> loss;
+  RowArray<T> by_second = mean_square_gradient<T>(second - a);
+  RowArray<T> by_first = mean_square_gradient<T>(first - a);
+  RowArray<T> by_a = -by_second - by_first;
+  loss.value = mean_square<T>(second - a) + mean_square<T>(first - a) +
+               add_batch_mmd<T>(second, a, &by_second, by_a) +
+               add_batch_mmd<T>(first, a, &by_first, by_a);
+
+  loss.by_acceleration = RowArray<T>::Zero(u.rows(), samples);
+  loss.by_acceleration.middleCols(1, inside) = by_a;
+  loss.by_displacement = RowArray<T>::Zero(u.rows(), samples);
+  by_second *= per_square;
+  loss.by_displacement.middleCols(2, inside) += by_second;
+  loss.by_displacement.middleCols(1, inside) -= 2 * by_second;
+  loss.by_displacement.middleCols(0, inside) += by_second;
+  loss.by_velocity = RowArray<T>::Zero(u.rows(), samples);
+  by_first *= per_step;
+  loss.by_velocity.middleCols(2, inside) += by_first;
+  loss.by_velocity.middleCols(0, inside) -= by_first;
+  return loss;
 }
 
-BatchPhysics batch_physics(const Physics& physics, const torch::Tensor& labels,
-                           const torch::TensorOptions& type) {
-  const auto per_window = [&](const std::vector<double>& per_class) {
-    return torch::tensor(per_class, torch::kFloat64).to(type).index_select(0, labels).unsqueeze(1);
-  };
-  const torch::Tensor a_ref = per_window(physics.acceleration_m_s2);
-  return {per_window(physics.deflection_m), a_ref / (physics.omega_0 * physics.omega_0),
-          physics.mass_kg * a_ref};
+template <class T>
+LossOf<T> twin_loss(const RowArray<T>& k_and_c, const BatchMotion<T>& motion,
+                    std::span<const std::int32_t> labels, const Physics& physics) {
+  const auto& [u, v, a] = motion;
+  LossOf<T> loss;
+  loss.by_acceleration.resize(a.rows(), a.cols());
+  loss.by_displacement.resize(a.rows(), a.cols());
+  loss.by_velocity.resize(a.rows(), a.cols());
+  loss.by_k_and_c.resize(a.rows(), 2);
+  const double mean = 1.0 / static_cast<double>(a.size());
+  for (Index i = 0; i < a.rows(); ++i) {
+    const auto label = static_cast<std::size_t>(labels[static_cast<std::size_t>(i)]);
+    const double a_ref = physics.acceleration_m_s2[label];
+    const double reference_n = physics.mass_kg * a_ref;
+    const double reference_m = a_ref / (physics.omega_0 * physics.omega_0);
+    const auto k = static_cast<double>(k_and_c(i, 0));
+    const double damping = physics.damping * static_cast<double>(k_and_c(i, 1));
+    const Rest rest = rest_at(k, physics.deflection_m[label], physics);
+    const Contact at_rest = contact_at(rest.compression, physics);
+    double by_k = 0;
+    double by_damping = 0;
+    for (Index t = 0; t < a.cols(); ++t) {
+      const double displacement = u(i, t);
+      const Contact contact = contact_at(rest.compression + displacement * reference_m, physics);
+      const double residual = a(i, t) + damping * v(i, t) + k * displacement +
+                              (contact.force - at_rest.force) / reference_n;
+      const double slope = 2 * mean * residual;
+      loss.value += mean * residual * residual;
+      loss.by_acceleration(i, t) = static_cast<T>(slope);
+      loss.by_velocity(i, t) = static_cast<T>(slope * damping);
+      loss.by_displacement(i, t) =
+          static_cast<T>(slope * (k + contact.stiffness * reference_m / reference_n));
+      by_k += slope *
+              (displacement + (contact.stiffness - at_rest.stiffness) * rest.by_k / reference_n);
+      by_damping += slope * v(i, t);
+    }
+    loss.by_k_and_c(i, 0) = static_cast<T>(by_k);
+    loss.by_k_and_c(i, 1) = static_cast<T>(by_damping * physics.damping);
+  }
+  return loss;
 }
 
-torch::Tensor twin_loss(const torch::Tensor& k_and_c, const torch::Tensor& a, const Motion& motion,
-                        const BatchPhysics& batch, const Physics& physics) {
-  const torch::Tensor k = k_and_c.narrow(1, 0, 1);
-  const torch::Tensor c = k_and_c.narrow(1, 1, 1);
-  const torch::Tensor s_0 =
-      static_equilibrium(k * stiffness_scale_n_per_m, batch.deflection, physics);
-  const torch::Tensor compression = s_0 - batch.deflection;
-  const torch::Tensor contact =
-      (contact_force(compression + motion.displacement * batch.displacement, physics) -
-       contact_force(compression, physics)) /
-      batch.force;
-  return mean_square(a + physics.damping * c * motion.velocity + k * motion.displacement + contact);
-}
-
-torch::Tensor weighted_loss(const torch::Tensor& differential, const torch::Tensor& twin,
-                            const torch::Tensor& reconstruction, const torch::Tensor& log_weights) {
-  const torch::Tensor losses = torch::stack({differential, twin, reconstruction});
-  return (log_weights.exp() * losses).sum();
-}
-
-torch::Tensor total_loss(const torch::Tensor& differential, const torch::Tensor& twin,
-                         const torch::Tensor& reconstruction, const torch::Tensor& log_weights) {
-  return weighted_loss(differential, twin, reconstruction, log_weights) - 0.5 * log_weights.sum();
-}
+#define PIAE_INSTANTIATE(T)                                                           \
+  template double add_batch_mmd(const RowArray<T>&, const RowArray<T>&, RowArray<T>*, \
+                                RowArray<T>&);                                        \
+  template LossOf<T> reconstruction_loss(const RowArray<T>&, const RowArray<T>&);     \
+  template LossOf<T> differential_loss(const BatchMotion<T>&, double);                \
+  template LossOf<T> twin_loss(const RowArray<T>&, const BatchMotion<T>&,             \
+                               std::span<const std::int32_t>, const Physics&)
+PIAE_INSTANTIATE(float);
+PIAE_INSTANTIATE(double);
 
 }  // namespace piae::twin

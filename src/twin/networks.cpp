@@ -1,65 +1,92 @@
 #include "twin/networks.hpp"
 
-#include <stdexcept>
-
-#include "nets/dense.hpp"
-#include "nets/torch.hpp"
-#include "twin/convolutional_coder.hpp"
-#include "twin/dense_coder.hpp"
-#include "twin/recurrent_coder.hpp"
-#include "twin/specs.hpp"
+#include <algorithm>
+#include <cmath>
 
 namespace piae::twin {
 
 namespace {
 
-std::unique_ptr<Coder> make_coder(CoderKind kind, const NetworkShape& shape,
-                                  const TwinOptions& options) {
-  switch (kind) {
-    case CoderKind::dense:
-      return std::make_unique<DenseCoder>(shape, options);
-    case CoderKind::convolutional:
-      return std::make_unique<ConvolutionalCoder>(shape, options);
-    case CoderKind::recurrent:
-      return std::make_unique<RecurrentCoder>(shape, options);
-  }
-  throw std::logic_error("no such coder");
-}
+using Eigen::Index;
 
-/// Times of the samples, from 0 to 1 over the window, one row a window.
-torch::Tensor times_like(const torch::Tensor& acceleration) {
-  return torch::linspace(0, 1, acceleration.size(1), acceleration.options())
-      .expand({acceleration.size(0), -1});
+/// As LibTorch's: beyond 20 it is the identity.
+float softplus(float x) { return x > 20 ? x : std::log1p(std::exp(x)); }
+
+std::unique_ptr<nets::DenseChain<float>> chain(nets::Parameters<float>& parameters, bool exists,
+                                               const std::string& name, std::int64_t rows) {
+  if (!exists) return nullptr;
+  return std::make_unique<nets::DenseChain<float>>(parameters, name, rows);
 }
 
 }  // namespace
 
-Networks::Networks(const TwinVariant& variant, const NetworkShape& shape,
-                   const TwinOptions& options)
-    : variant_(variant),
-      shape_(shape),
-      options_(options),
-      coder_(make_coder(variant.coder, shape, options)) {}
+Networks::Networks(nets::Parameters<float>& parameters, const TwinVariant& variant,
+                               const NetworkShape& network_shape, std::int64_t most_windows)
+    : shape(network_shape),
+      encoder(chain(parameters, variant.encoder, encoder_name, most_windows)),
+      decoder(chain(parameters, true, decoder_name, 2 * most_windows)),
+      module(chain(parameters, variant.physics, module_name, 2 * most_windows)) {}
 
-std::vector<nets::ParameterSpec> Networks::specs() const {
-  return network_specs(variant_, shape_, options_, coder_->specs());
+RowArray<float> Networks::encode(const RowArray<float>& windows) {
+  nets::put(windows, encoder->input());
+  return nets::copied<float>(encoder->forward(windows.rows()), windows.rows(), 2)
+      .unaryExpr(&softplus);
 }
 
-torch::Tensor Networks::encode(const nets::ParameterSet& parameters, const torch::Tensor& x) const {
-  return torch::softplus(coder_->encode(parameters, x));
+RowArray<float> Networks::decode(const RowArray<float>& inputs,
+                                       std::span<const std::int32_t> labels) {
+  for (Index i = 0; i < inputs.rows(); ++i) {
+    float* const row = decoder->input().row(i);
+    row[0] = inputs(i, 0);
+    row[1] = inputs(i, 1);
+    nets::put_one_hot(labels[static_cast<std::size_t>(i)], shape.classes, row + 2);
+  }
+  return nets::copied<float>(decoder->forward(inputs.rows()), inputs.rows(), shape.samples);
 }
 
-torch::Tensor Networks::decode(const nets::ParameterSet& parameters, const torch::Tensor& k_and_c,
-                               const torch::Tensor& label) const {
-  return coder_->decode(parameters, torch::cat({k_and_c, label}, 1));
+BatchMotion<float> Networks::move(const RowArray<float>& acceleration) {
+  const Index rows = acceleration.rows();
+  for (Index i = 0; i < rows; ++i) {
+    float* const row = module->input().row(i);
+    std::copy_n(acceleration.row(i).data(), shape.samples, row);
+    Eigen::Map<Eigen::ArrayXf>(row + shape.samples, shape.samples) =
+        Eigen::ArrayXf::LinSpaced(shape.samples, 0, 1);  // times of the samples
+  }
+  const nets::Rows<const float> moved = module->forward(rows);
+  const nets::Rows<const float> velocity{moved.data + shape.samples, moved.stride};
+  return {nets::copied(moved, rows, shape.samples), nets::copied(velocity, rows, shape.samples),
+          acceleration};
 }
 
-Motion Networks::move(const nets::ParameterSet& parameters,
-                      const torch::Tensor& acceleration) const {
-  const torch::Tensor input = torch::cat({acceleration, times_like(acceleration)}, 1);
-  const std::vector<torch::Tensor> halves =
-      nets::run_dense_chain(parameters, module_name, input).chunk(2, 1);
-  return {halves[0], halves[1]};
+RowArray<float> softplus_slope(const RowArray<float>& k_and_c) { return -(-k_and_c).expm1(); }
+
+std::vector<TwinPoint> encode_all(Networks& networks, std::span<const float> windows,
+                                  std::int64_t batch) {
+  const Eigen::Map<const RowArray<float>> all(
+      windows.data(), static_cast<Index>(windows.size()) / networks.shape.samples,
+      networks.shape.samples);
+  std::vector<TwinPoint> points;
+  for (Index i = 0; i < all.rows(); i += batch) {
+    const auto some =
+        as_points(networks.encode(all.middleRows(i, std::min<Index>(batch, all.rows() - i))));
+    points.insert(points.end(), some.begin(), some.end());
+  }
+  return points;
+}
+
+RowArray<float> as_rows(std::span<const TwinPoint> points) {
+  RowArray<float> rows(static_cast<Index>(points.size()), 2);
+  for (Index i = 0; i < rows.rows(); ++i) {
+    const TwinPoint& point = points[static_cast<std::size_t>(i)];
+    rows.row(i) << static_cast<float>(point.k), static_cast<float>(point.c);
+  }
+  return rows;
+}
+
+std::vector<TwinPoint> as_points(const RowArray<float>& rows) {
+  std::vector<TwinPoint> points;
+  for (Index i = 0; i < rows.rows(); ++i) points.push_back({rows(i, 0), rows(i, 1)});
+  return points;
 }
 
 }  // namespace piae::twin

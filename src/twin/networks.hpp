@@ -1,52 +1,48 @@
 #pragma once
 
-#include <torch/types.h>
-
+#include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
+#include "nets/dense_chain.hpp"
 #include "nets/parameters.hpp"
-#include "twin/coder.hpp"
-#include "twin/options.hpp"
-#include "twin/variant.hpp"
+#include "twin/losses.hpp"
+#include "twin/network_shape.hpp"
+#include "twin/space.hpp"
+#include "twin/specs.hpp"
 
 namespace piae::twin {
 
-/// Displacement and velocity, dimensionless (twin/physics.hpp).
-struct Motion {
-  torch::Tensor displacement;  ///< u, [batch, N]
-  torch::Tensor velocity;      ///< v, [batch, N]
+/// Encoder, decoder and physics-informed module (networks.hpp) as chains for one core. Those that a
+/// variant does not have are null.
+struct Networks {
+  /// For batches of up to `most_windows`, and twice as many gradients.
+  Networks(nets::Parameters<float>& parameters, const TwinVariant& variant,
+                 const NetworkShape& shape, std::int64_t most_windows);
+
+  /// Eq. 16: windows [batch, N] -> (k~, c~), [batch, 2].
+  RowArray<float> encode(const RowArray<float>& windows);
+  /// Eq. 17: acceleration [batch, N]; inputs are [batch, 2].
+  RowArray<float> decode(const RowArray<float>& inputs, std::span<const std::int32_t> labels);
+  /// Eq. 18.
+  BatchMotion<float> move(const RowArray<float>& acceleration);
+
+  NetworkShape shape;
+  std::unique_ptr<nets::DenseChain<float>> encoder;
+  std::unique_ptr<nets::DenseChain<float>> decoder;
+  std::unique_ptr<nets::DenseChain<float>> module;
 };
 
-/// Encoder, decoder and physics-informed module as functions of their parameters.
-class Networks {
- public:
-  /// Throws Error(usage) for a length of window or a depth that the variant's coder cannot have.
-  Networks(const TwinVariant& variant, const NetworkShape& shape, const TwinOptions& options);
+/// The slope of eq. 16's softplus where it gave these: 1 - exp(-k), to all digits of a small k.
+RowArray<float> softplus_slope(const RowArray<float>& k_and_c);
 
-  /// net/encoder/..., net/decoder/... and, where the variant has it, net/physics/...
-  [[nodiscard]] std::vector<nets::ParameterSpec> specs() const;
+/// As [n, 2], and back.
+RowArray<float> as_rows(std::span<const TwinPoint> points);
+std::vector<TwinPoint> as_points(const RowArray<float>& rows);
 
-  /// Eq. 16, (k~, c~) = Encoder(x): [batch, N] -> [batch, 2], positive by softplus.
-  [[nodiscard]] torch::Tensor encode(const nets::ParameterSet& parameters,
-                                     const torch::Tensor& x) const;
-
-  /// Eq. 17, a = Decoder(k~, c~, label): [batch, 2], one-hot [batch, classes] -> acceleration
-  /// [batch, N], in units of the class's a_ref.
-  [[nodiscard]] torch::Tensor decode(const nets::ParameterSet& parameters,
-                                     const torch::Tensor& k_and_c,
-                                     const torch::Tensor& label) const;
-
-  /// Eq. 18, (u, v) = PIM(a, t): decoded acceleration [batch, N] and the time of its samples ->
-  /// motion. A chain of dense layers with ReLU between.
-  [[nodiscard]] Motion move(const nets::ParameterSet& parameters,
-                            const torch::Tensor& acceleration) const;
-
- private:
-  TwinVariant variant_;
-  NetworkShape shape_;
-  TwinOptions options_;
-  std::unique_ptr<Coder> coder_;
-};
+/// Eq. 16 for any number of windows [n, N], `batch` at a time.
+std::vector<TwinPoint> encode_all(Networks& networks, std::span<const float> windows,
+                                  std::int64_t batch);
 
 }  // namespace piae::twin

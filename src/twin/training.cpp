@@ -10,7 +10,7 @@
 #include "nets/stored_parameters.hpp"
 #include "signal/amplitude.hpp"
 #include "twin/curves.hpp"
-#include "twin/scaling.hpp"
+#include "signal/scaling.hpp"
 #include "twin/specs.hpp"
 
 namespace piae::twin {
@@ -25,7 +25,7 @@ TwinTask make_task(const signal::WindowSet& known, const TwinOptions& options,
           {static_cast<std::int64_t>(known.length),
            static_cast<std::int64_t>(known.info.classes.size())},
           make_physics(known.info, scale, options),
-          scaled_windows(known, scale),
+          signal::scaled_windows(known, scale),
           known.labels,
           states};
 }

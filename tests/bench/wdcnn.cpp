@@ -8,11 +8,11 @@
 
 #include <algorithm>
 
-#include "diagnosis/libtorch_backend.hpp"
-#include "diagnosis/native_backend.hpp"
+#include "libtorch/wdcnn/backend.hpp"
+#include "diagnosis/one_core_backend.hpp"
 #include "diagnosis/wdcnn_layers.hpp"
 #include "machine.hpp"
-#include "nets/torch.hpp"
+#include "libtorch/nets/torch.hpp"
 
 namespace piae::diagnosis {
 namespace {

@@ -10,7 +10,7 @@
 #include "base/error.hpp"
 #include "phase/generation.hpp"
 #include "simulated.hpp"
-#include "twin/native_backend.hpp"
+#include "twin/dense_backend.hpp"
 
 namespace piae::phase {
 namespace {

@@ -1,0 +1,109 @@
+#include "augment/catalogue.hpp"
+
+#include <algorithm>
+#include <iterator>
+
+#include "augment/dynamics.hpp"
+#include "augment/oracle.hpp"
+#include "augment/physics.hpp"
+#include "augment/piae_dt.hpp"
+#include "augment/piae_dt_phase.hpp"
+#include "augment/repetition.hpp"
+#include "augment/smote.hpp"
+#include "augment/vae.hpp"
+#include "augment/wgan_gp.hpp"
+#include "base/error.hpp"
+
+namespace piae::augment {
+
+namespace {
+
+using Shift = Repetition::Shift;
+
+template <class M, auto... arguments>
+std::unique_ptr<Method> make() {
+  return std::make_unique<M>(arguments...);
+}
+
+constexpr CatalogueEntry entries[] = {
+    {"none", Kind::baseline, "no generated windows"},
+    {"dynamics", Kind::published, "a bearing simulated with nominal parameters", make<Dynamics>},
+    {"smote", Kind::published, "points between known windows", make<Smote>},
+    {"vae", Kind::published, "a conditional variational auto-encoder", make<Vae>},
+    {"wgan-gp", Kind::published, "a conditional Wasserstein GAN", make<WganGp>},
+    {.name = "piae-dt",
+     .kind = Kind::published,
+     .what = "the full model",
+     .make = make<PiaeDt, twin::full_model>,
+     .model = 1,
+     .infers = true},
+    {.name = "ae",
+     .kind = Kind::ablation,
+     .what = "without the physics",
+     .make = make<PiaeDt, twin::without_physics>,
+     .model = 2,
+     .infers = true},
+    {.name = "physics",
+     .kind = Kind::ablation,
+     .what = "without the auto-encoder",
+     .make = make<Physics>,
+     .model = 3},
+    {.name = "piae-dt-cnn",
+     .kind = Kind::ablation,
+     .what = "with a convolutional auto-encoder",
+     .make = make<PiaeDt, twin::convolutional_model>,
+     .model = 4,
+     .infers = true},
+    {.name = "piae-dt-rnn",
+     .kind = Kind::ablation,
+     .what = "with a recurrent auto-encoder",
+     .make = make<PiaeDt, twin::recurrent_model>,
+     .model = 5,
+     .infers = true},
+    {.name = "piae-dt-phase",
+     .kind = Kind::ours,
+     .what = "the twin with the angle of the shaft in its space",
+     .make = make<PiaeDtPhase>,
+     .infers = true},
+    {"oversample", Kind::control, "known windows repeated", make<Repetition, Shift::none>},
+    {"shift", Kind::control, "known windows turned round", make<Repetition, Shift::circular>},
+    {"oracle", Kind::ceiling, "real windows in the place of generated ones", make<Oracle>},
+};
+
+}  // namespace
+
+std::span<const CatalogueEntry> catalogue() { return entries; }
+
+const CatalogueEntry* find_entry(const std::string& name) {
+  const auto* const found = std::ranges::find(entries, name, &CatalogueEntry::name);
+  return found == std::end(entries) ? nullptr : found;
+}
+
+bool is_ceiling(const std::string& name) {
+  const CatalogueEntry* const entry = find_entry(name);
+  return entry != nullptr && entry->kind == Kind::ceiling;
+}
+
+std::vector<std::string> method_names() {
+  std::vector<std::string> names;
+  for (const CatalogueEntry& entry : entries) {
+    if (entry.make != nullptr) names.emplace_back(entry.name);
+  }
+  return names;
+}
+
+std::unique_ptr<Method> make_method(const std::string& name) {
+  const CatalogueEntry* const entry = find_entry(name);
+  if (entry != nullptr && entry->make != nullptr) return entry->make();
+  std::string known;
+  for (const std::string& each : method_names()) known += (known.empty() ? "" : ", ") + each;
+  throw Error(Exit::usage, name.empty()
+                               ? "--method is missing; known are " + known
+                               : "--method: unknown method '" + name + "'; known are " + known);
+}
+
+bool needs_libtorch_always(const CatalogueEntry& entry) {
+  return entry.make != nullptr && entry.make()->needs_libtorch(Compute{});
+}
+
+}  // namespace piae::augment

@@ -1,0 +1,94 @@
+#include "diagnosis/one_core_backend.hpp"
+
+#include <algorithm>
+
+#include "diagnosis/batches.hpp"
+#include "diagnosis/wdcnn_network.hpp"
+#include "nets/adam.hpp"
+
+namespace piae::diagnosis {
+
+namespace {
+
+using Network = WdcnnNetwork<float>;
+
+std::int64_t largest_batch(std::int64_t n, std::int64_t batch) {
+  const std::vector<std::int64_t> bounds = batch_bounds(n, batch);
+  std::int64_t largest = 0;
+  for (std::size_t i = 0; i + 1 < bounds.size(); ++i) {
+    largest = std::max(largest, bounds[i + 1] - bounds[i]);
+  }
+  return largest;
+}
+
+class OneCoreBackend final : public WdcnnBackend {
+ public:
+  OneCoreBackend(const LabelledWindows& train, const WdcnnOptions& options, const Stream& initial)
+      : train_(train),
+        learning_rate_(options.learning_rate),
+        most_windows_(largest_batch(static_cast<std::int64_t>(train.size()), options.batch)),
+        network_(static_cast<std::int64_t>(train.length), static_cast<std::int64_t>(train.classes),
+                 most_windows_, initial),
+        adam_(network_.values().size()) {}
+
+  void begin_epoch(std::span<const std::size_t> order) override {
+    windows_.clear();
+    labels_.clear();
+    for (const std::size_t i : order) {
+      windows_.push_back(train_.samples.data() + i * train_.length);
+      labels_.push_back(train_.labels[i]);
+    }
+    sums_ = {};
+  }
+
+  void step(std::int64_t begin, std::int64_t end) override {
+    const auto first = static_cast<std::size_t>(begin);
+    const auto count = static_cast<std::size_t>(end - begin);
+    network_.forward(std::span(windows_).subspan(first, count), Network::Mode::training);
+    const BatchOutcome batch = network_.backward(std::span(labels_).subspan(first, count));
+    adam_.step(network_.values().data(), network_.gradients().data(), learning_rate_);
+    sums_.loss += batch.loss;
+    sums_.correct += batch.correct;
+  }
+
+  BatchOutcome finish_epoch() override { return sums_; }
+
+  std::vector<float> scores(const LabelledWindows& windows) override {
+    const std::size_t classes = windows.classes;
+    std::vector<float> scores(windows.size() * classes);
+    std::vector<const float*> batch;
+    for (std::size_t begin = 0; begin < windows.size(); begin += batch.size()) {
+      batch.clear();
+      const auto end = std::min(windows.size(), begin + static_cast<std::size_t>(most_windows_));
+      for (std::size_t i = begin; i < end; ++i) {
+        batch.push_back(windows.samples.data() + i * windows.length);
+      }
+      const float* logits = network_.forward(batch, Network::Mode::evaluation);
+      for (std::size_t i = begin; i < end; ++i, logits += network_.logits_row()) {
+        softmax(static_cast<std::int64_t>(classes), logits, scores.data() + i * classes);
+      }
+    }
+    return scores;
+  }
+
+ private:
+  const LabelledWindows& train_;
+  double learning_rate_;
+  std::int64_t most_windows_;  ///< in a batch
+  Network network_;
+  nets::Adam<float> adam_;
+  // In the order of the epoch:
+  std::vector<const float*> windows_;
+  std::vector<std::int32_t> labels_;
+  BatchOutcome sums_;
+};
+
+}  // namespace
+
+std::unique_ptr<WdcnnBackend> make_one_core_backend(const LabelledWindows& train,
+                                                  const WdcnnOptions& options,
+                                                  const Stream& initial) {
+  return std::make_unique<OneCoreBackend>(train, options, initial);
+}
+
+}  // namespace piae::diagnosis

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <memory>
+
+#include "diagnosis/wdcnn_backend.hpp"
+
+namespace piae::diagnosis {
+
+/// Ours, for one core, in single precision (wdcnn_network.hpp).
+std::unique_ptr<WdcnnBackend> make_one_core_backend(const LabelledWindows& train,
+                                                    const WdcnnOptions& options,
+                                                    const Stream& initial);
+
+}  // namespace piae::diagnosis

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "latent/backend.hpp"
+#include "nets/trainee.hpp"
+#include "signal/window_set.hpp"
+
+namespace piae::latent {
+
+/// Training of a LatentGenerator together with other networks, in batches of the known windows C:
+/// everything but the step itself. Shuffling and noise of an epoch come from the stream's child
+/// "epoch<i>".
+class LatentTraining final : public nets::Trainee {
+ public:
+  using MakeBackend =
+      std::function<std::unique_ptr<LatentBackend>(const LatentTask& task, const Stream& initial)>;
+
+  /// `losses`: names of what a step returns. Throws Error(bad_input) when a class of C is silent.
+  LatentTraining(const signal::WindowSet& known, const LatentOptions& options,
+                 const std::vector<std::string>& losses, const Stream& stream,
+                 const MakeBackend& make_backend);
+
+  // The back end refers to the task.
+  LatentTraining(const LatentTraining&) = delete;
+  LatentTraining& operator=(const LatentTraining&) = delete;
+
+  [[nodiscard]] std::size_t epochs() const override;
+  /// Throws Error(failed) when a loss is no longer finite.
+  std::string run_epoch(std::size_t epoch) override;
+  void write_state(artefact::Writer& writer) const override;
+  void read_state(const artefact::Reader& reader) override;
+
+  /// The generator as trained, with its whole state: weights, optimisers, /curves/<loss>.
+  void write_model(artefact::Writer& writer) const;
+
+ private:
+  struct Curve {
+    std::string loss;
+    std::vector<double> means;  ///< over the steps of each epoch
+  };
+  std::string note_epoch(std::size_t epoch, const std::vector<double>& means);
+
+  Stream stream_;
+  LatentTask task_;
+  std::unique_ptr<LatentBackend> backend_;
+  std::vector<Curve> curves_;
+};
+
+}  // namespace piae::latent

@@ -1,0 +1,38 @@
+#pragma once
+
+#include "diagnosis/wdcnn_backend.hpp"
+#include "latent/generator.hpp"
+#include "latent/vae.hpp"
+#include "latent/wgan_gp.hpp"
+#include "twin/backend.hpp"
+
+// The one way from the rest of the project to LibTorch. LibTorch takes 0.4 s and 160 MB at each
+// start and need not be installed, so a program is linked either with it (back_ends.cpp) or
+// without (absent.cpp); nothing else in the source differs between the two.
+namespace piae::libtorch {
+
+/// What LibTorch computes, each on the device that is asked for.
+struct BackEnds {
+  twin::MakeEngine twin;
+  latent::MakeVae vae;
+  latent::MakeWganGp wgan_gp;
+  latent::OpenGenerator generator;
+  diagnosis::MakeWdcnnBackend (*wdcnn)(Device device);
+};
+
+/// Null in a program that is linked without LibTorch.
+const BackEnds* back_ends();
+
+/// One of them, or null in a program that is linked without LibTorch.
+template <class F>
+F back_end(F BackEnds::*which) {
+  const BackEnds* const all = back_ends();
+  return all == nullptr ? nullptr : all->*which;
+}
+
+/// In a program that is linked without LibTorch: goes on as the one that is linked with it, called
+/// <program>-libtorch and lying in the same folder, with the same arguments. Does not come back then.
+/// Throws Error(failed) where there is no such program, as after a build with LIBTORCH=off.
+void continue_with_libtorch(char** argv);
+
+}  // namespace piae::libtorch

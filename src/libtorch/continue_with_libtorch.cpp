@@ -1,0 +1,26 @@
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+
+#include "base/error.hpp"
+#include "libtorch/back_ends.hpp"
+
+namespace piae::libtorch {
+
+void continue_with_libtorch(char** argv) {
+  if (back_ends() != nullptr) return;
+  namespace fs = std::filesystem;
+  const fs::path self = fs::read_symlink("/proc/self/exe");
+  const fs::path other = self.string() + "-libtorch";
+  if (!fs::exists(other)) {
+    throw Error(Exit::failed,
+                "this needs LibTorch, and there is no " + other.string() +
+                    ": the programs were built without LibTorch; `make build LIBTORCH=on` has it");
+  }
+  execv(other.c_str(), argv);
+  throw Error(Exit::failed, other.string() + ": cannot be started (" + std::strerror(errno) + ")");
+}
+
+}  // namespace piae::libtorch

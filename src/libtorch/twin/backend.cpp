@@ -1,0 +1,186 @@
+#include "libtorch/twin/backend.hpp"
+
+#include <algorithm>
+
+#include "libtorch/nets/adam.hpp"
+#include "libtorch/nets/device.hpp"
+#include "libtorch/nets/torch.hpp"
+#include "libtorch/twin/model.hpp"
+#include "libtorch/twin/losses.hpp"
+#include "libtorch/twin/networks.hpp"
+#include "twin/specs.hpp"
+
+namespace piae::libtorch {
+
+namespace {
+
+struct Losses {
+  torch::Tensor reconstruction;
+  torch::Tensor differential;
+  torch::Tensor twin;
+  torch::Tensor total;
+
+  [[nodiscard]] twin::BatchLosses values() const {
+    return {reconstruction.item<double>(), differential.item<double>(), twin.item<double>(),
+            total.item<double>()};
+  }
+};
+
+/// Where there is no physics module.
+Losses reconstruction_alone(const torch::Tensor& loss) {
+  const torch::Tensor none = torch::zeros_like(loss);
+  return {loss, none, none, loss};
+}
+
+class LibtorchBackend final : public twin::TwinBackend {
+ public:
+  LibtorchBackend(const twin::TwinTask& task, const Stream& initial, torch::Device device)
+      : task_(task),
+        networks_(task.variant, task.shape, task.options),
+        specs_(twin::with_log_weights(networks_.specs())),
+        windows_(torch::tensor(task.windows).view({-1, task.shape.samples}).to(device)),
+        labels_(torch::tensor(task.labels, torch::kInt64).to(device)),
+        parameters_(specs_, initial, torch::kFloat32, device),
+        networks_adam_(parameters_.values("net/"), parameters_.gradients("net/")),
+        weights_adam_(parameters_.values(twin::log_weights_name),
+                      parameters_.gradients(twin::log_weights_name)) {
+    if (!task.states) return;
+    given_ = {as_tensor(task.states->points, device),
+              as_tensor(task.states->decoder_inputs, device)};
+  }
+
+  twin::BatchLosses step(twin::TrainingStage stage, std::span<const std::size_t> windows,
+                   double learning_rate) override {
+    const torch::Tensor batch =
+        torch::tensor(std::vector<std::int64_t>(windows.begin(), windows.end()), labels_.options());
+    return stage == twin::TrainingStage::one ? step_stage_1(batch, learning_rate)
+                                       : step_stage_2(batch, learning_rate);
+  }
+
+  [[nodiscard]] const std::vector<nets::ParameterSpec>& specs() const override { return specs_; }
+
+  void copy_values(std::span<float> to) const override {
+    const std::vector<float> values = to_vector(parameters_.values());
+    std::copy(values.begin(), values.end(), to.begin());
+  }
+  [[nodiscard]] std::array<float, 3> log_weights() const override {
+    const std::vector<float> logs = to_vector(parameters_[twin::log_weights_name]);
+    return {logs[0], logs[1], logs[2]};
+  }
+
+  void set_values(std::span<const float> values) override {
+    copy_into(parameters_.values(), values);
+  }
+
+  [[nodiscard]] std::vector<twin::TwinPoint> states() override {
+    if (task_.states) return task_.states->points;
+    const torch::NoGradGuard no_grad;
+    return as_points(networks_.encode(parameters_, windows_));
+  }
+
+  void write_adam(artefact::Writer& writer, const std::string& group) const override {
+    networks_adam_.write(writer, group + "/networks");
+    weights_adam_.write(writer, group + "/loss_weights");
+  }
+
+  void read_adam(const artefact::Reader& reader, const std::string& group) override {
+    networks_adam_.read(reader, group + "/networks");
+    weights_adam_.read(reader, group + "/loss_weights");
+  }
+
+ private:
+  /// (k~, c~), and what the decoder is given of them, as [n, 2] each.
+  struct States {
+    torch::Tensor k_and_c;
+    torch::Tensor decoder_input;
+  };
+
+  [[nodiscard]] States states_of(const torch::Tensor& batch, const torch::Tensor& x) const {
+    if (task_.variant.encoder) {
+      const torch::Tensor encoded = networks_.encode(parameters_, x);
+      return {encoded, encoded};
+    }
+    return {given_.k_and_c.index_select(0, batch), given_.decoder_input.index_select(0, batch)};
+  }
+
+  [[nodiscard]] Losses losses_of(const torch::Tensor& batch) const {
+    const torch::Tensor x = windows_.index_select(0, batch);
+    const torch::Tensor labels = labels_.index_select(0, batch);
+    const torch::Tensor one_hot = torch::one_hot(labels, task_.shape.classes).to(x.options());
+    const States states = states_of(batch, x);
+    const torch::Tensor a = networks_.decode(parameters_, states.decoder_input, one_hot);
+    if (!task_.variant.physics) return reconstruction_alone(reconstruction_loss(x, a));
+    const Motion motion = networks_.move(parameters_, a);
+    Losses losses;
+    losses.reconstruction = reconstruction_loss(x, a);
+    losses.differential = differential_loss(motion, a, task_.physics.step);
+    losses.twin = twin_loss(states.k_and_c, a, motion,
+                            batch_physics(task_.physics, labels, x.options()), task_.physics);
+    losses.total = total_of(losses);
+    return losses;
+  }
+
+  /// Eq. 23, or what --loss-weights makes of it.
+  [[nodiscard]] torch::Tensor total_of(const Losses& losses) const {
+    const bool fixed = task_.options.loss_weights == "fixed";
+    const torch::Tensor& learned = parameters_[twin::log_weights_name];
+    return (task_.options.loss_weights == "adaptive" ? total_loss : weighted_loss)(
+        losses.differential, losses.twin, losses.reconstruction,
+        fixed ? learned.detach() : learned);
+  }
+
+  /// Eq. 24: the gradient of each network's own loss with respect to that network alone.
+  twin::BatchLosses step_stage_1(const torch::Tensor& batch, double learning_rate) {
+    const Losses losses = losses_of(batch);
+    const auto follow = [&](const std::string& network, const torch::Tensor& loss) {
+      parameters_.set_gradients(network,
+                                torch::autograd::grad({loss}, parameters_.with_prefix(network), {},
+                                                      /*retain_graph=*/true));
+      clip_norm(parameters_.gradients(network), task_.options.max_gradient_norm);
+    };
+    follow(twin::decoder_name + "/", losses.reconstruction);
+    if (task_.variant.encoder) {
+      follow(twin::encoder_name + "/", task_.variant.physics ? losses.twin : losses.reconstruction);
+    }
+    if (task_.variant.physics) follow(twin::module_name + "/", losses.differential);
+    networks_adam_.step(learning_rate);
+    return losses.values();
+  }
+
+  /// Eq. 25: all networks and the weights of the losses together. Weights that are not learned have
+  /// no gradient, and Adam leaves them as they are.
+  twin::BatchLosses step_stage_2(const torch::Tensor& batch, double learning_rate) {
+    parameters_.zero_gradients();
+    const Losses losses = losses_of(batch);
+    losses.total.backward();
+    clip_norm(parameters_.gradients(), task_.options.max_gradient_norm);
+    networks_adam_.step(learning_rate);
+    weights_adam_.step(learning_rate);
+    return losses.values();
+  }
+
+  const twin::TwinTask& task_;
+  Networks networks_;
+  std::vector<nets::ParameterSpec> specs_;
+  torch::Tensor windows_;
+  torch::Tensor labels_;
+  States given_;  // of all known windows, where there is no encoder
+  ParameterSet parameters_;
+  Adam networks_adam_;
+  Adam weights_adam_;
+};
+
+}  // namespace
+
+twin::Engine twin_engine(Device compute_device) {
+  const torch::Device device = prepare_device(compute_device);
+  return {[device](const twin::TwinTask& task, const Stream& initial) {
+            return std::make_unique<LibtorchBackend>(task, initial, device);
+          },
+          [device](const artefact::Reader& model, const twin::ModelDescription& description,
+                   const twin::TwinVariant& variant) {
+            return open_with_libtorch(model, description, variant, device);
+          }};
+}
+
+}  // namespace piae::libtorch

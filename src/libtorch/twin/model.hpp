@@ -1,0 +1,21 @@
+#pragma once
+
+#include <torch/types.h>
+
+#include <memory>
+#include <vector>
+
+#include "twin/backend.hpp"
+
+namespace piae::libtorch {
+
+/// k~ and c~ of the points as float32 [n, 2], and back.
+torch::Tensor as_tensor(const std::vector<twin::TwinPoint>& points, torch::Device device);
+std::vector<twin::TwinPoint> as_points(const torch::Tensor& k_and_c);
+
+/// Throws artefact::Refusal for a model of another variant.
+std::unique_ptr<twin::StoredTwin> open_with_libtorch(const artefact::Reader& model,
+                                               const twin::ModelDescription& description,
+                                               const twin::TwinVariant& variant, torch::Device device);
+
+}  // namespace piae::libtorch

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <torch/types.h>
+
+#include <memory>
+#include <vector>
+
+#include "libtorch/nets/parameters.hpp"
+#include "libtorch/twin/coder.hpp"
+#include "twin/options.hpp"
+#include "twin/variant.hpp"
+
+namespace piae::libtorch {
+
+/// Displacement and velocity, dimensionless (twin/physics.hpp).
+struct Motion {
+  torch::Tensor displacement;  ///< u, [batch, N]
+  torch::Tensor velocity;      ///< v, [batch, N]
+};
+
+/// Encoder, decoder and physics-informed module as functions of their parameters.
+class Networks {
+ public:
+  /// Throws Error(usage) for a length of window or a depth that the variant's coder cannot have.
+  Networks(const twin::TwinVariant& variant, const twin::NetworkShape& shape, const twin::TwinOptions& options);
+
+  /// net/encoder/..., net/decoder/... and, where the variant has it, net/physics/...
+  [[nodiscard]] std::vector<nets::ParameterSpec> specs() const;
+
+  /// Eq. 16, (k~, c~) = Encoder(x): [batch, N] -> [batch, 2], positive by softplus.
+  [[nodiscard]] torch::Tensor encode(const ParameterSet& parameters,
+                                     const torch::Tensor& x) const;
+
+  /// Eq. 17, a = Decoder(k~, c~, label): [batch, 2], one-hot [batch, classes] -> acceleration
+  /// [batch, N], in units of the class's a_ref.
+  [[nodiscard]] torch::Tensor decode(const ParameterSet& parameters,
+                                     const torch::Tensor& k_and_c,
+                                     const torch::Tensor& label) const;
+
+  /// Eq. 18, (u, v) = PIM(a, t): decoded acceleration [batch, N] and the time of its samples ->
+  /// motion. A chain of dense layers with ReLU between.
+  [[nodiscard]] Motion move(const ParameterSet& parameters,
+                            const torch::Tensor& acceleration) const;
+
+ private:
+  twin::TwinVariant variant_;
+  twin::NetworkShape shape_;
+  twin::TwinOptions options_;
+  std::unique_ptr<Coder> coder_;
+};
+
+}  // namespace piae::libtorch

@@ -1,0 +1,98 @@
+#include "libtorch/wdcnn/backend.hpp"
+
+#include "libtorch/wdcnn/network.hpp"
+#include "libtorch/nets/adam.hpp"
+#include "libtorch/nets/device.hpp"
+#include "libtorch/nets/torch.hpp"
+
+namespace piae::libtorch {
+
+namespace {
+
+using Mode = WdcnnNetwork::Mode;
+
+/// Windows tried at a time: large enough to spread the overhead, small enough for the caches.
+constexpr std::int64_t test_batch = 100;
+
+torch::Tensor to_tensor(const diagnosis::LabelledWindows& set, torch::Device device) {
+  const torch::Tensor windows =
+      torch::empty({static_cast<std::int64_t>(set.size()), static_cast<std::int64_t>(set.length)},
+                   torch::kFloat32);
+  copy_into(windows.view(-1), set.samples);
+  return windows.to(device);
+}
+
+class LibtorchBackend final : public diagnosis::WdcnnBackend {
+ public:
+  LibtorchBackend(const diagnosis::LabelledWindows& train, const diagnosis::WdcnnOptions& options, const Stream& initial,
+                  torch::Device device)
+      : device_(device),
+        learning_rate_(options.learning_rate),
+        network_(static_cast<std::int64_t>(train.length), static_cast<std::int64_t>(train.classes),
+                 initial, torch::kFloat32, device),
+        adam_(network_.parameters().values(), network_.parameters().gradients()),
+        windows_(to_tensor(train, device)),
+        labels_(torch::tensor(train.labels, torch::kInt64).to(device)),
+        shuffled_windows_(torch::empty_like(windows_)),
+        shuffled_labels_(torch::empty_like(labels_)) {}
+
+  /// All windows at once into the order of this epoch, so that batches are views.
+  void begin_epoch(std::span<const std::size_t> order) override {
+    const torch::Tensor index =
+        torch::tensor(std::vector<std::int64_t>(order.begin(), order.end()), torch::kInt64)
+            .to(device_);
+    torch::index_select_out(shuffled_windows_, windows_, 0, index);
+    torch::index_select_out(shuffled_labels_, labels_, 0, index);
+    loss_sum_ = torch::zeros({}, windows_.options().dtype(torch::kFloat64));
+    correct_ = torch::zeros({}, labels_.options());
+  }
+
+  void step(std::int64_t begin, std::int64_t end) override {
+    const torch::Tensor labels = shuffled_labels_.slice(0, begin, end);
+    network_.parameters().zero_gradients();
+    const torch::Tensor logits =
+        network_.forward(shuffled_windows_.slice(0, begin, end), Mode::training);
+    const torch::Tensor loss = torch::cross_entropy_loss(logits, labels);
+    loss.backward();
+    adam_.step(learning_rate_);
+    // Summed where the network is, so that a GPU is not waited for at every step.
+    loss_sum_ += loss.detach().to(torch::kFloat64) * (end - begin);
+    correct_ += logits.detach().argmax(1).eq(labels).sum();
+  }
+
+  diagnosis::BatchOutcome finish_epoch() override {
+    return {loss_sum_.item<double>(), correct_.item<std::int64_t>()};
+  }
+
+  std::vector<float> scores(const diagnosis::LabelledWindows& windows) override {
+    const torch::NoGradGuard no_grad;
+    std::vector<torch::Tensor> scores;
+    for (const torch::Tensor& batch : to_tensor(windows, device_).split(test_batch)) {
+      scores.push_back(network_.forward(batch, Mode::evaluation).softmax(1));
+    }
+    return to_vector(torch::cat(scores));
+  }
+
+ private:
+  torch::Device device_;
+  double learning_rate_;
+  WdcnnNetwork network_;
+  Adam adam_;
+  torch::Tensor windows_;  ///< float32 [n, length]
+  torch::Tensor labels_;   ///< int64 [n]
+  torch::Tensor shuffled_windows_;
+  torch::Tensor shuffled_labels_;
+  torch::Tensor loss_sum_;
+  torch::Tensor correct_;
+};
+
+}  // namespace
+
+diagnosis::MakeWdcnnBackend wdcnn_on(Device device) {
+  return [device = prepare_device(device)](
+             const diagnosis::LabelledWindows& train, const diagnosis::WdcnnOptions& options, const Stream& initial) {
+    return std::make_unique<LibtorchBackend>(train, options, initial, device);
+  };
+}
+
+}  // namespace piae::libtorch

@@ -1,0 +1,192 @@
+#include "regression/deviations.hpp"
+
+#include <algorithm>
+#include <boost/math/distributions/normal.hpp>
+#include <boost/math/distributions/students_t.hpp>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <stdexcept>
+#include <tuple>
+
+namespace piae::regression {
+
+namespace {
+
+constexpr double sigmas = 3;
+constexpr double last_places = 4;
+constexpr double enough_degrees = 8;
+
+using Key = std::tuple<std::string, std::string, std::string>;  // method, ratio, quantity
+using Seeds = std::map<std::int64_t, double>;
+using Series = std::map<Key, Seeds>;
+
+Series series_of(const Measurements& measurements) {
+  Series series;
+  for (const Measured& each : measurements.values) {
+    series[{each.method, each.ratio, each.quantity}][each.seed] = each.value;
+  }
+  return series;
+}
+
+bool same(double a, double b) {
+  const double unit = std::numeric_limits<double>::epsilon() * std::max(std::abs(a), std::abs(b));
+  return std::abs(a - b) <= last_places * unit;
+}
+
+/// How much seeds scatter: a variance that is the sum of squares over the degrees of freedom.
+struct Scatter {
+  double squares = 0;
+  double degrees = 0;
+
+  void add(const Scatter& other) {
+    squares += other.squares;
+    degrees += other.degrees;
+  }
+  [[nodiscard]] double variance() const { return squares / degrees; }
+};
+
+Scatter scatter_of(const Seeds& seeds) {
+  if (seeds.empty()) return {};
+  double mean = 0;
+  for (const auto& [seed, value] : seeds) mean += value / static_cast<double>(seeds.size());
+  Scatter scatter{0, static_cast<double>(seeds.size()) - 1};
+  for (const auto& [seed, value] : seeds) scatter.squares += (value - mean) * (value - mean);
+  return scatter;
+}
+
+double allowed_standard_errors(double degrees) {
+  using boost::math::complement;
+  const double tail = cdf(complement(boost::math::normal(), sigmas));
+  return quantile(complement(boost::math::students_t(degrees), tail));
+}
+
+/// Both sides of a deviations, with their scatter by row and by quantity.
+class Sides {
+ public:
+  Sides(const Measurements& reference, const Measurements& run)
+      : reference_(series_of(reference)), run_(series_of(run)) {
+    for (const Series* side : {&reference_, &run_}) {
+      for (const auto& [key, seeds] : *side) {
+        by_row_[key].add(scatter_of(seeds));
+        by_quantity_[std::get<2>(key)].add(scatter_of(seeds));
+      }
+    }
+  }
+
+  /// The row of these seeds, without a verdict.
+  [[nodiscard]] DeviationRow row(const Key& key, const std::vector<std::int64_t>& seeds) const {
+    DeviationRow row;
+    std::tie(row.method, row.ratio, row.quantity) = key;
+    row.seeds = seeds.size();
+    const auto n = static_cast<double>(seeds.size());
+    for (const std::int64_t seed : seeds) {
+      const double a = reference_.at(key).at(seed);
+      const double b = run_.at(key).at(seed);
+      row.reference += a / n;
+      row.run += b / n;
+      if (!same(a, b)) ++row.moved_seeds;
+    }
+    const auto [variance, degrees] = variance_of(key);
+    if (degrees > 0) {
+      row.standard_error = std::sqrt(variance * 2 / n);
+      row.allowed = allowed_standard_errors(degrees);
+    }
+    return row;
+  }
+
+ private:
+  struct Variance {
+    double value;
+    double degrees;
+  };
+  [[nodiscard]] Variance variance_of(const Key& key) const {
+    const Scatter& own = by_row_.at(key);
+    const Scatter& all = by_quantity_.at(std::get<2>(key));
+    if (own.degrees >= enough_degrees) return {own.variance(), own.degrees};
+    if (all.degrees == 0) return {0, 0};
+    const double own_variance = own.degrees > 0 ? own.variance() : 0;
+    return {std::max(own_variance, all.variance()), all.degrees};
+  }
+
+  Series reference_;
+  Series run_;
+  std::map<Key, Scatter> by_row_;
+  std::map<std::string, Scatter> by_quantity_;
+};
+
+bool within(const DeviationRow& row, Tolerance tolerance) {
+  if (row.moved_seeds == 0) return true;
+  if (tolerance == Tolerance::exact || !row.standard_error) return false;
+  return std::abs(row.difference()) <= row.allowed * *row.standard_error;
+}
+
+/// The quantities of one side that the other has not, as cells: method and ratio with their seeds.
+std::vector<std::string> cells_without(const Measurements& side, const Measurements& other,
+                                       const run::Selection& selection) {
+  const Series there = series_of(other);
+  std::vector<std::string> names;
+  std::map<std::string, std::set<std::int64_t>> cells;
+  for (const Measured& each : side.values) {
+    if (!selection.has(each.method, each.ratio, each.seed)) continue;
+    const auto series = there.find({each.method, each.ratio, each.quantity});
+    if (series != there.end() && series->second.contains(each.seed)) continue;
+    const std::string name = each.method + ' ' + (each.ratio.empty() ? "score" : each.ratio);
+    if (!cells.contains(name)) names.push_back(name);
+    cells[name].insert(each.seed);
+  }
+  for (std::string& name : names) {
+    const std::set<std::int64_t>& seeds = cells.at(name);
+    name += seeds.size() == 1 ? ", seed" : ", seeds";
+    for (const std::int64_t seed : seeds) name += ' ' + std::to_string(seed);
+  }
+  return names;
+}
+
+}  // namespace
+
+Tolerance tolerance_for(const Measurements& reference, const Measurements& run) {
+  const bool one = reference.settings.size() == 1 && reference.settings == run.settings;
+  return one ? Tolerance::exact : Tolerance::spread;
+}
+
+std::optional<double> DeviationRow::standard_errors() const {
+  if (!standard_error) return std::nullopt;
+  return difference() == 0 ? 0 : difference() / *standard_error;
+}
+
+bool Deviations::passed() const {
+  return missing.empty() && not_in_reference.empty() &&
+         std::ranges::all_of(rows, &DeviationRow::within);
+}
+
+Deviations find_deviations(const Measurements& reference, const Measurements& run,
+                   const run::Selection& selection, Tolerance tolerance) {
+  if (reference.dataset != run.dataset || reference.protocol != run.protocol) {
+    throw std::logic_error("a run is compared with the reference of another dataset or protocol");
+  }
+  Deviations deviations;
+  deviations.missing = cells_without(reference, run, selection);
+  deviations.not_in_reference = cells_without(run, reference, selection);
+
+  const Series there = series_of(run);
+  std::vector<Key> keys;
+  std::map<Key, std::vector<std::int64_t>> seeds;
+  for (const Measured& each : reference.values) {
+    const Key key{each.method, each.ratio, each.quantity};
+    const auto series = there.find(key);
+    if (!selection.has(each.method, each.ratio, each.seed)) continue;
+    if (series == there.end() || !series->second.contains(each.seed)) continue;
+    if (!seeds.contains(key)) keys.push_back(key);
+    seeds[key].push_back(each.seed);
+  }
+  const Sides sides(reference, run);
+  for (const Key& key : keys) {
+    DeviationRow row = sides.row(key, seeds.at(key));
+    row.within = within(row, tolerance);
+    deviations.rows.push_back(row);
+  }
+  return deviations;
+}
+
+}  // namespace piae::regression

@@ -1,0 +1,105 @@
+#include "regression/measurements.hpp"
+
+#include <spdlog/fmt/fmt.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <span>
+#include <tuple>
+
+#include "base/error.hpp"
+#include "text/csv.hpp"
+
+namespace piae::regression {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::string version_mark = "# built from: ";
+const std::string settings_mark = "# computed with: ";
+const std::vector<std::string> columns{"method", "ratio", "quantity", "seed", "value"};
+
+void read_comments(const fs::path& path, Measurements& measurements) {
+  std::ifstream in(path);
+  for (std::string line; std::getline(in, line) && line.starts_with('#');) {
+    if (line.starts_with(version_mark)) {
+      measurements.versions.insert(line.substr(version_mark.size()));
+    }
+    if (line.starts_with(settings_mark)) {
+      measurements.settings.insert(line.substr(settings_mark.size()));
+    }
+  }
+  if (measurements.versions.empty() || measurements.settings.empty()) {
+    throw Error(Exit::bad_input,
+                path.string() + ": does not say what it was made with; the lines '" + version_mark +
+                    "...' and '" + settings_mark + "...' are missing at its top");
+  }
+}
+
+Measured measured(const text::CsvLine& line) {
+  const auto seed = line.number(3);
+  const auto value = line.number(4);
+  if (!seed || *seed < 0 || std::trunc(*seed) != *seed) {
+    line.refuse("'" + line.fields[3] + "' is not a seed");
+  }
+  if (!value) line.refuse("'" + line.fields[4] + "' is not a number");
+  return {line.fields[0], line.fields[1], line.fields[2], static_cast<std::int64_t>(*seed), *value};
+}
+
+}  // namespace
+
+fs::path reference_file(const fs::path& folder, const std::string& protocol,
+                        const std::string& dataset) {
+  return folder / protocol / (dataset + ".csv");
+}
+
+std::vector<std::string> reference_datasets(const fs::path& folder, const std::string& protocol) {
+  std::vector<std::string> names;
+  if (!fs::is_directory(folder / protocol)) return names;
+  for (const auto& entry : fs::directory_iterator(folder / protocol)) {
+    if (entry.path().extension() == ".csv") names.push_back(entry.path().stem().string());
+  }
+  std::ranges::sort(names);
+  return names;
+}
+
+std::string reference_csv(const Measurements& measurements) {
+  std::string text = fmt::format(
+      "# {}, protocol {}: what `make check` compares runs with; made by "
+      "`make reference`\n",
+      measurements.dataset, measurements.protocol);
+  for (const std::string& version : measurements.versions) text += version_mark + version + '\n';
+  for (const std::string& setting : measurements.settings) text += settings_mark + setting + '\n';
+  text += text::csv_line(columns);
+  for (const Measured& each : measurements.values) {
+    text += text::csv_line({each.method, each.ratio, each.quantity, std::to_string(each.seed),
+                      fmt::format("{}", each.value)});
+  }
+  return text;
+}
+
+Measurements read_reference(const fs::path& folder, const std::string& protocol,
+                            const std::string& dataset) {
+  const fs::path path = reference_file(folder, protocol, dataset);
+  if (!fs::exists(path)) {
+    throw Error(Exit::input_missing, path.string() + ": there is no reference for " + dataset +
+                                         " (`make reference RUN=...` makes one from a run that is "
+                                         "known to be good)");
+  }
+  const std::vector<text::CsvLine> lines = text::read_csv(path);
+  if (lines.front().fields != columns) lines.front().refuse("is not the header of a reference");
+  Measurements measurements{dataset, protocol, {}, {}, {}};
+  read_comments(path, measurements);
+  std::set<std::tuple<std::string, std::string, std::string, std::int64_t>> seen;
+  for (const text::CsvLine& line : std::span(lines).subspan(1)) {
+    const Measured& each = measurements.values.emplace_back(measured(line));
+    if (!seen.emplace(each.method, each.ratio, each.quantity, each.seed).second) {
+      line.refuse("is there twice");
+    }
+  }
+  return measurements;
+}
+
+}  // namespace piae::regression

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+
+namespace piae::run {
+
+/// Where a run keeps what its tables are made from, and the tables. The make rules in pipeline/ put
+/// the artefacts there.
+class Layout {
+ public:
+  /// `run` is the run's folder, such as results/paper.
+  Layout(const std::filesystem::path& run, const std::string& dataset) : folder_(run / dataset) {}
+
+  [[nodiscard]] std::filesystem::path score(const std::string& method, std::int64_t seed) const {
+    return method_folder(method, seed) / "score.h5";
+  }
+  [[nodiscard]] std::filesystem::path diagnosis(const std::string& method, const std::string& ratio,
+                                                std::int64_t seed) const {
+    return method_folder(method, seed) / ratio / "diagnosis.h5";
+  }
+  [[nodiscard]] std::filesystem::path model(const std::string& method, std::int64_t seed) const {
+    return method_folder(method, seed) / "model.h5";
+  }
+  [[nodiscard]] std::filesystem::path real_windows(std::int64_t seed) const {
+    return seed_folder(seed) / "D.h5";
+  }
+  [[nodiscard]] std::filesystem::path accuracy_csv() const { return folder_ / "accuracy.csv"; }
+  [[nodiscard]] std::filesystem::path gains_csv() const { return folder_ / "gains.csv"; }
+  [[nodiscard]] std::filesystem::path quality_csv() const { return folder_ / "quality.csv"; }
+  [[nodiscard]] std::filesystem::path comparisons_csv() const {
+    return folder_ / "comparisons.csv";
+  }
+  [[nodiscard]] std::filesystem::path ranks_csv() const { return folder_ / "ranks.csv"; }
+  [[nodiscard]] std::filesystem::path tables_markdown() const { return folder_ / "tables.md"; }
+  [[nodiscard]] std::filesystem::path tables_latex() const { return folder_ / "tables.tex"; }
+  [[nodiscard]] std::filesystem::path sweep_csv() const { return folder_ / "sweep.csv"; }
+  [[nodiscard]] std::filesystem::path sweep_markdown() const { return folder_ / "sweep.md"; }
+  [[nodiscard]] std::filesystem::path identifiability_csv() const {
+    return folder_ / "identifiability.csv";
+  }
+  [[nodiscard]] std::filesystem::path scatter_csv() const { return folder_ / "scatter.csv"; }
+  [[nodiscard]] std::filesystem::path identifiability_markdown() const {
+    return folder_ / "identifiability.md";
+  }
+
+  /// Why the diagnosis or score `cell`, as named by the functions above, may be missing: the log of
+  /// the first step on the way to it that has begun and left no result. Empty where none has.
+  [[nodiscard]] static std::optional<std::filesystem::path> unfinished_log(
+      const std::filesystem::path& cell);
+
+ private:
+  [[nodiscard]] std::filesystem::path method_folder(const std::string& method,
+                                                    std::int64_t seed) const {
+    return seed_folder(seed) / method;
+  }
+  [[nodiscard]] std::filesystem::path seed_folder(std::int64_t seed) const {
+    return folder_ / ("seed" + std::to_string(seed));
+  }
+
+  std::filesystem::path folder_;
+};
+
+}  // namespace piae::run

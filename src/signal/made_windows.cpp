@@ -1,0 +1,23 @@
+#include "signal/made_windows.hpp"
+
+namespace piae::signal {
+
+WindowSet make_windows(const DatasetInfo& info, std::size_t length,
+                               std::size_t count, const Stream& stream, const MakeWindow& make) {
+  WindowSet windows;
+  windows.info = info;
+  windows.length = length;
+  for (std::size_t label = 0; label < info.classes.size(); ++label) {
+    if (info.classes[label].defect == Defect::none) continue;
+    const Stream own = stream.child(info.classes[label].name);
+    for (std::size_t i = 0; i < count; ++i) {
+      Stream random = own.child(std::to_string(i));
+      const std::vector<float> window = make(static_cast<int>(label), i, random);
+      windows.samples.insert(windows.samples.end(), window.begin(), window.end());
+      windows.labels.push_back(static_cast<std::int32_t>(label));
+    }
+  }
+  return windows;
+}
+
+}  // namespace piae::signal

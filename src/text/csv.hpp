@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace piae::text {
+
+/// One line of comma-separated values (RFC 4180, but ended by a line feed alone): a field with a
+/// comma, a quote or a line feed in it is quoted.
+std::string csv_line(const std::vector<std::string>& fields);
+
+/// A line of a CSV file, which knows where it stands.
+struct CsvLine {
+  std::string place;  ///< "table6-7-baseline.csv, line 3"
+  std::vector<std::string> fields;
+
+  /// Throws Error(bad_input) with the place.
+  [[noreturn]] void refuse(const std::string& what) const;
+  /// Field i, empty when that is not a finite number.
+  [[nodiscard]] std::optional<double> number(std::size_t i) const;
+};
+
+/// All lines of a file but comments (#) and empty ones; the first is the header. Fields are not
+/// quoted. Throws Error(input_missing) for a file that cannot be read, Error(bad_input) for one
+/// without a line below the header, and for a line that is longer or shorter than the header.
+std::vector<CsvLine> read_csv(const std::filesystem::path& path);
+
+}  // namespace piae::text

@@ -1,0 +1,67 @@
+#include "text/escape.hpp"
+
+#include <cctype>
+#include <string_view>
+#include <utility>
+
+namespace piae::text {
+
+namespace {
+
+/// A bracket is put into braces because a row that begins with one would be read as an option of
+/// the line break before it.
+constexpr std::pair<std::string_view, std::string_view> latex_words[] = {
+    {"\\", "\\textbackslash{}"},
+    {"{", "\\{"},
+    {"}", "\\}"},
+    {"$", "\\$"},
+    {"&", "\\&"},
+    {"#", "\\#"},
+    {"%", "\\%"},
+    {"_", "\\_"},
+    {"~", "\\textasciitilde{}"},
+    {"^", "\\textasciicircum{}"},
+    {"<", "\\textless{}"},
+    {">", "\\textgreater{}"},
+    {"|", "\\textbar{}"},
+    {"[", "{[}"},
+    {"]", "{]}"},
+    {"±", "$\\pm$"},
+    {"²", "$^2$"},
+};
+
+/// A sign at the beginning of a number, which is at that of the text, or after a space or bracket.
+bool is_sign(const std::string& text, std::size_t i) {
+  const bool begins = i == 0 || text[i - 1] == ' ' || text[i - 1] == '[';
+  return begins && (text[i] == '+' || text[i] == '-') && i + 1 < text.size() &&
+         std::isdigit(static_cast<unsigned char>(text[i + 1])) != 0;
+}
+
+}  // namespace
+
+std::string markdown_text(const std::string& text) {
+  std::string escaped;
+  for (const char c : text) {
+    if (std::string_view("\\`*<|").find(c) != std::string_view::npos) escaped += '\\';
+    escaped += c;
+  }
+  return escaped;
+}
+
+std::string latex_text(const std::string& text) {
+  std::string escaped;
+  for (std::size_t i = 0; i < text.size();) {
+    std::string_view from(&text[i], 1);
+    std::string_view to = from;
+    for (const auto& [plain, command] : latex_words) {
+      if (!std::string_view(text).substr(i).starts_with(plain)) continue;
+      from = plain;
+      to = command;
+    }
+    escaped += is_sign(text, i) ? "$" + std::string(to) + "$" : std::string(to);
+    i += from.size();
+  }
+  return escaped;
+}
+
+}  // namespace piae::text

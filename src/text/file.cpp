@@ -1,0 +1,22 @@
+#include "text/file.hpp"
+
+#include <span>
+
+#include "artefact/file.hpp"
+#include "base/error.hpp"
+
+namespace piae::text {
+
+void save_all(const std::vector<File>& files) {
+  std::size_t done = 0;
+  try {
+    for (; done < files.size(); ++done) {
+      artefact::write_file_atomically(files[done].path, std::as_bytes(std::span(files[done].text)));
+    }
+  } catch (const Error&) {
+    for (std::size_t i = 0; i < done; ++i) artefact::remove_file(files[i].path);
+    throw;
+  }
+}
+
+}  // namespace piae::text

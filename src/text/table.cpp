@@ -1,0 +1,93 @@
+#include "text/table.hpp"
+
+#include <algorithm>
+
+#include "text/escape.hpp"
+
+namespace piae::text {
+
+namespace {
+
+/// Characters on the screen: bytes of UTF-8 that do not continue a character.
+std::size_t width_of(const std::string& text) {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(text, [](char c) { return (c & 0xC0) != 0x80; }));
+}
+
+/// Of each column its widest cell.
+std::vector<std::size_t> widths_of(const std::vector<std::vector<std::string>>& rows) {
+  std::vector<std::size_t> widths(rows.front().size(), 0);
+  for (const auto& cells : rows) {
+    for (std::size_t i = 0; i < cells.size(); ++i)
+      widths[i] = std::max(widths[i], width_of(cells[i]));
+  }
+  return widths;
+}
+
+std::string latex_row(const std::vector<std::string>& cells) {
+  std::string line;
+  for (std::size_t i = 0; i < cells.size(); ++i)
+    line += (i > 0 ? " & " : "") + latex_text(cells[i]);
+  return "  " + line + " \\\\\n";
+}
+
+}  // namespace
+
+void Table::row(std::vector<std::string> cells) {
+  cells.resize(rows_.front().size());
+  rows_.push_back(std::move(cells));
+}
+
+std::string Table::padded(const std::string& cell, std::size_t column,
+                              std::size_t width) const {
+  const std::string space(width - width_of(cell), ' ');
+  return column < left_columns_ ? cell + space : space + cell;
+}
+
+std::string Table::plain() const {
+  const std::vector<std::size_t> width = widths_of(rows_);
+  std::string text;
+  for (const auto& cells : rows_) {
+    std::string line;
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      line += (i > 0 ? "  " : "") + padded(cells[i], i, width[i]);
+    }
+    text += line.substr(0, line.find_last_not_of(' ') + 1) + '\n';
+  }
+  return text;
+}
+
+std::string Table::markdown() const {
+  Rows rows = rows_;
+  for (auto& cells : rows) std::ranges::transform(cells, cells.begin(), markdown_text);
+  const std::vector<std::size_t> width = widths_of(rows);
+  std::string rule = "|";
+  for (std::size_t i = 0; i < width.size(); ++i) {
+    rule += std::string(width[i] + 1, '-') + (i < left_columns_ ? "-|" : ":|");
+  }
+  std::string text;
+  for (std::size_t r = 0; r < rows.size(); ++r) {
+    text += "|";
+    for (std::size_t i = 0; i < width.size(); ++i) {
+      text += ' ' + padded(rows[r][i], i, width[i]) + " |";
+    }
+    text += '\n' + (r == 0 ? rule + '\n' : "");
+  }
+  return text;
+}
+
+std::string Table::latex() const {
+  const std::size_t columns = rows_.front().size();
+  const auto goes_on = [](const auto& cells) { return cells.front().empty(); };
+  const bool in_groups = std::any_of(rows_.begin() + 1, rows_.end(), goes_on);
+  std::string text = "\\begin{tabular}{" + std::string(left_columns_, 'l') +
+                     std::string(columns - left_columns_, 'r') + "}\n  \\toprule\n" +
+                     latex_row(rows_.front()) + "  \\midrule\n";
+  for (std::size_t r = 1; r < rows_.size(); ++r) {
+    if (in_groups && r > 1 && !goes_on(rows_[r])) text += "  \\addlinespace\n";
+    text += latex_row(rows_[r]);
+  }
+  return text + "  \\bottomrule\n\\end{tabular}\n";
+}
+
+}  // namespace piae::text

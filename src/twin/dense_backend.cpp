@@ -1,0 +1,254 @@
+#include "twin/dense_backend.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "twin/dense_model.hpp"
+#include "twin/networks.hpp"
+
+namespace piae::twin {
+
+namespace {
+
+using Array = RowArray<float>;
+using Chain = nets::DenseChain<float>;
+using Parameters = nets::Parameters<float>;
+using Kept = Parameters::Kept;
+
+/// Known windows of a step, and what the networks made of them.
+struct Batch {
+  Array windows;  ///< [batch, N]
+  std::vector<std::int32_t> labels;
+  Array k_and_c;  ///< [batch, 2]
+  LossOf<float> reconstruction;
+  LossOf<float> differential;
+  LossOf<float> twin;
+
+  [[nodiscard]] std::int64_t size() const { return windows.rows(); }
+};
+
+/// The rows of these windows.
+std::vector<TwinPoint> chosen(const std::vector<TwinPoint>& points,
+                              std::span<const std::size_t> windows) {
+  std::vector<TwinPoint> chosen;
+  for (const std::size_t i : windows) chosen.push_back(points[i]);
+  return chosen;
+}
+
+/// Into a chain's output gradient, from a row and a column on.
+void put(const Array& gradient, Chain& chain, std::int64_t row, std::int64_t column = 0) {
+  nets::put(gradient, chain.output_gradient().from(row), column);
+}
+
+/// Rows of the last signal.
+Chain::RowRange last(std::int64_t rows, std::int64_t signals) {
+  return {(signals - 1) * rows, rows};
+}
+
+class DenseBackend final : public TwinBackend {
+ public:
+  DenseBackend(const TwinTask& task, const Stream& initial)
+      : task_(task),
+        specs_(with_log_weights(network_specs(task.variant, task.shape, task.options,
+                                              dense_coder_specs(task.shape, task.options)))),
+        parameters_(specs_, initial),
+        batch_(std::min<std::int64_t>(task.options.batch, std::ssize(task.labels))),
+        networks_(parameters_, task.variant, task.shape, batch_),
+        log_weights_(parameters_.find(log_weights_name).begin) {}
+
+  BatchLosses step(TrainingStage stage, std::span<const std::size_t> windows,
+                   double learning_rate) override {
+    const Batch batch = forward(windows);
+    const nets::AdamStep adam(++steps_, learning_rate, nets::AdamConstants::beta1,
+                              nets::AdamConstants::beta2);
+    const BatchLosses losses = losses_of(batch);
+    if (stage == TrainingStage::one) {
+      step_stage_1(batch, adam);
+    } else {
+      step_stage_2(batch, losses, adam, learning_rate);
+    }
+    return losses;
+  }
+
+  [[nodiscard]] const std::vector<nets::ParameterSpec>& specs() const override { return specs_; }
+  void copy_values(std::span<float> to) const override { parameters_.copy(Kept::value, to); }
+  [[nodiscard]] std::array<float, 3> log_weights() const override {
+    const float* const logs = parameters_.data(Kept::value) + log_weights_;
+    return {logs[0], logs[1], logs[2]};
+  }
+  void set_values(std::span<const float> values) override {
+    parameters_.write(Kept::value, values);
+  }
+
+  [[nodiscard]] std::vector<TwinPoint> states() override {
+    return task_.states ? task_.states->points : encode_all(networks_, task_.windows, batch_);
+  }
+
+  void write_adam(artefact::Writer& writer, const std::string& group) const override {
+    write_moments(writer, group + "/networks", parameters_, "net/", steps_);
+    write_moments(writer, group + "/loss_weights", parameters_, log_weights_name, weight_steps_);
+  }
+  void read_adam(const artefact::Reader& reader, const std::string& group) override {
+    steps_ = read_moments(reader, group + "/networks", parameters_, "net/");
+    weight_steps_ = read_moments(reader, group + "/loss_weights", parameters_, log_weights_name);
+  }
+
+ private:
+  Batch forward(std::span<const std::size_t> windows) {
+    Batch batch;
+    batch.windows = nets::gathered<float>(task_.windows, task_.shape.samples, windows);
+    for (const std::size_t i : windows) batch.labels.push_back(task_.labels[i]);
+    batch.k_and_c = task_.variant.encoder ? networks_.encode(batch.windows)
+                                          : as_rows(chosen(task_.states->points, windows));
+    const Array inputs = task_.variant.encoder
+                             ? batch.k_and_c
+                             : as_rows(chosen(task_.states->decoder_inputs, windows));
+    const Array a = networks_.decode(inputs, batch.labels);
+    batch.reconstruction = reconstruction_loss<float>(batch.windows, a);
+    if (!task_.variant.physics) return batch;
+    const BatchMotion<float> motion = networks_.move(a);
+    batch.differential = differential_loss<float>(motion, task_.physics.step);
+    batch.twin = twin_loss<float>(batch.k_and_c, motion, batch.labels, task_.physics);
+    return batch;
+  }
+
+  /// alpha, beta and gamma of eq. 23.
+  struct Weights {
+    float alpha;
+    float beta;
+    float gamma;
+  };
+  [[nodiscard]] Weights weights() const {
+    if (!task_.variant.physics) return {0, 0, 1};
+    const auto [alpha, beta, gamma] = log_weights();
+    return {std::exp(alpha), std::exp(beta), std::exp(gamma)};
+  }
+
+  [[nodiscard]] BatchLosses losses_of(const Batch& batch) const {
+    const Weights w = weights();
+    BatchLosses losses{batch.reconstruction.value, batch.differential.value, batch.twin.value, 0};
+    losses.total =
+        w.alpha * losses.differential + w.beta * losses.twin + w.gamma * losses.reconstruction;
+    if (task_.variant.physics && task_.options.loss_weights == "adaptive") {
+      for (const float log_weight : log_weights()) losses.total -= 0.5 * log_weight;
+    }
+    return losses;
+  }
+
+  /// Eq. 24. The module's own loss and the twin's, which the encoder follows, are two signals
+  /// through the module, and the decoder's own and the twin's two through the decoder.
+  void step_stage_1(const Batch& batch, const nets::AdamStep& adam) {
+    const std::int64_t rows = batch.size();
+    put(batch.reconstruction.by_acceleration, *networks_.decoder, 0);
+    if (!task_.variant.physics) {
+      differentiate_coder(rows, 1, Array::Zero(rows, 2), batch.k_and_c);
+    } else {
+      put(batch.differential.by_displacement, *networks_.module, 0);
+      put(batch.differential.by_velocity, *networks_.module, 0, task_.shape.samples);
+      put(batch.twin.by_displacement, *networks_.module, rows);
+      put(batch.twin.by_velocity, *networks_.module, rows, task_.shape.samples);
+      put(batch.twin.by_acceleration + differentiate_module(rows, 2), *networks_.decoder, rows);
+      differentiate_coder(rows, 2, batch.twin.by_k_and_c, batch.k_and_c);
+    }
+    for (Chain* chain : chains()) {
+      chain->take(adam, clipping(chain->squared_norm({rows, rows})), {rows, rows});
+    }
+  }
+
+  /// Eq. 25.
+  void step_stage_2(const Batch& batch, const BatchLosses& losses, const nets::AdamStep& adam,
+                    double learning_rate) {
+    const std::int64_t rows = batch.size();
+    const Weights w = weights();
+    std::array<float, 3> by_log_weights{};
+    Array by_a = w.gamma * batch.reconstruction.by_acceleration;
+    Array by_k_and_c = Array::Zero(rows, 2);
+    if (task_.variant.physics) {
+      put(w.alpha * batch.differential.by_displacement + w.beta * batch.twin.by_displacement,
+          *networks_.module, 0);
+      put(w.alpha * batch.differential.by_velocity + w.beta * batch.twin.by_velocity,
+          *networks_.module, 0, task_.shape.samples);
+      by_a += w.alpha * batch.differential.by_acceleration + w.beta * batch.twin.by_acceleration +
+              differentiate_module(rows, 1);
+      by_k_and_c = w.beta * batch.twin.by_k_and_c;
+      by_log_weights = gradient_by_log_weights(w, losses);
+    }
+    put(by_a, *networks_.decoder, 0);
+    differentiate_coder(rows, 1, by_k_and_c, batch.k_and_c);
+
+    double squares = 0;
+    for (const float x : by_log_weights) squares += static_cast<double>(x) * x;
+    for (const Chain* chain : chains()) squares += chain->squared_norm({rows, rows});
+    const double scale = clipping(squares);
+    for (Chain* chain : chains()) chain->take(adam, scale, {rows, rows});
+    for (float& x : by_log_weights) x *= static_cast<float>(scale);
+    const nets::AdamStep of_weights(++weight_steps_, learning_rate, nets::AdamConstants::beta1,
+                                    nets::AdamConstants::beta2);
+    nets::take(of_weights, parameters_.data(Kept::value) + log_weights_, by_log_weights.data(),
+               parameters_.data(Kept::first_moment) + log_weights_,
+               parameters_.data(Kept::second_moment) + log_weights_, by_log_weights.size());
+  }
+
+  [[nodiscard]] std::array<float, 3> gradient_by_log_weights(const Weights& w,
+                                                             const BatchLosses& losses) const {
+    if (task_.options.loss_weights == "fixed") return {};
+    const double held = task_.options.loss_weights == "adaptive" ? 0.5 : 0;  // by the logarithms
+    return {static_cast<float>(w.alpha * losses.differential - held),
+            static_cast<float>(w.beta * losses.twin - held),
+            static_cast<float>(w.gamma * losses.reconstruction - held)};
+  }
+
+  /// Returns the gradient of the last signal by the acceleration that the module was given.
+  Array differentiate_module(std::int64_t rows, std::int64_t signals) {
+    return nets::copied<float>(networks_.module->backward(rows, signals, last(rows, signals)), rows,
+                               task_.shape.samples);
+  }
+
+  /// Decoder, and encoder where there is one, which follows the decoder's last signal and
+  /// `by_k_and_c`.
+  void differentiate_coder(std::int64_t rows, std::int64_t signals, const Array& by_k_and_c,
+                           const Array& k_and_c) {
+    if (!task_.variant.encoder) {
+      networks_.decoder->backward(rows, signals, Chain::no_rows);
+      return;
+    }
+    const Array by_inputs = nets::copied<float>(
+        networks_.decoder->backward(rows, signals, last(rows, signals)), rows, 2);
+    put((by_k_and_c + by_inputs) * softplus_slope(k_and_c), *networks_.encoder, 0);
+    networks_.encoder->backward(rows, 1, Chain::no_rows);
+  }
+
+  [[nodiscard]] std::vector<Chain*> chains() const {
+    std::vector<Chain*> chains;
+    for (Chain* chain :
+         {networks_.encoder.get(), networks_.decoder.get(), networks_.module.get()}) {
+      if (chain) chains.push_back(chain);
+    }
+    return chains;
+  }
+
+  /// The factor on gradients of this squared norm.
+  [[nodiscard]] double clipping(double squares) const {
+    return std::min(1.0, task_.options.max_gradient_norm / std::sqrt(squares));
+  }
+
+  const TwinTask& task_;
+  std::vector<nets::ParameterSpec> specs_;
+  Parameters parameters_;
+  std::int64_t batch_;  ///< windows in the largest
+  Networks networks_;
+  std::int64_t log_weights_;  ///< where they begin
+  std::int64_t steps_ = 0;
+  std::int64_t weight_steps_ = 0;
+};
+
+}  // namespace
+
+Engine dense_engine(Device /*device*/) {
+  return {[](const TwinTask& task, const Stream& initial) {
+            return std::make_unique<DenseBackend>(task, initial);
+          },
+          open_dense_model};
+}
+
+}  // namespace piae::twin

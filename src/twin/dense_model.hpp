@@ -1,0 +1,14 @@
+#pragma once
+
+#include <memory>
+
+#include "twin/backend.hpp"
+
+namespace piae::twin {
+
+/// Throws artefact::Refusal for a model of another variant.
+std::unique_ptr<StoredTwin> open_dense_model(const artefact::Reader& model,
+                                        const ModelDescription& description,
+                                        const TwinVariant& variant);
+
+}  // namespace piae::twin

@@ -1,0 +1,93 @@
+// Compares a run with the stored reference, or makes the run the reference.
+
+#include <spdlog/fmt/fmt.h>
+
+#include <algorithm>
+#include <iostream>
+#include <span>
+
+#include "artefact/file.hpp"
+#include "cli/stage.hpp"
+#include "regression/run_measurements.hpp"
+#include "regression/deviations_text.hpp"
+
+using namespace piae;
+namespace fs = std::filesystem;
+
+namespace {
+
+void store(const std::vector<regression::Measurements>& run, const fs::path& folder) {
+  for (const regression::Measurements& measurements : run) {
+    const fs::path path =
+        regression::reference_file(folder, measurements.protocol, measurements.dataset);
+    const std::string text = regression::reference_csv(measurements);
+    artefact::write_file_atomically(path, std::as_bytes(std::span(text)));
+    std::cout << fmt::format("stored {} numbers of {}: {}\n", measurements.values.size(),
+                             measurements.dataset, path.string());
+  }
+}
+
+/// A dataset of the reference that the run has not must fail, too: it counts as one without values.
+void add_missing(std::vector<regression::Measurements>& run, const fs::path& folder,
+                 const run::Selection& selection) {
+  const std::string protocol = run.front().protocol;
+  for (const std::string& dataset : regression::reference_datasets(folder, protocol)) {
+    if (selection.has_dataset(dataset) &&
+        std::ranges::find(run, dataset, &regression::Measurements::dataset) == run.end()) {
+      run.push_back({dataset, protocol, {}, {}, {}});
+    }
+  }
+}
+
+bool compare(const regression::Measurements& run, const fs::path& folder,
+             const run::Selection& selection, const std::string& tolerance) {
+  const auto reference = regression::read_reference(folder, run.protocol, run.dataset);
+  const auto chosen = tolerance == "exact"    ? regression::Tolerance::exact
+                      : tolerance == "spread" ? regression::Tolerance::spread
+                                              : regression::tolerance_for(reference, run);
+  const regression::Deviations deviations = regression::find_deviations(reference, run, selection, chosen);
+  std::cout << regression::deviations_text(reference, run, chosen, deviations);
+  return deviations.passed();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  cli::Stage stage(
+      "check",
+      "Compares the accuracies and scores of a run with the stored reference, cell by cell, and "
+      "prints what moved, by how many standard errors. Exit status 1 when a cell is on one side "
+      "only or something moved by more than the tolerance: with the same processor, threads, "
+      "compiler and libraries numbers must be the same, otherwise their means agree within the "
+      "spread over the seeds.",
+      "check --run results/try --reference results/reference --datasets cwru --seeds 0 1");
+  fs::path run_folder;
+  fs::path reference_folder;
+  run::Selection selection;
+  std::string tolerance = "auto";
+  bool as_reference = false;
+  stage.input_file("--run", run_folder, "Folder of the run, such as results/try");
+  stage.input_file("--reference", reference_folder, "Folder of the reference");
+  bind(stage.options(), selection);
+  stage.options()
+      .add("--tolerance", tolerance, "auto: exact where processor and libraries are the same")
+      .check(cli::one_of({"auto", "exact", "spread"}));
+  stage.options().flag("--store", as_reference,
+                       "Make these cells of the run the reference instead of comparing");
+
+  return stage.run(argc, argv, [&] {
+    std::vector<regression::Measurements> run = regression::read_run(run_folder, selection);
+    if (as_reference) return store(run, reference_folder);
+    add_missing(run, reference_folder, selection);
+    std::size_t failed = 0;
+    for (const regression::Measurements& measurements : run) {
+      if (!compare(measurements, reference_folder, selection, tolerance)) ++failed;
+    }
+    if (failed == 0) return;
+    throw Error(Exit::failed,
+                fmt::format("{} is not as the reference on {} of {} datasets, see above (give "
+                            "datasets, methods, ratios or seeds to compare a part; after a change "
+                            "that is meant, `make reference`)",
+                            run_folder.string(), failed, run.size()));
+  });
+}

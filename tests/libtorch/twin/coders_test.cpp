@@ -1,0 +1,211 @@
+#include <gmock/gmock.h>
+
+#include <cmath>
+
+#include "base/error.hpp"
+#include "libtorch/nets/torch.hpp"
+#include "libtorch/twin/losses.hpp"
+#include "libtorch/twin/networks.hpp"
+#include "libtorch/twin/recurrent_coder.hpp"
+
+namespace piae::twin {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr std::int64_t windows = 3;
+
+torch::Tensor random_tensor(Stream& stream, std::int64_t rows, std::int64_t columns) {
+  std::vector<double> values;
+  for (std::int64_t i = 0; i < rows * columns; ++i) values.push_back(stream.normal(0, 1));
+  return torch::tensor(values, torch::kFloat64).view({rows, columns});
+}
+
+torch::Tensor labels() {
+  return torch::one_hot(torch::tensor({0, 1, 1}, torch::kInt64), 2).to(torch::kFloat64);
+}
+
+TwinOptions small_options(int depth) {
+  TwinOptions options;
+  options.depth = depth;
+  options.width = 6;
+  return options;
+}
+
+struct Case {
+  const char* name;
+  TwinVariant variant;
+  std::int64_t samples;
+};
+
+class Coders : public testing::TestWithParam<Case> {
+ protected:
+  void SetUp() override { torch::set_num_threads(1); }
+  const NetworkShape shape_{GetParam().samples, 2};
+  const Networks networks_{GetParam().variant, shape_, small_options(3)};
+  nets::ParameterSet parameters_{networks_.specs(), Stream("coders"), torch::kFloat64};
+  Stream stream_{"windows"};
+  const torch::Tensor x_ = random_tensor(stream_, windows, GetParam().samples);
+
+  [[nodiscard]] torch::Tensor loss() const {
+    const torch::Tensor k_and_c = networks_.encode(parameters_, x_);
+    return reconstruction_loss(x_, networks_.decode(parameters_, k_and_c, labels()));
+  }
+};
+
+TEST_P(Coders, MakePositiveParametersAndWindowsOfTheirLength) {
+  const torch::Tensor k_and_c = networks_.encode(parameters_, x_ * 100);
+  EXPECT_EQ(k_and_c.sizes(), (torch::IntArrayRef{windows, 2}));
+  EXPECT_GT(k_and_c.min().item<double>(), 0);
+  EXPECT_EQ(networks_.decode(parameters_, k_and_c, labels()).sizes(), x_.sizes());
+}
+
+TEST_P(Coders, DecodeEveryPartOfTheirInput) {
+  const torch::Tensor one = torch::tensor({{1.0, 2.0}}, torch::kFloat64);
+  const torch::Tensor label = labels().narrow(0, 0, 1);
+  const torch::Tensor a = networks_.decode(parameters_, one, label);
+  const auto differs = [&](const torch::Tensor& k_and_c, const torch::Tensor& other_label) {
+    const torch::Tensor b = networks_.decode(parameters_, k_and_c, other_label);
+    return (a - b).abs().max().item<double>() > 1e-9;
+  };
+  EXPECT_TRUE(differs(torch::tensor({{1.5, 2.0}}, torch::kFloat64), label));
+  EXPECT_TRUE(differs(torch::tensor({{1.0, 2.5}}, torch::kFloat64), label));
+  EXPECT_TRUE(differs(one, labels().narrow(0, 1, 1)));
+}
+
+/// A window is coded by itself: those beside it in a batch change nothing.
+TEST_P(Coders, TreatTheWindowsOfABatchApart) {
+  const torch::Tensor all = networks_.encode(parameters_, x_);
+  const torch::Tensor one = networks_.encode(parameters_, x_.narrow(0, 1, 1));
+  EXPECT_LT((all.narrow(0, 1, 1) - one).abs().max().item<double>(), 1e-12);
+  const torch::Tensor decoded = networks_.decode(parameters_, all, labels());
+  const torch::Tensor alone = networks_.decode(parameters_, one, labels().narrow(0, 1, 1));
+  EXPECT_LT((decoded.narrow(0, 1, 1) - alone).abs().max().item<double>(), 1e-12);
+}
+
+/// Through decoder, softplus and encoder: L_Rec's gradient against central differences at a few
+/// entries of every parameter.
+TEST_P(Coders, GradientsOfTheReconstructionLossEqualFiniteDifferences) {
+  constexpr double step = 1e-5;
+  parameters_.zero_gradients();
+  loss().backward();
+  const torch::NoGradGuard no_grad;
+  const double largest = parameters_.gradients().abs().max().item<double>();
+  for (const nets::ParameterSpec& spec : networks_.specs()) {
+    if (spec.name.starts_with("net/physics")) continue;
+    const torch::Tensor values = parameters_[spec.name].detach().view(-1);
+    const torch::Tensor exact = parameters_[spec.name].grad().view(-1);
+    EXPECT_GT(exact.abs().max().item<double>(), 0) << spec.name;
+    for (int i = 0; i < 3; ++i) {
+      const auto at =
+          static_cast<std::int64_t>(stream_.below(static_cast<std::size_t>(values.numel())));
+      const auto old = values[at].item<double>();
+      values[at] = old + step;
+      const auto above = loss().item<double>();
+      values[at] = old - step;
+      const auto below = loss().item<double>();
+      values[at] = old;
+      EXPECT_NEAR(exact[at].item<double>(), (above - below) / (2 * step), 1e-6 * largest)
+          << spec.name << ' ' << at;
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Twin, Coders,
+                         testing::Values(Case{"Dense", full_model, 20},
+                                         Case{"Convolutional", convolutional_model, 48},
+                                         Case{"Recurrent", recurrent_model, 96}),
+                         [](const auto& info) { return info.param.name; });
+
+std::vector<std::string> names_of(const std::vector<nets::ParameterSpec>& specs) {
+  std::vector<std::string> names;
+  names.reserve(specs.size());
+  for (const nets::ParameterSpec& spec : specs) names.push_back(spec.name);
+  return names;
+}
+
+/// What Models 2, 4 and 5 leave alone is the same in name, shape and start.
+TEST(TwinVariants, DifferInTheirPartAlone) {
+  const NetworkShape shape{64, 3};
+  const Networks full(full_model, shape, small_options(3));
+  const Networks without(without_physics, shape, small_options(3));
+  std::vector<std::string> coder = names_of(full.specs());
+  std::erase_if(coder, [](const std::string& name) { return name.starts_with("net/physics/"); });
+  EXPECT_EQ(names_of(without.specs()), coder);
+  EXPECT_EQ(coder.size(), names_of(full.specs()).size() - 6);  // three layers
+
+  const nets::ParameterSet reference(full.specs(), Stream("start"));
+  for (const TwinVariant& variant : {convolutional_model, recurrent_model}) {
+    const nets::ParameterSet other(Networks(variant, shape, small_options(3)).specs(),
+                                   Stream("start"));
+    EXPECT_TRUE(reference.values("net/physics/").equal(other.values("net/physics/")));
+  }
+}
+
+/// GRU of one unit, worked by hand (Cho et al. 2014, in the form that LibTorch states): with all
+/// weights of the state 0, r = s(w_r x), z = s(w_z x), n = tanh(w_n x), h' = (1 - z) n + z h.
+TEST(RecurrentCoder, ReadsItsFramesInTurn) {
+  const Networks networks(recurrent_model, {64, 2}, small_options(2));
+  nets::ParameterSet parameters(networks.specs(), Stream("gru"), torch::kFloat64);
+  {
+    const torch::NoGradGuard no_grad;
+    parameters.values().zero_();
+    const auto set = [&](const std::string& name, std::int64_t row, double value) {
+      parameters[name].detach()[row][0] = value;
+    };
+    set("net/encoder/gru0/input_weight", RecurrentCoder::units,
+        0.5);  // the gate z of unit 0, from sample 0
+    set("net/encoder/gru0/input_weight", 2 * RecurrentCoder::units, 1.0);  // its candidate n
+    set("net/encoder/dense/weight", 0, 1.0);                               // k is its last state
+  }
+  torch::Tensor x = torch::zeros({1, 64}, torch::kFloat64);
+  x[0][0] = 0.8;
+  x[0][32] = -0.6;
+  const auto gate = [](double v) { return 1 / (1 + std::exp(-v)); };
+  double h = (1 - gate(0.4)) * std::tanh(0.8);
+  h = (1 - gate(-0.3)) * std::tanh(-0.6) + gate(-0.3) * h;
+  EXPECT_NEAR(networks.encode(parameters, x)[0][0].item<double>(), std::log1p(std::exp(h)), 1e-12);
+}
+
+/// One channel's kernel of ones at the first position: the output is its value over the samples
+/// that the kernel covers, -2 .. 5 about position 0, cut to the window.
+TEST(ConvolutionalCoder, SpreadsAPositionOverItsKernel) {
+  const Networks networks(convolutional_model, {16, 2}, small_options(2));
+  nets::ParameterSet parameters(networks.specs(), Stream("conv"), torch::kFloat64);
+  {
+    const torch::NoGradGuard no_grad;
+    parameters.values().zero_();
+    parameters["net/decoder/dense/weight"].detach()[0][0] = 1.0;  // channel 0, position 0, of k
+    parameters["net/decoder/conv0/weight"].detach()[0].fill_(1.0);
+  }
+  const torch::Tensor k_and_c = torch::tensor({{3.0, 1.0}}, torch::kFloat64);
+  const torch::Tensor a = networks.decode(parameters, k_and_c, labels().narrow(0, 0, 1));
+  torch::Tensor expected = torch::zeros({1, 16}, torch::kFloat64);
+  expected.narrow(1, 0, 6).fill_(3.0);
+  EXPECT_TRUE(a.equal(expected)) << a;
+}
+
+void expect_usage_error(const TwinVariant& variant, std::int64_t samples, int depth,
+                        const std::vector<std::string>& words) {
+  try {
+    const Networks networks(variant, {samples, 2}, small_options(depth));
+    FAIL() << "was not refused";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.exit(), Exit::usage);
+    for (const std::string& word : words) EXPECT_THAT(error.what(), HasSubstr(word));
+  }
+}
+
+TEST(TwinVariants, NameTheWindowsThatWork) {
+  expect_usage_error(convolutional_model, 1000, 4, {"1000", "multiples of 64", "--window"});
+  expect_usage_error(convolutional_model, 1024, 7, {"1024", "multiples of 4096", "--depth"});
+  expect_usage_error(convolutional_model, 1024, 32, {"--depth"});
+  expect_usage_error(convolutional_model, 1024, 1, {"--depth", "2 or more"});
+  expect_usage_error(recurrent_model, 1000, 3, {"1000", "multiples of 32", "--window"});
+  expect_usage_error(recurrent_model, 1024, 1, {"--depth", "2 or more"});
+  EXPECT_NO_THROW(Networks(full_model, {1001, 2}, small_options(1)));
+  EXPECT_NO_THROW(Networks(convolutional_model, {1024, 2}, small_options(6)));
+}
+
+}  // namespace
+}  // namespace piae::twin
