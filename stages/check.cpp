@@ -8,8 +8,8 @@
 
 #include "artefact/file.hpp"
 #include "cli/stage.hpp"
-#include "regression/run_measurements.hpp"
 #include "regression/deviations_text.hpp"
+#include "regression/run_measurements.hpp"
 
 using namespace piae;
 namespace fs = std::filesystem;
@@ -45,7 +45,8 @@ bool compare(const regression::Measurements& run, const fs::path& folder,
   const auto chosen = tolerance == "exact"    ? regression::Tolerance::exact
                       : tolerance == "spread" ? regression::Tolerance::spread
                                               : regression::tolerance_for(reference, run);
-  const regression::Deviations deviations = regression::find_deviations(reference, run, selection, chosen);
+  const regression::Deviations deviations =
+      regression::find_deviations(reference, run, selection, chosen);
   std::cout << regression::deviations_text(reference, run, chosen, deviations);
   return deviations.passed();
 }

@@ -7,11 +7,11 @@
 
 #include "augment/catalogue.hpp"
 #include "cli/stage.hpp"
+#include "libtorch/back_ends.hpp"
 #include "report/identifiability.hpp"
 #include "run/layout.hpp"
-#include "text/file.hpp"
-#include "libtorch/back_ends.hpp"
 #include "signal/roles.hpp"
+#include "text/file.hpp"
 
 using namespace piae;
 namespace fs = std::filesystem;
@@ -66,10 +66,9 @@ int main(int argc, char** argv) {
     }
     const auto rows = report::identifiability_rows(all);
     const report::Document document = report::identifiability_document(grid.dataset, rows, all);
-    text::save_all(
-        {{layout.identifiability_csv(), report::identifiability_csv(grid.dataset, rows)},
-         {layout.scatter_csv(), report::scatter_csv(grid.dataset, all)},
-         {layout.identifiability_markdown(), report::markdown(document)}});
+    text::save_all({{layout.identifiability_csv(), report::identifiability_csv(grid.dataset, rows)},
+                    {layout.scatter_csv(), report::scatter_csv(grid.dataset, all)},
+                    {layout.identifiability_markdown(), report::markdown(document)}});
     std::cout << fmt::format("compared (k, c) of {} models with the truth: {}\n", all.size(),
                              layout.identifiability_markdown().string());
   });

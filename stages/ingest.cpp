@@ -7,8 +7,8 @@
 #include "base/error.hpp"
 #include "cli/progress.hpp"
 #include "cli/stage.hpp"
-#include "text/table.hpp"
 #include "signal/check.hpp"
+#include "text/table.hpp"
 
 namespace fs = std::filesystem;
 using namespace piae;

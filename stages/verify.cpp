@@ -1,9 +1,10 @@
 // Checks artefacts: silent and 0 when all are good, otherwise a line for each thing that is wrong.
 
+#include "verification/verify.hpp"
+
 #include <iostream>
 
 #include "cli/stage.hpp"
-#include "verification/verify.hpp"
 
 using namespace piae;
 

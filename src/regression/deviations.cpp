@@ -161,7 +161,7 @@ bool Deviations::passed() const {
 }
 
 Deviations find_deviations(const Measurements& reference, const Measurements& run,
-                   const run::Selection& selection, Tolerance tolerance) {
+                           const run::Selection& selection, Tolerance tolerance) {
   if (reference.dataset != run.dataset || reference.protocol != run.protocol) {
     throw std::logic_error("a run is compared with the reference of another dataset or protocol");
   }

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "run/selection.hpp"
 #include "regression/measurements.hpp"
+#include "run/selection.hpp"
 
 namespace piae::regression {
 
@@ -47,7 +47,7 @@ struct DeviationRow {
 };
 
 struct Deviations {
-  std::vector<DeviationRow> rows;     ///< in the order of the reference
+  std::vector<DeviationRow> rows;    ///< in the order of the reference
   std::vector<std::string> missing;  ///< "smote 10to1, seeds 2 3": in the reference only
   std::vector<std::string> not_in_reference;
 
@@ -60,6 +60,6 @@ struct Deviations {
 /// of the same quantity together, and the degrees of freedom are those of all. Throws
 /// std::logic_error for two datasets or protocols.
 Deviations find_deviations(const Measurements& reference, const Measurements& run,
-                   const run::Selection& selection, Tolerance tolerance);
+                           const run::Selection& selection, Tolerance tolerance);
 
 }  // namespace piae::regression

@@ -29,8 +29,8 @@ std::string heading(const Measurements& reference, const Measurements& run, Tole
 
 std::string table_of(const std::vector<DeviationRow>& rows) {
   text::Table table({"method", "ratio", "quantity", "", "seeds", "moved", "reference", "run",
-                   "difference", "std errors", "allowed"},
-                  4);
+                     "difference", "std errors", "allowed"},
+                    4);
   for (const DeviationRow& row : rows) {
     const auto errors = row.standard_errors();
     table.row({row.method, row.ratio.empty() ? "score" : row.ratio, row.quantity,

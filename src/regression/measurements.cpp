@@ -75,7 +75,7 @@ std::string reference_csv(const Measurements& measurements) {
   text += text::csv_line(columns);
   for (const Measured& each : measurements.values) {
     text += text::csv_line({each.method, each.ratio, each.quantity, std::to_string(each.seed),
-                      fmt::format("{}", each.value)});
+                            fmt::format("{}", each.value)});
   }
   return text;
 }

@@ -120,7 +120,8 @@ std::vector<Measurements> read_run(const fs::path& run, const run::Selection& se
       Measurements measurements{dataset, protocol, {}, {}, {}};
       for (const std::string& folder : folders_in(run / dataset)) {
         if (const auto seed = seed_of(folder)) {
-          add_seed(run::Layout(run, dataset), run / dataset / folder, *seed, selection, measurements);
+          add_seed(run::Layout(run, dataset), run / dataset / folder, *seed, selection,
+                   measurements);
         }
       }
       if (measurements.values.empty()) continue;

@@ -3,8 +3,8 @@
 #include <filesystem>
 #include <vector>
 
-#include "run/selection.hpp"
 #include "regression/measurements.hpp"
+#include "run/selection.hpp"
 
 namespace piae::regression {
 
@@ -12,6 +12,7 @@ namespace piae::regression {
 /// alphabetical order; values by method, ratio, quantity and seed. All are of one split protocol.
 /// Throws Error(input_missing) when the run has no such cell, and Error(bad_input) for one that is
 /// damaged, holds another cell than its place says, or is of another protocol.
-std::vector<Measurements> read_run(const std::filesystem::path& run, const run::Selection& selection);
+std::vector<Measurements> read_run(const std::filesystem::path& run,
+                                   const run::Selection& selection);
 
 }  // namespace piae::regression

@@ -33,8 +33,8 @@ std::string seeds_label(const std::vector<std::int64_t>& seeds) {
 }
 
 /// Table 6: a run a column, ours above the paper's.
-text::Table runs_table(const run::Grid& grid, const AccuracyRow& row, const PaperReference& reference,
-                     const Published& published) {
+text::Table runs_table(const run::Grid& grid, const AccuracyRow& row,
+                       const PaperReference& reference, const Published& published) {
   const std::vector<double> theirs = reference.beside()
                                          ? published.baseline_runs(reference.beside()->paper.name)
                                          : std::vector<double>{};
@@ -79,7 +79,7 @@ void add_method(text::Table& table, const std::string& label, const std::vector<
 
 /// Table 8: a ratio a column, up to three lines a method. A grid has all its ratios of each method.
 text::Table ratios_table(const std::vector<std::string>& methods, bool as_models, const Rows& rows,
-                       const PaperReference& reference, NumberStyle style) {
+                         const PaperReference& reference, NumberStyle style) {
   Cells header{"method", ""};
   for (const AccuracyRow& row : rows_of(rows, methods.front())) {
     header.push_back(ratio_label(row.ratio, row.true_ratio));

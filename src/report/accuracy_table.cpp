@@ -2,14 +2,14 @@
 
 #include <spdlog/fmt/fmt.h>
 
-#include "augment/catalogue.hpp"
 #include <algorithm>
 #include <functional>
 #include <iterator>
 
+#include "augment/catalogue.hpp"
 #include "report/counterpart.hpp"
-#include "text/csv.hpp"
 #include "report/labels.hpp"
+#include "text/csv.hpp"
 #include "text/table.hpp"
 
 namespace piae::report {
@@ -23,8 +23,8 @@ void add_published(AccuracyRow& row, const Published& published) {
   (beside->own ? row.published : row.orientation) = percent;
 }
 
-AccuracyRow row_of(const run::Combination& combination, const run::Grid& grid, const run::Results& results,
-                   const Published& published) {
+AccuracyRow row_of(const run::Combination& combination, const run::Grid& grid,
+                   const run::Results& results, const Published& published) {
   AccuracyRow row;
   row.dataset = grid.dataset;
   row.method = combination.method;
@@ -117,21 +117,22 @@ std::vector<AccuracyRow> mean_rows(const std::vector<AccuracyRow>& rows) {
 }
 
 std::string accuracy_csv(const std::vector<AccuracyRow>& rows) {
-  std::string text = text::csv_line({"dataset", "method", "ratio", "generated_per_class", "seeds", "mean",
-                               "std", "ci95_low", "ci95_high", "published"});
+  std::string text = text::csv_line({"dataset", "method", "ratio", "generated_per_class", "seeds",
+                                     "mean", "std", "ci95_low", "ci95_high", "published"});
   for (const AccuracyRow& row : rows) {
     const auto& interval = row.summary.interval;
-    text += text::csv_line({row.dataset, row.method, row.ratio, std::to_string(row.generated_per_class),
-                      std::to_string(row.summary.count), fixed(row.summary.mean),
-                      fixed(row.summary.deviation), interval ? fixed(interval->low) : "",
-                      interval ? fixed(interval->high) : "", as_published(row.published)});
+    text +=
+        text::csv_line({row.dataset, row.method, row.ratio, std::to_string(row.generated_per_class),
+                        std::to_string(row.summary.count), fixed(row.summary.mean),
+                        fixed(row.summary.deviation), interval ? fixed(interval->low) : "",
+                        interval ? fixed(interval->high) : "", as_published(row.published)});
   }
   return text;
 }
 
 std::string accuracy_text(const std::vector<AccuracyRow>& rows) {
-  text::Table table({"method", "ratio", "generated", "seeds", "accuracy %", "95 % interval", "paper"},
-                  2);
+  text::Table table(
+      {"method", "ratio", "generated", "seeds", "accuracy %", "95 % interval", "paper"}, 2);
   for (const AccuracyRow& row : rows) {
     table.row({method_label(row.method), ratio_label(row.ratio, row.true_ratio),
                std::to_string(row.generated_per_class), std::to_string(row.summary.count),

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "run/collect.hpp"
 #include "report/published.hpp"
+#include "run/collect.hpp"
 #include "scoring/statistics.hpp"
 
 namespace piae::report {

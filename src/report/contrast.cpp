@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "base/error.hpp"
-#include "text/csv.hpp"
 #include "report/labels.hpp"
 #include "report/ratio_columns.hpp"
+#include "text/csv.hpp"
 
 namespace piae::report {
 

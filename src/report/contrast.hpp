@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "run/collect.hpp"
 #include "report/document.hpp"
 #include "report/paired_rows.hpp"
+#include "run/collect.hpp"
 
 namespace piae::report {
 

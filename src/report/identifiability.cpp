@@ -6,9 +6,9 @@
 #include <array>
 
 #include "base/error.hpp"
-#include "text/csv.hpp"
 #include "report/labels.hpp"
 #include "scoring/identifiability.hpp"
+#include "text/csv.hpp"
 
 namespace piae::report {
 
@@ -170,7 +170,7 @@ std::string identifiability_csv(const std::string& dataset,
                                 const std::vector<IdentifiabilityRow>& rows) {
   std::string text =
       text::csv_line({"dataset", "method", "parameter", "class", "seeds", "r2_mean", "r2_std",
-                "bias_mean", "bias_std", "correlation2_mean", "correlation2_std"});
+                      "bias_mean", "bias_std", "correlation2_mean", "correlation2_std"});
   for (const IdentifiabilityRow& row : rows) {
     Cells cells{dataset, row.method, row.parameter, row.class_name, std::to_string(row.r2.count)};
     for (const scoring::Summary* summary : {&row.r2, &row.bias, &row.correlation2}) {
@@ -184,15 +184,15 @@ std::string identifiability_csv(const std::string& dataset,
 
 std::string scatter_csv(const std::string& dataset, const std::vector<Identification>& all) {
   std::string text = text::csv_line({"dataset", "method", "parameter", "truth_low", "truth_high",
-                               "windows", "inferred_p10", "inferred_p50", "inferred_p90"});
+                                     "windows", "inferred_p10", "inferred_p50", "inferred_p90"});
   for (const std::string& method : methods_of(all)) {
     for (const Parameter& parameter : parameters) {
       for (const scoring::ScatterRow& row : scatter_of(all, method, parameter)) {
-        text += text::csv_line({dataset, method, parameter.name, fmt::format("{:.6g}", row.truth_low),
-                          fmt::format("{:.6g}", row.truth_high), std::to_string(row.count),
-                          fmt::format("{:.6g}", row.inferred_p10),
-                          fmt::format("{:.6g}", row.inferred_p50),
-                          fmt::format("{:.6g}", row.inferred_p90)});
+        text += text::csv_line(
+            {dataset, method, parameter.name, fmt::format("{:.6g}", row.truth_low),
+             fmt::format("{:.6g}", row.truth_high), std::to_string(row.count),
+             fmt::format("{:.6g}", row.inferred_p10), fmt::format("{:.6g}", row.inferred_p50),
+             fmt::format("{:.6g}", row.inferred_p90)});
       }
     }
   }

@@ -6,8 +6,8 @@
 
 #include "report/accuracy_table.hpp"
 #include "report/ratio_columns.hpp"
-#include "text/table.hpp"
 #include "scoring/paired.hpp"
+#include "text/table.hpp"
 
 namespace piae::report {
 

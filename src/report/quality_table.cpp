@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "text/csv.hpp"
 #include "report/labels.hpp"
 #include "report/paper_methods.hpp"
 #include "report/paper_reference.hpp"
 #include "scoring/statistics.hpp"
+#include "text/csv.hpp"
 
 namespace piae::report {
 
@@ -55,8 +55,8 @@ std::string line_of(const Seeds& seeds, std::size_t i, const Metric& metric) {
   const Summary summary = of_class(seeds, i, metric);
   const QualityRecord& first = *seeds.front();
   return text::csv_line({first.info.name, first.method, class_name(first, i), metric.name,
-                   std::to_string(summary.count), fmt::format("{:.6g}", summary.mean),
-                   summary.deviation ? fmt::format("{:.6g}", *summary.deviation) : ""});
+                         std::to_string(summary.count), fmt::format("{:.6g}", summary.mean),
+                         summary.deviation ? fmt::format("{:.6g}", *summary.deviation) : ""});
 }
 
 /// As many decimals as give the smallest of these three significant digits, but no more than
@@ -96,7 +96,8 @@ text::Table metric_table(const std::vector<Seeds>& methods, const Metric& metric
 }  // namespace
 
 std::string quality_csv(const run::Grid& grid, const run::Results& results) {
-  std::string text = text::csv_line({"dataset", "method", "class", "metric", "seeds", "mean", "std"});
+  std::string text =
+      text::csv_line({"dataset", "method", "class", "metric", "seeds", "mean", "std"});
   for (const std::string& method : grid.scored) {
     const Seeds seeds = seeds_of(method, results);
     for (std::size_t i = 0; i < seeds.front()->classes.size(); ++i) {

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "run/collect.hpp"
 #include "report/document.hpp"
+#include "run/collect.hpp"
 
 namespace piae::report {
 

@@ -2,12 +2,12 @@
 
 #include <spdlog/fmt/fmt.h>
 
-#include "augment/catalogue.hpp"
 #include <algorithm>
 
-#include "text/csv.hpp"
+#include "augment/catalogue.hpp"
 #include "report/labels.hpp"
 #include "report/paper_reference.hpp"
+#include "text/csv.hpp"
 
 namespace piae::report {
 
@@ -68,17 +68,17 @@ std::string ranks_csv(const RankTable& table) {
       {"dataset", "ratio", "method", "seeds", "average_rank", "friedman_p", "critical_difference"});
   for (const auto& [ratio, comparison] : table.ratios) {
     for (std::size_t i = 0; i < table.methods.size(); ++i) {
-      text +=
-          text::csv_line({table.dataset, ratio.ratio, table.methods[i], std::to_string(comparison.blocks),
-                    fmt::format("{:.4f}", comparison.average[i]),
-                    comparison.p ? fmt::format("{:.6g}", *comparison.p) : "",
-                    comparison.p ? fmt::format("{:.4f}", *comparison.critical_difference) : ""});
+      text += text::csv_line(
+          {table.dataset, ratio.ratio, table.methods[i], std::to_string(comparison.blocks),
+           fmt::format("{:.4f}", comparison.average[i]),
+           comparison.p ? fmt::format("{:.6g}", *comparison.p) : "",
+           comparison.p ? fmt::format("{:.4f}", *comparison.critical_difference) : ""});
     }
   }
   for (std::size_t i = 0; i < table.over_all_cells.size(); ++i) {
     text += text::csv_line({table.dataset, "all", table.methods[i],
-                      std::to_string(table.ratios.front().comparison.blocks),
-                      fmt::format("{:.4f}", table.over_all_cells[i]), "", ""});
+                            std::to_string(table.ratios.front().comparison.blocks),
+                            fmt::format("{:.4f}", table.over_all_cells[i]), "", ""});
   }
   return text;
 }

@@ -3,9 +3,9 @@
 #include <algorithm>
 
 #include "base/error.hpp"
-#include "text/csv.hpp"
 #include "report/labels.hpp"
 #include "report/paper_reference.hpp"
+#include "text/csv.hpp"
 
 namespace piae::report {
 

@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "base/error.hpp"
-#include "text/csv.hpp"
 #include "report/labels.hpp"
+#include "text/csv.hpp"
 
 namespace piae::report {
 
@@ -22,8 +22,9 @@ SweepPoint parse_point(const std::string& word, const std::vector<std::string>& 
           std::ranges::find(centre, word) != centre.end()};
 }
 
-std::optional<SweepRow> row_of(const run::Layout& layout, const Sweep& sweep, const SweepPoint& point,
-                               const run::Combination& combination, run::Results& results) {
+std::optional<SweepRow> row_of(const run::Layout& layout, const Sweep& sweep,
+                               const SweepPoint& point, const run::Combination& combination,
+                               run::Results& results) {
   const std::size_t before = results.diagnoses.size();
   const run::Series series{point.factor + " " + point.value, point.folder(), combination};
   run::collect_diagnoses(layout, sweep.grid, series, results);
@@ -48,7 +49,7 @@ std::vector<std::string> factors_of(const Sweep& sweep) {
 
 /// A value a line, and its interval below it.
 text::Table factor_table(const std::string& factor, const Sweep& sweep,
-                       const std::vector<SweepRow>& rows) {
+                         const std::vector<SweepRow>& rows) {
   const std::size_t ratios = sweep.grid.combinations.size();
   std::vector<std::string> header{factor, ""};
   for (std::size_t i = 0; i < ratios; ++i) {
@@ -83,7 +84,8 @@ void bind(const cli::Options& command, SweepOptions& options) {
 
 Sweep resolve(const SweepOptions& options) {
   Sweep sweep;
-  sweep.grid = resolve(run::GridOptions{options.dataset, {swept_method}, options.ratios, options.seeds});
+  sweep.grid =
+      resolve(run::GridOptions{options.dataset, {swept_method}, options.ratios, options.seeds});
   const std::vector<std::string> words = run::split_list("--points", options.points);
   std::vector<std::string> centre;
   if (!options.centre.empty()) centre = run::split_list("--centre", options.centre);
@@ -96,7 +98,8 @@ Sweep resolve(const SweepOptions& options) {
   return sweep;
 }
 
-std::vector<SweepRow> sweep_rows(const run::Layout& layout, const Sweep& sweep, run::Results& results) {
+std::vector<SweepRow> sweep_rows(const run::Layout& layout, const Sweep& sweep,
+                                 run::Results& results) {
   std::vector<SweepRow> rows;
   for (const SweepPoint& point : sweep.points) {
     for (const run::Combination& combination : sweep.grid.combinations) {
@@ -112,8 +115,9 @@ std::string sweep_csv(const Sweep& sweep, const std::vector<SweepRow>& rows) {
   for (const SweepRow& row : rows) {
     const auto& [count, mean, deviation, interval] = row.summary;
     text += text::csv_line({sweep.grid.dataset, row.point.factor, row.point.value, row.ratio,
-                      std::to_string(count), fixed(mean), deviation ? fixed(*deviation) : "",
-                      interval ? fixed(interval->low) : "", interval ? fixed(interval->high) : ""});
+                            std::to_string(count), fixed(mean), deviation ? fixed(*deviation) : "",
+                            interval ? fixed(interval->low) : "",
+                            interval ? fixed(interval->high) : ""});
   }
   return text;
 }

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "cli/options.hpp"
-#include "run/collect.hpp"
 #include "report/document.hpp"
+#include "run/collect.hpp"
 #include "run/grid.hpp"
 #include "run/layout.hpp"
 #include "scoring/statistics.hpp"
@@ -58,7 +58,8 @@ struct SweepRow {
 
 /// One row for each point and ratio, points as asked for. What is missing or refused is in
 /// `results`, and has no row.
-std::vector<SweepRow> sweep_rows(const run::Layout& layout, const Sweep& sweep, run::Results& results);
+std::vector<SweepRow> sweep_rows(const run::Layout& layout, const Sweep& sweep,
+                                 run::Results& results);
 
 /// sweep.csv: dataset,factor,value,ratio,seeds,mean,std,ci95_low,ci95_high in percent; `seeds` is
 /// how many there are; std and interval of one seed alone are empty.

@@ -13,7 +13,8 @@ namespace piae::report {
 /// publishes of the dataset that this one stands in for; comparisons, ranks and quality. `rows` has
 /// at least one; `results` are what they were made from, `comparisons` and `ranks` are made from
 /// them.
-Document tables(const run::Grid& grid, const run::Results& results, const std::vector<AccuracyRow>& rows,
-                const Published& published, const Comparisons& comparisons, const RankTable& ranks);
+Document tables(const run::Grid& grid, const run::Results& results,
+                const std::vector<AccuracyRow>& rows, const Published& published,
+                const Comparisons& comparisons, const RankTable& ranks);
 
 }  // namespace piae::report

@@ -78,7 +78,8 @@ Grid resolve(const GridOptions& options) {
     if (method != augment::no_method && !augment::is_ceiling(method)) grid.scored.push_back(method);
     for (const std::string& ratio : ratios) {
       const bool generates_nothing = scoring::find_ratio(ratio).generated_per_class == 0;
-      if ((method == augment::no_method) == generates_nothing) grid.combinations.push_back({method, ratio});
+      if ((method == augment::no_method) == generates_nothing)
+        grid.combinations.push_back({method, ratio});
     }
   }
   if (grid.combinations.empty()) {

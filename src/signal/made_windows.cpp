@@ -2,8 +2,8 @@
 
 namespace piae::signal {
 
-WindowSet make_windows(const DatasetInfo& info, std::size_t length,
-                               std::size_t count, const Stream& stream, const MakeWindow& make) {
+WindowSet make_windows(const DatasetInfo& info, std::size_t length, std::size_t count,
+                       const Stream& stream, const MakeWindow& make) {
   WindowSet windows;
   windows.info = info;
   windows.length = length;

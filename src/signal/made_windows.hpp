@@ -16,7 +16,7 @@ using MakeWindow = std::function<std::vector<float>(int label, std::size_t index
 /// `count` windows of each class with a defect, class by class, made one at a time. Window i of a
 /// class has the stream's child "<class>/<i>" for itself, so that it is the same bit for bit
 /// however many are asked for.
-WindowSet make_windows(const DatasetInfo& info, std::size_t length,
-                               std::size_t count, const Stream& stream, const MakeWindow& make);
+WindowSet make_windows(const DatasetInfo& info, std::size_t length, std::size_t count,
+                       const Stream& stream, const MakeWindow& make);
 
 }  // namespace piae::signal

@@ -4,8 +4,7 @@
 
 namespace piae::signal {
 
-std::vector<float> scaled_windows(const WindowSet& windows,
-                                  const std::vector<double>& scale) {
+std::vector<float> scaled_windows(const WindowSet& windows, const std::vector<double>& scale) {
   std::vector<float> scaled;
   scaled.reserve(windows.samples.size());
   for (std::size_t i = 0; i < windows.size(); ++i) {

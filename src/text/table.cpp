@@ -38,8 +38,7 @@ void Table::row(std::vector<std::string> cells) {
   rows_.push_back(std::move(cells));
 }
 
-std::string Table::padded(const std::string& cell, std::size_t column,
-                              std::size_t width) const {
+std::string Table::padded(const std::string& cell, std::size_t column, std::size_t width) const {
   const std::string space(width - width_of(cell), ' ');
   return column < left_columns_ ? cell + space : space + cell;
 }
