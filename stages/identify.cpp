@@ -27,11 +27,14 @@ report::Identification identify(const run::Layout& layout, const std::string& me
                  fmt::format("is of method {}, seed {}; here it must be {}, seed {}",
                              model.text("/", "method"), model.integer("/", "seed"), method, seed));
   }
-  signal::require_role(real, "D");
+  signal::require_role(real, signal::Role::hidden);
   signal::require_same_split(model, real);
-  report::Identification result{method, seed, signal::read_window_set(real), {}};
-  result.inferred = augment::make_method(method)->infer(model, result.windows, {});
-  return result;
+  signal::WindowSet windows = signal::read_window_set(real);
+  auto inferred = augment::make_method(method)->infer(model, windows, {});
+  return {.method = method,
+          .seed = seed,
+          .windows = std::move(windows),
+          .inferred = std::move(inferred)};
 }
 
 bool needs_libtorch(const run::Grid& grid) {

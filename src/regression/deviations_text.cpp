@@ -17,7 +17,7 @@ std::string joined(const std::set<std::string>& texts) {
 }
 
 std::string heading(const Measurements& reference, const Measurements& run, Tolerance tolerance) {
-  std::string text = fmt::format("{}, protocol {}\n", run.dataset, run.protocol);
+  std::string text = fmt::format("{}, protocol {}\n", run.dataset, to_string(run.protocol));
   text +=
       fmt::format("  reference  {}; {}\n", joined(reference.versions), joined(reference.settings));
   text += fmt::format("  run        {}; {}\n", joined(run.versions), joined(run.settings));

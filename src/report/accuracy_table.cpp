@@ -7,8 +7,9 @@
 #include <iterator>
 
 #include "augment/catalogue.hpp"
-#include "report/counterpart.hpp"
+#include "report/csv_fields.hpp"
 #include "report/labels.hpp"
+#include "report/paper_reference.hpp"
 #include "text/csv.hpp"
 #include "text/table.hpp"
 
@@ -17,7 +18,7 @@ namespace piae::report {
 namespace {
 
 void add_published(AccuracyRow& row, const Published& published) {
-  const std::optional<Counterpart> beside = counterpart(row.dataset);
+  const std::optional<Counterpart> beside = PaperReference(row.dataset).beside();
   if (!beside) return;
   const auto percent = published.percent(beside->paper.name, row.method, row.ratio);
   (beside->own ? row.published : row.orientation) = percent;
@@ -50,10 +51,6 @@ AccuracyRow gain_of(AccuracyRow row, const AccuracyRow& baseline) {
   row.published = difference(row.published, baseline.published);
   row.orientation = difference(row.orientation, baseline.orientation);
   return row;
-}
-
-std::string fixed(std::optional<double> value) {
-  return value ? fmt::format("{:.4f}", *value) : "";
 }
 
 std::string as_published(std::optional<double> value) {
@@ -120,12 +117,12 @@ std::string accuracy_csv(const std::vector<AccuracyRow>& rows) {
   std::string text = text::csv_line({"dataset", "method", "ratio", "generated_per_class", "seeds",
                                      "mean", "std", "ci95_low", "ci95_high", "published"});
   for (const AccuracyRow& row : rows) {
-    const auto& interval = row.summary.interval;
-    text +=
-        text::csv_line({row.dataset, row.method, row.ratio, std::to_string(row.generated_per_class),
-                        std::to_string(row.summary.count), fixed(row.summary.mean),
-                        fixed(row.summary.deviation), interval ? fixed(interval->low) : "",
-                        interval ? fixed(interval->high) : "", as_published(row.published)});
+    text += joined_csv_line(
+        {{row.dataset, row.method, row.ratio, std::to_string(row.generated_per_class),
+          std::to_string(row.summary.count)},
+         mean_fields(row.summary),
+         interval_fields(row.summary),
+         {as_published(row.published)}});
   }
   return text;
 }

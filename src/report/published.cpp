@@ -55,7 +55,7 @@ void add(Percents& percents, const text::CsvLine& line, const std::string& metho
   }
 }
 
-/// A table with a method in each row, and a ratio in each column from the third.
+/// Reads a table with a method in each row and a ratio in each column from the third on.
 void read_by_ratio(const fs::path& path, const std::string& second_column,
                    const std::function<std::string(const text::CsvLine&)>& method_of,
                    Percents& percents) {

@@ -15,7 +15,6 @@ namespace piae::report {
 
 namespace {
 
-using scoring::ClassQuality;
 using scoring::Metric;
 using scoring::QualityRecord;
 using scoring::Summary;
@@ -32,7 +31,7 @@ Seeds seeds_of(const std::string& method, const run::Results& results) {
 }
 
 const std::string& class_name(const QualityRecord& record, std::size_t i) {
-  return record.info.classes[static_cast<std::size_t>(record.classes[i].label)].name;
+  return record.info.class_of(record.classes[i].label).name;
 }
 
 Summary of_class(const Seeds& seeds, std::size_t i, const Metric& metric) {
@@ -43,11 +42,7 @@ Summary of_class(const Seeds& seeds, std::size_t i, const Metric& metric) {
 
 Summary of_all_classes(const Seeds& seeds, const Metric& metric) {
   std::vector<double> means;
-  for (const QualityRecord* record : seeds) {
-    double sum = 0;
-    for (const ClassQuality& quality : record->classes) sum += quality.*metric.value;
-    means.push_back(sum / static_cast<double>(record->classes.size()));
-  }
+  for (const QualityRecord* record : seeds) means.push_back(record->mean_over_classes(metric));
   return scoring::summarise(means);
 }
 
@@ -59,7 +54,7 @@ std::string line_of(const Seeds& seeds, std::size_t i, const Metric& metric) {
                          summary.deviation ? fmt::format("{:.6g}", *summary.deviation) : ""});
 }
 
-/// As many decimals as give the smallest of these three significant digits, but no more than
+/// How many decimals give the smallest of these numbers three significant digits, but at most
 /// `most`.
 int decimals_for(const std::vector<std::vector<Summary>>& rows, int most) {
   int decimals = 1;

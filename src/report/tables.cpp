@@ -40,12 +40,12 @@ Document tables(const run::Grid& grid, const run::Results& results,
                 const Comparisons& comparisons, const RankTable& ranks) {
   const auto beside = PaperReference(grid.dataset).beside();
   const bool stands_in = beside && !beside->own;
-  Document document{grid.dataset, "Results on " + grid.dataset, {}, {}};
+  Document document{.key = grid.dataset, .title = "Results on " + grid.dataset};
   if (stands_in) {
     document.title += std::string(", which ") + beside->relation;
     document.paragraphs.emplace_back(beside->caution);
   }
-  document.paragraphs.push_back(how_to_read(grid, results.diagnoses.front().protocol));
+  document.paragraphs.push_back(how_to_read(grid, to_string(results.diagnoses.front().protocol)));
   for (std::vector<Section> sections :
        {accuracy_sections(grid, rows, published), comparison_sections(comparisons, rows),
         rank_sections(ranks), quality_sections(grid, results)}) {

@@ -70,7 +70,7 @@ Grid resolve(const GridOptions& options) {
     grid.seeds.push_back(parse_seed(word));
   }
   std::ranges::sort(grid.seeds);
-  const auto twice = std::ranges::adjacent_find(grid.seeds);  // "00" is 0, too
+  const auto twice = std::ranges::adjacent_find(grid.seeds);  // such as 0 and 00
   if (twice != grid.seeds.end()) {
     throw Error(Exit::usage, "--seeds names " + std::to_string(*twice) + " twice");
   }
