@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "artefact/reader.hpp"
+#include "signal/protocol.hpp"
 #include "signal/window_set.hpp"
 
 namespace piae::diagnosis {
@@ -18,7 +19,7 @@ struct Inputs {
   signal::WindowSet known;                     ///< C
   std::optional<signal::WindowSet> generated;  ///< E
   std::string method = "none";                 ///< that generated E
-  std::string protocol;                        ///< of the split
+  signal::Protocol protocol = signal::Protocol::random;  ///< of the split
 };
 
 /// `generated` is null where there is no E. Throws Error(bad_input) when a file has another role
