@@ -107,8 +107,8 @@ Draw draw(const Simulation& simulation, Label label, std::size_t number) {
 
 /// `count` records of a class, beginning with this number, without noise. How strong the noise is
 /// depends on all records, so it is added when all are there.
-std::vector<Record> clean_records(const Simulation& simulation, std::size_t label,
-                                  std::size_t number, std::size_t count) {
+std::vector<Record> clean_records(const Simulation& simulation, Label label, std::size_t number,
+                                  std::size_t count) {
   std::vector<Record> records;
   std::vector<bearing::Course> courses;
   for (std::size_t i = 0; i < count; ++i) {
@@ -181,7 +181,8 @@ Recordings simulate(const Simulation& simulation, const std::function<void(std::
   std::size_t count = 0;
   parallel_for_parts(
       classes, of_each, bearing::courses_at_once, [&](std::size_t first, std::size_t part) {
-        std::ranges::move(clean_records(simulation, first / of_each, first % of_each, part),
+        const auto label = static_cast<Label>(first / of_each);
+        std::ranges::move(clean_records(simulation, label, first % of_each, part),
                           recordings.records.begin() + static_cast<std::ptrdiff_t>(first));
 #pragma omp critical(simulation_progress)
         for (std::size_t i = 0; done && i < part; ++i) done(++count);
