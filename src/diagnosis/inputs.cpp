@@ -1,6 +1,5 @@
 #include "diagnosis/inputs.hpp"
 
-#include "base/error.hpp"
 #include "signal/roles.hpp"
 
 namespace piae::diagnosis {
@@ -18,9 +17,7 @@ Inputs read_inputs(const artefact::Reader& test, const artefact::Reader& normal,
                    const artefact::Reader& known, const artefact::Reader* generated) {
   std::vector<signal::RoleSet> split{read_role(test, "A"), read_role(normal, "B"),
                                      read_role(known, "C")};
-  if (const auto findings = signal::check_roles(split); !findings.empty()) {
-    throw Error(Exit::bad_input, findings.front());
-  }
+  signal::require_one_split(split);
   Inputs inputs;
   inputs.protocol = split[0].protocol;
   if (generated != nullptr) {
