@@ -17,6 +17,7 @@ DATA_DIR ?= data
 ARCH     ?= native
 SUBMIT   :=
 TOLERANCE := auto
+LINT     :=
 V        :=
 
 # The demo is a small grid of the same kind, on all cores unless -j says otherwise.
@@ -48,7 +49,7 @@ export BIN SUBMIT
 Q := $(if $(V),,@)
 
 .DEFAULT_GOAL := help
-.PHONY: help demo all cells tables holes sweep contrast identify records status check reference data test bench deps build clean
+.PHONY: help demo all cells tables holes sweep contrast identify records status check reference data test lint bench deps build clean
 
 help:
 	@printf '  %-11s%s\n' \
@@ -64,6 +65,7 @@ help:
 	  reference 'store RUN, or the cells of the variables given, as results/reference, and its tables' \
 	  data     'download the recordings that have an official address into DATA_DIR' \
 	  test     'build and run every test; those on real recordings when DATA_DIR has them' \
+	  lint     'check style and structure of what changed; of everything with LINT=all' \
 	  bench    'build and run the benchmarks' \
 	  deps     'install the packages that are missing (apt)' \
 	  build    'build the programs into build/bin' \
@@ -81,6 +83,7 @@ help:
 	  BIN      'folder of programs to use as they are, instead of building  [$(BIN)]' \
 	  SUBMIT   'command put before every step, such as "srun --ntasks=1 --mem=2G"  [$(SUBMIT)]' \
 	  TOLERANCE 'of check: exact, spread, or auto: exact on the same processor and libraries  [$(TOLERANCE)]' \
+	  LINT     'of lint: all, or what changed  [$(LINT)]' \
 	  V        'V=1 shows the commands  [$(V)]' \
 	  | sed '1i\\nVariables, and their values now'
 	@printf '%s\n' '' \
@@ -102,6 +105,10 @@ bench: deps
 test: deps
 	$(Q)pipeline/build.sh $(ARCH) programs tests
 	$(Q)DATA_DIR='$(DATA_DIR)' tests/run.sh
+
+lint:
+	$(Q)pipeline/deps.sh lint
+	$(Q)LINT='$(LINT)' pipeline/lint.sh
 
 # Of the grid's variables only those that are given narrow down what is compared or stored.
 given = $(foreach name,DATASETS METHODS RATIOS SEEDS,\

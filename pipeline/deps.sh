@@ -2,6 +2,7 @@
 # Installs by apt what the project needs and the machine lacks: as root, or with sudo. Where neither
 # is possible it prints the line for somebody who may, and exits with 2. When nothing is missing it
 # does nothing, and needs no network.
+# usage: pipeline/deps.sh [lint]
 set -euo pipefail
 
 packages=(
@@ -13,6 +14,10 @@ packages=(
   libgtest-dev libgmock-dev libbenchmark-dev          # tests and benchmarks
   curl ca-certificates                                # make data
 )
+# What make lint needs beside these. It asks clang's tools of one version alone, that of Debian 12.
+lint_packages=(shellcheck)
+! grep -qs '^VERSION_ID="12"' /etc/os-release || lint_packages+=(clang-format clang-tidy libc++-dev libomp-dev)
+[[ ${1:-} != lint ]] || packages+=("${lint_packages[@]}")
 
 if ! command -v dpkg-query >/dev/null; then
   echo "deps: not Debian or Ubuntu, so nothing is installed here; needed are: ${packages[*]}" >&2

@@ -28,7 +28,7 @@ std::vector<std::string> values_of(const toml::node& node) {
 
 using Values = std::map<std::string, std::vector<std::string>>;
 
-/// Takes the plain values of a table, and leaves the tables in it alone.
+/// Takes the values of a table, but not the tables in it.
 void take_values(const toml::table& table, Values& values) {
   for (const auto& [key, node] : table) {
     if (!node.is_table() && !node.is_array_of_tables()) {
@@ -37,7 +37,7 @@ void take_values(const toml::table& table, Values& values) {
   }
 }
 
-/// The values of a variant's table, on top of those of the one that it is `like`.
+/// Takes the values of a variant's table, after those of the variant that it is `like`.
 void take_variant(const toml::table& program, const std::string& variant, Values& values) {
   const toml::table* own = program[variant].as_table();
   if (own == nullptr) return;

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "artefact/reader.hpp"
+#include "signal/protocol.hpp"
 #include "signal/window_set.hpp"
 
 namespace piae::diagnosis {
@@ -11,12 +12,12 @@ namespace piae::diagnosis {
 /// The windows that a diagnosis needs: the roles A, B and C of one split and, where the ratio asks
 /// for them, generated windows E.
 struct Inputs {
-  signal::WindowSet test;                      ///< A
-  signal::WindowSet normal;                    ///< B
-  signal::WindowSet known;                     ///< C
-  std::optional<signal::WindowSet> generated;  ///< E
-  std::string method = "none";                 ///< the method that generated E
-  std::string protocol;                        ///< that of the split
+  signal::WindowSet test;                                ///< A
+  signal::WindowSet normal;                              ///< B
+  signal::WindowSet known;                               ///< C
+  std::optional<signal::WindowSet> generated;            ///< E
+  std::string method = "none";                           ///< the method that generated E
+  signal::Protocol protocol = signal::Protocol::random;  ///< that of the split
 };
 
 /// `generated` is null where there is no E. Throws Error(bad_input) when a file has another role
