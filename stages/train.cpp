@@ -17,7 +17,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Real windows of the split that the known ones are of: proved by where each was cut.
+/// Reads the real windows D. Requires them to come from the same split as the known ones, which is
+/// proved by where each window was cut.
 signal::WindowSet read_real(const artefact::Reader& real, const artefact::Reader& known) {
   signal::require_role(real, signal::Role::hidden);
   const std::vector<signal::RoleSet> roles{signal::read_role_set(known),
@@ -59,7 +60,7 @@ int main(int argc, char** argv) {
                          "D.h5 of the same split, which only a ceiling learns from");
       }
     } catch (const Error&) {
-      // What went wrong is met again, and reported, in run().
+      // run() meets the same error again, and reports it.
     }
   }
 

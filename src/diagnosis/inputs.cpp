@@ -1,6 +1,5 @@
 #include "diagnosis/inputs.hpp"
 
-#include "base/error.hpp"
 #include "signal/roles.hpp"
 
 namespace piae::diagnosis {
@@ -16,11 +15,10 @@ signal::RoleSet read_role(const artefact::Reader& reader, signal::Role role) {
 
 Inputs read_inputs(const artefact::Reader& test, const artefact::Reader& normal,
                    const artefact::Reader& known, const artefact::Reader* generated) {
-  std::vector<signal::RoleSet> split{read_role(test, signal::Role::test), read_role(normal, signal::Role::healthy),
+  std::vector<signal::RoleSet> split{read_role(test, signal::Role::test),
+                                     read_role(normal, signal::Role::healthy),
                                      read_role(known, signal::Role::known)};
-  if (const auto findings = signal::check_roles(split); !findings.empty()) {
-    throw Error(Exit::bad_input, findings.front());
-  }
+  signal::require_one_split(split);
   Inputs inputs;
   inputs.protocol = split[0].protocol;
   if (generated != nullptr) {
