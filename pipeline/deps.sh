@@ -2,17 +2,22 @@
 # Installs by apt what the project needs and the machine lacks: as root, or with sudo. Where neither
 # is possible it prints the line for somebody who may, and exits with 2. When nothing is missing it
 # does nothing, and needs no network.
+# usage: pipeline/deps.sh LIBTORCH TARGET...      (LIBTORCH: on or off)
+# TARGETs are `programs`, `tests` and `benches`: what they need beyond the programs comes for them alone.
 set -euo pipefail
 
+libtorch=$1
+shift
 packages=(
   g++ make cmake pkgconf git                          # to build; git also names the commit in artefacts
-  libtorch-dev libopenblas-dev libeigen3-dev          # networks and linear algebra
-  libhdf5-dev hdf5-tools libmatio-dev libsoxr-dev     # artefacts, MATLAB files, resampling
+  libeigen3-dev libhdf5-dev libmatio-dev libsoxr-dev  # linear algebra, artefacts, MATLAB files, resampling
   libcli11-dev libtomlplusplus-dev libspdlog-dev      # options, settings, log lines
   libboost-dev libboost-math-dev libssl-dev           # differential equations, statistics, sha256
-  libgtest-dev libgmock-dev libbenchmark-dev          # tests and benchmarks
   curl ca-certificates                                # make data
 )
+[[ $libtorch == off ]] || packages+=(libtorch-dev libopenblas-dev)
+[[ " $* " != *" tests "* ]] || packages+=(libgtest-dev libgmock-dev hdf5-tools)
+[[ " $* " != *" benches "* ]] || packages+=(libbenchmark-dev)
 
 if ! command -v dpkg-query >/dev/null; then
   echo "deps: not Debian or Ubuntu, so nothing is installed here; needed are: ${packages[*]}" >&2

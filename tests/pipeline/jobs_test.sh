@@ -1,7 +1,7 @@
 #!/bin/bash
 # The cluster scripts, with a SLURM of a few lines that runs jobs at once.
 # shellcheck source-path=SCRIPTDIR
-source "${0%/*}/check.sh"
+source "${0%/*}/support.sh"
 
 slurm() {
   mkdir path

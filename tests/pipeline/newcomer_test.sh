@@ -2,9 +2,8 @@
 # What CONTRIBUTING.md promises a newcomer, with the built programs: a method takes one class and one
 # line of the registry, a data set takes one TOML file, and the grid knows both.
 # shellcheck source-path=SCRIPTDIR
-source "${0%/*}/check.sh"
+source "${0%/*}/support.sh"
 
-programs=$(realpath "${PIAE_BIN:-$project/build/bin}")
 shown=$(realpath "${PIAE_SHOWN:-$project/build/tests/contributing}")
 
 # The programs, and those that have the shown method in the place of the others.

@@ -1,7 +1,7 @@
 #!/bin/bash
 # The sweep as a graph: one setting at a time, the common point computed once, changes and failures.
 # shellcheck source-path=SCRIPTDIR
-source "${0%/*}/check.sh"
+source "${0%/*}/support.sh"
 
 describe() {
   rm -f pipeline/datasets/*
