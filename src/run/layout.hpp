@@ -28,6 +28,7 @@ class Layout {
     return seed_folder(seed) / "D.h5";
   }
   [[nodiscard]] std::filesystem::path accuracy_csv() const { return folder_ / "accuracy.csv"; }
+  [[nodiscard]] std::filesystem::path summary_text() const { return folder_ / "summary.txt"; }
   [[nodiscard]] std::filesystem::path gains_csv() const { return folder_ / "gains.csv"; }
   [[nodiscard]] std::filesystem::path quality_csv() const { return folder_ / "quality.csv"; }
   [[nodiscard]] std::filesystem::path comparisons_csv() const {
