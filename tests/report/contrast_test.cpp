@@ -3,7 +3,7 @@
 #include "base/error.hpp"
 #include "report/accuracy_rows.hpp"
 #include "report/ratio_columns.hpp"
-#include "report/run.hpp"
+#include "support/stored_run.hpp"
 
 namespace piae::report {
 namespace {
@@ -72,7 +72,7 @@ TEST(Contrast, NamesItsSidesByWhatDiffers) {
   EXPECT_THROW(contrast(side, side), Error);
 }
 
-class SideOfARun : public Run {
+class SideOfARun : public StoredRun {
  protected:
   [[nodiscard]] Side read(const std::string& folder) const {
     return read_side(folder, {"", {"none vae"}, {"100to1 10to1 2to1"}, {"0 1"}});

@@ -1,9 +1,9 @@
 #include "run/collect.hpp"
 
 #include "base/error.hpp"
-#include "report/run.hpp"
+#include "support/stored_run.hpp"
 
-namespace piae::report {
+namespace piae::run {
 namespace {
 
 using testing::AllOf;
@@ -12,7 +12,7 @@ using testing::EndsWith;
 using testing::HasSubstr;
 using testing::StartsWith;
 
-class Cells : public Run {
+class Cells : public StoredRun {
  protected:
   void expect_problem(const std::string& what, Exit exit) {
     const Results results = collect(layout_, grid_);
@@ -165,4 +165,4 @@ TEST_F(Cells, ThatAreOutOfDateAreProblemsOfTheirOwn) {
 }
 
 }  // namespace
-}  // namespace piae::report
+}  // namespace piae::run

@@ -136,7 +136,7 @@ TEST(PairedComparison, CannotBeMoreCertainThanItsPairsAllow) {
 }
 
 /// By hand: 0.005 * 4, 0.01 * 3, 0.03 * 2, and 0.04 * 1, which must not be below the one before.
-TEST(Holm, StepsDownFromTheSmallest) {
+TEST(Holm, CorrectsFromTheSmallestPDownwards) {
   EXPECT_THAT(holm(Values{0.01, 0.04, 0.03, 0.005}),
               ElementsAre(DoubleNear(0.03, 1e-12), DoubleNear(0.06, 1e-12), DoubleNear(0.06, 1e-12),
                           DoubleNear(0.02, 1e-12)));

@@ -7,16 +7,16 @@
 #include "base/error.hpp"
 #include "scoring/mmd.hpp"
 #include "scoring/sets.hpp"
+#include "support/three_classes.hpp"
 
 namespace piae::scoring {
 namespace {
 
 using testing::HasSubstr;
-using testing_sets::add;
 
 signal::WindowSet empty_set() {
   signal::WindowSet set;
-  set.info = testing_sets::three_classes();
+  set.info = three_classes();
   set.length = 4;
   return set;
 }

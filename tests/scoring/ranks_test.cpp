@@ -66,7 +66,7 @@ TEST(RankComparison, HasTheQuantilesOfThePublishedTable) {
   }
 }
 
-TEST(RankComparison, OfBlocksThatAgree) {
+TEST(RankComparison, IsAsCertainAsTheOrdersThatBlocksCanHave) {
   const RankComparison agree = compare_ranks({{3, 2, 1}, {30, 20, 10}});
   EXPECT_THAT(agree.average, ElementsAre(1, 2, 3));
   EXPECT_NEAR(*agree.p, 1.0 / 6, 1e-12);  // one of six orders

@@ -4,7 +4,8 @@
 #include "artefact/writer.hpp"
 #include "scoring/diagnosis_record.hpp"
 #include "scoring/quality_record.hpp"
-#include "scoring/sets.hpp"
+#include "support/folder.hpp"
+#include "support/three_classes.hpp"
 
 namespace piae::scoring {
 namespace {
@@ -27,12 +28,12 @@ class Records : public testing::Test {
     return {folder_.path() / "file.h5", kind};
   }
 
-  testing_sets::TemporaryFolder folder_;
+  Folder folder_;
 };
 
 DiagnosisRecord diagnosis() {
   DiagnosisRecord record;
-  record.info = testing_sets::three_classes();
+  record.info = three_classes();
   record.method = "piae-dt";
   record.ratio = "2to1";
   record.generated_per_class = 145;
@@ -49,7 +50,7 @@ DiagnosisRecord diagnosis() {
 
 QualityRecord quality() {
   return {
-      testing_sets::three_classes(),
+      three_classes(),
       "vae",
       4,
       "blocked",
@@ -119,22 +120,22 @@ class WrongDiagnosis : public Records {
   Writer writer_{"diagnosis"};
 };
 
-TEST_F(WrongDiagnosis, AccuracyOfAnotherMatrix) {
+TEST_F(WrongDiagnosis, WithTheAccuracyOfAnotherMatrixIsRefused) {
   expect_refused({0, 1}, {0, 2}, {1, 0, 0, 0, 0, 1, 0, 0, 0}, 0.9, "attribute accuracy");
 }
-TEST_F(WrongDiagnosis, MatrixOfOtherPredictions) {
+TEST_F(WrongDiagnosis, WithTheMatrixOfOtherPredictionsIsRefused) {
   expect_refused({0, 1}, {0, 2}, {1, 0, 0, 0, 1, 0, 0, 0, 0}, 1.0, "/confusion is not");
 }
-TEST_F(WrongDiagnosis, LabelThatDoesNotExist) {
+TEST_F(WrongDiagnosis, WithALabelThatDoesNotExistIsRefused) {
   expect_refused({0, 3}, {0, 2}, {1, 0, 0, 0, 1, 0, 0, 0, 0}, 1.0, "/labels holds class 3");
 }
-TEST_F(WrongDiagnosis, PredictionThatDoesNotExist) {
+TEST_F(WrongDiagnosis, WithAPredictionThatDoesNotExistIsRefused) {
   expect_refused({0, 1}, {0, -1}, {1, 0, 0, 0, 1, 0, 0, 0, 0}, 1.0, "/predictions holds class -1");
 }
-TEST_F(WrongDiagnosis, FewerPredictionsThanLabels) {
+TEST_F(WrongDiagnosis, WithFewerPredictionsThanLabelsIsRefused) {
   expect_refused({0, 1}, {0}, {1, 0, 0, 0, 1, 0, 0, 0, 0}, 1.0, "/predictions has another shape");
 }
-TEST_F(WrongDiagnosis, NoWindow) {
+TEST_F(WrongDiagnosis, WithoutAWindowIsRefused) {
   expect_refused({}, {}, {0, 0, 0, 0, 0, 0, 0, 0, 0}, 1.0, "/labels is empty");
 }
 

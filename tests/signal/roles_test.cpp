@@ -4,8 +4,9 @@
 #include <gtest/gtest.h>
 
 #include "signal/counting.hpp"
-#include "signal/folder.hpp"
 #include "signal/split.hpp"
+#include "support/errors.hpp"
+#include "support/folder.hpp"
 
 namespace piae::signal {
 namespace {

@@ -6,8 +6,8 @@
 #include <set>
 
 #include "signal/counting.hpp"
-#include "signal/folder.hpp"
 #include "signal/roles.hpp"
+#include "support/errors.hpp"
 
 namespace piae::signal {
 namespace {

@@ -2,12 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include <filesystem>
-
 #include "base/vector.hpp"
-#include "libtorch/nets/parameters.hpp"
 #include "nets/stored_parameters.hpp"
-#include "libtorch/nets/torch.hpp"
+#include "support/checkpoints.hpp"
 
 namespace piae::nets {
 namespace {
@@ -19,13 +16,6 @@ std::vector<ParameterSpec> example_specs() {
   std::vector<ParameterSpec> specs = dense_chain_specs("a", 21, 3, {2, 32});
   specs.push_back({"b/weights", {3}});
   return specs;
-}
-
-TEST(Parameters, StartAsParameterSetDoes) {
-  const ParameterSet set(example_specs(), Stream("initial"));
-  const Parameters<float> flat(example_specs(), Stream("initial"));
-  EXPECT_EQ(flat.read(Kept::value), to_vector(set.values()));
-  EXPECT_EQ(flat.read(Kept::value, "a/"), to_vector(set.values("a/")));
 }
 
 TEST(Parameters, FillRowsUpWithZerosThatStay) {
@@ -50,7 +40,7 @@ TEST(Parameters, MomentsAreStoredWithTheSteps) {
   flat.write(Kept::second_moment, moments, "a/");
   artefact::Writer writer("model");
   write_moments(writer, "/adam", flat, "a/", 7);
-  const std::filesystem::path path = std::filesystem::path(testing::TempDir()) / "moments.h5";
+  const std::filesystem::path path = scratch_file("moments.h5");
   writer.save(path, {});
 
   Parameters<float> other(example_specs(), Stream("initial"));
@@ -65,7 +55,7 @@ TEST(StoredParameters, AreReadAsTheyWereWrittenAndRefusedInAnotherShape) {
   const std::vector<float> values = Parameters<float>(specs, Stream("x")).read(Kept::value);
   artefact::Writer writer("model");
   write_parameters(writer, "/final", specs, values);
-  const std::filesystem::path path = std::filesystem::path(testing::TempDir()) / "stored.h5";
+  const std::filesystem::path path = scratch_file("stored.h5");
   writer.save(path, {});
   const artefact::Reader reader(path, "model");
   EXPECT_EQ(read_parameters(reader, "/final", specs), values);

@@ -5,13 +5,10 @@
 
 #include <filesystem>
 #include <fstream>
-#include <functional>
-#include <optional>
+#include <iterator>
 #include <string>
 
-#include "base/error.hpp"
-
-namespace piae::signal {
+namespace piae {
 
 /// A folder of its own for a test, removed afterwards.
 class Folder {
@@ -43,24 +40,11 @@ class Folder {
   std::filesystem::path path_;
 };
 
-/// The error that an action throws; none where it throws none.
-inline std::optional<Error> error_of(const std::function<void()>& action) {
-  try {
-    action();
-  } catch (const Error& error) {
-    return error;
-  }
-  return std::nullopt;
+/// Everything that stands in a file, which must exist.
+inline std::string bytes_of(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  EXPECT_TRUE(in) << file;
+  return {std::istreambuf_iterator<char>(in), {}};
 }
 
-}  // namespace piae::signal
-
-/// The action throws an Error with this exit code and, in one line, this text.
-#define EXPECT_ERROR(action, code, text)                                                  \
-  do {                                                                                    \
-    const auto error = ::piae::signal::error_of([&] { (void)(action); });                 \
-    ASSERT_TRUE(error.has_value()) << "no error";                                         \
-    EXPECT_EQ(error->exit(), code) << error->what();                                      \
-    EXPECT_NE(std::string(error->what()).find(text), std::string::npos) << error->what(); \
-    EXPECT_EQ(std::string(error->what()).find('\n'), std::string::npos) << error->what(); \
-  } while (false)
+}  // namespace piae

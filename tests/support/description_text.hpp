@@ -2,7 +2,7 @@
 
 #include <string>
 
-namespace piae::signal {
+namespace piae {
 
 /// Parts of a description, to be put together in this order.
 
@@ -56,4 +56,4 @@ speed_spread = 0.001
 )";
 }
 
-}  // namespace piae::signal
+}  // namespace piae

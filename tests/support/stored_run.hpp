@@ -3,37 +3,28 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
-#include <fstream>
+#include <string>
+#include <utility>
 
 #include "run/collect.hpp"
-#include "report/published.hpp"
 #include "scoring/diagnosis_record.hpp"
-#include "scoring/sets.hpp"
+#include "scoring/quality_record.hpp"
+#include "support/folder.hpp"
+#include "support/three_classes.hpp"
 
-namespace piae::report {
+namespace piae {
 
-/// A run in a temporary folder: a dataset with three classes and 20 windows in A, and published
-/// figures beside it.
-class Run : public testing::Test {
+/// A run in a temporary folder: a dataset with three classes and 20 windows in A.
+class StoredRun : public testing::Test {
  protected:
-  explicit Run(const std::string& dataset = "cwru") : dataset_(dataset) {
-    write_text("table6-7-baseline.csv",
-               "dataset,run1,run2,run3,average\ncwru,61.8,62,61.7,61.8\nhfhp,61,62,63,62\n");
-    write_text("table8-9-methods.csv",
-               "dataset,method,2to1\ncwru,vae,91.2\ncwru,piae-dt,93.7\nhfhp,vae,90.86\n");
-    write_text("table10-11-ablation.csv",
-               "dataset,model,2to1\ncwru,model1,93.7\ncwru,model2,91.7\n");
-  }
-  void write_text(const std::string& name, const std::string& text) const {
-    std::ofstream(folder_.path() / name) << text;
-  }
+  explicit StoredRun(std::string dataset = "cwru") : dataset_(std::move(dataset)) {}
 
   /// `right` of the 20 windows are recognised: each is worth 5 points.
   [[nodiscard]] scoring::DiagnosisRecord diagnosis(const std::string& method,
                                                    const std::string& ratio, int generated,
                                                    int seed, int right) const {
     scoring::DiagnosisRecord record;
-    record.info = testing_sets::three_classes(dataset_);
+    record.info = three_classes(dataset_);
     record.method = method;
     record.ratio = ratio;
     record.generated_per_class = generated;
@@ -50,7 +41,7 @@ class Run : public testing::Test {
   }
   [[nodiscard]] scoring::QualityRecord quality(const std::string& method, int seed,
                                                double value) const {
-    return {testing_sets::three_classes(dataset_),
+    return {three_classes(dataset_),
             method,
             seed,
             "random",
@@ -87,16 +78,15 @@ class Run : public testing::Test {
     add_baseline();
     add_method("vae");
   }
-  [[nodiscard]] Grid grid(const std::string& methods, const std::string& ratios,
-                          const std::string& seeds = "0 1") const {
-    return resolve(GridOptions{dataset_, {methods}, {ratios}, {seeds}});
+  [[nodiscard]] run::Grid grid(const std::string& methods, const std::string& ratios,
+                               const std::string& seeds = "0 1") const {
+    return resolve(run::GridOptions{dataset_, {methods}, {ratios}, {seeds}});
   }
-  [[nodiscard]] Published published() const { return Published(folder_.path()); }
 
   const std::string dataset_;
-  testing_sets::TemporaryFolder folder_;
-  const Layout layout_{folder_.path() / "run", dataset_};
-  const Grid grid_ = grid("none vae", "100to1 10to1 2to1");
+  Folder folder_;
+  const run::Layout layout_{folder_.path() / "run", dataset_};
+  const run::Grid grid_ = grid("none vae", "100to1 10to1 2to1");
 };
 
-}  // namespace piae::report
+}  // namespace piae

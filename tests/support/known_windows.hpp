@@ -5,19 +5,16 @@
 
 #include "base/random.hpp"
 #include "signal/window_set.hpp"
+#include "support/three_classes.hpp"
 
-namespace piae::twin {
+namespace piae {
 
 /// A small set of known windows: three classes, five windows each of the two faulty ones, decaying
 /// oscillations of different pitch at random phase, with an offset that the twin must remove.
 inline signal::WindowSet known_windows(std::size_t length = 64) {
   signal::WindowSet windows;
-  windows.info.name = "example";
-  windows.info.sample_rate_hz = 12000;
+  windows.info = three_classes("example");
   windows.info.shaft_speed_rpm = 1797;
-  windows.info.classes = {{"Normal", signal::Defect::none, 0},
-                          {"IR", signal::Defect::inner, 0.2},
-                          {"OR", signal::Defect::outer, 0.2}};
   windows.length = length;
   Stream stream("known windows");
   for (int label = 1; label <= 2; ++label) {
@@ -33,4 +30,4 @@ inline signal::WindowSet known_windows(std::size_t length = 64) {
   return windows;
 }
 
-}  // namespace piae::twin
+}  // namespace piae

@@ -10,7 +10,7 @@
 #include "bearing/variation.hpp"
 #include "signal/window_set.hpp"
 
-namespace piae::phase {
+namespace piae {
 
 /// A 6205 at 12 kHz and 1797 rpm: healthy, inner race and outer race.
 inline signal::DatasetInfo bearing_info() {
@@ -97,4 +97,4 @@ inline signal::WindowSet simulated_windows(std::size_t count, const std::string&
   return windows;
 }
 
-}  // namespace piae::phase
+}  // namespace piae
