@@ -20,6 +20,7 @@ ARCH     ?= native
 LIBTORCH := on
 SUBMIT   :=
 TOLERANCE := auto
+LINT     :=
 V        :=
 
 # The demo is a small grid of the same kind, on all cores unless -j says otherwise. It needs no
@@ -41,7 +42,7 @@ METHODS  := piae-dt piae-dt-phase
 endif
 
 # ---- what was given -----------------------------------------------------------------------------
-variables := RUN DATASETS METHODS RATIOS SEEDS PROTOCOL DATA_DIR ARCH LIBTORCH BIN SUBMIT TOLERANCE V
+variables := RUN DATASETS METHODS RATIOS SEEDS PROTOCOL DATA_DIR ARCH LIBTORCH BIN SUBMIT TOLERANCE LINT V
 given     := $(foreach name,$(.VARIABLES),$(if $(filter command,$(firstword $(origin $(name)))),$(name)))
 
 # A name that is nearly one of ours: in the other case, or the beginning of one, or one with more to it.
@@ -69,7 +70,7 @@ export BIN SUBMIT
 Q := $(if $(V),,@)
 
 .DEFAULT_GOAL := help
-.PHONY: help grid status check reference data test bench deps build clean
+.PHONY: help grid status check reference data test lint bench deps build clean
 
 help:
 	@printf '  %-11s%s\n' \
@@ -85,6 +86,7 @@ help:
 	  reference 'store RUN, or the cells of the variables given, as results/reference, and its tables' \
 	  data     'download the recordings that have an official address into DATA_DIR' \
 	  test     'build and run every test; those on real recordings when DATA_DIR has them' \
+	  lint     'check style and structure of what changed; of everything with LINT=all' \
 	  bench    'build and run the benchmarks' \
 	  deps     'install the packages that are missing (apt)' \
 	  build    'build the programs into build/bin' \
@@ -103,6 +105,7 @@ help:
 	  BIN      'folder of programs to use as they are, instead of building  [$(BIN)]' \
 	  SUBMIT   'command put before every step, such as "srun --ntasks=1 --mem=2G"  [$(SUBMIT)]' \
 	  TOLERANCE 'of check: exact, spread, or auto: exact on the same processor and libraries  [$(TOLERANCE)]' \
+	  LINT     'of lint: all, or what changed  [$(LINT)]' \
 	  V        'V=1 shows the commands  [$(V)]' \
 	  | sed '1i\\nVariables, and their values now'
 	@printf '%s\n' '' \
@@ -153,6 +156,10 @@ bench:
 test:
 	$(Q)$(call build_them,programs tests)
 	$(Q)DATA_DIR='$(DATA_DIR)' tests/run.sh
+
+lint:
+	$(Q)pipeline/deps.sh $(LIBTORCH) programs tests benches lint
+	$(Q)LINT='$(LINT)' pipeline/lint.sh
 
 deps:
 	$(Q)pipeline/deps.sh $(LIBTORCH) programs tests benches

@@ -3,7 +3,8 @@
 # is possible it prints the line for somebody who may, and exits with 2. When nothing is missing it
 # does nothing, and needs no network.
 # usage: pipeline/deps.sh LIBTORCH TARGET...      (LIBTORCH: on or off)
-# TARGETs are `programs`, `tests` and `benches`: what they need beyond the programs comes for them alone.
+# TARGETs are `programs`, `tests`, `benches` and `lint`: what one of them needs beyond the programs comes
+# for it alone.
 set -euo pipefail
 
 libtorch=$1
@@ -18,6 +19,11 @@ packages=(
 [[ $libtorch == off ]] || packages+=(libtorch-dev libopenblas-dev)
 [[ " $* " != *" tests "* ]] || packages+=(libgtest-dev libgmock-dev hdf5-tools)
 [[ " $* " != *" benches "* ]] || packages+=(libbenchmark-dev)
+# Lint asks clang's tools of one version alone, that of Debian 12.
+if [[ " $* " == *" lint "* ]]; then
+  packages+=(shellcheck)
+  ! grep -qs '^VERSION_ID="12"' /etc/os-release || packages+=(clang-format clang-tidy libc++-dev libomp-dev)
+fi
 
 if ! command -v dpkg-query >/dev/null; then
   echo "deps: not Debian or Ubuntu, so nothing is installed here; needed are: ${packages[*]}" >&2

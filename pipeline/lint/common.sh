@@ -1,0 +1,89 @@
+# shellcheck shell=bash disable=SC2034
+# Sourced by the rules. Each is a script that prints its findings, one a line, and exits with 0 when it
+# has looked at everything, with 77 when it was skipped (and says why), with anything else when it failed.
+set -euo pipefail
+rule=$(basename "$0" .sh)
+cores=$(env -u OMP_NUM_THREADS nproc)
+
+say() { echo "lint: $rule: $1" >&2; }
+
+skip() {
+  say "skipped, $1"
+  exit 77
+}
+
+# Files whose name matches: of those that git tracks, and new ones that it does not ignore.
+files_matching() { # extended regular expression, [file or folder...]
+  git ls-files --cached --others --exclude-standard -- "${@:2}" | sort -u |
+    while read -r file; do [[ ! -f $file ]] || echo "$file"; done | { grep -E "$1" || true; }
+}
+
+# The commit that a change is measured from: where the branch left origin/main. On main itself, as in
+# continuous integration, and where there is no origin, the commit before. None in a clone that is one
+# commit deep.
+commit_before_change() {
+  local head before
+  head=$(git rev-parse --quiet --verify HEAD) || return 0
+  before=$(git merge-base origin/main HEAD 2>/dev/null) || before=$head
+  [[ $before != "$head" ]] || before=$(git rev-parse --quiet --verify HEAD~1) || return 0
+  echo "$before"
+}
+
+# What a rule that takes long looks at: the files that are named; else with LINT=all every file; else
+# what changed since that commit, committed or not.
+files_to_check() { # extended regular expression, [file or folder...]
+  local before
+  before=$(commit_before_change)
+  if (($# > 1)) || [[ ${LINT:-} == all || -z $before ]]; then
+    files_matching "$@"
+  else
+    { git diff --name-only --diff-filter=d "$before" && git ls-files --others --exclude-standard; } |
+      sort -u | { grep -E "$1" || true; }
+  fi
+}
+
+# The one version of clang's tools that we ask: others format, and warn of, different things.
+clang_version=$(sed -nE 's/^# For clang-format ([0-9]+).*/\1/p' .clang-format)
+
+clang_tool() { # format or tidy
+  local program
+  for program in "clang-$1-$clang_version" "clang-$1"; do
+    if "$program" --version 2>/dev/null | grep -q "version $clang_version\."; then
+      echo "$program"
+      return
+    fi
+  done
+  skip "as it needs clang-$1 $clang_version, which Debian 12 has; what would be found by others differs"
+}
+
+# A folder that is configured and never built: it knows how each file is compiled. Clang can neither
+# read GCC's precompiled headers nor does it know GCC's flag for products of complex numbers.
+configured=build/lint
+configure() {
+  mkdir -p $configured
+  exec 9>$configured/.lock
+  flock 9
+  local options=(-S . -B "$configured" -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON)
+  if cmake "${options[@]}" -DPIAE_LIBTORCH=ON >$configured/configure.log 2>&1; then
+    has_libtorch=yes
+  else
+    cmake "${options[@]}" -DPIAE_LIBTORCH=OFF >$configured/configure.log 2>&1 || {
+      cat $configured/configure.log >&2
+      exit 1
+    }
+    has_libtorch=
+    say "LibTorch is not installed, so src/libtorch and the tests that need it are left out"
+  fi
+  sed -i 's/ -fcx-limited-range//' $configured/compile_commands.json
+  flock --unlock 9
+}
+
+# A line for each file that is compiled: its name, a tab, the command.
+compile_commands() {
+  awk -v root="$PWD/" '
+    /^ *"command": "/ { sub(/^ *"command": "/, ""); sub(/",?$/, ""); command = $0 }
+    /^ *"file": "/ {
+      sub(/^ *"file": "/, ""); sub(/",?$/, "")
+      if (index($0, root) == 1) print substr($0, length(root) + 1) "\t" command
+    }' $configured/compile_commands.json
+}

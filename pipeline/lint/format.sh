@@ -1,0 +1,14 @@
+#!/bin/bash
+# C++ files are as clang-format leaves them.
+# shellcheck source-path=SCRIPTDIR
+source "${0%/*}/common.sh"
+
+program=$(clang_tool format)
+files_matching '\.(cpp|hpp)$' "$@" | { xargs --no-run-if-empty "$program" --dry-run 2>&1 || true; } |
+  awk -F: '
+    /code should be clang-formatted/ { if (!($1 in count)) { files[++n] = $1; line[$1] = $2 } ++count[$1] }
+    END {
+      for (i = 1; i <= n; ++i)
+        printf "%s:%d: not as clang-format leaves it, here and in %d other places; clang-format -i %s\n",
+               files[i], line[files[i]], count[files[i]] - 1, files[i]
+    }'

@@ -1,0 +1,14 @@
+# Compiles each of HEADERS alone, without writing code. STAMPS/<header>.ok says that it went well; where
+# it is missing, <header>.log says what did not.
+
+stamps := $(HEADERS:%=$(STAMPS)/%.ok)
+.PHONY: all
+all: $(stamps)
+
+$(STAMPS)/%.ok: % $(STAMPS)/flags
+	mkdir -p $(@D)
+	rm -f $@
+	if $(if $(filter src/libtorch/%,$<),$(LIBTORCH_FLAGS),$(FLAGS)) -fsyntax-only \
+	    -MMD -MP -MF $(@:.ok=.d) -MT $@ -x c++ -include $< /dev/null >$(@:.ok=.log) 2>&1; then touch $@; fi
+
+-include $(stamps:.ok=.d)

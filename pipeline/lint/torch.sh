@@ -1,0 +1,11 @@
+#!/bin/bash
+# LibTorch's headers are included in its room alone, in that room's tests and in the benchmarks.
+# shellcheck source-path=SCRIPTDIR
+source "${0%/*}/common.sh"
+
+files_matching '\.(cpp|hpp|in)$' "$@" | { grep -vE '^(src/libtorch|tests/libtorch|tests/bench)/' || true; } |
+  xargs --no-run-if-empty awk '
+    /^[ \t]*#[ \t]*include[ \t]*[<"](torch|ATen|c10)\// {
+      printf "%s:%d: includes LibTorch outside src/libtorch; ", FILENAME, FNR
+      print "move it there and declare in src/libtorch/back_ends.hpp what others may call"
+    }'
