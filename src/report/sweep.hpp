@@ -16,7 +16,7 @@ namespace piae::report {
 /// 19).
 inline const std::string swept_method = "piae-dt";
 
-/// The part of a sweep that a table shows. pipeline/sweep.mk has the whole.
+/// The part of a sweep that a table shows. [sweep] of pipeline/protocol.toml has the whole.
 struct SweepOptions {
   std::string dataset;
   std::vector<std::string>

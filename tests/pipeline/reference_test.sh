@@ -11,7 +11,7 @@ source "${0%/*}/support.sh"
 grid=$(mktemp -d)
 trap 'rm -r "$grid"' EXIT
 
-# In a folder with the front door alone, and the stand-ins' registry: it knows smote and piae-dt.
+# In a folder with the front door alone.
 lay_out() {
   rm -r pipeline/datasets
   mkdir -p pipeline/datasets results

@@ -51,6 +51,7 @@ test_two_makes_do_not_run_one_step_at_once() {
 
 # Two makes have both found this step to be done; the other one comes first.
 test_what_another_make_has_done_meanwhile_is_not_done_again() {
+  # shellcheck disable=SC2016
   own_stage <<<'echo once >>calls; echo made >"${!#}"'
   touch input
   local made=results/t/real/seed0/made.h5
