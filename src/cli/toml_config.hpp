@@ -6,12 +6,8 @@
 
 namespace piae::cli {
 
-/// Lets CLI11 read options from a TOML file, by toml++. The keys are the long names of the options.
-/// In a file such as pipeline/protocol.toml each program reads its own table, [train], and then the
-/// table of the chosen variant, [train.piae-dt], which wins over it. A file without the program's
-/// table is for this program alone, and its keys stand at the top. An option of the command line
-/// wins over the file. A table that says like = "piae-dt" holds only what differs from that
-/// variant's table.
+/// Lets CLI11 read a program's options from a TOML file: keys are the long option names. Which
+/// tables it reads: toml_options.hpp. An option given on the command line wins over the file.
 class TomlConfig : public CLI::Config {
  public:
   TomlConfig(std::string program, std::string variant)

@@ -2,9 +2,7 @@
 # What the README and the page on own recordings show can be typed as it stands there: with the built
 # programs.
 # shellcheck source-path=SCRIPTDIR
-source "${0%/*}/check.sh"
-
-programs=$(realpath "${PIAE_BIN:-$project/build/bin}")
+source "${0%/*}/support.sh"
 
 # The first block of commands in a section of a page.
 commands_of() { # page, title of the section

@@ -1,8 +1,10 @@
 # shellcheck shell=bash
 # Sourced by the tests of the Makefile, pipeline/ and jobs/: each of their functions named test_*
-# runs in a fresh copy of those, with stand-ins for the stage programs, without network or rights.
+# runs in a fresh copy of those, with stand-ins for the stage programs, without network or rights. The
+# program `settings`, which make asks what there is, is the real one: PIAE_BIN names its folder.
 
 project=$(realpath "${BASH_SOURCE[0]%/*}/../..")
+programs=$(realpath "${PIAE_BIN:-$project/build/bin}")
 unset MAKEFLAGS MFLAGS MAKELEVEL MAKEOVERRIDES OMP_NUM_THREADS OPENBLAS_NUM_THREADS DATA_DIR
 
 fail() {
@@ -37,16 +39,11 @@ wait_for() { # file
 
 # What a stage does to the files: copies of its options into its outputs, and a line in `calls`.
 stand_ins() {
-  mkdir -p fake src/augment
-  # Three methods are grid enough, also where a test names none.
-  printf '    {"%s", make<X>},\n' smote piae-dt >src/augment/registry.cpp
-  sed -i 's/^METHODS  := .*/METHODS  := none piae-dt/' Makefile
-  awk '/^\[/ { drop = /^\[train\./ && !/^\[train\.(smote|piae-dt)\]/ } !drop' pipeline/protocol.toml >kept
-  mv kept pipeline/protocol.toml
+  mkdir fake
   cat >fake/stage <<'STAGE'
 #!/bin/bash
 stage=${0##*/} options="$*" outputs=()
-tables=(accuracy.csv gains.csv quality.csv comparisons.csv ranks.csv tables.md tables.tex)
+tables=(accuracy.csv gains.csv quality.csv comparisons.csv ranks.csv tables.md tables.tex summary.txt)
 [[ $stage != sweep ]] || tables=(sweep.csv sweep.md)
 [[ $stage != identify ]] || tables=(identifiability.csv scatter.csv identifiability.md)
 while (($#)); do
@@ -69,9 +66,11 @@ echo "$stage: 1 thing done"
 STAGE
   chmod +x fake/stage
   local stage
-  for stage in ingest simulate split train generate score diagnose tabulate sweep contrast identify; do
+  for stage in ingest simulate split train generate score diagnose tabulate sweep contrast identify \
+    train-libtorch; do
     ln -s stage "fake/$stage"
   done
+  ln -s "$programs/settings" fake/settings
 }
 
 run_tests() {
