@@ -100,6 +100,11 @@ const CatalogueEntry* find_entry(const std::string& name) {
   return found == std::end(entries) ? nullptr : found;
 }
 
+const std::string& paper_method() {
+  static const std::string name = std::ranges::find(entries, 1, &CatalogueEntry::model)->name;
+  return name;
+}
+
 bool is_ceiling(const std::string& name) {
   const CatalogueEntry* const entry = find_entry(name);
   return entry != nullptr && entry->kind == Kind::ceiling;

@@ -39,6 +39,9 @@ const CatalogueEntry* find_entry(const std::string& name);
 /// The name of the baseline, which is the only entry that runs at the ratio 100to1.
 inline const std::string no_method = "none";
 
+/// The name of the paper's own method, which is its Model 1; the other models are ablations of it.
+const std::string& paper_method();
+
 /// Whether this is the name of a ceiling. A ceiling has no score, which would compare D with
 /// itself.
 bool is_ceiling(const std::string& name);

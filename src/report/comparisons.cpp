@@ -6,7 +6,6 @@
 #include "base/error.hpp"
 #include "report/csv_fields.hpp"
 #include "report/labels.hpp"
-#include "report/paper_methods.hpp"
 #include "report/paper_reference.hpp"
 
 namespace piae::report {
@@ -22,7 +21,7 @@ std::string method_of_interest(const std::vector<std::string>& methods) {
   for (const augment::CatalogueEntry& entry : augment::catalogue()) {
     if (entry.kind == augment::Kind::ours && is_there(entry)) return entry.name;
   }
-  return std::ranges::count(methods, paper_method()) > 0 ? paper_method() : "";
+  return std::ranges::count(methods, augment::paper_method()) > 0 ? augment::paper_method() : "";
 }
 
 std::string choose_other_side(const std::vector<std::string>& methods, const std::string& asked) {

@@ -26,12 +26,6 @@ std::vector<augment::CatalogueEntry> all_models() {
   return models;
 }
 
-const std::string& paper_method() {
-  static const std::string name =
-      std::ranges::find(augment::catalogue(), 1, &augment::CatalogueEntry::model)->name;
-  return name;
-}
-
 std::vector<MethodGroup> method_groups(const std::vector<std::string>& methods) {
   MethodGroup compared{.key = "methods",
                        .name = "the methods",

@@ -11,9 +11,6 @@ namespace piae::report {
 /// The paper's five models (Section 4.5.4, Tables 10 and 11), in the order of their numbers.
 std::vector<augment::CatalogueEntry> all_models();
 
-/// The paper's own method, which is Model 1; the other models are ablations of it.
-const std::string& paper_method();
-
 /// Methods that are shown in the same tables.
 struct MethodGroup {
   std::string key;   ///< short name: "methods"

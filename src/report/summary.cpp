@@ -152,12 +152,8 @@ std::string against_real(const run::Results& results, const std::string& method)
       100 * *amplitude, std::abs(*line), *line < 0 ? "weaker" : "stronger");
 }
 
-const augment::CatalogueEntry& papers_method() {
-  return *std::ranges::find(augment::catalogue(), 1, &augment::CatalogueEntry::model);
-}
-
 std::string why_not(const run::Results& results, const std::vector<AccuracyRow>& gains) {
-  const std::string method = papers_method().name;
+  const std::string method = augment::paper_method();
   const auto gain = std::ranges::find(gains, method, &AccuracyRow::method);
   if (gain == gains.end() || effect_of(*gain) == Effect::helps) return "";
   const std::string measured = against_real(results, method);

@@ -4,10 +4,10 @@
 
 #include <algorithm>
 
+#include "augment/catalogue.hpp"
 #include "base/error.hpp"
 #include "report/csv_fields.hpp"
 #include "report/labels.hpp"
-#include "report/paper_methods.hpp"
 #include "text/csv.hpp"
 
 namespace piae::report {
@@ -79,7 +79,7 @@ text::Table factor_table(const std::string& factor, const Sweep& sweep,
 }  // namespace
 
 std::string SweepPoint::folder() const {
-  return centre ? paper_method() : "sweep/" + factor + "-" + value;
+  return centre ? augment::paper_method() : "sweep/" + factor + "-" + value;
 }
 
 void bind(const cli::Options& command, SweepOptions& options) {
@@ -93,8 +93,8 @@ void bind(const cli::Options& command, SweepOptions& options) {
 
 Sweep resolve(const SweepOptions& options) {
   Sweep sweep;
-  sweep.grid =
-      resolve(run::GridOptions{options.dataset, {paper_method()}, options.ratios, options.seeds});
+  sweep.grid = resolve(
+      run::GridOptions{options.dataset, {augment::paper_method()}, options.ratios, options.seeds});
   const std::vector<std::string> words = run::split_list("--points", options.points);
   std::vector<std::string> centre;
   if (!options.centre.empty()) centre = run::split_list("--centre", options.centre);
@@ -132,8 +132,9 @@ std::string sweep_csv(const Sweep& sweep, const std::vector<SweepRow>& rows) {
 
 Document sweep_document(const Sweep& sweep, const std::vector<SweepRow>& rows,
                         const run::Results& results) {
-  Document document{.key = sweep.grid.dataset + "-sweep",
-                    .title = "Settings of " + paper_method() + " on " + sweep.grid.dataset};
+  Document document{
+      .key = sweep.grid.dataset + "-sweep",
+      .title = "Settings of " + augment::paper_method() + " on " + sweep.grid.dataset};
   const std::size_t seeds = sweep.grid.seeds.size();
   document.paragraphs.push_back(fmt::format(
       "Accuracy in percent where one setting is moved and all others are those of the grid (paper, "

@@ -5,7 +5,6 @@
 #include "augment/catalogue.hpp"
 #include "base/error.hpp"
 #include "cli/toml_file.hpp"
-#include "report/sweep.hpp"
 #include "scoring/ratios.hpp"
 #include "settings/protocol.hpp"
 
@@ -64,7 +63,7 @@ void add_datasets(const fs::path& folder, std::vector<std::string>& words) {
 }
 
 void add_sweep(const toml::table& protocol, std::vector<std::string>& words) {
-  words.push_back("swept:" + report::swept_method);
+  words.push_back("swept:" + augment::paper_method());
   for (const std::string& point : sweep_points(protocol)) words.push_back("sweep-point:" + point);
   for (const std::string& point : sweep_centre(protocol)) words.push_back("sweep-centre:" + point);
 }

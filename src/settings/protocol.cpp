@@ -10,7 +10,6 @@
 #include "base/numbers.hpp"
 #include "cli/toml_file.hpp"
 #include "cli/toml_options.hpp"
-#include "report/sweep.hpp"
 
 namespace piae::settings {
 
@@ -112,7 +111,7 @@ std::vector<std::string> sweep_points(const toml::table& protocol) {
 }
 
 std::vector<std::string> sweep_centre(const toml::table& protocol) {
-  const toml::table options = cli::options_of(protocol, "train", report::swept_method);
+  const toml::table options = cli::options_of(protocol, "train", augment::paper_method());
   std::vector<std::string> centre;
   for (const std::string& word : sweep_points(protocol)) {
     const Point point = *parse_point(word);

@@ -1,0 +1,100 @@
+#include "report/summary.hpp"
+
+#include <gmock/gmock.h>
+
+#include <sstream>
+
+#include "report/published.hpp"
+#include "run/grid.hpp"
+#include "support/stored_run.hpp"
+
+namespace piae::report {
+namespace {
+
+using testing::HasSubstr;
+using testing::Le;
+using testing::Not;
+using testing::SizeIs;
+
+class Summary : public StoredRun {
+ protected:
+  [[nodiscard]] std::string summary_of(const std::string& methods) const {
+    const run::Grid cells = grid(methods, "100to1 10to1 2to1");
+    const run::Results results = run::collect(layout_, cells);
+    run::require_all(results);
+    const auto rows = accuracy_rows(cells, results, Published(folder_.path()));
+    return unwrapped(summary_text(cells, results, rows));
+  }
+
+  /// The text with single spaces, so that a sentence is found wherever its lines are broken.
+  [[nodiscard]] static std::string unwrapped(const std::string& text) {
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);) EXPECT_THAT(line, SizeIs(Le(80U)));
+    std::istringstream words(text);
+    std::string all;
+    for (std::string word; words >> word;) all += (all.empty() ? "" : " ") + word;
+    return all;
+  }
+
+  /// `right` of 20 windows in both seeds at the ratio with the most generated windows.
+  void add_at_2to1(const std::string& method, int right) const {
+    for (const int seed : {0, 1}) {
+      add(diagnosis(method, "10to1", 45, seed, 13));
+      add(diagnosis(method, "2to1", 145, seed, right));
+      if (method != "oracle") add(quality(method, seed, 0.5));
+    }
+  }
+};
+
+TEST_F(Summary, ShowsTheMeanAccuracyOfEachMethodAtEachRatio) {
+  add_baseline();
+  add_method("vae");
+  const std::string text = summary_of("none vae");
+  EXPECT_THAT(text, HasSubstr("method 100:1 10:1 2:1"));
+  EXPECT_THAT(text, HasSubstr("none 62.5"));
+  EXPECT_THAT(text, HasSubstr("vae 75.0 90.0"));
+}
+
+TEST_F(Summary, SaysWhoHelpsAndWhoHarmsByHowManyPoints) {
+  add_baseline();             // 62.5 %
+  add_at_2to1("vae", 19);     // 95 %
+  add_at_2to1("smote", 9);    // 45 %
+  add_at_2to1("oracle", 20);  // 100 %
+  const std::string text = summary_of("none vae smote oracle");
+  EXPECT_THAT(text, HasSubstr("With 145 generated windows of each fault"));
+  EXPECT_THAT(text, HasSubstr("against the 62.5 % without any (2 seeds)"));
+  EXPECT_THAT(text, HasSubstr("vae (+32.5) helps and smote (-17.5) harms"));
+  EXPECT_THAT(text, HasSubstr("real windows in their place (oracle) would give +37.5"));
+}
+
+TEST_F(Summary, CallsItNoClearDifferenceWhereSeedsDisagree) {
+  add(diagnosis("none", "100to1", 0, 0, 12));
+  add(diagnosis("none", "100to1", 0, 1, 14));
+  add_at_2to1("vae", 13);  // 5 points above in one seed, 5 below in the other
+  EXPECT_THAT(summary_of("none vae"), HasSubstr("vae (+0.0) makes no clear difference"));
+}
+
+TEST_F(Summary, SaysWhyThePapersMethodDoesNotHelpFromItsScores) {
+  add_baseline();
+  add_at_2to1("piae-dt", 9);
+  const std::string text = summary_of("none piae-dt");
+  // The two classes of a stored score have amplitude ratios 4 and 1, line differences 7 and 1 dB.
+  EXPECT_THAT(text, HasSubstr("its windows are 250 % as strong as real ones and show the lines of "
+                              "their fault 4.0 dB stronger."));
+}
+
+TEST_F(Summary, GivesNoReasonWhereThePapersMethodHelps) {
+  add_baseline();
+  add_at_2to1("piae-dt", 20);
+  const std::string text = summary_of("none piae-dt");
+  EXPECT_THAT(text, HasSubstr("piae-dt (+37.5) helps."));
+  EXPECT_THAT(text, Not(HasSubstr("As published")));
+}
+
+TEST_F(Summary, IsTheTableAloneWithoutTheBaseline) {
+  add_method("vae");
+  EXPECT_THAT(summary_of("vae"), Not(HasSubstr("points")));
+}
+
+}  // namespace
+}  // namespace piae::report
