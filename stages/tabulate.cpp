@@ -54,13 +54,13 @@ int main(int argc, char** argv) {
     const report::Document tables =
         report::tables(grid, results, rows, published, comparisons, ranks);
     text::save_all({{layout.accuracy_csv(), report::accuracy_csv(rows)},
-                      {layout.gains_csv(), report::accuracy_csv(report::gain_rows(rows))},
-                      {layout.quality_csv(), report::quality_csv(grid, results)},
-                      {layout.comparisons_csv(), report::comparisons_csv(comparisons)},
-                      {layout.ranks_csv(), report::ranks_csv(ranks)},
-                      {layout.tables_markdown(), report::markdown(tables)},
-                      {layout.tables_latex(), report::latex(tables)},
-                      {layout.summary_text(), report::summary_text(grid, results, rows)}});
+                    {layout.gains_csv(), report::accuracy_csv(report::gain_rows(rows))},
+                    {layout.quality_csv(), report::quality_csv(grid, results)},
+                    {layout.comparisons_csv(), report::comparisons_csv(comparisons)},
+                    {layout.ranks_csv(), report::ranks_csv(ranks)},
+                    {layout.tables_markdown(), report::markdown(tables)},
+                    {layout.tables_latex(), report::latex(tables)},
+                    {layout.summary_text(), report::summary_text(grid, results, rows)}});
     std::cout << report::accuracy_text(rows)
               << fmt::format("tabulated {} diagnoses and {} scores: {}\n", results.diagnoses.size(),
                              results.qualities.size(), layout.tables_markdown().string());

@@ -5,7 +5,7 @@
 # shellcheck source-path=SCRIPTDIR
 source "${0%/*}/common.sh"
 
-flags_of() { compile_commands | awk -F'\t' -v file="$1" '$1 == file { print $2; exit }' | sed 's/ -o .*//'; }
+flags_of() { compile_commands | awk -F'\t' -v file="$1" '$1 == file { print $2 }' | sed 's/ -o .*//'; }
 
 configure
 mapfile -t headers < <(files_matching '^src/.*\.hpp$' "$@" | { grep -v '^src/libtorch/' || true; })

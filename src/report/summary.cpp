@@ -123,7 +123,8 @@ std::string who_helps(std::vector<AccuracyRow> gains, const AccuracyRow& baselin
   }
   const std::size_t seeds = baseline.values.size();
   return fmt::format(
-      "With {} generated windows of each fault, and measured in points against the {:.1f} % without "
+      "With {} generated windows of each fault, and measured in points against the {:.1f} % "
+      "without "
       "any ({} seed{}), {}{}.",
       gains.front().generated_per_class, baseline.summary.mean, seeds, seeds == 1 ? "" : "s",
       listed(parts), ceiling);
@@ -146,8 +147,9 @@ std::string against_real(const run::Results& results, const std::string& method)
   const auto amplitude = mean_of(results, method, &scoring::ClassQuality::amplitude_ratio);
   const auto line = mean_of(results, method, &scoring::ClassQuality::fault_line_difference_db);
   if (!amplitude || !line) return "";
-  return fmt::format("{:.0f} % as strong as real ones and show the lines of their fault {:.1f} dB {}",
-                     100 * *amplitude, std::abs(*line), *line < 0 ? "weaker" : "stronger");
+  return fmt::format(
+      "{:.0f} % as strong as real ones and show the lines of their fault {:.1f} dB {}",
+      100 * *amplitude, std::abs(*line), *line < 0 ? "weaker" : "stronger");
 }
 
 const augment::CatalogueEntry& papers_method() {
@@ -161,7 +163,8 @@ std::string why_not(const run::Results& results, const std::vector<AccuracyRow>&
   const std::string measured = against_real(results, method);
   if (measured.empty()) return "";
   return fmt::format(
-      "As published, {} describes a window by stiffness and damping, which do not say at which angle "
+      "As published, {} describes a window by stiffness and damping, which do not say at which "
+      "angle "
       "of the shaft it starts, so it learns little more than the mean of a class: its windows are "
       "{}.",
       method, measured);

@@ -78,7 +78,7 @@ TEST(Inputs, OfOneRepeatAreReadEachInItsPlace) {
   const artefact::Reader generated = written(e);
   const Inputs inputs = read_inputs(written(a), written(b), written(c), &generated);
   EXPECT_EQ(inputs.method, "piae-dt");
-  EXPECT_EQ(inputs.protocol, "random");
+  EXPECT_EQ(inputs.protocol, signal::Protocol::random);
   EXPECT_EQ(inputs.test.first_sample.at(0), 0);
   EXPECT_EQ(inputs.normal.first_sample.at(0), 10);
   EXPECT_EQ(inputs.known.first_sample.at(0), 20);

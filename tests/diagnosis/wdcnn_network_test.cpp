@@ -12,6 +12,7 @@
 #include "diagnosis/plain_wdcnn.hpp"
 #include "diagnosis/random_batch.hpp"
 #include "nets/adam.hpp"
+#include "support/differences.hpp"
 
 namespace piae::diagnosis {
 namespace {
@@ -127,21 +128,14 @@ TEST(WdcnnNetwork, GradientEqualsFiniteDifferences) {
   };
   loss();
   const std::vector<double> gradients(network.gradients().begin(), network.gradients().end());
-  constexpr double step = 1e-6;
   Stream stream("parameters");
   for (const WdcnnParameter& parameter : network.layout()) {
     std::vector<std::int64_t> places;
     parameter.for_each([&](std::int64_t, std::int64_t j) { places.push_back(j); });
     for (int sample = 0; sample < 4; ++sample) {
       const auto j = static_cast<std::size_t>(places[stream.below(places.size())]);
-      double& value = network.values()[j];
-      const double before = value;
-      value = before + step;
-      const double above = loss();
-      value = before - step;
-      const double below = loss();
-      value = before;
-      EXPECT_NEAR(gradients[j], (above - below) / (2 * step), 1e-7 + 1e-5 * std::abs(gradients[j]))
+      EXPECT_NEAR(gradients[j], central_difference(network.values()[j], 1e-6, loss),
+                  1e-7 + 1e-5 * std::abs(gradients[j]))
           << parameter.spec.name;
     }
   }

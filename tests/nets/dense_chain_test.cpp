@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "nets/row_array.hpp"
+#include "support/differences.hpp"
 
 namespace piae::nets {
 namespace {
@@ -71,17 +72,9 @@ struct Example {
   }
   /// Central differences of a function of the parameters.
   std::vector<double> differences(const std::function<double()>& f) {
-    constexpr double step = 1e-6;
     std::vector<double> all;
-    for_each_value([&](double& value, std::int64_t) {
-      const double before = value;
-      value = before + step;
-      const double above = f();
-      value = before - step;
-      const double below = f();
-      value = before;
-      all.push_back((above - below) / (2 * step));
-    });
+    for_each_value(
+        [&](double& value, std::int64_t) { all.push_back(central_difference(value, 1e-6, f)); });
     return all;
   }
 
@@ -138,13 +131,7 @@ TEST_P(DenseChains, HaveTheGradientsOfFiniteDifferences) {
   const std::vector<double> expected = example.differences(value);
   std::vector<double> expected_by_x;
   for (double& number : x.reshaped<Eigen::RowMajor>()) {
-    const double before = number;
-    number = before + 1e-6;
-    const double above = value();
-    number = before - 1e-6;
-    const double below = value();
-    number = before;
-    expected_by_x.push_back((above - below) / 2e-6);
+    expected_by_x.push_back(central_difference(number, 1e-6, value));
   }
   value();
   const Array by_x = example.backward(slope);

@@ -24,7 +24,7 @@ void add(Measurements& side, const std::string& method, const std::vector<double
 }
 
 Measurements side(const std::vector<double>& values, const std::string& settings = "this machine") {
-  Measurements measurements{"cwru", "random", {}, {"0.1.0"}, {settings}};
+  Measurements measurements{"cwru", signal::Protocol::random, {}, {"0.1.0"}, {settings}};
   add(measurements, "vae", values);
   return measurements;
 }
@@ -35,7 +35,7 @@ DeviationRow only_row(const std::vector<double>& reference, const std::vector<do
   EXPECT_THAT(deviations.missing, IsEmpty());
   EXPECT_THAT(deviations.not_in_reference, IsEmpty());
   EXPECT_EQ(deviations.rows.size(), 1U);
-  EXPECT_EQ(deviations.passed(), deviations.rows.front().within);
+  EXPECT_EQ(deviations.acceptable(), deviations.rows.front().within);
   return deviations.rows.front();
 }
 
@@ -52,7 +52,7 @@ TEST(Deviations, OfTwoSeedsUsesTheSpreadOfAllThatAreStored) {
   const Deviations deviations =
       find_deviations(side({0.60, 0.62, 0.64, 0.66, 0.68}), side({0.60, 0.64}),
                       {{}, {}, {}, {0, 1}}, Tolerance::spread);
-  EXPECT_TRUE(deviations.passed());
+  EXPECT_TRUE(deviations.acceptable());
   ASSERT_EQ(deviations.rows.size(), 1U);
   const DeviationRow& row = deviations.rows.front();
   EXPECT_EQ(row.seeds, 2U);
@@ -93,7 +93,7 @@ TEST(Deviations, OfFewSeedsBorrowsTheSpreadOfTheOtherRows) {
   EXPECT_NEAR(*deviations.rows[1].standard_error, std::sqrt(2), 1e-12);
   EXPECT_NEAR(deviations.rows[0].allowed, 6.62, 0.005);
   EXPECT_NEAR(deviations.rows[1].allowed, 6.62, 0.005);
-  EXPECT_TRUE(deviations.passed());
+  EXPECT_TRUE(deviations.acceptable());
 }
 
 TEST(Deviations, OfManySeedsKeepsItsOwnSpread) {
@@ -152,13 +152,14 @@ TEST(Deviations, NamesCellsOfOneSideOnly) {
   EXPECT_THAT(deviations.missing,
               ElementsAre("vae 10to1, seeds 1 2", "ae 10to1, seed 0", "ae score, seed 7"));
   EXPECT_THAT(deviations.not_in_reference, ElementsAre("smote 10to1, seeds 0 1"));
-  EXPECT_FALSE(deviations.passed());
-  EXPECT_TRUE(find_deviations(reference, run, {{}, {"vae"}, {}, {0}}, Tolerance::exact).passed());
+  EXPECT_FALSE(deviations.acceptable());
+  EXPECT_TRUE(
+      find_deviations(reference, run, {{}, {"vae"}, {}, {0}}, Tolerance::exact).acceptable());
 }
 
 TEST(Deviations, NeedsOneDatasetAndProtocol) {
   Measurements other = side({1});
-  other.protocol = "blocked";
+  other.protocol = signal::Protocol::blocked;
   EXPECT_THROW(find_deviations(side({1}), other, {}, Tolerance::exact), std::logic_error);
 }
 

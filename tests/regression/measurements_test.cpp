@@ -19,7 +19,7 @@ class Stored : public testing::Test {
   void SetUp() override { std::filesystem::create_directories(folder_.path() / "random"); }
   void store(const std::string& text) const { folder_.write("random/cwru.csv", text); }
   [[nodiscard]] Measurements read() const {
-    return read_reference(folder_.path(), "random", "cwru");
+    return read_reference(folder_.path(), signal::Protocol::random, "cwru");
   }
   void expect_refused(const std::string& text, const std::string& what, Exit exit) const {
     store(text);
@@ -37,7 +37,8 @@ class Stored : public testing::Test {
 };
 
 TEST_F(Stored, ReferenceComesBackToTheLastDigit) {
-  Measurements written{"cwru", "random", {}, {"0.1.0 (abc)", "0.2.0"}, {"a; b", "c"}};
+  Measurements written{
+      "cwru", signal::Protocol::random, {}, {"0.1.0 (abc)", "0.2.0"}, {"a; b", "c"}};
   for (const double accuracy : {0.1 + 0.2, 1.0 / 3, 1e-17, 0.62}) {
     const auto seed = static_cast<std::int64_t>(written.values.size());
     written.values.push_back({"vae", "10to1", "accuracy", seed, accuracy});
@@ -55,8 +56,8 @@ TEST_F(Stored, ReferenceComesBackToTheLastDigit) {
     EXPECT_EQ(back.values[i].seed, written.values[i].seed);
     EXPECT_EQ(back.values[i].value, written.values[i].value);
   }
-  EXPECT_THAT(reference_datasets(folder_.path(), "random"), ElementsAre("cwru"));
-  EXPECT_THAT(reference_datasets(folder_.path(), "blocked"), IsEmpty());
+  EXPECT_THAT(reference_datasets(folder_.path(), signal::Protocol::random), ElementsAre("cwru"));
+  EXPECT_THAT(reference_datasets(folder_.path(), signal::Protocol::blocked), IsEmpty());
 }
 
 TEST_F(Stored, ReferenceThatIsDamagedOrMissingIsRefused) {

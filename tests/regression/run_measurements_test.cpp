@@ -1,8 +1,12 @@
 #include "regression/run_measurements.hpp"
 
 #include <gmock/gmock.h>
+#include <sys/inotify.h>
+#include <unistd.h>
 
+#include <array>
 #include <filesystem>
+#include <map>
 
 #include "base/error.hpp"
 #include "support/stored_run.hpp"
@@ -23,7 +27,7 @@ TEST_F(RunMeasurements, IsReadWithWhatMadeIt) {
   ASSERT_EQ(datasets.size(), 1U);
   const Measurements& run = datasets.front();
   EXPECT_EQ(run.dataset, "cwru");
-  EXPECT_EQ(run.protocol, "random");
+  EXPECT_EQ(run.protocol, signal::Protocol::random);
   EXPECT_THAT(run.versions, ElementsAre(artefact::build_version()));
   EXPECT_THAT(run.settings,
               ElementsAre(artefact::cpu_settings() + "; " + artefact::build_libraries()));
@@ -63,6 +67,54 @@ TEST_F(RunMeasurements, IsReadAsFarAsItIsSelected) {
   }
 }
 
+/// Counts how often each of some files is opened from now on, by asking the kernel.
+class OpenCounter {
+ public:
+  explicit OpenCounter(const std::vector<std::filesystem::path>& files)
+      : descriptor_(inotify_init1(IN_NONBLOCK | IN_CLOEXEC)) {
+    for (const auto& file : files) {
+      const int watch = inotify_add_watch(descriptor_, file.c_str(), IN_OPEN);
+      EXPECT_GE(watch, 0) << file;
+      names_[watch] = file;
+    }
+  }
+  OpenCounter(const OpenCounter&) = delete;
+  OpenCounter& operator=(const OpenCounter&) = delete;
+  ~OpenCounter() { ::close(descriptor_); }
+
+  [[nodiscard]] std::map<std::filesystem::path, int> counts() const {
+    std::map<std::filesystem::path, int> counts;
+    for (const auto& [watch, name] : names_) counts[name] = 0;
+    // A file of its own that is watched has events without a name, all of the same size.
+    std::array<inotify_event, 64> events{};
+    for (ssize_t bytes = 0; (bytes = ::read(descriptor_, events.data(), sizeof events)) > 0;) {
+      for (std::size_t i = 0; i < static_cast<std::size_t>(bytes) / sizeof events[0]; ++i) {
+        ++counts[names_.at(events[i].wd)];
+      }
+    }
+    return counts;
+  }
+
+ private:
+  int descriptor_;
+  std::map<int, std::filesystem::path> names_;
+};
+
+TEST_F(RunMeasurements, OpensEachFileOnce) {
+  add_all();
+  std::vector<std::filesystem::path> cells;
+  for (const int seed : {0, 1}) {
+    cells.push_back(layout_.score("vae", seed));
+    cells.push_back(layout_.diagnosis("none", "100to1", seed));
+    for (const char* ratio : {"10to1", "2to1"}) {
+      cells.push_back(layout_.diagnosis("vae", ratio, seed));
+    }
+  }
+  const OpenCounter opened(cells);
+  (void)read_run(folder_.path() / "run", {});
+  for (const auto& [file, count] : opened.counts()) EXPECT_EQ(count, 1) << file;
+}
+
 TEST_F(RunMeasurements, WithACellThatCannotBeIsNotCompared) {
   add_all();
   const auto expect_refused = [&](const std::string& what) {
@@ -75,7 +127,7 @@ TEST_F(RunMeasurements, WithACellThatCannotBeIsNotCompared) {
     }
   };
   scoring::DiagnosisRecord other = diagnosis("vae", "2to1", 145, 1, 9);
-  other.protocol = "blocked";
+  other.protocol = signal::Protocol::blocked;
   add(other);
   expect_refused("seed1/vae/2to1/diagnosis.h5: the split protocol is blocked");
   save("diagnosis", diagnosis("ae", "2to1", 145, 1, 9), layout_.diagnosis("vae", "2to1", 1));

@@ -165,13 +165,13 @@ signal::WindowSet set_of(int label, const Windows& windows) {
 }
 
 double difference_db(const signal::WindowSet& generated, const signal::WindowSet& real) {
-  return judge(generated, real).front().fault_line_difference_db;
+  return quality_by_class(generated, real).front().fault_line_difference_db;
 }
 
 TEST(FaultLine, IsJudgedAgainstRealWindowsOfTheClass) {
   const signal::WindowSet real = set_of(3, simulated(3, 20));
   EXPECT_EQ(difference_db(real, real), 0);
-  EXPECT_GT(judge(real, real).front().fault_line_db, 6);
+  EXPECT_GT(quality_by_class(real, real).front().fault_line_db, 6);
   const Windows white = noise(20, static_cast<std::size_t>(length), "white");
   EXPECT_LT(difference_db(set_of(3, white), real), -6);
   EXPECT_LT(difference_db(set_of(3, simulated(1, 20)), real), -6);

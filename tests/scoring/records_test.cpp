@@ -39,7 +39,7 @@ DiagnosisRecord diagnosis() {
   record.generated_per_class = 145;
   record.true_ratio = 500.0 / 150;
   record.seed = 3;
-  record.protocol = "random";
+  record.protocol = signal::Protocol::random;
   record.labels = {0, 1, 2, 1};
   record.predictions = {0, 1, 0, 1};
   record.scores = {0.8F, 0.1F, 0.1F, 0, 1, 0, 0.5F, 0.25F, 0.25F, 0, 1, 0};
@@ -53,7 +53,7 @@ QualityRecord quality() {
       three_classes(),
       "vae",
       4,
-      "blocked",
+      signal::Protocol::blocked,
       {{1, 495, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7}, {2, 494, 1.1, 1.2, 1.3, 1.4, 1.5, 1.6, 1.7}}};
 }
 
@@ -110,7 +110,7 @@ class WrongDiagnosis : public Records {
       read_diagnosis(reader);
       ADD_FAILURE() << "not refused: " << what;
     } catch (const Refusal& refusal) {
-      EXPECT_EQ(refusal.fault(), artefact::Fault::bad_content);
+      EXPECT_EQ(refusal.reason(), artefact::RefusalReason::bad_content);
       EXPECT_THAT(refusal.what(), HasSubstr(what));
       EXPECT_THAT(refusal.what(), HasSubstr("file.h5"));
     }
@@ -150,7 +150,7 @@ TEST_F(Records, QualityComesBackAsItWas) {
   EXPECT_EQ(read.info.name, "toy");
   EXPECT_EQ(read.method, "vae");
   EXPECT_EQ(read.seed, 4);
-  EXPECT_EQ(read.protocol, "blocked");
+  EXPECT_EQ(read.protocol, signal::Protocol::blocked);
   ASSERT_EQ(read.classes.size(), 2U);
   EXPECT_EQ(read.classes[1].label, 2);
   EXPECT_EQ(read.classes[1].windows, 494);

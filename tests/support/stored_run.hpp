@@ -30,7 +30,7 @@ class StoredRun : public testing::Test {
     record.generated_per_class = generated;
     record.true_ratio = 500.0 / (5 + generated);
     record.seed = seed;
-    record.protocol = "random";
+    record.protocol = signal::Protocol::random;
     record.labels.assign(20, 1);
     record.predictions.assign(20, 2);
     std::fill_n(record.predictions.begin(), right, 1);
@@ -44,7 +44,7 @@ class StoredRun : public testing::Test {
     return {three_classes(dataset_),
             method,
             seed,
-            "random",
+            signal::Protocol::random,
             {{1, 9, value, 2 * value, 3, 4, 5, 6, 7}, {2, 9, 1e-7, 1, 1, 1, 1, 1, 1}}};
   }
   template <class Record>

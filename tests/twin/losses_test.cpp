@@ -4,12 +4,13 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <vector>
 
 #include "base/random.hpp"
+#include "support/differences.hpp"
+#include "twin/example_physics.hpp"
 
 namespace piae::twin {
 namespace {
@@ -30,38 +31,18 @@ Motion random_motion(std::int64_t rows, std::int64_t columns) {
           random_array("a", rows, columns)};
 }
 
-/// A 6205 at the working set, time in units of 1 / omega_0.
-Physics example_physics() {
-  Physics physics;
-  physics.mass_kg = 1;
-  physics.load_n = 1000;
-  physics.contact_n_per_m15 = 8.58e9;
-  physics.omega_0 = 1e4;
-  physics.step = 1e4 / 12000;
-  physics.damping = 0.01;
-  physics.deflection_m = {2e-6, 3e-6};
-  physics.acceleration_m_s2 = {3.0, 5.0};
-  return physics;
-}
-
 /// The gradient equals central differences of the value in every number of `x`, relative to the
 /// largest. `value` reads `x`.
 void expect_gradient(const Array& gradient, Array& x, const std::function<double()>& value,
                      double tolerance = 1e-7) {
   ASSERT_EQ(gradient.rows(), x.rows());
   ASSERT_EQ(gradient.cols(), x.cols());
-  constexpr double step = 1e-5;
   const double largest = gradient.abs().maxCoeff();
   EXPECT_GT(largest, 0);
   for (Eigen::Index i = 0; i < x.size(); ++i) {
-    double& number = x.data()[i];
-    const double before = number;
-    number = before + step;
-    const double above = value();
-    number = before - step;
-    const double below = value();
-    number = before;
-    EXPECT_NEAR(gradient.data()[i], (above - below) / (2 * step), tolerance * largest) << i;
+    EXPECT_NEAR(gradient.data()[i], central_difference(x.data()[i], 1e-5, value),
+                tolerance * largest)
+        << i;
   }
 }
 

@@ -8,27 +8,17 @@
 
 #include "base/random.hpp"
 #include "libtorch/nets/torch.hpp"
+#include "twin/example_physics.hpp"
 
 namespace piae::libtorch {
 namespace {
+
+using twin::example_physics;
 
 torch::Tensor random_tensor(Stream& stream, std::int64_t rows, std::int64_t columns) {
   std::vector<double> values;
   for (std::int64_t i = 0; i < rows * columns; ++i) values.push_back(stream.normal(0, 1));
   return torch::tensor(values, torch::kFloat64).view({rows, columns});
-}
-
-twin::Physics example_physics() {
-  twin::Physics physics;
-  physics.mass_kg = 1;
-  physics.load_n = 1000;
-  physics.contact_n_per_m15 = 8.58e9;
-  physics.omega_0 = 1e4;
-  physics.step = 1e4 / 12000;
-  physics.damping = 0.01;
-  physics.deflection_m = {2e-6, 3e-6};
-  physics.acceleration_m_s2 = {3.0, 5.0};
-  return physics;
 }
 
 /// Largest difference between autograd and central differences, relative to the largest gradient.

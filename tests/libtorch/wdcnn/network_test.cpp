@@ -8,6 +8,7 @@
 
 #include "diagnosis/plain_wdcnn.hpp"
 #include "libtorch/nets/torch.hpp"
+#include "support/differences.hpp"
 
 namespace piae::libtorch {
 namespace {
@@ -148,20 +149,14 @@ TEST(WdcnnNetwork, GradientEqualsFiniteDifferences) {
   };
   loss().backward();
   const torch::NoGradGuard no_grad;
-  constexpr double step = 1e-6;
   Stream stream("parameters");
   for (const torch::Tensor& parameter : network.parameters().with_prefix("")) {
     for (int sample = 0; sample < 4; ++sample) {
       const std::size_t i = stream.below(static_cast<std::size_t>(parameter.numel()));
-      double& value = parameter.data_ptr<double>()[i];
-      const double before = value;
-      value = before + step;
-      const double above = loss().item<double>();
-      value = before - step;
-      const double below = loss().item<double>();
-      value = before;
+      const double slope = central_difference(parameter.data_ptr<double>()[i], 1e-6,
+                                              [&] { return loss().item<double>(); });
       const double gradient = at(parameter.grad(), static_cast<std::int64_t>(i));
-      EXPECT_NEAR(gradient, (above - below) / (2 * step), 1e-7 + 1e-5 * std::abs(gradient));
+      EXPECT_NEAR(gradient, slope, 1e-7 + 1e-5 * std::abs(gradient));
     }
   }
   EXPECT_GT(network.parameters().gradients().norm().item<double>(), 0.1);

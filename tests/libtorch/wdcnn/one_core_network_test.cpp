@@ -1,3 +1,5 @@
+// Our network for one core against LibTorch's, in single and in double precision.
+
 #include <gtest/gtest.h>
 #include <torch/optim/adam.h>
 
@@ -11,8 +13,6 @@
 #include "libtorch/nets/torch.hpp"
 #include "libtorch/wdcnn/network.hpp"
 #include "nets/adam.hpp"
-
-// Our network for one core against LibTorch's, in single and in double precision.
 
 namespace piae::diagnosis {
 namespace {
@@ -45,7 +45,7 @@ struct Pair {
   explicit Pair(std::int64_t length, std::int64_t most_windows = 40)
       : mine(length, classes, most_windows, Stream("network")),
         theirs(length, classes, Stream("network"), dtype<T>),
-        mine_adam(mine.values().size()),
+        own_adam(mine.values().size()),
         libtorch_adam(libtorch_parameters(), torch::optim::AdamOptions(learning_rate)) {
     const torch::NoGradGuard no_grad;
     for (const WdcnnParameter& parameter : mine.layout()) {
@@ -67,7 +67,7 @@ struct Pair {
   }
 
   void step() {
-    mine_adam.step(mine.values().data(), mine.gradients().data(), learning_rate);
+    own_adam.step(mine.values().data(), mine.gradients().data(), learning_rate);
     libtorch_adam.step();
   }
 
@@ -77,7 +77,7 @@ struct Pair {
         .view({static_cast<std::int64_t>(batch.windows.size()), batch.length});
   }
 
-  std::vector<double> mine_logits(const RandomBatch& batch, bool training) {
+  std::vector<double> own_logits(const RandomBatch& batch, bool training) {
     using Mode = typename WdcnnNetwork<T>::Mode;
     const T* row = mine.forward(batch.windows, training ? Mode::training : Mode::evaluation);
     std::vector<double> logits;
@@ -95,7 +95,7 @@ struct Pair {
 
   /// Gradients of the mean cross-entropy in both; returns LibTorch's sum over the batch.
   double propagate(const RandomBatch& batch, BatchOutcome& outcome) {
-    mine_logits(batch, true);
+    own_logits(batch, true);
     outcome = mine.backward(batch.labels);
     theirs.parameters().zero_gradients();
     const torch::Tensor logits =
@@ -124,7 +124,7 @@ struct Pair {
 
   WdcnnNetwork<T> mine;
   libtorch::WdcnnNetwork theirs;
-  nets::Adam<T> mine_adam;
+  nets::Adam<T> own_adam;
   torch::optim::Adam libtorch_adam;
 };
 
@@ -147,9 +147,9 @@ TYPED_TEST(OneCoreNetworkOf, ForwardPassEqualsLibtorchs) {
     Pair<TypeParam> pair(length);
     for (const std::int64_t windows : {7, 40, 2}) {
       const RandomBatch batch = batch_of(windows, length);
-      expect_near(pair.mine_logits(batch, true), pair.libtorch_logits(batch, true),
+      expect_near(pair.own_logits(batch, true), pair.libtorch_logits(batch, true),
                   tolerance<TypeParam>, "training");
-      expect_near(pair.mine_logits(batch, false), pair.libtorch_logits(batch, false),
+      expect_near(pair.own_logits(batch, false), pair.libtorch_logits(batch, false),
                   tolerance<TypeParam>, "evaluation");
     }
   }
@@ -159,7 +159,7 @@ TYPED_TEST(OneCoreNetworkOf, RunningStatisticsEqualLibtorchs) {
   Pair<TypeParam> pair(1024);
   for (const char* name : {"first", "second", "third"}) {
     const RandomBatch batch = batch_of(9, 1024, name);
-    pair.mine_logits(batch, true);
+    pair.own_logits(batch, true);
     pair.libtorch_logits(batch, true);
   }
   for (std::size_t i = 0; i < 6; ++i) {

@@ -1,4 +1,4 @@
-#include "report/significance.hpp"
+#include "report/comparisons.hpp"
 
 #include <gmock/gmock.h>
 
