@@ -26,12 +26,17 @@ log=$folder/$stage.log
 source "${0%/*}/environment.sh"
 
 report() { printf '%-32s %-8s %s\n' "$cell" "$stage" "$1"; }
+# What comes in hundreds of lines is cut where a terminal ends; the log has it whole.
+fit() { ((${#1} <= 100)) && echo "$1" || echo "${1:0:97}..."; }
 
 show_and_log() {
   trap '' INT TERM HUP # it ends when the stage does
   while IFS= read -r line; do
     printf '%s\n' "$line" >>"$log"
-    printf '%-32s %s\n' "$cell" "$line" >&2
+    printf -v line '%-32s %s' "$cell" "$line"
+    # How far a stage is, is cut; a warning or an error never.
+    [[ $line != *" $stage  "[#.]* ]] || line=$(fit "$line")
+    echo "$line" >&2
   done
 }
 
@@ -94,13 +99,15 @@ wait "$reader"
 
 seconds=$(((${EPOCHREALTIME/./} - started) / 1000))
 seconds=$((seconds / 1000)).$((seconds % 1000 / 100))
-# The stage's last line says what it did; which stage and where stands before it already.
+# The stage's last line says what it did. Which stage, for which cell and in which file, stands before
+# it already; where it gives a result after a colon, that is enough.
 summary=$(tail -n 1 "$log")
 summary=${summary#"$stage: "}
 summary=${summary%%": $folder/"*}
+summary=${summary#*: }
 echo "step: exit $status after $seconds s" >>"$log"
 case $status in
-  0) report "$(printf '%8s s  %s' "$seconds" "$summary")" ;;
+  0) fit "$(report "$(printf '%8s s  %s' "$seconds" "$summary")")" ;;
   75) report "interrupted after a checkpoint; the same command goes on from there" >&2 ;;
   *) report "failed with exit code $status after $seconds s (log: $log)" >&2 ;;
 esac

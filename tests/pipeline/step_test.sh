@@ -19,6 +19,20 @@ test_says_in_one_line_what_was_done() {
   expect_equal "$(step | wc -l)" 1
 }
 
+test_its_line_gives_the_result_in_100_columns() {
+  own_stage <<<'echo "own: 700 windows after training (smote, seed 1): accuracy 56 %: results/t/real/seed0/E.h5"'
+  expect_line "$(step)" '^real/seed0 +own +[0-9]+\.[0-9] s  accuracy 56 %$'
+  local long
+  long=$(printf 'word %.0s' {1..40})
+  own_stage <<<"echo 'own  ###...   50 %  $long' >&2; echo 'own: $long' >&2; echo 'own: $long'"
+  step >line 2>messages
+  expect_line "$(<line)" '^real/seed0 +own +[0-9.]+ s  word.*\.\.\.$'
+  expect_equal "$(awk '{ print length }' line)" 100
+  expect_equal "$(awk '/###/ { print length }' messages)" 100
+  expect_line "$(<messages)" "own: ${long% }"
+  expect_equal "$(grep -c "$long" results/t/real/seed0/own.log)" 3
+}
+
 test_passes_arguments_and_keeps_a_log() {
   own_stage <<<'printf "<%s>\n" "$@"; echo warned >&2'
   expect_equal "$(step --a 'two words' 2>&1 >/dev/null)" "$(printf '%-32s warned' real/seed0)"
