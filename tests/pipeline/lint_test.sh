@@ -110,6 +110,12 @@ test_a_header_is_compiled_again_when_what_it_includes_changed() {
   expect_finding '^src/base/a.hpp:3: does not compile alone' headers src/base/a.hpp src/base/b.hpp
 }
 
+test_what_clang_tidy_warns_of_is_found() {
+  copy_of_project
+  printf '#pragma once\n\ninline int* nothing() { return 0; }\n' >src/base/nothing.hpp
+  expect_finding '^src/base/nothing.hpp:3: use nullptr' tidy src/base/nothing.hpp
+}
+
 test_an_unknown_rule_is_refused() {
   copy_of_project
   expect_exit 2 pipeline/lint.sh spelling
