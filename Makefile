@@ -1,4 +1,5 @@
-# The front door. `make help` says what there is; the experiment itself is in pipeline/grid.mk.
+# The front door. `make help` says what there is; the experiment itself is in pipeline/grid.mk, which
+# is read when the programs are built, because they know what methods and settings there are.
 
 ifneq ($(firstword $(sort 4.3 $(MAKE_VERSION))),4.3)
 $(error GNU make 4.3 or later is needed, this is $(MAKE_VERSION))
@@ -9,24 +10,28 @@ MAKEFLAGS += --no-builtin-rules --no-print-directory
 # ---- what is run: each can be given on the command line -----------------------------------------
 RUN      := paper
 DATASETS := cwru
-METHODS  := none dynamics smote vae wgan-gp piae-dt ae physics piae-dt-cnn piae-dt-rnn
-RATIOS   := 100to1 50to1 25to1 10to1 5to1 2to1 1to1
+# Where these two are not given, the programs say which they are: the paper's methods, all ratios.
+METHODS  :=
+RATIOS   :=
 SEEDS    := 0 1 2 3 4 5 6 7 8 9
 PROTOCOL := random
 DATA_DIR ?= data
 ARCH     ?= native
+LIBTORCH := on
 SUBMIT   :=
 TOLERANCE := auto
 LINT     :=
 V        :=
 
-# The demo is a small grid of the same kind, on all cores unless -j says otherwise.
+# The demo is a small grid of the same kind, on all cores unless -j says otherwise. It needs no
+# LibTorch, but does not take it from programs that are built with it.
 ifneq (,$(filter demo,$(MAKECMDGOALS)))
 RUN      := demo
 DATASETS := simulated
-METHODS  := none piae-dt
+METHODS  := none smote piae-dt piae-dt-phase oracle
 RATIOS   := 100to1 10to1
 SEEDS    := 0 1
+LIBTORCH := $(if $(wildcard build/bin/train-libtorch),on,off)
 MAKEFLAGS += -j$(shell env -u OMP_NUM_THREADS nproc)
 endif
 
@@ -36,20 +41,36 @@ DATASETS := simulated
 METHODS  := piae-dt piae-dt-phase
 endif
 
-# Programs are built first, unless BIN= names a folder where they already are.
-ifneq ($(origin BIN),command line)
-BIN      := build/bin
-programs := build
-endif
+# ---- what was given -----------------------------------------------------------------------------
+variables := RUN DATASETS METHODS RATIOS SEEDS PROTOCOL DATA_DIR ARCH LIBTORCH BIN SUBMIT TOLERANCE LINT V
+given     := $(foreach name,$(.VARIABLES),$(if $(filter command,$(firstword $(origin $(name)))),$(name)))
+
+# A name that is nearly one of ours: in the other case, or the beginning of one, or one with more to it.
+upper_case = $(shell printf %s '$1' | tr a-z A-Z)
+like_it    = $(foreach name,$(variables),$(if $(filter $1%,$(name))$(filter $(name)%,$1),$(name)))
+meant      = $(firstword $(call like_it,$(call upper_case,$1)))
+$(foreach name,$(filter-out $(variables),$(given)),$(error there is no variable $(name); $(or \
+  $(patsubst %,did you mean %?,$(call meant,$(name))),`make help` lists those there are)))
+$(if $(filter on off,$(LIBTORCH)),,$(error LIBTORCH: on or off, not '$(LIBTORCH)'))
 
 # The folder, as a shell completes it, will do: RUN=results/try/ is RUN=try.
 override RUN := $(patsubst results/%,%,$(RUN:/=))
+results      := results/$(RUN)$(patsubst %,-%,$(filter blocked,$(PROTOCOL)))
+
+# Programs are built first, unless BIN= names a folder where they already are. `make -q` only asks.
+flags := $(firstword -$(MAKEFLAGS))
+ifneq (,$(filter BIN,$(given)))
+$(if $(wildcard $(BIN)/settings),,$(error BIN: there are no programs in '$(BIN)'; `make build` builds them into build/bin))
+else
+BIN      := build/bin
+programs := $(if $(findstring q,$(flags)),,build)
+endif
 
 export BIN SUBMIT
 Q := $(if $(V),,@)
 
 .DEFAULT_GOAL := help
-.PHONY: help demo all cells tables holes sweep contrast identify records status check reference data test lint bench deps build clean
+.PHONY: help grid status check reference data test lint bench deps build clean
 
 help:
 	@printf '  %-11s%s\n' \
@@ -73,13 +94,14 @@ help:
 	  | sed 's/^ /make/; 1i\Targets'
 	@printf '  %-11s%s\n' \
 	  RUN      'folder under results/; PROTOCOL=blocked adds "-blocked"  [$(RUN)]' \
-	  DATASETS 'any of $(known_datasets)  [$(DATASETS)]' \
-	  METHODS  'none runs at 100to1, all others at the other ratios  [$(METHODS)]' \
-	  RATIOS   'windows known to generated  [$(RATIOS)]' \
+	  DATASETS 'any of $(basename $(notdir $(wildcard pipeline/datasets/*.toml)))  [$(DATASETS)]' \
+	  METHODS  "none runs at 100to1, all others at the other ratios  [$(or $(METHODS),the paper's)]" \
+	  RATIOS   'windows known to generated  [$(or $(RATIOS),all seven)]' \
 	  SEEDS    'independent repeats; 100-104 are for choosing parameters  [$(SEEDS)]' \
 	  PROTOCOL 'the split: random (the paper) or blocked (no overlaps)  [$(PROTOCOL)]' \
 	  DATA_DIR 'folder of the recordings  [$(DATA_DIR)]' \
 	  ARCH     'processor to build for: native, x86-64-v3, ...  [$(ARCH)]' \
+	  LIBTORCH 'on, or off: build without it, and without the methods that only it computes  [$(LIBTORCH)]' \
 	  BIN      'folder of programs to use as they are, instead of building  [$(BIN)]' \
 	  SUBMIT   'command put before every step, such as "srun --ntasks=1 --mem=2G"  [$(SUBMIT)]' \
 	  TOLERANCE 'of check: exact, spread, or auto: exact on the same processor and libraries  [$(TOLERANCE)]' \
@@ -91,42 +113,56 @@ help:
 	  'A setting changed in pipeline/ makes exactly what depends on it again. Programs built again do' \
 	  'not discard results: to start over, remove the folder of the run.'
 
-deps:
-	$(Q)pipeline/deps.sh
+# ---- the grid -----------------------------------------------------------------------------------
+# All goals that are its own, files of results/ among them, go to one make.
+asked := $(filter records cells tables all demo sweep contrast identify results/%,$(MAKECMDGOALS))
+.PHONY: $(asked)
+$(asked): grid
 
-build: deps
-	$(Q)pipeline/build.sh $(ARCH) programs
+choice = $(foreach name,RUN DATASETS METHODS RATIOS SEEDS PROTOCOL DATA_DIR BIN results,\
+           $(if $($(name)),'$(name)=$($(name))'))
+grid: | $(programs)
+	$(Q)+$(MAKE) --file=pipeline/grid.mk $(choice) $(asked:demo=all)
 
-bench: deps
-	$(Q)pipeline/build.sh $(ARCH) benches
-	$(Q)source pipeline/environment.sh; export OMP_NUM_THREADS=1; \
-	  for bench in build/bin/bench_*; do $$bench || exit; done
-
-test: deps
-	$(Q)pipeline/build.sh $(ARCH) programs tests
-	$(Q)DATA_DIR='$(DATA_DIR)' tests/run.sh
-
-lint:
-	$(Q)pipeline/deps.sh lint
-	$(Q)LINT='$(LINT)' pipeline/lint.sh
+status:
+	$(Q)pipeline/status.sh '$(results)' $(MAKE) --file=pipeline/grid.mk $(choice)
 
 # Of the grid's variables only those that are given narrow down what is compared or stored.
-given = $(foreach name,DATASETS METHODS RATIOS SEEDS,\
-          $(if $(filter command,$(firstword $(origin $(name)))),--$(shell echo $(name) | tr A-Z a-z) $($(name))))
-compare = $(BIN)/check --run $(results) --reference results/reference $(given)
+lower_case = $(shell printf %s '$1' | tr A-Z a-z)
+part       = $(foreach name,$(filter DATASETS METHODS RATIOS SEEDS,$(variables)),\
+               $(if $(filter $(name),$(given)),--$(call lower_case,$(name)) $($(name))))
+compare    = $(BIN)/check --run $(results) --reference results/reference $(part)
 check: | $(programs)
 	$(Q)$(compare) --tolerance $(TOLERANCE)
 reference: | $(programs)
 	$(Q)$(compare) --store
 	$(Q)pipeline/keep_tables.sh $(results) results/reference/$(PROTOCOL)
 
-status:
-	$(Q)pipeline/status.sh '$(results)' $(MAKE) $(choice)
-
 data: | $(programs)
-	$(Q)pipeline/download.sh '$(DATA_DIR)' $(filter-out $(simulated),$(DATASETS))
+	$(Q)pipeline/download.sh '$(DATA_DIR)' $(DATASETS)
+
+# ---- building -----------------------------------------------------------------------------------
+# What of `programs tests benches` is to be built: packages for that are installed first.
+build_them = pipeline/deps.sh $(LIBTORCH) $1 && pipeline/build.sh $(ARCH) $(LIBTORCH) $1
+
+build:
+	$(Q)$(call build_them,programs)
+
+bench:
+	$(Q)$(call build_them,benches)
+	$(Q)source pipeline/environment.sh; export OMP_NUM_THREADS=1; \
+	  for bench in build/bin/bench_*; do $$bench || exit; done
+
+test:
+	$(Q)$(call build_them,programs tests)
+	$(Q)DATA_DIR='$(DATA_DIR)' tests/run.sh
+
+lint:
+	$(Q)pipeline/deps.sh $(LIBTORCH) programs tests benches lint
+	$(Q)LINT='$(LINT)' pipeline/lint.sh
+
+deps:
+	$(Q)pipeline/deps.sh $(LIBTORCH) programs tests benches
 
 clean:
 	rm -rf build
-
-include pipeline/grid.mk

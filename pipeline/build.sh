@@ -1,10 +1,12 @@
 #!/bin/bash
 # Configures and builds into build/, on as many cores as there is memory for.
-# usage: pipeline/build.sh ARCH TARGET...
+# usage: pipeline/build.sh ARCH LIBTORCH TARGET...      (LIBTORCH: on or off)
+# TARGETs are `programs`, `tests` and `benches`; what is not asked for is not configured either, so
+# that it needs no packages.
 set -euo pipefail
 
-arch=$1
-shift
+arch=$1 libtorch=$2
+shift 2
 # Our own jobs, not those of the make that called: nothing else of it runs before the programs do.
 unset MAKEFLAGS MFLAGS MAKELEVEL MAKEOVERRIDES
 
@@ -18,7 +20,10 @@ cores=$(env -u OMP_NUM_THREADS nproc)
 memory=$(awk '/^MemAvailable/ { print $2 }' /proc/meminfo)
 jobs=$((memory / per_job < cores ? memory / per_job : cores))
 
-cmake -S . -B build "-DPIAE_ARCH=$arch" >build/configure.log 2>&1 || {
+on_if_asked_for() { [[ " ${*:2} " == *" $1 "* ]] && echo on || echo off; }
+cmake -S . -B build "-DPIAE_ARCH=$arch" "-DPIAE_LIBTORCH=$libtorch" \
+  "-DPIAE_TESTS=$(on_if_asked_for tests "$@")" \
+  "-DPIAE_BENCH=$(on_if_asked_for benches "$@")" >build/configure.log 2>&1 || {
   cat build/configure.log >&2
   echo "build: cmake could not configure; above is why (also in build/configure.log)" >&2
   exit 1

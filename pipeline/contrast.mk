@@ -6,7 +6,7 @@
 #
 # Each protocol has a make of its own for its cells. The tables cost nothing and are made each time.
 
-one_protocol = $(filter-out 'PROTOCOL=%,$(choice)) PROTOCOL=$1
+one_protocol = $(MAKE) --file=pipeline/grid.mk PROTOCOL=$1 results=$2 cells
 # Folder and name of the table, the two runs' folders.
 contrast     = $(Q)pipeline/step.sh $1 contrast --with $3 --without $4 \
   --methods $(METHODS) --ratios $(RATIOS) --seeds $(SEEDS) --output $1/$2.md
@@ -20,9 +20,9 @@ define newline
 
 endef
 
-contrast: | $(programs)
-	$(Q)+$(MAKE) $(call one_protocol,random) cells
-	$(Q)+$(MAKE) $(call one_protocol,blocked) cells
+contrast:
+	$(Q)+$(call one_protocol,random,$(run_folder))
+	$(Q)+$(call one_protocol,blocked,$(run_folder)-blocked)
 	$(foreach dataset,$(DATASETS),$(call \
 	  contrast,$(run_folder)/$(dataset),protocols,$(run_folder)/$(dataset),$(run_folder)-blocked/$(dataset))$(newline))
 	$(if $(both_rates),$(call \

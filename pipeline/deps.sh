@@ -2,22 +2,28 @@
 # Installs by apt what the project needs and the machine lacks: as root, or with sudo. Where neither
 # is possible it prints the line for somebody who may, and exits with 2. When nothing is missing it
 # does nothing, and needs no network.
-# usage: pipeline/deps.sh [lint]
+# usage: pipeline/deps.sh LIBTORCH TARGET...      (LIBTORCH: on or off)
+# TARGETs are `programs`, `tests`, `benches` and `lint`: what one of them needs beyond the programs comes
+# for it alone.
 set -euo pipefail
 
+libtorch=$1
+shift
 packages=(
   g++ make cmake pkgconf git                          # to build; git also names the commit in artefacts
-  libtorch-dev libopenblas-dev libeigen3-dev          # networks and linear algebra
-  libhdf5-dev hdf5-tools libmatio-dev libsoxr-dev     # artefacts, MATLAB files, resampling
+  libeigen3-dev libhdf5-dev libmatio-dev libsoxr-dev  # linear algebra, artefacts, MATLAB files, resampling
   libcli11-dev libtomlplusplus-dev libspdlog-dev      # options, settings, log lines
   libboost-dev libboost-math-dev libssl-dev           # differential equations, statistics, sha256
-  libgtest-dev libgmock-dev libbenchmark-dev          # tests and benchmarks
   curl ca-certificates                                # make data
 )
-# What make lint needs beside these. It asks clang's tools of one version alone, that of Debian 12.
-lint_packages=(shellcheck)
-! grep -qs '^VERSION_ID="12"' /etc/os-release || lint_packages+=(clang-format clang-tidy libc++-dev libomp-dev)
-[[ ${1:-} != lint ]] || packages+=("${lint_packages[@]}")
+[[ $libtorch == off ]] || packages+=(libtorch-dev libopenblas-dev)
+[[ " $* " != *" tests "* ]] || packages+=(libgtest-dev libgmock-dev hdf5-tools)
+[[ " $* " != *" benches "* ]] || packages+=(libbenchmark-dev)
+# Lint asks clang's tools of one version alone, that of Debian 12.
+if [[ " $* " == *" lint "* ]]; then
+  packages+=(shellcheck)
+  ! grep -qs '^VERSION_ID="12"' /etc/os-release || packages+=(clang-format clang-tidy libc++-dev libomp-dev)
+fi
 
 if ! command -v dpkg-query >/dev/null; then
   echo "deps: not Debian or Ubuntu, so nothing is installed here; needed are: ${packages[*]}" >&2

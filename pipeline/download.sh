@@ -1,7 +1,8 @@
 #!/bin/bash
 # Fetches the recordings of data sets from their official addresses, as their descriptions give
 # them, checks their sha256 sums, and goes on where it was stopped.
-# usage: pipeline/download.sh DATA_DIR DATASET...      (BIN in the environment: folder of ingest)
+# Data sets that are simulated need none.
+# usage: pipeline/download.sh DATA_DIR DATASET...      (BIN in the environment: folder of the programs)
 set -euo pipefail
 
 data_dir=$1
@@ -31,7 +32,9 @@ fetch() { # file, sha256, url
   mv "$part" "$file"
 }
 
+facts=$("$BIN/settings" --facts)
 for dataset in "$@"; do
+  ! grep -qxF "simulated:$dataset" <<<"$facts" || continue
   sources=$("$BIN/ingest" --sources --description "pipeline/datasets/$dataset.toml" |
     awk '!seen[$0]++')
   there=0 fetched=0 missing=()

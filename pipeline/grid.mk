@@ -6,64 +6,71 @@
 # A file under its final name is complete, since every stage writes beside it and renames; so a run
 # can be stopped at any moment, killed even, and the same command goes on where it was.
 #
-# What makes a step run again: its inputs, and its settings, which are compared by content
-# (pipeline/settings.sh). The programs come after a bar, as order-only prerequisites: building them
-# again does not throw away days of results. The raw recordings are no prerequisites either: where
-# the description gives their sha256 sums, ingest refuses any other file.
+# What makes a step run again: its inputs, and its settings, which are compared by content (the
+# program `settings`). The programs are no prerequisites: building them again does not throw away days
+# of results. The raw recordings are none either: where the description gives their sha256 sums,
+# ingest refuses any other file.
+#
+# The front door (Makefile) builds the programs, and then has this file made into rules.
 
-# The registry is the one place that knows the methods.
-known_methods  := none $(shell sed -n 's/^ *{"\([a-z0-9-]*\)", \(make<\|\[\] {\).*/\1/p' src/augment/registry.cpp)
-ratio_names    := 100to1 50to1 25to1 10to1 5to1 2to1 1to1
-known_datasets := $(basename $(notdir $(wildcard pipeline/datasets/*.toml)))
-simulated      := $(basename $(notdir $(shell grep -ls '^\[simulation' pipeline/datasets/*.toml)))
+SHELL := /bin/bash
+MAKEFLAGS += --no-builtin-rules --no-print-directory
+Q := $(if $(V),,@)
+export BIN SUBMIT
+# A step that another make has done since then is not done once more (step.sh).
+export ASKED_AT := $(shell date +%s.%6N)
 
-results := results/$(RUN)$(patsubst %,-%,$(filter blocked,$(PROTOCOL)))
-# The same choice for another make.
-choice  = $(foreach name,RUN DATASETS METHODS RATIOS SEEDS PROTOCOL BIN,'$(name)=$($(name))')
+# ---- what there is ------------------------------------------------------------------------------
+$(if $(wildcard $(BIN)/settings),,$(error the programs must be built first: `make build`))
+facts := $(shell $(BIN)/settings --facts)
+$(if $(filter 0,$(.SHELLSTATUS)),,$(error pipeline/ cannot be used as it is, see above))
+fact   = $(patsubst $1:%,%,$(filter $1:%,$(facts)))
 
-# The rules below are made only when a goal needs them: anything but these.
-ifneq (,$(filter-out help deps build bench test data clean status check reference,$(MAKECMDGOALS)))
+METHODS := $(call fact,paper)
+RATIOS  := $(call fact,ratio)
+baseline          := $(call fact,baseline)
+# Not a method but a ceiling: learns from D what all others may not see. A score would compare D with
+# itself, so it has none.
+ceilings          := $(call fact,ceiling)
+inferring         := $(call fact,infers)
+nothing_generated := $(call fact,nothing-generated)
+simulated         := $(call fact,simulated)
 
+# ---- what is asked for --------------------------------------------------------------------------
 define check_words # name, words, known words
+$(if $2,,$(error $1: is empty))\
 $(foreach word,$(filter-out $3,$2),$(error $1: unknown '$(word)'; there are: $3))\
 $(if $(filter-out $(words $2),$(words $(sort $2))),$(error $1: '$2' names one twice))
 endef
-$(call check_words,DATASETS,$(DATASETS),$(known_datasets))
-$(call check_words,RATIOS,$(RATIOS),$(ratio_names))
+$(call check_words,DATASETS,$(DATASETS),$(call fact,dataset))
+$(call check_words,RATIOS,$(RATIOS),$(call fact,ratio))
 $(call check_words,PROTOCOL,$(PROTOCOL),random blocked)
-$(call check_words,METHODS,$(METHODS),$(known_methods))
+$(call check_words,METHODS,$(METHODS),$(call fact,method))
+$(call check_words,SEEDS,$(SEEDS),$(SEEDS))
 $(if $(filter 1,$(words $(PROTOCOL))),,$(error PROTOCOL: one of random and blocked))
-$(foreach name,DATASETS METHODS RATIOS SEEDS,$(if $($(name)),,$(error $(name): is empty)))
 $(if $(shell printf '%s\n' $(SEEDS) | grep -vxE '0|[1-9][0-9]*'),\
   $(error SEEDS: whole numbers from 0 up, not '$(SEEDS)'))
-$(if $(filter-out $(words $(SEEDS)),$(words $(sort $(SEEDS)))),$(error SEEDS: '$(SEEDS)' names one twice))
 $(if $(findstring /,$(RUN)),$(error RUN: the name of a folder under results/, not a path: '$(RUN)'))
 $(if $(filter . .. published reference,$(RUN)),$(error RUN: '$(RUN)' cannot be the name of a run))
 $(if $(filter 1,$(words $(RUN))),,$(error RUN: one word, the name of a folder under results/))
 
-settings := $(results)/.settings
-
 # `none` is the case without generated windows, and so is the ratio 100to1.
-method_ratios = $(if $(filter none,$1),$(filter 100to1,$(RATIOS)),$(filter-out 100to1,$(RATIOS)))
+method_ratios = $(if $(filter $(baseline),$1),$(filter $(nothing_generated),$(RATIOS)),$(filter-out $(nothing_generated),$(RATIOS)))
 methods       := $(foreach method,$(METHODS),$(if $(call method_ratios,$(method)),$(method)))
-generators    := $(filter-out none,$(methods))
-$(if $(methods),,$(error no cells: METHODS="$(METHODS)" RATIOS="$(RATIOS)"; none is run at 100to1 only, the others at all other ratios))
+generators    := $(filter-out $(baseline),$(methods))
+$(if $(methods),,$(error no cells: METHODS="$(METHODS)" RATIOS="$(RATIOS)"; $(baseline) is run at $(nothing_generated) only, the others at all other ratios))
+
+# Programs that are built without LibTorch refuse these methods, too, but only when it is their turn.
+beyond_us := $(if $(wildcard $(BIN)/train-libtorch),,$(filter $(call fact,needs-libtorch),$(methods)))
+$(if $(beyond_us),$(error METHODS: only LibTorch computes $(beyond_us), and the programs in $(BIN) are built without it; build with LIBTORCH=on, or ask for METHODS="$(filter-out $(beyond_us),$(METHODS))"))
 
 # ---- settings -----------------------------------------------------------------------------------
-# file|source|tables|options that make gives on the command line
-protocol       := pipeline/protocol.toml
-# A table that nothing reads is a name mistyped.
-$(call check_words,$(protocol),$(shell sed -n 's/^[ \t]*\[\([^]]*\)\].*/\1/p' $(protocol)),\
-  split generate score diagnose tabulate train $(patsubst %,train.%,$(known_methods)))
-selection      := --methods $(METHODS) --ratios $(RATIOS) --seeds $(SEEDS)
-settings_files := \
-  $(foreach dataset,$(DATASETS),'datasets/$(dataset).toml|pipeline/datasets/$(dataset).toml||') \
-  $(foreach method,$(generators),'train.$(method).toml|$(protocol)|train train.$(method)|') \
-  $(foreach stage,generate score diagnose,'$(stage).toml|$(protocol)|$(stage)|') \
-  'split.toml|$(protocol)|split|--protocol $(PROTOCOL)' \
-  $(foreach dataset,$(DATASETS),'tabulate.$(dataset).toml|$(protocol)|tabulate|$(selection)')
-$(shell pipeline/settings.sh $(settings) $(settings_files))
-$(if $(filter 0,$(.SHELLSTATUS)),,$(error the settings could not be written to $(settings)))
+# The names of the settings files, without .toml; which options that make gives count as settings, too.
+settings        := $(results)/.settings
+settings_names  := split generate score diagnose $(generators:%=train.%) $(DATASETS:%=datasets/%) $(DATASETS:%=tabulate.%)
+selection       := --methods $(METHODS) --ratios $(RATIOS) --seeds $(SEEDS)
+options.split   := --protocol $(PROTOCOL)
+$(foreach dataset,$(DATASETS),$(eval options.tabulate.$(dataset) := $(selection)))
 
 # ---- rules --------------------------------------------------------------------------------------
 # What is there is complete, so make has no cause to remove it when it is interrupted.
@@ -74,7 +81,7 @@ step   = $(Q)pipeline/step.sh $(@D)
 config = --config $(filter $(settings)/%,$^)
 
 define records_rule # data set
-$(results)/$1/records.h5: $(settings)/datasets/$1.toml | $(programs)
+$(results)/$1/records.h5: $(settings)/datasets/$1.toml
 	$$(step) $(if $(filter $1,$(simulated)),simulate,ingest --data-dir '$(DATA_DIR)') --description $$< --output $$@
 endef
 
@@ -83,20 +90,16 @@ endef
 windows = $(patsubst %,$1/%.h5,A B C D)
 
 define split_rule # data set, seed, its folder
-$(call windows,$3) &: $(results)/$1/records.h5 $(settings)/split.toml | $(programs)
+$(call windows,$3) &: $(results)/$1/records.h5 $(settings)/split.toml
 	$$(step) split $$(config) --records $$< --seed $2 --protocol $(PROTOCOL) --output-dir $$(@D)
 endef
 
-# Not a method but a ceiling: learns from D what all others may not see. A score would compare D with
-# itself, so it has none.
-ceilings := oracle
-
 define generator_rules # seed, its folder, cell; where that is not a method: the method, further options
-$2/$3/model.h5: $(call windows,$2) $(settings)/train.$(or $4,$3).toml | $(programs)
+$2/$3/model.h5: $(call windows,$2) $(settings)/train.$(or $4,$3).toml
 	$$(step) train $$(config) --method $(or $4,$3) $(if $5,$5 )$(if $(filter $(ceilings),$3),--real $2/D.h5 )--known $2/C.h5 --seed $1 --output $$@
-$2/$3/E.h5: $2/$3/model.h5 $(settings)/generate.toml | $(programs)
+$2/$3/E.h5: $2/$3/model.h5 $(settings)/generate.toml
 	$$(step) generate $$(config) --model $$< --seed $1 --output $$@
-$2/$3/score.h5: $2/$3/E.h5 $(call windows,$2) $(settings)/score.toml | $(programs)
+$2/$3/score.h5: $2/$3/E.h5 $(call windows,$2) $(settings)/score.toml
 	$$(step) score $$(config) --generated $$< --real $2/D.h5 --output $$@
 endef
 
@@ -104,9 +107,9 @@ endef
 # equal byte for byte; the log beside it has them.
 define diagnosis_rule # seed, its folder, cell
 $(patsubst %,$2/$3/%/diagnosis.h5,$(call method_ratios,$3)): $2/$3/%/diagnosis.h5: \
-    $(call windows,$2) $(if $(filter none,$3),,$2/$3/E.h5) $(settings)/diagnose.toml | $(programs)
+    $(call windows,$2) $(if $(filter $(baseline),$3),,$2/$3/E.h5) $(settings)/diagnose.toml
 	$$(step) diagnose $$(config) --test $2/A.h5 --normal $2/B.h5 --known $2/C.h5 \
-	  $(if $(filter none,$3),,--generated $2/$3/E.h5 )--ratio $$* --seed $1 --reproducible --output $$@
+	  $(if $(filter $(baseline),$3),,--generated $2/$3/E.h5 )--ratio $$* --seed $1 --reproducible --output $$@
 endef
 
 seed_folders = $(foreach seed,$(SEEDS),$(results)/$1/seed$(seed))
@@ -114,22 +117,12 @@ scores       = $(foreach folder,$(seed_folders),$(patsubst %,$(folder)/%/score.h
 diagnoses    = $(foreach folder,$(seed_folders),$(foreach method,$(methods),\
                  $(patsubst %,$(folder)/$(method)/%/diagnosis.h5,$(call method_ratios,$(method)))))
 cell_files   = $(call diagnoses,$1) $(call scores,$1)
-lost_files   = $(filter-out $(wildcard $(cell_files)),$(cell_files))
-old_files    = $(wildcard $(filter $(file <$(NOT_MADE)),$(cell_files)))
-table_names := accuracy.csv quality.csv comparisons.csv tables.md
-tabulate     = $(Q)pipeline/step.sh $(results)/$1 tabulate $(config) \
-  --run $(results) --dataset $1 $(selection) --published results/published
+table_names  := accuracy.csv gains.csv quality.csv comparisons.csv ranks.csv tables.md tables.tex summary.txt
+tables_of    = $(table_names:%=$(results)/$1/%)
 
-# Asked for tables with holes, the same step names the holes and makes none. Cells that are there but
-# were to be made again are holes, too: NOT_MADE is a file that lists what could not be made.
 define tables_rule # data set
-$(table_names:%=$(results)/$1/%) &: $(call cell_files,$1) \
-    $(wildcard results/published/*.csv) $(settings)/tabulate.$1.toml | $(programs)
-	$$(call tabulate,$1)
-.PHONY: $1.holes
-$1.holes: $(settings)/tabulate.$1.toml
-	$$(if $$(call lost_files,$1)$$(call old_files,$1),\
-	  $$(call tabulate,$1) $$(addprefix --outdated ,$$(call old_files,$1)),@:)
+$(call tables_of,$1) &: $(call cell_files,$1) $(wildcard results/published/*.csv) $(settings)/tabulate.$1.toml
+	$$(step) tabulate $$(config) --run $(results) --dataset $1 $(selection) --published results/published
 endef
 
 # A rule holds nothing that make would expand a second time, apart from what $$ defers.
@@ -141,21 +134,37 @@ $(foreach dataset,$(DATASETS),\
     $(foreach method,$(generators),$(eval $(call generator_rules,$(seed),$(folder),$(method))))\
     $(foreach method,$(methods),$(eval $(call diagnosis_rule,$(seed),$(folder),$(method))))))
 
+.DEFAULT_GOAL := cells
+.PHONY: records cells tables all list-cells sweep contrast identify
 records: $(DATASETS:%=$(results)/%/records.h5)
 cells: $(foreach dataset,$(DATASETS),$(call cell_files,$(dataset)))
-tables: $(foreach dataset,$(DATASETS),$(table_names:%=$(results)/$(dataset)/%))
+tables: $(foreach dataset,$(DATASETS),$(call tables_of,$(dataset)))
 	@:
-holes: $(DATASETS:%=%.holes)
 
 # make does nothing more for a target when a prerequisite has failed. So a make of its own makes the
-# tables; where that fails, another has the holes named.
-all demo: | $(programs)
-	$(Q)+pipeline/tables.sh $(MAKE) $(choice)
-	@awk 'FNR == 1 { show = 1 } /^## / { show = /^## Accuracy o/ } show' $(DATASETS:%=$(results)/%/tables.md)
-	@printf 'tables and artefacts: %s (gains, ranks and quality in its tables.md)\n' $(DATASETS:%=$(results)/%/)
+# tables; where that fails, the cells that they lack are named.
+this_make = $(MAKE) --file=pipeline/grid.mk
+all:
+	$(Q)+pipeline/tables.sh $(this_make)
+	@cat $(DATASETS:%=$(results)/%/summary.txt)
+	@printf 'tables and artefacts: %s\n' $(DATASETS:%=$(results)/%/)
+
+# For status.sh, also in a dry run.
+list-cells:
+	@$(foreach dataset,$(DATASETS),$(foreach file,$(call cell_files,$(dataset)),$(info cell $(file)))):
 
 include pipeline/sweep.mk
 include pipeline/contrast.mk
 include pipeline/identify.mk
 
-endif
+# ---- rules of the settings ----------------------------------------------------------------------
+# Looking at the rules writes nothing. A file that does not hold what it should is written when a step
+# needs it; where another make has just done so, it stays as it is.
+request  = '$(strip $1.toml $(options.$1))'
+outdated := $(shell $(BIN)/settings --folder $(settings) --outdated $(foreach name,$(settings_names),$(call request,$(name))))
+$(if $(filter 0,$(.SHELLSTATUS)),,$(error pipeline/ cannot be used as it is, see above))
+
+$(settings_names:%=$(settings)/%.toml): $(settings)/%.toml:
+	$(Q)$(BIN)/settings --folder $(settings) --update $(call request,$*)
+$(outdated:%=$(settings)/%): FORCE
+.PHONY: FORCE

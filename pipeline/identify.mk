@@ -3,8 +3,7 @@
 #
 #   model.h5, D.h5 -> identifiability.csv, scatter.csv, identifiability.md
 
-# Of METHODS those that infer; where METHODS is not given, the paper's and ours.
-inferring         := piae-dt ae piae-dt-cnn piae-dt-rnn piae-dt-phase
+# Of METHODS those that infer.
 identify_methods  := $(filter $(inferring),$(methods))
 identify_datasets := $(filter $(simulated),$(DATASETS))
 identify_tables    = $(addprefix $(results)/$1/,identifiability.csv scatter.csv identifiability.md)
@@ -14,12 +13,12 @@ $(if $(identify_datasets),,$(error make identify: DATASETS must have one that is
 $(if $(identify_methods),,$(error make identify: METHODS must have one of $(inferring)))
 
 identify_choice := --methods $(identify_methods) --seeds $(SEEDS)
-$(shell pipeline/settings.sh $(settings) $(foreach dataset,$(identify_datasets),'identify.$(dataset).toml|$(protocol)|identify|$(identify_choice)'))
-$(if $(filter 0,$(.SHELLSTATUS)),,$(error the settings could not be written to $(settings)))
+settings_names += $(identify_datasets:%=identify.%)
+$(foreach dataset,$(identify_datasets),$(eval options.identify.$(dataset) := $(identify_choice)))
 
 define identify_rule # data set
 $(call identify_tables,$1) &: $(settings)/identify.$1.toml \
-    $(foreach folder,$(call seed_folders,$1),$(call windows,$(folder)) $(identify_methods:%=$(folder)/%/model.h5)) | $(programs)
+    $(foreach folder,$(call seed_folders,$1),$(call windows,$(folder)) $(identify_methods:%=$(folder)/%/model.h5))
 	$$(step) identify $$(config) --run $(results) --dataset $1 $(identify_choice)
 endef
 $(foreach dataset,$(identify_datasets),$(eval $(call identify_rule,$(dataset))))

@@ -11,14 +11,10 @@ trap 'rm -r "$scratch"' EXIT
 unset MAKEFLAGS MFLAGS MAKELEVEL MAKEOVERRIDES
 
 # What is to be done, make itself says, by the settings as they are now: so what an older setting has
-# made counts as missing. Settings are written by looking at the rules, hence to a copy.
-mkdir "$scratch/settings"
-[[ ! -d $run/.settings ]] || cp -rp "$run/.settings/." "$scratch/settings"
-ask() { "$@" "settings=$scratch/settings"; }
-# shellcheck disable=SC2016
-ask "$@" --silent --eval 'names: ; $(foreach d,$(DATASETS),$(foreach f,$(call cell_files,$d),$(info $f)))@:' \
-  names >"$scratch/cells"
-ask "$@" --dry-run cells | awk '$1 == "pipeline/step.sh" { print $2, $3 }' >"$scratch/steps"
+# made counts as missing.
+"$@" --dry-run list-cells cells >"$scratch/answer"
+awk '$1 == "cell" { print $2 }' "$scratch/answer" >"$scratch/cells"
+awk '$1 == "pipeline/step.sh" { print $2, $3 }' "$scratch/answer" >"$scratch/steps"
 
 # A line for each step that is to be done: folder, stage, state, and of a failed one its exit code. See
 # step.sh for what the logs say.

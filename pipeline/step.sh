@@ -2,15 +2,18 @@
 # Runs one stage for one folder of a run: a log beside what it makes, warnings and errors on
 # standard error, one line when it is done. Whatever it prints begins with the cell it belongs to.
 #
-# The log is locked while the step runs, and ends with a line that says how it ended:
+# The log is locked while the step runs. Its second line says when it began, by the clock of the file
+# system, and its last one how it ended:
+#   step: begun at 1763800000.123456
 #   step: exit 65 after 12.3 s
 # Locked and without that line, a step is running; not locked and without it, it was killed. `make
 # status` reads this.
 #
 # usage: pipeline/step.sh results/RUN/DATASET/... STAGE OPTION...
-# From the environment: BIN (folder of the programs), SUBMIT (a command to put before the stage).
+# From the environment: BIN (folder of the programs), SUBMIT (a command to put before the stage),
+# ASKED_AT (when make began to look what is to be done; may be missing).
 set -u
-LC_NUMERIC=C
+export LC_ALL=C # numbers and times with a point
 
 folder=$1 stage=$2
 shift 2
@@ -36,6 +39,24 @@ cannot_write() {
   report "failed: cannot write $log" >&2
   exit 1
 }
+time_of() { stat --format=%.6Y "$1"; }
+# Two makes that start at once may both find a step to be done, such as reading the recordings. Who
+# comes second must not do it again: with it would be done again, next time, all that came of it. It
+# is done when this very command has ended well since make looked, and no file that it names has
+# changed since it began. Tables are made again, as their commands do not name their cells.
+done_meanwhile() {
+  local words="$*" begun word after_output=
+  [[ -n ${ASKED_AT:-} && $words =~ \ --output(-dir\ |\ .*\.h5$) ]] || return
+  [[ -f $log && $(head -n 1 "$log") == "$command" ]] || return
+  [[ $(tail -n 1 "$log") == "step: exit 0 after "* && $(time_of "$log") > $ASKED_AT ]] || return
+  begun=$(sed -n '2s/^step: begun at //p' "$log")
+  for word; do
+    [[ -n $after_output || ! -f $word || ! $(time_of "$word") > $begun ]] || return
+    after_output=
+    [[ $word != --output ]] || after_output=yes
+  done
+}
+
 mkdir -p "$folder" 2>/dev/null || cannot_write
 { exec 9>>"$log"; } 2>/dev/null || cannot_write
 # The stage inherits the lock: should this script be killed alone, its stage is still running. Status
@@ -45,7 +66,12 @@ if (($? == 1)); then
   report "waits: another make is at this step" >&2
   flock 9
 fi
-echo "${SUBMIT:+$SUBMIT }$BIN/$stage $*" 2>/dev/null >"$log" || cannot_write
+command="${SUBMIT:+$SUBMIT }$BIN/$stage $*"
+if done_meanwhile "$@"; then
+  report "done meanwhile by another make"
+  exit 0
+fi
+{ echo "$command" >"$log" && echo "step: begun at $(time_of "$log")" >>"$log"; } 2>/dev/null || cannot_write
 
 started=${EPOCHREALTIME/./}
 exec 3> >(show_and_log)

@@ -4,12 +4,13 @@
 
 #include <algorithm>
 #include <iostream>
+#include <optional>
 #include <span>
 
 #include "artefact/file.hpp"
 #include "cli/stage.hpp"
-#include "regression/run_measurements.hpp"
 #include "regression/deviations_text.hpp"
+#include "regression/run_measurements.hpp"
 
 using namespace piae;
 namespace fs = std::filesystem;
@@ -27,27 +28,30 @@ void store(const std::vector<regression::Measurements>& run, const fs::path& fol
   }
 }
 
-/// A dataset of the reference that the run has not must fail, too: it counts as one without values.
+/// Adds each dataset that only the reference has, without values, so that its cells are found to be
+/// missing.
 void add_missing(std::vector<regression::Measurements>& run, const fs::path& folder,
                  const run::Selection& selection) {
-  const std::string protocol = run.front().protocol;
+  const signal::Protocol protocol = run.front().protocol;
   for (const std::string& dataset : regression::reference_datasets(folder, protocol)) {
     if (selection.has_dataset(dataset) &&
         std::ranges::find(run, dataset, &regression::Measurements::dataset) == run.end()) {
-      run.push_back({dataset, protocol, {}, {}, {}});
+      run.push_back({.dataset = dataset, .protocol = protocol});
     }
   }
 }
 
-bool compare(const regression::Measurements& run, const fs::path& folder,
-             const run::Selection& selection, const std::string& tolerance) {
+/// Prints how the run deviates from the reference, and says whether that is acceptable. No
+/// tolerance stands for the one that fits what both were made with.
+bool check_dataset(const regression::Measurements& run, const fs::path& folder,
+                   const run::Selection& selection,
+                   std::optional<regression::Tolerance> tolerance) {
   const auto reference = regression::read_reference(folder, run.protocol, run.dataset);
-  const auto chosen = tolerance == "exact"    ? regression::Tolerance::exact
-                      : tolerance == "spread" ? regression::Tolerance::spread
-                                              : regression::tolerance_for(reference, run);
-  const regression::Deviations deviations = regression::find_deviations(reference, run, selection, chosen);
+  const auto chosen = tolerance.value_or(regression::tolerance_for(reference, run));
+  const regression::Deviations deviations =
+      regression::find_deviations(reference, run, selection, chosen);
   std::cout << regression::deviations_text(reference, run, chosen, deviations);
-  return deviations.passed();
+  return deviations.acceptable();
 }
 
 }  // namespace
@@ -64,14 +68,16 @@ int main(int argc, char** argv) {
   fs::path run_folder;
   fs::path reference_folder;
   run::Selection selection;
-  std::string tolerance = "auto";
+  std::optional<regression::Tolerance> tolerance;
   bool as_reference = false;
   stage.input_file("--run", run_folder, "Folder of the run, such as results/try");
   stage.input_file("--reference", reference_folder, "Folder of the reference");
   bind(stage.options(), selection);
-  stage.options()
-      .add("--tolerance", tolerance, "auto: exact where processor and libraries are the same")
-      .check(cli::one_of({"auto", "exact", "spread"}));
+  stage.options().choose("--tolerance", tolerance,
+                         {{"auto", std::nullopt},
+                          {"exact", regression::Tolerance::exact},
+                          {"spread", regression::Tolerance::spread}},
+                         "auto: exact where processor and libraries are the same");
   stage.options().flag("--store", as_reference,
                        "Make these cells of the run the reference instead of comparing");
 
@@ -81,7 +87,7 @@ int main(int argc, char** argv) {
     add_missing(run, reference_folder, selection);
     std::size_t failed = 0;
     for (const regression::Measurements& measurements : run) {
-      if (!compare(measurements, reference_folder, selection, tolerance)) ++failed;
+      if (!check_dataset(measurements, reference_folder, selection, tolerance)) ++failed;
     }
     if (failed == 0) return;
     throw Error(Exit::failed,

@@ -40,8 +40,8 @@ int main(int argc, char** argv) {
       return fs::path(output).replace_extension(extension);
     };
     text::save_all({{beside(".md"), report::markdown(document)},
-                      {beside(".csv"), report::contrast_csv(contrast)},
-                      {beside(".tex"), report::latex(document)}});
+                    {beside(".csv"), report::contrast_csv(contrast)},
+                    {beside(".tex"), report::latex(document)}});
     std::cout << fmt::format("compared {} cells of two runs: {}\n", contrast.rows.size(),
                              beside(".md").string());
   });

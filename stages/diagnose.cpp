@@ -1,4 +1,4 @@
-// Trains the classifier on known and generated windows, and tries it on the test windows.
+// Trains the classifier on known and generated windows, and tests it on the test windows.
 
 #include <spdlog/fmt/fmt.h>
 

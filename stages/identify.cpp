@@ -7,11 +7,11 @@
 
 #include "augment/catalogue.hpp"
 #include "cli/stage.hpp"
+#include "libtorch/back_ends.hpp"
 #include "report/identifiability.hpp"
 #include "run/layout.hpp"
-#include "text/file.hpp"
-#include "libtorch/back_ends.hpp"
 #include "signal/roles.hpp"
+#include "text/file.hpp"
 
 using namespace piae;
 namespace fs = std::filesystem;
@@ -27,11 +27,14 @@ report::Identification identify(const run::Layout& layout, const std::string& me
                  fmt::format("is of method {}, seed {}; here it must be {}, seed {}",
                              model.text("/", "method"), model.integer("/", "seed"), method, seed));
   }
-  signal::require_role(real, "D");
+  signal::require_role(real, signal::Role::hidden);
   signal::require_same_split(model, real);
-  report::Identification result{method, seed, signal::read_window_set(real), {}};
-  result.inferred = augment::make_method(method)->infer(model, result.windows, {});
-  return result;
+  signal::WindowSet windows = signal::read_window_set(real);
+  auto inferred = augment::make_method(method)->infer(model, windows, {});
+  return {.method = method,
+          .seed = seed,
+          .windows = std::move(windows),
+          .inferred = std::move(inferred)};
 }
 
 bool needs_libtorch(const run::Grid& grid) {
@@ -66,10 +69,9 @@ int main(int argc, char** argv) {
     }
     const auto rows = report::identifiability_rows(all);
     const report::Document document = report::identifiability_document(grid.dataset, rows, all);
-    text::save_all(
-        {{layout.identifiability_csv(), report::identifiability_csv(grid.dataset, rows)},
-         {layout.scatter_csv(), report::scatter_csv(grid.dataset, all)},
-         {layout.identifiability_markdown(), report::markdown(document)}});
+    text::save_all({{layout.identifiability_csv(), report::identifiability_csv(grid.dataset, rows)},
+                    {layout.scatter_csv(), report::scatter_csv(grid.dataset, all)},
+                    {layout.identifiability_markdown(), report::markdown(document)}});
     std::cout << fmt::format("compared (k, c) of {} models with the truth: {}\n", all.size(),
                              layout.identifiability_markdown().string());
   });

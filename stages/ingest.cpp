@@ -7,8 +7,8 @@
 #include "base/error.hpp"
 #include "cli/progress.hpp"
 #include "cli/stage.hpp"
-#include "text/table.hpp"
 #include "signal/check.hpp"
+#include "text/table.hpp"
 
 namespace fs = std::filesystem;
 using namespace piae;
@@ -28,12 +28,12 @@ signal::Recordings read_raw_files(const signal::Description& description, const 
   return signal::ingest(description, folder, [&](std::size_t done) { progress.update(done); });
 }
 
-/// What was found, as tables; then each problem in a line of its own.
+/// Prints what was found as tables, and then each problem in a line of its own.
 void print_check(const signal::Description& description, const signal::DatasetCheck& check) {
   const signal::DatasetInfo& info = description.info;
   text::Table records({"record", "file", "Hz", "samples", "s", "rpm", "RMS"}, 2);
   for (const signal::RecordCheck& record : check.records) {
-    const signal::RecordSource& source = *record.source;
+    const signal::RecordSource& source = record.source;
     const auto samples = static_cast<double>(record.samples);
     if (!record.problem.empty()) {
       records.row({source.name, source.file, "unreadable"});
@@ -46,9 +46,9 @@ void print_check(const signal::Description& description, const signal::DatasetCh
   }
   text::Table classes({"class", "defect", "mm", "records", "stride"}, 2);
   for (const signal::ClassCheck& c : check.classes) {
-    const signal::ClassInfo& known = info.classes[static_cast<std::size_t>(c.label)];
-    classes.row({known.name, signal::to_string(known.defect),
-                 fmt::format("{:g}", known.defect_size_mm), std::to_string(c.records),
+    const signal::ClassInfo& described = info.class_of(c.label);
+    classes.row({described.name, signal::to_string(described.defect),
+                 fmt::format("{:g}", described.defect_size_mm), std::to_string(c.records),
                  c.stride > 0 ? std::to_string(c.stride) : "-"});
   }
   std::cout << fmt::format("{}, samples at {:g} Hz\n\n{}\n{}", info.name, info.sample_rate_hz,
@@ -58,8 +58,7 @@ void print_check(const signal::Description& description, const signal::DatasetCh
   }
   for (const auto& c : check.classes) {
     if (!c.problem.empty()) {
-      std::cout << info.classes[static_cast<std::size_t>(c.label)].name << ": " << c.problem
-                << '\n';
+      std::cout << info.class_of(c.label).name << ": " << c.problem << '\n';
     }
   }
 }
@@ -106,8 +105,7 @@ int main(int argc, char** argv) {
     stage.save(writer, output);
     std::size_t samples = 0;
     for (const signal::Record& record : recordings.records) samples += record.signal.size();
-    std::cout << "ingest: " << recordings.info.name << ": " << recordings.records.size()
-              << " records of " << recordings.info.classes.size() << " classes, " << samples
-              << " samples at " << recordings.info.sample_rate_hz << " Hz\n";
+    std::cout << fmt::format("ingest: {} records, {} samples at {:g} Hz\n",
+                             recordings.records.size(), samples, recordings.info.sample_rate_hz);
   });
 }

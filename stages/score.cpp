@@ -40,16 +40,16 @@ int main(int argc, char** argv) {
   return stage.run(argc, argv, [&] {
     const artefact::Reader generated = stage.open("generated", generated_file, "windows");
     const artefact::Reader real = stage.open("real", real_file, "windows");
-    signal::require_role(generated, "E");
-    signal::require_role(real, "D");
+    signal::require_role(generated, signal::Role::generated);
+    signal::require_role(real, signal::Role::hidden);
     scoring::QualityRecord record;
     record.method = generated.text("/", "method");
     record.seed = generated.integer("/", "seed");
-    record.protocol = generated.text("/", "protocol");
+    record.protocol = signal::read_protocol(generated);
     signal::require_same_split(generated, real);
     const signal::WindowSet real_windows = signal::read_window_set(real);
     record.info = real_windows.info;
-    record.classes = scoring::judge(signal::read_window_set(generated), real_windows);
+    record.classes = scoring::quality_by_class(signal::read_window_set(generated), real_windows);
 
     artefact::Writer writer("score");
     scoring::write(writer, record);

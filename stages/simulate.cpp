@@ -30,8 +30,7 @@ int main(int argc, char** argv) {
     artefact::Writer writer("records");
     signal::write(writer, recordings);
     stage.save(writer, output);
-    std::cout << fmt::format(
-        "simulate: {} records of {} classes, {} samples each at {} Hz, in {}\n", records, classes,
-        simulation.samples, simulation.info.sample_rate_hz, output.string());
+    std::cout << fmt::format("simulate: {} records of {} samples at {:g} Hz: {}\n", records,
+                             simulation.samples, simulation.info.sample_rate_hz, output.string());
   });
 }

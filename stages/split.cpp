@@ -12,15 +12,16 @@ namespace {
 
 void print_summary(const signal::Split& split, const signal::SplitOptions& options) {
   const signal::DatasetInfo& info = split.sets.front().info;
-  std::cout << "split: " << info.name << " seed " << options.seed << ' ' << options.protocol << ':';
-  for (std::size_t role = 0; role < split.sets.size(); ++role) {
-    std::cout << ' ' << signal::Split::roles[role] << ' ' << split.sets[role].size();
+  std::cout << info.name << ", seed " << options.seed << ", protocol "
+            << to_string(options.protocol) << "; stride";
+  for (const Label label : info.labels()) {
+    std::cout << ' ' << info.class_of(label).name << ' ' << split.strides[index_of(label)];
   }
-  std::cout << " windows of " << options.window << "; stride";
-  for (std::size_t label = 0; label < split.strides.size(); ++label) {
-    std::cout << ' ' << info.classes[label].name << ' ' << split.strides[label];
+  std::cout << "\nsplit:";
+  for (const signal::Role role : signal::split_roles) {
+    std::cout << ' ' << to_string(role) << ' ' << split.of(role).size();
   }
-  std::cout << '\n';
+  std::cout << " windows of " << options.window << '\n';
 }
 
 }  // namespace
@@ -41,10 +42,10 @@ int main(int argc, char** argv) {
   return stage.run(argc, argv, [&] {
     const artefact::Reader reader = stage.open("records", records, "records");
     const signal::Split split = signal::split(signal::read_recordings(reader), options);
-    for (std::size_t role = 0; role < split.sets.size(); ++role) {
+    for (const signal::Role role : signal::split_roles) {
       artefact::Writer writer("windows");
       write(writer, split, role, options, reader.digest());
-      stage.save(writer, folder / (std::string(signal::Split::roles[role]) + ".h5"));
+      stage.save(writer, folder / (to_string(role) + ".h5"));
     }
     print_summary(split, options);
   });

@@ -6,6 +6,7 @@
 
 #include "cli/stage.hpp"
 #include "report/quality_table.hpp"
+#include "report/summary.hpp"
 #include "report/tables.hpp"
 #include "text/file.hpp"
 
@@ -18,7 +19,8 @@ int main(int argc, char** argv) {
       "Makes the tables of RUN/DATASET from the diagnoses and scores there, with the published "
       "figures beside ours: accuracy.csv, gains.csv and quality.csv; comparisons.csv and "
       "ranks.csv, "
-      "which say what is more than chance; and all of them for people as tables.md and tables.tex. "
+      "which say what is more than chance; all of them for people as tables.md and tables.tex; and "
+      "summary.txt, which says in one small table and a sentence or two what was seen. "
       "Prints the accuracies in percent. Lists may be several values, or one with commas.",
       "tabulate --run results/try --dataset cwru --methods none piae-dt --ratios "
       "100to1 10to1 --seeds 0 1 --published results/published");
@@ -52,12 +54,13 @@ int main(int argc, char** argv) {
     const report::Document tables =
         report::tables(grid, results, rows, published, comparisons, ranks);
     text::save_all({{layout.accuracy_csv(), report::accuracy_csv(rows)},
-                      {layout.gains_csv(), report::accuracy_csv(report::gain_rows(rows))},
-                      {layout.quality_csv(), report::quality_csv(grid, results)},
-                      {layout.comparisons_csv(), report::comparisons_csv(comparisons)},
-                      {layout.ranks_csv(), report::ranks_csv(ranks)},
-                      {layout.tables_markdown(), report::markdown(tables)},
-                      {layout.tables_latex(), report::latex(tables)}});
+                    {layout.gains_csv(), report::accuracy_csv(report::gain_rows(rows))},
+                    {layout.quality_csv(), report::quality_csv(grid, results)},
+                    {layout.comparisons_csv(), report::comparisons_csv(comparisons)},
+                    {layout.ranks_csv(), report::ranks_csv(ranks)},
+                    {layout.tables_markdown(), report::markdown(tables)},
+                    {layout.tables_latex(), report::latex(tables)},
+                    {layout.summary_text(), report::summary_text(grid, results, rows)}});
     std::cout << report::accuracy_text(rows)
               << fmt::format("tabulated {} diagnoses and {} scores: {}\n", results.diagnoses.size(),
                              results.qualities.size(), layout.tables_markdown().string());

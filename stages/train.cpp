@@ -17,13 +17,14 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Real windows of the split that the known ones are of: proved by where each was cut.
+/// Reads the real windows D. Requires them to come from the same split as the known ones, which is
+/// proved by where each window was cut.
 signal::WindowSet read_real(const artefact::Reader& real, const artefact::Reader& known) {
-  signal::require_role(real, "D");
+  signal::require_role(real, signal::Role::hidden);
   const std::vector<signal::RoleSet> roles{signal::read_role_set(known),
                                            signal::read_role_set(real)};
   signal::require_one_split(roles);
-  signal::require_classes(real, "D", roles.back().windows);
+  signal::require_classes(real, signal::Role::hidden, roles.back().windows);
   return roles.back().windows;
 }
 
@@ -59,7 +60,7 @@ int main(int argc, char** argv) {
                          "D.h5 of the same split, which only a ceiling learns from");
       }
     } catch (const Error&) {
-      // What went wrong is met again, and reported, in run().
+      // run() meets the same error again, and reports it.
     }
   }
 
@@ -67,9 +68,9 @@ int main(int argc, char** argv) {
     if (!method) method = augment::make_method(name);
     if (method->needs_libtorch(run.compute)) libtorch::continue_with_libtorch(argv);
     const artefact::Reader reader = stage.open("known", known_file, "windows");
-    signal::require_role(reader, "C");
+    signal::require_role(reader, signal::Role::known);
     signal::WindowSet windows = signal::read_window_set(reader);
-    signal::require_classes(reader, "C", windows);
+    signal::require_classes(reader, signal::Role::known, windows);
     if (method->learns_from() == augment::LearnsFrom::real) {
       windows = read_real(stage.open("real", real_file, "windows"), reader);
     }

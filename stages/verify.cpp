@@ -1,9 +1,12 @@
-// Checks artefacts: silent and 0 when all are good, otherwise a line for each thing that is wrong.
+// Checks artefacts: prints nothing and exits with 0 when all are good, otherwise prints a line for
+// each thing that is wrong. What an artefact of each kind must hold stands in
+// src/verification/verify.cpp; a new kind of artefact is added there.
+
+#include "verification/verify.hpp"
 
 #include <iostream>
 
 #include "cli/stage.hpp"
-#include "verification/verify.hpp"
 
 using namespace piae;
 
@@ -25,7 +28,7 @@ int main(int argc, char** argv) {
   const int error = stage.run(argc, argv, [&] {
     const std::vector<verification::Finding> findings = verification::verify(files);
     for (const verification::Finding& finding : findings) std::cout << finding.line << '\n';
-    status = verification::status_of(findings);
+    status = verification::exit_code_of(findings);
   });
   return error != 0 ? error : status;
 }

@@ -19,7 +19,7 @@ fs::path partial_of(const fs::path& path) { return path.string() + ".partial"; }
 
 std::string reason() { return std::generic_category().message(errno); }
 
-/// A POSIX file descriptor that is closed on every way out.
+/// A POSIX file descriptor that is closed when it goes out of scope.
 class Descriptor {
  public:
   explicit Descriptor(int fd) : fd_(fd) {}
@@ -48,7 +48,7 @@ bool write_all(int fd, std::span<const std::byte> bytes) {
   return true;
 }
 
-/// A rename is only safe from a power cut once the folder that holds the name is on the disk too.
+/// Brings a folder to the disk. Only then will a rename in it outlive a power cut.
 void sync_folder(const fs::path& folder) {
   const Descriptor descriptor(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   if (descriptor.get() >= 0) ::fsync(descriptor.get());

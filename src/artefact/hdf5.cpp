@@ -10,7 +10,7 @@ namespace piae::artefact::hdf5 {
 
 namespace {
 
-// HDF5 prints its error stack by itself; here the reason travels in the exception instead.
+// HDF5 would print its errors by itself. Here the exception carries the reason instead.
 [[maybe_unused]] const bool quiet = H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr) >= 0;
 
 herr_t keep_deepest(unsigned /*depth*/, const H5E_error2_t* error, void* reason) {
@@ -29,7 +29,7 @@ std::string reason_from_hdf5() {
 
 Handle property_list(hid_t type) { return {H5Pcreate(type), "property list"}; }
 
-/// Makes the groups that lead to `path`. HDF5 can make them by itself, but then with timestamps.
+/// Makes the groups that lead to `path`. HDF5 could make them by itself, but with timestamps.
 void make_parents(hid_t file, const std::string& path) {
   const Handle creation = property_list(H5P_GROUP_CREATE);
   check(H5Pset_obj_track_times(creation, 0), path.c_str());
@@ -50,15 +50,15 @@ Handle fixed_string_type(std::size_t length) {
   return type;
 }
 
-/// Bytes by which a file in memory grows.
+/// By how many bytes a file in memory grows at a time.
 constexpr std::size_t growth = 4096;
 
 /// Where a superblock of HDF5 1.8 and later holds the address at which the file ends. What follows
-/// it in memory is room to grow, which the file on the disk does without: it then cannot lose a
-/// byte unnoticed.
+/// in memory is room to grow and is not written to the disk: every byte there belongs to the file,
+/// so that a lost one is noticed.
 constexpr std::size_t end_address_at = 28;
 
-/// Keeps the bytes of a file in memory when HDF5 lets go of them in closing it.
+/// Keeps the bytes of a file in memory when HDF5 closes the file and would free them.
 struct ImageKeeper {
   bool wanted = false;  ///< while MemoryFile::close() runs
   std::vector<std::byte> image;
@@ -87,7 +87,7 @@ herr_t release_image(void* image, H5FD_file_image_op_t operation, void*) {
   return 0;
 }
 
-/// An image that is only read is not copied: HDF5 is given its own place whenever it asks for one.
+/// Reading needs no copy of the image: whenever HDF5 asks for memory, it gets the image itself.
 void* given_image(size_t, H5FD_file_image_op_t, void* image) { return image; }
 
 void* image_in_place(void* to, const void*, size_t, H5FD_file_image_op_t, void*) { return to; }
@@ -100,8 +100,8 @@ herr_t no_keeper_to_free(void*) { return 0; }
 
 std::vector<hsize_t> extent(const Shape& shape) { return {shape.begin(), shape.end()}; }
 
-/// A name that no other file of this process has: HDF5 takes two files in memory of one name for
-/// the same file, and would read the one that was opened first.
+/// A name that no other file of this process has. HDF5 would take two files in memory with the same
+/// name for one file, and read the one that was opened first.
 std::string new_name() {
   static std::atomic<std::uint64_t> count = 0;
   return "artefact-" + std::to_string(++count);

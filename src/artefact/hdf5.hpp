@@ -10,12 +10,14 @@
 #include <utility>
 #include <vector>
 
-/// A thin layer over HDF5's C interface: handles that close themselves, and calls that throw with
-/// the reason that HDF5 gives. Files live in memory here; artefact/file.hpp moves them to and from
-/// the disk, so that a full disk is an ordinary error and not a half-closed HDF5 file.
+/// A thin layer over the C interface of HDF5: handles that close themselves, and calls that throw
+/// with the reason that HDF5 gives. Here files are in memory only. artefact/file.hpp reads them
+/// from the disk and writes them to it, so that a full disk is an ordinary error and not an HDF5
+/// file that cannot be closed.
 namespace piae::artefact::hdf5 {
 
-/// Throws std::runtime_error("<what>: <HDF5's own reason>") when `result` says that a call failed.
+/// Returns `result`, or throws std::runtime_error("<what>: <HDF5's own reason>") when it says that
+/// a call failed.
 hid_t check(hid_t result, const char* what);
 
 /// Owns one HDF5 identifier.
@@ -61,8 +63,8 @@ class MemoryFile {
  public:
   MemoryFile();
   [[nodiscard]] hid_t id() const { return file_; }
-  /// Closes the file and returns the bytes that it would have on a disk. H5Fget_file_image would
-  /// not do: until HDF5 1.14.6 it leaves a wrong checksum in the superblock of such files.
+  /// Closes the file and returns the bytes that it has on the disk. H5Fget_file_image is not used:
+  /// until HDF5 1.14.6 it leaves a wrong checksum in the superblock of such files.
   std::vector<std::byte> close();
 
  private:
@@ -83,8 +85,8 @@ void write_strings(hid_t file, const std::string& path, const std::vector<std::s
 
 Handle open_dataset(hid_t file, const std::string& path);
 Shape shape_of(hid_t dataset);
-/// All values of a dataset, without computing its checksum: for one whose digest has been found
-/// good.
+/// Reads all values of a dataset without computing its checksum. For a file whose digest has been
+/// found good, which says more.
 void read_checked(hid_t dataset, hid_t type, void* values, const std::string& path);
 std::vector<std::string> read_strings(hid_t file, const std::string& path);
 

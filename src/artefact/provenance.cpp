@@ -28,8 +28,8 @@ std::map<std::string, std::string> processor() {
   return values;
 }
 
-/// Virtual machines hide the model's name, and instructions that a library would choose its code
-/// by.
+/// Family, model and instruction set are added to the name, because virtual machines hide the name
+/// and some of the instructions, and libraries choose their code by the latter.
 std::string processor_model() {
   std::map<std::string, std::string> values = processor();
   if (!values.contains("model name")) return "unknown processor";

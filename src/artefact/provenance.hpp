@@ -9,21 +9,21 @@ namespace piae::artefact {
 /// settings give the same bytes in any folder.
 struct Provenance {
   struct Input {
-    std::string role;    ///< the option that named it, such as "records"
-    std::string file;    ///< its name without folders
+    std::string role;    ///< the name of the option that gave the file, such as "records"
+    std::string file;    ///< the file's name without folders
     std::string digest;  ///< content digest of an artefact, sha256 of any other file
   };
 
   std::string program;        ///< "split"
-  std::string options;        ///< as resolved, one TOML line each
+  std::string options;        ///< all of them with their values, a TOML line each
   std::vector<Input> inputs;  ///< in the order in which they were read
 };
 
-/// "0.1.0 (3f2c1a9)": the version, and the commit it was built from where git knew it.
+/// "0.1.0 (3f2c1a9)": the version and, where git knew it, the commit that was built.
 std::string build_version();
 /// Compiler, its flags, and the versions of the libraries that the numbers depend on.
 std::string build_libraries();
-/// What the numbers may depend on at run time: processor model and threads of this process.
+/// What the numbers may depend on at run time: the processor model and the number of threads.
 std::string cpu_settings();
 
 }  // namespace piae::artefact

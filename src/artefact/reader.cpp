@@ -20,7 +20,7 @@ std::vector<std::byte> bytes_of(const fs::path& path) {
   try {
     return read_file(path);
   } catch (const Error& error) {
-    throw Refusal(error.exit(), Fault::unreadable, error.what());
+    throw Refusal(error.exit(), RefusalReason::unreadable, error.what());
   }
 }
 
@@ -29,14 +29,15 @@ Handle open_checked(const fs::path& path, std::span<const std::byte> image) {
     return hdf5::open_image(image);
   } catch (const std::exception& error) {
     throw Refusal(
-        Exit::bad_input, Fault::unreadable,
+        Exit::bad_input, RefusalReason::unreadable,
         path.string() + ": truncated, damaged or not an HDF5 file (" + error.what() + ")" + remedy);
   }
 }
 
 void require_undamaged(const fs::path& path, hid_t file) {
   const auto refuse = [&](const std::string& what) {
-    throw Refusal(Exit::bad_input, Fault::damaged, path.string() + ": damaged: " + what + remedy);
+    throw Refusal(Exit::bad_input, RefusalReason::damaged,
+                  path.string() + ": damaged: " + what + remedy);
   };
   std::string content;
   std::string provenance;
@@ -57,13 +58,13 @@ void require_undamaged(const fs::path& path, hid_t file) {
 
 std::string stored_kind(const fs::path& path, hid_t file) {
   if (H5Aexists(file, "kind") < 0) {
-    throw Refusal(Exit::bad_input, Fault::damaged,
+    throw Refusal(Exit::bad_input, RefusalReason::damaged,
                   path.string() + ": damaged: its attributes cannot be read" + remedy);
   }
   try {
     return hdf5::read_string_attribute(file, "/", "kind");
   } catch (const std::exception&) {
-    throw Refusal(Exit::bad_input, Fault::wrong_kind,
+    throw Refusal(Exit::bad_input, RefusalReason::wrong_kind,
                   path.string() +
                       ": is HDF5, but not an artefact of this pipeline; name a file "
                       "that one of its stages wrote");
@@ -79,13 +80,13 @@ Reader::Reader(const fs::path& path, const std::string& kind)
       kind_(stored_kind(path, file_)) {
   require_undamaged(path_, file_);
   if (const std::int64_t schema = integer("/", "schema"); schema != schema_version) {
-    throw Refusal(Exit::bad_input, Fault::wrong_kind,
+    throw Refusal(Exit::bad_input, RefusalReason::wrong_kind,
                   path_.string() + ": has schema version " + std::to_string(schema) +
                       ", this program reads " + std::to_string(schema_version) + remedy);
   }
   if (!kind.empty() && kind_ != kind) {
     throw Refusal(
-        Exit::bad_input, Fault::wrong_kind,
+        Exit::bad_input, RefusalReason::wrong_kind,
         path_.string() + ": is an artefact of kind '" + kind_ + "', needed is '" + kind + "'");
   }
   digest_ = text("/", digest_attribute);
@@ -199,7 +200,8 @@ std::string Reader::text(const std::string& object, const std::string& name) con
 }
 
 void Reader::refuse(const std::string& where, const std::string& what) const {
-  throw Refusal(Exit::bad_input, Fault::bad_content, path_.string() + ": " + where + " " + what);
+  throw Refusal(Exit::bad_input, RefusalReason::bad_content,
+                path_.string() + ": " + where + " " + what);
 }
 
 }  // namespace piae::artefact

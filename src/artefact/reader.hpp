@@ -16,27 +16,30 @@ struct Array {
   hdf5::Shape shape;
 };
 
-/// What can be wrong with an artefact; `verify` answers with the bit-or of these.
-enum class Fault : int {
+/// Why an artefact is refused. `verify` exits with the bit-or of the reasons that it found. 2 and
+/// 64 are not used, because as an exit code 2 means a usage error, and those from 65 on have
+/// meanings of their own.
+enum class RefusalReason : int {
   unreadable = 1,     ///< missing, truncated, or not an HDF5 file
   damaged = 4,        ///< a checksum or digest does not match
   wrong_kind = 8,     ///< another kind of artefact, or another schema version
   bad_content = 16,   ///< NaN, an empty class, labels or shapes that cannot be
-  roles_overlap = 32  ///< a window plays two roles (2 and 64 stay free: usage, and 65 upwards)
+  roles_overlap = 32  ///< a window has two roles of one split
 };
 
 /// Thrown when an artefact is refused; exit() is input_missing or bad_input.
 class Refusal : public Error {
  public:
-  Refusal(Exit exit, Fault fault, const std::string& line) : Error(exit, line), fault_(fault) {}
-  [[nodiscard]] Fault fault() const { return fault_; }
+  Refusal(Exit exit, RefusalReason reason, const std::string& line)
+      : Error(exit, line), reason_(reason) {}
+  [[nodiscard]] RefusalReason reason() const { return reason_; }
 
  private:
-  Fault fault_;
+  RefusalReason reason_;
 };
 
-/// An artefact that was read whole, checked against its digests, and found to be of one kind.
-/// Nothing of a damaged file can be read. Every error names the file and the dataset.
+/// An artefact. The constructor reads the whole file and checks its digests and its kind, so
+/// nothing of a damaged file can be read. Every error names the file and the dataset.
 class Reader {
  public:
   /// Throws Refusal. An empty `kind` accepts every kind.
@@ -48,15 +51,18 @@ class Reader {
 
   [[nodiscard]] bool has(const std::string& object) const;
   [[nodiscard]] bool has_attribute(const std::string& object, const std::string& name) const;
-  /// Names of what lies directly in a group, in alphabetical order.
+  /// The names of the groups and datasets directly in a group, in alphabetical order.
   [[nodiscard]] std::vector<std::string> list(const std::string& group) const;
 
-  /// Throws Refusal when the dataset is missing, has another type or rank, or holds a NaN or an
-  /// infinite value. `shape` may leave extents open with 0.
+  /// The numbers of a dataset. `shape` is the one that it must have; an extent of 0 stands for any.
+  /// Throws Refusal when the dataset is missing, has another type or shape, or holds a NaN or an
+  /// infinite value.
   template <hdf5::Number T>
   [[nodiscard]] Array<T> numbers(const std::string& path, const hdf5::Shape& shape) const;
   [[nodiscard]] std::vector<std::string> strings(const std::string& path) const;
 
+  /// An attribute of a group or dataset; "/" is the root. Throw Refusal when it is missing or has
+  /// another type.
   [[nodiscard]] double real(const std::string& object, const std::string& name) const;
   [[nodiscard]] std::int64_t integer(const std::string& object, const std::string& name) const;
   [[nodiscard]] std::string text(const std::string& object, const std::string& name) const;
@@ -64,7 +70,8 @@ class Reader {
   /// Throws Refusal when any dataset of the file holds a NaN or an infinite value.
   void require_finite() const;
 
-  /// For content that only the caller can judge: throws Refusal(bad_content) naming this file.
+  /// Throws Refusal(bad_content) with this file, where and what. For the caller, who knows what the
+  /// content must be.
   [[noreturn]] void refuse(const std::string& where, const std::string& what) const;
 
  private:

@@ -13,7 +13,7 @@ namespace piae::artefact {
 /// Version of the layout of all artefacts. A reader refuses any other.
 inline constexpr std::int64_t schema_version = 1;
 
-/// Builds one artefact in memory and writes it at once, complete or not at all.
+/// Builds an artefact in memory. save() then writes it, complete or not at all.
 ///
 ///     Writer writer("windows");
 ///     writer.numbers("/windows", samples, {n, 1024});
@@ -43,8 +43,8 @@ class Writer {
   void attribute(const std::string& object, const std::string& name, std::int64_t value);
   void attribute(const std::string& object, const std::string& name, const std::string& value);
 
-  /// Adds provenance and digests, and puts the file in place atomically (see artefact/file.hpp).
-  /// The last call on a writer.
+  /// Adds provenance and digests, and writes the file as write_file_atomically() does. No other
+  /// call may follow.
   void save(const std::filesystem::path& path, const Provenance& provenance);
 
  private:

@@ -3,6 +3,7 @@
 #include <spdlog/fmt/fmt.h>
 
 #include "base/error.hpp"
+#include "base/label.hpp"
 
 namespace piae::augment {
 
@@ -50,11 +51,10 @@ void Dynamics::train(const signal::WindowSet& known, const Stream& /*stream*/,
 signal::WindowSet Dynamics::generate(const artefact::Reader& model, std::size_t count,
                                      const Stream& stream, const Compute& /*compute*/) {
   const signal::WindowSimulation simulation = signal::read_window_simulation(model);
-  return signal::simulate_windows(
-      simulation, count, stream, [&](std::size_t /*label*/, Stream& random) {
-        return bearing::draw_dynamics(random, simulation.options.dynamics,
-                                      simulation.options.variation);
-      });
+  return signal::simulate_windows(simulation, count, stream, [&](Label /*label*/, Stream& random) {
+    return bearing::draw_dynamics(random, simulation.options.dynamics,
+                                  simulation.options.variation);
+  });
 }
 
 }  // namespace piae::augment

@@ -6,9 +6,10 @@
 
 namespace piae::augment {
 
-/// The dynamics baseline (paper, Section 4.5.3): eq. 13 with stiffness and damping from the
-/// literature, each window with a small deviation of its own. Of the known windows it uses nothing
-/// but their RMS. Options under which the load cannot close the clearance are Error(usage).
+/// The method `dynamics` (paper, Section 4.5.3): it solves eq. 13 with stiffness and damping from
+/// the literature, each window with a small deviation of its own. Of the known windows it uses
+/// nothing but their RMS. Throws Error(usage) for options with which the load cannot close the
+/// clearance.
 class Dynamics final : public Method {
  public:
   void bind(const cli::Options& command) override;

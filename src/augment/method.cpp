@@ -5,7 +5,7 @@
 namespace piae::augment {
 
 bool Method::needs_libtorch(const Compute& compute) const {
-  (void)piae::needs_libtorch(compute);  // refuses what cannot be
+  (void)piae::needs_libtorch(compute);  // throws where back end and device do not go together
   return false;
 }
 

@@ -2,21 +2,22 @@
 
 #include <spdlog/fmt/fmt.h>
 
-#include "signal/made_windows.hpp"
 #include "base/error.hpp"
+#include "base/label.hpp"
+#include "signal/made_windows.hpp"
 
 namespace piae::augment {
 
 namespace {
 
-/// Of each class with a defect its windows, shuffled; of the healthy one nothing.
+/// For each class, the indices of its windows in random order; none for the healthy class.
 std::vector<std::vector<std::size_t>> shuffled_classes(const signal::WindowSet& real,
                                                        std::size_t count, const Stream& stream) {
   std::vector<std::vector<std::size_t>> all(real.info.classes.size());
-  for (std::size_t label = 0; label < all.size(); ++label) {
-    const signal::ClassInfo& c = real.info.classes[label];
+  for (Label label = 0; index_of(label) < all.size(); ++label) {
+    const signal::ClassInfo& c = real.info.classes[index_of(label)];
     if (c.defect == signal::Defect::none) continue;
-    const std::vector<std::size_t> own = real.indices_of(static_cast<int>(label));
+    const std::vector<std::size_t> own = real.indices_of(label);
     if (count > own.size()) {
       throw Error(
           Exit::usage,
@@ -25,7 +26,7 @@ std::vector<std::vector<std::size_t>> shuffled_classes(const signal::WindowSet& 
                       count, c.name, own.size(), own.size()));
     }
     for (const std::size_t i : stream.child(c.name).permutation(own.size())) {
-      all[label].push_back(own[i]);
+      all[index_of(label)].push_back(own[i]);
     }
   }
   return all;
@@ -45,8 +46,8 @@ signal::WindowSet Oracle::generate(const artefact::Reader& model, std::size_t co
                                    const Stream& stream, const Compute& /*compute*/) {
   const signal::WindowSet real = signal::read_window_set(model);
   const auto order = shuffled_classes(real, count, stream);
-  const auto take = [&](int label, std::size_t index, Stream& /*random*/) {
-    const auto window = real.window(order[static_cast<std::size_t>(label)][index]);
+  const auto take = [&](Label label, std::size_t index, Stream& /*random*/) {
+    const auto window = real.window(order[index_of(label)][index]);
     return std::vector<float>(window.begin(), window.end());
   };
   return signal::make_windows(real.info, real.length, count, stream, take);

@@ -5,10 +5,10 @@
 
 namespace piae::augment {
 
-/// A ceiling, not a method: real windows in the place of generated ones, as though the faults had
-/// been recorded for long enough. They are those of D, which no method may see; those of a class
-/// come in an order drawn at random, since a blocked split has them in order of time. None comes
-/// twice: more than there are is Error(usage).
+/// `oracle`, which is a ceiling and not a method: it gives real windows in the place of generated
+/// ones, as if the faults had been recorded for long enough. They are the windows D, which no
+/// method may see. Those of a class come in random order, because a blocked split has them in order
+/// of time. No window comes twice; asking for more than there are throws Error(usage).
 class Oracle final : public Method {
  public:
   [[nodiscard]] LearnsFrom learns_from() const override { return LearnsFrom::real; }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/label.hpp"
 #include "base/parallel.hpp"
 #include "twin/physics.hpp"
 #include "twin/space.hpp"
@@ -16,15 +17,15 @@ namespace {
 using twin::damping_scale_ns_per_m;
 using twin::stiffness_scale_n_per_m;
 
-/// Fits all windows of one class with a defect in an epoch.
+/// The fits to all known windows. An epoch fits those of one class with a defect.
 class Fitting final : public nets::Trainee {
  public:
   Fitting(const signal::WindowSet& known, const signal::WindowSimulation& simulation,
           const FitOptions& options)
       : known_(known), simulation_(simulation), options_(options) {
-    for (std::size_t label = 0; label < known.info.classes.size(); ++label) {
-      if (known.info.classes[label].defect != signal::Defect::none) {
-        labels_.push_back(static_cast<int>(label));
+    for (Label label = 0; index_of(label) < known.info.classes.size(); ++label) {
+      if (known.info.classes[index_of(label)].defect != signal::Defect::none) {
+        labels_.push_back(label);
       }
     }
   }
@@ -32,7 +33,7 @@ class Fitting final : public nets::Trainee {
   [[nodiscard]] std::size_t epochs() const override { return labels_.size(); }
 
   std::string run_epoch(std::size_t epoch) override {
-    const int label = labels_[epoch];
+    const Label label = labels_[epoch];
     const SpectralFit spectral_fit(simulation_, label, options_);
     const std::vector<std::size_t> windows = known_.indices_of(label);
     std::vector<twin::TwinPoint> fitted(windows.size());
@@ -41,29 +42,25 @@ class Fitting final : public nets::Trainee {
       fitted[i] = twin::without_units(p);
     });
     points_.insert(points_.end(), fitted.begin(), fitted.end());
-    return known_.info.classes[static_cast<std::size_t>(label)].name;
+    return known_.info.classes[index_of(label)].name;
   }
 
   void write_state(artefact::Writer& writer) const override {
-    std::vector<double> flat;
-    for (const twin::TwinPoint& point : points_) flat.insert(flat.end(), {point.k, point.c});
-    writer.numbers("/points", flat, {points_.size(), 2});
+    twin::write_points(writer, "/points", points_);
   }
 
   void read_state(const artefact::Reader& reader) override {
-    const auto flat = reader.numbers<double>("/points", {0, 2}).values;
-    points_.clear();
-    for (std::size_t i = 0; i < flat.size(); i += 2) points_.push_back({flat[i], flat[i + 1]});
+    points_ = twin::read_points(reader, "/points");
   }
 
   [[nodiscard]] const std::vector<twin::TwinPoint>& points() const { return points_; }
 
  private:
-  const signal::WindowSet& known_;
-  const signal::WindowSimulation& simulation_;
-  const FitOptions& options_;
-  std::vector<int> labels_;
-  std::vector<twin::TwinPoint> points_;
+  signal::WindowSet known_;
+  signal::WindowSimulation simulation_;
+  FitOptions options_;
+  std::vector<Label> labels_;            // of the classes with a defect
+  std::vector<twin::TwinPoint> points_;  // fitted so far
 };
 
 }  // namespace
@@ -91,14 +88,13 @@ signal::WindowSet Physics::generate(const artefact::Reader& model, std::size_t c
                                     const Stream& stream, const Compute& /*compute*/) {
   const signal::WindowSimulation simulation = signal::read_window_simulation(model);
   const twin::TwinSpace space(model);
-  return signal::simulate_windows(simulation, count, stream,
-                                  [&](std::size_t /*label*/, Stream& random) {
-                                    const twin::TwinPoint point = space.sample(random);
-                                    bearing::DynamicsOptions dynamics = simulation.options.dynamics;
-                                    dynamics.stiffness_n_per_m = point.k * stiffness_scale_n_per_m;
-                                    dynamics.damping_ns_per_m = point.c * damping_scale_ns_per_m;
-                                    return dynamics;
-                                  });
+  return signal::simulate_windows(simulation, count, stream, [&](Label /*label*/, Stream& random) {
+    const twin::TwinPoint point = space.sample(random);
+    bearing::DynamicsOptions dynamics = simulation.options.dynamics;
+    dynamics.stiffness_n_per_m = point.k * stiffness_scale_n_per_m;
+    dynamics.damping_ns_per_m = point.c * damping_scale_ns_per_m;
+    return dynamics;
+  });
 }
 
 }  // namespace piae::augment

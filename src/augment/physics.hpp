@@ -7,6 +7,7 @@
 
 namespace piae::augment {
 
+/// The settings of the method `physics`.
 struct PhysicsOptions {
   signal::SimulationOptions simulation;
   FitOptions fit;
@@ -15,10 +16,10 @@ struct PhysicsOptions {
 
 void bind(const cli::Options& command, PhysicsOptions& options);
 
-/// Model 3 of the ablation (paper, Section 4.5.4): PIAE-DT without its auto-encoder. Stiffness and
-/// damping of each known window are fitted by eq. 13 itself (SpectralFit), their joint histogram
-/// over all of C is the digital twin space (eqs 14 and 15), and windows are eq. 13 solved with
-/// points drawn from it.
+/// The method `physics`, Model 3 of the ablation (paper, Section 4.5.4): PIAE-DT without its
+/// auto-encoder. Stiffness and damping are fitted to each known window by eq. 13 itself
+/// (SpectralFit). Their joint histogram over all of C is the digital twin space (eqs 14 and 15).
+/// Windows are solutions of eq. 13 with points drawn from it.
 class Physics final : public Method {
  public:
   void bind(const cli::Options& command) override;

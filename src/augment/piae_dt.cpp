@@ -1,50 +1,35 @@
 #include "augment/piae_dt.hpp"
 
-#include "libtorch/back_ends.hpp"
-#include "twin/dense_backend.hpp"
+#include "augment/back_ends.hpp"
 #include "twin/generation.hpp"
 #include "twin/inference.hpp"
 #include "twin/training.hpp"
 
 namespace piae::augment {
 
-namespace {
-
-/// Our own computes dense encoders and decoders alone.
-Backends<twin::MakeEngine> engines(const twin::TwinVariant& variant) {
-  return {variant.coder == twin::CoderKind::dense ? twin::dense_engine : nullptr,
-          libtorch::back_end(&libtorch::BackEnds::twin)};
-}
-
-twin::Engine engine(const twin::TwinVariant& variant, const Compute& compute) {
-  return engines(variant).chosen(compute)(compute.device);
-}
-
-}  // namespace
-
 bool PiaeDt::needs_libtorch(const Compute& compute) const {
-  return engines(variant_).needs_libtorch(compute);
+  return twin_engines(variant_).needs_libtorch(compute);
 }
 
 void PiaeDt::bind(const cli::Options& command) { twin::bind(command, options_); }
 
 void PiaeDt::train(const signal::WindowSet& known, const Stream& stream, const Compute& compute,
                    const nets::Checkpoint& checkpoint, artefact::Writer& model) {
-  const auto training = twin::make_twin_training(known, options_, variant_, stream,
-                                                 engine(variant_, compute));
+  const auto training =
+      twin::make_twin_training(known, options_, variant_, stream, twin_engine(variant_, compute));
   nets::run_epochs(*training, checkpoint);
   training->write_model(model);
 }
 
 signal::WindowSet PiaeDt::generate(const artefact::Reader& model, std::size_t count,
                                    const Stream& stream, const Compute& compute) {
-  return twin::generate(model, variant_, count, stream, engine(variant_, compute));
+  return twin::generate(model, variant_, count, stream, twin_engine(variant_, compute));
 }
 
 std::vector<signal::DynamicParameters> PiaeDt::infer(const artefact::Reader& model,
                                                      const signal::WindowSet& windows,
                                                      const Compute& compute) {
-  return twin::infer(model, variant_, windows, engine(variant_, compute));
+  return twin::infer(model, variant_, windows, twin_engine(variant_, compute));
 }
 
 }  // namespace piae::augment

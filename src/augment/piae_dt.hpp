@@ -7,8 +7,9 @@
 
 namespace piae::augment {
 
-/// The paper's method (src/twin) and its ablations as entries of the grid. All have the same
-/// options, also those that an ablation has no use for, so that they can share their settings.
+/// The method `piae-dt`, which is the paper's (src/twin), and those of its ablations that differ in
+/// one of the twin's parts. All have the same options, even those that an ablation does not use, so
+/// that they can share their settings.
 class PiaeDt final : public Method {
  public:
   explicit PiaeDt(const twin::TwinVariant& variant) : variant_(variant) {}

@@ -1,26 +1,21 @@
 #include "augment/piae_dt_phase.hpp"
 
-#include "libtorch/back_ends.hpp"
+#include "augment/back_ends.hpp"
 #include "phase/generation.hpp"
 #include "phase/stored_inference.hpp"
 #include "phase/training.hpp"
-#include "twin/dense_backend.hpp"
 
 namespace piae::augment {
 
 namespace {
 
-/// Those of the decoder.
-Backends<twin::MakeEngine> engines() {
-  return {twin::dense_engine, libtorch::back_end(&libtorch::BackEnds::twin)};
-}
-
-twin::Engine engine(const Compute& compute) { return engines().chosen(compute)(compute.device); }
+/// What computes the decoder.
+twin::Engine engine(const Compute& compute) { return twin_engine(twin::without_encoder, compute); }
 
 }  // namespace
 
 bool PiaeDtPhase::needs_libtorch(const Compute& compute) const {
-  return engines().needs_libtorch(compute);
+  return twin_engines(twin::without_encoder).needs_libtorch(compute);
 }
 
 void PiaeDtPhase::bind(const cli::Options& command) { phase::bind(command, options_); }
@@ -28,8 +23,7 @@ void PiaeDtPhase::bind(const cli::Options& command) { phase::bind(command, optio
 void PiaeDtPhase::train(const signal::WindowSet& known, const Stream& stream,
                         const Compute& compute, const nets::Checkpoint& checkpoint,
                         artefact::Writer& model) {
-  const auto training =
-      phase::make_phase_training(known, options_, stream, engine(compute));
+  const auto training = phase::make_phase_training(known, options_, stream, engine(compute));
   nets::run_epochs(*training, checkpoint);
   training->write_model(model);
 }

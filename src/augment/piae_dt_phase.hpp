@@ -6,9 +6,9 @@
 
 namespace piae::augment {
 
-/// PIAE-DT with the start angle in its twin space (src/phase) as an entry of the grid. What is
-/// computed by the back end and the device that are asked for is its decoder; the inference of
-/// (k, c) is ours, for the cpu, with each of them.
+/// The method `piae-dt-phase`: PIAE-DT with the start angle in its twin space (src/phase). The back
+/// end and the device that are asked for compute its decoder. The inference of (k, c) is always
+/// computed by our own back end on the CPU.
 class PiaeDtPhase final : public Method {
  public:
   [[nodiscard]] bool needs_libtorch(const Compute& compute) const override;

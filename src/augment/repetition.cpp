@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/label.hpp"
 #include "signal/made_windows.hpp"
 
 namespace piae::augment {
@@ -17,7 +18,7 @@ void Repetition::train(const signal::WindowSet& known, const Stream& /*stream*/,
 signal::WindowSet Repetition::generate(const artefact::Reader& model, std::size_t count,
                                        const Stream& stream, const Compute& /*compute*/) {
   const signal::WindowSet known = signal::read_window_set(model);
-  const auto make = [&](int label, std::size_t index, Stream& random) {
+  const auto make = [&](Label label, std::size_t index, Stream& random) {
     const std::vector<std::size_t> own = known.indices_of(label);
     const auto window = known.window(own[index % own.size()]);
     std::vector<float> samples(window.begin(), window.end());

@@ -5,10 +5,11 @@
 
 namespace piae::augment {
 
-/// The known windows again: the honest company of every method that learns to make new ones. Window
-/// i of a class is its known window i mod n, as it is (`oversample`), or shifted circularly by a
-/// number of samples drawn uniformly from {0, ..., length - 1} (`shift`): then a window starts at
-/// any angle of the shaft, as real ones do, and has a seam where its end meets its beginning.
+/// The methods `oversample` and `shift`, which repeat the known windows. They are controls: a
+/// method that learns to make new windows must beat them to be worth anything. Window i of a class
+/// is its known window i mod n. `oversample` leaves it as it is. `shift` shifts it circularly by a
+/// number of samples drawn uniformly from {0, ..., length - 1}: then it starts at any angle of the
+/// shaft, as real windows do, but has a seam where its end meets its beginning.
 class Repetition final : public Method {
  public:
   enum class Shift { none, circular };

@@ -3,14 +3,15 @@
 #include <spdlog/fmt/fmt.h>
 
 #include "augment/interpolation.hpp"
-#include "signal/made_windows.hpp"
 #include "base/error.hpp"
+#include "base/label.hpp"
+#include "signal/made_windows.hpp"
 
 namespace piae::augment {
 
 namespace {
 
-/// Known windows of one class and who is near to whom.
+/// The known windows of one class, and for each the indices of those nearest to it.
 struct Neighbourhood {
   std::vector<Window> windows;
   std::vector<std::vector<std::size_t>> neighbours;
@@ -24,14 +25,15 @@ void require_neighbours(const signal::ClassInfo& c, std::size_t n, int k) {
                                        c.name, n, n == 1 ? "" : "s", remedy));
 }
 
-/// One for each class; empty for the healthy one, of which nothing is generated.
+/// The neighbourhood of each class. That of the healthy class, of which nothing is generated, is
+/// empty.
 std::vector<Neighbourhood> neighbourhoods(const signal::WindowSet& known, int k) {
   std::vector<Neighbourhood> all;
-  for (std::size_t label = 0; label < known.info.classes.size(); ++label) {
-    const signal::ClassInfo& c = known.info.classes[label];
+  for (Label label = 0; index_of(label) < known.info.classes.size(); ++label) {
+    const signal::ClassInfo& c = known.info.classes[index_of(label)];
     Neighbourhood& own = all.emplace_back();
     if (c.defect == signal::Defect::none) continue;
-    for (const std::size_t i : known.indices_of(static_cast<int>(label))) {
+    for (const std::size_t i : known.indices_of(label)) {
       own.windows.push_back(known.window(i));
     }
     require_neighbours(c, own.windows.size(), k);
@@ -54,7 +56,7 @@ void Smote::bind(const cli::Options& command) { augment::bind(command, options_)
 void Smote::train(const signal::WindowSet& known, const Stream& /*stream*/,
                   const Compute& /*compute*/, const nets::Checkpoint& /*checkpoint*/,
                   artefact::Writer& model) {
-  neighbourhoods(known, options_.neighbours);  // what cannot be is said here, not in generate
+  neighbourhoods(known, options_.neighbours);  // throws here already what generate() would throw
   signal::write(model, known);
   model.attribute("/", "neighbours", std::int64_t{options_.neighbours});
 }
@@ -64,8 +66,8 @@ signal::WindowSet Smote::generate(const artefact::Reader& model, std::size_t cou
   const signal::WindowSet known = signal::read_window_set(model);
   const std::vector<Neighbourhood> all =
       neighbourhoods(known, static_cast<int>(model.integer("/", "neighbours")));
-  const auto make = [&](int label, std::size_t index, Stream& random) {
-    const Neighbourhood& own = all[static_cast<std::size_t>(label)];
+  const auto make = [&](Label label, std::size_t index, Stream& random) {
+    const Neighbourhood& own = all[index_of(label)];
     const std::size_t base = index % own.windows.size();
     const std::vector<std::size_t>& near = own.neighbours[base];
     const std::size_t neighbour = near[random.below(near.size())];

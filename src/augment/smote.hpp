@@ -5,18 +5,20 @@
 
 namespace piae::augment {
 
+/// The settings of SMOTE.
 struct SmoteOptions {
-  int neighbours = 4;  ///< k. Chawla et al. take 5; with five known windows 4 is all there are
+  int neighbours =
+      4;  ///< k. Chawla et al. take 5, but of five known windows each has only 4 others
 };
 
 void bind(const cli::Options& command, SmoteOptions& options);
 
-/// SMOTE (Chawla et al. 2002, "SMOTE: synthetic minority over-sampling technique"): a generated
-/// window lies on the line from a known window of the class to one of its k nearest of that class,
-/// at a place drawn uniformly. As there, the known windows take turns to be the base, so that each
-/// is used equally often. One gap serves all samples of a window, as their text has it (a line) and
-/// their listing, which draws one for each attribute, has not.
-/// The model holds the known windows; k above n - 1 is Error(usage).
+/// The method `smote` (Chawla et al. 2002, "SMOTE: synthetic minority over-sampling technique"): a
+/// generated window lies on the line from a known window of its class to one of the k known windows
+/// of the class that are nearest to it, at a place drawn uniformly. As in the paper by Chawla et
+/// al., each known window is the starting point equally often. All samples of a window use one gap,
+/// as their text says ("the line segment"); their listing draws one for each sample instead. The
+/// model holds the known windows. Throws Error(usage) for k above n - 1.
 class Smote final : public Method {
  public:
   void bind(const cli::Options& command) override;

@@ -20,33 +20,35 @@ namespace {
 using Eigen::ArrayXd;
 using Eigen::Index;
 
-/// Eq. 13 is solved this coarsely for the fit: what it costs in accuracy (2 %) no spectrum
-/// resolves.
+/// The longest sub-step of the solution of eq. 13 for the fit. It is coarse: its error is 2 %,
+/// which no spectrum resolves.
 constexpr double sub_step_s = 8e-6;
-/// Half overlapping windows whose spectra are averaged: over four turns of a 6205's cage.
+/// How many half overlapping windows have their spectra averaged. Together they last for more than
+/// four turns of the cage of a 6205.
 constexpr Index segments = 7;
-/// Half width of the smoothing, which melts the lines of a fault into its resonance. With 60 Hz
-/// parameters of simulated windows were found less well.
+/// Half the width of the smoothing, which blurs the lines of a fault into one resonance. With 60
+/// Hz, the parameters of simulated windows were found less well.
 constexpr double smoothing_hz = 120;
-/// Noise to signal power, as natural logarithms: from none to nothing else.
+/// The bounds of the ratio of noise to signal power, as natural logarithms: from no noise to
+/// nothing but noise.
 constexpr double lowest_log_noise = -16;
 constexpr double highest_log_noise = 5;
 
-/// The place of the least value of a function of one variable, to about 2^-bits of that variable.
+/// Where a function of one variable is least, to about 2^-bits of that variable.
 template <class F>
 double minimum(const F& f, double low, double high, int bits, std::uintmax_t most_calls) {
   return boost::math::tools::brent_find_minima(f, low, high, bits, most_calls).first;
 }
 
-/// Bins 1 .. length / 2: the mean is gone.
+/// The power in the bins 1 .. length / 2. Bin 0, which holds the mean, is left out.
 ArrayXd power_of(const scoring::Windows& windows) {
   return scoring::mean_power_spectrum(windows).tail(windows.cols() / 2);
 }
 
-/// Samples that half overlapping windows of this length take.
+/// How many samples the half overlapping windows of this length take together.
 Index samples_of(Index length) { return length + (segments - 1) * (length / 2); }
 
-/// Averaged over neighbouring bins with Hann's weights.
+/// The power averaged over neighbouring bins, with Hann's weights.
 ArrayXd smoothed(const ArrayXd& power, double bin_hz) {
   const auto reach = static_cast<Index>(std::ceil(smoothing_hz / bin_hz));
   ArrayXd result(power.size());
@@ -65,7 +67,7 @@ ArrayXd smoothed(const ArrayXd& power, double bin_hz) {
   return result;
 }
 
-/// Of a signal of samples_of(length) samples, with mean 1.
+/// The smoothed spectrum of a signal of samples_of(length) samples, scaled to mean 1.
 ArrayXd spectrum_of(std::span<const double> signal, Index length, double sample_rate_hz) {
   scoring::Windows windows(segments, length);
   for (Index i = 0; i < segments; ++i) {
@@ -75,14 +77,14 @@ ArrayXd spectrum_of(std::span<const double> signal, Index length, double sample_
   return power / power.mean();
 }
 
-/// Whittle's negative logarithmic likelihood, per bin, with its least scale a = mean of P / (S +
-/// r).
+/// Whittle's negative logarithmic likelihood per bin, at the scale at which it is least: a = mean
+/// of P / (S + r).
 double deviance(const ArrayXd& power, const ArrayXd& spectrum, double log_noise) {
   const ArrayXd model = spectrum + std::exp(log_noise);
   return model.log().mean() + std::log((power / model).mean());
 }
 
-/// And with its least noise r. `spectrum` has mean 1.
+/// The same at the noise r at which it is least. `spectrum` has mean 1.
 double deviance(const ArrayXd& power, const ArrayXd& spectrum) {
   const auto of_noise = [&](double log_noise) { return deviance(power, spectrum, log_noise); };
   return of_noise(minimum(of_noise, lowest_log_noise, highest_log_noise, 8, 15));
@@ -110,21 +112,22 @@ void bind(const cli::Options& command, FitOptions& o) {
       .check(cli::whole_number(2, 1000));
 }
 
-SpectralFit::SpectralFit(const signal::WindowSimulation& simulation, int label,
+SpectralFit::SpectralFit(const signal::WindowSimulation& simulation, Label label,
                          const FitOptions& options)
     : info_(simulation.info), length_(simulation.length), dynamics_(simulation.options.dynamics) {
-  const signal::ClassInfo& c = info_.classes.at(static_cast<std::size_t>(label));
-  defect_ = {c.defect, c.defect_size_mm};
+  const signal::ClassInfo& c = info_.classes.at(index_of(label));
+  defect_ = {.kind = c.defect, .size_mm = c.defect_size_mm};
   dynamics_.max_sub_step_s = sub_step_s;
   const double largest_n_per_m = bearing::largest_stiffness_n_per_m(dynamics_);
   require_between("--stiffness-from-n-per-m", options.stiffness_from_n_per_m, largest_n_per_m,
                   "the load over the clearance: above, no ball is ever touched");
   require_between("--damping-from-ns-per-m", options.damping_from_ns_per_m,
                   options.damping_to_ns_per_m, "--damping-to-ns-per-m");
-  low_ = {std::log(options.stiffness_from_n_per_m), std::log(options.damping_from_ns_per_m)};
-  high_ = {std::log(largest_n_per_m), std::log(options.damping_to_ns_per_m)};
-  step_ = {(high_.log_k - low_.log_k) / (options.stiffness_grid - 1),
-           (high_.log_c - low_.log_c) / (options.damping_grid - 1)};
+  low_ = {.log_k = std::log(options.stiffness_from_n_per_m),
+          .log_c = std::log(options.damping_from_ns_per_m)};
+  high_ = {.log_k = std::log(largest_n_per_m), .log_c = std::log(options.damping_to_ns_per_m)};
+  step_ = {.log_k = (high_.log_k - low_.log_k) / (options.stiffness_grid - 1),
+           .log_c = (high_.log_c - low_.log_c) / (options.damping_grid - 1)};
   for (int i = 0; i < options.stiffness_grid; ++i) {
     for (int j = 0; j < options.damping_grid; ++j) {
       grid_.push_back({low_.log_k + i * step_.log_k, low_.log_c + j * step_.log_c});
@@ -172,8 +175,8 @@ void SpectralFit::refine(const ArrayXd& power, Point& point, double Point::*coor
                                     high_.*coordinate);
     return result;
   };
-  // Counted in grid steps from the start: Brent's tolerance is relative to the variable, and that
-  // of a log k near 18 would be wider than the grid.
+  // The variable counts grid steps from the start, because Brent's tolerance is relative to the
+  // variable: for a log k near 18 it would be wider than the grid.
   const auto deviance_at = [&](double steps) {
     const Point at = moved(steps);
     return deviance(power, solved_spectra(std::span(&at, 1)).front());
@@ -191,7 +194,7 @@ signal::DynamicParameters SpectralFit::fit(std::span<const float> window) const 
     refine(power, point, &Point::log_k);
     refine(power, point, &Point::log_c);
   }
-  return {std::exp(point.log_k), std::exp(point.log_c)};
+  return {.stiffness_n_per_m = std::exp(point.log_k), .damping_ns_per_m = std::exp(point.log_c)};
 }
 
 }  // namespace piae::augment

@@ -1,13 +1,13 @@
 #pragma once
 
-#include "latent/options.hpp"
 #include "augment/method.hpp"
-#include "latent/vae.hpp"
 #include "cli/options.hpp"
+#include "latent/options.hpp"
 
 namespace piae::augment {
 
-/// The paper names the VAE and nothing of it; see pipeline/protocol.toml, [train.vae].
+/// The settings of the VAE. The paper says no more than its name; where each value comes from
+/// stands in pipeline/protocol.toml, [train.vae].
 inline constexpr latent::LatentOptions vae_defaults{
     .epochs = 200,          // the paper's own networks, Table 4
     .batch = 5,             // Table 4
@@ -17,8 +17,8 @@ inline constexpr latent::LatentOptions vae_defaults{
     .width = 256,           // as PIAE-DT
 };
 
-/// A conditional VAE on the known windows (Kingma and Welling 2014; given the class as in Sohn et
-/// al. 2015) as an entry of the grid. Generates from the final network.
+/// The method `vae`: a conditional VAE on the known windows (Kingma and Welling 2014; the class is
+/// given as in Sohn et al. 2015). The network after the last epoch generates.
 class Vae final : public Method {
  public:
   [[nodiscard]] bool needs_libtorch(const Compute& compute) const override;

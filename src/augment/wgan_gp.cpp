@@ -1,18 +1,17 @@
 #include "augment/wgan_gp.hpp"
 
-#include "libtorch/back_ends.hpp"
+#include <utility>
+
+#include "augment/back_ends.hpp"
 #include "latent/training.hpp"
+#include "libtorch/back_ends.hpp"
 
 namespace piae::augment {
 
 namespace {
 
 Backends<latent::MakeWganGp> trainings() {
-  return {latent::wgan_gp, libtorch::back_end(&libtorch::BackEnds::wgan_gp)};
-}
-
-Backends<latent::OpenGenerator> generators() {
-  return {latent::open_generator, libtorch::back_end(&libtorch::BackEnds::generator)};
+  return {.native = latent::wgan_gp, .libtorch = libtorch::back_end(&libtorch::BackEnds::wgan_gp)};
 }
 
 }  // namespace
@@ -25,17 +24,18 @@ void WganGp::bind(const cli::Options& command) { latent::bind(command, options_)
 
 void WganGp::train(const signal::WindowSet& known, const Stream& stream, const Compute& compute,
                    const nets::Checkpoint& checkpoint, artefact::Writer& model) {
-  latent::LatentTraining training(known, options_.networks, {"wasserstein", "gradient_penalty"}, stream,
-                          [&](const latent::LatentTask& task, const Stream& initial) {
-                            return trainings().chosen(compute)(task, options_, initial, compute.device);
-                          });
+  const auto make_backend = [&](latent::LatentTask task, const Stream& initial) {
+    return trainings().chosen(compute)(std::move(task), options_, initial, compute.device);
+  };
+  latent::LatentTraining training(known, options_.networks, {"wasserstein", "gradient_penalty"},
+                                  stream, make_backend);
   nets::run_epochs(training, checkpoint);
   training.write_model(model);
 }
 
 signal::WindowSet WganGp::generate(const artefact::Reader& model, std::size_t count,
                                    const Stream& stream, const Compute& compute) {
-  return latent::generate(model, count, stream, generators().chosen(compute), compute.device);
+  return generate_from_latent(model, count, stream, compute);
 }
 
 }  // namespace piae::augment

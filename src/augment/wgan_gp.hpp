@@ -1,13 +1,13 @@
 #pragma once
 
 #include "augment/method.hpp"
-#include "latent/wgan_gp.hpp"
 #include "cli/options.hpp"
+#include "latent/wgan_gp_options.hpp"
 
 namespace piae::augment {
 
-/// A conditional WGAN-GP on the known windows (Gulrajani et al. 2017, "Improved training of
-/// Wasserstein GANs") as an entry of the grid. Generates from the final network.
+/// The method `wgan-gp`: a conditional WGAN-GP on the known windows (Gulrajani et al. 2017,
+/// "Improved training of Wasserstein GANs"). The network after the last epoch generates.
 class WganGp final : public Method {
  public:
   [[nodiscard]] bool needs_libtorch(const Compute& compute) const override;

@@ -4,14 +4,14 @@
 
 namespace piae {
 
-/// What computes neural networks: `--backend`.
+/// What computes neural networks: the option `--backend`.
 enum class Backend {
-  automatic,  ///< native where it can be, else LibTorch
-  native,     ///< ours, for one core
-  libtorch,   ///< LibTorch, for the cpu and for cuda
+  automatic,  ///< our own where it can, else LibTorch
+  native,     ///< our own, on one core
+  libtorch,   ///< LibTorch, on the cpu or on cuda
 };
 
-/// Where: `--device`.
+/// What they are computed on: the option `--device`.
 enum class Device { cpu, cuda };
 
 struct Compute {
@@ -19,8 +19,8 @@ struct Compute {
   Device device = Device::cpu;
 };
 
-/// Whether LibTorch is what is asked for, of networks that our own back end can compute or cannot.
-/// Throws Error(usage) where our own is asked for and cannot do it.
+/// Whether LibTorch must compute these networks. `has_native` says whether our own back end can.
+/// Throws Error(usage) where our own is asked for and cannot.
 bool needs_libtorch(const Compute& compute, bool has_native = true);
 
 /// The same thing by each back end. Null where there is none: ours has no convolutional twin, and

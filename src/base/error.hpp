@@ -5,7 +5,8 @@
 
 namespace piae {
 
-/// Exit codes of every program. `verify` alone answers with a bit-or of reasons instead.
+/// Exit codes of every program. Only `verify` exits with something else: the bit-or of the reasons
+/// for which it refuses files (artefact::RefusalReason).
 enum class Exit : int {
   done = 0,
   failed = 1,
@@ -15,8 +16,8 @@ enum class Exit : int {
   interrupted = 75,  // stopped after a checkpoint: run the same command again
 };
 
-/// What a user sees when something cannot be done: one line that says what, where, and what would
-/// work, and the exit code that goes with it.
+/// Something cannot be done. The message is the one line that the user sees: what, where, and what
+/// would work.
 class Error : public std::runtime_error {
  public:
   Error(Exit exit, const std::string& line) : std::runtime_error(line), exit_(exit) {}

@@ -7,8 +7,8 @@
 
 namespace piae {
 
-/// The number that the whole text is, in the C locale; empty for any other text, and for a number
-/// that T cannot hold.
+/// Reads a text that is one number and nothing else, written as in the C locale. Empty for any
+/// other text, and for a number that T cannot hold.
 template <class T>
 std::optional<T> number_in(std::string_view text) {
   T value{};

@@ -16,7 +16,7 @@ class Stream {
  public:
   explicit Stream(std::string name);
 
-  /// The stream called "<this name>/<name>". It shares nothing with this one but the name.
+  /// The stream called "<this name>/<name>". What is drawn from one does not change the other.
   [[nodiscard]] Stream child(std::string_view name) const;
   [[nodiscard]] const std::string& name() const { return name_; }
 

@@ -9,15 +9,15 @@
 
 namespace piae {
 
-/// SHA-256 (FIPS 180-4, by OpenSSL) over everything fed to it.
+/// SHA-256 (FIPS 180-4, by OpenSSL) of all bytes given to update(), in their order.
 class Sha256 {
  public:
   Sha256();
   Sha256& update(std::span<const std::byte> bytes);
   Sha256& update(std::string_view text);
-  /// The 32 bytes of the digest; nothing can be fed afterwards.
+  /// The 32 bytes of the digest. The object cannot be used afterwards.
   std::string finish();
-  /// The same as 64 lower-case hexadecimal digits.
+  /// The digest as 64 lower-case hexadecimal digits. The object cannot be used afterwards.
   std::string finish_hex();
 
  private:

@@ -7,8 +7,8 @@
 
 namespace piae {
 
-// The processor's vector registers, by GCC's vector extension: arithmetic is element by element,
-// and a comparison chooses element by element. What the processor has is known from -march.
+// The processor's vector registers, by GCC's vector extension: arithmetic and comparisons work
+// element by element. Which registers there are is known from -march.
 
 #if defined(__AVX512F__)
 inline constexpr std::size_t vector_bytes = 64;
@@ -28,7 +28,7 @@ struct VectorOf {
 template <class T>
 using Vector = typename VectorOf<T>::type;
 
-/// Numbers in a vector.
+/// How many numbers a vector holds.
 template <class T>
 inline constexpr std::int64_t lanes = vector_bytes / sizeof(T);
 
@@ -44,7 +44,8 @@ void store(T* to, Vector<T> vector) {
   std::memcpy(to, &vector, sizeof vector);
 }
 
-/// Needs -fno-math-errno for the file, or else it is a call for each lane (see CMakeLists.txt).
+/// Fast only in a file that is compiled with -fno-math-errno (see CMakeLists.txt); elsewhere the
+/// compiler calls a function for each number.
 template <class T>
 Vector<T> square_root(Vector<T> x) {
   T roots[lanes<T>];
@@ -53,11 +54,12 @@ Vector<T> square_root(Vector<T> x) {
   return load(roots);
 }
 
-/// Rows of numbers are filled up with zeros to a multiple of this, so that they are whole vectors
-/// on every processor, and laid out the same.
+/// Rows of numbers are filled up with zeros to a multiple of this. So they consist of whole vectors
+/// on every processor, and have the same layout on all of them.
 inline constexpr std::int64_t row_granule = 16;
 static_assert(row_granule % lanes<float> == 0 && row_granule % lanes<double> == 0);
 
+/// The length of a row of n numbers once it is filled up.
 constexpr std::int64_t whole_rows(std::int64_t n) {
   return (n + row_granule - 1) / row_granule * row_granule;
 }

@@ -13,7 +13,7 @@ namespace {
 
 using std::numbers::pi;
 
-/// Diameter of what carries the defect, eq. 8.
+/// The diameter of the race or ball that has the defect, eq. 8.
 double diameter_mm(const Geometry& g, Defect kind) {
   switch (kind) {
     case Defect::outer:
@@ -63,7 +63,8 @@ bool meet(double angle_rad, double other_rad, double half_angle_rad) {
 }
 
 bool faces_a_race(double spin_angle_rad, double half_angle_rad) {
-  return meet(2 * spin_angle_rad, pi, 2 * half_angle_rad);  // both at once: double the angles
+  // Twice the spin angle is pi (mod 2 pi) at both of these angles.
+  return meet(2 * spin_angle_rad, pi, 2 * half_angle_rad);
 }
 
 }  // namespace piae::bearing

@@ -37,7 +37,7 @@ void validate(const DynamicsOptions& o) {
                           o.load_n, lift));
 }
 
-/// Throws unless one division of time fits all courses.
+/// Throws unless all courses divide time in the same way.
 void require_same_times(std::span<const Course> courses) {
   const auto differ = [](const Course& a, const Course& b) {
     return a.options.settling_s != b.options.settling_s ||
@@ -48,7 +48,8 @@ void require_same_times(std::span<const Course> courses) {
   }
 }
 
-/// Those of courses_at_once or fewer courses; the last of them fills the lanes that are left.
+/// The equations of courses_at_once or fewer courses. The last course fills the lanes that are
+/// left.
 EquationOfMotion equation_of(const Geometry& geometry, std::span<const Course> courses) {
   EquationOfMotion equation{};
   for (std::size_t lane = 0; lane < courses_at_once; ++lane) {
@@ -73,7 +74,7 @@ LoadedBalls balls_of(const Geometry& geometry, const LocalDefect& defect,
   return {geometry, defect, motions, clearances_m};
 }
 
-/// The courses' samples after settling, row by row. Throws where one diverged.
+/// Writes the courses' samples after settling, row by row. Throws where a course diverged.
 void write_rows(const Solution& solution, std::size_t settling, std::size_t courses,
                 const Sampling& sampling, double step_s, double* rows) {
   const std::size_t samples = solution.acceleration.size();
@@ -91,7 +92,7 @@ void write_rows(const Solution& solution, std::size_t settling, std::size_t cour
   }
 }
 
-/// Of courses_at_once or fewer courses.
+/// simulate() for courses_at_once or fewer courses.
 void simulate_at_once(const Geometry& geometry, const LocalDefect& defect,
                       std::span<const Course> courses, const Sampling& sampling, double* rows) {
   const DynamicsOptions& times = courses.front().options;

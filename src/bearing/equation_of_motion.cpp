@@ -11,15 +11,16 @@ PerCourse compression_m(PerCourse displacement, const BallContact& ball) {
   return compression > 0 ? compression : PerCourse{};
 }
 
-/// What a state becomes, per second.
+/// The change of a state per second.
 using Rate = State;
 
 State after(const State& state, const Rate& rate, double time_s) {
   return {state.displacement + time_s * rate.displacement, state.velocity + time_s * rate.velocity};
 }
 
-/// Runge and Kutta's sub-step, in which the balls advance twice. Where they are does not depend on
-/// the state, so the processor has that to do while it waits for the square roots before it.
+/// One sub-step by Runge and Kutta's method, during which the balls advance twice. Where the balls
+/// are does not depend on the state, so the processor can compute it while it waits for the square
+/// roots of the rate before.
 State stepped(const EquationOfMotion& equation, const PerCourse& inverse_mass, const State& state,
               LoadedBalls& balls, double step_s) {
   const auto rate = [&](const State& at) {
@@ -38,7 +39,8 @@ State stepped(const EquationOfMotion& equation, const PerCourse& inverse_mass, c
   return after(state, sum, step_s / 6);
 }
 
-/// -1 in the lanes of courses that a bearing can take: less than 1 m, and a finite velocity.
+/// -1 in the lanes of courses that make sense: a displacement of less than 1 m and a finite
+/// velocity. 0 in the others.
 Vector<std::int64_t> sane(const State& state) {
   constexpr double largest = std::numeric_limits<double>::max();
   return (state.displacement < 1) & (state.displacement > -1) & (state.velocity <= largest) &
@@ -58,10 +60,11 @@ PerCourse EquationOfMotion::force_n(const State& state, std::span<const BallCont
 }
 
 PerCourse static_equilibrium_m(const EquationOfMotion& e, std::span<const BallContact> balls) {
-  // The force at rest is convex and growing in s: from above, Newton's method comes down to its
-  // root. Without contact the first guess is the root. 50 steps are more than enough: from far
-  // above, where the balls carry most, each takes a third away, near the root it doubles the
-  // digits.
+  // The force that carries the load is a convex and increasing function of s, so Newton's method
+  // comes down to the root from any larger s. It starts where the spring alone would carry the
+  // load, which is the root when there is no contact. 50 steps are more than enough: far above the
+  // root, where the balls carry most of the load, each takes a third of s away, and near the root
+  // each doubles the number of exact digits.
   PerCourse s = e.load_n / e.stiffness_n_per_m;
   for (int i = 0; i < 50; ++i) {
     PerCourse slope = e.stiffness_n_per_m;
@@ -82,7 +85,8 @@ Solution solve(const EquationOfMotion& equation, LoadedBalls& balls, State& stat
   solution.acceleration.reserve(sampling.samples);
   auto still_sane = Vector<std::int64_t>{} - 1;
   for (std::size_t i = 0; i < sampling.samples; ++i) {
-    balls.set(start_s + static_cast<double>(i) / sampling.rate_hz);  // their rotations round
+    // Sets the balls anew at every sample, because their rotations accumulate rounding errors.
+    balls.set(start_s + static_cast<double>(i) / sampling.rate_hz);
     const PerCourse velocity = state.velocity;
     for (std::size_t step = 0; step < sub_steps.count; ++step) {
       state = stepped(equation, inverse_mass, state, balls, sub_steps.step_s);

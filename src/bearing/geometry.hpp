@@ -2,7 +2,7 @@
 
 namespace piae::bearing {
 
-/// Geometry of a rolling bearing (paper, Table 1; defaults are the SKF 6205).
+/// The geometry of a rolling bearing (paper, Table 1). The defaults are those of the SKF 6205.
 struct Geometry {
   int balls = 9;                    ///< n_b
   double ball_diameter_mm = 7.94;   ///< d

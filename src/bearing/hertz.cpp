@@ -18,12 +18,12 @@ namespace {
 
 using std::numbers::pi;
 
-/// The part of the curvatures along the running direction: +2 g / (1 - g) on the inner race,
-/// -2 g / (1 + g) on the outer one, with g = d cos(alpha) / D.
+/// The curvature, where `along` is the part of it in the running direction: +2 g / (1 - g) on the
+/// inner race and -2 g / (1 + g) on the outer one, with g = d cos(alpha) / D.
 Curvature curvature(double along, const Geometry& g, const HertzOptions& options) {
   const double across = 1 / options.groove_ratio;
   const double sum = 4 - across + along;
-  return {sum / (g.ball_diameter_mm * 1e-3), (across + along) / sum};
+  return {.sum_per_m = sum / (g.ball_diameter_mm * 1e-3), .difference = (across + along) / sum};
 }
 
 double pitch_ratio(const Geometry& g) {
@@ -31,8 +31,8 @@ double pitch_ratio(const Geometry& g) {
 }
 
 struct Ellipse {
-  double first;   // elliptic integral of the first kind, Harris's F
-  double second;  // of the second kind, E
+  double first;   // the complete elliptic integral of the first kind, Harris's F
+  double second;  // that of the second kind, E
 };
 
 Ellipse integrals(double axis_ratio) {
@@ -47,8 +47,8 @@ double difference_of(double axis_ratio) {
 }
 
 double axis_ratio_for(double difference) {
-  constexpr double round = 1 + 1e-6;  // below, the difference is lost in rounding
-  constexpr double longest = 1e6;     // a groove that fits the ball to within 1e-11
+  constexpr double round = 1 + 1e-6;  // nearer to 1, the difference is lost in rounding
+  constexpr double longest = 1e6;     // this is a groove that fits the ball to within 1e-11
   if (difference <= difference_of(round)) return round;
   std::uintmax_t iterations = 200;
   const auto bracket = boost::math::tools::toms748_solve(

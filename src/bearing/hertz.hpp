@@ -4,15 +4,15 @@
 
 namespace piae::bearing {
 
-/// Material and groove, which Table 1 of the paper leaves open: bearing steel and Harris's usual
-/// groove ("Rolling Bearing Analysis", ch. 2 and 6).
+/// Material and groove, which Table 1 of the paper does not give. The defaults are bearing steel
+/// and the usual groove of Harris, "Rolling Bearing Analysis", ch. 2 and 6.
 struct HertzOptions {
   double youngs_modulus_pa = 207e9;  ///< E
   double poissons_ratio = 0.3;       ///< nu
   double groove_ratio = 0.525;       ///< radius of a raceway's groove / ball diameter, both races
 };
 
-/// Curvature of a ball against a race (Harris, eqs 2.26 to 2.32).
+/// The curvature of a ball against a race (Harris, eqs 2.26 to 2.32).
 struct Curvature {
   double sum_per_m = 0;   ///< sum of the four principal curvatures, in 1/m
   double difference = 0;  ///< F(rho), in [0, 1)
@@ -21,16 +21,17 @@ struct Curvature {
 Curvature inner_curvature(const Geometry& geometry, const HertzOptions& options = {});
 Curvature outer_curvature(const Geometry& geometry, const HertzOptions& options = {});
 
-/// delta*: the dimensionless contact deformation (Harris, eqs 6.25 to 6.31). The contact ellipse's
-/// axis ratio kappa solves F(rho) = ((kappa^2 + 1) E - 2 F) / ((kappa^2 - 1) E), with the complete
-/// elliptic integrals F and E of parameter 1 - 1 / kappa^2. Needs 0 <= difference < 1.
+/// delta*, the dimensionless contact deformation (Harris, eqs 6.25 to 6.31). The axis ratio kappa
+/// of the contact ellipse solves F(rho) = ((kappa^2 + 1) E - 2 F) / ((kappa^2 - 1) E), where F and
+/// E are the complete elliptic integrals of parameter 1 - 1 / kappa^2. The difference must be in
+/// [0, 1).
 double contact_deformation(double curvature_difference);
 
-/// Eq. 12: force over deformation^1.5 of one ball on one race, in N/m^1.5.
+/// Eq. 12: the force of one ball on one race divided by deformation^1.5, in N/m^1.5.
 double race_stiffness(const Curvature& curvature, const HertzOptions& options = {});
 
-/// K_b: a ball between both races, the two contacts in series, in N/m^1.5. Throws Error(bad_input)
-/// for a geometry or material that cannot be.
+/// K_b of eq. 12: the same for a ball between both races, whose two contacts are in series, in
+/// N/m^1.5. Throws Error(bad_input) for an impossible geometry or material.
 double contact_stiffness(const Geometry& geometry, const HertzOptions& options = {});
 
 }  // namespace piae::bearing

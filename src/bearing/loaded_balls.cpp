@@ -32,7 +32,8 @@ void set_lane_of(Direction& direction, std::size_t lane, double angle_rad) {
   direction.sine[lane] = std::sin(angle_rad);
 }
 
-/// `by` has vectors, or one number for all courses.
+/// A direction turned by an angle. `by` holds the angle's cosine and sine, as vectors or as one
+/// number for all courses.
 template <class By>
 Direction turned(const Direction& direction, const By& by) {
   return {direction.cosine * by.cosine - direction.sine * by.sine,
@@ -44,7 +45,7 @@ Direction chosen(const Mask& first, const Direction& a, const Direction& b) {
   return {first ? a.cosine : b.cosine, first ? a.sine : b.sine};
 }
 
-/// As speeds of the three directions of a course: see LoadedBalls.
+/// The angular speeds, in rad/s, of the three directions that LoadedBalls follows in a course.
 struct Turning {
   double entered = 0;
   double from_defect = 0;
@@ -97,7 +98,8 @@ void LoadedBalls::set_lane(std::size_t lane, double time_s) {
   const Motion& motion = motions_[lane];
   const Speeds& speeds = speeds_[lane];
   const double cage = motion.cage_angle_rad + speeds.cage * time_s;
-  // The load zone begins at -pi / 2; the last ball to enter is less than a ball distance ahead.
+  // The load zone begins at -pi / 2. The ball that entered last is less than the distance of two
+  // balls ahead of that.
   const double from_begin = cage + pi / 2;
   const double balls_ahead = std::floor(from_begin / ball_distance_rad_);
   const double entered = from_begin - balls_ahead * ball_distance_rad_ - pi / 2;

@@ -12,15 +12,15 @@
 
 namespace piae::bearing {
 
-/// One number for each of the courses that are solved side by side, a lane of the processor's
-/// vectors each. Arithmetic is lane by lane: a course knows nothing of its neighbours.
+/// One number for each of the courses that are solved side by side: each course has a lane of the
+/// processor's vectors. Arithmetic is lane by lane, so courses do not affect each other.
 using PerCourse = Vector<double>;
 inline constexpr std::size_t courses_at_once = lanes<double>;
 
-/// A ball on the loaded side. The inner ring's displacement s presses it by s * along - delta.
+/// A ball on the loaded side. The inner ring's displacement s compresses it by s * along - delta.
 struct BallContact {
   PerCourse along;    ///< cos(psi_j) of its angle from the load direction; 0 outside the load zone
-  PerCourse delta_m;  ///< eq. 11: clearance, and the defect's depth while it is in the defect
+  PerCourse delta_m;  ///< eq. 11: the clearance, plus the defect's depth while the ball is in it
 };
 
 /// A direction in the plane of the bearing.
@@ -30,29 +30,33 @@ struct Direction {
 };
 
 /// The balls that can carry load, from eqs 5 to 11. Outside the load zone (cos(psi_j) <= 0) a ball
-/// cannot, so only the half turn from the zone's begin is looked at: the ball that entered last and
-/// those ahead of it. Of a bearing with a roller defect one ball, the first, has it.
+/// carries none. So only the balls of half a turn are followed, beginning where the load zone
+/// begins: the ball that entered the zone last and those ahead of it. In a bearing with a roller
+/// defect, the first ball has the defect.
 class LoadedBalls {
  public:
-  /// Takes 1 to courses_at_once motions and as many clearances in m; the last of them fills the
-  /// lanes that are left. Throws Error(bad_input) for a geometry, defect or motion that cannot be.
+  /// Takes from 1 to courses_at_once motions and as many clearances in m. The last of them fills
+  /// the lanes that are left. Throws Error(bad_input) for an impossible geometry, defect or motion.
   LoadedBalls(const Geometry& geometry, const LocalDefect& defect, std::span<const Motion> motions,
               std::span<const double> clearances_m);
 
-  /// Exactly, by the angles' cosines and sines, to this time.
+  /// Moves the balls to where they are at this time, exactly: by cosines and sines of their angles.
   void set(double time_s);
 
-  /// What advance() goes on by, from now on. Throws Error(bad_input) for a step in which more than
-  /// one ball may enter the load zone.
+  /// Sets the time by which advance() goes on. Throws Error(bad_input) for a step in which more
+  /// than one ball might enter the load zone.
   void set_step(double step_s);
 
-  /// Goes on by rotations, each of which rounds by 1e-16: set() is due now and then.
+  /// Moves the balls on by one step, by rotations instead of cosines and sines. Each rotation
+  /// rounds by 1e-16, so set() must be called now and then.
   void advance();
 
-  /// Where they are now, the ball that entered last first. Before the first set() they are nowhere.
+  /// The balls as they are now; the one that entered the load zone last comes first. Without
+  /// meaning before the first set().
   [[nodiscard]] std::span<const BallContact> contacts() const { return contacts_; }
 
  private:
+  /// The angle of a ball ahead of the one that entered last, which is the same in all courses.
   struct Ahead {
     double cosine;
     double sine;
@@ -63,20 +67,22 @@ class LoadedBalls {
 
   Defect kind_;
   double ball_distance_rad_;
-  std::vector<Ahead> ahead_;  ///< balls as seen from the one that entered last
+  std::vector<Ahead> ahead_;
   std::vector<Motion> motions_;
   std::vector<Speeds> speeds_;
   PerCourse clearance_m_{};
   PerCourse clearance_in_defect_m_{};
 
-  // Eq. 9 by cosines: less than an angle apart is a cosine above its own. The defect is on a race,
-  // or that of the ball which has it.
-  double cosine_in_defect_;    ///< of the half angle that a ball's centre has to the defect
+  // Eq. 9 is decided by cosines: two directions are less than an angle apart when the cosine of
+  // their difference is above that of the angle. For a roller defect, "the defect" is the ball that
+  // has it.
+  double cosine_in_defect_;    ///< of the largest angle between ball and defect at which they meet
   double cosine_facing_race_;  ///< of twice the half angle on a ball; below -1 for a race
 
-  Direction entered_{};      ///< the ball that entered last
-  Direction from_defect_{};  ///< the same, as seen from the defect
-  Direction strike_{};       ///< twice the spin angle less pi: 0 where the defect faces a race
+  Direction entered_{};      ///< the angle of the ball that entered last
+  Direction from_defect_{};  ///< the angle from the defect to that ball
+  Direction strike_{};       ///< twice the spin angle less pi: 0 when the defect faces a race
+  // By how much these three turn in one advance():
   Direction entered_step_{};
   Direction from_defect_step_{};
   Direction strike_step_{};

@@ -2,14 +2,15 @@
 
 namespace piae::bearing {
 
-/// How a bearing runs. Angles count from the load direction, the middle of the load zone, in the
-/// sense of rotation, and hold at time 0.
+/// How a bearing runs. Angles are those at time 0, counted in the direction of rotation from the
+/// load direction, which is the middle of the load zone.
 struct Motion {
   double shaft_speed_rpm = 0;
-  double slip = 0;            ///< relative loss of cage and spin speed, see speeds()
-  double cage_angle_rad = 0;  ///< theta_1 of eq. 6; ball j follows 2 pi (j - 1) / n_b ahead
-  /// Outer: theta_D of eq. 9, which stays (0: where the load presses, CWRU's "6 o'clock").
-  /// Inner: theta_i, which turns with the shaft. Roller: phi of eq. 7, which turns with the spin.
+  double slip = 0;            ///< the part of cage and spin speed that is lost, see speeds()
+  double cage_angle_rad = 0;  ///< theta_1 of eq. 6; ball j is 2 pi (j - 1) / n_b ahead of ball 1
+  /// The angle of the defect. Outer race: theta_D of eq. 9, which does not change (0 is where the
+  /// load presses, "6 o'clock" of CWRU). Inner race: theta_i, which turns with the shaft. Ball: phi
+  /// of eq. 7, which turns with the ball's spin.
   double defect_angle_rad = 0;
 };
 

@@ -7,7 +7,8 @@ namespace piae::bearing {
 
 namespace {
 
-constexpr double cut_at = 1 / spread_limit;  // standard deviations
+/// Normal deviations are cut off at so many standard deviations.
+constexpr double cut_at = 1 / spread_limit;
 
 double draw(Stream& stream, double mean, double spread) {
   for (;;) {

@@ -5,10 +5,10 @@
 
 namespace piae::bearing {
 
-/// How the records of one bearing differ. Stiffness, damping and shaft speed are normal about their
-/// means, with these relative standard deviations, cut at 3 of them; below 1/3, so that all stay
-/// positive. Open in the paper: the spreads are the project's choice, slip of cage and balls up to
-/// 1 % is usual.
+/// How the records of one bearing differ from each other. Stiffness, damping and shaft speed are
+/// normal about their means, with these relative standard deviations, and cut off at 3 of them. A
+/// spread below 1/3 keeps them positive. The paper leaves all this open: the spreads are the
+/// project's choice, and a slip of cage and balls of up to 1 % is usual.
 struct Variation {
   double stiffness_spread = 0.1;  ///< standard deviation of K / its mean
   double damping_spread = 0.2;    ///< standard deviation of C / its mean
@@ -16,19 +16,19 @@ struct Variation {
   double slip_max = 0.01;         ///< slip is uniform from 0 to this; below 1
 };
 
-/// A spread must be below this.
+/// Every spread must be below this.
 inline constexpr double spread_limit = 1.0 / 3;
 
-/// The largest stiffness that can be drawn times the clearance, in N: what the load must exceed, or
-/// no ball is ever touched.
+/// The largest stiffness that can be drawn times the clearance, in N. The load must exceed it, or
+/// there may be windows in which no ball is ever touched.
 double largest_lift_n(const DynamicsOptions& mean, const Variation& variation);
 
-/// With a stiffness and a damping of its own.
+/// Draws stiffness and damping; everything else is as in `mean`.
 DynamicsOptions draw_dynamics(Stream& stream, const DynamicsOptions& mean,
                               const Variation& variation);
 
-/// With a speed, a slip and angles of its own. A defect of the outer race stays in the middle of
-/// the load zone; all other angles are uniform.
+/// Draws speed, slip and angles. A defect of the outer race is always in the middle of the load
+/// zone; all other angles are uniform.
 Motion draw_motion(Stream& stream, Defect defect, double mean_speed_rpm,
                    const Variation& variation);
 

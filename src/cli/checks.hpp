@@ -7,20 +7,21 @@
 
 namespace piae::cli {
 
-/// What the text of an option's value must be. No number check lets NaN or infinity pass.
+/// What the value of an option must be. No check of a number accepts NaN or infinity.
 struct Check {
-  std::string shown;                                            ///< in the help
-  std::function<std::string(const std::string& text)> refusal;  ///< in words; empty when it is good
+  std::string shown;  ///< what the help says of the value
+  /// Says in words what is wrong with a value as it was typed; nothing where it is good.
+  std::function<std::string(const std::string& text)> refusal;
 };
 
-/// A finite number for which `good` holds; `wanted` says in words which these are.
+/// A finite number for which `good` holds. `wanted` says in words which numbers these are.
 Check number(std::string shown, std::string wanted, std::function<bool(double)> good);
 
 Check positive_number();
 Check non_negative_number();
-Check share();           ///< from 0 to 1
-Check natural_number();  ///< 0, 1, 2, ... 10^15
-Check whole_number(std::int64_t least, std::int64_t most);
+Check share();                                              ///< from 0 to 1
+Check natural_number();                                     ///< 0, 1, 2, ... 10^15
+Check whole_number(std::int64_t least, std::int64_t most);  ///< both included
 Check one_of(const std::vector<std::string>& words);
 
 }  // namespace piae::cli

@@ -2,8 +2,8 @@
 
 namespace piae::cli {
 
-/// From now on SIGTERM and SIGINT do not end the program but make interrupted() true, so that it
-/// can write a checkpoint first.
+/// After this call SIGTERM and SIGINT no longer end the program. They make interrupted() true, so
+/// that the program can write a checkpoint before it ends.
 void catch_interrupts();
 [[nodiscard]] bool interrupted();
 

@@ -11,7 +11,7 @@ namespace piae::cli {
 
 namespace {
 
-/// A list has no default that the help could show.
+/// The help shows no default for a list.
 template <class T>
 void leave_out_default(CLI::Option& /*option*/, const T& /*value*/) {}
 template <class T>

@@ -15,13 +15,13 @@ class Option;
 
 namespace piae::cli {
 
-/// One option that was added.
+/// An option that was added, of which more can be said: stage.options().add(...).required().
 class Option {
  public:
   explicit Option(CLI::Option* option) : option_(option) {}
 
   Option& required(bool is_required = true);
-  /// Refuses values, each of them where the option takes several, before they are converted.
+  /// Checks the value as it was typed; each of them where the option takes several.
   Option& check(const Check& check);
   /// What the help calls its value.
   Option& type_name(const std::string& name);
@@ -30,28 +30,31 @@ class Option {
   CLI::Option* option_;
 };
 
-/// A word of an option that knows only some, and what it stands for.
+/// One of the words that an option knows, and the value that it stands for.
 template <class E>
 struct Word {
   const char* text;
   E value;
 };
 
-/// Adds options to a program's command line, and so to its TOML file, whose keys are the names
-/// without dashes. Programs hand it to whoever has options: bind(stage.options(), split_options).
+/// Adds options to the command line of a program. The same options can be given in its TOML file,
+/// where the keys are the names without the dashes in front. A program passes this to the bind()
+/// of each struct of options: bind(stage.options(), split_options).
 class Options {
  public:
   explicit Options(CLI::App& app, std::string group = "Options");
 
-  /// The same command line; what is added stands under this heading in the help.
+  /// For options of the same command line that stand under a heading of their own in the help.
   [[nodiscard]] Options in_group(const std::string& group) const;
 
-  /// `value` is the default until the command line is parsed, and must live until then. T is int,
-  /// std::int64_t, std::size_t, double, std::string, std::filesystem::path, or a vector of
-  /// std::string, std::int64_t or std::filesystem::path, whose option takes any number of values.
+  /// `value` holds the default, and after the command line is parsed what was given. It must live
+  /// until then. T is int, std::int64_t, std::size_t, double, std::string, std::filesystem::path,
+  /// or a vector of std::string, std::int64_t or std::filesystem::path; an option with a vector
+  /// takes any number of values.
   template <class T>
   Option add(const std::string& name, T& value, const std::string& help) const;
-  /// One of several words, each of which stands for a value.
+  /// An option that takes one of several words, each of which stands for a value. `value` holds the
+  /// default, as above.
   template <class E>
   Option choose(const std::string& name, E& value, const std::vector<Word<E>>& words,
                 const std::string& help) const {
@@ -64,7 +67,7 @@ class Options {
     const auto take = [&value, words](std::size_t i) { value = words[i].value; };
     return choose_word(name, texts, now, take, help);
   }
-  /// True when it is given.
+  /// An option without a value. `value` becomes true when it is given.
   Option flag(const std::string& name, bool& value, const std::string& help) const;
 
  private:

@@ -7,9 +7,9 @@
 
 namespace piae::cli {
 
-/// What every stage with neural networks is told about the run.
+/// The options that all stages with neural networks share.
 struct RunOptions {
-  std::int64_t seed = 0;  ///< the repeat; names the random streams. Must be given
+  std::int64_t seed = 0;  ///< the repeat; part of the names of random streams; must be given
   Compute compute;
 };
 

@@ -23,7 +23,7 @@ void log_to_stderr(const std::string& name) {
   spdlog::set_pattern("%n: %v");
 }
 
-/// One line: CLI11 ends some of its messages with a second one.
+/// CLI11 ends some of its messages with a second line, which is left out.
 std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
 
 /// CLI11 calls every file of options an INI file.

@@ -16,12 +16,13 @@ namespace piae::cli {
 /// TOML file, provenance, one line for an error, and exit codes.
 ///
 ///     int main(int argc, char** argv) {
-///       cli::Stage stage("split", "Cuts records into windows ...", "split --records records.h5
-///       ..."); SplitOptions options; bind(stage.options(), options); fs::path records;
+///       cli::Stage stage("split", "Cuts records into windows ...", "split --records ...");
+///       SplitOptions options;
+///       bind(stage.options(), options);
+///       fs::path records;
 ///       stage.input_file("--records", records, "records.h5 made by ingest or simulate");
 ///       return stage.run(argc, argv, [&] {
-///         const Recordings recordings = read_recordings(stage.open("records", records,
-///         "records"));
+///         const auto recordings = read_recordings(stage.open("records", records, "records"));
 ///         ...
 ///         stage.save(writer, output);
 ///       });
@@ -41,28 +42,33 @@ class Stage {
                     const std::string& help);
   Option output_file(const std::string& option, std::filesystem::path& path,
                      const std::string& help);
-  /// A flag that decides whether files are written, and so is no setting either.
+  /// A flag that says only whether files are written. It is not part of the recorded settings
+  /// either.
   Option file_flag(const std::string& option, bool& value, const std::string& help);
 
-  /// Reads the value of `option` from the command line or the TOML file before all others are
-  /// known, because others depend on it (`--method` decides which options train has). It also names
-  /// the variant's table in the TOML file. Empty when not given; run() reports what is wrong with
-  /// it.
+  /// Reads the value of one option before the other options are added, because which ones there are
+  /// depends on it: `--method` decides which options `train` has. It is read from the command line
+  /// or the TOML file, and is also the name of the table in the TOML file that holds the options of
+  /// this variant. Empty where it is not given, or where the command line cannot be parsed; run()
+  /// then reports why.
   std::string choose_variant(int argc, char** argv, const std::string& option);
 
   /// Parses, runs the body, and turns errors into one line on standard error and an exit code.
   int run(int argc, char** argv, const std::function<void()>& body);
 
-  /// Opens an artefact of a kind, and notes it as an input of whatever is saved later.
+  /// Opens an artefact, which must be of this kind. Whatever is saved later names it as an input,
+  /// in this role.
   artefact::Reader open(const std::string& role, const std::filesystem::path& path,
                         const std::string& kind);
-  /// Notes an input that is not an artefact, by the sha256 of its bytes.
+  /// Makes whatever is saved later name this file, which is not an artefact, as an input, with the
+  /// sha256 of its bytes.
   void note_input(const std::string& role, const std::filesystem::path& path);
 
-  /// Throws Error(usage) when the path is that of an input: an output must not replace it.
+  /// Writes an artefact with its provenance. Throws Error(usage) where the path is that of an
+  /// input, which an output must not replace.
   void save(artefact::Writer& writer, const std::filesystem::path& path) const;
 
-  /// Options as resolved, without files; inputs as opened so far.
+  /// The program, all options but those of files with their values, and the inputs opened so far.
   [[nodiscard]] artefact::Provenance provenance() const;
 
  private:

@@ -2,8 +2,10 @@
 
 #include <toml++/toml.h>
 
-#include <map>
 #include <sstream>
+
+#include "base/error.hpp"
+#include "cli/toml_options.hpp"
 
 namespace piae::cli {
 
@@ -26,52 +28,22 @@ std::vector<std::string> values_of(const toml::node& node) {
   return values;
 }
 
-using Values = std::map<std::string, std::vector<std::string>>;
-
-/// Takes the plain values of a table, and leaves the tables in it alone.
-void take_values(const toml::table& table, Values& values) {
-  for (const auto& [key, node] : table) {
-    if (!node.is_table() && !node.is_array_of_tables()) {
-      values[std::string(key.str())] = values_of(node);
-    }
-  }
-}
-
-/// The values of a variant's table, on top of those of the one that it is `like`.
-void take_variant(const toml::table& program, const std::string& variant, Values& values) {
-  const toml::table* own = program[variant].as_table();
-  if (own == nullptr) return;
-  if (own->contains("like")) {
-    const auto name = (*own)["like"].value_or<std::string>("");
-    const toml::table* other = program[name].as_table();
-    if (other == nullptr || other->contains("like")) {
-      throw CLI::ConfigError("table of '" + variant + "': like = '" + name +
-                             "' must name a variant that has a table and is itself like none");
-    }
-    take_values(*other, values);
-  }
-  take_values(*own, values);
-  values.erase("like");
-}
-
 }  // namespace
 
 std::vector<CLI::ConfigItem> TomlConfig::from_config(std::istream& input) const {
-  toml::table file;
+  std::vector<CLI::ConfigItem> items;
   try {
-    file = toml::parse(input);
+    for (const auto& [key, node] : options_of(toml::parse(input), program_, variant_)) {
+      items.push_back({{}, std::string(key.str()), values_of(node)});
+    }
   } catch (const toml::parse_error& error) {
     std::ostringstream line;
     line << "not valid TOML: " << error.description() << " (line " << error.source().begin.line
          << ")";
     throw CLI::ConfigError(line.str());
+  } catch (const Error& error) {
+    throw CLI::ConfigError(error.what());
   }
-  const toml::table* table = file[program_].as_table();
-  Values values;
-  take_values(table != nullptr ? *table : file, values);
-  if (table != nullptr) take_variant(*table, variant_, values);
-  std::vector<CLI::ConfigItem> items;
-  for (auto& [name, inputs] : values) items.push_back({{}, name, std::move(inputs)});
   return items;
 }
 

@@ -6,12 +6,8 @@
 
 namespace piae::cli {
 
-/// Lets CLI11 read its options from a TOML file (by toml++): keys are the long option names.
-/// Of a file with tables, such as pipeline/protocol.toml, a program reads its own table, [train],
-/// and below it the table of the chosen variant, [train.piae-dt]. A file without that table is read
-/// from the top, so that a file for one program alone needs none. An option given on the command
-/// line wins over the file, the variant's table over the program's. A variant that differs little
-/// from another names it, like = "piae-dt", and stands on top of its table.
+/// Lets CLI11 read a program's options from a TOML file: keys are the long option names. Which
+/// tables it reads: toml_options.hpp. An option given on the command line wins over the file.
 class TomlConfig : public CLI::Config {
  public:
   TomlConfig(std::string program, std::string variant)

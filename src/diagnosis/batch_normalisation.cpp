@@ -9,8 +9,8 @@ namespace piae::diagnosis {
 
 namespace {
 
-/// Sum of f(row) over the rows [0, n), in four parts: more precise, and no addition waits for the
-/// one before it.
+/// The sum of f(row) over the rows [0, n). It is taken in four parts, which is more precise, and no
+/// addition has to wait for the one before it.
 template <class T, class Function>
 Vector<T> sum_over(std::int64_t n, const Function& f) {
   Vector<T> sums[4] = {};
@@ -22,7 +22,7 @@ Vector<T> sum_over(std::int64_t n, const Function& f) {
   return (sums[0] + sums[1]) + (sums[2] + sums[3]);
 }
 
-/// As many channels as a vector holds, of one layer's normalisation.
+/// The normalisation of as many channels of a layer as a vector holds.
 template <class T>
 struct Channels {
   Channels(const Normalisation<T>& n, std::int64_t first)
@@ -39,8 +39,9 @@ struct Channels {
   Vector<T> offset;
 };
 
-/// Calls f(x, y) with where each row of y [pooled_length, windows, channels] begins, and the first
-/// row of x that is pooled to it. The second, if any, lies one time further on.
+/// Calls f(from, to) for each row of y [pooled_length, windows, channels]. `to` is where the row
+/// begins in y, `from` where the first row of x begins that is pooled into it. The second one,
+/// where there is one, lies one time further on.
 template <class Function>
 void for_each_pool(const PooledShape& shape, const Function& f) {
   const std::int64_t time = shape.windows * shape.channels;
@@ -51,13 +52,15 @@ void for_each_pool(const PooledShape& shape, const Function& f) {
   }
 }
 
-/// Where the first of two values is the maximum. A NaN is, so that none is lost.
+/// Whether the first of two values is the maximum. A NaN counts as the maximum, so that none is
+/// lost.
 template <class T>
 auto first_is_maximum(const Vector<T>& first, const Vector<T>& second) {
   return (first >= second) | (first != first);
 }
 
-/// Gradients by the one or two values of x, once normalised, that were pooled to one of y.
+/// The one or two values of x that were pooled into one value of y, and the gradients by what they
+/// are after normalisation.
 template <class T, int pooling>
 struct PoolGradient {
   PoolGradient(const Channels<T>& channels, const T* x, std::int64_t time, const T* y_gradient) {
@@ -105,7 +108,7 @@ void pool_backward(const PooledShape& shape, const T* x, const Normalisation<T>&
   for (std::int64_t c = 0; c < shape.channels; c += lanes<T>) {
     const Channels<T> channels(n, c);
     Vector<T> sum = {};
-    Vector<T> sum_of_products = {};  // with x about its mean
+    Vector<T> sum_of_products = {};  // of the gradient and x less its mean
     for_each_pool(shape, [&](std::int64_t from, std::int64_t to) {
       const Pool pool(channels, x + from + c, time, y_gradient + to + c);
       for (int i = 0; i < pooling; ++i) {
@@ -113,7 +116,7 @@ void pool_backward(const PooledShape& shape, const T* x, const Normalisation<T>&
         sum_of_products += pool.gradient[i] * (pool.value[i] - channels.mean);
       }
     });
-    sum_of_products *= channels.inverse_deviation;  // with normalised x
+    sum_of_products *= channels.inverse_deviation;  // of the gradient and normalised x
     store(shift_gradient + c, sum);
     store(scale_gradient + c, sum_of_products);
 

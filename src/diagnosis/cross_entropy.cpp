@@ -7,7 +7,7 @@ namespace piae::diagnosis {
 
 namespace {
 
-/// exp(logit - greatest) into `scores`; returns their sum.
+/// Writes exp(logit - greatest) into `scores` for each logit; returns the sum of these.
 template <class T>
 T exponentials(std::int64_t classes, const T* logits, T greatest, T* scores) {
   T sum = 0;
@@ -28,11 +28,11 @@ void softmax(std::int64_t classes, const T* logits, T* scores) {
 }
 
 template <class T>
-BatchOutcome cross_entropy(std::int64_t classes, std::int64_t row,
-                           std::span<const std::int32_t> labels, const T* logits, T* gradient) {
+BatchOutcome cross_entropy(std::int64_t classes, std::int64_t row, std::span<const Label> labels,
+                           const T* logits, T* gradient) {
   BatchOutcome outcome;
   const auto windows = static_cast<T>(labels.size());
-  for (const std::int32_t label : labels) {
+  for (const Label label : labels) {
     const T* greatest = std::max_element(logits, logits + classes);
     const T sum = exponentials(classes, logits, *greatest, gradient);
     outcome.loss += static_cast<double>(std::log(sum) + *greatest - logits[label]);
@@ -48,9 +48,9 @@ BatchOutcome cross_entropy(std::int64_t classes, std::int64_t row,
 
 template void softmax(std::int64_t, const float*, float*);
 template void softmax(std::int64_t, const double*, double*);
-template BatchOutcome cross_entropy(std::int64_t, std::int64_t, std::span<const std::int32_t>,
+template BatchOutcome cross_entropy(std::int64_t, std::int64_t, std::span<const Label>,
                                     const float*, float*);
-template BatchOutcome cross_entropy(std::int64_t, std::int64_t, std::span<const std::int32_t>,
+template BatchOutcome cross_entropy(std::int64_t, std::int64_t, std::span<const Label>,
                                     const double*, double*);
 
 }  // namespace piae::diagnosis

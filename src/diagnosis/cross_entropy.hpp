@@ -3,23 +3,26 @@
 #include <cstdint>
 #include <span>
 
+#include "base/label.hpp"
+
 namespace piae::diagnosis {
 
-/// Sums over a batch.
+/// What a batch gave, summed over its windows.
 struct BatchOutcome {
   double loss = 0;  ///< cross-entropy
-  std::int64_t correct =
-      0;  ///< windows whose greatest logit, the first of equals, is their label's
+  /// Windows whose greatest logit is that of their label; of equal logits the first counts.
+  std::int64_t correct = 0;
 };
 
-/// Softmax of `classes` logits.
+/// The softmax of `classes` logits, into as many scores.
 template <class T>
 void softmax(std::int64_t classes, const T* logits, T* scores);
 
-/// Cross-entropy of logits, whose rows are `row` numbers apart and of which the first `classes`
-/// count, and the gradient of its mean over the windows by them, in rows alike: 0 for the others.
+/// The cross-entropy of logits, and in `gradient` the gradient of its mean over the windows by the
+/// logits. Both arrays have a row of `row` numbers for each window. The first `classes` numbers of
+/// a row count; the gradient by the others is set to 0.
 template <class T>
-BatchOutcome cross_entropy(std::int64_t classes, std::int64_t row,
-                           std::span<const std::int32_t> labels, const T* logits, T* gradient);
+BatchOutcome cross_entropy(std::int64_t classes, std::int64_t row, std::span<const Label> labels,
+                           const T* logits, T* gradient);
 
 }  // namespace piae::diagnosis

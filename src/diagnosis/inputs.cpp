@@ -1,13 +1,12 @@
 #include "diagnosis/inputs.hpp"
 
-#include "base/error.hpp"
 #include "signal/roles.hpp"
 
 namespace piae::diagnosis {
 
 namespace {
 
-signal::RoleSet read_role(const artefact::Reader& reader, const std::string& role) {
+signal::RoleSet read_role(const artefact::Reader& reader, signal::Role role) {
   signal::require_role(reader, role);
   return signal::read_role_set(reader);
 }
@@ -16,15 +15,14 @@ signal::RoleSet read_role(const artefact::Reader& reader, const std::string& rol
 
 Inputs read_inputs(const artefact::Reader& test, const artefact::Reader& normal,
                    const artefact::Reader& known, const artefact::Reader* generated) {
-  std::vector<signal::RoleSet> split{read_role(test, "A"), read_role(normal, "B"),
-                                     read_role(known, "C")};
-  if (const auto findings = signal::check_roles(split); !findings.empty()) {
-    throw Error(Exit::bad_input, findings.front());
-  }
+  std::vector<signal::RoleSet> split{read_role(test, signal::Role::test),
+                                     read_role(normal, signal::Role::healthy),
+                                     read_role(known, signal::Role::known)};
+  signal::require_one_split(split);
   Inputs inputs;
   inputs.protocol = split[0].protocol;
   if (generated != nullptr) {
-    signal::require_role(*generated, "E");
+    signal::require_role(*generated, signal::Role::generated);
     signal::require_learned_from(*generated, known);
     inputs.generated = signal::read_window_set(*generated);
     inputs.method = generated->text("/", "method");

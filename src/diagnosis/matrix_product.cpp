@@ -8,17 +8,17 @@ namespace piae::diagnosis {
 
 namespace {
 
-/// Vectors of a row of C that are summed at a time.
+/// How many vectors of a row of C are summed at a time.
 constexpr int widest_tile = vector_registers / 8;
 
-/// Rows of C that are summed at a time: as many as there are registers for beside a row of B and a
+/// How many rows of C are summed at a time: as many as the registers hold beside a row of B and a
 /// number of A. More than 8 do not help.
 constexpr int tile_rows(int vectors) {
   return std::min(8, (vector_registers - vectors - 1) / vectors);
 }
 
-/// A tile of C whose sums stay in registers, as they do where GCC unrolls the loops: `rows` by
-/// `vectors`, from where a, b and c point.
+/// One tile of C, `rows` rows by `vectors` vectors; a, b and c point to where it begins. The loops
+/// are unrolled so that GCC keeps the sums in registers.
 template <class T, int rows, int vectors>
 void multiply_tile(const MatrixProduct<T>& p, const T* a, const T* b, T* c) {
   Vector<T> sums[rows * vectors];
@@ -44,7 +44,7 @@ void multiply_tile(const MatrixProduct<T>& p, const T* a, const T* b, T* c) {
   }
 }
 
-/// Tiles of so many rows, from row `row` on, for as long as they fit. Returns the row after them.
+/// All tiles of `rows` rows that fit from row `row` on. Returns the row after them.
 template <class T, int rows, int vectors>
 std::int64_t multiply_rows(const MatrixProduct<T>& p, std::int64_t row, std::int64_t column) {
   for (; row + rows <= p.rows; row += rows) {
@@ -54,8 +54,8 @@ std::int64_t multiply_rows(const MatrixProduct<T>& p, std::int64_t row, std::int
   return row;
 }
 
-/// All rows of the columns from `column` on, for as long as they fill so many vectors. Returns the
-/// column after them.
+/// All rows of the tiles of `vectors` vectors that fit from `column` on. Returns the column after
+/// them.
 template <class T, int vectors>
 std::int64_t multiply_columns(const MatrixProduct<T>& p, std::int64_t column) {
   constexpr std::int64_t width = vectors * lanes<T>;

@@ -4,17 +4,18 @@
 
 namespace piae::diagnosis {
 
-/// C = sum over b of A_b B_b. C [rows, columns] and every B_b [depth, columns] are row-major
-/// without gaps; A_b [rows, depth] lies at any stride, and so may be a transposed matrix, or one
-/// whose rows overlap. C must not overlap the others. `columns` is a multiple of row_granule.
+/// A product of matrices summed over blocks: C = sum over b of A_b B_b. C [rows, columns] and every
+/// B_b [depth, columns] are row-major without gaps. A_b [rows, depth] may lie at any stride, so it
+/// may be a transposed matrix, or one whose rows overlap. C must not overlap A or B. `columns` must
+/// be a multiple of row_granule. This is a view: it owns none of the arrays.
 template <class T>
 struct MatrixProduct {
   const T* a;
-  std::int64_t a_row;     ///< from one row of A_b to the next
-  std::int64_t a_column;  ///< from one column of A_b to the next
-  std::int64_t a_block;   ///< from A_b to A_(b+1)
+  std::int64_t a_row;     ///< numbers from one row of A_b to the next
+  std::int64_t a_column;  ///< numbers from one column of A_b to the next
+  std::int64_t a_block;   ///< numbers from A_b to A_(b+1)
   const T* b;
-  std::int64_t b_block;  ///< from B_b to B_(b+1)
+  std::int64_t b_block;  ///< numbers from B_b to B_(b+1)
   T* c;
   std::int64_t rows;
   std::int64_t columns;
@@ -22,9 +23,10 @@ struct MatrixProduct {
   std::int64_t blocks = 1;
 };
 
-/// The matrices of WDCNN are so small that copying them into another order, as BLAS and Eigen do,
-/// costs them a fifth of their speed; this reads them where they are. Each number of C is summed in
-/// one order whatever the shape, so that a window's result does not depend on its batch.
+/// Computes C. BLAS and Eigen first copy the matrices into another order; those of WDCNN are so
+/// small that this would cost a fifth of the speed, so they are read where they are. Each number of
+/// C is summed in the same order whatever the shape, so that what a window gives does not depend on
+/// its batch.
 template <class T>
 void multiply(const MatrixProduct<T>& product);
 

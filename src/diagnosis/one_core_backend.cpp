@@ -1,7 +1,9 @@
 #include "diagnosis/one_core_backend.hpp"
 
 #include <algorithm>
+#include <utility>
 
+#include "base/label.hpp"
 #include "diagnosis/batches.hpp"
 #include "diagnosis/wdcnn_network.hpp"
 #include "nets/adam.hpp"
@@ -23,12 +25,12 @@ std::int64_t largest_batch(std::int64_t n, std::int64_t batch) {
 
 class OneCoreBackend final : public WdcnnBackend {
  public:
-  OneCoreBackend(const LabelledWindows& train, const WdcnnOptions& options, const Stream& initial)
-      : train_(train),
+  OneCoreBackend(LabelledWindows train, const WdcnnOptions& options, const Stream& initial)
+      : train_(std::move(train)),
         learning_rate_(options.learning_rate),
-        most_windows_(largest_batch(static_cast<std::int64_t>(train.size()), options.batch)),
-        network_(static_cast<std::int64_t>(train.length), static_cast<std::int64_t>(train.classes),
-                 most_windows_, initial),
+        most_windows_(largest_batch(static_cast<std::int64_t>(train_.size()), options.batch)),
+        network_(static_cast<std::int64_t>(train_.length),
+                 static_cast<std::int64_t>(train_.classes), most_windows_, initial),
         adam_(network_.values().size()) {}
 
   void begin_epoch(std::span<const std::size_t> order) override {
@@ -72,23 +74,23 @@ class OneCoreBackend final : public WdcnnBackend {
   }
 
  private:
-  const LabelledWindows& train_;
+  LabelledWindows train_;
   double learning_rate_;
   std::int64_t most_windows_;  ///< in a batch
   Network network_;
   nets::Adam<float> adam_;
-  // In the order of the epoch:
-  std::vector<const float*> windows_;
-  std::vector<std::int32_t> labels_;
+  // The training windows in the order of the epoch:
+  std::vector<const float*> windows_;  ///< each points into train_
+  std::vector<Label> labels_;
   BatchOutcome sums_;
 };
 
 }  // namespace
 
-std::unique_ptr<WdcnnBackend> make_one_core_backend(const LabelledWindows& train,
-                                                  const WdcnnOptions& options,
-                                                  const Stream& initial) {
-  return std::make_unique<OneCoreBackend>(train, options, initial);
+std::unique_ptr<WdcnnBackend> make_one_core_backend(LabelledWindows train,
+                                                    const WdcnnOptions& options,
+                                                    const Stream& initial) {
+  return std::make_unique<OneCoreBackend>(std::move(train), options, initial);
 }
 
 }  // namespace piae::diagnosis

@@ -6,8 +6,8 @@
 
 namespace piae::diagnosis {
 
-/// Ours, for one core, in single precision (wdcnn_network.hpp).
-std::unique_ptr<WdcnnBackend> make_one_core_backend(const LabelledWindows& train,
+/// Our own back end, for one core and in single precision (wdcnn_network.hpp).
+std::unique_ptr<WdcnnBackend> make_one_core_backend(LabelledWindows train,
                                                     const WdcnnOptions& options,
                                                     const Stream& initial);
 

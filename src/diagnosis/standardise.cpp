@@ -5,19 +5,17 @@
 #include <span>
 
 #include "base/error.hpp"
+#include "signal/amplitude.hpp"
 
 namespace piae::diagnosis {
 
 namespace {
 
 void standardise(std::span<const float> window, float* to) {
-  const auto n = static_cast<double>(window.size());
-  double sum = 0;
-  for (const float x : window) sum += x;
-  const double mean = sum / n;
+  const double mean = signal::mean_of(window);
   double squares = 0;
   for (const float x : window) squares += (x - mean) * (x - mean);
-  const double scale = 1 / std::sqrt(squares / n);
+  const double scale = 1 / std::sqrt(squares / static_cast<double>(window.size()));
   for (const float x : window) *to++ = static_cast<float>((x - mean) * scale);
 }
 
@@ -35,7 +33,7 @@ LabelledWindows standardise(const signal::WindowSet& windows, const std::string&
     if (low == high) {
       throw Error(Exit::bad_input,
                   what + ": window " + std::to_string(i) + " (class " +
-                      windows.info.classes[static_cast<std::size_t>(windows.labels[i])].name +
+                      windows.info.classes[index_of(windows.labels[i])].name +
                       ") is constant and cannot be scaled to unit standard deviation; "
                       "a window needs at least two different samples");
     }

@@ -4,12 +4,13 @@
 
 namespace piae::diagnosis {
 
-/// Convolutions along time as matrix products. A batch lies in memory as [time, window, channel]:
-/// what a tap of the kernel multiplies is then a matrix of all windows at all times, the next tap's
-/// begins one time further on, and nothing needs to be copied, padded or thrown away.
+/// A convolution along time, computed as matrix products. A batch lies in memory as [time, window,
+/// channel]. What one tap of the kernel multiplies is then a matrix of all windows at all times,
+/// and that of the next tap begins one time further on, so nothing needs to be copied, padded or
+/// thrown away.
 ///
-/// Stride is 1. A wider one becomes 1 when as many samples as it has are read as channels of one
-/// time. A dense layer is a convolution as wide as its input is long.
+/// The stride is 1. A convolution with stride s becomes one with stride 1 when s samples are read
+/// as s channels of one time. A dense layer is a convolution that is as wide as its input is long.
 struct TimeConvolution {
   std::int64_t inputs;        ///< channels, a multiple of row_granule
   std::int64_t outputs;       ///< channels, a multiple of row_granule
@@ -29,13 +30,13 @@ template <class T>
 void convolve(const TimeConvolution& shape, std::int64_t windows, const T* input, const T* weight,
               T* output);
 
-/// Gradient by the weight, in its shape, from that by the output.
+/// Computes the gradient by the weight, in the weight's shape, from that by the output.
 template <class T>
 void weight_gradient(const TimeConvolution& shape, std::int64_t windows, const T* input,
                      const T* output_gradient, T* gradient);
 
-/// Gradient by the input, in its shape, from that by the output. `transposed` is scratch for
-/// shape.weights() numbers.
+/// Computes the gradient by the input, in the input's shape, from that by the output. `transposed`
+/// is scratch memory for shape.weights() numbers.
 template <class T>
 void input_gradient(const TimeConvolution& shape, std::int64_t windows, const T* weight,
                     const T* output_gradient, T* transposed, T* gradient);

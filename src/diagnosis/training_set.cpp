@@ -3,6 +3,7 @@
 #include <string>
 
 #include "base/error.hpp"
+#include "base/label.hpp"
 
 namespace piae::diagnosis {
 
@@ -10,13 +11,13 @@ namespace {
 
 using signal::WindowSet;
 
-/// What is wrong with a set is said with the option that names its file.
+/// Says what is wrong with a set, and which option named its file.
 [[noreturn]] void refuse(const std::string& option, const std::string& what) {
   throw Error(Exit::bad_input, option + ": " + what);
 }
 
-std::string in_quotes(const WindowSet& windows, int label) {
-  return "'" + windows.info.classes[static_cast<std::size_t>(label)].name + "'";
+std::string in_quotes(const WindowSet& windows, Label label) {
+  return "'" + windows.info.classes[index_of(label)].name + "'";
 }
 
 void require_alike(const WindowSet& set, const std::string& option, const WindowSet& other,
@@ -39,7 +40,7 @@ void require_alike(const WindowSet& set, const std::string& option, const Window
   }
 }
 
-void require_windows_of_class(const WindowSet& set, const std::string& option, int label,
+void require_windows_of_class(const WindowSet& set, const std::string& option, Label label,
                               bool belongs) {
   if ((set.count_of(label) > 0) == belongs) return;
   refuse(option, belongs ? "holds no window of class " + in_quotes(set, label) + "; it needs some"
@@ -48,15 +49,15 @@ void require_windows_of_class(const WindowSet& set, const std::string& option, i
                                "made for this option");
 }
 
-/// Whether every class that belongs there is there, and no other.
+/// Refuses a set that lacks a class which belongs there, or has one that does not.
 void require_classes(const WindowSet& set, const std::string& option, bool healthy, bool faults) {
-  const int healthy_label = set.info.healthy_label();
-  for (int label = 0; label < static_cast<int>(set.info.classes.size()); ++label) {
+  const Label healthy_label = set.info.healthy_label();
+  for (Label label = 0; index_of(label) < set.info.classes.size(); ++label) {
     require_windows_of_class(set, option, label, label == healthy_label ? healthy : faults);
   }
 }
 
-void require_enough(const WindowSet& generated, int label, std::size_t needed) {
+void require_enough(const WindowSet& generated, Label label, std::size_t needed) {
   const std::size_t there = generated.count_of(label);
   if (there >= needed) return;
   refuse("--generated", "holds " + std::to_string(there) + " windows of class " +
@@ -66,8 +67,8 @@ void require_enough(const WindowSet& generated, int label, std::size_t needed) {
 }
 
 void append_first(WindowSet& training, const WindowSet& generated, std::size_t per_class) {
-  const int healthy = generated.info.healthy_label();
-  for (int label = 0; label < static_cast<int>(generated.info.classes.size()); ++label) {
+  const Label healthy = generated.info.healthy_label();
+  for (Label label = 0; index_of(label) < generated.info.classes.size(); ++label) {
     if (label == healthy) continue;
     require_enough(generated, label, per_class);
     const std::vector<std::size_t> indices = generated.indices_of(label);
@@ -95,13 +96,13 @@ WindowSet compose_training_set(const WindowSet& normal, const WindowSet& known,
                                const WindowSet* generated, std::int64_t generated_per_class) {
   require_generated_where_used(generated, generated_per_class);
   require_alike(known, "--known", normal, "--normal");
-  require_classes(normal, "--normal", true, false);
-  require_classes(known, "--known", false, true);
+  require_classes(normal, "--normal", /*healthy=*/true, /*faults=*/false);
+  require_classes(known, "--known", /*healthy=*/false, /*faults=*/true);
   WindowSet training = normal;
   for (std::size_t i = 0; i < known.size(); ++i) training.append(known, i);
   if (generated != nullptr) {
     require_alike(*generated, "--generated", normal, "--normal");
-    require_classes(*generated, "--generated", false, true);
+    require_classes(*generated, "--generated", /*healthy=*/false, /*faults=*/true);
     append_first(training, *generated, static_cast<std::size_t>(generated_per_class));
   }
   return training;
@@ -109,7 +110,7 @@ WindowSet compose_training_set(const WindowSet& normal, const WindowSet& known,
 
 void require_fitting_test_set(const WindowSet& test, const WindowSet& training) {
   require_alike(test, "--test", training, "--normal");
-  require_classes(test, "--test", true, true);
+  require_classes(test, "--test", /*healthy=*/true, /*faults=*/true);
 }
 
 }  // namespace piae::diagnosis

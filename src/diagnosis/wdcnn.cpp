@@ -1,14 +1,14 @@
 #include "diagnosis/wdcnn.hpp"
 
-#include <spdlog/fmt/fmt.h>
-
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <utility>
 
 #include "base/error.hpp"
 #include "diagnosis/batches.hpp"
 #include "diagnosis/wdcnn_layers.hpp"
+#include "nets/divergence.hpp"
 
 namespace piae::diagnosis {
 
@@ -34,11 +34,7 @@ void require_usable(const LabelledWindows& train, const LabelledWindows& test) {
   }
 }
 
-[[noreturn]] void report_divergence(const std::string& what, const WdcnnOptions& options) {
-  throw Error(Exit::failed, "WDCNN: " + what + " became NaN or infinite with --learning-rate " +
-                                fmt::format("{:g}", options.learning_rate) +
-                                "; a smaller one would work, such as 0.001");
-}
+const std::string training = "the training of WDCNN";  // in errors
 
 /// `epoch` is counted from 1.
 void run_epoch(WdcnnBackend& backend, std::size_t windows, std::int64_t epoch,
@@ -51,9 +47,8 @@ void run_epoch(WdcnnBackend& backend, std::size_t windows, std::int64_t epoch,
   const auto n = static_cast<double>(windows);
   result.loss.push_back(sums.loss / n);
   result.train_accuracy.push_back(static_cast<double>(sums.correct) / n);
-  if (!std::isfinite(result.loss.back())) {
-    report_divergence("the loss in epoch " + std::to_string(epoch), options);
-  }
+  nets::require_finite(result.loss.back(), training, static_cast<std::size_t>(epoch),
+                       {.value = options.learning_rate});
 }
 
 void train(WdcnnBackend& backend, std::size_t windows, const WdcnnOptions& options,
@@ -71,25 +66,26 @@ void test(WdcnnBackend& backend, const LabelledWindows& set, const WdcnnOptions&
           WdcnnResult& result) {
   result.scores = backend.scores(set);
   if (!std::ranges::all_of(result.scores, [](float score) { return std::isfinite(score); })) {
-    report_divergence("the scores of the test", options);
+    nets::throw_diverged(training, static_cast<std::size_t>(options.epochs),
+                         {.value = options.learning_rate});
   }
   const auto classes = static_cast<std::ptrdiff_t>(set.classes);
   for (auto row = result.scores.begin(); row != result.scores.end(); row += classes) {
-    result.predictions.push_back(
-        static_cast<std::int32_t>(std::max_element(row, row + classes) - row));
+    result.predictions.push_back(static_cast<Label>(std::max_element(row, row + classes) - row));
   }
 }
 
 }  // namespace
 
-WdcnnResult train_and_test(const LabelledWindows& train_set, const LabelledWindows& test_set,
+WdcnnResult train_and_test(LabelledWindows train_set, const LabelledWindows& test_set,
                            const WdcnnOptions& options, const Stream& stream,
                            const MakeWdcnnBackend& make_backend, const EpochDone& epoch_done) {
   require_usable(train_set, test_set);
+  const std::size_t windows = train_set.size();
   const std::unique_ptr<WdcnnBackend> backend =
-      make_backend(train_set, options, stream.child("initial"));
+      make_backend(std::move(train_set), options, stream.child("initial"));
   WdcnnResult result;
-  train(*backend, train_set.size(), options, stream, epoch_done, result);
+  train(*backend, windows, options, stream, epoch_done, result);
   test(*backend, test_set, options, result);
   return result;
 }

@@ -14,24 +14,27 @@
 
 namespace piae::diagnosis {
 
-/// What computes WDCNN on one training set: the network, its gradients and Adam. The course of the
-/// training, in wdcnn.cpp, is the same with each.
+/// A back end: it computes WDCNN on one training set, with its gradients and the steps of Adam.
+/// Which windows make a batch, and when the training ends, is decided in wdcnn.cpp, for every back
+/// end alike.
 class WdcnnBackend {
  public:
   virtual ~WdcnnBackend() = default;
 
-  /// An epoch over the training windows in this order follows.
+  /// Begins an epoch over the training windows in this order.
   virtual void begin_epoch(std::span<const std::size_t> order) = 0;
-  /// One update of the parameters by the windows [begin, end) of that order, at least 2.
+  /// One update of the parameters by the windows [begin, end) of that order, of which there must be
+  /// at least 2.
   virtual void step(std::int64_t begin, std::int64_t end) = 0;
-  /// Sums over the windows since begin_epoch(), each at the parameters before its own update.
+  /// What all batches since begin_epoch() gave together, each at the parameters before its update.
   virtual BatchOutcome finish_epoch() = 0;
-  /// Softmax, row-major [n, classes], with the running statistics of batch normalisation.
+  /// The softmax of each of n windows, row-major [n, classes]. Batch normalisation uses its running
+  /// statistics.
   virtual std::vector<float> scores(const LabelledWindows& windows) = 0;
 };
 
-/// Makes one for a training set, which must outlive it; initial values come from `initial`.
+/// Makes a back end, which owns its training set. Initial values come from `initial`.
 using MakeWdcnnBackend = std::function<std::unique_ptr<WdcnnBackend>(
-    const LabelledWindows& train, const WdcnnOptions& options, const Stream& initial)>;
+    LabelledWindows train, const WdcnnOptions& options, const Stream& initial)>;
 
 }  // namespace piae::diagnosis

@@ -6,8 +6,8 @@
 
 namespace piae::diagnosis {
 
-/// A convolution along time. Each is followed by batch normalisation, which takes any constant out
-/// again, and so it has no bias.
+/// A convolution along time. It has no bias, because the batch normalisation that follows it would
+/// subtract any constant again.
 struct Convolution {
   std::int64_t inputs;   ///< channels
   std::int64_t outputs;  ///< channels
@@ -25,30 +25,30 @@ struct Convolution {
 /// max-pooling; a dense layer with batch normalisation and ReLU; a dense layer to the classes.
 struct WdcnnLayers {
   static constexpr std::array<Convolution, 5> convolutions{{
-      {1, 16, 64, 16, 24},
-      {16, 32, 3, 1, 1},
-      {32, 64, 3, 1, 1},
-      {64, 64, 3, 1, 1},
-      {64, 64, 3, 1, 0},
+      {.inputs = 1, .outputs = 16, .width = 64, .stride = 16, .padding = 24},
+      {.inputs = 16, .outputs = 32, .width = 3, .stride = 1, .padding = 1},
+      {.inputs = 32, .outputs = 64, .width = 3, .stride = 1, .padding = 1},
+      {.inputs = 64, .outputs = 64, .width = 3, .stride = 1, .padding = 1},
+      {.inputs = 64, .outputs = 64, .width = 3, .stride = 1, .padding = 0},
   }};
-  static constexpr std::int64_t pooling = 2;   ///< samples to one, after each convolution
+  static constexpr std::int64_t pooling = 2;   ///< after each convolution, samples become one
   static constexpr std::int64_t hidden = 100;  ///< units of the dense layer
   /// The shortest window that leaves one sample after the last pooling.
   static constexpr std::int64_t shortest_window = 1024;
 
-  /// Values that reach the dense layer: 64 for a window of 1024 samples, 192 for one of 2048 (the
-  /// length in Zhang et al.), 0 for one that is too short.
+  /// How many values reach the dense layer for a window of `length` samples: 64 for 1024 samples,
+  /// 192 for 2048 (the length in Zhang et al.), 0 for a window that is too short.
   [[nodiscard]] static constexpr std::int64_t features(std::int64_t length) {
     for (const Convolution& c : convolutions) length = c.output_length(length) / pooling;
     return length * convolutions.back().outputs;
   }
 };
 
-/// Batch normalisation as in PyTorch: biased variance within the batch, unbiased in the running
-/// statistics.
+/// The constants of batch normalisation, which is that of PyTorch: the variance of a batch is
+/// biased where it normalises the batch, and unbiased where it enters the running statistics.
 struct BatchNormalisation {
   static constexpr double epsilon = 1e-5;
-  static constexpr double momentum = 0.1;  ///< weight of the newest batch in running statistics
+  static constexpr double momentum = 0.1;  ///< weight of the newest batch in the running statistics
 };
 
 static_assert(WdcnnLayers::features(WdcnnLayers::shortest_window) == 64);

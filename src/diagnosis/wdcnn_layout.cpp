@@ -8,7 +8,8 @@ namespace piae::diagnosis {
 
 namespace {
 
-/// Inputs of one tap: channels of the layer before, of which the dense layer reads several times.
+/// The inputs of one tap: the channels of the layer before. The dense layer reads these at several
+/// times; each time is a tap.
 std::int64_t inputs_of(const nets::ParameterSpec& spec) {
   if (spec.shape.size() == 1) return 1;
   return spec.name == "dense/weight" ? WdcnnLayers::convolutions.back().outputs : spec.shape[1];
@@ -23,9 +24,16 @@ std::vector<WdcnnParameter> wdcnn_layout(std::int64_t length, std::int64_t class
     const std::int64_t outputs = spec.shape[0];
     const std::int64_t inputs = inputs_of(spec);
     const std::int64_t taps = spec.size() / (outputs * inputs);
-    // The one input of the first convolution is read as many at a time (native_network.cpp).
+    // The first convolution has one input, of which it reads several samples at a time as channels
+    // (wdcnn_network.cpp). So this one is not filled up.
     const std::int64_t held_inputs = inputs == 1 ? 1 : whole_rows(inputs);
-    layout.push_back({spec, begin, outputs, inputs, taps, held_inputs, whole_rows(outputs)});
+    layout.push_back({.spec = spec,
+                      .begin = begin,
+                      .outputs = outputs,
+                      .inputs = inputs,
+                      .taps = taps,
+                      .held_inputs = held_inputs,
+                      .held_outputs = whole_rows(outputs)});
     begin += layout.back().held_size();
   }
   return layout;

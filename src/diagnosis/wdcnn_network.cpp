@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/label.hpp"
 #include "base/vector.hpp"
 #include "diagnosis/wdcnn_layers.hpp"
 #include "diagnosis/wdcnn_parameters.hpp"
@@ -10,7 +11,8 @@ namespace piae::diagnosis {
 
 namespace {
 
-/// The first convolution, with as many samples as its stride read as channels of one time.
+/// The first convolution has a stride, which is also the number of samples that are read as
+/// channels of one time (time_convolution.hpp).
 constexpr Convolution first = WdcnnLayers::convolutions.front();
 constexpr std::int64_t first_channels = first.stride * first.inputs;
 static_assert(first.width % first.stride == 0 && first_channels % row_granule == 0);
@@ -24,25 +26,33 @@ TimeConvolution first_convolution(std::int64_t length) {
           .input_length = first.output_length(length) + taps - 1};
 }
 
-/// Of the convolutions and the dense layer, for windows of `length` samples.
+/// All layers with batch normalisation, the convolutions and the dense layer, for windows of
+/// `length` samples.
 std::vector<TimeConvolution> normalised_layers(std::int64_t length) {
   std::vector<TimeConvolution> layers{first_convolution(length)};
   for (std::size_t i = 1; i < WdcnnLayers::convolutions.size(); ++i) {
     const Convolution& c = WdcnnLayers::convolutions[i];
     const std::int64_t input_length = layers.back().output_length() / WdcnnLayers::pooling;
-    layers.push_back({c.inputs, c.outputs, c.width, c.padding, input_length});
+    layers.push_back({.inputs = c.inputs,
+                      .outputs = c.outputs,
+                      .width = c.width,
+                      .padding = c.padding,
+                      .input_length = input_length});
   }
   const std::int64_t times = layers.back().output_length() / WdcnnLayers::pooling;
-  layers.push_back(
-      {layers.back().outputs, whole_rows(WdcnnLayers::hidden), times, /*padding=*/0, times});
+  layers.push_back({.inputs = layers.back().outputs,
+                    .outputs = whole_rows(WdcnnLayers::hidden),
+                    .width = times,
+                    .padding = 0,
+                    .input_length = times});
   return layers;
 }
 
 }  // namespace
 
 template <class T>
-WdcnnNetwork<T>::WdcnnNetwork(std::int64_t length, std::int64_t classes,
-                                std::int64_t most_windows, const Stream& stream)
+WdcnnNetwork<T>::WdcnnNetwork(std::int64_t length, std::int64_t classes, std::int64_t most_windows,
+                              const Stream& stream)
     : length_(length),
       number_of_classes_(classes),
       most_windows_(most_windows),
@@ -67,10 +77,12 @@ std::int64_t WdcnnNetwork<T>::begin_of(const std::string& parameter) const {
 
 template <class T>
 typename WdcnnNetwork<T>::Layer WdcnnNetwork<T>::make_layer(const TimeConvolution& convolution,
-                                                              const std::string& name) const {
-  return {convolution, begin_of(name + "/weight"),
-          Numbers::Zero(convolution.input_length * most_windows_ * convolution.inputs),
-          Numbers::Zero(convolution.output_length() * most_windows_ * convolution.outputs)};
+                                                            const std::string& name) const {
+  return {
+      .convolution = convolution,
+      .weight = begin_of(name + "/weight"),
+      .input = Numbers::Zero(convolution.input_length * most_windows_ * convolution.inputs),
+      .output = Numbers::Zero(convolution.output_length() * most_windows_ * convolution.outputs)};
 }
 
 template <class T>
@@ -79,12 +91,19 @@ void WdcnnNetwork<T>::make_layers() {
   for (std::size_t i = 0; i < convolutions.size(); ++i) {
     const std::string name = layer_name(i);
     const Numbers zeros = Numbers::Zero(convolutions[i].outputs);
+    // A class with a base can have no designated initialisers.
     layers_.push_back({make_layer(convolutions[i], name),
-                       name == "dense" ? 1 : WdcnnLayers::pooling, begin_of(name + "/scale"),
-                       begin_of(name + "/shift"), zeros, zeros, zeros, zeros + 1});
+                       /*pooling=*/name == "dense" ? 1 : WdcnnLayers::pooling,
+                       /*scale=*/begin_of(name + "/scale"), /*shift=*/begin_of(name + "/shift"),
+                       /*mean=*/zeros, /*inverse_deviation=*/zeros, /*running_mean=*/zeros,
+                       /*running_variance=*/zeros + 1});
   }
-  classes_ =
-      make_layer({convolutions.back().outputs, whole_rows(number_of_classes_), 1, 0, 1}, "classes");
+  classes_ = make_layer({.inputs = convolutions.back().outputs,
+                         .outputs = whole_rows(number_of_classes_),
+                         .width = 1,
+                         .padding = 0,
+                         .input_length = 1},
+                        "classes");
   bias_ = begin_of("classes/bias");
 }
 
@@ -110,20 +129,23 @@ T* WdcnnNetwork<T>::input_after(std::size_t i) {
 
 template <class T>
 PooledShape WdcnnNetwork<T>::pooled_shape(const NormalisedLayer& layer) const {
-  return {layer.convolution.output_length(), windows_, layer.convolution.outputs, layer.pooling};
+  return {.length = layer.convolution.output_length(),
+          .windows = windows_,
+          .channels = layer.convolution.outputs,
+          .pooling = layer.pooling};
 }
 
 template <class T>
 Normalisation<T> WdcnnNetwork<T>::normalisation(NormalisedLayer& layer) const {
-  return {values_.data() + layer.scale,
-          values_.data() + layer.shift,
-          layer.running_mean.data(),
-          layer.running_variance.data(),
-          layer.mean.data(),
-          layer.inverse_deviation.data()};
+  return {.scale = values_.data() + layer.scale,
+          .shift = values_.data() + layer.shift,
+          .running_mean = layer.running_mean.data(),
+          .running_variance = layer.running_variance.data(),
+          .mean = layer.mean.data(),
+          .inverse_deviation = layer.inverse_deviation.data()};
 }
 
-/// Into the order of the first convolution's input, with its padding.
+/// Copies the windows into the first convolution's input, in its order and with its padding.
 template <class T>
 void WdcnnNetwork<T>::read(std::span<const float* const> windows) {
   windows_ = static_cast<std::int64_t>(windows.size());
@@ -182,7 +204,7 @@ void WdcnnNetwork<T>::propagate_to_input(const Layer& layer) {
 }
 
 template <class T>
-BatchOutcome WdcnnNetwork<T>::backward(std::span<const std::int32_t> labels) {
+BatchOutcome WdcnnNetwork<T>::backward(std::span<const Label> labels) {
   const BatchOutcome outcome = cross_entropy<T>(number_of_classes_, logits_row(), labels,
                                                 classes_.output.data(), output_gradient_.data());
   gradients_.segment(bias_, logits_row()).setZero();

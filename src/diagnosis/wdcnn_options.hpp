@@ -6,8 +6,8 @@
 
 namespace piae::diagnosis {
 
-/// How WDCNN is trained. The literature gives none of these values; they are calibrated on seeds
-/// 100-104 (pipeline/protocol.toml, [diagnose]).
+/// The settings of a training of WDCNN. The literature gives none of these values; they were
+/// calibrated on seeds 100 to 104 (pipeline/protocol.toml, [diagnose]).
 struct WdcnnOptions {
   std::int64_t epochs = 50;     ///< passes over the training set
   std::int64_t batch = 32;      ///< windows a step

@@ -8,12 +8,14 @@ namespace piae::diagnosis {
 
 namespace {
 
-/// Weight, and scale and shift of the batch normalisation that follows.
+/// Adds the weight of a layer, and scale and shift of the batch normalisation that follows it.
 void add_normalised_layer(std::vector<nets::ParameterSpec>& specs, const std::string& name,
                           const std::vector<std::int64_t>& shape, std::int64_t fan_in) {
-  specs.push_back({name + "/weight", shape, 1 / std::sqrt(static_cast<double>(fan_in))});
-  specs.push_back({name + "/scale", {shape[0]}, 0, 1});
-  specs.push_back({name + "/shift", {shape[0]}, 0, 0});
+  specs.push_back({.name = name + "/weight",
+                   .shape = shape,
+                   .bound = 1 / std::sqrt(static_cast<double>(fan_in))});
+  specs.push_back({.name = name + "/scale", .shape = {shape[0]}, .constant = 1});
+  specs.push_back({.name = name + "/shift", .shape = {shape[0]}, .constant = 0});
 }
 
 }  // namespace
@@ -30,9 +32,7 @@ std::vector<nets::ParameterSpec> wdcnn_parameters(std::int64_t length, std::int6
   }
   const std::int64_t features = WdcnnLayers::features(length);
   add_normalised_layer(specs, "dense", {WdcnnLayers::hidden, features}, features);
-  for (nets::ParameterSpec& spec : nets::dense_specs("classes", WdcnnLayers::hidden, classes)) {
-    specs.push_back(std::move(spec));
-  }
+  append(specs, nets::dense_specs("classes", WdcnnLayers::hidden, classes));
   return specs;
 }
 

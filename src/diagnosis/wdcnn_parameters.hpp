@@ -9,14 +9,15 @@
 
 namespace piae::diagnosis {
 
-/// Layers with batch normalisation: "conv1" to "conv5" for 0 to 4, "dense" for 5.
+/// The name of the i-th layer with batch normalisation: "conv1" to "conv5" for 0 to 4, "dense"
+/// for 5.
 std::string layer_name(std::size_t i);
 
-/// The parameters of WDCNN for windows of `length` samples: conv1/weight [outputs, inputs, width],
-/// conv1/scale, conv1/shift (those of its batch normalisation) ... conv5, dense/weight [100,
-/// features], dense/scale, dense/shift, classes/weight [classes, 100], classes/bias. Features are
-/// [channel, time]. Weights and the bias start uniform in +-1/sqrt(inputs of a unit), as LibTorch's
-/// layers do, scales at 1, shifts at 0.
+/// The parameters of WDCNN for windows of `length` samples. For conv1 to conv5: conv1/weight
+/// [outputs, inputs, width], and conv1/scale and conv1/shift [outputs] of its batch normalisation.
+/// Then dense/weight [100, features], dense/scale, dense/shift, classes/weight [classes, 100] and
+/// classes/bias. Features are in the order [channel, time]. Weights and the bias start uniform in
+/// +-1/sqrt(inputs of a unit), as LibTorch's layers do, scales at 1 and shifts at 0.
 std::vector<nets::ParameterSpec> wdcnn_parameters(std::int64_t length, std::int64_t classes);
 
 }  // namespace piae::diagnosis

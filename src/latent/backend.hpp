@@ -9,30 +9,32 @@
 
 #include "artefact/reader.hpp"
 #include "artefact/writer.hpp"
+#include "base/label.hpp"
+#include "base/random.hpp"
 #include "latent/generator.hpp"
 #include "latent/options.hpp"
-#include "base/random.hpp"
 #include "nets/parameter_spec.hpp"
 
 namespace piae::latent {
 
-/// What a latent generator is trained on.
+/// What a latent generator is trained on: n windows of N samples.
 struct LatentTask {
   LatentGenerator generator;
   LatentOptions options;
-  std::vector<float> windows;        ///< [n, N], without means, in units of their class's RMS
-  std::vector<std::int32_t> labels;  ///< [n]
+  std::vector<float> windows;  ///< [n, N], each without its mean, in units of its class's RMS
+  std::vector<Label> labels;   ///< [n]
 };
 
-/// What computes a latent generator and the networks that are trained beside it, their gradients
-/// and Adam: ours for one core, or LibTorch. The course of the training is LatentTraining's.
+/// A back end: it computes a latent generator and the network that is trained beside it, their
+/// gradients and the steps of Adam. There is our own, for one core, and LibTorch's. Which windows
+/// make a batch, and when a training ends, is decided in LatentTraining, for every back end alike.
 class LatentBackend {
  public:
   virtual ~LatentBackend() = default;
 
-  /// One step, the index-th (from 0) of the whole training, by these known windows. Returns its
-  /// losses, at the parameters before it. Noise is drawn from the stream in the same order by each
-  /// back end.
+  /// One step by the known windows with these indices; it is step number `index`, from 0, of the
+  /// whole training. Returns its losses at the parameters before the step. Every back end draws the
+  /// same numbers from `noise` in the same order.
   virtual std::vector<double> step(std::size_t index, std::span<const std::size_t> windows,
                                    Stream& noise) = 0;
 
@@ -41,7 +43,7 @@ class LatentBackend {
   [[nodiscard]] virtual std::vector<float> values() const = 0;
   virtual void set_values(std::span<const float> values) = 0;
 
-  /// Moments and steps of Adam, below /adam.
+  /// The state of Adam, as one or two nets::AdamState below /adam.
   virtual void write_adam(artefact::Writer& writer) const = 0;
   virtual void read_adam(const artefact::Reader& reader) = 0;
 };

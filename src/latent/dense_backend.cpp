@@ -1,50 +1,48 @@
 #include "latent/dense_backend.hpp"
 
 #include <algorithm>
+#include <utility>
 
+#include "base/label.hpp"
 #include "nets/stored_parameters.hpp"
 
 namespace piae::latent {
 
 namespace {
 
+using Parameters = nets::Parameters<float>;
+
 class DenseGenerator final : public StoredGenerator {
  public:
-  DenseGenerator(const artefact::Reader& model, const LatentGenerator& generator)
-      : generator_(generator),
-        parameters_(generator_specs(generator), Stream("replaced")),
-        network_(parameters_, generator_name, 1) {
-    parameters_.write(nets::Parameters<float>::Kept::value,
-                      nets::read_parameters(model, weights_group, generator_specs(generator)));
-  }
+  DenseGenerator(const LatentGenerator& generator, const std::shared_ptr<Parameters>& parameters)
+      : generator_(generator), network_(parameters, generator_name, 1) {}
 
-  [[nodiscard]] std::vector<float> make(std::span<const float> z, std::size_t label) override {
+  [[nodiscard]] std::vector<float> make(std::span<const float> z, Label label) override {
     float* const input = network_.input().row(0);
     std::ranges::copy(z, input);
-    nets::put_one_hot(static_cast<std::int32_t>(label), generator_.classes(),
-                      input + generator_.latent);
+    nets::put_one_hot(label, generator_.classes(), input + generator_.latent);
     const float* const window = network_.forward(1).row(0);
     return {window, window + generator_.samples};
   }
 
  private:
   LatentGenerator generator_;
-  nets::Parameters<float> parameters_;
   nets::DenseChain<float> network_;
 };
 
 }  // namespace
 
-DenseBackend::DenseBackend(const LatentTask& task, std::vector<nets::ParameterSpec> specs,
+DenseBackend::DenseBackend(LatentTask task, std::vector<nets::ParameterSpec> specs,
                            const Stream& initial)
-    : task_(task),
+    : task_(std::move(task)),
       specs_(std::move(specs)),
-      parameters_(specs_, initial),
-      batch_(std::min<std::int64_t>(task.options.batch, std::ssize(task.labels))),
-      generator_(parameters_, generator_name, batch_) {}
+      parameters_(std::make_shared<Parameters>(specs_, initial)),
+      largest_batch_(std::min<std::int64_t>(task_.options.batch, std::ssize(task_.labels))),
+      generator_(parameters_, generator_name, largest_batch_) {}
 
 DenseBackend::Batch DenseBackend::batch_of(std::span<const std::size_t> windows) const {
-  Batch batch{nets::gathered<float>(task_.windows, task_.generator.samples, windows), {}};
+  Batch batch;
+  batch.windows = nets::gathered<float>(task_.windows, task_.generator.samples, windows);
   for (const std::size_t i : windows) batch.labels.push_back(task_.labels[i]);
   return batch;
 }
@@ -71,9 +69,12 @@ DenseBackend::Array DenseBackend::generate(const Array& z, const Batch& batch) {
 }
 
 std::unique_ptr<StoredGenerator> open_generator(const artefact::Reader& model,
-                                                       const LatentGenerator& generator,
-                                                       Device /*device*/) {
-  return std::make_unique<DenseGenerator>(model, generator);
+                                                const LatentGenerator& generator,
+                                                Device /*device*/) {
+  const auto specs = generator_specs(generator);
+  const auto parameters = std::make_shared<Parameters>(specs, Stream("replaced"));
+  parameters->write(Parameters::Kept::value, nets::read_parameters(model, weights_group, specs));
+  return std::make_unique<DenseGenerator>(generator, parameters);
 }
 
 }  // namespace piae::latent

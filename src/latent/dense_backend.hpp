@@ -1,9 +1,11 @@
 #pragma once
 
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "base/label.hpp"
 #include "latent/backend.hpp"
 #include "nets/dense_chain.hpp"
 #include "nets/parameters.hpp"
@@ -11,14 +13,16 @@
 
 namespace piae::latent {
 
-/// What our back ends of the VAE and the WGAN-GP share: parameters, known windows and the
-/// generator, for one core.
+/// The base of our own back ends of the VAE and the WGAN-GP, which run on one core. It owns the
+/// task, the parameters and the generator.
 class DenseBackend : public LatentBackend {
  public:
   [[nodiscard]] const std::vector<nets::ParameterSpec>& specs() const override { return specs_; }
-  [[nodiscard]] std::vector<float> values() const override { return parameters_.read(Kept::value); }
+  [[nodiscard]] std::vector<float> values() const override {
+    return parameters_->read(Kept::value);
+  }
   void set_values(std::span<const float> values) override {
-    parameters_.write(Kept::value, values);
+    parameters_->write(Kept::value, values);
   }
 
  protected:
@@ -26,29 +30,30 @@ class DenseBackend : public LatentBackend {
   using Chain = nets::DenseChain<float>;
   using Kept = nets::Parameters<float>::Kept;
 
-  /// Known windows of a step.
+  /// The known windows of a step.
   struct Batch {
     Array windows;  ///< [n, N]
-    std::vector<std::int32_t> labels;
+    std::vector<Label> labels;
 
     [[nodiscard]] std::int64_t size() const { return windows.rows(); }
   };
 
-  DenseBackend(const LatentTask& task, std::vector<nets::ParameterSpec> specs,
-               const Stream& initial);
+  /// `specs` are the parameters of the generator and of the network that is trained beside it.
+  DenseBackend(LatentTask task, std::vector<nets::ParameterSpec> specs, const Stream& initial);
 
   [[nodiscard]] Batch batch_of(std::span<const std::size_t> windows) const;
-  /// z of N(0, 1) for each window of a batch, [n, latent].
+  /// Draws z from N(0, 1) for each window of a batch, [n, latent].
   [[nodiscard]] Array draw_z(const Batch& batch, Stream& noise) const;
-  /// The generator's windows [n, N] for z and the batch's classes.
+  /// The windows [n, N] that the generator makes of z [n, latent] and the classes of the batch.
   Array generate(const Array& z, const Batch& batch);
-  /// Rows, and one-hot labels behind them, as the input of a chain from a row on.
+  /// Fills the input of a chain, from row `first` on, with `rows` and, behind each, the one-hot
+  /// label of its window.
   void feed(Chain& chain, const Array& rows, const Batch& batch, std::int64_t first = 0) const;
 
-  const LatentTask& task_;
+  LatentTask task_;
   std::vector<nets::ParameterSpec> specs_;
-  nets::Parameters<float> parameters_;
-  std::int64_t batch_;  ///< windows in the largest
+  std::shared_ptr<nets::Parameters<float>> parameters_;
+  std::int64_t largest_batch_;  ///< in windows
   Chain generator_;
 };
 

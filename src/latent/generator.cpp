@@ -29,8 +29,8 @@ LatentGenerator read_latent_generator(const artefact::Reader& reader) {
   generator.info = signal::read_dataset_info(reader);
   generator.samples = reader.integer("/", "samples");
   generator.latent = reader.integer("/", "latent");
-  generator.size = {static_cast<int>(reader.integer("/", "depth")),
-                    static_cast<int>(reader.integer("/", "width"))};
+  generator.size = {.depth = static_cast<int>(reader.integer("/", "depth")),
+                    .width = static_cast<int>(reader.integer("/", "width"))};
   generator.rms = reader.numbers<double>("/classes/rms", {generator.info.classes.size()}).values;
   if (generator.samples < 1 || generator.latent < 1 || generator.size.depth < 1 ||
       generator.size.width < 1) {
@@ -43,15 +43,14 @@ signal::WindowSet generate(const artefact::Reader& model, std::size_t count, con
                            OpenGenerator open, Device device) {
   const LatentGenerator generator = read_latent_generator(model);
   const std::unique_ptr<StoredGenerator> network = open(model, generator, device);
-  const auto make = [&](int label, std::size_t /*index*/, Stream& random) {
-    const auto of = static_cast<std::size_t>(label);
+  const auto make = [&](Label label, std::size_t /*index*/, Stream& random) {
     std::vector<float> window =
-        network->make(normal_numbers(random, static_cast<std::size_t>(generator.latent)), of);
-    for (float& x : window) x *= static_cast<float>(generator.rms[of]);
+        network->make(normal_numbers(random, static_cast<std::size_t>(generator.latent)), label);
+    for (float& x : window) x *= static_cast<float>(generator.rms[index_of(label)]);
     return window;
   };
-  return signal::make_windows(generator.info, static_cast<std::size_t>(generator.samples), count, stream,
-                      make);
+  return signal::make_windows(generator.info, static_cast<std::size_t>(generator.samples), count,
+                              stream, make);
 }
 
 }  // namespace piae::latent

@@ -4,7 +4,7 @@
 
 namespace piae::latent {
 
-/// Settings that a VAE and a GAN share. Each has defaults of its own.
+/// The settings that the VAE and the WGAN-GP share. Each of the two has its own defaults.
 struct LatentOptions {
   int epochs = 0;            ///< passes over the known windows
   int batch = 0;             ///< windows in a step

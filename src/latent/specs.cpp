@@ -4,13 +4,12 @@ namespace piae::latent {
 
 namespace {
 
-/// The generator's, and those of a network that reads windows.
+/// The parameters of the generator and of a network that reads windows with their classes.
 std::vector<nets::ParameterSpec> with_reader(const LatentGenerator& generator,
                                              const std::string& name, std::int64_t outputs) {
   std::vector<nets::ParameterSpec> specs = generator_specs(generator);
-  const auto others = nets::dense_chain_specs(name, generator.samples + generator.classes(),
-                                              outputs, generator.size);
-  specs.insert(specs.end(), others.begin(), others.end());
+  append(specs, nets::dense_chain_specs(name, generator.samples + generator.classes(), outputs,
+                                        generator.size));
   return specs;
 }
 

@@ -3,9 +3,8 @@
 #include <spdlog/fmt/fmt.h>
 
 #include <algorithm>
-#include <cmath>
 
-#include "base/error.hpp"
+#include "nets/divergence.hpp"
 #include "nets/stored_parameters.hpp"
 #include "signal/amplitude.hpp"
 #include "signal/scaling.hpp"
@@ -14,17 +13,20 @@ namespace piae::latent {
 
 namespace {
 
-LatentTask make_task(const signal::WindowSet& known, const LatentOptions& options) {
-  LatentTask task;
-  task.generator.info = known.info;
-  task.generator.samples = static_cast<std::int64_t>(known.length);
-  task.generator.latent = options.latent;
-  task.generator.size = {options.depth, options.width};
-  task.generator.rms = signal::rms_by_class(known);
-  task.options = options;
-  task.windows = signal::scaled_windows(known, task.generator.rms);
-  task.labels = known.labels;
-  return task;
+LatentGenerator describe(const signal::WindowSet& known, const LatentOptions& options) {
+  return {.info = known.info,
+          .samples = static_cast<std::int64_t>(known.length),
+          .latent = options.latent,
+          .size = {.depth = options.depth, .width = options.width},
+          .rms = signal::rms_by_class(known)};
+}
+
+LatentTask make_task(const signal::WindowSet& known, const LatentOptions& options,
+                     const LatentGenerator& generator) {
+  return {.generator = generator,
+          .options = options,
+          .windows = signal::scaled_windows(known, generator.rms),
+          .labels = known.labels};
 }
 
 }  // namespace
@@ -33,21 +35,21 @@ LatentTraining::LatentTraining(const signal::WindowSet& known, const LatentOptio
                                const std::vector<std::string>& losses, const Stream& stream,
                                const MakeBackend& make_backend)
     : stream_(stream),
-      task_(make_task(known, options)),
-      backend_(make_backend(task_, stream.child("initial"))) {
-  for (const std::string& loss : losses) curves_.push_back({loss, {}});
+      options_(options),
+      generator_(describe(known, options)),
+      windows_(known.size()),
+      backend_(make_backend(make_task(known, options, generator_), stream.child("initial"))) {
+  for (const std::string& loss : losses) curves_.push_back({.loss = loss});
 }
 
-std::size_t LatentTraining::epochs() const {
-  return static_cast<std::size_t>(task_.options.epochs);
-}
+std::size_t LatentTraining::epochs() const { return static_cast<std::size_t>(options_.epochs); }
 
 std::string LatentTraining::run_epoch(std::size_t epoch) {
   const Stream own = stream_.child("epoch" + std::to_string(epoch));
   Stream noise = own.child("noise");
   Stream shuffle = own.child("order");
-  const std::vector<std::size_t> order = shuffle.permutation(task_.labels.size());
-  const auto batch = static_cast<std::size_t>(task_.options.batch);
+  const std::vector<std::size_t> order = shuffle.permutation(windows_);
+  const auto batch = static_cast<std::size_t>(options_.batch);
   const std::size_t batches = (order.size() + batch - 1) / batch;
   std::vector<double> means(curves_.size(), 0);
   for (std::size_t i = 0; i < batches; ++i) {
@@ -64,10 +66,7 @@ std::string LatentTraining::run_epoch(std::size_t epoch) {
 std::string LatentTraining::note_epoch(std::size_t epoch, const std::vector<double>& means) {
   std::string note;
   for (std::size_t k = 0; k < means.size(); ++k) {
-    if (!std::isfinite(means[k])) {
-      throw Error(Exit::failed, "training diverged in epoch " + std::to_string(epoch + 1) +
-                                    "; a smaller --learning-rate may help");
-    }
+    nets::require_finite(means[k], "training", epoch + 1, {.value = options_.learning_rate});
     curves_[k].means.push_back(means[k]);
     note += fmt::format("{}{} {:.3f}", k > 0 ? "  " : "", curves_[k].loss, means[k]);
   }
@@ -89,7 +88,7 @@ void LatentTraining::read_state(const artefact::Reader& reader) {
 }
 
 void LatentTraining::write_model(artefact::Writer& writer) const {
-  write(writer, task_.generator);
+  write(writer, generator_);
   write_state(writer);
 }
 

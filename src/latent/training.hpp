@@ -11,22 +11,18 @@
 
 namespace piae::latent {
 
-/// Training of a LatentGenerator together with other networks, in batches of the known windows C:
-/// everything but the step itself. Shuffling and noise of an epoch come from the stream's child
-/// "epoch<i>".
+/// The training of a LatentGenerator and the network beside it, in batches of the known windows C:
+/// everything but the step itself, which is the back end's. Order and noise of epoch i come from
+/// the stream's child "epoch<i>".
 class LatentTraining final : public nets::Trainee {
  public:
   using MakeBackend =
-      std::function<std::unique_ptr<LatentBackend>(const LatentTask& task, const Stream& initial)>;
+      std::function<std::unique_ptr<LatentBackend>(LatentTask task, const Stream& initial)>;
 
-  /// `losses`: names of what a step returns. Throws Error(bad_input) when a class of C is silent.
+  /// `losses` names what a step returns. Throws Error(bad_input) when a class of C is silent.
   LatentTraining(const signal::WindowSet& known, const LatentOptions& options,
                  const std::vector<std::string>& losses, const Stream& stream,
                  const MakeBackend& make_backend);
-
-  // The back end refers to the task.
-  LatentTraining(const LatentTraining&) = delete;
-  LatentTraining& operator=(const LatentTraining&) = delete;
 
   [[nodiscard]] std::size_t epochs() const override;
   /// Throws Error(failed) when a loss is no longer finite.
@@ -34,7 +30,8 @@ class LatentTraining final : public nets::Trainee {
   void write_state(artefact::Writer& writer) const override;
   void read_state(const artefact::Reader& reader) override;
 
-  /// The generator as trained, with its whole state: weights, optimisers, /curves/<loss>.
+  /// Writes the generator as it is after the last epoch, with the whole state of the training:
+  /// weights, Adam, /curves/<loss>.
   void write_model(artefact::Writer& writer) const;
 
  private:
@@ -45,7 +42,9 @@ class LatentTraining final : public nets::Trainee {
   std::string note_epoch(std::size_t epoch, const std::vector<double>& means);
 
   Stream stream_;
-  LatentTask task_;
+  LatentOptions options_;
+  LatentGenerator generator_;
+  std::size_t windows_;  ///< known ones
   std::unique_ptr<LatentBackend> backend_;
   std::vector<Curve> curves_;
 };

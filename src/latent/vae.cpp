@@ -1,6 +1,9 @@
-#include "latent/specs.hpp"
-#include "latent/dense_backend.hpp"
 #include "latent/vae.hpp"
+
+#include <utility>
+
+#include "latent/dense_backend.hpp"
+#include "latent/specs.hpp"
 #include "nets/adam.hpp"
 
 namespace piae::latent {
@@ -11,11 +14,11 @@ const std::string adam_group = "/adam/networks";
 
 class DenseVae final : public DenseBackend {
  public:
-  DenseVae(const LatentTask& task, const Stream& initial)
-      : DenseBackend(task, vae_specs(task.generator), initial),
-        encoder_(parameters_, encoder_name, batch_) {}
+  DenseVae(LatentTask task, const std::vector<nets::ParameterSpec>& specs, const Stream& initial)
+      : DenseBackend(std::move(task), specs, initial),
+        encoder_(parameters_, encoder_name, largest_batch_) {}
 
-  /// The losses of vae_losses.hpp, and their gradients by hand.
+  /// Follows the gradient of both losses together, which is written by hand.
   std::vector<double> step(std::size_t /*index*/, std::span<const std::size_t> windows,
                            Stream& noise) override {
     const Batch batch = batch_of(windows);
@@ -30,26 +33,25 @@ class DenseVae final : public DenseBackend {
     const Array error = generate(mean + deviation, batch) - batch.windows;
 
     nets::put<float>(error * per_window, generator_.output_gradient());
-    const Array by_z = nets::copied(generator_.backward(n, 1, {0, n}), n, latent);
+    const Array by_z = nets::copied(generator_.backward(n, 1, {.begin = 0, .count = n}), n, latent);
     nets::put<float>(by_z + mean * per_window, encoder_.output_gradient());
     nets::put<float>(0.5F * (by_z * deviation + (log_variance.exp() - 1) * per_window),
                      encoder_.output_gradient(), latent);
     encoder_.backward(n, 1, Chain::no_rows);
 
-    const nets::AdamStep adam(++steps_, task_.options.learning_rate, nets::AdamConstants::beta1,
-                              nets::AdamConstants::beta2);
-    generator_.take(adam, 1, {n, n});
-    encoder_.take(adam, 1, {n, n});
+    const nets::AdamStep adam(++steps_, task_.options.learning_rate);
+    generator_.take(adam, 1, {.of_weights = n, .of_biases = n});
+    encoder_.take(adam, 1, {.of_weights = n, .of_biases = n});
     const Array kl = mean.square() + log_variance.exp() - 1 - log_variance;
     return {0.5 * static_cast<double>(error.square().sum() * per_window),
             0.5 * static_cast<double>(kl.sum() * per_window)};
   }
 
   void write_adam(artefact::Writer& writer) const override {
-    write_moments(writer, adam_group, parameters_, "net/", steps_);
+    write_moments(writer, adam_group, *parameters_, "net/", steps_);
   }
   void read_adam(const artefact::Reader& reader) override {
-    steps_ = read_moments(reader, adam_group, parameters_, "net/");
+    steps_ = read_moments(reader, adam_group, *parameters_, "net/");
   }
 
  private:
@@ -59,9 +61,9 @@ class DenseVae final : public DenseBackend {
 
 }  // namespace
 
-std::unique_ptr<LatentBackend> vae(const LatentTask& task, const Stream& initial,
-                                          Device /*device*/) {
-  return std::make_unique<DenseVae>(task, initial);
+std::unique_ptr<LatentBackend> vae(LatentTask task, const Stream& initial, Device /*device*/) {
+  const auto specs = vae_specs(task.generator);
+  return std::make_unique<DenseVae>(std::move(task), specs, initial);
 }
 
 }  // namespace piae::latent

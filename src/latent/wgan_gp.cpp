@@ -1,8 +1,10 @@
-#include <cmath>
-
-#include "latent/specs.hpp"
-#include "latent/dense_backend.hpp"
 #include "latent/wgan_gp.hpp"
+
+#include <cmath>
+#include <utility>
+
+#include "latent/dense_backend.hpp"
+#include "latent/specs.hpp"
 #include "nets/adam.hpp"
 
 namespace piae::latent {
@@ -11,11 +13,12 @@ namespace {
 
 class DenseWganGp final : public DenseBackend {
  public:
-  DenseWganGp(const LatentTask& task, const WganGpOptions& options, const Stream& initial)
-      : DenseBackend(task, wgan_gp_specs(task.generator), initial),
+  DenseWganGp(LatentTask task, const std::vector<nets::ParameterSpec>& specs,
+              const WganGpOptions& options, const Stream& initial)
+      : DenseBackend(std::move(task), specs, initial),
         critic_steps_(static_cast<std::size_t>(options.critic_steps)),
         lambda_(options.penalty),
-        critic_(parameters_, critic_name, 3 * batch_) {}
+        critic_(parameters_, critic_name, 3 * largest_batch_) {}
 
   std::vector<double> step(std::size_t index, std::span<const std::size_t> windows,
                            Stream& noise) override {
@@ -26,16 +29,16 @@ class DenseWganGp final : public DenseBackend {
   }
 
   void write_adam(artefact::Writer& writer) const override {
-    write_moments(writer, "/adam/critic", parameters_, critic_name, critic_taken_);
-    write_moments(writer, "/adam/generator", parameters_, generator_name, generator_taken_);
+    write_moments(writer, "/adam/critic", *parameters_, critic_name, critic_taken_);
+    write_moments(writer, "/adam/generator", *parameters_, generator_name, generator_taken_);
   }
   void read_adam(const artefact::Reader& reader) override {
-    critic_taken_ = read_moments(reader, "/adam/critic", parameters_, critic_name);
-    generator_taken_ = read_moments(reader, "/adam/generator", parameters_, generator_name);
+    critic_taken_ = read_moments(reader, "/adam/critic", *parameters_, critic_name);
+    generator_taken_ = read_moments(reader, "/adam/generator", *parameters_, generator_name);
   }
 
  private:
-  /// The critic reads the known windows, the generated ones and those between in one batch of 3 n.
+  /// The critic reads n known windows, n generated ones and n between them in one batch of 3 n.
   std::vector<double> step_critic(const Batch& batch, Stream& noise) {
     const std::int64_t n = batch.size();
     const Array generated = generate(draw_z(batch, noise), batch);
@@ -44,20 +47,21 @@ class DenseWganGp final : public DenseBackend {
     feed(critic_, between(generated, batch.windows, noise), batch, 2 * n);
     const Array scores = nets::copied(critic_.forward(3 * n), 3 * n, 1);
 
-    // Of -wasserstein for the first two; of the score itself, whose gradient is to be
-    // differentiated once more, for those between.
+    // Known and generated windows get the gradient of -wasserstein. Those between get that of their
+    // score itself, since the penalty needs the gradient of the score by the window.
     const auto share = 1 / static_cast<float>(n);
     for (std::int64_t i = 0; i < 3 * n; ++i) {
       *critic_.output_gradient().row(i) = i < n ? -share : i < 2 * n ? share : 1;
     }
-    const Array slopes =
-        nets::copied(critic_.backward(3 * n, 1, {2 * n, n}), n, task_.generator.samples);
+    const Array slopes = nets::copied(critic_.backward(3 * n, 1, {.begin = 2 * n, .count = n}), n,
+                                      task_.generator.samples);
     const double penalty = follow_penalty(slopes, batch);
     critic_.take(adam(++critic_taken_), 1, {.of_weights = 3 * n, .of_biases = 2 * n});
     return {static_cast<double>(scores.topRows(n).mean() - scores.middleRows(n, n).mean()),
             penalty};
   }
 
+  /// Windows at random places on the lines from generated to known windows.
   [[nodiscard]] static Array between(const Array& generated, const Array& known, Stream& noise) {
     Array windows(known.rows(), known.cols());
     for (std::int64_t i = 0; i < known.rows(); ++i) {
@@ -67,10 +71,12 @@ class DenseWganGp final : public DenseBackend {
     return windows;
   }
 
-  /// The penalty is a function of the slopes g, the critic's gradients by the windows between. g is
-  /// linear in each weight, g = W_1^T m_1 W_2^T m_2 ... (m: where a layer gave more than zero), so
-  /// that the penalty's gradient by a weight is that of a layer which is given the derivative of
-  /// the penalty by g, taken through the layers below. Biases have none.
+  /// Prepares the critic for a step that also follows the penalty; returns the penalty. The penalty
+  /// is a function of the slopes g, the gradients of the critic's score by the windows between. g
+  /// is linear in each weight: g = W_1^T m_1 W_2^T m_2 ..., where m_i is 1 for the units of layer i
+  /// that gave more than zero and 0 for the others. So the gradient of the penalty by a weight is
+  /// that of a layer whose input is the derivative of the penalty by g, taken through the layers
+  /// below it (DenseChain::forward_derivative). Biases have no part in g.
   double follow_penalty(const Array& slopes, const Batch& batch) {
     const std::int64_t n = batch.size();
     double penalty = 0;
@@ -95,10 +101,11 @@ class DenseWganGp final : public DenseBackend {
     for (std::int64_t i = 0; i < n; ++i) {
       *critic_.output_gradient().row(i) = -1 / static_cast<float>(n);
     }
-    nets::put(nets::copied(critic_.backward(n, 1, {0, n}), n, task_.generator.samples),
-              generator_.output_gradient());
+    nets::put(
+        nets::copied(critic_.backward(n, 1, {.begin = 0, .count = n}), n, task_.generator.samples),
+        generator_.output_gradient());
     generator_.backward(n, 1, Chain::no_rows);
-    generator_.take(adam(++generator_taken_), 1, {n, n});
+    generator_.take(adam(++generator_taken_), 1, {.of_weights = n, .of_biases = n});
   }
 
   [[nodiscard]] nets::AdamStep adam(std::int64_t taken) const {
@@ -108,16 +115,16 @@ class DenseWganGp final : public DenseBackend {
   std::size_t critic_steps_;
   double lambda_;
   Chain critic_;
-  std::int64_t critic_taken_ = 0;
-  std::int64_t generator_taken_ = 0;
+  std::int64_t critic_taken_ = 0;     ///< steps of the critic
+  std::int64_t generator_taken_ = 0;  ///< steps of the generator
 };
 
 }  // namespace
 
-std::unique_ptr<LatentBackend> wgan_gp(const LatentTask& task, const WganGpOptions& options,
-                                              const Stream& initial,
-                                              Device /*device*/) {
-  return std::make_unique<DenseWganGp>(task, options, initial);
+std::unique_ptr<LatentBackend> wgan_gp(LatentTask task, const WganGpOptions& options,
+                                       const Stream& initial, Device /*device*/) {
+  const auto specs = wgan_gp_specs(task.generator);
+  return std::make_unique<DenseWganGp>(std::move(task), specs, options, initial);
 }
 
 }  // namespace piae::latent

@@ -8,21 +8,23 @@
 
 namespace piae::latent {
 
-/// The critic minimises -wasserstein + lambda * penalty in every step; after each `critic_steps` of
-/// them, counted over the whole training, the generator takes one to maximise the mean score of its
-/// windows (Gulrajani et al. 2017, Algorithm 1). A step returns wasserstein and penalty.
-/// The task must outlive it.
-using MakeWganGp = std::unique_ptr<LatentBackend> (*)(const LatentTask& task,
-                                                      const WganGpOptions& options,
-                                                      const Stream& initial,
-                                                      Device device);
+/// Makes a back end of the conditional WGAN-GP (Gulrajani et al. 2017, Algorithm 1). In every step
+/// the critic minimises -wasserstein + lambda * penalty. After every `critic_steps` steps, counted
+/// over the whole training, the generator takes one to maximise the mean score of its windows. A
+/// step returns:
+///   - wasserstein: the mean score of the known windows minus that of the generated ones;
+///   - penalty: the mean of (|gradient of the score by the window| - 1)^2 over windows between
+///     known and generated ones.
+/// The back end owns the task; initial values come from `initial`.
+using MakeWganGp = std::unique_ptr<LatentBackend> (*)(LatentTask task, const WganGpOptions& options,
+                                                      const Stream& initial, Device device);
 
-/// Ours, for one core.
-std::unique_ptr<LatentBackend> wgan_gp(const LatentTask& task, const WganGpOptions& options,
+/// Our own, for one core.
+std::unique_ptr<LatentBackend> wgan_gp(LatentTask task, const WganGpOptions& options,
                                        const Stream& initial, Device device);
 
-/// Adam's decay rates. Gulrajani et al. print beta_1 = 0 (Algorithm 1); their published code for
-/// dense and small networks (gan_toy.py, gan_mnist.py) and most work since has 0.5.
+/// The decay rates of Adam. Gulrajani et al. print beta_1 = 0 (Algorithm 1), but their published
+/// code for dense and small networks (gan_toy.py, gan_mnist.py) and most later work has 0.5.
 inline constexpr double wgan_gp_beta1 = 0.5;
 inline constexpr double wgan_gp_beta2 = 0.9;
 

@@ -1,11 +1,12 @@
 #pragma once
 
-#include "latent/options.hpp"
 #include "cli/options.hpp"
+#include "latent/options.hpp"
 
 namespace piae::latent {
 
-/// The paper names WGAN-GP and nothing of it; see pipeline/protocol.toml, [train.wgan-gp].
+/// The settings of the WGAN-GP. The paper says no more than its name; where each value comes from
+/// stands in pipeline/protocol.toml, [train.wgan-gp].
 struct WganGpOptions {
   LatentOptions networks{
       .epochs = 1000,         // calibrated

@@ -1,4 +1,4 @@
-// What a program is linked with that does without LibTorch.
+// This is linked into the programs that do without LibTorch.
 
 #include "libtorch/back_ends.hpp"
 

@@ -1,4 +1,4 @@
-// What a program is linked with that has LibTorch.
+// This is linked into the programs that have LibTorch.
 
 #include "libtorch/back_ends.hpp"
 

@@ -11,7 +11,7 @@
 // without (absent.cpp); nothing else in the source differs between the two.
 namespace piae::libtorch {
 
-/// What LibTorch computes, each on the device that is asked for.
+/// All that LibTorch computes, each on the device that is asked for.
 struct BackEnds {
   twin::MakeEngine twin;
   latent::MakeVae vae;
@@ -23,16 +23,17 @@ struct BackEnds {
 /// Null in a program that is linked without LibTorch.
 const BackEnds* back_ends();
 
-/// One of them, or null in a program that is linked without LibTorch.
+/// One of its back ends, or null in a program that is linked without LibTorch.
 template <class F>
 F back_end(F BackEnds::*which) {
   const BackEnds* const all = back_ends();
   return all == nullptr ? nullptr : all->*which;
 }
 
-/// In a program that is linked without LibTorch: goes on as the one that is linked with it, called
-/// <program>-libtorch and lying in the same folder, with the same arguments. Does not come back then.
-/// Throws Error(failed) where there is no such program, as after a build with LIBTORCH=off.
+/// Does nothing in a program that is linked with LibTorch. A program that is not is replaced by the
+/// one that is: it lies in the same folder, is called <program>-libtorch, and gets the same
+/// arguments. The function does not return then. Throws Error(failed) where there is no such
+/// program, as after a build with LIBTORCH=off.
 void continue_with_libtorch(char** argv);
 
 }  // namespace piae::libtorch

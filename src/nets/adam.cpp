@@ -24,7 +24,7 @@ template void take(const AdamStep&, double*, const double*, double*, double*, st
 
 template <class T>
 void Adam<T>::step(T* values, const T* gradients, double learning_rate) {
-  const AdamStep step(++steps_, learning_rate, AdamConstants::beta1, AdamConstants::beta2);
+  const AdamStep step(++steps_, learning_rate);
   take(step, values, gradients, first_moment_.data(), second_moment_.data(), first_moment_.size());
 }
 

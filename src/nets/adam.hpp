@@ -7,25 +7,28 @@
 
 namespace piae::nets {
 
-/// Of Adam, as Kingma and Ba recommend.
+/// The constants of Adam that Kingma and Ba (2015) recommend.
 struct AdamConstants {
   static constexpr double beta1 = 0.9;
   static constexpr double beta2 = 0.999;
   static constexpr double epsilon = 1e-8;
 };
 
-/// What Algorithm 1 of Kingma and Ba (2015) needs to know of step t = 1, 2, ...
+/// The numbers that all parameters share in step t = 1, 2, ... of Adam (Kingma and Ba 2015,
+/// Algorithm 1).
 struct AdamStep {
-  AdamStep(std::int64_t t, double learning_rate, double beta1, double beta2);
+  AdamStep(std::int64_t t, double learning_rate, double beta1 = AdamConstants::beta1,
+           double beta2 = AdamConstants::beta2);
 
   double beta1;
   double beta2;
   double rate;        ///< learning rate / (1 - beta1^t)
-  double correction;  ///< of the second moment's root: 1 / sqrt(1 - beta2^t)
+  double correction;  ///< 1 / sqrt(1 - beta2^t), a factor on the root of the second moment
 };
 
-/// That step for one parameter, in T. A loop over it becomes vector instructions where the square
-/// root need not set errno (CMakeLists.txt).
+/// One step of Adam for one parameter, computed in T. GCC turns a loop that calls it into vector
+/// instructions only in files that are compiled with -fno-math-errno (CMakeLists.txt), because
+/// otherwise the square root must set errno.
 template <class T>
 class AdamUpdate {
  public:
@@ -53,19 +56,19 @@ class AdamUpdate {
   T correction_;
 };
 
-/// That step over plain numbers in one pass: the arrays are what a small network's training waits
-/// for. All have `size` numbers.
+/// One step of Adam for `size` parameters in a row. It goes through the four arrays once, because
+/// the training of a small network waits for memory and not for arithmetic.
 template <class T>
 void take(const AdamStep& step, T* values, const T* gradients, T* first_moment, T* second_moment,
           std::size_t size);
 
-/// Adam over plain numbers: what nets::Adam is over tensors.
+/// Adam with its moments and its count of steps, for parameters that lie in one array.
 template <class T>
 class Adam {
  public:
   explicit Adam(std::size_t size) : first_moment_(size), second_moment_(size) {}
 
-  /// Both arrays have the `size` of the constructor.
+  /// One step. Both arrays hold as many numbers as the constructor was told.
   void step(T* values, const T* gradients, double learning_rate);
 
  private:

@@ -2,26 +2,31 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <utility>
 
 #include "base/vector.hpp"
 
 namespace piae::nets {
 
 template <class T>
-DenseChain<T>::DenseChain(Parameters<T>& parameters, const std::string& name,
+DenseChain<T>::DenseChain(std::shared_ptr<Parameters<T>> parameters, const std::string& name,
                           std::int64_t most_rows)
-    : parameters_(parameters), most_rows_(most_rows) {
+    : parameters_(std::move(parameters)), most_rows_(most_rows) {
   std::int64_t widest = 0;
-  for (const auto& weight : parameters.parameters()) {
+  for (const auto& weight : parameters_->parameters()) {
     if (!weight.spec.name.starts_with(name + "/") || !weight.spec.name.ends_with("/weight")) {
       continue;
     }
     const std::string layer = weight.spec.name.substr(0, weight.spec.name.rfind('/'));
-    const LayerSize size{weight.columns, weight.rows, weight.held_columns};
+    const LayerSize size{
+        .inputs = weight.columns, .outputs = weight.rows, .held_inputs = weight.held_columns};
     const std::int64_t held_outputs = whole_rows(size.outputs);
-    layers_.push_back({size, weight.begin, parameters.find(layer + "/bias").begin, held_outputs,
-                       Numbers::Zero(most_rows * size.held_inputs),
-                       Numbers::Zero(most_rows * held_outputs)});
+    layers_.push_back({.size = size,
+                       .weight = weight.begin,
+                       .bias = parameters_->find(layer + "/bias").begin,
+                       .held_outputs = held_outputs,
+                       .input = Numbers::Zero(most_rows * size.held_inputs),
+                       .output_gradient = Numbers::Zero(most_rows * held_outputs)});
     widest = std::max(widest, size.outputs);
   }
   if (layers_.empty()) throw std::logic_error("no dense layer is called " + name + "/...");
@@ -111,9 +116,9 @@ double DenseChain<T>::squared_norm(const Summed& rows) const {
 template <class T>
 void DenseChain<T>::take(const AdamStep& step, double scale, const Summed& rows) {
   const auto kept = [&](std::int64_t begin) {
-    return TrainedWeight<T>{parameters_.data(Kept::value) + begin,
-                            parameters_.data(Kept::first_moment) + begin,
-                            parameters_.data(Kept::second_moment) + begin};
+    return TrainedWeight<T>{.values = parameters_->data(Kept::value) + begin,
+                            .first_moment = parameters_->data(Kept::first_moment) + begin,
+                            .second_moment = parameters_->data(Kept::second_moment) + begin};
   };
   for (Layer& layer : layers_) {
     std::vector<T> bias = bias_gradient(layer, rows.of_biases);

@@ -10,12 +10,12 @@ namespace piae::nets {
 
 namespace {
 
-/// Rows that one pass over a weight serves, and rows of the weight that are read side by side: as
-/// many as there are registers for.
+/// How many rows of the batch one pass over a weight serves, and how many rows of the weight are
+/// read side by side. Both are as large as the number of vector registers allows.
 constexpr int most_rows = 6;
 constexpr int side_by_side = vector_registers >= 32 ? 4 : 2;
 
-/// All numbers of a vector, added by halves.
+/// The sum of the numbers in a vector: its halves are added until one number is left.
 template <class T>
 T sum_of(Vector<T> vector) {
   T numbers[lanes<T>];
@@ -28,15 +28,16 @@ T sum_of(Vector<T> vector) {
   return numbers[0];
 }
 
-/// Calls f.template operator()<n>(row) for blocks of n rows from `row` on, n = block as long as so
-/// many are left, then fewer.
+/// Cuts the rows from `row` on into blocks and calls f.template operator()<n>(begin) for each block
+/// of n rows. Blocks have `block` rows as long as so many are left; the last ones have fewer.
 template <int block = most_rows, class F>
 void in_blocks(std::int64_t rows, const F& f, std::int64_t row = 0) {
   for (; rows - row >= block; row += block) f.template operator()<block>(row);
   if constexpr (block > 1) in_blocks<block - 1>(rows, f, row);
 }
 
-/// `outputs` numbers of each of `rows` rows, whose sums stay in registers where GCC unrolls.
+/// `outputs` numbers of y for each of `rows` rows of x. The loops are unrolled so that GCC keeps
+/// the sums in registers.
 template <class T, int rows, int outputs>
 void dot_products(std::int64_t inputs, const T* weight, const T* bias, Rows<const T> x, T* y,
                   std::int64_t y_stride) {
@@ -74,7 +75,7 @@ void propagate_rows(const LayerSize& size, const T* weight, const T* bias, Rows<
   }
 }
 
-/// dx += dy[0 .. outputs) W, for so many rows of the weight.
+/// dx += dy W for the first `outputs` columns of dy and as many rows of the weight W.
 template <class T, int rows, int outputs>
 void add_weight_rows(std::int64_t inputs, const T* weight, const T* dy, std::int64_t dy_stride,
                      Rows<T> dx) {
@@ -110,7 +111,8 @@ void propagate_rows_back(const LayerSize& size, const T* weight, Rows<const T> d
   }
 }
 
-/// Adam for one row of a weight; the gradient is the sum of `rows` rows of x, each times a factor.
+/// One step of Adam for one row of a weight. Its gradient is the sum of `rows` rows of x, each
+/// times its factor.
 template <class T, int rows>
 void take_row(const AdamUpdate<T>& update, std::int64_t inputs, const T* factors, Rows<const T> x,
               const TrainedWeight<T>& w) {
@@ -123,7 +125,7 @@ void take_row(const AdamUpdate<T>& update, std::int64_t inputs, const T* factors
   }
 }
 
-/// gradient += the sum of `rows` rows of x, each times a factor.
+/// Adds to `gradient` the sum of `rows` rows of x, each times its factor.
 template <class T, int rows>
 void add_rows(std::int64_t inputs, const T* factors, Rows<const T> x, T* gradient) {
 #pragma GCC ivdep

@@ -6,8 +6,8 @@
 
 namespace piae::nets {
 
-/// Rows of numbers; row i begins at data + i * stride. Rows are filled up with zeros to whole
-/// vectors (base/vector.hpp), and so are strides.
+/// A view of rows of numbers; row i begins at data + i * stride. Zeros fill each row up to whole
+/// vectors (base/vector.hpp), so the stride is a multiple of a vector too.
 template <class T>
 struct Rows {
   T* data;
@@ -18,28 +18,28 @@ struct Rows {
   operator Rows<const T>() const { return {data, stride}; }
 };
 
-/// Sizes of a dense layer; its weight is [outputs, held_inputs].
+/// The sizes of a dense layer. Its weight lies in memory as [outputs, held_inputs].
 struct LayerSize {
   std::int64_t inputs;
   std::int64_t outputs;
-  std::int64_t held_inputs;  ///< inputs, filled up with zeros to whole vectors
+  std::int64_t held_inputs;  ///< inputs, rounded up to whole vectors; zeros fill the difference
 };
 
-// Passes over the weight of a dense layer for batches of a few rows. Each reads the weight once for
-// up to six rows: at batch 5 that traffic is what training waits for. The result of a row does not
-// depend on the rows beside it.
+// The functions below go over the weight of a dense layer for a batch of a few rows. Each reads the
+// weight once for up to six rows, because at the paper's batch of 5 the training waits for this
+// reading. What a row of the batch gives does not depend on the rows beside it.
 
 /// y = x W^T + b for x [rows, inputs] and y [rows, outputs].
 template <class T>
 void propagate(const LayerSize& size, const T* weight, const T* bias, std::int64_t rows,
                Rows<const T> x, Rows<T> y);
 
-/// dx = dy W: the gradient by the layer's input, all held columns of it.
+/// dx = dy W: from the gradient by the output to that by the input, for all held columns.
 template <class T>
 void propagate_back(const LayerSize& size, const T* weight, std::int64_t rows, Rows<const T> dy,
                     Rows<T> dx);
 
-/// A layer's weight with Adam's moments, each [outputs, held_inputs].
+/// The weight of a layer with the moments that Adam keeps of it, each [outputs, held_inputs].
 template <class T>
 struct TrainedWeight {
   T* values;
@@ -47,13 +47,14 @@ struct TrainedWeight {
   T* second_moment;
 };
 
-/// One step of Adam with the gradient scale * dy^T x, of which no number is ever stored: it has the
-/// rank of the batch, and is formed where it is used.
+/// One step of Adam with the gradient scale * dy^T x. The gradient is never stored: each row of it
+/// is a sum of a few rows of x, formed where it is used.
 template <class T>
 void take(const AdamStep& step, double scale, const LayerSize& size, std::int64_t rows,
           Rows<const T> dy, Rows<const T> x, const TrainedWeight<T>& weight);
 
-/// Squared Euclidean norm of dy^T x, by the products of its rows: sum_rs (dy_r . dy_s)(x_r . x_s).
+/// The squared Euclidean norm of dy^T x, computed as sum over r and s of (dy_r . dy_s)(x_r . x_s)
+/// so that dy^T x itself is not needed.
 template <class T>
 double squared_norm(const LayerSize& size, std::int64_t rows, Rows<const T> dy, Rows<const T> x);
 

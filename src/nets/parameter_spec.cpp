@@ -22,11 +22,14 @@ std::vector<ParameterSpec> dense_chain_specs(const std::string& name, std::int64
   for (int layer = 0; layer < size.depth; ++layer) {
     const bool last = layer + 1 == size.depth;
     const std::int64_t units = last ? outputs : size.width;
-    const auto dense = dense_specs(name + "/" + std::to_string(layer), inputs, units);
-    specs.insert(specs.end(), dense.begin(), dense.end());
+    append(specs, dense_specs(name + "/" + std::to_string(layer), inputs, units));
     inputs = units;
   }
   return specs;
+}
+
+void append(std::vector<ParameterSpec>& specs, const std::vector<ParameterSpec>& more) {
+  specs.insert(specs.end(), more.begin(), more.end());
 }
 
 std::size_t total_size(const std::vector<ParameterSpec>& specs) {

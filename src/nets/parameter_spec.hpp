@@ -8,9 +8,10 @@
 
 namespace piae::nets {
 
-/// One parameter tensor of a network, and how it starts: uniform in [-bound, bound], or `constant`
-/// where bound is 0. LibTorch's own default for dense, convolutional and recurrent layers is
-/// bound = 1 / sqrt(inputs of one unit), for weights and biases alike.
+/// One parameter tensor of a network: its name, its shape, and how it starts. It starts uniform in
+/// [-bound, bound], or with `constant` everywhere where bound is 0. The default of LibTorch for
+/// dense, convolutional and recurrent layers, weights and biases alike, is bound = 1 / sqrt(inputs
+/// of one unit); we use the same.
 struct ParameterSpec {
   std::string name;  ///< "encoder/0/weight"
   std::vector<std::int64_t> shape;
@@ -20,25 +21,30 @@ struct ParameterSpec {
   [[nodiscard]] std::int64_t size() const;
 };
 
-/// Weight [outputs, inputs] and bias [outputs] of a dense layer called "<name>".
+/// <name>/weight [outputs, inputs] and <name>/bias [outputs] of a dense layer.
 std::vector<ParameterSpec> dense_specs(const std::string& name, std::int64_t inputs,
                                        std::int64_t outputs);
 
-/// Size of a chain of dense layers with ReLU between them.
+/// The size of a chain of dense layers with ReLU between them.
 struct DenseSize {
   int depth = 0;  ///< layers, at least 1
   int width = 0;  ///< units of a hidden layer
 };
 
-/// Parameters of a chain from `inputs` to `outputs` numbers: <name>/0/weight, <name>/0/bias, ...
+/// The parameters <name>/0/weight, <name>/0/bias, <name>/1/weight, ... of a chain that turns
+/// `inputs` numbers into `outputs` numbers.
 std::vector<ParameterSpec> dense_chain_specs(const std::string& name, std::int64_t inputs,
                                              std::int64_t outputs, DenseSize size);
 
-/// Numbers in all of them.
+/// Appends `more` to `specs`.
+void append(std::vector<ParameterSpec>& specs, const std::vector<ParameterSpec>& more);
+
+/// How many numbers all these parameters hold together.
 std::size_t total_size(const std::vector<ParameterSpec>& specs);
 
-/// The values that it starts with, in the order of its shape. They come from the stream's child of
-/// its name, so that they do not depend on what else the model holds.
+/// The values that a parameter starts with, in the order of its shape. They are drawn from the
+/// child of the stream that has the parameter's name, so they do not depend on what else the model
+/// holds.
 std::vector<double> initial_values(const ParameterSpec& spec, const Stream& stream);
 
 }  // namespace piae::nets

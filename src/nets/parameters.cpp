@@ -4,13 +4,14 @@
 #include <stdexcept>
 
 #include "base/vector.hpp"
+#include "nets/stored_parameters.hpp"
 
 namespace piae::nets {
 
 namespace {
 
-/// Calls f(held, flat) for each row of a parameter: where it begins among all that is held, and
-/// among the parameter's own numbers in the order of its spec.
+/// Calls f(held, flat) for each row of a parameter. `held` is where the row begins in the arrays of
+/// Parameters::data(), `flat` where it begins among the parameter's own numbers without filling.
 template <class Parameter, class F>
 void for_each_row(const Parameter& parameter, const F& f) {
   for (std::int64_t row = 0; row < parameter.rows; ++row) {
@@ -26,7 +27,11 @@ Parameters<T>::Parameters(std::vector<ParameterSpec> specs, const Stream& stream
   for (ParameterSpec& spec : specs) {
     const std::int64_t rows = spec.shape.size() > 1 ? spec.shape.front() : 1;
     const std::int64_t columns = spec.size() / rows;
-    parameters_.push_back({std::move(spec), begin, rows, columns, whole_rows(columns)});
+    parameters_.push_back({.spec = std::move(spec),
+                           .begin = begin,
+                           .rows = rows,
+                           .columns = columns,
+                           .held_columns = whole_rows(columns)});
     begin += rows * whole_rows(columns);
   }
   for (Numbers& numbers : kept_) numbers = Numbers::Zero(begin);
@@ -39,8 +44,7 @@ Parameters<T>::Parameters(std::vector<ParameterSpec> specs, const Stream& stream
 }
 
 template <class T>
-const typename Parameters<T>::Parameter& Parameters<T>::find(
-    const std::string& name) const {
+const typename Parameters<T>::Parameter& Parameters<T>::find(const std::string& name) const {
   const auto found =
       std::ranges::find(parameters_, name, [](const Parameter& p) { return p.spec.name; });
   if (found == parameters_.end()) throw std::logic_error("no parameter is called " + name);
@@ -86,20 +90,20 @@ void write_moments(artefact::Writer& writer, const std::string& group,
                    const Parameters<float>& parameters, const std::string& prefix,
                    std::int64_t steps) {
   using Kept = Parameters<float>::Kept;
-  writer.numbers(group + "/first_moment", parameters.read(Kept::first_moment, prefix));
-  writer.numbers(group + "/second_moment", parameters.read(Kept::second_moment, prefix));
-  writer.attribute(group, "steps", steps);
+  write(writer, group,
+        AdamState{.first_moment = parameters.read(Kept::first_moment, prefix),
+                  .second_moment = parameters.read(Kept::second_moment, prefix),
+                  .steps = steps});
 }
 
 std::int64_t read_moments(const artefact::Reader& reader, const std::string& group,
                           Parameters<float>& parameters, const std::string& prefix) {
   using Kept = Parameters<float>::Kept;
   const std::size_t size = parameters.read(Kept::value, prefix).size();
-  parameters.write(Kept::first_moment,
-                   reader.numbers<float>(group + "/first_moment", {size}).values, prefix);
-  parameters.write(Kept::second_moment,
-                   reader.numbers<float>(group + "/second_moment", {size}).values, prefix);
-  return reader.integer(group, "steps");
+  const AdamState state = read_adam_state(reader, group, size);
+  parameters.write(Kept::first_moment, state.first_moment, prefix);
+  parameters.write(Kept::second_moment, state.second_moment, prefix);
+  return state.steps;
 }
 
 template class Parameters<float>;

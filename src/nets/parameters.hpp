@@ -14,40 +14,40 @@
 
 namespace piae::nets {
 
-/// Parameters of dense networks with their moments of Adam: what ParameterSet and Adam are over
-/// tensors. Rows of a weight [outputs, inputs], and biases, are filled up with zeros to whole
-/// vectors; what fills them stays zero. Everything that is read or written whole is float32 in the
-/// order of the specs, without the filling.
+/// The parameters of dense networks with the moments that Adam keeps of them. Each row of a weight
+/// [outputs, inputs], and each bias, is filled up with zeros to whole vectors; these zeros stay
+/// zero. copy(), read() and write() deal in float32 in the order of the specs, without the filling.
 template <class T>
 class Parameters {
  public:
-  /// Initial values as those of ParameterSet.
+  /// Initial values come from the stream as initial_values() says; moments are zero.
   Parameters(std::vector<ParameterSpec> specs, const Stream& stream);
 
-  /// A parameter, and where its values begin. Throws std::logic_error.
+  /// One parameter, and where it lies in each of the arrays of data().
   struct Parameter {
     ParameterSpec spec;
-    std::int64_t begin;
-    std::int64_t rows;
-    std::int64_t columns;
-    std::int64_t held_columns;
+    std::int64_t begin;         ///< index of its first number
+    std::int64_t rows;          ///< 1 for a bias
+    std::int64_t columns;       ///< numbers in a row
+    std::int64_t held_columns;  ///< from the beginning of one row to that of the next
   };
+  /// Throws std::logic_error when there is no parameter of that name.
   [[nodiscard]] const Parameter& find(const std::string& name) const;
   [[nodiscard]] const std::vector<Parameter>& parameters() const { return parameters_; }
 
-  /// What is kept of each parameter.
+  /// The three arrays: values of all parameters, and both moments of Adam.
   enum class Kept { value, first_moment, second_moment };
   [[nodiscard]] T* data(Kept kept) { return numbers(kept).data(); }
   [[nodiscard]] const T* data(Kept kept) const { return numbers(kept).data(); }
 
-  /// Of the parameters whose names begin with `prefix`.
+  /// The numbers of the parameters whose names begin with `prefix`, one parameter after another.
   void copy(Kept kept, std::span<float> to, const std::string& prefix = "") const;
   [[nodiscard]] std::vector<float> read(Kept kept, const std::string& prefix = "") const;
-  /// As many as read() gives.
+  /// Sets what read() with the same arguments gives.
   void write(Kept kept, std::span<const float> all, const std::string& prefix = "");
 
  private:
-  using Numbers = Eigen::ArrayX<T>;  // on the boundary of vectors
+  using Numbers = Eigen::ArrayX<T>;  // begins at the boundary of a vector register
   Numbers& numbers(Kept kept) { return kept_[static_cast<std::size_t>(kept)]; }
   [[nodiscard]] const Numbers& numbers(Kept kept) const {
     return kept_[static_cast<std::size_t>(kept)];
@@ -57,12 +57,12 @@ class Parameters {
   std::array<Numbers, 3> kept_;
 };
 
-/// Moments of the parameters whose names begin with `prefix`, and Adam's steps, as nets::Adam
-/// writes and reads them.
+/// Writes the moments of the parameters whose names begin with `prefix`, and how many steps Adam
+/// took, as an AdamState (stored_parameters.hpp).
 void write_moments(artefact::Writer& writer, const std::string& group,
                    const Parameters<float>& parameters, const std::string& prefix,
                    std::int64_t steps);
-/// Returns the steps.
+/// Reads these moments back; returns the number of steps.
 std::int64_t read_moments(const artefact::Reader& reader, const std::string& group,
                           Parameters<float>& parameters, const std::string& prefix);
 

@@ -23,4 +23,17 @@ std::vector<float> read_parameters(const artefact::Reader& reader, const std::st
   return values;
 }
 
+void write(artefact::Writer& writer, const std::string& group, const AdamState& state) {
+  writer.numbers(group + "/first_moment", state.first_moment);
+  writer.numbers(group + "/second_moment", state.second_moment);
+  writer.attribute(group, "steps", state.steps);
+}
+
+AdamState read_adam_state(const artefact::Reader& reader, const std::string& group,
+                          std::size_t size) {
+  return {.first_moment = reader.numbers<float>(group + "/first_moment", {size}).values,
+          .second_moment = reader.numbers<float>(group + "/second_moment", {size}).values,
+          .steps = reader.integer(group, "steps")};
+}
+
 }  // namespace piae::nets

@@ -14,7 +14,7 @@ namespace {
 
 const std::string checkpoint_kind = "checkpoint";
 
-/// What must be the same for a continued training to equal an uncut one.
+/// A digest of all that must be the same for a continued training to equal an uninterrupted one.
 std::string identity_of(const artefact::Provenance& provenance) {
   Sha256 sha;
   sha.update(artefact::build_version()).update(artefact::build_libraries());
@@ -31,8 +31,9 @@ void save(const Trainee& trainee, const Checkpoint& checkpoint, std::size_t epoc
   writer.save(checkpoint.path, checkpoint.provenance);
 }
 
-/// Epochs that need not be run again. A checkpoint that does not fit, or is damaged, costs the time
-/// to train anew and nothing else.
+/// Restores the state that the checkpoint holds; returns how many epochs need not be run again. A
+/// checkpoint that does not fit or is damaged is no error: the training starts anew, with a
+/// warning.
 std::size_t resume(Trainee& trainee, const Checkpoint& checkpoint) {
   if (!std::filesystem::exists(checkpoint.path)) return 0;
   try {

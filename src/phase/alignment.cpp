@@ -24,7 +24,9 @@ Fit best_fit(std::span<const double> reference, std::span<const double> waveform
   Fit fit;
   for (Index s = 0; s < samples; ++s) {
     const double correlation = twice.segment(s, samples).dot(target);
-    if (correlation > fit.correlation) fit = {static_cast<std::size_t>(s), correlation};
+    if (correlation > fit.correlation) {
+      fit = {.start = static_cast<std::size_t>(s), .correlation = correlation};
+    }
   }
   fit.correlation /= Map(reference.data(), samples).norm() * target.norm();
   return fit;
@@ -40,7 +42,7 @@ Alignment align(const std::vector<std::vector<double>>& waveforms) {
   Alignment best;
   double largest = -std::numeric_limits<double>::infinity();
   for (std::size_t reference = 0; reference < waveforms.size(); ++reference) {
-    Alignment alignment{reference, {}};
+    Alignment alignment{.reference = reference};
     double sum = 0;
     for (const std::vector<double>& waveform : waveforms) {
       const Fit fit = best_fit(waveforms[reference], waveform);

@@ -13,16 +13,17 @@ namespace piae::phase {
 
 namespace {
 
-/// What is left of a window at least, to blend the cycle's end into its beginning.
+/// At least this part of a window is left to blend the cycle's end into its beginning.
 constexpr double least_blend = 1.0 / 32;
-/// A longer blend would soften more of the cycle than the seam needs.
+/// In samples. A longer blend would soften more of the cycle than the seam needs.
 constexpr std::size_t longest_blend = 64;
 
 }  // namespace
 
-double strike_frequency_hz(const signal::DatasetInfo& info, std::size_t label) {
+double strike_frequency_hz(const signal::DatasetInfo& info, Label label) {
   const auto lines = bearing::fault_frequencies(info.bearing, info.shaft_speed_rpm);
-  switch (info.classes.at(label).defect) {
+  const signal::ClassInfo& c = info.classes.at(index_of(label));
+  switch (c.defect) {
     case signal::Defect::outer:
       return lines.bpfo_hz;
     case signal::Defect::inner:
@@ -32,8 +33,8 @@ double strike_frequency_hz(const signal::DatasetInfo& info, std::size_t label) {
     case signal::Defect::none:
       break;
   }
-  throw Error(Exit::bad_input, info.name + ": class " + info.classes.at(label).name +
-                                   " has no defect, and so no fault frequency");
+  throw Error(Exit::bad_input,
+              info.name + ": class " + c.name + " has no defect, and so no fault frequency");
 }
 
 std::size_t Cycle::offset_of_strike(std::size_t j) const {
@@ -46,15 +47,16 @@ double Cycle::angle_rad(std::size_t sample) const {
   return 2 * std::numbers::pi * (turns - std::floor(turns));
 }
 
-Cycle cycle_of(const signal::DatasetInfo& info, std::size_t label, std::size_t length) {
+Cycle cycle_of(const signal::DatasetInfo& info, Label label, std::size_t length) {
   const double strike_samples = info.sample_rate_hz / strike_frequency_hz(info, label);
   const double usable = static_cast<double>(length) * (1 - least_blend);
   const double strikes = std::floor(usable / strike_samples);
   if (strikes < 1) {
-    throw Error(Exit::bad_input,
-                fmt::format("{}: windows of {} samples do not hold one strike of class {}, every "
-                            "{:.1f} samples; longer windows would",
-                            info.name, length, info.classes.at(label).name, strike_samples));
+    throw Error(
+        Exit::bad_input,
+        fmt::format("{}: windows of {} samples do not hold one strike of class {}, every "
+                    "{:.1f} samples; longer windows would",
+                    info.name, length, info.classes.at(index_of(label)).name, strike_samples));
   }
   Cycle cycle;
   cycle.strikes = static_cast<std::size_t>(strikes);

@@ -10,10 +10,10 @@ namespace piae::phase {
 
 std::vector<float> autocorrelation(std::span<const float> window) {
   const auto samples = static_cast<Eigen::Index>(window.size());
-  // Zeros after the window keep its end from meeting its beginning.
+  // The transform is cyclic: without zeros behind the window, its end would meet its beginning.
   Eigen::VectorXf padded = Eigen::VectorXf::Zero(samples + static_cast<Eigen::Index>(feature_lags));
   const Eigen::Map<const Eigen::VectorXf> values(window.data(), samples);
-  // Eigen's own mean adds in an order that depends on where the window lies in memory.
+  // Eigen's own mean() would add in an order that depends on where the window lies in memory.
   padded.head(samples) = values.array() - static_cast<float>(signal::mean_of(window));
   Eigen::FFT<float> fft;
   Eigen::VectorXcf spectrum;

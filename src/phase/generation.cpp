@@ -18,7 +18,7 @@ class Decoder {
       : description_(twin::read_model_description(model)),
         networks_(engine.open(model, description_, twin::without_encoder)),
         points_(twin::TwinSpace(model).points()),
-        labels_(model.numbers<std::int32_t>("/phase/labels", {points_.size()}).values),
+        labels_(model.numbers<Label>("/phase/labels", {points_.size()}).values),
         bins_(static_cast<int>(model.integer("/phase", "space_bins"))),
         scale_(points_, labels_, info().classes.size()) {}
 
@@ -26,21 +26,23 @@ class Decoder {
   [[nodiscard]] std::size_t length() const {
     return static_cast<std::size_t>(description_.shape.samples);
   }
-  [[nodiscard]] Cycle cycle(std::size_t label) const { return cycle_of(info(), label, length()); }
+  [[nodiscard]] Cycle cycle(Label label) const { return cycle_of(info(), label, length()); }
 
-  /// The space of one class alone: the state of an inner race says nothing about a ball.
-  [[nodiscard]] twin::TwinSpace space_of(std::size_t label) const {
+  /// The twin space of one class. Each class has its own, because the state of an inner race says
+  /// nothing about a ball.
+  [[nodiscard]] twin::TwinSpace space_of(Label label) const {
     std::vector<twin::TwinPoint> own;
     for (std::size_t i = 0; i < points_.size(); ++i) {
-      if (static_cast<std::size_t>(labels_[i]) == label) own.push_back(points_[i]);
+      if (labels_[i] == label) own.push_back(points_[i]);
     }
     return {own, bins_};
   }
 
-  [[nodiscard]] std::vector<float> windows(std::size_t label,
-                                           const std::vector<Draw>& draws) const {
+  [[nodiscard]] std::vector<float> windows(Label label, const std::vector<Draw>& draws) const {
     std::vector<float> waveforms = networks_->decode(inputs(draws, label), label);
-    for (float& a : waveforms) a *= static_cast<float>(description_.acceleration[label]);
+    for (float& a : waveforms) {
+      a *= static_cast<float>(description_.acceleration[index_of(label)]);
+    }
     const Cycle own = cycle(label);
     const auto waveform = [&](std::size_t row) {
       return std::span(waveforms).subspan(row * length(), own.samples);
@@ -48,16 +50,16 @@ class Decoder {
     std::vector<float> all;
     for (std::size_t i = 0; i < draws.size(); ++i) {
       const std::vector<float> window =
-          pass(waveform(i), waveform(draws.size() + i), own, draws[i].passage, length());
+          splice(waveform(i), waveform(draws.size() + i), own, draws[i].passage, length());
       all.insert(all.end(), window.begin(), window.end());
     }
     return all;
   }
 
  private:
-  /// All first states, then all second ones.
+  /// What the decoder is given: all first states, then all second ones.
   [[nodiscard]] std::vector<twin::TwinPoint> inputs(const std::vector<Draw>& draws,
-                                                    std::size_t label) const {
+                                                    Label label) const {
     std::vector<twin::TwinPoint> points;
     for (const auto state : {&Draw::first, &Draw::second}) {
       for (const Draw& d : draws) points.push_back(scale_.standardised(d.*state, label));
@@ -68,7 +70,7 @@ class Decoder {
   twin::ModelDescription description_;
   std::unique_ptr<twin::StoredTwin> networks_;
   std::vector<twin::TwinPoint> points_;  // of the known windows
-  std::vector<std::int32_t> labels_;     // of the known windows
+  std::vector<Label> labels_;            // of the known windows
   int bins_;
   StateScale scale_;
 };
@@ -80,7 +82,8 @@ std::vector<Draw> draw(const twin::TwinSpace& space, const Cycle& cycle, std::si
     Stream own = stream.child(std::to_string(i));
     const twin::TwinPoint first = space.sample(own);
     const twin::TwinPoint second = space.sample(own);
-    draws.push_back({first, second, draw_passage(cycle, length, own)});
+    draws.push_back(
+        {.first = first, .second = second, .passage = draw_passage(cycle, length, own)});
   }
   return draws;
 }
@@ -88,11 +91,13 @@ std::vector<Draw> draw(const twin::TwinSpace& space, const Cycle& cycle, std::si
 }  // namespace
 
 Passage draw_passage(const Cycle& cycle, std::size_t length, Stream& stream) {
-  return {stream.below(cycle.samples), stream.below(length), stream.below(cycle.strikes)};
+  return {.start = stream.below(cycle.samples),
+          .change = stream.below(length),
+          .turn = stream.below(cycle.strikes)};
 }
 
-std::vector<float> pass(std::span<const float> first, std::span<const float> second,
-                        const Cycle& cycle, const Passage& passage, std::size_t length) {
+std::vector<float> splice(std::span<const float> first, std::span<const float> second,
+                          const Cycle& cycle, const Passage& passage, std::size_t length) {
   std::vector<float> window = read(first, passage.start, passage.change);
   const std::size_t ahead = passage.start + passage.change + cycle.offset_of_strike(passage.turn);
   const std::vector<float> rest = read(second, ahead, length - passage.change);
@@ -100,7 +105,7 @@ std::vector<float> pass(std::span<const float> first, std::span<const float> sec
   return window;
 }
 
-std::vector<float> decode(const artefact::Reader& model, std::size_t label,
+std::vector<float> decode(const artefact::Reader& model, Label label,
                           const std::vector<Draw>& draws, const twin::Engine& engine) {
   return Decoder(model, engine).windows(label, draws);
 }
@@ -111,15 +116,15 @@ signal::WindowSet generate(const artefact::Reader& model, std::size_t count, con
   signal::WindowSet generated;
   generated.info = decoder.info();
   generated.length = decoder.length();
-  for (std::size_t label = 0; label < generated.info.classes.size(); ++label) {
-    const signal::ClassInfo& c = generated.info.classes[label];
+  for (Label label = 0; index_of(label) < generated.info.classes.size(); ++label) {
+    const signal::ClassInfo& c = generated.info.classes[index_of(label)];
     if (c.defect == signal::Defect::none) continue;
     const std::vector<Draw> draws = draw(decoder.space_of(label), decoder.cycle(label),
                                          generated.length, count, stream.child(c.name));
     const std::vector<float> windows = decoder.windows(label, draws);
     generated.samples.insert(generated.samples.end(), windows.begin(), windows.end());
     for (const Draw& d : draws) {
-      generated.labels.push_back(static_cast<std::int32_t>(label));
+      generated.labels.push_back(label);
       generated.parameters.push_back(twin::in_units(d.first));
     }
   }

@@ -21,7 +21,7 @@ constexpr int depth = 3;  // dense layers
 constexpr auto lags = static_cast<std::int64_t>(feature_lags);
 constexpr float least_spread = 1e-6F;
 
-/// Centre and standard deviation of a logarithm that is uniform between those of two values.
+/// The mean and the standard deviation of a logarithm that is uniform between those of two values.
 struct LogScale {
   LogScale(double low, double high)
       : centre((std::log(low) + std::log(high)) / 2),
@@ -30,7 +30,7 @@ struct LogScale {
   double spread;
 };
 
-/// Of both, for a class.
+/// The scales of log k~ and log c~ of a class.
 struct PointScale {
   explicit PointScale(const Bounds& bounds)
       : k(bounds.low.k, bounds.high.k), c(bounds.low.c, bounds.high.c) {}
@@ -47,8 +47,8 @@ std::vector<PointScale> scales_of(const std::vector<Bounds>& bounds) {
 Inference::Inference(std::int64_t classes, int width, int batch, const Stream& stream)
     : classes_(classes),
       batch_(batch),
-      specs_(nets::dense_chain_specs(network, lags + classes, 2, {depth, width})),
-      parameters_(specs_, stream),
+      specs_(nets::dense_chain_specs(network, lags + classes, 2, {.depth = depth, .width = width})),
+      parameters_(std::make_shared<nets::Parameters<float>>(specs_, stream)),
       network_(parameters_, network, batch),
       feature_mean_(Row::Zero(lags)),
       feature_spread_(Row::Ones(lags)) {}
@@ -74,7 +74,7 @@ nets::RowArray<float> Inference::features_of(const signal::WindowSet& windows) {
 }
 
 nets::RowArray<float> Inference::forward(const nets::RowArray<float>& features,
-                                         std::span<const std::int32_t> labels) const {
+                                         std::span<const Label> labels) {
   for (std::int64_t i = 0; i < features.rows(); ++i) {
     float* const row = network_.input().row(i);
     Eigen::Map<Row>(row, lags) = (features.row(i) - feature_mean_) / feature_spread_;
@@ -84,11 +84,11 @@ nets::RowArray<float> Inference::forward(const nets::RowArray<float>& features,
 }
 
 nets::RowArray<float> Inference::targets_of(const std::vector<twin::TwinPoint>& points,
-                                            const std::vector<std::int32_t>& labels) const {
+                                            const std::vector<Label>& labels) const {
   const std::vector<PointScale> scales = scales_of(bounds_);
   nets::RowArray<float> targets(static_cast<std::int64_t>(points.size()), 2);
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const auto& [k, c] = scales[static_cast<std::size_t>(labels[i])];
+    const auto& [k, c] = scales[index_of(labels[i])];
     targets.row(static_cast<std::int64_t>(i))
         << static_cast<float>((std::log(points[i].k) - k.centre) / k.spread),
         static_cast<float>((std::log(points[i].c) - c.centre) / c.spread);
@@ -96,18 +96,17 @@ nets::RowArray<float> Inference::targets_of(const std::vector<twin::TwinPoint>& 
   return targets;
 }
 
-double Inference::learn(const nets::RowArray<float>& features, std::span<const std::int32_t> labels,
+double Inference::learn(const nets::RowArray<float>& features, std::span<const Label> labels,
                         const nets::RowArray<float>& targets, double learning_rate) {
   const nets::RowArray<float> error = forward(features, labels) - targets;
   nets::put<float>(error * (2.0F / static_cast<float>(error.size())), network_.output_gradient());
   network_.backward(error.rows(), 1, network_.no_rows);
-  const nets::AdamStep step(++steps_, learning_rate, nets::AdamConstants::beta1,
-                            nets::AdamConstants::beta2);
-  network_.take(step, 1, {error.rows(), error.rows()});
+  const nets::AdamStep step(++steps_, learning_rate);
+  network_.take(step, 1, {.of_weights = error.rows(), .of_biases = error.rows()});
   return static_cast<double>(error.square().mean());
 }
 
-std::vector<twin::TwinPoint> Inference::infer(const signal::WindowSet& windows) const {
+std::vector<twin::TwinPoint> Inference::infer(const signal::WindowSet& windows) {
   const nets::RowArray<float> features = features_of(windows);
   const std::vector<PointScale> scales = scales_of(bounds_);
   std::vector<twin::TwinPoint> points;
@@ -116,7 +115,7 @@ std::vector<twin::TwinPoint> Inference::infer(const signal::WindowSet& windows) 
     const auto labels = std::span(windows.labels).subspan(static_cast<std::size_t>(begin));
     const nets::RowArray<float> found = forward(features.middleRows(begin, rows), labels);
     for (std::int64_t i = 0; i < rows; ++i) {
-      const auto& [k, c] = scales[static_cast<std::size_t>(labels[static_cast<std::size_t>(i)])];
+      const auto& [k, c] = scales[index_of(labels[static_cast<std::size_t>(i)])];
       points.push_back({std::exp(k.centre + k.spread * static_cast<double>(found(i, 0))),
                         std::exp(c.centre + c.spread * static_cast<double>(found(i, 1)))});
     }
@@ -137,7 +136,7 @@ void Inference::set_scale(const std::vector<Bounds>& bounds,
 
 void Inference::write(artefact::Writer& writer) const {
   nets::write_parameters(writer, group, specs_,
-                         parameters_.read(nets::Parameters<float>::Kept::value));
+                         parameters_->read(nets::Parameters<float>::Kept::value));
   writer.numbers(group + "/feature_mean", std::vector(feature_mean_.begin(), feature_mean_.end()));
   writer.numbers(group + "/feature_spread",
                  std::vector(feature_spread_.begin(), feature_spread_.end()));
@@ -149,8 +148,8 @@ void Inference::write(artefact::Writer& writer) const {
 }
 
 void Inference::read(const artefact::Reader& reader) {
-  parameters_.write(nets::Parameters<float>::Kept::value,
-                    nets::read_parameters(reader, group, specs_));
+  parameters_->write(nets::Parameters<float>::Kept::value,
+                     nets::read_parameters(reader, group, specs_));
   const auto row = [&](const std::string& name) {
     const std::vector<float> values =
         reader.numbers<float>(group + "/" + name, {feature_lags}).values;
@@ -162,16 +161,17 @@ void Inference::read(const artefact::Reader& reader) {
   const auto flat = reader.numbers<double>(group + "/bounds", {classes, 2, 2}).values;
   bounds_.clear();
   for (std::size_t i = 0; i < flat.size(); i += 4) {
-    bounds_.push_back({{flat[i], flat[i + 2]}, {flat[i + 1], flat[i + 3]}});
+    bounds_.push_back(
+        {.low = {.k = flat[i], .c = flat[i + 2]}, .high = {.k = flat[i + 1], .c = flat[i + 3]}});
   }
 }
 
 void Inference::write_adam(artefact::Writer& writer) const {
-  write_moments(writer, adam_group, parameters_, network, steps_);
+  write_moments(writer, adam_group, *parameters_, network, steps_);
 }
 
 void Inference::read_adam(const artefact::Reader& reader) {
-  steps_ = read_moments(reader, adam_group, parameters_, network);
+  steps_ = read_moments(reader, adam_group, *parameters_, network);
 }
 
 }  // namespace piae::phase

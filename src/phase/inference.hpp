@@ -1,14 +1,16 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
 #include "artefact/reader.hpp"
 #include "artefact/writer.hpp"
+#include "base/label.hpp"
 #include "base/random.hpp"
-#include "nets/dense_chain.hpp"
 #include "nets/adam.hpp"
+#include "nets/dense_chain.hpp"
 #include "nets/parameters.hpp"
 #include "nets/row_array.hpp"
 #include "signal/window_set.hpp"
@@ -16,61 +18,62 @@
 
 namespace piae::phase {
 
-/// Stiffness and damping between which a window's are looked for.
+/// The least and the largest (k~, c~) among which that of a window is looked for.
 struct Bounds {
   twin::TwinPoint low;
   twin::TwinPoint high;
 };
 
-/// The encoder of piae-dt-phase: (k~, c~) of a window of a known class. A dense network takes the
-/// window's autocorrelation (features.hpp), which the start angle does not touch, and the one-hot
-/// label, and gives log k~ and log c~. It has learned that from solutions of eq. 13 with known (k,
-/// c) (inference_training.hpp): amortised inference, as in Cranmer, Brehmer and Louppe 2020.
+/// The encoder of piae-dt-phase: it infers (k~, c~) of a window whose class is known. A dense
+/// network takes the window's autocorrelation (features.hpp), on which the start angle has no
+/// influence, and the one-hot label, and gives log k~ and log c~. It learns this from solutions of
+/// eq. 13 with known (k, c) (inference_training.hpp), which is amortised inference as in Cranmer,
+/// Brehmer and Louppe 2020.
 class Inference {
  public:
-  /// Learns in batches of up to `batch` windows.
+  /// Learns and infers in batches of up to `batch` windows. Initial values come from the stream.
   Inference(std::int64_t classes, int width, int batch, const Stream& stream);
 
   /// One point for each window. Throws Error(bad_input) for windows that are constant or not longer
   /// than feature_lags.
-  [[nodiscard]] std::vector<twin::TwinPoint> infer(const signal::WindowSet& windows) const;
+  [[nodiscard]] std::vector<twin::TwinPoint> infer(const signal::WindowSet& windows);
 
-  /// Features of windows, [n, feature_lags].
+  /// The features of windows, [n, feature_lags]. Throws as infer() does.
   [[nodiscard]] static nets::RowArray<float> features_of(const signal::WindowSet& windows);
 
-  /// What the network should give for these points: log k~ and log c~ standardised over the bounds
-  /// of the window's class, [n, 2].
+  /// What the network should give for these points, [n, 2]: log k~ and log c~, standardised as if
+  /// they were uniform between the bounds of the window's class.
   [[nodiscard]] nets::RowArray<float> targets_of(const std::vector<twin::TwinPoint>& points,
-                                                 const std::vector<std::int32_t>& labels) const;
+                                                 const std::vector<Label>& labels) const;
 
-  /// One step of Adam by a batch; returns the mean squared error before it.
-  double learn(const nets::RowArray<float>& features, std::span<const std::int32_t> labels,
+  /// One step of Adam by a batch; returns the mean squared error before the step.
+  double learn(const nets::RowArray<float>& features, std::span<const Label> labels,
                const nets::RowArray<float>& targets, double learning_rate);
 
-  /// From here on, points of a class lie within its bounds, and features have the mean and the
-  /// spread of these.
+  /// Sets the scales of what goes in and comes out: from now on the points of each class lie
+  /// between its `bounds`, and features have the mean and the standard deviation of `features`.
   void set_scale(const std::vector<Bounds>& bounds, const nets::RowArray<float>& features);
 
   [[nodiscard]] const std::vector<Bounds>& bounds() const { return bounds_; }
 
-  /// Weights and scale, below /inference.
+  /// Weights and scales, below /inference.
   void write(artefact::Writer& writer) const;
   void read(const artefact::Reader& reader);
-  /// Moments and steps of Adam, below /inference/adam.
+  /// The state of Adam, as nets::AdamState in /inference/adam.
   void write_adam(artefact::Writer& writer) const;
   void read_adam(const artefact::Reader& reader);
 
  private:
   using Row = Eigen::Array<float, 1, Eigen::Dynamic>;
   [[nodiscard]] nets::RowArray<float> forward(const nets::RowArray<float>& features,
-                                              std::span<const std::int32_t> labels) const;
+                                              std::span<const Label> labels);
 
   std::int64_t classes_;
   std::int64_t batch_;
   std::vector<nets::ParameterSpec> specs_;
-  nets::Parameters<float> parameters_;
-  mutable nets::DenseChain<float> network_;  ///< keeps what passes through it
-  std::int64_t steps_ = 0;
+  std::shared_ptr<nets::Parameters<float>> parameters_;
+  nets::DenseChain<float> network_;
+  std::int64_t steps_ = 0;      ///< of Adam
   std::vector<Bounds> bounds_;  ///< of each class
   Row feature_mean_;            ///< [feature_lags]
   Row feature_spread_;          ///< [feature_lags]

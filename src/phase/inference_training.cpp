@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "base/error.hpp"
+#include "nets/divergence.hpp"
 #include "scoring/statistics.hpp"
 #include "twin/physics.hpp"
 
@@ -18,14 +19,17 @@ using twin::damping_scale_ns_per_m;
 using twin::stiffness_scale_n_per_m;
 
 constexpr std::size_t rounds = 2;
-/// The first round only has to find the neighbourhood.
-constexpr int windows_of_first_round = 3;  // a third of the last round's
-/// Realisations of the noise; more teach no better.
+/// The first round has so many times fewer windows than the last: it only has to find the
+/// neighbourhood of the known (k, c).
+constexpr int fewer_in_first_round = 3;
+/// How many realisations of the noise the epochs use in turn. More do not teach better.
 constexpr std::size_t noise_realisations = 4;
-/// The prior of the second round goes from the class's median over this to it times this.
+/// In the second round, (k, c) is drawn from the class's median divided by these factors to the
+/// median times them.
 constexpr double prior_factor_k = 1.5;
 constexpr double prior_factor_c = 2;
-/// Eq. 13 is solved this coarsely: 1 % of the waveform, which is below the noise that is added.
+/// The longest sub-step of the solution of eq. 13. It is coarse: its error is 1 % of the waveform,
+/// which is below the noise that is added.
 constexpr double sub_step_s = 6e-6;
 
 std::vector<twin::TwinPoint> points_of(const signal::WindowSet& windows) {
@@ -40,8 +44,8 @@ double draw_log(Stream& stream, double low, double high) {
   return std::exp(stream.uniform(std::log(low), std::log(high)));
 }
 
-/// To centre / factor ... centre * factor, as far as that lies between the bounds, with a centre
-/// that does.
+/// Narrows the bounds to centre / factor and centre * factor, as far as these lie between the
+/// bounds. A centre outside the bounds is first moved to the nearer one.
 void narrow(double& low, double& high, double centre, double factor) {
   centre = std::clamp(centre, low, high);
   low = std::max(low, centre / factor);
@@ -90,22 +94,26 @@ std::size_t InferenceTraining::epochs() const {
 
 Bounds InferenceTraining::first_bounds() const {
   const double largest_n_per_m = bearing::largest_stiffness_n_per_m(simulation_.options.dynamics);
-  return {twin::without_units({options_.stiffness_from_n_per_m, options_.damping_from_ns_per_m}),
-          twin::without_units({largest_n_per_m, options_.damping_to_ns_per_m})};
+  return {
+      .low = twin::without_units({.stiffness_n_per_m = options_.stiffness_from_n_per_m,
+                                  .damping_ns_per_m = options_.damping_from_ns_per_m}),
+      .high = twin::without_units(
+          {.stiffness_n_per_m = largest_n_per_m, .damping_ns_per_m = options_.damping_to_ns_per_m}),
+  };
 }
 
-std::vector<Bounds> InferenceTraining::bounds_around_known() const {
+std::vector<Bounds> InferenceTraining::bounds_around_known() {
   const std::vector<twin::TwinPoint> points = inference_.infer(known_);
   std::vector<Bounds> bounds(known_.info.classes.size(), first_bounds());
-  for (std::size_t label = 0; label < bounds.size(); ++label) {
+  for (Label label = 0; index_of(label) < bounds.size(); ++label) {
     std::vector<double> k;
     std::vector<double> c;
-    for (const std::size_t i : known_.indices_of(static_cast<int>(label))) {
+    for (const std::size_t i : known_.indices_of(label)) {
       k.push_back(points[i].k);
       c.push_back(points[i].c);
     }
     if (k.empty()) continue;
-    Bounds& own = bounds[label];
+    Bounds& own = bounds[index_of(label)];
     narrow(own.low.k, own.high.k, scoring::median(k), prior_factor_k);
     narrow(own.low.c, own.high.c, scoring::median(c), prior_factor_c);
   }
@@ -115,17 +123,17 @@ std::vector<Bounds> InferenceTraining::bounds_around_known() const {
 void InferenceTraining::prepare_lessons(std::size_t round, const std::vector<Bounds>& bounds) {
   const bool last = round + 1 == rounds;
   const int count =
-      last ? options_.simulations : std::max(1, options_.simulations / windows_of_first_round);
+      last ? options_.simulations : std::max(1, options_.simulations / fewer_in_first_round);
   const Stream stream = stream_.child("round" + std::to_string(round));
   const signal::WindowSet windows = signal::simulate_windows(
-      simulation_, static_cast<std::size_t>(count), stream, [&](std::size_t label, Stream& own) {
-        const auto& [low, high] = bounds[label];
+      simulation_, static_cast<std::size_t>(count), stream, [&](Label label, Stream& own) {
+        const auto& [low, high] = bounds[index_of(label)];
         bearing::DynamicsOptions dynamics = simulation_.options.dynamics;
         dynamics.stiffness_n_per_m = draw_log(own, low.k, high.k) * stiffness_scale_n_per_m;
         dynamics.damping_ns_per_m = draw_log(own, low.c, high.c) * damping_scale_ns_per_m;
         return dynamics;
       });
-  lessons_ = {{}, windows.labels, points_of(windows)};
+  lessons_ = {.features = {}, .labels = windows.labels, .points = points_of(windows)};
   for (std::size_t i = 0; i < noise_realisations; ++i) {
     const Stream noise = stream.child("noise" + std::to_string(i));
     lessons_.features.push_back(
@@ -151,11 +159,8 @@ std::string InferenceTraining::run_epoch(std::size_t epoch) {
       options_.learning_rate * (1 + std::cos(std::numbers::pi * progress)) / 2;
   Stream shuffle = stream_.child("epoch" + std::to_string(epoch));
   const double loss = learn(lessons_.features[epoch % noise_realisations], shuffle, learning_rate);
-  if (!std::isfinite(loss)) {
-    throw Error(Exit::failed, "the inference of (k, c) diverged in epoch " +
-                                  std::to_string(epoch + 1) +
-                                  "; a smaller --inference-learning-rate may help");
-  }
+  nets::require_finite(loss, "the inference of (k, c)", epoch + 1,
+                       {.value = options_.learning_rate, .option = "--inference-learning-rate"});
   return fmt::format("inference, round {}, loss {:.3f}", round + 1, loss);
 }
 
@@ -167,7 +172,7 @@ double InferenceTraining::learn(const nets::RowArray<float>& features, Stream& s
   double sum = 0;
   for (std::size_t begin = 0; begin < order.size(); begin += batch) {
     const auto rows = std::span(order).subspan(begin, std::min(batch, order.size() - begin));
-    std::vector<std::int32_t> labels;
+    std::vector<Label> labels;
     for (const std::size_t row : rows) labels.push_back(lessons_.labels[row]);
     const double loss = inference_.learn(features(rows, Eigen::all), labels,
                                          targets(rows, Eigen::all), learning_rate);

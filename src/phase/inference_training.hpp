@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "base/label.hpp"
 #include "base/random.hpp"
 #include "nets/trainee.hpp"
 #include "phase/inference.hpp"
@@ -12,38 +13,43 @@
 
 namespace piae::phase {
 
-/// Teaches an Inference by windows that eq. 13 gives for drawn (k, c), start angles, speeds and
-/// slips, with white measurement noise of drawn strength. Two rounds: the first looks everywhere
-/// between the options' bounds; the second, with more windows, only around what the first infers
-/// of the known windows of each class (truncated sequential estimation, Deistler, Goncalves and
-/// Macke 2022).
+/// Trains an Inference on windows that solve eq. 13 for random (k, c), start angles, speeds and
+/// slips, with white measurement noise of random strength. There are two rounds. In the first, (k,
+/// c) is drawn from everywhere between the bounds of the options. In the second, which has more
+/// windows, it is drawn only from around what the first round infers of the known windows of each
+/// class (truncated sequential estimation, Deistler, Goncalves and Macke 2022).
 class InferenceTraining final : public nets::Trainee {
  public:
+  /// Throws Error(usage) when the options leave nothing between the bounds, and Error(bad_input)
+  /// when the known windows of a class are constant.
   InferenceTraining(const signal::WindowSet& known, const signal::SimulationOptions& simulation,
                     const InferenceOptions& options, const Stream& stream);
 
   [[nodiscard]] std::size_t epochs() const override;
+  /// Throws Error(failed) when the loss is no longer finite.
   std::string run_epoch(std::size_t epoch) override;
   void write_state(artefact::Writer& writer) const override;
   void read_state(const artefact::Reader& reader) override;
 
   [[nodiscard]] const Inference& inference() const { return inference_; }
+  [[nodiscard]] Inference& inference() { return inference_; }
 
  private:
-  /// Simulated windows with noise, as features; a few realisations of the noise take turns.
+  /// The simulated windows of a round, as features with noise.
   struct Lessons {
-    std::vector<nets::RowArray<float>> features;
-    std::vector<std::int32_t> labels;
+    std::vector<nets::RowArray<float>> features;  ///< one array for each realisation of the noise
+    std::vector<Label> labels;
     std::vector<twin::TwinPoint> points;
   };
 
   void prepare_lessons(std::size_t round, const std::vector<Bounds>& bounds);
-  /// One pass; returns the mean squared error of the standardised logarithms.
+  /// Learns from every lesson once, in batches; returns the mean squared error of the standardised
+  /// logarithms.
   double learn(const nets::RowArray<float>& features, Stream& shuffle, double learning_rate);
   [[nodiscard]] Bounds first_bounds() const;
-  [[nodiscard]] std::vector<Bounds> bounds_around_known() const;
+  [[nodiscard]] std::vector<Bounds> bounds_around_known();
 
-  const signal::WindowSet& known_;
+  signal::WindowSet known_;
   signal::WindowSimulation simulation_;
   InferenceOptions options_;
   Stream stream_;

@@ -6,8 +6,8 @@
 
 namespace piae::phase {
 
-/// Settings of piae-dt-phase: those of the twin, whose mass, load and clearance are also the
-/// simulations', and those of the inference.
+/// The settings of piae-dt-phase: those of the twin, whose mass, load and clearance also serve the
+/// simulations that the inference learns from, and those of the inference.
 struct PhaseOptions {
   twin::TwinOptions twin;
   InferenceOptions inference;

@@ -1,30 +1,32 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <span>
 #include <vector>
 
+#include "base/label.hpp"
 #include "twin/space.hpp"
 
 namespace piae::phase {
 
-/// Makes (k~, c~) fit for the decoder. Within a class they differ by some percent, from class to
-/// class by an order of magnitude: so log k~ and log c~ are freed of their class's mean and divided
-/// by its standard deviation over the known windows.
+/// Scales (k~, c~) for the decoder. Within a class they differ by some percent, but from class to
+/// class by an order of magnitude. So the decoder is given log k~ and log c~ less their mean over
+/// the known windows of the class and divided by their standard deviation there.
 class StateScale {
  public:
-  StateScale(const std::vector<twin::TwinPoint>& points, std::span<const std::int32_t> labels,
+  /// `points` are the (k~, c~) of the known windows, `labels` the classes of these.
+  StateScale(const std::vector<twin::TwinPoint>& points, std::span<const Label> labels,
              std::size_t classes);
 
-  [[nodiscard]] twin::TwinPoint standardised(const twin::TwinPoint& point, std::size_t label) const;
+  /// What the decoder is given in the place of a point of this class.
+  [[nodiscard]] twin::TwinPoint standardised(const twin::TwinPoint& point, Label label) const;
   [[nodiscard]] std::vector<twin::TwinPoint> standardised(
-      const std::vector<twin::TwinPoint>& points, std::span<const std::int32_t> labels) const;
+      const std::vector<twin::TwinPoint>& points, std::span<const Label> labels) const;
 
  private:
   struct Class {
     twin::TwinPoint mean;    ///< of log k~ and log c~
-    twin::TwinPoint spread;  ///< their standard deviations; 1 for a class of equal points
+    twin::TwinPoint spread;  ///< their standard deviations; 1 where all points are equal
   };
   std::vector<Class> classes_;
 };

@@ -7,9 +7,9 @@
 
 namespace piae::phase {
 
-/// What a stored model of piae-dt-phase infers of windows (inference.hpp): stiffness in N/m and
-/// damping in N s/m, one pair for each. Throws Error(bad_input) as Inference::infer, and for
-/// windows of another number of classes than the model's.
+/// The stiffness (N/m) and damping (N s/m) that a stored model of piae-dt-phase infers of each
+/// window (inference.hpp). Throws Error(bad_input) as Inference::infer does, and for windows of
+/// another number of classes than the model's.
 std::vector<signal::DynamicParameters> infer(const artefact::Reader& model,
                                              const signal::WindowSet& windows);
 

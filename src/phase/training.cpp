@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "base/label.hpp"
 #include "phase/alignment.hpp"
 #include "phase/cycle.hpp"
 #include "phase/inference_training.hpp"
@@ -14,10 +15,10 @@ namespace piae::phase {
 
 namespace {
 
-/// The known windows turned to one common angle of their class, and where each of them began.
+/// The known windows, turned so that all of a class start at one angle, and where each started.
 struct Turned {
   signal::WindowSet windows;
-  std::vector<std::int64_t> starts;  ///< samples of the class's cycle
+  std::vector<std::int64_t> starts;  ///< in samples of the class's cycle
 };
 
 std::vector<double> without_mean(std::span<const float> window) {
@@ -28,9 +29,9 @@ std::vector<double> without_mean(std::span<const float> window) {
 }
 
 Turned turn_to_common_angle(const signal::WindowSet& known) {
-  Turned turned{known, std::vector<std::int64_t>(known.size())};
-  for (std::size_t label = 0; label < known.info.classes.size(); ++label) {
-    const std::vector<std::size_t> indices = known.indices_of(static_cast<int>(label));
+  Turned turned{.windows = known, .starts = std::vector<std::int64_t>(known.size())};
+  for (Label label = 0; index_of(label) < known.info.classes.size(); ++label) {
+    const std::vector<std::size_t> indices = known.indices_of(label);
     if (indices.empty()) continue;
     const Cycle cycle = cycle_of(known.info, label, known.length);
     std::vector<std::vector<double>> waveforms;
@@ -109,10 +110,11 @@ class Training final : public PhaseTraining {
     const StateScale scale(points, known_.labels, known_.info.classes.size());
     twin_ = twin::make_twin_training(
         turned_.windows, options_.twin, twin::without_encoder, stream_.child("twin"), engine_,
-        twin::KnownStates{points, scale.standardised(points, known_.labels)});
+        twin::KnownStates{.points = points,
+                          .decoder_inputs = scale.standardised(points, known_.labels)});
   }
 
-  const signal::WindowSet& known_;
+  signal::WindowSet known_;
   PhaseOptions options_;
   Stream stream_;
   twin::Engine engine_;

@@ -13,9 +13,9 @@ namespace piae::regression {
 
 namespace {
 
-constexpr double sigmas = 3;
-constexpr double last_places = 4;
-constexpr double enough_degrees = 8;
+constexpr double sigmas = 3;          // standard errors that are allowed for many seeds
+constexpr double last_places = 4;     // units in the last place by which the same number may differ
+constexpr double enough_degrees = 8;  // of freedom, for a quantity to speak for itself
 
 using Key = std::tuple<std::string, std::string, std::string>;  // method, ratio, quantity
 using Seeds = std::map<std::int64_t, double>;
@@ -34,7 +34,8 @@ bool same(double a, double b) {
   return std::abs(a - b) <= last_places * unit;
 }
 
-/// How much seeds scatter: a variance that is the sum of squares over the degrees of freedom.
+/// How much seeds scatter about their mean. The variance is the sum of squares divided by the
+/// degrees of freedom, so that those of several groups of seeds can be added.
 struct Scatter {
   double squares = 0;
   double degrees = 0;
@@ -61,7 +62,7 @@ double allowed_standard_errors(double degrees) {
   return quantile(complement(boost::math::students_t(degrees), tail));
 }
 
-/// Both sides of a deviations, with their scatter by row and by quantity.
+/// Run and reference, with their scatter for each row and for each quantity.
 class Sides {
  public:
   Sides(const Measurements& reference, const Measurements& run)
@@ -74,7 +75,7 @@ class Sides {
     }
   }
 
-  /// The row of these seeds, without a verdict.
+  /// The row for these seeds. Whether it is within the tolerance is not yet said.
   [[nodiscard]] DeviationRow row(const Key& key, const std::vector<std::int64_t>& seeds) const {
     DeviationRow row;
     std::tie(row.method, row.ratio, row.quantity) = key;
@@ -121,7 +122,8 @@ bool within(const DeviationRow& row, Tolerance tolerance) {
   return std::abs(row.difference()) <= row.allowed * *row.standard_error;
 }
 
-/// The quantities of one side that the other has not, as cells: method and ratio with their seeds.
+/// The cells of one side that the other lacks, wholly or in part: a line for each method and ratio,
+/// with the seeds.
 std::vector<std::string> cells_without(const Measurements& side, const Measurements& other,
                                        const run::Selection& selection) {
   const Series there = series_of(other);
@@ -155,13 +157,13 @@ std::optional<double> DeviationRow::standard_errors() const {
   return difference() == 0 ? 0 : difference() / *standard_error;
 }
 
-bool Deviations::passed() const {
+bool Deviations::acceptable() const {
   return missing.empty() && not_in_reference.empty() &&
          std::ranges::all_of(rows, &DeviationRow::within);
 }
 
 Deviations find_deviations(const Measurements& reference, const Measurements& run,
-                   const run::Selection& selection, Tolerance tolerance) {
+                           const run::Selection& selection, Tolerance tolerance) {
   if (reference.dataset != run.dataset || reference.protocol != run.protocol) {
     throw std::logic_error("a run is compared with the reference of another dataset or protocol");
   }

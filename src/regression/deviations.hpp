@@ -5,61 +5,67 @@
 #include <string>
 #include <vector>
 
-#include "run/selection.hpp"
 #include "regression/measurements.hpp"
+#include "run/selection.hpp"
 
 namespace piae::regression {
 
 /// How near a run must come to its reference.
 enum class Tolerance {
-  /// Every seed's number is the same to 4 units in the last place. Right where processor, threads,
-  /// compiler and libraries are the same.
+  /// The number of every seed is the same, to 4 units in the last place. This can be asked where
+  /// processor, threads, compiler and libraries are the same.
   exact,
-  /// The means over the seeds that are compared differ by no more than chance explains. Training
-  /// magnifies a difference in the last digit into another, equally good result, so on another
-  /// machine no more can be asked.
+  /// The means over the seeds differ by no more than chance explains. On another machine no more
+  /// can
+  /// be asked, because training magnifies a difference in the last digit into another result that
+  /// is
+  /// equally good.
   spread
 };
 
-/// exact where both sides were made with one and the same settings, else spread.
+/// exact where both sides were made with the same settings, and with these alone; else spread.
 Tolerance tolerance_for(const Measurements& reference, const Measurements& run);
 
-/// A quantity of one method and ratio, over the seeds that both sides have.
+/// A quantity of one method and ratio, over the seeds that both run and reference have.
 struct DeviationRow {
   std::string method;
   std::string ratio;
   std::string quantity;
   std::size_t seeds = 0;
-  std::size_t moved_seeds = 0;  ///< that are not the same to 4 units in the last place
-  double reference = 0;         ///< mean
-  double run = 0;               ///< mean
-  /// Standard error of the difference of the two means; empty where no two seeds say how much they
-  /// scatter.
+  std::size_t moved_seeds =
+      0;                 ///< those whose numbers are not the same to 4 units in the last place
+  double reference = 0;  ///< mean over the seeds
+  double run = 0;        ///< mean over the seeds
+  /// Standard error of the difference of the two means. Empty where there is one seed alone, which
+  /// does not say how much seeds scatter.
   std::optional<double> standard_error;
-  /// As many standard errors as chance alone exceeds once in 370 comparisons: 3 for many seeds,
-  /// more for few (Student's t).
+  /// How many standard errors the difference may have: as many as chance alone exceeds once in 370
+  /// comparisons, which is 3 for many seeds and more for few (Student's t).
   double allowed = 0;
-  bool within = true;  ///< the tolerance
+  bool within = true;  ///< whether the difference is within the tolerance
 
   [[nodiscard]] double difference() const { return run - reference; }
-  /// The difference in standard errors; infinite where it is not 0 and nothing scatters.
+  /// The difference in standard errors; infinite where there is a difference and no scatter.
   [[nodiscard]] std::optional<double> standard_errors() const;
 };
 
+/// How a run deviates from its reference on one dataset.
 struct Deviations {
-  std::vector<DeviationRow> rows;     ///< in the order of the reference
-  std::vector<std::string> missing;  ///< "smote 10to1, seeds 2 3": in the reference only
-  std::vector<std::string> not_in_reference;
+  std::vector<DeviationRow> rows;    ///< in the order of the reference
+  std::vector<std::string> missing;  ///< cells of the reference alone: "smote 10to1, seed 2"
+  std::vector<std::string> not_in_reference;  ///< cells of the run alone
 
-  [[nodiscard]] bool passed() const;
+  /// Whether both have the same cells, and all rows are within the tolerance.
+  [[nodiscard]] bool acceptable() const;
 };
 
-/// Compares the selected cells of one dataset, seed by seed the same. The spread of a row is that
-/// of all its seeds, on both sides, about the mean of their side. Where it has fewer than 8 degrees
-/// of freedom (five seeds on both sides have 8), it is the larger of its own and that of all rows
-/// of the same quantity together, and the degrees of freedom are those of all. Throws
-/// std::logic_error for two datasets or protocols.
+/// Compares the selected cells of one dataset; the same seeds on both sides. How much a quantity
+/// scatters comes from all of its seeds, of run and of reference, each about the mean of its side.
+/// With less than 8 degrees of freedom (five seeds on both sides have 8) that is too uncertain:
+/// then the larger of two variances is taken, its own and that of all rows of the same quantity
+/// together, with the degrees of freedom of the latter. Throws std::logic_error for two datasets or
+/// protocols.
 Deviations find_deviations(const Measurements& reference, const Measurements& run,
-                   const run::Selection& selection, Tolerance tolerance);
+                           const run::Selection& selection, Tolerance tolerance);
 
 }  // namespace piae::regression

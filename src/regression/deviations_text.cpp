@@ -17,7 +17,7 @@ std::string joined(const std::set<std::string>& texts) {
 }
 
 std::string heading(const Measurements& reference, const Measurements& run, Tolerance tolerance) {
-  std::string text = fmt::format("{}, protocol {}\n", run.dataset, run.protocol);
+  std::string text = fmt::format("{}, protocol {}\n", run.dataset, to_string(run.protocol));
   text +=
       fmt::format("  reference  {}; {}\n", joined(reference.versions), joined(reference.settings));
   text += fmt::format("  run        {}; {}\n", joined(run.versions), joined(run.settings));
@@ -29,8 +29,8 @@ std::string heading(const Measurements& reference, const Measurements& run, Tole
 
 std::string table_of(const std::vector<DeviationRow>& rows) {
   text::Table table({"method", "ratio", "quantity", "", "seeds", "moved", "reference", "run",
-                   "difference", "std errors", "allowed"},
-                  4);
+                     "difference", "std errors", "allowed"},
+                    4);
   for (const DeviationRow& row : rows) {
     const auto errors = row.standard_errors();
     table.row({row.method, row.ratio.empty() ? "score" : row.ratio, row.quantity,

@@ -6,8 +6,8 @@
 
 namespace piae::regression {
 
-/// For people: by which tolerance and why, a table of what moved, the cells that are on one side
-/// only, and a line that counts.
+/// What people read: with what both sides were made and by which tolerance they were compared, a
+/// table of what moved, the cells that one side lacks, and a line that counts.
 std::string deviations_text(const Measurements& reference, const Measurements& run,
                             Tolerance tolerance, const Deviations& deviations);
 

@@ -45,20 +45,25 @@ Measured measured(const text::CsvLine& line) {
     line.refuse("'" + line.fields[3] + "' is not a seed");
   }
   if (!value) line.refuse("'" + line.fields[4] + "' is not a number");
-  return {line.fields[0], line.fields[1], line.fields[2], static_cast<std::int64_t>(*seed), *value};
+  return {.method = line.fields[0],
+          .ratio = line.fields[1],
+          .quantity = line.fields[2],
+          .seed = static_cast<std::int64_t>(*seed),
+          .value = *value};
 }
 
 }  // namespace
 
-fs::path reference_file(const fs::path& folder, const std::string& protocol,
+fs::path reference_file(const fs::path& folder, signal::Protocol protocol,
                         const std::string& dataset) {
-  return folder / protocol / (dataset + ".csv");
+  return folder / to_string(protocol) / (dataset + ".csv");
 }
 
-std::vector<std::string> reference_datasets(const fs::path& folder, const std::string& protocol) {
+std::vector<std::string> reference_datasets(const fs::path& folder, signal::Protocol protocol) {
   std::vector<std::string> names;
-  if (!fs::is_directory(folder / protocol)) return names;
-  for (const auto& entry : fs::directory_iterator(folder / protocol)) {
+  const fs::path below = folder / to_string(protocol);
+  if (!fs::is_directory(below)) return names;
+  for (const auto& entry : fs::directory_iterator(below)) {
     if (entry.path().extension() == ".csv") names.push_back(entry.path().stem().string());
   }
   std::ranges::sort(names);
@@ -69,18 +74,18 @@ std::string reference_csv(const Measurements& measurements) {
   std::string text = fmt::format(
       "# {}, protocol {}: what `make check` compares runs with; made by "
       "`make reference`\n",
-      measurements.dataset, measurements.protocol);
+      measurements.dataset, to_string(measurements.protocol));
   for (const std::string& version : measurements.versions) text += version_mark + version + '\n';
   for (const std::string& setting : measurements.settings) text += settings_mark + setting + '\n';
   text += text::csv_line(columns);
   for (const Measured& each : measurements.values) {
     text += text::csv_line({each.method, each.ratio, each.quantity, std::to_string(each.seed),
-                      fmt::format("{}", each.value)});
+                            fmt::format("{}", each.value)});
   }
   return text;
 }
 
-Measurements read_reference(const fs::path& folder, const std::string& protocol,
+Measurements read_reference(const fs::path& folder, signal::Protocol protocol,
                             const std::string& dataset) {
   const fs::path path = reference_file(folder, protocol, dataset);
   if (!fs::exists(path)) {
@@ -90,7 +95,7 @@ Measurements read_reference(const fs::path& folder, const std::string& protocol,
   }
   const std::vector<text::CsvLine> lines = text::read_csv(path);
   if (lines.front().fields != columns) lines.front().refuse("is not the header of a reference");
-  Measurements measurements{dataset, protocol, {}, {}, {}};
+  Measurements measurements{.dataset = dataset, .protocol = protocol};
   read_comments(path, measurements);
   std::set<std::tuple<std::string, std::string, std::string, std::int64_t>> seen;
   for (const text::CsvLine& line : std::span(lines).subspan(1)) {

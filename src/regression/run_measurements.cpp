@@ -1,13 +1,13 @@
 #include "regression/run_measurements.hpp"
 
 #include <algorithm>
-#include <numeric>
 #include <optional>
 #include <tuple>
 
+#include "artefact/digest.hpp"
 #include "base/error.hpp"
 #include "base/numbers.hpp"
-#include "run/collect.hpp"
+#include "run/cell.hpp"
 #include "run/layout.hpp"
 #include "scoring/ratios.hpp"
 
@@ -17,9 +17,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Names of the folders in a folder, in alphabetical order; hidden ones hold no results.
+/// The names of the folders in a folder, in alphabetical order. Hidden ones are left out, since
+/// they hold no results. None where there is no such folder.
 std::vector<std::string> folders_in(const fs::path& folder) {
   std::vector<std::string> names;
+  if (!fs::is_directory(folder)) return names;
   for (const auto& entry : fs::directory_iterator(folder)) {
     const std::string name = entry.path().filename().string();
     if (entry.is_directory() && !name.starts_with('.')) names.push_back(name);
@@ -28,7 +30,7 @@ std::vector<std::string> folders_in(const fs::path& folder) {
   return names;
 }
 
-/// Of a folder named "seed3"; empty for any other.
+/// 3 for a folder named "seed3"; empty for a folder that is not of a seed.
 std::optional<std::int64_t> seed_of(const std::string& folder) {
   const std::string prefix = "seed";
   const std::string digits = folder.starts_with(prefix) ? folder.substr(prefix.size()) : "";
@@ -36,74 +38,74 @@ std::optional<std::int64_t> seed_of(const std::string& folder) {
   return seed && *seed >= 0 ? seed : std::nullopt;
 }
 
-void note_origin(const fs::path& file, Measurements& measurements) {
-  const artefact::Reader reader(file, "");
-  const std::string provenance = "/provenance";
-  measurements.versions.insert(reader.text(provenance, "version"));
-  measurements.settings.insert(reader.text(provenance, "cpu") + "; " +
-                               reader.text(provenance, "libraries"));
+/// The dataset of a run that is being read.
+struct DatasetOfRun {
+  run::Layout layout;
+  std::optional<signal::Protocol> protocol;  ///< of all cells of the run; unknown before the first
+  Measurements measurements;
+};
+
+/// Notes what a cell was made with, and refuses one with another protocol than those before it.
+void note_origin(const artefact::Reader& reader, signal::Protocol protocol, DatasetOfRun& of_run) {
+  if (!of_run.protocol) of_run.protocol = protocol;
+  if (*of_run.protocol != protocol) {
+    throw Error(Exit::bad_input, reader.path().string() + ": the split protocol is " +
+                                     to_string(protocol) + ", other cells of the run have " +
+                                     to_string(*of_run.protocol));
+  }
+  Measurements& measurements = of_run.measurements;
+  measurements.protocol = protocol;
+  measurements.versions.insert(reader.text(artefact::provenance_group, "version"));
+  measurements.settings.insert(reader.text(artefact::provenance_group, "cpu") + "; " +
+                               reader.text(artefact::provenance_group, "libraries"));
 }
 
-void require_protocol(const fs::path& file, const std::string& protocol,
-                      Measurements& measurements) {
-  if (measurements.protocol.empty()) measurements.protocol = protocol;
-  if (measurements.protocol == protocol) return;
-  throw Error(Exit::bad_input, file.string() + ": the split protocol is " + protocol +
-                                   ", other cells of the run have " + measurements.protocol);
+void add_diagnosis(const run::Combination& combination, std::int64_t seed, DatasetOfRun& of_run) {
+  Measurements& measurements = of_run.measurements;
+  const auto& [method, ratio] = combination;
+  const artefact::Reader reader(of_run.layout.diagnosis(method, ratio, seed), "diagnosis");
+  const run::Diagnosis cell =
+      run::read_diagnosis_cell(reader, measurements.dataset, combination, seed);
+  note_origin(reader, cell.protocol, of_run);
+  measurements.values.push_back({.method = method,
+                                 .ratio = ratio,
+                                 .quantity = "accuracy",
+                                 .seed = seed,
+                                 .value = cell.accuracy});
 }
 
-/// One cell, by the rules of collect().
-run::Results read_cell(const run::Layout& layout, const run::Grid& cell) {
-  run::Results results = collect(layout, cell);
-  if (!results.problems.empty()) throw Error(results.exit, results.problems.front());
-  return results;
-}
-
-void add_diagnosis(const run::Layout& layout, const run::Combination& place, std::int64_t seed,
-                   Measurements& measurements) {
-  const fs::path file = layout.diagnosis(place.method, place.ratio, seed);
-  const run::Results cell = read_cell(layout, {measurements.dataset, {}, {place}, {seed}});
-  require_protocol(file, cell.diagnoses.front().protocol, measurements);
-  note_origin(file, measurements);
-  measurements.values.push_back(
-      {place.method, place.ratio, "accuracy", seed, cell.diagnoses.front().accuracy});
-}
-
-double mean_over_classes(const scoring::QualityRecord& record, const scoring::Metric& metric) {
-  double sum = 0;
-  for (const scoring::ClassQuality& quality : record.classes) sum += quality.*metric.value;
-  return sum / static_cast<double>(record.classes.size());
-}
-
-void add_score(const run::Layout& layout, const std::string& method, std::int64_t seed,
-               Measurements& measurements) {
-  const fs::path file = layout.score(method, seed);
-  const run::Results cell = read_cell(layout, {measurements.dataset, {method}, {}, {seed}});
-  const scoring::QualityRecord& record = cell.qualities.front();
-  require_protocol(file, record.protocol, measurements);
-  note_origin(file, measurements);
+void add_score(const std::string& method, std::int64_t seed, DatasetOfRun& of_run) {
+  Measurements& measurements = of_run.measurements;
+  const artefact::Reader reader(of_run.layout.score(method, seed), "score");
+  const scoring::QualityRecord record =
+      run::read_score_cell(reader, measurements.dataset, method, seed);
+  note_origin(reader, record.protocol, of_run);
   for (const scoring::Metric& metric : scoring::all_metrics()) {
-    measurements.values.push_back(
-        {method, "", metric.name, seed, mean_over_classes(record, metric)});
+    measurements.values.push_back({.method = method,
+                                   .ratio = "",
+                                   .quantity = metric.name,
+                                   .seed = seed,
+                                   .value = record.mean_over_classes(metric)});
   }
 }
 
-void add_seed(const run::Layout& layout, const fs::path& folder, std::int64_t seed,
-              const run::Selection& selection, Measurements& measurements) {
+void add_seed(const fs::path& folder, std::int64_t seed, const run::Selection& selection,
+              DatasetOfRun& of_run) {
+  const run::Layout& layout = of_run.layout;
   for (const std::string& method : folders_in(folder)) {
     for (const scoring::Ratio& ratio : scoring::all_ratios()) {
       if (selection.has(method, ratio.name, seed) &&
           fs::exists(layout.diagnosis(method, ratio.name, seed))) {
-        add_diagnosis(layout, {method, ratio.name}, seed, measurements);
+        add_diagnosis({method, ratio.name}, seed, of_run);
       }
     }
     if (selection.has(method, "", seed) && fs::exists(layout.score(method, seed))) {
-      add_score(layout, method, seed, measurements);
+      add_score(method, seed, of_run);
     }
   }
 }
 
-/// Ratios as in Table 5, scores after them.
+/// The order of the values: ratios as in Table 5, scores after them.
 auto order_of(const Measured& each) {
   const auto ratio = std::ranges::find(scoring::all_ratios(), each.ratio, &scoring::Ratio::name);
   return std::tuple(each.method, ratio - scoring::all_ratios().begin(), each.quantity, each.seed);
@@ -113,21 +115,22 @@ auto order_of(const Measured& each) {
 
 std::vector<Measurements> read_run(const fs::path& run, const run::Selection& selection) {
   std::vector<Measurements> datasets;
-  if (fs::is_directory(run)) {
-    std::string protocol;
-    for (const std::string& dataset : folders_in(run)) {
-      if (!selection.has_dataset(dataset)) continue;
-      Measurements measurements{dataset, protocol, {}, {}, {}};
-      for (const std::string& folder : folders_in(run / dataset)) {
-        if (const auto seed = seed_of(folder)) {
-          add_seed(run::Layout(run, dataset), run / dataset / folder, *seed, selection, measurements);
-        }
+  std::optional<signal::Protocol> protocol;
+  for (const std::string& dataset : folders_in(run)) {
+    if (!selection.has_dataset(dataset)) continue;
+    DatasetOfRun of_run{.layout = run::Layout(run, dataset),
+                        .protocol = protocol,
+                        .measurements = {.dataset = dataset}};
+    for (const std::string& folder : folders_in(run / dataset)) {
+      if (const auto seed = seed_of(folder)) {
+        add_seed(run / dataset / folder, *seed, selection, of_run);
       }
-      if (measurements.values.empty()) continue;
-      std::ranges::sort(measurements.values, {}, order_of);
-      protocol = measurements.protocol;
-      datasets.push_back(std::move(measurements));
     }
+    protocol = of_run.protocol;
+    Measurements& measurements = of_run.measurements;
+    if (measurements.values.empty()) continue;
+    std::ranges::sort(measurements.values, {}, order_of);
+    datasets.push_back(std::move(measurements));
   }
   if (datasets.empty()) {
     throw Error(Exit::input_missing,

@@ -32,9 +32,9 @@ std::string seeds_label(const std::vector<std::int64_t>& seeds) {
   return label;
 }
 
-/// Table 6: a run a column, ours above the paper's.
-text::Table runs_table(const run::Grid& grid, const AccuracyRow& row, const PaperReference& reference,
-                     const Published& published) {
+/// As Table 6: a run in each column, ours above the paper's.
+text::Table runs_table(const run::Grid& grid, const AccuracyRow& row,
+                       const PaperReference& reference, const Published& published) {
   const std::vector<double> theirs = reference.beside()
                                          ? published.baseline_runs(reference.beside()->paper.name)
                                          : std::vector<double>{};
@@ -54,7 +54,7 @@ text::Table runs_table(const run::Grid& grid, const AccuracyRow& row, const Pape
   return table;
 }
 
-/// "ae (Model 2)" among the models.
+/// "ae (Model 2)": how a table of the models names a method.
 std::string model_label(const std::string& method) {
   return method + " (Model " + std::to_string(augment::find_entry(method)->model) + ")";
 }
@@ -77,9 +77,10 @@ void add_method(text::Table& table, const std::string& label, const std::vector<
   if (std::ranges::any_of(rows, is_in_paper)) table.row(paper);
 }
 
-/// Table 8: a ratio a column, up to three lines a method. A grid has all its ratios of each method.
+/// As Table 8: a ratio in each column, up to three lines for each method. All methods of a grid
+/// have the same ratios.
 text::Table ratios_table(const std::vector<std::string>& methods, bool as_models, const Rows& rows,
-                       const PaperReference& reference, NumberStyle style) {
+                         const PaperReference& reference, NumberStyle style) {
   Cells header{"method", ""};
   for (const AccuracyRow& row : rows_of(rows, methods.front())) {
     header.push_back(ratio_label(row.ratio, row.true_ratio));

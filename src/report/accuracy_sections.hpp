@@ -7,10 +7,11 @@
 
 namespace piae::report {
 
-/// Tables 6-11 of the paper and the gains behind its Figs 15 and 18, or what corresponds to them
-/// for another dataset, with the published figures below ours: without augmentation (a run a
-/// column), then accuracies and gains of the compared methods, then those of the ablations (a ratio
-/// a column). A table without a row is left out. `rows` are of accuracy_rows.
+/// Tables 6 to 11 of the paper and the gains that it draws in Figs 15 and 18, or the same for
+/// another dataset, with the published numbers below ours. The first table is without generated
+/// windows and has a run in each column. Then come accuracies and gains of the compared methods,
+/// and those of the ablations, with a ratio in each column. Tables without a row are left out.
+/// `rows` are of accuracy_rows().
 std::vector<Section> accuracy_sections(const run::Grid& grid, const std::vector<AccuracyRow>& rows,
                                        const Published& published);
 

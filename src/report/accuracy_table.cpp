@@ -2,14 +2,15 @@
 
 #include <spdlog/fmt/fmt.h>
 
-#include "augment/catalogue.hpp"
 #include <algorithm>
 #include <functional>
 #include <iterator>
 
-#include "report/counterpart.hpp"
-#include "text/csv.hpp"
+#include "augment/catalogue.hpp"
+#include "report/csv_fields.hpp"
 #include "report/labels.hpp"
+#include "report/paper_reference.hpp"
+#include "text/csv.hpp"
 #include "text/table.hpp"
 
 namespace piae::report {
@@ -17,14 +18,14 @@ namespace piae::report {
 namespace {
 
 void add_published(AccuracyRow& row, const Published& published) {
-  const std::optional<Counterpart> beside = counterpart(row.dataset);
+  const std::optional<Counterpart> beside = PaperReference(row.dataset).beside();
   if (!beside) return;
   const auto percent = published.percent(beside->paper.name, row.method, row.ratio);
   (beside->own ? row.published : row.orientation) = percent;
 }
 
-AccuracyRow row_of(const run::Combination& combination, const run::Grid& grid, const run::Results& results,
-                   const Published& published) {
+AccuracyRow row_of(const run::Combination& combination, const run::Grid& grid,
+                   const run::Results& results, const Published& published) {
   AccuracyRow row;
   row.dataset = grid.dataset;
   row.method = combination.method;
@@ -50,10 +51,6 @@ AccuracyRow gain_of(AccuracyRow row, const AccuracyRow& baseline) {
   row.published = difference(row.published, baseline.published);
   row.orientation = difference(row.orientation, baseline.orientation);
   return row;
-}
-
-std::string fixed(std::optional<double> value) {
-  return value ? fmt::format("{:.4f}", *value) : "";
 }
 
 std::string as_published(std::optional<double> value) {
@@ -117,21 +114,22 @@ std::vector<AccuracyRow> mean_rows(const std::vector<AccuracyRow>& rows) {
 }
 
 std::string accuracy_csv(const std::vector<AccuracyRow>& rows) {
-  std::string text = text::csv_line({"dataset", "method", "ratio", "generated_per_class", "seeds", "mean",
-                               "std", "ci95_low", "ci95_high", "published"});
+  std::string text = text::csv_line({"dataset", "method", "ratio", "generated_per_class", "seeds",
+                                     "mean", "std", "ci95_low", "ci95_high", "published"});
   for (const AccuracyRow& row : rows) {
-    const auto& interval = row.summary.interval;
-    text += text::csv_line({row.dataset, row.method, row.ratio, std::to_string(row.generated_per_class),
-                      std::to_string(row.summary.count), fixed(row.summary.mean),
-                      fixed(row.summary.deviation), interval ? fixed(interval->low) : "",
-                      interval ? fixed(interval->high) : "", as_published(row.published)});
+    text += joined_csv_line(
+        {{row.dataset, row.method, row.ratio, std::to_string(row.generated_per_class),
+          std::to_string(row.summary.count)},
+         mean_fields(row.summary),
+         interval_fields(row.summary),
+         {as_published(row.published)}});
   }
   return text;
 }
 
 std::string accuracy_text(const std::vector<AccuracyRow>& rows) {
-  text::Table table({"method", "ratio", "generated", "seeds", "accuracy %", "95 % interval", "paper"},
-                  2);
+  text::Table table(
+      {"method", "ratio", "generated", "seeds", "accuracy %", "95 % interval", "paper"}, 2);
   for (const AccuracyRow& row : rows) {
     table.row({method_label(row.method), ratio_label(row.ratio, row.true_ratio),
                std::to_string(row.generated_per_class), std::to_string(row.summary.count),

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "base/error.hpp"
-#include "text/csv.hpp"
+#include "report/csv_fields.hpp"
 #include "report/labels.hpp"
 #include "report/ratio_columns.hpp"
 
@@ -16,12 +16,13 @@ namespace {
 
 using Cells = std::vector<std::string>;
 
+/// The names of both sides in tables and files.
 struct Names {
   std::string with;
   std::string without;
 };
 
-/// What tells the sides apart.
+/// Names both sides by what differs between them. Empty names where nothing does.
 Names names_of(const Side& with, const Side& without) {
   Names names;
   const auto add = [&](const std::string& one, const std::string& other) {
@@ -30,22 +31,12 @@ Names names_of(const Side& with, const Side& without) {
     names.without += (names.without.empty() ? "" : " ") + other;
   };
   add(with.dataset, without.dataset);
-  add(with.protocol, without.protocol);
+  add(to_string(with.protocol), to_string(without.protocol));
   if (names.with.empty()) add(with.run.filename(), without.run.filename());
   return names;
 }
 
-Cells spread_fields(const scoring::Summary& summary) {
-  return {fmt::format("{:.4f}", summary.mean),
-          summary.deviation ? fmt::format("{:.4f}", *summary.deviation) : ""};
-}
-
-std::string joined_line(Cells cells, const std::vector<Cells>& others) {
-  for (const Cells& other : others) cells.insert(cells.end(), other.begin(), other.end());
-  return text::csv_line(cells);
-}
-
-/// The accuracies of one side, a ratio a column. `first`: what stands before the side's name.
+/// The accuracies of one side, with a ratio in each column. `first` stands before the side's name.
 Cells side_line(const std::string& first, const std::string& name, const Side& side,
                 const std::string& method, const std::vector<RatioColumn>& columns) {
   Cells cells{first, name};
@@ -66,7 +57,7 @@ text::Table table_of(const Contrast& contrast, const Names& names) {
   for (const std::string& method : methods_of(contrast.with.rows)) {
     table.row(side_line(method_label(method), names.with, contrast.with, method, columns));
     table.row(side_line("", names.without, contrast.without, method, columns));
-    add_paired(table, "", method, contrast.rows, columns);
+    add_paired_lines(table, "", method, contrast.rows, columns);
   }
   return table;
 }
@@ -80,35 +71,38 @@ Side read_side(const std::filesystem::path& folder, run::GridOptions options) {
   grid.scored.clear();  // accuracies alone are compared
   const run::Results results = collect(run::Layout(path.parent_path(), grid.dataset), grid);
   run::require_all(results);
-  return {path.parent_path(), grid.dataset, results.diagnoses.front().protocol,
-          with_means(accuracy_rows(grid, results, Published()))};
+  return {.run = path.parent_path(),
+          .dataset = grid.dataset,
+          .protocol = results.diagnoses.front().protocol,
+          .rows = with_means(accuracy_rows(grid, results, Published()))};
 }
 
 Contrast contrast(Side with, Side without) {
   if (names_of(with, without).with.empty()) {
     throw Error(Exit::usage, "--with and --without: both are " + with.dataset + ", " +
-                                 with.protocol +
+                                 to_string(with.protocol) +
                                  ", of a run of the same name; name two that differ");
   }
-  Contrast contrast{std::move(with), std::move(without), {}};
+  Contrast contrast{.with = std::move(with), .without = std::move(without)};
   for (std::size_t i = 0; i < contrast.with.rows.size(); ++i) {
     const AccuracyRow& row = contrast.with.rows[i];
-    contrast.rows.push_back(pair(row, row.ratio, contrast.without.rows[i]));
+    contrast.rows.push_back(paired_row(row, row.ratio, contrast.without.rows[i]));
   }
-  correct(contrast.rows);
+  add_holm_p(contrast.rows);
   return contrast;
 }
 
 std::string contrast_csv(const Contrast& contrast) {
   const Names names = names_of(contrast.with, contrast.without);
-  std::string text = joined_line({"with", "without", "method", "ratio", "with_mean", "with_std",
-                                  "without_mean", "without_std"},
-                                 {paired_header()});
+  std::string text = joined_csv_line({{"with", "without", "method", "ratio", "with_mean",
+                                       "with_std", "without_mean", "without_std"},
+                                      paired_header()});
   for (std::size_t i = 0; i < contrast.rows.size(); ++i) {
     const PairedRow& row = contrast.rows[i];
-    text += joined_line({names.with, names.without, row.method, row.ratio},
-                        {spread_fields(contrast.with.rows[i].summary),
-                         spread_fields(contrast.without.rows[i].summary), paired_fields(row)});
+    text += joined_csv_line({{names.with, names.without, row.method, row.ratio},
+                             mean_fields(contrast.with.rows[i].summary),
+                             mean_fields(contrast.without.rows[i].summary),
+                             paired_fields(row)});
   }
   return text;
 }
@@ -118,7 +112,7 @@ Document contrast_document(const Contrast& contrast) {
   const std::string& dataset = contrast.with.dataset;
   const std::string what = names.with + " against " + names.without;
   const bool same_dataset = dataset == contrast.without.dataset;
-  Document document{dataset, (same_dataset ? dataset + ": " : "") + what, {}, {}};
+  Document document{.key = dataset, .title = (same_dataset ? dataset + ": " : "") + what};
   document.paragraphs.push_back(
       "What " + names.with + " is worth: accuracy in percent with it, and with " + names.without +
       " in its place; the difference is the first minus the second. Each "

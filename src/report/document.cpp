@@ -9,7 +9,8 @@ namespace piae::report {
 
 namespace {
 
-/// Lines of 100 bytes at most, where words allow it, each ended by a line feed.
+/// Breaks a paragraph into lines of at most 100 bytes (a longer word has a line of its own), each
+/// ended by a line feed.
 std::string wrapped(const std::string& paragraph) {
   constexpr std::size_t width = 100;
   std::istringstream words(paragraph);
@@ -25,7 +26,7 @@ std::string wrapped(const std::string& paragraph) {
   return text + line + '\n';
 }
 
-/// LaTeX takes nearly everything in a label, but not everything.
+/// A label holds letters, digits and hyphens only: LaTeX does not take all other characters.
 std::string label_of(const Document& document, const Section& section) {
   std::string label = document.key + "-" + section.key;
   for (char& c : label) {

@@ -7,26 +7,27 @@
 
 namespace piae::report {
 
-/// A table with what must be said of it. All texts are plain ones.
+/// A table with what must be said of it. All texts are plain, not Markdown or LaTeX.
 struct Section {
   std::string key;    ///< short name, such as "accuracy-methods"
   std::string title;  ///< without a full stop
-  std::string note;   ///< one paragraph of sentences; empty where nothing is to be said
+  std::string note;   ///< one paragraph; empty where there is nothing to say
   text::Table table;
 };
 
-/// The tables of a dataset, written once and rendered in several ways.
+/// Tables with what must be said of them. It is put together once, and written as Markdown and
+/// LaTeX.
 struct Document {
-  std::string key;  ///< short name, the dataset
+  std::string key;  ///< short name, such as that of the dataset
   std::string title;
-  std::vector<std::string> paragraphs;  ///< what holds for all tables
-  std::vector<Section> sections;
+  std::vector<std::string> paragraphs = {};  ///< what holds for all tables
+  std::vector<Section> sections = {};
 };
 
 std::string markdown(const Document& document);
 
-/// For \input: the paragraphs, and a float for each table with the label tab:<document>-<section>.
-/// A comment at the beginning names the packages that it needs.
+/// LaTeX for \input: the paragraphs, and a float for each table, with the label
+/// tab:<document>-<section>. A comment at the beginning names the packages that are needed.
 std::string latex(const Document& document);
 
 }  // namespace piae::report

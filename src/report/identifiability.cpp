@@ -6,33 +6,34 @@
 #include <array>
 
 #include "base/error.hpp"
-#include "text/csv.hpp"
+#include "report/csv_fields.hpp"
 #include "report/labels.hpp"
 #include "scoring/identifiability.hpp"
+#include "text/csv.hpp"
 
 namespace piae::report {
 
 namespace {
 
-using Cells = std::vector<std::string>;
-
+/// What tables say of k or of c.
 struct Parameter {
   const char* name;
   double signal::DynamicParameters::*value;
-  double unit;  ///< of the tables, in N/m or N s/m
-  const char* heading;
+  double unit;          ///< what tables divide the value by, in N/m or N s/m
+  const char* heading;  ///< with that unit
 };
 constexpr std::array<Parameter, 2> parameters{{
     {"stiffness", &signal::DynamicParameters::stiffness_n_per_m, 1e6, "stiffness, MN/m"},
     {"damping", &signal::DynamicParameters::damping_ns_per_m, 1, "damping, N s/m"},
 }};
 
-/// True and inferred values of one parameter.
+/// True and inferred values of one parameter, in the same order.
 struct Values {
   std::vector<double> truth;
   std::vector<double> inferred;
 
-  void add(const Identification& one, const Parameter& parameter, std::optional<int> label) {
+  /// Adds the windows of one class, or all windows where there is no label.
+  void add(const Identification& one, const Parameter& parameter, std::optional<Label> label) {
     for (std::size_t i = 0; i < one.windows.size(); ++i) {
       if (label && one.windows.labels[i] != *label) continue;
       truth.push_back(one.windows.parameters[i].*parameter.value);
@@ -59,7 +60,7 @@ void require_truth(const Identification& one) {
 
 IdentifiabilityRow row_of(const std::vector<Identification>& all, const std::string& method,
                           const Parameter& parameter, const std::string& class_name,
-                          std::optional<int> label) {
+                          std::optional<Label> label) {
   std::vector<double> r2;
   std::vector<double> bias;
   std::vector<double> correlation2;
@@ -79,17 +80,12 @@ IdentifiabilityRow row_of(const std::vector<Identification>& all, const std::str
     bias.push_back(found.bias);
     correlation2.push_back(found.correlation2);
   }
-  return {method,
-          parameter.name,
-          class_name,
-          scoring::summarise(r2),
-          scoring::summarise(bias),
-          scoring::summarise(correlation2)};
-}
-
-Cells fields_of(const scoring::Summary& summary) {
-  return {fmt::format("{:.4f}", summary.mean),
-          summary.deviation ? fmt::format("{:.4f}", *summary.deviation) : ""};
+  return {.method = method,
+          .parameter = parameter.name,
+          .class_name = class_name,
+          .r2 = scoring::summarise(r2),
+          .bias = scoring::summarise(bias),
+          .correlation2 = scoring::summarise(correlation2)};
 }
 
 text::Table agreement_table(const std::vector<IdentifiabilityRow>& rows) {
@@ -107,7 +103,7 @@ text::Table agreement_table(const std::vector<IdentifiabilityRow>& rows) {
   return table;
 }
 
-/// Of all seeds' windows together.
+/// The scatter of one parameter over the windows of all seeds together.
 std::vector<scoring::ScatterRow> scatter_of(const std::vector<Identification>& all,
                                             const std::string& method, const Parameter& parameter) {
   constexpr std::size_t groups = 10;
@@ -145,7 +141,7 @@ void bind(const cli::Options& command, IdentifiabilityOptions& options) {
 }
 
 run::Grid resolve(const IdentifiabilityOptions& options) {
-  // The ratio plays no part: one model serves all.
+  // Any ratio will do: the same model serves all ratios.
   return resolve(run::GridOptions{options.dataset, options.methods, {"1to1"}, options.seeds});
 }
 
@@ -155,11 +151,9 @@ std::vector<IdentifiabilityRow> identifiability_rows(const std::vector<Identific
   for (const std::string& method : methods_of(all)) {
     for (const Parameter& parameter : parameters) {
       rows.push_back(row_of(all, method, parameter, "all", std::nullopt));
-      const std::vector<signal::ClassInfo>& classes = all.front().windows.info.classes;
-      for (std::size_t label = 0; label < classes.size(); ++label) {
-        if (classes[label].defect == signal::Defect::none) continue;
-        rows.push_back(
-            row_of(all, method, parameter, classes[label].name, static_cast<int>(label)));
+      const signal::DatasetInfo& info = all.front().windows.info;
+      for (const Label label : info.fault_labels()) {
+        rows.push_back(row_of(all, method, parameter, info.class_of(label).name, label));
       }
     }
   }
@@ -170,29 +164,28 @@ std::string identifiability_csv(const std::string& dataset,
                                 const std::vector<IdentifiabilityRow>& rows) {
   std::string text =
       text::csv_line({"dataset", "method", "parameter", "class", "seeds", "r2_mean", "r2_std",
-                "bias_mean", "bias_std", "correlation2_mean", "correlation2_std"});
+                      "bias_mean", "bias_std", "correlation2_mean", "correlation2_std"});
   for (const IdentifiabilityRow& row : rows) {
-    Cells cells{dataset, row.method, row.parameter, row.class_name, std::to_string(row.r2.count)};
-    for (const scoring::Summary* summary : {&row.r2, &row.bias, &row.correlation2}) {
-      const Cells fields = fields_of(*summary);
-      cells.insert(cells.end(), fields.begin(), fields.end());
-    }
-    text += text::csv_line(cells);
+    text += joined_csv_line(
+        {{dataset, row.method, row.parameter, row.class_name, std::to_string(row.r2.count)},
+         mean_fields(row.r2),
+         mean_fields(row.bias),
+         mean_fields(row.correlation2)});
   }
   return text;
 }
 
 std::string scatter_csv(const std::string& dataset, const std::vector<Identification>& all) {
   std::string text = text::csv_line({"dataset", "method", "parameter", "truth_low", "truth_high",
-                               "windows", "inferred_p10", "inferred_p50", "inferred_p90"});
+                                     "windows", "inferred_p10", "inferred_p50", "inferred_p90"});
   for (const std::string& method : methods_of(all)) {
     for (const Parameter& parameter : parameters) {
       for (const scoring::ScatterRow& row : scatter_of(all, method, parameter)) {
-        text += text::csv_line({dataset, method, parameter.name, fmt::format("{:.6g}", row.truth_low),
-                          fmt::format("{:.6g}", row.truth_high), std::to_string(row.count),
-                          fmt::format("{:.6g}", row.inferred_p10),
-                          fmt::format("{:.6g}", row.inferred_p50),
-                          fmt::format("{:.6g}", row.inferred_p90)});
+        text += text::csv_line(
+            {dataset, method, parameter.name, fmt::format("{:.6g}", row.truth_low),
+             fmt::format("{:.6g}", row.truth_high), std::to_string(row.count),
+             fmt::format("{:.6g}", row.inferred_p10), fmt::format("{:.6g}", row.inferred_p50),
+             fmt::format("{:.6g}", row.inferred_p90)});
       }
     }
   }
@@ -202,10 +195,8 @@ std::string scatter_csv(const std::string& dataset, const std::vector<Identifica
 Document identifiability_document(const std::string& dataset,
                                   const std::vector<IdentifiabilityRow>& rows,
                                   const std::vector<Identification>& all) {
-  Document document{dataset + "-identifiability",
-                    "How well stiffness and damping are identified on " + dataset,
-                    {},
-                    {}};
+  Document document{.key = dataset + "-identifiability",
+                    .title = "How well stiffness and damping are identified on " + dataset};
   const std::size_t seeds = rows.front().r2.count;
   document.paragraphs.push_back(fmt::format(
       "Each method has learned from the known windows C alone, and infers (k, c) of the real "

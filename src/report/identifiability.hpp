@@ -12,7 +12,8 @@
 
 namespace piae::report {
 
-/// Whose (k, c) are compared: models of a run on a dataset whose true ones are known.
+/// The models whose inferred (k, c) are compared with the true ones: those of a run, on a dataset
+/// whose true ones are known.
 struct IdentifiabilityOptions {
   std::string dataset;
   std::vector<std::string> methods;
@@ -20,39 +21,40 @@ struct IdentifiabilityOptions {
 };
 
 void bind(const cli::Options& command, IdentifiabilityOptions& options);
-/// Throws Error(usage) as for a grid.
+/// Throws Error(usage) as run::resolve() does.
 run::Grid resolve(const IdentifiabilityOptions& options);
 
-/// What the model of one method and seed infers of windows that it has not seen.
+/// What the model of one method and seed infers from windows that it has not seen.
 struct Identification {
   std::string method;
   std::int64_t seed = 0;
-  signal::WindowSet windows;  ///< with their true parameters
-  std::vector<signal::DynamicParameters> inferred;
+  signal::WindowSet windows;                        ///< with their true parameters
+  std::vector<signal::DynamicParameters> inferred;  ///< [n], for each window
 };
 
-/// One parameter of one class, or of all windows together, over the seeds.
+/// How well one parameter is inferred for one class, or for all windows together, over the seeds.
 struct IdentifiabilityRow {
   std::string method;
   std::string parameter;   ///< "stiffness" or "damping"
   std::string class_name;  ///< "all" for all windows together
-  scoring::Summary r2;
+  scoring::Summary r2;     ///< this and the next two: see scoring::Agreement
   scoring::Summary bias;
   scoring::Summary correlation2;
 };
 
-/// By method, parameter, class; "all" first. Throws Error(bad_input) where the true parameters are
-/// not known or do not vary.
+/// By method, then parameter, then class, with "all" before the classes. Throws Error(bad_input)
+/// where the true parameters are not known or do not vary.
 std::vector<IdentifiabilityRow> identifiability_rows(const std::vector<Identification>& all);
 
 /// dataset,method,parameter,class,seeds and mean and standard deviation of r2, bias, correlation2.
 std::string identifiability_csv(const std::string& dataset,
                                 const std::vector<IdentifiabilityRow>& rows);
 
-/// All windows of all seeds in ten groups by the truth: dataset,method,parameter,truth_low,
-/// truth_high,windows,inferred_p10,inferred_p50,inferred_p90, in N/m and N s/m.
+/// The windows of all seeds together, in ten groups by the true value: dataset,method,parameter,
+/// truth_low,truth_high,windows,inferred_p10,inferred_p50,inferred_p90, in N/m and N s/m.
 std::string scatter_csv(const std::string& dataset, const std::vector<Identification>& all);
 
+/// Both for people.
 Document identifiability_document(const std::string& dataset,
                                   const std::vector<IdentifiabilityRow>& rows,
                                   const std::vector<Identification>& all);

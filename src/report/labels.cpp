@@ -2,9 +2,9 @@
 
 #include <spdlog/fmt/fmt.h>
 
-#include "augment/catalogue.hpp"
 #include <cmath>
 
+#include "augment/catalogue.hpp"
 #include "run/grid.hpp"
 
 namespace piae::report {

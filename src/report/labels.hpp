@@ -13,15 +13,15 @@ struct NumberStyle {
 };
 
 std::string number_label(double number, NumberStyle style = {});
-/// "85.40 ± 1.20", "[84.01, 86.79]"; without a spread "85.40" and nothing.
+/// "85.40 ± 1.20" and "[84.01, 86.79]". For a single repeat "85.40" and nothing.
 std::string mean_label(const scoring::Summary& summary, NumberStyle style = {});
 std::string interval_label(const scoring::Summary& summary, NumberStyle style = {});
 
-/// "shift", and "oracle (ceiling)" for what is no method (report/grid.hpp).
+/// "shift", or "oracle (ceiling)" for what is a ceiling and not a method (augment/catalogue.hpp).
 std::string method_label(const std::string& method);
 
-/// Of a ratio by its name: "10:1", and "2:1 (3.33:1)" where the true ratio is not what the name
-/// says.
+/// How tables show a ratio of this name: "10:1", or "2:1 (3.33:1)" where the true ratio is not the
+/// one that the name says.
 std::string ratio_label(const std::string& name, double true_ratio);
 
 }  // namespace piae::report

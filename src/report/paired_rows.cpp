@@ -6,6 +6,7 @@
 #include <functional>
 #include <set>
 
+#include "report/csv_fields.hpp"
 #include "report/labels.hpp"
 
 namespace piae::report {
@@ -13,11 +14,9 @@ namespace piae::report {
 namespace {
 
 using Cells = std::vector<std::string>;
-using Label = std::function<std::string(const PairedRow&)>;
+using LabelOf = std::function<std::string(const PairedRow&)>;
 
 constexpr NumberStyle difference_style{.decimals = 2, .sign = true};
-
-std::string fixed(double value) { return fmt::format("{:.4f}", value); }
 
 std::string p_label(const PairedRow& row) {
   if (!row.paired.p) return "";
@@ -28,7 +27,7 @@ std::string effect_label(const PairedRow& row) {
   return row.paired.p ? number_label(row.paired.rank_biserial, difference_style) : "";
 }
 
-/// Most methods that are compared at one ratio.
+/// The largest number of methods that are compared at one ratio.
 std::size_t largest_family(const std::vector<PairedRow>& rows) {
   std::size_t largest = 0;
   for (const PairedRow& row : rows) {
@@ -38,8 +37,8 @@ std::size_t largest_family(const std::vector<PairedRow>& rows) {
   return largest;
 }
 
-/// Where even the smallest p that there can be is not below the usual level.
-std::string caution(std::size_t seeds, std::size_t methods) {
+/// A warning where even the smallest p that so few seeds can give is not below the usual level.
+std::string warning_of_few_seeds(std::size_t seeds, std::size_t methods) {
   constexpr double level = 0.05;
   const double smallest = scoring::smallest_p(seeds);
   const double corrected = std::min(1.0, smallest * static_cast<double>(methods));
@@ -53,11 +52,14 @@ std::string caution(std::size_t seeds, std::size_t methods) {
 
 }  // namespace
 
-PairedRow pair(const AccuracyRow& row, const std::string& ratio, const AccuracyRow& other) {
-  return {row.method, ratio, scoring::compare_pairs(row.values, other.values), std::nullopt};
+PairedRow paired_row(const AccuracyRow& row, const std::string& ratio, const AccuracyRow& other) {
+  return {.method = row.method,
+          .ratio = ratio,
+          .paired = scoring::paired_difference(row.values, other.values),
+          .p_holm = std::nullopt};
 }
 
-void correct(std::vector<PairedRow>& rows) {
+void add_holm_p(std::vector<PairedRow>& rows) {
   std::set<std::string> ratios;
   for (const PairedRow& row : rows) ratios.insert(row.ratio);
   for (const std::string& ratio : ratios) {
@@ -79,19 +81,19 @@ Cells paired_header() {
 
 Cells paired_fields(const PairedRow& row) {
   const scoring::Summary& difference = row.paired.difference;
-  Cells fields{std::to_string(difference.count), fixed(difference.mean)};
+  Cells fields{std::to_string(difference.count), four_decimals(difference.mean)};
   if (!row.paired.p) return {fields[0], fields[1], "", "", "", "", ""};
-  fields.push_back(fixed(difference.interval->low));
-  fields.push_back(fixed(difference.interval->high));
-  fields.push_back(fixed(row.paired.rank_biserial));
+  fields.push_back(four_decimals(difference.interval->low));
+  fields.push_back(four_decimals(difference.interval->high));
+  fields.push_back(four_decimals(row.paired.rank_biserial));
   fields.push_back(fmt::format("{:.6g}", *row.paired.p));
   fields.push_back(fmt::format("{:.6g}", *row.p_holm));
   return fields;
 }
 
-void add_paired(text::Table& table, const std::string& name, const std::string& method,
-                const std::vector<PairedRow>& rows, const std::vector<RatioColumn>& columns) {
-  const auto line = [&](const std::string& first, const std::string& what, const Label& label) {
+void add_paired_lines(text::Table& table, const std::string& name, const std::string& method,
+                      const std::vector<PairedRow>& rows, const std::vector<RatioColumn>& columns) {
+  const auto line = [&](const std::string& first, const std::string& what, const LabelOf& label) {
     Cells cells{first, what};
     for (const RatioColumn& column : columns) {
       const auto row = std::ranges::find_if(rows, [&](const PairedRow& each) {
@@ -124,7 +126,7 @@ std::string paired_note(const std::vector<PairedRow>& rows) {
          "exact, differences of zero left out; in brackets with Holm's correction over the methods "
          "of the same column. The mean of ratios is taken for each seed, since ratios of one seed "
          "share their split and are no independent repeats." +
-         caution(seeds, largest_family(rows));
+         warning_of_few_seeds(seeds, largest_family(rows));
 }
 
 }  // namespace piae::report

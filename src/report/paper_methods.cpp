@@ -26,21 +26,27 @@ std::vector<augment::CatalogueEntry> all_models() {
   return models;
 }
 
+const std::string& paper_method() {
+  static const std::string name =
+      std::ranges::find(augment::catalogue(), 1, &augment::CatalogueEntry::model)->name;
+  return name;
+}
+
 std::vector<MethodGroup> method_groups(const std::vector<std::string>& methods) {
-  MethodGroup compared{"methods",
-                       "the methods",
-                       {},
-                       false,
-                       &PaperDataset::methods_table,
-                       &PaperDataset::methods_quality_figure,
-                       15};
-  MethodGroup models{"ablation",
-                     "the ablations",
-                     {},
-                     true,
-                     &PaperDataset::ablation_table,
-                     &PaperDataset::ablation_quality_figure,
-                     18};
+  MethodGroup compared{.key = "methods",
+                       .name = "the methods",
+                       .methods = {},
+                       .are_models = false,
+                       .table = &PaperDataset::methods_table,
+                       .quality_figure = &PaperDataset::methods_quality_figure,
+                       .gain_figure = 15};
+  MethodGroup models{.key = "ablation",
+                     .name = "the ablations",
+                     .methods = {},
+                     .are_models = true,
+                     .table = &PaperDataset::ablation_table,
+                     .quality_figure = &PaperDataset::ablation_quality_figure,
+                     .gain_figure = 18};
   std::ranges::remove_copy_if(methods, std::back_inserter(compared.methods), is_ablation);
   std::ranges::copy_if(methods, std::back_inserter(models.methods), is_model);
   std::vector<MethodGroup> groups;

@@ -4,27 +4,30 @@
 #include <vector>
 
 #include "augment/catalogue.hpp"
-#include "report/counterpart.hpp"
+#include "report/paper_reference.hpp"
 
 namespace piae::report {
 
-/// The paper's five models, Model 1 being piae-dt itself (Section 4.5.4, Tables 10 and 11).
+/// The paper's five models (Section 4.5.4, Tables 10 and 11), in the order of their numbers.
 std::vector<augment::CatalogueEntry> all_models();
 
-/// Methods that share tables.
+/// The paper's own method, which is Model 1; the other models are ablations of it.
+const std::string& paper_method();
+
+/// Methods that are shown in the same tables.
 struct MethodGroup {
   std::string key;   ///< short name: "methods"
   std::string name;  ///< "the methods"
   std::vector<std::string> methods;
-  bool are_models;                    ///< all of them are one of the five
-  int PaperDataset::*table;           ///< the paper's, with their accuracies
-  int PaperDataset::*quality_figure;  ///< the paper's, with their MMD and RMSE
-  int gain_figure;                    ///< the paper's, with the gains on both datasets
+  bool are_models;                    ///< whether the tables name them by the numbers of the models
+  int PaperDataset::*table;           ///< the paper's table of their accuracies
+  int PaperDataset::*quality_figure;  ///< the paper's figure of their MMD and RMSE
+  int gain_figure;                    ///< the paper's figure of their gains on both datasets
 };
 
-/// These methods by the paper's tables, in the same order: those compared in Tables 8 and 9, which
-/// are all but the ablations, Models 2 to 5; and where there is an ablation, those of Tables 10 and
-/// 11, which are all five models. No group is empty.
+/// The groups that these methods form in the paper's tables, none of them empty, methods in the
+/// order given. The first are those that Tables 8 and 9 compare, which are all but the ablations
+/// (Models 2 to 5). The second are all models, as in Tables 10 and 11, where any ablation is given.
 std::vector<MethodGroup> method_groups(const std::vector<std::string>& methods);
 
 }  // namespace piae::report

@@ -1,6 +1,51 @@
 #include "report/paper_reference.hpp"
 
+#include <utility>
+
 namespace piae::report {
+
+namespace {
+
+constexpr PaperDataset cwru{.name = "cwru",
+                            .title = "CWRU",
+                            .baseline_table = 6,
+                            .methods_table = 8,
+                            .ablation_table = 10,
+                            .methods_quality_figure = 13,
+                            .ablation_quality_figure = 16};
+constexpr PaperDataset hfhp{.name = "hfhp",
+                            .title = "HFHP",
+                            .baseline_table = 7,
+                            .methods_table = 9,
+                            .ablation_table = 11,
+                            .methods_quality_figure = 14,
+                            .ablation_quality_figure = 17};
+
+const std::pair<const char*, Counterpart> counterparts[] = {
+    {"cwru", {cwru, true, "", ""}},
+    {"hfhp", {hfhp, true, "", ""}},
+    {"hit-sm",
+     {hfhp, false, "stands in for HFHP",
+      "HFHP, the paper's second dataset, is private; hit-sm stands in for it. What the paper "
+      "publishes of HFHP is shown for orientation only: it is of another rig, of other defects, "
+      "and nothing here can agree or disagree with it."}},
+    {"cwru-as-published",
+     {cwru, false, "is CWRU with its sample rates mixed",
+      "Here the healthy record, which was made at 48 kHz, is taken for one of 12 kHz. Whether the "
+      "paper did so is not known: what it publishes of CWRU is shown for orientation only."}},
+};
+
+std::optional<Counterpart> counterpart_of(const std::string& dataset) {
+  for (const auto& [name, counterpart] : counterparts) {
+    if (dataset == name) return counterpart;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+PaperReference::PaperReference(std::string dataset)
+    : dataset_(std::move(dataset)), counterpart_(counterpart_of(dataset_)) {}
 
 std::string PaperReference::none() const {
   if (!counterpart_ || counterpart_->own) return "";

@@ -5,10 +5,10 @@
 
 #include "augment/catalogue.hpp"
 #include "base/error.hpp"
-#include "text/csv.hpp"
-#include "run/grid.hpp"
 #include "report/paper_methods.hpp"
+#include "run/grid.hpp"
 #include "scoring/ratios.hpp"
+#include "text/csv.hpp"
 
 namespace piae::report {
 
@@ -55,7 +55,7 @@ void add(Percents& percents, const text::CsvLine& line, const std::string& metho
   }
 }
 
-/// A table with a method in each row, and a ratio in each column from the third.
+/// Reads a table with a method in each row and a ratio in each column from the third on.
 void read_by_ratio(const fs::path& path, const std::string& second_column,
                    const std::function<std::string(const text::CsvLine&)>& method_of,
                    Percents& percents) {
@@ -85,11 +85,12 @@ Published::Published(const fs::path& folder) {
     std::vector<double>& runs = baseline_runs_[line.fields[0]];
     if (!runs.empty()) line.refuse("names dataset " + line.fields[0] + " again");
     for (std::size_t i = 1; i < average; ++i) runs.push_back(percent_of(line, i));
-    add(percents_, line, augment::no_method, scoring::all_ratios().front().name, percent_of(line, average));
+    add(percents_, line, augment::no_method, scoring::all_ratios().front().name,
+        percent_of(line, average));
   }
   read_by_ratio(
-      folder / "table8-9-methods.csv", "method", [](const text::CsvLine& line) { return line.fields[1]; },
-      percents_);
+      folder / "table8-9-methods.csv", "method",
+      [](const text::CsvLine& line) { return line.fields[1]; }, percents_);
   read_by_ratio(folder / "table10-11-ablation.csv", "model", method_of_model, percents_);
 }
 

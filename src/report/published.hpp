@@ -12,12 +12,12 @@ namespace piae::report {
 /// Accuracies that the paper publishes, in percent.
 class Published {
  public:
-  /// Knows of nothing.
+  /// Without any accuracies.
   Published() = default;
   /// Reads table6-7-baseline.csv, table8-9-methods.csv and table10-11-ablation.csv of a folder.
-  /// Throws Error(input_missing) for a file that cannot be read, and Error(bad_input) naming file
-  /// and line for a header, method or ratio that is not known, a row of another length than the
-  /// header, anything but a percentage, and a figure that contradicts another table.
+  /// Throws Error(input_missing) for a file that cannot be read, and Error(bad_input) with file and
+  /// line for an unknown header, model or ratio, a row of another length than the header, a value
+  /// that is no percentage, and one that contradicts another table.
   explicit Published(const std::filesystem::path& folder);
 
   /// Empty where the paper has no such dataset, method or ratio.

@@ -5,17 +5,16 @@
 #include <algorithm>
 #include <cmath>
 
-#include "text/csv.hpp"
 #include "report/labels.hpp"
 #include "report/paper_methods.hpp"
 #include "report/paper_reference.hpp"
 #include "scoring/statistics.hpp"
+#include "text/csv.hpp"
 
 namespace piae::report {
 
 namespace {
 
-using scoring::ClassQuality;
 using scoring::Metric;
 using scoring::QualityRecord;
 using scoring::Summary;
@@ -32,7 +31,7 @@ Seeds seeds_of(const std::string& method, const run::Results& results) {
 }
 
 const std::string& class_name(const QualityRecord& record, std::size_t i) {
-  return record.info.classes[static_cast<std::size_t>(record.classes[i].label)].name;
+  return record.info.class_of(record.classes[i].label).name;
 }
 
 Summary of_class(const Seeds& seeds, std::size_t i, const Metric& metric) {
@@ -43,11 +42,7 @@ Summary of_class(const Seeds& seeds, std::size_t i, const Metric& metric) {
 
 Summary of_all_classes(const Seeds& seeds, const Metric& metric) {
   std::vector<double> means;
-  for (const QualityRecord* record : seeds) {
-    double sum = 0;
-    for (const ClassQuality& quality : record->classes) sum += quality.*metric.value;
-    means.push_back(sum / static_cast<double>(record->classes.size()));
-  }
+  for (const QualityRecord* record : seeds) means.push_back(record->mean_over_classes(metric));
   return scoring::summarise(means);
 }
 
@@ -55,11 +50,11 @@ std::string line_of(const Seeds& seeds, std::size_t i, const Metric& metric) {
   const Summary summary = of_class(seeds, i, metric);
   const QualityRecord& first = *seeds.front();
   return text::csv_line({first.info.name, first.method, class_name(first, i), metric.name,
-                   std::to_string(summary.count), fmt::format("{:.6g}", summary.mean),
-                   summary.deviation ? fmt::format("{:.6g}", *summary.deviation) : ""});
+                         std::to_string(summary.count), fmt::format("{:.6g}", summary.mean),
+                         summary.deviation ? fmt::format("{:.6g}", *summary.deviation) : ""});
 }
 
-/// As many decimals as give the smallest of these three significant digits, but no more than
+/// How many decimals give the smallest of these numbers three significant digits, but at most
 /// `most`.
 int decimals_for(const std::vector<std::vector<Summary>>& rows, int most) {
   int decimals = 1;
@@ -96,7 +91,8 @@ text::Table metric_table(const std::vector<Seeds>& methods, const Metric& metric
 }  // namespace
 
 std::string quality_csv(const run::Grid& grid, const run::Results& results) {
-  std::string text = text::csv_line({"dataset", "method", "class", "metric", "seeds", "mean", "std"});
+  std::string text =
+      text::csv_line({"dataset", "method", "class", "metric", "seeds", "mean", "std"});
   for (const std::string& method : grid.scored) {
     const Seeds seeds = seeds_of(method, results);
     for (std::size_t i = 0; i < seeds.front()->classes.size(); ++i) {

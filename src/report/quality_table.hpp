@@ -3,17 +3,19 @@
 #include <string>
 #include <vector>
 
-#include "run/collect.hpp"
 #include "report/document.hpp"
+#include "run/collect.hpp"
 
 namespace piae::report {
 
-/// quality.csv: dataset,method,class,metric,seeds,mean,std over the seeds of a grid, all of whose
-/// cells `results` has. Metrics are those of scoring/quality.hpp; std of one seed alone is empty.
+/// quality.csv: dataset,method,class,metric,seeds,mean,std over the seeds. `results` must have all
+/// cells of the grid. Metrics are those of scoring/quality.hpp; the standard deviation of a single
+/// seed is empty.
 std::string quality_csv(const run::Grid& grid, const run::Results& results);
 
-/// What the paper shows in its Figs 13 and 14 (methods), 16 and 17 (ablations): a table for each
-/// metric, a class a row, a method a column, and at the end the mean over the classes.
+/// What the paper draws in Figs 13 and 14 (methods) and 16 and 17 (ablations): a table for each
+/// metric, with a class in each row, a method in each column, and the mean over the classes in the
+/// last row.
 std::vector<Section> quality_sections(const run::Grid& grid, const run::Results& results);
 
 }  // namespace piae::report

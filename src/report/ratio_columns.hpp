@@ -9,21 +9,20 @@ namespace piae::report {
 
 /// A column of a table in which methods are compared: a ratio, or the mean of the ratios.
 struct RatioColumn {
-  std::string ratio;
-  std::string label;
+  std::string ratio;  ///< its name, or mean_of_ratios
+  std::string label;  ///< for people
 };
 
-/// Of rows and their mean_rows: ratios as in Table 5, then the mean.
+/// The columns for rows and their mean_rows: ratios in the order of Table 5, then the mean.
 std::vector<RatioColumn> ratio_columns(const std::vector<AccuracyRow>& rows);
 
-/// The same without the ratio of `none`, at which there is nothing to compare it with.
+/// The same without 100to1, at which only `none` has a row and nothing can be compared with it.
 std::vector<RatioColumn> compared_columns(const std::vector<AccuracyRow>& rows);
 
 /// The rows, followed by their mean_rows.
 std::vector<AccuracyRow> with_means(std::vector<AccuracyRow> rows);
 
-/// A method's row at a ratio, or null. That of `none`, to which ratios make no difference, stands
-/// for every ratio.
+/// The row of a method at a ratio, or null. For `none` it is its only row, whatever the ratio.
 const AccuracyRow* find_row(const std::vector<AccuracyRow>& rows, const std::string& method,
                             const std::string& ratio);
 

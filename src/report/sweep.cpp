@@ -5,8 +5,10 @@
 #include <algorithm>
 
 #include "base/error.hpp"
-#include "text/csv.hpp"
+#include "report/csv_fields.hpp"
 #include "report/labels.hpp"
+#include "report/paper_methods.hpp"
+#include "text/csv.hpp"
 
 namespace piae::report {
 
@@ -18,25 +20,29 @@ SweepPoint parse_point(const std::string& word, const std::vector<std::string>& 
       word.find('/') != std::string::npos) {
     throw Error(Exit::usage, "--points: '" + word + "' is not FACTOR=VALUE, such as batch=1");
   }
-  return {word.substr(0, equals), word.substr(equals + 1),
-          std::ranges::find(centre, word) != centre.end()};
+  return {.factor = word.substr(0, equals),
+          .value = word.substr(equals + 1),
+          .centre = std::ranges::find(centre, word) != centre.end()};
 }
 
-std::optional<SweepRow> row_of(const run::Layout& layout, const Sweep& sweep, const SweepPoint& point,
-                               const run::Combination& combination, run::Results& results) {
+std::optional<SweepRow> row_of(const run::Layout& layout, const Sweep& sweep,
+                               const SweepPoint& point, const run::Combination& combination,
+                               run::Results& results) {
   const std::size_t before = results.diagnoses.size();
-  const run::Series series{point.factor + " " + point.value, point.folder(), combination};
+  const run::Series series{.name = point.factor + " " + point.value,
+                           .folder = point.folder(),
+                           .combination = combination};
   run::collect_diagnoses(layout, sweep.grid, series, results);
   std::vector<double> percents;
   for (std::size_t i = before; i < results.diagnoses.size(); ++i) {
     percents.push_back(100 * results.diagnoses[i].accuracy);
   }
   if (percents.size() < sweep.grid.seeds.size()) return std::nullopt;
-  return SweepRow{point, combination.ratio, results.diagnoses.back().true_ratio,
-                  scoring::summarise(percents)};
+  return SweepRow{.point = point,
+                  .ratio = combination.ratio,
+                  .true_ratio = results.diagnoses.back().true_ratio,
+                  .summary = scoring::summarise(percents)};
 }
-
-std::string fixed(double value) { return fmt::format("{:.4f}", value); }
 
 std::vector<std::string> factors_of(const Sweep& sweep) {
   std::vector<std::string> factors;
@@ -46,9 +52,9 @@ std::vector<std::string> factors_of(const Sweep& sweep) {
   return factors;
 }
 
-/// A value a line, and its interval below it.
+/// A line for each value of the factor, with the interval of the mean in the line below.
 text::Table factor_table(const std::string& factor, const Sweep& sweep,
-                       const std::vector<SweepRow>& rows) {
+                         const std::vector<SweepRow>& rows) {
   const std::size_t ratios = sweep.grid.combinations.size();
   std::vector<std::string> header{factor, ""};
   for (std::size_t i = 0; i < ratios; ++i) {
@@ -72,6 +78,10 @@ text::Table factor_table(const std::string& factor, const Sweep& sweep,
 
 }  // namespace
 
+std::string SweepPoint::folder() const {
+  return centre ? paper_method() : "sweep/" + factor + "-" + value;
+}
+
 void bind(const cli::Options& command, SweepOptions& options) {
   command.add("--dataset", options.dataset, "Dataset, such as cwru").required();
   command.add("--points", options.points, "Settings tried, such as: batch=1 batch=5 depth=2")
@@ -83,7 +93,8 @@ void bind(const cli::Options& command, SweepOptions& options) {
 
 Sweep resolve(const SweepOptions& options) {
   Sweep sweep;
-  sweep.grid = resolve(run::GridOptions{options.dataset, {swept_method}, options.ratios, options.seeds});
+  sweep.grid =
+      resolve(run::GridOptions{options.dataset, {paper_method()}, options.ratios, options.seeds});
   const std::vector<std::string> words = run::split_list("--points", options.points);
   std::vector<std::string> centre;
   if (!options.centre.empty()) centre = run::split_list("--centre", options.centre);
@@ -96,7 +107,8 @@ Sweep resolve(const SweepOptions& options) {
   return sweep;
 }
 
-std::vector<SweepRow> sweep_rows(const run::Layout& layout, const Sweep& sweep, run::Results& results) {
+std::vector<SweepRow> sweep_rows(const run::Layout& layout, const Sweep& sweep,
+                                 run::Results& results) {
   std::vector<SweepRow> rows;
   for (const SweepPoint& point : sweep.points) {
     for (const run::Combination& combination : sweep.grid.combinations) {
@@ -110,27 +122,25 @@ std::string sweep_csv(const Sweep& sweep, const std::vector<SweepRow>& rows) {
   std::string text = text::csv_line(
       {"dataset", "factor", "value", "ratio", "seeds", "mean", "std", "ci95_low", "ci95_high"});
   for (const SweepRow& row : rows) {
-    const auto& [count, mean, deviation, interval] = row.summary;
-    text += text::csv_line({sweep.grid.dataset, row.point.factor, row.point.value, row.ratio,
-                      std::to_string(count), fixed(mean), deviation ? fixed(*deviation) : "",
-                      interval ? fixed(interval->low) : "", interval ? fixed(interval->high) : ""});
+    text += joined_csv_line({{sweep.grid.dataset, row.point.factor, row.point.value, row.ratio,
+                              std::to_string(row.summary.count)},
+                             mean_fields(row.summary),
+                             interval_fields(row.summary)});
   }
   return text;
 }
 
 Document sweep_document(const Sweep& sweep, const std::vector<SweepRow>& rows,
                         const run::Results& results) {
-  Document document{sweep.grid.dataset + "-sweep",
-                    "Settings of " + swept_method + " on " + sweep.grid.dataset,
-                    {},
-                    {}};
+  Document document{.key = sweep.grid.dataset + "-sweep",
+                    .title = "Settings of " + paper_method() + " on " + sweep.grid.dataset};
   const std::size_t seeds = sweep.grid.seeds.size();
   document.paragraphs.push_back(fmt::format(
       "Accuracy in percent where one setting is moved and all others are those of the grid (paper, "
       "Section 4.5.5 and Fig. 19, which publishes no numbers). Split protocol {}; {} seed{}. "
       "Numbers are the mean ± the sample standard deviation over the seeds; 95 % is the interval "
       "of the mean by Student's t.",
-      results.diagnoses.front().protocol, seeds, seeds == 1 ? "" : "s"));
+      to_string(results.diagnoses.front().protocol), seeds, seeds == 1 ? "" : "s"));
   for (const std::string& factor : factors_of(sweep)) {
     document.sections.push_back({factor, "By " + factor, "", factor_table(factor, sweep, rows)});
   }

@@ -4,67 +4,64 @@
 #include <vector>
 
 #include "cli/options.hpp"
-#include "run/collect.hpp"
 #include "report/document.hpp"
+#include "run/collect.hpp"
 #include "run/grid.hpp"
 #include "run/layout.hpp"
 #include "scoring/statistics.hpp"
 
 namespace piae::report {
 
-/// Whose settings are moved one at a time, all others staying where they are (paper 4.5.5, Fig.
-/// 19).
-inline const std::string swept_method = "piae-dt";
-
-/// The part of a sweep that a table shows. pipeline/sweep.mk has the whole.
+/// Which part of a sweep a table shows; [sweep] of pipeline/protocol.toml has all of it. In a sweep one setting of
+/// the paper's method at a time is moved, and all others stay as they are in the grid (paper,
+/// Section 4.5.5 and Fig. 19).
 struct SweepOptions {
   std::string dataset;
-  std::vector<std::string>
-      points;  ///< "batch=1": a factor, which is an option of train, and a value
-  std::vector<std::string> centre;  ///< those points that are the method as the grid has it
+  std::vector<std::string> points;  ///< "batch=1": an option of train, and its value
+  std::vector<std::string> centre;  ///< those points that are the setting of the grid
   std::vector<std::string> ratios;
   std::vector<std::string> seeds;
 };
 
 void bind(const cli::Options& command, SweepOptions& options);
 
+/// One setting, and one value of it.
 struct SweepPoint {
-  std::string factor;
-  std::string value;
-  bool centre = false;
-  /// Of its cells, within those of the seeds: that of the method for a centre, which is not
-  /// computed twice, else "sweep/batch-1".
-  [[nodiscard]] std::string folder() const {
-    return centre ? swept_method : "sweep/" + factor + "-" + value;
-  }
+  std::string factor;   ///< an option of train: "batch"
+  std::string value;    ///< "1"
+  bool centre = false;  ///< whether the grid has this very value
+  /// The folder of its cells below that of each seed: "sweep/batch-1". The cells of a centre are
+  /// those of the grid, which are not computed twice; they are in the folder of the method.
+  [[nodiscard]] std::string folder() const;
 };
 
 struct Sweep {
-  run::Grid grid;  ///< the swept method alone
+  run::Grid grid;  ///< of the paper's method
   std::vector<SweepPoint> points;
 };
 
-/// Lists may also come as one value with commas or spaces in it. Throws Error(usage) as for a grid,
-/// for a point that is not FACTOR=VALUE, and for a centre that is no point.
+/// Throws Error(usage) as run::resolve() does, for a point that is not FACTOR=VALUE, and for a
+/// centre that is none of the points.
 Sweep resolve(const SweepOptions& options);
 
-/// One point at one ratio over the seeds, in percent.
+/// One point at one ratio, over the seeds.
 struct SweepRow {
   SweepPoint point;
   std::string ratio;
   double true_ratio = 0;
-  scoring::Summary summary;
+  scoring::Summary summary;  ///< of accuracies in percent
 };
 
-/// One row for each point and ratio, points as asked for. What is missing or refused is in
-/// `results`, and has no row.
-std::vector<SweepRow> sweep_rows(const run::Layout& layout, const Sweep& sweep, run::Results& results);
+/// A row for each point and ratio, points in the order asked for. A point with a cell that is
+/// missing or refused has no row; `results` says what is wrong with the cell.
+std::vector<SweepRow> sweep_rows(const run::Layout& layout, const Sweep& sweep,
+                                 run::Results& results);
 
 /// sweep.csv: dataset,factor,value,ratio,seeds,mean,std,ci95_low,ci95_high in percent; `seeds` is
-/// how many there are; std and interval of one seed alone are empty.
+/// how many there are. Standard deviation and interval of a single seed are empty.
 std::string sweep_csv(const Sweep& sweep, const std::vector<SweepRow>& rows);
 
-/// The same for people, a table for each factor with a ratio a column.
+/// The same for people: a table for each factor, with a ratio in each column.
 Document sweep_document(const Sweep& sweep, const std::vector<SweepRow>& rows,
                         const run::Results& results);
 

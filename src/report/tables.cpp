@@ -2,10 +2,10 @@
 
 #include <spdlog/fmt/fmt.h>
 
-#include "augment/catalogue.hpp"
 #include <algorithm>
 #include <iterator>
 
+#include "augment/catalogue.hpp"
 #include "report/accuracy_sections.hpp"
 #include "report/paper_reference.hpp"
 #include "report/quality_table.hpp"
@@ -15,7 +15,9 @@ namespace piae::report {
 namespace {
 
 std::string ceiling_note(const run::Grid& grid) {
-  const auto of_ceiling = [](const run::Combination& cell) { return augment::is_ceiling(cell.method); };
+  const auto of_ceiling = [](const run::Combination& cell) {
+    return augment::is_ceiling(cell.method);
+  };
   if (std::ranges::none_of(grid.combinations, of_ceiling)) return "";
   return " The oracle is no method but a ceiling: it takes real windows that no method may see in "
          "the place of generated ones, and has no quality, which would compare them with "
@@ -33,17 +35,17 @@ std::string how_to_read(const run::Grid& grid, const std::string& protocol) {
 
 }  // namespace
 
-Document tables(const run::Grid& grid, const run::Results& results, const std::vector<AccuracyRow>& rows,
-                const Published& published, const Comparisons& comparisons,
-                const RankTable& ranks) {
+Document tables(const run::Grid& grid, const run::Results& results,
+                const std::vector<AccuracyRow>& rows, const Published& published,
+                const Comparisons& comparisons, const RankTable& ranks) {
   const auto beside = PaperReference(grid.dataset).beside();
   const bool stands_in = beside && !beside->own;
-  Document document{grid.dataset, "Results on " + grid.dataset, {}, {}};
+  Document document{.key = grid.dataset, .title = "Results on " + grid.dataset};
   if (stands_in) {
     document.title += std::string(", which ") + beside->relation;
     document.paragraphs.emplace_back(beside->caution);
   }
-  document.paragraphs.push_back(how_to_read(grid, results.diagnoses.front().protocol));
+  document.paragraphs.push_back(how_to_read(grid, to_string(results.diagnoses.front().protocol)));
   for (std::vector<Section> sections :
        {accuracy_sections(grid, rows, published), comparison_sections(comparisons, rows),
         rank_sections(ranks), quality_sections(grid, results)}) {

@@ -70,7 +70,7 @@ Grid resolve(const GridOptions& options) {
     grid.seeds.push_back(parse_seed(word));
   }
   std::ranges::sort(grid.seeds);
-  const auto twice = std::ranges::adjacent_find(grid.seeds);  // "00" is 0, too
+  const auto twice = std::ranges::adjacent_find(grid.seeds);  // such as 0 and 00
   if (twice != grid.seeds.end()) {
     throw Error(Exit::usage, "--seeds names " + std::to_string(*twice) + " twice");
   }
@@ -78,7 +78,8 @@ Grid resolve(const GridOptions& options) {
     if (method != augment::no_method && !augment::is_ceiling(method)) grid.scored.push_back(method);
     for (const std::string& ratio : ratios) {
       const bool generates_nothing = scoring::find_ratio(ratio).generated_per_class == 0;
-      if ((method == augment::no_method) == generates_nothing) grid.combinations.push_back({method, ratio});
+      if ((method == augment::no_method) == generates_nothing)
+        grid.combinations.push_back({method, ratio});
     }
   }
   if (grid.combinations.empty()) {

@@ -8,7 +8,8 @@
 
 namespace piae::run {
 
-/// The part of the grid that a table shows, by the names that make and the folders use.
+/// Which part of the grid a table shows, by the names that make and the folders use. A list may
+/// come as one value with several words in it, see split_list().
 struct GridOptions {
   std::string dataset;
   std::vector<std::string> methods;
@@ -17,32 +18,33 @@ struct GridOptions {
 };
 
 void bind(const cli::Options& command, GridOptions& options);
-/// All but --dataset, for a program that knows it otherwise.
+/// Binds all but --dataset, for a program that knows the dataset from elsewhere.
 void bind_cells(const cli::Options& command, GridOptions& options);
 
-/// One line of a table: its cells differ in nothing but the seed.
+/// A method and a ratio. The cells of one combination differ in nothing but the seed.
 struct Combination {
   std::string method;
   std::string ratio;
 };
 
+/// The cells of one dataset.
 struct Grid {
   std::string dataset;
-  std::vector<std::string> scored;        ///< the methods that have scores, as asked for
-  std::vector<Combination> combinations;  ///< methods as asked for, ratios as in Table 5
+  std::vector<std::string> scored;        ///< the methods that have scores, in the order asked for
+  std::vector<Combination> combinations;  ///< methods in the order asked for, ratios as in Table 5
   std::vector<std::int64_t> seeds;        ///< ascending
 };
 
-/// The words of a list, which make may pass as one value or as many: "0 1 2", "0,1,2" and 0 1 2 are
-/// the same. Throws Error(usage) with the option's name for an empty list and for a word named
-/// twice.
+/// The words of a list. make passes a list as one value, people pass several: "0 1 2", "0,1,2" and
+/// 0 1 2 are the same. Throws Error(usage) with the option's name for an empty list and for a word
+/// that is there twice.
 std::vector<std::string> split_list(const std::string& option,
                                     const std::vector<std::string>& values);
 
-/// Of the methods and ratios asked for, only these go together: `none` with 100to1, and every other
-/// method with every other ratio. Lists may also come as one value with commas or spaces in it.
-/// Throws Error(usage) for an empty list, a value named twice, an unknown ratio, a seed that is not
-/// a number from 0 up, and methods and ratios of which none go together.
+/// The cells asked for. Not all methods and ratios go together: `none`, which generates nothing,
+/// has cells at 100to1 only, and every other method at every other ratio only. Throws Error(usage)
+/// for an empty list, a value that is there twice, an unknown ratio, a seed that is not a number
+/// from 0 up, and methods and ratios of which none go together.
 Grid resolve(const GridOptions& options);
 
 }  // namespace piae::run

@@ -7,8 +7,8 @@
 
 namespace piae::run {
 
-/// Where a run keeps what its tables are made from, and the tables. The make rules in pipeline/ put
-/// the artefacts there.
+/// Where the folder of a run has the artefacts and the tables of one dataset. The make rules in
+/// pipeline/ put the artefacts there.
 class Layout {
  public:
   /// `run` is the run's folder, such as results/paper.
@@ -28,6 +28,7 @@ class Layout {
     return seed_folder(seed) / "D.h5";
   }
   [[nodiscard]] std::filesystem::path accuracy_csv() const { return folder_ / "accuracy.csv"; }
+  [[nodiscard]] std::filesystem::path summary_text() const { return folder_ / "summary.txt"; }
   [[nodiscard]] std::filesystem::path gains_csv() const { return folder_ / "gains.csv"; }
   [[nodiscard]] std::filesystem::path quality_csv() const { return folder_ / "quality.csv"; }
   [[nodiscard]] std::filesystem::path comparisons_csv() const {
@@ -46,8 +47,9 @@ class Layout {
     return folder_ / "identifiability.md";
   }
 
-  /// Why the diagnosis or score `cell`, as named by the functions above, may be missing: the log of
-  /// the first step on the way to it that has begun and left no result. Empty where none has.
+  /// Where to look for the reason that a diagnosis or score is missing: the log of the first step
+  /// on the way to it that has begun and left no result. Empty where there is no such step. `cell`
+  /// is a path that diagnosis() or score() gave.
   [[nodiscard]] static std::optional<std::filesystem::path> unfinished_log(
       const std::filesystem::path& cell);
 

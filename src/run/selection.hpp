@@ -8,7 +8,7 @@
 
 namespace piae::run {
 
-/// Part of the grid, by the names that make and the folders use. An empty list is all there are.
+/// Part of the grid, by the names that make and the folders use. An empty list stands for all.
 struct Selection {
   std::vector<std::string> datasets;
   std::vector<std::string> methods;
@@ -16,8 +16,8 @@ struct Selection {
   std::vector<std::int64_t> seeds;
 
   [[nodiscard]] bool has_dataset(const std::string& dataset) const;
-  /// `ratio` is empty for a score, which goes with any ratio that has generated windows. Throws
-  /// Error(usage) for a ratio that there is not.
+  /// Whether a cell is selected. `ratio` is empty for a score; scores are selected where any ratio
+  /// with generated windows is. Throws Error(usage) for a selected ratio that does not exist.
   [[nodiscard]] bool has(const std::string& method, const std::string& ratio,
                          std::int64_t seed) const;
 };

@@ -7,17 +7,17 @@ namespace piae::scoring {
 
 namespace {
 
-std::size_t checked(std::int32_t label, std::size_t classes) {
-  if (label < 0 || static_cast<std::size_t>(label) >= classes) {
+std::size_t checked(Label label, std::size_t classes) {
+  if (label < 0 || index_of(label) >= classes) {
     throw std::logic_error("class " + std::to_string(label) + " of " + std::to_string(classes));
   }
-  return static_cast<std::size_t>(label);
+  return index_of(label);
 }
 
 }  // namespace
 
-Confusion confusion_matrix(std::span<const std::int32_t> labels,
-                           std::span<const std::int32_t> predictions, std::size_t classes) {
+Confusion confusion_matrix(std::span<const Label> labels, std::span<const Label> predictions,
+                           std::size_t classes) {
   if (labels.size() != predictions.size()) {
     throw std::logic_error("as many predictions as labels are needed");
   }

@@ -5,10 +5,12 @@
 #include <span>
 #include <vector>
 
+#include "base/label.hpp"
+
 namespace piae::scoring {
 
-/// How often windows of one class were taken for another: rows are the true class, columns the
-/// predicted one.
+/// How often windows of each class were taken for each other class: a row for each true class, a
+/// column for each predicted one.
 struct Confusion {
   std::size_t classes = 0;           ///< C
   std::vector<std::int64_t> counts;  ///< row-major [C, C]
@@ -20,9 +22,9 @@ struct Confusion {
 };
 
 /// labels and predictions are [n], each in {0, ..., classes - 1}. Throws std::logic_error when they
-/// differ in length or hold anything else.
-Confusion confusion_matrix(std::span<const std::int32_t> labels,
-                           std::span<const std::int32_t> predictions, std::size_t classes);
+/// differ in length, and when one of them is no class.
+Confusion confusion_matrix(std::span<const Label> labels, std::span<const Label> predictions,
+                           std::size_t classes);
 
 /// Share of windows that were recognised, in [0, 1] (paper, eq. 29). Throws std::logic_error when
 /// there is not one window.

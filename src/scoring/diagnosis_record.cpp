@@ -6,12 +6,12 @@ namespace piae::scoring {
 
 namespace {
 
-std::vector<std::int32_t> read_classes(const artefact::Reader& reader, const std::string& path,
-                                       std::size_t count, std::size_t classes) {
-  std::vector<std::int32_t> labels = reader.numbers<std::int32_t>(path, {count}).values;
+std::vector<Label> read_labels(const artefact::Reader& reader, const std::string& path,
+                               std::size_t count, std::size_t classes) {
+  std::vector<Label> labels = reader.numbers<Label>(path, {count}).values;
   if (labels.empty()) reader.refuse(path, "is empty");
-  for (const std::int32_t label : labels) {
-    if (label < 0 || static_cast<std::size_t>(label) >= classes) {
+  for (const Label label : labels) {
+    if (label < 0 || index_of(label) >= classes) {
       reader.refuse(path, "holds class " + std::to_string(label) + ", the dataset has " +
                               std::to_string(classes));
     }
@@ -45,7 +45,7 @@ void write(artefact::Writer& writer, const DiagnosisRecord& record) {
   writer.attribute("/", "generated_per_class", record.generated_per_class);
   writer.attribute("/", "true_ratio", record.true_ratio);
   writer.attribute("/", "seed", record.seed);
-  writer.attribute("/", "protocol", record.protocol);
+  writer.attribute("/", "protocol", to_string(record.protocol));
   writer.attribute("/", "accuracy", record.accuracy());
   if (record.train_windows_per_second) {
     writer.attribute("/", "train_windows_per_second", *record.train_windows_per_second);
@@ -67,9 +67,9 @@ DiagnosisRecord read_diagnosis(const artefact::Reader& reader) {
   record.generated_per_class = reader.integer("/", "generated_per_class");
   record.true_ratio = reader.real("/", "true_ratio");
   record.seed = reader.integer("/", "seed");
-  record.protocol = reader.text("/", "protocol");
-  record.labels = read_classes(reader, "/labels", 0, classes);
-  record.predictions = read_classes(reader, "/predictions", record.labels.size(), classes);
+  record.protocol = signal::read_protocol(reader);
+  record.labels = read_labels(reader, "/labels", 0, classes);
+  record.predictions = read_labels(reader, "/predictions", record.labels.size(), classes);
   record.scores = reader.numbers<float>("/scores", {record.labels.size(), classes}).values;
   record.loss = reader.numbers<double>("/curves/loss", {0}).values;
   record.train_accuracy =

@@ -22,10 +22,11 @@ using Complex = std::complex<double>;
 constexpr int harmonics = 3;
 constexpr Index padding = 4;
 constexpr double tolerance = 0.02;
-constexpr double lobe_bins = 2;           // half of the main lobe of Hann's window, before padding
-constexpr double rounding_power = 1e-20;  // what is less, to the windows' power, is rounding
+constexpr double lobe_bins = 2;  // half of the main lobe of Hann's window, before padding
+// A power that is a smaller part of the windows' power than this is rounding alone.
+constexpr double rounding_power = 1e-20;
 
-/// Twice the positive frequencies, none of the negative ones.
+/// Doubles the positive frequencies and removes the negative ones.
 void make_analytic(std::vector<Complex>& spectrum) {
   for (std::size_t i = 1; i < spectrum.size(); ++i) {
     if (2 * i < spectrum.size()) spectrum[i] *= 2;
@@ -36,7 +37,7 @@ void make_analytic(std::vector<Complex>& spectrum) {
 struct Spectrum {
   Eigen::ArrayXd power;
   double bin_hz = 0;
-  double rounding = 0;  ///< power that means nothing
+  double rounding = 0;  ///< a power below this is rounding alone
 
   [[nodiscard]] Index bin(double hz) const { return std::lround(hz / bin_hz); }
 };
@@ -48,7 +49,8 @@ Spectrum envelope_spectrum(const Windows& windows, double rate_hz) {
           rounding_power * mean_square * length * length + std::numeric_limits<double>::min()};
 }
 
-/// A line of its own spans the main lobe of the window, anywhere within the tolerance.
+/// How far one harmonic stands out, in dB. The line may lie anywhere within the tolerance and is as
+/// wide as the main lobe of Hann's window; only what lies outside of both counts as floor.
 double harmonic_db(const Spectrum& spectrum, int number, double line_hz) {
   const double hz = number * line_hz;
   const double lobe_hz = tolerance * hz + lobe_bins * padding * spectrum.bin_hz;
@@ -80,7 +82,9 @@ Windows envelopes(const Windows& windows) {
     fft.fwd(spectrum, samples);
     make_analytic(spectrum);
     fft.inv(samples, spectrum);
-    result.row(i) = row.cwiseAbs2().cwiseSqrt();  // without the care of hypot, which costs more
+    // cwiseAbs would call hypot, which guards against overflow that cannot happen here and is
+    // slower.
+    result.row(i) = row.cwiseAbs2().cwiseSqrt();
   }
   return result;
 }

@@ -5,15 +5,15 @@
 
 namespace piae::scoring {
 
-/// The Hilbert envelope of each window: the magnitude of its analytic signal, freed of the mean.
-/// The whole band is demodulated, so that there is no band to choose: envelope analysis of the raw
-/// signal, the first method of Smith and Randall (2015). Not squared, as one loud blow in a window
-/// would then hide the others.
+/// The Hilbert envelope of each window, which is the magnitude of its analytic signal; the window's
+/// mean is removed first. The whole band is demodulated, so that there is no band to choose. This
+/// is envelope analysis of the raw signal, the first method of Smith and Randall (2015). The
+/// envelope is not squared: in a squared one a single loud blow would hide the others.
 Windows envelopes(const Windows& windows);
 
-/// Where the envelope spectrum of a defect has its first line, in Hz, at the nominal speed and
-/// without slip: BPFO, BPFI, and for a roller 2 BSF, as its defect strikes both races in a turn.
-/// Real ball faults of CWRU have nothing at the odd multiples of BSF. 0 for a healthy bearing.
+/// The first line of a defect in the envelope spectrum, in Hz, at the nominal speed and without
+/// slip: BPFO, BPFI, and 2 BSF for a roller, whose defect strikes both races in each turn (the real
+/// ball faults of CWRU have no line at the odd multiples of BSF). 0 for a healthy bearing.
 double fault_line_hz(const signal::DatasetInfo& info, signal::Defect defect);
 
 /// How far the line and its second and third harmonic stand out of the envelope spectrum, in dB:
@@ -23,11 +23,11 @@ double fault_line_hz(const signal::DatasetInfo& info, signal::Defect defect);
 /// quite at the nominal speed; the floor is the median power beside it, half way to the next
 /// harmonics on either side.
 ///
-/// Sets of 45 real windows of a CWRU class differ by 0.1 to 0.6 dB (standard deviation). White
-/// noise is about 0, and less is where the line of something else makes the floor. A harmonic that
-/// cannot be told from its neighbours counts as 0: windows hold less than some five periods of the
-/// line, or there is no line (0 Hz), or it lies beyond half the sampling rate. So does silence.
-/// Throws std::logic_error for no windows.
+/// Sets of 45 real windows of one CWRU class differ by 0.1 to 0.6 dB (standard deviation). White
+/// noise has about 0. A negative value means that the line of something else raises the floor. A
+/// harmonic counts as 0 where it cannot be told from its neighbours: the windows hold less than
+/// some five periods of the line, there is no line (0 Hz), or it lies beyond half the sampling
+/// rate. Silence counts as 0 too. Throws std::logic_error where there is no window.
 double fault_line_db(const Windows& windows, double line_hz, double rate_hz);
 
 }  // namespace piae::scoring

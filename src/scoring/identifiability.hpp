@@ -9,26 +9,27 @@ namespace piae::scoring {
 struct Agreement {
   double r2 = 0;  ///< 1 - sum (inferred - true)^2 / sum (true - mean)^2: 1 is perfect, 0 no better
                   ///< than always naming the true mean, below 0 worse than that
-  double bias = 0;          ///< mean of inferred - true, in parts of the true mean
-  double correlation2 = 0;  ///< square of Pearson's correlation: what R^2 could reach by a linear
+  double bias = 0;          ///< mean of inferred - true, divided by the mean of the true values
+  double correlation2 = 0;  ///< square of Pearson's correlation: the R^2 after the best linear
                             ///< calibration, for which one must know the truth
 };
 
-/// Both of the same length. Throws std::logic_error where the truth does not vary. Inferred values
-/// that do not vary have the correlation 0.
+/// truth and inferred are [n], value i of both of the same window. Throws std::logic_error where
+/// the truth does not vary. Inferred values that do not vary have the correlation 0.
 Agreement agreement(std::span<const double> truth, std::span<const double> inferred);
 
-/// A scatter plot in numbers: what was inferred where the truth lies in one part of its range.
+/// One group of a scatter plot in numbers: values whose truth is about the same.
 struct ScatterRow {
-  double truth_low = 0;
+  double truth_low = 0;  ///< the smallest true value of the group
   double truth_high = 0;
   std::size_t count = 0;
-  double inferred_p10 = 0;  ///< quantiles, linear between order statistics
+  double inferred_p10 = 0;  ///< quantiles of the inferred values, linear between order statistics
   double inferred_p50 = 0;
   double inferred_p90 = 0;
 };
 
-/// In `groups` groups of equal count by the truth, ascending; fewer where there are fewer values.
+/// Sorts the values by the truth and cuts them into `groups` groups of equal count; into fewer
+/// where there are fewer values.
 std::vector<ScatterRow> scatter(std::span<const double> truth, std::span<const double> inferred,
                                 std::size_t groups);
 

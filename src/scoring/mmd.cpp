@@ -12,8 +12,9 @@ using Eigen::Index;
 
 constexpr Index block_rows = 64;  // a block of distances stays in the cache
 
-/// Sum of f(squared distances) over all pairs of rows, by |x|^2 + |y|^2 - 2 x.y and one matrix
-/// product a block of rows. Blocks are added in their order, so threads do not change the sum.
+/// The sum of f(squared distances) over all pairs of rows. The squared distance of x and y is
+/// |x|^2 + |y|^2 - 2 x.y, and one matrix product gives all x.y for a block of rows. The sums of the
+/// blocks are added in the order of the blocks, so that threads do not change the result.
 template <class F>
 double sum_over_pairs(const Windows& x, const Windows& y, const F& f) {
   const Eigen::ArrayXd x_norms = x.rowwise().squaredNorm();
@@ -34,7 +35,8 @@ double sum_over_pairs(const Windows& x, const Windows& y, const F& f) {
   return sum;
 }
 
-/// The five kernels, added, from one exponential: each is the square of the next wider one.
+/// The sum of the five kernels over all pairs. It takes one exponential: each kernel is the square
+/// of the next wider one.
 double sum_of_kernels(const Windows& x, const Windows& y, double bandwidth) {
   return sum_over_pairs(x, y, [bandwidth](const auto& distances) {
     Eigen::ArrayXXd kernel = (distances * (-1.0 / (16.0 * bandwidth))).exp();

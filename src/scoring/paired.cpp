@@ -11,11 +11,11 @@ namespace piae::scoring {
 
 namespace {
 
-/// Twice a rank: a whole number, since a rank shared by several is a whole or a half.
+/// Twice a rank, which is a whole number even where several values share a rank that ends in .5.
 std::size_t doubled(double rank) { return static_cast<std::size_t>(std::lround(2 * rank)); }
 
-/// Probability of each sum of the doubled ranks whose differences are positive, when each is so or
-/// not with equal chance.
+/// The probability of each possible sum of the doubled ranks of the positive differences, when each
+/// difference is positive or negative with equal chance.
 std::vector<double> distribution_of_sum(const std::vector<double>& ranks) {
   std::vector<double> probability{1};
   for (const double rank : ranks) {
@@ -57,20 +57,21 @@ SignedRanks signed_ranks(std::span<const double> differences) {
   return result;
 }
 
-PairedComparison compare_pairs(std::span<const double> a, std::span<const double> b) {
+PairedDifference paired_difference(std::span<const double> a, std::span<const double> b) {
   if (a.size() != b.size()) throw std::logic_error("values without a partner");
   std::vector<double> differences;
   for (std::size_t i = 0; i < a.size(); ++i) {
     const double size = std::max(std::abs(a[i]), std::abs(b[i]));
     const double difference = a[i] - b[i];
-    differences.push_back(std::abs(difference) > 1e-9 * size ? difference : 0);  // rounding is none
+    // A difference that is rounding alone counts as none.
+    differences.push_back(std::abs(difference) > 1e-9 * size ? difference : 0);
   }
-  PairedComparison comparison;
-  comparison.difference = summarise(differences);
+  PairedDifference result;
+  result.difference = summarise(differences);
   const SignedRanks test = signed_ranks(differences);
-  comparison.rank_biserial = test.rank_biserial();
-  if (differences.size() > 1) comparison.p = test.p;
-  return comparison;
+  result.rank_biserial = test.rank_biserial();
+  if (differences.size() > 1) result.p = test.p;
+  return result;
 }
 
 double smallest_p(std::size_t pairs) { return 2 * std::pow(0.5, static_cast<double>(pairs)); }

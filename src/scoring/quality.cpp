@@ -44,7 +44,9 @@ constexpr std::array<Metric, 7> metrics{{
      false, 1},
 }};
 
-constexpr double rounding = 1e-12;  // distances are differences of squares
+// A squared distance that is a smaller part of the windows' mean square than this is rounding
+// alone: distances are differences of squares.
+constexpr double rounding = 1e-12;
 
 [[noreturn]] void refuse(const std::string& line) { throw Error(Exit::bad_input, line); }
 
@@ -65,7 +67,7 @@ void require_comparable(const signal::WindowSet& generated, const signal::Window
   if (real.size() == 0) refuse("there are no real windows to compare with");
 }
 
-/// The first windows of a class in D are what the others are measured by.
+/// Refuses real windows of a class that nothing can be compared with.
 void require_reference(const std::string& name, const Windows& real, double squared_distance) {
   const Eigen::VectorXd means = real.rowwise().mean();
   if ((real.colwise() - means).isZero(0)) refuse("class " + name + ": the real windows are silent");
@@ -75,9 +77,9 @@ void require_reference(const std::string& name, const Windows& real, double squa
   }
 }
 
-ClassQuality judge_class(const signal::WindowSet& generated, const signal::WindowSet& real,
-                         std::int32_t label) {
-  const signal::ClassInfo& c = real.info.classes[static_cast<std::size_t>(label)];
+ClassQuality quality_of(const signal::WindowSet& generated, const signal::WindowSet& real,
+                        Label label) {
+  const signal::ClassInfo& c = real.info.class_of(label);
   const std::string& name = c.name;
   const std::size_t count = std::min(generated.count_of(label), real.count_of(label));
   if (count == 0) {
@@ -109,13 +111,13 @@ ClassQuality judge_class(const signal::WindowSet& generated, const signal::Windo
 
 std::span<const Metric> all_metrics() { return metrics; }
 
-std::vector<ClassQuality> judge(const signal::WindowSet& generated, const signal::WindowSet& real) {
+std::vector<ClassQuality> quality_by_class(const signal::WindowSet& generated,
+                                           const signal::WindowSet& real) {
   require_comparable(generated, real);
   std::vector<ClassQuality> classes;
-  const auto labels = static_cast<std::int32_t>(real.info.classes.size());
-  for (std::int32_t label = 0; label < labels; ++label) {
+  for (const Label label : real.info.labels()) {
     if (real.count_of(label) + generated.count_of(label) == 0) continue;
-    classes.push_back(judge_class(generated, real, label));
+    classes.push_back(quality_of(generated, real, label));
   }
   return classes;
 }

@@ -2,12 +2,18 @@
 
 namespace piae::scoring {
 
+double QualityRecord::mean_over_classes(const Metric& metric) const {
+  double sum = 0;
+  for (const ClassQuality& quality : classes) sum += quality.*metric.value;
+  return sum / static_cast<double>(classes.size());
+}
+
 void write(artefact::Writer& writer, const QualityRecord& record) {
   signal::write(writer, record.info);
   writer.attribute("/", "method", record.method);
   writer.attribute("/", "seed", record.seed);
-  writer.attribute("/", "protocol", record.protocol);
-  std::vector<std::int32_t> labels;
+  writer.attribute("/", "protocol", to_string(record.protocol));
+  std::vector<Label> labels;
   std::vector<std::int64_t> windows;
   for (const ClassQuality& quality : record.classes) {
     labels.push_back(quality.label);
@@ -27,13 +33,13 @@ QualityRecord read_quality(const artefact::Reader& reader) {
   record.info = signal::read_dataset_info(reader);
   record.method = reader.text("/", "method");
   record.seed = reader.integer("/", "seed");
-  record.protocol = reader.text("/", "protocol");
-  const auto labels = reader.numbers<std::int32_t>("/labels", {0}).values;
+  record.protocol = signal::read_protocol(reader);
+  const auto labels = reader.numbers<Label>("/labels", {0}).values;
   const auto windows = reader.numbers<std::int64_t>("/windows_compared", {labels.size()}).values;
-  const auto classes = static_cast<std::int32_t>(record.info.classes.size());
+  const std::size_t classes = record.info.classes.size();
   if (labels.empty()) reader.refuse("/labels", "is empty");
   for (std::size_t i = 0; i < labels.size(); ++i) {
-    if (labels[i] < 0 || labels[i] >= classes || (i > 0 && labels[i] <= labels[i - 1])) {
+    if (labels[i] < 0 || index_of(labels[i]) >= classes || (i > 0 && labels[i] <= labels[i - 1])) {
       reader.refuse("/labels", "are not labels of the dataset's classes in increasing order");
     }
     record.classes.push_back({.label = labels[i], .windows = windows[i]});

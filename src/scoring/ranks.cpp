@@ -14,8 +14,8 @@ namespace {
 
 constexpr double level = 0.05;
 
-/// Probability that `count` standard normal variables lie within `range` of each other: one of them
-/// is the smallest, z, and the others are between z and z + range.
+/// The probability that `count` standard normal variables lie within `range` of each other. It is
+/// an integral over the smallest of them, z: all others then lie between z and z + range.
 double range_probability(std::size_t count, double range) {
   const boost::math::normal normal;
   const auto density = [&](double z) {
@@ -39,8 +39,8 @@ double p_of_friedman(const std::vector<double>& average, double n) {
   for (const double rank : average) squares += rank * rank;
   const double chi_squared = 12 * n / (k * (k + 1)) * (squares - k * (k + 1) * (k + 1) / 4);
   const double rest = n * (k - 1) - chi_squared;
-  // Where all blocks agree on all methods F is infinite, and p what chance gives: that all blocks
-  // have the order of the first.
+  // Where all blocks rank all methods alike, F is infinite. Then p is the chance that all other
+  // blocks have the order of the first.
   if (rest <= 1e-9 * chi_squared) return std::pow(std::tgamma(k + 1), 1 - n);
   const double f = std::max(0.0, (n - 1) * chi_squared / rest);
   const boost::math::fisher_f distribution(k - 1, (k - 1) * (n - 1));
@@ -70,22 +70,23 @@ std::vector<double> ranks(std::span<const double> values) {
   return ranks;
 }
 
-RankComparison compare_ranks(const std::vector<std::vector<double>>& blocks) {
+AverageRanks average_ranks(const std::vector<std::vector<double>>& blocks) {
   if (blocks.empty() || blocks.front().empty()) throw std::logic_error("nothing to rank");
   const std::size_t methods = blocks.front().size();
   const auto n = static_cast<double>(blocks.size());
-  RankComparison comparison{blocks.size(), std::vector<double>(methods, 0), {}, {}};
+  AverageRanks result;
+  result.blocks = blocks.size();
+  result.average.assign(methods, 0);
   for (const std::vector<double>& block : blocks) {
     if (block.size() != methods) throw std::logic_error("blocks of different lengths");
     const std::vector<double> own = ranks_of_the_best_first(block);
-    for (std::size_t i = 0; i < methods; ++i) comparison.average[i] += own[i] / n;
+    for (std::size_t i = 0; i < methods; ++i) result.average[i] += own[i] / n;
   }
-  if (methods < 2 || blocks.size() < 2) return comparison;
+  if (methods < 2 || blocks.size() < 2) return result;
   const auto k = static_cast<double>(methods);
-  comparison.p = p_of_friedman(comparison.average, n);
-  comparison.critical_difference =
-      nemenyi_quantile(methods, level) * std::sqrt(k * (k + 1) / (6 * n));
-  return comparison;
+  result.p = p_of_friedman(result.average, n);
+  result.critical_difference = nemenyi_quantile(methods, level) * std::sqrt(k * (k + 1) / (6 * n));
+  return result;
 }
 
 double nemenyi_quantile(std::size_t methods, double level) {

@@ -6,20 +6,20 @@
 
 namespace piae::scoring {
 
-/// One column of the grid (paper, Table 5): how far the fault classes are filled up.
+/// One column of the grid (paper, Table 5): how many windows are generated for the fault classes.
 struct Ratio {
-  const char* name;                  ///< "10to1": as the paper names it, normal to fault windows
+  const char* name;                  ///< "10to1": healthy to fault windows, as the paper names it
   std::int64_t generated_per_class;  ///< windows added to the known ones of each fault class
 };
 
 /// All seven, from 100to1 (nothing generated) to 1to1.
 std::span<const Ratio> all_ratios();
 
-/// Throws Error(usage) that lists those there are.
+/// Throws Error(usage) for a name that no ratio has; the line lists those there are.
 const Ratio& find_ratio(const std::string& name);
 
-/// Normal windows to windows of one fault class as they are: 500 / (5 + 145) = 3.33 for "2to1"
-/// (paper-notes, row 3).
+/// How many healthy windows there really are for each window of one fault class: 500 / (5 + 145) =
+/// 3.33 for the ratio that the paper names 2to1 (paper-notes, row 3).
 double true_ratio(std::int64_t normal_windows, std::int64_t known_per_class,
                   std::int64_t generated_per_class);
 

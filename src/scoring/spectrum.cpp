@@ -13,9 +13,9 @@ namespace {
 
 using Eigen::Index;
 
-constexpr double floor_to_mean = 1e-10;
+constexpr double floor_to_mean = 1e-10;  // of powers, as a part of the real spectrum's mean
 
-/// The periodic form, as for all spectral estimates.
+/// Hann's window in the periodic form, which is usual in spectral estimates.
 Eigen::RowVectorXd hann(Index length) {
   Eigen::RowVectorXd taper(length);
   for (Index i = 0; i < length; ++i) {

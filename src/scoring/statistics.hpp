@@ -7,7 +7,7 @@
 
 namespace piae::scoring {
 
-/// What independent repeats say about a number.
+/// What independent repeats of a measurement say about its value.
 struct Summary {
   struct Interval {
     double low;
@@ -16,18 +16,18 @@ struct Summary {
 
   std::size_t count = 0;
   double mean = 0;
-  /// Sample standard deviation (divided by n - 1). One repeat has none.
+  /// Sample standard deviation (divided by n - 1). A single repeat has none.
   std::optional<double> deviation;
-  /// 95 % confidence interval of the mean, by Student's t with n - 1 degrees of freedom. One repeat
-  /// has none.
+  /// 95 % confidence interval of the mean, by Student's t with n - 1 degrees of freedom. A single
+  /// repeat has none.
   std::optional<Interval> interval;
 };
 
 /// Throws std::logic_error when there is no value.
 Summary summarise(std::span<const double> values);
 
-/// The value in the middle; of an even number of values the upper of the two. There is at least
-/// one.
+/// The value in the middle; of an even number of values the upper of the two in the middle. There
+/// must be at least one value.
 double median(std::vector<double> values);
 
 }  // namespace piae::scoring

@@ -4,7 +4,7 @@
 
 namespace piae::scoring {
 
-Windows windows_of(const signal::WindowSet& set, int label, std::size_t count) {
+Windows windows_of(const signal::WindowSet& set, Label label, std::size_t count) {
   const std::vector<std::size_t> indices = set.indices_of(label);
   if (indices.size() < count) throw std::logic_error("a class has fewer windows than asked for");
   Windows windows(count, set.length);

@@ -7,11 +7,11 @@
 
 namespace piae::scoring {
 
-/// Windows of one class, one a row: [n, length], in the unit of the recordings.
+/// Windows of one class, a row for each: [n, length], in the unit of the recordings.
 using Windows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 /// The first `count` windows of a class, in the order in which they are stored. Throws
 /// std::logic_error when there are fewer.
-Windows windows_of(const signal::WindowSet& set, int label, std::size_t count);
+Windows windows_of(const signal::WindowSet& set, Label label, std::size_t count);
 
 }  // namespace piae::scoring

@@ -23,8 +23,8 @@ double rms_of(std::span<const double> signal) {
 
 std::vector<double> rms_by_class(const WindowSet& windows) {
   std::vector<double> rms;
-  for (std::size_t label = 0; label < windows.info.classes.size(); ++label) {
-    const std::vector<std::size_t> members = windows.indices_of(static_cast<int>(label));
+  for (const Label label : windows.info.labels()) {
+    const std::vector<std::size_t> members = windows.indices_of(label);
     double squares = 0;
     for (const std::size_t i : members) {
       const double mean = mean_of(windows.window(i));
@@ -35,7 +35,7 @@ std::vector<double> rms_by_class(const WindowSet& windows) {
     } else if (squares > 0) {
       rms.push_back(std::sqrt(squares / static_cast<double>(members.size() * windows.length)));
     } else {
-      throw Error(Exit::bad_input, "class " + windows.info.classes[label].name +
+      throw Error(Exit::bad_input, "class " + windows.info.class_of(label).name +
                                        ": its known windows are constant; check the recording");
     }
   }

@@ -7,14 +7,15 @@
 
 namespace piae::signal {
 
+/// Mean of the samples, in the signal's unit.
 double mean_of(std::span<const float> window);
 
 /// RMS about the mean, in the signal's unit.
 double rms_of(std::span<const double> signal);
 
-/// RMS of each class's windows about their means (a sensor's offset is no vibration), in the
-/// recordings' unit. 1 for a class without windows, such as the healthy one in C. Throws
-/// Error(bad_input) for a class whose windows are constant.
+/// For each class, by label, the RMS of its windows, each about its own mean (a sensor's offset is
+/// no vibration), in the unit of the recordings. A class without windows, such as the healthy one
+/// in C, has 1. Throws Error(bad_input) for a class whose windows are constant.
 std::vector<double> rms_by_class(const WindowSet& windows);
 
 }  // namespace piae::signal

@@ -12,20 +12,23 @@ void note(DatasetCheck& check, Exit exit) {
   if (check.exit != Exit::bad_input) check.exit = exit;
 }
 
-ClassCheck check_class(const Description& description, const DatasetCheck& check, int label) {
-  ClassCheck result{label, 0, 0, ""};
+ClassCheck check_class(const Description& description, const DatasetCheck& check, Label label) {
+  ClassCheck result{.label = label};
   std::vector<std::size_t> lengths;
   for (const RecordCheck& record : check.records) {
-    if (record.source->label != label) continue;
+    if (record.source.label != label) continue;
     ++result.records;
     if (record.problem.empty()) lengths.push_back(record.samples);
   }
-  if (lengths.size() < result.records) return result;  // its record says why
+  if (lengths.size() < result.records) return result;  // the record has the problem
   const SplitOptions split;
   try {
-    result.stride =
-        largest_stride(description.info.classes[static_cast<std::size_t>(label)].name, lengths,
-                       {split.window, split.max_stride, split.windows_per_class, 0, 0});
+    result.stride = largest_stride(description.info.class_of(label).name, lengths,
+                                   {.window = split.window,
+                                    .max_stride = split.max_stride,
+                                    .windows = split.windows_per_class,
+                                    .blocks = 0,
+                                    .guard = 0});
   } catch (const Error& error) {
     result.problem = error.what();
   }
@@ -39,7 +42,7 @@ DatasetCheck check(const Description& description, const std::filesystem::path& 
   DatasetCheck check;
   RecordReader reader(description, data_dir);
   for (const RecordSource& source : description.records) {
-    RecordCheck result{&source, 0, 0, ""};
+    RecordCheck result{.source = source};
     try {
       const Record record = reader.read(source);
       result.samples = record.signal.size();
@@ -51,8 +54,8 @@ DatasetCheck check(const Description& description, const std::filesystem::path& 
     check.records.push_back(result);
     if (done) done(check.records.size());
   }
-  for (std::size_t label = 0; label < description.info.classes.size(); ++label) {
-    check.classes.push_back(check_class(description, check, static_cast<int>(label)));
+  for (const Label label : description.info.labels()) {
+    check.classes.push_back(check_class(description, check, label));
     if (!check.classes.back().problem.empty()) note(check, Exit::bad_input);
   }
   return check;

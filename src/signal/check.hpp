@@ -11,31 +11,32 @@
 
 namespace piae::signal {
 
-/// What was found of one record. Of one that cannot be read there is only the problem.
+/// What was found of one record. A record that cannot be read has a problem, and no numbers.
 struct RecordCheck {
-  const RecordSource* source = nullptr;
-  std::size_t samples = 0;  ///< at the dataset's sample rate
-  double rms = 0;           ///< about the mean, in the unit of the source
-  std::string problem;      ///< empty: none
+  RecordSource source;
+  std::size_t samples = 0;   ///< at the dataset's sample rate
+  double rms = 0;            ///< about the mean, in the unit of the source
+  std::string problem = {};  ///< empty where there is none
 };
 
 /// What a split with its default options would find of one class: the largest stride that gives all
-/// windows, or why there is none. Neither where a record of the class cannot be read.
+/// windows, or the problem that there is no such stride. Where a record of the class cannot be read
+/// there is neither stride nor problem: the record has the problem already.
 struct ClassCheck {
-  int label = 0;
+  Label label = 0;
   std::size_t records = 0;
-  std::size_t stride = 0;  ///< samples
-  std::string problem;     ///< empty: none
+  std::size_t stride = 0;    ///< samples
+  std::string problem = {};  ///< empty where there is none
 };
 
 struct DatasetCheck {
-  std::vector<RecordCheck> records;  ///< as in the description
+  std::vector<RecordCheck> records;  ///< in the order of the description
   std::vector<ClassCheck> classes;   ///< by label
-  Exit exit = Exit::done;            ///< bad_input if any problem is one of content, else
+  Exit exit = Exit::done;            ///< bad_input if a file holds what it must not, else
                                      ///< input_missing if a file is missing
 };
 
-/// Reads all that a description names, and goes on after what cannot be read.
+/// Reads all files that a description names, and goes on after a file that cannot be read.
 DatasetCheck check(const Description& description, const std::filesystem::path& data_dir,
                    const RecordsDone& done = {});
 

@@ -1,6 +1,7 @@
 #include "signal/dataset_info.hpp"
 
 #include <array>
+#include <numeric>
 
 #include "base/error.hpp"
 
@@ -22,20 +23,30 @@ Defect parse_defect(const std::string& word) {
               "unknown defect '" + word + "'; known are none, outer, inner and roller");
 }
 
-int DatasetInfo::healthy_label() const {
-  int label = -1;
-  for (std::size_t i = 0; i < classes.size(); ++i) {
-    if (classes[i].defect != Defect::none) continue;
-    if (label >= 0) {
-      throw Error(Exit::bad_input, "dataset " + name + ": both " + classes[label].name + " and " +
-                                       classes[i].name + " have defect 'none'; one class may");
-    }
-    label = static_cast<int>(i);
+std::vector<Label> DatasetInfo::labels() const {
+  std::vector<Label> all(classes.size());
+  std::iota(all.begin(), all.end(), Label{0});
+  return all;
+}
+
+std::vector<Label> DatasetInfo::fault_labels() const {
+  std::vector<Label> faults = labels();
+  std::erase_if(faults, [&](Label label) { return class_of(label).defect == Defect::none; });
+  return faults;
+}
+
+Label DatasetInfo::healthy_label() const {
+  std::vector<Label> healthy = labels();
+  std::erase_if(healthy, [&](Label label) { return class_of(label).defect != Defect::none; });
+  if (healthy.size() > 1) {
+    throw Error(Exit::bad_input, "dataset " + name + ": both " + class_of(healthy[0]).name +
+                                     " and " + class_of(healthy[1]).name +
+                                     " have defect 'none'; one class may");
   }
-  if (label < 0) {
+  if (healthy.empty()) {
     throw Error(Exit::bad_input, "dataset " + name + ": no class has defect 'none'; one must");
   }
-  return label;
+  return healthy.front();
 }
 
 void write(artefact::Writer& writer, const DatasetInfo& info) {

@@ -6,6 +6,7 @@
 
 #include "artefact/reader.hpp"
 #include "artefact/writer.hpp"
+#include "base/label.hpp"
 #include "bearing/defect.hpp"
 #include "bearing/geometry.hpp"
 
@@ -24,7 +25,7 @@ struct ClassInfo {
   double defect_size_mm = 0;  ///< L_o, L_i or L_r; 0 for a healthy bearing
 };
 
-/// What every artefact of a dataset knows about it. Labels are indices into `classes`.
+/// What every artefact of a dataset says about it. A label is an index into `classes`.
 struct DatasetInfo {
   std::string name;           ///< "cwru"
   double sample_rate_hz = 0;  ///< of all signals and windows, after resampling
@@ -33,9 +34,14 @@ struct DatasetInfo {
   bearing::Geometry bearing;
   std::vector<ClassInfo> classes;
 
+  /// The labels of all classes, ascending.
+  [[nodiscard]] std::vector<Label> labels() const;
+  /// The labels of the classes with a defect, ascending.
+  [[nodiscard]] std::vector<Label> fault_labels() const;
   /// The label of the one class without a defect. Throws Error(bad_input) when there is none or
   /// more than one.
-  [[nodiscard]] int healthy_label() const;
+  [[nodiscard]] Label healthy_label() const;
+  [[nodiscard]] const ClassInfo& class_of(Label label) const { return classes[index_of(label)]; }
 };
 
 /// In the artefact: attributes of the root and of the group /bearing, and the datasets

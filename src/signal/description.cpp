@@ -65,7 +65,7 @@ ClassInfo read_class(TomlTable& table) {
   return info;
 }
 
-/// Geometry and defects that parse, but cannot be: named by their place in the file.
+/// Refuses a geometry or a defect that no bearing can have, and says where in the file it stands.
 void require_possible(const DatasetInfo& info, const TomlTable& root,
                       const std::vector<TomlTable>& classes) {
   try {
@@ -82,11 +82,11 @@ void require_possible(const DatasetInfo& info, const TomlTable& root,
   }
 }
 
-int label_of(const DatasetInfo& info, TomlTable& record) {
+Label label_of(const DatasetInfo& info, TomlTable& record) {
   const std::string name = record.text("class");
   const auto found = std::ranges::find(info.classes, name, &ClassInfo::name);
   if (found == info.classes.end()) record.refuse("class", "'" + name + "' is not a [[class]]");
-  return static_cast<int>(found - info.classes.begin());
+  return static_cast<Label>(found - info.classes.begin());
 }
 
 std::string read_file_name(TomlTable& record) {
@@ -121,7 +121,8 @@ RecordSource read_record(TomlTable& table, const DatasetInfo& info) {
   return record;
 }
 
-/// "-07": as many digits as the last number has, two at least, so that names sort by number.
+/// "-07". Every number has as many digits as the last one, at least two, so that names sort by
+/// number.
 std::string numbered(std::size_t number, std::size_t last) {
   const std::size_t digits = std::max<std::size_t>(2, std::to_string(last).size());
   std::string text = std::to_string(number);
@@ -131,24 +132,23 @@ std::string numbered(std::size_t number, std::size_t last) {
 
 /// "IR007" where a class has one record; else "IR007-01", "IR007-02", ... in the order of the file.
 void name_records(const DatasetInfo& info, std::vector<RecordSource>& records) {
-  for (std::size_t label = 0; label < info.classes.size(); ++label) {
+  for (const Label label : info.labels()) {
     std::vector<RecordSource*> of_class;
     for (RecordSource& record : records) {
-      if (record.label == static_cast<int>(label)) of_class.push_back(&record);
+      if (record.label == label) of_class.push_back(&record);
     }
     for (std::size_t i = 0; i < of_class.size(); ++i) {
-      of_class[i]->name = info.classes[label].name;
+      of_class[i]->name = info.class_of(label).name;
       if (of_class.size() > 1) of_class[i]->name += numbered(i + 1, of_class.size());
     }
   }
 }
 
 void require_a_record_for_each_class(const fs::path& file, const Description& description) {
-  for (std::size_t label = 0; label < description.info.classes.size(); ++label) {
-    if (std::ranges::count(description.records, static_cast<int>(label), &RecordSource::label) > 0)
-      continue;
-    throw Error(Exit::bad_input, file.string() + ": class " + description.info.classes[label].name +
-                                     " has no [[record]]");
+  for (const Label label : description.info.labels()) {
+    if (std::ranges::count(description.records, label, &RecordSource::label) > 0) continue;
+    throw Error(Exit::bad_input, file.string() + ": class " +
+                                     description.info.class_of(label).name + " has no [[record]]");
   }
 }
 
@@ -159,7 +159,8 @@ void require_different_names(const fs::path& file, const std::vector<RecordSourc
                                    "; rename the class that ends like a number");
 }
 
-/// The rate that all records share, for a dataset that names none.
+/// The sample rate of the records, which must all have the same, for a dataset that does not say to
+/// which rate they are brought.
 double common_rate(const TomlTable& root, const std::vector<RecordSource>& records) {
   for (const RecordSource& record : records) {
     if (record.sample_rate_hz != records.front().sample_rate_hz) {

@@ -12,14 +12,14 @@ namespace piae::signal {
 
 /// One raw recording as the description declares it.
 struct RecordSource {
-  std::string name;  ///< of its class, and numbered where the class has several: "IR007-02"
-  int label = 0;
+  std::string name;  ///< that of its class, numbered where the class has several: "IR007-02"
+  Label label = 0;
   std::string file;      ///< below DATA_DIR; the extension says the format (raw_file.hpp)
   std::string variable;  ///< of a .mat; column of a .csv; dataset of an .h5
   double sample_rate_hz = 0;
   double shaft_speed_rpm = 0;
-  std::string sha256;  ///< of the file, 64 hexadecimal digits; empty: not checked
-  std::string url;     ///< where it can be had; empty: nowhere by download
+  std::string sha256;  ///< of the file, 64 hexadecimal digits; empty where it is not checked
+  std::string url;     ///< where the file can be downloaded; empty where it cannot
 };
 
 /// A dataset description (pipeline/datasets/<name>.toml):
@@ -51,9 +51,9 @@ struct Description {
 /// sample_rate_hz of the dataset; Error(input_missing) when there is no such file.
 Description read_description(const std::filesystem::path& file);
 
-/// The part that every description has: name, shaft_speed_rpm, unit_m_per_s2, [bearing] and the
-/// given [[class]] tables. Leaves sample_rate_hz to the caller, and finish() of `root` and
-/// `classes` too: other keys may follow.
+/// Reads the part that every description has: name, shaft_speed_rpm, unit_m_per_s2, [bearing] and
+/// the given [[class]] tables. The caller reads sample_rate_hz and whatever else there may be, and
+/// then calls finish() of `root` and `classes`.
 DatasetInfo read_info(TomlTable& root, std::vector<TomlTable>& classes);
 
 }  // namespace piae::signal

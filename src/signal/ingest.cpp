@@ -20,11 +20,11 @@ namespace fs = std::filesystem;
   throw Error(Exit::bad_input, file.string() + " (record " + source.name + "): " + what);
 }
 
-void require_file(const fs::path& file, const RecordSource& source, const DatasetInfo& info) {
+void require_file(const fs::path& file, const RecordSource& source, const std::string& dataset) {
   std::error_code ignored;
   if (fs::is_regular_file(file, ignored)) return;
   throw Error(Exit::input_missing,
-              file.string() + ": no such file; record " + source.name + " of dataset " + info.name +
+              file.string() + ": no such file; record " + source.name + " of dataset " + dataset +
                   " needs it: run `make data`, or name the folder that holds " + source.file +
                   " by DATA_DIR= (--data-dir)");
 }
@@ -57,30 +57,39 @@ void require_usable(const fs::path& file, const RecordSource& source,
 }  // namespace
 
 RecordReader::RecordReader(const Description& description, fs::path data_dir)
-    : info_(description.info), data_dir_(std::move(data_dir)) {}
+    : dataset_(description.info.name),
+      sample_rate_hz_(description.info.sample_rate_hz),
+      data_dir_(std::move(data_dir)) {}
 
 void RecordReader::require_new(const fs::path& file, const RecordSource& source,
                                std::span<const double> signal) {
   const std::string digest = Sha256().update(std::as_bytes(signal)).finish();
-  const auto [seen, is_new] = seen_.emplace(digest, &source);
+  const auto [place, is_new] = read_before_.emplace(digest, source);
   if (is_new) return;
-  refuse(file, source,
-         "holds the same samples as record " + seen->second->name + " (" + seen->second->file +
-             (seen->second->label == source.label ? "); name each recording once"
-                                                  : "), under another class"));
+  const RecordSource& twin = place->second;
+  refuse(
+      file, source,
+      "holds the same samples as record " + twin.name + " (" + twin.file +
+          (twin.label == source.label ? "); name each recording once" : "), under another class"));
 }
 
 Record RecordReader::read(const RecordSource& source) {
   const fs::path file = data_dir_ / source.file;
-  require_file(file, source, info_);
+  require_file(file, source, dataset_);
   const std::string sha256 = checked_sha256(file, source);
   const std::vector<double> raw = read_raw_file(file, source.variable);
   require_usable(file, source, raw);
   require_new(file, source, raw);
-  std::vector<double> signal = resample(raw, source.sample_rate_hz, info_.sample_rate_hz);
+  std::vector<double> signal = resample(raw, source.sample_rate_hz, sample_rate_hz_);
   if (signal.empty()) refuse(file, source, "is shorter than one sample at the dataset's rate");
-  return {source.name, source.label, source.sample_rate_hz, source.shaft_speed_rpm,
-          source.file, sha256,       std::move(signal),     std::nullopt};
+  return {.name = source.name,
+          .label = source.label,
+          .original_sample_rate_hz = source.sample_rate_hz,
+          .shaft_speed_rpm = source.shaft_speed_rpm,
+          .source = source.file,
+          .source_sha256 = sha256,
+          .signal = std::move(signal),
+          .parameters = std::nullopt};
 }
 
 Recordings ingest(const Description& description, const fs::path& data_dir,

@@ -28,15 +28,16 @@ class RecordReader {
   void require_new(const std::filesystem::path& file, const RecordSource& source,
                    std::span<const double> signal);
 
-  const DatasetInfo& info_;
+  std::string dataset_;
+  double sample_rate_hz_;  // of the dataset
   std::filesystem::path data_dir_;
-  std::map<std::string, const RecordSource*> seen_;  // by the sha256 of the samples
+  std::map<std::string, RecordSource> read_before_;  // by the sha256 of the samples
 };
 
 /// Called after each record that was read, with how many are done.
 using RecordsDone = std::function<void(std::size_t)>;
 
-/// All records of a dataset; the first that cannot be read ends it, with RecordReader's error.
+/// Reads all records of a dataset. Throws RecordReader's error at the first that cannot be read.
 Recordings ingest(const Description& description, const std::filesystem::path& data_dir,
                   const RecordsDone& done = {});
 

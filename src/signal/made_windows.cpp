@@ -2,19 +2,18 @@
 
 namespace piae::signal {
 
-WindowSet make_windows(const DatasetInfo& info, std::size_t length,
-                               std::size_t count, const Stream& stream, const MakeWindow& make) {
+WindowSet make_windows(const DatasetInfo& info, std::size_t length, std::size_t count,
+                       const Stream& stream, const MakeWindow& make) {
   WindowSet windows;
   windows.info = info;
   windows.length = length;
-  for (std::size_t label = 0; label < info.classes.size(); ++label) {
-    if (info.classes[label].defect == Defect::none) continue;
-    const Stream own = stream.child(info.classes[label].name);
+  for (const Label label : info.fault_labels()) {
+    const Stream own = stream.child(info.class_of(label).name);
     for (std::size_t i = 0; i < count; ++i) {
       Stream random = own.child(std::to_string(i));
-      const std::vector<float> window = make(static_cast<int>(label), i, random);
+      const std::vector<float> window = make(label, i, random);
       windows.samples.insert(windows.samples.end(), window.begin(), window.end());
-      windows.labels.push_back(static_cast<std::int32_t>(label));
+      windows.labels.push_back(label);
     }
   }
   return windows;

@@ -9,14 +9,15 @@
 
 namespace piae::signal {
 
-/// Makes one window of a class, in the recordings' unit: its label, which window of the class it is
-/// (from 0), and the window's own random numbers.
-using MakeWindow = std::function<std::vector<float>(int label, std::size_t index, Stream& random)>;
+/// Makes one window, in the unit of the recordings. `index` counts the windows of its class from 0;
+/// `random` is for this window alone.
+using MakeWindow =
+    std::function<std::vector<float>(Label label, std::size_t index, Stream& random)>;
 
-/// `count` windows of each class with a defect, class by class, made one at a time. Window i of a
-/// class has the stream's child "<class>/<i>" for itself, so that it is the same bit for bit
-/// however many are asked for.
-WindowSet make_windows(const DatasetInfo& info, std::size_t length,
-                               std::size_t count, const Stream& stream, const MakeWindow& make);
+/// Makes `count` windows of each class with a defect, class by class, `length` samples each. Window
+/// i of a class draws from the stream's child "<class>/<i>" and from nothing else, so it is the
+/// same, bit for bit, however many are asked for.
+WindowSet make_windows(const DatasetInfo& info, std::size_t length, std::size_t count,
+                       const Stream& stream, const MakeWindow& make);
 
 }  // namespace piae::signal

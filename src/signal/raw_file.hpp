@@ -6,12 +6,12 @@
 
 namespace piae::signal {
 
-/// One signal out of a raw recording. The extension says the format:
-///   .mat          MATLAB v5 and v7.3, by libmatio: `variable` is a real vector of any number type
-///   .csv          `variable` is a column: its number, counted from 1, or its name in the first
-///   line .h5, .hdf5    `variable` is the path of a one-dimensional dataset of integers or floats
+/// Reads one signal of a raw recording. The extension of the file says its format:
+///   .mat         MATLAB v5 and v7.3, by libmatio; `variable` is a real vector of any number type
+///   .csv         `variable` is a column: its number, counted from 1, or its name in the first line
+///   .h5, .hdf5   `variable` is the path of a one-dimensional dataset of integers or floats
 /// Throws Error(bad_input) in one line with the file: what is wrong, and, where the variable is not
-/// in the file, what the file has instead. NaN and infinite samples are passed on, not judged here.
+/// in the file, what the file has instead. NaN and infinite samples are returned as they are.
 std::vector<double> read_raw_file(const std::filesystem::path& file, const std::string& variable);
 
 /// The formats one by one, whatever the extension.

@@ -23,8 +23,8 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(" \t\"") - first + 1);
 }
 
-/// Lines without their ends (LF or CRLF), without a byte order mark and without the empty rest
-/// behind the last line end.
+/// The lines of a text without LF or CRLF and without a byte order mark. What follows the last line
+/// end is no line if it is empty.
 std::vector<std::string_view> lines_of(std::string_view text) {
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
   std::vector<std::string_view> lines;

@@ -32,8 +32,9 @@ std::uint32_t number_at(const std::vector<std::byte>& bytes, std::size_t at, boo
   return number;
 }
 
-/// libmatio fills up the variables of a truncated file of version 5 in silence. Such a file is a
-/// header of 128 bytes and elements one after another: type and size, 4 bytes each, and content.
+/// Whether a file of version 5 is complete. libmatio does not say when it is truncated, but fills
+/// up the missing values. Such a file is a header of 128 bytes and then one element after another,
+/// each with its type and size (4 bytes each) and its content.
 bool is_whole_v5(const fs::path& path) {
   const std::vector<std::byte> bytes = artefact::read_file(path);
   const bool big_endian = bytes[126] == std::byte{'M'};  // "MI", and "IM" otherwise

@@ -36,7 +36,7 @@ Record read_record(const artefact::Reader& reader, const std::string& name, std:
     reader.refuse(path, "has label " + std::to_string(label) + ", but there are " +
                             std::to_string(classes) + " classes");
   }
-  record.label = static_cast<int>(label);
+  record.label = static_cast<Label>(label);
   record.original_sample_rate_hz = reader.real(path, "original_sample_rate_hz");
   record.shaft_speed_rpm = reader.real(path, "shaft_speed_rpm");
   record.source = reader.text(path, "source");
@@ -51,11 +51,11 @@ Record read_record(const artefact::Reader& reader, const std::string& name, std:
 void require_a_record_for_each_class(const artefact::Reader& reader, const Recordings& recordings) {
   std::vector<bool> seen(recordings.info.classes.size(), false);
   for (const Record& record : recordings.records) {
-    seen[static_cast<std::size_t>(record.label)] = true;
+    seen[index_of(record.label)] = true;
   }
-  for (std::size_t label = 0; label < seen.size(); ++label) {
-    if (!seen[label]) {
-      reader.refuse(group, "has no record of class " + recordings.info.classes[label].name);
+  for (const Label label : recordings.info.labels()) {
+    if (!seen[index_of(label)]) {
+      reader.refuse(group, "has no record of class " + recordings.info.class_of(label).name);
     }
   }
 }

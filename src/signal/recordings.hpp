@@ -8,7 +8,8 @@
 
 namespace piae::signal {
 
-/// Stiffness and damping of eq. 13. Known where a signal was simulated or a window generated.
+/// Stiffness and damping of eq. 13. They are known where a signal was simulated, and where a window
+/// was generated from them.
 struct DynamicParameters {
   double stiffness_n_per_m = 0;  ///< k
   double damping_ns_per_m = 0;   ///< c
@@ -16,8 +17,8 @@ struct DynamicParameters {
 
 /// One signal of one class, at the dataset's sample rate.
 struct Record {
-  std::string name;                    ///< unique: "IR007", "IR007-03"
-  int label = 0;                       ///< index into DatasetInfo::classes
+  std::string name;  ///< unique: "IR007", "IR007-03"
+  Label label = 0;
   double original_sample_rate_hz = 0;  ///< before resampling
   double shaft_speed_rpm = 0;
   std::string source;                           ///< file below DATA_DIR, or "simulated"
@@ -26,16 +27,16 @@ struct Record {
   std::optional<DynamicParameters> parameters;  ///< the truth, where simulated
 };
 
-/// The content of records.h5 (kind "records"): /records/<name> is one dataset a record, with label,
-/// rates, source and true parameters as its attributes.
+/// The content of records.h5 (kind "records"). Each record is an HDF5 dataset /records/<name>, with
+/// label, rates, source and true parameters as its attributes.
 struct Recordings {
   DatasetInfo info;
   std::vector<Record> records;  ///< in alphabetical order of their names
 };
 
 void write(artefact::Writer& writer, const Recordings& recordings);
-/// Throws artefact::Refusal for labels that do not exist, empty signals and classes without a
-/// record.
+/// Throws artefact::Refusal for labels that no class has, for empty signals, and for classes
+/// without a record.
 Recordings read_recordings(const artefact::Reader& reader);
 
 }  // namespace piae::signal

@@ -10,6 +10,8 @@ namespace piae::signal {
 
 namespace {
 
+constexpr std::array<const char*, 5> role_letters{"A", "B", "C", "D", "E"};
+
 /// One window on the time axis of its record.
 struct Piece {
   std::int64_t first_sample;
@@ -17,21 +19,23 @@ struct Piece {
 };
 using Pieces = std::map<std::string, std::vector<Piece>>;  // by the record's name
 
-/// Places at which two roles come too close in one record.
+/// The places at which two roles come too close to each other in one record.
 struct Conflict {
   std::size_t places = 0;
-  std::int64_t first_sample = 0;  ///< of the first place
-  std::int64_t distance = 0;  ///< there: samples between the ranges, negative where they overlap
+  std::int64_t first_sample = 0;  ///< of the later window at the first place
+  std::int64_t distance = 0;      ///< samples between both windows there, negative: they overlap
 };
-using Conflicts = std::map<std::tuple<std::string, std::string, std::string>, Conflict>;
+/// By the record's name and the two roles.
+using Conflicts = std::map<std::tuple<std::string, Role, Role>, Conflict>;
 
-void compare(const RoleSet& one, const RoleSet& other, std::vector<std::string>& findings) {
+void note_differences(const RoleSet& one, const RoleSet& other,
+                      std::vector<std::string>& findings) {
   const auto differ = [&](const std::string& what, const std::string& a, const std::string& b) {
     if (a == b) return;
     findings.push_back(other.file + ": has " + what + " " + b + ", but " + one.file + " has " + a +
                        "; they are not of one split");
   };
-  differ("protocol", one.protocol, other.protocol);
+  differ("protocol", to_string(one.protocol), to_string(other.protocol));
   differ("seed", std::to_string(one.seed), std::to_string(other.seed));
   differ("records_digest", one.records_digest, other.records_digest);
   differ("window length", std::to_string(one.windows.length), std::to_string(other.windows.length));
@@ -51,15 +55,17 @@ Pieces in_time_order(const std::vector<RoleSet>& sets) {
   return pieces;
 }
 
-/// Windows have equal lengths, so neighbours in time order come closest.
-Conflicts conflicts_in(const Pieces& pieces, std::int64_t length, bool blocked) {
+/// Looks at neighbours in time order only: all windows have the same length, so no others come
+/// closer.
+Conflicts conflicts_in(const Pieces& pieces, std::int64_t length, Protocol protocol) {
   Conflicts conflicts;
   for (const auto& [record, of_record] : pieces) {
     for (std::size_t i = 1; i < of_record.size(); ++i) {
       const Piece& before = of_record[i - 1];
       const Piece& after = of_record[i];
       const std::int64_t distance = after.first_sample - before.first_sample - length;
-      const bool too_close = blocked ? distance < length : distance == -length;
+      const bool too_close =
+          protocol == Protocol::blocked ? distance < length : distance == -length;
       if (before.set->role == after.set->role || !too_close) continue;
       Conflict& conflict = conflicts[{record, std::min(before.set->role, after.set->role),
                                       std::max(before.set->role, after.set->role)}];
@@ -75,7 +81,8 @@ Conflicts conflicts_in(const Pieces& pieces, std::int64_t length, bool blocked) 
 std::string line_of(const Conflicts::value_type& entry, std::int64_t length) {
   const auto& [key, conflict] = entry;
   const auto& [record, one, other] = key;
-  const std::string who = "record " + record + ": roles " + one + " and " + other;
+  const std::string who =
+      "record " + record + ": roles " + to_string(one) + " and " + to_string(other);
   const std::string where = " at sample " + std::to_string(conflict.first_sample) + " (" +
                             std::to_string(conflict.places) + " places)";
   if (conflict.distance == -length) return who + " share a window" + where;
@@ -85,33 +92,53 @@ std::string line_of(const Conflicts::value_type& entry, std::int64_t length) {
 
 }  // namespace
 
+std::string to_string(Role role) { return role_letters[static_cast<std::size_t>(role)]; }
+
+Role read_role(const artefact::Reader& reader) {
+  const std::string text = reader.text("/", "role");
+  for (std::size_t i = 0; i < role_letters.size(); ++i) {
+    if (text == role_letters[i]) return static_cast<Role>(i);
+  }
+  reader.refuse("/", "has role " + text + "; known are A, B, C, D and E");
+}
+
+void require_role(const artefact::Reader& reader, Role role) {
+  const Role holds = read_role(reader);
+  if (holds == role) return;
+  reader.refuse("/", "has role " + to_string(holds) + ", needed is " + to_string(role));
+}
+
 void write(artefact::Writer& writer, const Origin& origin) {
   writer.attribute("/", "split_seed", origin.split_seed);
-  writer.attribute("/", "protocol", origin.protocol);
+  writer.attribute("/", "protocol", to_string(origin.protocol));
   writer.attribute("/", "records_digest", origin.records_digest);
   writer.attribute("/", "known_digest", origin.known_digest);
 }
 
 Origin read_origin(const artefact::Reader& reader) {
-  return {reader.integer("/", "split_seed"), reader.text("/", "protocol"),
-          reader.text("/", "records_digest"), reader.text("/", "known_digest")};
+  return {.split_seed = reader.integer("/", "split_seed"),
+          .protocol = read_protocol(reader),
+          .records_digest = reader.text("/", "records_digest"),
+          .known_digest = reader.text("/", "known_digest")};
 }
 
 Origin origin_of_known(const artefact::Reader& known) {
-  return {known.integer("/", "seed"), known.text("/", "protocol"),
-          known.text("/", "records_digest"), known.digest()};
+  return {.split_seed = known.integer("/", "seed"),
+          .protocol = read_protocol(known),
+          .records_digest = known.text("/", "records_digest"),
+          .known_digest = known.digest()};
 }
 
-void require_same_split(const artefact::Reader& generated, const artefact::Reader& real) {
+void require_same_split(const artefact::Reader& generated, const artefact::Reader& hidden) {
   const Origin origin = read_origin(generated);
-  if (origin.split_seed == real.integer("/", "seed") &&
-      origin.protocol == real.text("/", "protocol") &&
-      origin.records_digest == real.text("/", "records_digest")) {
+  if (origin.split_seed == hidden.integer("/", "seed") &&
+      origin.protocol == read_protocol(hidden) &&
+      origin.records_digest == hidden.text("/", "records_digest")) {
     return;
   }
   generated.refuse("/", "was learned from the C of another split (seed " +
-                            std::to_string(origin.split_seed) + ", " + origin.protocol +
-                            ") than that of " + real.path().string() +
+                            std::to_string(origin.split_seed) + ", " + to_string(origin.protocol) +
+                            ") than that of " + hidden.path().string() +
                             "; train and generate with this split's C");
 }
 
@@ -121,22 +148,16 @@ void require_learned_from(const artefact::Reader& generated, const artefact::Rea
                             ", which may be test windows here; train and generate with this C");
 }
 
-void require_role(const artefact::Reader& reader, const std::string& role) {
-  const std::string holds = reader.text("/", "role");
-  if (holds != role) reader.refuse("/", "has role " + holds + ", needed is " + role);
-}
-
-void require_classes(const artefact::Reader& reader, const std::string& role,
-                     const WindowSet& windows) {
-  for (std::size_t label = 0; label < windows.info.classes.size(); ++label) {
-    const ClassInfo& c = windows.info.classes[label];
+void require_classes(const artefact::Reader& reader, Role role, const WindowSet& windows) {
+  for (const Label label : windows.info.labels()) {
+    const ClassInfo& c = windows.info.class_of(label);
     const bool healthy = c.defect == Defect::none;
-    const bool wanted = role == "A" || healthy == (role == "B");
-    const bool present = windows.count_of(static_cast<int>(label)) > 0;
+    const bool wanted = role == Role::test || healthy == (role == Role::healthy);
+    const bool present = windows.count_of(label) > 0;
     if (wanted && !present) reader.refuse("/labels", "has no window of class " + c.name);
     if (!wanted && present) {
-      reader.refuse("/labels",
-                    "has windows of class " + c.name + ", which role " + role + " must not have");
+      reader.refuse("/labels", "has windows of class " + c.name + ", which role " +
+                                   to_string(role) + " must not have");
     }
   }
 }
@@ -144,8 +165,8 @@ void require_classes(const artefact::Reader& reader, const std::string& role,
 RoleSet read_role_set(const artefact::Reader& reader) {
   RoleSet set;
   set.file = reader.path().string();
-  set.role = reader.text("/", "role");
-  set.protocol = reader.text("/", "protocol");
+  set.role = read_role(reader);
+  set.protocol = read_protocol(reader);
   set.seed = reader.integer("/", "seed");
   set.records_digest = reader.text("/", "records_digest");
   set.windows = read_window_set(reader);
@@ -157,11 +178,12 @@ RoleSet read_role_set(const artefact::Reader& reader) {
 
 std::vector<std::string> check_roles(const std::vector<RoleSet>& sets) {
   std::vector<std::string> findings;
-  for (const RoleSet& set : sets) compare(sets.front(), set, findings);
-  if (!findings.empty() || sets.empty()) return findings;  // samples of different splits may meet
+  for (const RoleSet& set : sets) note_differences(sets.front(), set, findings);
+  // Roles of different splits may well share windows, so nothing follows where they do.
+  if (!findings.empty() || sets.empty()) return findings;
   const auto length = static_cast<std::int64_t>(sets.front().windows.length);
-  const bool blocked = sets.front().protocol == "blocked";
-  for (const auto& entry : conflicts_in(in_time_order(sets), length, blocked)) {
+  const Protocol protocol = sets.front().protocol;
+  for (const auto& entry : conflicts_in(in_time_order(sets), length, protocol)) {
     findings.push_back(line_of(entry, length));
   }
   return findings;

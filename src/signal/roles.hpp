@@ -1,66 +1,88 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
 
 #include "artefact/reader.hpp"
+#include "artefact/writer.hpp"
+#include "signal/protocol.hpp"
 #include "signal/window_set.hpp"
 
 namespace piae::signal {
 
-/// A window set that one split made, with what says which split that was.
-struct RoleSet {
-  std::string file;
-  std::string role;      ///< "A", "B", "C" or "D"
-  std::string protocol;  ///< "random" or "blocked"
-  std::int64_t seed = 0;
-  std::string records_digest;  ///< of the records that were split
-  WindowSet windows;
+/// What a set of windows is for (paper, Table 2). Files and messages name a role by its letter.
+enum class Role {
+  test,      ///< A: of every class; what the classifier is tried on
+  healthy,   ///< B: of the healthy class; what the classifier learns from
+  known,     ///< C: of every fault class; what generators and the classifier learn from
+  hidden,    ///< D: of every fault class; what generated windows are compared with
+  generated  ///< E: of every fault class; made by a generator
 };
 
-/// The split that windows come from. A model and the windows it makes carry that of the C they were
-/// learned from, and the content digest of that C, so that no generator that has seen windows of
-/// another split's C can be tried on this one's A or D.
-struct Origin {
-  std::int64_t split_seed = 0;
-  std::string protocol;
-  std::string records_digest;
-  std::string known_digest;  ///< of C
-};
+/// The roles that a split deals out. Generated windows are of no split.
+inline constexpr std::array<Role, 4> split_roles{Role::test, Role::healthy, Role::known,
+                                                 Role::hidden};
 
-/// As attributes of the root: split_seed, protocol, records_digest, known_digest.
-void write(artefact::Writer& writer, const Origin& origin);
-/// Of a model or of generated windows.
-Origin read_origin(const artefact::Reader& reader);
-/// Of what is learned from this C.
-Origin origin_of_known(const artefact::Reader& known);
+/// "A" to "E".
+std::string to_string(Role role);
 
-/// Throws artefact::Refusal when generated windows come from another split than D, or from another
-/// C.
-void require_same_split(const artefact::Reader& generated, const artefact::Reader& real);
-void require_learned_from(const artefact::Reader& generated, const artefact::Reader& known);
+/// The attribute `role` of a window set. Throws artefact::Refusal for a word that is none.
+Role read_role(const artefact::Reader& reader);
 
-/// Throws artefact::Refusal when a window set plays another role ("A" to "D", or "E").
-void require_role(const artefact::Reader& reader, const std::string& role);
+/// Throws artefact::Refusal when a window set has another role.
+void require_role(const artefact::Reader& reader, Role role);
 
 /// A must hold every class, B the healthy one, C, D and E every class with a defect, and none of
 /// them any other. Throws artefact::Refusal naming the class.
-void require_classes(const artefact::Reader& reader, const std::string& role,
-                     const WindowSet& windows);
+void require_classes(const artefact::Reader& reader, Role role, const WindowSet& windows);
 
-/// Reads a role of a split. Throws artefact::Refusal when an attribute is missing or the windows do
-/// not say where they were cut.
+/// The windows of one role of a split, and which split that was.
+struct RoleSet {
+  std::string file;  ///< where they were read, for messages
+  Role role = Role::test;
+  Protocol protocol = Protocol::random;
+  std::int64_t seed = 0;
+  std::string records_digest;  ///< content digest of the recordings that were split
+  WindowSet windows;
+};
+
+/// Throws artefact::Refusal when an attribute is missing, or when the windows do not say where they
+/// were cut.
 RoleSet read_role_set(const artefact::Reader& reader);
 
-/// Proves from what is stored that the sets are roles of one split and that no window plays two:
+/// Proves from what is stored that the sets are roles of one split and that no window has two:
 ///   - protocol, seed, records_digest and window length are the same in all,
 ///   - no (record, first sample) has two roles,
-///   - for "blocked", samples of different roles lie at least one window length apart.
+///   - under Protocol::blocked, samples of different roles lie at least one window length apart.
 /// Returns one line for each thing that is not so; nothing when all is good.
 std::vector<std::string> check_roles(const std::vector<RoleSet>& sets);
 
-/// Throws Error(bad_input) with the first of these lines.
+/// Throws Error(bad_input) with the first line of check_roles(), where there is one.
 void require_one_split(const std::vector<RoleSet>& sets);
+
+/// Which known windows (C) a model was trained on. The model and the windows that it makes both
+/// carry this. A generator that has seen the C of another split may have seen windows that are A or
+/// D in this one, so what it makes must not be tried here.
+struct Origin {
+  std::int64_t split_seed = 0;
+  Protocol protocol = Protocol::random;
+  std::string records_digest;  ///< content digest of the recordings that were split
+  std::string known_digest;    ///< content digest of C
+};
+
+/// Written as attributes of the root: split_seed, protocol, records_digest, known_digest.
+void write(artefact::Writer& writer, const Origin& origin);
+/// Reads the origin of a model or of generated windows.
+Origin read_origin(const artefact::Reader& reader);
+/// The origin of whatever will be trained on this C.
+Origin origin_of_known(const artefact::Reader& known);
+
+/// Throws artefact::Refusal when the generated windows come from another split than these hidden
+/// windows (D).
+void require_same_split(const artefact::Reader& generated, const artefact::Reader& hidden);
+/// Throws artefact::Refusal when the generated windows were learned from another C than this one.
+void require_learned_from(const artefact::Reader& generated, const artefact::Reader& known);
 
 }  // namespace piae::signal

@@ -69,46 +69,46 @@ void read_table(TomlTable& table, Simulation& simulation) {
   table.finish();
 }
 
-std::string record_name(const Simulation& simulation, std::size_t label, std::size_t number) {
+std::string record_name(const Simulation& simulation, Label label, std::size_t number) {
   const std::size_t digits =
       std::max<std::size_t>(2, std::to_string(simulation.records_per_class).size());
-  return fmt::format("{}-{:0{}}", simulation.info.classes[label].name, number + 1, digits);
+  return fmt::format("{}-{:0{}}", simulation.info.class_of(label).name, number + 1, digits);
 }
 
 Stream stream_of(const Simulation& simulation, const Record& record) {
-  const std::string& class_name = simulation.info.classes[record.label].name;
+  const std::string& class_name = simulation.info.class_of(record.label).name;
   return Stream(fmt::format("{}/seed{}/simulate/{}/{}", simulation.info.name, simulation.seed,
                             class_name, record.name));
 }
 
-/// What a record is before eq. 13 is solved for it.
+/// A record without its signal, and the course for which eq. 13 will be solved to get it.
 struct Draw {
   Record record;
   bearing::Course course;
 };
 
-Draw draw(const Simulation& simulation, std::size_t label, std::size_t number) {
+Draw draw(const Simulation& simulation, Label label, std::size_t number) {
   const DatasetInfo& info = simulation.info;
   Draw draw;
   Record& record = draw.record;
   record.name = record_name(simulation, label, number);
-  record.label = static_cast<int>(label);
+  record.label = label;
   record.original_sample_rate_hz = info.sample_rate_hz;
   record.source = "simulated";
   Stream stream = stream_of(simulation, record);
   bearing::DynamicsOptions& dynamics = draw.course.options;
   dynamics = bearing::draw_dynamics(stream, simulation.dynamics, simulation.variation);
-  draw.course.motion = bearing::draw_motion(stream, info.classes[label].defect,
+  draw.course.motion = bearing::draw_motion(stream, info.class_of(label).defect,
                                             info.shaft_speed_rpm, simulation.variation);
   record.shaft_speed_rpm = draw.course.motion.shaft_speed_rpm;
   record.parameters = DynamicParameters{dynamics.stiffness_n_per_m, dynamics.damping_ns_per_m};
   return draw;
 }
 
-/// `count` records of a class, from that of this number on. Without noise: how strong that is
-/// depends on all records.
-std::vector<Record> clean_records(const Simulation& simulation, std::size_t label,
-                                  std::size_t number, std::size_t count) {
+/// `count` records of a class, beginning with this number, without noise. How strong the noise is
+/// depends on all records, so it is added when all are there.
+std::vector<Record> clean_records(const Simulation& simulation, Label label, std::size_t number,
+                                  std::size_t count) {
   std::vector<Record> records;
   std::vector<bearing::Course> courses;
   for (std::size_t i = 0; i < count; ++i) {
@@ -117,7 +117,7 @@ std::vector<Record> clean_records(const Simulation& simulation, std::size_t labe
     courses.push_back(drawn.course);
   }
   const DatasetInfo& info = simulation.info;
-  const ClassInfo& c = info.classes[label];
+  const ClassInfo& c = info.class_of(label);
   const std::vector<double> rows =
       bearing::simulate(info.bearing, {c.defect, c.defect_size_mm}, courses,
                         {info.sample_rate_hz, simulation.samples});
@@ -138,8 +138,9 @@ double power(const std::vector<double>& signal) {
 
 double faintest_faulty_power(const Recordings& recordings) {
   std::vector<double> sums(recordings.info.classes.size(), 0);
-  for (const Record& record : recordings.records) sums[record.label] += power(record.signal);
-  const int healthy = recordings.info.healthy_label();
+  for (const Record& record : recordings.records)
+    sums[index_of(record.label)] += power(record.signal);
+  const Label healthy = recordings.info.healthy_label();
   sums.erase(sums.begin() + healthy);
   const std::size_t per_class = recordings.records.size() / recordings.info.classes.size();
   return *std::ranges::min_element(sums) / static_cast<double>(per_class);
@@ -180,7 +181,8 @@ Recordings simulate(const Simulation& simulation, const std::function<void(std::
   std::size_t count = 0;
   parallel_for_parts(
       classes, of_each, bearing::courses_at_once, [&](std::size_t first, std::size_t part) {
-        std::ranges::move(clean_records(simulation, first / of_each, first % of_each, part),
+        const auto label = static_cast<Label>(first / of_each);
+        std::ranges::move(clean_records(simulation, label, first % of_each, part),
                           recordings.records.begin() + static_cast<std::ptrdiff_t>(first));
 #pragma omp critical(simulation_progress)
         for (std::size_t i = 0; done && i < part; ++i) done(++count);

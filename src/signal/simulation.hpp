@@ -11,9 +11,9 @@
 
 namespace piae::signal {
 
-/// A dataset that is simulated (pipeline/datasets/simulated.toml). The description has the head of
-/// every other one (description.hpp) with sample_rate_hz, no [[record]], and a table [simulation]
-/// with all of the keys below; its presence is what marks a simulated dataset.
+/// A dataset that is simulated (pipeline/datasets/simulated.toml). Its description begins as every
+/// other one (signal/description.hpp), with sample_rate_hz and without [[record]]. A table
+/// [simulation] with all of the keys below marks it as a simulated dataset.
 ///
 ///     [simulation]
 ///     seed = 0                    # another seed, another realisation
@@ -37,9 +37,10 @@ struct Simulation {
   bearing::DynamicsOptions dynamics;  ///< with the mean stiffness and damping
   bearing::Variation variation;       ///< from record to record
 
-  /// One white measurement noise for the whole dataset, as one sensor would have: this far, in dB,
-  /// below the mean power of the faintest faulty class. So a stronger fault has a better ratio,
-  /// and of a healthy bearing one records the noise and the little that the balls' passage leaves.
+  /// How far, in dB, the measurement noise lies below the mean power of the faintest faulty class.
+  /// The noise is white and the same for the whole dataset, as that of one sensor would be. So a
+  /// stronger fault has a better ratio of signal to noise, and the record of a healthy bearing
+  /// holds the noise and the little vibration that the passing of the balls causes.
   std::optional<double> snr_db;
 };
 

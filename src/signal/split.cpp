@@ -11,14 +11,13 @@ namespace piae::signal {
 
 namespace {
 
-enum Role : std::size_t { A, B, C, D };
-
+/// Where a window is cut.
 struct Place {
   std::size_t record;  ///< index into Recordings::records
   std::size_t first_sample;
 };
 
-/// A role, and how many windows of a class play it.
+/// A role, and how many windows of a class it gets.
 struct Share {
   Role role;
   std::size_t count;
@@ -40,9 +39,6 @@ void require_sensible(const SplitOptions& options) {
                    std::to_string(options.known_per_class) + ")");
   }
   if (options.seed < 0) refuse_options("seed must not be negative");
-  if (options.protocol != "random" && options.protocol != "blocked") {
-    refuse_options("unknown protocol '" + options.protocol + "'; known are random and blocked");
-  }
 }
 
 void require_a_fault_class(const DatasetInfo& info) {
@@ -52,16 +48,17 @@ void require_a_fault_class(const DatasetInfo& info) {
   }
 }
 
-/// In the order in which they are dealt out, and lie in time where the protocol is blocked.
+/// What the windows of a class are dealt out to, in this order. It is the order in time, too, where
+/// the protocol is blocked.
 std::vector<Share> shares_of(bool healthy, const SplitOptions& options) {
   const std::size_t rest = options.windows_per_class - options.test_per_class;
-  if (healthy) return {{A, options.test_per_class}, {B, rest}};
-  return {{A, options.test_per_class},
-          {C, options.known_per_class},
-          {D, rest - options.known_per_class}};
+  if (healthy) return {{Role::test, options.test_per_class}, {Role::healthy, rest}};
+  return {{Role::test, options.test_per_class},
+          {Role::known, options.known_per_class},
+          {Role::hidden, rest - options.known_per_class}};
 }
 
-std::vector<std::size_t> records_of(const Recordings& recordings, int label) {
+std::vector<std::size_t> records_of(const Recordings& recordings, Label label) {
   std::vector<std::size_t> indices;
   for (std::size_t i = 0; i < recordings.records.size(); ++i) {
     if (recordings.records[i].label == label) indices.push_back(i);
@@ -89,8 +86,8 @@ std::vector<Place> places_of(const Recordings& recordings, const std::vector<std
 }
 
 /// The order in which a class's windows are dealt out.
-std::vector<std::size_t> order_of(std::size_t count, bool blocked, Stream& stream) {
-  if (!blocked) return stream.permutation(count);
+std::vector<std::size_t> order_of(std::size_t count, Protocol protocol, Stream& stream) {
+  if (protocol == Protocol::random) return stream.permutation(count);
   std::vector<std::size_t> order(count);
   std::iota(order.begin(), order.end(), std::size_t{0});
   const auto first = order.begin() + static_cast<std::ptrdiff_t>(stream.below(count));
@@ -99,12 +96,15 @@ std::vector<std::size_t> order_of(std::size_t count, bool blocked, Stream& strea
 }
 
 WindowGrid grid_of(const SplitOptions& options, std::size_t blocks) {
-  const bool blocked = options.protocol == "blocked";
-  return {options.window, options.max_stride, options.windows_per_class, blocked ? blocks : 0,
-          options.guard_windows * options.window};
+  const bool blocked = options.protocol == Protocol::blocked;
+  return {.window = options.window,
+          .max_stride = options.max_stride,
+          .windows = options.windows_per_class,
+          .blocks = blocked ? blocks : 0,
+          .guard = options.guard_windows * options.window};
 }
 
-/// Appends the window at a place to a set whose record_names are those of all records.
+/// Appends the window at a place to a set whose record_names are those of all recordings.
 void cut(WindowSet& set, const Record& record, const Place& place, bool with_parameters) {
   const auto first = record.signal.begin() + static_cast<std::ptrdiff_t>(place.first_sample);
   std::transform(first, first + static_cast<std::ptrdiff_t>(set.length),
@@ -120,13 +120,15 @@ Split empty_split(const Recordings& recordings, const SplitOptions& options) {
   set.info = recordings.info;
   set.length = options.window;
   for (const Record& record : recordings.records) set.record_names.push_back(record.name);
-  return {{set, set, set, set}, {}};
+  Split split;
+  split.sets.fill(set);
+  return split;
 }
 
-void split_class(const Recordings& recordings, int label, const SplitOptions& options,
+void split_class(const Recordings& recordings, Label label, const SplitOptions& options,
                  bool with_parameters, Split& out) {
   const DatasetInfo& info = recordings.info;
-  const std::string& name = info.classes[static_cast<std::size_t>(label)].name;
+  const std::string& name = info.class_of(label).name;
   const auto shares = shares_of(label == info.healthy_label(), options);
   const auto records = records_of(recordings, label);
   const WindowGrid grid = grid_of(options, shares.size());
@@ -134,13 +136,13 @@ void split_class(const Recordings& recordings, int label, const SplitOptions& op
                                             lengths_of(recordings, records), grid);
   const auto places = places_of(recordings, records, grid, stride);
   Stream stream(info.name + "/seed" + std::to_string(options.seed) + "/split/" + name);
-  const auto order = order_of(places.size(), grid.blocks > 0, stream);
+  const auto order = order_of(places.size(), options.protocol, stream);
   const std::size_t skipped = grid.blocks > 0 ? skipped_windows(grid, stride) : 0;
   std::size_t next = 0;
   for (const Share& share : shares) {
     for (std::size_t i = 0; i < share.count; ++i) {
       const Place& place = places[order[next + i]];
-      cut(out.sets[share.role], recordings.records[place.record], place, with_parameters);
+      cut(out.of(share.role), recordings.records[place.record], place, with_parameters);
     }
     next += share.count + skipped;
   }
@@ -154,10 +156,8 @@ void bind(const cli::Options& command, SplitOptions& options) {
   command.add("--seed", options.seed, "The repeat: each seed has its own split")
       .required()
       .check(cli::whole_number(0, most));
-  command
-      .add("--protocol", options.protocol,
-           "random: the paper's; blocked: contiguous blocks with a guard gap")
-      .check(cli::one_of({"random", "blocked"}));
+  command.choose("--protocol", options.protocol, protocol_words(),
+                 "random: the paper's; blocked: contiguous blocks with a guard gap");
   const auto count = [&](const char* name, std::size_t& value, const char* help) {
     command.add(name, value, help).check(cli::whole_number(1, most));
   };
@@ -177,18 +177,18 @@ Split split(const Recordings& recordings, const SplitOptions& options) {
   const bool with_parameters = std::ranges::all_of(
       recordings.records, [](const Record& record) { return record.parameters.has_value(); });
   Split out = empty_split(recordings, options);
-  for (std::size_t label = 0; label < recordings.info.classes.size(); ++label) {
-    split_class(recordings, static_cast<int>(label), options, with_parameters, out);
+  for (const Label label : recordings.info.labels()) {
+    split_class(recordings, label, options, with_parameters, out);
   }
   return out;
 }
 
-void write(artefact::Writer& writer, const Split& split, std::size_t role,
-           const SplitOptions& options, const std::string& records_digest) {
-  write(writer, split.sets[role]);
+void write(artefact::Writer& writer, const Split& split, Role role, const SplitOptions& options,
+           const std::string& records_digest) {
+  write(writer, split.of(role));
   writer.numbers("/classes/stride", split.strides);
-  writer.attribute("/", "role", std::string(Split::roles[role]));
-  writer.attribute("/", "protocol", options.protocol);
+  writer.attribute("/", "role", to_string(role));
+  writer.attribute("/", "protocol", to_string(options.protocol));
   writer.attribute("/", "seed", options.seed);
   writer.attribute("/", "records_digest", records_digest);
 }

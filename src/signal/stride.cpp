@@ -8,7 +8,7 @@ namespace piae::signal {
 
 namespace {
 
-/// Windows that are left for the roles when the gaps are taken away.
+/// How many windows are left for the roles once those in the gaps are left out.
 std::size_t usable_windows(const std::vector<std::size_t>& lengths, const WindowGrid& grid,
                            std::size_t stride) {
   std::size_t all = 0;
@@ -17,7 +17,7 @@ std::size_t usable_windows(const std::vector<std::size_t>& lengths, const Window
   return all > gaps ? all - gaps : 0;
 }
 
-/// No use in strides beyond the longest record, which then gives one window.
+/// The first stride to try. One beyond the longest record would give no window more than that.
 std::size_t first_stride(const std::vector<std::size_t>& lengths, const WindowGrid& grid) {
   std::size_t longest = 1;
   for (const std::size_t length : lengths) longest = std::max(longest, length);
@@ -56,7 +56,7 @@ std::size_t windows_in(std::size_t samples, std::size_t window, std::size_t stri
 }
 
 std::size_t skipped_windows(const WindowGrid& grid, std::size_t stride) {
-  const std::size_t apart = grid.window + grid.guard;  // between the starts, at least
+  const std::size_t apart = grid.window + grid.guard;  // the least from start to start
   return (apart + stride - 1) / stride - 1;
 }
 

@@ -2,27 +2,13 @@
 
 #include <cmath>
 #include <sstream>
-#include <string_view>
 
-#include "artefact/file.hpp"
 #include "base/error.hpp"
+#include "cli/toml_file.hpp"
 
 namespace piae::signal {
 
 namespace {
-
-toml::table parse(const std::filesystem::path& file) {
-  const std::vector<std::byte> bytes = artefact::read_file(file);
-  const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-  try {
-    return toml::parse(text);
-  } catch (const toml::parse_error& error) {
-    std::ostringstream line;
-    line << file.string() << ", line " << error.source().begin.line
-         << ": not valid TOML: " << error.description();
-    throw Error(Exit::bad_input, line.str());
-  }
-}
 
 std::string keys_of(const std::set<std::string>& keys) {
   std::string list;
@@ -33,7 +19,8 @@ std::string keys_of(const std::set<std::string>& keys) {
 }  // namespace
 
 TomlTable::TomlTable(const std::filesystem::path& file)
-    : file_(std::make_shared<File>(File{file.string(), parse(file)})), table_(&file_->root) {}
+    : file_(std::make_shared<File>(File{file.string(), cli::parse_toml_file(file)})),
+      table_(&file_->root) {}
 
 const toml::node& TomlTable::node(const std::string& key) {
   asked_.insert(key);

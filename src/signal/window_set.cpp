@@ -7,8 +7,8 @@ namespace piae::signal {
 
 namespace {
 
-/// The index of a name in a list, where it is added if it is new.
-std::int32_t index_of(std::vector<std::string>& names, const std::string& name) {
+/// The index of a name in a list. A new name is added at the end.
+std::int32_t index_in(std::vector<std::string>& names, const std::string& name) {
   const auto found = std::ranges::find(names, name);
   const auto index = static_cast<std::int32_t>(found - names.begin());
   if (found == names.end()) names.push_back(name);
@@ -16,16 +16,16 @@ std::int32_t index_of(std::vector<std::string>& names, const std::string& name) 
 }
 
 void require_known_labels(const artefact::Reader& reader, const WindowSet& windows) {
-  const auto classes = static_cast<std::int32_t>(windows.info.classes.size());
-  for (const std::int32_t label : windows.labels) {
-    if (label < 0 || label >= classes) {
+  const std::size_t classes = windows.info.classes.size();
+  for (const Label label : windows.labels) {
+    if (label < 0 || index_of(label) >= classes) {
       reader.refuse("/labels", "holds label " + std::to_string(label) + ", but there are " +
                                    std::to_string(classes) + " classes");
     }
   }
 }
 
-void read_origins(const artefact::Reader& reader, WindowSet& windows) {
+void read_places(const artefact::Reader& reader, WindowSet& windows) {
   windows.record_names = reader.strings("/record/name");
   windows.record = reader.numbers<std::int32_t>("/record/index", {0}).values;
   windows.first_sample = reader.numbers<std::int64_t>("/first_sample", {0}).values;
@@ -55,7 +55,7 @@ void read_parameters(const artefact::Reader& reader, WindowSet& windows) {
 
 }  // namespace
 
-std::vector<std::size_t> WindowSet::indices_of(int label) const {
+std::vector<std::size_t> WindowSet::indices_of(Label label) const {
   std::vector<std::size_t> indices;
   for (std::size_t i = 0; i < labels.size(); ++i) {
     if (labels[i] == label) indices.push_back(i);
@@ -63,7 +63,7 @@ std::vector<std::size_t> WindowSet::indices_of(int label) const {
   return indices;
 }
 
-std::size_t WindowSet::count_of(int label) const {
+std::size_t WindowSet::count_of(Label label) const {
   return static_cast<std::size_t>(std::ranges::count(labels, label));
 }
 
@@ -71,7 +71,7 @@ void WindowSet::append(const WindowSet& other, std::size_t i) {
   if (other.length != length) throw std::logic_error("windows of different lengths in one set");
   if (!other.record.empty() && record.size() == size()) {
     const auto from = static_cast<std::size_t>(other.record[i]);
-    record.push_back(index_of(record_names, other.record_names[from]));
+    record.push_back(index_in(record_names, other.record_names[from]));
     first_sample.push_back(other.first_sample[i]);
   } else {
     record_names.clear();
@@ -112,11 +112,11 @@ WindowSet read_window_set(const artefact::Reader& reader) {
   auto samples = reader.numbers<float>("/windows", {0, 0});
   windows.length = samples.shape[1];
   windows.samples = std::move(samples.values);
-  windows.labels = reader.numbers<std::int32_t>("/labels", {0}).values;
+  windows.labels = reader.numbers<Label>("/labels", {0}).values;
   if (windows.length == 0) reader.refuse("/windows", "holds windows without samples");
   if (windows.size() != samples.shape[0]) reader.refuse("/labels", "misfits /windows");
   require_known_labels(reader, windows);
-  if (reader.has("/record")) read_origins(reader, windows);
+  if (reader.has("/record")) read_places(reader, windows);
   if (reader.has("/parameters")) read_parameters(reader, windows);
   return windows;
 }

@@ -18,7 +18,7 @@ namespace {
 
 const std::string simulation_group = "/simulation";
 
-/// Stored numbers of a part of the options, each by the name of its option.
+/// A number of the options that the artefact stores, and the name under which it does.
 template <class Part>
 using Stored = std::pair<const char*, double Part::*>;
 
@@ -37,9 +37,9 @@ constexpr std::array<Stored<bearing::Variation>, 4> stored_variation{{
     {"slip_max", &bearing::Variation::slip_max},
 }};
 
-/// One window before eq. 13 is solved for it.
+/// What eq. 13 is solved for to get one window.
 struct Draw {
-  std::size_t label = 0;
+  Label label = 0;
   bearing::DynamicsOptions dynamics;
   bearing::Motion motion;
 };
@@ -48,9 +48,8 @@ std::vector<Draw> draw_all(const WindowSimulation& simulation, std::size_t count
                            const Stream& stream, const DrawDynamics& draw) {
   std::vector<Draw> draws;
   const DatasetInfo& info = simulation.info;
-  for (std::size_t label = 0; label < info.classes.size(); ++label) {
-    const ClassInfo& c = info.classes[label];
-    if (c.defect == Defect::none) continue;
+  for (const Label label : info.fault_labels()) {
+    const ClassInfo& c = info.class_of(label);
     const Stream own = stream.child(c.name);
     for (std::size_t i = 0; i < count; ++i) {
       Stream random = own.child(std::to_string(i));
@@ -63,10 +62,10 @@ std::vector<Draw> draw_all(const WindowSimulation& simulation, std::size_t count
   return draws;
 }
 
-/// Of draws of one class, row by row.
+/// The windows of draws that are all of one class, row by row, as eq. 13 gives them.
 std::vector<double> solve(const WindowSimulation& simulation, std::span<const Draw> draws) {
   const DatasetInfo& info = simulation.info;
-  const ClassInfo& c = info.classes[draws.front().label];
+  const ClassInfo& c = info.class_of(draws.front().label);
   std::vector<bearing::Course> courses;
   for (const Draw& draw : draws) courses.push_back({draw.motion, draw.dynamics});
   try {
@@ -77,7 +76,7 @@ std::vector<double> solve(const WindowSimulation& simulation, std::span<const Dr
   }
 }
 
-/// Without its mean, and with this RMS.
+/// The signal without its mean, scaled to this RMS.
 std::vector<float> scaled(std::span<const double> signal, double rms) {
   const double mean =
       std::accumulate(signal.begin(), signal.end(), 0.0) / static_cast<double>(signal.size());
@@ -160,16 +159,15 @@ WindowSet simulate_windows(const WindowSimulation& simulation, std::size_t count
     const std::vector<double> rows = solve(simulation, std::span(draws).subspan(first, part));
     for (std::size_t i = 0; i < part; ++i) {
       const auto window = scaled(std::span(rows).subspan(i * length, length),
-                                 simulation.rms[draws[first + i].label]);
+                                 simulation.rms[index_of(draws[first + i].label)]);
       std::ranges::copy(
           window, windows.samples.begin() + static_cast<std::ptrdiff_t>((first + i) * length));
     }
   };
-  const auto faulty = std::ranges::count_if(
-      simulation.info.classes, [](const ClassInfo& c) { return c.defect != Defect::none; });
-  parallel_for_parts(static_cast<std::size_t>(faulty), count, bearing::courses_at_once, solve_part);
+  const std::size_t faulty = simulation.info.fault_labels().size();
+  parallel_for_parts(faulty, count, bearing::courses_at_once, solve_part);
   for (const Draw& one : draws) {
-    windows.labels.push_back(static_cast<std::int32_t>(one.label));
+    windows.labels.push_back(one.label);
     windows.parameters.push_back({one.dynamics.stiffness_n_per_m, one.dynamics.damping_ns_per_m});
   }
   return windows;

@@ -15,7 +15,7 @@
 
 namespace piae::signal {
 
-/// The bearing of eq. 13, and what differs from window to window.
+/// The bearing of eq. 13, and how much it varies from window to window.
 struct SimulationOptions {
   bearing::DynamicsOptions dynamics;
   bearing::Variation variation;
@@ -24,10 +24,11 @@ struct SimulationOptions {
 /// The options that every method on eq. 13 has: all but stiffness, damping and their spreads.
 void bind(const cli::Options& command, SimulationOptions& options);
 
-/// Check of an option that is a spread of bearing::Variation.
+/// The check for an option that is a spread of bearing::Variation.
 cli::Check spread();
 
-/// What solving eq. 13 for windows like the known ones takes; the model of the methods that do.
+/// All that is needed to solve eq. 13 for windows like the known ones. This is the model that the
+/// methods on eq. 13 store.
 struct WindowSimulation {
   DatasetInfo info;
   std::size_t length = 0;   ///< samples in a window
@@ -38,19 +39,21 @@ struct WindowSimulation {
 /// Throws Error(bad_input) when the windows of a class are constant.
 WindowSimulation simulation_like(const WindowSet& known, const SimulationOptions& options);
 
-/// Info, length and options as attributes of the root and of /simulation, and /classes/rms.
+/// Writes info, length and options as attributes of the root and of /simulation, and the RMS as
+/// /classes/rms.
 void write(artefact::Writer& writer, const WindowSimulation& simulation);
 WindowSimulation read_window_simulation(const artefact::Reader& reader);
 
-/// Gives a window of a class its stiffness and damping; the rest is that of the options.
-using DrawDynamics = std::function<bearing::DynamicsOptions(std::size_t label, Stream& stream)>;
+/// Draws the stiffness and the damping of one window of a class, and returns them with the other
+/// numbers of eq. 13, which are those of the options.
+using DrawDynamics = std::function<bearing::DynamicsOptions(Label label, Stream& stream)>;
 
-/// `count` windows of each class with a defect, class by class: eq. 13 with what `draw` gives, and
-/// speed, slip and angles drawn by bearing::draw_motion. Each window is freed of its mean and
-/// scaled to the class's RMS: the path from the bearing to the sensor, and so the amplitude, is not
-/// modelled. Window i of a class draws from the stream's child "<class>/<i>". OpenMP parallel; the
-/// result does not depend on the number of threads. Throws Error(failed) when eq. 13 diverges or a
-/// window stays silent.
+/// Makes `count` windows of each class with a defect, class by class. For each window eq. 13 is
+/// solved with what `draw` gives, and with speed, slip and angles from bearing::draw_motion. Then
+/// its mean is removed, and it is scaled to the RMS of the class: the path from the bearing to the
+/// sensor is not modelled, so eq. 13 says nothing of the amplitude. Window i of a class draws from
+/// the stream's child "<class>/<i>". OpenMP parallel; the result does not depend on the number of
+/// threads. Throws Error(failed) when eq. 13 diverges or gives a window without any vibration.
 WindowSet simulate_windows(const WindowSimulation& simulation, std::size_t count,
                            const Stream& stream, const DrawDynamics& draw);
 

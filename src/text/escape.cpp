@@ -30,7 +30,8 @@ constexpr std::pair<std::string_view, std::string_view> latex_words[] = {
     {"²", "$^2$"},
 };
 
-/// A sign at the beginning of a number, which is at that of the text, or after a space or bracket.
+/// Whether character i is the sign of a number. The number must stand at the beginning of the text,
+/// or after a space or a bracket.
 bool is_sign(const std::string& text, std::size_t i) {
   const bool begins = i == 0 || text[i - 1] == ' ' || text[i - 1] == '[';
   return begins && (text[i] == '+' || text[i] == '-') && i + 1 < text.size() &&

@@ -4,12 +4,12 @@
 
 namespace piae::text {
 
-/// Plain text as it must stand in Markdown, a table's cell included, to be read as it is.
+/// Escapes plain text so that Markdown shows it as it is, also in the cell of a table.
 std::string markdown_text(const std::string& text);
 
-/// Plain text as it must stand in LaTeX, outside of mathematics, to be read as it is; the sign of a
-/// number becomes one of mathematics. Of letters beyond ASCII, ± and ² become commands, and all
-/// others are kept: LaTeX reads UTF-8.
+/// Escapes plain text so that LaTeX shows it as it is, outside of mathematics. The sign of a number
+/// is set as mathematics, so that a minus is no hyphen. ± and ² become commands; other characters
+/// beyond ASCII are kept, since LaTeX reads UTF-8.
 std::string latex_text(const std::string& text);
 
 }  // namespace piae::text

@@ -6,14 +6,15 @@
 
 namespace piae::text {
 
-/// A table as it is to be stored.
+/// A text and the file that it will be written to.
 struct File {
   std::filesystem::path path;
   std::string text;
 };
 
-/// Writes all, each beside its place and renamed. Where one cannot be written, those before it go
-/// too: tables of two runs must not stand together. Throws Error(failed).
+/// Writes all files, each as artefact::write_file_atomically() does. Where one cannot be written,
+/// those written before it are removed, so that tables of two runs never stand side by side, and
+/// Error(failed) is thrown.
 void save_all(const std::vector<File>& files);
 
 }  // namespace piae::text

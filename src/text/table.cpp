@@ -8,13 +8,13 @@ namespace piae::text {
 
 namespace {
 
-/// Characters on the screen: bytes of UTF-8 that do not continue a character.
+/// How many characters a text has on the screen: the bytes of UTF-8 that begin one.
 std::size_t width_of(const std::string& text) {
   return static_cast<std::size_t>(
       std::ranges::count_if(text, [](char c) { return (c & 0xC0) != 0x80; }));
 }
 
-/// Of each column its widest cell.
+/// For each column the width of its widest cell.
 std::vector<std::size_t> widths_of(const std::vector<std::vector<std::string>>& rows) {
   std::vector<std::size_t> widths(rows.front().size(), 0);
   for (const auto& cells : rows) {
@@ -38,8 +38,7 @@ void Table::row(std::vector<std::string> cells) {
   rows_.push_back(std::move(cells));
 }
 
-std::string Table::padded(const std::string& cell, std::size_t column,
-                              std::size_t width) const {
+std::string Table::padded(const std::string& cell, std::size_t column, std::size_t width) const {
   const std::string space(width - width_of(cell), ' ');
   return column < left_columns_ ? cell + space : space + cell;
 }

@@ -11,20 +11,20 @@ namespace piae::text {
 /// writing escapes what it must.
 class Table {
  public:
-  /// The first `left_columns` columns hold words and stand left, the others numbers and stand
-  /// right.
+  /// The first `left_columns` columns hold words, which are aligned left; the others hold numbers,
+  /// which are aligned right.
   Table(std::vector<std::string> header, std::size_t left_columns)
       : rows_{std::move(header)}, left_columns_(left_columns) {}
 
-  /// Cells that are missing at the end are empty. A row whose first cell is empty goes on with what
-  /// the row before it has begun.
+  /// Adds a row. Cells may be missing at its end; they are empty. A row whose first cell is empty
+  /// belongs to the row above it.
   void row(std::vector<std::string> cells);
 
-  /// Padded to columns, for a terminal.
+  /// For a terminal, with columns padded by spaces.
   [[nodiscard]] std::string plain() const;
-  /// Padded too, so that it reads well as it is.
+  /// As Markdown, also padded, so that the file itself is easy to read.
   [[nodiscard]] std::string markdown() const;
-  /// A tabular in the style of the package booktabs.
+  /// As a LaTeX tabular in the style of the package booktabs.
   [[nodiscard]] std::string latex() const;
 
  private:

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <utility>
 
+#include "base/label.hpp"
 #include "twin/dense_model.hpp"
 #include "twin/networks.hpp"
 
@@ -15,10 +18,10 @@ using Chain = nets::DenseChain<float>;
 using Parameters = nets::Parameters<float>;
 using Kept = Parameters::Kept;
 
-/// Known windows of a step, and what the networks made of them.
+/// The known windows of a step, and what the networks made of them.
 struct Batch {
   Array windows;  ///< [batch, N]
-  std::vector<std::int32_t> labels;
+  std::vector<Label> labels;
   Array k_and_c;  ///< [batch, 2]
   LossOf<float> reconstruction;
   LossOf<float> differential;
@@ -27,7 +30,7 @@ struct Batch {
   [[nodiscard]] std::int64_t size() const { return windows.rows(); }
 };
 
-/// The rows of these windows.
+/// The points of these windows.
 std::vector<TwinPoint> chosen(const std::vector<TwinPoint>& points,
                               std::span<const std::size_t> windows) {
   std::vector<TwinPoint> chosen;
@@ -35,32 +38,31 @@ std::vector<TwinPoint> chosen(const std::vector<TwinPoint>& points,
   return chosen;
 }
 
-/// Into a chain's output gradient, from a row and a column on.
+/// Copies a gradient into a chain's output gradient, from a row and a column on.
 void put(const Array& gradient, Chain& chain, std::int64_t row, std::int64_t column = 0) {
   nets::put(gradient, chain.output_gradient().from(row), column);
 }
 
-/// Rows of the last signal.
-Chain::RowRange last(std::int64_t rows, std::int64_t signals) {
-  return {(signals - 1) * rows, rows};
+/// The rows of the last of several signals (DenseChain::backward).
+Chain::RowRange last_signal(std::int64_t rows, std::int64_t signals) {
+  return {.begin = (signals - 1) * rows, .count = rows};
 }
 
 class DenseBackend final : public TwinBackend {
  public:
-  DenseBackend(const TwinTask& task, const Stream& initial)
-      : task_(task),
-        specs_(with_log_weights(network_specs(task.variant, task.shape, task.options,
-                                              dense_coder_specs(task.shape, task.options)))),
-        parameters_(specs_, initial),
-        batch_(std::min<std::int64_t>(task.options.batch, std::ssize(task.labels))),
-        networks_(parameters_, task.variant, task.shape, batch_),
-        log_weights_(parameters_.find(log_weights_name).begin) {}
+  DenseBackend(TwinTask task, const Stream& initial)
+      : task_(std::move(task)),
+        specs_(with_log_weights(network_specs(task_.variant, task_.shape, task_.options,
+                                              dense_coder_specs(task_.shape, task_.options)))),
+        parameters_(std::make_shared<Parameters>(specs_, initial)),
+        largest_batch_(std::min<std::int64_t>(task_.options.batch, std::ssize(task_.labels))),
+        networks_(parameters_, task_.variant, task_.shape, largest_batch_),
+        log_weights_(parameters_->find(log_weights_name).begin) {}
 
   BatchLosses step(TrainingStage stage, std::span<const std::size_t> windows,
                    double learning_rate) override {
     const Batch batch = forward(windows);
-    const nets::AdamStep adam(++steps_, learning_rate, nets::AdamConstants::beta1,
-                              nets::AdamConstants::beta2);
+    const nets::AdamStep adam(++steps_, learning_rate);
     const BatchLosses losses = losses_of(batch);
     if (stage == TrainingStage::one) {
       step_stage_1(batch, adam);
@@ -71,26 +73,27 @@ class DenseBackend final : public TwinBackend {
   }
 
   [[nodiscard]] const std::vector<nets::ParameterSpec>& specs() const override { return specs_; }
-  void copy_values(std::span<float> to) const override { parameters_.copy(Kept::value, to); }
+  void copy_values(std::span<float> to) const override { parameters_->copy(Kept::value, to); }
   [[nodiscard]] std::array<float, 3> log_weights() const override {
-    const float* const logs = parameters_.data(Kept::value) + log_weights_;
+    const float* const logs = parameters_->data(Kept::value) + log_weights_;
     return {logs[0], logs[1], logs[2]};
   }
   void set_values(std::span<const float> values) override {
-    parameters_.write(Kept::value, values);
+    parameters_->write(Kept::value, values);
   }
 
   [[nodiscard]] std::vector<TwinPoint> states() override {
-    return task_.states ? task_.states->points : encode_all(networks_, task_.windows, batch_);
+    return task_.states ? task_.states->points
+                        : encode_all(networks_, task_.windows, largest_batch_);
   }
 
   void write_adam(artefact::Writer& writer, const std::string& group) const override {
-    write_moments(writer, group + "/networks", parameters_, "net/", steps_);
-    write_moments(writer, group + "/loss_weights", parameters_, log_weights_name, weight_steps_);
+    write_moments(writer, group + "/networks", *parameters_, "net/", steps_);
+    write_moments(writer, group + "/loss_weights", *parameters_, log_weights_name, weight_steps_);
   }
   void read_adam(const artefact::Reader& reader, const std::string& group) override {
-    steps_ = read_moments(reader, group + "/networks", parameters_, "net/");
-    weight_steps_ = read_moments(reader, group + "/loss_weights", parameters_, log_weights_name);
+    steps_ = read_moments(reader, group + "/networks", *parameters_, "net/");
+    weight_steps_ = read_moments(reader, group + "/loss_weights", *parameters_, log_weights_name);
   }
 
  private:
@@ -119,24 +122,27 @@ class DenseBackend final : public TwinBackend {
     float gamma;
   };
   [[nodiscard]] Weights weights() const {
-    if (!task_.variant.physics) return {0, 0, 1};
+    if (!task_.variant.physics) return {.alpha = 0, .beta = 0, .gamma = 1};
     const auto [alpha, beta, gamma] = log_weights();
-    return {std::exp(alpha), std::exp(beta), std::exp(gamma)};
+    return {.alpha = std::exp(alpha), .beta = std::exp(beta), .gamma = std::exp(gamma)};
   }
 
   [[nodiscard]] BatchLosses losses_of(const Batch& batch) const {
     const Weights w = weights();
-    BatchLosses losses{batch.reconstruction.value, batch.differential.value, batch.twin.value, 0};
+    BatchLosses losses{.reconstruction = batch.reconstruction.value,
+                       .differential = batch.differential.value,
+                       .twin = batch.twin.value};
     losses.total =
         w.alpha * losses.differential + w.beta * losses.twin + w.gamma * losses.reconstruction;
-    if (task_.variant.physics && task_.options.loss_weights == "adaptive") {
+    if (task_.variant.physics && task_.options.loss_weights == LossWeights::adaptive) {
       for (const float log_weight : log_weights()) losses.total -= 0.5 * log_weight;
     }
     return losses;
   }
 
-  /// Eq. 24. The module's own loss and the twin's, which the encoder follows, are two signals
-  /// through the module, and the decoder's own and the twin's two through the decoder.
+  /// Eq. 24. The module follows L_DDL and the decoder follows L_Rec, while the encoder follows
+  /// L_DT, which reaches it through the module and the decoder. So two signals go back through the
+  /// module (L_DDL and L_DT) and two through the decoder (L_Rec and L_DT).
   void step_stage_1(const Batch& batch, const nets::AdamStep& adam) {
     const std::int64_t rows = batch.size();
     put(batch.reconstruction.by_acceleration, *networks_.decoder, 0);
@@ -150,9 +156,8 @@ class DenseBackend final : public TwinBackend {
       put(batch.twin.by_acceleration + differentiate_module(rows, 2), *networks_.decoder, rows);
       differentiate_coder(rows, 2, batch.twin.by_k_and_c, batch.k_and_c);
     }
-    for (Chain* chain : chains()) {
-      chain->take(adam, clipping(chain->squared_norm({rows, rows})), {rows, rows});
-    }
+    const Chain::Summed all{.of_weights = rows, .of_biases = rows};
+    for (Chain* chain : chains()) chain->take(adam, clipping(chain->squared_norm(all)), all);
   }
 
   /// Eq. 25.
@@ -176,36 +181,39 @@ class DenseBackend final : public TwinBackend {
     put(by_a, *networks_.decoder, 0);
     differentiate_coder(rows, 1, by_k_and_c, batch.k_and_c);
 
+    const Chain::Summed all{.of_weights = rows, .of_biases = rows};
     double squares = 0;
     for (const float x : by_log_weights) squares += static_cast<double>(x) * x;
-    for (const Chain* chain : chains()) squares += chain->squared_norm({rows, rows});
+    for (const Chain* chain : chains()) squares += chain->squared_norm(all);
     const double scale = clipping(squares);
-    for (Chain* chain : chains()) chain->take(adam, scale, {rows, rows});
+    for (Chain* chain : chains()) chain->take(adam, scale, all);
     for (float& x : by_log_weights) x *= static_cast<float>(scale);
-    const nets::AdamStep of_weights(++weight_steps_, learning_rate, nets::AdamConstants::beta1,
-                                    nets::AdamConstants::beta2);
-    nets::take(of_weights, parameters_.data(Kept::value) + log_weights_, by_log_weights.data(),
-               parameters_.data(Kept::first_moment) + log_weights_,
-               parameters_.data(Kept::second_moment) + log_weights_, by_log_weights.size());
+    const nets::AdamStep of_weights(++weight_steps_, learning_rate);
+    nets::take(of_weights, parameters_->data(Kept::value) + log_weights_, by_log_weights.data(),
+               parameters_->data(Kept::first_moment) + log_weights_,
+               parameters_->data(Kept::second_moment) + log_weights_, by_log_weights.size());
   }
 
   [[nodiscard]] std::array<float, 3> gradient_by_log_weights(const Weights& w,
                                                              const BatchLosses& losses) const {
-    if (task_.options.loss_weights == "fixed") return {};
-    const double held = task_.options.loss_weights == "adaptive" ? 0.5 : 0;  // by the logarithms
+    if (task_.options.loss_weights == LossWeights::fixed) return {};
+    // The derivative of eq. 23's terms -1/2 ln alpha, -1/2 ln beta and -1/2 ln gamma.
+    const double held = task_.options.loss_weights == LossWeights::adaptive ? 0.5 : 0;
     return {static_cast<float>(w.alpha * losses.differential - held),
             static_cast<float>(w.beta * losses.twin - held),
             static_cast<float>(w.gamma * losses.reconstruction - held)};
   }
 
-  /// Returns the gradient of the last signal by the acceleration that the module was given.
+  /// Propagates the module's signals back; returns the gradient of the last one by the acceleration
+  /// that the module was given.
   Array differentiate_module(std::int64_t rows, std::int64_t signals) {
-    return nets::copied<float>(networks_.module->backward(rows, signals, last(rows, signals)), rows,
-                               task_.shape.samples);
+    return nets::copied<float>(
+        networks_.module->backward(rows, signals, last_signal(rows, signals)), rows,
+        task_.shape.samples);
   }
 
-  /// Decoder, and encoder where there is one, which follows the decoder's last signal and
-  /// `by_k_and_c`.
+  /// Propagates the decoder's signals back, and through the encoder, where there is one, the sum of
+  /// the last of them and `by_k_and_c`.
   void differentiate_coder(std::int64_t rows, std::int64_t signals, const Array& by_k_and_c,
                            const Array& k_and_c) {
     if (!task_.variant.encoder) {
@@ -213,7 +221,7 @@ class DenseBackend final : public TwinBackend {
       return;
     }
     const Array by_inputs = nets::copied<float>(
-        networks_.decoder->backward(rows, signals, last(rows, signals)), rows, 2);
+        networks_.decoder->backward(rows, signals, last_signal(rows, signals)), rows, 2);
     put((by_k_and_c + by_inputs) * softplus_slope(k_and_c), *networks_.encoder, 0);
     networks_.encoder->backward(rows, 1, Chain::no_rows);
   }
@@ -227,28 +235,29 @@ class DenseBackend final : public TwinBackend {
     return chains;
   }
 
-  /// The factor on gradients of this squared norm.
+  /// The factor that brings gradients of this squared norm down to the largest norm allowed.
   [[nodiscard]] double clipping(double squares) const {
     return std::min(1.0, task_.options.max_gradient_norm / std::sqrt(squares));
   }
 
-  const TwinTask& task_;
+  TwinTask task_;
   std::vector<nets::ParameterSpec> specs_;
-  Parameters parameters_;
-  std::int64_t batch_;  ///< windows in the largest
+  std::shared_ptr<Parameters> parameters_;
+  std::int64_t largest_batch_;  ///< in windows
   Networks networks_;
-  std::int64_t log_weights_;  ///< where they begin
-  std::int64_t steps_ = 0;
-  std::int64_t weight_steps_ = 0;
+  std::int64_t log_weights_;       ///< where they begin among the parameters
+  std::int64_t steps_ = 0;         ///< of Adam for the networks
+  std::int64_t weight_steps_ = 0;  ///< of Adam for the weights of the losses
 };
 
 }  // namespace
 
 Engine dense_engine(Device /*device*/) {
-  return {[](const TwinTask& task, const Stream& initial) {
-            return std::make_unique<DenseBackend>(task, initial);
-          },
-          open_dense_model};
+  return {.train =
+              [](TwinTask task, const Stream& initial) {
+                return std::make_unique<DenseBackend>(std::move(task), initial);
+              },
+          .open = open_dense_model};
 }
 
 }  // namespace piae::twin

@@ -6,9 +6,10 @@
 
 namespace piae::twin {
 
-/// Throws artefact::Refusal for a model of another variant.
+/// Opens a stored model with our own networks (networks.hpp). Throws artefact::Refusal for a model
+/// of another variant.
 std::unique_ptr<StoredTwin> open_dense_model(const artefact::Reader& model,
-                                        const ModelDescription& description,
-                                        const TwinVariant& variant);
+                                             const ModelDescription& description,
+                                             const TwinVariant& variant);
 
 }  // namespace piae::twin

@@ -1,5 +1,6 @@
 #include "twin/generation.hpp"
 
+#include "base/label.hpp"
 #include "twin/model.hpp"
 #include "twin/physics.hpp"
 #include "twin/space.hpp"
@@ -27,17 +28,16 @@ signal::WindowSet generate(const artefact::Reader& model, const TwinVariant& var
   signal::WindowSet generated;
   generated.info = description.info;
   generated.length = static_cast<std::size_t>(description.shape.samples);
-  for (std::size_t label = 0; label < description.info.classes.size(); ++label) {
-    const signal::ClassInfo& c = description.info.classes[label];
+  for (Label label = 0; index_of(label) < description.info.classes.size(); ++label) {
+    const signal::ClassInfo& c = description.info.classes[index_of(label)];
     if (c.defect == signal::Defect::none) continue;
     const std::vector<TwinPoint> points = draw(space, count, stream.child(c.name));
     for (const float a : networks->decode(points, label)) {
-      generated.samples.push_back(a * static_cast<float>(description.acceleration[label]));
+      generated.samples.push_back(a *
+                                  static_cast<float>(description.acceleration[index_of(label)]));
     }
-    generated.labels.insert(generated.labels.end(), count, static_cast<std::int32_t>(label));
-    for (const TwinPoint& point : points) {
-      generated.parameters.push_back(in_units(point));
-    }
+    generated.labels.insert(generated.labels.end(), count, label);
+    for (const TwinPoint& point : points) generated.parameters.push_back(in_units(point));
   }
   return generated;
 }

@@ -1,9 +1,9 @@
 #include "twin/inference.hpp"
 
 #include "base/error.hpp"
+#include "signal/scaling.hpp"
 #include "twin/model.hpp"
 #include "twin/physics.hpp"
-#include "signal/scaling.hpp"
 
 namespace piae::twin {
 

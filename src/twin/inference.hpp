@@ -9,8 +9,8 @@
 
 namespace piae::twin {
 
-/// What the encoder of a stored model (eq. 16) makes of windows: stiffness in N/m and damping in
-/// N s/m, one pair for each. Windows are scaled by their class, as those of the training were.
+/// The stiffness (N/m) and damping (N s/m) that the encoder of a stored model (eq. 16) infers of
+/// each window. Windows are scaled by their class, as those of the training were.
 /// Throws Error(bad_input) for windows of another length or of other classes than the model's.
 std::vector<signal::DynamicParameters> infer(const artefact::Reader& model,
                                              const TwinVariant& variant,

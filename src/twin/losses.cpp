@@ -1,7 +1,6 @@
 #include "twin/losses.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace piae::twin {
@@ -10,10 +9,7 @@ namespace {
 
 using Eigen::Index;
 
-constexpr std::array<double, 5> kernel_factors{1, 2, 4, 8, 16};
-constexpr double least_bandwidth = 1e-12;
-
-/// Squared distances of all rows of z to each other, [n, n].
+/// The squared distances of all rows of z to each other, [n, n].
 template <class T>
 Eigen::ArrayXXd squared_distances(const RowArray<T>& z) {
   Eigen::ArrayXXd distances = Eigen::ArrayXXd::Zero(z.rows(), z.rows());
@@ -41,7 +37,7 @@ RowArray<T> inner(const RowArray<T>& samples, Index from) {
   return samples.middleCols(from, samples.cols() - 2);
 }
 
-/// Contact force in N at a compression in m, and its derivative in N/m.
+/// The contact force in N at a compression in m, and its derivative in N/m.
 struct Contact {
   double force;
   double stiffness;
@@ -53,7 +49,7 @@ Contact contact_at(double compression, const Physics& physics) {
   return {physics.contact_n_per_m15 * compression * root, 1.5 * physics.contact_n_per_m15 * root};
 }
 
-/// The static equilibrium of a window's class at stiffness k~, in m, and its derivative by k~.
+/// The compression of the contact at static equilibrium, in m, and its derivative by k~.
 struct Rest {
   double compression;
   double by_k;
@@ -78,7 +74,7 @@ double add_batch_mmd(const RowArray<T>& x, const RowArray<T>& y, RowArray<T>* by
   const Eigen::ArrayXXd distances = squared_distances(z);
   const auto pairs = static_cast<double>((n + m) * (n + m - 1));
   const double mean = distances.sum() / pairs / 4;
-  const double bandwidth = std::max(mean, least_bandwidth);
+  const double bandwidth = std::max(mean, mmd_least_bandwidth);
 
   Eigen::ArrayXXd weights(n + m, n + m);
   weights.topLeftCorner(n, n) = 1.0 / static_cast<double>(n * n);
@@ -89,16 +85,17 @@ double add_batch_mmd(const RowArray<T>& x, const RowArray<T>& y, RowArray<T>* by
   double value = 0;
   double by_bandwidth = 0;
   Eigen::ArrayXXd by_distance = Eigen::ArrayXXd::Zero(n + m, n + m);
-  for (const double factor : kernel_factors) {
+  for (const double factor : mmd_kernel_factors) {
     const double width = bandwidth * factor;
     const Eigen::ArrayXXd kernel = weights * (-distances / width).exp();
     value += kernel.sum();
     by_distance -= kernel / width;
     by_bandwidth += (kernel * distances).sum() / (width * bandwidth);
   }
-  if (mean > least_bandwidth) by_distance += by_bandwidth / (4 * pairs);
+  if (mean > mmd_least_bandwidth) by_distance += by_bandwidth / (4 * pairs);
 
-  // |z_i - z_j|^2 stands at (i, j) and at (j, i).
+  // The distance of z_i and z_j stands in the matrix twice, at (i, j) and at (j, i), and its
+  // derivative has a factor of 2: hence 4.
   const Eigen::ArrayXXd pull = 4 * by_distance;
   const Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic> mixing =
       (Eigen::MatrixXd(pull.rowwise().sum().matrix().asDiagonal()) - pull.matrix())
@@ -153,7 +150,7 @@ LossOf<T> differential_loss(const BatchMotion<T>& motion, double step) {
 
 template <class T>
 LossOf<T> twin_loss(const RowArray<T>& k_and_c, const BatchMotion<T>& motion,
-                    std::span<const std::int32_t> labels, const Physics& physics) {
+                    std::span<const Label> labels, const Physics& physics) {
   const auto& [u, v, a] = motion;
   LossOf<T> loss;
   loss.by_acceleration.resize(a.rows(), a.cols());
@@ -162,7 +159,7 @@ LossOf<T> twin_loss(const RowArray<T>& k_and_c, const BatchMotion<T>& motion,
   loss.by_k_and_c.resize(a.rows(), 2);
   const double mean = 1.0 / static_cast<double>(a.size());
   for (Index i = 0; i < a.rows(); ++i) {
-    const auto label = static_cast<std::size_t>(labels[static_cast<std::size_t>(i)]);
+    const std::size_t label = index_of(labels[static_cast<std::size_t>(i)]);
     const double a_ref = physics.acceleration_m_s2[label];
     const double reference_n = physics.mass_kg * a_ref;
     const double reference_m = a_ref / (physics.omega_0 * physics.omega_0);
@@ -193,13 +190,13 @@ LossOf<T> twin_loss(const RowArray<T>& k_and_c, const BatchMotion<T>& motion,
   return loss;
 }
 
-#define PIAE_INSTANTIATE(T)                                                           \
-  template double add_batch_mmd(const RowArray<T>&, const RowArray<T>&, RowArray<T>*, \
-                                RowArray<T>&);                                        \
-  template LossOf<T> reconstruction_loss(const RowArray<T>&, const RowArray<T>&);     \
-  template LossOf<T> differential_loss(const BatchMotion<T>&, double);                \
-  template LossOf<T> twin_loss(const RowArray<T>&, const BatchMotion<T>&,             \
-                               std::span<const std::int32_t>, const Physics&)
+#define PIAE_INSTANTIATE(T)                                                                       \
+  template double add_batch_mmd(const RowArray<T>&, const RowArray<T>&, RowArray<T>*,             \
+                                RowArray<T>&);                                                    \
+  template LossOf<T> reconstruction_loss(const RowArray<T>&, const RowArray<T>&);                 \
+  template LossOf<T> differential_loss(const BatchMotion<T>&, double);                            \
+  template LossOf<T> twin_loss(const RowArray<T>&, const BatchMotion<T>&, std::span<const Label>, \
+                               const Physics&)
 PIAE_INSTANTIATE(float);
 PIAE_INSTANTIATE(double);
 

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <array>
 #include <span>
 
+#include "base/label.hpp"
 #include "nets/row_array.hpp"
 #include "twin/physics.hpp"
 
@@ -9,8 +11,12 @@ namespace piae::twin {
 
 using nets::RowArray;
 
-/// A loss, and its gradient by what it was computed from. What a loss does not depend on has an
-/// empty gradient. The same mathematics as losses.hpp, with gradients written by hand.
+/// The kernels of batch_mmd: the factors on its bandwidth, and the smallest bandwidth allowed.
+inline constexpr std::array<double, 5> mmd_kernel_factors{1, 2, 4, 8, 16};
+inline constexpr double mmd_least_bandwidth = 1e-12;
+
+/// A loss, and its gradients by the quantities that it is computed from. A gradient is empty where
+/// the loss does not depend on the quantity.
 template <class T>
 struct LossOf {
   double value = 0;
@@ -20,12 +26,16 @@ struct LossOf {
   RowArray<T> by_k_and_c;       ///< [batch, 2]
 };
 
-/// Squared MMD of x and y, [batch, N] each, of losses.hpp; adds its gradients to those given.
+/// The biased squared maximum mean discrepancy between two batches x [n, N] and y [m, N]: five
+/// Gaussian kernels exp(-d^2 / b) are summed, with b = mean squared distance within the pooled
+/// batch / 4 * {1, 2, 4, 8, 16} (the convention of the field, after Gretton et al. 2012). Adds its
+/// gradients, also through b, to `by_x` (unless that is null) and `by_y`.
 template <class T>
 double add_batch_mmd(const RowArray<T>& x, const RowArray<T>& y, RowArray<T>* by_x,
                      RowArray<T>& by_y);
 
-/// L_Rec, eq. 20, of the decoded acceleration a for the windows x.
+/// L_Rec, eq. 20: the mean squared error of the decoded acceleration a for the windows x, plus
+/// their MMD; both are [batch, N].
 template <class T>
 LossOf<T> reconstruction_loss(const RowArray<T>& x, const RowArray<T>& a);
 
@@ -37,13 +47,16 @@ struct BatchMotion {
   RowArray<T> acceleration;
 };
 
-/// L_DDL, eq. 21.
+/// L_DDL, eq. 21: the second derivative of the displacement and the first of the velocity against
+/// the acceleration, as mean squares and as MMD. Derivatives are central differences over the inner
+/// samples; `step` is the dimensionless time between two samples.
 template <class T>
 LossOf<T> differential_loss(const BatchMotion<T>& motion, double step);
 
-/// L_DT, eq. 22, for k~ and c~ as [batch, 2] and the windows' labels.
+/// L_DT, eq. 22: the mean square of the dimensionless equation of motion (physics.hpp) over the
+/// batch, for (k~, c~) [batch, 2]. The gradient by k~ also goes through the static equilibrium.
 template <class T>
 LossOf<T> twin_loss(const RowArray<T>& k_and_c, const BatchMotion<T>& motion,
-                    std::span<const std::int32_t> labels, const Physics& physics);
+                    std::span<const Label> labels, const Physics& physics);
 
 }  // namespace piae::twin

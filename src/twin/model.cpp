@@ -2,12 +2,24 @@
 
 namespace piae::twin {
 
+namespace {
+
+Keep read_keep(const artefact::Reader& reader) {
+  const std::string word = reader.text("/", "keep");
+  for (const Keep keep : {Keep::best, Keep::final}) {
+    if (word == to_string(keep)) return keep;
+  }
+  reader.refuse("keep", "is '" + word + "'; known are best and final");
+}
+
+}  // namespace
+
 void write(artefact::Writer& writer, const ModelDescription& description) {
   signal::write(writer, description.info);
   writer.attribute("/", "samples", description.shape.samples);
   writer.attribute("/", "depth", std::int64_t{description.options.depth});
   writer.attribute("/", "width", std::int64_t{description.options.width});
-  writer.attribute("/", "keep", description.options.keep);
+  writer.attribute("/", "keep", std::string(to_string(description.options.keep)));
   writer.numbers("/classes/acceleration", description.acceleration);
 }
 
@@ -15,10 +27,11 @@ ModelDescription read_model_description(const artefact::Reader& reader) {
   ModelDescription description;
   description.info = signal::read_dataset_info(reader);
   const std::size_t classes = description.info.classes.size();
-  description.shape = {reader.integer("/", "samples"), static_cast<std::int64_t>(classes)};
+  description.shape = {.samples = reader.integer("/", "samples"),
+                       .classes = static_cast<std::int64_t>(classes)};
   description.options.depth = static_cast<int>(reader.integer("/", "depth"));
   description.options.width = static_cast<int>(reader.integer("/", "width"));
-  description.options.keep = reader.text("/", "keep");
+  description.options.keep = read_keep(reader);
   description.acceleration = reader.numbers<double>("/classes/acceleration", {classes}).values;
   if (description.shape.samples < 1 || description.options.depth < 1 ||
       description.options.width < 1) {

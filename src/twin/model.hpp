@@ -11,15 +11,16 @@
 
 namespace piae::twin {
 
-/// What a stored model says about itself besides its weights.
+/// What a model says about itself besides its weights.
 struct ModelDescription {
   signal::DatasetInfo info;
   NetworkShape shape;
-  TwinOptions options;               ///< depth, width and keep are stored: they shape the networks
-  std::vector<double> acceleration;  ///< a_ref per class, in the recordings' unit
+  TwinOptions options;               ///< of these, only depth, width and keep are stored
+  std::vector<double> acceleration;  ///< a_ref of each class, in the recordings' unit
 };
 
 void write(artefact::Writer& writer, const ModelDescription& description);
+/// Throws artefact::Refusal for sizes that are not positive, and for an unknown word of keep.
 ModelDescription read_model_description(const artefact::Reader& reader);
 
 }  // namespace piae::twin

@@ -4,10 +4,10 @@
 
 namespace piae::twin {
 
-/// Sizes that the networks share.
+/// The sizes that all networks of a twin share.
 struct NetworkShape {
-  std::int64_t samples = 0;  ///< of a window, N
-  std::int64_t classes = 0;  ///< of the dataset; the label enters as a one-hot vector
+  std::int64_t samples = 0;  ///< N, in a window
+  std::int64_t classes = 0;  ///< in the dataset; a label is given as a one-hot vector of these
 };
 
 }  // namespace piae::twin

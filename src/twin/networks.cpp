@@ -9,19 +9,21 @@ namespace {
 
 using Eigen::Index;
 
-/// As LibTorch's: beyond 20 it is the identity.
+/// ln(1 + e^x). As in LibTorch, it is the identity beyond 20, where the two agree in float.
 float softplus(float x) { return x > 20 ? x : std::log1p(std::exp(x)); }
 
-std::unique_ptr<nets::DenseChain<float>> chain(nets::Parameters<float>& parameters, bool exists,
-                                               const std::string& name, std::int64_t rows) {
+std::unique_ptr<nets::DenseChain<float>> chain(
+    const std::shared_ptr<nets::Parameters<float>>& parameters, bool exists,
+    const std::string& name, std::int64_t rows) {
   if (!exists) return nullptr;
   return std::make_unique<nets::DenseChain<float>>(parameters, name, rows);
 }
 
 }  // namespace
 
-Networks::Networks(nets::Parameters<float>& parameters, const TwinVariant& variant,
-                               const NetworkShape& network_shape, std::int64_t most_windows)
+Networks::Networks(const std::shared_ptr<nets::Parameters<float>>& parameters,
+                   const TwinVariant& variant, const NetworkShape& network_shape,
+                   std::int64_t most_windows)
     : shape(network_shape),
       encoder(chain(parameters, variant.encoder, encoder_name, most_windows)),
       decoder(chain(parameters, true, decoder_name, 2 * most_windows)),
@@ -33,8 +35,7 @@ RowArray<float> Networks::encode(const RowArray<float>& windows) {
       .unaryExpr(&softplus);
 }
 
-RowArray<float> Networks::decode(const RowArray<float>& inputs,
-                                       std::span<const std::int32_t> labels) {
+RowArray<float> Networks::decode(const RowArray<float>& inputs, std::span<const Label> labels) {
   for (Index i = 0; i < inputs.rows(); ++i) {
     float* const row = decoder->input().row(i);
     row[0] = inputs(i, 0);
@@ -50,12 +51,13 @@ BatchMotion<float> Networks::move(const RowArray<float>& acceleration) {
     float* const row = module->input().row(i);
     std::copy_n(acceleration.row(i).data(), shape.samples, row);
     Eigen::Map<Eigen::ArrayXf>(row + shape.samples, shape.samples) =
-        Eigen::ArrayXf::LinSpaced(shape.samples, 0, 1);  // times of the samples
+        Eigen::ArrayXf::LinSpaced(shape.samples, 0, 1);  // the times of the samples
   }
   const nets::Rows<const float> moved = module->forward(rows);
   const nets::Rows<const float> velocity{moved.data + shape.samples, moved.stride};
-  return {nets::copied(moved, rows, shape.samples), nets::copied(velocity, rows, shape.samples),
-          acceleration};
+  return {.displacement = nets::copied(moved, rows, shape.samples),
+          .velocity = nets::copied(velocity, rows, shape.samples),
+          .acceleration = acceleration};
 }
 
 RowArray<float> softplus_slope(const RowArray<float>& k_and_c) { return -(-k_and_c).expm1(); }
@@ -85,7 +87,7 @@ RowArray<float> as_rows(std::span<const TwinPoint> points) {
 
 std::vector<TwinPoint> as_points(const RowArray<float>& rows) {
   std::vector<TwinPoint> points;
-  for (Index i = 0; i < rows.rows(); ++i) points.push_back({rows(i, 0), rows(i, 1)});
+  for (Index i = 0; i < rows.rows(); ++i) points.push_back({.k = rows(i, 0), .c = rows(i, 1)});
   return points;
 }
 

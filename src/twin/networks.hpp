@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "base/label.hpp"
 #include "nets/dense_chain.hpp"
 #include "nets/parameters.hpp"
 #include "twin/losses.hpp"
@@ -14,18 +15,19 @@
 
 namespace piae::twin {
 
-/// Encoder, decoder and physics-informed module (networks.hpp) as chains for one core. Those that a
-/// variant does not have are null.
+/// Encoder, decoder and physics-informed module as chains of dense layers for one core. Those that
+/// a variant does not have are null.
 struct Networks {
-  /// For batches of up to `most_windows`, and twice as many gradients.
-  Networks(nets::Parameters<float>& parameters, const TwinVariant& variant,
-                 const NetworkShape& shape, std::int64_t most_windows);
+  /// For batches of up to `most_windows` windows. Decoder and module have room for two signals of
+  /// such a batch (DenseChain::backward).
+  Networks(const std::shared_ptr<nets::Parameters<float>>& parameters, const TwinVariant& variant,
+           const NetworkShape& shape, std::int64_t most_windows);
 
   /// Eq. 16: windows [batch, N] -> (k~, c~), [batch, 2].
   RowArray<float> encode(const RowArray<float>& windows);
-  /// Eq. 17: acceleration [batch, N]; inputs are [batch, 2].
-  RowArray<float> decode(const RowArray<float>& inputs, std::span<const std::int32_t> labels);
-  /// Eq. 18.
+  /// Eq. 17: (k~, c~) [batch, 2] and labels [batch] -> acceleration [batch, N].
+  RowArray<float> decode(const RowArray<float>& inputs, std::span<const Label> labels);
+  /// Eq. 18: acceleration [batch, N] -> displacement and velocity, [batch, N] each.
   BatchMotion<float> move(const RowArray<float>& acceleration);
 
   NetworkShape shape;
@@ -34,14 +36,15 @@ struct Networks {
   std::unique_ptr<nets::DenseChain<float>> module;
 };
 
-/// The slope of eq. 16's softplus where it gave these: 1 - exp(-k), to all digits of a small k.
+/// The slope of eq. 16's softplus at the places where it gave these values: 1 - exp(-k~), computed
+/// so that a small k~ loses no digits.
 RowArray<float> softplus_slope(const RowArray<float>& k_and_c);
 
-/// As [n, 2], and back.
+/// Points as an array [n, 2], and back.
 RowArray<float> as_rows(std::span<const TwinPoint> points);
 std::vector<TwinPoint> as_points(const RowArray<float>& rows);
 
-/// Eq. 16 for any number of windows [n, N], `batch` at a time.
+/// Eq. 16 for any number of windows [n, N], of which `batch` are encoded at a time.
 std::vector<TwinPoint> encode_all(Networks& networks, std::span<const float> windows,
                                   std::int64_t batch);
 

@@ -2,6 +2,8 @@
 
 namespace piae::twin {
 
+const char* to_string(Keep keep) { return keep == Keep::best ? "best" : "final"; }
+
 void bind(const cli::Options& command, TwinOptions& o) {
   command.add("--epochs", o.epochs, "passes over the known windows").check(cli::positive_number());
   command.add("--batch", o.batch, "windows in a batch").check(cli::positive_number());
@@ -18,15 +20,18 @@ void bind(const cli::Options& command, TwinOptions& o) {
   command
       .add("--stage-epochs", o.stage_epochs, "epochs in Stage 1 (eq. 24), then in Stage 2 (eq. 25)")
       .check(cli::positive_number());
-  command
-      .add("--loss-weights", o.loss_weights,
-           "alpha, beta, gamma of eq. 23: adaptive, adaptive-without-log (the term that holds them "
-           "above zero), or fixed (at 1)")
-      .check(cli::one_of({"adaptive", "adaptive-without-log", "fixed"}));
+  command.choose(
+      "--loss-weights", o.loss_weights,
+      {{"adaptive", LossWeights::adaptive},
+       {"adaptive-without-log", LossWeights::adaptive_without_log},
+       {"fixed", LossWeights::fixed}},
+      "alpha, beta, gamma of eq. 23: adaptive, adaptive-without-log (the term that holds them "
+      "above zero), or fixed (at 1)");
   command.add("--space-bins", o.space_bins, "bins of the digital twin space, for k and for c")
       .check(cli::whole_number(1, 1000));
-  command.add("--keep", o.keep, "model that generates: best (lowest training loss) or final")
-      .check(cli::one_of({"best", "final"}));
+  command.choose("--keep", o.keep,
+                 {{to_string(Keep::best), Keep::best}, {to_string(Keep::final), Keep::final}},
+                 "model that generates: best (lowest training loss) or final");
   command.add("--mass-kg", o.mass_kg, "M of eq. 22, kg").check(cli::positive_number());
   command.add("--load-n", o.load_n, "W of eq. 22, N").check(cli::positive_number());
   command.add("--clearance-um", o.clearance_um, "radial clearance of eq. 11, micrometres")

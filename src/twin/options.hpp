@@ -1,12 +1,27 @@
 #pragma once
 
-#include <string>
-
 #include "cli/options.hpp"
 
 namespace piae::twin {
 
-/// Settings of PIAE-DT. "Table 4" is the paper's; what the paper leaves open is said so.
+/// How alpha, beta and gamma of eq. 23 are found (paper 4.5.5, Fig. 19c).
+enum class LossWeights {
+  adaptive,              ///< learned by eq. 23 as it stands
+  adaptive_without_log,  ///< learned by eq. 23 without its logarithms, so that they only shrink
+  fixed,                 ///< not learned: all three stay at 1
+};
+
+/// Which of its parameters a training hands to the generation.
+enum class Keep {
+  best,   ///< those after the epoch whose batches had the lowest mean of L_Rec + L_DDL + L_DT
+  final,  ///< those after the last epoch
+};
+
+/// The word for it: on the command line, in a stored model, and of the group of the weights there.
+const char* to_string(Keep keep);
+
+/// The settings of PIAE-DT. "Table 4" is a table of the paper; "open" means that the paper does not
+/// say.
 struct TwinOptions {
   int epochs = 200;                ///< Table 4
   int batch = 5;                   ///< Table 4
@@ -18,13 +33,8 @@ struct TwinOptions {
   int width = 256;                 ///< units of a hidden dense layer; open in the paper
   int stage_epochs = 1;            ///< epochs in Stage 1, then in Stage 2; open in the paper
   int space_bins = 10;             ///< of the histogram, for k and for c; open in the paper
-  /// How alpha, beta and gamma of eq. 23 are had (paper 4.5.5, Fig. 19c): "adaptive", learned with
-  /// the equation as it stands; "adaptive-without-log", learned without its logarithms, by which
-  /// they shrink towards zero throughout; "fixed" at 1.
-  std::string loss_weights = "adaptive";
-  std::string keep = "best";  ///< which model generates: "final", or "best" (after
-                              ///< the epoch with the lowest mean of L_Rec + L_DDL + L_DT
-                              ///< over its batches); open
+  LossWeights loss_weights = LossWeights::adaptive;
+  Keep keep = Keep::best;     ///< open: the paper trains both and does not say which generates
   double mass_kg = 1.0;       ///< M of eq. 22; open, working set of the project's notes
   double load_n = 1000.0;     ///< W of eq. 22; open, working set
   double clearance_um = 2.0;  ///< gamma of eq. 11; open, working set

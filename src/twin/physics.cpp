@@ -28,8 +28,9 @@ Physics make_physics(const signal::DatasetInfo& info, const std::vector<double>&
 }
 
 double static_equilibrium_m(double stiffness_n_per_m, double deflection_m, const Physics& physics) {
-  // Neither the spring nor the contact carries more than the load: the smaller of their deflections
-  // under it is never too small. An encoder may well put the stiffness at 0.
+  // Neither the spring nor the contact carries more than the load, so s_0 is at most the smaller of
+  // the displacements at which one of them alone would carry it. The encoder may infer a stiffness
+  // of 0, at which the spring's is infinite.
   const double contact_alone =
       deflection_m + std::pow(physics.load_n / physics.contact_n_per_m15, 2.0 / 3.0);
   double s = std::min(physics.load_n / stiffness_n_per_m, contact_alone);

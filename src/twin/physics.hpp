@@ -9,11 +9,11 @@
 
 namespace piae::twin {
 
-/// Baselines of eq. 19: k = k~ * 1e8 N/m, c = c~ * 1e2 N s/m.
+/// The baselines of eq. 19: k = k~ * 1e8 N/m, c = c~ * 1e2 N s/m.
 inline constexpr double stiffness_scale_n_per_m = 1e8;
 inline constexpr double damping_scale_ns_per_m = 1e2;
 
-/// A point of the twin space in units, and back.
+/// A point of the twin space as stiffness and damping in units, and back.
 inline signal::DynamicParameters in_units(const TwinPoint& point) {
   return {point.k * stiffness_scale_n_per_m, point.c * damping_scale_ns_per_m};
 }
@@ -22,15 +22,15 @@ inline TwinPoint without_units(const signal::DynamicParameters& p) {
           p.damping_ns_per_m / damping_scale_ns_per_m};
 }
 
-/// What the digital twin loss (eq. 22) needs to be free of units.
+/// The constants with which the digital twin loss (eq. 22) has no units.
 ///
 /// Time is measured in 1/omega_0 with omega_0 = sqrt(1e8 N/m / M), acceleration in a_ref (the RMS
 /// of the class's known windows), velocity in a_ref / omega_0 and displacement in a_ref /
 /// omega_0^2. Divided by M * a_ref, eq. 22 reads
 ///     a + (c~ * damping) * v + k~ * u + contact(u) = 0
-/// where u is the displacement from static equilibrium: an accelerometer sees only the deviation,
-/// so the load W enters through the equilibrium s_0, k s_0 + K_b max(s_0 - delta, 0)^1.5 = W,
-/// around which the contact force is taken.
+/// where u is the displacement from static equilibrium, because an accelerometer sees only the
+/// deviation from it. The load W enters through the equilibrium s_0, which solves
+/// k s_0 + K_b max(s_0 - delta, 0)^1.5 = W; the contact force is taken relative to that at s_0.
 struct Physics {
   double mass_kg = 0;
   double load_n = 0;
@@ -38,8 +38,8 @@ struct Physics {
   double omega_0 = 0;                ///< rad/s
   double step = 0;                   ///< omega_0 / sample rate: dimensionless time between samples
   double damping = 0;                ///< 1e2 N s/m / (M * omega_0)
-  std::vector<double> deflection_m;  ///< delta per class, eq. 11: clearance plus defect depth
-  std::vector<double> acceleration_m_s2;  ///< a_ref per class
+  std::vector<double> deflection_m;  ///< delta of each class, eq. 11: clearance plus defect depth
+  std::vector<double> acceleration_m_s2;  ///< a_ref of each class
 };
 
 /// `acceleration` is the RMS of each class's windows in the recordings' unit, which is
@@ -47,9 +47,9 @@ struct Physics {
 Physics make_physics(const signal::DatasetInfo& info, const std::vector<double>& acceleration,
                      const TwinOptions& options);
 
-/// s_0 in metres for stiffness k: the root of k s + K_b max(s - delta, 0)^1.5 = W, by Newton's
-/// method from above, where the function is convex and increasing. The stiffness may be 0, where
-/// the contact carries the load.
+/// s_0 in metres for a stiffness k: the root of k s + K_b max(s - delta, 0)^1.5 = W. Newton's
+/// method finds it from above, because the function is convex and increasing there. The stiffness
+/// may be 0; then the contact alone carries the load.
 double static_equilibrium_m(double stiffness_n_per_m, double deflection_m, const Physics& physics);
 
 }  // namespace piae::twin

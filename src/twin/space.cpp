@@ -30,6 +30,20 @@ std::size_t bin_of(double value, const std::vector<double>& edges) {
 
 }  // namespace
 
+void write_points(artefact::Writer& writer, const std::string& name,
+                  const std::vector<TwinPoint>& points) {
+  std::vector<double> flat;
+  for (const TwinPoint& point : points) flat.insert(flat.end(), {point.k, point.c});
+  writer.numbers(name, flat, {points.size(), 2});
+}
+
+std::vector<TwinPoint> read_points(const artefact::Reader& reader, const std::string& name) {
+  const auto flat = reader.numbers<double>(name, {0, 2}).values;
+  std::vector<TwinPoint> points;
+  for (std::size_t i = 0; i < flat.size(); i += 2) points.push_back({flat[i], flat[i + 1]});
+  return points;
+}
+
 TwinSpace::TwinSpace(const std::vector<TwinPoint>& points, int bins)
     : points_(points),
       k_edges_(edges_over(points, &TwinPoint::k, bins)),
@@ -41,9 +55,8 @@ TwinSpace::TwinSpace(const std::vector<TwinPoint>& points, int bins)
   }
 }
 
-TwinSpace::TwinSpace(const artefact::Reader& reader) {
-  const auto flat = reader.numbers<double>(group + "/points", {0, 2}).values;
-  for (std::size_t i = 0; i < flat.size(); i += 2) points_.push_back({flat[i], flat[i + 1]});
+TwinSpace::TwinSpace(const artefact::Reader& reader)
+    : points_(read_points(reader, group + "/points")) {
   k_edges_ = reader.numbers<double>(group + "/k_edges", {0}).values;
   c_edges_ = reader.numbers<double>(group + "/c_edges", {0}).values;
   if (k_edges_.size() < 2 || c_edges_.size() < 2) reader.refuse(group, "has no bins");
@@ -65,16 +78,14 @@ TwinPoint TwinSpace::sample(Stream& stream) const {
   const std::size_t row = bin / (c_edges_.size() - 1);
   const std::size_t column = bin % (c_edges_.size() - 1);
   const auto within = [&](double low, double high) {
-    return low < high ? stream.uniform(low, high) : low;  // all known windows may agree
+    return low < high ? stream.uniform(low, high) : low;  // all known windows may have one value
   };
   const double k = within(k_edges_[row], k_edges_[row + 1]);
   return {k, within(c_edges_[column], c_edges_[column + 1])};
 }
 
 void TwinSpace::write(artefact::Writer& writer) const {
-  std::vector<double> flat;
-  for (const TwinPoint& point : points_) flat.insert(flat.end(), {point.k, point.c});
-  writer.numbers(group + "/points", flat, {points_.size(), 2});
+  write_points(writer, group + "/points", points_);
   writer.numbers(group + "/k_edges", k_edges_);
   writer.numbers(group + "/c_edges", c_edges_);
   writer.numbers(group + "/counts", counts_, {k_edges_.size() - 1, c_edges_.size() - 1});

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "artefact/reader.hpp"
@@ -10,24 +10,31 @@
 
 namespace piae::twin {
 
-/// One point of the digital twin space: k~ and c~ of eq. 19.
+/// One point of the digital twin space: k~ and c~ of eq. 19, without units.
 struct TwinPoint {
   double k = 0;
   double c = 0;
 };
 
+/// Points as a dataset [n, 2] of that name, and back.
+void write_points(artefact::Writer& writer, const std::string& name,
+                  const std::vector<TwinPoint>& points);
+std::vector<TwinPoint> read_points(const artefact::Reader& reader, const std::string& name);
+
 /// The digital twin space (paper 3.2 and 4.4.2, eqs 14 and 15): the joint histogram of (k~, c~)
-/// over all known windows, taken as a probability distribution.
+/// over all known windows, used as a probability distribution.
 class TwinSpace {
  public:
   /// Bins of equal width between the smallest and the largest value of each parameter.
   TwinSpace(const std::vector<TwinPoint>& points, int bins);
+  /// Reads what write() wrote. Throws artefact::Refusal for what is no histogram.
   explicit TwinSpace(const artefact::Reader& reader);
 
-  /// A bin by its frequency, then uniform within the bin.
+  /// Draws a bin by its frequency, then a point that is uniform within the bin.
   [[nodiscard]] TwinPoint sample(Stream& stream) const;
 
-  /// /twin_space/points [n, 2], k_edges and c_edges [bins + 1], counts [bins, bins] (k by c).
+  /// As /twin_space/points [n, 2], k_edges and c_edges [bins + 1], and counts [bins, bins] (k by
+  /// c).
   void write(artefact::Writer& writer) const;
 
   [[nodiscard]] const std::vector<TwinPoint>& points() const { return points_; }

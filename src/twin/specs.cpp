@@ -2,17 +2,9 @@
 
 namespace piae::twin {
 
-namespace {
-
-void append(std::vector<nets::ParameterSpec>& specs, const std::vector<nets::ParameterSpec>& more) {
-  specs.insert(specs.end(), more.begin(), more.end());
-}
-
-}  // namespace
-
 std::vector<nets::ParameterSpec> dense_coder_specs(const NetworkShape& shape,
                                                    const TwinOptions& options) {
-  const nets::DenseSize size{options.depth, options.width};
+  const nets::DenseSize size{.depth = options.depth, .width = options.width};
   auto specs = nets::dense_chain_specs(encoder_name, shape.samples, 2, size);
   append(specs, nets::dense_chain_specs(decoder_name, 2 + shape.classes, shape.samples, size));
   return specs;
@@ -27,13 +19,13 @@ std::vector<nets::ParameterSpec> network_specs(const TwinVariant& variant,
   }
   if (variant.physics) {
     append(coder, nets::dense_chain_specs(module_name, 2 * shape.samples, 2 * shape.samples,
-                                          {options.depth, options.width}));
+                                          {.depth = options.depth, .width = options.width}));
   }
   return coder;
 }
 
 std::vector<nets::ParameterSpec> with_log_weights(std::vector<nets::ParameterSpec> networks) {
-  networks.push_back({log_weights_name, {3}});
+  networks.push_back({.name = log_weights_name, .shape = {3}});
   return networks;
 }
 

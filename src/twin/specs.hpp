@@ -10,26 +10,27 @@
 
 namespace piae::twin {
 
-/// What the names of each network's parameters begin with, before a slash.
+/// The names of the parameters of each network begin with these, followed by a slash.
 inline const std::string encoder_name = "net/encoder";
 inline const std::string decoder_name = "net/decoder";
 inline const std::string module_name = "net/physics";
 /// ln alpha, ln beta and ln gamma of eq. 23.
 inline const std::string log_weights_name = "loss/log_weights";
 
-/// Encoder and decoder of PIAE-DT itself (eqs 16 and 17): chains of `depth` dense layers, `width`
-/// wide, with ReLU between: [N] -> [2] and [2 + classes] -> [N].
+/// The parameters of encoder and decoder of PIAE-DT itself (eqs 16 and 17): chains of `depth` dense
+/// layers, `width` wide, with ReLU between them, [N] -> [2] and [2 + classes] -> [N].
 std::vector<nets::ParameterSpec> dense_coder_specs(const NetworkShape& shape,
                                                    const TwinOptions& options);
 
-/// Of all networks that the variant has, made of these of encoder and decoder; eq. 18's module,
-/// acceleration and times [2 N] -> displacement and velocity [2 N], is dense in all of them.
+/// The parameters of all networks that the variant has. `coder` holds those of encoder and decoder.
+/// The module of eq. 18, acceleration and times [2 N] -> displacement and velocity [2 N], is a
+/// chain of dense layers in every variant.
 std::vector<nets::ParameterSpec> network_specs(const TwinVariant& variant,
                                                const NetworkShape& shape,
                                                const TwinOptions& options,
                                                std::vector<nets::ParameterSpec> coder);
 
-/// With the weights of the losses, alpha = beta = gamma = 1 at the start.
+/// The same with the weights of the losses behind them: alpha = beta = gamma = 1 at the start.
 std::vector<nets::ParameterSpec> with_log_weights(std::vector<nets::ParameterSpec> networks);
 
 }  // namespace piae::twin

@@ -2,35 +2,42 @@
 
 #include <spdlog/fmt/fmt.h>
 
-#include <array>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "base/error.hpp"
+#include "nets/divergence.hpp"
 #include "nets/stored_parameters.hpp"
 #include "signal/amplitude.hpp"
-#include "twin/curves.hpp"
 #include "signal/scaling.hpp"
-#include "twin/specs.hpp"
+#include "twin/curves.hpp"
+#include "twin/model.hpp"
 
 namespace piae::twin {
 
 namespace {
 
-TwinTask make_task(const signal::WindowSet& known, const TwinOptions& options,
-                   const TwinVariant& variant, const std::vector<double>& scale,
-                   const std::optional<KnownStates>& states) {
-  return {variant,
-          options,
-          {static_cast<std::int64_t>(known.length),
-           static_cast<std::int64_t>(known.info.classes.size())},
-          make_physics(known.info, scale, options),
-          signal::scaled_windows(known, scale),
-          known.labels,
-          states};
+ModelDescription describe(const signal::WindowSet& known, const TwinOptions& options) {
+  return {.info = known.info,
+          .shape = {.samples = static_cast<std::int64_t>(known.length),
+                    .classes = static_cast<std::int64_t>(known.info.classes.size())},
+          .options = options,
+          .acceleration = signal::rms_by_class(known)};
 }
 
-/// Sums over the batches of an epoch.
+TwinTask make_task(const signal::WindowSet& known, const ModelDescription& model,
+                   const TwinVariant& variant, const std::optional<KnownStates>& states) {
+  return {.variant = variant,
+          .options = model.options,
+          .shape = model.shape,
+          .physics = make_physics(known.info, model.acceleration, model.options),
+          .windows = signal::scaled_windows(known, model.acceleration),
+          .labels = known.labels,
+          .states = states};
+}
+
+/// The losses summed over the batches of an epoch.
 struct EpochSums {
   BatchLosses losses;
   int batches = 0;
@@ -45,7 +52,7 @@ struct EpochSums {
 };
 
 void require_derivatives(const signal::WindowSet& known, const TwinVariant& variant) {
-  constexpr std::size_t shortest = 3;  // of which one sample has a second derivative
+  constexpr std::size_t shortest = 3;  // a second derivative needs a sample on either side
   if (!variant.physics || known.length >= shortest) return;
   throw Error(Exit::usage, fmt::format("windows of {} samples: the physics-informed module needs "
                                        "{} or more",
@@ -57,21 +64,20 @@ class Training final : public TwinTraining {
   Training(const signal::WindowSet& known, const TwinOptions& options, const TwinVariant& variant,
            const Stream& stream, const Engine& engine, const std::optional<KnownStates>& states)
       : stream_(stream),
-        info_(known.info),
-        scale_(signal::rms_by_class(known)),
-        task_(make_task(known, options, variant, scale_, states)),
-        backend_(engine.train(task_, stream.child("initial"))),
+        model_(describe(known, options)),
+        windows_(known.size()),
+        backend_(engine.train(make_task(known, model_, variant, states), stream.child("initial"))),
         best_(values()) {}
 
   [[nodiscard]] std::size_t epochs() const override {
-    return static_cast<std::size_t>(task_.options.epochs);
+    return static_cast<std::size_t>(model_.options.epochs);
   }
 
   std::string run_epoch(std::size_t epoch) override {
     Stream shuffle = stream_.child("epoch" + std::to_string(epoch));
-    const std::vector<std::size_t> order = shuffle.permutation(task_.labels.size());
-    const auto batch = static_cast<std::size_t>(task_.options.batch);
-    const bool even = epoch / static_cast<std::size_t>(task_.options.stage_epochs) % 2 == 0;
+    const std::vector<std::size_t> order = shuffle.permutation(windows_);
+    const auto batch = static_cast<std::size_t>(model_.options.batch);
+    const bool even = epoch / static_cast<std::size_t>(model_.options.stage_epochs) % 2 == 0;
     const TrainingStage stage = even ? TrainingStage::one : TrainingStage::two;
     const double learning_rate = learning_rate_at(epoch);
     EpochSums sums;
@@ -103,11 +109,11 @@ class Training final : public TwinTraining {
   }
 
   void write_model(artefact::Writer& writer) override {
-    write(writer, ModelDescription{info_, task_.shape, task_.options, scale_});
+    write(writer, model_);
     nets::write_parameters(writer, "/final", backend_->specs(), values());
     nets::write_parameters(writer, "/best", backend_->specs(), best_);
-    if (task_.options.keep == "best") backend_->set_values(best_);
-    TwinSpace(backend_->states(), task_.options.space_bins).write(writer);  // eqs 14 and 15
+    if (model_.options.keep == Keep::best) backend_->set_values(best_);
+    TwinSpace(backend_->states(), model_.options.space_bins).write(writer);  // eqs 14 and 15
     backend_->write_adam(writer, "/adam");
     writer.attribute("/", "best_epoch", best_epoch_);
     curves_.write(writer);
@@ -121,7 +127,7 @@ class Training final : public TwinTraining {
   }
 
   [[nodiscard]] double learning_rate_at(std::size_t epoch) const {
-    const TwinOptions& o = task_.options;
+    const TwinOptions& o = model_.options;
     const std::size_t decays = epoch / static_cast<std::size_t>(o.decay_every);
     return o.learning_rate * std::pow(o.decay, static_cast<double>(decays));
   }
@@ -138,12 +144,10 @@ class Training final : public TwinTraining {
     curves_.alpha.push_back(std::exp(log_alpha));
     curves_.beta.push_back(std::exp(log_beta));
     curves_.gamma.push_back(std::exp(log_gamma));
-    // The weights move, so totals of two epochs do not compare; the plain sum of the losses does.
+    // The weights of the losses change, so the totals of two epochs cannot be compared. The plain
+    // sum of the losses can.
     const double loss = (losses.reconstruction + losses.differential + losses.twin) / n;
-    if (!std::isfinite(loss)) {
-      throw Error(Exit::failed, "training diverged in epoch " + std::to_string(epoch + 1) +
-                                    "; a smaller --learning-rate may help");
-    }
+    nets::require_finite(loss, "training", epoch + 1, {.value = model_.options.learning_rate});
     if (loss < best_loss_) {
       best_loss_ = loss;
       best_epoch_ = static_cast<std::int64_t>(epoch) + 1;
@@ -152,11 +156,10 @@ class Training final : public TwinTraining {
   }
 
   Stream stream_;
-  signal::DatasetInfo info_;
-  std::vector<double> scale_;  // RMS of each class
-  TwinTask task_;
+  ModelDescription model_;
+  std::size_t windows_;  // known ones
   std::unique_ptr<TwinBackend> backend_;
-  std::vector<float> best_;
+  std::vector<float> best_;  // values of all parameters after the best epoch
   double best_loss_ = std::numeric_limits<double>::infinity();
   std::int64_t best_epoch_ = 0;
   Curves curves_;

@@ -2,19 +2,19 @@
 
 namespace piae::twin {
 
-/// What encoder and decoder are made of.
+/// The kind of layers that encoder and decoder are made of.
 enum class CoderKind { dense, convolutional, recurrent };
 
-/// The one part in which an ablation differs from PIAE-DT (paper 4.5.4); everything else, settings
-/// included, is the same.
+/// What a variant of PIAE-DT is made of. An ablation (paper 4.5.4) differs from PIAE-DT in one of
+/// these parts; everything else, settings included, is the same.
 struct TwinVariant {
   CoderKind coder = CoderKind::dense;
-  /// Without the physics-informed module there is neither L_DDL nor L_DT, and encoder and decoder
-  /// follow L_Rec (eq. 20) alone. What they then call k~ and c~, and store as such, is a pair of
-  /// positive numbers without a physical meaning.
+  /// Whether there is the physics-informed module. Without it there is neither L_DDL nor L_DT, and
+  /// encoder and decoder follow L_Rec (eq. 20) alone. What they then call k~ and c~, and store as
+  /// such, are two positive numbers without a physical meaning.
   bool physics = true;
-  /// Without the encoder, (k~, c~) of the known windows are given: they were inferred otherwise
-  /// (phase/).
+  /// Whether there is the encoder. Without it the (k~, c~) of the known windows must be given,
+  /// since something else inferred them (phase/).
   bool encoder = true;
 };
 

@@ -1,7 +1,7 @@
 #include "verification/verify.hpp"
 
+#include <algorithm>
 #include <map>
-#include <set>
 
 #include "scoring/diagnosis_record.hpp"
 #include "scoring/quality_record.hpp"
@@ -13,42 +13,60 @@ namespace piae::verification {
 
 namespace {
 
-using artefact::Fault;
 using artefact::Reader;
+using artefact::RefusalReason;
 
-/// Roles of one split, by dataset, protocol and seed.
+/// The roles of each split among the files, by its dataset, protocol and seed.
 using Splits = std::map<std::string, std::vector<signal::RoleSet>>;
 
+void check_records(const Reader& reader, Splits& /*splits*/) {
+  (void)signal::read_recordings(reader);
+}
+
 void check_windows(const Reader& reader, Splits& splits) {
-  const std::string role = reader.text("/", "role");
-  if (role == "E") {
+  const signal::Role role = signal::read_role(reader);
+  if (role == signal::Role::generated) {
     signal::require_classes(reader, role, signal::read_window_set(reader));
     return;
   }
   signal::RoleSet set = signal::read_role_set(reader);
   signal::require_classes(reader, role, set.windows);
   const std::string split =
-      set.windows.info.name + " " + set.protocol + " " + std::to_string(set.seed);
-  set.windows.samples.clear();  // the proof needs their places alone
+      set.windows.info.name + " " + to_string(set.protocol) + " " + std::to_string(set.seed);
+  set.windows.samples.clear();  // check_roles() needs only where the windows were cut
   splits[split].push_back(std::move(set));
 }
 
-void require_known_kind(const Reader& reader) {
-  static const std::set<std::string> known{"records", "windows",   "model",
-                                           "score",   "diagnosis", "checkpoint"};
-  if (known.contains(reader.kind())) return;
-  throw artefact::Refusal(
-      Exit::bad_input, Fault::wrong_kind,
-      reader.path().string() + ": is of kind '" + reader.kind() + "', which no stage makes");
+void check_score(const Reader& reader, Splits& /*splits*/) { (void)scoring::read_quality(reader); }
+
+void check_diagnosis(const Reader& reader, Splits& /*splits*/) {
+  (void)scoring::read_diagnosis(reader);
 }
 
+/// What a model or a checkpoint holds depends on its method, so nothing is known of it here.
+void check_nothing_more(const Reader& /*reader*/, Splits& /*splits*/) {}
+
+/// A kind of artefact, and the check of what an artefact of this kind must hold.
+struct Kind {
+  const char* name;
+  void (*check)(const Reader& reader, Splits& splits);
+};
+
+/// A new kind of artefact is added here, with its check.
+constexpr Kind kinds[] = {
+    {"records", check_records}, {"windows", check_windows},     {"model", check_nothing_more},
+    {"score", check_score},     {"diagnosis", check_diagnosis}, {"checkpoint", check_nothing_more},
+};
+
 void check_content(const Reader& reader, Splits& splits) {
-  require_known_kind(reader);
+  const auto* const kind = std::ranges::find(kinds, reader.kind(), &Kind::name);
+  if (kind == std::end(kinds)) {
+    throw artefact::Refusal(
+        Exit::bad_input, RefusalReason::wrong_kind,
+        reader.path().string() + ": is of kind '" + reader.kind() + "', which no stage makes");
+  }
   reader.require_finite();
-  if (reader.kind() == "records") (void)signal::read_recordings(reader);
-  if (reader.kind() == "windows") check_windows(reader, splits);
-  if (reader.kind() == "score") (void)scoring::read_quality(reader);
-  if (reader.kind() == "diagnosis") (void)scoring::read_diagnosis(reader);
+  kind->check(reader, splits);
 }
 
 }  // namespace
@@ -60,23 +78,23 @@ std::vector<Finding> verify(const std::vector<std::filesystem::path>& files) {
     try {
       check_content(Reader(file, ""), splits);
     } catch (const artefact::Refusal& refusal) {
-      findings.push_back({refusal.fault(), refusal.what()});
+      findings.push_back({refusal.reason(), refusal.what()});
     } catch (const std::exception& error) {
-      findings.push_back({Fault::bad_content, file.string() + ": " + error.what()});
+      findings.push_back({RefusalReason::bad_content, file.string() + ": " + error.what()});
     }
   }
   for (const auto& [name, roles] : splits) {
     for (const std::string& line : signal::check_roles(roles)) {
-      findings.push_back({Fault::roles_overlap, line});
+      findings.push_back({RefusalReason::roles_overlap, line});
     }
   }
   return findings;
 }
 
-int status_of(const std::vector<Finding>& findings) {
-  int status = 0;
-  for (const Finding& finding : findings) status |= static_cast<int>(finding.fault);
-  return status;
+int exit_code_of(const std::vector<Finding>& findings) {
+  int code = 0;
+  for (const Finding& finding : findings) code |= static_cast<int>(finding.reason);
+  return code;
 }
 
 }  // namespace piae::verification

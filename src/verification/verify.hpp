@@ -10,16 +10,18 @@ namespace piae::verification {
 
 /// One thing that is wrong, in one line that names the file.
 struct Finding {
-  artefact::Fault fault;
+  artefact::RefusalReason reason;
   std::string line;
 };
 
-/// Checks artefacts of any kinds: that each can be read, is undamaged, of a known schema, finite,
-/// and holds what its kind must hold; and that the roles of every split among them (same dataset,
-/// protocol and seed) share no window. Nothing when all is good.
+/// Checks artefacts of any kind: that each can be read, is undamaged, of a known kind and schema,
+/// finite, and holds what its kind must hold; and that no window has two roles in a split. Files
+/// are of one split when dataset, protocol and seed are the same. Returns nothing when all is good.
+///
+/// The kinds that there are stand in verify.cpp.
 std::vector<Finding> verify(const std::vector<std::filesystem::path>& files);
 
-/// The exit status of `verify`: the bit-or of the faults.
-int status_of(const std::vector<Finding>& findings);
+/// The exit code of the program `verify`: the bit-or of the reasons, 0 where there is none.
+int exit_code_of(const std::vector<Finding>& findings);
 
 }  // namespace piae::verification

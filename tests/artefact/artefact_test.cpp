@@ -143,7 +143,7 @@ TEST_F(Artefact, ATruncatedFileIsRefused) {
     spill(folder_ / "short.h5", {bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(keep)});
     const Refusal refusal = refusal_of(folder_ / "short.h5");
     EXPECT_EQ(refusal.exit(), Exit::bad_input);
-    EXPECT_EQ(refusal.fault(), Fault::unreadable);
+    EXPECT_EQ(refusal.reason(), RefusalReason::unreadable);
   }
 }
 
@@ -154,13 +154,13 @@ TEST_F(Artefact, RefusalsSayWhatAndWhere) {
   EXPECT_EQ(refusal_of(folder_).exit(), Exit::input_missing);
 
   const Refusal kind = refusal_of(example("a.h5"), "windows");
-  EXPECT_EQ(kind.fault(), Fault::wrong_kind);
+  EXPECT_EQ(kind.reason(), RefusalReason::wrong_kind);
   EXPECT_THAT(kind.what(), HasSubstr("'example'"));
   EXPECT_THAT(kind.what(), HasSubstr("'windows'"));
 
   const fs::path foreign = folder_ / "foreign.h5";
   H5Fclose(H5Fcreate(foreign.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT));
-  EXPECT_EQ(refusal_of(foreign).fault(), Fault::wrong_kind);
+  EXPECT_EQ(refusal_of(foreign).reason(), RefusalReason::wrong_kind);
 
   const Reader reader(example("b.h5"), "example");
   EXPECT_THROW((void)reader.numbers<double>("/float", {0, 0}), Refusal);  // another type

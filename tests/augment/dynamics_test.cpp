@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bearing/envelope_spectrum.hpp"
+#include "augment/methods.hpp"
 #include "bearing/kinematics.hpp"
-#include "methods.hpp"
 #include "signal/amplitude.hpp"
-#include "signal/folder.hpp"
+#include "support/envelope_spectrum.hpp"
+#include "support/errors.hpp"
 
 namespace piae::augment {
 namespace {
@@ -91,7 +91,7 @@ TEST(Dynamics, EnvelopeShowsTheFaultFrequencyOfTheClass) {
   }
 }
 
-TEST(Dynamics, ThreadsDoNotMatter) {
+TEST(Dynamics, GivesTheSameOnAnyNumberOfThreads) {
   const std::filesystem::path path = model(three_faults(256));
   const int threads = omp_get_max_threads();
   omp_set_num_threads(1);

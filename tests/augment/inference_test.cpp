@@ -1,59 +1,15 @@
 #include <gmock/gmock.h>
 
-#include "augment/methods.hpp"
-#include "base/error.hpp"
-#include "phase/simulated.hpp"
-#include "twin/physics.hpp"
-#include "twin/space.hpp"
+#include "augment/inference_cases.hpp"
 
 namespace piae::augment {
 namespace {
 
-class Inferring : public testing::TestWithParam<std::string> {
- protected:
-  static std::string options() {
-    return GetParam() == "piae-dt-phase"
-               ? "--epochs 2 --width 8 --simulations 4 --inference-epochs 2 --inference-width 8"
-               : "--epochs 2 --width 8";
-  }
-  const signal::WindowSet known_ = phase::simulated_windows(2, "known");
-  const std::filesystem::path model_ =
-      train(GetParam(), options(), known_, checkpoint_at("checkpoint"), "model.h5");
-  const artefact::Reader reader_{model_, "model"};
-};
-
-// The twin space in the model was made from the windows C by the training itself.
-TEST_P(Inferring, GivesForTheKnownWindowsThePointsOfTheTwinSpace) {
-  const auto inferred = make_method(GetParam())->infer(reader_, known_, {});
-  const std::vector<twin::TwinPoint> points = twin::TwinSpace(reader_).points();
-  ASSERT_EQ(inferred.size(), points.size());
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const double k = points[i].k * twin::stiffness_scale_n_per_m;
-    const double c = points[i].c * twin::damping_scale_ns_per_m;
-    EXPECT_NEAR(inferred[i].stiffness_n_per_m, k, 1e-5 * k) << i;
-    EXPECT_NEAR(inferred[i].damping_ns_per_m, c, 1e-5 * c) << i;
-  }
-}
-
-TEST_P(Inferring, RefusesWindowsOfOtherClasses) {
-  signal::WindowSet other = known_;
-  other.info.classes.push_back({"another", signal::Defect::inner, 1});
-  EXPECT_THROW((void)make_method(GetParam())->infer(reader_, other, {}), Error);
-}
-
-std::string test_name(const testing::TestParamInfo<std::string>& info) {
-  std::string name = info.param;
-  std::ranges::replace(name, '-', '_');
-  return name;
-}
-
-INSTANTIATE_TEST_SUITE_P(Methods, Inferring,
-                         testing::Values("piae-dt", "ae", "piae-dt-cnn", "piae-dt-rnn",
-                                         "piae-dt-phase"),
+INSTANTIATE_TEST_SUITE_P(Methods, Inferring, testing::Values("piae-dt", "ae", "piae-dt-phase"),
                          test_name);
 
 TEST(Inferring, IsNotForMethodsWithoutAnEncoder) {
-  const signal::WindowSet known = phase::simulated_windows(2, "known");
+  const signal::WindowSet known = simulated_windows(2, "known");
   artefact::Writer writer("model");
   writer.attribute("/", "method", std::string("smote"));
   writer.save(scratch_file("model.h5"), {});

@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "methods.hpp"
+#include "augment/methods.hpp"
 
 namespace piae::augment {
 namespace {
@@ -19,7 +19,7 @@ double squared_distance(std::span<const float> known, std::span<const float> gen
 
 /// Mean over generated windows of the squared distance to the nearest known one of the class.
 double distance_to_known(const std::string& method, const std::string& options) {
-  const signal::WindowSet known = twin::known_windows();
+  const signal::WindowSet known = known_windows();
   const auto model = train(method, options, known, checkpoint_at("checkpoint"), "model.h5");
   const signal::WindowSet generated = generate(method, model, 20);
   double sum = 0;

@@ -1,6 +1,6 @@
 // What every method that generates from the known windows owes the grid.
 
-#include "methods.hpp"
+#include "augment/methods.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -32,7 +32,7 @@ std::string name_of(const testing::TestParamInfo<Case>& info) {
 
 std::filesystem::path trained(const Case& method, const std::string& name,
                               const nets::Checkpoint& checkpoint) {
-  return train(method.method, method.options, twin::known_windows(), checkpoint, name);
+  return train(method.method, method.options, known_windows(), checkpoint, name);
 }
 
 class GeneratingMethod : public testing::TestWithParam<Case> {
@@ -68,7 +68,7 @@ TEST_P(GeneratingMethod, MakesTheFirstWindowsTheSameWhateverTheCount) {
   }
 }
 
-TEST_P(GeneratingMethod, MakesDifferentWindows) {
+TEST_P(GeneratingMethod, MakesWindowsThatDifferFromEachOther) {
   const signal::WindowSet windows = generate(GetParam().method, model("model.h5"), 20);
   for (std::size_t i = 0; i + 1 < windows.size(); ++i) {
     EXPECT_FALSE(std::ranges::equal(windows.window(i), windows.window(i + 1))) << i;
@@ -80,7 +80,7 @@ TEST_P(GeneratingMethod, GivesTheSameModelTwice) {
 }
 
 TEST_P(GeneratingMethod, KeepsTheUnitOfTheRecordings) {
-  signal::WindowSet known = twin::known_windows();
+  signal::WindowSet known = known_windows();
   const auto small = train(GetParam().method, GetParam().options, known,
                            checkpoint_at("small.checkpoint"), "small.h5");
   for (float& sample : known.samples) sample *= 1024;  // exact in binary
@@ -112,7 +112,7 @@ TEST_P(TrainedMethod, CutAfterAnyEpochAndContinuedEqualsAnUncutOne) {
 
 TEST_P(TrainedMethod, SaysWhenItsTrainingDiverged) {
   try {
-    train(GetParam().method, "--epochs 50 --width 8 --learning-rate 1e30", twin::known_windows(),
+    train(GetParam().method, "--epochs 50 --width 8 --learning-rate 1e30", known_windows(),
           checkpoint_at("checkpoint"), "never.h5");
     FAIL() << "did not diverge";
   } catch (const Error& error) {
@@ -122,7 +122,7 @@ TEST_P(TrainedMethod, SaysWhenItsTrainingDiverged) {
 }
 
 TEST_P(TrainedMethod, RefusesASilentClass) {
-  signal::WindowSet known = twin::known_windows();
+  signal::WindowSet known = known_windows();
   std::fill_n(known.samples.begin(), 5 * known.length, 1.0F);
   EXPECT_THROW(train(GetParam().method, "", known, checkpoint_at("checkpoint"), "never.h5"), Error);
 }

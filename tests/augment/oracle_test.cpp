@@ -1,7 +1,7 @@
 #include <set>
 
+#include "augment/methods.hpp"
 #include "base/error.hpp"
-#include "methods.hpp"
 
 namespace piae::augment {
 namespace {
@@ -9,7 +9,7 @@ namespace {
 /// 30 real windows of each fault class in order of time: each holds its own number.
 signal::WindowSet numbered_windows() {
   signal::WindowSet real;
-  real.info = twin::known_windows().info;
+  real.info = known_windows().info;
   real.length = 2;
   for (int i = 0; i < 60; ++i) {
     real.samples.insert(real.samples.end(), 2, static_cast<float>(i));

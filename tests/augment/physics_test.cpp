@@ -2,8 +2,9 @@
 
 #include <cmath>
 
-#include "methods.hpp"
-#include "signal/folder.hpp"
+#include "augment/methods.hpp"
+#include "support/errors.hpp"
+#include "support/folder.hpp"
 #include "twin/space.hpp"
 
 namespace piae::augment {
@@ -102,13 +103,13 @@ const std::string quick = "--stiffness-grid 3 --damping-grid 2 ";
 
 std::filesystem::path model(const std::string& options, const nets::Checkpoint& checkpoint,
                             const std::string& name = "model.h5") {
-  return train("physics", quick + options, twin::known_windows(), checkpoint, name);
+  return train("physics", quick + options, known_windows(), checkpoint, name);
 }
 
 TEST(Physics, DrawsFromTheHistogramOfTheFittedParameters) {
   const auto path = model("", checkpoint_at("checkpoint"));
   const twin::TwinSpace space(artefact::Reader(path, "model"));
-  EXPECT_EQ(space.points().size(), twin::known_windows().size());
+  EXPECT_EQ(space.points().size(), known_windows().size());
   for (const signal::DynamicParameters& p : generate("physics", path, 20).parameters) {
     EXPECT_GE(p.stiffness_n_per_m, space.k_edges().front() * 1e8);
     EXPECT_LE(p.stiffness_n_per_m, space.k_edges().back() * 1e8);

@@ -1,6 +1,6 @@
 #include <map>
 
-#include "methods.hpp"
+#include "augment/methods.hpp"
 
 namespace piae::augment {
 namespace {
@@ -10,7 +10,7 @@ using Samples = std::vector<float>;
 /// Two known windows of class IR and one of class OR, all of whose shifts differ.
 signal::WindowSet three_windows() {
   signal::WindowSet known;
-  known.info = twin::known_windows().info;
+  known.info = known_windows().info;
   known.length = 4;
   known.samples = {1, 2, 3, 4, 5, 6, 7, 8, 10, 20, 30, 40};
   known.labels = {1, 1, 2};

@@ -1,8 +1,8 @@
 #include <algorithm>
 
 #include "augment/interpolation.hpp"
+#include "augment/methods.hpp"
 #include "base/error.hpp"
-#include "methods.hpp"
 
 namespace piae::augment {
 namespace {
@@ -11,7 +11,7 @@ namespace {
 /// between them, so that neighbours across classes would show.
 signal::WindowSet four_of_a_class() {
   signal::WindowSet known;
-  known.info = twin::known_windows().info;
+  known.info = known_windows().info;
   known.length = 2;
   known.samples = {0, 0, 2, 0, 0, 3, 4, 3, 1, 1, 1, 2, 2, 1, 2, 2};
   known.labels = {1, 1, 1, 1, 2, 2, 2, 2};

@@ -9,12 +9,12 @@ namespace piae {
 namespace {
 
 TEST(Compute, IsNativeWhereItCanBeUnlessLibtorchIsAskedFor) {
-  EXPECT_FALSE(needs_libtorch({"auto", "cpu"}));
-  EXPECT_TRUE(needs_libtorch({"auto", "cuda"}));
-  EXPECT_TRUE(needs_libtorch({"auto", "cpu"}, /*has_native=*/false));
-  EXPECT_FALSE(needs_libtorch({"native", "cpu"}));
-  EXPECT_TRUE(needs_libtorch({"libtorch", "cpu"}));
-  EXPECT_TRUE(needs_libtorch({"libtorch", "cuda"}));
+  EXPECT_FALSE(needs_libtorch({Backend::automatic, Device::cpu}));
+  EXPECT_TRUE(needs_libtorch({Backend::automatic, Device::cuda}));
+  EXPECT_TRUE(needs_libtorch({Backend::automatic, Device::cpu}, /*has_native=*/false));
+  EXPECT_FALSE(needs_libtorch({Backend::native, Device::cpu}));
+  EXPECT_TRUE(needs_libtorch({Backend::libtorch, Device::cpu}));
+  EXPECT_TRUE(needs_libtorch({Backend::libtorch, Device::cuda}));
 }
 
 TEST(Compute, ThatCannotBeIsAnErrorThatSaysWhatCan) {
@@ -28,11 +28,8 @@ TEST(Compute, ThatCannotBeIsAnErrorThatSaysWhatCan) {
       EXPECT_THAT(error.what(), testing::HasSubstr(part));
     }
   };
-  expect_usage_error("known are auto, native and libtorch", {"eigen", "cpu"}, true);
-  expect_usage_error("known are cpu and cuda", {"auto", "tpu"}, true);
-  expect_usage_error("known are cpu and cuda", {"libtorch", "tpu"}, false);
-  expect_usage_error("not on cuda; use libtorch", {"native", "cuda"}, true);
-  expect_usage_error("no native back end; use libtorch", {"native", "cpu"}, false);
+  expect_usage_error("not on cuda; use libtorch", {Backend::native, Device::cuda}, true);
+  expect_usage_error("no native back end; use libtorch", {Backend::native, Device::cpu}, false);
 }
 
 int twice(int x) { return 2 * x; }
@@ -41,7 +38,7 @@ int thrice(int x) { return 3 * x; }
 TEST(Backends, GiveWhatIsAskedFor) {
   constexpr Backends<int (*)(int)> both{twice, thrice};
   EXPECT_EQ(both.chosen({})(5), 10);
-  EXPECT_EQ(both.chosen({"libtorch", "cpu"})(5), 15);
+  EXPECT_EQ(both.chosen({Backend::libtorch, Device::cpu})(5), 15);
   constexpr Backends<int (*)(int)> libtorch_alone{nullptr, thrice};
   EXPECT_TRUE(libtorch_alone.needs_libtorch({}));
   EXPECT_EQ(libtorch_alone.chosen({})(5), 15);

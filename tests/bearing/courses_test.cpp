@@ -156,7 +156,7 @@ TEST(Courses, DivergenceNamesItsTimeAndTheSubStep) {
             "over mass ask for shorter ones");
 }
 
-TEST(Courses, AreAllChecked) {
+TEST(Courses, ThatCannotBeAreRefusedWhereverTheyStand) {
   std::vector<Course> courses = varied_courses(3, Defect::outer);
   courses[2].options.mass_kg = 0;
   EXPECT_THAT(message(courses, Exit::bad_input), testing::HasSubstr("mass in kg 0"));
@@ -165,7 +165,7 @@ TEST(Courses, AreAllChecked) {
   EXPECT_THAT(message(courses, Exit::bad_input), testing::HasSubstr("slip 1"));
 }
 
-TEST(Courses, HaveOneTimeGrid) {
+TEST(Courses, OfTwoTimeGridsAreRefused) {
   std::vector<Course> courses = varied_courses(2, Defect::outer);
   courses[1].options.settling_s = 0.01;
   EXPECT_THAT(message(courses, Exit::bad_input), testing::HasSubstr("differ in settling time"));
@@ -174,7 +174,7 @@ TEST(Courses, HaveOneTimeGrid) {
   EXPECT_THAT(message(courses, Exit::bad_input), testing::HasSubstr("longest sub-step"));
 }
 
-TEST(Courses, NoneGiveNothing) {
+TEST(Courses, OfNoBearingGiveNoSignal) {
   EXPECT_TRUE(simulate({}, {}, std::span<const Course>(), sampling).empty());
 }
 

@@ -15,14 +15,14 @@ using std::numbers::pi;
 
 constexpr double mil = 0.0254;  // mm
 
-TEST(Defect, DepthsOfTheThreeSizes) {
+TEST(Defect, DepthIsThePapersForEachOfItsThreeSizes) {
   EXPECT_NEAR(defect_depth_m({}, 7 * mil), 0.995e-6, 0.0005e-6);
   EXPECT_NEAR(defect_depth_m({}, 14 * mil), 3.98e-6, 0.005e-6);
   EXPECT_NEAR(defect_depth_m({}, 21 * mil), 8.97e-6, 0.005e-6);
   EXPECT_EQ(defect_depth_m({}, 0), 0);
 }
 
-TEST(Defect, HalfAnglesAgainstTheDefectsLengthOnTheCircle) {
+TEST(Defect, HalfAngleHasTheDefectsLengthAsItsChord) {
   // A chord of length L under the angle 2 beta on a circle of diameter D: L = D sin(beta).
   EXPECT_NEAR(46.94 * std::sin(half_angle_rad({}, {Defect::outer, 0.5334})), 0.5334, 1e-12);
   EXPECT_NEAR(31.06 * std::sin(half_angle_rad({}, {Defect::inner, 0.5334})), 0.5334, 1e-12);

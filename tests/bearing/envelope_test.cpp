@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "bearing/dynamics.hpp"
-#include "bearing/envelope_spectrum.hpp"
+#include "support/envelope_spectrum.hpp"
 
 namespace piae::bearing {
 namespace {

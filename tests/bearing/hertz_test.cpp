@@ -9,7 +9,7 @@
 namespace piae::bearing {
 namespace {
 
-TEST(Hertz, CurvaturesOfThe6205) {
+TEST(Hertz, CurvaturesOfThe6205AreThoseWorkedByHand) {
   // By hand from Harris, eqs 2.28 to 2.31, with f = 0.525 and gamma = 7.94 / 39.
   const Curvature inner = inner_curvature({});
   EXPECT_NEAR(inner.sum_per_m, 328.3, 0.05);
@@ -19,7 +19,7 @@ TEST(Hertz, CurvaturesOfThe6205) {
   EXPECT_NEAR(outer.difference, 0.89159, 1e-5);
 }
 
-TEST(Hertz, DeformationOfThe6205) {
+TEST(Hertz, DeformationOfThe6205IsThatWorkedByHand) {
   EXPECT_NEAR(contact_deformation(inner_curvature({}).difference), 0.632, 0.0005);
   EXPECT_NEAR(contact_deformation(outer_curvature({}).difference), 0.693, 0.0005);
 }
@@ -31,7 +31,7 @@ struct Row {
 class HarrisTable : public testing::TestWithParam<Row> {};
 
 /// Harris, "Rolling Bearing Analysis", Table 6.1: dimensionless contact parameters.
-TEST_P(HarrisTable, IsReproduced) {
+TEST_P(HarrisTable, IsReproducedByOurHertzContact) {
   EXPECT_NEAR(contact_deformation(GetParam().difference), GetParam().deformation, 3e-4);
 }
 
@@ -53,7 +53,7 @@ TEST(Hertz, SphereOnPlaneIsTheTextbookFormula) {
   EXPECT_NEAR(race_stiffness({2 / radius, 0}) / expected, 1, 1e-6);
 }
 
-TEST(Hertz, StiffnessOfBothContactsInSeries) {
+TEST(Hertz, StiffnessIsThatOfBothContactsInSeries) {
   EXPECT_NEAR(contact_stiffness({}), 8.58e9, 0.005e9);
   EXPECT_NEAR(contact_stiffness({}, {.groove_ratio = 0.52}), 9.26e9, 0.005e9);
 }

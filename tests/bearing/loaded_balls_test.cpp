@@ -60,7 +60,7 @@ int entries(const LocalDefect& defect, const Motion& motion) {
   return entries;
 }
 
-TEST(LoadedBalls, OfAHealthyBearing) {
+TEST(LoadedBalls, OfAHealthyBearingFaceTheLoadAndSinkNowhere) {
   // Nine balls 40 degrees apart, the first 5 degrees ahead of the load.
   const auto balls = contacts({}, {.shaft_speed_rpm = 1797, .cage_angle_rad = pi / 36}, 0);
   ASSERT_EQ(balls.size(), 5U);

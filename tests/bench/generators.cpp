@@ -10,10 +10,10 @@
 
 #include <map>
 
-#include "augment/method.hpp"
-#include "command_line.hpp"
-#include "known_windows.hpp"
-#include "machine.hpp"
+#include "augment/catalogue.hpp"
+#include "bench/known_windows.hpp"
+#include "bench/machine.hpp"
+#include "support/command_line.hpp"
 
 namespace piae::augment {
 namespace {
@@ -46,8 +46,8 @@ const Subject subjects[] = {
 };
 
 /// Windows a second by the processor's time.
-double train(benchmark::State& state, const Subject& subject, const std::string& backend) {
-  const signal::WindowSet known = known_windows();
+double train(benchmark::State& state, const Subject& subject, Backend backend) {
+  const signal::WindowSet known = bench::known_windows();
   const std::unique_ptr<Method> method = make_method(subject.method);
   cli::parse("--epochs " + std::to_string(epochs),
              [&](const cli::Options& command) { method->bind(command); });
@@ -58,7 +58,7 @@ double train(benchmark::State& state, const Subject& subject, const std::string&
   const double start = bench::processor_seconds();
   while (state.KeepRunning()) {
     artefact::Writer model("model");
-    method->train(known, Stream("bench"), {backend, "cpu"}, never, model);
+    method->train(known, Stream("bench"), {backend, Device::cpu}, never, model);
   }
   const double trained =
       static_cast<double>(state.iterations()) * epochs * static_cast<double>(known.size());
@@ -71,11 +71,11 @@ double train(benchmark::State& state, const Subject& subject, const std::string&
 std::map<std::string, double> libtorch_rates;
 
 void by_libtorch(benchmark::State& state, const Subject& subject) {
-  libtorch_rates[subject.method] = train(state, subject, "libtorch");
+  libtorch_rates[subject.method] = train(state, subject, Backend::libtorch);
 }
 
 void ours(benchmark::State& state, const Subject& subject) {
-  const double rate = train(state, subject, "native");
+  const double rate = train(state, subject, Backend::native);
   const double bytes_per_s = rate / batch * subject.bytes_of_step;
   const auto size = static_cast<std::size_t>(4 * subject.weights);
   state.counters["bytes/s"] = bytes_per_s;

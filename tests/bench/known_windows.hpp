@@ -3,7 +3,7 @@
 #include "base/random.hpp"
 #include "signal/window_set.hpp"
 
-namespace piae {
+namespace piae::bench {
 
 /// As C of CWRU: 45 known windows of 1024 samples, 9 fault classes.
 inline signal::WindowSet known_windows() {
@@ -23,4 +23,4 @@ inline signal::WindowSet known_windows() {
   return set;
 }
 
-}  // namespace piae
+}  // namespace piae::bench

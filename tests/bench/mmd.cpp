@@ -6,7 +6,7 @@
 #include <benchmark/benchmark.h>
 
 #include "base/random.hpp"
-#include "machine.hpp"
+#include "bench/machine.hpp"
 
 namespace {
 

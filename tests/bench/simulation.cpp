@@ -10,7 +10,7 @@
 #include "bearing/dynamics.hpp"
 #include "bearing/reference_dynamics.hpp"
 #include "bearing/variation.hpp"
-#include "machine.hpp"
+#include "bench/machine.hpp"
 
 namespace {
 

@@ -1,6 +1,7 @@
-// WDCNN's training, batch 32, 545 windows (500 healthy and nine classes of 5): the native back end
-// against LibTorch's (with our Adam in one pass), and its arithmetic against that of a large matrix
-// product. Rates are by the processor's time, so that other programs on the machine count little.
+// WDCNN's training, batch 32, 545 windows (500 healthy and nine classes of 5): our back end for one
+// core against LibTorch's (with our Adam in one pass), and its arithmetic against that of a large
+// matrix product. Rates are by the processor's time, so that other programs on the machine count
+// little.
 
 #include "diagnosis/wdcnn.hpp"
 
@@ -8,11 +9,11 @@
 
 #include <algorithm>
 
-#include "libtorch/wdcnn/backend.hpp"
+#include "bench/machine.hpp"
 #include "diagnosis/one_core_backend.hpp"
 #include "diagnosis/wdcnn_layers.hpp"
-#include "machine.hpp"
 #include "libtorch/nets/torch.hpp"
+#include "libtorch/wdcnn/backend.hpp"
 
 namespace piae::diagnosis {
 namespace {
@@ -100,12 +101,12 @@ double train(benchmark::State& state, const MakeWdcnnBackend& make_backend) {
 }
 
 void wdcnn_libtorch(benchmark::State& state) {
-  libtorch_rate = train(state, libtorch_backend("cpu"));
+  libtorch_rate = train(state, libtorch::wdcnn_on(Device::cpu));
 }
 BENCHMARK(wdcnn_libtorch)->MeasureProcessCPUTime()->Unit(benchmark::kMillisecond);
 
 void wdcnn_native(benchmark::State& state) {
-  const double rate = train(state, make_native_backend);
+  const double rate = train(state, make_one_core_backend);
   if (libtorch_rate > 0) state.counters["times_libtorch"] = rate / libtorch_rate;
 }
 BENCHMARK(wdcnn_native)->MeasureProcessCPUTime()->Unit(benchmark::kMillisecond);

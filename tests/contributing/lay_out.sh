@@ -1,23 +1,43 @@
 #!/bin/bash
-# Lays out what CONTRIBUTING.md shows of a new method, letter for letter: its files, and the registry
-# with its line.
+# Lays out what CONTRIBUTING.md shows of a new data set, method, table and stage, letter for letter:
+# its files, and copies of ours with the lines that it adds to them.
 # usage: lay_out.sh PROJECT FOLDER
 set -euo pipefail
 
 project=$1 folder=$2
-mkdir -p "$folder/augment"
-# A block of code names its file in the first line.
-awk -v folder="$folder" '
-  /^```/ { file = "" }
-  /^\/\/ src\/augment\/[a-z_.]+/ {
-    file = folder substr($2, 4)
-    sub(/,$/, "", file)
-    if (file ~ /registry/) file = folder "/line"
-    printf "" >file
+lines=$folder/lines
+mkdir -p "$lines"
+
+# A block of code names its file in the first line. Where that goes on with `, with #include "X" above`,
+# the block holds lines for a file of ours: they go to a folder of their own, X before them.
+awk -v folder="$folder" -v lines="$lines" '
+  /^```/ { inside = !inside; first = inside; file = ""; next }
+  first && /^(\/\/|#) (src|stages|pipeline)\/[^ ]+\.(cpp|hpp|toml)/ {
+    first = 0
+    file = folder "/" $2
+    if (sub(/,$/, "", file)) {
+      sub(/.*\//, lines "/", file)
+      split($0, quoted, "\"")
+      print quoted[2] >file
+    } else {
+      system("mkdir -p \"$(dirname \"" file "\")\"")
+      printf "" >file
+    }
     next
   }
+  { first = 0 }
   file { print >file }' "$project/CONTRIBUTING.md"
-awk -v line="$(<"$folder/line")" '
-  /^#include "augment\/physics.hpp"/ { print "#include \"augment/reverse.hpp\"" }
-  /^};$/ { print line }
-  { print }' "$project/src/augment/registry.cpp" >"$folder/augment/registry.cpp"
+
+# Our file with its lines before the one line that matches, and with its header.
+add_lines() { # file, pattern
+  local added=$lines/${1##*/}
+  mkdir -p "$folder/$(dirname "$1")"
+  awk -v pattern="$2" -v header="$(head -1 "$added")" -v added="$(tail -n +2 "$added")" '
+    $0 ~ pattern { print added; found++ }
+    { print }
+    FNR == 1 { print "#include \"" header "\"" }
+    END { exit found != 1 }' "$project/$1" >"$folder/$1" ||
+    { echo "lay_out.sh: not one line of $1 is like $2" >&2 && exit 1; }
+}
+add_lines src/augment/catalogue.cpp '^};$'
+add_lines src/report/tables.cpp '^  return document;$'

@@ -32,8 +32,8 @@ artefact::Reader written(const File& file);
 const File c{"C", 3, "random", "abc", 20, ""};
 
 artefact::Reader written(const File& file) {
-  signal::WindowSet set = testing_sets::empty_set(4);
-  testing_sets::add(set, file.role == "B" ? 0 : 1, 1, 5);
+  signal::WindowSet set = empty_set(4);
+  add(set, file.role == "B" ? 0 : 1, 1, 5);
   if (file.role != "E") {
     set.record_names = {"r"};
     set.record = {0};
@@ -74,11 +74,11 @@ void expect_refused(const std::string& part, const File& test, const File& norma
   }
 }
 
-TEST(Inputs, OfOneRepeat) {
+TEST(Inputs, OfOneRepeatAreReadEachInItsPlace) {
   const artefact::Reader generated = written(e);
   const Inputs inputs = read_inputs(written(a), written(b), written(c), &generated);
   EXPECT_EQ(inputs.method, "piae-dt");
-  EXPECT_EQ(inputs.protocol, "random");
+  EXPECT_EQ(inputs.protocol, signal::Protocol::random);
   EXPECT_EQ(inputs.test.first_sample.at(0), 0);
   EXPECT_EQ(inputs.normal.first_sample.at(0), 10);
   EXPECT_EQ(inputs.known.first_sample.at(0), 20);

@@ -50,7 +50,7 @@ TEST_P(MatrixProductShapes, EqualTheDefinition) {
   }
 }
 
-TEST(MatrixProduct, OfTransposedAndOverlappingMatricesInBlocks) {
+TEST(MatrixProduct, EqualsTheDefinitionForTransposedAndOverlappingMatricesInBlocks) {
   const std::vector<double> a = random_numbers(1000, "a");
   const std::vector<double> b = random_numbers(2000, "b");
   expect_equals_definition({a.data(), 1, 16, 0, b.data(), 0, nullptr, 16, 32, 9});  // transposed

@@ -8,20 +8,9 @@
 #include "base/random.hpp"
 #include "diagnosis/standardise.hpp"
 #include "signal/window_set.hpp"
+#include "support/three_classes.hpp"
 
-namespace piae::diagnosis::testing_sets {
-
-/// A dataset of three classes, the first healthy.
-inline signal::DatasetInfo three_classes() {
-  signal::DatasetInfo info;
-  info.name = "toy";
-  info.sample_rate_hz = 12000;
-  info.shaft_speed_rpm = 1800;
-  info.classes = {{"Normal", signal::Defect::none, 0},
-                  {"IR", signal::Defect::inner, 0.2},
-                  {"OR", signal::Defect::outer, 0.2}};
-  return info;
-}
+namespace piae::diagnosis {
 
 inline signal::WindowSet empty_set(std::size_t length) {
   signal::WindowSet set;
@@ -59,4 +48,4 @@ inline LabelledWindows tones(std::size_t per_class, const std::string& stream_na
   return set;
 }
 
-}  // namespace piae::diagnosis::testing_sets
+}  // namespace piae::diagnosis

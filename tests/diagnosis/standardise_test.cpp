@@ -9,8 +9,8 @@
 namespace piae::diagnosis {
 namespace {
 
-TEST(Standardise, EachWindowByItself) {
-  signal::WindowSet set = testing_sets::empty_set(4);
+TEST(Standardise, ScalesEachWindowByItself) {
+  signal::WindowSet set = empty_set(4);
   set.samples = {1, 3, 1, 3, 100, 100, 100, 104};
   set.labels = {0, 2};
   const LabelledWindows result = standardise(set, "--test");
@@ -25,7 +25,7 @@ TEST(Standardise, EachWindowByItself) {
 }
 
 TEST(Standardise, OffsetAndGainLeaveNoTrace) {
-  signal::WindowSet set = testing_sets::empty_set(4);
+  signal::WindowSet set = empty_set(4);
   set.samples = {1, 2, 4, 3, 1e4F + 1, 1e4F + 2, 1e4F + 4, 1e4F + 3, 1e-6F, 2e-6F, 4e-6F, 3e-6F};
   set.labels = {0, 1, 2};
   const std::vector<float> out = standardise(set, "--test").samples;
@@ -36,7 +36,7 @@ TEST(Standardise, OffsetAndGainLeaveNoTrace) {
 }
 
 TEST(Standardise, NamesAConstantWindow) {
-  signal::WindowSet set = testing_sets::empty_set(4);
+  signal::WindowSet set = empty_set(4);
   set.samples = {1, 2, 3, 4, 0.1F, 0.1F, 0.1F, 0.1F};
   set.labels = {0, 1};
   try {

@@ -17,17 +17,17 @@ using testing::HasSubstr;
 class TrainingSet : public testing::Test {
  protected:
   TrainingSet() {
-    testing_sets::add(normal, 0, 6, 100);
-    testing_sets::add(known, 1, 2, 200);
-    testing_sets::add(known, 2, 2, 300);
+    add(normal, 0, 6, 100);
+    add(known, 1, 2, 200);
+    add(known, 2, 2, 300);
     // Labels of E alternate: "the first n of a class" are not the first n windows.
     for (std::size_t i = 0; i < 3; ++i) {
-      testing_sets::add(generated, 2, 1, 500 + static_cast<float>(i));
-      testing_sets::add(generated, 1, 1, 400 + static_cast<float>(i));
+      add(generated, 2, 1, 500 + static_cast<float>(i));
+      add(generated, 1, 1, 400 + static_cast<float>(i));
     }
-    testing_sets::add(test, 0, 1, 1);
-    testing_sets::add(test, 1, 1, 1);
-    testing_sets::add(test, 2, 1, 1);
+    add(test, 0, 1, 1);
+    add(test, 1, 1, 1);
+    add(test, 2, 1, 1);
   }
 
   void expect_error(Exit exit, const std::string& part, const WindowSet* e, std::int64_t n) const {
@@ -40,10 +40,10 @@ class TrainingSet : public testing::Test {
     }
   }
 
-  WindowSet normal = testing_sets::empty_set(4);
-  WindowSet known = testing_sets::empty_set(4);
-  WindowSet generated = testing_sets::empty_set(4);
-  WindowSet test = testing_sets::empty_set(4);
+  WindowSet normal = empty_set(4);
+  WindowSet known = empty_set(4);
+  WindowSet generated = empty_set(4);
+  WindowSet test = empty_set(4);
 };
 
 std::vector<float> first_samples(const WindowSet& set) {
@@ -52,14 +52,14 @@ std::vector<float> first_samples(const WindowSet& set) {
   return firsts;
 }
 
-TEST_F(TrainingSet, WithoutGeneratedWindows) {
+TEST_F(TrainingSet, WithoutGeneratedWindowsHoldsTheHealthyAndTheKnown) {
   const WindowSet set = compose_training_set(normal, known, nullptr, 0);
   EXPECT_THAT(first_samples(set),
               testing::ElementsAre(100, 101, 102, 103, 104, 105, 200, 201, 300, 301));
   EXPECT_THAT(set.labels, testing::ElementsAre(0, 0, 0, 0, 0, 0, 1, 1, 2, 2));
 }
 
-TEST_F(TrainingSet, WithTheFirstGeneratedOfEachClass) {
+TEST_F(TrainingSet, HoldsTheFirstGeneratedWindowsOfEachClass) {
   const WindowSet set = compose_training_set(normal, known, &generated, 2);
   EXPECT_EQ(set.size(), 14U);
   EXPECT_EQ(set.samples.size(), 14U * 4);
@@ -70,31 +70,31 @@ TEST_F(TrainingSet, WithTheFirstGeneratedOfEachClass) {
               testing::ElementsAre(1, 1, 2, 2));
 }
 
-TEST_F(TrainingSet, GeneratedWindowsExactlyWhereTheyAreUsed) {
+TEST_F(TrainingSet, NeedsGeneratedWindowsExactlyWhereTheyAreUsed) {
   expect_error(Exit::usage, "--generated: missing, but the ratio needs 2", nullptr, 2);
   expect_error(Exit::usage, "--generated: this ratio uses no generated window", &generated, 0);
 }
 
-TEST_F(TrainingSet, TooFewGeneratedWindows) {
+TEST_F(TrainingSet, RefusesTooFewGeneratedWindows) {
   expect_error(Exit::bad_input, "--generated: holds 3 windows of class 'IR', but the ratio needs 4",
                &generated, 4);
 }
 
-TEST_F(TrainingSet, EveryClassWhereItBelongsAndNowhereElse) {
+TEST_F(TrainingSet, NeedsEveryClassWhereItBelongsAndNowhereElse) {
   const WindowSet good_known = known;
-  known = testing_sets::empty_set(4);
-  testing_sets::add(known, 1, 2, 0);
+  known = empty_set(4);
+  add(known, 1, 2, 0);
   expect_error(Exit::bad_input, "--known: holds no window of class 'OR'", nullptr, 0);
 
   known = good_known;
-  testing_sets::add(known, 0, 1, 0);
+  add(known, 0, 1, 0);
   expect_error(Exit::bad_input, "--known: holds windows of class 'Normal'", nullptr, 0);
 
   std::swap(normal, known = good_known);
   expect_error(Exit::bad_input, "--normal: holds no window of class 'Normal'", nullptr, 0);
 }
 
-TEST_F(TrainingSet, SetsOfDifferentOrigin) {
+TEST_F(TrainingSet, RefusesSetsOfDifferentOrigin) {
   const WindowSet good_known = known;
   known.info.name = "cwru";
   expect_error(Exit::bad_input, "--known: is of dataset cwru, but --normal has toy", nullptr, 0);
@@ -113,12 +113,12 @@ TEST_F(TrainingSet, SetsOfDifferentOrigin) {
                &generated, 1);
 }
 
-TEST_F(TrainingSet, TestSetHasEveryClass) {
+TEST_F(TrainingSet, NeedsATestSetWithEveryClass) {
   const WindowSet training = compose_training_set(normal, known, nullptr, 0);
   EXPECT_NO_THROW(require_fitting_test_set(test, training));
-  WindowSet lacking = testing_sets::empty_set(4);
-  testing_sets::add(lacking, 0, 1, 1);
-  testing_sets::add(lacking, 1, 1, 1);
+  WindowSet lacking = empty_set(4);
+  add(lacking, 0, 1, 1);
+  add(lacking, 1, 1, 1);
   EXPECT_THROW(require_fitting_test_set(lacking, training), Error);
   test.info.sample_rate_hz = 48000;
   EXPECT_THROW(require_fitting_test_set(test, training), Error);

@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "phase/cycle.hpp"
-#include "simulated.hpp"
+#include "support/simulated_windows.hpp"
 
 namespace piae::phase {
 namespace {

@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "base/error.hpp"
-#include "simulated.hpp"
+#include "support/simulated_windows.hpp"
 
 namespace piae::phase {
 namespace {

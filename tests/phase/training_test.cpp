@@ -4,12 +4,12 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 
 #include "base/error.hpp"
 #include "phase/generation.hpp"
-#include "simulated.hpp"
+#include "support/checkpoints.hpp"
+#include "support/folder.hpp"
+#include "support/simulated_windows.hpp"
 #include "twin/dense_backend.hpp"
 
 namespace piae::phase {
@@ -27,29 +27,14 @@ PhaseOptions quick_options() {
   return options;
 }
 
-nets::Checkpoint checkpoint_at(const std::string& name) {
-  nets::Checkpoint checkpoint;
-  checkpoint.path = fs::path(testing::TempDir()) / ("phase_" + name);
-  fs::remove(checkpoint.path);
-  checkpoint.interrupted = [] { return false; };
-  return checkpoint;
-}
-
-std::string bytes_of(const fs::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  std::ostringstream bytes;
-  bytes << in.rdbuf();
-  return bytes.str();
-}
-
 fs::path train(const nets::Checkpoint& checkpoint, const std::string& name) {
   const signal::WindowSet known = simulated_windows(5, "known");
   const auto training =
-      make_phase_training(known, quick_options(), Stream("test"), twin::native_engine("cpu"));
+      make_phase_training(known, quick_options(), Stream("test"), twin::dense_engine(Device::cpu));
   nets::run_epochs(*training, checkpoint);
   artefact::Writer writer("model");
   training->write_model(writer);
-  fs::path path = fs::path(testing::TempDir()) / ("phase_" + name);
+  fs::path path = scratch_file(name);
   writer.save(path, {});
   return path;
 }
@@ -69,8 +54,10 @@ TEST(PhaseTraining, CutAnywhereAndContinuedEqualsAnUncutOne) {
 
 TEST(PhaseGeneration, FirstWindowsDoNotDependOnTheirNumber) {
   const artefact::Reader model(train(checkpoint_at("model.ckpt"), "model.h5"), "model");
-  const signal::WindowSet few = generate(model, 2, Stream("generate"), twin::native_engine("cpu"));
-  const signal::WindowSet many = generate(model, 7, Stream("generate"), twin::native_engine("cpu"));
+  const signal::WindowSet few =
+      generate(model, 2, Stream("generate"), twin::dense_engine(Device::cpu));
+  const signal::WindowSet many =
+      generate(model, 7, Stream("generate"), twin::dense_engine(Device::cpu));
   ASSERT_EQ(few.size(), 4U);
   ASSERT_EQ(many.size(), 14U);
   for (std::size_t i = 0; i < few.length; ++i) {
@@ -96,7 +83,7 @@ TEST(PhaseGeneration, AnotherStartAngleShiftsWhatTheDecoderGives) {
   }
   draws.push_back(draw);
   draws.back().passage.start += cycle.samples;
-  const std::vector<float> windows = decode(model, outer, draws, twin::native_engine("cpu"));
+  const std::vector<float> windows = decode(model, outer, draws, twin::dense_engine(Device::cpu));
   ASSERT_EQ(windows.size(), draws.size() * length);
   const auto window = [&](std::size_t i) { return std::span(windows).subspan(i * length, length); };
   EXPECT_GT(*std::ranges::max_element(window(0)), *std::ranges::min_element(window(0)));
@@ -114,7 +101,7 @@ TEST(PhaseTraining, RefusesWindowsThatAreTooShort) {
   signal::WindowSet known = simulated_windows(5, "known");
   known.length = 64;
   EXPECT_THROW(
-      make_phase_training(known, quick_options(), Stream("test"), twin::native_engine("cpu")),
+      make_phase_training(known, quick_options(), Stream("test"), twin::dense_engine(Device::cpu)),
       Error);
 }
 

@@ -1,20 +1,20 @@
 #!/bin/bash
 # What `make check` and `make reference` compare. The comparison itself: reference_test.sh and
-# tests/report/comparison_test.cpp.
+# tests/regression/.
 # shellcheck source-path=SCRIPTDIR
-source "${0%/*}/check.sh"
+source "${0%/*}/support.sh"
 
 # A stage that only says how it was called, and fails when it is told to.
-compare_stage() {
+check_stage() {
   # shellcheck disable=SC2016
-  printf '#!/bin/bash\necho "$*"\n[[ ! -e moved ]]\n' >fake/compare
-  chmod +x fake/compare
+  printf '#!/bin/bash\necho "$*"\n[[ ! -e moved ]]\n' >fake/check
+  chmod +x fake/check
 }
 
 called() { make --silent "$@" BIN=fake; }
 
 test_everything_is_compared_unless_a_part_is_given() {
-  compare_stage
+  check_stage
   expect_equal "$(called check RUN=try)" \
     "--run results/try --reference results/reference --tolerance auto"
   expect_equal "$(called check RUN=try SEEDS="0 1" DATASETS="cwru hit-sm" METHODS=none RATIOS=100to1 TOLERANCE=exact)" \
@@ -22,7 +22,7 @@ test_everything_is_compared_unless_a_part_is_given() {
 }
 
 test_the_run_is_a_name_or_a_folder() {
-  compare_stage
+  check_stage
   local run
   for run in try results/try results/try/; do
     expect_line "$(called check RUN=$run)" '^--run results/try --'
@@ -32,20 +32,20 @@ test_the_run_is_a_name_or_a_folder() {
 }
 
 test_reference_stores() {
-  compare_stage
+  check_stage
   expect_equal "$(called reference RUN=results/try DATASETS=cwru)" \
     "--run results/try --reference results/reference --datasets cwru --store"
 }
 
 test_a_difference_is_a_failure() {
-  compare_stage
+  check_stage
   expect_exit 0 called check
   touch moved
   expect_exit 2 called check
 }
 
 test_the_run_is_left_as_it_is() {
-  compare_stage
+  check_stage
   called check >/dev/null
   called reference >/dev/null
   [[ ! -e results ]] || fail "there is $(find results)"

@@ -1,7 +1,7 @@
 #!/bin/bash
 # Two protocols, and two readings of CWRU, side by side.
 # shellcheck source-path=SCRIPTDIR
-source "${0%/*}/check.sh"
+source "${0%/*}/support.sh"
 
 describe() {
   rm -f pipeline/datasets/*

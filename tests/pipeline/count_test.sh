@@ -1,7 +1,7 @@
 #!/bin/bash
 # The closing line of `make test`.
 # shellcheck source-path=SCRIPTDIR
-source "${0%/*}/check.sh"
+source "${0%/*}/support.sh"
 
 case_of() { # name, status, inside
   printf '\t<testcase name="%s" classname="x" time="0" status="%s">\n%s\n\t</testcase>\n' "$@"

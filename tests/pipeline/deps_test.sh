@@ -1,7 +1,7 @@
 #!/bin/bash
 # Installing packages, with stand-ins for dpkg-query, apt-get and sudo that write down their calls.
 # shellcheck source-path=SCRIPTDIR disable=SC2016
-source "${0%/*}/check.sh"
+source "${0%/*}/support.sh"
 
 command_that() { # name, body
   printf '#!/bin/bash\n%s\n' "$2" >"path/$1"
@@ -23,9 +23,12 @@ machine() {
 }
 
 # deps.sh asks EUID who it is; a user namespace or root is not needed to play the one or the other.
-deps_as() { # 0 or another id
-  sed "s/((EUID == 0))/(($1 == 0))/" pipeline/deps.sh >deps-as.sh
-  PATH=$PWD/path bash deps-as.sh </dev/null
+deps_as() { # 0 or another id; LIBTORCH and targets, which are on and all unless given
+  local id=$1
+  shift
+  (($#)) || set -- on programs tests benches
+  sed "s/((EUID == 0))/(($id == 0))/" pipeline/deps.sh >deps-as.sh
+  PATH=$PWD/path bash deps-as.sh "$@" </dev/null
 }
 
 test_nothing_missing_touches_nothing() {
@@ -40,7 +43,7 @@ test_root_installs_only_what_is_missing() {
   all_but libtorch-dev curl
   deps_as 0 >/dev/null
   expect_equal "$(<apt-calls)" "$(printf '%s\n' 'apt-get --option DPkg::Lock::Timeout=300 update --quiet=2 [noninteractive]' \
-    'apt-get --option DPkg::Lock::Timeout=300 install --quiet=2 --yes --no-install-recommends libtorch-dev curl [noninteractive]')"
+    'apt-get --option DPkg::Lock::Timeout=300 install --quiet=2 --yes --no-install-recommends curl libtorch-dev [noninteractive]')"
 }
 
 test_sudo_is_used_when_it_works() {
@@ -60,6 +63,35 @@ test_without_rights_the_line_is_printed() {
   command_that sudo 'exit 1'
   expect_exit 2 deps_as 1000
   [[ ! -e apt-calls ]] || fail "apt was called: $(<apt-calls)"
+}
+
+test_what_is_not_asked_for_needs_no_packages() {
+  machine
+  all_but libtorch-dev libopenblas-dev libgtest-dev libgmock-dev libbenchmark-dev hdf5-tools
+  expect_equal "$(deps_as 0 off programs)" ""
+  expect_equal "$(deps_as 0 on programs)" "deps: installing libtorch-dev libopenblas-dev"
+  expect_equal "$(deps_as 0 off programs tests)" "deps: installing libgtest-dev libgmock-dev hdf5-tools"
+  expect_equal "$(deps_as 0 off benches)" "deps: installing libbenchmark-dev"
+}
+
+# Which packages make asks for, and what it has built.
+test_goals_ask_for_what_they_need() {
+  local script
+  for script in deps build; do
+    printf '#!/bin/bash\necho "%s $*" >>asked\n' $script >pipeline/$script.sh
+  done
+  mkdir -p tests build/bin
+  printf '#!/bin/bash\n' >tests/run.sh
+  chmod +x tests/run.sh
+  asked() { rm -f asked && make --silent "$@" >/dev/null 2>&1; paste -sd, asked; }
+  expect_equal "$(asked build)" "deps on programs,build native on programs"
+  expect_equal "$(asked build LIBTORCH=off ARCH=x86-64-v3)" "deps off programs,build x86-64-v3 off programs"
+  expect_equal "$(asked test)" "deps on programs tests,build native on programs tests"
+  expect_equal "$(asked deps)" "deps on programs tests benches"
+  ln -s "$programs/settings" build/bin
+  expect_equal "$(asked demo)" "deps off programs,build native off programs"
+  touch build/bin/train-libtorch
+  expect_equal "$(asked demo)" "deps on programs,build native on programs"
 }
 
 test_a_failed_install_fails() {

@@ -1,7 +1,7 @@
 #!/bin/bash
 # `make data`, from addresses on this machine (file://).
 # shellcheck source-path=SCRIPTDIR
-source "${0%/*}/check.sh"
+source "${0%/*}/support.sh"
 
 # An official site with two recordings, and an `ingest --sources` that names them.
 site() {

@@ -1,7 +1,7 @@
 #!/bin/bash
 # The grid as a graph: what is made, what is made again after a change, what a failure leaves.
 # shellcheck source-path=SCRIPTDIR
-source "${0%/*}/check.sh"
+source "${0%/*}/support.sh"
 
 # Two data sets, so that what belongs to one of them can be told apart.
 describe() {
@@ -54,18 +54,12 @@ test_makes_every_cell_once() {
   expect_equal "$(ran)" "20 diagnose, 8 generate, 1 ingest, 8 score, 1 simulate, 4 split, 2 tabulate, 8 train"
 }
 
-test_ends_with_the_accuracies_of_every_data_set() {
+test_ends_with_the_summary_of_every_data_set() {
   finished_grid
-  local dataset
-  for dataset in real made; do
-    printf '%s\n' "# $dataset" '## Accuracy of the methods' 'one' '## Gain of the methods' 'gains' \
-      '## Accuracy of the ablations' 'two' '## Accuracy minus that' 'less' >results/t/$dataset/tables.md
-  done
-  expect_equal "$(grid 2>&1)" "$(printf '%s\n' \
-    '# real' '## Accuracy of the methods' 'one' '## Accuracy of the ablations' 'two' \
-    '# made' '## Accuracy of the methods' 'one' '## Accuracy of the ablations' 'two' \
-    'tables and artefacts: results/t/real/ (gains, ranks and quality in its tables.md)' \
-    'tables and artefacts: results/t/made/ (gains, ranks and quality in its tables.md)')"
+  echo "of real" >results/t/real/summary.txt
+  echo "of made" >results/t/made/summary.txt
+  expect_equal "$(grid 2>&1)" "$(printf '%s\n' 'of real' 'of made' \
+    'tables and artefacts: results/t/real/' 'tables and artefacts: results/t/made/')"
 }
 
 test_gives_each_stage_its_files() {
@@ -94,7 +88,6 @@ test_gives_each_stage_its_files() {
 
 test_only_the_oracle_sees_real_windows_and_it_has_no_score() {
   describe
-  printf '    {"%s", make<X>},\n' smote piae-dt oracle >src/augment/registry.cpp
   grid DATASETS=real METHODS="smote oracle" SEEDS=0 >/dev/null
   expect_equal "$(ran)" "4 diagnose, 2 generate, 1 ingest, 1 score, 1 split, 1 tabulate, 2 train"
   local r=results/t/real s=results/t/.settings
@@ -141,7 +134,6 @@ test_an_option_of_one_method_remakes_that_method() {
 
 test_an_option_remakes_what_is_like_that_method() {
   describe
-  printf '    {"%s", make<X>},\n' smote piae-dt ae >src/augment/registry.cpp
   printf '[train.ae]\nlike = "piae-dt"\n' >>pipeline/protocol.toml
   grid METHODS="smote ae" >/dev/null
   rm calls
@@ -149,8 +141,7 @@ test_an_option_remakes_what_is_like_that_method() {
   grid METHODS="smote ae" >/dev/null
   expect_no_line "$(<calls)" "smote"
   expect_equal "$(ran)" "8 diagnose, 4 generate, 4 score, 2 tabulate, 4 train"
-  expect_equal "$(grep -v '^#' results/t/.settings/train.ae.toml)" \
-    $'[train]\nepochs = 200\n[train.piae-dt]\nlayers = [\n4,\n]\n[train.ae]\nlike = "piae-dt"'
+  expect_equal "$(grep -v '^#' results/t/.settings/train.ae.toml)" $'epochs = 200\nlayers = [ 4 ]'
 }
 
 test_an_option_of_all_methods_remakes_them() {
@@ -180,11 +171,11 @@ test_a_description_remakes_its_data_set() {
 
 test_stages_read_the_settings_that_were_compared() {
   finished_grid
-  expect_equal "$(grep -v '^#' results/t/.settings/train.smote.toml)" \
-    $'[train]\nepochs = 200\n[train.smote]\nneighbours = 4'
-  expect_equal "$(grep -v '^#' results/t/.settings/train.piae-dt.toml)" \
-    $'[train]\nepochs = 200\n[train.piae-dt]\nlayers = [\n3,\n]'
-  expect_equal "$(grep -v '^#' results/t/.settings/datasets/real.toml)" $'name = "real"\nsha256 = "#1"'
+  expect_equal "$(grep -v '^#' results/t/.settings/train.smote.toml)" $'epochs = 200\nneighbours = 4'
+  expect_equal "$(grep -v '^#' results/t/.settings/train.piae-dt.toml)" $'epochs = 200\nlayers = [ 3 ]'
+  expect_equal "$(<results/t/.settings/split.toml)" \
+    "$(printf '%s\n' '# Made from pipeline/protocol.toml; edit that file, not this one.' \
+      '# Options given by make: --protocol random' 'window = 1024')"
 }
 
 test_a_subset_shares_what_is_there() {
@@ -292,7 +283,7 @@ test_unknown_names_are_refused() {
   expect_line "$(grid DATASETS=nowhere 2>&1 || true)" "DATASETS: unknown 'nowhere'; there are: made real"
   expect_line "$(grid RATIOS=3to1 2>&1 || true)" "RATIOS: unknown '3to1'"
   expect_line "$(grid METHODS=none RATIOS=1to1 2>&1 || true)" "no cells"
-  expect_line "$(grid METHODS=magic 2>&1 || true)" "METHODS: unknown 'magic'; there are: none smote piae-dt"
+  expect_line "$(grid METHODS=magic 2>&1 || true)" "METHODS: unknown 'magic'; there are: none dynamics smote "
   expect_line "$(grid SEEDS='0 x' 2>&1 || true)" "SEEDS: whole numbers"
   expect_line "$(grid SEEDS='1 1' 2>&1 || true)" "names one twice"
   expect_line "$(grid SEEDS= 2>&1 || true)" "SEEDS: is empty"
@@ -301,16 +292,16 @@ test_unknown_names_are_refused() {
   expect_line "$(grid RUN=reference 2>&1 || true)" "RUN: 'reference' cannot be the name of a run"
   expect_line "$(grid PROTOCOL='random blocked' 2>&1 || true)" "PROTOCOL: one of random and blocked"
   expect_exit 2 grid PROTOCOL=other
-  expect_equal "$(ls)" "$(printf '%s\n' Makefile fake jobs pipeline src)"
+  expect_equal "$(ls)" "$(printf '%s\n' Makefile fake jobs pipeline)"
 }
 
 # Else a stage would run with what its program has built in.
 test_a_table_of_the_protocol_that_nothing_reads_is_refused() {
   describe
   echo '[diagnoze]' >>pipeline/protocol.toml
-  expect_line "$(grid 2>&1 || true)" "pipeline/protocol.toml: unknown 'diagnoze'"
+  expect_line "$(grid 2>&1 || true)" "^settings: pipeline/protocol.toml, line 18: nothing reads the table \[diagnoze\]"
   sed -i 's/^\[diagnoze\]/[diagnose/' pipeline/protocol.toml
-  expect_line "$(grid 2>&1 || true)" "protocol.toml, line [0-9]+: neither a \[table\] nor key = value: \[diagnose"
+  expect_line "$(grid 2>&1 || true)" "^settings: pipeline/protocol.toml, line 18: not valid TOML"
   [[ ! -e calls ]] || fail "ran: $(<calls)"
 }
 
@@ -325,8 +316,121 @@ test_demo_is_a_small_grid_of_its_own() {
   mv pipeline/datasets/made.toml pipeline/datasets/simulated.toml
   local output
   output=$(make --silent demo BIN=fake 2>&1)
-  expect_equal "$(ran)" "4 diagnose, 2 generate, 2 score, 1 simulate, 2 split, 1 tabulate, 2 train"
+  expect_equal "$(ran)" "10 diagnose, 8 generate, 6 score, 1 simulate, 2 split, 1 tabulate, 8 train"
   expect_line "$(tail -n 1 <<<"$output")" "results/demo/simulated/"
+}
+
+test_the_papers_methods_and_all_ratios_run_where_none_are_given() {
+  describe
+  make --silent all BIN=fake RUN=t DATASETS=real SEEDS=0 >/dev/null
+  expect_line "$(<results/t/real/accuracy.csv)" \
+    "--methods none dynamics smote vae wgan-gp piae-dt ae physics piae-dt-cnn piae-dt-rnn --ratios 100to1 50to1 25to1 10to1 5to1 2to1 1to1 --seeds 0 "
+}
+
+test_a_lost_table_comes_back() {
+  finished_grid
+  local table
+  for table in accuracy.csv gains.csv quality.csv comparisons.csv ranks.csv tables.md tables.tex summary.txt; do
+    rm results/t/real/$table
+    grid >/dev/null
+    expect_equal "$(ran)" "1 tabulate"
+    [[ -e results/t/real/$table ]] || fail "$table did not come back"
+  done
+}
+
+test_a_dry_run_and_a_question_write_nothing() {
+  describe
+  grid -n >/dev/null
+  grid -n cells results/t/real/records.h5 >/dev/null
+  expect_exit 1 grid -q
+  [[ ! -e results ]] || fail "there is $(find results)"
+  finished_grid
+  sed -i 's/epochs = 50/epochs = 60/' pipeline/protocol.toml
+  find results -printf '%p %T@ %s\n' >before
+  grid -n >/dev/null
+  expect_exit 1 make --silent -q cells BIN=fake RUN=t DATASETS=real METHODS=smote SEEDS=0
+  expect_equal "$(find results -printf '%p %T@ %s\n')" "$(<before)"
+  sed -i 's/epochs = 60/epochs = 50/' pipeline/protocol.toml
+  expect_exit 0 make --silent -q cells BIN=fake RUN=t DATASETS=real METHODS=smote RATIOS=10to1 SEEDS=0
+}
+
+test_cells_write_no_settings_of_tables() {
+  describe
+  make --silent cells BIN=fake RUN=t DATASETS=real METHODS=smote SEEDS=0 >/dev/null
+  expect_equal "$(cd results/t/.settings && find . -type f | sort | xargs)" \
+    "./datasets/real.toml ./diagnose.toml ./generate.toml ./score.toml ./split.toml ./train.smote.toml"
+}
+
+# The settings files of a run may be older than the programs: whole tables, as they stood.
+test_settings_of_the_same_values_in_other_words_change_nothing() {
+  finished_grid
+  local header="# Made from pipeline/protocol.toml; edit that file, not this one."
+  printf '%s\n' "$header" '[train]' 'epochs = 200' '[train.smote]' 'neighbours = 4' \
+    >results/t/.settings/train.smote.toml
+  printf '%s\n' "$header" '# Options given by make: --protocol random' '[split]' 'window = 1024' \
+    >results/t/.settings/split.toml
+  touch -d '1 hour ago' results/t/.settings/{train.smote,split}.toml
+  grid >/dev/null
+  expect_equal "$(ran)" ""
+  sed -i 's/neighbours = 4/neighbours = 5/' pipeline/protocol.toml
+  grid >/dev/null
+  expect_equal "$(ran)" "8 diagnose, 4 generate, 4 score, 2 tabulate, 4 train"
+}
+
+test_several_goals_go_to_one_make() {
+  describe
+  make --silent -j2 records cells results/t/real/seed0/A.h5 BIN=fake RUN=t DATASETS=real METHODS=smote \
+    RATIOS=10to1 SEEDS=0 >/dev/null
+  expect_equal "$(ran)" "1 diagnose, 1 generate, 1 ingest, 1 score, 1 split, 1 train"
+}
+
+test_unknown_variables_are_refused_with_the_right_name() {
+  describe
+  local pair
+  for pair in SEED:SEEDS seeds:SEEDS METHOD:METHODS DATASET:DATASETS Ratio:RATIOS PROTOCOLS:PROTOCOL; do
+    expect_line "$(make cells BIN=fake RUN=t "${pair%:*}=x" 2>&1 || true)" \
+      "there is no variable ${pair%:*}; did you mean ${pair#*:}\?"
+  done
+  expect_line "$(make cells BIN=fake RUN=t THREADS=2 2>&1 || true)" "there is no variable THREADS; .make help. lists"
+  expect_exit 2 make cells BIN=fake RUN=t SEED=0
+  expect_exit 2 make help SEED=0
+  [[ ! -e results ]] || fail "something ran"
+}
+
+test_programs_that_are_not_there_are_one_line() {
+  describe
+  local goal
+  for goal in cells check status data demo; do
+    expect_equal "$(make --silent $goal BIN=/nowhere 2>&1 | sed 's/^Makefile:[0-9]*: //')" \
+      "*** BIN: there are no programs in '/nowhere'; \`make build\` builds them into build/bin.  Stop."
+  done
+  rm -r fake
+  expect_line "$(make -n cells 2>&1 || true)" "the programs must be built first: .make build."
+}
+
+test_methods_that_only_libtorch_computes_are_refused_at_once_without_it() {
+  describe
+  rm fake/train-libtorch
+  local output
+  output=$(grid METHODS="none smote piae-dt-rnn piae-dt-cnn" 2>&1 || true)
+  expect_line "$output" "METHODS: only LibTorch computes piae-dt-rnn piae-dt-cnn, .* LIBTORCH=on, or ask for METHODS=\"none smote\""
+  [[ ! -e calls ]] || fail "ran: $(<calls)"
+  grid METHODS="none smote" >/dev/null
+  expect_line "$(grid LIBTORCH=no 2>&1 || true)" "LIBTORCH: on or off, not 'no'"
+}
+
+# 10 seeds of 12 cells: nobody wants to read their names.
+test_without_recordings_the_data_set_says_so_and_no_cell_does() {
+  describe
+  fussy_tabulate
+  echo "ingest real/records.h5" >broken
+  local output code=0
+  output=$(grid -k SEEDS="0 1 2 3 4 5 6 7 8 9" 2>&1) || code=$?
+  expect_equal "$code" 2
+  expect_equal "$(grep -c '^real .*the reason' <<<"$output")" 1
+  expect_no_line "$output" "missing"
+  expect_equal "$(grep -vc '^made' <<<"$output")" 7
+  expect_equal "$(ran)" "50 diagnose, 20 generate, 20 score, 1 simulate, 10 split, 1 tabulate, 20 train"
 }
 
 run_tests

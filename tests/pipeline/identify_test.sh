@@ -1,7 +1,7 @@
 #!/bin/bash
 # (k, c) of the twin against the truth.
 # shellcheck source-path=SCRIPTDIR
-source "${0%/*}/check.sh"
+source "${0%/*}/support.sh"
 
 identify() { make --silent identify BIN=fake RUN=t SEEDS="0 1" "$@"; }
 

@@ -1,7 +1,7 @@
 #!/bin/bash
 # The cluster scripts, with a SLURM of a few lines that runs jobs at once.
 # shellcheck source-path=SCRIPTDIR
-source "${0%/*}/check.sh"
+source "${0%/*}/support.sh"
 
 slurm() {
   mkdir path
@@ -39,11 +39,11 @@ SRUN
 
 test_a_job_for_each_seed_and_one_for_the_tables() {
   slurm
-  jobs/submit.sh RUN=t DATASETS=real RATIOS="100to1 10to1" SEEDS="0 3" >messages
+  jobs/submit.sh RUN=t DATASETS=real METHODS="none piae-dt" RATIOS="100to1 10to1" SEEDS="0 3" >messages
   expect_line "$(<messages)" "cells of seeds 0,3 as job 7, tables as job 7"
   expect_equal "$(<submitted)" "$(printf '%s\n' \
-    'sbatch --parsable --array=0,3 jobs/seed.sbatch RUN=t DATASETS=real RATIOS=100to1 10to1 SEEDS=0 3' \
-    'sbatch --parsable --dependency=afterok:7 jobs/tables.sbatch RUN=t DATASETS=real RATIOS=100to1 10to1 SEEDS=0 3')"
+    'sbatch --parsable --array=0,3 jobs/seed.sbatch RUN=t DATASETS=real METHODS=none piae-dt RATIOS=100to1 10to1 SEEDS=0 3' \
+    'sbatch --parsable --dependency=afterok:7 jobs/tables.sbatch RUN=t DATASETS=real METHODS=none piae-dt RATIOS=100to1 10to1 SEEDS=0 3')"
   expect_equal "$(awk '{ print $1 }' calls | sort | uniq -c | xargs)" \
     "4 diagnose 2 generate 1 ingest 2 score 2 split 1 tabulate 2 train"
   expect_line "$(<results/t/real/accuracy.csv)" "--seeds 0 3 "

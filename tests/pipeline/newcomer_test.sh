@@ -1,10 +1,9 @@
 #!/bin/bash
 # What CONTRIBUTING.md promises a newcomer, with the built programs: a method takes one class and one
-# line of the registry, a data set takes one TOML file, and the grid knows both.
+# line of the catalogue, a data set takes one TOML file, and the grid knows both.
 # shellcheck source-path=SCRIPTDIR
-source "${0%/*}/check.sh"
+source "${0%/*}/support.sh"
 
-programs=$(realpath "${PIAE_BIN:-$project/build/bin}")
 shown=$(realpath "${PIAE_SHOWN:-$project/build/tests/contributing}")
 
 # The programs, and those that have the shown method in the place of the others.
@@ -12,7 +11,6 @@ lay_out() {
   mkdir bin
   ln -s "$programs"/* bin
   ln -sf "$shown"/bin/* bin
-  cp "$shown/augment/registry.cpp" src/augment
   cp "$project/tests/reference/protocol.toml" pipeline
   mkdir -p results
   cp -r "$project/results/published" results

@@ -6,13 +6,12 @@
 # After a change that is meant to change numbers:
 #   PIAE_BIN=build/bin tests/pipeline/reference_test.sh store
 # shellcheck source-path=SCRIPTDIR
-source "${0%/*}/check.sh"
+source "${0%/*}/support.sh"
 
-programs=$(realpath "${PIAE_BIN:-$project/build/bin}")
 grid=$(mktemp -d)
 trap 'rm -r "$grid"' EXIT
 
-# In a folder with the front door alone, and the stand-ins' registry: it knows smote and piae-dt.
+# In a folder with the front door alone.
 lay_out() {
   rm -r pipeline/datasets
   mkdir -p pipeline/datasets results
@@ -100,7 +99,7 @@ test_without_a_reference_nothing_passes() {
   made
   rm $reference
   expect_exit 2 tiny check
-  expect_line "$(tiny check 2>&1 || true)" '^compare: results/reference/random/tiny.csv: there is no reference for tiny \(`make reference'
+  expect_line "$(tiny check 2>&1 || true)" '^check: results/reference/random/tiny.csv: there is no reference for tiny \(`make reference'
   tiny reference >/dev/null
   expect_exit 0 tiny check
   tiny reference SEEDS=0 >/dev/null

@@ -1,7 +1,7 @@
 #!/bin/bash
 # `make status`: what is done, running, failed and missing, and how long the rest will take.
 # shellcheck source-path=SCRIPTDIR
-source "${0%/*}/check.sh"
+source "${0%/*}/support.sh"
 
 describe() {
   rm -f pipeline/datasets/*

@@ -1,7 +1,7 @@
 #!/bin/bash
 # One step of the grid: its line, its log, its exit code, and signals.
 # shellcheck source-path=SCRIPTDIR
-source "${0%/*}/check.sh"
+source "${0%/*}/support.sh"
 
 export BIN=fake SUBMIT=
 
@@ -22,8 +22,9 @@ test_says_in_one_line_what_was_done() {
 test_passes_arguments_and_keeps_a_log() {
   own_stage <<<'printf "<%s>\n" "$@"; echo warned >&2'
   expect_equal "$(step --a 'two words' 2>&1 >/dev/null)" "$(printf '%-32s warned' real/seed0)"
-  expect_equal "$(sed '$d' results/t/real/seed0/own.log | sort)" \
+  expect_equal "$(grep -v '^step:' results/t/real/seed0/own.log | sort)" \
     "$(printf '%s\n' '<--a>' '<two words>' 'fake/own --a two words' warned | sort)"
+  expect_line "$(sed -n 2p results/t/real/seed0/own.log)" '^step: begun at [0-9]+\.[0-9]{6}$'
   expect_line "$(tail -n 1 results/t/real/seed0/own.log)" '^step: exit 0 after [0-9]+\.[0-9] s$'
 }
 
@@ -46,6 +47,38 @@ test_two_makes_do_not_run_one_step_at_once() {
   expect_exit 0 wait %1
   expect_exit 0 wait %2
   expect_no_line "$(<messages)" "only-one"
+}
+
+# Two makes have both found this step to be done; the other one comes first.
+test_what_another_make_has_done_meanwhile_is_not_done_again() {
+  # shellcheck disable=SC2016
+  own_stage <<<'echo once >>calls; echo made >"${!#}"'
+  touch input
+  local made=results/t/real/seed0/made.h5
+  run() { ASKED_AT=$asked_at step --input input --output $made >messages; }
+  local asked_at
+  asked_at=$(date +%s.%6N)
+  sleep 0.05
+  run
+  run
+  expect_line "$(<messages)" '^real/seed0 +own +done meanwhile by another make$'
+  expect_equal "$(wc -l <calls)" 1
+  # Not, when it is another step, when what it names has changed, or when make has looked later.
+  ASKED_AT=$asked_at step --input input --more --output $made >/dev/null
+  expect_equal "$(wc -l <calls)" 2
+  run
+  touch input
+  run
+  expect_equal "$(wc -l <calls)" 4
+  sleep 0.05
+  asked_at=$(date +%s.%6N)
+  run
+  expect_equal "$(wc -l <calls)" 5
+  own_stage <<<'exit 1'
+  asked_at=0
+  touch input
+  expect_exit 1 run
+  expect_exit 1 run
 }
 
 test_missing_program_fails() {

@@ -1,7 +1,7 @@
 #!/bin/bash
 # The sweep as a graph: one setting at a time, the common point computed once, changes and failures.
 # shellcheck source-path=SCRIPTDIR
-source "${0%/*}/check.sh"
+source "${0%/*}/support.sh"
 
 describe() {
   rm -f pipeline/datasets/*
@@ -17,6 +17,13 @@ learning-rate = 5e-4
 neighbours = 4
 [diagnose]
 epochs = 50
+[sweep]
+points = [
+  "batch=1", "batch=2", "batch=5", "batch=10", "batch=20",
+  "depth=1", "depth=2", "depth=3", "depth=4", "depth=5", "depth=6",
+  "loss-weights=adaptive", "loss-weights=adaptive-without-log", "loss-weights=fixed",
+  "learning-rate=1e-4", "learning-rate=2e-4", "learning-rate=0.0005", "learning-rate=1e-3",
+]
 TOML
 }
 
@@ -35,13 +42,13 @@ finished_sweep() {
   rm calls
 }
 
-# 5 + 6 + 3 + 5 points, of which four are the same: 16 cells.
+# 5 + 6 + 3 + 4 points, of which four are the method as it is, 0.0005 and 5e-4 being one: 15 cells.
 test_makes_every_point_once_and_the_common_one_with_them() {
   describe
   sweep -j4 >/dev/null
-  expect_equal "$(ran)" "16 diagnose, 16 generate, 1 ingest, 16 score, 1 split, 1 sweep, 16 train"
+  expect_equal "$(ran)" "15 diagnose, 15 generate, 1 ingest, 15 score, 1 split, 1 sweep, 15 train"
   expect_equal "$(cd results/t/real/seed0/sweep && echo *)" \
-    "batch-1 batch-10 batch-2 batch-20 depth-1 depth-2 depth-4 depth-5 depth-6 learning-rate-1e-3 learning-rate-1e-4 learning-rate-2e-4 learning-rate-5e-3 loss-weights-adaptive-without-log loss-weights-fixed"
+    "batch-1 batch-10 batch-2 batch-20 depth-1 depth-2 depth-4 depth-5 depth-6 learning-rate-1e-3 learning-rate-1e-4 learning-rate-2e-4 loss-weights-adaptive-without-log loss-weights-fixed"
 }
 
 test_moves_one_setting() {
@@ -56,8 +63,9 @@ test_moves_one_setting() {
 
 test_tells_the_table_its_points_and_which_are_common() {
   finished_sweep
+  expect_equal "$(grep -cE "^ +'(batch|depth|loss-weights|learning-rate)=[a-z0-9.-]+',?$" results/t/.settings/sweep.real.toml)" 18
   expect_equal "$(<results/t/real/sweep.csv)" \
-    "sweep --config results/t/.settings/sweep.real.toml --run results/t --dataset real --points batch=1 batch=2 batch=5 batch=10 batch=20 depth=1 depth=2 depth=3 depth=4 depth=5 depth=6 loss-weights=adaptive loss-weights=adaptive-without-log loss-weights=fixed learning-rate=1e-4 learning-rate=2e-4 learning-rate=5e-4 learning-rate=1e-3 learning-rate=5e-3 --centre batch=5 --centre depth=3 --centre loss-weights=adaptive --centre learning-rate=5e-4 --ratios 1to1 --seeds 0"
+    "sweep --config results/t/.settings/sweep.real.toml --run results/t --dataset real --centre batch=5 --centre depth=3 --centre loss-weights=adaptive --centre learning-rate=0.0005 --ratios 1to1 --seeds 0"
 }
 
 test_shares_cells_with_the_grid() {
@@ -65,7 +73,7 @@ test_shares_cells_with_the_grid() {
   make --silent cells BIN=fake RUN=t DATASETS=real SEEDS=0 METHODS="none piae-dt" RATIOS="10to1 1to1" >/dev/null
   rm calls
   sweep >/dev/null
-  expect_equal "$(ran)" "15 diagnose, 15 generate, 15 score, 1 sweep, 15 train"
+  expect_equal "$(ran)" "14 diagnose, 14 generate, 14 score, 1 sweep, 14 train"
 }
 
 test_second_run_does_nothing() {
@@ -78,16 +86,16 @@ test_second_run_does_nothing() {
 test_ratios_and_seeds_add_what_is_missing() {
   finished_sweep
   sweep RATIOS="100to1 10to1 1to1" >/dev/null
-  expect_equal "$(ran)" "16 diagnose, 1 sweep"
+  expect_equal "$(ran)" "15 diagnose, 1 sweep"
   sweep SEEDS="0 1" >/dev/null
-  expect_equal "$(ran)" "16 diagnose, 16 generate, 16 score, 1 split, 1 sweep, 16 train"
+  expect_equal "$(ran)" "15 diagnose, 15 generate, 15 score, 1 split, 1 sweep, 15 train"
 }
 
 test_a_setting_of_the_method_remakes_the_sweep() {
   finished_sweep
   sed -i 's/depth = 3/depth = 4/' pipeline/protocol.toml
   sweep >/dev/null
-  expect_equal "$(ran)" "16 diagnose, 16 generate, 16 score, 1 sweep, 16 train"
+  expect_equal "$(ran)" "15 diagnose, 15 generate, 15 score, 1 sweep, 15 train"
   expect_line "$(<results/t/real/sweep.csv)" "--centre depth=4 "
   sed -i 's/neighbours = 4/neighbours = 3/' pipeline/protocol.toml
   sweep >/dev/null
@@ -98,7 +106,7 @@ test_a_protocol_value_that_is_no_point_has_a_cell_of_each_point() {
   describe
   sed -i 's/batch = 5/batch = 7/' pipeline/protocol.toml
   sweep >/dev/null
-  expect_equal "$(ran)" "17 diagnose, 17 generate, 1 ingest, 17 score, 1 split, 1 sweep, 17 train"
+  expect_equal "$(ran)" "16 diagnose, 16 generate, 1 ingest, 16 score, 1 split, 1 sweep, 16 train"
   expect_no_line "$(<results/t/real/sweep.csv)" "--centre batch"
 }
 
@@ -109,7 +117,7 @@ test_a_failed_cell_is_named_and_leaves_the_others() {
   output=$(sweep -k 2>&1) || code=$?
   expect_equal "$code" 2
   expect_line "$output" "^real/seed0/sweep/depth-6 +train +failed with exit code 65"
-  expect_equal "$(ran)" "15 diagnose, 15 generate, 1 ingest, 15 score, 1 split, 15 train"
+  expect_equal "$(ran)" "14 diagnose, 14 generate, 1 ingest, 14 score, 1 split, 14 train"
   rm broken
   sweep >/dev/null
   expect_equal "$(ran)" "1 diagnose, 1 generate, 1 score, 1 sweep, 1 train"

@@ -3,7 +3,7 @@
 #include "base/error.hpp"
 #include "report/accuracy_rows.hpp"
 #include "report/ratio_columns.hpp"
-#include "report/run.hpp"
+#include "support/stored_run.hpp"
 
 namespace piae::report {
 namespace {
@@ -16,8 +16,8 @@ Contrast two_protocols() {
                                       row_with("vae", "10to1", {90, 94})};
   const std::vector<AccuracyRow> without{row_with("none", "100to1", {60, 60}),
                                          row_with("vae", "10to1", {90, 90})};
-  return contrast({"results/a", "cwru", "random", with_means(with)},
-                  {"results/a-blocked", "cwru", "blocked", with_means(without)});
+  return contrast({"results/a", "cwru", signal::Protocol::random, with_means(with)},
+                  {"results/a-blocked", "cwru", signal::Protocol::blocked, with_means(without)});
 }
 
 const std::string header =
@@ -56,14 +56,15 @@ TEST(Contrast, HasBothSidesAboveTheirDifference) {
 }
 
 TEST(Contrast, NamesItsSidesByWhatDiffers) {
-  const Side side{"results/a", "cwru", "random", {row_with("none", "100to1", {70})}};
+  const Side side{
+      "results/a", "cwru", signal::Protocol::random, {row_with("none", "100to1", {70})}};
   Side other = side;
   other.dataset = "cwru-as-published";
   EXPECT_EQ(contrast_csv(contrast(other, side)),
             header + "cwru-as-published,cwru,none,100to1,70.0000,,70.0000,,1,0.0000,,,,,\n");
   EXPECT_THAT(markdown(contrast_document(contrast(other, side))),
               testing::StartsWith("# cwru-as-published against cwru\n"));
-  other.protocol = "blocked";
+  other.protocol = signal::Protocol::blocked;
   EXPECT_THAT(contrast_csv(contrast(other, side)),
               HasSubstr("\ncwru-as-published blocked,cwru random,none,"));
   other = side;
@@ -72,7 +73,7 @@ TEST(Contrast, NamesItsSidesByWhatDiffers) {
   EXPECT_THROW(contrast(side, side), Error);
 }
 
-class SideOfARun : public Run {
+class SideOfARun : public StoredRun {
  protected:
   [[nodiscard]] Side read(const std::string& folder) const {
     return read_side(folder, {"", {"none vae"}, {"100to1 10to1 2to1"}, {"0 1"}});
@@ -84,7 +85,7 @@ TEST_F(SideOfARun, HasItsCellsAndTheirMean) {
   for (const char* end : {"", "/"}) {
     const Side side = read((folder_.path() / "run" / "cwru").string() + end);
     EXPECT_EQ(side.dataset, "cwru");
-    EXPECT_EQ(side.protocol, "random");
+    EXPECT_EQ(side.protocol, signal::Protocol::random);
     EXPECT_EQ(side.run.filename(), "run");
     ASSERT_EQ(side.rows.size(), 4U);
     EXPECT_EQ(side.rows.back().ratio, mean_of_ratios);

@@ -61,7 +61,7 @@ TEST(References, OfAStandInSaySo) {
   EXPECT_EQ(hit_sm.none(), " (hit-sm stands in for HFHP)");
   EXPECT_EQ(hit_sm.label(), "paper, HFHP");
   EXPECT_FALSE(hit_sm.beside()->own);
-  EXPECT_FALSE(counterpart("cwru-as-published")->own);
+  EXPECT_FALSE(PaperReference("cwru-as-published").beside()->own);
 }
 
 TEST(References, AreNotMadeForOtherDatasets) {

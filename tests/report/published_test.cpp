@@ -5,7 +5,7 @@
 #include <fstream>
 
 #include "base/error.hpp"
-#include "scoring/sets.hpp"
+#include "support/folder.hpp"
 
 namespace piae::report {
 namespace {
@@ -35,7 +35,7 @@ class PublishedTables : public testing::Test {
     }
   }
 
-  testing_sets::TemporaryFolder folder_;
+  Folder folder_;
   const std::string baseline_ = "table6-7-baseline.csv";
   const std::string methods_ = "table8-9-methods.csv";
   const std::string ablation_ = "table10-11-ablation.csv";

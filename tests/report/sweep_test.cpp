@@ -1,7 +1,7 @@
 #include "report/sweep.hpp"
 
 #include "base/error.hpp"
-#include "report/run.hpp"
+#include "support/stored_run.hpp"
 
 namespace piae::report {
 namespace {
@@ -47,7 +47,7 @@ TEST(SweepPoints, ThatCannotBeAreRefused) {
   expect_usage_error(options_of("batch=1", "batch=1", "100to1"), "go together");
 }
 
-class SweepTables : public Run {
+class SweepTables : public StoredRun {
  protected:
   /// A cell of piae-dt, `right` of 20 windows told.
   void add_cell(const std::string& folder, const std::string& ratio, int generated, int seed,
@@ -74,7 +74,7 @@ class SweepTables : public Run {
 TEST_F(SweepTables, HaveTheCommonPointInEveryFactor) {
   add_all_cells();
   const Sweep sweep = resolve(options_of(points_, centre_));
-  Results results;
+  run::Results results;
   const auto rows = sweep_rows(layout_, sweep, results);
   EXPECT_THAT(results.problems, IsEmpty());
   EXPECT_EQ(sweep_csv(sweep, rows),
@@ -88,7 +88,7 @@ TEST_F(SweepTables, HaveTheCommonPointInEveryFactor) {
 TEST_F(SweepTables, ForPeopleHaveARatioAColumn) {
   add_all_cells();
   const Sweep sweep = resolve(options_of(points_, centre_, "1to1 2to1", "1"));
-  Results results;
+  run::Results results;
   const auto rows = sweep_rows(layout_, sweep, results);
   const std::string text = markdown(sweep_document(sweep, rows, results));
   EXPECT_THAT(text, HasSubstr("# Settings of piae-dt on cwru\n"));
@@ -109,7 +109,7 @@ TEST_F(SweepTables, NameEveryCellThatIsMissingOrDoesNotBelong) {
   std::filesystem::remove(layout_.diagnosis("sweep/batch-1", "1to1", 1));
   save("diagnosis", diagnosis("vae", "1to1", 495, 0, 3),
        layout_.diagnosis("sweep/depth-4", "1to1", 0));
-  Results results;
+  run::Results results;
   const auto rows = sweep_rows(layout_, resolve(options_of(points_, centre_)), results);
   EXPECT_EQ(rows.size(), 2U);
   EXPECT_THAT(results.problems, ElementsAre(HasSubstr("batch 1, ratio 1to1, seed 1: "),

@@ -2,8 +2,9 @@
 
 #include <sstream>
 
+#include "report/published.hpp"
 #include "report/quality_table.hpp"
-#include "report/run.hpp"
+#include "support/stored_run.hpp"
 
 namespace piae::report {
 namespace {
@@ -16,24 +17,32 @@ using testing::StartsWith;
 const std::string csv_header =
     "dataset,method,ratio,generated_per_class,seeds,mean,std,ci95_low,ci95_high,published\n";
 
-class Tables : public Run {
+class Tables : public StoredRun {
  protected:
-  explicit Tables(const std::string& dataset = "cwru") : Run(dataset) {}
-  [[nodiscard]] std::vector<AccuracyRow> rows(const Grid& grid) const {
+  explicit Tables(const std::string& dataset = "cwru") : StoredRun(dataset) {
+    folder_.write("table6-7-baseline.csv",
+                  "dataset,run1,run2,run3,average\ncwru,61.8,62,61.7,61.8\nhfhp,61,62,63,62\n");
+    folder_.write("table8-9-methods.csv",
+                  "dataset,method,2to1\ncwru,vae,91.2\ncwru,piae-dt,93.7\nhfhp,vae,90.86\n");
+    folder_.write("table10-11-ablation.csv",
+                  "dataset,model,2to1\ncwru,model1,93.7\ncwru,model2,91.7\n");
+  }
+  [[nodiscard]] Published published() const { return Published(folder_.path()); }
+  [[nodiscard]] std::vector<AccuracyRow> rows(const run::Grid& grid) const {
     return accuracy_rows(grid, collect(layout_, grid), published());
   }
-  [[nodiscard]] Document document(const Grid& grid) const {
+  [[nodiscard]] Document document(const run::Grid& grid) const {
     return tables(grid, collect(layout_, grid), rows(grid), published(),
                   compare_methods(rows(grid), ""), rank_methods(rows(grid)));
   }
-  [[nodiscard]] std::string gains(const Grid& grid) const {
+  [[nodiscard]] std::string gains(const run::Grid& grid) const {
     return accuracy_csv(gain_rows(rows(grid)));
   }
 };
 
 /// Of two values a, b the deviation is |a - b| / sqrt(2), and the interval's half 12.7062 |a - b|
 /// / 2.
-TEST_F(Tables, OfTwoSeedsAsCsv) {
+TEST_F(Tables, OfTwoSeedsAreWrittenAsCsv) {
   add_all();
   EXPECT_EQ(accuracy_csv(rows(grid_)),
             csv_header +
@@ -68,7 +77,7 @@ TEST_F(Tables, OfGainsArePairedBySeed) {
   EXPECT_EQ(gains(grid("none", "100to1")), csv_header) << "nothing to compare";
 }
 
-TEST_F(Tables, OfTwoSeedsForATerminal) {
+TEST_F(Tables, OfTwoSeedsAreWrittenForATerminal) {
   add_all();
   EXPECT_EQ(accuracy_text(rows(grid_)),
             "method  ratio         generated  seeds    accuracy %    95 % interval  paper\n"
@@ -77,7 +86,7 @@ TEST_F(Tables, OfTwoSeedsForATerminal) {
             "vae     2:1 (3.33:1)        145      2  90.00 ± 7.07  [26.47, 153.53]   91.2\n");
 }
 
-TEST_F(Tables, OfTwoSeedsAsMarkdown) {
+TEST_F(Tables, OfTwoSeedsAreWrittenAsMarkdown) {
   add_all();
   const std::string text = markdown(document(grid_));
   EXPECT_THAT(text, StartsWith("# Results on cwru\n\nSplit protocol random; 2 seeds, each"));
@@ -124,7 +133,7 @@ TEST_F(Tables, OfQualityHaveAClassARowAndAMethodAColumn) {
 
 TEST_F(Tables, OfOneSeedHaveNoSpread) {
   add_all();
-  const Grid one = grid("none vae", "100to1 10to1", "1");
+  const run::Grid one = grid("none vae", "100to1 10to1", "1");
   EXPECT_EQ(accuracy_csv(rows(one)), csv_header +
                                          "cwru,none,100to1,0,1,65.0000,,,,61.8\n"
                                          "cwru,vae,10to1,45,1,75.0000,,,,\n");
@@ -139,7 +148,7 @@ TEST_F(Tables, OfOneSeedHaveNoSpread) {
                       "0.7000 |\n")));
 }
 
-TEST_F(Tables, OfOneSideOfTheGridOnly) {
+TEST_F(Tables, AreMadeOfOneSideOfTheGridToo) {
   add_all();
   const std::string none = markdown(document(grid("none", "100to1")));
   EXPECT_THAT(none, AllOf(HasSubstr("Accuracy on cwru without"), Not(HasSubstr("the methods"))));
@@ -158,7 +167,7 @@ TEST_F(Tables, MarkTheCeilingWhichHasNoQuality) {
   add_all();
   add(diagnosis("oracle", "2to1", 145, 0, 20));
   add(diagnosis("oracle", "2to1", 145, 1, 20));
-  const Grid with_oracle = grid("none vae oracle", "100to1 2to1");
+  const run::Grid with_oracle = grid("none vae oracle", "100to1 2to1");
   const std::string text = markdown(document(with_oracle));
   EXPECT_THAT(text, AllOf(HasSubstr("| oracle (ceiling) | here  |    100.00 ± 0.00 |"),
                           HasSubstr("The oracle is no method but a ceiling")));

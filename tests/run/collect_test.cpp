@@ -1,9 +1,9 @@
 #include "run/collect.hpp"
 
 #include "base/error.hpp"
-#include "report/run.hpp"
+#include "support/stored_run.hpp"
 
-namespace piae::report {
+namespace piae::run {
 namespace {
 
 using testing::AllOf;
@@ -12,7 +12,7 @@ using testing::EndsWith;
 using testing::HasSubstr;
 using testing::StartsWith;
 
-class Cells : public Run {
+class Cells : public StoredRun {
  protected:
   void expect_problem(const std::string& what, Exit exit) {
     const Results results = collect(layout_, grid_);
@@ -127,7 +127,7 @@ TEST_F(Cells, InTheWrongPlaceAreRefused) {
 TEST_F(Cells, ThatDoNotBelongTogetherAreRefused) {
   add_all();
   scoring::DiagnosisRecord other = diagnosis("vae", "2to1", 145, 1, 9);
-  other.protocol = "blocked";
+  other.protocol = signal::Protocol::blocked;
   add(other);
   expect_problem("the split protocol is blocked, here it must be random", Exit::bad_input);
   add(diagnosis("vae", "2to1", 95, 1, 9));
@@ -146,7 +146,7 @@ TEST_F(Cells, WithScoresThatDoNotBelongTogetherAreRefused) {
   add(other);
   expect_problem("the list of classes is IR, here it must be IR OR", Exit::bad_input);
   other = quality("vae", 1, 0.5);
-  other.protocol = "blocked";
+  other.protocol = signal::Protocol::blocked;
   add(other);
   expect_problem("the split protocol is blocked, here it must be random", Exit::bad_input);
   save("score", quality("vae", 0, 0.5), layout_.score("vae", 1));
@@ -165,4 +165,4 @@ TEST_F(Cells, ThatAreOutOfDateAreProblemsOfTheirOwn) {
 }
 
 }  // namespace
-}  // namespace piae::report
+}  // namespace piae::run

@@ -3,9 +3,9 @@
 #include <gmock/gmock.h>
 
 #include "base/error.hpp"
-#include "command_line.hpp"
+#include "support/command_line.hpp"
 
-namespace piae::report {
+namespace piae::run {
 namespace {
 
 using testing::ElementsAre;
@@ -54,7 +54,7 @@ TEST(Grid, OptionsTakeSeveralValuesAfterOneFlag) {
   EXPECT_EQ(options.seeds, (Strings{"0", "1", "2"}));
 }
 
-TEST(Grid, RefusesWhatCannotBe) {
+TEST(Grid, RefusesMethodsRatiosAndSeedsThatCannotBe) {
   expect_usage_error({"cwru", {"none"}, {"3to1"}, {"0"}}, "unknown ratio '3to1'");
   expect_usage_error({"cwru", {"none"}, {"10to1"}, {"0"}}, "none of these");
   expect_usage_error({"cwru", {"vae"}, {"100to1"}, {"0"}}, "none of these");
@@ -68,4 +68,4 @@ TEST(Grid, RefusesWhatCannotBe) {
 }
 
 }  // namespace
-}  // namespace piae::report
+}  // namespace piae::run

@@ -14,7 +14,6 @@ namespace piae::scoring {
 namespace {
 
 using signal::Defect;
-using testing_sets::noise;
 
 constexpr double rate_hz = 12000;
 constexpr Eigen::Index length = 1024;
@@ -87,7 +86,7 @@ TEST(Envelope, OfAModulatedCarrierIsItsModulation) {
 /// Modulated by cos of depth m at 9, 18 and 27 cycles and by noise: cos of depth a and any phase at
 /// each of 1 ... 40 cycles. Hann's window makes (m N / 4)^2 of a line and, as its squares have the
 /// mean 3 / 8, N^2 (a^2 / 4) 3 / 8 of the noise. Their sum over the latter is 1 + 2 m^2 / (3 a^2).
-TEST(FaultLine, OfAKnownModulationAgainstTheClosedForm) {
+TEST(FaultLine, OfAKnownModulationHasItsClosedForm) {
   constexpr double m = 0.1;
   constexpr double a = 0.02;
   Windows windows(200, length);
@@ -160,19 +159,19 @@ signal::WindowSet set_of(int label, const Windows& windows) {
   set.info = info();
   for (Eigen::Index i = 0; i < windows.rows(); ++i) {
     const Eigen::RowVectorXf row = windows.row(i).cast<float>();
-    testing_sets::add(set, label, {row.data(), row.data() + row.size()});
+    add(set, label, {row.data(), row.data() + row.size()});
   }
   return set;
 }
 
 double difference_db(const signal::WindowSet& generated, const signal::WindowSet& real) {
-  return judge(generated, real).front().fault_line_difference_db;
+  return quality_by_class(generated, real).front().fault_line_difference_db;
 }
 
 TEST(FaultLine, IsJudgedAgainstRealWindowsOfTheClass) {
   const signal::WindowSet real = set_of(3, simulated(3, 20));
   EXPECT_EQ(difference_db(real, real), 0);
-  EXPECT_GT(judge(real, real).front().fault_line_db, 6);
+  EXPECT_GT(quality_by_class(real, real).front().fault_line_db, 6);
   const Windows white = noise(20, static_cast<std::size_t>(length), "white");
   EXPECT_LT(difference_db(set_of(3, white), real), -6);
   EXPECT_LT(difference_db(set_of(3, simulated(1, 20)), real), -6);

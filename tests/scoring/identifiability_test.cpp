@@ -27,7 +27,7 @@ TEST(Agreement, EqualsAHandWorkedTable) {
   EXPECT_NEAR(found.correlation2, 121 / 152.0, 1e-12);
 }
 
-TEST(Agreement, OfTheMeanIsNone) {
+TEST(Agreement, IsZeroWhereAllInferredAreTheMean) {
   const Agreement found = agreement(Values{1, 2, 3}, Values{2, 2, 2});
   EXPECT_DOUBLE_EQ(found.r2, 0);
   EXPECT_DOUBLE_EQ(found.correlation2, 0);

@@ -11,8 +11,6 @@
 namespace piae::scoring {
 namespace {
 
-using testing_sets::noise;
-
 Windows column(std::initializer_list<double> values) {
   Windows windows(static_cast<Eigen::Index>(values.size()), 1);
   std::copy(values.begin(), values.end(), windows.data());
@@ -30,7 +28,7 @@ TEST(MeanSquaredDistance, NeedsTwoWindows) {
 /// Squared distances: within {0, 2} and within {1, 3} 0 and 4; between them 1, 9, 1, 1. With b = 4
 /// the five kernels add up to 5, 4.554440, 3.575121 and 2.623489 at 0, 1, 4 and 9, and
 /// (2 (2 * 5 + 2 * 3.575121) - 2 (3 * 4.554440 + 2.623489)) / 4 = 0.431716.
-TEST(Mmd, WorkedByHand) {
+TEST(Mmd, EqualsTheHandWorkedValue) {
   EXPECT_NEAR(mmd_squared(column({0, 2}), column({1, 3}), 16), 0.431715631975, 1e-11);
 }
 

@@ -35,7 +35,7 @@ double p_by_counting(const Values& ranks, double smaller) {
 TEST(SignedRanks, AreThoseOfHollanderAndWolfe) {
   const Values before{1.83, 0.50, 1.62, 2.48, 1.68, 1.88, 1.55, 3.06, 1.30};
   const Values after{0.878, 0.647, 0.598, 2.05, 1.06, 1.29, 1.06, 3.14, 1.29};
-  const PairedComparison c = compare_pairs(before, after);
+  const PairedDifference c = paired_difference(before, after);
   EXPECT_NEAR(*c.p, 0.0390625, 1e-12);
   EXPECT_NEAR(c.rank_biserial, (40.0 - 5.0) / 45, 1e-12);
   EXPECT_NEAR(c.difference.mean, 3.887 / 9, 1e-12);
@@ -104,39 +104,39 @@ TEST(SignedRanks, OfManyPairsAreNearlyNormal) {
   EXPECT_NEAR(test.p, std::erfc(z / std::sqrt(2.0)), 1e-3);
 }
 
-TEST(PairedComparison, OfOnePairHasNeitherIntervalNorTest) {
-  const PairedComparison c = compare_pairs(Values{90}, Values{80});
+TEST(PairedDifference, OfOnePairHasNeitherIntervalNorTest) {
+  const PairedDifference c = paired_difference(Values{90}, Values{80});
   EXPECT_EQ(c.difference.mean, 10);
   EXPECT_EQ(c.difference.interval, std::nullopt);
   EXPECT_EQ(c.p, std::nullopt);
   EXPECT_EQ(c.rank_biserial, 1);
 }
 
-TEST(PairedComparison, OfEqualValuesIsOfNoDifference) {
-  const PairedComparison c = compare_pairs(Values{80, 90.1, 0.1 + 0.2}, Values{80, 90.1, 0.3});
+TEST(PairedDifference, OfEqualValuesIsOfNoDifference) {
+  const PairedDifference c = paired_difference(Values{80, 90.1, 0.1 + 0.2}, Values{80, 90.1, 0.3});
   EXPECT_EQ(c.difference.mean, 0);
   EXPECT_EQ(c.p, 1);
   EXPECT_EQ(c.rank_biserial, 0);
 }
 
 /// Differences 2, 4, 6: mean 4, deviation 2, half width 4.30265 * 2 / sqrt(3).
-TEST(PairedComparison, HasTheIntervalOfTheDifferences) {
-  const PairedComparison c = compare_pairs(Values{12, 24, 36}, Values{10, 20, 30});
+TEST(PairedDifference, HasTheIntervalOfTheDifferences) {
+  const PairedDifference c = paired_difference(Values{12, 24, 36}, Values{10, 20, 30});
   EXPECT_NEAR(c.difference.interval->low, 4 - 4.96827, 1e-4);
   EXPECT_NEAR(c.difference.interval->high, 4 + 4.96827, 1e-4);
   EXPECT_EQ(c.p, 0.25);
-  EXPECT_THROW(compare_pairs(Values{1, 2}, Values{1}), std::logic_error);
-  EXPECT_THROW(compare_pairs(Values{}, Values{}), std::logic_error);
+  EXPECT_THROW(paired_difference(Values{1, 2}, Values{1}), std::logic_error);
+  EXPECT_THROW(paired_difference(Values{}, Values{}), std::logic_error);
 }
 
-TEST(PairedComparison, CannotBeMoreCertainThanItsPairsAllow) {
+TEST(PairedDifference, CannotBeMoreCertainThanItsPairsAllow) {
   EXPECT_EQ(smallest_p(5), 0.0625);
   EXPECT_EQ(smallest_p(10), 2.0 / 1024);
   EXPECT_EQ(signed_ranks(Values{1, 2, 3, 4, 5}).p, smallest_p(5));
 }
 
 /// By hand: 0.005 * 4, 0.01 * 3, 0.03 * 2, and 0.04 * 1, which must not be below the one before.
-TEST(Holm, StepsDownFromTheSmallest) {
+TEST(Holm, CorrectsFromTheSmallestPDownwards) {
   EXPECT_THAT(holm(Values{0.01, 0.04, 0.03, 0.005}),
               ElementsAre(DoubleNear(0.03, 1e-12), DoubleNear(0.06, 1e-12), DoubleNear(0.06, 1e-12),
                           DoubleNear(0.02, 1e-12)));

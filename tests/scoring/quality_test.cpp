@@ -7,16 +7,16 @@
 #include "base/error.hpp"
 #include "scoring/mmd.hpp"
 #include "scoring/sets.hpp"
+#include "support/three_classes.hpp"
 
 namespace piae::scoring {
 namespace {
 
 using testing::HasSubstr;
-using testing_sets::add;
 
 signal::WindowSet empty_set() {
   signal::WindowSet set;
-  set.info = testing_sets::three_classes();
+  set.info = three_classes();
   set.length = 4;
   return set;
 }
@@ -35,7 +35,7 @@ signal::WindowSet real_set() {
 void expect_refused(const signal::WindowSet& generated, const signal::WindowSet& real,
                     const std::string& what) {
   try {
-    judge(generated, real);
+    quality_by_class(generated, real);
     ADD_FAILURE() << "not refused: " << what;
   } catch (const Error& error) {
     EXPECT_EQ(error.exit(), Exit::bad_input);
@@ -44,7 +44,7 @@ void expect_refused(const signal::WindowSet& generated, const signal::WindowSet&
 }
 
 TEST(Judge, RealAgainstThemselvesIsPerfect) {
-  const auto classes = judge(real_set(), real_set());
+  const auto classes = quality_by_class(real_set(), real_set());
   ASSERT_EQ(classes.size(), 2U);
   EXPECT_EQ(classes[0].label, 1);
   EXPECT_EQ(classes[0].windows, 2);
@@ -65,7 +65,7 @@ TEST(Judge, PairsTheFirstWindowsOfAClassInTheirOrder) {
   add(generated, 2, {4, 0, 0, 1});  // against {2, 0, 0, 1}: RMSE 1
   add(generated, 1, {0, 1, 0, 0});  // against {1, 0, 0, 0}: RMSE sqrt(1/2), aligned 0
   add(generated, 2, {0, 2, 0, 1});  // against {0, 2, 0, 1}: 0
-  const auto classes = judge(generated, real_set());
+  const auto classes = quality_by_class(generated, real_set());
   EXPECT_EQ(classes[0].windows, 1);
   EXPECT_NEAR(classes[0].rmse, std::sqrt(0.5), 1e-15);
   EXPECT_EQ(classes[0].aligned_rmse, 0);
@@ -78,7 +78,7 @@ TEST(Judge, TakesTheBandwidthFromAllRealWindowsOfTheClass) {
   signal::WindowSet generated = empty_set();
   add(generated, 1, {1, 0, 0, 0});
   add(generated, 2, {0, 0, 0, 1});
-  const auto classes = judge(generated, real_set());
+  const auto classes = quality_by_class(generated, real_set());
   // One pair 4 apart; the three real windows lie 8 from each other.
   double kernels = 0;
   for (const double m : {1, 2, 4, 8, 16}) kernels += std::exp(-4 / (8.0 / 4 * m));

@@ -28,21 +28,21 @@ TEST(Ranks, TakeWhatDiffersByRoundingForEqual) {
 /// 0.975 twice with different ranks has a digit more here. Average ranks, F = 3.69 and critical
 /// difference 1.25 as on his pages 12 and 13; p from an F table: F(3, 39) is 2.85 at 0.05 and 4.33
 /// at 0.01.
-TEST(RankComparison, IsThatOfTheWorkedExample) {
-  const RankComparison c = compare_ranks({{0.763, 0.768, 0.771, 0.798},
-                                          {0.599, 0.591, 0.590, 0.569},
-                                          {0.954, 0.971, 0.968, 0.967},
-                                          {0.628, 0.661, 0.654, 0.657},
-                                          {0.882, 0.888, 0.886, 0.898},
-                                          {0.936, 0.931, 0.916, 0.931},
-                                          {0.661, 0.668, 0.609, 0.685},
-                                          {0.583, 0.583, 0.563, 0.625},
-                                          {0.775, 0.838, 0.866, 0.875},
-                                          {1.000, 1.000, 1.000, 1.000},
-                                          {0.940, 0.962, 0.965, 0.962},
-                                          {0.619, 0.666, 0.614, 0.669},
-                                          {0.972, 0.981, 0.9752, 0.975},
-                                          {0.957, 0.978, 0.946, 0.970}});
+TEST(AverageRanks, IsThatOfTheWorkedExample) {
+  const AverageRanks c = average_ranks({{0.763, 0.768, 0.771, 0.798},
+                                        {0.599, 0.591, 0.590, 0.569},
+                                        {0.954, 0.971, 0.968, 0.967},
+                                        {0.628, 0.661, 0.654, 0.657},
+                                        {0.882, 0.888, 0.886, 0.898},
+                                        {0.936, 0.931, 0.916, 0.931},
+                                        {0.661, 0.668, 0.609, 0.685},
+                                        {0.583, 0.583, 0.563, 0.625},
+                                        {0.775, 0.838, 0.866, 0.875},
+                                        {1.000, 1.000, 1.000, 1.000},
+                                        {0.940, 0.962, 0.965, 0.962},
+                                        {0.619, 0.666, 0.614, 0.669},
+                                        {0.972, 0.981, 0.9752, 0.975},
+                                        {0.957, 0.978, 0.946, 0.970}});
   EXPECT_EQ(c.blocks, 14U);
   ASSERT_EQ(c.average.size(), 4U);
   EXPECT_NEAR(c.average[0], 3.143, 5e-4);
@@ -57,7 +57,7 @@ TEST(RankComparison, IsThatOfTheWorkedExample) {
 }
 
 /// Demsar 2006, Table 5a.
-TEST(RankComparison, HasTheQuantilesOfThePublishedTable) {
+TEST(AverageRanks, HasTheQuantilesOfThePublishedTable) {
   const double at_005[] = {1.960, 2.343, 2.569, 2.728, 2.850, 2.949, 3.031, 3.102, 3.164};
   const double at_010[] = {1.645, 2.052, 2.291, 2.459, 2.589, 2.693, 2.780, 2.855, 2.920};
   for (std::size_t i = 0; i < 9; ++i) {
@@ -66,24 +66,24 @@ TEST(RankComparison, HasTheQuantilesOfThePublishedTable) {
   }
 }
 
-TEST(RankComparison, OfBlocksThatAgree) {
-  const RankComparison agree = compare_ranks({{3, 2, 1}, {30, 20, 10}});
+TEST(AverageRanks, IsAsCertainAsTheOrdersThatBlocksCanHave) {
+  const AverageRanks agree = average_ranks({{3, 2, 1}, {30, 20, 10}});
   EXPECT_THAT(agree.average, ElementsAre(1, 2, 3));
   EXPECT_NEAR(*agree.p, 1.0 / 6, 1e-12);  // one of six orders
-  EXPECT_NEAR(*compare_ranks({{2, 1}, {2, 1}, {2, 1}, {2, 1}, {2, 1}}).p, 1.0 / 16, 1e-12);
-  const RankComparison alike = compare_ranks({{5, 5, 5}, {7, 7, 7}});
+  EXPECT_NEAR(*average_ranks({{2, 1}, {2, 1}, {2, 1}, {2, 1}, {2, 1}}).p, 1.0 / 16, 1e-12);
+  const AverageRanks alike = average_ranks({{5, 5, 5}, {7, 7, 7}});
   EXPECT_THAT(alike.average, ElementsAre(2, 2, 2));
   EXPECT_EQ(alike.p, 1);
 }
 
-TEST(RankComparison, OfOneBlockOrOneMethodTestsNothing) {
-  const RankComparison one_block = compare_ranks({{1, 2}});
+TEST(AverageRanks, OfOneBlockOrOneMethodTestsNothing) {
+  const AverageRanks one_block = average_ranks({{1, 2}});
   EXPECT_THAT(one_block.average, ElementsAre(2, 1));
   EXPECT_EQ(one_block.p, std::nullopt);
   EXPECT_EQ(one_block.critical_difference, std::nullopt);
-  EXPECT_EQ(compare_ranks({{1}, {2}}).p, std::nullopt);
-  EXPECT_THROW(compare_ranks({}), std::logic_error);
-  EXPECT_THROW(compare_ranks({{1, 2}, {1}}), std::logic_error);
+  EXPECT_EQ(average_ranks({{1}, {2}}).p, std::nullopt);
+  EXPECT_THROW(average_ranks({}), std::logic_error);
+  EXPECT_THROW(average_ranks({{1, 2}, {1}}), std::logic_error);
 }
 
 }  // namespace

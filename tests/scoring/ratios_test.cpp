@@ -17,7 +17,7 @@ TEST(Ratios, AreThoseOfTable5) {
                                            Pair("1to1", 495)));
 }
 
-TEST(Ratios, UnknownOneIsAUsageErrorThatListsTheOthers) {
+TEST(Ratios, AnUnknownOneIsAUsageErrorThatListsTheOthers) {
   try {
     find_ratio("3to1");
     FAIL();

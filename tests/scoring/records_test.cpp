@@ -4,7 +4,8 @@
 #include "artefact/writer.hpp"
 #include "scoring/diagnosis_record.hpp"
 #include "scoring/quality_record.hpp"
-#include "scoring/sets.hpp"
+#include "support/folder.hpp"
+#include "support/three_classes.hpp"
 
 namespace piae::scoring {
 namespace {
@@ -27,18 +28,18 @@ class Records : public testing::Test {
     return {folder_.path() / "file.h5", kind};
   }
 
-  testing_sets::TemporaryFolder folder_;
+  Folder folder_;
 };
 
 DiagnosisRecord diagnosis() {
   DiagnosisRecord record;
-  record.info = testing_sets::three_classes();
+  record.info = three_classes();
   record.method = "piae-dt";
   record.ratio = "2to1";
   record.generated_per_class = 145;
   record.true_ratio = 500.0 / 150;
   record.seed = 3;
-  record.protocol = "random";
+  record.protocol = signal::Protocol::random;
   record.labels = {0, 1, 2, 1};
   record.predictions = {0, 1, 0, 1};
   record.scores = {0.8F, 0.1F, 0.1F, 0, 1, 0, 0.5F, 0.25F, 0.25F, 0, 1, 0};
@@ -49,10 +50,10 @@ DiagnosisRecord diagnosis() {
 
 QualityRecord quality() {
   return {
-      testing_sets::three_classes(),
+      three_classes(),
       "vae",
       4,
-      "blocked",
+      signal::Protocol::blocked,
       {{1, 495, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7}, {2, 494, 1.1, 1.2, 1.3, 1.4, 1.5, 1.6, 1.7}}};
 }
 
@@ -109,7 +110,7 @@ class WrongDiagnosis : public Records {
       read_diagnosis(reader);
       ADD_FAILURE() << "not refused: " << what;
     } catch (const Refusal& refusal) {
-      EXPECT_EQ(refusal.fault(), artefact::Fault::bad_content);
+      EXPECT_EQ(refusal.reason(), artefact::RefusalReason::bad_content);
       EXPECT_THAT(refusal.what(), HasSubstr(what));
       EXPECT_THAT(refusal.what(), HasSubstr("file.h5"));
     }
@@ -119,22 +120,22 @@ class WrongDiagnosis : public Records {
   Writer writer_{"diagnosis"};
 };
 
-TEST_F(WrongDiagnosis, AccuracyOfAnotherMatrix) {
+TEST_F(WrongDiagnosis, WithTheAccuracyOfAnotherMatrixIsRefused) {
   expect_refused({0, 1}, {0, 2}, {1, 0, 0, 0, 0, 1, 0, 0, 0}, 0.9, "attribute accuracy");
 }
-TEST_F(WrongDiagnosis, MatrixOfOtherPredictions) {
+TEST_F(WrongDiagnosis, WithTheMatrixOfOtherPredictionsIsRefused) {
   expect_refused({0, 1}, {0, 2}, {1, 0, 0, 0, 1, 0, 0, 0, 0}, 1.0, "/confusion is not");
 }
-TEST_F(WrongDiagnosis, LabelThatDoesNotExist) {
+TEST_F(WrongDiagnosis, WithALabelThatDoesNotExistIsRefused) {
   expect_refused({0, 3}, {0, 2}, {1, 0, 0, 0, 1, 0, 0, 0, 0}, 1.0, "/labels holds class 3");
 }
-TEST_F(WrongDiagnosis, PredictionThatDoesNotExist) {
+TEST_F(WrongDiagnosis, WithAPredictionThatDoesNotExistIsRefused) {
   expect_refused({0, 1}, {0, -1}, {1, 0, 0, 0, 1, 0, 0, 0, 0}, 1.0, "/predictions holds class -1");
 }
-TEST_F(WrongDiagnosis, FewerPredictionsThanLabels) {
+TEST_F(WrongDiagnosis, WithFewerPredictionsThanLabelsIsRefused) {
   expect_refused({0, 1}, {0}, {1, 0, 0, 0, 1, 0, 0, 0, 0}, 1.0, "/predictions has another shape");
 }
-TEST_F(WrongDiagnosis, NoWindow) {
+TEST_F(WrongDiagnosis, WithoutAWindowIsRefused) {
   expect_refused({}, {}, {0, 0, 0, 0, 0, 0, 0, 0, 0}, 1.0, "/labels is empty");
 }
 
@@ -149,7 +150,7 @@ TEST_F(Records, QualityComesBackAsItWas) {
   EXPECT_EQ(read.info.name, "toy");
   EXPECT_EQ(read.method, "vae");
   EXPECT_EQ(read.seed, 4);
-  EXPECT_EQ(read.protocol, "blocked");
+  EXPECT_EQ(read.protocol, signal::Protocol::blocked);
   ASSERT_EQ(read.classes.size(), 2U);
   EXPECT_EQ(read.classes[1].label, 2);
   EXPECT_EQ(read.classes[1].windows, 494);

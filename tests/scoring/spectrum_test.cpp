@@ -11,8 +11,6 @@
 namespace piae::scoring {
 namespace {
 
-using testing_sets::noise;
-
 Windows tone(Eigen::Index length, double amplitude, int cycles, double phase) {
   Windows window(1, length);
   for (Eigen::Index i = 0; i < length; ++i) {
@@ -24,7 +22,7 @@ Windows tone(Eigen::Index length, double amplitude, int cycles, double phase) {
 }
 
 /// Hann's window spreads a tone A cos over three bins of height A N / 8, A N / 4, A N / 8.
-TEST(Spectrum, OfATone) {
+TEST(Spectrum, OfAToneIsThreeLinesOfTheWindow) {
   const Eigen::ArrayXd power = mean_power_spectrum(tone(64, 3, 8, 0.7));
   ASSERT_EQ(power.size(), 33);
   for (Eigen::Index bin = 0; bin < 33; ++bin) {

@@ -9,7 +9,7 @@
 namespace piae::scoring {
 namespace {
 
-TEST(Summary, OfTheFiveRunsOfTable6) {
+TEST(Summary, OfTheFiveRunsOfTable6IsThatWorkedByHand) {
   const Summary summary = summarise(std::vector<double>{61.8, 62.0, 61.7, 62.3, 62.3});
   EXPECT_EQ(summary.count, 5U);
   EXPECT_NEAR(summary.mean, 62.02, 1e-12);
@@ -20,7 +20,7 @@ TEST(Summary, OfTheFiveRunsOfTable6) {
 }
 
 /// The half-width of n values with standard deviation 1 is t / sqrt(n), and t is in every table.
-TEST(Summary, IntervalIsStudents) {
+TEST(Summary, IntervalHasStudentsQuantiles) {
   const std::vector<std::pair<std::size_t, double>> table{{2, 12.7062}, {3, 4.3027},  {4, 3.1824},
                                                           {6, 2.5706},  {10, 2.2622}, {30, 2.0452}};
   for (const auto& [n, t] : table) {

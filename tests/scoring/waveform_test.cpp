@@ -10,8 +10,6 @@
 namespace piae::scoring {
 namespace {
 
-using testing_sets::noise;
-
 TEST(Rmse, IsTheMeanOverPairsNotTheRootOfTheMeanSquare) {
   Windows generated(2, 2);
   generated << 3, 4, 1, 1;

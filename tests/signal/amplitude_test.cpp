@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "signal/folder.hpp"
+#include "support/errors.hpp"
 
 namespace piae::signal {
 namespace {
@@ -26,7 +26,7 @@ TEST(Amplitude, IsTheRmsAboutEachWindowsOwnMean) {
   EXPECT_DOUBLE_EQ(rms[1], std::sqrt((1.0 + 1 + 9 + 9) / 4));
 }
 
-TEST(Amplitude, OfASignalIsAboutItsMean) {
+TEST(Amplitude, OfASignalIsTakenAboutItsMean) {
   const std::vector<double> signal{7, 11, 9, 9};
   EXPECT_DOUBLE_EQ(rms_of(signal), std::sqrt(8.0 / 4));
 }

@@ -3,7 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "signal/folder.hpp"
+#include "support/errors.hpp"
+#include "support/folder.hpp"
 
 namespace piae::signal {
 namespace {
@@ -94,7 +95,7 @@ TEST(Description, WithoutARateTakesTheOneOfAllRecords) {
   EXPECT_EQ(read_description(folder.write("rig.toml", text)).info.sample_rate_hz, 8000);
 }
 
-TEST(Description, MissingFile) {
+TEST(Description, SaysWhichFileIsMissing) {
   EXPECT_ERROR(read_description("/nowhere/rig.toml"), Exit::input_missing, "/nowhere/rig.toml");
 }
 

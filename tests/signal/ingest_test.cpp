@@ -3,7 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "base/sha256.hpp"
-#include "signal/folder.hpp"
+#include "support/errors.hpp"
+#include "support/folder.hpp"
 
 namespace piae::signal {
 namespace {

@@ -8,7 +8,8 @@
 #include <cmath>
 #include <cstdint>
 
-#include "signal/folder.hpp"
+#include "support/errors.hpp"
+#include "support/folder.hpp"
 
 namespace piae::signal {
 namespace {
@@ -154,7 +155,7 @@ TEST(MatFile, ThatIsCutAnywhereIsRefused) {
   }
 }
 
-TEST(MatFile, ThatIsNoneIsRefused) {
+TEST(MatFile, ThatIsNoMatFileIsRefused) {
   const Folder folder;
   EXPECT_ERROR(read_mat(folder.write("a.mat", "<html>404</html>"), "x"), Exit::bad_input,
                "not a MATLAB file");

@@ -75,7 +75,7 @@ TEST(RealDescriptions, DifferBetweenCwruAndAsPublishedInTheRateOf97Alone) {
   }
 }
 
-TEST(Cwru, IsIngested) {
+TEST(Cwru, IsIngestedWithTheRecordsOfThePaper) {
   const Description description = description_of("cwru");
   NEED_RECORDINGS(description);
   const Recordings r = ingest(description, data_dir);

@@ -3,7 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "signal/counting.hpp"
-#include "signal/folder.hpp"
+#include "support/errors.hpp"
+#include "support/folder.hpp"
 
 namespace piae::signal {
 namespace {

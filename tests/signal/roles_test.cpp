@@ -4,8 +4,9 @@
 #include <gtest/gtest.h>
 
 #include "signal/counting.hpp"
-#include "signal/folder.hpp"
 #include "signal/split.hpp"
+#include "support/errors.hpp"
+#include "support/folder.hpp"
 
 namespace piae::signal {
 namespace {
@@ -15,9 +16,14 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 
 /// Windows of ten samples in the records "one" and "two".
-RoleSet role(const std::string& name, const std::string& protocol,
+RoleSet role(Role role, Protocol protocol,
              const std::vector<std::pair<std::int32_t, std::int64_t>>& places) {
-  RoleSet set{name + ".h5", name, protocol, 0, "digest", {}};
+  RoleSet set{.file = to_string(role) + ".h5",
+              .role = role,
+              .protocol = protocol,
+              .seed = 0,
+              .records_digest = "digest",
+              .windows = {}};
   set.windows.length = 10;
   set.windows.record_names = {"one", "two"};
   for (const auto& [record, first] : places) {
@@ -29,59 +35,63 @@ RoleSet role(const std::string& name, const std::string& protocol,
 }
 
 TEST(Roles, MayOverlapButNotShareAWindowAtRandom) {
-  EXPECT_THAT(check_roles({role("A", "random", {{0, 0}, {0, 5}}), role("D", "random", {{0, 6}})}),
+  EXPECT_THAT(check_roles({role(Role::test, Protocol::random, {{0, 0}, {0, 5}}),
+                           role(Role::hidden, Protocol::random, {{0, 6}})}),
               IsEmpty());
-  EXPECT_THAT(check_roles({role("A", "random", {{0, 0}, {0, 5}}), role("D", "random", {{0, 5}})}),
+  EXPECT_THAT(check_roles({role(Role::test, Protocol::random, {{0, 0}, {0, 5}}),
+                           role(Role::hidden, Protocol::random, {{0, 5}})}),
               ElementsAre("record one: roles A and D share a window at sample 5 (1 places)"));
 }
 
 TEST(Roles, AreTheSamePlaceOnlyInTheSameRecord) {
-  EXPECT_THAT(check_roles({role("A", "random", {{0, 5}}), role("D", "random", {{1, 5}})}),
+  EXPECT_THAT(check_roles({role(Role::test, Protocol::random, {{0, 5}}),
+                           role(Role::hidden, Protocol::random, {{1, 5}})}),
               IsEmpty());
 }
 
 TEST(Roles, MeetByTheNameOfTheRecordNotByItsIndex) {
-  RoleSet d = role("D", "random", {{1, 5}});
+  RoleSet d = role(Role::hidden, Protocol::random, {{1, 5}});
   d.windows.record_names = {"two", "one"};
-  EXPECT_THAT(check_roles({role("A", "random", {{0, 5}}), d}),
+  EXPECT_THAT(check_roles({role(Role::test, Protocol::random, {{0, 5}}), d}),
               ElementsAre(HasSubstr("record one: roles A and D share a window")));
 }
 
 TEST(Roles, KeepAWindowLengthApartInBlocks) {
-  const RoleSet a = role("A", "blocked", {{0, 0}, {0, 5}});
-  EXPECT_THAT(check_roles({a, role("C", "blocked", {{0, 25}, {0, 28}})}), IsEmpty());
+  const RoleSet a = role(Role::test, Protocol::blocked, {{0, 0}, {0, 5}});
+  EXPECT_THAT(check_roles({a, role(Role::known, Protocol::blocked, {{0, 25}, {0, 28}})}),
+              IsEmpty());
   EXPECT_THAT(
-      check_roles({a, role("C", "blocked", {{0, 24}, {0, 28}})}),
+      check_roles({a, role(Role::known, Protocol::blocked, {{0, 24}, {0, 28}})}),
       ElementsAre("record one: roles A and C lie 9 samples apart at sample 24 (1 places); a "
                   "blocked split keeps 10"));
-  EXPECT_THAT(check_roles({a, role("C", "blocked", {{0, 3}})}),
+  EXPECT_THAT(check_roles({a, role(Role::known, Protocol::blocked, {{0, 3}})}),
               ElementsAre(HasSubstr("lie -7 samples apart at sample 3 (2 places)")));
-  EXPECT_THAT(check_roles({a, role("C", "blocked", {{0, 5}})}),
+  EXPECT_THAT(check_roles({a, role(Role::known, Protocol::blocked, {{0, 5}})}),
               ElementsAre(HasSubstr("share a window at sample 5")));
 }
 
 TEST(Roles, MustBeOfOneSplit) {
-  const RoleSet a = role("A", "random", {{0, 0}});
-  RoleSet d = role("D", "random", {{0, 20}});
+  const RoleSet a = role(Role::test, Protocol::random, {{0, 0}});
+  RoleSet d = role(Role::hidden, Protocol::random, {{0, 20}});
   d.seed = 1;
   EXPECT_THAT(check_roles({a, d}),
               ElementsAre("D.h5: has seed 1, but A.h5 has 0; they are not of one split"));
-  d = role("D", "blocked", {{0, 20}});
+  d = role(Role::hidden, Protocol::blocked, {{0, 20}});
   EXPECT_THAT(check_roles({a, d}), ElementsAre(HasSubstr("has protocol blocked")));
-  d = role("D", "random", {{0, 20}});
+  d = role(Role::hidden, Protocol::random, {{0, 20}});
   d.records_digest = "other";
   EXPECT_THAT(check_roles({a, d}), ElementsAre(HasSubstr("has records_digest other")));
-  d = role("D", "random", {{0, 20}});
+  d = role(Role::hidden, Protocol::random, {{0, 20}});
   d.windows.length = 20;
   EXPECT_THAT(check_roles({a, d}), ElementsAre(HasSubstr("has window length 20")));
 }
 
 TEST(Roles, OfNothingAreGood) { EXPECT_THAT(check_roles({}), IsEmpty()); }
 
-void save(const Folder& folder, const Split& split, std::size_t role, const SplitOptions& options) {
+void save(const Folder& folder, const Split& split, Role role, const SplitOptions& options) {
   artefact::Writer writer("windows");
   write(writer, split, role, options, "the digest");
-  writer.save(folder / (std::string(Split::roles[role]) + ".h5"), {"split", "", {}});
+  writer.save(folder / (to_string(role) + ".h5"), {"split", "", {}});
 }
 
 TEST(Roles, ComeBackFromTheirFiles) {
@@ -90,16 +100,16 @@ TEST(Roles, ComeBackFromTheirFiles) {
   options.seed = 7;
   const Split s = split(counting_recordings(80000), options);
   std::vector<RoleSet> sets;
-  for (std::size_t i = 0; i < s.sets.size(); ++i) {
-    save(folder, s, i, options);
-    const artefact::Reader reader(folder / (std::string(Split::roles[i]) + ".h5"), "windows");
+  for (const Role role : split_roles) {
+    save(folder, s, role, options);
+    const artefact::Reader reader(folder / (to_string(role) + ".h5"), "windows");
     sets.push_back(read_role_set(reader));
-    EXPECT_EQ(sets.back().role, Split::roles[i]);
-    EXPECT_EQ(sets.back().protocol, "random");
+    EXPECT_EQ(sets.back().role, role);
+    EXPECT_EQ(sets.back().protocol, Protocol::random);
     EXPECT_EQ(sets.back().seed, 7);
     EXPECT_EQ(sets.back().records_digest, "the digest");
-    EXPECT_EQ(sets.back().windows.samples, s.sets[i].samples);
-    EXPECT_EQ(sets.back().windows.first_sample, s.sets[i].first_sample);
+    EXPECT_EQ(sets.back().windows.samples, s.of(role).samples);
+    EXPECT_EQ(sets.back().windows.first_sample, s.of(role).first_sample);
     EXPECT_EQ(reader.numbers<std::int64_t>("/classes/stride", {3}).values, s.strides);
   }
   EXPECT_THAT(check_roles(sets), IsEmpty());
@@ -121,6 +131,26 @@ TEST(Roles, CannotBeReadFromGeneratedWindows) {
   writer.save(folder / "E.h5", {});
   const artefact::Reader reader(folder / "E.h5", "windows");
   EXPECT_ERROR(read_role_set(reader), Exit::bad_input, "do not say where they were cut");
+}
+
+TEST(Roles, AreStoredByTheirLetters) {
+  const std::string letters = to_string(Role::test) + to_string(Role::healthy) +
+                              to_string(Role::known) + to_string(Role::hidden) +
+                              to_string(Role::generated);
+  EXPECT_EQ(letters, "ABCDE");
+}
+
+TEST(Roles, WithAWordThatNobodyKnowsAreRefused) {
+  const Folder folder;
+  artefact::Writer writer("windows");
+  writer.attribute("/", "role", std::string("F"));
+  writer.attribute("/", "protocol", std::string("ordered"));
+  writer.save(folder / "F.h5", {});
+  const artefact::Reader reader(folder / "F.h5", "windows");
+  EXPECT_ERROR(read_role(reader), Exit::bad_input, "has role F; known are A, B, C, D and E");
+  EXPECT_ERROR(require_role(reader, Role::test), Exit::bad_input, "has role F");
+  EXPECT_ERROR(read_protocol(reader), Exit::bad_input,
+               "is 'ordered'; known are random and blocked");
 }
 
 }  // namespace

@@ -12,7 +12,7 @@
 #include <string>
 
 #include "base/error.hpp"
-#include "signal/description_text.hpp"
+#include "support/description_text.hpp"
 
 namespace piae::signal {
 namespace {
@@ -161,7 +161,7 @@ TEST_F(SimulationTest, SignalIsThatOfTheStoredParameters) {
   EXPECT_GT(misfit(record.signal, truth), 0.2);
 }
 
-TEST_F(SimulationTest, ThreadsDoNotMatter) {
+TEST_F(SimulationTest, GivesTheSameOnAnyNumberOfThreads) {
   const Simulation s = read(description + "snr_db = 10\n");
   const int threads = omp_get_max_threads();
   omp_set_num_threads(1);

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "signal/folder.hpp"
+#include "support/errors.hpp"
 
 namespace piae::signal {
 namespace {

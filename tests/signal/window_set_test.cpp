@@ -6,7 +6,8 @@
 #include <stdexcept>
 
 #include "signal/counting.hpp"
-#include "signal/folder.hpp"
+#include "support/errors.hpp"
+#include "support/folder.hpp"
 
 namespace piae::signal {
 namespace {

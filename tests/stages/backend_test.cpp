@@ -13,6 +13,7 @@ using testing::HasSubstr;
 using testing::Not;
 
 TEST(Backend, LibtorchGivesTheSameDiagnosisButForRounding) {
+  SKIP_WITHOUT_LIBTORCH();
   const Tiny tiny;
   tiny.run_chain_before("tabulate");
   const Step step = step_of("diagnose");
@@ -40,14 +41,20 @@ std::string libraries_of(const Tiny& tiny, const std::string& program) {
   return stages::run(tiny.path(), program, {}, {{{"LD_TRACE_LOADED_OBJECTS", "1"}}}).out;
 }
 
-TEST(Backend, OnlyProgramsThatNeedLibtorchLoadIt) {
+TEST(Backend, NoProgramOfADefaultRunLoadsLibtorch) {
   const Tiny tiny;
-  for (const std::string stage : {"ingest", "simulate", "split", "train", "generate", "score",
-                                  "diagnose", "tabulate", "verify"}) {
+  for (const std::string stage :
+       {"ingest", "simulate", "split", "train", "generate", "score", "diagnose", "tabulate",
+        "verify", "identify", "sweep", "contrast", "check"}) {
     EXPECT_THAT(libraries_of(tiny, stage), HasSubstr("libhdf5")) << stage;
     EXPECT_THAT(libraries_of(tiny, stage), Not(HasSubstr("libtorch"))) << stage;
   }
-  for (const std::string stage : {"train", "generate", "diagnose"}) {
+}
+
+TEST(Backend, ProgramsThatAreNamedAfterLibtorchLoadIt) {
+  SKIP_WITHOUT_LIBTORCH();
+  const Tiny tiny;
+  for (const std::string stage : {"train", "generate", "diagnose", "identify"}) {
     EXPECT_THAT(libraries_of(tiny, stage + "-libtorch"), HasSubstr("libtorch")) << stage;
   }
 }
@@ -72,7 +79,7 @@ TEST(Backend, OnlyWhatHasNoNativeOneIsTrainedByLibtorch) {
   for (const Arguments& arguments : {training("piae-dt-cnn", "cnn.h5"),
                                      with(training("vae", "l.h5"), "--backend", "libtorch")}) {
     expect_refusal(tiny.run(program, arguments), "train", 1,
-                   {"bin/train-libtorch", "cannot be started", "make build"});
+                   {"needs LibTorch", "bin/train-libtorch", "make build LIBTORCH=on"});
   }
   expect_refusal(tiny.run(program, with(training("piae-dt-cnn", "cnn.h5"), "--backend", "native")),
                  "train", 2, {"--backend", "no native back end", "libtorch"});
@@ -80,6 +87,7 @@ TEST(Backend, OnlyWhatHasNoNativeOneIsTrainedByLibtorch) {
 
 // Whoever trained a model, either generates from it, and but for rounding the same.
 TEST(Backend, ModelsOfOneAreReadByTheOther) {
+  SKIP_WITHOUT_LIBTORCH();
   const Tiny tiny;
   tiny.run_chain_before("train");
   for (const std::string method : {"vae", "wgan-gp", "piae-dt", "ae"}) {

@@ -83,7 +83,7 @@ INSTANTIATE_TEST_SUITE_P(Stages, Inputs,
                          name_of);
 
 /// With the other options of diagnose it is enough to see that they are looked at.
-TEST(InputsOfDiagnose, AllAreChecked) {
+TEST(InputsOfDiagnose, AreRefusedEachByItself) {
   const Tiny tiny;
   tiny.run_chain_before("score");
   const Arguments& good = step_of("diagnose").arguments;
@@ -167,7 +167,7 @@ TEST(Content, MoreWindowsThanFitAreRefusedWithTheNumberThatFits) {
 
 /// A description of two CSV recordings for ingest.
 std::string raw_description(const std::string& more = "") {
-  return signal::described_bearing("tiny") + signal::described_normal + signal::described_ir007 +
+  return described_bearing("tiny") + described_normal + described_ir007 +
          R"([[record]]
 class = "Normal"
 file = "normal.csv"

@@ -39,7 +39,7 @@ class Outputs : public testing::TestWithParam<Output> {
   std::string stage_ = GetParam().stage;
 };
 
-TEST_P(Outputs, CannotBeMade) {
+TEST_P(Outputs, ThatCannotBeMadeAreNamedAndNothingIsLeft) {
   tiny_.write("file", "in the way");
   expect_failed("file/folder", "choose another");
 
@@ -50,7 +50,7 @@ TEST_P(Outputs, CannotBeMade) {
   expect_failed("fixed", "Permission denied", user);
 }
 
-TEST_P(Outputs, DoNotFitOnTheDisk) {
+TEST_P(Outputs, ThatDoNotFitOnTheDiskLeaveTheFormerOnes) {
   Surroundings small_disk;
   small_disk.largest_file = 2000;
   expect_failed("new", "File too large", small_disk);

@@ -161,4 +161,12 @@ inline void expect_refusal(const Outcome& outcome, const std::string& stage, int
   }
 }
 
+/// Whether the programs that LibTorch is linked to were built.
+inline bool built_with_libtorch() { return fs::exists(fs::path(PIAE_BIN) / "train-libtorch"); }
+
 }  // namespace piae::stages
+
+#define SKIP_WITHOUT_LIBTORCH()                                 \
+  if (!::piae::stages::built_with_libtorch()) {                 \
+    GTEST_SKIP() << "the programs were built without LibTorch"; \
+  }

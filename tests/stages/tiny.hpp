@@ -10,16 +10,16 @@
 #include <string>
 #include <vector>
 
-#include "signal/description_text.hpp"
-#include "signal/folder.hpp"
 #include "stages/program.hpp"
+#include "support/description_text.hpp"
+#include "support/folder.hpp"
 
 namespace piae::stages {
 
 /// A simulated dataset that takes a fraction of a second: three classes of two short records.
-inline const std::string tiny_description =
-    signal::described_bearing("tiny") + signal::described_normal + signal::described_ir007 +
-    signal::described_or021 + signal::described_simulation("2", "0.5") + "snr_db = 10\n";
+inline const std::string tiny_description = described_bearing("tiny") + described_normal +
+                                            described_ir007 + described_or021 +
+                                            described_simulation("2", "0.5") + "snr_db = 10\n";
 
 /// One step of the chain from a simulation to the tables.
 struct Step {
@@ -137,14 +137,8 @@ class Tiny {
     fs::copy_file(made / output, path() / output);
   }
 
-  signal::Folder folder_;
+  Folder folder_;
 };
-
-inline std::string bytes_of(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  EXPECT_TRUE(in) << file;
-  return {std::istreambuf_iterator<char>(in), {}};
-}
 
 inline void write_bytes(const fs::path& file, const std::string& bytes) {
   std::ofstream(file, std::ios::binary) << bytes;

@@ -8,7 +8,7 @@ namespace {
 class Usage : public testing::TestWithParam<const char*> {};
 
 TEST_P(Usage, HelpShowsAnExample) {
-  const signal::Folder folder;
+  const Folder folder;
   const Outcome help = run(folder.path(), GetParam(), {"--help"});
   EXPECT_EQ(help.status, 0);
   EXPECT_EQ(help.err, "");
@@ -16,8 +16,8 @@ TEST_P(Usage, HelpShowsAnExample) {
       << help.out;
 }
 
-TEST_P(Usage, NoArgumentsIsAUsageError) {
-  const signal::Folder folder;
+TEST_P(Usage, WithoutArgumentsIsAUsageError) {
+  const Folder folder;
   expect_refusal(run(folder.path(), GetParam(), {}), GetParam(), 2, {"required", "--help"});
   EXPECT_TRUE(fs::is_empty(folder.path()));
 }
@@ -52,7 +52,7 @@ INSTANTIATE_TEST_SUITE_P(Stages, Usage,
                          [](const auto& info) { return info.param; });
 
 TEST(Usage, TrainHelpShowsTheOptionsOfTheMethod) {
-  const signal::Folder folder;
+  const Folder folder;
   const Outcome help = run(folder.path(), "train", {"--method", "piae-dt", "--help"});
   EXPECT_EQ(help.status, 0);
   EXPECT_NE(help.out.find("--learning-rate"), std::string::npos) << help.out;

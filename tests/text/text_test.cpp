@@ -1,35 +1,18 @@
 #include <gmock/gmock.h>
 
 #include "text/csv.hpp"
-#include "report/document.hpp"
 #include "text/escape.hpp"
-#include "report/labels.hpp"
+#include "text/table.hpp"
 
-namespace piae::report {
+namespace piae::text {
 namespace {
 
-using testing::EndsWith;
 using testing::HasSubstr;
 
 TEST(Csv, QuotesOnlyWhatNeedsIt) {
   EXPECT_EQ(csv_line({"a", "", "1.5"}), "a,,1.5\n");
   EXPECT_EQ(csv_line({"a,b", "say \"x\"", "two\nlines"}),
             "\"a,b\",\"say \"\"x\"\"\",\"two\nlines\"\n");
-}
-
-TEST(Labels, OfNumbersWithAndWithoutASpread) {
-  const scoring::Summary one{1, 12.345, {}, {}};
-  const scoring::Summary two{2, -1.5, 0.125, scoring::Summary::Interval{-2, 3}};
-  EXPECT_EQ(mean_label(one), "12.35");
-  EXPECT_EQ(interval_label(one), "");
-  EXPECT_EQ(mean_label(two, {.decimals = 1, .sign = true}), "-1.5 ± 0.1");
-  EXPECT_EQ(interval_label(two, {.sign = true}), "[-2.00, +3.00]");
-}
-
-TEST(Labels, OfRatiosTellTheTrueOneWhereItDiffers) {
-  EXPECT_EQ(ratio_label("25to1", 25), "25:1");
-  EXPECT_EQ(ratio_label("2to1", 500.0 / 150), "2:1 (3.33:1)");
-  EXPECT_EQ(ratio_label("100to1", 30.0 / 5), "100:1 (6:1)");
 }
 
 Table table() {
@@ -83,12 +66,12 @@ TEST(Table, RowsThatGoOnStayTogetherInLatex) {
                                        "  \\bottomrule\n"));
 }
 
-TEST(Escape, OfMarkdown) {
+TEST(Escape, KeepsPlainTextPlainInMarkdown) {
   EXPECT_EQ(markdown_text("a|b *c* `d` <e> \\ f_g [1, 2]"),
             "a\\|b \\*c\\* \\`d\\` \\<e> \\\\ f_g [1, 2]");
 }
 
-TEST(Escape, OfLatex) {
+TEST(Escape, KeepsPlainTextPlainInLatex) {
   EXPECT_EQ(latex_text("a_b & 95 % #1 $ {x} ~ ^ \\ < > |"),
             "a\\_b \\& 95 \\% \\#1 \\$ \\{x\\} \\textasciitilde{} \\textasciicircum{} "
             "\\textbackslash{} \\textless{} \\textgreater{} \\textbar{}");
@@ -98,32 +81,5 @@ TEST(Escape, OfLatex) {
             "$-$1.5 $\\pm$ 0.1 of piae-dt-2, cold - warm -");
 }
 
-Document document() {
-  return {"my_set",
-          "Title of my_set",
-          {std::string(99, 'w') + " over the end.", "Second."},
-          {{"one", "Table one", "A note, 5 %.", table()}, {"two", "Table two", "", table()}}};
-}
-
-TEST(Document, AsMarkdown) {
-  EXPECT_EQ(markdown(document()), "# Title of my_set\n\n" + std::string(99, 'w') +
-                                      "\nover the end.\n\nSecond.\n\n## Table one\n\n"
-                                      "A note, 5 %.\n\n" +
-                                      table().markdown() + "\n## Table two\n\n" +
-                                      table().markdown());
-}
-
-TEST(Document, AsLatex) {
-  const std::string text = latex(document());
-  EXPECT_THAT(text, testing::StartsWith("% Title of my\\_set\n"
-                                        "% For \\input. In the preamble: "
-                                        "\\usepackage{booktabs,graphicx}\n\n"));
-  EXPECT_THAT(text, HasSubstr("\nSecond.\n\n\\begin{table}\n\\centering\n"
-                              "\\caption{Table one. A note, 5 \\%.}\n"
-                              "\\label{tab:my-set-one}\n\\resizebox{"));
-  EXPECT_THAT(text, HasSubstr("\\caption{Table two.}\n\\label{tab:my-set-two}\n"));
-  EXPECT_THAT(text, EndsWith("{!}{%\n" + table().latex() + "}\n\\end{table}\n"));
-}
-
 }  // namespace
-}  // namespace piae::report
+}  // namespace piae::text

@@ -46,7 +46,7 @@ TEST(TwinSpace, OfEqualPointsIsThatPoint) {
   EXPECT_EQ(point.c, 7);
 }
 
-TEST(TwinSpace, SurvivesAnArtefact) {
+TEST(TwinSpace, ComesBackFromItsArtefact) {
   const auto path = std::filesystem::path(testing::TempDir()) / "space.h5";
   artefact::Writer writer("model");
   const TwinSpace written(four_points, 3);

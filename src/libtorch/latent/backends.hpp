@@ -10,12 +10,13 @@
 
 namespace piae::libtorch {
 
-// VAE and WGAN-GP by LibTorch's eager operations: what latent/vae.hpp, latent/wgan_gp.hpp and
-// latent/generator.hpp describe.
+// VAE and WGAN-GP by LibTorch's eager operations. What these functions make is described in
+// latent/vae.hpp (MakeVae), latent/wgan_gp.hpp (MakeWganGp) and latent/generator.hpp
+// (OpenGenerator). All throw Error(usage) for cuda where there is no such device.
 
-std::unique_ptr<latent::LatentBackend> vae(const latent::LatentTask& task, const Stream& initial,
+std::unique_ptr<latent::LatentBackend> vae(latent::LatentTask task, const Stream& initial,
                                            Device device);
-std::unique_ptr<latent::LatentBackend> wgan_gp(const latent::LatentTask& task,
+std::unique_ptr<latent::LatentBackend> wgan_gp(latent::LatentTask task,
                                                const latent::WganGpOptions& options,
                                                const Stream& initial, Device device);
 std::unique_ptr<latent::StoredGenerator> open_generator(const artefact::Reader& model,

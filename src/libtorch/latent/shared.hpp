@@ -12,18 +12,20 @@
 
 namespace piae::libtorch {
 
-/// Known windows of a training step.
+/// The known windows of a training step.
 struct Batch {
-  torch::Tensor windows;  ///< about their means, in units of their class's RMS, [n, N]
-  torch::Tensor classes;  ///< one-hot, [n, classes]
+  torch::Tensor windows;  ///< [n, N], each without its mean, in units of its class's RMS
+  torch::Tensor classes;  ///< [n, classes], one-hot
 };
 
-/// z [n, latent] and one-hot classes [n, classes] -> windows [n, N], in units of the class's RMS.
+/// Runs the generator: z [n, latent] and one-hot classes [n, classes] -> windows [n, N], in units
+/// of the class's RMS.
 torch::Tensor run_generator(const ParameterSet& parameters, const torch::Tensor& z,
                             const torch::Tensor& classes);
 
-/// What LibTorch's back ends of the VAE and the WGAN-GP share: parameters and known windows.
-class LibtorchLatent : public latent::LatentBackend {
+/// The base of LibTorch's back ends of the VAE and the WGAN-GP. It owns the parameters and the
+/// known windows.
+class SharedBackend : public latent::LatentBackend {
  public:
   [[nodiscard]] const std::vector<nets::ParameterSpec>& specs() const override { return specs_; }
   [[nodiscard]] std::vector<float> values() const override {
@@ -34,20 +36,20 @@ class LibtorchLatent : public latent::LatentBackend {
   }
 
  protected:
-  LibtorchLatent(const latent::LatentTask& task, std::vector<nets::ParameterSpec> specs,
-                 const Stream& initial, Device device);
+  SharedBackend(const latent::LatentTask& task, std::vector<nets::ParameterSpec> specs,
+                const Stream& initial, Device device);
 
   ParameterSet& parameters() { return parameters_; }
   [[nodiscard]] double learning_rate() const { return learning_rate_; }
   [[nodiscard]] Batch batch_of(std::span<const std::size_t> windows) const;
-  /// z of N(0, 1) for each window of the batch, [n, latent].
+  /// Draws z from N(0, 1) for each window of the batch, [n, latent].
   [[nodiscard]] torch::Tensor draw_z(const Batch& batch, Stream& noise) const;
 
  private:
-  std::int64_t latent_;
+  std::int64_t latent_;  ///< numbers in z
   double learning_rate_;
   std::vector<nets::ParameterSpec> specs_;
-  Batch known_;
+  Batch known_;  ///< all known windows
   ParameterSet parameters_;
 };
 

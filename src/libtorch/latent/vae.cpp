@@ -1,7 +1,8 @@
-#include "latent/specs.hpp"
-#include "libtorch/latent/shared.hpp"
 #include "latent/vae.hpp"
+
+#include "latent/specs.hpp"
 #include "libtorch/latent/backends.hpp"
+#include "libtorch/latent/shared.hpp"
 #include "libtorch/latent/vae_losses.hpp"
 #include "libtorch/nets/adam.hpp"
 #include "libtorch/nets/torch.hpp"
@@ -12,10 +13,10 @@ namespace {
 
 const std::string adam_group = "/adam/networks";
 
-class LibtorchVae final : public LibtorchLatent {
+class Vae final : public SharedBackend {
  public:
-  LibtorchVae(const latent::LatentTask& task, const Stream& initial, Device device)
-      : LibtorchLatent(task, latent::vae_specs(task.generator), initial, device),
+  Vae(const latent::LatentTask& task, const Stream& initial, Device device)
+      : SharedBackend(task, latent::vae_specs(task.generator), initial, device),
         adam_(parameters().values(), parameters().gradients()) {}
 
   std::vector<double> step(std::size_t /*index*/, std::span<const std::size_t> windows,
@@ -37,9 +38,9 @@ class LibtorchVae final : public LibtorchLatent {
 
 }  // namespace
 
-std::unique_ptr<latent::LatentBackend> vae(const latent::LatentTask& task, const Stream& initial,
-                                            Device device) {
-  return std::make_unique<LibtorchVae>(task, initial, device);
+std::unique_ptr<latent::LatentBackend> vae(latent::LatentTask task, const Stream& initial,
+                                           Device device) {
+  return std::make_unique<Vae>(task, initial, device);
 }
 
 }  // namespace piae::libtorch

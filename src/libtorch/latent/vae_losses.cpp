@@ -19,7 +19,8 @@ VaeLosses vae_losses(const ParameterSet& parameters, const Batch& batch,
   const torch::Tensor& log_variance = posterior[1];
   const torch::Tensor z = mean + (0.5 * log_variance).exp() * noise;
   const torch::Tensor error = run_generator(parameters, z, batch.classes) - batch.windows;
-  return {0.5 * error.square().sum(1).mean(), kl_to_standard_normal(mean, log_variance)};
+  return {.squared_error = 0.5 * error.square().sum(1).mean(),
+          .kl = kl_to_standard_normal(mean, log_variance)};
 }
 
 }  // namespace piae::libtorch

@@ -1,7 +1,8 @@
-#include "latent/specs.hpp"
-#include "libtorch/latent/shared.hpp"
 #include "latent/wgan_gp.hpp"
+
+#include "latent/specs.hpp"
 #include "libtorch/latent/backends.hpp"
+#include "libtorch/latent/shared.hpp"
 #include "libtorch/latent/wgan_gp_losses.hpp"
 #include "libtorch/nets/adam.hpp"
 #include "libtorch/nets/torch.hpp"
@@ -19,11 +20,11 @@ torch::Tensor uniform_column(Stream& stream, std::int64_t rows) {
   return torch::tensor(numbers).unsqueeze(1);
 }
 
-class LibtorchWganGp final : public LibtorchLatent {
+class WganGp final : public SharedBackend {
  public:
-  LibtorchWganGp(const latent::LatentTask& task, const latent::WganGpOptions& options, const Stream& initial,
-                 Device device)
-      : LibtorchLatent(task, latent::wgan_gp_specs(task.generator), initial, device),
+  WganGp(const latent::LatentTask& task, const latent::WganGpOptions& options,
+         const Stream& initial, Device device)
+      : SharedBackend(task, latent::wgan_gp_specs(task.generator), initial, device),
         critic_steps_(static_cast<std::size_t>(options.critic_steps)),
         lambda_(options.penalty),
         critic_adam_(adam_of(critic_prefix)),
@@ -71,7 +72,7 @@ class LibtorchWganGp final : public LibtorchLatent {
     return run_generator(parameters(), draw_z(batch, noise), batch.classes);
   }
 
-  /// The gradient of a loss with respect to one of the two networks alone.
+  /// Sets the gradients of one of the two networks to those of a loss.
   void follow(const std::string& prefix, const torch::Tensor& loss) {
     parameters().set_gradients(prefix,
                                torch::autograd::grad({loss}, parameters().with_prefix(prefix)));
@@ -85,10 +86,10 @@ class LibtorchWganGp final : public LibtorchLatent {
 
 }  // namespace
 
-std::unique_ptr<latent::LatentBackend> wgan_gp(const latent::LatentTask& task,
-                                                const latent::WganGpOptions& options, const Stream& initial,
-                                                Device device) {
-  return std::make_unique<LibtorchWganGp>(task, options, initial, device);
+std::unique_ptr<latent::LatentBackend> wgan_gp(latent::LatentTask task,
+                                               const latent::WganGpOptions& options,
+                                               const Stream& initial, Device device) {
+  return std::make_unique<WganGp>(task, options, initial, device);
 }
 
 }  // namespace piae::libtorch

@@ -15,7 +15,8 @@ torch::Tensor run_critic(const ParameterSet& parameters, const torch::Tensor& wi
 torch::Tensor gradient_penalty(const ParameterSet& parameters, const torch::Tensor& windows,
                                const torch::Tensor& classes) {
   const torch::Tensor at = windows.detach().requires_grad_();
-  // A score depends on its own window alone, so the sum has all gradients at once.
+  // A score depends on its own window alone, so the gradient of the sum of all scores holds the
+  // gradient of each.
   const torch::Tensor gradients =
       torch::autograd::grad({run_critic(parameters, at, classes).sum()}, {at}, {},
                             /*retain_graph=*/true, /*create_graph=*/true)[0];
@@ -27,7 +28,8 @@ CriticLosses critic_losses(const ParameterSet& parameters, const Batch& known,
   const torch::Tensor between = generated + share * (known.windows - generated);
   const torch::Tensor scores = run_critic(parameters, known.windows, known.classes) -
                                run_critic(parameters, generated, known.classes);
-  return {scores.mean(), gradient_penalty(parameters, between, known.classes)};
+  return {.wasserstein = scores.mean(),
+          .penalty = gradient_penalty(parameters, between, known.classes)};
 }
 
 }  // namespace piae::libtorch

@@ -2,28 +2,27 @@
 
 #include <torch/types.h>
 
-#include <vector>
-
 #include "libtorch/latent/shared.hpp"
 
 namespace piae::libtorch {
 
-/// Scores of windows [n, N] of one-hot classes [n, classes]: [n].
+/// The critic's scores [n] of windows [n, N] with one-hot classes [n, classes].
 torch::Tensor run_critic(const ParameterSet& parameters, const torch::Tensor& windows,
                          const torch::Tensor& classes);
 
-/// Mean over the windows of (|gradient of the score with respect to the window| - 1)^2. Itself
-/// differentiable with respect to the critic's parameters.
+/// The mean over the windows of (|gradient of the score by the window| - 1)^2. It can itself be
+/// differentiated by the critic's parameters.
 torch::Tensor gradient_penalty(const ParameterSet& parameters, const torch::Tensor& windows,
                                const torch::Tensor& classes);
 
+/// The two parts of the critic's loss (latent/wgan_gp.hpp).
 struct CriticLosses {
   torch::Tensor wasserstein;  ///< mean score of the known minus that of the generated windows
-  torch::Tensor penalty;      ///< gradient_penalty on the lines between them
+  torch::Tensor penalty;      ///< gradient_penalty at points on the lines between them
 };
 
-/// `generated` has the classes of the batch, row by row. `share` [n, 1], in [0, 1]: where between a
-/// generated (0) and a known (1) window the gradient is taken.
+/// The losses for known and generated windows; row i of both has the same class. `share` [n, 1]
+/// says where on the line from the generated (0) to the known (1) window the penalty is taken.
 CriticLosses critic_losses(const ParameterSet& parameters, const Batch& known,
                            const torch::Tensor& generated, const torch::Tensor& share);
 

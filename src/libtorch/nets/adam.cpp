@@ -2,15 +2,18 @@
 
 #include "libtorch/nets/parameters.hpp"
 #include "libtorch/nets/torch.hpp"
+#include "nets/stored_parameters.hpp"
 
 namespace piae::libtorch {
 
 namespace {
 
-/// One pass over what the tensors hold, where LibTorch's operations need eight.
+/// Takes a step by going once over the memory of the tensors, where LibTorch's operations would go
+/// over it eight times.
 template <class T>
-void take_flat(const nets::AdamStep& step, const torch::Tensor& values, const torch::Tensor& gradients,
-               const torch::Tensor& first_moment, const torch::Tensor& second_moment) {
+void take_flat(const nets::AdamStep& step, const torch::Tensor& values,
+               const torch::Tensor& gradients, const torch::Tensor& first_moment,
+               const torch::Tensor& second_moment) {
   take(step, values.data_ptr<T>(), gradients.data_ptr<T>(), first_moment.data_ptr<T>(),
        second_moment.data_ptr<T>(), static_cast<std::size_t>(values.numel()));
 }
@@ -41,16 +44,18 @@ void Adam::step(double learning_rate) {
 }
 
 void Adam::write(artefact::Writer& writer, const std::string& group) const {
-  writer.numbers(group + "/first_moment", to_vector(first_moment_));
-  writer.numbers(group + "/second_moment", to_vector(second_moment_));
-  writer.attribute(group, "steps", steps_);
+  nets::write(writer, group,
+              nets::AdamState{.first_moment = to_vector(first_moment_),
+                              .second_moment = to_vector(second_moment_),
+                              .steps = steps_});
 }
 
 void Adam::read(const artefact::Reader& reader, const std::string& group) {
-  const auto size = static_cast<std::size_t>(values_.numel());
-  copy_into(first_moment_, reader.numbers<float>(group + "/first_moment", {size}).values);
-  copy_into(second_moment_, reader.numbers<float>(group + "/second_moment", {size}).values);
-  steps_ = reader.integer(group, "steps");
+  const nets::AdamState state =
+      nets::read_adam_state(reader, group, static_cast<std::size_t>(values_.numel()));
+  copy_into(first_moment_, state.first_moment);
+  copy_into(second_moment_, state.second_moment);
+  steps_ = state.steps;
 }
 
 double clip_norm(const torch::Tensor& gradients, double max_norm) {

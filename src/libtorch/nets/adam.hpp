@@ -11,17 +11,18 @@
 
 namespace piae::libtorch {
 
-/// Adam (Kingma and Ba 2015, Algorithm 1) over one flat vector of parameters, without weight decay.
-/// The same mathematics as torch::optim::Adam, with a state that is three plain arrays.
+/// Adam (Kingma and Ba 2015, Algorithm 1) for parameters in one flat tensor, without weight decay.
+/// The mathematics is that of torch::optim::Adam, but its state is two plain tensors and a count.
 class Adam {
  public:
-  /// Both tensors are flat, of one size, and are only borrowed: ParameterSet owns them.
+  /// Both tensors are flat and of one size. They share their memory with those that a ParameterSet
+  /// gave (values() and gradients()), so that a step changes its parameters.
   Adam(torch::Tensor values, torch::Tensor gradients, double beta1 = nets::AdamConstants::beta1,
        double beta2 = nets::AdamConstants::beta2);
 
   void step(double learning_rate);
 
-  /// Moments and step count, as <group>/first_moment, <group>/second_moment, attribute `steps`.
+  /// The state, as nets::AdamState in `group`.
   void write(artefact::Writer& writer, const std::string& group) const;
   void read(const artefact::Reader& reader, const std::string& group);
 
@@ -35,8 +36,8 @@ class Adam {
   std::int64_t steps_ = 0;
 };
 
-/// Scales the gradients so that their Euclidean norm is at most `max_norm`; returns the norm that
-/// they had.
+/// Scales the gradients so that their Euclidean norm is at most `max_norm`. Returns the norm that
+/// they had before.
 double clip_norm(const torch::Tensor& gradients, double max_norm);
 
 }  // namespace piae::libtorch

@@ -4,6 +4,11 @@
 
 namespace piae::libtorch {
 
+torch::Tensor run_dense(const ParameterSet& parameters, const std::string& name,
+                        const torch::Tensor& x) {
+  return torch::linear(x, parameters[name + "/weight"], parameters[name + "/bias"]);
+}
+
 torch::Tensor run_dense_chain(const ParameterSet& parameters, const std::string& name,
                               torch::Tensor x) {
   const std::vector<torch::Tensor> tensors = parameters.with_prefix(name + "/");

@@ -8,7 +8,13 @@
 
 namespace piae::libtorch {
 
-/// The chain of that name applied to x, [batch, inputs] -> [batch, outputs]. No ReLU at the end.
+/// Runs the dense layer with the parameters <name>/weight and <name>/bias: [batch, inputs] ->
+/// [batch, outputs].
+torch::Tensor run_dense(const ParameterSet& parameters, const std::string& name,
+                        const torch::Tensor& x);
+
+/// Runs the chain of dense layers of that name, with ReLU between them but none at the end: [batch,
+/// inputs] -> [batch, outputs]. Its parameters are those of nets::dense_chain_specs().
 torch::Tensor run_dense_chain(const ParameterSet& parameters, const std::string& name,
                               torch::Tensor x);
 

@@ -6,9 +6,9 @@
 
 namespace piae::libtorch {
 
-/// Throws Error(usage) for cuda where LibTorch finds no such device. Also holds LibTorch to one
-/// thread and to deterministic algorithms: parallelism comes from make and the scheduler, and
-/// results must not depend on it.
+/// LibTorch's name for a device. Also limits LibTorch to one thread and to deterministic
+/// algorithms, because make and the scheduler run programs in parallel and results must not depend
+/// on that. Throws Error(usage) for cuda where LibTorch finds no such device.
 torch::Device prepare_device(Device device);
 
 }  // namespace piae::libtorch

@@ -2,8 +2,8 @@
 
 #include <stdexcept>
 
-#include "nets/stored_parameters.hpp"
 #include "libtorch/nets/torch.hpp"
+#include "nets/stored_parameters.hpp"
 
 namespace piae::libtorch {
 
@@ -43,7 +43,7 @@ std::vector<torch::Tensor> ParameterSet::with_prefix(const std::string& prefix) 
 }
 
 ParameterSet::Range ParameterSet::range_of(const std::string& prefix) const {
-  Range range{-1, -1};
+  Range range{.begin = -1, .end = -1};
   std::int64_t begin = 0;
   for (const nets::ParameterSpec& spec : specs_) {
     const std::int64_t end = begin + spec.size();

@@ -14,31 +14,33 @@
 
 namespace piae::libtorch {
 
-/// All parameters of a model in one flat vector, and their gradients in another: the optimiser,
-/// gradient clipping and checkpoints each are one pass over contiguous memory. Every tensor that
-/// is handed out is a view, and autograd adds its gradients straight into the flat one.
+/// All parameters of a model in one flat tensor, and their gradients in another, so that Adam, the
+/// clipping of gradients and checkpoints each go once over contiguous memory. Every tensor that
+/// this class gives is a view of these two, and autograd adds its gradients directly into the flat
+/// one.
 class ParameterSet {
  public:
-  /// Initial values come from the stream's children by parameter name, so that they do not depend
-  /// on what else the model holds.
+  /// Initial values come from the stream as nets::initial_values() says.
   ParameterSet(std::vector<nets::ParameterSpec> specs, const Stream& stream,
                torch::Dtype dtype = torch::kFloat32, torch::Device device = torch::kCPU);
 
-  /// The parameter of that name: a leaf that requires a gradient. Throws std::logic_error.
+  /// The parameter of that name, a leaf that requires a gradient. Throws std::logic_error when
+  /// there is none.
   [[nodiscard]] const torch::Tensor& operator[](const std::string& name) const;
-  /// Parameters whose names begin with `prefix`, in order.
+  /// The parameters whose names begin with `prefix`, in the order of the specs.
   [[nodiscard]] std::vector<torch::Tensor> with_prefix(const std::string& prefix) const;
 
-  /// Flat values and gradients [size], of all or of the parameters whose names begin with
-  /// `prefix`, which must stand next to each other.
+  /// The flat values and gradients [size] of the parameters whose names begin with `prefix`. These
+  /// must follow each other in the specs, or std::logic_error is thrown.
   [[nodiscard]] torch::Tensor values(const std::string& prefix = "") const;
   [[nodiscard]] torch::Tensor gradients(const std::string& prefix = "") const;
   void zero_gradients();
-  /// Puts the gradients that torch::autograd::grad returned for with_prefix(prefix) in place.
+  /// Sets the gradients of with_prefix(prefix) to those that torch::autograd::grad returned for
+  /// them.
   void set_gradients(const std::string& prefix, const std::vector<torch::Tensor>& gradients);
 
-  /// What nets::write_parameters() wrote (stored_parameters.hpp).
-  /// Throws artefact::Refusal when a parameter is missing or has another shape.
+  /// Reads what nets::write_parameters() wrote (nets/stored_parameters.hpp). Throws
+  /// artefact::Refusal when a parameter is missing or has another shape.
   void read(const artefact::Reader& reader, const std::string& group);
 
  private:
@@ -54,7 +56,7 @@ class ParameterSet {
   torch::Tensor gradients_;
 };
 
-/// A flat tensor as float32 numbers and back; the shape must fit.
+/// The numbers of a tensor as float32, and back into a tensor of as many numbers.
 std::vector<float> to_vector(const torch::Tensor& tensor);
 void copy_into(const torch::Tensor& tensor, std::span<const float> values);
 

@@ -1,7 +1,7 @@
 #pragma once
 
-// What we use of LibTorch: tensors, their derivatives, threads and devices. <torch/torch.h>, which
-// has modules, data loaders and more, takes twice as long to compile.
+// The parts of LibTorch that we use: tensors, their derivatives, threads and devices.
+// <torch/torch.h> would bring modules, data loaders and more, and take twice as long to compile.
 #include <torch/csrc/autograd/autograd.h>
 #include <torch/cuda.h>
 #include <torch/types.h>

@@ -1,12 +1,13 @@
 #include "libtorch/twin/backend.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "libtorch/nets/adam.hpp"
 #include "libtorch/nets/device.hpp"
 #include "libtorch/nets/torch.hpp"
-#include "libtorch/twin/model.hpp"
 #include "libtorch/twin/losses.hpp"
+#include "libtorch/twin/model.hpp"
 #include "libtorch/twin/networks.hpp"
 #include "twin/specs.hpp"
 
@@ -14,6 +15,7 @@ namespace piae::libtorch {
 
 namespace {
 
+/// The losses of a batch, as tensors without dimensions.
 struct Losses {
   torch::Tensor reconstruction;
   torch::Tensor differential;
@@ -21,40 +23,42 @@ struct Losses {
   torch::Tensor total;
 
   [[nodiscard]] twin::BatchLosses values() const {
-    return {reconstruction.item<double>(), differential.item<double>(), twin.item<double>(),
-            total.item<double>()};
+    return {.reconstruction = reconstruction.item<double>(),
+            .differential = differential.item<double>(),
+            .twin = twin.item<double>(),
+            .total = total.item<double>()};
   }
 };
 
-/// Where there is no physics module.
+/// The losses of a variant without the physics-informed module.
 Losses reconstruction_alone(const torch::Tensor& loss) {
   const torch::Tensor none = torch::zeros_like(loss);
-  return {loss, none, none, loss};
+  return {.reconstruction = loss, .differential = none, .twin = none, .total = loss};
 }
 
-class LibtorchBackend final : public twin::TwinBackend {
+class Backend final : public twin::TwinBackend {
  public:
-  LibtorchBackend(const twin::TwinTask& task, const Stream& initial, torch::Device device)
-      : task_(task),
-        networks_(task.variant, task.shape, task.options),
+  Backend(twin::TwinTask task, const Stream& initial, torch::Device device)
+      : task_(std::move(task)),
+        networks_(task_.variant, task_.shape, task_.options),
         specs_(twin::with_log_weights(networks_.specs())),
-        windows_(torch::tensor(task.windows).view({-1, task.shape.samples}).to(device)),
-        labels_(torch::tensor(task.labels, torch::kInt64).to(device)),
+        windows_(torch::tensor(task_.windows).view({-1, task_.shape.samples}).to(device)),
+        labels_(torch::tensor(task_.labels, torch::kInt64).to(device)),
         parameters_(specs_, initial, torch::kFloat32, device),
         networks_adam_(parameters_.values("net/"), parameters_.gradients("net/")),
         weights_adam_(parameters_.values(twin::log_weights_name),
                       parameters_.gradients(twin::log_weights_name)) {
-    if (!task.states) return;
-    given_ = {as_tensor(task.states->points, device),
-              as_tensor(task.states->decoder_inputs, device)};
+    if (!task_.states) return;
+    given_ = {.k_and_c = as_tensor(task_.states->points, device),
+              .decoder_input = as_tensor(task_.states->decoder_inputs, device)};
   }
 
   twin::BatchLosses step(twin::TrainingStage stage, std::span<const std::size_t> windows,
-                   double learning_rate) override {
+                         double learning_rate) override {
     const torch::Tensor batch =
         torch::tensor(std::vector<std::int64_t>(windows.begin(), windows.end()), labels_.options());
     return stage == twin::TrainingStage::one ? step_stage_1(batch, learning_rate)
-                                       : step_stage_2(batch, learning_rate);
+                                             : step_stage_2(batch, learning_rate);
   }
 
   [[nodiscard]] const std::vector<nets::ParameterSpec>& specs() const override { return specs_; }
@@ -89,7 +93,7 @@ class LibtorchBackend final : public twin::TwinBackend {
   }
 
  private:
-  /// (k~, c~), and what the decoder is given of them, as [n, 2] each.
+  /// (k~, c~), and the two numbers that the decoder is given for them, [n, 2] each.
   struct States {
     torch::Tensor k_and_c;
     torch::Tensor decoder_input;
@@ -98,9 +102,10 @@ class LibtorchBackend final : public twin::TwinBackend {
   [[nodiscard]] States states_of(const torch::Tensor& batch, const torch::Tensor& x) const {
     if (task_.variant.encoder) {
       const torch::Tensor encoded = networks_.encode(parameters_, x);
-      return {encoded, encoded};
+      return {.k_and_c = encoded, .decoder_input = encoded};
     }
-    return {given_.k_and_c.index_select(0, batch), given_.decoder_input.index_select(0, batch)};
+    return {.k_and_c = given_.k_and_c.index_select(0, batch),
+            .decoder_input = given_.decoder_input.index_select(0, batch)};
   }
 
   [[nodiscard]] Losses losses_of(const torch::Tensor& batch) const {
@@ -120,16 +125,16 @@ class LibtorchBackend final : public twin::TwinBackend {
     return losses;
   }
 
-  /// Eq. 23, or what --loss-weights makes of it.
+  /// Eq. 23, or the form of it that LossWeights describes.
   [[nodiscard]] torch::Tensor total_of(const Losses& losses) const {
-    const bool fixed = task_.options.loss_weights == "fixed";
+    const twin::LossWeights kind = task_.options.loss_weights;
     const torch::Tensor& learned = parameters_[twin::log_weights_name];
-    return (task_.options.loss_weights == "adaptive" ? total_loss : weighted_loss)(
+    return (kind == twin::LossWeights::adaptive ? total_loss : weighted_loss)(
         losses.differential, losses.twin, losses.reconstruction,
-        fixed ? learned.detach() : learned);
+        kind == twin::LossWeights::fixed ? learned.detach() : learned);
   }
 
-  /// Eq. 24: the gradient of each network's own loss with respect to that network alone.
+  /// Eq. 24: each network follows the gradient of its own loss by its own parameters.
   twin::BatchLosses step_stage_1(const torch::Tensor& batch, double learning_rate) {
     const Losses losses = losses_of(batch);
     const auto follow = [&](const std::string& network, const torch::Tensor& loss) {
@@ -147,8 +152,8 @@ class LibtorchBackend final : public twin::TwinBackend {
     return losses.values();
   }
 
-  /// Eq. 25: all networks and the weights of the losses together. Weights that are not learned have
-  /// no gradient, and Adam leaves them as they are.
+  /// Eq. 25: all networks and the weights of the losses follow the total. Weights that are not
+  /// learned have no gradient, so Adam leaves them as they are.
   twin::BatchLosses step_stage_2(const torch::Tensor& batch, double learning_rate) {
     parameters_.zero_gradients();
     const Losses losses = losses_of(batch);
@@ -159,12 +164,12 @@ class LibtorchBackend final : public twin::TwinBackend {
     return losses.values();
   }
 
-  const twin::TwinTask& task_;
+  twin::TwinTask task_;
   Networks networks_;
   std::vector<nets::ParameterSpec> specs_;
-  torch::Tensor windows_;
-  torch::Tensor labels_;
-  States given_;  // of all known windows, where there is no encoder
+  torch::Tensor windows_;  // all known windows, [n, N]
+  torch::Tensor labels_;   // [n]
+  States given_;           // of all known windows, where there is no encoder
   ParameterSet parameters_;
   Adam networks_adam_;
   Adam weights_adam_;
@@ -174,13 +179,15 @@ class LibtorchBackend final : public twin::TwinBackend {
 
 twin::Engine twin_engine(Device compute_device) {
   const torch::Device device = prepare_device(compute_device);
-  return {[device](const twin::TwinTask& task, const Stream& initial) {
-            return std::make_unique<LibtorchBackend>(task, initial, device);
-          },
-          [device](const artefact::Reader& model, const twin::ModelDescription& description,
-                   const twin::TwinVariant& variant) {
-            return open_with_libtorch(model, description, variant, device);
-          }};
+  return {.train =
+              [device](twin::TwinTask task, const Stream& initial) {
+                return std::make_unique<Backend>(std::move(task), initial, device);
+              },
+          .open =
+              [device](const artefact::Reader& model, const twin::ModelDescription& description,
+                       const twin::TwinVariant& variant) {
+                return open_model(model, description, variant, device);
+              }};
 }
 
 }  // namespace piae::libtorch

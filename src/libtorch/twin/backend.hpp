@@ -5,7 +5,8 @@
 
 namespace piae::libtorch {
 
-/// Every variant of the twin by LibTorch's eager operations.
+/// Computes every variant of the twin by LibTorch's eager operations. Throws Error(usage) for cuda
+/// where there is no such device.
 twin::Engine twin_engine(Device device);
 
 }  // namespace piae::libtorch

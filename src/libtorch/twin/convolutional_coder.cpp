@@ -5,39 +5,37 @@
 #include <cmath>
 
 #include "base/error.hpp"
+#include "libtorch/nets/dense.hpp"
 #include "libtorch/nets/torch.hpp"
+#include "twin/specs.hpp"
 
 namespace piae::libtorch {
 
 namespace {
 
-const std::string encoder_dense = "net/encoder/dense";
-const std::string decoder_dense = "net/decoder/dense";
+const std::string encoder_dense = twin::encoder_name + "/dense";
+const std::string decoder_dense = twin::decoder_name + "/dense";
 
-std::string encoder_layer(std::int64_t i) { return "net/encoder/conv" + std::to_string(i); }
-std::string decoder_layer(std::int64_t i) { return "net/decoder/conv" + std::to_string(i); }
+std::string encoder_layer(std::int64_t i) {
+  return twin::encoder_name + "/conv" + std::to_string(i);
+}
+std::string decoder_layer(std::int64_t i) {
+  return twin::decoder_name + "/conv" + std::to_string(i);
+}
 
 using Specs = std::vector<nets::ParameterSpec>;
 
-void append(Specs& specs, const Specs& more) {
-  specs.insert(specs.end(), more.begin(), more.end());
-}
-
-/// Of a layer with so many inputs to each of its outputs.
+/// The parameters of a layer each of whose outputs is computed from `inputs_of_one` inputs.
 Specs layer_specs(const std::string& name, const std::vector<std::int64_t>& shape,
                   std::int64_t outputs, std::int64_t inputs_of_one) {
   const double bound = 1 / std::sqrt(static_cast<double>(inputs_of_one));
   return {{name + "/weight", shape, bound}, {name + "/bias", {outputs}, bound}};
 }
 
-torch::Tensor dense(const ParameterSet& parameters, const std::string& name,
-                    const torch::Tensor& x) {
-  return torch::linear(x, parameters[name + "/weight"], parameters[name + "/bias"]);
-}
-
 }  // namespace
 
-ConvolutionalCoder::ConvolutionalCoder(const twin::NetworkShape& shape, const twin::TwinOptions& options)
+ConvolutionalCoder::ConvolutionalCoder(const twin::NetworkShape& shape,
+                                       const twin::TwinOptions& options)
     : shape_(shape), convolutions_(options.depth - 1) {
   if (convolutions_ < 1) {
     throw Error(Exit::usage,
@@ -69,7 +67,8 @@ std::vector<nets::ParameterSpec> ConvolutionalCoder::specs() const {
   for (std::int64_t i = 0; i < convolutions_; ++i) {
     const std::int64_t inputs = channels_after(convolutions_ - i);
     const std::int64_t outputs = channels_after(convolutions_ - i - 1);
-    // Of the kernels that lie `stride` apart, kernel / stride reach each sample.
+    // The kernels of neighbouring inputs lie `stride` apart, so kernel / stride of them reach each
+    // sample.
     append(specs, layer_specs(decoder_layer(i), {inputs, outputs, kernel}, outputs,
                               inputs * kernel / stride));
   }
@@ -84,12 +83,12 @@ torch::Tensor ConvolutionalCoder::encode(const ParameterSet& parameters,
     x = torch::relu(torch::conv1d(x, parameters[name + "/weight"], parameters[name + "/bias"],
                                   stride, padding));
   }
-  return dense(parameters, encoder_dense, x.flatten(1));
+  return run_dense(parameters, encoder_dense, x.flatten(1));
 }
 
 torch::Tensor ConvolutionalCoder::decode(const ParameterSet& parameters,
                                          const torch::Tensor& input) const {
-  torch::Tensor x = dense(parameters, decoder_dense, input)
+  torch::Tensor x = run_dense(parameters, decoder_dense, input)
                         .view({input.size(0), channels_after(convolutions_), inner_length_});
   for (std::int64_t i = 0; i < convolutions_; ++i) {
     const std::string name = decoder_layer(i);

@@ -5,18 +5,20 @@
 
 namespace piae::libtorch {
 
-/// Encoder and decoder of Model 4 (paper 4.5.4, which says no more than "convolutional"; sizes are
-/// our choice): `depth` layers each, of which all but one are convolutions along time, with ReLU
-/// between. The encoder's leave one sample of `stride` and double the channels, and a dense layer
-/// makes (k~, c~) of what is left; the decoder is its mirror image, with transposed convolutions.
+/// Encoder and decoder of Model 4. The paper (4.5.4) says no more than "convolutional"; the sizes
+/// are our choice. Each has `depth` layers, of which all but one are convolutions along time, with
+/// ReLU between them. Each convolution of the encoder keeps one of `stride` samples and doubles the
+/// channels, and a dense layer makes (k~, c~) of what the last one gives. The decoder is its mirror
+/// image, with transposed convolutions.
 class ConvolutionalCoder final : public Coder {
  public:
   static constexpr std::int64_t channels = 16;  ///< after the first convolution
   static constexpr std::int64_t kernel = 8;     ///< samples
   static constexpr std::int64_t stride = 4;     ///< samples
-  static constexpr std::int64_t padding = 2;    ///< (kernel - stride) / 2: lengths divide evenly
+  /// (kernel - stride) / 2, with which a convolution divides a length by the stride exactly.
+  static constexpr std::int64_t padding = 2;
 
-  /// Throws Error(usage) below two layers, and for a window that is no multiple of
+  /// Throws Error(usage) for fewer than two layers, and for a window whose length is no multiple of
   /// stride^(depth - 1) samples.
   ConvolutionalCoder(const twin::NetworkShape& shape, const twin::TwinOptions& options);
 
@@ -27,7 +29,7 @@ class ConvolutionalCoder final : public Coder {
                                      const torch::Tensor& input) const override;
 
  private:
-  /// Channels after i convolutions.
+  /// The number of channels after i convolutions.
   [[nodiscard]] static std::int64_t channels_after(std::int64_t i) {
     return i == 0 ? 1 : channels << (i - 1);
   }

@@ -10,13 +10,11 @@ std::vector<nets::ParameterSpec> DenseCoder::specs() const {
   return twin::dense_coder_specs(shape_, options_);
 }
 
-torch::Tensor DenseCoder::encode(const ParameterSet& parameters,
-                                 const torch::Tensor& x) const {
+torch::Tensor DenseCoder::encode(const ParameterSet& parameters, const torch::Tensor& x) const {
   return run_dense_chain(parameters, twin::encoder_name, x);
 }
 
-torch::Tensor DenseCoder::decode(const ParameterSet& parameters,
-                                 const torch::Tensor& input) const {
+torch::Tensor DenseCoder::decode(const ParameterSet& parameters, const torch::Tensor& input) const {
   return run_dense_chain(parameters, twin::decoder_name, input);
 }
 

@@ -1,8 +1,10 @@
 #include "libtorch/twin/losses.hpp"
 
+#include <span>
 #include <vector>
 
 #include "libtorch/nets/torch.hpp"
+#include "twin/losses.hpp"
 
 namespace piae::libtorch {
 
@@ -16,13 +18,14 @@ torch::Tensor squared_distances(const torch::Tensor& rows) {
 
 torch::Tensor mean_square(const torch::Tensor& x) { return x.square().mean(); }
 
-/// Contact force in newton at compression s - delta, m.
+/// The contact force in N at a compression s - delta in m.
 torch::Tensor contact_force(const torch::Tensor& compression, const twin::Physics& physics) {
   return physics.contact_n_per_m15 * compression.clamp_min(0).pow(1.5);
 }
 
-/// Static equilibrium [batch, 1] in metres. Newton's method finds the value; one further step,
-/// with the slope held fixed, then carries the exact derivative ds_0/dk = -s_0 / slope.
+/// The static equilibrium s_0 [batch, 1] in m. Newton's method finds its value without autograd.
+/// One further step, with a slope that autograd takes for constant, then gives it the exact
+/// derivative ds_0/dk = -s_0 / slope.
 torch::Tensor static_equilibrium(const torch::Tensor& stiffness, const torch::Tensor& deflection,
                                  const twin::Physics& physics) {
   const torch::Tensor k = stiffness.detach().to(torch::kCPU, torch::kFloat64).contiguous();
@@ -46,9 +49,11 @@ torch::Tensor batch_mmd(const torch::Tensor& x, const torch::Tensor& y) {
   const std::int64_t m = y.size(0);
   const torch::Tensor distances = squared_distances(torch::cat({x, y}));
   const auto pairs = static_cast<double>((n + m) * (n + m - 1));
-  const torch::Tensor bandwidth = (distances.sum() / pairs / 4).clamp_min(1e-12);
+  const torch::Tensor bandwidth =
+      (distances.sum() / pairs / 4).clamp_min(twin::mmd_least_bandwidth);
+  static_assert(twin::mmd_kernel_factors.front() == 1);
   torch::Tensor kernel = torch::exp(-distances / bandwidth);
-  for (const double factor : {2.0, 4.0, 8.0, 16.0}) {
+  for (const double factor : std::span(twin::mmd_kernel_factors).subspan(1)) {
     kernel = kernel + torch::exp(-distances / (bandwidth * factor));
   }
   return kernel.narrow(0, 0, n).narrow(1, 0, n).mean() +
@@ -78,8 +83,9 @@ BatchPhysics batch_physics(const twin::Physics& physics, const torch::Tensor& la
     return torch::tensor(per_class, torch::kFloat64).to(type).index_select(0, labels).unsqueeze(1);
   };
   const torch::Tensor a_ref = per_window(physics.acceleration_m_s2);
-  return {per_window(physics.deflection_m), a_ref / (physics.omega_0 * physics.omega_0),
-          physics.mass_kg * a_ref};
+  return {.deflection = per_window(physics.deflection_m),
+          .displacement = a_ref / (physics.omega_0 * physics.omega_0),
+          .force = physics.mass_kg * a_ref};
 }
 
 torch::Tensor twin_loss(const torch::Tensor& k_and_c, const torch::Tensor& a, const Motion& motion,

@@ -1,5 +1,6 @@
 #include "libtorch/twin/model.hpp"
 
+#include "base/label.hpp"
 #include "libtorch/nets/parameters.hpp"
 #include "libtorch/nets/torch.hpp"
 #include "libtorch/twin/networks.hpp"
@@ -8,15 +9,15 @@ namespace piae::libtorch {
 
 namespace {
 
-class LibtorchModel final : public twin::StoredTwin {
+class Model final : public twin::StoredTwin {
  public:
-  LibtorchModel(const artefact::Reader& model, const twin::ModelDescription& description,
-                const twin::TwinVariant& variant, torch::Device device)
+  Model(const artefact::Reader& model, const twin::ModelDescription& description,
+        const twin::TwinVariant& variant, torch::Device device)
       : shape_(description.shape),
         device_(device),
         networks_(variant, description.shape, description.options),
         parameters_(networks_.specs(), Stream("replaced"), torch::kFloat32, device) {
-    parameters_.read(model, "/" + description.options.keep);
+    parameters_.read(model, std::string("/") + to_string(description.options.keep));
   }
 
   [[nodiscard]] std::vector<twin::TwinPoint> encode(std::span<const float> windows) override {
@@ -27,10 +28,10 @@ class LibtorchModel final : public twin::StoredTwin {
   }
 
   [[nodiscard]] std::vector<float> decode(std::span<const twin::TwinPoint> inputs,
-                                          std::size_t label) override {
+                                          Label label) override {
     const torch::NoGradGuard no_grad;
-    const torch::Tensor labels = torch::full({static_cast<std::int64_t>(inputs.size())},
-                                             static_cast<std::int64_t>(label), torch::kInt64);
+    const torch::Tensor labels =
+        torch::full({static_cast<std::int64_t>(inputs.size())}, label, torch::kInt64);
     return to_vector(
         networks_.decode(parameters_, as_tensor({inputs.begin(), inputs.end()}, device_),
                          torch::one_hot(labels, shape_.classes).to(device_, torch::kFloat32)));
@@ -58,10 +59,11 @@ std::vector<twin::TwinPoint> as_points(const torch::Tensor& k_and_c) {
   return points;
 }
 
-std::unique_ptr<twin::StoredTwin> open_with_libtorch(const artefact::Reader& model,
-                                               const twin::ModelDescription& description,
-                                               const twin::TwinVariant& variant, torch::Device device) {
-  return std::make_unique<LibtorchModel>(model, description, variant, device);
+std::unique_ptr<twin::StoredTwin> open_model(const artefact::Reader& model,
+                                             const twin::ModelDescription& description,
+                                             const twin::TwinVariant& variant,
+                                             torch::Device device) {
+  return std::make_unique<Model>(model, description, variant, device);
 }
 
 }  // namespace piae::libtorch

@@ -9,13 +9,14 @@
 
 namespace piae::libtorch {
 
-/// k~ and c~ of the points as float32 [n, 2], and back.
+/// The k~ and c~ of points as a float32 tensor [n, 2], and back.
 torch::Tensor as_tensor(const std::vector<twin::TwinPoint>& points, torch::Device device);
 std::vector<twin::TwinPoint> as_points(const torch::Tensor& k_and_c);
 
-/// Throws artefact::Refusal for a model of another variant.
-std::unique_ptr<twin::StoredTwin> open_with_libtorch(const artefact::Reader& model,
-                                               const twin::ModelDescription& description,
-                                               const twin::TwinVariant& variant, torch::Device device);
+/// Opens the networks of a stored model. Throws artefact::Refusal for a model of another variant.
+std::unique_ptr<twin::StoredTwin> open_model(const artefact::Reader& model,
+                                             const twin::ModelDescription& description,
+                                             const twin::TwinVariant& variant,
+                                             torch::Device device);
 
 }  // namespace piae::libtorch

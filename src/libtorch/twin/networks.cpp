@@ -26,7 +26,7 @@ std::unique_ptr<Coder> make_coder(twin::CoderKind kind, const twin::NetworkShape
   throw std::logic_error("no such coder");
 }
 
-/// Times of the samples, from 0 to 1 over the window, one row a window.
+/// The times of the samples, from 0 to 1 over the window, in a row for each window.
 torch::Tensor times_like(const torch::Tensor& acceleration) {
   return torch::linspace(0, 1, acceleration.size(1), acceleration.options())
       .expand({acceleration.size(0), -1});
@@ -54,12 +54,11 @@ torch::Tensor Networks::decode(const ParameterSet& parameters, const torch::Tens
   return coder_->decode(parameters, torch::cat({k_and_c, label}, 1));
 }
 
-Motion Networks::move(const ParameterSet& parameters,
-                      const torch::Tensor& acceleration) const {
+Motion Networks::move(const ParameterSet& parameters, const torch::Tensor& acceleration) const {
   const torch::Tensor input = torch::cat({acceleration, times_like(acceleration)}, 1);
   const std::vector<torch::Tensor> halves =
       run_dense_chain(parameters, twin::module_name, input).chunk(2, 1);
-  return {halves[0], halves[1]};
+  return {.displacement = halves[0], .velocity = halves[1]};
 }
 
 }  // namespace piae::libtorch

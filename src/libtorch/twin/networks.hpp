@@ -22,23 +22,22 @@ struct Motion {
 class Networks {
  public:
   /// Throws Error(usage) for a length of window or a depth that the variant's coder cannot have.
-  Networks(const twin::TwinVariant& variant, const twin::NetworkShape& shape, const twin::TwinOptions& options);
+  Networks(const twin::TwinVariant& variant, const twin::NetworkShape& shape,
+           const twin::TwinOptions& options);
 
-  /// net/encoder/..., net/decoder/... and, where the variant has it, net/physics/...
+  /// The parameters of all networks that the variant has (twin::network_specs).
   [[nodiscard]] std::vector<nets::ParameterSpec> specs() const;
 
   /// Eq. 16, (k~, c~) = Encoder(x): [batch, N] -> [batch, 2], positive by softplus.
-  [[nodiscard]] torch::Tensor encode(const ParameterSet& parameters,
-                                     const torch::Tensor& x) const;
+  [[nodiscard]] torch::Tensor encode(const ParameterSet& parameters, const torch::Tensor& x) const;
 
   /// Eq. 17, a = Decoder(k~, c~, label): [batch, 2], one-hot [batch, classes] -> acceleration
   /// [batch, N], in units of the class's a_ref.
-  [[nodiscard]] torch::Tensor decode(const ParameterSet& parameters,
-                                     const torch::Tensor& k_and_c,
+  [[nodiscard]] torch::Tensor decode(const ParameterSet& parameters, const torch::Tensor& k_and_c,
                                      const torch::Tensor& label) const;
 
-  /// Eq. 18, (u, v) = PIM(a, t): decoded acceleration [batch, N] and the time of its samples ->
-  /// motion. A chain of dense layers with ReLU between.
+  /// Eq. 18, (u, v) = PIM(a, t): decoded acceleration [batch, N] and the times of its samples ->
+  /// motion, by a chain of dense layers with ReLU between them.
   [[nodiscard]] Motion move(const ParameterSet& parameters,
                             const torch::Tensor& acceleration) const;
 

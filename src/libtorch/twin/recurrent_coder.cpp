@@ -6,33 +6,26 @@
 #include <tuple>
 
 #include "base/error.hpp"
+#include "libtorch/nets/dense.hpp"
 #include "libtorch/nets/torch.hpp"
+#include "twin/specs.hpp"
 
 namespace piae::libtorch {
 
 namespace {
 
-const std::string encoder = "net/encoder";
-const std::string decoder = "net/decoder";
-
+using twin::decoder_name;
+using twin::encoder_name;
 using Specs = std::vector<nets::ParameterSpec>;
 
-void append(Specs& specs, const Specs& more) {
-  specs.insert(specs.end(), more.begin(), more.end());
-}
-
-/// In the order in which LibTorch's gru takes them; three gates stand below each other.
+/// The parameters of a recurrent layer, in the order in which LibTorch's gru takes them. Each holds
+/// those of the three gates, one below the other.
 Specs gru_specs(const std::string& name, std::int64_t inputs, std::int64_t units) {
   const double bound = 1 / std::sqrt(static_cast<double>(units));
   return {{name + "/input_weight", {3 * units, inputs}, bound},
           {name + "/state_weight", {3 * units, units}, bound},
           {name + "/input_bias", {3 * units}, bound},
           {name + "/state_bias", {3 * units}, bound}};
-}
-
-torch::Tensor dense(const ParameterSet& parameters, const std::string& name,
-                    const torch::Tensor& x) {
-  return torch::linear(x, parameters[name + "/dense/weight"], parameters[name + "/dense/bias"]);
 }
 
 }  // namespace
@@ -60,8 +53,8 @@ std::vector<nets::ParameterSpec> RecurrentCoder::specs() const {
     }
     append(specs, nets::dense_specs(name + "/dense", units, outputs));
   };
-  add(encoder, frame, 2);
-  add(decoder, 2 + shape_.classes, frame);
+  add(encoder_name, frame, 2);
+  add(decoder_name, 2 + shape_.classes, frame);
   return specs;
 }
 
@@ -76,13 +69,16 @@ torch::Tensor RecurrentCoder::run_gru(const ParameterSet& parameters, const std:
 torch::Tensor RecurrentCoder::encode(const ParameterSet& parameters,
                                      const torch::Tensor& windows) const {
   const torch::Tensor frames = windows.view({windows.size(0), -1, frame});
-  return dense(parameters, encoder, run_gru(parameters, encoder, frames).select(1, -1));
+  return run_dense(parameters, encoder_name + "/dense",
+                   run_gru(parameters, encoder_name, frames).select(1, -1));
 }
 
 torch::Tensor RecurrentCoder::decode(const ParameterSet& parameters,
                                      const torch::Tensor& input) const {
   const torch::Tensor each_frame = input.unsqueeze(1).expand({-1, shape_.samples / frame, -1});
-  return dense(parameters, decoder, run_gru(parameters, decoder, each_frame)).flatten(1);
+  return run_dense(parameters, decoder_name + "/dense",
+                   run_gru(parameters, decoder_name, each_frame))
+      .flatten(1);
 }
 
 }  // namespace piae::libtorch

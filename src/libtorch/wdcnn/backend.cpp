@@ -1,9 +1,9 @@
 #include "libtorch/wdcnn/backend.hpp"
 
-#include "libtorch/wdcnn/network.hpp"
 #include "libtorch/nets/adam.hpp"
 #include "libtorch/nets/device.hpp"
 #include "libtorch/nets/torch.hpp"
+#include "libtorch/wdcnn/network.hpp"
 
 namespace piae::libtorch {
 
@@ -11,7 +11,8 @@ namespace {
 
 using Mode = WdcnnNetwork::Mode;
 
-/// Windows tried at a time: large enough to spread the overhead, small enough for the caches.
+/// How many windows are tested at a time: enough to spread the overhead, and few enough for the
+/// caches.
 constexpr std::int64_t test_batch = 100;
 
 torch::Tensor to_tensor(const diagnosis::LabelledWindows& set, torch::Device device) {
@@ -22,10 +23,10 @@ torch::Tensor to_tensor(const diagnosis::LabelledWindows& set, torch::Device dev
   return windows.to(device);
 }
 
-class LibtorchBackend final : public diagnosis::WdcnnBackend {
+class Backend final : public diagnosis::WdcnnBackend {
  public:
-  LibtorchBackend(const diagnosis::LabelledWindows& train, const diagnosis::WdcnnOptions& options, const Stream& initial,
-                  torch::Device device)
+  Backend(const diagnosis::LabelledWindows& train, const diagnosis::WdcnnOptions& options,
+          const Stream& initial, torch::Device device)
       : device_(device),
         learning_rate_(options.learning_rate),
         network_(static_cast<std::int64_t>(train.length), static_cast<std::int64_t>(train.classes),
@@ -36,7 +37,7 @@ class LibtorchBackend final : public diagnosis::WdcnnBackend {
         shuffled_windows_(torch::empty_like(windows_)),
         shuffled_labels_(torch::empty_like(labels_)) {}
 
-  /// All windows at once into the order of this epoch, so that batches are views.
+  /// Copies all windows into the order of this epoch, so that batches are views.
   void begin_epoch(std::span<const std::size_t> order) override {
     const torch::Tensor index =
         torch::tensor(std::vector<std::int64_t>(order.begin(), order.end()), torch::kInt64)
@@ -55,13 +56,13 @@ class LibtorchBackend final : public diagnosis::WdcnnBackend {
     const torch::Tensor loss = torch::cross_entropy_loss(logits, labels);
     loss.backward();
     adam_.step(learning_rate_);
-    // Summed where the network is, so that a GPU is not waited for at every step.
+    // These sums stay on the network's device, so that no step has to wait for a GPU.
     loss_sum_ += loss.detach().to(torch::kFloat64) * (end - begin);
     correct_ += logits.detach().argmax(1).eq(labels).sum();
   }
 
   diagnosis::BatchOutcome finish_epoch() override {
-    return {loss_sum_.item<double>(), correct_.item<std::int64_t>()};
+    return {.loss = loss_sum_.item<double>(), .correct = correct_.item<std::int64_t>()};
   }
 
   std::vector<float> scores(const diagnosis::LabelledWindows& windows) override {
@@ -89,9 +90,10 @@ class LibtorchBackend final : public diagnosis::WdcnnBackend {
 }  // namespace
 
 diagnosis::MakeWdcnnBackend wdcnn_on(Device device) {
-  return [device = prepare_device(device)](
-             const diagnosis::LabelledWindows& train, const diagnosis::WdcnnOptions& options, const Stream& initial) {
-    return std::make_unique<LibtorchBackend>(train, options, initial, device);
+  return [device = prepare_device(device)](const diagnosis::LabelledWindows& train,
+                                           const diagnosis::WdcnnOptions& options,
+                                           const Stream& initial) {
+    return std::make_unique<Backend>(train, options, initial, device);
   };
 }
 

@@ -5,7 +5,8 @@
 
 namespace piae::libtorch {
 
-/// WDCNN by LibTorch (network.hpp). Throws Error(usage) for cuda where there is no such device.
+/// Makes back ends that compute WDCNN by LibTorch (network.hpp) on a device. Throws Error(usage)
+/// for cuda where there is no such device.
 diagnosis::MakeWdcnnBackend wdcnn_on(Device device);
 
 }  // namespace piae::libtorch

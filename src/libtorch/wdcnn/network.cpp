@@ -10,14 +10,17 @@ namespace piae::libtorch {
 
 namespace {
 
-constexpr std::size_t convolutions = diagnosis::WdcnnLayers::convolutions.size();
+using diagnosis::BatchNormalisation;
+using diagnosis::WdcnnLayers;
 
-/// Max-pooling of [n, channels, length]. A maximum over an axis of two costs LibTorch a third less
-/// than its max_pool1d, and gives the same bits.
+constexpr std::size_t convolutions = WdcnnLayers::convolutions.size();
+
+/// Max-pooling of [n, channels, length]. LibTorch takes a maximum over an axis of two in two thirds
+/// of the time of its max_pool1d, with the same bits.
 torch::Tensor pool(torch::Tensor x) {
-  const std::int64_t pooled = x.size(2) / diagnosis::WdcnnLayers::pooling;
-  if (x.size(2) % diagnosis::WdcnnLayers::pooling != 0) x = x.narrow(2, 0, pooled * diagnosis::WdcnnLayers::pooling);
-  return std::get<0>(x.unflatten(2, {pooled, diagnosis::WdcnnLayers::pooling}).max(3));
+  const std::int64_t pooled = x.size(2) / WdcnnLayers::pooling;
+  if (x.size(2) % WdcnnLayers::pooling != 0) x = x.narrow(2, 0, pooled * WdcnnLayers::pooling);
+  return std::get<0>(x.unflatten(2, {pooled, WdcnnLayers::pooling}).max(3));
 }
 
 }  // namespace
@@ -28,10 +31,11 @@ WdcnnNetwork::WdcnnNetwork(std::int64_t length, std::int64_t classes, const Stre
   for (std::size_t i = 0; i <= convolutions; ++i) {
     const std::string name = diagnosis::layer_name(i);
     const torch::Tensor& shift = parameters_[name + "/shift"];
-    layers_.push_back({parameters_[name + "/weight"],
-                       parameters_[name + "/scale"],
-                       shift,
-                       {torch::zeros_like(shift), torch::ones_like(shift)}});
+    layers_.push_back(
+        {.weight = parameters_[name + "/weight"],
+         .scale = parameters_[name + "/scale"],
+         .shift = shift,
+         .running = {.mean = torch::zeros_like(shift), .variance = torch::ones_like(shift)}});
   }
   classes_weight_ = parameters_["classes/weight"];
   classes_bias_ = parameters_["classes/bias"];
@@ -40,16 +44,16 @@ WdcnnNetwork::WdcnnNetwork(std::int64_t length, std::int64_t classes, const Stre
 torch::Tensor WdcnnNetwork::normalise(const Layer& layer, const torch::Tensor& input, Mode mode) {
   return torch::batch_norm(input, layer.scale, layer.shift, layer.running.mean,
                            layer.running.variance, mode == Mode::training,
-                           diagnosis::BatchNormalisation::momentum, diagnosis::BatchNormalisation::epsilon,
+                           BatchNormalisation::momentum, BatchNormalisation::epsilon,
                            /*cudnn_enabled=*/true);
 }
 
 torch::Tensor WdcnnNetwork::convolve(std::size_t i, const torch::Tensor& input, Mode mode) {
-  const diagnosis::Convolution& c = diagnosis::WdcnnLayers::convolutions.at(i);
+  const diagnosis::Convolution& c = WdcnnLayers::convolutions.at(i);
   const Layer& layer = layers_[i];
   const torch::Tensor filtered =
       torch::conv1d(input, layer.weight, torch::Tensor(), c.stride, c.padding);
-  // ReLU after pooling is the same as before it, on half as many values.
+  // ReLU after pooling gives the same as before it, and has half as many values to go over.
   return pool(normalise(layer, filtered, mode)).relu_();
 }
 

@@ -12,24 +12,28 @@
 
 namespace piae::libtorch {
 
-/// WDCNN as LibTorch tensors. Parameters are called, shaped and started as diagnosis::wdcnn_parameters() says.
+/// WDCNN by LibTorch's operations. Its parameters have the names, shapes and initial values that
+/// diagnosis::wdcnn_parameters() says.
 class WdcnnNetwork {
  public:
-  /// For windows of `length` samples, at least diagnosis::WdcnnLayers::shortest_window.
+  /// For windows of `length` samples, which must be at least
+  /// diagnosis::WdcnnLayers::shortest_window.
   WdcnnNetwork(std::int64_t length, std::int64_t classes, const Stream& stream,
                torch::Dtype dtype = torch::kFloat32, torch::Device device = torch::kCPU);
 
-  /// Statistics of the batch are used, and enter the running ones, while training; the running ones
-  /// otherwise.
+  /// In training, batch normalisation uses the statistics of the batch and updates the running
+  /// ones. In evaluation, it uses the running ones.
   enum class Mode { training, evaluation };
 
-  /// Logits [n, classes] of windows [n, length].
+  /// The logits [n, classes] of windows [n, length].
   torch::Tensor forward(const torch::Tensor& windows, Mode mode);
 
-  /// Convolution i with all that follows it: [n, inputs, length] to [n, outputs, shorter].
+  /// Runs convolution i with its normalisation, pooling and ReLU: [n, inputs, length] -> [n,
+  /// outputs, a shorter length].
   torch::Tensor convolve(std::size_t i, const torch::Tensor& input, Mode mode);
 
-  /// Running statistics of batch normalisation i: 0-4 of the convolutions, 5 of the dense layer.
+  /// The running statistics of the batch normalisation of layer i: 0 to 4 are the convolutions, 5
+  /// is the dense layer.
   struct RunningStatistics {
     torch::Tensor mean;      ///< [channels], starts at 0
     torch::Tensor variance;  ///< [channels], starts at 1

@@ -5,16 +5,16 @@
 #include <string>
 #include <vector>
 
-#include "libtorch/latent/shared.hpp"
 #include "base/random.hpp"
+#include "libtorch/latent/shared.hpp"
 #include "libtorch/nets/torch.hpp"
 
-namespace piae::augment {
+namespace piae::libtorch {
 
 /// Three layers, five units wide.
-inline LatentGenerator example_generator(std::int64_t samples, std::size_t classes,
-                                         std::int64_t latent) {
-  LatentGenerator generator;
+inline latent::LatentGenerator example_generator(std::int64_t samples, std::size_t classes,
+                                                 std::int64_t latent) {
+  latent::LatentGenerator generator;
   generator.info.classes.resize(classes);
   generator.samples = samples;
   generator.latent = latent;
@@ -22,12 +22,12 @@ inline LatentGenerator example_generator(std::int64_t samples, std::size_t class
   return generator;
 }
 
-inline nets::ParameterSet double_parameters(const std::vector<nets::ParameterSpec>& specs) {
+inline ParameterSet double_parameters(const std::vector<nets::ParameterSpec>& specs) {
   return {specs, Stream("parameters"), torch::kFloat64};
 }
 
 inline torch::Tensor random_tensor(Stream& stream, std::int64_t rows, std::int64_t columns) {
-  return torch::tensor(normal_numbers(stream, static_cast<std::size_t>(rows * columns)))
+  return torch::tensor(latent::normal_numbers(stream, static_cast<std::size_t>(rows * columns)))
       .view({rows, columns})
       .to(torch::kFloat64);
 }
@@ -41,7 +41,7 @@ inline Batch example_batch(Stream& stream, std::int64_t n, std::int64_t samples,
 
 /// Largest difference between autograd and central differences over the parameters that begin with
 /// the prefix, relative to the largest gradient.
-inline double gradient_error(const nets::ParameterSet& parameters, const std::string& prefix,
+inline double gradient_error(const ParameterSet& parameters, const std::string& prefix,
                              const std::function<torch::Tensor()>& loss) {
   std::vector<torch::Tensor> exact;
   for (const torch::Tensor& gradient :
@@ -65,4 +65,4 @@ inline double gradient_error(const nets::ParameterSet& parameters, const std::st
   return worst / gradients.abs().max().item<double>();
 }
 
-}  // namespace piae::augment
+}  // namespace piae::libtorch

@@ -6,10 +6,10 @@
 #include <numbers>
 
 #include "latent/specs.hpp"
-#include "gradients.hpp"
+#include "libtorch/latent/gradients.hpp"
 #include "libtorch/nets/torch.hpp"
 
-namespace piae::augment {
+namespace piae::libtorch {
 namespace {
 
 torch::Tensor row(const std::vector<double>& values) {
@@ -49,9 +49,9 @@ TEST(KlToStandardNormal, AddsDimensionsAndAveragesWindows) {
 TEST(VaeLosses, AreThoseOfANetworkWorkedByHand) {
   // One sample, one class, one latent number, single layers: x = 2, q = N(0.5 x, 1) with noise -3,
   // so z = -2; decoded 0.25 z + 1 = 0.5.
-  LatentGenerator decoder = example_generator(1, 1, 1);
+  latent::LatentGenerator decoder = example_generator(1, 1, 1);
   decoder.size.depth = 1;
-  nets::ParameterSet parameters = double_parameters(vae_specs(decoder));
+  ParameterSet parameters = double_parameters(latent::vae_specs(decoder));
   {
     const torch::NoGradGuard no_grad;
     parameters.values().zero_();
@@ -66,8 +66,8 @@ TEST(VaeLosses, AreThoseOfANetworkWorkedByHand) {
 }
 
 TEST(VaeLosses, GradientEqualsFiniteDifferences) {
-  const LatentGenerator decoder = example_generator(6, 3, 2);
-  nets::ParameterSet parameters = double_parameters(vae_specs(decoder));
+  const latent::LatentGenerator decoder = example_generator(6, 3, 2);
+  ParameterSet parameters = double_parameters(latent::vae_specs(decoder));
   Stream stream("vae");
   const Batch batch = example_batch(stream, 4, 6, 3);
   const torch::Tensor noise = random_tensor(stream, 4, 2);
@@ -79,4 +79,4 @@ TEST(VaeLosses, GradientEqualsFiniteDifferences) {
 }
 
 }  // namespace
-}  // namespace piae::augment
+}  // namespace piae::libtorch

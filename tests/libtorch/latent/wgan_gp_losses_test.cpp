@@ -5,18 +5,18 @@
 #include <cmath>
 
 #include "latent/specs.hpp"
-#include "gradients.hpp"
+#include "libtorch/latent/gradients.hpp"
 #include "libtorch/nets/torch.hpp"
 
-namespace piae::augment {
+namespace piae::libtorch {
 namespace {
 
 /// A critic of one layer with the given weights on three samples, weights 7 and -5 on two classes,
 /// and bias 0.5.
-nets::ParameterSet linear_critic(const std::vector<double>& weights) {
-  LatentGenerator generator = example_generator(3, 2, 1);
+ParameterSet linear_critic(const std::vector<double>& weights) {
+  latent::LatentGenerator generator = example_generator(3, 2, 1);
   generator.size.depth = 1;
-  nets::ParameterSet parameters = double_parameters(wgan_gp_specs(generator));
+  ParameterSet parameters = double_parameters(latent::wgan_gp_specs(generator));
   const torch::NoGradGuard no_grad;
   std::vector<double> row = weights;
   row.insert(row.end(), {7, -5});
@@ -29,7 +29,7 @@ nets::ParameterSet linear_critic(const std::vector<double>& weights) {
 
 TEST(GradientPenalty, OfALinearCriticIsThatOfItsWeights) {
   // The gradient is (2, -3, 6) everywhere, of norm 7; the weights of the class have no part in it.
-  const nets::ParameterSet parameters = linear_critic({2, -3, 6});
+  const ParameterSet parameters = linear_critic({2, -3, 6});
   Stream stream("linear");
   const Batch batch = example_batch(stream, 5, 3, 2);
   EXPECT_NEAR(gradient_penalty(parameters, batch.windows, batch.classes).item<double>(), 36, 1e-12);
@@ -37,7 +37,7 @@ TEST(GradientPenalty, OfALinearCriticIsThatOfItsWeights) {
 
 TEST(GradientPenalty, OfALinearCriticHasTheGradientOfItsClosedForm) {
   // d/dw (|w| - 1)^2 = 2 (1 - 1/|w|) w
-  const nets::ParameterSet parameters = linear_critic({2, -3, 6});
+  const ParameterSet parameters = linear_critic({2, -3, 6});
   Stream stream("linear");
   const Batch batch = example_batch(stream, 5, 3, 2);
   const torch::Tensor gradient =
@@ -49,7 +49,7 @@ TEST(GradientPenalty, OfALinearCriticHasTheGradientOfItsClosedForm) {
 }
 
 TEST(GradientPenalty, StaysFiniteWhereTheScoreIsFlat) {
-  const nets::ParameterSet parameters = linear_critic({0, 0, 0});
+  const ParameterSet parameters = linear_critic({0, 0, 0});
   Stream stream("flat");
   const Batch batch = example_batch(stream, 2, 3, 2);
   const torch::Tensor penalty = gradient_penalty(parameters, batch.windows, batch.classes);
@@ -61,8 +61,8 @@ TEST(GradientPenalty, StaysFiniteWhereTheScoreIsFlat) {
 }
 
 TEST(GradientPenalty, DoesNotMixTheWindowsOfABatch) {
-  const LatentGenerator generator = example_generator(6, 3, 2);
-  const nets::ParameterSet parameters = double_parameters(wgan_gp_specs(generator));
+  const latent::LatentGenerator generator = example_generator(6, 3, 2);
+  const ParameterSet parameters = double_parameters(latent::wgan_gp_specs(generator));
   Stream stream("batch");
   const Batch batch = example_batch(stream, 4, 6, 3);
   double sum = 0;
@@ -77,7 +77,7 @@ TEST(GradientPenalty, DoesNotMixTheWindowsOfABatch) {
 
 TEST(CriticLosses, OfALinearCriticAreWorkedByHand) {
   // Scores without class and bias, which cancel: known 2 and 6, generated -3 and 0.
-  const nets::ParameterSet parameters = linear_critic({2, -3, 6});
+  const ParameterSet parameters = linear_critic({2, -3, 6});
   const Batch known{torch::tensor({{1.0, 0.0, 0.0}, {0.0, 0.0, 1.0}}, torch::kFloat64),
                     torch::tensor({{1.0, 0.0}, {0.0, 1.0}}, torch::kFloat64)};
   const torch::Tensor generated =
@@ -89,8 +89,8 @@ TEST(CriticLosses, OfALinearCriticAreWorkedByHand) {
 }
 
 TEST(CriticLosses, TakeThePenaltyBetweenKnownAndGenerated) {
-  const LatentGenerator generator = example_generator(6, 3, 2);
-  const nets::ParameterSet parameters = double_parameters(wgan_gp_specs(generator));
+  const latent::LatentGenerator generator = example_generator(6, 3, 2);
+  const ParameterSet parameters = double_parameters(latent::wgan_gp_specs(generator));
   Stream stream("between");
   const Batch known = example_batch(stream, 4, 6, 3);
   const torch::Tensor generated = random_tensor(stream, 4, 6);
@@ -101,8 +101,8 @@ TEST(CriticLosses, TakeThePenaltyBetweenKnownAndGenerated) {
 }
 
 TEST(CriticLosses, GradientEqualsFiniteDifferences) {
-  const LatentGenerator generator = example_generator(6, 3, 2);
-  const nets::ParameterSet parameters = double_parameters(wgan_gp_specs(generator));
+  const latent::LatentGenerator generator = example_generator(6, 3, 2);
+  const ParameterSet parameters = double_parameters(latent::wgan_gp_specs(generator));
   Stream stream("critic");
   const Batch known = example_batch(stream, 4, 6, 3);
   const torch::Tensor generated = random_tensor(stream, 4, 6);
@@ -115,4 +115,4 @@ TEST(CriticLosses, GradientEqualsFiniteDifferences) {
 }
 
 }  // namespace
-}  // namespace piae::augment
+}  // namespace piae::libtorch

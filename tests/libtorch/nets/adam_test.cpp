@@ -4,15 +4,15 @@
 #include <torch/optim/adam.h>
 
 #include <cmath>
-#include <filesystem>
 
 #include "libtorch/nets/torch.hpp"
+#include "support/checkpoints.hpp"
 
-namespace piae::nets {
+namespace piae::libtorch {
 namespace {
 
 // Algorithm 1 of Kingma and Ba, written out for one parameter, beta 0.9 and 0.999.
-TEST(Adam, ThreeStepsByHand) {
+TEST(Adam, TakesTheThreeStepsWorkedByHand) {
   const torch::Tensor values = torch::full({1}, 1.0, torch::kFloat64);
   const torch::Tensor gradients = torch::zeros({1}, torch::kFloat64);
   Adam adam(values, gradients);
@@ -56,7 +56,7 @@ TEST(Adam, ContinuesBitForBitFromWhatItWrote) {
   torch::Tensor gradients = torch::zeros({7});
   Adam one(uncut, gradients);
   torch::Tensor continued;
-  const auto path = std::filesystem::path(testing::TempDir()) / "adam.h5";
+  const auto path = scratch_file("adam.h5");
   for (int step = 0; step < 6; ++step) {
     gradients.copy_(gradient_of(step));
     one.step(0.01);
@@ -85,4 +85,4 @@ TEST(ClipNorm, ScalesLongGradientsOnly) {
 }
 
 }  // namespace
-}  // namespace piae::nets
+}  // namespace piae::libtorch

@@ -6,24 +6,29 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 #include "libtorch/nets/adam.hpp"
 #include "libtorch/nets/dense.hpp"
 #include "libtorch/nets/parameters.hpp"
 #include "libtorch/nets/torch.hpp"
 
-namespace piae::nets {
+namespace piae::libtorch {
 namespace {
 
-using Chain = DenseChain<double>;
-using Kept = Parameters<double>::Kept;
+using Chain = nets::DenseChain<double>;
+using Kept = nets::Parameters<double>::Kept;
+using nets::AdamConstants;
+using nets::AdamStep;
+using nets::ParameterSpec;
+using nets::Rows;
 
 constexpr std::int64_t inputs = 21;  // no whole vector
 constexpr std::int64_t outputs = 19;
 constexpr double tolerance = 1e-12;
 
 std::vector<ParameterSpec> example_specs(int depth = 3) {
-  return dense_chain_specs("net", inputs, outputs, {depth, 37});
+  return nets::dense_chain_specs("net", inputs, outputs, {depth, 37});
 }
 
 torch::Tensor random_tensor(const std::string& name, std::int64_t rows, std::int64_t columns) {
@@ -104,7 +109,7 @@ struct Both {
 
   std::vector<ParameterSpec> specs;
   ParameterSet set;
-  Parameters<double> flat;
+  nets::Parameters<double> flat;
   Chain chain;
 };
 
@@ -183,25 +188,6 @@ TEST(DenseChain, DifferentiatesAFunctionOfItsGradientByTheInput) {
   }
 }
 
-TEST(DenseChain, ResultOfARowDoesNotDependOnTheRowsBesideIt) {
-  Both both;
-  const torch::Tensor x = random_tensor("x", 13, inputs);
-  put(x, both.chain.input());
-  const torch::Tensor all = tensor_of(both.chain.forward(13), 13, outputs).clone();
-  for (const std::int64_t i : {0, 5, 6, 12}) {
-    put(x.narrow(0, i, 1), both.chain.input());
-    EXPECT_TRUE(tensor_of(both.chain.forward(1), 1, outputs).equal(all.narrow(0, i, 1))) << i;
-  }
-}
-
-TEST(DenseChain, HasNoRoomForMoreThanItWasMadeFor) {
-  Both both(3, 4);
-  EXPECT_THROW(both.chain.forward(5), std::logic_error);
-  EXPECT_THROW(both.chain.backward(3, 2, Chain::no_rows), std::logic_error);
-  EXPECT_THROW(both.chain.forward_derivative(2, 3), std::logic_error);
-  EXPECT_THROW(Chain(both.flat, "another", 4), std::logic_error);
-}
-
 // Adam itself is tested in adam_test.cpp; here, that the filled up rows of a weight take the same.
 TEST(DenseChain, TakesTheStepsOfAdam) {
   Both both;
@@ -225,4 +211,4 @@ TEST(DenseChain, TakesTheStepsOfAdam) {
 }
 
 }  // namespace
-}  // namespace piae::nets
+}  // namespace piae::libtorch

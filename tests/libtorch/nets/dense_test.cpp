@@ -4,7 +4,7 @@
 
 #include "libtorch/nets/torch.hpp"
 
-namespace piae::nets {
+namespace piae::libtorch {
 namespace {
 
 void set(const ParameterSet& parameters, const std::string& name, const torch::Tensor& values) {
@@ -12,23 +12,8 @@ void set(const ParameterSet& parameters, const std::string& name, const torch::T
   parameters[name].copy_(values);
 }
 
-TEST(DenseChain, HasItsLayersInOrderWithTheWidthBetween) {
-  const auto specs = dense_chain_specs("net/a", 7, 2, {3, 5});
-  ASSERT_EQ(specs.size(), 6U);
-  const std::vector<std::vector<std::int64_t>> shapes{{5, 7}, {5}, {5, 5}, {5}, {2, 5}, {2}};
-  for (std::size_t i = 0; i < specs.size(); ++i) EXPECT_EQ(specs[i].shape, shapes[i]) << i;
-  EXPECT_EQ(specs[0].name, "net/a/0/weight");
-  EXPECT_EQ(specs[5].name, "net/a/2/bias");
-}
-
-TEST(DenseChain, OfOneLayerIsLinear) {
-  const auto specs = dense_chain_specs("net/a", 7, 2, {1, 5});
-  ASSERT_EQ(specs.size(), 2U);
-  EXPECT_EQ(specs[0].shape, (std::vector<std::int64_t>{2, 7}));
-}
-
 TEST(DenseChain, AppliesReluBetweenLayersAndNotAtTheEnd) {
-  const ParameterSet parameters(dense_chain_specs("net/a", 2, 2, {2, 2}), Stream("test"));
+  const ParameterSet parameters(nets::dense_chain_specs("net/a", 2, 2, {2, 2}), Stream("test"));
   set(parameters, "net/a/0/weight", torch::tensor({{1.0, -2.0}, {3.0, 1.0}}));
   set(parameters, "net/a/0/bias", torch::tensor({0.5, -1.0}));
   set(parameters, "net/a/1/weight", torch::tensor({{1.0, 1.0}, {-2.0, -1.0}}));
@@ -40,8 +25,8 @@ TEST(DenseChain, AppliesReluBetweenLayersAndNotAtTheEnd) {
 }
 
 TEST(DenseChain, DoesNotTakeTheLayersOfALongerName) {
-  std::vector<ParameterSpec> specs = dense_chain_specs("net/a", 2, 2, {1, 2});
-  const auto others = dense_chain_specs("net/ab", 2, 2, {1, 2});
+  std::vector<nets::ParameterSpec> specs = nets::dense_chain_specs("net/a", 2, 2, {1, 2});
+  const auto others = nets::dense_chain_specs("net/ab", 2, 2, {1, 2});
   specs.insert(specs.end(), others.begin(), others.end());
   const ParameterSet parameters(specs, Stream("test"));
   set(parameters, "net/a/0/weight", torch::eye(2));
@@ -51,4 +36,4 @@ TEST(DenseChain, DoesNotTakeTheLayersOfALongerName) {
 }
 
 }  // namespace
-}  // namespace piae::nets
+}  // namespace piae::libtorch

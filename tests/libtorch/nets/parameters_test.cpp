@@ -2,16 +2,17 @@
 
 #include <gtest/gtest.h>
 
-#include <filesystem>
 #include <stdexcept>
 
-#include "nets/stored_parameters.hpp"
 #include "libtorch/nets/torch.hpp"
+#include "nets/parameters.hpp"
+#include "nets/stored_parameters.hpp"
+#include "support/checkpoints.hpp"
 
-namespace piae::nets {
+namespace piae::libtorch {
 namespace {
 
-std::vector<ParameterSpec> small_specs() {
+std::vector<nets::ParameterSpec> small_specs() {
   return {{"a/weight", {2, 3}, 0.5}, {"a/bias", {2}, 0.25}, {"b/scale", {4}, 0, 1}};
 }
 
@@ -85,10 +86,10 @@ TEST(ParameterSet, RefusesUnknownNamesAndScatteredPrefixes) {
 }
 
 TEST(ParameterSet, ReadsStoredParameters) {
-  const auto path = std::filesystem::path(testing::TempDir()) / "parameters.h5";
+  const auto path = scratch_file("parameters.h5");
   const ParameterSet written = small_set("one");
   artefact::Writer writer("model");
-  write_parameters(writer, "/model", small_specs(), to_vector(written.values()));
+  nets::write_parameters(writer, "/model", small_specs(), to_vector(written.values()));
   writer.save(path, {});
   const artefact::Reader reader(path, "model");
   EXPECT_EQ(reader.numbers<float>("/model/a/weight", {2, 3}).values,
@@ -105,5 +106,12 @@ TEST(ParameterSet, ReadsStoredParameters) {
   EXPECT_THROW(other_name.read(reader, "/model"), artefact::Refusal);
 }
 
+TEST(ParameterSet, StartsWithTheValuesOfTheParametersForOneCore) {
+  const std::vector<nets::ParameterSpec> specs = nets::dense_chain_specs("a", 21, 3, {2, 32});
+  const ParameterSet set(specs, Stream("initial"));
+  const nets::Parameters<float> flat(specs, Stream("initial"));
+  EXPECT_EQ(to_vector(set.values()), flat.read(nets::Parameters<float>::Kept::value));
+}
+
 }  // namespace
-}  // namespace piae::nets
+}  // namespace piae::libtorch

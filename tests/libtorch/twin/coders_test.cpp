@@ -8,7 +8,7 @@
 #include "libtorch/twin/networks.hpp"
 #include "libtorch/twin/recurrent_coder.hpp"
 
-namespace piae::twin {
+namespace piae::libtorch {
 namespace {
 
 using testing::HasSubstr;
@@ -25,8 +25,8 @@ torch::Tensor labels() {
   return torch::one_hot(torch::tensor({0, 1, 1}, torch::kInt64), 2).to(torch::kFloat64);
 }
 
-TwinOptions small_options(int depth) {
-  TwinOptions options;
+twin::TwinOptions small_options(int depth) {
+  twin::TwinOptions options;
   options.depth = depth;
   options.width = 6;
   return options;
@@ -34,16 +34,16 @@ TwinOptions small_options(int depth) {
 
 struct Case {
   const char* name;
-  TwinVariant variant;
+  twin::TwinVariant variant;
   std::int64_t samples;
 };
 
 class Coders : public testing::TestWithParam<Case> {
  protected:
   void SetUp() override { torch::set_num_threads(1); }
-  const NetworkShape shape_{GetParam().samples, 2};
+  const twin::NetworkShape shape_{GetParam().samples, 2};
   const Networks networks_{GetParam().variant, shape_, small_options(3)};
-  nets::ParameterSet parameters_{networks_.specs(), Stream("coders"), torch::kFloat64};
+  ParameterSet parameters_{networks_.specs(), Stream("coders"), torch::kFloat64};
   Stream stream_{"windows"};
   const torch::Tensor x_ = random_tensor(stream_, windows, GetParam().samples);
 
@@ -112,9 +112,9 @@ TEST_P(Coders, GradientsOfTheReconstructionLossEqualFiniteDifferences) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Twin, Coders,
-                         testing::Values(Case{"Dense", full_model, 20},
-                                         Case{"Convolutional", convolutional_model, 48},
-                                         Case{"Recurrent", recurrent_model, 96}),
+                         testing::Values(Case{"Dense", twin::full_model, 20},
+                                         Case{"Convolutional", twin::convolutional_model, 48},
+                                         Case{"Recurrent", twin::recurrent_model, 96}),
                          [](const auto& info) { return info.param.name; });
 
 std::vector<std::string> names_of(const std::vector<nets::ParameterSpec>& specs) {
@@ -126,18 +126,17 @@ std::vector<std::string> names_of(const std::vector<nets::ParameterSpec>& specs)
 
 /// What Models 2, 4 and 5 leave alone is the same in name, shape and start.
 TEST(TwinVariants, DifferInTheirPartAlone) {
-  const NetworkShape shape{64, 3};
-  const Networks full(full_model, shape, small_options(3));
-  const Networks without(without_physics, shape, small_options(3));
+  const twin::NetworkShape shape{64, 3};
+  const Networks full(twin::full_model, shape, small_options(3));
+  const Networks without(twin::without_physics, shape, small_options(3));
   std::vector<std::string> coder = names_of(full.specs());
   std::erase_if(coder, [](const std::string& name) { return name.starts_with("net/physics/"); });
   EXPECT_EQ(names_of(without.specs()), coder);
   EXPECT_EQ(coder.size(), names_of(full.specs()).size() - 6);  // three layers
 
-  const nets::ParameterSet reference(full.specs(), Stream("start"));
-  for (const TwinVariant& variant : {convolutional_model, recurrent_model}) {
-    const nets::ParameterSet other(Networks(variant, shape, small_options(3)).specs(),
-                                   Stream("start"));
+  const ParameterSet reference(full.specs(), Stream("start"));
+  for (const twin::TwinVariant& variant : {twin::convolutional_model, twin::recurrent_model}) {
+    const ParameterSet other(Networks(variant, shape, small_options(3)).specs(), Stream("start"));
     EXPECT_TRUE(reference.values("net/physics/").equal(other.values("net/physics/")));
   }
 }
@@ -145,8 +144,8 @@ TEST(TwinVariants, DifferInTheirPartAlone) {
 /// GRU of one unit, worked by hand (Cho et al. 2014, in the form that LibTorch states): with all
 /// weights of the state 0, r = s(w_r x), z = s(w_z x), n = tanh(w_n x), h' = (1 - z) n + z h.
 TEST(RecurrentCoder, ReadsItsFramesInTurn) {
-  const Networks networks(recurrent_model, {64, 2}, small_options(2));
-  nets::ParameterSet parameters(networks.specs(), Stream("gru"), torch::kFloat64);
+  const Networks networks(twin::recurrent_model, {64, 2}, small_options(2));
+  ParameterSet parameters(networks.specs(), Stream("gru"), torch::kFloat64);
   {
     const torch::NoGradGuard no_grad;
     parameters.values().zero_();
@@ -170,8 +169,8 @@ TEST(RecurrentCoder, ReadsItsFramesInTurn) {
 /// One channel's kernel of ones at the first position: the output is its value over the samples
 /// that the kernel covers, -2 .. 5 about position 0, cut to the window.
 TEST(ConvolutionalCoder, SpreadsAPositionOverItsKernel) {
-  const Networks networks(convolutional_model, {16, 2}, small_options(2));
-  nets::ParameterSet parameters(networks.specs(), Stream("conv"), torch::kFloat64);
+  const Networks networks(twin::convolutional_model, {16, 2}, small_options(2));
+  ParameterSet parameters(networks.specs(), Stream("conv"), torch::kFloat64);
   {
     const torch::NoGradGuard no_grad;
     parameters.values().zero_();
@@ -185,7 +184,7 @@ TEST(ConvolutionalCoder, SpreadsAPositionOverItsKernel) {
   EXPECT_TRUE(a.equal(expected)) << a;
 }
 
-void expect_usage_error(const TwinVariant& variant, std::int64_t samples, int depth,
+void expect_usage_error(const twin::TwinVariant& variant, std::int64_t samples, int depth,
                         const std::vector<std::string>& words) {
   try {
     const Networks networks(variant, {samples, 2}, small_options(depth));
@@ -197,15 +196,15 @@ void expect_usage_error(const TwinVariant& variant, std::int64_t samples, int de
 }
 
 TEST(TwinVariants, NameTheWindowsThatWork) {
-  expect_usage_error(convolutional_model, 1000, 4, {"1000", "multiples of 64", "--window"});
-  expect_usage_error(convolutional_model, 1024, 7, {"1024", "multiples of 4096", "--depth"});
-  expect_usage_error(convolutional_model, 1024, 32, {"--depth"});
-  expect_usage_error(convolutional_model, 1024, 1, {"--depth", "2 or more"});
-  expect_usage_error(recurrent_model, 1000, 3, {"1000", "multiples of 32", "--window"});
-  expect_usage_error(recurrent_model, 1024, 1, {"--depth", "2 or more"});
-  EXPECT_NO_THROW(Networks(full_model, {1001, 2}, small_options(1)));
-  EXPECT_NO_THROW(Networks(convolutional_model, {1024, 2}, small_options(6)));
+  expect_usage_error(twin::convolutional_model, 1000, 4, {"1000", "multiples of 64", "--window"});
+  expect_usage_error(twin::convolutional_model, 1024, 7, {"1024", "multiples of 4096", "--depth"});
+  expect_usage_error(twin::convolutional_model, 1024, 32, {"--depth"});
+  expect_usage_error(twin::convolutional_model, 1024, 1, {"--depth", "2 or more"});
+  expect_usage_error(twin::recurrent_model, 1000, 3, {"1000", "multiples of 32", "--window"});
+  expect_usage_error(twin::recurrent_model, 1024, 1, {"--depth", "2 or more"});
+  EXPECT_NO_THROW(Networks(twin::full_model, {1001, 2}, small_options(1)));
+  EXPECT_NO_THROW(Networks(twin::convolutional_model, {1024, 2}, small_options(6)));
 }
 
 }  // namespace
-}  // namespace piae::twin
+}  // namespace piae::libtorch

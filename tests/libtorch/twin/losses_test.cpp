@@ -8,27 +8,17 @@
 
 #include "base/random.hpp"
 #include "libtorch/nets/torch.hpp"
+#include "twin/example_physics.hpp"
 
-namespace piae::twin {
+namespace piae::libtorch {
 namespace {
+
+using twin::example_physics;
 
 torch::Tensor random_tensor(Stream& stream, std::int64_t rows, std::int64_t columns) {
   std::vector<double> values;
   for (std::int64_t i = 0; i < rows * columns; ++i) values.push_back(stream.normal(0, 1));
   return torch::tensor(values, torch::kFloat64).view({rows, columns});
-}
-
-Physics example_physics() {
-  Physics physics;
-  physics.mass_kg = 1;
-  physics.load_n = 1000;
-  physics.contact_n_per_m15 = 8.58e9;
-  physics.omega_0 = 1e4;
-  physics.step = 1e4 / 12000;
-  physics.damping = 0.01;
-  physics.deflection_m = {2e-6, 3e-6};
-  physics.acceleration_m_s2 = {3.0, 5.0};
-  return physics;
 }
 
 /// Largest difference between autograd and central differences, relative to the largest gradient.
@@ -130,7 +120,7 @@ TEST(DifferentialLoss, GradientsEqualFiniteDifferences) {
 TEST(TwinLoss, VanishesForAFreeDampedOscillation) {
   // Without contact eq. 13 about its equilibrium is a + d c v + k u = 0, solved by exp(-b t) cos(w
   // t).
-  Physics physics = example_physics();
+  twin::Physics physics = example_physics();
   physics.contact_n_per_m15 = 0;
   const double k = 3.2;
   const double c = 6.0;
@@ -149,11 +139,11 @@ TEST(TwinLoss, VanishesForAFreeDampedOscillation) {
 }
 
 TEST(TwinLoss, ContactAddsItsTangentStiffnessForSmallMotion) {
-  const Physics physics = example_physics();
+  const twin::Physics physics = example_physics();
   const double k = 1.5;
-  const double s_0 = static_equilibrium_m(k * stiffness_scale_n_per_m, 2e-6, physics);
+  const double s_0 = twin::static_equilibrium_m(k * twin::stiffness_scale_n_per_m, 2e-6, physics);
   const double tangent =
-      1.5 * physics.contact_n_per_m15 * std::sqrt(s_0 - 2e-6) / stiffness_scale_n_per_m;
+      1.5 * physics.contact_n_per_m15 * std::sqrt(s_0 - 2e-6) / twin::stiffness_scale_n_per_m;
   const torch::Tensor u = torch::full({1, 4}, 1e-3, torch::kFloat64);
   const torch::Tensor v = torch::zeros_like(u);
   const torch::Tensor a = -(k + tangent) * u;
@@ -164,7 +154,7 @@ TEST(TwinLoss, ContactAddsItsTangentStiffnessForSmallMotion) {
 }
 
 TEST(TwinLoss, GradientsEqualFiniteDifferences) {
-  const Physics physics = example_physics();
+  const twin::Physics physics = example_physics();
   Stream stream("dt-gradient");
   const torch::Tensor a = random_tensor(stream, 3, 8);
   const torch::Tensor u = random_tensor(stream, 3, 8);
@@ -184,7 +174,7 @@ TEST(TwinLoss, GradientsEqualFiniteDifferences) {
 }
 
 TEST(TwinLoss, GradientStaysFiniteWhereContactIsLost) {
-  Physics physics = example_physics();
+  twin::Physics physics = example_physics();
   physics.deflection_m = {1.0, 1.0};  // deeper than the load can reach
   const auto batch = batch_physics(physics, torch::tensor({0}, torch::kInt64), torch::kFloat64);
   const torch::Tensor k_and_c = torch::tensor({{1.0, 5.0}}, torch::kFloat64).requires_grad_();
@@ -194,8 +184,8 @@ TEST(TwinLoss, GradientStaysFiniteWhereContactIsLost) {
 }
 
 /// A softplus may well be 0 in single precision.
-TEST(TwinLoss, AndItsGradientStayFiniteWithoutStiffness) {
-  const Physics physics = example_physics();
+TEST(TwinLoss, StaysFiniteWithItsGradientWhereThereIsNoStiffness) {
+  const twin::Physics physics = example_physics();
   const auto batch = batch_physics(physics, torch::tensor({0}, torch::kInt64), torch::kFloat32);
   const torch::Tensor k_and_c = torch::zeros({1, 2}).requires_grad_();
   const torch::Tensor one = torch::ones({1, 4});
@@ -236,4 +226,4 @@ TEST(TotalLoss, GradientsEqualFiniteDifferences) {
 }
 
 }  // namespace
-}  // namespace piae::twin
+}  // namespace piae::libtorch

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "base/compute.hpp"
+#include "latent/generator.hpp"
+#include "twin/backend.hpp"
+#include "twin/variant.hpp"
+
+namespace piae::augment {
+
+/// What computes the networks of a twin: ours, which knows dense encoders and decoders only, and
+/// LibTorch's.
+Backends<twin::MakeEngine> twin_engines(const twin::TwinVariant& variant);
+
+/// That of them which is asked for. Throws as Backends::chosen() does.
+twin::Engine twin_engine(const twin::TwinVariant& variant, const Compute& compute);
+
+/// Makes windows with a stored VAE or WGAN-GP (latent/generator.hpp) by the back end that is asked
+/// for.
+signal::WindowSet generate_from_latent(const artefact::Reader& model, std::size_t count,
+                                       const Stream& stream, const Compute& compute);
+
+}  // namespace piae::augment

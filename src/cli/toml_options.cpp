@@ -1,0 +1,45 @@
+#include "cli/toml_options.hpp"
+
+#include "base/error.hpp"
+
+namespace piae::cli {
+
+namespace {
+
+/// Takes the plain values of a table, and leaves the tables in it alone.
+void take_values(const toml::table& table, toml::table& options) {
+  for (const auto& [key, node] : table) {
+    if (!node.is_table() && !node.is_array_of_tables()) options.insert_or_assign(key, node);
+  }
+}
+
+/// The values of a variant's table, on top of those of the one that it is `like`.
+void take_variant(const toml::table& program, const std::string& variant, toml::table& options) {
+  const toml::table* own = program[variant].as_table();
+  if (own == nullptr) return;
+  if (own->contains("like")) {
+    const auto name = (*own)["like"].value_or<std::string>("");
+    const toml::table* other = program[name].as_table();
+    if (other == nullptr || other->contains("like")) {
+      throw Error(Exit::usage,
+                  "table of '" + variant + "': like = '" + name +
+                      "' must name a variant that has a table and is itself like none");
+    }
+    take_values(*other, options);
+  }
+  take_values(*own, options);
+  options.erase("like");
+}
+
+}  // namespace
+
+toml::table options_of(const toml::table& file, const std::string& program,
+                       const std::string& variant) {
+  const toml::table* own = file[program].as_table();
+  toml::table options;
+  take_values(own != nullptr ? *own : file, options);
+  if (own != nullptr) take_variant(*own, variant, options);
+  return options;
+}
+
+}  // namespace piae::cli

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "report/document.hpp"
+#include "report/paired_rows.hpp"
+
+namespace piae::report {
+
+/// All methods of a grid compared with one of them.
+struct Comparisons {
+  std::string dataset;
+  std::string against;  ///< the one that all are compared with; empty where there is none
+  std::vector<PairedRow> rows = {};  ///< by method, then ratio, then the mean of ratios
+};
+
+/// `rows` are of accuracy_rows(). `against` is the method that all others are compared with. Where
+/// it is empty, that is this project's method if it has a row, else the paper's, else none. `none`
+/// has one accuracy, with which methods are compared at every ratio. Throws Error(usage) for a
+/// method that has no row.
+Comparisons compare_methods(const std::vector<AccuracyRow>& rows, const std::string& against);
+
+/// comparisons.csv: dataset,ratio,method,against and paired_header(). The ratio is "mean" for the
+/// mean of ratios.
+std::string comparisons_csv(const Comparisons& comparisons);
+
+/// One section with up to four lines for each method and a ratio in each column. No section where
+/// there is nothing to compare.
+std::vector<Section> comparison_sections(const Comparisons& comparisons,
+                                         const std::vector<AccuracyRow>& rows);
+
+}  // namespace piae::report

@@ -1,0 +1,37 @@
+#include "run/cell.hpp"
+
+#include "scoring/diagnosis_record.hpp"
+
+namespace piae::run {
+
+Diagnosis read_diagnosis_cell(const artefact::Reader& reader, const std::string& dataset,
+                              const Combination& combination, std::int64_t seed) {
+  const scoring::DiagnosisRecord record = scoring::read_diagnosis(reader);
+  require_same(reader, "the dataset", record.info.name, dataset);
+  require_same(reader, "the method", record.method, combination.method);
+  require_same(reader, "the ratio", record.ratio, combination.ratio);
+  require_same(reader, "the seed", std::to_string(record.seed), std::to_string(seed));
+  return {.method = record.method,
+          .ratio = record.ratio,
+          .seed = record.seed,
+          .generated_per_class = record.generated_per_class,
+          .true_ratio = record.true_ratio,
+          .protocol = record.protocol,
+          .accuracy = record.accuracy()};
+}
+
+scoring::QualityRecord read_score_cell(const artefact::Reader& reader, const std::string& dataset,
+                                       const std::string& method, std::int64_t seed) {
+  scoring::QualityRecord record = scoring::read_quality(reader);
+  require_same(reader, "the dataset", record.info.name, dataset);
+  require_same(reader, "the method", record.method, method);
+  require_same(reader, "the seed", std::to_string(record.seed), std::to_string(seed));
+  return record;
+}
+
+void require_same(const artefact::Reader& reader, const std::string& what, const std::string& holds,
+                  const std::string& needed) {
+  if (holds != needed) reader.refuse("/", what + " is " + holds + ", here it must be " + needed);
+}
+
+}  // namespace piae::run

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "artefact/reader.hpp"
+#include "run/grid.hpp"
+#include "scoring/quality_record.hpp"
+#include "signal/protocol.hpp"
+
+namespace piae::run {
+
+/// What tables need of one diagnosis.h5.
+struct Diagnosis {
+  std::string method;
+  std::string ratio;
+  std::int64_t seed = 0;
+  std::int64_t generated_per_class = 0;
+  double true_ratio = 0;  ///< healthy windows to those of one fault class
+  signal::Protocol protocol = signal::Protocol::random;
+  double accuracy = 0;  ///< in [0, 1]
+};
+
+/// Reads one diagnosis. Throws artefact::Refusal where the file is not of this dataset, method,
+/// ratio and seed, which are those of its place in the run, or is not a diagnosis that can be.
+Diagnosis read_diagnosis_cell(const artefact::Reader& reader, const std::string& dataset,
+                              const Combination& combination, std::int64_t seed);
+
+/// Reads one score, in the same way.
+scoring::QualityRecord read_score_cell(const artefact::Reader& reader, const std::string& dataset,
+                                       const std::string& method, std::int64_t seed);
+
+/// Throws artefact::Refusal where a file holds another value than the needed one. `what` names the
+/// value, such as "the seed".
+void require_same(const artefact::Reader& reader, const std::string& what, const std::string& holds,
+                  const std::string& needed);
+
+}  // namespace piae::run

@@ -1,0 +1,83 @@
+#include "settings/facts.hpp"
+
+#include <algorithm>
+
+#include "augment/catalogue.hpp"
+#include "base/error.hpp"
+#include "cli/toml_file.hpp"
+#include "report/sweep.hpp"
+#include "scoring/ratios.hpp"
+#include "settings/protocol.hpp"
+
+namespace piae::settings {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+bool is_the_papers(augment::Kind kind) {
+  using augment::Kind;
+  return kind == Kind::baseline || kind == Kind::published || kind == Kind::ablation;
+}
+
+void add_methods(std::vector<std::string>& words) {
+  for (const augment::CatalogueEntry& entry : augment::catalogue()) {
+    const std::string name = entry.name;
+    words.push_back("method:" + name);
+    if (is_the_papers(entry.kind)) words.push_back("paper:" + name);
+    if (entry.kind == augment::Kind::baseline) words.push_back("baseline:" + name);
+    if (entry.kind == augment::Kind::ceiling) words.push_back("ceiling:" + name);
+    if (entry.infers) words.push_back("infers:" + name);
+    if (augment::needs_libtorch_always(entry)) words.push_back("needs-libtorch:" + name);
+  }
+}
+
+void add_ratios(std::vector<std::string>& words) {
+  for (const scoring::Ratio& ratio : scoring::all_ratios()) {
+    words.push_back(std::string("ratio:") + ratio.name);
+    if (ratio.generated_per_class == 0) {
+      words.push_back(std::string("nothing-generated:") + ratio.name);
+    }
+  }
+}
+
+/// A description that cannot be read is refused when its data set is asked for, not before.
+bool is_simulated(const fs::path& description) {
+  try {
+    return cli::parse_toml_file(description).contains("simulation");
+  } catch (const Error&) {
+    return false;
+  }
+}
+
+void add_datasets(const fs::path& folder, std::vector<std::string>& words) {
+  std::vector<fs::path> descriptions;
+  std::error_code no_folder;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, no_folder)) {
+    if (entry.path().extension() == ".toml") descriptions.push_back(entry.path());
+  }
+  std::ranges::sort(descriptions);
+  for (const fs::path& description : descriptions) {
+    words.push_back("dataset:" + description.stem().string());
+    if (is_simulated(description)) words.push_back("simulated:" + description.stem().string());
+  }
+}
+
+void add_sweep(const toml::table& protocol, std::vector<std::string>& words) {
+  words.push_back("swept:" + report::swept_method);
+  for (const std::string& point : sweep_points(protocol)) words.push_back("sweep-point:" + point);
+  for (const std::string& point : sweep_centre(protocol)) words.push_back("sweep-centre:" + point);
+}
+
+}  // namespace
+
+std::vector<std::string> facts(const fs::path& pipeline) {
+  std::vector<std::string> words;
+  add_methods(words);
+  add_ratios(words);
+  add_datasets(pipeline / "datasets", words);
+  add_sweep(read_protocol(pipeline / "protocol.toml"), words);
+  return words;
+}
+
+}  // namespace piae::settings

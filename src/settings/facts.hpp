@@ -1,0 +1,29 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace piae::settings {
+
+/// What make has to know of the experiment, each as one word "kind:value", so that it is written
+/// down in one place only:
+///
+///     method:smote           an entry of METHODS, in the order of the tables
+///     paper:smote            one of the paper's: the METHODS where none are given
+///     baseline:none          the method that generates nothing
+///     ceiling:oracle         sees real windows that no method may see, and has no score
+///     infers:piae-dt         infers (k, c) of windows that it has not seen
+///     needs-libtorch:NAME    computed by LibTorch alone
+///     ratio:10to1            an entry of RATIOS
+///     nothing-generated:100to1
+///     dataset:cwru           an entry of DATASETS
+///     simulated:simulated    a dataset that is made, not measured
+///     swept:piae-dt          the method whose settings `make sweep` moves
+///     sweep-point:batch=1    a setting that it tries
+///     sweep-centre:batch=5   one of those that the method has anyway
+///
+/// `pipeline` is the folder with protocol.toml and datasets/. Throws as read_protocol does.
+std::vector<std::string> facts(const std::filesystem::path& pipeline);
+
+}  // namespace piae::settings

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <toml++/toml.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace piae::settings {
+
+/// Every setting of the experiment that is not a choice of the command line: a table for each
+/// stage, [train.METHOD] on top of [train] for one method. A stage would not notice a table whose
+/// name is mistyped and would run with what its program has built in, so anything else is refused.
+///
+/// Throws Error(bad_input) with the file and the line for what is not TOML, for a key outside all
+/// tables, for a table that nothing reads and for points of a sweep that are none;
+/// Error(input_missing) when there is no such file.
+toml::table read_protocol(const std::filesystem::path& file);
+
+/// The settings that are tried one at a time by `make sweep`, such as "batch=1": [sweep] names
+/// them. Throws Error(bad_input) for what is not FACTOR=VALUE.
+std::vector<std::string> sweep_points(const toml::table& protocol);
+
+/// Those of them that the swept method has anyway, compared as numbers where they are numbers.
+std::vector<std::string> sweep_centre(const toml::table& protocol);
+
+}  // namespace piae::settings

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <toml++/toml.h>
+
+#include <filesystem>
+#include <string>
+
+namespace piae::settings {
+
+/// The settings of a run, in small files of results/RUN/.settings: one for each stage, method and
+/// data set. They are what make knows by that a step is to be run again, and also what the stages
+/// read by --config, so that what is compared is what is used.
+///
+/// A file is asked for by its name, and with it the options on the stage's command line that count
+/// as settings too: "split.toml --protocol random". The name says what it holds:
+///
+///     STAGE.toml, STAGE.NAME.toml   what the stage reads from pipeline/protocol.toml, for the
+///                                   variant NAME where there is a table [STAGE.NAME]
+///     datasets/NAME.toml            the description pipeline/datasets/NAME.toml
+///
+/// Files hold values alone, in alphabetical order. They are compared by value: neither comments nor
+/// spacing nor the order of tables make a difference.
+class SettingsFolder {
+ public:
+  /// `pipeline` is the folder with protocol.toml and datasets/. Throws as read_protocol does.
+  SettingsFolder(const std::filesystem::path& pipeline, std::filesystem::path folder);
+
+  /// Whether the file is missing or holds something else. Reads only. Throws Error(bad_input) and
+  /// Error(input_missing) where its source cannot be read.
+  [[nodiscard]] bool is_outdated(const std::string& request) const;
+
+  /// Writes the file where it is outdated, and else leaves it as it is, with its time. Programs
+  /// that do so at once do not disturb each other: one writes, the others find it written. Throws
+  /// Error(failed) when it cannot be written.
+  void update(const std::string& request) const;
+
+ private:
+  std::filesystem::path pipeline_;
+  std::filesystem::path folder_;
+  toml::table protocol_;
+};
+
+}  // namespace piae::settings

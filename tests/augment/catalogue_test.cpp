@@ -1,0 +1,85 @@
+#include "augment/catalogue.hpp"
+
+#include <gmock/gmock.h>
+
+#include <functional>
+#include <set>
+
+#include "augment/methods.hpp"
+#include "support/errors.hpp"
+
+namespace piae::augment {
+namespace {
+
+using testing::ElementsAre;
+
+std::vector<std::string> names_of(const std::function<bool(const CatalogueEntry&)>& chosen) {
+  std::vector<std::string> names;
+  for (const CatalogueEntry& entry : catalogue()) {
+    if (chosen(entry)) names.emplace_back(entry.name);
+  }
+  return names;
+}
+
+TEST(Catalogue, HasEveryNameOnce) {
+  const std::vector<std::string> all = names_of([](const auto&) { return true; });
+  EXPECT_EQ(std::set(all.begin(), all.end()).size(), all.size());
+  for (const std::string& name : all) EXPECT_EQ(find_entry(name)->name, name);
+  EXPECT_EQ(find_entry("another"), nullptr);
+}
+
+TEST(Catalogue, NumbersThePapersFiveModelsInTheirOrder) {
+  std::vector<int> models;
+  for (const CatalogueEntry& entry : catalogue()) {
+    if (entry.model > 0) models.push_back(entry.model);
+  }
+  EXPECT_THAT(models, ElementsAre(1, 2, 3, 4, 5));
+  EXPECT_EQ(names_of([](const auto& entry) { return entry.kind == Kind::ablation; }),
+            names_of([](const auto& entry) { return entry.model > 1; }));
+}
+
+TEST(Catalogue, HasOneBaselineWhichMakesNothing) {
+  EXPECT_THAT(names_of([](const auto& entry) { return entry.kind == Kind::baseline; }),
+              ElementsAre(no_method));
+  EXPECT_THAT(names_of([](const auto& entry) { return entry.make == nullptr; }),
+              ElementsAre(no_method));
+}
+
+TEST(Catalogue, SaysWhichMethodsLibtorchAloneComputes) {
+  EXPECT_THAT(names_of(needs_libtorch_always), ElementsAre("piae-dt-cnn", "piae-dt-rnn"));
+}
+
+TEST(Catalogue, SaysWhichMethodsInferStiffnessAndDamping) {
+  artefact::Writer writer("model");
+  writer.attribute("/", "method", std::string("any"));
+  writer.save(scratch_file("empty.h5"), {});
+  const artefact::Reader model(scratch_file("empty.h5"), "model");
+  for (const CatalogueEntry& entry : catalogue()) {
+    if (entry.make == nullptr) continue;
+    // Those that can infer find other faults with an empty model.
+    std::string refusal;
+    try {
+      (void)entry.make()->infer(model, known_windows(), {});
+    } catch (const std::exception& error) {
+      refusal = error.what();
+    }
+    EXPECT_NE(refusal, "") << entry.name;
+    EXPECT_EQ(refusal.find("infers neither") == std::string::npos, entry.infers) << refusal;
+  }
+}
+
+TEST(Catalogue, NamesAllMethodsToWhoeverAsksForAnother) {
+  EXPECT_ERROR(make_method("another"), Exit::usage, "unknown method 'another'; known are dynamics");
+  EXPECT_ERROR(make_method(no_method), Exit::usage, "known are dynamics");
+}
+
+// This test is linked without LibTorch.
+TEST(Catalogue, HasMethodsThatSayThatLibtorchIsMissing) {
+  for (const std::string method : {"piae-dt-cnn", "piae-dt-rnn"}) {
+    EXPECT_ERROR(train(method, "--epochs 1", known_windows(), checkpoint_at("cut"), "never.h5"),
+                 Exit::failed, "not linked with LibTorch");
+  }
+}
+
+}  // namespace
+}  // namespace piae::augment

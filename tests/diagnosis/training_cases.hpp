@@ -1,0 +1,163 @@
+#pragma once
+
+// What is true of the training of WDCNN whatever computes it. The test of each back end includes
+// these cases and instantiates them with its own.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <string>
+#include <vector>
+
+#include "base/error.hpp"
+#include "diagnosis/sets.hpp"
+#include "diagnosis/wdcnn.hpp"
+
+namespace piae::diagnosis {
+
+inline WdcnnOptions short_training(std::int64_t epochs = 2) {
+  WdcnnOptions options;
+  options.epochs = epochs;
+  options.batch = 8;
+  options.learning_rate = 1e-3;
+  return options;
+}
+
+inline double share_equal(const std::vector<std::int32_t>& a, const std::vector<std::int32_t>& b) {
+  double equal = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) equal += a[i] == b[i] ? 1 : 0;
+  return equal / static_cast<double>(a.size());
+}
+
+/// A name for the test, and the back end.
+struct TrainedBy {
+  const char* name;
+  MakeWdcnnBackend backend;
+};
+
+inline std::string name_of(const testing::TestParamInfo<TrainedBy>& info) {
+  return info.param.name;
+}
+
+class WdcnnTraining : public testing::TestWithParam<TrainedBy> {
+ protected:
+  [[nodiscard]] static const MakeWdcnnBackend& backend() { return GetParam().backend; }
+};
+
+TEST_P(WdcnnTraining, LearnsTones) {
+  const LabelledWindows test = tones(40, "test");
+  const WdcnnResult result =
+      train_and_test(tones(30, "train"), test, short_training(12), Stream("learn"), backend());
+  EXPECT_GT(share_equal(result.predictions, test.labels), 0.95);
+  EXPECT_GT(result.train_accuracy.back(), 0.95);
+  EXPECT_LT(result.loss.back(), 0.2 * result.loss.front());
+  EXPECT_GT(result.training_seconds, 0);
+}
+
+TEST_P(WdcnnTraining, ScoresAreProbabilitiesAndPredictionsTheirMaximum) {
+  const LabelledWindows test = tones(35, "test");  // 105 windows: more than are tried at a time
+  const WdcnnResult result =
+      train_and_test(tones(5, "train"), test, short_training(), Stream("scores"), backend());
+  ASSERT_EQ(result.predictions.size(), 105U);
+  ASSERT_EQ(result.scores.size(), 105U * 3);
+  ASSERT_EQ(result.loss.size(), 2U);
+  ASSERT_EQ(result.train_accuracy.size(), 2U);
+  for (std::size_t i = 0; i < 105; ++i) {
+    const auto row = result.scores.begin() + static_cast<std::ptrdiff_t>(3 * i);
+    EXPECT_NEAR(std::accumulate(row, row + 3, 0.0), 1.0, 1e-6);
+    EXPECT_EQ(std::max_element(row, row + 3) - row, result.predictions[i]);
+  }
+}
+
+TEST_P(WdcnnTraining, StartsFromTheLossOfAGuess) {
+  // A step so small that nothing is learnt: cross-entropy stays near that of chance, ln 3.
+  WdcnnOptions options = short_training(1);
+  options.learning_rate = 1e-12;
+  const WdcnnResult result =
+      train_and_test(tones(20, "train"), tones(1, "test"), options, Stream("guess"), backend());
+  EXPECT_NEAR(result.loss[0], std::log(3.0), 0.25);
+}
+
+TEST_P(WdcnnTraining, GivesTheSameBitsForTheSameStream) {
+  const LabelledWindows train = tones(11, "train");  // 33 windows: the last batch is of 9
+  const LabelledWindows test = tones(4, "test");
+  const auto run = [&](const char* name) {
+    return train_and_test(train, test, short_training(), Stream(name), backend());
+  };
+  const WdcnnResult first = run("a");
+  const WdcnnResult other = run("b");
+  const WdcnnResult again = run("a");
+  EXPECT_EQ(first.scores, again.scores);
+  EXPECT_EQ(first.loss, again.loss);
+  EXPECT_EQ(first.train_accuracy, again.train_accuracy);
+  EXPECT_NE(first.scores, other.scores);
+}
+
+TEST_P(WdcnnTraining, AnEpochDoesNotKnowHowManyFollow) {
+  const LabelledWindows train = tones(8, "train");
+  const auto loss = [&](std::int64_t epochs) {
+    return train_and_test(train, train, short_training(epochs), Stream("a"), backend()).loss;
+  };
+  const std::vector<double> three = loss(3);
+  EXPECT_EQ(loss(2), std::vector(three.begin(), three.begin() + 2));
+}
+
+TEST_P(WdcnnTraining, ReportsEveryEpoch) {
+  std::vector<std::int64_t> done;
+  std::vector<double> losses;
+  const WdcnnResult result =
+      train_and_test(tones(3, "train"), tones(1, "test"), short_training(3), Stream("a"), backend(),
+                     [&](std::int64_t epoch, double loss) {
+                       done.push_back(epoch);
+                       losses.push_back(loss);
+                     });
+  EXPECT_THAT(done, testing::ElementsAre(1, 2, 3));
+  EXPECT_EQ(losses, result.loss);
+}
+
+inline void expect_error(Exit exit, const std::string& part, const LabelledWindows& train,
+                         const LabelledWindows& test, const MakeWdcnnBackend& backend,
+                         const WdcnnOptions& options = short_training()) {
+  try {
+    train_and_test(train, test, options, Stream("error"), backend);
+    FAIL() << "no error with " << part;
+  } catch (const Error& error) {
+    EXPECT_EQ(error.exit(), exit);
+    EXPECT_THAT(error.what(), testing::HasSubstr(part));
+  }
+}
+
+TEST_P(WdcnnTraining, RefusesSetsThatCannotBe) {
+  const LabelledWindows good = tones(2, "train");
+  LabelledWindows one = good;
+  one.labels.resize(1);
+  one.samples.resize(1024);
+  expect_error(Exit::bad_input, "1 training windows", one, good, backend());
+
+  LabelledWindows none = good;
+  none.labels.clear();
+  none.samples.clear();
+  expect_error(Exit::bad_input, "no test window", good, none, backend());
+
+  LabelledWindows two_long = good;
+  two_long.length = 2048;
+  two_long.labels.resize(3);
+  expect_error(Exit::bad_input, "both must be the same", good, two_long, backend());
+
+  LabelledWindows too_short = good;
+  too_short.length = 512;
+  too_short.labels.resize(12);
+  expect_error(Exit::bad_input, "at least 1024", too_short, too_short, backend());
+}
+
+TEST_P(WdcnnTraining, DivergedTrainingSaysWhatWouldWork) {
+  WdcnnOptions options = short_training(20);
+  options.learning_rate = 1e30;
+  const LabelledWindows train = tones(4, "train");
+  expect_error(Exit::failed, "a smaller one would work", train, train, backend(), options);
+}
+
+}  // namespace piae::diagnosis

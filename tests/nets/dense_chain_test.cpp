@@ -1,0 +1,231 @@
+// The chain's gradients, written by hand, against finite differences in double precision.
+
+#include "nets/dense_chain.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <stdexcept>
+#include <vector>
+
+#include "nets/row_array.hpp"
+#include "support/differences.hpp"
+
+namespace piae::nets {
+namespace {
+
+using Chain = DenseChain<double>;
+using Kept = Parameters<double>::Kept;
+using Array = RowArray<double>;
+
+constexpr std::int64_t inputs = 5;  // no whole vector
+constexpr std::int64_t outputs = 3;
+constexpr std::int64_t width = 7;
+
+Array random_array(const std::string& name, std::int64_t rows, std::int64_t columns) {
+  Stream stream(name);
+  Array array(rows, columns);
+  for (double& x : array.reshaped()) x = stream.normal(0, 1);
+  return array;
+}
+
+struct Example {
+  explicit Example(int depth = 3, std::int64_t rows = 30)
+      : parameters(dense_chain_specs("net", inputs, outputs, {depth, static_cast<int>(width)}),
+                   Stream("initial")),
+        chain(parameters, "net", rows) {}
+
+  Array forward(const Array& x) {
+    put(x, chain.input());
+    return copied(chain.forward(x.rows()), x.rows(), outputs);
+  }
+  /// The gradient of sum(y * slope) by the input, for the y of the last forward().
+  Array backward(const Array& slope) {
+    put(slope, chain.output_gradient());
+    return copied(chain.backward(slope.rows(), 1, {0, slope.rows()}), slope.rows(), inputs);
+  }
+
+  /// Calls f with each number of the parameters, and its place in their array.
+  void for_each_value(const std::function<void(double&, std::int64_t)>& f) {
+    for (const auto& p : parameters.parameters()) {
+      for (std::int64_t i = 0; i < p.rows; ++i) {
+        for (std::int64_t j = 0; j < p.columns; ++j) {
+          const std::int64_t at = p.begin + i * p.held_columns + j;
+          f(parameters.data(Kept::value)[at], at);
+        }
+      }
+    }
+  }
+
+  /// The gradient that the chain would follow: Adam's first moment after its first step is a tenth
+  /// of it. The values stay as they are.
+  std::vector<double> gradient(const Chain::Summed& rows) {
+    const std::vector<float> before = parameters.read(Kept::value);
+    chain.take(AdamStep(1, 0, AdamConstants::beta1, AdamConstants::beta2), 1, rows);
+    std::vector<double> all;
+    for_each_value([&](double&, std::int64_t at) {
+      all.push_back(10 * parameters.data(Kept::first_moment)[at]);
+    });
+    return all;
+  }
+  /// Central differences of a function of the parameters.
+  std::vector<double> differences(const std::function<double()>& f) {
+    std::vector<double> all;
+    for_each_value(
+        [&](double& value, std::int64_t) { all.push_back(central_difference(value, 1e-6, f)); });
+    return all;
+  }
+
+  Parameters<double> parameters;
+  Chain chain;
+};
+
+void expect_near(const std::vector<double>& mine, const std::vector<double>& expected) {
+  ASSERT_EQ(mine.size(), expected.size());
+  double largest = 0;
+  for (const double x : expected) largest = std::max(largest, std::abs(x));
+  EXPECT_GT(largest, 1e-3);
+  for (std::size_t i = 0; i < mine.size(); ++i) {
+    EXPECT_NEAR(mine[i], expected[i], 1e-7 * largest) << i;
+  }
+}
+
+TEST(DenseChain, AppliesReluBetweenLayersAndNotAtTheEnd) {
+  Parameters<double> parameters(dense_chain_specs("net", 2, 2, {2, 2}), Stream("test"));
+  const std::vector<float> values{1, -2, 3,  1,  0.5F, -1,  // first weight and bias
+                                  1, 1,  -2, -1, 0,    1};  // second weight and bias
+  parameters.write(Kept::value, values);
+  Chain chain(parameters, "net", 2);
+  Array x(2, 2);
+  x << 1, 2, 2, 0;
+  put(x, chain.input());
+  // x = (1, 2): hidden (-2.5, 4), after ReLU (0, 4); out (4, -3). x = (2, 0): (2.5, 5); (7.5, -9).
+  Array expected(2, 2);
+  expected << 4, -3, 7.5, -9;
+  EXPECT_TRUE((copied(chain.forward(2), 2, 2) == expected).all());
+}
+
+TEST(DenseChain, DoesNotTakeTheLayersOfALongerName) {
+  std::vector<ParameterSpec> specs = dense_chain_specs("a", 2, 2, {1, 2});
+  const auto others = dense_chain_specs("ab", 2, 3, {1, 2});
+  specs.insert(specs.end(), others.begin(), others.end());
+  Parameters<double> parameters(specs, Stream("test"));
+  parameters.write(Kept::value, std::vector<float>{1, 0, 0, 1, 0, 0}, "a/");
+  Chain chain(parameters, "a", 1);
+  Array x(1, 2);
+  x << 1, -2;
+  put(x, chain.input());
+  EXPECT_TRUE((copied(chain.forward(1), 1, 2) == x).all());
+}
+
+class DenseChains : public testing::TestWithParam<std::tuple<int, std::int64_t>> {};
+
+TEST_P(DenseChains, HaveTheGradientsOfFiniteDifferences) {
+  const auto [depth, rows] = GetParam();
+  Example example(depth);
+  Array x = random_array("x", rows, inputs);
+  const Array slope = random_array("slope", rows, outputs);
+  const auto value = [&] { return (example.forward(x) * slope).sum(); };
+  const std::vector<double> expected = example.differences(value);
+  std::vector<double> expected_by_x;
+  for (double& number : x.reshaped<Eigen::RowMajor>()) {
+    expected_by_x.push_back(central_difference(number, 1e-6, value));
+  }
+  value();
+  const Array by_x = example.backward(slope);
+  expect_near({by_x.data(), by_x.data() + by_x.size()}, expected_by_x);
+  double squares = 0;
+  for (const double g : expected) squares += g * g;
+  EXPECT_NEAR(example.chain.squared_norm({rows, rows}), squares, 1e-6 * squares);
+  expect_near(example.gradient({rows, rows}), expected);
+}
+
+// Fewer rows than a block of the kernels, a whole one, and several.
+INSTANTIATE_TEST_SUITE_P(Nets, DenseChains,
+                         testing::Combine(testing::Values(1, 2, 3, 4),
+                                          testing::Values(1, 2, 3, 4, 5, 6, 7, 12, 23)));
+
+TEST(DenseChain, PropagatesTwoSignalsOfOneBatchAtOnce) {
+  constexpr std::int64_t rows = 5;
+  Example both;
+  Example alone;
+  const Array x = random_array("x", rows, inputs);
+  const Array first = random_array("first", rows, outputs);
+  const Array second = random_array("second", rows, outputs);
+  alone.forward(x);
+  const Array expected = alone.backward(second);
+  both.forward(x);
+  put(first, both.chain.output_gradient());
+  put(second, both.chain.output_gradient().from(rows));
+  const Array by_x = copied(both.chain.backward(rows, 2, {rows, rows}), rows, inputs);
+  EXPECT_LT((by_x - expected).abs().maxCoeff(), 1e-12);
+  const std::vector<double> gradient = both.gradient({rows, rows});
+  // Weights follow the first signal alone.
+  expect_near(gradient, both.differences([&] { return (both.forward(x) * first).sum(); }));
+}
+
+// A function of the gradient by the input, as a gradient penalty is: half of its square, summed.
+TEST(DenseChain, DifferentiatesAFunctionOfItsGradientByTheInput) {
+  constexpr std::int64_t rows = 4;
+  for (const int depth : {1, 2, 3, 4}) {
+    Example example(depth);
+    const Array x = random_array("x", rows, inputs);
+    const Array slope = random_array("slope", rows, outputs);
+    const auto by_input = [&] {
+      example.forward(x);
+      return example.backward(slope);
+    };
+    const std::vector<double> expected =
+        example.differences([&] { return 0.5 * by_input().square().sum(); });
+    put(by_input(), example.chain.input());  // the derivative of the half square
+    example.chain.forward_derivative(0, rows);
+    expect_near(example.gradient({.of_weights = rows, .of_biases = 0}), expected);
+  }
+}
+
+TEST(DenseChain, ResultOfARowDoesNotDependOnTheRowsBesideIt) {
+  Example example;
+  const Array x = random_array("x", 13, inputs);
+  const Array all = example.forward(x);
+  for (const std::int64_t i : {0, 5, 6, 12}) {
+    EXPECT_TRUE((example.forward(x.row(i)) == all.row(i)).all()) << i;
+  }
+}
+
+TEST(DenseChain, HasNoRoomForMoreRowsThanItWasMadeFor) {
+  Example example(3, 4);
+  EXPECT_THROW(example.chain.forward(5), std::logic_error);
+  EXPECT_THROW(example.chain.backward(3, 2, Chain::no_rows), std::logic_error);
+  EXPECT_THROW(example.chain.forward_derivative(2, 3), std::logic_error);
+}
+
+TEST(DenseChain, RefusesANameThatNoParameterHas) {
+  Example example;
+  EXPECT_THROW(Chain(example.parameters, "another", 4), std::logic_error);
+}
+
+// Rows are filled up to whole vectors, in values and in Adam's moments.
+TEST(DenseChain, WhatFillsRowsUpStaysZero) {
+  Example example;
+  const Array x = random_array("x", 5, inputs);
+  const Array slope = random_array("slope", 5, outputs);
+  for (int t = 1; t <= 3; ++t) {
+    example.forward(x);
+    example.backward(slope);
+    example.chain.take(AdamStep(t, 1e-2, AdamConstants::beta1, AdamConstants::beta2), 1, {5, 5});
+  }
+  for (const Kept kept : {Kept::value, Kept::first_moment, Kept::second_moment}) {
+    for (const auto& p : example.parameters.parameters()) {
+      for (std::int64_t i = 0; i < p.rows; ++i) {
+        for (std::int64_t j = p.columns; j < p.held_columns; ++j) {
+          EXPECT_EQ(example.parameters.data(kept)[p.begin + i * p.held_columns + j], 0);
+        }
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace piae::nets

@@ -1,0 +1,52 @@
+#!/bin/bash
+# Makes that start at once, as array jobs on a cluster do, neither hurt each other nor make each
+# other's steps run again. Many rounds of it: ROUNDS=200 tests/pipeline/at_once_test.sh
+# shellcheck source-path=SCRIPTDIR
+source "${0%/*}/support.sh"
+
+cells() { make --silent cells BIN=fake RUN=t DATASETS=real METHODS="none smote" RATIOS="100to1 10to1" "$@"; }
+
+four_at_once() { # round
+  local seed makes=()
+  for seed in 0 1 2 3; do
+    cells "SEEDS=$seed" >"messages-$seed" 2>&1 &
+    makes+=($!)
+  done
+  for seed in 0 1 2 3; do
+    wait "${makes[seed]}" || fail "round $1, seed $seed: $(<"messages-$seed")"
+  done
+}
+
+ran() { sort calls | uniq -c | sort -k2; }
+
+test_four_makes_do_what_one_does() {
+  echo 'name = "real"' >pipeline/datasets/real.toml
+  cells SEEDS="0 1 2 3" -j4 >/dev/null
+  mv results one
+  local of_one round
+  of_one=$(ran)
+  for ((round = 1; round <= ${ROUNDS:-5}; ++round)); do
+    rm -rf results calls
+    four_at_once $round
+    diff -r --exclude='*.log' results one >difference || fail "round $round: $(<difference)"
+    expect_equal "$(ran)" "$of_one"
+    # Nor is anything left to be done because one make has come after another.
+    expect_equal "$(cells SEEDS="0 1 2 3" -n | grep -E 'step.sh|settings' || true)" ""
+  done
+}
+
+# A setting changed: all four find it so, and one of them writes it down.
+test_four_makes_after_a_change_do_what_one_does() {
+  echo 'name = "real"' >pipeline/datasets/real.toml
+  cells SEEDS="0 1 2 3" -j4 >/dev/null
+  local round
+  for ((round = 1; round <= ${ROUNDS:-5}; ++round)); do
+    sed -i "s/^window = .*/window = $((1000 + round))/; s/^neighbours = .*/neighbours = $round/" pipeline/protocol.toml
+    rm calls
+    four_at_once $round
+    expect_equal "$(awk '{ print $1 }' calls | sort | uniq -c | xargs)" "8 diagnose 4 generate 4 score 4 split 4 train"
+    expect_equal "$(find results/t/.settings -type f | wc -l)" 6
+  done
+}
+
+run_tests

@@ -1,0 +1,126 @@
+#include "report/comparisons.hpp"
+
+#include <gmock/gmock.h>
+
+#include "base/error.hpp"
+#include "report/accuracy_rows.hpp"
+
+namespace piae::report {
+namespace {
+
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+
+const std::string header =
+    "dataset,ratio,method,against,seeds,mean_difference,ci95_low,ci95_high,rank_biserial,p,p_"
+    "holm\n";
+
+std::string csv(const std::vector<AccuracyRow>& rows, const std::string& against = "") {
+  return comparisons_csv(compare_methods(rows, against));
+}
+
+std::string text(const std::vector<AccuracyRow>& rows, const std::string& against = "") {
+  const auto sections = comparison_sections(compare_methods(rows, against), rows);
+  return markdown({"cwru", "cwru", {}, sections});
+}
+
+/// By hand. The interval's half is 2.776445 times the deviation / sqrt(5): deviations 1.5811,
+/// 3.5355 and, of the means 0, 2, 3, 0, 5, 2.1213. Of the 32 signs, 2, 20 and (of 8 without the
+/// zeros) 2 are as extreme. Holm: of two methods, the smaller p doubles.
+TEST(Comparisons, AreThoseWorkedByHand) {
+  EXPECT_EQ(csv(five_seeds()),
+            header +
+                "cwru,10to1,none,piae-dt,5,-10.0000,-10.0000,-10.0000,-1.0000,0.0625,0.125\n"
+                "cwru,2to1,none,piae-dt,5,-20.0000,-20.0000,-20.0000,-1.0000,0.0625,0.125\n"
+                "cwru,mean,none,piae-dt,5,-15.0000,-15.0000,-15.0000,-1.0000,0.0625,0.125\n"
+                "cwru,10to1,shift,piae-dt,5,3.0000,1.0368,4.9632,1.0000,0.0625,0.125\n"
+                "cwru,2to1,shift,piae-dt,5,1.0000,-3.3899,5.3899,0.3333,0.625,0.625\n"
+                "cwru,mean,shift,piae-dt,5,2.0000,-0.6340,4.6340,1.0000,0.25,0.25\n");
+}
+
+TEST(Comparisons, HaveARatioAColumn) {
+  EXPECT_THAT(text(five_seeds()), HasSubstr("## Accuracy minus that of piae-dt on cwru\n\n"));
+  EXPECT_THAT(
+      text(five_seeds()),
+      HasSubstr(
+          "| method |            |             10:1 |     2:1 (3.33:1) |   mean of ratios |\n"
+          "|--------|------------|-----------------:|-----------------:|-----------------:|\n"
+          "| none   | difference |    -10.00 ± 0.00 |    -20.00 ± 0.00 |    -15.00 ± 0.00 |\n"
+          "|        | 95 %       | [-10.00, -10.00] | [-20.00, -20.00] | [-15.00, -15.00] |\n"
+          "|        | effect     |            -1.00 |            -1.00 |            -1.00 |\n"
+          "|        | p (Holm)   |   0.0625 (0.125) |   0.0625 (0.125) |   0.0625 (0.125) |\n"
+          "| shift  | difference |     +3.00 ± 1.58 |     +1.00 ± 3.54 |     +2.00 ± 2.12 |\n"
+          "|        | 95 %       |   [+1.04, +4.96] |   [-3.39, +5.39] |   [-0.63, +4.63] |\n"
+          "|        | effect     |            +1.00 |            +0.33 |            +1.00 |\n"
+          "|        | p (Holm)   |   0.0625 (0.125) |    0.625 (0.625) |      0.25 (0.25) |\n"));
+}
+
+TEST(Comparisons, AreWithTheNewerSubjectOrTheOneAskedFor) {
+  std::vector<AccuracyRow> rows = five_seeds();
+  EXPECT_EQ(compare_methods(rows, "").against, "piae-dt");
+  EXPECT_EQ(compare_methods(rows, "shift").against, "shift");
+  EXPECT_THAT(csv(rows, "shift"), HasSubstr("cwru,10to1,piae-dt,shift,5,-3.0000,"));
+  EXPECT_THAT(csv(rows, "none"), HasSubstr("cwru,2to1,piae-dt,none,5,20.0000,"));
+  rows.push_back(row_with("piae-dt-phase", "10to1", {1, 2, 3, 4, 5}));
+  EXPECT_EQ(compare_methods(rows, "").against, "piae-dt-phase");
+}
+
+TEST(Comparisons, WithAMethodThatIsNotThereAreRefused) {
+  try {
+    compare_methods(five_seeds(), "vae");
+    FAIL() << "compared with nothing";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.exit(), Exit::usage);
+    EXPECT_THAT(error.what(), HasSubstr("--against vae"));
+    EXPECT_THAT(error.what(), HasSubstr("none shift piae-dt"));
+  }
+}
+
+TEST(Comparisons, OfNothingAreEmpty) {
+  const std::vector<AccuracyRow> alone{row_with("piae-dt", "10to1", {1, 2})};
+  EXPECT_EQ(csv(alone), header);
+  EXPECT_THAT(comparison_sections(compare_methods(alone, ""), alone), IsEmpty());
+  const std::vector<AccuracyRow> others{row_with("vae", "10to1", {1, 2}),
+                                        row_with("smote", "10to1", {1, 2})};
+  EXPECT_EQ(csv(others), header) << "nobody to compare with";
+  const std::vector<AccuracyRow> apart{row_with("vae", "10to1", {1, 2}),
+                                       row_with("piae-dt", "2to1", {1, 2})};
+  EXPECT_EQ(csv(apart), header) << "no ratio in common";
+}
+
+TEST(Comparisons, OfOneSeedHaveNoTest) {
+  const std::vector<AccuracyRow> rows{row_with("shift", "10to1", {81}),
+                                      row_with("piae-dt", "10to1", {80})};
+  EXPECT_EQ(csv(rows), header + "cwru,10to1,shift,piae-dt,1,1.0000,,,,,\n");
+  EXPECT_THAT(text(rows), HasSubstr("| shift  | difference | +1.00 |\n"));
+  EXPECT_THAT(text(rows), Not(HasSubstr("p (Holm)")));
+  EXPECT_THAT(text(rows), HasSubstr("One seed alone"));
+}
+
+std::vector<AccuracyRow> of_seeds(std::size_t seeds) {
+  return {row_with("shift", "10to1", std::vector<double>(seeds, 80)),
+          row_with("oracle", "10to1", std::vector<double>(seeds, 95)),
+          row_with("piae-dt", "10to1", std::vector<double>(seeds, 70))};
+}
+
+/// 2 / 2^6 is below 0.05, but not twice that; 2 * 2 / 2^7 is.
+TEST(Comparisons, SayWhereTheSeedsAreTooFew) {
+  const auto caution = [](std::size_t seeds) {
+    std::string all = text(of_seeds(seeds));
+    std::ranges::replace(all, '\n', ' ');  // the paragraph is wrapped
+    return all;
+  };
+  EXPECT_THAT(caution(5), HasSubstr("5 seeds cannot give a p below 0.0625, which Holm's correction "
+                                    "for 2 makes 0.125"));
+  EXPECT_THAT(caution(6), HasSubstr("below 0.0312, which Holm's correction for 2 makes 0.0625"));
+  EXPECT_THAT(caution(7), Not(HasSubstr("cannot")));
+}
+
+TEST(Comparisons, MarkTheCeiling) {
+  EXPECT_THAT(text(of_seeds(5)), HasSubstr("| oracle (ceiling) | difference |"));
+  EXPECT_THAT(text(of_seeds(5), "oracle"), HasSubstr("minus that of oracle (ceiling) on"));
+}
+
+}  // namespace
+}  // namespace piae::report

@@ -1,0 +1,263 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <toml++/toml.h>
+
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+#include "augment/catalogue.hpp"
+#include "base/error.hpp"
+#include "base/random.hpp"
+#include "cli/toml_options.hpp"
+#include "settings/facts.hpp"
+#include "settings/protocol.hpp"
+#include "settings/settings_folder.hpp"
+#include "support/folder.hpp"
+
+namespace piae::settings {
+namespace {
+
+using testing::Contains;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::Not;
+
+const std::string header = "# Made from PIPELINE; edit that file, not this one.\n";
+
+/// pipeline/ of a project, and the settings of a run.
+struct Project {
+  Folder folder;
+  std::filesystem::path run = folder / "run";
+
+  explicit Project(const std::string& protocol) { folder.write("protocol.toml", protocol); }
+
+  [[nodiscard]] bool is_outdated(const std::string& request) const {
+    return SettingsFolder(folder.path(), run).is_outdated(request);
+  }
+  void update(const std::string& request) const {
+    SettingsFolder(folder.path(), run).update(request);
+  }
+  /// What stands in a settings file, without the line that says where it is from.
+  [[nodiscard]] std::string values_in(const std::string& file) const {
+    const std::string text = bytes_of(run / file);
+    return text.substr(text.find('\n') + 1);
+  }
+  /// The reason for which its protocol is refused.
+  [[nodiscard]] std::string refusal() const {
+    try {
+      (void)read_protocol(folder / "protocol.toml");
+    } catch (const Error& error) {
+      EXPECT_EQ(error.exit(), Exit::bad_input);
+      return error.what();
+    }
+    return "not refused";
+  }
+};
+
+TEST(SettingsFolder, AFileHoldsWhatTheStageReads) {
+  const Project project(
+      "[train]\nepochs = 200 # of them\n[train.vae]\nrate = 0.5\nepochs = 3\n"
+      "[train.ae]\nlike = \"vae\"\nname = \"x\"\n");
+  project.update("train.vae.toml");
+  EXPECT_EQ(project.values_in("train.vae.toml"), "epochs = 3\nrate = 0.5\n");
+  project.update("train.ae.toml");
+  EXPECT_EQ(project.values_in("train.ae.toml"), "epochs = 3\nname = 'x'\nrate = 0.5\n");
+  project.update("train.smote.toml");
+  EXPECT_EQ(project.values_in("train.smote.toml"), "epochs = 200\n");
+  project.update("score.toml");
+  EXPECT_EQ(project.values_in("score.toml"), "\n");
+}
+
+TEST(SettingsFolder, AStageReadsFromTheFileWhatItReadsFromTheProtocol) {
+  const auto pipeline = std::filesystem::path(PIAE_SOURCE) / "pipeline";
+  const Folder run;
+  const SettingsFolder folder(pipeline, run.path());
+  const toml::table protocol = read_protocol(pipeline / "protocol.toml");
+  for (const std::string& method : augment::method_names()) {
+    const std::string name = "train." + method + ".toml";
+    folder.update(name);
+    const toml::table stored = toml::parse(bytes_of(run / name));
+    EXPECT_EQ(cli::options_of(stored, "train", method), cli::options_of(protocol, "train", method))
+        << method;
+  }
+}
+
+TEST(SettingsFolder, NumbersSurviveTheWayThroughAFile) {
+  Stream random("settings");
+  for (int i = 0; i < 20000; ++i) {
+    const double number =
+        std::ldexp(random.normal(0, 1), static_cast<int>(random.below(200)) - 100);
+    std::ostringstream text;
+    text << toml::toml_formatter(toml::table{{"x", number}});
+    const toml::table back = toml::parse(text.str());
+    ASSERT_EQ(back["x"].value<double>(), number) << text.str();
+  }
+  for (const double number : {1e8, 0.1, 5e-324, 1.7976931348623157e308, -0.0, 100.0}) {
+    std::ostringstream text;
+    text << toml::toml_formatter(toml::table{{"x", number}});
+    const auto back = toml::parse(text.str())["x"].value<double>();
+    ASSERT_EQ(back, number);
+    ASSERT_EQ(std::signbit(*back), std::signbit(number));
+  }
+}
+
+TEST(SettingsFolder, CommentsSpacingAndOrderMakeNothingOutdated) {
+  const Project project("[split]\nwindow = 1024 # samples\nstride = 5\n");
+  EXPECT_TRUE(project.is_outdated("split.toml"));
+  project.update("split.toml");
+  EXPECT_FALSE(project.is_outdated("split.toml"));
+  project.folder.write("protocol.toml", "# top\n[score]\n[split]\n  stride=5\n\nwindow = 1_024\n");
+  EXPECT_FALSE(project.is_outdated("split.toml"));
+  project.folder.write("protocol.toml", "[split]\nstride = 5\nwindow = 1025\n");
+  EXPECT_TRUE(project.is_outdated("split.toml"));
+  project.folder.write("protocol.toml", "[split]\nwindow = 1024\n");
+  EXPECT_TRUE(project.is_outdated("split.toml"));
+}
+
+TEST(SettingsFolder, OptionsOnTheCommandLineCountAsSettings) {
+  const Project project("[split]\nwindow = 1024\n");
+  project.update("split.toml --protocol random");
+  EXPECT_EQ(project.values_in("split.toml"),
+            "# Options given by make: --protocol random\nwindow = 1024\n");
+  EXPECT_FALSE(project.is_outdated("split.toml --protocol random"));
+  EXPECT_TRUE(project.is_outdated("split.toml --protocol blocked"));
+  EXPECT_TRUE(project.is_outdated("split.toml"));
+}
+
+TEST(SettingsFolder, AFileOfOlderProgramsWithTheSameValuesIsKept) {
+  const Project project(
+      "[train]\nepochs = 200\n[train.vae]\nrate = 5e-4\n[train.ae]\nlike = \"vae\"\n");
+  const std::string older =
+      header + "[train]\nepochs = 200\n[train.vae]\nrate = 5e-4\n[train.ae]\nlike = \"vae\"\n";
+  project.folder.write("run/train.ae.toml", older);
+  EXPECT_FALSE(project.is_outdated("train.ae.toml"));
+  project.update("train.ae.toml");
+  EXPECT_EQ(bytes_of(project.run / "train.ae.toml"), older);
+}
+
+TEST(SettingsFolder, ADescriptionIsTakenWhole) {
+  const Project project("");
+  project.folder.write("datasets/rig.toml",
+                       "name = \"rig\" # mine\n[[class]]\nname = \"a\"\n[[class]]\nname = \"b\"\n");
+  EXPECT_TRUE(project.is_outdated("datasets/rig.toml"));
+  project.update("datasets/rig.toml");
+  EXPECT_FALSE(project.is_outdated("datasets/rig.toml"));
+  project.folder.write("datasets/rig.toml",
+                       "name = \"rig\"\n[[class]]\nname = \"b\"\n[[class]]\nname = \"a\"\n");
+  EXPECT_TRUE(project.is_outdated("datasets/rig.toml")) << "labels are in the order of the file";
+}
+
+TEST(SettingsFolder, ADamagedFileIsOutdated) {
+  const Project project("[split]\nwindow = 1024\n");
+  project.folder.write("run/split.toml", "window = \n");
+  EXPECT_TRUE(project.is_outdated("split.toml"));
+  project.update("split.toml");
+  EXPECT_FALSE(project.is_outdated("split.toml"));
+}
+
+TEST(SettingsFolder, ReadingWritesNothingAndUpdatingWritesOnlyWhatChanged) {
+  const Project project("[split]\nwindow = 1024\n");
+  EXPECT_TRUE(project.is_outdated("split.toml"));
+  EXPECT_FALSE(std::filesystem::exists(project.run));
+  project.update("split.toml");
+  const auto long_ago = std::filesystem::file_time_type::clock::now() - std::chrono::hours(1);
+  std::filesystem::last_write_time(project.run / "split.toml", long_ago);
+  project.update("split.toml");
+  EXPECT_EQ(std::filesystem::last_write_time(project.run / "split.toml"), long_ago);
+}
+
+TEST(SettingsFolder, ProgramsThatUpdateAtOnceDoNotDisturbEachOther) {
+  const Project project("[split]\nwindow = 1024\n");
+  for (int round = 0; round < 20; ++round) {
+    const std::string value = std::to_string(round);
+    project.folder.write("protocol.toml", "[split]\nwindow = " + value + "\n");
+    std::vector<pid_t> writers;
+    for (int i = 0; i < 4; ++i) {
+      writers.push_back(::fork());
+      if (writers.back() > 0) continue;
+      try {
+        project.update("split.toml");
+      } catch (const std::exception&) {
+        ::_exit(1);
+      }
+      ::_exit(0);
+    }
+    for (const pid_t writer : writers) {
+      int status = 0;
+      ::waitpid(writer, &status, 0);
+      EXPECT_EQ(status, 0);
+    }
+    EXPECT_EQ(project.values_in("split.toml"), "window = " + value + "\n");
+    const std::filesystem::directory_iterator files(project.run);
+    EXPECT_EQ(std::distance(begin(files), end(files)), 1) << "a partial file is left";
+  }
+}
+
+TEST(SettingsFolder, RefusesWhatIsNoSettingsFileAndWhatCannotBeWritten) {
+  const Project project("[split]\nwindow = 1024\n");
+  project.folder.write("file", "");
+  for (const std::string request : {"split", "", "elsewhere/split.toml", "../split.toml"}) {
+    EXPECT_THROW((void)project.is_outdated(request), Error) << request;
+  }
+  const SettingsFolder blocked(project.folder.path(), project.folder / "file");
+  EXPECT_THROW(blocked.update("split.toml"), Error);
+  EXPECT_THROW((void)project.is_outdated("datasets/none.toml"), Error);
+}
+
+TEST(Protocol, TheProjectsOwnIsAccepted) {
+  EXPECT_NO_THROW(
+      (void)read_protocol(std::filesystem::path(PIAE_SOURCE) / "pipeline/protocol.toml"));
+}
+
+TEST(Protocol, WhatNothingReadsIsRefusedWithItsLine) {
+  EXPECT_THAT(
+      Project("[split]\n[diagnoze]\n").refusal(),
+      HasSubstr("protocol.toml, line 2: nothing reads the table [diagnoze]; there are split"));
+  EXPECT_THAT(Project("[train]\n[train.smot]\n").refusal(),
+              HasSubstr("line 2: nothing reads the table [train.smot]; there are train.dynamics"));
+  EXPECT_THAT(Project("[train.smote.deep]\n").refusal(), HasSubstr("[train.smote.deep]"));
+  EXPECT_THAT(Project("[split.cwru]\n").refusal(), HasSubstr("[split.cwru]"));
+  EXPECT_THAT(Project("[[split]]\n").refusal(), HasSubstr("[split]"));
+  EXPECT_THAT(Project("window = 3\n").refusal(), HasSubstr("line 1: window stands in no table"));
+  EXPECT_THAT(Project("[split\n").refusal(), HasSubstr("line 1: not valid TOML"));
+  EXPECT_THAT(Project("[sweep]\npoints = [\"batch=1\",\n\"batch\"]\n").refusal(),
+              HasSubstr("line 3: sweep.points holds 'batch', which is not FACTOR=VALUE"));
+}
+
+TEST(Protocol, TheCentreOfASweepIsWhatTheMethodHasAnyway) {
+  const toml::table protocol = toml::parse(
+      "[train]\nbatch = 3\n[train.piae-dt]\nbatch = 5\nrate = 5e-4\nkind = \"plain\"\n"
+      "[sweep]\npoints = [\"batch=3\", \"batch=5\", \"rate=0.0005\", \"kind=other\", "
+      "\"kind=plain\", \"depth=1\"]\n");
+  EXPECT_THAT(sweep_centre(protocol), ElementsAre("batch=5", "rate=0.0005", "kind=plain"));
+}
+
+TEST(Facts, NameWhatThereIs) {
+  const std::vector<std::string> all = facts(std::filesystem::path(PIAE_SOURCE) / "pipeline");
+  for (const std::string fact :
+       {"method:none", "method:smote", "method:oracle", "paper:ae", "paper:none", "baseline:none",
+        "ceiling:oracle", "infers:piae-dt-phase", "needs-libtorch:piae-dt-rnn", "ratio:1to1",
+        "nothing-generated:100to1", "dataset:cwru", "simulated:simulated", "swept:piae-dt",
+        "sweep-point:depth=1", "sweep-centre:depth=3"}) {
+    EXPECT_THAT(all, Contains(fact));
+  }
+  for (const std::string fact :
+       {"paper:piae-dt-phase", "paper:oracle", "infers:smote", "needs-libtorch:piae-dt",
+        "simulated:cwru", "sweep-centre:depth=1"}) {
+    EXPECT_THAT(all, Not(Contains(fact)));
+  }
+}
+
+TEST(Facts, ABrokenDescriptionIsNobodysTroubleUntilItIsAskedFor) {
+  const Project project("");
+  project.folder.write("datasets/broken.toml", "name = \n");
+  project.folder.write("datasets/made.toml", "[simulation]\n");
+  EXPECT_THAT(facts(project.folder.path()), Contains("dataset:broken"));
+  EXPECT_THAT(facts(project.folder.path()), Contains("simulated:made"));
+  EXPECT_THROW((void)project.is_outdated("datasets/broken.toml"), Error);
+}
+
+}  // namespace
+}  // namespace piae::settings

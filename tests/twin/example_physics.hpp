@@ -1,0 +1,21 @@
+#pragma once
+
+#include "twin/physics.hpp"
+
+namespace piae::twin {
+
+/// A 6205 at the working set, time in units of 1 / omega_0.
+inline Physics example_physics() {
+  Physics physics;
+  physics.mass_kg = 1;
+  physics.load_n = 1000;
+  physics.contact_n_per_m15 = 8.58e9;
+  physics.omega_0 = 1e4;
+  physics.step = 1e4 / 12000;
+  physics.damping = 0.01;
+  physics.deflection_m = {2e-6, 3e-6};
+  physics.acceleration_m_s2 = {3.0, 5.0};
+  return physics;
+}
+
+}  // namespace piae::twin

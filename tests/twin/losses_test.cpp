@@ -1,0 +1,215 @@
+// The losses of the twin and their gradients by hand, against closed forms and finite differences.
+
+#include "twin/losses.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <vector>
+
+#include "base/random.hpp"
+#include "support/differences.hpp"
+#include "twin/example_physics.hpp"
+
+namespace piae::twin {
+namespace {
+
+using Array = RowArray<double>;
+using Motion = BatchMotion<double>;
+using Loss = LossOf<double>;
+
+Array random_array(const std::string& name, std::int64_t rows, std::int64_t columns) {
+  Stream stream(name);
+  Array array(rows, columns);
+  for (double& x : array.reshaped()) x = stream.normal(0, 1);
+  return array;
+}
+
+Motion random_motion(std::int64_t rows, std::int64_t columns) {
+  return {random_array("u", rows, columns), random_array("v", rows, columns),
+          random_array("a", rows, columns)};
+}
+
+/// The gradient equals central differences of the value in every number of `x`, relative to the
+/// largest. `value` reads `x`.
+void expect_gradient(const Array& gradient, Array& x, const std::function<double()>& value,
+                     double tolerance = 1e-7) {
+  ASSERT_EQ(gradient.rows(), x.rows());
+  ASSERT_EQ(gradient.cols(), x.cols());
+  const double largest = gradient.abs().maxCoeff();
+  EXPECT_GT(largest, 0);
+  for (Eigen::Index i = 0; i < x.size(); ++i) {
+    EXPECT_NEAR(gradient.data()[i], central_difference(x.data()[i], 1e-5, value),
+                tolerance * largest)
+        << i;
+  }
+}
+
+double mmd(const Array& x, const Array& y) {
+  Array unused = Array::Zero(y.rows(), y.cols());
+  return add_batch_mmd<double>(x, y, nullptr, unused);
+}
+
+TEST(BatchMmd, EqualsTheHandWorkedValue) {
+  // Pooled points 0, 1 | 2: squared distances 1, 4, 1, mean over the 6 ordered pairs 2, b = 0.5.
+  Array x(2, 1);
+  x << 0, 1;
+  Array y(1, 1);
+  y << 2;
+  double expected = 0;
+  for (const double b : {0.5, 1.0, 2.0, 4.0, 8.0}) {
+    const double near = std::exp(-1 / b);
+    const double far = std::exp(-4 / b);
+    expected += (2 + 2 * near) / 4 + 1 - 2 * (far + near) / 2;
+  }
+  EXPECT_NEAR(mmd(x, y), expected, 1e-12);
+}
+
+TEST(BatchMmd, AddsItsGradientsToThoseThatAreThere) {
+  Array x = random_array("x", 3, 5);
+  Array y = random_array("y", 4, 5);
+  Array by_x = Array::Ones(3, 5);
+  Array by_y = Array::Ones(4, 5);
+  add_batch_mmd<double>(x, y, &by_x, by_y);
+  const auto value = [&] { return mmd(x, y); };
+  expect_gradient(by_x - 1, x, value);
+  expect_gradient(by_y - 1, y, value);
+}
+
+TEST(BatchMmd, OfEqualWindowsIsZeroAndFlat) {
+  const Array x = Array::Constant(2, 8, 0.3);
+  Array by_y = Array::Zero(2, 8);
+  EXPECT_NEAR(add_batch_mmd<double>(x, x, nullptr, by_y), 0, 1e-12);
+  EXPECT_TRUE((by_y == 0).all());
+}
+
+TEST(ReconstructionLoss, IsMeanSquareAndMmd) {
+  const Array x = random_array("x", 4, 8);
+  const Array a = random_array("a", 4, 8);
+  EXPECT_NEAR(reconstruction_loss<double>(x, a).value, (x - a).square().mean() + mmd(x, a), 1e-12);
+}
+
+TEST(ReconstructionLoss, HasTheGradientOfFiniteDifferences) {
+  const Array x = random_array("x", 4, 6);
+  Array a = random_array("a", 4, 6);
+  expect_gradient(reconstruction_loss<double>(x, a).by_acceleration, a,
+                  [&] { return reconstruction_loss<double>(x, a).value; });
+}
+
+TEST(DifferentialLoss, VanishesForAMotionThatDiffersByDiscretisationOnly) {
+  // u = -cos(w t)/w^2, v = sin(w t)/w, a = cos(w t): the differences err by (w h)^2 / 12 and / 6.
+  constexpr double step = 0.01;
+  constexpr double omega = 2.0;
+  Motion motion{Array(3, 64), Array(3, 64), Array(3, 64)};
+  for (Eigen::Index i = 0; i < 3; ++i) {
+    for (Eigen::Index t = 0; t < 64; ++t) {
+      const double angle = omega * step * static_cast<double>(t) + static_cast<double>(i);
+      motion.acceleration(i, t) = std::cos(angle);
+      motion.displacement(i, t) = -std::cos(angle) / (omega * omega);
+      motion.velocity(i, t) = std::sin(angle) / omega;
+    }
+  }
+  EXPECT_LT(differential_loss<double>(motion, step).value, 1e-6);
+  motion.displacement *= 1.1;
+  EXPECT_GT(differential_loss<double>(motion, step).value, 1e-3);
+}
+
+TEST(DifferentialLoss, HasTheGradientsOfFiniteDifferences) {
+  constexpr double step = 0.8;
+  Motion motion = random_motion(3, 8);
+  const Loss loss = differential_loss<double>(motion, step);
+  const auto value = [&] { return differential_loss<double>(motion, step).value; };
+  expect_gradient(loss.by_displacement, motion.displacement, value);
+  expect_gradient(loss.by_velocity, motion.velocity, value);
+  expect_gradient(loss.by_acceleration, motion.acceleration, value);
+}
+
+TEST(TwinLoss, VanishesForAFreeDampedOscillation) {
+  // Without contact eq. 13 about its equilibrium is a + d c v + k u = 0, solved by
+  // exp(-b t) cos(w t).
+  Physics physics = example_physics();
+  physics.contact_n_per_m15 = 0;
+  constexpr double k = 3.2;
+  constexpr double c = 6.0;
+  const double b = physics.damping * c / 2;
+  const double w = std::sqrt(k - b * b);
+  Motion motion{Array(1, 200), Array(1, 200), Array(1, 200)};
+  for (Eigen::Index i = 0; i < 200; ++i) {
+    const double t = 0.05 * static_cast<double>(i);
+    const double u = std::exp(-b * t) * std::cos(w * t);
+    const double v = -std::exp(-b * t) * (b * std::cos(w * t) + w * std::sin(w * t));
+    motion.displacement(0, i) = u;
+    motion.velocity(0, i) = v;
+    motion.acceleration(0, i) = -(2 * b * v + k * u);
+  }
+  const std::vector<std::int32_t> labels{0};
+  Array k_and_c(1, 2);
+  k_and_c << k, c;
+  EXPECT_LT(twin_loss<double>(k_and_c, motion, labels, physics).value, 1e-20);
+  k_and_c(0, 0) *= 1.1;
+  EXPECT_GT(twin_loss<double>(k_and_c, motion, labels, physics).value, 1e-3);
+}
+
+TEST(TwinLoss, ContactAddsItsTangentStiffnessForSmallMotion) {
+  const Physics physics = example_physics();
+  constexpr double k = 1.5;
+  const double s_0 = static_equilibrium_m(k * stiffness_scale_n_per_m, 2e-6, physics);
+  const double tangent =
+      1.5 * physics.contact_n_per_m15 * std::sqrt(s_0 - 2e-6) / stiffness_scale_n_per_m;
+  const Motion motion{Array::Constant(1, 4, 1e-3), Array::Zero(1, 4),
+                      Array::Constant(1, 4, -(k + tangent) * 1e-3)};
+  Array k_and_c(1, 2);
+  k_and_c << k, 5.0;
+  const std::vector<std::int32_t> labels{0};
+  EXPECT_LT(std::sqrt(twin_loss<double>(k_and_c, motion, labels, physics).value),
+            1e-5 * (k + tangent) * 1e-3);
+}
+
+/// One batch of three windows of both classes.
+void expect_twin_loss_gradients(const Physics& physics) {
+  const std::vector<std::int32_t> labels{0, 1, 1};
+  Motion motion = random_motion(3, 8);
+  Array k_and_c(3, 2);
+  k_and_c << 0.7, 3.0, 1.4, 5.0, 3.0, 9.0;
+  const Loss loss = twin_loss<double>(k_and_c, motion, labels, physics);
+  const auto value = [&] { return twin_loss<double>(k_and_c, motion, labels, physics).value; };
+  expect_gradient(loss.by_k_and_c, k_and_c, value, 1e-6);
+  expect_gradient(loss.by_displacement, motion.displacement, value, 1e-6);
+  expect_gradient(loss.by_velocity, motion.velocity, value);
+  expect_gradient(loss.by_acceleration, motion.acceleration, value);
+}
+
+TEST(TwinLoss, HasTheGradientsOfFiniteDifferences) {
+  expect_twin_loss_gradients(example_physics());
+}
+
+TEST(TwinLoss, HasTheGradientsOfFiniteDifferencesWhereBallsLiftOff) {
+  Physics physics = example_physics();
+  physics.acceleration_m_s2 = {300.0, 500.0};
+  expect_twin_loss_gradients(physics);
+}
+
+TEST(TwinLoss, GradientStaysFiniteWhereContactIsLost) {
+  Physics physics = example_physics();
+  physics.deflection_m = {1.0, 1.0};  // deeper than the load can reach
+  const Array one = Array::Ones(1, 4);
+  Array k_and_c(1, 2);
+  k_and_c << 1, 5;
+  const std::vector<std::int32_t> labels{0};
+  EXPECT_TRUE(
+      twin_loss<double>(k_and_c, {one, one, one}, labels, physics).by_k_and_c.isFinite().all());
+}
+
+/// A softplus may well be 0 in single precision.
+TEST(TwinLoss, StaysFiniteWithItsGradientWhereThereIsNoStiffness) {
+  const RowArray<float> one = RowArray<float>::Ones(1, 4);
+  const RowArray<float> nothing = RowArray<float>::Zero(1, 2);
+  const std::vector<std::int32_t> labels{0};
+  const auto loss = twin_loss<float>(nothing, {one, one, one}, labels, example_physics());
+  EXPECT_TRUE(std::isfinite(loss.value));
+  EXPECT_TRUE(loss.by_k_and_c.isFinite().all());
+}
+
+}  // namespace
+}  // namespace piae::twin
