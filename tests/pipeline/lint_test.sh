@@ -1,7 +1,7 @@
 #!/bin/bash
 # Each rule of `make lint` finds what it is there for, in a copy of the project that was clean before.
 # shellcheck source-path=SCRIPTDIR
-source "${0%/*}/check.sh"
+source "${0%/*}/support.sh"
 
 # All files of the project as they are now, committed or not, in a repository of their own.
 copy_of_project() {
