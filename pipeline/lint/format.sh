@@ -9,6 +9,6 @@ files_matching '\.(cpp|hpp)$' "$@" | { xargs --no-run-if-empty "$program" --dry-
     /code should be clang-formatted/ { if (!($1 in count)) { files[++n] = $1; line[$1] = $2 } ++count[$1] }
     END {
       for (i = 1; i <= n; ++i)
-        printf "%s:%d: not as clang-format leaves it, here and in %d other places; clang-format -i %s\n",
-               files[i], line[files[i]], count[files[i]] - 1, files[i]
+        printf "%s:%d: not as clang-format leaves it (the first place of %d); clang-format -i %s\n",
+               files[i], line[files[i]], count[files[i]], files[i]
     }'

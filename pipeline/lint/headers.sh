@@ -23,7 +23,7 @@ make --file=pipeline/lint/headers.mk --jobs="$cores" --silent STAMPS=$stamps HEA
 for header in "${headers[@]}"; do
   [[ ! -e $stamps/$header.ok ]] || continue
   # The first error, which may be in a header that this one includes.
-  error=$(grep -m1 -E 'error:' "$stamps/$header.log")
+  error=$(grep -m1 -E 'error:' "$stamps/$header.log" | sed 's,^\./,,')
   [[ $error == "$header":* ]] || error="$header:1:1: error: $error"
   sed -E 's/^([^:]+:[0-9]+):[0-9]+: (fatal )?error: (.*)/\1: does not compile alone: \3; include what it uses/' <<<"$error"
 done

@@ -10,28 +10,27 @@ results=$configured/tidy
 rm -rf $results
 mkdir -p $results
 
-# For a header the file of the same name, or else one that includes it: clang-tidy looks into our
-# headers from there.
+# For a header the source of the same name, from which clang-tidy looks into it; where there is none, the
+# header itself.
 sources_of() {
   local file
   while read -r file; do
-    if [[ $file == *.cpp ]]; then
-      echo "$file"
-    elif [[ -e ${file%.hpp}.cpp ]]; then
-      echo "${file%.hpp}.cpp"
-    else
-      files_matching '\.cpp$' | xargs grep -lF "#include \"${file#*/}\"" | head -n 1 || true
-    fi
+    [[ ! -e ${file%.hpp}.cpp ]] || file=${file%.hpp}.cpp
+    echo "$file"
   done
 }
 
-# Of the sources on standard input those that are compiled, each with what clang-tidy needs beside: with
+# Of the files on standard input those that are compiled here, each with what clang-tidy needs beside: with
 # Debian 12's clang LibTorch's headers compile with LLVM's C++ library alone, and others with GCC's alone.
 checks() {
-  awk -F'\t' '
+  awk -F'\t' -v has_libtorch="$has_libtorch" '
     FNR == NR { command[$1] = $2; next }
-    $1 in command {
-      print $1 (command[$1] ~ /torch\/csrc\/api\/include/ ? " -extra-arg=-stdlib=libc++" : "")
+    {
+      is_header = /\.hpp$/
+      torch = is_header ? /^(src|tests)\/libtorch\// : command[$1] ~ /torch\/csrc\/api\/include/
+    }
+    is_header ? has_libtorch || !torch : command[$1] != "" {
+      print $1 (torch ? " -extra-arg=-stdlib=libc++" : "")
     }' <(compile_commands) -
 }
 
@@ -42,7 +41,7 @@ check() { # number, file, [argument]
   fi
   "$program" -quiet -p "$configured" "${@:3}" "$2" >"$results/$1.out" 2>"$results/$1.err" ||
     # It says what it found as errors; without any it could not look.
-    grep -q ' error: ' "$results/$1.out" || { echo "$2:1: clang-tidy failed:" && cat "$results/$1.err"; }
+    grep -q ' error: ' "$results/$1.out" || echo "$2:1: clang-tidy failed: $(head -n 1 "$results/$1.err")"
 }
 
 started=$(date +%s) seconds=

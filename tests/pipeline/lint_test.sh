@@ -1,5 +1,5 @@
 #!/bin/bash
-# Each rule of `make lint` finds what it is there for, in a copy of the project that is clean without it.
+# Each rule of `make lint` finds what it is there for, in a copy of the project that was clean before.
 # shellcheck source-path=SCRIPTDIR
 source "${0%/*}/support.sh"
 
@@ -36,17 +36,17 @@ expect_finding() { # line, rule, [file...]
 
 test_a_badly_formatted_file_is_found() {
   copy_of_project
-  expect_clean format
+  expect_clean format src/base
   echo 'int  two_spaces;' >>src/base/error.hpp
-  expect_finding '^src/base/error.hpp:[0-9]+: .*clang-format -i src/base/error.hpp$' format
+  expect_finding '^src/base/error.hpp:[0-9]+: .*clang-format -i src/base/error.hpp$' format src/base
 }
 
 test_an_unquoted_shell_variable_is_found() {
   copy_of_project
-  expect_clean shell
+  expect_clean shell jobs
   # shellcheck disable=SC2016
   printf '#!/bin/bash\nrm $1\n' >jobs/careless.sh
-  expect_finding '^jobs/careless.sh:2: Double quote' shell
+  expect_finding '^jobs/careless.sh:2: Double quote' shell jobs
 }
 
 test_white_space_at_the_end_of_a_line_is_found() {
@@ -84,6 +84,7 @@ test_only_the_seam_of_libtorch_may_be_included() {
 
 test_a_room_without_a_row_and_a_row_without_a_folder_are_found() {
   copy_of_project
+  # shellcheck disable=SC2016
   sed -i 's/^| `text` /| `texts` /' CONTRIBUTING.md
   expect_exit 1 pipeline/lint.sh rooms
   lint rooms || true
@@ -107,6 +108,12 @@ test_a_header_is_compiled_again_when_what_it_includes_changed() {
   expect_clean headers src/base/a.hpp src/base/b.hpp
   printf '#pragma once\n' >src/base/b.hpp
   expect_finding '^src/base/a.hpp:3: does not compile alone' headers src/base/a.hpp src/base/b.hpp
+}
+
+test_what_clang_tidy_warns_of_is_found() {
+  copy_of_project
+  printf '#pragma once\n\ninline int* nothing() { return 0; }\n' >src/base/nothing.hpp
+  expect_finding '^src/base/nothing.hpp:3: use nullptr' tidy src/base/nothing.hpp
 }
 
 test_an_unknown_rule_is_refused() {
