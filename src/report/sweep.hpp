@@ -12,9 +12,9 @@
 
 namespace piae::report {
 
-/// Which part of a sweep a table shows; [sweep] of pipeline/protocol.toml has all of it. In a sweep one setting of
-/// the paper's method at a time is moved, and all others stay as they are in the grid (paper,
-/// Section 4.5.5 and Fig. 19).
+/// Which part of a sweep a table shows; [sweep] of pipeline/protocol.toml has all of it. In a sweep
+/// one setting of the paper's method at a time is moved, and all others stay as they are in the
+/// grid (paper, Section 4.5.5 and Fig. 19).
 struct SweepOptions {
   std::string dataset;
   std::vector<std::string> points;  ///< "batch=1": an option of train, and its value
