@@ -15,10 +15,10 @@ namespace piae::augment {
 /// stiffness is given by physics: unless k * clearance < W, no ball is ever touched.
 struct FitOptions {
   double stiffness_from_n_per_m = 2e7;  ///< below, the balls alone hold the ring: k has no effect
-  double damping_from_ns_per_m = 100;  ///< about 0.5 % of critical for M = 1 kg, k = 1e8 N/m
-  double damping_to_ns_per_m = 5000;   ///< about 25 %: a burst dies out within one oscillation
-  int stiffness_grid = 24;             ///< values of the grid between the bounds, in equal ratios
-  int damping_grid = 10;               ///< the same for damping
+  double damping_from_ns_per_m = 100;   ///< about 0.5 % of critical for M = 1 kg, k = 1e8 N/m
+  double damping_to_ns_per_m = 5000;    ///< about 25 %: a burst dies out within one oscillation
+  int stiffness_grid = 24;              ///< values of the grid between the bounds, in equal ratios
+  int damping_grid = 10;                ///< the same for damping
 };
 
 void bind(const cli::Options& command, FitOptions& options);
