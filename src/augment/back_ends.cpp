@@ -1,5 +1,6 @@
 #include "augment/back_ends.hpp"
 
+#include "latent/generator.hpp"
 #include "libtorch/back_ends.hpp"
 #include "twin/dense_backend.hpp"
 

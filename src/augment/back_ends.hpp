@@ -1,7 +1,11 @@
 #pragma once
 
+#include <cstddef>
+
+#include "artefact/reader.hpp"
 #include "base/compute.hpp"
-#include "latent/generator.hpp"
+#include "base/random.hpp"
+#include "signal/window_set.hpp"
 #include "twin/backend.hpp"
 #include "twin/variant.hpp"
 
@@ -11,7 +15,7 @@ namespace piae::augment {
 /// LibTorch's.
 Backends<twin::MakeEngine> twin_engines(const twin::TwinVariant& variant);
 
-/// That of them which is asked for. Throws as Backends::chosen() does.
+/// The engine that is asked for. Throws as Backends::chosen() does.
 twin::Engine twin_engine(const twin::TwinVariant& variant, const Compute& compute);
 
 /// Makes windows with a stored VAE or WGAN-GP (latent/generator.hpp) by the back end that is asked

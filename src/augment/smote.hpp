@@ -17,8 +17,8 @@ void bind(const cli::Options& command, SmoteOptions& options);
 /// generated window lies on the line from a known window of its class to one of the k known windows
 /// of the class that are nearest to it, at a place drawn uniformly. As in the paper by Chawla et
 /// al., each known window is the starting point equally often. All samples of a window use one gap,
-/// as their text says ("the line segment"); their listing draws one for each sample instead. The
-/// model holds the known windows. Throws Error(usage) for k above n - 1.
+/// as their text says (a point on the line); their listing draws one for each sample instead.
+/// The model holds the known windows. Throws Error(usage) for k above n - 1.
 class Smote final : public Method {
  public:
   void bind(const cli::Options& command) override;

@@ -14,12 +14,11 @@ namespace piae::augment {
 /// Among which values stiffness and damping are looked for. The paper gives no bounds. The largest
 /// stiffness is given by physics: unless k * clearance < W, no ball is ever touched.
 struct FitOptions {
-  double stiffness_from_n_per_m =
-      2e7;  ///< below it the balls alone hold the ring and k has no effect
-  double damping_from_ns_per_m = 100;  ///< about 0.5 % of critical for M = 1 kg, k = 1e8 N/m
-  double damping_to_ns_per_m = 5000;   ///< about 25 %: a burst dies out within one oscillation
-  int stiffness_grid = 24;             ///< values of the grid between the bounds, in equal ratios
-  int damping_grid = 10;               ///< the same for damping
+  double stiffness_from_n_per_m = 2e7;  ///< below, the balls alone hold the ring: k has no effect
+  double damping_from_ns_per_m = 100;   ///< about 0.5 % of critical for M = 1 kg, k = 1e8 N/m
+  double damping_to_ns_per_m = 5000;    ///< about 25 %: a burst dies out within one oscillation
+  int stiffness_grid = 24;              ///< values of the grid between the bounds, in equal ratios
+  int damping_grid = 10;                ///< the same for damping
 };
 
 void bind(const cli::Options& command, FitOptions& options);
@@ -37,11 +36,10 @@ void bind(const cli::Options& command, FitOptions& options);
 /// noise and with noise 10 dB below the signal):
 ///   - k: within 1 % in the median, 9 of 10 within 7 %, at worst 34 %. At 5e7 N/m, where the balls
 ///     hold the ring as much as k does, within 6 % in the median and 9 of 10 within 9 %.
-///   - c of race defects: within 7 to 17 % in the median, 9 of 10 within a factor of 1.7, at
-///   worst 5.
+///   - c of race defects: within 7 to 17 % in the median, 9 of 10 within a factor of 1.7, at worst
+///     within 5.
 ///   - c of roller defects, which may hardly strike in a window: within a factor of 1.2 to 1.5 in
-///   the
-///     median, 9 of 10 within 3, at worst 14.
+///     the median, 9 of 10 within 3, at worst within 14.
 class SpectralFit {
  public:
   /// Solves eq. 13 over the grid for the defect of a class, in parallel by OpenMP. Throws

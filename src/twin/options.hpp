@@ -17,7 +17,8 @@ enum class Keep {
   final,  ///< those after the last epoch
 };
 
-/// The word for it: on the command line, in a stored model, and of the group of the weights there.
+/// The word for it on the command line and in a stored model, where it also names the group of the
+/// weights.
 const char* to_string(Keep keep);
 
 /// The settings of PIAE-DT. "Table 4" is a table of the paper; "open" means that the paper does not

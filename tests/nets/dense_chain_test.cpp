@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <memory>
 #include <stdexcept>
 #include <vector>
 
@@ -33,8 +34,9 @@ Array random_array(const std::string& name, std::int64_t rows, std::int64_t colu
 
 struct Example {
   explicit Example(int depth = 3, std::int64_t rows = 30)
-      : parameters(dense_chain_specs("net", inputs, outputs, {depth, static_cast<int>(width)}),
-                   Stream("initial")),
+      : parameters(std::make_shared<Parameters<double>>(
+            dense_chain_specs("net", inputs, outputs, {depth, static_cast<int>(width)}),
+            Stream("initial"))),
         chain(parameters, "net", rows) {}
 
   Array forward(const Array& x) {
@@ -49,11 +51,11 @@ struct Example {
 
   /// Calls f with each number of the parameters, and its place in their array.
   void for_each_value(const std::function<void(double&, std::int64_t)>& f) {
-    for (const auto& p : parameters.parameters()) {
+    for (const auto& p : parameters->parameters()) {
       for (std::int64_t i = 0; i < p.rows; ++i) {
         for (std::int64_t j = 0; j < p.columns; ++j) {
           const std::int64_t at = p.begin + i * p.held_columns + j;
-          f(parameters.data(Kept::value)[at], at);
+          f(parameters->data(Kept::value)[at], at);
         }
       }
     }
@@ -62,11 +64,11 @@ struct Example {
   /// The gradient that the chain would follow: Adam's first moment after its first step is a tenth
   /// of it. The values stay as they are.
   std::vector<double> gradient(const Chain::Summed& rows) {
-    const std::vector<float> before = parameters.read(Kept::value);
-    chain.take(AdamStep(1, 0, AdamConstants::beta1, AdamConstants::beta2), 1, rows);
+    const std::vector<float> before = parameters->read(Kept::value);
+    chain.take(AdamStep(1, 0), 1, rows);
     std::vector<double> all;
     for_each_value([&](double&, std::int64_t at) {
-      all.push_back(10 * parameters.data(Kept::first_moment)[at]);
+      all.push_back(10 * parameters->data(Kept::first_moment)[at]);
     });
     return all;
   }
@@ -78,7 +80,7 @@ struct Example {
     return all;
   }
 
-  Parameters<double> parameters;
+  std::shared_ptr<Parameters<double>> parameters;
   Chain chain;
 };
 
@@ -93,10 +95,11 @@ void expect_near(const std::vector<double>& mine, const std::vector<double>& exp
 }
 
 TEST(DenseChain, AppliesReluBetweenLayersAndNotAtTheEnd) {
-  Parameters<double> parameters(dense_chain_specs("net", 2, 2, {2, 2}), Stream("test"));
+  const auto parameters =
+      std::make_shared<Parameters<double>>(dense_chain_specs("net", 2, 2, {2, 2}), Stream("test"));
   const std::vector<float> values{1, -2, 3,  1,  0.5F, -1,  // first weight and bias
                                   1, 1,  -2, -1, 0,    1};  // second weight and bias
-  parameters.write(Kept::value, values);
+  parameters->write(Kept::value, values);
   Chain chain(parameters, "net", 2);
   Array x(2, 2);
   x << 1, 2, 2, 0;
@@ -109,10 +112,9 @@ TEST(DenseChain, AppliesReluBetweenLayersAndNotAtTheEnd) {
 
 TEST(DenseChain, DoesNotTakeTheLayersOfALongerName) {
   std::vector<ParameterSpec> specs = dense_chain_specs("a", 2, 2, {1, 2});
-  const auto others = dense_chain_specs("ab", 2, 3, {1, 2});
-  specs.insert(specs.end(), others.begin(), others.end());
-  Parameters<double> parameters(specs, Stream("test"));
-  parameters.write(Kept::value, std::vector<float>{1, 0, 0, 1, 0, 0}, "a/");
+  append(specs, dense_chain_specs("ab", 2, 3, {1, 2}));
+  const auto parameters = std::make_shared<Parameters<double>>(specs, Stream("test"));
+  parameters->write(Kept::value, std::vector<float>{1, 0, 0, 1, 0, 0}, "a/");
   Chain chain(parameters, "a", 1);
   Array x(1, 2);
   x << 1, -2;
@@ -214,13 +216,13 @@ TEST(DenseChain, WhatFillsRowsUpStaysZero) {
   for (int t = 1; t <= 3; ++t) {
     example.forward(x);
     example.backward(slope);
-    example.chain.take(AdamStep(t, 1e-2, AdamConstants::beta1, AdamConstants::beta2), 1, {5, 5});
+    example.chain.take(AdamStep(t, 1e-2), 1, {5, 5});
   }
   for (const Kept kept : {Kept::value, Kept::first_moment, Kept::second_moment}) {
-    for (const auto& p : example.parameters.parameters()) {
+    for (const auto& p : example.parameters->parameters()) {
       for (std::int64_t i = 0; i < p.rows; ++i) {
         for (std::int64_t j = p.columns; j < p.held_columns; ++j) {
-          EXPECT_EQ(example.parameters.data(kept)[p.begin + i * p.held_columns + j], 0);
+          EXPECT_EQ(example.parameters->data(kept)[p.begin + i * p.held_columns + j], 0);
         }
       }
     }

@@ -50,7 +50,7 @@ double apart(double a, double b) { return std::abs(std::remainder(a - b, 2 * std
 /// order, in rad. Stiffness, damping, speed, slip and all angles differ from window to window.
 std::vector<double> angle_errors(signal::Defect defect) {
   signal::DatasetInfo info = bearing_info();
-  constexpr std::size_t label = 1;
+  constexpr Label label = 1;
   info.classes[label] = {"021", defect, 0.5334};
   constexpr std::size_t length = 1024;
   const Cycle cycle = cycle_of(info, label, length);

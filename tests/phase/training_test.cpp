@@ -71,7 +71,7 @@ TEST(PhaseGeneration, FirstWindowsDoNotDependOnTheirNumber) {
 // bit, before the change of state and after it; a whole cycle later, it is the same window.
 TEST(PhaseGeneration, AnotherStartAngleShiftsWhatTheDecoderGives) {
   const artefact::Reader model(train(checkpoint_at("angle.ckpt"), "angle.h5"), "model");
-  constexpr std::size_t outer = 2;
+  constexpr Label outer = 2;
   constexpr std::size_t length = 1024;
   constexpr std::size_t change = 600;
   const Cycle cycle = cycle_of(bearing_info(), outer, length);
@@ -106,7 +106,7 @@ TEST(PhaseTraining, RefusesWindowsThatAreTooShort) {
 }
 
 // A later start shifts the window; the change from one state to the other stays where it is.
-TEST(Pass, StartsAtTheAngleAndGoesOnInRhythm) {
+TEST(Splice, StartsAtTheAngleAndGoesOnInRhythm) {
   std::vector<float> first(30);
   std::vector<float> second(30);
   for (std::size_t i = 0; i < 30; ++i) {
@@ -114,10 +114,12 @@ TEST(Pass, StartsAtTheAngleAndGoesOnInRhythm) {
     second[i] = static_cast<float>(100 + i);
   }
   const Cycle cycle{30, 3, 4};
-  const std::vector<float> window = pass(first, second, cycle, {28, 4, 2}, 8);
+  const std::vector<float> window =
+      splice(first, second, cycle, {.start = 28, .change = 4, .turn = 2}, 8);
   // 28 29 0 1 of the first; then, 2 strikes of 10 samples ahead, 2 + 20 ... of the second.
   EXPECT_EQ(window, (std::vector<float>{28, 29, 0, 1, 122, 123, 124, 125}));
-  const std::vector<float> later = pass(first, second, cycle, {29, 4, 2}, 8);
+  const std::vector<float> later =
+      splice(first, second, cycle, {.start = 29, .change = 4, .turn = 2}, 8);
   for (const std::size_t i : {0U, 1U, 2U, 4U, 5U, 6U}) EXPECT_EQ(later[i], window[i + 1]) << i;
 }
 

@@ -75,7 +75,7 @@ void expect_followed(const TwinTask& task, TrainingStage stage, const std::strin
 constexpr double unclipped = 1e9;
 
 TEST(DenseTwin, InStageOneEachNetworkFollowsItsOwnLoss) {
-  const TwinTask task = task_of({"Full", full_model, "adaptive", unclipped});
+  const TwinTask task = task_of({"Full", full_model, LossWeights::adaptive, unclipped});
   expect_followed(task, TrainingStage::one, "net/encoder/",
                   [](const BatchLosses& losses) { return losses.twin; });
   expect_followed(task, TrainingStage::one, "net/decoder/",
@@ -85,15 +85,17 @@ TEST(DenseTwin, InStageOneEachNetworkFollowsItsOwnLoss) {
 }
 
 TEST(DenseTwin, InStageTwoEveryNetworkFollowsTheTotal) {
-  for (const char* loss_weights : {"adaptive", "adaptive-without-log", "fixed"}) {
-    SCOPED_TRACE(loss_weights);
+  for (const LossWeights loss_weights :
+       {LossWeights::adaptive, LossWeights::adaptive_without_log, LossWeights::fixed}) {
+    SCOPED_TRACE(static_cast<int>(loss_weights));
     expect_followed(task_of({"Full", full_model, loss_weights, unclipped}), TrainingStage::two,
                     "net/", [](const BatchLosses& losses) { return losses.total; });
   }
 }
 
 TEST(DenseTwin, WithoutPhysicsItsCoderFollowsTheReconstruction) {
-  const TwinTask task = task_of({"WithoutPhysics", without_physics, "adaptive", unclipped});
+  const TwinTask task =
+      task_of({"WithoutPhysics", without_physics, LossWeights::adaptive, unclipped});
   for (const TrainingStage stage : {TrainingStage::one, TrainingStage::two}) {
     expect_followed(task, stage, "net/",
                     [](const BatchLosses& losses) { return losses.reconstruction; });
@@ -101,7 +103,7 @@ TEST(DenseTwin, WithoutPhysicsItsCoderFollowsTheReconstruction) {
 }
 
 TEST(DenseTwin, WithoutAnEncoderItsDecoderFollowsTheReconstruction) {
-  const TwinTask task = task_of({"WithoutEncoder", without_encoder, "fixed", unclipped});
+  const TwinTask task = task_of({"WithoutEncoder", without_encoder, LossWeights::fixed, unclipped});
   expect_followed(task, TrainingStage::one, "net/",
                   [](const BatchLosses& losses) { return losses.reconstruction; });
 }
@@ -110,7 +112,7 @@ TEST(DenseTwin, WithoutAnEncoderItsDecoderFollowsTheReconstruction) {
 // the losses themselves.
 TEST(DenseTwin, LossWeightsFollowTheClosedFormOfEquation23) {
   for (const auto& [loss_weights, held] :
-       {std::pair{"adaptive", 0.5}, std::pair{"adaptive-without-log", 0.0}}) {
+       {std::pair{LossWeights::adaptive, 0.5}, std::pair{LossWeights::adaptive_without_log, 0.0}}) {
     const TwinTask task = task_of({"Full", full_model, loss_weights, unclipped});
     const auto backend = dense_engine(Device::cpu).train(task, Stream("initial"));
     const BatchLosses losses = backend->step(TrainingStage::two, batch, 1e-3);
@@ -126,8 +128,8 @@ TEST(DenseTwin, LossWeightsFollowTheClosedFormOfEquation23) {
 
 TEST(DenseTwin, FollowsNoGradientThatIsLongerThanAllowed) {
   constexpr double longest = 0.01;
-  const TwinTask task = task_of({"Clipped", full_model, "adaptive", longest});
-  const TwinTask free = task_of({"Free", full_model, "adaptive", unclipped});
+  const TwinTask task = task_of({"Clipped", full_model, LossWeights::adaptive, longest});
+  const TwinTask free = task_of({"Free", full_model, LossWeights::adaptive, unclipped});
   const auto norm = [](const std::vector<float>& gradient) {
     double squares = 0;
     for (const float g : gradient) squares += static_cast<double>(g) * g;
@@ -145,7 +147,7 @@ TEST(DenseTwin, FollowsNoGradientThatIsLongerThanAllowed) {
 }
 
 TEST(DenseTwin, GivesAStateForEveryKnownWindow) {
-  const TwinTask task = task_of({"Full", full_model, "adaptive", unclipped});
+  const TwinTask task = task_of({"Full", full_model, LossWeights::adaptive, unclipped});
   const std::vector<TwinPoint> states =
       dense_engine(Device::cpu).train(task, Stream("initial"))->states();
   ASSERT_EQ(states.size(), task.labels.size());
@@ -157,7 +159,7 @@ TEST(DenseTwin, GivesAStateForEveryKnownWindow) {
 }
 
 TEST(DenseTwin, WithoutAnEncoderKeepsTheStatesThatItWasGiven) {
-  const TwinTask task = task_of({"WithoutEncoder", without_encoder, "fixed", unclipped});
+  const TwinTask task = task_of({"WithoutEncoder", without_encoder, LossWeights::fixed, unclipped});
   const std::vector<TwinPoint> states =
       dense_engine(Device::cpu).train(task, Stream("initial"))->states();
   ASSERT_EQ(states.size(), task.labels.size());

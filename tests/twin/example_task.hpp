@@ -14,7 +14,7 @@ namespace piae::twin {
 struct TaskOf {
   const char* name;
   TwinVariant variant;
-  const char* loss_weights;
+  LossWeights loss_weights;
   double max_gradient_norm;  ///< of which 0.01 clips
 };
 

@@ -1,6 +1,9 @@
 #include <fstream>
 
+#include "support/errors.hpp"
+#include "support/three_classes.hpp"
 #include "twin/dense_backend.hpp"
+#include "twin/model.hpp"
 #include "twin/space.hpp"
 #include "twin/training_cases.hpp"
 
@@ -53,7 +56,7 @@ TEST(TwinTraining, WithoutPhysicsFollowsTheReconstructionLossAlone) {
   // Settings that it has no use for change nothing but what is stored of them, which is nothing.
   options.mass_kg = 3;
   options.clearance_um = 7;
-  options.loss_weights = "fixed";
+  options.loss_weights = LossWeights::fixed;
   Curves same;
   same.read(model_of("heavy.h5"));
   EXPECT_EQ(same.reconstruction, curves.reconstruction);
@@ -61,7 +64,7 @@ TEST(TwinTraining, WithoutPhysicsFollowsTheReconstructionLossAlone) {
 
 TEST(TwinTraining, HoldsFixedLossWeightsAtOne) {
   TwinOptions options = quick_options();
-  options.loss_weights = "fixed";
+  options.loss_weights = LossWeights::fixed;
   Curves curves;
   curves.read(artefact::Reader(train(checkpoint_at("f.ckpt"), options, "fixed.h5"), "model"));
   const std::vector<double> ones(6, 1.0);
@@ -77,7 +80,7 @@ TEST(TwinTraining, HoldsFixedLossWeightsAtOne) {
 /// Eq. 23 without its logarithms only ever rewards smaller weights.
 TEST(TwinTraining, WithoutTheLogarithmsAllLossWeightsShrink) {
   TwinOptions options = quick_options();
-  options.loss_weights = "adaptive-without-log";
+  options.loss_weights = LossWeights::adaptive_without_log;
   Curves curves;
   curves.read(artefact::Reader(train(checkpoint_at("n.ckpt"), options, "nolog.h5"), "model"));
   for (const auto weight : {&Curves::alpha, &Curves::beta, &Curves::gamma}) {
@@ -163,7 +166,7 @@ TEST(TwinGeneration, DrawsFromTheTwinSpace) {
 TEST(TwinGeneration, DependsOnTheModelThatIsKept) {
   TwinOptions options = quick_options();
   const fs::path best = train(checkpoint_at("k1.ckpt"), options, "best.h5");
-  options.keep = "final";
+  options.keep = Keep::final;
   const fs::path last = train(checkpoint_at("k2.ckpt"), options, "final.h5");
   const artefact::Reader best_model(best, "model");
   const artefact::Reader final_model(last, "model");
@@ -178,6 +181,22 @@ TEST(TwinGeneration, DependsOnTheModelThatIsKept) {
   const auto b =
       generate(final_model, full_model, 3, Stream("g"), dense_engine(Device::cpu)).samples;
   EXPECT_EQ(a == b, last_is_best);
+}
+
+// Of a model that another version wrote, or that somebody edited.
+TEST(TwinModel, WithAnUnknownWordForWhatItKeepsIsRefusedByName) {
+  artefact::Writer writer("model");
+  signal::write(writer, three_classes());
+  for (const std::string name : {"samples", "depth", "width"}) {
+    writer.attribute("/", name, std::int64_t{16});
+  }
+  writer.attribute("/", "keep", std::string("newest"));
+  writer.numbers("/classes/acceleration", std::vector<double>{1, 1, 1});
+  const fs::path path = scratch_file("newest.h5");
+  writer.save(path, {});
+  const artefact::Reader model(path, "model");
+  EXPECT_ERROR(read_model_description(model), Exit::bad_input,
+               "is 'newest'; known are best and final");
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <memory>
 
 #include "libtorch/nets/adam.hpp"
 #include "libtorch/nets/dense.hpp"
@@ -18,7 +19,6 @@ namespace {
 
 using Chain = nets::DenseChain<double>;
 using Kept = nets::Parameters<double>::Kept;
-using nets::AdamConstants;
 using nets::AdamStep;
 using nets::ParameterSpec;
 using nets::Rows;
@@ -64,18 +64,18 @@ struct Both {
   explicit Both(int depth = 3, std::int64_t rows = 30)
       : specs(example_specs(depth)),
         set(specs, Stream("initial"), torch::kFloat64),
-        flat(specs, Stream("initial")),
+        flat(std::make_shared<nets::Parameters<double>>(specs, Stream("initial"))),
         chain(flat, "net", rows) {}
 
   /// Of what fills up the rows of values and moments.
   double largest_filling() {
     double largest = 0;
     for (const Kept kept : {Kept::value, Kept::first_moment, Kept::second_moment}) {
-      for (const auto& p : flat.parameters()) {
+      for (const auto& p : flat->parameters()) {
         for (std::int64_t i = 0; i < p.rows; ++i) {
           for (std::int64_t j = p.columns; j < p.held_columns; ++j) {
             largest =
-                std::max(largest, std::abs(flat.data(kept)[p.begin + i * p.held_columns + j]));
+                std::max(largest, std::abs(flat->data(kept)[p.begin + i * p.held_columns + j]));
           }
         }
       }
@@ -85,12 +85,12 @@ struct Both {
 
   /// Adam's first moment after its first step is a tenth of the gradient.
   torch::Tensor gradient(const Chain::Summed& rows, double scale = 1) {
-    chain.take(AdamStep(1, 1e-3, AdamConstants::beta1, AdamConstants::beta2), scale, rows);
+    chain.take(AdamStep(1, 1e-3), scale, rows);
     std::vector<double> all;
-    for (const auto& parameter : flat.parameters()) {
+    for (const auto& parameter : flat->parameters()) {
       for (std::int64_t i = 0; i < parameter.rows; ++i) {
         const double* const row =
-            flat.data(Kept::first_moment) + parameter.begin + i * parameter.held_columns;
+            flat->data(Kept::first_moment) + parameter.begin + i * parameter.held_columns;
         all.insert(all.end(), row, row + parameter.columns);
       }
     }
@@ -109,7 +109,7 @@ struct Both {
 
   std::vector<ParameterSpec> specs;
   ParameterSet set;
-  nets::Parameters<double> flat;
+  std::shared_ptr<nets::Parameters<double>> flat;
   Chain chain;
 };
 
@@ -202,9 +202,9 @@ TEST(DenseChain, TakesTheStepsOfAdam) {
     put(x, both.chain.input());
     put(tensor_of(both.chain.forward(5), 5, outputs) - target, both.chain.output_gradient());
     both.chain.backward(5, 1, Chain::no_rows);
-    both.chain.take(AdamStep(t, 1e-2, AdamConstants::beta1, AdamConstants::beta2), 1, {5, 5});
+    both.chain.take(AdamStep(t, 1e-2), 1, {5, 5});
   }
-  const std::vector<float> mine = both.flat.read(Kept::value);
+  const std::vector<float> mine = both.flat->read(Kept::value);
   const std::vector<float> theirs = to_vector(both.set.values());
   for (std::size_t i = 0; i < mine.size(); ++i) EXPECT_NEAR(mine[i], theirs[i], 1e-6) << i;
   EXPECT_EQ(both.largest_filling(), 0);

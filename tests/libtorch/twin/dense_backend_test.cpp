@@ -80,12 +80,12 @@ TEST_P(DenseTwinBesideLibtorch, GivesTheStatesThatLibtorchGives) {
 
 INSTANTIATE_TEST_SUITE_P(
     Twin, DenseTwinBesideLibtorch,
-    testing::Values(TaskOf{"Full", full_model, "adaptive", 1e9},
-                    TaskOf{"FullClipped", full_model, "adaptive", 0.01},
-                    TaskOf{"FullFixed", full_model, "fixed", 1e9},
-                    TaskOf{"FullWithoutLog", full_model, "adaptive-without-log", 1e9},
-                    TaskOf{"WithoutPhysics", without_physics, "adaptive", 0.01},
-                    TaskOf{"WithoutEncoder", without_encoder, "adaptive", 1e9}),
+    testing::Values(TaskOf{"Full", full_model, LossWeights::adaptive, 1e9},
+                    TaskOf{"FullClipped", full_model, LossWeights::adaptive, 0.01},
+                    TaskOf{"FullFixed", full_model, LossWeights::fixed, 1e9},
+                    TaskOf{"FullWithoutLog", full_model, LossWeights::adaptive_without_log, 1e9},
+                    TaskOf{"WithoutPhysics", without_physics, LossWeights::adaptive, 0.01},
+                    TaskOf{"WithoutEncoder", without_encoder, LossWeights::adaptive, 1e9}),
     [](const auto& info) { return info.param.name; });
 
 }  // namespace

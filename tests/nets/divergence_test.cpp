@@ -1,0 +1,29 @@
+#include "nets/divergence.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "support/errors.hpp"
+
+namespace piae::nets {
+namespace {
+
+TEST(Divergence, OfALossIsOneLineWithTheEpochAndTheOptionThatWouldHelp) {
+  for (const double loss :
+       {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+    EXPECT_ERROR(
+        require_finite(loss, "the inference of (k, c)", 3,
+                       {.value = 0.5, .option = "--inference-learning-rate"}),
+        Exit::failed,
+        "the inference of (k, c) diverged in epoch 3 with --inference-learning-rate 0.5; a "
+        "smaller one would work");
+  }
+}
+
+TEST(Divergence, IsNotFoundInAFiniteLoss) {
+  EXPECT_NO_THROW(require_finite(1e300, "training", 1, {.value = 1e-3}));
+}
+
+}  // namespace
+}  // namespace piae::nets
