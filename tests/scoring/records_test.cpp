@@ -87,9 +87,10 @@ class WrongDiagnosis : public Records {
  protected:
   void SetUp() override {
     signal::write(writer_, diagnosis().info);
-    for (const char* name : {"method", "ratio", "protocol"}) {
+    for (const char* name : {"method", "ratio"}) {
       writer_.attribute("/", name, std::string("word"));
     }
+    writer_.attribute("/", "protocol", std::string("random"));
     writer_.attribute("/", "generated_per_class", std::int64_t{0});
     writer_.attribute("/", "seed", std::int64_t{0});
     writer_.attribute("/", "true_ratio", 100.0);
