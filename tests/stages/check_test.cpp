@@ -7,11 +7,11 @@ namespace {
 
 const Arguments compared{"--run", "run", "--reference", "reference"};
 
-class Compare : public testing::Test {
+class CheckStage : public testing::Test {
  protected:
   void SetUp() override { tiny_.run_chain_before("tabulate"); }
   void store() const {
-    const Outcome stored = tiny_.run("compare", with_flag("--store"));
+    const Outcome stored = tiny_.run("check", with_flag("--store"));
     ASSERT_EQ(stored.status, 0) << stored.err;
     EXPECT_EQ(stored.out, "stored 9 numbers of tiny: reference/random/tiny.csv\n");
   }
@@ -24,9 +24,9 @@ class Compare : public testing::Test {
   Tiny tiny_;
 };
 
-TEST_F(Compare, StoresARunAndFindsItTheSame) {
+TEST_F(CheckStage, StoresARunAndFindsItTheSame) {
   store();
-  const Outcome same = tiny_.run("compare", compared);
+  const Outcome same = tiny_.run("check", compared);
   EXPECT_EQ(same.status, 0) << same.err;
   EXPECT_NE(same.out.find("compared 9 quantities of tiny: 0 moved, 0 outside the tolerance\n"),
             std::string::npos)
@@ -38,28 +38,28 @@ TEST_F(Compare, StoresARunAndFindsItTheSame) {
   const std::size_t last_value = text.rfind(',') + 1;
   text.replace(last_value, std::string::npos, "1e9\n");
   write_bytes(tiny_ / "reference/random/tiny.csv", text);
-  const Outcome other = tiny_.run("compare", compared);
+  const Outcome other = tiny_.run("check", compared);
   EXPECT_EQ(other.status, 1);
   EXPECT_NE(other.out.find("1 moved, 1 outside"), std::string::npos) << other.out;
-  EXPECT_NE(other.err.find("compare: run is not as the reference on 1 of 1 datasets"),
+  EXPECT_NE(other.err.find("check: run is not as the reference on 1 of 1 datasets"),
             std::string::npos)
       << other.err;
 }
 
-TEST_F(Compare, RefusesWhatCannotBeCompared) {
-  expect_refusal(tiny_.run("compare", compared), "compare", 66,
+TEST_F(CheckStage, RefusesWhatItCannotCompare) {
+  expect_refusal(tiny_.run("check", compared), "check", 66,
                  {"reference/random/tiny.csv", "`make reference RUN=...` makes one"});
   store();
-  expect_refusal(tiny_.run("compare", with(compared, "--run", "nowhere")), "compare", 66,
+  expect_refusal(tiny_.run("check", with(compared, "--run", "nowhere")), "check", 66,
                  {"nowhere: holds no diagnosis"});
-  expect_refusal(tiny_.run("compare", with(compared, "--seeds", "5")), "compare", 66,
+  expect_refusal(tiny_.run("check", with(compared, "--seeds", "5")), "check", 66,
                  {"run: holds no diagnosis or score of those asked for"});
-  expect_refusal(tiny_.run("compare", with(compared, "--tolerance", "some")), "compare", 2,
+  expect_refusal(tiny_.run("check", with(compared, "--tolerance", "some")), "check", 2,
                  {"--tolerance", "exact", "spread"});
-  expect_refusal(tiny_.run("compare", with(compared, "--ratios", "7to1")), "compare", 2, {"7to1"});
+  expect_refusal(tiny_.run("check", with(compared, "--ratios", "7to1")), "check", 2, {"7to1"});
   const std::string cell = chain()[5].outputs.front();
   write_bytes(tiny_ / cell, bytes_of(tiny_ / cell).substr(0, 1000));
-  expect_refusal(tiny_.run("compare", compared), "compare", 65, {cell});
+  expect_refusal(tiny_.run("check", compared), "check", 65, {cell});
 }
 
 }  // namespace

@@ -35,7 +35,7 @@ TEST_P(Usage, UnknownOptionIsNamed) {
                  "--ratios", "100to1",   "--seeds",   "0",          "--output",  "x.md"};
   } else if (GetParam() == std::string("identify")) {
     arguments = {"--run", "run", "--dataset", "tiny", "--methods", "piae-dt", "--seeds", "0"};
-  } else if (GetParam() == std::string("compare")) {
+  } else if (GetParam() == std::string("check")) {
     arguments = {"--run", "run", "--reference", "reference"};
   } else if (GetParam() != std::string("verify")) {
     arguments = step_of(GetParam()).arguments;
@@ -47,7 +47,7 @@ TEST_P(Usage, UnknownOptionIsNamed) {
 
 INSTANTIATE_TEST_SUITE_P(Stages, Usage,
                          testing::Values("ingest", "simulate", "split", "train", "generate",
-                                         "score", "diagnose", "tabulate", "sweep", "compare",
+                                         "score", "diagnose", "tabulate", "sweep", "check",
                                          "contrast", "identify", "verify"),
                          [](const auto& info) { return info.param; });
 
