@@ -39,7 +39,7 @@ LatentTraining::LatentTraining(const signal::WindowSet& known, const LatentOptio
       generator_(describe(known, options)),
       windows_(known.size()),
       backend_(make_backend(make_task(known, options, generator_), stream.child("initial"))) {
-  for (const std::string& loss : losses) curves_.push_back({.loss = loss});
+  for (const std::string& loss : losses) curves_.push_back({.loss = loss, .means = {}});
 }
 
 std::size_t LatentTraining::epochs() const { return static_cast<std::size_t>(options_.epochs); }
