@@ -42,7 +42,7 @@ Alignment align(const std::vector<std::vector<double>>& waveforms) {
   Alignment best;
   double largest = -std::numeric_limits<double>::infinity();
   for (std::size_t reference = 0; reference < waveforms.size(); ++reference) {
-    Alignment alignment{.reference = reference};
+    Alignment alignment{.reference = reference, .starts = {}};
     double sum = 0;
     for (const std::vector<double>& waveform : waveforms) {
       const Fit fit = best_fit(waveforms[reference], waveform);
