@@ -27,7 +27,7 @@ V        :=
 # LibTorch, but does not take it from programs that are built with it.
 ifneq (,$(filter demo,$(MAKECMDGOALS)))
 RUN      := demo
-DATASETS := simulated
+DATASETS := simulated-small
 METHODS  := none smote piae-dt piae-dt-phase oracle
 RATIOS   := 100to1 10to1
 SEEDS    := 0 1

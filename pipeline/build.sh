@@ -21,7 +21,10 @@ memory=$(awk '/^MemAvailable/ { print $2 }' /proc/meminfo)
 jobs=$((memory / per_job < cores ? memory / per_job : cores))
 
 on_if_asked_for() { [[ " ${*:2} " == *" $1 "* ]] && echo on || echo off; }
-cmake -S . -B build "-DPIAE_ARCH=$arch" "-DPIAE_LIBTORCH=$libtorch" \
+# Ninja builds a tenth faster than make does. A folder that make has configured stays with it.
+generator=()
+[[ -f build/CMakeCache.txt ]] || generator=(-G Ninja)
+cmake -S . -B build "${generator[@]}" "-DPIAE_ARCH=$arch" "-DPIAE_LIBTORCH=$libtorch" \
   "-DPIAE_TESTS=$(on_if_asked_for tests "$@")" \
   "-DPIAE_BENCH=$(on_if_asked_for benches "$@")" >build/configure.log 2>&1 || {
   cat build/configure.log >&2
@@ -30,4 +33,4 @@ cmake -S . -B build "-DPIAE_ARCH=$arch" "-DPIAE_LIBTORCH=$libtorch" \
 }
 # What is left when there is nothing to build says nothing.
 cmake --build build --parallel $((jobs > 0 ? jobs : 1)) --target "$@" |
-  { grep --line-buffered -vE '^\[ *[0-9]+%\] Built target|^Consolidate compiler|^ninja: no work' || true; }
+  { grep --line-buffered -vE '^\[ *[0-9]+%\] Built target|^Consolidate compiler|^ninja: no work|Re-checking globbed' || true; }

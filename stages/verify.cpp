@@ -18,7 +18,7 @@ int main(int argc, char** argv) {
       "otherwise one line each and the bit-or of the reasons: 1 missing, truncated or "
       "not HDF5; 4 damaged; 8 wrong kind or schema; 16 content that cannot be; 32 a "
       "window with two roles. A usage error is 2.",
-      "verify results/demo/simulated/seed0/*.h5");
+      "verify results/demo/simulated-small/seed0/*.h5");
   std::vector<std::filesystem::path> files;
   stage.options()
       .add("FILE", files, "artefacts; the roles of a split are checked together")

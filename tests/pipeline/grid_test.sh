@@ -313,11 +313,11 @@ test_a_single_artefact_is_a_goal() {
 
 test_demo_is_a_small_grid_of_its_own() {
   describe
-  mv pipeline/datasets/made.toml pipeline/datasets/simulated.toml
+  mv pipeline/datasets/made.toml pipeline/datasets/simulated-small.toml
   local output
   output=$(make --silent demo BIN=fake 2>&1)
   expect_equal "$(ran)" "10 diagnose, 8 generate, 6 score, 1 simulate, 2 split, 1 tabulate, 8 train"
-  expect_line "$(tail -n 1 <<<"$output")" "results/demo/simulated/"
+  expect_line "$(tail -n 1 <<<"$output")" "results/demo/simulated-small/"
 }
 
 test_the_papers_methods_and_all_ratios_run_where_none_are_given() {
