@@ -1,13 +1,13 @@
 #include "regression/deviations.hpp"
 
 #include <algorithm>
-#include <boost/math/distributions/normal.hpp>
-#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <limits>
 #include <map>
 #include <stdexcept>
 #include <tuple>
+
+#include "scoring/distributions.hpp"
 
 namespace piae::regression {
 
@@ -57,9 +57,7 @@ Scatter scatter_of(const Seeds& seeds) {
 }
 
 double allowed_standard_errors(double degrees) {
-  using boost::math::complement;
-  const double tail = cdf(complement(boost::math::normal(), sigmas));
-  return quantile(complement(boost::math::students_t(degrees), tail));
+  return scoring::student_t_exceeded_with(scoring::normal_above(sigmas), degrees);
 }
 
 /// Run and reference, with their scatter for each row and for each quantity.

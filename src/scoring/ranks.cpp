@@ -1,12 +1,12 @@
 #include "scoring/ranks.hpp"
 
 #include <algorithm>
-#include <boost/math/distributions/fisher_f.hpp>
-#include <boost/math/distributions/normal.hpp>
 #include <boost/math/quadrature/trapezoidal.hpp>
 #include <cmath>
 #include <numeric>
 #include <stdexcept>
+
+#include "scoring/distributions.hpp"
 
 namespace piae::scoring {
 
@@ -17,10 +17,9 @@ constexpr double level = 0.05;
 /// The probability that `count` standard normal variables lie within `range` of each other. It is
 /// an integral over the smallest of them, z: all others then lie between z and z + range.
 double range_probability(std::size_t count, double range) {
-  const boost::math::normal normal;
   const auto density = [&](double z) {
-    const double others = boost::math::cdf(normal, z + range) - boost::math::cdf(normal, z);
-    return boost::math::pdf(normal, z) * std::pow(others, static_cast<double>(count - 1));
+    const double others = normal_below(z + range) - normal_below(z);
+    return normal_density(z) * std::pow(others, static_cast<double>(count - 1));
   };
   constexpr double end = 9;  // beyond, less than 1e-18 of the probability is left
   return static_cast<double>(count) * boost::math::quadrature::trapezoidal(density, -end, end);
@@ -43,8 +42,7 @@ double p_of_friedman(const std::vector<double>& average, double n) {
   // blocks have the order of the first.
   if (rest <= 1e-9 * chi_squared) return std::pow(std::tgamma(k + 1), 1 - n);
   const double f = std::max(0.0, (n - 1) * chi_squared / rest);
-  const boost::math::fisher_f distribution(k - 1, (k - 1) * (n - 1));
-  return boost::math::cdf(boost::math::complement(distribution, f));
+  return fisher_f_above(f, k - 1, (k - 1) * (n - 1));
 }
 
 }  // namespace

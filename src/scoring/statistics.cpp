@@ -1,10 +1,11 @@
 #include "scoring/statistics.hpp"
 
 #include <algorithm>
-#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <numeric>
 #include <stdexcept>
+
+#include "scoring/distributions.hpp"
 
 namespace piae::scoring {
 
@@ -28,9 +29,7 @@ Summary summarise(std::span<const double> values) {
   summary.mean = std::accumulate(values.begin(), values.end(), 0.0) / n;
   if (values.size() == 1) return summary;
   summary.deviation = sample_deviation(values, summary.mean);
-  const boost::math::students_t student(n - 1);
-  const double half = boost::math::quantile(boost::math::complement(student, tail)) *
-                      *summary.deviation / std::sqrt(n);
+  const double half = student_t_exceeded_with(tail, n - 1) * *summary.deviation / std::sqrt(n);
   summary.interval = {summary.mean - half, summary.mean + half};
   return summary;
 }
