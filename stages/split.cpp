@@ -12,16 +12,17 @@ namespace {
 
 void print_summary(const signal::Split& split, const signal::SplitOptions& options) {
   const signal::DatasetInfo& info = split.sets.front().info;
-  std::cout << info.name << ", seed " << options.seed << ", protocol "
-            << to_string(options.protocol) << "; stride";
-  for (const Label label : info.labels()) {
-    std::cout << ' ' << info.class_of(label).name << ' ' << split.strides[index_of(label)];
-  }
-  std::cout << "\nsplit:";
+  // The counts come first, since make shows only what fits a terminal.
+  std::cout << "split:";
   for (const signal::Role role : signal::split_roles) {
     std::cout << ' ' << to_string(role) << ' ' << split.of(role).size();
   }
-  std::cout << " windows of " << options.window << '\n';
+  std::cout << " windows of " << options.window << " of " << info.name << ", seed " << options.seed
+            << ", protocol " << to_string(options.protocol) << "; stride";
+  for (const Label label : info.labels()) {
+    std::cout << ' ' << info.class_of(label).name << ' ' << split.strides[index_of(label)];
+  }
+  std::cout << '\n';
 }
 
 }  // namespace

@@ -47,7 +47,7 @@ TEST(ShownDataSet, IsCheckedIngestedAndSplit) {
   const Outcome ingested =
       run(folder.path(), "ingest",
           {"--description", description, "--data-dir", "data", "--output", "records.h5"});
-  EXPECT_EQ(ingested.out, "ingest: rig: 2 records of 2 classes, 144000 samples at 12000 Hz\n")
+  EXPECT_EQ(ingested.out, "ingest: 2 records, 144000 samples at 12000 Hz\n")
       << ingested.err;
   const Outcome split =
       run(folder.path(), "split", {"--records", "records.h5", "--seed", "0", "--output-dir", "."});
