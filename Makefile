@@ -79,7 +79,7 @@ help:
 	  cells    'run the grid without the tables (on a cluster: see jobs/)' \
 	  sweep    'vary the settings of piae-dt one at a time (pipeline/sweep.mk): sweep.csv, sweep.md' \
 	  contrast 'both protocols side by side, and both readings of cwru: protocols.md, rates.md' \
-	  identify 'whether the (k, c) of the twin are the true ones, on simulated windows: identifiability.md' \
+	  identify 'whether the (k, c) of the twin are the true ones, on simulated windows' \
 	  records  'only read or simulate the data sets' \
 	  status   'how far the grid is: cells done, running, failed, missing, and the time left' \
 	  check    'compare RUN with results/reference: all cells, or those of the variables given' \

@@ -7,7 +7,7 @@ set -euo pipefail
 
 arch=$1 libtorch=$2
 shift 2
-# Our own jobs, not those of the make that called: nothing else of it runs before the programs do.
+# The build uses all cores, whatever -j the calling make has: nothing else runs until it is done.
 unset MAKEFLAGS MFLAGS MAKELEVEL MAKEOVERRIDES
 
 mkdir -p build

@@ -86,7 +86,7 @@ $(results)/$1/records.h5: $(settings)/datasets/$1.toml
 endef
 
 # One split makes four files. What needs one of them names all, so that the loss of any one brings
-# back the split before anything is judged by the others.
+# back the split before anything is computed from the others.
 windows = $(patsubst %,$1/%.h5,A B C D)
 
 define split_rule # data set, seed, its folder

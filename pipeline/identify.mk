@@ -1,5 +1,5 @@
-# Whether the twin's (k, c) are those of the bearing: the models of the methods that infer them, judged
-# on windows that were simulated with known ones.
+# Whether the twin's (k, c) are those of the bearing: the models of the methods that infer them, compared
+# with the truth on windows that were simulated with known ones.
 #
 #   model.h5, D.h5 -> identifiability.csv, scatter.csv, identifiability.md
 

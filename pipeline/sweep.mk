@@ -4,8 +4,8 @@
 #   A B C D -> sweep/<factor>-<value>/model.h5 -> E.h5 -> score.h5
 #                                           \----------\-> <ratio>/diagnosis.h5 -> sweep.csv, sweep.md
 #
-# What is tried stands in [sweep] of the protocol. A value that the method has anyway is no cell of its
-# own: there, those of the grid are taken.
+# What is tried stands in [sweep] of the protocol. The value that the protocol has anyway is not
+# computed again: its cells are those of the grid.
 
 # The paper does not say at which ratio it compared. At 1:1 generated windows weigh most.
 sweep_ratios := $(filter-out $(nothing_generated),$(if $(filter command,$(origin RATIOS)),$(RATIOS),1to1))

@@ -12,9 +12,9 @@
 #include "diagnosis/one_core_backend.hpp"
 #include "diagnosis/training_set.hpp"
 #include "diagnosis/wdcnn.hpp"
-#include "libtorch/back_ends.hpp"
 #include "scoring/diagnosis_record.hpp"
 #include "scoring/ratios.hpp"
+#include "seam/libtorch.hpp"
 
 using namespace piae;
 namespace fs = std::filesystem;
@@ -44,8 +44,8 @@ scoring::DiagnosisRecord make_record(const diagnosis::Inputs& inputs, const scor
 
 diagnosis::MakeWdcnnBackend choose_backend(const Compute& compute, char** argv) {
   if (!needs_libtorch(compute)) return diagnosis::make_one_core_backend;
-  libtorch::continue_with_libtorch(argv);
-  return libtorch::back_ends()->wdcnn(compute.device);
+  seam::continue_with_libtorch(argv);
+  return seam::back_ends()->wdcnn(compute.device);
 }
 
 }  // namespace
@@ -76,8 +76,8 @@ int main(int argc, char** argv) {
   stage.output_file("--output", output, "diagnosis.h5, predictions and training curves");
   stage.options()
       .add("--ratio", ratio_name,
-           "normal to fault windows: 100to1, 50to1, 25to1, 10to1, 5to1, 2to1 or 1to1, for "
-           "0, 5, 15, 45, 95, 145 or 495 generated windows of each fault class")
+           "normal to fault windows, and in brackets the generated ones of each fault class: " +
+               scoring::list_of_ratios())
       .required();
   bind(stage.options(), run);
   stage.options().flag("--reproducible", reproducible,

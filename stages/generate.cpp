@@ -7,7 +7,7 @@
 #include "augment/catalogue.hpp"
 #include "cli/run_options.hpp"
 #include "cli/stage.hpp"
-#include "libtorch/back_ends.hpp"
+#include "seam/libtorch.hpp"
 #include "signal/roles.hpp"
 
 using namespace piae;
@@ -34,7 +34,7 @@ int main(int argc, char** argv) {
     const artefact::Reader model = stage.open("model", model_file, "model");
     const std::string name = model.text("/", "method");
     const std::unique_ptr<augment::Method> method = augment::make_method(name);
-    if (method->needs_libtorch(run.compute)) libtorch::continue_with_libtorch(argv);
+    if (method->needs_libtorch(run.compute)) seam::continue_with_libtorch(argv);
     const std::string dataset = model.text("/", "dataset");
     const Stream stream(fmt::format("{}/seed{}/generate/{}", dataset, run.seed, name));
     const signal::WindowSet windows = method->generate(model, count, stream, run.compute);

@@ -7,9 +7,9 @@
 
 #include "augment/catalogue.hpp"
 #include "cli/stage.hpp"
-#include "libtorch/back_ends.hpp"
 #include "report/identifiability.hpp"
 #include "run/layout.hpp"
+#include "seam/libtorch.hpp"
 #include "signal/roles.hpp"
 #include "text/file.hpp"
 
@@ -59,7 +59,7 @@ int main(int argc, char** argv) {
 
   return stage.run(argc, argv, [&] {
     const run::Grid grid = report::resolve(options);
-    if (needs_libtorch(grid)) libtorch::continue_with_libtorch(argv);
+    if (needs_libtorch(grid)) seam::continue_with_libtorch(argv);
     const run::Layout layout(run_folder, grid.dataset);
     std::vector<report::Identification> all;
     for (const run::Combination& combination : grid.combinations) {

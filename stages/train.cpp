@@ -9,7 +9,7 @@
 #include "cli/interrupt.hpp"
 #include "cli/run_options.hpp"
 #include "cli/stage.hpp"
-#include "libtorch/back_ends.hpp"
+#include "seam/libtorch.hpp"
 #include "signal/roles.hpp"
 
 using namespace piae;
@@ -66,7 +66,7 @@ int main(int argc, char** argv) {
 
   return stage.run(argc, argv, [&] {
     if (!method) method = augment::make_method(name);
-    if (method->needs_libtorch(run.compute)) libtorch::continue_with_libtorch(argv);
+    if (method->needs_libtorch(run.compute)) seam::continue_with_libtorch(argv);
     const artefact::Reader reader = stage.open("known", known_file, "windows");
     signal::require_role(reader, signal::Role::known);
     signal::WindowSet windows = signal::read_window_set(reader);

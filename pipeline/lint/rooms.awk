@@ -1,8 +1,6 @@
 # usage: awk -v folders="base cli ..." -f rooms.awk CONTRIBUTING.md FILE...
 # A row of the table holds one or more rooms in backticks in its first column; those of a row do not
-# know each other. What others may include of libtorch is its one header without LibTorch.
-
-BEGIN { seam = "libtorch/back_ends.hpp" }
+# know each other.
 
 function finding(what, right) { printf "%s:%d: %s; %s\n", FILENAME, FNR, what, right }
 
@@ -34,11 +32,12 @@ FNR == 1 {
   room = parts[1] == "src" ? parts[2] : parts[1]
 }
 
-/^[ \t]*#[ \t]*include[ \t]*"/ {
-  split($0, quoted, "\"")
+/^[ \t]*#[ \t]*include[ \t]*["<]/ {
+  split($0, quoted, "[\"<>]")
   split(quoted[2], parts, "/")
   other = parts[1]
   if (other == room || !(room in row)) next
+  if (!(other in row) && /</) next # a library's
   if (!(other in row) && index(" " folders, " " other " ")) next # said above, once
   includes = "includes \"" quoted[2] "\""
   if (!(other in row))
@@ -47,6 +46,4 @@ FNR == 1 {
     finding(includes ", but " room " stands below " other, "move what both need to " room " or below")
   else if (row[other] == row[room])
     finding(includes ", but " room " and " other " stand in one row", "move what both need to a row below")
-  else if (other == "libtorch" && quoted[2] != seam)
-    finding(includes ", which is for its own room", "include \"" seam "\", or declare there what is missing")
 }

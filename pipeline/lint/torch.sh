@@ -5,7 +5,7 @@ source "${0%/*}/common.sh"
 
 files_matching '\.(cpp|hpp|in)$' "$@" | { grep -vE '^(src/libtorch|tests/libtorch|tests/bench)/' || true; } |
   xargs --no-run-if-empty awk '
-    /^[ \t]*#[ \t]*include[ \t]*[<"](torch|ATen|c10)\// {
+    /^[ \t]*#[ \t]*include[ \t]*[<"](torch|ATen|c10|caffe2|libtorch)[\/.]/ {
       printf "%s:%d: includes LibTorch outside src/libtorch; ", FILENAME, FNR
-      print "move it there and declare in src/libtorch/back_ends.hpp what others may call"
+      print "move it there and declare in src/seam/libtorch.hpp what others may call"
     }'

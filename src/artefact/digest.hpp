@@ -17,8 +17,8 @@ std::string content_digest(hid_t file);
 /// The same over what stands in the provenance group, and nothing else.
 std::string provenance_digest(hid_t file);
 
-/// The name of the attribute that holds a digest: the content digest as an attribute of the root,
-/// and that of the provenance as one of its group.
+/// The name of the attribute that holds a digest. The content digest is an attribute of the root,
+/// the digest of the provenance one of the group /provenance.
 inline const std::string digest_attribute = "digest";
 
 }  // namespace piae::artefact

@@ -1,14 +1,14 @@
 #include "augment/back_ends.hpp"
 
 #include "latent/generator.hpp"
-#include "libtorch/back_ends.hpp"
+#include "seam/libtorch.hpp"
 #include "twin/dense_backend.hpp"
 
 namespace piae::augment {
 
 Backends<twin::MakeEngine> twin_engines(const twin::TwinVariant& variant) {
   return {.native = variant.coder == twin::CoderKind::dense ? twin::dense_engine : nullptr,
-          .libtorch = libtorch::back_end(&libtorch::BackEnds::twin)};
+          .libtorch = seam::back_end(&seam::BackEnds::twin)};
 }
 
 twin::Engine twin_engine(const twin::TwinVariant& variant, const Compute& compute) {
@@ -18,8 +18,7 @@ twin::Engine twin_engine(const twin::TwinVariant& variant, const Compute& comput
 signal::WindowSet generate_from_latent(const artefact::Reader& model, std::size_t count,
                                        const Stream& stream, const Compute& compute) {
   const Backends<latent::OpenGenerator> generators{
-      .native = latent::open_generator,
-      .libtorch = libtorch::back_end(&libtorch::BackEnds::generator)};
+      .native = latent::open_generator, .libtorch = seam::back_end(&seam::BackEnds::generator)};
   return latent::generate(model, count, stream, generators.chosen(compute), compute.device);
 }
 

@@ -4,14 +4,14 @@
 
 #include "augment/back_ends.hpp"
 #include "latent/training.hpp"
-#include "libtorch/back_ends.hpp"
+#include "seam/libtorch.hpp"
 
 namespace piae::augment {
 
 namespace {
 
 Backends<latent::MakeVae> trainings() {
-  return {.native = latent::vae, .libtorch = libtorch::back_end(&libtorch::BackEnds::vae)};
+  return {.native = latent::vae, .libtorch = seam::back_end(&seam::BackEnds::vae)};
 }
 
 }  // namespace

@@ -4,14 +4,14 @@
 
 #include "augment/back_ends.hpp"
 #include "latent/training.hpp"
-#include "libtorch/back_ends.hpp"
+#include "seam/libtorch.hpp"
 
 namespace piae::augment {
 
 namespace {
 
 Backends<latent::MakeWganGp> trainings() {
-  return {.native = latent::wgan_gp, .libtorch = libtorch::back_end(&libtorch::BackEnds::wgan_gp)};
+  return {.native = latent::wgan_gp, .libtorch = seam::back_end(&seam::BackEnds::wgan_gp)};
 }
 
 }  // namespace

@@ -47,8 +47,8 @@ class DenseWganGp final : public DenseBackend {
     feed(critic_, between(generated, batch.windows, noise), batch, 2 * n);
     const Array scores = nets::copied(critic_.forward(3 * n), 3 * n, 1);
 
-    // Known and generated windows get the gradient of -wasserstein. Those between get that of their
-    // score itself, since the penalty needs the gradient of the score by the window.
+    // The gradient of known and generated windows is that of -wasserstein. The penalty needs the
+    // gradient of the score by the window, so windows between the two start from a gradient of 1.
     const auto share = 1 / static_cast<float>(n);
     for (std::int64_t i = 0; i < 3 * n; ++i) {
       *critic_.output_gradient().row(i) = i < n ? -share : i < 2 * n ? share : 1;

@@ -1,20 +1,19 @@
 // This is linked into the programs that have LibTorch.
 
-#include "libtorch/back_ends.hpp"
-
 #include "libtorch/latent/backends.hpp"
 #include "libtorch/twin/backend.hpp"
 #include "libtorch/wdcnn/backend.hpp"
+#include "seam/libtorch.hpp"
 
-namespace piae::libtorch {
+namespace piae::seam {
 
 const BackEnds* back_ends() {
-  static constexpr BackEnds all{.twin = twin_engine,
-                                .vae = vae,
-                                .wgan_gp = wgan_gp,
-                                .generator = open_generator,
-                                .wdcnn = wdcnn_on};
+  static constexpr BackEnds all{.twin = libtorch::twin_engine,
+                                .vae = libtorch::vae,
+                                .wgan_gp = libtorch::wgan_gp,
+                                .generator = libtorch::open_generator,
+                                .wdcnn = libtorch::wdcnn_on};
   return &all;
 }
 
-}  // namespace piae::libtorch
+}  // namespace piae::seam

@@ -1,6 +1,7 @@
 #include "scoring/ratios.hpp"
 
 #include <array>
+#include <string>
 
 #include "base/error.hpp"
 
@@ -19,6 +20,15 @@ constexpr std::array<Ratio, 7> table_5{{{"100to1", 0},
 }  // namespace
 
 std::span<const Ratio> all_ratios() { return table_5; }
+
+std::string list_of_ratios() {
+  std::string list;
+  for (const Ratio& ratio : table_5) {
+    list += std::string(list.empty() ? "" : ", ") + ratio.name + " (" +
+            std::to_string(ratio.generated_per_class) + ")";
+  }
+  return list;
+}
 
 const Ratio& find_ratio(const std::string& name) {
   std::string known;

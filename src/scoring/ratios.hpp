@@ -15,6 +15,9 @@ struct Ratio {
 /// All seven, from 100to1 (nothing generated) to 1to1.
 std::span<const Ratio> all_ratios();
 
+/// For people: "100to1 (0), 50to1 (5), ...", with the generated windows in brackets.
+std::string list_of_ratios();
+
 /// Throws Error(usage) for a name that no ratio has; the line lists those there are.
 const Ratio& find_ratio(const std::string& name);
 

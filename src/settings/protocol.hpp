@@ -21,7 +21,8 @@ toml::table read_protocol(const std::filesystem::path& file);
 /// them. Throws Error(bad_input) for what is not FACTOR=VALUE.
 std::vector<std::string> sweep_points(const toml::table& protocol);
 
-/// Those of them that the swept method has anyway, compared as numbers where they are numbers.
+/// Those sweep_points() that the swept method has without the sweep. "5e-4" and "0.0005" are the
+/// same.
 std::vector<std::string> sweep_centre(const toml::table& protocol);
 
 }  // namespace piae::settings

@@ -100,7 +100,7 @@ class StoredTwin {
 };
 
 /// A way to compute twins: ours, for one core (dense_backend.hpp), or LibTorch's, on a device
-/// (libtorch/back_ends.hpp).
+/// (seam/libtorch.hpp).
 struct Engine {
   /// Makes the back end of one training, which owns the task. Initial values come from `initial`.
   /// Throws Error(usage) for a length of window or a depth that the variant cannot have.

@@ -43,7 +43,7 @@ void expect_refused(const signal::WindowSet& generated, const signal::WindowSet&
   }
 }
 
-TEST(Judge, RealAgainstThemselvesIsPerfect) {
+TEST(QualityByClass, RealAgainstThemselvesIsPerfect) {
   const auto classes = quality_by_class(real_set(), real_set());
   ASSERT_EQ(classes.size(), 2U);
   EXPECT_EQ(classes[0].label, 1);
@@ -60,7 +60,7 @@ TEST(Judge, RealAgainstThemselvesIsPerfect) {
   }
 }
 
-TEST(Judge, PairsTheFirstWindowsOfAClassInTheirOrder) {
+TEST(QualityByClass, PairsTheFirstWindowsOfAClassInTheirOrder) {
   signal::WindowSet generated = empty_set();
   add(generated, 2, {4, 0, 0, 1});  // against {2, 0, 0, 1}: RMSE 1
   add(generated, 1, {0, 1, 0, 0});  // against {1, 0, 0, 0}: RMSE sqrt(1/2), aligned 0
@@ -74,7 +74,7 @@ TEST(Judge, PairsTheFirstWindowsOfAClassInTheirOrder) {
   EXPECT_NEAR(classes[1].amplitude_ratio, std::sqrt((17.0 + 5) / (5.0 + 5)), 1e-15);
 }
 
-TEST(Judge, TakesTheBandwidthFromAllRealWindowsOfTheClass) {
+TEST(QualityByClass, TakesTheBandwidthFromAllRealWindowsOfTheClass) {
   signal::WindowSet generated = empty_set();
   add(generated, 1, {1, 0, 0, 0});
   add(generated, 2, {0, 0, 0, 1});
@@ -85,7 +85,7 @@ TEST(Judge, TakesTheBandwidthFromAllRealWindowsOfTheClass) {
   EXPECT_NEAR(classes[1].mmd, 2 * (5 - kernels), 1e-12);
 }
 
-TEST(Judge, RefusesAClassThatOneSideLacks) {
+TEST(QualityByClass, RefusesAClassThatOneSideLacks) {
   signal::WindowSet generated = empty_set();
   add(generated, 1, {1, 0, 0, 0});
   expect_refused(generated, real_set(), "class OR has 0 generated and 3 real windows");
@@ -94,7 +94,7 @@ TEST(Judge, RefusesAClassThatOneSideLacks) {
   expect_refused(generated, real_set(), "class Normal has 1 generated and 0 real windows");
 }
 
-TEST(Judge, RefusesAnotherDatasetOrLength) {
+TEST(QualityByClass, RefusesAnotherDatasetOrLength) {
   signal::WindowSet generated = real_set();
   generated.info.name = "other";
   expect_refused(generated, real_set(), "are of dataset other, the real ones of dataset toy");
@@ -107,7 +107,7 @@ TEST(Judge, RefusesAnotherDatasetOrLength) {
   expect_refused(real_set(), empty_set(), "no real windows");
 }
 
-TEST(Judge, RefusesRealWindowsThatAreNoReference) {
+TEST(QualityByClass, RefusesRealWindowsThatAreNoReference) {
   const auto refused = [](const std::vector<std::vector<float>>& windows, const std::string& what) {
     signal::WindowSet real = empty_set();
     for (const auto& window : windows) add(real, 1, window);

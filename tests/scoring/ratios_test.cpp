@@ -41,5 +41,10 @@ TEST(Ratios, TrueRatioIsTheNamedOneButForTwoToOne) {
   EXPECT_EQ(of("1to1"), 1);
 }
 
+TEST(Ratios, AreListedWithTheirGeneratedWindows) {
+  EXPECT_EQ(list_of_ratios(),
+            "100to1 (0), 50to1 (5), 25to1 (15), 10to1 (45), 5to1 (95), 2to1 (145), 1to1 (495)");
+}
+
 }  // namespace
 }  // namespace piae::scoring

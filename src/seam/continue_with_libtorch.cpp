@@ -5,9 +5,9 @@
 #include <filesystem>
 
 #include "base/error.hpp"
-#include "libtorch/back_ends.hpp"
+#include "seam/libtorch.hpp"
 
-namespace piae::libtorch {
+namespace piae::seam {
 
 void continue_with_libtorch(char** argv) {
   if (back_ends() != nullptr) return;
@@ -23,4 +23,4 @@ void continue_with_libtorch(char** argv) {
   throw Error(Exit::failed, other.string() + ": cannot be started (" + std::strerror(errno) + ")");
 }
 
-}  // namespace piae::libtorch
+}  // namespace piae::seam

@@ -1,9 +1,9 @@
 // This is linked into the programs that do without LibTorch.
 
-#include "libtorch/back_ends.hpp"
+#include "seam/libtorch.hpp"
 
-namespace piae::libtorch {
+namespace piae::seam {
 
 const BackEnds* back_ends() { return nullptr; }
 
-}  // namespace piae::libtorch
+}  // namespace piae::seam

@@ -7,9 +7,9 @@
 #include "twin/backend.hpp"
 
 // The one way from the rest of the project to LibTorch. LibTorch takes 0.4 s and 160 MB at each
-// start and need not be installed, so a program is linked either with it (back_ends.cpp) or
-// without (absent.cpp); nothing else in the source differs between the two.
-namespace piae::libtorch {
+// start and need not be installed, so a program is linked either with it (back_ends.cpp of the room
+// libtorch) or without (absent.cpp beside this file). Nothing else in the source differs.
+namespace piae::seam {
 
 /// All that LibTorch computes, each on the device that is asked for.
 struct BackEnds {
@@ -36,4 +36,4 @@ F back_end(F BackEnds::*which) {
 /// program, as after a build with LIBTORCH=off.
 void continue_with_libtorch(char** argv);
 
-}  // namespace piae::libtorch
+}  // namespace piae::seam
