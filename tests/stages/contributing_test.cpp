@@ -47,8 +47,7 @@ TEST(ShownDataSet, IsCheckedIngestedAndSplit) {
   const Outcome ingested =
       run(folder.path(), "ingest",
           {"--description", description, "--data-dir", "data", "--output", "records.h5"});
-  EXPECT_EQ(ingested.out, "ingest: 2 records, 144000 samples at 12000 Hz\n")
-      << ingested.err;
+  EXPECT_EQ(ingested.out, "ingest: 2 records, 144000 samples at 12000 Hz\n") << ingested.err;
   const Outcome split =
       run(folder.path(), "split", {"--records", "records.h5", "--seed", "0", "--output-dir", "."});
   EXPECT_EQ(split.status, 0) << split.err;
