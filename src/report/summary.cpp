@@ -84,6 +84,7 @@ Effect effect_of(const AccuracyRow& gain) {
 
 std::string with_points(const std::vector<AccuracyRow>& gains) {
   std::vector<std::string> words;
+  words.reserve(gains.size());
   for (const AccuracyRow& gain : gains) {
     words.push_back(fmt::format("{} ({:+.1f})", gain.method, gain.summary.mean));
   }
@@ -153,7 +154,7 @@ std::string against_real(const run::Results& results, const std::string& method)
 }
 
 std::string why_not(const run::Results& results, const std::vector<AccuracyRow>& gains) {
-  const std::string method = augment::paper_method();
+  const std::string& method = augment::paper_method();
   const auto gain = std::ranges::find(gains, method, &AccuracyRow::method);
   if (gain == gains.end() || effect_of(*gain) == Effect::helps) return "";
   const std::string measured = against_real(results, method);
