@@ -5,10 +5,10 @@
 #include <complex>
 #include <limits>
 #include <stdexcept>
+#include <unsupported/Eigen/FFT>
 #include <vector>
 
 #include "bearing/kinematics.hpp"
-#include "scoring/fourier.hpp"
 #include "scoring/spectrum.hpp"
 #include "scoring/statistics.hpp"
 
@@ -72,16 +72,16 @@ double harmonic_db(const Spectrum& spectrum, int number, double line_hz) {
 }  // namespace
 
 Windows envelopes(const Windows& windows) {
-  Fourier fft;
+  Eigen::FFT<double> fft;
   Windows result(windows.rows(), windows.cols());
   std::vector<Complex> samples(static_cast<std::size_t>(windows.cols()));
   std::vector<Complex> spectrum;
   for (Index i = 0; i < windows.rows(); ++i) {
     Eigen::Map<Eigen::RowVectorXcd> row(samples.data(), windows.cols());
     row = (windows.row(i).array() - windows.row(i).mean()).cast<Complex>();
-    fft.forward(spectrum, samples);
+    fft.fwd(spectrum, samples);
     make_analytic(spectrum);
-    fft.inverse(samples, spectrum);
+    fft.inv(samples, spectrum);
     // cwiseAbs would call hypot, which guards against overflow that cannot happen here and is
     // slower.
     result.row(i) = row.cwiseAbs2().cwiseSqrt();

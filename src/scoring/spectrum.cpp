@@ -4,9 +4,8 @@
 #include <complex>
 #include <numbers>
 #include <stdexcept>
+#include <unsupported/Eigen/FFT>
 #include <vector>
-
-#include "scoring/fourier.hpp"
 
 namespace piae::scoring {
 
@@ -31,14 +30,14 @@ Eigen::RowVectorXd hann(Index length) {
 Eigen::ArrayXd mean_power_spectrum(const Windows& windows, Index padding) {
   const Index bins = padding * windows.cols() / 2 + 1;
   const Eigen::RowVectorXd taper = hann(windows.cols());
-  Fourier fft;
+  Eigen::FFT<double> fft;
   Eigen::ArrayXd power = Eigen::ArrayXd::Zero(bins);
   std::vector<double> tapered(static_cast<std::size_t>(padding * windows.cols()));
   std::vector<std::complex<double>> spectrum;
   for (Index i = 0; i < windows.rows(); ++i) {
     Eigen::Map<Eigen::RowVectorXd>(tapered.data(), windows.cols()) =
         (windows.row(i).array() - windows.row(i).mean()) * taper.array();
-    fft.forward(spectrum, tapered);
+    fft.fwd(spectrum, tapered);
     for (Index bin = 0; bin < bins; ++bin) {
       power[bin] += std::norm(spectrum[static_cast<std::size_t>(bin)]);
     }

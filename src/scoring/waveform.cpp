@@ -4,9 +4,8 @@
 #include <cmath>
 #include <complex>
 #include <stdexcept>
+#include <unsupported/Eigen/FFT>
 #include <vector>
-
-#include "scoring/fourier.hpp"
 
 namespace piae::scoring {
 
@@ -25,21 +24,22 @@ double root_mean_square(const Eigen::Ref<const Eigen::RowVectorXd>& difference) 
   return std::sqrt(difference.squaredNorm() / static_cast<double>(difference.size()));
 }
 
-std::vector<Complex> spectrum(Fourier& fft, const Windows& windows, Index row) {
+std::vector<Complex> spectrum(Eigen::FFT<double>& fft, const Windows& windows, Index row) {
   const double* first = windows.row(row).data();
   const std::vector<double> samples(first, first + windows.cols());
   std::vector<Complex> bins;
-  fft.forward(bins, samples);
+  fft.fwd(bins, samples);
   return bins;
 }
 
 /// The s that makes sum_n real(n) generated(n + s) largest, indices modulo the length.
-Index best_shift(Fourier& fft, const Windows& generated, const Windows& real, Index row) {
+Index best_shift(Eigen::FFT<double>& fft, const Windows& generated, const Windows& real,
+                 Index row) {
   std::vector<Complex> product = spectrum(fft, generated, row);
   const std::vector<Complex> reference = spectrum(fft, real, row);
   for (std::size_t i = 0; i < product.size(); ++i) product[i] *= std::conj(reference[i]);
   std::vector<double> correlation;
-  fft.inverse(correlation, product);
+  fft.inv(correlation, product);
   return std::max_element(correlation.begin(), correlation.end()) - correlation.begin();
 }
 
@@ -54,7 +54,7 @@ double rmse(const Windows& generated, const Windows& real) {
 
 double aligned_rmse(const Windows& generated, const Windows& real) {
   require_pairs(generated, real);
-  Fourier fft;
+  Eigen::FFT<double> fft;
   Windows shifted(generated.rows(), generated.cols());
   for (Index i = 0; i < real.rows(); ++i) {
     const Index head = generated.cols() - best_shift(fft, generated, real, i);
