@@ -121,8 +121,11 @@ $(asked): grid
 
 choice = $(foreach name,RUN DATASETS METHODS RATIOS SEEDS PROTOCOL DATA_DIR BIN results,\
            $(if $($(name)),'$(name)=$($(name))'))
+# A dry run of a project that is not built can show no more than that it would be built.
+unknown_yet := $(if $(findstring n,$(filter-out --%,$(flags))),$(if $(wildcard $(BIN)/settings),,yes))
 grid: | $(programs)
-	$(Q)+$(MAKE) --file=pipeline/grid.mk $(choice) $(asked:demo=all)
+	$(Q)+$(if $(unknown_yet),echo 'for the steps of the grid the programs must be built first: `make build`',\
+	  $(MAKE) --file=pipeline/grid.mk $(choice) $(asked:demo=all))
 
 status:
 	$(Q)pipeline/status.sh '$(results)' $(MAKE) --file=pipeline/grid.mk $(choice)

@@ -406,6 +406,7 @@ test_programs_that_are_not_there_are_one_line() {
   done
   rm -r fake
   expect_line "$(make -n cells 2>&1 || true)" "the programs must be built first: .make build."
+  expect_exit 0 make -n cells
 }
 
 test_methods_that_only_libtorch_computes_are_refused_at_once_without_it() {
