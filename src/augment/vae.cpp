@@ -10,14 +10,14 @@ namespace piae::augment {
 
 namespace {
 
-Backends<latent::MakeVae> trainings() {
+Backends<latent::MakeVae> vae_trainings() {
   return {.native = latent::vae, .libtorch = seam::back_end(&seam::BackEnds::vae)};
 }
 
 }  // namespace
 
 bool Vae::needs_libtorch(const Compute& compute) const {
-  return trainings().needs_libtorch(compute);
+  return vae_trainings().needs_libtorch(compute);
 }
 
 void Vae::bind(const cli::Options& command) { latent::bind(command, options_); }
@@ -25,7 +25,7 @@ void Vae::bind(const cli::Options& command) { latent::bind(command, options_); }
 void Vae::train(const signal::WindowSet& known, const Stream& stream, const Compute& compute,
                 const nets::Checkpoint& checkpoint, artefact::Writer& model) {
   const auto make_backend = [&](latent::LatentTask task, const Stream& initial) {
-    return trainings().chosen(compute)(std::move(task), initial, compute.device);
+    return vae_trainings().chosen(compute)(std::move(task), initial, compute.device);
   };
   latent::LatentTraining training(known, options_, {"squared_error", "kl"}, stream, make_backend);
   nets::run_epochs(training, checkpoint);

@@ -10,14 +10,14 @@ namespace piae::augment {
 
 namespace {
 
-Backends<latent::MakeWganGp> trainings() {
+Backends<latent::MakeWganGp> wgan_gp_trainings() {
   return {.native = latent::wgan_gp, .libtorch = seam::back_end(&seam::BackEnds::wgan_gp)};
 }
 
 }  // namespace
 
 bool WganGp::needs_libtorch(const Compute& compute) const {
-  return trainings().needs_libtorch(compute);
+  return wgan_gp_trainings().needs_libtorch(compute);
 }
 
 void WganGp::bind(const cli::Options& command) { latent::bind(command, options_); }
@@ -25,7 +25,7 @@ void WganGp::bind(const cli::Options& command) { latent::bind(command, options_)
 void WganGp::train(const signal::WindowSet& known, const Stream& stream, const Compute& compute,
                    const nets::Checkpoint& checkpoint, artefact::Writer& model) {
   const auto make_backend = [&](latent::LatentTask task, const Stream& initial) {
-    return trainings().chosen(compute)(std::move(task), options_, initial, compute.device);
+    return wgan_gp_trainings().chosen(compute)(std::move(task), options_, initial, compute.device);
   };
   latent::LatentTraining training(known, options_.networks, {"wasserstein", "gradient_penalty"},
                                   stream, make_backend);

@@ -9,8 +9,11 @@ std::vector<double> read_raw_file(const std::filesystem::path& file, const std::
   if (extension == ".mat") return read_mat(file, variable);
   if (extension == ".csv") return read_csv(file, variable);
   if (extension == ".h5" || extension == ".hdf5") return read_hdf5(file, variable);
-  throw Error(Exit::bad_input, file.string() + ": unknown format '" + extension +
-                                   "'; known are .mat, .csv, .h5 and .hdf5");
+  refuse_raw_file(file, "unknown format '" + extension + "'; known are .mat, .csv, .h5 and .hdf5");
+}
+
+void refuse_raw_file(const std::filesystem::path& where, const std::string& what) {
+  throw Error(Exit::bad_input, where.string() + ": " + what);
 }
 
 }  // namespace piae::signal

@@ -21,4 +21,7 @@ std::vector<double> read_mat(const std::filesystem::path& file, const std::strin
 std::vector<double> read_csv(const std::filesystem::path& file, const std::string& column);
 std::vector<double> read_hdf5(const std::filesystem::path& file, const std::string& dataset);
 
+/// Throws Error(bad_input) with "<where>: <what>"; `where` begins with the file.
+[[noreturn]] void refuse_raw_file(const std::filesystem::path& where, const std::string& what);
+
 }  // namespace piae::signal

@@ -13,8 +13,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-[[noreturn]] void refuse(const fs::path& file, std::size_t line, const std::string& what) {
-  throw Error(Exit::bad_input, file.string() + ", line " + std::to_string(line) + ": " + what);
+[[noreturn]] void refuse_line(const fs::path& file, std::size_t line, const std::string& what) {
+  refuse_raw_file(file.string() + ", line " + std::to_string(line), what);
 }
 
 std::string_view trimmed(std::string_view text) {
@@ -61,16 +61,16 @@ std::size_t find_column(const fs::path& file, const std::vector<std::string_view
   if (column.find_first_not_of("0123456789") == std::string::npos) {
     const std::size_t number = number_in<std::size_t>(column).value_or(0);
     if (number >= 1 && number <= header.size()) return number - 1;
-    refuse(file, 1,
-           "has no column " + column + "; columns are 1 to " + std::to_string(header.size()));
+    refuse_line(file, 1,
+                "has no column " + column + "; columns are 1 to " + std::to_string(header.size()));
   }
   const auto found = std::ranges::count(header, column);
   if (found == 1)
     return static_cast<std::size_t>(std::ranges::find(header, column) - header.begin());
-  if (found > 1) refuse(file, 1, "has several columns " + column);
+  if (found > 1) refuse_line(file, 1, "has several columns " + column);
   std::string list;
   for (const std::string_view name : header) list += (list.empty() ? "" : ", ") + std::string(name);
-  refuse(file, 1, "has no column " + column + "; it has " + list);
+  refuse_line(file, 1, "has no column " + column + "; it has " + list);
 }
 
 }  // namespace
@@ -86,16 +86,17 @@ std::vector<double> read_csv(const fs::path& file, const std::string& column) {
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const auto fields = fields_of(lines[i], separator);
     if (fields.size() != header.size()) {
-      refuse(file, i + 1,
-             "has " + std::to_string(fields.size()) + " fields, the first line " +
-                 std::to_string(header.size()));
+      refuse_line(file, i + 1,
+                  "has " + std::to_string(fields.size()) + " fields, the first line " +
+                      std::to_string(header.size()));
     }
     const auto number = number_in<double>(fields[wanted]);
     if (number) {
       numbers.push_back(*number);
     } else if (i > 0) {
-      refuse(file, i + 1,
-             "column " + column + " holds '" + std::string(fields[wanted]) + "', not a number");
+      refuse_line(
+          file, i + 1,
+          "column " + column + " holds '" + std::string(fields[wanted]) + "', not a number");
     }
   }
   return numbers;

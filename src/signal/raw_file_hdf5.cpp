@@ -11,10 +11,6 @@ namespace {
 namespace fs = std::filesystem;
 namespace hdf5 = artefact::hdf5;
 
-[[noreturn]] void refuse(const fs::path& file, const std::string& what) {
-  throw Error(Exit::bad_input, file.string() + ": " + what);
-}
-
 bool is_dataset(hid_t file, const std::string& path) {
   const hdf5::Handle object(H5Oopen(file, path.c_str(), H5P_DEFAULT), path.c_str());
   return H5Iget_type(object) == H5I_DATASET;
@@ -32,14 +28,14 @@ void require_dataset(const fs::path& path, hid_t file, const std::string& wanted
     if (name == wanted) return;
     list += (list.empty() ? "" : ", ") + name;
   }
-  refuse(path, "has no dataset " + wanted + "; it has " + (list.empty() ? "none" : list));
+  refuse_raw_file(path, "has no dataset " + wanted + "; it has " + (list.empty() ? "none" : list));
 }
 
 std::size_t length_of(const fs::path& path, hid_t dataset, const std::string& name) {
   const hdf5::Handle type(H5Dget_type(dataset), name.c_str());
   const H5T_class_t kind = H5Tget_class(type);
   if (kind != H5T_FLOAT && kind != H5T_INTEGER) {
-    refuse(path, "dataset " + name + " does not hold numbers");
+    refuse_raw_file(path, "dataset " + name + " does not hold numbers");
   }
   std::size_t count = 1;
   std::size_t longest = 1;
@@ -47,7 +43,7 @@ std::size_t length_of(const fs::path& path, hid_t dataset, const std::string& na
     count *= extent;
     longest = std::max(longest, extent);
   }
-  if (count > 0 && count != longest) refuse(path, "dataset " + name + " is not a vector");
+  if (count > 0 && count != longest) refuse_raw_file(path, "dataset " + name + " is not a vector");
   return count;
 }
 
@@ -72,7 +68,8 @@ std::vector<double> read_hdf5(const fs::path& file, const std::string& dataset) 
   } catch (const Error&) {
     throw;
   } catch (const std::exception& error) {
-    refuse(file, std::string("truncated, damaged or not an HDF5 file (") + error.what() + ")");
+    refuse_raw_file(file,
+                    std::string("truncated, damaged or not an HDF5 file (") + error.what() + ")");
   }
 }
 

@@ -20,10 +20,6 @@ struct Close {
 using File = std::unique_ptr<mat_t, Close>;
 using Variable = std::unique_ptr<matvar_t, Close>;
 
-[[noreturn]] void refuse(const fs::path& file, const std::string& what) {
-  throw Error(Exit::bad_input, file.string() + ": " + what);
-}
-
 std::uint32_t number_at(const std::vector<std::byte>& bytes, std::size_t at, bool big_endian) {
   std::uint32_t number = 0;
   for (std::size_t i = 0; i < 4; ++i) {
@@ -48,7 +44,7 @@ File open(const fs::path& path) {
   const mat_ft version = file ? Mat_GetVersion(file.get()) : MAT_FT_UNDEFINED;
   const bool v5 = version == MAT_FT_MAT5 && is_whole_v5(path);
   if (!v5 && version != MAT_FT_MAT73) {
-    refuse(path, "truncated, damaged or not a MATLAB file of version 5 or 7.3");
+    refuse_raw_file(path, "truncated, damaged or not a MATLAB file of version 5 or 7.3");
   }
   return file;
 }
@@ -65,10 +61,10 @@ std::vector<std::string> names_in(const fs::path& path) {
 [[noreturn]] void refuse_missing(const fs::path& path, const std::string& wanted) {
   std::string list;
   for (const std::string& name : names_in(path)) {
-    if (name == wanted) refuse(path, "variable " + wanted + " is damaged or truncated");
+    if (name == wanted) refuse_raw_file(path, "variable " + wanted + " is damaged or truncated");
     list += (list.empty() ? "" : ", ") + name;
   }
-  refuse(path, "has no variable " + wanted + "; it has " + (list.empty() ? "none" : list));
+  refuse_raw_file(path, "has no variable " + wanted + "; it has " + (list.empty() ? "none" : list));
 }
 
 std::size_t length_of(const fs::path& path, const matvar_t& variable) {
@@ -79,7 +75,7 @@ std::size_t length_of(const fs::path& path, const matvar_t& variable) {
     longest = std::max(longest, variable.dims[i]);
   }
   if (variable.isComplex != 0 || (count > 0 && count != longest)) {
-    refuse(path, std::string("variable ") + variable.name + " is not a real vector");
+    refuse_raw_file(path, std::string("variable ") + variable.name + " is not a real vector");
   }
   return count;
 }
@@ -116,7 +112,7 @@ std::vector<double> numbers_of(const fs::path& path, const matvar_t& variable) {
     case MAT_C_UINT64:
       return convert<std::uint64_t>(variable, count);
     default:
-      refuse(path, std::string("variable ") + variable.name + " does not hold numbers");
+      refuse_raw_file(path, std::string("variable ") + variable.name + " does not hold numbers");
   }
 }
 
