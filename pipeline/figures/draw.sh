@@ -34,6 +34,6 @@ unset output"
 done
 # The same numbers give the same bytes: a PDF holds the time at which it was drawn, to be replaced by one of
 # the same length.
-LC_ALL=C sed -i -E '/^ *\/CreationDate \(D:/ s/[0-9]/0/g' "$partial/pdf"
+LC_ALL=C sed -i -E '/^ *\/CreationDate \(D:/ s/D:[0-9]{14}/D:20000101000000/' "$partial/pdf"
 mv "$partial/pdf" "${csv%.csv}.pdf"
 mv "$partial/svg" "${csv%.csv}.svg"
