@@ -3,17 +3,19 @@
 # standard error, one line when it is done. Whatever it prints begins with the cell it belongs to.
 #
 # The log is locked while the step runs. Its second line says when it began, by the clock of the file
-# system, and its last one how it ended:
+# system, and its last two what the stage used, unless it was killed, and how it ended:
 #   step: begun at 1763800000.123456
+#   step: used 11.93 s of processor time and 153 MB of memory
 #   step: exit 65 after 12.3 s
-# Locked and without that line, a step is running; not locked and without it, it was killed. `make
-# status` reads this.
+# Locked and without the last line, a step is running; not locked and without it, it was killed. `make
+# status` and `make report` read this.
 #
 # usage: pipeline/step.sh results/RUN/DATASET/... STAGE OPTION...
 # From the environment: BIN (folder of the programs), SUBMIT (a command to put before the stage),
 # ASKED_AT (when make began to look what is to be done; may be missing).
 set -u
-export LC_ALL=C # numbers and times with a point
+export LC_ALL=C    # numbers and times with a point
+export PIAE_STEP=1 # the stage says on standard error what it used
 
 folder=$1 stage=$2
 shift 2
@@ -33,6 +35,7 @@ show_and_log() {
   trap '' INT TERM HUP # it ends when the stage does
   while IFS= read -r line; do
     printf '%s\n' "$line" >>"$log"
+    [[ $line != "step: used "* ]] || continue
     printf -v line '%-32s %s' "$cell" "$line"
     # How far a stage is, is cut; a warning or an error never.
     [[ $line != *" $stage  "[#.]* ]] || line=$(fit "$line")
@@ -101,7 +104,7 @@ seconds=$(((${EPOCHREALTIME/./} - started) / 1000))
 seconds=$((seconds / 1000)).$((seconds % 1000 / 100))
 # The stage's last line says what it did. Which stage, for which cell and in which file, stands before
 # it already; where it gives a result after a colon, that is enough.
-summary=$(tail -n 1 "$log")
+summary=$(grep -v '^step: used ' "$log" | tail -n 1)
 summary=${summary#"$stage: "}
 summary=${summary%%": $folder/"*}
 summary=${summary#*: }

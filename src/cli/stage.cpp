@@ -4,12 +4,14 @@
 #include <spdlog/spdlog.h>
 
 #include <CLI/CLI.hpp>
+#include <cstdlib>
 #include <iostream>
 #include <new>
 
 #include "base/error.hpp"
 #include "base/sha256.hpp"
 #include "cli/toml_config.hpp"
+#include "cli/usage.hpp"
 
 namespace piae::cli {
 
@@ -36,6 +38,20 @@ int fail(const std::string& name, Exit exit, const std::string& line) {
   std::cerr << name << ": " << line << '\n';
   return static_cast<int>(exit);
 }
+
+/// A step of a run (pipeline/step.sh) asks its stage what it has used, whether it is done or
+/// failed.
+class UsageForStep {
+ public:
+  UsageForStep() = default;
+  UsageForStep(const UsageForStep&) = delete;
+  UsageForStep& operator=(const UsageForStep&) = delete;
+  ~UsageForStep() {
+    if (std::getenv("PIAE_STEP") == nullptr) return;
+    std::cout.flush();  // the line of the stage stands before it
+    std::cerr << usage_line() + '\n';
+  }
+};
 
 }  // namespace
 
@@ -88,6 +104,7 @@ std::string Stage::choose_variant(int argc, char** argv, const std::string& opti
 
 int Stage::run(int argc, char** argv, const std::function<void()>& body) {
   log_to_stderr(name_);
+  const UsageForStep usage;
   try {
     app_->parse(argc, argv);
     body();

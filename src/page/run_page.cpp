@@ -1,0 +1,198 @@
+#include "page/run_page.hpp"
+
+#include <spdlog/fmt/fmt.h>
+
+#include <algorithm>
+
+#include "page/duration.hpp"
+#include "page/links.hpp"
+#include "page/table.hpp"
+#include "page/time_line.hpp"
+
+namespace piae::page {
+
+namespace {
+
+using Steps = std::vector<const StepLog*>;
+
+constexpr const char* unknown = "–";
+
+Cell time_cell(double seconds) { return number_cell(seconds, duration_label(seconds)); }
+
+Cell optional_time(std::optional<double> seconds) {
+  return seconds ? time_cell(*seconds) : Cell{.content = unknown};
+}
+
+Cell memory_cell(std::optional<double> memory_mb) {
+  return memory_mb ? number_cell(*memory_mb, fmt::format("{:.0f} MB", *memory_mb))
+                   : Cell{.content = unknown};
+}
+
+Cell count_cell(std::size_t count) {
+  return number_cell(static_cast<double>(count), std::to_string(count));
+}
+
+double elapsed_of(const Steps& steps) {
+  double sum = 0;
+  for (const StepLog* step : steps) sum += step->elapsed_s;
+  return sum;
+}
+
+/// Of the steps that have it; empty where none has.
+std::optional<double> processor_time_of(const Steps& steps) {
+  std::optional<double> sum;
+  for (const StepLog* step : steps) {
+    if (step->processor_s) sum = sum.value_or(0) + *step->processor_s;
+  }
+  return sum;
+}
+
+std::optional<double> memory_of(const Steps& steps) {
+  std::optional<double> most;
+  for (const StepLog* step : steps) {
+    if (step->memory_mb) most = std::max(most.value_or(0), *step->memory_mb);
+  }
+  return most;
+}
+
+/// Steps that are like each other. To train takes another time for each method; other stages take
+/// equally long for all.
+struct StepGroup {
+  std::string name;
+  Steps steps;
+};
+
+std::string group_of(const StepLog& step) {
+  return step.stage == "train" ? "train " + step.file.parent_path().filename().string()
+                               : step.stage;
+}
+
+std::vector<StepGroup> groups_of(const std::vector<StepLog>& steps) {
+  std::vector<StepGroup> groups;
+  for (const std::string& stage : stages_in_order(steps)) {
+    for (const StepLog& step : steps) {
+      if (step.stage != stage) continue;
+      const std::string name = group_of(step);
+      auto group = std::ranges::find(groups, name, &StepGroup::name);
+      if (group == groups.end()) group = groups.insert(groups.end(), {name, {}});
+      group->steps.push_back(&step);
+    }
+  }
+  return groups;
+}
+
+Row row_of_group(const StepGroup& group) {
+  const auto not_done = static_cast<std::size_t>(std::ranges::count_if(
+      group.steps, [](const StepLog* step) { return step->end != StepEnd::done; }));
+  const double elapsed = elapsed_of(group.steps);
+  const StepLog* slowest = *std::ranges::max_element(
+      group.steps, {}, [](const StepLog* step) { return step->elapsed_s; });
+  return {.cells = {{.content = group.name},
+                    count_cell(group.steps.size()),
+                    count_cell(not_done),
+                    time_cell(elapsed),
+                    optional_time(processor_time_of(group.steps)),
+                    time_cell(elapsed / static_cast<double>(group.steps.size())),
+                    time_cell(slowest->elapsed_s),
+                    memory_cell(memory_of(group.steps))},
+          .looks = not_done > 0 ? "bad" : ""};
+}
+
+Table table_of_groups(const std::vector<StepLog>& steps) {
+  Table table{.caption = "Time and memory by stage",
+              .columns = {{"stage"},
+                          {"steps", true},
+                          {"not done", true},
+                          {"elapsed, sum", true},
+                          {"processor time, sum", true},
+                          {"elapsed, mean", true},
+                          {"elapsed, longest", true},
+                          {"memory, most", true}}};
+  for (const StepGroup& group : groups_of(steps)) table.rows.push_back(row_of_group(group));
+  table.below =
+      "From the logs beside the artefacts: the lines “step: exit”, and “step: used”, which older "
+      "runs "
+      "lack. Memory is what one step held at most.";
+  return table;
+}
+
+Row row_of_step(const StepLog& step) {
+  return {
+      .cells = {{.content = file_link(step.file)},
+                {.content = word_of(step.end)},
+                number_cell(*step.begun_s, moment_label(*step.begun_s)),
+                step.end == StepEnd::open ? Cell{.content = unknown} : time_cell(step.elapsed_s),
+                optional_time(step.processor_s),
+                memory_cell(step.memory_mb),
+                {.content = step.reason}},
+      .looks = step.end == StepEnd::done ? "" : "bad"};
+}
+
+Table table_of_steps(const std::string& caption, const Steps& steps) {
+  Table table{.caption = caption,
+              .columns = {{"log"},
+                          {"end"},
+                          {"begun", true},
+                          {"elapsed", true},
+                          {"processor time", true},
+                          {"memory", true},
+                          {"reason"}}};
+  for (const StepLog* step : steps) table.rows.push_back(row_of_step(*step));
+  return table;
+}
+
+Table slowest_steps(Steps steps) {
+  constexpr std::size_t shown = 20;
+  std::ranges::stable_sort(steps, std::ranges::greater(),
+                           [](const StepLog* step) { return step->elapsed_s; });
+  steps.resize(std::min(steps.size(), shown));
+  return table_of_steps("The slowest steps", steps);
+}
+
+/// The run as a whole, in a sentence or two.
+std::string in_short(const std::vector<StepLog>& steps, const Steps& all) {
+  double wall_s = 0;
+  const std::vector<Session> sessions = sessions_of(steps);
+  for (const Session& session : sessions) wall_s += session.end_s - session.begin_s;
+  std::string text = fmt::format("{} steps took {}", steps.size(), duration_label(wall_s));
+  if (sessions.size() > 1) text += fmt::format(" in {} sessions", sessions.size());
+  text += fmt::format("; one after the other they would take {}", duration_label(elapsed_of(all)));
+  if (const auto processor = processor_time_of(all)) {
+    text += fmt::format(", of which {} is processor time", duration_label(*processor));
+  }
+  text += ".";
+  if (const auto memory = memory_of(all)) {
+    text += fmt::format(" No step held more than {:.0f} MB of memory.", *memory);
+  }
+  return text;
+}
+
+Html content_of(const std::vector<StepLog>& steps) {
+  if (steps.empty()) return element("p", "No step of this run has left a log.");
+  Steps all;
+  for (const StepLog& step : steps) all.push_back(&step);
+  return element("p", {{"class", "verdict"}}, in_short(steps, all)) +
+         element("h2", "When the steps ran") +
+         element(
+             "p",
+             "A row for each stage, a bar for each step; what ran at the same time lies in lanes. "
+             "A step that is not done has a dashed border. Pauses of more than ten minutes are cut "
+             "out.") +
+         time_line(steps) + element("h2", "What they took") + html(table_of_groups(steps)) +
+         html(slowest_steps(all)) +
+         element("details", element("summary", fmt::format("All {} steps", steps.size())) +
+                                html(table_of_steps("All steps", all)));
+}
+
+}  // namespace
+
+std::string run_page(const std::vector<StepLog>& steps, const Style& style) {
+  const Html header = element(
+      "header", element("h1", "How it ran") +
+                    element("p", Html("Times, and memory, of this very run. What it found: ") +
+                                     file_link("report.html") + "."));
+  return document("How it ran", style,
+                  header + element("main", {{"id", "content"}}, content_of(steps)));
+}
+
+}  // namespace piae::page

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "page/document.hpp"
+#include "page/step_log.hpp"
+
+namespace piae::page {
+
+/// run.html: when the steps of a run ran, how much processor time and memory each stage took, and
+/// which steps were the slowest. Two runs of the same settings give different pages, which is why
+/// none of this stands in report.html. `steps` are ordered by begin.
+std::string run_page(const std::vector<StepLog>& steps, const Style& style);
+
+}  // namespace piae::page

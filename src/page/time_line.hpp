@@ -1,0 +1,30 @@
+#pragma once
+
+#include <vector>
+
+#include "page/html.hpp"
+#include "page/step_log.hpp"
+
+namespace piae::page {
+
+/// A time in which steps ran, without a longer pause.
+struct Session {
+  double begin_s;  ///< since 1970
+  double end_s;
+};
+
+/// The sessions of steps, which must be ordered by begin. A pause of ten minutes parts two of them:
+/// a run may go on days after it was interrupted.
+std::vector<Session> sessions_of(const std::vector<StepLog>& steps);
+
+/// A picture with a row for each stage and a bar for each step; bars that overlap lie in lanes.
+/// Pauses between sessions are cut out. Steps are ordered by begin, and there is at least one.
+Html time_line(const std::vector<StepLog>& steps);
+
+/// Stages in the order in which a run has them; others follow in alphabetical order.
+std::vector<std::string> stages_in_order(const std::vector<StepLog>& steps);
+
+/// "done", "failed", ...
+std::string word_of(StepEnd end);
+
+}  // namespace piae::page

@@ -1,0 +1,35 @@
+#include "cli/usage.hpp"
+
+#include <gmock/gmock.h>
+
+#include <regex>
+#include <vector>
+
+namespace piae::cli {
+namespace {
+
+/// Seconds and megabytes.
+std::pair<double, double> used_now() {
+  const std::string line = usage_line();
+  std::smatch numbers;
+  const std::regex form(
+      "step: used ([0-9]+\\.[0-9]{2}) s of processor time and ([0-9]+) MB of memory");
+  EXPECT_TRUE(std::regex_match(line, numbers, form)) << line;
+  return {std::stod(numbers[1]), std::stod(numbers[2])};
+}
+
+TEST(Usage, CountsTheMemoryThatWasHeldAtMost) {
+  const double before_mb = used_now().second;
+  constexpr std::size_t bytes = 64'000'000;
+  EXPECT_EQ(std::vector<char>(bytes, 1).back(), 1);
+  EXPECT_GE(used_now().second, std::min(before_mb + 1, 64.0));
+  EXPECT_GE(used_now().second, 64);
+}
+
+TEST(Usage, CountsProcessorTimeUpwards) {
+  const double before_s = used_now().first;
+  EXPECT_GE(used_now().first, before_s);
+}
+
+}  // namespace
+}  // namespace piae::cli
