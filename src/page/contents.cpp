@@ -1,0 +1,184 @@
+#include "page/contents.hpp"
+
+#include <spdlog/fmt/fmt.h>
+
+#include <algorithm>
+#include <map>
+
+#include "augment/catalogue.hpp"
+#include "report/summary.hpp"
+#include "run/held.hpp"
+
+namespace piae::page {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+Build build_of(const artefact::Reader& reader) {
+  const std::string group = "/provenance";
+  return {.version = reader.text(group, "version"),
+          .libraries = reader.text(group, "libraries"),
+          .processor = reader.text(group, "cpu")};
+}
+
+CellFile cell_file(const fs::path& run, const artefact::Reader& reader, run::CellName name) {
+  return {.name = std::move(name),
+          .file = reader.path().lexically_relative(run),
+          .digest = reader.digest(),
+          .build = build_of(reader)};
+}
+
+/// Of the ratios at which the most methods have a row, the one with the most generated windows.
+std::string ratio_to_show(const std::vector<report::AccuracyRow>& rows) {
+  std::map<std::int64_t, std::pair<std::size_t, std::string>> methods_by_generated;
+  for (const report::AccuracyRow& row : rows) {
+    auto& [count, ratio] = methods_by_generated[row.generated_per_class];
+    ++count;
+    ratio = row.ratio;
+  }
+  std::size_t most = 0;
+  std::string shown;
+  for (const auto& [generated, methods] : methods_by_generated) {
+    if (methods.first < most) continue;
+    most = methods.first;
+    shown = methods.second;
+  }
+  return shown;
+}
+
+void add(scoring::Confusion& sum, const scoring::Confusion& confusion) {
+  if (sum.counts.empty()) sum = {confusion.classes, std::vector<std::int64_t>(confusion.counts.size())};
+  for (std::size_t i = 0; i < sum.counts.size(); ++i) sum.counts[i] += confusion.counts[i];
+}
+
+/// Reads what tables do not need of the cells: digests, builds, confusions.
+class CellReader {
+ public:
+  CellReader(const fs::path& run, DatasetContents& into)
+      : run_(run), layout_(run, into.name), into_(into), shown_ratio_(ratio_to_show(into.rows)) {}
+
+  void diagnosis(const run::Diagnosis& cell) {
+    const artefact::Reader reader(layout_.diagnosis(cell.method, cell.ratio, cell.seed), "diagnosis");
+    into_.diagnoses.push_back(cell_file(run_, reader, {cell.method, cell.ratio, cell.seed}));
+    if (into_.classes.empty()) into_.classes = signal::read_dataset_info(reader).classes;
+    if (cell.ratio != shown_ratio_ && cell.method != augment::no_method) return;
+    const std::size_t classes = into_.classes.size();
+    auto of_method = std::ranges::find(into_.confusions, cell.method, &MethodConfusion::method);
+    if (of_method == into_.confusions.end()) {
+      of_method = into_.confusions.insert(of_method, {cell.method, cell.ratio, 0, {}});
+    }
+    add(of_method->confusion,
+        {classes, reader.numbers<std::int64_t>("/confusion", {classes, classes}).values});
+    ++of_method->seeds;
+  }
+
+  void score(const scoring::QualityRecord& cell) {
+    const artefact::Reader reader(layout_.score(cell.method, cell.seed), "score");
+    into_.scores.push_back(cell_file(run_, reader, {cell.method, "", cell.seed}));
+    if (into_.classes.empty()) into_.classes = cell.info.classes;
+  }
+
+ private:
+  fs::path run_;
+  run::Layout layout_;
+  DatasetContents& into_;
+  std::string shown_ratio_;
+};
+
+bool is_read(const run::Results& results, const run::CellName& name) {
+  const auto is_it = [&](const auto& cell) {
+    return cell.method == name.method && cell.seed == name.seed;
+  };
+  if (name.ratio.empty()) return std::ranges::any_of(results.qualities, is_it);
+  return std::ranges::any_of(results.diagnoses, [&](const run::Diagnosis& cell) {
+    return is_it(cell) && cell.ratio == name.ratio;
+  });
+}
+
+std::vector<run::CellName> cells_of(const run::Grid& grid) {
+  std::vector<run::CellName> names;
+  for (const run::Combination& cell : grid.combinations) {
+    for (const std::int64_t seed : grid.seeds) names.push_back({cell.method, cell.ratio, seed});
+  }
+  for (const std::string& method : grid.scored) {
+    for (const std::int64_t seed : grid.seeds) names.push_back({method, "", seed});
+  }
+  return names;
+}
+
+bool is_among(const run::Grid& grid, const run::CellName& name) {
+  if (std::ranges::count(grid.seeds, name.seed) == 0) return false;
+  if (name.ratio.empty()) return std::ranges::count(grid.scored, name.method) > 0;
+  return std::ranges::any_of(grid.combinations, [&](const run::Combination& cell) {
+    return cell.method == name.method && cell.ratio == name.ratio;
+  });
+}
+
+/// The cells that are asked for, or were begun, and could not be read.
+std::vector<Hole> holes_in(const fs::path& run, const run::Grid& asked,
+                           const DatasetContents& contents) {
+  const run::Layout layout(run, contents.name);
+  std::vector<run::CellName> names = cells_of(asked);
+  for (run::CellName& name : cells_of(contents.grid)) {
+    if (!is_among(asked, name)) names.push_back(std::move(name));
+  }
+  std::vector<Hole> holes;
+  for (const run::CellName& name : names) {
+    if (is_read(contents.results, name)) continue;
+    Hole hole = hole_of(run, layout, name, contents.results.problems);
+    const bool counts = is_among(asked, name) || hole.state != HoleState::not_begun;
+    if (counts) holes.push_back(std::move(hole));
+  }
+  return holes;
+}
+
+/// "ROLE FILE DIGEST", as provenance holds the inputs of an artefact.
+RecordInput record_input(const std::string& line) {
+  const std::size_t role = line.find(' ');
+  const std::size_t digest = line.rfind(' ');
+  return {.file = line.substr(role + 1, digest - role - 1), .digest = line.substr(digest + 1)};
+}
+
+void read_records(const fs::path& run, DatasetContents& contents) {
+  const fs::path file = run::Layout(run, contents.name).folder() / "records.h5";
+  if (!fs::exists(file)) return;
+  try {
+    const artefact::Reader reader(file, "records");
+    contents.records_digest = reader.digest();
+    for (const std::string& line : reader.strings("/provenance/inputs")) {
+      contents.records.push_back(record_input(line));
+    }
+  } catch (const Error& error) {
+    contents.records_problem = below_run(error.what(), run);
+  }
+}
+
+}  // namespace
+
+DatasetContents read_dataset(const fs::path& run, const run::Grid& asked,
+                             const report::Published& published) {
+  const run::Layout layout(run, asked.dataset);
+  run::Collected collected = run::collect_held(layout, asked, run::Held(layout));
+  DatasetContents contents{.name = asked.dataset,
+                           .grid = std::move(collected.grid),
+                           .results = std::move(collected.results)};
+  contents.rows = report::accuracy_rows(contents.grid, contents.results, published);
+  contents.gains = report::gain_rows(contents.rows);
+  contents.verdict = report::verdict(contents.results, contents.rows);
+  CellReader cells(run, contents);
+  for (const run::Diagnosis& cell : contents.results.diagnoses) cells.diagnosis(cell);
+  for (const scoring::QualityRecord& cell : contents.results.qualities) cells.score(cell);
+  contents.holes = holes_in(run, asked, contents);
+  read_records(run, contents);
+  return contents;
+}
+
+std::string counted_cells(std::size_t diagnoses, std::size_t scores) {
+  const std::string first = fmt::format("{} diagnos{}", diagnoses, diagnoses == 1 ? "is" : "es");
+  const std::string second = fmt::format("{} score{}", scores, scores == 1 ? "" : "s");
+  if (scores == 0) return first;
+  return diagnoses == 0 ? second : first + " and " + second;
+}
+
+}  // namespace piae::page

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "page/asked.hpp"
+#include "page/hole.hpp"
+#include "report/accuracy_table.hpp"
+#include "run/collect.hpp"
+#include "scoring/accuracy.hpp"
+#include "signal/dataset_info.hpp"
+
+namespace piae::page {
+
+/// What an artefact says of the program that made it.
+struct Build {
+  std::string version;    ///< and commit
+  std::string libraries;  ///< and compiler
+  std::string processor;
+  auto operator<=>(const Build&) const = default;
+};
+
+/// A cell that could be read, and the artefact that holds it.
+struct CellFile {
+  run::CellName name;          ///< the ratio is empty for a score
+  std::filesystem::path file;  ///< below the folder of the run
+  std::string digest;          ///< of its content
+  Build build;
+};
+
+/// What the classifiers of a method said of the test windows, summed over seeds.
+struct MethodConfusion {
+  std::string method;
+  std::string ratio;
+  std::size_t seeds = 0;
+  scoring::Confusion confusion;
+};
+
+/// A recording, or a description from which recordings were simulated.
+struct RecordInput {
+  std::string file;
+  std::string digest;
+};
+
+/// What a run holds of one data set. Files are named from the folder of the run on, so that the same
+/// run gives the same page in any folder.
+struct DatasetContents {
+  std::string name;
+  std::vector<signal::ClassInfo> classes;
+  run::Grid grid;        ///< what is asked for, and what else the folder holds
+  run::Results results;  ///< the cells that could be read
+  std::vector<CellFile> diagnoses;
+  std::vector<CellFile> scores;
+  std::vector<Hole> holes;
+  std::vector<report::AccuracyRow> rows;   ///< accuracies, percent
+  std::vector<report::AccuracyRow> gains;  ///< over none, points
+  std::vector<std::string> verdict;        ///< sentences
+  std::vector<MethodConfusion> confusions;  ///< with the most generated windows, by method
+  std::string records_digest;               ///< empty where there are no records
+  std::string records_problem;              ///< why they cannot be read; empty where they can
+  std::vector<RecordInput> records;
+};
+
+/// Reads all cells of a data set, its records and the logs of what is missing. Nothing that is
+/// missing or damaged is an error: it is a hole.
+DatasetContents read_dataset(const std::filesystem::path& run, const run::Grid& asked,
+                             const report::Published& published);
+
+/// "3 diagnoses and 1 score".
+std::string counted_cells(std::size_t diagnoses, std::size_t scores);
+
+}  // namespace piae::page

@@ -1,0 +1,105 @@
+#include "page/figures_view.hpp"
+
+#include <spdlog/fmt/fmt.h>
+
+#include "page/links.hpp"
+
+namespace piae::page {
+
+namespace {
+
+std::string heading_of(const FigureContents& figure) {
+  return (figure.paper.empty() ? "" : figure.paper + ": ") + figure.title;
+}
+
+std::string id_of(const std::string& dataset, const std::string& name) {
+  return anchor(dataset + "-" + name);
+}
+
+/// What the picture shows, for those who cannot see it. Its numbers are in the CSV file beside it.
+std::string described(const std::string& dataset, const FigureContents& figure, const Picture& picture) {
+  const std::string part = picture.part.empty() ? "" : ", " + picture.part;
+  return heading_of(figure) + ", on " + dataset + part + ". " + figure.caption +
+         " The numbers are in the CSV file that is linked below.";
+}
+
+Html picture_itself(const std::string& dataset, const FigureContents& figure, const Picture& picture) {
+  if (picture.svg.held) {
+    return void_element("img", {{"src", picture.svg.address},
+                                {"alt", described(dataset, figure, picture)},
+                                {"loading", "lazy"},
+                                {"decoding", "async"}});
+  }
+  return element("p", Html("This picture would make the page too large to send; it is in ") +
+                          file_link(picture.svg.file) + ".");
+}
+
+Html numbers_link(const std::string& dataset, const FigureContents& figure, const Picture& picture) {
+  if (picture.csv.file.empty()) return {};
+  if (!picture.csv.held) return file_link(picture.csv.file, "CSV");
+  const std::string part = picture.part.empty() ? "" : "@" + picture.part;
+  return element("a", {{"href", picture.csv.address}, {"download", dataset + "-" + figure.name + part + ".csv"}},
+                 "CSV");
+}
+
+Html files_line(const std::string& dataset, const FigureContents& figure, const Picture& picture) {
+  Html line = Html("Save as ") + numbers_link(dataset, figure, picture) + " " +
+              file_link(picture.svg.file, "SVG");
+  if (!picture.pdf.empty()) line += " " + file_link(picture.pdf, "PDF");
+  return element("p", {{"class", "files"}}, line);
+}
+
+Html html_of_picture(const std::string& dataset, const FigureContents& figure, const Picture& picture) {
+  Html content = picture_itself(dataset, figure, picture);
+  Html caption = files_line(dataset, figure, picture);
+  if (!picture.part.empty()) caption = element("h4", picture.part) + caption;
+  const std::string part = picture.part.empty() ? "" : "-" + picture.part;
+  return element("figure", {{"id", id_of(dataset, figure.name + part)}},
+                 content + element("figcaption", caption));
+}
+
+Html html_of_figure(const std::string& dataset, const FigureContents& figure) {
+  const std::string id = id_of(dataset, "figure-" + figure.name);
+  Html pictures;
+  for (const Picture& picture : figure.pictures) pictures += html_of_picture(dataset, figure, picture);
+  const Html here = element("a", {{"class", "anchor"}, {"href", "#" + id}, {"aria-label", "Link to this figure"}}, "#");
+  return element("section", {{"id", id}, {"class", figure.pictures.size() > 1 ? "card wide" : "card"}},
+                 element("h3", Html(heading_of(figure)) + here) + element("p", figure.caption) +
+                     element("div", {{"class", "pictures"}}, pictures) +
+                     element("p", {{"class", "from"}}, "From " + dataset + "/" + figure.from));
+}
+
+Html list_of_missing(const std::vector<FigureContents>& figures) {
+  Html items;
+  for (const FigureContents& figure : figures) {
+    if (figure.pictures.empty()) {
+      items += element("li", element("b", heading_of(figure)) + " (" + figure.name + "): " + figure.missing);
+    }
+  }
+  if (items.empty()) return {};
+  return element("div", {{"class", "problems"}},
+                 element("p", "⚠ Figures that are not drawn") + element("ul", items));
+}
+
+Html list_of_contents(const std::string& dataset, const std::vector<FigureContents>& figures) {
+  Html items;
+  for (const FigureContents& figure : figures) {
+    if (figure.pictures.empty()) continue;
+    const std::string address = "#" + id_of(dataset, "figure-" + figure.name);
+    items += element("li", element("a", {{"href", address}}, heading_of(figure)));
+  }
+  return items.empty() ? Html() : element("ul", {{"class", "contents"}}, items);
+}
+
+}  // namespace
+
+Html figures_view(const std::string& dataset, const std::vector<FigureContents>& figures) {
+  Html cards;
+  for (const FigureContents& figure : figures) {
+    if (!figure.pictures.empty()) cards += html_of_figure(dataset, figure);
+  }
+  return list_of_missing(figures) + list_of_contents(dataset, figures) +
+         element("div", {{"class", "figures"}}, cards);
+}
+
+}  // namespace piae::page

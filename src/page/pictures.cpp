@@ -1,0 +1,119 @@
+#include "page/pictures.hpp"
+
+#include <algorithm>
+#include <map>
+#include <sstream>
+
+#include "artefact/file.hpp"
+#include "figures/catalogue.hpp"
+#include "page/compact_svg.hpp"
+#include "page/hole.hpp"
+#include "page/links.hpp"
+
+namespace piae::page {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string text_of_file(const fs::path& file) {
+  const std::vector<std::byte> bytes = artefact::read_file(file);
+  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
+/// The files of a figure with this ending: NAME.svg, or NAME@PART.svg for each part.
+std::vector<fs::path> files_of_figure(const fs::path& folder, const std::string& name,
+                                      const std::string& ending) {
+  std::vector<fs::path> files;
+  std::error_code none_there;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, none_there)) {
+    const std::string stem = entry.path().stem().string();
+    const bool own = stem == name || stem.starts_with(name + "@");
+    if (own && entry.path().extension() == ending) files.push_back(entry.path());
+  }
+  std::ranges::sort(files);
+  return files;
+}
+
+Picture read_picture(const fs::path& run, const fs::path& svg) {
+  const std::string stem = svg.stem().string();
+  const std::size_t at = stem.find('@');
+  Picture picture{.part = at == std::string::npos ? "" : stem.substr(at + 1)};
+  picture.svg = {.file = svg.lexically_relative(run),
+                 .address = data_address("image/svg+xml", compact_svg(text_of_file(svg)))};
+  const fs::path csv = fs::path(svg).replace_extension(".csv");
+  if (fs::exists(csv)) {
+    picture.csv = {.file = csv.lexically_relative(run),
+                   .address = data_address("text/csv", text_of_file(csv))};
+  }
+  const fs::path pdf = fs::path(svg).replace_extension(".pdf");
+  if (fs::exists(pdf)) picture.pdf = pdf.lexically_relative(run);
+  return picture;
+}
+
+/// Why figures are not drawn, as the stage `figures` has said in its log, by name.
+std::map<std::string, std::string> reasons_in_log(const fs::path& run, const fs::path& log) {
+  std::map<std::string, std::string> reasons;
+  if (!fs::exists(log)) return reasons;
+  std::istringstream lines(text_of_file(log));
+  const std::string before = "figures: ";
+  const std::string after = " is not drawn: ";
+  for (std::string line; std::getline(lines, line);) {
+    const std::size_t said = line.find(after);
+    if (!line.starts_with(before) || said == std::string::npos) continue;
+    const std::string name = line.substr(before.size(), said - before.size());
+    reasons[name] = below_run(line.substr(said + after.size()), run);
+  }
+  return reasons;
+}
+
+void take(std::vector<Attachment*>& attachments, std::size_t& left) {
+  std::ranges::stable_sort(attachments, {}, [](const Attachment* each) { return each->address.size(); });
+  for (Attachment* attachment : attachments) {
+    if (attachment->file.empty() || attachment->address.size() > left) continue;
+    attachment->held = true;
+    left -= attachment->address.size();
+  }
+}
+
+}  // namespace
+
+std::vector<FigureContents> read_figures(const fs::path& run, const std::string& dataset) {
+  const fs::path folder = run / dataset / "figures";
+  const auto reasons = reasons_in_log(run, run / dataset / "figures.log");
+  std::vector<FigureContents> figures;
+  for (const figures::Figure& figure : figures::catalogue()) {
+    FigureContents contents{.name = figure.name,
+                            .paper = figure.paper,
+                            .title = figure.title,
+                            .caption = figure.caption,
+                            .from = figure.from};
+    for (const fs::path& svg : files_of_figure(folder, contents.name, ".svg")) {
+      contents.pictures.push_back(read_picture(run, svg));
+    }
+    if (contents.pictures.empty()) {
+      const auto reason = reasons.find(contents.name);
+      const bool has_numbers = !files_of_figure(folder, contents.name, ".csv").empty();
+      contents.missing = reason != reasons.end() ? reason->second
+                         : has_numbers ? "its numbers are there, but gnuplot has not drawn them"
+                                       : "make figures has not been run since its cells are there";
+    }
+    figures.push_back(std::move(contents));
+  }
+  return figures;
+}
+
+void choose_attachments(std::vector<FigureContents*> figures, std::size_t most_bytes) {
+  std::vector<Attachment*> svg;
+  std::vector<Attachment*> csv;
+  for (FigureContents* figure : figures) {
+    for (Picture& picture : figure->pictures) {
+      svg.push_back(&picture.svg);
+      csv.push_back(&picture.csv);
+    }
+  }
+  take(svg, most_bytes);
+  take(csv, most_bytes);
+}
+
+}  // namespace piae::page

@@ -1,0 +1,189 @@
+#include "page/problems.hpp"
+
+#include <spdlog/fmt/fmt.h>
+
+#include <algorithm>
+#include <array>
+#include <tuple>
+
+#include "page/links.hpp"
+#include "page/table.hpp"
+#include "page/words.hpp"
+#include "report/labels.hpp"
+
+namespace piae::page {
+
+namespace {
+
+/// So many reasons and logs of a group are shown; the others are counted.
+constexpr std::size_t most_shown = 3;
+
+template <class T>
+void add_once(std::vector<T>& values, const T& value) {
+  if (std::ranges::count(values, value) == 0) values.push_back(value);
+}
+
+bool belongs_to(const HoleGroup& group, const std::string& dataset, const Hole& hole) {
+  const bool same = group.dataset == dataset && group.state == hole.state && group.stage == hole.stage;
+  return same && (hole.state == HoleState::not_begun || group.methods.front() == hole.name.method);
+}
+
+void add(HoleGroup& group, const Hole& hole) {
+  add_once(group.methods, hole.name.method);
+  add_once(group.seeds, hole.name.seed);
+  if (hole.name.ratio.empty()) {
+    ++group.scores;
+  } else {
+    ++group.diagnoses;
+    add_once(group.ratios, hole.name.ratio);
+  }
+  if (!hole.why.empty()) add_once(group.reasons, hole.why);
+  if (!hole.log.empty()) add_once(group.logs, hole.log);
+}
+
+std::size_t count_of(const std::vector<DatasetContents>& datasets, HoleState state) {
+  std::size_t count = 0;
+  for (const DatasetContents& dataset : datasets) {
+    count += static_cast<std::size_t>(std::ranges::count(dataset.holes, state, &Hole::state));
+  }
+  return count;
+}
+
+constexpr std::array all_states{HoleState::failed, HoleState::refused, HoleState::interrupted,
+                                HoleState::open, HoleState::not_begun};
+
+/// A sign beside the word, so that neither colour nor reading is needed to find what is wrong.
+std::string sign_of(HoleState state) {
+  switch (state) {
+    case HoleState::failed:
+    case HoleState::refused:
+      return "✖ ";
+    case HoleState::interrupted:
+    case HoleState::open:
+      return "‖ ";
+    case HoleState::not_begun:
+      break;
+  }
+  return "○ ";
+}
+
+std::string and_others(std::size_t count) {
+  return count > most_shown ? fmt::format(" and {} more", count - most_shown) : "";
+}
+
+Html reasons_of(const HoleGroup& group) {
+  std::string text;
+  for (std::size_t i = 0; i < std::min(most_shown, group.reasons.size()); ++i) {
+    text += (text.empty() ? "" : "; ") + group.reasons[i];
+  }
+  if (text.empty() && !group.stage.empty()) text = group.stage + " is not done";
+  return text + and_others(group.reasons.size());
+}
+
+Html logs_of(const HoleGroup& group) {
+  Html links;
+  for (std::size_t i = 0; i < std::min(most_shown, group.logs.size()); ++i) {
+    if (i > 0) links += " ";
+    links += file_link(group.logs[i]);
+  }
+  return links + and_others(group.logs.size());
+}
+
+Row row_of_hole_group(const HoleGroup& group) {
+  return {.cells = {{.content = sign_of(group.state) + word_of(group.state)},
+                    {.content = group.dataset},
+                    {.content = cells_label(group)},
+                    {.content = counted_cells(group.diagnoses, group.scores),
+                     .number = static_cast<double>(group.diagnoses + group.scores)},
+                    {.content = reasons_of(group), .looks = "reason"},
+                    {.content = logs_of(group)}},
+          .looks = group.state == HoleState::not_begun ? "" : "bad"};
+}
+
+Html table_of_hole_groups(const std::vector<HoleGroup>& groups) {
+  Table table{.caption = "What is missing, and why",
+              .columns = {{"state"}, {"data set"}, {"which"}, {"cells"}, {"reason"}, {"log"}}};
+  for (const HoleGroup& group : groups) table.rows.push_back(row_of_hole_group(group));
+  return html(table);
+}
+
+}  // namespace
+
+std::string word_of(HoleState state) {
+  switch (state) {
+    case HoleState::failed:
+      return "failed";
+    case HoleState::refused:
+      return "refused";
+    case HoleState::interrupted:
+      return "interrupted";
+    case HoleState::open:
+      return "running or killed";
+    case HoleState::not_begun:
+      break;
+  }
+  return "not begun";
+}
+
+std::vector<HoleGroup> groups_of(const std::vector<DatasetContents>& datasets) {
+  std::vector<HoleGroup> groups;
+  for (const DatasetContents& dataset : datasets) {
+    for (const Hole& hole : dataset.holes) {
+      auto group = std::ranges::find_if(
+          groups, [&](const HoleGroup& each) { return belongs_to(each, dataset.name, hole); });
+      if (group == groups.end()) {
+        group = groups.insert(group, {.dataset = dataset.name, .state = hole.state, .stage = hole.stage});
+      }
+      add(*group, hole);
+    }
+  }
+  for (HoleGroup& group : groups) std::ranges::sort(group.seeds);
+  std::ranges::stable_sort(groups, {}, &HoleGroup::state);
+  return groups;
+}
+
+std::string cells_label(const HoleGroup& group) {
+  std::vector<std::string> ratios;
+  for (const std::string& ratio : group.ratios) ratios.push_back(report::short_ratio_label(ratio));
+  std::string text = in_words(group.methods);
+  if (!ratios.empty()) text += "; " + in_words(ratios);
+  return text + "; seed" + (group.seeds.size() == 1 ? " " : "s ") + ranges_label(group.seeds);
+}
+
+std::string completeness(const std::vector<DatasetContents>& datasets) {
+  std::size_t diagnoses = 0;
+  std::size_t scores = 0;
+  std::size_t missing = 0;
+  for (const DatasetContents& dataset : datasets) {
+    diagnoses += dataset.diagnoses.size();
+    scores += dataset.scores.size();
+    missing += dataset.holes.size();
+  }
+  if (missing == 0) return "All " + counted_cells(diagnoses, scores) + " are there.";
+  std::vector<std::string> states;
+  for (const HoleState state : all_states) {
+    const std::size_t count = count_of(datasets, state);
+    if (count > 0) states.push_back(fmt::format("{} {}", count, word_of(state)));
+  }
+  return fmt::format("{} of {} cells {} missing: {}.", missing, missing + diagnoses + scores,
+                     missing == 1 ? "is" : "are", in_words(states));
+}
+
+Html problems_html(const std::vector<DatasetContents>& datasets) {
+  Html damaged;
+  for (const DatasetContents& dataset : datasets) {
+    if (!dataset.records_problem.empty()) damaged += element("p", "✖ " + dataset.records_problem);
+  }
+  const std::vector<HoleGroup> groups = groups_of(datasets);
+  if (groups.empty() && damaged.empty()) {
+    return element("p", {{"class", "complete"}}, "✔ " + completeness(datasets));
+  }
+  Html content = element("p", "⚠ " + completeness(datasets)) + damaged;
+  if (!groups.empty()) {
+    content += table_of_hole_groups(groups) +
+               element("p", "No mean below includes them. The same make command goes on from here.");
+  }
+  return element("section", {{"class", "problems"}, {"aria-label", "What is missing"}}, content);
+}
+
+}  // namespace piae::page

@@ -1,0 +1,196 @@
+#include "page/report_page.hpp"
+
+#include <spdlog/fmt/fmt.h>
+
+#include <algorithm>
+
+#include "page/accuracy_view.hpp"
+#include "page/cells_view.hpp"
+#include "page/figures_view.hpp"
+#include "page/links.hpp"
+#include "page/problems.hpp"
+#include "page/provenance_view.hpp"
+#include "page/recall_view.hpp"
+#include "page/words.hpp"
+#include "report/labels.hpp"
+#include "scoring/ratios.hpp"
+
+namespace piae::page {
+
+namespace {
+
+using Datasets = std::vector<DatasetContents>;
+
+/// The values of all data sets, each once, in the order in which they come.
+template <class T, class ValuesOf>
+std::vector<T> all_of(const Datasets& datasets, const ValuesOf& values_of) {
+  std::vector<T> all;
+  for (const DatasetContents& dataset : datasets) {
+    for (const T& value : values_of(dataset)) {
+      if (std::ranges::count(all, value) == 0) all.push_back(value);
+    }
+  }
+  return all;
+}
+
+std::vector<std::string> methods_in_grid(const DatasetContents& dataset) {
+  std::vector<std::string> methods;
+  for (const run::Combination& cell : dataset.grid.combinations) methods.push_back(cell.method);
+  return methods;
+}
+
+std::vector<std::string> protocols_in(const DatasetContents& dataset) {
+  if (dataset.results.diagnoses.empty()) return {};
+  return {to_string(dataset.results.diagnoses.front().protocol)};
+}
+
+/// In the order of Table 5.
+std::vector<std::string> ratio_labels(const Datasets& datasets) {
+  std::vector<std::string> labels;
+  for (const scoring::Ratio& ratio : scoring::all_ratios()) {
+    const bool is_there = std::ranges::any_of(datasets, [&](const DatasetContents& dataset) {
+      return std::ranges::count(dataset.grid.combinations, ratio.name, &run::Combination::ratio) > 0;
+    });
+    if (is_there) labels.push_back(report::short_ratio_label(ratio.name));
+  }
+  return labels;
+}
+
+Html section(const std::string& id, const std::string& title, const Html& content) {
+  return element("section", {{"id", id}}, element("h2", title) + content);
+}
+
+std::string id_of_dataset(const std::string& part, const DatasetContents& dataset) {
+  return anchor(part + "-" + dataset.name);
+}
+
+Html navigation(const Datasets& datasets) {
+  Html items;
+  const auto add = [&](const std::string& id, const std::string& title) {
+    items += element("li", element("a", {{"href", "#" + id}}, title));
+  };
+  for (const DatasetContents& dataset : datasets) {
+    add(id_of_dataset("results", dataset), "Results on " + dataset.name);
+  }
+  for (const DatasetContents& dataset : datasets) {
+    add(id_of_dataset("figures", dataset), "Figures of " + dataset.name);
+  }
+  add("recall", "Recall by class");
+  add("cells", "Cells");
+  add("settings", "Settings");
+  add("provenance", "Provenance");
+  items += element("li", file_link("run.html", "How it ran"));
+  return element("nav", {{"aria-label", "Parts of this page"}}, element("ul", items));
+}
+
+Html header_of(const Datasets& datasets) {
+  Html facts;
+  for (const auto& [word, what] : facts_of(datasets)) {
+    facts += element("dt", word) + element("dd", what);
+  }
+  return element("header", element("h1", "PIAE-DT on " + names_of(datasets)) + problems_html(datasets) +
+                               element("dl", facts) + navigation(datasets));
+}
+
+Html results_and_figures(const ReportContents& contents) {
+  Html all;
+  for (const DatasetContents& dataset : contents.datasets) {
+    all += section(id_of_dataset("results", dataset), "Results on " + dataset.name, accuracy_view(dataset));
+  }
+  for (std::size_t i = 0; i < contents.datasets.size(); ++i) {
+    const DatasetContents& dataset = contents.datasets[i];
+    all += section(id_of_dataset("figures", dataset), "Figures of " + dataset.name,
+                   figures_view(dataset.name, contents.figures[i]));
+  }
+  return all;
+}
+
+Html rest_of(const ReportContents& contents) {
+  Html recall;
+  for (const DatasetContents& dataset : contents.datasets) recall += recall_view(dataset);
+  return section("recall", "Recall by class", recall) +
+         section("cells", "Cells", cells_view(contents.datasets)) +
+         section("settings", "Settings", settings_view(contents.settings)) +
+         section("provenance", "Provenance", provenance_view(contents.datasets)) +
+         element("footer", element("p", {{"class", "quiet"}},
+                                   Html("All tables: tables.md in the folder of each data set. When the steps "
+                                        "ran and what they took, which differs from run to run: ") +
+                                       file_link("run.html") + "."));
+}
+
+std::string whole_page(const ReportContents& contents, const Style& style) {
+  return document("PIAE-DT on " + names_of(contents.datasets), style,
+                  header_of(contents.datasets) +
+                      element("main", {{"id", "content"}}, results_and_figures(contents) + rest_of(contents)));
+}
+
+/// All figures, without the files that the page may hold: what is left of a page without them.
+ReportContents without_attachments(ReportContents contents) {
+  for (std::vector<FigureContents>& figures : contents.figures) {
+    for (FigureContents& figure : figures) {
+      for (Picture& picture : figure.pictures) {
+        for (Attachment* attachment : {&picture.svg, &picture.csv}) {
+          attachment->held = !attachment->file.empty();
+          attachment->address.clear();
+        }
+      }
+    }
+  }
+  return contents;
+}
+
+}  // namespace
+
+std::string names_of(const Datasets& datasets) {
+  std::vector<std::string> names;
+  for (const DatasetContents& dataset : datasets) names.push_back(dataset.name);
+  return in_words(names);
+}
+
+std::vector<std::pair<std::string, std::string>> facts_of(const Datasets& datasets) {
+  auto seeds = all_of<std::int64_t>(datasets, [](const DatasetContents& each) { return each.grid.seeds; });
+  std::ranges::sort(seeds);
+  const auto methods = all_of<std::string>(datasets, methods_in_grid);
+  const auto protocols = all_of<std::string>(datasets, protocols_in);
+  std::size_t diagnoses = 0;
+  std::size_t scores = 0;
+  for (const DatasetContents& dataset : datasets) {
+    diagnoses += dataset.diagnoses.size();
+    scores += dataset.scores.size();
+  }
+  return {{"What", "A classifier (WDCNN) learns from healthy windows, a few known windows of each fault, and "
+                   "windows that a method has generated from these. Its accuracy is that on test windows."},
+          {counted(methods.size(), "method"), in_words(methods)},
+          {"Ratios", in_words(ratio_labels(datasets))},
+          {"Seeds", ranges_label(seeds)},
+          {"Split", protocols.empty() ? "not known yet" : in_words(protocols)},
+          {"Cells", counted_cells(diagnoses, scores)}};
+}
+
+ReportContents read_report(const std::filesystem::path& run, const AskedCells& asked,
+                           const report::Published& published, const std::filesystem::path& pipeline) {
+  ReportContents contents;
+  for (const std::string& name : datasets_of(run, asked)) {
+    const run::Grid grid = grid_of(run::Layout(run, name), name, asked);
+    contents.datasets.push_back(read_dataset(run, grid, published));
+    contents.figures.push_back(read_figures(run, name));
+  }
+  contents.settings = read_settings(run, pipeline);
+  return contents;
+}
+
+std::string report_page(ReportContents contents, const Style& style) {
+  const std::size_t without = whole_page(without_attachments(contents), style).size();
+  std::vector<FigureContents*> figures;
+  for (std::vector<FigureContents>& of_dataset : contents.figures) {
+    for (FigureContents& figure : of_dataset) figures.push_back(&figure);
+  }
+  // What is linked in the place of a file is shorter than what stands around a file that is held, but for
+  // its address.
+  constexpr std::size_t for_addresses = 100'000;
+  const std::size_t taken = without + for_addresses;
+  choose_attachments(figures, taken < most_bytes_of_report ? most_bytes_of_report - taken : 0);
+  return whole_page(contents, style);
+}
+
+}  // namespace piae::page
