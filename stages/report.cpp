@@ -30,13 +30,13 @@ std::size_t missing_cells(const page::ReportContents& contents) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  cli::Stage stage("report",
-                   "Makes RUN/report.html, one file with the verdict, tables, figures, settings and "
-                   "provenance of a run; RUN/report.md, the same on one page for terminals; and "
-                   "RUN/run.html, when each step ran and what it took. Works on an unfinished run: what is "
-                   "missing is named on top. The same cells give the same report.html and report.md in any "
-                   "folder.",
-                   "report --run results/try --datasets cwru --published results/published");
+  cli::Stage stage(
+      "report",
+      "Makes RUN/report.html, one file with the verdict, tables, figures, settings and provenance "
+      "of a run; RUN/report.md, the same on one page for terminals; and RUN/run.html, when each "
+      "step ran and what it took. Works on an unfinished run: what is missing is named on top. The "
+      "same cells give the same report.html and report.md in any folder.",
+      "report --run results/try --datasets cwru --published results/published");
   page::AskedCells asked;
   fs::path run_folder;
   fs::path published_folder;
@@ -45,19 +45,20 @@ int main(int argc, char** argv) {
   bind(stage.options(), asked);
   stage.input_file("--run", run_folder, "Folder of the run, such as results/try");
   stage.input_file("--published", published_folder, "Folder of the paper's tables as CSV");
-  stage.input_file("--pipeline", pipeline, "Folder with protocol.toml and datasets/").required(false);
+  stage.input_file("--pipeline", pipeline, "Folder with protocol.toml and datasets/")
+      .required(false);
   stage.input_file("--style", style_folder, "Folder with style.css and script.js").required(false);
 
   return stage.run(argc, argv, [&] {
     require_folder(run_folder);
     const page::Style style = page::read_style(style_folder);
     const report::Published published(published_folder);
-    const page::ReportContents contents =
-        page::read_report(run_folder, asked, published, pipeline);
+    const page::ReportContents contents = page::read_report(run_folder, asked, published, pipeline);
     const std::string html = report_page(contents, style);
     text::save_if_changed({run_folder / "report.html", html});
     text::save_if_changed({run_folder / "report.md", report_text(contents)});
-    text::save_if_changed({run_folder / "run.html", run_page(page::read_step_logs(run_folder), style)});
+    text::save_if_changed(
+        {run_folder / "run.html", run_page(page::read_step_logs(run_folder), style)});
     std::cout << fmt::format("reported {} data sets, {} cells missing, {:.2f} MB: {}\n",
                              contents.datasets.size(), missing_cells(contents),
                              static_cast<double>(html.size()) / 1e6,

@@ -7,10 +7,10 @@
 #include "augment/catalogue.hpp"
 #include "page/table.hpp"
 #include "page/words.hpp"
-#include "report/effect.hpp"
 #include "report/labels.hpp"
 #include "report/paper_reference.hpp"
 #include "report/ratio_columns.hpp"
+#include "report/verdict.hpp"
 
 namespace piae::page {
 
@@ -70,11 +70,13 @@ Sign sign_of(report::Effect effect) {
 
 Cell gain_cell(const AccuracyRow& row, const report::PaperReference& reference, std::size_t most) {
   const Sign sign = sign_of(report::effect_of(row));
-  const std::string interval = row.summary.interval ? report::interval_label(row.summary, gain_style) : "";
-  return {.content = line_of_cell("ours", sign.sign + report::number_label(row.summary.mean, gain_style)) +
-                     line_of_cell("theirs", interval) +
-                     line_of_cell("theirs", published_label(row, reference, gain_style)) +
-                     line_of_cell("theirs", fewer_seeds(row, most)),
+  const std::string interval =
+      row.summary.interval ? report::interval_label(row.summary, gain_style) : "";
+  return {.content =
+              line_of_cell("ours", sign.sign + report::number_label(row.summary.mean, gain_style)) +
+              line_of_cell("theirs", interval) +
+              line_of_cell("theirs", published_label(row, reference, gain_style)) +
+              line_of_cell("theirs", fewer_seeds(row, most)),
           .number = row.summary.mean,
           .looks = sign.looks,
           .from = files_of(row) + ", minus that of none"};
@@ -108,9 +110,9 @@ std::string about_published(const report::PaperReference& reference) {
 
 Table accuracies_of(const DatasetContents& contents, const report::PaperReference& reference) {
   Table table = table_by_ratio(
-      "Accuracy on " + contents.name + ", percent: mean ± standard deviation over seeds", contents.rows,
-      [&](const AccuracyRow& row) {
-        return accuracy_cell(row, reference, report::most_seeds(contents.rows));
+      "Accuracy on " + contents.name + ", percent: mean ± standard deviation over seeds",
+      contents.rows, [&](const AccuracyRow& row) {
+        return accuracy_cell(row, reference, contents.grid.seeds.size());
       });
   table.below = "A method’s numbers are the attribute accuracy of " + contents.name +
                 "/seed*/<method>/<ratio>/diagnosis.h5; each is in the list of cells below." +
@@ -122,12 +124,12 @@ Table gains_of(const DatasetContents& contents, const report::PaperReference& re
   Table table = table_by_ratio(
       "Gain over none on " + contents.name + ", points, with the 95 % interval of its mean",
       contents.gains, [&](const AccuracyRow& row) {
-        return gain_cell(row, reference, report::most_seeds(contents.rows));
+        return gain_cell(row, reference, contents.grid.seeds.size());
       });
   table.below =
-      "▲ helps, ▼ harms, ○ makes no clear difference: whether the interval lies on one side of zero, or, "
-      "of fewer than three seeds, which have none, whether all agree. Seeds are paired, from the same "
-      "artefacts as the accuracies.";
+      "▲ helps, ▼ harms, ○ makes no clear difference: whether the interval lies on one side of "
+      "zero, or, of fewer than three seeds, which have none, whether all agree, as a single one "
+      "always does. Seeds are paired, from the same artefacts as the accuracies.";
   return table;
 }
 
@@ -143,9 +145,9 @@ Html accuracy_view(const DatasetContents& contents) {
     view += element("p", reference.beside()->caution);
   }
   if (contents.rows.empty()) return view + element("p", "No diagnosis is there yet.");
-  view += html(accuracies_of(contents, reference));
-  if (!contents.gains.empty()) view += html(gains_of(contents, reference));
-  return view;
+  Html tables = element("div", html(accuracies_of(contents, reference)));
+  if (!contents.gains.empty()) tables += element("div", html(gains_of(contents, reference)));
+  return view + element("div", {{"class", "pair"}}, tables);
 }
 
 }  // namespace piae::page

@@ -62,9 +62,8 @@ void bind(const cli::Options& command, AskedCells& asked) {
 std::vector<std::string> datasets_of(const fs::path& run, const AskedCells& asked) {
   if (!asked.datasets.empty()) return run::split_list("--datasets", asked.datasets);
   std::vector<std::string> datasets = folders_in(run);
-  std::erase_if(datasets, [&](const std::string& name) {
-    return run::Layout(run, name).seeds().empty();
-  });
+  std::erase_if(datasets,
+                [&](const std::string& name) { return run::Layout(run, name).seeds().empty(); });
   if (datasets.empty()) {
     throw Error(Exit::input_missing,
                 run.string() + ": holds no seed of any data set; `make cells` makes some");
@@ -80,9 +79,10 @@ run::Grid grid_of(const run::Layout& layout, const std::string& dataset, const A
     for (const std::int64_t seed : layout.seeds()) options.seeds.push_back(std::to_string(seed));
   }
   if (options.methods.empty() || options.ratios.empty() || options.seeds.empty()) {
-    throw Error(Exit::input_missing, layout.folder().string() +
-                                         ": holds no cell; say which there should be, by --methods, "
-                                         "--ratios and --seeds");
+    throw Error(Exit::input_missing,
+                layout.folder().string() +
+                    ": holds no cell; say which there should be, by --methods, --ratios and "
+                    "--seeds");
   }
   return run::resolve(options);
 }

@@ -24,10 +24,10 @@ void bind(const cli::Options& command, AskedCells& asked);
 /// folder that holds none.
 std::vector<std::string> datasets_of(const std::filesystem::path& run, const AskedCells& asked);
 
-/// The cells of one data set: what is asked for, or else every method, ratio and seed of which there
-/// is a folder. A run that was only begun has a few folders and logs, and the cells that are not yet
-/// there. Throws Error(usage) as run::resolve() does, Error(input_missing) where nothing is asked for
-/// and the folder holds nothing.
+/// The cells of one data set: what is asked for, or else every method, ratio and seed of which
+/// there is a folder. A run that was only begun has a few folders and logs, and the cells that are
+/// not yet there. Throws Error(usage) as run::resolve() does, Error(input_missing) where nothing is
+/// asked for and the folder holds nothing.
 run::Grid grid_of(const run::Layout& layout, const std::string& dataset, const AskedCells& asked);
 
 }  // namespace piae::page

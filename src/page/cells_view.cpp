@@ -24,8 +24,13 @@ Cell digest_cell(const std::string& digest) {
 
 Table diagnoses_table(const std::vector<DatasetContents>& datasets) {
   Table table{.caption = "Diagnoses: the attribute accuracy of each, percent",
-              .columns = {{"data set"}, {"method"}, {"ratio"}, {"seed", true}, {"accuracy", true},
-                          {"artefact"}, {"digest"}}};
+              .columns = {{"data set"},
+                          {"method"},
+                          {"ratio"},
+                          {"seed", true},
+                          {"accuracy", true},
+                          {"artefact"},
+                          {"digest"}}};
   for (const DatasetContents& dataset : datasets) {
     for (std::size_t i = 0; i < dataset.diagnoses.size(); ++i) {
       const CellFile& cell = dataset.diagnoses[i];
@@ -52,7 +57,9 @@ Table scores_table(const std::vector<DatasetContents>& datasets) {
   for (const DatasetContents& dataset : datasets) {
     for (std::size_t i = 0; i < dataset.scores.size(); ++i) {
       const CellFile& cell = dataset.scores[i];
-      Row row{.cells = {{.content = dataset.name}, {.content = cell.name.method}, seed_cell(cell.name.seed)}};
+      Row row{.cells = {{.content = dataset.name},
+                        {.content = cell.name.method},
+                        seed_cell(cell.name.seed)}};
       for (const scoring::Metric& metric : scoring::all_metrics()) {
         const double mean = dataset.results.qualities[i].mean_over_classes(metric);
         row.cells.push_back(number_cell(mean, fmt::format("{:.4g}", mean)));
@@ -74,11 +81,12 @@ Html in_details(const Table& table, const std::string& what) {
 }  // namespace
 
 Html cells_view(const std::vector<DatasetContents>& datasets) {
-  return element("p",
-                 fmt::format("What the means above were made from. A digest is the first {} of 64 digits of the "
-                             "SHA-256 of an artefact’s content; the program verify checks it.",
-                             shown_digits)) +
-         in_details(diagnoses_table(datasets), "Diagnoses") + in_details(scores_table(datasets), "Scores");
+  return element("p", fmt::format("What the means above were made from. A digest is the first {} "
+                                  "of 64 digits of the SHA-256 of an artefact’s content; the "
+                                  "program verify checks it.",
+                                  shown_digits)) +
+         in_details(diagnoses_table(datasets), "Diagnoses") +
+         in_details(scores_table(datasets), "Scores");
 }
 
 }  // namespace piae::page

@@ -25,7 +25,8 @@ class CommentedToml {
   std::vector<std::string> lines_;
 };
 
-/// A value as a person writes it: 7.94, not 7.9400000000000004; a table as "key = value" in one line.
+/// A value as a person writes it: 7.94, not 7.9400000000000004; a table as "key = value" in one
+/// line.
 std::string plain_value(const toml::node& node);
 
 }  // namespace piae::page

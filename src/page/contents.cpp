@@ -6,7 +6,7 @@
 #include <map>
 
 #include "augment/catalogue.hpp"
-#include "report/summary.hpp"
+#include "report/verdict.hpp"
 #include "run/held.hpp"
 
 namespace piae::page {
@@ -48,7 +48,8 @@ std::string ratio_to_show(const std::vector<report::AccuracyRow>& rows) {
 }
 
 void add(scoring::Confusion& sum, const scoring::Confusion& confusion) {
-  if (sum.counts.empty()) sum = {confusion.classes, std::vector<std::int64_t>(confusion.counts.size())};
+  if (sum.counts.empty())
+    sum = {confusion.classes, std::vector<std::int64_t>(confusion.counts.size())};
   for (std::size_t i = 0; i < sum.counts.size(); ++i) sum.counts[i] += confusion.counts[i];
 }
 
@@ -59,7 +60,8 @@ class CellReader {
       : run_(run), layout_(run, into.name), into_(into), shown_ratio_(ratio_to_show(into.rows)) {}
 
   void diagnosis(const run::Diagnosis& cell) {
-    const artefact::Reader reader(layout_.diagnosis(cell.method, cell.ratio, cell.seed), "diagnosis");
+    const artefact::Reader reader(layout_.diagnosis(cell.method, cell.ratio, cell.seed),
+                                  "diagnosis");
     into_.diagnoses.push_back(cell_file(run_, reader, {cell.method, cell.ratio, cell.seed}));
     if (into_.classes.empty()) into_.classes = signal::read_dataset_info(reader).classes;
     if (cell.ratio != shown_ratio_ && cell.method != augment::no_method) return;

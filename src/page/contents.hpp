@@ -44,23 +44,23 @@ struct RecordInput {
   std::string digest;
 };
 
-/// What a run holds of one data set. Files are named from the folder of the run on, so that the same
-/// run gives the same page in any folder.
+/// What a run holds of one data set. Files are named from the folder of the run on, so that the
+/// same run gives the same page in any folder.
 struct DatasetContents {
   std::string name;
-  std::vector<signal::ClassInfo> classes;
-  run::Grid grid;        ///< what is asked for, and what else the folder holds
-  run::Results results;  ///< the cells that could be read
-  std::vector<CellFile> diagnoses;
-  std::vector<CellFile> scores;
-  std::vector<Hole> holes;
-  std::vector<report::AccuracyRow> rows;   ///< accuracies, percent
-  std::vector<report::AccuracyRow> gains;  ///< over none, points
-  std::vector<std::string> verdict;        ///< sentences
-  std::vector<MethodConfusion> confusions;  ///< with the most generated windows, by method
-  std::string records_digest;               ///< empty where there are no records
-  std::string records_problem;              ///< why they cannot be read; empty where they can
-  std::vector<RecordInput> records;
+  std::vector<signal::ClassInfo> classes = {};
+  run::Grid grid = {};        ///< what is asked for, and what else the folder holds
+  run::Results results = {};  ///< the cells that could be read
+  std::vector<CellFile> diagnoses = {};
+  std::vector<CellFile> scores = {};
+  std::vector<Hole> holes = {};
+  std::vector<report::AccuracyRow> rows = {};    ///< accuracies, percent
+  std::vector<report::AccuracyRow> gains = {};   ///< over none, points
+  std::vector<std::string> verdict = {};         ///< sentences
+  std::vector<MethodConfusion> confusions = {};  ///< with the most generated windows, by method
+  std::string records_digest = {};               ///< empty where there are no records
+  std::string records_problem = {};              ///< why they cannot be read; empty where they can
+  std::vector<RecordInput> records = {};
 };
 
 /// Reads all cells of a data set, its records and the logs of what is missing. Nothing that is

@@ -1,8 +1,9 @@
 #include "page/figures_view.hpp"
 
-#include <spdlog/fmt/fmt.h>
+#include <algorithm>
 
 #include "page/links.hpp"
+#include "page/words.hpp"
 
 namespace piae::page {
 
@@ -17,13 +18,15 @@ std::string id_of(const std::string& dataset, const std::string& name) {
 }
 
 /// What the picture shows, for those who cannot see it. Its numbers are in the CSV file beside it.
-std::string described(const std::string& dataset, const FigureContents& figure, const Picture& picture) {
+std::string described(const std::string& dataset, const FigureContents& figure,
+                      const Picture& picture) {
   const std::string part = picture.part.empty() ? "" : ", " + picture.part;
   return heading_of(figure) + ", on " + dataset + part + ". " + figure.caption +
          " The numbers are in the CSV file that is linked below.";
 }
 
-Html picture_itself(const std::string& dataset, const FigureContents& figure, const Picture& picture) {
+Html picture_itself(const std::string& dataset, const FigureContents& figure,
+                    const Picture& picture) {
   if (picture.svg.held) {
     return void_element("img", {{"src", picture.svg.address},
                                 {"alt", described(dataset, figure, picture)},
@@ -34,12 +37,15 @@ Html picture_itself(const std::string& dataset, const FigureContents& figure, co
                           file_link(picture.svg.file) + ".");
 }
 
-Html numbers_link(const std::string& dataset, const FigureContents& figure, const Picture& picture) {
+Html numbers_link(const std::string& dataset, const FigureContents& figure,
+                  const Picture& picture) {
   if (picture.csv.file.empty()) return {};
   if (!picture.csv.held) return file_link(picture.csv.file, "CSV");
   const std::string part = picture.part.empty() ? "" : "@" + picture.part;
-  return element("a", {{"href", picture.csv.address}, {"download", dataset + "-" + figure.name + part + ".csv"}},
-                 "CSV");
+  return element(
+      "a",
+      {{"href", picture.csv.address}, {"download", dataset + "-" + figure.name + part + ".csv"}},
+      "CSV");
 }
 
 Html files_line(const std::string& dataset, const FigureContents& figure, const Picture& picture) {
@@ -49,7 +55,8 @@ Html files_line(const std::string& dataset, const FigureContents& figure, const 
   return element("p", {{"class", "files"}}, line);
 }
 
-Html html_of_picture(const std::string& dataset, const FigureContents& figure, const Picture& picture) {
+Html html_of_picture(const std::string& dataset, const FigureContents& figure,
+                     const Picture& picture) {
   Html content = picture_itself(dataset, figure, picture);
   Html caption = files_line(dataset, figure, picture);
   if (!picture.part.empty()) caption = element("h4", picture.part) + caption;
@@ -61,20 +68,33 @@ Html html_of_picture(const std::string& dataset, const FigureContents& figure, c
 Html html_of_figure(const std::string& dataset, const FigureContents& figure) {
   const std::string id = id_of(dataset, "figure-" + figure.name);
   Html pictures;
-  for (const Picture& picture : figure.pictures) pictures += html_of_picture(dataset, figure, picture);
-  const Html here = element("a", {{"class", "anchor"}, {"href", "#" + id}, {"aria-label", "Link to this figure"}}, "#");
-  return element("section", {{"id", id}, {"class", figure.pictures.size() > 1 ? "card wide" : "card"}},
+  for (const Picture& picture : figure.pictures)
+    pictures += html_of_picture(dataset, figure, picture);
+  const Html here = element(
+      "a", {{"class", "anchor"}, {"href", "#" + id}, {"aria-label", "Link to this figure"}}, "#");
+  return element("section",
+                 {{"id", id}, {"class", figure.pictures.size() > 1 ? "card wide" : "card"}},
                  element("h3", Html(heading_of(figure)) + here) + element("p", figure.caption) +
                      element("div", {{"class", "pictures"}}, pictures) +
                      element("p", {{"class", "from"}}, "From " + dataset + "/" + figure.from));
 }
 
+/// A line for each reason, with all figures that are missing for it.
 Html list_of_missing(const std::vector<FigureContents>& figures) {
-  Html items;
+  std::vector<std::string> reasons;
   for (const FigureContents& figure : figures) {
-    if (figure.pictures.empty()) {
-      items += element("li", element("b", heading_of(figure)) + " (" + figure.name + "): " + figure.missing);
+    const bool is_new = std::ranges::count(reasons, figure.missing) == 0;
+    if (figure.pictures.empty() && is_new) reasons.push_back(figure.missing);
+  }
+  Html items;
+  for (const std::string& reason : reasons) {
+    std::vector<std::string> names;
+    for (const FigureContents& figure : figures) {
+      if (figure.pictures.empty() && figure.missing == reason) {
+        names.push_back(heading_of(figure) + " (" + figure.name + ")");
+      }
     }
+    items += element("li", element("b", reason) + ": " + in_words(names));
   }
   if (items.empty()) return {};
   return element("div", {{"class", "problems"}},

@@ -68,7 +68,8 @@ std::map<std::string, std::string> reasons_in_log(const fs::path& run, const fs:
 }
 
 void take(std::vector<Attachment*>& attachments, std::size_t& left) {
-  std::ranges::stable_sort(attachments, {}, [](const Attachment* each) { return each->address.size(); });
+  std::ranges::stable_sort(attachments, {},
+                           [](const Attachment* each) { return each->address.size(); });
   for (Attachment* attachment : attachments) {
     if (attachment->file.empty() || attachment->address.size() > left) continue;
     attachment->held = true;

@@ -24,7 +24,8 @@ void add_once(std::vector<T>& values, const T& value) {
 }
 
 bool belongs_to(const HoleGroup& group, const std::string& dataset, const Hole& hole) {
-  const bool same = group.dataset == dataset && group.state == hole.state && group.stage == hole.stage;
+  const bool same =
+      group.dataset == dataset && group.state == hole.state && group.stage == hole.stage;
   return same && (hole.state == HoleState::not_begun || group.methods.front() == hole.name.method);
 }
 
@@ -132,7 +133,8 @@ std::vector<HoleGroup> groups_of(const std::vector<DatasetContents>& datasets) {
       auto group = std::ranges::find_if(
           groups, [&](const HoleGroup& each) { return belongs_to(each, dataset.name, hole); });
       if (group == groups.end()) {
-        group = groups.insert(group, {.dataset = dataset.name, .state = hole.state, .stage = hole.stage});
+        group = groups.insert(group,
+                              {.dataset = dataset.name, .state = hole.state, .stage = hole.stage});
       }
       add(*group, hole);
     }
@@ -180,8 +182,9 @@ Html problems_html(const std::vector<DatasetContents>& datasets) {
   }
   Html content = element("p", "⚠ " + completeness(datasets)) + damaged;
   if (!groups.empty()) {
-    content += table_of_hole_groups(groups) +
-               element("p", "No mean below includes them. The same make command goes on from here.");
+    content +=
+        table_of_hole_groups(groups) +
+        element("p", "No mean below includes them. The same make command goes on from here.");
   }
   return element("section", {{"class", "problems"}, {"aria-label", "What is missing"}}, content);
 }

@@ -11,20 +11,20 @@ namespace piae::page {
 
 /// Cells that are missing for the same reason.
 struct HoleGroup {
-  std::string dataset;
+  std::string dataset = {};
   HoleState state = HoleState::not_begun;
-  std::string stage;                 ///< the one that is not done
-  std::vector<std::string> methods;  ///< in the order of the grid
-  std::vector<std::string> ratios;   ///< of the diagnoses among them
-  std::vector<std::int64_t> seeds;   ///< ascending
+  std::string stage = {};                 ///< the one that is not done
+  std::vector<std::string> methods = {};  ///< in the order of the grid
+  std::vector<std::string> ratios = {};   ///< of the diagnoses among them
+  std::vector<std::int64_t> seeds = {};   ///< ascending
   std::size_t diagnoses = 0;
   std::size_t scores = 0;
-  std::vector<std::string> reasons;  ///< each once
-  std::vector<std::filesystem::path> logs;
+  std::vector<std::string> reasons = {};  ///< each once
+  std::vector<std::filesystem::path> logs = {};
 };
 
-/// The holes in groups: those that failed or are refused first, each method and stage a group of its
-/// own; what is not begun is one group for each data set.
+/// The holes in groups: those that failed or are refused first, each method and stage a group of
+/// its own; what is not begun is one group for each data set.
 std::vector<HoleGroup> groups_of(const std::vector<DatasetContents>& datasets);
 
 /// "failed", "refused", ...

@@ -21,13 +21,15 @@ Builds builds_of(const std::vector<DatasetContents>& datasets) {
 }
 
 Html table_of_builds(const Builds& builds) {
-  Table table{.caption = "What made the cells",
-              .columns = {{"version (commit)"}, {"compiler and libraries"}, {"machine"}, {"cells", true}}};
+  Table table{
+      .caption = "What made the cells",
+      .columns = {{"version (commit)"}, {"compiler and libraries"}, {"machine"}, {"cells", true}}};
   for (const auto& [build, count] : builds) {
-    table.rows.push_back({.cells = {{.content = build.version},
-                                    {.content = build.libraries},
-                                    {.content = build.processor},
-                                    number_cell(static_cast<double>(count), std::to_string(count))}});
+    table.rows.push_back(
+        {.cells = {{.content = build.version},
+                   {.content = build.libraries},
+                   {.content = build.processor},
+                   number_cell(static_cast<double>(count), std::to_string(count))}});
   }
   table.below = "From /provenance of every diagnosis.h5 and score.h5.";
   return html(table);
@@ -57,9 +59,10 @@ Html provenance_view(const std::vector<DatasetContents>& datasets) {
   const Builds builds = builds_of(datasets);
   Html view;
   if (builds.size() > 1) {
-    view += element("p", "The cells were made by " + counted(builds.size(), "different build") +
-                             " or machines: numbers of different ones differ by rounding, which training "
-                             "makes grow.");
+    view += element(
+        "p", "The cells were made by " + counted(builds.size(), "different build") +
+                 " or machines: numbers of different ones differ by rounding, which training makes "
+                 "grow.");
   }
   if (!builds.empty()) view += table_of_builds(builds);
   return view + table_of_records(datasets);

@@ -17,7 +17,9 @@ namespace {
 struct Share {
   std::int64_t count = 0;
   std::int64_t of = 0;
-  [[nodiscard]] double percent() const { return 100.0 * static_cast<double>(count) / static_cast<double>(of); }
+  [[nodiscard]] double percent() const {
+    return 100.0 * static_cast<double>(count) / static_cast<double>(of);
+  }
 };
 
 Share recall_of(const scoring::Confusion& confusion, std::size_t truth) {
@@ -28,7 +30,8 @@ Share recall_of(const scoring::Confusion& confusion, std::size_t truth) {
 
 bool is_healthy(const signal::ClassInfo& info) { return info.defect == signal::Defect::none; }
 
-/// Windows with a fault that were taken for healthy ones, or healthy ones that were taken for faulty.
+/// Windows with a fault that were taken for healthy ones, or healthy ones that were taken for
+/// faulty.
 Share mistaken(const std::vector<signal::ClassInfo>& classes, const scoring::Confusion& confusion,
                bool truly_healthy) {
   Share share;
@@ -88,8 +91,9 @@ Html recall_view(const DatasetContents& contents) {
   if (contents.confusions.empty()) return element("p", "No diagnosis is there yet.");
   const std::string ratio = ratio_of_methods(contents);
   const std::string at = ratio.empty() ? "" : " at " + report::short_ratio_label(ratio);
-  Table table{.caption = "Windows of each class that are recognised on " + contents.name + at + ", percent",
-              .columns = {{"method"}}};
+  Table table{
+      .caption = "Windows of each class that are recognised on " + contents.name + at + ", percent",
+      .columns = {{"method"}}};
   for (const signal::ClassInfo& info : contents.classes) table.columns.push_back({info.name, true});
   for (const char* title : {"missed faults", "false alarms", "seeds"}) {
     table.columns.push_back({title, true});
@@ -97,11 +101,12 @@ Html recall_view(const DatasetContents& contents) {
   for (const MethodConfusion& method : contents.confusions) {
     table.rows.push_back(row_of_method(contents, method));
   }
-  table.below = "From /confusion of " + contents.name + "/seed*/<method>/" +
-                (ratio.empty() ? "<ratio>" : ratio) +
-                "/diagnosis.h5, summed over seeds; none from its own ratio. Shaded where less than 80, 60, 40 "
-                "and 20 % are recognised. Missed faults: windows with a fault that are taken for healthy "
-                "ones; false alarms: healthy windows that are taken for a fault.";
+  table.below =
+      "From /confusion of " + contents.name + "/seed*/<method>/" +
+      (ratio.empty() ? "<ratio>" : ratio) +
+      "/diagnosis.h5, summed over seeds; none from its own ratio. Shaded where less than 80, 60, "
+      "40 and 20 % are recognised. Missed faults: windows with a fault that are taken for healthy "
+      "ones; false alarms: healthy windows that are taken for a fault.";
   return html(table);
 }
 

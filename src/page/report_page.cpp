@@ -49,7 +49,8 @@ std::vector<std::string> ratio_labels(const Datasets& datasets) {
   std::vector<std::string> labels;
   for (const scoring::Ratio& ratio : scoring::all_ratios()) {
     const bool is_there = std::ranges::any_of(datasets, [&](const DatasetContents& dataset) {
-      return std::ranges::count(dataset.grid.combinations, ratio.name, &run::Combination::ratio) > 0;
+      return std::ranges::count(dataset.grid.combinations, ratio.name, &run::Combination::ratio) >
+             0;
     });
     if (is_there) labels.push_back(report::short_ratio_label(ratio.name));
   }
@@ -88,14 +89,16 @@ Html header_of(const Datasets& datasets) {
   for (const auto& [word, what] : facts_of(datasets)) {
     facts += element("dt", word) + element("dd", what);
   }
-  return element("header", element("h1", "PIAE-DT on " + names_of(datasets)) + problems_html(datasets) +
-                               element("dl", facts) + navigation(datasets));
+  return element("header", element("h1", "PIAE-DT on " + names_of(datasets)) +
+                               problems_html(datasets) + element("dl", facts) +
+                               navigation(datasets));
 }
 
 Html results_and_figures(const ReportContents& contents) {
   Html all;
   for (const DatasetContents& dataset : contents.datasets) {
-    all += section(id_of_dataset("results", dataset), "Results on " + dataset.name, accuracy_view(dataset));
+    all += section(id_of_dataset("results", dataset), "Results on " + dataset.name,
+                   accuracy_view(dataset));
   }
   for (std::size_t i = 0; i < contents.datasets.size(); ++i) {
     const DatasetContents& dataset = contents.datasets[i];
@@ -112,16 +115,19 @@ Html rest_of(const ReportContents& contents) {
          section("cells", "Cells", cells_view(contents.datasets)) +
          section("settings", "Settings", settings_view(contents.settings)) +
          section("provenance", "Provenance", provenance_view(contents.datasets)) +
-         element("footer", element("p", {{"class", "quiet"}},
-                                   Html("All tables: tables.md in the folder of each data set. When the steps "
-                                        "ran and what they took, which differs from run to run: ") +
-                                       file_link("run.html") + "."));
+         element(
+             "footer",
+             element("p", {{"class", "quiet"}},
+                     Html("All tables: tables.md in the folder of each data set. When the steps "
+                          "ran and what they took, which differs from run to run: ") +
+                         file_link("run.html") + "."));
 }
 
 std::string whole_page(const ReportContents& contents, const Style& style) {
-  return document("PIAE-DT on " + names_of(contents.datasets), style,
-                  header_of(contents.datasets) +
-                      element("main", {{"id", "content"}}, results_and_figures(contents) + rest_of(contents)));
+  return document(
+      "PIAE-DT on " + names_of(contents.datasets), style,
+      header_of(contents.datasets) +
+          element("main", {{"id", "content"}}, results_and_figures(contents) + rest_of(contents)));
 }
 
 /// All figures, without the files that the page may hold: what is left of a page without them.
@@ -148,7 +154,8 @@ std::string names_of(const Datasets& datasets) {
 }
 
 std::vector<std::pair<std::string, std::string>> facts_of(const Datasets& datasets) {
-  auto seeds = all_of<std::int64_t>(datasets, [](const DatasetContents& each) { return each.grid.seeds; });
+  auto seeds =
+      all_of<std::int64_t>(datasets, [](const DatasetContents& each) { return each.grid.seeds; });
   std::ranges::sort(seeds);
   const auto methods = all_of<std::string>(datasets, methods_in_grid);
   const auto protocols = all_of<std::string>(datasets, protocols_in);
@@ -158,17 +165,20 @@ std::vector<std::pair<std::string, std::string>> facts_of(const Datasets& datase
     diagnoses += dataset.diagnoses.size();
     scores += dataset.scores.size();
   }
-  return {{"What", "A classifier (WDCNN) learns from healthy windows, a few known windows of each fault, and "
-                   "windows that a method has generated from these. Its accuracy is that on test windows."},
-          {counted(methods.size(), "method"), in_words(methods)},
-          {"Ratios", in_words(ratio_labels(datasets))},
-          {"Seeds", ranges_label(seeds)},
-          {"Split", protocols.empty() ? "not known yet" : in_words(protocols)},
-          {"Cells", counted_cells(diagnoses, scores)}};
+  return {
+      {"What",
+       "A classifier (WDCNN) learns from healthy windows, a few known windows of each fault, and "
+       "windows that a method has generated from these. Its accuracy is that on test windows."},
+      {counted(methods.size(), "method"), in_words(methods)},
+      {"Ratios", in_words(ratio_labels(datasets))},
+      {"Seeds", ranges_label(seeds)},
+      {"Split", protocols.empty() ? "not known yet" : in_words(protocols)},
+      {"Cells", counted_cells(diagnoses, scores)}};
 }
 
 ReportContents read_report(const std::filesystem::path& run, const AskedCells& asked,
-                           const report::Published& published, const std::filesystem::path& pipeline) {
+                           const report::Published& published,
+                           const std::filesystem::path& pipeline) {
   ReportContents contents;
   for (const std::string& name : datasets_of(run, asked)) {
     const run::Grid grid = grid_of(run::Layout(run, name), name, asked);
@@ -185,8 +195,8 @@ std::string report_page(ReportContents contents, const Style& style) {
   for (std::vector<FigureContents>& of_dataset : contents.figures) {
     for (FigureContents& figure : of_dataset) figures.push_back(&figure);
   }
-  // What is linked in the place of a file is shorter than what stands around a file that is held, but for
-  // its address.
+  // What is linked in the place of a file is shorter than what stands around a file that is held,
+  // but for its address.
   constexpr std::size_t for_addresses = 100'000;
   const std::size_t taken = without + for_addresses;
   choose_attachments(figures, taken < most_bytes_of_report ? most_bytes_of_report - taken : 0);

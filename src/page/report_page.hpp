@@ -17,16 +17,18 @@ struct ReportContents {
   std::vector<Setting> settings;
 };
 
-/// Reads what the folder of a run holds; what is missing is part of it. `pipeline` is the folder with
-/// protocol.toml and datasets/. Throws Error as datasets_of(), grid_of() and read_settings() do.
+/// Reads what the folder of a run holds; what is missing is part of it. `pipeline` is the folder
+/// with protocol.toml and datasets/. Throws Error as datasets_of(), grid_of() and read_settings()
+/// do.
 ReportContents read_report(const std::filesystem::path& run, const AskedCells& asked,
-                           const report::Published& published, const std::filesystem::path& pipeline);
+                           const report::Published& published,
+                           const std::filesystem::path& pipeline);
 
 /// A page can be sent by mail.
 inline constexpr std::size_t most_bytes_of_report = 5'000'000;
 
-/// report.html. The same cells and figures give the same bytes in any folder, however often the run was
-/// interrupted: there is no time, no host and no folder in it. It is not longer than
+/// report.html. The same cells and figures give the same bytes in any folder, however often the run
+/// was interrupted: there is no time, no host and no folder in it. It is not longer than
 /// most_bytes_of_report as long as its tables are not; what does not fit is linked.
 std::string report_page(ReportContents contents, const Style& style);
 
@@ -34,6 +36,7 @@ std::string report_page(ReportContents contents, const Style& style);
 std::string names_of(const std::vector<DatasetContents>& datasets);
 
 /// What was run, as pairs of a word and what it stands for: methods, ratios, seeds, split, cells.
-std::vector<std::pair<std::string, std::string>> facts_of(const std::vector<DatasetContents>& datasets);
+std::vector<std::pair<std::string, std::string>> facts_of(
+    const std::vector<DatasetContents>& datasets);
 
 }  // namespace piae::page

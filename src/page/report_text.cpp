@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "augment/catalogue.hpp"
 #include "page/problems.hpp"
 #include "page/words.hpp"
 #include "report/document.hpp"
@@ -17,56 +18,74 @@ namespace {
 
 using report::AccuracyRow;
 
-/// "85.4", with how many seeds where others have more: "85.4 (3)".
-std::string short_mean(const AccuracyRow& row, std::size_t most_seeds) {
-  const std::string mean = report::number_label(row.summary.mean, {.decimals = 1});
-  return row.seeds.size() < most_seeds ? fmt::format("{} ({})", mean, row.seeds.size()) : mean;
-}
+std::string one_decimal(double number) { return report::number_label(number, {.decimals = 1}); }
 
-std::string short_published(const AccuracyRow& row) {
+/// "61.2/85.4": here, and as published; "61.2" where nothing is. A sign marks the mean of fewer
+/// seeds than the run has.
+std::string beside_published(const AccuracyRow& row, std::size_t seeds) {
   const std::optional<double> theirs = row.published ? row.published : row.orientation;
-  return theirs ? report::number_label(*theirs, {.decimals = 1}) : "";
+  return one_decimal(row.summary.mean) +
+         (row.seeds.size() < seeds ? report::mark_of_fewer_seeds : "") +
+         (theirs ? "/" + one_decimal(*theirs) : "");
 }
 
-/// A line for our accuracies and one for the published ones, a ratio in each column.
+/// A method in each row, a ratio in each column. `none`, which has a ratio of its own, is in the
+/// title.
 text::Table main_table(const DatasetContents& contents) {
-  const report::PaperReference reference(contents.name);
-  const std::size_t most = report::most_seeds(contents.rows);
-  const std::vector<report::RatioColumn> columns = report::ratio_columns(contents.rows);
-  std::vector<std::string> header{"method", ""};
+  std::vector<AccuracyRow> rows = contents.rows;
+  std::erase_if(rows, [](const AccuracyRow& row) { return row.method == augment::no_method; });
+  const std::vector<report::RatioColumn> columns = report::ratio_columns(rows);
+  std::vector<std::string> header{"method"};
   for (const report::RatioColumn& column : columns) {
     header.push_back(report::short_ratio_label(column.ratio));
   }
-  text::Table table(header, 2);
-  for (const std::string& method : report::methods_of(contents.rows)) {
-    std::vector<std::string> ours{report::method_label(method), "here"};
-    std::vector<std::string> theirs{"", reference.label()};
+  text::Table table(header, 1);
+  for (const std::string& method : report::methods_of(rows)) {
+    std::vector<std::string> cells{report::method_label(method)};
     for (const report::RatioColumn& column : columns) {
-      const auto row = std::ranges::find_if(contents.rows, [&](const AccuracyRow& each) {
+      const auto row = std::ranges::find_if(rows, [&](const AccuracyRow& each) {
         return each.method == method && each.ratio == column.ratio;
       });
-      const bool is_there = row != contents.rows.end();
-      ours.push_back(is_there ? short_mean(*row, most) : "");
-      theirs.push_back(is_there ? short_published(*row) : "");
+      cells.push_back(row == rows.end() ? "" : beside_published(*row, contents.grid.seeds.size()));
     }
-    table.row(ours);
-    const bool published = std::any_of(theirs.begin() + 2, theirs.end(),
-                                       [](const std::string& text) { return !text.empty(); });
-    if (published) table.row(theirs);
+    table.row(cells);
   }
   return table;
 }
 
+std::string title_of(const DatasetContents& contents) {
+  std::string title = "Accuracy on " + contents.name + ", percent";
+  const auto none = std::ranges::find(contents.rows, augment::no_method, &AccuracyRow::method);
+  if (none == contents.rows.end()) return title;
+  return title + "; without generated windows " +
+         beside_published(*none, contents.grid.seeds.size());
+}
+
+/// How to read the numbers of a table, as far as it has them.
+std::string how_to_read(const DatasetContents& contents) {
+  const report::PaperReference reference(contents.name);
+  std::string text;
+  if (reference.beside()) {
+    text +=
+        " Numbers are ours/the paper's of " + std::string(reference.beside()->paper.title) + ".";
+  }
+  if (reference.beside() && !reference.beside()->own) {
+    text += " " + std::string(reference.beside()->caution);
+  }
+  const bool any_fewer = std::ranges::any_of(contents.rows, [&](const AccuracyRow& row) {
+    return row.seeds.size() < contents.grid.seeds.size();
+  });
+  return any_fewer ? text + " " + report::mark_of_fewer_seeds +
+                         " marks means of fewer seeds than the run has."
+                   : text;
+}
+
 report::Section section_of(const DatasetContents& contents) {
   std::string note;
-  for (const std::string& sentence : contents.verdict) note += (note.empty() ? "" : " ") + sentence;
-  const report::PaperReference reference(contents.name);
-  if (reference.beside() && !reference.beside()->own) {
-    note += (note.empty() ? "" : " ") + std::string(reference.beside()->caution);
-  }
+  for (const std::string& sentence : contents.verdict) note += sentence + " ";
   return {.key = contents.name,
-          .title = "Accuracy on " + contents.name + ", percent, mean over seeds",
-          .note = note,
+          .title = title_of(contents),
+          .note = note + how_to_read(contents),
           .table = main_table(contents)};
 }
 
@@ -77,12 +96,14 @@ std::vector<std::string> lines_of_missing(const std::vector<DatasetContents>& da
   std::vector<std::string> lines;
   for (const HoleGroup& group : groups) {
     if (lines.size() == most_groups) {
-      lines.push_back(fmt::format("And {} more; report.html names all.", groups.size() - most_groups));
+      lines.push_back(
+          fmt::format("And {} more; report.html names all.", groups.size() - most_groups));
       break;
     }
     const std::string why = group.reasons.empty() ? "" : ": " + group.reasons.front();
     lines.push_back(fmt::format("{} on {}: {} ({}){}", word_of(group.state), group.dataset,
-                                counted_cells(group.diagnoses, group.scores), cells_label(group), why));
+                                counted_cells(group.diagnoses, group.scores), cells_label(group),
+                                why));
   }
   return lines;
 }
@@ -104,9 +125,10 @@ std::string report_text(const ReportContents& contents) {
     if (!dataset.rows.empty()) document.sections.push_back(section_of(dataset));
   }
   std::string text = report::markdown(document);
-  return text + "\nFigures, recall by class, every cell with its artefact, settings and provenance: "
-                "`report.html`.\nWhen the steps ran and what they took: `run.html`. All tables: `tables.md` of "
-                "each data set.\n";
+  return text +
+         "\nFigures, recall by class, every cell with its artefact, settings and provenance: "
+         "`report.html`.\nWhen the steps ran and what they took: `run.html`. All tables: "
+         "`tables.md` of each data set.\n";
 }
 
 }  // namespace piae::page

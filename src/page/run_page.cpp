@@ -111,8 +111,7 @@ Table table_of_groups(const std::vector<StepLog>& steps) {
   for (const StepGroup& group : groups_of(steps)) table.rows.push_back(row_of_group(group));
   table.below =
       "From the logs beside the artefacts: the lines “step: exit”, and “step: used”, which older "
-      "runs "
-      "lack. Memory is what one step held at most.";
+      "runs lack. Memory is what one step held at most.";
   return table;
 }
 

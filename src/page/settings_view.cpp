@@ -30,15 +30,17 @@ struct Stated {
   std::string comment;
 };
 
-Stated stated_in(const CommentedToml& file, const toml::node* node, const std::string& before = "") {
+Stated stated_in(const CommentedToml& file, const toml::node* node,
+                 const std::string& before = "") {
   if (node == nullptr) return {};
   const std::string comment = file.comment_beside(*node);
-  return {.node = node, .comment = comment.empty() ? before : before + (before.empty() ? "" : ": ") + comment};
+  return {.node = node,
+          .comment = comment.empty() ? before : before + (before.empty() ? "" : ": ") + comment};
 }
 
 /// Where a stage finds an option: the table of its variant, of the one that is like it, or its own.
-Stated stated_option(const CommentedToml& protocol, const std::string& stage, const std::string& variant,
-                     const std::string& option) {
+Stated stated_option(const CommentedToml& protocol, const std::string& stage,
+                     const std::string& variant, const std::string& option) {
   const auto of_stage = protocol.values()[stage];
   const auto of_variant = of_stage[variant];
   if (const toml::node* own = of_variant[option].node()) return stated_in(protocol, own);
@@ -69,7 +71,8 @@ void add_given_options(const fs::path& file, std::vector<Setting>& settings) {
   }
 }
 
-void add_options(const fs::path& file, const CommentedToml& protocol, std::vector<Setting>& settings) {
+void add_options(const fs::path& file, const CommentedToml& protocol,
+                 std::vector<Setting>& settings) {
   const std::string name = file.stem().string();
   const std::size_t dot = name.find('.');
   const std::string stage = name.substr(0, dot);
@@ -99,7 +102,8 @@ class DescriptionReader {
     } else if (node.is_array_of_tables()) {
       for (const toml::node& each : *node.as_array()) put(option, each, "");
     } else {
-      put(option, node, source_of(stated_in(source, stated, said_of_table), node, "its description"));
+      put(option, node,
+          source_of(stated_in(source, stated, said_of_table), node, "its description"));
     }
   }
 
@@ -115,14 +119,16 @@ class DescriptionReader {
     }
   }
   void put(const std::string& option, const toml::node& node, const std::string& source) {
-    settings_.push_back({.file = file_, .option = option, .value = plain_value(node), .source = source});
+    settings_.push_back(
+        {.file = file_, .option = option, .value = plain_value(node), .source = source});
   }
 
   std::string file_;
   std::vector<Setting>& settings_;
 };
 
-void add_description(const fs::path& file, const fs::path& pipeline, std::vector<Setting>& settings) {
+void add_description(const fs::path& file, const fs::path& pipeline,
+                     std::vector<Setting>& settings) {
   const fs::path stated = pipeline / "datasets" / file.filename();
   DescriptionReader reader("datasets/" + file.filename().string(), settings);
   const toml::table values = cli::parse_toml_file(file);
@@ -144,7 +150,8 @@ std::vector<Setting> read_settings(const fs::path& run, const fs::path& pipeline
 }
 
 Html settings_view(const std::vector<Setting>& settings) {
-  if (settings.empty()) return element("p", "This run has no settings files: its steps were run by hand.");
+  if (settings.empty())
+    return element("p", "This run has no settings files: its steps were run by hand.");
   Table table{.caption = "Settings",
               .columns = {{"file in .settings/"}, {"option"}, {"value"}, {"where it comes from"}}};
   for (const Setting& setting : settings) {
@@ -153,10 +160,12 @@ Html settings_view(const std::vector<Setting>& settings) {
                                     {.content = setting.value},
                                     {.content = setting.source}}});
   }
-  table.below = "Values from the settings files of the run, with which its steps were run; where they come "
-                "from, from the comments of pipeline/protocol.toml and pipeline/datasets/.";
-  return element("details", element("summary", "All " + std::to_string(settings.size()) + " settings") +
-                                html(table));
+  table.below =
+      "Values from the settings files of the run, with which its steps were run; where they come "
+      "from, from the comments of pipeline/protocol.toml and pipeline/datasets/.";
+  return element(
+      "details",
+      element("summary", "All " + std::to_string(settings.size()) + " settings") + html(table));
 }
 
 }  // namespace piae::page

@@ -32,9 +32,8 @@ TEST(StepLog, SaysWhatTheStepTook) {
   const Folder folder;
   const auto log = read_step_log(folder.write(
       "train.log", log_text(1763800000.25,
-                            "trained vae on 45 windows: results/t/model.h5\n"
-                            "step: used 11.93 s of processor time and 153 MB of memory\n"
-                            "step: exit 0 after 12.3 s\n")));
+                            "trained vae on 45 windows: results/t/model.h5\nstep: used 11.93 s of "
+                            "processor time and 153 MB of memory\nstep: exit 0 after 12.3 s\n")));
   EXPECT_EQ(log.stage, "train");
   EXPECT_EQ(log.end, StepEnd::done);
   EXPECT_THAT(log.begun_s, testing::Optional(DoubleNear(1763800000.25, 1e-6)));
@@ -55,10 +54,10 @@ TEST(StepLog, OfAnOlderRunHasNoProcessorTime) {
 
 TEST(StepLog, OfAFailedStepSaysWhy) {
   const Folder folder;
-  const auto log = read_step_log(folder.write(
-      "train.log", log_text(1,
-                            "train  ###.  50 %\ntrain: diverged at epoch 3: lower --learning-rate\n"
-                            "step: exit 1 after 2.0 s\n")));
+  const auto log = read_step_log(
+      folder.write("train.log", log_text(1,
+                                         "train  ###.  50 %\ntrain: diverged at epoch 3: lower "
+                                         "--learning-rate\nstep: exit 1 after 2.0 s\n")));
   EXPECT_EQ(log.end, StepEnd::failed);
   EXPECT_EQ(log.reason, "diverged at epoch 3: lower --learning-rate");
 }
@@ -132,13 +131,12 @@ TEST(RunPage, SumsTimeAndMemoryByStageAndMethod) {
       HasSubstr("3 steps took 92 s; one after the other they would take 92 s, of which 87 s is "
                 "processor time. No step held more than 153 MB of memory."));
   EXPECT_THAT(page, HasSubstr("<th scope=\"row\">train vae</th>"
-                              "<td class=\"number\" data-sort=\"2\">2</td>"
-                              "<td class=\"number\" data-sort=\"0\">0</td>"
-                              "<td class=\"number\" data-sort=\"90\">90 s</td>"
-                              "<td class=\"number\" data-sort=\"87\">87 s</td>"
-                              "<td class=\"number\" data-sort=\"45\">45 s</td>"
-                              "<td class=\"number\" data-sort=\"60\">60 s</td>"
-                              "<td class=\"number\" data-sort=\"153.4\">153 MB</td>"));
+                              "<td class=\"number\" data-sort=\"2\">2</td><td class=\"number\" "
+                              "data-sort=\"0\">0</td><td class=\"number\" data-sort=\"90\">90 "
+                              "s</td><td class=\"number\" data-sort=\"87\">87 s</td><td "
+                              "class=\"number\" data-sort=\"45\">45 s</td><td class=\"number\" "
+                              "data-sort=\"60\">60 s</td><td class=\"number\" "
+                              "data-sort=\"153.4\">153 MB</td>"));
   EXPECT_THAT(page, HasSubstr("<th scope=\"row\">train smote</th>"));
 }
 

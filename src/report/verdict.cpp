@@ -1,0 +1,159 @@
+#include "report/verdict.hpp"
+
+#include <spdlog/fmt/fmt.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <ranges>
+
+#include "augment/catalogue.hpp"
+#include "report/labels.hpp"
+#include "report/ratio_columns.hpp"
+
+namespace piae::report {
+
+namespace {
+
+/// "a", "a and b", "a, b and c".
+std::string listed(const std::vector<std::string>& words) {
+  std::string text;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    if (i > 0) text += i + 1 == words.size() ? " and " : ", ";
+    text += words[i];
+  }
+  return text;
+}
+
+/// "shift (+35.2)"; with how many seeds where others have more: "shift (+35.2, 1 seed)".
+std::string with_points(const std::vector<AccuracyRow>& gains, std::size_t most_seeds) {
+  std::vector<std::string> words;
+  words.reserve(gains.size());
+  for (const AccuracyRow& gain : gains) {
+    const std::size_t seeds = gain.seeds.size();
+    const std::string fewer =
+        seeds < most_seeds ? fmt::format(", {} seed{}", seeds, seeds == 1 ? "" : "s") : "";
+    words.push_back(fmt::format("{} ({:+.1f}{})", gain.method, gain.summary.mean, fewer));
+  }
+  return listed(words);
+}
+
+/// The gains of all methods and ceilings at the ratio with the most generated windows. A ratio that
+/// only a few methods of the run have tells little: at least half of them must have it.
+std::vector<AccuracyRow> largest_gains(const std::vector<AccuracyRow>& rows) {
+  std::vector<AccuracyRow> gains = gain_rows(rows);
+  const std::size_t methods = methods_of(gains).size();
+  std::int64_t most = 0;
+  for (const AccuracyRow& gain : gains) {
+    const std::int64_t generated = gain.generated_per_class;
+    const auto having = std::ranges::count(gains, generated, &AccuracyRow::generated_per_class);
+    const bool half = 2 * static_cast<std::size_t>(having) >= methods;
+    if (half || most == 0) most = std::max(most, generated);
+  }
+  std::erase_if(gains, [&](const AccuracyRow& gain) { return gain.generated_per_class != most; });
+  return gains;
+}
+
+std::string who_helps(std::vector<AccuracyRow> gains, const AccuracyRow& baseline) {
+  std::array<std::vector<AccuracyRow>, 3> by_effect;
+  std::string ceiling;
+  std::ranges::stable_sort(gains, std::ranges::greater(),
+                           [](const AccuracyRow& gain) { return gain.summary.mean; });
+  for (const AccuracyRow& gain : gains) {
+    if (augment::is_ceiling(gain.method)) {
+      ceiling = fmt::format("; real windows in their place ({}) would give {:+.1f}", gain.method,
+                            gain.summary.mean);
+    } else {
+      by_effect[static_cast<std::size_t>(effect_of(gain))].push_back(gain);
+    }
+  }
+  const std::size_t seeds = baseline.values.size();
+  constexpr std::array said{"help", "make no clear difference", "harm"};
+  std::vector<std::string> parts;
+  for (std::size_t i = 0; i < said.size(); ++i) {
+    if (by_effect[i].empty()) continue;
+    const bool one = by_effect[i].size() == 1;
+    const std::string verb = i == 1 && one ? "makes no clear difference"
+                                           : std::string(said[i]) + (one && i != 1 ? "s" : "");
+    parts.push_back(with_points(by_effect[i], seeds) + ' ' + verb);
+  }
+  return fmt::format(
+      "With {} generated windows of each fault, and measured in points against the {:.1f} without "
+      "any ({} seed{}), {}{}.",
+      gains.front().generated_per_class, baseline.summary.mean, seeds, seeds == 1 ? "" : "s",
+      listed(parts), ceiling);
+}
+
+/// The mean of a metric over classes and seeds; empty where the method has no score.
+std::optional<double> mean_of(const run::Results& results, const std::string& method,
+                              double scoring::ClassQuality::*metric) {
+  double sum = 0;
+  std::size_t count = 0;
+  for (const scoring::QualityRecord& record : results.qualities) {
+    if (record.method != method) continue;
+    for (const scoring::ClassQuality& quality : record.classes) sum += quality.*metric;
+    count += record.classes.size();
+  }
+  return count == 0 ? std::nullopt : std::optional(sum / static_cast<double>(count));
+}
+
+std::string against_real(const run::Results& results, const std::string& method) {
+  const auto amplitude = mean_of(results, method, &scoring::ClassQuality::amplitude_ratio);
+  const auto line = mean_of(results, method, &scoring::ClassQuality::fault_line_difference_db);
+  if (!amplitude || !line) return "";
+  return fmt::format(
+      "{:.0f} % as strong as real ones and show the lines of their fault {:.1f} dB {}",
+      100 * *amplitude, std::abs(*line), *line < 0 ? "weaker" : "stronger");
+}
+
+/// How the sentence about the paper's method begins: where it gains nothing, or less than half of
+/// what real windows would. Empty where it does well.
+std::string falls_short(const std::vector<AccuracyRow>& gains, const AccuracyRow& gain) {
+  if (effect_of(gain) != Effect::helps) return "As published, " + gain.method;
+  const auto ceiling = std::ranges::find_if(
+      gains, [](const AccuracyRow& each) { return augment::is_ceiling(each.method); });
+  if (ceiling == gains.end() || gain.summary.mean >= ceiling->summary.mean / 2) return "";
+  return fmt::format("{} gains {:.1f} of these {:.1f} points: as published, it", gain.method,
+                     gain.summary.mean, ceiling->summary.mean);
+}
+
+std::string why_it_falls_short(const run::Results& results, const std::vector<AccuracyRow>& gains) {
+  const std::string& method = augment::paper_method();
+  const auto gain = std::ranges::find(gains, method, &AccuracyRow::method);
+  if (gain == gains.end()) return "";
+  const std::string beginning = falls_short(gains, *gain);
+  const std::string measured = against_real(results, method);
+  if (beginning.empty() || measured.empty()) return "";
+  return fmt::format(
+      "{} describes a window by stiffness and damping, which do not say at which angle of "
+      "the shaft it starts, so it learns little more than the mean of a class: its windows are {}.",
+      beginning, measured);
+}
+
+}  // namespace
+
+Effect effect_of(const AccuracyRow& gain) {
+  const auto agree = [&](double sign) {
+    const auto& interval = gain.summary.interval;
+    if (interval) {
+      return sign > 0 ? interval->low > 0 : interval->high < 0;
+    }
+    return std::ranges::all_of(gain.values, [&](double value) { return sign * value > 0; });
+  };
+  if (agree(+1)) return Effect::helps;
+  return agree(-1) ? Effect::harms : Effect::no_clear_difference;
+}
+
+std::vector<std::string> verdict(const run::Results& results,
+                                 const std::vector<AccuracyRow>& rows) {
+  const std::vector<AccuracyRow> gains = largest_gains(rows);
+  if (gains.empty()) return {};
+  std::vector<std::string> sentences{who_helps(gains, *find_row(rows, augment::no_method, ""))};
+  std::string reason = why_it_falls_short(results, gains);
+  if (!reason.empty()) sentences.push_back(std::move(reason));
+  return sentences;
+}
+
+}  // namespace piae::report

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "report/accuracy_table.hpp"
+#include "run/collect.hpp"
+
+namespace piae::report {
+
+/// What generated windows are worth. Where there is an interval of the mean, which is from three
+/// seeds on, it must lie on one side of zero; else all seeds must agree.
+enum class Effect { helps, no_clear_difference, harms };
+Effect effect_of(const AccuracyRow& gain);
+
+/// What was seen, in sentences: which methods help and by how many points, at the ratio with the
+/// most generated windows that most methods have; and, where the paper's method is there and gains
+/// little, why. All numbers are those of the run. `rows` are accuracy_rows() of these results.
+/// Empty where nothing can be compared with `none`.
+std::vector<std::string> verdict(const run::Results& results, const std::vector<AccuracyRow>& rows);
+
+}  // namespace piae::report

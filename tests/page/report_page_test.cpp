@@ -1,0 +1,382 @@
+#include "page/report_page.hpp"
+
+#include <gmock/gmock.h>
+
+#include "page/problems.hpp"
+#include "page/report_text.hpp"
+#include "support/errors.hpp"
+#include "support/stored_run.hpp"
+
+namespace piae::page {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::Le;
+using testing::Not;
+using testing::SizeIs;
+
+/// A run of `none` and `vae` on cwru: seeds 0 and 1, ratios 100to1, 10to1 and 2to1.
+class ReportPage : public StoredRun {
+ protected:
+  ReportPage() : run_(folder_.path() / "run") {
+    folder_.write("table6-7-baseline.csv", "dataset,run1,average\ncwru,61.8,61.8\n");
+    folder_.write("table8-9-methods.csv", "dataset,method,2to1\ncwru,vae,91.2\n");
+    folder_.write("table10-11-ablation.csv", "dataset,model,2to1\ncwru,model1,93.7\n");
+    folder_.write("pipeline/protocol.toml",
+                  "[train]\n[train.vae]\nepochs = 200  # paper, Table 4\nbatch = 5 # as "
+                  "\"paper\"\n                # and <b>more</b>\n[train.ae]\nlike = \"vae\"\n");
+  }
+
+  [[nodiscard]] ReportContents read(const AskedCells& asked = {}) const {
+    return read_report(run_, asked, report::Published(folder_.path()), folder_ / "pipeline");
+  }
+  [[nodiscard]] std::string page(const AskedCells& asked = {}) const {
+    return report_page(read(asked), {});
+  }
+  [[nodiscard]] std::string text(const AskedCells& asked = {}) const {
+    return report_text(read(asked));
+  }
+  fs::path write(const std::string& name, const std::string& content) const {
+    return folder_.write("run/" + name, content);
+  }
+  /// A log of a step that failed.
+  void add_failed(const std::string& name, const std::string& line) const {
+    write(name, "command\nstep: begun at 1\n" + line + "\nstep: exit 1 after 2.0 s\n");
+  }
+
+  const fs::path run_;
+};
+
+TEST_F(ReportPage, ShowsTheMeanOfEachCellBesideWhatIsPublished) {
+  add_all();
+  const std::string html = page();
+  // vae at 2to1: 17 and 19 of 20 windows are 85 and 95 %, mean 90, standard deviation sqrt(50).
+  EXPECT_THAT(html, HasSubstr("<span class=\"ours\">90.00 ± 7.07</span>"
+                              "<span class=\"theirs\">paper 91.20</span>"));
+  EXPECT_THAT(html, HasSubstr("<span class=\"ours\">62.50 ± 3.54</span>"
+                              "<span class=\"theirs\">paper 61.80</span>"));
+}
+
+TEST_F(ReportPage, ShowsGainsWithASignBesideTheColour) {
+  add_all();
+  // 85 - 60 and 95 - 65 points; published 91.2 - 61.8.
+  EXPECT_THAT(page(), HasSubstr("<span class=\"ours\">▲ +27.50</span>"
+                                "<span class=\"theirs\">paper +29.40</span>"));
+}
+
+TEST_F(ReportPage, SaysWhichArtefactsANumberCameFrom) {
+  add_all();
+  const std::string html = page();
+  EXPECT_THAT(html,
+              HasSubstr("title=\"cwru/seed{0,1}/vae/2to1/diagnosis.h5, attribute accuracy\""));
+  EXPECT_THAT(html, HasSubstr("<a href=\"./cwru/seed1/vae/2to1/diagnosis.h5\">"
+                              "cwru/seed1/vae/2to1/diagnosis.h5</a>"));
+  const artefact::Reader reader(layout_.diagnosis("vae", "2to1", 1), "diagnosis");
+  EXPECT_THAT(html, HasSubstr("<code>" + reader.digest().substr(0, 16) + "</code>"));
+}
+
+TEST_F(ReportPage, SaysTheVerdictInTheWordsOfTheSummary) {
+  add_all();
+  EXPECT_THAT(page(), HasSubstr("With 145 generated windows of each fault, and measured in points "
+                                "against the 62.5 without any (2 seeds), vae (+27.5) helps."));
+}
+
+TEST_F(ReportPage, ACompleteRunSaysThatAllIsThere) {
+  add_all();
+  EXPECT_THAT(page(), HasSubstr("✔ All 6 diagnoses and 2 scores are there."));
+  EXPECT_THAT(page(), Not(HasSubstr("missing:")));
+}
+
+TEST_F(ReportPage, NamesWhatIsMissingOnTopAndWhy) {
+  add_baseline();
+  add(diagnosis("vae", "10to1", 45, 0, 15));
+  add(quality("vae", 0, 0.5));
+  add_failed("cwru/seed1/vae/train.log", "train: diverged at epoch 3 <b>");
+  const std::string html = page();
+  EXPECT_LT(html.find("⚠ 2 of 6 cells are missing: 2 failed."), html.find("<h2>"));
+  EXPECT_THAT(html, HasSubstr("vae; 10:1; seed 1"));
+  EXPECT_THAT(html, HasSubstr("1 diagnosis and 1 score"));
+  EXPECT_THAT(html, HasSubstr("diverged at epoch 3 &lt;b&gt;"));
+  EXPECT_THAT(html,
+              HasSubstr("<a href=\"./cwru/seed1/vae/train.log\">cwru/seed1/vae/train.log</a>"));
+}
+
+TEST_F(ReportPage, MeansOfAnUnfinishedRunSayOfHowManySeedsTheyAre) {
+  add_baseline();
+  add(diagnosis("vae", "10to1", 45, 1, 15));
+  // One seed: 75 %, and 75 - 65 points, paired with the same seed of none.
+  EXPECT_THAT(
+      page(),
+      HasSubstr("<span class=\"ours\">75.00</span><span class=\"theirs\">1 of 2 seeds</span>"));
+  EXPECT_THAT(page(), HasSubstr("<span class=\"ours\">▲ +10.00</span>"));
+}
+
+TEST_F(ReportPage, WhatIsAskedForAndNotBegunIsMissing) {
+  add_all();
+  const AskedCells asked{
+      .methods = {"none vae smote"}, .ratios = {"100to1 10to1"}, .seeds = {"0 1 2"}};
+  const auto groups = groups_of(read(asked).datasets);
+  ASSERT_EQ(groups.size(), 1U);
+  EXPECT_EQ(groups[0].state, HoleState::not_begun);
+  EXPECT_EQ(cells_label(groups[0]), "none, smote and vae; 100:1 and 10:1; seeds 0 to 2");
+  // none and vae lack seed 2, smote all three; so do scores, which none has not.
+  EXPECT_EQ(groups[0].diagnoses, 5U);
+  EXPECT_EQ(groups[0].scores, 4U);
+  // What the folder holds besides, vae at 2to1, is shown all the same.
+  EXPECT_THAT(page(asked), HasSubstr("paper 91.20"));
+}
+
+TEST_F(ReportPage, ADamagedCellIsRefusedByName) {
+  add_all();
+  write("cwru/seed1/vae/2to1/diagnosis.h5", "no artefact");
+  const std::string html = page();
+  EXPECT_THAT(html, HasSubstr("⚠ 1 of 8 cells is missing: 1 refused."));
+  EXPECT_THAT(html, HasSubstr("✖ refused"));
+  EXPECT_THAT(html, HasSubstr("cwru/seed1/vae/2to1/diagnosis.h5: "));
+}
+
+TEST_F(ReportPage, TellsFailedFromInterruptedAndRunningSteps) {
+  add_baseline();
+  write("cwru/seed0/vae/train.log", "command\nstep: begun at 1\nstep: exit 75 after 1.0 s\n");
+  write("cwru/seed1/vae/train.log", "command\nstep: begun at 1\n");
+  const AskedCells asked{.methods = {"none vae"}, .ratios = {"100to1 10to1"}, .seeds = {"0 1"}};
+  EXPECT_THAT(page(asked),
+              HasSubstr("4 of 6 cells are missing: 2 interrupted and 2 running or killed."));
+}
+
+TEST_F(ReportPage, WithoutRecordingsSaysSo) {
+  add_failed("cwru/ingest.log", "ingest: data/cwru/97.mat: no such file");
+  const AskedCells asked{
+      .datasets = {"cwru"}, .methods = {"none"}, .ratios = {"100to1"}, .seeds = {"0"}};
+  const std::string html = page(asked);
+  EXPECT_THAT(html, HasSubstr("data/cwru/97.mat: no such file"));
+  EXPECT_THAT(html, HasSubstr("No diagnosis is there yet."));
+}
+
+TEST_F(ReportPage, OfNothingAtAllIsAnError) {
+  fs::create_directories(run_);
+  EXPECT_ERROR(page(), Exit::input_missing, "holds no seed of any data set");
+  EXPECT_ERROR(page({.datasets = {"cwru"}}), Exit::input_missing, "holds no cell");
+}
+
+TEST_F(ReportPage, HostileNamesStayText) {
+  const std::string hostile = "<script>alert('1')</script>\" onload=\"x";
+  scoring::DiagnosisRecord record = diagnosis("none", "100to1", 0, 0, 12);
+  record.info.classes[1].name = hostile;
+  add(record);
+  write("cwru/figures/fig15-gains@" + std::string("\"><img src=x>.svg"), "<svg/>");
+  write(".settings/datasets/cwru.toml", "name = \"" + std::string("<script>") + "\"\n");
+  const std::string html = page();
+  EXPECT_THAT(html, HasSubstr("&lt;script&gt;alert('1')&lt;/script&gt;&quot; onload=&quot;x"));
+  EXPECT_THAT(html, Not(HasSubstr("<script>alert")));
+  EXPECT_THAT(html, Not(HasSubstr("<img src=x")));
+  // The one script of the page is its own, which is empty here.
+  EXPECT_EQ(html.find("<script"), html.rfind("<script"));
+}
+
+TEST_F(ReportPage, TheSameCellsGiveTheSameBytesInAnyFolder) {
+  add_all();
+  add_failed("cwru/seed2/vae/train.log",
+             "train: " + (run_ / "cwru/seed2/C.h5").string() + ": damaged");
+  write("cwru/figures/fig15-gains.svg", "<svg/>");
+  const std::string here = page();
+  const std::string text_here = text();
+  const fs::path elsewhere = folder_.path() / "another" / "place";
+  fs::create_directories(elsewhere.parent_path());
+  fs::copy(run_, elsewhere, fs::copy_options::recursive);
+  const report::Published published(folder_.path());
+  const ReportContents there = read_report(elsewhere, {}, published, folder_ / "pipeline");
+  EXPECT_EQ(report_page(there, {}), here);
+  EXPECT_EQ(report_text(there), text_here);
+  EXPECT_THAT(here, Not(HasSubstr(folder_.path().string())));
+}
+
+TEST_F(ReportPage, HowLongStepsTookIsNotInIt) {
+  add_all();
+  write("cwru/seed0/split.log",
+        "command\nstep: begun at 1763800000.5\nstep: exit 0 after 12.3 s\n");
+  const std::string before = page();
+  write("cwru/seed0/split.log",
+        "command\nstep: begun at 1863800000.5\nstep: exit 0 after 99.9 s\n");
+  EXPECT_EQ(page(), before);
+}
+
+TEST_F(ReportPage, AsksForNothingFromAnywhere) {
+  add_all();
+  write("cwru/figures/fig15-gains.svg", "<svg xmlns='http://www.w3.org/2000/svg'/>");
+  write("cwru/figures/fig15-gains.csv", "a,b\n");
+  const std::string html = page();
+  for (std::size_t at = html.find(" src=\""); at != std::string::npos;
+       at = html.find(" src=\"", at + 1)) {
+    EXPECT_EQ(html.substr(at + 6, 5), "data:");
+  }
+  EXPECT_THAT(html, Not(HasSubstr("href=\"http")));
+  EXPECT_THAT(html, Not(HasSubstr("@import")));
+}
+
+TEST_F(ReportPage, HoldsEachFigureWithAnAnchorItsCaptionAndItsNumbers) {
+  add_all();
+  write("cwru/figures/fig15-gains.svg", "<svg><rect fill='rgb(  1, 2, 3)'/></svg>");
+  write("cwru/figures/fig15-gains.csv", "method,gain\nvae,27.5\n");
+  const std::string html = page();
+  EXPECT_THAT(html, HasSubstr("<section id=\"cwru-figure-fig15-gains\" class=\"card\">"));
+  EXPECT_THAT(html, HasSubstr("Fig. 15: What generated windows gain, by ratio"));
+  EXPECT_THAT(
+      html, HasSubstr("src=\"data:image/svg+xml;charset=utf-8,%3Csvg%3E%3Crect fill='%23010203'/"));
+  EXPECT_THAT(html, HasSubstr("<a href=\"data:text/csv;charset=utf-8,method,gain%0Avae,27.5%0A\" "
+                              "download=\"cwru-fig15-gains.csv\">CSV</a>"));
+  EXPECT_THAT(html, HasSubstr("From cwru/seed*/&lt;method&gt;/&lt;ratio&gt;/diagnosis.h5"));
+  EXPECT_THAT(html, HasSubstr("alt=\"Fig. 15: What generated windows gain, by ratio, on cwru. "));
+}
+
+TEST_F(ReportPage, AFigureMayHaveSeveralPictures) {
+  add_all();
+  write("cwru/figures/fig15-gains@OR.svg", "<svg/>");
+  write("cwru/figures/fig15-gains@IR.svg", "<svg/>");
+  const std::string html = page();
+  EXPECT_LT(html.find("<figure id=\"cwru-fig15-gains-ir\">"),
+            html.find("<figure id=\"cwru-fig15-gains-or\">"));
+}
+
+TEST_F(ReportPage, NamesFiguresThatAreNotDrawnAndWhy) {
+  add_all();
+  write("cwru/figures.log",
+        "figures: fig07-losses is not drawn: needs the method piae-dt, which is not in the "
+        "grid\nfigures: fig13-14-quality is not drawn: " +
+            (run_ / "cwru/seed0/vae/score.h5").string() + ": no such file\n");
+  write("cwru/figures/fig15-gains.csv", "a,b\n");
+  const std::string html = page();
+  EXPECT_THAT(html,
+              HasSubstr("(fig07-losses): needs the method piae-dt, which is not in the grid"));
+  EXPECT_THAT(html, HasSubstr("(fig13-14-quality): cwru/seed0/vae/score.h5: no such file"));
+  EXPECT_THAT(html,
+              HasSubstr("(fig15-gains): its numbers are there, but gnuplot has not drawn them"));
+  EXPECT_THAT(html, HasSubstr("(accuracies): make figures has not been run"));
+}
+
+TEST_F(ReportPage, RecallIsThatOfTheConfusionsSummedOverSeeds) {
+  add_all();
+  const std::string html = page();
+  // All windows are of class IR: 17 and 19 of 20 at 2to1 are recognised, 36 of 40; the others are
+  // taken for OR, which is a fault too.
+  EXPECT_THAT(html, HasSubstr("data-sort=\"90\" title=\"36 of 40 windows\">90.0</td>"));
+  EXPECT_THAT(html, HasSubstr("data-sort=\"0\" title=\"0 of 40 windows\">0.0</td>"));
+  // none: 12 and 13 of 20, shaded since less than 80 % are recognised.
+  EXPECT_THAT(
+      html,
+      HasSubstr("class=\"low-1 number\" data-sort=\"62.5\" title=\"25 of 40 windows\">62.5</td>"));
+}
+
+TEST_F(ReportPage, CountsMissedFaultsAndFalseAlarms) {
+  scoring::DiagnosisRecord record = diagnosis("none", "100to1", 0, 0, 20);
+  // Of 20 windows 4 are healthy, of which 1 is taken for a fault; of the 16 others 4 are taken for
+  // healthy.
+  std::fill_n(record.labels.begin(), 4, 0);
+  std::fill_n(record.predictions.begin(), 3, 0);
+  std::fill_n(record.predictions.begin() + 4, 4, 0);
+  add(record);
+  EXPECT_THAT(page(), AllOf(HasSubstr("title=\"4 of 16 windows\">25.0</td>"),
+                            HasSubstr("title=\"1 of 4 windows\">25.0</td>")));
+}
+
+TEST_F(ReportPage, SettingsHaveTheCommentsOfTheProtocol) {
+  add_all();
+  write(".settings/train.vae.toml", "batch = 5\nepochs = 100\nwidth = 7.9400000000000004\n");
+  write(".settings/train.ae.toml", "batch = 5\n");
+  write(".settings/split.toml", "# Made from x\n# Options given by make: --protocol random\n");
+  const auto settings = read().settings;
+  std::vector<std::string> lines;
+  for (const Setting& each : settings) {
+    lines.push_back(each.file + "|" + each.option + "|" + each.value + "|" + each.source);
+  }
+  EXPECT_THAT(lines, ElementsAre("split.toml|on the command line|--protocol random|given to make",
+                                 "train.ae.toml|batch|5|as vae: as \"paper\" and <b>more</b>",
+                                 "train.vae.toml|batch|5|as \"paper\" and <b>more</b>",
+                                 "train.vae.toml|epochs|100|protocol.toml has 200 now",
+                                 "train.vae.toml|width|7.94|no longer in protocol.toml"));
+  EXPECT_THAT(page(), HasSubstr("and &lt;b&gt;more&lt;/b&gt;"));
+}
+
+TEST_F(ReportPage, SettingsOfADataSetHaveTheCommentsOfItsDescription) {
+  add_all();
+  const std::string description =
+      "rate = 12000\nunit = 9.8  # in g\n[bearing]  # SKF 6205\nballs = 9\n[[class]]\nname = "
+      "\"IR\"\nsize = 0.5\n";
+  folder_.write("pipeline/datasets/cwru.toml", description);
+  write(".settings/datasets/cwru.toml", description);
+  std::vector<std::string> lines;
+  for (const Setting& each : read().settings) {
+    lines.push_back(each.option + "|" + each.value + "|" + each.source);
+  }
+  EXPECT_THAT(lines, testing::UnorderedElementsAre("rate|12000|", "unit|9.8|in g",
+                                                   "bearing.balls|9|SKF 6205",
+                                                   "class|name = IR; size = 0.5|"));
+}
+
+TEST_F(ReportPage, ProvenanceNamesBuildAndMachine) {
+  add_all();
+  const std::string html = page();
+  EXPECT_THAT(html, HasSubstr(escaped(artefact::build_version())));
+  EXPECT_THAT(html, HasSubstr(escaped(artefact::build_libraries())));
+  EXPECT_THAT(html, HasSubstr(escaped(artefact::cpu_settings())));
+}
+
+TEST_F(ReportPage, ReportMdIsNarrowAndHasTheVerdictTheTableAndWhatIsMissing) {
+  add_all();
+  add_failed("cwru/seed2/vae/train.log", "train: diverged");
+  const AskedCells asked{
+      .methods = {"none vae"}, .ratios = {"100to1 10to1 2to1"}, .seeds = {"0 1 2"}};
+  const std::string markdown = text(asked);
+  std::istringstream lines(markdown);
+  for (std::string line; std::getline(lines, line);) EXPECT_THAT(line, SizeIs(Le(100U)));
+  EXPECT_THAT(markdown, HasSubstr("4 of 12 cells are missing: 3 failed and 1 not begun."));
+  EXPECT_THAT(markdown, HasSubstr("vae (+27.5) helps"));
+  EXPECT_THAT(markdown, HasSubstr("percent; without generated windows 62.5‡/61.8"));
+  EXPECT_THAT(markdown, HasSubstr("| method |  10:1 |        2:1 |"));
+  EXPECT_THAT(markdown, HasSubstr("| vae    | 75.0‡ | 90.0‡/91.2 |"));
+}
+
+/// Contents of a run of the paper's size, without a file.
+ReportContents large_run(std::size_t cells, std::size_t bytes_of_a_picture) {
+  DatasetContents dataset{.name = "cwru"};
+  dataset.grid = {.dataset = "cwru", .combinations = {{"vae", "10to1"}}, .seeds = {0}};
+  for (std::size_t i = 0; i < cells; ++i) {
+    const auto seed = static_cast<std::int64_t>(i);
+    dataset.results.diagnoses.push_back(
+        {.method = "piae-dt-phase", .ratio = "10to1", .seed = seed});
+    dataset.diagnoses.push_back(
+        {.name = {"piae-dt-phase", "10to1", seed},
+         .file = "cwru/seed" + std::to_string(i) + "/piae-dt-phase/10to1/diagnosis.h5",
+         .digest = std::string(64, 'a')});
+  }
+  std::vector<FigureContents> figures;
+  for (int i = 0; i < 60; ++i) {
+    FigureContents figure{.name = "fig" + std::to_string(i), .title = "title"};
+    figure.pictures.push_back(
+        {.svg = {.file = figure.name + ".svg",
+                 .address = "data:," + std::string(bytes_of_a_picture + i, 'x')},
+         .csv = {.file = figure.name + ".csv", .address = "data:,1"}});
+    figures.push_back(figure);
+  }
+  return {.datasets = {dataset}, .figures = {figures}};
+}
+
+TEST(ReportSize, OfTheRunOfThePaperIsFiveMegabytesAtMost) {
+  const std::string html = report_page(large_run(2000, 50'000), {});
+  EXPECT_LE(html.size(), most_bytes_of_report);
+  EXPECT_THAT(html, Not(HasSubstr("too large to send")));
+}
+
+TEST(ReportSize, WhatDoesNotFitIsLinkedTheLargestFirst) {
+  const std::string html = report_page(large_run(2000, 100'000), {});
+  EXPECT_LE(html.size(), most_bytes_of_report);
+  EXPECT_GE(html.size(), most_bytes_of_report - 300'000);
+  EXPECT_THAT(html, HasSubstr("too large to send; it is in <a href=\"./fig59.svg\">"));
+  EXPECT_THAT(html, Not(HasSubstr("too large to send; it is in <a href=\"./fig0.svg\">")));
+}
+
+}  // namespace
+}  // namespace piae::page
