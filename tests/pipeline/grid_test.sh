@@ -265,6 +265,9 @@ test_cells_that_are_not_asked_for_go_with_the_model_that_is_made_again() {
   expect_equal "$(ran)" "1 diagnose, 1 generate, 1 score, 1 tabulate, 1 train"
   expect_equal "$(left_out real)" "seed0/smote seed1/smote"
   grid DATASETS=real RATIOS=100to1 METHODS=none SEEDS=0 >/dev/null
+  expect_equal "$(ran)" ""
+  rm results/t/real/tables.md
+  grid DATASETS=real RATIOS=100to1 METHODS=none SEEDS=0 >/dev/null
   expect_equal "$(left_out real)" "seed0/smote/1to1/diagnosis.h5 seed1/smote"
 }
 
