@@ -20,15 +20,18 @@ words=$(awk -F, '
   END { for (i = 1; i <= columns; ++i) if (i in wordy || column[i] == "seed")
           printf "words_%s = \"%s\"\n", column[i], all[i] }' "$csv")
 
+# A script that needs another height than 600 says so in a line "# height: N".
+height=$(sed -nE 's/^# height: ([0-9]+)$/\1/p' "$script")
+height=${height:-600}
 for format in svg pdf; do
   case $format in
-    svg) terminal="svg size 960,600 dynamic font 'DejaVu Sans,13' linewidth 1.2 background rgb 'white'" ;;
-    pdf) terminal="pdfcairo size 20cm,12.5cm font 'DejaVu Sans,9' linewidth 1.2" ;;
+    svg) terminal="svg size 960,$height dynamic font 'DejaVu Sans,13' linewidth 1.2 background rgb 'white'" ;;
+    pdf) terminal="pdfcairo size 20cm,$(awk "BEGIN { print $height / 48 }")cm font 'DejaVu Sans,9' linewidth 1.2" ;;
   esac
-  gnuplot -e "data = '$csv'; format = '$format'" - <<<"$words
+  gnuplot -e "data = '$csv'; scripts = '$scripts'; format = '$format'" - <<<"$words
 set terminal $terminal
 set output '$partial/$format'
-load '$scripts/style.gp'
+load scripts.'/style.gp'
 load '$script'
 unset output"
 done
