@@ -78,8 +78,9 @@ Q := $(if $(V),,@)
 help:
 	@printf '  %-11s%s\n' \
 	  demo     'install what is missing, build, run the method on a simulated bearing: start here' \
-	  all      'run the grid and make its tables in results/RUN/<dataset>/' \
+	  all      'run the grid, make its tables in results/RUN/<dataset>/ and draw its figures' \
 	  cells    'run the grid without the tables (on a cluster: see jobs/)' \
+	  figures  'draw what RUN holds, in results/RUN/<dataset>/figures/: CSV, SVG and PDF' \
 	  sweep    'vary the settings of piae-dt one at a time (pipeline/sweep.mk): sweep.csv, sweep.md' \
 	  contrast 'both protocols side by side, and both readings of cwru: protocols.md, rates.md' \
 	  identify 'whether the (k, c) of the twin are the true ones, on simulated windows' \
@@ -118,7 +119,7 @@ help:
 
 # ---- the grid -----------------------------------------------------------------------------------
 # All goals that are its own, files of results/ among them, go to one make.
-asked := $(filter records cells tables all demo sweep contrast identify results/%,$(MAKECMDGOALS))
+asked := $(filter records cells tables all figures demo sweep contrast identify results/%,$(MAKECMDGOALS))
 .PHONY: $(asked)
 $(asked): grid
 
@@ -128,7 +129,7 @@ choice = $(foreach name,RUN DATASETS METHODS RATIOS SEEDS PROTOCOL DATA_DIR BIN 
 unknown_yet := $(if $(findstring n,$(filter-out --%,$(flags))),$(if $(wildcard $(BIN)/settings),,yes))
 grid: | $(programs)
 	$(Q)+$(if $(unknown_yet),echo 'for the steps of the grid the programs must be built first: `make build`',\
-	  $(MAKE) --file=pipeline/grid.mk $(choice) $(asked:demo=all))
+	  $(MAKE) --file=pipeline/grid.mk $(choice) $(asked))
 
 status:
 	$(Q)pipeline/status.sh '$(results)' $(MAKE) --file=pipeline/grid.mk $(choice)
@@ -149,7 +150,7 @@ data: | $(programs)
 
 # ---- building -----------------------------------------------------------------------------------
 # What is to be built, of `programs tests benches` or `demo`: packages for that are installed first.
-build_them = pipeline/deps.sh $(LIBTORCH) $1 && pipeline/build.sh $(ARCH) $(LIBTORCH) $1
+build_them = pipeline/deps.sh $(LIBTORCH) $1 $(if $(filter all figures,$(asked)),figures) && pipeline/build.sh $(ARCH) $(LIBTORCH) $1
 
 build:
 	$(Q)$(call build_them,programs)
@@ -171,7 +172,7 @@ lint:
 	$(Q)LINT='$(LINT)' pipeline/lint.sh
 
 deps:
-	$(Q)pipeline/deps.sh $(LIBTORCH) programs tests benches
+	$(Q)pipeline/deps.sh $(LIBTORCH) programs tests benches figures
 
 clean:
 	rm -rf build
