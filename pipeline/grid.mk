@@ -135,7 +135,7 @@ $(foreach dataset,$(DATASETS),\
     $(foreach method,$(methods),$(eval $(call diagnosis_rule,$(seed),$(folder),$(method))))))
 
 .DEFAULT_GOAL := cells
-.PHONY: records cells tables demo all list-cells sweep contrast identify
+.PHONY: records cells tables draw figures demo all list-cells sweep contrast identify
 records: $(DATASETS:%=$(results)/%/records.h5)
 cells: $(foreach dataset,$(DATASETS),$(call cell_files,$(dataset)))
 tables: $(foreach dataset,$(DATASETS),$(call tables_of,$(dataset)))
@@ -148,13 +148,16 @@ define show_summaries
 	@cat $(DATASETS:%=$(results)/%/summary.txt)
 	@printf 'tables and artefacts: %s\n' $(DATASETS:%=$(results)/%/)
 endef
+draw:
+	$(Q)+$(MAKE) --file=pipeline/figures.mk results='$(results)' DATASETS='$(DATASETS)' selection='$(selection)'
+figures: draw
+	@printf 'figures: %s\n' $(DATASETS:%=$(results)/%/figures/)
 # Drawing would double what a newcomer waits for.
 demo:
 	$(Q)+pipeline/tables.sh $(this_make)
 	$(show_summaries)
-# Figures are drawn of what there is, also where cells have failed.
 all:
-	$(Q)+pipeline/tables.sh $(this_make); tables=$$?; $(this_make) figures && exit $$tables
+	$(Q)+pipeline/tables.sh $(if $(findstring q,$(firstword -$(MAKEFLAGS))),,--draw) $(this_make)
 	$(show_summaries)
 
 # For status.sh, also in a dry run.
@@ -164,7 +167,6 @@ list-cells:
 include pipeline/sweep.mk
 include pipeline/contrast.mk
 include pipeline/identify.mk
-include pipeline/figures.mk
 
 # ---- rules of the settings ----------------------------------------------------------------------
 # Looking at the rules writes nothing. A file that does not hold what it should is written when a step

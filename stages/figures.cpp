@@ -21,6 +21,7 @@ bool write(const figures::Figure& figure, figures::Source& source) {
   const fs::path file = source.layout().figure_csv(figure.name);
   try {
     text::save_if_changed({file, figure.numbers(source).csv()});
+    std::cout << "wrote " << file.filename().string() << '\n';
     return true;
   } catch (const Error& error) {
     spdlog::warn("{} is not drawn: {}", figure.name, error.what());

@@ -13,17 +13,18 @@ lay_out() {
   printf 'name = "made"\n[simulation]\n' >pipeline/datasets/made.toml
   cp "$project/tests/reference/protocol.toml" pipeline
   mkdir -p results/published $drawn
-  rm fake/figures 2>/dev/null || true
   cat >fake/figures <<'STAGE'
 #!/bin/bash
 mkdir -p results/t/made/figures
 [[ ! -d numbers ]] || for csv in numbers/*; do
   cmp -s "$csv" "results/t/made/figures/${csv##*/}" || cp "$csv" results/t/made/figures
+  echo "wrote ${csv##*/}"
 done
 echo "figures: wrote some numbers"
 STAGE
   chmod +x fake/figures
-  mkdir numbers
+  mkdir -p numbers results/t/made/seed0
+  touch results/t/made/seed0/C.h5
   losses 3 >numbers/fig07-losses.csv
 }
 
@@ -32,6 +33,8 @@ losses() { # of the last epoch
     mean,1,1,twin,9 mean,2,2,twin,5 "mean,1,3,twin,$1"
 }
 
+# A cell is made again, and with it other numbers.
+new_cell() { touch -d 'now + 1 second' results/t/made/seed0/C.h5; }
 figures() { make --silent figures BIN=fake RUN=t DATASETS=made METHODS="none piae-dt" RATIOS="100to1 10to1" SEEDS=0; }
 pictures() { sha256sum $drawn/*.svg $drawn/*.pdf; }
 
@@ -40,7 +43,7 @@ test_each_figure_is_an_svg_and_a_pdf_beside_its_numbers() {
   figures >messages 2>&1 || fail "$(<messages)"
   expect_line "$(head -c 300 $drawn/fig07-losses.svg)" '<svg'
   expect_equal "$(head -c 5 $drawn/fig07-losses.pdf)" "%PDF-"
-  expect_line "$(tail -n 1 messages)" "^figures: $drawn$"
+  expect_line "$(tail -n 1 messages)" "^figures: $drawn/$"
 }
 
 test_the_same_numbers_give_the_same_bytes() {
@@ -61,9 +64,30 @@ test_only_what_has_new_numbers_is_drawn_again() {
   touch -d '2001-01-01' $drawn/*.svg
   touch -d '2000-01-01' $drawn/*.csv pipeline/figures/*
   losses 2 >numbers/fig07-losses.csv
+  new_cell
   figures >/dev/null 2>&1
   [[ $(date -r $drawn/fig07-losses.svg +%Y) != 2001 ]] || fail "the changed one was not drawn again"
   expect_equal "$(date -r $drawn/fig08-loss-weights.svg +%Y)" 2001
+}
+
+test_lost_numbers_and_a_lost_folder_come_back() {
+  lay_out
+  figures >/dev/null 2>&1
+  local first
+  first=$(pictures)
+  rm $drawn/fig07-losses.csv
+  figures >/dev/null 2>&1
+  expect_equal "$(pictures)" "$first"
+  rm -r $drawn
+  figures >/dev/null 2>&1
+  expect_equal "$(pictures)" "$first"
+}
+
+test_without_a_cell_nothing_is_drawn() {
+  lay_out
+  rm -r results/t/made
+  expect_exit 0 figures
+  [[ ! -e results/t/made ]] || fail "made $(find results/t/made)"
 }
 
 test_a_changed_style_draws_all_again() {
@@ -81,6 +105,7 @@ test_a_picture_without_numbers_is_removed() {
   figures >/dev/null 2>&1
   rm $drawn/fig07-losses.csv numbers/fig07-losses.csv
   losses 4 >numbers/fig08-loss-weights.csv
+  new_cell
   figures >/dev/null 2>&1
   expect_equal "$(find $drawn -type f -printf '%f\n' | sort | paste -sd' ')" "fig08-loss-weights.csv fig08-loss-weights.pdf fig08-loss-weights.svg"
 }
