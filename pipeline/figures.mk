@@ -23,7 +23,7 @@ step       = pipeline/step.sh $(results)/$1 figures --run $(results) --dataset $
 command    = $(BIN)/figures $(wordlist 4,999,$(call step,$1))
 is_as_made = $(shell log=$(results)/$1/figures.log; [[ -f $$log && $$(head -n 1 $$log) == *'$(call command,$1)' \
                && $$(tail -n 1 $$log) == 'step: exit 0 '* ]] && \
-               (cd $(results)/$1/figures && ls $$(sed -n 's/^wrote //p' ../figures.log)) >/dev/null 2>&1 && echo yes)
+               sed -n 's,^wrote ,$(results)/$1/figures/,p' $$log | xargs -r ls >/dev/null 2>&1 && echo yes)
 define numbers_rule # data set
 $(results)/$1/figures.log: $(call cells,$1) $(if $(call is_as_made,$1),,FORCE)
 	$(Q)$(call step,$1)
