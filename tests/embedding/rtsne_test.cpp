@@ -51,13 +51,13 @@ struct BesideRtsne : testing::Test {
 TEST_F(BesideRtsne, ReachesTheSameDivergenceForClouds) {
   const Points points = three_clouds(300, 10, 5, "points");
   const double expected = cost_of_rtsne(points);
-  EXPECT_NEAR(tsne(points).kl_divergence, expected, 0.03 * expected);
+  EXPECT_NEAR(tsne(points).kl_divergence, expected, 0.05 * expected);
 }
 
 TEST_F(BesideRtsne, ReachesTheSameDivergenceForOneCloud) {
   const Points points = cloud(400, 20, "points");
   const double expected = cost_of_rtsne(points);
-  EXPECT_NEAR(tsne(points).kl_divergence, expected, 0.03 * expected);
+  EXPECT_NEAR(tsne(points).kl_divergence, expected, 0.05 * expected);
 }
 
 }  // namespace

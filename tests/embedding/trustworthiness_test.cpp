@@ -80,7 +80,10 @@ TEST(Trustworthiness, IsThatOfTheDefinition) {
 /// On a grid of whole numbers most distances come more than once.
 TEST(Trustworthiness, TakesTheSmallerIndexOfEquallyNearPoints) {
   Points points(36, 2);
-  for (Index i = 0; i < 36; ++i) points.row(i) << static_cast<double>(i / 6), i % 6;
+  for (Index i = 0; i < 36; ++i) {
+    const Index row = i / 6;
+    points.row(i) << static_cast<double>(row), static_cast<double>(i % 6);
+  }
   const Points map = points.rowwise().sum();
   for (const Index k : {1, 4, 12}) {
     EXPECT_NEAR(trustworthiness(points, map, k), by_definition(points, map, k), 1e-14);
