@@ -24,10 +24,10 @@ struct TsneMap {
 /// stochastic neighbor embedding").
 ///
 /// The same points give the same map, in any order of their rows and with any number of threads.
-/// Throws std::logic_error where the
-/// perplexity is below 1 or not below (N - 1) / 3, which takes at least 5 points; for points
-/// without coordinates; and for an exaggeration that is not positive. Throws Error(bad_input) where
-/// a coordinate is not finite.
+///
+/// Throws std::logic_error where the perplexity is below 1 or not below (N - 1) / 3, which takes at
+/// least 5 points; for points without coordinates; and for an exaggeration that is not positive.
+/// Throws Error(bad_input) where a coordinate is not finite.
 TsneMap tsne(const Points& points, const TsneOptions& options = {});
 
 }  // namespace piae::embedding
