@@ -24,17 +24,16 @@ LINT     :=
 V        :=
 quickly  :=
 
-# The demo is a small grid of the same kind, on all cores unless -j says otherwise. Its programs have a
-# folder of their own, where they are built in half the time; it takes those in build/bin if it finds
-# them there. It needs no LibTorch, but does not take it from programs that are built with it.
+# The demo is a small grid of the same kind, on all cores unless -j says otherwise. Its programs are few,
+# without LibTorch, and have a folder of their own, where they are built in half the time.
 ifneq (,$(filter demo,$(MAKECMDGOALS)))
 RUN      := demo
 DATASETS := simulated-small
 METHODS  := none smote piae-dt piae-dt-phase oracle
 RATIOS   := 100to1 10to1
 SEEDS    := 0 1
-LIBTORCH := $(if $(wildcard build/bin/train-libtorch),on,off)
-quickly  := $(if $(wildcard build/bin/train),,demo)
+LIBTORCH := off
+quickly  := demo
 MAKEFLAGS += -j$(shell env -u OMP_NUM_THREADS nproc)
 endif
 
@@ -54,7 +53,11 @@ like_it    = $(foreach name,$(variables),$(if $(filter $1%,$(name))$(filter $(na
 meant      = $(firstword $(call like_it,$(call upper_case,$1)))
 $(foreach name,$(filter-out $(variables),$(given)),$(error there is no variable $(name); $(or \
   $(patsubst %,did you mean %?,$(call meant,$(name))),`make help` lists those there are)))
-$(if $(filter on off,$(LIBTORCH)),,$(error LIBTORCH: on or off, not '$(LIBTORCH)'))
+one_of = $(if $(and $(filter $2,$($1)),$(filter 1,$(words $($1)))),,$(error $1: $(firstword $2) or \
+  $(lastword $2), not '$($1)'))
+$(call one_of,LIBTORCH,on off)
+$(call one_of,PROTOCOL,random blocked)
+$(if $(filter-out all,$(LINT)),$(error LINT: all, or not given, not '$(LINT)'))
 
 # The folder, as a shell completes it, will do: RUN=results/try/ is RUN=try.
 override RUN := $(patsubst results/%,%,$(RUN:/=))

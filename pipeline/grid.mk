@@ -44,10 +44,8 @@ $(if $(filter-out $(words $2),$(words $(sort $2))),$(error $1: '$2' names one tw
 endef
 $(call check_words,DATASETS,$(DATASETS),$(call fact,dataset))
 $(call check_words,RATIOS,$(RATIOS),$(call fact,ratio))
-$(call check_words,PROTOCOL,$(PROTOCOL),random blocked)
 $(call check_words,METHODS,$(METHODS),$(call fact,method))
 $(call check_words,SEEDS,$(SEEDS),$(SEEDS))
-$(if $(filter 1,$(words $(PROTOCOL))),,$(error PROTOCOL: one of random and blocked))
 $(if $(shell printf '%s\n' $(SEEDS) | grep -vxE '0|[1-9][0-9]*'),\
   $(error SEEDS: whole numbers from 0 up, not '$(SEEDS)'))
 $(if $(findstring /,$(RUN)),$(error RUN: the name of a folder under results/, not a path: '$(RUN)'))

@@ -46,6 +46,8 @@ name_the_holes() {
     outdated=()
     for cell in "${cells[@]}"; do [[ ! -f $cell ]] || outdated+=(--outdated "$cell"); done
     read -ra words <<<"$options"
+    # Its settings may not have been written yet: make has stopped before.
+    "${make[@]}" "${words[1]}" # --config FILE
     "$script" "$folder" "$stage" "${words[@]}" "${outdated[@]}" >/dev/null
   done <<<"$steps"
   echo "not every cell could be made; make status, with the same variables, shows which failed and why" >&2
