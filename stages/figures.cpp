@@ -23,11 +23,13 @@ bool write(const figures::Figure& figure, figures::Source& source) {
     text::save_if_changed({file, figure.numbers(source).csv()});
     std::cout << "wrote " << file.filename().string() << '\n';
     return true;
+  } catch (const figures::LeftOut& reason) {
+    std::cout << fmt::format("left out {}: {}\n", figure.name, reason.what());
   } catch (const Error& error) {
     spdlog::warn("{} is not drawn: {}", figure.name, error.what());
-    artefact::remove_file(file);
-    return false;
   }
+  artefact::remove_file(file);
+  return false;
 }
 
 }  // namespace
@@ -52,7 +54,6 @@ int main(int argc, char** argv) {
     figures::Source source({run_folder, grid.dataset}, grid, report::Published(published_folder));
     std::size_t written = 0;
     for (const figures::Figure& figure : figures::catalogue()) written += write(figure, source);
-    if (written == 0) throw Error(Exit::input_missing, "no figure could be drawn; why, see above");
     std::cout << fmt::format("wrote the numbers of {} of {} figures\n", written,
                              figures::catalogue().size());
   });

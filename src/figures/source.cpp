@@ -26,7 +26,7 @@ std::vector<std::string> Source::inferring_methods() const {
     if (augment::find_entry(method)->infers) methods.push_back(method);
   }
   if (methods.empty()) {
-    throw Error(Exit::input_missing, "needs a method that infers (k, c) in the grid");
+    throw LeftOut("no method here infers (k, c)");
   }
   return methods;
 }
@@ -62,7 +62,7 @@ scoring::DiagnosisRecord Source::diagnosis(const run::Combination& cell, std::in
 artefact::Reader Source::model(const std::string& method, std::int64_t seed) const {
   const auto of_method = [&](const run::Combination& cell) { return cell.method == method; };
   if (std::ranges::none_of(grid_.combinations, of_method)) {
-    throw Error(Exit::input_missing, "needs the method " + method + ", which is not in the grid");
+    throw LeftOut("the method " + method + " is not among those asked for");
   }
   return {layout_.model(method, seed), "model"};
 }
