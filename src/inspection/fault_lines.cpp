@@ -34,7 +34,7 @@ constexpr double largest_lobe = 0.25;
 constexpr double chance_of_noise = 1e-3;  // that white noise alone passes for a line
 constexpr int fewest_harmonics = 2;
 constexpr double largest_share_elsewhere = 0.05;
-constexpr double step_between_places = 0.02;
+constexpr double step_between_places = 0.02;  // of the logarithm of a frequency
 
 /// The longest length up to this one whose Fourier transform is fast: with no prime factor
 /// beyond 5.
@@ -50,11 +50,12 @@ std::size_t fast_length(std::size_t most) {
 
 /// Segments that overlap by half, spread over the record where there would be too many.
 Windows segments_of(std::span<const double> signal, std::size_t length) {
+  const std::size_t half = std::max<std::size_t>(1, length / 2);
   const std::size_t rest = signal.size() - length;
-  const std::size_t count = std::min(most_segments, rest / (length / 2) + 1);
+  const std::size_t count = std::min(most_segments, rest / half + 1);
   Windows segments(count, length);
   for (std::size_t i = 0; i < count; ++i) {
-    const std::size_t first = i * std::max(length / 2, rest / most_segments);
+    const std::size_t first = i * std::max(half, rest / most_segments);
     segments.row(static_cast<Eigen::Index>(i)) =
         Eigen::Map<const Eigen::RowVectorXd>(signal.data() + first, segments.cols());
   }
@@ -107,7 +108,9 @@ class Ruler {
     Decibels best{};
     best.fill(-std::numeric_limits<double>::infinity());
     const double step_hz = spectrum_->bin_hz / harmonics;
-    for (double hz = line_hz * (1 - tolerance); hz <= line_hz * (1 + tolerance); hz += step_hz) {
+    const auto last = std::lround(tolerance * line_hz / step_hz);
+    for (long i = -last; i <= last; ++i) {
+      const double hz = line_hz + static_cast<double>(i) * step_hz;
       Decibels here{};
       for (int n = 1; n <= harmonics; ++n) {
         const double power = std::max(spectrum_->power[bin(n * hz)], spectrum_->rounding);
@@ -151,7 +154,10 @@ bool are_related(double hz, double other_hz) {
 std::vector<double> elsewhere_db(const Ruler& ruler, const FaultLines& lines) {
   const auto [low, high] = std::ranges::minmax(lines, {}, &FaultLine::hz);
   std::vector<double> decibels;
-  for (double hz = low.hz / 2; hz <= 2 * high.hz; hz *= 1 + step_between_places) {
+  const double lowest_hz = low.hz / 2;
+  const auto last = std::lround(std::log(2 * high.hz / lowest_hz) / step_between_places);
+  for (long i = 0; i <= last; ++i) {
+    const double hz = lowest_hz * std::exp(static_cast<double>(i) * step_between_places);
     const bool related =
         std::ranges::any_of(lines, [&](const FaultLine& line) { return are_related(hz, line.hz); });
     if (!related && ruler.can_measure(hz)) decibels.push_back(mean_of(ruler.best(hz)));

@@ -161,14 +161,15 @@ void draw_spectrum(Svg& svg, const RecordCheck& record, signal::Defect own, doub
       *std::max_element(decibels.begin() + static_cast<std::ptrdiff_t>(first), decibels.end());
   const Axis x{0, highest_hz, spectrum_left, spectrum_left + spectrum_width};
   const Axis y{lowest_db, std::max(20.0, highest_db + 2), y0 + panel_height, y0};
-  for (double db = 0; db <= y.high; db += 10) {
+  for (int db = 0; db <= y.high; db += 10) {
     svg.line({x.from, y.at(db)}, {x.to, y.at(db)}, grid_stroke);
-    if (std::fmod(db, 20) == 0) {
-      svg.text({x.from - 5, y.at(db) + 4}, fmt::format("{:g}", db), Anchor::end);
+    if (db % 20 == 0) {
+      svg.text({x.from - 5, y.at(db) + 4}, std::to_string(db), Anchor::end);
     }
   }
   const double step_hz = tick_step(highest_hz);
-  for (double hz = 0; hz < highest_hz; hz += step_hz) {
+  for (int tick = 0; tick * step_hz < highest_hz; ++tick) {
+    const double hz = tick * step_hz;
     svg.text({x.at(hz), y0 + panel_height + 14}, fmt::format("{:g}", hz), Anchor::middle);
   }
   svg.text({x.to, y0 + panel_height + 14}, "Hz", Anchor::end);

@@ -22,6 +22,11 @@ constexpr std::size_t widest_class = 24;
 constexpr std::size_t widest_file = 48;
 constexpr std::size_t narrowest_file = 8;
 
+const char* const lines_note =
+    "dB: how far the line and its 2nd and 3rd harmonic stand out of the record's envelope "
+    "spectrum\n"
+    "*: the line of the record's class; noise alone exceeds 'noise dB' in 1 of 1000 records\n\n";
+
 /// The end of a text, which tells names and files apart better than their beginning.
 std::string shortened(const std::string& text, std::size_t width) {
   if (text.size() <= width) return text;
@@ -91,7 +96,7 @@ std::string lines_table(const DatasetInfo& info, const DatasetCheck& check) {
     row.push_back(noise_db > 0 ? fmt::format("{:.1f}", noise_db) : "-");
     table.row(row);
   }
-  return table.plain();
+  return table.plain() + lines_note;
 }
 
 std::string classes_table(const DatasetInfo& info, const DatasetCheck& check) {
@@ -111,11 +116,6 @@ std::string classes_table(const DatasetInfo& info, const DatasetCheck& check) {
   return table.plain();
 }
 
-const char* const lines_note =
-    "dB: how far the line and its 2nd and 3rd harmonic stand out of the record's envelope "
-    "spectrum\n"
-    "*: the line of the record's class; noise alone exceeds 'noise dB' in 1 of 1000 records\n";
-
 const char* const classes_note =
     "A meets B, C: test windows that share samples with a training window if PROTOCOL=random\n";
 
@@ -132,11 +132,13 @@ std::string unit_name(double unit_m_per_s2) {
 
 std::string tables_of(const signal::Description& description, const DatasetCheck& check) {
   const DatasetInfo& info = description.info;
+  const bool any = std::ranges::any_of(
+      check.records, [](const RecordCheck& record) { return record.problem.empty(); });
   return fmt::format(
-      "{}: all brought to {:g} Hz, unit_m_per_s2 = {:g}, windows of {} samples\n\n{}\n{}{}\n{}{}",
+      "{}: all brought to {:g} Hz, unit_m_per_s2 = {:g}, windows of {} samples\n\n{}\n{}{}{}",
       info.name, info.sample_rate_hz, info.unit_m_per_s2, signal::SplitOptions{}.window,
-      recordings_text(info, check), lines_table(info, check), lines_note,
-      classes_table(info, check), classes_note);
+      recordings_text(info, check), any ? lines_table(info, check) : "", classes_table(info, check),
+      classes_note);
 }
 
 }  // namespace piae::inspection

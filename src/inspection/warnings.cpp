@@ -3,6 +3,7 @@
 #include <spdlog/fmt/fmt.h>
 
 #include <algorithm>
+#include <functional>
 #include <iterator>
 
 #include "inspection/plausibility.hpp"
@@ -72,8 +73,8 @@ void add_rate(const Description& description, Lines& lines) {
   if (turns < 1) {
     lines.push_back(fmt::format(
         "sample_rate_hz = {:g}: a window of {} samples ({:.3g} s) holds {:.2g} turns of the shaft "
-        "at {:g} rpm ({}): most windows then miss what happens once a turn; a lower rate of the "
-        "dataset makes windows longer",
+        "at {:g} rpm ({}): not every window then sees what happens once a turn; a lower rate of "
+        "the dataset makes windows longer",
         info.sample_rate_hz, window, window_s, turns, slowest.shaft_speed_rpm, slowest.name));
   }
   const FaultLines fault = fault_lines({}, info, fastest.shaft_speed_rpm);
@@ -87,24 +88,61 @@ void add_rate(const Description& description, Lines& lines) {
   }
 }
 
-void add_length(const RecordCheck& record, Lines& lines) {
-  const RecordSource& source = record.source;
-  const double seconds = record.length_s();
-  const std::string rate = fmt::format("{}: {} samples at sample_rate_hz = {:g}", place_of(source),
-                                       record.file_samples, source.sample_rate_hz);
-  if (seconds > longest_record_s) {
-    lines.push_back(fmt::format(
-        "{} are {:.1f} hours, too long for one run at a steady speed: is the rate in kHz? The "
-        "record was not resampled, and its lines were not looked for",
-        rate, seconds / 3600));
+std::string length_at_rate(const RecordCheck& record) {
+  return fmt::format("{}: {} samples at sample_rate_hz = {:g}", place_of(record.source),
+                     record.file_samples, record.source.sample_rate_hz);
+}
+
+std::string too_long(const RecordCheck& record) {
+  return fmt::format(
+      "{} are {:.1f} hours, too long for one run at a steady speed: is the rate in kHz? Not "
+      "resampled, and not asked for lines",
+      length_at_rate(record), record.length_s() / 3600);
+}
+
+std::string too_short(const RecordCheck& record) {
+  return fmt::format(
+      "{} are {:.3g} s, {:.2g} turns of the shaft: fewer than {:g} show no rhythm; is the rate too "
+      "high?",
+      length_at_rate(record), record.length_s(),
+      turns_in(record.length_s(), record.source.shaft_speed_rpm), fewest_turns);
+}
+
+std::string names_of(const std::vector<const RecordCheck*>& records) {
+  std::string list;
+  for (const RecordCheck* record : records) {
+    list += (list.empty() ? "" : ", ") + record->source.name;
   }
-  const double turns = turns_in(seconds, source.shaft_speed_rpm);
-  if (turns < fewest_turns && !looks_like_hz(source.shaft_speed_rpm)) {
-    lines.push_back(fmt::format(
-        "{} are {:.3g} s, {:.2g} turns of the shaft: fewer than {:g} show no rhythm; is the rate "
-        "too high?",
-        rate, seconds, turns, fewest_turns));
+  return list;
+}
+
+/// A line for each of a few records. Of many, which will have one reason, a line for the first with
+/// the names of the others.
+void add_for_each(std::vector<const RecordCheck*> records,
+                  const std::function<std::string(const RecordCheck&)>& text, Lines& lines) {
+  constexpr std::size_t few = 3;
+  if (records.size() > few) {
+    const std::string first = text(*records.front());
+    records.erase(records.begin());
+    lines.push_back(fmt::format("{} (the same holds for {})", first, names_of(records)));
+    return;
   }
+  for (const RecordCheck* record : records) lines.push_back(text(*record));
+}
+
+void add_lengths(const std::vector<RecordCheck>& records, Lines& lines) {
+  std::vector<const RecordCheck*> long_ones;
+  std::vector<const RecordCheck*> short_ones;
+  for (const RecordCheck& record : records) {
+    if (!record.problem.empty()) continue;
+    const double rpm = record.source.shaft_speed_rpm;
+    if (record.length_s() > longest_record_s) long_ones.push_back(&record);
+    if (turns_in(record.length_s(), rpm) < fewest_turns && !looks_like_hz(rpm)) {
+      short_ones.push_back(&record);
+    }
+  }
+  add_for_each(long_ones, too_long, lines);
+  add_for_each(short_ones, too_short, lines);
 }
 
 void add_flaws(const RecordCheck& record, Lines& lines) {
@@ -211,14 +249,12 @@ void add_healthy_lines(const DatasetInfo& info, const std::vector<RecordCheck>& 
   }
 }
 
-/// Where most faulty records do not show their line, the fault is one that they share.
-std::string shared_oddity(const Lines& names, std::size_t asked) {
-  std::string list;
-  for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
+/// Where nearly all faulty records do not show their line, they share the reason.
+std::string shared_oddity(const std::vector<const RecordCheck*>& odd, std::size_t asked) {
   return fmt::format(
       "only {} of {} faulty records show the line of their class best (not {}): shaft_speed_rpm, "
       "sample_rate_hz or [bearing] may be wrong, or the labels",
-      asked - names.size(), asked, list);
+      asked - odd.size(), asked, names_of(odd));
 }
 
 }  // namespace
@@ -229,8 +265,8 @@ std::string place_of(const RecordSource& source) {
 
 std::vector<std::string> line_warnings(const DatasetInfo& info,
                                        const std::vector<RecordCheck>& records) {
-  Lines odd;
-  Lines names;
+  Lines lines;
+  std::vector<const RecordCheck*> odd;
   std::size_t asked = 0;
   for (const RecordCheck& record : records) {
     const signal::Defect defect = info.class_of(record.source.label).defect;
@@ -239,13 +275,13 @@ std::vector<std::string> line_warnings(const DatasetInfo& info,
     ++asked;
     std::string oddity = oddity_of_fault(record, defect);
     if (oddity.empty()) continue;
-    odd.push_back(std::move(oddity));
-    names.push_back(record.source.name);
+    odd.push_back(&record);
+    lines.push_back(std::move(oddity));
   }
   constexpr std::size_t few = 2;
-  if (names.size() > few && 2 * names.size() > asked) odd = {shared_oddity(names, asked)};
-  add_healthy_lines(info, records, odd);
-  return odd;
+  if (odd.size() > few && 4 * odd.size() >= 3 * asked) return {shared_oddity(odd, asked)};
+  add_healthy_lines(info, records, lines);
+  return lines;
 }
 
 std::vector<std::string> warnings_of(const Description& description, const DatasetCheck& check) {
@@ -253,10 +289,9 @@ std::vector<std::string> warnings_of(const Description& description, const Datas
   add_speeds(description, lines);
   add_raceways(description.info.bearing, lines);
   add_rate(description, lines);
+  add_lengths(check.records, lines);
   for (const RecordCheck& record : check.records) {
-    if (!record.problem.empty()) continue;
-    add_length(record, lines);
-    add_flaws(record, lines);
+    if (record.problem.empty()) add_flaws(record, lines);
   }
   for (const ClassCheck& found : check.classes) add_stride(description.info, found, lines);
   std::ranges::move(line_warnings(description.info, check.records), std::back_inserter(lines));

@@ -15,8 +15,8 @@ using std::numbers::pi;
 
 /// A sin: A / sqrt(2), 3/8 A^4 over (A^2 / 2)^2, A over A / sqrt(2), whatever the offset.
 TEST(Level, OfASineHasItsClosedForm) {
-  std::vector<double> sine;
-  for (int i = 0; i < 4000; ++i) sine.push_back(7 + 2 * std::sin(2 * pi * i / 40));
+  std::vector<double> sine(4000);
+  for (int i = 0; i < 4000; ++i) sine[i] = 7 + 2 * std::sin(2 * pi * i / 40);
   const Level level = level_of(sine);
   EXPECT_NEAR(level.rms, 2 / std::numbers::sqrt2, 1e-9);
   EXPECT_NEAR(level.kurtosis, 1.5, 1e-9);
@@ -38,8 +38,8 @@ TEST(Level, OfOneStrikeHasItsClosedForm) {
 /// The kurtosis of n normal numbers scatters by sqrt(24 / n).
 TEST(Level, OfNormalNoiseHasAKurtosisOfThree) {
   Stream stream("level");
-  std::vector<double> noise;
-  for (int i = 0; i < 60000; ++i) noise.push_back(stream.normal(0, 0.3));
+  std::vector<double> noise(60000);
+  for (double& x : noise) x = stream.normal(0, 0.3);
   EXPECT_NEAR(level_of(noise).kurtosis, 3, 0.08);
   EXPECT_NEAR(level_of(noise).rms, 0.3, 0.004);
 }

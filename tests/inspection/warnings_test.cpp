@@ -82,7 +82,17 @@ TEST(Warnings, NameARecordOfMoreThanAnHour) {
   found.check.records[1].level.reset();
   for (FaultLine& line : found.check.records[1].lines) line.db.reset();
   expect_one(found, {"outer (outer.csv, variable 2): 120000 samples at sample_rate_hz = 12",
-                     "2.8 hours", "kHz", "not resampled"});
+                     "2.8 hours", "kHz", "Not resampled"});
+}
+
+TEST(Warnings, NameManyRecordsOfMoreThanAnHourInOneLine) {
+  Found found;
+  for (RecordCheck& record : found.check.records) {
+    record.source.sample_rate_hz = 12;
+    for (FaultLine& line : record.lines) line.db.reset();
+  }
+  expect_one(found, {"ok (ok.csv, variable 2): 120000", "2.8 hours",
+                     "(the same holds for outer, inner, ball)"});
 }
 
 /// 120000 / 12e6 s = 0.01 s, 0.2995 turns.
@@ -149,9 +159,12 @@ TEST(Warnings, NameAFaultThatShowsAnotherLineFarther) {
                      "than BPFO (107.3 Hz, 20.0 dB), the line of its class"});
 }
 
-TEST(Warnings, NameSpeedAndRateWhereMostFaultsDoNotShowTheirLines) {
+TEST(Warnings, NameSpeedAndRateWhereNearlyAllFaultsDoNotShowTheirLines) {
   Found found;
-  for (const Label label : {1, 2, 3}) Found::set(found.line(label, index_of(label) - 1), 1);
+  Found::set(found.line(0, 1), 9.3);  // follows from it
+  found.line(1, 0).stands_out = false;
+  found.line(2, 1).stands_out = false;
+  found.line(3, 2).stands_out = false;
   expect_one(found, {"only 0 of 3 faulty records", "(not outer, inner, ball)", "shaft_speed_rpm"});
 }
 
