@@ -63,17 +63,18 @@ configure() {
   mkdir -p $configured
   exec 9>$configured/.lock
   flock 9
-  local options=(-S . -B "$configured" -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON)
-  if cmake "${options[@]}" -DPIAE_LIBTORCH=ON >$configured/configure.log 2>&1; then
-    has_libtorch=yes
-  else
-    cmake "${options[@]}" -DPIAE_LIBTORCH=OFF >$configured/configure.log 2>&1 || {
-      cat $configured/configure.log >&2
-      exit 1
-    }
-    has_libtorch=
-    say "LibTorch is not installed, so src/libtorch and the tests that need it are left out"
-  fi
+  local options=(-S . -B "$configured" -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON) benches
+  for has_libtorch in yes ''; do
+    for benches in yes ''; do
+      cmake "${options[@]}" "-DPIAE_LIBTORCH=${has_libtorch:-OFF}" "-DPIAE_BENCH=${benches:-OFF}" \
+        >$configured/configure.log 2>&1 && break 2
+    done
+  done || {
+    cat $configured/configure.log >&2
+    exit 1
+  }
+  [[ $has_libtorch ]] || say "LibTorch is not installed, so src/libtorch and the tests that need it are left out"
+  [[ $benches ]] || say "Google Benchmark is not installed, so tests/bench is left out"
   sed -i 's/ -fcx-limited-range//' $configured/compile_commands.json
   flock --unlock 9
 }

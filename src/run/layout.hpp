@@ -32,6 +32,16 @@ class Layout {
   [[nodiscard]] std::filesystem::path real_windows(std::int64_t seed) const {
     return seed_folder(seed) / "D.h5";
   }
+  [[nodiscard]] std::filesystem::path known_windows(std::int64_t seed) const {
+    return seed_folder(seed) / "C.h5";
+  }
+  [[nodiscard]] std::filesystem::path generated_windows(const std::string& method,
+                                                        std::int64_t seed) const {
+    return method_folder(method, seed) / "E.h5";
+  }
+  [[nodiscard]] std::filesystem::path figure_csv(const std::string& figure) const {
+    return folder_ / "figures" / (figure + ".csv");
+  }
   [[nodiscard]] std::filesystem::path accuracy_csv() const { return folder_ / "accuracy.csv"; }
   [[nodiscard]] std::filesystem::path summary_text() const { return folder_ / "summary.txt"; }
   [[nodiscard]] std::filesystem::path gains_csv() const { return folder_ / "gains.csv"; }

@@ -17,4 +17,8 @@ struct File {
 /// Error(failed) is thrown.
 void save_all(const std::vector<File>& files);
 
+/// Writes a file unless it holds that very text already, so that whatever make draws from it is not
+/// drawn again.
+void save_if_changed(const File& file);
+
 }  // namespace piae::text

@@ -1,0 +1,47 @@
+#!/bin/bash
+# Draws one figure: NAME.csv becomes NAME.svg and NAME.pdf beside it, by pipeline/figures/SCRIPT.gp. The
+# script is the one that is called like the figure, or like the beginning of its name before the last "@".
+# usage: pipeline/figures/draw.sh FOLDER/NAME.csv
+set -euo pipefail
+
+command -v gnuplot >/dev/null || {
+  echo "figures: gnuplot is not installed; \`make deps\` installs it (package gnuplot-nox)" >&2
+  exit 69
+}
+csv=$1
+name=$(basename "$csv" .csv)
+scripts=$(dirname "$0")
+script=$scripts/${name%@*}.gp
+partial=$(mktemp -d "$(dirname "$csv")/.drawing.XXXXXX")
+trap 'rm -rf "$partial"' EXIT
+
+# The distinct words of each column that holds words, in their order, as gnuplot's string variables.
+words=$(awk -F, '
+  NR == 1 { for (i = 1; i <= NF; ++i) column[i] = $i; columns = NF; next }
+  { for (i = 1; i <= columns; ++i) if ($i != "" && !((i, $i) in seen)) {
+      seen[i, $i]; all[i] = all[i] (all[i] == "" ? "" : " ") $i
+      if ($i !~ /^[-+]?[0-9]*\.?[0-9]+([eE][-+]?[0-9]+)?$/) wordy[i] } }
+  END { for (i = 1; i <= columns; ++i) if (i in wordy || column[i] == "seed")
+          printf "words_%s = \"%s\"\n", column[i], all[i] }' "$csv")
+
+# A script that needs another height than 600 says so in a line "# height: N".
+height=$(sed -nE 's/^# height: ([0-9]+)$/\1/p' "$script")
+height=${height:-600}
+for format in svg pdf; do
+  case $format in
+    svg) terminal="svg size 960,$height dynamic font 'DejaVu Sans,13' linewidth 1.2 background rgb 'white'" ;;
+    pdf) terminal="pdfcairo size 20cm,$(awk "BEGIN { print $height / 48 }")cm font 'DejaVu Sans,9' linewidth 1.2" ;;
+  esac
+  # A series without a point, such as published values where there are none, is no cause for a word.
+  gnuplot -e "data = '$csv'; scripts = '$scripts'; format = '$format'" - <<<"$words
+set terminal $terminal
+set output '$partial/$format'
+load scripts.'/style.gp'
+load '$script'
+unset output" 2> >(grep -vE 'Skipping data file with no valid points|^$' >&2)
+done
+# The same numbers give the same bytes: a PDF holds the time at which it was drawn, to be replaced by one of
+# the same length.
+LC_ALL=C sed -i -E '/^ *\/CreationDate \(D:/ s/D:[0-9]{14}/D:20000101000000/' "$partial/pdf"
+mv "$partial/pdf" "${csv%.csv}.pdf"
+mv "$partial/svg" "${csv%.csv}.svg"

@@ -1,0 +1,33 @@
+# What all figures have in common. A script finds here:
+#   colour(i), dash(i), mark(i)   of the i-th thing that is told apart, from 1: colours that survive the
+#                                 usual colour blindnesses (Okabe and Ito 2008), and never colour alone
+#   faint(rgb)                    the same colour for single seeds behind a mean
+#   panels(n, columns)            the rows of a grid of n panels
+# draw.sh gives it: `data` (the CSV), and of every column that holds words the distinct ones in their order,
+# as words_<column>.
+
+set datafile separator comma
+set datafile columnheaders
+set datafile missing NaN
+set encoding utf8
+
+array okabe_ito[8] = [0x0072B2, 0xD55E00, 0x009E73, 0xCC79A7, 0xE69F00, 0x56B4E9, 0x000000, 0x999933]
+array marks[8]     = [7, 5, 9, 11, 13, 6, 4, 8]
+array dashes[8]    = [1, 2, 4, 5, 3, 1, 2, 4]
+# Also for 0, which gnuplot asks for where a list is empty.
+colour(i) = okabe_ito[(i + 7) % 8 + 1]
+mark(i)   = marks[(i + 7 + 3 * ((i - 1) / 8)) % 8 + 1]  # the ninth differs from the first
+dash(i)   = dashes[(i + 7) % 8 + 1]
+faint(i)  = (0xB0 << 24) + colour(i)
+ceiling_colour = 0x777777
+panels(n, columns) = (n + columns - 1) / columns
+
+# The place of a word in a list, from 1.
+place(word, list) = (found = 0, sum [n = 1:words(list)] (word(list, n) eq word ? (found = n) : 0), found)
+
+set border 3 linecolor rgb 0x555555
+set tics nomirror out scale 0.5 textcolor rgb 0x333333
+set grid linecolor rgb 0xE4E4E4 linewidth 0.7 linetype 1
+set key noautotitle samplen 2 textcolor rgb 0x333333
+set title offset 0,-0.6
+set style fill solid 1 noborder

@@ -1,0 +1,82 @@
+#include "figures/catalogue.hpp"
+
+#include "figures/curves.hpp"
+#include "figures/gains.hpp"
+#include "figures/quality.hpp"
+#include "figures/twin_space.hpp"
+
+namespace piae::figures {
+
+namespace {
+
+constexpr Figure figures[] = {
+    {.name = "fig15-gains",
+     .paper = "Fig. 15",
+     .title = "What generated windows gain, by ratio",
+     .caption =
+         "Accuracy minus that of the same seed without generated windows, in points. Dots are "
+         "seeds, lines their mean, bars its 95 % interval; the dashed line is what the paper "
+         "publishes. The ceiling learns from real windows instead of generated ones. Below zero a "
+         "method does harm.",
+     .from = "seed*/<method>/<ratio>/diagnosis.h5, /predictions",
+     .numbers = gains_of_methods},
+    {.name = "fig18-gains-of-models",
+     .paper = "Fig. 18",
+     .title = "What the windows of the paper's five models gain, by ratio",
+     .caption = "As Fig. 15, of PIAE-DT (Model 1) and of what is left when one part of it is taken "
+                "away or exchanged.",
+     .from = "seed*/<method>/<ratio>/diagnosis.h5, /predictions",
+     .numbers = gains_of_models},
+    {.name = "accuracies",
+     .paper = "",
+     .title = "Accuracy by ratio",
+     .caption = "Mean accuracy in percent over the seeds with its 95 % interval; dots are seeds. "
+                "The grey band is the accuracy without generated windows.",
+     .from = "seed*/<method>/<ratio>/diagnosis.h5, /predictions",
+     .numbers = accuracies},
+    {.name = "fig13-14-quality",
+     .paper = "Figs 13 and 14",
+     .title = "How good the generated windows are",
+     .caption =
+         "MMD and RMSE as in the paper, where small is good, and beside them what does not reward "
+         "silence: an amplitude ratio of 1 and differences of 0 dB are those of real windows. A "
+         "window of zeros has a small RMSE.",
+     .from = "seed*/<method>/score.h5, /quality",
+     .numbers = quality_of_methods},
+    {.name = "fig16-17-quality-of-models",
+     .paper = "Figs 16 and 17",
+     .title = "How good the windows of the paper's five models are",
+     .caption = "As Figs 13 and 14, of PIAE-DT (Model 1) and its ablations.",
+     .from = "seed*/<method>/score.h5, /quality",
+     .numbers = quality_of_models},
+    {.name = "fig09-10-twin-space",
+     .paper = "Figs 9 and 10",
+     .title = "The digital twin space",
+     .caption =
+         "Joint histogram of stiffness and damping over the known windows, from which new ones are "
+         "drawn; its marginals above and beside it. Rings are known windows, dots generated ones, "
+         "crosses the true values where windows are simulated.",
+     .from = "seed<first>/<method>/model.h5, /twin_space; E.h5, /parameters",
+     .numbers = twin_space},
+    {.name = "fig07-losses",
+     .paper = "Fig. 7",
+     .title = "Losses of PIAE-DT by epoch",
+     .caption =
+         "Faint lines are seeds, strong ones their mean. In Stage 1 each network follows its "
+         "own loss, in Stage 2 all follow the total one.",
+     .from = "seed*/piae-dt/model.h5, /curves",
+     .numbers = loss_curves},
+    {.name = "fig08-loss-weights",
+     .paper = "Fig. 8",
+     .title = "Weights of the losses by epoch",
+     .caption = "The weights of eq. 23 for reconstruction (alpha), the differential data loss "
+                "(beta) and the twin's residual (gamma); faint lines are seeds.",
+     .from = "seed*/piae-dt/model.h5, /curves",
+     .numbers = weight_curves},
+};
+
+}  // namespace
+
+std::span<const Figure> catalogue() { return figures; }
+
+}  // namespace piae::figures

@@ -1,0 +1,94 @@
+#include "figures/curves.hpp"
+
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <numeric>
+#include <span>
+
+#include "augment/catalogue.hpp"
+#include "twin/curves.hpp"
+
+namespace piae::figures {
+
+namespace {
+
+struct NamedCurve {
+  const char* name;
+  std::vector<double> twin::Curves::*values;
+};
+
+constexpr NamedCurve losses[] = {{"reconstruction", &twin::Curves::reconstruction},
+                                 {"differential", &twin::Curves::differential},
+                                 {"twin", &twin::Curves::twin},
+                                 {"total", &twin::Curves::total}};
+constexpr NamedCurve weights[] = {{"alpha", &twin::Curves::alpha},
+                                  {"beta", &twin::Curves::beta},
+                                  {"gamma", &twin::Curves::gamma}};
+
+/// The training of one seed.
+struct SeedCurves {
+  std::string seed;
+  std::size_t epochs_in_a_row = 1;  ///< in the same stage
+  twin::Curves curves;
+};
+
+/// Only the options of `train`, which the model holds as TOML, say how long a stage lasts.
+std::size_t stage_epochs_of(const artefact::Reader& model) {
+  const std::string options = model.strings("/provenance/options").at(0);
+  const auto given = toml::parse(options)["stage-epochs"].value<std::string>();
+  return given ? std::stoul(*given) : 1;
+}
+
+std::vector<SeedCurves> curves_of_all_seeds(Source& source) {
+  std::vector<SeedCurves> all;
+  for (const std::int64_t seed : source.grid().seeds) {
+    const artefact::Reader model = source.model(augment::paper_method(), seed);
+    SeedCurves one{
+        .seed = std::to_string(seed), .epochs_in_a_row = stage_epochs_of(model), .curves = {}};
+    one.curves.read(model);
+    all.push_back(std::move(one));
+  }
+  return all;
+}
+
+/// The mean over the seeds, as far as the shortest training goes.
+std::vector<double> mean_curve(const std::vector<SeedCurves>& seeds, const NamedCurve& curve) {
+  std::vector<double> mean = seeds.front().curves.*curve.values;
+  for (const SeedCurves& seed : std::span(seeds).subspan(1)) {
+    const std::vector<double>& values = seed.curves.*curve.values;
+    mean.resize(std::min(mean.size(), values.size()));
+    for (std::size_t i = 0; i < mean.size(); ++i) mean[i] += values[i];
+  }
+  for (double& value : mean) value /= static_cast<double>(seeds.size());
+  return mean;
+}
+
+void add_curve(Numbers& numbers, const SeedCurves& seed, const std::string& name,
+               const std::vector<double>& values) {
+  for (std::size_t epoch = 0; epoch < values.size(); ++epoch) {
+    const bool first_stage = epoch / seed.epochs_in_a_row % 2 == 0;
+    numbers.row({seed.seed, first_stage ? "1" : "2", std::to_string(epoch + 1), name,
+                 digits(values[epoch])});
+  }
+}
+
+Numbers all_curves(Source& source, std::span<const NamedCurve> curves) {
+  const std::vector<SeedCurves> seeds = curves_of_all_seeds(source);
+  Numbers numbers({"seed", "stage", "epoch", "curve", "value"});
+  for (const NamedCurve& curve : curves) {
+    for (const SeedCurves& seed : seeds) {
+      add_curve(numbers, seed, curve.name, seed.curves.*curve.values);
+    }
+    SeedCurves mean{.seed = "mean", .epochs_in_a_row = seeds.front().epochs_in_a_row, .curves = {}};
+    add_curve(numbers, mean, curve.name, mean_curve(seeds, curve));
+  }
+  return numbers;
+}
+
+}  // namespace
+
+Numbers loss_curves(Source& source) { return all_curves(source, losses); }
+Numbers weight_curves(Source& source) { return all_curves(source, weights); }
+
+}  // namespace piae::figures

@@ -1,0 +1,66 @@
+#include "figures/gains.hpp"
+
+#include <algorithm>
+#include <optional>
+
+#include "augment/catalogue.hpp"
+#include "figures/groups.hpp"
+
+namespace piae::figures {
+
+namespace {
+
+using report::AccuracyRow;
+
+/// The t interval of two seeds is wider than all that a percentage can be.
+constexpr std::size_t fewest_seeds_of_an_interval = 3;
+
+std::string or_empty(std::optional<double> number) { return number ? digits(*number) : ""; }
+
+void add_row(Numbers& numbers, const AccuracyRow& row, const std::vector<std::int64_t>& seeds) {
+  const std::string ceiling = augment::is_ceiling(row.method) ? "1" : "0";
+  const std::string generated = std::to_string(row.generated_per_class);
+  for (std::size_t i = 0; i < row.values.size(); ++i) {
+    numbers.row({row.method, ceiling, row.ratio, generated, std::to_string(seeds[i]),
+                 digits(row.values[i]), "", "", ""});
+  }
+  const bool enough = row.values.size() >= fewest_seeds_of_an_interval;
+  const auto interval = enough ? row.summary.interval : std::nullopt;
+  numbers.row({row.method, ceiling, row.ratio, generated, "mean", digits(row.summary.mean),
+               interval ? digits(interval->low) : "", interval ? digits(interval->high) : "",
+               or_empty(row.published ? row.published : row.orientation)});
+}
+
+Numbers numbers_of(const std::vector<AccuracyRow>& rows, const std::vector<std::int64_t>& seeds,
+                   const std::string& what) {
+  Numbers numbers({"method", "ceiling", "ratio", "generated_per_class", "seed", what, "low", "high",
+                   "published"});
+  for (const AccuracyRow& row : rows) add_row(numbers, row, seeds);
+  return numbers;
+}
+
+Numbers gains_of(Source& source, const std::vector<std::string>& methods) {
+  std::vector<AccuracyRow> rows = report::gain_rows(source.accuracy_rows());
+  if (rows.empty()) throw LeftOut("the method none is not among those asked for");
+  std::erase_if(rows, [&](const AccuracyRow& row) {
+    return std::ranges::find(methods, row.method) == methods.end() &&
+           !augment::is_ceiling(row.method);
+  });
+  return numbers_of(rows, source.grid().seeds, "gain");
+}
+
+}  // namespace
+
+Numbers gains_of_methods(Source& source) {
+  return gains_of(source, methods_in(source.grid(), Group::methods));
+}
+
+Numbers gains_of_models(Source& source) {
+  return gains_of(source, methods_in(source.grid(), Group::models));
+}
+
+Numbers accuracies(Source& source) {
+  return numbers_of(source.accuracy_rows(), source.grid().seeds, "accuracy");
+}
+
+}  // namespace piae::figures

@@ -1,0 +1,23 @@
+#include "figures/groups.hpp"
+
+#include <algorithm>
+
+#include "figures/source.hpp"
+#include "report/paper_methods.hpp"
+
+namespace piae::figures {
+
+std::vector<std::string> methods_in(const run::Grid& grid, Group group) {
+  std::vector<std::string> all;
+  for (const run::Combination& cell : grid.combinations) {
+    if (std::ranges::find(all, cell.method) == all.end()) all.push_back(cell.method);
+  }
+  for (const report::MethodGroup& candidate : report::method_groups(all)) {
+    if (candidate.are_models == (group == Group::models)) return candidate.methods;
+  }
+  throw LeftOut(group == Group::models
+                    ? "no ablation of the paper's method is among those asked for"
+                    : "no method is among those asked for");
+}
+
+}  // namespace piae::figures

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "run/grid.hpp"
+
+namespace piae::figures {
+
+/// Methods that are drawn in the same figure, as the paper's tables have them side by side.
+enum class Group {
+  methods,  ///< those that Tables 8 and 9 compare: all but the ablations
+  models,   ///< the paper's five models (Tables 10 and 11)
+};
+
+/// Those of a grid, in its order. Throws LeftOut where the grid has none of a group.
+std::vector<std::string> methods_in(const run::Grid& grid, Group group);
+
+}  // namespace piae::figures
