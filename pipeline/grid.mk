@@ -6,6 +6,9 @@
 # A file under its final name is complete, since every stage writes beside it and renames; so a run
 # can be stopped at any moment, killed even, and the same command goes on where it was.
 #
+# METHODS, RATIOS and SEEDS say what must be there. Tables are of all cells that the run holds, so that
+# a part that is asked for never takes the place of the tables of the whole.
+#
 # What makes a step run again: its inputs, and its settings, which are compared by content (the
 # program `settings`). The programs are no prerequisites: building them again does not throw away days
 # of results. The raw recordings are none either: where the description gives their sha256 sums,
@@ -60,7 +63,8 @@ $(if $(methods),,$(error no cells: METHODS="$(METHODS)" RATIOS="$(RATIOS)"; $(ba
 
 # Programs that are built without LibTorch refuse these methods, too, but only when it is their turn.
 beyond_us := $(if $(wildcard $(BIN)/train-libtorch),,$(filter $(call fact,needs-libtorch),$(methods)))
-$(if $(beyond_us),$(error METHODS: only LibTorch computes $(beyond_us), and the programs in $(BIN) are built without it; build with LIBTORCH=on, or ask for METHODS="$(filter-out $(beyond_us),$(METHODS))"))
+# (out_of_date.sh, which only asks what would be done, may ask it of these, too.)
+$(if $(filter-out $(only_asking:yes=%),$(beyond_us)),$(error METHODS: only LibTorch computes $(beyond_us), and the programs in $(BIN) are built without it; build with LIBTORCH=on, or ask for METHODS="$(filter-out $(beyond_us),$(METHODS))"))
 
 # ---- settings -----------------------------------------------------------------------------------
 # The names of the settings files, without .toml; which options that make gives count as settings, too.
@@ -68,7 +72,6 @@ settings        := $(results)/.settings
 settings_names  := split generate score diagnose $(generators:%=train.%) $(DATASETS:%=datasets/%) $(DATASETS:%=tabulate.%)
 selection       := --methods $(METHODS) --ratios $(RATIOS) --seeds $(SEEDS)
 options.split   := --protocol $(PROTOCOL)
-$(foreach dataset,$(DATASETS),$(eval options.tabulate.$(dataset) := $(selection)))
 
 # ---- rules --------------------------------------------------------------------------------------
 # What is there is complete, so make has no cause to remove it when it is interrupted.
@@ -115,12 +118,42 @@ scores       = $(foreach folder,$(seed_folders),$(patsubst %,$(folder)/%/score.h
 diagnoses    = $(foreach folder,$(seed_folders),$(foreach method,$(methods),\
                  $(patsubst %,$(folder)/$(method)/%/diagnosis.h5,$(call method_ratios,$(method)))))
 cell_files   = $(call diagnoses,$1) $(call scores,$1)
+
+# ---- what the run holds besides what is asked for ----------------------------------------------
+held_cells = $(wildcard $1/seed*/*/score.h5 $1/seed*/*/*/diagnosis.h5)
+# Folder of the data set, cells asked for.
+besides    = $(filter-out $2,$(call held_cells,$1))
+
+# Of what a folder holds, that which make would make again: it is neither made, as nobody has asked
+# for it, nor shown. Folder of the data set, protocol, goal that has rules for what is there.
+out_of_date = $(shell pipeline/out_of_date.sh $1 $(MAKE) --file=pipeline/grid.mk only_asking=yes \
+  RUN='$(RUN)' DATASETS='$(notdir $1)' PROTOCOL='$2' DATA_DIR='$(DATA_DIR)' BIN='$(BIN)' \
+  results='$(patsubst %/,%,$(dir $1))' METHODS='$(call fact,method)' RATIOS='$(call fact,ratio)' $3)$(if \
+  $(filter 0,$(.SHELLSTATUS)),,$(error what is out of date in $1 cannot be told, see above))
+# Folder, files in it, what is out of date in it: the files that are not; and of what is out of date
+# that which concerns these files.
+up_to_date  = $(filter-out $(addprefix $1/,$3 $(3:%=%/%)),$2)
+concerning  = $(foreach name,$3,$(if $(filter $1/$(name) $1/$(name)/%,$2),$(name)))
+leave_out   = $(if $1,--leave-out $1 )
+
+# ---- tables -------------------------------------------------------------------------------------
 table_names  := accuracy.csv gains.csv quality.csv comparisons.csv ranks.csv tables.md tables.tex summary.txt
 tables_of    = $(table_names:%=$(results)/$1/%)
 
+# That a cell has been removed, no file's time tells: so the number of cells counts as a setting.
+wants_tables := $(filter tables $(foreach dataset,$(DATASETS),$(call tables_of,$(dataset))),$(MAKECMDGOALS))
+define find_besides # data set, its folder
+besides.$1  := $(if $(wants_tables),$(call besides,$2,$(call cell_files,$1)))
+left_out.$1 := $$(if $$(besides.$1),$$(call out_of_date,$2,$(PROTOCOL),cells))
+left_out.$1 := $$(call concerning,$2,$$(besides.$1),$$(left_out.$1))
+besides.$1  := $$(call up_to_date,$2,$$(besides.$1),$$(left_out.$1))
+options.tabulate.$1 := $$(words $(call cell_files,$1) $$(besides.$1)) cells
+endef
+$(foreach dataset,$(DATASETS),$(eval $(call find_besides,$(dataset),$(results)/$(dataset))))
+
 define tables_rule # data set
-$(call tables_of,$1) &: $(call cell_files,$1) $(wildcard results/published/*.csv) $(settings)/tabulate.$1.toml
-	$$(step) tabulate $$(config) --run $(results) --dataset $1 $(selection) --published results/published
+$(call tables_of,$1) &: $(call cell_files,$1) $(besides.$1) $(wildcard results/published/*.csv) $(settings)/tabulate.$1.toml
+	$$(step) tabulate $$(config) --run $(results) --dataset $1 $(selection) $(call leave_out,$(left_out.$1))--published results/published
 endef
 
 # A rule holds nothing that make would expand a second time, apart from what $$ defers.

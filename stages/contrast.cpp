@@ -7,6 +7,7 @@
 #include <iostream>
 
 #include "cli/stage.hpp"
+#include "run/held.hpp"
 #include "text/file.hpp"
 
 using namespace piae;
@@ -19,22 +20,24 @@ int main(int argc, char** argv) {
       "split "
       "protocol or the data set, with what that is worth in points, paired by seed: mean, "
       "interval, "
-      "effect, Wilcoxon's test with Holm's correction. Beside the Markdown file stand the same as "
-      ".csv and .tex.",
+      "effect, Wilcoxon's test with Holm's correction. The cells that are named must be there; the "
+      "table has all that both runs hold. Beside the Markdown file stand the same as .csv and "
+      ".tex.",
       "contrast --with results/try/cwru --without results/try-blocked/cwru --methods none piae-dt "
       "--ratios 100to1 10to1 --seeds 0 1 --output protocols.md");
   run::GridOptions options;
   fs::path with;
   fs::path without;
   fs::path output;
+  std::vector<std::string> leave_out;
   run::bind_cells(stage.options(), options);
+  run::bind_leave_out(stage.options(), leave_out);
   stage.input_file("--with", with, "Folder RUN/DATASET, such as results/try/cwru");
   stage.input_file("--without", without, "the same without the condition");
   stage.output_file("--output", output, "the table as Markdown, FILE.md");
 
   return stage.run(argc, argv, [&] {
-    const report::Contrast contrast =
-        report::contrast(report::read_side(with, options), report::read_side(without, options));
+    const report::Contrast contrast = report::read_contrast({with, without}, options, leave_out);
     const report::Document document = report::contrast_document(contrast);
     const auto beside = [&](const char* extension) {
       return fs::path(output).replace_extension(extension);

@@ -1,6 +1,7 @@
 // Compares the stiffness and damping that trained models infer with the true ones.
 
 #include <spdlog/fmt/fmt.h>
+#include <spdlog/spdlog.h>
 
 #include <algorithm>
 #include <iostream>
@@ -8,6 +9,7 @@
 #include "augment/catalogue.hpp"
 #include "cli/stage.hpp"
 #include "report/identifiability.hpp"
+#include "run/held.hpp"
 #include "run/layout.hpp"
 #include "seam/libtorch.hpp"
 #include "signal/roles.hpp"
@@ -37,10 +39,24 @@ report::Identification identify(const run::Layout& layout, const std::string& me
           .inferred = std::move(inferred)};
 }
 
-bool needs_libtorch(const run::Grid& grid) {
-  return std::ranges::any_of(grid.combinations, [](const run::Combination& cell) {
-    return augment::make_method(cell.method)->needs_libtorch({});
+bool only_libtorch_can_use(const run::CellName& model) {
+  return augment::make_method(model.method)->needs_libtorch({});
+}
+
+/// The models that are asked for, and those others of the run that these programs can use.
+std::vector<run::CellName> usable_models(const run::Layout& layout, const run::Grid& asked,
+                                         const run::Held& held) {
+  std::vector<run::CellName> models = held_models(layout, asked, held);
+  std::erase_if(models, [&](const run::CellName& model) {
+    const bool is_asked =
+        std::ranges::count(asked.combinations, model.method, &run::Combination::method) > 0;
+    const bool cannot = !is_asked && only_libtorch_can_use(model) && !seam::is_libtorch_there();
+    if (cannot) {
+      spdlog::warn("left out: {}, seed {}, which only LibTorch can use", model.method, model.seed);
+    }
+    return cannot;
   });
+  return models;
 }
 
 }  // namespace
@@ -50,28 +66,32 @@ int main(int argc, char** argv) {
       "identify",
       "Makes identifiability.csv, scatter.csv and identifiability.md in RUN/DATASET: how well the "
       "stiffness and damping that models infer of the windows D, which they have not seen, agree "
-      "with those that the windows were simulated with (R², bias, correlation², a scatter table).",
+      "with those that the windows were simulated with (R², bias, correlation², a scatter table). "
+      "The models of the methods and seeds that are named must be there; the tables have all that "
+      "the run holds.",
       "identify --run results/try --dataset simulated --methods piae-dt --seeds 0 1");
   report::IdentifiabilityOptions options;
   fs::path run_folder;
+  std::vector<std::string> leave_out;
   bind(stage.options(), options);
+  run::bind_leave_out(stage.options(), leave_out);
   stage.input_file("--run", run_folder, "Folder of the run, such as results/try");
 
   return stage.run(argc, argv, [&] {
-    const run::Grid grid = report::resolve(options);
-    if (needs_libtorch(grid)) seam::continue_with_libtorch(argv);
-    const run::Layout layout(run_folder, grid.dataset);
+    const run::Grid asked = report::resolve(options);
+    const run::Layout layout(run_folder, asked.dataset);
+    const auto models = usable_models(layout, asked, run::Held(layout, leave_out));
+    if (std::ranges::any_of(models, only_libtorch_can_use)) seam::continue_with_libtorch(argv);
     std::vector<report::Identification> all;
-    for (const run::Combination& combination : grid.combinations) {
-      for (const std::int64_t seed : grid.seeds) {
-        all.push_back(identify(layout, combination.method, seed));
-      }
+    for (const run::CellName& model : models) {
+      all.push_back(identify(layout, model.method, model.seed));
     }
     const auto rows = report::identifiability_rows(all);
-    const report::Document document = report::identifiability_document(grid.dataset, rows, all);
-    text::save_all({{layout.identifiability_csv(), report::identifiability_csv(grid.dataset, rows)},
-                    {layout.scatter_csv(), report::scatter_csv(grid.dataset, all)},
-                    {layout.identifiability_markdown(), report::markdown(document)}});
+    const report::Document document = report::identifiability_document(asked.dataset, rows, all);
+    text::save_all(
+        {{layout.identifiability_csv(), report::identifiability_csv(asked.dataset, rows)},
+         {layout.scatter_csv(), report::scatter_csv(asked.dataset, all)},
+         {layout.identifiability_markdown(), report::markdown(document)}});
     std::cout << fmt::format("compared (k, c) of {} models with the truth: {}\n", all.size(),
                              layout.identifiability_markdown().string());
   });

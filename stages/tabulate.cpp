@@ -1,13 +1,16 @@
 // Makes the tables of a run from its diagnoses and scores.
 
 #include <spdlog/fmt/fmt.h>
+#include <spdlog/spdlog.h>
 
 #include <iostream>
 
 #include "cli/stage.hpp"
+#include "report/gaps.hpp"
 #include "report/quality_table.hpp"
 #include "report/summary.hpp"
 #include "report/tables.hpp"
+#include "run/held.hpp"
 #include "text/file.hpp"
 
 using namespace piae;
@@ -20,8 +23,10 @@ int main(int argc, char** argv) {
       "figures beside ours: accuracy.csv, gains.csv and quality.csv; comparisons.csv and "
       "ranks.csv, "
       "which say what is more than chance; all of them for people as tables.md and tables.tex; and "
-      "summary.txt, which says in one small table and a sentence or two what was seen. "
-      "Prints the accuracies in percent. Lists may be several values, or one with commas.",
+      "summary.txt, which says in one small table and a sentence or two what was seen. The "
+      "methods, "
+      "ratios and seeds that are named must be there; the tables have all cells that are. Prints "
+      "the accuracies in percent. Lists may be several values, or one with commas.",
       "tabulate --run results/try --dataset cwru --methods none piae-dt --ratios "
       "100to1 10to1 --seeds 0 1 --published results/published");
   run::GridOptions options;
@@ -35,18 +40,22 @@ int main(int argc, char** argv) {
   stage.input_file("--run", run_folder, "Folder of the run, such as results/try");
   stage.input_file("--published", published_folder, "Folder of the paper's tables as CSV");
 
+  std::vector<std::string> leave_out;
+  run::bind_leave_out(stage.options(), leave_out);
   std::vector<fs::path> outdated;
   stage.options()
       .add("--outdated", outdated, "Cells that make could not make again: refused by name")
       .type_name("FILE");
 
   return stage.run(argc, argv, [&] {
-    const run::Grid grid = run::resolve(options);
+    const run::Grid asked = run::resolve(options);
     const report::Published published(published_folder);
-    const run::Layout layout(run_folder, grid.dataset);
-    run::Results results = run::collect(layout, grid);
+    const run::Layout layout(run_folder, asked.dataset);
+    auto [grid, results] = run::collect_held(layout, asked, run::Held(layout, leave_out));
     run::refuse_outdated(outdated, results);
     run::require_all(results);
+    const std::string left_out = report::left_out_line(results);
+    if (!left_out.empty()) spdlog::warn(left_out);
 
     const auto rows = report::accuracy_rows(grid, results, published);
     const report::Comparisons comparisons = report::compare_methods(rows, against);

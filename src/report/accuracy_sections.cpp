@@ -1,12 +1,12 @@
 #include "report/accuracy_sections.hpp"
 
 #include <algorithm>
-#include <iterator>
 
 #include "augment/catalogue.hpp"
 #include "report/labels.hpp"
 #include "report/paper_methods.hpp"
 #include "report/paper_reference.hpp"
+#include "report/ratio_columns.hpp"
 
 namespace piae::report {
 
@@ -19,37 +19,60 @@ std::optional<double> shown_of_paper(const AccuracyRow& row) {
   return row.published ? row.published : row.orientation;
 }
 
-Cells runs_row(const std::string& name, const std::vector<double>& percents, std::size_t runs) {
-  Cells cells{name};
-  for (const double percent : percents) cells.push_back(number_label(percent));
-  cells.resize(runs + 1);
-  return cells;
+bool has_interval(const AccuracyRow& row) { return row.summary.interval.has_value(); }
+bool is_in_paper(const AccuracyRow& row) { return shown_of_paper(row).has_value(); }
+
+/// Whether any of a method's rows has fewer seeds than rows of others have.
+bool has_fewer_seeds(const Rows& own, const Rows& all) {
+  const auto count = [](const AccuracyRow& row) { return row.seeds.size(); };
+  return count(*std::ranges::min_element(own, {}, count)) <
+         count(*std::ranges::max_element(all, {}, count));
 }
 
-std::string seeds_label(const std::vector<std::int64_t>& seeds) {
-  std::string label = seeds.size() == 1 ? "here, seed" : "here, seeds";
-  for (const std::int64_t seed : seeds) label += " " + std::to_string(seed);
-  return label;
+/// "1, seed 0"; where the paper has more runs than there are seeds, "6".
+std::string run_label(std::size_t run, const std::vector<std::int64_t>& seeds) {
+  const std::string label = std::to_string(run + 1);
+  return run < seeds.size() ? label + ", seed " + std::to_string(seeds[run]) : label;
 }
 
-/// As Table 6: a run in each column, ours above the paper's.
-text::Table runs_table(const run::Grid& grid, const AccuracyRow& row,
-                       const PaperReference& reference, const Published& published) {
-  const std::vector<double> theirs = reference.beside()
-                                         ? published.baseline_runs(reference.beside()->paper.name)
-                                         : std::vector<double>{};
-  const std::size_t runs = std::max(row.values.size(), theirs.size());
-  Cells header{""};
-  for (std::size_t i = 0; i < runs; ++i) header.push_back("run " + std::to_string(i + 1));
-  header.insert(header.end(), {"mean", "95 % interval"});
+std::string value_label(const std::vector<double>& percents, std::size_t run) {
+  return run < percents.size() ? number_label(percents[run]) : "";
+}
+
+/// As Table 6, but with a run in each row: ten would be too wide.
+text::Table runs_table(const AccuracyRow& row, const PaperReference& reference,
+                       const Published& published) {
+  const std::optional<double> theirs = shown_of_paper(row);
+  const std::vector<double> their_runs =
+      theirs ? published.baseline_runs(reference.beside()->paper.name) : std::vector<double>{};
+  Cells header{"run", "here"};
+  if (theirs) header.push_back(reference.label());
   text::Table table(header, 1);
-  Cells ours = runs_row(seeds_label(grid.seeds), row.values, runs);
-  ours.insert(ours.end(), {mean_label(row.summary), interval_label(row.summary)});
-  table.row(ours);
-  if (const auto percent = shown_of_paper(row)) {
-    Cells paper = runs_row(reference.label(), theirs, runs);
-    paper.push_back(number_label(*percent));
-    table.row(paper);
+  for (std::size_t run = 0; run < std::max(row.values.size(), their_runs.size()); ++run) {
+    table.row(
+        {run_label(run, row.seeds), value_label(row.values, run), value_label(their_runs, run)});
+  }
+  Cells mean{"mean", mean_label(row.summary)};
+  if (theirs) mean.push_back(number_label(*theirs));
+  table.row(mean);
+  if (has_interval(row)) table.row({"95 % interval", interval_label(row.summary)});
+  return table;
+}
+
+/// The means alone: a method in each row, a ratio in each column.
+text::Table means_table(const Rows& rows) {
+  const std::vector<RatioColumn> columns = ratio_columns(rows);
+  Cells header{"method"};
+  for (const RatioColumn& column : columns) header.push_back(column.label);
+  text::Table table(header, 1);
+  for (const std::string& method : methods_of(rows)) {
+    const Rows own = rows_of(rows, method);
+    Cells cells{marked_if(has_fewer_seeds(own, rows), method_label(method))};
+    for (const RatioColumn& column : columns) {
+      const auto row = std::ranges::find(own, column.ratio, &AccuracyRow::ratio);
+      cells.push_back(row == own.end() ? "" : number_label(row->summary.mean));
+    }
+    table.row(cells);
   }
   return table;
 }
@@ -59,38 +82,42 @@ std::string model_label(const std::string& method) {
   return method + " (Model " + std::to_string(augment::find_entry(method)->model) + ")";
 }
 
-void add_method(text::Table& table, const std::string& label, const std::vector<AccuracyRow>& rows,
-                const PaperReference& reference, NumberStyle style) {
-  Cells ours{label, "here"};
-  Cells intervals{"", "95 %"};
-  Cells paper{"", reference.label()};
-  for (const AccuracyRow& row : rows) {
-    const auto theirs = shown_of_paper(row);
-    ours.push_back(mean_label(row.summary, style));
-    intervals.push_back(interval_label(row.summary, style));
-    paper.push_back(theirs ? number_label(*theirs, style) : "");
-  }
-  const auto has_interval = [](const AccuracyRow& row) { return row.summary.interval.has_value(); };
-  const auto is_in_paper = [](const AccuracyRow& row) { return shown_of_paper(row).has_value(); };
-  table.row(ours);
-  if (std::ranges::any_of(rows, has_interval)) table.row(intervals);
-  if (std::ranges::any_of(rows, is_in_paper)) table.row(paper);
-}
-
-/// As Table 8: a ratio in each column, up to three lines for each method. All methods of a grid
-/// have the same ratios.
-text::Table ratios_table(const std::vector<std::string>& methods, bool as_models, const Rows& rows,
+/// A block for each method, and in it a row for each ratio. Columns that would be empty are left
+/// out.
+text::Table blocks_table(const MethodGroup& group, const Rows& rows,
                          const PaperReference& reference, NumberStyle style) {
-  Cells header{"method", ""};
-  for (const AccuracyRow& row : rows_of(rows, methods.front())) {
-    header.push_back(ratio_label(row.ratio, row.true_ratio));
-  }
+  const auto any = [&](bool (*holds)(const AccuracyRow&)) {
+    return std::ranges::any_of(rows, [&](const AccuracyRow& row) {
+      return holds(row) && std::ranges::count(group.methods, row.method) > 0;
+    });
+  };
+  const bool intervals = any(has_interval);
+  const bool paper = any(is_in_paper);
+  Cells header{"method", "ratio", "here"};
+  if (intervals) header.emplace_back("95 % interval");
+  if (paper) header.push_back(reference.label());
   text::Table table(header, 2);
-  for (const std::string& method : methods) {
-    add_method(table, as_models ? model_label(method) : method_label(method), rows_of(rows, method),
-               reference, style);
+  for (const std::string& method : group.methods) {
+    const Rows own = rows_of(rows, method);
+    if (own.empty()) continue;
+    std::string name = marked_if(has_fewer_seeds(own, rows),
+                                 group.are_models ? model_label(method) : method_label(method));
+    for (const AccuracyRow& row : own) {
+      const std::optional<double> theirs = shown_of_paper(row);
+      Cells cells{name, ratio_label(row.ratio, row.true_ratio), mean_label(row.summary, style)};
+      if (intervals) cells.push_back(interval_label(row.summary, style));
+      if (paper) cells.push_back(theirs ? number_label(*theirs, style) : "");
+      table.row(cells);
+      name.clear();
+    }
   }
   return table;
+}
+
+std::string means_note(const PaperReference& reference) {
+  return std::string("All methods side by side. Their spread and intervals") +
+         (reference.beside() ? ", and what the paper publishes," : "") +
+         " follow, method by method.";
 }
 
 constexpr const char* gain_note =
@@ -110,35 +137,40 @@ std::string models_note(const MethodGroup& group) {
 
 void add_group(std::vector<Section>& sections, const MethodGroup& group, const Rows& rows,
                const Rows& gains, const PaperReference& reference) {
-  const auto table = [&](const Rows& of, NumberStyle style) {
-    return ratios_table(group.methods, group.are_models, of, reference, style);
-  };
-  sections.push_back({"accuracy-" + group.key,
-                      "Accuracy of " + group.name + " on " + reference.dataset() + ", percent" +
-                          reference.table(group.table),
-                      models_note(group), table(rows, {})});
+  sections.push_back(
+      reference.table(group.table)
+          .of({"accuracy-" + group.key,
+               "Accuracy of " + group.name + " on " + reference.dataset() + ", percent",
+               models_note(group), blocks_table(group, rows, reference, {})}));
   if (gains.empty()) return;
-  sections.push_back({"gain-" + group.key,
-                      "Gain of " + group.name + " over none on " + reference.dataset() +
-                          ", points" + reference.figure(group.gain_figure),
-                      gain_note, table(gains, {.sign = true})});
+  sections.push_back(
+      reference.figure(group.gain_figure)
+          .of({"gain-" + group.key,
+               "Gain of " + group.name + " over none on " + reference.dataset() + ", points",
+               gain_note, blocks_table(group, gains, reference, {.sign = true})}));
 }
 
 }  // namespace
 
-std::vector<Section> accuracy_sections(const run::Grid& grid, const std::vector<AccuracyRow>& rows,
+std::vector<Section> accuracy_sections(const std::vector<AccuracyRow>& rows,
                                        const Published& published) {
-  const PaperReference reference(grid.dataset);
+  const std::string& dataset = rows.front().dataset;
+  const PaperReference reference(dataset);
   const Rows gains = gain_rows(rows);
-  std::vector<Section> sections;
-  for (const AccuracyRow& row : rows_of(rows, augment::no_method)) {
-    sections.push_back({"accuracy-none",
-                        "Accuracy on " + grid.dataset + " without generated windows, " +
-                            ratio_label(row.ratio, row.true_ratio) + ", percent" +
-                            reference.table(&PaperDataset::baseline_table),
-                        "", runs_table(grid, row, reference, published)});
-  }
   std::vector<std::string> methods = methods_of(rows);
+  std::vector<Section> sections;
+  if (methods.size() > 1) {
+    sections.push_back(
+        reference.none().of({"accuracy-means", "Mean accuracy on " + dataset + ", percent",
+                             means_note(reference), means_table(rows)}));
+  }
+  for (const AccuracyRow& row : rows_of(rows, augment::no_method)) {
+    sections.push_back(reference.table(&PaperDataset::baseline_table)
+                           .of({"accuracy-none",
+                                "Accuracy on " + dataset + " without generated windows, " +
+                                    ratio_label(row.ratio, row.true_ratio) + ", percent",
+                                "", runs_table(row, reference, published)}));
+  }
   std::erase(methods, augment::no_method);
   for (const MethodGroup& group : method_groups(methods)) {
     add_group(sections, group, rows, gains, reference);

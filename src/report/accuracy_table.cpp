@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <functional>
 #include <iterator>
+#include <utility>
 
 #include "augment/catalogue.hpp"
+#include "report/bounded_summary.hpp"
 #include "report/csv_fields.hpp"
 #include "report/labels.hpp"
 #include "report/paper_reference.hpp"
@@ -34,9 +36,11 @@ AccuracyRow row_of(const run::Combination& combination, const run::Grid& grid,
     if (cell.method != row.method || cell.ratio != row.ratio) continue;
     row.generated_per_class = cell.generated_per_class;
     row.true_ratio = cell.true_ratio;
+    row.seeds.push_back(cell.seed);
     row.values.push_back(100 * cell.accuracy);
   }
-  row.summary = scoring::summarise(row.values);
+  if (row.values.empty()) return row;
+  row.summary = summarise_within(percents, row.values);
   add_published(row, published);
   return row;
 }
@@ -45,9 +49,14 @@ std::optional<double> difference(std::optional<double> a, std::optional<double> 
   return a && b ? std::optional(*a - *b) : std::nullopt;
 }
 
+/// Without values where the rows have no seed in common.
 AccuracyRow gain_of(AccuracyRow row, const AccuracyRow& baseline) {
-  std::ranges::transform(row.values, baseline.values, row.values.begin(), std::minus());
-  row.summary = scoring::summarise(row.values);
+  const Pairs pairs = pairs_of(row, baseline);
+  row.seeds = pairs.seeds;
+  row.values.resize(pairs.seeds.size());
+  std::ranges::transform(pairs.first, pairs.second, row.values.begin(), std::minus());
+  if (row.values.empty()) return row;
+  row.summary = summarise_within(differences_of_percents, row.values);
   row.published = difference(row.published, baseline.published);
   row.orientation = difference(row.orientation, baseline.orientation);
   return row;
@@ -63,9 +72,27 @@ std::vector<AccuracyRow> accuracy_rows(const run::Grid& grid, const run::Results
                                        const Published& published) {
   std::vector<AccuracyRow> rows;
   for (const run::Combination& combination : grid.combinations) {
-    rows.push_back(row_of(combination, grid, results, published));
+    AccuracyRow row = row_of(combination, grid, results, published);
+    if (!row.values.empty()) rows.push_back(std::move(row));
   }
   return rows;
+}
+
+std::optional<double> AccuracyRow::at(std::int64_t seed) const {
+  const auto found = std::ranges::find(seeds, seed);
+  return found == seeds.end() ? std::nullopt : std::optional(values[found - seeds.begin()]);
+}
+
+Pairs pairs_of(const AccuracyRow& first, const AccuracyRow& second) {
+  Pairs pairs;
+  for (std::size_t i = 0; i < first.seeds.size(); ++i) {
+    const std::optional<double> other = second.at(first.seeds[i]);
+    if (!other) continue;
+    pairs.seeds.push_back(first.seeds[i]);
+    pairs.first.push_back(first.values[i]);
+    pairs.second.push_back(*other);
+  }
+  return pairs;
 }
 
 std::vector<std::string> methods_of(const std::vector<AccuracyRow>& rows) {
@@ -88,29 +115,11 @@ std::vector<AccuracyRow> gain_rows(const std::vector<AccuracyRow>& rows) {
   const auto baseline = std::ranges::find(rows, augment::no_method, &AccuracyRow::method);
   if (baseline == rows.end()) return gains;
   for (const AccuracyRow& row : rows) {
-    if (row.method != augment::no_method) gains.push_back(gain_of(row, *baseline));
+    if (row.method == augment::no_method) continue;
+    AccuracyRow gain = gain_of(row, *baseline);
+    if (!gain.values.empty()) gains.push_back(std::move(gain));
   }
   return gains;
-}
-
-std::vector<AccuracyRow> mean_rows(const std::vector<AccuracyRow>& rows) {
-  std::vector<AccuracyRow> means;
-  for (const std::string& method : methods_of(rows)) {
-    const std::vector<AccuracyRow> own = rows_of(rows, method);
-    if (own.size() < 2) continue;
-    AccuracyRow& mean = means.emplace_back();
-    mean.dataset = own.front().dataset;
-    mean.method = method;
-    mean.ratio = mean_of_ratios;
-    mean.values.resize(own.front().values.size());
-    for (const AccuracyRow& row : own) {
-      for (std::size_t i = 0; i < mean.values.size(); ++i) {
-        mean.values[i] += row.values[i] / static_cast<double>(own.size());
-      }
-    }
-    mean.summary = scoring::summarise(mean.values);
-  }
-  return means;
 }
 
 std::string accuracy_csv(const std::vector<AccuracyRow>& rows) {

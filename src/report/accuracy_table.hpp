@@ -19,15 +19,21 @@ struct AccuracyRow {
   std::string ratio;
   std::int64_t generated_per_class = 0;
   double true_ratio = 0;
-  std::vector<double> values;  ///< by seed
-  scoring::Summary summary;    ///< of the values
+  /// Of how many ratios the values are means; see report/ratio_means.hpp.
+  std::size_t ratios = 1;
+  std::vector<std::int64_t> seeds;  ///< ascending; not every row of a run has the same
+  std::vector<double> values;       ///< by seed
+  scoring::Summary summary;         ///< of the values, with the interval that can be shown
   /// What the paper publishes: of this dataset, or of its counterpart (report/paper_reference.hpp),
   /// which is for orientation only. At most one of them is there.
   std::optional<double> published;
   std::optional<double> orientation;
+
+  /// The value of a seed; empty where the row does not have it.
+  [[nodiscard]] std::optional<double> at(std::int64_t seed) const;
 };
 
-/// A row for each combination of the grid, in its order. `results` must have all cells of the grid.
+/// A row for each combination of the grid of which `results` have a cell, in its order.
 std::vector<AccuracyRow> accuracy_rows(const run::Grid& grid, const run::Results& results,
                                        const Published& published);
 
@@ -36,21 +42,24 @@ std::vector<std::string> methods_of(const std::vector<AccuracyRow>& rows);
 /// The rows of one method.
 std::vector<AccuracyRow> rows_of(const std::vector<AccuracyRow>& rows, const std::string& method);
 
-/// What generated windows are worth, in points: for each row the accuracy minus that of `none`,
-/// seed by seed. The published gain is the difference of the published accuracies. Returns no rows
-/// where `none` has no row.
+/// Values of two rows that have the seed in common.
+struct Pairs {
+  std::vector<std::int64_t> seeds;  ///< ascending
+  std::vector<double> first;
+  std::vector<double> second;
+};
+Pairs pairs_of(const AccuracyRow& first, const AccuracyRow& second);
+
+/// What generated windows are worth, in points: for each row the accuracy minus that of `none`, at
+/// the seeds that both have. The published gain is the difference of the published accuracies. A
+/// row that has no seed in common with `none` is left out.
 std::vector<AccuracyRow> gain_rows(const std::vector<AccuracyRow>& rows);
-
-/// Stands in the place of a ratio's name for the mean over the ratios of a method.
-inline const std::string mean_of_ratios = "mean";
-
-/// A row for each method that has several ratios: the mean over them, seed by seed.
-std::vector<AccuracyRow> mean_rows(const std::vector<AccuracyRow>& rows);
 
 /// accuracy.csv and gains.csv:
 /// dataset,method,ratio,generated_per_class,seeds,mean,std,ci95_low,ci95_high,published in percent
-/// or points; `seeds` is how many there are. Standard deviation and interval of a single seed are
-/// empty, and so is what the paper does not publish of this very dataset.
+/// or points; `seeds` is how many there are. Empty are the standard deviation of a single seed, an
+/// interval that no table shows (report/bounded_summary.hpp), and what the paper does not publish
+/// of this very dataset.
 std::string accuracy_csv(const std::vector<AccuracyRow>& rows);
 
 /// The accuracies for a terminal, at most 100 columns wide.

@@ -1,12 +1,15 @@
 #include "report/comparisons.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 #include "augment/catalogue.hpp"
 #include "base/error.hpp"
 #include "report/csv_fields.hpp"
 #include "report/labels.hpp"
 #include "report/paper_reference.hpp"
+#include "report/ratio_columns.hpp"
+#include "report/ratio_means.hpp"
 
 namespace piae::report {
 
@@ -32,22 +35,45 @@ std::string choose_other_side(const std::vector<std::string>& methods, const std
   throw Error(Exit::usage, "--against " + asked + ": has no cell here; methods that have:" + known);
 }
 
+/// In the mean of the ratios, over what both have.
+std::optional<PairedRow> paired_means(const std::vector<AccuracyRow>& rows,
+                                      const std::vector<AccuracyRow>& others) {
+  const auto mean_of = [](const std::vector<AccuracyRow>& own) {
+    const bool is_baseline = own.size() == 1 && own.front().method == augment::no_method;
+    return is_baseline ? std::optional(own.front()) : mean_row(own);
+  };
+  const auto mean = mean_of(cells_also_in(rows, others));
+  const auto other = mean_of(cells_also_in(others, rows));
+  return mean && other ? paired_row(*mean, *other) : std::nullopt;
+}
+
+/// At each ratio that both have, and in the mean.
+std::vector<PairedRow> paired_rows_of(const std::vector<AccuracyRow>& rows,
+                                      const std::string& method, const std::string& against) {
+  std::vector<PairedRow> pairs;
+  for (const RatioColumn& column : compared_columns(rows)) {
+    const AccuracyRow* row = find_row(rows, method, column.ratio);
+    const AccuracyRow* other = find_row(rows, against, column.ratio);
+    if (row == nullptr || other == nullptr) continue;
+    if (const auto pair = paired_row(*row, *other)) pairs.push_back(*pair);
+  }
+  if (const auto mean = paired_means(rows_of(rows, method), rows_of(rows, against))) {
+    pairs.push_back(*mean);
+  }
+  return pairs;
+}
+
 }  // namespace
 
 Comparisons compare_methods(const std::vector<AccuracyRow>& rows, const std::string& against) {
   const std::vector<std::string> methods = methods_of(rows);
   Comparisons comparisons{.dataset = rows.front().dataset,
                           .against = choose_other_side(methods, against)};
-  const std::vector<AccuracyRow> all = with_means(rows);
+  if (comparisons.against.empty()) return comparisons;
   for (const std::string& method : methods) {
     if (method == comparisons.against) continue;
-    for (const RatioColumn& column : compared_columns(all)) {
-      const AccuracyRow* row = find_row(all, method, column.ratio);
-      const AccuracyRow* other = find_row(all, comparisons.against, column.ratio);
-      if (row != nullptr && other != nullptr) {
-        comparisons.rows.push_back(paired_row(*row, column.ratio, *other));
-      }
-    }
+    std::ranges::move(paired_rows_of(rows, method, comparisons.against),
+                      std::back_inserter(comparisons.rows));
   }
   add_holm_p(comparisons.rows);
   return comparisons;
@@ -62,22 +88,15 @@ std::string comparisons_csv(const Comparisons& comparisons) {
   return text;
 }
 
-std::vector<Section> comparison_sections(const Comparisons& comparisons,
-                                         const std::vector<AccuracyRow>& rows) {
+std::vector<Section> comparison_sections(const Comparisons& comparisons) {
   if (comparisons.rows.empty()) return {};
-  const std::vector<RatioColumn> columns = compared_columns(with_means(rows));
-  std::vector<std::string> header{"method", ""};
-  for (const RatioColumn& column : columns) header.push_back(column.label);
-  text::Table table(header, 2);
-  for (const std::string& method : methods_of(rows)) {
-    if (method == comparisons.against) continue;
-    add_paired_lines(table, method_label(method), method, comparisons.rows, columns);
-  }
-  return {{.key = "comparisons",
-           .title = "Accuracy minus that of " + method_label(comparisons.against) + " on " +
-                    comparisons.dataset + PaperReference(comparisons.dataset).none(),
-           .note = paired_note(comparisons.rows),
-           .table = table}};
+  return {PaperReference(comparisons.dataset)
+              .none()
+              .of({.key = "comparisons",
+                   .title = "Accuracy minus that of " + method_label(comparisons.against) + " on " +
+                            comparisons.dataset,
+                   .note = paired_note(comparisons.rows),
+                   .table = paired_table(comparisons.rows)})};
 }
 
 }  // namespace piae::report

@@ -25,9 +25,7 @@ Comparisons compare_methods(const std::vector<AccuracyRow>& rows, const std::str
 /// mean of ratios.
 std::string comparisons_csv(const Comparisons& comparisons);
 
-/// One section with up to four lines for each method and a ratio in each column. No section where
-/// there is nothing to compare.
-std::vector<Section> comparison_sections(const Comparisons& comparisons,
-                                         const std::vector<AccuracyRow>& rows);
+/// One section with a block for each method. No section where there is nothing to compare.
+std::vector<Section> comparison_sections(const Comparisons& comparisons);
 
 }  // namespace piae::report

@@ -6,15 +6,16 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "report/bounded_summary.hpp"
 #include "report/csv_fields.hpp"
+#include "report/gaps.hpp"
 #include "report/labels.hpp"
-#include "report/ratio_columns.hpp"
+#include "report/ratio_means.hpp"
+#include "run/held.hpp"
 
 namespace piae::report {
 
 namespace {
-
-using Cells = std::vector<std::string>;
 
 /// The names of both sides in tables and files.
 struct Names {
@@ -36,45 +37,49 @@ Names names_of(const Side& with, const Side& without) {
   return names;
 }
 
-/// The accuracies of one side, with a ratio in each column. `first` stands before the side's name.
-Cells side_line(const std::string& first, const std::string& name, const Side& side,
-                const std::string& method, const std::vector<RatioColumn>& columns) {
-  Cells cells{first, name};
-  for (const RatioColumn& column : columns) {
-    const auto row = std::ranges::find_if(side.rows, [&](const AccuracyRow& each) {
-      return each.method == method && each.ratio == column.ratio;
-    });
-    cells.push_back(row == side.rows.end() ? "" : mean_label(row->summary));
-  }
-  return cells;
-}
-
-text::Table table_of(const Contrast& contrast, const Names& names) {
-  const std::vector<RatioColumn> columns = ratio_columns(contrast.with.rows);
-  Cells header{"method", ""};
-  for (const RatioColumn& column : columns) header.push_back(column.label);
-  text::Table table(header, 2);
-  for (const std::string& method : methods_of(contrast.with.rows)) {
-    table.row(side_line(method_label(method), names.with, contrast.with, method, columns));
-    table.row(side_line("", names.without, contrast.without, method, columns));
-    add_paired_lines(table, "", method, contrast.rows, columns);
+/// Both sides: a block for each method, and in it a row for each ratio.
+text::Table sides_table(const Contrast& contrast, const Names& names) {
+  text::Table table({"method", "ratio", names.with, names.without}, 2);
+  for (const std::vector<const PairedRow*>& block : blocks_of(contrast.rows)) {
+    std::string name = block_label(block, contrast.rows);
+    for (const PairedRow* const row : block) {
+      const std::size_t i = row - contrast.rows.data();
+      table.row({name, row->ratio_label, mean_label(contrast.with.rows[i].summary),
+                 mean_label(contrast.without.rows[i].summary)});
+      name.clear();
+    }
   }
   return table;
 }
 
+/// The layout of a folder RUN/DATASET. The folder may end with a slash.
+run::Layout layout_of(const std::filesystem::path& folder) {
+  const std::filesystem::path path = folder.has_filename() ? folder : folder.parent_path();
+  return {path.parent_path(), path.filename()};
+}
+
+/// One side of two: the cells that are asked for, and those others that both sides have.
+Side read_side(const run::Layout& layout, const run::Layout& other, run::GridOptions asked,
+               const std::vector<std::string>& leave_out) {
+  asked.dataset = layout.folder().filename();
+  const run::Collected all =
+      collect_held_diagnoses(layout, resolve(asked), run::Held(layout, other, leave_out));
+  run::require_all(all.results);
+  return {.run = layout.folder().parent_path(),
+          .dataset = all.grid.dataset,
+          .protocol = all.results.diagnoses.front().protocol,
+          .rows = with_means(accuracy_rows(all.grid, all.results, Published())),
+          .gaps = gap_paragraphs(all.grid, all.results)};
+}
+
 }  // namespace
 
-Side read_side(const std::filesystem::path& folder, run::GridOptions options) {
-  const std::filesystem::path path = folder.has_filename() ? folder : folder.parent_path();
-  options.dataset = path.filename();
-  run::Grid grid = resolve(options);
-  grid.scored.clear();  // accuracies alone are compared
-  const run::Results results = collect(run::Layout(path.parent_path(), grid.dataset), grid);
-  run::require_all(results);
-  return {.run = path.parent_path(),
-          .dataset = grid.dataset,
-          .protocol = results.diagnoses.front().protocol,
-          .rows = with_means(accuracy_rows(grid, results, Published()))};
+Contrast read_contrast(const Folders& folders, run::GridOptions asked,
+                       const std::vector<std::string>& leave_out) {
+  const run::Layout with = layout_of(folders.with);
+  const run::Layout without = layout_of(folders.without);
+  return contrast(read_side(with, without, asked, leave_out),
+                  read_side(without, with, asked, leave_out));
 }
 
 Contrast contrast(Side with, Side without) {
@@ -85,8 +90,8 @@ Contrast contrast(Side with, Side without) {
   }
   Contrast contrast{.with = std::move(with), .without = std::move(without)};
   for (std::size_t i = 0; i < contrast.with.rows.size(); ++i) {
-    const AccuracyRow& row = contrast.with.rows[i];
-    contrast.rows.push_back(paired_row(row, row.ratio, contrast.without.rows[i]));
+    const auto pair = paired_row(contrast.with.rows[i], contrast.without.rows[i]);
+    contrast.rows.push_back(pair.value());
   }
   add_holm_p(contrast.rows);
   return contrast;
@@ -113,13 +118,19 @@ Document contrast_document(const Contrast& contrast) {
   const std::string what = names.with + " against " + names.without;
   const bool same_dataset = dataset == contrast.without.dataset;
   Document document{.key = dataset, .title = (same_dataset ? dataset + ": " : "") + what};
-  document.paragraphs.push_back(
-      "What " + names.with + " is worth: accuracy in percent with it, and with " + names.without +
-      " in its place; the difference is the first minus the second. Each "
-      "side has splits of its own: a pair has the seed in common, not "
-      "the windows. " +
-      paired_note(contrast.rows));
-  document.sections.push_back({"contrast", "Accuracy, " + what, "", table_of(contrast, names)});
+  document.paragraphs.push_back(fmt::format(
+      "What {} is worth: accuracy in percent with it, and with {} in its place; the "
+      "difference is the first minus the second. Each side has splits of its own: a pair "
+      "has the seed in common, not the windows. Numbers are the mean ± the sample "
+      "standard deviation over the seeds. {}",
+      names.with, names.without, about_intervals));
+  document.paragraphs.insert(document.paragraphs.end(), contrast.with.gaps.begin(),
+                             contrast.with.gaps.end());
+  document.sections.push_back(
+      {"contrast", "Accuracy, " + what + ", percent", "", sides_table(contrast, names)});
+  document.sections.push_back({"difference",
+                               "Difference, " + names.with + " minus " + names.without + ", points",
+                               paired_note(contrast.rows), paired_table(contrast.rows)});
   return document;
 }
 

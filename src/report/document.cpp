@@ -9,15 +9,17 @@ namespace piae::report {
 
 namespace {
 
-/// Breaks a paragraph into lines of at most 100 bytes (a longer word has a line of its own), each
-/// ended by a line feed.
+/// No line of a document is longer, so that it can be read in a terminal and beside a source.
+constexpr std::size_t widest_line = 100;
+
+/// Breaks a paragraph into lines of at most so many bytes (a longer word has a line of its own),
+/// each ended by a line feed.
 std::string wrapped(const std::string& paragraph) {
-  constexpr std::size_t width = 100;
   std::istringstream words(paragraph);
   std::string text;
   std::string line;
   for (std::string word; words >> word;) {
-    if (!line.empty() && line.size() + 1 + word.size() > width) {
+    if (!line.empty() && line.size() + 1 + word.size() > widest_line) {
       text += line + '\n';
       line.clear();
     }
@@ -41,9 +43,12 @@ std::string latex_float(const Document& document, const Section& section) {
          wrapped("\\caption{" + text::latex_text(section.title + "." + note) + "}") +
          "\\label{tab:" + label_of(document, section) +
          "}\n"
-         // A table that is wider than the text is made as wide as that.
+         // A table that is wider or higher than the text is made as large as that; the caption
+         // needs its place, too.
+         "\\resizebox*{!}{\\ifdim\\totalheight>0.8\\textheight 0.8\\textheight\\else"
+         "\\totalheight\\fi}{%\n"
          "\\resizebox{\\ifdim\\width>\\linewidth\\linewidth\\else\\width\\fi}{!}{%\n" +
-         section.table.latex() + "}\n\\end{table}\n";
+         section.table.latex() + "}}\n\\end{table}\n";
 }
 
 }  // namespace
@@ -56,7 +61,7 @@ std::string markdown(const Document& document) {
   for (const Section& section : document.sections) {
     text += "\n## " + text::markdown_text(section.title) + "\n\n";
     if (!section.note.empty()) text += wrapped(text::markdown_text(section.note)) + '\n';
-    text += section.table.markdown();
+    text += section.table.markdown(widest_line);
   }
   return text;
 }

@@ -24,6 +24,8 @@ struct Document {
   std::vector<Section> sections = {};
 };
 
+/// No line is longer than 100 characters, but for titles and words that are. A table that would be
+/// wider is written as several (text/table.hpp).
 std::string markdown(const Document& document);
 
 /// LaTeX for \input: the paragraphs, and a float for each table, with the label

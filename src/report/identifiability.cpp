@@ -4,9 +4,12 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
+#include <set>
 
 #include "base/error.hpp"
 #include "report/csv_fields.hpp"
+#include "report/gaps.hpp"
 #include "report/labels.hpp"
 #include "scoring/identifiability.hpp"
 #include "text/csv.hpp"
@@ -131,6 +134,27 @@ Section scatter_section(const std::vector<Identification>& all, const Parameter&
           table};
 }
 
+/// "10 seeds (0 to 9)"; where methods differ, "piae-dt: 10 seeds (0 to 9), ae: 1 seed (3)".
+std::string models_label(const std::vector<Identification>& all) {
+  std::map<std::string, std::string> by_method;
+  std::set<std::string> labels;
+  for (const std::string& method : methods_of(all)) {
+    std::vector<std::int64_t> seeds;
+    for (const Identification& one : all) {
+      if (one.method == method) seeds.push_back(one.seed);
+    }
+    by_method[method] =
+        fmt::format("{} seed{} ({})", seeds.size(), seeds.size() == 1 ? "" : "s", seed_list(seeds));
+    labels.insert(by_method[method]);
+  }
+  if (labels.size() == 1) return *labels.begin();
+  std::string label;
+  for (const std::string& method : methods_of(all)) {
+    label += (label.empty() ? "" : ", ") + method + ": " + by_method[method];
+  }
+  return label;
+}
+
 }  // namespace
 
 void bind(const cli::Options& command, IdentifiabilityOptions& options) {
@@ -197,13 +221,12 @@ Document identifiability_document(const std::string& dataset,
                                   const std::vector<Identification>& all) {
   Document document{.key = dataset + "-identifiability",
                     .title = "How well stiffness and damping are identified on " + dataset};
-  const std::size_t seeds = rows.front().r2.count;
   document.paragraphs.push_back(fmt::format(
       "Each method has learned from the known windows C alone, and infers (k, c) of the real "
       "windows D, which it has not seen; both are simulated, so the truth is known (paper, "
       "Sections "
-      "3.2 and 3.3, which claim that the learned features are these parameters). {} seed{}.",
-      seeds, seeds == 1 ? "" : "s"));
+      "3.2 and 3.3, which claim that the learned features are these parameters). {}.",
+      models_label(all)));
   document.sections.push_back(
       {"agreement", "Agreement of the inferred with the true parameters",
        "R² is 1 where both are the same, 0 where naming the true mean would do as well, below 0 "

@@ -21,7 +21,7 @@ std::string mean_label(const scoring::Summary& summary, NumberStyle style) {
 }
 
 std::string interval_label(const scoring::Summary& summary, NumberStyle style) {
-  if (!summary.interval) return "";
+  if (!summary.interval) return no_number;
   return "[" + number_label(summary.interval->low, style) + ", " +
          number_label(summary.interval->high, style) + "]";
 }
@@ -30,10 +30,19 @@ std::string method_label(const std::string& method) {
   return augment::is_ceiling(method) ? method + " (ceiling)" : method;
 }
 
+std::string marked_if(bool fewer_seeds, const std::string& label) {
+  return fewer_seeds ? label + " " + mark_of_fewer_seeds : label;
+}
+
+std::string short_ratio_label(const std::string& name) {
+  const std::size_t to = name.find("to");
+  return name.substr(0, to) + ":" + name.substr(to + 2);
+}
+
 std::string ratio_label(const std::string& name, double true_ratio) {
   const std::size_t to = name.find("to");
   const double named = std::stod(name.substr(0, to)) / std::stod(name.substr(to + 2));
-  const std::string label = name.substr(0, to) + ":" + name.substr(to + 2);
+  const std::string label = short_ratio_label(name);
   const bool as_named = std::abs(true_ratio - named) < 0.005 * named;
   return as_named ? label : fmt::format("{} ({:.3g}:1)", label, true_ratio);
 }

@@ -13,12 +13,27 @@ struct NumberStyle {
 };
 
 std::string number_label(double number, NumberStyle style = {});
-/// "85.40 ± 1.20" and "[84.01, 86.79]". For a single repeat "85.40" and nothing.
+/// "85.40 ± 1.20" and "[84.01, 86.79]". Of a single repeat "85.40"; where there is no interval "–".
 std::string mean_label(const scoring::Summary& summary, NumberStyle style = {});
 std::string interval_label(const scoring::Summary& summary, NumberStyle style = {});
 
 /// "shift", or "oracle (ceiling)" for what is a ceiling and not a method (augment/catalogue.hpp).
 std::string method_label(const std::string& method);
+
+/// Stands in a table where there is no number.
+inline constexpr const char* no_number = "–";
+
+/// Stands after what is of fewer seeds than others of its table.
+inline constexpr const char* mark_of_fewer_seeds = "‡";
+std::string marked_if(bool fewer_seeds, const std::string& label);
+
+/// From here down a p is called significant.
+inline constexpr double significance_level = 0.05;
+/// Stands after a p that so few seeds cannot make as small as that, whatever they show.
+inline constexpr const char* mark_of_large_p = "†";
+
+/// "10:1" for the ratio 10to1.
+std::string short_ratio_label(const std::string& name);
 
 /// How tables show a ratio of this name: "10:1", or "2:1 (3.33:1)" where the true ratio is not the
 /// one that the name says.

@@ -3,60 +3,98 @@
 #include <spdlog/fmt/fmt.h>
 
 #include <algorithm>
-#include <functional>
+#include <iterator>
+#include <map>
 #include <set>
 
+#include "augment/catalogue.hpp"
+#include "report/bounded_summary.hpp"
 #include "report/csv_fields.hpp"
 #include "report/labels.hpp"
+#include "report/ratio_means.hpp"
 
 namespace piae::report {
 
 namespace {
 
 using Cells = std::vector<std::string>;
-using LabelOf = std::function<std::string(const PairedRow&)>;
 
 constexpr NumberStyle difference_style{.decimals = 2, .sign = true};
 
+bool is_tested(const PairedRow& row) { return row.paired.p.has_value(); }
+bool has_an_interval(const PairedRow& row) { return row.paired.difference.interval.has_value(); }
+
 std::string p_label(const PairedRow& row) {
-  if (!row.paired.p) return "";
-  return fmt::format("{:.3g} ({:.3g})", *row.paired.p, *row.p_holm);
+  if (!is_tested(row)) return no_number;
+  return fmt::format("{:.3g} ({:.3g}){}", *row.paired.p, *row.p_holm,
+                     row.p_can_be_small ? "" : std::string(" ") + mark_of_large_p);
 }
 
 std::string effect_label(const PairedRow& row) {
-  return row.paired.p ? number_label(row.paired.rank_biserial, difference_style) : "";
+  return is_tested(row) ? number_label(row.paired.rank_biserial, difference_style) : no_number;
 }
 
-/// The largest number of methods that are compared at one ratio.
-std::size_t largest_family(const std::vector<PairedRow>& rows) {
-  std::size_t largest = 0;
-  for (const PairedRow& row : rows) {
-    const auto size = std::ranges::count(rows, row.ratio, &PairedRow::ratio);
-    largest = std::max(largest, static_cast<std::size_t>(size));
-  }
-  return largest;
+std::string ratio_label_of(const AccuracyRow& row) {
+  return row.ratio == mean_of_ratios ? fmt::format("mean of {}", row.ratios)
+                                     : ratio_label(row.ratio, row.true_ratio);
 }
 
-/// A warning where even the smallest p that so few seeds can give is not below the usual level.
-std::string warning_of_few_seeds(std::size_t seeds, std::size_t methods) {
-  constexpr double level = 0.05;
+/// How many rows of the same ratio are tested.
+std::size_t family_of(const PairedRow& row, const std::vector<PairedRow>& rows) {
+  return static_cast<std::size_t>(std::ranges::count_if(
+      rows, [&](const PairedRow& each) { return each.ratio == row.ratio && is_tested(each); }));
+}
+
+/// The smallest p that these many seeds can give, after Holm's correction for so many tests.
+double smallest_corrected_p(std::size_t seeds, std::size_t tests) {
+  return std::min(1.0, scoring::smallest_p(seeds) * static_cast<double>(tests));
+}
+
+/// "2 seeds cannot give a p below 0.5, which Holm's correction for 2 makes 1".
+std::string limit_of(std::size_t seeds, std::size_t tests) {
   const double smallest = scoring::smallest_p(seeds);
-  const double corrected = std::min(1.0, smallest * static_cast<double>(methods));
-  if (corrected <= level) return "";
-  std::string text =
-      fmt::format(" Mind that {} seeds cannot give a p below {:.3g}", seeds, smallest);
-  if (methods > 1)
-    text += fmt::format(", which Holm's correction for {} makes {:.3g}", methods, corrected);
-  return text + ": however large a difference is, it cannot be significant at 0.05 here.";
+  std::string text = fmt::format("{} seeds cannot give a p below {:.3g}", seeds, smallest);
+  if (tests > 1) {
+    text += fmt::format(", which Holm's correction for {} makes {:.3g}", tests,
+                        smallest_corrected_p(seeds, tests));
+  }
+  return text;
+}
+
+/// A warning where even the smallest p that so few seeds can give is not below the usual level. It
+/// tells the limit for each number of seeds.
+std::string warning_of_few_seeds(const std::vector<PairedRow>& rows) {
+  std::map<std::size_t, std::size_t> largest_family;  // by the number of seeds
+  for (const PairedRow& row : rows) {
+    if (row.p_can_be_small) continue;
+    std::size_t& largest = largest_family[row.paired.difference.count];
+    largest = std::max(largest, family_of(row, rows));
+  }
+  std::string limits;
+  for (const auto& [seeds, tests] : largest_family) {
+    limits += (limits.empty() ? "" : "; ") + limit_of(seeds, tests);
+  }
+  if (limits.empty()) return "";
+  return fmt::format(
+      " {} marks p values that cannot be small. Mind that {}: however large such a difference is, "
+      "it "
+      "cannot be significant at {} here.",
+      mark_of_large_p, limits, significance_level);
 }
 
 }  // namespace
 
-PairedRow paired_row(const AccuracyRow& row, const std::string& ratio, const AccuracyRow& other) {
-  return {.method = row.method,
-          .ratio = ratio,
-          .paired = scoring::paired_difference(row.values, other.values),
-          .p_holm = std::nullopt};
+std::optional<PairedRow> paired_row(const AccuracyRow& row, const AccuracyRow& other) {
+  const Pairs pairs = pairs_of(row, other);
+  if (pairs.seeds.empty()) return std::nullopt;
+  const bool at_other = row.method == augment::no_method && other.method != augment::no_method;
+  const AccuracyRow& at = at_other ? other : row;
+  PairedRow paired{.method = row.method,
+                   .ratio = at.ratio,
+                   .ratio_label = ratio_label_of(at),
+                   .paired = scoring::paired_difference(pairs.first, pairs.second)};
+  bound(paired.paired.difference, differences_of_percents);
+  return paired;
 }
 
 void add_holm_p(std::vector<PairedRow>& rows) {
@@ -71,7 +109,11 @@ void add_holm_p(std::vector<PairedRow>& rows) {
       p.push_back(*row.paired.p);
     }
     const std::vector<double> corrected = scoring::holm(p);
-    for (std::size_t i = 0; i < family.size(); ++i) family[i]->p_holm = corrected[i];
+    for (std::size_t i = 0; i < family.size(); ++i) {
+      const std::size_t seeds = family[i]->paired.difference.count;
+      family[i]->p_holm = corrected[i];
+      family[i]->p_can_be_small = smallest_corrected_p(seeds, family.size()) <= significance_level;
+    }
   }
 }
 
@@ -82,51 +124,68 @@ Cells paired_header() {
 Cells paired_fields(const PairedRow& row) {
   const scoring::Summary& difference = row.paired.difference;
   Cells fields{std::to_string(difference.count), four_decimals(difference.mean)};
-  if (!row.paired.p) return {fields[0], fields[1], "", "", "", "", ""};
-  fields.push_back(four_decimals(difference.interval->low));
-  fields.push_back(four_decimals(difference.interval->high));
-  fields.push_back(four_decimals(row.paired.rank_biserial));
-  fields.push_back(fmt::format("{:.6g}", *row.paired.p));
-  fields.push_back(fmt::format("{:.6g}", *row.p_holm));
+  std::ranges::move(interval_fields(difference), std::back_inserter(fields));
+  const Cells test = is_tested(row) ? Cells{four_decimals(row.paired.rank_biserial),
+                                            fmt::format("{:.6g}", *row.paired.p),
+                                            fmt::format("{:.6g}", *row.p_holm)}
+                                    : Cells{"", "", ""};
+  fields.insert(fields.end(), test.begin(), test.end());
   return fields;
 }
 
-void add_paired_lines(text::Table& table, const std::string& name, const std::string& method,
-                      const std::vector<PairedRow>& rows, const std::vector<RatioColumn>& columns) {
-  const auto line = [&](const std::string& first, const std::string& what, const LabelOf& label) {
-    Cells cells{first, what};
-    for (const RatioColumn& column : columns) {
-      const auto row = std::ranges::find_if(rows, [&](const PairedRow& each) {
-        return each.method == method && each.ratio == column.ratio;
-      });
-      cells.push_back(row == rows.end() ? "" : label(*row));
+std::vector<std::vector<const PairedRow*>> blocks_of(const std::vector<PairedRow>& rows) {
+  std::vector<std::vector<const PairedRow*>> blocks;
+  for (const PairedRow& row : rows) {
+    const auto same = std::ranges::find_if(
+        blocks, [&](const auto& block) { return block.front()->method == row.method; });
+    (same == blocks.end() ? blocks.emplace_back() : *same).push_back(&row);
+  }
+  return blocks;
+}
+
+std::string block_label(const std::vector<const PairedRow*>& block,
+                        const std::vector<PairedRow>& rows) {
+  const auto count = [](const PairedRow& row) { return row.paired.difference.count; };
+  const std::size_t most = count(*std::ranges::max_element(rows, {}, count));
+  const bool fewer =
+      std::ranges::any_of(block, [&](const PairedRow* row) { return count(*row) < most; });
+  return marked_if(fewer, method_label(block.front()->method));
+}
+
+text::Table paired_table(const std::vector<PairedRow>& rows) {
+  const bool intervals = std::ranges::any_of(rows, has_an_interval);
+  const bool tests = std::ranges::any_of(rows, is_tested);
+  Cells header{"method", "ratio", "difference"};
+  if (intervals) header.emplace_back("95 % interval");
+  if (tests) header.insert(header.end(), {"effect", "p (Holm)"});
+  text::Table table(header, 2);
+  for (const std::vector<const PairedRow*>& block : blocks_of(rows)) {
+    std::string name = block_label(block, rows);
+    for (const PairedRow* const row : block) {
+      const scoring::Summary& difference = row->paired.difference;
+      Cells cells{name, row->ratio_label, mean_label(difference, difference_style)};
+      if (intervals) cells.push_back(interval_label(difference, difference_style));
+      if (tests) cells.insert(cells.end(), {effect_label(*row), p_label(*row)});
+      table.row(cells);
+      name.clear();
     }
-    return cells;
-  };
-  table.row(line(name, "difference", [](const PairedRow& row) {
-    return mean_label(row.paired.difference, difference_style);
-  }));
-  const bool is_tested =
-      std::ranges::any_of(rows, [](const PairedRow& row) { return row.paired.p.has_value(); });
-  if (!is_tested) return;
-  table.row(line("", "95 %", [](const PairedRow& row) {
-    return interval_label(row.paired.difference, difference_style);
-  }));
-  table.row(line("", "effect", effect_label));
-  table.row(line("", "p (Holm)", p_label));
+  }
+  return table;
 }
 
 std::string paired_note(const std::vector<PairedRow>& rows) {
-  const std::size_t seeds = rows.front().paired.difference.count;
-  if (seeds == 1) return "Differences in points. One seed alone can be tested for nothing.";
-  return "Differences in points, paired by seed: mean ± standard deviation, and the interval of "
-         "the "
-         "mean. Effect: matched-pairs rank-biserial correlation, +1 where every difference is "
-         "positive, -1 where every one is negative. p: Wilcoxon's signed-rank test, two-sided and "
-         "exact, differences of zero left out; in brackets with Holm's correction over the methods "
-         "of the same column. The mean of ratios is taken for each seed, since ratios of one seed "
-         "share their split and are no independent repeats." +
-         warning_of_few_seeds(seeds, largest_family(rows));
+  if (std::ranges::none_of(rows, is_tested)) {
+    return "Differences in points. One seed alone can be tested for nothing.";
+  }
+  return std::string("Differences in points, paired by seed: mean ± standard deviation") +
+         (std::ranges::any_of(rows, has_an_interval) ? ", and the interval of the mean" : "") +
+         ". Effect: matched-pairs rank-biserial correlation, +1 where every difference is "
+         "positive, "
+         "-1 where every one is negative. p: Wilcoxon's signed-rank test, two-sided and exact, "
+         "differences of zero left out; in brackets with Holm's correction over the methods at the "
+         "same ratio. The mean of ratios is taken for each seed, since ratios of one seed share "
+         "their split and are no independent repeats." +
+         warning_of_few_seeds(rows);
 }
 
 }  // namespace piae::report

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "report/accuracy_table.hpp"
-#include "report/ratio_columns.hpp"
 #include "scoring/paired.hpp"
 #include "text/table.hpp"
 
@@ -16,29 +15,39 @@ namespace piae::report {
 struct PairedRow {
   std::string method;
   std::string ratio;
-  scoring::PairedDifference paired;  ///< in points
-  std::optional<double> p_holm;      ///< p after Holm's correction, see add_holm_p()
+  std::string ratio_label;            ///< for people: "2:1 (3.33:1)", "mean of 6"
+  scoring::PairedDifference paired;   ///< in points, of the seeds that both have
+  std::optional<double> p_holm = {};  ///< p after Holm's correction, see add_holm_p()
+  /// Whether so few seeds can give a corrected p below 0.05 at all, see add_holm_p().
+  bool p_can_be_small = true;
 };
 
-/// `row` minus `other`, seed by seed. Both have the same seeds. The result has the method of `row`.
-PairedRow paired_row(const AccuracyRow& row, const std::string& ratio, const AccuracyRow& other);
+/// `row` minus `other`, seed by seed. The result has the method of `row`, and its ratio unless that
+/// is of `none`, which is compared at the ratio of the other. Empty where they have no seed in
+/// common.
+std::optional<PairedRow> paired_row(const AccuracyRow& row, const AccuracyRow& other);
 
 /// Sets p_holm of all rows that have a p. The methods that are compared at the same ratio are one
 /// family of tests, and those that are compared in the mean of the ratios another.
 void add_holm_p(std::vector<PairedRow>& rows);
 
 /// Fields of a CSV file: seeds,mean_difference,ci95_low,ci95_high,rank_biserial,p,p_holm. All but
-/// the first two are empty for a single seed.
+/// the first two are empty for a single seed, and the interval for fewer than three
+/// (report/bounded_summary.hpp).
 std::vector<std::string> paired_header();
 std::vector<std::string> paired_fields(const PairedRow& row);
 
-/// Adds up to four lines for a method to a table with a ratio in each column: difference, its
-/// interval, effect, p. `name` stands in the first cell of the first line. A cell for which there
-/// is no paired row stays empty.
-void add_paired_lines(text::Table& table, const std::string& name, const std::string& method,
-                      const std::vector<PairedRow>& rows, const std::vector<RatioColumn>& columns);
+/// The rows of each method together; they point into `rows`.
+std::vector<std::vector<const PairedRow*>> blocks_of(const std::vector<PairedRow>& rows);
+/// The name of a block's method, marked where it is of fewer seeds than other rows.
+std::string block_label(const std::vector<const PairedRow*>& block,
+                        const std::vector<PairedRow>& rows);
 
-/// The note below such a table: what its lines mean, and a warning where the seeds are too few to
+/// A block for each method, and in it a row for each ratio: difference, interval, effect, p. A p
+/// that so few seeds cannot make small is marked; paired_note() says how. `rows` are at least one.
+text::Table paired_table(const std::vector<PairedRow>& rows);
+
+/// The note below such a table: what its columns mean, and a warning where the seeds are too few to
 /// tell anything.
 std::string paired_note(const std::vector<PairedRow>& rows);
 

@@ -47,21 +47,28 @@ std::optional<Counterpart> counterpart_of(const std::string& dataset) {
 PaperReference::PaperReference(std::string dataset)
     : dataset_(std::move(dataset)), counterpart_(counterpart_of(dataset_)) {}
 
-std::string PaperReference::none() const {
-  if (!counterpart_ || counterpart_->own) return "";
-  return " (" + dataset_ + " " + counterpart_->relation + ")";
+Section Place::of(Section section) const {
+  section.title += after_title;
+  const bool both = !before_note.empty() && !section.note.empty();
+  section.note = before_note + (both ? " " : "") + section.note;
+  return section;
 }
 
-std::string PaperReference::table(int PaperDataset::*number) const {
-  return counterpart_ ? brackets("Table " + std::to_string(counterpart_->paper.*number)) : "";
+Place PaperReference::none() const {
+  if (!counterpart_ || counterpart_->own) return {};
+  return {.before_note = dataset_ + " " + counterpart_->relation + "."};
 }
 
-std::string PaperReference::figure(int PaperDataset::*number) const {
-  return counterpart_ ? figure(counterpart_->paper.*number) : "";
+Place PaperReference::table(int PaperDataset::*number) const {
+  return counterpart_ ? place_of("Table " + std::to_string(counterpart_->paper.*number)) : Place{};
 }
 
-std::string PaperReference::figure(int number) const {
-  return counterpart_ ? brackets("Fig. " + std::to_string(number)) : "";
+Place PaperReference::figure(int PaperDataset::*number) const {
+  return counterpart_ ? figure(counterpart_->paper.*number) : Place{};
+}
+
+Place PaperReference::figure(int number) const {
+  return counterpart_ ? place_of("Fig. " + std::to_string(number)) : Place{};
 }
 
 std::string PaperReference::label() const {
@@ -69,10 +76,10 @@ std::string PaperReference::label() const {
   return std::string("paper, ") + counterpart_->paper.title;
 }
 
-std::string PaperReference::brackets(const std::string& what) const {
-  if (counterpart_->own) return " (the paper's " + what + ")";
-  return " (in the place of the paper's " + what + "; " + dataset_ + " " + counterpart_->relation +
-         ")";
+Place PaperReference::place_of(const std::string& what) const {
+  if (counterpart_->own) return {.after_title = " (the paper's " + what + ")"};
+  return {.before_note = "In the place of the paper's " + what + "; " + dataset_ + " " +
+                         counterpart_->relation + "."};
 }
 
 }  // namespace piae::report

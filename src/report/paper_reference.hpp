@@ -3,6 +3,8 @@
 #include <optional>
 #include <string>
 
+#include "report/document.hpp"
+
 namespace piae::report {
 
 /// One of the two datasets of the paper, and the numbers of the tables and figures that show it.
@@ -26,6 +28,15 @@ struct Counterpart {
   const char* caution;   ///< where not its own, how to read the figures, in sentences
 };
 
+/// What a table says of its counterpart in the paper.
+struct Place {
+  std::string after_title = {};  ///< " (the paper's Table 8)"; short, since a heading is one line
+  std::string before_note = {};  ///< a sentence
+
+  /// The section, with this said of it.
+  [[nodiscard]] Section of(Section section) const;
+};
+
 /// What tables of a dataset say of the paper.
 class PaperReference {
  public:
@@ -35,21 +46,21 @@ class PaperReference {
   /// Empty for a dataset that has no counterpart in the paper.
   [[nodiscard]] const std::optional<Counterpart>& beside() const { return counterpart_; }
 
-  /// Ends the title of a table that the paper does not have: " (hit-sm stands in for HFHP)".
-  /// Nothing for a dataset of the paper, or without a counterpart.
-  [[nodiscard]] std::string none() const;
-  /// End the title of a table that the paper has, too. The number is given as a member of
-  /// PaperDataset: " (the paper's Table 8)", " (in the place of the paper's Table 9; hit-sm stands
-  /// in for HFHP)". Nothing for a dataset without a counterpart.
-  [[nodiscard]] std::string table(int PaperDataset::*number) const;
-  [[nodiscard]] std::string figure(int PaperDataset::*number) const;
+  /// Of a table that the paper does not have: "hit-sm stands in for HFHP." Nothing for a dataset of
+  /// the paper, or without a counterpart.
+  [[nodiscard]] Place none() const;
+  /// Of a table that the paper has, too. The number is given as a member of PaperDataset. For a
+  /// dataset of the paper it stands after the title; for one with another counterpart before the
+  /// note: "In the place of the paper's Table 9; hit-sm stands in for HFHP."
+  [[nodiscard]] Place table(int PaperDataset::*number) const;
+  [[nodiscard]] Place figure(int PaperDataset::*number) const;
   /// The same for a figure that shows both datasets.
-  [[nodiscard]] std::string figure(int number) const;
+  [[nodiscard]] Place figure(int number) const;
   /// Stands before published numbers: "paper", "paper, HFHP".
   [[nodiscard]] std::string label() const;
 
  private:
-  [[nodiscard]] std::string brackets(const std::string& what) const;
+  [[nodiscard]] Place place_of(const std::string& what) const;
 
   std::string dataset_;
   std::optional<Counterpart> counterpart_;

@@ -109,14 +109,14 @@ std::vector<Section> quality_sections(const run::Grid& grid, const run::Results&
     std::vector<Seeds> methods;
     for (const std::string& method : group.methods) methods.push_back(seeds_of(method, results));
     for (const Metric& metric : scoring::all_metrics()) {
-      const std::string figure =
+      const Place place =
           metric.in_paper ? reference.figure(group.quality_figure) : reference.none();
       const bool drawn = metric.in_paper && reference.beside();
-      sections.push_back(
+      sections.push_back(place.of(
           {"quality-" + group.key + "-" + metric.name,
-           "Quality of " + group.name + " on " + grid.dataset + ": " + metric.title + figure,
+           "Quality of " + group.name + " on " + grid.dataset + ": " + metric.title,
            metric.meaning + std::string(drawn ? " The paper draws it and gives no numbers." : ""),
-           metric_table(methods, metric)});
+           metric_table(methods, metric)}));
     }
   }
   return sections;

@@ -3,9 +3,12 @@
 #include <spdlog/fmt/fmt.h>
 
 #include <algorithm>
+#include <cmath>
+#include <set>
 
 #include "augment/catalogue.hpp"
 #include "report/labels.hpp"
+#include "report/largest_block.hpp"
 #include "report/paper_reference.hpp"
 #include "text/csv.hpp"
 
@@ -13,46 +16,135 @@ namespace piae::report {
 
 namespace {
 
-/// For each seed the accuracy of each method. Empty where a method has no row at this ratio.
-std::vector<std::vector<double>> blocks_of(const std::vector<AccuracyRow>& rows,
-                                           const std::vector<std::string>& methods,
-                                           const std::string& ratio) {
-  std::vector<std::vector<double>> blocks(rows.front().values.size());
-  for (const std::string& method : methods) {
-    const AccuracyRow* row = find_row(rows, method, ratio);
-    if (row == nullptr) return {};
-    for (std::size_t i = 0; i < blocks.size(); ++i) blocks[i].push_back(row->values[i]);
+/// A ratio and a seed, at which methods can be ranked.
+struct RankedCell {
+  RatioColumn ratio;
+  std::int64_t seed;
+};
+
+std::vector<RankedCell> cells_of_any(const std::vector<AccuracyRow>& rows) {
+  std::set<std::int64_t> seeds;
+  for (const AccuracyRow& row : rows) seeds.insert(row.seeds.begin(), row.seeds.end());
+  std::vector<RankedCell> cells;
+  for (const RatioColumn& ratio : compared_columns(rows)) {
+    for (const std::int64_t seed : seeds) cells.push_back({ratio, seed});
   }
-  return blocks;
+  return cells;
+}
+
+std::optional<double> value_at(const std::vector<AccuracyRow>& rows, const std::string& method,
+                               const RankedCell& cell) {
+  const AccuracyRow* const row = find_row(rows, method, cell.ratio.ratio);
+  return row == nullptr ? std::nullopt : row->at(cell.seed);
+}
+
+/// The methods and the cells that have no gap among them.
+Block ranked_block(const std::vector<AccuracyRow>& rows, const std::vector<std::string>& methods,
+                   const std::vector<RankedCell>& cells) {
+  std::vector<std::vector<std::size_t>> has(methods.size());
+  for (std::size_t m = 0; m < methods.size(); ++m) {
+    for (std::size_t c = 0; c < cells.size(); ++c) {
+      if (value_at(rows, methods[m], cells[c])) has[m].push_back(c);
+    }
+  }
+  return largest_block(has, 2, 1);
+}
+
+/// Whether these are so few seeds that Friedman's p is not small even where all rank all methods
+/// alike.
+bool cannot_be_small(const scoring::AverageRanks& ranks) {
+  const auto methods = static_cast<double>(ranks.average.size());
+  return std::pow(std::tgamma(methods + 1), 1 - static_cast<double>(ranks.blocks)) >
+         significance_level;
+}
+
+std::string test_label(const scoring::AverageRanks& ranks) {
+  if (!ranks.p) return no_number;
+  return fmt::format("{:.3g}{}", *ranks.p,
+                     cannot_be_small(ranks) ? std::string(" ") + mark_of_large_p : "");
+}
+
+/// What the tests say, and what they cannot say of so few seeds.
+std::string tests_note(const RankTable& table) {
+  double critical = 0;
+  bool few = false;
+  for (const RatioRanks& ratio : table.ratios) {
+    if (!ratio.ranks.p) continue;
+    critical = std::max(critical, *ratio.ranks.critical_difference);
+    few = few || cannot_be_small(ratio.ranks);
+  }
+  const std::size_t largest = table.methods.size() - 1;  // between the first and the last rank
+  std::string note = fmt::format(
+      " p: Friedman's test (Iman and Davenport) of all methods being alike. Ranks of one ratio "
+      "that "
+      "differ by more than {:.2f} differ significantly at {} (Nemenyi; Demsar 2006){}. All cells "
+      "together have no test, since those of one seed are no independent repeats.",
+      critical, significance_level,
+      critical < static_cast<double>(largest)
+          ? ""
+          : fmt::format(", which those of {} methods cannot", table.methods.size()));
+  if (few) {
+    note += fmt::format(" {} marks p values that so few seeds cannot make smaller than {}.",
+                        mark_of_large_p, significance_level);
+  }
+  return note;
+}
+
+std::string left_out_note(const RankTable& table) {
+  if (table.left_out.empty() && table.has_every_seed) return "";
+  std::string names;
+  for (const std::string& method : table.left_out) names += (names.empty() ? "" : ", ") + method;
+  return " Ranks are of the cells that all of these methods have" +
+         (names.empty() ? "" : "; left out, since they have too few: " + names) + ".";
 }
 
 std::string note_of(const RankTable& table) {
-  const scoring::AverageRanks& any = table.ratios.front().ranks;
-  std::string note =
-      "Rank of each method among the methods of the same seed, averaged over the seeds; 1 is the "
-      "best, and equal ones share a rank. A ceiling does not compete; none does, at every ratio "
-      "with "
-      "its one accuracy.";
-  if (!any.p) return note;
-  return note + fmt::format(
-                    " p: Friedman's test (Iman and Davenport) of all methods being alike. Ranks of "
-                    "one ratio that differ by more than {:.2f} differ significantly at 0.05 "
-                    "(Nemenyi; Demsar 2006). All cells together have no test, since those of one "
-                    "seed are no independent repeats.",
-                    *any.critical_difference);
+  const auto is_tested = [](const RatioRanks& ratio) { return ratio.ranks.p.has_value(); };
+  return "Rank of each method among the methods of the same seed, averaged over the seeds; 1 is "
+         "the "
+         "best, and equal ones share a rank. A ceiling does not compete; none does, at every ratio "
+         "with its one accuracy." +
+         left_out_note(table) +
+         (std::ranges::any_of(table.ratios, is_tested) ? tests_note(table) : "");
+}
+
+/// The ranks at each ratio of the block, over those of its seeds that it has there.
+std::vector<RatioRanks> ranks_of(const std::vector<AccuracyRow>& rows,
+                                 const std::vector<std::string>& methods,
+                                 const std::vector<RankedCell>& cells) {
+  std::vector<RatioRanks> ratios;
+  for (auto first = cells.begin(); first != cells.end();) {
+    const auto end = std::find_if(first, cells.end(), [&](const RankedCell& cell) {
+      return cell.ratio.ratio != first->ratio.ratio;
+    });
+    std::vector<std::vector<double>> blocks;
+    for (auto cell = first; cell != end; ++cell) {
+      std::vector<double>& block = blocks.emplace_back();
+      for (const std::string& method : methods) block.push_back(*value_at(rows, method, *cell));
+    }
+    ratios.push_back({first->ratio, scoring::average_ranks(blocks)});
+    first = end;
+  }
+  return ratios;
 }
 
 }  // namespace
 
 RankTable rank_methods(const std::vector<AccuracyRow>& rows) {
-  RankTable table{.dataset = rows.front().dataset, .methods = methods_of(rows)};
-  std::erase_if(table.methods, augment::is_ceiling);
-  if (table.methods.size() < 2) return table;
-  for (const RatioColumn& column : compared_columns(rows)) {
-    const auto blocks = blocks_of(rows, table.methods, column.ratio);
-    if (!blocks.empty()) table.ratios.push_back({column, scoring::average_ranks(blocks)});
+  RankTable table{.dataset = rows.front().dataset, .methods = {}};
+  std::vector<std::string> methods = methods_of(rows);
+  std::erase_if(methods, augment::is_ceiling);
+  const std::vector<RankedCell> cells = cells_of_any(rows);
+  const Block block = ranked_block(rows, methods, cells);
+  if (block.rows.empty()) return table;
+  std::vector<RankedCell> ranked;
+  for (const std::size_t c : block.columns) ranked.push_back(cells[c]);
+  table.has_every_seed = ranked.size() == cells.size();
+  for (std::size_t m = 0; m < methods.size(); ++m) {
+    const bool is_ranked = std::ranges::find(block.rows, m) != block.rows.end();
+    (is_ranked ? table.methods : table.left_out).push_back(methods[m]);
   }
-  if (table.ratios.empty()) return table;
+  table.ratios = ranks_of(rows, table.methods, ranked);
   table.over_all_cells.resize(table.methods.size());
   for (const RatioRanks& ratio : table.ratios) {
     for (std::size_t i = 0; i < table.methods.size(); ++i) {
@@ -85,9 +177,11 @@ std::vector<Section> rank_sections(const RankTable& table) {
   if (table.ratios.empty()) return {};
   std::vector<std::string> header{"method"};
   std::vector<std::string> tests{"p"};
+  bool is_tested = false;
   for (const RatioRanks& ratio : table.ratios) {
     header.push_back(ratio.ratio.label);
-    tests.push_back(ratio.ranks.p ? fmt::format("{:.3g}", *ratio.ranks.p) : "");
+    tests.push_back(test_label(ratio.ranks));
+    is_tested = is_tested || ratio.ranks.p;
   }
   header.emplace_back("all cells");
   text::Table text(header, 1);
@@ -99,9 +193,10 @@ std::vector<Section> rank_sections(const RankTable& table) {
     cells.push_back(number_label(table.over_all_cells[i]));
     text.row(cells);
   }
-  if (table.ratios.front().ranks.p) text.row(tests);
-  return {{"ranks", "Average ranks on " + table.dataset + PaperReference(table.dataset).none(),
-           note_of(table), text}};
+  if (is_tested) text.row(tests);
+  return {PaperReference(table.dataset)
+              .none()
+              .of({"ranks", "Average ranks on " + table.dataset, note_of(table), text})};
 }
 
 }  // namespace piae::report

@@ -17,14 +17,18 @@ struct RatioRanks {
 
 struct RankTable {
   std::string dataset;
-  std::vector<std::string> methods;     ///< all but ceilings, which are not ranked
-  std::vector<RatioRanks> ratios = {};  ///< those at which all methods have a row
+  /// All but ceilings, which are not ranked, and those left out.
+  std::vector<std::string> methods;
+  std::vector<std::string> left_out = {};  ///< for lack of cells that the others have
+  bool has_every_seed = true;              ///< or else only those that all these methods have
+  std::vector<RatioRanks> ratios = {};     ///< those at which all these methods have a row
   /// For each method the average rank over all these ratios and all seeds.
   std::vector<double> over_all_cells = {};
 };
 
-/// `rows` are of accuracy_rows(). `none` is ranked at every ratio, with its one accuracy. The table
-/// has no ratios where there are less than two methods, or no ratio at which all have a row.
+/// `rows` are of accuracy_rows(). `none` is ranked at every ratio, with its one accuracy. Ranks are
+/// of methods that all have the same cells: those with the most cells together
+/// (report/largest_block.hpp). The table has no ratios where these are less than two methods.
 RankTable rank_methods(const std::vector<AccuracyRow>& rows);
 
 /// ranks.csv: dataset,ratio,method,seeds,average_rank,friedman_p,critical_difference. The ratio is

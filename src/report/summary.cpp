@@ -50,7 +50,7 @@ text::Table accuracy_table(const std::vector<AccuracyRow>& rows) {
   const std::vector<RatioColumn> columns = ratio_columns(rows);
   std::vector<std::string> header{"method"};
   for (const RatioColumn& column : columns) {
-    header.push_back(column.ratio.substr(0, column.ratio.find("to")) + ":1");
+    header.push_back(short_ratio_label(column.ratio));
   }
   text::Table table(header, 1);
   for (const std::string& method : methods_of(rows)) {
@@ -66,14 +66,14 @@ text::Table accuracy_table(const std::vector<AccuracyRow>& rows) {
   return table;
 }
 
-/// What generated windows are worth. Two seeds have no interval that says anything, so all seeds
-/// must agree; from three on the interval of the mean must lie on one side of zero.
+/// What generated windows are worth. Where there is an interval of the mean, which is from three
+/// seeds on, it must lie on one side of zero; else all seeds must agree.
 enum class Effect { helps, no_clear_difference, harms };
 
 Effect effect_of(const AccuracyRow& gain) {
   const auto agree = [&](double sign) {
     const auto& interval = gain.summary.interval;
-    if (interval && gain.values.size() > 2) {
+    if (interval) {
       return sign > 0 ? interval->low > 0 : interval->high < 0;
     }
     return std::ranges::all_of(gain.values, [&](double value) { return sign * value > 0; });
@@ -82,21 +82,32 @@ Effect effect_of(const AccuracyRow& gain) {
   return agree(-1) ? Effect::harms : Effect::no_clear_difference;
 }
 
-std::string with_points(const std::vector<AccuracyRow>& gains) {
+/// "shift (+35.2)"; with how many seeds where others have more: "shift (+35.2, 1 seed)".
+std::string with_points(const std::vector<AccuracyRow>& gains, std::size_t most_seeds) {
   std::vector<std::string> words;
   words.reserve(gains.size());
   for (const AccuracyRow& gain : gains) {
-    words.push_back(fmt::format("{} ({:+.1f})", gain.method, gain.summary.mean));
+    const std::size_t seeds = gain.seeds.size();
+    const std::string fewer =
+        seeds < most_seeds ? fmt::format(", {} seed{}", seeds, seeds == 1 ? "" : "s") : "";
+    words.push_back(fmt::format("{} ({:+.1f}{})", gain.method, gain.summary.mean, fewer));
   }
   return listed(words);
 }
 
-/// The gains of all methods and ceilings at the ratio with the most generated windows.
+/// The gains of all methods and ceilings at the ratio with the most generated windows. A ratio that
+/// only a few methods of the run have tells little: at least half of them must have it.
 std::vector<AccuracyRow> largest_gains(const std::vector<AccuracyRow>& rows) {
   std::vector<AccuracyRow> gains = gain_rows(rows);
+  const std::size_t methods = methods_of(gains).size();
   std::int64_t most = 0;
-  for (const AccuracyRow& gain : gains) most = std::max(most, gain.generated_per_class);
-  std::erase_if(gains, [&](const AccuracyRow& gain) { return gain.generated_per_class < most; });
+  for (const AccuracyRow& gain : gains) {
+    const std::int64_t generated = gain.generated_per_class;
+    const auto having = std::ranges::count(gains, generated, &AccuracyRow::generated_per_class);
+    const bool half = 2 * static_cast<std::size_t>(having) >= methods;
+    if (half || most == 0) most = std::max(most, generated);
+  }
+  std::erase_if(gains, [&](const AccuracyRow& gain) { return gain.generated_per_class != most; });
   return gains;
 }
 
@@ -113,6 +124,7 @@ std::string who_helps(std::vector<AccuracyRow> gains, const AccuracyRow& baselin
       by_effect[static_cast<std::size_t>(effect_of(gain))].push_back(gain);
     }
   }
+  const std::size_t seeds = baseline.values.size();
   constexpr std::array said{"help", "make no clear difference", "harm"};
   std::vector<std::string> parts;
   for (std::size_t i = 0; i < said.size(); ++i) {
@@ -120,9 +132,8 @@ std::string who_helps(std::vector<AccuracyRow> gains, const AccuracyRow& baselin
     const bool one = by_effect[i].size() == 1;
     const std::string verb = i == 1 && one ? "makes no clear difference"
                                            : std::string(said[i]) + (one && i != 1 ? "s" : "");
-    parts.push_back(with_points(by_effect[i]) + ' ' + verb);
+    parts.push_back(with_points(by_effect[i], seeds) + ' ' + verb);
   }
-  const std::size_t seeds = baseline.values.size();
   return fmt::format(
       "With {} generated windows of each fault, and measured in points against the {:.1f} without "
       "any ({} seed{}), {}{}.",
@@ -180,7 +191,11 @@ std::string why_it_falls_short(const run::Results& results, const std::vector<Ac
 
 std::string summary_text(const run::Grid& grid, const run::Results& results,
                          const std::vector<AccuracyRow>& rows) {
-  std::string text = fmt::format("Accuracy on {} in percent, mean of {} seed{}\n\n", grid.dataset,
+  const auto has_all = [&](const AccuracyRow& row) {
+    return row.seeds.size() == grid.seeds.size();
+  };
+  std::string text = fmt::format("Accuracy on {} in percent, mean of {}{} seed{}\n\n", grid.dataset,
+                                 std::ranges::all_of(rows, has_all) ? "" : "up to ",
                                  grid.seeds.size(), grid.seeds.size() == 1 ? "" : "s") +
                      accuracy_table(rows).plain();
   const std::vector<AccuracyRow> gains = largest_gains(rows);

@@ -3,11 +3,16 @@
 #include <spdlog/fmt/fmt.h>
 
 #include <algorithm>
+#include <optional>
+#include <set>
 
 #include "augment/catalogue.hpp"
 #include "base/error.hpp"
+#include "report/bounded_summary.hpp"
 #include "report/csv_fields.hpp"
+#include "report/gaps.hpp"
 #include "report/labels.hpp"
+#include "scoring/ratios.hpp"
 #include "text/csv.hpp"
 
 namespace piae::report {
@@ -25,23 +30,70 @@ SweepPoint parse_point(const std::string& word, const std::vector<std::string>& 
           .centre = std::ranges::find(centre, word) != centre.end()};
 }
 
+/// The seeds of a run at which any setting was moved, and those asked for. The cells of a centre
+/// are the grid's, which may have other seeds; they say nothing of the settings beside them.
+std::vector<std::int64_t> swept_seeds(const run::Layout& layout, const Sweep& sweep,
+                                      const std::string& ratio, bool is_asked,
+                                      const run::Held& held) {
+  std::set<std::int64_t> seeds;
+  for (const SweepPoint& point : sweep.points) {
+    if (point.centre) continue;
+    const auto of_point = held.seeds_with(
+        is_asked ? sweep.grid.seeds : std::vector<std::int64_t>{},
+        [&](std::int64_t seed) { return layout.diagnosis(point.folder(), ratio, seed); });
+    seeds.insert(of_point.begin(), of_point.end());
+  }
+  if (is_asked) seeds.insert(sweep.grid.seeds.begin(), sweep.grid.seeds.end());
+  return {seeds.begin(), seeds.end()};
+}
+
+/// What is read of one ratio.
+struct SweptRatio {
+  run::Combination combination;
+  std::vector<std::int64_t> asked;  ///< seeds that must be there
+  std::vector<std::int64_t> seeds;  ///< all that may be
+};
+
+std::vector<SweptRatio> swept_ratios(const run::Layout& layout, const Sweep& sweep,
+                                     const run::Held& held) {
+  std::vector<SweptRatio> ratios;
+  for (const scoring::Ratio& ratio : scoring::all_ratios()) {
+    const run::Combination cell{augment::paper_method(), ratio.name};
+    if (!run::go_together(cell.method, ratio)) continue;
+    const bool is_asked =
+        std::ranges::count(sweep.grid.combinations, cell.ratio, &run::Combination::ratio) > 0;
+    SweptRatio swept{.combination = cell,
+                     .asked = is_asked ? sweep.grid.seeds : std::vector<std::int64_t>{},
+                     .seeds = swept_seeds(layout, sweep, cell.ratio, is_asked, held)};
+    if (!swept.seeds.empty()) ratios.push_back(std::move(swept));
+  }
+  return ratios;
+}
+
 std::optional<SweepRow> row_of(const run::Layout& layout, const Sweep& sweep,
-                               const SweepPoint& point, const run::Combination& combination,
-                               run::Results& results) {
+                               const SweepPoint& point, const SweptRatio& ratio,
+                               const run::Held& held, run::Results& results) {
+  const std::string& name = ratio.combination.ratio;
+  std::vector<std::int64_t> seeds;
+  for (const std::int64_t seed : ratio.seeds) {
+    const bool is_asked = std::ranges::count(ratio.asked, seed) > 0;
+    if (is_asked || held.has(layout.diagnosis(point.folder(), name, seed))) seeds.push_back(seed);
+  }
   const std::size_t before = results.diagnoses.size();
   const run::Series series{.name = point.factor + " " + point.value,
                            .folder = point.folder(),
-                           .combination = combination};
-  run::collect_diagnoses(layout, sweep.grid, series, results);
-  std::vector<double> percents;
+                           .combination = ratio.combination};
+  run::collect_diagnoses(layout, sweep.grid.dataset, series, seeds, results);
+  std::vector<double> accuracies;
   for (std::size_t i = before; i < results.diagnoses.size(); ++i) {
-    percents.push_back(100 * results.diagnoses[i].accuracy);
+    accuracies.push_back(100 * results.diagnoses[i].accuracy);
   }
-  if (percents.size() < sweep.grid.seeds.size()) return std::nullopt;
+  if (seeds.empty() || accuracies.size() < seeds.size()) return std::nullopt;
   return SweepRow{.point = point,
-                  .ratio = combination.ratio,
+                  .ratio = name,
                   .true_ratio = results.diagnoses.back().true_ratio,
-                  .summary = scoring::summarise(percents)};
+                  .seeds = seeds,
+                  .summary = summarise_within(percents, accuracies)};
 }
 
 std::vector<std::string> factors_of(const Sweep& sweep) {
@@ -52,28 +104,43 @@ std::vector<std::string> factors_of(const Sweep& sweep) {
   return factors;
 }
 
-/// A line for each value of the factor, with the interval of the mean in the line below.
-text::Table factor_table(const std::string& factor, const Sweep& sweep,
-                         const std::vector<SweepRow>& rows) {
-  const std::size_t ratios = sweep.grid.combinations.size();
-  std::vector<std::string> header{factor, ""};
-  for (std::size_t i = 0; i < ratios; ++i) {
-    header.push_back(ratio_label(rows[i].ratio, rows[i].true_ratio));
-  }
-  text::Table table(header, 2);
-  for (std::size_t i = 0; i < rows.size(); i += ratios) {
-    if (rows[i].point.factor != factor) continue;
-    std::vector<std::string> means{rows[i].point.value,
-                                   rows[i].point.centre ? "as in the grid" : ""};
-    std::vector<std::string> intervals{"", "95 %"};
-    for (std::size_t j = i; j < i + ratios; ++j) {
-      means.push_back(mean_label(rows[j].summary));
-      intervals.push_back(interval_label(rows[j].summary));
-    }
-    table.row(means);
-    if (rows[i].summary.interval) table.row(intervals);
+/// A block for each value of the factor, and in it a row for each ratio.
+text::Table factor_table(const std::string& factor, const std::vector<SweepRow>& rows) {
+  const auto has_interval = [](const SweepRow& row) { return row.summary.interval.has_value(); };
+  const bool intervals = std::ranges::any_of(rows, has_interval);
+  std::size_t most = 0;
+  for (const SweepRow& row : rows) most = std::max(most, row.seeds.size());
+  std::vector<std::string> header{factor, "", "ratio", "accuracy"};
+  if (intervals) header.emplace_back("95 % interval");
+  text::Table table(header, 3);
+  std::string above;
+  for (const SweepRow& row : rows) {
+    if (row.point.factor != factor) continue;
+    const bool first = row.point.value != above;
+    std::vector<std::string> cells{
+        first ? row.point.value : "", first && row.point.centre ? "as in the grid" : "",
+        marked_if(row.seeds.size() < most, ratio_label(row.ratio, row.true_ratio)),
+        mean_label(row.summary)};
+    if (intervals) cells.push_back(interval_label(row.summary));
+    table.row(cells);
+    above = row.point.value;
   }
   return table;
+}
+
+/// All seeds of any row, ascending.
+std::vector<std::int64_t> seeds_of_any_row(const std::vector<SweepRow>& rows) {
+  std::set<std::int64_t> seeds;
+  for (const SweepRow& row : rows) seeds.insert(row.seeds.begin(), row.seeds.end());
+  return {seeds.begin(), seeds.end()};
+}
+
+/// Where not every row has all of them.
+std::string fewer_seeds_note(const std::vector<SweepRow>& rows, std::size_t all) {
+  const auto has_fewer = [&](const SweepRow& row) { return row.seeds.size() < all; };
+  if (std::ranges::none_of(rows, has_fewer)) return "";
+  return std::string(" ") + mark_of_fewer_seeds +
+         " marks what is of fewer seeds than others of its table; the CSV file says of how many.";
 }
 
 }  // namespace
@@ -108,11 +175,12 @@ Sweep resolve(const SweepOptions& options) {
 }
 
 std::vector<SweepRow> sweep_rows(const run::Layout& layout, const Sweep& sweep,
-                                 run::Results& results) {
+                                 const run::Held& held, run::Results& results) {
+  const std::vector<SweptRatio> ratios = swept_ratios(layout, sweep, held);
   std::vector<SweepRow> rows;
   for (const SweepPoint& point : sweep.points) {
-    for (const run::Combination& combination : sweep.grid.combinations) {
-      if (const auto row = row_of(layout, sweep, point, combination, results)) rows.push_back(*row);
+    for (const SweptRatio& ratio : ratios) {
+      if (const auto row = row_of(layout, sweep, point, ratio, held, results)) rows.push_back(*row);
     }
   }
   return rows;
@@ -135,15 +203,15 @@ Document sweep_document(const Sweep& sweep, const std::vector<SweepRow>& rows,
   Document document{
       .key = sweep.grid.dataset + "-sweep",
       .title = "Settings of " + augment::paper_method() + " on " + sweep.grid.dataset};
-  const std::size_t seeds = sweep.grid.seeds.size();
+  const std::vector<std::int64_t> seeds = seeds_of_any_row(rows);
   document.paragraphs.push_back(fmt::format(
       "Accuracy in percent where one setting is moved and all others are those of the grid (paper, "
-      "Section 4.5.5 and Fig. 19, which publishes no numbers). Split protocol {}; {} seed{}. "
-      "Numbers are the mean ± the sample standard deviation over the seeds; 95 % is the interval "
-      "of the mean by Student's t.",
-      to_string(results.diagnoses.front().protocol), seeds, seeds == 1 ? "" : "s"));
+      "Section 4.5.5 and Fig. 19, which publishes no numbers). Split protocol {}; {} seed{} ({}). "
+      "Numbers are the mean ± the sample standard deviation over the seeds. {}{}",
+      to_string(results.diagnoses.front().protocol), seeds.size(), seeds.size() == 1 ? "" : "s",
+      seed_list(seeds), about_intervals, fewer_seeds_note(rows, seeds.size())));
   for (const std::string& factor : factors_of(sweep)) {
-    document.sections.push_back({factor, "By " + factor, "", factor_table(factor, sweep, rows)});
+    document.sections.push_back({factor, "By " + factor, "", factor_table(factor, rows)});
   }
   return document;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -7,6 +8,7 @@
 #include "report/document.hpp"
 #include "run/collect.hpp"
 #include "run/grid.hpp"
+#include "run/held.hpp"
 #include "run/layout.hpp"
 #include "scoring/statistics.hpp"
 
@@ -49,19 +51,22 @@ struct SweepRow {
   SweepPoint point;
   std::string ratio;
   double true_ratio = 0;
-  scoring::Summary summary;  ///< of accuracies in percent
+  std::vector<std::int64_t> seeds;  ///< ascending
+  scoring::Summary summary;  ///< of accuracies in percent, with the interval that can be shown
 };
 
-/// A row for each point and ratio, points in the order asked for. A point with a cell that is
-/// missing or refused has no row; `results` says what is wrong with the cell.
+/// A row for each point and ratio, points in the order asked for. Beside the seeds and ratios asked
+/// for, a row has all those at which the run holds a moved setting (run/held.hpp). A point with a
+/// cell that is missing or refused has no row; `results` says what is wrong with the cell.
 std::vector<SweepRow> sweep_rows(const run::Layout& layout, const Sweep& sweep,
-                                 run::Results& results);
+                                 const run::Held& held, run::Results& results);
 
 /// sweep.csv: dataset,factor,value,ratio,seeds,mean,std,ci95_low,ci95_high in percent; `seeds` is
-/// how many there are. Standard deviation and interval of a single seed are empty.
+/// how many there are. Empty are the standard deviation of a single seed, and an interval that no
+/// table shows (report/bounded_summary.hpp).
 std::string sweep_csv(const Sweep& sweep, const std::vector<SweepRow>& rows);
 
-/// The same for people: a table for each factor, with a ratio in each column.
+/// The same for people: a table for each factor, with a block for each of its values.
 Document sweep_document(const Sweep& sweep, const std::vector<SweepRow>& rows,
                         const run::Results& results);
 

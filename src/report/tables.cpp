@@ -7,6 +7,8 @@
 
 #include "augment/catalogue.hpp"
 #include "report/accuracy_sections.hpp"
+#include "report/bounded_summary.hpp"
+#include "report/gaps.hpp"
 #include "report/paper_reference.hpp"
 #include "report/quality_table.hpp"
 
@@ -26,11 +28,12 @@ std::string ceiling_note(const run::Grid& grid) {
 
 std::string how_to_read(const run::Grid& grid, const std::string& protocol) {
   return fmt::format(
-      "Split protocol {}; {} seed{}, each with a split, a generator and a classifier of its own. "
-      "Numbers are the mean ± the sample standard deviation over the seeds; 95 % is the interval "
-      "of the mean by Student's t. Ratios are healthy windows to those of each fault class, as the "
-      "paper names them; where the true one differs, it follows in brackets.{}",
-      protocol, grid.seeds.size(), grid.seeds.size() == 1 ? "" : "s", ceiling_note(grid));
+      "Split protocol {}; {} seed{} ({}), each with a split, a generator and a classifier of its "
+      "own. Numbers are the mean ± the sample standard deviation over the seeds. {} Ratios are "
+      "healthy windows to those of each fault class, as the paper names them; where the true one "
+      "differs, it follows in brackets.{}",
+      protocol, grid.seeds.size(), grid.seeds.size() == 1 ? "" : "s", seed_list(grid.seeds),
+      about_intervals, ceiling_note(grid));
 }
 
 }  // namespace
@@ -46,9 +49,10 @@ Document tables(const run::Grid& grid, const run::Results& results,
     document.paragraphs.emplace_back(beside->caution);
   }
   document.paragraphs.push_back(how_to_read(grid, to_string(results.diagnoses.front().protocol)));
+  std::ranges::move(gap_paragraphs(grid, results), std::back_inserter(document.paragraphs));
   for (std::vector<Section> sections :
-       {accuracy_sections(grid, rows, published), comparison_sections(comparisons, rows),
-        rank_sections(ranks), quality_sections(grid, results)}) {
+       {accuracy_sections(rows, published), comparison_sections(comparisons), rank_sections(ranks),
+        quality_sections(grid, results)}) {
     std::ranges::move(sections, std::back_inserter(document.sections));
   }
   return document;

@@ -74,31 +74,40 @@ void attempt(const std::string& name, const fs::path& path, const std::function<
 
 }  // namespace
 
-void collect_diagnoses(const Layout& layout, const Grid& grid, const Series& series,
-                       Results& results) {
+Series series_of(const Combination& combination) {
+  return {.name = "method " + combination.method,
+          .folder = combination.method,
+          .combination = combination};
+}
+
+void collect_diagnoses(const Layout& layout, const std::string& dataset, const Series& series,
+                       const std::vector<std::int64_t>& seeds, Results& results) {
   const Combination& cell = series.combination;
-  for (const std::int64_t seed : grid.seeds) {
+  for (const std::int64_t seed : seeds) {
     const fs::path path = layout.diagnosis(series.folder, cell.ratio, seed);
     attempt(
         fmt::format("{}, ratio {}, seed {}", series.name, cell.ratio, seed), path,
-        [&] { add_diagnosis(path, grid.dataset, cell, seed, results.diagnoses); }, results);
+        [&] { add_diagnosis(path, dataset, cell, seed, results.diagnoses); }, results);
+  }
+}
+
+void collect_scores(const Layout& layout, const std::string& dataset, const std::string& method,
+                    const std::vector<std::int64_t>& seeds, Results& results) {
+  for (const std::int64_t seed : seeds) {
+    const fs::path path = layout.score(method, seed);
+    attempt(
+        fmt::format("method {}, seed {}", method, seed), path,
+        [&] { add_quality(path, dataset, method, seed, results.qualities); }, results);
   }
 }
 
 Results collect(const Layout& layout, const Grid& grid) {
   Results results;
   for (const Combination& cell : grid.combinations) {
-    collect_diagnoses(layout, grid,
-                      {.name = "method " + cell.method, .folder = cell.method, .combination = cell},
-                      results);
+    collect_diagnoses(layout, grid.dataset, series_of(cell), grid.seeds, results);
   }
   for (const std::string& method : grid.scored) {
-    for (const std::int64_t seed : grid.seeds) {
-      const fs::path path = layout.score(method, seed);
-      attempt(
-          fmt::format("method {}, seed {}", method, seed), path,
-          [&] { add_quality(path, grid.dataset, method, seed, results.qualities); }, results);
-    }
+    collect_scores(layout, grid.dataset, method, grid.seeds, results);
   }
   return results;
 }

@@ -13,10 +13,18 @@
 
 namespace piae::run {
 
+/// A cell by its name. The ratio is empty for a score.
+struct CellName {
+  std::string method;
+  std::string ratio;
+  std::int64_t seed = 0;
+};
+
 /// The cells of a grid that could be read, and what is wrong with the others.
 struct Results {
   std::vector<Diagnosis> diagnoses;               ///< by combination, then seed
   std::vector<scoring::QualityRecord> qualities;  ///< by method, then seed
+  std::vector<CellName> left_out;     ///< cells that are there but out of date (run/held.hpp)
   std::vector<std::string> problems;  ///< one line for each missing or refused file, with its cell
   /// What a program that needs all cells exits with: bad_input if any file is refused, else
   /// input_missing if any is missing.
@@ -31,9 +39,16 @@ struct Series {
   Combination combination;
 };
 
-/// Adds the diagnoses of a series to the results, seed by seed, or what is wrong with them.
-void collect_diagnoses(const Layout& layout, const Grid& grid, const Series& series,
-                       Results& results);
+/// The series of the grid itself.
+Series series_of(const Combination& combination);
+
+/// Adds the diagnoses of a series at these seeds to the results, or what is wrong with them.
+void collect_diagnoses(const Layout& layout, const std::string& dataset, const Series& series,
+                       const std::vector<std::int64_t>& seeds, Results& results);
+
+/// The same for the scores of a method.
+void collect_scores(const Layout& layout, const std::string& dataset, const std::string& method,
+                    const std::vector<std::int64_t>& seeds, Results& results);
 
 /// Reads every cell of a grid, and goes on after one that cannot be read. A file is also refused
 /// when it holds another cell than its place says, and when it was made under other conditions than

@@ -7,7 +7,6 @@
 #include "augment/catalogue.hpp"
 #include "base/error.hpp"
 #include "base/numbers.hpp"
-#include "scoring/ratios.hpp"
 
 namespace piae::run {
 
@@ -62,6 +61,14 @@ std::vector<std::string> split_list(const std::string& option,
   return words;
 }
 
+bool go_together(const std::string& method, const scoring::Ratio& ratio) {
+  return (method == augment::no_method) == (ratio.generated_per_class == 0);
+}
+
+bool has_score(const std::string& method) {
+  return method != augment::no_method && !augment::is_ceiling(method);
+}
+
 Grid resolve(const GridOptions& options) {
   Grid grid;
   grid.dataset = options.dataset;
@@ -75,11 +82,11 @@ Grid resolve(const GridOptions& options) {
     throw Error(Exit::usage, "--seeds names " + std::to_string(*twice) + " twice");
   }
   for (const std::string& method : split_list("--methods", options.methods)) {
-    if (method != augment::no_method && !augment::is_ceiling(method)) grid.scored.push_back(method);
+    if (has_score(method)) grid.scored.push_back(method);
     for (const std::string& ratio : ratios) {
-      const bool generates_nothing = scoring::find_ratio(ratio).generated_per_class == 0;
-      if ((method == augment::no_method) == generates_nothing)
+      if (go_together(method, scoring::find_ratio(ratio))) {
         grid.combinations.push_back({method, ratio});
+      }
     }
   }
   if (grid.combinations.empty()) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "cli/options.hpp"
+#include "scoring/ratios.hpp"
 
 namespace piae::run {
 
@@ -41,10 +42,16 @@ struct Grid {
 std::vector<std::string> split_list(const std::string& option,
                                     const std::vector<std::string>& values);
 
-/// The cells asked for. Not all methods and ratios go together: `none`, which generates nothing,
-/// has cells at 100to1 only, and every other method at every other ratio only. Throws Error(usage)
-/// for an empty list, a value that is there twice, an unknown ratio, a seed that is not a number
-/// from 0 up, and methods and ratios of which none go together.
+/// Whether a method has cells at a ratio: `none`, which generates nothing, at 100to1 only, and
+/// every other method at every other ratio only.
+bool go_together(const std::string& method, const scoring::Ratio& ratio);
+
+/// Whether a method has scores: not `none`, which has no windows, and no ceiling.
+bool has_score(const std::string& method);
+
+/// The cells asked for. Throws Error(usage) for an empty list, a value that is there twice, an
+/// unknown ratio, a seed that is not a number from 0 up, and methods and ratios of which none go
+/// together.
 Grid resolve(const GridOptions& options);
 
 }  // namespace piae::run

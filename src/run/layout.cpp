@@ -1,8 +1,29 @@
 #include "run/layout.hpp"
 
+#include <algorithm>
+#include <system_error>
+
+#include "base/numbers.hpp"
+
 namespace piae::run {
 
 namespace fs = std::filesystem;
+
+std::vector<std::int64_t> Layout::seeds() const {
+  const std::string prefix = "seed";
+  std::vector<std::int64_t> seeds;
+  std::error_code no_folder;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder_, no_folder)) {
+    const std::string name = entry.path().filename().string();
+    if (!entry.is_directory() || !name.starts_with(prefix)) continue;
+    const auto seed = number_in<std::int64_t>(name.substr(prefix.size()));
+    if (seed && *seed >= 0) seeds.push_back(*seed);
+  }
+  std::ranges::sort(seeds);
+  const auto repeated = std::ranges::unique(seeds);  // such as seed01
+  seeds.erase(repeated.begin(), repeated.end());
+  return seeds;
+}
 
 std::optional<fs::path> Layout::unfinished_log(const fs::path& cell) {
   struct Step {

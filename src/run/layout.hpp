@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace piae::run {
 
@@ -13,6 +14,10 @@ class Layout {
  public:
   /// `run` is the run's folder, such as results/paper.
   Layout(const std::filesystem::path& run, const std::string& dataset) : folder_(run / dataset) {}
+
+  [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
+  /// The seeds that have a folder, ascending.
+  [[nodiscard]] std::vector<std::int64_t> seeds() const;
 
   [[nodiscard]] std::filesystem::path score(const std::string& method, std::int64_t seed) const {
     return method_folder(method, seed) / "score.h5";

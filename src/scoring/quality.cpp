@@ -33,7 +33,7 @@ constexpr std::array<Metric, 7> metrics{{
     {"fault_line_db", &ClassQuality::fault_line_db, "fault line, dB",
      "How far the lines of the class's own fault (BPFO, BPFI or 2 BSF, and two harmonics) stand "
      "out of the envelope spectrum of the generated windows; 0 is not at all. Right is what real "
-     "windows show: the next table.",
+     "windows show: the next section.",
      false, 1},
     {"fault_line_difference_db", &ClassQuality::fault_line_difference_db,
      "fault line, generated minus real, dB",

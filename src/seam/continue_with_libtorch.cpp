@@ -9,11 +9,21 @@
 
 namespace piae::seam {
 
+namespace fs = std::filesystem;
+
+namespace {
+
+fs::path program_with_libtorch() {
+  return fs::read_symlink("/proc/self/exe").string() + "-libtorch";
+}
+
+}  // namespace
+
+bool is_libtorch_there() { return back_ends() != nullptr || fs::exists(program_with_libtorch()); }
+
 void continue_with_libtorch(char** argv) {
   if (back_ends() != nullptr) return;
-  namespace fs = std::filesystem;
-  const fs::path self = fs::read_symlink("/proc/self/exe");
-  const fs::path other = self.string() + "-libtorch";
+  const fs::path other = program_with_libtorch();
   if (!fs::exists(other)) {
     throw Error(Exit::failed,
                 "this needs LibTorch, and there is no " + other.string() +

@@ -28,6 +28,9 @@ constexpr std::pair<std::string_view, std::string_view> latex_words[] = {
     {"]", "{]}"},
     {"±", "$\\pm$"},
     {"²", "$^2$"},
+    {"–", "--"},
+    {"†", "$\\dagger$"},
+    {"‡", "$\\ddagger$"},
 };
 
 /// Whether character i is the sign of a number. The number must stand at the beginning of the text,

@@ -1,6 +1,7 @@
 #include "text/table.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 #include "text/escape.hpp"
 
@@ -22,6 +23,14 @@ std::vector<std::size_t> widths_of(const std::vector<std::vector<std::string>>& 
       widths[i] = std::max(widths[i], width_of(cells[i]));
   }
   return widths;
+}
+
+/// How wide a line of these columns is in Markdown, with the bars and spaces between them.
+std::size_t width_in_markdown(const std::vector<std::size_t>& columns,
+                              const std::vector<std::size_t>& width) {
+  std::size_t sum = 1;
+  for (const std::size_t column : columns) sum += width[column] + 3;
+  return sum;
 }
 
 std::string latex_row(const std::vector<std::string>& cells) {
@@ -56,20 +65,49 @@ std::string Table::plain() const {
   return text;
 }
 
-std::string Table::markdown() const {
+std::string Table::markdown(std::size_t widest) const {
   Rows rows = rows_;
   for (auto& cells : rows) std::ranges::transform(cells, cells.begin(), markdown_text);
   const std::vector<std::size_t> width = widths_of(rows);
+  const auto fits = [&](const Columns& columns) {
+    return width_in_markdown(columns, width) <= widest;
+  };
+  std::size_t groups = 1;
+  while (groups + left_columns_ < width.size() &&
+         !std::ranges::all_of(columns_in_groups(groups), fits)) {
+    ++groups;
+  }
+  std::string text;
+  for (const Columns& columns : columns_in_groups(groups)) {
+    text += (text.empty() ? "" : "\n") + markdown_of(rows, columns, width);
+  }
+  return text;
+}
+
+/// The columns of numbers in so many groups of nearly equal count, each after those of words.
+std::vector<Table::Columns> Table::columns_in_groups(std::size_t groups) const {
+  const std::size_t numbers = rows_.front().size() - left_columns_;
+  std::vector<Columns> all;
+  for (std::size_t group = 0; group < groups; ++group) {
+    Columns& columns = all.emplace_back(left_columns_);
+    std::iota(columns.begin(), columns.end(), std::size_t{0});
+    for (std::size_t i = numbers * group / groups; i < numbers * (group + 1) / groups; ++i) {
+      columns.push_back(left_columns_ + i);
+    }
+  }
+  return all;
+}
+
+std::string Table::markdown_of(const Rows& rows, const Columns& columns,
+                               const std::vector<std::size_t>& width) const {
   std::string rule = "|";
-  for (std::size_t i = 0; i < width.size(); ++i) {
+  for (const std::size_t i : columns) {
     rule += std::string(width[i] + 1, '-') + (i < left_columns_ ? "-|" : ":|");
   }
   std::string text;
   for (std::size_t r = 0; r < rows.size(); ++r) {
     text += "|";
-    for (std::size_t i = 0; i < width.size(); ++i) {
-      text += ' ' + padded(rows[r][i], i, width[i]) + " |";
-    }
+    for (const std::size_t i : columns) text += ' ' + padded(rows[r][i], i, width[i]) + " |";
     text += '\n' + (r == 0 ? rule + '\n' : "");
   }
   return text;

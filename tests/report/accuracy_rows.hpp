@@ -1,16 +1,18 @@
 #pragma once
 
+#include <numeric>
 #include <string>
 #include <vector>
 
 #include "report/accuracy_table.hpp"
+#include "report/bounded_summary.hpp"
 #include "scoring/ratios.hpp"
 
 namespace piae::report {
 
-/// A row as accuracy_rows makes it, with these accuracies by seed.
+/// A row as accuracy_rows makes it, with these accuracies of the seeds from `first_seed` on.
 inline AccuracyRow row_with(const std::string& method, const std::string& ratio,
-                            const std::vector<double>& values) {
+                            const std::vector<double>& values, std::int64_t first_seed = 0) {
   AccuracyRow row;
   row.dataset = "cwru";
   row.method = method;
@@ -18,7 +20,9 @@ inline AccuracyRow row_with(const std::string& method, const std::string& ratio,
   row.generated_per_class = scoring::find_ratio(ratio).generated_per_class;
   row.true_ratio = scoring::true_ratio(500, 5, row.generated_per_class);
   row.values = values;
-  row.summary = scoring::summarise(values);
+  row.seeds.resize(values.size());
+  std::iota(row.seeds.begin(), row.seeds.end(), first_seed);
+  row.summary = summarise_within(percents, values);
   return row;
 }
 

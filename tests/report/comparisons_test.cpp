@@ -2,6 +2,8 @@
 
 #include <gmock/gmock.h>
 
+#include <sstream>
+
 #include "base/error.hpp"
 #include "report/accuracy_rows.hpp"
 
@@ -21,7 +23,7 @@ std::string csv(const std::vector<AccuracyRow>& rows, const std::string& against
 }
 
 std::string text(const std::vector<AccuracyRow>& rows, const std::string& against = "") {
-  const auto sections = comparison_sections(compare_methods(rows, against), rows);
+  const auto sections = comparison_sections(compare_methods(rows, against));
   return markdown({"cwru", "cwru", {}, sections});
 }
 
@@ -39,21 +41,24 @@ TEST(Comparisons, AreThoseWorkedByHand) {
                 "cwru,mean,shift,piae-dt,5,2.0000,-0.6340,4.6340,1.0000,0.25,0.25\n");
 }
 
-TEST(Comparisons, HaveARatioAColumn) {
+TEST(Comparisons, HaveAMethodABlockAndARatioARow) {
   EXPECT_THAT(text(five_seeds()), HasSubstr("## Accuracy minus that of piae-dt on cwru\n\n"));
-  EXPECT_THAT(
-      text(five_seeds()),
-      HasSubstr(
-          "| method |            |             10:1 |     2:1 (3.33:1) |   mean of ratios |\n"
-          "|--------|------------|-----------------:|-----------------:|-----------------:|\n"
-          "| none   | difference |    -10.00 ± 0.00 |    -20.00 ± 0.00 |    -15.00 ± 0.00 |\n"
-          "|        | 95 %       | [-10.00, -10.00] | [-20.00, -20.00] | [-15.00, -15.00] |\n"
-          "|        | effect     |            -1.00 |            -1.00 |            -1.00 |\n"
-          "|        | p (Holm)   |   0.0625 (0.125) |   0.0625 (0.125) |   0.0625 (0.125) |\n"
-          "| shift  | difference |     +3.00 ± 1.58 |     +1.00 ± 3.54 |     +2.00 ± 2.12 |\n"
-          "|        | 95 %       |   [+1.04, +4.96] |   [-3.39, +5.39] |   [-0.63, +4.63] |\n"
-          "|        | effect     |            +1.00 |            +0.33 |            +1.00 |\n"
-          "|        | p (Holm)   |   0.0625 (0.125) |    0.625 (0.625) |      0.25 (0.25) |\n"));
+  EXPECT_THAT(text(five_seeds()), HasSubstr("| method | ratio        |    difference |    95 % "
+                                            "interval | effect |         p (Holm) |\n"
+                                            "|--------|--------------|--------------:|-------------"
+                                            "----:|-------:|-----------------:|\n"
+                                            "| none   | 10:1         | -10.00 ± 0.00 | [-10.00, "
+                                            "-10.00] |  -1.00 | 0.0625 (0.125) † |\n"
+                                            "|        | 2:1 (3.33:1) | -20.00 ± 0.00 | [-20.00, "
+                                            "-20.00] |  -1.00 | 0.0625 (0.125) † |\n"
+                                            "|        | mean of 2    | -15.00 ± 0.00 | [-15.00, "
+                                            "-15.00] |  -1.00 | 0.0625 (0.125) † |\n"
+                                            "| shift  | 10:1         |  +3.00 ± 1.58 |   [+1.04, "
+                                            "+4.96] |  +1.00 | 0.0625 (0.125) † |\n"
+                                            "|        | 2:1 (3.33:1) |  +1.00 ± 3.54 |   [-3.39, "
+                                            "+5.39] |  +0.33 |  0.625 (0.625) † |\n"
+                                            "|        | mean of 2    |  +2.00 ± 2.12 |   [-0.63, "
+                                            "+4.63] |  +1.00 |    0.25 (0.25) † |\n"));
 }
 
 TEST(Comparisons, AreWithTheNewerSubjectOrTheOneAskedFor) {
@@ -80,7 +85,7 @@ TEST(Comparisons, WithAMethodThatIsNotThereAreRefused) {
 TEST(Comparisons, OfNothingAreEmpty) {
   const std::vector<AccuracyRow> alone{row_with("piae-dt", "10to1", {1, 2})};
   EXPECT_EQ(csv(alone), header);
-  EXPECT_THAT(comparison_sections(compare_methods(alone, ""), alone), IsEmpty());
+  EXPECT_THAT(comparison_sections(compare_methods(alone, "")), IsEmpty());
   const std::vector<AccuracyRow> others{row_with("vae", "10to1", {1, 2}),
                                         row_with("smote", "10to1", {1, 2})};
   EXPECT_EQ(csv(others), header) << "nobody to compare with";
@@ -93,7 +98,7 @@ TEST(Comparisons, OfOneSeedHaveNoTest) {
   const std::vector<AccuracyRow> rows{row_with("shift", "10to1", {81}),
                                       row_with("piae-dt", "10to1", {80})};
   EXPECT_EQ(csv(rows), header + "cwru,10to1,shift,piae-dt,1,1.0000,,,,,\n");
-  EXPECT_THAT(text(rows), HasSubstr("| shift  | difference | +1.00 |\n"));
+  EXPECT_THAT(text(rows), HasSubstr("| shift  | 10:1  |      +1.00 |\n"));
   EXPECT_THAT(text(rows), Not(HasSubstr("p (Holm)")));
   EXPECT_THAT(text(rows), HasSubstr("One seed alone"));
 }
@@ -117,8 +122,68 @@ TEST(Comparisons, SayWhereTheSeedsAreTooFew) {
   EXPECT_THAT(caution(7), Not(HasSubstr("cannot")));
 }
 
+TEST(Comparisons, MarkThePValuesThatSoFewSeedsCannotMakeSmall) {
+  EXPECT_THAT(text(of_seeds(6)), HasSubstr("| 0.0312 (0.0625) † |\n"));
+  EXPECT_THAT(text(of_seeds(6)), HasSubstr("marks p values that cannot be small."));
+  EXPECT_THAT(text(of_seeds(7)), Not(HasSubstr("†")));
+}
+
+/// Two seeds have no interval; the largest that points can have ends at 100.
+TEST(Comparisons, HaveNoIntervalThatCannotBe) {
+  const std::string two = csv(of_seeds(2));
+  EXPECT_THAT(two, HasSubstr("cwru,10to1,shift,piae-dt,2,10.0000,,,1.0000,0.5,1\n"));
+  EXPECT_THAT(text(of_seeds(2)), Not(HasSubstr("95 %")));
+  const std::vector<AccuracyRow> wide{row_with("shift", "10to1", {100, 20, 100}),
+                                      row_with("piae-dt", "10to1", {0, 20, 0})};
+  EXPECT_THAT(csv(wide), HasSubstr(",3,66.6667,-76.7551,100.0000,"));
+}
+
+/// shift has seeds 0 to 4 at 10to1 and 3, 4 at 2to1; vae has seed 0 of 10to1 alone.
+std::vector<AccuracyRow> with_gaps() {
+  return {row_with("none", "100to1", {70, 70, 70, 70, 70}),
+          row_with("vae", "10to1", {60}),
+          row_with("piae-dt", "10to1", {80, 80, 80, 80, 80}),
+          row_with("piae-dt", "2to1", {90, 90, 90, 90, 90}),
+          row_with("shift", "10to1", {81, 82, 83, 84, 85}),
+          row_with("shift", "2to1", {86, 95}, 3)};
+}
+
+/// Each pair has the seeds that both have: 86 - 90 and 95 - 90 at 2to1. The mean of the ratios is
+/// of both ratios at those two seeds: (84 + 86) / 2 - 85 and (85 + 95) / 2 - 85. One seed of vae
+/// cannot be tested, so the families are of two tests, none's and shift's.
+TEST(Comparisons, AreOfTheSeedsThatBothHave) {
+  const std::string pairs = csv(with_gaps(), "piae-dt");
+  EXPECT_THAT(pairs, HasSubstr("cwru,10to1,vae,piae-dt,1,-20.0000,,,,,\n"));
+  EXPECT_THAT(pairs, Not(HasSubstr("2to1,vae")));
+  EXPECT_THAT(pairs, Not(HasSubstr("mean,vae")));
+  EXPECT_THAT(pairs, HasSubstr("cwru,10to1,shift,piae-dt,5,3.0000,1.0368,4.9632,1.0000,0.0625,0.125"
+                               "\n"));
+  EXPECT_THAT(pairs, HasSubstr("cwru,2to1,shift,piae-dt,2,0.5000,,,0.3333,1,1\n"));
+  EXPECT_THAT(pairs, HasSubstr("cwru,mean,shift,piae-dt,2,2.5000,,,1.0000,"));
+  EXPECT_THAT(pairs, HasSubstr("cwru,mean,none,piae-dt,5,-15.0000,"));
+}
+
+TEST(Comparisons, MarkTheMethodsWithFewerSeeds) {
+  const std::string table = text(with_gaps(), "piae-dt");
+  EXPECT_THAT(table, HasSubstr("| none    | 10:1 "));
+  EXPECT_THAT(table,
+              HasSubstr("| vae ‡   | 10:1         |        -20.00 |                – |      – "
+                        "|                – |\n"));
+  EXPECT_THAT(table, HasSubstr("| shift ‡ | 10:1 "));
+}
+
+/// A seed of a new ratio for one method takes nothing from what there was.
+TEST(Comparisons, LoseNothingByAPartThatIsAskedForLater) {
+  std::vector<AccuracyRow> more = five_seeds();
+  more.push_back(row_with("shift", "1to1", {99}));
+  more.push_back(row_with("vae", "10to1", {60}));
+  std::istringstream before(csv(five_seeds()));
+  const std::string after = csv(more);
+  for (std::string line; std::getline(before, line);) EXPECT_THAT(after, HasSubstr(line + '\n'));
+}
+
 TEST(Comparisons, MarkTheCeiling) {
-  EXPECT_THAT(text(of_seeds(5)), HasSubstr("| oracle (ceiling) | difference |"));
+  EXPECT_THAT(text(of_seeds(5)), HasSubstr("| oracle (ceiling) | 10:1 "));
   EXPECT_THAT(text(of_seeds(5), "oracle"), HasSubstr("minus that of oracle (ceiling) on"));
 }
 

@@ -29,6 +29,14 @@ TEST(Document, IsWrittenAsMarkdown) {
                                       table().markdown());
 }
 
+TEST(Document, HasNoLineOfMarkdownThatIsWiderThan100Characters) {
+  text::Table wide({"class", std::string(45, 'a'), std::string(45, 'b')}, 1);
+  wide.row({"IR", "1", "2"});
+  const std::string text = markdown({"key", "Title", {}, {{"wide", "Wide", "", wide}}});
+  EXPECT_THAT(text, HasSubstr("| class | " + std::string(45, 'a') + " |\n"));
+  EXPECT_THAT(text, HasSubstr("|\n\n| class | " + std::string(45, 'b') + " |\n"));
+}
+
 TEST(Document, IsWrittenAsLatexToBeIncluded) {
   const std::string text = latex(document());
   EXPECT_THAT(text, testing::StartsWith("% Title of my\\_set\n"
@@ -36,9 +44,9 @@ TEST(Document, IsWrittenAsLatexToBeIncluded) {
                                         "\\usepackage{booktabs,graphicx}\n\n"));
   EXPECT_THAT(text, HasSubstr("\nSecond.\n\n\\begin{table}\n\\centering\n"
                               "\\caption{Table one. A note, 5 \\%.}\n"
-                              "\\label{tab:my-set-one}\n\\resizebox{"));
+                              "\\label{tab:my-set-one}\n\\resizebox*{!}{"));
   EXPECT_THAT(text, HasSubstr("\\caption{Table two.}\n\\label{tab:my-set-two}\n"));
-  EXPECT_THAT(text, EndsWith("{!}{%\n" + table().latex() + "}\n\\end{table}\n"));
+  EXPECT_THAT(text, EndsWith("{!}{%\n" + table().latex() + "}}\n\\end{table}\n"));
 }
 
 }  // namespace

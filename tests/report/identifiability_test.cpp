@@ -52,9 +52,18 @@ TEST(Identifiability, IsShownInTables) {
   const std::vector<Identification> all{identification(0), identification(1)};
   const std::string text =
       markdown(identifiability_document("example", identifiability_rows(all), all));
-  EXPECT_THAT(text, HasSubstr("2 seeds."));
+  EXPECT_THAT(text, HasSubstr("2 seeds (0, 1)."));
   EXPECT_THAT(text, HasSubstr("| piae-dt | stiffness | all   |  0.000 ± 0.000 |"));
   EXPECT_THAT(text, HasSubstr("## Scatter of stiffness, MN/m"));
+}
+
+TEST(Identifiability, SaysOfWhichSeedsEachMethodIs) {
+  std::vector<Identification> all{identification(0), identification(1), identification(4)};
+  all.push_back(identification(1));
+  all.back().method = "ae";
+  const std::string text =
+      markdown(identifiability_document("example", identifiability_rows(all), all));
+  EXPECT_THAT(text, HasSubstr("piae-dt: 3 seeds (0, 1, 4), ae: 1 seed (1)."));
 }
 
 TEST(Identifiability, NeedsTheTruth) {

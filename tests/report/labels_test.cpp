@@ -9,7 +9,7 @@ TEST(Labels, ShowTheSpreadOfANumberThatHasOne) {
   const scoring::Summary one{.count = 1, .mean = 12.345, .deviation = {}, .interval = {}};
   const scoring::Summary two{2, -1.5, 0.125, scoring::Summary::Interval{-2, 3}};
   EXPECT_EQ(mean_label(one), "12.35");
-  EXPECT_EQ(interval_label(one), "");
+  EXPECT_EQ(interval_label(one), "–");
   EXPECT_EQ(mean_label(two, {.decimals = 1, .sign = true}), "-1.5 ± 0.1");
   EXPECT_EQ(interval_label(two, {.sign = true}), "[-2.00, +3.00]");
 }

@@ -34,31 +34,45 @@ TEST(Groups, AreNeverEmpty) {
   EXPECT_THAT(groups[0].methods, ElementsAre("physics", "ae"));
 }
 
+/// What is said of a section: after its title, and before its note.
+std::string said_by(const Place& place) {
+  const Section section = place.of({"key", "T", "N", text::Table({}, 0)});
+  return section.title + "|" + section.note;
+}
+
 TEST(References, OfThePapersOwnDatasets) {
   const PaperReference cwru("cwru");
-  EXPECT_EQ(cwru.table(&PaperDataset::baseline_table), " (the paper's Table 6)");
-  EXPECT_EQ(cwru.table(&PaperDataset::methods_table), " (the paper's Table 8)");
-  EXPECT_EQ(cwru.table(&PaperDataset::ablation_table), " (the paper's Table 10)");
-  EXPECT_EQ(cwru.figure(&PaperDataset::methods_quality_figure), " (the paper's Fig. 13)");
-  EXPECT_EQ(cwru.figure(&PaperDataset::ablation_quality_figure), " (the paper's Fig. 16)");
-  EXPECT_EQ(cwru.figure(15), " (the paper's Fig. 15)");
-  EXPECT_EQ(cwru.none(), "");
+  EXPECT_EQ(said_by(cwru.table(&PaperDataset::baseline_table)), "T (the paper's Table 6)|N");
+  EXPECT_EQ(said_by(cwru.table(&PaperDataset::methods_table)), "T (the paper's Table 8)|N");
+  EXPECT_EQ(said_by(cwru.table(&PaperDataset::ablation_table)), "T (the paper's Table 10)|N");
+  EXPECT_EQ(said_by(cwru.figure(&PaperDataset::methods_quality_figure)),
+            "T (the paper's Fig. 13)|N");
+  EXPECT_EQ(said_by(cwru.figure(&PaperDataset::ablation_quality_figure)),
+            "T (the paper's Fig. 16)|N");
+  EXPECT_EQ(said_by(cwru.figure(15)), "T (the paper's Fig. 15)|N");
+  EXPECT_EQ(said_by(cwru.none()), "T|N");
   EXPECT_EQ(cwru.label(), "paper");
   const PaperReference hfhp("hfhp");
-  EXPECT_EQ(hfhp.table(&PaperDataset::baseline_table), " (the paper's Table 7)");
-  EXPECT_EQ(hfhp.table(&PaperDataset::methods_table), " (the paper's Table 9)");
-  EXPECT_EQ(hfhp.table(&PaperDataset::ablation_table), " (the paper's Table 11)");
-  EXPECT_EQ(hfhp.figure(&PaperDataset::methods_quality_figure), " (the paper's Fig. 14)");
-  EXPECT_EQ(hfhp.figure(&PaperDataset::ablation_quality_figure), " (the paper's Fig. 17)");
+  EXPECT_EQ(said_by(hfhp.table(&PaperDataset::baseline_table)), "T (the paper's Table 7)|N");
+  EXPECT_EQ(said_by(hfhp.table(&PaperDataset::methods_table)), "T (the paper's Table 9)|N");
+  EXPECT_EQ(said_by(hfhp.table(&PaperDataset::ablation_table)), "T (the paper's Table 11)|N");
+  EXPECT_EQ(said_by(hfhp.figure(&PaperDataset::methods_quality_figure)),
+            "T (the paper's Fig. 14)|N");
+  EXPECT_EQ(said_by(hfhp.figure(&PaperDataset::ablation_quality_figure)),
+            "T (the paper's Fig. 17)|N");
   EXPECT_EQ(hfhp.label(), "paper");
 }
 
+// A title is one line of at most 100 characters, so what is longer goes to the note.
 TEST(References, OfAStandInSaySo) {
   const PaperReference hit_sm("hit-sm");
-  EXPECT_EQ(hit_sm.table(&PaperDataset::methods_table),
-            " (in the place of the paper's Table 9; hit-sm stands in for HFHP)");
-  EXPECT_EQ(hit_sm.figure(18), " (in the place of the paper's Fig. 18; hit-sm stands in for HFHP)");
-  EXPECT_EQ(hit_sm.none(), " (hit-sm stands in for HFHP)");
+  EXPECT_EQ(said_by(hit_sm.table(&PaperDataset::methods_table)),
+            "T|In the place of the paper's Table 9; hit-sm stands in for HFHP. N");
+  EXPECT_EQ(said_by(hit_sm.figure(18)),
+            "T|In the place of the paper's Fig. 18; hit-sm stands in for HFHP. N");
+  EXPECT_EQ(said_by(hit_sm.none()), "T|hit-sm stands in for HFHP. N");
+  EXPECT_EQ(hit_sm.none().of({"key", "T", "", text::Table({}, 0)}).note,
+            "hit-sm stands in for HFHP.");
   EXPECT_EQ(hit_sm.label(), "paper, HFHP");
   EXPECT_FALSE(hit_sm.beside()->own);
   EXPECT_FALSE(PaperReference("cwru-as-published").beside()->own);
@@ -67,10 +81,10 @@ TEST(References, OfAStandInSaySo) {
 TEST(References, AreNotMadeForOtherDatasets) {
   const PaperReference simulated("simulated");
   EXPECT_EQ(simulated.beside(), std::nullopt);
-  EXPECT_EQ(simulated.table(&PaperDataset::methods_table), "");
-  EXPECT_EQ(simulated.figure(&PaperDataset::methods_quality_figure), "");
-  EXPECT_EQ(simulated.figure(15), "");
-  EXPECT_EQ(simulated.none(), "");
+  EXPECT_EQ(said_by(simulated.table(&PaperDataset::methods_table)), "T|N");
+  EXPECT_EQ(said_by(simulated.figure(&PaperDataset::methods_quality_figure)), "T|N");
+  EXPECT_EQ(said_by(simulated.figure(15)), "T|N");
+  EXPECT_EQ(said_by(simulated.none()), "T|N");
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include "report/published.hpp"
 #include "run/grid.hpp"
+#include "run/held.hpp"
 #include "support/stored_run.hpp"
 
 namespace piae::report {
@@ -25,9 +26,10 @@ class Summary : public StoredRun {
     folder_.write("table10-11-ablation.csv", "dataset,model,2to1\ncwru,model1,93.7\n");
   }
 
+  /// Of these methods, which must have all cells, and of whatever else the run holds.
   [[nodiscard]] std::string summary_of(const std::string& methods) const {
-    const run::Grid cells = grid(methods, "100to1 10to1 2to1");
-    const run::Results results = run::collect(layout_, cells);
+    const auto [cells, results] =
+        collect_held(layout_, grid(methods, "100to1 10to1 2to1"), run::Held(layout_));
     run::require_all(results);
     const auto rows = accuracy_rows(cells, results, Published(folder_.path()));
     return unwrapped(summary_text(cells, results, rows));
@@ -113,6 +115,24 @@ TEST_F(Summary, GivesNoReasonWhereThePapersMethodHelpsAndNoCeilingIsKnown) {
   const std::string text = summary_of("none piae-dt");
   EXPECT_THAT(text, HasSubstr("piae-dt (+37.5) helps."));
   EXPECT_THAT(text, Not(HasSubstr("published")));
+}
+
+TEST_F(Summary, SaysOfHowManySeedsAMethodIsThatHasFewer) {
+  add_baseline();
+  add_at_2to1("vae", 19);
+  add_at_2to1("smote", 9);
+  std::filesystem::remove(layout_.diagnosis("smote", "2to1", 1));
+  const std::string text = summary_of("none vae");
+  EXPECT_THAT(text, HasSubstr("Accuracy on cwru in percent, mean of up to 2 seeds"));
+  EXPECT_THAT(text, HasSubstr("vae (+32.5) helps and smote (-15.0, 1 seed) harms"));
+}
+
+// One cell at another ratio does not turn the sentence into one about it alone.
+TEST_F(Summary, IsOfARatioThatHalfOfTheMethodsHave) {
+  add_baseline();
+  for (const char* method : {"vae", "smote", "piae-dt"}) add_at_2to1(method, 19);
+  add(diagnosis("vae", "1to1", 495, 0, 20));
+  EXPECT_THAT(summary_of("none vae smote piae-dt"), HasSubstr("With 145 generated windows"));
 }
 
 TEST_F(Summary, IsTheTableAloneWithoutTheBaseline) {

@@ -55,63 +55,109 @@ class SweepTables : public StoredRun {
     save("diagnosis", diagnosis("piae-dt", ratio, generated, seed, right),
          layout_.diagnosis(folder, ratio, seed));
   }
-  void add_all_cells() {
-    for (const auto& [ratio, generated] : {std::pair{"1to1", 495}, std::pair{"2to1", 145}}) {
-      add_cell("piae-dt", ratio, generated, 0, 16);
-      add_cell("piae-dt", ratio, generated, 1, 18);
-      add_cell("sweep/batch-1", ratio, generated, 0, 10);
-      add_cell("sweep/batch-1", ratio, generated, 1, 12);
-      add_cell("sweep/depth-4", ratio, generated, 0, 14);
-      add_cell("sweep/depth-4", ratio, generated, 1, 14);
+  void add_cells(const std::vector<std::string>& ratios, const std::vector<int>& seeds = {0, 1}) {
+    for (const std::string& ratio : ratios) {
+      const int generated = ratio == "1to1" ? 495 : 145;
+      for (const int seed : seeds) {
+        add_cell("piae-dt", ratio, generated, seed, 16 + 2 * seed);
+        add_cell("sweep/batch-1", ratio, generated, seed, 10 + 2 * seed);
+        add_cell("sweep/depth-4", ratio, generated, seed, 14);
+      }
     }
+  }
+  [[nodiscard]] std::string csv(const SweepOptions& options) const {
+    const Sweep sweep = resolve(options);
+    return sweep_csv(sweep, rows_of(sweep));
+  }
+  [[nodiscard]] std::string text(const SweepOptions& options) const {
+    const Sweep sweep = resolve(options);
+    const std::vector<SweepRow> rows = rows_of(sweep);
+    run::Results results;
+    sweep_rows(layout_, sweep, run::Held(layout_), results);
+    return markdown(sweep_document(sweep, rows, results));
+  }
+  [[nodiscard]] std::vector<SweepRow> rows_of(const Sweep& sweep) const {
+    run::Results results;
+    std::vector<SweepRow> rows = sweep_rows(layout_, sweep, run::Held(layout_), results);
+    EXPECT_THAT(results.problems, IsEmpty());
+    return rows;
   }
   const std::string points_ = "batch=1 batch=5 depth=3 depth=4";
   const std::string centre_ = "batch=5 depth=3";
 };
 
-/// Of two values a, b the deviation is |a - b| / sqrt(2), and the interval's half 12.7062 |a - b|
-/// / 2.
+/// Of two values a, b the deviation is |a - b| / sqrt(2).
 TEST_F(SweepTables, HaveTheCommonPointInEveryFactor) {
-  add_all_cells();
-  const Sweep sweep = resolve(options_of(points_, centre_));
-  run::Results results;
-  const auto rows = sweep_rows(layout_, sweep, results);
-  EXPECT_THAT(results.problems, IsEmpty());
-  EXPECT_EQ(sweep_csv(sweep, rows),
+  add_cells({"1to1"});
+  EXPECT_EQ(csv(options_of(points_, centre_)),
             "dataset,factor,value,ratio,seeds,mean,std,ci95_low,ci95_high\n"
-            "cwru,batch,1,1to1,2,55.0000,7.0711,-8.5310,118.5310\n"
-            "cwru,batch,5,1to1,2,85.0000,7.0711,21.4690,148.5310\n"
-            "cwru,depth,3,1to1,2,85.0000,7.0711,21.4690,148.5310\n"
-            "cwru,depth,4,1to1,2,70.0000,0.0000,70.0000,70.0000\n");
+            "cwru,batch,1,1to1,2,55.0000,7.0711,,\n"
+            "cwru,batch,5,1to1,2,85.0000,7.0711,,\n"
+            "cwru,depth,3,1to1,2,85.0000,7.0711,,\n"
+            "cwru,depth,4,1to1,2,70.0000,0.0000,,\n");
 }
 
-TEST_F(SweepTables, ForPeopleHaveARatioAColumn) {
-  add_all_cells();
-  const Sweep sweep = resolve(options_of(points_, centre_, "1to1 2to1", "1"));
+TEST_F(SweepTables, HaveAllThatTheRunHolds) {
+  add_cells({"1to1", "2to1"});
+  const std::string all = csv(options_of(points_, centre_, "1to1 2to1"));
+  EXPECT_EQ(csv(options_of(points_, centre_, "1to1", "0")), all);
+  EXPECT_EQ(csv(options_of(points_, centre_, "2to1", "1")), all);
+}
+
+/// The cells of a centre are the grid's; at a seed at which nothing was moved they say nothing.
+TEST_F(SweepTables, HaveTheSeedsAtWhichASettingWasMoved) {
+  add_cells({"1to1", "2to1"});
+  add_cell("piae-dt", "1to1", 495, 2, 20);
+  std::filesystem::remove(layout_.diagnosis("sweep/batch-1", "1to1", 1));
+  const std::string text = csv(options_of(points_, centre_, "1to1", "0"));
+  EXPECT_THAT(text, HasSubstr("cwru,batch,1,1to1,1,50.0000,,,\n"));
+  EXPECT_THAT(text, HasSubstr("cwru,batch,5,1to1,2,85.0000,7.0711,,\n"));
+  EXPECT_THAT(text, HasSubstr("cwru,depth,4,1to1,2,70.0000,0.0000,,\n"));
+}
+
+TEST_F(SweepTables, MarkWhatIsOfFewerSeeds) {
+  add_cells({"1to1"});
+  std::filesystem::remove(layout_.diagnosis("sweep/batch-1", "1to1", 1));
+  const std::string shown = text(options_of(points_, centre_, "1to1", "0"));
+  EXPECT_THAT(shown, HasSubstr("2 seeds (0, 1)."));
+  EXPECT_THAT(shown, HasSubstr("‡ marks"));
+  EXPECT_THAT(shown, HasSubstr("| 1     |                | 1:1 ‡ |        50.00 |\n"
+                               "| 5     | as in the grid | 1:1   | 85.00 ± 7.07 |\n"));
+}
+
+TEST_F(SweepTables, LeaveOutWhatIsOutOfDate) {
+  add_cells({"1to1", "2to1"});
   run::Results results;
-  const auto rows = sweep_rows(layout_, sweep, results);
-  const std::string text = markdown(sweep_document(sweep, rows, results));
-  EXPECT_THAT(text, HasSubstr("# Settings of piae-dt on cwru\n"));
-  EXPECT_THAT(text, HasSubstr("## By batch\n\n"
-                              "| batch |                | 2:1 (3.33:1) |   1:1 |\n"
-                              "|-------|----------------|-------------:|------:|\n"
-                              "| 1     |                |        60.00 | 60.00 |\n"
-                              "| 5     | as in the grid |        90.00 | 90.00 |\n"));
-  EXPECT_THAT(text, HasSubstr("## By depth\n\n"
-                              "| depth |                | 2:1 (3.33:1) |   1:1 |\n"
-                              "|-------|----------------|-------------:|------:|\n"
-                              "| 3     | as in the grid |        90.00 | 90.00 |\n"
-                              "| 4     |                |        70.00 | 70.00 |\n"));
+  const auto rows = sweep_rows(
+      layout_, resolve(options_of(points_, centre_, "1to1", "0")),
+      run::Held(layout_, {"seed1/sweep", "seed0/sweep/depth-4/2to1/diagnosis.h5"}), results);
+  for (const SweepRow& row : rows) EXPECT_THAT(row.seeds, ElementsAre(0)) << row.point.value;
+  EXPECT_EQ(rows.size(), 7U);
+}
+
+TEST_F(SweepTables, ForPeopleHaveAValueABlock) {
+  add_cells({"1to1", "2to1"}, {1});
+  const std::string shown = text(options_of(points_, centre_, "1to1 2to1", "1"));
+  EXPECT_THAT(shown, HasSubstr("# Settings of piae-dt on cwru\n"));
+  EXPECT_THAT(shown, HasSubstr("## By batch\n\n"
+                               "| batch |                | ratio        | accuracy |\n"
+                               "|-------|----------------|--------------|---------:|\n"
+                               "| 1     |                | 2:1 (3.33:1) |    60.00 |\n"
+                               "|       |                | 1:1          |    60.00 |\n"
+                               "| 5     | as in the grid | 2:1 (3.33:1) |    90.00 |\n"
+                               "|       |                | 1:1          |    90.00 |\n"));
+  EXPECT_THAT(shown, HasSubstr("## By depth\n\n"));
 }
 
 TEST_F(SweepTables, NameEveryCellThatIsMissingOrDoesNotBelong) {
-  add_all_cells();
+  add_cells({"1to1", "2to1"});
   std::filesystem::remove(layout_.diagnosis("sweep/batch-1", "1to1", 1));
   save("diagnosis", diagnosis("vae", "1to1", 495, 0, 3),
        layout_.diagnosis("sweep/depth-4", "1to1", 0));
   run::Results results;
-  const auto rows = sweep_rows(layout_, resolve(options_of(points_, centre_)), results);
-  EXPECT_EQ(rows.size(), 2U);
+  const auto rows =
+      sweep_rows(layout_, resolve(options_of(points_, centre_)), run::Held(layout_), results);
+  EXPECT_EQ(rows.size(), 6U);
   EXPECT_THAT(results.problems, ElementsAre(HasSubstr("batch 1, ratio 1to1, seed 1: "),
                                             HasSubstr("depth 4, ratio 1to1, seed 0: ")));
   EXPECT_THAT(results.problems[1], HasSubstr("the method is vae, here it must be piae-dt"));

@@ -40,6 +40,33 @@ TEST(Table, IsAlignedAsMarkdown) {
             "| y\\|         |           2 |\n");
 }
 
+/// Three numbers of 7 characters: in one table 8 + 3 * 10 + 1 wide.
+Table wide_table() {
+  Table table({"class", "first", "second", "third"}, 1);
+  table.row({"IR", "1234567", "1234567", "1234567"});
+  return table;
+}
+
+TEST(Table, ThatIsTooWideIsWrittenAsSeveralWithTheSameWords) {
+  EXPECT_EQ(wide_table().markdown(39), wide_table().markdown());
+  EXPECT_EQ(wide_table().markdown(38),
+            "| class |   first |\n"
+            "|-------|--------:|\n"
+            "| IR    | 1234567 |\n"
+            "\n"
+            "| class |  second |   third |\n"
+            "|-------|--------:|--------:|\n"
+            "| IR    | 1234567 | 1234567 |\n");
+}
+
+TEST(Table, NeverCutsAColumn) {
+  EXPECT_EQ(wide_table().markdown(10), wide_table().markdown(19));
+  EXPECT_THAT(wide_table().markdown(10), HasSubstr("| class |  second |\n"));
+  Table words({"class", "meaning"}, 2);
+  words.row({"IR", "inner raceway"});
+  EXPECT_EQ(words.markdown(10), words.markdown());
+}
+
 TEST(Table, IsATabularInLatex) {
   EXPECT_EQ(table().latex(),
             "\\begin{tabular}{lr}\n"
@@ -76,6 +103,7 @@ TEST(Escape, KeepsPlainTextPlainInLatex) {
             "a\\_b \\& 95 \\% \\#1 \\$ \\{x\\} \\textasciitilde{} \\textasciicircum{} "
             "\\textbackslash{} \\textless{} \\textgreater{} \\textbar{}");
   EXPECT_EQ(latex_text("MMD² of Größe"), "MMD$^2$ of Größe");
+  EXPECT_EQ(latex_text("– 0.5 † ‡"), "-- 0.5 $\\dagger$ $\\ddagger$");
   EXPECT_EQ(latex_text("[-2.00, +3.00]"), "{[}$-$2.00, $+$3.00{]}");
   EXPECT_EQ(latex_text("-1.5 ± 0.1 of piae-dt-2, cold - warm -"),
             "$-$1.5 $\\pm$ 0.1 of piae-dt-2, cold - warm -");

@@ -1,0 +1,90 @@
+#include "report/ratio_means.hpp"
+
+#include <algorithm>
+
+#include "augment/catalogue.hpp"
+#include "report/bounded_summary.hpp"
+#include "report/largest_block.hpp"
+#include "report/ratio_columns.hpp"
+
+namespace piae::report {
+
+namespace {
+
+std::vector<std::int64_t> seeds_of_any(const std::vector<AccuracyRow>& rows) {
+  std::vector<std::int64_t> seeds;
+  for (const AccuracyRow& row : rows) seeds.insert(seeds.end(), row.seeds.begin(), row.seeds.end());
+  std::ranges::sort(seeds);
+  const auto repeated = std::ranges::unique(seeds);
+  seeds.erase(repeated.begin(), repeated.end());
+  return seeds;
+}
+
+/// For each seed the rows that have it.
+std::vector<std::vector<std::size_t>> rows_by_seed(const std::vector<AccuracyRow>& rows,
+                                                   const std::vector<std::int64_t>& seeds) {
+  std::vector<std::vector<std::size_t>> by_seed(seeds.size());
+  for (std::size_t i = 0; i < seeds.size(); ++i) {
+    for (std::size_t r = 0; r < rows.size(); ++r) {
+      if (rows[r].at(seeds[i])) by_seed[i].push_back(r);
+    }
+  }
+  return by_seed;
+}
+
+}  // namespace
+
+std::optional<AccuracyRow> mean_row(const std::vector<AccuracyRow>& rows) {
+  const std::vector<std::int64_t> seeds = seeds_of_any(rows);
+  const Block block = largest_block(rows_by_seed(rows, seeds), 1, 2);
+  if (block.rows.empty()) return std::nullopt;
+  AccuracyRow mean;
+  mean.dataset = rows.front().dataset;
+  mean.method = rows.front().method;
+  mean.ratio = mean_of_ratios;
+  mean.ratios = block.columns.size();
+  for (const std::size_t i : block.rows) {
+    double sum = 0;
+    for (const std::size_t r : block.columns) {
+      sum += *rows[r].at(seeds[i]) / static_cast<double>(mean.ratios);
+    }
+    mean.seeds.push_back(seeds[i]);
+    mean.values.push_back(sum);
+  }
+  mean.summary = summarise_within(percents, mean.values);
+  return mean;
+}
+
+std::vector<AccuracyRow> mean_rows(const std::vector<AccuracyRow>& rows) {
+  std::vector<AccuracyRow> means;
+  for (const std::string& method : methods_of(rows)) {
+    if (const auto mean = mean_row(rows_of(rows, method))) means.push_back(*mean);
+  }
+  return means;
+}
+
+std::vector<AccuracyRow> with_means(std::vector<AccuracyRow> rows) {
+  for (AccuracyRow& mean : mean_rows(rows)) rows.push_back(std::move(mean));
+  return rows;
+}
+
+std::vector<AccuracyRow> cells_also_in(const std::vector<AccuracyRow>& rows,
+                                       const std::vector<AccuracyRow>& others) {
+  std::vector<AccuracyRow> kept;
+  for (const AccuracyRow& row : rows) {
+    if (row.method == augment::no_method) return rows;
+    const AccuracyRow* const other = find_row(others, others.front().method, row.ratio);
+    if (other == nullptr) continue;
+    AccuracyRow& common = kept.emplace_back(row);
+    common.seeds.clear();
+    common.values.clear();
+    for (std::size_t i = 0; i < row.seeds.size(); ++i) {
+      if (!other->at(row.seeds[i])) continue;
+      common.seeds.push_back(row.seeds[i]);
+      common.values.push_back(row.values[i]);
+    }
+  }
+  return kept;
+}
+
+}  // namespace piae::report

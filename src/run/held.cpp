@@ -1,0 +1,164 @@
+#include "run/held.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include "augment/catalogue.hpp"
+#include "scoring/ratios.hpp"
+
+namespace piae::run {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The methods of the catalogue in its order, then those asked for that it does not have.
+std::vector<std::string> methods_in_order(const Grid& asked) {
+  std::vector<std::string> methods;
+  const auto add = [&](const std::string& method) {
+    if (std::ranges::count(methods, method) == 0) methods.push_back(method);
+  };
+  for (const augment::CatalogueEntry& entry : augment::catalogue()) add(entry.name);
+  for (const Combination& cell : asked.combinations) add(cell.method);
+  for (const std::string& method : asked.scored) add(method);
+  return methods;
+}
+
+bool is_asked(const Grid& asked, const Combination& cell) {
+  return std::ranges::any_of(asked.combinations, [&](const Combination& each) {
+    return each.method == cell.method && each.ratio == cell.ratio;
+  });
+}
+
+/// Reads the cells of one file name over the seeds: those that tables are made of.
+class CellsOfSeeds {
+ public:
+  CellsOfSeeds(const Layout& layout, const Held& held, Collected& into)
+      : layout_(layout), held_(held), into_(into) {
+    seeds_.insert(into.grid.seeds.begin(), into.grid.seeds.end());
+  }
+
+  void diagnoses(const Grid& asked, const Combination& cell) {
+    const auto file_of = [&](std::int64_t seed) {
+      return layout_.diagnosis(cell.method, cell.ratio, seed);
+    };
+    const auto seeds = chosen(is_asked(asked, cell), asked, cell, file_of);
+    if (seeds.empty()) return;
+    into_.grid.combinations.push_back(cell);
+    collect_diagnoses(layout_, asked.dataset, series_of(cell), seeds, into_.results);
+  }
+
+  void scores(const Grid& asked, const std::string& method) {
+    const auto file_of = [&](std::int64_t seed) { return layout_.score(method, seed); };
+    const bool needed = std::ranges::count(asked.scored, method) > 0;
+    const auto seeds = chosen(needed, asked, {method, ""}, file_of);
+    if (seeds.empty()) return;
+    into_.grid.scored.push_back(method);
+    collect_scores(layout_, asked.dataset, method, seeds, into_.results);
+  }
+
+ private:
+  template <class FileOf>
+  std::vector<std::int64_t> chosen(bool needed, const Grid& asked, const Combination& cell,
+                                   const FileOf& file_of) {
+    const auto seeds =
+        held_.seeds_with(needed ? asked.seeds : std::vector<std::int64_t>{}, file_of);
+    for (const std::int64_t seed : held_.seeds()) {
+      if (held_.leaves_out(file_of(seed)) && std::ranges::count(seeds, seed) == 0) {
+        into_.results.left_out.push_back({cell.method, cell.ratio, seed});
+      }
+    }
+    seeds_.insert(seeds.begin(), seeds.end());
+    into_.grid.seeds.assign(seeds_.begin(), seeds_.end());
+    return seeds;
+  }
+
+  const Layout& layout_;
+  const Held& held_;
+  Collected& into_;
+  std::set<std::int64_t> seeds_;
+};
+
+}  // namespace
+
+Held::Held(const Layout& layout, const std::vector<std::string>& leave_out)
+    : folders_{layout.folder()},
+      seeds_(layout.seeds()),
+      left_out_(leave_out.begin(), leave_out.end()) {}
+
+Held::Held(const Layout& layout, const Layout& other, const std::vector<std::string>& leave_out)
+    : Held(layout, leave_out) {
+  folders_.push_back(other.folder());
+}
+
+bool Held::exists(const fs::path& file) const {
+  const fs::path name = file.lexically_relative(folders_.front());
+  return std::ranges::all_of(
+      folders_, [&](const fs::path& folder) { return fs::is_regular_file(folder / name); });
+}
+
+bool Held::has(const fs::path& file) const { return exists(file) && !leaves_out(file); }
+
+bool Held::leaves_out(const fs::path& file) const {
+  const fs::path name = file.lexically_relative(folders_.front());
+  const auto holds = [&](const fs::path& path) {
+    return std::mismatch(path.begin(), path.end(), name.begin(), name.end()).first == path.end();
+  };
+  return std::ranges::any_of(left_out_, holds) && exists(file);
+}
+
+std::vector<std::int64_t> Held::seeds_with(
+    const std::vector<std::int64_t>& asked,
+    const std::function<fs::path(std::int64_t)>& file_of) const {
+  std::set<std::int64_t> chosen(asked.begin(), asked.end());
+  for (const std::int64_t seed : seeds_) {
+    if (has(file_of(seed))) chosen.insert(seed);
+  }
+  return {chosen.begin(), chosen.end()};
+}
+
+void bind_leave_out(const cli::Options& command, std::vector<std::string>& leave_out) {
+  command.add("--leave-out", leave_out,
+              "Files and folders of the dataset that are out of date and not asked for, such as "
+              "seed1/smote: tables are made without them");
+}
+
+Collected collect_held_diagnoses(const Layout& layout, const Grid& asked, const Held& held) {
+  Collected collected;
+  collected.grid.dataset = asked.dataset;
+  CellsOfSeeds cells(layout, held, collected);
+  for (const std::string& method : methods_in_order(asked)) {
+    for (const scoring::Ratio& ratio : scoring::all_ratios()) {
+      if (go_together(method, ratio)) cells.diagnoses(asked, {method, ratio.name});
+    }
+  }
+  return collected;
+}
+
+std::vector<CellName> held_models(const Layout& layout, const Grid& asked, const Held& held) {
+  std::vector<CellName> models;
+  for (const std::string& method : methods_in_order(asked)) {
+    const bool needed = std::ranges::count(asked.combinations, method, &Combination::method) > 0;
+    const augment::CatalogueEntry* const entry = augment::find_entry(method);
+    if (!needed && (entry == nullptr || !entry->infers)) continue;
+    const auto seeds =
+        held.seeds_with(needed ? asked.seeds : std::vector<std::int64_t>{},
+                        [&](std::int64_t seed) { return layout.model(method, seed); });
+    for (const std::int64_t seed : seeds) {
+      const bool is_asked = needed && std::ranges::count(asked.seeds, seed) > 0;
+      if (is_asked || held.has(layout.real_windows(seed))) models.push_back({method, "", seed});
+    }
+  }
+  return models;
+}
+
+Collected collect_held(const Layout& layout, const Grid& asked, const Held& held) {
+  Collected collected = collect_held_diagnoses(layout, asked, held);
+  CellsOfSeeds cells(layout, held, collected);
+  for (const std::string& method : methods_in_order(asked)) {
+    if (has_score(method)) cells.scores(asked, method);
+  }
+  return collected;
+}
+
+}  // namespace piae::run

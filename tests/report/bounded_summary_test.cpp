@@ -1,0 +1,42 @@
+#include "report/bounded_summary.hpp"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+namespace piae::report {
+namespace {
+
+scoring::Summary of(const std::vector<double>& values, const Bounds& bounds = percents) {
+  return summarise_within(bounds, values);
+}
+
+/// Of 40, 50, 60 the deviation is 10, and the interval's half 4.302653 * 10 / sqrt(3) = 24.8414.
+TEST(BoundedSummary, IsTheSummaryWhereItsIntervalCanBe) {
+  const scoring::Summary summary = of({40, 50, 60});
+  EXPECT_EQ(summary.count, 3U);
+  EXPECT_DOUBLE_EQ(summary.mean, 50);
+  EXPECT_DOUBLE_EQ(*summary.deviation, 10);
+  EXPECT_NEAR(summary.interval->low, 25.1586, 1e-4);
+  EXPECT_NEAR(summary.interval->high, 74.8414, 1e-4);
+}
+
+TEST(BoundedSummary, EndsWhereNoMeanCanLie) {
+  EXPECT_DOUBLE_EQ(of({80, 90, 100}).interval->high, 100);
+  EXPECT_NEAR(of({80, 90, 100}).interval->low, 65.1586, 1e-4);
+  EXPECT_DOUBLE_EQ(of({0, 10, 20}).interval->low, 0);
+  EXPECT_NEAR(of({0, 10, 20}, differences_of_percents).interval->low, -14.8414, 1e-4);
+  EXPECT_DOUBLE_EQ(of({-100, 0, 100}, differences_of_percents).interval->low, -100);
+  EXPECT_DOUBLE_EQ(of({-100, 0, 100}, differences_of_percents).interval->high, 100);
+}
+
+/// The interval of 30 and 35 would be from 0.7 to 64.3, that of 20 and 80 from -331 to 431.
+TEST(BoundedSummary, HasNoIntervalOfFewerThanThree) {
+  EXPECT_FALSE(of({30, 35}).interval);
+  EXPECT_FALSE(of({20, 80}).interval);
+  EXPECT_FALSE(of({20}).interval);
+  EXPECT_TRUE(of({30, 35}).deviation);
+}
+
+}  // namespace
+}  // namespace piae::report

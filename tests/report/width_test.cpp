@@ -1,0 +1,139 @@
+// Tables are as wide as a terminal, whatever a run holds.
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <sstream>
+
+#include "augment/catalogue.hpp"
+#include "report/contrast.hpp"
+#include "report/published.hpp"
+#include "report/ratio_means.hpp"
+#include "report/tables.hpp"
+
+namespace piae::report {
+namespace {
+
+/// How many characters a line has: the bytes of UTF-8 that begin one.
+std::size_t width_of(const std::string& line) {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(line, [](char c) { return (c & 0xC0) != 0x80; }));
+}
+
+void expect_narrow(const std::string& text) {
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) EXPECT_LE(width_of(line), 100U) << line;
+}
+
+/// All methods at all ratios, with numbers as wide as they can be: differences of two digits before
+/// the point, deviations as well, and quality from 1e-4 to 99.
+class FullGrid {
+ public:
+  FullGrid(const std::string& dataset, int seeds) {
+    std::string methods;
+    std::string ratios;
+    std::string seed_words;
+    for (const augment::CatalogueEntry& entry : augment::catalogue()) {
+      methods += std::string(entry.name) + ' ';
+    }
+    for (const scoring::Ratio& ratio : scoring::all_ratios())
+      ratios += std::string(ratio.name) + ' ';
+    for (int seed = 0; seed < seeds; ++seed) seed_words += std::to_string(seed) + ' ';
+    grid_ = resolve(run::GridOptions{dataset, {methods}, {ratios}, {seed_words}});
+    for (const run::Combination& cell : grid_.combinations) {
+      for (const std::int64_t seed : grid_.seeds) add(cell, seed);
+    }
+    for (const std::string& method : grid_.scored) {
+      for (const std::int64_t seed : grid_.seeds) add_score(method, seed);
+    }
+  }
+
+  /// Without some cells of one method, so that there are gaps.
+  void drop(const std::string& method, std::int64_t from_seed) {
+    std::erase_if(results_.diagnoses, [&](const run::Diagnosis& cell) {
+      return cell.method == method && cell.seed >= from_seed;
+    });
+  }
+
+  [[nodiscard]] std::vector<AccuracyRow> rows() const {
+    return accuracy_rows(grid_, results_, Published(PIAE_PUBLISHED));
+  }
+  [[nodiscard]] std::string markdown_of_tables() const {
+    const auto own = rows();
+    return markdown(tables(grid_, results_, own, Published(PIAE_PUBLISHED),
+                           compare_methods(own, ""), rank_methods(own)));
+  }
+
+ private:
+  void add(const run::Combination& cell, std::int64_t seed) {
+    const scoring::Ratio& ratio = scoring::find_ratio(cell.ratio);
+    const double place = static_cast<double>(results_.diagnoses.size());
+    results_.diagnoses.push_back(
+        {.method = cell.method,
+         .ratio = cell.ratio,
+         .seed = seed,
+         .generated_per_class = ratio.generated_per_class,
+         .true_ratio = scoring::true_ratio(500, 5, ratio.generated_per_class),
+         .protocol = signal::Protocol::random,
+         .accuracy = cell.method == "oracle" ? 1 - 1e-3 * std::abs(std::sin(place))
+                                             : 0.5 + 0.5 * std::sin(3 * place + 0.1)});
+  }
+  void add_score(const std::string& method, std::int64_t seed) {
+    scoring::QualityRecord& record = results_.qualities.emplace_back();
+    record.info.name = grid_.dataset;
+    record.info.classes = {{"Normal", signal::Defect::none, 0}};
+    record.method = method;
+    record.seed = seed;
+    for (Label label = 1; label < 10; ++label) {
+      record.info.classes.push_back({"IR0" + std::to_string(label), signal::Defect::inner, 0.2});
+      scoring::ClassQuality& quality = record.classes.emplace_back();
+      quality.label = label;
+      for (const scoring::Metric& metric : scoring::all_metrics()) {
+        quality.*metric.value = (seed % 2 == 0 ? -99 : 99) * std::pow(10, -label / 2);
+      }
+    }
+  }
+
+  run::Grid grid_;
+  run::Results results_;
+};
+
+class Width : public testing::TestWithParam<const char*> {};
+
+TEST_P(Width, OfTheTablesOfTheFullGridIsAtMost100) {
+  FullGrid grid(GetParam(), 10);
+  expect_narrow(grid.markdown_of_tables());
+  EXPECT_THAT(grid.markdown_of_tables(), testing::HasSubstr("| oracle (ceiling) | "));
+}
+
+TEST_P(Width, OfTablesOfFewOrManySeedsOrWithGapsIsAtMost100) {
+  for (const int seeds : {1, 2, 5, 30})
+    expect_narrow(FullGrid(GetParam(), seeds).markdown_of_tables());
+  FullGrid with_gaps(GetParam(), 10);
+  with_gaps.drop("shift", 2);
+  with_gaps.drop("oracle", 3);
+  with_gaps.drop("piae-dt-phase", 9);
+  expect_narrow(with_gaps.markdown_of_tables());
+}
+
+TEST_P(Width, OfAContrastIsAtMost100) {
+  const std::vector<AccuracyRow> rows = with_means(FullGrid(GetParam(), 10).rows());
+  const Contrast protocols = contrast({"results/a", GetParam(), signal::Protocol::random, rows},
+                                      {"results/b", GetParam(), signal::Protocol::blocked, rows});
+  const Contrast rates =
+      contrast({"results/a", GetParam(), signal::Protocol::random, rows},
+               {"results/a", "cwru-as-published-at-12-kHz", signal::Protocol::random, rows});
+  expect_narrow(markdown(contrast_document(protocols)));
+  expect_narrow(markdown(contrast_document(rates)));
+}
+
+INSTANTIATE_TEST_SUITE_P(Datasets, Width,
+                         testing::Values("cwru", "hit-sm", "cwru-as-published", "rig"),
+                         [](const auto& info) {
+                           std::string name = info.param;
+                           std::erase(name, '-');
+                           return name;
+                         });
+
+}  // namespace
+}  // namespace piae::report
