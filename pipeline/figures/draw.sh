@@ -29,6 +29,7 @@ words=$(awk -F, '
 # words there are. The script finds it as `height`.
 height=$(sed -nE 's/^# height: (.+)$/\1/p' "$script")
 height=$(gnuplot - <<<"$words
+load '$scripts/style.gp'
 set print '-'
 print int(${height:-600})")
 for format in svg pdf; do
