@@ -2,6 +2,7 @@
 
 #include "figures/curves.hpp"
 #include "figures/gains.hpp"
+#include "figures/paired_differences.hpp"
 #include "figures/quality.hpp"
 #include "figures/twin_space.hpp"
 
@@ -34,6 +35,16 @@ constexpr Figure figures[] = {
                 "The grey band is the accuracy without generated windows.",
      .from = "seed*/<method>/<ratio>/diagnosis.h5, /predictions",
      .numbers = accuracies},
+    {.name = "paired-differences",
+     .paper = "",
+     .title = "Each method against the method of interest, paired by seed",
+     .caption = "Accuracy minus that of the same seed by piae-dt-phase, or else piae-dt, in "
+                "points; left of "
+                "zero a method is worse. Dots are seeds, marks their mean, bars its 95 % interval. "
+                "p is of "
+                "Wilcoxon's test with Holm's correction over the methods of a panel.",
+     .from = "seed*/<method>/<ratio>/diagnosis.h5, /predictions",
+     .numbers = paired_differences},
     {.name = "fig13-14-quality",
      .paper = "Figs 13 and 14",
      .title = "How good the generated windows are",
