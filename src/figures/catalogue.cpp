@@ -1,5 +1,6 @@
 #include "figures/catalogue.hpp"
 
+#include "figures/critical_difference.hpp"
 #include "figures/curves.hpp"
 #include "figures/gains.hpp"
 #include "figures/paired_differences.hpp"
@@ -45,6 +46,15 @@ constexpr Figure figures[] = {
                 "Wilcoxon's test with Holm's correction over the methods of a panel.",
      .from = "seed*/<method>/<ratio>/diagnosis.h5, /predictions",
      .numbers = paired_differences},
+    {.name = "critical-difference",
+     .paper = "",
+     .title = "How the methods rank",
+     .caption =
+         "Critical-difference diagram (Demsar 2006): average rank of each method among those of "
+         "the same seed, 1 being the best. A bar joins methods that differ by less than the "
+         "critical difference (CD): the test does not tell them apart at 0.05.",
+     .from = "seed*/<method>/<ratio>/diagnosis.h5, /predictions",
+     .numbers = critical_differences},
     {.name = "fig13-14-quality",
      .paper = "Figs 13 and 14",
      .title = "How good the generated windows are",
