@@ -1,5 +1,6 @@
 #include "figures/catalogue.hpp"
 
+#include "figures/confusion.hpp"
 #include "figures/critical_difference.hpp"
 #include "figures/curves.hpp"
 #include "figures/gains.hpp"
@@ -55,6 +56,16 @@ constexpr Figure figures[] = {
          "critical difference (CD): the test does not tell them apart at 0.05.",
      .from = "seed*/<method>/<ratio>/diagnosis.h5, /predictions",
      .numbers = critical_differences},
+    {.name = "confusion",
+     .paper = "",
+     .title = "What was taken for what",
+     .caption =
+         "Confusion matrices over the test windows of all seeds, with the most generated windows: "
+         "a "
+         "row for each true class, in percent of its windows. Blue is right, orange wrong; shares "
+         "below 5 % have no number.",
+     .from = "seed*/<method>/<last ratio>/diagnosis.h5, /labels and /predictions",
+     .numbers = confusions},
     {.name = "fig13-14-quality",
      .paper = "Figs 13 and 14",
      .title = "How good the generated windows are",
