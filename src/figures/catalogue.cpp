@@ -4,6 +4,7 @@
 #include "figures/critical_difference.hpp"
 #include "figures/curves.hpp"
 #include "figures/gains.hpp"
+#include "figures/missed_faults.hpp"
 #include "figures/paired_differences.hpp"
 #include "figures/quality.hpp"
 #include "figures/twin_space.hpp"
@@ -66,6 +67,15 @@ constexpr Figure figures[] = {
          "below 5 % have no number.",
      .from = "seed*/<method>/<last ratio>/diagnosis.h5, /labels and /predictions",
      .numbers = confusions},
+    {.name = "missed-faults",
+     .paper = "",
+     .title = "Missed faults and false alarms",
+     .caption =
+         "Test windows of each fault that were taken for healthy, and healthy ones that were taken "
+         "for a fault, in percent, with the most generated windows. Dots are seeds, marks their "
+         "mean; further left is better.",
+     .from = "seed*/<method>/<last ratio>/diagnosis.h5, /labels and /predictions",
+     .numbers = missed_faults},
     {.name = "fig13-14-quality",
      .paper = "Figs 13 and 14",
      .title = "How good the generated windows are",
