@@ -7,6 +7,7 @@
 #include "figures/missed_faults.hpp"
 #include "figures/paired_differences.hpp"
 #include "figures/quality.hpp"
+#include "figures/reliability.hpp"
 #include "figures/twin_space.hpp"
 
 namespace piae::figures {
@@ -76,6 +77,16 @@ constexpr Figure figures[] = {
          "mean; further left is better.",
      .from = "seed*/<method>/<last ratio>/diagnosis.h5, /labels and /predictions",
      .numbers = missed_faults},
+    {.name = "reliability",
+     .paper = "",
+     .title = "Whether the classifier is right as often as it says",
+     .caption =
+         "Test windows of all seeds, with the most generated windows, in ten bins by the softmax "
+         "score of the class that was named. Below the diagonal the classifier is surer than it "
+         "may be. Grey bars are the share of the windows in each bin; ECE is the mean distance "
+         "from the diagonal, weighted by them.",
+     .from = "seed*/<method>/<last ratio>/diagnosis.h5, /scores and /predictions",
+     .numbers = reliabilities},
     {.name = "fig13-14-quality",
      .paper = "Figs 13 and 14",
      .title = "How good the generated windows are",
