@@ -6,6 +6,7 @@
 #include "figures/gains.hpp"
 #include "figures/missed_faults.hpp"
 #include "figures/paired_differences.hpp"
+#include "figures/protocols.hpp"
 #include "figures/quality.hpp"
 #include "figures/reliability.hpp"
 #include "figures/twin_space.hpp"
@@ -87,6 +88,16 @@ constexpr Figure figures[] = {
          "from the diagonal, weighted by them.",
      .from = "seed*/<method>/<last ratio>/diagnosis.h5, /scores and /predictions",
      .numbers = reliabilities},
+    {.name = "protocols",
+     .paper = "",
+     .title = "What overlapping windows are worth",
+     .caption =
+         "Accuracy in percent with the paper's split, in which windows for testing overlap those "
+         "for training, beside that with a split without overlap. Dots are seeds, marks their "
+         "mean, "
+         "bars its 95 % interval.",
+     .from = "seed*/<method>/<ratio>/diagnosis.h5, /predictions, of the run and of RUN-blocked",
+     .numbers = protocols},
     {.name = "fig13-14-quality",
      .paper = "Figs 13 and 14",
      .title = "How good the generated windows are",
