@@ -9,6 +9,7 @@
 #include "figures/protocols.hpp"
 #include "figures/quality.hpp"
 #include "figures/reliability.hpp"
+#include "figures/sweep.hpp"
 #include "figures/twin_space.hpp"
 
 namespace piae::figures {
@@ -98,6 +99,14 @@ constexpr Figure figures[] = {
          "bars its 95 % interval.",
      .from = "seed*/<method>/<ratio>/diagnosis.h5, /predictions, of the run and of RUN-blocked",
      .numbers = protocols},
+    {.name = "fig19-sweep",
+     .paper = "Fig. 19",
+     .title = "The settings of PIAE-DT, one at a time",
+     .caption = "Accuracy in percent where one setting is moved and all others stay. Dots are "
+                "seeds, marks "
+                "their mean, bars its 95 % interval; the shaded value is that of the grid.",
+     .from = "seed*/sweep/<setting>/<ratio>/diagnosis.h5, seed*/piae-dt/<ratio>/diagnosis.h5",
+     .numbers = sweeps},
     {.name = "fig13-14-quality",
      .paper = "Figs 13 and 14",
      .title = "How good the generated windows are",
