@@ -4,6 +4,7 @@
 #include "figures/critical_difference.hpp"
 #include "figures/curves.hpp"
 #include "figures/gains.hpp"
+#include "figures/identifiability.hpp"
 #include "figures/missed_faults.hpp"
 #include "figures/paired_differences.hpp"
 #include "figures/protocols.hpp"
@@ -107,6 +108,16 @@ constexpr Figure figures[] = {
                 "their mean, bars its 95 % interval; the shaded value is that of the grid.",
      .from = "seed*/sweep/<setting>/<ratio>/diagnosis.h5, seed*/piae-dt/<ratio>/diagnosis.h5",
      .numbers = sweeps},
+    {.name = "identifiability",
+     .paper = "",
+     .title = "Stiffness and damping, inferred against true",
+     .caption =
+         "Windows that the models have not seen, in ten groups by their true value: the median of "
+         "what was inferred, and between what 80 % of it lie. On the diagonal both are the same. "
+         "R2 is 1 there, and 0 where naming the mean would do as well.",
+     .from = "scatter.csv and identifiability.csv, which `identify` makes of seed*/D.h5 and "
+             "seed*/<method>/model.h5",
+     .numbers = identifiability},
     {.name = "fig13-14-quality",
      .paper = "Figs 13 and 14",
      .title = "How good the generated windows are",
