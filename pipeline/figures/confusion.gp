@@ -29,7 +29,8 @@ do for [i = 1:count] {
   method = word(words_method, i)
   eval panel_at(i)
   right = 0.0; all = 0.0
-  stats data using (strcol(1) eq method ? (all = all + $6, right = right + (strcol(4) eq strcol(5) ? $6 : 0), 0) : 0) nooutput
+  stats data using (strcol(1) eq method ? \
+    (all = all + $6, right = right + (strcol(4) eq strcol(5) ? $6 : 0), 0) : 0) nooutput
   set xrange [0.5:classes + 0.5]
   set yrange [classes + 0.5:0.5]
   set title sprintf("%s  %.1f %%", named(method), 100 * right / all) font font_12 noenhanced
@@ -41,7 +42,8 @@ do for [i = 1:count] {
   }
   plot data using (is_shown(0.5) ? x_of(strcol(5)) : NaN):(x_of(strcol(4))):(0.5):(0.5):(fill($7)) \
          with boxxyerror fillstyle solid 1 noborder linecolor rgb variable, \
-       data using (is_shown(5) ? x_of(strcol(5)) : NaN):(x_of(strcol(4))):(sprintf("%.0f", $7)):($7 > 55 ? 0xFFFFFF : 0x000000) \
+       data using (is_shown(5) ? x_of(strcol(5)) : NaN):(x_of(strcol(4))):(sprintf("%.0f", $7)): \
+         ($7 > 55 ? 0xFFFFFF : 0x000000) \
          with labels center font number_font textcolor rgb variable
   eval beside_done
 }

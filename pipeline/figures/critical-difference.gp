@@ -27,7 +27,8 @@ do for [i = 1:count] {
   ratio = word(words_ratio, i)
   eval panel_at(i)
   p = NaN; critical = NaN; seeds = 0
-  stats data using (is("method") ? (p = valid(8) ? $8 : NaN, critical = valid(9) ? $9 : NaN, seeds = int($7), 0) : 0) nooutput
+  stats data using (is("method") ? \
+    (p = valid(8) ? $8 : NaN, critical = valid(9) ? $9 : NaN, seeds = int($7), 0) : 0) nooutput
   test = seeds == 1 ? "one seed, no test" : \
          sprintf("Friedman p %s, %d seeds", p < 0.001 ? "< 0.001" : sprintf("= %.2g", p), seeds)
   set xrange [1 - room:methods + room]

@@ -21,15 +21,18 @@ do for [i = 1:count] {
   set title factor noenhanced
   set xtics () scale 0 font font_11 noenhanced
   values = 0; centre = 0; numbers = 1  # else words, which no line joins
-  stats data using (strcol(1) eq factor ? (values = $2 > values ? int($2) : values, centre = $4 == 1 ? int($2) : centre, 0) : 0) nooutput
+  stats data using (strcol(1) eq factor ? \
+    (values = $2 > values ? int($2) : values, centre = $4 == 1 ? int($2) : centre, 0) : 0) nooutput
   do for [v = 1:values] {
     text = ""
-    stats data using (strcol(1) eq factor && $2 == v ? (text = strcol(3), numbers = numbers && valid(3), 0) : 0) nooutput
+    stats data using (strcol(1) eq factor && $2 == v ? \
+      (text = strcol(3), numbers = numbers && valid(3), 0) : 0) nooutput
     set xtics add (text v)
   }
   set xrange [0.5:values + 0.5]
   set yrange [low_min - margin:high_max + margin]
-  set object 1 rectangle from centre - 0.4, graph 0 to centre + 0.4, graph 1 behind fillcolor rgb 0xE8E8E8 fillstyle solid 1 noborder
+  set object 1 rectangle from centre - 0.4, graph 0 to centre + 0.4, graph 1 behind \
+    fillcolor rgb 0xE8E8E8 fillstyle solid 1 noborder
   plot for [n = 1:ratios] data using (is("each") ? $2 + off(n) : NaN):7 \
          with points pointtype 7 pointsize 0.4 linecolor rgb dots(n), \
        for [n = 1:ratios] data using (is("mean") ? $2 + off(n) : NaN):7 \

@@ -1,5 +1,5 @@
-# (k, c) inferred against true: method,parameter,truth_low,truth_high,windows,inferred_p10,inferred_p50,inferred_p90,r2. A
-# column a method, a row a parameter.
+# (k, c) inferred against true: method,parameter,truth_low,truth_high,windows,inferred_p10,inferred_p50,
+# inferred_p90,r2. A column a method, a row a parameter.
 # height: 700
 columns = words(words_method)
 count   = 2 * columns
@@ -20,7 +20,8 @@ do for [i = 1:count] {
   set title sprintf("%s\nR² = %.2f", method, r2) noenhanced font font_12 offset 0, -0.4
   set label 4 "true ".parameter.", ".unit_name at graph 0.5, graph 0 offset 0, -2.2 center font font_11
   if (is_leftmost(i)) {
-    set label 5 "inferred ".parameter.", ".unit_name at screen 0.018, top_of(i) - 0.5 * panel_height / height rotate by 90 center font font_11
+    set label 5 "inferred ".parameter.", ".unit_name at screen 0.018, top_of(i) - 0.5 * panel_height / height \
+      rotate by 90 center font font_11
   } else { unset label 5 }
   set xrange [low_min:high_max]
   set xtics step(high_max - low_min) * (columns > 3 ? 2 : 1) font font_11 offset 0, 0.4

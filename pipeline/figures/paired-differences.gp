@@ -22,7 +22,8 @@ span  = most > least ? most - least : 1
 note  = "One seed alone can be tested for nothing."
 if (seeds > 1) {
   stats data using (strcol(5) eq "mean" ? $11 : NaN) name "p" nooutput
-  note = p_min > 0.05 ? sprintf("%d seeds cannot make p smaller than %.2g here: however large a difference is, it is not significant.", seeds, p_min) : ""
+  note = p_min <= 0.05 ? "" : sprintf("%d seeds cannot make p smaller than %.2g here: ".\
+    "however large a difference is, it is not significant.", seeds, p_min)
 }
 set label 1 "Accuracy minus that of ".word(words_against, 1).", paired by seed"
 set label 2 "points of accuracy" at screen 0.5, 36.0 / height
@@ -39,12 +40,14 @@ do for [i = 1:count] {
   set format x is_lowest(i) ? "%g" : ""
   set title ratio eq "mean" ? "mean of ratios" : colon(ratio) offset -3, -0.6
   set arrow 1 from 0, graph 0 to 0, graph 1 nohead linecolor rgb 0x333333 back
-  if (seeds > 1) { set label 5 "p (Holm)" at graph 0.985, graph 1 offset 0, 0.5 right font font_10 textcolor rgb 0x555555 }
+  if (seeds > 1) { set label 5 "p (Holm)" at graph 0.985, graph 1 offset 0, 0.5 right \
+    font font_10 textcolor rgb 0x555555 }
   plot data using (is("each") ? $6 : NaN):(own_row(0.28)) \
          with points pointtype 7 pointsize 0.4 linecolor rgb dots(1), \
        data using (is("mean") ? $6 : NaN):(own_row(0)):(valid(7) ? $7 : $6):(valid(8) ? $8 : $6):(tint($2)) \
          with xerrorbars pointtype 7 pointsize 0.6 linewidth 1.6 linecolor rgb variable, \
-       data using (is("mean") ? 0.985 : NaN):(own_row(0)):(p_text(strcol(10))):(is_small(strcol(10)) ? 0x000000 : 0x777777) \
+       data using (is("mean") ? 0.985 : NaN):(own_row(0)):(p_text(strcol(10))): \
+         (is_small(strcol(10)) ? 0x000000 : 0x777777) \
          axes x2y1 with labels right font font_11 textcolor rgb variable
   eval beside_done
   unset label 4

@@ -20,7 +20,8 @@ set label 2 at screen 0.5, 14.0 / height center
 set label 3 at screen 0.018, 0.5 rotate by 90 center
 beside_done = "unset label 1; unset label 2; unset label 3"
 key_row  = margins(0.05, 0.95, 1 - 24.0 / height, 1 - 48.0 / height). \
-  "unset border; unset tics; unset title; unset label; unset arrow; unset object; set xrange [0:1]; set yrange [0:1]; set key at screen 0.5, 1 - 36.0 / height center horizontal maxrows 1"
+  "unset border; unset tics; unset title; unset label; unset arrow; unset object; ". \
+  "set xrange [0:1]; set yrange [0:1]; set key at screen 0.5, 1 - 36.0 / height center horizontal maxrows 1"
 colon(ratio) = ratio[1:strstrt(ratio, "to") - 1].":".ratio[strstrt(ratio, "to") + 2:]  # "10:1" for 10to1
 # Fonts of so many pixels, where 13 are usual; in a PDF 9 points are.
 sized(pixels) = sprintf(",%g", format eq "pdf" ? pixels * 9 / 13.0 : pixels)
@@ -32,4 +33,5 @@ font_12 = sized(12)
 set errorbars small
 dots(i) = (0x80 << 24) + colour(i)
 # A distance of ticks with which some five fit.
-step(span) = span > 110 ? 50 : span > 55 ? 20 : span > 25 ? 10 : span > 11 ? 5 : span > 5 ? 2 : span > 2 ? 1 : span / 4.0
+step(span) = span > 110 ? 50 : span > 55 ? 20 : span > 25 ? 10 : span > 11 ? 5 : span > 5 ? 2 : \
+             span > 2 ? 1 : span / 4.0

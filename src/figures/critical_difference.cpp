@@ -70,7 +70,7 @@ class RankRows {
 Numbers critical_differences(Source& source) {
   const report::RankTable table = report::rank_methods(source.accuracy_rows());
   if (table.ratios.empty()) {
-    throw Error(Exit::input_missing, "needs two methods, ceilings aside, at the same ratio");
+    throw LeftOut("less than two methods, ceilings aside, have the same ratio");
   }
   RankRows rows;
   for (const auto& [column, ranks] : table.ratios) rows.add(column.ratio, table.methods, ranks);

@@ -33,13 +33,12 @@ class IdentifyTable {
 void require_simulated(const Source& source) {
   const auto file = source.layout().known_windows(source.grid().seeds.front());
   if (!signal::read_window_set({file, "windows"}).parameters.empty()) return;
-  throw Error(Exit::input_missing,
-              "needs windows whose stiffness and damping are known, as those of `simulated` are");
+  throw LeftOut("the true stiffness and damping are known of simulated windows alone");
 }
 
 void require_table(const std::filesystem::path& file) {
   if (std::filesystem::exists(file)) return;
-  throw Error(Exit::input_missing, file.string() + ": is not there; make identify makes it");
+  throw LeftOut("not yet compared with the truth (make identify): no " + file.string());
 }
 
 std::string r2_of(const IdentifyTable& agreement, const std::string& method,

@@ -55,9 +55,8 @@ void add_seeds(Numbers& numbers, const Comparison& comparison, const report::Acc
 Numbers paired_differences(Source& source) {
   const report::Comparisons comparisons = report::compare_methods(source.accuracy_rows(), "");
   if (comparisons.rows.empty()) {
-    throw Error(Exit::input_missing,
-                "needs " + augment::paper_method() +
-                    " or a method of this project in the grid, and one to compare with it");
+    throw LeftOut("neither " + augment::paper_method() +
+                  " nor a method of this project is there to be compared with others");
   }
   const auto rows = report::with_means(source.accuracy_rows());
   const std::string& against = comparisons.against;

@@ -55,9 +55,8 @@ Numbers protocols(Source& source) {
   const run::Layout beside = source.layout().blocked();
   const run::Grid grid = begun_part(source.grid(), beside);
   if (grid.combinations.empty()) {
-    throw Error(Exit::input_missing,
-                "needs the same cells of the other split (make contrast): there are none in " +
-                    beside.folder().string());
+    throw LeftOut("there is no run with the other split (make contrast): " +
+                  beside.folder().string());
   }
   Source here(source.layout(), grid, report::Published());
   Source there(beside, grid, report::Published());

@@ -10,7 +10,7 @@ namespace piae::figures {
 /// methods, ratios and seeds of the grid that the latter has begun. Columns:
 /// method,ceiling,ratio,protocol,seed,accuracy,low,high, in percent; `seed` is "mean" for the mean
 /// over the seeds, which alone has a 95 % interval (empty for fewer than three seeds). Throws
-/// Error(input_missing) where there is no such run, and Error(bad_input) for two runs of the same
+/// LeftOut where there is no such run, and Error(bad_input) for two runs of the same
 /// kind of split.
 Numbers protocols(Source& source);
 

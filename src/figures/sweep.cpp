@@ -39,7 +39,7 @@ Tried tried_in(const Source& source) {
       tried.cells.insert("sweep/" + entry.path().filename().string());
     }
   }
-  if (tried.cells.empty()) throw Error(Exit::input_missing, "needs a sweep (make sweep)");
+  if (tried.cells.empty()) throw LeftOut("there is no sweep (make sweep)");
   return tried;
 }
 

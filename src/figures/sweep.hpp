@@ -11,7 +11,7 @@ namespace piae::figures {
 /// factor,place,value,centre,ratio,seed,accuracy,low,high; `place` counts the values of a factor
 /// from 1, `centre` is 1 for the value that the grid has. For each seed a row, then one whose seed
 /// is "mean", with the 95 % interval of the mean (empty for fewer than three seeds). The seeds are
-/// those of the grid that have a sweep. Throws Error(input_missing) where none has.
+/// those of the grid that have a sweep. Throws LeftOut where none has.
 Numbers sweeps(Source& source);
 
 }  // namespace piae::figures

@@ -72,10 +72,14 @@ TEST_F(CriticalDifference, DoesNotRankACeiling) {
   EXPECT_THAT(numbers_of("0 1").csv(), Not(HasSubstr("oracle")));
 }
 
-TEST_F(CriticalDifference, NeedsTwoMethodsAndEachOfTheirCells) {
+TEST_F(CriticalDifference, IsLeftOutWithLessThanTwoMethods) {
   add_seeds(1);
   Source one = source("piae-dt oracle", "10to1", "0");
-  EXPECT_ERROR(critical_differences(one), Exit::input_missing, "needs two methods");
+  EXPECT_THROW(critical_differences(one), LeftOut);
+}
+
+TEST_F(CriticalDifference, NamesTheFirstCellThatIsMissing) {
+  add_seeds(1);
   EXPECT_ERROR(numbers_of("0 1"), Exit::input_missing, "method none, ratio 100to1, seed 1");
 }
 

@@ -49,12 +49,15 @@ TEST_F(IdentifiabilityFigure, IsOfSimulatedWindowsAlone) {
   add_known_windows(false);
   add_tables();
   Source one = source("piae-dt", "10to1", "0");
-  EXPECT_ERROR(identifiability(one), Exit::input_missing, "simulated");
+  EXPECT_THROW(identifiability(one), LeftOut);
 }
 
-TEST_F(IdentifiabilityFigure, NamesTheTableThatIsMissing) {
+TEST_F(IdentifiabilityFigure, NamesTheWindowsOrTheTableThatIsMissing) {
+  Source none = source("piae-dt", "10to1", "0");
+  EXPECT_ERROR(identifiability(none), Exit::input_missing, "seed0/C.h5");
   add_known_windows(true);
   Source one = source("piae-dt", "10to1", "0");
+  EXPECT_THROW(identifiability(one), LeftOut);
   EXPECT_ERROR(identifiability(one), Exit::input_missing, "run/cwru/scatter.csv");
   add_tables();
   std::filesystem::remove(layout_.identifiability_csv());

@@ -63,10 +63,10 @@ TEST_F(PairedDifferences, HaveTheMeanOfTheRatiosToo) {
   EXPECT_EQ(field(paired_differences(two), "vae,0,mean,piae-dt,mean", 5), "7.5");
 }
 
-TEST_F(PairedDifferences, NeedAMethodToCompareWith) {
+TEST_F(PairedDifferences, AreLeftOutWithoutAMethodToCompareWith) {
   add_all();
   Source all = source("none vae", "100to1 10to1");
-  EXPECT_ERROR(paired_differences(all), Exit::input_missing, "needs piae-dt");
+  EXPECT_THROW(paired_differences(all), LeftOut);
 }
 
 TEST_F(PairedDifferences, NameTheFirstCellThatIsMissing) {

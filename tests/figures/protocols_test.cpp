@@ -51,9 +51,10 @@ TEST_F(Protocols, NameTheCellThatARunHasNotGotTo) {
   EXPECT_ERROR(protocols(all), Exit::input_missing, "run-blocked/cwru/seed0/none/100to1");
 }
 
-TEST_F(Protocols, NeedARunBesideThisOne) {
+TEST_F(Protocols, AreLeftOutWithoutARunBesideThisOne) {
   add_all();
   Source all = source("none vae", "100to1 10to1");
+  EXPECT_THROW(protocols(all), LeftOut);
   EXPECT_ERROR(protocols(all), Exit::input_missing, "run-blocked/cwru");
 }
 

@@ -75,10 +75,10 @@ TEST_F(SweepFigure, HasTheValueOfTheGridOnce) {
   EXPECT_EQ(field(numbers, "batch,3,10,0,1to1,0", 6), "55");
 }
 
-TEST_F(SweepFigure, NeedsASweep) {
+TEST_F(SweepFigure, IsLeftOutWithoutASweep) {
   add_cell("piae-dt", "batch = \"5\"\n", 0, 10);
   Source one = swept("0");
-  EXPECT_ERROR(sweeps(one), Exit::input_missing, "needs a sweep (make sweep)");
+  EXPECT_THROW(sweeps(one), LeftOut);
 }
 
 TEST_F(SweepFigure, NamesTheCellThatIsMissing) {
