@@ -19,7 +19,8 @@ void require_whole(const run::Results& results) {
 std::vector<std::string> Source::inferring_methods() const {
   std::vector<std::string> methods;
   for (const std::string& method : grid_.scored) {
-    if (augment::find_entry(method)->infers) methods.push_back(method);
+    const augment::CatalogueEntry* entry = augment::find_entry(method);
+    if (entry != nullptr && entry->infers) methods.push_back(method);
   }
   if (methods.empty()) {
     throw LeftOut("no method here infers (k, c)");

@@ -1,10 +1,11 @@
 #pragma once
 
-#include <map>
+#include <cstddef>
 #include <sstream>
 #include <string>
 #include <vector>
 
+#include "figures/numbers.hpp"
 #include "figures/source.hpp"
 #include "support/stored_run.hpp"
 

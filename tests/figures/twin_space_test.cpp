@@ -62,5 +62,10 @@ TEST_F(TwinSpaceFigure, HasKnownAndGeneratedWindowsAndTheTruthWhereItIsKnown) {
   EXPECT_EQ(field(space, "piae-dt,true," + first, 4), "250");
 }
 
+TEST_F(TwinSpaceFigure, IsLeftOutWhereNoMethodInfersAlsoOneThatOnlyAnotherProgramKnows) {
+  Source one = source("smote of-another-program", "10to1", "0");
+  EXPECT_THROW((void)one.inferring_methods(), LeftOut);
+}
+
 }  // namespace
 }  // namespace piae::figures
