@@ -10,6 +10,9 @@ MAKEFLAGS += --no-builtin-rules --no-print-directory
 Q := $(if $(V),,@)
 
 cells   = $(wildcard $(patsubst %,$(results)/$1/seed*/%,C.h5 D.h5 */model.h5 */E.h5 */score.h5 */*/diagnosis.h5))
+# What some figures show beside the cells of the grid: a sweep, the truth, the run with the other split.
+beside  = $(wildcard $(patsubst %,$(results)/$1/%,seed*/sweep/*/model.h5 seed*/sweep/*/*/diagnosis.h5 scatter.csv \
+            identifiability.csv) $(results)-blocked/$1/seed*/*/*/diagnosis.h5)
 shown   := $(foreach dataset,$(DATASETS),$(if $(call cells,$(dataset)),$(dataset)))
 folders := $(shown:%=$(results)/%)
 
@@ -25,7 +28,7 @@ is_as_made = $(shell log=$(results)/$1/figures.log; [[ -f $$log && $$(head -n 1 
                && $$(tail -n 1 $$log) == 'step: exit 0 '* ]] && \
                sed -n 's,^wrote ,$(results)/$1/figures/,p' $$log | xargs -r ls >/dev/null 2>&1 && echo yes)
 define numbers_rule # data set
-$(results)/$1/figures.log: $(call cells,$1) $(if $(call is_as_made,$1),,FORCE)
+$(results)/$1/figures.log: $(call cells,$1) $(call beside,$1) $(if $(call is_as_made,$1),,FORCE)
 	$(Q)$(call step,$1)
 endef
 $(foreach dataset,$(shown),$(eval $(call numbers_rule,$(dataset))))

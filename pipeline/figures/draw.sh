@@ -21,19 +21,24 @@ words=$(awk -F, '
   { for (i = 1; i <= columns; ++i) if ($i != "" && !((i, $i) in seen)) {
       seen[i, $i]; all[i] = all[i] (all[i] == "" ? "" : " ") $i
       if ($i !~ /^[-+]?[0-9]*\.?[0-9]+([eE][-+]?[0-9]+)?$/) wordy[i] } }
-  END { for (i = 1; i <= columns; ++i) if (i in wordy || column[i] == "seed")
+  # Seeds are words though they are digits, and so are the names of classes, which may be.
+  END { for (i = 1; i <= columns; ++i) if (i in wordy || column[i] ~ /^(seed|class|truth|predicted)$/)
           printf "words_%s = \"%s\"\n", column[i], all[i] }' "$csv")
 
-# A script that needs another height than 600 says so in a line "# height: N".
-height=$(sed -nE 's/^# height: ([0-9]+)$/\1/p' "$script")
-height=${height:-600}
+# A script that needs another height than 600 says so in a line "# height: EXPRESSION", which may ask how many
+# words there are. The script finds it as `height`.
+height=$(sed -nE 's/^# height: (.+)$/\1/p' "$script")
+height=$(gnuplot - <<<"$words
+load '$scripts/style.gp'
+set print '-'
+print int(${height:-600})")
 for format in svg pdf; do
   case $format in
     svg) terminal="svg size 960,$height dynamic font 'DejaVu Sans,13' linewidth 1.2 background rgb 'white'" ;;
     pdf) terminal="pdfcairo size 20cm,$(awk "BEGIN { print $height / 48 }")cm font 'DejaVu Sans,9' linewidth 1.2" ;;
   esac
   # A series without a point, such as published values where there are none, is no cause for a word.
-  gnuplot -e "data = '$csv'; scripts = '$scripts'; format = '$format'" - <<<"$words
+  gnuplot -e "data = '$csv'; scripts = '$scripts'; format = '$format'; height = $height" - <<<"$words
 set terminal $terminal
 set output '$partial/$format'
 load scripts.'/style.gp'

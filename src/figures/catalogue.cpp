@@ -1,8 +1,16 @@
 #include "figures/catalogue.hpp"
 
+#include "figures/confusion.hpp"
+#include "figures/critical_difference.hpp"
 #include "figures/curves.hpp"
 #include "figures/gains.hpp"
+#include "figures/identifiability.hpp"
+#include "figures/missed_faults.hpp"
+#include "figures/paired_differences.hpp"
+#include "figures/protocols.hpp"
 #include "figures/quality.hpp"
+#include "figures/reliability.hpp"
+#include "figures/sweep.hpp"
 #include "figures/twin_space.hpp"
 
 namespace piae::figures {
@@ -34,6 +42,82 @@ constexpr Figure figures[] = {
                 "The grey band is the accuracy without generated windows.",
      .from = "seed*/<method>/<ratio>/diagnosis.h5, /predictions",
      .numbers = accuracies},
+    {.name = "paired-differences",
+     .paper = "",
+     .title = "Each method against the method of interest, paired by seed",
+     .caption = "Accuracy minus that of the same seed by piae-dt-phase, or else piae-dt, in "
+                "points; left of "
+                "zero a method is worse. Dots are seeds, marks their mean, bars its 95 % interval. "
+                "p is of "
+                "Wilcoxon's test with Holm's correction over the methods of a panel.",
+     .from = "seed*/<method>/<ratio>/diagnosis.h5, /predictions",
+     .numbers = paired_differences},
+    {.name = "critical-difference",
+     .paper = "",
+     .title = "How the methods rank",
+     .caption =
+         "Critical-difference diagram (Demsar 2006): average rank of each method among those of "
+         "the same seed, 1 being the best. A bar joins methods that differ by less than the "
+         "critical difference (CD): the test does not tell them apart at 0.05.",
+     .from = "seed*/<method>/<ratio>/diagnosis.h5, /predictions",
+     .numbers = critical_differences},
+    {.name = "confusion",
+     .paper = "",
+     .title = "What was taken for what",
+     .caption =
+         "Confusion matrices over the test windows of all seeds, with the most generated windows: "
+         "a "
+         "row for each true class, in percent of its windows. Blue is right, orange wrong; shares "
+         "below 5 % have no number.",
+     .from = "seed*/<method>/<last ratio>/diagnosis.h5, /labels and /predictions",
+     .numbers = confusions},
+    {.name = "missed-faults",
+     .paper = "",
+     .title = "Missed faults and false alarms",
+     .caption =
+         "Test windows of each fault that were taken for healthy, and healthy ones that were taken "
+         "for a fault, in percent, with the most generated windows. Dots are seeds, marks their "
+         "mean; further left is better.",
+     .from = "seed*/<method>/<last ratio>/diagnosis.h5, /labels and /predictions",
+     .numbers = missed_faults},
+    {.name = "reliability",
+     .paper = "",
+     .title = "Whether the classifier is right as often as it says",
+     .caption =
+         "Test windows of all seeds, with the most generated windows, in ten bins by the softmax "
+         "score of the class that was named. Below the diagonal the classifier is surer than it "
+         "may be. Grey bars are the share of the windows in each bin; ECE is the mean distance "
+         "from the diagonal, weighted by them.",
+     .from = "seed*/<method>/<last ratio>/diagnosis.h5, /scores and /predictions",
+     .numbers = reliabilities},
+    {.name = "protocols",
+     .paper = "",
+     .title = "What overlapping windows are worth",
+     .caption =
+         "Accuracy in percent with the paper's split, in which windows for testing overlap those "
+         "for training, beside that with a split without overlap. Dots are seeds, marks their "
+         "mean, "
+         "bars its 95 % interval.",
+     .from = "seed*/<method>/<ratio>/diagnosis.h5, /predictions, of the run and of RUN-blocked",
+     .numbers = protocols},
+    {.name = "fig19-sweep",
+     .paper = "Fig. 19",
+     .title = "The settings of PIAE-DT, one at a time",
+     .caption = "Accuracy in percent where one setting is moved and all others stay. Dots are "
+                "seeds, marks "
+                "their mean, bars its 95 % interval; the shaded value is that of the grid.",
+     .from = "seed*/sweep/<setting>/<ratio>/diagnosis.h5, seed*/piae-dt/<ratio>/diagnosis.h5",
+     .numbers = sweeps},
+    {.name = "identifiability",
+     .paper = "",
+     .title = "Stiffness and damping, inferred against true",
+     .caption =
+         "Windows that the models have not seen, in ten groups by their true value: the median of "
+         "what was inferred, and between what 80 % of it lie. On the diagonal both are the same. "
+         "R2 is 1 there, and 0 where naming the mean would do as well.",
+     .from = "scatter.csv and identifiability.csv, which `identify` makes of seed*/D.h5 and "
+             "seed*/<method>/model.h5",
+     .numbers = identifiability},
     {.name = "fig13-14-quality",
      .paper = "Figs 13 and 14",
      .title = "How good the generated windows are",

@@ -5,15 +5,13 @@
 
 #include "augment/catalogue.hpp"
 #include "figures/groups.hpp"
+#include "figures/intervals.hpp"
 
 namespace piae::figures {
 
 namespace {
 
 using report::AccuracyRow;
-
-/// The t interval of two seeds is wider than all that a percentage can be.
-constexpr std::size_t fewest_seeds_of_an_interval = 3;
 
 std::string or_empty(std::optional<double> number) { return number ? digits(*number) : ""; }
 
@@ -24,10 +22,9 @@ void add_row(Numbers& numbers, const AccuracyRow& row, const std::vector<std::in
     numbers.row({row.method, ceiling, row.ratio, generated, std::to_string(seeds[i]),
                  digits(row.values[i]), "", "", ""});
   }
-  const bool enough = row.values.size() >= fewest_seeds_of_an_interval;
-  const auto interval = enough ? row.summary.interval : std::nullopt;
+  const std::vector<std::string> interval = shown_interval(row.summary);
   numbers.row({row.method, ceiling, row.ratio, generated, "mean", digits(row.summary.mean),
-               interval ? digits(interval->low) : "", interval ? digits(interval->high) : "",
+               interval[0], interval[1],
                or_empty(row.published ? row.published : row.orientation)});
 }
 

@@ -8,8 +8,6 @@
 
 namespace piae::figures {
 
-namespace {
-
 void require_whole(const run::Results& results) {
   if (results.problems.empty()) return;
   const std::size_t others = results.problems.size() - 1;
@@ -17,8 +15,6 @@ void require_whole(const run::Results& results) {
   if (others == 0) throw Error(results.exit, first);
   throw Error(results.exit, fmt::format("{} (and {} more)", first, others));
 }
-
-}  // namespace
 
 std::vector<std::string> Source::inferring_methods() const {
   std::vector<std::string> methods;

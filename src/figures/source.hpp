@@ -17,6 +17,10 @@ class LeftOut : public Error {
   explicit LeftOut(const std::string& line) : Error(Exit::input_missing, line) {}
 };
 
+/// Throws Error in one line where any cell is missing or refused: it names the first, and says how
+/// many others are.
+void require_whole(const run::Results& results);
+
 /// What the figures of a dataset are drawn from: the cells of its grid in the folder of a run.
 /// Cells are read when a figure first asks for them. All members throw Error in one line, which
 /// names the first file that is missing or refused, and says how many others are.

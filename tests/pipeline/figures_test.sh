@@ -90,6 +90,34 @@ test_without_a_cell_nothing_is_drawn() {
   [[ ! -e results/t/made ]] || fail "made $(find results/t/made)"
 }
 
+# A sweep, the truth, and the run with the other split are shown as well.
+test_what_comes_later_beside_the_cells_makes_new_numbers() {
+  lay_out
+  figures >/dev/null 2>&1
+  local file loss=10
+  for file in t/made/seed0/sweep/batch-1/1to1/diagnosis.h5 t/made/scatter.csv t-blocked/made/seed0/none/100to1/diagnosis.h5; do
+    losses $((++loss)) >numbers/fig07-losses.csv
+    figures >/dev/null 2>&1
+    grep -q ",$loss$" $drawn/fig07-losses.csv && fail "numbers are made again though there is nothing new"
+    mkdir -p "$(dirname "results/$file")"
+    touch "results/$file"
+    figures >/dev/null 2>&1
+    expect_line "$(<$drawn/fig07-losses.csv)" ",$loss$"
+  done
+}
+
+# Of one seed, of few methods, and with classes that are named by digits.
+test_figures_of_a_few_numbers_are_drawn_without_a_word() {
+  lay_out
+  local sample
+  for sample in "$project"/tests/pipeline/figures/*.csv; do
+    cp "$sample" $drawn
+    expect_equal "$(pipeline/figures/draw.sh "$drawn/${sample##*/}" 2>&1)" ""
+    sample=${sample##*/}
+    expect_line "$(head -c 300 "$drawn/${sample%.csv}.svg")" '<svg'
+  done
+}
+
 test_a_changed_style_draws_all_again() {
   lay_out
   figures >/dev/null 2>&1
