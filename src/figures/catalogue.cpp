@@ -4,6 +4,7 @@
 #include "figures/gains.hpp"
 #include "figures/quality.hpp"
 #include "figures/twin_space.hpp"
+#include "figures/windows_by_class.hpp"
 
 namespace piae::figures {
 
@@ -58,6 +59,19 @@ constexpr Figure figures[] = {
          "crosses the true values where windows are simulated.",
      .from = "seed<first>/<method>/model.h5, /twin_space; E.h5, /parameters",
      .numbers = twin_space},
+    {.name = "fig11-12-windows",
+     .paper = "Figs 11 and 12",
+     .title = "Real and generated windows",
+     .caption =
+         "One picture for each fault class, with all rows on the same axes. The window shown, of D "
+         "where it is real and of E where a method made it, is the one whose RMS is the median of "
+         "its set. Both spectra are means of all windows of the class, in dB to 1 m/s^2; those of "
+         "real windows stand in grey behind each. Lines are where a defect of the outer race "
+         "(BPFO), the inner race (BPFI) or a rolling element (2 BSF) shows in the envelope, and "
+         "its harmonics, at the nominal speed without slip; dotted ones lie a turn of the shaft "
+         "beside those of this class.",
+     .from = "seed<first>/D.h5 and seed<first>/<method>/E.h5, /windows",
+     .pictures = windows_by_class},
     {.name = "fig07-losses",
      .paper = "Fig. 7",
      .title = "Losses of PIAE-DT by epoch",
