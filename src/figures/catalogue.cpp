@@ -1,6 +1,7 @@
 #include "figures/catalogue.hpp"
 
 #include "figures/curves.hpp"
+#include "figures/feature_maps.hpp"
 #include "figures/gains.hpp"
 #include "figures/quality.hpp"
 #include "figures/twin_space.hpp"
@@ -72,6 +73,25 @@ constexpr Figure figures[] = {
          "beside those of this class.",
      .from = "seed<first>/D.h5 and seed<first>/<method>/E.h5, /windows",
      .pictures = windows_by_class},
+    {.name = "fig20-tsne-hidden",
+     .paper = "Fig. 20",
+     .title = "Test windows as the classifier's hidden layer sees them",
+     .caption =
+         "t-SNE of all test windows by the 100 features of the last hidden layer; each method at "
+         "its ratio with the most generated windows. What lies together is alike to the "
+         "classifier; "
+         "how wide groups are and how far apart says little. Trustworthiness is 1 where all "
+         "neighbours on the map are neighbours in the layer, and about 0.5 by chance; KL is what "
+         "the map loses, in nats.",
+     .from = "seed<first>/<method>/<ratio>/features.h5, /features/hidden",
+     .numbers = hidden_map},
+    {.name = "fig21-tsne-output",
+     .paper = "Fig. 21",
+     .title = "Test windows as the classifier's output layer sees them",
+     .caption = "As Fig. 20, by the features of the output layer, before the softmax: one for each "
+                "class.",
+     .from = "seed<first>/<method>/<ratio>/features.h5, /features/output",
+     .numbers = output_map},
     {.name = "fig07-losses",
      .paper = "Fig. 7",
      .title = "Losses of PIAE-DT by epoch",
