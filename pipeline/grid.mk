@@ -44,10 +44,8 @@ $(if $(filter-out $(words $2),$(words $(sort $2))),$(error $1: '$2' names one tw
 endef
 $(call check_words,DATASETS,$(DATASETS),$(call fact,dataset))
 $(call check_words,RATIOS,$(RATIOS),$(call fact,ratio))
-$(call check_words,PROTOCOL,$(PROTOCOL),random blocked)
 $(call check_words,METHODS,$(METHODS),$(call fact,method))
 $(call check_words,SEEDS,$(SEEDS),$(SEEDS))
-$(if $(filter 1,$(words $(PROTOCOL))),,$(error PROTOCOL: one of random and blocked))
 $(if $(shell printf '%s\n' $(SEEDS) | grep -vxE '0|[1-9][0-9]*'),\
   $(error SEEDS: whole numbers from 0 up, not '$(SEEDS)'))
 $(if $(findstring /,$(RUN)),$(error RUN: the name of a folder under results/, not a path: '$(RUN)'))
@@ -149,7 +147,7 @@ $(foreach dataset,$(DATASETS),\
     $(foreach method,$(methods),$(eval $(call diagnosis_rule,$(seed),$(folder),$(method))))))
 
 .DEFAULT_GOAL := cells
-.PHONY: records cells features tables all list-cells sweep contrast identify
+.PHONY: records cells features tables draw figures demo all list-cells sweep contrast identify
 records: $(DATASETS:%=$(results)/%/records.h5)
 cells: $(foreach dataset,$(DATASETS),$(call cell_files,$(dataset)))
 features: $(foreach dataset,$(DATASETS),$(call features,$(dataset)))
@@ -159,10 +157,21 @@ tables: $(foreach dataset,$(DATASETS),$(call tables_of,$(dataset)))
 # make does nothing more for a target when a prerequisite has failed. So a make of its own makes the
 # tables; where that fails, the cells that they lack are named.
 this_make = $(MAKE) --file=pipeline/grid.mk
-all:
-	$(Q)+pipeline/tables.sh $(this_make)
+define show_summaries
 	@cat $(DATASETS:%=$(results)/%/summary.txt)
 	@printf 'tables and artefacts: %s\n' $(DATASETS:%=$(results)/%/)
+endef
+draw:
+	$(Q)+$(MAKE) --file=pipeline/figures.mk results='$(results)' DATASETS='$(DATASETS)' selection='$(selection)'
+figures: draw
+	@printf 'figures: %s\n' $(DATASETS:%=$(results)/%/figures/)
+# Drawing would double what a newcomer waits for.
+demo:
+	$(Q)+pipeline/tables.sh $(this_make)
+	$(show_summaries)
+all:
+	$(Q)+pipeline/tables.sh $(if $(findstring q,$(firstword -$(MAKEFLAGS))),,--draw) $(this_make)
+	$(show_summaries)
 
 # For status.sh, also in a dry run.
 list-cells:

@@ -16,13 +16,17 @@ namespace {
 
 bool save(figures::Source& source, const figures::Figure& figure) {
   try {
-    save_pictures(source, figure);
+    for (const fs::path& file : save_pictures(source, figure)) {
+      std::cout << "wrote " << file.filename().string() << '\n';
+    }
     return true;
+  } catch (const figures::LeftOut& reason) {
+    std::cout << fmt::format("left out {}: {}\n", figure.name, reason.what());
   } catch (const Error& error) {
     if (error.exit() == Exit::failed) throw;  // such as a full disk: no other figure can be written
     spdlog::warn("{} is not drawn: {}", figure.name, error.what());
-    return false;
   }
+  return false;
 }
 
 }  // namespace
@@ -48,7 +52,6 @@ int main(int argc, char** argv) {
     figures::Source source({run_folder, grid.dataset}, grid, report::Published(published_folder));
     std::size_t written = 0;
     for (const figures::Figure& figure : figures::catalogue()) written += save(source, figure);
-    if (written == 0) throw Error(Exit::input_missing, "no figure could be drawn; why, see above");
     std::cout << fmt::format("wrote the numbers of {} of {} figures\n", written,
                              figures::catalogue().size());
   });

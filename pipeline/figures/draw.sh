@@ -4,6 +4,10 @@
 # usage: pipeline/figures/draw.sh FOLDER/NAME.csv
 set -euo pipefail
 
+command -v gnuplot >/dev/null || {
+  echo "figures: gnuplot is not installed; \`make deps\` installs it (package gnuplot-nox)" >&2
+  exit 69
+}
 csv=$1
 name=$(basename "$csv" .csv)
 scripts=$(dirname "$0")
@@ -28,12 +32,13 @@ for format in svg pdf; do
     svg) terminal="svg size 960,$height dynamic font 'DejaVu Sans,13' linewidth 1.2 background rgb 'white'" ;;
     pdf) terminal="pdfcairo size 20cm,$(awk "BEGIN { print $height / 48 }")cm font 'DejaVu Sans,9' linewidth 1.2" ;;
   esac
+  # A series without a point, such as published values where there are none, is no cause for a word.
   gnuplot -e "data = '$csv'; scripts = '$scripts'; format = '$format'" - <<<"$words
 set terminal $terminal
 set output '$partial/$format'
 load scripts.'/style.gp'
 load '$script'
-unset output"
+unset output" 2> >(grep -vE 'Skipping data file with no valid points|^$' >&2)
 done
 # The same numbers give the same bytes: a PDF holds the time at which it was drawn, to be replaced by one of
 # the same length.

@@ -15,7 +15,7 @@ bool is_picture_of(const Figure& figure, const std::string& name) {
   return name == figure.name || name.starts_with(std::string(figure.name) + "@");
 }
 
-std::vector<text::File> numbers_of(Source& source, const Figure& figure) {
+std::vector<text::File> csv_files_of(Source& source, const Figure& figure) {
   const run::Layout& layout = source.layout();
   const std::string name = figure.name;
   if (figure.numbers != nullptr) return {{layout.figure_csv(name), figure.numbers(source).csv()}};
@@ -52,16 +52,21 @@ std::vector<std::string> stored_pictures(const run::Layout& layout, const Figure
   return names;
 }
 
-void save_pictures(Source& source, const Figure& figure) {
+std::vector<fs::path> save_pictures(Source& source, const Figure& figure) {
   std::vector<text::File> files;
   try {
-    files = numbers_of(source, figure);
+    files = csv_files_of(source, figure);
   } catch (const Error&) {
     remove_others(source.layout(), figure, {});
     throw;
   }
-  for (const text::File& file : files) text::save_if_changed(file);
+  std::vector<fs::path> saved;
+  for (const text::File& file : files) {
+    text::save_if_changed(file);
+    saved.push_back(file.path);
+  }
   remove_others(source.layout(), figure, files);
+  return saved;
 }
 
 }  // namespace piae::figures

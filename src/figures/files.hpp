@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -15,7 +16,7 @@ std::vector<std::string> stored_pictures(const run::Layout& layout, const Figure
 /// Makes the numbers of a figure and writes them, NAME.csv or NAME@PART.csv for each part. A file
 /// that would not change is left as it is. Pictures that the figure has no longer are removed, and
 /// all of them where a file that it needs is missing or refused, so that none shows what is no
-/// longer so; Error is thrown then, as Source says.
-void save_pictures(Source& source, const Figure& figure);
+/// longer so; Error is thrown then, as Source says. Returns the files that the figure has now.
+std::vector<std::filesystem::path> save_pictures(Source& source, const Figure& figure);
 
 }  // namespace piae::figures

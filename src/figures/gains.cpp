@@ -41,7 +41,7 @@ Numbers numbers_of(const std::vector<AccuracyRow>& rows, const std::vector<std::
 
 Numbers gains_of(Source& source, const std::vector<std::string>& methods) {
   std::vector<AccuracyRow> rows = report::gain_rows(source.accuracy_rows());
-  if (rows.empty()) throw Error(Exit::input_missing, "needs the method none in the grid");
+  if (rows.empty()) throw LeftOut("the method none is not among those asked for");
   std::erase_if(rows, [&](const AccuracyRow& row) {
     return std::ranges::find(methods, row.method) == methods.end() &&
            !augment::is_ceiling(row.method);

@@ -23,10 +23,11 @@ void require_whole(const run::Results& results) {
 std::vector<std::string> Source::inferring_methods() const {
   std::vector<std::string> methods;
   for (const std::string& method : grid_.scored) {
-    if (augment::find_entry(method)->infers) methods.push_back(method);
+    const augment::CatalogueEntry* entry = augment::find_entry(method);
+    if (entry != nullptr && entry->infers) methods.push_back(method);
   }
   if (methods.empty()) {
-    throw Error(Exit::input_missing, "needs a method that infers (k, c) in the grid");
+    throw LeftOut("no method here infers (k, c)");
   }
   return methods;
 }
@@ -75,7 +76,7 @@ scoring::DiagnosisRecord Source::features(const run::Combination& cell, std::int
 artefact::Reader Source::model(const std::string& method, std::int64_t seed) const {
   const auto of_method = [&](const run::Combination& cell) { return cell.method == method; };
   if (std::ranges::none_of(grid_.combinations, of_method)) {
-    throw Error(Exit::input_missing, "needs the method " + method + ", which is not in the grid");
+    throw LeftOut("the method " + method + " is not among those asked for");
   }
   return {layout_.model(method, seed), "model"};
 }

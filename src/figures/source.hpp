@@ -10,6 +10,13 @@
 
 namespace piae::figures {
 
+/// Thrown where a run is without what a figure shows, such as a method that was not asked for.
+/// Nothing is wrong then: the figure is left out.
+class LeftOut : public Error {
+ public:
+  explicit LeftOut(const std::string& line) : Error(Exit::input_missing, line) {}
+};
+
 /// What the figures of a dataset are drawn from: the cells of its grid in the folder of a run.
 /// Cells are read when a figure first asks for them. All members throw Error in one line, which
 /// names the first file that is missing or refused, and says how many others are.

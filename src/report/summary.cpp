@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::size_t widest_line = 80;
 
-std::string wrapped(const std::string& paragraph) {
+std::string wrapped_at_80(const std::string& paragraph) {
   std::istringstream words(paragraph);
   std::string text;
   std::size_t column = 0;
@@ -185,9 +185,9 @@ std::string summary_text(const run::Grid& grid, const run::Results& results,
                      accuracy_table(rows).plain();
   const std::vector<AccuracyRow> gains = largest_gains(rows);
   if (gains.empty()) return text;
-  text += '\n' + wrapped(who_helps(gains, *find_row(rows, augment::no_method, "")));
+  text += '\n' + wrapped_at_80(who_helps(gains, *find_row(rows, augment::no_method, "")));
   const std::string reason = why_it_falls_short(results, gains);
-  if (!reason.empty()) text += wrapped(reason);
+  if (!reason.empty()) text += wrapped_at_80(reason);
   return text;
 }
 

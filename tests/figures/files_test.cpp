@@ -51,7 +51,7 @@ TEST_F(FigureFiles, AreOneOfTheFiguresNameWhereItHasOnePicture) {
 
 TEST_F(FigureFiles, AreOneForEachPart) {
   figure_.pictures = two;
-  save_pictures(source_, figure_);
+  EXPECT_THAT(save_pictures(source_, figure_), ElementsAre(file("fig@b"), file("fig@a")));
   EXPECT_EQ(bytes_of(file("fig@b")), "value\n2\n");
   EXPECT_THAT(stored_pictures(layout_, figure_), ElementsAre("fig@a", "fig@b"));
 }
@@ -75,7 +75,7 @@ TEST_F(FigureFiles, OfAFigureThatCannotBeMadeAreRemoved) {
   save_pictures(source_, figure_);
   draw("fig");
   figure_.numbers = none;
-  EXPECT_ERROR((save_pictures(source_, figure_), 0), Exit::input_missing, "there is nothing");
+  EXPECT_ERROR(save_pictures(source_, figure_), Exit::input_missing, "there is nothing");
   EXPECT_THAT(stored_pictures(layout_, figure_), IsEmpty());
   EXPECT_FALSE(fs::exists(file("fig").replace_extension(".svg")));
 }

@@ -235,6 +235,7 @@ fussy_tabulate() {
   ln -sf ../stage fake/lenient/tabulate
   cat >fake/tabulate <<'STAGE'
 #!/bin/bash
+[[ -f $2 ]] || { echo "tabulate: $2 was not readable" >&2 && exit 66; }
 run=$4/$6 status=0 # --config FILE --run FOLDER --dataset NAME
 for file in "$run"/seed{0,1}/{none/100to1/diagnosis,{smote,piae-dt}/{score,10to1/diagnosis,1to1/diagnosis}}.h5; do
   [[ -e $file ]] || { echo "tabulate: $file: missing" >&2 && status=66; }
@@ -323,7 +324,7 @@ test_unknown_names_are_refused() {
   expect_line "$(grid RUN=../t 2>&1 || true)" "not a path"
   expect_line "$(grid METHODS='smote smote' 2>&1 || true)" "METHODS: 'smote smote' names one twice"
   expect_line "$(grid RUN=reference 2>&1 || true)" "RUN: 'reference' cannot be the name of a run"
-  expect_line "$(grid PROTOCOL='random blocked' 2>&1 || true)" "PROTOCOL: one of random and blocked"
+  expect_line "$(grid PROTOCOL='random blocked' 2>&1 || true)" "PROTOCOL: random or blocked, not 'random blocked'"
   expect_exit 2 grid PROTOCOL=other
   expect_equal "$(ls)" "$(printf '%s\n' Makefile fake jobs pipeline)"
 }

@@ -11,7 +11,7 @@ using testing::HasSubstr;
 
 /// Two windows of each of two classes; damping inferred 10 % too high, stiffness at random.
 Identification identification(std::int64_t seed) {
-  Identification one{"piae-dt", seed, {}, {}};
+  Identification one{.method = "piae-dt", .seed = seed, .windows = {}, .inferred = {}};
   one.windows.info.name = "example";
   one.windows.info.classes = {{"Normal", signal::Defect::none, 0},
                               {"IR", signal::Defect::inner, 0.2},
