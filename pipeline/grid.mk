@@ -113,6 +113,19 @@ $(patsubst %,$2/$3/%/diagnosis.h5,$(call method_ratios,$3)): $2/$3/%/diagnosis.h
 	  $(if $(filter $(baseline),$3),,--generated $2/$3/E.h5 )--ratio $$* --seed $1 --reproducible --output $$@
 endef
 
+# What the classifier makes of the test windows (Figs 20 and 21), of the lowest seed alone: each method
+# at the ratio with the most generated windows. The training is that of the diagnosis beside it, done
+# once more. It has a log of its own, as it is no cell of the grid.
+features_ratio = $(lastword $(filter $(call method_ratios,$1),$(call fact,ratio)))
+features_seed := $(firstword $(shell printf '%s\n' $(SEEDS) | sort -n))
+features       = $(foreach method,$(methods),$(results)/$1/seed$(features_seed)/$(method)/$(call features_ratio,$(method))/features.h5)
+
+define features_rule # its folder, method, ratio
+$1/$2/$3/features.h5: $(call windows,$1) $(if $(filter $(baseline),$2),,$1/$2/E.h5) $(settings)/diagnose.toml
+	$(Q)STEP_LOG=features pipeline/step.sh $$(@D) diagnose $$(config) --test $1/A.h5 --normal $1/B.h5 --known $1/C.h5 \
+	  $(if $(filter $(baseline),$2),,--generated $1/$2/E.h5 )--ratio $3 --seed $(features_seed) --reproducible --keep-features --output $$@
+endef
+
 seed_folders = $(foreach seed,$(SEEDS),$(results)/$1/seed$(seed))
 scores       = $(foreach folder,$(seed_folders),$(patsubst %,$(folder)/%/score.h5,$(filter-out $(ceilings),$(generators))))
 diagnoses    = $(foreach folder,$(seed_folders),$(foreach method,$(methods),\
@@ -160,15 +173,17 @@ endef
 $(foreach dataset,$(DATASETS),\
   $(eval $(call records_rule,$(dataset)))\
   $(eval $(call tables_rule,$(dataset)))\
+  $(foreach method,$(methods),$(eval $(call features_rule,$(results)/$(dataset)/seed$(features_seed),$(method),$(call features_ratio,$(method)))))\
   $(foreach seed,$(SEEDS),$(eval folder := $(results)/$(dataset)/seed$(seed))\
     $(eval $(call split_rule,$(dataset),$(seed),$(folder)))\
     $(foreach method,$(generators),$(eval $(call generator_rules,$(seed),$(folder),$(method))))\
     $(foreach method,$(methods),$(eval $(call diagnosis_rule,$(seed),$(folder),$(method))))))
 
 .DEFAULT_GOAL := cells
-.PHONY: records cells tables draw figures demo all list-cells sweep contrast identify
+.PHONY: records cells features tables draw figures demo all list-cells sweep contrast identify
 records: $(DATASETS:%=$(results)/%/records.h5)
 cells: $(foreach dataset,$(DATASETS),$(call cell_files,$(dataset)))
+features: $(foreach dataset,$(DATASETS),$(call features,$(dataset)))
 tables: $(foreach dataset,$(DATASETS),$(call tables_of,$(dataset)))
 	@:
 

@@ -49,4 +49,5 @@ done
 # the same length.
 LC_ALL=C sed -i -E '/^ *\/CreationDate \(D:/ s/D:[0-9]{14}/D:20000101000000/' "$partial/pdf"
 mv "$partial/pdf" "${csv%.csv}.pdf"
-mv "$partial/svg" "${csv%.csv}.svg"
+awk -f "$scripts/shorten.awk" "$partial/svg" >"$partial/short"
+mv "$partial/short" "${csv%.csv}.svg"

@@ -3,6 +3,7 @@
 #include "figures/confusion.hpp"
 #include "figures/critical_difference.hpp"
 #include "figures/curves.hpp"
+#include "figures/feature_maps.hpp"
 #include "figures/gains.hpp"
 #include "figures/identifiability.hpp"
 #include "figures/missed_faults.hpp"
@@ -12,6 +13,7 @@
 #include "figures/reliability.hpp"
 #include "figures/sweep.hpp"
 #include "figures/twin_space.hpp"
+#include "figures/windows_by_class.hpp"
 
 namespace piae::figures {
 
@@ -142,6 +144,38 @@ constexpr Figure figures[] = {
          "crosses the true values where windows are simulated.",
      .from = "seed<first>/<method>/model.h5, /twin_space; E.h5, /parameters",
      .numbers = twin_space},
+    {.name = "fig11-12-windows",
+     .paper = "Figs 11 and 12",
+     .title = "Real and generated windows",
+     .caption =
+         "One picture for each fault class, with all rows on the same axes. The window shown, of D "
+         "where it is real and of E where a method made it, is the one whose RMS is the median of "
+         "its set. Both spectra are means of all windows of the class, in dB to 1 m/s^2; those of "
+         "real windows stand in grey behind each. Lines are where a defect of the outer race "
+         "(BPFO), the inner race (BPFI) or a rolling element (2 BSF) shows in the envelope, and "
+         "its harmonics, at the nominal speed without slip; dotted ones lie a turn of the shaft "
+         "beside those of this class.",
+     .from = "seed<first>/D.h5 and seed<first>/<method>/E.h5, /windows",
+     .pictures = windows_by_class},
+    {.name = "fig20-tsne-hidden",
+     .paper = "Fig. 20",
+     .title = "Test windows as the classifier's hidden layer sees them",
+     .caption =
+         "t-SNE of all test windows by the 100 features of the last hidden layer; each method at "
+         "its ratio with the most generated windows. What lies together is alike to the "
+         "classifier; "
+         "how wide groups are and how far apart says little. Trustworthiness is 1 where all "
+         "neighbours on the map are neighbours in the layer, and about 0.5 by chance; KL is what "
+         "the map loses, in nats.",
+     .from = "seed<first>/<method>/<ratio>/features.h5, /features/hidden",
+     .numbers = hidden_map},
+    {.name = "fig21-tsne-output",
+     .paper = "Fig. 21",
+     .title = "Test windows as the classifier's output layer sees them",
+     .caption = "As Fig. 20, by the features of the output layer, before the softmax: one for each "
+                "class.",
+     .from = "seed<first>/<method>/<ratio>/features.h5, /features/output",
+     .numbers = output_map},
     {.name = "fig07-losses",
      .paper = "Fig. 7",
      .title = "Losses of PIAE-DT by epoch",

@@ -50,10 +50,23 @@ const std::vector<scoring::QualityRecord>& Source::qualities() {
   return *qualities_;
 }
 
-scoring::DiagnosisRecord Source::diagnosis(const run::Combination& cell, std::int64_t seed) const {
-  const artefact::Reader reader(layout_.diagnosis(cell.method, cell.ratio, seed), "diagnosis");
+scoring::DiagnosisRecord Source::read(const artefact::Reader& reader, const run::Combination& cell,
+                                      std::int64_t seed) const {
   run::read_diagnosis_cell(reader, grid_.dataset, cell, seed);
   return scoring::read_diagnosis(reader);
+}
+
+scoring::DiagnosisRecord Source::diagnosis(const run::Combination& cell, std::int64_t seed) const {
+  return read({layout_.diagnosis(cell.method, cell.ratio, seed), "diagnosis"}, cell, seed);
+}
+
+scoring::DiagnosisRecord Source::features(const run::Combination& cell, std::int64_t seed) const {
+  const artefact::Reader reader(layout_.features(cell.method, cell.ratio, seed), "diagnosis");
+  scoring::DiagnosisRecord record = read(reader, cell, seed);
+  if (!record.features) {
+    reader.refuse("/features", "is missing; diagnose --keep-features stores it");
+  }
+  return record;
 }
 
 artefact::Reader Source::model(const std::string& method, std::int64_t seed) const {

@@ -42,10 +42,17 @@ class Source {
   /// One diagnosis with everything that it says of the test windows.
   [[nodiscard]] scoring::DiagnosisRecord diagnosis(const run::Combination& cell,
                                                    std::int64_t seed) const;
+  /// The same with the features of the test windows, which are kept of some cells.
+  [[nodiscard]] scoring::DiagnosisRecord features(const run::Combination& cell,
+                                                  std::int64_t seed) const;
   /// The model of a method, which must be in the grid.
   [[nodiscard]] artefact::Reader model(const std::string& method, std::int64_t seed) const;
 
  private:
+  [[nodiscard]] scoring::DiagnosisRecord read(const artefact::Reader& reader,
+                                              const run::Combination& cell,
+                                              std::int64_t seed) const;
+
   run::Layout layout_;
   run::Grid grid_;
   report::Published published_;

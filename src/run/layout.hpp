@@ -31,6 +31,11 @@ class Layout {
                                                 std::int64_t seed) const {
     return method_folder(method, seed) / ratio / "diagnosis.h5";
   }
+  /// A diagnosis with the features of the test windows.
+  [[nodiscard]] std::filesystem::path features(const std::string& method, const std::string& ratio,
+                                               std::int64_t seed) const {
+    return method_folder(method, seed) / ratio / "features.h5";
+  }
   [[nodiscard]] std::filesystem::path model(const std::string& method, std::int64_t seed) const {
     return method_folder(method, seed) / "model.h5";
   }

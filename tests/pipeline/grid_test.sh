@@ -96,6 +96,39 @@ test_only_the_oracle_sees_real_windows_and_it_has_no_score() {
   expect_no_line "$(<$r/seed0/smote/model.h5)" "D.h5"
 }
 
+features() {
+  make --silent --file=pipeline/grid.mk features results=results/t RUN=t BIN=fake PROTOCOL=random \
+    DATASETS=real METHODS="none smote oracle" RATIOS="1to1 100to1 10to1" SEEDS="10 2" "$@"
+}
+
+test_features_are_kept_once_for_each_method() {
+  describe
+  features >/dev/null
+  expect_equal "$(ran)" "3 diagnose, 2 generate, 1 ingest, 1 split, 2 train"
+  local r=results/t/real s=results/t/.settings
+  expect_equal "$(cd $r && echo seed*/*/*/features.h5)" \
+    "seed2/none/100to1/features.h5 seed2/oracle/1to1/features.h5 seed2/smote/1to1/features.h5"
+  local windows="--test $r/seed2/A.h5 --normal $r/seed2/B.h5 --known $r/seed2/C.h5"
+  expect_equal "$(<$r/seed2/smote/1to1/features.h5)" \
+    "diagnose --config $s/diagnose.toml $windows --generated $r/seed2/smote/E.h5 --ratio 1to1 --seed 2 --reproducible --keep-features --output $r/seed2/smote/1to1/features.h5"
+  expect_equal "$(<$r/seed2/none/100to1/features.h5)" \
+    "diagnose --config $s/diagnose.toml $windows --ratio 100to1 --seed 2 --reproducible --keep-features --output $r/seed2/none/100to1/features.h5"
+  features >/dev/null
+  expect_equal "$(ran)" ""
+  sed -i 's/^epochs = 50/epochs = 60/' pipeline/protocol.toml
+  features >/dev/null
+  expect_equal "$(ran)" "3 diagnose"
+}
+
+test_features_and_diagnosis_have_logs_of_their_own() {
+  finished_grid
+  local log=results/t/real/seed0/smote/1to1/diagnose.log
+  cp $log before
+  features SEEDS="0 1" >/dev/null
+  expect_equal "$(<$log)" "$(<before)"
+  expect_line "$(<results/t/real/seed0/smote/1to1/features.log)" "--keep-features"
+}
+
 test_none_only_without_generated_windows() {
   finished_grid
   expect_equal "$(cd results/t/real/seed0 && echo {none,smote}/*to1)" "none/100to1 smote/10to1 smote/1to1"
