@@ -24,17 +24,16 @@ LINT     :=
 V        :=
 quickly  :=
 
-# The demo is a small grid of the same kind, on all cores unless -j says otherwise. Its programs have a
-# folder of their own, where they are built in half the time; it takes those in build/bin if it finds
-# them there. It needs no LibTorch, but does not take it from programs that are built with it.
+# The demo is a small grid of the same kind, on all cores unless -j says otherwise. Its programs are few,
+# without LibTorch, and have a folder of their own, where they are built in half the time.
 ifneq (,$(filter demo,$(MAKECMDGOALS)))
 RUN      := demo
 DATASETS := simulated-small
 METHODS  := none smote piae-dt piae-dt-phase oracle
 RATIOS   := 100to1 10to1
 SEEDS    := 0 1
-LIBTORCH := $(if $(wildcard build/bin/train-libtorch),on,off)
-quickly  := $(if $(wildcard build/bin/train),,demo)
+LIBTORCH := off
+quickly  := demo
 MAKEFLAGS += -j$(shell env -u OMP_NUM_THREADS nproc)
 endif
 
@@ -54,7 +53,11 @@ like_it    = $(foreach name,$(variables),$(if $(filter $1%,$(name))$(filter $(na
 meant      = $(firstword $(call like_it,$(call upper_case,$1)))
 $(foreach name,$(filter-out $(variables),$(given)),$(error there is no variable $(name); $(or \
   $(patsubst %,did you mean %?,$(call meant,$(name))),`make help` lists those there are)))
-$(if $(filter on off,$(LIBTORCH)),,$(error LIBTORCH: on or off, not '$(LIBTORCH)'))
+one_of = $(if $(and $(filter $2,$($1)),$(filter 1,$(words $($1)))),,$(error $1: $(firstword $2) or \
+  $(lastword $2), not '$($1)'))
+$(call one_of,LIBTORCH,on off)
+$(call one_of,PROTOCOL,random blocked)
+$(if $(filter-out all,$(LINT)),$(error LINT: all, or not given, not '$(LINT)'))
 
 # The folder, as a shell completes it, will do: RUN=results/try/ is RUN=try.
 override RUN := $(patsubst results/%,%,$(RUN:/=))
@@ -78,8 +81,9 @@ Q := $(if $(V),,@)
 help:
 	@printf '  %-11s%s\n' \
 	  demo     'install what is missing, build, run the method on a simulated bearing: start here' \
-	  all      'run the grid and make its tables in results/RUN/<dataset>/' \
+	  all      'run the grid, make its tables in results/RUN/<dataset>/ and draw its figures' \
 	  cells    'run the grid without the tables (on a cluster: see jobs/)' \
+	  figures  'draw what RUN holds, in results/RUN/<dataset>/figures/: CSV, SVG and PDF' \
 	  sweep    'vary the settings of piae-dt one at a time (pipeline/sweep.mk): sweep.csv, sweep.md' \
 	  contrast 'both protocols side by side, and both readings of cwru: protocols.md, rates.md' \
 	  identify 'whether the (k, c) of the twin are the true ones, on simulated windows' \
@@ -118,7 +122,7 @@ help:
 
 # ---- the grid -----------------------------------------------------------------------------------
 # All goals that are its own, files of results/ among them, go to one make.
-asked := $(filter records cells tables all demo sweep contrast identify results/%,$(MAKECMDGOALS))
+asked := $(filter records cells tables all figures demo sweep contrast identify results/%,$(MAKECMDGOALS))
 .PHONY: $(asked)
 $(asked): grid
 
@@ -128,7 +132,7 @@ choice = $(foreach name,RUN DATASETS METHODS RATIOS SEEDS PROTOCOL DATA_DIR BIN 
 unknown_yet := $(if $(findstring n,$(filter-out --%,$(flags))),$(if $(wildcard $(BIN)/settings),,yes))
 grid: | $(programs)
 	$(Q)+$(if $(unknown_yet),echo 'for the steps of the grid the programs must be built first: `make build`',\
-	  $(MAKE) --file=pipeline/grid.mk $(choice) $(asked:demo=all))
+	  $(MAKE) --file=pipeline/grid.mk $(choice) $(asked))
 
 status:
 	$(Q)pipeline/status.sh '$(results)' $(MAKE) --file=pipeline/grid.mk $(choice)
@@ -149,7 +153,7 @@ data: | $(programs)
 
 # ---- building -----------------------------------------------------------------------------------
 # What is to be built, of `programs tests benches` or `demo`: packages for that are installed first.
-build_them = pipeline/deps.sh $(LIBTORCH) $1 && pipeline/build.sh $(ARCH) $(LIBTORCH) $1
+build_them = pipeline/deps.sh $(LIBTORCH) $1 $(if $(filter all figures,$(asked)),figures) && pipeline/build.sh $(ARCH) $(LIBTORCH) $1
 
 build:
 	$(Q)$(call build_them,programs)
@@ -171,7 +175,7 @@ lint:
 	$(Q)LINT='$(LINT)' pipeline/lint.sh
 
 deps:
-	$(Q)pipeline/deps.sh $(LIBTORCH) programs tests benches
+	$(Q)pipeline/deps.sh $(LIBTORCH) programs tests benches figures
 
 clean:
 	rm -rf build

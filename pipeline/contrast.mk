@@ -1,5 +1,7 @@
 # What a condition is worth in points of accuracy: two runs side by side that differ in it alone.
 #
+# They are of all cells that both runs hold; METHODS, RATIOS and SEEDS say which must be there.
+#
 #   RUN and RUN-blocked      -> <dataset>/protocols.md      the overlap of windows in the split `random`
 #   cwru-as-published, cwru  -> cwru-as-published/rates.md  the mixed sample rates; where both are in
 #                                                           DATASETS
@@ -9,7 +11,13 @@
 one_protocol = $(MAKE) --file=pipeline/grid.mk PROTOCOL=$1 results=$2 cells
 # Folder and name of the table, the two runs' folders.
 contrast     = $(Q)pipeline/step.sh $1 contrast --with $3 --without $4 \
-  --methods $(METHODS) --ratios $(RATIOS) --seeds $(SEEDS) --output $1/$2.md
+  $(selection) $(call leave_out,$(sort $(call out_of_date_side,$3) $(call out_of_date_side,$4)))--output $1/$2.md
+# Of what a side holds besides what is asked for, that which is out of date.
+asked_in     = $(patsubst $(results)/$(notdir $1)/%,$1/%,$(call cell_files,$(notdir $1)))
+besides_in   = $(call besides,$1,$(call asked_in,$1))
+protocol_of  = $(if $(filter $(run_folder)-blocked/%,$1),blocked,random)
+out_of_date_side = $(if $(besides_in),$(call \
+  concerning,$1,$(besides_in),$(call out_of_date,$1,$(protocol_of),cells)))
 both_rates   = $(filter 2,$(words $(filter cwru cwru-as-published,$(DATASETS))))
 run_folder   = results/$(RUN)
 contrast_tables = $(DATASETS:%=$(run_folder)/%/protocols.md) \

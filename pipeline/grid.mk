@@ -6,6 +6,9 @@
 # A file under its final name is complete, since every stage writes beside it and renames; so a run
 # can be stopped at any moment, killed even, and the same command goes on where it was.
 #
+# METHODS, RATIOS and SEEDS say what must be there. Tables are of all cells that the run holds, so that
+# a part that is asked for never takes the place of the tables of the whole.
+#
 # What makes a step run again: its inputs, and its settings, which are compared by content (the
 # program `settings`). The programs are no prerequisites: building them again does not throw away days
 # of results. The raw recordings are none either: where the description gives their sha256 sums,
@@ -44,10 +47,8 @@ $(if $(filter-out $(words $2),$(words $(sort $2))),$(error $1: '$2' names one tw
 endef
 $(call check_words,DATASETS,$(DATASETS),$(call fact,dataset))
 $(call check_words,RATIOS,$(RATIOS),$(call fact,ratio))
-$(call check_words,PROTOCOL,$(PROTOCOL),random blocked)
 $(call check_words,METHODS,$(METHODS),$(call fact,method))
 $(call check_words,SEEDS,$(SEEDS),$(SEEDS))
-$(if $(filter 1,$(words $(PROTOCOL))),,$(error PROTOCOL: one of random and blocked))
 $(if $(shell printf '%s\n' $(SEEDS) | grep -vxE '0|[1-9][0-9]*'),\
   $(error SEEDS: whole numbers from 0 up, not '$(SEEDS)'))
 $(if $(findstring /,$(RUN)),$(error RUN: the name of a folder under results/, not a path: '$(RUN)'))
@@ -62,7 +63,8 @@ $(if $(methods),,$(error no cells: METHODS="$(METHODS)" RATIOS="$(RATIOS)"; $(ba
 
 # Programs that are built without LibTorch refuse these methods, too, but only when it is their turn.
 beyond_us := $(if $(wildcard $(BIN)/train-libtorch),,$(filter $(call fact,needs-libtorch),$(methods)))
-$(if $(beyond_us),$(error METHODS: only LibTorch computes $(beyond_us), and the programs in $(BIN) are built without it; build with LIBTORCH=on, or ask for METHODS="$(filter-out $(beyond_us),$(METHODS))"))
+# (out_of_date.sh, which only asks what would be done, may ask it of these, too.)
+$(if $(filter-out $(only_asking:yes=%),$(beyond_us)),$(error METHODS: only LibTorch computes $(beyond_us), and the programs in $(BIN) are built without it; build with LIBTORCH=on, or ask for METHODS="$(filter-out $(beyond_us),$(METHODS))"))
 
 # ---- settings -----------------------------------------------------------------------------------
 # The names of the settings files, without .toml; which options that make gives count as settings, too.
@@ -70,7 +72,6 @@ settings        := $(results)/.settings
 settings_names  := split generate score diagnose $(generators:%=train.%) $(DATASETS:%=datasets/%) $(DATASETS:%=tabulate.%)
 selection       := --methods $(METHODS) --ratios $(RATIOS) --seeds $(SEEDS)
 options.split   := --protocol $(PROTOCOL)
-$(foreach dataset,$(DATASETS),$(eval options.tabulate.$(dataset) := $(selection)))
 
 # ---- rules --------------------------------------------------------------------------------------
 # What is there is complete, so make has no cause to remove it when it is interrupted.
@@ -112,42 +113,98 @@ $(patsubst %,$2/$3/%/diagnosis.h5,$(call method_ratios,$3)): $2/$3/%/diagnosis.h
 	  $(if $(filter $(baseline),$3),,--generated $2/$3/E.h5 )--ratio $$* --seed $1 --reproducible --output $$@
 endef
 
+# What the classifier makes of the test windows (Figs 20 and 21), of the lowest seed alone: each method
+# at the ratio with the most generated windows. The training is that of the diagnosis beside it, done
+# once more. It has a log of its own, as it is no cell of the grid.
+features_ratio = $(lastword $(filter $(call method_ratios,$1),$(call fact,ratio)))
+features_seed := $(firstword $(shell printf '%s\n' $(SEEDS) | sort -n))
+features       = $(foreach method,$(methods),$(results)/$1/seed$(features_seed)/$(method)/$(call features_ratio,$(method))/features.h5)
+
+define features_rule # its folder, method, ratio
+$1/$2/$3/features.h5: $(call windows,$1) $(if $(filter $(baseline),$2),,$1/$2/E.h5) $(settings)/diagnose.toml
+	$(Q)STEP_LOG=features pipeline/step.sh $$(@D) diagnose $$(config) --test $1/A.h5 --normal $1/B.h5 --known $1/C.h5 \
+	  $(if $(filter $(baseline),$2),,--generated $1/$2/E.h5 )--ratio $3 --seed $(features_seed) --reproducible --keep-features --output $$@
+endef
+
 seed_folders = $(foreach seed,$(SEEDS),$(results)/$1/seed$(seed))
 scores       = $(foreach folder,$(seed_folders),$(patsubst %,$(folder)/%/score.h5,$(filter-out $(ceilings),$(generators))))
 diagnoses    = $(foreach folder,$(seed_folders),$(foreach method,$(methods),\
                  $(patsubst %,$(folder)/$(method)/%/diagnosis.h5,$(call method_ratios,$(method)))))
 cell_files   = $(call diagnoses,$1) $(call scores,$1)
+
+# ---- what the run holds besides what is asked for ----------------------------------------------
+held_cells = $(wildcard $1/seed*/*/score.h5 $1/seed*/*/*/diagnosis.h5)
+# Folder of the data set, cells asked for.
+besides    = $(filter-out $2,$(call held_cells,$1))
+
+# Of what a folder holds, that which make would make again: it is neither made, as nobody has asked
+# for it, nor shown. Folder of the data set, protocol, goal that has rules for what is there.
+out_of_date = $(shell pipeline/out_of_date.sh $1 $(MAKE) --file=pipeline/grid.mk only_asking=yes \
+  RUN='$(RUN)' DATASETS='$(notdir $1)' PROTOCOL='$2' DATA_DIR='$(DATA_DIR)' BIN='$(BIN)' \
+  results='$(patsubst %/,%,$(dir $1))' METHODS='$(call fact,method)' RATIOS='$(call fact,ratio)' $3)$(if \
+  $(filter 0,$(.SHELLSTATUS)),,$(error what is out of date in $1 cannot be told, see above))
+# Folder, files in it, what is out of date in it: the files that are not; and of what is out of date
+# that which concerns these files.
+up_to_date  = $(filter-out $(addprefix $1/,$3 $(3:%=%/%)),$2)
+concerning  = $(foreach name,$3,$(if $(filter $1/$(name) $1/$(name)/%,$2),$(name)))
+leave_out   = $(if $1,--leave-out $1 )
+
+# ---- tables -------------------------------------------------------------------------------------
 table_names  := accuracy.csv gains.csv quality.csv comparisons.csv ranks.csv tables.md tables.tex summary.txt
 tables_of    = $(table_names:%=$(results)/$1/%)
 
+# That a cell has been removed, no file's time tells: so the number of cells counts as a setting.
+wants_tables := $(filter tables $(foreach dataset,$(DATASETS),$(call tables_of,$(dataset))),$(MAKECMDGOALS))
+define find_besides # data set, its folder
+besides.$1  := $(if $(wants_tables),$(call besides,$2,$(call cell_files,$1)))
+left_out.$1 := $$(if $$(besides.$1),$$(call out_of_date,$2,$(PROTOCOL),cells))
+left_out.$1 := $$(call concerning,$2,$$(besides.$1),$$(left_out.$1))
+besides.$1  := $$(call up_to_date,$2,$$(besides.$1),$$(left_out.$1))
+options.tabulate.$1 := $$(words $(call cell_files,$1) $$(besides.$1)) cells
+endef
+$(foreach dataset,$(DATASETS),$(eval $(call find_besides,$(dataset),$(results)/$(dataset))))
+
 define tables_rule # data set
-$(call tables_of,$1) &: $(call cell_files,$1) $(wildcard results/published/*.csv) $(settings)/tabulate.$1.toml
-	$$(step) tabulate $$(config) --run $(results) --dataset $1 $(selection) --published results/published
+$(call tables_of,$1) &: $(call cell_files,$1) $(besides.$1) $(wildcard results/published/*.csv) $(settings)/tabulate.$1.toml
+	$$(step) tabulate $$(config) --run $(results) --dataset $1 $(selection) $(call leave_out,$(left_out.$1))--published results/published
 endef
 
 # A rule holds nothing that make would expand a second time, apart from what $$ defers.
 $(foreach dataset,$(DATASETS),\
   $(eval $(call records_rule,$(dataset)))\
   $(eval $(call tables_rule,$(dataset)))\
+  $(foreach method,$(methods),$(eval $(call features_rule,$(results)/$(dataset)/seed$(features_seed),$(method),$(call features_ratio,$(method)))))\
   $(foreach seed,$(SEEDS),$(eval folder := $(results)/$(dataset)/seed$(seed))\
     $(eval $(call split_rule,$(dataset),$(seed),$(folder)))\
     $(foreach method,$(generators),$(eval $(call generator_rules,$(seed),$(folder),$(method))))\
     $(foreach method,$(methods),$(eval $(call diagnosis_rule,$(seed),$(folder),$(method))))))
 
 .DEFAULT_GOAL := cells
-.PHONY: records cells tables all list-cells sweep contrast identify
+.PHONY: records cells features tables draw figures demo all list-cells sweep contrast identify
 records: $(DATASETS:%=$(results)/%/records.h5)
 cells: $(foreach dataset,$(DATASETS),$(call cell_files,$(dataset)))
+features: $(foreach dataset,$(DATASETS),$(call features,$(dataset)))
 tables: $(foreach dataset,$(DATASETS),$(call tables_of,$(dataset)))
 	@:
 
 # make does nothing more for a target when a prerequisite has failed. So a make of its own makes the
 # tables; where that fails, the cells that they lack are named.
 this_make = $(MAKE) --file=pipeline/grid.mk
-all:
-	$(Q)+pipeline/tables.sh $(this_make)
+define show_summaries
 	@cat $(DATASETS:%=$(results)/%/summary.txt)
 	@printf 'tables and artefacts: %s\n' $(DATASETS:%=$(results)/%/)
+endef
+draw:
+	$(Q)+$(MAKE) --file=pipeline/figures.mk results='$(results)' DATASETS='$(DATASETS)' selection='$(selection)'
+figures: draw
+	@printf 'figures: %s\n' $(DATASETS:%=$(results)/%/figures/)
+# Drawing would double what a newcomer waits for.
+demo:
+	$(Q)+pipeline/tables.sh $(this_make)
+	$(show_summaries)
+all:
+	$(Q)+pipeline/tables.sh $(if $(findstring q,$(firstword -$(MAKEFLAGS))),,--draw) $(this_make)
+	$(show_summaries)
 
 # For status.sh, also in a dry run.
 list-cells:

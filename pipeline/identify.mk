@@ -14,12 +14,23 @@ $(if $(identify_methods),,$(error make identify: METHODS must have one of $(infe
 
 identify_choice := --methods $(identify_methods) --seeds $(SEEDS)
 settings_names += $(identify_datasets:%=identify.%)
-$(foreach dataset,$(identify_datasets),$(eval options.identify.$(dataset) := $(identify_choice)))
+
+# Of all models that the run holds, as the tables of the grid are of all its cells (pipeline/grid.mk).
+identify_models = $(foreach folder,$(call seed_folders,$1),$(identify_methods:%=$(folder)/%/model.h5))
+held_models     = $(wildcard $(inferring:%=$1/seed*/%/model.h5))
+define find_other_models # data set, its folder
+other_models.$1     := $(filter-out $(call identify_models,$1),$(call held_models,$2))
+models_left_out.$1  := $$(if $$(other_models.$1),$$(call out_of_date,$2,$(PROTOCOL),identify))
+models_left_out.$1  := $$(call concerning,$2,$$(other_models.$1),$$(models_left_out.$1))
+other_models.$1     := $$(call up_to_date,$2,$$(other_models.$1),$$(models_left_out.$1))
+options.identify.$1 := $$(words $(call identify_models,$1) $$(other_models.$1)) models
+endef
+$(if $(only_asking),,$(foreach dataset,$(identify_datasets),$(eval $(call find_other_models,$(dataset),$(results)/$(dataset)))))
 
 define identify_rule # data set
-$(call identify_tables,$1) &: $(settings)/identify.$1.toml \
-    $(foreach folder,$(call seed_folders,$1),$(call windows,$(folder)) $(identify_methods:%=$(folder)/%/model.h5))
-	$$(step) identify $$(config) --run $(results) --dataset $1 $(identify_choice)
+$(call identify_tables,$1) &: $(settings)/identify.$1.toml $(call identify_models,$1) $(other_models.$1) \
+    $(foreach folder,$(call seed_folders,$1),$(call windows,$(folder)))
+	$$(step) identify $$(config) --run $(results) --dataset $1 $(call leave_out,$(models_left_out.$1))$(identify_choice)
 endef
 $(foreach dataset,$(identify_datasets),$(eval $(call identify_rule,$(dataset))))
 

@@ -12,7 +12,8 @@
 #
 # usage: pipeline/step.sh results/RUN/DATASET/... STAGE OPTION...
 # From the environment: BIN (folder of the programs), SUBMIT (a command to put before the stage),
-# ASKED_AT (when make began to look what is to be done; may be missing).
+# ASKED_AT (when make began to look what is to be done; may be missing), STEP_LOG (what the log is called
+# where the stage has another step in the same folder; otherwise as the stage).
 set -u
 export LC_ALL=C    # numbers and times with a point
 export PIAE_STEP=1 # the stage says on standard error what it used
@@ -20,7 +21,7 @@ export PIAE_STEP=1 # the stage says on standard error what it used
 folder=$1 stage=$2
 shift 2
 cell=${folder#results/*/}
-log=$folder/$stage.log
+log=$folder/${STEP_LOG:-$stage}.log
 # A stage runs on one thread: make and the scheduler fill the cores. Only simulate, which everything
 # else waits for, takes what there is.
 [[ $stage == simulate ]] || export OMP_NUM_THREADS=${OMP_NUM_THREADS:-1}

@@ -23,16 +23,26 @@ sweep_cells  := $(swept) $(foreach point,$(sweep_moved),sweep/$(subst =,-,$(poin
 sweep_choice := $(addprefix --centre ,$(sweep_centre)) --ratios $(sweep_ratios) --seeds $(SEEDS)
 
 settings_names += $(DATASETS:%=sweep.%)
-$(foreach dataset,$(DATASETS),$(eval options.sweep.$(dataset) := $(sweep_choice)))
 
 sweep_scores    = $(foreach folder,$(seed_folders),$(sweep_cells:%=$(folder)/%/score.h5))
 sweep_diagnoses = $(foreach folder,$(seed_folders),$(foreach cell,$(sweep_cells),\
                     $(sweep_ratios:%=$(folder)/$(cell)/%/diagnosis.h5)))
+# The table is of all that the run holds, as those of the grid are (pipeline/grid.mk).
+held_sweep      = $(wildcard $1/seed*/sweep/*/*/diagnosis.h5 $1/seed*/$(swept)/*/diagnosis.h5)
 sweep_tables    = $(results)/$1/sweep.csv $(results)/$1/sweep.md
 
+define find_swept_besides # data set, its folder
+swept_besides.$1  := $(filter-out $(call sweep_diagnoses,$1),$(call held_sweep,$2))
+swept_left_out.$1 := $$(if $$(swept_besides.$1),$$(call out_of_date,$2,$(PROTOCOL),sweep))
+swept_left_out.$1 := $$(call concerning,$2,$$(swept_besides.$1),$$(swept_left_out.$1))
+swept_besides.$1  := $$(call up_to_date,$2,$$(swept_besides.$1),$$(swept_left_out.$1))
+options.sweep.$1  := $$(words $(call sweep_diagnoses,$1) $$(swept_besides.$1)) cells, $(addprefix --centre ,$(sweep_centre))
+endef
+$(if $(only_asking),,$(foreach dataset,$(DATASETS),$(eval $(call find_swept_besides,$(dataset),$(results)/$(dataset)))))
+
 define sweep_rule # data set
-$(call sweep_tables,$1) &: $(call sweep_diagnoses,$1) $(settings)/sweep.$1.toml
-	$$(step) sweep $$(config) --run $(results) --dataset $1 $(sweep_choice)
+$(call sweep_tables,$1) &: $(call sweep_diagnoses,$1) $(swept_besides.$1) $(settings)/sweep.$1.toml
+	$$(step) sweep $$(config) --run $(results) --dataset $1 $(call leave_out,$(swept_left_out.$1))$(sweep_choice)
 endef
 
 define moved_rules # seed, its folder, factor, value

@@ -22,7 +22,8 @@ namespace fs = std::filesystem;
 namespace {
 
 scoring::DiagnosisRecord make_record(const diagnosis::Inputs& inputs, const scoring::Ratio& ratio,
-                                     std::int64_t seed, const diagnosis::WdcnnResult& result) {
+                                     std::int64_t seed, const diagnosis::WdcnnResult& result,
+                                     bool keep_features) {
   scoring::DiagnosisRecord record;
   record.info = inputs.test.info;
   record.method = inputs.method;
@@ -36,9 +37,12 @@ scoring::DiagnosisRecord make_record(const diagnosis::Inputs& inputs, const scor
   record.protocol = inputs.protocol;
   record.labels = inputs.test.labels;
   record.predictions = result.predictions;
-  record.scores = result.scores;
+  record.scores = result.outputs.scores;
   record.loss = result.loss;
   record.train_accuracy = result.train_accuracy;
+  if (keep_features) {
+    record.features = {.hidden = result.outputs.hidden, .output = result.outputs.logits};
+  }
   return record;
 }
 
@@ -63,6 +67,7 @@ int main(int argc, char** argv) {
   std::string ratio_name;
   cli::RunOptions run;
   bool reproducible = false;
+  bool keep_features = false;
   fs::path test_file;
   fs::path normal_file;
   fs::path known_file;
@@ -74,6 +79,9 @@ int main(int argc, char** argv) {
   stage.input_file("--generated", generated_file, "E.h5 made by generate; not with 100to1")
       .required(false);
   stage.output_file("--output", output, "diagnosis.h5, predictions and training curves");
+  stage.file_flag("--keep-features", keep_features,
+                  "also store what the classifier makes of the test windows: its last hidden layer "
+                  "and its output layer");
   stage.options()
       .add("--ratio", ratio_name,
            "normal to fault windows, and in brackets the generated ones of each fault class: " +
@@ -112,7 +120,7 @@ int main(int argc, char** argv) {
           progress.update(static_cast<std::size_t>(done), fmt::format("loss {:.3g}", loss));
         });
 
-    scoring::DiagnosisRecord record = make_record(inputs, ratio, run.seed, result);
+    scoring::DiagnosisRecord record = make_record(inputs, ratio, run.seed, result, keep_features);
     const double rate = static_cast<double>(options.epochs) * static_cast<double>(training.size()) /
                         result.training_seconds;
     if (!reproducible) record.train_windows_per_second = rate;

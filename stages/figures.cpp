@@ -5,28 +5,28 @@
 
 #include <iostream>
 
-#include "artefact/file.hpp"
 #include "cli/stage.hpp"
 #include "figures/catalogue.hpp"
-#include "text/file.hpp"
+#include "figures/files.hpp"
 
 using namespace piae;
 namespace fs = std::filesystem;
 
 namespace {
 
-/// Writes one figure's numbers. Those of an earlier run are removed where they cannot be made
-/// again, so that no picture shows what is no longer so.
-bool write(const figures::Figure& figure, figures::Source& source) {
-  const fs::path file = source.layout().figure_csv(figure.name);
+bool save(figures::Source& source, const figures::Figure& figure) {
   try {
-    text::save_if_changed({file, figure.numbers(source).csv()});
+    for (const fs::path& file : save_pictures(source, figure)) {
+      std::cout << "wrote " << file.filename().string() << '\n';
+    }
     return true;
+  } catch (const figures::LeftOut& reason) {
+    std::cout << fmt::format("left out {}: {}\n", figure.name, reason.what());
   } catch (const Error& error) {
+    if (error.exit() == Exit::failed) throw;  // such as a full disk: no other figure can be written
     spdlog::warn("{} is not drawn: {}", figure.name, error.what());
-    artefact::remove_file(file);
-    return false;
   }
+  return false;
 }
 
 }  // namespace
@@ -34,9 +34,10 @@ bool write(const figures::Figure& figure, figures::Source& source) {
 int main(int argc, char** argv) {
   cli::Stage stage(
       "figures",
-      "Writes the numbers of each figure of RUN/DATASET as RUN/DATASET/figures/NAME.csv, "
-      "from the artefacts there. A figure whose artefacts are missing is named and left "
-      "out; the others are written. A file that would not change is left as it is.",
+      "Writes the numbers of each figure of RUN/DATASET as RUN/DATASET/figures/NAME.csv, or "
+      "NAME@PART.csv where it has several parts, from the artefacts there. A figure whose "
+      "artefacts are missing is named and left out; the others are written. A file that would "
+      "not change is left as it is.",
       "figures --run results/try --dataset cwru --methods none piae-dt --ratios 100to1 "
       "10to1 --seeds 0 1 --published results/published");
   run::GridOptions options;
@@ -50,8 +51,7 @@ int main(int argc, char** argv) {
     const run::Grid grid = run::resolve(options);
     figures::Source source({run_folder, grid.dataset}, grid, report::Published(published_folder));
     std::size_t written = 0;
-    for (const figures::Figure& figure : figures::catalogue()) written += write(figure, source);
-    if (written == 0) throw Error(Exit::input_missing, "no figure could be drawn; why, see above");
+    for (const figures::Figure& figure : figures::catalogue()) written += save(source, figure);
     std::cout << fmt::format("wrote the numbers of {} of {} figures\n", written,
                              figures::catalogue().size());
   });

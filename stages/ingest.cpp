@@ -7,8 +7,11 @@
 #include "base/error.hpp"
 #include "cli/progress.hpp"
 #include "cli/stage.hpp"
-#include "signal/check.hpp"
-#include "text/table.hpp"
+#include "inspection/check.hpp"
+#include "inspection/picture.hpp"
+#include "inspection/tables.hpp"
+#include "inspection/warnings.hpp"
+#include "text/file.hpp"
 
 namespace fs = std::filesystem;
 using namespace piae;
@@ -28,31 +31,7 @@ signal::Recordings read_raw_files(const signal::Description& description, const 
   return signal::ingest(description, folder, [&](std::size_t done) { progress.update(done); });
 }
 
-/// Prints what was found as tables, and then each problem in a line of its own.
-void print_check(const signal::Description& description, const signal::DatasetCheck& check) {
-  const signal::DatasetInfo& info = description.info;
-  text::Table records({"record", "file", "Hz", "samples", "s", "rpm", "RMS"}, 2);
-  for (const signal::RecordCheck& record : check.records) {
-    const signal::RecordSource& source = record.source;
-    const auto samples = static_cast<double>(record.samples);
-    if (!record.problem.empty()) {
-      records.row({source.name, source.file, "unreadable"});
-      continue;
-    }
-    records.row({source.name, source.file, fmt::format("{:g}", source.sample_rate_hz),
-                 std::to_string(record.samples),
-                 fmt::format("{:.2f}", samples / info.sample_rate_hz),
-                 fmt::format("{:g}", source.shaft_speed_rpm), fmt::format("{:.4g}", record.rms)});
-  }
-  text::Table classes({"class", "defect", "mm", "records", "stride"}, 2);
-  for (const signal::ClassCheck& c : check.classes) {
-    const signal::ClassInfo& described = info.class_of(c.label);
-    classes.row({described.name, signal::to_string(described.defect),
-                 fmt::format("{:g}", described.defect_size_mm), std::to_string(c.records),
-                 c.stride > 0 ? std::to_string(c.stride) : "-"});
-  }
-  std::cout << fmt::format("{}, samples at {:g} Hz\n\n{}\n{}", info.name, info.sample_rate_hz,
-                           records.plain(), classes.plain());
+void print_problems(const signal::DatasetInfo& info, const inspection::DatasetCheck& check) {
   for (const auto& record : check.records) {
     if (!record.problem.empty()) std::cout << record.problem << '\n';
   }
@@ -63,13 +42,24 @@ void print_check(const signal::Description& description, const signal::DatasetCh
   }
 }
 
-void check_files(const signal::Description& description, const fs::path& folder) {
+/// Prints what was found as tables, and then each warning and each problem in a line of its own.
+/// Draws the picture, too, where its file is named.
+void check_files(const signal::Description& description, const fs::path& folder,
+                 const fs::path& picture) {
   cli::Progress progress("check", "records", description.records.size());
-  const signal::DatasetCheck check =
-      signal::check(description, folder, [&](std::size_t done) { progress.update(done); });
-  print_check(description, check);
-  if (check.exit == Exit::done) return;
-  throw Error(check.exit, description.info.name + ": cannot be used as it is, see above");
+  const inspection::DatasetCheck check =
+      inspection::check(description, folder, [&](std::size_t done) { progress.update(done); });
+  const signal::DatasetInfo& info = description.info;
+  const std::vector<std::string> warnings = inspection::warnings_of(description, check);
+  std::cout << inspection::tables_of(description, check) << '\n';
+  for (const std::string& warning : warnings) std::cout << "warning: " << warning << '\n';
+  print_problems(info, check);
+  if (!picture.empty()) text::save_all({{picture, inspection::picture_of(info, check)}});
+  if (check.exit != Exit::done) {
+    throw Error(check.exit, info.name + ": cannot be used as it is, see above");
+  }
+  std::cout << fmt::format("checked {} records of {} classes, warnings: {}\n", check.records.size(),
+                           check.classes.size(), warnings.size());
 }
 
 }  // namespace
@@ -83,6 +73,7 @@ int main(int argc, char** argv) {
   fs::path file;
   fs::path data_dir = "data";
   fs::path output;
+  fs::path picture;
   bool sources = false;
   bool check = false;
   stage.input_file("--description", file, "Dataset description (TOML)");
@@ -91,12 +82,16 @@ int main(int argc, char** argv) {
       .required(false);
   stage.file_flag("--sources", sources, "Print 'sha256  file  url' of each raw file and stop");
   stage.file_flag("--check", check,
-                  "Read everything, say what was found and what is wrong, and write nothing");
+                  "Read everything, say what was found, what is odd and what is wrong, and write "
+                  "no artefact");
+  stage.output_file("--picture", picture, "With --check: draw the recordings into this file (SVG)")
+      .required(false);
 
   return stage.run(argc, argv, [&] {
     const signal::Description description = signal::read_description(file);
     if (sources) return print_sources(description);
-    if (check) return check_files(description, data_dir);
+    if (check) return check_files(description, data_dir, picture);
+    if (!picture.empty()) throw Error(Exit::usage, "--picture needs --check (see ingest --help)");
     if (output.empty()) throw Error(Exit::usage, "--output is required (see ingest --help)");
     stage.note_input("description", file);
     const signal::Recordings recordings = read_raw_files(description, data_dir);

@@ -4,6 +4,10 @@
 # usage: pipeline/figures/draw.sh FOLDER/NAME.csv
 set -euo pipefail
 
+command -v gnuplot >/dev/null || {
+  echo "figures: gnuplot is not installed; \`make deps\` installs it (package gnuplot-nox)" >&2
+  exit 69
+}
 csv=$1
 name=$(basename "$csv" .csv)
 scripts=$(dirname "$0")
@@ -17,23 +21,33 @@ words=$(awk -F, '
   { for (i = 1; i <= columns; ++i) if ($i != "" && !((i, $i) in seen)) {
       seen[i, $i]; all[i] = all[i] (all[i] == "" ? "" : " ") $i
       if ($i !~ /^[-+]?[0-9]*\.?[0-9]+([eE][-+]?[0-9]+)?$/) wordy[i] } }
-  END { for (i = 1; i <= columns; ++i) if (i in wordy || column[i] == "seed")
+  # Seeds are words though they are digits, and so are the names of classes, which may be.
+  END { for (i = 1; i <= columns; ++i) if (i in wordy || column[i] ~ /^(seed|class|truth|predicted)$/)
           printf "words_%s = \"%s\"\n", column[i], all[i] }' "$csv")
 
+# A script that needs another height than 600 says so in a line "# height: EXPRESSION", which may ask how many
+# words there are. The script finds it as `height`.
+height=$(sed -nE 's/^# height: (.+)$/\1/p' "$script")
+height=$(gnuplot - <<<"$words
+load '$scripts/style.gp'
+set print '-'
+print int(${height:-600})")
 for format in svg pdf; do
   case $format in
-    svg) terminal="svg size 960,600 dynamic font 'DejaVu Sans,13' linewidth 1.2 background rgb 'white'" ;;
-    pdf) terminal="pdfcairo size 20cm,12.5cm font 'DejaVu Sans,9' linewidth 1.2" ;;
+    svg) terminal="svg size 960,$height dynamic font 'DejaVu Sans,13' linewidth 1.2 background rgb 'white'" ;;
+    pdf) terminal="pdfcairo size 20cm,$(awk "BEGIN { print $height / 48 }")cm font 'DejaVu Sans,9' linewidth 1.2" ;;
   esac
-  gnuplot -e "data = '$csv'; format = '$format'" - <<<"$words
+  # A series without a point, such as published values where there are none, is no cause for a word.
+  gnuplot -e "data = '$csv'; scripts = '$scripts'; format = '$format'; height = $height" - <<<"$words
 set terminal $terminal
 set output '$partial/$format'
-load '$scripts/style.gp'
+load scripts.'/style.gp'
 load '$script'
-unset output"
+unset output" 2> >(grep -vE 'Skipping data file with no valid points|^$' >&2)
 done
 # The same numbers give the same bytes: a PDF holds the time at which it was drawn, to be replaced by one of
 # the same length.
 LC_ALL=C sed -i -E '/^ *\/CreationDate \(D:/ s/D:[0-9]{14}/D:20000101000000/' "$partial/pdf"
 mv "$partial/pdf" "${csv%.csv}.pdf"
-mv "$partial/svg" "${csv%.csv}.svg"
+awk -f "$scripts/shorten.awk" "$partial/svg" >"$partial/short"
+mv "$partial/short" "${csv%.csv}.svg"

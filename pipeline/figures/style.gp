@@ -14,9 +14,10 @@ set encoding utf8
 array okabe_ito[8] = [0x0072B2, 0xD55E00, 0x009E73, 0xCC79A7, 0xE69F00, 0x56B4E9, 0x000000, 0x999933]
 array marks[8]     = [7, 5, 9, 11, 13, 6, 4, 8]
 array dashes[8]    = [1, 2, 4, 5, 3, 1, 2, 4]
-colour(i) = okabe_ito[(i - 1) % 8 + 1]
-mark(i)   = marks[(i - 1) % 8 + 1]
-dash(i)   = dashes[(i - 1) % 8 + 1]
+# Also for 0, which gnuplot asks for where a list is empty.
+colour(i) = okabe_ito[(i + 7) % 8 + 1]
+mark(i)   = marks[(i + 7 + 3 * ((i - 1) / 8)) % 8 + 1]  # the ninth differs from the first
+dash(i)   = dashes[(i + 7) % 8 + 1]
 faint(i)  = (0xB0 << 24) + colour(i)
 ceiling_colour = 0x777777
 panels(n, columns) = (n + columns - 1) / columns

@@ -5,6 +5,7 @@
 
 #include "base/label.hpp"
 #include "diagnosis/batches.hpp"
+#include "diagnosis/wdcnn_layers.hpp"
 #include "diagnosis/wdcnn_network.hpp"
 #include "nets/adam.hpp"
 
@@ -55,9 +56,10 @@ class OneCoreBackend final : public WdcnnBackend {
 
   BatchOutcome finish_epoch() override { return sums_; }
 
-  std::vector<float> scores(const LabelledWindows& windows) override {
+  WdcnnOutputs outputs(const LabelledWindows& windows) override {
     const std::size_t classes = windows.classes;
-    std::vector<float> scores(windows.size() * classes);
+    WdcnnOutputs all;
+    all.scores.resize(windows.size() * classes);
     std::vector<const float*> batch;
     for (std::size_t begin = 0; begin < windows.size(); begin += batch.size()) {
       batch.clear();
@@ -66,11 +68,15 @@ class OneCoreBackend final : public WdcnnBackend {
         batch.push_back(windows.samples.data() + i * windows.length);
       }
       const float* logits = network_.forward(batch, Network::Mode::evaluation);
+      const float* hidden = network_.hidden();
       for (std::size_t i = begin; i < end; ++i, logits += network_.logits_row()) {
-        softmax(static_cast<std::int64_t>(classes), logits, scores.data() + i * classes);
+        softmax(static_cast<std::int64_t>(classes), logits, all.scores.data() + i * classes);
+        all.logits.insert(all.logits.end(), logits, logits + classes);
+        all.hidden.insert(all.hidden.end(), hidden, hidden + WdcnnLayers::hidden);
+        hidden += network_.hidden_row();
       }
     }
-    return scores;
+    return all;
   }
 
  private:

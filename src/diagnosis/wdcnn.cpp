@@ -64,13 +64,14 @@ void train(WdcnnBackend& backend, std::size_t windows, const WdcnnOptions& optio
 
 void test(WdcnnBackend& backend, const LabelledWindows& set, const WdcnnOptions& options,
           WdcnnResult& result) {
-  result.scores = backend.scores(set);
-  if (!std::ranges::all_of(result.scores, [](float score) { return std::isfinite(score); })) {
+  result.outputs = backend.outputs(set);
+  const std::vector<float>& scores = result.outputs.scores;
+  if (!std::ranges::all_of(scores, [](float score) { return std::isfinite(score); })) {
     nets::throw_diverged(training, static_cast<std::size_t>(options.epochs),
                          {.value = options.learning_rate});
   }
   const auto classes = static_cast<std::ptrdiff_t>(set.classes);
-  for (auto row = result.scores.begin(); row != result.scores.end(); row += classes) {
+  for (auto row = scores.begin(); row != scores.end(); row += classes) {
     result.predictions.push_back(static_cast<Label>(std::max_element(row, row + classes) - row));
   }
 }

@@ -16,7 +16,7 @@ namespace piae::diagnosis {
 struct WdcnnResult {
   std::vector<double> loss;            ///< [epochs] mean cross-entropy over the epoch's windows
   std::vector<double> train_accuracy;  ///< [epochs] in [0, 1]; each window before its own update
-  std::vector<float> scores;           ///< row-major [n, classes]: softmax of each test window
+  WdcnnOutputs outputs;                ///< of each test window
   std::vector<Label> predictions;      ///< [n] the class with the highest score
   double training_seconds = 0;         ///< time of the epochs, without start-up and test
 };

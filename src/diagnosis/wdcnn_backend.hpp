@@ -14,6 +14,13 @@
 
 namespace piae::diagnosis {
 
+/// What a network makes of n windows.
+struct WdcnnOutputs {
+  std::vector<float> hidden;  ///< row-major [n, WdcnnLayers::hidden]: the dense layer after ReLU
+  std::vector<float> logits;  ///< row-major [n, classes]: the output layer
+  std::vector<float> scores;  ///< row-major [n, classes]: the softmax of the logits
+};
+
 /// A back end: it computes WDCNN on one training set, with its gradients and the steps of Adam.
 /// Which windows make a batch, and when the training ends, is decided in wdcnn.cpp, for every back
 /// end alike.
@@ -28,9 +35,8 @@ class WdcnnBackend {
   virtual void step(std::int64_t begin, std::int64_t end) = 0;
   /// What all batches since begin_epoch() gave together, each at the parameters before its update.
   virtual BatchOutcome finish_epoch() = 0;
-  /// The softmax of each of n windows, row-major [n, classes]. Batch normalisation uses its running
-  /// statistics.
-  virtual std::vector<float> scores(const LabelledWindows& windows) = 0;
+  /// What the network makes of each window. Batch normalisation uses its running statistics.
+  virtual WdcnnOutputs outputs(const LabelledWindows& windows) = 0;
 };
 
 /// Makes a back end, which owns its training set. Initial values come from `initial`.

@@ -35,6 +35,11 @@ class WdcnnNetwork {
   const T* forward(std::span<const float* const> windows, Mode mode);
   [[nodiscard]] std::int64_t logits_row() const { return classes_.convolution.outputs; }
 
+  /// The dense layer after ReLU, in the last forward(). That of window i begins at i *
+  /// hidden_row(); the first WdcnnLayers::hidden numbers of a row count.
+  [[nodiscard]] const T* hidden() const { return classes_.input.data(); }
+  [[nodiscard]] std::int64_t hidden_row() const { return classes_.convolution.inputs; }
+
   /// Computes the gradients of the mean cross-entropy over the batch of the last forward(), which
   /// must have been in training mode, for these labels of its windows.
   BatchOutcome backward(std::span<const Label> labels);

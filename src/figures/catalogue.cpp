@@ -1,9 +1,19 @@
 #include "figures/catalogue.hpp"
 
+#include "figures/confusion.hpp"
+#include "figures/critical_difference.hpp"
 #include "figures/curves.hpp"
+#include "figures/feature_maps.hpp"
 #include "figures/gains.hpp"
+#include "figures/identifiability.hpp"
+#include "figures/missed_faults.hpp"
+#include "figures/paired_differences.hpp"
+#include "figures/protocols.hpp"
 #include "figures/quality.hpp"
+#include "figures/reliability.hpp"
+#include "figures/sweep.hpp"
 #include "figures/twin_space.hpp"
+#include "figures/windows_by_class.hpp"
 
 namespace piae::figures {
 
@@ -34,6 +44,82 @@ constexpr Figure figures[] = {
                 "The grey band is the accuracy without generated windows.",
      .from = "seed*/<method>/<ratio>/diagnosis.h5, /predictions",
      .numbers = accuracies},
+    {.name = "paired-differences",
+     .paper = "",
+     .title = "Each method against the method of interest, paired by seed",
+     .caption = "Accuracy minus that of the same seed by piae-dt-phase, or else piae-dt, in "
+                "points; left of "
+                "zero a method is worse. Dots are seeds, marks their mean, bars its 95 % interval. "
+                "p is of "
+                "Wilcoxon's test with Holm's correction over the methods of a panel.",
+     .from = "seed*/<method>/<ratio>/diagnosis.h5, /predictions",
+     .numbers = paired_differences},
+    {.name = "critical-difference",
+     .paper = "",
+     .title = "How the methods rank",
+     .caption =
+         "Critical-difference diagram (Demsar 2006): average rank of each method among those of "
+         "the same seed, 1 being the best. A bar joins methods that differ by less than the "
+         "critical difference (CD): the test does not tell them apart at 0.05.",
+     .from = "seed*/<method>/<ratio>/diagnosis.h5, /predictions",
+     .numbers = critical_differences},
+    {.name = "confusion",
+     .paper = "",
+     .title = "What was taken for what",
+     .caption =
+         "Confusion matrices over the test windows of all seeds, with the most generated windows: "
+         "a "
+         "row for each true class, in percent of its windows. Blue is right, orange wrong; shares "
+         "below 5 % have no number.",
+     .from = "seed*/<method>/<last ratio>/diagnosis.h5, /labels and /predictions",
+     .numbers = confusions},
+    {.name = "missed-faults",
+     .paper = "",
+     .title = "Missed faults and false alarms",
+     .caption =
+         "Test windows of each fault that were taken for healthy, and healthy ones that were taken "
+         "for a fault, in percent, with the most generated windows. Dots are seeds, marks their "
+         "mean; further left is better.",
+     .from = "seed*/<method>/<last ratio>/diagnosis.h5, /labels and /predictions",
+     .numbers = missed_faults},
+    {.name = "reliability",
+     .paper = "",
+     .title = "Whether the classifier is right as often as it says",
+     .caption =
+         "Test windows of all seeds, with the most generated windows, in ten bins by the softmax "
+         "score of the class that was named. Below the diagonal the classifier is surer than it "
+         "may be. Grey bars are the share of the windows in each bin; ECE is the mean distance "
+         "from the diagonal, weighted by them.",
+     .from = "seed*/<method>/<last ratio>/diagnosis.h5, /scores and /predictions",
+     .numbers = reliabilities},
+    {.name = "protocols",
+     .paper = "",
+     .title = "What overlapping windows are worth",
+     .caption =
+         "Accuracy in percent with the paper's split, in which windows for testing overlap those "
+         "for training, beside that with a split without overlap. Dots are seeds, marks their "
+         "mean, "
+         "bars its 95 % interval.",
+     .from = "seed*/<method>/<ratio>/diagnosis.h5, /predictions, of the run and of RUN-blocked",
+     .numbers = protocols},
+    {.name = "fig19-sweep",
+     .paper = "Fig. 19",
+     .title = "The settings of PIAE-DT, one at a time",
+     .caption = "Accuracy in percent where one setting is moved and all others stay. Dots are "
+                "seeds, marks "
+                "their mean, bars its 95 % interval; the shaded value is that of the grid.",
+     .from = "seed*/sweep/<setting>/<ratio>/diagnosis.h5, seed*/piae-dt/<ratio>/diagnosis.h5",
+     .numbers = sweeps},
+    {.name = "identifiability",
+     .paper = "",
+     .title = "Stiffness and damping, inferred against true",
+     .caption =
+         "Windows that the models have not seen, in ten groups by their true value: the median of "
+         "what was inferred, and between what 80 % of it lie. On the diagonal both are the same. "
+         "R2 is 1 there, and 0 where naming the mean would do as well.",
+     .from = "scatter.csv and identifiability.csv, which `identify` makes of seed*/D.h5 and "
+             "seed*/<method>/model.h5",
+     .numbers = identifiability},
     {.name = "fig13-14-quality",
      .paper = "Figs 13 and 14",
      .title = "How good the generated windows are",
@@ -58,6 +144,38 @@ constexpr Figure figures[] = {
          "crosses the true values where windows are simulated.",
      .from = "seed<first>/<method>/model.h5, /twin_space; E.h5, /parameters",
      .numbers = twin_space},
+    {.name = "fig11-12-windows",
+     .paper = "Figs 11 and 12",
+     .title = "Real and generated windows",
+     .caption =
+         "One picture for each fault class, with all rows on the same axes. The window shown, of D "
+         "where it is real and of E where a method made it, is the one whose RMS is the median of "
+         "its set. Both spectra are means of all windows of the class, in dB to 1 m/s^2; those of "
+         "real windows stand in grey behind each. Lines are where a defect of the outer race "
+         "(BPFO), the inner race (BPFI) or a rolling element (2 BSF) shows in the envelope, and "
+         "its harmonics, at the nominal speed without slip; dotted ones lie a turn of the shaft "
+         "beside those of this class.",
+     .from = "seed<first>/D.h5 and seed<first>/<method>/E.h5, /windows",
+     .pictures = windows_by_class},
+    {.name = "fig20-tsne-hidden",
+     .paper = "Fig. 20",
+     .title = "Test windows as the classifier's hidden layer sees them",
+     .caption =
+         "t-SNE of all test windows by the 100 features of the last hidden layer; each method at "
+         "its ratio with the most generated windows. What lies together is alike to the "
+         "classifier; "
+         "how wide groups are and how far apart says little. Trustworthiness is 1 where all "
+         "neighbours on the map are neighbours in the layer, and about 0.5 by chance; KL is what "
+         "the map loses, in nats.",
+     .from = "seed<first>/<method>/<ratio>/features.h5, /features/hidden",
+     .numbers = hidden_map},
+    {.name = "fig21-tsne-output",
+     .paper = "Fig. 21",
+     .title = "Test windows as the classifier's output layer sees them",
+     .caption = "As Fig. 20, by the features of the output layer, before the softmax: one for each "
+                "class.",
+     .from = "seed<first>/<method>/<ratio>/features.h5, /features/output",
+     .numbers = output_map},
     {.name = "fig07-losses",
      .paper = "Fig. 7",
      .title = "Losses of PIAE-DT by epoch",

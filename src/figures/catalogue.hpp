@@ -1,21 +1,24 @@
 #pragma once
 
 #include <span>
-#include <string>
+#include <vector>
 
 #include "figures/numbers.hpp"
+#include "figures/picture.hpp"
 #include "figures/source.hpp"
 
 namespace piae::figures {
 
-/// One figure: its files are NAME.csv, NAME.svg and NAME.pdf, drawn by pipeline/figures/NAME.gp.
+/// One figure, drawn by pipeline/figures/NAME.gp. It has either one picture, whose files are
+/// NAME.csv, NAME.svg and NAME.pdf, or several: NAME@PART.csv and so on.
 struct Figure {
   const char* name;     ///< what it shows, after the paper's number where the paper has it
   const char* paper;    ///< "Fig. 7"; empty for what the paper lacks
   const char* title;    ///< what it shows, in a few words
   const char* caption;  ///< how to read it, in sentences
   const char* from;     ///< the artefacts of a run that its numbers come from
-  Numbers (*numbers)(Source&);
+  Numbers (*numbers)(Source&) = nullptr;                ///< of a figure with one picture
+  std::vector<Picture> (*pictures)(Source&) = nullptr;  ///< of one with several
 };
 
 /// All figures in the order in which they are shown. This is the one place that knows them: the

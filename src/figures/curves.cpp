@@ -44,8 +44,8 @@ std::vector<SeedCurves> curves_of_all_seeds(Source& source) {
   std::vector<SeedCurves> all;
   for (const std::int64_t seed : source.grid().seeds) {
     const artefact::Reader model = source.model(augment::paper_method(), seed);
-    SeedCurves one{.seed = std::to_string(seed), .epochs_in_a_row = stage_epochs_of(model),
-                   .curves = {}};
+    SeedCurves one{
+        .seed = std::to_string(seed), .epochs_in_a_row = stage_epochs_of(model), .curves = {}};
     one.curves.read(model);
     all.push_back(std::move(one));
   }

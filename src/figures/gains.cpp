@@ -5,15 +5,13 @@
 
 #include "augment/catalogue.hpp"
 #include "figures/groups.hpp"
+#include "figures/intervals.hpp"
 
 namespace piae::figures {
 
 namespace {
 
 using report::AccuracyRow;
-
-/// The t interval of two seeds is wider than all that a percentage can be.
-constexpr std::size_t fewest_seeds_of_an_interval = 3;
 
 std::string or_empty(std::optional<double> number) { return number ? digits(*number) : ""; }
 
@@ -24,10 +22,9 @@ void add_row(Numbers& numbers, const AccuracyRow& row, const std::vector<std::in
     numbers.row({row.method, ceiling, row.ratio, generated, std::to_string(seeds[i]),
                  digits(row.values[i]), "", "", ""});
   }
-  const bool enough = row.values.size() >= fewest_seeds_of_an_interval;
-  const auto interval = enough ? row.summary.interval : std::nullopt;
+  const std::vector<std::string> interval = shown_interval(row.summary);
   numbers.row({row.method, ceiling, row.ratio, generated, "mean", digits(row.summary.mean),
-               interval ? digits(interval->low) : "", interval ? digits(interval->high) : "",
+               interval[0], interval[1],
                or_empty(row.published ? row.published : row.orientation)});
 }
 
@@ -41,7 +38,7 @@ Numbers numbers_of(const std::vector<AccuracyRow>& rows, const std::vector<std::
 
 Numbers gains_of(Source& source, const std::vector<std::string>& methods) {
   std::vector<AccuracyRow> rows = report::gain_rows(source.accuracy_rows());
-  if (rows.empty()) throw Error(Exit::input_missing, "needs the method none in the grid");
+  if (rows.empty()) throw LeftOut("the method none is not among those asked for");
   std::erase_if(rows, [&](const AccuracyRow& row) {
     return std::ranges::find(methods, row.method) == methods.end() &&
            !augment::is_ceiling(row.method);

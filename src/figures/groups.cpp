@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "base/error.hpp"
+#include "figures/source.hpp"
 #include "report/paper_methods.hpp"
 
 namespace piae::figures {
@@ -15,9 +15,9 @@ std::vector<std::string> methods_in(const run::Grid& grid, Group group) {
   for (const report::MethodGroup& candidate : report::method_groups(all)) {
     if (candidate.are_models == (group == Group::models)) return candidate.methods;
   }
-  throw Error(Exit::input_missing, group == Group::models
-                                       ? "needs an ablation of the paper's method in the grid"
-                                       : "needs a method in the grid");
+  throw LeftOut(group == Group::models
+                    ? "no ablation of the paper's method is among those asked for"
+                    : "no method is among those asked for");
 }
 
 }  // namespace piae::figures

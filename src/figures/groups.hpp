@@ -13,7 +13,7 @@ enum class Group {
   models,   ///< the paper's five models (Tables 10 and 11)
 };
 
-/// Those of a grid, in its order. Throws Error(input_missing) where the grid has none of a group.
+/// Those of a grid, in its order. Throws LeftOut where the grid has none of a group.
 std::vector<std::string> methods_in(const run::Grid& grid, Group group);
 
 }  // namespace piae::figures

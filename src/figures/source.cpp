@@ -8,8 +8,6 @@
 
 namespace piae::figures {
 
-namespace {
-
 void require_whole(const run::Results& results) {
   if (results.problems.empty()) return;
   const std::size_t others = results.problems.size() - 1;
@@ -18,15 +16,14 @@ void require_whole(const run::Results& results) {
   throw Error(results.exit, fmt::format("{} (and {} more)", first, others));
 }
 
-}  // namespace
-
 std::vector<std::string> Source::inferring_methods() const {
   std::vector<std::string> methods;
   for (const std::string& method : grid_.scored) {
-    if (augment::find_entry(method)->infers) methods.push_back(method);
+    const augment::CatalogueEntry* entry = augment::find_entry(method);
+    if (entry != nullptr && entry->infers) methods.push_back(method);
   }
   if (methods.empty()) {
-    throw Error(Exit::input_missing, "needs a method that infers (k, c) in the grid");
+    throw LeftOut("no method here infers (k, c)");
   }
   return methods;
 }
@@ -53,16 +50,29 @@ const std::vector<scoring::QualityRecord>& Source::qualities() {
   return *qualities_;
 }
 
-scoring::DiagnosisRecord Source::diagnosis(const run::Combination& cell, std::int64_t seed) const {
-  const artefact::Reader reader(layout_.diagnosis(cell.method, cell.ratio, seed), "diagnosis");
+scoring::DiagnosisRecord Source::read(const artefact::Reader& reader, const run::Combination& cell,
+                                      std::int64_t seed) const {
   run::read_diagnosis_cell(reader, grid_.dataset, cell, seed);
   return scoring::read_diagnosis(reader);
+}
+
+scoring::DiagnosisRecord Source::diagnosis(const run::Combination& cell, std::int64_t seed) const {
+  return read({layout_.diagnosis(cell.method, cell.ratio, seed), "diagnosis"}, cell, seed);
+}
+
+scoring::DiagnosisRecord Source::features(const run::Combination& cell, std::int64_t seed) const {
+  const artefact::Reader reader(layout_.features(cell.method, cell.ratio, seed), "diagnosis");
+  scoring::DiagnosisRecord record = read(reader, cell, seed);
+  if (!record.features) {
+    reader.refuse("/features", "is missing; diagnose --keep-features stores it");
+  }
+  return record;
 }
 
 artefact::Reader Source::model(const std::string& method, std::int64_t seed) const {
   const auto of_method = [&](const run::Combination& cell) { return cell.method == method; };
   if (std::ranges::none_of(grid_.combinations, of_method)) {
-    throw Error(Exit::input_missing, "needs the method " + method + ", which is not in the grid");
+    throw LeftOut("the method " + method + " is not among those asked for");
   }
   return {layout_.model(method, seed), "model"};
 }

@@ -18,13 +18,26 @@ class SpaceRows {
  public:
   explicit SpaceRows(std::string method) : method_(std::move(method)) {}
 
+  /// The joint histogram, then its marginals, whose bins reach over all values of the other
+  /// parameter.
   void bins(const twin::TwinSpace& space) {
-    const std::size_t across = space.c_edges().size() - 1;
+    const std::vector<double>& k = space.k_edges();
+    const std::vector<double>& c = space.c_edges();
+    const std::size_t across = c.size() - 1;
+    std::vector<std::int64_t> of_k(k.size() - 1);
+    std::vector<std::int64_t> of_c(across);
     for (std::size_t i = 0; i < space.counts().size(); ++i) {
-      const std::size_t k = i / across;
-      const std::size_t c = i % across;
-      add("bin", "", {space.k_edges()[k], space.c_edges()[c]},
-          {space.k_edges()[k + 1], space.c_edges()[c + 1]}, space.counts()[i]);
+      const std::size_t row = i / across;
+      const std::size_t column = i % across;
+      of_k[row] += space.counts()[i];
+      of_c[column] += space.counts()[i];
+      bin("bin", {k[row], c[column]}, {k[row + 1], c[column + 1]}, space.counts()[i]);
+    }
+    for (std::size_t i = 0; i < of_k.size(); ++i) {
+      bin("k-bin", {k[i], c.front()}, {k[i + 1], c.back()}, of_k[i]);
+    }
+    for (std::size_t i = 0; i < of_c.size(); ++i) {
+      bin("c-bin", {k.front(), c[i]}, {k.back(), c[i + 1]}, of_c[i]);
     }
   }
 
@@ -38,13 +51,13 @@ class SpaceRows {
   [[nodiscard]] const Numbers& numbers() const { return numbers_; }
 
  private:
-  void add(const std::string& kind, const std::string& class_name, const twin::TwinPoint& from,
-           const twin::TwinPoint& to, std::int64_t windows) {
+  void bin(const std::string& kind, const twin::TwinPoint& from, const twin::TwinPoint& to,
+           std::int64_t windows) {
     const signal::DynamicParameters low = twin::in_units(from);
     const signal::DynamicParameters high = twin::in_units(to);
-    numbers_.row({method_, kind, class_name, digits(low.stiffness_n_per_m),
-                  digits(low.damping_ns_per_m), digits(high.stiffness_n_per_m),
-                  digits(high.damping_ns_per_m), std::to_string(windows)});
+    numbers_.row({method_, kind, "", digits(low.stiffness_n_per_m), digits(low.damping_ns_per_m),
+                  digits(high.stiffness_n_per_m), digits(high.damping_ns_per_m),
+                  std::to_string(windows)});
   }
 
   std::string method_;

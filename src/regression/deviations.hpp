@@ -32,8 +32,8 @@ struct DeviationRow {
   std::string ratio;
   std::string quantity;
   std::size_t seeds = 0;
-  std::size_t moved_seeds =
-      0;                 ///< those whose numbers are not the same to 4 units in the last place
+  /// Those whose numbers are not the same to 4 units in the last place.
+  std::size_t moved_seeds = 0;
   double reference = 0;  ///< mean over the seeds
   double run = 0;        ///< mean over the seeds
   /// Standard error of the difference of the two means. Empty where there is one seed alone, which

@@ -86,8 +86,13 @@ std::string model_label(const std::string& method) {
 /// out.
 text::Table blocks_table(const MethodGroup& group, const Rows& rows,
                          const PaperReference& reference, NumberStyle style) {
-  const bool intervals = std::ranges::any_of(rows, has_interval);
-  const bool paper = std::ranges::any_of(rows, is_in_paper);
+  const auto any = [&](bool (*holds)(const AccuracyRow&)) {
+    return std::ranges::any_of(rows, [&](const AccuracyRow& row) {
+      return holds(row) && std::ranges::count(group.methods, row.method) > 0;
+    });
+  };
+  const bool intervals = any(has_interval);
+  const bool paper = any(is_in_paper);
   Cells header{"method", "ratio", "here"};
   if (intervals) header.emplace_back("95 % interval");
   if (paper) header.push_back(reference.label());

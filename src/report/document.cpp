@@ -45,8 +45,8 @@ std::string latex_float(const Document& document, const Section& section) {
          "}\n"
          // A table that is wider or higher than the text is made as large as that; the caption
          // needs its place, too.
-         "\\resizebox*{!}{\\ifdim\\totalheight>0.8\\textheight "
-         "0.8\\textheight\\else\\totalheight\\fi}{%\n"
+         "\\resizebox*{!}{\\ifdim\\totalheight>0.8\\textheight 0.8\\textheight\\else"
+         "\\totalheight\\fi}{%\n"
          "\\resizebox{\\ifdim\\width>\\linewidth\\linewidth\\else\\width\\fi}{!}{%\n" +
          section.table.latex() + "}}\n\\end{table}\n";
 }

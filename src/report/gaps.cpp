@@ -39,8 +39,7 @@ std::string joined(const Sayings& sayings) {
   return text;
 }
 
-/// The ratios at which a grid has this method, and those at which it has any like it: `none` alone
-/// is at 100to1.
+/// The ratios of a grid at which this method would have cells if nothing were missing.
 std::vector<std::string> ratios_for(const run::Grid& grid, const std::string& method) {
   std::vector<std::string> ratios;
   for (const scoring::Ratio& ratio : scoring::all_ratios()) {
@@ -69,7 +68,8 @@ SeedSet seeds_of_scores(const run::Results& results, const std::string& method) 
   return seeds;
 }
 
-/// What a method has, where that is not everything: "seeds 0 to 2", "10:1, 5:1 seed 0; 1:1 seed 1".
+/// What a method has, where that is not everything: "seeds 0 to 2", "10:1, 5:1 of seed 0, and 1:1
+/// of seeds 0 to 2".
 std::string diagnoses_of(const run::Grid& grid, const run::Results& results,
                          const std::string& method) {
   const SeedSet all(grid.seeds.begin(), grid.seeds.end());

@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t widest_line = 80;
 
-std::string wrapped(const std::string& paragraph) {
+std::string wrapped_at_80(const std::string& paragraph) {
   std::istringstream words(paragraph);
   std::string text;
   std::size_t column = 0;
@@ -65,7 +65,7 @@ std::string summary_text(const run::Grid& grid, const run::Results& results,
                                  grid.seeds.size(), grid.seeds.size() == 1 ? "" : "s") +
                      accuracy_table(rows).plain();
   std::string sentences;
-  for (const std::string& sentence : verdict(results, rows)) sentences += wrapped(sentence);
+  for (const std::string& sentence : verdict(results, rows)) sentences += wrapped_at_80(sentence);
   return sentences.empty() ? text : text + '\n' + sentences;
 }
 

@@ -15,6 +15,11 @@ class Layout {
   /// `run` is the run's folder, such as results/paper.
   Layout(const std::filesystem::path& run, const std::string& dataset) : folder_(run / dataset) {}
 
+  /// The same dataset in the run beside this one whose split is blocked (pipeline/contrast.mk).
+  [[nodiscard]] Layout blocked() const {
+    std::filesystem::path run = folder_.parent_path();
+    return {run += "-blocked", folder_.filename()};
+  }
   [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
   /// The seeds that have a folder, ascending.
   [[nodiscard]] std::vector<std::int64_t> seeds() const;
@@ -26,8 +31,17 @@ class Layout {
                                                 std::int64_t seed) const {
     return method_folder(method, seed) / ratio / "diagnosis.h5";
   }
+  /// A diagnosis with the features of the test windows.
+  [[nodiscard]] std::filesystem::path features(const std::string& method, const std::string& ratio,
+                                               std::int64_t seed) const {
+    return method_folder(method, seed) / ratio / "features.h5";
+  }
   [[nodiscard]] std::filesystem::path model(const std::string& method, std::int64_t seed) const {
     return method_folder(method, seed) / "model.h5";
+  }
+  /// Where one setting of the paper's method at a time is moved (pipeline/sweep.mk).
+  [[nodiscard]] std::filesystem::path sweep_folder(std::int64_t seed) const {
+    return seed_folder(seed) / "sweep";
   }
   [[nodiscard]] std::filesystem::path real_windows(std::int64_t seed) const {
     return seed_folder(seed) / "D.h5";

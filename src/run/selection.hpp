@@ -10,10 +10,10 @@ namespace piae::run {
 
 /// Part of the grid, by the names that make and the folders use. An empty list stands for all.
 struct Selection {
-  std::vector<std::string> datasets;
-  std::vector<std::string> methods;
-  std::vector<std::string> ratios;
-  std::vector<std::int64_t> seeds;
+  std::vector<std::string> datasets = {};
+  std::vector<std::string> methods = {};
+  std::vector<std::string> ratios = {};
+  std::vector<std::int64_t> seeds = {};
 
   [[nodiscard]] bool has_dataset(const std::string& dataset) const;
   /// Whether a cell is selected. `ratio` is empty for a score; scores are selected where any ratio

@@ -31,6 +31,17 @@ void require_consistent(const artefact::Reader& reader, const DiagnosisRecord& r
   }
 }
 
+void write_features(artefact::Writer& writer, const Features& features, std::size_t n,
+                    std::size_t classes) {
+  writer.numbers("/features/hidden", features.hidden, {n, n == 0 ? 0 : features.hidden.size() / n});
+  writer.numbers("/features/output", features.output, {n, classes});
+}
+
+Features read_features(const artefact::Reader& reader, std::size_t n, std::size_t classes) {
+  return {.hidden = reader.numbers<float>("/features/hidden", {n, 0}).values,
+          .output = reader.numbers<float>("/features/output", {n, classes}).values};
+}
+
 }  // namespace
 
 void write(artefact::Writer& writer, const DiagnosisRecord& record) {
@@ -56,6 +67,7 @@ void write(artefact::Writer& writer, const DiagnosisRecord& record) {
   writer.numbers("/scores", record.scores, {n, classes});
   writer.numbers("/curves/loss", record.loss);
   writer.numbers("/curves/train_accuracy", record.train_accuracy);
+  if (record.features) write_features(writer, *record.features, n, classes);
 }
 
 DiagnosisRecord read_diagnosis(const artefact::Reader& reader) {
@@ -76,6 +88,9 @@ DiagnosisRecord read_diagnosis(const artefact::Reader& reader) {
       reader.numbers<double>("/curves/train_accuracy", {record.loss.size()}).values;
   if (reader.has_attribute("/", "train_windows_per_second")) {
     record.train_windows_per_second = reader.real("/", "train_windows_per_second");
+  }
+  if (reader.has("/features")) {
+    record.features = read_features(reader, record.labels.size(), classes);
   }
   require_consistent(reader, record);
   return record;

@@ -13,6 +13,12 @@
 
 namespace piae::scoring {
 
+/// What a classifier makes of the n test windows, before it decides.
+struct Features {
+  std::vector<float> hidden;  ///< row-major [n, width of the last hidden layer]
+  std::vector<float> output;  ///< row-major [n, C]: the output layer, whose softmax are the scores
+};
+
 /// The content of diagnosis.h5 (kind "diagnosis"): one classifier, trained once, and what it said
 /// of the test windows A.
 struct DiagnosisRecord {
@@ -31,6 +37,7 @@ struct DiagnosisRecord {
   /// Training throughput. It is left out where a run must give the same bytes each time, because
   /// elapsed time differs from run to run.
   std::optional<double> train_windows_per_second;
+  std::optional<Features> features;  ///< where they are kept
 
   [[nodiscard]] Confusion confusion() const {
     return confusion_matrix(labels, predictions, info.classes.size());
@@ -42,8 +49,9 @@ struct DiagnosisRecord {
 /// In the artefact: attributes of the root, those of DatasetInfo and `method`, `ratio`,
 /// `generated_per_class`, `true_ratio`, `seed`, `protocol`, `accuracy`, and where known
 /// `train_windows_per_second`; datasets /labels, /predictions int32 [n], /confusion int64 [C, C],
-/// /scores float32 [n, C], /curves/loss, /curves/train_accuracy float64 [epochs]. Throws
-/// std::logic_error when the lengths do not fit each other.
+/// /scores float32 [n, C], /curves/loss, /curves/train_accuracy float64 [epochs], and where they
+/// are kept /features/hidden, /features/output float32 [n, width]. Throws std::logic_error when the
+/// lengths do not fit each other.
 void write(artefact::Writer& writer, const DiagnosisRecord& record);
 /// Throws artefact::Refusal for labels that no class has, for shapes that do not fit each other,
 /// and for a confusion matrix or an accuracy that the predictions do not give.

@@ -33,8 +33,10 @@ bearing::Geometry read_bearing(TomlTable table) {
   bearing.balls = static_cast<int>(balls);
   bearing.ball_diameter_mm = table.positive("ball_diameter_mm");
   bearing.pitch_diameter_mm = table.positive("pitch_diameter_mm");
-  bearing.inner_raceway_mm = table.positive("inner_raceway_mm");
-  bearing.outer_raceway_mm = table.positive("outer_raceway_mm");
+  bearing.inner_raceway_mm = table.optional_positive("inner_raceway_mm")
+                                 .value_or(bearing.pitch_diameter_mm - bearing.ball_diameter_mm);
+  bearing.outer_raceway_mm = table.optional_positive("outer_raceway_mm")
+                                 .value_or(bearing.pitch_diameter_mm + bearing.ball_diameter_mm);
   bearing.contact_angle_deg = table.number("contact_angle_deg");
   if (bearing.contact_angle_deg < 0 || bearing.contact_angle_deg >= 90) {
     table.refuse("contact_angle_deg", "must be from 0 to below 90");

@@ -28,7 +28,8 @@ struct RecordSource {
 ///     sample_rate_hz = 12000      # all records are resampled to it; without it they must agree
 ///     shaft_speed_rpm = 1797
 ///     unit_m_per_s2 = 9.80665     # one unit of the signals, here g; without it m/s^2
-///     [bearing]                   # all keys of bearing::Geometry
+///     [bearing]                   # all keys of bearing::Geometry; without the raceways these
+///                                 # are the pitch diameter minus and plus the ball's
 ///     [[class]]                   # labels in this order
 ///     name = "IR007"
 ///     defect = "inner"            # none (exactly one class), outer, inner or roller

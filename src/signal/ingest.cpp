@@ -73,21 +73,28 @@ void RecordReader::require_new(const fs::path& file, const RecordSource& source,
           (twin.label == source.label ? "); name each recording once" : "), under another class"));
 }
 
-Record RecordReader::read(const RecordSource& source) {
+RawRecord RecordReader::read_raw(const RecordSource& source) {
   const fs::path file = data_dir_ / source.file;
   require_file(file, source, dataset_);
-  const std::string sha256 = checked_sha256(file, source);
-  const std::vector<double> raw = read_raw_file(file, source.variable);
-  require_usable(file, source, raw);
-  require_new(file, source, raw);
-  std::vector<double> signal = resample(raw, source.sample_rate_hz, sample_rate_hz_);
-  if (signal.empty()) refuse(file, source, "is shorter than one sample at the dataset's rate");
+  RawRecord raw;
+  raw.sha256 = checked_sha256(file, source);
+  raw.samples = read_raw_file(file, source.variable);
+  require_usable(file, source, raw.samples);
+  require_new(file, source, raw.samples);
+  return raw;
+}
+
+Record RecordReader::resampled(const RecordSource& source, const RawRecord& raw) const {
+  std::vector<double> signal = resample(raw.samples, source.sample_rate_hz, sample_rate_hz_);
+  if (signal.empty()) {
+    refuse(data_dir_ / source.file, source, "is shorter than one sample at the dataset's rate");
+  }
   return {.name = source.name,
           .label = source.label,
           .original_sample_rate_hz = source.sample_rate_hz,
           .shaft_speed_rpm = source.shaft_speed_rpm,
           .source = source.file,
-          .source_sha256 = sha256,
+          .source_sha256 = raw.sha256,
           .signal = std::move(signal),
           .parameters = std::nullopt};
 }

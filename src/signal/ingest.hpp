@@ -5,11 +5,18 @@
 #include <map>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "signal/description.hpp"
 #include "signal/recordings.hpp"
 
 namespace piae::signal {
+
+/// The samples of a raw file as they stand there.
+struct RawRecord {
+  std::vector<double> samples;
+  std::string sha256;  ///< of the file
+};
 
 /// Reads the raw files of a dataset below `data_dir` one by one, checks them, and brings each
 /// record to the dataset's sample rate. Samples keep the unit of their source.
@@ -22,7 +29,11 @@ class RecordReader {
   ///   - a file whose sha256 is not the declared one, or that cannot be read (raw_file.hpp),
   ///   - a signal that is empty, has a NaN or infinite sample (with its index), or never changes,
   ///   - the same samples as a record that was read before, under one label or two.
-  Record read(const RecordSource& source);
+  Record read(const RecordSource& source) { return resampled(source, read_raw(source)); }
+
+  /// The two halves of read(), for who wants to look at the samples before they are resampled.
+  RawRecord read_raw(const RecordSource& source);
+  [[nodiscard]] Record resampled(const RecordSource& source, const RawRecord& raw) const;
 
  private:
   void require_new(const std::filesystem::path& file, const RecordSource& source,

@@ -38,15 +38,15 @@ constexpr std::array<Stored<bearing::Variation>, 4> stored_variation{{
 }};
 
 /// What eq. 13 is solved for to get one window.
-struct Draw {
+struct WindowDraw {
   Label label = 0;
   bearing::DynamicsOptions dynamics;
   bearing::Motion motion;
 };
 
-std::vector<Draw> draw_all(const WindowSimulation& simulation, std::size_t count,
-                           const Stream& stream, const DrawDynamics& draw) {
-  std::vector<Draw> draws;
+std::vector<WindowDraw> draw_all(const WindowSimulation& simulation, std::size_t count,
+                                 const Stream& stream, const DrawDynamics& draw) {
+  std::vector<WindowDraw> draws;
   const DatasetInfo& info = simulation.info;
   for (const Label label : info.fault_labels()) {
     const ClassInfo& c = info.class_of(label);
@@ -63,11 +63,11 @@ std::vector<Draw> draw_all(const WindowSimulation& simulation, std::size_t count
 }
 
 /// The windows of draws that are all of one class, row by row, as eq. 13 gives them.
-std::vector<double> solve(const WindowSimulation& simulation, std::span<const Draw> draws) {
+std::vector<double> solve(const WindowSimulation& simulation, std::span<const WindowDraw> draws) {
   const DatasetInfo& info = simulation.info;
   const ClassInfo& c = info.class_of(draws.front().label);
   std::vector<bearing::Course> courses;
-  for (const Draw& draw : draws) courses.push_back({draw.motion, draw.dynamics});
+  for (const WindowDraw& draw : draws) courses.push_back({draw.motion, draw.dynamics});
   try {
     return bearing::simulate(info.bearing, {c.defect, c.defect_size_mm}, courses,
                              {info.sample_rate_hz, simulation.length});
@@ -149,7 +149,7 @@ WindowSimulation read_window_simulation(const artefact::Reader& reader) {
 
 WindowSet simulate_windows(const WindowSimulation& simulation, std::size_t count,
                            const Stream& stream, const DrawDynamics& draw) {
-  const std::vector<Draw> draws = draw_all(simulation, count, stream, draw);
+  const std::vector<WindowDraw> draws = draw_all(simulation, count, stream, draw);
   WindowSet windows;
   windows.info = simulation.info;
   windows.length = simulation.length;
@@ -166,7 +166,7 @@ WindowSet simulate_windows(const WindowSimulation& simulation, std::size_t count
   };
   const std::size_t faulty = simulation.info.fault_labels().size();
   parallel_for_parts(faulty, count, bearing::courses_at_once, solve_part);
-  for (const Draw& one : draws) {
+  for (const WindowDraw& one : draws) {
     windows.labels.push_back(one.label);
     windows.parameters.push_back({one.dynamics.stiffness_n_per_m, one.dynamics.damping_ns_per_m});
   }

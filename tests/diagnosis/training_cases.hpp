@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -57,16 +58,38 @@ TEST_P(WdcnnTraining, LearnsTones) {
   EXPECT_GT(result.training_seconds, 0);
 }
 
+/// exp(a) / exp(b) of two logits is the ratio of their scores.
+TEST_P(WdcnnTraining, KeepsWhatItsLayersMakeOfEachTestWindow) {
+  const LabelledWindows test = tones(35, "test");  // 105 windows: more than are tried at a time
+  const WdcnnOutputs outputs =
+      train_and_test(tones(5, "train"), test, short_training(), Stream("layers"), backend())
+          .outputs;
+  ASSERT_EQ(outputs.hidden.size(), 105U * 100);
+  ASSERT_EQ(outputs.logits.size(), 105U * 3);
+  for (std::size_t i = 0; i < 105 * 3; i += 3) {
+    for (const std::size_t j : {1U, 2U}) {
+      EXPECT_NEAR(outputs.scores[i + j] / outputs.scores[i],
+                  std::exp(outputs.logits[i + j] - outputs.logits[i]),
+                  1e-4 * outputs.scores[i + j] / outputs.scores[i]);
+    }
+  }
+  EXPECT_GE(std::ranges::min(outputs.hidden), 0);  // ReLU
+  for (std::size_t i = 0; i < 105; ++i) {
+    const auto row = std::span(outputs.hidden).subspan(100 * i, 100);
+    EXPECT_GT(std::ranges::max(row), 0) << "of window " << i;
+  }
+}
+
 TEST_P(WdcnnTraining, ScoresAreProbabilitiesAndPredictionsTheirMaximum) {
   const LabelledWindows test = tones(35, "test");  // 105 windows: more than are tried at a time
   const WdcnnResult result =
       train_and_test(tones(5, "train"), test, short_training(), Stream("scores"), backend());
   ASSERT_EQ(result.predictions.size(), 105U);
-  ASSERT_EQ(result.scores.size(), 105U * 3);
+  ASSERT_EQ(result.outputs.scores.size(), 105U * 3);
   ASSERT_EQ(result.loss.size(), 2U);
   ASSERT_EQ(result.train_accuracy.size(), 2U);
   for (std::size_t i = 0; i < 105; ++i) {
-    const auto row = result.scores.begin() + static_cast<std::ptrdiff_t>(3 * i);
+    const auto row = result.outputs.scores.begin() + static_cast<std::ptrdiff_t>(3 * i);
     EXPECT_NEAR(std::accumulate(row, row + 3, 0.0), 1.0, 1e-6);
     EXPECT_EQ(std::max_element(row, row + 3) - row, result.predictions[i]);
   }
@@ -90,10 +113,10 @@ TEST_P(WdcnnTraining, GivesTheSameBitsForTheSameStream) {
   const WdcnnResult first = run("a");
   const WdcnnResult other = run("b");
   const WdcnnResult again = run("a");
-  EXPECT_EQ(first.scores, again.scores);
+  EXPECT_EQ(first.outputs.scores, again.outputs.scores);
   EXPECT_EQ(first.loss, again.loss);
   EXPECT_EQ(first.train_accuracy, again.train_accuracy);
-  EXPECT_NE(first.scores, other.scores);
+  EXPECT_NE(first.outputs.scores, other.outputs.scores);
 }
 
 TEST_P(WdcnnTraining, AnEpochDoesNotKnowHowManyFollow) {

@@ -51,4 +51,13 @@ test_the_run_is_left_as_it_is() {
   [[ ! -e results ]] || fail "there is $(find results)"
 }
 
+test_a_misspelled_protocol_is_refused_before_anything_is_compared_or_stored() {
+  local goal
+  for goal in check reference; do
+    expect_line "$(make --silent $goal BIN=fake RUN=try PROTOCOL=Blocked 2>&1 || true)" \
+      "PROTOCOL: random or blocked, not 'Blocked'"
+  done
+  [[ ! -e calls ]] || fail "ran: $(<calls)"
+}
+
 run_tests

@@ -45,6 +45,27 @@ test_asked_for_one_protocol_makes_both() {
   expect_line "$(<results/t/other/protocols.md)" "--with results/t/other --without results/t-blocked/other"
 }
 
+test_is_of_all_that_both_runs_hold() {
+  describe
+  contrast DATASETS=other >/dev/null
+  rm calls
+  contrast DATASETS=other SEEDS=0 METHODS=none RATIOS=100to1 >/dev/null
+  expect_equal "$(ran)" "1 contrast"
+  expect_equal "$(<results/t/other/protocols.md)" \
+    "contrast --with results/t/other --without results/t-blocked/other --methods none --ratios 100to1 --seeds 0 --output results/t/other/protocols.md"
+}
+
+test_leaves_out_what_is_out_of_date_on_either_side() {
+  describe
+  contrast DATASETS=other >/dev/null
+  rm results/t-blocked/other/seed1/smote/E.h5
+  contrast DATASETS=other SEEDS=0 >/dev/null
+  expect_line "$(<results/t/other/protocols.md)" "--seeds 0 --leave-out seed1/smote --output"
+  printf '[train.smote]\nneighbours = 3\n' >>pipeline/protocol.toml
+  contrast DATASETS=other METHODS=none RATIOS=100to1 >/dev/null
+  expect_line "$(<results/t/other/protocols.md)" "--leave-out seed0/smote seed1/smote --output"
+}
+
 test_makes_no_table_when_a_cell_fails() {
   describe
   echo "diagnose other/seed1/smote/10to1/diagnosis.h5" >broken

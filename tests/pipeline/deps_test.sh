@@ -87,15 +87,12 @@ test_goals_ask_for_what_they_need() {
   expect_equal "$(asked build)" "deps on programs,build native on programs"
   expect_equal "$(asked build LIBTORCH=off ARCH=x86-64-v3)" "deps off programs,build x86-64-v3 off programs"
   expect_equal "$(asked test)" "deps on programs tests,build native on programs tests"
-  expect_equal "$(asked deps)" "deps on programs tests benches"
+  expect_equal "$(asked deps)" "deps on programs tests benches figures"
   mkdir -p build/demo/bin
-  ln -s "$programs/settings" build/bin
   ln -s "$programs/settings" build/demo/bin
   expect_equal "$(asked demo)" "deps off demo,build native off demo"
-  touch build/bin/train
-  expect_equal "$(asked demo)" "deps off programs,build native off programs"
-  touch build/bin/train-libtorch
-  expect_equal "$(asked demo)" "deps on programs,build native on programs"
+  touch build/bin/{train,train-libtorch} # the demo has its own
+  expect_equal "$(asked demo)" "deps off demo,build native off demo"
 }
 
 test_a_failed_install_fails() {

@@ -96,6 +96,39 @@ test_only_the_oracle_sees_real_windows_and_it_has_no_score() {
   expect_no_line "$(<$r/seed0/smote/model.h5)" "D.h5"
 }
 
+features() {
+  make --silent --file=pipeline/grid.mk features results=results/t RUN=t BIN=fake PROTOCOL=random \
+    DATASETS=real METHODS="none smote oracle" RATIOS="1to1 100to1 10to1" SEEDS="10 2" "$@"
+}
+
+test_features_are_kept_once_for_each_method() {
+  describe
+  features >/dev/null
+  expect_equal "$(ran)" "3 diagnose, 2 generate, 1 ingest, 1 split, 2 train"
+  local r=results/t/real s=results/t/.settings
+  expect_equal "$(cd $r && echo seed*/*/*/features.h5)" \
+    "seed2/none/100to1/features.h5 seed2/oracle/1to1/features.h5 seed2/smote/1to1/features.h5"
+  local windows="--test $r/seed2/A.h5 --normal $r/seed2/B.h5 --known $r/seed2/C.h5"
+  expect_equal "$(<$r/seed2/smote/1to1/features.h5)" \
+    "diagnose --config $s/diagnose.toml $windows --generated $r/seed2/smote/E.h5 --ratio 1to1 --seed 2 --reproducible --keep-features --output $r/seed2/smote/1to1/features.h5"
+  expect_equal "$(<$r/seed2/none/100to1/features.h5)" \
+    "diagnose --config $s/diagnose.toml $windows --ratio 100to1 --seed 2 --reproducible --keep-features --output $r/seed2/none/100to1/features.h5"
+  features >/dev/null
+  expect_equal "$(ran)" ""
+  sed -i 's/^epochs = 50/epochs = 60/' pipeline/protocol.toml
+  features >/dev/null
+  expect_equal "$(ran)" "3 diagnose"
+}
+
+test_features_and_diagnosis_have_logs_of_their_own() {
+  finished_grid
+  local log=results/t/real/seed0/smote/1to1/diagnose.log
+  cp $log before
+  features SEEDS="0 1" >/dev/null
+  expect_equal "$(<$log)" "$(<before)"
+  expect_line "$(<results/t/real/seed0/smote/1to1/features.log)" "--keep-features"
+}
+
 test_none_only_without_generated_windows() {
   finished_grid
   expect_equal "$(cd results/t/real/seed0 && echo {none,smote}/*to1)" "none/100to1 smote/10to1 smote/1to1"
@@ -178,12 +211,115 @@ test_stages_read_the_settings_that_were_compared() {
       '# Options given by make: --protocol random' 'window = 1024')"
 }
 
-test_a_subset_shares_what_is_there() {
+test_a_part_leaves_the_tables_of_the_whole() {
   finished_grid
-  grid SEEDS=0 >/dev/null
-  expect_equal "$(ran)" "2 tabulate"
+  local part
+  for part in SEEDS=0 RATIOS="100to1 1to1" METHODS="none smote" "METHODS=piae-dt none" DATASETS=made; do
+    grid "$part" >/dev/null
+    expect_equal "$(ran)" ""
+  done
+}
+
+test_a_part_that_adds_something_shares_what_is_there() {
+  finished_grid
   grid SEEDS="0 2" DATASETS=real METHODS="none smote" >/dev/null
   expect_equal "$(ran)" "3 diagnose, 1 generate, 1 score, 1 split, 1 tabulate, 1 train"
+  expect_line "$(<results/t/real/accuracy.csv)" "--methods none smote --ratios 100to1 10to1 1to1 --seeds 0 2 --published"
+  grid DATASETS=real >/dev/null
+  expect_equal "$(ran)" ""
+}
+
+# Cells that were made without tables are in the next ones, whatever these are asked for.
+test_tables_have_what_was_made_since() {
+  finished_grid
+  make --silent cells BIN=fake RUN=t DATASETS=real METHODS=vae RATIOS=10to1 SEEDS=0 >/dev/null
+  rm calls
+  grid SEEDS=1 >/dev/null
+  expect_equal "$(ran)" "1 tabulate"
+  rm -r results/t/real/seed0/vae
+  grid SEEDS=1 >/dev/null
+  expect_equal "$(ran)" "1 tabulate"
+  grid >/dev/null
+  expect_equal "$(ran)" ""
+}
+
+test_what_was_removed_leaves_the_tables() {
+  finished_grid
+  rm -r results/t/real/seed1
+  grid SEEDS=0 >/dev/null
+  expect_equal "$(ran)" "1 tabulate"
+}
+
+left_out() { # data set
+  sed -nE 's/.* --leave-out (.*) --published .*/\1/p' "results/t/$1/accuracy.csv"
+}
+
+# Nobody has asked for smote: it is not made again, but the tables do not show the old numbers either.
+test_what_is_out_of_date_and_not_asked_for_is_left_out_of_the_tables() {
+  finished_grid
+  sed -i 's/^neighbours = 4/neighbours = 3/' pipeline/protocol.toml
+  grid METHODS="none piae-dt" >/dev/null
+  expect_equal "$(ran)" "2 tabulate"
+  expect_equal "$(left_out real)" "seed0/smote seed1/smote"
+  grid METHODS="none piae-dt" >/dev/null
+  expect_equal "$(ran)" ""
+  grid SEEDS=0 >/dev/null
+  expect_equal "$(ran)" "4 diagnose, 2 generate, 2 score, 2 tabulate, 2 train"
+  expect_equal "$(left_out made)" "seed1/smote"
+  grid METHODS=none RATIOS=100to1 SEEDS=0 DATASETS=real >/dev/null
+  expect_equal "$(ran)" ""
+  grid >/dev/null
+  expect_equal "$(ran)" "4 diagnose, 2 generate, 2 score, 2 tabulate, 2 train"
+  expect_equal "$(left_out made)" ""
+}
+
+test_what_is_out_of_date_is_told_by_the_steps_that_would_make_it() {
+  finished_grid
+  sed -i 's/kernels = 5/kernels = 3/' pipeline/protocol.toml
+  grid METHODS="none smote" DATASETS=real >/dev/null
+  expect_equal "$(left_out real)" "seed0/piae-dt/score.h5 seed1/piae-dt/score.h5"
+  sed -i 's/epochs = 50/epochs = 60/' pipeline/protocol.toml
+  grid METHODS=none SEEDS=0 DATASETS=real >/dev/null
+  expect_line "$(left_out real)" "^seed0/piae-dt/10to1/diagnosis.h5 seed0/piae-dt/1to1/diagnosis.h5 seed0/piae-dt/score.h5 "
+  expect_line "$(left_out real)" " seed1/none/100to1/diagnosis.h5 "
+  expect_no_line "$(left_out real)" "seed0/none"
+  sed -i 's/"#1"/"#2"/' pipeline/datasets/real.toml
+  rm calls
+  grid METHODS=none SEEDS=0 DATASETS=real >/dev/null
+  expect_equal "$(ran)" "1 diagnose, 1 ingest, 1 split, 1 tabulate"
+  expect_equal "$(left_out real)" "seed0 seed1"
+}
+
+# A part at a ratio that is not asked for, of a method that is.
+test_cells_that_are_not_asked_for_go_with_the_model_that_is_made_again() {
+  finished_grid
+  sed -i 's/^neighbours = 4/neighbours = 3/' pipeline/protocol.toml
+  grid DATASETS=real RATIOS=10to1 METHODS=smote SEEDS=0 >/dev/null
+  expect_equal "$(ran)" "1 diagnose, 1 generate, 1 score, 1 tabulate, 1 train"
+  expect_equal "$(left_out real)" "seed0/smote seed1/smote"
+  grid DATASETS=real RATIOS=100to1 METHODS=none SEEDS=0 >/dev/null
+  expect_equal "$(ran)" ""
+  rm results/t/real/tables.md
+  grid DATASETS=real RATIOS=100to1 METHODS=none SEEDS=0 >/dev/null
+  expect_equal "$(left_out real)" "seed0/smote/1to1/diagnosis.h5 seed1/smote"
+}
+
+test_what_only_libtorch_computes_stays_in_the_tables_without_it() {
+  describe
+  grid METHODS="none piae-dt-rnn" DATASETS=real >/dev/null
+  rm fake/train-libtorch calls
+  grid METHODS="none smote" DATASETS=real >/dev/null
+  expect_equal "$(ran)" "4 diagnose, 2 generate, 2 score, 1 tabulate, 2 train"
+  expect_equal "$(left_out real)" ""
+}
+
+test_a_table_that_is_a_goal_is_of_all_that_the_run_holds() {
+  finished_grid
+  rm results/t/real/tables.md
+  make --silent BIN=fake RUN=t DATASETS=real METHODS=none RATIOS=100to1 SEEDS=0 results/t/real/tables.md >/dev/null
+  expect_equal "$(ran)" "1 tabulate"
+  grid >/dev/null
+  expect_equal "$(ran)" ""
 }
 
 test_blocked_protocol_has_its_own_folder() {
@@ -202,6 +338,7 @@ fussy_tabulate() {
   ln -sf ../stage fake/lenient/tabulate
   cat >fake/tabulate <<'STAGE'
 #!/bin/bash
+[[ -f $2 ]] || { echo "tabulate: $2 was not readable" >&2 && exit 66; }
 run=$4/$6 status=0 # --config FILE --run FOLDER --dataset NAME
 for file in "$run"/seed{0,1}/{none/100to1/diagnosis,{smote,piae-dt}/{score,10to1/diagnosis,1to1/diagnosis}}.h5; do
   [[ -e $file ]] || { echo "tabulate: $file: missing" >&2 && status=66; }
@@ -290,7 +427,7 @@ test_unknown_names_are_refused() {
   expect_line "$(grid RUN=../t 2>&1 || true)" "not a path"
   expect_line "$(grid METHODS='smote smote' 2>&1 || true)" "METHODS: 'smote smote' names one twice"
   expect_line "$(grid RUN=reference 2>&1 || true)" "RUN: 'reference' cannot be the name of a run"
-  expect_line "$(grid PROTOCOL='random blocked' 2>&1 || true)" "PROTOCOL: one of random and blocked"
+  expect_line "$(grid PROTOCOL='random blocked' 2>&1 || true)" "PROTOCOL: random or blocked, not 'random blocked'"
   expect_exit 2 grid PROTOCOL=other
   expect_equal "$(ls)" "$(printf '%s\n' Makefile fake jobs pipeline)"
 }
@@ -348,6 +485,7 @@ test_a_dry_run_and_a_question_write_nothing() {
   sed -i 's/epochs = 50/epochs = 60/' pipeline/protocol.toml
   find results -printf '%p %T@ %s\n' >before
   grid -n >/dev/null
+  grid -n SEEDS=0 METHODS="none smote" >/dev/null
   expect_exit 1 make --silent -q cells BIN=fake RUN=t DATASETS=real METHODS=smote SEEDS=0
   expect_equal "$(find results -printf '%p %T@ %s\n')" "$(<before)"
   sed -i 's/epochs = 60/epochs = 50/' pipeline/protocol.toml

@@ -91,6 +91,26 @@ test_ratios_and_seeds_add_what_is_missing() {
   expect_equal "$(ran)" "15 diagnose, 15 generate, 15 score, 1 split, 1 sweep, 15 train"
 }
 
+test_a_part_leaves_the_table_of_the_whole() {
+  describe
+  sweep SEEDS="0 1" RATIOS="10to1 1to1" >/dev/null
+  rm calls
+  sweep >/dev/null
+  expect_equal "$(ran)" ""
+  rm -r results/t/real/seed1/sweep/depth-6
+  sweep >/dev/null
+  expect_equal "$(ran)" "1 sweep"
+}
+
+test_what_is_out_of_date_and_not_asked_for_is_left_out_of_the_table() {
+  describe
+  sweep SEEDS="0 1" >/dev/null
+  rm calls results/t/real/seed1/sweep/depth-6/E.h5
+  sweep >/dev/null
+  expect_equal "$(ran)" "1 sweep"
+  expect_line "$(<results/t/real/sweep.csv)" "--leave-out seed1/sweep/depth-6 --centre"
+}
+
 test_a_setting_of_the_method_remakes_the_sweep() {
   finished_sweep
   sed -i 's/depth = 3/depth = 4/' pipeline/protocol.toml

@@ -50,8 +50,8 @@ double above(double value, int steps) {
 /// Guide to the Expression of Uncertainty in Measurement, Table G.2, 99.73 %.
 TEST(Deviations, OfTwoSeedsUsesTheSpreadOfAllThatAreStored) {
   const Deviations deviations =
-      find_deviations(side({0.60, 0.62, 0.64, 0.66, 0.68}), side({0.60, 0.64}),
-                      {{}, {}, {}, {0, 1}}, Tolerance::spread);
+      find_deviations(side({0.60, 0.62, 0.64, 0.66, 0.68}), side({0.60, 0.64}), {.seeds = {0, 1}},
+                      Tolerance::spread);
   EXPECT_TRUE(deviations.acceptable());
   ASSERT_EQ(deviations.rows.size(), 1U);
   const DeviationRow& row = deviations.rows.front();

@@ -54,9 +54,11 @@ TEST_F(RunMeasurements, IsReadWithWhatMadeIt) {
 TEST_F(RunMeasurements, IsReadAsFarAsItIsSelected) {
   add_all();
   const auto run = folder_.path() / "run";
-  EXPECT_EQ(read_run(run, {{}, {"vae"}, {"2to1"}, {1}}).front().values.size(), 8U);
+  EXPECT_EQ(
+      read_run(run, {.methods = {"vae"}, .ratios = {"2to1"}, .seeds = {1}}).front().values.size(),
+      8U);
   for (const run::Selection& nothing :
-       {run::Selection{{"hit-sm"}, {}, {}, {}}, {{}, {}, {}, {9}}}) {
+       {run::Selection{.datasets = {"hit-sm"}}, run::Selection{.seeds = {9}}}) {
     try {
       (void)read_run(run, nothing);
       ADD_FAILURE();

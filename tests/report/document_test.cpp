@@ -30,11 +30,11 @@ TEST(Document, IsWrittenAsMarkdown) {
 }
 
 TEST(Document, HasNoLineOfMarkdownThatIsWiderThan100Characters) {
-  text::Table wide({"class", std::string(40, 'a'), std::string(40, 'b')}, 1);
+  text::Table wide({"class", std::string(45, 'a'), std::string(45, 'b')}, 1);
   wide.row({"IR", "1", "2"});
   const std::string text = markdown({"key", "Title", {}, {{"wide", "Wide", "", wide}}});
-  EXPECT_THAT(text, HasSubstr("| class | " + std::string(40, 'a') + " |\n"));
-  EXPECT_THAT(text, HasSubstr("|\n\n| class | " + std::string(40, 'b') + " |\n"));
+  EXPECT_THAT(text, HasSubstr("| class | " + std::string(45, 'a') + " |\n"));
+  EXPECT_THAT(text, HasSubstr("|\n\n| class | " + std::string(45, 'b') + " |\n"));
 }
 
 TEST(Document, IsWrittenAsLatexToBeIncluded) {
@@ -44,7 +44,7 @@ TEST(Document, IsWrittenAsLatexToBeIncluded) {
                                         "\\usepackage{booktabs,graphicx}\n\n"));
   EXPECT_THAT(text, HasSubstr("\nSecond.\n\n\\begin{table}\n\\centering\n"
                               "\\caption{Table one. A note, 5 \\%.}\n"
-                              "\\label{tab:my-set-one}\n\\resizebox{"));
+                              "\\label{tab:my-set-one}\n\\resizebox*{!}{"));
   EXPECT_THAT(text, HasSubstr("\\caption{Table two.}\n\\label{tab:my-set-two}\n"));
   EXPECT_THAT(text, EndsWith("{!}{%\n" + table().latex() + "}}\n\\end{table}\n"));
 }

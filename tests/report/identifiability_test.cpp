@@ -11,7 +11,7 @@ using testing::HasSubstr;
 
 /// Two windows of each of two classes; damping inferred 10 % too high, stiffness at random.
 Identification identification(std::int64_t seed) {
-  Identification one{"piae-dt", seed, {}, {}};
+  Identification one{.method = "piae-dt", .seed = seed, .windows = {}, .inferred = {}};
   one.windows.info.name = "example";
   one.windows.info.classes = {{"Normal", signal::Defect::none, 0},
                               {"IR", signal::Defect::inner, 0.2},
@@ -52,9 +52,18 @@ TEST(Identifiability, IsShownInTables) {
   const std::vector<Identification> all{identification(0), identification(1)};
   const std::string text =
       markdown(identifiability_document("example", identifiability_rows(all), all));
-  EXPECT_THAT(text, HasSubstr("2 seeds."));
+  EXPECT_THAT(text, HasSubstr("2 seeds (0, 1)."));
   EXPECT_THAT(text, HasSubstr("| piae-dt | stiffness | all   |  0.000 ± 0.000 |"));
   EXPECT_THAT(text, HasSubstr("## Scatter of stiffness, MN/m"));
+}
+
+TEST(Identifiability, SaysOfWhichSeedsEachMethodIs) {
+  std::vector<Identification> all{identification(0), identification(1), identification(4)};
+  all.push_back(identification(1));
+  all.back().method = "ae";
+  const std::string text =
+      markdown(identifiability_document("example", identifiability_rows(all), all));
+  EXPECT_THAT(text, HasSubstr("piae-dt: 3 seeds (0, 1, 4), ae: 1 seed (1)."));
 }
 
 TEST(Identifiability, NeedsTheTruth) {

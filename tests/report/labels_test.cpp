@@ -6,7 +6,7 @@ namespace piae::report {
 namespace {
 
 TEST(Labels, ShowTheSpreadOfANumberThatHasOne) {
-  const scoring::Summary one{1, 12.345, {}, {}};
+  const scoring::Summary one{.count = 1, .mean = 12.345, .deviation = {}, .interval = {}};
   const scoring::Summary two{2, -1.5, 0.125, scoring::Summary::Interval{-2, 3}};
   EXPECT_EQ(mean_label(one), "12.35");
   EXPECT_EQ(interval_label(one), "–");

@@ -227,7 +227,7 @@ TEST_F(Tables, MarkTheCeilingWhichHasNoQuality) {
   const run::Grid with_oracle = grid("none vae oracle", "100to1 2to1");
   const std::string text = markdown(document(with_oracle));
   EXPECT_THAT(text, AllOf(HasSubstr("| oracle (ceiling) | 2:1 (3.33:1) | 100.00 ± 0.00 |"),
-                          HasSubstr("The oracle is no method but a ceiling")));
+                          HasSubstr("The oracle is no method")));
   EXPECT_THAT(accuracy_text(rows(with_oracle)), HasSubstr("\noracle (ceiling)  2:1"));
   EXPECT_THAT(quality_csv(with_oracle, collect(layout_, with_oracle)), Not(HasSubstr("oracle")));
   EXPECT_THAT(markdown(document(grid_)), Not(HasSubstr("oracle is")));
@@ -329,7 +329,7 @@ void expect_sound_latex(const std::string& text) {
     if (line.starts_with("% ")) continue;
     EXPECT_EQ(bare(line, '$') % 2, 0U) << line;
     EXPECT_EQ(bare(line, '#') + bare(line, '_') + bare(line, '~'), 0U) << line;
-    EXPECT_TRUE(bare(line, '%') == 0 || line.ends_with("{!}{%")) << line;
+    EXPECT_TRUE(bare(line, '%') == 0 || line.ends_with("}{%")) << line;
     EXPECT_TRUE(bare(line, '^') == 0 || line.find("$^2$") != std::string::npos) << line;
     const bool is_row = line.ends_with(" \\\\");
     EXPECT_EQ(bare(line, '&'), is_row ? columns - 1 : 0) << line;

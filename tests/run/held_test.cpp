@@ -117,7 +117,8 @@ TEST_F(HeldCells, OfSeedsThatAreAllLeftOutLeaveNoTrace) {
 TEST_F(HeldCells, CountWhereAnotherRunHasThemToo) {
   add_all();
   const Layout other(folder_.path() / "other", "cwru");
-  std::filesystem::copy(layout_.folder(), other.folder(), std::filesystem::copy_options::recursive);
+  std::filesystem::copy(folder_.path() / "run", folder_.path() / "other",
+                        std::filesystem::copy_options::recursive);
   std::filesystem::remove(other.diagnosis("vae", "10to1", 0));
   const Held both(layout_, other, {});
   EXPECT_FALSE(both.has(layout_.diagnosis("vae", "10to1", 0)));

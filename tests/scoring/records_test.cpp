@@ -82,6 +82,27 @@ TEST_F(Records, DiagnosisComesBackAsItWas) {
   EXPECT_EQ(read.accuracy(), 0.75);
 }
 
+TEST_F(Records, DiagnosisMayHaveFeatures) {
+  DiagnosisRecord record = diagnosis();
+  EXPECT_FALSE(read_diagnosis(stored("diagnosis", record)).features);
+  EXPECT_FALSE(stored("diagnosis", record).has("/features"));
+  record.features = {.hidden = {1, 2, 3, 4, 5, 6, 7, 8}, .output = record.scores};
+  const Reader reader = stored("diagnosis", record);
+  EXPECT_EQ(reader.numbers<float>("/features/hidden", {4, 2}).values, record.features->hidden);
+  const DiagnosisRecord read = read_diagnosis(reader);
+  ASSERT_TRUE(read.features);
+  EXPECT_EQ(read.features->hidden, record.features->hidden);
+  EXPECT_EQ(read.features->output, record.features->output);
+}
+
+TEST_F(Records, FeaturesAreOfEachWindow) {
+  DiagnosisRecord record = diagnosis();
+  record.features = {.hidden = {1, 2, 3, 4, 5}, .output = record.scores};
+  EXPECT_THROW(stored("diagnosis", record), std::logic_error);
+  record.features = {.hidden = {1, 2, 3, 4}, .output = {1, 2, 3, 4}};
+  EXPECT_THROW(stored("diagnosis", record), std::logic_error);
+}
+
 /// Content that the digests vouch for, but that no diagnosis can have.
 class WrongDiagnosis : public Records {
  protected:

@@ -88,6 +88,20 @@ TEST(Description, KeepsTheUnit) {
   EXPECT_EQ(read_description(folder.write("rig.toml", text)).info.unit_m_per_s2, 9.80665);
 }
 
+TEST(Description, DerivesTheRacewaysThatAreNotGiven) {
+  const Folder folder;
+  const std::string without_inner = replaced(good, "inner_raceway_mm = 26.5\n", "");
+  const bearing::Geometry b =
+      read_description(
+          folder.write("rig.toml", replaced(without_inner, "outer_raceway_mm = 40.5\n", "")))
+          .info.bearing;
+  EXPECT_DOUBLE_EQ(b.inner_raceway_mm, 33.5 - 7);
+  EXPECT_DOUBLE_EQ(b.outer_raceway_mm, 33.5 + 7);
+  const std::string another = replaced(without_inner, "= 40.5", "= 40.4");
+  EXPECT_EQ(read_description(folder.write("rig.toml", another)).info.bearing.outer_raceway_mm,
+            40.4);
+}
+
 TEST(Description, WithoutARateTakesTheOneOfAllRecords) {
   const Folder folder;
   std::string text = replaced(good, "sample_rate_hz = 8000\n", "");

@@ -100,5 +100,22 @@ TEST(Chain, DiagnosisWithoutReproducibleTellsTheThroughput) {
   EXPECT_GT(diagnosis.real("/", "train_windows_per_second"), 0);
 }
 
+TEST(Chain, DiagnosisKeepsFeaturesWhenAsked) {
+  const Tiny tiny;
+  tiny.run_chain_before("train");
+  const Arguments arguments = chain()[5].arguments;
+  ASSERT_EQ(tiny.run("diagnose", arguments).status, 0);
+  Arguments keeping = with(arguments, "--output", "features.h5");
+  keeping.emplace_back("--keep-features");
+  ASSERT_EQ(tiny.run("diagnose", keeping).status, 0);
+  const Reader without(tiny / chain()[5].outputs.front(), "diagnosis");
+  const Reader kept(tiny / "features.h5", "diagnosis");
+  EXPECT_FALSE(without.has("/features"));
+  EXPECT_EQ(kept.numbers<float>("/features/hidden", {30, 100}).shape.size(), 2U);
+  EXPECT_EQ(kept.numbers<float>("/features/output", {30, 3}).shape.size(), 2U);
+  EXPECT_EQ(kept.numbers<float>("/scores", {30, 3}).values,
+            without.numbers<float>("/scores", {30, 3}).values);
+}
+
 }  // namespace
 }  // namespace piae::stages

@@ -31,6 +31,22 @@ TEST_F(IdentifyStage, MakesTheTables) {
             std::string::npos);
 }
 
+TEST_F(IdentifyStage, ComparesAllModelsThatTheRunHolds) {
+  ASSERT_EQ(tiny_
+                .run("train", with(with(step_of("train").arguments, "--method", "ae"), "--output",
+                                   "run/tiny/seed0/ae/model.h5"))
+                .status,
+            0);
+  EXPECT_EQ(tiny_.run("identify", identify).out,
+            "compared (k, c) of 2 models with the truth: run/tiny/identifiability.md\n");
+  const std::string csv = bytes_of(tiny_ / "run/tiny/identifiability.csv");
+  EXPECT_NE(csv.find("\ntiny,ae,stiffness,all,1,"), std::string::npos) << csv;
+  Arguments without = identify;
+  without.insert(without.end(), {"--leave-out", "seed0/ae"});
+  EXPECT_EQ(tiny_.run("identify", without).out,
+            "compared (k, c) of 1 models with the truth: run/tiny/identifiability.md\n");
+}
+
 TEST_F(IdentifyStage, NamesAMissingModel) {
   expect_refusal(tiny_.run("identify", with(identify, "--seeds", "1")), "identify", 66,
                  {"run/tiny/seed1/piae-dt/model.h5"});

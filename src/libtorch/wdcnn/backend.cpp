@@ -65,13 +65,19 @@ class Backend final : public diagnosis::WdcnnBackend {
     return {.loss = loss_sum_.item<double>(), .correct = correct_.item<std::int64_t>()};
   }
 
-  std::vector<float> scores(const diagnosis::LabelledWindows& windows) override {
+  diagnosis::WdcnnOutputs outputs(const diagnosis::LabelledWindows& windows) override {
     const torch::NoGradGuard no_grad;
+    std::vector<torch::Tensor> hidden;
+    std::vector<torch::Tensor> logits;
     std::vector<torch::Tensor> scores;
     for (const torch::Tensor& batch : to_tensor(windows, device_).split(test_batch)) {
-      scores.push_back(network_.forward(batch, Mode::evaluation).softmax(1));
+      hidden.push_back(network_.hidden(batch, Mode::evaluation));
+      logits.push_back(network_.classify(hidden.back()));
+      scores.push_back(logits.back().softmax(1));
     }
-    return to_vector(torch::cat(scores));
+    return {.hidden = to_vector(torch::cat(hidden)),
+            .logits = to_vector(torch::cat(logits)),
+            .scores = to_vector(torch::cat(scores))};
   }
 
  private:

@@ -57,12 +57,15 @@ torch::Tensor WdcnnNetwork::convolve(std::size_t i, const torch::Tensor& input, 
   return pool(normalise(layer, filtered, mode)).relu_();
 }
 
-torch::Tensor WdcnnNetwork::forward(const torch::Tensor& windows, Mode mode) {
+torch::Tensor WdcnnNetwork::hidden(const torch::Tensor& windows, Mode mode) {
   torch::Tensor x = windows.unsqueeze(1);
   for (std::size_t i = 0; i < convolutions; ++i) x = convolve(i, x, mode);
   const Layer& dense = layers_[convolutions];
-  x = normalise(dense, torch::linear(x.flatten(1), dense.weight), mode).relu_();
-  return torch::linear(x, classes_weight_, classes_bias_);
+  return normalise(dense, torch::linear(x.flatten(1), dense.weight), mode).relu_();
+}
+
+torch::Tensor WdcnnNetwork::classify(const torch::Tensor& hidden) const {
+  return torch::linear(hidden, classes_weight_, classes_bias_);
 }
 
 }  // namespace piae::libtorch

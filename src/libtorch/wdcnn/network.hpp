@@ -26,7 +26,13 @@ class WdcnnNetwork {
   enum class Mode { training, evaluation };
 
   /// The logits [n, classes] of windows [n, length].
-  torch::Tensor forward(const torch::Tensor& windows, Mode mode);
+  torch::Tensor forward(const torch::Tensor& windows, Mode mode) {
+    return classify(hidden(windows, mode));
+  }
+  /// The dense layer after ReLU, [n, diagnosis::WdcnnLayers::hidden], of windows [n, length].
+  torch::Tensor hidden(const torch::Tensor& windows, Mode mode);
+  /// The logits of what hidden() gave.
+  [[nodiscard]] torch::Tensor classify(const torch::Tensor& hidden) const;
 
   /// Runs convolution i with its normalisation, pooling and ReLU: [n, inputs, length] -> [n,
   /// outputs, a shorter length].

@@ -1,11 +1,16 @@
-#include "signal/check.hpp"
+#include "inspection/check.hpp"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "support/folder.hpp"
 
-namespace piae::signal {
+namespace piae::inspection {
 namespace {
+
+using signal::Defect;
+using signal::Description;
 
 /// Two classes, one of two files, one of one.
 Description description() {
@@ -40,12 +45,49 @@ TEST(Check, FindsSamplesLevelsAndStrides) {
   EXPECT_EQ(found.exit, Exit::done);
   ASSERT_EQ(found.records.size(), 3U);
   EXPECT_EQ(found.records[0].samples, 2821U);
-  EXPECT_NEAR(found.records[0].rms, 3, 1e-5);
-  EXPECT_NEAR(found.records[2].rms, 2, 1e-9);
+  EXPECT_EQ(found.records[0].file_samples, 2821U);
+  ASSERT_TRUE(found.records[0].level && found.records[2].level);
+  EXPECT_NEAR(found.records[0].level->rms, 3, 1e-5);
+  EXPECT_NEAR(found.records[2].level->rms, 2, 1e-9);
+  EXPECT_EQ(found.records[0].beginning.size(), 200U);
   ASSERT_EQ(found.classes.size(), 2U);
   EXPECT_EQ(found.classes[0].records, 2U);
   EXPECT_EQ(found.classes[0].stride, 1U);
   EXPECT_EQ(found.classes[1].stride, 3U);
+  EXPECT_NEAR(found.classes[1].overlap, 1021.0 / 1024, 1e-12);
+}
+
+/// What is clipped in the file is not flat any more once it is resampled.
+TEST(Check, LooksForFlawsInTheFilesOwnSamples) {
+  const Folder folder;
+  write_signal(folder, "ok1.csv", 1324, 1);
+  write_signal(folder, "ok2.csv", 1324, 2);
+  std::string text;
+  for (int i = 0; i < 6000; ++i) text += std::to_string(std::clamp(i * 7 % 101, 20, 80)) + "\n";
+  folder.write("bad.csv", text);
+  Description d = description();
+  d.records[0].sample_rate_hz = 2000;
+  const DatasetCheck found = check(d, folder.path());
+  EXPECT_EQ(found.records[0].file_samples, 6000U);
+  EXPECT_EQ(found.records[0].samples, 3000U);
+  EXPECT_EQ(found.records[0].length_s(), 3);
+  EXPECT_GT(found.records[0].clipped.count, 0U);
+}
+
+/// At 1 Hz these are 47 minutes, and at half of that more than an hour: 5642 s.
+TEST(Check, DoesNotBlowUpARecordOfMoreThanAnHour) {
+  const Folder folder;
+  write_signal(folder, "ok1.csv", 1324, 1);
+  write_signal(folder, "ok2.csv", 1324, 2);
+  write_signal(folder, "bad.csv", 2821, 3);
+  Description d = description();
+  d.records[0].sample_rate_hz = 0.5;
+  const DatasetCheck found = check(d, folder.path());
+  EXPECT_EQ(found.exit, Exit::done);
+  EXPECT_FALSE(found.records[0].level);
+  EXPECT_EQ(found.records[0].samples, 5642000U);
+  EXPECT_GT(found.records[0].lines.front().hz, 0);
+  EXPECT_FALSE(found.records[0].lines.front().db);
 }
 
 TEST(Check, GoesOnAfterWhatCannotBeRead) {
@@ -78,4 +120,4 @@ TEST(Check, RefusesRecordsThatAreTooShortForAllWindows) {
 }
 
 }  // namespace
-}  // namespace piae::signal
+}  // namespace piae::inspection

@@ -1,0 +1,132 @@
+# Figs 11 and 12, one fault class: panel,what,x,y,real, and a column for each method. Each of the four panels
+# is one axis, on which real windows and those of each method stand in rows. A value is drawn at the middle
+# of its row, plus its part of the row's height.
+# height: 860
+part = data[strstrt(data, "@") + 1:strlen(data) - 4]
+stats data using 0 nooutput
+rows  = STATS_columns - 4
+names = ""
+do for [i = 1:rows] {
+  stats data using (name = columnhead(4 + i), 0) every ::::0 nooutput
+  names = names." ".name
+}
+is(panel) = strcol(1) eq panel
+of(i)     = column(4 + i)
+middle(i) = rows - i + 0.5
+within_row(part) = part < -0.5 ? -0.5 : part > 0.5 ? 0.5 : part
+
+# All rows of a panel have the scale of the real windows; what goes beyond it ends at the edge of its row.
+two_digits(x) = (unit = 10 ** (floor(log10(x)) - 1), unit * ceil(x / unit))
+stats data using (is("waveform") ? abs(of(1)) : NaN) name "real" nooutput
+loudest = two_digits(1.2 * real_max)
+wave(i) = middle(i) + within_row(of(i) / loudest / 2)
+level(i, top, height) = within_row(0.5 - (top - of(i)) / height)
+next_ten(x) = 10 * ceil(x / 10 + 0.2)
+stats data using (is("spectrum") ? of(1) : NaN) name "real" nooutput
+top_1 = next_ten(real_max)
+stats data using (is("envelope") ? of(1) : NaN) name "real" nooutput
+top_2 = next_ten(real_max)
+stats data using (is("spectrogram") ? of(1) : NaN) name "real" nooutput
+top_3 = next_ten(real_max)
+height_1 = 60
+height_2 = 40
+height_3 = 50
+stats data using (is("waveform") ? $3 : NaN) name "time" nooutput
+stats data using (is("spectrum") ? $3 : NaN) name "frequency" nooutput
+stats data using (is("envelope") ? $3 : NaN) name "last_line" nooutput
+
+# A row of names above the rows of windows for each kind of fault line; `own` is that of this class.
+lines  = "BPFO BPFI 2BSF"
+own    = ""
+others = ""
+stats data using (is("own-line") ? (own = strcol(2), 0) : NaN) nooutput
+do for [line in lines] { if (line ne own) { others = others." ".line } }
+is_line(name)   = strcol(2) eq name && (is("line") || is("own-line"))
+line_text(name) = $4 == 1 ? (name eq "2BSF" ? "2·BSF" : name) : sprintf("%g×", $4)
+line_name(name) = sprintf(name eq own ? "{/:Bold*0.8 %s}" : "{/*0.8 %s}", line_text(name))
+line_tint(name) = colour(1 + place(name, lines))
+line_dash(name) = dash(1 + place(name, lines))
+above     = 0.075
+bottom    = 0.075
+top       = 0.83
+row_of_name(name) = rows * (1 + (above - 0.012) / (top - bottom) * (4 - place(name, lines) - 0.3) / 3.0)
+
+tint(i)   = i == 1 ? 0x222222 : colour(1)
+behind    = 0xB0B0B0
+left(n)   = 0 + word("0.115 0.345 0.565 0.805", n)
+right(n)  = 0 + word("0.330 0.550 0.790 0.985", n)
+heading(n, first, second) = sprintf("set label %d \"%s\" at screen %g, %g center; set label %d \"{/*0.85 %s}\" at screen %g, %g center textcolor rgb 0x555555", \
+  2 * n, first, (left(n) + right(n)) / 2, top + above + 0.042, 2 * n + 1, second, (left(n) + right(n)) / 2, top + above + 0.016)
+
+set multiplot
+set border 1
+unset grid
+set ytics () scale 0
+do for [i = 1:rows] { set ytics add (word(names, i) middle(i)) }
+do for [i = 0:rows] {
+  set arrow from graph 0, first i to graph 1, first i nohead linecolor rgb 0xDDDDDD linewidth 0.6 back
+}
+set bmargin at screen bottom
+set tmargin at screen top
+set yrange [0:rows]
+set label 1 part.": real windows, and those that each method generated; in grey, the spectrum of real ones" \
+  at screen 0.02, 0.98 noenhanced
+
+n = 1
+eval heading(n, "a window", sprintf("a row is ±%g m/s²", loudest))
+set lmargin at screen left(n)
+set rmargin at screen right(n)
+set xrange [0:time_max]
+set xlabel "time, ms"
+plot for [i = 1:rows] data using (is("waveform") ? $3 : NaN):(wave(i)) \
+       with lines linewidth 0.5 linecolor rgb tint(i)
+unset label
+unset ytics
+
+n = 2
+eval heading(n, "amplitude spectrum", sprintf("a row is %g to %g dB", top_1 - height_1, top_1))
+set lmargin at screen left(n)
+set rmargin at screen right(n)
+set xrange [0:frequency_max / 1e3]
+set xlabel "frequency, kHz"
+kilohertz(panel) = is(panel) ? $3 / 1e3 : NaN
+plot for [i = 2:rows] data using (kilohertz("spectrum")):(middle(i) + level(1, top_1, height_1)) \
+       with lines linewidth 0.8 linecolor rgb behind, \
+     for [i = 1:rows] data using (kilohertz("spectrum")):(middle(i) + level(i, top_1, height_1)) \
+       with lines linewidth 0.8 linecolor rgb tint(i)
+unset label
+
+n = 4
+eval heading(n, "spectrogram", sprintf("a row is 0 to %g kHz, %g dB", two_digits(frequency_max / 1e3), height_3))
+set lmargin at screen left(n)
+set rmargin at screen right(n)
+set xrange [0:time_max]
+set xlabel "time, ms"
+unset colorbox
+set palette defined (0 'white', 1 '#0072B2', 2 '#001A2B') maxcolors 10
+set cbrange [top_3 - height_3:top_3]
+plot for [i = 1:rows] data using (is("spectrogram") ? $3 : NaN):(middle(i) - 0.5 + 0.94e-3 * $4 / (frequency_max / 1e3)):(of(i)) \
+       with image
+unset label
+
+n = 3
+eval heading(n, "envelope spectrum", sprintf("%g to %g dB; dotted: ± shaft", top_2 - height_2, top_2))
+set lmargin at screen left(n)
+set rmargin at screen right(n)
+set tmargin at screen top + above
+set yrange [0:rows * (1 + above / (top - bottom))]
+set xrange [0:last_line_max]
+set xlabel "frequency, Hz"
+plot for [f in others] data using (is_line(f) ? $3 : NaN):(0):(0):(rows) \
+       with vectors nohead dashtype line_dash(f) linewidth 0.7 linecolor rgb line_tint(f), \
+     data using (is("sideband") ? $3 : NaN):(0):(0):(rows) \
+       with vectors nohead dashtype 3 linewidth 0.9 linecolor rgb line_tint(own), \
+     data using (is_line(own) ? $3 : NaN):(0):(0):(rows) \
+       with vectors nohead linewidth 1 linecolor rgb line_tint(own), \
+     for [f in lines] data using (is_line(f) ? $3 : NaN):(row_of_name(f)):(line_name(f)) \
+       with labels textcolor rgb line_tint(f), \
+     for [i = 2:rows] data using (is("envelope") ? $3 : NaN):(middle(i) + level(1, top_2, height_2)) \
+       with lines linewidth 0.8 linecolor rgb behind, \
+     for [i = 1:rows] data using (is("envelope") ? $3 : NaN):(middle(i) + level(i, top_2, height_2)) \
+       with lines linewidth 0.8 linecolor rgb tint(i)
+unset multiplot

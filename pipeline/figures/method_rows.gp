@@ -1,0 +1,12 @@
+# Loaded by scripts that show each method for itself. Column 1 of their data is the method, column 2 whether that
+# is a ceiling. Where methods are rows, the first at the top: for each panel `names = 1` (or 0, for bare rows), then
+# load name_rows.gp.
+ceilings = ""
+stats data using ($2 == 1 && !place(strcol(1), ceilings) ? (ceilings = ceilings." ".strcol(1), 1) : 0) nooutput
+named(method) = place(method, ceilings) ? method." (ceiling)" : method
+name_width    = 0  # of the longest name, in pixels
+do for [method in words_method] {
+  width = 20 + 7 * strlen(named(method))
+  name_width = width > name_width ? width : name_width
+}
+own_row(down) = place(strcol(1), words_method) + down  # of a line of the data

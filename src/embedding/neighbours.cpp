@@ -1,0 +1,66 @@
+#include "embedding/neighbours.hpp"
+
+#include <cmath>
+#include <cstddef>
+
+#include "base/parallel.hpp"
+
+namespace piae::embedding {
+
+using Eigen::Index;
+
+namespace {
+
+/// Gaussian weights of points, not yet divided by their sum.
+struct GaussianWeights {
+  Eigen::ArrayXd weights;
+  double sum;
+  double entropy;  ///< of the weights divided by their sum, natural logarithm
+
+  GaussianWeights(const Eigen::ArrayXd& squared_distances, double beta)
+      : weights((-beta * squared_distances).exp()),
+        sum(weights.sum()),
+        entropy(std::log(sum) + beta * (weights * squared_distances).sum() / sum) {}
+};
+
+}  // namespace
+
+Eigen::ArrayXd neighbour_probabilities(const Eigen::ArrayXd& squared_distances, double perplexity) {
+  // Distances from the nearest leave the probabilities as they are, and its weight is 1: so the sum
+  // of the weights is never 0. In units of the largest, beta is between limits that hold for all.
+  Eigen::ArrayXd beyond = squared_distances - squared_distances.minCoeff();
+  const double largest = beyond.maxCoeff();
+  if (largest > 0) beyond /= largest;
+
+  // At beta = 1 no weight is below 1/e, so the entropy is at least ln(n) - 1, which is more than
+  // that of n/3. At the upper limit only what is as near as the nearest has any weight.
+  double low = 0;
+  double high = 200;
+  const double wanted = std::log(perplexity);
+  constexpr double tolerance = 1e-8;
+  constexpr int most_halvings = 60;  // where the wanted entropy does not exist
+  for (int halving = 0;; ++halving) {
+    const double middle = (low + high) / 2;
+    GaussianWeights found(beyond, std::exp(middle));
+    if (std::abs(found.entropy - wanted) < tolerance || halving == most_halvings) {
+      return found.weights / found.sum;
+    }
+    (found.entropy > wanted ? low : high) = middle;
+  }
+}
+
+Eigen::MatrixXd pair_probabilities(const Eigen::MatrixXd& squared_distances, double perplexity) {
+  const Index n = squared_distances.rows();
+  Eigen::MatrixXd of_neighbours(n, n);  // column i: of the neighbours of point i
+  parallel_for(static_cast<std::size_t>(n), [&](std::size_t point) {
+    const auto i = static_cast<Index>(point);
+    const Index after = n - 1 - i;
+    Eigen::ArrayXd others(n - 1);
+    others << squared_distances.col(i).head(i), squared_distances.col(i).tail(after);
+    const Eigen::ArrayXd p = neighbour_probabilities(others, perplexity);
+    of_neighbours.col(i) << p.head(i), 0, p.tail(after);
+  });
+  return (of_neighbours + of_neighbours.transpose()) / (2.0 * static_cast<double>(n));
+}
+
+}  // namespace piae::embedding

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "figures/numbers.hpp"
+#include "figures/source.hpp"
+
+namespace piae::figures {
+
+/// What a plant pays for: faults taken for healthy, and healthy windows taken for faults, of each
+/// method at its ratio with the most generated windows. Columns:
+/// method,ceiling,ratio,kind,class,seed,percent; `seed` is "mean" for the mean over the seeds.
+/// `kind` is "all-faults" for missed windows of all fault classes together, "fault" for those of
+/// one `class`, and "healthy" for false alarms. A class without test windows has no rows.
+Numbers missed_faults(Source& source);
+
+}  // namespace piae::figures

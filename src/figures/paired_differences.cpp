@@ -1,0 +1,75 @@
+#include "figures/paired_differences.hpp"
+
+#include <algorithm>
+#include <optional>
+
+#include "augment/catalogue.hpp"
+#include "figures/intervals.hpp"
+#include "report/comparisons.hpp"
+
+namespace piae::figures {
+
+namespace {
+
+using report::PairedRow;
+
+/// A method compared with another at one ratio. Its rows have these fields first.
+struct Comparison {
+  PairedRow paired;
+  std::vector<std::string> fields;
+};
+
+/// The least p that Holm's correction can leave: the smallest of the family is multiplied by its
+/// size, and no other is corrected to less than that one.
+double least_p_of(const PairedRow& row, const std::vector<PairedRow>& all) {
+  const auto family = static_cast<double>(std::ranges::count(all, row.ratio, &PairedRow::ratio));
+  return std::min(1.0, family * scoring::smallest_p(row.paired.difference.count));
+}
+
+void add_mean(Numbers& numbers, const Comparison& comparison, double least_p) {
+  const PairedRow& row = comparison.paired;
+  const std::vector<std::string> interval = shown_interval(row.paired.difference);
+  std::vector<std::string> fields = comparison.fields;
+  fields.insert(fields.end(),
+                {"mean", digits(row.paired.difference.mean), interval[0], interval[1]});
+  if (row.paired.p) {
+    fields.insert(fields.end(), {digits(*row.paired.p), digits(*row.p_holm), digits(least_p)});
+  } else {
+    fields.insert(fields.end(), {"", "", ""});
+  }
+  numbers.row(fields);
+}
+
+void add_seeds(Numbers& numbers, const Comparison& comparison, const report::AccuracyRow& own,
+               const report::AccuracyRow& other, const std::vector<std::int64_t>& seeds) {
+  for (std::size_t i = 0; i < seeds.size(); ++i) {
+    std::vector<std::string> fields = comparison.fields;
+    fields.insert(fields.end(), {std::to_string(seeds[i]), digits(own.values[i] - other.values[i]),
+                                 "", "", "", "", ""});
+    numbers.row(fields);
+  }
+}
+
+}  // namespace
+
+Numbers paired_differences(Source& source) {
+  const report::Comparisons comparisons = report::compare_methods(source.accuracy_rows(), "");
+  if (comparisons.rows.empty()) {
+    throw LeftOut("neither " + augment::paper_method() +
+                  " nor a method of this project is there to be compared with others");
+  }
+  const auto rows = report::with_means(source.accuracy_rows());
+  const std::string& against = comparisons.against;
+  Numbers numbers({"method", "ceiling", "ratio", "against", "seed", "difference", "low", "high",
+                   "p", "p_holm", "least_p"});
+  for (const PairedRow& paired : comparisons.rows) {
+    const std::string ceiling = augment::is_ceiling(paired.method) ? "1" : "0";
+    const Comparison comparison{paired, {paired.method, ceiling, paired.ratio, against}};
+    add_seeds(numbers, comparison, *report::find_row(rows, paired.method, paired.ratio),
+              *report::find_row(rows, against, paired.ratio), source.grid().seeds);
+    add_mean(numbers, comparison, least_p_of(paired, comparisons.rows));
+  }
+  return numbers;
+}
+
+}  // namespace piae::figures

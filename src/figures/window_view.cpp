@@ -1,0 +1,100 @@
+#include "figures/window_view.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <stdexcept>
+#include <vector>
+
+#include "bearing/kinematics.hpp"
+#include "scoring/envelope.hpp"
+#include "scoring/spectrogram.hpp"
+#include "scoring/spectrum.hpp"
+
+namespace piae::figures {
+
+namespace {
+
+using Eigen::Index;
+
+constexpr Index most_points = 128;  // of a curve
+constexpr Index most_padding = 16;
+constexpr double silence = 1e-20;  // as power
+
+/// The frequency at which the envelope spectrum ends.
+double last_line_hz(const signal::DatasetInfo& info) {
+  const auto f = bearing::fault_frequencies(info.bearing, info.shaft_speed_rpm);
+  return ViewAxes::harmonics * std::max({f.bpfo_hz, f.bpfi_hz, 2 * f.bsf_hz}) + 2 * f.shaft_hz;
+}
+
+/// As many zeros that the lines of slow shafts have enough points, too.
+Index padding_for(double last_hz, double bin_hz) {
+  Index padding = 2;
+  while (padding < most_padding &&
+         2 * static_cast<double>(padding) * last_hz / bin_hz <= most_points) {
+    padding *= 2;
+  }
+  return padding;
+}
+
+/// Of powers that Hann's window was used for, the level of the sine that would have it.
+Eigen::ArrayXXd level_db(const Eigen::ArrayXXd& power, Index length) {
+  const double of_unit_sine = static_cast<double>(length * length) / 16;
+  return 10 * (power / of_unit_sine).max(silence).log10();
+}
+
+}  // namespace
+
+ViewAxes::ViewAxes(const signal::DatasetInfo& info, Index length)
+    : rate_hz_(info.sample_rate_hz),
+      length_(length),
+      samples_(length, most_points),
+      bins_(length / 2, most_points),
+      envelope_padding_(padding_for(last_line_hz(info), bin_hz())),
+      envelope_count_(std::min(
+          envelope_padding_ * length / 2,
+          std::lround(static_cast<double>(envelope_padding_) * last_line_hz(info) / bin_hz()))),
+      envelope_bins_(envelope_count_, most_points) {}
+
+double ViewAxes::waveform_ms(Index point) const { return 1e3 * samples_.middle(point) / rate_hz_; }
+
+double ViewAxes::spectrum_hz(Index point) const { return (1 + bins_.middle(point)) * bin_hz(); }
+
+double ViewAxes::envelope_hz(Index point) const {
+  return (1 + envelope_bins_.middle(point)) * bin_hz() / static_cast<double>(envelope_padding_);
+}
+
+double ViewAxes::spectrogram_ms(Index time) const {
+  return 1e3 * static_cast<double>((time + 1) * (segment / 2)) / rate_hz_;
+}
+
+double ViewAxes::spectrogram_hz(Index bin) const {
+  return static_cast<double>(bin) * rate_hz_ / static_cast<double>(segment);
+}
+
+Index typical_window(const scoring::Windows& windows) {
+  if (windows.rows() == 0) throw std::logic_error("no windows have none that is typical");
+  const Eigen::ArrayXd squares =
+      (windows.colwise() - windows.rowwise().mean()).rowwise().squaredNorm();
+  std::vector<Index> by_loudness(static_cast<std::size_t>(windows.rows()));
+  std::iota(by_loudness.begin(), by_loudness.end(), Index{0});
+  std::ranges::stable_sort(by_loudness, {}, [&](Index i) { return squares[i]; });
+  return by_loudness[(by_loudness.size() - 1) / 2];
+}
+
+WindowView view_of(const scoring::Windows& windows, const ViewAxes& axes) {
+  const Eigen::RowVectorXd shown = windows.row(typical_window(windows));
+  const Index length = windows.cols();
+  const Eigen::ArrayXd spectrum = scoring::mean_power_spectrum(windows);
+  const Eigen::ArrayXd envelope =
+      scoring::mean_power_spectrum(scoring::envelopes(windows), axes.envelope_padding());
+  return {.low = axes.samples().lowest(shown.transpose()),
+          .high = axes.samples().highest(shown.transpose()),
+          .spectrum_db = level_db(axes.bins().highest(spectrum.tail(length / 2)), length),
+          .envelope_db = level_db(
+              axes.envelope_bins().highest(envelope.segment(1, axes.envelope_count())), length),
+          .spectrogram_db =
+              level_db(scoring::spectrogram(shown, ViewAxes::segment), ViewAxes::segment)};
+}
+
+}  // namespace piae::figures

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <vector>
+
+#include "figures/picture.hpp"
+#include "figures/source.hpp"
+
+namespace piae::figures {
+
+/// Figs 11 and 12: real windows (D) and those that each method of the grid generated (E), of the
+/// first seed; a picture for each fault class. Columns: panel,what,x,y,real, and one for each
+/// method. What x, y and the values of the methods are depends on the panel:
+///   waveform     ms; values of the window shown in m/s^2, where `what` is the lowest or the
+///                highest of some samples
+///   spectrum     Hz; mean amplitude of all windows in dB, to 1 m/s^2
+///   envelope     Hz; the same of their envelopes
+///   spectrogram  ms and Hz; amplitude of the window shown in dB, to 1 m/s^2
+///   own-line, line, sideband
+///                Hz and the number of the harmonic of a fault line, which `what` names, at the
+///                nominal speed; of the class's own defect, of others, and a turn of the shaft
+///                beside the own one
+std::vector<Picture> windows_by_class(Source& source);
+
+}  // namespace piae::figures

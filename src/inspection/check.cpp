@@ -1,0 +1,114 @@
+#include "inspection/check.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "inspection/plausibility.hpp"
+#include "signal/split.hpp"
+#include "signal/stride.hpp"
+
+namespace piae::inspection {
+
+namespace {
+
+using signal::Description;
+
+void note_exit(DatasetCheck& check, Exit exit) {
+  if (check.exit != Exit::bad_input) check.exit = exit;
+}
+
+/// The third harmonic of the highest line, and a little more.
+double highest_shown_hz(const FaultLines& lines) {
+  return 3.5 * std::ranges::max(lines, {}, &FaultLine::hz).hz;
+}
+
+void look_at_signal(RecordCheck& found, const std::vector<double>& signal,
+                    const signal::DatasetInfo& info) {
+  const double rate_hz = info.sample_rate_hz;
+  found.samples = signal.size();
+  if (std::ranges::min(signal) < std::ranges::max(signal)) found.level = level_of(signal);
+  found.envelope = envelope_spectrum(signal, rate_hz, found.source.shaft_speed_rpm / 60);
+  found.lines = fault_lines(found.envelope, info, found.source.shaft_speed_rpm);
+  const auto shown = std::min(signal.size(), static_cast<std::size_t>(shown_s * rate_hz));
+  found.beginning.assign(signal.begin(), signal.begin() + static_cast<std::ptrdiff_t>(shown));
+  const double bins = std::ceil(highest_shown_hz(found.lines) / found.envelope.bin_hz);
+  if (bins < static_cast<double>(found.envelope.power.size())) {
+    found.envelope.power.resize(static_cast<std::size_t>(bins));
+  }
+}
+
+void look_at_record(RecordCheck& found, const Description& description,
+                    signal::RecordReader& reader) {
+  const signal::RawRecord raw = reader.read_raw(found.source);
+  const signal::DatasetInfo& info = description.info;
+  found.file_samples = raw.samples.size();
+  found.goes_one_way = goes_one_way(raw.samples);
+  found.clipped = clipped_peaks(raw.samples);
+  found.held = held_values(raw.samples);
+  if (found.length_s() > longest_record_s) {
+    constexpr double most = 1e15;  // beyond any record, but a number that counts samples
+    found.samples =
+        static_cast<std::size_t>(std::min(most, found.length_s() * info.sample_rate_hz));
+    found.lines = fault_lines({}, info, found.source.shaft_speed_rpm);
+  } else {
+    look_at_signal(found, reader.resampled(found.source, raw).signal, info);
+  }
+}
+
+ClassCheck check_class(const Description& description, const DatasetCheck& check, Label label) {
+  ClassCheck result{.label = label};
+  std::vector<std::size_t> lengths;
+  for (const RecordCheck& record : check.records) {
+    if (record.source.label != label) continue;
+    ++result.records;
+    if (record.problem.empty()) lengths.push_back(record.samples);
+  }
+  if (lengths.size() < result.records) return result;  // the record has the problem
+  const signal::SplitOptions split;
+  const signal::ClassInfo& described = description.info.class_of(label);
+  try {
+    result.stride = signal::largest_stride(described.name, lengths,
+                                           {.window = split.window,
+                                            .max_stride = split.max_stride,
+                                            .windows = split.windows_per_class,
+                                            .blocks = 0,
+                                            .guard = 0});
+  } catch (const Error& error) {
+    result.problem = error.what();
+    return result;
+  }
+  const bool healthy = described.defect == signal::Defect::none;
+  const std::size_t training =
+      healthy ? split.windows_per_class - split.test_per_class : split.known_per_class;
+  result.overlap = 1 - static_cast<double>(result.stride) / static_cast<double>(split.window);
+  result.shared_with_training =
+      share_that_meets_training(result.stride, split.window, split.windows_per_class, training);
+  return result;
+}
+
+}  // namespace
+
+DatasetCheck check(const Description& description, const std::filesystem::path& data_dir,
+                   const signal::RecordsDone& done) {
+  DatasetCheck check;
+  signal::RecordReader reader(description, data_dir);
+  for (const signal::RecordSource& source : description.records) {
+    RecordCheck found;
+    found.source = source;
+    try {
+      look_at_record(found, description, reader);
+    } catch (const Error& error) {
+      found.problem = error.what();
+      note_exit(check, error.exit());
+    }
+    check.records.push_back(std::move(found));
+    if (done) done(check.records.size());
+  }
+  for (const Label label : description.info.labels()) {
+    check.classes.push_back(check_class(description, check, label));
+    if (!check.classes.back().problem.empty()) note_exit(check, Exit::bad_input);
+  }
+  return check;
+}
+
+}  // namespace piae::inspection

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/error.hpp"
+#include "inspection/fault_lines.hpp"
+#include "inspection/level.hpp"
+#include "inspection/raw_flaws.hpp"
+#include "signal/description.hpp"
+#include "signal/ingest.hpp"
+
+namespace piae::inspection {
+
+/// A record of more than an hour is no single run at a steady speed. Such a one is not brought to
+/// the dataset's rate, since a rate in kHz would make it a thousand times longer than it is.
+inline constexpr double longest_record_s = 3600;
+
+/// How much of a record the picture shows.
+inline constexpr double shown_s = 0.2;
+
+/// What was found of one record. A record that cannot be read has a problem, and no numbers.
+struct RecordCheck {
+  signal::RecordSource source;
+  std::size_t file_samples = 0;  ///< as the file has them
+  std::size_t samples = 0;       ///< at the dataset's sample rate
+  bool goes_one_way = false;
+  Stretches clipped;
+  Stretches held;
+  /// In the unit of the source, at the dataset's rate. None for a record beyond longest_record_s,
+  /// which then has no lines either.
+  std::optional<Level> level;
+  FaultLines lines;
+  std::vector<double> beginning;  ///< the first shown_s, at the dataset's sample rate
+  EnvelopeSpectrum envelope;      ///< as far as the picture shows it
+  std::string problem = {};       ///< empty where there is none
+
+  [[nodiscard]] double length_s() const {
+    return static_cast<double>(file_samples) / source.sample_rate_hz;
+  }
+};
+
+/// What a split with its default options would find of one class: the largest stride that gives all
+/// windows, or the problem that there is no such stride. Where a record of the class cannot be read
+/// there is neither stride nor problem: the record has the problem already.
+struct ClassCheck {
+  Label label = 0;
+  std::size_t records = 0;
+  std::size_t stride = 0;           ///< samples
+  double overlap = 0;               ///< of a window with the next one: 0 to below 1
+  double shared_with_training = 0;  ///< see share_that_meets_training
+  std::string problem = {};         ///< empty where there is none
+};
+
+struct DatasetCheck {
+  std::vector<RecordCheck> records;  ///< in the order of the description
+  std::vector<ClassCheck> classes;   ///< by label
+  Exit exit = Exit::done;            ///< bad_input if a file holds what it must not, else
+                                     ///< input_missing if a file is missing
+};
+
+/// Reads all files that a description names, and goes on after a file that cannot be read.
+DatasetCheck check(const signal::Description& description, const std::filesystem::path& data_dir,
+                   const signal::RecordsDone& done = {});
+
+}  // namespace piae::inspection

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "signal/dataset_info.hpp"
+
+namespace piae::inspection {
+
+/// The envelope spectrum of a record: mean power over segments of 16 turns of the shaft (less where
+/// the record is short, so that there are at least four), which overlap by half, each demodulated
+/// as scoring::envelopes does, tapered by Hann's window and padded to four times its length.
+struct EnvelopeSpectrum {
+  std::vector<double> power;  ///< by bin, from 0 Hz on
+  double bin_hz = 0;
+  double resolution_hz = 0;  ///< one over the length of a segment
+  double averages = 0;       ///< as many independent segments would scatter as little (Welch 1967)
+  double rounding = 0;       ///< a power below this is rounding alone
+};
+
+/// Empty where the record is shorter than ten samples a segment.
+EnvelopeSpectrum envelope_spectrum(std::span<const double> signal, double rate_hz, double shaft_hz);
+
+/// How far a defect's line stands out of an envelope spectrum.
+struct FaultLine {
+  signal::Defect kind = signal::Defect::none;
+  double hz = 0;  ///< where it should be: at the record's speed, without slip
+  /// The mean over the line and its second and third harmonic of 10 log10(line / floor). All three
+  /// belong to one frequency within 2 % of `hz`, the one that gives the most; so a line of
+  /// something else near one of them counts for little. The floor is the median power half way to
+  /// the next harmonics. None where the record is too short for the line, or the rate too low.
+  std::optional<double> db;
+  double noise_db = 0;            ///< what white noise alone exceeds in one record of a thousand
+  int harmonics_above_noise = 0;  ///< of the three, those above noise_db
+  double share_elsewhere = 0;  ///< of the places where no fault has a line: as far out as this one
+  /// Farther than noise alone, with two of the three harmonics at least, and farther than 95 % of
+  /// the other places of this spectrum, which hold the lines of shaft, motor and mains.
+  bool stands_out = false;
+};
+
+/// Outer, inner, roller.
+using FaultLines = std::array<FaultLine, 3>;
+
+/// "BPFO", "BPFI", "2BSF".
+std::string line_name(signal::Defect kind);
+
+FaultLines fault_lines(const EnvelopeSpectrum& spectrum, const signal::DatasetInfo& info,
+                       double shaft_speed_rpm);
+
+/// The line of a defect, of which there must be one.
+const FaultLine& line_of(const FaultLines& lines, signal::Defect kind);
+/// Of the lines that stand out the one that does so farthest; null where none does.
+const FaultLine* farthest(const FaultLines& lines);
+
+}  // namespace piae::inspection

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace piae::inspection {
+
+/// How a line of a drawing looks. Colours are those of Okabe and Ito, which people with the usual
+/// colour blindnesses tell apart; dashes tell them apart without any colour.
+struct Stroke {
+  std::string colour;
+  double width = 1;
+  std::string dashes = {};  ///< SVG's stroke-dasharray: "6 3"; empty for a whole line
+};
+
+struct Point {
+  double x = 0;
+  double y = 0;
+};
+
+enum class Anchor { start, middle, end };
+
+/// A drawing of lines and words on white, in pixels from the top left corner. The same calls give
+/// the same bytes.
+class Svg {
+ public:
+  Svg(double width, double height, const std::string& title);
+
+  void line(Point from, Point to, const Stroke& stroke);
+  void polyline(const std::vector<Point>& points, const Stroke& stroke);
+  void frame(Point corner, double width, double height);
+  /// `y` is that of the line that the letters stand on.
+  void text(Point at, const std::string& words, Anchor anchor = Anchor::start, double size = 11,
+            bool bold = false);
+
+  /// The whole file.
+  [[nodiscard]] std::string str() const;
+
+ private:
+  std::string head_;
+  std::string body_;
+};
+
+}  // namespace piae::inspection

@@ -1,0 +1,144 @@
+#include "inspection/tables.hpp"
+
+#include <spdlog/fmt/fmt.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "signal/split.hpp"
+#include "text/table.hpp"
+
+namespace piae::inspection {
+
+namespace {
+
+using signal::DatasetInfo;
+using Row = std::vector<std::string>;
+
+constexpr std::size_t widest_line = 100;
+constexpr std::size_t widest_name = 14;
+constexpr std::size_t widest_class = 24;
+constexpr std::size_t widest_file = 48;
+constexpr std::size_t narrowest_file = 8;
+
+const char* const lines_note =
+    "dB: how far the line and its 2nd and 3rd harmonic stand out of the record's envelope "
+    "spectrum\n"
+    "*: the line of the record's class; noise alone exceeds 'noise dB' in 1 of 1000 records\n\n";
+
+/// The end of a text, which tells names and files apart better than their beginning.
+std::string shortened(const std::string& text, std::size_t width) {
+  if (text.size() <= width) return text;
+  std::size_t first = text.size() - width + 1;
+  const auto inside_a_character = [&] { return (text[first] & 0xC0) == 0x80; };
+  while (first < text.size() && inside_a_character()) ++first;
+  return "…" + text.substr(first);
+}
+
+bool fits(const std::string& table) {
+  std::size_t width = 0;
+  return std::ranges::all_of(table, [&](char c) {
+    width = c == '\n' ? 0 : width + ((c & 0xC0) != 0x80 ? 1 : 0);
+    return width <= widest_line;
+  });
+}
+
+text::Table recordings_table(const DatasetInfo& info, const DatasetCheck& check,
+                             std::size_t file_width) {
+  const std::size_t window = signal::SplitOptions{}.window;
+  text::Table table({"record", "file", "file Hz", "Hz", "s", "windows",
+                     "RMS " + unit_name(info.unit_m_per_s2), "kurtosis", "crest"},
+                    2);
+  for (const RecordCheck& record : check.records) {
+    const signal::RecordSource& source = record.source;
+    Row row{shortened(source.name, widest_name), shortened(source.file, file_width)};
+    if (!record.problem.empty()) {
+      row.emplace_back("no data");
+    } else {
+      row.insert(
+          row.end(),
+          {fmt::format("{:.6g}", source.sample_rate_hz), fmt::format("{:.6g}", info.sample_rate_hz),
+           fmt::format("{:.3f}", record.length_s()), std::to_string(record.samples / window)});
+    }
+    if (record.level) {
+      row.insert(row.end(), {fmt::format("{:.4g}", record.level->rms),
+                             fmt::format("{:.2f}", record.level->kurtosis),
+                             fmt::format("{:.2f}", record.level->crest_factor)});
+    }
+    table.row(row);
+  }
+  return table;
+}
+
+/// With the names of the files as long as the width allows.
+std::string recordings_text(const DatasetInfo& info, const DatasetCheck& check) {
+  for (std::size_t width = widest_file;; --width) {
+    std::string text = recordings_table(info, check, width).plain();
+    if (fits(text) || width == narrowest_file) return text;
+  }
+}
+
+std::string lines_table(const DatasetInfo& info, const DatasetCheck& check) {
+  text::Table table(
+      {"record", "rpm", "BPFO Hz", "dB", "BPFI Hz", "dB", "2BSF Hz", "dB", "noise dB"}, 1);
+  for (const RecordCheck& record : check.records) {
+    if (!record.problem.empty()) continue;
+    const signal::Defect own = info.class_of(record.source.label).defect;
+    Row row{shortened(record.source.name, widest_name),
+            fmt::format("{:.6g}", record.source.shaft_speed_rpm)};
+    for (const FaultLine& line : record.lines) {
+      row.push_back(fmt::format("{:.2f}", line.hz));
+      const std::string mark = line.kind == own ? "*" : "";
+      row.push_back(mark + (line.db ? fmt::format("{:.1f}", *line.db) : "-"));
+    }
+    const double noise_db = std::ranges::max(record.lines, {}, &FaultLine::noise_db).noise_db;
+    row.push_back(noise_db > 0 ? fmt::format("{:.1f}", noise_db) : "-");
+    table.row(row);
+  }
+  return table.plain() + lines_note;
+}
+
+std::string classes_table(const DatasetInfo& info, const DatasetCheck& check) {
+  text::Table table({"class", "defect", "mm", "records", "stride", "overlap %", "A meets B, C %"},
+                    2);
+  for (const ClassCheck& found : check.classes) {
+    const signal::ClassInfo& described = info.class_of(found.label);
+    Row row{shortened(described.name, widest_class), signal::to_string(described.defect),
+            fmt::format("{:g}", described.defect_size_mm), std::to_string(found.records), "-"};
+    if (found.stride > 0) {
+      row.back() = std::to_string(found.stride);
+      row.push_back(fmt::format("{:.1f}", 100 * found.overlap));
+      row.push_back(fmt::format("{:.0f}", 100 * found.shared_with_training));
+    }
+    table.row(row);
+  }
+  return table.plain();
+}
+
+const char* const classes_note =
+    "A meets B, C: test windows that share samples with a training window if PROTOCOL=random\n";
+
+}  // namespace
+
+std::string unit_name(double unit_m_per_s2) {
+  constexpr double g = 9.80665;
+  const auto is = [&](double other) { return std::abs(unit_m_per_s2 / other - 1) < 1e-3; };
+  if (is(1)) return "m/s²";
+  if (is(g)) return "g";
+  if (is(g / 1000)) return "mg";
+  return "units";
+}
+
+std::string tables_of(const signal::Description& description, const DatasetCheck& check) {
+  const DatasetInfo& info = description.info;
+  const bool any = std::ranges::any_of(
+      check.records, [](const RecordCheck& record) { return record.problem.empty(); });
+  return fmt::format(
+      "{}: all brought to {:g} Hz, unit_m_per_s2 = {:g}, windows of {} samples\n\n{}\n{}{}{}",
+      info.name, info.sample_rate_hz, info.unit_m_per_s2, signal::SplitOptions{}.window,
+      recordings_text(info, check), any ? lines_table(info, check) : "", classes_table(info, check),
+      classes_note);
+}
+
+}  // namespace piae::inspection

@@ -1,0 +1,52 @@
+#include "figures/catalogue.hpp"
+
+#include <gmock/gmock.h>
+
+#include <filesystem>
+#include <fstream>
+#include <set>
+#include <string>
+
+namespace piae::figures {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path scripts = fs::path(PIAE_SOURCE) / "pipeline" / "figures";
+
+TEST(Catalogue, HasAScriptForEachFigure) {
+  for (const Figure& figure : catalogue()) {
+    EXPECT_TRUE(fs::exists(scripts / (std::string(figure.name) + ".gp"))) << figure.name;
+  }
+}
+
+/// What other scripts load says so in its first lines.
+bool is_shared(const fs::path& script) {
+  std::ifstream file(script);
+  std::string text(300, ' ');
+  file.read(text.data(), static_cast<std::streamsize>(text.size()));
+  return text.find("Loaded by") != std::string::npos ||
+         text.find("have in common") != std::string::npos;
+}
+
+TEST(Catalogue, HasAFigureForEachScript) {
+  std::set<std::string> names;
+  for (const Figure& figure : catalogue()) names.insert(figure.name);
+  for (const auto& entry : fs::directory_iterator(scripts)) {
+    if (entry.path().extension() != ".gp" || is_shared(entry.path())) continue;
+    EXPECT_TRUE(names.contains(entry.path().stem())) << entry.path();
+  }
+}
+
+TEST(Catalogue, SaysOfEachFigureHowToReadItAndWhereItsNumbersComeFrom) {
+  std::set<std::string> names;
+  for (const Figure& figure : catalogue()) {
+    EXPECT_TRUE(names.insert(figure.name).second) << "twice: " << figure.name;
+    EXPECT_NE(std::string(figure.title), "");
+    EXPECT_NE(std::string(figure.caption), "");
+    EXPECT_NE(std::string(figure.from), "");
+  }
+}
+
+}  // namespace
+}  // namespace piae::figures

@@ -1,0 +1,103 @@
+#include "figures/files.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "artefact/file.hpp"
+#include "support/errors.hpp"
+#include "support/stored_run.hpp"
+
+namespace piae::figures {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+Numbers number(const std::string& value) {
+  Numbers numbers({"value"});
+  numbers.row({value});
+  return numbers;
+}
+
+Numbers one(Source&) { return number("1"); }
+std::vector<Picture> two(Source&) { return {{"b", number("2")}, {"a", number("1")}}; }
+std::vector<Picture> only_a(Source&) { return {{"a", number("3")}}; }
+Numbers none(Source&) { throw Error(Exit::input_missing, "there is nothing"); }
+
+Figure figure(const char* name) {
+  return {.name = name, .paper = "", .title = "", .caption = "", .from = ""};
+}
+
+class FigureFiles : public StoredRun {
+ protected:
+  [[nodiscard]] fs::path file(const std::string& name) const { return layout_.figure_csv(name); }
+  void draw(const std::string& name) const {
+    for (const char* const ending : {".svg", ".pdf"}) {
+      artefact::write_file_atomically(fs::path(file(name)).replace_extension(ending), {});
+    }
+  }
+
+  Source source_{layout_, grid_, {}};
+  Figure figure_ = figure("fig");
+};
+
+TEST_F(FigureFiles, AreOneOfTheFiguresNameWhereItHasOnePicture) {
+  figure_.numbers = one;
+  save_pictures(source_, figure_);
+  EXPECT_EQ(bytes_of(file("fig")), "value\n1\n");
+  EXPECT_THAT(stored_pictures(layout_, figure_), ElementsAre("fig"));
+}
+
+TEST_F(FigureFiles, AreOneForEachPart) {
+  figure_.pictures = two;
+  EXPECT_THAT(save_pictures(source_, figure_), ElementsAre(file("fig@b"), file("fig@a")));
+  EXPECT_EQ(bytes_of(file("fig@b")), "value\n2\n");
+  EXPECT_THAT(stored_pictures(layout_, figure_), ElementsAre("fig@a", "fig@b"));
+}
+
+TEST_F(FigureFiles, OfPartsThatAreNoMoreAreRemovedWithTheirPictures) {
+  figure_.pictures = two;
+  save_pictures(source_, figure_);
+  draw("fig@a");
+  draw("fig@b");
+  figure_.pictures = only_a;
+  save_pictures(source_, figure_);
+  EXPECT_THAT(stored_pictures(layout_, figure_), ElementsAre("fig@a"));
+  EXPECT_EQ(bytes_of(file("fig@a")), "value\n3\n");
+  EXPECT_TRUE(fs::exists(file("fig@a").replace_extension(".svg")));
+  EXPECT_FALSE(fs::exists(file("fig@b").replace_extension(".svg")));
+  EXPECT_FALSE(fs::exists(file("fig@b").replace_extension(".pdf")));
+}
+
+TEST_F(FigureFiles, OfAFigureThatCannotBeMadeAreRemoved) {
+  figure_.numbers = one;
+  save_pictures(source_, figure_);
+  draw("fig");
+  figure_.numbers = none;
+  EXPECT_ERROR(save_pictures(source_, figure_), Exit::input_missing, "there is nothing");
+  EXPECT_THAT(stored_pictures(layout_, figure_), IsEmpty());
+  EXPECT_FALSE(fs::exists(file("fig").replace_extension(".svg")));
+}
+
+TEST_F(FigureFiles, OfOtherFiguresStay) {
+  Figure longer = figure("fig-b");
+  longer.numbers = one;
+  save_pictures(source_, longer);
+  figure_.pictures = two;
+  save_pictures(source_, figure_);
+  EXPECT_THAT(stored_pictures(layout_, figure_), ElementsAre("fig@a", "fig@b"));
+  EXPECT_THAT(stored_pictures(layout_, longer), ElementsAre("fig-b"));
+}
+
+TEST_F(FigureFiles, ThatWouldNotChangeAreLeftAsTheyAre) {
+  figure_.numbers = one;
+  save_pictures(source_, figure_);
+  const fs::file_time_type old = fs::last_write_time(file("fig")) - std::chrono::hours(1);
+  fs::last_write_time(file("fig"), old);
+  save_pictures(source_, figure_);
+  EXPECT_EQ(fs::last_write_time(file("fig")), old);
+}
+
+}  // namespace
+}  // namespace piae::figures

@@ -1,0 +1,65 @@
+#include "figures/gains.hpp"
+
+#include "base/error.hpp"
+#include "figures/stored_source.hpp"
+#include "support/errors.hpp"
+
+namespace piae::figures {
+namespace {
+
+using Gains = StoredSource;
+
+TEST_F(Gains, AreAccuraciesMinusThoseOfTheSameSeedWithoutGeneratedWindows) {
+  add_all();  // none: 60 and 65; vae: 75 and 75 at 10to1, 85 and 95 at 2to1
+  Source all = source("none vae", "100to1 10to1 2to1");
+  const Numbers gains = gains_of_methods(all);
+  EXPECT_EQ(field(gains, "vae,0,10to1,45,0", 5), "15");
+  EXPECT_EQ(field(gains, "vae,0,10to1,45,1", 5), "10");
+  EXPECT_EQ(field(gains, "vae,0,10to1,45,mean", 5), "12.5");
+  EXPECT_EQ(field(gains, "vae,0,2to1,145,mean", 5), "27.5");
+}
+
+TEST_F(Gains, HaveAnIntervalFromThreeSeedsOn) {
+  add_all();
+  Source two = source("none vae", "100to1 10to1");
+  EXPECT_EQ(field(gains_of_methods(two), "vae,0,10to1,45,mean", 6), "");
+  add(diagnosis("none", "100to1", 0, 2, 14));  // 70 %
+  add(diagnosis("vae", "10to1", 45, 2, 18));   // 90 %: gains 15, 10 and 20
+  Source three = source("none vae", "100to1 10to1", "0 1 2");
+  const Numbers gains = gains_of_methods(three);
+  // 15 -+ 4.30265 * 5 / sqrt(3), Student's t with two degrees of freedom.
+  EXPECT_EQ(field(gains, "vae,0,10to1,45,mean", 6), "2.57931");
+  EXPECT_EQ(field(gains, "vae,0,10to1,45,mean", 7), "27.4207");
+}
+
+TEST_F(Gains, ShowACeilingAsOne) {
+  add_baseline();
+  add_method("vae");
+  for (const int seed : {0, 1}) add(diagnosis("oracle", "10to1", 45, seed, 20));
+  Source all = source("none vae oracle", "100to1 10to1");
+  EXPECT_EQ(field(gains_of_methods(all), "oracle,1,10to1,45,mean", 5), "37.5");
+}
+
+TEST_F(Gains, OfTheModelsNeedAnAblation) {
+  add_all();
+  Source all = source("none vae", "100to1 10to1");
+  EXPECT_ERROR(gains_of_models(all), Exit::input_missing, "ablation");
+}
+
+TEST_F(Gains, NameTheFirstCellThatIsMissing) {
+  add_all();
+  std::filesystem::remove(layout_.diagnosis("vae", "2to1", 1));
+  Source all = source("none vae", "100to1 10to1 2to1");
+  EXPECT_ERROR(gains_of_methods(all), Exit::input_missing, "method vae, ratio 2to1, seed 1");
+}
+
+TEST_F(Gains, AccuraciesHaveTheBaselineToo) {
+  add_all();
+  Source all = source("none vae", "100to1 10to1");
+  const Numbers rows = accuracies(all);
+  EXPECT_EQ(field(rows, "none,0,100to1,0,0", 5), "60");
+  EXPECT_EQ(field(rows, "vae,0,10to1,45,mean", 5), "75");
+}
+
+}  // namespace
+}  // namespace piae::figures

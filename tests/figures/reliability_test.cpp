@@ -1,0 +1,54 @@
+#include "figures/reliability.hpp"
+
+#include "figures/told_windows.hpp"
+#include "support/errors.hpp"
+
+namespace piae::figures {
+namespace {
+
+class ReliabilityFigure : public ToldWindows {
+ protected:
+  /// Two windows, of which one is told with a score of 0.95, the other with 0.55.
+  void add_seed(int seed, bool first_is_right, bool second_is_right) const {
+    scoring::DiagnosisRecord record =
+        told("vae", "2to1", 145, seed, {1, 2}, {first_is_right ? 1 : 2, second_is_right ? 2 : 1});
+    record.scores = {0.02F, 0.03F, 0.03F, 0.25F, 0.2F, 0.2F};
+    record.scores[index_of(record.predictions[0])] = 0.95F;
+    record.scores[3 + index_of(record.predictions[1])] = 0.55F;
+    add(record);
+  }
+};
+
+/// Of both seeds together half of each bin is right: 0.95 and 0.55 are off by 45 and 5 points.
+TEST_F(ReliabilityFigure, PoolsTheSeeds) {
+  add_seed(0, true, false);
+  add_seed(1, false, true);
+  Source two = source("vae", "2to1");
+  const Numbers numbers = reliabilities(two);
+  const std::string top = "vae,0,2to1,bin,90,100";
+  EXPECT_EQ(field(numbers, top, 6), "2");
+  EXPECT_EQ(field(numbers, top, 7), "50");
+  EXPECT_EQ(field(numbers, top, 8), "95");
+  EXPECT_EQ(field(numbers, top, 9), "50");
+  EXPECT_EQ(field(numbers, top, 10), "45");
+  EXPECT_EQ(field(numbers, "vae,0,2to1,bin,50,60", 10), "5");
+  EXPECT_EQ(field(numbers, "vae,0,2to1,all,0,100", 6), "4");
+  EXPECT_EQ(field(numbers, "vae,0,2to1,all,0,100", 9), "50");
+  EXPECT_EQ(field(numbers, "vae,0,2to1,all,0,100", 10), "25");
+}
+
+TEST_F(ReliabilityFigure, SaysNothingOfAnEmptyBin) {
+  add_seed(0, true, true);
+  Source one = source("vae", "2to1", "0");
+  const Numbers numbers = reliabilities(one);
+  EXPECT_EQ(field(numbers, "vae,0,2to1,bin,0,10", 7), "0");
+  EXPECT_EQ(field(numbers, "vae,0,2to1,bin,0,10", 9), "");
+}
+
+TEST_F(ReliabilityFigure, NamesTheDiagnosisThatIsMissing) {
+  Source one = source("vae", "2to1", "0");
+  EXPECT_ERROR(reliabilities(one), Exit::input_missing, "seed0/vae/2to1/diagnosis.h5");
+}
+
+}  // namespace
+}  // namespace piae::figures

@@ -1,0 +1,50 @@
+// The real recordings, where the environment variable DATA_DIR has them. Warnings among them are
+// facts that others have seen, too: Smith and Randall (2015) could not diagnose some records of
+// CWRU from their own lines.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+#include "inspection/warnings.hpp"
+
+namespace piae::inspection {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::UnorderedElementsAre;
+
+const fs::path descriptions =
+    fs::path(__FILE__).parent_path().parent_path().parent_path() / "pipeline" / "datasets";
+
+/// The warnings of a data set; nothing where its recordings are not there.
+std::optional<std::vector<std::string>> warnings_of(const std::string& dataset) {
+  const char* folder = std::getenv("DATA_DIR");
+  if (folder == nullptr || !fs::exists(fs::path(folder) / dataset)) return std::nullopt;
+  const auto description = signal::read_description(descriptions / (dataset + ".toml"));
+  const DatasetCheck found = check(description, folder);
+  if (found.exit != Exit::done) return std::nullopt;
+  return inspection::warnings_of(description, found);
+}
+
+TEST(RealRecordings, OfCwruHaveThreeFaultsThatDoNotShowTheirLinesBest) {
+  const auto warnings = warnings_of("cwru");
+  if (!warnings) GTEST_SKIP() << "DATA_DIR does not have the recordings";
+  const auto about = [](const char* name, const char* own) {
+    return AllOf(HasSubstr(name), HasSubstr(own), HasSubstr("the line of its class"));
+  };
+  EXPECT_THAT(*warnings, UnorderedElementsAre(about("B007 (", "2BSF"), about("B021 (", "2BSF"),
+                                              about("OR014 (", "BPFO")));
+}
+
+TEST(RealRecordings, OfHitSmHaveAHealthyOneThatShowsALine) {
+  const auto warnings = warnings_of("hit-sm");
+  if (!warnings) GTEST_SKIP() << "DATA_DIR does not have the recordings";
+  EXPECT_THAT(*warnings, UnorderedElementsAre(AllOf(HasSubstr("Normal ("), HasSubstr("BPFI"),
+                                                    HasSubstr("healthy, but"))));
+}
+
+}  // namespace
+}  // namespace piae::inspection

@@ -1,0 +1,79 @@
+#include "inspection/tables.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <sstream>
+
+#include "inspection/found.hpp"
+
+namespace piae::inspection {
+namespace {
+
+using testing::ContainsRegex;
+using testing::HasSubstr;
+
+std::size_t widest_line(const std::string& text) {
+  std::istringstream lines(text);
+  std::size_t widest = 0;
+  for (std::string line; std::getline(lines, line);) {
+    const auto characters = std::ranges::count_if(line, [](char c) { return (c & 0xC0) != 0x80; });
+    widest = std::max(widest, static_cast<std::size_t>(characters));
+  }
+  return widest;
+}
+
+TEST(CheckTables, ShowLevelsLinesAndClasses) {
+  const Found found;
+  const std::string text = tables_of(found.description, found.check);
+  EXPECT_THAT(text, HasSubstr("file Hz     Hz       s  windows  RMS g  kurtosis  crest\n"));
+  EXPECT_THAT(text,
+              ContainsRegex("ok +ok.csv +12000  12000  10.000      117      1      3.00   4.00"));
+  EXPECT_THAT(text, ContainsRegex("inner +1797   107.34    1.0   162.21  \\*20.0   141.0[0-9]"));
+  EXPECT_THAT(text, ContainsRegex("ball +roller +0.5 +1 +200 +80.0 +8\n"));
+  EXPECT_LE(widest_line(text), 100U);
+}
+
+TEST(CheckTables, FitIntoAHundredColumnsWhateverTheNames) {
+  Found found;
+  const std::string long_name(60, 'x');
+  for (auto& c : found.description.info.classes) c.name += long_name;
+  for (RecordCheck& record : found.check.records) {
+    record.source.name += long_name + "-01";
+    record.source.file = long_name + "/größer-als-Kästchen-erlauben/" + record.source.file;
+    record.source.sample_rate_hz = 51200.5;
+    record.level = Level{1.234e-5, 12345.67, 123.45};
+  }
+  found.description.info.unit_m_per_s2 = 0.001;
+  const std::string text = tables_of(found.description, found.check);
+  EXPECT_LE(widest_line(text), 100U) << text;
+  EXPECT_THAT(text, HasSubstr("-01  …"));
+  EXPECT_THAT(text, HasSubstr("outer.csv"));
+  EXPECT_THAT(text, HasSubstr("RMS units"));
+}
+
+TEST(CheckTables, HaveADashForWhatIsNotKnown) {
+  Found found;
+  found.check.records[0].problem = "ok.csv: no such file";
+  found.check.records[0].level.reset();
+  found.check.records[1].level.reset();
+  for (FaultLine& line : found.check.records[1].lines) {
+    line.db.reset();
+    line.noise_db = 0;
+  }
+  const std::string text = tables_of(found.description, found.check);
+  EXPECT_THAT(text, HasSubstr("no data\n"));
+  EXPECT_THAT(text, ContainsRegex("outer +outer.csv +12000  12000  10.000      117\n"));
+  EXPECT_THAT(text, ContainsRegex("outer +1797 +107.34 +\\*- +162.21 +- +141.0[0-9] +- +-\n"));
+}
+
+TEST(UnitName, IsThatOfTheUnit) {
+  EXPECT_EQ(unit_name(1), "m/s²");
+  EXPECT_EQ(unit_name(9.81), "g");
+  EXPECT_EQ(unit_name(0.00980665), "mg");
+  EXPECT_EQ(unit_name(0.001), "units");
+}
+
+}  // namespace
+}  // namespace piae::inspection

@@ -1,0 +1,188 @@
+#include "inspection/warnings.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "inspection/found.hpp"
+
+namespace piae::inspection {
+namespace {
+
+using testing::AllOf;
+using testing::Contains;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+
+std::vector<std::string> warnings_of(const Found& found) {
+  return inspection::warnings_of(found.description, found.check);
+}
+
+/// The one warning, which is one line and holds all these words.
+void expect_one(const Found& found, const std::vector<std::string>& words) {
+  const std::vector<std::string> warnings = warnings_of(found);
+  ASSERT_EQ(warnings.size(), 1U) << testing::PrintToString(warnings);
+  for (const std::string& word : words) EXPECT_THAT(warnings.front(), HasSubstr(word));
+  EXPECT_THAT(warnings.front(), Not(HasSubstr("\n")));
+}
+
+void set_speed(Found& found, double rpm) {
+  found.description.info.shaft_speed_rpm = rpm;
+  for (auto& source : found.description.records) source.shaft_speed_rpm = rpm;
+  for (RecordCheck& record : found.check.records) record.source.shaft_speed_rpm = rpm;
+}
+
+TEST(Warnings, AreNoneForGoodRecordings) { EXPECT_THAT(warnings_of(Found()), IsEmpty()); }
+
+/// Nothing else is said: turns and lines follow from the speed.
+TEST(Warnings, NameASpeedInHzOnce) {
+  Found found;
+  set_speed(found, 29.95);
+  for (RecordCheck& record : found.check.records) {
+    for (FaultLine& line : record.lines) Found::set(line, 0);
+  }
+  expect_one(found, {"shaft_speed_rpm = 29.95", "Hz", "1797 rpm", "60 times"});
+}
+
+TEST(Warnings, NameTheRecordThatHasASpeedInHzOfItsOwn) {
+  Found found;
+  found.description.records[2].shaft_speed_rpm = 25;
+  found.check.records[2].source.shaft_speed_rpm = 25;
+  expect_one(found, {"inner (inner.csv, variable 2): shaft_speed_rpm = 25", "1500 rpm"});
+}
+
+TEST(Warnings, NameRacewaysThatAreBoreAndOutsideDiameter) {
+  Found found;
+  found.description.info.bearing.inner_raceway_mm = 25;
+  found.description.info.bearing.outer_raceway_mm = 52;
+  expect_one(found, {"inner_raceway_mm = 25", "outer_raceway_mm = 52", "bore and outside diameter",
+                     "13.5 mm for a ball of 7.94 mm", "38.5 mm", "31.06 and 46.94"});
+}
+
+/// 1024 / 12000 s * 60 / 60 Hz.
+TEST(Warnings, NameTheRateThatLeavesNoTurnInAWindow) {
+  Found found;
+  found.description.info.sample_rate_hz = 48000;
+  for (auto& source : found.description.records) source.shaft_speed_rpm = 1797;
+  found.description.records[1].shaft_speed_rpm = 1200;
+  expect_one(found,
+             {"sample_rate_hz = 48000", "1024 samples (0.0213 s)", "0.43 turns", "1200 rpm"});
+}
+
+TEST(Warnings, NameARateInKHzByItsHalf) {
+  Found found;
+  found.description.info.sample_rate_hz = 12;
+  expect_one(found, {"sample_rate_hz = 12", "BPFI, 162.2 Hz", "kHz"});
+}
+
+TEST(Warnings, NameARecordOfMoreThanAnHour) {
+  Found found;
+  found.check.records[1].source.sample_rate_hz = 12;
+  found.check.records[1].level.reset();
+  for (FaultLine& line : found.check.records[1].lines) line.db.reset();
+  expect_one(found, {"outer (outer.csv, variable 2): 120000 samples at sample_rate_hz = 12",
+                     "2.8 hours", "kHz", "Not resampled"});
+}
+
+TEST(Warnings, NameManyRecordsOfMoreThanAnHourInOneLine) {
+  Found found;
+  for (RecordCheck& record : found.check.records) {
+    record.source.sample_rate_hz = 12;
+    for (FaultLine& line : record.lines) line.db.reset();
+  }
+  expect_one(found, {"ok (ok.csv, variable 2): 120000", "2.8 hours",
+                     "(the same holds for outer, inner, ball)"});
+}
+
+/// 120000 / 12e6 s = 0.01 s, 0.2995 turns.
+TEST(Warnings, NameARecordOfLessThanTenTurns) {
+  Found found;
+  found.check.records[1].source.sample_rate_hz = 12e6;
+  for (FaultLine& line : found.check.records[1].lines) line.db.reset();
+  expect_one(found, {"outer (outer.csv, variable 2): 120000 samples at sample_rate_hz = 1.2e+07",
+                     "0.01 s", "0.3 turns"});
+}
+
+/// It is not asked for lines or stretches any more.
+TEST(Warnings, NameATimeColumn) {
+  Found found;
+  RecordCheck& record = found.check.records[1];
+  record.goes_one_way = true;
+  record.held = {1, 50, 50, 7, 0};
+  for (FaultLine& line : record.lines) Found::set(line, 0);
+  expect_one(found, {"outer (outer.csv, variable 2): ", "only rise or only fall", "a time"});
+}
+
+TEST(Warnings, NameClippedSamples) {
+  Found found;
+  found.check.records[2].clipped = {7, 31, 6, 4711, -4.99};
+  expect_one(found, {"inner (inner.csv, variable 2): clipped: 31 samples in 7 stretches",
+                     "6 samples on -4.99 from sample 4711"});
+}
+
+/// 1200 of 120000 samples at 12 kHz.
+TEST(Warnings, NameStretchesOfOneValue) {
+  Found found;
+  found.check.records[0].held = {3, 2400, 1200, 5000, 0};
+  expect_one(found, {"ok (ok.csv, variable 2): stands still at 0 for 1200 samples (0.1 s) from "
+                     "sample 5000; 3 such stretches, 2 % of the record"});
+}
+
+TEST(Warnings, NameAStrideBelowAHundredWithWhatRandomIsWorth) {
+  Found found;
+  found.check.classes[3] = {3, 1, 100, 0.902, 0.16, ""};
+  EXPECT_THAT(warnings_of(found), IsEmpty());
+  found.check.classes[3] = {3, 1, 20, 0.9805, 0.58, ""};
+  expect_one(found, {"class ball: ", "every 20", "overlap by 98.0 %",
+                     "PROTOCOL=random 58 % of the test windows", "PROTOCOL=blocked"});
+}
+
+TEST(Warnings, NameAFaultThatDoesNotShowItsLine) {
+  Found found;
+  Found::set(found.line(3, 2), 1);
+  expect_one(found, {"ball (ball.csv, variable 2): 2BSF (141.0 Hz, 1.0 dB), the line of its class, "
+                     "does not stand out: noise alone reaches 1.6; label"});
+  Found::set(found.line(3, 2), 2.5);
+  expect_one(found,
+             {"does not stand out: 40 % of the places where no fault has a line do as well"});
+  found.line(3, 2).harmonics_above_noise = 1;
+  expect_one(found, {"does not stand out: only one of its harmonics does; label"});
+  Found::set(found.line(3, 0), 8);
+  expect_one(found, {"; BPFO (107.3 Hz, 8.0 dB) does; "});
+}
+
+TEST(Warnings, NameAFaultThatShowsAnotherLineFarther) {
+  Found found;
+  Found::set(found.line(1, 1), 25);
+  expect_one(found, {"outer (outer.csv, variable 2): BPFI (162.2 Hz, 25.0 dB) stands out farther "
+                     "than BPFO (107.3 Hz, 20.0 dB), the line of its class"});
+}
+
+TEST(Warnings, NameSpeedAndRateWhereNearlyAllFaultsDoNotShowTheirLines) {
+  Found found;
+  Found::set(found.line(0, 1), 9.3);  // follows from it
+  found.line(1, 0).stands_out = false;
+  found.line(2, 1).stands_out = false;
+  found.line(3, 2).stands_out = false;
+  expect_one(found, {"only 0 of 3 faulty records", "(not outer, inner, ball)", "shaft_speed_rpm"});
+}
+
+TEST(Warnings, NameAHealthyRecordThatShowsALine) {
+  Found found;
+  Found::set(found.line(0, 1), 9.3);
+  expect_one(found, {"ok (ok.csv, variable 2): healthy, but BPFI (162.2 Hz, 9.3 dB) stands out: "
+                     "noise alone reaches 1.6, the weakest record of such a fault 20.0"});
+}
+
+TEST(Warnings, AskNothingOfWhatCannotBeRead) {
+  Found found;
+  found.check.records[1] = {};
+  found.check.records[1].source = found.description.records[1];
+  found.check.records[1].problem = "outer.csv: no such file";
+  found.check.classes[1] = {1, 1, 0, 0, 0, ""};
+  EXPECT_THAT(warnings_of(found), IsEmpty());
+}
+
+}  // namespace
+}  // namespace piae::inspection

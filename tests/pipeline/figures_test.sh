@@ -1,0 +1,149 @@
+#!/bin/bash
+# Figures of a run: drawn from the numbers that the stage `figures` writes, again when these or the style
+# change, and the same bytes each time.
+# shellcheck source-path=SCRIPTDIR
+source "${0%/*}/support.sh"
+
+drawn=results/t/made/figures
+
+# Numbers of one figure, as the stage writes them; the stand-in for it writes what `numbers` says.
+lay_out() {
+  command -v gnuplot >/dev/null || skip "gnuplot is not installed"
+  rm -f pipeline/datasets/*
+  printf 'name = "made"\n[simulation]\n' >pipeline/datasets/made.toml
+  cp "$project/tests/reference/protocol.toml" pipeline
+  mkdir -p results/published $drawn
+  cat >fake/figures <<'STAGE'
+#!/bin/bash
+mkdir -p results/t/made/figures
+[[ ! -d numbers ]] || for csv in numbers/*; do
+  cmp -s "$csv" "results/t/made/figures/${csv##*/}" || cp "$csv" results/t/made/figures
+  echo "wrote ${csv##*/}"
+done
+echo "figures: wrote some numbers"
+STAGE
+  chmod +x fake/figures
+  mkdir -p numbers results/t/made/seed0
+  touch results/t/made/seed0/C.h5
+  losses 3 >numbers/fig07-losses.csv
+}
+
+losses() { # of the last epoch
+  printf '%s\n' seed,stage,epoch,curve,value 0,1,1,twin,9 0,2,2,twin,5 "0,1,3,twin,$1" \
+    mean,1,1,twin,9 mean,2,2,twin,5 "mean,1,3,twin,$1"
+}
+
+# A cell is made again, and with it other numbers.
+new_cell() { touch -d 'now + 1 second' results/t/made/seed0/C.h5; }
+figures() { make --silent figures BIN=fake RUN=t DATASETS=made METHODS="none piae-dt" RATIOS="100to1 10to1" SEEDS=0; }
+pictures() { sha256sum $drawn/*.svg $drawn/*.pdf; }
+
+test_each_figure_is_an_svg_and_a_pdf_beside_its_numbers() {
+  lay_out
+  figures >messages 2>&1 || fail "$(<messages)"
+  expect_line "$(head -c 300 $drawn/fig07-losses.svg)" '<svg'
+  expect_equal "$(head -c 5 $drawn/fig07-losses.pdf)" "%PDF-"
+  expect_line "$(tail -n 1 messages)" "^figures: $drawn/$"
+}
+
+test_the_same_numbers_give_the_same_bytes() {
+  lay_out
+  figures >/dev/null 2>&1
+  local first
+  first=$(pictures)
+  rm $drawn/*.svg $drawn/*.pdf
+  sleep 1.1 # a PDF would hold the second at which it was drawn
+  figures >/dev/null 2>&1
+  expect_equal "$(pictures)" "$first"
+}
+
+test_only_what_has_new_numbers_is_drawn_again() {
+  lay_out
+  losses 4 >numbers/fig08-loss-weights.csv
+  figures >/dev/null 2>&1
+  touch -d '2001-01-01' $drawn/*.svg
+  touch -d '2000-01-01' $drawn/*.csv pipeline/figures/*
+  losses 2 >numbers/fig07-losses.csv
+  new_cell
+  figures >/dev/null 2>&1
+  [[ $(date -r $drawn/fig07-losses.svg +%Y) != 2001 ]] || fail "the changed one was not drawn again"
+  expect_equal "$(date -r $drawn/fig08-loss-weights.svg +%Y)" 2001
+}
+
+test_lost_numbers_and_a_lost_folder_come_back() {
+  lay_out
+  figures >/dev/null 2>&1
+  local first
+  first=$(pictures)
+  rm $drawn/fig07-losses.csv
+  figures >/dev/null 2>&1
+  expect_equal "$(pictures)" "$first"
+  rm -r $drawn
+  figures >/dev/null 2>&1
+  expect_equal "$(pictures)" "$first"
+}
+
+test_without_a_cell_nothing_is_drawn() {
+  lay_out
+  rm -r results/t/made
+  expect_exit 0 figures
+  [[ ! -e results/t/made ]] || fail "made $(find results/t/made)"
+}
+
+# A sweep, the truth, and the run with the other split are shown as well.
+test_what_comes_later_beside_the_cells_makes_new_numbers() {
+  lay_out
+  figures >/dev/null 2>&1
+  local file loss=10
+  for file in t/made/seed0/sweep/batch-1/1to1/diagnosis.h5 t/made/scatter.csv t-blocked/made/seed0/none/100to1/diagnosis.h5; do
+    losses $((++loss)) >numbers/fig07-losses.csv
+    figures >/dev/null 2>&1
+    grep -q ",$loss$" $drawn/fig07-losses.csv && fail "numbers are made again though there is nothing new"
+    mkdir -p "$(dirname "results/$file")"
+    touch "results/$file"
+    figures >/dev/null 2>&1
+    expect_line "$(<$drawn/fig07-losses.csv)" ",$loss$"
+  done
+}
+
+# Of one seed, of few methods, and with classes that are named by digits.
+test_figures_of_a_few_numbers_are_drawn_without_a_word() {
+  lay_out
+  local sample
+  for sample in "$project"/tests/pipeline/figures/*.csv; do
+    cp "$sample" $drawn
+    expect_equal "$(pipeline/figures/draw.sh "$drawn/${sample##*/}" 2>&1)" ""
+    sample=${sample##*/}
+    expect_line "$(head -c 300 "$drawn/${sample%.csv}.svg")" '<svg'
+  done
+}
+
+test_a_changed_style_draws_all_again() {
+  lay_out
+  figures >/dev/null 2>&1
+  local first
+  first=$(pictures)
+  sed -i 's/0x0072B2/0x123456/' pipeline/figures/style.gp
+  figures >/dev/null 2>&1
+  [[ $(pictures) != "$first" ]] || fail "the pictures are as before"
+}
+
+test_a_picture_without_numbers_is_removed() {
+  lay_out
+  figures >/dev/null 2>&1
+  rm $drawn/fig07-losses.csv numbers/fig07-losses.csv
+  losses 4 >numbers/fig08-loss-weights.csv
+  new_cell
+  figures >/dev/null 2>&1
+  expect_equal "$(find $drawn -type f -printf '%f\n' | sort | paste -sd' ')" "fig08-loss-weights.csv fig08-loss-weights.pdf fig08-loss-weights.svg"
+}
+
+test_a_script_that_fails_leaves_no_picture_and_is_named() {
+  lay_out
+  echo 'plot nothing_that_exists' >>pipeline/figures/fig07-losses.gp
+  expect_exit 2 figures
+  expect_line "$(figures 2>&1)" 'fig07-losses.gp.*undefined'
+  expect_equal "$(find $drawn -mindepth 1 -printf '%f\n')" fig07-losses.csv
+}
+
+run_tests
