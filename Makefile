@@ -63,6 +63,11 @@ $(if $(filter-out all,$(LINT)),$(error LINT: all, or not given, not '$(LINT)'))
 override RUN := $(patsubst results/%,%,$(RUN:/=))
 results      := results/$(RUN)$(patsubst %,-%,$(filter blocked,$(PROTOCOL)))
 
+# What is only looked at is what the run holds.
+ifneq (,$(filter figures report,$(MAKECMDGOALS)))
+DATASETS := $(or $(sort $(notdir $(patsubst %/,%,$(dir $(wildcard $(results)/*/seed*))))),$(DATASETS))
+endif
+
 # Programs are built first, unless BIN= names a folder where they already are. `make -q` only asks.
 flags := $(firstword -$(MAKEFLAGS))
 ifneq (,$(filter BIN,$(given)))
@@ -81,9 +86,10 @@ Q := $(if $(V),,@)
 help:
 	@printf '  %-11s%s\n' \
 	  demo     'install what is missing, build, run the method on a simulated bearing: start here' \
-	  all      'run the grid, make its tables in results/RUN/<dataset>/ and draw its figures' \
+	  all      'run the grid, make its tables in results/RUN/<dataset>/, its figures, its report' \
 	  cells    'run the grid without the tables (on a cluster: see jobs/)' \
 	  figures  'draw what RUN holds, in results/RUN/<dataset>/figures/: CSV, SVG and PDF' \
+  report   'a page of what RUN holds and lacks: results/RUN/report.html, and report.md' \
 	  sweep    'vary the settings of piae-dt one at a time (pipeline/sweep.mk): sweep.csv, sweep.md' \
 	  contrast 'both protocols side by side, and both readings of cwru: protocols.md, rates.md' \
 	  identify 'whether the (k, c) of the twin are the true ones, on simulated windows' \
@@ -122,11 +128,17 @@ help:
 
 # ---- the grid -----------------------------------------------------------------------------------
 # All goals that are its own, files of results/ among them, go to one make.
-asked := $(filter records cells tables all figures demo sweep contrast identify results/%,$(MAKECMDGOALS))
+asked := $(filter records cells tables all figures report demo sweep contrast identify results/%,$(MAKECMDGOALS))
 .PHONY: $(asked)
 $(asked): grid
 
-choice = $(foreach name,RUN DATASETS METHODS RATIOS SEEDS PROTOCOL DATA_DIR BIN results,\
+# Where a run is only looked at, nothing need be there but what those variables name that are given.
+lower_case  = $(shell printf %s '$1' | tr A-Z a-z)
+options_of  = $(foreach name,$(filter $1,$(given)),--$(call lower_case,$(name)) $($(name)))
+cells_given := $(call options_of,METHODS RATIOS SEEDS)
+part        := $(call options_of,DATASETS) $(cells_given)
+
+choice = $(foreach name,RUN DATASETS METHODS RATIOS SEEDS PROTOCOL DATA_DIR BIN results cells_given,\
            $(if $($(name)),'$(name)=$($(name))'))
 # A dry run of a project that is not built can show no more than that it would be built.
 unknown_yet := $(if $(findstring n,$(filter-out --%,$(flags))),$(if $(wildcard $(BIN)/settings),,yes))
@@ -137,11 +149,8 @@ grid: | $(programs)
 status:
 	$(Q)pipeline/status.sh '$(results)' $(MAKE) --file=pipeline/grid.mk $(choice)
 
-# Of the grid's variables only those that are given narrow down what is compared or stored.
-lower_case = $(shell printf %s '$1' | tr A-Z a-z)
-part       = $(foreach name,$(filter DATASETS METHODS RATIOS SEEDS,$(variables)),\
-               $(if $(filter $(name),$(given)),--$(call lower_case,$(name)) $($(name))))
-compare    = $(BIN)/check --run $(results) --reference results/reference $(part)
+# Only the variables that are given narrow down what is compared or stored.
+compare = $(BIN)/check --run $(results) --reference results/reference $(part)
 check: | $(programs)
 	$(Q)$(compare) --tolerance $(TOLERANCE)
 reference: | $(programs)
@@ -153,7 +162,7 @@ data: | $(programs)
 
 # ---- building -----------------------------------------------------------------------------------
 # What is to be built, of `programs tests benches` or `demo`: packages for that are installed first.
-build_them = pipeline/deps.sh $(LIBTORCH) $1 $(if $(filter all figures,$(asked)),figures) && pipeline/build.sh $(ARCH) $(LIBTORCH) $1
+build_them = pipeline/deps.sh $(LIBTORCH) $1 $(if $(filter all figures report,$(asked)),figures) && pipeline/build.sh $(ARCH) $(LIBTORCH) $1
 
 build:
 	$(Q)$(call build_them,programs)

@@ -22,13 +22,13 @@ figures: $(folders:%=%/figures.log)
 
 # The log of the step says when the numbers were made, of which cells, whether that went well, and which
 # files there must be.
-step       = pipeline/step.sh $(results)/$1 figures --run $(results) --dataset $1 $(selection) --published results/published
+step       = pipeline/step.sh $(results)/$1 figures --run $(results) --dataset $1 $(selection) $(leave_out.$1)--published results/published
 command    = $(BIN)/figures $(wordlist 4,999,$(call step,$1))
 is_as_made = $(shell log=$(results)/$1/figures.log; [[ -f $$log && $$(head -n 1 $$log) == *'$(call command,$1)' \
                && $$(tail -n 1 $$log) == 'step: exit 0 '* ]] && \
                sed -n 's,^wrote ,$(results)/$1/figures/,p' $$log | xargs -r ls >/dev/null 2>&1 && echo yes)
 define numbers_rule # data set
-$(results)/$1/figures.log: $(call cells,$1) $(call beside,$1) $(if $(call is_as_made,$1),,FORCE)
+$(results)/$1/figures.log: $(results)/.settings/tabulate.$1.toml $(call cells,$1) $(call beside,$1) $(if $(call is_as_made,$1),,FORCE)
 	$(Q)$(call step,$1)
 endef
 $(foreach dataset,$(shown),$(eval $(call numbers_rule,$(dataset))))

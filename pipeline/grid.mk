@@ -154,9 +154,11 @@ table_names  := accuracy.csv gains.csv quality.csv comparisons.csv ranks.csv tab
 tables_of    = $(table_names:%=$(results)/$1/%)
 
 # That a cell has been removed, no file's time tells: so the number of cells counts as a setting.
-wants_tables := $(filter tables $(foreach dataset,$(DATASETS),$(call tables_of,$(dataset))),$(MAKECMDGOALS))
+# Where a run is only looked at, no cell is made first, so all may be out of date.
+looks       := $(filter figures report,$(MAKECMDGOALS))
+shows_cells := $(looks)$(filter tables draw page $(foreach dataset,$(DATASETS),$(call tables_of,$(dataset))),$(MAKECMDGOALS))
 define find_besides # data set, its folder
-besides.$1  := $(if $(wants_tables),$(call besides,$2,$(call cell_files,$1)))
+besides.$1  := $(if $(shows_cells),$(call besides,$2,$(if $(looks),,$(call cell_files,$1))))
 left_out.$1 := $$(if $$(besides.$1),$$(call out_of_date,$2,$(PROTOCOL),cells))
 left_out.$1 := $$(call concerning,$2,$$(besides.$1),$$(left_out.$1))
 besides.$1  := $$(call up_to_date,$2,$$(besides.$1),$$(left_out.$1))
@@ -180,7 +182,7 @@ $(foreach dataset,$(DATASETS),\
     $(foreach method,$(methods),$(eval $(call diagnosis_rule,$(seed),$(folder),$(method))))))
 
 .DEFAULT_GOAL := cells
-.PHONY: records cells features tables draw figures demo all list-cells sweep contrast identify
+.PHONY: records cells features tables draw figures page report demo all list-cells sweep contrast identify
 records: $(DATASETS:%=$(results)/%/records.h5)
 cells: $(foreach dataset,$(DATASETS),$(call cell_files,$(dataset)))
 features: $(foreach dataset,$(DATASETS),$(call features,$(dataset)))
@@ -194,16 +196,21 @@ define show_summaries
 	@cat $(DATASETS:%=$(results)/%/summary.txt)
 	@printf 'tables and artefacts: %s\n' $(DATASETS:%=$(results)/%/)
 endef
-draw:
-	$(Q)+$(MAKE) --file=pipeline/figures.mk results='$(results)' DATASETS='$(DATASETS)' selection='$(selection)'
-figures: draw
-	@printf 'figures: %s\n' $(DATASETS:%=$(results)/%/figures/)
+# Only what is asked for must be there: of a run that is looked at, only what was named.
+must_be_there := $(if $(looks),$(cells_given),$(selection))
+draw figures: $(DATASETS:%=$(settings)/tabulate.%.toml)
+	$(Q)+$(MAKE) --file=pipeline/figures.mk results='$(results)' DATASETS='$(DATASETS)' selection='$(must_be_there)' \
+	  $(foreach dataset,$(DATASETS),'leave_out.$(dataset)=$(call leave_out,$(left_out.$(dataset)))')
+	$(if $(looks),@printf 'figures: %s\n' $(DATASETS:%=$(results)/%/figures/))
+page report:
+	$(Q)$(BIN)/report --run $(results) $(if $(looks),,--datasets $(DATASETS)) $(must_be_there) --published results/published \
+	  $(call leave_out,$(foreach dataset,$(DATASETS),$(left_out.$(dataset):%=$(dataset)/%)))
 # Drawing would double what a newcomer waits for.
 demo:
 	$(Q)+pipeline/tables.sh $(this_make)
 	$(show_summaries)
 all:
-	$(Q)+pipeline/tables.sh $(if $(findstring q,$(firstword -$(MAKEFLAGS))),,--draw) $(this_make)
+	$(Q)+pipeline/tables.sh $(if $(findstring q,$(firstword -$(MAKEFLAGS))),,--show) $(this_make)
 	$(show_summaries)
 
 # For status.sh, also in a dry run.

@@ -1,22 +1,22 @@
 #!/bin/bash
 # Makes the tables of a run. Where a cell fails, the table stage is asked all the same, and names every
 # cell that is missing; with make's -k, after all the others are done. A data set of which there are
-# not even the records has said why, and needs no list of all its cells. With --draw the figures are
-# drawn then, of what there is.
-# usage: pipeline/tables.sh [--draw] MAKE OPTION...
+# not even the records has said why, and needs no list of all its cells. With --show, what some figures
+# need is made beside the cells; then the figures are drawn and the report is written, of what there is.
+# usage: pipeline/tables.sh [--show] MAKE OPTION...
 set -u
 
-draw=
-if [[ $1 == --draw ]]; then
-  draw=yes
+goals=(tables)
+if [[ $1 == --show ]]; then
+  goals+=(features)
   shift
 fi
 make=("$@")
 stopped=
 
 # As in step.sh: a signal is passed on, and make waited for.
-run() { # goal
-  "${make[@]}" "$1" &
+run() { # goal...
+  "${make[@]}" "$@" &
   local child=$! signalled=1 status
   trap 'stopped=yes signalled=1; kill -TERM "$child" 2>/dev/null' INT TERM HUP
   while ((signalled)); do
@@ -53,11 +53,11 @@ name_the_holes() {
   echo "not every cell could be made; make status, with the same variables, shows which failed and why" >&2
 }
 
-run tables
+run "${goals[@]}"
 status=$?
 # 1 is what make -q answers when there is something to do.
 ((status <= 1)) || [[ $stopped ]] || name_the_holes
-if [[ $draw && ! $stopped ]]; then
-  run draw || status=$((status ? status : $?))
-fi
+((${#goals[@]} == 1)) || for goal in draw page; do
+  [[ $stopped ]] || run "$goal" || status=$((status ? status : $?))
+done
 exit "$status"

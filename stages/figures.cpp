@@ -8,6 +8,7 @@
 #include "cli/stage.hpp"
 #include "figures/catalogue.hpp"
 #include "figures/files.hpp"
+#include "run/begun.hpp"
 
 using namespace piae;
 namespace fs = std::filesystem;
@@ -29,6 +30,12 @@ bool save(figures::Source& source, const figures::Figure& figure) {
   return false;
 }
 
+run::Grid asked_cells(const run::Layout& layout, const run::GridOptions& options) {
+  const bool nothing = options.methods.empty() && options.ratios.empty() && options.seeds.empty();
+  if (!nothing) return resolve_begun(layout, options);
+  return {.dataset = options.dataset, .scored = {}, .combinations = {}, .seeds = {}};
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -37,19 +44,24 @@ int main(int argc, char** argv) {
       "Writes the numbers of each figure of RUN/DATASET as RUN/DATASET/figures/NAME.csv, or "
       "NAME@PART.csv where it has several parts, from the artefacts there. A figure whose "
       "artefacts are missing is named and left out; the others are written. A file that would "
-      "not change is left as it is.",
+      "not change is left as it is. The methods, ratios and seeds that are named must be there; "
+      "the figures have all cells that are, and need no others where nothing is named.",
       "figures --run results/try --dataset cwru --methods none piae-dt --ratios 100to1 "
       "10to1 --seeds 0 1 --published results/published");
-  run::GridOptions options;
+  run::GridOptions options{};
   fs::path run_folder;
   fs::path published_folder;
-  bind(stage.options(), options);
+  std::vector<std::string> leave_out;
+  stage.options().add("--dataset", options.dataset, "Dataset, such as cwru").required();
+  run::bind_begun_cells(stage.options(), options.methods, options.ratios, options.seeds);
+  run::bind_leave_out(stage.options(), leave_out);
   stage.input_file("--run", run_folder, "Folder of the run, such as results/try");
   stage.input_file("--published", published_folder, "Folder of the paper's tables as CSV");
 
   return stage.run(argc, argv, [&] {
-    const run::Grid grid = run::resolve(options);
-    figures::Source source({run_folder, grid.dataset}, grid, report::Published(published_folder));
+    const run::Layout layout(run_folder, options.dataset);
+    figures::Source source(layout, asked_cells(layout, options), report::Published(published_folder),
+                           leave_out);
     std::size_t written = 0;
     for (const figures::Figure& figure : figures::catalogue()) written += save(source, figure);
     std::cout << fmt::format("wrote the numbers of {} of {} figures\n", written,

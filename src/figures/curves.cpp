@@ -42,13 +42,16 @@ std::size_t stage_epochs_of(const artefact::Reader& model) {
 
 std::vector<SeedCurves> curves_of_all_seeds(Source& source) {
   std::vector<SeedCurves> all;
+  const std::string& method = augment::paper_method();
   for (const std::int64_t seed : source.grid().seeds) {
-    const artefact::Reader model = source.model(augment::paper_method(), seed);
+    if (!source.has(method, seed, source.layout().model(method, seed))) continue;
+    const artefact::Reader model = source.model(method, seed);
     SeedCurves one{
         .seed = std::to_string(seed), .epochs_in_a_row = stage_epochs_of(model), .curves = {}};
     one.curves.read(model);
     all.push_back(std::move(one));
   }
+  if (all.empty()) throw LeftOut("the run has no model of the method " + method);
   return all;
 }
 

@@ -27,15 +27,21 @@ struct Map {
   double kl = 0;
 };
 
-/// Of each method the cell whose features are kept: its last one, as ratios are in the order of
-/// Table 5, in which more and more windows are generated.
-std::vector<run::Combination> cells_with_features(const run::Grid& grid) {
+/// Of each method the cell whose features are kept. Where they are kept of several, that is the
+/// last one: ratios are in the order of Table 5, in which more and more windows are generated.
+std::vector<run::Combination> cells_with_features(const Source& source) {
   std::vector<run::Combination> cells;
-  for (const run::Combination& cell : grid.combinations) {
-    if (!cells.empty() && cells.back().method == cell.method) {
-      cells.back() = cell;
-    } else {
+  const auto is_kept = [&](const run::Combination& cell) {
+    return std::filesystem::exists(
+        source.layout().features(cell.method, cell.ratio, source.shown_seed()));
+  };
+  for (const run::Combination& cell : source.grid().combinations) {
+    const auto file = source.layout().features(cell.method, cell.ratio, source.shown_seed());
+    if (!source.has(cell.method, source.shown_seed(), file)) continue;
+    if (cells.empty() || cells.back().method != cell.method) {
       cells.push_back(cell);
+    } else if (is_kept(cell) || !is_kept(cells.back())) {
+      cells.back() = cell;
     }
   }
   return cells;
@@ -70,9 +76,9 @@ void add_map(Numbers& numbers, const DiagnosisRecord& record, const Map& map) {
 }
 
 Numbers maps_of(Source& source, const std::vector<float> Features::*layer) {
-  const std::int64_t seed = source.grid().seeds.front();
+  const std::int64_t seed = source.shown_seed();
   std::vector<DiagnosisRecord> records;
-  for (const run::Combination& cell : cells_with_features(source.grid())) {
+  for (const run::Combination& cell : cells_with_features(source)) {
     records.push_back(source.features(cell, seed));
     const std::size_t windows = records.back().labels.size();
     if (windows < fewest_windows) {

@@ -15,11 +15,11 @@ using report::AccuracyRow;
 
 std::string or_empty(std::optional<double> number) { return number ? digits(*number) : ""; }
 
-void add_row(Numbers& numbers, const AccuracyRow& row, const std::vector<std::int64_t>& seeds) {
+void add_row(Numbers& numbers, const AccuracyRow& row) {
   const std::string ceiling = augment::is_ceiling(row.method) ? "1" : "0";
   const std::string generated = std::to_string(row.generated_per_class);
   for (std::size_t i = 0; i < row.values.size(); ++i) {
-    numbers.row({row.method, ceiling, row.ratio, generated, std::to_string(seeds[i]),
+    numbers.row({row.method, ceiling, row.ratio, generated, std::to_string(row.seeds[i]),
                  digits(row.values[i]), "", "", ""});
   }
   const std::vector<std::string> interval = shown_interval(row.summary);
@@ -28,22 +28,21 @@ void add_row(Numbers& numbers, const AccuracyRow& row, const std::vector<std::in
                or_empty(row.published ? row.published : row.orientation)});
 }
 
-Numbers numbers_of(const std::vector<AccuracyRow>& rows, const std::vector<std::int64_t>& seeds,
-                   const std::string& what) {
+Numbers numbers_of(const std::vector<AccuracyRow>& rows, const std::string& what) {
   Numbers numbers({"method", "ceiling", "ratio", "generated_per_class", "seed", what, "low", "high",
                    "published"});
-  for (const AccuracyRow& row : rows) add_row(numbers, row, seeds);
+  for (const AccuracyRow& row : rows) add_row(numbers, row);
   return numbers;
 }
 
 Numbers gains_of(Source& source, const std::vector<std::string>& methods) {
   std::vector<AccuracyRow> rows = report::gain_rows(source.accuracy_rows());
-  if (rows.empty()) throw LeftOut("the method none is not among those asked for");
+  if (rows.empty()) throw LeftOut("the run has no cell of the method none");
   std::erase_if(rows, [&](const AccuracyRow& row) {
     return std::ranges::find(methods, row.method) == methods.end() &&
            !augment::is_ceiling(row.method);
   });
-  return numbers_of(rows, source.grid().seeds, "gain");
+  return numbers_of(rows, "gain");
 }
 
 }  // namespace
@@ -57,7 +56,7 @@ Numbers gains_of_models(Source& source) {
 }
 
 Numbers accuracies(Source& source) {
-  return numbers_of(source.accuracy_rows(), source.grid().seeds, "accuracy");
+  return numbers_of(source.accuracy_rows(), "accuracy");
 }
 
 }  // namespace piae::figures

@@ -16,8 +16,8 @@ std::vector<std::string> methods_in(const run::Grid& grid, Group group) {
     if (candidate.are_models == (group == Group::models)) return candidate.methods;
   }
   throw LeftOut(group == Group::models
-                    ? "no ablation of the paper's method is among those asked for"
-                    : "no method is among those asked for");
+                    ? "the run has no ablation of the paper's method"
+                    : "the run has no method of the paper");
 }
 
 }  // namespace piae::figures

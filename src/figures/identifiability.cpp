@@ -31,7 +31,7 @@ class IdentifyTable {
 };
 
 void require_simulated(const Source& source) {
-  const auto file = source.layout().known_windows(source.grid().seeds.front());
+  const auto file = source.layout().known_windows(source.shown_seed());
   if (!signal::read_window_set({file, "windows"}).parameters.empty()) return;
   throw LeftOut("the true stiffness and damping are known of simulated windows alone");
 }

@@ -7,8 +7,8 @@
 
 namespace piae::figures {
 
-/// The ends of the 95 % interval of a mean as two fields. Both are empty for fewer than three
-/// seeds: the t interval of two is wider than all that a percentage can be.
+/// The ends of the 95 % interval of a mean as two fields, which are empty where tables show none
+/// (report/bounded_summary.hpp).
 std::vector<std::string> shown_interval(const scoring::Summary& summary);
 
 }  // namespace piae::figures

@@ -43,7 +43,7 @@ std::vector<MethodDiagnoses> diagnoses_with_most_windows(const Source& source) {
   std::vector<MethodDiagnoses> all;
   for (const run::Combination& cell : last_cells(source.grid())) {
     MethodDiagnoses& own = all.emplace_back(MethodDiagnoses{.cell = cell, .seeds = {}});
-    for (const std::int64_t seed : source.grid().seeds) {
+    for (const std::int64_t seed : source.seeds_of(cell)) {
       own.seeds.push_back(source.diagnosis(cell, seed));
       if (belong_together(own.seeds.back(), all.front().seeds.front())) continue;
       throw Error(Exit::bad_input,

@@ -19,7 +19,7 @@ struct MethodDiagnoses {
   [[nodiscard]] std::vector<std::string> fields() const;
 };
 
-/// Those of each method of the grid, in its order; `none`, which has but one ratio, is among them.
+/// Those of each method, in the order of the grid; `none`, which has but one ratio, is among them.
 /// Throws Error for a cell that is missing or refused, and Error(bad_input) for one that has other
 /// classes, or comes from another kind of split, than those before it.
 std::vector<MethodDiagnoses> diagnoses_with_most_windows(const Source& source);

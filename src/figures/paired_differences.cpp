@@ -40,12 +40,12 @@ void add_mean(Numbers& numbers, const Comparison& comparison, double least_p) {
   numbers.row(fields);
 }
 
-void add_seeds(Numbers& numbers, const Comparison& comparison, const report::AccuracyRow& own,
-               const report::AccuracyRow& other, const std::vector<std::int64_t>& seeds) {
-  for (std::size_t i = 0; i < seeds.size(); ++i) {
+void add_seeds(Numbers& numbers, const Comparison& comparison) {
+  const PairedRow& row = comparison.paired;
+  for (std::size_t i = 0; i < row.seeds.size(); ++i) {
     std::vector<std::string> fields = comparison.fields;
-    fields.insert(fields.end(), {std::to_string(seeds[i]), digits(own.values[i] - other.values[i]),
-                                 "", "", "", "", ""});
+    fields.insert(fields.end(),
+                  {std::to_string(row.seeds[i]), digits(row.differences[i]), "", "", "", "", ""});
     numbers.row(fields);
   }
 }
@@ -58,15 +58,13 @@ Numbers paired_differences(Source& source) {
     throw LeftOut("neither " + augment::paper_method() +
                   " nor a method of this project is there to be compared with others");
   }
-  const auto rows = report::with_means(source.accuracy_rows());
   const std::string& against = comparisons.against;
   Numbers numbers({"method", "ceiling", "ratio", "against", "seed", "difference", "low", "high",
                    "p", "p_holm", "least_p"});
   for (const PairedRow& paired : comparisons.rows) {
     const std::string ceiling = augment::is_ceiling(paired.method) ? "1" : "0";
     const Comparison comparison{paired, {paired.method, ceiling, paired.ratio, against}};
-    add_seeds(numbers, comparison, *report::find_row(rows, paired.method, paired.ratio),
-              *report::find_row(rows, against, paired.ratio), source.grid().seeds);
+    add_seeds(numbers, comparison);
     add_mean(numbers, comparison, least_p_of(paired, comparisons.rows));
   }
   return numbers;

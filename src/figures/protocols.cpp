@@ -1,46 +1,38 @@
 #include "figures/protocols.hpp"
 
-#include <algorithm>
-#include <filesystem>
-
 #include "augment/catalogue.hpp"
 #include "figures/intervals.hpp"
+#include "run/held.hpp"
+#include "scoring/diagnosis_record.hpp"
 
 namespace piae::figures {
 
 namespace {
 
-namespace fs = std::filesystem;
-
-/// The part of a grid that a run has begun: of its seeds and of its methods and ratios those of
-/// which there is any cell.
-run::Grid begun_part(const run::Grid& grid, const run::Layout& layout) {
-  const auto there_is = [&](const run::Combination& cell, std::int64_t seed) {
-    return fs::exists(layout.diagnosis(cell.method, cell.ratio, seed));
-  };
-  run::Grid part{.dataset = grid.dataset, .scored = {}, .combinations = {}, .seeds = {}};
-  std::ranges::copy_if(
-      grid.combinations, std::back_inserter(part.combinations), [&](const run::Combination& cell) {
-        return std::ranges::any_of(grid.seeds, [&](auto seed) { return there_is(cell, seed); });
-      });
-  std::ranges::copy_if(grid.seeds, std::back_inserter(part.seeds), [&](std::int64_t seed) {
-    return std::ranges::any_of(part.combinations,
-                               [&](const auto& cell) { return there_is(cell, seed); });
-  });
-  return part;
+/// The accuracies of one run at the cells that both have.
+std::vector<report::AccuracyRow> rows_of_side(const run::Layout& side, const run::Layout& other,
+                                              const std::string& dataset) {
+  const run::Grid nothing_asked{
+      .dataset = dataset, .scored = {}, .combinations = {}, .seeds = {}};
+  const auto [grid, results] =
+      run::collect_held_diagnoses(side, nothing_asked, run::Held(side, other, {}));
+  require_whole(results);
+  return report::accuracy_rows(grid, results, report::Published());
 }
 
-/// The split of a run, of which its first cell tells.
-signal::Protocol protocol_of(const Source& source) {
-  return source.diagnosis(source.grid().combinations.front(), source.grid().seeds.front()).protocol;
+/// The split of a run, of which one cell tells.
+std::string protocol_of(const run::Layout& side, const report::AccuracyRow& row) {
+  const artefact::Reader cell(side.diagnosis(row.method, row.ratio, row.seeds.front()),
+                              "diagnosis");
+  return to_string(scoring::read_diagnosis(cell).protocol);
 }
 
-void add_side(Numbers& numbers, Source& side) {
-  const std::string protocol = to_string(protocol_of(side));
-  for (const report::AccuracyRow& row : side.accuracy_rows()) {
+void add_side(Numbers& numbers, const std::vector<report::AccuracyRow>& rows,
+              const std::string& protocol) {
+  for (const report::AccuracyRow& row : rows) {
     const std::string ceiling = augment::is_ceiling(row.method) ? "1" : "0";
     for (std::size_t i = 0; i < row.values.size(); ++i) {
-      numbers.row({row.method, ceiling, row.ratio, protocol, std::to_string(side.grid().seeds[i]),
+      numbers.row({row.method, ceiling, row.ratio, protocol, std::to_string(row.seeds[i]),
                    digits(row.values[i]), "", ""});
     }
     const std::vector<std::string> interval = shown_interval(row.summary);
@@ -52,21 +44,22 @@ void add_side(Numbers& numbers, Source& side) {
 }  // namespace
 
 Numbers protocols(Source& source) {
-  const run::Layout beside = source.layout().blocked();
-  const run::Grid grid = begun_part(source.grid(), beside);
-  if (grid.combinations.empty()) {
+  const run::Layout& here = source.layout();
+  const run::Layout beside = here.blocked();
+  const auto rows = rows_of_side(here, beside, source.grid().dataset);
+  if (rows.empty()) {
     throw LeftOut("there is no run with the other split (make contrast): " +
                   beside.folder().string());
   }
-  Source here(source.layout(), grid, report::Published());
-  Source there(beside, grid, report::Published());
-  if (protocol_of(here) == protocol_of(there)) {
-    throw Error(Exit::bad_input, beside.folder().string() + ": its split is " +
-                                     to_string(protocol_of(there)) + ", as that of the run itself");
+  const std::string own = protocol_of(here, rows.front());
+  const std::string other = protocol_of(beside, rows.front());
+  if (own == other) {
+    throw Error(Exit::bad_input, beside.folder().string() + ": its split is " + other +
+                                     ", as that of the run itself");
   }
   Numbers numbers({"method", "ceiling", "ratio", "protocol", "seed", "accuracy", "low", "high"});
-  add_side(numbers, here);
-  add_side(numbers, there);
+  add_side(numbers, rows, own);
+  add_side(numbers, rows_of_side(beside, here, source.grid().dataset), other);
   return numbers;
 }
 

@@ -16,11 +16,42 @@ void require_whole(const run::Results& results) {
   throw Error(results.exit, fmt::format("{} (and {} more)", first, others));
 }
 
+Source::Source(run::Layout layout, run::Grid asked, report::Published published,
+               const std::vector<std::string>& leave_out)
+    : layout_(std::move(layout)),
+      asked_(std::move(asked)),
+      held_(layout_, leave_out),
+      grid_(held_grid(layout_, asked_, held_)),
+      published_(std::move(published)) {
+  if (grid_.combinations.empty()) {
+    throw Error(Exit::input_missing, layout_.folder().string() + ": holds no cell");
+  }
+}
+
+bool Source::has(const std::string& method, std::int64_t seed,
+                 const std::filesystem::path& file) const {
+  const bool is_asked = std::ranges::count(asked_.seeds, seed) > 0 &&
+                        std::ranges::count(asked_.combinations, method, &run::Combination::method);
+  return is_asked || held_.has(file);
+}
+
+std::vector<std::int64_t> Source::seeds_of(const run::Combination& cell) const {
+  const bool is_asked = std::ranges::any_of(asked_.combinations, [&](const auto& each) {
+    return each.method == cell.method && each.ratio == cell.ratio;
+  });
+  return held_.seeds_with(
+      is_asked ? asked_.seeds : std::vector<std::int64_t>{},
+      [&](std::int64_t seed) { return layout_.diagnosis(cell.method, cell.ratio, seed); });
+}
+
 std::vector<std::string> Source::inferring_methods() const {
   std::vector<std::string> methods;
   for (const std::string& method : grid_.scored) {
     const augment::CatalogueEntry* entry = augment::find_entry(method);
-    if (entry != nullptr && entry->infers) methods.push_back(method);
+    const bool infers = entry != nullptr && entry->infers;
+    if (infers && has(method, shown_seed(), layout_.model(method, shown_seed()))) {
+      methods.push_back(method);
+    }
   }
   if (methods.empty()) {
     throw LeftOut("no method here infers (k, c)");
@@ -30,20 +61,16 @@ std::vector<std::string> Source::inferring_methods() const {
 
 const std::vector<report::AccuracyRow>& Source::accuracy_rows() {
   if (!rows_) {
-    run::Grid diagnosed = grid_;
-    diagnosed.scored.clear();
-    const run::Results results = run::collect(layout_, diagnosed);
+    const auto [grid, results] = run::collect_held_diagnoses(layout_, asked_, held_);
     require_whole(results);
-    rows_ = report::accuracy_rows(diagnosed, results, published_);
+    rows_ = report::accuracy_rows(grid, results, published_);
   }
   return *rows_;
 }
 
 const std::vector<scoring::QualityRecord>& Source::qualities() {
   if (!qualities_) {
-    run::Grid scored = grid_;
-    scored.combinations.clear();
-    run::Results results = run::collect(layout_, scored);
+    run::Results results = run::collect_held_scores(layout_, asked_, held_);
     require_whole(results);
     qualities_ = std::move(results.qualities);
   }
@@ -72,7 +99,7 @@ scoring::DiagnosisRecord Source::features(const run::Combination& cell, std::int
 artefact::Reader Source::model(const std::string& method, std::int64_t seed) const {
   const auto of_method = [&](const run::Combination& cell) { return cell.method == method; };
   if (std::ranges::none_of(grid_.combinations, of_method)) {
-    throw LeftOut("the method " + method + " is not among those asked for");
+    throw LeftOut("the run has no cell of the method " + method);
   }
   return {layout_.model(method, seed), "model"};
 }

@@ -5,7 +5,7 @@
 
 #include "artefact/reader.hpp"
 #include "report/accuracy_table.hpp"
-#include "run/collect.hpp"
+#include "run/held.hpp"
 #include "scoring/diagnosis_record.hpp"
 
 namespace piae::figures {
@@ -21,23 +21,37 @@ class LeftOut : public Error {
 /// many others are.
 void require_whole(const run::Results& results);
 
-/// What the figures of a dataset are drawn from: the cells of its grid in the folder of a run.
-/// Cells are read when a figure first asks for them. All members throw Error in one line, which
-/// names the first file that is missing or refused, and says how many others are.
+/// What the figures of a dataset are drawn from: the cells that are asked for, which must be there,
+/// and all others that the folder of the run holds, as for tables (run/held.hpp). Cells are read
+/// when a figure first asks for them. All members throw Error in one line, which names the first
+/// file that is missing or refused, and says how many others are.
 class Source {
  public:
-  Source(run::Layout layout, run::Grid grid, report::Published published)
-      : layout_(std::move(layout)), grid_(std::move(grid)), published_(std::move(published)) {}
+  /// `leave_out` is what is out of date, as for run::Held. Throws Error(input_missing) where no cell
+  /// is asked for and none is there.
+  Source(run::Layout layout, run::Grid asked, report::Published published,
+         const std::vector<std::string>& leave_out = {});
 
   [[nodiscard]] const run::Layout& layout() const { return layout_; }
+  /// Of all these cells; not every combination has every seed.
   [[nodiscard]] const run::Grid& grid() const { return grid_; }
 
-  /// The methods of the grid that infer stiffness and damping, in its order. Never empty.
+  /// What figures show that have room for one seed: the lowest.
+  [[nodiscard]] std::int64_t shown_seed() const { return grid_.seeds.front(); }
+  /// Whether a file of a method and seed is needed by figures, as its cell is asked for, or else is
+  /// there.
+  [[nodiscard]] bool has(const std::string& method, std::int64_t seed,
+                         const std::filesystem::path& file) const;
+  /// The seeds of a cell, ascending.
+  [[nodiscard]] std::vector<std::int64_t> seeds_of(const run::Combination& cell) const;
+
+  /// The methods that infer stiffness and damping, in the order of the grid, and have a model of the
+  /// shown seed. Never empty.
   [[nodiscard]] std::vector<std::string> inferring_methods() const;
 
-  /// Of every diagnosis of the grid.
+  /// Of every diagnosis.
   const std::vector<report::AccuracyRow>& accuracy_rows();
-  /// Every score of the grid, by method, then seed.
+  /// Every score, by method, then seed.
   const std::vector<scoring::QualityRecord>& qualities();
   /// One diagnosis with everything that it says of the test windows.
   [[nodiscard]] scoring::DiagnosisRecord diagnosis(const run::Combination& cell,
@@ -54,6 +68,8 @@ class Source {
                                               std::int64_t seed) const;
 
   run::Layout layout_;
+  run::Grid asked_;
+  run::Held held_;
   run::Grid grid_;
   report::Published published_;
   std::optional<std::vector<report::AccuracyRow>> rows_;

@@ -12,6 +12,7 @@
 #include "augment/catalogue.hpp"
 #include "base/numbers.hpp"
 #include "figures/intervals.hpp"
+#include "report/bounded_summary.hpp"
 #include "report/sweep.hpp"
 #include "scoring/ratios.hpp"
 
@@ -112,14 +113,14 @@ std::vector<std::string> ratios_of(const run::Layout& layout, const Tried& tried
 }
 
 /// The accuracies at one point and ratio by seed, in percent.
-std::vector<double> accuracies_of(const run::Layout& layout, const run::Grid& grid,
+std::vector<double> accuracies_of(const Source& source, const std::vector<std::int64_t>& seeds,
                                   const SweepPoint& point, const std::string& ratio) {
   run::Results results;
-  run::collect_diagnoses(layout, grid,
+  run::collect_diagnoses(source.layout(), source.grid().dataset,
                          {.name = point.factor + " " + point.value,
                           .folder = point.folder(),
                           .combination = {augment::paper_method(), ratio}},
-                         results);
+                         seeds, results);
   require_whole(results);
   std::vector<double> percents;
   for (const run::Diagnosis& cell : results.diagnoses) percents.push_back(100 * cell.accuracy);
@@ -143,7 +144,7 @@ void add_point(Numbers& numbers, const std::vector<std::string>& fields,
   for (std::size_t i = 0; i < percents.size(); ++i) {
     add(std::to_string(seeds[i]), percents[i], "", "");
   }
-  const scoring::Summary summary = scoring::summarise(percents);
+  const scoring::Summary summary = report::summarise_within(report::percents, percents);
   const std::vector<std::string> interval = shown_interval(summary);
   add("mean", summary.mean, interval[0], interval[1]);
 }
@@ -153,8 +154,6 @@ void add_point(Numbers& numbers, const std::vector<std::string>& fields,
 Numbers sweeps(Source& source) {
   const Tried tried = tried_in(source);
   const std::vector<std::string> ratios = ratios_of(source.layout(), tried);
-  const run::Grid grid{
-      .dataset = source.grid().dataset, .scored = {}, .combinations = {}, .seeds = tried.seeds};
   Numbers numbers(
       {"factor", "place", "value", "centre", "ratio", "seed", "accuracy", "low", "high"});
   std::string factor;
@@ -166,7 +165,7 @@ Numbers sweeps(Source& source) {
       add_point(numbers,
                 {factor, std::to_string(place), shown_value(point.value), point.centre ? "1" : "0",
                  ratio},
-                accuracies_of(source.layout(), grid, point, ratio), tried.seeds);
+                accuracies_of(source, tried.seeds, point, ratio), tried.seeds);
     }
   }
   return numbers;

@@ -81,7 +81,7 @@ void add_generated(SpaceRows& rows, const signal::WindowSet& generated) {
 }  // namespace
 
 Numbers twin_space(Source& source) {
-  const std::int64_t seed = source.grid().seeds.front();
+  const std::int64_t seed = source.shown_seed();
   const signal::WindowSet known =
       signal::read_window_set({source.layout().known_windows(seed), "windows"});
   SpaceRows rows("");

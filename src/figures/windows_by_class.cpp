@@ -137,10 +137,11 @@ class ClassRows {
 };
 
 std::vector<Origin> all_origins(Source& source, const WindowSet& real, const ViewAxes& axes) {
-  const std::int64_t seed = source.grid().seeds.front();
+  const std::int64_t seed = source.shown_seed();
   std::vector<Origin> origins{{"real", views_of(real, axes)}};
   for (const std::string& method : source.grid().scored) {
     const auto file = source.layout().generated_windows(method, seed);
+    if (!source.has(method, seed, file)) continue;
     const WindowSet generated = read_windows(file, signal::Role::generated);
     if (generated.length != real.length ||
         generated.info.classes.size() != real.info.classes.size()) {
@@ -155,7 +156,7 @@ std::vector<Origin> all_origins(Source& source, const WindowSet& real, const Vie
 
 std::vector<Picture> windows_by_class(Source& source) {
   const WindowSet real =
-      read_windows(source.layout().real_windows(source.grid().seeds.front()), signal::Role::hidden);
+      read_windows(source.layout().real_windows(source.shown_seed()), signal::Role::hidden);
   const ViewAxes axes(real.info, static_cast<Index>(real.length));
   const std::vector<Origin> origins = all_origins(source, real, axes);
   std::vector<Picture> pictures;

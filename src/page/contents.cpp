@@ -98,6 +98,12 @@ bool is_read(const run::Results& results, const run::CellName& name) {
   });
 }
 
+bool is_left_out(const run::Results& results, const run::CellName& name) {
+  return std::ranges::any_of(results.left_out, [&](const run::CellName& cell) {
+    return cell.method == name.method && cell.ratio == name.ratio && cell.seed == name.seed;
+  });
+}
+
 std::vector<run::CellName> cells_of(const run::Grid& grid) {
   std::vector<run::CellName> names;
   for (const run::Combination& cell : grid.combinations) {
@@ -127,7 +133,7 @@ std::vector<Hole> holes_in(const fs::path& run, const run::Grid& asked,
   }
   std::vector<Hole> holes;
   for (const run::CellName& name : names) {
-    if (is_read(contents.results, name)) continue;
+    if (is_read(contents.results, name) || is_left_out(contents.results, name)) continue;
     Hole hole = hole_of(run, layout, name, contents.results.problems);
     const bool counts = is_among(asked, name) || hole.state != HoleState::not_begun;
     if (counts) holes.push_back(std::move(hole));
@@ -159,9 +165,10 @@ void read_records(const fs::path& run, DatasetContents& contents) {
 }  // namespace
 
 DatasetContents read_dataset(const fs::path& run, const run::Grid& asked,
+                             const std::vector<std::string>& leave_out,
                              const report::Published& published) {
   const run::Layout layout(run, asked.dataset);
-  run::Collected collected = run::collect_held(layout, asked, run::Held(layout));
+  run::Collected collected = run::collect_held(layout, asked, run::Held(layout, leave_out));
   DatasetContents contents{.name = asked.dataset,
                            .grid = std::move(collected.grid),
                            .results = std::move(collected.results)};

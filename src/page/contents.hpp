@@ -27,7 +27,7 @@ struct CellFile {
   run::CellName name;          ///< the ratio is empty for a score
   std::filesystem::path file;  ///< below the folder of the run
   std::string digest;          ///< of its content
-  Build build;
+  Build build = {};
 };
 
 /// What the classifiers of a method said of the test windows, summed over seeds.
@@ -65,7 +65,9 @@ struct DatasetContents {
 
 /// Reads all cells of a data set, its records and the logs of what is missing. Nothing that is
 /// missing or damaged is an error: it is a hole.
+/// `leave_out` is what is out of date, as for run::Held.
 DatasetContents read_dataset(const std::filesystem::path& run, const run::Grid& asked,
+                             const std::vector<std::string>& leave_out,
                              const report::Published& published);
 
 /// "3 diagnoses and 1 score".

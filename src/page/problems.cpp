@@ -9,6 +9,7 @@
 #include "page/links.hpp"
 #include "page/table.hpp"
 #include "page/words.hpp"
+#include "report/gaps.hpp"
 #include "report/labels.hpp"
 
 namespace piae::page {
@@ -175,6 +176,10 @@ Html problems_html(const std::vector<DatasetContents>& datasets) {
   Html damaged;
   for (const DatasetContents& dataset : datasets) {
     if (!dataset.records_problem.empty()) damaged += element("p", "✖ " + dataset.records_problem);
+  }
+  for (const DatasetContents& dataset : datasets) {
+    const std::string left_out = report::left_out_line(dataset.results);
+    if (!left_out.empty()) damaged += element("p", "⚠ " + dataset.name + ": " + left_out);
   }
   const std::vector<HoleGroup> groups = groups_of(datasets);
   if (groups.empty() && damaged.empty()) {

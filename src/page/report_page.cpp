@@ -182,7 +182,7 @@ ReportContents read_report(const std::filesystem::path& run, const AskedCells& a
   ReportContents contents;
   for (const std::string& name : datasets_of(run, asked)) {
     const run::Grid grid = grid_of(run::Layout(run, name), name, asked);
-    contents.datasets.push_back(read_dataset(run, grid, published));
+    contents.datasets.push_back(read_dataset(run, grid, asked.left_out_of(name), published));
     contents.figures.push_back(read_figures(run, name));
   }
   contents.settings = read_settings(run, pipeline);

@@ -14,7 +14,7 @@ namespace piae::page {
 struct ReportContents {
   std::vector<DatasetContents> datasets;
   std::vector<std::vector<FigureContents>> figures;  ///< of each data set
-  std::vector<Setting> settings;
+  std::vector<Setting> settings = {};
 };
 
 /// Reads what the folder of a run holds; what is missing is part of it. `pipeline` is the folder

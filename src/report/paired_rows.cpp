@@ -3,6 +3,7 @@
 #include <spdlog/fmt/fmt.h>
 
 #include <algorithm>
+#include <functional>
 #include <iterator>
 #include <map>
 #include <set>
@@ -85,13 +86,17 @@ std::string warning_of_few_seeds(const std::vector<PairedRow>& rows) {
 }  // namespace
 
 std::optional<PairedRow> paired_row(const AccuracyRow& row, const AccuracyRow& other) {
-  const Pairs pairs = pairs_of(row, other);
+  Pairs pairs = pairs_of(row, other);
   if (pairs.seeds.empty()) return std::nullopt;
   const bool at_other = row.method == augment::no_method && other.method != augment::no_method;
   const AccuracyRow& at = at_other ? other : row;
+  std::vector<double> differences(pairs.seeds.size());
+  std::ranges::transform(pairs.first, pairs.second, differences.begin(), std::minus());
   PairedRow paired{.method = row.method,
                    .ratio = at.ratio,
                    .ratio_label = ratio_label_of(at),
+                   .seeds = std::move(pairs.seeds),
+                   .differences = std::move(differences),
                    .paired = scoring::paired_difference(pairs.first, pairs.second)};
   bound(paired.paired.difference, differences_of_percents);
   return paired;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -16,7 +17,9 @@ struct PairedRow {
   std::string method;
   std::string ratio;
   std::string ratio_label;            ///< for people: "2:1 (3.33:1)", "mean of 6"
-  scoring::PairedDifference paired;   ///< in points, of the seeds that both have
+  std::vector<std::int64_t> seeds;    ///< those that both have, ascending
+  std::vector<double> differences;    ///< of each of these seeds, in points
+  scoring::PairedDifference paired;   ///< of the differences
   std::optional<double> p_holm = {};  ///< p after Holm's correction, see add_holm_p()
   /// Whether so few seeds can give a corrected p below 0.05 at all, see add_holm_p().
   bool p_can_be_small = true;

@@ -79,6 +79,13 @@ class CellsOfSeeds {
   std::set<std::int64_t> seeds_;
 };
 
+void add_scores(const Layout& layout, const Grid& asked, const Held& held, Collected& into) {
+  CellsOfSeeds cells(layout, held, into);
+  for (const std::string& method : methods_in_order(asked)) {
+    if (has_score(method)) cells.scores(asked, method);
+  }
+}
+
 }  // namespace
 
 Held::Held(const Layout& layout, const std::vector<std::string>& leave_out)
@@ -120,7 +127,34 @@ std::vector<std::int64_t> Held::seeds_with(
 void bind_leave_out(const cli::Options& command, std::vector<std::string>& leave_out) {
   command.add("--leave-out", leave_out,
               "Files and folders of the dataset that are out of date and not asked for, such as "
-              "seed1/smote: tables are made without them");
+              "seed1/smote: tables and figures are made without them");
+}
+
+Grid held_grid(const Layout& layout, const Grid& asked, const Held& held) {
+  Grid grid{.dataset = asked.dataset, .scored = {}, .combinations = {}, .seeds = {}};
+  std::set<std::int64_t> all;
+  const auto any_seed = [&](bool needed, const auto& file_of) {
+    const auto seeds = held.seeds_with(needed ? asked.seeds : std::vector<std::int64_t>{}, file_of);
+    all.insert(seeds.begin(), seeds.end());
+    return !seeds.empty();
+  };
+  for (const std::string& method : methods_in_order(asked)) {
+    for (const scoring::Ratio& ratio : scoring::all_ratios()) {
+      const Combination cell{method, ratio.name};
+      const bool there = go_together(method, ratio) &&
+                         any_seed(is_asked(asked, cell), [&](std::int64_t seed) {
+                           return layout.diagnosis(method, ratio.name, seed);
+                         });
+      if (there) grid.combinations.push_back(cell);
+    }
+    const bool needed = std::ranges::count(asked.scored, method) > 0;
+    const bool there = has_score(method) && any_seed(needed, [&](std::int64_t seed) {
+                         return layout.score(method, seed);
+                       });
+    if (there) grid.scored.push_back(method);
+  }
+  grid.seeds.assign(all.begin(), all.end());
+  return grid;
 }
 
 Collected collect_held_diagnoses(const Layout& layout, const Grid& asked, const Held& held) {
@@ -152,12 +186,15 @@ std::vector<CellName> held_models(const Layout& layout, const Grid& asked, const
   return models;
 }
 
+Results collect_held_scores(const Layout& layout, const Grid& asked, const Held& held) {
+  Collected collected;
+  add_scores(layout, asked, held, collected);
+  return std::move(collected.results);
+}
+
 Collected collect_held(const Layout& layout, const Grid& asked, const Held& held) {
   Collected collected = collect_held_diagnoses(layout, asked, held);
-  CellsOfSeeds cells(layout, held, collected);
-  for (const std::string& method : methods_in_order(asked)) {
-    if (has_score(method)) cells.scores(asked, method);
-  }
+  add_scores(layout, asked, held, collected);
   return collected;
 }
 

@@ -47,6 +47,10 @@ class Held {
 
 void bind_leave_out(const cli::Options& command, std::vector<std::string>& leave_out);
 
+/// All methods, ratios and seeds of which there is a cell, or one is asked for; not every combination
+/// has every seed. Methods are in the order of the catalogue. No cell is read.
+Grid held_grid(const Layout& layout, const Grid& asked, const Held& held);
+
 /// Cells, and the grid that they are of.
 struct Collected {
   /// All methods, ratios and seeds of which there is a cell; not every combination has every seed.
@@ -61,6 +65,9 @@ Collected collect_held(const Layout& layout, const Grid& asked, const Held& held
 
 /// The diagnoses alone, without the scores.
 Collected collect_held_diagnoses(const Layout& layout, const Grid& asked, const Held& held);
+
+/// The scores alone.
+Results collect_held_scores(const Layout& layout, const Grid& asked, const Held& held);
 
 /// The models that infer stiffness and damping: those that are asked for, whether they are there or
 /// not, and all others that the folder holds together with the windows D of their seed. By method,

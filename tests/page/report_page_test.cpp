@@ -342,7 +342,8 @@ TEST_F(ReportPage, ReportMdIsNarrowAndHasTheVerdictTheTableAndWhatIsMissing) {
 /// Contents of a run of the paper's size, without a file.
 ReportContents large_run(std::size_t cells, std::size_t bytes_of_a_picture) {
   DatasetContents dataset{.name = "cwru"};
-  dataset.grid = {.dataset = "cwru", .combinations = {{"vae", "10to1"}}, .seeds = {0}};
+  dataset.grid = {
+      .dataset = "cwru", .scored = {}, .combinations = {{"vae", "10to1"}}, .seeds = {0}};
   for (std::size_t i = 0; i < cells; ++i) {
     const auto seed = static_cast<std::int64_t>(i);
     dataset.results.diagnoses.push_back(
