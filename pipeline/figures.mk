@@ -18,7 +18,7 @@ folders := $(shown:%=$(results)/%)
 
 .PHONY: figures draw FORCE
 figures: $(folders:%=%/figures.log)
-	$(Q)+$(MAKE) --file=pipeline/figures.mk draw
+	$(Q)+$(MAKE) --keep-going --file=pipeline/figures.mk draw
 
 # The log of the step says when the numbers were made, of which cells, whether that went well, and which
 # files there must be.

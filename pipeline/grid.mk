@@ -63,8 +63,9 @@ $(if $(methods),,$(error no cells: METHODS="$(METHODS)" RATIOS="$(RATIOS)"; $(ba
 
 # Programs that are built without LibTorch refuse these methods, too, but only when it is their turn.
 beyond_us := $(if $(wildcard $(BIN)/train-libtorch),,$(filter $(call fact,needs-libtorch),$(methods)))
-# (out_of_date.sh, which only asks what would be done, may ask it of these, too.)
-$(if $(filter-out $(only_asking:yes=%),$(beyond_us)),$(error METHODS: only LibTorch computes $(beyond_us), and the programs in $(BIN) are built without it; build with LIBTORCH=on, or ask for METHODS="$(filter-out $(beyond_us),$(METHODS))"))
+# (Who only looks at a run, or as out_of_date.sh asks what would be done, may name these, too.)
+looks := $(filter figures report,$(MAKECMDGOALS))
+$(if $(if $(looks)$(only_asking),,$(beyond_us)),$(error METHODS: only LibTorch computes $(beyond_us), and the programs in $(BIN) are built without it; build with LIBTORCH=on, or ask for METHODS="$(filter-out $(beyond_us),$(METHODS))"))
 
 # ---- settings -----------------------------------------------------------------------------------
 # The names of the settings files, without .toml; which options that make gives count as settings, too.
@@ -154,11 +155,9 @@ table_names  := accuracy.csv gains.csv quality.csv comparisons.csv ranks.csv tab
 tables_of    = $(table_names:%=$(results)/$1/%)
 
 # That a cell has been removed, no file's time tells: so the number of cells counts as a setting.
-# Where a run is only looked at, no cell is made first, so all may be out of date.
-looks       := $(filter figures report,$(MAKECMDGOALS))
-shows_cells := $(looks)$(filter tables draw page $(foreach dataset,$(DATASETS),$(call tables_of,$(dataset))),$(MAKECMDGOALS))
+shows_cells := $(filter tables draw page $(foreach dataset,$(DATASETS),$(call tables_of,$(dataset))),$(MAKECMDGOALS))
 define find_besides # data set, its folder
-besides.$1  := $(if $(shows_cells),$(call besides,$2,$(if $(looks),,$(call cell_files,$1))))
+besides.$1  := $(if $(shows_cells),$(call besides,$2,$(call cell_files,$1)))
 left_out.$1 := $$(if $$(besides.$1),$$(call out_of_date,$2,$(PROTOCOL),cells))
 left_out.$1 := $$(call concerning,$2,$$(besides.$1),$$(left_out.$1))
 besides.$1  := $$(call up_to_date,$2,$$(besides.$1),$$(left_out.$1))

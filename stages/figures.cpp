@@ -60,8 +60,8 @@ int main(int argc, char** argv) {
 
   return stage.run(argc, argv, [&] {
     const run::Layout layout(run_folder, options.dataset);
-    figures::Source source(layout, asked_cells(layout, options), report::Published(published_folder),
-                           leave_out);
+    figures::Source source(layout, asked_cells(layout, options),
+                           report::Published(published_folder), leave_out);
     std::size_t written = 0;
     for (const figures::Figure& figure : figures::catalogue()) written += save(source, figure);
     std::cout << fmt::format("wrote the numbers of {} of {} figures\n", written,

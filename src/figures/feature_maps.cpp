@@ -44,6 +44,11 @@ std::vector<run::Combination> cells_with_features(const Source& source) {
       cells.back() = cell;
     }
   }
+  if (cells.empty()) {
+    throw Error(Exit::input_missing, "no features.h5 is kept of any cell of seed " +
+                                         std::to_string(source.shown_seed()) +
+                                         "; `make all` keeps some");
+  }
   return cells;
 }
 

@@ -55,8 +55,6 @@ Numbers gains_of_models(Source& source) {
   return gains_of(source, methods_in(source.grid(), Group::models));
 }
 
-Numbers accuracies(Source& source) {
-  return numbers_of(source.accuracy_rows(), "accuracy");
-}
+Numbers accuracies(Source& source) { return numbers_of(source.accuracy_rows(), "accuracy"); }
 
 }  // namespace piae::figures

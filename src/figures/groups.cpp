@@ -15,9 +15,8 @@ std::vector<std::string> methods_in(const run::Grid& grid, Group group) {
   for (const report::MethodGroup& candidate : report::method_groups(all)) {
     if (candidate.are_models == (group == Group::models)) return candidate.methods;
   }
-  throw LeftOut(group == Group::models
-                    ? "the run has no ablation of the paper's method"
-                    : "the run has no method of the paper");
+  throw LeftOut(group == Group::models ? "the run has no ablation of the paper's method"
+                                       : "the run has no method of the paper");
 }
 
 }  // namespace piae::figures

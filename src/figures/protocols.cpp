@@ -12,8 +12,7 @@ namespace {
 /// The accuracies of one run at the cells that both have.
 std::vector<report::AccuracyRow> rows_of_side(const run::Layout& side, const run::Layout& other,
                                               const std::string& dataset) {
-  const run::Grid nothing_asked{
-      .dataset = dataset, .scored = {}, .combinations = {}, .seeds = {}};
+  const run::Grid nothing_asked{.dataset = dataset, .scored = {}, .combinations = {}, .seeds = {}};
   const auto [grid, results] =
       run::collect_held_diagnoses(side, nothing_asked, run::Held(side, other, {}));
   require_whole(results);

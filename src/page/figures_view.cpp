@@ -80,25 +80,35 @@ Html html_of_figure(const std::string& dataset, const FigureContents& figure) {
 }
 
 /// A line for each reason, with all figures that are missing for it.
-Html list_of_missing(const std::vector<FigureContents>& figures) {
-  std::vector<std::string> reasons;
+Html list_of_reasons(const std::vector<FigureContents>& figures, bool left_out) {
+  std::vector<std::pair<std::string, std::vector<std::string>>> names_by_reason;
   for (const FigureContents& figure : figures) {
-    const bool is_new = std::ranges::count(reasons, figure.missing) == 0;
-    if (figure.pictures.empty() && is_new) reasons.push_back(figure.missing);
+    if (!figure.pictures.empty() || figure.is_left_out != left_out) continue;
+    auto reason = std::ranges::find(names_by_reason, figure.missing,
+                                    [](const auto& each) { return each.first; });
+    if (reason == names_by_reason.end())
+      reason = names_by_reason.insert(reason, {figure.missing, {}});
+    reason->second.push_back(heading_of(figure) + " (" + figure.name + ")");
   }
   Html items;
-  for (const std::string& reason : reasons) {
-    std::vector<std::string> names;
-    for (const FigureContents& figure : figures) {
-      if (figure.pictures.empty() && figure.missing == reason) {
-        names.push_back(heading_of(figure) + " (" + figure.name + ")");
-      }
-    }
+  for (const auto& [reason, names] : names_by_reason) {
     items += element("li", element("b", reason) + ": " + in_words(names));
   }
-  if (items.empty()) return {};
+  return items.empty() ? Html() : element("ul", items);
+}
+
+Html list_of_missing(const std::vector<FigureContents>& figures) {
+  const Html reasons = list_of_reasons(figures, false);
+  if (reasons.empty()) return {};
   return element("div", {{"class", "problems"}},
-                 element("p", "⚠ Figures that are not drawn") + element("ul", items));
+                 element("p", "⚠ Figures that are not drawn") + reasons);
+}
+
+Html list_of_left_out(const std::vector<FigureContents>& figures) {
+  const Html reasons = list_of_reasons(figures, true);
+  if (reasons.empty()) return {};
+  return element("div", {{"class", "quiet"}},
+                 element("p", "Left out, as this run is without what they show") + reasons);
 }
 
 Html list_of_contents(const std::string& dataset, const std::vector<FigureContents>& figures) {
@@ -119,7 +129,7 @@ Html figures_view(const std::string& dataset, const std::vector<FigureContents>&
     if (!figure.pictures.empty()) cards += html_of_figure(dataset, figure);
   }
   return list_of_missing(figures) + list_of_contents(dataset, figures) +
-         element("div", {{"class", "figures"}}, cards);
+         element("div", {{"class", "figures"}}, cards) + list_of_left_out(figures);
 }
 
 }  // namespace piae::page

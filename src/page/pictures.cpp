@@ -51,20 +51,33 @@ Picture read_picture(const fs::path& run, const fs::path& svg) {
   return picture;
 }
 
-/// Why figures are not drawn, as the stage `figures` has said in its log, by name.
-std::map<std::string, std::string> reasons_in_log(const fs::path& run, const fs::path& log) {
-  std::map<std::string, std::string> reasons;
+/// Why a figure is not drawn.
+struct Reason {
+  std::string text;
+  bool is_left_out = false;
+};
+
+/// What the stage `figures` has said in its log of figures that are not drawn, by name.
+std::map<std::string, Reason> reasons_in_log(const fs::path& run, const fs::path& log) {
+  std::map<std::string, Reason> reasons;
   if (!fs::exists(log)) return reasons;
   std::istringstream lines(text_of_file(log));
-  const std::string before = "figures: ";
-  const std::string after = " is not drawn: ";
   for (std::string line; std::getline(lines, line);) {
-    const std::size_t said = line.find(after);
-    if (!line.starts_with(before) || said == std::string::npos) continue;
-    const std::string name = line.substr(before.size(), said - before.size());
-    reasons[name] = below_run(line.substr(said + after.size()), run);
+    const auto take = [&](const std::string& before, const std::string& after, bool is_left_out) {
+      const std::size_t said = line.find(after);
+      if (!line.starts_with(before) || said == std::string::npos) return;
+      const std::string name = line.substr(before.size(), said - before.size());
+      reasons[name] = {below_run(line.substr(said + after.size()), run), is_left_out};
+    };
+    take("figures: ", " is not drawn: ", false);
+    take("left out ", ": ", true);
   }
   return reasons;
+}
+
+std::string why_not_drawn(bool has_numbers) {
+  return has_numbers ? "its numbers are there, but gnuplot has not drawn them"
+                     : "make figures has not been run since its cells are there";
 }
 
 void take(std::vector<Attachment*>& attachments, std::size_t& left) {
@@ -95,9 +108,8 @@ std::vector<FigureContents> read_figures(const fs::path& run, const std::string&
     if (contents.pictures.empty()) {
       const auto reason = reasons.find(contents.name);
       const bool has_numbers = !files_of_figure(folder, contents.name, ".csv").empty();
-      contents.missing = reason != reasons.end() ? reason->second
-                         : has_numbers ? "its numbers are there, but gnuplot has not drawn them"
-                                       : "make figures has not been run since its cells are there";
+      contents.missing = reason != reasons.end() ? reason->second.text : why_not_drawn(has_numbers);
+      contents.is_left_out = reason != reasons.end() && reason->second.is_left_out;
     }
     figures.push_back(std::move(contents));
   }

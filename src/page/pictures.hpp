@@ -31,6 +31,7 @@ struct FigureContents {
   std::string from = {};
   std::vector<Picture> pictures = {};  ///< those that are drawn
   std::string missing = {};            ///< why there is none; empty where there are pictures
+  bool is_left_out = false;            ///< there is none, as the run is without what it shows
 };
 
 /// The figures of a data set in the folder of a run, in the order of the catalogue.

@@ -141,10 +141,10 @@ Grid held_grid(const Layout& layout, const Grid& asked, const Held& held) {
   for (const std::string& method : methods_in_order(asked)) {
     for (const scoring::Ratio& ratio : scoring::all_ratios()) {
       const Combination cell{method, ratio.name};
-      const bool there = go_together(method, ratio) &&
-                         any_seed(is_asked(asked, cell), [&](std::int64_t seed) {
-                           return layout.diagnosis(method, ratio.name, seed);
-                         });
+      const bool there =
+          go_together(method, ratio) && any_seed(is_asked(asked, cell), [&](std::int64_t seed) {
+            return layout.diagnosis(method, ratio.name, seed);
+          });
       if (there) grid.combinations.push_back(cell);
     }
     const bool needed = std::ranges::count(asked.scored, method) > 0;

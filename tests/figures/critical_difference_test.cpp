@@ -73,7 +73,8 @@ TEST_F(CriticalDifference, DoesNotRankACeiling) {
 }
 
 TEST_F(CriticalDifference, IsLeftOutWithLessThanTwoMethods) {
-  add_seeds(1);
+  add(diagnosis("piae-dt", "10to1", 45, 0, 12));
+  add(diagnosis("oracle", "10to1", 45, 0, 18));
   Source one = source("piae-dt oracle", "10to1", "0");
   EXPECT_THROW(critical_differences(one), LeftOut);
 }

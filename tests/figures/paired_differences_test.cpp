@@ -43,13 +43,16 @@ TEST_F(PairedDifferences, HaveAPAndTheLeastThatSoManySeedsCanGive) {
 }
 
 TEST_F(PairedDifferences, HaveNeitherIntervalNorPWhereSeedsAreTooFew) {
-  add_three_seeds();
-  Source two = source("vae piae-dt", "10to1", "0 1");
-  EXPECT_EQ(field(paired_differences(two), "vae,0,10to1,piae-dt,mean", 6), "");
-  EXPECT_EQ(field(paired_differences(two), "vae,0,10to1,piae-dt,mean", 9), "0.5");
+  add(diagnosis("vae", "10to1", 45, 0, 15));
+  add(diagnosis("piae-dt", "10to1", 45, 0, 14));
   Source one = source("vae piae-dt", "10to1", "0");
   EXPECT_EQ(field(paired_differences(one), "vae,0,10to1,piae-dt,mean", 5), "5");
   EXPECT_EQ(field(paired_differences(one), "vae,0,10to1,piae-dt,mean", 9), "");
+  add(diagnosis("vae", "10to1", 45, 1, 15));
+  add(diagnosis("piae-dt", "10to1", 45, 1, 14));
+  Source two = source("vae piae-dt", "10to1", "0 1");
+  EXPECT_EQ(field(paired_differences(two), "vae,0,10to1,piae-dt,mean", 6), "");
+  EXPECT_EQ(field(paired_differences(two), "vae,0,10to1,piae-dt,mean", 9), "0.5");
 }
 
 TEST_F(PairedDifferences, HaveTheMeanOfTheRatiosToo) {

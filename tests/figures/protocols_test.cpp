@@ -31,7 +31,7 @@ TEST_F(Protocols, AreTheSameCellsOfThisRunAndOfTheOneBesideIt) {
   EXPECT_EQ(field(numbers, "vae,0,10to1,blocked,mean", 6), "") << "an interval of two seeds";
 }
 
-TEST_F(Protocols, LeaveOutWhatTheRunBesideHasNotBegun) {
+TEST_F(Protocols, LeaveOutWhatTheRunBesideDoesNotHave) {
   add_all();
   add_blocked(1);
   Source all = source("none vae", "100to1 10to1 2to1");
@@ -40,15 +40,6 @@ TEST_F(Protocols, LeaveOutWhatTheRunBesideHasNotBegun) {
   EXPECT_EQ(field(numbers, "vae,0,10to1,random,1", 5), "75");
   EXPECT_THAT(numbers.csv(), Not(HasSubstr("2to1")));
   EXPECT_THAT(numbers.csv(), Not(HasSubstr("none")));
-}
-
-TEST_F(Protocols, NameTheCellThatARunHasNotGotTo) {
-  add_all();
-  add_blocked(0);
-  save("diagnosis", diagnosis("none", "100to1", 0, 1, 12),
-       layout_.blocked().diagnosis("none", "100to1", 1));
-  Source all = source("none vae", "100to1 10to1 2to1");
-  EXPECT_ERROR(protocols(all), Exit::input_missing, "run-blocked/cwru/seed0/none/100to1");
 }
 
 TEST_F(Protocols, AreLeftOutWithoutARunBesideThisOne) {

@@ -2,6 +2,8 @@
 
 #include <gmock/gmock.h>
 
+#include <fstream>
+
 #include "page/problems.hpp"
 #include "page/report_text.hpp"
 #include "support/errors.hpp"
@@ -121,7 +123,7 @@ TEST_F(ReportPage, WhatIsAskedForAndNotBegunIsMissing) {
   const auto groups = groups_of(read(asked).datasets);
   ASSERT_EQ(groups.size(), 1U);
   EXPECT_EQ(groups[0].state, HoleState::not_begun);
-  EXPECT_EQ(cells_label(groups[0]), "none, smote and vae; 100:1 and 10:1; seeds 0 to 2");
+  EXPECT_EQ(cells_label(groups[0]), "none, vae and smote; 100:1 and 10:1; seeds 0 to 2");
   // none and vae lack seed 2, smote all three; so do scores, which none has not.
   EXPECT_EQ(groups[0].diagnoses, 5U);
   EXPECT_EQ(groups[0].scores, 4U);
@@ -187,6 +189,10 @@ TEST_F(ReportPage, TheSameCellsGiveTheSameBytesInAnyFolder) {
   const fs::path elsewhere = folder_.path() / "another" / "place";
   fs::create_directories(elsewhere.parent_path());
   fs::copy(run_, elsewhere, fs::copy_options::recursive);
+  // Its steps ran there.
+  std::ofstream(elsewhere / "cwru/seed2/vae/train.log")
+      << "command\nstep: begun at 1\ntrain: " << (elsewhere / "cwru/seed2/C.h5").string()
+      << ": damaged\nstep: exit 1 after 2.0 s\n";
   const report::Published published(folder_.path());
   const ReportContents there = read_report(elsewhere, {}, published, folder_ / "pipeline");
   EXPECT_EQ(report_page(there, {}), here);
@@ -246,15 +252,19 @@ TEST_F(ReportPage, NamesFiguresThatAreNotDrawnAndWhy) {
   write("cwru/figures.log",
         "figures: fig07-losses is not drawn: needs the method piae-dt, which is not in the "
         "grid\nfigures: fig13-14-quality is not drawn: " +
-            (run_ / "cwru/seed0/vae/score.h5").string() + ": no such file\n");
+            (run_ / "cwru/seed0/vae/score.h5").string() +
+            ": no such file\nleft out fig19-sweep: there is no sweep (make sweep)\n");
   write("cwru/figures/fig15-gains.csv", "a,b\n");
   const std::string html = page();
-  EXPECT_THAT(html,
-              HasSubstr("(fig07-losses): needs the method piae-dt, which is not in the grid"));
-  EXPECT_THAT(html, HasSubstr("(fig13-14-quality): cwru/seed0/vae/score.h5: no such file"));
-  EXPECT_THAT(html,
-              HasSubstr("(fig15-gains): its numbers are there, but gnuplot has not drawn them"));
-  EXPECT_THAT(html, HasSubstr("(accuracies): make figures has not been run"));
+  EXPECT_THAT(html, HasSubstr("<b>needs the method piae-dt, which is not in the grid</b>: Fig. 7: "
+                              "Losses of PIAE-DT by epoch (fig07-losses)</li>"));
+  EXPECT_THAT(html, HasSubstr("<b>cwru/seed0/vae/score.h5: no such file</b>: Figs 13 and 14: "));
+  EXPECT_THAT(html, HasSubstr("<b>its numbers are there, but gnuplot has not drawn them</b>: "
+                              "Fig. 15: "));
+  EXPECT_THAT(html, HasSubstr("<b>make figures has not been run since its cells are there</b>: "));
+  // What the run was not to have is no problem.
+  EXPECT_THAT(html, HasSubstr("<p>Left out, as this run is without what they show</p>\n<ul><li>"
+                              "<b>there is no sweep (make sweep)</b>: Fig. 19: "));
 }
 
 TEST_F(ReportPage, RecallIsThatOfTheConfusionsSummedOverSeeds) {
