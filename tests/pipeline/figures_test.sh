@@ -46,6 +46,25 @@ test_each_figure_is_an_svg_and_a_pdf_beside_its_numbers() {
   expect_line "$(tail -n 1 messages)" "^figures: $drawn/$"
 }
 
+# The stand-in for the stage writes down what it was asked.
+asked_of_figures() { sed -n 's/.*--run results\/t --dataset made *//p' results/t/made/figures.log; }
+
+test_what_is_only_looked_at_need_not_be_there() {
+  lay_out
+  make --silent figures BIN=fake RUN=t >/dev/null 2>&1
+  expect_equal "$(asked_of_figures)" "--published results/published"
+  make --silent figures BIN=fake RUN=t SEEDS="0 1" >/dev/null 2>&1
+  expect_equal "$(asked_of_figures)" "--seeds 0 1 --published results/published"
+}
+
+test_a_report_is_of_what_the_run_holds_unless_more_is_asked_for() {
+  lay_out
+  make --silent report BIN=fake RUN=t
+  make --silent report BIN=fake RUN=t METHODS="none vae"
+  expect_equal "$(tr -s " " <reports | sed "s/ $//")" "$(printf '%s\n' 'report: --run results/t --published results/published' \
+    'report: --run results/t --methods none vae --published results/published')"
+}
+
 test_the_same_numbers_give_the_same_bytes() {
   lay_out
   figures >/dev/null 2>&1

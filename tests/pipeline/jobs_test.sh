@@ -45,15 +45,15 @@ test_a_job_for_each_seed_and_one_for_the_tables() {
     'sbatch --parsable --array=0,3 jobs/seed.sbatch RUN=t DATASETS=real METHODS=none piae-dt RATIOS=100to1 10to1 SEEDS=0 3' \
     'sbatch --parsable --dependency=afterok:7 jobs/tables.sbatch RUN=t DATASETS=real METHODS=none piae-dt RATIOS=100to1 10to1 SEEDS=0 3')"
   expect_equal "$(awk '{ print $1 }' calls | sort | uniq -c | xargs)" \
-    "4 diagnose 2 generate 1 ingest 2 score 2 split 1 tabulate 2 train"
+    "4 diagnose 2 features 2 generate 1 ingest 2 score 2 split 1 tabulate 2 train"
   expect_line "$(<results/t/real/accuracy.csv)" "--seeds 0 3 "
 }
 
 test_a_job_for_each_step() {
   slurm
   make --silent all RUN=t DATASETS=real RATIOS=10to1 METHODS=piae-dt SEEDS=0 SUBMIT="srun --mem=2G" >/dev/null
-  # The eighth are the figures, whose stand-in leaves no call.
-  expect_equal "$(wc -l <calls) $(grep -c srun submitted)" "7 8"
+  # The ninth are the figures, whose stand-in leaves no call.
+  expect_equal "$(wc -l <calls) $(grep -c srun submitted)" "8 9"
 }
 
 test_a_job_out_of_time_goes_back_into_the_queue() {

@@ -60,7 +60,9 @@ if [[ -e broken && $(<broken) == "$stage $cell" ]]; then
   echo "$stage: the reason" >&2
   exit 65
 fi
-echo "$stage ${cell%/*}" >>calls
+called=$stage
+[[ $options != *--keep-features* ]] || called=features
+echo "$called ${cell%/*}" >>calls
 for output in "${outputs[@]}"; do echo "$stage $options" >"$output"; done
 echo "$stage: 1 thing done"
 STAGE
@@ -72,7 +74,8 @@ STAGE
   done
   ln -s "$programs/settings" fake/settings
   printf '#!/bin/bash\necho "figures: wrote the numbers of none"\n' >fake/figures
-  chmod +x fake/figures
+  printf '#!/bin/bash\necho "report: $*" >>reports\n' >fake/report
+  chmod +x fake/figures fake/report
 }
 
 run_tests() {
