@@ -96,7 +96,7 @@ help:
 	  records  'only read or simulate the data sets' \
 	  status   'how far the grid is: cells done, running, failed, missing, and the time left' \
 	  check    'compare RUN with results/reference: all cells, or those of the variables given' \
-	  reference 'store RUN, or the cells of the variables given, as results/reference, and its tables' \
+	  reference 'store RUN, or the cells of the variables given, as results/reference, its tables and figures' \
 	  data     'download the recordings that have an official address into DATA_DIR' \
 	  test     'build and run every test; those on real recordings when DATA_DIR has them' \
 	  lint     'check style and structure of what changed; of everything with LINT=all' \
@@ -155,7 +155,7 @@ check: | $(programs)
 	$(Q)$(compare) --tolerance $(TOLERANCE)
 reference: | $(programs)
 	$(Q)$(compare) --store
-	$(Q)pipeline/keep_tables.sh $(results) results/reference/$(PROTOCOL)
+	$(Q)pipeline/keep_shown.sh $(results) results/reference/$(PROTOCOL)
 
 data: | $(programs)
 	$(Q)pipeline/download.sh '$(DATA_DIR)' $(DATASETS)

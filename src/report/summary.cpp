@@ -15,14 +15,14 @@ namespace piae::report {
 
 namespace {
 
-constexpr std::size_t widest_line = 80;
+constexpr std::size_t widest_paragraph = 80;
 
 std::string wrapped_at_80(const std::string& paragraph) {
   std::istringstream words(paragraph);
   std::string text;
   std::size_t column = 0;
   for (std::string word; words >> word;) {
-    if (column > 0 && column + 1 + word.size() > widest_line) {
+    if (column > 0 && column + 1 + word.size() > widest_paragraph) {
       text += '\n';
       column = 0;
     }

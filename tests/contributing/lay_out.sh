@@ -1,5 +1,5 @@
 #!/bin/bash
-# Lays out what CONTRIBUTING.md shows of a new data set, method, table and stage, letter for letter:
+# Lays out what CONTRIBUTING.md shows of a new data set, method, table, figure and stage, letter for letter:
 # its files, and copies of ours with the lines that it adds to them.
 # usage: lay_out.sh PROJECT FOLDER
 set -euo pipefail
@@ -12,17 +12,13 @@ mkdir -p "$lines"
 # the block holds lines for a file of ours: they go to a folder of their own, X before them.
 awk -v folder="$folder" -v lines="$lines" '
   /^```/ { inside = !inside; first = inside; file = ""; next }
-  first && /^(\/\/|#) (src|stages|pipeline)\/[^ ]+\.(cpp|hpp|toml)/ {
+  first && /^(\/\/|#) (src|stages|pipeline)\/[^ ]+\.(cpp|hpp|toml|gp)/ {
     first = 0
-    file = folder "/" $2
-    if (sub(/,$/, "", file)) {
-      sub(/.*\//, lines "/", file)
-      split($0, quoted, "\"")
-      print quoted[2] >file
-    } else {
-      system("mkdir -p \"$(dirname \"" file "\")\"")
-      printf "" >file
-    }
+    is_part = sub(/,$/, "", $2)
+    file = (is_part ? lines : folder) "/" $2
+    system("mkdir -p \"$(dirname \"" file "\")\"")
+    split($0, quoted, "\"")
+    printf "%s", is_part ? quoted[2] "\n" : "" >file
     next
   }
   { first = 0 }
@@ -30,7 +26,7 @@ awk -v folder="$folder" -v lines="$lines" '
 
 # Our file with its lines before the one line that matches, and with its header.
 add_lines() { # file, pattern
-  local added=$lines/${1##*/}
+  local added=$lines/$1
   mkdir -p "$folder/$(dirname "$1")"
   awk -v pattern="$2" -v header="$(head -1 "$added")" -v added="$(tail -n +2 "$added")" '
     $0 ~ pattern { print added; found++ }
@@ -41,3 +37,4 @@ add_lines() { # file, pattern
 }
 add_lines src/augment/catalogue.cpp '^};$'
 add_lines src/report/tables.cpp '^  return document;$'
+add_lines src/figures/catalogue.cpp '^};$'

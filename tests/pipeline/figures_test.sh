@@ -137,6 +137,15 @@ test_figures_of_a_few_numbers_are_drawn_without_a_word() {
   done
 }
 
+test_the_script_that_contributing_shows_draws() {
+  lay_out
+  "$project/tests/contributing/lay_out.sh" "$project" shown
+  cp shown/pipeline/figures/seed-range.gp pipeline/figures
+  printf '%s\n' method,ratio,low,high none,100to1,55,66 vae,10to1,30,42 vae,1to1,20,25 >$drawn/seed-range.csv
+  expect_equal "$(pipeline/figures/draw.sh $drawn/seed-range.csv 2>&1)" ""
+  expect_line "$(<$drawn/seed-range.svg)" '10to1'
+}
+
 test_a_changed_style_draws_all_again() {
   lay_out
   figures >/dev/null 2>&1

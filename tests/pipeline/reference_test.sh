@@ -52,11 +52,16 @@ test_numbers_are_as_stored() {
   tiny check >messages || fail "$(<messages)"
 }
 
-test_tables_are_kept_with_the_reference() {
+test_tables_and_figures_are_kept_with_the_reference() {
   made
+  mkdir -p results/reference/random/tiny/figures
+  touch results/reference/random/tiny/figures/of-an-older-run.svg
   tiny reference >messages
   expect_line "$(<messages)" '^kept results/reference/random/tiny/tables.md$'
   cmp results/tiny/tiny/tables.md results/reference/random/tiny/tables.md
+  expect_equal "$(ls results/reference/random/tiny/figures)" \
+    "$(cd results/tiny/tiny/figures && printf '%s\n' *.csv *.svg | LC_ALL=C sort)"
+  expect_line "$(ls results/reference/random/tiny/figures)" '^fig15-gains.svg$'
   expect_exit 0 tiny check
 }
 

@@ -1,4 +1,4 @@
-// What CONTRIBUTING.md shows of a new data set, method, table and stage, letter for letter
+// What CONTRIBUTING.md shows of a new data set, method, table, figure and stage, letter for letter
 // (contributing/lay_out.sh), used as it says.
 
 #include <gmock/gmock.h>
@@ -118,6 +118,20 @@ TEST(ShownTable, HasTheLowestAndTheHighestAccuracyOfEachCell) {
                                      "\\| piae-dt \\| [^\n]*\\| +" +
                                      piae_dt + " \\| +" + piae_dt + " \\|\n"));
   EXPECT_THAT(bytes_of(tiny / "run/tiny/tables.tex"), HasSubstr("{tab:tiny-seed-range}"));
+}
+
+TEST(ShownFigure, HasTheRangeOfEachCell) {
+  const Tiny tiny;
+  tiny.run_chain_before("tabulate");
+  const Outcome tabulated = tiny.run("tabulate", step_of("tabulate").arguments);
+  ASSERT_EQ(tabulated.status, 0) << tabulated.err;
+  const Outcome outcome = tiny.run(shown("figures"), {"--run", "run", "--dataset", "tiny",
+                                                      "--published", "published"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const std::string none =
+      accuracy_of(bytes_of(tiny / "run/tiny/accuracy.csv"), "tiny,none,100to1,");
+  EXPECT_THAT(bytes_of(tiny / "run/tiny/figures/seed-range.csv"),
+              HasSubstr("\nnone,100to1," + none.substr(0, 4)));
 }
 
 TEST(ShownStage, CountsTheWindowsOfEachClass) {

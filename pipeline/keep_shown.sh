@@ -1,0 +1,21 @@
+#!/bin/bash
+# Copies what people look at from a run to where its reference is kept: FOLDER/<dataset>/*.md, and of the
+# figures the numbers and pictures, FOLDER/<dataset>/figures/*.csv and *.svg.
+# usage: pipeline/keep_shown.sh results/RUN FOLDER
+set -euo pipefail
+shopt -s nullglob
+
+run=$1 folder=$2
+for table in "$run"/*/*.md; do
+  kept=$folder/${table#"$run"/}
+  mkdir -p "${kept%/*}"
+  cp "$table" "$kept"
+  printf 'kept %s\n' "$kept"
+done
+for figures in "$run"/*/figures; do
+  kept=$folder/${figures#"$run"/}
+  rm -rf "$kept" # with figures that the run no longer has
+  mkdir -p "$kept"
+  cp "$figures"/*.csv "$figures"/*.svg "$kept"
+  printf 'kept %s\n' "$kept"
+done
