@@ -125,8 +125,9 @@ TEST(ShownFigure, HasTheRangeOfEachCell) {
   tiny.run_chain_before("tabulate");
   const Outcome tabulated = tiny.run("tabulate", step_of("tabulate").arguments);
   ASSERT_EQ(tabulated.status, 0) << tabulated.err;
-  const Outcome outcome = tiny.run(shown("figures"), {"--run", "run", "--dataset", "tiny",
-                                                      "--published", "published"});
+  const Outcome outcome =
+      tiny.run(shown("figures"), {"--run", "run", "--dataset", "tiny", "--published",
+                                  std::string(PIAE_SOURCE) + "/results/published"});
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   const std::string none =
       accuracy_of(bytes_of(tiny / "run/tiny/accuracy.csv"), "tiny,none,100to1,");
