@@ -18,24 +18,28 @@ Arguments figures_of(const Arguments& asked) {
 }
 
 /// What lies where the rules of make put it, as a run has it.
-Tiny finished() {
-  Tiny tiny;
-  tiny.run_chain_before("");
-  for (const std::string name : {"A", "B", "C", "D"}) {
-    fs::copy(tiny / (name + ".h5"), tiny / ("run/tiny/seed0/" + name + ".h5"));
+class FinishedRun : public testing::Test {
+ protected:
+  FinishedRun() {
+    tiny.run_chain_before("");
+    for (const std::string name : {"A", "B", "C", "D"}) {
+      fs::copy(tiny / (name + ".h5"), tiny / ("run/tiny/seed0/" + name + ".h5"));
+    }
+    for (const std::string name : {"model", "E"}) {
+      fs::copy(tiny / (name + ".h5"), tiny / ("run/tiny/seed0/piae-dt/" + name + ".h5"));
+    }
   }
-  for (const std::string name : {"model", "E"}) {
-    fs::copy(tiny / (name + ".h5"), tiny / ("run/tiny/seed0/piae-dt/" + name + ".h5"));
-  }
-  return tiny;
-}
+
+  const Tiny tiny;
+};
+using Figures = FinishedRun;
+using Report = FinishedRun;
 
 std::string csv(const Tiny& tiny, const std::string& figure) {
   return bytes_of(tiny / ("run/tiny/figures/" + figure + ".csv"));
 }
 
-TEST(Figures, AreOfWhatTheRunHoldsAndTheSameBytesAgain) {
-  const Tiny tiny = finished();
+TEST_F(Figures, AreOfWhatTheRunHoldsAndTheSameBytesAgain) {
   const Outcome first = tiny.run("figures", figures_of({}));
   ASSERT_EQ(first.status, 0) << first.err;
   EXPECT_THAT(first.out, HasSubstr("wrote fig11-12-windows@IR007.csv\n"));
@@ -49,8 +53,7 @@ TEST(Figures, AreOfWhatTheRunHoldsAndTheSameBytesAgain) {
   EXPECT_EQ(csv(tiny, "fig09-10-twin-space"), space);
 }
 
-TEST(Figures, FailByNameWhereTheirCellsAreMissing) {
-  const Tiny tiny = finished();
+TEST_F(Figures, FailByNameWhereTheirCellsAreMissing) {
   ASSERT_EQ(tiny.run("figures", figures_of({})).status, 0);
   fs::remove(tiny / "run/tiny/seed0/piae-dt/score.h5");
   const Outcome outcome = tiny.run("figures", figures_of({"--methods", "none piae-dt", "--ratios",
@@ -63,8 +66,7 @@ TEST(Figures, FailByNameWhereTheirCellsAreMissing) {
   EXPECT_FALSE(fs::exists(tiny / "run/tiny/figures/fig13-14-quality.csv"));
 }
 
-TEST(Figures, OfADamagedCellAreRefusedByName) {
-  const Tiny tiny = finished();
+TEST_F(Figures, OfADamagedCellAreRefusedByName) {
   tiny.write("run/tiny/seed0/piae-dt/model.h5", "damaged");
   const Outcome outcome = tiny.run("figures", figures_of({}));
   EXPECT_EQ(outcome.status, 0);
@@ -72,7 +74,7 @@ TEST(Figures, OfADamagedCellAreRefusedByName) {
   EXPECT_THAT(outcome.out, HasSubstr("wrote accuracies.csv\n"));
 }
 
-TEST(Figures, OfNothingAreAnError) {
+TEST(FiguresOfNothing, AreAnError) {
   const Tiny tiny;
   fs::create_directories(tiny / "run/tiny");
   const Outcome outcome = tiny.run("figures", figures_of({}));
@@ -88,8 +90,7 @@ Arguments report_of(const Arguments& asked) {
   return arguments;
 }
 
-TEST(Report, IsOfWhatTheRunHoldsAndNamesWhatItLacks) {
-  const Tiny tiny = finished();
+TEST_F(Report, IsOfWhatTheRunHoldsAndNamesWhatItLacks) {
   const Outcome whole = tiny.run("report", report_of({}));
   ASSERT_EQ(whole.status, 0) << whole.err;
   EXPECT_THAT(whole.out, HasSubstr("reported 1 data sets, 0 cells missing"));
@@ -102,7 +103,7 @@ TEST(Report, IsOfWhatTheRunHoldsAndNamesWhatItLacks) {
   EXPECT_THAT(bytes_of(tiny / "run/report.md"), HasSubstr("3 of 6 cells are missing"));
 }
 
-TEST(Report, OfAFolderThatIsNotThereIsAnError) {
+TEST(ReportOfAFolder, ThatIsNotThereIsAnError) {
   const Tiny tiny;
   const Outcome outcome = tiny.run("report", report_of({}));
   EXPECT_EQ(outcome.status, 66);
