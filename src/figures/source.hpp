@@ -27,8 +27,8 @@ void require_whole(const run::Results& results);
 /// file that is missing or refused, and says how many others are.
 class Source {
  public:
-  /// `leave_out` is what is out of date, as for run::Held. Throws Error(input_missing) where no cell
-  /// is asked for and none is there.
+  /// `leave_out` is what is out of date, as for run::Held. Throws Error(input_missing) where no
+  /// cell is asked for and none is there.
   Source(run::Layout layout, run::Grid asked, report::Published published,
          const std::vector<std::string>& leave_out = {});
 
@@ -45,8 +45,8 @@ class Source {
   /// The seeds of a cell, ascending.
   [[nodiscard]] std::vector<std::int64_t> seeds_of(const run::Combination& cell) const;
 
-  /// The methods that infer stiffness and damping, in the order of the grid, and have a model of the
-  /// shown seed. Never empty.
+  /// The methods that infer stiffness and damping, in the order of the grid, and have a model of
+  /// the shown seed. Never empty.
   [[nodiscard]] std::vector<std::string> inferring_methods() const;
 
   /// Of every diagnosis.

@@ -47,8 +47,8 @@ class Held {
 
 void bind_leave_out(const cli::Options& command, std::vector<std::string>& leave_out);
 
-/// All methods, ratios and seeds of which there is a cell, or one is asked for; not every combination
-/// has every seed. Methods are in the order of the catalogue. No cell is read.
+/// All methods, ratios and seeds of which there is a cell, or one is asked for; not every
+/// combination has every seed. Methods are in the order of the catalogue. No cell is read.
 Grid held_grid(const Layout& layout, const Grid& asked, const Held& held);
 
 /// Cells, and the grid that they are of.
