@@ -203,7 +203,7 @@ draw figures: $(DATASETS:%=$(settings)/tabulate.%.toml)
 	$(if $(looks),@printf 'figures: %s\n' $(DATASETS:%=$(results)/%/figures/))
 page report:
 	$(Q)$(BIN)/report --run $(results) $(if $(looks),,--datasets $(DATASETS)) $(must_be_there) --published results/published \
-	  $(call leave_out,$(foreach dataset,$(DATASETS),$(left_out.$(dataset):%=$(dataset)/%)))
+	  $(call leave_out,$(strip $(foreach dataset,$(DATASETS),$(left_out.$(dataset):%=$(dataset)/%))))
 # Drawing would double what a newcomer waits for.
 demo:
 	$(Q)+pipeline/tables.sh $(this_make)

@@ -129,6 +129,13 @@ test_features_are_made_with_the_tables_and_once() {
   expect_equal "$(grep -c ^features calls)" 6
 }
 
+test_the_report_is_of_the_cells_that_were_asked_for() {
+  describe
+  grid >/dev/null
+  expect_equal "$(tr -s ' ' <reports | sed 's/ $//')" \
+    "report: --run results/t --datasets real made --methods none smote piae-dt --ratios 100to1 10to1 1to1 --seeds 0 1 --published results/published"
+}
+
 test_features_and_diagnosis_have_logs_of_their_own() {
   finished_grid
   local log=results/t/real/seed0/smote/1to1/diagnose.log
