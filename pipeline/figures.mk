@@ -26,7 +26,7 @@ step       = pipeline/step.sh $(results)/$1 figures --run $(results) --dataset $
 command    = $(BIN)/figures $(wordlist 4,999,$(call step,$1))
 is_as_made = $(shell log=$(results)/$1/figures.log; [[ -f $$log && $$(head -n 1 $$log) == *'$(call command,$1)' \
                && $$(tail -n 1 $$log) == 'step: exit 0 '* ]] && \
-               sed -n 's,^wrote ,$(results)/$1/figures/,p' $$log | xargs -r ls >/dev/null 2>&1 && echo yes)
+               sed -nE 's,^wrote (.*\.csv)$$$$,$(results)/$1/figures/\1,p' $$log | xargs -r ls >/dev/null 2>&1 && echo yes)
 define numbers_rule # data set
 $(results)/$1/figures.log: $(results)/.settings/tabulate.$1.toml $(call cells,$1) $(call beside,$1) $(if $(call is_as_made,$1),,FORCE)
 	$(Q)$(call step,$1)
@@ -38,7 +38,7 @@ numbers  := $(wildcard $(folders:%=%/figures/*.csv))
 pictures := $(numbers:.csv=.svg) $(numbers:.csv=.pdf)
 no_more  := $(filter-out $(pictures),$(wildcard $(foreach kind,svg pdf,$(folders:%=%/figures/*.$(kind)))))
 draw: $(numbers:.csv=.svg)
-	$(if $(no_more),$(Q)rm -f $(no_more))
+	@$(if $(no_more),rm -f $(no_more),:)
 
 # What is common to all scripts is a prerequisite of each picture: a new style draws all again.
 $(numbers:.csv=.svg): %.svg: %.csv $(wildcard pipeline/figures/*)

@@ -185,6 +185,7 @@ $(foreach dataset,$(DATASETS),\
 records: $(DATASETS:%=$(results)/%/records.h5)
 cells: $(foreach dataset,$(DATASETS),$(call cell_files,$(dataset)))
 features: $(foreach dataset,$(DATASETS),$(call features,$(dataset)))
+	@:
 tables: $(foreach dataset,$(DATASETS),$(call tables_of,$(dataset)))
 	@:
 

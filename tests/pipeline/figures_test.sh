@@ -20,7 +20,7 @@ mkdir -p results/t/made/figures
   cmp -s "$csv" "results/t/made/figures/${csv##*/}" || cp "$csv" results/t/made/figures
   echo "wrote ${csv##*/}"
 done
-echo "figures: wrote some numbers"
+echo "wrote the numbers of some figures"
 STAGE
   chmod +x fake/figures
   mkdir -p numbers results/t/made/seed0
