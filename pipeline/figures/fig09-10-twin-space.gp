@@ -37,7 +37,7 @@ do for [i = 1:words(words_method)] {
   set xrange [k_low_min - k_margin : k_high_max + k_margin]
   set yrange [c_low_min - c_margin : c_high_max + c_margin]
   set xlabel "k, 10^8 N/m"
-  set ylabel "c, N s/m"
+  set ylabel "c, N s/m" offset 1,0
   if (i == 1) { set key at screen 0.98, 0.995 right top horizontal } else { unset key }
   if (simulated) {
     plot data using (is_bin("bin") ? mid(k(4), k(6)) : NaN):(mid($5, $7)):(k(4)):(k(6)):5:7:(shade($8)) \

@@ -1,6 +1,6 @@
 # Gains or accuracies by ratio: method,ceiling,ratio,generated_per_class,seed,VALUE,low,high,published.
 # Loaded by scripts that have set a title. Methods stand side by side at each ratio; what the paper
-# publishes of a method is dashed, in its colour.
+# publishes of a method is dashed, in its colour. Single seeds stand to the right of their mean.
 set key outside right center
 set xlabel "healthy windows to those of each fault (generated windows of each fault)" offset 0,-0.7
 set xtics () scale 0
@@ -22,7 +22,7 @@ do for [method in words_method] {
 }
 shift(method) = (place(method, words_method) - (methods + 1) / 2.0) * 0.8 / methods
 x(method)     = place(strcol(3), words_ratio) + shift(method)
-seed_x(method) = strcol(1) eq method && strcol(5) ne "mean" ? x(method) : NaN
+seed_x(method) = strcol(1) eq method && strcol(5) ne "mean" ? x(method) + 0.24 / methods : NaN
 mean_x(method) = strcol(1) eq method && strcol(5) eq "mean" ? x(method) : NaN
 tint(method)   = place(method, ceilings) ? ceiling_colour : colour(place(method, words_method))
 symbol(method) = mark(place(method, words_method))
@@ -30,7 +30,7 @@ named(method)  = place(method, ceilings) ? method." (ceiling)" : method
 set xrange [0.5:words(words_ratio) + 0.5]
 set arrow from 0.5, 0 to words(words_ratio) + 0.5, 0 nohead linecolor rgb 0x333333 back
 plot for [m in words_method] data using (seed_x(m)):6 \
-       with points pointtype 7 pointsize 0.25 linecolor rgb (0x90 << 24) + tint(m), \
+       with points pointtype 7 pointsize 0.3 linecolor rgb (0x40 << 24) + tint(m), \
      for [m in words_method] data using (mean_x(m)):6:(valid(7) ? $7 : $6):(valid(8) ? $8 : $6) \
        with yerrorbars pointtype symbol(m) pointsize 0.7 linewidth 1.2 linecolor rgb tint(m) title named(m), \
      for [m in published] data using (mean_x(m)):9 \

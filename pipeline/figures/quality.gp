@@ -18,17 +18,28 @@ in_words(m) = m eq "mmd" ? "MMD²" : m eq "rmse" ? "RMSE (unit of the recordings
   m eq "aligned_rmse" ? "RMSE at the best shift" : m eq "amplitude_ratio" ? "RMS, generated to real" : \
   m eq "spectral_distance_db" ? "log-spectral distance, dB" : m eq "fault_line_db" ? "fault lines, dB" : \
   m eq "fault_line_difference_db" ? "fault lines, generated minus real, dB" : m
+# What can only be positive, and is good where it is small, begins at 0, so that the ideal is in the panel.
+from_zero(metric) = metric eq "mmd" || metric eq "spectral_distance_db"
+is_rmse(metric)   = metric eq "rmse" || metric eq "aligned_rmse"
 set multiplot layout panels(words(words_metric) + 1, 2), 2 title heading
 do for [metric in words_metric] {
   set title in_words(metric)
-  if (metric eq "rmse" || metric eq "aligned_rmse") { set logscale y } else { unset logscale y }
+  unset logscale y
+  set ytics autofreq
+  set yrange [*:*]
+  if (from_zero(metric)) { set yrange [0:*] }
+  if (is_rmse(metric)) {
+    set logscale y
+    set ytics ()
+    do for [decade = -4:4] { do for [digit in "1 2 5"] { set ytics add (digit * 10.0 ** decade) } }
+  }
   unset arrow
-  if (metric ne "fault_line_db" && metric ne "rmse" && metric ne "aligned_rmse") {
+  if (metric ne "fault_line_db" && !is_rmse(metric)) {
     set arrow from graph 0, first ideal(metric) to graph 1, first ideal(metric) nohead \
       linecolor rgb 0x333333 dashtype 3 back
   }
-  plot for [m in words_method] data using (seed_x(m)):5 \
-         with points pointtype 7 pointsize 0.2 linecolor rgb (0x90 << 24) + tint(m), \
+  plot for [m in words_method] data using (seed_x(m) + 0.3 / methods):5 \
+         with points pointtype 7 pointsize 0.25 linecolor rgb (0x60 << 24) + tint(m), \
        for [m in words_method] data using (mean_x(m)):5 \
          with points pointtype symbol(m) pointsize 0.6 linecolor rgb tint(m)
 }

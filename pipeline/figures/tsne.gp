@@ -1,21 +1,23 @@
 # Maps of test windows: method,class,x,y,trustworthiness,kl. A panel a method, a colour and a mark a class;
 # the axes of a map have neither unit nor meaning. Loaded by scripts that have set `heading`.
 methods = words(words_method)
-columns = methods < 5 ? panels(methods, 2) : methods < 7 ? 3 : methods < 13 ? 4 : 5
+columns = methods < 5 ? panels(methods, 2) : 5
 rows    = panels(methods, columns)
 # The row of a method's two numbers has neither class nor place, so it is not drawn.
 class_number(name) = name eq "" ? 1 : place(name, words_class)
 # The ninth colour is the first one again, darker.
 tint(i)   = i > 8 ? (colour(i) >> 1) & 0x7F7F7F : colour(i)
 left(n)   = 0.01 + 0.98 * ((n - 1) % columns) / columns
-bottom(n) = 0.93 - 0.85 * ((n - 1) / columns + 1) / rows
+# Heading and key take 113 pixels, the two lines above each panel 46.
+maps      = (height - 113.0) / height
+bottom(n) = 60.0 / height + maps * (1 - ((n - 1) / columns + 1.0) / rows)
 # The rows of one method, and the names of the columns, so that gnuplot need not read all each time.
 rows_of(method) = sprintf("< awk -F, 'NR == 1 || $1 == \"%s\"' '%s'", method, data)
 # Marks let others through, as those of the last class would hide all where classes mix.
 see_through = 0x60 << 24
 
 set multiplot
-set label 1 heading at screen 0.02, 0.97
+set label 1 heading at screen 0.02, 1 - 23.0 / height
 set border 15 linecolor rgb 0xCCCCCC
 unset tics
 unset grid
@@ -34,7 +36,7 @@ do for [n = 1:methods] {
   set lmargin at screen left(n) + 0.005
   set rmargin at screen left(n) + 0.98 / columns - 0.005
   set bmargin at screen bottom(n) + 0.005
-  set tmargin at screen bottom(n) + 0.85 / rows - 0.06
+  set tmargin at screen bottom(n) + maps / rows - 46.0 / height
   set title sprintf("%s\n{/*0.75 trustworthiness %.2f, KL %.2f}", method, trust_max, kl_max) offset 0, -0.8
   plot one using 3:4:(mark(class_number(strcol(2)))):(see_through + tint(class_number(strcol(2)))) \
          with points pointtype variable pointsize 0.35 linecolor rgb variable
@@ -48,10 +50,10 @@ set size nosquare
 set lmargin at screen 0.02
 set rmargin at screen 0.98
 set bmargin at screen 0.005
-set tmargin at screen 0.06
+set tmargin at screen 46.0 / height
 set xrange [0:1]
 set yrange [0:1]
-set key at screen 0.5, 0.03 center center horizontal samplen 1
+set key at screen 0.5, 23.0 / height center center horizontal samplen 1
 plot for [i = 1:words(words_class)] NaN with points pointtype mark(i) pointsize 0.8 linecolor rgb tint(i) \
        title word(words_class, i)
 unset multiplot
