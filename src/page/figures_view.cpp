@@ -28,10 +28,16 @@ std::string described(const std::string& dataset, const FigureContents& figure,
 Html picture_itself(const std::string& dataset, const FigureContents& figure,
                     const Picture& picture) {
   if (picture.svg.held) {
-    return void_element("img", {{"src", picture.svg.address},
-                                {"alt", described(dataset, figure, picture)},
-                                {"loading", "lazy"},
-                                {"decoding", "async"}});
+    Attributes attributes{{"src", picture.svg.address},
+                          {"alt", described(dataset, figure, picture)},
+                          {"loading", "lazy"},
+                          {"decoding", "async"}};
+    // So that nothing moves when it is there.
+    if (picture.height > 0) {
+      attributes.push_back({"width", std::to_string(picture.width)});
+      attributes.push_back({"height", std::to_string(picture.height)});
+    }
+    return void_element("img", attributes);
   }
   return element("p", Html("This picture would make the page too large to send; it is in ") +
                           file_link(picture.svg.file) + ".");

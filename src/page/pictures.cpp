@@ -35,12 +35,22 @@ std::vector<fs::path> files_of_figure(const fs::path& folder, const std::string&
   return files;
 }
 
+void read_size(const std::string& svg, Picture& picture) {
+  const std::string before = "viewBox=\"0 0 ";
+  const std::size_t at = svg.find(before);
+  if (at == std::string::npos) return;
+  std::istringstream numbers(svg.substr(at + before.size(), 20));
+  numbers >> picture.width >> picture.height;
+}
+
 Picture read_picture(const fs::path& run, const fs::path& svg) {
   const std::string stem = svg.stem().string();
   const std::size_t at = stem.find('@');
   Picture picture{.part = at == std::string::npos ? "" : stem.substr(at + 1)};
+  const std::string text = text_of_file(svg);
   picture.svg = {.file = svg.lexically_relative(run),
-                 .address = data_address("image/svg+xml", compact_svg(text_of_file(svg)))};
+                 .address = data_address("image/svg+xml", compact_svg(text))};
+  read_size(text, picture);
   const fs::path csv = fs::path(svg).replace_extension(".csv");
   if (fs::exists(csv)) {
     picture.csv = {.file = csv.lexically_relative(run),

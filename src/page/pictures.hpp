@@ -18,6 +18,8 @@ struct Attachment {
 struct Picture {
   std::string part = {};  ///< what of the figure it shows, such as a class; empty for all of it
   Attachment svg = {};
+  int width = 0;  ///< of the picture's own size, in pixels; 0 where it does not say
+  int height = 0;
   Attachment csv = {};
   std::filesystem::path pdf = {};  ///< below the folder of the run; empty where there is none
 };

@@ -225,13 +225,17 @@ TEST_F(ReportPage, AsksForNothingFromAnywhere) {
 
 TEST_F(ReportPage, HoldsEachFigureWithAnAnchorItsCaptionAndItsNumbers) {
   add_all();
-  write("cwru/figures/fig15-gains.svg", "<svg><rect fill='rgb(  1, 2, 3)'/></svg>");
+  write("cwru/figures/fig15-gains.svg",
+        "<svg viewBox=\"0 0 960 600\"><rect fill='rgb(  1, 2, 3)'/></svg>");
   write("cwru/figures/fig15-gains.csv", "method,gain\nvae,27.5\n");
   const std::string html = page();
   EXPECT_THAT(html, HasSubstr("<section id=\"cwru-figure-fig15-gains\" class=\"card\">"));
   EXPECT_THAT(html, HasSubstr("Fig. 15: What generated windows gain, by ratio"));
   EXPECT_THAT(
-      html, HasSubstr("src=\"data:image/svg+xml;charset=utf-8,%3Csvg%3E%3Crect fill='%23010203'/"));
+      html,
+      HasSubstr("src=\"data:image/svg+xml;charset=utf-8,%3Csvg viewBox='0 0 960 600'%3E%3Crect "
+                "fill='%23010203'/"));
+  EXPECT_THAT(html, HasSubstr(" width=\"960\" height=\"600\">"));
   EXPECT_THAT(html, HasSubstr("<a href=\"data:text/csv;charset=utf-8,method,gain%0Avae,27.5%0A\" "
                               "download=\"cwru-fig15-gains.csv\">CSV</a>"));
   EXPECT_THAT(html, HasSubstr("From cwru/seed*/&lt;method&gt;/&lt;ratio&gt;/diagnosis.h5"));
