@@ -155,11 +155,14 @@ table_names  := accuracy.csv gains.csv quality.csv comparisons.csv ranks.csv tab
 tables_of    = $(table_names:%=$(results)/$1/%)
 
 # That a cell has been removed, no file's time tells: so the number of cells counts as a setting.
-shows_cells := $(filter tables draw page $(foreach dataset,$(DATASETS),$(call tables_of,$(dataset))),$(MAKECMDGOALS))
+# Where a run is only looked at, nothing is asked for. If all of it is out of date then, it is at least of one
+# kind, and shown: so is a run that was copied without its intermediate files.
+shows_cells := $(looks)$(filter tables draw page $(foreach dataset,$(DATASETS),$(call tables_of,$(dataset))),$(MAKECMDGOALS))
 define find_besides # data set, its folder
-besides.$1  := $(if $(shows_cells),$(call besides,$2,$(call cell_files,$1)))
+besides.$1  := $(if $(shows_cells),$(call besides,$2,$(if $(looks),,$(call cell_files,$1))))
 left_out.$1 := $$(if $$(besides.$1),$$(call out_of_date,$2,$(PROTOCOL),cells))
 left_out.$1 := $$(call concerning,$2,$$(besides.$1),$$(left_out.$1))
+left_out.$1 := $$(if $$(or $(if $(looks),,all),$$(call up_to_date,$2,$$(besides.$1),$$(left_out.$1))),$$(left_out.$1))
 besides.$1  := $$(call up_to_date,$2,$$(besides.$1),$$(left_out.$1))
 options.tabulate.$1 := $$(words $(call cell_files,$1) $$(besides.$1)) cells
 endef
@@ -196,12 +199,20 @@ define show_summaries
 	@cat $(DATASETS:%=$(results)/%/summary.txt)
 	@printf 'tables and artefacts: %s\n' $(DATASETS:%=$(results)/%/)
 endef
-# Only what is asked for must be there: of a run that is looked at, only what was named.
+# Only what is asked for must be there: of a run that is looked at, only what was named. A report says what is
+# missing, and shows pictures of what there is.
 must_be_there := $(if $(looks),$(cells_given),$(selection))
+draw = $(MAKE) --file=pipeline/figures.mk results='$(results)' DATASETS='$(DATASETS)' selection='$1' \
+  $(foreach dataset,$(DATASETS),'leave_out.$(dataset)=$(call leave_out,$(left_out.$(dataset)))')
+drawn := $(DATASETS:%=$(results)/%/figures)
 draw figures: $(DATASETS:%=$(settings)/tabulate.%.toml)
-	$(Q)+$(MAKE) --file=pipeline/figures.mk results='$(results)' DATASETS='$(DATASETS)' selection='$(must_be_there)' \
-	  $(foreach dataset,$(DATASETS),'leave_out.$(dataset)=$(call leave_out,$(left_out.$(dataset)))')
-	$(if $(looks),@printf 'figures: %s\n' $(DATASETS:%=$(results)/%/figures/))
+	$(Q)+$(call draw,$(must_be_there))
+	$(if $(looks),@ls -d $(drawn:%=%/) 2>/dev/null | sed 's/^/figures: /' | grep . || \
+	  { echo '$(results) holds no cell of $(DATASETS)' >&2; exit 1; })
+.PHONY: draw_all
+draw_all: $(DATASETS:%=$(settings)/tabulate.%.toml)
+	$(Q)+$(call draw,) || echo 'the report is made without the figures that could not be drawn' >&2
+report: draw_all
 page report:
 	$(Q)$(BIN)/report --run $(results) $(if $(looks),,--datasets $(DATASETS)) $(must_be_there) --published results/published \
 	  $(call leave_out,$(strip $(foreach dataset,$(DATASETS),$(left_out.$(dataset):%=$(dataset)/%))))

@@ -8,6 +8,7 @@
 #include "cli/stage.hpp"
 #include "figures/catalogue.hpp"
 #include "figures/files.hpp"
+#include "report/gaps.hpp"
 #include "run/begun.hpp"
 
 using namespace piae;
@@ -16,6 +17,7 @@ namespace fs = std::filesystem;
 namespace {
 
 bool save(figures::Source& source, const figures::Figure& figure) {
+  const bool was_drawn = !stored_pictures(source.layout(), figure).empty();
   try {
     for (const fs::path& file : save_pictures(source, figure)) {
       std::cout << "wrote " << file.filename().string() << '\n';
@@ -26,6 +28,7 @@ bool save(figures::Source& source, const figures::Figure& figure) {
   } catch (const Error& error) {
     if (error.exit() == Exit::failed) throw;  // such as a full disk: no other figure can be written
     spdlog::warn("{} is not drawn: {}", figure.name, error.what());
+    if (was_drawn) spdlog::warn("the picture that there was of {} is removed", figure.name);
   }
   return false;
 }
@@ -64,6 +67,8 @@ int main(int argc, char** argv) {
                            report::Published(published_folder), leave_out);
     std::size_t written = 0;
     for (const figures::Figure& figure : figures::catalogue()) written += save(source, figure);
+    const std::string left_out = report::left_out_line(source.results());
+    if (!left_out.empty()) spdlog::warn(left_out);
     std::cout << fmt::format("wrote the numbers of {} of {} figures\n", written,
                              figures::catalogue().size());
   });

@@ -3,6 +3,7 @@
 # script is the one that is called like the figure, or like the beginning of its name before the last "@".
 # usage: pipeline/figures/draw.sh FOLDER/NAME.csv
 set -euo pipefail
+export TZ=UTC LC_ALL=C.UTF-8 # the same bytes wherever it is drawn
 
 command -v gnuplot >/dev/null || {
   echo "figures: gnuplot is not installed; \`make deps\` installs it (package gnuplot-nox)" >&2
@@ -37,13 +38,14 @@ for format in svg pdf; do
     svg) terminal="svg size 960,$height dynamic font 'DejaVu Sans,13' linewidth 1.2 background rgb 'white'" ;;
     pdf) terminal="pdfcairo size 20cm,$(awk "BEGIN { print $height / 48 }")cm font 'DejaVu Sans,9' linewidth 1.2" ;;
   esac
-  # A series without a point, such as published values where there are none, is no cause for a word.
+  # A series without a point, such as published values where there are none, is no cause for a word, nor are
+  # values that are all the same.
   gnuplot -e "data = '$csv'; scripts = '$scripts'; format = '$format'; height = $height" - <<<"$words
 set terminal $terminal
 set output '$partial/$format'
 load scripts.'/style.gp'
 load '$script'
-unset output" 2> >(grep -vE 'Skipping data file with no valid points|^$' >&2)
+unset output" 2> >(grep -vE 'Skipping data file with no valid points|empty [xy] range|^$' >&2)
 done
 # The same numbers give the same bytes: a PDF holds the time at which it was drawn, to be replaced by one of
 # the same length.

@@ -1,6 +1,6 @@
 # Gains or accuracies by ratio: method,ceiling,ratio,generated_per_class,seed,VALUE,low,high,published.
 # Loaded by scripts that have set a title. Methods stand side by side at each ratio; what the paper
-# publishes of a method is dashed, in its colour. Single seeds stand to the right of their mean.
+# publishes of a method is dashed, with a plus at each ratio, in its colour. Single seeds stand to the right of their mean.
 set key outside right center
 set xlabel "healthy windows to those of each fault (generated windows of each fault)" offset 0,-0.7
 set xtics () scale 0
@@ -20,7 +20,8 @@ do for [method in words_method] {
   if (values > 0) { published = published." ".method }
   if (of_ceiling > 0) { ceilings = ceilings." ".method }
 }
-shift(method) = (place(method, words_method) - (methods + 1) / 2.0) * 0.8 / methods
+# No other method has the ratio of `none`.
+shift(method) = method eq "none" ? 0 : (place(method, words_method) - (methods + 1) / 2.0) * 0.8 / methods
 x(method)     = place(strcol(3), words_ratio) + shift(method)
 seed_x(method) = strcol(1) eq method && strcol(5) ne "mean" ? x(method) + 0.24 / methods : NaN
 mean_x(method) = strcol(1) eq method && strcol(5) eq "mean" ? x(method) : NaN
@@ -34,6 +35,6 @@ plot for [m in words_method] data using (seed_x(m)):6 \
      for [m in words_method] data using (mean_x(m)):6:(valid(7) ? $7 : $6):(valid(8) ? $8 : $6) \
        with yerrorbars pointtype symbol(m) pointsize 0.7 linewidth 1.2 linecolor rgb tint(m) title named(m), \
      for [m in published] data using (mean_x(m)):9 \
-       with lines dashtype 2 linewidth 0.8 linecolor rgb tint(m), \
-     keyentry with lines dashtype 2 linecolor rgb 0x555555 \
+       with linespoints pointtype 1 pointsize 0.4 dashtype 2 linewidth 0.8 linecolor rgb tint(m), \
+     keyentry with linespoints pointtype 1 pointsize 0.4 dashtype 2 linecolor rgb 0x555555 \
        title (published eq "" ? "" : "as published")

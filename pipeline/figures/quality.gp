@@ -2,7 +2,7 @@
 # methods side by side. Loaded by scripts that have set `heading`.
 set key noautotitle
 unset key
-set xtics rotate by 35 right
+set xtics () rotate by 35 right
 do for [n = 1:words(words_class)] { set xtics add (word(words_class, n) n) }
 set xrange [0.5:words(words_class) + 0.5]
 methods = words(words_method)

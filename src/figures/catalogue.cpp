@@ -41,7 +41,8 @@ constexpr Figure figures[] = {
      .paper = "",
      .title = "Accuracy by ratio",
      .caption = "Mean accuracy in percent over the seeds with its 95 % interval; dots are seeds. "
-                "The grey band is the accuracy without generated windows.",
+                "The dotted line is the accuracy without generated windows; dashed is what "
+                "the paper publishes.",
      .from = "seed*/<method>/<ratio>/diagnosis.h5, /predictions",
      .numbers = accuracies},
     {.name = "paired-differences",

@@ -38,7 +38,7 @@ void require_simulated(const Source& source) {
 
 void require_table(const std::filesystem::path& file) {
   if (std::filesystem::exists(file)) return;
-  throw LeftOut("not yet compared with the truth (make identify): no " + file.string());
+  throw LeftOut("not yet compared with the truth (make identify): no " + file.filename().string());
 }
 
 std::string r2_of(const IdentifyTable& agreement, const std::string& method,

@@ -47,8 +47,7 @@ Numbers protocols(Source& source) {
   const run::Layout beside = here.blocked();
   const auto rows = rows_of_side(here, beside, source.grid().dataset);
   if (rows.empty()) {
-    throw LeftOut("there is no run with the other split (make contrast): " +
-                  beside.folder().string());
+    throw LeftOut("there is no run with the other split (make contrast)");
   }
   const std::string own = protocol_of(here, rows.front());
   const std::string other = protocol_of(beside, rows.front());

@@ -59,11 +59,15 @@ std::vector<std::string> Source::inferring_methods() const {
   return methods;
 }
 
+const run::Results& Source::results() {
+  if (!diagnoses_) diagnoses_ = run::collect_held_diagnoses(layout_, asked_, held_);
+  return diagnoses_->results;
+}
+
 const std::vector<report::AccuracyRow>& Source::accuracy_rows() {
   if (!rows_) {
-    const auto [grid, results] = run::collect_held_diagnoses(layout_, asked_, held_);
-    require_whole(results);
-    rows_ = report::accuracy_rows(grid, results, published_);
+    require_whole(results());
+    rows_ = report::accuracy_rows(diagnoses_->grid, diagnoses_->results, published_);
   }
   return *rows_;
 }

@@ -49,7 +49,9 @@ class Source {
   /// the shown seed. Never empty.
   [[nodiscard]] std::vector<std::string> inferring_methods() const;
 
-  /// Of every diagnosis.
+  /// Every diagnosis that could be read, what is wrong with the others, and what is left out.
+  const run::Results& results();
+  /// Of every diagnosis; all must be there.
   const std::vector<report::AccuracyRow>& accuracy_rows();
   /// Every score, by method, then seed.
   const std::vector<scoring::QualityRecord>& qualities();
@@ -72,6 +74,7 @@ class Source {
   run::Held held_;
   run::Grid grid_;
   report::Published published_;
+  std::optional<run::Collected> diagnoses_;
   std::optional<std::vector<report::AccuracyRow>> rows_;
   std::optional<std::vector<scoring::QualityRecord>> qualities_;
 };

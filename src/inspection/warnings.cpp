@@ -164,11 +164,11 @@ void add_flaws(const RecordCheck& record, Lines& lines) {
   const Stretches& held = record.held;
   if (held.count > 0) {
     lines.push_back(fmt::format(
-        "{}: stands still at {:g} for {} samples ({:.3g} s) from sample {}; {} such stretches, "
+        "{}: stands still at {:g} for {} samples ({:.3g} s) from sample {}; {} such stretch{}, "
         "{:.2g} % of the record: windows from there show no vibration",
         place, held.value, held.longest,
         static_cast<double>(held.longest) / record.source.sample_rate_hz, held.longest_first,
-        held.count,
+        held.count, held.count == 1 ? "" : "es",
         100 * static_cast<double>(held.samples) / static_cast<double>(record.file_samples)));
   }
 }

@@ -9,7 +9,7 @@
 namespace piae::report {
 
 /// What generated windows are worth. Where there is an interval of the mean, which is from three
-/// seeds on, it must lie on one side of zero; else all seeds must agree.
+/// seeds on, it must lie on one side of zero; both of two seeds must agree. One seed tells nothing.
 enum class Effect { helps, no_clear_difference, harms };
 Effect effect_of(const AccuracyRow& gain);
 

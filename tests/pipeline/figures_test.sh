@@ -105,7 +105,7 @@ test_lost_numbers_and_a_lost_folder_come_back() {
 test_without_a_cell_nothing_is_drawn() {
   lay_out
   rm -r results/t/made
-  expect_exit 0 figures
+  expect_exit 2 figures
   [[ ! -e results/t/made ]] || fail "made $(find results/t/made)"
 }
 

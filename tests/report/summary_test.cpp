@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "report/published.hpp"
+#include "report/verdict.hpp"
 #include "run/grid.hpp"
 #include "run/held.hpp"
 #include "support/stored_run.hpp"
@@ -124,10 +125,24 @@ TEST_F(Summary, SaysOfHowManySeedsAMethodIsThatHasFewer) {
   std::filesystem::remove(layout_.diagnosis("smote", "2to1", 1));
   const std::string text = summary_of("none vae");
   EXPECT_THAT(text, HasSubstr("Accuracy on cwru in percent, mean of up to 2 seeds"));
-  EXPECT_THAT(text, HasSubstr("vae (+32.5) helps and smote (-15.0, 1 seed) harms"));
+  EXPECT_THAT(text,
+              HasSubstr("vae (+32.5) helps and smote (-15.0, 1 seed) makes no clear difference"));
 }
 
 // One cell at another ratio does not turn the sentence into one about it alone.
+TEST_F(Summary, JudgesNothingByOneSeed) {
+  add(diagnosis("none", "100to1", 0, 0, 12));   // 60 %
+  add(diagnosis("vae", "2to1", 145, 0, 19));    // 95 %
+  add(diagnosis("smote", "2to1", 145, 0, 11));  // 55 %
+  const run::Grid grid = this->grid("none vae smote", "100to1 2to1", "0");
+  const run::Results results = run::collect(layout_, grid);
+  const auto rows = accuracy_rows(grid, results, Published(folder_.path()));
+  EXPECT_THAT(verdict(results, rows),
+              testing::ElementsAre("With 145 generated windows of each fault, and measured in "
+                                   "points against the 60.0 without any, of one seed, from which "
+                                   "nothing follows: vae (+35.0) and smote (-5.0)."));
+}
+
 TEST_F(Summary, IsOfARatioThatHalfOfTheMethodsHave) {
   add_baseline();
   for (const char* method : {"vae", "smote", "piae-dt"}) add_at_2to1(method, 19);
