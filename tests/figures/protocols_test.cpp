@@ -46,7 +46,7 @@ TEST_F(Protocols, AreLeftOutWithoutARunBesideThisOne) {
   add_all();
   Source all = source("none vae", "100to1 10to1");
   EXPECT_THROW(protocols(all), LeftOut);
-  EXPECT_ERROR(protocols(all), Exit::input_missing, "run-blocked/cwru");
+  EXPECT_ERROR(protocols(all), Exit::input_missing, "no run with the other split (make contrast)");
 }
 
 TEST_F(Protocols, AreTwo) {
