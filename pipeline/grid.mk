@@ -210,7 +210,8 @@ draw figures: $(DATASETS:%=$(settings)/tabulate.%.toml)
 	$(if $(looks),@ls -d $(drawn:%=%/) 2>/dev/null | sed 's/^/figures: /' | grep . || \
 	  { echo '$(results) holds no cell of $(DATASETS)' >&2; exit 1; })
 .PHONY: draw_all
-draw_all: $(DATASETS:%=$(settings)/tabulate.%.toml)
+# (Not beside `make figures`, which writes the same files.)
+draw_all: $(DATASETS:%=$(settings)/tabulate.%.toml) $(filter figures,$(MAKECMDGOALS))
 	$(Q)+$(call draw,) || echo 'the report is made without the figures that could not be drawn' >&2
 report: draw_all
 page report:

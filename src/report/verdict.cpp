@@ -92,9 +92,8 @@ std::string who_helps(std::vector<AccuracyRow> gains, const AccuracyRow& baselin
   }
   return fmt::format(
       "With {} generated windows of each fault, and measured in points against the {:.1f} without "
-      "any ({} seed{}), {}{}.",
-      gains.front().generated_per_class, baseline.summary.mean, seeds, seeds == 1 ? "" : "s",
-      listed(parts), ceiling);
+      "any ({} seeds), {}{}.",
+      gains.front().generated_per_class, baseline.summary.mean, seeds, listed(parts), ceiling);
 }
 
 /// The mean of a metric over classes and seeds; empty where the method has no score.

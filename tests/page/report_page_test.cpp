@@ -109,11 +109,12 @@ TEST_F(ReportPage, NamesWhatIsMissingOnTopAndWhy) {
 TEST_F(ReportPage, MeansOfAnUnfinishedRunSayOfHowManySeedsTheyAre) {
   add_baseline();
   add(diagnosis("vae", "10to1", 45, 1, 15));
-  // One seed: 75 %, and 75 - 65 points, paired with the same seed of none.
+  // One seed: 75 %, and 75 - 65 points, paired with the same seed of none, which shows no effect
+  // yet.
   EXPECT_THAT(
       page(),
       HasSubstr("<span class=\"ours\">75.00</span><span class=\"theirs\">1 of 2 seeds</span>"));
-  EXPECT_THAT(page(), HasSubstr("<span class=\"ours\">▲ +10.00</span>"));
+  EXPECT_THAT(page(), HasSubstr("<span class=\"ours\">○ +10.00</span>"));
 }
 
 TEST_F(ReportPage, WhatIsAskedForAndNotBegunIsMissing) {

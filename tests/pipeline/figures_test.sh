@@ -76,6 +76,16 @@ test_the_same_numbers_give_the_same_bytes() {
   expect_equal "$(pictures)" "$first"
 }
 
+test_another_time_zone_and_language_give_the_same_bytes() {
+  lay_out
+  TZ=Asia/Tokyo LC_ALL=C figures >/dev/null 2>&1
+  local first
+  first=$(pictures)
+  rm $drawn/*.svg $drawn/*.pdf
+  TZ=America/New_York LC_ALL=C.UTF-8 figures >/dev/null 2>&1
+  expect_equal "$(pictures)" "$first"
+}
+
 test_only_what_has_new_numbers_is_drawn_again() {
   lay_out
   losses 4 >numbers/fig08-loss-weights.csv

@@ -306,6 +306,20 @@ test_what_is_out_of_date_is_told_by_the_steps_that_would_make_it() {
   expect_equal "$(left_out real)" "seed0 seed1"
 }
 
+# Whoever only looks at a run makes nothing again, but does not look at old numbers among new ones either.
+test_what_is_out_of_date_is_left_out_of_figures_and_report() {
+  finished_grid
+  sed -i 's/^neighbours = 4/neighbours = 3/' pipeline/protocol.toml
+  rm -f reports
+  make --silent figures report BIN=fake RUN=t >/dev/null
+  expect_equal "$(ran)" ""
+  expect_line "$(<results/t/real/figures.log)" "--leave-out seed0/smote seed1/smote --published"
+  expect_line "$(<reports)" "--leave-out $(echo {made,real}/seed{0,1}/smote)"
+  rm -r reports results/t/*/seed*/{none,piae-dt} # a run that is old as a whole is of one kind
+  make --silent figures report BIN=fake RUN=t >/dev/null
+  expect_no_line "$(<reports) $(<results/t/real/figures.log)" "--leave-out"
+}
+
 # A part at a ratio that is not asked for, of a method that is.
 test_cells_that_are_not_asked_for_go_with_the_model_that_is_made_again() {
   finished_grid
