@@ -1,6 +1,7 @@
 #!/bin/bash
 # What CONTRIBUTING.md promises a newcomer, with the built programs: a method takes one class and one
-# line of the catalogue, a data set takes one TOML file, and the grid knows both.
+# line of the catalogue, a figure takes one function and one script, a data set takes one TOML file, and the
+# grid knows them all.
 # shellcheck source-path=SCRIPTDIR
 source "${0%/*}/support.sh"
 
@@ -11,6 +12,7 @@ lay_out() {
   mkdir bin
   ln -s "$programs"/* bin
   ln -sf "$shown"/bin/* bin
+  cp "$shown"/pipeline/figures/* pipeline/figures
   cp "$project/tests/reference/protocol.toml" pipeline
   mkdir -p results
   cp -r "$project/results/published" results
@@ -54,6 +56,7 @@ RIG
 }
 
 test_the_shown_method_and_a_described_data_set_run_in_the_grid() {
+  command -v gnuplot >/dev/null || skip "gnuplot is not installed"
   lay_out
   describe_rig
   bin/ingest --check --description pipeline/datasets/rig.toml --data-dir recordings >messages 2>&1 ||
@@ -62,6 +65,7 @@ test_the_shown_method_and_a_described_data_set_run_in_the_grid() {
     SEEDS=0 DATA_DIR=recordings >messages 2>&1 || fail "$(<messages)"
   expect_line "$(<results/new/rig/accuracy.csv)" '^rig,reverse,10to1,45,1,'
   expect_line "$(<results/new/rig/tables.md)" 'reverse'
+  expect_line "$(<results/new/rig/figures/seed-range.svg)" '10to1'
 }
 
 test_the_shown_method_plays_backwards() {
