@@ -16,6 +16,7 @@ namespace {
 constexpr double picture_width = 1000;
 constexpr double names_width = 90;
 constexpr double gap_width = 14;
+constexpr double beyond_last_tick = 40;  // half of its label
 constexpr double row_height = 26;
 constexpr double row_space = 6;
 constexpr double axis_height = 34;
@@ -32,7 +33,7 @@ class Axis {
     double total_s = 0;
     for (const Session& session : sessions_) total_s += length_of(session);
     const auto gaps = static_cast<double>(sessions_.size() - 1);
-    units_per_s_ = (picture_width - names_width - gap_width * gaps) / total_s;
+    units_per_s_ = (picture_width - names_width - beyond_last_tick - gap_width * gaps) / total_s;
   }
 
   [[nodiscard]] double at(double moment_s) const {
