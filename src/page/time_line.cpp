@@ -16,7 +16,7 @@ namespace {
 constexpr double picture_width = 1000;
 constexpr double names_width = 90;
 constexpr double gap_width = 14;
-constexpr double beyond_last_tick = 40;  // half of its label
+constexpr double beyond_last_tick = 60;  // its label stands to the right of it
 constexpr double row_height = 26;
 constexpr double row_space = 6;
 constexpr double axis_height = 34;

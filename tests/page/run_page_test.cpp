@@ -107,15 +107,15 @@ TEST(TimeLine, StagesStandInTheOrderOfTheRun) {
 }
 
 TEST(TimeLine, StepsThatOverlapLieInLanes) {
-  const std::string picture = time_line({step("x/train.log", 0, 87), step("y/train.log", 0, 43.5),
-                                         step("z/train.log", 60, 27)})
+  const std::string picture = time_line({step("x/train.log", 0, 85), step("y/train.log", 0, 42.5),
+                                         step("z/train.log", 60, 25)})
                                   .text();
-  // 870 units for 87 s from x = 90, so that the last label has room; two lanes of 13 units.
+  // 850 units for 85 s from x = 90, so that the last label has room; two lanes of 13 units.
   EXPECT_THAT(picture,
-              HasSubstr("<rect class=\"bar done\" x=\"90\" y=\"0\" width=\"870\" height=\"11.7\">"
-                        "<title>x/train.log, done after 87 s</title>"));
-  EXPECT_THAT(picture, HasSubstr("x=\"90\" y=\"13\" width=\"435\""));
-  EXPECT_THAT(picture, HasSubstr("x=\"690\" y=\"13\" width=\"270\""));
+              HasSubstr("<rect class=\"bar done\" x=\"90\" y=\"0\" width=\"850\" height=\"11.7\">"
+                        "<title>x/train.log, done after 85 s</title>"));
+  EXPECT_THAT(picture, HasSubstr("x=\"90\" y=\"13\" width=\"425\""));
+  EXPECT_THAT(picture, HasSubstr("x=\"690\" y=\"13\" width=\"250\""));
 }
 
 TEST(RunPage, SumsTimeAndMemoryByStageAndMethod) {
