@@ -43,6 +43,14 @@ DATASETS := simulated
 METHODS  := piae-dt piae-dt-phase
 endif
 
+# Choices are made on seeds of their own (pipeline/readings.mk).
+ifneq (,$(filter readings,$(MAKECMDGOALS)))
+RUN      := readings
+DATASETS := cwru hit-sm simulated
+METHODS  := piae-dt
+SEEDS    := 100 101 102 103 104
+endif
+
 # ---- what was given -----------------------------------------------------------------------------
 variables := RUN DATASETS METHODS RATIOS SEEDS PROTOCOL DATA_DIR ARCH LIBTORCH BIN SUBMIT TOLERANCE LINT V
 given     := $(foreach name,$(.VARIABLES),$(if $(filter command,$(firstword $(origin $(name)))),$(name)))
@@ -93,6 +101,7 @@ help:
 	  sweep    'vary the settings of piae-dt one at a time (pipeline/sweep.mk): sweep.csv, sweep.md' \
 	  contrast 'both protocols side by side, and both readings of cwru: protocols.md, rates.md' \
 	  identify 'whether the (k, c) of the twin are the true ones, on simulated windows' \
+	  readings 'the choices that the paper leaves, tried on seeds 100-104: readings.csv, readings.md' \
 	  records  'only read or simulate the data sets' \
 	  status   'how far the grid is: cells done, running, failed, missing, and the time left' \
 	  check    'compare RUN with results/reference: all cells, or those of the variables given' \
@@ -128,7 +137,7 @@ help:
 
 # ---- the grid -----------------------------------------------------------------------------------
 # All goals that are its own, files of results/ among them, go to one make.
-asked := $(filter records cells tables all figures report demo sweep contrast identify results/%,$(MAKECMDGOALS))
+asked := $(filter records cells tables all figures report demo sweep contrast identify readings results/%,$(MAKECMDGOALS))
 .PHONY: $(asked)
 $(asked): grid
 

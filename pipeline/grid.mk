@@ -184,7 +184,7 @@ $(foreach dataset,$(DATASETS),\
     $(foreach method,$(methods),$(eval $(call diagnosis_rule,$(seed),$(folder),$(method))))))
 
 .DEFAULT_GOAL := cells
-.PHONY: records cells features tables draw figures page report demo all list-cells sweep contrast identify
+.PHONY: records cells features tables draw figures page report demo all list-cells sweep contrast identify readings
 records: $(DATASETS:%=$(results)/%/records.h5)
 cells: $(foreach dataset,$(DATASETS),$(call cell_files,$(dataset)))
 features: $(foreach dataset,$(DATASETS),$(call features,$(dataset)))
@@ -232,6 +232,7 @@ list-cells:
 include pipeline/sweep.mk
 include pipeline/contrast.mk
 include pipeline/identify.mk
+include pipeline/readings.mk
 
 # ---- rules of the settings ----------------------------------------------------------------------
 # Looking at the rules writes nothing. A file that does not hold what it should is written when a step

@@ -31,11 +31,7 @@ class Decoder {
   /// The twin space of one class. Each class has its own, because the state of an inner race says
   /// nothing about a ball.
   [[nodiscard]] twin::TwinSpace space_of(Label label) const {
-    std::vector<twin::TwinPoint> own;
-    for (std::size_t i = 0; i < points_.size(); ++i) {
-      if (labels_[i] == label) own.push_back(points_[i]);
-    }
-    return {own, bins_};
+    return twin::space_of_class(points_, labels_, label, bins_);
   }
 
   [[nodiscard]] std::vector<float> windows(Label label, const std::vector<Draw>& draws) const {

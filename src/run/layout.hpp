@@ -43,11 +43,15 @@ class Layout {
   [[nodiscard]] std::filesystem::path sweep_folder(std::int64_t seed) const {
     return seed_folder(seed) / "sweep";
   }
+  /// The windows of one role of the split: "A", "B", "C" or "D".
+  [[nodiscard]] std::filesystem::path windows(const std::string& role, std::int64_t seed) const {
+    return seed_folder(seed) / (role + ".h5");
+  }
   [[nodiscard]] std::filesystem::path real_windows(std::int64_t seed) const {
-    return seed_folder(seed) / "D.h5";
+    return windows("D", seed);
   }
   [[nodiscard]] std::filesystem::path known_windows(std::int64_t seed) const {
-    return seed_folder(seed) / "C.h5";
+    return windows("C", seed);
   }
   [[nodiscard]] std::filesystem::path generated_windows(const std::string& method,
                                                         std::int64_t seed) const {
@@ -68,6 +72,8 @@ class Layout {
   [[nodiscard]] std::filesystem::path tables_latex() const { return folder_ / "tables.tex"; }
   [[nodiscard]] std::filesystem::path sweep_csv() const { return folder_ / "sweep.csv"; }
   [[nodiscard]] std::filesystem::path sweep_markdown() const { return folder_ / "sweep.md"; }
+  [[nodiscard]] std::filesystem::path readings_csv() const { return folder_ / "readings.csv"; }
+  [[nodiscard]] std::filesystem::path readings_markdown() const { return folder_ / "readings.md"; }
   [[nodiscard]] std::filesystem::path identifiability_csv() const {
     return folder_ / "identifiability.csv";
   }

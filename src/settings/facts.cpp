@@ -68,6 +68,13 @@ void add_sweep(const toml::table& protocol, std::vector<std::string>& words) {
   for (const std::string& point : sweep_centre(protocol)) words.push_back("sweep-centre:" + point);
 }
 
+void add_readings(const toml::table& protocol, std::vector<std::string>& words) {
+  for (const std::string& reading : readings(protocol)) words.push_back("reading:" + reading);
+  for (const std::string& setting : base_of_readings(protocol)) {
+    words.push_back("reading-base:" + setting);
+  }
+}
+
 }  // namespace
 
 std::vector<std::string> facts(const fs::path& pipeline) {
@@ -75,7 +82,9 @@ std::vector<std::string> facts(const fs::path& pipeline) {
   add_methods(words);
   add_ratios(words);
   add_datasets(pipeline / "datasets", words);
-  add_sweep(read_protocol(pipeline / "protocol.toml"), words);
+  const toml::table protocol = read_protocol(pipeline / "protocol.toml");
+  add_sweep(protocol, words);
+  add_readings(protocol, words);
   return words;
 }
 

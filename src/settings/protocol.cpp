@@ -16,8 +16,8 @@ namespace piae::settings {
 namespace {
 
 /// The stages that read settings. `train` has a table for each method as well.
-const std::vector<std::string> stages = {"split",    "train",    "generate", "score",
-                                         "diagnose", "tabulate", "sweep",    "identify"};
+const std::vector<std::string> stages = {"split",    "train", "generate", "score",   "diagnose",
+                                         "tabulate", "sweep", "identify", "readings"};
 
 std::string listed(const std::vector<std::string>& words) {
   std::string list;
@@ -58,16 +58,31 @@ std::optional<Point> parse_point(const std::string& word) {
   return Point{word.substr(0, equals), word.substr(equals + 1)};
 }
 
-void require_points(const std::filesystem::path& file, const toml::table& protocol) {
-  const toml::node* points = protocol["sweep"]["points"].node();
+/// Every word of the list is a point, or several that are joined by +.
+void require_points(const std::filesystem::path& file, const toml::table& protocol,
+                    const std::string& table, const std::string& list) {
+  const toml::node* points = protocol[table][list].node();
   if (points == nullptr) return;
-  if (!points->is_array()) refuse(file, *points, "sweep.points must be a list");
+  const std::string name = table + '.' + list;
+  if (!points->is_array()) refuse(file, *points, name + " must be a list");
   for (const toml::node& node : *points->as_array()) {
     const auto word = node.value_or<std::string>("");
-    if (!parse_point(word)) {
-      refuse(file, node, "sweep.points holds '" + word + "', which is not FACTOR=VALUE");
+    std::istringstream parts(word + '+');
+    for (std::string part; std::getline(parts, part, '+');) {
+      if (!parse_point(part)) {
+        refuse(file, node, name + " holds '" + word + "', which is not FACTOR=VALUE");
+      }
     }
   }
+}
+
+std::vector<std::string> words_of(const toml::table& protocol, const std::string& table,
+                                  const std::string& list) {
+  std::vector<std::string> words;
+  const toml::array* nodes = protocol[table][list].as_array();
+  if (nodes == nullptr) return words;
+  for (const toml::node& node : *nodes) words.push_back(node.value_or<std::string>(""));
+  return words;
 }
 
 bool is_value(const toml::node* node, const std::string& text) {
@@ -98,16 +113,22 @@ toml::table read_protocol(const std::filesystem::path& file) {
       }
     }
   }
-  require_points(file, protocol);
+  require_points(file, protocol, "sweep", "points");
+  require_points(file, protocol, "readings", "base");
+  require_points(file, protocol, "readings", "readings");
   return protocol;
 }
 
 std::vector<std::string> sweep_points(const toml::table& protocol) {
-  std::vector<std::string> points;
-  const toml::array* words = protocol["sweep"]["points"].as_array();
-  if (words == nullptr) return points;
-  for (const toml::node& node : *words) points.push_back(node.value_or<std::string>(""));
-  return points;
+  return words_of(protocol, "sweep", "points");
+}
+
+std::vector<std::string> readings(const toml::table& protocol) {
+  return words_of(protocol, "readings", "readings");
+}
+
+std::vector<std::string> base_of_readings(const toml::table& protocol) {
+  return words_of(protocol, "readings", "base");
 }
 
 std::vector<std::string> sweep_centre(const toml::table& protocol) {

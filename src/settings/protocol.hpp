@@ -25,4 +25,9 @@ std::vector<std::string> sweep_points(const toml::table& protocol);
 /// same.
 std::vector<std::string> sweep_centre(const toml::table& protocol);
 
+/// What `make readings` tries: each is one setting of the paper's method, or several joined by +,
+/// such as "batches=class+space=class", that differ from base_of_readings().
+std::vector<std::string> readings(const toml::table& protocol);
+std::vector<std::string> base_of_readings(const toml::table& protocol);
+
 }  // namespace piae::settings

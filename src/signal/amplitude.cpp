@@ -1,5 +1,6 @@
 #include "signal/amplitude.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
@@ -21,25 +22,53 @@ double rms_of(std::span<const double> signal) {
   return std::sqrt(squares / n);
 }
 
-std::vector<double> rms_by_class(const WindowSet& windows) {
-  std::vector<double> rms;
+namespace {
+
+/// For each class the summary of its windows' samples, each about its window's mean.
+template <class Summary>
+std::vector<double> by_class(const WindowSet& windows) {
+  std::vector<double> all;
   for (const Label label : windows.info.labels()) {
     const std::vector<std::size_t> members = windows.indices_of(label);
-    double squares = 0;
+    Summary summary;
     for (const std::size_t i : members) {
       const double mean = mean_of(windows.window(i));
-      for (const float x : windows.window(i)) squares += (x - mean) * (x - mean);
+      for (const float x : windows.window(i)) summary.add(x - mean);
     }
-    if (members.empty()) {
-      rms.push_back(1);
-    } else if (squares > 0) {
-      rms.push_back(std::sqrt(squares / static_cast<double>(members.size() * windows.length)));
-    } else {
+    const double value = members.empty() ? 1 : summary.value(members.size() * windows.length);
+    if (!(value > 0)) {
       throw Error(Exit::bad_input, "class " + windows.info.class_of(label).name +
                                        ": its known windows are constant; check the recording");
     }
+    all.push_back(value);
   }
-  return rms;
+  return all;
 }
+
+class Rms {
+ public:
+  void add(double x) { squares_ += x * x; }
+  [[nodiscard]] double value(std::size_t samples) const {
+    return std::sqrt(squares_ / static_cast<double>(samples));
+  }
+
+ private:
+  double squares_ = 0;
+};
+
+class Peak {
+ public:
+  void add(double x) { largest_ = std::max(largest_, std::abs(x)); }
+  [[nodiscard]] double value(std::size_t /*samples*/) const { return largest_; }
+
+ private:
+  double largest_ = 0;
+};
+
+}  // namespace
+
+std::vector<double> rms_by_class(const WindowSet& windows) { return by_class<Rms>(windows); }
+
+std::vector<double> peak_by_class(const WindowSet& windows) { return by_class<Peak>(windows); }
 
 }  // namespace piae::signal

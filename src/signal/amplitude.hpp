@@ -18,4 +18,7 @@ double rms_of(std::span<const double> signal);
 /// in C, has 1. Throws Error(bad_input) for a class whose windows are constant.
 std::vector<double> rms_by_class(const WindowSet& windows);
 
+/// The same with the largest absolute value about each window's own mean.
+std::vector<double> peak_by_class(const WindowSet& windows);
+
 }  // namespace piae::signal

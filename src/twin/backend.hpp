@@ -54,6 +54,12 @@ struct BatchLosses {
 /// The two ways of taking a step, between which epochs alternate (paper 3.3.3).
 enum class TrainingStage { one, two };
 
+/// Of Adam, in one step.
+struct LearningRates {
+  double networks = 0;
+  double loss_weights = 0;  ///< of their logarithms
+};
+
 /// A back end: it computes the networks of one twin, their gradients and the steps of Adam. Which
 /// windows make a batch, and when a training ends, is decided in training.cpp, for every back end
 /// alike.
@@ -65,7 +71,7 @@ class TwinBackend {
   /// own loss, and the gradients of each network are clipped to options.max_gradient_norm. In stage
   /// 2 (eq. 25) all parameters follow the total loss, and all gradients together are clipped to it.
   virtual BatchLosses step(TrainingStage stage, std::span<const std::size_t> windows,
-                           double learning_rate) = 0;
+                           const LearningRates& rates) = 0;
 
   /// All parameters: those of the networks, and the logarithms of the weights of the losses.
   [[nodiscard]] virtual const std::vector<nets::ParameterSpec>& specs() const = 0;

@@ -56,18 +56,20 @@ class DenseBackend final : public TwinBackend {
                                               dense_coder_specs(task_.shape, task_.options)))),
         parameters_(std::make_shared<Parameters>(specs_, initial)),
         largest_batch_(std::min<std::int64_t>(task_.options.batch, std::ssize(task_.labels))),
-        networks_(parameters_, task_.variant, task_.shape, largest_batch_),
+        networks_(parameters_, task_.variant, task_.shape, task_.options.positive, largest_batch_),
+        stencil_(stencil_of(task_.options.derivatives)),
+        reading_{.squares = task_.options.squares, .mmd = task_.options.mmd},
         log_weights_(parameters_->find(log_weights_name).begin) {}
 
   BatchLosses step(TrainingStage stage, std::span<const std::size_t> windows,
-                   double learning_rate) override {
+                   const LearningRates& rates) override {
     const Batch batch = forward(windows);
-    const nets::AdamStep adam(++steps_, learning_rate);
+    const nets::AdamStep adam(++steps_, rates.networks);
     const BatchLosses losses = losses_of(batch);
     if (stage == TrainingStage::one) {
       step_stage_1(batch, adam);
     } else {
-      step_stage_2(batch, losses, adam, learning_rate);
+      step_stage_2(batch, losses, adam, rates.loss_weights);
     }
     return losses;
   }
@@ -107,11 +109,11 @@ class DenseBackend final : public TwinBackend {
                              ? batch.k_and_c
                              : as_rows(chosen(task_.states->decoder_inputs, windows));
     const Array a = networks_.decode(inputs, batch.labels);
-    batch.reconstruction = reconstruction_loss<float>(batch.windows, a);
+    batch.reconstruction = reconstruction_loss<float>(batch.windows, a, reading_);
     if (!task_.variant.physics) return batch;
     const BatchMotion<float> motion = networks_.move(a);
-    batch.differential = differential_loss<float>(motion, task_.physics.step);
-    batch.twin = twin_loss<float>(batch.k_and_c, motion, batch.labels, task_.physics);
+    batch.differential = differential_loss<float>(motion, task_.physics.step, stencil_, reading_);
+    batch.twin = twin_loss<float>(batch.k_and_c, motion, batch.labels, task_.physics, reading_);
     return batch;
   }
 
@@ -162,7 +164,7 @@ class DenseBackend final : public TwinBackend {
 
   /// Eq. 25.
   void step_stage_2(const Batch& batch, const BatchLosses& losses, const nets::AdamStep& adam,
-                    double learning_rate) {
+                    double rate_of_weights) {
     const std::int64_t rows = batch.size();
     const Weights w = weights();
     std::array<float, 3> by_log_weights{};
@@ -188,7 +190,7 @@ class DenseBackend final : public TwinBackend {
     const double scale = clipping(squares);
     for (Chain* chain : chains()) chain->take(adam, scale, all);
     for (float& x : by_log_weights) x *= static_cast<float>(scale);
-    const nets::AdamStep of_weights(++weight_steps_, learning_rate);
+    const nets::AdamStep of_weights(++weight_steps_, rate_of_weights);
     nets::take(of_weights, parameters_->data(Kept::value) + log_weights_, by_log_weights.data(),
                parameters_->data(Kept::first_moment) + log_weights_,
                parameters_->data(Kept::second_moment) + log_weights_, by_log_weights.size());
@@ -222,7 +224,7 @@ class DenseBackend final : public TwinBackend {
     }
     const Array by_inputs = nets::copied<float>(
         networks_.decoder->backward(rows, signals, last_signal(rows, signals)), rows, 2);
-    put((by_k_and_c + by_inputs) * softplus_slope(k_and_c), *networks_.encoder, 0);
+    put((by_k_and_c + by_inputs) * slope_at(k_and_c, networks_.positive), *networks_.encoder, 0);
     networks_.encoder->backward(rows, 1, Chain::no_rows);
   }
 
@@ -245,6 +247,8 @@ class DenseBackend final : public TwinBackend {
   std::shared_ptr<Parameters> parameters_;
   std::int64_t largest_batch_;  ///< in windows
   Networks networks_;
+  Stencil stencil_;
+  LossReading reading_;
   std::int64_t log_weights_;       ///< where they begin among the parameters
   std::int64_t steps_ = 0;         ///< of Adam for the networks
   std::int64_t weight_steps_ = 0;  ///< of Adam for the weights of the losses

@@ -18,7 +18,8 @@ class DenseModel final : public StoredTwin {
  public:
   DenseModel(const std::shared_ptr<Parameters>& parameters, const ModelDescription& description,
              const TwinVariant& variant)
-      : networks_(parameters, variant, description.shape, windows_at_a_time) {}
+      : networks_(parameters, variant, description.shape, description.options.positive,
+                  windows_at_a_time) {}
 
   [[nodiscard]] std::vector<TwinPoint> encode(std::span<const float> windows) override {
     return encode_all(networks_, windows, windows_at_a_time);

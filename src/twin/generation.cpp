@@ -23,7 +23,7 @@ std::vector<TwinPoint> draw(const TwinSpace& space, std::size_t count, const Str
 signal::WindowSet generate(const artefact::Reader& model, const TwinVariant& variant,
                            std::size_t count, const Stream& stream, const Engine& engine) {
   const ModelDescription description = read_model_description(model);
-  const TwinSpace space(model);
+  const ClassSpaces spaces(model);
   const std::unique_ptr<StoredTwin> networks = engine.open(model, description, variant);
   signal::WindowSet generated;
   generated.info = description.info;
@@ -31,7 +31,7 @@ signal::WindowSet generate(const artefact::Reader& model, const TwinVariant& var
   for (Label label = 0; index_of(label) < description.info.classes.size(); ++label) {
     const signal::ClassInfo& c = description.info.classes[index_of(label)];
     if (c.defect == signal::Defect::none) continue;
-    const std::vector<TwinPoint> points = draw(space, count, stream.child(c.name));
+    const std::vector<TwinPoint> points = draw(spaces.of(label), count, stream.child(c.name));
     for (const float a : networks->decode(points, label)) {
       generated.samples.push_back(a *
                                   static_cast<float>(description.acceleration[index_of(label)]));

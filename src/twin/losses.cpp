@@ -22,44 +22,76 @@ Eigen::ArrayXXd squared_distances(const RowArray<T>& z) {
   return distances;
 }
 
+/// Adds to a loss the squares of an error [batch, samples] and returns their gradient by it.
 template <class T>
-double mean_square(const RowArray<T>& difference) {
-  return static_cast<double>(difference.square().mean());
+RowArray<T> add_squares(const RowArray<T>& error, Squares squares, double& loss) {
+  const double per_window = squares == Squares::sum ? static_cast<double>(error.cols()) : 1;
+  loss += per_window * static_cast<double>(error.square().mean());
+  return error * static_cast<T>(per_window * 2.0 / static_cast<double>(error.size()));
 }
 
+/// Adds the MMD of two batches as it is read, and its gradients to those that are there.
 template <class T>
-RowArray<T> mean_square_gradient(const RowArray<T>& difference) {
-  return difference * static_cast<T>(2.0 / static_cast<double>(difference.size()));
+void add_mmd(const RowArray<T>& x, const RowArray<T>& y, RowArray<T>* by_x, RowArray<T>& by_y,
+             Mmd mmd, double& loss) {
+  if (mmd == Mmd::squared) {
+    loss += add_batch_mmd<T>(x, y, by_x, by_y);
+    return;
+  }
+  RowArray<T> squared_by_x = RowArray<T>::Zero(x.rows(), x.cols());
+  RowArray<T> squared_by_y = RowArray<T>::Zero(y.rows(), y.cols());
+  const double squared = add_batch_mmd<T>(x, y, by_x ? &squared_by_x : nullptr, squared_by_y);
+  const double root = std::sqrt(std::max(squared, mmd_least_squared));
+  loss += root;
+  const auto slope = static_cast<T>(1 / (2 * root));
+  if (by_x) *by_x += slope * squared_by_x;
+  by_y += slope * squared_by_y;
 }
 
+/// The derivative of signals [batch, N] at the samples that the taps reach, [batch, N - 2 reach].
 template <class T>
-RowArray<T> inner(const RowArray<T>& samples, Index from) {
-  return samples.middleCols(from, samples.cols() - 2);
+RowArray<T> derivative(const RowArray<T>& signals, const std::vector<double>& taps,
+                       double per_tap) {
+  const auto last = static_cast<Index>(taps.size()) - 1;
+  RowArray<T> sum = RowArray<T>::Zero(signals.rows(), signals.cols() - last);
+  for (Index i = last; i >= 0; --i) {
+    const auto tap = static_cast<T>(taps[static_cast<std::size_t>(i)]);
+    if (tap != 0) sum += tap * signals.middleCols(i, sum.cols());
+  }
+  return sum * static_cast<T>(per_tap);
 }
 
-/// The contact force in N at a compression in m, and its derivative in N/m.
-struct Contact {
-  double force;
-  double stiffness;
-};
-
-Contact contact_at(double compression, const Physics& physics) {
-  if (compression <= 0) return {0, 0};
-  const double root = std::sqrt(compression);
-  return {physics.contact_n_per_m15 * compression * root, 1.5 * physics.contact_n_per_m15 * root};
+/// The gradient by the signals [batch, N] of what derivative() made of them.
+template <class T>
+RowArray<T> by_signals(RowArray<T> by_derivative, const std::vector<double>& taps, double per_tap) {
+  const auto last = static_cast<Index>(taps.size()) - 1;
+  RowArray<T> sum = RowArray<T>::Zero(by_derivative.rows(), by_derivative.cols() + last);
+  by_derivative *= static_cast<T>(per_tap);
+  for (Index i = last; i >= 0; --i) {
+    const auto tap = static_cast<T>(taps[static_cast<std::size_t>(i)]);
+    if (tap != 0) sum.middleCols(i, by_derivative.cols()) += tap * by_derivative;
+  }
+  return sum;
 }
 
-/// The compression of the contact at static equilibrium, in m, and its derivative by k~.
+/// How far the static equilibrium is beyond the delta outside and inside the defect, in m, the
+/// force there, and the derivative of the equilibrium by k~.
 struct Rest {
-  double compression;
-  double by_k;
+  double outside_m = 0;
+  double inside_m = 0;
+  ContactForce force{};
+  double by_k = 0;
 };
 
-Rest rest_at(double k, double deflection, const Physics& physics) {
+Rest rest_at(double k, const Contact& contact, const Physics& physics) {
   const double stiffness = k * stiffness_scale_n_per_m;
-  const double s = static_equilibrium_m(stiffness, deflection, physics);
-  const double slope = stiffness + contact_at(s - deflection, physics).stiffness;
-  return {s - deflection, -s / slope * stiffness_scale_n_per_m};
+  const double s = static_equilibrium_m(stiffness, contact, physics);
+  Rest rest{.outside_m = s - contact.outside_m, .inside_m = s - contact.inside_m};
+  rest.force =
+      contact_force(rest.outside_m, rest.inside_m, contact.at_rest, physics.contact_n_per_m15);
+  const double slope = stiffness + rest.force.stiffness_n_per_m;
+  rest.by_k = -s / slope * stiffness_scale_n_per_m;
+  return rest;
 }
 
 }  // namespace
@@ -106,82 +138,81 @@ double add_batch_mmd(const RowArray<T>& x, const RowArray<T>& y, RowArray<T>* by
 }
 
 template <class T>
-LossOf<T> reconstruction_loss(const RowArray<T>& x, const RowArray<T>& a) {
+LossOf<T> reconstruction_loss(const RowArray<T>& x, const RowArray<T>& a,
+                              const LossReading& reading) {
   LossOf<T> loss;
-  const RowArray<T> error = a - x;
-  loss.by_acceleration = mean_square_gradient<T>(error);
-  loss.value = mean_square<T>(error) + add_batch_mmd<T>(x, a, nullptr, loss.by_acceleration);
+  loss.by_acceleration = add_squares<T>(a - x, reading.squares, loss.value);
+  add_mmd<T>(x, a, nullptr, loss.by_acceleration, reading.mmd, loss.value);
   return loss;
 }
 
 template <class T>
-LossOf<T> differential_loss(const BatchMotion<T>& motion, double step) {
+LossOf<T> differential_loss(const BatchMotion<T>& motion, double step, const Stencil& stencil,
+                            const LossReading& reading) {
   const RowArray<T>& u = motion.displacement;
   const RowArray<T>& v = motion.velocity;
   const Index samples = u.cols();
-  const Index inside = samples - 2;
-  const auto per_square = static_cast<T>(1 / (step * step));
-  const auto per_step = static_cast<T>(1 / (2 * step));
-  const RowArray<T> a = inner(motion.acceleration, 1);
-  const RowArray<T> second = (inner(u, 2) - 2 * inner(u, 1) + inner(u, 0)) * per_square;
-  const RowArray<T> first = (inner(v, 2) - inner(v, 0)) * per_step;
+  const Index inside = samples - 2 * stencil.reach;
+  const double per_square = 1 / (step * step);
+  const double per_step = 1 / step;
+  const RowArray<T> a = motion.acceleration.middleCols(stencil.reach, inside);
+  const RowArray<T> second = derivative<T>(u, stencil.second, per_square);
+  const RowArray<T> first = derivative<T>(v, stencil.first, per_step);
 
   LossOf<T> loss;
-  RowArray<T> by_second = mean_square_gradient<T>(second - a);
-  RowArray<T> by_first = mean_square_gradient<T>(first - a);
+  RowArray<T> by_second = add_squares<T>(second - a, reading.squares, loss.value);
+  RowArray<T> by_first = add_squares<T>(first - a, reading.squares, loss.value);
   RowArray<T> by_a = -by_second - by_first;
-  loss.value = mean_square<T>(second - a) + mean_square<T>(first - a) +
-               add_batch_mmd<T>(second, a, &by_second, by_a) +
-               add_batch_mmd<T>(first, a, &by_first, by_a);
+  add_mmd<T>(second, a, &by_second, by_a, reading.mmd, loss.value);
+  add_mmd<T>(first, a, &by_first, by_a, reading.mmd, loss.value);
 
   loss.by_acceleration = RowArray<T>::Zero(u.rows(), samples);
-  loss.by_acceleration.middleCols(1, inside) = by_a;
-  loss.by_displacement = RowArray<T>::Zero(u.rows(), samples);
-  by_second *= per_square;
-  loss.by_displacement.middleCols(2, inside) += by_second;
-  loss.by_displacement.middleCols(1, inside) -= 2 * by_second;
-  loss.by_displacement.middleCols(0, inside) += by_second;
-  loss.by_velocity = RowArray<T>::Zero(u.rows(), samples);
-  by_first *= per_step;
-  loss.by_velocity.middleCols(2, inside) += by_first;
-  loss.by_velocity.middleCols(0, inside) -= by_first;
+  loss.by_acceleration.middleCols(stencil.reach, inside) = by_a;
+  loss.by_displacement = by_signals<T>(by_second, stencil.second, per_square);
+  loss.by_velocity = by_signals<T>(by_first, stencil.first, per_step);
   return loss;
 }
 
 template <class T>
 LossOf<T> twin_loss(const RowArray<T>& k_and_c, const BatchMotion<T>& motion,
-                    std::span<const Label> labels, const Physics& physics) {
+                    std::span<const Label> labels, const Physics& physics,
+                    const LossReading& reading) {
   const auto& [u, v, a] = motion;
   LossOf<T> loss;
   loss.by_acceleration.resize(a.rows(), a.cols());
   loss.by_displacement.resize(a.rows(), a.cols());
   loss.by_velocity.resize(a.rows(), a.cols());
   loss.by_k_and_c.resize(a.rows(), 2);
-  const double mean = 1.0 / static_cast<double>(a.size());
+  const auto counted = reading.squares == Squares::sum ? a.rows() : a.size();
+  const double mean = 1.0 / static_cast<double>(counted);
   for (Index i = 0; i < a.rows(); ++i) {
     const std::size_t label = index_of(labels[static_cast<std::size_t>(i)]);
+    const Contact& contact = physics.contact[label];
     const double a_ref = physics.acceleration_m_s2[label];
     const double reference_n = physics.mass_kg * a_ref;
     const double reference_m = a_ref / (physics.omega_0 * physics.omega_0);
     const auto k = static_cast<double>(k_and_c(i, 0));
     const double damping = physics.damping * static_cast<double>(k_and_c(i, 1));
-    const Rest rest = rest_at(k, physics.deflection_m[label], physics);
-    const Contact at_rest = contact_at(rest.compression, physics);
+    const Rest rest = rest_at(k, contact, physics);
     double by_k = 0;
     double by_damping = 0;
     for (Index t = 0; t < a.cols(); ++t) {
       const double displacement = u(i, t);
-      const Contact contact = contact_at(rest.compression + displacement * reference_m, physics);
+      const double moved_m = displacement * reference_m;
+      const double w =
+          contact.passing.empty() ? contact.at_rest : contact.passing[static_cast<std::size_t>(t)];
+      const ContactForce force = contact_force(rest.outside_m + moved_m, rest.inside_m + moved_m, w,
+                                               physics.contact_n_per_m15);
       const double residual = a(i, t) + damping * v(i, t) + k * displacement +
-                              (contact.force - at_rest.force) / reference_n;
+                              (force.force_n - rest.force.force_n) / reference_n;
       const double slope = 2 * mean * residual;
       loss.value += mean * residual * residual;
       loss.by_acceleration(i, t) = static_cast<T>(slope);
       loss.by_velocity(i, t) = static_cast<T>(slope * damping);
       loss.by_displacement(i, t) =
-          static_cast<T>(slope * (k + contact.stiffness * reference_m / reference_n));
-      by_k += slope *
-              (displacement + (contact.stiffness - at_rest.stiffness) * rest.by_k / reference_n);
+          static_cast<T>(slope * (k + force.stiffness_n_per_m * reference_m / reference_n));
+      by_k += slope * (displacement + (force.stiffness_n_per_m - rest.force.stiffness_n_per_m) *
+                                          rest.by_k / reference_n);
       by_damping += slope * v(i, t);
     }
     loss.by_k_and_c(i, 0) = static_cast<T>(by_k);
@@ -193,10 +224,12 @@ LossOf<T> twin_loss(const RowArray<T>& k_and_c, const BatchMotion<T>& motion,
 #define PIAE_INSTANTIATE(T)                                                                       \
   template double add_batch_mmd(const RowArray<T>&, const RowArray<T>&, RowArray<T>*,             \
                                 RowArray<T>&);                                                    \
-  template LossOf<T> reconstruction_loss(const RowArray<T>&, const RowArray<T>&);                 \
-  template LossOf<T> differential_loss(const BatchMotion<T>&, double);                            \
+  template LossOf<T> reconstruction_loss(const RowArray<T>&, const RowArray<T>&,                  \
+                                         const LossReading&);                                     \
+  template LossOf<T> differential_loss(const BatchMotion<T>&, double, const Stencil&,             \
+                                       const LossReading&);                                       \
   template LossOf<T> twin_loss(const RowArray<T>&, const BatchMotion<T>&, std::span<const Label>, \
-                               const Physics&)
+                               const Physics&, const LossReading&)
 PIAE_INSTANTIATE(float);
 PIAE_INSTANTIATE(double);
 

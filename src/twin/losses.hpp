@@ -5,6 +5,8 @@
 
 #include "base/label.hpp"
 #include "nets/row_array.hpp"
+#include "twin/derivatives.hpp"
+#include "twin/options.hpp"
 #include "twin/physics.hpp"
 
 namespace piae::twin {
@@ -14,6 +16,8 @@ using nets::RowArray;
 /// The kernels of batch_mmd: the factors on its bandwidth, and the smallest bandwidth allowed.
 inline constexpr std::array<double, 5> mmd_kernel_factors{1, 2, 4, 8, 16};
 inline constexpr double mmd_least_bandwidth = 1e-12;
+/// Below this squared MMD its root is flat, where its slope would have no bound.
+inline constexpr double mmd_least_squared = 1e-12;
 
 /// A loss, and its gradients by the quantities that it is computed from. A gradient is empty where
 /// the loss does not depend on the quantity.
@@ -34,10 +38,17 @@ template <class T>
 double add_batch_mmd(const RowArray<T>& x, const RowArray<T>& y, RowArray<T>* by_x,
                      RowArray<T>& by_y);
 
-/// L_Rec, eq. 20: the mean squared error of the decoded acceleration a for the windows x, plus
-/// their MMD; both are [batch, N].
+/// How the norms and the MMD of eqs 20 to 22 are read.
+struct LossReading {
+  Squares squares = Squares::mean;
+  Mmd mmd = Mmd::squared;
+};
+
+/// L_Rec, eq. 20: the squared error of the decoded acceleration a for the windows x, plus their
+/// MMD; both are [batch, N].
 template <class T>
-LossOf<T> reconstruction_loss(const RowArray<T>& x, const RowArray<T>& a);
+LossOf<T> reconstruction_loss(const RowArray<T>& x, const RowArray<T>& a,
+                              const LossReading& reading = {});
 
 /// Displacement, velocity and acceleration of a batch, dimensionless, [batch, N].
 template <class T>
@@ -48,15 +59,17 @@ struct BatchMotion {
 };
 
 /// L_DDL, eq. 21: the second derivative of the displacement and the first of the velocity against
-/// the acceleration, as mean squares and as MMD. Derivatives are central differences over the inner
-/// samples; `step` is the dimensionless time between two samples.
+/// the acceleration, as squares and as MMD, at the samples that the stencil reaches. `step` is the
+/// dimensionless time between two samples.
 template <class T>
-LossOf<T> differential_loss(const BatchMotion<T>& motion, double step);
+LossOf<T> differential_loss(const BatchMotion<T>& motion, double step, const Stencil& stencil,
+                            const LossReading& reading = {});
 
-/// L_DT, eq. 22: the mean square of the dimensionless equation of motion (physics.hpp) over the
-/// batch, for (k~, c~) [batch, 2]. The gradient by k~ also goes through the static equilibrium.
+/// L_DT, eq. 22: the square of the dimensionless equation of motion (physics.hpp), for (k~, c~)
+/// [batch, 2]. The gradient by k~ also goes through the static equilibrium.
 template <class T>
 LossOf<T> twin_loss(const RowArray<T>& k_and_c, const BatchMotion<T>& motion,
-                    std::span<const Label> labels, const Physics& physics);
+                    std::span<const Label> labels, const Physics& physics,
+                    const LossReading& reading = {});
 
 }  // namespace piae::twin

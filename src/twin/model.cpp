@@ -12,6 +12,16 @@ Keep read_keep(const artefact::Reader& reader) {
   reader.refuse("keep", "is '" + word + "'; known are best and final");
 }
 
+/// Models that do not say it are older than the choice.
+Positive read_positive(const artefact::Reader& reader) {
+  if (!reader.has_attribute("/", "positive")) return Positive::softplus;
+  const std::string word = reader.text("/", "positive");
+  for (const Positive positive : {Positive::softplus, Positive::exponential}) {
+    if (word == to_string(positive)) return positive;
+  }
+  reader.refuse("positive", "is '" + word + "'; known are softplus and exponential");
+}
+
 }  // namespace
 
 void write(artefact::Writer& writer, const ModelDescription& description) {
@@ -20,6 +30,7 @@ void write(artefact::Writer& writer, const ModelDescription& description) {
   writer.attribute("/", "depth", std::int64_t{description.options.depth});
   writer.attribute("/", "width", std::int64_t{description.options.width});
   writer.attribute("/", "keep", std::string(to_string(description.options.keep)));
+  writer.attribute("/", "positive", std::string(to_string(description.options.positive)));
   writer.numbers("/classes/acceleration", description.acceleration);
 }
 
@@ -32,6 +43,7 @@ ModelDescription read_model_description(const artefact::Reader& reader) {
   description.options.depth = static_cast<int>(reader.integer("/", "depth"));
   description.options.width = static_cast<int>(reader.integer("/", "width"));
   description.options.keep = read_keep(reader);
+  description.options.positive = read_positive(reader);
   description.acceleration = reader.numbers<double>("/classes/acceleration", {classes}).values;
   if (description.shape.samples < 1 || description.options.depth < 1 ||
       description.options.width < 1) {

@@ -15,7 +15,7 @@ namespace piae::twin {
 struct ModelDescription {
   signal::DatasetInfo info;
   NetworkShape shape;
-  TwinOptions options;               ///< of these, only depth, width and keep are stored
+  TwinOptions options;               ///< of these, only depth, width, keep and positive are stored
   std::vector<double> acceleration;  ///< a_ref of each class, in the recordings' unit
 };
 

@@ -23,16 +23,24 @@ std::unique_ptr<nets::DenseChain<float>> chain(
 
 Networks::Networks(const std::shared_ptr<nets::Parameters<float>>& parameters,
                    const TwinVariant& variant, const NetworkShape& network_shape,
-                   std::int64_t most_windows)
+                   Positive made_positive, std::int64_t most_windows)
     : shape(network_shape),
+      positive(made_positive),
       encoder(chain(parameters, variant.encoder, encoder_name, most_windows)),
       decoder(chain(parameters, true, decoder_name, 2 * most_windows)),
       module(chain(parameters, variant.physics, module_name, 2 * most_windows)) {}
 
 RowArray<float> Networks::encode(const RowArray<float>& windows) {
   nets::put(windows, encoder->input());
-  return nets::copied<float>(encoder->forward(windows.rows()), windows.rows(), 2)
-      .unaryExpr(&softplus);
+  const RowArray<float> any =
+      nets::copied<float>(encoder->forward(windows.rows()), windows.rows(), 2);
+  return positive == Positive::softplus ? RowArray<float>(any.unaryExpr(&softplus))
+                                        : RowArray<float>(any.exp());
+}
+
+RowArray<float> slope_at(const RowArray<float>& k_and_c, Positive positive) {
+  // Of softplus 1 - exp(-k~), computed so that a small k~ loses no digits.
+  return positive == Positive::softplus ? RowArray<float>(-(-k_and_c).expm1()) : k_and_c;
 }
 
 RowArray<float> Networks::decode(const RowArray<float>& inputs, std::span<const Label> labels) {
@@ -59,8 +67,6 @@ BatchMotion<float> Networks::move(const RowArray<float>& acceleration) {
           .velocity = nets::copied(velocity, rows, shape.samples),
           .acceleration = acceleration};
 }
-
-RowArray<float> softplus_slope(const RowArray<float>& k_and_c) { return -(-k_and_c).expm1(); }
 
 std::vector<TwinPoint> encode_all(Networks& networks, std::span<const float> windows,
                                   std::int64_t batch) {

@@ -21,7 +21,7 @@ struct Networks {
   /// For batches of up to `most_windows` windows. Decoder and module have room for two signals of
   /// such a batch (DenseChain::backward).
   Networks(const std::shared_ptr<nets::Parameters<float>>& parameters, const TwinVariant& variant,
-           const NetworkShape& shape, std::int64_t most_windows);
+           const NetworkShape& shape, Positive positive, std::int64_t most_windows);
 
   /// Eq. 16: windows [batch, N] -> (k~, c~), [batch, 2].
   RowArray<float> encode(const RowArray<float>& windows);
@@ -31,14 +31,14 @@ struct Networks {
   BatchMotion<float> move(const RowArray<float>& acceleration);
 
   NetworkShape shape;
+  Positive positive;
   std::unique_ptr<nets::DenseChain<float>> encoder;
   std::unique_ptr<nets::DenseChain<float>> decoder;
   std::unique_ptr<nets::DenseChain<float>> module;
 };
 
-/// The slope of eq. 16's softplus at the places where it gave these values: 1 - exp(-k~), computed
-/// so that a small k~ loses no digits.
-RowArray<float> softplus_slope(const RowArray<float>& k_and_c);
+/// The slope of what makes (k~, c~) positive (eq. 16), at the places where it gave these values.
+RowArray<float> slope_at(const RowArray<float>& k_and_c, Positive positive);
 
 /// Points as an array [n, 2], and back.
 RowArray<float> as_rows(std::span<const TwinPoint> points);

@@ -4,9 +4,16 @@ namespace piae::twin {
 
 const char* to_string(Keep keep) { return keep == Keep::best ? "best" : "final"; }
 
+const char* to_string(Positive positive) {
+  return positive == Positive::softplus ? "softplus" : "exponential";
+}
+
 void bind(const cli::Options& command, TwinOptions& o) {
   command.add("--epochs", o.epochs, "passes over the known windows").check(cli::positive_number());
   command.add("--batch", o.batch, "windows in a batch").check(cli::positive_number());
+  command.choose("--batches", o.batches,
+                 {{"mixed", Batches::mixed}, {"class", Batches::of_one_class}},
+                 "windows that a batch holds: of all classes mixed, or of one class (paper 4.5.5)");
   command.add("--learning-rate", o.learning_rate, "of Adam, at the start")
       .check(cli::positive_number());
   command.add("--decay-every", o.decay_every, "epochs between decays of the learning rate")
@@ -27,6 +34,37 @@ void bind(const cli::Options& command, TwinOptions& o) {
        {"fixed", LossWeights::fixed}},
       "alpha, beta, gamma of eq. 23: adaptive, adaptive-without-log (the term that holds them "
       "above zero), or fixed (at 1)");
+  command
+      .add("--weight-learning-rate", o.weight_learning_rate,
+           "of Adam for ln alpha, ln beta, ln gamma, at the start")
+      .check(cli::positive_number());
+  command.choose(
+      "--space", o.space, {{"all", SpaceOf::all_classes}, {"class", SpaceOf::each_class}},
+      "windows whose histogram a class is drawn from: all (paper 4.4.2), or those of the "
+      "class (3.4)");
+  command.choose(
+      "--unit", o.unit, {{"rms", Unit::rms}, {"peak", Unit::peak}, {"recording", Unit::recording}},
+      "what the windows of a class are divided by: its RMS, its peak, or nothing (open in the "
+      "paper)");
+  command.choose("--positive", o.positive,
+                 {{to_string(Positive::softplus), Positive::softplus},
+                  {to_string(Positive::exponential), Positive::exponential}},
+                 "how eq. 16 makes k and c positive (open in the paper)");
+  command.choose("--squares", o.squares, {{"mean", Squares::mean}, {"sum", Squares::sum}},
+                 "squared norms of eqs 20 to 22 over a window: mean or sum of its samples");
+  command.choose("--mmd", o.mmd, {{"squared", Mmd::squared}, {"root", Mmd::root}},
+                 "MMD of eqs 20 and 21: the squared discrepancy, or its root (eq. 27)");
+  command.choose("--derivatives", o.derivatives,
+                 {{"central", Derivatives::central}, {"spectral", Derivatives::spectral}},
+                 "of eq. 21: central differences, or those of the band-limited signal");
+  command.choose(
+      "--contact", o.contact,
+      {{"standing", ContactReading::standing},
+       {"defect-alone", ContactReading::defect_alone},
+       {"passing", ContactReading::passing},
+       {"expected", ContactReading::expected}},
+      "delta of eq. 22: clearance and depth throughout (eq. 11), the depth alone (eq. 22), with "
+      "the depth while a ball passes (eq. 9), or what is expected of that over all angles");
   command.add("--space-bins", o.space_bins, "bins of the digital twin space, for k and for c")
       .check(cli::whole_number(1, 1000));
   command.choose("--keep", o.keep,

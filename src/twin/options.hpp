@@ -11,6 +11,55 @@ enum class LossWeights {
   fixed,                 ///< not learned: all three stay at 1
 };
 
+/// How the known windows are parted into batches.
+enum class Batches {
+  mixed,         ///< windows of all classes, in a random order
+  of_one_class,  ///< paper 4.5.5: a batch of five "encompasses all five available samples per
+                 ///< class"
+};
+
+/// Whose windows make the histogram that a class is drawn from.
+enum class SpaceOf {
+  all_classes,  ///< paper 4.4.2, Figs 9 and 10
+  each_class,   ///< paper 3.4: "for each fault type"
+};
+
+/// What delta is in the contact of eq. 22. The angle at which a window starts is not known.
+enum class ContactReading {
+  standing,      ///< eq. 11 over the whole window: the clearance and the defect's depth
+  defect_alone,  ///< eq. 22 by the letter, delta_n is the "column vector of defect size"
+  passing,       ///< eqs 9 to 11: the depth is added while a ball is in the defect; from angle 0
+  expected,      ///< the same, averaged over all angles
+};
+
+/// How eq. 21 differentiates.
+enum class Derivatives {
+  central,   ///< central differences of second order
+  spectral,  ///< the derivative of the band-limited signal, by 33 samples of it
+};
+
+/// How eq. 16 makes k~ and c~ positive; open in the paper.
+enum class Positive { softplus, exponential };
+
+/// What |x|^2 is in eqs 20 to 22, averaged over the windows of a batch. It decides what MMD weighs.
+enum class Squares {
+  mean,  ///< over the samples of a window
+  sum,   ///< over the samples of a window, as eqs 20 and 21 have it by the letter
+};
+
+/// What MMD is in eqs 20 and 21.
+enum class Mmd {
+  squared,  ///< the squared discrepancy, as losses usually have it
+  root,     ///< the discrepancy itself, as eq. 27 has it by the letter
+};
+
+/// What the windows of a class are divided by before the networks see them; open in the paper.
+enum class Unit {
+  rms,        ///< the RMS of the class's known windows
+  peak,       ///< their largest absolute value
+  recording,  ///< the unit of the recordings
+};
+
 /// Which of its parameters a training hands to the generation.
 enum class Keep {
   best,   ///< those after the epoch whose batches had the lowest mean of L_Rec + L_DDL + L_DT
@@ -20,12 +69,14 @@ enum class Keep {
 /// The word for it on the command line and in a stored model, where it also names the group of the
 /// weights.
 const char* to_string(Keep keep);
+const char* to_string(Positive positive);
 
 /// The settings of PIAE-DT. "Table 4" is a table of the paper; "open" means that the paper does not
 /// say.
 struct TwinOptions {
-  int epochs = 200;                ///< Table 4
-  int batch = 5;                   ///< Table 4
+  int epochs = 200;  ///< Table 4
+  int batch = 5;     ///< Table 4
+  Batches batches = Batches::mixed;
   double learning_rate = 5e-4;     ///< Table 4, eta_1 = eta_2 of eqs 24 and 25
   int decay_every = 50;            ///< epochs, Table 4 (StepLR step)
   double decay = 0.5;              ///< factor, Table 4 (StepLR gamma)
@@ -34,7 +85,15 @@ struct TwinOptions {
   int width = 256;                 ///< units of a hidden dense layer; open in the paper
   int stage_epochs = 1;            ///< epochs in Stage 1, then in Stage 2; open in the paper
   int space_bins = 10;             ///< of the histogram, for k and for c; open in the paper
+  Unit unit = Unit::rms;
+  Positive positive = Positive::softplus;
+  Squares squares = Squares::mean;
+  Mmd mmd = Mmd::squared;
+  Derivatives derivatives = Derivatives::central;
+  ContactReading contact = ContactReading::standing;
+  SpaceOf space = SpaceOf::all_classes;
   LossWeights loss_weights = LossWeights::adaptive;
+  double weight_learning_rate = 5e-4;  ///< of ln alpha, ln beta and ln gamma; decays with the other
   Keep keep = Keep::best;     ///< open: the paper trains both and does not say which generates
   double mass_kg = 1.0;       ///< M of eq. 22; open, working set of the project's notes
   double load_n = 1000.0;     ///< W of eq. 22; open, working set

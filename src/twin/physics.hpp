@@ -4,6 +4,7 @@
 
 #include "signal/dataset_info.hpp"
 #include "signal/window_set.hpp"
+#include "twin/contact.hpp"
 #include "twin/options.hpp"
 #include "twin/space.hpp"
 
@@ -29,27 +30,31 @@ inline TwinPoint without_units(const signal::DynamicParameters& p) {
 /// omega_0^2. Divided by M * a_ref, eq. 22 reads
 ///     a + (c~ * damping) * v + k~ * u + contact(u) = 0
 /// where u is the displacement from static equilibrium, because an accelerometer sees only the
-/// deviation from it. The load W enters through the equilibrium s_0, which solves
-/// k s_0 + K_b max(s_0 - delta, 0)^1.5 = W; the contact force is taken relative to that at s_0.
+/// deviation from it. The load W enters through the equilibrium s_0, which solves k s_0 + F(s_0) =
+/// W with the contact force F (contact.hpp); the contact force is taken relative to that at s_0.
 struct Physics {
   double mass_kg = 0;
   double load_n = 0;
-  double contact_n_per_m15 = 0;      ///< K_b, eq. 12
-  double omega_0 = 0;                ///< rad/s
-  double step = 0;                   ///< omega_0 / sample rate: dimensionless time between samples
-  double damping = 0;                ///< 1e2 N s/m / (M * omega_0)
-  std::vector<double> deflection_m;  ///< delta of each class, eq. 11: clearance plus defect depth
+  double contact_n_per_m15 = 0;  ///< K_b, eq. 12
+  double omega_0 = 0;            ///< rad/s
+  double step = 0;               ///< omega_0 / sample rate: dimensionless time between samples
+  double damping = 0;            ///< 1e2 N s/m / (M * omega_0)
+  std::vector<Contact> contact;  ///< of each class, eq. 11
   std::vector<double> acceleration_m_s2;  ///< a_ref of each class
 };
 
 /// `acceleration` is the RMS of each class's windows in the recordings' unit, which is
-/// info.unit_m_per_s2. Throws Error(bad_input) for a class without an RMS.
+/// info.unit_m_per_s2; `samples` are those of a window.
 Physics make_physics(const signal::DatasetInfo& info, const std::vector<double>& acceleration,
-                     const TwinOptions& options);
+                     std::int64_t samples, const TwinOptions& options);
 
-/// s_0 in metres for a stiffness k: the root of k s + K_b max(s - delta, 0)^1.5 = W. Newton's
-/// method finds it from above, because the function is convex and increasing there. The stiffness
-/// may be 0; then the contact alone carries the load.
-double static_equilibrium_m(double stiffness_n_per_m, double deflection_m, const Physics& physics);
+/// s_0 in metres for a stiffness k: the root of k s + F(s) = W. Newton's method finds it from
+/// above, because the function is convex and increasing there. The stiffness may be 0; then the
+/// contact alone carries the load.
+double static_equilibrium_m(double stiffness_n_per_m, const Contact& contact,
+                            const Physics& physics);
+
+/// Whether nothing touches at rest, so that eq. 22 has no Hertz term for small motions.
+bool is_open_at_rest(double stiffness_n_per_m, const Contact& contact, const Physics& physics);
 
 }  // namespace piae::twin

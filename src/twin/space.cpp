@@ -8,6 +8,7 @@ namespace piae::twin {
 namespace {
 
 const std::string group = "/twin_space";
+const std::string labels_of_space = group + "/labels";
 
 std::vector<double> equal_edges(double low, double high, int bins) {
   std::vector<double> edges;
@@ -89,6 +90,30 @@ void TwinSpace::write(artefact::Writer& writer) const {
   writer.numbers(group + "/k_edges", k_edges_);
   writer.numbers(group + "/c_edges", c_edges_);
   writer.numbers(group + "/counts", counts_, {k_edges_.size() - 1, c_edges_.size() - 1});
+}
+
+TwinSpace space_of_class(const std::vector<TwinPoint>& points, const std::vector<Label>& labels,
+                         Label label, int bins) {
+  std::vector<TwinPoint> own;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (labels[i] == label) own.push_back(points[i]);
+  }
+  return {own, bins};
+}
+
+void write_labels_of_space(artefact::Writer& writer, const std::vector<Label>& labels) {
+  writer.numbers(labels_of_space, labels);
+}
+
+ClassSpaces::ClassSpaces(const artefact::Reader& model) : all_(model) {
+  if (!model.has(labels_of_space)) return;
+  labels_ = model.numbers<Label>(labels_of_space, {all_.points().size()}).values;
+}
+
+TwinSpace ClassSpaces::of(Label label) const {
+  if (labels_.empty()) return all_;
+  const auto bins = static_cast<int>(all_.k_edges().size() - 1);
+  return space_of_class(all_.points(), labels_, label, bins);
 }
 
 }  // namespace piae::twin

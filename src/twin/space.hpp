@@ -6,6 +6,7 @@
 
 #include "artefact/reader.hpp"
 #include "artefact/writer.hpp"
+#include "base/label.hpp"
 #include "base/random.hpp"
 
 namespace piae::twin {
@@ -47,6 +48,25 @@ class TwinSpace {
   std::vector<double> k_edges_;
   std::vector<double> c_edges_;
   std::vector<std::int64_t> counts_;
+};
+
+/// The space of one class: the histogram of its own windows (paper 3.4: "for each fault type").
+TwinSpace space_of_class(const std::vector<TwinPoint>& points, const std::vector<Label>& labels,
+                         Label label, int bins);
+
+/// Says in a model that each class is drawn from its own windows, which have these labels.
+void write_labels_of_space(artefact::Writer& writer, const std::vector<Label>& labels);
+
+/// Where a model draws the points of each class from: SpaceOf.
+class ClassSpaces {
+ public:
+  /// Throws artefact::Refusal for what is no histogram.
+  explicit ClassSpaces(const artefact::Reader& model);
+  [[nodiscard]] TwinSpace of(Label label) const;
+
+ private:
+  TwinSpace all_;
+  std::vector<Label> labels_;  ///< of the known windows; none where all classes have one space
 };
 
 }  // namespace piae::twin

@@ -5,36 +5,54 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 
 #include "base/error.hpp"
 #include "nets/divergence.hpp"
 #include "nets/stored_parameters.hpp"
 #include "signal/amplitude.hpp"
 #include "signal/scaling.hpp"
+#include "twin/batches.hpp"
 #include "twin/curves.hpp"
+#include "twin/derivatives.hpp"
 #include "twin/model.hpp"
+#include "twin/outcome.hpp"
 
 namespace piae::twin {
 
 namespace {
+
+/// What the windows of each class are divided by, in the recordings' unit.
+std::vector<double> unit_by_class(const signal::WindowSet& known, Unit unit) {
+  switch (unit) {
+    case Unit::rms:
+      return signal::rms_by_class(known);
+    case Unit::peak:
+      return signal::peak_by_class(known);
+    case Unit::recording:
+      return std::vector<double>(known.info.classes.size(), 1.0);
+  }
+  throw std::logic_error("no such unit");
+}
 
 ModelDescription describe(const signal::WindowSet& known, const TwinOptions& options) {
   return {.info = known.info,
           .shape = {.samples = static_cast<std::int64_t>(known.length),
                     .classes = static_cast<std::int64_t>(known.info.classes.size())},
           .options = options,
-          .acceleration = signal::rms_by_class(known)};
+          .acceleration = unit_by_class(known, options.unit)};
 }
 
 TwinTask make_task(const signal::WindowSet& known, const ModelDescription& model,
                    const TwinVariant& variant, const std::optional<KnownStates>& states) {
-  return {.variant = variant,
-          .options = model.options,
-          .shape = model.shape,
-          .physics = make_physics(known.info, model.acceleration, model.options),
-          .windows = signal::scaled_windows(known, model.acceleration),
-          .labels = known.labels,
-          .states = states};
+  return {
+      .variant = variant,
+      .options = model.options,
+      .shape = model.shape,
+      .physics = make_physics(known.info, model.acceleration, model.shape.samples, model.options),
+      .windows = signal::scaled_windows(known, model.acceleration),
+      .labels = known.labels,
+      .states = states};
 }
 
 /// The losses summed over the batches of an epoch.
@@ -51,8 +69,9 @@ struct EpochSums {
   }
 };
 
-void require_derivatives(const signal::WindowSet& known, const TwinVariant& variant) {
-  constexpr std::size_t shortest = 3;  // a second derivative needs a sample on either side
+void require_derivatives(const signal::WindowSet& known, const TwinOptions& options,
+                         const TwinVariant& variant) {
+  const auto shortest = static_cast<std::size_t>(2 * stencil_of(options.derivatives).reach + 1);
   if (!variant.physics || known.length >= shortest) return;
   throw Error(Exit::usage, fmt::format("windows of {} samples: the physics-informed module needs "
                                        "{} or more",
@@ -65,7 +84,8 @@ class Training final : public TwinTraining {
            const Stream& stream, const Engine& engine, const std::optional<KnownStates>& states)
       : stream_(stream),
         model_(describe(known, options)),
-        windows_(known.size()),
+        labels_(known.labels),
+        has_physics_(variant.physics),
         backend_(engine.train(make_task(known, model_, variant, states), stream.child("initial"))),
         best_(values()) {}
 
@@ -75,17 +95,16 @@ class Training final : public TwinTraining {
 
   std::string run_epoch(std::size_t epoch) override {
     Stream shuffle = stream_.child("epoch" + std::to_string(epoch));
-    const std::vector<std::size_t> order = shuffle.permutation(windows_);
-    const auto batch = static_cast<std::size_t>(model_.options.batch);
     const bool even = epoch / static_cast<std::size_t>(model_.options.stage_epochs) % 2 == 0;
     const TrainingStage stage = even ? TrainingStage::one : TrainingStage::two;
-    const double learning_rate = learning_rate_at(epoch);
+    const LearningRates rates = learning_rates_at(epoch);
     EpochSums sums;
-    for (std::size_t i = 0; i < order.size(); i += batch) {
-      const auto rows = std::span(order).subspan(i, std::min(batch, order.size() - i));
-      sums.add(backend_->step(stage, rows, learning_rate));
+    for (const auto& batch :
+         batches_of_an_epoch(labels_, model_.options.batches,
+                             static_cast<std::size_t>(model_.options.batch), shuffle)) {
+      sums.add(backend_->step(stage, batch, rates));
     }
-    note_epoch(epoch, sums, learning_rate);
+    note_epoch(epoch, sums, rates.networks);
     return fmt::format("L_Rec {:.3f}  L_DDL {:.3f}  L_DT {:.3f}", curves_.reconstruction.back(),
                        curves_.differential.back(), curves_.twin.back());
   }
@@ -113,23 +132,38 @@ class Training final : public TwinTraining {
     nets::write_parameters(writer, "/final", backend_->specs(), values());
     nets::write_parameters(writer, "/best", backend_->specs(), best_);
     if (model_.options.keep == Keep::best) backend_->set_values(best_);
-    TwinSpace(backend_->states(), model_.options.space_bins).write(writer);  // eqs 14 and 15
+    const std::vector<TwinPoint> states = backend_->states();
+    TwinSpace(states, model_.options.space_bins).write(writer);  // eqs 14 and 15
+    if (has_physics_) write_open_contacts(writer, open_contacts(states));
+    if (model_.options.space == SpaceOf::each_class) write_labels_of_space(writer, labels_);
     backend_->write_adam(writer, "/adam");
     writer.attribute("/", "best_epoch", best_epoch_);
     curves_.write(writer);
   }
 
  private:
+  [[nodiscard]] std::int64_t open_contacts(const std::vector<TwinPoint>& states) const {
+    const Physics physics =
+        make_physics(model_.info, model_.acceleration, model_.shape.samples, model_.options);
+    std::int64_t count = 0;
+    for (std::size_t i = 0; i < states.size(); ++i) {
+      const Contact& contact = physics.contact[index_of(labels_[i])];
+      if (is_open_at_rest(in_units(states[i]).stiffness_n_per_m, contact, physics)) ++count;
+    }
+    return count;
+  }
+
   [[nodiscard]] std::vector<float> values() const {
     std::vector<float> values(nets::total_size(backend_->specs()));
     backend_->copy_values(values);
     return values;
   }
 
-  [[nodiscard]] double learning_rate_at(std::size_t epoch) const {
+  [[nodiscard]] LearningRates learning_rates_at(std::size_t epoch) const {
     const TwinOptions& o = model_.options;
     const std::size_t decays = epoch / static_cast<std::size_t>(o.decay_every);
-    return o.learning_rate * std::pow(o.decay, static_cast<double>(decays));
+    const double left = std::pow(o.decay, static_cast<double>(decays));
+    return {.networks = o.learning_rate * left, .loss_weights = o.weight_learning_rate * left};
   }
 
   void note_epoch(std::size_t epoch, const EpochSums& sums, double learning_rate) {
@@ -157,7 +191,8 @@ class Training final : public TwinTraining {
 
   Stream stream_;
   ModelDescription model_;
-  std::size_t windows_;  // known ones
+  std::vector<Label> labels_;  // of the known windows
+  bool has_physics_;
   std::unique_ptr<TwinBackend> backend_;
   std::vector<float> best_;  // values of all parameters after the best epoch
   double best_loss_ = std::numeric_limits<double>::infinity();
@@ -172,7 +207,7 @@ std::unique_ptr<TwinTraining> make_twin_training(const signal::WindowSet& known,
                                                  const TwinVariant& variant, const Stream& stream,
                                                  const Engine& engine,
                                                  const std::optional<KnownStates>& states) {
-  require_derivatives(known, variant);
+  require_derivatives(known, options, variant);
   return std::make_unique<Training>(known, options, variant, stream, engine, states);
 }
 

@@ -45,6 +45,7 @@ stand_ins() {
 stage=${0##*/} options="$*" outputs=()
 tables=(accuracy.csv gains.csv quality.csv comparisons.csv ranks.csv tables.md tables.tex summary.txt)
 [[ $stage != sweep ]] || tables=(sweep.csv sweep.md)
+[[ $stage != readings ]] || tables=(readings.csv readings.md)
 [[ $stage != identify ]] || tables=(identifiability.csv scatter.csv identifiability.md)
 while (($#)); do
   case $1 in
@@ -68,7 +69,7 @@ echo "$stage: 1 thing done"
 STAGE
   chmod +x fake/stage
   local stage
-  for stage in ingest simulate split train generate score diagnose tabulate sweep contrast identify \
+  for stage in ingest simulate split train generate score diagnose tabulate sweep contrast identify readings \
     train-libtorch; do
     ln -s stage "fake/$stage"
   done

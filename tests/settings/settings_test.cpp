@@ -224,6 +224,10 @@ TEST(Protocol, WhatNothingReadsIsRefusedWithItsLine) {
   EXPECT_THAT(Project("[split\n").refusal(), HasSubstr("line 1: not valid TOML"));
   EXPECT_THAT(Project("[sweep]\npoints = [\"batch=1\",\n\"batch\"]\n").refusal(),
               HasSubstr("line 3: sweep.points holds 'batch', which is not FACTOR=VALUE"));
+  EXPECT_THAT(Project("[readings]\nreadings = [\"a=b\",\n\"a=b+c\"]\n").refusal(),
+              HasSubstr("line 3: readings.readings holds 'a=b+c', which is not FACTOR=VALUE"));
+  EXPECT_THAT(Project("[readings]\nbase = \"a=b\"\n").refusal(),
+              HasSubstr("line 2: readings.base must be a list"));
 }
 
 TEST(Protocol, TheCentreOfASweepIsWhatTheMethodHasAnyway) {
@@ -240,7 +244,8 @@ TEST(Facts, NameWhatThereIs) {
        {"method:none", "method:smote", "method:oracle", "paper:ae", "paper:none", "baseline:none",
         "ceiling:oracle", "infers:piae-dt-phase", "needs-libtorch:piae-dt-rnn", "ratio:1to1",
         "nothing-generated:100to1", "dataset:cwru", "simulated:simulated", "swept:piae-dt",
-        "sweep-point:depth=1", "sweep-centre:depth=3"}) {
+        "sweep-point:depth=1", "sweep-centre:depth=3", "reading:batches=class",
+        "reading-base:batches=mixed"}) {
     EXPECT_THAT(all, Contains(fact));
   }
   for (const std::string fact :

@@ -15,6 +15,7 @@ namespace piae::twin {
 namespace {
 
 const std::vector<std::size_t> batch{7, 2, 5, 0, 8};
+constexpr LearningRates rates{.networks = 1e-3, .loss_weights = 1e-3};
 
 /// The gradient that the one step from these parameters followed, of "networks" or "loss_weights".
 std::vector<float> gradient_of(const TwinBackend& backend, const std::string& group) {
@@ -28,7 +29,7 @@ std::vector<float> gradient_of(const TwinBackend& backend, const std::string& gr
 BatchLosses losses_at(const TwinTask& task, const std::vector<float>& values) {
   const auto probe = dense_engine(Device::cpu).train(task, Stream("initial"));
   probe->set_values(values);
-  return probe->step(TrainingStage::one, batch, 1e-3);
+  return probe->step(TrainingStage::one, batch, rates);
 }
 
 /// Where the parameters of a network, or of several that follow each other, stand in the flat list.
@@ -62,7 +63,7 @@ void expect_followed(const TwinTask& task, TrainingStage stage, const std::strin
   const auto backend = dense_engine(Device::cpu).train(task, Stream("initial"));
   const std::vector<float> start = values_of(*backend);
   const Range range = range_of(*backend, prefix);
-  backend->step(stage, batch, 1e-3);
+  backend->step(stage, batch, rates);
   expect_gradient_of(part_of(gradient_of(*backend, "networks"), range), part_of(start, range),
                      [&](const std::vector<float>& part) {
                        std::vector<float> values = start;
@@ -115,7 +116,7 @@ TEST(DenseTwin, LossWeightsFollowTheClosedFormOfEquation23) {
        {std::pair{LossWeights::adaptive, 0.5}, std::pair{LossWeights::adaptive_without_log, 0.0}}) {
     const TwinTask task = task_of({"Full", full_model, loss_weights, unclipped});
     const auto backend = dense_engine(Device::cpu).train(task, Stream("initial"));
-    const BatchLosses losses = backend->step(TrainingStage::two, batch, 1e-3);
+    const BatchLosses losses = backend->step(TrainingStage::two, batch, rates);
     const std::vector<float> gradient = gradient_of(*backend, "loss_weights");
     ASSERT_EQ(gradient.size(), 3U);
     EXPECT_NEAR(gradient[0], losses.differential - held, 1e-5 * (1 + losses.differential));
@@ -137,8 +138,8 @@ TEST(DenseTwin, FollowsNoGradientThatIsLongerThanAllowed) {
   };
   const auto clipped = dense_engine(Device::cpu).train(task, Stream("initial"));
   const auto unbounded = dense_engine(Device::cpu).train(free, Stream("initial"));
-  clipped->step(TrainingStage::one, batch, 1e-3);
-  unbounded->step(TrainingStage::one, batch, 1e-3);
+  clipped->step(TrainingStage::one, batch, rates);
+  unbounded->step(TrainingStage::one, batch, rates);
   for (const std::string prefix : {"net/encoder/", "net/decoder/", "net/physics/"}) {
     const Range range = range_of(*clipped, prefix);
     EXPECT_GT(norm(part_of(gradient_of(*unbounded, "networks"), range)), longest) << prefix;

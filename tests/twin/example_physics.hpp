@@ -4,6 +4,9 @@
 
 namespace piae::twin {
 
+/// A contact that is found at the same delta throughout.
+inline Contact standing_at(double delta_m) { return {.outside_m = 0, .inside_m = delta_m}; }
+
 /// A 6205 at the working set, time in units of 1 / omega_0.
 inline Physics example_physics() {
   Physics physics;
@@ -13,7 +16,7 @@ inline Physics example_physics() {
   physics.omega_0 = 1e4;
   physics.step = 1e4 / 12000;
   physics.damping = 0.01;
-  physics.deflection_m = {2e-6, 3e-6};
+  physics.contact = {standing_at(2e-6), standing_at(3e-6)};
   physics.acceleration_m_s2 = {3.0, 5.0};
   return physics;
 }

@@ -15,7 +15,8 @@ struct TaskOf {
   const char* name;
   TwinVariant variant;
   LossWeights loss_weights;
-  double max_gradient_norm;  ///< of which 0.01 clips
+  double max_gradient_norm;     ///< of which 0.01 clips
+  bool other_readings = false;  ///< of the paper than those that are the default
 };
 
 /// Training on known_windows().
@@ -27,9 +28,16 @@ inline TwinTask task_of(const TaskOf& c) {
   task.options.width = 24;
   task.options.loss_weights = c.loss_weights;
   task.options.max_gradient_norm = c.max_gradient_norm;
+  if (c.other_readings) {
+    task.options.positive = Positive::exponential;
+    task.options.squares = Squares::sum;
+    task.options.mmd = Mmd::root;
+    task.options.derivatives = Derivatives::spectral;
+    task.options.contact = ContactReading::passing;
+  }
   task.shape = {static_cast<std::int64_t>(known.length),
                 static_cast<std::int64_t>(known.info.classes.size())};
-  task.physics = make_physics(known.info, scale, task.options);
+  task.physics = make_physics(known.info, scale, task.shape.samples, task.options);
   task.windows = signal::scaled_windows(known, scale);
   task.labels = known.labels;
   if (c.variant.encoder) return task;

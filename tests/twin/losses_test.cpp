@@ -19,6 +19,8 @@ using Array = RowArray<double>;
 using Motion = BatchMotion<double>;
 using Loss = LossOf<double>;
 
+const Stencil central = stencil_of(Derivatives::central);
+
 Array random_array(const std::string& name, std::int64_t rows, std::int64_t columns) {
   Stream stream(name);
   Array array(rows, columns);
@@ -110,19 +112,48 @@ TEST(DifferentialLoss, VanishesForAMotionThatDiffersByDiscretisationOnly) {
       motion.velocity(i, t) = std::sin(angle) / omega;
     }
   }
-  EXPECT_LT(differential_loss<double>(motion, step).value, 1e-6);
+  EXPECT_LT(differential_loss<double>(motion, step, central).value, 1e-6);
   motion.displacement *= 1.1;
-  EXPECT_GT(differential_loss<double>(motion, step).value, 1e-3);
+  EXPECT_GT(differential_loss<double>(motion, step, central).value, 1e-3);
 }
 
 TEST(DifferentialLoss, HasTheGradientsOfFiniteDifferences) {
   constexpr double step = 0.8;
   Motion motion = random_motion(3, 8);
-  const Loss loss = differential_loss<double>(motion, step);
-  const auto value = [&] { return differential_loss<double>(motion, step).value; };
+  const Loss loss = differential_loss<double>(motion, step, central);
+  const auto value = [&] { return differential_loss<double>(motion, step, central).value; };
   expect_gradient(loss.by_displacement, motion.displacement, value);
   expect_gradient(loss.by_velocity, motion.velocity, value);
   expect_gradient(loss.by_acceleration, motion.acceleration, value);
+}
+
+TEST(DifferentialLoss,
+     HasTheGradientsOfFiniteDifferencesAlsoAsRootsAndSumsOverSpectralDerivatives) {
+  constexpr double step = 0.8;
+  constexpr LossReading reading{.squares = Squares::sum, .mmd = Mmd::root};
+  const Stencil spectral = stencil_of(Derivatives::spectral);
+  Motion motion = random_motion(3, 36);
+  const Loss loss = differential_loss<double>(motion, step, spectral, reading);
+  const auto value = [&] {
+    return differential_loss<double>(motion, step, spectral, reading).value;
+  };
+  expect_gradient(loss.by_displacement, motion.displacement, value);
+  expect_gradient(loss.by_velocity, motion.velocity, value);
+  expect_gradient(loss.by_acceleration, motion.acceleration, value);
+}
+
+TEST(ReconstructionLoss, IsASumOverSamplesAndARootWhereItIsReadSo) {
+  const Array x = random_array("x", 4, 8);
+  const Array a = random_array("a", 4, 8);
+  EXPECT_NEAR(reconstruction_loss<double>(x, a, {.squares = Squares::sum, .mmd = Mmd::root}).value,
+              (x - a).square().sum() / 4 + std::sqrt(mmd(x, a)), 1e-12);
+}
+
+TEST(ReconstructionLoss, OfEqualWindowsIsFlatAlsoAsARoot) {
+  const Array x = random_array("x", 2, 8);
+  const Loss loss = reconstruction_loss<double>(x, x, {.mmd = Mmd::root});
+  EXPECT_NEAR(loss.value, 0, 1e-5);
+  EXPECT_TRUE(loss.by_acceleration.isFinite().all());
 }
 
 TEST(TwinLoss, VanishesForAFreeDampedOscillation) {
@@ -154,7 +185,7 @@ TEST(TwinLoss, VanishesForAFreeDampedOscillation) {
 TEST(TwinLoss, ContactAddsItsTangentStiffnessForSmallMotion) {
   const Physics physics = example_physics();
   constexpr double k = 1.5;
-  const double s_0 = static_equilibrium_m(k * stiffness_scale_n_per_m, 2e-6, physics);
+  const double s_0 = static_equilibrium_m(k * stiffness_scale_n_per_m, standing_at(2e-6), physics);
   const double tangent =
       1.5 * physics.contact_n_per_m15 * std::sqrt(s_0 - 2e-6) / stiffness_scale_n_per_m;
   const Motion motion{Array::Constant(1, 4, 1e-3), Array::Zero(1, 4),
@@ -190,9 +221,34 @@ TEST(TwinLoss, HasTheGradientsOfFiniteDifferencesWhereBallsLiftOff) {
   expect_twin_loss_gradients(physics);
 }
 
+TEST(TwinLoss, HasTheGradientsOfFiniteDifferencesWhereTheDefectIsPassed) {
+  Physics physics = example_physics();
+  physics.acceleration_m_s2 = {300.0, 500.0};
+  physics.contact[0] = {
+      .outside_m = 2e-6, .inside_m = 4e-6, .at_rest = 0, .passing = {0, 0, 0.4, 1, 1, 0.1, 0, 0}};
+  physics.contact[1] = {.outside_m = 2e-6, .inside_m = 9e-6, .at_rest = 0.3};
+  expect_twin_loss_gradients(physics);
+}
+
+/// At rest and with no ball in the defect, the passage of one takes the contact's force away.
+TEST(TwinLoss, APassageIsAForceOnTheRing) {
+  Physics physics = example_physics();
+  physics.contact[0] = {.outside_m = 2e-6, .inside_m = 1, .at_rest = 0, .passing = {0, 0.25, 1, 0}};
+  constexpr double k = 1.5;
+  const double s_0 = static_equilibrium_m(k * stiffness_scale_n_per_m, physics.contact[0], physics);
+  const double force = physics.load_n - k * stiffness_scale_n_per_m * s_0;  // of the contact
+  ASSERT_GT(force, 0);
+  Array k_and_c(1, 2);
+  k_and_c << k, 5.0;
+  const Motion motion{Array::Zero(1, 4), Array::Zero(1, 4), Array::Zero(1, 4)};
+  const double of_full = force / (physics.mass_kg * physics.acceleration_m_s2[0]);
+  EXPECT_NEAR(twin_loss<double>(k_and_c, motion, std::vector<std::int32_t>{0}, physics).value,
+              of_full * of_full * (1 + 0.25 * 0.25) / 4, 1e-9 * of_full * of_full);
+}
+
 TEST(TwinLoss, GradientStaysFiniteWhereContactIsLost) {
   Physics physics = example_physics();
-  physics.deflection_m = {1.0, 1.0};  // deeper than the load can reach
+  physics.contact = {standing_at(1.0), standing_at(1.0)};  // deeper than the load can reach
   const Array one = Array::Ones(1, 4);
   Array k_and_c(1, 2);
   k_and_c << 1, 5;

@@ -70,5 +70,30 @@ TEST(TwinSpace, RefusesAnEmptyHistogram) {
   EXPECT_THROW(TwinSpace{artefact::Reader(path, "model")}, Error);
 }
 
+const std::vector<Label> labels_of_two{1, 1, 2, 2};
+
+ClassSpaces stored(const std::string& name, const std::vector<Label>& labels) {
+  const auto path = std::filesystem::path(testing::TempDir()) / name;
+  artefact::Writer writer("model");
+  TwinSpace(four_points, 3).write(writer);
+  if (!labels.empty()) write_labels_of_space(writer, labels);
+  writer.save(path, {});
+  return ClassSpaces(artefact::Reader(path, "model"));
+}
+
+TEST(ClassSpaces, AreOneForAllClassesWithoutLabels) {
+  const ClassSpaces spaces = stored("one_space.h5", {});
+  EXPECT_EQ(spaces.of(1).counts(), TwinSpace(four_points, 3).counts());
+  EXPECT_EQ(spaces.of(2).k_edges(), TwinSpace(four_points, 3).k_edges());
+}
+
+TEST(ClassSpaces, AreOfTheWindowsOfEachClassWithLabels) {
+  const ClassSpaces spaces = stored("class_spaces.h5", labels_of_two);
+  const TwinSpace own({four_points[2], four_points[3]}, 3);
+  EXPECT_EQ(spaces.of(2).counts(), own.counts());
+  EXPECT_EQ(spaces.of(2).k_edges(), own.k_edges());
+  EXPECT_EQ(spaces.of(2).points().size(), 2U);
+}
+
 }  // namespace
 }  // namespace piae::twin

@@ -41,6 +41,8 @@ class Backend final : public twin::TwinBackend {
   Backend(twin::TwinTask task, const Stream& initial, torch::Device device)
       : task_(std::move(task)),
         networks_(task_.variant, task_.shape, task_.options),
+        stencil_(twin::stencil_of(task_.options.derivatives)),
+        reading_{.squares = task_.options.squares, .mmd = task_.options.mmd},
         specs_(twin::with_log_weights(networks_.specs())),
         windows_(torch::tensor(task_.windows).view({-1, task_.shape.samples}).to(device)),
         labels_(torch::tensor(task_.labels, torch::kInt64).to(device)),
@@ -54,11 +56,11 @@ class Backend final : public twin::TwinBackend {
   }
 
   twin::BatchLosses step(twin::TrainingStage stage, std::span<const std::size_t> windows,
-                         double learning_rate) override {
+                         const twin::LearningRates& rates) override {
     const torch::Tensor batch =
         torch::tensor(std::vector<std::int64_t>(windows.begin(), windows.end()), labels_.options());
-    return stage == twin::TrainingStage::one ? step_stage_1(batch, learning_rate)
-                                             : step_stage_2(batch, learning_rate);
+    return stage == twin::TrainingStage::one ? step_stage_1(batch, rates)
+                                             : step_stage_2(batch, rates);
   }
 
   [[nodiscard]] const std::vector<nets::ParameterSpec>& specs() const override { return specs_; }
@@ -114,13 +116,14 @@ class Backend final : public twin::TwinBackend {
     const torch::Tensor one_hot = torch::one_hot(labels, task_.shape.classes).to(x.options());
     const States states = states_of(batch, x);
     const torch::Tensor a = networks_.decode(parameters_, states.decoder_input, one_hot);
-    if (!task_.variant.physics) return reconstruction_alone(reconstruction_loss(x, a));
+    if (!task_.variant.physics) return reconstruction_alone(reconstruction_loss(x, a, reading_));
     const Motion motion = networks_.move(parameters_, a);
     Losses losses;
-    losses.reconstruction = reconstruction_loss(x, a);
-    losses.differential = differential_loss(motion, a, task_.physics.step);
-    losses.twin = twin_loss(states.k_and_c, a, motion,
-                            batch_physics(task_.physics, labels, x.options()), task_.physics);
+    losses.reconstruction = reconstruction_loss(x, a, reading_);
+    losses.differential = differential_loss(motion, a, task_.physics.step, stencil_, reading_);
+    losses.twin =
+        twin_loss(states.k_and_c, a, motion, batch_physics(task_.physics, labels, x.options()),
+                  task_.physics, reading_);
     losses.total = total_of(losses);
     return losses;
   }
@@ -135,7 +138,7 @@ class Backend final : public twin::TwinBackend {
   }
 
   /// Eq. 24: each network follows the gradient of its own loss by its own parameters.
-  twin::BatchLosses step_stage_1(const torch::Tensor& batch, double learning_rate) {
+  twin::BatchLosses step_stage_1(const torch::Tensor& batch, const twin::LearningRates& rates) {
     const Losses losses = losses_of(batch);
     const auto follow = [&](const std::string& network, const torch::Tensor& loss) {
       parameters_.set_gradients(network,
@@ -148,24 +151,26 @@ class Backend final : public twin::TwinBackend {
       follow(twin::encoder_name + "/", task_.variant.physics ? losses.twin : losses.reconstruction);
     }
     if (task_.variant.physics) follow(twin::module_name + "/", losses.differential);
-    networks_adam_.step(learning_rate);
+    networks_adam_.step(rates.networks);
     return losses.values();
   }
 
   /// Eq. 25: all networks and the weights of the losses follow the total. Weights that are not
   /// learned have no gradient, so Adam leaves them as they are.
-  twin::BatchLosses step_stage_2(const torch::Tensor& batch, double learning_rate) {
+  twin::BatchLosses step_stage_2(const torch::Tensor& batch, const twin::LearningRates& rates) {
     parameters_.zero_gradients();
     const Losses losses = losses_of(batch);
     losses.total.backward();
     clip_norm(parameters_.gradients(), task_.options.max_gradient_norm);
-    networks_adam_.step(learning_rate);
-    weights_adam_.step(learning_rate);
+    networks_adam_.step(rates.networks);
+    weights_adam_.step(rates.loss_weights);
     return losses.values();
   }
 
   twin::TwinTask task_;
   Networks networks_;
+  twin::Stencil stencil_;
+  twin::LossReading reading_;
   std::vector<nets::ParameterSpec> specs_;
   torch::Tensor windows_;  // all known windows, [n, N]
   torch::Tensor labels_;   // [n]

@@ -16,30 +16,78 @@ torch::Tensor squared_distances(const torch::Tensor& rows) {
   return (squares.unsqueeze(0) + squares.unsqueeze(1) - 2 * products).clamp_min(0);
 }
 
-torch::Tensor mean_square(const torch::Tensor& x) { return x.square().mean(); }
+/// The squares of an error [batch, samples] as they are read.
+torch::Tensor squares_of(const torch::Tensor& error, twin::Squares squares) {
+  const torch::Tensor mean = error.square().mean();
+  return squares == twin::Squares::sum ? mean * static_cast<double>(error.size(1)) : mean;
+}
 
-/// The contact force in N at a compression s - delta in m.
-torch::Tensor contact_force(const torch::Tensor& compression, const twin::Physics& physics) {
-  return physics.contact_n_per_m15 * compression.clamp_min(0).pow(1.5);
+torch::Tensor mmd_of(const torch::Tensor& x, const torch::Tensor& y, twin::Mmd mmd) {
+  const torch::Tensor squared = batch_mmd(x, y);
+  return mmd == twin::Mmd::squared ? squared : squared.clamp_min(twin::mmd_least_squared).sqrt();
+}
+
+/// The derivative of signals [batch, N] at the samples that the taps reach, [batch, N - 2 reach].
+torch::Tensor derivative(const torch::Tensor& signals, const std::vector<double>& taps,
+                         double per_tap) {
+  const torch::Tensor kernel = torch::tensor(taps, torch::kFloat64).to(signals.options());
+  return torch::conv1d(signals.unsqueeze(1), kernel.view({1, 1, -1})).squeeze(1) * per_tap;
+}
+
+/// The contact force in N at a displacement s in m (twin/contact.hpp).
+torch::Tensor contact_force(const torch::Tensor& s, const torch::Tensor& w,
+                            const BatchPhysics& batch, const twin::Physics& physics) {
+  const auto power = [&](const torch::Tensor& delta) { return (s - delta).clamp_min(0).pow(1.5); };
+  return physics.contact_n_per_m15 * ((1 - w) * power(batch.outside) + w * power(batch.inside));
+}
+
+/// The numbers of a tensor [batch, 1].
+std::vector<double> numbers_of(const torch::Tensor& column) {
+  const torch::Tensor flat = column.detach().to(torch::kCPU, torch::kFloat64).contiguous();
+  return {flat.data_ptr<double>(), flat.data_ptr<double>() + flat.numel()};
 }
 
 /// The static equilibrium s_0 [batch, 1] in m. Newton's method finds its value without autograd.
 /// One further step, with a slope that autograd takes for constant, then gives it the exact
 /// derivative ds_0/dk = -s_0 / slope.
-torch::Tensor static_equilibrium(const torch::Tensor& stiffness, const torch::Tensor& deflection,
+torch::Tensor static_equilibrium(const torch::Tensor& stiffness, const BatchPhysics& batch,
                                  const twin::Physics& physics) {
-  const torch::Tensor k = stiffness.detach().to(torch::kCPU, torch::kFloat64).contiguous();
-  const torch::Tensor delta = deflection.to(torch::kCPU, torch::kFloat64).contiguous();
-  torch::Tensor root = torch::empty_like(k);
-  for (std::int64_t i = 0; i < k.numel(); ++i) {
-    root.data_ptr<double>()[i] =
-        twin::static_equilibrium_m(k.data_ptr<double>()[i], delta.data_ptr<double>()[i], physics);
+  const std::vector<double> k = numbers_of(stiffness);
+  const std::vector<double> outside = numbers_of(batch.outside);
+  const std::vector<double> inside = numbers_of(batch.inside);
+  const std::vector<double> at_rest = numbers_of(batch.at_rest);
+  std::vector<double> root;
+  for (std::size_t i = 0; i < k.size(); ++i) {
+    const twin::Contact contact{
+        .outside_m = outside[i], .inside_m = inside[i], .at_rest = at_rest[i]};
+    root.push_back(twin::static_equilibrium_m(k[i], contact, physics));
   }
-  const torch::Tensor s = root.to(stiffness.options().requires_grad(false));
-  const torch::Tensor compression = (s - deflection).clamp_min(0);
-  const torch::Tensor slope =
-      stiffness.detach() + 1.5 * physics.contact_n_per_m15 * compression.sqrt();
+  const torch::Tensor s = torch::tensor(root, torch::kFloat64)
+                              .view({-1, 1})
+                              .to(stiffness.options().requires_grad(false));
+  const auto part = [&](const torch::Tensor& delta) { return (s - delta).clamp_min(0).sqrt(); };
+  const torch::Tensor slope = stiffness.detach() + 1.5 * physics.contact_n_per_m15 *
+                                                       ((1 - batch.at_rest) * part(batch.outside) +
+                                                        batch.at_rest * part(batch.inside));
   return s - (stiffness - stiffness.detach()) * s / slope;
+}
+
+/// The w of every sample: [batch, N] where a class says it sample by sample, as `at_rest`
+/// otherwise.
+torch::Tensor passing_of(const twin::Physics& physics, const torch::Tensor& labels,
+                         const torch::Tensor& at_rest) {
+  std::size_t samples = 0;
+  for (const twin::Contact& contact : physics.contact) {
+    samples = std::max(samples, contact.passing.size());
+  }
+  if (samples == 0) return at_rest;
+  std::vector<torch::Tensor> rows;
+  for (const twin::Contact& contact : physics.contact) {
+    rows.push_back(torch::tensor(
+        contact.passing.empty() ? std::vector<double>(samples, contact.at_rest) : contact.passing,
+        torch::kFloat64));
+  }
+  return torch::stack(rows).to(at_rest.options()).index_select(0, labels);
 }
 
 }  // namespace
@@ -61,45 +109,54 @@ torch::Tensor batch_mmd(const torch::Tensor& x, const torch::Tensor& y) {
          2 * kernel.narrow(0, 0, n).narrow(1, n, m).mean();
 }
 
-torch::Tensor reconstruction_loss(const torch::Tensor& x, const torch::Tensor& a) {
-  return mean_square(x - a) + batch_mmd(x, a);
+torch::Tensor reconstruction_loss(const torch::Tensor& x, const torch::Tensor& a,
+                                  const twin::LossReading& reading) {
+  return squares_of(x - a, reading.squares) + mmd_of(x, a, reading.mmd);
 }
 
-torch::Tensor differential_loss(const Motion& motion, const torch::Tensor& a, double step) {
-  const std::int64_t inner = a.size(1) - 2;
-  const torch::Tensor& u = motion.displacement;
-  const torch::Tensor& v = motion.velocity;
-  const torch::Tensor a_inner = a.narrow(1, 1, inner);
-  const torch::Tensor second =
-      (u.narrow(1, 2, inner) - 2 * u.narrow(1, 1, inner) + u.narrow(1, 0, inner)) / (step * step);
-  const torch::Tensor first = (v.narrow(1, 2, inner) - v.narrow(1, 0, inner)) / (2 * step);
-  return mean_square(second - a_inner) + mean_square(first - a_inner) + batch_mmd(second, a_inner) +
-         batch_mmd(first, a_inner);
+torch::Tensor differential_loss(const Motion& motion, const torch::Tensor& a, double step,
+                                const twin::Stencil& stencil, const twin::LossReading& reading) {
+  const torch::Tensor inner = a.narrow(1, stencil.reach, a.size(1) - 2 * stencil.reach);
+  const torch::Tensor second = derivative(motion.displacement, stencil.second, 1 / (step * step));
+  const torch::Tensor first = derivative(motion.velocity, stencil.first, 1 / step);
+  return squares_of(second - inner, reading.squares) + squares_of(first - inner, reading.squares) +
+         mmd_of(second, inner, reading.mmd) + mmd_of(first, inner, reading.mmd);
 }
 
 BatchPhysics batch_physics(const twin::Physics& physics, const torch::Tensor& labels,
                            const torch::TensorOptions& type) {
-  const auto per_window = [&](const std::vector<double>& per_class) {
+  const auto per_window = [&](const auto& of_class) {
+    std::vector<double> per_class;
+    for (std::size_t label = 0; label < physics.contact.size(); ++label) {
+      per_class.push_back(of_class(label));
+    }
     return torch::tensor(per_class, torch::kFloat64).to(type).index_select(0, labels).unsqueeze(1);
   };
-  const torch::Tensor a_ref = per_window(physics.acceleration_m_s2);
-  return {.deflection = per_window(physics.deflection_m),
-          .displacement = a_ref / (physics.omega_0 * physics.omega_0),
-          .force = physics.mass_kg * a_ref};
+  const auto& contacts = physics.contact;
+  const torch::Tensor a_ref =
+      per_window([&](std::size_t label) { return physics.acceleration_m_s2[label]; });
+  BatchPhysics batch{
+      .outside = per_window([&](std::size_t label) { return contacts[label].outside_m; }),
+      .inside = per_window([&](std::size_t label) { return contacts[label].inside_m; }),
+      .at_rest = per_window([&](std::size_t label) { return contacts[label].at_rest; }),
+      .displacement = a_ref / (physics.omega_0 * physics.omega_0),
+      .force = physics.mass_kg * a_ref};
+  batch.passing = passing_of(physics, labels, batch.at_rest);
+  return batch;
 }
 
 torch::Tensor twin_loss(const torch::Tensor& k_and_c, const torch::Tensor& a, const Motion& motion,
-                        const BatchPhysics& batch, const twin::Physics& physics) {
+                        const BatchPhysics& batch, const twin::Physics& physics,
+                        const twin::LossReading& reading) {
   const torch::Tensor k = k_and_c.narrow(1, 0, 1);
   const torch::Tensor c = k_and_c.narrow(1, 1, 1);
-  const torch::Tensor s_0 =
-      static_equilibrium(k * twin::stiffness_scale_n_per_m, batch.deflection, physics);
-  const torch::Tensor compression = s_0 - batch.deflection;
-  const torch::Tensor contact =
-      (contact_force(compression + motion.displacement * batch.displacement, physics) -
-       contact_force(compression, physics)) /
-      batch.force;
-  return mean_square(a + physics.damping * c * motion.velocity + k * motion.displacement + contact);
+  const torch::Tensor s_0 = static_equilibrium(k * twin::stiffness_scale_n_per_m, batch, physics);
+  const torch::Tensor s = s_0 + motion.displacement * batch.displacement;
+  const torch::Tensor contact = (contact_force(s, batch.passing, batch, physics) -
+                                 contact_force(s_0, batch.at_rest, batch, physics)) /
+                                batch.force;
+  return squares_of(a + physics.damping * c * motion.velocity + k * motion.displacement + contact,
+                    reading.squares);
 }
 
 torch::Tensor weighted_loss(const torch::Tensor& differential, const torch::Tensor& twin,

@@ -3,6 +3,8 @@
 #include <torch/types.h>
 
 #include "libtorch/twin/networks.hpp"
+#include "twin/derivatives.hpp"
+#include "twin/losses.hpp"
 #include "twin/physics.hpp"
 
 namespace piae::libtorch {
@@ -14,16 +16,23 @@ namespace piae::libtorch {
 torch::Tensor batch_mmd(const torch::Tensor& x, const torch::Tensor& y);
 
 /// L_Rec, eq. 20: the mean squared error of the decoded acceleration a, plus the MMD of a and x.
-torch::Tensor reconstruction_loss(const torch::Tensor& x, const torch::Tensor& a);
+torch::Tensor reconstruction_loss(const torch::Tensor& x, const torch::Tensor& a,
+                                  const twin::LossReading& reading = {});
 
 /// L_DDL, eq. 21: the second derivative of the displacement and the first of the velocity against
-/// the acceleration, as mean squares and as MMD. Derivatives are central differences over the inner
-/// samples; `step` is the dimensionless time between two samples.
-torch::Tensor differential_loss(const Motion& motion, const torch::Tensor& a, double step);
+/// the acceleration, as squares and as MMD, at the samples that the stencil reaches. `step` is the
+/// dimensionless time between two samples.
+torch::Tensor differential_loss(const Motion& motion, const torch::Tensor& a, double step,
+                                const twin::Stencil& stencil,
+                                const twin::LossReading& reading = {});
 
-/// The constants that eq. 22 needs for each window of a batch, as tensors [batch, 1].
+/// The constants that eq. 22 needs for each window of a batch, as tensors [batch, 1] unless it says
+/// otherwise.
 struct BatchPhysics {
-  torch::Tensor deflection;    ///< delta of the window's class, m
+  torch::Tensor outside;       ///< delta while no ball is in the defect, m
+  torch::Tensor inside;        ///< delta while one is, m
+  torch::Tensor at_rest;       ///< the w of twin::Contact at the static equilibrium
+  torch::Tensor passing;       ///< w of each sample, [batch, N] or as at rest
   torch::Tensor displacement;  ///< u_ref = a_ref / omega_0^2, m
   torch::Tensor force;         ///< M * a_ref, N
 };
@@ -33,7 +42,8 @@ BatchPhysics batch_physics(const twin::Physics& physics, const torch::Tensor& la
 /// L_DT, eq. 22: the mean square of the dimensionless equation of motion (twin/physics.hpp) over
 /// the batch, for (k~, c~) [batch, 2]. Differentiable in k~ also through the static equilibrium.
 torch::Tensor twin_loss(const torch::Tensor& k_and_c, const torch::Tensor& a, const Motion& motion,
-                        const BatchPhysics& batch, const twin::Physics& physics);
+                        const BatchPhysics& batch, const twin::Physics& physics,
+                        const twin::LossReading& reading = {});
 
 /// alpha L_DDL + beta L_DT + gamma L_Rec for log_weights = (ln alpha, ln beta, ln gamma): eq. 23
 /// without its logarithms. Weights that are learned by it only shrink towards zero.

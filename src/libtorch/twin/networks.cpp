@@ -46,7 +46,8 @@ std::vector<nets::ParameterSpec> Networks::specs() const {
 }
 
 torch::Tensor Networks::encode(const ParameterSet& parameters, const torch::Tensor& x) const {
-  return torch::softplus(coder_->encode(parameters, x));
+  const torch::Tensor any = coder_->encode(parameters, x);
+  return options_.positive == twin::Positive::softplus ? torch::softplus(any) : any.exp();
 }
 
 torch::Tensor Networks::decode(const ParameterSet& parameters, const torch::Tensor& k_and_c,

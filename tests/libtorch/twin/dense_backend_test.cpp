@@ -19,6 +19,8 @@ std::vector<float> gradient_of(const TwinBackend& backend, const std::string& gr
                              "/adam/" + group);
 }
 
+constexpr LearningRates rates{.networks = 1e-3, .loss_weights = 2e-2};
+
 class DenseTwinBesideLibtorch : public testing::TestWithParam<TaskOf> {};
 
 // In single precision: LibTorch takes the distances of eq. 21's MMD from products, which leaves it
@@ -30,8 +32,8 @@ TEST_P(DenseTwinBesideLibtorch, StepsAsLibtorchDoes) {
     const auto mine = dense_engine(Device::cpu).train(task, Stream("initial"));
     const auto theirs = libtorch::twin_engine(Device::cpu).train(task, Stream("initial"));
     ASSERT_EQ(values_of(*mine), values_of(*theirs));
-    const BatchLosses own = mine->step(stage, batch, 1e-3);
-    const BatchLosses other = theirs->step(stage, batch, 1e-3);
+    const BatchLosses own = mine->step(stage, batch, rates);
+    const BatchLosses other = theirs->step(stage, batch, rates);
     EXPECT_NEAR(own.reconstruction, other.reconstruction, 1e-5 * other.reconstruction);
     EXPECT_NEAR(own.differential, other.differential, 1e-5 * other.differential);
     EXPECT_NEAR(own.twin, other.twin, 1e-4 * other.twin);
@@ -53,8 +55,8 @@ TEST_P(DenseTwinBesideLibtorch, FollowsLibtorchThroughBothStagesAndBatchesThatAr
     const auto mine = dense_engine(Device::cpu).train(task, Stream("initial"));
     const auto theirs = libtorch::twin_engine(Device::cpu).train(task, Stream("initial"));
     const auto step = [&](TrainingStage stage, const std::vector<std::size_t>& batch) {
-      const BatchLosses own = mine->step(stage, batch, 1e-3);
-      const BatchLosses other = theirs->step(stage, batch, 1e-3);
+      const BatchLosses own = mine->step(stage, batch, rates);
+      const BatchLosses other = theirs->step(stage, batch, rates);
       EXPECT_NEAR(own.reconstruction, other.reconstruction, 1e-3 * other.reconstruction);
       EXPECT_NEAR(own.total, other.total, 1e-3 * std::abs(other.total));
     };
@@ -84,6 +86,7 @@ INSTANTIATE_TEST_SUITE_P(
                     TaskOf{"FullClipped", full_model, LossWeights::adaptive, 0.01},
                     TaskOf{"FullFixed", full_model, LossWeights::fixed, 1e9},
                     TaskOf{"FullWithoutLog", full_model, LossWeights::adaptive_without_log, 1e9},
+                    TaskOf{"OtherReadings", full_model, LossWeights::adaptive, 1e9, true},
                     TaskOf{"WithoutPhysics", without_physics, LossWeights::adaptive, 0.01},
                     TaskOf{"WithoutEncoder", without_encoder, LossWeights::adaptive, 1e9}),
     [](const auto& info) { return info.param.name; });

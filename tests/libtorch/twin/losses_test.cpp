@@ -15,6 +15,8 @@ namespace {
 
 using twin::example_physics;
 
+const twin::Stencil central = twin::stencil_of(twin::Derivatives::central);
+
 torch::Tensor random_tensor(Stream& stream, std::int64_t rows, std::int64_t columns) {
   std::vector<double> values;
   for (std::int64_t i = 0; i < rows * columns; ++i) values.push_back(stream.normal(0, 1));
@@ -86,9 +88,9 @@ TEST(DifferentialLoss, VanishesForAMotionThatDiffersByDiscretisationOnly) {
   const torch::Tensor phase = torch::tensor({0.0, 1.0, 2.0}, torch::kFloat64).unsqueeze(1);
   const torch::Tensor a = torch::cos(omega * t + phase);
   const Motion motion{-a / (omega * omega), torch::sin(omega * t + phase) / omega};
-  EXPECT_LT(differential_loss(motion, a, step).item<double>(), 1e-6);
+  EXPECT_LT(differential_loss(motion, a, step, central).item<double>(), 1e-6);
   const Motion wrong{motion.displacement * 1.1, motion.velocity};
-  EXPECT_GT(differential_loss(wrong, a, step).item<double>(), 1e-3);
+  EXPECT_GT(differential_loss(wrong, a, step, central).item<double>(), 1e-3);
 }
 
 TEST(DifferentialLoss, GradientsEqualFiniteDifferences) {
@@ -99,19 +101,19 @@ TEST(DifferentialLoss, GradientsEqualFiniteDifferences) {
   const double h = 0.8;
   EXPECT_LT(gradient_error(
                 [&](const auto& t) {
-                  return differential_loss({t, v}, a, h);
+                  return differential_loss({t, v}, a, h, central);
                 },
                 u, 1e-5),
             1e-7);
   EXPECT_LT(gradient_error(
                 [&](const auto& t) {
-                  return differential_loss({u, t}, a, h);
+                  return differential_loss({u, t}, a, h, central);
                 },
                 v, 1e-5),
             1e-7);
   EXPECT_LT(gradient_error(
                 [&](const auto& t) {
-                  return differential_loss({u, v}, t, h);
+                  return differential_loss({u, v}, t, h, central);
                 },
                 a, 1e-5),
             1e-7);
@@ -141,7 +143,8 @@ TEST(TwinLoss, VanishesForAFreeDampedOscillation) {
 TEST(TwinLoss, ContactAddsItsTangentStiffnessForSmallMotion) {
   const twin::Physics physics = example_physics();
   const double k = 1.5;
-  const double s_0 = twin::static_equilibrium_m(k * twin::stiffness_scale_n_per_m, 2e-6, physics);
+  const double s_0 = twin::static_equilibrium_m(k * twin::stiffness_scale_n_per_m,
+                                                twin::standing_at(2e-6), physics);
   const double tangent =
       1.5 * physics.contact_n_per_m15 * std::sqrt(s_0 - 2e-6) / twin::stiffness_scale_n_per_m;
   const torch::Tensor u = torch::full({1, 4}, 1e-3, torch::kFloat64);
@@ -175,7 +178,8 @@ TEST(TwinLoss, GradientsEqualFiniteDifferences) {
 
 TEST(TwinLoss, GradientStaysFiniteWhereContactIsLost) {
   twin::Physics physics = example_physics();
-  physics.deflection_m = {1.0, 1.0};  // deeper than the load can reach
+  physics.contact = {twin::standing_at(1.0),
+                     twin::standing_at(1.0)};  // deeper than the load can reach
   const auto batch = batch_physics(physics, torch::tensor({0}, torch::kInt64), torch::kFloat64);
   const torch::Tensor k_and_c = torch::tensor({{1.0, 5.0}}, torch::kFloat64).requires_grad_();
   const torch::Tensor one = torch::ones({1, 4}, torch::kFloat64);

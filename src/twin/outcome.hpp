@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "artefact/reader.hpp"
+#include "twin/space.hpp"
+
+namespace piae::twin {
+
+/// A loss of eq. 23 at the end of a training, and its weight.
+struct WeightedLoss {
+  double loss = 0;    ///< mean over the batches of the last epoch
+  double weight = 0;  ///< after it
+  /// 1 at the stationary point of eq. 23, where the weight is 1 / (2 loss).
+  [[nodiscard]] double of_stationary() const { return 2 * weight * loss; }
+};
+
+/// What came of the training of a twin with the physics-informed module.
+struct Outcome {
+  WeightedLoss differential;       ///< L_DDL and alpha
+  WeightedLoss twin;               ///< L_DT and beta
+  WeightedLoss reconstruction;     ///< L_Rec and gamma
+  std::vector<TwinPoint> states;   ///< (k~, c~) of the known windows
+  std::int64_t open_contacts = 0;  ///< known windows whose contact is open at rest
+};
+
+/// Says in a model how many known windows have an open contact.
+void write_open_contacts(artefact::Writer& writer, std::int64_t count);
+
+/// Throws artefact::Refusal for a model without it: older ones, and those without the module.
+Outcome read_outcome(const artefact::Reader& model);
+
+}  // namespace piae::twin

@@ -1,0 +1,52 @@
+// Makes the tables of the readings of the paper from their cells.
+
+#include <spdlog/fmt/fmt.h>
+
+#include <iostream>
+
+#include "cli/progress.hpp"
+#include "cli/stage.hpp"
+#include "readings/measure.hpp"
+#include "readings/reading.hpp"
+#include "readings/tables.hpp"
+#include "text/file.hpp"
+
+using namespace piae;
+namespace fs = std::filesystem;
+
+int main(int argc, char** argv) {
+  cli::Stage stage(
+      "readings",
+      "Makes readings.csv and readings.md in RUN/DATASET from the cells of readings of the paper: "
+      "settings of piae-dt where its words leave a choice. For each: accuracy, also by the nearest "
+      "neighbour on spectra; the quality of the generated windows; losses, their weights and how "
+      "far these are from the stationary point of eq. 23; stiffness and damping, and against the "
+      "true ones where windows are simulated. The cells lie in seedK/readings/NAME.",
+      "readings --run results/readings --dataset cwru --readings batches=class "
+      "--ratios 10to1 1to1 --seeds 100 101");
+  readings::ReadingsOptions options;
+  fs::path run_folder;
+  bind(stage.options(), options);
+  stage.input_file("--run", run_folder, "Folder of the run, such as results/readings");
+
+  return stage.run(argc, argv, [&] {
+    const readings::Readings asked = readings::resolve(options);
+    const run::Layout layout(run_folder, asked.grid.dataset);
+    cli::Progress progress("readings", "readings", asked.readings.size());
+    std::vector<readings::Row> rows;
+    for (const readings::Reading& reading : asked.readings) {
+      std::vector<std::vector<readings::Measured>> by_seed;
+      for (const std::int64_t seed : asked.grid.seeds) {
+        by_seed.push_back(measure(layout, asked, reading, seed));
+      }
+      const auto own = rows_of(reading, by_seed);
+      rows.insert(rows.end(), own.begin(), own.end());
+      progress.update(static_cast<std::size_t>(&reading - asked.readings.data()) + 1, reading.name);
+    }
+    const std::string tables = report::markdown(document(asked, rows));
+    text::save_all({{layout.readings_csv(), csv(asked.grid.dataset, rows)},
+                    {layout.readings_markdown(), tables}});
+    std::cout << fmt::format("tabulated {} readings: {}\n", asked.readings.size(),
+                             layout.readings_markdown().string());
+  });
+}

@@ -1,0 +1,59 @@
+#include "diagnosis/nearest.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "support/errors.hpp"
+#include "support/three_classes.hpp"
+
+namespace piae::diagnosis {
+namespace {
+
+/// Windows that ring at a frequency of their class, each at an angle and a level of its own.
+signal::WindowSet ringing(const std::string& stream_name, int of_each, std::size_t length = 1024) {
+  Stream stream(stream_name);
+  signal::WindowSet windows;
+  windows.info = three_classes("example");
+  windows.length = length;
+  for (int label = 0; label < 3; ++label) {
+    for (int i = 0; i < of_each; ++i) {
+      const double phase = stream.uniform(0, 2 * std::numbers::pi);
+      const double level = stream.uniform(0.1, 10);
+      for (std::size_t t = 0; t < length; ++t) {
+        const double ring = std::sin((0.5 + 0.3 * label) * static_cast<double>(t) + phase);
+        windows.samples.push_back(static_cast<float>(level * (ring + stream.normal(0, 0.3)) + 5));
+      }
+      windows.labels.push_back(label);
+    }
+  }
+  return windows;
+}
+
+TEST(Nearest, TellsSpectraApartWhateverTheAngleAndTheLevel) {
+  const signal::WindowSet test = ringing("test", 20);
+  EXPECT_EQ(classify_by_nearest(ringing("training", 1), test), test.labels);
+}
+
+TEST(Nearest, OfAWindowThatIsAmongThemIsThatWindow) {
+  signal::WindowSet training = ringing("training", 4);
+  for (std::size_t i = 0; i < training.size(); ++i) training.labels[i] = static_cast<Label>(i % 3);
+  EXPECT_EQ(classify_by_nearest(training, training), training.labels);
+}
+
+TEST(Nearest, OfSilentWindowsIsFinite) {
+  signal::WindowSet silent = ringing("test", 1);
+  std::ranges::fill(silent.samples, 0.0F);
+  EXPECT_EQ(classify_by_nearest(ringing("training", 2), silent).size(), 3U);
+}
+
+TEST(Nearest, NeedsTwoBinsABandAndEqualLengths) {
+  EXPECT_ERROR(classify_by_nearest(ringing("a", 1, 255), ringing("b", 1, 255)), Exit::bad_input,
+               "windows of 255 and 255 samples");
+  EXPECT_ERROR(classify_by_nearest(ringing("a", 1, 512), ringing("b", 1, 256)), Exit::bad_input,
+               "equal lengths");
+}
+
+}  // namespace
+}  // namespace piae::diagnosis

@@ -1,0 +1,69 @@
+#include <gtest/gtest.h>
+
+#include "stages/tiny.hpp"
+
+/// The tables of readings of the paper, from cells that the other stages have made.
+namespace piae::stages {
+namespace {
+
+const Arguments readings{"--run", "run",      "--dataset", "tiny",    "--readings",
+                         "a=b",   "--ratios", "50to1",     "--seeds", "0"};
+
+/// The chain's own cell stands for the base, and for the other reading one of class batches.
+class ReadingsStage : public testing::Test {
+ protected:
+  void SetUp() override {
+    tiny_.run_chain_before("tabulate");
+    for (const std::string role : {"A", "B", "C", "D"}) {
+      fs::copy(tiny_ / (role + ".h5"), tiny_ / ("run/tiny/seed0/" + role + ".h5"));
+    }
+    for (const std::string name : {"base", "a-b"}) make_cell("run/tiny/seed0/readings/" + name);
+  }
+
+  void make_cell(const std::string& folder) const {
+    fs::create_directories(tiny_ / (folder + "/50to1"));
+    fs::copy(tiny_ / "model.h5", tiny_ / (folder + "/model.h5"));
+    fs::copy(tiny_ / "E.h5", tiny_ / (folder + "/E.h5"));
+    fs::copy(tiny_ / "run/tiny/seed0/piae-dt/score.h5", tiny_ / (folder + "/score.h5"));
+    fs::copy(tiny_ / "run/tiny/seed0/piae-dt/50to1/diagnosis.h5",
+             tiny_ / (folder + "/50to1/diagnosis.h5"));
+  }
+
+  const Tiny tiny_;
+};
+
+TEST_F(ReadingsStage, MakesTheTables) {
+  const Outcome outcome = tiny_.run("readings", readings);
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_EQ(outcome.out, "tabulated 2 readings: run/tiny/readings.md\n");
+  const std::string csv = bytes_of(tiny_ / "run/tiny/readings.csv");
+  for (const std::string row :
+       {"base,accuracy,50to1", "base,nearest,50to1", "a=b,mmd,", "a=b,L_DDL,",
+        "base,gamma_of_stationary,", "base,open_contacts,", "base,damping_spread,",
+        "base,stiffness_r2,", "a=b,damping_bias,"}) {
+    EXPECT_NE(csv.find("\ntiny," + row + ",1,"), std::string::npos) << row << '\n' << csv;
+  }
+}
+
+/// What the table says of the weights and losses is what the model says.
+TEST_F(ReadingsStage, TellsHowFarTheWeightsAreFromTheirStationaryPoint) {
+  ASSERT_EQ(tiny_.run("readings", readings).status, 0);
+  const std::string csv = bytes_of(tiny_ / "run/tiny/readings.csv");
+  const auto value = [&](const std::string& quantity) {
+    const std::string row = "\ntiny,base," + quantity + ",,1,";
+    return std::stod(csv.substr(csv.find(row) + row.size()));
+  };
+  EXPECT_NEAR(value("alpha_of_stationary"), 2 * value("alpha") * value("L_DDL"), 1e-4);
+  EXPECT_NEAR(value("beta_of_stationary"), 2 * value("beta") * value("L_DT"), 1e-4);
+  EXPECT_NEAR(value("gamma_of_stationary"), 2 * value("gamma") * value("L_Rec"), 1e-4);
+}
+
+TEST_F(ReadingsStage, NamesAMissingCell) {
+  fs::remove(tiny_ / "run/tiny/seed0/readings/a-b/E.h5");
+  expect_refusal(tiny_.run("readings", readings), "readings", 66,
+                 {"run/tiny/seed0/readings/a-b/E.h5"});
+  EXPECT_FALSE(fs::exists(tiny_ / "run/tiny/readings.csv"));
+}
+
+}  // namespace
+}  // namespace piae::stages
