@@ -188,8 +188,9 @@ constexpr Figure figures[] = {
     {.name = "fig08-loss-weights",
      .paper = "Fig. 8",
      .title = "Weights of the losses by epoch",
-     .caption = "The weights of eq. 23 for reconstruction (alpha), the differential data loss "
-                "(beta) and the twin's residual (gamma); faint lines are seeds.",
+     .caption =
+         "The weights of eq. 23 for the dimensionless differential loss (alpha), the digital "
+         "twin loss (beta) and the reconstruction loss (gamma); faint lines are seeds.",
      .from = "seed*/piae-dt/model.h5, /curves",
      .numbers = weight_curves},
 };

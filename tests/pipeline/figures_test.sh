@@ -147,6 +147,16 @@ test_figures_of_a_few_numbers_are_drawn_without_a_word() {
   done
 }
 
+# Eq. 23: alpha weighs L_DDL, beta L_DT, gamma L_Rec.
+test_the_weights_of_fig_8_name_their_losses() {
+  lay_out
+  printf '%s\n' seed,stage,epoch,curve,value mean,1,1,alpha,1 mean,1,1,beta,2 mean,1,1,gamma,3 >$drawn/fig08-loss-weights.csv
+  pipeline/figures/draw.sh $drawn/fig08-loss-weights.csv
+  expect_line "$(<$drawn/fig08-loss-weights.svg)" '>α, differential<'
+  expect_line "$(<$drawn/fig08-loss-weights.svg)" '>β, twin<'
+  expect_line "$(<$drawn/fig08-loss-weights.svg)" '>γ, reconstruction<'
+}
+
 test_the_script_that_contributing_shows_draws() {
   lay_out
   "$project/tests/contributing/lay_out.sh" "$project" shown
