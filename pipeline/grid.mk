@@ -164,7 +164,7 @@ left_out.$1 := $$(if $$(besides.$1),$$(call out_of_date,$2,$(PROTOCOL),cells))
 left_out.$1 := $$(call concerning,$2,$$(besides.$1),$$(left_out.$1))
 left_out.$1 := $$(if $$(or $(if $(looks),,all),$$(call up_to_date,$2,$$(besides.$1),$$(left_out.$1))),$$(left_out.$1))
 besides.$1  := $$(call up_to_date,$2,$$(besides.$1),$$(left_out.$1))
-options.tabulate.$1 := $$(words $(call cell_files,$1) $$(besides.$1)) cells
+options.tabulate.$1 := $$(words $(if $(looks),,$(call cell_files,$1)) $$(besides.$1)) cells
 endef
 $(foreach dataset,$(DATASETS),$(eval $(call find_besides,$(dataset),$(results)/$(dataset))))
 

@@ -4,6 +4,6 @@ set ylabel "percent"
 stats data using (strcol(1) eq "none" && strcol(5) eq "mean" ? $6 : 0) name "none" nooutput
 if (none_max > 0) {
   set arrow from graph 0, first none_max to graph 1, first none_max nohead dashtype 3 linecolor rgb 0x555555
-  set label "without generated windows" at graph 0.01, first none_max offset 0,0.6 textcolor rgb 0x555555
+  set label "none" at graph 1.01, first none_max left textcolor rgb 0x555555
 }
 load scripts.'/gains.gp'

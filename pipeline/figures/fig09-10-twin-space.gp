@@ -1,8 +1,8 @@
 # Figs 9 and 10: method,kind,class,k_n_per_m,c_ns_per_m,k_to_n_per_m,c_to_ns_per_m,windows. Each method has a
 # joint histogram, its marginals above and beside it, and the windows on it.
-# height: 1100
+# height: words(words_method) < 3 ? 560 : 1100
 columns   = words(words_method) < 2 ? 1 : 2
-rows      = words(words_method) < 3 ? 2 : panels(words(words_method), columns)
+rows      = panels(words(words_method), columns)
 simulated = strstrt(words_kind, "true")
 is(kind)  = strcol(1) eq m && strcol(2) eq kind
 is_bin(kind) = is(kind) && $8 > 0

@@ -51,6 +51,7 @@ bottom    = 0.075
 top       = 0.83
 row_of_name(name) = rows * (1 + (above - 0.012) / (top - bottom) * (4 - place(name, lines) - 0.3) / 3.0)
 
+unit_name = place("recordings", words_what) ? "units of the recordings" : "m/s²"
 tint(i)   = i == 1 ? 0x222222 : colour(1)
 behind    = 0xB0B0B0
 left(n)   = 0 + word("0.115 0.345 0.565 0.805", n)
@@ -73,7 +74,7 @@ set label 1 part.": real windows, and those that each method generated; in grey,
   at screen 0.02, 0.98 noenhanced
 
 n = 1
-eval heading(n, "a window", sprintf("a row is ±%g m/s²", loudest))
+eval heading(n, "a window", sprintf("a row is ±%g %s", loudest, unit_name))
 set lmargin at screen left(n)
 set rmargin at screen right(n)
 set xrange [0:time_max]

@@ -1,4 +1,4 @@
-# Gains or accuracies by ratio: method,ceiling,ratio,generated_per_class,seed,VALUE,low,high,published.
+# Gains or accuracies by ratio: method,ceiling,ratio,generated_per_class,seed,VALUE,low,high,published,published_of.
 # Loaded by scripts that have set a title. Methods stand side by side at each ratio; what the paper
 # publishes of a method is dashed, with a plus at each ratio, in its colour. Single seeds stand to the right of their mean.
 set key outside right center
@@ -29,7 +29,10 @@ tint(method)   = place(method, ceilings) ? ceiling_colour : colour(place(method,
 symbol(method) = mark(place(method, words_method))
 named(method)  = place(method, ceilings) ? method." (ceiling)" : method
 set xrange [0.5:words(words_ratio) + 0.5]
-set arrow from 0.5, 0 to words(words_ratio) + 0.5, 0 nohead linecolor rgb 0x333333 back
+is_gain = strstrt(data, "gains")
+if (is_gain) { set arrow from 0.5, 0 to words(words_ratio) + 0.5, 0 nohead linecolor rgb 0x333333 back }
+# Of recordings for which others stand in, the paper's name is said.
+of_whom = exists("words_published_of") ? " of ".words_published_of : ""
 plot for [m in words_method] data using (seed_x(m)):6 \
        with points pointtype 7 pointsize 0.3 linecolor rgb (0x40 << 24) + tint(m), \
      for [m in words_method] data using (mean_x(m)):6:(valid(7) ? $7 : $6):(valid(8) ? $8 : $6) \
@@ -37,4 +40,4 @@ plot for [m in words_method] data using (seed_x(m)):6 \
      for [m in published] data using (mean_x(m)):9 \
        with linespoints pointtype 1 pointsize 0.4 dashtype 2 linewidth 0.8 linecolor rgb tint(m), \
      keyentry with linespoints pointtype 1 pointsize 0.4 dashtype 2 linecolor rgb 0x555555 \
-       title (published eq "" ? "" : "as published")
+       title (published eq "" ? "" : "as published".of_whom)

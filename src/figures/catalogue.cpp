@@ -25,8 +25,10 @@ constexpr Figure figures[] = {
      .title = "What generated windows gain, by ratio",
      .caption =
          "Accuracy minus that of the same seed without generated windows, in points. Dots are "
-         "seeds, lines their mean, bars its 95 % interval; the dashed line is what the paper "
-         "publishes. The ceiling learns from real windows instead of generated ones. Below zero a "
+         "seeds, marks their mean, bars its 95 % interval; dashed is what the paper publishes of "
+         "the "
+         "data set that the key names. The ceiling learns from real windows instead of generated "
+         "ones. Below zero a "
          "method does harm.",
      .from = "seed*/<method>/<ratio>/diagnosis.h5, /predictions",
      .numbers = gains_of_methods},
@@ -42,7 +44,7 @@ constexpr Figure figures[] = {
      .title = "Accuracy by ratio",
      .caption = "Mean accuracy in percent over the seeds with its 95 % interval; dots are seeds. "
                 "The dotted line is the accuracy without generated windows; dashed is what "
-                "the paper publishes.",
+                "the paper publishes of the data set that the key names.",
      .from = "seed*/<method>/<ratio>/diagnosis.h5, /predictions",
      .numbers = accuracies},
     {.name = "paired-differences",
@@ -125,7 +127,8 @@ constexpr Figure figures[] = {
      .paper = "Figs 13 and 14",
      .title = "How good the generated windows are",
      .caption =
-         "MMD and RMSE as in the paper, where small is good, and beside them what does not reward "
+         "MMD (here its square) and RMSE as in the paper, where small is good, and beside them "
+         "what does not reward "
          "silence: an amplitude ratio of 1 and differences of 0 dB are those of real windows. A "
          "window of zeros has a small RMSE.",
      .from = "seed*/<method>/score.h5, /quality",
@@ -141,7 +144,8 @@ constexpr Figure figures[] = {
      .title = "The digital twin space",
      .caption =
          "Joint histogram of stiffness and damping over the known windows, from which new ones are "
-         "drawn; its marginals above and beside it. Rings are known windows, dots generated ones, "
+         "drawn (piae-dt-phase draws from one of each class); its marginals above and beside it. "
+         "Rings are known windows, dots generated ones, "
          "crosses the true values where windows are simulated.",
      .from = "seed<first>/<method>/model.h5, /twin_space; E.h5, /parameters",
      .numbers = twin_space},
@@ -151,7 +155,8 @@ constexpr Figure figures[] = {
      .caption =
          "One picture for each fault class, with all rows on the same axes. The window shown, of D "
          "where it is real and of E where a method made it, is the one whose RMS is the median of "
-         "its set. Both spectra are means of all windows of the class, in dB to 1 m/s^2; those of "
+         "its set. Both spectra are means of all windows of the class, in dB to 1 m/s^2 (where the "
+         "recordings do not tell their unit, to that); those of "
          "real windows stand in grey behind each. Lines are where a defect of the outer race "
          "(BPFO), the inner race (BPFI) or a rolling element (2 BSF) shows in the envelope, and "
          "its harmonics, at the nominal speed without slip; dotted ones lie a turn of the shaft "
@@ -188,8 +193,9 @@ constexpr Figure figures[] = {
     {.name = "fig08-loss-weights",
      .paper = "Fig. 8",
      .title = "Weights of the losses by epoch",
-     .caption = "The weights of eq. 23 for reconstruction (alpha), the differential data loss "
-                "(beta) and the twin's residual (gamma); faint lines are seeds.",
+     .caption =
+         "The weights of eq. 23 for the dimensionless differential loss (alpha), the digital "
+         "twin loss (beta) and the reconstruction loss (gamma); faint lines are seeds.",
      .from = "seed*/piae-dt/model.h5, /curves",
      .numbers = weight_curves},
 };

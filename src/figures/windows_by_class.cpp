@@ -75,6 +75,8 @@ class ClassRows {
 
   void lines(const DatasetInfo& info, signal::Defect own) {
     using signal::Defect;
+    add("unit", info.unit_m_per_s2 == 1 ? "recordings" : "m/s2", "", "",
+        [](const WindowView&) { return ""; });
     for (const Defect defect : {Defect::outer, Defect::inner, Defect::roller}) {
       const double line_hz = scoring::fault_line_hz(info, defect);
       const std::string name = name_of(defect);

@@ -12,6 +12,8 @@ namespace piae::figures {
 /// method. What x, y and the values of the methods are depends on the panel:
 ///   waveform     ms; values of the window shown in m/s^2, where `what` is the lowest or the
 ///                highest of some samples
+///   unit         what the values are in: `what` is m/s2, or recordings where that is not known (a
+///                unit of 1 may be m/s^2, or have been left out)
 ///   spectrum     Hz; mean amplitude of all windows in dB, to 1 m/s^2
 ///   envelope     Hz; the same of their envelopes
 ///   spectrogram  ms and Hz; amplitude of the window shown in dB, to 1 m/s^2

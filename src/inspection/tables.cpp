@@ -124,7 +124,7 @@ const char* const classes_note =
 std::string unit_name(double unit_m_per_s2) {
   constexpr double g = 9.80665;
   const auto is = [&](double other) { return std::abs(unit_m_per_s2 / other - 1) < 1e-3; };
-  if (is(1)) return "m/s²";
+  // A unit of 1 is m/s², or was left out because nobody knows it (pipeline/datasets/README.md).
   if (is(g)) return "g";
   if (is(g / 1000)) return "mg";
   return "units";

@@ -128,8 +128,8 @@ Table gains_of(const DatasetContents& contents, const report::PaperReference& re
       });
   table.below =
       "▲ helps, ▼ harms, ○ makes no clear difference: whether the interval lies on one side of "
-      "zero, or, of two seeds, which have none, whether both agree; of one seed nothing "
-      "follows. Seeds are paired, from the same artefacts as the accuracies.";
+      "zero. Of fewer than three seeds there is none, and nothing follows. Seeds are paired, from "
+      "the same artefacts as the accuracies.";
   return table;
 }
 

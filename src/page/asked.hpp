@@ -16,7 +16,7 @@ struct AskedCells {
   std::vector<std::string> methods = {};
   std::vector<std::string> ratios = {};
   std::vector<std::string> seeds = {};
-  /// What is out of date and not asked for, below the folder of the run: "cwru/seed1/smote".
+  /// What is out of date, below the folder of the run: "cwru/seed1/smote".
   std::vector<std::string> leave_out = {};
 
   /// What is left out of one data set, below its folder.

@@ -8,6 +8,7 @@
 #include "page/problems.hpp"
 #include "page/words.hpp"
 #include "report/document.hpp"
+#include "report/gaps.hpp"
 #include "report/labels.hpp"
 #include "report/paper_reference.hpp"
 #include "report/ratio_columns.hpp"
@@ -113,6 +114,10 @@ std::vector<std::string> lines_of_missing(const std::vector<DatasetContents>& da
 std::string report_text(const ReportContents& contents) {
   report::Document document{.key = "report", .title = "PIAE-DT on " + names_of(contents.datasets)};
   document.paragraphs.push_back(completeness(contents.datasets));
+  for (const DatasetContents& dataset : contents.datasets) {
+    const std::string left_out = report::left_out_line(dataset.results);
+    if (!left_out.empty()) document.paragraphs.push_back(dataset.name + ": " + left_out + ".");
+  }
   for (std::string& line : lines_of_missing(contents.datasets)) {
     document.paragraphs.push_back("- " + std::move(line));
   }

@@ -55,15 +55,18 @@ std::vector<AccuracyRow> largest_gains(const std::vector<AccuracyRow>& rows) {
   return gains;
 }
 
-/// One seed tells nothing, so that nothing is said but the numbers. `gains` are sorted.
-std::string of_one_seed(std::vector<AccuracyRow> gains, const AccuracyRow& baseline,
-                        const std::string& ceiling) {
+/// One or two seeds do not tell an effect from chance: nothing is said but the numbers. `gains` are
+/// sorted.
+std::string of_few_seeds(std::vector<AccuracyRow> gains, const AccuracyRow& baseline,
+                         const std::string& ceiling) {
   const std::int64_t generated = gains.front().generated_per_class;
+  const std::size_t seeds = baseline.values.size();
   std::erase_if(gains, [](const AccuracyRow& gain) { return augment::is_ceiling(gain.method); });
   return fmt::format(
       "With {} generated windows of each fault, and measured in points against the {:.1f} without "
-      "any, of one seed, from which nothing follows: {}{}.",
-      generated, baseline.summary.mean, with_points(gains, 1), ceiling);
+      "any: {}{}. {}, too few to tell an effect from chance.",
+      generated, baseline.summary.mean, with_points(gains, seeds), ceiling,
+      seeds == 1 ? "This is of one seed" : "These are of two seeds");
 }
 
 std::string who_helps(std::vector<AccuracyRow> gains, const AccuracyRow& baseline) {
@@ -80,7 +83,7 @@ std::string who_helps(std::vector<AccuracyRow> gains, const AccuracyRow& baselin
     }
   }
   const std::size_t seeds = baseline.values.size();
-  if (seeds == 1) return of_one_seed(gains, baseline, ceiling);
+  if (seeds < 3) return of_few_seeds(gains, baseline, ceiling);
   constexpr std::array said{"help", "make no clear difference", "harm"};
   std::vector<std::string> parts;
   for (std::size_t i = 0; i < said.size(); ++i) {
@@ -121,7 +124,7 @@ std::string against_real(const run::Results& results, const std::string& method)
 /// How the sentence about the paper's method begins: where it gains nothing, or less than half of
 /// what real windows would. Empty where it does well.
 std::string falls_short(const std::vector<AccuracyRow>& gains, const AccuracyRow& gain) {
-  const bool is_told = gain.values.size() > 1;
+  const bool is_told = gain.summary.interval.has_value();
   if (is_told && effect_of(gain) != Effect::helps) return "As published, " + gain.method;
   const auto ceiling = std::ranges::find_if(
       gains, [](const AccuracyRow& each) { return augment::is_ceiling(each.method); });
@@ -146,16 +149,9 @@ std::string why_it_falls_short(const run::Results& results, const std::vector<Ac
 }  // namespace
 
 Effect effect_of(const AccuracyRow& gain) {
-  const auto agree = [&](double sign) {
-    const auto& interval = gain.summary.interval;
-    if (interval) {
-      return sign > 0 ? interval->low > 0 : interval->high < 0;
-    }
-    return gain.values.size() > 1 &&
-           std::ranges::all_of(gain.values, [&](double value) { return sign * value > 0; });
-  };
-  if (agree(+1)) return Effect::helps;
-  return agree(-1) ? Effect::harms : Effect::no_clear_difference;
+  const auto& interval = gain.summary.interval;
+  if (interval && interval->low > 0) return Effect::helps;
+  return interval && interval->high < 0 ? Effect::harms : Effect::no_clear_difference;
 }
 
 std::vector<std::string> verdict(const run::Results& results,

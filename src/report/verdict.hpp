@@ -8,8 +8,8 @@
 
 namespace piae::report {
 
-/// What generated windows are worth. Where there is an interval of the mean, which is from three
-/// seeds on, it must lie on one side of zero; both of two seeds must agree. One seed tells nothing.
+/// What generated windows are worth: whether the interval of the mean lies on one side of zero. One
+/// or two seeds have none and tell nothing.
 enum class Effect { helps, no_clear_difference, harms };
 Effect effect_of(const AccuracyRow& gain);
 

@@ -117,7 +117,10 @@ bool Held::leaves_out(const fs::path& file) const {
 std::vector<std::int64_t> Held::seeds_with(
     const std::vector<std::int64_t>& asked,
     const std::function<fs::path(std::int64_t)>& file_of) const {
-  std::set<std::int64_t> chosen(asked.begin(), asked.end());
+  std::set<std::int64_t> chosen;
+  for (const std::int64_t seed : asked) {
+    if (!leaves_out(file_of(seed))) chosen.insert(seed);
+  }
   for (const std::int64_t seed : seeds_) {
     if (has(file_of(seed))) chosen.insert(seed);
   }
@@ -126,7 +129,7 @@ std::vector<std::int64_t> Held::seeds_with(
 
 void bind_leave_out(const cli::Options& command, std::vector<std::string>& leave_out) {
   command.add("--leave-out", leave_out,
-              "Files and folders of the dataset that are out of date and not asked for, such as "
+              "Files and folders of the dataset that are out of date, such as "
               "seed1/smote: tables and figures are made without them");
 }
 

@@ -31,8 +31,9 @@ class Held {
   /// The seeds that have a folder, ascending.
   [[nodiscard]] const std::vector<std::int64_t>& seeds() const { return seeds_; }
 
-  /// The seeds of a cell that tables are made of, ascending: those asked for, and all others of
-  /// which has() its file. `file_of` gives the path for a seed.
+  /// The seeds of a cell that tables are made of, ascending: those asked for, whether they are there
+  /// or not, and all others of which has() its file; none that leaves_out() its file. `file_of`
+  /// gives the path for a seed.
   [[nodiscard]] std::vector<std::int64_t> seeds_with(
       const std::vector<std::int64_t>& asked,
       const std::function<std::filesystem::path(std::int64_t)>& file_of) const;
@@ -59,7 +60,7 @@ struct Collected {
 };
 
 /// Reads the cells that are asked for, as collect() does, and with them all others that the folder
-/// holds. What must be left out and is not asked for is named in Results::left_out. Methods are in
+/// holds. What is left out is named in Results::left_out. Methods are in
 /// the order of the catalogue, so that the tables of the same cells are the same, whoever asked.
 Collected collect_held(const Layout& layout, const Grid& asked, const Held& held);
 

@@ -32,6 +32,18 @@ TEST_F(Gains, HaveAnIntervalFromThreeSeedsOn) {
   EXPECT_EQ(field(gains, "vae,0,10to1,45,mean", 7), "27.4207");
 }
 
+TEST_F(Gains, SayOfWhatThePublishedOnesAre) {
+  add_all();
+  folder_.write("table6-7-baseline.csv", "dataset,run1,average\ncwru,61.8,61.8\n");
+  folder_.write("table8-9-methods.csv", "dataset,method,2to1\ncwru,vae,91.2\n");
+  folder_.write("table10-11-ablation.csv", "dataset,model,2to1\ncwru,model1,93.7\n");
+  Source all{layout_, grid("none vae", "100to1 10to1 2to1"), report::Published(folder_.path())};
+  const Numbers gains = gains_of_methods(all);
+  EXPECT_EQ(field(gains, "vae,0,2to1,145,mean", 8), "29.4");
+  EXPECT_EQ(field(gains, "vae,0,2to1,145,mean", 9), "CWRU");
+  EXPECT_EQ(field(gains, "vae,0,10to1,45,mean", 9), "");
+}
+
 TEST_F(Gains, ShowACeilingAsOne) {
   add_baseline();
   add_method("vae");

@@ -147,6 +147,34 @@ test_figures_of_a_few_numbers_are_drawn_without_a_word() {
   done
 }
 
+# Eq. 23: alpha weighs L_DDL, beta L_DT, gamma L_Rec.
+test_the_weights_of_fig_8_name_their_losses() {
+  lay_out
+  printf '%s\n' seed,stage,epoch,curve,value mean,1,1,alpha,1 mean,1,1,beta,2 mean,1,1,gamma,3 >$drawn/fig08-loss-weights.csv
+  pipeline/figures/draw.sh $drawn/fig08-loss-weights.csv
+  expect_line "$(<$drawn/fig08-loss-weights.svg)" '>α, differential<'
+  expect_line "$(<$drawn/fig08-loss-weights.svg)" '>β, twin<'
+  expect_line "$(<$drawn/fig08-loss-weights.svg)" '>γ, reconstruction<'
+}
+
+# What others of the paper's recordings stand in for is named; a gain has a line at zero, an accuracy none.
+test_published_values_name_their_recordings() {
+  lay_out
+  {
+    echo method,ceiling,ratio,generated_per_class,seed,gain,low,high,published,published_of
+    echo vae,0,10to1,45,0,3,,,,
+    echo vae,0,10to1,45,mean,3,,,20,HFHP
+  } >$drawn/fig15-gains.csv
+  sed 's/gain,/accuracy,/; s/,3,/,63,/' $drawn/fig15-gains.csv >$drawn/accuracies.csv
+  local name
+  for name in fig15-gains accuracies; do
+    expect_equal "$(pipeline/figures/draw.sh $drawn/$name.csv 2>&1)" ""
+    expect_line "$(<$drawn/$name.svg)" '>as published of HFHP<'
+  done
+  expect_line "$(<$drawn/fig15-gains.svg)" "stroke='rgb\( 51,  51,  51\)'"
+  expect_no_line "$(<$drawn/accuracies.svg)" "stroke='rgb\( 51,  51,  51\)'"
+}
+
 test_the_script_that_contributing_shows_draws() {
   lay_out
   "$project/tests/contributing/lay_out.sh" "$project" shown

@@ -306,6 +306,18 @@ test_what_is_out_of_date_is_told_by_the_steps_that_would_make_it() {
   expect_equal "$(left_out real)" "seed0 seed1"
 }
 
+# With or without the words that the run was made with.
+test_looking_at_a_run_changes_nothing_of_it() {
+  finished_grid
+  local before
+  before=$(sha256sum results/t/.settings/*.toml)
+  make --silent figures report BIN=fake RUN=t >/dev/null
+  make --silent report BIN=fake RUN=t METHODS="none smote" SEEDS=0 DATASETS=real >/dev/null
+  expect_equal "$(sha256sum results/t/.settings/*.toml)" "$before"
+  grid >/dev/null
+  expect_equal "$(ran)" ""
+}
+
 # Whoever only looks at a run makes nothing again, but does not look at old numbers among new ones either.
 test_what_is_out_of_date_is_left_out_of_figures_and_report() {
   finished_grid

@@ -14,17 +14,23 @@ own_stage() {
 step() { pipeline/step.sh results/t/real/seed0 own "$@"; }
 
 test_says_in_one_line_what_was_done() {
-  own_stage <<<'echo many words; echo "own: 3 windows: results/t/real/seed0/A.h5"'
+  own_stage <<<'echo many words; echo "made: 3 windows: results/t/real/seed0/A.h5"'
   expect_line "$(step)" '^real/seed0 +own +[0-9]+\.[0-9] s  3 windows$'
   expect_equal "$(step | wc -l)" 1
 }
 
+# What goes to standard error takes another way into the log, and may come last.
+test_its_line_is_what_was_done_and_not_a_warning() {
+  own_stage <<<'echo "made 3 windows"; sleep 0.2; echo "own: one of them is silent" >&2'
+  expect_line "$(step 2>/dev/null)" '^real/seed0 +own +[0-9]+\.[0-9] s  made 3 windows$'
+}
+
 test_its_line_gives_the_result_in_100_columns() {
-  own_stage <<<'echo "own: 700 windows after training (smote, seed 1): accuracy 56 %: results/t/real/seed0/E.h5"'
+  own_stage <<<'echo "700 windows after training (smote, seed 1): accuracy 56 %: results/t/real/seed0/E.h5"'
   expect_line "$(step)" '^real/seed0 +own +[0-9]+\.[0-9] s  accuracy 56 %$'
   local long
   long=$(printf 'word %.0s' {1..40})
-  own_stage <<<"echo 'own  ###...   50 %  $long' >&2; echo 'own: $long' >&2; echo 'own: $long'"
+  own_stage <<<"echo 'own  ###...   50 %  $long' >&2; echo 'own: $long' >&2; echo '$long'"
   step >line 2>messages
   expect_line "$(<line)" '^real/seed0 +own +[0-9.]+ s  word.*\.\.\.$'
   expect_equal "$(awk '{ print length }' line)" 100

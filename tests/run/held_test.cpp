@@ -102,11 +102,13 @@ TEST_F(HeldCells, ThatAreOutOfDateAreLeftOutByName) {
   EXPECT_THAT(collected(part_, {"seed1/va", "seed"}).results.left_out, IsEmpty());
 }
 
-TEST_F(HeldCells, ThatAreAskedForAreNeverLeftOut) {
+/// A report asks for all that the run has begun.
+TEST_F(HeldCells, ThatAreAskedForAreLeftOutAsWell) {
   add_all();
   const Results results = collected(grid_, {"seed0", "seed1/vae"}).results;
-  EXPECT_EQ(results.diagnoses.size(), 6U);
-  EXPECT_THAT(results.left_out, IsEmpty());
+  EXPECT_THAT(names(results), ElementsAre("none 100to1 1"));
+  EXPECT_THAT(results.problems, IsEmpty());
+  EXPECT_EQ(results.left_out.size(), 7U);  // none and twice vae, twice vae, two scores
 }
 
 TEST_F(HeldCells, OfSeedsThatAreAllLeftOutLeaveNoTrace) {
