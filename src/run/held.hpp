@@ -31,9 +31,9 @@ class Held {
   /// The seeds that have a folder, ascending.
   [[nodiscard]] const std::vector<std::int64_t>& seeds() const { return seeds_; }
 
-  /// The seeds of a cell that tables are made of, ascending: those asked for, whether they are there
-  /// or not, and all others of which has() its file; none that leaves_out() its file. `file_of`
-  /// gives the path for a seed.
+  /// The seeds of a cell that tables are made of, ascending: those asked for, whether they are
+  /// there or not, and all others of which has() its file; none that leaves_out() its file.
+  /// `file_of` gives the path for a seed.
   [[nodiscard]] std::vector<std::int64_t> seeds_with(
       const std::vector<std::int64_t>& asked,
       const std::function<std::filesystem::path(std::int64_t)>& file_of) const;
