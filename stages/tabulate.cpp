@@ -10,6 +10,7 @@
 #include "report/quality_table.hpp"
 #include "report/summary.hpp"
 #include "report/tables.hpp"
+#include "report/twin_table.hpp"
 #include "run/held.hpp"
 #include "text/file.hpp"
 
@@ -51,7 +52,8 @@ int main(int argc, char** argv) {
     const run::Grid asked = run::resolve(options);
     const report::Published published(published_folder);
     const run::Layout layout(run_folder, asked.dataset);
-    auto [grid, results] = run::collect_held(layout, asked, run::Held(layout, leave_out));
+    const run::Held held(layout, leave_out);
+    auto [grid, results] = run::collect_held(layout, asked, held);
     run::refuse_outdated(outdated, results);
     run::require_all(results);
     const std::string left_out = report::left_out_line(results);
@@ -61,7 +63,8 @@ int main(int argc, char** argv) {
     const report::Comparisons comparisons = report::compare_methods(rows, against);
     const report::RankTable ranks = report::rank_methods(rows);
     const report::Document tables =
-        report::tables(grid, results, rows, published, comparisons, ranks);
+        report::tables(grid, results, rows, published, comparisons, ranks,
+                       report::twin_sections(layout, grid, held));
     text::save_all({{layout.accuracy_csv(), report::accuracy_csv(rows)},
                     {layout.gains_csv(), report::accuracy_csv(report::gain_rows(rows))},
                     {layout.quality_csv(), report::quality_csv(grid, results)},

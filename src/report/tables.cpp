@@ -40,7 +40,8 @@ std::string how_to_read(const run::Grid& grid, const std::string& protocol) {
 
 Document tables(const run::Grid& grid, const run::Results& results,
                 const std::vector<AccuracyRow>& rows, const Published& published,
-                const Comparisons& comparisons, const RankTable& ranks) {
+                const Comparisons& comparisons, const RankTable& ranks,
+                const std::vector<Section>& twins) {
   const auto beside = PaperReference(grid.dataset).beside();
   const bool stands_in = beside && !beside->own;
   Document document{.key = grid.dataset, .title = "Results on " + grid.dataset};
@@ -52,7 +53,7 @@ Document tables(const run::Grid& grid, const run::Results& results,
   std::ranges::move(gap_paragraphs(grid, results), std::back_inserter(document.paragraphs));
   for (std::vector<Section> sections :
        {accuracy_sections(rows, published), comparison_sections(comparisons), rank_sections(ranks),
-        quality_sections(grid, results)}) {
+        quality_sections(grid, results), twins}) {
     std::ranges::move(sections, std::back_inserter(document.sections));
   }
   return document;

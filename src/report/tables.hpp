@@ -11,9 +11,10 @@ namespace piae::report {
 
 /// All tables of a dataset: accuracies and gains, beside what the paper publishes of this dataset
 /// or of its counterpart; comparisons, ranks and quality. `rows`, at least one, were made from
-/// `results`; `comparisons` and `ranks` were made from `rows`.
+/// `results`; `comparisons` and `ranks` were made from `rows`. `twins` come last (twin_table.hpp).
 Document tables(const run::Grid& grid, const run::Results& results,
                 const std::vector<AccuracyRow>& rows, const Published& published,
-                const Comparisons& comparisons, const RankTable& ranks);
+                const Comparisons& comparisons, const RankTable& ranks,
+                const std::vector<Section>& twins = {});
 
 }  // namespace piae::report

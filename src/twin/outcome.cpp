@@ -21,6 +21,10 @@ void write_open_contacts(artefact::Writer& writer, std::int64_t count) {
   writer.attribute(group, attribute, count);
 }
 
+bool has_outcome(const artefact::Reader& model) {
+  return model.has(group) && model.has_attribute(group, attribute);
+}
+
 Outcome read_outcome(const artefact::Reader& model) {
   Curves curves;
   curves.read(model);

@@ -28,6 +28,9 @@ struct Outcome {
 /// Says in a model how many known windows have an open contact.
 void write_open_contacts(artefact::Writer& writer, std::int64_t count);
 
+/// Whether a model has such an outcome: not where it is older, or has no physics-informed module.
+bool has_outcome(const artefact::Reader& model);
+
 /// Throws artefact::Refusal for a model without it: older ones, and those without the module.
 Outcome read_outcome(const artefact::Reader& model);
 

@@ -57,5 +57,21 @@ TEST(TablesOfAPart, NeedWhatIsAskedFor) {
   EXPECT_EQ(tables_of(tiny), of_the_whole);
 }
 
+/// Models are no cells: a run that was copied without them has all tables but this one.
+TEST(Tabulate, SaysHowTheTrainingsOfTheTwinsEndedWhereTheRunHoldsModels) {
+  const Tiny tiny;
+  tiny.run_chain_before("tabulate");
+  const auto tables = [&] {
+    const Outcome outcome = tiny.run("tabulate", step_of("tabulate").arguments);
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    return bytes_of(tiny / "run/tiny/tables.md");
+  };
+  EXPECT_EQ(tables().find("trainings of the twins"), std::string::npos);
+  fs::copy(tiny / "model.h5", tiny / "run/tiny/seed0/piae-dt/model.h5");
+  const std::string text = tables();
+  EXPECT_NE(text.find("## How the trainings of the twins ended on tiny"), std::string::npos);
+  EXPECT_NE(text.find("2γL"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace piae::stages
