@@ -61,8 +61,7 @@ class CellsOfSeeds {
   template <class FileOf>
   std::vector<std::int64_t> chosen(bool needed, const Grid& asked, const Combination& cell,
                                    const FileOf& file_of) {
-    const auto seeds =
-        held_.seeds_with(needed ? asked.seeds : std::vector<std::int64_t>{}, file_of);
+    auto seeds = held_.seeds_with(needed ? asked.seeds : std::vector<std::int64_t>{}, file_of);
     for (const std::int64_t seed : held_.seeds()) {
       if (held_.leaves_out(file_of(seed)) && std::ranges::count(seeds, seed) == 0) {
         into_.results.left_out.push_back({cell.method, cell.ratio, seed});
