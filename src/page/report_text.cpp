@@ -123,7 +123,7 @@ std::string report_text(const ReportContents& contents) {
   }
   std::string what;
   for (const auto& [word, said] : facts_of(contents.datasets)) {
-    if (word != "What") what += (what.empty() ? "" : " ") + word + ": " + said + ".";
+    if (word != "What") what += fmt::format("{}{}: {}.", what.empty() ? "" : " ", word, said);
   }
   document.paragraphs.push_back(what);
   for (const DatasetContents& dataset : contents.datasets) {

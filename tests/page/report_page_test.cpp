@@ -319,6 +319,7 @@ TEST_F(ReportPage, SettingsHaveTheCommentsOfTheProtocol) {
   write(".settings/split.toml", "# Made from x\n# Options given by make: --protocol random\n");
   const auto settings = read().settings;
   std::vector<std::string> lines;
+  lines.reserve(settings.size());
   for (const Setting& each : settings) {
     lines.push_back(each.file + "|" + each.option + "|" + each.value + "|" + each.source);
   }
