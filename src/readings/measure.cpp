@@ -12,6 +12,7 @@
 #include "run/cell.hpp"
 #include "scoring/identifiability.hpp"
 #include "scoring/ratios.hpp"
+#include "scoring/statistics.hpp"
 #include "signal/roles.hpp"
 #include "twin/outcome.hpp"
 #include "twin/physics.hpp"

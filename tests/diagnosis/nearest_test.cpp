@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/random.hpp"
 #include "support/errors.hpp"
 #include "support/three_classes.hpp"
 

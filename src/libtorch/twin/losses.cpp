@@ -135,14 +135,14 @@ BatchPhysics batch_physics(const twin::Physics& physics, const torch::Tensor& la
   const auto& contacts = physics.contact;
   const torch::Tensor a_ref =
       per_window([&](std::size_t label) { return physics.acceleration_m_s2[label]; });
-  BatchPhysics batch{
-      .outside = per_window([&](std::size_t label) { return contacts[label].outside_m; }),
-      .inside = per_window([&](std::size_t label) { return contacts[label].inside_m; }),
-      .at_rest = per_window([&](std::size_t label) { return contacts[label].at_rest; }),
-      .displacement = a_ref / (physics.omega_0 * physics.omega_0),
-      .force = physics.mass_kg * a_ref};
-  batch.passing = passing_of(physics, labels, batch.at_rest);
-  return batch;
+  const torch::Tensor at_rest =
+      per_window([&](std::size_t label) { return contacts[label].at_rest; });
+  return {.outside = per_window([&](std::size_t label) { return contacts[label].outside_m; }),
+          .inside = per_window([&](std::size_t label) { return contacts[label].inside_m; }),
+          .at_rest = at_rest,
+          .passing = passing_of(physics, labels, at_rest),
+          .displacement = a_ref / (physics.omega_0 * physics.omega_0),
+          .force = physics.mass_kg * a_ref};
 }
 
 torch::Tensor twin_loss(const torch::Tensor& k_and_c, const torch::Tensor& a, const Motion& motion,
