@@ -19,13 +19,6 @@ struct Comparison {
   std::vector<std::string> fields;
 };
 
-/// The least p that Holm's correction can leave: the smallest of the family is multiplied by its
-/// size, and no other is corrected to less than that one.
-double least_p_of(const PairedRow& row, const std::vector<PairedRow>& all) {
-  const auto family = static_cast<double>(std::ranges::count(all, row.ratio, &PairedRow::ratio));
-  return std::min(1.0, family * scoring::smallest_p(row.paired.difference.count));
-}
-
 void add_mean(Numbers& numbers, const Comparison& comparison, double least_p) {
   const PairedRow& row = comparison.paired;
   const std::vector<std::string> interval = shown_interval(row.paired.difference);
@@ -33,7 +26,8 @@ void add_mean(Numbers& numbers, const Comparison& comparison, double least_p) {
   fields.insert(fields.end(),
                 {"mean", digits(row.paired.difference.mean), interval[0], interval[1]});
   if (row.paired.p) {
-    fields.insert(fields.end(), {digits(*row.paired.p), digits(*row.p_holm), digits(least_p)});
+    fields.insert(fields.end(), {digits(*row.paired.p), row.p_holm ? digits(*row.p_holm) : "",
+                                 digits(least_p)});
   } else {
     fields.insert(fields.end(), {"", "", ""});
   }
@@ -65,7 +59,7 @@ Numbers paired_differences(Source& source) {
     const std::string ceiling = augment::is_ceiling(paired.method) ? "1" : "0";
     const Comparison comparison{paired, {paired.method, ceiling, paired.ratio, against}};
     add_seeds(numbers, comparison);
-    add_mean(numbers, comparison, least_p_of(paired, comparisons.rows));
+    add_mean(numbers, comparison, report::least_p_of(paired, comparisons.rows));
   }
   return numbers;
 }

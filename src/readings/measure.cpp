@@ -85,16 +85,18 @@ void add_loss(const std::string& loss, const std::string& weight, const twin::We
   all.push_back({weight + "_of_stationary", "", at_end.of_stationary()});
 }
 
-/// Mean, and the standard deviation as a part of it.
-void add_spread(const std::string& quantity, const std::vector<double>& values, All& all) {
+/// Mean, the standard deviation as a part of it, and how much of the variance is between classes.
+void add_spread(const std::string& quantity, const std::vector<double>& values,
+                const std::vector<Label>& labels, All& all) {
   const scoring::Summary summary = scoring::summarise(values);
   all.push_back({quantity, "", summary.mean});
   if (summary.deviation) {
     all.push_back({quantity + "_spread", "", *summary.deviation / summary.mean});
   }
+  all.push_back({quantity + "_between_classes", "", scoring::share_between_classes(values, labels)});
 }
 
-void add_outcome(const artefact::Reader& model, All& all) {
+void add_outcome(const Cell& cell, const artefact::Reader& model, All& all) {
   constexpr double least_damping_ns_per_m = 10;  // paper 3.3.1: "from 10 to 10^4 N s/m"
   const twin::Outcome outcome = twin::read_outcome(model);
   add_loss("L_DDL", "alpha", outcome.differential, all);
@@ -113,8 +115,9 @@ void add_outcome(const artefact::Reader& model, All& all) {
   all.push_back({"low_damping", "", percent(std::ranges::count_if(damping, [](double c) {
                    return c < least_damping_ns_per_m;
                  }))});
-  add_spread("stiffness", stiffness, all);
-  add_spread("damping", damping, all);
+  const std::vector<Label> labels = signal::read_window_set(cell.windows("C")).labels;
+  add_spread("stiffness", stiffness, labels, all);
+  add_spread("damping", damping, labels, all);
 }
 
 /// Where the truth is known.
@@ -149,7 +152,7 @@ std::vector<Measured> measure(const run::Layout& layout, const Readings& reading
   All all;
   add_accuracies(cell, readings.grid, all);
   add_quality(cell, readings.grid.dataset, all);
-  add_outcome(model, all);
+  add_outcome(cell, model, all);
   add_agreement(cell, model, all);
   return all;
 }

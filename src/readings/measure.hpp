@@ -29,6 +29,8 @@ struct Measured {
 ///   stiffness, damping       mean over the known windows, N/m and N s/m
 ///   stiffness_spread, damping_spread   standard deviation over the known windows, divided by that
 ///                            mean
+///   stiffness_between_classes, damping_between_classes   the part of the variance that lies
+///                            between the classes (scoring/statistics.hpp)
 ///   stiffness_r2, stiffness_bias, damping_r2, damping_bias   against the true ones of D, where
 ///   they
 ///                            are known (scoring/identifiability.hpp)

@@ -23,11 +23,17 @@ using Cells = std::vector<std::string>;
 constexpr NumberStyle difference_style{.decimals = 2, .sign = true};
 
 bool is_tested(const PairedRow& row) { return row.paired.p.has_value(); }
+/// Whether a row is one of the tests that are corrected together: a ceiling is no method, so no
+/// question is asked of it.
+bool is_in_a_family(const PairedRow& row) {
+  return is_tested(row) && !augment::is_ceiling(row.method);
+}
 bool has_an_interval(const PairedRow& row) { return row.paired.difference.interval.has_value(); }
 
 std::string p_label(const PairedRow& row) {
   if (!is_tested(row)) return no_number;
-  return fmt::format("{:.3g} ({:.3g}){}", *row.paired.p, *row.p_holm,
+  const std::string corrected = row.p_holm ? fmt::format(" ({:.3g})", *row.p_holm) : "";
+  return fmt::format("{:.3g}{}{}", *row.paired.p, corrected,
                      row.p_can_be_small ? "" : std::string(" ") + mark_of_large_p);
 }
 
@@ -40,10 +46,12 @@ std::string ratio_label_of(const AccuracyRow& row) {
                                      : ratio_label(row.ratio, row.true_ratio);
 }
 
-/// How many rows of the same ratio are tested.
+/// How many tests a row is corrected with, itself included.
 std::size_t family_of(const PairedRow& row, const std::vector<PairedRow>& rows) {
-  return static_cast<std::size_t>(std::ranges::count_if(
-      rows, [&](const PairedRow& each) { return each.ratio == row.ratio && is_tested(each); }));
+  if (!is_in_a_family(row)) return 1;
+  return static_cast<std::size_t>(std::ranges::count_if(rows, [&](const PairedRow& each) {
+    return each.ratio == row.ratio && is_in_a_family(each);
+  }));
 }
 
 /// The smallest p that these many seeds can give, after Holm's correction for so many tests.
@@ -109,17 +117,22 @@ void add_holm_p(std::vector<PairedRow>& rows) {
     std::vector<PairedRow*> family;
     std::vector<double> p;
     for (PairedRow& row : rows) {
-      if (row.ratio != ratio || !row.paired.p) continue;
+      if (row.ratio != ratio || !is_in_a_family(row)) continue;
       family.push_back(&row);
       p.push_back(*row.paired.p);
     }
     const std::vector<double> corrected = scoring::holm(p);
     for (std::size_t i = 0; i < family.size(); ++i) {
-      const std::size_t seeds = family[i]->paired.difference.count;
       family[i]->p_holm = corrected[i];
-      family[i]->p_can_be_small = smallest_corrected_p(seeds, family.size()) <= significance_level;
     }
   }
+  for (PairedRow& row : rows) {
+    row.p_can_be_small = !is_tested(row) || least_p_of(row, rows) <= significance_level;
+  }
+}
+
+double least_p_of(const PairedRow& row, const std::vector<PairedRow>& rows) {
+  return smallest_corrected_p(row.paired.difference.count, family_of(row, rows));
 }
 
 Cells paired_header() {
@@ -132,7 +145,7 @@ Cells paired_fields(const PairedRow& row) {
   std::ranges::move(interval_fields(difference), std::back_inserter(fields));
   const Cells test = is_tested(row) ? Cells{four_decimals(row.paired.rank_biserial),
                                             fmt::format("{:.6g}", *row.paired.p),
-                                            fmt::format("{:.6g}", *row.p_holm)}
+                                            row.p_holm ? fmt::format("{:.6g}", *row.p_holm) : ""}
                                     : Cells{"", "", ""};
   fields.insert(fields.end(), test.begin(), test.end());
   return fields;
@@ -188,7 +201,7 @@ std::string paired_note(const std::vector<PairedRow>& rows) {
          "positive, "
          "-1 where every one is negative. p: Wilcoxon's signed-rank test, two-sided and exact, "
          "differences of zero left out; in brackets with Holm's correction over the methods at the "
-         "same ratio. The mean of ratios is taken for each seed, since ratios of one seed share "
+         "same ratio, of which a ceiling is none. The mean of ratios is taken for each seed, since ratios of one seed share "
          "their split and are no independent repeats." +
          warning_of_few_seeds(rows);
 }

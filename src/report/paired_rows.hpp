@@ -30,13 +30,18 @@ struct PairedRow {
 /// common.
 std::optional<PairedRow> paired_row(const AccuracyRow& row, const AccuracyRow& other);
 
-/// Sets p_holm of all rows that have a p. The methods that are compared at the same ratio are one
-/// family of tests, and those that are compared in the mean of the ratios another.
+/// Sets p_holm of all methods that have a p. Those that are compared at the same ratio are one
+/// family of tests, and those that are compared in the mean of the ratios another. A ceiling
+/// (augment/catalogue.hpp) is no method: it is in no family and has no p_holm.
 void add_holm_p(std::vector<PairedRow>& rows);
 
+/// The least p that so many seeds can give a row: Holm's correction multiplies the smallest of a
+/// family by its size, and corrects no other to less than that one.
+double least_p_of(const PairedRow& row, const std::vector<PairedRow>& rows);
+
 /// Fields of a CSV file: seeds,mean_difference,ci95_low,ci95_high,rank_biserial,p,p_holm. All but
-/// the first two are empty for a single seed, and the interval for fewer than three
-/// (report/bounded_summary.hpp).
+/// the first two are empty for a single seed, the interval for fewer than three
+/// (report/bounded_summary.hpp), and p_holm for a ceiling.
 std::vector<std::string> paired_header();
 std::vector<std::string> paired_fields(const PairedRow& row);
 

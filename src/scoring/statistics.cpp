@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
 #include <stdexcept>
 
@@ -38,6 +39,30 @@ double median(std::vector<double> values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::nth_element(values.begin(), middle, values.end());
   return *middle;
+}
+
+double share_between_classes(std::span<const double> values, std::span<const Label> labels) {
+  struct Sum {
+    double sum = 0;
+    double count = 0;
+  };
+  std::map<Label, Sum> classes;
+  Sum all;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    for (Sum* const each : {&classes[labels[i]], &all}) {
+      each->sum += values[i];
+      each->count += 1;
+    }
+  }
+  const double mean = all.sum / all.count;
+  double total = 0;
+  for (const double value : values) total += (value - mean) * (value - mean);
+  double between = 0;
+  for (const auto& [label, own] : classes) {
+    const double away = own.sum / own.count - mean;
+    between += own.count * away * away;
+  }
+  return total > 0 ? between / total : 0;
 }
 
 }  // namespace piae::scoring

@@ -5,6 +5,8 @@
 #include <span>
 #include <vector>
 
+#include "base/label.hpp"
+
 namespace piae::scoring {
 
 /// What independent repeats of a measurement say about its value.
@@ -29,5 +31,10 @@ Summary summarise(std::span<const double> values);
 /// The value in the middle; of an even number of values the upper of the two in the middle. There
 /// must be at least one value.
 double median(std::vector<double> values);
+
+/// The part of the variance of values that lies between the classes they are of (eta squared): 0
+/// where all classes have the same mean, 1 where no class has a spread of its own. n values that do
+/// not depend on their g classes have (g - 1) / (n - 1) of it on average.
+double share_between_classes(std::span<const double> values, std::span<const Label> labels);
 
 }  // namespace piae::scoring

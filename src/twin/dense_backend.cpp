@@ -58,7 +58,9 @@ class DenseBackend final : public TwinBackend {
         largest_batch_(std::min<std::int64_t>(task_.options.batch, std::ssize(task_.labels))),
         networks_(parameters_, task_.variant, task_.shape, task_.options.positive, largest_batch_),
         stencil_(stencil_of(task_.options.derivatives)),
-        reading_{.squares = task_.options.squares, .mmd = task_.options.mmd},
+        reading_{.squares = task_.options.squares,
+                 .mmd = task_.options.mmd,
+                 .residual = task_.options.residual},
         log_weights_(parameters_->find(log_weights_name).begin) {}
 
   BatchLosses step(TrainingStage stage, std::span<const std::size_t> windows,
@@ -136,7 +138,7 @@ class DenseBackend final : public TwinBackend {
                        .twin = batch.twin.value};
     losses.total =
         w.alpha * losses.differential + w.beta * losses.twin + w.gamma * losses.reconstruction;
-    if (task_.variant.physics && task_.options.loss_weights == LossWeights::adaptive) {
+    if (task_.variant.physics && have_logarithms(task_.options.loss_weights)) {
       for (const float log_weight : log_weights()) losses.total -= 0.5 * log_weight;
     }
     return losses;
@@ -198,9 +200,9 @@ class DenseBackend final : public TwinBackend {
 
   [[nodiscard]] std::array<float, 3> gradient_by_log_weights(const Weights& w,
                                                              const BatchLosses& losses) const {
-    if (task_.options.loss_weights == LossWeights::fixed) return {};
+    if (!are_learned(task_.options.loss_weights)) return {};
     // The derivative of eq. 23's terms -1/2 ln alpha, -1/2 ln beta and -1/2 ln gamma.
-    const double held = task_.options.loss_weights == LossWeights::adaptive ? 0.5 : 0;
+    const double held = have_logarithms(task_.options.loss_weights) ? 0.5 : 0;
     return {static_cast<float>(w.alpha * losses.differential - held),
             static_cast<float>(w.beta * losses.twin - held),
             static_cast<float>(w.gamma * losses.reconstruction - held)};

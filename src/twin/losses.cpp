@@ -185,6 +185,7 @@ LossOf<T> twin_loss(const RowArray<T>& k_and_c, const BatchMotion<T>& motion,
   loss.by_k_and_c.resize(a.rows(), 2);
   const auto counted = reading.squares == Squares::sum ? a.rows() : a.size();
   const double mean = 1.0 / static_cast<double>(counted);
+  const bool squared = reading.residual == Residual::squared;
   for (Index i = 0; i < a.rows(); ++i) {
     const std::size_t label = index_of(labels[static_cast<std::size_t>(i)]);
     const Contact& contact = physics.contact[label];
@@ -205,8 +206,9 @@ LossOf<T> twin_loss(const RowArray<T>& k_and_c, const BatchMotion<T>& motion,
                                                physics.contact_n_per_m15);
       const double residual = a(i, t) + damping * v(i, t) + k * displacement +
                               (force.force_n - rest.force.force_n) / reference_n;
-      const double slope = 2 * mean * residual;
-      loss.value += mean * residual * residual;
+      const double slope =
+          squared ? 2 * mean * residual : std::copysign(residual == 0 ? 0 : mean, residual);
+      loss.value += squared ? mean * residual * residual : mean * std::abs(residual);
       loss.by_acceleration(i, t) = static_cast<T>(slope);
       loss.by_velocity(i, t) = static_cast<T>(slope * damping);
       loss.by_displacement(i, t) =

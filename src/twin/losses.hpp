@@ -38,10 +38,12 @@ template <class T>
 double add_batch_mmd(const RowArray<T>& x, const RowArray<T>& y, RowArray<T>* by_x,
                      RowArray<T>& by_y);
 
-/// How the norms and the MMD of eqs 20 to 22 are read.
+/// How the norms and the MMD of eqs 20 to 22 are read. `squares` also says whether what eq. 22
+/// leaves over is averaged over the samples of a window, or summed.
 struct LossReading {
   Squares squares = Squares::mean;
   Mmd mmd = Mmd::squared;
+  Residual residual = Residual::squared;
 };
 
 /// L_Rec, eq. 20: the squared error of the decoded acceleration a for the windows x, plus their
@@ -65,7 +67,7 @@ template <class T>
 LossOf<T> differential_loss(const BatchMotion<T>& motion, double step, const Stencil& stencil,
                             const LossReading& reading = {});
 
-/// L_DT, eq. 22: the square of the dimensionless equation of motion (physics.hpp), for (k~, c~)
+/// L_DT, eq. 22: the square, or the absolute value, of the dimensionless equation of motion (physics.hpp), for (k~, c~)
 /// [batch, 2]. The gradient by k~ also goes through the static equilibrium.
 template <class T>
 LossOf<T> twin_loss(const RowArray<T>& k_and_c, const BatchMotion<T>& motion,

@@ -31,9 +31,10 @@ void bind(const cli::Options& command, TwinOptions& o) {
       "--loss-weights", o.loss_weights,
       {{"adaptive", LossWeights::adaptive},
        {"adaptive-without-log", LossWeights::adaptive_without_log},
+       {"stationary", LossWeights::stationary},
        {"fixed", LossWeights::fixed}},
       "alpha, beta, gamma of eq. 23: adaptive, adaptive-without-log (the term that holds them "
-      "above zero), or fixed (at 1)");
+      "above zero), stationary (1 / (2 L) of the epoch before), or fixed (at 1)");
   command
       .add("--weight-learning-rate", o.weight_learning_rate,
            "of Adam for ln alpha, ln beta, ln gamma, at the start")
@@ -54,6 +55,9 @@ void bind(const cli::Options& command, TwinOptions& o) {
                  "squared norms of eqs 20 to 22 over a window: mean or sum of its samples");
   command.choose("--mmd", o.mmd, {{"squared", Mmd::squared}, {"root", Mmd::root}},
                  "MMD of eqs 20 and 21: the squared discrepancy, or its root (eq. 27)");
+  command.choose("--residual", o.residual,
+                 {{"squared", Residual::squared}, {"absolute", Residual::absolute}},
+                 "what is made small of what eq. 22 leaves over, which writes no norm");
   command.choose("--derivatives", o.derivatives,
                  {{"central", Derivatives::central}, {"spectral", Derivatives::spectral}},
                  "of eq. 21: central differences, or those of the band-limited signal");

@@ -8,8 +8,17 @@ namespace piae::twin {
 enum class LossWeights {
   adaptive,              ///< learned by eq. 23 as it stands
   adaptive_without_log,  ///< learned by eq. 23 without its logarithms, so that they only shrink
+  stationary,            ///< where eq. 23 is least: 1 / (2 L), of the means of the epoch before
   fixed,                 ///< not learned: all three stay at 1
 };
+/// Whether steps of Adam move them, as eq. 25 has it.
+inline bool are_learned(LossWeights weights) {
+  return weights == LossWeights::adaptive || weights == LossWeights::adaptive_without_log;
+}
+/// Whether L_total has the logarithms of eq. 23.
+inline bool have_logarithms(LossWeights weights) {
+  return weights == LossWeights::adaptive || weights == LossWeights::stationary;
+}
 
 /// How the known windows are parted into batches.
 enum class Batches {
@@ -53,6 +62,14 @@ enum class Mmd {
   root,     ///< the discrepancy itself, as eq. 27 has it by the letter
 };
 
+/// What is made small of what eq. 22 leaves over; it writes no norm, as eqs 20 and 21 do. Squares
+/// cannot find the damping: over a window in which the vibration neither grows nor dies, energy is
+/// in balance, and an equation without the strikes' force has its least squares at c = 0.
+enum class Residual {
+  squared,   ///< its square
+  absolute,  ///< its absolute value, for which the few samples of a strike count less
+};
+
 /// What the windows of a class are divided by before the networks see them; open in the paper.
 enum class Unit {
   rms,        ///< the RMS of the class's known windows
@@ -89,6 +106,7 @@ struct TwinOptions {
   Positive positive = Positive::softplus;
   Squares squares = Squares::mean;
   Mmd mmd = Mmd::squared;
+  Residual residual = Residual::squared;
   Derivatives derivatives = Derivatives::central;
   ContactReading contact = ContactReading::standing;
   SpaceOf space = SpaceOf::all_classes;

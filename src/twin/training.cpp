@@ -3,6 +3,7 @@
 #include <spdlog/fmt/fmt.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -55,6 +56,9 @@ TwinTask make_task(const signal::WindowSet& known, const ModelDescription& model
       .states = states};
 }
 
+/// A loss below it counts as this, so that a weight of 1 / (2 L) stays a number.
+constexpr double least_loss = 1e-9;
+
 /// The losses summed over the batches of an epoch.
 struct EpochSums {
   BatchLosses losses;
@@ -103,6 +107,9 @@ class Training final : public TwinTraining {
          batches_of_an_epoch(labels_, model_.options.batches,
                              static_cast<std::size_t>(model_.options.batch), shuffle)) {
       sums.add(backend_->step(stage, batch, rates));
+    }
+    if (has_physics_ && model_.options.loss_weights == LossWeights::stationary) {
+      weigh_as_stationary(sums);
     }
     note_epoch(epoch, sums, rates.networks);
     return fmt::format("L_Rec {:.3f}  L_DDL {:.3f}  L_DT {:.3f}", curves_.reconstruction.back(),
@@ -157,6 +164,18 @@ class Training final : public TwinTraining {
     std::vector<float> values(nets::total_size(backend_->specs()));
     backend_->copy_values(values);
     return values;
+  }
+
+  /// Puts the weights where eq. 23 is least for the mean losses of an epoch.
+  void weigh_as_stationary(const EpochSums& sums) {
+    std::vector<float> all = values();
+    const auto log_weight = [&](double sum) {
+      return static_cast<float>(-std::log(2 * std::max(sum / sums.batches, least_loss)));
+    };
+    const std::array log_weights{log_weight(sums.losses.differential), log_weight(sums.losses.twin),
+                                 log_weight(sums.losses.reconstruction)};
+    std::ranges::copy(log_weights, all.end() - std::ssize(log_weights)); // with_log_weights()
+    backend_->set_values(all);
   }
 
   [[nodiscard]] LearningRates learning_rates_at(std::size_t epoch) const {

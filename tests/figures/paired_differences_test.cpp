@@ -42,6 +42,17 @@ TEST_F(PairedDifferences, HaveAPAndTheLeastThatSoManySeedsCanGive) {
   EXPECT_EQ(field(numbers, "vae,0,10to1,piae-dt,mean", 10), "0.5");
 }
 
+TEST_F(PairedDifferences, CorrectNoMethodForTheCeiling) {
+  add_three_seeds();
+  for (const int seed : {0, 1, 2}) add(diagnosis("oracle", "10to1", 45, seed, 19));
+  Source three = source("none vae piae-dt oracle", "100to1 10to1", "0 1 2");
+  const Numbers numbers = paired_differences(three);
+  EXPECT_EQ(field(numbers, "vae,0,10to1,piae-dt,mean", 9), "0.5");
+  EXPECT_EQ(field(numbers, "oracle,1,10to1,piae-dt,mean", 8), "0.25");
+  EXPECT_EQ(field(numbers, "oracle,1,10to1,piae-dt,mean", 9), "");
+  EXPECT_EQ(field(numbers, "oracle,1,10to1,piae-dt,mean", 10), "0.25");
+}
+
 TEST_F(PairedDifferences, HaveNeitherIntervalNorPWhereSeedsAreTooFew) {
   add(diagnosis("vae", "10to1", 45, 0, 15));
   add(diagnosis("piae-dt", "10to1", 45, 0, 14));

@@ -6,6 +6,8 @@
 #include <stdexcept>
 #include <vector>
 
+#include "base/random.hpp"
+
 namespace piae::scoring {
 namespace {
 
@@ -49,6 +51,35 @@ TEST(Summary, OfEqualValuesIsAPoint) {
 }
 
 TEST(Summary, NeedsAValue) { EXPECT_THROW(summarise({}), std::logic_error); }
+
+/// Two classes of two: means 2 and 6 about 4, so between them 4 * 4 of 4 * 4 + 4 * 1.
+TEST(ShareBetweenClasses, IsTheOneWorkedByHand) {
+  const std::vector<double> values{1, 7, 3, 5};
+  const std::vector<Label> labels{0, 1, 0, 1};
+  EXPECT_NEAR(share_between_classes(values, labels), 16.0 / 20.0, 1e-15);
+}
+
+TEST(ShareBetweenClasses, IsNothingOfWhatDoesNotVaryAndAllOfWhatVariesByClassAlone) {
+  const std::vector<Label> labels{0, 0, 1};
+  EXPECT_EQ(share_between_classes(std::vector<double>{2, 2, 2}, labels), 0);
+  EXPECT_EQ(share_between_classes(std::vector<double>{2, 2, 5}, labels), 1);
+}
+
+TEST(ShareBetweenClasses, IsWhatChanceGivesWhereClassesAreDrawn) {
+  constexpr int repeats = 400;
+  double sum = 0;
+  Stream stream("share between classes");
+  for (int i = 0; i < repeats; ++i) {
+    std::vector<double> values;
+    std::vector<Label> labels;
+    for (int j = 0; j < 45; ++j) {
+      values.push_back(stream.normal(3, 2));
+      labels.push_back(j % 9);
+    }
+    sum += share_between_classes(values, labels);
+  }
+  EXPECT_NEAR(sum / repeats, 8.0 / 44.0, 0.015);  // its standard deviation is 0.08 / sqrt(400)
+}
 
 }  // namespace
 }  // namespace piae::scoring

@@ -32,6 +32,7 @@ inline TwinTask task_of(const TaskOf& c) {
     task.options.positive = Positive::exponential;
     task.options.squares = Squares::sum;
     task.options.mmd = Mmd::root;
+    task.options.residual = Residual::absolute;
     task.options.derivatives = Derivatives::spectral;
     task.options.contact = ContactReading::passing;
   }

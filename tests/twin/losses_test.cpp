@@ -182,6 +182,58 @@ TEST(TwinLoss, VanishesForAFreeDampedOscillation) {
   EXPECT_GT(twin_loss<double>(k_and_c, motion, labels, physics).value, 1e-3);
 }
 
+/// Free oscillations of a mass, damped, that are struck anew before they have died out: as long as
+/// the window repeats itself, energy is in balance over it.
+Motion struck_again_and_again(double k, double damping) {
+  constexpr Eigen::Index samples = 400;
+  constexpr Eigen::Index between = 50;
+  constexpr double step = 0.15;
+  const double b = damping / 2;
+  const double w = std::sqrt(k - b * b);
+  // Each strike adds the same; what is left of those before is a geometric sum.
+  Motion motion{Array::Zero(1, samples), Array::Zero(1, samples), Array::Zero(1, samples)};
+  for (Eigen::Index t = 0; t < samples; ++t) {
+    for (Eigen::Index strike = -20; strike * between <= t; ++strike) {
+      const double since = step * static_cast<double>(t - strike * between);
+      const double decay = std::exp(-b * since);
+      motion.displacement(0, t) += decay * std::sin(w * since) / w;
+      motion.velocity(0, t) += decay * (std::cos(w * since) - b / w * std::sin(w * since));
+    }
+  }
+  motion.acceleration = -(damping * motion.velocity + k * motion.displacement);
+  // The force of a strike is in the acceleration of its own sample.
+  for (Eigen::Index t = 0; t < samples; t += between) motion.acceleration(0, t) += 1 / step;
+  return motion;
+}
+
+/// The damping c~ at which the loss of a motion is least, by trying.
+double best_damping(const Motion& motion, double k, const Physics& physics, Residual residual) {
+  const std::vector<Label> labels{0};
+  double best = 0;
+  double least = std::numeric_limits<double>::infinity();
+  for (double c = 0; c < 20; c += 0.1) {
+    Array k_and_c(1, 2);
+    k_and_c << k, c;
+    const double loss =
+        twin_loss<double>(k_and_c, motion, labels, physics, {.residual = residual}).value;
+    if (loss < least) {
+      least = loss;
+      best = c;
+    }
+  }
+  return best;
+}
+
+TEST(TwinLoss, FindsTheDampingOfWhatIsStruckAgainAndAgainByAbsoluteValuesAlone) {
+  Physics physics = example_physics();
+  physics.contact_n_per_m15 = 0;
+  constexpr double k = 1.5;
+  constexpr double c = 5.0;
+  const Motion motion = struck_again_and_again(k, physics.damping * c);
+  EXPECT_NEAR(best_damping(motion, k, physics, Residual::absolute), c, 0.11);
+  EXPECT_LT(best_damping(motion, k, physics, Residual::squared), 0.3 * c);
+}
+
 TEST(TwinLoss, ContactAddsItsTangentStiffnessForSmallMotion) {
   const Physics physics = example_physics();
   constexpr double k = 1.5;
@@ -198,13 +250,15 @@ TEST(TwinLoss, ContactAddsItsTangentStiffnessForSmallMotion) {
 }
 
 /// One batch of three windows of both classes.
-void expect_twin_loss_gradients(const Physics& physics) {
+void expect_twin_loss_gradients(const Physics& physics, const LossReading& reading = {}) {
   const std::vector<std::int32_t> labels{0, 1, 1};
   Motion motion = random_motion(3, 8);
   Array k_and_c(3, 2);
   k_and_c << 0.7, 3.0, 1.4, 5.0, 3.0, 9.0;
-  const Loss loss = twin_loss<double>(k_and_c, motion, labels, physics);
-  const auto value = [&] { return twin_loss<double>(k_and_c, motion, labels, physics).value; };
+  const Loss loss = twin_loss<double>(k_and_c, motion, labels, physics, reading);
+  const auto value = [&] {
+    return twin_loss<double>(k_and_c, motion, labels, physics, reading).value;
+  };
   expect_gradient(loss.by_k_and_c, k_and_c, value, 1e-6);
   expect_gradient(loss.by_displacement, motion.displacement, value, 1e-6);
   expect_gradient(loss.by_velocity, motion.velocity, value);
@@ -213,6 +267,11 @@ void expect_twin_loss_gradients(const Physics& physics) {
 
 TEST(TwinLoss, HasTheGradientsOfFiniteDifferences) {
   expect_twin_loss_gradients(example_physics());
+}
+
+TEST(TwinLoss, HasTheGradientsOfFiniteDifferencesAlsoOfAbsoluteValues) {
+  expect_twin_loss_gradients(example_physics(),
+                             {.squares = Squares::sum, .residual = Residual::absolute});
 }
 
 TEST(TwinLoss, HasTheGradientsOfFiniteDifferencesWhereBallsLiftOff) {

@@ -77,6 +77,19 @@ TEST(TwinTraining, HoldsFixedLossWeightsAtOne) {
   }
 }
 
+/// Eq. 23 is least in a weight at 1 / (2 L).
+TEST(TwinTraining, WeighsLossesAtTheStationaryPointOfTheEpochBefore) {
+  TwinOptions options = quick_options();
+  options.loss_weights = LossWeights::stationary;
+  Curves curves;
+  curves.read(artefact::Reader(train(checkpoint_at("s.ckpt"), options, "stationary.h5"), "model"));
+  for (std::size_t i = 0; i < 6; ++i) {
+    EXPECT_NEAR(2 * curves.alpha[i] * curves.differential[i], 1, 1e-5);
+    EXPECT_NEAR(2 * curves.beta[i] * curves.twin[i], 1, 1e-5);
+    EXPECT_NEAR(2 * curves.gamma[i] * curves.reconstruction[i], 1, 1e-5);
+  }
+}
+
 /// Eq. 23 without its logarithms only ever rewards smaller weights.
 TEST(TwinTraining, WithoutTheLogarithmsAllLossWeightsShrink) {
   TwinOptions options = quick_options();

@@ -42,7 +42,9 @@ class Backend final : public twin::TwinBackend {
       : task_(std::move(task)),
         networks_(task_.variant, task_.shape, task_.options),
         stencil_(twin::stencil_of(task_.options.derivatives)),
-        reading_{.squares = task_.options.squares, .mmd = task_.options.mmd},
+        reading_{.squares = task_.options.squares,
+                 .mmd = task_.options.mmd,
+                 .residual = task_.options.residual},
         specs_(twin::with_log_weights(networks_.specs())),
         windows_(torch::tensor(task_.windows).view({-1, task_.shape.samples}).to(device)),
         labels_(torch::tensor(task_.labels, torch::kInt64).to(device)),
@@ -132,9 +134,9 @@ class Backend final : public twin::TwinBackend {
   [[nodiscard]] torch::Tensor total_of(const Losses& losses) const {
     const twin::LossWeights kind = task_.options.loss_weights;
     const torch::Tensor& learned = parameters_[twin::log_weights_name];
-    return (kind == twin::LossWeights::adaptive ? total_loss : weighted_loss)(
+    return (twin::have_logarithms(kind) ? total_loss : weighted_loss)(
         losses.differential, losses.twin, losses.reconstruction,
-        kind == twin::LossWeights::fixed ? learned.detach() : learned);
+        twin::are_learned(kind) ? learned : learned.detach());
   }
 
   /// Eq. 24: each network follows the gradient of its own loss by its own parameters.

@@ -16,10 +16,15 @@ torch::Tensor squared_distances(const torch::Tensor& rows) {
   return (squares.unsqueeze(0) + squares.unsqueeze(1) - 2 * products).clamp_min(0);
 }
 
-/// The squares of an error [batch, samples] as they are read.
+/// What is small for each sample [batch, samples], over the samples as the squares are read, and on
+/// average over the batch.
+torch::Tensor averaged(const torch::Tensor& small, twin::Squares squares) {
+  const torch::Tensor mean = small.mean();
+  return squares == twin::Squares::sum ? mean * static_cast<double>(small.size(1)) : mean;
+}
+
 torch::Tensor squares_of(const torch::Tensor& error, twin::Squares squares) {
-  const torch::Tensor mean = error.square().mean();
-  return squares == twin::Squares::sum ? mean * static_cast<double>(error.size(1)) : mean;
+  return averaged(error.square(), squares);
 }
 
 torch::Tensor mmd_of(const torch::Tensor& x, const torch::Tensor& y, twin::Mmd mmd) {
@@ -155,8 +160,10 @@ torch::Tensor twin_loss(const torch::Tensor& k_and_c, const torch::Tensor& a, co
   const torch::Tensor contact = (contact_force(s, batch.passing, batch, physics) -
                                  contact_force(s_0, batch.at_rest, batch, physics)) /
                                 batch.force;
-  return squares_of(a + physics.damping * c * motion.velocity + k * motion.displacement + contact,
-                    reading.squares);
+  const torch::Tensor residual =
+      a + physics.damping * c * motion.velocity + k * motion.displacement + contact;
+  return averaged(reading.residual == twin::Residual::squared ? residual.square() : residual.abs(),
+                  reading.squares);
 }
 
 torch::Tensor weighted_loss(const torch::Tensor& differential, const torch::Tensor& twin,

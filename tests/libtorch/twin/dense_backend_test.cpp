@@ -85,6 +85,7 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(TaskOf{"Full", full_model, LossWeights::adaptive, 1e9},
                     TaskOf{"FullClipped", full_model, LossWeights::adaptive, 0.01},
                     TaskOf{"FullFixed", full_model, LossWeights::fixed, 1e9},
+                    TaskOf{"FullStationary", full_model, LossWeights::stationary, 1e9},
                     TaskOf{"FullWithoutLog", full_model, LossWeights::adaptive_without_log, 1e9},
                     TaskOf{"OtherReadings", full_model, LossWeights::adaptive, 1e9, true},
                     TaskOf{"WithoutPhysics", without_physics, LossWeights::adaptive, 0.01},

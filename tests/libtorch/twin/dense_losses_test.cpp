@@ -137,8 +137,10 @@ TEST_P(TwinLossesBesideLibtorch, TwinIsLibtorchsWhereTheDefectIsPassed) {
 INSTANTIATE_TEST_SUITE_P(
     Readings, TwinLossesBesideLibtorch,
     testing::Values(twin::LossReading{},
-                    twin::LossReading{.squares = twin::Squares::sum, .mmd = twin::Mmd::root}),
-    [](const auto& info) { return info.index == 0 ? "MeanSquares" : "SumsAndRoots"; });
+                    twin::LossReading{.squares = twin::Squares::sum,
+                                      .mmd = twin::Mmd::root,
+                                      .residual = twin::Residual::absolute}),
+    [](const auto& info) { return info.index == 0 ? "MeanSquares" : "SumsRootsAndAbsoluteValues"; });
 
 }  // namespace
 }  // namespace piae::libtorch
