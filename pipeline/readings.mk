@@ -2,7 +2,7 @@
 # is tried stands in [readings] of pipeline/protocol.toml, on seeds that no result is reported of.
 #
 #   A B C D -> readings/<name>/model.h5 -> E.h5 -> score.h5
-#                                      \----------\-> <ratio>/diagnosis.h5 -> readings.csv, readings.md
+#                                      \----------\-> <ratio>/diagnosis.h5 -> readings.csv, .md, .svg
 #
 # A reading has all settings of base but those that its name says otherwise, so that it stays what it is when
 # the settings of piae-dt change.
@@ -33,8 +33,12 @@ readings_cells  = $(foreach folder,$(seed_folders),$(foreach reading,$(all_readi
                     $(readings_ratios:%=$(folder)/$(call reading_folder,$(reading))/%/diagnosis.h5)))
 
 define readings_rule # data set
-$(call readings_tables,$1) &: $(call readings_cells,$1) $(settings)/readings.$1.toml
-	$$(step) readings $$(config) --run $(results) --dataset $1 --ratios $(readings_ratios) --seeds $(SEEDS)
+$(call readings_tables,$1) &: $(call readings_cells,$1) $(wildcard results/published/*.csv) \
+                              $(settings)/readings.$1.toml
+	$$(step) readings $$(config) --run $(results) --dataset $1 --ratios $(readings_ratios) --seeds $(SEEDS) \
+	  --published results/published
+$(results)/$1/readings.svg $(results)/$1/readings.pdf &: $(results)/$1/readings.csv $(wildcard pipeline/figures/*)
+	$$(Q)pipeline/figures/draw.sh $$<
 endef
 
 define reading_rules # seed, its folder, reading
@@ -47,7 +51,7 @@ $(foreach dataset,$(DATASETS),\
   $(foreach seed,$(SEEDS),$(eval folder := $(results)/$(dataset)/seed$(seed))\
     $(foreach reading,$(all_readings),$(eval $(call reading_rules,$(seed),$(folder),$(reading))))))
 
-readings: $(foreach dataset,$(DATASETS),$(call readings_tables,$(dataset)))
+readings: $(foreach dataset,$(DATASETS),$(call readings_tables,$(dataset)) $(results)/$(dataset)/readings.svg)
 	@cat $(filter %/readings.md,$^)
 	@echo 'Mean accuracy over $(or $(readings_real),$(DATASETS)) and $(readings_ratios), percent:'
 	@awk -f pipeline/rank_readings.awk $(patsubst %,$(results)/%/readings.csv,$(or $(readings_real),$(DATASETS)))

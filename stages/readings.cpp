@@ -23,14 +23,17 @@ int main(int argc, char** argv) {
       "far these are from the stationary point of eq. 23; stiffness and damping, and against the "
       "true ones where windows are simulated. The cells lie in seedK/readings/NAME.",
       "readings --run results/readings --dataset cwru --readings batches=class "
-      "--ratios 10to1 1to1 --seeds 100 101");
+      "--ratios 10to1 1to1 --seeds 100 101 --published results/published");
   readings::ReadingsOptions options;
   fs::path run_folder;
+  fs::path published_folder;
   bind(stage.options(), options);
   stage.input_file("--run", run_folder, "Folder of the run, such as results/readings");
+  stage.input_file("--published", published_folder, "Folder of the paper's tables as CSV");
 
   return stage.run(argc, argv, [&] {
     const readings::Readings asked = readings::resolve(options);
+    const report::Published published(published_folder);
     const run::Layout layout(run_folder, asked.grid.dataset);
     cli::Progress progress("readings", "readings", asked.readings.size());
     std::vector<readings::Row> rows;
@@ -43,6 +46,8 @@ int main(int argc, char** argv) {
       rows.insert(rows.end(), own.begin(), own.end());
       progress.update(static_cast<std::size_t>(&reading - asked.readings.data()) + 1, reading.name);
     }
+    const auto of_paper = readings::published_rows(asked.grid, published);
+    rows.insert(rows.end(), of_paper.begin(), of_paper.end());
     const std::string tables = report::markdown(document(asked, rows));
     text::save_all({{layout.readings_csv(), csv(asked.grid.dataset, rows)},
                     {layout.readings_markdown(), tables}});

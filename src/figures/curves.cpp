@@ -3,6 +3,7 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 #include <span>
 
@@ -25,6 +26,11 @@ constexpr NamedCurve losses[] = {{"reconstruction", &twin::Curves::reconstructio
 constexpr NamedCurve weights[] = {{"alpha", &twin::Curves::alpha},
                                   {"beta", &twin::Curves::beta},
                                   {"gamma", &twin::Curves::gamma}};
+
+/// The loss that belongs to each weight.
+constexpr NamedCurve weighted_losses[] = {{"alpha", &twin::Curves::differential},
+                                          {"beta", &twin::Curves::twin},
+                                          {"gamma", &twin::Curves::reconstruction}};
 
 /// The training of one seed.
 struct SeedCurves {
@@ -76,8 +82,7 @@ void add_curve(Numbers& numbers, const SeedCurves& seed, const std::string& name
   }
 }
 
-Numbers all_curves(Source& source, std::span<const NamedCurve> curves) {
-  const std::vector<SeedCurves> seeds = curves_of_all_seeds(source);
+Numbers all_curves(const std::vector<SeedCurves>& seeds, std::span<const NamedCurve> curves) {
   Numbers numbers({"seed", "stage", "epoch", "curve", "value"});
   for (const NamedCurve& curve : curves) {
     for (const SeedCurves& seed : seeds) {
@@ -89,9 +94,31 @@ Numbers all_curves(Source& source, std::span<const NamedCurve> curves) {
   return numbers;
 }
 
+/// Where eq. 23 is least for the mean loss of each epoch, 1 / (2 L).
+void add_stationary_weights(Numbers& numbers, const std::vector<SeedCurves>& seeds) {
+  SeedCurves stationary{
+      .seed = "stationary", .epochs_in_a_row = seeds.front().epochs_in_a_row, .curves = {}};
+  for (const NamedCurve& loss : weighted_losses) {
+    std::vector<double> weights;
+    for (const double mean : mean_curve(seeds, loss)) {
+      weights.push_back(1 / (2 * std::max(mean, std::numeric_limits<double>::min())));
+    }
+    add_curve(numbers, stationary, loss.name, weights);
+  }
+}
+
 }  // namespace
 
-Numbers loss_curves(Source& source) { return all_curves(source, losses); }
-Numbers weight_curves(Source& source) { return all_curves(source, weights); }
+Numbers loss_curves(Source& source) {
+  const std::vector<SeedCurves> seeds = curves_of_all_seeds(source);
+  return all_curves(seeds, losses);
+}
+
+Numbers weight_curves(Source& source) {
+  const std::vector<SeedCurves> seeds = curves_of_all_seeds(source);
+  Numbers numbers = all_curves(seeds, weights);
+  add_stationary_weights(numbers, seeds);
+  return numbers;
+}
 
 }  // namespace piae::figures

@@ -18,6 +18,8 @@ namespace {
 using report::Section;
 using text::Table;
 
+const std::string as_published = "published";
+
 /// A column of a table: the quantity, how it is headed, and how its numbers are written.
 struct Column {
   std::string heading;
@@ -43,17 +45,20 @@ std::string cell_of(const Row* row, const Column& column) {
   return report::mean_label(scaled, {.decimals = column.decimals});
 }
 
+void add_row(Table& table, const std::string& label, const std::string& reading,
+             const std::vector<Row>& rows, const std::vector<Column>& columns) {
+  std::vector<std::string> cells{label};
+  for (const Column& column : columns) cells.push_back(cell_of(find(rows, reading, column), column));
+  table.row(cells);
+}
+
 Table table_of(const Readings& readings, const std::vector<Row>& rows,
                const std::vector<Column>& columns) {
   std::vector<std::string> header{"reading"};
   for (const Column& column : columns) header.push_back(column.heading);
   Table table(header, 1);
   for (const Reading& reading : readings.readings) {
-    std::vector<std::string> cells{reading.name};
-    for (const Column& column : columns) {
-      cells.push_back(cell_of(find(rows, reading.name, column), column));
-    }
-    table.row(cells);
+    add_row(table, reading.name, reading.name, rows, columns);
   }
   return table;
 }
@@ -67,11 +72,15 @@ Section accuracy_section(const Readings& readings, const std::vector<Row>& rows)
     columns.push_back(
         {.heading = ratio + " nearest", .quantity = "nearest", .ratio = cell.ratio, .decimals = 1});
   }
+  Table table = table_of(readings, rows, columns);
+  if (std::ranges::count(rows, as_published, &Row::reading) > 0) {
+    add_row(table, "*paper*", as_published, rows, columns);
+  }
   return {
       "accuracy", "Accuracy in percent",
       "WDCNN on the waveform, and beside it the nearest neighbour by 128 bands of the spectrum, "
       "which needs no training.",
-      table_of(readings, rows, columns)};
+      table};
 }
 
 Section quality_section(const Readings& readings, const std::vector<Row>& rows) {
@@ -141,6 +150,19 @@ std::vector<Row> rows_of(const Reading& reading,
                     .quantity = first.quantity,
                     .ratio = first.ratio,
                     .summary = scoring::summarise(values)});
+  }
+  return rows;
+}
+
+std::vector<Row> published_rows(const run::Grid& grid, const report::Published& published) {
+  std::vector<Row> rows;
+  for (const run::Combination& cell : grid.combinations) {
+    const auto percent = published.percent(grid.dataset, cell.method, cell.ratio);
+    if (!percent) continue;
+    rows.push_back({.reading = as_published,
+                    .quantity = "accuracy",
+                    .ratio = cell.ratio,
+                    .summary = scoring::summarise(std::vector<double>{*percent})});
   }
   return rows;
 }

@@ -42,6 +42,17 @@ TEST_F(CurvesOfAModel, AreFollowedByTheirMeanOverTheSeeds) {
   EXPECT_EQ(field(weight_curves(both), "mean,1,3,alpha", 4), "3");
 }
 
+/// L_Rec falls from 4 to 1, or from 8 to 2: 6 and 1.5 as means.
+TEST_F(CurvesOfAModel, OfTheWeightsHaveTheirStationaryPointBeside) {
+  add_model(0, 1, "1");
+  add_model(1, 2, "1");
+  Source both = source("piae-dt", "10to1");
+  const Numbers weights = weight_curves(both);
+  EXPECT_EQ(field(weights, "stationary,1,1,gamma", 4), "0.0833333");
+  EXPECT_EQ(field(weights, "stationary,2,4,gamma", 4), "0.333333");
+  EXPECT_EQ(field(weights, "stationary,2,4,alpha", 4), "0.5");
+}
+
 TEST_F(CurvesOfAModel, NeedThePapersMethodInTheGrid) {
   Source others = source("vae", "10to1");
   EXPECT_ERROR(loss_curves(others), Exit::input_missing, "piae-dt");

@@ -5,6 +5,7 @@ source "${0%/*}/support.sh"
 
 describe() {
   rm -f pipeline/datasets/*
+  printf '#!/bin/bash\ntouch "${1%%.csv}.svg" "${1%%.csv}.pdf"\n' >pipeline/figures/draw.sh
   printf 'name = "real"\n' >pipeline/datasets/real.toml
   cat >pipeline/protocol.toml <<'TOML'
 [train]
@@ -34,7 +35,8 @@ test_a_reading_has_the_settings_of_the_base_but_those_that_it_names() {
   expect_line "$(<$cells/base/model.h5)" "--method piae-dt --batches mixed --space all --known"
   expect_line "$(<$cells/batches-class/model.h5)" "--method piae-dt --batches class --space all --known"
   expect_line "$(<$cells/batches-class+space-class/model.h5)" "--method piae-dt --batches class --space class --known"
-  expect_line "$(<results/t/real/readings.csv)" "--run results/t --dataset real --ratios 10to1 1to1 --seeds 100"
+  expect_line "$(<results/t/real/readings.csv)" "--run results/t --dataset real --ratios 10to1 1to1 --seeds 100 --published results/published"
+  [[ -e results/t/real/readings.svg ]] || fail "no picture"
   readings >/dev/null
   expect_equal "$(ran)" ""
 }

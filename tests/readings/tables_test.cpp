@@ -42,5 +42,23 @@ TEST(ReadingTables, ShowADashWhereAQuantityIsNotKnown) {
   EXPECT_THAT(text, testing::ContainsRegex("batches=class +\\| +– \\| +– \\| +200"));
 }
 
+TEST(ReadingTables, EndWithWhatThePaperPublishes) {
+  std::vector<Row> all = rows();
+  const Readings readings = two_readings();
+  const report::Published published(std::filesystem::path(PIAE_SOURCE) / "results/published");
+  const std::vector<Row> of_paper = published_rows(readings.grid, published);
+  all.insert(all.end(), of_paper.begin(), of_paper.end());
+  EXPECT_THAT(csv("cwru", all), HasSubstr("cwru,published,accuracy,10to1,1,85.4,\n"));
+  EXPECT_THAT(report::markdown(document(readings, all)),
+              testing::ContainsRegex("\\*paper\\* +\\| +85.4 \\| +–"));
+}
+
+TEST(ReadingTables, HaveNoSuchRowForADataSetThatThePaperDoesNotHave) {
+  Readings readings = two_readings();
+  readings.grid.dataset = "rig";
+  EXPECT_THAT(published_rows(readings.grid, report::Published()), testing::IsEmpty());
+  EXPECT_THAT(report::markdown(document(readings, rows())), testing::Not(HasSubstr("*paper*")));
+}
+
 }  // namespace
 }  // namespace piae::readings

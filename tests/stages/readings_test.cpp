@@ -7,7 +7,8 @@ namespace piae::stages {
 namespace {
 
 const Arguments readings{"--run", "run",      "--dataset", "tiny",    "--readings",
-                         "a=b",   "--ratios", "50to1",     "--seeds", "0"};
+                         "a=b",   "--ratios", "50to1",     "--seeds", "0",
+                         "--published", std::string(PIAE_SOURCE) + "/results/published"};
 
 /// The chain's own cell stands for the base, and for the other reading one of class batches.
 class ReadingsStage : public testing::Test {
