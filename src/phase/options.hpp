@@ -9,7 +9,8 @@ namespace piae::phase {
 /// The settings of piae-dt-phase: those of the twin, whose mass, load and clearance also serve the
 /// simulations that the inference learns from, and those of the inference.
 struct PhaseOptions {
-  twin::TwinOptions twin;
+  /// Its decoder learns in batches of all classes, with which its settings were calibrated.
+  twin::TwinOptions twin{.batches = twin::Batches::mixed};
   InferenceOptions inference;
 };
 

@@ -74,7 +74,7 @@ Section accuracy_section(const Readings& readings, const std::vector<Row>& rows)
   }
   Table table = table_of(readings, rows, columns);
   if (std::ranges::count(rows, as_published, &Row::reading) > 0) {
-    add_row(table, "*paper*", as_published, rows, columns);
+    add_row(table, "as published", as_published, rows, columns);
   }
   return {
       "accuracy", "Accuracy in percent",

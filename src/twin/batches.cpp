@@ -9,12 +9,49 @@ namespace {
 
 using Indices = std::vector<std::size_t>;
 
-void cut_into(std::vector<Indices>& batches, const Indices& order, std::size_t size) {
+std::vector<Indices> cut(const Indices& order, std::size_t size) {
+  std::vector<Indices> batches;
   for (std::size_t i = 0; i < order.size(); i += size) {
     const auto from = order.begin() + static_cast<std::ptrdiff_t>(i);
     const std::size_t count = std::min(size, order.size() - i);
     batches.emplace_back(from, from + static_cast<std::ptrdiff_t>(count));
   }
+  return batches;
+}
+
+/// Windows of one class, and whether they are all that there are of it.
+struct Piece {
+  Indices windows;
+  bool is_whole = false;
+};
+
+std::vector<Piece> pieces_by_class(const std::vector<Label>& labels, const Indices& order,
+                                   std::size_t size) {
+  std::map<Label, Indices> by_class;
+  for (const std::size_t i : order) by_class[labels[i]].push_back(i);
+  std::vector<Piece> pieces;
+  for (const auto& [_, own] : by_class) {
+    for (Indices& windows : cut(own, size)) {
+      pieces.push_back({std::move(windows), own.size() <= size});
+    }
+  }
+  return pieces;
+}
+
+/// The pieces in random order. Whole classes share a batch as long as it holds them.
+std::vector<Indices> joined(const std::vector<Piece>& pieces, std::size_t size, Stream& shuffle) {
+  std::vector<Indices> batches;
+  bool last_is_whole = false;
+  for (const std::size_t i : shuffle.permutation(pieces.size())) {
+    const Piece& piece = pieces[i];
+    if (last_is_whole && piece.is_whole && batches.back().size() + piece.windows.size() <= size) {
+      batches.back().insert(batches.back().end(), piece.windows.begin(), piece.windows.end());
+    } else {
+      batches.push_back(piece.windows);
+    }
+    last_is_whole = piece.is_whole;
+  }
+  return batches;
 }
 
 }  // namespace
@@ -22,19 +59,8 @@ void cut_into(std::vector<Indices>& batches, const Indices& order, std::size_t s
 std::vector<Indices> batches_of_an_epoch(const std::vector<Label>& labels, Batches kind,
                                          std::size_t size, Stream& shuffle) {
   const Indices order = shuffle.permutation(labels.size());
-  std::vector<Indices> batches;
-  if (kind == Batches::mixed) {
-    cut_into(batches, order, size);
-    return batches;
-  }
-  std::map<Label, Indices> by_class;
-  for (const std::size_t i : order) by_class[labels[i]].push_back(i);
-  for (const auto& [_, own] : by_class) cut_into(batches, own, size);
-  std::vector<Indices> in_random_order;
-  for (const std::size_t i : shuffle.permutation(batches.size())) {
-    in_random_order.push_back(std::move(batches[i]));
-  }
-  return in_random_order;
+  if (kind == Batches::mixed) return cut(order, size);
+  return joined(pieces_by_class(labels, order, size), size, shuffle);
 }
 
 }  // namespace piae::twin

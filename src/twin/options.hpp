@@ -24,7 +24,7 @@ inline bool have_logarithms(LossWeights weights) {
 enum class Batches {
   mixed,         ///< windows of all classes, in a random order
   of_one_class,  ///< paper 4.5.5: a batch of five "encompasses all five available samples per
-                 ///< class"
+                 ///< class"; a larger one holds as many whole classes as fit
 };
 
 /// Whose windows make the histogram that a class is drawn from.
@@ -93,7 +93,7 @@ const char* to_string(Positive positive);
 struct TwinOptions {
   int epochs = 200;  ///< Table 4
   int batch = 5;     ///< Table 4
-  Batches batches = Batches::mixed;
+  Batches batches = Batches::of_one_class;
   double learning_rate = 5e-4;     ///< Table 4, eta_1 = eta_2 of eqs 24 and 25
   int decay_every = 50;            ///< epochs, Table 4 (StepLR step)
   double decay = 0.5;              ///< factor, Table 4 (StepLR gamma)
@@ -108,7 +108,7 @@ struct TwinOptions {
   Mmd mmd = Mmd::squared;
   Residual residual = Residual::squared;
   Derivatives derivatives = Derivatives::central;
-  ContactReading contact = ContactReading::standing;
+  ContactReading contact = ContactReading::expected;
   SpaceOf space = SpaceOf::all_classes;
   LossWeights loss_weights = LossWeights::adaptive;
   double weight_learning_rate = 5e-4;  ///< of ln alpha, ln beta and ln gamma; decays with the other

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
 
 namespace piae::twin {
@@ -48,6 +49,22 @@ TEST(Batches, OfOneClassHoldAllOfItWhereItFits) {
     for (const std::size_t i : part) classes.insert(labels[i]);
     EXPECT_THAT(classes, SizeIs(1));
   }
+}
+
+/// Of classes of 3, 5 and 3 windows, a batch of eight holds any two.
+TEST(Batches, HoldAsManyWholeClassesAsFit) {
+  for (int epoch = 0; epoch < 20; ++epoch) {
+    const auto parts = batches(Batches::of_one_class, 8, std::to_string(epoch));
+    EXPECT_THAT(parts, SizeIs(2));
+    for (const auto& part : parts) {
+      for (const Label label : {1, 2, 3}) {
+        const auto of_label = std::ranges::count_if(
+            part, [&](std::size_t i) { return labels[i] == label; });
+        EXPECT_TRUE(of_label == 0 || of_label == std::ranges::count(labels, label));
+      }
+    }
+  }
+  EXPECT_THAT(batches(Batches::of_one_class, 100), SizeIs(1));
 }
 
 TEST(Batches, ComeInAnotherOrderInAnotherEpoch) {
