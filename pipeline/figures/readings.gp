@@ -7,7 +7,7 @@ do for [quantity in "mmd rmse stiffness_r2 damping_r2"] {
 }
 names(panel) = panel[1:strstrt(panel, "@") - 1]
 ratio_of(panel) = panel[strstrt(panel, "@") + 1:]
-heading(panel) = names(panel) eq "accuracy" ? "accuracy at ".colon(ratio_of(panel)).", %" : \
+heading(panel) = names(panel) eq "accuracy" ? "accuracy ".colon(ratio_of(panel)) : \
   names(panel) eq "mmd" ? "MMD²" : names(panel) eq "rmse" ? "RMSE" : \
   names(panel) eq "stiffness_r2" ? "R² of stiffness" : "R² of damping"
 is_r2(panel) = strstrt(panel, "_r2") > 0
@@ -31,7 +31,7 @@ least_r2 = -25
 shown(panel, value) = is_r2(panel) && value < least_r2 ? least_r2 : value
 far(panel, value)   = is_r2(panel) && value < least_r2
 set label 1 sprintf("Readings of the paper on %s: mean and standard deviation over the seeds", word(words_dataset, 1))
-set label 2 "dotted: base".(place("stiffness_r2", words_quantity) ? sprintf("; a triangle: below %d", least_r2) : "") font font_11
+set label 2 "accuracy in percent; dotted: base".(place("stiffness_r2", words_quantity) ? sprintf("; a triangle: below %d", least_r2) : "") font font_11
 set multiplot
 do for [i = 1:count] {
   panel = word(all_panels, i)

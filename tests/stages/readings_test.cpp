@@ -54,9 +54,11 @@ TEST_F(ReadingsStage, TellsHowFarTheWeightsAreFromTheirStationaryPoint) {
     const std::string row = "\ntiny,base," + quantity + ",,1,";
     return std::stod(csv.substr(csv.find(row) + row.size()));
   };
-  EXPECT_NEAR(value("alpha_of_stationary"), 2 * value("alpha") * value("L_DDL"), 1e-4);
-  EXPECT_NEAR(value("beta_of_stationary"), 2 * value("beta") * value("L_DT"), 1e-4);
-  EXPECT_NEAR(value("gamma_of_stationary"), 2 * value("gamma") * value("L_Rec"), 1e-4);
+  for (const auto& [weight, loss] : {std::pair("alpha", "L_DDL"), std::pair("beta", "L_DT"),
+                                     std::pair("gamma", "L_Rec")}) {
+    const double expected = 2 * value(weight) * value(loss);
+    EXPECT_NEAR(value(std::string(weight) + "_of_stationary"), expected, 1e-5 * expected) << weight;
+  }
 }
 
 TEST_F(ReadingsStage, NamesAMissingCell) {
