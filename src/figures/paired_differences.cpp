@@ -26,8 +26,8 @@ void add_mean(Numbers& numbers, const Comparison& comparison, double least_p) {
   fields.insert(fields.end(),
                 {"mean", digits(row.paired.difference.mean), interval[0], interval[1]});
   if (row.paired.p) {
-    fields.insert(fields.end(), {digits(*row.paired.p), row.p_holm ? digits(*row.p_holm) : "",
-                                 digits(least_p)});
+    fields.insert(fields.end(),
+                  {digits(*row.paired.p), row.p_holm ? digits(*row.p_holm) : "", digits(least_p)});
   } else {
     fields.insert(fields.end(), {"", "", ""});
   }

@@ -93,7 +93,8 @@ void add_spread(const std::string& quantity, const std::vector<double>& values,
   if (summary.deviation) {
     all.push_back({quantity + "_spread", "", *summary.deviation / summary.mean});
   }
-  all.push_back({quantity + "_between_classes", "", scoring::share_between_classes(values, labels)});
+  all.push_back(
+      {quantity + "_between_classes", "", scoring::share_between_classes(values, labels)});
 }
 
 void add_outcome(const Cell& cell, const artefact::Reader& model, All& all) {

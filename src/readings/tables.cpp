@@ -48,7 +48,8 @@ std::string cell_of(const Row* row, const Column& column) {
 void add_row(Table& table, const std::string& label, const std::string& reading,
              const std::vector<Row>& rows, const std::vector<Column>& columns) {
   std::vector<std::string> cells{label};
-  for (const Column& column : columns) cells.push_back(cell_of(find(rows, reading, column), column));
+  for (const Column& column : columns)
+    cells.push_back(cell_of(find(rows, reading, column), column));
   table.row(cells);
 }
 
@@ -111,25 +112,27 @@ Section losses_section(const Readings& readings, const std::vector<Row>& rows) {
 }
 
 Section states_section(const Readings& readings, const std::vector<Row>& rows) {
-  return {"states", "Stiffness and damping",
-          "Of the known windows: how many of a hundred have an open contact at rest, and a damping "
-          "below the 10 N s/m of the paper (3.3.1); the mean of k in MN/m and of c in N s/m, and "
-          "their standard deviation as a part of it; the part of their variance that lies between the "
-          "classes, of which chance gives 0.18 for nine classes of five. R² and bias are against the true ones of "
-          "windows that the model has not seen, where they are known.",
-          table_of(readings, rows,
-                   {{.heading = "open, %", .quantity = "open_contacts", .decimals = 0},
-                    {.heading = "low c, %", .quantity = "low_damping", .decimals = 0},
-                    {.heading = "k", .quantity = "stiffness", .decimals = 0, .unit = 1e6},
-                    {.heading = "its spread", .quantity = "stiffness_spread"},
-                    {.heading = "classes", .quantity = "stiffness_between_classes"},
-                    {.heading = "c", .quantity = "damping", .decimals = 1},
-                    {.heading = "its spread", .quantity = "damping_spread"},
-                    {.heading = "classes", .quantity = "damping_between_classes"},
-                    {.heading = "R² of k", .quantity = "stiffness_r2"},
-                    {.heading = "bias of k", .quantity = "stiffness_bias"},
-                    {.heading = "R² of c", .quantity = "damping_r2"},
-                    {.heading = "bias of c", .quantity = "damping_bias"}})};
+  return {
+      "states", "Stiffness and damping",
+      "Of the known windows: how many of a hundred have an open contact at rest, and a damping "
+      "below the 10 N s/m of the paper (3.3.1); the mean of k in MN/m and of c in N s/m, and "
+      "their standard deviation as a part of it; the part of their variance that lies between the "
+      "classes, of which chance gives 0.18 for nine classes of five. R² and bias are against the "
+      "true ones of "
+      "windows that the model has not seen, where they are known.",
+      table_of(readings, rows,
+               {{.heading = "open, %", .quantity = "open_contacts", .decimals = 0},
+                {.heading = "low c, %", .quantity = "low_damping", .decimals = 0},
+                {.heading = "k", .quantity = "stiffness", .decimals = 0, .unit = 1e6},
+                {.heading = "its spread", .quantity = "stiffness_spread"},
+                {.heading = "classes", .quantity = "stiffness_between_classes"},
+                {.heading = "c", .quantity = "damping", .decimals = 1},
+                {.heading = "its spread", .quantity = "damping_spread"},
+                {.heading = "classes", .quantity = "damping_between_classes"},
+                {.heading = "R² of k", .quantity = "stiffness_r2"},
+                {.heading = "bias of k", .quantity = "stiffness_bias"},
+                {.heading = "R² of c", .quantity = "damping_r2"},
+                {.heading = "bias of c", .quantity = "damping_bias"}})};
 }
 
 }  // namespace

@@ -201,7 +201,8 @@ std::string paired_note(const std::vector<PairedRow>& rows) {
          "positive, "
          "-1 where every one is negative. p: Wilcoxon's signed-rank test, two-sided and exact, "
          "differences of zero left out; in brackets with Holm's correction over the methods at the "
-         "same ratio, of which a ceiling is none. The mean of ratios is taken for each seed, since ratios of one seed share "
+         "same ratio, of which a ceiling is none. The mean of ratios is taken for each seed, since "
+         "ratios of one seed share "
          "their split and are no independent repeats." +
          warning_of_few_seeds(rows);
 }

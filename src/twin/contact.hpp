@@ -12,9 +12,9 @@ namespace piae::twin {
 ///     F(s) = K_b [(1 - w) max(s - outside_m, 0)^1.5 + w max(s - inside_m, 0)^1.5],
 /// where w says whether a ball is in the defect: 0 no, 1 yes, between them for a part of the time.
 struct Contact {
-  double outside_m = 0;         ///< delta while no ball is in the defect
-  double inside_m = 0;          ///< delta while one is (eq. 11)
-  double at_rest = 1;           ///< w of the static equilibrium
+  double outside_m = 0;           ///< delta while no ball is in the defect
+  double inside_m = 0;            ///< delta while one is (eq. 11)
+  double at_rest = 1;             ///< w of the static equilibrium
   std::vector<double> passing{};  ///< w of each sample; none: `at_rest` throughout
 };
 

@@ -67,8 +67,9 @@ template <class T>
 LossOf<T> differential_loss(const BatchMotion<T>& motion, double step, const Stencil& stencil,
                             const LossReading& reading = {});
 
-/// L_DT, eq. 22: the square, or the absolute value, of the dimensionless equation of motion (physics.hpp), for (k~, c~)
-/// [batch, 2]. The gradient by k~ also goes through the static equilibrium.
+/// L_DT, eq. 22: the square, or the absolute value, of the dimensionless equation of motion
+/// (physics.hpp), for (k~, c~) [batch, 2]. The gradient by k~ also goes through the static
+/// equilibrium.
 template <class T>
 LossOf<T> twin_loss(const RowArray<T>& k_and_c, const BatchMotion<T>& motion,
                     std::span<const Label> labels, const Physics& physics,

@@ -174,7 +174,7 @@ class Training final : public TwinTraining {
     };
     const std::array log_weights{log_weight(sums.losses.differential), log_weight(sums.losses.twin),
                                  log_weight(sums.losses.reconstruction)};
-    std::ranges::copy(log_weights, all.end() - std::ssize(log_weights)); // with_log_weights()
+    std::ranges::copy(log_weights, all.end() - std::ssize(log_weights));  // with_log_weights()
     backend_->set_values(all);
   }
 

@@ -20,7 +20,8 @@ TEST(Catalogue, HasAScriptForEachFigure) {
   }
 }
 
-/// What other scripts load, or what draws a table and no figure of a run, says so in its first lines.
+/// What other scripts load, or what draws a table and no figure of a run, says so in its first
+/// lines.
 bool is_no_figure(const fs::path& script) {
   std::ifstream file(script);
   std::string text(300, ' ');

@@ -5,7 +5,10 @@ source "${0%/*}/support.sh"
 
 describe() {
   rm -f pipeline/datasets/*
-  printf '#!/bin/bash\ntouch "${1%%.csv}.svg" "${1%%.csv}.pdf"\n' >pipeline/figures/draw.sh
+  cat >pipeline/figures/draw.sh <<'SCRIPT'
+#!/bin/bash
+touch "${1%.csv}.svg" "${1%.csv}.pdf"
+SCRIPT
   printf 'name = "real"\n' >pipeline/datasets/real.toml
   cat >pipeline/protocol.toml <<'TOML'
 [train]
@@ -17,7 +20,7 @@ readings = ["batches=class", "batches=class+space=class"]
 TOML
 }
 
-readings() { make --silent readings BIN=fake RUN=t DATASETS=real SEEDS=100 "$@"; }
+readings() { make --silent readings BIN=fake RUN=t DATASETS=real SEEDS=100; }
 
 ran() {
   [[ -e calls ]] || return 0

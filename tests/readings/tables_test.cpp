@@ -57,7 +57,8 @@ TEST(ReadingTables, HaveNoSuchRowForADataSetThatThePaperDoesNotHave) {
   Readings readings = two_readings();
   readings.grid.dataset = "rig";
   EXPECT_THAT(published_rows(readings.grid, report::Published()), testing::IsEmpty());
-  EXPECT_THAT(report::markdown(document(readings, rows())), testing::Not(HasSubstr("as published")));
+  EXPECT_THAT(report::markdown(document(readings, rows())),
+              testing::Not(HasSubstr("as published")));
 }
 
 }  // namespace

@@ -6,9 +6,10 @@
 namespace piae::stages {
 namespace {
 
-const Arguments readings{"--run", "run",      "--dataset", "tiny",    "--readings",
-                         "a=b",   "--ratios", "50to1",     "--seeds", "0",
-                         "--published", std::string(PIAE_SOURCE) + "/results/published"};
+const Arguments readings{
+    "--run",      "run", "--dataset",   "tiny",
+    "--readings", "a=b", "--ratios",    "50to1",
+    "--seeds",    "0",   "--published", std::string(PIAE_SOURCE) + "/results/published"};
 
 /// The chain's own cell stands for the base, and for the other reading one of class batches.
 class ReadingsStage : public testing::Test {
@@ -54,8 +55,8 @@ TEST_F(ReadingsStage, TellsHowFarTheWeightsAreFromTheirStationaryPoint) {
     const std::string row = "\ntiny,base," + quantity + ",,1,";
     return std::stod(csv.substr(csv.find(row) + row.size()));
   };
-  for (const auto& [weight, loss] : {std::pair("alpha", "L_DDL"), std::pair("beta", "L_DT"),
-                                     std::pair("gamma", "L_Rec")}) {
+  for (const auto& [weight, loss] :
+       {std::pair("alpha", "L_DDL"), std::pair("beta", "L_DT"), std::pair("gamma", "L_Rec")}) {
     const double expected = 2 * value(weight) * value(loss);
     EXPECT_NEAR(value(std::string(weight) + "_of_stationary"), expected, 1e-5 * expected) << weight;
   }

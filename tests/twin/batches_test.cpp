@@ -58,8 +58,8 @@ TEST(Batches, HoldAsManyWholeClassesAsFit) {
     EXPECT_THAT(parts, SizeIs(2));
     for (const auto& part : parts) {
       for (const Label label : {1, 2, 3}) {
-        const auto of_label = std::ranges::count_if(
-            part, [&](std::size_t i) { return labels[i] == label; });
+        const auto of_label =
+            std::ranges::count_if(part, [&](std::size_t i) { return labels[i] == label; });
         EXPECT_TRUE(of_label == 0 || of_label == std::ranges::count(labels, label));
       }
     }

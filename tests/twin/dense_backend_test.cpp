@@ -86,9 +86,8 @@ TEST(DenseTwin, InStageOneEachNetworkFollowsItsOwnLoss) {
 }
 
 TEST(DenseTwin, InStageTwoEveryNetworkFollowsTheTotal) {
-  for (const LossWeights loss_weights :
-       {LossWeights::adaptive, LossWeights::adaptive_without_log, LossWeights::stationary,
-        LossWeights::fixed}) {
+  for (const LossWeights loss_weights : {LossWeights::adaptive, LossWeights::adaptive_without_log,
+                                         LossWeights::stationary, LossWeights::fixed}) {
     SCOPED_TRACE(static_cast<int>(loss_weights));
     expect_followed(task_of({"Full", full_model, loss_weights, unclipped}), TrainingStage::two,
                     "net/", [](const BatchLosses& losses) { return losses.total; });

@@ -40,7 +40,8 @@ BatchPhysics batch_physics(const twin::Physics& physics, const torch::Tensor& la
                            const torch::TensorOptions& type);
 
 /// L_DT, eq. 22: the square, or the absolute value, of the dimensionless equation of motion
-/// (twin/physics.hpp) over the batch, for (k~, c~) [batch, 2]. Differentiable in k~ also through the static equilibrium.
+/// (twin/physics.hpp) over the batch, for (k~, c~) [batch, 2]. Differentiable in k~ also through
+/// the static equilibrium.
 torch::Tensor twin_loss(const torch::Tensor& k_and_c, const torch::Tensor& a, const Motion& motion,
                         const BatchPhysics& batch, const twin::Physics& physics,
                         const twin::LossReading& reading = {});

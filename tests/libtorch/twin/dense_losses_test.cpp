@@ -134,13 +134,14 @@ TEST_P(TwinLossesBesideLibtorch, TwinIsLibtorchsWhereTheDefectIsPassed) {
       GetParam());
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Readings, TwinLossesBesideLibtorch,
-    testing::Values(twin::LossReading{},
-                    twin::LossReading{.squares = twin::Squares::sum,
-                                      .mmd = twin::Mmd::root,
-                                      .residual = twin::Residual::absolute}),
-    [](const auto& info) { return info.index == 0 ? "MeanSquares" : "SumsRootsAndAbsoluteValues"; });
+INSTANTIATE_TEST_SUITE_P(Readings, TwinLossesBesideLibtorch,
+                         testing::Values(twin::LossReading{},
+                                         twin::LossReading{.squares = twin::Squares::sum,
+                                                           .mmd = twin::Mmd::root,
+                                                           .residual = twin::Residual::absolute}),
+                         [](const auto& info) {
+                           return info.index == 0 ? "MeanSquares" : "SumsRootsAndAbsoluteValues";
+                         });
 
 }  // namespace
 }  // namespace piae::libtorch
