@@ -1,5 +1,5 @@
 # Gains or accuracies by ratio: method,ceiling,ratio,generated_per_class,seed,VALUE,low,high,published,published_of.
-# Loaded by scripts that have set a title. Methods stand side by side at each ratio; what the paper
+# Loaded by scripts that have set a title and drawn what the values are measured against. Methods stand side by side at each ratio; what the paper
 # publishes of a method is dashed, with a plus at each ratio, in its colour. Single seeds stand to the right of their mean.
 set key outside right center
 set xlabel "healthy windows to those of each fault (generated windows of each fault)" offset 0,-0.7
@@ -29,8 +29,6 @@ tint(method)   = place(method, ceilings) ? ceiling_colour : colour(place(method,
 symbol(method) = mark(place(method, words_method))
 named(method)  = place(method, ceilings) ? method." (ceiling)" : method
 set xrange [0.5:words(words_ratio) + 0.5]
-is_gain = strstrt(data, "gains")
-if (is_gain) { set arrow from 0.5, 0 to words(words_ratio) + 0.5, 0 nohead linecolor rgb 0x333333 back }
 # Of recordings for which others stand in, the paper's name is said.
 of_whom = exists("words_published_of") ? " of ".words_published_of : ""
 plot for [m in words_method] data using (seed_x(m)):6 \

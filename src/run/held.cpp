@@ -63,7 +63,7 @@ class CellsOfSeeds {
                                    const FileOf& file_of) {
     auto seeds = held_.seeds_with(needed ? asked.seeds : std::vector<std::int64_t>{}, file_of);
     for (const std::int64_t seed : held_.seeds()) {
-      if (held_.leaves_out(file_of(seed)) && std::ranges::count(seeds, seed) == 0) {
+      if (held_.leaves_out(file_of(seed))) {
         into_.results.left_out.push_back({cell.method, cell.ratio, seed});
       }
     }
