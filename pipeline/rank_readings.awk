@@ -2,7 +2,7 @@
 # search would try next: the best one with each setting of the others that it does not have yet.
 # usage: awk -f rank_readings.awk FOLDER/readings.csv...
 BEGIN { FS = "," }
-FNR == 1 { next }
+FNR == 1 || $2 == "published" { next } # what the paper reports is no reading of it
 $3 == "accuracy" {
   if (!($2 in sum)) order[++readings] = $2
   sum[$2] += $6

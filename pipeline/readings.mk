@@ -32,10 +32,14 @@ readings_cells  = $(foreach folder,$(seed_folders),$(foreach reading,$(all_readi
                     $(folder)/$(call reading_folder,$(reading))/score.h5 \
                     $(readings_ratios:%=$(folder)/$(call reading_folder,$(reading))/%/diagnosis.h5)))
 
+# The table is of the seeds and ratios that are asked for, so these are settings of it.
+readings_choice := --ratios $(readings_ratios) --seeds $(SEEDS)
+$(foreach dataset,$(DATASETS),$(eval options.readings.$(dataset) := $(readings_choice)))
+
 define readings_rule # data set
 $(call readings_tables,$1) &: $(call readings_cells,$1) $(wildcard results/published/*.csv) \
                               $(settings)/readings.$1.toml
-	$$(step) readings $$(config) --run $(results) --dataset $1 --ratios $(readings_ratios) --seeds $(SEEDS) \
+	$$(step) readings $$(config) --run $(results) --dataset $1 $(readings_choice) \
 	  --published results/published
 $(results)/$1/readings.svg $(results)/$1/readings.pdf &: $(results)/$1/readings.csv $(wildcard pipeline/figures/*)
 	$$(Q)pipeline/figures/draw.sh $$<

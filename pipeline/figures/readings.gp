@@ -28,6 +28,8 @@ own_row(down) = place(strcol(2), readings) + down
 is(panel)     = strcol(3) eq names(panel) && strcol(4) eq ratio_of(panel) && strcol(2) ne "published"
 # A bad R² has no bound. What is worse than the least that is shown stands at the edge, as a triangle.
 least_r2 = -25
+# gnuplot leaves out a point that names an empty field as $7, also where it is not looked at; so by a variable.
+of_spread = 7
 shown(panel, value) = is_r2(panel) && value < least_r2 ? least_r2 : value
 far(panel, value)   = is_r2(panel) && value < least_r2
 set label 1 sprintf("Readings of the paper on %s: mean and standard deviation over the seeds", word(words_dataset, 1))
@@ -39,8 +41,8 @@ do for [i = 1:count] {
   published = NaN; base = NaN
   stats data using (strcol(3) eq names(panel) && strcol(4) eq ratio_of(panel) ? \
     (published = strcol(2) eq "published" ? $6 : published, base = strcol(2) eq "base" ? $6 : base, 0) : 0) nooutput
-  stats data using (is(panel) ? shown(panel, $6 - (valid(7) ? $7 : 0)) : NaN) name "low" nooutput
-  stats data using (is(panel) ? $6 + (valid(7) ? $7 : 0) : NaN) name "high" nooutput
+  stats data using (is(panel) ? shown(panel, $6 - (valid(7) ? column(of_spread) : 0)) : NaN) name "low" nooutput
+  stats data using (is(panel) ? $6 + (valid(7) ? column(of_spread) : 0) : NaN) name "high" nooutput
   low  = is_r2(panel) ? least_r2 - 0.5 : names(panel) eq "accuracy" ? low_min - 2 : 0
   high = is_r2(panel) ? 1 : names(panel) eq "accuracy" ? (published > high_max ? published : high_max) + 2 : 1.05 * high_max
   set xrange [low:high]
@@ -57,7 +59,7 @@ do for [i = 1:count] {
   } else { unset label 6 }
   if (is_r2(panel)) { set arrow 2 from 0, graph 0 to 0, graph 1 nohead linecolor rgb 0x777777 }
   set arrow 3 from shown(panel, base), graph 0 to shown(panel, base), graph 1 nohead linewidth 0.8 dashtype 3 linecolor rgb 0x777777
-  plot data using (is(panel) && !far(panel, $6) ? $6 : NaN):(own_row(0)):(valid(7) ? $7 : 0) \
+  plot data using (is(panel) && !far(panel, $6) ? $6 : NaN):(own_row(0)):(valid(7) ? column(of_spread) : 0) \
          with xerrorbars pointtype 7 pointsize 0.5 linewidth 1.4 linecolor rgb colour(1), \
        data using (is(panel) && far(panel, $6) ? least_r2 : NaN):(own_row(0)) \
          with points pointtype 9 pointsize 0.6 linecolor rgb colour(2)

@@ -11,7 +11,10 @@ bool PiaeDt::needs_libtorch(const Compute& compute) const {
   return twin_engines(variant_).needs_libtorch(compute);
 }
 
-void PiaeDt::bind(const cli::Options& command) { twin::bind(command, options_); }
+void PiaeDt::bind(const cli::Options& command) {
+  twin::bind(command, options_);
+  twin::bind_space(command, options_);
+}
 
 void PiaeDt::train(const signal::WindowSet& known, const Stream& stream, const Compute& compute,
                    const nets::Checkpoint& checkpoint, artefact::Writer& model) {

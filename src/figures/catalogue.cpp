@@ -196,9 +196,7 @@ constexpr Figure figures[] = {
      .caption =
          "The weights of eq. 23 for the dimensionless differential loss (alpha), the digital "
          "twin loss (beta) and the reconstruction loss (gamma); faint lines are seeds. Dotted: "
-         "1 / (2 L), where eq. 23 is least for the loss L of the epoch. The steps of eq. 25 are "
-         "too "
-         "small to reach it.",
+         "1 / (2 L), where eq. 23 is least for the loss L of the epoch.",
      .from = "seed*/piae-dt/model.h5, /curves",
      .numbers = weight_curves},
 };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <set>
 #include <sstream>
 #include <string_view>
 
@@ -58,19 +59,25 @@ std::optional<Point> parse_point(const std::string& word) {
   return Point{word.substr(0, equals), word.substr(equals + 1)};
 }
 
-/// Every word of the list is a point, or several that are joined by +.
+/// Every word of the list is a point, or several that are joined by +, each of another factor; none
+/// is there twice.
 void require_points(const std::filesystem::path& file, const toml::table& protocol,
                     const std::string& table, const std::string& list) {
   const toml::node* points = protocol[table][list].node();
   if (points == nullptr) return;
   const std::string name = table + '.' + list;
   if (!points->is_array()) refuse(file, *points, name + " must be a list");
+  std::set<std::string> words;
   for (const toml::node& node : *points->as_array()) {
     const auto word = node.value_or<std::string>("");
+    if (!words.insert(word).second) refuse(file, node, name + " holds '" + word + "' twice");
     std::istringstream parts(word + '+');
+    std::set<std::string> factors;
     for (std::string part; std::getline(parts, part, '+');) {
-      if (!parse_point(part)) {
-        refuse(file, node, name + " holds '" + word + "', which is not FACTOR=VALUE");
+      const auto point = parse_point(part);
+      if (!point) refuse(file, node, name + " holds '" + word + "', which is not FACTOR=VALUE");
+      if (!factors.insert(point->factor).second) {
+        refuse(file, node, name + " holds '" + word + "', which sets " + point->factor + " twice");
       }
     }
   }

@@ -37,12 +37,8 @@ void bind(const cli::Options& command, TwinOptions& o) {
       "above zero), stationary (1 / (2 L) of the epoch before), or fixed (at 1)");
   command
       .add("--weight-learning-rate", o.weight_learning_rate,
-           "of Adam for ln alpha, ln beta, ln gamma, at the start")
+           "of Adam for ln alpha, ln beta, ln gamma, at the start (paper, eq. 25)")
       .check(cli::positive_number());
-  command.choose(
-      "--space", o.space, {{"all", SpaceOf::all_classes}, {"class", SpaceOf::each_class}},
-      "windows whose histogram a class is drawn from: all (paper 4.4.2), or those of the "
-      "class (3.4)");
   command.choose(
       "--unit", o.unit, {{"rms", Unit::rms}, {"peak", Unit::peak}, {"recording", Unit::recording}},
       "what the windows of a class are divided by: its RMS, its peak, or nothing (open in the "
@@ -73,11 +69,18 @@ void bind(const cli::Options& command, TwinOptions& o) {
       .check(cli::whole_number(1, 1000));
   command.choose("--keep", o.keep,
                  {{to_string(Keep::best), Keep::best}, {to_string(Keep::final), Keep::final}},
-                 "model that generates: best (lowest training loss) or final");
+                 "model that generates: best (lowest training loss) or final (paper 4.3, Table 4)");
   command.add("--mass-kg", o.mass_kg, "M of eq. 22, kg").check(cli::positive_number());
   command.add("--load-n", o.load_n, "W of eq. 22, N").check(cli::positive_number());
   command.add("--clearance-um", o.clearance_um, "radial clearance of eq. 11, micrometres")
       .check(cli::non_negative_number());
+}
+
+void bind_space(const cli::Options& command, TwinOptions& o) {
+  command.choose(
+      "--space", o.space, {{"all", SpaceOf::all_classes}, {"class", SpaceOf::each_class}},
+      "windows whose histogram a class is drawn from: all (paper 4.4.2), or those of the "
+      "class (3.4)");
 }
 
 }  // namespace piae::twin

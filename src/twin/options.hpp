@@ -120,4 +120,7 @@ struct TwinOptions {
 
 void bind(const cli::Options& command, TwinOptions& options);
 
+/// `space` alone, which has no meaning for piae-dt-phase: it always draws class by class.
+void bind_space(const cli::Options& command, TwinOptions& options);
+
 }  // namespace piae::twin

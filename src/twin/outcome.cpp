@@ -1,6 +1,7 @@
 #include "twin/outcome.hpp"
 
-#include "twin/curves.hpp"
+#include <algorithm>
+#include <array>
 
 namespace piae::twin {
 
@@ -9,16 +10,32 @@ namespace {
 const std::string group = "/twin_space";
 const std::string attribute = "open_contacts";
 
-WeightedLoss last_of(const artefact::Reader& model, const std::vector<double>& losses,
-                     const std::vector<double>& weights) {
-  if (losses.empty() || losses.size() != weights.size()) model.refuse("/curves", "has no epoch");
+WeightedLoss last_of(const std::vector<double>& losses, const std::vector<double>& weights) {
   return {.loss = losses.back(), .weight = weights.back()};
+}
+
+bool have_an_epoch(const Curves& curves) {
+  const std::array columns{&curves.differential, &curves.twin, &curves.reconstruction,
+                           &curves.alpha,        &curves.beta, &curves.gamma};
+  return std::ranges::none_of(columns, [](const auto* column) { return column->empty(); });
+}
+
+/// The three losses, of curves that have an epoch.
+Outcome ends_of(const Curves& curves) {
+  return {.differential = last_of(curves.differential, curves.alpha),
+          .twin = last_of(curves.twin, curves.beta),
+          .reconstruction = last_of(curves.reconstruction, curves.gamma),
+          .states = {}};
 }
 
 }  // namespace
 
-void write_open_contacts(artefact::Writer& writer, std::int64_t count) {
-  writer.attribute(group, attribute, count);
+void write_outcome(artefact::Writer& writer, const Curves& curves, std::int64_t open_contacts) {
+  writer.attribute(group, attribute, open_contacts);
+  const Outcome ends = ends_of(curves);
+  writer.attribute("/curves", "alpha_stationary", ends.differential.stationary());
+  writer.attribute("/curves", "beta_stationary", ends.twin.stationary());
+  writer.attribute("/curves", "gamma_stationary", ends.reconstruction.stationary());
 }
 
 bool has_outcome(const artefact::Reader& model) {
@@ -28,11 +45,11 @@ bool has_outcome(const artefact::Reader& model) {
 Outcome read_outcome(const artefact::Reader& model) {
   Curves curves;
   curves.read(model);
-  return {.differential = last_of(model, curves.differential, curves.alpha),
-          .twin = last_of(model, curves.twin, curves.beta),
-          .reconstruction = last_of(model, curves.reconstruction, curves.gamma),
-          .states = read_points(model, group + "/points"),
-          .open_contacts = model.integer(group, attribute)};
+  if (!have_an_epoch(curves)) model.refuse("/curves", "has no epoch");
+  Outcome outcome = ends_of(curves);
+  outcome.states = read_points(model, group + "/points");
+  outcome.open_contacts = model.integer(group, attribute);
+  return outcome;
 }
 
 }  // namespace piae::twin

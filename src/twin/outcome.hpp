@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "artefact/reader.hpp"
+#include "twin/curves.hpp"
 #include "twin/space.hpp"
 
 namespace piae::twin {
@@ -14,6 +15,7 @@ struct WeightedLoss {
   double weight = 0;  ///< after it
   /// 1 at the stationary point of eq. 23, where the weight is 1 / (2 loss).
   [[nodiscard]] double of_stationary() const { return 2 * weight * loss; }
+  [[nodiscard]] double stationary() const { return 1 / (2 * loss); }
 };
 
 /// What came of the training of a twin with the physics-informed module.
@@ -25,8 +27,9 @@ struct Outcome {
   std::int64_t open_contacts = 0;  ///< known windows whose contact is open at rest
 };
 
-/// Says in a model how many known windows have an open contact.
-void write_open_contacts(artefact::Writer& writer, std::int64_t count);
+/// Adds to a model that has its curves and its space how many known windows have an open contact,
+/// and the stationary points of the last epoch's weights.
+void write_outcome(artefact::Writer& writer, const Curves& curves, std::int64_t open_contacts);
 
 /// Whether a model has such an outcome: not where it is older, or has no physics-informed module.
 bool has_outcome(const artefact::Reader& model);

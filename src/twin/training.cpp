@@ -141,11 +141,11 @@ class Training final : public TwinTraining {
     if (model_.options.keep == Keep::best) backend_->set_values(best_);
     const std::vector<TwinPoint> states = backend_->states();
     TwinSpace(states, model_.options.space_bins).write(writer);  // eqs 14 and 15
-    if (has_physics_) write_open_contacts(writer, open_contacts(states));
     if (model_.options.space == SpaceOf::each_class) write_labels_of_space(writer, labels_);
     backend_->write_adam(writer, "/adam");
     writer.attribute("/", "best_epoch", best_epoch_);
     curves_.write(writer);
+    if (has_physics_) write_outcome(writer, curves_, open_contacts(states));
   }
 
  private:

@@ -147,6 +147,16 @@ test_figures_of_a_few_numbers_are_drawn_without_a_word() {
   done
 }
 
+# Of one seed there is no spread.
+test_readings_of_one_seed_are_drawn_without_a_word() {
+  lay_out
+  sed -E '2,$ { s/,5,([^,]*),.*/,1,\1,/ }' "$project/tests/pipeline/figures/readings.csv" >$drawn/readings.csv
+  expect_line "$(<$drawn/readings.csv)" ',1,[^,]+,$'
+  expect_no_line "$(<$drawn/readings.csv)" ',5,'
+  expect_equal "$(pipeline/figures/draw.sh $drawn/readings.csv 2>&1)" ""
+  expect_line "$(head -c 300 $drawn/readings.svg)" '<svg'
+}
+
 # Eq. 23: alpha weighs L_DDL, beta L_DT, gamma L_Rec.
 test_the_weights_of_fig_8_name_their_losses() {
   lay_out

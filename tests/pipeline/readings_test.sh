@@ -20,7 +20,7 @@ readings = ["batches=class", "batches=class+space=class"]
 TOML
 }
 
-readings() { make --silent readings BIN=fake RUN=t DATASETS=real SEEDS=100; }
+readings() { make --silent readings BIN=fake RUN=t DATASETS=real SEEDS=100 "$@"; }
 
 ran() {
   [[ -e calls ]] || return 0
@@ -72,10 +72,23 @@ test_a_stepwise_search_goes_on_from_the_best() {
     accuracy batches=other+space=class 10to1 40
     accuracy batches=other+space=class 1to1 40
     echo cwru,base,mmd,,2,100,1
+    echo cwru,published,accuracy,10to1,1,99,
+    echo cwru,published,accuracy,1to1,1,99,
   } >readings.csv
   expect_equal "$(awk -f pipeline/rank_readings.awk readings.csv)" "$(printf '%s\n' ' 58.00  space=class' ' 56.00  batches=class' \
     ' 55.00  base' ' 40.00  batches=other' ' 40.00  batches=other+space=class' \
     'to try next: batches=class+space=class' 'to try next: keep=final+space=class')"
+}
+
+test_the_table_is_of_what_is_asked_for_also_after_less_was() {
+  describe
+  readings SEEDS="100 101" >/dev/null
+  readings SEEDS=100 >/dev/null
+  readings SEEDS="100 101" >/dev/null
+  expect_line "$(<results/t/real/readings.csv)" "--ratios 10to1 1to1 --seeds 100 101 "
+  readings SEEDS="100 101" RATIOS=10to1 >/dev/null
+  readings SEEDS="100 101" >/dev/null
+  expect_line "$(<results/t/real/readings.csv)" "--ratios 10to1 1to1 --seeds 100 101 "
 }
 
 test_its_seeds_and_run_are_its_own() {

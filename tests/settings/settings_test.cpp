@@ -228,6 +228,10 @@ TEST(Protocol, WhatNothingReadsIsRefusedWithItsLine) {
               HasSubstr("line 3: readings.readings holds 'a=b+c', which is not FACTOR=VALUE"));
   EXPECT_THAT(Project("[readings]\nbase = \"a=b\"\n").refusal(),
               HasSubstr("line 2: readings.base must be a list"));
+  EXPECT_THAT(Project("[readings]\nreadings = [\"a=b\",\n\"c=d\", \"a=b\"]\n").refusal(),
+              HasSubstr("line 3: readings.readings holds 'a=b' twice"));
+  EXPECT_THAT(Project("[readings]\nreadings = [\"a=b+c=d+a=e\"]\n").refusal(),
+              HasSubstr("line 2: readings.readings holds 'a=b+c=d+a=e', which sets a twice"));
 }
 
 TEST(Protocol, TheCentreOfASweepIsWhatTheMethodHasAnyway) {

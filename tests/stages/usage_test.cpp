@@ -58,6 +58,15 @@ TEST(Usage, TrainHelpShowsTheOptionsOfTheMethod) {
   EXPECT_NE(help.out.find("--learning-rate"), std::string::npos) << help.out;
 }
 
+/// piae-dt-phase draws class by class whatever the twin's space is.
+TEST(Usage, TrainHelpShowsNoOptionThatTheMethodHasNoUseFor) {
+  const Folder folder;
+  for (const auto& [method, has_space] : {std::pair{"piae-dt", true}, {"piae-dt-phase", false}}) {
+    const Outcome help = run(folder.path(), "train", {"--method", method, "--help"});
+    EXPECT_EQ(help.out.find("--space ") != std::string::npos, has_space) << help.out;
+  }
+}
+
 /// An option whose value cannot be, and the words that must be in the answer.
 struct Impossible {
   const char* stage;

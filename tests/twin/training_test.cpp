@@ -90,6 +90,16 @@ TEST(TwinTraining, WeighsLossesAtTheStationaryPointOfTheEpochBefore) {
   }
 }
 
+TEST(TwinTraining, SaysInTheModelWhereTheWeightsAreStationaryAtTheEnd) {
+  const artefact::Reader model(train(checkpoint_at("o.ckpt"), quick_options(), "outcome.h5"),
+                               "model");
+  Curves curves;
+  curves.read(model);
+  EXPECT_DOUBLE_EQ(model.real("/curves", "alpha_stationary"), 0.5 / curves.differential.back());
+  EXPECT_DOUBLE_EQ(model.real("/curves", "beta_stationary"), 0.5 / curves.twin.back());
+  EXPECT_DOUBLE_EQ(model.real("/curves", "gamma_stationary"), 0.5 / curves.reconstruction.back());
+}
+
 /// Eq. 23 without its logarithms only ever rewards smaller weights.
 TEST(TwinTraining, WithoutTheLogarithmsAllLossWeightsShrink) {
   TwinOptions options = quick_options();
