@@ -103,10 +103,14 @@ wait "$reader"
 
 seconds=$(((${EPOCHREALTIME/./} - started) / 1000))
 seconds=$((seconds / 1000)).$((seconds % 1000 / 100))
-# The stage's last line says what it did; a warning, which begins with the stage's name, may come behind it.
+# The stage's last line says what it did; a warning or how far it was, which begin with the stage's name, may
+# come behind it.
 # Which stage, for which cell and in which file, stands before it already; where it gives a result after a
 # colon, that is enough.
-summary=$(awk -v name="$stage: " 'NR > 2 && !/^step: used / { last = $0; if (index($0, name) != 1) said = $0 }
+summary=$(awk -v name="$stage" 'NR > 2 && !/^step: used / {
+    last = $0
+    if (index($0, name ": ") != 1 && index($0, name "  ") != 1) said = $0
+  }
   END { print said == "" ? last : said }' "$log")
 summary=${summary#"$stage: "}
 summary=${summary%%": $folder/"*}

@@ -20,8 +20,8 @@ test_says_in_one_line_what_was_done() {
 }
 
 # What goes to standard error takes another way into the log, and may come last.
-test_its_line_is_what_was_done_and_not_a_warning() {
-  own_stage <<<'echo "made 3 windows"; sleep 0.2; echo "own: one of them is silent" >&2'
+test_its_line_is_what_was_done_and_not_a_warning_nor_how_far_it_was() {
+  own_stage <<<'echo "made 3 windows"; sleep 0.2; echo "own  ####   99 %" >&2; echo "own: one of them is silent" >&2'
   expect_line "$(step 2>/dev/null)" '^real/seed0 +own +[0-9]+\.[0-9] s  made 3 windows$'
 }
 
