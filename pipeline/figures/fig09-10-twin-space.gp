@@ -9,6 +9,10 @@ is_bin(kind) = is(kind) && $8 > 0
 mid(a, b) = (a + b) / 2.0
 shade(n)  = int(225 - 110.0 * n / bins_max) * 0x10101
 k(column_number) = column(column_number) / 1e8
+# Between tics, so that there are two to five of them and none is written over its neighbour.
+power_of_ten(span) = 10 ** floor(log10(span / 2))
+tic(span) = span <= 0 ? 1 : span / 2 / power_of_ten(span) < 2 ? power_of_ten(span) : \
+  span / 2 / power_of_ten(span) < 5 ? 2 * power_of_ten(span) : 5 * power_of_ten(span)
 
 # Two places within the block of a method: the joint histogram, and the marginals above and beside it.
 low_x = 0.17; high_x = 0.76; low_y = 0.17; high_y = 0.72
@@ -36,6 +40,7 @@ do for [i = 1:words(words_method)] {
   set tmargin at screen place_y(high_y)
   set xrange [k_low_min - k_margin : k_high_max + k_margin]
   set yrange [c_low_min - c_margin : c_high_max + c_margin]
+  set xtics tic(k_high_max - k_low_min)
   set xlabel "k, 10^8 N/m"
   set ylabel "c, N s/m" offset 1,0
   if (i == 1) { set key at screen 0.98, 0.995 right top horizontal } else { unset key }
@@ -79,7 +84,7 @@ do for [i = 1:words(words_method)] {
   plot data using (is_bin("c-bin") ? mid(0, $8) : NaN):(mid($5, $7)):(0):8:5:7 \
          with boxxyerror linecolor rgb 0x9A9A9A
   set border 3
-  set xtics nomirror out scale 0.5
+  set xtics nomirror out scale 0.5 # as style.gp has them
   set ytics nomirror out scale 0.5
 }
 unset multiplot
