@@ -65,6 +65,7 @@ std::vector<Section> twin_sections(const run::Layout& layout, const run::Grid& g
     std::vector<std::string> cells{method};
     for (const Column& column : columns) {
       std::vector<double> values;
+      values.reserve(outcomes.size());
       for (const Outcome& outcome : outcomes) values.push_back(column.value(outcome));
       cells.push_back(mean_label(scoring::summarise(values), {.decimals = column.decimals}));
     }

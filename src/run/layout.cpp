@@ -20,8 +20,7 @@ std::vector<std::int64_t> Layout::seeds() const {
     if (seed && *seed >= 0) seeds.push_back(*seed);
   }
   std::ranges::sort(seeds);
-  const auto repeated = std::ranges::unique(seeds);  // such as seed01
-  seeds.erase(repeated.begin(), repeated.end());
+  seeds.erase(std::unique(seeds.begin(), seeds.end()), seeds.end());  // such as seed01
   return seeds;
 }
 

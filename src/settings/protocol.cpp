@@ -33,6 +33,12 @@ std::string listed(const std::vector<std::string>& words) {
   throw Error(Exit::bad_input, line.str());
 }
 
+std::string nothing_reads(const std::string& path, const std::string& name,
+                          const std::vector<std::string>& known) {
+  return "nothing reads the table [" + path + name + "]" +
+         (known.empty() ? "" : "; there are " + path + listed(known));
+}
+
 /// Refuses the tables in `parent` that are not among `known`. `path` is what their names begin
 /// with.
 void require_known_tables(const std::filesystem::path& file, const toml::table& parent,
@@ -41,9 +47,7 @@ void require_known_tables(const std::filesystem::path& file, const toml::table& 
     const std::string name(key.str());
     const bool is_table = node.is_table() || node.is_array_of_tables();
     if (is_table && (!node.is_table() || std::ranges::find(known, name) == known.end())) {
-      refuse(file, node,
-             "nothing reads the table [" + path + name + "]" +
-                 (known.empty() ? "" : "; there are " + path + listed(known)));
+      refuse(file, node, nothing_reads(path, name, known));
     }
   }
 }
@@ -59,6 +63,12 @@ std::optional<Point> parse_point(const std::string& word) {
   return Point{word.substr(0, equals), word.substr(equals + 1)};
 }
 
+std::string twice(const std::string& factor) { return ", which sets " + factor + " twice"; }
+
+std::string holds(const std::string& list, const std::string& word, const std::string& what) {
+  return list + " holds '" + word + "'" + what;
+}
+
 /// Every word of the list is a point, or several that are joined by +, each of another factor; none
 /// is there twice.
 void require_points(const std::filesystem::path& file, const toml::table& protocol,
@@ -70,14 +80,14 @@ void require_points(const std::filesystem::path& file, const toml::table& protoc
   std::set<std::string> words;
   for (const toml::node& node : *points->as_array()) {
     const auto word = node.value_or<std::string>("");
-    if (!words.insert(word).second) refuse(file, node, name + " holds '" + word + "' twice");
+    if (!words.insert(word).second) refuse(file, node, holds(name, word, " twice"));
     std::istringstream parts(word + '+');
     std::set<std::string> factors;
     for (std::string part; std::getline(parts, part, '+');) {
       const auto point = parse_point(part);
-      if (!point) refuse(file, node, name + " holds '" + word + "', which is not FACTOR=VALUE");
+      if (!point) refuse(file, node, holds(name, word, ", which is not FACTOR=VALUE"));
       if (!factors.insert(point->factor).second) {
-        refuse(file, node, name + " holds '" + word + "', which sets " + point->factor + " twice");
+        refuse(file, node, holds(name, word, twice(point->factor)));
       }
     }
   }
