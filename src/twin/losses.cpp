@@ -41,9 +41,10 @@ void add_mmd(const RowArray<T>& x, const RowArray<T>& y, RowArray<T>* by_x, RowA
   RowArray<T> squared_by_x = RowArray<T>::Zero(x.rows(), x.cols());
   RowArray<T> squared_by_y = RowArray<T>::Zero(y.rows(), y.cols());
   const double squared = add_batch_mmd<T>(x, y, by_x ? &squared_by_x : nullptr, squared_by_y);
-  loss += std::sqrt(std::max(squared, mmd_least_squared));
+  const double root = std::sqrt(std::max(squared, mmd_least_squared));
+  loss += root;
   if (squared <= mmd_least_squared) return;
-  const auto slope = static_cast<T>(1 / (2 * std::sqrt(squared)));
+  const auto slope = static_cast<T>(1 / (2 * root));
   if (by_x) *by_x += slope * squared_by_x;
   by_y += slope * squared_by_y;
 }

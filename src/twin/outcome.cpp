@@ -14,10 +14,13 @@ WeightedLoss last_of(const std::vector<double>& losses, const std::vector<double
   return {.loss = losses.back(), .weight = weights.back()};
 }
 
+/// At least one, and as many of each curve.
 bool have_an_epoch(const Curves& curves) {
   const std::array columns{&curves.differential, &curves.twin, &curves.reconstruction,
                            &curves.alpha,        &curves.beta, &curves.gamma};
-  return std::ranges::none_of(columns, [](const auto* column) { return column->empty(); });
+  return !curves.alpha.empty() && std::ranges::all_of(columns, [&](const auto* column) {
+    return column->size() == curves.alpha.size();
+  });
 }
 
 /// The three losses, of curves that have an epoch.

@@ -1,0 +1,48 @@
+#include "twin/outcome.hpp"
+
+#include <gtest/gtest.h>
+
+#include "artefact/writer.hpp"
+#include "support/checkpoints.hpp"
+
+namespace piae::twin {
+namespace {
+
+using Column = std::vector<double> Curves::*;
+
+Curves two_epochs() {
+  Curves curves;
+  for (const Column column :
+       {&Curves::reconstruction, &Curves::differential, &Curves::twin, &Curves::total,
+        &Curves::alpha, &Curves::beta, &Curves::gamma, &Curves::learning_rate}) {
+    curves.*column = {1, 2};
+  }
+  return curves;
+}
+
+bool is_refused(const Curves& curves) {
+  artefact::Writer writer("model");
+  curves.write(writer);
+  const auto file = scratch_file("outcome.h5");
+  writer.save(file, {});
+  try {
+    read_outcome(artefact::Reader(file, "model"));
+  } catch (const artefact::Refusal& refusal) {
+    return std::string(refusal.what()).find("has no epoch") != std::string::npos;
+  }
+  return false;
+}
+
+TEST(Outcome, IsRefusedWhereALossOrWeightLacksAnEpoch) {
+  for (const Column column : {&Curves::reconstruction, &Curves::differential, &Curves::twin,
+                              &Curves::alpha, &Curves::beta, &Curves::gamma}) {
+    Curves curves = two_epochs();
+    (curves.*column).pop_back();
+    EXPECT_TRUE(is_refused(curves));
+  }
+  EXPECT_TRUE(is_refused(Curves()));
+  EXPECT_FALSE(is_refused(two_epochs()));  // but for its space, which comes after
+}
+
+}  // namespace
+}  // namespace piae::twin
