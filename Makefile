@@ -89,7 +89,7 @@ export BIN SUBMIT
 Q := $(if $(V),,@)
 
 .DEFAULT_GOAL := help
-.PHONY: help grid status check reference data test lint bench deps build build-demo clean
+.PHONY: help grid status check reference data test test-deps lint bench deps build build-demo clean
 
 help:
 	@printf '  %-11s%s\n' \
@@ -108,6 +108,7 @@ help:
 	  reference 'store RUN, or the cells of the variables given, as results/reference, its tables and figures' \
 	  data     'download the recordings that have an official address into DATA_DIR' \
 	  test     'build and run every test; those on real recordings when DATA_DIR has them' \
+	  test-deps 'install what some tests need beyond that, and are skipped without: a Slurm' \
 	  lint     'check style and structure of what changed; of everything with LINT=all' \
 	  bench    'build and run the benchmarks' \
 	  deps     'install the packages that are missing (apt)' \
@@ -187,6 +188,9 @@ bench:
 test:
 	$(Q)$(call build_them,programs tests)
 	$(Q)DATA_DIR='$(DATA_DIR)' tests/run.sh
+
+test-deps:
+	$(Q)pipeline/deps.sh $(LIBTORCH) programs tests cluster
 
 lint:
 	$(Q)pipeline/deps.sh $(LIBTORCH) programs tests benches lint
