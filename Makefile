@@ -102,7 +102,8 @@ export BIN SUBMIT
 Q := $(if $(V),,@)
 
 .DEFAULT_GOAL := help
-.PHONY: help grid cluster cluster-plan cluster-stop status check reference data test lint bench deps build build-demo clean
+.PHONY: help grid cluster cluster-plan cluster-stop status check reference data test \
+        test-deps lint bench deps build build-demo clean
 
 help:
 	@printf '  %-14s%s\n' \
@@ -116,14 +117,15 @@ help:
 	  identify 'whether the (k, c) of the twin are the true ones, on simulated windows' \
 	  readings 'the choices that the paper leaves, tried on seeds 100-104: readings.csv, readings.md' \
 	  records  'only read or simulate the data sets' \
-  cluster  'the same on Slurm, in few jobs: all, or with cells, sweep, contrast, identify or readings' \
-  cluster-plan 'what jobs that would be: their number, cores, hours and memory' \
-  cluster-stop 'stop the jobs of RUN; the same make cluster goes on from there' \
+	  cluster  'the same on Slurm, in few jobs: all, or with cells, sweep, contrast, identify or readings' \
+	  cluster-plan 'what jobs that would be: their number, cores, hours and memory' \
+	  cluster-stop 'stop the jobs of RUN; the same make cluster goes on from there' \
 	  status   'how far the grid is: cells done, running, failed, missing, and the time left' \
 	  check    'compare RUN with results/reference: all cells, or those of the variables given' \
 	  reference 'store RUN, or the cells of the variables given, as results/reference, its tables and figures' \
 	  data     'download the recordings that have an official address into DATA_DIR' \
 	  test     'build and run every test; those on real recordings when DATA_DIR has them' \
+	  test-deps 'install what some tests need beyond that, and are skipped without: a Slurm' \
 	  lint     'check style and structure of what changed; of everything with LINT=all' \
 	  bench    'build and run the benchmarks' \
 	  deps     'install the packages that are missing (apt)' \
@@ -144,9 +146,9 @@ help:
 	  SUBMIT   'command put before every step, such as "srun --ntasks=1 --mem=2G"  [$(SUBMIT)]' \
 	  TOLERANCE 'of check: exact, spread, or auto: exact on the same processor and libraries  [$(TOLERANCE)]' \
 	  CORES    'of a job on a cluster  [$(CORES)]' \
-  MINUTES  'that a job on a cluster is to take, by what the steps took elsewhere  [$(MINUTES)]' \
-  JOBS     'that run at a time on a cluster  [$(JOBS)]' \
-  GPU_PARTITION 'of the cluster, for what asks for device = "cuda" in pipeline/  [$(GPU_PARTITION)]' \
+	  MINUTES  'that a job on a cluster is to take, by what the steps took elsewhere  [$(MINUTES)]' \
+	  JOBS     'that run at a time on a cluster  [$(JOBS)]' \
+	  GPU_PARTITION 'of the cluster, for what asks for device = "cuda" in pipeline/  [$(GPU_PARTITION)]' \
   LINT     'of lint: all, or what changed  [$(LINT)]' \
 	  V        'V=1 shows the commands  [$(V)]' \
 	  | sed '1i\\nVariables, and their values now'
@@ -214,6 +216,9 @@ bench:
 test:
 	$(Q)$(call build_them,programs tests)
 	$(Q)DATA_DIR='$(DATA_DIR)' tests/run.sh
+
+test-deps:
+	$(Q)pipeline/deps.sh $(LIBTORCH) programs tests cluster
 
 lint:
 	$(Q)pipeline/deps.sh $(LIBTORCH) programs tests benches lint

@@ -4,6 +4,7 @@
 # usage: jobs/ended.sh results/RUN SUBMISSION FOLDER
 # Writes FOLDER/queue, lines of jobs_in_queue, and FOLDER/ended: name of the job's list, why; with a tab between.
 set -euo pipefail
+# shellcheck source=jobs/common.sh
 source "${0%/*}/common.sh"
 
 run=$1 submission=$2 folder=$3

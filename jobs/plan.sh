@@ -3,6 +3,7 @@
 # usage: jobs/plan.sh FOLDER GOAL VARIABLE=VALUE...      (make's variables, and CORES, MINUTES)
 # FOLDER gets `jobs`, a line for each kind of job, and a file for each job (jobs/plan.awk).
 set -euo pipefail
+# shellcheck source=jobs/common.sh
 source "${0%/*}/common.sh"
 unset MAKEFLAGS MFLAGS MAKELEVEL MAKEOVERRIDES
 
@@ -23,9 +24,9 @@ asks_for_gpu() { # settings file
     grep -qE '^device *= *"cuda' "$folder/settings/$1.toml"
 }
 gpu_methods='' gpu_stages=''
-for method in $(cut -f 3 "$folder/steps" | sort -u); do
+while read -r method; do
   ! asks_for_gpu "train.$method" || gpu_methods+=" $method"
-done
+done < <(cut -f 3 "$folder/steps" | sort -u | grep .)
 for stage in generate diagnose; do ! asks_for_gpu "$stage" || gpu_stages+=" $stage"; done
 [[ $gpu_stages != *diagnose* ]] || gpu_stages+=" features"
 

@@ -4,6 +4,7 @@
 # usage: jobs/stop.sh results/RUN
 set -euo pipefail
 cd "${0%/*}/.."
+# shellcheck source=jobs/common.sh
 source jobs/common.sh
 
 results=$1

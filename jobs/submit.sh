@@ -5,6 +5,7 @@
 # environment variables: SBATCH_PARTITION, SBATCH_ACCOUNT, ...
 set -euo pipefail
 cd "${0%/*}/.."
+# shellcheck source=jobs/common.sh
 source jobs/common.sh
 
 only_plan=
@@ -31,9 +32,8 @@ if [[ $only_plan ]]; then
 fi
 
 # A job whose log cannot be written ends without a word, so this is tried first.
-mkdir -p "$results/.jobs" 2>/dev/null && : 2>/dev/null >"$results/.jobs/lock" ||
-  die "$results/.jobs cannot be written; nothing is submitted. Whose it is: $(stat --format='%U' "$results/.jobs" 2>/dev/null)"
-exec 9>"$results/.jobs/lock"
+{ mkdir -p "$results/.jobs" && exec 9>"$results/.jobs/lock"; } 2>/dev/null ||
+  die "$results/.jobs cannot be written, where the logs of the jobs are to be; nothing is submitted"
 flock --nonblock 9 || die "another \`make cluster\` is submitting this run; nothing is submitted"
 queue=$(jobs_in_queue "$results") || die "Slurm does not answer, see above; nothing is submitted"
 [[ -z $queue ]] || die "jobs of this run are in the queue already: $(job_ids <<<"$queue"); \`make status\` shows them," \

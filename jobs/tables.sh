@@ -3,6 +3,7 @@
 # named. Prints at the end what was spent. Exits with 1 if anything is missing.
 # usage: jobs/tables.sh FOLDER GOAL VARIABLE=VALUE...      FOLDER and GOAL are those of jobs/submit.sh
 set -uo pipefail
+# shellcheck source=jobs/common.sh
 source jobs/common.sh
 
 folder=$1 goal=$2
@@ -37,8 +38,9 @@ tables_with_holes() { # data set
 # Other tables are of the seeds of which nothing is missing.
 complete_seeds() {
   local seed
+  # shellcheck disable=SC2016 # make expands it
   for seed in $("${grid[@]}" --eval='print-seeds: ; @echo $(SEEDS)' print-seeds); do
-    grep -q "/seed$seed[/"$'\t'] "$scratch/steps" || echo "$seed"
+    grep -q "/seed${seed}[/"$'\t'] "$scratch/steps" || echo "$seed"
   done
 }
 

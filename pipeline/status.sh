@@ -8,6 +8,7 @@ run=$1
 shift
 scratch=$(mktemp -d)
 trap 'rm -r "$scratch"' EXIT
+# shellcheck source=jobs/common.sh
 source jobs/common.sh
 unset MAKEFLAGS MFLAGS MAKELEVEL MAKEOVERRIDES
 
@@ -22,10 +23,11 @@ jobs=$(last_submission "$run")
 [[ -z $jobs ]] || jobs/ended.sh "$run" "$jobs" "$scratch"
 # Why the job ended that was to make a step of this folder.
 job_ended() { # folder
-  local list
-  [[ -s $scratch/ended ]] || return 0
-  list=$(grep -lF "$1/" $(awk -v f="$jobs/" '{ print f $1 }' "$scratch/ended") | head -n 1)
-  [[ -z $list ]] || awk -F '\t' -v name="${list##*/}" '$1 == name { print $2 }' "$scratch/ended"
+  local list why
+  [[ -n $jobs && -s $scratch/ended ]] || return 0
+  while IFS=$'\t' read -r list why; do
+    ! grep -qF "$1/" "$jobs/$list" 2>/dev/null || echo "$why"
+  done <"$scratch/ended" | sed -n 1p
 }
 
 # A line for each step that is to be done: folder, stage, state, and of a failed one its exit code. See

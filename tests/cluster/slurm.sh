@@ -1,0 +1,190 @@
+# shellcheck shell=bash
+# A real Slurm for tests: slurmctld and four slurmd on this host, in a network namespace of their own,
+# since without munge their ports are open to whoever reaches them. To be sourced; the script that does is
+# started anew in the namespace. It is up in a second, also as an ordinary user.
+#
+#   slurm_up, slurm_down           start it in $slurm_folder, a new one; end all of it, which is also done at
+#                                  the script's exit
+#   wait_for_job STATE [JOB]       until a job, or any, is in that state (RUNNING, PENDING, COMPLETED, ...)
+#   wait_for_nodes                 until all nodes are idle
+#   kill_node NODE, start_node NODE    its slurmd, its stepd and what ran on it, by SIGKILL, as when a node
+#                                  loses its power; and its slurmd anew
+#   restart_ctld                   kill -9, and a new one that goes on from the state of the old
+#   until_true WHAT COMMAND...     waits up to two minutes, and says what for if it was in vain
+#
+# What is to be known of it:
+# - Whatever runs in the namespace belongs to the test: so it is ended, by process id. A stepd is no child of
+#   its slurmd, and survives it.
+# - A job that is requeued waits two minutes; `scontrol update JobId=N StartTime=now` skips them.
+# - A slurmctld that is killed within 3 s of a submission has forgotten the job: wait before restart_ctld.
+# - `scancel --signal=TERM` goes to the steps; with --batch to the batch script, and with --full to both.
+# - A node that was lost is DOWN for SlurmdTimeout; its slurmd back again, ReturnToService makes it idle.
+# - Time limits are in minutes, and are looked at every few seconds: --time=1 ends after 60 to 70 s.
+# - A step in an allocation waits for others unless --exact, and for memory unless --mem= says how much.
+
+slurm_nodes=(n1 n2 n3 n4)
+slurm_programs=(slurmctld slurmd srun sbatch scontrol scancel squeue)
+
+# As count.awk reads it.
+cannot_run_slurm() {
+  printf '%s: Skipped\n%s\n' "${0##*/}" "$1"
+  exit 77
+}
+
+if [[ -z ${IN_SLURM_NAMESPACE:-} ]]; then
+  PATH=$PATH:/usr/sbin:/sbin
+  for program in "${slurm_programs[@]}"; do
+    command -v "$program" >/dev/null ||
+      cannot_run_slurm "$program is not installed; \`make test-deps\` installs it"
+  done
+  namespace=(unshare --net --uts)
+  ((EUID == 0)) || namespace+=(--user --map-root-user)
+  "${namespace[@]}" true 2>/dev/null ||
+    cannot_run_slurm "a network namespace cannot be made here (${namespace[*]})"
+  IN_SLURM_NAMESPACE=1 exec "${namespace[@]}" "$0" "$@"
+fi
+# This host's name may stand for an address that is not in the namespace. Where there are loopback
+# addresses alone, Slurm resolves no name at all: so one other is there that leads nowhere.
+hostname localhost
+ip link set lo up
+ip address add 192.0.2.1/32 dev lo
+
+# One's own environment would give options to srun and sbatch, or be taken for an allocation.
+for variable in "${!SLURM_@}" "${!SBATCH_@}" "${!SRUN_@}"; do unset "$variable"; done
+
+slurm_conf() {
+  local folder=$slurm_folder node port=17010
+  cat <<CONF
+ClusterName=test
+SlurmctldHost=localhost
+SlurmctldPort=17001
+SlurmUser=root
+AuthType=auth/none
+CredType=cred/none
+ProctrackType=proctrack/linuxproc
+TaskPlugin=task/none
+MpiDefault=none
+MailProg=/bin/true
+SelectType=select/cons_tres
+SelectTypeParameters=CR_Core_Memory
+DefMemPerCPU=500
+SlurmdParameters=config_overrides
+SchedulerParameters=bf_interval=1,sched_interval=2,sched_min_interval=0
+JobCompType=jobcomp/filetxt
+JobCompLoc=$folder/jobs
+AccountingStorageType=accounting_storage/none
+ReturnToService=2
+SlurmctldTimeout=10
+SlurmdTimeout=10
+KillWait=5
+StateSaveLocation=$folder/state
+SlurmdSpoolDir=$folder/spool-%n
+SlurmctldPidFile=$folder/slurmctld.pid
+SlurmdPidFile=$folder/slurmd-%n.pid
+SlurmctldLogFile=$folder/slurmctld.log
+SlurmdLogFile=$folder/slurmd-%n.log
+CONF
+  for node in "${slurm_nodes[@]}"; do
+    echo "NodeName=$node NodeHostname=localhost NodeAddr=127.0.0.1 Port=$((++port)) CPUs=2 RealMemory=4000"
+  done
+  echo "PartitionName=all Nodes=n[1-4] Default=YES MaxTime=INFINITE State=UP"
+  echo "PartitionName=gpu Nodes=n4 MaxTime=INFINITE State=UP"
+}
+
+# In a subshell, so that they are no jobs of the test's shell.
+start_ctld() { (slurmctld -D -f "$SLURM_CONF" >>"$slurm_folder/output" 2>&1 &) }
+start_node() { (slurmd -D -N "$1" -f "$SLURM_CONF" >>"$slurm_folder/output" 2>&1 &) }
+
+slurm_up() {
+  slurm_folder=$(mktemp -d)
+  export SLURM_CONF=$slurm_folder/slurm.conf
+  mkdir "$slurm_folder/state" "${slurm_nodes[@]/#/$slurm_folder/spool-}"
+  slurm_conf >"$SLURM_CONF"
+  trap slurm_down EXIT
+  local node
+  start_ctld
+  for node in "${slurm_nodes[@]}"; do start_node "$node"; done
+  # Should this script be killed, it is ended all the same.
+  (end_after_us &) >/dev/null 2>&1
+  wait_for_nodes
+}
+
+end_after_us() {
+  trap '' HUP INT TERM
+  while [[ -e /proc/$$ ]]; do sleep 1; done
+  slurm_down
+}
+
+# The process ids of all in the namespace but this script's own.
+in_namespace() {
+  local process here
+  here=$(readlink /proc/self/ns/net)
+  for process in /proc/[0-9]*; do
+    [[ $(readlink "$process/ns/net" 2>/dev/null) == "$here" ]] || continue
+    process=${process#/proc/}
+    ((process == $$ || process == BASHPID)) || echo "$process"
+  done
+}
+
+slurm_down() {
+  local processes process left
+  for _ in {1..50}; do
+    processes=$(in_namespace)
+    left=
+    for process in $processes; do
+      ((process == BASHPID)) || ! kill -KILL "$process" 2>/dev/null || left=yes
+    done
+    [[ $left ]] || break
+    sleep 0.02
+  done
+  rm -rf "$slurm_folder"
+}
+
+# A node's slurmd and its stepd have its log open; what they started knows its name.
+on_node() { # node
+  local process
+  for process in $(in_namespace); do
+    if readlink "/proc/$process"/fd/* 2>/dev/null | grep -qxF "$slurm_folder/slurmd-$1.log" ||
+      tr '\0' '\n' <"/proc/$process/environ" 2>/dev/null | grep -qx "SLURMD_NODENAME=$1"; then
+      echo "$process"
+    fi
+  done
+}
+
+kill_node() {
+  local process
+  for process in $(on_node "$1"); do kill -KILL "$process" 2>/dev/null; done
+  return 0
+}
+
+restart_ctld() {
+  local process
+  for process in $(in_namespace); do
+    ! readlink "/proc/$process"/fd/* 2>/dev/null | grep -qxF "$slurm_folder/slurmctld.log" ||
+      kill -KILL "$process" 2>/dev/null
+  done
+  start_ctld
+  until_true "slurmctld answers again" scontrol ping
+}
+
+# Up to two minutes: what Slurm does by itself takes up to half of one.
+until_true() { # what is waited for, command...
+  local began=$SECONDS
+  until "${@:2}" >/dev/null 2>&1; do
+    sleep 0.1
+    ((SECONDS - began < 120)) || {
+      echo "waited in vain until $1; sinfo, squeue and the logs say:" >&2
+      sinfo --Node --long >&2
+      squeue >&2
+      tail -n 20 "$slurm_folder"/slurm*.log >&2
+      return 1
+    }
+  done
+}
+
+all_idle() { [[ $(sinfo --noheader --partition=all --Format=StateLong | sort -u) == idle* ]]; }
+wait_for_nodes() { until_true "all nodes are idle" all_idle; }
+
+# Of jobs that have ended Slurm knows the state for five minutes (MinJobAge).
+in_state() { squeue --noheader --states=all --format=%T ${2:+--jobs="$2"} | grep -qx "$1"; }
+wait_for_job() { until_true "job ${2:-of any number} is $1" in_state "$@"; }
