@@ -38,7 +38,7 @@ if [[ -z ${IN_SLURM_NAMESPACE:-} ]]; then
       cannot_run_slurm "$program is not installed; \`make test-deps\` installs it"
   done
   namespace=(unshare --net --uts)
-  ((EUID == 0)) || namespace+=(--user --map-root-user)
+  ((EUID == 0)) || namespace+=(--user --map-current-user --keep-caps)
   "${namespace[@]}" true 2>/dev/null ||
     cannot_run_slurm "a network namespace cannot be made here (${namespace[*]})"
   IN_SLURM_NAMESPACE=1 exec "${namespace[@]}" "$0" "$@"
@@ -58,7 +58,8 @@ slurm_conf() {
 ClusterName=test
 SlurmctldHost=localhost
 SlurmctldPort=17001
-SlurmUser=root
+SlurmUser=$(id -un)
+SlurmdUser=$(id -un)
 AuthType=auth/none
 CredType=cred/none
 ProctrackType=proctrack/linuxproc
