@@ -32,7 +32,7 @@ function look_up(stage, dataset, method, ratio,    keys, i) {
   for (i = 1; i <= 6; ++i) {
     if (stage == "train" && i > 2 && i < 5) continue
     if (!(keys[i] in cost)) continue
-    if (i > 5 || (stage == "train" && i > 2)) unknown[stage (method == "" ? "" : " --method " method)]
+    if (i > 5 || (stage == "train" && i > 2)) unknown[stage (stage == "train" ? " --method " method : "")]
     return keys[i]
   }
   return ""

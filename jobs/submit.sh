@@ -92,5 +92,5 @@ while IFS=$'\t' read -r kind number cores minutes megabytes _; do
   [[ $kind != records ]] || after
 done <"$folder/jobs"
 
-printf 'submitted as job %s\n' "$(awk -F '\t' '{ printf "%s%s (%s)", NR > 1 ? ", " : "", $2, $1 }' "$folder/submitted")"
+echo "submitted as job $(awk -F '\t' '{ printf "%s%s (%s)", before, $2, $1; before = ", " }' "$folder/submitted")"
 echo "\`make status\` shows how far it is, \`make cluster-stop\` stops it; with the same RUN. Logs: $folder"
