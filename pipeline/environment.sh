@@ -1,8 +1,11 @@
 # shellcheck shell=bash
-# What steps and benchmarks compute in; to be sourced. What is set already stays.
-#
+# What steps and benchmarks compute in; to be sourced. It is set and not inherited: what a login shell
+# happens to have would change the bytes of artefacts.
+for variable in "${!OMP_@}" "${!GOMP_@}" "${!KMP_@}" "${!MKL_@}" "${!OPENBLAS_@}" "${!GOTO_@}"; do
+  unset "$variable"
+done
 # Memory comes in huge pages and is kept for the next use: fresh pages are half of what reading
 # costs, and networks that do not fit a page table's cache train slower.
 tunables=glibc.malloc.hugetlb=1:glibc.malloc.mmap_threshold=1073741824
-export GLIBC_TUNABLES=${GLIBC_TUNABLES:-$tunables:glibc.malloc.trim_threshold=1073741824}
-export OPENBLAS_NUM_THREADS=${OPENBLAS_NUM_THREADS:-1}
+export GLIBC_TUNABLES=$tunables:glibc.malloc.trim_threshold=1073741824
+export OPENBLAS_NUM_THREADS=1 MKL_NUM_THREADS=1

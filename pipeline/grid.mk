@@ -78,7 +78,8 @@ options.split   := --protocol $(PROTOCOL)
 # What is there is complete, so make has no cause to remove it when it is interrupted.
 .PRECIOUS: %.h5
 
-# A step runs a stage for the folder of its target. Its settings file is also what the stage reads.
+# A step runs a stage for the folder of its target. Its settings file is also what the stage reads. What it
+# makes stands behind --output, or behind -- where that is several files.
 step   = $(Q)pipeline/step.sh $(@D)
 config = --config $(filter $(settings)/%,$^)
 
@@ -93,7 +94,7 @@ windows = $(patsubst %,$1/%.h5,A B C D)
 
 define split_rule # data set, seed, its folder
 $(call windows,$3) &: $(results)/$1/records.h5 $(settings)/split.toml
-	$$(step) split $$(config) --records $$< --seed $2 --protocol $(PROTOCOL) --output-dir $$(@D)
+	$$(step) split $$(config) --records $$< --seed $2 --protocol $(PROTOCOL) --output-dir $$(@D) -- $(call windows,$3)
 endef
 
 define generator_rules # seed, its folder, cell; where that is not a method: the method, further options
@@ -170,7 +171,8 @@ $(foreach dataset,$(DATASETS),$(eval $(call find_besides,$(dataset),$(results)/$
 
 define tables_rule # data set
 $(call tables_of,$1) &: $(call cell_files,$1) $(besides.$1) $(wildcard results/published/*.csv) $(settings)/tabulate.$1.toml
-	$$(step) tabulate $$(config) --run $(results) --dataset $1 $(selection) $(call leave_out,$(left_out.$1))--published results/published
+	$$(step) tabulate $$(config) --run $(results) --dataset $1 $(selection) $(call leave_out,$(left_out.$1))--published results/published \
+	  -- $(call tables_of,$1)
 endef
 
 # A rule holds nothing that make would expand a second time, apart from what $$ defers.

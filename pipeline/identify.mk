@@ -30,7 +30,8 @@ $(if $(only_asking),,$(foreach dataset,$(identify_datasets),$(eval $(call find_o
 define identify_rule # data set
 $(call identify_tables,$1) &: $(settings)/identify.$1.toml $(call identify_models,$1) $(other_models.$1) \
     $(foreach folder,$(call seed_folders,$1),$(call windows,$(folder)))
-	$$(step) identify $$(config) --run $(results) --dataset $1 $(call leave_out,$(models_left_out.$1))$(identify_choice)
+	$$(step) identify $$(config) --run $(results) --dataset $1 $(call leave_out,$(models_left_out.$1))$(identify_choice) \
+	  -- $(call identify_tables,$1)
 endef
 $(foreach dataset,$(identify_datasets),$(eval $(call identify_rule,$(dataset))))
 

@@ -40,7 +40,7 @@ define readings_rule # data set
 $(call readings_tables,$1) &: $(call readings_cells,$1) $(wildcard results/published/*.csv) \
                               $(settings)/readings.$1.toml
 	$$(step) readings $$(config) --run $(results) --dataset $1 $(readings_choice) \
-	  --published results/published
+	  --published results/published -- $(call readings_tables,$1)
 $(results)/$1/readings.svg $(results)/$1/readings.pdf &: $(results)/$1/readings.csv $(wildcard pipeline/figures/*)
 	$$(Q)pipeline/figures/draw.sh $$<
 endef

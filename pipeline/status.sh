@@ -38,7 +38,7 @@ while read -r folder stage; do
   if [[ -f $log ]]; then
     code=$(sed -n 's/^step: exit \([0-9]*\) after .*/\1/p' "$log" | tail -n 1)
     case $code in
-      0 | 75 | 129 | 130 | 143) ;; # of older settings, or stopped
+      0 | 75 | 129 | 130 | 131 | 138 | 143) ;; # of older settings, or stopped
       '')
         if ! flock --shared --nonblock "$log" true; then
           state=running

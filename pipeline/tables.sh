@@ -18,7 +18,7 @@ stopped=
 run() { # goal...
   "${make[@]}" "$@" &
   local child=$! signalled=1 status
-  trap 'stopped=yes signalled=1; kill -TERM "$child" 2>/dev/null' INT TERM HUP
+  trap 'stopped=yes signalled=1; kill -TERM "$child" 2>/dev/null' INT TERM HUP QUIT
   while ((signalled)); do
     signalled=0
     wait "$child"
@@ -48,7 +48,7 @@ name_the_holes() {
     read -ra words <<<"$options"
     # Its settings may not have been written yet: make has stopped before.
     "${make[@]}" "${words[1]}" # --config FILE
-    "$script" "$folder" "$stage" "${words[@]}" "${outdated[@]}" >/dev/null
+    "$script" "$folder" "$stage" "${outdated[@]}" "${words[@]}" >/dev/null
   done <<<"$steps"
   echo "not every cell could be made; make status, with the same variables, shows which failed and why" >&2
 }

@@ -39,18 +39,23 @@ int fail(const std::string& name, Exit exit, const std::string& line) {
   return static_cast<int>(exit);
 }
 
-/// A step of a run (pipeline/step.sh) asks its stage what it has used, whether it is done or
-/// failed.
+/// A step of a run (pipeline/step.sh) asks its stage to say when it has started, which may be long
+/// after it was sent to a cluster, and what it has used, whether it is done or failed.
 class UsageForStep {
  public:
-  UsageForStep() = default;
+  UsageForStep() {
+    if (asked_for()) std::cerr << "step: started\n";
+  }
   UsageForStep(const UsageForStep&) = delete;
   UsageForStep& operator=(const UsageForStep&) = delete;
   ~UsageForStep() {
-    if (std::getenv("PIAE_STEP") == nullptr) return;
+    if (!asked_for()) return;
     std::cout.flush();  // the line of the stage stands before it
     std::cerr << usage_line() + '\n';
   }
+
+ private:
+  static bool asked_for() { return std::getenv("PIAE_STEP") != nullptr; }
 };
 
 }  // namespace

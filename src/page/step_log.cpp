@@ -32,7 +32,7 @@ std::optional<double> number_between(std::string_view line, std::string_view bef
 
 StepEnd end_of(int exit_code) {
   constexpr int after_checkpoint = 75;
-  constexpr int signals[] = {129, 130, 143};  // hung up, Ctrl-C, terminated
+  constexpr int signals[] = {129, 130, 131, 138, 143};  // hung up, Ctrl-C, Ctrl-\, USR1, terminated
   if (exit_code == 0) return StepEnd::done;
   const bool stopped =
       exit_code == after_checkpoint || std::ranges::find(signals, exit_code) != std::end(signals);
@@ -41,6 +41,10 @@ StepEnd end_of(int exit_code) {
 
 void read_line(const std::string& line, StepLog& log) {
   if (const auto begun = number_between(line, "step: begun at ", "")) log.begun_s = begun;
+  // Its place in a queue is no part of a step.
+  if (const auto waited = number_between(line, "step: waited ", " s"); waited && log.begun_s) {
+    *log.begun_s += *waited;
+  }
   if (const auto processor = number_between(line, "step: used ", " s ")) {
     log.processor_s = processor;
     const std::string_view memory = " and ";

@@ -83,6 +83,9 @@ test_what_another_make_has_done_meanwhile_is_not_done_again() {
   run
   expect_line "$(<messages)" '^real/seed0 +own +done meanwhile by another make$'
   expect_equal "$(wc -l <calls)" 1
+  # The same step, sent elsewhere.
+  SUBMIT=env run
+  expect_equal "$(wc -l <calls)" 1
   # Not, when it is another step, when what it names has changed, or when make has looked later.
   ASKED_AT=$asked_at step --input input --more --output $made >/dev/null
   expect_equal "$(wc -l <calls)" 2
@@ -101,6 +104,73 @@ test_what_another_make_has_done_meanwhile_is_not_done_again() {
   expect_exit 1 run
 }
 
+# Their commands do not name their cells.
+test_tables_that_another_make_has_made_meanwhile_are_not_made_again() {
+  # shellcheck disable=SC2016
+  own_stage <<<'echo once >>calls; echo made >results/t/real/table.csv'
+  local asked_at folder=results/t/real
+  asked_at=$(date +%s.%6N)
+  mkdir -p $folder/seed0/smote results/published
+  touch $folder/seed0/smote/score.h5
+  tables() { ASKED_AT=$asked_at pipeline/step.sh $folder own --run results/t --published results/published -- $folder/table.csv; }
+  sleep 0.05
+  tables >/dev/null
+  expect_line "$(tables)" 'done meanwhile by another make$'
+  # What comes of another seed's features or data set is nothing to them; a cell is.
+  mkdir -p results/t/other
+  touch $folder/seed0/smote/features.h5 results/t/other/records.h5
+  tables >/dev/null
+  expect_equal "$(wc -l <calls)" 1
+  touch $folder/seed0/smote/score.h5
+  tables >/dev/null
+  expect_equal "$(wc -l <calls)" 2
+  touch results/published/accuracy.csv
+  tables >/dev/null
+  expect_equal "$(wc -l <calls)" 3
+  rm $folder/table.csv
+  tables >/dev/null
+  expect_equal "$(wc -l <calls)" 4
+}
+
+# As with srun, which says 0 when its node is lost.
+test_a_step_that_has_not_made_its_files_anew_has_failed() {
+  local made=results/t/real/seed0
+  own_stage <<<'exit 0'
+  mkdir -p $made
+  echo old >$made/E.h5
+  expect_exit 1 step --output $made/E.h5
+  expect_line "$(step --output $made/E.h5 2>&1 || true)" \
+    '^real/seed0 +own +failed with exit code 1 .*has not made results/t/real/seed0/E.h5; was its node lost'
+  expect_line "$(<$made/own.log)" '^own: the stage ended as if all were well, but has not made .*E.h5'
+  expect_line "$(tail -n 1 $made/own.log)" '^step: exit 1 after'
+  own_stage <<<'echo old >new; mv new results/t/real/seed0/E.h5'
+  expect_exit 0 step --output $made/E.h5
+  # All of several, and none of them is an option of the stage.
+  own_stage <<<'echo "$*" >results/t/real/seed0/A.h5'
+  expect_exit 1 step --output-dir $made -- $made/A.h5 $made/B.h5
+  expect_equal "$(<$made/A.h5)" "--output-dir $made"
+  own_stage <<<'touch results/t/real/seed0/{A,B}.h5'
+  expect_exit 0 step --output-dir $made -- $made/A.h5 $made/B.h5
+}
+
+# Numbers of figures that are as they were are left alone: there nothing is made anew.
+test_a_step_elsewhere_that_names_no_files_has_said_what_it_used() {
+  own_stage <<<'exit 0'
+  expect_exit 0 step
+  SUBMIT=env expect_exit 1 step
+  own_stage <<<'echo "step: used 1.00 s of processor time and 10 MB of memory" >&2'
+  SUBMIT=env expect_exit 0 step
+}
+
+test_says_that_memory_may_have_been_short() {
+  # shellcheck disable=SC2016
+  own_stage <<<'kill -KILL $$'
+  expect_line "$(step 2>&1 || true)" 'failed with exit code 137 after [0-9.]+ s: killed, perhaps for want of memory \(log'
+  expect_line "$(<results/t/real/seed0/own.log)" '^own: killed, perhaps for want of memory$'
+  own_stage <<<'echo "slurmstepd: error: Detected 1 oom_kill event in StepId=5.0." >&2; exit 1'
+  expect_line "$(step 2>&1 || true)" 'failed with exit code 1 .*: killed, perhaps for want of memory'
+}
+
 test_missing_program_fails() {
   rm -f fake/own
   expect_exit 127 step
@@ -114,16 +184,20 @@ test_names_a_folder_that_cannot_be_made() {
 }
 
 test_submit_goes_before_the_stage() {
-  own_stage <<<'echo "own: here"'
+  own_stage <<<'echo "own: here"; echo "step: used 1.00 s of processor time and 10 MB of memory" >&2'
   expect_line "$(SUBMIT="env MARK=1 nice -n 1" step)" "here"
   expect_line "$(<results/t/real/seed0/own.log)" '^env MARK=1 nice -n 1 fake/own'
 }
 
-test_stages_get_one_thread() {
+# A login shell's variables would change the bytes of what is made.
+test_stages_get_one_thread_whatever_the_login_shell_says() {
   # shellcheck disable=SC2016
-  own_stage <<<'echo "threads $OMP_NUM_THREADS $OPENBLAS_NUM_THREADS"'
-  expect_line "$(step)" 'threads 1 1$'
-  expect_line "$(OMP_NUM_THREADS=3 step)" 'threads 3 1$'
+  own_stage <<<'echo "threads $OMP_NUM_THREADS $OPENBLAS_NUM_THREADS ${OMP_SCHEDULE-unset} ${GLIBC_TUNABLES//[^=]/}"'
+  expect_line "$(step)" 'threads 1 1 unset ===$'
+  expect_line "$(OMP_NUM_THREADS=3 OPENBLAS_NUM_THREADS=3 OMP_SCHEDULE=dynamic GLIBC_TUNABLES=a=1 step)" 'threads 1 1 unset ===$'
+  # Only simulate takes all the cores that there are.
+  mv fake/own fake/simulate
+  expect_line "$(OMP_NUM_THREADS=3 pipeline/step.sh results/t/real simulate 2>&1 || true)" 'OMP_NUM_THREADS: unbound|threads  1'
 }
 
 # A stage that answers SIGTERM with a checkpoint and 75, as train does.
@@ -151,6 +225,76 @@ test_a_signal_reaches_the_stage_which_is_waited_for() {
     expect_equal "$signal $code $(<checkpoint)" "$signal 75 saved"
     expect_line "$(<messages)" 'interrupted after a checkpoint; the same command goes on'
   done
+}
+
+# A queue that passes USR1 on to what it runs, and with any other signal kills it, as srun does; but while
+# there is a file `busy` all it can do is to wait.
+queue() {
+  cat >queue <<'QUEUE'
+#!/bin/bash
+trap 'echo USR1 >>queue-got' USR1
+trap 'echo TERM >>queue-got; exit 1' TERM
+touch queued
+while [[ -e busy ]]; do sleep 0.05; done
+"$@" &
+child=$!
+trap 'echo USR1 >>queue-got; kill -USR1 $child; again=yes' USR1
+trap 'echo TERM >>queue-got; kill -KILL $child; again=yes' TERM
+again=yes
+while [[ $again ]]; do
+  again=
+  wait $child
+  code=$?
+done
+exit $code
+QUEUE
+  chmod +x queue
+}
+
+test_a_stage_on_a_cluster_is_stopped_by_usr1() {
+  queue
+  own_stage <<'STAGE'
+trap 'echo saved >checkpoint; exit 75' USR1
+echo "step: started" >&2
+touch started
+while :; do sleep 0.05; done
+STAGE
+  local signal code
+  for signal in TERM INT HUP QUIT; do
+    rm -f checkpoint started queue-got
+    set -m
+    SUBMIT=./queue step >/dev/null 2>messages &
+    set +m
+    wait_for started
+    until grep -qs '^step: started' results/t/real/seed0/own.log; do sleep 0.05; done
+    # To the whole group, as a terminal does.
+    kill -$signal -- -$!
+    code=0
+    wait $! || code=$?
+    expect_equal "$signal $code $(<checkpoint) $(<queue-got)" "$signal 75 saved USR1"
+  done
+}
+
+test_a_step_in_a_queue_is_stopped_at_once() {
+  queue
+  touch busy
+  SUBMIT=./queue step >/dev/null 2>&1 &
+  wait_for queued
+  kill -TERM $!
+  expect_exit 143 wait $!
+  expect_equal "$(<queue-got)" TERM
+  expect_line "$(<results/t/real/seed0/own.log)" '^step: exit 143 after'
+}
+
+test_what_it_waits_in_a_queue_is_no_time_of_a_step() {
+  queue
+  own_stage <<<'echo "step: started" >&2; sleep 0.3; echo made >results/t/real/seed0/E.h5'
+  touch busy
+  (sleep 2 && rm busy) &
+  SUBMIT=./queue step --output results/t/real/seed0/E.h5 >line
+  expect_line "$(<line)" ' 0\.[3-9] s '
+  expect_line "$(<results/t/real/seed0/own.log)" '^step: waited [23]\.[0-9] s$'
+  expect_line "$(<results/t/real/seed0/own.log)" '^step: exit 0 after 0\.[3-9] s$'
 }
 
 test_interrupting_make_interrupts_the_stage() {

@@ -1,0 +1,61 @@
+# shellcheck shell=bash
+# What a step makes, and whether it has; to be sourced by step.sh, whose variables it reads.
+
+time_of() { stat --format=%.6Y "$1"; }
+
+# Two makes that start at once may both find a step to be done, such as reading the recordings. Who
+# comes second must not do it again: with it would be done again, next time, all that came of it. It
+# is done when this very stage with these options has ended well since make looked, and nothing that it
+# reads has changed since it began. SUBMIT and BIN may have been others.
+done_meanwhile() {
+  local begun file word after option=
+  [[ -n ${ASKED_AT:-} && ${#makes[@]} -gt 0 && -f $log ]] || return
+  [[ " $(head -n 1 "$log")" == *[\ /]"$stage ${options[*]}" ]] || return
+  [[ $(tail -n 1 "$log") == "step: exit 0 after "* && $(time_of "$log") > $ASKED_AT ]] || return
+  for file in "${makes[@]}"; do [[ -f $file ]] || return; done
+  begun=$(sed -n '2s/^step: begun at //p' "$log")
+  for word in "${options[@]}"; do
+    after=$option option=$word
+    [[ $after != --output && $after != --output-dir && -e $word ]] || continue
+    [[ ! $(changed_since "$begun" "$after" "$word") ]] || return
+  done
+}
+# Tables of a run do not name their cells, which are all those of a data set.
+changed_since() { # time, option, its value
+  local what=("$3" ! -type d)
+  [[ $2 != --run ]] || what=("$folder" -name '*.h5' ! -name features.h5)
+  find "${what[@]}" -newermt "@$1" -print -quit
+}
+
+# Whether a file has been made anew: a stage writes beside it and renames.
+identity() { stat --format='%i %y' "$1" 2>/dev/null; }
+note_what_is_there() {
+  was=()
+  local file
+  for file in "${makes[@]}"; do was+=("$(identity "$file")"); done
+}
+all_are_new() {
+  local i is
+  for i in "${!makes[@]}"; do
+    missing_output=${makes[i]}
+    # To open a file makes a network's file system look how it is now.
+    { : <"$missing_output"; } 2>/dev/null || return
+    is=$(identity "$missing_output")
+    [[ $is && $is != "${was[i]}" ]] || return
+  done
+  missing_output=
+}
+# A stage that has ended by itself has said what it used. Then a file that another node has made may come
+# into sight late. The numbers of figures that are as they were are left as they are: there it says enough.
+made_anew() {
+  local tries=0
+  missing_output=
+  if ((${#makes[@]} == 0)); then
+    [[ ! $SUBMIT ]] || grep -q '^step: used ' "$log"
+    return
+  fi
+  until all_are_new; do
+    [[ $SUBMIT ]] && ((tries++ < 60)) && grep -q '^step: used ' "$log" || return
+    sleep 1
+  done
+}
