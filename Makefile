@@ -22,7 +22,16 @@ SUBMIT   :=
 TOLERANCE := auto
 LINT     :=
 V        :=
+# On a cluster: cores of a job, how long it is to take, how many run at a time.
+CORES    := 4
+MINUTES  := 15
+JOBS     := 16
+GPU_PARTITION :=
 quickly  :=
+
+# `make cluster sweep` is the goal sweep, but computed elsewhere.
+on_cluster := $(filter cluster cluster-plan,$(MAKECMDGOALS))
+goals      := $(filter-out cluster cluster-plan,$(MAKECMDGOALS))
 
 # The demo is a small grid of the same kind, on all cores unless -j says otherwise. Its programs are few,
 # without LibTorch, and have a folder of their own, where they are built in half the time.
@@ -38,7 +47,7 @@ MAKEFLAGS += -j$(shell env -u OMP_NUM_THREADS nproc)
 endif
 
 # Only simulated windows have a known (k, c).
-ifeq (identify,$(strip $(MAKECMDGOALS)))
+ifeq (identify,$(strip $(goals)))
 DATASETS := simulated
 METHODS  := piae-dt piae-dt-phase
 endif
@@ -52,7 +61,8 @@ SEEDS    := 100 101 102 103 104
 endif
 
 # ---- what was given -----------------------------------------------------------------------------
-variables := RUN DATASETS METHODS RATIOS SEEDS PROTOCOL DATA_DIR ARCH LIBTORCH BIN SUBMIT TOLERANCE LINT V
+variables := RUN DATASETS METHODS RATIOS SEEDS PROTOCOL DATA_DIR ARCH LIBTORCH BIN SUBMIT TOLERANCE LINT V \
+             CORES MINUTES JOBS GPU_PARTITION
 given     := $(foreach name,$(.VARIABLES),$(if $(filter command,$(firstword $(origin $(name)))),$(name)))
 
 # A name that is nearly one of ours: in the other case, or the beginning of one, or one with more to it.
@@ -66,6 +76,9 @@ one_of = $(if $(and $(filter $2,$($1)),$(filter 1,$(words $($1)))),,$(error $1: 
 $(call one_of,LIBTORCH,on off)
 $(call one_of,PROTOCOL,random blocked)
 $(if $(filter-out all,$(LINT)),$(error LINT: all, or not given, not '$(LINT)'))
+
+$(if $(filter cluster cluster-stop,$(MAKECMDGOALS)),$(if $(shell command -v sbatch),,$(error there is no sbatch here, \
+  so no Slurm to submit to; `make all` computes on this machine, `make cluster-plan` shows what jobs there would be)))
 
 # The folder, as a shell completes it, will do: RUN=results/try/ is RUN=try.
 override RUN := $(patsubst results/%,%,$(RUN:/=))
@@ -89,10 +102,11 @@ export BIN SUBMIT
 Q := $(if $(V),,@)
 
 .DEFAULT_GOAL := help
-.PHONY: help grid status check reference data test test-deps lint bench deps build build-demo clean
+.PHONY: help grid cluster cluster-plan cluster-stop status check reference data test \
+        test-deps lint bench deps build build-demo clean
 
 help:
-	@printf '  %-11s%s\n' \
+	@printf '  %-14s%s\n' \
 	  demo     'install what is missing, build, run the method on a simulated bearing: start here' \
 	  all      'run the grid, make its tables in results/RUN/<dataset>/, its figures, its report' \
 	  cells    'run the grid without the tables (on a cluster: see jobs/)' \
@@ -103,6 +117,9 @@ help:
 	  identify 'whether the (k, c) of the twin are the true ones, on simulated windows' \
 	  readings 'the choices that the paper leaves, tried on seeds 100-104: readings.csv, readings.md' \
 	  records  'only read or simulate the data sets' \
+	  cluster  'the same on Slurm, in few jobs: all, or with cells, sweep, contrast, identify or readings' \
+	  cluster-plan 'what jobs that would be: their number, cores, hours and memory' \
+	  cluster-stop 'stop the jobs of RUN; the same make cluster goes on from there' \
 	  status   'how far the grid is: cells done, running, failed, missing, and the time left' \
 	  check    'compare RUN with results/reference: all cells, or those of the variables given' \
 	  reference 'store RUN, or the cells of the variables given, as results/reference, its tables and figures' \
@@ -115,7 +132,7 @@ help:
 	  build    'build the programs into build/bin' \
 	  clean    'remove build/; results and data stay' \
 	  | sed 's/^ /make/; 1i\Targets'
-	@printf '  %-11s%s\n' \
+	@printf '  %-14s%s\n' \
 	  RUN      'folder under results/; PROTOCOL=blocked adds "-blocked"  [$(RUN)]' \
 	  DATASETS 'any of $(basename $(notdir $(wildcard pipeline/datasets/*.toml)))  [$(DATASETS)]' \
 	  METHODS  "none runs at 100to1, all others at the other ratios  [$(or $(METHODS),the paper's)]" \
@@ -128,7 +145,11 @@ help:
 	  BIN      'folder of programs to use as they are, instead of building  [$(BIN)]' \
 	  SUBMIT   'command put before every step, such as "srun --ntasks=1 --mem=2G"  [$(SUBMIT)]' \
 	  TOLERANCE 'of check: exact, spread, or auto: exact on the same processor and libraries  [$(TOLERANCE)]' \
-	  LINT     'of lint: all, or what changed  [$(LINT)]' \
+	  CORES    'of a job on a cluster  [$(CORES)]' \
+	  MINUTES  'that a job on a cluster is to take, by what the steps took elsewhere  [$(MINUTES)]' \
+	  JOBS     'that run at a time on a cluster  [$(JOBS)]' \
+	  GPU_PARTITION 'of the cluster, for what asks for device = "cuda" in pipeline/  [$(GPU_PARTITION)]' \
+  LINT     'of lint: all, or what changed  [$(LINT)]' \
 	  V        'V=1 shows the commands  [$(V)]' \
 	  | sed '1i\\nVariables, and their values now'
 	@printf '%s\n' '' \
@@ -138,9 +159,9 @@ help:
 
 # ---- the grid -----------------------------------------------------------------------------------
 # All goals that are its own, files of results/ among them, go to one make.
-asked := $(filter records cells tables all figures report demo sweep contrast identify readings results/%,$(MAKECMDGOALS))
+asked := $(filter records cells tables all figures report demo sweep contrast identify readings results/%,$(goals))
 .PHONY: $(asked)
-$(asked): grid
+$(asked): $(or $(on_cluster),grid)
 
 # Where a run is only looked at, nothing need be there but what those variables name that are given.
 lower_case  = $(shell printf %s '$1' | tr A-Z a-z)
@@ -155,6 +176,13 @@ unknown_yet := $(if $(findstring n,$(filter-out --%,$(flags))),$(if $(wildcard $
 grid: | $(programs)
 	$(Q)+$(if $(unknown_yet),echo 'for the steps of the grid the programs must be built first: `make build`',\
 	  $(MAKE) --file=pipeline/grid.mk $(choice) $(asked))
+
+cluster: | $(programs)
+	$(Q)jobs/submit.sh '$(or $(asked),all)' $(choice) $(foreach name,CORES MINUTES JOBS GPU_PARTITION,'$(name)=$($(name))')
+cluster-plan: | $(programs)
+	$(Q)jobs/submit.sh --plan '$(or $(asked),all)' $(choice) $(foreach name,CORES MINUTES JOBS,'$(name)=$($(name))')
+cluster-stop:
+	$(Q)jobs/stop.sh '$(results)'
 
 status:
 	$(Q)pipeline/status.sh '$(results)' $(MAKE) --file=pipeline/grid.mk $(choice)
@@ -172,7 +200,7 @@ data: | $(programs)
 
 # ---- building -----------------------------------------------------------------------------------
 # What is to be built, of `programs tests benches` or `demo`: packages for that are installed first.
-build_them = pipeline/deps.sh $(LIBTORCH) $1 $(if $(filter all figures report,$(asked)),figures) && pipeline/build.sh $(ARCH) $(LIBTORCH) $1
+build_them = pipeline/deps.sh $(LIBTORCH) $1 $(if $(filter all figures report,$(or $(asked),$(on_cluster:%=all))),figures) && pipeline/build.sh $(ARCH) $(LIBTORCH) $1
 
 build:
 	$(Q)$(call build_them,programs)

@@ -1,20 +1,96 @@
 #!/bin/bash
-# Runs the grid on a SLURM cluster: builds and reads the data sets here, on the login node, then
-# submits one job for each seed and, after all of them, one for the tables.
-#
-#   jobs/submit.sh RUN=paper DATASETS=cwru SEEDS="0 1 2" DATA_DIR=/scratch/recordings
-#
-# Arguments are make's variables (`make help`); ARCH=x86-64-v3 suits a cluster of mixed processors.
-# Options for sbatch come from its own environment variables: SBATCH_PARTITION, SBATCH_ACCOUNT, ...
+# Submits what is still to be done of a run to Slurm, for `make cluster`; or only says what that would be.
+# usage: jobs/submit.sh [--plan] GOAL VARIABLE=VALUE...
+# Make's variables, and CORES, MINUTES, JOBS, GPU_PARTITION. Other options of sbatch come from its own
+# environment variables: SBATCH_PARTITION, SBATCH_ACCOUNT, ...
 set -euo pipefail
-cd "$(dirname "$0")/.."
+cd "${0%/*}/.."
+# shellcheck source=jobs/common.sh
+source jobs/common.sh
 
-# shellcheck disable=SC2016
-seeds=$(make --silent --eval 'print-seeds: ; @echo $(SEEDS)' print-seeds "$@" | tr ' ' ,)
-make --silent records "$@"
-mkdir -p results/.jobs
+only_plan=
+if [[ $1 == --plan ]]; then
+  only_plan=yes
+  shift
+fi
+goal=$1
+shift
+choice=("$@")
+results=$(value_of results "$@")
+for name in CORES MINUTES JOBS; do
+  [[ $(value_of "$name" "$@") =~ ^[1-9][0-9]{0,4}$ ]] || die "$name: a whole number from 1 up, not '$(value_of "$name" "$@")'"
+done
+[[ $goal =~ ^(all|cells|sweep|contrast|identify|readings)$ ]] ||
+  die "one of all, cells, sweep, contrast, identify and readings at a time, not '$goal'"
 
-cells=$(sbatch --parsable --array="$seeds" jobs/seed.sbatch "$@")
-tables=$(sbatch --parsable --dependency="afterok:${cells%%;*}" jobs/tables.sbatch "$@")
-echo "submitted: cells of seeds $seeds as job ${cells%%;*}, tables as job ${tables%%;*};" \
-  "their output is in results/.jobs/"
+if [[ $only_plan ]]; then
+  scratch=$(mktemp -d)
+  trap 'rm -rf "$scratch"' EXIT
+  # What these programs cannot compute may be planned all the same.
+  jobs/plan.sh "$scratch" "$goal" "${choice[@]}" only_asking=yes
+  exit
+fi
+
+# A job whose log cannot be written ends without a word, so this is tried first.
+{ mkdir -p "$results/.jobs" && exec 9>"$results/.jobs/lock"; } 2>/dev/null ||
+  die "$results/.jobs cannot be written, where the logs of the jobs are to be; nothing is submitted"
+flock --nonblock 9 || die "another \`make cluster\` is submitting this run; nothing is submitted"
+queue=$(jobs_in_queue "$results") || die "Slurm does not answer, see above; nothing is submitted"
+[[ -z $queue ]] || die "jobs of this run are in the queue already: $(job_ids <<<"$queue"); \`make status\` shows them," \
+  "\`make cluster-stop\` stops them"
+
+folder=$results/.jobs/$(date +%Y%m%dT%H%M%S)
+mkdir "$folder" || die "$folder is there already: try again in a second"
+jobs/plan.sh "$folder" "$goal" "${choice[@]}" | tee "$folder/plan.txt"
+printf '%s\n' "$goal" "${choice[@]}" >"$folder/choice"
+
+# Two minutes before its time is up a job is told, so that trainings write their checkpoints.
+timing=(--signal=B:USR1@120)
+if [[ ${SBATCH_TIMELIMIT:-} =~ ^[0-9]+$ ]] && ((SBATCH_TIMELIMIT < 4)); then
+  timing=("--signal=B:USR1@$((SBATCH_TIMELIMIT * 30))")
+fi
+
+submitted=()
+submit() { # kind of job, number of them, cores, minutes, megabytes, further options of sbatch
+  local kind=$1 options=() id
+  if [[ $kind == cells* ]]; then
+    options+=("--array=0-$(($2 - 1))%$(value_of JOBS "${choice[@]}")" --output="$folder/$kind.%a.log")
+  else
+    options+=(--output="$folder/$kind.log")
+  fi
+  # What sbatch's own environment says goes before what was measured.
+  [[ ${SBATCH_TIMELIMIT:-} ]] || options+=(--time="$4")
+  [[ ${SBATCH_MEM_PER_NODE:-}${SBATCH_MEM_PER_CPU:-} ]] || options+=(--mem="$5M")
+  id=$(sbatch --parsable --job-name="$(job_name "$results" "$kind")" --chdir="$PWD" --nodes=1 --ntasks=1 \
+    --cpus-per-task="$3" --requeue --open-mode=append "${timing[@]}" "${options[@]}" "${@:6}" \
+    jobs/job.sbatch "$folder" "$kind" </dev/null) || undo "sbatch refused the job $kind, see above"
+  id=${id%%;*}
+  submitted+=("$id")
+  printf '%s\t%s\n' "$kind" "$id" >>"$folder/submitted"
+}
+# All or nothing.
+undo() {
+  ((${#submitted[@]} == 0)) || scancel "${submitted[@]}"
+  rm -f "$folder/submitted"
+  die "$1; nothing is left in the queue"
+}
+
+after() { # makes `dependency` one on all jobs submitted so far
+  local IFS=:
+  dependency=()
+  ((${#submitted[@]} == 0)) || dependency=("--dependency=afterany:${submitted[*]}")
+}
+dependency=()
+while IFS=$'\t' read -r kind number cores minutes megabytes _; do
+  [[ $kind != tables ]] || after
+  further=("${dependency[@]}")
+  if [[ $kind == cells-gpu ]]; then
+    partition=$(value_of GPU_PARTITION "${choice[@]}")
+    further+=(--gres=gpu:1 ${partition:+"--partition=$partition"})
+  fi
+  submit "$kind" "$number" "$cores" "$minutes" "$megabytes" "${further[@]}"
+  [[ $kind != records ]] || after
+done <"$folder/jobs"
+
+echo "submitted as job $(awk -F '\t' '{ printf "%s%s (%s)", before, $2, $1; before = ", " }' "$folder/submitted")"
+echo "\`make status\` shows how far it is, \`make cluster-stop\` stops it; with the same RUN. Logs: $folder"

@@ -1,74 +1,125 @@
 #!/bin/bash
-# The cluster scripts, with a SLURM of a few lines that runs jobs at once.
+# How `make cluster` divides a grid among jobs, which needs no Slurm. On a real one: tests/cluster/.
 # shellcheck source-path=SCRIPTDIR
 source "${0%/*}/support.sh"
 
-slurm() {
+plan() { make --silent cluster-plan BIN=fake RUN=t "$@"; }
+# The words of a line of the plan, with one space between.
+line_of() { awk -v name="$2" '$1 == name { $1 = $1; print }' <<<"$1"; }
+
+# The jobs themselves, of a plan that is written down.
+divide() { # steps, cores, minutes, further options of awk
+  mkdir -p jobs_are
+  rm -f jobs_are/*
+  awk -f jobs/plan.awk -v cores="$2" -v minutes="$3" -v out=jobs_are -v swept=piae-dt "${@:4}" costs "$1"
+}
+step() { printf 'results/t/%s\t%s\t%s\tresults/t/%s/%s\n' "$1" "$2" "$3" "$1" "$4"; }
+
+costs() {
+  printf '%s\n' stage,dataset,method,ratio,seconds,megabytes ingest,cwru,,,1,200 split,cwru,,,1,100 \
+    train,cwru,long,,300,400 train,cwru,short,,100,100 generate,cwru,long,,10,100 tabulate,cwru,,,2,50 >costs
+}
+
+test_the_papers_grid_takes_few_submissions_and_little_more_than_is_needed() {
+  local output
+  output=$(plan DATASETS="cwru hit-sm")
+  expect_equal "$(line_of "$output" records | cut -d' ' -f 1-3)" "records 1 4"
+  expect_line "$output" '^cells +[1-9] +4 +0:[0-9]+ h +[12]\.[0-9] GB +1[67][0-9]+ '
+  expect_line "$output" '^3 submissions, which ask for [0-9.]+ core-hours at most'
+}
+
+test_programs_without_libtorch_plan_what_they_cannot_compute() {
+  rm fake/train-libtorch
+  expect_line "$(plan SEEDS=0)" '^cells +1 '
+}
+
+test_a_thousand_and_one_seeds_are_an_array_that_slurm_takes() {
+  local output
+  output=$(plan SEEDS="$(seq -s ' ' 0 1000)" METHODS="none smote" RATIOS="100to1 10to1" MINUTES=1 CORES=1)
+  expect_line "$output" '^cells +[1-4][0-9][0-9] +1 '
+  expect_line "$output" '^3 submissions'
+}
+
+test_other_questions_are_planned_too() {
+  expect_line "$(make --silent cluster-plan sweep BIN=fake RUN=t SEEDS=0)" '^cells +[1-9] '
+  expect_line "$(make --silent cluster-plan readings BIN=fake SEEDS=100)" '^cells +[1-9] '
+  expect_line "$(make --silent cluster-plan identify BIN=fake RUN=t)" '^cells +[1-9] '
+  expect_line "$(make --silent cluster-plan contrast BIN=fake RUN=t SEEDS=0)" '^cells +[2-9] '
+  [[ ! -e results && ! -e calls ]] || fail "planning has made something"
+}
+
+test_only_what_is_missing_is_planned() {
+  make --silent cells BIN=fake RUN=t METHODS=smote RATIOS=10to1 SEEDS=0 >/dev/null 2>&1
+  expect_equal "$(line_of "$(plan METHODS=smote RATIOS=10to1 SEEDS=0)" all | cut -d' ' -f 2)" 1
+  # Train, generate, score and diagnose, and the split before them.
+  expect_equal "$(line_of "$(plan METHODS=smote RATIOS=10to1 SEEDS="0 1")" cells | cut -d' ' -f 8)" 4
+}
+
+test_the_longest_is_begun_first_and_jobs_are_equally_long() {
+  costs
+  for seed in 0 1; do
+    step "cwru/seed$seed/short" train short model.h5
+    step "cwru/seed$seed/long" train long model.h5
+    step "cwru/seed$seed/long" generate '' E.h5
+  done >steps
+  expect_line "$(divide steps 1 6)" $'^cells\t3\t1\t'
+  expect_equal "$(cat jobs_are/cells.2)" "$(printf 'results/t/cwru/seed%d/short/model.h5\n' 1 0)"
+  divide steps 2 60 >/dev/null
+  expect_equal "$(xargs <jobs_are/cells.0)" "$(printf 'results/t/cwru/seed%s\n' 1/long/model.h5 1/long/E.h5 \
+    0/long/model.h5 0/long/E.h5 1/short/model.h5 0/short/model.h5 | xargs)"
+}
+
+test_time_and_memory_are_those_measured_with_some_to_spare() {
+  costs
+  { step cwru/seed0/long train long model.h5; step cwru/seed1/long train long model.h5; } >steps
+  # 300 s twice and five minutes; 400 MB for each core and 300 for the rest.
+  expect_line "$(divide steps 2 60)" $'^cells\t1\t2\t15\t1100\t2\t600$'
+}
+
+test_what_is_not_known_counts_as_the_longest_and_is_said() {
+  costs
+  step cwru/seed0/new train new model.h5 >steps
+  local output
+  output=$(divide steps 1 60)
+  expect_line "$output" $'^cells\t1\t1\t15\t700\t1\t300$'
+  expect_line "$output" $'^unknown\ttrain --method new$'
+}
+
+test_what_asks_for_cuda_has_jobs_of_its_own() {
+  printf '\n[train.smote]\ndevice = "cuda"\n' >>pipeline/protocol.toml
+  sed -i '0,/^\[train.smote\]/{//d}; /^neighbours = 4/d' pipeline/protocol.toml
+  local output
+  output=$(plan METHODS="smote vae" RATIOS=10to1 SEEDS="0 1")
+  expect_equal "$(line_of "$output" cells | cut -d' ' -f 8)" 8
+  # What follows the training runs in the same job.
+  expect_equal "$(line_of "$output" cells-gpu | cut -d' ' -f 8)" 8
+}
+
+test_costs_are_the_mean_seconds_and_the_most_memory_of_the_logs() {
+  local folder
+  for folder in seed0 seed1; do
+    mkdir -p "results/t/cwru/$folder/vae/1to1"
+    echo "step: used ${folder#seed}2.00 s of processor time and ${folder#seed}50 MB of memory" \
+      >"results/t/cwru/$folder/vae/train.log"
+    echo "step: exit 0 after 5.0 s" >>"results/t/cwru/$folder/vae/train.log"
+  done
+  echo "step: used 9 s of processor time and 9 MB of memory"$'\n'"step: exit 75 after 1 s" \
+    >results/t/cwru/seed0/vae/1to1/diagnose.log
+  expect_equal "$(jobs/costs.sh results/t)" $'stage,dataset,method,ratio,seconds,megabytes\ntrain,cwru,vae,,7.00,150'
+}
+
+test_without_slurm_nothing_is_built_and_one_line_says_so() {
   mkdir path
-  cat >path/sbatch <<'SBATCH'
-#!/bin/bash
-echo "sbatch $*" >>submitted
-while [[ $1 == --* ]]; do
-  [[ $1 == --array=* ]] && indices=${1#--array=}
-  shift
-done
-for index in ${indices//,/ }; do
-  SLURM_ARRAY_TASK_ID=$index SLURM_CPUS_PER_TASK=2 SLURM_JOB_ID=7 bash "$@" >/dev/null || exit
-done
-[[ $indices ]] || bash "$@" >/dev/null || exit
-echo 7
-SBATCH
-  cat >path/srun <<'SRUN'
-#!/bin/bash
-echo srun >>submitted
-while [[ $1 == --* ]]; do shift; done
-exec "$@"
-SRUN
-  printf '#!/bin/bash\necho "scontrol $*" >>submitted\n' >path/scontrol
-  chmod +x path/*
-  PATH=$PWD/path:$PATH
-  rm -f pipeline/datasets/*
-  echo 'name = "real"' >pipeline/datasets/real.toml
-  # Neither is there a compiler here, nor a need for one.
-  mkdir build
-  cp -r fake build/bin
-  rm pipeline/build.sh pipeline/deps.sh
-  ln -s /bin/true pipeline/build.sh
-  ln -s /bin/true pipeline/deps.sh
+  local program
+  for program in make bash awk sed basename; do ln -s "$(command -v "$program")" path; done
+  expect_exit 2 env PATH="$PWD/path" make cluster
+  expect_line "$(PATH=$PWD/path make cluster 2>&1 || true)" 'there is no sbatch here'
+  [[ ! -e build ]] || fail "something was built"
 }
 
-test_a_job_for_each_seed_and_one_for_the_tables() {
-  slurm
-  jobs/submit.sh RUN=t DATASETS=real METHODS="none piae-dt" RATIOS="100to1 10to1" SEEDS="0 3" >messages
-  expect_line "$(<messages)" "cells of seeds 0,3 as job 7, tables as job 7"
-  expect_equal "$(<submitted)" "$(printf '%s\n' \
-    'sbatch --parsable --array=0,3 jobs/seed.sbatch RUN=t DATASETS=real METHODS=none piae-dt RATIOS=100to1 10to1 SEEDS=0 3' \
-    'sbatch --parsable --dependency=afterok:7 jobs/tables.sbatch RUN=t DATASETS=real METHODS=none piae-dt RATIOS=100to1 10to1 SEEDS=0 3')"
-  expect_equal "$(awk '{ print $1 }' calls | sort | uniq -c | xargs)" \
-    "4 diagnose 2 features 2 generate 1 ingest 2 score 2 split 1 tabulate 2 train"
-  expect_line "$(<results/t/real/accuracy.csv)" "--seeds 0 3 "
-}
-
-test_a_job_for_each_step() {
-  slurm
-  make --silent all RUN=t DATASETS=real RATIOS=10to1 METHODS=piae-dt SEEDS=0 SUBMIT="srun --mem=2G" >/dev/null
-  # The ninth are the figures, whose stand-in leaves no call.
-  expect_equal "$(wc -l <calls) $(grep -c srun submitted)" "8 9"
-}
-
-test_a_job_out_of_time_goes_back_into_the_queue() {
-  slurm
-  rm build/bin/train
-  # shellcheck disable=SC2016
-  printf '#!/bin/bash\ntrap "touch saved; exit 75" TERM\ntouch started\nwhile :; do sleep 0.05; done\n' >build/bin/train
-  chmod +x build/bin/train
-  export SLURM_ARRAY_TASK_ID=0 SLURM_JOB_ID=7
-  bash jobs/seed.sbatch DATASETS=real METHODS=piae-dt >/dev/null 2>&1 &
-  wait_for started
-  kill -TERM $!
-  expect_exit 0 wait $!
-  expect_equal "$(<submitted)" "scontrol requeue 7"
-  [[ -e saved ]] || fail "the stage was not stopped"
+test_wrong_numbers_and_goals_are_refused() {
+  expect_line "$(plan CORES=0 2>&1 || true)" "CORES: a whole number from 1 up, not '0'"
+  expect_exit 2 make cluster-plan sweep contrast BIN=fake
 }
 
 run_tests
