@@ -144,8 +144,8 @@ void SettingsFolder::update(const std::string& text) const {
   make_folder(file.parent_path());
   const FolderLock lock(file.parent_path());
   if (holds(file, request, content.values)) return;
-  const std::string text = text_of(request, content);
-  artefact::write_file_atomically(file, std::as_bytes(std::span(text)));
+  const std::string wanted_text = text_of(request, content);
+  artefact::write_file_atomically(file, std::as_bytes(std::span(wanted_text)));
 }
 
 }  // namespace piae::settings
