@@ -1,0 +1,108 @@
+#include "storm/targets.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "augment/catalogue.hpp"
+#include "report/published.hpp"
+#include "settings/protocol.hpp"
+#include "signal/description.hpp"
+#include "signal/raw_file.hpp"
+#include "signal/simulation.hpp"
+#include "storm/files.hpp"
+#include "storm/program.hpp"
+#include "verification/verify.hpp"
+
+namespace piae::storm {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+void read_mat(const fs::path& file) {
+  (void)signal::read_mat(file, "x");
+  (void)signal::read_mat(file, "n");
+}
+
+void read_csv(const fs::path& file) { (void)signal::read_csv(file, "1"); }
+
+void read_hdf5(const fs::path& file) { (void)signal::read_hdf5(file, "/x"); }
+
+void read_description(const fs::path& file) { (void)signal::read_description(file); }
+
+void read_simulation(const fs::path& file) { (void)signal::read_simulation(file); }
+
+void read_protocol(const fs::path& file) {
+  const toml::table protocol = settings::read_protocol(file);
+  (void)settings::sweep_points(protocol);
+  (void)settings::sweep_centre(protocol);
+  (void)settings::readings(protocol);
+  (void)settings::base_of_readings(protocol);
+}
+
+/// The published accuracies are three files; the others are good.
+void read_published(const fs::path& file) { (void)report::Published(file.parent_path()); }
+
+void make_windows(const fs::path& file) {
+  const artefact::Reader model(file, "model");
+  const std::string name = model.text("/", "method");
+  (void)augment::make_method(name)->generate(model, 1, Stream("storm"), Compute{});
+}
+
+/// What verify accepts, the stage reads in earnest.
+void read_artefact(const fs::path& file) {
+  const std::vector<verification::Finding> findings = verification::verify({file});
+  if (!findings.empty()) throw Error(Exit::bad_input, findings.front().line);
+  if (file.filename().string().find(".model.") != std::string::npos) make_windows(file);
+}
+
+constexpr std::array<Target, 8> all{{
+    {"mat", read_mat, true},
+    {"csv", read_csv, false},
+    {"hdf5", read_hdf5, true},
+    {"description", read_description, false},
+    {"simulation", read_simulation, false},
+    {"protocol", read_protocol, false},
+    {"published", read_published, false},
+    {"artefact", read_artefact, true},
+}};
+
+std::string description_of(const std::string& file, const std::string& variable) {
+  return "name = \"storm\"\nshaft_speed_rpm = 1797\n[bearing]\nballs = 9\nball_diameter_mm = 7.94\n"
+         "pitch_diameter_mm = 39.0\ncontact_angle_deg = 0\n[[class]]\nname = \"Normal\"\n"
+         "defect = \"none\"\n[[record]]\nclass = \"Normal\"\nfile = \"" +
+         file + "\"\nvariable = \"" + variable + "\"\nsample_rate_hz = 12000\n";
+}
+
+}  // namespace
+
+std::span<const Target> targets() { return all; }
+
+std::string failure_of_programs(const Target& target, const fs::path& file,
+                                const fs::path& programs) {
+  const bool is_artefact = std::string(target.name) == "artefact";
+  const fs::path folder = file.parent_path();
+  const std::string name = file.filename();
+  Outcome outcome;
+  if (is_artefact) {
+    outcome = run(folder, {(programs / "verify").string(), name});
+  } else {
+    const std::string variable = std::string(target.name) == "mat" ? "x" : "/x";
+    write_bytes(folder / "storm.toml", description_of(name, variable));
+    outcome = run(folder, {(programs / "ingest").string(), "--description", "storm.toml",
+                           "--data-dir", ".", "--output", "records.h5"});
+    fs::remove(folder / "records.h5");
+  }
+  const std::string said = outcome.out + outcome.err;
+  const int status = outcome.status;
+  if (outcome.hung) return "the program hangs: " + said;
+  if (status > 128) return "the program was ended by signal " + std::to_string(status - 128);
+  if (outcome.peak_mb > most_mb)
+    return "the program took " + std::to_string(outcome.peak_mb) + " MB";
+  if (status == 0) return {};
+  if (!is_artefact && status != 65)
+    return "the program ended with " + std::to_string(status) + ": " + said;
+  return said.find(name) == std::string::npos ? "the program does not name the file: " + said : "";
+}
+
+}  // namespace piae::storm
