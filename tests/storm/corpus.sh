@@ -55,11 +55,11 @@ consumer() { echo "$*" >>consumers; }
 : >consumers
 printf '%s' $'name = "tiny"\n' "$bearing" "$classes" "$simulation" >tiny.toml
 stage simulate --description tiny.toml --output records.h5
-split=(--seed 0 --window 256 --max-stride 64 --windows-per-class 30 --test-per-class 8 --known-per-class 5)
+split=(--seed 0 --window 1024 --max-stride 64 --windows-per-class 30 --test-per-class 8 --known-per-class 5)
 stage split --records records.h5 "${split[@]}" --output-dir .
 consumer records.h5 split --records records.h5 "${split[@]}" --output-dir out
 
-networks=(--epochs 4 --width 8)
+networks=(--epochs 4 --width 4)
 train() { # method, option...
   stage train --method "$1" --known C.h5 --seed 0 "${@:2}" --output "$1.model.h5"
   consumer "$1.model.h5" generate --model "$1.model.h5" --count 5 --seed 0 --output out.h5
@@ -69,7 +69,7 @@ train piae-dt-phase "${networks[@]}"
 train ae "${networks[@]}"
 train vae "${networks[@]}"
 train wgan-gp "${networks[@]}"
-train physics
+train physics --stiffness-grid 3 --damping-grid 2
 train dynamics
 train smote
 train oversample
@@ -89,12 +89,12 @@ stage "${diagnose[@]}" --keep-features --output $cell/piae-dt/50to1/features.h5
 for file in A B C E; do consumer $file.h5 "${diagnose[@]}" --output out.h5; done
 for file in D E; do consumer $file.h5 score --generated E.h5 --real D.h5 --output out.h5; done
 for file in $cell/piae-dt/score.h5 $cell/piae-dt/50to1/diagnosis.h5; do
-  consumer $file tabulate --run run --dataset tiny --methods none piae-dt --ratios 100to1 50to1 --seeds 0 \
+  consumer "$file" tabulate --run run --dataset tiny --methods none piae-dt --ratios 100to1 50to1 --seeds 0 \
     --published "$project/results/published"
 done
 
 # A checkpoint is what a training leaves that is stopped.
-long=(--method vae --known C.h5 --seed 0 --epochs 400 --width 8 --output long.h5)
+long=(--method vae --known C.h5 --seed 0 --epochs 400 --width 4 --output long.h5)
 for delay in 0.1 0.2 0.05 0.4 0.02 0.8; do
   [[ ! -f long.h5.checkpoint ]] || break
   rm -f long.h5

@@ -33,7 +33,7 @@ void write_variable(mat_t* file, const char* name, matio_classes kind, matio_typ
                     const void* data, matio_compression compression) {
   std::array<std::size_t, 2> extents{samples, 1};
   const std::unique_ptr<matvar_t, Close> variable(
-      Mat_VarCreate(name, kind, type, 2, extents.data(), data, 0));
+      Mat_VarCreate(name, kind, type, 2, extents.data(), const_cast<void*>(data), 0));
   if (!variable || Mat_VarWrite(file, variable.get(), compression) != 0) {
     throw std::runtime_error(std::string(name) + ": cannot be written");
   }
