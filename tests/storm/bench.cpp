@@ -117,15 +117,16 @@ std::string Workbench::odd(const Consumer& consumer, const Outcome& verified,
     return as_good ? "" : consumer.stage + " left other files than of the good artefact" + said;
   }
   if (!made.empty()) return consumer.stage + " refused and left " + made.begin()->first + said;
-  if (consumer.starts_anew()) return consumer.stage + " did not start anew" + said;
   // The options are good, so that only the data can be to blame; a training may diverge by them.
   const std::string line = last_line(outcome.err);
   const bool diverged = outcome.status == 1 && line.find("diverge") != std::string::npos;
+  if (consumer.starts_anew() && !diverged) return consumer.stage + " did not start anew" + said;
   if (outcome.status != 65 && !diverged) {
     return consumer.stage + " ended with " + std::to_string(outcome.status) + said;
   }
   if (!line.starts_with(consumer.stage + ": ")) return "an error without its stage" + said;
-  if (!diverged && !names(line, consumer.file)) {
+  // tabulate lists all files that it refuses, and says at last that it made nothing.
+  if (!diverged && !names(outcome.err, consumer.file)) {
     return consumer.stage + " does not name the file" + said;
   }
   return {};

@@ -4,6 +4,7 @@
 // Where it dies, or says nothing for 20 s, the fault is ours; except where it died inside HDF5 or
 // matio, whose faults the programs keep in processes of their own: then the programs are asked.
 
+#include <omp.h>
 #include <poll.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
@@ -101,10 +102,13 @@ class Inputs {
     }
   }
 
-  /// Every file of the corpus is read, or the storm would test nothing.
+  /// Every file of the corpus is read, or the storm would test nothing; but for those that are no
+  /// format of ours.
   void require_good() const {
     for (const Target& target : targets()) {
-      for (const fs::path& file : files_.at(target.name)) target.read(file);
+      for (const fs::path& file : files_.at(target.name)) {
+        if (!file.filename().string().starts_with("refused-")) target.read(file);
+      }
     }
   }
 
@@ -221,13 +225,14 @@ class Storm {
     if (child == 0) be_the_child(inputs_, place_, tally_.done(), asked_.count, pipe[1]);
     if (child < 0) throw std::runtime_error("fork failed");
     ::close(pipe[1]);
-    const bool hung = !listen(pipe[0]);
+    const End end = listen(pipe[0]);
+    const bool hung = end == End::silence;
     ::close(pipe[0]);
     if (hung) ::kill(child, SIGKILL);
     int status = 0;
     rusage used{};
     ::wait4(child, &status, 0, &used);
-    if (tally_.finished()) return;
+    if (end == End::missed || tally_.finished()) return;
     const bool big = static_cast<double>(used.ru_maxrss) / 1024 > most_mb;
     look_into(hung                  ? "hung for 20 s"
               : big                 ? "took more than 1 GB"
@@ -235,21 +240,24 @@ class Storm {
                                     : "ended");
   }
 
-  /// Takes the child's letters until it ends. Returns false where it is silent for too long.
-  bool listen(int from) {
-    std::array<char, 4096> letters{};
+  /// Why the child says no more: it has reported one that was not treated as promised, died or come
+  /// to the end, or been silent for too long.
+  enum class End { missed, ended, silence };
+
+  /// Takes the child's letters.
+  End listen(int from) {
+    char letter = 0;
     for (;;) {
       pollfd ready{from, POLLIN, 0};
-      if (::poll(&ready, 1, static_cast<int>(most_seconds * 1000)) == 0) return false;
-      const ssize_t count = ::read(from, letters.data(), 1);
-      if (count <= 0) return true;
-      if (letters[0] == missed) {
+      if (::poll(&ready, 1, static_cast<int>(most_seconds * 1000)) == 0) return End::silence;
+      if (::read(from, &letter, 1) != 1) return End::ended;
+      if (letter == missed) {
         const Input input = again_.make(tally_.done());
         miss(input, bytes_of(place_.reason));
         again_.put_back(input);
-      } else {
-        tally_.add(letters[0] == refused ? Tally::Result::refused : Tally::Result::accepted);
+        return End::missed;
       }
+      tally_.add(letter == refused ? Tally::Result::refused : Tally::Result::accepted);
     }
   }
 
@@ -286,6 +294,7 @@ class Storm {
 }  // namespace
 
 int main(int argc, char** argv) {
+  omp_set_num_threads(1);  // a child that is forked has no more
   try {
     return Storm(asked_by(argc, argv)).run();
   } catch (const std::exception& error) {

@@ -106,7 +106,7 @@ int main(int argc, char** argv) {
   try {
     fs::create_directories(folder / "mat");
     fs::create_directories(folder / "hdf5");
-    write_mat(folder / "mat/v4.mat", MAT_FT_MAT4, MAT_COMPRESSION_NONE);
+    write_mat(folder / "mat/refused-v4.mat", MAT_FT_MAT4, MAT_COMPRESSION_NONE);
     write_mat(folder / "mat/v5.mat", MAT_FT_MAT5, MAT_COMPRESSION_NONE);
     write_mat(folder / "mat/v5-compressed.mat", MAT_FT_MAT5, MAT_COMPRESSION_ZLIB);
     write_mat(folder / "mat/v73.mat", MAT_FT_MAT73, MAT_COMPRESSION_NONE);

@@ -49,11 +49,15 @@ void make_windows(const fs::path& file) {
   (void)augment::make_method(name)->generate(model, 1, Stream("storm"), Compute{});
 }
 
+bool is_model(const fs::path& file) {
+  return file.filename().string().find(".model.") != std::string::npos;
+}
+
 /// What verify accepts, the stage reads in earnest.
 void read_artefact(const fs::path& file) {
   const std::vector<verification::Finding> findings = verification::verify({file});
   if (!findings.empty()) throw Error(Exit::bad_input, findings.front().line);
-  if (file.filename().string().find(".model.") != std::string::npos) make_windows(file);
+  if (is_model(file)) make_windows(file);
 }
 
 constexpr std::array<Target, 8> all{{
@@ -74,35 +78,42 @@ std::string description_of(const std::string& file, const std::string& variable)
          file + "\"\nvariable = \"" + variable + "\"\nsample_rate_hz = 12000\n";
 }
 
+/// Why a program did not accept or refuse a file as promised; verify has exit codes of its own.
+std::string failure_of(const Outcome& outcome, const std::string& name, bool is_verify) {
+  const std::string said = ": " + outcome.out + outcome.err;
+  const std::string status = std::to_string(outcome.status);
+  if (outcome.hung) return "the program hangs" + said;
+  if (outcome.status > 128) return "the program ended with " + status + said;
+  if (outcome.peak_mb > most_mb)
+    return "the program took " + std::to_string(outcome.peak_mb) + " MB";
+  if (outcome.status == 0) return {};
+  if (!is_verify && outcome.status != 65) return "the program ended with " + status + said;
+  return said.find(name) == std::string::npos ? "the program does not name the file" + said : "";
+}
+
 }  // namespace
 
 std::span<const Target> targets() { return all; }
 
 std::string failure_of_programs(const Target& target, const fs::path& file,
                                 const fs::path& programs) {
-  const bool is_artefact = std::string(target.name) == "artefact";
   const fs::path folder = file.parent_path();
   const std::string name = file.filename();
-  Outcome outcome;
-  if (is_artefact) {
-    outcome = run(folder, {(programs / "verify").string(), name});
-  } else {
-    const std::string variable = std::string(target.name) == "mat" ? "x" : "/x";
-    write_bytes(folder / "storm.toml", description_of(name, variable));
-    outcome = run(folder, {(programs / "ingest").string(), "--description", "storm.toml",
-                           "--data-dir", ".", "--output", "records.h5"});
-    fs::remove(folder / "records.h5");
+  const auto program = [&](const char* stage) { return (fs::absolute(programs) / stage).string(); };
+  if (std::string(target.name) == "artefact") {
+    const std::string failure = failure_of(run(folder, {program("verify"), name}), name, true);
+    if (!failure.empty() || !is_model(file)) return failure;
+    const Outcome made = run(folder, {program("generate"), "--model", name, "--count", "1",
+                                      "--seed", "0", "--output", "out.h5"});
+    fs::remove(folder / "out.h5");
+    return failure_of(made, name, false);
   }
-  const std::string said = outcome.out + outcome.err;
-  const int status = outcome.status;
-  if (outcome.hung) return "the program hangs: " + said;
-  if (status > 128) return "the program was ended by signal " + std::to_string(status - 128);
-  if (outcome.peak_mb > most_mb)
-    return "the program took " + std::to_string(outcome.peak_mb) + " MB";
-  if (status == 0) return {};
-  if (!is_artefact && status != 65)
-    return "the program ended with " + std::to_string(status) + ": " + said;
-  return said.find(name) == std::string::npos ? "the program does not name the file: " + said : "";
+  const std::string variable = std::string(target.name) == "mat" ? "x" : "/x";
+  write_bytes(folder / "storm.toml", description_of(name, variable));
+  const Outcome read = run(folder, {program("ingest"), "--description", "storm.toml", "--data-dir",
+                                    ".", "--output", "out.h5"});
+  fs::remove(folder / "out.h5");
+  return failure_of(read, name, false);
 }
 
 }  // namespace piae::storm
