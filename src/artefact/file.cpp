@@ -5,8 +5,10 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <csignal>
 #include <system_error>
 
+#include "artefact/partial_file.hpp"
 #include "base/error.hpp"
 
 namespace piae::artefact {
@@ -14,8 +16,6 @@ namespace piae::artefact {
 namespace fs = std::filesystem;
 
 namespace {
-
-fs::path partial_of(const fs::path& path) { return path.string() + ".partial"; }
 
 std::string reason() { return std::generic_category().message(errno); }
 
@@ -25,28 +25,15 @@ class Descriptor {
   explicit Descriptor(int fd) : fd_(fd) {}
   Descriptor(const Descriptor&) = delete;
   Descriptor& operator=(const Descriptor&) = delete;
-  ~Descriptor() { close(); }
+  ~Descriptor() {
+    if (fd_ >= 0) ::close(fd_);
+  }
 
   [[nodiscard]] int get() const { return fd_; }
-  bool close() {
-    const int fd = fd_;
-    fd_ = -1;
-    return fd < 0 || ::close(fd) == 0;
-  }
 
  private:
   int fd_;
 };
-
-bool write_all(int fd, std::span<const std::byte> bytes) {
-  while (!bytes.empty()) {
-    const ssize_t written = ::write(fd, bytes.data(), bytes.size());
-    if (written < 0 && errno == EINTR) continue;
-    if (written < 0) return false;
-    bytes = bytes.subspan(static_cast<std::size_t>(written));
-  }
-  return true;
-}
 
 /// Brings a folder to the disk. Only then will a rename in it outlive a power cut.
 void sync_folder(const fs::path& folder) {
@@ -54,10 +41,21 @@ void sync_folder(const fs::path& folder) {
   if (descriptor.get() >= 0) ::fsync(descriptor.get());
 }
 
+/// What stands where a file is to be written must be a file itself: a link may have been planted.
+void require_replaceable(const fs::path& path) {
+  std::error_code ignored;
+  const fs::file_status there = fs::symlink_status(path, ignored);
+  if (!fs::exists(there) || fs::is_regular_file(there)) return;
+  const std::string what = fs::is_symlink(there) ? "is a link and not a file" : "is not a file";
+  throw Error(Exit::failed,
+              path.string() + ": " + what + " that could be replaced; choose another output");
+}
+
 }  // namespace
 
 std::vector<std::byte> read_file(const fs::path& path) {
-  const Descriptor in(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+  // A pipe without a writer would be waited for.
+  const Descriptor in(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
   struct stat status {};
   if (in.get() < 0 || ::fstat(in.get(), &status) != 0) {
     throw Error(Exit::input_missing, path.string() + ": " + reason());
@@ -79,12 +77,7 @@ std::vector<std::byte> read_file(const fs::path& path) {
 }
 
 void write_file_atomically(const fs::path& path, std::span<const std::byte> bytes) {
-  std::error_code ignored;
-  if (fs::exists(path, ignored) && !fs::is_regular_file(path, ignored)) {
-    throw Error(Exit::failed, path.string() +
-                                  ": is not a file that could be replaced; choose "
-                                  "another output");
-  }
+  require_replaceable(path);
   const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
   std::error_code no_folder;
   fs::create_directories(folder, no_folder);
@@ -92,24 +85,21 @@ void write_file_atomically(const fs::path& path, std::span<const std::byte> byte
     throw Error(Exit::failed, folder.string() + ": cannot make this folder: " +
                                   no_folder.message() + "; choose another output");
   }
-  const fs::path partial = partial_of(path);
+  // Where a file grows beyond `ulimit -f`, write() shall fail instead of the program being killed.
+  std::signal(SIGXFSZ, SIG_IGN);
   const auto fail = [&](const std::string& what) {
-    const std::string why = reason();
-    ::unlink(partial.c_str());
-    throw Error(Exit::failed, path.string() + ": " + what + ": " + why +
+    throw Error(Exit::failed, path.string() + ": " + what + ": " + reason() +
                                   "; nothing was written, choose another output or make room");
   };
-  Descriptor out(::open(partial.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
-  if (out.get() < 0) fail("cannot be written");
-  if (!write_all(out.get(), bytes) || ::fsync(out.get()) != 0 || !out.close())
-    fail("cannot be written");
-  if (::rename(partial.c_str(), path.c_str()) != 0) fail("cannot be put in place");
+  PartialFile partial(path);
+  if (!partial.is_open() || !partial.write(bytes)) fail("cannot be written");
+  if (!partial.put_in_place()) fail("cannot be put in place");
   sync_folder(folder);
 }
 
 void remove_file(const fs::path& path) {
   fs::remove(path);
-  fs::remove(partial_of(path));
+  remove_left_overs(path);
 }
 
 }  // namespace piae::artefact

@@ -7,16 +7,19 @@
 
 namespace piae::artefact {
 
-/// All bytes of a file. Throws Error(input_missing) where it cannot be read.
+/// All bytes of a file. Throws Error(input_missing) where it cannot be read, or is no file: a pipe
+/// is not waited for.
 std::vector<std::byte> read_file(const std::filesystem::path& path);
 
 /// Writes a file so that it is always complete: until all is written the old content stands there.
-/// The bytes are written to "<path>.partial" and synced to the disk, then the file is renamed.
-/// Missing parent folders are made. Throws Error(failed) when the folder cannot be written or the
-/// disk is full; nothing is left of the partial file then.
+/// The bytes are written to a file beside it (partial_file.hpp) and synced to the disk, then that
+/// file is renamed. Missing parent folders are made. Throws Error(failed) when the folder cannot be
+/// written, the disk is full, or a link or something else that is no file stands there; nothing is
+/// left of the partial file then.
 void write_file_atomically(const std::filesystem::path& path, std::span<const std::byte> bytes);
 
-/// Removes a file, and its partial file that a killed program may have left. Either may be missing.
+/// Removes a file, and the partial files that killed programs may have left of it. There may be
+/// none.
 void remove_file(const std::filesystem::path& path);
 
 }  // namespace piae::artefact

@@ -94,24 +94,6 @@ void make_folder(const fs::path& folder) {
   }
 }
 
-/// By way of a file that no other program writes to, even where there are no locks.
-void write(const fs::path& file, const std::string& text) {
-  std::string own = file.string() + ".XXXXXX";
-  const int descriptor = ::mkstemp(own.data());
-  if (descriptor < 0) {
-    const auto reason = std::generic_category().message(errno);
-    throw Error(Exit::failed, file.string() + ": cannot be written: " + reason);
-  }
-  ::close(descriptor);
-  try {
-    artefact::write_file_atomically(own, std::as_bytes(std::span(text)));
-    fs::rename(own, file);
-  } catch (...) {
-    ::unlink(own.c_str());
-    throw;
-  }
-}
-
 /// The source of a settings file, and the values that it is to hold.
 struct Wanted {
   fs::path source;
@@ -161,7 +143,9 @@ void SettingsFolder::update(const std::string& text) const {
   const fs::path file = folder_ / request.file;
   make_folder(file.parent_path());
   const FolderLock lock(file.parent_path());
-  if (!holds(file, request, content.values)) write(file, text_of(request, content));
+  if (holds(file, request, content.values)) return;
+  const std::string wanted_text = text_of(request, content);
+  artefact::write_file_atomically(file, std::as_bytes(std::span(wanted_text)));
 }
 
 }  // namespace piae::settings

@@ -11,15 +11,28 @@ namespace piae::signal {
 ///   .csv         `variable` is a column: its number, counted from 1, or its name in the first line
 ///   .h5, .hdf5   `variable` is the path of a one-dimensional dataset of integers or floats
 /// Throws Error(bad_input) in one line with the file: what is wrong, and, where the variable is not
-/// in the file, what the file has instead. NaN and infinite samples are returned as they are.
+/// in the file, what the file has instead. NaN and infinite samples are returned as they are. What
+/// a foreign library reads is read by a program of its own (raw_reader.hpp).
 std::vector<double> read_raw_file(const std::filesystem::path& file, const std::string& variable);
 
-/// The formats one by one, whatever the extension.
+/// The same in this process: what that program does.
+std::vector<double> read_here(const std::filesystem::path& file, const std::string& variable);
+
+/// The formats one by one, in this process, whatever the extension.
 std::vector<double> read_mat(const std::filesystem::path& file, const std::string& variable);
 /// Strict: fields are separated by ',', ';' or tabs (whichever the first line has), every line has
 /// as many fields as the first, numbers have a decimal point, only the first line may be a header.
 std::vector<double> read_csv(const std::filesystem::path& file, const std::string& column);
+/// Nothing is read from elsewhere: no link is followed, and no dataset is taken whose values stand
+/// in another file.
 std::vector<double> read_hdf5(const std::filesystem::path& file, const std::string& dataset);
+
+/// Throws as read_hdf5() would for a variable of a MATLAB file of version 7.3, which is a dataset
+/// of an HDF5 file, without reading it. A group will do, and so will a name that is not there.
+void require_own_vector(const std::filesystem::path& file, const std::string& variable);
+
+/// The first of these names in one line, and how many more there are; "none" for none.
+std::string listed(const std::vector<std::string>& names);
 
 /// Throws Error(bad_input) with "<where>: <what>"; `where` begins with the file.
 [[noreturn]] void refuse_raw_file(const std::filesystem::path& where, const std::string& what);

@@ -125,7 +125,7 @@ TEST_P(Mat, RefusesAMatrixAndText) {
   const fs::path file = write_mat(folder / "a.mat", GetParam(),
                                   {{"m", MAT_C_DOUBLE, MAT_T_DOUBLE, {2, 2}, four.data()},
                                    {"t", MAT_C_CHAR, MAT_T_UINT8, {1, 3}, "abc"}});
-  EXPECT_ERROR(read_mat(file, "m"), Exit::bad_input, "variable m is not a real vector");
+  EXPECT_ERROR(read_mat(file, "m"), Exit::bad_input, "variable m is not a vector");
   EXPECT_ERROR(read_mat(file, "t"), Exit::bad_input, "variable t does not hold numbers");
 }
 

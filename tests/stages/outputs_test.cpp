@@ -59,17 +59,23 @@ TEST_P(Outputs, ThatDoNotFitOnTheDiskLeaveTheFormerOnes) {
   tiny_.write(former, "the former one");
   expect_failed("old", "File too large", small_disk);
   EXPECT_EQ(bytes_of(tiny_ / former), "the former one");
+}
 
-  // The temporary file leads to a device that is always full.
-  fs::create_symlink("/dev/full", tiny_ / (former + ".partial"));
-  const std::set<std::string> before = tiny_.files();
+TEST_P(Outputs, AreNotWrittenThroughPlantedLinks) {
+  tiny_.write("victim", "precious");
+  const std::string file = std::string("shared/") + GetParam().file;
+  fs::create_directory(tiny_ / "shared");
+  fs::create_symlink(tiny_ / "victim", tiny_ / (file + ".partial"));
+  fs::create_symlink(tiny_ / "victim", tiny_ / file);
+  expect_failed("shared", "is a link");
+  EXPECT_TRUE(fs::is_symlink(tiny_ / file));
+
+  fs::remove(tiny_ / file);
   const Outcome outcome = tiny_.run(stage_, with(step_of(stage_).arguments, GetParam().option,
-                                                 stage_ == "split" ? "old" : former));
-  expect_refusal(outcome, stage_, 1, {former, "No space left", "make room"});
-  std::set<std::string> after = before;
-  after.erase(former + ".partial");
-  EXPECT_EQ(tiny_.files(), after);
-  EXPECT_EQ(bytes_of(tiny_ / former), "the former one");
+                                                 stage_ == "split" ? "shared" : file));
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_FALSE(fs::is_symlink(tiny_ / file));
+  EXPECT_EQ(bytes_of(tiny_ / "victim"), "precious");
 }
 
 INSTANTIATE_TEST_SUITE_P(Stages, Outputs,
@@ -81,15 +87,23 @@ INSTANTIATE_TEST_SUITE_P(Stages, Outputs,
                                          Output{"diagnose", "--output", "diagnosis.h5"}),
                          [](const auto& info) { return info.param.stage; });
 
-TEST(OutputsOfTabulate, FullDiskLeavesNoTable) {
+TEST(OutputsOfTabulate, OneThatCannotBeWrittenLeavesNoTable) {
   const Tiny tiny;
   tiny.run_chain_before("tabulate");
+  tiny.write("elsewhere", "precious");
   const std::set<std::string> before = tiny.files();
+  Surroundings small_disk;
+  small_disk.largest_file = 200;  // some tables are shorter
+  expect_refusal(run(tiny.path(), "tabulate", step_of("tabulate").arguments, small_disk),
+                 "tabulate", 1, {"File too large", "make room"});
+  EXPECT_EQ(tiny.files(), before);
   for (const std::string table : {"accuracy.csv", "quality.csv", "tables.tex"}) {
-    fs::create_symlink("/dev/full", tiny / ("run/tiny/" + table + ".partial"));
-    expect_refusal(tiny.run_step("tabulate"), "tabulate", 1, {table, "No space left"});
+    fs::create_symlink(tiny / "elsewhere", tiny / ("run/tiny/" + table));
+    expect_refusal(tiny.run_step("tabulate"), "tabulate", 1, {table, "is a link"});
+    fs::remove(tiny / ("run/tiny/" + table));
     EXPECT_EQ(tiny.files(), before);
   }
+  EXPECT_EQ(bytes_of(tiny / "elsewhere"), "precious");
 }
 
 TEST(OutputsOfGenerate, DoNotReplaceTheirInput) {

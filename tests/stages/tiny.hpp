@@ -130,6 +130,12 @@ class Tiny {
     }
     return names;
   }
+  /// Those among them that programs write before they rename them.
+  [[nodiscard]] std::set<std::string> left_overs() const {
+    std::set<std::string> names = files();
+    std::erase_if(names, [](const auto& name) { return name.find(".partial") == name.npos; });
+    return names;
+  }
 
  private:
   void copy_from(const fs::path& made, const std::string& output) const {

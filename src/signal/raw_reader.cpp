@@ -1,0 +1,193 @@
+#include "signal/raw_reader.hpp"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <cstring>
+#include <system_error>
+
+#include "base/error.hpp"
+#include "signal/raw_file.hpp"
+#include "signal/raw_limits.hpp"
+
+namespace piae::signal {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+constexpr int cannot_be_run = 127;
+
+/// Both ends of a pipe, each until it is closed.
+class Pipe {
+ public:
+  Pipe() {
+    if (::pipe2(ends_.data(), O_CLOEXEC) != 0) {
+      throw Error(Exit::failed, "no pipe: " + std::generic_category().message(errno));
+    }
+  }
+  Pipe(const Pipe&) = delete;
+  Pipe& operator=(const Pipe&) = delete;
+  ~Pipe() {
+    close(0);
+    close(1);
+  }
+
+  [[nodiscard]] int to_read() const { return ends_[0]; }
+  [[nodiscard]] int to_write() const { return ends_[1]; }
+  void close_writing() { close(1); }
+
+ private:
+  void close(std::size_t end) {
+    if (ends_.at(end) >= 0) ::close(ends_.at(end));
+    ends_.at(end) = -1;
+  }
+
+  std::array<int, 2> ends_{-1, -1};
+};
+
+/// What the program writes to one of its outputs, up to a number of bytes. What it writes beyond is
+/// not kept.
+class Output {
+ public:
+  explicit Output(std::uint64_t most) : most_(most) {}
+
+  Pipe pipe;
+  std::string bytes;
+  bool ended = false;
+
+  void take() {
+    std::array<char, 1 << 16> buffer{};
+    const ssize_t got = ::read(pipe.to_read(), buffer.data(), buffer.size());
+    if (got < 0 && errno == EINTR) return;
+    ended = got <= 0;
+    if (got > 0 && bytes.size() + static_cast<std::size_t>(got) <= most_) {
+      bytes.append(buffer.data(), static_cast<std::size_t>(got));
+    }
+  }
+
+ private:
+  std::uint64_t most_;
+};
+
+/// One run of read_raw. It is killed where nobody waits for it to the end.
+class Reader {
+ public:
+  Reader(const fs::path& file, const std::string& variable, const RawLimits& limits)
+      : file_(file), limits_(limits), out_(limits.most_samples * sizeof(double)) {
+    program_ = (fs::read_symlink("/proc/self/exe").parent_path() / "read_raw").string();
+    std::array<std::string, 3> words{program_, "--file=" + file.string(), "--variable=" + variable};
+    const std::array<char*, 4> argv{words[0].data(), words[1].data(), words[2].data(), nullptr};
+    const pid_t parent = ::getpid();
+    pid_ = ::fork();
+    if (pid_ == 0) become(argv, parent);
+    if (pid_ < 0) {
+      throw Error(Exit::failed, program_ + ": " + std::generic_category().message(errno));
+    }
+    out_.pipe.close_writing();
+    err_.pipe.close_writing();
+  }
+  Reader(const Reader&) = delete;
+  Reader& operator=(const Reader&) = delete;
+  ~Reader() {
+    if (pid_ > 0) (void)wait_after(SIGKILL);
+  }
+
+  std::vector<double> numbers() {
+    if (!listen()) refuse_for_time();
+    const int status = wait_after(0);
+    if (WIFSIGNALED(status)) refuse_signal(WTERMSIG(status));
+    if (WEXITSTATUS(status) != 0) refuse_as_it_does(WEXITSTATUS(status));
+    std::vector<double> numbers(out_.bytes.size() / sizeof(double));
+    if (!numbers.empty()) {
+      std::memcpy(numbers.data(), out_.bytes.data(), numbers.size() * sizeof(double));
+    }
+    return numbers;
+  }
+
+ private:
+  [[noreturn]] void become(const std::array<char*, 4>& argv, pid_t parent) const {
+    ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+    const bool ready = ::getppid() == parent && ::dup2(out_.pipe.to_write(), STDOUT_FILENO) >= 0 &&
+                       ::dup2(err_.pipe.to_write(), STDERR_FILENO) >= 0;
+    if (ready) ::execv(argv.front(), argv.data());
+    ::_exit(cannot_be_run);
+  }
+
+  /// Until it has closed both outputs; false where its time is over before.
+  bool listen() {
+    const auto end = Clock::now() + std::chrono::seconds(limits_.wall_seconds);
+    while (!out_.ended || !err_.ended) {
+      const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(end - Clock::now());
+      if (left.count() <= 0) return false;
+      std::array<pollfd, 2> ready{pollfd{out_.ended ? -1 : out_.pipe.to_read(), POLLIN, 0},
+                                  pollfd{err_.ended ? -1 : err_.pipe.to_read(), POLLIN, 0}};
+      if (::poll(ready.data(), ready.size(), static_cast<int>(left.count())) <= 0) continue;
+      if (ready[0].revents != 0) out_.take();
+      if (ready[1].revents != 0) err_.take();
+    }
+    return true;
+  }
+
+  int wait_after(int signal) {
+    if (signal != 0) ::kill(pid_, signal);
+    int status = 0;
+    while (::waitpid(pid_, &status, 0) < 0 && errno == EINTR) continue;
+    pid_ = -1;
+    return status;
+  }
+
+  [[noreturn]] void refuse(const std::string& what) const {
+    refuse_raw_file(file_, "cannot be read: " + what + "; the file is damaged, get it again");
+  }
+  [[noreturn]] void refuse_for_time() const {
+    refuse("its reader took longer than " + std::to_string(limits_.wall_seconds) +
+           " s, too long for its size");
+  }
+  [[noreturn]] void refuse_signal(int signal) const {
+    if (signal == SIGXCPU) {
+      refuse("its reader was stopped after " + std::to_string(limits_.processor_seconds) +
+             " s of processor time, too much for its size");
+    }
+    refuse("its reader crashed (signal " + std::to_string(signal) + ")");
+  }
+  /// With the line that it has written, without its name in front. Libraries write there, too.
+  [[noreturn]] void refuse_as_it_does(int status) const {
+    if (status == cannot_be_run) {
+      throw Error(Exit::failed, program_ + ": cannot be run; build it again (`make build`)");
+    }
+    const std::string mark = "read_raw: ";
+    const std::size_t begin = err_.bytes.find(mark);
+    if (begin == std::string::npos) refuse("its reader ended with " + std::to_string(status));
+    const std::size_t end = std::min(err_.bytes.find('\n', begin), err_.bytes.size());
+    const std::string line = err_.bytes.substr(begin + mark.size(), end - begin - mark.size());
+    if (status == static_cast<int>(Exit::failed)) {
+      refuse("its reader failed with " + std::to_string(limits_.memory_bytes / 1'000'000) +
+             " MB of memory (" + line + ")");
+    }
+    throw Error(static_cast<Exit>(status), line);
+  }
+
+  fs::path file_;
+  RawLimits limits_;
+  std::string program_;
+  Output out_;
+  Output err_{1 << 16};
+  pid_t pid_ = -1;
+};
+
+}  // namespace
+
+std::vector<double> read_elsewhere(const fs::path& file, const std::string& variable) {
+  return Reader(file, variable, raw_limits(file)).numbers();
+}
+
+}  // namespace piae::signal

@@ -1,0 +1,49 @@
+// Reads one variable of a raw recording for ingest, which runs it for each file of a foreign
+// format: where the libraries that read those crash or take too much, only this program ends.
+
+#include <unistd.h>
+
+#include <cerrno>
+#include <span>
+#include <system_error>
+
+#include "base/error.hpp"
+#include "cli/stage.hpp"
+#include "signal/raw_file.hpp"
+#include "signal/raw_limits.hpp"
+
+namespace fs = std::filesystem;
+using namespace piae;
+
+namespace {
+
+void print(std::span<const std::byte> bytes) {
+  while (!bytes.empty()) {
+    const ssize_t written = ::write(STDOUT_FILENO, bytes.data(), bytes.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) {
+      throw Error(Exit::failed, "standard output: " + std::generic_category().message(errno));
+    }
+    bytes = bytes.subspan(static_cast<std::size_t>(written));
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  cli::Stage stage("read_raw",
+                   "Reads one variable of a raw recording (.mat, .csv, .h5) and writes its numbers "
+                   "to standard output, in double precision as this machine stores it. Only what "
+                   "the file's size allows is taken of memory and time. ingest runs it.",
+                   "read_raw --file data/cwru/97.mat --variable X097_DE_time | od -t f8 | head");
+  fs::path file;
+  std::string variable;
+  stage.input_file("--file", file, "Raw recording");
+  stage.options().add("--variable", variable, "Variable, column or dataset").required();
+
+  return stage.run(argc, argv, [&] {
+    signal::keep_to(signal::raw_limits(file));
+    const std::vector<double> numbers = signal::read_here(file, variable);
+    print(std::as_bytes(std::span(numbers)));
+  });
+}

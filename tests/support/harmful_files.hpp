@@ -1,0 +1,143 @@
+#pragma once
+
+#include <gtest/gtest.h>
+#include <hdf5.h>
+#include <zlib.h>
+
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+/// Raw recordings that are made to do harm: what a reader would allocate, follow or wait for if it
+/// took them at their word. Each has a variable or dataset x.
+namespace piae::harmful {
+
+namespace fs = std::filesystem;
+
+inline void append(std::string& bytes, std::initializer_list<std::uint32_t> numbers) {
+  for (const std::uint32_t number : numbers) {
+    for (unsigned i = 0; i < 4; ++i) bytes += static_cast<char>(number >> 8 * i & 255U);
+  }
+}
+
+/// Version 4: x is 2^28 numbers long; there are 3000 bytes of it.
+inline std::string claiming_v4() {
+  std::string bytes;
+  append(bytes, {0, 1, 1U << 28U, 0, 2});
+  return bytes + std::string("x\0", 2) + std::string(3000, '\0');
+}
+
+inline std::string v5_header() {
+  std::string header = "MATLAB 5.0 MAT-file";
+  header.resize(124, ' ');
+  return header + std::string("\0\1IM", 4);
+}
+
+/// The beginning of x as a column of double precision: up to its data.
+inline std::string v5_beginning(std::uint32_t length, std::uint32_t data_bytes) {
+  constexpr std::uint32_t matrix = 14;
+  constexpr std::uint32_t doubles = 9;
+  std::string inside;
+  append(inside, {6, 8, 6, 0, 5, 8, length, 1, 1, 1, 'x', 0, doubles, data_bytes});
+  std::string bytes;
+  append(bytes, {matrix, static_cast<std::uint32_t>(inside.size()) + data_bytes});
+  return bytes + inside;
+}
+
+/// Version 5: x is 2^31 - 1 numbers long; there are 3 of them.
+inline std::string claiming_v5() {
+  return v5_header() + v5_beginning((1U << 31U) - 1, 24) + std::string(24, '\0');
+}
+
+/// Version 5, compressed: x is so many zeros, which is a thousandth of that in the file.
+inline std::string bomb_v5(std::uint32_t length) {
+  z_stream stream{};
+  EXPECT_EQ(deflateInit(&stream, 9), Z_OK);
+  std::string packed;
+  std::string buffer(1 << 16, '\0');
+  const auto put = [&](std::string piece, int flush) {
+    stream.next_in = reinterpret_cast<Bytef*>(piece.data());
+    stream.avail_in = static_cast<uInt>(piece.size());
+    do {
+      stream.next_out = reinterpret_cast<Bytef*>(buffer.data());
+      stream.avail_out = static_cast<uInt>(buffer.size());
+      (void)deflate(&stream, flush);
+      packed.append(buffer, 0, buffer.size() - stream.avail_out);
+    } while (stream.avail_out == 0);
+  };
+  constexpr std::uint32_t piece = 1 << 20;
+  put(v5_beginning(length, 8 * length), Z_NO_FLUSH);
+  for (std::uint32_t done = 0; done < length; done += piece) {
+    put(std::string(8 * std::min(piece, length - done), '\0'), Z_NO_FLUSH);
+  }
+  put({}, Z_FINISH);
+  deflateEnd(&stream);
+  std::string bytes = v5_header();
+  append(bytes, {15, static_cast<std::uint32_t>(packed.size())});
+  return bytes + packed;
+}
+
+/// A new HDF5 file that is closed with this.
+class NewHdf5 {
+ public:
+  explicit NewHdf5(const fs::path& path)
+      : id(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT)) {}
+  NewHdf5(const NewHdf5&) = delete;
+  NewHdf5& operator=(const NewHdf5&) = delete;
+  ~NewHdf5() { H5Fclose(id); }
+
+  /// A dataset of whatever was set in `creation`.
+  void dataset(const char* name, hid_t type, hsize_t length, hid_t creation) const {
+    const hid_t space = H5Screate_simple(1, &length, nullptr);
+    const hid_t made = H5Dcreate2(id, name, type, space, H5P_DEFAULT, creation, H5P_DEFAULT);
+    EXPECT_GE(made, 0);
+    H5Dclose(made);
+    H5Sclose(space);
+  }
+
+  const hid_t id;
+};
+
+/// x is 10^9 floats long, of which none is stored.
+inline void write_claiming_hdf5(const fs::path& path) {
+  const NewHdf5 file(path);
+  const hid_t creation = H5Pcreate(H5P_DATASET_CREATE);
+  const hsize_t chunk = 1'000'000;
+  H5Pset_chunk(creation, 1, &chunk);
+  file.dataset("x", H5T_NATIVE_FLOAT, 1'000'000'000, creation);
+  H5Pclose(creation);
+}
+
+/// Groups, each in the one before.
+inline void write_nested_hdf5(const fs::path& path, int depth) {
+  const NewHdf5 file(path);
+  hid_t group = H5Gopen2(file.id, "/", H5P_DEFAULT);
+  for (int i = 0; i < depth; ++i) {
+    const hid_t inner = H5Gcreate2(group, "g", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
+    H5Gclose(group);
+    group = inner;
+  }
+  H5Gclose(group);
+}
+
+/// x is a link into another file.
+inline void write_external_link(const fs::path& path, const fs::path& other) {
+  const NewHdf5 file(path);
+  EXPECT_GE(
+      H5Lcreate_external(other.c_str(), "/x", file.id, "x", H5P_DEFAULT, H5P_DEFAULT), 0);
+}
+
+/// x has its values in another file, whatever that holds.
+inline void write_external_values(const fs::path& path, const fs::path& other, hsize_t bytes) {
+  const NewHdf5 file(path);
+  const hid_t creation = H5Pcreate(H5P_DATASET_CREATE);
+  H5Pset_external(creation, other.c_str(), 0, bytes);
+  file.dataset("x", H5T_NATIVE_UINT8, bytes, creation);
+  H5Pclose(creation);
+}
+
+}  // namespace piae::harmful
