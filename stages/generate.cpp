@@ -4,7 +4,7 @@
 
 #include <iostream>
 
-#include "augment/catalogue.hpp"
+#include "augment/stored_model.hpp"
 #include "cli/run_options.hpp"
 #include "cli/stage.hpp"
 #include "seam/libtorch.hpp"
@@ -33,11 +33,12 @@ int main(int argc, char** argv) {
   return stage.run(argc, argv, [&] {
     const artefact::Reader model = stage.open("model", model_file, "model");
     const std::string name = model.text("/", "method");
-    const std::unique_ptr<augment::Method> method = augment::make_method(name);
+    const std::unique_ptr<augment::Method> method = augment::method_of(model);
     if (method->needs_libtorch(run.compute)) seam::continue_with_libtorch(argv);
     const std::string dataset = model.text("/", "dataset");
     const Stream stream(fmt::format("{}/seed{}/generate/{}", dataset, run.seed, name));
-    const signal::WindowSet windows = method->generate(model, count, stream, run.compute);
+    const signal::WindowSet windows =
+        augment::generate_with(*method, model, count, stream, run.compute);
 
     artefact::Writer writer("windows");
     signal::write(writer, windows);

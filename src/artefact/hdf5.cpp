@@ -101,10 +101,11 @@ herr_t no_keeper_to_free(void*) { return 0; }
 std::vector<hsize_t> extent(const Shape& shape) { return {shape.begin(), shape.end()}; }
 
 /// A name that no other file of this process has. HDF5 would take two files in memory with the same
-/// name for one file, and read the one that was opened first.
+/// name for one file, and read the one that was opened first. No file on the disk can have it
+/// either, since HDF5 looks for one in the working folder.
 std::string new_name() {
   static std::atomic<std::uint64_t> count = 0;
-  return "artefact-" + std::to_string(++count);
+  return "/dev/null/artefact-" + std::to_string(++count);
 }
 
 }  // namespace
@@ -241,14 +242,20 @@ void write_attribute(hid_t file, const std::string& object_path, const std::stri
   write_attribute(file, object_path, name, type, padded.data());
 }
 
+bool holds_one_value(hid_t attribute) {
+  const Handle space(H5Aget_space(attribute), "dataspace");
+  return H5Sget_simple_extent_type(space) == H5S_SCALAR;
+}
+
 std::string read_string_attribute(hid_t file, const std::string& object_path,
                                   const std::string& name) {
   const Handle attribute(
       H5Aopen_by_name(file, object_path.c_str(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT),
       name.c_str());
   const Handle type(H5Aget_type(attribute), name.c_str());
-  if (H5Tget_class(type) != H5T_STRING || H5Tis_variable_str(type) != 0) {
-    throw std::runtime_error(name + ": is not a fixed-length string");
+  if (!holds_one_value(attribute) || H5Tget_class(type) != H5T_STRING ||
+      H5Tis_variable_str(type) != 0) {
+    throw std::runtime_error(name + ": is not one fixed-length string");
   }
   std::string value(H5Tget_size(type), '\0');
   check(H5Aread(attribute, type, value.data()), name.c_str());

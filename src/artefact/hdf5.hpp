@@ -95,6 +95,8 @@ void write_attribute(hid_t file, const std::string& object_path, const std::stri
                      hid_t type, const void* value);
 void write_attribute(hid_t file, const std::string& object_path, const std::string& name,
                      const std::string& value);
+/// Whether an attribute is a single value: one that is read into a single variable must be.
+bool holds_one_value(hid_t attribute);
 std::string read_string_attribute(hid_t file, const std::string& object_path,
                                   const std::string& name);
 

@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 #include "artefact/digest.hpp"
 #include "artefact/file.hpp"
+#include "artefact/rehearsal.hpp"
+#include "artefact/structure.hpp"
 #include "artefact/writer.hpp"
 
 namespace piae::artefact {
@@ -34,63 +37,92 @@ Handle open_checked(const fs::path& path, std::span<const std::byte> image) {
   }
 }
 
-void require_undamaged(const fs::path& path, hid_t file) {
-  const auto refuse = [&](const std::string& what) {
-    throw Refusal(Exit::bad_input, RefusalReason::damaged,
-                  path.string() + ": damaged: " + what + remedy);
-  };
-  std::string content;
-  std::string provenance;
+[[noreturn]] void refuse_damaged(const fs::path& path, const std::string& what) {
+  throw Refusal(Exit::bad_input, RefusalReason::damaged,
+                path.string() + ": damaged: " + what + remedy);
+}
+
+void require_undamaged(const fs::path& path, hid_t file, std::size_t size) {
   try {
-    content = content_digest(file);
-    provenance = provenance_digest(file);
-    if (content == hdf5::read_string_attribute(file, "/", digest_attribute) &&
-        provenance == hdf5::read_string_attribute(file, provenance_group, digest_attribute)) {
-      return;
+    require_our_structure(file, size);
+    if (content_digest(file) != hdf5::read_string_attribute(file, "/", digest_attribute)) {
+      refuse_damaged(path, "the content digest does not match");
     }
+    if (provenance_digest(file) !=
+        hdf5::read_string_attribute(file, provenance_group, digest_attribute)) {
+      refuse_damaged(path, "the digest of " + provenance_group + " does not match");
+    }
+  } catch (const Refusal&) {
+    throw;
   } catch (const std::exception& error) {
-    refuse(error.what());
+    refuse_damaged(path, error.what());
   }
-  const bool content_good = content == hdf5::read_string_attribute(file, "/", digest_attribute);
-  refuse(content_good ? "the digest of " + provenance_group + " does not match"
-                      : "the content digest does not match");
+}
+
+bool is_printable(const std::string& text) {
+  return std::ranges::none_of(text, [](unsigned char c) { return c < 0x20 || c == 0x7f; });
 }
 
 std::string stored_kind(const fs::path& path, hid_t file) {
-  if (H5Aexists(file, "kind") < 0) {
-    throw Refusal(Exit::bad_input, RefusalReason::damaged,
-                  path.string() + ": damaged: its attributes cannot be read" + remedy);
-  }
+  const htri_t exists = H5Aexists(file, "kind");
+  if (exists < 0) refuse_damaged(path, "its attributes cannot be read");
+  const std::string foreign =
+      ": is HDF5, but not an artefact of this pipeline; name a file that one of its stages wrote";
   try {
-    return hdf5::read_string_attribute(file, "/", "kind");
+    const std::string kind = hdf5::read_string_attribute(file, "/", "kind");
+    if (is_printable(kind)) return kind;
   } catch (const std::exception&) {
-    throw Refusal(Exit::bad_input, RefusalReason::wrong_kind,
-                  path.string() +
-                      ": is HDF5, but not an artefact of this pipeline; name a file "
-                      "that one of its stages wrote");
+    // It is no artefact in either case.
   }
+  throw Refusal(Exit::bad_input, RefusalReason::wrong_kind, path.string() + foreign);
+}
+
+std::int64_t stored_schema(hid_t file) {
+  const std::string name = "schema";
+  const Handle attribute(H5Aopen(file, name.c_str(), H5P_DEFAULT), name.c_str());
+  std::int64_t schema = 0;
+  hdf5::check(H5Aread(attribute, hdf5::stored_type<std::int64_t>(), &schema), name.c_str());
+  return schema;
+}
+
+/// Everything that is to be known of a file before anything is read of it.
+void require_artefact(const fs::path& path, std::span<const std::byte> image,
+                      const std::string& kind) {
+  const Handle file = open_checked(path, image);
+  const std::string stored = stored_kind(path, file);
+  require_undamaged(path, file, image.size());
+  const std::int64_t schema = stored_schema(file);
+  if (schema != schema_version) {
+    throw Refusal(Exit::bad_input, RefusalReason::wrong_kind,
+                  path.string() + ": has schema version " + std::to_string(schema) +
+                      ", this program reads " + std::to_string(schema_version) + remedy);
+  }
+  if (!kind.empty() && stored != kind) {
+    throw Refusal(
+        Exit::bad_input, RefusalReason::wrong_kind,
+        path.string() + ": is an artefact of kind '" + stored + "', needed is '" + kind + "'");
+  }
+}
+
+/// The bytes of a file which has been found to be a whole artefact, by a process that could come to
+/// harm over it.
+std::vector<std::byte> rehearsed(const fs::path& path, const std::string& kind) {
+  std::vector<std::byte> image = bytes_of(path);
+  const std::string otherwise = path.string() + ": damaged: it cannot be read without harm";
+  const auto objection =
+      rehearse(image.size(), otherwise + remedy, [&] { require_artefact(path, image, kind); });
+  if (objection) throw Refusal(Exit::bad_input, objection->reason, objection->line);
+  return image;
 }
 
 }  // namespace
 
 Reader::Reader(const fs::path& path, const std::string& kind)
     : path_(path),
-      image_(bytes_of(path)),
+      image_(rehearsed(path, kind)),
       file_(open_checked(path, image_)),
-      kind_(stored_kind(path, file_)) {
-  require_undamaged(path_, file_);
-  if (const std::int64_t schema = integer("/", "schema"); schema != schema_version) {
-    throw Refusal(Exit::bad_input, RefusalReason::wrong_kind,
-                  path_.string() + ": has schema version " + std::to_string(schema) +
-                      ", this program reads " + std::to_string(schema_version) + remedy);
-  }
-  if (!kind.empty() && kind_ != kind) {
-    throw Refusal(
-        Exit::bad_input, RefusalReason::wrong_kind,
-        path_.string() + ": is an artefact of kind '" + kind_ + "', needed is '" + kind + "'");
-  }
-  digest_ = text("/", digest_attribute);
-}
+      kind_(stored_kind(path, file_)),
+      digest_(text("/", digest_attribute)) {}
 
 bool Reader::has(const std::string& object) const {
   for (std::size_t slash = object.find('/', 1); slash != std::string::npos;
@@ -116,10 +148,16 @@ std::vector<std::string> Reader::list(const std::string& group) const {
   return names;
 }
 
+Handle Reader::open(const std::string& path) const {
+  if (!has(path)) refuse(path, "is missing");
+  Handle object(H5Oopen(file_, path.c_str(), H5P_DEFAULT), path.c_str());
+  if (H5Iget_type(object) != H5I_DATASET) refuse(path, "is not a dataset");
+  return object;
+}
+
 template <hdf5::Number T>
 Array<T> Reader::numbers(const std::string& path, const hdf5::Shape& shape) const {
-  if (!has(path)) refuse(path, "is missing");
-  const Handle dataset = hdf5::open_dataset(file_, path);
+  const Handle dataset = open(path);
   const Handle type(H5Dget_type(dataset), path.c_str());
   if (H5Tequal(type, hdf5::stored_type<T>()) <= 0) refuse(path, "has another type of number");
   Array<T> array{{}, hdf5::shape_of(dataset)};
@@ -149,7 +187,7 @@ template Array<std::int32_t> Reader::numbers(const std::string&, const hdf5::Sha
 template Array<std::int64_t> Reader::numbers(const std::string&, const hdf5::Shape&) const;
 
 std::vector<std::string> Reader::strings(const std::string& path) const {
-  if (!has(path)) refuse(path, "is missing");
+  (void)open(path);
   try {
     return hdf5::read_strings(file_, path);
   } catch (const std::exception& error) {
@@ -158,15 +196,22 @@ std::vector<std::string> Reader::strings(const std::string& path) const {
 }
 
 template <hdf5::Number T>
-T Reader::scalar(const std::string& object, const std::string& name) const {
+T Reader::scalar(const std::string& object, const std::string& name, const Range& range) const {
   const std::string where = object + ", attribute " + name;
   if (!has_attribute(object, name)) refuse(where, "is missing");
   const Handle attribute(
       H5Aopen_by_name(file_, object.c_str(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT), "attribute");
   const Handle type(H5Aget_type(attribute), "attribute");
-  if (H5Tequal(type, hdf5::stored_type<T>()) <= 0) refuse(where, "has another type");
+  if (H5Tequal(type, hdf5::stored_type<T>()) <= 0 || !hdf5::holds_one_value(attribute)) {
+    refuse(where, "has another type");
+  }
   T value{};
   hdf5::check(H5Aread(attribute, type, &value), where.c_str());
+  if (!range.holds(static_cast<double>(value))) {
+    std::ostringstream is;
+    is << "is " << value << ", " << range.rule();
+    refuse(where, is.str());
+  }
   return value;
 }
 
@@ -182,21 +227,41 @@ void Reader::require_finite() const {
   }
 }
 
-double Reader::real(const std::string& object, const std::string& name) const {
-  return scalar<double>(object, name);
+double Reader::real(const std::string& object, const std::string& name, const Range& range) const {
+  return scalar<double>(object, name, range);
 }
 
-std::int64_t Reader::integer(const std::string& object, const std::string& name) const {
-  return scalar<std::int64_t>(object, name);
+std::int64_t Reader::integer(const std::string& object, const std::string& name,
+                             const Range& range) const {
+  return scalar<std::int64_t>(object, name, range);
 }
 
 std::string Reader::text(const std::string& object, const std::string& name) const {
-  if (!has_attribute(object, name)) refuse(object + ", attribute " + name, "is missing");
+  const std::string where = object + ", attribute " + name;
+  if (!has_attribute(object, name)) refuse(where, "is missing");
+  std::string value;
   try {
-    return hdf5::read_string_attribute(file_, object, name);
+    value = hdf5::read_string_attribute(file_, object, name);
   } catch (const std::exception& error) {
     refuse(object, error.what());
   }
+  if (!is_printable(value)) refuse(where, "holds a control character");
+  return value;
+}
+
+void Reader::require_all(const std::string& path, std::span<const double> values,
+                         const Range& range) const {
+  const auto bad = std::ranges::find_if(values, [&](double x) { return !range.holds(x); });
+  if (bad == values.end()) return;
+  std::ostringstream is;
+  is << "holds " << *bad << ", " << range.rule();
+  refuse(path, is.str());
+}
+
+void Reader::require_all(const std::string& path, std::span<const std::int64_t> values,
+                         const Range& range) const {
+  const std::vector<double> same(values.begin(), values.end());
+  require_all(path, same, range);
 }
 
 void Reader::refuse(const std::string& where, const std::string& what) const {

@@ -1,11 +1,14 @@
 #pragma once
 
 #include <filesystem>
+#include <limits>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "artefact/hdf5.hpp"
 #include "base/error.hpp"
+#include "base/range.hpp"
 
 namespace piae::artefact {
 
@@ -38,8 +41,14 @@ class Refusal : public Error {
   RefusalReason reason_;
 };
 
-/// An artefact. The constructor reads the whole file and checks its digests and its kind, so
-/// nothing of a damaged file can be read. Every error names the file and the dataset.
+/// Any number but NaN and the infinite ones.
+inline constexpr Range finite{.low = std::numeric_limits<double>::lowest(),
+                              .high = std::numeric_limits<double>::max()};
+
+/// An artefact. The constructor reads the whole file and checks its structure, its digests and its
+/// kind, so nothing of a damaged file can be read, and of a made-up one nothing that a stage could
+/// not have written (structure.hpp). It does so in a process of its own first (rehearsal.hpp).
+/// Every error names the file and the dataset.
 class Reader {
  public:
   /// Throws Refusal. An empty `kind` accepts every kind.
@@ -61,11 +70,19 @@ class Reader {
   [[nodiscard]] Array<T> numbers(const std::string& path, const hdf5::Shape& shape) const;
   [[nodiscard]] std::vector<std::string> strings(const std::string& path) const;
 
-  /// An attribute of a group or dataset; "/" is the root. Throw Refusal when it is missing or has
-  /// another type.
-  [[nodiscard]] double real(const std::string& object, const std::string& name) const;
-  [[nodiscard]] std::int64_t integer(const std::string& object, const std::string& name) const;
+  /// An attribute of a group or dataset; "/" is the root. Throw Refusal when it is missing, has
+  /// another type, or is a number out of the range or a text with control characters.
+  [[nodiscard]] double real(const std::string& object, const std::string& name,
+                            const Range& range = finite) const;
+  [[nodiscard]] std::int64_t integer(const std::string& object, const std::string& name,
+                                     const Range& range = finite) const;
   [[nodiscard]] std::string text(const std::string& object, const std::string& name) const;
+
+  /// Throws Refusal when one of the values of a dataset is out of the range.
+  void require_all(const std::string& path, std::span<const double> values,
+                   const Range& range) const;
+  void require_all(const std::string& path, std::span<const std::int64_t> values,
+                   const Range& range) const;
 
   /// Throws Refusal when any dataset of the file holds a NaN or an infinite value.
   void require_finite() const;
@@ -75,8 +92,11 @@ class Reader {
   [[noreturn]] void refuse(const std::string& where, const std::string& what) const;
 
  private:
+  /// Throws Refusal for what is not there or no dataset.
+  [[nodiscard]] hdf5::Handle open(const std::string& path) const;
   template <hdf5::Number T>
-  [[nodiscard]] T scalar(const std::string& object, const std::string& name) const;
+  [[nodiscard]] T scalar(const std::string& object, const std::string& name,
+                         const Range& range) const;
 
   std::filesystem::path path_;
   std::vector<std::byte> image_;  ///< what file_ reads from

@@ -51,6 +51,11 @@ void Dynamics::train(const signal::WindowSet& known, const Stream& /*stream*/,
 signal::WindowSet Dynamics::generate(const artefact::Reader& model, std::size_t count,
                                      const Stream& stream, const Compute& /*compute*/) {
   const signal::WindowSimulation simulation = signal::read_window_simulation(model);
+  try {
+    require_contact(simulation.options);
+  } catch (const Error& error) {
+    model.refuse("/simulation", error.what());
+  }
   return signal::simulate_windows(simulation, count, stream, [&](Label /*label*/, Stream& random) {
     return bearing::draw_dynamics(random, simulation.options.dynamics,
                                   simulation.options.variation);

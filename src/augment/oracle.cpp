@@ -2,6 +2,7 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include "augment/stored_model.hpp"
 #include "base/error.hpp"
 #include "base/label.hpp"
 #include "signal/made_windows.hpp"
@@ -44,7 +45,7 @@ void Oracle::train(const signal::WindowSet& real, const Stream& /*stream*/,
 
 signal::WindowSet Oracle::generate(const artefact::Reader& model, std::size_t count,
                                    const Stream& stream, const Compute& /*compute*/) {
-  const signal::WindowSet real = signal::read_window_set(model);
+  const signal::WindowSet real = read_learned(model, signal::Role::hidden);
   const auto order = shuffled_classes(real, count, stream);
   const auto take = [&](Label label, std::size_t index, Stream& /*random*/) {
     const auto window = real.window(order[index_of(label)][index]);

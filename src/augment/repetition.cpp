@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "augment/stored_model.hpp"
 #include "base/label.hpp"
 #include "signal/made_windows.hpp"
 
@@ -17,7 +18,7 @@ void Repetition::train(const signal::WindowSet& known, const Stream& /*stream*/,
 
 signal::WindowSet Repetition::generate(const artefact::Reader& model, std::size_t count,
                                        const Stream& stream, const Compute& /*compute*/) {
-  const signal::WindowSet known = signal::read_window_set(model);
+  const signal::WindowSet known = read_learned(model, signal::Role::known);
   const auto make = [&](Label label, std::size_t index, Stream& random) {
     const std::vector<std::size_t> own = known.indices_of(label);
     const auto window = known.window(own[index % own.size()]);

@@ -2,7 +2,10 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include <algorithm>
+
 #include "augment/interpolation.hpp"
+#include "augment/stored_model.hpp"
 #include "base/error.hpp"
 #include "base/label.hpp"
 #include "signal/made_windows.hpp"
@@ -42,6 +45,15 @@ std::vector<Neighbourhood> neighbourhoods(const signal::WindowSet& known, int k)
   return all;
 }
 
+/// Of the class with a defect that has the fewest windows.
+std::size_t fewest_windows(const signal::WindowSet& known) {
+  std::size_t fewest = known.size();
+  for (const Label label : known.info.fault_labels()) {
+    fewest = std::min(fewest, known.count_of(label));
+  }
+  return fewest;
+}
+
 }  // namespace
 
 void bind(const cli::Options& command, SmoteOptions& options) {
@@ -63,9 +75,10 @@ void Smote::train(const signal::WindowSet& known, const Stream& /*stream*/,
 
 signal::WindowSet Smote::generate(const artefact::Reader& model, std::size_t count,
                                   const Stream& stream, const Compute& /*compute*/) {
-  const signal::WindowSet known = signal::read_window_set(model);
+  const signal::WindowSet known = read_learned(model, signal::Role::known);
+  const Range neighbours{.low = 1, .high = static_cast<double>(fewest_windows(known)) - 1};
   const std::vector<Neighbourhood> all =
-      neighbourhoods(known, static_cast<int>(model.integer("/", "neighbours")));
+      neighbourhoods(known, static_cast<int>(model.integer("/", "neighbours", neighbours)));
   const auto make = [&](Label label, std::size_t index, Stream& random) {
     const Neighbourhood& own = all[index_of(label)];
     const std::size_t base = index % own.windows.size();

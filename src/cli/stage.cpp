@@ -121,12 +121,23 @@ int Stage::run(int argc, char** argv, const std::function<void()>& body) {
   } catch (const CLI::Error& error) {
     return fail(name_, Exit::usage, first_line(error.what()) + " (see " + name_ + " --help)");
   } catch (const Error& error) {
-    return fail(name_, error.exit(), error.what());
+    return fail(name_, error.exit(), with_input_names(error));
   } catch (const std::bad_alloc&) {
     return fail(name_, Exit::failed, "out of memory");
   } catch (const std::exception& error) {
     return fail(name_, Exit::failed, first_line(error.what()));
   }
+}
+
+std::string Stage::with_input_names(const Error& error) const {
+  const std::string line = error.what();
+  std::string names;
+  for (const std::filesystem::path& path : input_paths_) {
+    if (line.find(path.string()) != std::string::npos) return line;
+    names += (names.empty() ? "" : ", ") + path.string();
+  }
+  const bool is_about_content = error.exit() == Exit::bad_input && !names.empty();
+  return is_about_content ? names + ": " + line : line;
 }
 
 artefact::Reader Stage::open(const std::string& role, const std::filesystem::path& path,

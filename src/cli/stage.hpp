@@ -8,6 +8,7 @@
 #include "artefact/provenance.hpp"
 #include "artefact/reader.hpp"
 #include "artefact/writer.hpp"
+#include "base/error.hpp"
 #include "cli/options.hpp"
 
 namespace piae::cli {
@@ -73,6 +74,9 @@ class Stage {
 
  private:
   [[nodiscard]] std::string resolved_options() const;
+  /// The line of an error. What is wrong with the content of the inputs is found by rooms that know
+  /// no files, so their names are put before it.
+  [[nodiscard]] std::string with_input_names(const Error& error) const;
 
   std::string name_;
   std::unique_ptr<CLI::App> app_;

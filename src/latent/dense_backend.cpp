@@ -72,8 +72,9 @@ std::unique_ptr<StoredGenerator> open_generator(const artefact::Reader& model,
                                                 const LatentGenerator& generator,
                                                 Device /*device*/) {
   const auto specs = generator_specs(generator);
+  const std::vector<float> values = nets::read_parameters(model, weights_group, specs);
   const auto parameters = std::make_shared<Parameters>(specs, Stream("replaced"));
-  parameters->write(Parameters::Kept::value, nets::read_parameters(model, weights_group, specs));
+  parameters->write(Parameters::Kept::value, values);
   return std::make_unique<DenseGenerator>(generator, parameters);
 }
 

@@ -1,6 +1,9 @@
 #include "latent/generator.hpp"
 
+#include "nets/ranges.hpp"
+#include "signal/amplitude.hpp"
 #include "signal/made_windows.hpp"
+#include "signal/ranges.hpp"
 
 namespace piae::latent {
 
@@ -27,15 +30,11 @@ void write(artefact::Writer& writer, const LatentGenerator& generator) {
 LatentGenerator read_latent_generator(const artefact::Reader& reader) {
   LatentGenerator generator;
   generator.info = signal::read_dataset_info(reader);
-  generator.samples = reader.integer("/", "samples");
-  generator.latent = reader.integer("/", "latent");
-  generator.size = {.depth = static_cast<int>(reader.integer("/", "depth")),
-                    .width = static_cast<int>(reader.integer("/", "width"))};
-  generator.rms = reader.numbers<double>("/classes/rms", {generator.info.classes.size()}).values;
-  if (generator.samples < 1 || generator.latent < 1 || generator.size.depth < 1 ||
-      generator.size.width < 1) {
-    reader.refuse("samples, latent, depth and width", "must be positive");
-  }
+  generator.samples = reader.integer("/", "samples", signal::ranges::window_samples);
+  generator.latent = reader.integer("/", "latent", nets::ranges::latent);
+  generator.size = {.depth = static_cast<int>(reader.integer("/", "depth", nets::ranges::depth)),
+                    .width = static_cast<int>(reader.integer("/", "width", nets::ranges::width))};
+  generator.rms = signal::read_amplitudes(reader, "/classes/rms", generator.info);
   return generator;
 }
 

@@ -3,6 +3,7 @@
 #include <spdlog/spdlog.h>
 
 #include <chrono>
+#include <optional>
 
 #include "base/error.hpp"
 #include "base/sha256.hpp"
@@ -31,26 +32,41 @@ void save(const Trainee& trainee, const Checkpoint& checkpoint, std::size_t epoc
   writer.save(checkpoint.path, checkpoint.provenance);
 }
 
-/// Restores the state that the checkpoint holds; returns how many epochs need not be run again. A
-/// checkpoint that does not fit or is damaged is no error: the training starts anew, with a
-/// warning.
-std::size_t resume(Trainee& trainee, const Checkpoint& checkpoint) {
-  if (!std::filesystem::exists(checkpoint.path)) return 0;
-  try {
-    const artefact::Reader reader(checkpoint.path, checkpoint_kind);
-    if (reader.text("/", "identity") != identity_of(checkpoint.provenance)) {
-      spdlog::warn("{}: is of other inputs, options or another build; training starts anew",
-                   checkpoint.path.string());
-      return 0;
-    }
-    trainee.read_state(reader);
-    const auto done = static_cast<std::size_t>(reader.integer("/", "epochs_done"));
-    spdlog::info("going on from {} after {} epochs", checkpoint.path.string(), done);
-    return done;
-  } catch (const artefact::Refusal& refusal) {
-    spdlog::warn("{}; training starts anew", refusal.what());
+/// How many epochs the checkpoint saves; none when there is none that these inputs, options and
+/// this build left. One that does not fit or is damaged is no error: the training starts anew, with
+/// a warning.
+std::size_t epochs_saved(const artefact::Reader& reader, const Trainee& trainee,
+                         const Checkpoint& checkpoint) {
+  if (reader.text("/", "identity") != identity_of(checkpoint.provenance)) {
+    spdlog::warn("{}: is of other inputs, options or another build; training starts anew",
+                 checkpoint.path.string());
     return 0;
   }
+  const Range epochs{.low = 0, .high = static_cast<double>(trainee.epochs())};
+  return static_cast<std::size_t>(reader.integer("/", "epochs_done", epochs));
+}
+
+std::optional<artefact::Reader> open_checkpoint(const Checkpoint& checkpoint) {
+  if (!std::filesystem::exists(checkpoint.path)) return std::nullopt;
+  try {
+    return artefact::Reader(checkpoint.path, checkpoint_kind);
+  } catch (const artefact::Refusal& refusal) {
+    spdlog::warn("{}; training starts anew", refusal.what());
+    return std::nullopt;
+  }
+}
+
+/// Restores the state that the checkpoint holds; returns how many epochs need not be run again. A
+/// whole checkpoint of this training whose state cannot be is an error: no stage writes one, and
+/// part of it may have been taken over.
+std::size_t resume(Trainee& trainee, const Checkpoint& checkpoint) {
+  const std::optional<artefact::Reader> reader = open_checkpoint(checkpoint);
+  if (!reader) return 0;
+  const std::size_t done = epochs_saved(*reader, trainee, checkpoint);
+  if (done == 0) return 0;
+  trainee.read_state(*reader);
+  spdlog::info("going on from {} after {} epochs", checkpoint.path.string(), done);
+  return done;
 }
 
 }  // namespace

@@ -5,11 +5,27 @@
 #include "phase/states.hpp"
 #include "twin/model.hpp"
 #include "twin/physics.hpp"
+#include "twin/ranges.hpp"
 #include "twin/space.hpp"
 
 namespace piae::phase {
 
 namespace {
+
+/// The classes of the known windows that these points were inferred of.
+std::vector<Label> read_labels(const artefact::Reader& model,
+                               const std::vector<twin::TwinPoint>& points) {
+  const std::string path = "/phase/labels";
+  std::vector<Label> labels = model.numbers<Label>(path, {points.size()}).values;
+  twin::require_points_of_faults(model, path, labels);
+  for (const twin::TwinPoint& point : points) {
+    const Range& range = twin::ranges::positive_coordinate;
+    if (!range.holds(point.k) || !range.holds(point.c)) {
+      model.refuse("/twin_space/points", "holds a stiffness or a damping that is not positive");
+    }
+  }
+  return labels;
+}
 
 /// The decoder of a stored model and its twin space.
 class Decoder {
@@ -18,8 +34,8 @@ class Decoder {
       : description_(twin::read_model_description(model)),
         networks_(engine.open(model, description_, twin::without_encoder)),
         points_(twin::TwinSpace(model).points()),
-        labels_(model.numbers<Label>("/phase/labels", {points_.size()}).values),
-        bins_(static_cast<int>(model.integer("/phase", "space_bins"))),
+        labels_(read_labels(model, points_)),
+        bins_(static_cast<int>(model.integer("/phase", "space_bins", twin::ranges::bins))),
         scale_(points_, labels_, info().classes.size()) {}
 
   [[nodiscard]] const signal::DatasetInfo& info() const { return description_.info; }

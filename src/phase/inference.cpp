@@ -9,12 +9,12 @@
 #include "base/error.hpp"
 #include "nets/stored_parameters.hpp"
 #include "phase/features.hpp"
+#include "twin/ranges.hpp"
 
 namespace piae::phase {
 
 namespace {
 
-const std::string group = "/inference";
 const std::string adam_group = "/inference/adam";
 const std::string network = "net";
 constexpr int depth = 3;  // dense layers
@@ -44,10 +44,16 @@ std::vector<PointScale> scales_of(const std::vector<Bounds>& bounds) {
 
 }  // namespace
 
+const std::string Inference::group = "/inference";
+
+std::vector<nets::ParameterSpec> Inference::specs_of(std::int64_t classes, int width) {
+  return nets::dense_chain_specs(network, lags + classes, 2, {.depth = depth, .width = width});
+}
+
 Inference::Inference(std::int64_t classes, int width, int batch, const Stream& stream)
     : classes_(classes),
       batch_(batch),
-      specs_(nets::dense_chain_specs(network, lags + classes, 2, {.depth = depth, .width = width})),
+      specs_(specs_of(classes, width)),
       parameters_(std::make_shared<nets::Parameters<float>>(specs_, stream)),
       network_(parameters_, network, batch),
       feature_mean_(Row::Zero(lags)),
@@ -157,8 +163,10 @@ void Inference::read(const artefact::Reader& reader) {
   };
   feature_mean_ = row("feature_mean");
   feature_spread_ = row("feature_spread");
+  if ((feature_spread_ <= 0).any()) reader.refuse(group + "/feature_spread", "is not positive");
   const auto classes = static_cast<std::size_t>(classes_);
   const auto flat = reader.numbers<double>(group + "/bounds", {classes, 2, 2}).values;
+  reader.require_all(group + "/bounds", flat, twin::ranges::positive_coordinate);
   bounds_.clear();
   for (std::size_t i = 0; i < flat.size(); i += 4) {
     bounds_.push_back(

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "artefact/reader.hpp"
@@ -31,6 +32,10 @@ struct Bounds {
 /// Brehmer and Louppe 2020.
 class Inference {
  public:
+  /// The group of a model, or of a checkpoint, that holds it; and its parameters.
+  static const std::string group;
+  static std::vector<nets::ParameterSpec> specs_of(std::int64_t classes, int width);
+
   /// Learns and infers in batches of up to `batch` windows. Initial values come from the stream.
   Inference(std::int64_t classes, int width, int batch, const Stream& stream);
 
@@ -56,7 +61,8 @@ class Inference {
 
   [[nodiscard]] const std::vector<Bounds>& bounds() const { return bounds_; }
 
-  /// Weights and scales, below /inference.
+  /// Weights and scales, below /inference. Reading throws artefact::Refusal for other sizes, and
+  /// for bounds or scales that are not positive.
   void write(artefact::Writer& writer) const;
   void read(const artefact::Reader& reader);
   /// The state of Adam, as nets::AdamState in /inference/adam.

@@ -2,9 +2,18 @@
 
 #include <stdexcept>
 
+#include "signal/ranges.hpp"
+
 namespace piae::scoring {
 
 namespace {
+
+constexpr Range generated_per_class{.low = 0, .high = 1e9};
+constexpr Range true_ratio{.low = 0, .high = 1e9};
+constexpr Range windows_per_second{.low = 0, .high = 1e12};
+constexpr Range cross_entropy{.low = 0, .high = 1e30};
+/// With room for rounding.
+constexpr Range share{.low = -1e-6, .high = 1 + 1e-6};
 
 std::vector<Label> read_labels(const artefact::Reader& reader, const std::string& path,
                                std::size_t count, std::size_t classes) {
@@ -76,18 +85,23 @@ DiagnosisRecord read_diagnosis(const artefact::Reader& reader) {
   const std::size_t classes = record.info.classes.size();
   record.method = reader.text("/", "method");
   record.ratio = reader.text("/", "ratio");
-  record.generated_per_class = reader.integer("/", "generated_per_class");
-  record.true_ratio = reader.real("/", "true_ratio");
-  record.seed = reader.integer("/", "seed");
+  record.generated_per_class = reader.integer("/", "generated_per_class", generated_per_class);
+  record.true_ratio = reader.real("/", "true_ratio", true_ratio);
+  record.seed = reader.integer("/", "seed", signal::ranges::seed);
   record.protocol = signal::read_protocol(reader);
   record.labels = read_labels(reader, "/labels", 0, classes);
   record.predictions = read_labels(reader, "/predictions", record.labels.size(), classes);
   record.scores = reader.numbers<float>("/scores", {record.labels.size(), classes}).values;
+  const std::vector<double> scores(record.scores.begin(), record.scores.end());
+  reader.require_all("/scores", scores, share);
   record.loss = reader.numbers<double>("/curves/loss", {0}).values;
+  reader.require_all("/curves/loss", record.loss, cross_entropy);
   record.train_accuracy =
       reader.numbers<double>("/curves/train_accuracy", {record.loss.size()}).values;
+  reader.require_all("/curves/train_accuracy", record.train_accuracy, share);
   if (reader.has_attribute("/", "train_windows_per_second")) {
-    record.train_windows_per_second = reader.real("/", "train_windows_per_second");
+    record.train_windows_per_second =
+        reader.real("/", "train_windows_per_second", windows_per_second);
   }
   if (reader.has("/features")) {
     record.features = read_features(reader, record.labels.size(), classes);

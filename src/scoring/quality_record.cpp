@@ -1,5 +1,7 @@
 #include "scoring/quality_record.hpp"
 
+#include "signal/ranges.hpp"
+
 namespace piae::scoring {
 
 double QualityRecord::mean_over_classes(const Metric& metric) const {
@@ -32,10 +34,11 @@ QualityRecord read_quality(const artefact::Reader& reader) {
   QualityRecord record;
   record.info = signal::read_dataset_info(reader);
   record.method = reader.text("/", "method");
-  record.seed = reader.integer("/", "seed");
+  record.seed = reader.integer("/", "seed", signal::ranges::seed);
   record.protocol = signal::read_protocol(reader);
   const auto labels = reader.numbers<Label>("/labels", {0}).values;
   const auto windows = reader.numbers<std::int64_t>("/windows_compared", {labels.size()}).values;
+  reader.require_all("/windows_compared", windows, {.low = 1, .high = 1e12});
   const std::size_t classes = record.info.classes.size();
   if (labels.empty()) reader.refuse("/labels", "is empty");
   for (std::size_t i = 0; i < labels.size(); ++i) {

@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "base/error.hpp"
+#include "signal/ranges.hpp"
 
 namespace piae::signal {
 
@@ -70,5 +71,12 @@ class Peak {
 std::vector<double> rms_by_class(const WindowSet& windows) { return by_class<Rms>(windows); }
 
 std::vector<double> peak_by_class(const WindowSet& windows) { return by_class<Peak>(windows); }
+
+std::vector<double> read_amplitudes(const artefact::Reader& reader, const std::string& path,
+                                    const DatasetInfo& info) {
+  std::vector<double> amplitudes = reader.numbers<double>(path, {info.classes.size()}).values;
+  reader.require_all(path, amplitudes, ranges::amplitude);
+  return amplitudes;
+}
 
 }  // namespace piae::signal

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <vector>
 
 #include "signal/window_set.hpp"
@@ -20,5 +21,9 @@ std::vector<double> rms_by_class(const WindowSet& windows);
 
 /// The same with the largest absolute value about each window's own mean.
 std::vector<double> peak_by_class(const WindowSet& windows);
+
+/// Reads what a model stores of these, a number for each class.
+std::vector<double> read_amplitudes(const artefact::Reader& reader, const std::string& path,
+                                    const DatasetInfo& info);
 
 }  // namespace piae::signal

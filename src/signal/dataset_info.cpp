@@ -2,14 +2,79 @@
 
 #include <array>
 #include <numeric>
+#include <set>
 
 #include "base/error.hpp"
+#include "bearing/kinematics.hpp"
+#include "signal/ranges.hpp"
 
 namespace piae::signal {
 
 namespace {
 
 constexpr std::array<const char*, 4> defect_words{"none", "outer", "inner", "roller"};
+
+bearing::Geometry read_bearing(const artefact::Reader& reader) {
+  const auto length_mm = [&](const std::string& name) {
+    return reader.real("/bearing", name, ranges::length_mm);
+  };
+  return {
+      .balls = static_cast<int>(reader.integer("/bearing", "balls", ranges::balls)),
+      .ball_diameter_mm = length_mm("ball_diameter_mm"),
+      .pitch_diameter_mm = length_mm("pitch_diameter_mm"),
+      .inner_raceway_mm = length_mm("inner_raceway_mm"),
+      .outer_raceway_mm = length_mm("outer_raceway_mm"),
+      .contact_angle_deg = reader.real("/bearing", "contact_angle_deg", ranges::contact_angle_deg)};
+}
+
+void require_class_names(const artefact::Reader& reader, const std::vector<std::string>& names) {
+  const std::string path = "/classes/name";
+  std::set<std::string> seen;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const std::string which = "of class " + std::to_string(i) + " ";
+    if (!ranges::is_plain_name(names[i])) reader.refuse(path, which + ranges::plain_name_rule);
+    if (!seen.insert(names[i]).second) reader.refuse(path, "has " + names[i] + " twice");
+  }
+}
+
+Defect read_defect(const artefact::Reader& reader, const std::string& word) {
+  try {
+    return parse_defect(word);
+  } catch (const Error&) {
+    reader.refuse("/classes/defect", "holds a word that is none of none, outer, inner and roller");
+  }
+}
+
+std::vector<ClassInfo> read_classes(const artefact::Reader& reader) {
+  const std::vector<std::string> names = reader.strings("/classes/name");
+  const std::vector<std::string> defects = reader.strings("/classes/defect");
+  const std::string sizes_path = "/classes/defect_size_mm";
+  const std::vector<double> sizes = reader.numbers<double>(sizes_path, {names.size()}).values;
+  if (names.empty()) reader.refuse("/classes/name", "is empty");
+  if (defects.size() != names.size()) {
+    reader.refuse("/classes/defect", "does not fit /classes/name");
+  }
+  require_class_names(reader, names);
+  reader.require_all(sizes_path, sizes, ranges::defect_size_mm);
+  std::vector<ClassInfo> classes;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    classes.push_back({names[i], read_defect(reader, defects[i]), sizes[i]});
+  }
+  return classes;
+}
+
+/// Refuses a bearing, defects or a list of classes that cannot be.
+void require_possible(const artefact::Reader& reader, const DatasetInfo& info) {
+  try {
+    bearing::validate(info.bearing);
+    for (const ClassInfo& c : info.classes) {
+      bearing::validate(info.bearing, {c.defect, c.defect_size_mm});
+    }
+    (void)info.healthy_label();
+  } catch (const Error& error) {
+    reader.refuse("/bearing or /classes", std::string("cannot be: ") + error.what());
+  }
+}
 
 }  // namespace
 
@@ -77,24 +142,15 @@ void write(artefact::Writer& writer, const DatasetInfo& info) {
 DatasetInfo read_dataset_info(const artefact::Reader& reader) {
   DatasetInfo info;
   info.name = reader.text("/", "dataset");
-  info.sample_rate_hz = reader.real("/", "sample_rate_hz");
-  info.shaft_speed_rpm = reader.real("/", "shaft_speed_rpm");
-  info.unit_m_per_s2 = reader.real("/", "unit_m_per_s2");
-  info.bearing.balls = static_cast<int>(reader.integer("/bearing", "balls"));
-  info.bearing.ball_diameter_mm = reader.real("/bearing", "ball_diameter_mm");
-  info.bearing.pitch_diameter_mm = reader.real("/bearing", "pitch_diameter_mm");
-  info.bearing.inner_raceway_mm = reader.real("/bearing", "inner_raceway_mm");
-  info.bearing.outer_raceway_mm = reader.real("/bearing", "outer_raceway_mm");
-  info.bearing.contact_angle_deg = reader.real("/bearing", "contact_angle_deg");
-  const std::vector<std::string> names = reader.strings("/classes/name");
-  const std::vector<std::string> defects = reader.strings("/classes/defect");
-  const std::vector<double> sizes =
-      reader.numbers<double>("/classes/defect_size_mm", {names.size()}).values;
-  if (defects.size() != names.size())
-    reader.refuse("/classes/defect", "does not fit /classes/name");
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    info.classes.push_back({names[i], parse_defect(defects[i]), sizes[i]});
+  if (!ranges::is_plain_name(info.name)) {
+    reader.refuse("/, attribute dataset", ranges::plain_name_rule);
   }
+  info.sample_rate_hz = reader.real("/", "sample_rate_hz", ranges::sample_rate_hz);
+  info.shaft_speed_rpm = reader.real("/", "shaft_speed_rpm", ranges::shaft_speed_rpm);
+  info.unit_m_per_s2 = reader.real("/", "unit_m_per_s2", ranges::unit_m_per_s2);
+  info.bearing = read_bearing(reader);
+  info.classes = read_classes(reader);
+  require_possible(reader, info);
   return info;
 }
 

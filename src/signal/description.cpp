@@ -6,6 +6,7 @@
 #include "base/error.hpp"
 #include "bearing/defect.hpp"
 #include "bearing/kinematics.hpp"
+#include "signal/ranges.hpp"
 
 namespace piae::signal {
 
@@ -13,34 +14,24 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view letters_and_digits =
-    "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789";
-
-/// Names become folders, HDF5 paths and columns of a CSV.
 std::string plain_name(TomlTable& table, const std::string& key) {
   std::string name = table.text(key);
-  const std::string allowed = std::string(letters_and_digits) + "-_.";
-  if (name.find_first_not_of(allowed) != std::string::npos || name.front() == '.') {
-    table.refuse(key, "'" + name + "' may hold letters, digits, '-', '_' and '.' only");
+  if (!ranges::is_plain_name(name)) {
+    table.refuse(key, "'" + name + "' " + ranges::plain_name_rule);
   }
   return name;
 }
 
 bearing::Geometry read_bearing(TomlTable table) {
   bearing::Geometry bearing;
-  const std::int64_t balls = table.integer("balls");
-  if (balls < 1 || balls > 1000) table.refuse("balls", "must be between 1 and 1000");
-  bearing.balls = static_cast<int>(balls);
-  bearing.ball_diameter_mm = table.positive("ball_diameter_mm");
-  bearing.pitch_diameter_mm = table.positive("pitch_diameter_mm");
-  bearing.inner_raceway_mm = table.optional_positive("inner_raceway_mm")
+  bearing.balls = static_cast<int>(table.integer("balls", ranges::balls));
+  bearing.ball_diameter_mm = table.number("ball_diameter_mm", ranges::length_mm);
+  bearing.pitch_diameter_mm = table.number("pitch_diameter_mm", ranges::length_mm);
+  bearing.inner_raceway_mm = table.optional_number("inner_raceway_mm", ranges::length_mm)
                                  .value_or(bearing.pitch_diameter_mm - bearing.ball_diameter_mm);
-  bearing.outer_raceway_mm = table.optional_positive("outer_raceway_mm")
+  bearing.outer_raceway_mm = table.optional_number("outer_raceway_mm", ranges::length_mm)
                                  .value_or(bearing.pitch_diameter_mm + bearing.ball_diameter_mm);
-  bearing.contact_angle_deg = table.number("contact_angle_deg");
-  if (bearing.contact_angle_deg < 0 || bearing.contact_angle_deg >= 90) {
-    table.refuse("contact_angle_deg", "must be from 0 to below 90");
-  }
+  bearing.contact_angle_deg = table.number("contact_angle_deg", ranges::contact_angle_deg);
   table.finish();
   return bearing;
 }
@@ -60,7 +51,7 @@ ClassInfo read_class(TomlTable& table) {
   info.name = plain_name(table, "name");
   info.defect = read_defect(table);
   if (info.defect != Defect::none) {
-    info.defect_size_mm = table.positive("defect_size_mm");
+    info.defect_size_mm = table.number("defect_size_mm", ranges::defect_size_mm);
   } else if (table.has("defect_size_mm")) {
     table.refuse("defect_size_mm", "makes no sense where the defect is 'none'");
   }
@@ -114,9 +105,9 @@ RecordSource read_record(TomlTable& table, const DatasetInfo& info) {
   record.label = label_of(info, table);
   record.file = read_file_name(table);
   record.variable = table.text("variable");
-  record.sample_rate_hz = table.positive("sample_rate_hz");
-  record.shaft_speed_rpm =
-      table.optional_positive("shaft_speed_rpm").value_or(info.shaft_speed_rpm);
+  record.sample_rate_hz = table.number("sample_rate_hz", ranges::sample_rate_hz);
+  record.shaft_speed_rpm = table.optional_number("shaft_speed_rpm", ranges::shaft_speed_rpm)
+                               .value_or(info.shaft_speed_rpm);
   record.sha256 = read_sha256(table);
   record.url = table.optional_text("url");
   table.finish();
@@ -179,8 +170,9 @@ double common_rate(const TomlTable& root, const std::vector<RecordSource>& recor
 DatasetInfo read_info(TomlTable& root, std::vector<TomlTable>& classes) {
   DatasetInfo info;
   info.name = plain_name(root, "name");
-  info.shaft_speed_rpm = root.positive("shaft_speed_rpm");
-  info.unit_m_per_s2 = root.optional_positive("unit_m_per_s2").value_or(info.unit_m_per_s2);
+  info.shaft_speed_rpm = root.number("shaft_speed_rpm", ranges::shaft_speed_rpm);
+  info.unit_m_per_s2 =
+      root.optional_number("unit_m_per_s2", ranges::unit_m_per_s2).value_or(info.unit_m_per_s2);
   info.bearing = read_bearing(root.table("bearing"));
   for (TomlTable& table : classes) {
     const ClassInfo next = read_class(table);
@@ -207,7 +199,7 @@ Description read_description(const fs::path& file) {
   for (TomlTable& table : root.tables("record")) {
     description.records.push_back(read_record(table, description.info));
   }
-  const auto rate = root.optional_positive("sample_rate_hz");
+  const auto rate = root.optional_number("sample_rate_hz", ranges::sample_rate_hz);
   root.finish();
   description.info.sample_rate_hz = rate ? *rate : common_rate(root, description.records);
   name_records(description.info, description.records);

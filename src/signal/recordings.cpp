@@ -2,6 +2,8 @@
 
 #include <stdexcept>
 
+#include "signal/ranges.hpp"
+
 namespace piae::signal {
 
 namespace {
@@ -9,7 +11,7 @@ namespace {
 const std::string group = "/records";
 
 void write(artefact::Writer& writer, const Record& record) {
-  if (record.name.empty() || record.name.find('/') != std::string::npos) {
+  if (!ranges::is_plain_name(record.name)) {
     throw std::logic_error("'" + record.name + "' cannot name a record");
   }
   const std::string path = group + "/" + record.name;
@@ -29,21 +31,27 @@ Record read_record(const artefact::Reader& reader, const std::string& name, std:
   const std::string path = group + "/" + name;
   Record record;
   record.name = name;
+  if (!ranges::is_plain_name(name)) {
+    reader.refuse(group, "has a record whose name is none: it " + ranges::plain_name_rule);
+  }
   record.signal = reader.numbers<double>(path, {0}).values;
   if (record.signal.empty()) reader.refuse(path, "holds no sample");
+  reader.require_all(path, record.signal, ranges::acceleration);
   const std::int64_t label = reader.integer(path, "label");
   if (label < 0 || label >= static_cast<std::int64_t>(classes)) {
     reader.refuse(path, "has label " + std::to_string(label) + ", but there are " +
                             std::to_string(classes) + " classes");
   }
   record.label = static_cast<Label>(label);
-  record.original_sample_rate_hz = reader.real(path, "original_sample_rate_hz");
-  record.shaft_speed_rpm = reader.real(path, "shaft_speed_rpm");
+  record.original_sample_rate_hz =
+      reader.real(path, "original_sample_rate_hz", ranges::sample_rate_hz);
+  record.shaft_speed_rpm = reader.real(path, "shaft_speed_rpm", ranges::shaft_speed_rpm);
   record.source = reader.text(path, "source");
   record.source_sha256 = reader.text(path, "source_sha256");
   if (reader.has_attribute(path, "stiffness_n_per_m")) {
-    record.parameters = DynamicParameters{reader.real(path, "stiffness_n_per_m"),
-                                          reader.real(path, "damping_ns_per_m")};
+    record.parameters =
+        DynamicParameters{reader.real(path, "stiffness_n_per_m", ranges::stiffness_n_per_m),
+                          reader.real(path, "damping_ns_per_m", ranges::damping_ns_per_m)};
   }
   return record;
 }

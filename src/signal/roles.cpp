@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "base/error.hpp"
+#include "signal/ranges.hpp"
 
 namespace piae::signal {
 
@@ -116,14 +117,14 @@ void write(artefact::Writer& writer, const Origin& origin) {
 }
 
 Origin read_origin(const artefact::Reader& reader) {
-  return {.split_seed = reader.integer("/", "split_seed"),
+  return {.split_seed = reader.integer("/", "split_seed", ranges::seed),
           .protocol = read_protocol(reader),
           .records_digest = reader.text("/", "records_digest"),
           .known_digest = reader.text("/", "known_digest")};
 }
 
 Origin origin_of_known(const artefact::Reader& known) {
-  return {.split_seed = known.integer("/", "seed"),
+  return {.split_seed = known.integer("/", "seed", ranges::seed),
           .protocol = read_protocol(known),
           .records_digest = known.text("/", "records_digest"),
           .known_digest = known.digest()};
@@ -167,7 +168,7 @@ RoleSet read_role_set(const artefact::Reader& reader) {
   set.file = reader.path().string();
   set.role = read_role(reader);
   set.protocol = read_protocol(reader);
-  set.seed = reader.integer("/", "seed");
+  set.seed = reader.integer("/", "seed", ranges::seed);
   set.records_digest = reader.text("/", "records_digest");
   set.windows = read_window_set(reader);
   if (set.windows.record.size() != set.windows.size()) {

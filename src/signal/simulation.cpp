@@ -14,26 +14,20 @@
 #include "base/random.hpp"
 #include "bearing/kinematics.hpp"
 #include "signal/description.hpp"
+#include "signal/ranges.hpp"
 #include "signal/toml_table.hpp"
 
 namespace piae::signal {
 
 namespace {
 
-double read_spread(TomlTable& table, const std::string& key) {
-  const double spread = table.number(key);
-  if (spread < 0 || spread >= bearing::spread_limit)
-    table.refuse(key, "must be from 0 to below 1/3");
-  return spread;
-}
-
 bearing::DynamicsOptions read_dynamics(TomlTable& table, const bearing::Variation& variation) {
   bearing::DynamicsOptions dynamics;
-  dynamics.mass_kg = table.positive("mass_kg");
-  dynamics.stiffness_n_per_m = table.positive("stiffness_n_per_m");
-  dynamics.damping_ns_per_m = table.positive("damping_ns_per_m");
-  dynamics.clearance_um = table.positive("clearance_um");
-  dynamics.load_n = table.positive("load_n");
+  dynamics.mass_kg = table.number("mass_kg", ranges::mass_kg);
+  dynamics.stiffness_n_per_m = table.number("stiffness_n_per_m", ranges::nominal_stiffness_n_per_m);
+  dynamics.damping_ns_per_m = table.number("damping_ns_per_m", ranges::nominal_damping_ns_per_m);
+  dynamics.clearance_um = table.number("clearance_um", ranges::clearance_um);
+  dynamics.load_n = table.number("load_n", ranges::load_n);
   const double lift = bearing::largest_lift_n(dynamics, variation);
   if (dynamics.load_n <= lift) {
     table.refuse("load_n", fmt::format("must exceed {:.6g} N, the largest stiffness times the "
@@ -44,24 +38,22 @@ bearing::DynamicsOptions read_dynamics(TomlTable& table, const bearing::Variatio
 }
 
 void read_table(TomlTable& table, Simulation& simulation) {
-  simulation.seed = table.integer("seed");
-  if (simulation.seed < 0) table.refuse("seed", "must be 0 or more");
-  const std::int64_t records = table.integer("records_per_class");
-  if (records < 1 || records > 100000) table.refuse("records_per_class", "must be 1 to 100000");
-  simulation.records_per_class = static_cast<std::size_t>(records);
-  const double samples = std::floor(table.positive("record_s") * simulation.info.sample_rate_hz);
+  simulation.seed = table.integer("seed", ranges::seed);
+  constexpr Range records_per_class{.low = 1, .high = 100'000};
+  constexpr Range record_s{.low = 1e-7, .high = 1e8, .unit = " s"};
+  simulation.records_per_class =
+      static_cast<std::size_t>(table.integer("records_per_class", records_per_class));
+  const double samples =
+      std::floor(table.number("record_s", record_s) * simulation.info.sample_rate_hz);
   if (samples < 1 || samples > 1e8) table.refuse("record_s", "must give 1 to 1e8 samples");
   simulation.samples = static_cast<std::size_t>(samples);
   bearing::Variation& variation = simulation.variation;
-  variation.stiffness_spread = read_spread(table, "stiffness_spread");
-  variation.damping_spread = read_spread(table, "damping_spread");
-  variation.speed_spread = read_spread(table, "speed_spread");
+  variation.stiffness_spread = table.number("stiffness_spread", ranges::spread);
+  variation.damping_spread = table.number("damping_spread", ranges::spread);
+  variation.speed_spread = table.number("speed_spread", ranges::spread);
   simulation.dynamics = read_dynamics(table, variation);
-  variation.slip_max = table.number("slip_max");
-  if (variation.slip_max < 0 || variation.slip_max >= 1) {
-    table.refuse("slip_max", "must be from 0 to below 1");
-  }
-  if (table.has("snr_db")) simulation.snr_db = table.number("snr_db");
+  variation.slip_max = table.number("slip_max", ranges::slip);
+  simulation.snr_db = table.optional_number("snr_db", ranges::snr_db);
   const bool faulty = simulation.info.classes.size() > 1;
   if (simulation.snr_db && !faulty) {
     table.refuse("snr_db", "needs a faulty [[class]]: the noise is measured by it");
@@ -165,7 +157,7 @@ Simulation read_simulation(const std::filesystem::path& file) {
   Simulation simulation;
   std::vector<TomlTable> classes = root.tables("class");
   simulation.info = read_info(root, classes);
-  simulation.info.sample_rate_hz = root.positive("sample_rate_hz");
+  simulation.info.sample_rate_hz = root.number("sample_rate_hz", ranges::sample_rate_hz);
   TomlTable table = root.table("simulation");
   root.finish();
   for (const TomlTable& c : classes) c.finish();

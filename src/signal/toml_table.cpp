@@ -41,26 +41,22 @@ std::string TomlTable::optional_text(const std::string& key) {
   return has(key) ? text(key) : std::string();
 }
 
-double TomlTable::number(const std::string& key) {
+double TomlTable::number(const std::string& key, const Range& range) {
   const auto value = node(key).is_number() ? node(key).value<double>() : std::nullopt;
   if (!value || !std::isfinite(*value)) refuse(key, "must be a finite number");
+  if (!range.holds(*value)) refuse(key, range.rule());
   return *value;
 }
 
-double TomlTable::positive(const std::string& key) {
-  const double value = number(key);
-  if (value <= 0) refuse(key, "must be above 0");
-  return value;
-}
-
-std::optional<double> TomlTable::optional_positive(const std::string& key) {
+std::optional<double> TomlTable::optional_number(const std::string& key, const Range& range) {
   asked_.insert(key);
-  return has(key) ? std::optional(positive(key)) : std::nullopt;
+  return has(key) ? std::optional(number(key, range)) : std::nullopt;
 }
 
-std::int64_t TomlTable::integer(const std::string& key) {
+std::int64_t TomlTable::integer(const std::string& key, const Range& range) {
   const auto* value = node(key).as_integer();
   if (value == nullptr) refuse(key, "must be a whole number");
+  if (!range.holds(static_cast<double>(value->get()))) refuse(key, range.rule());
   return value->get();
 }
 

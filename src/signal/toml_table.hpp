@@ -10,6 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "base/range.hpp"
+
 namespace piae::signal {
 
 /// One table of a TOML file, read strictly: every key must be known, present where it is needed,
@@ -28,10 +30,9 @@ class TomlTable {
 
   std::string text(const std::string& key);  ///< not empty
   std::string optional_text(const std::string& key);
-  double number(const std::string& key);    ///< finite; an integer will do
-  double positive(const std::string& key);  ///< a number above 0
-  std::optional<double> optional_positive(const std::string& key);
-  std::int64_t integer(const std::string& key);
+  double number(const std::string& key, const Range& range);  ///< an integer will do
+  std::optional<double> optional_number(const std::string& key, const Range& range);
+  std::int64_t integer(const std::string& key, const Range& range);
 
   TomlTable table(const std::string& key);                ///< [key]
   std::vector<TomlTable> tables(const std::string& key);  ///< [[key]], at least one

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "signal/ranges.hpp"
+
 namespace piae::signal {
 
 namespace {
@@ -40,8 +42,11 @@ void read_places(const artefact::Reader& reader, WindowSet& windows) {
                     "points to record " + std::to_string(index) + " of " + std::to_string(known));
     }
   }
-  for (const std::int64_t first : windows.first_sample) {
-    if (first < 0) reader.refuse("/first_sample", "holds " + std::to_string(first));
+  reader.require_all("/first_sample", windows.first_sample, ranges::first_sample);
+  for (const std::string& name : windows.record_names) {
+    if (!ranges::is_plain_name(name)) {
+      reader.refuse("/record/name", "holds what is no name: it " + ranges::plain_name_rule);
+    }
   }
 }
 
@@ -49,6 +54,10 @@ void read_parameters(const artefact::Reader& reader, WindowSet& windows) {
   const auto pairs = reader.numbers<double>("/parameters", {0, 2});
   if (pairs.shape[0] != windows.size()) reader.refuse("/parameters", "misfits /labels");
   for (std::size_t i = 0; i < windows.size(); ++i) {
+    if (!ranges::stiffness_n_per_m.holds(pairs.values[2 * i]) ||
+        !ranges::damping_ns_per_m.holds(pairs.values[2 * i + 1])) {
+      reader.refuse("/parameters", "holds a stiffness or a damping that cannot be");
+    }
     windows.parameters.push_back({pairs.values[2 * i], pairs.values[2 * i + 1]});
   }
 }
@@ -109,11 +118,17 @@ void write(artefact::Writer& writer, const WindowSet& windows) {
 WindowSet read_window_set(const artefact::Reader& reader) {
   WindowSet windows;
   windows.info = read_dataset_info(reader);
+  if (windows.info.fault_labels().empty()) {
+    reader.refuse("/classes/defect", "has no class with a defect; there must be one at least");
+  }
   auto samples = reader.numbers<float>("/windows", {0, 0});
   windows.length = samples.shape[1];
   windows.samples = std::move(samples.values);
   windows.labels = reader.numbers<Label>("/labels", {0}).values;
-  if (windows.length == 0) reader.refuse("/windows", "holds windows without samples");
+  if (!ranges::window_samples.holds(static_cast<double>(windows.length))) {
+    reader.refuse("/windows", "has windows of " + std::to_string(windows.length) + " samples; it " +
+                                  ranges::window_samples.rule());
+  }
   if (windows.size() != samples.shape[0]) reader.refuse("/labels", "misfits /windows");
   require_known_labels(reader, windows);
   if (reader.has("/record")) read_places(reader, windows);

@@ -6,35 +6,42 @@
 #include <array>
 #include <numeric>
 #include <span>
+#include <tuple>
 #include <utility>
 
 #include "base/error.hpp"
 #include "base/parallel.hpp"
 #include "signal/amplitude.hpp"
+#include "signal/ranges.hpp"
 
 namespace piae::signal {
 
 namespace {
 
 const std::string simulation_group = "/simulation";
+/// Eq. 13 takes half a million steps a second. A window of the paper lasts 0.09 s.
+constexpr double longest_window_s = 10;
 
-/// A number of the options that the artefact stores, and the name under which it does.
+/// A number of the options that the artefact stores, the name under which it does, and what it may
+/// be.
 template <class Part>
-using Stored = std::pair<const char*, double Part::*>;
+using Stored = std::tuple<const char*, double Part::*, Range>;
 
 constexpr std::array<Stored<bearing::DynamicsOptions>, 5> stored_dynamics{{
-    {"mass_kg", &bearing::DynamicsOptions::mass_kg},
-    {"stiffness_n_per_m", &bearing::DynamicsOptions::stiffness_n_per_m},
-    {"damping_ns_per_m", &bearing::DynamicsOptions::damping_ns_per_m},
-    {"clearance_um", &bearing::DynamicsOptions::clearance_um},
-    {"load_n", &bearing::DynamicsOptions::load_n},
+    {"mass_kg", &bearing::DynamicsOptions::mass_kg, ranges::mass_kg},
+    {"stiffness_n_per_m", &bearing::DynamicsOptions::stiffness_n_per_m,
+     ranges::nominal_stiffness_n_per_m},
+    {"damping_ns_per_m", &bearing::DynamicsOptions::damping_ns_per_m,
+     ranges::nominal_damping_ns_per_m},
+    {"clearance_um", &bearing::DynamicsOptions::clearance_um, ranges::clearance_um},
+    {"load_n", &bearing::DynamicsOptions::load_n, ranges::load_n},
 }};
 
 constexpr std::array<Stored<bearing::Variation>, 4> stored_variation{{
-    {"stiffness_spread", &bearing::Variation::stiffness_spread},
-    {"damping_spread", &bearing::Variation::damping_spread},
-    {"speed_spread", &bearing::Variation::speed_spread},
-    {"slip_max", &bearing::Variation::slip_max},
+    {"stiffness_spread", &bearing::Variation::stiffness_spread, ranges::spread},
+    {"damping_spread", &bearing::Variation::damping_spread, ranges::spread},
+    {"speed_spread", &bearing::Variation::speed_spread, ranges::spread},
+    {"slip_max", &bearing::Variation::slip_max, ranges::slip},
 }};
 
 /// What eq. 13 is solved for to get one window.
@@ -123,10 +130,10 @@ void write(artefact::Writer& writer, const WindowSimulation& simulation) {
   writer.attribute("/", "samples", static_cast<std::int64_t>(simulation.length));
   writer.numbers("/classes/rms", simulation.rms);
   writer.group(simulation_group);
-  for (const auto& [name, member] : stored_dynamics) {
+  for (const auto& [name, member, range] : stored_dynamics) {
     writer.attribute(simulation_group, name, simulation.options.dynamics.*member);
   }
-  for (const auto& [name, member] : stored_variation) {
+  for (const auto& [name, member, range] : stored_variation) {
     writer.attribute(simulation_group, name, simulation.options.variation.*member);
   }
 }
@@ -134,15 +141,17 @@ void write(artefact::Writer& writer, const WindowSimulation& simulation) {
 WindowSimulation read_window_simulation(const artefact::Reader& reader) {
   WindowSimulation simulation;
   simulation.info = read_dataset_info(reader);
-  const std::int64_t samples = reader.integer("/", "samples");
-  if (samples < 1) reader.refuse("samples", "holds " + std::to_string(samples));
-  simulation.length = static_cast<std::size_t>(samples);
-  simulation.rms = reader.numbers<double>("/classes/rms", {simulation.info.classes.size()}).values;
-  for (const auto& [name, member] : stored_dynamics) {
-    simulation.options.dynamics.*member = reader.real(simulation_group, name);
+  simulation.length =
+      static_cast<std::size_t>(reader.integer("/", "samples", ranges::window_samples));
+  if (static_cast<double>(simulation.length) > longest_window_s * simulation.info.sample_rate_hz) {
+    reader.refuse("/, attribute samples", "makes a window that lasts too long to be simulated");
   }
-  for (const auto& [name, member] : stored_variation) {
-    simulation.options.variation.*member = reader.real(simulation_group, name);
+  simulation.rms = read_amplitudes(reader, "/classes/rms", simulation.info);
+  for (const auto& [name, member, range] : stored_dynamics) {
+    simulation.options.dynamics.*member = reader.real(simulation_group, name, range);
+  }
+  for (const auto& [name, member, range] : stored_variation) {
+    simulation.options.variation.*member = reader.real(simulation_group, name, range);
   }
   return simulation;
 }

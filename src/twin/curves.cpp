@@ -1,7 +1,7 @@
 #include "twin/curves.hpp"
 
 #include <array>
-#include <utility>
+#include <tuple>
 
 namespace piae::twin {
 
@@ -9,28 +9,39 @@ namespace {
 
 using Column = std::vector<double> Curves::*;
 
-constexpr std::array<std::pair<const char*, Column>, 8> columns{{
-    {"reconstruction", &Curves::reconstruction},
-    {"differential", &Curves::differential},
-    {"twin", &Curves::twin},
-    {"total", &Curves::total},
-    {"alpha", &Curves::alpha},
-    {"beta", &Curves::beta},
-    {"gamma", &Curves::gamma},
-    {"learning_rate", &Curves::learning_rate},
+/// A squared discrepancy of equal windows may come out a rounding below 0.
+constexpr Range loss{.low = -1e-6, .high = 1e300};
+/// The logarithms of eq. 23 may be of any sign.
+constexpr Range total{.low = -1e300, .high = 1e300};
+constexpr Range weight{.low = 0, .high = 1e300};
+
+constexpr std::array<std::tuple<const char*, Column, Range>, 8> columns{{
+    {"reconstruction", &Curves::reconstruction, loss},
+    {"differential", &Curves::differential, loss},
+    {"twin", &Curves::twin, loss},
+    {"total", &Curves::total, total},
+    {"alpha", &Curves::alpha, weight},
+    {"beta", &Curves::beta, weight},
+    {"gamma", &Curves::gamma, weight},
+    {"learning_rate", &Curves::learning_rate, weight},
 }};
 
 }  // namespace
 
 void Curves::write(artefact::Writer& writer) const {
-  for (const auto& [name, column] : columns) {
+  for (const auto& [name, column, range] : columns) {
     writer.numbers(std::string("/curves/") + name, this->*column);
   }
 }
 
 void Curves::read(const artefact::Reader& reader) {
-  for (const auto& [name, column] : columns) {
-    this->*column = reader.numbers<double>(std::string("/curves/") + name, {0}).values;
+  for (const auto& [name, column, range] : columns) {
+    const std::string path = std::string("/curves/") + name;
+    this->*column = reader.numbers<double>(path, {0}).values;
+    reader.require_all(path, this->*column, range);
+    if ((this->*column).size() != reconstruction.size()) {
+      reader.refuse(path, "is not as long as /curves/reconstruction");
+    }
   }
 }
 

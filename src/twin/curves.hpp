@@ -23,6 +23,7 @@ struct Curves {
 
   /// As datasets /curves/<name>, [epochs].
   void write(artefact::Writer& writer) const;
+  /// Throws artefact::Refusal for curves of different lengths, and for values that no training has.
   void read(const artefact::Reader& reader);
 };
 

@@ -48,9 +48,10 @@ std::unique_ptr<StoredTwin> open_dense_model(const artefact::Reader& model,
                                              const TwinVariant& variant) {
   const auto specs = network_specs(variant, description.shape, description.options,
                                    dense_coder_specs(description.shape, description.options));
-  const auto parameters = std::make_shared<Parameters>(specs, Stream("replaced"));
   const std::string group = std::string("/") + to_string(description.options.keep);
-  parameters->write(Parameters::Kept::value, nets::read_parameters(model, group, specs));
+  const std::vector<float> values = nets::read_parameters(model, group, specs);
+  const auto parameters = std::make_shared<Parameters>(specs, Stream("replaced"));
+  parameters->write(Parameters::Kept::value, values);
   return std::make_unique<DenseModel>(parameters, description, variant);
 }
 

@@ -1,5 +1,9 @@
 #include "twin/model.hpp"
 
+#include "nets/ranges.hpp"
+#include "signal/amplitude.hpp"
+#include "signal/ranges.hpp"
+
 namespace piae::twin {
 
 namespace {
@@ -38,17 +42,14 @@ ModelDescription read_model_description(const artefact::Reader& reader) {
   ModelDescription description;
   description.info = signal::read_dataset_info(reader);
   const std::size_t classes = description.info.classes.size();
-  description.shape = {.samples = reader.integer("/", "samples"),
+  description.shape = {.samples = reader.integer("/", "samples", signal::ranges::window_samples),
                        .classes = static_cast<std::int64_t>(classes)};
-  description.options.depth = static_cast<int>(reader.integer("/", "depth"));
-  description.options.width = static_cast<int>(reader.integer("/", "width"));
+  description.options.depth = static_cast<int>(reader.integer("/", "depth", nets::ranges::depth));
+  description.options.width = static_cast<int>(reader.integer("/", "width", nets::ranges::width));
   description.options.keep = read_keep(reader);
   description.options.positive = read_positive(reader);
-  description.acceleration = reader.numbers<double>("/classes/acceleration", {classes}).values;
-  if (description.shape.samples < 1 || description.options.depth < 1 ||
-      description.options.width < 1) {
-    reader.refuse("samples, depth and width", "must be positive");
-  }
+  description.acceleration =
+      signal::read_amplitudes(reader, "/classes/acceleration", description.info);
   return description;
 }
 

@@ -20,7 +20,8 @@ struct ModelDescription {
 };
 
 void write(artefact::Writer& writer, const ModelDescription& description);
-/// Throws artefact::Refusal for sizes that are not positive, and for an unknown word of keep.
+/// Throws artefact::Refusal for sizes and amplitudes that cannot be, and for an unknown word of
+/// keep.
 ModelDescription read_model_description(const artefact::Reader& reader);
 
 }  // namespace piae::twin

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "twin/ranges.hpp"
+
 namespace piae::twin {
 
 namespace {
@@ -51,7 +53,7 @@ Outcome read_outcome(const artefact::Reader& model) {
   if (!have_an_epoch(curves)) model.refuse("/curves", "has no epoch");
   Outcome outcome = ends_of(curves);
   outcome.states = read_points(model, group + "/points");
-  outcome.open_contacts = model.integer(group, attribute);
+  outcome.open_contacts = model.integer(group, attribute, ranges::open_contacts);
   return outcome;
 }
 

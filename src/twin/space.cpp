@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <string>
 
+#include "signal/dataset_info.hpp"
+#include "twin/ranges.hpp"
+
 namespace piae::twin {
 
 namespace {
@@ -24,6 +27,17 @@ std::vector<double> edges_over(const std::vector<TwinPoint>& points, double Twin
   return equal_edges((*low).*parameter, (*high).*parameter, bins);
 }
 
+std::vector<double> read_edges(const artefact::Reader& reader, const std::string& name) {
+  const std::string path = group + "/" + name;
+  std::vector<double> edges = reader.numbers<double>(path, {0}).values;
+  reader.require_all(path, edges, ranges::coordinate);
+  if (!ranges::bins.holds(static_cast<double>(edges.size()) - 1) ||
+      !std::ranges::is_sorted(edges)) {
+    reader.refuse(path, "is no row of edges of 1 to 1000 bins");
+  }
+  return edges;
+}
+
 std::size_t bin_of(double value, const std::vector<double>& edges) {
   const auto above = std::upper_bound(edges.begin() + 1, edges.end() - 1, value);
   return static_cast<std::size_t>(above - edges.begin()) - 1;
@@ -40,6 +54,7 @@ void write_points(artefact::Writer& writer, const std::string& name,
 
 std::vector<TwinPoint> read_points(const artefact::Reader& reader, const std::string& name) {
   const auto flat = reader.numbers<double>(name, {0, 2}).values;
+  reader.require_all(name, flat, ranges::coordinate);
   std::vector<TwinPoint> points;
   for (std::size_t i = 0; i < flat.size(); i += 2) points.push_back({flat[i], flat[i + 1]});
   return points;
@@ -58,14 +73,14 @@ TwinSpace::TwinSpace(const std::vector<TwinPoint>& points, int bins)
 
 TwinSpace::TwinSpace(const artefact::Reader& reader)
     : points_(read_points(reader, group + "/points")) {
-  k_edges_ = reader.numbers<double>(group + "/k_edges", {0}).values;
-  c_edges_ = reader.numbers<double>(group + "/c_edges", {0}).values;
-  if (k_edges_.size() < 2 || c_edges_.size() < 2) reader.refuse(group, "has no bins");
+  if (points_.empty()) reader.refuse(group + "/points", "is empty");
+  k_edges_ = read_edges(reader, "k_edges");
+  c_edges_ = read_edges(reader, "c_edges");
   counts_ =
       reader.numbers<std::int64_t>(group + "/counts", {k_edges_.size() - 1, c_edges_.size() - 1})
           .values;
-  if (std::ranges::any_of(counts_, [](std::int64_t n) { return n < 0; }) ||
-      std::ranges::all_of(counts_, [](std::int64_t n) { return n == 0; })) {
+  reader.require_all(group + "/counts", counts_, ranges::windows_in_a_bin);
+  if (std::ranges::all_of(counts_, [](std::int64_t n) { return n == 0; })) {
     reader.refuse(group + "/counts", "is not a histogram");
   }
 }
@@ -101,6 +116,21 @@ TwinSpace space_of_class(const std::vector<TwinPoint>& points, const std::vector
   return {own, bins};
 }
 
+void require_points_of_faults(const artefact::Reader& model, const std::string& path,
+                              const std::vector<Label>& labels) {
+  const signal::DatasetInfo info = signal::read_dataset_info(model);
+  for (const Label label : labels) {
+    if (label < 0 || index_of(label) >= info.classes.size()) {
+      model.refuse(path, "holds label " + std::to_string(label) + ", which no class has");
+    }
+  }
+  for (const Label fault : info.fault_labels()) {
+    if (std::ranges::find(labels, fault) == labels.end()) {
+      model.refuse(path, "has no known window of class " + info.class_of(fault).name);
+    }
+  }
+}
+
 void write_labels_of_space(artefact::Writer& writer, const std::vector<Label>& labels) {
   writer.numbers(labels_of_space, labels);
 }
@@ -108,6 +138,7 @@ void write_labels_of_space(artefact::Writer& writer, const std::vector<Label>& l
 ClassSpaces::ClassSpaces(const artefact::Reader& model) : all_(model) {
   if (!model.has(labels_of_space)) return;
   labels_ = model.numbers<Label>(labels_of_space, {all_.points().size()}).values;
+  require_points_of_faults(model, labels_of_space, labels_);
 }
 
 TwinSpace ClassSpaces::of(Label label) const {

@@ -54,6 +54,11 @@ class TwinSpace {
 TwinSpace space_of_class(const std::vector<TwinPoint>& points, const std::vector<Label>& labels,
                          Label label, int bins);
 
+/// Throws artefact::Refusal unless all labels are those of classes of the model's data set, and
+/// each class with a defect has one of them: a class is drawn from its own windows.
+void require_points_of_faults(const artefact::Reader& model, const std::string& path,
+                              const std::vector<Label>& labels);
+
 /// Says in a model that each class is drawn from its own windows, which have these labels.
 void write_labels_of_space(artefact::Writer& writer, const std::vector<Label>& labels);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "augment/stored_model.hpp"
 #include "scoring/diagnosis_record.hpp"
 #include "scoring/quality_record.hpp"
 #include "signal/recordings.hpp"
@@ -27,6 +28,8 @@ void check_windows(const Reader& reader, Splits& splits) {
   const signal::Role role = signal::read_role(reader);
   if (role == signal::Role::generated) {
     signal::require_classes(reader, role, signal::read_window_set(reader));
+    (void)signal::read_origin(reader);
+    (void)reader.text("/", "method");
     return;
   }
   signal::RoleSet set = signal::read_role_set(reader);
@@ -43,7 +46,9 @@ void check_diagnosis(const Reader& reader, Splits& /*splits*/) {
   (void)scoring::read_diagnosis(reader);
 }
 
-/// What a model or a checkpoint holds depends on its method, so nothing is known of it here.
+void check_model(const Reader& reader, Splits& /*splits*/) { augment::require_usable(reader); }
+
+/// What a checkpoint holds is known to the training that left it, which reads no other.
 void check_nothing_more(const Reader& /*reader*/, Splits& /*splits*/) {}
 
 /// A kind of artefact, and the check of what an artefact of this kind must hold.
@@ -54,7 +59,7 @@ struct Kind {
 
 /// A new kind of artefact is added here, with its check.
 constexpr Kind kinds[] = {
-    {"records", check_records}, {"windows", check_windows},     {"model", check_nothing_more},
+    {"records", check_records}, {"windows", check_windows},     {"model", check_model},
     {"score", check_score},     {"diagnosis", check_diagnosis}, {"checkpoint", check_nothing_more},
 };
 

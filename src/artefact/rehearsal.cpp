@@ -1,0 +1,114 @@
+#include "artefact/rehearsal.hpp"
+
+#include <fcntl.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <fstream>
+#include <string_view>
+#include <system_error>
+
+namespace piae::artefact {
+
+namespace {
+
+/// What the child says when it has found nothing wrong. Anything else begins with the number of a
+/// reason; silence means that the child died.
+constexpr std::string_view good = "good";
+
+void limit(int resource, rlim_t most) {
+  rlimit now{};
+  if (::getrlimit(static_cast<__rlimit_resource>(resource), &now) != 0) return;
+  now.rlim_cur = std::min({most, now.rlim_cur, now.rlim_max});
+  ::setrlimit(static_cast<__rlimit_resource>(resource), &now);
+}
+
+/// The bytes of address space that this process has already.
+std::size_t mapped_bytes() {
+  std::size_t pages = 0;
+  std::ifstream("/proc/self/statm") >> pages;
+  return pages * static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
+}
+
+/// Good files need some three times their size, and a second for some hundred MB.
+void limit_by_size(std::size_t size) {
+  constexpr std::size_t some = std::size_t{64} << 20U;
+  limit(RLIMIT_AS, mapped_bytes() + some + 4 * size);
+  limit(RLIMIT_CPU, 2 + size / (std::size_t{20} << 20U));
+  limit(RLIMIT_CORE, 0);
+}
+
+void say(int to, std::string_view text) {
+  while (!text.empty()) {
+    const ssize_t written = ::write(to, text.data(), text.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) return;
+    text.remove_prefix(static_cast<std::size_t>(written));
+  }
+}
+
+std::string hear(int from) {
+  std::string text;
+  std::array<char, 4096> some{};
+  for (;;) {
+    const ssize_t got = ::read(from, some.data(), some.size());
+    if (got < 0 && errno == EINTR) continue;
+    if (got <= 0) return text;
+    text.append(some.data(), static_cast<std::size_t>(got));
+  }
+}
+
+/// The child's whole life. It ends without running what the program does at its end.
+[[noreturn]] void be_the_child(int to, std::size_t size, const std::function<void()>& read) {
+  ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+  // A handler that the program has for these is no business of the child.
+  for (const int signal : {SIGSEGV, SIGBUS, SIGABRT, SIGFPE, SIGXCPU}) ::signal(signal, SIG_DFL);
+  limit_by_size(size);
+  try {
+    read();
+    say(to, good);
+  } catch (const Refusal& refusal) {
+    say(to, std::to_string(static_cast<int>(refusal.reason())) + ' ' + refusal.what());
+  } catch (...) {
+    // Silence says it.
+  }
+  ::_exit(0);
+}
+
+[[noreturn]] void fail(const char* what) {
+  throw Error(Exit::failed, std::string("cannot read artefacts in a process of their own: ") +
+                                what + ": " + std::generic_category().message(errno));
+}
+
+}  // namespace
+
+std::optional<Objection> rehearse(std::size_t size, const std::string& otherwise,
+                                  const std::function<void()>& read) {
+  std::array<int, 2> pipe{};
+  if (::pipe2(pipe.data(), O_CLOEXEC) != 0) fail("pipe");
+  const pid_t child = ::fork();
+  if (child < 0) {
+    ::close(pipe[0]);
+    ::close(pipe[1]);
+    fail("fork");
+  }
+  if (child == 0) be_the_child(pipe[1], size, read);
+  ::close(pipe[1]);
+  const std::string heard = hear(pipe[0]);
+  ::close(pipe[0]);
+  while (::waitpid(child, nullptr, 0) < 0 && errno == EINTR) {
+  }
+  if (heard == good) return std::nullopt;
+  const std::size_t space = heard.find(' ');
+  if (space == std::string::npos || heard.find_first_not_of("0123456789") != space)
+    return Objection{RefusalReason::damaged, otherwise};
+  return Objection{static_cast<RefusalReason>(std::stoi(heard)), heard.substr(space + 1)};
+}
+
+}  // namespace piae::artefact

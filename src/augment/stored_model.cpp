@@ -1,0 +1,58 @@
+#include "augment/stored_model.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "augment/catalogue.hpp"
+#include "phase/stored_inference.hpp"
+#include "twin/curves.hpp"
+#include "twin/model.hpp"
+#include "twin/outcome.hpp"
+#include "twin/space.hpp"
+
+namespace piae::augment {
+
+namespace {
+
+const CatalogueEntry& entry_of(const artefact::Reader& model) {
+  const CatalogueEntry* const entry = find_entry(model.text("/", "method"));
+  if (entry == nullptr || entry->make == nullptr) {
+    model.refuse("/, attribute method", "is none of the methods that make a model");
+  }
+  return *entry;
+}
+
+}  // namespace
+
+std::unique_ptr<Method> method_of(const artefact::Reader& model) { return entry_of(model).make(); }
+
+signal::WindowSet generate_with(Method& method, const artefact::Reader& model, std::size_t count,
+                                const Stream& stream, const Compute& compute) {
+  signal::WindowSet windows = method.generate(model, count, stream, compute);
+  if (!std::ranges::all_of(windows.samples, [](float x) { return std::isfinite(x); })) {
+    model.refuse("/", "makes windows with NaN or infinite samples; train it again");
+  }
+  return windows;
+}
+
+signal::WindowSet read_learned(const artefact::Reader& model, signal::Role role) {
+  signal::WindowSet windows = signal::read_window_set(model);
+  signal::require_classes(model, role, windows);
+  return windows;
+}
+
+void require_usable(const artefact::Reader& model) {
+  const CatalogueEntry& entry = entry_of(model);
+  (void)signal::read_origin(model);
+  if (needs_libtorch_always(entry)) {
+    (void)twin::read_model_description(model);
+    (void)twin::ClassSpaces(model);
+  } else {
+    (void)generate_with(*entry.make(), model, 1, Stream("verify"), {});
+  }
+  if (model.has("/curves/reconstruction")) twin::Curves().read(model);
+  if (twin::has_outcome(model)) (void)twin::read_outcome(model);
+  if (model.has("/inference")) (void)phase::read_inference(model);
+}
+
+}  // namespace piae::augment

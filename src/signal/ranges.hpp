@@ -1,0 +1,48 @@
+#pragma once
+
+#include <string>
+
+#include "base/range.hpp"
+
+/// What the numbers and names of data sets, windows and simulations may be. Descriptions and
+/// artefacts go by these alike; what a bearing's measures may be to each other, bearing::validate()
+/// says.
+namespace piae::signal::ranges {
+
+inline constexpr Range sample_rate_hz{.low = 1, .high = 1e7, .unit = " Hz"};
+inline constexpr Range shaft_speed_rpm{.low = 1e-2, .high = 1e6, .unit = " rpm"};
+inline constexpr Range unit_m_per_s2{.low = 1e-9, .high = 1e9, .unit = " m/s^2"};
+/// Of a sample in either direction: its square is still far from what a double can hold.
+inline constexpr Range acceleration{.low = -1e30, .high = 1e30};
+/// RMS or peak of a class's windows.
+inline constexpr Range amplitude{.low = 1e-30, .high = 1e30};
+
+inline constexpr Range balls{.low = 3, .high = 1000};
+inline constexpr Range length_mm{.low = 1e-3, .high = 1e5, .unit = " mm"};
+inline constexpr Range contact_angle_deg{.low = 0, .high = 89.999, .unit = " degrees"};
+inline constexpr Range defect_size_mm{.low = 0, .high = 1e5, .unit = " mm"};
+
+inline constexpr Range seed{.low = 0, .high = 9.3e18};
+inline constexpr Range window_samples{.low = 1, .high = 1 << 20, .unit = " samples"};
+inline constexpr Range first_sample{.low = 0, .high = 1e12};
+/// Of what eq. 13 is solved with.
+inline constexpr Range mass_kg{.low = 1e-6, .high = 1e9, .unit = " kg"};
+inline constexpr Range nominal_stiffness_n_per_m{.low = 1e-3, .high = 1e15, .unit = " N/m"};
+inline constexpr Range nominal_damping_ns_per_m{.low = 1e-6, .high = 1e12, .unit = " N s/m"};
+inline constexpr Range clearance_um{.low = 1e-6, .high = 1e6, .unit = " micrometres"};
+inline constexpr Range load_n{.low = 1e-6, .high = 1e12, .unit = " N"};
+inline constexpr Range spread{.low = 0, .high = 0.3333};
+inline constexpr Range slip{.low = 0, .high = 0.9999};
+inline constexpr Range snr_db{.low = -200, .high = 200, .unit = " dB"};
+
+/// Of (k, c) that were inferred or drawn. A network may infer a stiffness of 0.
+inline constexpr Range stiffness_n_per_m{.low = 0, .high = 1e30, .unit = " N/m"};
+inline constexpr Range damping_ns_per_m{.low = 0, .high = 1e30, .unit = " N s/m"};
+
+/// Names become folders, HDF5 paths, columns of a CSV and words of messages: letters, digits, '-',
+/// '_' and '.', not '.' at the beginning, and at most 100 of them.
+bool is_plain_name(const std::string& name);
+inline const std::string plain_name_rule =
+    "may hold letters, digits, '-', '_' and '.' only, at most 100, and not begin with '.'";
+
+}  // namespace piae::signal::ranges
