@@ -1,0 +1,38 @@
+// Turns one bit of an artefact at a time: verify and the stage that reads it refuse it, or do with
+// it exactly what they do with the good one.
+
+#include <exception>
+#include <iostream>
+
+#include "storm/bench.hpp"
+#include "storm/dice.hpp"
+#include "storm/tally.hpp"
+
+using namespace piae::storm;
+
+int main(int argc, char** argv) {
+  try {
+    const Asked asked = asked_by(argc, argv);
+    Tally tally("flips", asked);
+    Workbench bench(asked.corpus, asked.folder / "work", asked.programs);
+    while (!tally.finished()) {
+      Dice dice(asked.seed, tally.done());
+      const Consumer& consumer = bench.consumers()[tally.done() % bench.consumers().size()];
+      std::string bytes = bench.good(consumer);
+      const std::size_t bit = dice.below(bytes.size() * 8);
+      bytes[bit / 8] = static_cast<char>(bytes[bit / 8] ^ static_cast<char>(1U << (bit % 8)));
+      const Verdict verdict = bench.judge(consumer, bytes, true);
+      if (!verdict.finding.empty()) {
+        tally.keep_finding(std::filesystem::path(consumer.file).filename(), bytes,
+                           consumer.file + ", bit " + std::to_string(bit) + ": " + verdict.finding);
+      }
+      tally.add(!verdict.finding.empty() ? Tally::Result::missed
+                : verdict.refused        ? Tally::Result::refused
+                                         : Tally::Result::accepted);
+    }
+    return tally.finish();
+  } catch (const std::exception& error) {
+    std::cerr << "flips: " << error.what() << '\n';
+    return 2;
+  }
+}

@@ -1,0 +1,304 @@
+// Reads damaged inputs in this process, where the sanitizers see what a reader does: raw
+// recordings, descriptions, settings and artefacts, each changed at random, or changed in what it
+// says and with good digests. A child process reads them one by one and says so through a pipe.
+// Where it dies, or says nothing for 20 s, the fault is ours; except where it died inside HDF5 or
+// matio, whose faults the programs keep in processes of their own: then the programs are asked.
+
+#include <omp.h>
+#include <poll.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <csignal>
+#include <exception>
+#include <iostream>
+#include <map>
+#include <sstream>
+#include <vector>
+
+#include "base/error.hpp"
+#include "storm/files.hpp"
+#include "storm/meaning.hpp"
+#include "storm/mutation.hpp"
+#include "storm/program.hpp"
+#include "storm/tally.hpp"
+#include "storm/targets.hpp"
+
+using namespace piae;
+using namespace piae::storm;
+namespace fs = std::filesystem;
+
+namespace {
+
+/// A file of the corpus.
+struct Seed {
+  std::string name;
+  std::string bytes;
+  std::vector<Block> blocks;  ///< of an artefact
+};
+
+/// One altered file, and who reads it.
+struct Input {
+  const Target* target = nullptr;
+  fs::path file;
+  std::string bytes;
+  std::string words;  ///< how it came about
+};
+
+class Inputs {
+ public:
+  Inputs(const Asked& asked, fs::path folder) : seed_(asked.seed), folder_(std::move(folder)) {
+    for (const Target& target : targets()) {
+      const fs::path from = asked.corpus.parent_path() / "inputs" / target.name;
+      fs::create_directories(folder_ / target.name);
+      std::vector<Seed>& seeds = seeds_[target.name];
+      for (const auto& entry : fs::directory_iterator(from)) {
+        Seed seed{entry.path().filename(), bytes_of(entry.path()), {}};
+        if (is_artefact(target)) seed.blocks = checksummed_blocks(seed.bytes);
+        seeds.push_back(std::move(seed));
+      }
+      if (seeds.empty()) throw std::runtime_error(from.string() + ": is empty");
+      std::ranges::sort(seeds, {}, &Seed::name);
+      for (const Seed& seed : seeds) {
+        files_[target.name].push_back(folder_ / target.name / seed.name);
+        write_bytes(files_[target.name].back(), seed.bytes);
+      }
+    }
+  }
+
+  /// Makes input i and leaves it in its file.
+  [[nodiscard]] Input make(std::size_t i) const {
+    Dice dice(seed_, i);
+    Input input;
+    // Artefacts have most kinds, and take longest.
+    const std::size_t choice = dice.below(targets().size() + 2);
+    input.target = &targets()[std::min(choice, targets().size() - 1)];
+    const std::vector<Seed>& seeds = seeds_.at(input.target->name);
+    const std::size_t which = dice.below(seeds.size());
+    const Seed& seed = seeds[which];
+    input.file = files_.at(input.target->name)[which];
+    if (is_artefact(*input.target) && dice.one_in(3)) {
+      write_bytes(input.file, seed.bytes);
+      input.words = change_meaning(input.file, files_.at(input.target->name), dice);
+      input.bytes = bytes_of(input.file);
+      return input;
+    }
+    const bool renewed = !seed.blocks.empty() && dice.one_in(2);
+    input.words = renewed ? "damaged, with good checksums" : "damaged";
+    input.bytes = renewed ? mutated_with_checksums(seed.bytes, seed.blocks, dice)
+                          : mutated(seed.bytes, dice.one_of(seeds).bytes, dice);
+    write_bytes(input.file, input.bytes);
+    return input;
+  }
+
+  /// Puts the good file back: others are read beside it.
+  void put_back(const Input& input) const {
+    for (const Seed& seed : seeds_.at(input.target->name)) {
+      if (seed.name == input.file.filename()) write_bytes(input.file, seed.bytes);
+    }
+  }
+
+  /// Every file of the corpus is read, or the storm would test nothing; but for those that are no
+  /// format of ours.
+  void require_good() const {
+    for (const Target& target : targets()) {
+      for (const fs::path& file : files_.at(target.name)) {
+        if (!file.filename().string().starts_with("refused-")) target.read(file);
+      }
+    }
+  }
+
+ private:
+  static bool is_artefact(const Target& target) { return target.name == std::string("artefact"); }
+
+  std::uint64_t seed_;
+  fs::path folder_;
+  std::map<std::string, std::vector<Seed>> seeds_;
+  std::map<std::string, std::vector<fs::path>> files_;
+};
+
+/// What the child says of an input: one letter, and for what is not as promised the reason, in a
+/// file.
+enum Said : char { refused = 'r', accepted = 'a', missed = 'm' };
+
+Said read(const Input& input, const fs::path& reason) {
+  std::string what;
+  try {
+    input.target->read(input.file);
+    return accepted;
+  } catch (const Error& error) {
+    what = error.what();
+    const bool documented = error.exit() == Exit::bad_input || error.exit() == Exit::input_missing;
+    const bool names = what.find(input.file.filename()) != std::string::npos;
+    if (documented && names && what.find('\n') == std::string::npos) return refused;
+    what = "refused with " + std::to_string(static_cast<int>(error.exit())) + ": " + what;
+  } catch (const std::exception& error) {
+    what = std::string("an exception that no program expects: ") + error.what();
+  }
+  write_bytes(reason, what);
+  return missed;
+}
+
+bool took_too_much() {
+  rusage used{};
+  ::getrusage(RUSAGE_SELF, &used);
+  return static_cast<double>(used.ru_maxrss) / 1024 > most_mb;
+}
+
+/// Paths of one run.
+struct Place {
+  fs::path reports;  ///< where the sanitizers write
+  fs::path reason;
+};
+
+/// The child: reads inputs until there are no more, or until one has left a report.
+[[noreturn]] void be_the_child(const Inputs& inputs, const Place& place, std::size_t first,
+                               std::size_t count, int to) {
+  ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+  for (std::size_t i = first; i < count; ++i) {
+    const Input input = inputs.make(i);
+    const Said said = read(input, place.reason);
+    inputs.put_back(input);
+    if (!fs::is_empty(place.reports) || took_too_much()) ::_exit(3);
+    if (::write(to, &said, 1) != 1) ::_exit(4);
+    if (said == missed) break;  // the reason stands in a file
+  }
+  ::_exit(0);
+}
+
+/// The report of a sanitizer, whose file is then removed; empty where there is none.
+std::string take_report(const fs::path& reports) {
+  std::string text;
+  for (const auto& entry : fs::directory_iterator(reports)) {
+    text += bytes_of(entry.path());
+    fs::remove(entry.path());
+  }
+  return text;
+}
+
+/// Whether the innermost function of a report that is not the sanitizers' or the system's is one of
+/// the libraries that read files.
+bool died_in_libraries(const std::string& report) {
+  std::istringstream lines(report);
+  for (std::string line; std::getline(lines, line);) {
+    if (line.find("    #") != 0) continue;
+    const auto has = [&](const char* word) { return line.find(word) != std::string::npos; };
+    if (has("libhdf5") || has("libmatio") || has("libz.so")) return true;
+    if (!has("libsanitizer") && !has("libasan") && !has("libubsan") && !has("libc.so") &&
+        !has("libstdc++") && !has("sysdeps")) {
+      return false;
+    }
+  }
+  return report.empty();  // ended by a signal that leaves no report, as beyond the stack
+}
+
+class Storm {
+ public:
+  explicit Storm(const Asked& asked)
+      : asked_(asked),
+        inputs_(asked, asked.folder / "work"),
+        again_(asked, asked.folder / "again"),
+        tally_("inputs", asked),
+        place_{asked.folder / "reports", asked.folder / "reason"} {
+    fs::create_directories(place_.reports);
+    (void)take_report(place_.reports);
+  }
+
+  int run() {
+    inputs_.require_good();
+    while (!tally_.finished()) run_child();
+    std::cout << "inputs: " << contained_
+              << " of these ended inside HDF5 or matio, and the programs "
+              << "refused them\n";
+    return tally_.finish();
+  }
+
+ private:
+  void run_child() {
+    std::array<int, 2> pipe{};
+    if (::pipe(pipe.data()) != 0) throw std::runtime_error("no pipe");
+    const pid_t child = ::fork();
+    if (child == 0) be_the_child(inputs_, place_, tally_.done(), asked_.count, pipe[1]);
+    if (child < 0) throw std::runtime_error("fork failed");
+    ::close(pipe[1]);
+    const End end = listen(pipe[0]);
+    const bool hung = end == End::silence;
+    ::close(pipe[0]);
+    if (hung) ::kill(child, SIGKILL);
+    int status = 0;
+    rusage used{};
+    ::wait4(child, &status, 0, &used);
+    if (end == End::missed || tally_.finished()) return;
+    const bool big = static_cast<double>(used.ru_maxrss) / 1024 > most_mb;
+    look_into(hung                  ? "hung for 20 s"
+              : big                 ? "took more than 1 GB"
+              : WIFSIGNALED(status) ? "ended by signal " + std::to_string(WTERMSIG(status))
+                                    : "ended");
+  }
+
+  /// Why the child says no more: it has reported one that was not treated as promised, died or come
+  /// to the end, or been silent for too long.
+  enum class End { missed, ended, silence };
+
+  /// Takes the child's letters.
+  End listen(int from) {
+    char letter = 0;
+    for (;;) {
+      pollfd ready{from, POLLIN, 0};
+      if (::poll(&ready, 1, static_cast<int>(most_seconds * 1000)) == 0) return End::silence;
+      if (::read(from, &letter, 1) != 1) return End::ended;
+      if (letter == missed) {
+        const Input input = again_.make(tally_.done());
+        miss(input, bytes_of(place_.reason));
+        again_.put_back(input);
+        return End::missed;
+      }
+      tally_.add(letter == refused ? Tally::Result::refused : Tally::Result::accepted);
+    }
+  }
+
+  void miss(const Input& input, const std::string& what) {
+    tally_.keep_finding(input.file.filename(), input.bytes,
+                        std::string(input.target->name) + ", " + input.words + ": " + what);
+    tally_.add(Tally::Result::missed);
+  }
+
+  void look_into(const std::string& how) {
+    const std::string report = take_report(place_.reports);
+    const Input input = again_.make(tally_.done());
+    std::string what = how + "\n" + report;
+    if (input.target->by_libraries && died_in_libraries(report)) {
+      what = failure_of_programs(*input.target, input.file, asked_.programs);
+    }
+    if (what.empty()) {
+      ++contained_;
+      tally_.add(Tally::Result::refused);
+    } else {
+      miss(input, what);
+    }
+    again_.put_back(input);
+  }
+
+  Asked asked_;
+  Inputs inputs_;  ///< the child's
+  Inputs again_;   ///< the same, for looking at one that was not treated as promised
+  Tally tally_;
+  Place place_;
+  std::size_t contained_ = 0;
+};
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  omp_set_num_threads(1);  // a child that is forked has no more
+  try {
+    return Storm(asked_by(argc, argv)).run();
+  } catch (const std::exception& error) {
+    std::cerr << "inputs: " << error.what() << '\n';
+    return 2;
+  }
+}

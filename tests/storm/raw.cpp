@@ -1,0 +1,121 @@
+// Writes one small recording in each format of MATLAB and HDF5, into mat/ and hdf5/ below a folder.
+
+#include <hdf5.h>
+#include <matio.h>
+
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::size_t samples = 120;
+
+struct Close {
+  void operator()(mat_t* file) const { Mat_Close(file); }
+  void operator()(matvar_t* variable) const { Mat_VarFree(variable); }
+};
+
+std::vector<double> signal() {
+  std::vector<double> values(samples);
+  for (std::size_t i = 0; i < samples; ++i) values[i] = std::sin(static_cast<double>(i) / 3);
+  return values;
+}
+
+void write_variable(mat_t* file, const char* name, matio_classes kind, matio_types type,
+                    const void* data, matio_compression compression) {
+  std::array<std::size_t, 2> extents{samples, 1};
+  const std::unique_ptr<matvar_t, Close> variable(
+      Mat_VarCreate(name, kind, type, 2, extents.data(), const_cast<void*>(data), 0));
+  if (!variable || Mat_VarWrite(file, variable.get(), compression) != 0) {
+    throw std::runtime_error(std::string(name) + ": cannot be written");
+  }
+}
+
+/// What stands beside the signals in real files: text, and numbers in a structure.
+void write_structure(mat_t* file, matio_compression compression) {
+  std::array<std::size_t, 2> one{1, 1};
+  std::array<const char*, 2> fields{"rpm", "note"};
+  const std::unique_ptr<matvar_t, Close> structure(
+      Mat_VarCreateStruct("about", 2, one.data(), fields.data(), fields.size()));
+  double rpm = 1797;
+  Mat_VarSetStructFieldByName(
+      structure.get(), "rpm", 0,
+      Mat_VarCreate(nullptr, MAT_C_DOUBLE, MAT_T_DOUBLE, 2, one.data(), &rpm, 0));
+  std::array<std::size_t, 2> length{1, 4};
+  std::string note = "test";
+  Mat_VarSetStructFieldByName(
+      structure.get(), "note", 0,
+      Mat_VarCreate(nullptr, MAT_C_CHAR, MAT_T_UINT8, 2, length.data(), note.data(), 0));
+  Mat_VarWrite(file, structure.get(), compression);
+}
+
+void write_mat(const fs::path& path, mat_ft version, matio_compression compression) {
+  const std::unique_ptr<mat_t, Close> file(Mat_CreateVer(path.c_str(), nullptr, version));
+  if (!file) throw std::runtime_error(path.string() + ": cannot be made");
+  const std::vector<double> values = signal();
+  std::vector<std::int16_t> counts(samples);
+  for (std::size_t i = 0; i < samples; ++i) counts[i] = static_cast<std::int16_t>(i * 7);
+  write_variable(file.get(), "n", MAT_C_INT16, MAT_T_INT16, counts.data(), compression);
+  if (version == MAT_FT_MAT5) write_structure(file.get(), compression);
+  write_variable(file.get(), "x", MAT_C_DOUBLE, MAT_T_DOUBLE, values.data(), compression);
+}
+
+void write_hdf5(const fs::path& path, bool new_format, bool compressed) {
+  const hid_t access = H5Pcreate(H5P_FILE_ACCESS);
+  if (new_format) H5Pset_libver_bounds(access, H5F_LIBVER_LATEST, H5F_LIBVER_LATEST);
+  const hid_t file = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access);
+  const hsize_t extent = samples;
+  const hsize_t chunk = 50;
+  const hid_t space = H5Screate_simple(1, &extent, nullptr);
+  const hid_t creation = H5Pcreate(H5P_DATASET_CREATE);
+  if (compressed) {
+    H5Pset_chunk(creation, 1, &chunk);
+    H5Pset_shuffle(creation);
+    H5Pset_deflate(creation, 6);
+  }
+  const hid_t group = H5Gcreate2(file, "/rig", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
+  const std::vector<double> values = signal();
+  for (const char* name : {"/x", "/rig/y"}) {
+    const hid_t dataset =
+        H5Dcreate2(file, name, H5T_IEEE_F64LE, space, H5P_DEFAULT, creation, H5P_DEFAULT);
+    if (H5Dwrite(dataset, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) < 0) {
+      throw std::runtime_error(path.string() + ": cannot be written");
+    }
+    H5Dclose(dataset);
+  }
+  H5Gclose(group);
+  H5Pclose(creation);
+  H5Sclose(space);
+  H5Fclose(file);
+  H5Pclose(access);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc != 2) return 2;
+  const fs::path folder = argv[1];
+  try {
+    fs::create_directories(folder / "mat");
+    fs::create_directories(folder / "hdf5");
+    write_mat(folder / "mat/refused-v4.mat", MAT_FT_MAT4, MAT_COMPRESSION_NONE);
+    write_mat(folder / "mat/v5.mat", MAT_FT_MAT5, MAT_COMPRESSION_NONE);
+    write_mat(folder / "mat/v5-compressed.mat", MAT_FT_MAT5, MAT_COMPRESSION_ZLIB);
+    write_mat(folder / "mat/v73.mat", MAT_FT_MAT73, MAT_COMPRESSION_NONE);
+    write_hdf5(folder / "hdf5/old.h5", false, false);
+    write_hdf5(folder / "hdf5/new.h5", true, false);
+    write_hdf5(folder / "hdf5/compressed.h5", false, true);
+  } catch (const std::exception& error) {
+    std::cerr << "storm_raw: " << error.what() << '\n';
+    return 1;
+  }
+  return 0;
+}

@@ -1,0 +1,119 @@
+#include "storm/targets.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "augment/catalogue.hpp"
+#include "report/published.hpp"
+#include "settings/protocol.hpp"
+#include "signal/description.hpp"
+#include "signal/raw_file.hpp"
+#include "signal/simulation.hpp"
+#include "storm/files.hpp"
+#include "storm/program.hpp"
+#include "verification/verify.hpp"
+
+namespace piae::storm {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+void read_mat(const fs::path& file) {
+  (void)signal::read_mat(file, "x");
+  (void)signal::read_mat(file, "n");
+}
+
+void read_csv(const fs::path& file) { (void)signal::read_csv(file, "1"); }
+
+void read_hdf5(const fs::path& file) { (void)signal::read_hdf5(file, "/x"); }
+
+void read_description(const fs::path& file) { (void)signal::read_description(file); }
+
+void read_simulation(const fs::path& file) { (void)signal::read_simulation(file); }
+
+void read_protocol(const fs::path& file) {
+  const toml::table protocol = settings::read_protocol(file);
+  (void)settings::sweep_points(protocol);
+  (void)settings::sweep_centre(protocol);
+  (void)settings::readings(protocol);
+  (void)settings::base_of_readings(protocol);
+}
+
+/// The published accuracies are three files; the others are good.
+void read_published(const fs::path& file) { (void)report::Published(file.parent_path()); }
+
+void make_windows(const fs::path& file) {
+  const artefact::Reader model(file, "model");
+  const std::string name = model.text("/", "method");
+  (void)augment::make_method(name)->generate(model, 1, Stream("storm"), Compute{});
+}
+
+bool is_model(const fs::path& file) {
+  return file.filename().string().find(".model.") != std::string::npos;
+}
+
+/// What verify accepts, the stage reads in earnest.
+void read_artefact(const fs::path& file) {
+  const std::vector<verification::Finding> findings = verification::verify({file});
+  if (!findings.empty()) throw Error(Exit::bad_input, findings.front().line);
+  if (is_model(file)) make_windows(file);
+}
+
+constexpr std::array<Target, 8> all{{
+    {"mat", read_mat, true},
+    {"csv", read_csv, false},
+    {"hdf5", read_hdf5, true},
+    {"description", read_description, false},
+    {"simulation", read_simulation, false},
+    {"protocol", read_protocol, false},
+    {"published", read_published, false},
+    {"artefact", read_artefact, true},
+}};
+
+std::string description_of(const std::string& file, const std::string& variable) {
+  return "name = \"storm\"\nshaft_speed_rpm = 1797\n[bearing]\nballs = 9\nball_diameter_mm = 7.94\n"
+         "pitch_diameter_mm = 39.0\ncontact_angle_deg = 0\n[[class]]\nname = \"Normal\"\n"
+         "defect = \"none\"\n[[record]]\nclass = \"Normal\"\nfile = \"" +
+         file + "\"\nvariable = \"" + variable + "\"\nsample_rate_hz = 12000\n";
+}
+
+/// Why a program did not accept or refuse a file as promised; verify has exit codes of its own.
+std::string failure_of(const Outcome& outcome, const std::string& name, bool is_verify) {
+  const std::string said = ": " + outcome.out + outcome.err;
+  const std::string status = std::to_string(outcome.status);
+  if (outcome.hung) return "the program hangs" + said;
+  if (outcome.status > 128) return "the program ended with " + status + said;
+  if (outcome.peak_mb > most_mb)
+    return "the program took " + std::to_string(outcome.peak_mb) + " MB";
+  if (outcome.status == 0) return {};
+  if (!is_verify && outcome.status != 65) return "the program ended with " + status + said;
+  return said.find(name) == std::string::npos ? "the program does not name the file" + said : "";
+}
+
+}  // namespace
+
+std::span<const Target> targets() { return all; }
+
+std::string failure_of_programs(const Target& target, const fs::path& file,
+                                const fs::path& programs) {
+  const fs::path folder = file.parent_path();
+  const std::string name = file.filename();
+  const auto program = [&](const char* stage) { return (fs::absolute(programs) / stage).string(); };
+  if (std::string(target.name) == "artefact") {
+    const std::string failure = failure_of(run(folder, {program("verify"), name}), name, true);
+    if (!failure.empty() || !is_model(file)) return failure;
+    const Outcome made = run(folder, {program("generate"), "--model", name, "--count", "1",
+                                      "--seed", "0", "--output", "out.h5"});
+    fs::remove(folder / "out.h5");
+    return failure_of(made, name, false);
+  }
+  const std::string variable = std::string(target.name) == "mat" ? "x" : "/x";
+  write_bytes(folder / "storm.toml", description_of(name, variable));
+  const Outcome read = run(folder, {program("ingest"), "--description", "storm.toml", "--data-dir",
+                                    ".", "--output", "out.h5"});
+  fs::remove(folder / "out.h5");
+  return failure_of(read, name, false);
+}
+
+}  // namespace piae::storm
