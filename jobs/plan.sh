@@ -21,7 +21,7 @@ awk -f jobs/steps.awk "$folder/answer" >"$folder/steps"
 asks_for_gpu() { # settings file
   rm -rf "$folder/settings"
   "$bin/settings" --folder "$folder/settings" --update "$1.toml" &&
-    grep -qE '^device *= *"cuda' "$folder/settings/$1.toml"
+    grep -qE '^device = .cuda' "$folder/settings/$1.toml"
 }
 gpu_methods='' gpu_stages=''
 while read -r method; do
