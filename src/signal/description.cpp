@@ -105,7 +105,7 @@ RecordSource read_record(TomlTable& table, const DatasetInfo& info) {
   record.label = label_of(info, table);
   record.file = read_file_name(table);
   record.variable = table.text("variable");
-  record.sample_rate_hz = table.number("sample_rate_hz", ranges::sample_rate_hz);
+  record.sample_rate_hz = table.number("sample_rate_hz", ranges::described_rate_hz);
   record.shaft_speed_rpm = table.optional_number("shaft_speed_rpm", ranges::shaft_speed_rpm)
                                .value_or(info.shaft_speed_rpm);
   record.sha256 = read_sha256(table);
@@ -202,6 +202,9 @@ Description read_description(const fs::path& file) {
   const auto rate = root.optional_number("sample_rate_hz", ranges::sample_rate_hz);
   root.finish();
   description.info.sample_rate_hz = rate ? *rate : common_rate(root, description.records);
+  if (!ranges::sample_rate_hz.holds(description.info.sample_rate_hz)) {
+    root.refuse("sample_rate_hz", "is that of the records, and " + ranges::sample_rate_hz.rule());
+  }
   name_records(description.info, description.records);
   std::ranges::sort(description.records, {}, &RecordSource::name);
   require_different_names(file, description.records);
