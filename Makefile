@@ -21,6 +21,7 @@ LIBTORCH := on
 SUBMIT   :=
 TOLERANCE := auto
 LINT     :=
+STORM    := full
 V        :=
 quickly  :=
 
@@ -52,7 +53,7 @@ SEEDS    := 100 101 102 103 104
 endif
 
 # ---- what was given -----------------------------------------------------------------------------
-variables := RUN DATASETS METHODS RATIOS SEEDS PROTOCOL DATA_DIR ARCH LIBTORCH BIN SUBMIT TOLERANCE LINT V
+variables := RUN DATASETS METHODS RATIOS SEEDS PROTOCOL DATA_DIR ARCH LIBTORCH BIN SUBMIT TOLERANCE LINT STORM V
 given     := $(foreach name,$(.VARIABLES),$(if $(filter command,$(firstword $(origin $(name)))),$(name)))
 
 # A name that is nearly one of ours: in the other case, or the beginning of one, or one with more to it.
@@ -65,6 +66,7 @@ one_of = $(if $(and $(filter $2,$($1)),$(filter 1,$(words $($1)))),,$(error $1: 
   $(lastword $2), not '$($1)'))
 $(call one_of,LIBTORCH,on off)
 $(call one_of,PROTOCOL,random blocked)
+$(if $(filter full short least,$(STORM)),,$(error STORM: full, short or least, not '$(STORM)'))
 $(if $(filter-out all,$(LINT)),$(error LINT: all, or not given, not '$(LINT)'))
 
 # The folder, as a shell completes it, will do: RUN=results/try/ is RUN=try.
@@ -89,7 +91,7 @@ export BIN SUBMIT
 Q := $(if $(V),,@)
 
 .DEFAULT_GOAL := help
-.PHONY: help grid status check reference data test lint bench deps build build-demo clean
+.PHONY: help grid status check reference data test storm lint bench deps build build-demo clean
 
 help:
 	@printf '  %-11s%s\n' \
@@ -108,7 +110,8 @@ help:
 	  reference 'store RUN, or the cells of the variables given, as results/reference, its tables and figures' \
 	  data     'download the recordings that have an official address into DATA_DIR' \
 	  test     'build and run every test; those on real recordings when DATA_DIR has them' \
-	  lint     'check style and structure of what changed; of everything with LINT=all' \
+	  storm    'kill, damage and forge by the thousand, under sanitizers: SECURITY.md' \
+  lint     'check style and structure of what changed; of everything with LINT=all' \
 	  bench    'build and run the benchmarks' \
 	  deps     'install the packages that are missing (apt)' \
 	  build    'build the programs into build/bin' \
@@ -128,7 +131,8 @@ help:
 	  SUBMIT   'command put before every step, such as "srun --ntasks=1 --mem=2G"  [$(SUBMIT)]' \
 	  TOLERANCE 'of check: exact, spread, or auto: exact on the same processor and libraries  [$(TOLERANCE)]' \
 	  LINT     'of lint: all, or what changed  [$(LINT)]' \
-	  V        'V=1 shows the commands  [$(V)]' \
+	  STORM    'of storm: full (hours), short (minutes) or least  [$(STORM)]' \
+  V        'V=1 shows the commands  [$(V)]' \
 	  | sed '1i\\nVariables, and their values now'
 	@printf '%s\n' '' \
 	  'make -j2 runs two steps at a time, -k carries on after a failed cell, -n shows what would run.' \
@@ -187,6 +191,13 @@ bench:
 test:
 	$(Q)$(call build_them,programs tests)
 	$(Q)DATA_DIR='$(DATA_DIR)' tests/run.sh
+
+# The programs as they are used, and the readers once more under the sanitizers.
+storm:
+	$(Q)pipeline/deps.sh $(LIBTORCH) programs tests
+	$(Q)pipeline/build.sh $(ARCH) $(LIBTORCH) programs storm_parts
+	$(Q)pipeline/build.sh $(ARCH) off storm_inputs
+	$(Q)tests/storm/storm.sh build/storm/run '$(BIN)' build/storm/bin '$(STORM)'
 
 lint:
 	$(Q)pipeline/deps.sh $(LIBTORCH) programs tests benches lint
