@@ -1,5 +1,6 @@
 #include "signal/toml_table.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -33,6 +34,8 @@ std::string TomlTable::text(const std::string& key) {
   const auto* text = node(key).as_string();
   if (text == nullptr) refuse(key, "must be a text in quotes");
   if (text->get().empty()) refuse(key, "is empty");
+  const auto is_control = [](unsigned char c) { return c < 0x20 || c == 0x7f; };
+  if (std::ranges::any_of(text->get(), is_control)) refuse(key, "holds a control character");
   return text->get();
 }
 

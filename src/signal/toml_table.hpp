@@ -28,7 +28,7 @@ class TomlTable {
 
   [[nodiscard]] bool has(const std::string& key) const { return table_->contains(key); }
 
-  std::string text(const std::string& key);  ///< not empty
+  std::string text(const std::string& key);  ///< not empty, one line
   std::string optional_text(const std::string& key);
   double number(const std::string& key, const Range& range);  ///< an integer will do
   std::optional<double> optional_number(const std::string& key, const Range& range);

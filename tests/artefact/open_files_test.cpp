@@ -1,4 +1,6 @@
 #include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include <filesystem>
 
@@ -36,6 +38,26 @@ TEST(OpenFiles, WritersThatLiveTogetherWriteTheirOwnFiles) {
   two.save(numbered(2), {});
   EXPECT_EQ(Reader(numbered(1), "model").integer("/", "number"), 1);
   EXPECT_EQ(Reader(numbered(2), "model").integer("/", "number"), 2);
+}
+
+// HDF5 looks in the working folder for a file of the name of one in memory, and opens it.
+TEST(OpenFiles, AreNotLookedForInTheWorkingFolder) {
+  Writer writer("model");
+  writer.attribute("/", "number", std::int64_t{1});
+  writer.save(numbered(1), {});
+  const fs::path before = fs::current_path();
+  const fs::path folder = fs::path(testing::TempDir()) / "open_files";
+  fs::create_directories(folder);
+  for (int i = 1; i < 100; ++i) {
+    // Whoever opens it waits for a writer that never comes.
+    ASSERT_EQ(::mkfifo((folder / ("artefact-" + std::to_string(i))).c_str(), 0600), 0);
+  }
+  fs::current_path(folder);
+  ::alarm(10);
+  EXPECT_EQ(Reader(numbered(1), "model").integer("/", "number"), 1);
+  ::alarm(0);
+  fs::current_path(before);
+  fs::remove_all(folder);
 }
 
 }  // namespace

@@ -139,6 +139,8 @@ INSTANTIATE_TEST_SUITE_P(
         Damage{"= 8000", "= \"8 kHz\"", "line 2: sample_rate_hz must be a finite number"},
         Damage{"= 8000", "= nan", "line 2: sample_rate_hz must be a finite number"},
         Damage{"= 8000", "= 0", "line 2: sample_rate_hz must be from 1 to 1e+07 Hz"},
+        Damage{"= 8000", "= 1e300", "line 2: sample_rate_hz must be from 1 to 1e+07 Hz"},
+        Damage{"= \"rig\"", "= \"a\\nb\"", "line 1: name holds a control character"},
         Damage{"sample_rate_hz", "rate", "line 2: rate is unknown; known keys are bearing, class"},
         Damage{"sample_rate_hz = 8000\n", "", "rig/b.csv and rig/a.mat have different rates"},
         Damage{"shaft_speed_rpm = 900", "", "shaft_speed_rpm is missing"},

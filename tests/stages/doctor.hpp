@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "artefact/digest.hpp"
 #include "artefact/hdf5.hpp"
@@ -24,6 +25,19 @@ inline void doctor(const std::string& file, const std::function<void(hid_t)>& ch
   replace_attribute(open, artefact::provenance_group, artefact::digest_attribute,
                     artefact::provenance_digest(open));
   replace_attribute(open, "/", artefact::digest_attribute, content);
+}
+
+template <artefact::hdf5::Number T>
+void replace_attribute(hid_t file, const std::string& object, const std::string& name, T value) {
+  artefact::hdf5::check(H5Adelete_by_name(file, object.c_str(), name.c_str(), H5P_DEFAULT),
+                        name.c_str());
+  artefact::hdf5::write_attribute(file, object, name, artefact::hdf5::stored_type<T>(), &value);
+}
+
+inline void replace_strings(hid_t file, const std::string& path,
+                            const std::vector<std::string>& values) {
+  artefact::hdf5::check(H5Ldelete(file, path.c_str(), H5P_DEFAULT), path.c_str());
+  artefact::hdf5::write_strings(file, path, values);
 }
 
 /// Overwrites all numbers of a dataset, after `change` has seen them.

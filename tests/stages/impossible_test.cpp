@@ -1,0 +1,224 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+#include <map>
+
+#include "stages/doctor.hpp"
+#include "stages/tiny.hpp"
+
+/// Artefacts that say what cannot be, under good digests: verify and the stages that read them
+/// refuse them alike, in one line that names the file.
+namespace piae::stages {
+namespace {
+
+using Change = std::function<void(hid_t)>;
+
+/// What is changed, and a word of the refusal.
+struct Case {
+  const char* what;
+  Change change;
+  const char* word;
+};
+
+template <class T>
+Change attribute(const std::string& object, const std::string& name, T value) {
+  return [=](hid_t file) { replace_attribute(file, object, name, value); };
+}
+
+Change class_names(const std::vector<std::string>& names) {
+  return [=](hid_t file) { replace_strings(file, "/classes/name", names); };
+}
+
+template <class T>
+Change first_number(const std::string& path, T value) {
+  return [=](hid_t file) {
+    change_numbers<T>(file, path, [&](auto& values) { values.front() = value; });
+  };
+}
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr std::int64_t huge = std::int64_t{1} << 40U;
+
+/// Of what every artefact says of its data set.
+const std::vector<Case>& cases_of_all() {
+  static const std::vector<Case> cases{
+      {"rate NaN", attribute("/", "sample_rate_hz", nan), "sample_rate_hz"},
+      {"rate 0", attribute("/", "sample_rate_hz", 0.0), "sample_rate_hz"},
+      {"rate 1e300", attribute("/", "sample_rate_hz", 1e300), "sample_rate_hz"},
+      {"speed 0", attribute("/", "shaft_speed_rpm", 0.0), "shaft_speed_rpm"},
+      {"unit -1", attribute("/", "unit_m_per_s2", -1.0), "unit_m_per_s2"},
+      {"balls -1", attribute("/bearing", "balls", std::int64_t{-1}), "balls"},
+      {"pitch 0", attribute("/bearing", "pitch_diameter_mm", 0.0), "pitch_diameter_mm"},
+      {"balls larger than the pitch circle", attribute("/bearing", "pitch_diameter_mm", 1.0),
+       "do not fit"},
+      {"angle 90", attribute("/bearing", "contact_angle_deg", 90.0), "contact_angle_deg"},
+      {"class without a name", class_names({"Normal", "", "OR021"}), "/classes/name"},
+      {"one name twice", class_names({"Normal", "OR021", "OR021"}), "OR021 twice"},
+      {"class ..", class_names({"Normal", "..", "OR021"}), "/classes/name"},
+      {"class of two lines", class_names({"Normal", "a\nb", "OR021"}), "/classes/name"},
+      {"class with a slash", class_names({"Normal", "a/b", "OR021"}), "/classes/name"},
+      {"data set ..", [](hid_t file) { replace_attribute(file, "/", "dataset", ".."); }, "dataset"},
+      {"two healthy classes",
+       [](hid_t file) {
+         replace_strings(file, "/classes/defect", {"none", "none", "outer"});
+       },
+       "defect 'none'"},
+      {"unknown defect",
+       [](hid_t file) {
+         replace_strings(file, "/classes/defect", {"none", "cage", "outer"});
+       },
+       "/classes/defect"},
+      {"a defect as large as the bearing", first_number("/classes/defect_size_mm", 40.0),
+       "defect size"},
+  };
+  return cases;
+}
+
+class Impossible : public testing::Test {
+ protected:
+  void SetUp() override { tiny_.run_chain_before("score"); }
+
+  /// `arguments` have the stage read the file "bad.h5".
+  void expect_refused(const std::string& good, const std::vector<Case>& cases,
+                      const std::string& stage, const Arguments& arguments) const {
+    for (const Case& c : cases) {
+      SCOPED_TRACE(good + ": " + c.what);
+      fs::copy_file(tiny_ / good, tiny_ / "bad.h5", fs::copy_options::overwrite_existing);
+      doctor(tiny_ / "bad.h5", c.change);
+      const std::set<std::string> before = tiny_.files();
+      expect_refusal(tiny_.run(stage, arguments), stage, 65, {"bad.h5", c.word});
+      EXPECT_EQ(tiny_.files(), before);
+      const Outcome verified = tiny_.run("verify", {"bad.h5"});
+      EXPECT_EQ(verified.status, 16) << verified.out;
+      EXPECT_TRUE(is_one_line(verified.out)) << verified.out;
+      EXPECT_NE(verified.out.find("bad.h5"), std::string::npos) << verified.out;
+    }
+  }
+  /// The same for a model of a method, of which a window is to be made.
+  void expect_model_refused(const std::string& method, const Arguments& options,
+                            const std::vector<Case>& cases) const {
+    Arguments arguments{"--method", method, "--known", "C.h5", "--seed", "0", "--output", "m.h5"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    const Outcome trained = tiny_.run("train", arguments);
+    ASSERT_EQ(trained.status, 0) << trained.err;
+    const Outcome verified = tiny_.run("verify", {"m.h5"});
+    ASSERT_EQ(verified.status, 0) << verified.out;
+    expect_refused("m.h5", cases, "generate",
+                   {"--model", "bad.h5", "--count", "2", "--seed", "0", "--output", "made.h5"});
+  }
+  [[nodiscard]] const Arguments& of_train() const { return train_; }
+
+  Tiny tiny_;
+  Arguments train_ = with(step_of("train").arguments, "--known", "bad.h5");
+};
+
+TEST_F(Impossible, Records) {
+  const Arguments split = with(step_of("split").arguments, "--records", "bad.h5");
+  expect_refused("records.h5", cases_of_all(), "split", split);
+  expect_refused("records.h5",
+                 {{"a sample of 1e200", first_number("/records/IR007-01", 1e200), "IR007-01"},
+                  {"label -1", attribute("/records/IR007-01", "label", std::int64_t{-1}), "label"}},
+                 "split", split);
+}
+
+TEST_F(Impossible, Windows) {
+  expect_refused("C.h5", cases_of_all(), "train", of_train());
+  expect_refused(
+      "C.h5",
+      {
+          {"seed -1", attribute("/", "seed", std::int64_t{-1}), "seed"},
+          {"cut at the end of time",
+           first_number("/first_sample", std::numeric_limits<std::int64_t>::max()), "first_sample"},
+          {"a group in the place of the windows",
+           [](hid_t file) {
+             H5Ldelete(file, "/windows", H5P_DEFAULT);
+             artefact::hdf5::make_group(file, "/windows");
+           },
+           "/windows is not a dataset"},
+      },
+      "train", of_train());
+}
+
+TEST_F(Impossible, ModelsOfTwins) {
+  expect_model_refused("piae-dt", {"--width", "8", "--epochs", "2"}, cases_of_all());
+  expect_model_refused(
+      "piae-dt", {"--width", "8", "--epochs", "2"},
+      {
+          {"depth 10^9", attribute("/", "depth", std::int64_t{1'000'000'000}), "depth"},
+          {"width 2^40", attribute("/", "width", huge), "width"},
+          {"width 10^6", attribute("/", "width", std::int64_t{1'000'000}), "shape"},
+          {"samples -1", attribute("/", "samples", std::int64_t{-1}), "samples"},
+          {"counts that overflow",
+           first_number("/twin_space/counts", std::numeric_limits<std::int64_t>::max()), "counts"},
+          {"edges in disorder", first_number("/twin_space/k_edges", 1e9), "k_edges"},
+          {"a negative loss", first_number("/curves/twin", -1.0), "/curves/twin"},
+          {"weights that give infinite samples",
+           [](hid_t file) {
+             change_numbers<float>(file, "/best/net/decoder/0/weight",
+                                   [](auto& values) { std::ranges::fill(values, 3e38F); });
+           },
+           "infinite"},
+          {"a method that is none",
+           [](hid_t file) { replace_attribute(file, "/", "method", "cake"); }, "method"},
+      });
+}
+
+TEST_F(Impossible, ModelsOfTheTwinWithItsAngle) {
+  expect_model_refused(
+      "piae-dt-phase",
+      {"--width", "8", "--epochs", "2", "--simulations", "6", "--inference-epochs", "2",
+       "--inference-width", "8"},
+      {
+          {"rate 0", attribute("/", "sample_rate_hz", 0.0), "sample_rate_hz"},
+          {"bins -1", attribute("/phase", "space_bins", std::int64_t{-1}), "space_bins"},
+          {"bins 2^40", attribute("/phase", "space_bins", huge), "space_bins"},
+          {"a class without a known window",
+           [](hid_t file) {
+             change_numbers<std::int32_t>(file, "/phase/labels",
+                                          [](auto& labels) { std::ranges::fill(labels, 1); });
+           },
+           "/phase/labels"},
+          {"stiffness 0", first_number("/twin_space/points", 0.0), "/twin_space/points"},
+      });
+}
+
+TEST_F(Impossible, ModelsOfOtherMethods) {
+  expect_model_refused(
+      "smote", {},
+      {
+          {"neighbours 0", attribute("/", "neighbours", std::int64_t{0}), "from 1"},
+          {"neighbours 2^40", attribute("/", "neighbours", huge), "to 4"},
+      });
+  expect_model_refused("shift", {},
+                       {{"a class without windows",
+                         [](hid_t file) {
+                           change_numbers<std::int32_t>(file, "/labels",
+                                                        [](auto& l) { std::ranges::fill(l, 1); });
+                         },
+                         "OR021"}});
+  expect_model_refused(
+      "vae", {"--epochs", "2", "--width", "8"},
+      {
+          {"latent 2^40", attribute("/", "latent", huge), "latent"},
+          {"depth 10^9", attribute("/", "depth", std::int64_t{1'000'000'000}), "depth"},
+          {"RMS 0", first_number("/classes/rms", 0.0), "/classes/rms"},
+      });
+  expect_model_refused("dynamics", {},
+                       {
+                           {"samples 2^40", attribute("/", "samples", huge), "samples"},
+                           {"mass 0", attribute("/simulation", "mass_kg", 0.0), "mass_kg"},
+                           {"no contact", attribute("/simulation", "load_n", 1e-3), "load"},
+                       });
+}
+
+/// What rooms that know no files find wrong with windows.
+TEST_F(Impossible, RefusalsNameTheFiles) {
+  doctor(tiny_ / "D.h5", [](hid_t file) {
+    change_numbers<float>(file, "/windows", [](auto& values) { std::ranges::fill(values, 0.0F); });
+  });
+  expect_refusal(tiny_.run_step("score"), "score", 65, {"D.h5", "silent"});
+}
+
+}  // namespace
+}  // namespace piae::stages
