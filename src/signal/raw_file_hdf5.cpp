@@ -13,22 +13,39 @@ namespace {
 namespace fs = std::filesystem;
 namespace hdf5 = artefact::hdf5;
 
-/// A file's datasets, up to a number of objects: there may be millions.
+/// A file's datasets, as far as a message needs them: there may be millions, in groups that go on
+/// for ever.
 struct Datasets {
   std::vector<std::string> names;
+  std::string group = "/";  ///< that is looked at, with a slash at its end
+  int groups_above = 0;
   int looked_at = 0;
 };
 
-herr_t note_dataset(hid_t /*file*/, const char* name, const H5O_info_t* info, void* out) {
-  constexpr int most = 100'000;
+herr_t note_datasets(hid_t group, const char* name, const H5L_info_t* link, void* out) {
+  constexpr int most = 10'000;
+  constexpr int deepest = 30;
   auto& datasets = *static_cast<Datasets*>(out);
-  if (info->type == H5O_TYPE_DATASET) datasets.names.push_back("/" + std::string(name));
-  return ++datasets.looked_at < most ? 0 : 1;
+  H5O_info_t object{};
+  if (++datasets.looked_at > most) return 1;
+  if (link->type != H5L_TYPE_HARD) return 0;
+  if (H5Oget_info_by_name(group, name, &object, H5P_DEFAULT) < 0) return -1;
+  if (object.type == H5O_TYPE_DATASET) datasets.names.push_back(datasets.group + name);
+  if (object.type != H5O_TYPE_GROUP || datasets.groups_above == deepest) return 0;
+  const std::string above = datasets.group;
+  datasets.group += std::string(name) + "/";
+  ++datasets.groups_above;
+  const herr_t result = H5Literate_by_name(group, name, H5_INDEX_NAME, H5_ITER_INC, nullptr,
+                                           note_datasets, out, H5P_DEFAULT);
+  --datasets.groups_above;
+  datasets.group = above;
+  return result;
 }
 
 [[noreturn]] void refuse_missing(const fs::path& path, hid_t file, const std::string& wanted) {
   Datasets datasets;
-  hdf5::check(H5Ovisit(file, H5_INDEX_NAME, H5_ITER_INC, note_dataset, &datasets), "datasets");
+  hdf5::check(H5Literate(file, H5_INDEX_NAME, H5_ITER_INC, nullptr, note_datasets, &datasets),
+              "list of datasets");
   std::ranges::sort(datasets.names);
   refuse_raw_file(path, "has no dataset " + wanted + "; it has " + listed(datasets.names));
 }

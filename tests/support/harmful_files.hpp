@@ -127,8 +127,7 @@ inline void write_nested_hdf5(const fs::path& path, int depth) {
 /// x is a link into another file.
 inline void write_external_link(const fs::path& path, const fs::path& other) {
   const NewHdf5 file(path);
-  EXPECT_GE(
-      H5Lcreate_external(other.c_str(), "/x", file.id, "x", H5P_DEFAULT, H5P_DEFAULT), 0);
+  EXPECT_GE(H5Lcreate_external(other.c_str(), "/x", file.id, "x", H5P_DEFAULT, H5P_DEFAULT), 0);
 }
 
 /// x has its values in another file, whatever that holds.
