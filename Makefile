@@ -21,6 +21,7 @@ LIBTORCH := on
 SUBMIT   :=
 TOLERANCE := auto
 LINT     :=
+STORM    := full
 V        :=
 # On a cluster: cores of a job, how long it is to take, how many run at a time.
 CORES    := 4
@@ -61,7 +62,7 @@ SEEDS    := 100 101 102 103 104
 endif
 
 # ---- what was given -----------------------------------------------------------------------------
-variables := RUN DATASETS METHODS RATIOS SEEDS PROTOCOL DATA_DIR ARCH LIBTORCH BIN SUBMIT TOLERANCE LINT V \
+variables := RUN DATASETS METHODS RATIOS SEEDS PROTOCOL DATA_DIR ARCH LIBTORCH BIN SUBMIT TOLERANCE LINT STORM V \
              CORES MINUTES JOBS GPU_PARTITION
 given     := $(foreach name,$(.VARIABLES),$(if $(filter command,$(firstword $(origin $(name)))),$(name)))
 
@@ -75,6 +76,7 @@ one_of = $(if $(and $(filter $2,$($1)),$(filter 1,$(words $($1)))),,$(error $1: 
   $(lastword $2), not '$($1)'))
 $(call one_of,LIBTORCH,on off)
 $(call one_of,PROTOCOL,random blocked)
+$(if $(filter full short least,$(STORM)),,$(error STORM: full, short or least, not '$(STORM)'))
 $(if $(filter-out all,$(LINT)),$(error LINT: all, or not given, not '$(LINT)'))
 
 $(if $(filter cluster cluster-stop,$(MAKECMDGOALS)),$(if $(shell command -v sbatch),,$(error there is no sbatch here, \
@@ -103,7 +105,7 @@ Q := $(if $(V),,@)
 
 .DEFAULT_GOAL := help
 .PHONY: help grid cluster cluster-plan cluster-stop status check reference data test \
-        test-deps lint bench deps build build-demo clean
+        test-deps storm lint bench deps build build-demo clean
 
 help:
 	@printf '  %-14s%s\n' \
@@ -111,7 +113,7 @@ help:
 	  all      'run the grid, make its tables in results/RUN/<dataset>/, its figures, its report' \
 	  cells    'run the grid without the tables (on a cluster: see jobs/)' \
 	  figures  'draw what RUN holds, in results/RUN/<dataset>/figures/: CSV, SVG and PDF' \
-  report   'a page of what RUN holds and lacks: results/RUN/report.html, and report.md' \
+	  report   'a page of what RUN holds and lacks: results/RUN/report.html, and report.md' \
 	  sweep    'vary the settings of piae-dt one at a time (pipeline/sweep.mk): sweep.csv, sweep.md' \
 	  contrast 'both protocols side by side, and both readings of cwru: protocols.md, rates.md' \
 	  identify 'whether the (k, c) of the twin are the true ones, on simulated windows' \
@@ -126,6 +128,7 @@ help:
 	  data     'download the recordings that have an official address into DATA_DIR' \
 	  test     'build and run every test; those on real recordings when DATA_DIR has them' \
 	  test-deps 'install what some tests need beyond that, and are skipped without: a Slurm' \
+	  storm    'kill, damage and forge by the thousand, under sanitizers: SECURITY.md' \
 	  lint     'check style and structure of what changed; of everything with LINT=all' \
 	  bench    'build and run the benchmarks' \
 	  deps     'install the packages that are missing (apt)' \
@@ -149,7 +152,8 @@ help:
 	  MINUTES  'that a job on a cluster is to take, by what the steps took elsewhere  [$(MINUTES)]' \
 	  JOBS     'that run at a time on a cluster  [$(JOBS)]' \
 	  GPU_PARTITION 'of the cluster, for what asks for device = "cuda" in pipeline/  [$(GPU_PARTITION)]' \
-  LINT     'of lint: all, or what changed  [$(LINT)]' \
+	  LINT     'of lint: all, or what changed  [$(LINT)]' \
+	  STORM    'of storm: full (hours), short (minutes) or least  [$(STORM)]' \
 	  V        'V=1 shows the commands  [$(V)]' \
 	  | sed '1i\\nVariables, and their values now'
 	@printf '%s\n' '' \
@@ -219,6 +223,13 @@ test:
 
 test-deps:
 	$(Q)pipeline/deps.sh $(LIBTORCH) programs tests cluster
+
+# The programs as they are used, and the readers once more under the sanitizers.
+storm:
+	$(Q)pipeline/deps.sh $(LIBTORCH) programs tests
+	$(Q)pipeline/build.sh $(ARCH) $(LIBTORCH) programs storm_parts
+	$(Q)pipeline/build.sh $(ARCH) off storm_inputs
+	$(Q)tests/storm/storm.sh build/storm/run '$(BIN)' build/storm/bin '$(STORM)'
 
 lint:
 	$(Q)pipeline/deps.sh $(LIBTORCH) programs tests benches lint

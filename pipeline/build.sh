@@ -1,9 +1,10 @@
 #!/bin/bash
 # Configures and builds into build/, on as many cores as there is memory for.
 # usage: pipeline/build.sh ARCH LIBTORCH TARGET...      (LIBTORCH: on or off)
-# TARGETs are `programs`, `tests` and `benches`; what is not asked for is not configured either, so
-# that it needs no packages. `demo`, which stands alone, builds what the demo runs into build/demo/:
-# several sources at a time, which takes half as long, and would be a nuisance to whoever edits one.
+# TARGETs are `programs`, `tests`, `storm_parts` and `benches`; what is not asked for is not configured
+# either, so that it needs no packages. `demo`, which stands alone, builds what the demo runs into
+# build/demo/: several sources at a time, which takes half as long, and would be a nuisance to whoever
+# edits one. So does `storm_inputs`, into build/storm/ and with sanitizers.
 set -euo pipefail
 
 arch=$1 libtorch=$2
@@ -14,6 +15,8 @@ unset MAKEFLAGS MFLAGS MAKELEVEL MAKEOVERRIDES
 folder=build options=()
 if [[ $* == demo ]]; then
   folder=build/demo options=(-DCMAKE_UNITY_BUILD=ON)
+elif [[ $* == storm_inputs ]]; then
+  folder=build/storm options=(-DCMAKE_UNITY_BUILD=ON -DPIAE_SANITIZE=ON)
 fi
 mkdir -p "$folder"
 exec 9>build/.lock
@@ -29,7 +32,7 @@ on_if_asked_for() { [[ " ${*:2} " == *" $1 "* ]] && echo on || echo off; }
 # Ninja builds a tenth faster than make does. A folder that make has configured stays with it.
 [[ -f $folder/CMakeCache.txt ]] || options+=(-G Ninja)
 cmake -S . -B "$folder" "${options[@]}" "-DPIAE_ARCH=$arch" "-DPIAE_LIBTORCH=$libtorch" \
-  "-DPIAE_TESTS=$(on_if_asked_for tests "$@")" \
+  "-DPIAE_TESTS=$(on_if_asked_for tests "${@/#storm_*/tests}")" \
   "-DPIAE_BENCH=$(on_if_asked_for benches "$@")" >"$folder/configure.log" 2>&1 || {
   cat "$folder/configure.log" >&2
   echo "build: cmake could not configure; above is why (also in $folder/configure.log)" >&2

@@ -120,7 +120,6 @@ std::string Workbench::odd(const Consumer& consumer, const Outcome& verified,
   // The options are good, so that only the data can be to blame; a training may diverge by them.
   const std::string line = last_line(outcome.err);
   const bool diverged = outcome.status == 1 && line.find("diverge") != std::string::npos;
-  if (consumer.starts_anew() && !diverged) return consumer.stage + " did not start anew" + said;
   if (outcome.status != 65 && !diverged) {
     return consumer.stage + " ended with " + std::to_string(outcome.status) + said;
   }
@@ -143,6 +142,10 @@ Verdict Workbench::judge(const Consumer& consumer, const std::string& bytes, boo
   verdict.refused = verified.status != 0 || outcome.status != 0;
   verdict.finding = odd(consumer, verified, outcome, made);
   if (!verdict.finding.empty() || !same_content) return verdict;
+  if (consumer.starts_anew() && outcome.status != 0) {
+    verdict.finding = consumer.stage + " did not start anew: " + outcome.err;
+    return verdict;
+  }
   if (outcome.status == 0 && made != made_of_good_.at(consumer.file)) {
     verdict.finding = consumer.stage + " made something else of it, silently";
   } else if (verified.status == 0 && outcome.status != 0) {

@@ -11,7 +11,7 @@ struct Consumer {
   std::string file;
   std::string stage;
   std::vector<std::string> options;
-  /// A checkpoint that cannot be used is no error: the training starts anew and says so.
+  /// A checkpoint that is damaged is no error: the training starts anew and says so.
   [[nodiscard]] bool starts_anew() const { return file.ends_with(".checkpoint"); }
 };
 

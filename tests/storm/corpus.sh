@@ -59,13 +59,13 @@ split=(--seed 0 --window 1024 --max-stride 64 --windows-per-class 30 --test-per-
 stage split --records records.h5 "${split[@]}" --output-dir .
 consumer records.h5 split --records records.h5 "${split[@]}" --output-dir out
 
-networks=(--epochs 4 --width 4)
+networks=(--epochs 2 --width 4)
 train() { # method, option...
   stage train --method "$1" --known C.h5 --seed 0 "${@:2}" --output "$1.model.h5"
   consumer "$1.model.h5" generate --model "$1.model.h5" --count 5 --seed 0 --output out.h5
 }
 train piae-dt "${networks[@]}"
-train piae-dt-phase "${networks[@]}"
+train piae-dt-phase "${networks[@]}" --simulations 60 --inference-epochs 2 --inference-width 16
 train ae "${networks[@]}"
 train vae "${networks[@]}"
 train wgan-gp "${networks[@]}"
