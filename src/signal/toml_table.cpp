@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "base/error.hpp"
+#include "cli/one_line.hpp"
 #include "cli/toml_file.hpp"
 
 namespace piae::signal {
@@ -50,6 +51,9 @@ double TomlTable::number(const std::string& key) {
 double TomlTable::positive(const std::string& key) {
   const double value = number(key);
   if (value <= 0) refuse(key, "must be above 0");
+  constexpr double least = 1e-9;  // what is measured in any unit lies between
+  constexpr double most = 1e12;
+  if (value < least || value > most) refuse(key, "must be between 1e-9 and 1e12");
   return value;
 }
 
@@ -96,7 +100,7 @@ void TomlTable::refuse(const std::string& key, const std::string& what) const {
   text << file_->name;
   if (line > 0) text << ", line " << line;
   text << ": " << (name_.empty() ? key : name_ + "." + key) << ' ' << what;
-  throw Error(Exit::bad_input, text.str());
+  throw Error(Exit::bad_input, cli::one_line(text.str()));
 }
 
 }  // namespace piae::signal

@@ -29,7 +29,7 @@ class TomlTable {
   std::string text(const std::string& key);  ///< not empty
   std::string optional_text(const std::string& key);
   double number(const std::string& key);    ///< finite; an integer will do
-  double positive(const std::string& key);  ///< a number above 0
+  double positive(const std::string& key);  ///< a number above 0 that can be measured
   std::optional<double> optional_positive(const std::string& key);
   std::int64_t integer(const std::string& key);
 
