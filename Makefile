@@ -66,6 +66,21 @@ variables := RUN DATASETS METHODS RATIOS SEEDS PROTOCOL DATA_DIR ARCH LIBTORCH B
              CORES MINUTES JOBS GPU_PARTITION
 given     := $(foreach name,$(.VARIABLES),$(if $(filter command,$(firstword $(origin $(name)))),$(name)))
 
+# Values are text, and make and the shell are given no other. (What a value holds is looked at before make
+# would read it as one of its own expressions.) The recordings' folder may be called nearly anything.
+define line_break
+
+
+endef
+in_folders := ' $$
+of_code    := $(in_folders) " ` \ ; & | < > ( ) { } [ ] * ? ! ~ \#
+found_in    = $(firstword $(foreach sign,$2,$(if $(findstring $(sign),$(value $1)),$(sign)))\
+                $(if $(findstring $(line_break),$(value $1)),line break))
+refuse_signs = $(if $(found_in),$(error $1: must not hold a $(patsubst line,line break,$(found_in)); $3))
+$(call refuse_signs,DATA_DIR,$(in_folders),rename the folder or make a link to it)
+$(if $(filter -%,$(firstword $(DATA_DIR))),$(error DATA_DIR: begins with '-'; write ./$(DATA_DIR)))
+$(foreach name,$(filter-out DATA_DIR SUBMIT,$(variables)),$(call refuse_signs,$(name),$(of_code),it is a plain word or a list of them))
+
 # A name that is nearly one of ours: in the other case, or the beginning of one, or one with more to it.
 upper_case = $(shell printf %s '$1' | tr a-z A-Z)
 like_it    = $(foreach name,$(variables),$(if $(filter $1%,$(name))$(filter $(name)%,$1),$(name)))

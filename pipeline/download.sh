@@ -6,6 +6,7 @@
 set -euo pipefail
 
 data_dir=$1
+[[ $data_dir != -* ]] || data_dir=./$data_dir
 shift
 
 is_right() { [[ -f $1 ]] && echo "$2  $1" | sha256sum --check --status; }
@@ -16,13 +17,22 @@ give_up() { # file, sha256, what happened
   exit 1
 }
 
+# What others have put there must not lead the download to elsewhere.
+require_inside() { # file, sha256
+  [[ $(realpath -m "${1%/*}")/ == "$(realpath -m "$data_dir")"/* ]] ||
+    give_up "$1" "$2" "its folder is a link out of $data_dir, and nothing is downloaded to there"
+  [[ ! -L $1 && ! -L $1.part ]] || give_up "$1" "$2" "it or its .part is a link, and nothing is written through one"
+}
+
 fetch() { # file, sha256, url
   local file=$1 sum=$2 url=$3 part=$1.part message
+  require_inside "$file" "$sum"
   mkdir -p "${file%/*}" || give_up "$file" "$sum" "its folder cannot be made"
   if ! is_right "$part" "$sum"; then
     echo "data: $file from $url"
     message=$(curl --fail --location --silent --show-error --retry 3 --connect-timeout 20 \
-      --continue-at - --output "$part" "$url" 2>&1) ||
+      --proto =http,https --proto-redir =http,https --globoff \
+      --continue-at - --output "$part" --url "$url" 2>&1) ||
       give_up "$file" "$sum" "could not be downloaded from $url (${message##*$'\n'})"
   fi
   if ! is_right "$part" "$sum"; then

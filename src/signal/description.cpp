@@ -6,6 +6,7 @@
 #include "base/error.hpp"
 #include "bearing/defect.hpp"
 #include "bearing/kinematics.hpp"
+#include "cli/one_line.hpp"
 #include "signal/ranges.hpp"
 
 namespace piae::signal {
@@ -82,13 +83,28 @@ Label label_of(const DatasetInfo& info, TomlTable& record) {
   return static_cast<Label>(found - info.classes.begin());
 }
 
+/// Where `make data` writes what it downloads, too: so never outside the data folder.
 std::string read_file_name(TomlTable& record) {
   std::string name = record.text("file");
   const fs::path path(name);
   if (path.is_absolute() || std::ranges::find(path, fs::path("..")) != path.end()) {
     record.refuse("file", "must be a path below the data folder");
   }
+  if (name.front() == '-' || cli::has_control_characters(name)) {
+    record.refuse("file", "must not begin with '-', and must have no line breaks or the like");
+  }
   return name;
+}
+
+/// An address that `make data` may give to a program: of the web, and nothing else.
+std::string read_url(TomlTable& record) {
+  std::string url = record.optional_text("url");
+  const bool of_the_web = url.starts_with("https://") || url.starts_with("http://");
+  const bool one_word = !cli::has_control_characters(url) && url.find(' ') == std::string::npos;
+  if (!url.empty() && !(of_the_web && one_word)) {
+    record.refuse("url", "must begin with https:// or http://, and have no spaces or line breaks");
+  }
+  return url;
 }
 
 std::string read_sha256(TomlTable& record) {
@@ -109,7 +125,7 @@ RecordSource read_record(TomlTable& table, const DatasetInfo& info) {
   record.shaft_speed_rpm = table.optional_number("shaft_speed_rpm", ranges::shaft_speed_rpm)
                                .value_or(info.shaft_speed_rpm);
   record.sha256 = read_sha256(table);
-  record.url = table.optional_text("url");
+  record.url = read_url(table);
   table.finish();
   return record;
 }

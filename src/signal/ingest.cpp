@@ -85,6 +85,13 @@ RawRecord RecordReader::read_raw(const RecordSource& source) {
 }
 
 Record RecordReader::resampled(const RecordSource& source, const RawRecord& raw) const {
+  constexpr double most_samples = 1e8;
+  const double samples =
+      static_cast<double>(raw.samples.size()) * sample_rate_hz_ / source.sample_rate_hz;
+  if (samples > most_samples) {
+    refuse(data_dir_ / source.file, source,
+           "would have more than 1e8 samples at the dataset's rate; look at both sample rates");
+  }
   std::vector<double> signal = resample(raw.samples, source.sample_rate_hz, sample_rate_hz_);
   if (signal.empty()) {
     refuse(data_dir_ / source.file, source, "is shorter than one sample at the dataset's rate");

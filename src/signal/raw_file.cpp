@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/error.hpp"
+#include "cli/one_line.hpp"
 #include "signal/raw_reader.hpp"
 
 namespace piae::signal {
@@ -38,13 +39,11 @@ std::string listed(const std::vector<std::string>& names) {
     list += (list.empty() ? "" : ", ") + names[i].substr(0, longest);
   }
   if (names.size() > most) list += " and " + std::to_string(names.size() - most) + " more";
-  std::ranges::replace_if(
-      list, [](char c) { return static_cast<unsigned char>(c) < ' ' || c == '\x7f'; }, '?');
   return list.empty() ? "none" : list;
 }
 
 void refuse_raw_file(const std::filesystem::path& where, const std::string& what) {
-  throw Error(Exit::bad_input, where.string() + ": " + what);
+  throw Error(Exit::bad_input, cli::one_line(where.string() + ": " + what));
 }
 
 }  // namespace piae::signal

@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "base/error.hpp"
+#include "cli/one_line.hpp"
 #include "cli/toml_file.hpp"
 
 namespace piae::signal {
@@ -95,7 +96,7 @@ void TomlTable::refuse(const std::string& key, const std::string& what) const {
   text << file_->name;
   if (line > 0) text << ", line " << line;
   text << ": " << (name_.empty() ? key : name_ + "." + key) << ' ' << what;
-  throw Error(Exit::bad_input, text.str());
+  throw Error(Exit::bad_input, cli::one_line(text.str()));
 }
 
 }  // namespace piae::signal

@@ -1,5 +1,5 @@
 #!/bin/bash
-# `make data`, from addresses on this machine (file://).
+# `make data`, from an official site on this machine, which a curl in front of curl reaches without a network.
 # shellcheck source-path=SCRIPTDIR
 source "${0%/*}/support.sh"
 
@@ -12,12 +12,23 @@ site() {
   seq 1 30000 >site/2.mat
   local n
   for n in 1 2; do
-    echo "$(sha256sum <site/$n.mat | cut -d' ' -f1)  real/file $n.mat  file://$PWD/site/$n.mat"
+    echo "$(sha256sum <site/$n.mat | cut -d' ' -f1)  real/file $n.mat  http://site/$n.mat"
   done >sources
   rm fake/ingest
   # shellcheck disable=SC2016
   printf '#!/bin/bash\n[[ $1 == --sources ]] && cat sources\n' >fake/ingest
   chmod +x fake/ingest
+  # Files of the site by their addresses; whatever else is asked for is the real curl's.
+  mkdir commands
+  cat >commands/curl <<CURL
+#!/bin/bash
+printf '%s\n' "\$@" >>curl-options
+[[ \${!#} == http://site/* ]] || exec $(command -v curl) "\$@"
+options=("\${@/#http:\/\/site/file://$PWD/site}")
+exec $(command -v curl) "\${options[@]/#=http,https/=file}"
+CURL
+  chmod +x commands/curl
+  PATH=$PWD/commands:$PATH
 }
 
 data() { make --silent data BIN=fake DATASETS=real DATA_DIR=d; }
@@ -44,7 +55,7 @@ test_a_wrong_sum_is_refused() {
   site
   tr 1 2 <site/2.mat >other
   mv other site/2.mat
-  expect_line "$(data 2>&1 || true)" "d/real/file 2.mat: what file://.* is not the recording that is described"
+  expect_line "$(data 2>&1 || true)" "d/real/file 2.mat: what http://site/.* is not the recording that is described"
   expect_exit 2 data
   expect_equal "$(ls d/real)" "file 1.mat"
   cp site/2.mat "d/real/file 2.mat"
@@ -67,6 +78,39 @@ test_recordings_without_an_address() {
   mkdir -p d/real
   touch d/real/mine.csv
   expect_line "$(data)" "real: 0 files fetched, 1 were there"
+}
+
+# The programs refuse such addresses (tests/signal/description_test.cpp); curl is told to, besides.
+test_only_the_web_is_asked() {
+  site
+  data >/dev/null
+  rm -r d
+  sed -i "s,http://site,file://$PWD/site," sources
+  expect_line "$(data 2>&1 || true)" 'could not be downloaded from file://.*rotocol "file" '
+  expect_exit 2 data
+  expect_equal "$(ls d/real)" ""
+  expect_line "$(<curl-options)" '^--globoff$'
+  expect_line "$(<curl-options)" '^--url$'
+}
+
+test_nothing_is_written_outside_the_data_folder() {
+  site
+  mkdir d elsewhere
+  echo precious >elsewhere/victim
+  ln -s ../elsewhere d/real
+  expect_line "$(data 2>&1 || true)" "d/real/file 1.mat: its folder is a link out of d, and nothing is downloaded"
+  expect_exit 2 data
+  expect_equal "$(ls elsewhere)" victim
+  rm d/real
+  mkdir d/real
+  ln -s "$PWD/elsewhere/victim" "d/real/file 1.mat.part"
+  expect_line "$(data 2>&1 || true)" "d/real/file 1.mat: it or its .part is a link"
+  expect_equal "$(<elsewhere/victim)" precious
+  # What is there already may be a link.
+  rm d/real/*
+  ln -s "$PWD"/site/* d/real/
+  for n in 1 2; do mv "d/real/$n.mat" "d/real/file $n.mat"; done
+  expect_line "$(data)" "real: 0 files fetched, 2 were there"
 }
 
 run_tests

@@ -163,6 +163,16 @@ INSTANTIATE_TEST_SUITE_P(
         Damage{"variable = \"x\"", "channel = \"x\"", "record.variable is missing"},
         Damage{"url", "sha256", "record.sha256 must be 64 hexadecimal digits"},
         Damage{"url", "link", "record.link is unknown"},
+        Damage{"https://example.org/a.mat", "file:///etc/passwd",
+               "record.url must begin with http"},
+        Damage{"https://example.org/a.mat", "-o/tmp/x", "record.url must begin with http"},
+        Damage{"https://example.org/a.mat", "https://a.org/ -o x", "record.url must begin with"},
+        Damage{"example.org/a.mat", "a.org/a\\n0  ../x  https://b.org", "record.url must begin"},
+        Damage{"\"rig/a.mat\"", "\"-rf.mat\"", "line 29: record.file must not begin with '-'"},
+        Damage{"\"rig/a.mat\"", "\"a\\nb.mat\"", "record.file must not begin with '-', and must"},
+        Damage{"= 8000", "= 1e300", "line 2: sample_rate_hz must be between 1e-9 and 1e12"},
+        Damage{"shaft_speed_rpm = 900", "shaft_speed_rpm = 1e-300", "must be between 1e-9 and"},
+        Damage{"name = \"ok\"", "name = \"ok\"\n\"a\\nb\" = 1", "class.a?b is unknown"},
         Damage{"name = \"ok\"", "name = \"ok\"\ncolour = 1", "class.colour is unknown"}));
 
 TEST(Description, RefusesClassesThatWouldShareARecordName) {

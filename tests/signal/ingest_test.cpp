@@ -98,6 +98,14 @@ TEST(Ingest, RefusesOneRecordingTwice) {
   EXPECT_ERROR(ingest(d, folder.path()), Exit::bad_input, "name each recording once");
 }
 
+TEST(Ingest, RefusesARecordThatWouldFillTheMemory) {
+  const Folder folder;
+  Description d = description_in(folder);
+  d.records[0].sample_rate_hz = 1e-9;
+  EXPECT_ERROR(ingest(d, folder.path()), Exit::bad_input,
+               "rig/b.csv (record bad): would have more than 1e8 samples");
+}
+
 TEST(Ingest, RefusesARecordThatVanishesInResampling) {
   const Folder folder;
   Description d = description_in(folder);
