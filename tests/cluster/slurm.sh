@@ -177,7 +177,7 @@ until_true() { # what is waited for, command...
       echo "waited in vain until $1; sinfo, squeue and the logs say:" >&2
       sinfo --Node --long >&2
       squeue >&2
-      tail -n 20 "$slurm_folder"/slurm*.log >&2
+      tail -n 20 "$slurm_folder/slurmctld.log" >&2
       return 1
     }
   done

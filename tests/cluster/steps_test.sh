@@ -20,7 +20,7 @@ expect_failed() {
 }
 
 expect_checkpoint() {
-  [[ -f $model.checkpoint && ! -e $model ]] || fail "there is no checkpoint: $(<"$training") $(<messages)"
+  [[ -f $model.checkpoint ]] || fail "there is no checkpoint: $(<"$training") $(<messages)"
   expect_line "$(tail -n 1 "$training")" '^step: exit 75 after'
 }
 
@@ -86,7 +86,8 @@ pgrep_here() { # name of a stage
 # The model that is there is of an older setting. srun says 0.
 test_a_lost_node_is_no_success() {
   nearly_done
-  cp --preserve=timestamps "$alone/$model" "${model%/*}" 2>/dev/null || { mkdir -p "${model%/*}" && cp "$alone/$model" "$model"; }
+  mkdir "${model%/*}"
+  cp "$alone/$model" "$model"
   touch results/tiny/tiny/seed0/D.h5
   start_make ''
   wait_until_it_trains
