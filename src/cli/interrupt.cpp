@@ -15,10 +15,10 @@ void remember(int /*signal*/) { caught = 1; }
 void catch_interrupts() {
   struct sigaction action {};
   action.sa_handler = remember;
-  for (const int signal : {SIGTERM, SIGINT, SIGUSR1}) sigaction(signal, &action, nullptr);
   struct sigaction before {};
   sigaction(SIGHUP, nullptr, &before);
   if (before.sa_handler != SIG_IGN) sigaction(SIGHUP, &action, nullptr);
+  for (const int signal : {SIGINT, SIGUSR1, SIGTERM}) sigaction(signal, &action, nullptr);
 }
 
 bool interrupted() { return caught != 0; }

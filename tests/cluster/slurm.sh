@@ -10,6 +10,7 @@
 #   kill_node NODE, start_node NODE    its slurmd, its stepd and what ran on it, by SIGKILL, as when a node
 #                                  loses its power; and its slurmd anew
 #   restart_ctld                   kill -9, and a new one that goes on from the state of the old
+#   running PROGRAM, no_jobs       process ids of a program's file; whether the queue is empty
 #   until_true WHAT COMMAND...     waits up to two minutes, and says what for if it was in vain
 #
 # What is to be known of it:
@@ -152,6 +153,14 @@ on_node() { # node
   done
 }
 
+# The process ids of a program in the namespace, the oldest first.
+running() { # its file
+  local process
+  for process in $(in_namespace | sort -n); do
+    [[ $(readlink "/proc/$process/exe" 2>/dev/null) != "$1" ]] || echo "$process"
+  done
+}
+
 kill_node() {
   local process
   for process in $(on_node "$1"); do kill -KILL "$process" 2>/dev/null; done
@@ -177,7 +186,7 @@ until_true() { # what is waited for, command...
       echo "waited in vain until $1; sinfo, squeue and the logs say:" >&2
       sinfo --Node --long >&2
       squeue >&2
-      tail -n 20 "$slurm_folder"/slurm*.log >&2
+      tail -n 20 "$slurm_folder/slurmctld.log" >&2
       return 1
     }
   done
@@ -185,6 +194,8 @@ until_true() { # what is waited for, command...
 
 all_idle() { [[ $(sinfo --noheader --partition=all --Format=StateLong | sort -u) == idle* ]]; }
 wait_for_nodes() { until_true "all nodes are idle" all_idle; }
+
+no_jobs() { [[ ! $(squeue --noheader) ]]; }
 
 # Of jobs that have ended Slurm knows the state for five minutes (MinJobAge).
 in_state() { squeue --noheader --states=all --format=%T ${2:+--jobs="$2"} | grep -qx "$1"; }

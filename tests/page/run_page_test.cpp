@@ -52,6 +52,14 @@ TEST(StepLog, OfAnOlderRunHasNoProcessorTime) {
   EXPECT_FALSE(log.memory_mb.has_value());
 }
 
+TEST(StepLog, BeginsWhenItsPlaceInAQueueHasCome) {
+  const Folder folder;
+  const auto log = read_step_log(folder.write(
+      "train.log", log_text(100, "step: waited 20.5 s\nstep: exit 0 after 0.6 s\n")));
+  EXPECT_THAT(log.begun_s, testing::Optional(DoubleNear(120.5, 1e-6)));
+  EXPECT_EQ(log.elapsed_s, 0.6);
+}
+
 TEST(StepLog, OfAFailedStepSaysWhy) {
   const Folder folder;
   const auto log = read_step_log(
@@ -69,6 +77,7 @@ TEST(StepLog, TellsStoppedStepsFromFailedOnes) {
   };
   EXPECT_EQ(end_of("step: exit 75 after 2.0 s\n"), StepEnd::interrupted);
   EXPECT_EQ(end_of("step: exit 143 after 2.0 s\n"), StepEnd::interrupted);
+  EXPECT_EQ(end_of("step: exit 138 after 2.0 s\n"), StepEnd::interrupted);
   EXPECT_EQ(end_of("step: exit 139 after 2.0 s\n"), StepEnd::failed);
   EXPECT_EQ(end_of(""), StepEnd::open);
 }

@@ -430,7 +430,7 @@ test_cells_that_could_not_be_made_again_are_holes() {
   grid -k >/dev/null 2>&1 || true
   local cell=results/t/real/seed1/smote
   expect_line "$(<results/t/real/accuracy.csv)" \
-    " --outdated $cell/10to1/diagnosis.h5 --outdated $cell/1to1/diagnosis.h5 --outdated $cell/score.h5$"
+    " --outdated $cell/10to1/diagnosis.h5 --outdated $cell/1to1/diagnosis.h5 --outdated $cell/score.h5 --config "
   expect_no_line "$(<results/t/made/accuracy.csv)" "outdated"
 }
 

@@ -197,7 +197,7 @@ test_stages_get_one_thread_whatever_the_login_shell_says() {
   expect_line "$(OMP_NUM_THREADS=3 OPENBLAS_NUM_THREADS=3 OMP_SCHEDULE=dynamic GLIBC_TUNABLES=a=1 step)" 'threads 1 1 unset ===$'
   # Only simulate takes all the cores that there are.
   mv fake/own fake/simulate
-  expect_line "$(OMP_NUM_THREADS=3 pipeline/step.sh results/t/real simulate 2>&1 || true)" 'OMP_NUM_THREADS: unbound|threads  1'
+  expect_line "$(OMP_NUM_THREADS=3 pipeline/step.sh results/t/real simulate)" 'threads  1 unset ===$'
 }
 
 # A stage that answers SIGTERM with a checkpoint and 75, as train does.
@@ -263,7 +263,7 @@ STAGE
   for signal in TERM INT HUP QUIT; do
     rm -f checkpoint started queue-got
     set -m
-    SUBMIT=./queue step >/dev/null 2>messages &
+    SUBMIT=./queue pipeline/step.sh results/t/real/seed0 own >/dev/null 2>messages &
     set +m
     wait_for started
     until grep -qs '^step: started' results/t/real/seed0/own.log; do sleep 0.05; done
@@ -278,7 +278,7 @@ STAGE
 test_a_step_in_a_queue_is_stopped_at_once() {
   queue
   touch busy
-  SUBMIT=./queue step >/dev/null 2>&1 &
+  SUBMIT=./queue pipeline/step.sh results/t/real/seed0 own >/dev/null 2>&1 &
   wait_for queued
   kill -TERM $!
   expect_exit 143 wait $!
@@ -293,7 +293,7 @@ test_what_it_waits_in_a_queue_is_no_time_of_a_step() {
   (sleep 2 && rm busy) &
   SUBMIT=./queue step --output results/t/real/seed0/E.h5 >line
   expect_line "$(<line)" ' 0\.[3-9] s '
-  expect_line "$(<results/t/real/seed0/own.log)" '^step: waited [23]\.[0-9] s$'
+  expect_line "$(<results/t/real/seed0/own.log)" '^step: waited [123]\.[0-9] s$'
   expect_line "$(<results/t/real/seed0/own.log)" '^step: exit 0 after 0\.[3-9] s$'
 }
 

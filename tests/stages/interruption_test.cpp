@@ -77,6 +77,19 @@ TEST_F(Interruption, SigtermLeavesACheckpointFromWhichTheSameCommandGoesOn) {
   expect_useless_checkpoints_are_not_used(checkpoint);
 }
 
+/// srun passes USR1 on; HUP comes when a terminal is closed.
+TEST_F(Interruption, OtherSignalsAreTakenLikeSigterm) {
+  for (const int signal : {SIGUSR1, SIGHUP, SIGINT}) {
+    Process train(tiny_.path(), "train", to("cut.h5"));
+    train.wait_until_it_catches_sigterm();
+    train.send(signal);
+    const Outcome outcome = train.wait();
+    EXPECT_EQ(outcome.status, 75) << "signal " << signal << ": " << outcome.err;
+    EXPECT_TRUE(fs::exists(tiny_ / "cut.h5.checkpoint"));
+  }
+  expect_finished_as_uncut();
+}
+
 TEST_F(Interruption, KilledTrainingLeavesNothingHalf) {
   for (int cut = 0; cut < 5; ++cut) {
     Process train(tiny_.path(), "train", to("cut.h5"));

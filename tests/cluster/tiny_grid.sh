@@ -1,0 +1,57 @@
+# shellcheck shell=bash
+# The tiny grid of tests/reference with the programs themselves, for tests on a Slurm; to be sourced after
+# slurm.sh and tests/pipeline/support.sh. Its training is some seconds long, so that it can be stopped.
+
+# Every step a job of its own.
+# shellcheck disable=SC2034
+one_job_a_step="srun --quiet --nodes=1 --ntasks=1 --cpus-per-task=1 --mem=500"
+model=results/tiny/tiny/seed0/piae-dt/model.h5
+training=${model%/*}/train.log
+
+lay_out_grid() {
+  rm -rf pipeline/datasets results
+  mkdir -p pipeline/datasets results
+  cp "$project/tests/reference/tiny.toml" pipeline/datasets
+  cp "$project/tests/reference/protocol.toml" pipeline
+  sed -i 's/^epochs = 20/epochs = 3000/' pipeline/protocol.toml
+  cp -r "$project/results/published" results
+}
+
+# Its own words, so that `"${tiny[@]}" ... &` is make itself.
+tiny=(make --silent "BIN=$programs" RUN=tiny DATASETS=tiny "METHODS=none smote piae-dt" "RATIOS=100to1 10to1"
+  "SEEDS=0 1")
+tiny() { "${tiny[@]}" "$@"; }
+
+# What `make -j2` makes of it, once for all tests of a script; to be called before run_tests.
+make_alone() {
+  alone=$slurm_folder/alone
+  mkdir "$alone"
+  (
+    cp -r "$project"/{Makefile,pipeline,jobs} "$alone"
+    cd "$alone" || exit
+    lay_out_grid
+    tiny -j2 tables >messages 2>&1 || {
+      cat messages >&2
+      exit 1
+    }
+  )
+}
+
+# Logs tell of times. A checkpoint, or a file that is written beside another, is left by none that has ended.
+expect_same_as_alone() {
+  diff -r --exclude='*.log' results/tiny "$alone/results/tiny" >difference ||
+    fail "other bytes than those of make -j2: $(<difference)"
+}
+
+# All is there but one model and what comes of it.
+nearly_done() {
+  lay_out_grid
+  cp -r --preserve=timestamps "$alone/results/tiny" results
+  rm -r results/tiny/tiny/seed0/piae-dt
+}
+
+is_training() { grep -qsE '^step: (started|waited)' "$training"; }
+wait_until_it_trains() {
+  until_true "piae-dt is trained" is_training
+  sleep 1
+}

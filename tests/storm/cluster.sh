@@ -1,0 +1,180 @@
+#!/bin/bash
+# A storm over a run on a real Slurm: first each kind of event once, then others by chance. After each the run
+# must end by itself or by the same command, with the bytes of `make -j2`, and no checkpoint may be lost. Prints
+# a line for each event.
+# usage: tests/storm/cluster.sh [EVENTS [SEED]]      20 and 0; exit 77 where there is no Slurm
+# shellcheck source-path=SCRIPTDIR
+source "${0%/*}/../cluster/slurm.sh"
+source "${0%/*}/../pipeline/support.sh"
+source "${0%/*}/../cluster/tiny_grid.sh"
+
+events=${1:-20}
+RANDOM=$((${2:-0} + 1))
+kinds=(term_to_srun term_to_a_stage kill_to_a_stage scancel_a_step time_limit slurmd_killed slurmctld_restarted requeue)
+
+# Once: a checkpoint of each seed, so that every event has one to lose.
+make_checkpoints() {
+  cd "$alone" || exit
+  local seed
+  for seed in 0 1; do
+    mv "results/tiny/tiny/seed$seed/piae-dt" "whole$seed"
+  done
+  "${tiny[@]}" -j2 cells >messages 2>&1 &
+  local make=$!
+  wait_until_it_trains
+  kill -TERM $make
+  wait $make
+  for seed in 0 1; do
+    mv "results/tiny/tiny/seed$seed/piae-dt/model.h5.checkpoint" "checkpoint$seed"
+    rm -r "results/tiny/tiny/seed$seed/piae-dt"
+    mv "whole$seed" "results/tiny/tiny/seed$seed/piae-dt"
+  done
+}
+
+lay_out_event() {
+  nearly_done
+  local seed folder
+  for seed in 0 1; do
+    folder=results/tiny/tiny/seed$seed/piae-dt
+    rm -rf "$folder"
+    mkdir "$folder"
+    cp "$alone/checkpoint$seed" "$folder/model.h5.checkpoint"
+  done
+}
+
+# ---- the run: a job for each step, or one job for all ------------------------------------------------------
+options=(-k -j2 tables)
+start_steps() { # further options of srun
+  "${tiny[@]}" "${options[@]}" SUBMIT="$one_job_a_step $1" >messages 2>&1 &
+  make=$! job=
+}
+start_batch() {
+  { printf '#!/bin/bash\n' && printf '%q ' "${tiny[@]}" "${options[@]}" "SUBMIT=$one_job_a_step --exact"; } >job
+  job=$(sbatch --parsable --requeue --nodes=1 --ntasks=2 --mem=2000 --output=messages --open-mode=append job)
+}
+has_ended() {
+  if [[ $job ]]; then in_state COMPLETED "$job" || in_state FAILED "$job"; else ! kill -0 "$make"; fi
+}
+ended_well() {
+  if [[ $job ]]; then in_state COMPLETED "$job"; else wait "$make"; fi
+}
+
+# ---- the events: each starts the run, and happens to it ------------------------------------------------------
+some_time() { sleep "$((RANDOM % 3)).$((RANDOM % 10))"; }
+one_of() { shuf --head-count=1 --random-source=<(yes $RANDOM); }
+# Of those that run now; where the moment has none, of the next.
+a_process_of() { # programs
+  local program found=
+  until [[ $found ]]; do
+    found=$(for program; do running "$program"; done | one_of)
+  done
+  echo "$found"
+}
+stages=("$programs"/{train,generate,score,diagnose,tabulate})
+
+start_and_wait() {
+  start_steps "$@"
+  wait_until_it_trains
+  some_time
+}
+term_to_srun() {
+  start_and_wait ''
+  kill -TERM "$(a_process_of "$(command -v srun)")"
+}
+term_to_a_stage() {
+  start_and_wait ''
+  kill -TERM "$(a_process_of "${stages[@]}")"
+}
+kill_to_a_stage() {
+  start_and_wait ''
+  kill -KILL "$(a_process_of "${stages[@]}")"
+}
+scancel_a_step() {
+  start_and_wait ''
+  local running=
+  until [[ $running ]]; do running=$(squeue --noheader --states=RUNNING --format=%i | one_of); done
+  scancel "$running"
+}
+# A minute is the least that Slurm allows; meanwhile the stage stands still.
+time_limit() {
+  start_steps --time=1
+  wait_until_it_trains
+  kill -STOP "$(a_process_of "$programs/train")"
+}
+slurmd_killed() {
+  start_and_wait ''
+  local node=
+  until [[ $node ]]; do node=$(squeue --noheader --states=RUNNING --format=%N | one_of); done
+  kill_node "$node"
+  sleep 12 # SlurmdTimeout: until then the node is waited for
+  start_node "$node"
+}
+slurmctld_restarted() {
+  start_steps ''
+  wait_until_it_trains
+  sleep 3 # what was submitted later, a slurmctld that is killed has forgotten
+  restart_ctld
+}
+requeue() {
+  start_batch
+  wait_until_it_trains
+  some_time
+  scontrol requeue "$job" || return 0
+  until_true "job $job waits" in_state PENDING "$job" && scontrol update JobId="$job" StartTime=now
+}
+
+# ---- what has become of it -----------------------------------------------------------------------------------
+lost_checkpoint() {
+  local folder
+  for folder in results/tiny/tiny/seed*/piae-dt; do
+    [[ -f $folder/model.h5 || -f $folder/model.h5.checkpoint ]] || return 0
+    grep -q 'starts anew' "$folder/train.log" && return 0
+  done
+  return 1
+}
+
+finish() { # sets `happened`
+  local again=0
+  until_true "the run ends" has_ended || return
+  lost_checkpoint && lost=yes
+  if ended_well; then
+    happened="ended by itself"
+    return
+  fi
+  until "${tiny[@]}" "${options[@]}" SUBMIT="$one_job_a_step" >messages 2>&1; do
+    ((++again < 3)) || return
+  done
+  happened="failed; the same command ended it"
+}
+
+failures=0
+event() { # number, kind
+  local began=$SECONDS happened="DID NOT END" lost='' result=same
+  lay_out_event
+  "$2" 2>>events.log
+  finish
+  ! lost_checkpoint || lost=yes
+  diff -r --exclude='*.log' results/tiny "$alone/results/tiny" >difference 2>&1 || result=DIFFERS
+  [[ ! $lost ]] || result=lost
+  [[ $result == same && $happened != DID* ]] || {
+    failures=$((failures + 1))
+    head -n 5 difference messages
+  } >&2
+  printf '%3d  %-20s %-34s %4d s  %s\n' "$1" "${2//_/ }" "$happened" $((SECONDS - began)) "$result"
+  until_true "no job is left" no_jobs
+  wait_for_nodes
+}
+
+slurm_up
+make_alone
+make_checkpoints 2>/dev/null
+scratch=$slurm_folder/storm
+mkdir "$scratch"
+cp -r "$project"/{Makefile,pipeline,jobs} "$scratch"
+cd "$scratch" || exit
+for ((i = 1; i <= events; ++i)); do
+  if ((i <= ${#kinds[@]})); then kind=${kinds[i - 1]}; else kind=${kinds[RANDOM % ${#kinds[@]}]}; fi
+  event "$i" "$kind"
+done
+echo "$events events on a Slurm, $failures of them with other bytes, a lost checkpoint or no end"
+((failures == 0))
