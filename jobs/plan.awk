@@ -58,7 +58,8 @@ function add_to_unit(unit, seconds, target) {
 
 # Heap sort is not worth its lines: names are sorted by `sort`, their numbers made equally long.
 function sort_units(    command, i, line) {
-  command = "LC_ALL=C sort -r >" out "/.units"
+  if (!unit_count) return
+  command = "LC_ALL=C sort -r >'" out "/.units'"
   for (i = 1; i <= unit_count; ++i) printf "%015.3f\t%s\n", load[units[i]], units[i] | command
   close(command)
   for (i = 1; (getline line <(out "/.units")) > 0; ++i) {

@@ -9,7 +9,8 @@
 
 readings_ratios := $(filter-out $(nothing_generated),$(if $(filter command,$(origin RATIOS)),$(RATIOS),10to1 1to1))
 
-ifneq (,$(filter readings,$(MAKECMDGOALS)))
+# (Of a job on a cluster the goals are files.)
+ifneq (,$(filter readings,$(MAKECMDGOALS))$(findstring /readings/,$(MAKECMDGOALS)))
 
 $(if $(readings_ratios),,$(error make readings: RATIOS must have others than $(nothing_generated), at which nothing is generated))
 $(if $(call fact,reading),,$(error make readings: [readings] of pipeline/protocol.toml names none))
