@@ -107,13 +107,11 @@ std::string read_url(TomlTable& record) {
   return url;
 }
 
-std::string read_sha256(TomlTable& record) {
-  std::string sum = record.optional_text("sha256");
+void require_sha256(const TomlTable& record, const std::string& sum) {
   const bool hexadecimal = sum.find_first_not_of("0123456789abcdef") == std::string::npos;
   if (!sum.empty() && (sum.size() != 64 || !hexadecimal)) {
     record.refuse("sha256", "must be 64 hexadecimal digits in lower case");
   }
-  return sum;
 }
 
 RecordSource read_record(TomlTable& table, const DatasetInfo& info) {
@@ -124,7 +122,8 @@ RecordSource read_record(TomlTable& table, const DatasetInfo& info) {
   record.sample_rate_hz = table.number("sample_rate_hz", ranges::described_rate_hz);
   record.shaft_speed_rpm = table.optional_number("shaft_speed_rpm", ranges::shaft_speed_rpm)
                                .value_or(info.shaft_speed_rpm);
-  record.sha256 = read_sha256(table);
+  record.sha256 = table.optional_text("sha256");
+  require_sha256(table, record.sha256);
   record.url = read_url(table);
   table.finish();
   return record;
