@@ -34,6 +34,18 @@ std::string in_our_words(const std::string& text) {
   return text.starts_with(theirs) ? "unknown option " + text.substr(theirs.size()) : text;
 }
 
+/// A pipe would be waited for.
+std::string require_file(const std::string& path) {
+  std::error_code ignored;
+  const auto there = std::filesystem::status(path, ignored);
+  if (!std::filesystem::exists(there) || std::filesystem::is_regular_file(there)) return {};
+  throw CLI::FileError(path + ": is not a file");
+}
+
+CLI::Option* add_config(CLI::App& app, const std::string& help) {
+  return app.set_config("--config", "", help)->check(CLI::Validator(require_file, ""));
+}
+
 int fail(const std::string& name, Exit exit, const std::string& line) {
   std::cerr << name << ": " << line << '\n';
   return static_cast<int>(exit);
@@ -67,8 +79,7 @@ Stage::Stage(std::string name, const std::string& summary, const std::string& ex
                "75 interrupted after a checkpoint (run the same command again)\n");
   app_->option_defaults()->always_capture_default();
   app_->get_formatter()->column_width(38);
-  app_->set_config("--config", "", "TOML file to read options from, table [" + name_ + "]")
-      ->group(files_group);
+  add_config(*app_, "TOML file to read options from, table [" + name_ + "]")->group(files_group);
   app_->config_formatter(std::make_shared<TomlConfig>(name_, ""));
   app_->allow_config_extras(CLI::config_extras_mode::error);
 }
@@ -96,7 +107,7 @@ std::string Stage::choose_variant(int argc, char** argv, const std::string& opti
   first.allow_config_extras(CLI::config_extras_mode::ignore_all);
   std::string variant;
   first.add_option(option, variant);
-  first.set_config("--config");
+  add_config(first, "");
   first.config_formatter(std::make_shared<TomlConfig>(name_, ""));
   try {
     first.parse(argc, argv);

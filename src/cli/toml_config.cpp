@@ -2,10 +2,13 @@
 
 #include <toml++/toml.h>
 
+#include <iterator>
 #include <sstream>
 
 #include "base/error.hpp"
+#include "cli/one_line.hpp"
 #include "cli/toml_options.hpp"
+#include "cli/toml_text.hpp"
 
 namespace piae::cli {
 
@@ -31,16 +34,15 @@ std::vector<std::string> values_of(const toml::node& node) {
 }  // namespace
 
 std::vector<CLI::ConfigItem> TomlConfig::from_config(std::istream& input) const {
+  const std::string text(std::istreambuf_iterator<char>(input), {});
   std::vector<CLI::ConfigItem> items;
   try {
-    for (const auto& [key, node] : options_of(toml::parse(input), program_, variant_)) {
+    for (const auto& [key, node] : options_of(parse_toml(text), program_, variant_)) {
       items.push_back({{}, std::string(key.str()), values_of(node)});
     }
-  } catch (const toml::parse_error& error) {
-    std::ostringstream line;
-    line << "not valid TOML: " << error.description() << " (line " << error.source().begin.line
-         << ")";
-    throw CLI::ConfigError(line.str());
+  } catch (const NotToml& error) {
+    throw CLI::ConfigError(
+        one_line(std::string(error.what()) + " (line " + std::to_string(error.line()) + ")"));
   } catch (const Error& error) {
     throw CLI::ConfigError(error.what());
   }

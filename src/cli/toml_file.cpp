@@ -1,10 +1,12 @@
 #include "cli/toml_file.hpp"
 
-#include <sstream>
+#include <string>
 #include <string_view>
 
 #include "artefact/file.hpp"
 #include "base/error.hpp"
+#include "cli/one_line.hpp"
+#include "cli/toml_text.hpp"
 
 namespace piae::cli {
 
@@ -12,12 +14,10 @@ toml::table parse_toml_file(const std::filesystem::path& file) {
   const std::vector<std::byte> bytes = artefact::read_file(file);
   const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
   try {
-    return toml::parse(text);
-  } catch (const toml::parse_error& error) {
-    std::ostringstream line;
-    line << file.string() << ", line " << error.source().begin.line
-         << ": not valid TOML: " << error.description();
-    throw Error(Exit::bad_input, line.str());
+    return parse_toml(text);
+  } catch (const NotToml& error) {
+    throw Error(Exit::bad_input, one_line(file.string() + ", line " + std::to_string(error.line()) +
+                                          ": " + error.what()));
   }
 }
 

@@ -41,7 +41,8 @@ void read_comments(const fs::path& path, Measurements& measurements) {
 Measured measured(const text::CsvLine& line) {
   const auto seed = line.number(3);
   const auto value = line.number(4);
-  if (!seed || *seed < 0 || std::trunc(*seed) != *seed) {
+  constexpr double most = 1e15;  // beyond, a double does not hold every whole number
+  if (!seed || *seed < 0 || *seed > most || std::trunc(*seed) != *seed) {
     line.refuse("'" + line.fields[3] + "' is not a seed");
   }
   if (!value) line.refuse("'" + line.fields[4] + "' is not a number");

@@ -1,7 +1,10 @@
 #include "cli/usage.hpp"
 
 #include <gmock/gmock.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
+#include <ctime>
 #include <regex>
 #include <vector>
 
@@ -29,6 +32,17 @@ TEST(Usage, CountsTheMemoryThatWasHeldAtMost) {
 TEST(Usage, CountsProcessorTimeUpwards) {
   const double before_s = used_now().first;
   EXPECT_GE(used_now().first, before_s);
+}
+
+TEST(Usage, CountsWhatItsProgramsHaveUsed) {
+  const double before_s = used_now().first;
+  const pid_t child = ::fork();
+  if (child == 0) {
+    while (std::clock() < CLOCKS_PER_SEC / 5) continue;
+    ::_exit(0);
+  }
+  ::waitpid(child, nullptr, 0);
+  EXPECT_GE(used_now().first, before_s + 0.15);
 }
 
 }  // namespace

@@ -311,4 +311,14 @@ test_interrupting_make_interrupts_the_stage() {
   [[ -e results/paper/real/seed0/C.h5 ]] || fail "what was finished is gone"
 }
 
+test_a_log_is_not_written_through_a_planted_link() {
+  own_stage <<<'echo done'
+  mkdir -p results/t/real/seed0
+  echo precious >victim
+  ln -s "$PWD/victim" results/t/real/seed0/own.log
+  expect_exit 1 step
+  expect_line "$(step 2>&1)" 'failed: cannot write results/t/real/seed0/own.log'
+  expect_equal "$(<victim)" precious
+}
+
 run_tests

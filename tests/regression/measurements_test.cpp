@@ -72,6 +72,10 @@ TEST_F(Stored, ReferenceThatIsDamagedOrMissingIsRefused) {
                  Exit::bad_input);
   expect_refused(made + header + "vae,10to1,accuracy,0.5,0.5\n", "'0.5' is not a seed",
                  Exit::bad_input);
+  expect_refused(made + header + "vae,10to1,accuracy,1e300,0.5\n", "'1e300' is not a seed",
+                 Exit::bad_input);
+  expect_refused(made + header + "vae,10to1,accuracy,\x1b[2J,0.5\n", "'?[2J' is not a seed",
+                 Exit::bad_input);
   expect_refused(made + header + "vae,10to1,accuracy,0,nan\n", "'nan' is not a number",
                  Exit::bad_input);
   std::filesystem::remove(folder_.path() / "random/cwru.csv");

@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include "stages/tiny.hpp"
 
@@ -102,6 +103,19 @@ TEST(Config, TheProtocolOfTheProjectIsUnderstoodByEveryStage) {
     const Outcome outcome = tiny.run(stage, with(step_of(stage).arguments, "--config", protocol));
     EXPECT_EQ(outcome.status, 66) << stage << ": " << outcome.err;
   }
+}
+
+TEST(Config, ThatIsAPipeOrADeepNestIsRefusedAtOnce) {
+  const Tiny tiny;
+  tiny.run_chain_before("split");
+  ASSERT_EQ(::mkfifo((tiny / "options.toml").c_str(), 0600), 0);
+  expect_refusal(tiny.run("split", split_files), "split", 66, {"options.toml", "not a file"});
+  expect_refusal(tiny.run("train", train_files), "train", 66, {"options.toml", "not a file"});
+  fs::remove(tiny / "options.toml");
+  std::string deep = "a";
+  for (int i = 0; i < 200000; ++i) deep += ".a";
+  tiny.write("options.toml", deep + " = 1\n");
+  expect_refusal(tiny.run("split", split_files), "split", 2, {"options.toml", "dots"});
 }
 
 }  // namespace

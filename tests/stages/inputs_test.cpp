@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <algorithm>
 #include <cmath>
@@ -7,6 +8,7 @@
 #include "artefact/writer.hpp"
 #include "stages/doctor.hpp"
 #include "stages/tiny.hpp"
+#include "support/harmful_files.hpp"
 
 /// What stages do with inputs that cannot be used.
 namespace piae::stages {
@@ -54,6 +56,8 @@ TEST_P(Inputs, AreRefusedWhenTheyCannotBeUsed) {
   expect_refused("nowhere.h5", 66, {"No such file"});
   fs::create_directory(tiny_ / "folder.h5");
   expect_refused("folder.h5", 66, {"not a file"});
+  ASSERT_EQ(::mkfifo((tiny_ / "pipe.h5").c_str(), 0600), 0);
+  expect_refused("pipe.h5", 66, {"not a file"});
 
   const std::string good = bytes_of(tiny_ / GetParam().file);
   expect_bytes_refused("empty.h5", "");
@@ -247,6 +251,31 @@ TEST_F(Ingest, RefusesFilesThatAreNotWhatTheirNamesSay) {
     folder_.write(name, "not what the name says");
     expect_refused(65, {file});
   }
+}
+
+TEST_F(Ingest, RefusesRecordingsAndDescriptionsThatArePipes) {
+  fs::remove(folder_ / "data/inner.csv");
+  ASSERT_EQ(::mkfifo((folder_ / "data/inner.csv").c_str(), 0600), 0);
+  expect_refused(66, {"data/inner.csv", "no such file"});
+  fs::remove(folder_ / "raw.toml");
+  ASSERT_EQ(::mkfifo((folder_ / "raw.toml").c_str(), 0600), 0);
+  expect_refused(66, {"raw.toml", "not a file"});
+}
+
+// What libraries read is read by another program, of which nothing is left and nothing else is
+// heard.
+TEST_F(Ingest, RefusesARecordingThatSaysToHoldMoreThanItCan) {
+  std::string description = raw_description();
+  description.replace(description.find("inner.csv"), 9, "inner.mat");
+  description.replace(description.rfind("acceleration"), 12, "x");
+  folder_.write("raw.toml", description);
+  folder_.write("data/inner.mat", harmful::claiming_v5());
+  expect_refused(65, {"data/inner.mat", "variable x is said to have 2147483647 values"});
+  arguments_ = {"--check", "--description", "raw.toml", "--data-dir", "data"};
+  const Outcome check = run();
+  EXPECT_EQ(check.status, 65);
+  EXPECT_NE(check.out.find("data/inner.mat: variable x is said to have"), std::string::npos)
+      << check.out;
 }
 
 TEST_F(Ingest, RefusesADescriptionThatIsMissingDamagedOrOfAnotherKind) {

@@ -35,6 +35,8 @@ TEST_P(Usage, UnknownOptionIsNamed) {
                  "--ratios", "100to1",   "--seeds",   "0",          "--output",  "x.md"};
   } else if (GetParam() == std::string("identify")) {
     arguments = {"--run", "run", "--dataset", "tiny", "--methods", "piae-dt", "--seeds", "0"};
+  } else if (GetParam() == std::string("read_raw")) {
+    arguments = {"--file", "tiny.csv", "--variable", "1"};
   } else if (GetParam() == std::string("check")) {
     arguments = {"--run", "run", "--reference", "reference"};
   } else if (GetParam() != std::string("verify")) {
@@ -48,7 +50,7 @@ TEST_P(Usage, UnknownOptionIsNamed) {
 INSTANTIATE_TEST_SUITE_P(Stages, Usage,
                          testing::Values("ingest", "simulate", "split", "train", "generate",
                                          "score", "diagnose", "tabulate", "sweep", "check",
-                                         "contrast", "identify", "verify"),
+                                         "contrast", "identify", "verify", "read_raw"),
                          [](const auto& info) { return info.param; });
 
 TEST(Usage, TrainHelpShowsTheOptionsOfTheMethod) {

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <toml++/toml.h>
+
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+namespace piae::cli {
+
+/// A text that is no TOML, or none that is read here: what is wrong, and in which line.
+class NotToml : public std::runtime_error {
+ public:
+  NotToml(std::size_t line, const std::string& what) : std::runtime_error(what), line_(line) {}
+  [[nodiscard]] std::size_t line() const { return line_; }
+
+ private:
+  std::size_t line_;
+};
+
+/// Parses a TOML text. Throws NotToml, also where it is so large, or its tables are nested so
+/// deeply, that the parser would take all memory for it.
+toml::table parse_toml(std::string_view text);
+
+}  // namespace piae::cli
