@@ -22,12 +22,20 @@ const CatalogueEntry& entry_of(const artefact::Reader& model) {
   return *entry;
 }
 
+/// What a model holds for those who look at it later.
+void require_record_of_training(const artefact::Reader& model) {
+  if (model.has("/curves/reconstruction")) twin::Curves().read(model);
+  if (twin::has_outcome(model)) (void)twin::read_outcome(model);
+  if (model.has("/inference")) (void)phase::read_inference(model);
+}
+
 }  // namespace
 
 std::unique_ptr<Method> method_of(const artefact::Reader& model) { return entry_of(model).make(); }
 
 signal::WindowSet generate_with(Method& method, const artefact::Reader& model, std::size_t count,
                                 const Stream& stream, const Compute& compute) {
+  require_record_of_training(model);
   signal::WindowSet windows = method.generate(model, count, stream, compute);
   if (!std::ranges::all_of(windows.samples, [](float x) { return std::isfinite(x); })) {
     model.refuse("/", "makes windows with NaN or infinite samples; train it again");
@@ -45,14 +53,12 @@ void require_usable(const artefact::Reader& model) {
   const CatalogueEntry& entry = entry_of(model);
   (void)signal::read_origin(model);
   if (needs_libtorch_always(entry)) {
+    require_record_of_training(model);
     (void)twin::read_model_description(model);
     (void)twin::ClassSpaces(model);
   } else {
     (void)generate_with(*entry.make(), model, 1, Stream("verify"), {});
   }
-  if (model.has("/curves/reconstruction")) twin::Curves().read(model);
-  if (twin::has_outcome(model)) (void)twin::read_outcome(model);
-  if (model.has("/inference")) (void)phase::read_inference(model);
 }
 
 }  // namespace piae::augment

@@ -13,8 +13,9 @@ namespace piae::augment {
 /// The method that made a model. Throws artefact::Refusal for a name that no method has.
 std::unique_ptr<Method> method_of(const artefact::Reader& model);
 
-/// What method.generate() makes of the model. Throws artefact::Refusal also where it makes samples
-/// that are not finite, as it does of weights that no training leaves.
+/// What method.generate() makes of the model. Throws artefact::Refusal also for curves and the like
+/// that no training has, and where it makes samples that are not finite, as it does of weights that
+/// no training leaves.
 signal::WindowSet generate_with(Method& method, const artefact::Reader& model, std::size_t count,
                                 const Stream& stream, const Compute& compute);
 

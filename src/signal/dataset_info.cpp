@@ -66,11 +66,11 @@ std::vector<ClassInfo> read_classes(const artefact::Reader& reader) {
 /// Refuses a bearing, defects or a list of classes that cannot be.
 void require_possible(const artefact::Reader& reader, const DatasetInfo& info) {
   try {
+    (void)info.healthy_label();
     bearing::validate(info.bearing);
     for (const ClassInfo& c : info.classes) {
       bearing::validate(info.bearing, {c.defect, c.defect_size_mm});
     }
-    (void)info.healthy_label();
   } catch (const Error& error) {
     reader.refuse("/bearing or /classes", std::string("cannot be: ") + error.what());
   }

@@ -91,13 +91,11 @@ std::string read_file_name(TomlTable& record) {
   return name;
 }
 
-std::string read_sha256(TomlTable& record) {
-  std::string sum = record.optional_text("sha256");
+void require_sha256(const TomlTable& record, const std::string& sum) {
   const bool hexadecimal = sum.find_first_not_of("0123456789abcdef") == std::string::npos;
   if (!sum.empty() && (sum.size() != 64 || !hexadecimal)) {
     record.refuse("sha256", "must be 64 hexadecimal digits in lower case");
   }
-  return sum;
 }
 
 RecordSource read_record(TomlTable& table, const DatasetInfo& info) {
@@ -105,10 +103,11 @@ RecordSource read_record(TomlTable& table, const DatasetInfo& info) {
   record.label = label_of(info, table);
   record.file = read_file_name(table);
   record.variable = table.text("variable");
-  record.sample_rate_hz = table.number("sample_rate_hz", ranges::sample_rate_hz);
+  record.sample_rate_hz = table.number("sample_rate_hz", ranges::described_rate_hz);
   record.shaft_speed_rpm = table.optional_number("shaft_speed_rpm", ranges::shaft_speed_rpm)
                                .value_or(info.shaft_speed_rpm);
-  record.sha256 = read_sha256(table);
+  record.sha256 = table.optional_text("sha256");
+  require_sha256(table, record.sha256);
   record.url = table.optional_text("url");
   table.finish();
   return record;
@@ -202,6 +201,9 @@ Description read_description(const fs::path& file) {
   const auto rate = root.optional_number("sample_rate_hz", ranges::sample_rate_hz);
   root.finish();
   description.info.sample_rate_hz = rate ? *rate : common_rate(root, description.records);
+  if (!ranges::sample_rate_hz.holds(description.info.sample_rate_hz)) {
+    root.refuse("sample_rate_hz", "is that of the records, and " + ranges::sample_rate_hz.rule());
+  }
   name_records(description.info, description.records);
   std::ranges::sort(description.records, {}, &RecordSource::name);
   require_different_names(file, description.records);

@@ -44,7 +44,7 @@ Record read_record(const artefact::Reader& reader, const std::string& name, std:
   }
   record.label = static_cast<Label>(label);
   record.original_sample_rate_hz =
-      reader.real(path, "original_sample_rate_hz", ranges::sample_rate_hz);
+      reader.real(path, "original_sample_rate_hz", ranges::described_rate_hz);
   record.shaft_speed_rpm = reader.real(path, "shaft_speed_rpm", ranges::shaft_speed_rpm);
   record.source = reader.text(path, "source");
   record.source_sha256 = reader.text(path, "source_sha256");

@@ -1,8 +1,5 @@
 #include "twin/outcome.hpp"
 
-#include <algorithm>
-#include <array>
-
 #include "twin/ranges.hpp"
 
 namespace piae::twin {
@@ -14,15 +11,6 @@ const std::string attribute = "open_contacts";
 
 WeightedLoss last_of(const std::vector<double>& losses, const std::vector<double>& weights) {
   return {.loss = losses.back(), .weight = weights.back()};
-}
-
-/// At least one, and as many of each curve.
-bool have_an_epoch(const Curves& curves) {
-  const std::array columns{&curves.differential, &curves.twin, &curves.reconstruction,
-                           &curves.alpha,        &curves.beta, &curves.gamma};
-  return !curves.alpha.empty() && std::ranges::all_of(columns, [&](const auto* column) {
-    return column->size() == curves.alpha.size();
-  });
 }
 
 /// The three losses, of curves that have an epoch.
@@ -50,7 +38,7 @@ bool has_outcome(const artefact::Reader& model) {
 Outcome read_outcome(const artefact::Reader& model) {
   Curves curves;
   curves.read(model);
-  if (!have_an_epoch(curves)) model.refuse("/curves", "has no epoch");
+  if (curves.total.empty()) model.refuse("/curves", "has no epoch");
   Outcome outcome = ends_of(curves);
   outcome.states = read_points(model, group + "/points");
   outcome.open_contacts = model.integer(group, attribute, ranges::open_contacts);

@@ -133,7 +133,7 @@ TEST(WindowSet, IsRefusedWhereItsPartsDoNotFit) {
                  s.samples.clear();
                  s.length = 0;
                }),
-               Exit::bad_input, "/windows holds windows without samples");
+               Exit::bad_input, "/windows has windows of 0 samples");
 }
 
 }  // namespace

@@ -28,7 +28,9 @@ bool is_refused(const Curves& curves) {
   try {
     read_outcome(artefact::Reader(file, "model"));
   } catch (const artefact::Refusal& refusal) {
-    return std::string(refusal.what()).find("has no epoch") != std::string::npos;
+    const std::string line = refusal.what();
+    return line.find("has no epoch") != std::string::npos ||
+           line.find("is not as long as") != std::string::npos;
   }
   return false;
 }

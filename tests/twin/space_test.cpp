@@ -6,6 +6,7 @@
 #include <map>
 
 #include "base/error.hpp"
+#include "support/three_classes.hpp"
 
 namespace piae::twin {
 namespace {
@@ -75,6 +76,7 @@ const std::vector<Label> labels_of_two{1, 1, 2, 2};
 ClassSpaces stored(const std::string& name, const std::vector<Label>& labels) {
   const auto path = std::filesystem::path(testing::TempDir()) / name;
   artefact::Writer writer("model");
+  signal::write(writer, three_classes());
   TwinSpace(four_points, 3).write(writer);
   if (!labels.empty()) write_labels_of_space(writer, labels);
   writer.save(path, {});
@@ -93,6 +95,12 @@ TEST(ClassSpaces, AreOfTheWindowsOfEachClassWithLabels) {
   EXPECT_EQ(spaces.of(2).counts(), own.counts());
   EXPECT_EQ(spaces.of(2).k_edges(), own.k_edges());
   EXPECT_EQ(spaces.of(2).points().size(), 2U);
+}
+
+TEST(ClassSpaces, AreRefusedWhereAClassHasNoWindow) {
+  for (const std::vector<Label>& labels : {std::vector<Label>{1, 1, 1, 1}, {1, 1, 2, 3}}) {
+    EXPECT_THROW((void)stored("no_window.h5", labels), artefact::Refusal);
+  }
 }
 
 }  // namespace
