@@ -19,7 +19,8 @@
 # - A job that is requeued waits two minutes; `scontrol update JobId=N StartTime=now` skips them.
 # - A slurmctld that is killed within 3 s of a submission has forgotten the job: wait before restart_ctld.
 # - `scancel --signal=TERM` goes to the steps; with --batch to the batch script, and with --full to both.
-# - A node that was lost is DOWN for SlurmdTimeout; its slurmd back again, ReturnToService makes it idle.
+# - A node that was lost is DOWN after SlurmdTimeout; its slurmd back again, ReturnToService makes it idle. Back
+#   before that, the jobs that it had run for ever (is_down NODE tells).
 # - Time limits are in minutes, and are looked at every few seconds: --time=1 ends after 60 to 70 s.
 # - A step in an allocation waits for others unless --exact, and for memory unless --mem= says how much.
 
@@ -193,6 +194,7 @@ until_true() { # what is waited for, command...
 }
 
 all_idle() { [[ $(sinfo --noheader --partition=all --Format=StateLong | sort -u) == idle* ]]; }
+is_down() { sinfo --noheader --nodes="$1" --format=%t | grep -q down; }
 wait_for_nodes() { until_true "all nodes are idle" all_idle; }
 
 no_jobs() { [[ ! $(squeue --noheader) ]]; }

@@ -46,31 +46,52 @@ lay_out_event() {
 options=(-k -j2 tables)
 start_steps() { # further options of srun
   "${tiny[@]}" "${options[@]}" SUBMIT="$one_job_a_step $1" >messages 2>&1 &
-  make=$! job=
+  make=$!
+  job=
 }
 start_batch() {
   { printf '#!/bin/bash\n' && printf '%q ' "${tiny[@]}" "${options[@]}" "SUBMIT=$one_job_a_step --exact"; } >job
   job=$(sbatch --parsable --requeue --nodes=1 --ntasks=2 --mem=2000 --output=messages --open-mode=append job)
 }
 has_ended() {
-  if [[ $job ]]; then in_state COMPLETED "$job" || in_state FAILED "$job"; else ! kill -0 "$make"; fi
+  if [[ $job ]]; then
+    in_state COMPLETED "$job" || in_state FAILED "$job"
+  else
+    [[ ! $(jobs -r) ]]
+  fi
 }
 ended_well() {
   if [[ $job ]]; then in_state COMPLETED "$job"; else wait "$make"; fi
 }
 
 # ---- the events: each starts the run, and happens to it ------------------------------------------------------
-some_time() { sleep "$((RANDOM % 3)).$((RANDOM % 10))"; }
+some_time() { sleep "$((RANDOM % 2)).$((RANDOM % 10))"; }
 one_of() { shuf --head-count=1 --random-source=<(yes $RANDOM); }
-# Of those that run now; where the moment has none, of the next.
-a_process_of() { # programs
-  local program found=
-  until [[ $found ]]; do
-    found=$(for program; do running "$program"; done | one_of)
+stages=("$programs"/{train,generate,score,diagnose,tabulate})
+# Of the processes that run now, one; if it has just ended, of the next.
+hit() { # signal, programs
+  local process
+  until has_ended && too_late=yes; do
+    process=$(for program in "${@:2}"; do running "$program"; done | one_of)
+    [[ ! $process ]] || ! kill "-$1" "$process" || return 0
+  done
+}
+# srun is two processes, of which the second looks after the first.
+hit_srun() { # signal
+  local process
+  until has_ended && too_late=yes; do
+    process=$(running "$(command -v srun)" | head -n 1)
+    [[ ! $process ]] || ! kill "-$1" "$process" || return 0
+  done
+}
+a_running_job() { # what squeue says of it
+  local found
+  until has_ended && too_late=yes; do
+    found=$(squeue --noheader --states=RUNNING --format="$1" | one_of)
+    [[ ! $found ]] || break
   done
   echo "$found"
 }
-stages=("$programs"/{train,generate,score,diagnose,tabulate})
 
 start_and_wait() {
   start_steps "$@"
@@ -79,34 +100,33 @@ start_and_wait() {
 }
 term_to_srun() {
   start_and_wait ''
-  kill -TERM "$(a_process_of "$(command -v srun)")"
+  hit_srun TERM
 }
 term_to_a_stage() {
   start_and_wait ''
-  kill -TERM "$(a_process_of "${stages[@]}")"
+  hit TERM "${stages[@]}"
 }
 kill_to_a_stage() {
   start_and_wait ''
-  kill -KILL "$(a_process_of "${stages[@]}")"
+  hit KILL "${stages[@]}"
 }
 scancel_a_step() {
   start_and_wait ''
-  local running=
-  until [[ $running ]]; do running=$(squeue --noheader --states=RUNNING --format=%i | one_of); done
-  scancel "$running"
+  scancel "$(a_running_job %i)"
 }
 # A minute is the least that Slurm allows; meanwhile the stage stands still.
 time_limit() {
   start_steps --time=1
   wait_until_it_trains
-  kill -STOP "$(a_process_of "$programs/train")"
+  hit STOP "$programs/train"
 }
 slurmd_killed() {
   start_and_wait ''
-  local node=
-  until [[ $node ]]; do node=$(squeue --noheader --states=RUNNING --format=%N | one_of); done
+  local node
+  node=$(a_running_job %N)
   kill_node "$node"
-  sleep 12 # SlurmdTimeout: until then the node is waited for
+  # A slurmd that comes back before it is missed leaves its jobs running for ever.
+  until_true "$node is down" is_down "$node"
   start_node "$node"
 }
 slurmctld_restarted() {
@@ -138,7 +158,7 @@ finish() { # sets `happened`
   until_true "the run ends" has_ended || return
   lost_checkpoint && lost=yes
   if ended_well; then
-    happened="ended by itself"
+    happened="ended by itself${too_late:+; the event came too late}"
     return
   fi
   until "${tiny[@]}" "${options[@]}" SUBMIT="$one_job_a_step" >messages 2>&1; do
@@ -149,7 +169,7 @@ finish() { # sets `happened`
 
 failures=0
 event() { # number, kind
-  local began=$SECONDS happened="DID NOT END" lost='' result=same
+  local began=$SECONDS happened="DID NOT END" lost='' too_late='' result=same
   lay_out_event
   "$2" 2>>events.log
   finish
@@ -160,7 +180,7 @@ event() { # number, kind
     failures=$((failures + 1))
     head -n 5 difference messages
   } >&2
-  printf '%3d  %-20s %-34s %4d s  %s\n' "$1" "${2//_/ }" "$happened" $((SECONDS - began)) "$result"
+  printf '%3d  %-20s %-38s %4d s  %s\n' "$1" "${2//_/ }" "$happened" $((SECONDS - began)) "$result"
   until_true "no job is left" no_jobs
   wait_for_nodes
 }
