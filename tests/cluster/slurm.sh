@@ -3,8 +3,8 @@
 # since without munge their ports are open to whoever reaches them. To be sourced; the script that does is
 # started anew in the namespace. It is up in a second, also as an ordinary user.
 #
-#   slurm_up, slurm_down           start it in $slurm_folder, a new one; end all of it, which is also done at
-#                                  the script's exit
+#   slurm_up, slurm_down           start it in $slurm_folder, a new one; end all of it, which the script's exit
+#                                  does, too
 #   wait_for_job STATE [JOB]       until a job, or any, is in that state (RUNNING, PENDING, COMPLETED, ...)
 #   wait_for_nodes                 until all nodes are idle
 #   kill_node NODE, start_node NODE    its slurmd, its stepd and what ran on it, by SIGKILL, as when a node

@@ -1,4 +1,5 @@
 # shellcheck shell=bash
+# shellcheck disable=SC2154 # the two that come before it set what it reads
 # The tiny grid of tests/reference with the programs themselves, for tests on a Slurm; to be sourced after
 # slurm.sh and tests/pipeline/support.sh. Its training is some seconds long, so that it can be stopped.
 

@@ -1,7 +1,7 @@
 #!/bin/bash
-# A storm over a run on a real Slurm: first each kind of event once, then others by chance. After each the run
-# must end by itself or by the same command, with the bytes of `make -j2`, and no checkpoint may be lost. Prints
-# a line for each event.
+# A storm over a run on a real Slurm: first each kind of event once, then others by chance. After each the
+# run must end by itself or by the same command, with the bytes of `make -j2`, and no checkpoint may be lost.
+# Prints a line for each event.
 # usage: tests/storm/cluster.sh [EVENTS [SEED]]      20 and 0; exit 77 where there is no Slurm
 # shellcheck source-path=SCRIPTDIR
 source "${0%/*}/../cluster/slurm.sh"
@@ -10,7 +10,8 @@ source "${0%/*}/../cluster/tiny_grid.sh"
 
 events=${1:-20}
 RANDOM=$((${2:-0} + 1))
-kinds=(term_to_srun term_to_a_stage kill_to_a_stage scancel_a_step time_limit slurmd_killed slurmctld_restarted requeue)
+kinds=(term_to_srun term_to_a_stage kill_to_a_stage scancel_a_step time_limit slurmd_killed
+  slurmctld_restarted requeue)
 
 # Once: a checkpoint of each seed, so that every event has one to lose.
 make_checkpoints() {
@@ -42,7 +43,7 @@ lay_out_event() {
   done
 }
 
-# ---- the run: a job for each step, or one job for all ------------------------------------------------------
+# ---- the run: a job for each step, or one job for all ---------------------------------------------------
 options=(-k -j2 tables)
 start_steps() { # further options of srun
   "${tiny[@]}" "${options[@]}" SUBMIT="$one_job_a_step $1" >messages 2>&1 &
@@ -64,7 +65,7 @@ ended_well() {
   if [[ $job ]]; then in_state COMPLETED "$job"; else wait "$make"; fi
 }
 
-# ---- the events: each starts the run, and happens to it ------------------------------------------------------
+# ---- the events: each starts the run, and happens to it --------------------------------------------------
 some_time() { sleep "$((RANDOM % 2)).$((RANDOM % 10))"; }
 one_of() { shuf --head-count=1 --random-source=<(yes $RANDOM); }
 stages=("$programs"/{train,generate,score,diagnose,tabulate})
@@ -143,7 +144,7 @@ requeue() {
   until_true "job $job waits" in_state PENDING "$job" && scontrol update JobId="$job" StartTime=now
 }
 
-# ---- what has become of it -----------------------------------------------------------------------------------
+# ---- what has become of it --------------------------------------------------------------------------------
 lost_checkpoint() {
   local folder
   for folder in results/tiny/tiny/seed*/piae-dt; do
