@@ -120,13 +120,10 @@ end_after_us() {
 
 # The process ids of all in the namespace but this script's own.
 in_namespace() {
-  local process here
-  here=$(readlink /proc/self/ns/net)
-  for process in /proc/[0-9]*; do
-    [[ $(readlink "$process/ns/net" 2>/dev/null) == "$here" ]] || continue
-    process=${process#/proc/}
-    ((process == $$ || process == BASHPID)) || echo "$process"
-  done
+  local here
+  here=$(stat --dereference --format=%i /proc/self/ns/net)
+  stat --dereference --format='%i %n' /proc/[0-9]*/ns/net 2>/dev/null |
+    awk -F '[ /]' -v here="$here" -v script=$$ '$1 == here && $4 != script { print $4 }'
 }
 
 slurm_down() {
@@ -158,7 +155,7 @@ on_node() { # node
 running() { # its file
   local process
   for process in $(in_namespace | sort -n); do
-    [[ $(readlink "/proc/$process/exe" 2>/dev/null) != "$1" ]] || echo "$process"
+    [[ ! "/proc/$process/exe" -ef $1 ]] || echo "$process"
   done
 }
 

@@ -14,7 +14,7 @@ lay_out_grid() {
   mkdir -p pipeline/datasets results
   cp "$project/tests/reference/tiny.toml" pipeline/datasets
   cp "$project/tests/reference/protocol.toml" pipeline
-  sed -i 's/^epochs = 20/epochs = 3000/' pipeline/protocol.toml
+  sed -i 's/^epochs = 20/epochs = 5000/' pipeline/protocol.toml
   cp -r "$project/results/published" results
 }
 
