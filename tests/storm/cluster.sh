@@ -169,7 +169,7 @@ finish() { # sets `happened`
 }
 
 failures=0
-event() { # number, kind
+event() { # number, kind; fails where the run was over before it
   local began=$SECONDS happened="DID NOT END" lost='' too_late='' result=same
   lay_out_event
   "$2" 2>>events.log
@@ -181,9 +181,10 @@ event() { # number, kind
     failures=$((failures + 1))
     head -n 5 difference messages
   } >&2
-  printf '%3d  %-20s %-38s %4d s  %s\n' "$1" "${2//_/ }" "$happened" $((SECONDS - began)) "$result"
+  printf '%3d  %-20s %-41s %4d s  %s\n' "$1" "${2//_/ }" "$happened" $((SECONDS - began)) "$result"
   until_true "no job is left" no_jobs
   wait_for_nodes
+  [[ ! $too_late ]]
 }
 
 slurm_up
@@ -195,7 +196,7 @@ cp -r "$project"/{Makefile,pipeline,jobs} "$scratch"
 cd "$scratch" || exit
 for ((i = 1; i <= events; ++i)); do
   if ((i <= ${#kinds[@]})); then kind=${kinds[i - 1]}; else kind=${kinds[RANDOM % ${#kinds[@]}]}; fi
-  event "$i" "$kind"
+  event "$i" "$kind" || event "$i" "$kind"
 done
 echo "$events events on a Slurm, $failures of them with other bytes, a lost checkpoint or no end"
 ((failures == 0))
