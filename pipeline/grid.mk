@@ -149,7 +149,7 @@ out_of_date = $(shell pipeline/out_of_date.sh $1 $(MAKE) --file=pipeline/grid.mk
 # that which concerns these files.
 up_to_date  = $(filter-out $(addprefix $1/,$3 $(3:%=%/%)),$2)
 concerning  = $(foreach name,$3,$(if $(filter $1/$(name) $1/$(name)/%,$2),$(name)))
-leave_out   = $(if $1,--leave-out $1 )
+leave_out   = $(if $(strip $1),--leave-out $(strip $1) )
 
 # ---- tables -------------------------------------------------------------------------------------
 table_names  := accuracy.csv gains.csv quality.csv comparisons.csv ranks.csv tables.md tables.tex summary.txt

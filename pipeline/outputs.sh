@@ -1,4 +1,5 @@
 # shellcheck shell=bash
+# shellcheck disable=SC2154 # step.sh sets what it reads
 # What a step makes, and whether it has; to be sourced by step.sh, whose variables it reads.
 
 time_of() { stat --format=%.6Y "$1"; }

@@ -91,8 +91,8 @@ note_what_is_there
 submitted=$(now)
 exec 3> >(show_and_log)
 reader=$!
-# In a process group of its own where a command stands before the stage: Ctrl-C, which a terminal sends to all,
-# shall reach it by way of us alone.
+# In a process group of its own where a command stands before the stage: Ctrl-C, which a terminal sends to
+# all, shall reach it by way of us alone.
 [[ ! $SUBMIT ]] || set -m
 # SUBMIT is a command with its options: its words are meant to be split.
 # shellcheck disable=SC2086
@@ -104,6 +104,7 @@ exec 3>&-
 # A signal is passed on, and the stage waited for: it may be writing a checkpoint. srun passes USR1 on, and
 # kills the stage at once for any other. Before the stage has started USR1 is for nobody: TERM then takes it
 # out of the queue.
+# shellcheck disable=SC2317 # the trap calls it
 stop_it() {
   stopped=yes signalled=1
   if [[ $SUBMIT ]] && has_started; then

@@ -3,8 +3,8 @@
 # since without munge their ports are open to whoever reaches them. To be sourced; the script that does is
 # started anew in the namespace. It is up in a second, also as an ordinary user.
 #
-#   slurm_up, slurm_down           start it in $slurm_folder, a new one; end all of it, which is also done at
-#                                  the script's exit
+#   slurm_up, slurm_down           start it in $slurm_folder, a new one; end all of it, which the script's exit
+#                                  does, too
 #   wait_for_job STATE [JOB]       until a job, or any, is in that state (RUNNING, PENDING, COMPLETED, ...)
 #   wait_for_nodes                 until all nodes are idle
 #   kill_node NODE, start_node NODE    its slurmd, its stepd and what ran on it, by SIGKILL, as when a node
@@ -19,7 +19,8 @@
 # - A job that is requeued waits two minutes; `scontrol update JobId=N StartTime=now` skips them.
 # - A slurmctld that is killed within 3 s of a submission has forgotten the job: wait before restart_ctld.
 # - `scancel --signal=TERM` goes to the steps; with --batch to the batch script, and with --full to both.
-# - A node that was lost is DOWN for SlurmdTimeout; its slurmd back again, ReturnToService makes it idle.
+# - A node that was lost is DOWN after SlurmdTimeout; its slurmd back again, ReturnToService makes it idle. Back
+#   before that, the jobs that it had run for ever (is_down NODE tells).
 # - Time limits are in minutes, and are looked at every few seconds: --time=1 ends after 60 to 70 s.
 # - A step in an allocation waits for others unless --exact, and for memory unless --mem= says how much.
 
@@ -119,13 +120,10 @@ end_after_us() {
 
 # The process ids of all in the namespace but this script's own.
 in_namespace() {
-  local process here
-  here=$(readlink /proc/self/ns/net)
-  for process in /proc/[0-9]*; do
-    [[ $(readlink "$process/ns/net" 2>/dev/null) == "$here" ]] || continue
-    process=${process#/proc/}
-    ((process == $$ || process == BASHPID)) || echo "$process"
-  done
+  local here
+  here=$(stat --dereference --format=%i /proc/self/ns/net)
+  stat --dereference --format='%i %n' /proc/[0-9]*/ns/net 2>/dev/null |
+    awk -F '[ /]' -v here="$here" -v script=$$ '$1 == here && $4 != script { print $4 }'
 }
 
 slurm_down() {
@@ -157,7 +155,7 @@ on_node() { # node
 running() { # its file
   local process
   for process in $(in_namespace | sort -n); do
-    [[ $(readlink "/proc/$process/exe" 2>/dev/null) != "$1" ]] || echo "$process"
+    [[ ! "/proc/$process/exe" -ef $1 ]] || echo "$process"
   done
 }
 
@@ -193,6 +191,7 @@ until_true() { # what is waited for, command...
 }
 
 all_idle() { [[ $(sinfo --noheader --partition=all --Format=StateLong | sort -u) == idle* ]]; }
+is_down() { sinfo --noheader --nodes="$1" --format=%t | grep -q down; }
 wait_for_nodes() { until_true "all nodes are idle" all_idle; }
 
 no_jobs() { [[ ! $(squeue --noheader) ]]; }

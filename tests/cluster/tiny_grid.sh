@@ -1,4 +1,5 @@
 # shellcheck shell=bash
+# shellcheck disable=SC2154 # the two that come before it set what it reads
 # The tiny grid of tests/reference with the programs themselves, for tests on a Slurm; to be sourced after
 # slurm.sh and tests/pipeline/support.sh. Its training is some seconds long, so that it can be stopped.
 
@@ -13,7 +14,7 @@ lay_out_grid() {
   mkdir -p pipeline/datasets results
   cp "$project/tests/reference/tiny.toml" pipeline/datasets
   cp "$project/tests/reference/protocol.toml" pipeline
-  sed -i 's/^epochs = 20/epochs = 3000/' pipeline/protocol.toml
+  sed -i 's/^epochs = 20/epochs = 5000/' pipeline/protocol.toml
   cp -r "$project/results/published" results
 }
 

@@ -54,8 +54,8 @@ TEST(StepLog, OfAnOlderRunHasNoProcessorTime) {
 
 TEST(StepLog, BeginsWhenItsPlaceInAQueueHasCome) {
   const Folder folder;
-  const auto log = read_step_log(folder.write(
-      "train.log", log_text(100, "step: waited 20.5 s\nstep: exit 0 after 0.6 s\n")));
+  const auto log = read_step_log(
+      folder.write("train.log", log_text(100, "step: waited 20.5 s\nstep: exit 0 after 0.6 s\n")));
   EXPECT_THAT(log.begun_s, testing::Optional(DoubleNear(120.5, 1e-6)));
   EXPECT_EQ(log.elapsed_s, 0.6);
 }

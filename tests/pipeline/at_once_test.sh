@@ -49,4 +49,33 @@ test_four_makes_after_a_change_do_what_one_does() {
   done
 }
 
+# A large array. What tables are of differs from make to make, and is nothing to cells.
+test_a_hundred_makes_all_succeed() {
+  echo 'name = "real"' >pipeline/datasets/real.toml
+  local seed makes=()
+  for ((seed = 0; seed < 100; ++seed)); do
+    cells "SEEDS=$seed" >"messages-$seed" 2>&1 &
+    makes+=($!)
+  done
+  for seed in "${!makes[@]}"; do
+    wait "${makes[seed]}" || fail "seed $seed: $(<"messages-$seed")"
+  done
+  expect_equal "$(ls results/t/.settings)" \
+    "$(printf '%s\n' datasets diagnose.toml generate.toml score.toml split.toml train.smote.toml)"
+}
+
+# Tables of what there is, while others are only begun.
+test_tables_are_made_while_cells_are() {
+  echo 'name = "real"' >pipeline/datasets/real.toml
+  local seed makes=()
+  for ((seed = 0; seed < 12; ++seed)); do
+    make --silent tables BIN=fake RUN=t DATASETS=real METHODS="none smote" RATIOS="100to1 10to1" "SEEDS=$seed" \
+      >"messages-$seed" 2>&1 &
+    makes+=($!)
+  done
+  for seed in "${!makes[@]}"; do
+    wait "${makes[seed]}" || fail "seed $seed: $(<"messages-$seed")"
+  done
+}
+
 run_tests

@@ -517,6 +517,15 @@ test_a_lost_table_comes_back() {
   done
 }
 
+# As a make at the same time leaves them. An empty --leave-out would swallow the next option.
+test_seeds_that_are_only_begun_are_nothing_to_the_tables() {
+  finished_grid
+  mkdir results/t/real/seed{7,8}
+  rm results/t/real/accuracy.csv
+  grid DATASETS=real SEEDS=0 >/dev/null
+  expect_line "$(<results/t/real/accuracy.csv)" "--seeds 0 --published"
+}
+
 test_a_dry_run_and_a_question_write_nothing() {
   describe
   grid -n >/dev/null

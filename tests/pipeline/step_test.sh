@@ -84,7 +84,7 @@ test_what_another_make_has_done_meanwhile_is_not_done_again() {
   expect_line "$(<messages)" '^real/seed0 +own +done meanwhile by another make$'
   expect_equal "$(wc -l <calls)" 1
   # The same step, sent elsewhere.
-  SUBMIT=env run
+  SUBMIT="env" run
   expect_equal "$(wc -l <calls)" 1
   # Not, when it is another step, when what it names has changed, or when make has looked later.
   ASKED_AT=$asked_at step --input input --more --output $made >/dev/null
@@ -112,7 +112,10 @@ test_tables_that_another_make_has_made_meanwhile_are_not_made_again() {
   asked_at=$(date +%s.%6N)
   mkdir -p $folder/seed0/smote results/published
   touch $folder/seed0/smote/score.h5
-  tables() { ASKED_AT=$asked_at pipeline/step.sh $folder own --run results/t --published results/published -- $folder/table.csv; }
+  tables() {
+    ASKED_AT=$asked_at pipeline/step.sh $folder own --run results/t --published results/published \
+      -- $folder/table.csv
+  }
   sleep 0.05
   tables >/dev/null
   expect_line "$(tables)" 'done meanwhile by another make$'
@@ -157,15 +160,16 @@ test_a_step_that_has_not_made_its_files_anew_has_failed() {
 test_a_step_elsewhere_that_names_no_files_has_said_what_it_used() {
   own_stage <<<'exit 0'
   expect_exit 0 step
-  SUBMIT=env expect_exit 1 step
+  SUBMIT="env" expect_exit 1 step
   own_stage <<<'echo "step: used 1.00 s of processor time and 10 MB of memory" >&2'
-  SUBMIT=env expect_exit 0 step
+  SUBMIT="env" expect_exit 0 step
 }
 
 test_says_that_memory_may_have_been_short() {
   # shellcheck disable=SC2016
   own_stage <<<'kill -KILL $$'
-  expect_line "$(step 2>&1 || true)" 'failed with exit code 137 after [0-9.]+ s: killed, perhaps for want of memory \(log'
+  expect_line "$(step 2>&1 || true)" \
+    'failed with exit code 137 after [0-9.]+ s: killed, perhaps for want of memory \(log'
   expect_line "$(<results/t/real/seed0/own.log)" '^own: killed, perhaps for want of memory$'
   own_stage <<<'echo "slurmstepd: error: Detected 1 oom_kill event in StepId=5.0." >&2; exit 1'
   expect_line "$(step 2>&1 || true)" 'failed with exit code 1 .*: killed, perhaps for want of memory'
@@ -194,7 +198,8 @@ test_stages_get_one_thread_whatever_the_login_shell_says() {
   # shellcheck disable=SC2016
   own_stage <<<'echo "threads $OMP_NUM_THREADS $OPENBLAS_NUM_THREADS ${OMP_SCHEDULE-unset} ${GLIBC_TUNABLES//[^=]/}"'
   expect_line "$(step)" 'threads 1 1 unset ===$'
-  expect_line "$(OMP_NUM_THREADS=3 OPENBLAS_NUM_THREADS=3 OMP_SCHEDULE=dynamic GLIBC_TUNABLES=a=1 step)" 'threads 1 1 unset ===$'
+  expect_line "$(OMP_NUM_THREADS=3 OPENBLAS_NUM_THREADS=3 OMP_SCHEDULE=dynamic GLIBC_TUNABLES=a=1 step)" \
+    'threads 1 1 unset ===$'
   # Only simulate takes all the cores that there are.
   mv fake/own fake/simulate
   expect_line "$(OMP_NUM_THREADS=3 pipeline/step.sh results/t/real simulate)" 'threads  1 unset ===$'

@@ -1,7 +1,7 @@
 #!/bin/bash
-# A storm over a run on a real Slurm: first each kind of event once, then others by chance. After each the run
-# must end by itself or by the same command, with the bytes of `make -j2`, and no checkpoint may be lost. Prints
-# a line for each event.
+# A storm over a run on a real Slurm: first each kind of event once, then others by chance. After each the
+# run must end by itself or by the same command, with the bytes of `make -j2`, and no checkpoint may be lost.
+# Prints a line for each event.
 # usage: tests/storm/cluster.sh [EVENTS [SEED]]      20 and 0; exit 77 where there is no Slurm
 # shellcheck source-path=SCRIPTDIR
 source "${0%/*}/../cluster/slurm.sh"
@@ -10,7 +10,8 @@ source "${0%/*}/../cluster/tiny_grid.sh"
 
 events=${1:-20}
 RANDOM=$((${2:-0} + 1))
-kinds=(term_to_srun term_to_a_stage kill_to_a_stage scancel_a_step time_limit slurmd_killed slurmctld_restarted requeue)
+kinds=(term_to_srun term_to_a_stage kill_to_a_stage scancel_a_step time_limit slurmd_killed
+  slurmctld_restarted requeue)
 
 # Once: a checkpoint of each seed, so that every event has one to lose.
 make_checkpoints() {
@@ -42,35 +43,56 @@ lay_out_event() {
   done
 }
 
-# ---- the run: a job for each step, or one job for all ------------------------------------------------------
+# ---- the run: a job for each step, or one job for all ---------------------------------------------------
 options=(-k -j2 tables)
 start_steps() { # further options of srun
   "${tiny[@]}" "${options[@]}" SUBMIT="$one_job_a_step $1" >messages 2>&1 &
-  make=$! job=
+  make=$!
+  job=
 }
 start_batch() {
   { printf '#!/bin/bash\n' && printf '%q ' "${tiny[@]}" "${options[@]}" "SUBMIT=$one_job_a_step --exact"; } >job
   job=$(sbatch --parsable --requeue --nodes=1 --ntasks=2 --mem=2000 --output=messages --open-mode=append job)
 }
 has_ended() {
-  if [[ $job ]]; then in_state COMPLETED "$job" || in_state FAILED "$job"; else ! kill -0 "$make"; fi
+  if [[ $job ]]; then
+    in_state COMPLETED "$job" || in_state FAILED "$job"
+  else
+    [[ ! $(jobs -r) ]]
+  fi
 }
 ended_well() {
   if [[ $job ]]; then in_state COMPLETED "$job"; else wait "$make"; fi
 }
 
-# ---- the events: each starts the run, and happens to it ------------------------------------------------------
-some_time() { sleep "$((RANDOM % 3)).$((RANDOM % 10))"; }
+# ---- the events: each starts the run, and happens to it --------------------------------------------------
+some_time() { sleep "$((RANDOM % 2)).$((RANDOM % 10))"; }
 one_of() { shuf --head-count=1 --random-source=<(yes $RANDOM); }
-# Of those that run now; where the moment has none, of the next.
-a_process_of() { # programs
-  local program found=
-  until [[ $found ]]; do
-    found=$(for program; do running "$program"; done | one_of)
+stages=("$programs"/{train,generate,score,diagnose,tabulate})
+# Of the processes that run now, one; if it has just ended, of the next.
+hit() { # signal, programs
+  local process
+  until has_ended && too_late=yes; do
+    process=$(for program in "${@:2}"; do running "$program"; done | one_of)
+    [[ ! $process ]] || ! kill "-$1" "$process" || return 0
+  done
+}
+# srun is two processes, of which the second looks after the first.
+hit_srun() { # signal
+  local process
+  until has_ended && too_late=yes; do
+    process=$(running "$(command -v srun)" | head -n 1)
+    [[ ! $process ]] || ! kill "-$1" "$process" || return 0
+  done
+}
+a_running_job() { # what squeue says of it
+  local found
+  until has_ended && too_late=yes; do
+    found=$(squeue --noheader --states=RUNNING --format="$1" | one_of)
+    [[ ! $found ]] || break
   done
   echo "$found"
 }
-stages=("$programs"/{train,generate,score,diagnose,tabulate})
 
 start_and_wait() {
   start_steps "$@"
@@ -79,34 +101,33 @@ start_and_wait() {
 }
 term_to_srun() {
   start_and_wait ''
-  kill -TERM "$(a_process_of "$(command -v srun)")"
+  hit_srun TERM
 }
 term_to_a_stage() {
   start_and_wait ''
-  kill -TERM "$(a_process_of "${stages[@]}")"
+  hit TERM "${stages[@]}"
 }
 kill_to_a_stage() {
   start_and_wait ''
-  kill -KILL "$(a_process_of "${stages[@]}")"
+  hit KILL "${stages[@]}"
 }
 scancel_a_step() {
   start_and_wait ''
-  local running=
-  until [[ $running ]]; do running=$(squeue --noheader --states=RUNNING --format=%i | one_of); done
-  scancel "$running"
+  scancel "$(a_running_job %i)"
 }
 # A minute is the least that Slurm allows; meanwhile the stage stands still.
 time_limit() {
   start_steps --time=1
   wait_until_it_trains
-  kill -STOP "$(a_process_of "$programs/train")"
+  hit STOP "$programs/train"
 }
 slurmd_killed() {
   start_and_wait ''
-  local node=
-  until [[ $node ]]; do node=$(squeue --noheader --states=RUNNING --format=%N | one_of); done
+  local node
+  node=$(a_running_job %N)
   kill_node "$node"
-  sleep 12 # SlurmdTimeout: until then the node is waited for
+  # A slurmd that comes back before it is missed leaves its jobs running for ever.
+  until_true "$node is down" is_down "$node"
   start_node "$node"
 }
 slurmctld_restarted() {
@@ -123,7 +144,7 @@ requeue() {
   until_true "job $job waits" in_state PENDING "$job" && scontrol update JobId="$job" StartTime=now
 }
 
-# ---- what has become of it -----------------------------------------------------------------------------------
+# ---- what has become of it --------------------------------------------------------------------------------
 lost_checkpoint() {
   local folder
   for folder in results/tiny/tiny/seed*/piae-dt; do
@@ -138,7 +159,7 @@ finish() { # sets `happened`
   until_true "the run ends" has_ended || return
   lost_checkpoint && lost=yes
   if ended_well; then
-    happened="ended by itself"
+    happened="ended by itself${too_late:+; the event came too late}"
     return
   fi
   until "${tiny[@]}" "${options[@]}" SUBMIT="$one_job_a_step" >messages 2>&1; do
@@ -148,8 +169,8 @@ finish() { # sets `happened`
 }
 
 failures=0
-event() { # number, kind
-  local began=$SECONDS happened="DID NOT END" lost='' result=same
+event() { # number, kind; fails where the run was over before it
+  local began=$SECONDS happened="DID NOT END" lost='' too_late='' result=same
   lay_out_event
   "$2" 2>>events.log
   finish
@@ -160,9 +181,10 @@ event() { # number, kind
     failures=$((failures + 1))
     head -n 5 difference messages
   } >&2
-  printf '%3d  %-20s %-34s %4d s  %s\n' "$1" "${2//_/ }" "$happened" $((SECONDS - began)) "$result"
+  printf '%3d  %-20s %-41s %4d s  %s\n' "$1" "${2//_/ }" "$happened" $((SECONDS - began)) "$result"
   until_true "no job is left" no_jobs
   wait_for_nodes
+  [[ ! $too_late ]]
 }
 
 slurm_up
@@ -174,7 +196,7 @@ cp -r "$project"/{Makefile,pipeline,jobs} "$scratch"
 cd "$scratch" || exit
 for ((i = 1; i <= events; ++i)); do
   if ((i <= ${#kinds[@]})); then kind=${kinds[i - 1]}; else kind=${kinds[RANDOM % ${#kinds[@]}]}; fi
-  event "$i" "$kind"
+  event "$i" "$kind" || event "$i" "$kind"
 done
 echo "$events events on a Slurm, $failures of them with other bytes, a lost checkpoint or no end"
 ((failures == 0))
