@@ -1,7 +1,7 @@
 # shellcheck shell=bash
 # shellcheck disable=SC2154 # slurm.sh and support.sh set them
-# Sourced by the tests of `make cluster`, behind slurm.sh and support.sh: a Slurm whose nodes are short of memory,
-# a small grid, and what is to be seen of its jobs.
+# Sourced by the tests of `make cluster`, behind slurm.sh and support.sh: a Slurm whose nodes are short of
+# memory, a small grid, and what is to be seen of its jobs.
 
 # Jobs that take more memory than they asked for are killed, as by most clusters; and n4 has a GPU, or so it
 # is told.
@@ -18,9 +18,11 @@ small_grid() { # epochs of piae-dt
   mkdir -p bin results
   ln -s "$programs"/* bin
   cp -r "$project/results/published" results
-  sed -i -E "s/^epochs = [0-9]+/epochs = 2/; /^\[train.piae-dt\]/,/^\[/s/^epochs = .*/epochs = $1/" pipeline/protocol.toml
+  sed -i -E "s/^epochs = [0-9]+/epochs = 2/; /^\[train.piae-dt\]/,/^\[/s/^epochs = .*/epochs = $1/" \
+    pipeline/protocol.toml
 }
-grid=(BIN=bin DATASETS=simulated-small METHODS="none smote piae-dt" RATIOS="100to1 10to1" SEEDS="0 1" LIBTORCH=off)
+grid=(BIN=bin DATASETS=simulated-small METHODS="none smote piae-dt" RATIOS="100to1 10to1" SEEDS="0 1"
+  LIBTORCH=off)
 cluster() { # target of make, variables
   make --silent "$1" "${grid[@]}" RUN=t CORES=2 "${@:2}" 2>&1
 }
@@ -49,12 +51,20 @@ wait_for_line() { # log of a job, pattern
     ((++tries < 900)) || fail "no line like '$2' in $1:"$'\n'"$(cat results/t/.jobs/*/*.log)"
   done
 }
-requests() { sdiag | awk '/^\tREQUEST_/ && match($0, /count:[0-9]+/) { n += substr($0, RSTART + 6, RLENGTH - 6) } END { print n }'; }
+expect_in_log() { # log of a job, pattern
+  in_log "$@" || fail "no line like '$2' in $1:"$'\n'"$(cat results/t/.jobs/*/*.log)"
+}
+requests() {
+  sdiag | awk '/^\tREQUEST_/ && match($0, /count:[0-9]+/) { n += substr($0, RSTART + 6, RLENGTH - 6) }
+    END { print n }'
+}
 
 # A train that does otherwise than it should for one seed.
 instead_of_train() { # what it does
   rm bin/train
-  printf '#!/bin/bash\nif [[ $* == *seed1/piae-dt/* && ! -e well ]]; then\n%s\nfi\nexec %s/train "$@"\n' "$1" "$programs" >bin/train
+  # shellcheck disable=SC2016
+  printf '#!/bin/bash\nif [[ $* == *seed1/piae-dt/* && ! -e well ]]; then\n%s\nfi\nexec %s/train "$@"\n' \
+    "$1" "$programs" >bin/train
   chmod +x bin/train
 }
 

@@ -19,7 +19,7 @@ test_stopped_trainings_leave_checkpoints_and_the_same_command_goes_on() {
   expect_equal "$(squeue --noheader)" ""
   wait_for results/t/simulated-small/seed0/piae-dt/model.h5.checkpoint
   wait_for results/t/simulated-small/seed1/piae-dt/model.h5.checkpoint
-  in_log cells.0.log 'life ended .* status 75: stopped by scancel' || fail "$(cat results/t/.jobs/*/cells*.log)"
+  expect_in_log cells.0.log 'life ended .* status 75: stopped by scancel'
   [[ ! -e results/t/simulated-small/tables.md ]] || fail "the tables were made after all"
   expect_line "$(cluster cluster)" '^submitted as job [0-9]+ \(cells\), [0-9]+ \(tables\)$'
   wait_for_line tables.log '^job: life ended .* status 0: done'
@@ -45,7 +45,7 @@ test_out_of_time_a_job_goes_back_and_no_other_does_and_goes_on_from_the_checkpoi
   wait_for_line tables.log '^job: life ended .* status 0: done'
   expect_equal "$(lives "cells.$last.log")" 2
   expect_equal "$(lives cells.0.log)" 1
-  in_log tables.log '^spent: 1 jobs began again' || fail "$(cat results/t/.jobs/*/tables.log)"
+  expect_in_log tables.log '^spent: 1 jobs began again'
   expect_as_alone all
 }
 
@@ -66,7 +66,7 @@ test_a_life_that_makes_nothing_new_is_the_last() {
   wait_for_line cells.0.log 'nothing new was made in this life'
   until_done
   expect_equal "$(lives cells.0.log)" 2
-  in_log tables.log '^missing: '
+  expect_in_log tables.log '^missing: '
 }
 
 slurm_up
