@@ -20,7 +20,9 @@ find "$@" -name '*.log' -not -path '*/.jobs/*' -not -path '*/sweep/*' -not -path
       # .../DATASET/seedK/METHOD/RATIO/STAGE.log, or less of it.
       for (i = depth - 1; i > 0 && place[i] !~ /^seed[0-9]+$/; --i) continue
       dataset = i ? place[i - 1] : place[depth - 1]
-      key = stage "," dataset "," (i && i + 1 < depth ? place[i + 1] : "") "," (i && i + 2 < depth ? place[i + 2] : "")
+      method = i && i + 1 < depth ? place[i + 1] : ""
+      ratio = i && i + 2 < depth ? place[i + 2] : ""
+      key = stage "," dataset "," method "," ratio
       sum[key] += $2
       ++count[key]
       if ($3 > most[key]) most[key] = $3 }

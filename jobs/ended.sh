@@ -2,13 +2,15 @@
 # Which jobs of a run are in the queue, and which ended otherwise than well. Asks Slurm once, and reads the
 # jobs' logs, so that it knows for ever what Slurm forgets after some minutes.
 # usage: jobs/ended.sh results/RUN SUBMISSION FOLDER
-# Writes FOLDER/queue, lines of jobs_in_queue, and FOLDER/ended: name of the job's list, why; with a tab between.
+# Writes FOLDER/queue, lines of jobs_in_queue, and FOLDER/ended: name of the job's list and why, with a tab
+# between.
 set -euo pipefail
 # shellcheck source=jobs/common.sh
 source "${0%/*}/common.sh"
 
 run=$1 submission=$2 folder=$3
-jobs_in_queue "$run" >"$folder/queue" 2>/dev/null || echo $'?\t?\tthe queue is not known here: squeue does not answer' >"$folder/queue"
+jobs_in_queue "$run" >"$folder/queue" 2>/dev/null ||
+  echo $'?\t?\tthe queue is not known here: squeue does not answer' >"$folder/queue"
 
 for log in "$submission"/*.log; do
   [[ -f $log ]] || continue

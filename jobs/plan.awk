@@ -44,9 +44,9 @@ function unit_of(folder, stage) {
   return folder
 }
 
-function needs_gpu(unit, stage, method) {
-  return index(" " gpu_stages " ", " " stage " ") || \
-    (stage != "score" && stage != "diagnose" && stage != "features" && index(" " gpu_methods " ", " " method " "))
+function is_among(word, words) { return index(" " words " ", " " word " ") > 0 }
+function needs_gpu(stage, method) {
+  return is_among(stage, gpu_stages) || (is_among(stage, "train generate") && is_among(method, gpu_methods))
 }
 
 function add_to_unit(unit, seconds, target) {
@@ -162,7 +162,7 @@ FILENAME == ARGV[1] {
     add_to_unit(unit, cost[key], $4)
     run[unit] = place[1] "/" place[2]
     most[unit] = max(most[unit], memory[key])
-    if (needs_gpu(unit, stage, method)) gpu[unit]
+    if (needs_gpu(stage, method)) gpu[unit]
   } else {
     key = look_up(stage, place[3], "", "")
     tables_seconds += cost[key]

@@ -30,8 +30,8 @@ done < <(cut -f 3 "$folder/steps" | sort -u | grep .)
 for stage in generate diagnose; do ! asks_for_gpu "$stage" || gpu_stages+=" $stage"; done
 [[ $gpu_stages != *diagnose* ]] || gpu_stages+=" features"
 
-awk -f jobs/plan.awk -v cores="$(value_of CORES "$@")" -v minutes="$(value_of MINUTES "$@")" -v out="$folder" \
-  -v swept="$("$bin/settings" --facts | sed -n 's/^swept://p')" \
+awk -f jobs/plan.awk -v out="$folder" -v cores="$(value_of CORES "$@")" \
+  -v minutes="$(value_of MINUTES "$@")" -v swept="$("$bin/settings" --facts | sed -n 's/^swept://p')" \
   -v gpu_stages="$gpu_stages" -v gpu_methods="$gpu_methods" jobs/costs.csv "$folder/steps" >"$folder/plan"
 grep -v '^unknown' "$folder/plan" >"$folder/jobs"
 rm -rf "$folder/settings" "$folder/answer" "$folder/steps"
@@ -39,7 +39,10 @@ rm -rf "$folder/settings" "$folder/answer" "$folder/steps"
 awk -F '\t' '
   function hours(minutes) { return sprintf("%d:%02d h", minutes / 60, minutes % 60) }
   function memory(megabytes) { return sprintf("%.1f GB", megabytes / 1000) }
-  BEGIN { printf "%-10s %6s %6s %10s %10s %7s %11s\n", "job", "number", "cores", "time each", "memory", "steps", "core-hours" }
+  BEGIN {
+    printf "%-10s %6s %6s %10s %10s %7s %11s\n", "job", "number", "cores", "time each", "memory", "steps", \
+      "core-hours"
+  }
   $1 == "unknown" { guessed = guessed "\nno cost is known of " $2 ": the largest is taken (jobs/costs.csv)"; next }
   { printf "%-10s %6d %6d %10s %10s %7d %11.2f\n", $1, $2, $3, hours($4), memory($5), $6, $7 / 3600
     number += $2; steps += $6; seconds += $7; asked += $2 * $3 * $4 / 60; ++submissions }

@@ -2,7 +2,9 @@
 # usage: awk -f jobs/spent.awk -v submitted=SECONDS -v now=SECONDS -v steps=N FOLDER/*.log
 
 function hours(seconds) { return sprintf("%.2f", seconds / 3600) }
-function minutes(seconds) { return seconds < 120 ? sprintf("%d s", seconds) : sprintf("%.0f min", seconds / 60) }
+function minutes(seconds) {
+  return seconds < 120 ? sprintf("%d s", seconds) : sprintf("%.0f min", seconds / 60)
+}
 
 # A life that was killed has no end: it counts no time, but is counted.
 function close_life(end) {
@@ -32,8 +34,8 @@ END {
     if (at[1] > until) idle += at[1] - until
     if (at[2] > until) until = at[2]
   }
-  printf "spent: %d steps in %d jobs; %s core-hours used of %s allocated (%.0f %%); %s from submission to end, " \
-    "of which %s in the queue alone\n", steps, jobs, hours(used), hours(allocated), \
+  printf "spent: %d steps in %d jobs; %s core-hours used of %s allocated (%.0f %%); %s from submission to " \
+    "end, of which %s in the queue alone\n", steps, jobs, hours(used), hours(allocated), \
     allocated ? 100 * used / allocated : 0, minutes(now - submitted), minutes(idle)
   if (lives > jobs) printf "spent: %d jobs began again (out of time, or a node was lost)\n", lives - jobs
   if (killed) printf "spent: %d lives were killed, whose time is not counted\n", killed

@@ -18,7 +18,8 @@ shift
 choice=("$@")
 results=$(value_of results "$@")
 for name in CORES MINUTES JOBS; do
-  [[ $(value_of "$name" "$@") =~ ^[1-9][0-9]{0,4}$ ]] || die "$name: a whole number from 1 up, not '$(value_of "$name" "$@")'"
+  value=$(value_of "$name" "$@")
+  [[ $value =~ ^[1-9][0-9]{0,4}$ ]] || die "$name: a whole number from 1 up, not '$value'"
 done
 [[ $goal =~ ^(all|cells|sweep|contrast|identify|readings)$ ]] ||
   die "one of all, cells, sweep, contrast, identify and readings at a time, not '$goal'"
@@ -36,8 +37,8 @@ fi
   die "$results/.jobs cannot be written, where the logs of the jobs are to be; nothing is submitted"
 flock --nonblock 9 || die "another \`make cluster\` is submitting this run; nothing is submitted"
 queue=$(jobs_in_queue "$results") || die "Slurm does not answer, see above; nothing is submitted"
-[[ -z $queue ]] || die "jobs of this run are in the queue already: $(job_ids <<<"$queue"); \`make status\` shows them," \
-  "\`make cluster-stop\` stops them"
+[[ -z $queue ]] || die "jobs of this run are in the queue already: $(job_ids <<<"$queue");" \
+  "\`make status\` shows them, \`make cluster-stop\` stops them"
 
 folder=$results/.jobs/$(date +%Y%m%dT%H%M%S)
 mkdir "$folder" || die "$folder is there already: try again in a second"

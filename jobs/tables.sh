@@ -1,6 +1,6 @@
 #!/bin/bash
-# The tables of a run after its jobs, of what there is: nothing of the grid is computed here. What is missing is
-# named. Prints at the end what was spent. Exits with 1 if anything is missing.
+# The tables of a run after its jobs, of what there is: nothing of the grid is computed here. What is
+# missing is named. Prints at the end what was spent. Exits with 1 if anything is missing.
 # usage: jobs/tables.sh FOLDER GOAL VARIABLE=VALUE...      FOLDER and GOAL are those of jobs/submit.sh
 set -uo pipefail
 # shellcheck source=jobs/common.sh

@@ -1,0 +1,72 @@
+# shellcheck shell=bash
+# shellcheck disable=SC2154 # slurm.sh and support.sh set them
+# Sourced by the tests of `make cluster`, behind slurm.sh and support.sh: a Slurm whose nodes are short of
+# memory, a small grid, and what is to be seen of its jobs.
+
+# Jobs that take more memory than they asked for are killed, as by most clusters; and n4 has a GPU, or so it
+# is told.
+eval "$(declare -f slurm_conf | sed '1s/slurm_conf/plain_conf/')"
+slurm_conf() {
+  echo "Name=gpu File=/dev/null" >"$slurm_folder/gres.conf"
+  plain_conf | sed '/^NodeName=n4/s/$/ Gres=gpu:1/'
+  printf '%s\n' JobAcctGatherType=jobacct_gather/linux JobAcctGatherFrequency=1 \
+    JobAcctGatherParams=OverMemoryKill GresTypes=gpu
+}
+
+# Programs that a test may put others in front of, settings with which all takes seconds.
+small_grid() { # epochs of piae-dt
+  mkdir -p bin results
+  ln -s "$programs"/* bin
+  cp -r "$project/results/published" results
+  sed -i -E "s/^epochs = [0-9]+/epochs = 2/; /^\[train.piae-dt\]/,/^\[/s/^epochs = .*/epochs = $1/" \
+    pipeline/protocol.toml
+}
+grid=(BIN=bin DATASETS=simulated-small METHODS="none smote piae-dt" RATIOS="100to1 10to1" SEEDS="0 1"
+  LIBTORCH=off)
+cluster() { # target of make, variables
+  make --silent "$1" "${grid[@]}" RUN=t CORES=2 "${@:2}" 2>&1
+}
+alone() { make --silent -j2 "$1" "${grid[@]}" RUN=alone "${@:2}" >/dev/null 2>&1; }
+id_of() { awk -v kind="$1" '$1 == kind { print $2 }' results/t/.jobs/*/submitted | tail -n 1; }
+nothing_queued() { [[ -z $(squeue --noheader) ]]; }
+until_done() { until_true "all jobs have ended" nothing_queued; }
+in_log() { grep -qE -- "$2" results/t/.jobs/*/"$1"; }
+# Artefacts and tables, without logs and what says when and where.
+bytes_of() {
+  (cd "results/$1" && find . -name .jobs -prune -o -type f ! -name '*.log' ! -name 'run.html' ! -name 'report.*' \
+    ! -path '*/.settings/*' -exec sha256sum {} + | sort -k 2)
+}
+expect_as_alone() {
+  alone "$@"
+  bytes_of t >bytes_of_jobs
+  bytes_of alone >bytes_alone
+  expect_equal "$(diff bytes_of_jobs bytes_alone)" ""
+}
+
+# Without asking Slurm, whose requests are counted.
+wait_for_line() { # log of a job, pattern
+  local tries=0
+  until in_log "$1" "$2" 2>/dev/null; do
+    sleep 0.2
+    ((++tries < 900)) || fail "no line like '$2' in $1:"$'\n'"$(cat results/t/.jobs/*/*.log)"
+  done
+}
+expect_in_log() { # log of a job, pattern
+  in_log "$@" || fail "no line like '$2' in $1:"$'\n'"$(cat results/t/.jobs/*/*.log)"
+}
+requests() {
+  sdiag | awk '/^\tREQUEST_/ && match($0, /count:[0-9]+/) { n += substr($0, RSTART + 6, RLENGTH - 6) }
+    END { print n }'
+}
+
+# A train that does otherwise than it should for one seed.
+instead_of_train() { # what it does
+  rm bin/train
+  # shellcheck disable=SC2016
+  printf '#!/bin/bash\nif [[ $* == *seed1/piae-dt/* && ! -e well ]]; then\n%s\nfi\nexec %s/train "$@"\n' \
+    "$1" "$programs" >bin/train
+  chmod +x bin/train
+}
+
+# Lives of a job.
+lives() { grep -c '^job: life begun' results/t/.jobs/*/"$1"; }
