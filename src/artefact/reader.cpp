@@ -69,7 +69,7 @@ std::string stored_kind(const fs::path& path, hid_t file) {
   const std::string foreign =
       ": is HDF5, but not an artefact of this pipeline; name a file that one of its stages wrote";
   try {
-    const std::string kind = hdf5::read_string_attribute(file, "/", "kind");
+    std::string kind = hdf5::read_string_attribute(file, "/", "kind");
     if (is_printable(kind)) return kind;
   } catch (const std::exception&) {
     // It is no artefact in either case.

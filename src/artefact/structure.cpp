@@ -93,7 +93,8 @@ class Walk {
 
   void visit_attributes(hid_t object, const std::string& path) {
     for (const std::string& name : hdf5::attribute_names(object)) {
-      const std::string where = path + ", attribute " + name;
+      std::string where = path;
+      where.append(", attribute ").append(name);
       if (!is_plain(name)) refuse("an attribute with a name that no file should have", path);
       const Handle attribute(H5Aopen(object, name.c_str(), H5P_DEFAULT), where.c_str());
       const Handle type(H5Aget_type(attribute), where.c_str());

@@ -24,6 +24,7 @@ const CatalogueEntry& entry_of(const artefact::Reader& model) {
 
 /// What a model holds for those who look at it later.
 void require_record_of_training(const artefact::Reader& model) {
+  model.require_finite();
   if (model.has("/curves/reconstruction")) twin::Curves().read(model);
   if (twin::has_outcome(model)) (void)twin::read_outcome(model);
   if (model.has("/inference")) (void)phase::read_inference(model);

@@ -10,7 +10,8 @@
 namespace piae::signal::ranges {
 
 inline constexpr Range sample_rate_hz{.low = 1, .high = 1e7, .unit = " Hz"};
-/// Of a recording as it is described. `ingest --check` warns of one in kHz, or with three zeros more.
+/// Of a recording as it is described. `ingest --check` warns of one in kHz, or with three zeros
+/// more.
 inline constexpr Range described_rate_hz{.low = 1e-3, .high = 1e10, .unit = " Hz"};
 inline constexpr Range shaft_speed_rpm{.low = 1e-2, .high = 1e6, .unit = " rpm"};
 inline constexpr Range unit_m_per_s2{.low = 1e-9, .high = 1e9, .unit = " m/s^2"};
