@@ -162,7 +162,9 @@ class Reader {
   /// With the line that it has written, without its name in front. Libraries write there, too.
   [[noreturn]] void refuse_as_it_does(int status) const {
     if (status == cannot_be_run) {
-      throw Error(Exit::failed, program_ + ": cannot be run; build it again (`make build`)");
+      throw Error(
+          Exit::failed,
+          program_ + ": cannot be run; it must stand beside the other programs (`make build`)");
     }
     const std::string mark = "read_raw: ";
     const std::size_t begin = err_.bytes.find(mark);
