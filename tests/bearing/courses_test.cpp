@@ -127,7 +127,7 @@ TEST(Courses, MayStartWhereABallEnters) {
   }
 }
 
-std::string message(const std::vector<Course>& courses, Exit exit) {
+std::string message_of(const std::vector<Course>& courses, Exit exit) {
   try {
     simulate({}, {Defect::outer, 0.1778}, courses, sampling);
   } catch (const Error& error) {
@@ -142,16 +142,16 @@ TEST(Courses, OneThatDivergesIsAnErrorWhereverItStands) {
   for (std::size_t i = 0; i < calm.size(); ++i) {
     std::vector<Course> courses = calm;
     courses[i].options.damping_ns_per_m = 1e7;
-    EXPECT_THAT(message(courses, Exit::failed), testing::HasSubstr("diverged at"));
+    EXPECT_THAT(message_of(courses, Exit::failed), testing::HasSubstr("diverged at"));
   }
-  EXPECT_EQ(message(calm, Exit::failed), "no error");
+  EXPECT_EQ(message_of(calm, Exit::failed), "no error");
 }
 
 /// 30 ms of settling are 360 samples; the first of them is already lost.
 TEST(Courses, DivergenceNamesItsTimeAndTheSubStep) {
   std::vector<Course> courses = varied_courses(2, Defect::outer);
   courses[1].options.damping_ns_per_m = 1e9;
-  EXPECT_EQ(message(courses, Exit::failed),
+  EXPECT_EQ(message_of(courses, Exit::failed),
             "eq. 13 diverged at -0.0299167 s with sub-steps of 1.98e-06 s: stiffness and damping "
             "over mass ask for shorter ones");
 }
@@ -159,19 +159,19 @@ TEST(Courses, DivergenceNamesItsTimeAndTheSubStep) {
 TEST(Courses, ThatCannotBeAreRefusedWhereverTheyStand) {
   std::vector<Course> courses = varied_courses(3, Defect::outer);
   courses[2].options.mass_kg = 0;
-  EXPECT_THAT(message(courses, Exit::bad_input), testing::HasSubstr("mass in kg 0"));
+  EXPECT_THAT(message_of(courses, Exit::bad_input), testing::HasSubstr("mass in kg 0"));
   courses = varied_courses(3, Defect::outer);
   courses[2].motion.slip = 1;
-  EXPECT_THAT(message(courses, Exit::bad_input), testing::HasSubstr("slip 1"));
+  EXPECT_THAT(message_of(courses, Exit::bad_input), testing::HasSubstr("slip 1"));
 }
 
 TEST(Courses, OfTwoTimeGridsAreRefused) {
   std::vector<Course> courses = varied_courses(2, Defect::outer);
   courses[1].options.settling_s = 0.01;
-  EXPECT_THAT(message(courses, Exit::bad_input), testing::HasSubstr("differ in settling time"));
+  EXPECT_THAT(message_of(courses, Exit::bad_input), testing::HasSubstr("differ in settling time"));
   courses[1].options = courses[0].options;
   courses[1].options.max_sub_step_s = 1e-6;
-  EXPECT_THAT(message(courses, Exit::bad_input), testing::HasSubstr("longest sub-step"));
+  EXPECT_THAT(message_of(courses, Exit::bad_input), testing::HasSubstr("longest sub-step"));
 }
 
 TEST(Courses, OfNoBearingGiveNoSignal) {

@@ -98,7 +98,7 @@ TEST(Simulate, GivesTheSameTwice) {
             simulate({}, defect, running, {}, {rate_hz, 1200}));
 }
 
-std::string message(const DynamicsOptions& options, Exit exit = Exit::bad_input,
+std::string refusal(const DynamicsOptions& options, Exit exit = Exit::bad_input,
                     const Sampling& sampling = {rate_hz, 100}) {
   try {
     simulate({}, {Defect::outer, 0.1778}, running, options, sampling);
@@ -110,17 +110,17 @@ std::string message(const DynamicsOptions& options, Exit exit = Exit::bad_input,
 }
 
 TEST(Simulate, LoadMustCloseTheClearance) {
-  EXPECT_THAT(message({.load_n = 200}), testing::HasSubstr("does not close the clearance"));
-  EXPECT_THAT(message({.load_n = 199}), testing::HasSubstr("200 N, and the load must exceed it"));
-  EXPECT_EQ(message({.load_n = 201}), "no error");
+  EXPECT_THAT(refusal({.load_n = 200}), testing::HasSubstr("does not close the clearance"));
+  EXPECT_THAT(refusal({.load_n = 199}), testing::HasSubstr("200 N, and the load must exceed it"));
+  EXPECT_EQ(refusal({.load_n = 201}), "no error");
 }
 
 TEST(Simulate, ContactIsThereUpToTheLargestStiffness) {
   DynamicsOptions options{.clearance_um = 4, .load_n = 600};
   options.stiffness_n_per_m = largest_stiffness_n_per_m(options);
-  EXPECT_EQ(message(options), "no error");
+  EXPECT_EQ(refusal(options), "no error");
   options.stiffness_n_per_m *= 1.05;
-  EXPECT_THAT(message(options), testing::HasSubstr("does not close the clearance"));
+  EXPECT_THAT(refusal(options), testing::HasSubstr("does not close the clearance"));
 }
 
 TEST(Simulate, RefusesImpossibleValues) {
@@ -128,22 +128,22 @@ TEST(Simulate, RefusesImpossibleValues) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const double infinite = std::numeric_limits<double>::infinity();
   for (const double bad : {0.0, -1.0, nan, infinite}) {
-    EXPECT_THAT(message({.mass_kg = bad}), HasSubstr("mass"));
-    EXPECT_THAT(message({.stiffness_n_per_m = bad}), HasSubstr("stiffness"));
-    EXPECT_THAT(message({.load_n = bad}), HasSubstr("load"));
-    EXPECT_THAT(message({.max_sub_step_s = bad}), HasSubstr("sub-step"));
-    EXPECT_THAT(message({}, Exit::bad_input, {bad, 100}), HasSubstr("sample rate"));
+    EXPECT_THAT(refusal({.mass_kg = bad}), HasSubstr("mass"));
+    EXPECT_THAT(refusal({.stiffness_n_per_m = bad}), HasSubstr("stiffness"));
+    EXPECT_THAT(refusal({.load_n = bad}), HasSubstr("load"));
+    EXPECT_THAT(refusal({.max_sub_step_s = bad}), HasSubstr("sub-step"));
+    EXPECT_THAT(refusal({}, Exit::bad_input, {bad, 100}), HasSubstr("sample rate"));
   }
   for (const double bad : {-1.0, nan, infinite}) {
-    EXPECT_THAT(message({.damping_ns_per_m = bad}), HasSubstr("damping"));
-    EXPECT_THAT(message({.clearance_um = bad}), HasSubstr("clearance"));
-    EXPECT_THAT(message({.settling_s = bad}), HasSubstr("settling"));
+    EXPECT_THAT(refusal({.damping_ns_per_m = bad}), HasSubstr("damping"));
+    EXPECT_THAT(refusal({.clearance_um = bad}), HasSubstr("clearance"));
+    EXPECT_THAT(refusal({.settling_s = bad}), HasSubstr("settling"));
   }
 }
 
 TEST(Simulate, DivergenceIsAnError) {
   // C / M = 1e7 per second: explicit steps of 2 us cannot follow.
-  EXPECT_THAT(message({.damping_ns_per_m = 1e7}, Exit::failed), testing::HasSubstr("diverged at"));
+  EXPECT_THAT(refusal({.damping_ns_per_m = 1e7}, Exit::failed), testing::HasSubstr("diverged at"));
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 namespace piae::bearing {
 namespace {
 
-constexpr double rate_hz = 12000;
+constexpr double recorded_hz = 12000;
 constexpr std::size_t samples = 65536;
 
 struct Case {
@@ -21,7 +21,8 @@ class Envelope : public testing::TestWithParam<Case> {
   }
   [[nodiscard]] EnvelopeSpectrum spectrum(Defect kind, const DynamicsOptions& options) const {
     const Motion motion{.shaft_speed_rpm = GetParam().rpm, .cage_angle_rad = 0.3};
-    return {simulate({}, {kind, GetParam().size_mm}, motion, options, {rate_hz, samples}), rate_hz};
+    return {simulate({}, {kind, GetParam().size_mm}, motion, options, {recorded_hz, samples}),
+            recorded_hz};
   }
 };
 

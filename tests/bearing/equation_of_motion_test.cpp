@@ -11,7 +11,7 @@
 namespace piae::bearing {
 namespace {
 
-constexpr double rate_hz = 12000;
+constexpr double sampled_hz = 12000;
 
 /// The same number for every course.
 PerCourse all(double x) { return PerCourse{} + x; }
@@ -40,8 +40,8 @@ double oscillator_velocity(double time_s) {
 }
 
 double closed_form(std::size_t sample) {
-  const double t = static_cast<double>(sample) / rate_hz;
-  return (oscillator_velocity(t + 1 / rate_hz) - oscillator_velocity(t)) * rate_hz;
+  const double t = static_cast<double>(sample) / sampled_hz;
+  return (oscillator_velocity(t + 1 / sampled_hz) - oscillator_velocity(t)) * sampled_hz;
 }
 
 LoadedBalls any_balls() {
@@ -55,7 +55,7 @@ State released() { return {all(load_n / stiffness_n_per_m + released_m), all(0)}
 Solution oscillation(State& state, double start_s, std::size_t samples, double max_sub_step_s) {
   LoadedBalls balls = any_balls();
   return solve(equation(mass_kg, damping_ns_per_m, stiffness_n_per_m, 0, load_n), balls, state,
-               start_s, {rate_hz, samples}, sub_steps(rate_hz, max_sub_step_s));
+               start_s, {sampled_hz, samples}, sub_steps(sampled_hz, max_sub_step_s));
 }
 
 /// Relative, over 200 samples.
@@ -74,7 +74,7 @@ double oscillator_error(double max_sub_step_s) {
 TEST(Solve, DampedOscillatorIsTheClosedForm) { EXPECT_LT(oscillator_error(2e-6), 1e-7); }
 
 TEST(Solve, IsOfFourthOrderWhereNothingJumps) {
-  const double interval_s = 1 / rate_hz;
+  const double interval_s = 1 / sampled_hz;
   const double ratio = oscillator_error(interval_s / 4) / oscillator_error(interval_s / 8);
   EXPECT_NEAR(ratio, 16, 2);
 }
@@ -84,8 +84,8 @@ TEST(Solve, LeavesTheLastStateBehind) {
   const Solution all_samples = oscillation(whole, 0, 20, 2e-6);
   State halves = released();
   oscillation(halves, 0, 10, 2e-6);
-  EXPECT_NEAR(halves.velocity[0], oscillator_velocity(10 / rate_hz), 1e-9);
-  const Solution second = oscillation(halves, 10 / rate_hz, 10, 2e-6);
+  EXPECT_NEAR(halves.velocity[0], oscillator_velocity(10 / sampled_hz), 1e-9);
+  const Solution second = oscillation(halves, 10 / sampled_hz, 10, 2e-6);
   for (std::size_t i = 0; i < 10; ++i) {
     EXPECT_NEAR(second.acceleration[i][0], all_samples.acceleration[10 + i][0], 1e-9);
   }
@@ -96,7 +96,8 @@ TEST(Solve, CountsTheSaneSamplesOfEachCourse) {
   EquationOfMotion e = equation(mass_kg, damping_ns_per_m, stiffness_n_per_m, 0, load_n);
   e.damping_ns_per_m[0] = 1e7;  // over the mass 8e6 per second: steps of 2 us cannot follow
   State state = released();
-  const Solution solution = solve(e, balls, state, 0, {rate_hz, 200}, sub_steps(rate_hz, 2e-6));
+  const Solution solution =
+      solve(e, balls, state, 0, {sampled_hz, 200}, sub_steps(sampled_hz, 2e-6));
   EXPECT_LT(solution.sane_samples[0], 5);
   for (std::size_t i = 1; i < courses_at_once; ++i) EXPECT_EQ(solution.sane_samples[i], 200);
 }

@@ -14,7 +14,7 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
 
-const std::string header =
+const std::string comparisons_header =
     "dataset,ratio,method,against,seeds,mean_difference,ci95_low,ci95_high,rank_biserial,p,p_"
     "holm\n";
 
@@ -32,7 +32,7 @@ std::string text(const std::vector<AccuracyRow>& rows, const std::string& agains
 /// zeros) 2 are as extreme. Holm: of two methods, the smaller p doubles.
 TEST(Comparisons, AreThoseWorkedByHand) {
   EXPECT_EQ(csv(five_seeds()),
-            header +
+            comparisons_header +
                 "cwru,10to1,none,piae-dt,5,-10.0000,-10.0000,-10.0000,-1.0000,0.0625,0.125\n"
                 "cwru,2to1,none,piae-dt,5,-20.0000,-20.0000,-20.0000,-1.0000,0.0625,0.125\n"
                 "cwru,mean,none,piae-dt,5,-15.0000,-15.0000,-15.0000,-1.0000,0.0625,0.125\n"
@@ -94,20 +94,20 @@ TEST(Comparisons, WithAMethodThatIsNotThereAreRefused) {
 
 TEST(Comparisons, OfNothingAreEmpty) {
   const std::vector<AccuracyRow> alone{row_with("piae-dt", "10to1", {1, 2})};
-  EXPECT_EQ(csv(alone), header);
+  EXPECT_EQ(csv(alone), comparisons_header);
   EXPECT_THAT(comparison_sections(compare_methods(alone, "")), IsEmpty());
   const std::vector<AccuracyRow> others{row_with("vae", "10to1", {1, 2}),
                                         row_with("smote", "10to1", {1, 2})};
-  EXPECT_EQ(csv(others), header) << "nobody to compare with";
+  EXPECT_EQ(csv(others), comparisons_header) << "nobody to compare with";
   const std::vector<AccuracyRow> apart{row_with("vae", "10to1", {1, 2}),
                                        row_with("piae-dt", "2to1", {1, 2})};
-  EXPECT_EQ(csv(apart), header) << "no ratio in common";
+  EXPECT_EQ(csv(apart), comparisons_header) << "no ratio in common";
 }
 
 TEST(Comparisons, OfOneSeedHaveNoTest) {
   const std::vector<AccuracyRow> rows{row_with("shift", "10to1", {81}),
                                       row_with("piae-dt", "10to1", {80})};
-  EXPECT_EQ(csv(rows), header + "cwru,10to1,shift,piae-dt,1,1.0000,,,,,\n");
+  EXPECT_EQ(csv(rows), comparisons_header + "cwru,10to1,shift,piae-dt,1,1.0000,,,,,\n");
   EXPECT_THAT(text(rows), HasSubstr("| shift  | 10:1  |      +1.00 |\n"));
   EXPECT_THAT(text(rows), Not(HasSubstr("p (Holm)")));
   EXPECT_THAT(text(rows), HasSubstr("One seed alone"));

@@ -21,7 +21,7 @@ Contrast two_protocols() {
                   {"results/a-blocked", "cwru", signal::Protocol::blocked, with_means(without)});
 }
 
-const std::string header =
+const std::string contrast_header =
     "with,without,method,ratio,with_mean,with_std,without_mean,without_std,seeds,mean_difference,"
     "ci95_low,ci95_high,rank_biserial,p,p_holm\n";
 
@@ -30,7 +30,7 @@ const std::string header =
 TEST(Contrast, IsThatWorkedByHand) {
   EXPECT_EQ(
       contrast_csv(two_protocols()),
-      header +
+      contrast_header +
           "random,blocked,none,100to1,75.0000,7.0711,60.0000,0.0000,2,15.0000,,,1.0000,0.5,0.5\n"
           "random,blocked,vae,10to1,92.0000,2.8284,90.0000,0.0000,2,2.0000,,,1.0000,1,1\n");
 }
@@ -68,8 +68,9 @@ TEST(Contrast, NamesItsSidesByWhatDiffers) {
       "results/a", "cwru", signal::Protocol::random, {row_with("none", "100to1", {70})}};
   Side other = side;
   other.dataset = "cwru-as-published";
-  EXPECT_EQ(contrast_csv(contrast(other, side)),
-            header + "cwru-as-published,cwru,none,100to1,70.0000,,70.0000,,1,0.0000,,,,,\n");
+  EXPECT_EQ(
+      contrast_csv(contrast(other, side)),
+      contrast_header + "cwru-as-published,cwru,none,100to1,70.0000,,70.0000,,1,0.0000,,,,,\n");
   EXPECT_THAT(markdown(contrast_document(contrast(other, side))),
               testing::StartsWith("# cwru-as-published against cwru\n"));
   other.protocol = signal::Protocol::blocked;

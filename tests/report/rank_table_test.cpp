@@ -11,7 +11,7 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
 
-const std::string header =
+const std::string ranks_header =
     "dataset,ratio,method,seeds,average_rank,friedman_p,critical_difference\n";
 
 /// By hand. At 10to1 all five seeds have the same order: p is 1 / 6^4. At 2to1 shift is first in
@@ -19,7 +19,7 @@ const std::string header =
 /// difference is 2.3437 sqrt(12 / 30).
 TEST(Ranks, AreThoseWorkedByHand) {
   EXPECT_EQ(ranks_csv(rank_methods(five_seeds())),
-            header +
+            ranks_header +
                 "cwru,10to1,none,5,3.0000,0.000771605,1.4823\n"
                 "cwru,10to1,shift,5,1.0000,0.000771605,1.4823\n"
                 "cwru,10to1,piae-dt,5,2.0000,0.000771605,1.4823\n"
@@ -31,7 +31,7 @@ TEST(Ranks, AreThoseWorkedByHand) {
                 "cwru,all,piae-dt,5,1.8000,,\n");
 }
 
-std::string text(const std::vector<AccuracyRow>& rows) {
+std::string ranks_text(const std::vector<AccuracyRow>& rows) {
   return markdown({"cwru", "cwru", {}, rank_sections(rank_methods(rows))});
 }
 
@@ -40,13 +40,14 @@ std::string note(const std::vector<AccuracyRow>& rows) {
 }
 
 TEST(Ranks, HaveARatioAColumn) {
-  EXPECT_THAT(text(five_seeds()), HasSubstr("## Average ranks on cwru\n\n"));
-  EXPECT_THAT(text(five_seeds()), HasSubstr("| method  |     10:1 | 2:1 (3.33:1) | all cells |\n"
-                                            "|---------|---------:|-------------:|----------:|\n"
-                                            "| none    |     3.00 |         3.00 |      3.00 |\n"
-                                            "| shift   |     1.00 |         1.40 |      1.20 |\n"
-                                            "| piae-dt |     2.00 |         1.60 |      1.80 |\n"
-                                            "| p       | 0.000772 |      0.00332 |           |\n"));
+  EXPECT_THAT(ranks_text(five_seeds()), HasSubstr("## Average ranks on cwru\n\n"));
+  EXPECT_THAT(ranks_text(five_seeds()),
+              HasSubstr("| method  |     10:1 | 2:1 (3.33:1) | all cells |\n"
+                        "|---------|---------:|-------------:|----------:|\n"
+                        "| none    |     3.00 |         3.00 |      3.00 |\n"
+                        "| shift   |     1.00 |         1.40 |      1.20 |\n"
+                        "| piae-dt |     2.00 |         1.60 |      1.80 |\n"
+                        "| p       | 0.000772 |      0.00332 |           |\n"));
 }
 
 TEST(Ranks, AreNotForTheCeiling) {
@@ -77,33 +78,33 @@ TEST(Ranks, SayWhatSoFewSeedsCannotShow) {
   const std::vector<AccuracyRow> rows{row_with("none", "100to1", {70, 70}),
                                       row_with("shift", "10to1", {81, 82}),
                                       row_with("piae-dt", "10to1", {80, 80})};
-  EXPECT_THAT(text(rows), HasSubstr("| p       | 0.167 † |"));
+  EXPECT_THAT(ranks_text(rows), HasSubstr("| p       | 0.167 † |"));
   EXPECT_THAT(note(rows), HasSubstr("more than 2.34 differ significantly at 0.05 (Nemenyi; Demsar "
                                     "2006), which those of 3 methods cannot."));
   EXPECT_THAT(note(rows),
               HasSubstr("† marks p values that so few seeds cannot make smaller than 0.05."));
-  EXPECT_THAT(text(five_seeds()), Not(HasSubstr("†")));
+  EXPECT_THAT(ranks_text(five_seeds()), Not(HasSubstr("†")));
 }
 
 TEST(Ranks, OfOneSeedHaveNoTest) {
   const std::vector<AccuracyRow> rows{row_with("shift", "10to1", {81}),
                                       row_with("piae-dt", "10to1", {80})};
-  EXPECT_EQ(ranks_csv(rank_methods(rows)), header +
+  EXPECT_EQ(ranks_csv(rank_methods(rows)), ranks_header +
                                                "cwru,10to1,shift,1,1.0000,,\n"
                                                "cwru,10to1,piae-dt,1,2.0000,,\n"
                                                "cwru,all,shift,1,1.0000,,\n"
                                                "cwru,all,piae-dt,1,2.0000,,\n");
-  EXPECT_THAT(text(rows), Not(HasSubstr("Friedman")));
-  EXPECT_THAT(text(rows), Not(HasSubstr("| p ")));
+  EXPECT_THAT(ranks_text(rows), Not(HasSubstr("Friedman")));
+  EXPECT_THAT(ranks_text(rows), Not(HasSubstr("| p ")));
 }
 
 TEST(Ranks, OfNothingAreEmpty) {
   const std::vector<AccuracyRow> alone{row_with("piae-dt", "10to1", {1, 2})};
-  EXPECT_EQ(ranks_csv(rank_methods(alone)), header);
+  EXPECT_EQ(ranks_csv(rank_methods(alone)), ranks_header);
   EXPECT_THAT(rank_sections(rank_methods(alone)), IsEmpty());
   const std::vector<AccuracyRow> apart{row_with("vae", "10to1", {1, 2}),
                                        row_with("piae-dt", "2to1", {1, 2})};
-  EXPECT_EQ(ranks_csv(rank_methods(apart)), header);
+  EXPECT_EQ(ranks_csv(rank_methods(apart)), ranks_header);
 }
 
 }  // namespace

@@ -20,19 +20,13 @@ namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 
-const std::string head = described_bearing("small") + described_normal;
+const std::string simulated_head = described_bearing("small") + described_normal;
 const std::string faulty = described_or021 + R"([[class]]
 name = "B007"
 defect = "roller"
 defect_size_mm = 0.1778
 )";
 const std::string table = described_simulation("4", "0.2");
-
-std::string replaced(std::string text, const std::string& what, const std::string& by) {
-  const std::size_t at = text.find(what);
-  EXPECT_NE(at, std::string::npos) << what;
-  return text.replace(at, what.size(), by);
-}
 
 class SimulationTest : public testing::Test {
  protected:
@@ -60,7 +54,7 @@ class SimulationTest : public testing::Test {
       ("simulation-" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
 };
 
-const std::string description = head + faulty + table;
+const std::string description = simulated_head + faulty + table;
 
 double power(const std::vector<double>& signal) {
   double sum = 0;
@@ -222,7 +216,7 @@ TEST_F(SimulationTest, UnknownAndMissingKeysAreNamedWithTheirLine) {
   EXPECT_THAT(refusal(description + "noise = 3\n"), HasSubstr("simulation.noise is unknown"));
   EXPECT_THAT(refusal(replaced(description, "load_n = 1000\n", "")),
               HasSubstr("simulation.load_n is missing"));
-  EXPECT_THAT(refusal(head + faulty), HasSubstr("simulation is missing"));
+  EXPECT_THAT(refusal(simulated_head + faulty), HasSubstr("simulation is missing"));
   EXPECT_THAT(refusal(replaced(description, "sample_rate_hz = 12000\n", "")),
               HasSubstr("sample_rate_hz is missing"));
   EXPECT_THAT(refusal(replaced(description, "seed = 0", "seed = 0.5")),
@@ -250,8 +244,9 @@ TEST_F(SimulationTest, ImpossibleValuesAreNamedWithTheirKey) {
   EXPECT_THAT(refusal(with("slip_max = 0.01", "slip_max = 1")), HasSubstr("slip_max must be"));
   EXPECT_THAT(refusal(with("balls = 9", "balls = 19")), HasSubstr("bearing is refused: bearing: "));
   EXPECT_THAT(refusal(with("= 0.5334", "= 8")), HasSubstr("class.defect_size_mm is refused"));
-  EXPECT_THAT(refusal(head + table + "snr_db = 10\n"), HasSubstr("needs a faulty [[class]]"));
-  EXPECT_EQ(refusal(head + table), "no error");
+  EXPECT_THAT(refusal(simulated_head + table + "snr_db = 10\n"),
+              HasSubstr("needs a faulty [[class]]"));
+  EXPECT_EQ(refusal(simulated_head + table), "no error");
 }
 
 TEST_F(SimulationTest, AMissingFileIsSaidToBeMissing) {

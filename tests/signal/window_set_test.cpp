@@ -49,7 +49,7 @@ std::filesystem::path save(const Folder& folder, const WindowSet& set) {
   return folder / "A.h5";
 }
 
-WindowSet load(const std::filesystem::path& file) {
+WindowSet load_set(const std::filesystem::path& file) {
   return read_window_set(artefact::Reader(file, "windows"));
 }
 
@@ -64,7 +64,7 @@ TEST(WindowSet, FindsTheWindowsOfALabel) {
 
 TEST(WindowSet, ComesBackFromItsFile) {
   const Folder folder;
-  const WindowSet out = load(save(folder, cut_set()));
+  const WindowSet out = load_set(save(folder, cut_set()));
   EXPECT_EQ(out.length, 2U);
   EXPECT_EQ(out.samples, cut_set().samples);
   EXPECT_EQ(out.labels, cut_set().labels);
@@ -78,10 +78,10 @@ TEST(WindowSet, ComesBackFromItsFile) {
 
 TEST(WindowSet, GeneratedOrEmptyComesBackToo) {
   const Folder folder;
-  const WindowSet generated = load(save(folder, generated_set()));
+  const WindowSet generated = load_set(save(folder, generated_set()));
   EXPECT_THAT(generated.record, IsEmpty());
   EXPECT_EQ(generated.parameters.size(), 1U);
-  EXPECT_EQ(load(save(folder, empty_set())).size(), 0U);
+  EXPECT_EQ(load_set(save(folder, empty_set())).size(), 0U);
 }
 
 TEST(WindowSet, AppendsWithAllThatIsKnown) {
@@ -119,7 +119,7 @@ TEST(WindowSet, IsRefusedWhereItsPartsDoNotFit) {
   const auto with = [&](const auto& change) {
     WindowSet set = cut_set();
     change(set);
-    return load(save(folder, set));
+    return load_set(save(folder, set));
   };
   EXPECT_ERROR(with([](auto& s) { s.labels[1] = 3; }), Exit::bad_input, "/labels holds label 3");
   EXPECT_ERROR(with([](auto& s) { s.labels[1] = -1; }), Exit::bad_input, "/labels holds label -1");

@@ -70,7 +70,7 @@ TEST(Usage, TrainHelpShowsNoOptionThatTheMethodHasNoUseFor) {
 }
 
 /// An option whose value cannot be, and the words that must be in the answer.
-struct Impossible {
+struct ImpossibleValue {
   const char* stage;
   const char* option;
   const char* value;
@@ -78,7 +78,7 @@ struct Impossible {
 };
 
 TEST(Usage, ImpossibleValuesAreNamedWithThoseThatAreKnown) {
-  const std::vector<Impossible> cases{
+  const std::vector<ImpossibleValue> cases{
       {"train", "--epochs", "0", {"--epochs"}},
       {"train", "--epochs", "many", {"--epochs", "many"}},
       {"train", "--keep", "worst", {"--keep", "best", "final"}},
@@ -94,7 +94,7 @@ TEST(Usage, ImpossibleValuesAreNamedWithThoseThatAreKnown) {
   const Tiny tiny;
   tiny.run_chain_before("train");
   const std::set<std::string> before = tiny.files();
-  for (const Impossible& c : cases) {
+  for (const ImpossibleValue& c : cases) {
     SCOPED_TRACE(std::string(c.stage) + ' ' + c.option + ' ' + c.value);
     const Arguments arguments = with(step_of(c.stage).arguments, c.option, c.value);
     expect_refusal(tiny.run(c.stage, arguments), c.stage, 2, c.words);

@@ -67,10 +67,7 @@ run_part() { # part, count
     kills) "$here/kills.sh" "$folder/kills" "$2" "$seed" "$bin" ;;
     flips | meanings) make_corpus && in_jobs "$1" "$2" "$bin" ;;
     inputs) make_corpus && in_jobs inputs "$2" "$inputs_bin" ;;
-    cluster)
-      [[ -x $here/cluster.sh ]] || { echo "cluster: skipped, there is none" && return 77; }
-      "$here/cluster.sh" "$2" "$seed"
-      ;;
+    cluster) "$here/cluster.sh" "$2" "$seed" ;;
     *) echo "storm: no part '$1'; there are kills, flips, meanings, inputs and cluster" >&2 && return 2 ;;
   esac
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <string>
 
 namespace piae {
@@ -54,6 +56,13 @@ load_n = 1000
 slip_max = 0.01
 speed_spread = 0.001
 )";
+}
+
+/// A text in which one thing stands for another, which must be there.
+inline std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  const std::size_t at = text.find(from);
+  EXPECT_NE(at, std::string::npos) << from;
+  return text.replace(at, from.size(), to);
 }
 
 }  // namespace piae

@@ -78,7 +78,7 @@ TEST_P(TwinVariantTraining, CutAfterAnyEpochAndContinuedEqualsAnUncutOne) {
 
 TEST_P(TwinVariantTraining, LowersItsLosses) {
   TwinOptions options = quick_options();
-  options.epochs = 60;
+  options.epochs = 120;
   options.learning_rate = 4e-3;
   options.width = 64;
   // So few windows of a class have an MMD of their own that hides what is learned.
