@@ -16,7 +16,8 @@ export OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1
 
 report=$PWD/build/tests.xml
 rm -rf "$report" build/tests-of-rooms
-ctest --test-dir build --parallel "$(env -u OMP_NUM_THREADS nproc)" --output-on-failure \
+# One more than there are cores: those on a Slurm wait most of the time.
+ctest --test-dir build --parallel $(($(env -u OMP_NUM_THREADS nproc) + 1)) --output-on-failure \
   --no-tests=error --output-junit "$report"
 status=$?
 

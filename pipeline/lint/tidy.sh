@@ -1,6 +1,6 @@
 #!/bin/bash
 # clang-tidy finds nothing (.clang-tidy says what it looks for) in what changed; with LINT=all in all
-# files. A file takes 5 to 40 s, so what does not fit into ten minutes is left to LINT=all.
+# files. A file takes 5 to 40 s, so what does not fit into three minutes is left to LINT=all.
 # shellcheck source-path=SCRIPTDIR
 source "${0%/*}/common.sh"
 
@@ -45,7 +45,7 @@ check() { # number, file, [argument]
 }
 
 started=$(date +%s) seconds=
-[[ ${LINT:-} == all ]] || (($#)) || seconds=600
+[[ ${LINT:-} == all ]] || (($#)) || seconds=180
 export -f check
 export program configured results started seconds
 
@@ -59,6 +59,6 @@ fi
 printf '%s\n' "${files[@]}" | nl -w1 -s' ' | xargs -P "$cores" -L 1 bash -c 'check "$@"' check
 
 left_out=$(find $results -name '*.left_out' | wc -l)
-((left_out == 0)) || say "$left_out of ${#files[@]} files did not fit into ten minutes; LINT=all looks at all"
+((left_out == 0)) || say "$left_out of ${#files[@]} files did not fit into three minutes; LINT=all looks at all"
 # A finding in a header comes once for each file that includes it.
 cat $results/*.out | sed "s,^$PWD/,," | sed -nE 's/^([^: ]+:[0-9]+):[0-9]+: (error|warning): /\1: /p' | sort -u

@@ -10,13 +10,14 @@
 #   kill_node NODE, start_node NODE    its slurmd, its stepd and what ran on it, by SIGKILL, as when a node
 #                                  loses its power; and its slurmd anew
 #   restart_ctld                   kill -9, and a new one that goes on from the state of the old
+#   begin_again JOB                a job that was requeued begins, without the two minutes that it would wait
 #   running PROGRAM, no_jobs       process ids of a program's file; whether the queue is empty
 #   until_true WHAT COMMAND...     waits up to two minutes, and says what for if it was in vain
 #
 # What is to be known of it:
 # - Whatever runs in the namespace belongs to the test: so it is ended, by process id. A stepd is no child of
 #   its slurmd, and survives it.
-# - A job that is requeued waits two minutes; `scontrol update JobId=N StartTime=now` skips them.
+# - A node refuses a job that begins again in the second in which it was revoked.
 # - A slurmctld that is killed within 3 s of a submission has forgotten the job: wait before restart_ctld.
 # - `scancel --signal=TERM` goes to the steps; with --batch to the batch script, and with --full to both.
 # - A node that was lost is DOWN after SlurmdTimeout; its slurmd back again, ReturnToService makes it idle. Back
@@ -193,6 +194,11 @@ until_true() { # what is waited for, command...
 all_idle() { [[ $(sinfo --noheader --partition=all --Format=StateLong | sort -u) == idle* ]]; }
 is_down() { sinfo --noheader --nodes="$1" --format=%t | grep -q down; }
 wait_for_nodes() { until_true "all nodes are idle" all_idle; }
+
+begin_again() {
+  sleep 2
+  until_true "job $1 has left its node" scontrol update JobId="$1" StartTime=now
+}
 
 no_jobs() { [[ ! $(squeue --noheader) ]]; }
 

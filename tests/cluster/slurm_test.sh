@@ -21,7 +21,7 @@ test_runs_a_job_requeues_it_at_once_and_says_how_it_ended() {
   wait_for lives
   scontrol requeue "$job"
   wait_for_job PENDING "$job"
-  scontrol update JobId="$job" StartTime=now
+  begin_again "$job"
   wait_for_job RUNNING "$job"
   expect_equal "$(sort -u lives)" began
   scancel "$job"

@@ -129,7 +129,7 @@ test_requeue() {
   scontrol requeue "$job"
   until_true "job $job waits" in_state PENDING "$job"
   expect_checkpoint
-  scontrol update JobId="$job" StartTime=now
+  begin_again "$job"
   until_true "job $job is done" in_state COMPLETED "$job"
   expect_line "$(<"$training")" 'going on from'
   expect_same_as_alone

@@ -41,7 +41,7 @@ test_out_of_time_a_job_goes_back_and_no_other_does_and_goes_on_from_the_checkpoi
   scancel --batch --signal=USR1 "${cells}_$last"
   wait_for_line "cells.$last.log" 'status 75: out of time, goes back into the queue'
   wait_for_job PENDING "${cells}_$last"
-  until_true "the job has left its node" scontrol update JobId="${cells}_$last" StartTime=now
+  begin_again "${cells}_$last"
   wait_for_line tables.log '^job: life ended .* status 0: done'
   expect_equal "$(lives "cells.$last.log")" 2
   expect_equal "$(lives cells.0.log)" 1
@@ -58,9 +58,8 @@ test_a_life_that_makes_nothing_new_is_the_last() {
   wait_for results/t/simulated-small/seed1/none/100to1/diagnosis.h5
   scancel --batch --signal=USR1 "${cells}_0"
   wait_for_line cells.0.log 'out of time, goes back'
-  until_true "the job has left its node" scontrol update JobId="${cells}_0" StartTime=now
-  until_true "the job began again" test 2 = "$(lives cells.0.log)" || true
-  until [[ $(lives cells.0.log) == 2 ]]; do sleep 0.2; done
+  begin_again "${cells}_0"
+  until_true "the job began again" has_begun_twice
   sleep 2
   scancel --batch --signal=USR1 "${cells}_0"
   wait_for_line cells.0.log 'nothing new was made in this life'
@@ -68,6 +67,8 @@ test_a_life_that_makes_nothing_new_is_the_last() {
   expect_equal "$(lives cells.0.log)" 2
   expect_in_log tables.log '^missing: '
 }
+
+has_begun_twice() { (($(lives cells.0.log) == 2)); }
 
 slurm_up
 run_tests

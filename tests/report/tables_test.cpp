@@ -343,7 +343,7 @@ TEST_F(TablesOfAnotherDataset, AreSoundLatexWhateverTheNames) {
   const std::string text = latex(document(grid_));
   expect_sound_latex(text);
   EXPECT_THAT(text, StartsWith("% Results on my\\_rig\\_100\n"));
-  EXPECT_THAT(text, HasSubstr("\\label{tab:100---mine--quality-methods-spectral-distance-db}"));
+  EXPECT_THAT(text, HasSubstr("\\label{tab:my-rig-100-quality-methods-spectral-distance-db}"));
 }
 
 TEST_F(Tables, AreSoundLatex) {

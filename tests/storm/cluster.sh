@@ -141,7 +141,7 @@ requeue() {
   wait_until_it_trains
   some_time
   scontrol requeue "$job" || return 0
-  until_true "job $job waits" in_state PENDING "$job" && scontrol update JobId="$job" StartTime=now
+  until_true "job $job waits" in_state PENDING "$job" && begin_again "$job"
 }
 
 # ---- what has become of it --------------------------------------------------------------------------------
