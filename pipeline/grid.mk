@@ -75,8 +75,8 @@ selection       := --methods $(METHODS) --ratios $(RATIOS) --seeds $(SEEDS)
 options.split   := --protocol $(PROTOCOL)
 
 # ---- rules --------------------------------------------------------------------------------------
-# What is there is complete, so make has no cause to remove it when it is interrupted.
-.PRECIOUS: %.h5
+# What is there is complete, so make has no cause to remove it when it is interrupted: each rule calls what
+# it makes precious.
 
 # A step runs a stage for the folder of its target. Its settings file is also what the stage reads. What it
 # makes stands behind --output, or behind -- where that is several files.
@@ -84,6 +84,7 @@ step   = $(Q)pipeline/step.sh $(@D)
 config = --config $(filter $(settings)/%,$^)
 
 define records_rule # data set
+.PRECIOUS: $(results)/$1/records.h5
 $(results)/$1/records.h5: $(settings)/datasets/$1.toml
 	$$(step) $(if $(filter $1,$(simulated)),simulate,ingest --data-dir '$(DATA_DIR)') --description $$< --output $$@
 endef
@@ -93,11 +94,13 @@ endef
 windows = $(patsubst %,$1/%.h5,A B C D)
 
 define split_rule # data set, seed, its folder
+.PRECIOUS: $(call windows,$3)
 $(call windows,$3) &: $(results)/$1/records.h5 $(settings)/split.toml
 	$$(step) split $$(config) --records $$< --seed $2 --protocol $(PROTOCOL) --output-dir $$(@D) -- $(call windows,$3)
 endef
 
 define generator_rules # seed, its folder, cell; where that is not a method: the method, further options
+.PRECIOUS: $(patsubst %,$2/$3/%.h5,model E score)
 $2/$3/model.h5: $(call windows,$2) $(settings)/train.$(or $4,$3).toml
 	$$(step) train $$(config) --method $(or $4,$3) $(if $5,$5 )$(if $(filter $(ceilings),$3),--real $2/D.h5 )--known $2/C.h5 --seed $1 --output $$@
 $2/$3/E.h5: $2/$3/model.h5 $(settings)/generate.toml
@@ -109,6 +112,7 @@ endef
 # Elapsed times are left out of what is stored (--reproducible), so that a cell computed again is
 # equal byte for byte; the log beside it has them.
 define diagnosis_rule # seed, its folder, cell
+.PRECIOUS: $(patsubst %,$2/$3/%/diagnosis.h5,$(call method_ratios,$3))
 $(patsubst %,$2/$3/%/diagnosis.h5,$(call method_ratios,$3)): $2/$3/%/diagnosis.h5: \
     $(call windows,$2) $(if $(filter $(baseline),$3),,$2/$3/E.h5) $(settings)/diagnose.toml
 	$$(step) diagnose $$(config) --test $2/A.h5 --normal $2/B.h5 --known $2/C.h5 \
@@ -123,6 +127,7 @@ features_seed := $(firstword $(shell printf '%s\n' $(SEEDS) | sort -n))
 features       = $(foreach method,$(methods),$(results)/$1/seed$(features_seed)/$(method)/$(call features_ratio,$(method))/features.h5)
 
 define features_rule # its folder, method, ratio
+.PRECIOUS: $1/$2/$3/features.h5
 $1/$2/$3/features.h5: $(call windows,$1) $(if $(filter $(baseline),$2),,$1/$2/E.h5) $(settings)/diagnose.toml
 	$(Q)STEP_LOG=features pipeline/step.sh $$(@D) diagnose $$(config) --test $1/A.h5 --normal $1/B.h5 --known $1/C.h5 \
 	  $(if $(filter $(baseline),$2),,--generated $1/$2/E.h5 )--ratio $3 --seed $(features_seed) --reproducible --keep-features --output $$@
@@ -170,6 +175,7 @@ endef
 $(foreach dataset,$(DATASETS),$(eval $(call find_besides,$(dataset),$(results)/$(dataset))))
 
 define tables_rule # data set
+.PRECIOUS: $(call tables_of,$1)
 $(call tables_of,$1) &: $(call cell_files,$1) $(besides.$1) $(wildcard results/published/*.csv) $(settings)/tabulate.$1.toml
 	$$(step) tabulate $$(config) --run $(results) --dataset $1 $(selection) $(call leave_out,$(left_out.$1))--published results/published \
 	  -- $(call tables_of,$1)

@@ -28,6 +28,7 @@ endef
 $(if $(only_asking),,$(foreach dataset,$(identify_datasets),$(eval $(call find_other_models,$(dataset),$(results)/$(dataset)))))
 
 define identify_rule # data set
+.PRECIOUS: $(call identify_tables,$1)
 $(call identify_tables,$1) &: $(settings)/identify.$1.toml $(call identify_models,$1) $(other_models.$1) \
     $(foreach folder,$(call seed_folders,$1),$(call windows,$(folder)))
 	$$(step) identify $$(config) --run $(results) --dataset $1 $(call leave_out,$(models_left_out.$1))$(identify_choice) \

@@ -38,6 +38,7 @@ readings_choice := --ratios $(readings_ratios) --seeds $(SEEDS)
 $(foreach dataset,$(DATASETS),$(eval options.readings.$(dataset) := $(readings_choice)))
 
 define readings_rule # data set
+.PRECIOUS: $(call readings_tables,$1)
 $(call readings_tables,$1) &: $(call readings_cells,$1) $(wildcard results/published/*.csv) \
                               $(settings)/readings.$1.toml
 	$$(step) readings $$(config) --run $(results) --dataset $1 $(readings_choice) \

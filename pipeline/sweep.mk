@@ -41,6 +41,7 @@ endef
 $(if $(only_asking),,$(foreach dataset,$(DATASETS),$(eval $(call find_swept_besides,$(dataset),$(results)/$(dataset)))))
 
 define sweep_rule # data set
+.PRECIOUS: $(call sweep_tables,$1)
 $(call sweep_tables,$1) &: $(call sweep_diagnoses,$1) $(swept_besides.$1) $(settings)/sweep.$1.toml
 	$$(step) sweep $$(config) --run $(results) --dataset $1 $(call leave_out,$(swept_left_out.$1))$(sweep_choice) \
 	  -- $(call sweep_tables,$1)

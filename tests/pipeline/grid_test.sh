@@ -450,6 +450,23 @@ test_a_signal_to_make_all_reaches_the_stage() {
   expect_no_line "$(<messages)" "not every cell"
 }
 
+test_what_is_written_when_make_is_stopped_stays() {
+  describe
+  rm fake/train
+  # shellcheck disable=SC2016
+  printf '%s\n' '#!/bin/bash' 'trap "" TERM' 'while (($#)); do [[ $1 != --output ]] || echo done >"$2"; shift; done' \
+    'touch written' 'sleep 1' >fake/train
+  chmod +x fake/train
+  set -m
+  make --silent cells BIN=fake RUN=t DATASETS=real METHODS=piae-dt SEEDS=0 >messages 2>&1 &
+  set +m
+  wait_for written
+  kill -TERM $!
+  expect_exit 143 wait $!
+  expect_equal "$(<results/t/real/seed0/piae-dt/model.h5)" done
+  expect_no_line "$(<messages)" Deleting
+}
+
 test_a_lost_window_file_brings_back_its_split() {
   finished_grid
   rm results/t/real/seed0/D.h5
