@@ -39,7 +39,9 @@ std::size_t mapped_bytes() {
 /// Good files need some three times their size, and a second for some hundred MB.
 void limit_by_size(std::size_t size) {
   constexpr std::size_t some = std::size_t{64} << 20U;
+#ifndef __SANITIZE_ADDRESS__  // which needs memory to say what it has found, and has a limit itself
   limit(RLIMIT_AS, mapped_bytes() + some + 4 * size);
+#endif
   limit(RLIMIT_CPU, 2 + size / (std::size_t{20} << 20U));
   limit(RLIMIT_CORE, 0);
 }

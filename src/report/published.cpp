@@ -45,13 +45,15 @@ std::string method_of_model(const text::CsvLine& line) {
   line.refuse("unknown model '" + line.fields[1] + "'; known are model1 to model5");
 }
 
-using Percents = std::map<std::tuple<std::string, std::string, std::string>, double>;
+using Percents = std::map<std::tuple<std::string, std::string, std::string>, PublishedPercent>;
 
 void add(Percents& percents, const text::CsvLine& line, const std::string& method,
          const std::string& ratio, double percent) {
-  const auto [place, is_new] = percents.try_emplace({line.fields[0], method, ratio}, percent);
-  if (!is_new && place->second != percent) {
-    line.refuse("contradicts another figure for " + method + " at " + ratio);
+  const auto [known, is_new] =
+      percents.try_emplace({line.fields[0], method, ratio}, PublishedPercent{percent, line.place});
+  if (!is_new && known->second.value != percent) {
+    line.refuse("contradicts the figure for " + method + " at " + ratio + " in " +
+                known->second.place);
   }
 }
 
@@ -98,7 +100,7 @@ std::optional<double> Published::percent(const std::string& dataset, const std::
                                          const std::string& ratio) const {
   const auto found = percents_.find({dataset, method, ratio});
   if (found == percents_.end()) return std::nullopt;
-  return found->second;
+  return found->second.value;
 }
 
 std::vector<double> Published::baseline_runs(const std::string& dataset) const {

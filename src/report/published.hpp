@@ -9,6 +9,11 @@
 
 namespace piae::report {
 
+struct PublishedPercent {
+  double value = 0;
+  std::string place;  ///< file and line
+};
+
 /// Accuracies that the paper publishes, in percent.
 class Published {
  public:
@@ -27,7 +32,8 @@ class Published {
   [[nodiscard]] std::vector<double> baseline_runs(const std::string& dataset) const;
 
  private:
-  std::map<std::tuple<std::string, std::string, std::string>, double> percents_;
+  /// By data set, method and ratio.
+  std::map<std::tuple<std::string, std::string, std::string>, PublishedPercent> percents_;
   std::map<std::string, std::vector<double>> baseline_runs_;
 };
 

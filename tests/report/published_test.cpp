@@ -102,7 +102,8 @@ TEST_F(PublishedTables, ModelsMustBeKnown) {
 
 TEST_F(PublishedTables, FiguresMustNotContradictEachOther) {
   expect_refused(ablation_, "dataset,model,50to1\ncwru,model1,81\n",
-                 ", line 2: contradicts another figure for piae-dt at 50to1");
+                 ", line 2: contradicts the figure for piae-dt at 50to1 in " +
+                     (folder_ / methods_).string() + ", line 3");
 }
 
 TEST_F(PublishedTables, DatasetsMustNotComeTwice) {

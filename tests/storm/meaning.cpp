@@ -503,8 +503,25 @@ std::string change_link(const Patient& patient, const std::vector<std::filesyste
   }
 }
 
+/// Whether a dataset says that it is larger than any artefact of the storm.
+bool claims_too_much(hid_t file) {
+  constexpr double most_bytes = 1 << 28;
+  return std::ranges::any_of(hdf5::object_paths(file), [&](const std::string& path) {
+    const Handle object(H5Oopen(file, path.c_str(), H5P_DEFAULT), path.c_str());
+    if (H5Iget_type(object) != H5I_DATASET) return false;
+    const Handle type(H5Dget_type(object), path.c_str());
+    const Handle space(H5Dget_space(object), path.c_str());
+    return static_cast<double>(H5Sget_simple_extent_npoints(space)) *
+               static_cast<double>(H5Tget_size(type)) >
+           most_bytes;
+  });
+}
+
+/// Not where a dataset claims so much that reading it would end this process: whether the digest is
+/// good no reader may get to see.
 void renew_digests(hid_t file) {
   try {
+    if (claims_too_much(file)) return;
     const std::string content = artefact::content_digest(file);
     stages::replace_attribute(file, artefact::provenance_group, artefact::digest_attribute,
                               artefact::provenance_digest(file));

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 
-#include "augment/catalogue.hpp"
 #include "report/published.hpp"
 #include "settings/protocol.hpp"
 #include "signal/description.hpp"
@@ -43,21 +42,14 @@ void read_protocol(const fs::path& file) {
 /// The published accuracies are three files; the others are good.
 void read_published(const fs::path& file) { (void)report::Published(file.parent_path()); }
 
-void make_windows(const fs::path& file) {
-  const artefact::Reader model(file, "model");
-  const std::string name = model.text("/", "method");
-  (void)augment::make_method(name)->generate(model, 1, Stream("storm"), Compute{});
-}
-
 bool is_model(const fs::path& file) {
   return file.filename().string().find(".model.") != std::string::npos;
 }
 
-/// What verify accepts, the stage reads in earnest.
+/// With a model verify makes windows, too.
 void read_artefact(const fs::path& file) {
   const std::vector<verification::Finding> findings = verification::verify({file});
   if (!findings.empty()) throw Error(Exit::bad_input, findings.front().line);
-  if (is_model(file)) make_windows(file);
 }
 
 constexpr std::array<Target, 8> all{{
