@@ -182,6 +182,9 @@ help:
 asked := $(filter records cells tables all figures report demo sweep contrast identify readings results/%,$(goals))
 .PHONY: $(asked)
 $(asked): $(or $(on_cluster),grid)
+ifneq (,$(on_cluster))
+$(asked): ; @: # or make would say that there is nothing to be done
+endif
 
 # Where a run is only looked at, nothing need be there but what those variables name that are given.
 lower_case  = $(shell printf %s '$1' | tr A-Z a-z)

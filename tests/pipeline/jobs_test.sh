@@ -145,7 +145,7 @@ test_what_stands_beside_status_and_cluster_stop_is_not_computed() {
       [[ ! -e calls && ! -e results ]] || fail "make $front $goal has computed: $(<calls)"
     done
   done
-  expect_equal "$(make --silent cluster-stop readings BIN=fake)" "no job of results/readings is in the queue"
+  expect_equal "$(make cluster-stop readings BIN=fake)" "no job of results/readings is in the queue"
   expect_equal "$(make --silent cluster-stop sweep BIN=fake RUN=t)" "no job of results/t is in the queue"
 }
 
