@@ -29,7 +29,7 @@ fi
 # What is counted are cells, or what takes their place.
 counted=cells made_by='score|diagnose'
 case $goal in
-  '' | all) goals=(cells features) ;;
+  '' | all) goals=(tables features) ;;
   cells | demo) goals=(cells) ;;
   sweep | contrast | readings) goals=("$goal") ;;
   identify) goals=(identify) counted=models made_by=train ;;
@@ -47,9 +47,11 @@ steps() { # options of make
 steps >"$scratch/steps"
 steps --always-make | awk -F '\t' -v made_by="^($made_by)\$" '$2 ~ made_by { print $3 }' >"$scratch/cells"
 
+# Stages that the last job of a submission runs.
+tables='tabulate|sweep|readings|identify|contrast'
+
 # Where this run was submitted to Slurm: what is in the queue, and which jobs ended otherwise than well.
 [[ -z $jobs ]] || jobs/ended.sh "$run" "$jobs" "$scratch"
-tables='sweep|readings|identify|contrast' # stages that the last job runs
 # Why the job ended that was to make this file.
 job_ended() { # stage, file
   local list why
@@ -90,7 +92,7 @@ mapfile -t runs < <(cut -d / -f -2 "$scratch/cells" | sort -u) # of a contrast t
 { grep -rH --include='*.log' '^step: exit 0 after ' "${runs[@]:-$run}" 2>/dev/null || true; } |
   sed -n 's|^\(.*\)/\([^/]*\)\.log:step: exit 0 after \([0-9.]*\) s$|\1 \2 \3|p' >"$scratch/durations"
 
-# Neither features nor tables of other questions are cells, and no cell waits for them.
+# Neither features nor tables are cells, and no cell waits for them.
 grep -vE "^[^ ]+ (features|$tables) " "$scratch/states" >"$scratch/counted" || true
 awk -v run="$run" -v counted="$counted" -f "${0%/*}/status.awk" \
   "$scratch/durations" "$scratch/counted" "$scratch/cells"
@@ -116,9 +118,8 @@ list() { # state, pattern (STAGE stands for the stage's name), which of the line
     log=$folder/$stage.log
     program=${stage/#features/diagnose}
     line=$({ grep "${2//STAGE/$program}" "$log" || true; } | "$3" -n 1)
-    if [[ ! $line ]]; then
-      [[ $state == running ]] && line=$stage || line=$(why_without_a_word "$stage" "$file" "$code")
-    fi
+    [[ $line || $state != running ]] || line=$stage
+    [[ $line ]] || line=$(why_without_a_word "$stage" "$file" "$code")
     printf '  %s: %s (log: %s)\n' "${folder#"$run/"}" "$line" "$log"
   done <"$scratch/states"
 }

@@ -309,6 +309,21 @@ test_features_that_failed_are_named() {
   expect_no_line "$(status cells)" failed$
 }
 
+test_tables_that_failed_are_named() {
+  describe
+  echo "tabulate real/accuracy.csv" >broken
+  with_grid all DATASETS=real -k >/dev/null 2>&1 || true
+  local output
+  output=$(status)
+  expect_line "$output" '^all +8 +8 +0 +0 +0 +0 s$'
+  expect_equal "$(tail -n 2 <<<"$output")" $'failed\n  real: tabulate: the reason (log: results/t/real/tabulate.log)'
+  # As the job of the tables says, where it was killed.
+  sed -i '/^step: exit/d; /^tabulate: /d' results/t/real/tabulate.log
+  submitted all RUN=t DATASETS=real results=results/t
+  echo "job: life begun at 1 on n1, 4 cores" >$jobs/tables.log
+  expect_line "$(status)" '^  real: tabulate: its job ended: killed \(log: '
+}
+
 test_what_cannot_be_counted_is_refused() {
   describe
   expect_line "$(status sweep contrast 2>&1 || true)" 'one of .* at a time'
