@@ -115,6 +115,9 @@ test_another_question_takes_a_run_of_both_protocols() {
   wait_for_line tables.log '^job: life ended .* status 0: done'
   expect_line "$(<results/t/simulated-small/protocols.md)" none
   [[ -e results/t-blocked/simulated-small/seed0/none/100to1/diagnosis.h5 ]] || fail "the other protocol was not computed"
+  # What was submitted is known without saying it again.
+  expect_line "$(make --silent status BIN=bin RUN=t)" '^all +2 +2 +0 +0 +0 '
+  until_done
 }
 
 test_windows_that_could_not_be_made_are_asked_for_once() {
