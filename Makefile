@@ -78,6 +78,7 @@ of_code    := $(in_folders) " ` \ ; & | < > ( ) { } [ ] * ? ! ~ \#
 found_in    = $(firstword $(foreach sign,$2,$(if $(findstring $(sign),$(value $1)),$(sign)))\
                 $(if $(findstring $(line_break),$(value $1)),line break))
 refuse_signs = $(if $(found_in),$(error $1: holds a $(patsubst line,line break,$(found_in)), which it must not; $3))
+$(if $(strip $(value DATA_DIR)),,$(error DATA_DIR: is empty; name the folder of the recordings or leave it out))
 $(call refuse_signs,DATA_DIR,$(in_folders),rename the folder or make a link to it)
 $(if $(filter -%,$(firstword $(DATA_DIR))),$(error DATA_DIR: begins with '-'; write ./$(DATA_DIR)))
 $(foreach name,$(filter-out DATA_DIR SUBMIT,$(variables)),$(call refuse_signs,$(name),$(of_code),it is a plain word or a list of them))

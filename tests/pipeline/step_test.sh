@@ -334,4 +334,13 @@ test_a_log_is_not_written_through_a_planted_link() {
   expect_equal "$(<victim)" precious
 }
 
+test_a_log_that_is_a_pipe_is_not_waited_for() {
+  own_stage <<<'echo done'
+  mkdir -p results/t/real/seed0
+  mkfifo results/t/real/seed0/own.log
+  expect_exit 1 timeout 10 pipeline/step.sh results/t/real/seed0 own
+  expect_line "$(timeout 10 pipeline/step.sh results/t/real/seed0 own 2>&1)" \
+    'failed: cannot write results/t/real/seed0/own.log'
+}
+
 run_tests
