@@ -1,15 +1,19 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
+#include <limits>
 #include <span>
 #include <vector>
 
 namespace piae::artefact {
 
 /// All bytes of a file. Throws Error(input_missing) where it cannot be read, or is no file: a pipe
-/// is not waited for.
-std::vector<std::byte> read_file(const std::filesystem::path& path);
+/// is not waited for. Throws Error(bad_input), before anything is read, where it has more than
+/// `most` bytes: a file may say that it is huge and take no room on the disk.
+std::vector<std::byte> read_file(const std::filesystem::path& path,
+                                 std::uint64_t most = std::numeric_limits<std::int64_t>::max());
 
 /// Writes a file so that it is always complete: until all is written the old content stands there.
 /// The bytes are written to a file beside it (partial_file.hpp) and synced to the disk, then that
