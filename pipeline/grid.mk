@@ -241,7 +241,7 @@ all:
 	$(Q)+pipeline/tables.sh $(if $(findstring q,$(firstword -$(MAKEFLAGS))),,--show) $(this_make)
 	$(show_summaries)
 
-# For status.sh, also in a dry run.
+# For the tables of jobs in a dry run.
 list-cells:
 	@$(foreach dataset,$(DATASETS),$(foreach file,$(call cell_files,$(dataset)),$(info cell $(file)))):
 

@@ -43,7 +43,7 @@ int main(int argc, char** argv) {
     signal::require_role(generated, signal::Role::generated);
     signal::require_role(real, signal::Role::hidden);
     scoring::QualityRecord record;
-    record.method = generated.text("/", "method");
+    record.method = signal::read_method(generated);
     record.seed = generated.integer("/", "seed");
     record.protocol = signal::read_protocol(generated);
     signal::require_same_split(generated, real);

@@ -1,7 +1,10 @@
 #include "signal/split.hpp"
 
 #include <iostream>
+#include <vector>
 
+#include "artefact/file.hpp"
+#include "base/error.hpp"
 #include "cli/stage.hpp"
 #include "signal/recordings.hpp"
 
@@ -43,10 +46,19 @@ int main(int argc, char** argv) {
   return stage.run(argc, argv, [&] {
     const artefact::Reader reader = stage.open("records", records, "records");
     const signal::Split split = signal::split(signal::read_recordings(reader), options);
-    for (const signal::Role role : signal::split_roles) {
-      artefact::Writer writer("windows");
-      write(writer, split, role, options, reader.digest());
-      stage.save(writer, folder / (to_string(role) + ".h5"));
+    std::vector<fs::path> done;
+    try {
+      for (const signal::Role role : signal::split_roles) {
+        artefact::Writer writer("windows");
+        write(writer, split, role, options, reader.digest());
+        const fs::path file = folder / (to_string(role) + ".h5");
+        stage.save(writer, file);
+        done.push_back(file);
+      }
+    } catch (const Error&) {
+      // Some roles of this split beside those of another, or none, would be taken for a whole one.
+      for (const fs::path& file : done) artefact::remove_file(file);
+      throw;
     }
     print_summary(split, options);
   });

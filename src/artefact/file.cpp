@@ -43,7 +43,7 @@ void sync_folder(const fs::path& folder) {
 
 }  // namespace
 
-std::vector<std::byte> read_file(const fs::path& path) {
+std::vector<std::byte> read_file(const fs::path& path, std::uint64_t most) {
   // A pipe without a writer would be waited for.
   const Descriptor in(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
   struct stat status {};
@@ -52,6 +52,11 @@ std::vector<std::byte> read_file(const fs::path& path) {
   }
   if (!S_ISREG(status.st_mode)) {
     throw Error(Exit::input_missing, path.string() + ": is not a file");
+  }
+  if (static_cast<std::uint64_t>(status.st_size) > most) {
+    throw Error(Exit::bad_input, path.string() + ": is larger than " +
+                                     std::to_string(most / 1'000'000) +
+                                     " MB, more than such a file can be");
   }
   std::vector<std::byte> bytes(static_cast<std::size_t>(status.st_size));
   std::size_t filled = 0;

@@ -22,7 +22,7 @@ const std::string remedy = "; make it again with the stage that wrote it";
 
 std::vector<std::byte> bytes_of(const fs::path& path) {
   try {
-    return read_file(path);
+    return read_file(path, largest_artefact_bytes);
   } catch (const Error& error) {
     throw Refusal(error.exit(), RefusalReason::unreadable, error.what());
   }

@@ -11,6 +11,7 @@
 #include <cerrno>
 #include <csignal>
 #include <fstream>
+#include <new>
 #include <string_view>
 #include <system_error>
 
@@ -36,14 +37,26 @@ std::size_t mapped_bytes() {
   return pages * static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
 }
 
-/// Good files need some three times their size, and a second for some hundred MB.
-void limit_by_size(std::size_t size) {
+/// The address space with which a good file of this size can be read: what is mapped already, some
+/// for HDF5, and more than the three times its size that it takes.
+std::size_t enough_for(std::size_t size) {
   constexpr std::size_t some = std::size_t{64} << 20U;
+  return mapped_bytes() + some + 4 * size;
+}
+
+/// The child may take as much address space, and a second for some hundred MB.
+void limit_by_size(std::size_t size) {
 #ifndef __SANITIZE_ADDRESS__  // which needs memory to say what it has found, and has a limit itself
-  limit(RLIMIT_AS, mapped_bytes() + some + 4 * size);
+  limit(RLIMIT_AS, enough_for(size));
 #endif
   limit(RLIMIT_CPU, 2 + size / (std::size_t{20} << 20U));
   limit(RLIMIT_CORE, 0);
+}
+
+/// Whether this process itself may not take what a good file of this size may need.
+bool is_short_of_memory(std::size_t size) {
+  rlimit now{};
+  return ::getrlimit(RLIMIT_AS, &now) == 0 && now.rlim_cur < enough_for(size);
 }
 
 void say(int to, std::string_view text) {
@@ -83,6 +96,15 @@ std::string hear(int from) {
   ::_exit(0);
 }
 
+/// What the child has said, which was not that all is good.
+Objection objection_in(const std::string& heard, const std::string& otherwise) {
+  const std::size_t space = heard.find(' ');
+  if (space == std::string::npos || heard.find_first_not_of("0123456789") != space) {
+    return {RefusalReason::damaged, otherwise};
+  }
+  return {static_cast<RefusalReason>(std::stoi(heard)), heard.substr(space + 1)};
+}
+
 [[noreturn]] void fail(const char* what) {
   throw Error(Exit::failed, std::string("cannot read artefacts in a process of their own: ") +
                                 what + ": " + std::generic_category().message(errno));
@@ -107,10 +129,10 @@ std::optional<Objection> rehearse(std::size_t size, const std::string& otherwise
   while (::waitpid(child, nullptr, 0) < 0 && errno == EINTR) {
   }
   if (heard == good) return std::nullopt;
-  const std::size_t space = heard.find(' ');
-  if (space == std::string::npos || heard.find_first_not_of("0123456789") != space)
-    return Objection{RefusalReason::damaged, otherwise};
-  return Objection{static_cast<RefusalReason>(std::stoi(heard)), heard.substr(space + 1)};
+  Objection objection = objection_in(heard, otherwise);
+  const bool may_be_for_memory = objection.reason != RefusalReason::wrong_kind;
+  if (may_be_for_memory && is_short_of_memory(size)) throw std::bad_alloc();
+  return objection;
 }
 
 }  // namespace piae::artefact

@@ -22,7 +22,8 @@ struct Objection {
 ///
 /// `read` throws Refusal for what it objects to. Whatever else becomes of the child is an objection
 /// too, with the reason `damaged` and the line `otherwise`. The child is a copy of this process
-/// with one thread, so `read` must start no other.
+/// with one thread, so `read` must start no other. Throws std::bad_alloc where the objection may be
+/// that this process was given less memory than a good file of this size takes.
 std::optional<Objection> rehearse(std::size_t size, const std::string& otherwise,
                                   const std::function<void()>& read);
 

@@ -88,7 +88,13 @@ void Writer::save(const std::filesystem::path& path, const Provenance& provenanc
   hdf5::write_attribute(file_.id(), provenance_group, digest_attribute,
                         provenance_digest(file_.id()));
   hdf5::write_attribute(file_.id(), "/", digest_attribute, content_digest(file_.id()));
-  write_file_atomically(path, file_.close());
+  const auto bytes = file_.close();
+  if (bytes.size() > largest_artefact_bytes) {
+    throw Error(Exit::failed, path.string() + ": would be larger than " +
+                                  std::to_string(largest_artefact_bytes / 1'000'000) +
+                                  " MB, which no stage reads; take fewer or shorter records");
+  }
+  write_file_atomically(path, bytes);
 }
 
 }  // namespace piae::artefact

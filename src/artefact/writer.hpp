@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <span>
 #include <string>
@@ -12,6 +13,10 @@ namespace piae::artefact {
 
 /// Version of the layout of all artefacts. A reader refuses any other.
 inline constexpr std::int64_t schema_version = 1;
+
+/// The most bytes of an artefact, which is read as a whole. Those of the paper's data sets have
+/// some megabytes.
+inline constexpr std::uint64_t largest_artefact_bytes = 4'000'000'000;
 
 /// Builds an artefact in memory. save() then writes it, complete or not at all.
 ///

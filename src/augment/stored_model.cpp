@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "augment/catalogue.hpp"
+#include "base/error.hpp"
 #include "phase/stored_inference.hpp"
 #include "twin/curves.hpp"
 #include "twin/model.hpp"
@@ -30,6 +31,17 @@ void require_record_of_training(const artefact::Reader& model) {
   if (model.has("/inference")) (void)phase::read_inference(model);
 }
 
+/// Where eq. 13 has no solution, the numbers of the model are to blame.
+signal::WindowSet generated_by(Method& method, const artefact::Reader& model, std::size_t count,
+                               const Stream& stream, const Compute& compute) {
+  try {
+    return method.generate(model, count, stream, compute);
+  } catch (const Error& error) {
+    if (error.exit() != Exit::failed) throw;
+    model.refuse("/", std::string("makes no windows: ") + error.what());
+  }
+}
+
 }  // namespace
 
 std::unique_ptr<Method> method_of(const artefact::Reader& model) { return entry_of(model).make(); }
@@ -37,7 +49,7 @@ std::unique_ptr<Method> method_of(const artefact::Reader& model) { return entry_
 signal::WindowSet generate_with(Method& method, const artefact::Reader& model, std::size_t count,
                                 const Stream& stream, const Compute& compute) {
   require_record_of_training(model);
-  signal::WindowSet windows = method.generate(model, count, stream, compute);
+  signal::WindowSet windows = generated_by(method, model, count, stream, compute);
   if (!std::ranges::all_of(windows.samples, [](float x) { return std::isfinite(x); })) {
     model.refuse("/", "makes windows with NaN or infinite samples; train it again");
   }

@@ -2,7 +2,7 @@
 
 #include <toml++/toml.h>
 
-#include <iterator>
+#include <istream>
 #include <sstream>
 
 #include "base/error.hpp"
@@ -31,10 +31,19 @@ std::vector<std::string> values_of(const toml::node& node) {
   return values;
 }
 
+/// What the stream holds, up to one byte more than parse_toml() takes.
+std::string beginning_of(std::istream& input) {
+  std::string text(most_toml_bytes + 1, '\0');
+  input.read(text.data(), static_cast<std::streamsize>(text.size()));
+  if (input.bad()) throw CLI::ConfigError("cannot be read");
+  text.resize(static_cast<std::size_t>(input.gcount()));
+  return text;
+}
+
 }  // namespace
 
 std::vector<CLI::ConfigItem> TomlConfig::from_config(std::istream& input) const {
-  const std::string text(std::istreambuf_iterator<char>(input), {});
+  const std::string text = beginning_of(input);
   std::vector<CLI::ConfigItem> items;
   try {
     for (const auto& [key, node] : options_of(parse_toml(text), program_, variant_)) {

@@ -6,8 +6,6 @@ namespace piae::cli {
 
 namespace {
 
-constexpr std::size_t most_bytes = 1'000'000;
-
 /// Each dot of a key is a table in a table, and the parser calls itself for each: with a hundred
 /// thousand of them it crashes. It counts brackets by itself.
 constexpr std::ptrdiff_t most_dots = 100;
@@ -26,7 +24,7 @@ void require_shallow(std::string_view text) {
 }  // namespace
 
 toml::table parse_toml(std::string_view text) {
-  if (text.size() > most_bytes) throw NotToml(1, "is larger than 1 MB, which no settings are");
+  if (text.size() > most_toml_bytes) throw NotToml(1, "is larger than 1 MB, which no settings are");
   require_shallow(text);
   try {
     return toml::parse(text);

@@ -9,6 +9,9 @@
 
 namespace piae::cli {
 
+/// The most bytes of a file of settings, or of a description.
+inline constexpr std::size_t most_toml_bytes = 1'000'000;
+
 /// A text that is no TOML, or none that is read here: what is wrong, and in which line.
 class NotToml : public std::runtime_error {
  public:

@@ -25,7 +25,7 @@ Inputs read_inputs(const artefact::Reader& test, const artefact::Reader& normal,
     signal::require_role(*generated, signal::Role::generated);
     signal::require_learned_from(*generated, known);
     inputs.generated = signal::read_window_set(*generated);
-    inputs.method = generated->text("/", "method");
+    inputs.method = signal::read_method(*generated);
   }
   inputs.test = std::move(split[0].windows);
   inputs.normal = std::move(split[1].windows);

@@ -1,15 +1,19 @@
 #include "scoring/diagnosis_record.hpp"
 
+#include <algorithm>
 #include <stdexcept>
+#include <string>
 
+#include "scoring/ratios.hpp"
 #include "signal/ranges.hpp"
+#include "signal/roles.hpp"
 
 namespace piae::scoring {
 
 namespace {
 
 constexpr Range generated_per_class{.low = 0, .high = 1e9};
-constexpr Range true_ratio{.low = 0, .high = 1e9};
+constexpr Range true_ratios{.low = 0, .high = 1e9};
 constexpr Range windows_per_second{.low = 0, .high = 1e12};
 constexpr Range cross_entropy{.low = 0, .high = 1e30};
 /// With room for rounding.
@@ -26,6 +30,14 @@ std::vector<Label> read_labels(const artefact::Reader& reader, const std::string
     }
   }
   return labels;
+}
+
+std::string read_ratio(const artefact::Reader& reader) {
+  std::string name = reader.text("/", "ratio");
+  if (std::ranges::find(all_ratios(), name, &Ratio::name) == all_ratios().end()) {
+    reader.refuse("/, attribute ratio", "must be one of " + list_of_ratios());
+  }
+  return name;
 }
 
 void require_consistent(const artefact::Reader& reader, const DiagnosisRecord& record) {
@@ -83,10 +95,10 @@ DiagnosisRecord read_diagnosis(const artefact::Reader& reader) {
   DiagnosisRecord record;
   record.info = signal::read_dataset_info(reader);
   const std::size_t classes = record.info.classes.size();
-  record.method = reader.text("/", "method");
-  record.ratio = reader.text("/", "ratio");
+  record.method = signal::read_method(reader);
+  record.ratio = read_ratio(reader);
   record.generated_per_class = reader.integer("/", "generated_per_class", generated_per_class);
-  record.true_ratio = reader.real("/", "true_ratio", true_ratio);
+  record.true_ratio = reader.real("/", "true_ratio", true_ratios);
   record.seed = reader.integer("/", "seed", signal::ranges::seed);
   record.protocol = signal::read_protocol(reader);
   record.labels = read_labels(reader, "/labels", 0, classes);

@@ -1,6 +1,7 @@
 #include "scoring/quality_record.hpp"
 
 #include "signal/ranges.hpp"
+#include "signal/roles.hpp"
 
 namespace piae::scoring {
 
@@ -33,7 +34,7 @@ void write(artefact::Writer& writer, const QualityRecord& record) {
 QualityRecord read_quality(const artefact::Reader& reader) {
   QualityRecord record;
   record.info = signal::read_dataset_info(reader);
-  record.method = reader.text("/", "method");
+  record.method = signal::read_method(reader);
   record.seed = reader.integer("/", "seed", signal::ranges::seed);
   record.protocol = signal::read_protocol(reader);
   const auto labels = reader.numbers<Label>("/labels", {0}).values;

@@ -47,10 +47,13 @@ Defect read_defect(const artefact::Reader& reader, const std::string& word) {
 
 std::vector<ClassInfo> read_classes(const artefact::Reader& reader) {
   const std::vector<std::string> names = reader.strings("/classes/name");
+  if (!ranges::classes.holds(static_cast<double>(names.size()))) {
+    reader.refuse("/classes/name", "names " + std::to_string(names.size()) + " classes, which " +
+                                       ranges::classes.rule());
+  }
   const std::vector<std::string> defects = reader.strings("/classes/defect");
   const std::string sizes_path = "/classes/defect_size_mm";
   const std::vector<double> sizes = reader.numbers<double>(sizes_path, {names.size()}).values;
-  if (names.empty()) reader.refuse("/classes/name", "is empty");
   if (defects.size() != names.size()) {
     reader.refuse("/classes/defect", "does not fit /classes/name");
   }

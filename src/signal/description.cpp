@@ -96,6 +96,16 @@ std::string read_file_name(TomlTable& record) {
   return name;
 }
 
+/// It becomes an argument of the program that reads the file, which has no room for everything.
+std::string read_variable(TomlTable& record) {
+  constexpr std::size_t longest = 1000;
+  std::string variable = record.text("variable");
+  if (variable.size() > longest) {
+    record.refuse("variable", "must have at most " + std::to_string(longest) + " characters");
+  }
+  return variable;
+}
+
 /// An address that `make data` may give to a program: of the web, and nothing else.
 std::string read_url(TomlTable& record) {
   std::string url = record.optional_text("url");
@@ -118,7 +128,7 @@ RecordSource read_record(TomlTable& table, const DatasetInfo& info) {
   RecordSource record;
   record.label = label_of(info, table);
   record.file = read_file_name(table);
-  record.variable = table.text("variable");
+  record.variable = read_variable(table);
   record.sample_rate_hz = table.number("sample_rate_hz", ranges::described_rate_hz);
   record.shaft_speed_rpm = table.optional_number("shaft_speed_rpm", ranges::shaft_speed_rpm)
                                .value_or(info.shaft_speed_rpm);
@@ -183,6 +193,10 @@ double common_rate(const TomlTable& root, const std::vector<RecordSource>& recor
 }  // namespace
 
 DatasetInfo read_info(TomlTable& root, std::vector<TomlTable>& classes) {
+  if (!ranges::classes.holds(static_cast<double>(classes.size()))) {
+    root.refuse("class", "is there " + std::to_string(classes.size()) + " times, which " +
+                             ranges::classes.rule());
+  }
   DatasetInfo info;
   info.name = plain_name(root, "name");
   info.shaft_speed_rpm = root.number("shaft_speed_rpm", ranges::shaft_speed_rpm);

@@ -20,6 +20,8 @@ inline constexpr Range acceleration{.low = -1e30, .high = 1e30};
 /// RMS or peak of a class's windows.
 inline constexpr Range amplitude{.low = 1e-30, .high = 1e30};
 
+/// Of a data set. A method trains, and verify makes windows, for each of them.
+inline constexpr Range classes{.low = 1, .high = 1000};
 inline constexpr Range balls{.low = 3, .high = 1000};
 inline constexpr Range length_mm{.low = 1e-3, .high = 1e5, .unit = " mm"};
 inline constexpr Range contact_angle_deg{.low = 0, .high = 89.999, .unit = " degrees"};

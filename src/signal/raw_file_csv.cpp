@@ -6,6 +6,7 @@
 #include "base/error.hpp"
 #include "base/numbers.hpp"
 #include "signal/raw_file.hpp"
+#include "signal/raw_limits.hpp"
 
 namespace piae::signal {
 
@@ -82,7 +83,7 @@ std::size_t find_column(const fs::path& file, const std::vector<std::string_view
 }  // namespace
 
 std::vector<double> read_csv(const fs::path& file, const std::string& column) {
-  const std::vector<std::byte> bytes = artefact::read_file(file);
+  const std::vector<std::byte> bytes = artefact::read_file(file, largest_raw_bytes);
   const auto lines = lines_of({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
   std::vector<double> numbers;
   if (lines.empty()) return numbers;

@@ -45,6 +45,10 @@ RawLimits raw_limits(const fs::path& file) {
   RawLimits limits;
   limits.file_bytes = fs::file_size(file, missing);
   if (missing) throw Error(Exit::input_missing, file.string() + ": " + missing.message());
+  if (limits.file_bytes > largest_raw_bytes) {
+    refuse_raw_file(file, "is larger than " + std::to_string(largest_raw_bytes / mb) +
+                              " MB; split it into several records");
+  }
   const std::uint64_t samples = most_sample_bytes(limits.file_bytes);
   limits.most_samples = samples / sizeof(double);
   // The file, what a library makes of it, and the samples.

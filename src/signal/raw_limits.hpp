@@ -6,6 +6,9 @@
 
 namespace piae::signal {
 
+/// The most bytes of a raw file. Version 5 of MATLAB's files ends at 2 GB.
+inline constexpr std::uint64_t largest_raw_bytes = 4'000'000'000;
+
 /// What reading one raw file may take. All of it follows from the file's size, since what a file
 /// says of itself may be wrong.
 struct RawLimits {
@@ -16,7 +19,8 @@ struct RawLimits {
   std::uint64_t wall_seconds = 0;  ///< more, as a machine or a disk may be busy
 };
 
-/// Throws Error(input_missing) where there is no such file.
+/// Throws Error(input_missing) where there is no such file, and Error(bad_input) where it is larger
+/// than any that is read.
 RawLimits raw_limits(const std::filesystem::path& file);
 
 /// Has this process end, or its requests for memory fail, where it takes more; and lets it write no

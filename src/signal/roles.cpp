@@ -103,6 +103,14 @@ Role read_role(const artefact::Reader& reader) {
   reader.refuse("/", "has role " + text + "; known are A, B, C, D and E");
 }
 
+std::string read_method(const artefact::Reader& reader) {
+  std::string name = reader.text("/", "method");
+  if (!ranges::is_plain_name(name)) {
+    reader.refuse("/, attribute method", ranges::plain_name_rule);
+  }
+  return name;
+}
+
 void require_role(const artefact::Reader& reader, Role role) {
   const Role holds = read_role(reader);
   if (holds == role) return;

@@ -31,6 +31,10 @@ std::string to_string(Role role);
 /// The attribute `role` of a window set. Throws artefact::Refusal for a word that is none.
 Role read_role(const artefact::Reader& reader);
 
+/// The name of the method to which an artefact is owed: of a model, of what it has made, and of
+/// what was measured with that. Throws artefact::Refusal for what is no plain name (ranges.hpp).
+std::string read_method(const artefact::Reader& reader);
+
 /// Throws artefact::Refusal when a window set has another role.
 void require_role(const artefact::Reader& reader, Role role);
 

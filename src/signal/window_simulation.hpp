@@ -36,7 +36,8 @@ struct WindowSimulation {
   SimulationOptions options;
 };
 
-/// Throws Error(bad_input) when the windows of a class are constant.
+/// Throws Error(bad_input) when the windows of a class are constant, and where a window of each
+/// class would take eq. 13 a time without end.
 WindowSimulation simulation_like(const WindowSet& known, const SimulationOptions& options);
 
 /// Writes info, length and options as attributes of the root and of /simulation, and the RMS as

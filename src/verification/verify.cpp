@@ -1,7 +1,9 @@
 #include "verification/verify.hpp"
 
 #include <algorithm>
+#include <exception>
 #include <map>
+#include <new>
 
 #include "augment/stored_model.hpp"
 #include "scoring/diagnosis_record.hpp"
@@ -29,7 +31,7 @@ void check_windows(const Reader& reader, Splits& splits) {
   if (role == signal::Role::generated) {
     signal::require_classes(reader, role, signal::read_window_set(reader));
     (void)signal::read_origin(reader);
-    (void)reader.text("/", "method");
+    (void)signal::read_method(reader);
     return;
   }
   signal::RoleSet set = signal::read_role_set(reader);
@@ -70,8 +72,17 @@ void check_content(const Reader& reader, Splits& splits) {
         Exit::bad_input, RefusalReason::wrong_kind,
         reader.path().string() + ": is of kind '" + reader.kind() + "', which no stage makes");
   }
-  reader.require_finite();
-  kind->check(reader, splits);
+  try {
+    reader.require_finite();
+    kind->check(reader, splits);
+  } catch (const artefact::Refusal&) {
+    throw;
+  } catch (const std::bad_alloc&) {
+    throw;  // it says nothing of the file
+  } catch (const std::exception& error) {
+    throw artefact::Refusal(Exit::bad_input, RefusalReason::bad_content,
+                            reader.path().string() + ": " + error.what());
+  }
 }
 
 }  // namespace
@@ -84,8 +95,6 @@ std::vector<Finding> verify(const std::vector<std::filesystem::path>& files) {
       check_content(Reader(file, ""), splits);
     } catch (const artefact::Refusal& refusal) {
       findings.push_back({refusal.reason(), refusal.what()});
-    } catch (const std::exception& error) {
-      findings.push_back({RefusalReason::bad_content, file.string() + ": " + error.what()});
     }
   }
   for (const auto& [name, roles] : splits) {

@@ -1,12 +1,14 @@
 #include "artefact/rehearsal.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <csignal>
 #include <cstdlib>
+#include <new>
 #include <vector>
 
 namespace piae::artefact {
@@ -55,6 +57,17 @@ TEST(Rehearsal, GivesTheChildMemoryAndTimeByTheFilesSize) {
     for (volatile bool forever = true; forever;) {
     }
   });
+}
+
+// A shell's `ulimit -v`: a good file is not damaged because memory is short.
+TEST(Rehearsal, DoesNotBlameTheFileWhereMemoryIsShort) {
+  rlimit before{};
+  ASSERT_EQ(::getrlimit(RLIMIT_AS, &before), 0);
+  const rlimit little{std::size_t{1} << 20U, before.rlim_max};
+  ::setrlimit(RLIMIT_AS, &little);
+  EXPECT_THROW((void)rehearsed([] { throw std::bad_alloc(); }), std::bad_alloc);
+  ::setrlimit(RLIMIT_AS, &before);
+  expect_harm([] { throw std::bad_alloc(); });
 }
 
 TEST(Rehearsal, LeavesNothingBehind) {

@@ -34,7 +34,7 @@ TEST(TomlFile, ThatNestsTablesWithoutEndIsRefused) {
   refused("\n" + repeated("a.", 200'000) + "a = 1\n");
   refused("[" + repeated("a.", 200'000) + "a]\n");
   refused("a = " + repeated("[", 200'000));
-  refused("a = " + repeated("{a = ", 200'000));
+  refused("a = " + repeated("{a = ", 190'000));
   // As deep as it may be.
   const std::string most = repeated("a.", 100) + "a";
   EXPECT_NO_THROW((void)parse_toml_file(
@@ -44,7 +44,7 @@ TEST(TomlFile, ThatNestsTablesWithoutEndIsRefused) {
 TEST(TomlFile, ThatIsHugeIsRefused) {
   const Folder folder;
   EXPECT_ERROR(parse_toml_file(folder.write("a.toml", repeated("# a comment\n", 100'000))),
-               Exit::bad_input, "a.toml, line 1: is larger than 1 MB");
+               Exit::bad_input, "a.toml: is larger than 1 MB");
 }
 
 TEST(TomlFile, ThatIsAPipeIsNotWaitedFor) {

@@ -57,6 +57,18 @@ QualityRecord quality() {
       {{1, 495, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7}, {2, 494, 1.1, 1.2, 1.3, 1.4, 1.5, 1.6, 1.7}}};
 }
 
+TEST_F(Records, NamesThatNothingHasAreRefused) {
+  DiagnosisRecord odd = diagnosis();
+  odd.ratio = "3to1";
+  EXPECT_THROW((void)read_diagnosis(stored("diagnosis", odd)), Refusal);
+  odd = diagnosis();
+  odd.method = "<b>vae</b>";
+  EXPECT_THROW((void)read_diagnosis(stored("diagnosis", odd)), Refusal);
+  QualityRecord score = quality();
+  score.method = "";
+  EXPECT_THROW((void)read_quality(stored("score", score)), Refusal);
+}
+
 TEST_F(Records, DiagnosisComesBackAsItWas) {
   DiagnosisRecord record = diagnosis();
   EXPECT_FALSE(read_diagnosis(stored("diagnosis", record)).train_windows_per_second);
@@ -108,9 +120,8 @@ class WrongDiagnosis : public Records {
  protected:
   void SetUp() override {
     signal::write(writer_, diagnosis().info);
-    for (const char* name : {"method", "ratio"}) {
-      writer_.attribute("/", name, std::string("word"));
-    }
+    writer_.attribute("/", "method", std::string("word"));
+    writer_.attribute("/", "ratio", std::string("100to1"));
     writer_.attribute("/", "protocol", std::string("random"));
     writer_.attribute("/", "generated_per_class", std::int64_t{0});
     writer_.attribute("/", "seed", std::int64_t{0});

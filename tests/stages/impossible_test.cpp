@@ -37,6 +37,19 @@ Change first_number(const std::string& path, T value) {
   };
 }
 
+/// Each number can be; together they keep eq. 13 busy for minutes.
+void thousand_balls(hid_t file) {
+  replace_attribute(file, "/bearing", "balls", std::int64_t{1000});
+  replace_attribute(file, "/bearing", "ball_diameter_mm", 0.1);
+  replace_attribute(file, "/bearing", "pitch_diameter_mm", 1000.0);
+  replace_attribute(file, "/bearing", "inner_raceway_mm", 999.9);
+  replace_attribute(file, "/bearing", "outer_raceway_mm", 1000.1);
+  change_numbers<double>(file, "/classes/defect_size_mm", [](auto& sizes) {
+    for (double& size : sizes) size = std::min(size, 0.05);
+  });
+  replace_attribute(file, "/", "sample_rate_hz", 1000.0);
+}
+
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr std::int64_t huge = std::int64_t{1} << 40U;
 
@@ -59,6 +72,11 @@ const std::vector<Case>& cases_of_all() {
       {"class of two lines", class_names({"Normal", "a\nb", "OR021"}), "/classes/name"},
       {"class with a slash", class_names({"Normal", "a/b", "OR021"}), "/classes/name"},
       {"data set ..", [](hid_t file) { replace_attribute(file, "/", "dataset", ".."); }, "dataset"},
+      {"100 000 classes",
+       [](hid_t file) {
+         replace_strings(file, "/classes/name", std::vector<std::string>(100'000, "x"));
+       },
+       "100000 classes"},
       {"two healthy classes",
        [](hid_t file) {
          replace_strings(file, "/classes/defect", {"none", "none", "outer"});
@@ -209,7 +227,27 @@ TEST_F(Impossible, ModelsOfOtherMethods) {
                            {"samples 2^40", attribute("/", "samples", huge), "samples"},
                            {"mass 0", attribute("/simulation", "mass_kg", 0.0), "mass_kg"},
                            {"no contact", attribute("/simulation", "load_n", 1e-3), "load"},
+                           {"one sample", attribute("/", "samples", std::int64_t{1}), "samples"},
+                           {"windows of hours", attribute("/", "sample_rate_hz", 1.0), "too many"},
+                           {"1000 balls", thousand_balls, "too many"},
                        });
+}
+
+/// Names that others print, and put into tables.
+TEST_F(Impossible, NamesOfMethodsAndRatios) {
+  const auto text = [](const std::string& name, const std::string& value) {
+    return Change([=](hid_t file) { replace_attribute(file, "/", name, value); });
+  };
+  const std::vector<Case> methods{
+      {"markup", text("method", "<b>x</b>"), "attribute method"},
+      {"no name", text("method", ""), "attribute method"},
+      {"a very long one", text("method", std::string(60'000, 'x')), "attribute method"}};
+  expect_refused("E.h5", methods, "score",
+                 with(step_of("score").arguments, "--generated", "bad.h5"));
+  Arguments diagnose{"--test",      "A.h5",   "--normal", "B.h5",  "--known", "C.h5",
+                     "--generated", "bad.h5", "--ratio",  "50to1", "--seed",  "0",
+                     "--epochs",    "1",      "--output", "d.h5"};
+  expect_refused("E.h5", methods, "diagnose", diagnose);
 }
 
 /// What rooms that know no files find wrong with windows.
