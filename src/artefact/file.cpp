@@ -1,7 +1,6 @@
 #include "artefact/file.hpp"
 
 #include <fcntl.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -10,6 +9,7 @@
 
 #include "artefact/partial_file.hpp"
 #include "base/error.hpp"
+#include "base/regular_file.hpp"
 
 namespace piae::artefact {
 
@@ -44,30 +44,14 @@ void sync_folder(const fs::path& folder) {
 }  // namespace
 
 std::vector<std::byte> read_file(const fs::path& path, std::uint64_t most) {
-  // A pipe without a writer would be waited for.
-  const Descriptor in(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
-  struct stat status {};
-  if (in.get() < 0 || ::fstat(in.get(), &status) != 0) {
-    throw Error(Exit::input_missing, path.string() + ": " + reason());
-  }
-  if (!S_ISREG(status.st_mode)) {
-    throw Error(Exit::input_missing, path.string() + ": is not a file");
-  }
-  if (static_cast<std::uint64_t>(status.st_size) > most) {
+  const RegularFile file(path);
+  if (file.size() > most) {
     throw Error(Exit::bad_input, path.string() + ": is larger than " +
                                      std::to_string(most / 1'000'000) +
                                      " MB, more than such a file can be");
   }
-  std::vector<std::byte> bytes(static_cast<std::size_t>(status.st_size));
-  std::size_t filled = 0;
-  while (filled < bytes.size()) {
-    const ssize_t got = ::read(in.get(), bytes.data() + filled, bytes.size() - filled);
-    if (got < 0 && errno == EINTR) continue;
-    if (got < 0) throw Error(Exit::input_missing, path.string() + ": " + reason());
-    if (got == 0) break;
-    filled += static_cast<std::size_t>(got);
-  }
-  bytes.resize(filled);
+  std::vector<std::byte> bytes(file.size());
+  bytes.resize(file.read(bytes));
   return bytes;
 }
 

@@ -278,6 +278,17 @@ TEST_F(Ingest, RefusesARecordingThatSaysToHoldMoreThanItCan) {
       << check.out;
 }
 
+// Such files take no room on the disk. To read one, or to hash it, would take hours.
+TEST_F(Ingest, RefusesFilesWithoutEndAtOnce) {
+  constexpr std::uintmax_t huge = std::uintmax_t{1} << 42U;
+  fs::resize_file(folder_ / "data/inner.csv", huge);
+  expect_refused(65, {"data/inner.csv", "is larger than"});
+  fs::resize_file(folder_ / "raw.toml", huge);
+  expect_refused(65, {"raw.toml", "is larger than"});
+  expect_refusal(folder_.run("simulate", {"--description", "raw.toml", "--output", "out.h5"}),
+                 "simulate", 65, {"raw.toml", "is larger than"});
+}
+
 TEST_F(Ingest, RefusesADescriptionThatIsMissingDamagedOrOfAnotherKind) {
   folder_.write("raw.toml", "name = \n");
   expect_refused(65, {"raw.toml", "line"});
