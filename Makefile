@@ -30,9 +30,10 @@ JOBS     := 16
 GPU_PARTITION :=
 quickly  :=
 
-# `make cluster sweep` is the goal sweep, but computed elsewhere.
-on_cluster := $(filter cluster cluster-plan,$(MAKECMDGOALS))
-goals      := $(filter-out cluster cluster-plan,$(MAKECMDGOALS))
+# `make cluster sweep` is the goal sweep, but computed elsewhere; and `make status sweep` only looks at it.
+elsewhere  := cluster cluster-plan cluster-stop status help
+on_cluster := $(filter $(elsewhere),$(MAKECMDGOALS))
+goals      := $(filter-out $(elsewhere),$(MAKECMDGOALS))
 
 # The demo is a small grid of the same kind, on all cores unless -j says otherwise. Its programs are few,
 # without LibTorch, and have a folder of their own, where they are built in half the time.
@@ -77,6 +78,7 @@ of_code    := $(in_folders) " ` \ ; & | < > ( ) { } [ ] * ? ! ~ \#
 found_in    = $(firstword $(foreach sign,$2,$(if $(findstring $(sign),$(value $1)),$(sign)))\
                 $(if $(findstring $(line_break),$(value $1)),line break))
 refuse_signs = $(if $(found_in),$(error $1: holds a $(patsubst line,line break,$(found_in)), which it must not; $3))
+$(if $(strip $(value DATA_DIR)),,$(error DATA_DIR: is empty; name the folder of the recordings or leave it out))
 $(call refuse_signs,DATA_DIR,$(in_folders),rename the folder or make a link to it)
 $(if $(filter -%,$(firstword $(DATA_DIR))),$(error DATA_DIR: begins with '-'; write ./$(DATA_DIR)))
 $(foreach name,$(filter-out DATA_DIR SUBMIT,$(variables)),$(call refuse_signs,$(name),$(of_code),it is a plain word or a list of them))
@@ -181,6 +183,9 @@ help:
 asked := $(filter records cells tables all figures report demo sweep contrast identify readings results/%,$(goals))
 .PHONY: $(asked)
 $(asked): $(or $(on_cluster),grid)
+ifneq (,$(on_cluster))
+$(asked): ; @: # or make would say that there is nothing to be done
+endif
 
 # Where a run is only looked at, nothing need be there but what those variables name that are given.
 lower_case  = $(shell printf %s '$1' | tr A-Z a-z)
@@ -204,7 +209,7 @@ cluster-stop:
 	$(Q)jobs/stop.sh '$(results)'
 
 status:
-	$(Q)pipeline/status.sh '$(results)' $(MAKE) --file=pipeline/grid.mk $(choice)
+	$(Q)pipeline/status.sh '$(results)' '$(asked)' '$(given)' $(MAKE) --file=pipeline/grid.mk $(choice)
 
 # Only the variables that are given narrow down what is compared or stored.
 compare = $(BIN)/check --run $(results) --reference results/reference $(part)

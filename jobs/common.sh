@@ -12,21 +12,36 @@ value_of() { # name, words...
   for word in "${@:2}"; do [[ $word != "$1="* ]] || echo "${word#*=}"; done
 }
 
+# A time as sbatch takes it, in seconds.
+seconds_of() { # [days-]hours:minutes:seconds, or less of it
+  [[ $1 =~ ^(([0-9]+)-)?([0-9]+)(:([0-9]+))?(:([0-9]+))?$ ]] || return
+  local days=${BASH_REMATCH[2]} first=${BASH_REMATCH[3]} second=${BASH_REMATCH[5]} third=${BASH_REMATCH[7]}
+  if [[ $days || $third ]]; then
+    echo $((((10#${days:-0} * 24 + 10#$first) * 60 + 10#${second:-0}) * 60 + 10#${third:-0}))
+  else
+    echo $((10#$first * 60 + 10#${second:-0}))
+  fi
+}
+
 # What Slurm calls the jobs of a run. Another folder may have a run of that name: so the folder that a job
 # works in counts, too.
 job_name() { echo "piae-dt:$1:$2"; } # results/RUN, kind of job
 
-# The jobs of a run that are in the queue, each task of an array for itself, by one request: id, kind (with
-# the task behind a point), state and reason, with tabs between them.
+# The jobs of a run that are in the queue, whoever submitted them, each task of an array for itself, by one
+# request: id, kind (with the task behind a point), state, reason and user, with tabs between them.
 jobs_in_queue() { # results/RUN
-  local lines
-  lines=$(squeue --me --array --noheader --format=$'%i\t%j\t%T\t%r\t%Z') || return
-  awk -F '\t' -v OFS='\t' -v prefix="$(job_name "$1" "")" -v folder="$PWD" '
-    index($2, prefix) == 1 && $5 == folder {
-      kind = substr($2, length(prefix) + 1)
-      if (split($1, id, "_") > 1) kind = kind "." id[2]
-      print $1, kind, $3, $4
-    }' <<<"$lines"
+  local prefix names lines id name state reason user folder
+  prefix=$(job_name "$1" "")
+  names=${prefix}records,${prefix}cells,${prefix}cells-gpu,${prefix}tables
+  # Some of squeue's own variables would hide jobs.
+  lines=$(unset "${!SQUEUE_@}" && squeue --name="$names" --array --noheader \
+    --format=$'%i\t%j\t%T\t%r\t%u\t%Z') || return
+  while IFS=$'\t' read -r id name state reason user folder; do
+    # The same folder may have several names.
+    [[ $folder -ef . ]] || continue
+    [[ $id != *_* ]] || name+=.${id#*_}
+    printf '%s\t%s\t%s\t%s\t%s\n' "$id" "${name#"$prefix"}" "$state" "$reason" "$user"
+  done <<<"$lines"
 }
 job_ids() { cut -f 1 | sed 's/_.*//' | sort -rnu | xargs; }
 

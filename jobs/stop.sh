@@ -8,18 +8,18 @@ cd "${0%/*}/.."
 source jobs/common.sh
 
 results=$1
-queue() { jobs_in_queue "$results" || die "Slurm does not answer, see above"; }
-read -ra jobs < <(queue | job_ids)
-if ((${#jobs[@]} == 0)); then
+queue=$(jobs_in_queue "$results") || die "Slurm does not answer, see above; nothing is stopped"
+if [[ ! $queue ]]; then
   echo "no job of $results is in the queue"
   exit
 fi
+read -ra jobs < <(job_ids <<<"$queue")
 # The last first: the tables, which would otherwise begin when there is nothing left to wait for.
-scancel "${jobs[@]}"
+scancel "${jobs[@]}" || die "not all of it could be stopped; the jobs are those of" \
+  "$(cut -f 5 <<<"$queue" | sort -u | xargs)"
 for _ in {1..60}; do
-  left=$(queue | job_ids)
-  [[ $left ]] || break
+  queue=$(jobs_in_queue "$results") && [[ ! $queue ]] && break
   sleep 2
 done
-[[ ! $left ]] || die "still ending: $left"
+[[ ! $queue ]] || die "still ending: $(job_ids <<<"$queue")"
 echo "stopped: job ${jobs[*]}; the same \`make cluster\` makes what is missing"

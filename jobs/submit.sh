@@ -37,7 +37,8 @@ fi
   die "$results/.jobs cannot be written, where the logs of the jobs are to be; nothing is submitted"
 flock --nonblock 9 || die "another \`make cluster\` is submitting this run; nothing is submitted"
 queue=$(jobs_in_queue "$results") || die "Slurm does not answer, see above; nothing is submitted"
-[[ -z $queue ]] || die "jobs of this run are in the queue already: $(job_ids <<<"$queue");" \
+[[ -z $queue ]] || die "jobs of this run are in the queue already: $(job_ids <<<"$queue")" \
+  "of $(cut -f 5 <<<"$queue" | sort -u | xargs);" \
   "\`make status\` shows them, \`make cluster-stop\` stops them"
 
 folder=$results/.jobs/$(date +%Y%m%dT%H%M%S)
@@ -45,11 +46,13 @@ mkdir "$folder" || die "$folder is there already: try again in a second"
 jobs/plan.sh "$folder" "$goal" "${choice[@]}" | tee "$folder/plan.txt"
 printf '%s\n' "$goal" "${choice[@]}" >"$folder/choice"
 
-# Two minutes before its time is up a job is told, so that trainings write their checkpoints.
-timing=(--signal=B:USR1@120)
-if [[ ${SBATCH_TIMELIMIT:-} =~ ^[0-9]+$ ]] && ((SBATCH_TIMELIMIT < 4)); then
-  timing=("--signal=B:USR1@$((SBATCH_TIMELIMIT * 30))")
-fi
+# Two minutes before its time is up a job is told, so that trainings write their checkpoints; sooner where it
+# has less than four.
+limit_s=$(seconds_of "${SBATCH_TIMELIMIT:-60}") ||
+  die "SBATCH_TIMELIMIT: minutes, minutes:seconds, hours:minutes:seconds or days-hours, not '$SBATCH_TIMELIMIT'"
+told_s=$((limit_s < 240 ? limit_s / 2 : 120))
+# Where this is called from a job of an array, ours are none of its tasks.
+unset "${!SLURM_ARRAY_@}" SBATCH_ARRAY_INX
 
 submitted=()
 submit() { # kind of job, number of them, cores, minutes, megabytes, further options of sbatch
@@ -63,7 +66,7 @@ submit() { # kind of job, number of them, cores, minutes, megabytes, further opt
   [[ ${SBATCH_TIMELIMIT:-} ]] || options+=(--time="$4")
   [[ ${SBATCH_MEM_PER_NODE:-}${SBATCH_MEM_PER_CPU:-} ]] || options+=(--mem="$5M")
   id=$(sbatch --parsable --job-name="$(job_name "$results" "$kind")" --chdir="$PWD" --nodes=1 --ntasks=1 \
-    --cpus-per-task="$3" --requeue --open-mode=append "${timing[@]}" "${options[@]}" "${@:6}" \
+    --cpus-per-task="$3" --requeue --open-mode=append --signal="B:USR1@$told_s" "${options[@]}" "${@:6}" \
     jobs/job.sbatch "$folder" "$kind" </dev/null) || undo "sbatch refused the job $kind, see above"
   id=${id%%;*}
   submitted+=("$id")

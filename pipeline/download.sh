@@ -22,6 +22,10 @@ require_inside() { # file, sha256
   [[ $(realpath -m "${1%/*}")/ == "$(realpath -m "$data_dir")"/* ]] ||
     give_up "$1" "$2" "its folder is a link out of $data_dir, and nothing is downloaded to there"
   [[ ! -L $1 && ! -L $1.part ]] || give_up "$1" "$2" "it or its .part is a link, and nothing is written through one"
+  local there
+  for there in "$1" "$1.part"; do
+    [[ ! -e $there || -f $there ]] || give_up "$1" "$2" "$there is there and is not a file; remove it"
+  done
 }
 
 fetch() { # file, sha256, url
@@ -39,7 +43,7 @@ fetch() { # file, sha256, url
     rm -f "$part"
     give_up "$file" "$sum" "what $url sent is not the recording that is described"
   fi
-  mv "$part" "$file"
+  mv -T "$part" "$file"
 }
 
 facts=$("$BIN/settings" --facts)

@@ -1,7 +1,8 @@
 # shellcheck shell=bash
 # What steps and benchmarks compute in; to be sourced. It is set and not inherited: what a login shell
-# happens to have would change the bytes of artefacts.
-for variable in "${!OMP_@}" "${!GOMP_@}" "${!KMP_@}" "${!MKL_@}" "${!OPENBLAS_@}" "${!GOTO_@}"; do
+# happens to have would change the bytes of artefacts. (CUDA_VISIBLE_DEVICES stays, which schedulers set.)
+for variable in "${!OMP_@}" "${!GOMP_@}" "${!KMP_@}" "${!MKL_@}" "${!OPENBLAS_@}" "${!GOTO_@}" \
+  "${!ATEN_@}" "${!TORCH_@}" "${!DNNL_@}" "${!ONEDNN_@}" "${!CUBLAS_@}" "${!NVIDIA_TF32@}"; do
   unset "$variable"
 done
 # Memory comes in huge pages and is kept for the next use: fresh pages are half of what reading

@@ -93,10 +93,18 @@ endef
 # back the split before anything is computed from the others.
 windows = $(patsubst %,$1/%.h5,A B C D)
 
+# Where it only shows what it would do, make (4.3) takes the files of a group for as old as they were, and
+# what is made of them for done. So there one of the four is made, and the others of it.
+only_shows  := $(findstring n,$(filter-out --%,$(firstword -$(MAKEFLAGS))))
+lost_windows = $(filter-out $(wildcard $(windows)),$(windows))
+others_of_A  = $(filter-out %/A.h5,$(windows))
+
 define split_rule # data set, seed, its folder
 .PRECIOUS: $(call windows,$3)
-$(call windows,$3) &: $(results)/$1/records.h5 $(settings)/split.toml
+$(if $(only_shows),$3/A.h5:,$(call windows,$3) &:) $(results)/$1/records.h5 $(settings)/split.toml \
+    $(if $(only_shows),$(if $(call lost_windows,$3),FORCE))
 	$$(step) split $$(config) --records $$< --seed $2 --protocol $(PROTOCOL) --output-dir $$(@D) -- $(call windows,$3)
+$(if $(only_shows),$(call others_of_A,$3): $3/A.h5 ;)
 endef
 
 define generator_rules # seed, its folder, cell; where that is not a method: the method, further options
@@ -192,7 +200,7 @@ $(foreach dataset,$(DATASETS),\
     $(foreach method,$(methods),$(eval $(call diagnosis_rule,$(seed),$(folder),$(method))))))
 
 .DEFAULT_GOAL := cells
-.PHONY: records cells features tables draw figures page report demo all list-cells sweep contrast identify readings
+.PHONY: FORCE records cells features tables draw figures page report demo all list-cells sweep contrast identify readings
 records: $(DATASETS:%=$(results)/%/records.h5)
 cells: $(foreach dataset,$(DATASETS),$(call cell_files,$(dataset)))
 features: $(foreach dataset,$(DATASETS),$(call features,$(dataset)))
@@ -233,7 +241,7 @@ all:
 	$(Q)+pipeline/tables.sh $(if $(findstring q,$(firstword -$(MAKEFLAGS))),,--show) $(this_make)
 	$(show_summaries)
 
-# For status.sh, also in a dry run.
+# For the tables of jobs in a dry run.
 list-cells:
 	@$(foreach dataset,$(DATASETS),$(foreach file,$(call cell_files,$(dataset)),$(info cell $(file)))):
 

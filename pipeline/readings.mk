@@ -10,7 +10,7 @@
 readings_ratios := $(filter-out $(nothing_generated),$(if $(filter command,$(origin RATIOS)),$(RATIOS),10to1 1to1))
 
 # (Of a job on a cluster the goals are files.)
-ifneq (,$(filter readings,$(MAKECMDGOALS))$(findstring /readings/,$(MAKECMDGOALS)))
+ifneq (,$(filter readings,$(MAKECMDGOALS))$(findstring /readings,$(MAKECMDGOALS:$(results)/%=%)))
 
 $(if $(readings_ratios),,$(error make readings: RATIOS must have others than $(nothing_generated), at which nothing is generated))
 $(if $(call fact,reading),,$(error make readings: [readings] of pipeline/protocol.toml names none))

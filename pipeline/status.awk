@@ -1,16 +1,22 @@
 # Counts the cells of a run and estimates the time left; for pipeline/status.sh.
-# usage: awk -v run=results/RUN -f status.awk DURATIONS STATES CELLS
+# usage: awk -v run=results/RUN -v counted=cells -f status.awk DURATIONS STATES CELLS
 #   DURATIONS  folder stage seconds        of steps that are done
 #   STATES     folder stage state [code]   of steps that are to be done
 #   CELLS      files that the tables are made from
 #
-# A cell is a diagnosis or a score. It is failed or running when its step or one that it waits for is.
+# A cell is a diagnosis or a score; where models are counted, a model. It is failed or running when its step or one that it waits for is.
 # The time of steps that all methods wait for has a line of its own. Times are those of one step after
 # the other.
 
-# place[1] data set, place[2] seed, place[3] method, place[4] ratio: as many as the folder has.
-function locate(folder) {
-  return split(substr(folder, length(run) + 2), place, "/")
+# place[1] data set, place[2] seed, place[3] method, place[4] ratio: as many as the folder has. What is tried
+# beside the methods (sweep/depth-1/1to1) is together like one of them. A contrast has two runs.
+function locate(folder,    other_run) {
+  other_run = index(folder, run "/") != 1
+  sub("^[^/]*/[^/]*/", "", folder)
+  sub("/sweep/[^/]*", "/sweep", folder)
+  sub("/readings/[^/]*", "/readings", folder)
+  if (other_run) sub("^[^/]*", "&, blocked", folder)
+  return split(folder, place, "/")
 }
 
 function learn(key, seconds) {
@@ -121,7 +127,7 @@ END {
     split(lines[i], words, SUBSEP)
     for (k = 1; k <= 2; k++) if (length(words[k]) > width[k]) width[k] = length(words[k])
   }
-  show("data set", "method", "cells", "done", "running", "failed", "missing", "time left")
+  show("data set", "method", counted, "done", "running", "failed", "missing", "time left")
   for (i = 1; i <= line_count; i++) show_line(lines[i])
   show_line("all")
   if (running > 1) {

@@ -1,38 +1,73 @@
 #!/bin/bash
 # How far a run is: the cells of every data set and method that are done, running, failed and missing,
-# the failed ones by name, and an estimate of the time left. Reads only; a run may go on meanwhile.
-# usage: pipeline/status.sh results/RUN MAKE VARIABLE=VALUE...
+# the failed steps by name, and an estimate of the time left. Reads only; a run may go on meanwhile.
+# usage: pipeline/status.sh results/RUN GOAL GIVEN MAKE VARIABLE=VALUE...
+# Where GOAL is '', it is that of the last submission to Slurm, and without one `all`. GIVEN names the variables
+# that the user gave. The others are as in the last submission, where that was of this goal.
 set -euo pipefail
 
-run=$1
-shift
+run=$1 goal=$2 given=$3
+shift 3
+make=("$@")
 scratch=$(mktemp -d)
 trap 'rm -r "$scratch"' EXIT
 # shellcheck source=jobs/common.sh
 source jobs/common.sh
 unset MAKEFLAGS MFLAGS MAKELEVEL MAKEOVERRIDES
 
-# What is to be done, make itself says, by the settings as they are now: so what an older setting has
-# made counts as missing.
-"$@" --dry-run list-cells cells >"$scratch/answer"
-awk '$1 == "cell" { print $2 }' "$scratch/answer" >"$scratch/cells"
-awk '$1 == "pipeline/step.sh" { print $2, $3 }' "$scratch/answer" >"$scratch/steps"
+jobs=$(last_submission "$run")
+choice=("$goal")
+[[ -z $jobs ]] || mapfile -t choice <"$jobs/choice"
+[[ $goal ]] || goal=${choice[0]}
+if [[ $goal == "${choice[0]}" ]]; then
+  for name in DATASETS METHODS RATIOS SEEDS; do
+    value=$(value_of "$name" "${choice[@]}")
+    [[ ! $value || " $given " == *" $name "* ]] || make+=("$name=$value")
+  done
+fi
+
+# What is counted are cells, or what takes their place.
+counted=cells made_by='score|diagnose'
+case $goal in
+  '' | all) goals=(tables features) ;;
+  cells | demo) goals=(cells) ;;
+  sweep | contrast | readings) goals=("$goal") ;;
+  identify) goals=(identify) counted=models made_by=train ;;
+  *)
+    echo "status: one of all, cells, sweep, contrast, identify, readings and demo at a time, not '$goal'" >&2
+    exit 2
+    ;;
+esac
+
+# The steps of these goals: folder, stage, file. What is to be done, make itself says, by the settings as they
+# are now; so what an older setting has made counts as missing. And it says what all of it would be.
+steps() { # options of make
+  "${make[@]}" only_asking=yes --dry-run "$@" "${goals[@]}" | awk -f jobs/steps.awk | cut -f 1,2,4
+}
+steps >"$scratch/steps"
+steps --always-make | awk -F '\t' -v made_by="^($made_by)\$" '$2 ~ made_by { print $3 }' >"$scratch/cells"
+
+# Stages that the last job of a submission runs.
+tables='tabulate|sweep|readings|identify|contrast'
 
 # Where this run was submitted to Slurm: what is in the queue, and which jobs ended otherwise than well.
-jobs=$(last_submission "$run")
 [[ -z $jobs ]] || jobs/ended.sh "$run" "$jobs" "$scratch"
-# Why the job ended that was to make a step of this folder.
-job_ended() { # folder
+# Why the job ended that was to make this file.
+job_ended() { # stage, file
   local list why
   [[ -n $jobs && -s $scratch/ended ]] || return 0
   while IFS=$'\t' read -r list why; do
-    ! grep -qF "$1/" "$jobs/$list" 2>/dev/null || echo "$why"
+    if [[ $list == tables ]]; then
+      [[ ! $1 =~ ^($tables)$ ]] || echo "$why"
+    else
+      ! grep -qxF "$2" "$jobs/$list" 2>/dev/null || echo "$why"
+    fi
   done <"$scratch/ended" | sed -n 1p
 }
 
-# A line for each step that is to be done: folder, stage, state, and of a failed one its exit code. See
+# A line for each step that is to be done: folder, stage, state, file, and of a failed one its exit code. See
 # step.sh for what the logs say.
-while read -r folder stage; do
+while IFS=$'\t' read -r folder stage file; do
   log=$folder/$stage.log
   state=missing code=
   if [[ -f $log ]]; then
@@ -42,44 +77,50 @@ while read -r folder stage; do
       '')
         if ! flock --shared --nonblock "$log" true; then
           state=running
-        elif [[ $(job_ended "$folder") ]]; then # together with its job
+        elif [[ $(job_ended "$stage" "$file") ]]; then # together with its job
           state=failed
         fi
         ;;
       *) state=failed ;;
     esac
   fi
-  echo "$folder $stage $state $code"
+  echo "$folder $stage $state $file $code"
 done <"$scratch/steps" >"$scratch/states"
 
 # What steps have taken: folder, stage, seconds.
-{ grep -rH --include='*.log' '^step: exit 0 after ' "$run" 2>/dev/null || true; } |
+mapfile -t runs < <(cut -d / -f -2 "$scratch/cells" | sort -u) # of a contrast two
+{ grep -rH --include='*.log' '^step: exit 0 after ' "${runs[@]:-$run}" 2>/dev/null || true; } |
   sed -n 's|^\(.*\)/\([^/]*\)\.log:step: exit 0 after \([0-9.]*\) s$|\1 \2 \3|p' >"$scratch/durations"
 
-awk -v run="$run" -f "${0%/*}/status.awk" \
-  "$scratch/durations" "$scratch/states" "$scratch/cells"
+# Neither features nor tables are cells, and no cell waits for them.
+grep -vE "^[^ ]+ (features|$tables) " "$scratch/states" >"$scratch/counted" || true
+awk -v run="$run" -v counted="$counted" -f "${0%/*}/status.awk" \
+  "$scratch/durations" "$scratch/counted" "$scratch/cells"
 
 # Of a step that says nothing itself: it was killed by the kernel or with its job, or it crashed.
-why_without_a_word() { # folder, stage, exit code
+why_without_a_word() { # stage, file, exit code
   local job
-  job=$(job_ended "$1")
+  job=$(job_ended "$1" "$2")
   case $3 in
-    '') echo "$2: its job ended: $job" ;;
-    137) echo "$2: killed, ${job:-perhaps for want of memory} (exit code 137)" ;;
-    *) echo "$2: exit code $3" ;;
+    '') echo "$1: its job ended: $job" ;;
+    137) echo "$1: killed, ${job:-perhaps for want of memory} (exit code 137)" ;;
+    *) echo "$1: exit code $3" ;;
   esac
 }
 
 # The steps in a state, each with the first line of its log that a pattern fits.
 list() { # state, pattern (STAGE stands for the stage's name), which of the lines
-  local folder stage state code log line
+  local folder stage state file code log line program
   grep -q " $1 " "$scratch/states" || return 0
   printf '\n%s\n' "$1"
-  while read -r folder stage state code; do
+  while read -r folder stage state file code; do
     [[ $state == "$1" ]] || continue
     log=$folder/$stage.log
-    line=$({ grep "${2//STAGE/$stage}" "$log" || true; } | "$3" -n 1)
-    printf '  %s: %s (log: %s)\n' "${folder#"$run/"}" "${line:-$(why_without_a_word "$folder" "$stage" "$code")}" "$log"
+    program=${stage/#features/diagnose}
+    line=$({ grep "${2//STAGE/$program}" "$log" || true; } | "$3" -n 1)
+    [[ $line || $state != running ]] || line=$stage
+    [[ $line ]] || line=$(why_without_a_word "$stage" "$file" "$code")
+    printf '  %s: %s (log: %s)\n' "${folder#"$run/"}" "$line" "$log"
   done <"$scratch/states"
 }
 list running '^STAGE  ' tail

@@ -71,7 +71,8 @@ cannot_write() {
 }
 
 mkdir -p "$folder" 2>/dev/null || cannot_write
-[[ ! -L $log ]] || cannot_write # a link may have been planted
+[[ ! -L $log ]] || cannot_write           # a link may have been planted
+[[ ! -e $log || -f $log ]] || cannot_write # a pipe would be waited for
 { exec 9>>"$log"; } 2>/dev/null || cannot_write
 # The stage inherits the lock: should this script be killed alone, its stage is still running. Status
 # code 1 says that another has it; any other that this file system has no locks, and we go without.

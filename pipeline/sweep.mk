@@ -10,7 +10,8 @@
 # The paper does not say at which ratio it compared. At 1:1 generated windows weigh most.
 sweep_ratios := $(filter-out $(nothing_generated),$(if $(filter command,$(origin RATIOS)),$(RATIOS),1to1))
 
-ifneq (,$(findstring sweep,$(MAKECMDGOALS)))
+# (Of a job on a cluster the goals are files.)
+ifneq (,$(filter sweep,$(MAKECMDGOALS))$(findstring /sweep,$(MAKECMDGOALS:$(results)/%=%)))
 
 $(if $(filter-out $(RATIOS),$(sweep_ratios))$(if $(sweep_ratios),,x),$(error make sweep: RATIOS must have others than $(nothing_generated), at which nothing is generated))
 swept := $(call fact,swept)

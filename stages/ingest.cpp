@@ -5,6 +5,7 @@
 #include <iostream>
 
 #include "base/error.hpp"
+#include "base/one_line.hpp"
 #include "cli/progress.hpp"
 #include "cli/stage.hpp"
 #include "inspection/check.hpp"
@@ -33,11 +34,11 @@ signal::Recordings read_raw_files(const signal::Description& description, const 
 
 void print_problems(const signal::DatasetInfo& info, const inspection::DatasetCheck& check) {
   for (const auto& record : check.records) {
-    if (!record.problem.empty()) std::cout << record.problem << '\n';
+    if (!record.problem.empty()) std::cout << one_line(record.problem) << '\n';
   }
   for (const auto& c : check.classes) {
     if (!c.problem.empty()) {
-      std::cout << info.class_of(c.label).name << ": " << c.problem << '\n';
+      std::cout << info.class_of(c.label).name << ": " << one_line(c.problem) << '\n';
     }
   }
 }

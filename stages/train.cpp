@@ -76,9 +76,11 @@ int main(int argc, char** argv) {
     }
     const Stream stream(fmt::format("{}/seed{}/train/{}", windows.info.name, run.seed, name));
 
-    cli::catch_interrupts();
     nets::Checkpoint checkpoint;
     checkpoint.path = model_file.string() + ".checkpoint";
+    artefact::require_replaceable(model_file);
+    artefact::require_replaceable(checkpoint.path);
+    cli::catch_interrupts();
     checkpoint.provenance = stage.provenance();
     checkpoint.interrupted = cli::interrupted;
     artefact::Writer model("model");

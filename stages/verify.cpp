@@ -6,6 +6,7 @@
 
 #include <iostream>
 
+#include "base/one_line.hpp"
 #include "cli/stage.hpp"
 
 using namespace piae;
@@ -27,7 +28,8 @@ int main(int argc, char** argv) {
   int status = 0;
   const int error = stage.run(argc, argv, [&] {
     const std::vector<verification::Finding> findings = verification::verify(files);
-    for (const verification::Finding& finding : findings) std::cout << finding.line << '\n';
+    for (const verification::Finding& finding : findings)
+      std::cout << one_line(finding.line) << '\n';
     status = verification::exit_code_of(findings);
   });
   return error != 0 ? error : status;

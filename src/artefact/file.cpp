@@ -41,16 +41,6 @@ void sync_folder(const fs::path& folder) {
   if (descriptor.get() >= 0) ::fsync(descriptor.get());
 }
 
-/// What stands where a file is to be written must be a file itself: a link may have been planted.
-void require_replaceable(const fs::path& path) {
-  std::error_code ignored;
-  const fs::file_status there = fs::symlink_status(path, ignored);
-  if (!fs::exists(there) || fs::is_regular_file(there)) return;
-  const std::string what = fs::is_symlink(there) ? "is a link and not a file" : "is not a file";
-  throw Error(Exit::failed,
-              path.string() + ": " + what + " that could be replaced; choose another output");
-}
-
 }  // namespace
 
 std::vector<std::byte> read_file(const fs::path& path, std::uint64_t most) {
@@ -79,6 +69,19 @@ std::vector<std::byte> read_file(const fs::path& path, std::uint64_t most) {
   }
   bytes.resize(filled);
   return bytes;
+}
+
+void require_replaceable(const fs::path& path) {
+  if (!path.has_filename()) {
+    throw Error(Exit::usage,
+                "'" + path.string() + "' is not the name of a file to write; give one");
+  }
+  std::error_code ignored;
+  const fs::file_status there = fs::symlink_status(path, ignored);
+  if (!fs::exists(there) || fs::is_regular_file(there)) return;
+  const std::string what = fs::is_symlink(there) ? "is a link and not a file" : "is not a file";
+  throw Error(Exit::failed,
+              path.string() + ": " + what + " that could be replaced; choose another output");
 }
 
 void write_file_atomically(const fs::path& path, std::span<const std::byte> bytes) {

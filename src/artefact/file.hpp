@@ -15,6 +15,11 @@ namespace piae::artefact {
 std::vector<std::byte> read_file(const std::filesystem::path& path,
                                  std::uint64_t most = std::numeric_limits<std::int64_t>::max());
 
+/// What stands where a file is to be written must be a file itself: a link may have been planted.
+/// Throws Error(failed) where it is not, and Error(usage) for a path that ends with no name. Who
+/// computes for long asks before.
+void require_replaceable(const std::filesystem::path& path);
+
 /// Writes a file so that it is always complete: until all is written the old content stands there.
 /// The bytes are written to a file beside it (partial_file.hpp) and synced to the disk, then that
 /// file is renamed. Missing parent folders are made. Throws Error(failed) when the folder cannot be

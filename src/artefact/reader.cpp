@@ -9,6 +9,7 @@
 #include "artefact/rehearsal.hpp"
 #include "artefact/structure.hpp"
 #include "artefact/writer.hpp"
+#include "base/one_line.hpp"
 
 namespace piae::artefact {
 
@@ -59,10 +60,6 @@ void require_undamaged(const fs::path& path, hid_t file, std::size_t size) {
   }
 }
 
-bool is_printable(const std::string& text) {
-  return std::ranges::none_of(text, [](unsigned char c) { return c < 0x20 || c == 0x7f; });
-}
-
 std::string stored_kind(const fs::path& path, hid_t file) {
   const htri_t exists = H5Aexists(file, "kind");
   if (exists < 0) refuse_damaged(path, "its attributes cannot be read");
@@ -70,7 +67,7 @@ std::string stored_kind(const fs::path& path, hid_t file) {
       ": is HDF5, but not an artefact of this pipeline; name a file that one of its stages wrote";
   try {
     std::string kind = hdf5::read_string_attribute(file, "/", "kind");
-    if (is_printable(kind)) return kind;
+    if (!has_control_characters(kind)) return kind;
   } catch (const std::exception&) {
     // It is no artefact in either case.
   }
@@ -245,7 +242,7 @@ std::string Reader::text(const std::string& object, const std::string& name) con
   } catch (const std::exception& error) {
     refuse(object, error.what());
   }
-  if (!is_printable(value)) refuse(where, "holds a control character");
+  if (has_control_characters(value)) refuse(where, "holds a control character");
   return value;
 }
 

@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <vector>
 
+#include "base/one_line.hpp"
+
 namespace piae::artefact {
 
 namespace {
@@ -28,8 +30,8 @@ struct Link {
 
 /// A name that stands for the one link it belongs to, and can be shown in a line.
 bool is_plain(const std::string& name) {
-  const auto is_odd = [](unsigned char c) { return c < 0x20 || c == 0x7f || c == '/'; };
-  return !name.empty() && name != "." && name != ".." && std::ranges::none_of(name, is_odd);
+  return !name.empty() && name != "." && name != ".." && name.find('/') == std::string::npos &&
+         !has_control_characters(name);
 }
 
 std::string child_of(const std::string& path, const std::string& name) {

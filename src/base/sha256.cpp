@@ -3,9 +3,10 @@
 #include <openssl/evp.h>
 
 #include <array>
-#include <fstream>
+#include <span>
 
 #include "base/error.hpp"
+#include "base/regular_file.hpp"
 
 namespace piae {
 
@@ -53,13 +54,10 @@ std::string Sha256::finish_hex() {
 }
 
 std::string sha256_of_file(const std::filesystem::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  if (!in) throw Error(Exit::input_missing, path.string() + ": cannot be read");
+  const RegularFile file(path);
   Sha256 sha;
-  std::array<char, 1 << 16> buffer{};
-  while (in.read(buffer.data(), buffer.size()) || in.gcount() > 0) {
-    sha.update(std::string_view(buffer.data(), static_cast<std::size_t>(in.gcount())));
-  }
+  std::array<std::byte, 1 << 16> buffer{};
+  while (const std::size_t got = file.read(buffer)) sha.update(std::span(buffer).first(got));
   return sha.finish_hex();
 }
 

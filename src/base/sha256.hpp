@@ -27,7 +27,8 @@ class Sha256 {
   std::unique_ptr<void, Free> context_;
 };
 
-/// Hexadecimal SHA-256 of a file's bytes. Throws Error(input_missing) if it cannot be read.
+/// Hexadecimal SHA-256 of a file's bytes. Throws Error(input_missing) where it cannot be read, or
+/// is no file.
 std::string sha256_of_file(const std::filesystem::path& path);
 
 }  // namespace piae

@@ -9,6 +9,7 @@
 #include <new>
 
 #include "base/error.hpp"
+#include "base/one_line.hpp"
 #include "base/sha256.hpp"
 #include "cli/toml_config.hpp"
 #include "cli/usage.hpp"
@@ -47,7 +48,7 @@ CLI::Option* add_config(CLI::App& app, const std::string& help) {
 }
 
 int fail(const std::string& name, Exit exit, const std::string& line) {
-  std::cerr << name << ": " << line << '\n';
+  std::cerr << name << ": " << one_line(line) << '\n';
   return static_cast<int>(exit);
 }
 

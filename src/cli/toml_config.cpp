@@ -6,7 +6,7 @@
 #include <sstream>
 
 #include "base/error.hpp"
-#include "cli/one_line.hpp"
+#include "base/one_line.hpp"
 #include "cli/toml_options.hpp"
 #include "cli/toml_text.hpp"
 

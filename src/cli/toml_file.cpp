@@ -5,7 +5,7 @@
 
 #include "artefact/file.hpp"
 #include "base/error.hpp"
-#include "cli/one_line.hpp"
+#include "base/one_line.hpp"
 #include "cli/toml_text.hpp"
 
 namespace piae::cli {

@@ -41,6 +41,10 @@ std::vector<QualityRecord> records_of(const std::vector<QualityRecord>& all,
 }
 
 Numbers quality_of(Source& source, const std::vector<std::string>& methods) {
+  const auto has_score = [&](const std::string& method) {
+    return !records_of(source.qualities(), method).empty();
+  };
+  if (std::ranges::none_of(methods, has_score)) throw LeftOut("the run has no generated windows");
   Numbers numbers({"metric", "class", "method", "seed", "value"});
   for (const Metric& metric : scoring::all_metrics()) {
     for (const std::string& method : methods) {

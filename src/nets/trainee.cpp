@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "base/error.hpp"
+#include "base/one_line.hpp"
 #include "base/sha256.hpp"
 #include "cli/progress.hpp"
 
@@ -51,7 +52,7 @@ std::optional<artefact::Reader> open_checkpoint(const Checkpoint& checkpoint) {
   try {
     return artefact::Reader(checkpoint.path, checkpoint_kind);
   } catch (const artefact::Refusal& refusal) {
-    spdlog::warn("{}; training starts anew", refusal.what());
+    spdlog::warn("{}; training starts anew", one_line(refusal.what()));
     return std::nullopt;
   }
 }

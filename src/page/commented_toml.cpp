@@ -2,10 +2,10 @@
 
 #include <spdlog/fmt/fmt.h>
 
-#include <fstream>
 #include <string_view>
 
 #include "cli/toml_file.hpp"
+#include "text/lines.hpp"
 
 namespace piae::page {
 
@@ -56,10 +56,7 @@ std::string joined_values(const toml::table& table) {
 }  // namespace
 
 CommentedToml::CommentedToml(const std::filesystem::path& file)
-    : values_(cli::parse_toml_file(file)) {
-  std::ifstream in(file);
-  for (std::string line; std::getline(in, line);) lines_.push_back(line);
-}
+    : values_(cli::parse_toml_file(file)), lines_(text::read_lines(file)) {}
 
 std::string CommentedToml::comment_beside(const toml::node& node) const {
   std::size_t i = node.source().begin.line;  // counts from 1; 0 where the parser does not know

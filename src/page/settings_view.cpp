@@ -1,12 +1,12 @@
 #include "page/settings_view.hpp"
 
 #include <algorithm>
-#include <fstream>
 
 #include "cli/toml_file.hpp"
 #include "cli/toml_options.hpp"
 #include "page/commented_toml.hpp"
 #include "page/table.hpp"
+#include "text/lines.hpp"
 
 namespace piae::page {
 
@@ -60,8 +60,8 @@ std::string source_of(const Stated& stated, const toml::node& value, const std::
 /// The options that make has given, which a settings file names in a comment.
 void add_given_options(const fs::path& file, std::vector<Setting>& settings) {
   const std::string beginning = "# Options given by make: ";
-  std::ifstream in(file);
-  for (std::string line; std::getline(in, line) && line.starts_with('#');) {
+  for (const std::string& line : text::read_lines(file)) {
+    if (!line.starts_with('#')) break;
     if (line.starts_with(beginning)) {
       settings.push_back({.file = file.filename().string(),
                           .option = "on the command line",

@@ -4,12 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <span>
 #include <tuple>
 
 #include "base/error.hpp"
 #include "text/csv.hpp"
+#include "text/lines.hpp"
 
 namespace piae::regression {
 
@@ -22,8 +22,8 @@ const std::string settings_mark = "# computed with: ";
 const std::vector<std::string> columns{"method", "ratio", "quantity", "seed", "value"};
 
 void read_comments(const fs::path& path, Measurements& measurements) {
-  std::ifstream in(path);
-  for (std::string line; std::getline(in, line) && line.starts_with('#');) {
+  for (const std::string& line : text::read_lines(path)) {
+    if (!line.starts_with('#')) break;
     if (line.starts_with(version_mark)) {
       measurements.versions.insert(line.substr(version_mark.size()));
     }

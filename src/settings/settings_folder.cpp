@@ -4,7 +4,6 @@
 #include <sys/file.h>
 #include <unistd.h>
 
-#include <fstream>
 #include <span>
 #include <sstream>
 
@@ -13,6 +12,7 @@
 #include "cli/toml_file.hpp"
 #include "cli/toml_options.hpp"
 #include "settings/protocol.hpp"
+#include "text/lines.hpp"
 
 namespace piae::settings {
 
@@ -61,8 +61,7 @@ toml::table values_in(const Request& request, const toml::table& file) {
 
 /// The options that a settings file says make has given.
 std::string options_in(const fs::path& file) {
-  std::ifstream in(file);
-  for (std::string line; std::getline(in, line);) {
+  for (const std::string& line : text::read_lines(file)) {
     if (line.starts_with(options_line)) return line.substr(options_line.size());
   }
   return {};
@@ -109,8 +108,9 @@ Wanted wanted(const Request& request, const fs::path& pipeline, const toml::tabl
 }
 
 bool holds(const fs::path& file, const Request& request, const toml::table& values) {
-  if (!fs::is_regular_file(file) || options_in(file) != request.options) return false;
+  if (!fs::is_regular_file(file)) return false;
   try {
+    if (options_in(file) != request.options) return false;
     return values_in(request, cli::parse_toml_file(file)) == values;
   } catch (const Error&) {
     return false;

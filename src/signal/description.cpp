@@ -6,7 +6,6 @@
 #include "base/error.hpp"
 #include "bearing/defect.hpp"
 #include "bearing/kinematics.hpp"
-#include "cli/one_line.hpp"
 #include "signal/ranges.hpp"
 
 namespace piae::signal {
@@ -90,9 +89,10 @@ std::string read_file_name(TomlTable& record) {
   if (path.is_absolute() || std::ranges::find(path, fs::path("..")) != path.end()) {
     record.refuse("file", "must be a path below the data folder");
   }
-  if (name.front() == '-' || cli::has_control_characters(name)) {
-    record.refuse("file", "must not begin with '-', and must have no line breaks or the like");
+  if (path.filename().empty() || path.filename() == ".") {
+    record.refuse("file", "must end with the name of a file");
   }
+  if (name.front() == '-') record.refuse("file", "must not begin with '-'");
   return name;
 }
 
@@ -110,9 +110,9 @@ std::string read_variable(TomlTable& record) {
 std::string read_url(TomlTable& record) {
   std::string url = record.optional_text("url");
   const bool of_the_web = url.starts_with("https://") || url.starts_with("http://");
-  const bool one_word = !cli::has_control_characters(url) && url.find(' ') == std::string::npos;
+  const bool one_word = url.find(' ') == std::string::npos;
   if (!url.empty() && !(of_the_web && one_word)) {
-    record.refuse("url", "must begin with https:// or http://, and have no spaces or line breaks");
+    record.refuse("url", "must begin with https:// or http://, and have no spaces");
   }
   return url;
 }

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "base/error.hpp"
-#include "cli/one_line.hpp"
+#include "base/one_line.hpp"
 #include "signal/raw_reader.hpp"
 
 namespace piae::signal {
@@ -43,7 +43,7 @@ std::string listed(const std::vector<std::string>& names) {
 }
 
 void refuse_raw_file(const std::filesystem::path& where, const std::string& what) {
-  throw Error(Exit::bad_input, cli::one_line(where.string() + ": " + what));
+  throw Error(Exit::bad_input, one_line(where.string() + ": " + what));
 }
 
 }  // namespace piae::signal

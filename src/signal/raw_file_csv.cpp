@@ -18,6 +18,13 @@ namespace fs = std::filesystem;
   refuse_raw_file(file.string() + ", line " + std::to_string(line), what);
 }
 
+/// A field may be as long as its file.
+std::string quoted(std::string_view field) {
+  constexpr std::size_t longest = 80;
+  if (field.size() <= longest) return "'" + std::string(field) + "'";
+  return "'" + std::string(field.substr(0, longest)) + "...'";
+}
+
 std::string_view trimmed(std::string_view text) {
   const std::size_t first = text.find_first_not_of(" \t\"");
   if (first == std::string_view::npos) return {};
@@ -69,9 +76,8 @@ std::size_t find_column(const fs::path& file, const std::vector<std::string_view
   if (found == 1)
     return static_cast<std::size_t>(std::ranges::find(header, column) - header.begin());
   if (found > 1) refuse_line(file, 1, "has several columns " + column);
-  std::string list;
-  for (const std::string_view name : header) list += (list.empty() ? "" : ", ") + std::string(name);
-  refuse_line(file, 1, "has no column " + column + "; it has " + list);
+  refuse_line(file, 1,
+              "has no column " + column + "; it has " + listed({header.begin(), header.end()}));
 }
 
 }  // namespace
@@ -95,9 +101,8 @@ std::vector<double> read_csv(const fs::path& file, const std::string& column) {
     if (number) {
       numbers.push_back(*number);
     } else if (i > 0) {
-      refuse_line(
-          file, i + 1,
-          "column " + column + " holds '" + std::string(fields[wanted]) + "', not a number");
+      refuse_line(file, i + 1,
+                  "column " + column + " holds " + quoted(fields[wanted]) + ", not a number");
     }
   }
   return numbers;

@@ -5,7 +5,7 @@
 #include <sstream>
 
 #include "base/error.hpp"
-#include "cli/one_line.hpp"
+#include "base/one_line.hpp"
 #include "cli/toml_file.hpp"
 
 namespace piae::signal {
@@ -35,8 +35,7 @@ std::string TomlTable::text(const std::string& key) {
   const auto* text = node(key).as_string();
   if (text == nullptr) refuse(key, "must be a text in quotes");
   if (text->get().empty()) refuse(key, "is empty");
-  const auto is_control = [](unsigned char c) { return c < 0x20 || c == 0x7f; };
-  if (std::ranges::any_of(text->get(), is_control)) refuse(key, "holds a control character");
+  if (has_control_characters(text->get())) refuse(key, "holds a control character");
   return text->get();
 }
 
@@ -96,7 +95,7 @@ void TomlTable::refuse(const std::string& key, const std::string& what) const {
   text << file_->name;
   if (line > 0) text << ", line " << line;
   text << ": " << (name_.empty() ? key : name_ + "." + key) << ' ' << what;
-  throw Error(Exit::bad_input, cli::one_line(text.str()));
+  throw Error(Exit::bad_input, one_line(text.str()));
 }
 
 }  // namespace piae::signal

@@ -6,7 +6,7 @@
 #include "artefact/file.hpp"
 #include "base/error.hpp"
 #include "base/numbers.hpp"
-#include "cli/one_line.hpp"
+#include "base/one_line.hpp"
 
 namespace piae::text {
 
@@ -42,7 +42,7 @@ std::string csv_line(const std::vector<std::string>& fields) {
 }
 
 void CsvLine::refuse(const std::string& what) const {
-  throw Error(Exit::bad_input, cli::one_line(place + ": " + what));
+  throw Error(Exit::bad_input, one_line(place + ": " + what));
 }
 
 std::optional<double> CsvLine::number(std::size_t i) const {

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "base/error.hpp"
+#include "support/errors.hpp"
 
 namespace piae {
 namespace {
@@ -37,6 +37,10 @@ TEST(Sha256, OfAMissingFileIsAnError) {
     EXPECT_EQ(error.exit(), Exit::input_missing);
     EXPECT_NE(std::string(error.what()).find("/no/such/file"), std::string::npos);
   }
+}
+
+TEST(Sha256, OfADeviceThatNeverEndsIsAnError) {
+  EXPECT_ERROR(sha256_of_file("/dev/zero"), Exit::input_missing, "/dev/zero: is not a file");
 }
 
 }  // namespace

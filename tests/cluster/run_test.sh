@@ -74,6 +74,35 @@ test_logs_that_cannot_be_written_are_noticed_before_anything_is_submitted() {
   expect_equal "$(squeue --noheader)" ""
 }
 
+# The folder under another name, squeue's own variables, and a job of an array that calls it.
+test_a_run_is_submitted_once_however_it_is_called() {
+  small_grid 2
+  ln -s "$PWD" link
+  cd link
+  SLURM_ARRAY_JOB_ID=9 SLURM_ARRAY_TASK_ID=3 cluster cluster METHODS=none >/dev/null
+  cd "$(pwd -P)"
+  expect_line "$(SQUEUE_STATES=FAILED cluster cluster METHODS=none)" "jobs of this run are in the queue already: .* of $(id -un);"
+  wait_for_line tables.log '^job: life ended .* status 0: done'
+  expect_equal "$(lives tables.log)" 1
+  until_done
+}
+
+test_who_cannot_ask_slurm_stops_nothing_and_says_so() {
+  small_grid 2
+  mkdir -p results/t
+  expect_line "$(SLURM_CONF=/nowhere cluster cluster-stop)" 'Slurm does not answer, see above; nothing is stopped'
+  expect_line "$(SBATCH_TIMELIMIT=soon cluster cluster)" "SBATCH_TIMELIMIT: minutes, .* not 'soon'"
+  expect_equal "$(squeue --noheader)" ""
+}
+
+test_a_new_split_is_planned_with_all_that_comes_of_it() {
+  small_grid 2
+  alone cells
+  mv results/alone results/t
+  sed -i 's/^windows-per-class = .*/windows-per-class = 350/' pipeline/protocol.toml
+  expect_line "$(cluster cluster-plan)" '^cells +1 +2 .* 21 '
+}
+
 test_a_job_that_is_refused_takes_the_others_with_it() {
   small_grid 2
   expect_line "$(SBATCH_PARTITION=none cluster cluster)" 'sbatch refused the job records, see above; nothing is left in the queue'
@@ -86,6 +115,9 @@ test_another_question_takes_a_run_of_both_protocols() {
   wait_for_line tables.log '^job: life ended .* status 0: done'
   expect_line "$(<results/t/simulated-small/protocols.md)" none
   [[ -e results/t-blocked/simulated-small/seed0/none/100to1/diagnosis.h5 ]] || fail "the other protocol was not computed"
+  # What was submitted is known without saying it again.
+  expect_line "$(make --silent status BIN=bin RUN=t)" '^all +2 +2 +0 +0 +0 '
+  until_done
 }
 
 test_windows_that_could_not_be_made_are_asked_for_once() {

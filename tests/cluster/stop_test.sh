@@ -70,6 +70,19 @@ test_a_life_that_makes_nothing_new_is_the_last() {
   expect_in_log tables.log '^missing: '
 }
 
+test_tables_that_take_too_long_are_stopped_at_once() {
+  small_grid 2
+  rm bin/tabulate
+  printf '#!/bin/bash\ntouch begun\nsleep 20\ntouch ended\nexec %s/tabulate "$@"\n' "$programs" >bin/tabulate
+  chmod +x bin/tabulate
+  cluster cluster METHODS=none SEEDS=0 >/dev/null
+  wait_for_line records.log 'status 0: done'
+  wait_for begun
+  scancel --batch --signal=USR1 "$(id_of tables)"
+  wait_for_line tables.log 'status 75: out of time, and nothing new was made'
+  [[ ! -e ended ]] || fail "tabulate was waited for"
+}
+
 has_begun_twice() { (($(lives cells.0.log) == 2)); }
 
 slurm_up

@@ -20,6 +20,12 @@ TEST_F(Quality, HasEachScoreAndItsMeanOverTheSeeds) {
   EXPECT_EQ(field(quality, "amplitude_ratio," + first + ",vae,0", 4), "4");
 }
 
+TEST_F(Quality, IsLeftOutOfARunWithoutGeneratedWindows) {
+  add(diagnosis("none", "100to1", 0, 0, 12));
+  Source baseline = source("none", "100to1", "0");
+  EXPECT_THROW(quality_of_methods(baseline), LeftOut);
+}
+
 TEST_F(Quality, NamesTheScoreThatIsMissing) {
   add_all();
   std::filesystem::remove(layout_.score("vae", 1));

@@ -113,4 +113,19 @@ test_nothing_is_written_outside_the_data_folder() {
   expect_line "$(data)" "real: 0 files fetched, 2 were there"
 }
 
+# A pipe would be waited for, and a file would be moved into a folder.
+test_what_is_no_file_is_refused() {
+  site
+  mkdir -p d/real
+  mkfifo "d/real/file 1.mat.part"
+  expect_line "$(timeout 20 make --silent data BIN=fake DATASETS=real DATA_DIR=d 2>&1)" \
+    "d/real/file 1.mat: d/real/file 1.mat.part is there and is not a file; remove it"
+  expect_exit 2 timeout 20 make --silent data BIN=fake DATASETS=real DATA_DIR=d
+  rm d/real/*
+  mkdir "d/real/file 1.mat"
+  expect_line "$(data 2>&1 || true)" "d/real/file 1.mat is there and is not a file; remove it"
+  expect_exit 2 data
+  expect_equal "$(ls "d/real/file 1.mat")" ""
+}
+
 run_tests

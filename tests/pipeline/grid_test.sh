@@ -164,6 +164,17 @@ test_dry_run_shows_the_graph_and_makes_nothing() {
   expect_equal "$(grid -n | grep -c pipeline/step.sh)" 0
 }
 
+# make itself takes files that one step makes together for as old as they were.
+test_a_dry_run_shows_all_that_a_new_split_brings_back() {
+  finished_grid
+  sed -i 's/^window = 1024/window = 512/' pipeline/protocol.toml
+  expect_equal "$(grid -n | grep -c pipeline/step.sh)" 56
+  describe
+  rm results/t/real/seed0/B.h5
+  expect_line "$(grid -n)" 'step.sh results/t/real/seed0 split .* --records results/t/real/records.h5 '
+  expect_equal "$(ran)" ""
+}
+
 test_touching_and_comments_change_nothing() {
   finished_grid
   touch pipeline/*.toml pipeline/datasets/*.toml fake/*
@@ -434,6 +445,16 @@ test_cells_that_could_not_be_made_again_are_holes() {
   expect_no_line "$(<results/t/made/accuracy.csv)" "outdated"
 }
 
+# As a job on a cluster asks for them: its goals are files.
+test_a_run_may_be_called_as_a_goal_is() {
+  describe
+  local run
+  for run in sweep mysweep readings; do
+    make --silent -f pipeline/grid.mk BIN=fake RUN=$run results=results/$run DATASETS=real METHODS=smote \
+      RATIOS=10to1 SEEDS=0 LIBTORCH=off PROTOCOL=random results/$run/real/seed0/smote/10to1/diagnosis.h5 >/dev/null
+  done
+}
+
 test_a_signal_to_make_all_reaches_the_stage() {
   describe
   rm fake/train
@@ -454,7 +475,7 @@ test_what_is_written_when_make_is_stopped_stays() {
   describe
   rm fake/train
   # shellcheck disable=SC2016
-  printf '%s\n' '#!/bin/bash' 'trap "" TERM' 'while (($#)); do [[ $1 != --output ]] || echo done >"$2"; shift; done' \
+  printf '%s\n' '#!/bin/bash' 'trap "" TERM' 'while (($#)); do [[ $1 != --output ]] || echo made >"$2"; shift; done' \
     'touch written' 'sleep 1' >fake/train
   chmod +x fake/train
   set -m
@@ -463,7 +484,7 @@ test_what_is_written_when_make_is_stopped_stays() {
   wait_for written
   kill -TERM $!
   expect_exit 143 wait $!
-  expect_equal "$(<results/t/real/seed0/piae-dt/model.h5)" done
+  expect_equal "$(<results/t/real/seed0/piae-dt/model.h5)" made
   expect_no_line "$(<messages)" Deleting
 }
 

@@ -130,4 +130,23 @@ test_wrong_numbers_and_goals_are_refused() {
   expect_exit 2 make cluster-plan sweep contrast BIN=fake
 }
 
+# What stands beside them says only which question is meant.
+test_what_stands_beside_status_and_cluster_stop_is_not_computed() {
+  local goal program
+  mkdir path
+  for program in sbatch squeue scancel; do
+    printf '#!/bin/bash\n' >path/$program
+    chmod +x path/$program
+  done
+  PATH=$PWD/path:$PATH
+  for goal in all cells sweep contrast identify readings; do
+    for front in status cluster-stop help; do
+      make --silent $front $goal BIN=fake SEEDS=100 RATIOS="10to1" >output 2>&1 || fail "$front $goal: $(<output)"
+      [[ ! -e calls && ! -e results ]] || fail "make $front $goal has computed: $(<calls)"
+    done
+  done
+  expect_equal "$(make cluster-stop readings BIN=fake)" "no job of results/readings is in the queue"
+  expect_equal "$(make --silent cluster-stop sweep BIN=fake RUN=t)" "no job of results/t is in the queue"
+}
+
 run_tests

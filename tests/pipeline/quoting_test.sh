@@ -37,6 +37,15 @@ test_a_folder_that_make_cannot_pass_on_is_refused_in_one_line() {
   [[ ! -e executed ]] || fail "a value was executed"
 }
 
+test_an_empty_folder_is_not_the_root() {
+  local goal
+  for goal in help records data status; do
+    expect_equal "$(make "$goal" BIN=fake DATASETS=cwru DATA_DIR= 2>&1 | wc -l)" 1
+    expect_line "$(make "$goal" BIN=fake DATA_DIR= 2>&1)" "DATA_DIR: is empty; "
+    expect_line "$(DATA_DIR=' ' make "$goal" BIN=fake 2>&1)" "DATA_DIR: is empty; "
+  done
+}
+
 test_no_other_value_is_executed() {
   local name value
   for name in RUN DATASETS METHODS RATIOS SEEDS PROTOCOL ARCH LIBTORCH BIN TOLERANCE LINT; do

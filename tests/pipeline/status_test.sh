@@ -188,4 +188,181 @@ test_wrong_words_are_refused() {
   expect_exit 2 status METHODS=magic
 }
 
+# As if `make cluster` had submitted this run, and Slurm, which answers unless there is a file `no-slurm`, had
+# nothing of it in its queue any more.
+submitted() { # goal, variables
+  jobs=results/t/.jobs/20260101T000000
+  mkdir -p $jobs path
+  printf '%s\n' "$@" >$jobs/choice
+  : >$jobs/submitted
+  printf '#!/bin/bash\n[[ ! -e no-slurm ]]\n' >path/squeue
+  chmod +x path/squeue
+  PATH=$PWD/path:$PATH
+}
+
+# What other questions ask for.
+describe_others() {
+  describe
+  cat >pipeline/protocol.toml <<'TOML'
+[train.piae-dt]
+depth = 3
+[sweep]
+points = ["depth=1", "depth=3"]
+[readings]
+base = ["depth=2"]
+readings = ["depth=4"]
+TOML
+  # shellcheck disable=SC2016
+  printf '#!/bin/bash\ntouch "${1%%.csv}.svg" "${1%%.csv}.pdf"\n' >pipeline/figures/draw.sh
+}
+
+test_a_failed_step_of_a_sweep_is_named() {
+  describe_others
+  local which=(BIN=fake RUN=t DATASETS=real SEEDS="0 1") output
+  echo "train real/seed1/sweep/depth-1/model.h5" >broken
+  make --silent -k sweep "${which[@]}" >/dev/null 2>&1 || true
+  rm calls
+  output=$(make --silent status sweep "${which[@]}" | sed 's/  */ /g')
+  expect_line "$output" '^real piae-dt 4 4 0 0 0 0 s$'
+  expect_line "$output" '^real sweep 4 2 0 2 0 0 s$'
+  expect_line "$output" '^ real/seed1/sweep/depth-1: train: the reason \(log: results/t/real/seed1/sweep/depth-1/train.log\)$'
+  # Of what was submitted to a cluster nobody need say again what it was.
+  submitted sweep RUN=t DATASETS=real SEEDS="0 1" results=results/t
+  expect_equal "$(make --silent status BIN=fake RUN=t | sed 's/  */ /g')" "$output"
+  [[ ! -e calls ]] || fail "status has computed: $(<calls)"
+  # The table itself.
+  echo "sweep real/sweep.csv" >broken
+  make --silent sweep "${which[@]}" >/dev/null 2>&1 || true
+  output=$(make --silent status sweep "${which[@]}")
+  expect_line "$output" '^all +8 +8 +0 +0 +0 +0 s'
+  expect_equal "$(tail -n 2 <<<"$output")" $'failed\n  real: sweep: the reason (log: results/t/real/sweep.log)'
+}
+
+test_what_is_given_goes_before_what_was_submitted() {
+  describe
+  submitted all RUN=t DATASETS="real made" METHODS=smote RATIOS=10to1 SEEDS="0 1 2" results=results/t
+  expect_line "$(make --silent status BIN=fake RUN=t)" '^all +12 +0 '
+  expect_line "$(make --silent status BIN=fake RUN=t SEEDS=0 DATASETS=real)" '^all +2 +0 '
+  expect_line "$(make --silent status cells BIN=fake RUN=t SEEDS=0 DATASETS=real METHODS=smote)" '^all +7 +0 '
+}
+
+test_a_failed_reading_is_named() {
+  describe_others
+  local which=(readings BIN=fake RUN=t DATASETS=real SEEDS=100) output
+  echo "score real/seed100/readings/depth-4/score.h5" >broken
+  make --silent -k "${which[@]}" >/dev/null 2>&1 || true
+  output=$(make --silent status "${which[@]}" | sed 's/  */ /g')
+  expect_line "$output" '^all 6 5 0 1 0 0 s$'
+  expect_line "$output" '^ real/seed100/readings/depth-4: score: the reason \(log: '
+  submitted readings RUN=t DATASETS=real METHODS=piae-dt SEEDS=100 results=results/t
+  expect_equal "$(make --silent status BIN=fake RUN=t | sed 's/  */ /g')" "$output"
+  # The run that they have when nobody says otherwise.
+  mv results/t results/readings
+  expect_line "$(make --silent status readings BIN=fake)" '^  real/seed100/readings/depth-4: score: the reason \(log: '
+}
+
+test_a_contrast_is_of_both_protocols() {
+  describe
+  with_grid cells DATASETS=real >/dev/null 2>&1
+  echo "diagnose real/seed1/smote/10to1/diagnosis.h5" >broken
+  with_grid contrast DATASETS=real >/dev/null 2>&1 || true
+  local output
+  output=$(with_grid status DATASETS=real | sed 's/  */ /g')
+  expect_line "$output" '^all 8 8 0 0 0 0 s$'
+  submitted contrast RUN=t DATASETS=real results=results/t
+  output=$(with_grid status DATASETS=real)
+  expect_line "$output" '^real +smote +6 +6 +0 +0 +0 +0 s$'
+  expect_line "$output" '^real, blocked +smote +6 +[0-9] +0 +1 '
+  expect_line "$output" '^all +16 +[0-9]+ +0 +1 '
+  expect_line "$output" \
+    '^  results/t-blocked/real/seed1/smote/10to1: diagnose: the reason \(log: results/t-blocked/real/seed1/smote/10to1/'
+  rm broken
+  with_grid contrast DATASETS=real >/dev/null 2>&1
+  output=$(with_grid status contrast DATASETS=real)
+  expect_line "$output" '^all +16 +16 +0 +0 +0 +0 s$'
+  expect_no_line "$output" failed$
+}
+
+test_an_identification_is_of_models() {
+  describe
+  printf '[train.piae-dt]\nepochs = 2\n' >pipeline/protocol.toml
+  local which=(identify BIN=fake RUN=t DATASETS=made METHODS=piae-dt SEEDS="0 1") output
+  echo "train made/seed1/piae-dt/model.h5" >broken
+  make --silent -k "${which[@]}" >/dev/null 2>&1 || true
+  output=$(make --silent status "${which[@]}")
+  expect_line "$output" '^data set +method +models +done '
+  expect_line "$output" '^made +piae-dt +2 +1 +0 +1 +0 +0 s$'
+  expect_line "$output" '^  made/seed1/piae-dt: train: the reason \(log: '
+}
+
+# They are no cell: the diagnosis beside them is.
+test_features_that_failed_are_named() {
+  describe
+  echo "diagnose real/seed0/smote/1to1/features.h5" >broken
+  with_grid all DATASETS=real -k >/dev/null 2>&1 || true
+  local output
+  output=$(status)
+  expect_line "$output" '^all +8 +8 +0 +0 +0 +0 s$'
+  expect_equal "$(tail -n 2 <<<"$output")" \
+    $'failed\n  real/seed0/smote/1to1: diagnose: the reason (log: results/t/real/seed0/smote/1to1/features.log)'
+  # They were not asked for by make cells.
+  expect_no_line "$(status cells)" failed$
+}
+
+test_tables_that_failed_are_named() {
+  describe
+  echo "tabulate real/accuracy.csv" >broken
+  with_grid all DATASETS=real -k >/dev/null 2>&1 || true
+  local output
+  output=$(status)
+  expect_line "$output" '^all +8 +8 +0 +0 +0 +0 s$'
+  expect_equal "$(tail -n 2 <<<"$output")" $'failed\n  real: tabulate: the reason (log: results/t/real/tabulate.log)'
+  # As the job of the tables says, where it was killed.
+  sed -i '/^step: exit/d; /^tabulate: /d' results/t/real/tabulate.log
+  submitted all RUN=t DATASETS=real results=results/t
+  echo "job: life begun at 1 on n1, 4 cores" >$jobs/tables.log
+  expect_line "$(status)" '^  real: tabulate: its job ended: killed \(log: '
+}
+
+test_what_cannot_be_counted_is_refused() {
+  describe
+  expect_line "$(status sweep contrast 2>&1 || true)" 'one of .* at a time'
+  expect_line "$(status figures 2>&1 || true)" 'one of .* at a time'
+}
+
+test_a_step_that_runs_and_has_said_nothing_yet_is_shown_by_its_name() {
+  describe
+  endless_train
+  sed -i '/####/d' fake/train
+  with_grid cells DATASETS=real SEEDS=0 >/dev/null 2>&1 &
+  wait_for started
+  local output
+  output=$(status)
+  kill -TERM "$(<started)"
+  expect_exit 2 wait $!
+  expect_line "$output" '^  real/seed0/smote: train \(log: results/t/real/seed0/smote/train.log\)$'
+  expect_no_line "$output" ended
+}
+
+# Where locks are not shared between nodes, a step that runs is like one that was killed.
+test_a_job_without_an_end_was_killed_only_when_slurm_says_that_it_is_gone() {
+  describe
+  local folder=results/t/real/seed0/smote output
+  mkdir -p $folder
+  printf '%s\n' train 'step: begun at 1.0' >$folder/train.log
+  submitted all RUN=t DATASETS=real results=results/t
+  echo $folder/model.h5 >$jobs/cells.0
+  echo "job: life begun at 1 on n1, 4 cores" >$jobs/cells.0.log
+  output=$(status)
+  expect_line "$output" '^  real/seed0/smote: train: its job ended: killed \(log: '
+  expect_line "$output" '^  cells.0: killed \(log: '
+  touch no-slurm
+  output=$(status)
+  expect_no_line "$output" 'killed|failed$'
+  expect_line "$output" 'squeue does not answer'
+  # What a log says itself is known all the same.
+  echo "slurmstepd: error: Detected 1 oom_kill event in StepId=5.0." >>$jobs/cells.0.log
+  expect_line "$(status)" '^  cells.0: out of memory \(log: '
+}
+
 run_tests

@@ -205,6 +205,14 @@ test_stages_get_one_thread_whatever_the_login_shell_says() {
   expect_line "$(OMP_NUM_THREADS=3 pipeline/step.sh results/t/real simulate)" 'threads  1 unset ===$'
 }
 
+# (Which devices a job may use, its scheduler says.)
+test_stages_do_not_see_what_the_login_shell_says_to_libtorch() {
+  # shellcheck disable=SC2016
+  own_stage <<<'env | grep -cE "^(ATEN|DNNL|ONEDNN|TORCH|CUBLAS|NVIDIA_TF32)" || echo "devices $CUDA_VISIBLE_DEVICES"'
+  expect_line "$(ATEN_CPU_CAPABILITY=default DNNL_MAX_CPU_ISA=SSE41 ONEDNN_MAX_CPU_ISA=SSE41 TORCH_NUM_THREADS=3 \
+    CUBLAS_WORKSPACE_CONFIG=:16:8 NVIDIA_TF32_OVERRIDE=1 CUDA_VISIBLE_DEVICES=7 step)" 'devices 7$'
+}
+
 # A stage that answers SIGTERM with a checkpoint and 75, as train does.
 checkpointing_stage() {
   own_stage <<'STAGE'
@@ -324,6 +332,15 @@ test_a_log_is_not_written_through_a_planted_link() {
   expect_exit 1 step
   expect_line "$(step 2>&1)" 'failed: cannot write results/t/real/seed0/own.log'
   expect_equal "$(<victim)" precious
+}
+
+test_a_log_that_is_a_pipe_is_not_waited_for() {
+  own_stage <<<'echo done'
+  mkdir -p results/t/real/seed0
+  mkfifo results/t/real/seed0/own.log
+  expect_exit 1 timeout 10 pipeline/step.sh results/t/real/seed0 own
+  expect_line "$(timeout 10 pipeline/step.sh results/t/real/seed0 own 2>&1)" \
+    'failed: cannot write results/t/real/seed0/own.log'
 }
 
 run_tests

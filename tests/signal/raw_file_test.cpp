@@ -61,6 +61,14 @@ TEST(Csv, RefusesWhatIsNotStrictlyNumbersInColumns) {
   EXPECT_ERROR(read("t;a\n0;1,5\n", "a"), Exit::bad_input, "line 2: column a holds '1,5'");
   EXPECT_ERROR(read("t,a\n0,1\n", "b"), Exit::bad_input, "has no column b; it has t, a");
   EXPECT_ERROR(read("a,a\n0,1\n", "a"), Exit::bad_input, "has several columns a");
+  std::string many = "x";
+  for (int i = 0; i < 3000; ++i) many += ",x";
+  EXPECT_ERROR(read(many + "\n", "b"), Exit::bad_input, "it has x, x, x, ");
+  EXPECT_ERROR(read(many + "\n", "b"), Exit::bad_input, ", x and 2981 more");
+  const std::string full(80, 'x');
+  EXPECT_ERROR(read("a\n" + full + "\n", "a"), Exit::bad_input,
+               "holds '" + full + "', not a number");
+  EXPECT_ERROR(read("a\n" + full + "y\n", "a"), Exit::bad_input, "holds '" + full + "...', not");
   EXPECT_ERROR(read("t,a\n0,1\n", "3"), Exit::bad_input, "has no column 3; columns are 1 to 2");
   EXPECT_ERROR(read("t,a\n0,1\n", "0"), Exit::bad_input, "has no column 0");
 }

@@ -317,6 +317,8 @@ TEST(Simulate, RefusesADescriptionThatCannotBeSimulated) {
   expect_refused(tiny_description.substr(0, 40), "tiny.toml");
   fs::remove(tiny / "tiny.toml");
   expect_refusal(tiny.run_step("simulate"), "simulate", 66, {"tiny.toml"});
+  ASSERT_EQ(::mkfifo((tiny / "tiny.toml").c_str(), 0600), 0);
+  expect_refusal(tiny.run_step("simulate"), "simulate", 66, {"tiny.toml", "is not a file"});
 }
 
 // Windows of another split's C may stand in this split's A or D.

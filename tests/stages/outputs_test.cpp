@@ -135,5 +135,25 @@ TEST(OutputsOfGenerate, DoNotReplaceWhatIsNoFile) {
   EXPECT_TRUE(fs::is_fifo(tiny / "pipes/pipe"));
 }
 
+// A training may take hours: what it could not write at its end, or meanwhile, it says before.
+TEST(OutputsOfTrain, AreLookedAtBeforeItBegins) {
+  const Tiny tiny;
+  tiny.run_chain_before("train");
+  tiny.write("victim", "precious");
+  Arguments arguments = with(step_of("train").arguments, "--epochs", "1000000");
+  for (const std::string planted : {"model.h5", "model.h5.checkpoint"}) {
+    fs::create_symlink(tiny / "victim", tiny / planted);
+    expect_refusal(tiny.run("train", arguments), "train", 1, {planted + ": is a link"});
+    EXPECT_TRUE(fs::is_symlink(tiny / planted));
+    fs::remove(tiny / planted);
+  }
+  for (const std::string nameless : {"", "new/"}) {
+    arguments = with(arguments, "--output", nameless);
+    expect_refusal(tiny.run("train", arguments), "train", 2,
+                   {"'" + nameless + "' is not the name of a file"});
+  }
+  EXPECT_FALSE(fs::exists(tiny / "new"));
+}
+
 }  // namespace
 }  // namespace piae::stages

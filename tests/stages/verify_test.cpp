@@ -100,6 +100,34 @@ TEST_F(Verify, RefusesKindsAndSchemasThatItDoesNotKnow) {
   expect_status({"B.h5"}, 8, 1);
 }
 
+// U+009B begins a command as ESC [ does, and U+202E turns round what follows.
+TEST_F(Verify, AndTheStagesPrintNoCommandsOfATerminal) {
+  for (const std::string command : {"\xC2\x9B"
+                                    "2J",
+                                    "\x1B[2J", "\xE2\x80\xAE", "\xFF"}) {
+    const std::string name = "a" + command + ".h5";
+    const Outcome verified = tiny_.run("verify", {name});
+    EXPECT_EQ(verified.status, 1);
+    EXPECT_TRUE(verified.out.starts_with("a?")) << testing::PrintToString(verified.out);
+    expect_refusal(tiny_.run("split", {"--records", name, "--seed", "0", "--output-dir", "x"}),
+                   "split", 66, {"a?"});
+    artefact::Writer("cake" + command).save(tiny_ / "cake.h5", {"test", "", {}});
+    EXPECT_EQ(tiny_.run("verify", {"cake.h5"}).out.find(command), std::string::npos);
+  }
+}
+
+TEST_F(Verify, PrintsNoLineWithoutEnd) {
+  artefact::Writer(std::string(60'000, 'x')).save(tiny_ / "long.h5", {"test", "", {}});
+  const Outcome verified = tiny_.run("verify", {"long.h5"});
+  EXPECT_EQ(verified.status, 8);
+  EXPECT_TRUE(is_one_line(verified.out));
+  EXPECT_LT(verified.out.size(), 1100U);
+  const Outcome split =
+      tiny_.run("split", {"--records", "long.h5", "--seed", "0", "--output-dir", "x"});
+  expect_refusal(split, "split", 65, {"long.h5", "..."});
+  EXPECT_LT(split.err.size(), 1100U);
+}
+
 TEST_F(Verify, FindsAWindowWithTwoRoles) {
   make_a_window_play_two_roles();
   expect_status({"A.h5", "B.h5"}, 0, 0);

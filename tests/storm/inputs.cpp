@@ -41,12 +41,12 @@ struct Seed {
   std::vector<Block> blocks;  ///< of an artefact
 };
 
-/// One altered file, and who reads it.
+/// One file that is altered, and who reads it.
 struct Input {
   const Target* target = nullptr;
   fs::path file;
-  std::string bytes;
-  std::string words;  ///< how it came about
+  const Seed* seed = nullptr;
+  const Seed* other = nullptr;  ///< of which bytes may be taken
 };
 
 class Inputs {
@@ -70,37 +70,41 @@ class Inputs {
     }
   }
 
-  /// Makes input i and leaves it in its file.
-  [[nodiscard]] Input make(std::size_t i) const {
-    Dice dice(seed_, i);
+  /// Which file input i is.
+  [[nodiscard]] Input choose(Dice& dice) const {
     Input input;
     // Artefacts have most kinds, and take longest.
     const std::size_t choice = dice.below(targets().size() + 2);
     input.target = &targets()[std::min(choice, targets().size() - 1)];
     const std::vector<Seed>& seeds = seeds_.at(input.target->name);
     const std::size_t which = dice.below(seeds.size());
-    const Seed& seed = seeds[which];
+    input.seed = &seeds[which];
     input.file = files_.at(input.target->name)[which];
+    input.other = &dice.one_of(seeds);
+    return input;
+  }
+  [[nodiscard]] Input choose(std::size_t i) const {
+    Dice dice(seed_, i);
+    return choose(dice);
+  }
+
+  /// Makes input i and leaves it in its file. Returns how it came about.
+  [[nodiscard]] std::string make(std::size_t i) const {
+    Dice dice(seed_, i);
+    const Input input = choose(dice);
+    const Seed& seed = *input.seed;
     if (is_artefact(*input.target) && dice.one_in(3)) {
       write_bytes(input.file, seed.bytes);
-      input.words = change_meaning(input.file, files_.at(input.target->name), dice);
-      input.bytes = bytes_of(input.file);
-      return input;
+      return change_meaning(input.file, files_.at(input.target->name), dice);
     }
     const bool renewed = !seed.blocks.empty() && dice.one_in(2);
-    input.words = renewed ? "damaged, with good checksums" : "damaged";
-    input.bytes = renewed ? mutated_with_checksums(seed.bytes, seed.blocks, dice)
-                          : mutated(seed.bytes, dice.one_of(seeds).bytes, dice);
-    write_bytes(input.file, input.bytes);
-    return input;
+    write_bytes(input.file, renewed ? mutated_with_checksums(seed.bytes, seed.blocks, dice)
+                                    : mutated(seed.bytes, input.other->bytes, dice));
+    return renewed ? "damaged, with good checksums" : "damaged";
   }
 
   /// Puts the good file back: others are read beside it.
-  void put_back(const Input& input) const {
-    for (const Seed& seed : seeds_.at(input.target->name)) {
-      if (seed.name == input.file.filename()) write_bytes(input.file, seed.bytes);
-    }
-  }
+  static void put_back(const Input& input) { write_bytes(input.file, input.seed->bytes); }
 
   /// Every file of the corpus is read, or the storm would test nothing; but for those that are no
   /// format of ours.
@@ -152,6 +156,7 @@ bool took_too_much() {
 /// Paths of one run.
 struct Place {
   fs::path reports;  ///< where the sanitizers write
+  fs::path words;    ///< how the last input came about; none while it is made
   fs::path reason;
 };
 
@@ -185,16 +190,18 @@ bool only_lacks_memory(const std::string& report, const Target& target) {
                                std::size_t count, int to) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   for (std::size_t i = first; i < count; ++i) {
-    const Input input = inputs.make(i);
+    fs::remove(place.words);
+    write_bytes(place.words, inputs.make(i));
+    const Input input = inputs.choose(i);
     const Said said = read(input, place.reason);
-    inputs.put_back(input);
     if (!fs::is_empty(place.reports)) {
       if (!only_lacks_memory(report_in(place.reports), *input.target)) ::_exit(3);
       (void)take_report(place.reports);
     }
     if (took_too_much()) ::_exit(3);
     if (::write(to, &said, 1) != 1) ::_exit(4);
-    if (said == missed) break;  // the reason stands in a file
+    if (said == missed) break;  // the reason stands in a file, and the bytes in theirs
+    Inputs::put_back(input);
   }
   ::_exit(0);
 }
@@ -220,9 +227,8 @@ class Storm {
   explicit Storm(const Asked& asked)
       : asked_(asked),
         inputs_(asked, asked.folder / "work"),
-        again_(asked, asked.folder / "again"),
         tally_("inputs", asked),
-        place_{asked.folder / "reports", asked.folder / "reason"} {
+        place_{asked.folder / "reports", asked.folder / "words", asked.folder / "reason"} {
     fs::create_directories(place_.reports);
     (void)take_report(place_.reports);
   }
@@ -232,7 +238,7 @@ class Storm {
     while (!tally_.finished()) run_child();
     std::cout << "inputs: " << contained_
               << " of these ended inside HDF5 or matio, and the programs "
-              << "refused them\n";
+              << "refused them; " << unmade_ << " ended HDF5 while they were made\n";
     return tally_.finish();
   }
 
@@ -271,43 +277,44 @@ class Storm {
       if (::poll(&ready, 1, static_cast<int>(most_seconds * 1000)) == 0) return End::silence;
       if (::read(from, &letter, 1) != 1) return End::ended;
       if (letter == missed) {
-        const Input input = again_.make(tally_.done());
-        miss(input, bytes_of(place_.reason));
-        again_.put_back(input);
+        miss(bytes_of(place_.reason));
         return End::missed;
       }
       tally_.add(letter == refused ? Tally::Result::refused : Tally::Result::accepted);
     }
   }
 
-  void miss(const Input& input, const std::string& what) {
-    tally_.keep_finding(input.file.filename(), input.bytes,
-                        std::string(input.target->name) + ", " + input.words + ": " + what);
+  /// Of the input that is the next to be counted, whose bytes are still in its file.
+  void miss(const std::string& what) {
+    const Input input = inputs_.choose(tally_.done());
+    tally_.keep_finding(
+        input.file.filename(), bytes_of(input.file),
+        std::string(input.target->name) + ", " + bytes_of(place_.words) + ": " + what);
+    Inputs::put_back(input);
     tally_.add(Tally::Result::missed);
   }
 
   void look_into(const std::string& how) {
     const std::string report = take_report(place_.reports);
-    const Input input = again_.make(tally_.done());
+    const Input input = inputs_.choose(tally_.done());
+    const bool in_libraries = input.target->by_libraries && died_in_libraries(report);
+    const bool is_made = fs::exists(place_.words);
     std::string what = how + "\n" + report;
-    if (input.target->by_libraries && died_in_libraries(report)) {
-      what = failure_of_programs(*input.target, input.file, asked_.programs);
+    if (in_libraries) {
+      what = is_made ? failure_of_programs(*input.target, input.file, asked_.programs) : "";
     }
-    if (what.empty()) {
-      ++contained_;
-      tally_.add(Tally::Result::refused);
-    } else {
-      miss(input, what);
-    }
-    again_.put_back(input);
+    if (!what.empty()) return miss(what);
+    ++(is_made ? contained_ : unmade_);
+    Inputs::put_back(input);
+    tally_.add(Tally::Result::refused);
   }
 
   Asked asked_;
-  Inputs inputs_;  ///< the child's
-  Inputs again_;   ///< the same, for looking at one that was not treated as promised
+  Inputs inputs_;
   Tally tally_;
   Place place_;
   std::size_t contained_ = 0;
+  std::size_t unmade_ = 0;
 };
 
 }  // namespace
