@@ -18,8 +18,8 @@ int main(int argc, char** argv) {
   stage.input_file("--description", description, "dataset description with a table [simulation]");
   stage.output_file("--output", output, "records.h5 to write");
   return stage.run(argc, argv, [&] {
-    stage.note_input("description", description);
     const signal::Simulation simulation = signal::read_simulation(description);
+    stage.note_input("description", description);
     const std::size_t classes = simulation.info.classes.size();
     const std::size_t records = classes * simulation.records_per_class;
     signal::Recordings recordings;

@@ -7,6 +7,7 @@
 #include "base/error.hpp"
 #include "base/sha256.hpp"
 #include "signal/raw_file.hpp"
+#include "signal/raw_limits.hpp"
 #include "signal/resample.hpp"
 
 namespace piae::signal {
@@ -76,6 +77,7 @@ void RecordReader::require_new(const fs::path& file, const RecordSource& source,
 RawRecord RecordReader::read_raw(const RecordSource& source) {
   const fs::path file = data_dir_ / source.file;
   require_file(file, source, dataset_);
+  (void)raw_limits(file);  // which refuses what is too large, before all of that is hashed
   RawRecord raw;
   raw.sha256 = checked_sha256(file, source);
   raw.samples = read_raw_file(file, source.variable);
