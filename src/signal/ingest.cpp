@@ -77,7 +77,7 @@ void RecordReader::require_new(const fs::path& file, const RecordSource& source,
 RawRecord RecordReader::read_raw(const RecordSource& source) {
   const fs::path file = data_dir_ / source.file;
   require_file(file, source, dataset_);
-  (void)raw_limits(file);  // a file without end, which takes no room on the disk, is not hashed
+  (void)raw_limits(file);  // which refuses what is too large, before all of that is hashed
   RawRecord raw;
   raw.sha256 = checked_sha256(file, source);
   raw.samples = read_raw_file(file, source.variable);

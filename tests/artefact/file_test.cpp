@@ -145,5 +145,16 @@ TEST(ReadFile, DoesNotWaitForAPipe) {
   EXPECT_EQ(status, static_cast<int>(Exit::input_missing));
 }
 
+// A sparse file says to have gigabytes, and has not one on the disk.
+TEST(ReadFile, TakesNothingOfWhatIsTooLarge) {
+  const Folder folder;
+  write_text(folder / "a", "1234");
+  fs::resize_file(folder / "a", 12'000'000'000);
+  EXPECT_ERROR(read_file(folder / "a", 4'000'000'000), Exit::bad_input,
+               "a: is larger than 4000 MB");
+  fs::resize_file(folder / "a", 4);
+  EXPECT_EQ(read_file(folder / "a", 4).size(), 4U);
+}
+
 }  // namespace
 }  // namespace piae::artefact

@@ -45,6 +45,15 @@ TEST(HarmfulRawFile, ThatIsPackedBeyondReasonIsNotUnpacked) {
   expect_refused(bomb, "variable x is said to have 40000000 values");
 }
 
+TEST(HarmfulRawFile, ThatIsLargerThanAnyIsNotRead) {
+  const Folder folder;
+  for (const char* name : {"a.csv", "a.mat", "a.h5"}) {
+    const fs::path file = folder.write(name, "x\n");
+    fs::resize_file(file, 12'000'000'000);
+    expect_refused(file, "is larger than 4000 MB");
+  }
+}
+
 TEST(HarmfulRawFile, MayBePackedWell) {
   const Folder folder;
   const fs::path packed = folder.write("packed.mat", harmful::bomb_v5(100'000));

@@ -105,6 +105,18 @@ TEST(Config, TheProtocolOfTheProjectIsUnderstoodByEveryStage) {
   }
 }
 
+TEST(Config, ThatCannotBeReadOrIsHugeIsRefused) {
+  const Tiny tiny;
+  tiny.run_chain_before("split");
+  fs::create_symlink("/proc/self/mem", tiny / "options.toml");
+  expect_refusal(tiny.run("split", split_files), "split", 2, {"options.toml", "cannot be read"});
+  expect_refusal(tiny.run("train", train_files), "train", 2, {"options.toml", "cannot be read"});
+  fs::remove(tiny / "options.toml");
+  tiny.write("options.toml", "\n");
+  fs::resize_file(tiny / "options.toml", 12'000'000'000);
+  expect_refusal(tiny.run("train", train_files), "train", 2, {"options.toml", "larger than 1 MB"});
+}
+
 TEST(Config, ThatIsAPipeOrADeepNestIsRefusedAtOnce) {
   const Tiny tiny;
   tiny.run_chain_before("split");

@@ -278,17 +278,6 @@ TEST_F(Ingest, RefusesARecordingThatSaysToHoldMoreThanItCan) {
       << check.out;
 }
 
-// Such files take no room on the disk. To read one, or to hash it, would take hours.
-TEST_F(Ingest, RefusesFilesWithoutEndAtOnce) {
-  constexpr std::uintmax_t huge = std::uintmax_t{1} << 42U;
-  fs::resize_file(folder_ / "data/inner.csv", huge);
-  expect_refused(65, {"data/inner.csv", "is larger than"});
-  fs::resize_file(folder_ / "raw.toml", huge);
-  expect_refused(65, {"raw.toml", "is larger than"});
-  expect_refusal(folder_.run("simulate", {"--description", "raw.toml", "--output", "out.h5"}),
-                 "simulate", 65, {"raw.toml", "is larger than"});
-}
-
 TEST_F(Ingest, RefusesADescriptionThatIsMissingDamagedOrOfAnotherKind) {
   folder_.write("raw.toml", "name = \n");
   expect_refused(65, {"raw.toml", "line"});
@@ -296,6 +285,24 @@ TEST_F(Ingest, RefusesADescriptionThatIsMissingDamagedOrOfAnotherKind) {
   expect_refused(65, {"raw.toml", "colour"});
   fs::remove(folder_ / "raw.toml");
   expect_refused(66, {"raw.toml"});
+}
+
+// Sparse files take no room on the disk, and would take all memory, or minutes.
+TEST_F(Ingest, RefusesFilesThatSayToBeHuge) {
+  fs::resize_file(folder_ / "data/inner.csv", 12'000'000'000);
+  expect_refused(65, {"data/inner.csv", "is larger than 4000 MB"});
+  fs::resize_file(folder_ / "raw.toml", 12'000'000'000);
+  expect_refused(65, {"raw.toml", "is larger than 1 MB"});
+  expect_refusal(folder_.run("simulate", {"--description", "raw.toml", "--output", "out.h5"}),
+                 "simulate", 65, {"raw.toml", "is larger than 1 MB"});
+}
+
+// It would be an argument of another program.
+TEST_F(Ingest, RefusesAVariableWithoutEnd) {
+  std::string description = raw_description();
+  description.replace(description.find("acceleration"), 12, std::string(500'000, 'v'));
+  folder_.write("raw.toml", description);
+  expect_refused(65, {"raw.toml", "variable", "at most 1000"});
 }
 
 TEST(Simulate, RefusesADescriptionThatCannotBeSimulated) {

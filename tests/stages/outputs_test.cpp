@@ -87,6 +87,16 @@ INSTANTIATE_TEST_SUITE_P(Stages, Outputs,
                                          Output{"diagnose", "--output", "diagnosis.h5"}),
                          [](const auto& info) { return info.param.stage; });
 
+// The roles of one split, and none of those of another.
+TEST(OutputsOfSplit, OneThatCannotBeWrittenLeavesNone) {
+  const Tiny tiny;
+  tiny.run_chain_before("split");
+  fs::create_symlink("x", tiny / "D.h5");
+  const std::set<std::string> before = tiny.files();
+  expect_refusal(tiny.run_step("split"), "split", 1, {"D.h5", "is a link"});
+  EXPECT_EQ(tiny.files(), before);
+}
+
 TEST(OutputsOfTabulate, OneThatCannotBeWrittenLeavesNoTable) {
   const Tiny tiny;
   tiny.run_chain_before("tabulate");

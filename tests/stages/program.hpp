@@ -35,6 +35,7 @@ struct Outcome {
 struct Surroundings {
   std::vector<std::pair<std::string, std::string>> environment = {{"OMP_NUM_THREADS", "1"}};
   rlim_t largest_file = RLIM_INFINITY;  ///< bytes; a write beyond fails as on a full disk
+  rlim_t most_memory = RLIM_INFINITY;   ///< bytes of address space
   bool without_root_rights = false;     ///< permissions of files hold even for root
 };
 
@@ -118,11 +119,13 @@ class Process {
       ::prctl(PR_CAPBSET_DROP, CAP_DAC_READ_SEARCH, 0, 0, 0);
     }
     const rlimit limit{surroundings.largest_file, surroundings.largest_file};
+    const rlimit memory{surroundings.most_memory, surroundings.most_memory};
     const bool limited = surroundings.largest_file != RLIM_INFINITY;
     if (limited) ::signal(SIGXFSZ, SIG_IGN);  // write() then fails with EFBIG
     const bool ready = ::chdir(folder.c_str()) == 0 && ::dup2(fileno(out_), STDOUT_FILENO) >= 0 &&
                        ::dup2(fileno(err_), STDERR_FILENO) >= 0 &&
-                       (!limited || ::setrlimit(RLIMIT_FSIZE, &limit) == 0);
+                       (!limited || ::setrlimit(RLIMIT_FSIZE, &limit) == 0) &&
+                       (memory.rlim_cur == RLIM_INFINITY || ::setrlimit(RLIMIT_AS, &memory) == 0);
     if (ready) ::execv(argv.front(), argv.data());
     ::_exit(127);
   }

@@ -58,6 +58,17 @@ class Verify : public testing::Test {
   Tiny tiny_;
 };
 
+// A want of memory says nothing of a file.
+TEST_F(Verify, SaysWhenMemoryIsShort) {
+  fs::copy_file(tiny_ / "A.h5", tiny_ / "large.h5");
+  fs::resize_file(tiny_ / "large.h5", 2'000'000'000);
+  Surroundings small;
+  small.most_memory = 1'000'000'000;
+  expect_refusal(run(tiny_.path(), "verify", {"large.h5"}, small), "verify", 1, {"out of memory"});
+  fs::resize_file(tiny_ / "large.h5", 12'000'000'000);
+  expect_status({"large.h5"}, 1, 1);
+}
+
 TEST_F(Verify, IsSilentAboutGoodArtefacts) {
   expect_status({"records.h5", "A.h5", "B.h5", "C.h5", "D.h5"}, 0, 0);
 }

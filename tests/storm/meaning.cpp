@@ -503,6 +503,61 @@ std::string change_link(const Patient& patient, const std::vector<std::filesyste
   }
 }
 
+// ---- sizes --------------------------------------------------------------------------------------
+
+/// The balls of a bearing that has room for them.
+void change_balls(hid_t file, std::int64_t balls) {
+  stages::replace_attribute(file, "/bearing", "balls", balls);
+  stages::replace_attribute(file, "/bearing", "ball_diameter_mm", 0.1);
+  stages::replace_attribute(file, "/bearing", "pitch_diameter_mm", 1000.0);
+  stages::replace_attribute(file, "/bearing", "inner_raceway_mm", 999.9);
+  stages::replace_attribute(file, "/bearing", "outer_raceway_mm", 1000.1);
+  stages::change_numbers<double>(file, "/classes/defect_size_mm", [](auto& sizes) {
+    for (double& size : sizes) size = std::min(size, 0.05);
+  });
+}
+
+/// More classes, each like the last one.
+void change_classes(const Patient& patient, std::size_t count) {
+  std::vector<std::string> names = hdf5::read_strings(patient.file, "/classes/name");
+  std::vector<std::string> defects = hdf5::read_strings(patient.file, "/classes/defect");
+  const std::size_t before = names.size();
+  while (names.size() < count) names.push_back("class" + std::to_string(names.size()));
+  defects.resize(count, defects.back());
+  names.resize(count);
+  stages::replace_strings(patient.file, "/classes/name", names);
+  stages::replace_strings(patient.file, "/classes/defect", defects);
+  for (const char* path : {"/classes/defect_size_mm", "/classes/rms"}) {
+    if (H5Lexists(patient.file, path, H5P_DEFAULT) <= 0) continue;
+    Content content = content_of(patient, path);
+    const std::size_t size = content.bytes.size() / before;
+    while (content.bytes.size() < count * size) {
+      content.bytes += content.bytes.substr(content.bytes.size() - size);
+    }
+    write_shape(patient, path, content, {count}, usual_layout({count}, content));
+  }
+}
+
+/// Numbers of which each can be. What they take together may have no end.
+std::string change_sizes(const Patient& patient, Dice& dice) {
+  static constexpr std::array<double, 4> rates{1, 1000, 12000, 1e7};
+  static constexpr std::array<std::int64_t, 3> all_balls{9, 100, 1000};
+  static constexpr std::array<std::int64_t, 4> lengths{1, 100, 1024, 1 << 20};
+  static constexpr std::array<std::size_t, 4> classes{3, 100, 1000, 20000};
+  const double rate = dice.one_of(rates);
+  const std::int64_t balls = dice.one_of(all_balls);
+  const std::int64_t length = dice.one_of(lengths);
+  const std::size_t count = dice.one_of(classes);
+  stages::replace_attribute(patient.file, "/", "sample_rate_hz", rate);
+  change_balls(patient.file, balls);
+  change_classes(patient, count);
+  const bool has_length = H5Aexists_by_name(patient.file, "/", "samples", H5P_DEFAULT) > 0;
+  if (has_length) stages::replace_attribute(patient.file, "/", "samples", length);
+  std::ostringstream words;
+  words << rate << " Hz, " << balls << " balls, " << count << " classes, " << length << " samples";
+  return words.str();
+}
+
 /// Whether a dataset says that it is larger than any artefact of the storm.
 bool claims_too_much(hid_t file) {
   constexpr double most_bytes = 1 << 28;
@@ -541,9 +596,10 @@ std::string change_meaning(const std::filesystem::path& file,
   const std::size_t count = dice.one_in(5) ? 2 : 1;
   for (std::size_t i = 0; i < count; ++i) {
     try {
-      const std::size_t what = dice.below(8);
+      const std::size_t what = dice.below(9);
       changes += (changes.empty() ? "" : "; ") + (what < 3   ? change_attribute(patient, dice)
                                                   : what < 6 ? change_dataset(patient, dice)
+                                                  : what < 7 ? change_sizes(patient, dice)
                                                              : change_link(patient, others, dice));
     } catch (const std::exception& error) {
       // A second change may meet what the first has removed, and HDF5 itself may refuse one.
