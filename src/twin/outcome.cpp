@@ -6,7 +6,6 @@ namespace piae::twin {
 
 namespace {
 
-const std::string group = "/twin_space";
 const std::string attribute = "open_contacts";
 
 WeightedLoss last_of(const std::vector<double>& losses, const std::vector<double>& weights) {
@@ -24,7 +23,7 @@ Outcome ends_of(const Curves& curves) {
 }  // namespace
 
 void write_outcome(artefact::Writer& writer, const Curves& curves, std::int64_t open_contacts) {
-  writer.attribute(group, attribute, open_contacts);
+  writer.attribute(space_group, attribute, open_contacts);
   const Outcome ends = ends_of(curves);
   writer.attribute("/curves", "alpha_stationary", ends.differential.stationary());
   writer.attribute("/curves", "beta_stationary", ends.twin.stationary());
@@ -32,7 +31,7 @@ void write_outcome(artefact::Writer& writer, const Curves& curves, std::int64_t 
 }
 
 bool has_outcome(const artefact::Reader& model) {
-  return model.has(group) && model.has_attribute(group, attribute);
+  return model.has(space_group) && model.has_attribute(space_group, attribute);
 }
 
 Outcome read_outcome(const artefact::Reader& model) {
@@ -40,8 +39,8 @@ Outcome read_outcome(const artefact::Reader& model) {
   curves.read(model);
   if (curves.total.empty()) model.refuse("/curves", "has no epoch");
   Outcome outcome = ends_of(curves);
-  outcome.states = read_points(model, group + "/points");
-  outcome.open_contacts = model.integer(group, attribute, ranges::open_contacts);
+  outcome.states = read_points(model, space_group + "/points");
+  outcome.open_contacts = model.integer(space_group, attribute, ranges::open_contacts);
   return outcome;
 }
 

@@ -10,8 +10,7 @@ namespace piae::twin {
 
 namespace {
 
-const std::string group = "/twin_space";
-const std::string labels_of_space = group + "/labels";
+const std::string labels_of_space = space_group + "/labels";
 
 std::vector<double> equal_edges(double low, double high, int bins) {
   std::vector<double> edges;
@@ -28,7 +27,7 @@ std::vector<double> edges_over(const std::vector<TwinPoint>& points, double Twin
 }
 
 std::vector<double> read_edges(const artefact::Reader& reader, const std::string& name) {
-  const std::string path = group + "/" + name;
+  const std::string path = space_group + "/" + name;
   std::vector<double> edges = reader.numbers<double>(path, {0}).values;
   reader.require_all(path, edges, ranges::coordinate);
   if (!ranges::bins.holds(static_cast<double>(edges.size()) - 1) ||
@@ -72,16 +71,17 @@ TwinSpace::TwinSpace(const std::vector<TwinPoint>& points, int bins)
 }
 
 TwinSpace::TwinSpace(const artefact::Reader& reader)
-    : points_(read_points(reader, group + "/points")) {
-  if (points_.empty()) reader.refuse(group + "/points", "is empty");
+    : points_(read_points(reader, space_group + "/points")) {
+  if (points_.empty()) reader.refuse(space_group + "/points", "is empty");
   k_edges_ = read_edges(reader, "k_edges");
   c_edges_ = read_edges(reader, "c_edges");
-  counts_ =
-      reader.numbers<std::int64_t>(group + "/counts", {k_edges_.size() - 1, c_edges_.size() - 1})
-          .values;
-  reader.require_all(group + "/counts", counts_, ranges::windows_in_a_bin);
+  counts_ = reader
+                .numbers<std::int64_t>(space_group + "/counts",
+                                       {k_edges_.size() - 1, c_edges_.size() - 1})
+                .values;
+  reader.require_all(space_group + "/counts", counts_, ranges::windows_in_a_bin);
   if (std::ranges::all_of(counts_, [](std::int64_t n) { return n == 0; })) {
-    reader.refuse(group + "/counts", "is not a histogram");
+    reader.refuse(space_group + "/counts", "is not a histogram");
   }
 }
 
@@ -101,10 +101,10 @@ TwinPoint TwinSpace::sample(Stream& stream) const {
 }
 
 void TwinSpace::write(artefact::Writer& writer) const {
-  write_points(writer, group + "/points", points_);
-  writer.numbers(group + "/k_edges", k_edges_);
-  writer.numbers(group + "/c_edges", c_edges_);
-  writer.numbers(group + "/counts", counts_, {k_edges_.size() - 1, c_edges_.size() - 1});
+  write_points(writer, space_group + "/points", points_);
+  writer.numbers(space_group + "/k_edges", k_edges_);
+  writer.numbers(space_group + "/c_edges", c_edges_);
+  writer.numbers(space_group + "/counts", counts_, {k_edges_.size() - 1, c_edges_.size() - 1});
 }
 
 TwinSpace space_of_class(const std::vector<TwinPoint>& points, const std::vector<Label>& labels,

@@ -11,6 +11,9 @@
 
 namespace piae::twin {
 
+/// Where a model has its digital twin space.
+inline const std::string space_group = "/twin_space";
+
 /// One point of the digital twin space: k~ and c~ of eq. 19, without units.
 struct TwinPoint {
   double k = 0;
