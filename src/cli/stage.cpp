@@ -147,7 +147,7 @@ int Stage::run(int argc, char** argv, const std::function<void()>& body) {
 }
 
 std::string Stage::with_input_names(const Error& error) const {
-  const std::string line = error.what();
+  std::string line = error.what();
   std::string names;
   for (const std::filesystem::path& path : input_paths_) {
     if (line.find(path.string()) != std::string::npos) return line;

@@ -112,9 +112,10 @@ class DescriptionReader {
                  const toml::table* stated) {
     const bool is_part = !option.empty();
     const std::string said = is_part && stated != nullptr ? source.comment_beside(*stated) : "";
+    const std::string part = is_part ? option + "." : "";
     for (const auto& [key, value] : table) {
       const std::string name(key.str());
-      add(source, is_part ? option + "." + name : name, value,
+      add(source, std::string(part).append(name), value,
           stated == nullptr ? nullptr : stated->get(name), said);
     }
   }
