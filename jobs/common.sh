@@ -43,6 +43,7 @@ jobs_in_queue() { # results/RUN
     printf '%s\t%s\t%s\t%s\t%s\n' "$id" "${name#"$prefix"}" "$state" "$reason" "$user"
   done <<<"$lines"
 }
+job_users() { cut -f 5 | sort -u | xargs; }
 job_ids() { cut -f 1 | sed 's/_.*//' | sort -rnu | xargs; }
 
 # The folder of the last submission: what each job makes, their logs. The names are times, so that the last

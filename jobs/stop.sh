@@ -16,7 +16,7 @@ fi
 read -ra jobs < <(job_ids <<<"$queue")
 # The last first: the tables, which would otherwise begin when there is nothing left to wait for.
 scancel "${jobs[@]}" || die "not all of it could be stopped; the jobs are those of" \
-  "$(cut -f 5 <<<"$queue" | sort -u | xargs)"
+  "$(job_users <<<"$queue")"
 for _ in {1..60}; do
   queue=$(jobs_in_queue "$results") && [[ ! $queue ]] && break
   sleep 2

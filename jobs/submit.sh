@@ -38,7 +38,7 @@ fi
 flock --nonblock 9 || die "another \`make cluster\` is submitting this run; nothing is submitted"
 queue=$(jobs_in_queue "$results") || die "Slurm does not answer, see above; nothing is submitted"
 [[ -z $queue ]] || die "jobs of this run are in the queue already: $(job_ids <<<"$queue")" \
-  "of $(cut -f 5 <<<"$queue" | sort -u | xargs);" \
+  "of $(job_users <<<"$queue");" \
   "\`make status\` shows them, \`make cluster-stop\` stops them"
 
 folder=$results/.jobs/$(date +%Y%m%dT%H%M%S)

@@ -8,6 +8,7 @@
 #include <system_error>
 
 #include "base/error.hpp"
+#include "base/write_all.hpp"
 #include "cli/stage.hpp"
 #include "signal/raw_file.hpp"
 #include "signal/raw_limits.hpp"
@@ -18,13 +19,8 @@ using namespace piae;
 namespace {
 
 void print(std::span<const std::byte> bytes) {
-  while (!bytes.empty()) {
-    const ssize_t written = ::write(STDOUT_FILENO, bytes.data(), bytes.size());
-    if (written < 0 && errno == EINTR) continue;
-    if (written < 0) {
-      throw Error(Exit::failed, "standard output: " + std::generic_category().message(errno));
-    }
-    bytes = bytes.subspan(static_cast<std::size_t>(written));
+  if (!write_all(STDOUT_FILENO, bytes)) {
+    throw Error(Exit::failed, "standard output: " + std::generic_category().message(errno));
   }
 }
 

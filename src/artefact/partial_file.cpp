@@ -5,11 +5,12 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <cerrno>
 #include <random>
 #include <string>
 #include <string_view>
 #include <system_error>
+
+#include "base/write_all.hpp"
 
 namespace piae::artefact {
 
@@ -77,13 +78,7 @@ PartialFile::~PartialFile() {
 }
 
 bool PartialFile::write(std::span<const std::byte> bytes) const {
-  while (!bytes.empty()) {
-    const ssize_t written = ::write(descriptor_, bytes.data(), bytes.size());
-    if (written < 0 && errno == EINTR) continue;
-    if (written < 0) return false;
-    bytes = bytes.subspan(static_cast<std::size_t>(written));
-  }
-  return ::fsync(descriptor_) == 0;
+  return write_all(descriptor_, bytes) && ::fsync(descriptor_) == 0;
 }
 
 bool PartialFile::put_in_place() {

@@ -10,10 +10,13 @@
 #include <array>
 #include <cerrno>
 #include <csignal>
-#include <fstream>
 #include <new>
+#include <span>
 #include <string_view>
 #include <system_error>
+
+#include "base/address_space.hpp"
+#include "base/write_all.hpp"
 
 namespace piae::artefact {
 
@@ -28,13 +31,6 @@ void limit(int resource, rlim_t most) {
   if (::getrlimit(static_cast<__rlimit_resource>(resource), &now) != 0) return;
   now.rlim_cur = std::min({most, now.rlim_cur, now.rlim_max});
   ::setrlimit(static_cast<__rlimit_resource>(resource), &now);
-}
-
-/// The bytes of address space that this process has already.
-std::size_t mapped_bytes() {
-  std::size_t pages = 0;
-  std::ifstream("/proc/self/statm") >> pages;
-  return pages * static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
 }
 
 /// The address space with which a good file of this size can be read: what is mapped already, some
@@ -59,14 +55,8 @@ bool is_short_of_memory(std::size_t size) {
   return ::getrlimit(RLIMIT_AS, &now) == 0 && now.rlim_cur < enough_for(size);
 }
 
-void say(int to, std::string_view text) {
-  while (!text.empty()) {
-    const ssize_t written = ::write(to, text.data(), text.size());
-    if (written < 0 && errno == EINTR) continue;
-    if (written < 0) return;
-    text.remove_prefix(static_cast<std::size_t>(written));
-  }
-}
+/// Who cannot be heard has died, as far as the parent knows.
+void say(int to, std::string_view text) { (void)write_all(to, std::as_bytes(std::span(text))); }
 
 std::string hear(int from) {
   std::string text;

@@ -41,10 +41,12 @@ std::vector<QualityRecord> records_of(const std::vector<QualityRecord>& all,
 }
 
 Numbers quality_of(Source& source, const std::vector<std::string>& methods) {
-  const auto has_score = [&](const std::string& method) {
-    return !records_of(source.qualities(), method).empty();
+  const auto is_shown = [&](const QualityRecord& each) {
+    return std::ranges::find(methods, each.method) != methods.end();
   };
-  if (std::ranges::none_of(methods, has_score)) throw LeftOut("the run has no generated windows");
+  if (std::ranges::none_of(source.qualities(), is_shown)) {
+    throw LeftOut("the run has no generated windows");
+  }
   Numbers numbers({"metric", "class", "method", "seed", "value"});
   for (const Metric& metric : scoring::all_metrics()) {
     for (const std::string& method : methods) {

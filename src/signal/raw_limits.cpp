@@ -1,14 +1,13 @@
 #include "signal/raw_limits.hpp"
 
 #include <sys/resource.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <fstream>
 #include <span>
 #include <string>
 #include <system_error>
 
+#include "base/address_space.hpp"
 #include "base/error.hpp"
 #include "signal/raw_file.hpp"
 
@@ -25,12 +24,6 @@ constexpr std::uint64_t mb = 1'000'000;
 /// better, such as one of a sine.
 std::uint64_t most_sample_bytes(std::uint64_t file_bytes) {
   return std::max({16 * file_bytes, std::min(64 * file_bytes, 128 * mb), mb});
-}
-
-std::uint64_t address_space_now() {
-  std::uint64_t pages = 0;
-  std::ifstream("/proc/self/statm") >> pages;
-  return pages * static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE));
 }
 
 void limit(int resource, std::uint64_t most, std::uint64_t beyond = 0) {
@@ -59,7 +52,7 @@ RawLimits raw_limits(const fs::path& file) {
 }
 
 void keep_to(const RawLimits& limits) {
-  limit(RLIMIT_AS, address_space_now() + limits.memory_bytes);
+  limit(RLIMIT_AS, mapped_bytes() + limits.memory_bytes);
   limit(RLIMIT_CPU, limits.processor_seconds, 1);  // a signal that says so comes first
   limit(RLIMIT_CORE, 0);
   limit(RLIMIT_FSIZE, 0);
