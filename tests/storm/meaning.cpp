@@ -224,8 +224,20 @@ struct Content {
   std::string bytes;
 };
 
+/// Whether a dataset says that it is larger than any artefact of the storm, as it may after a first
+/// change.
+bool claims_too_much(hid_t dataset) {
+  constexpr double most_bytes = 1 << 28;
+  const Handle type(H5Dget_type(dataset), "type");
+  const Handle space(H5Dget_space(dataset), "space");
+  return static_cast<double>(H5Sget_simple_extent_npoints(space)) *
+             static_cast<double>(H5Tget_size(type)) >
+         most_bytes;
+}
+
 Content content_of(const Patient& patient, const std::string& path) {
   const Handle dataset = hdf5::open_dataset(patient.file, path);
+  if (claims_too_much(dataset)) throw std::runtime_error(path + " claims too much to be read");
   Content content{hdf5::shape_of(dataset), Handle(H5Dget_type(dataset), path.c_str()), {}};
   std::size_t count = 1;
   for (const std::size_t extent : content.shape) count *= extent;
@@ -558,17 +570,10 @@ std::string change_sizes(const Patient& patient, Dice& dice) {
   return words.str();
 }
 
-/// Whether a dataset says that it is larger than any artefact of the storm.
-bool claims_too_much(hid_t file) {
-  constexpr double most_bytes = 1 << 28;
+bool one_claims_too_much(hid_t file) {
   return std::ranges::any_of(hdf5::object_paths(file), [&](const std::string& path) {
     const Handle object(H5Oopen(file, path.c_str(), H5P_DEFAULT), path.c_str());
-    if (H5Iget_type(object) != H5I_DATASET) return false;
-    const Handle type(H5Dget_type(object), path.c_str());
-    const Handle space(H5Dget_space(object), path.c_str());
-    return static_cast<double>(H5Sget_simple_extent_npoints(space)) *
-               static_cast<double>(H5Tget_size(type)) >
-           most_bytes;
+    return H5Iget_type(object) == H5I_DATASET && claims_too_much(object);
   });
 }
 
@@ -576,7 +581,7 @@ bool claims_too_much(hid_t file) {
 /// good no reader may get to see.
 void renew_digests(hid_t file) {
   try {
-    if (claims_too_much(file)) return;
+    if (one_claims_too_much(file)) return;
     const std::string content = artefact::content_digest(file);
     stages::replace_attribute(file, artefact::provenance_group, artefact::digest_attribute,
                               artefact::provenance_digest(file));
