@@ -52,6 +52,17 @@ void require_known_tables(const std::filesystem::path& file, const toml::table& 
   }
 }
 
+/// Refuses a table of a method that is like one that is not there, or like one that is itself like
+/// another.
+void require_likeness(const std::filesystem::path& file, const toml::table& protocol,
+                      const std::string& method, const toml::node& node) {
+  try {
+    (void)cli::options_of(protocol, "train", method);
+  } catch (const Error& error) {
+    refuse(file, node, error.what());
+  }
+}
+
 struct Point {
   std::string factor;
   std::string value;
@@ -127,6 +138,7 @@ toml::table read_protocol(const std::filesystem::path& file) {
       if (table.is_table()) {
         require_known_tables(file, *table.as_table(), "train." + std::string(method.str()) + ".",
                              {});
+        require_likeness(file, protocol, std::string(method.str()), table);
       }
     }
   }

@@ -220,6 +220,10 @@ TEST(Protocol, WhatNothingReadsIsRefusedWithItsLine) {
   EXPECT_THAT(Project("[train.smote.deep]\n").refusal(), HasSubstr("[train.smote.deep]"));
   EXPECT_THAT(Project("[split.cwru]\n").refusal(), HasSubstr("[split.cwru]"));
   EXPECT_THAT(Project("[[split]]\n").refusal(), HasSubstr("[split]"));
+  EXPECT_THAT(Project("[train]\n[train.ae]\nlike = \"ae\"\n").refusal(),
+              HasSubstr("protocol.toml, line 2: table of 'ae': like = 'ae' must name a variant"));
+  EXPECT_THAT(Project("[train.ae]\nlike = \"vae\"\n").refusal(),
+              HasSubstr("protocol.toml, line 1: table of 'ae': like = 'vae' must name"));
   EXPECT_THAT(Project("window = 3\n").refusal(), HasSubstr("line 1: window stands in no table"));
   EXPECT_THAT(Project("[split\n").refusal(), HasSubstr("line 1: not valid TOML"));
   EXPECT_THAT(Project("[sweep]\npoints = [\"batch=1\",\n\"batch\"]\n").refusal(),
