@@ -20,8 +20,7 @@ int main(int argc, char** argv) {
   return stage.run(argc, argv, [&] {
     const signal::Simulation simulation = signal::read_simulation(description);
     stage.note_input("description", description);
-    const std::size_t classes = simulation.info.classes.size();
-    const std::size_t records = classes * simulation.records_per_class;
+    const std::size_t records = simulation.records();
     signal::Recordings recordings;
     {
       cli::Progress progress("simulate", "records", records);

@@ -24,7 +24,7 @@ signal::WindowSet read_real(const artefact::Reader& real, const artefact::Reader
   const std::vector<signal::RoleSet> roles{signal::read_role_set(known),
                                            signal::read_role_set(real)};
   signal::require_one_split(roles);
-  signal::require_classes(real, signal::Role::hidden, roles.back().windows);
+  signal::require_belonging(real, signal::Role::hidden, roles.back().windows);
   return roles.back().windows;
 }
 
@@ -70,7 +70,7 @@ int main(int argc, char** argv) {
     const artefact::Reader reader = stage.open("known", known_file, "windows");
     signal::require_role(reader, signal::Role::known);
     signal::WindowSet windows = signal::read_window_set(reader);
-    signal::require_classes(reader, signal::Role::known, windows);
+    signal::require_belonging(reader, signal::Role::known, windows);
     if (method->learns_from() == augment::LearnsFrom::real) {
       windows = read_real(stage.open("real", real_file, "windows"), reader);
     }

@@ -58,7 +58,7 @@ signal::WindowSet generate_with(Method& method, const artefact::Reader& model, s
 
 signal::WindowSet read_learned(const artefact::Reader& model, signal::Role role) {
   signal::WindowSet windows = signal::read_window_set(model);
-  signal::require_classes(model, role, windows);
+  signal::require_belonging(model, role, windows);
   return windows;
 }
 

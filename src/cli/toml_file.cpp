@@ -14,7 +14,7 @@ toml::table parse_toml_file(const std::filesystem::path& file) {
   const std::vector<std::byte> bytes = artefact::read_file(file, most_toml_bytes);
   const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
   try {
-    return parse_toml(text);
+    return parse_toml(text, file.string());
   } catch (const NotToml& error) {
     throw Error(Exit::bad_input, one_line(file.string() + ", line " + std::to_string(error.line()) +
                                           ": " + error.what()));

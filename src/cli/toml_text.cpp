@@ -23,11 +23,11 @@ void require_shallow(std::string_view text) {
 
 }  // namespace
 
-toml::table parse_toml(std::string_view text) {
+toml::table parse_toml(std::string_view text, std::string_view source) {
   if (text.size() > most_toml_bytes) throw NotToml(1, "is larger than 1 MB, which no settings are");
   require_shallow(text);
   try {
-    return toml::parse(text);
+    return toml::parse(text, source);
   } catch (const toml::parse_error& error) {
     throw NotToml(error.source().begin.line, "not valid TOML: " + std::string(error.description()));
   }

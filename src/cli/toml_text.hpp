@@ -23,7 +23,8 @@ class NotToml : public std::runtime_error {
 };
 
 /// Parses a TOML text. Throws NotToml, also where it is so large, or its tables are nested so
-/// deeply, that the parser would take all memory for it.
-toml::table parse_toml(std::string_view text);
+/// deeply, that the parser would take all memory for it. `source` is where it stands: each node
+/// keeps it as source().path.
+toml::table parse_toml(std::string_view text, std::string_view source = {});
 
 }  // namespace piae::cli

@@ -30,7 +30,7 @@ WindowSet read_windows(const std::filesystem::path& file, signal::Role role) {
   const artefact::Reader reader(file, "windows");
   signal::require_role(reader, role);
   WindowSet windows = signal::read_window_set(reader);
-  signal::require_classes(reader, role, windows);
+  signal::require_belonging(reader, role, windows);
   return windows;
 }
 

@@ -55,34 +55,61 @@ void look_at_record(RecordCheck& found, const Description& description,
   }
 }
 
+/// Whether each record of the class can be read: else the record has the problem.
+bool are_readable(const DatasetCheck& check, Label label) {
+  return std::ranges::none_of(check.records, [&](const RecordCheck& record) {
+    return record.source.label == label && !record.problem.empty();
+  });
+}
+
+/// Where the records of a description belong.
+std::vector<signal::RecordPlace> places_of(const Description& description) {
+  std::vector<signal::RecordPlace> places;
+  for (const signal::RecordSource& source : description.records) {
+    places.push_back({.label = source.label,
+                      .condition = description.info.condition_called(source.condition)});
+  }
+  return places;
+}
+
+/// Adds what a split would find in one source of a class. Throws as largest_stride().
+void look_at_source(const signal::Source& source, const DatasetCheck& check,
+                    const signal::SplitOptions& split, const std::string& name,
+                    ClassCheck& result) {
+  std::vector<std::size_t> lengths;
+  for (const std::size_t i : source.records) lengths.push_back(check.records[i].samples);
+  const std::size_t stride = signal::largest_stride(name, lengths,
+                                                    {.window = split.window,
+                                                     .max_stride = split.max_stride,
+                                                     .windows = source.windows(),
+                                                     .blocks = 0,
+                                                     .guard = 0});
+  if (result.stride == 0 || stride < result.stride) result.stride = stride;
+  const std::size_t tested = source.count_of(signal::Role::test);
+  const std::size_t training =
+      source.count_of(signal::Role::healthy) + source.count_of(signal::Role::known);
+  result.shared_with_training +=
+      static_cast<double>(tested) / static_cast<double>(split.test_per_class) *
+      share_that_meets_training(stride, split.window, source.windows(), training);
+}
+
 ClassCheck check_class(const Description& description, const DatasetCheck& check, Label label) {
   ClassCheck result{.label = label};
-  std::vector<std::size_t> lengths;
-  for (const RecordCheck& record : check.records) {
-    if (record.source.label != label) continue;
-    ++result.records;
-    if (record.problem.empty()) lengths.push_back(record.samples);
-  }
-  if (lengths.size() < result.records) return result;  // the record has the problem
+  result.records = static_cast<std::size_t>(std::ranges::count(
+      check.records, label, [](const RecordCheck& record) { return record.source.label; }));
+  if (!are_readable(check, label)) return result;
   const signal::SplitOptions split;
-  const signal::ClassInfo& described = description.info.class_of(label);
+  const signal::DatasetInfo& info = description.info;
   try {
-    result.stride = signal::largest_stride(described.name, lengths,
-                                           {.window = split.window,
-                                            .max_stride = split.max_stride,
-                                            .windows = split.windows_per_class,
-                                            .blocks = 0,
-                                            .guard = 0});
+    const Stream any("check");
+    for (const signal::Source& source :
+         sources_of(info, label, places_of(description), counts_of(split), any)) {
+      look_at_source(source, check, split, info.class_of(label).name, result);
+    }
   } catch (const Error& error) {
-    result.problem = error.what();
-    return result;
+    return {.label = label, .records = result.records, .problem = error.what()};
   }
-  const bool healthy = described.defect == signal::Defect::none;
-  const std::size_t training =
-      healthy ? split.windows_per_class - split.test_per_class : split.known_per_class;
   result.overlap = 1 - static_cast<double>(result.stride) / static_cast<double>(split.window);
-  result.shared_with_training =
-      share_that_meets_training(result.stride, split.window, split.windows_per_class, training);
   return result;
 }
 

@@ -7,6 +7,7 @@
 #include "cli/toml_file.hpp"
 #include "scoring/ratios.hpp"
 #include "settings/protocol.hpp"
+#include "signal/description_file.hpp"
 
 namespace piae::settings {
 
@@ -43,7 +44,7 @@ void add_ratios(std::vector<std::string>& words) {
 /// A description that cannot be read is refused when its data set is asked for, not before.
 bool is_simulated(const fs::path& description) {
   try {
-    return cli::parse_toml_file(description).contains("simulation");
+    return signal::read_description_file(description).contains("simulation");
   } catch (const Error&) {
     return false;
   }

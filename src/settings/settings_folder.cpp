@@ -12,6 +12,7 @@
 #include "cli/toml_file.hpp"
 #include "cli/toml_options.hpp"
 #include "settings/protocol.hpp"
+#include "signal/description_file.hpp"
 #include "text/lines.hpp"
 
 namespace piae::settings {
@@ -102,7 +103,7 @@ struct Wanted {
 Wanted wanted(const Request& request, const fs::path& pipeline, const toml::table& protocol) {
   if (request.is_description()) {
     const fs::path source = pipeline / request.file;
-    return {source, cli::parse_toml_file(source)};
+    return {source, signal::read_description_file(source)};
   }
   return {pipeline / "protocol.toml", cli::options_of(protocol, request.stage, request.variant)};
 }

@@ -1,5 +1,6 @@
 #include "signal/dataset_info.hpp"
 
+#include <algorithm>
 #include <array>
 #include <numeric>
 #include <set>
@@ -117,6 +118,17 @@ Label DatasetInfo::healthy_label() const {
   return healthy.front();
 }
 
+std::int32_t DatasetInfo::condition_called(const std::string& called) const {
+  const auto found = std::ranges::find(conditions, called, &Condition::name);
+  return found == conditions.end() ? every_condition
+                                   : static_cast<std::int32_t>(found - conditions.begin());
+}
+
+double DatasetInfo::speed_rpm(std::int32_t condition) const {
+  if (condition == every_condition) return shaft_speed_rpm;
+  return conditions[static_cast<std::size_t>(condition)].shaft_speed_rpm;
+}
+
 void write(artefact::Writer& writer, const DatasetInfo& info) {
   writer.attribute("/", "dataset", info.name);
   writer.attribute("/", "sample_rate_hz", info.sample_rate_hz);
@@ -140,6 +152,7 @@ void write(artefact::Writer& writer, const DatasetInfo& info) {
   writer.strings("/classes/name", names);
   writer.strings("/classes/defect", defects);
   writer.numbers("/classes/defect_size_mm", sizes);
+  write(writer, info.conditions);
 }
 
 DatasetInfo read_dataset_info(const artefact::Reader& reader) {
@@ -153,6 +166,7 @@ DatasetInfo read_dataset_info(const artefact::Reader& reader) {
   info.unit_m_per_s2 = reader.real("/", "unit_m_per_s2", ranges::unit_m_per_s2);
   info.bearing = read_bearing(reader);
   info.classes = read_classes(reader);
+  info.conditions = read_conditions(reader);
   require_possible(reader, info);
   return info;
 }

@@ -9,6 +9,7 @@
 #include "base/label.hpp"
 #include "bearing/defect.hpp"
 #include "bearing/geometry.hpp"
+#include "signal/conditions.hpp"
 
 namespace piae::signal {
 
@@ -22,7 +23,9 @@ Defect parse_defect(const std::string& word);
 struct ClassInfo {
   std::string name;  ///< "IR007"
   Defect defect = Defect::none;
-  double defect_size_mm = 0;  ///< L_o, L_i or L_r; 0 for a healthy bearing
+  /// L_o, L_i or L_r; 0 for a healthy bearing. Where the records of the class hold several sizes:
+  /// the mean of the known ones.
+  double defect_size_mm = 0;
 };
 
 /// What every artefact of a dataset says about it. A label is an index into `classes`.
@@ -33,6 +36,7 @@ struct DatasetInfo {
   double unit_m_per_s2 = 1;  ///< one unit of the signals: 9.80665 where they are in g
   bearing::Geometry bearing;
   std::vector<ClassInfo> classes;
+  std::vector<Condition> conditions;  ///< empty where the dataset tells none apart
 
   /// The labels of all classes, ascending.
   [[nodiscard]] std::vector<Label> labels() const;
@@ -42,10 +46,14 @@ struct DatasetInfo {
   /// more than one.
   [[nodiscard]] Label healthy_label() const;
   [[nodiscard]] const ClassInfo& class_of(Label label) const { return classes[index_of(label)]; }
+  /// The condition called so, or every_condition where there is none.
+  [[nodiscard]] std::int32_t condition_called(const std::string& called) const;
+  /// The speed of a condition, or for every_condition that of the dataset.
+  [[nodiscard]] double speed_rpm(std::int32_t condition) const;
 };
 
-/// In the artefact: attributes of the root and of the group /bearing, and the datasets
-/// /classes/name, /classes/defect, /classes/defect_size_mm.
+/// In the artefact: attributes of the root and of the group /bearing, the datasets /classes/name,
+/// /classes/defect, /classes/defect_size_mm, and the conditions.
 void write(artefact::Writer& writer, const DatasetInfo& info);
 DatasetInfo read_dataset_info(const artefact::Reader& reader);
 

@@ -1,12 +1,16 @@
 #include "signal/description.hpp"
 
 #include <algorithm>
+#include <map>
+#include <numeric>
 #include <string_view>
 
 #include "base/error.hpp"
 #include "bearing/defect.hpp"
 #include "bearing/kinematics.hpp"
+#include "signal/described_conditions.hpp"
 #include "signal/ranges.hpp"
+#include "signal/split.hpp"
 
 namespace piae::signal {
 
@@ -46,32 +50,29 @@ Defect read_defect(TomlTable& table) {
   }
 }
 
+/// Of a class, or of a record of such a class.
+std::optional<double> read_size(TomlTable& table, Defect defect) {
+  const auto size = table.optional_number("defect_size_mm", ranges::defect_size_mm);
+  if (size && defect == Defect::none) {
+    table.refuse("defect_size_mm", "makes no sense where the defect is 'none'");
+  }
+  return size;
+}
+
 ClassInfo read_class(TomlTable& table) {
   ClassInfo info;
   info.name = plain_name(table, "name");
   info.defect = read_defect(table);
-  if (info.defect != Defect::none) {
-    info.defect_size_mm = table.number("defect_size_mm", ranges::defect_size_mm);
-  } else if (table.has("defect_size_mm")) {
-    table.refuse("defect_size_mm", "makes no sense where the defect is 'none'");
-  }
+  info.defect_size_mm = read_size(table, info.defect).value_or(0);
   return info;
 }
 
-/// Refuses a geometry or a defect that no bearing can have, and says where in the file it stands.
-void require_possible(const DatasetInfo& info, const TomlTable& root,
-                      const std::vector<TomlTable>& classes) {
+void require_possible_defect(const DatasetInfo& info, const ClassInfo& c, double size_mm,
+                             const TomlTable& table) {
   try {
-    bearing::validate(info.bearing);
+    bearing::validate(info.bearing, {c.defect, size_mm});
   } catch (const Error& error) {
-    root.refuse("bearing", std::string("is refused: ") + error.what());
-  }
-  for (std::size_t i = 0; i < classes.size(); ++i) {
-    try {
-      bearing::validate(info.bearing, {info.classes[i].defect, info.classes[i].defect_size_mm});
-    } catch (const Error& error) {
-      classes[i].refuse("defect_size_mm", std::string("is refused: ") + error.what());
-    }
+    table.refuse("defect_size_mm", std::string("is refused: ") + error.what());
   }
 }
 
@@ -132,6 +133,10 @@ RecordSource read_record(TomlTable& table, const DatasetInfo& info) {
   record.sample_rate_hz = table.number("sample_rate_hz", ranges::described_rate_hz);
   record.shaft_speed_rpm = table.optional_number("shaft_speed_rpm", ranges::shaft_speed_rpm)
                                .value_or(info.shaft_speed_rpm);
+  record.condition = table.has("condition") ? read_condition_name(table, "condition") : "";
+  const ClassInfo& c = info.class_of(record.label);
+  record.defect_size_mm = read_size(table, c.defect);
+  if (record.defect_size_mm) require_possible_defect(info, c, *record.defect_size_mm, table);
   record.sha256 = table.optional_text("sha256");
   require_sha256(table, record.sha256);
   record.url = read_url(table);
@@ -148,17 +153,37 @@ std::string numbered(std::size_t number, std::size_t last) {
   return "-" + text;
 }
 
-/// "IR007" where a class has one record; else "IR007-01", "IR007-02", ... in the order of the file.
+/// "IR007" where there is one record called so; else "IR007-01", "IR007-02", ... in the order of
+/// the file.
 void name_records(const DatasetInfo& info, std::vector<RecordSource>& records) {
-  for (const Label label : info.labels()) {
-    std::vector<RecordSource*> of_class;
-    for (RecordSource& record : records) {
-      if (record.label == label) of_class.push_back(&record);
+  std::map<std::string, std::vector<RecordSource*>> called;
+  for (RecordSource& record : records) called[record_stem(info.class_of(record.label).name, record.condition)].push_back(&record);
+  for (const auto& [name, namesakes] : called) {
+    for (std::size_t i = 0; i < namesakes.size(); ++i) {
+      namesakes[i]->name = name;
+      if (namesakes.size() > 1) namesakes[i]->name += numbered(i + 1, namesakes.size());
     }
-    for (std::size_t i = 0; i < of_class.size(); ++i) {
-      of_class[i]->name = info.class_of(label).name;
-      if (of_class.size() > 1) of_class[i]->name += numbered(i + 1, of_class.size());
+  }
+}
+
+/// Where a class has no size of its own, it has the mean of those of its known records.
+void set_mean_sizes(const std::vector<TomlTable>& classes, const std::vector<RecordSource>& records,
+                    DatasetInfo& info) {
+  const auto is_known = [&](const RecordSource& record) {
+    const std::int32_t condition = info.condition_called(record.condition);
+    return condition == every_condition || info.conditions[static_cast<std::size_t>(condition)].known;
+  };
+  for (const Label label : info.fault_labels()) {
+    if (classes[index_of(label)].has("defect_size_mm")) continue;
+    std::vector<double> sizes;
+    for (const RecordSource& record : records) {
+      if (record.label != label || !is_known(record)) continue;
+      if (!record.defect_size_mm) classes[index_of(label)].refuse("defect_size_mm", "is missing");
+      sizes.push_back(*record.defect_size_mm);
     }
+    if (sizes.empty()) continue;
+    const double sum = std::accumulate(sizes.begin(), sizes.end(), 0.0);
+    info.classes[index_of(label)].defect_size_mm = sum / static_cast<double>(sizes.size());
   }
 }
 
@@ -177,6 +202,20 @@ void require_different_names(const fs::path& file, const std::vector<RecordSourc
                                    "; rename the class that ends like a number");
 }
 
+/// What a description may say of the stage split.
+void require_split_settings(TomlTable table) {
+  const std::vector<std::string> known = split_settings();
+  std::string list;
+  for (const std::string& name : known) list += (list.empty() ? "" : ", ") + name;
+  for (const auto& [key, node] : table.plain()) {
+    const std::string name(key.str());
+    if (std::ranges::find(known, name) == known.end()) {
+      table.refuse(name, "is unknown; known keys are " + list);
+    }
+    (void)table.integer(name, split_setting);
+  }
+}
+
 /// The sample rate of the records, which must all have the same, for a dataset that does not say to
 /// which rate they are brought.
 double common_rate(const TomlTable& root, const std::vector<RecordSource>& records) {
@@ -191,6 +230,22 @@ double common_rate(const TomlTable& root, const std::vector<RecordSource>& recor
 }
 
 }  // namespace
+
+void require_possible(const DatasetInfo& info, const TomlTable& root,
+                      const std::vector<TomlTable>& classes) {
+  try {
+    bearing::validate(info.bearing);
+  } catch (const Error& error) {
+    root.refuse("bearing", std::string("is refused: ") + error.what());
+  }
+  for (std::size_t i = 0; i < classes.size(); ++i) {
+    const ClassInfo& c = info.classes[i];
+    if (c.defect != Defect::none && c.defect_size_mm == 0 && !classes[i].has("defect_size_mm")) {
+      classes[i].refuse("defect_size_mm", "is missing");
+    }
+    require_possible_defect(info, c, c.defect_size_mm, classes[i]);
+  }
+}
 
 DatasetInfo read_info(TomlTable& root, std::vector<TomlTable>& classes) {
   if (!ranges::classes.holds(static_cast<double>(classes.size()))) {
@@ -215,7 +270,6 @@ DatasetInfo read_info(TomlTable& root, std::vector<TomlTable>& classes) {
   } catch (const Error& error) {
     root.refuse("class", std::string("is refused: ") + error.what());
   }
-  require_possible(info, root, classes);
   return info;
 }
 
@@ -229,6 +283,12 @@ Description read_description(const fs::path& file) {
     description.records.push_back(read_record(table, description.info));
   }
   const auto rate = root.optional_number("sample_rate_hz", ranges::sample_rate_hz);
+  require_a_record_for_each_class(file, description);
+  description.info.conditions =
+      read_described_conditions(root, description.info, description.records);
+  set_mean_sizes(classes, description.records, description.info);
+  require_possible(description.info, root, classes);
+  if (const auto own = root.optional_table("split")) require_split_settings(*own);
   root.finish();
   description.info.sample_rate_hz = rate ? *rate : common_rate(root, description.records);
   if (!ranges::sample_rate_hz.holds(description.info.sample_rate_hz)) {
@@ -237,7 +297,6 @@ Description read_description(const fs::path& file) {
   name_records(description.info, description.records);
   std::ranges::sort(description.records, {}, &RecordSource::name);
   require_different_names(file, description.records);
-  require_a_record_for_each_class(file, description);
   return description;
 }
 

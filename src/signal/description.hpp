@@ -12,7 +12,9 @@ namespace piae::signal {
 
 /// One raw recording as the description declares it.
 struct RecordSource {
-  std::string name;  ///< that of its class, numbered where the class has several: "IR007-02"
+  /// That of its class and its condition, "IR2-900-rpm", numbered where there are several of these:
+  /// "IR007-02".
+  std::string name;
   Label label = 0;
   std::string file;      ///< below DATA_DIR; the extension says the format (raw_file.hpp)
   std::string variable;  ///< of a .mat; column of a .csv; dataset of an .h5
@@ -20,6 +22,8 @@ struct RecordSource {
   double shaft_speed_rpm = 0;
   std::string sha256;  ///< of the file, 64 hexadecimal digits; empty where it is not checked
   std::string url;     ///< where the file can be downloaded; empty where it cannot
+  std::string condition = {};                 ///< empty where it belongs to every one
+  std::optional<double> defect_size_mm = {};  ///< its own, where the class holds several
 };
 
 /// A dataset description (pipeline/datasets/<name>.toml):
@@ -40,21 +44,36 @@ struct RecordSource {
 ///     variable = "X105_DE_time"
 ///     sample_rate_hz = 12000
 ///     shaft_speed_rpm = 1797      # optional, the dataset's otherwise
+///     condition = "0 HP"          # optional: the state of the machine, in any words
+///     defect_size_mm = 0.1778     # optional, the class's otherwise; a class of whose records each
+///                                 # has its own needs none
 ///     sha256 = "..."              # optional
 ///     url = "https://..."         # optional
+///     [transfer]                  # optional: faults known in one condition, tested in another
+///                                 # (described_conditions.hpp)
+///     [split]                     # optional: settings of the stage split for this dataset alone,
+///     known-per-class = 5         # in the place of those of the protocol
+///
+/// It may be `like` another one (description_file.hpp).
 struct Description {
   DatasetInfo info;
   std::vector<RecordSource> records;  ///< in alphabetical order of their names
 };
 
 /// Throws Error(bad_input) with the file, line and key for unknown or missing keys, wrong types,
-/// names twice, unknown classes, classes without a record, and rates that differ without a
-/// sample_rate_hz of the dataset; Error(input_missing) when there is no such file.
+/// names twice, unknown classes, classes without a record, rates that differ without a
+/// sample_rate_hz of the dataset, and conditions that cannot be; Error(input_missing) when there is
+/// no such file.
 Description read_description(const std::filesystem::path& file);
 
 /// Reads the part that every description has: name, shaft_speed_rpm, unit_m_per_s2, [bearing] and
-/// the given [[class]] tables. The caller reads sample_rate_hz and whatever else there may be, and
-/// then calls finish() of `root` and `classes`.
+/// the given [[class]] tables, of which those without a defect_size_mm get none. The caller reads
+/// sample_rate_hz and whatever else there may be, and then calls require_possible(), and finish()
+/// of `root` and `classes`.
 DatasetInfo read_info(TomlTable& root, std::vector<TomlTable>& classes);
+
+/// Refuses a fault class without a size, and a geometry or a defect that no bearing can have.
+void require_possible(const DatasetInfo& info, const TomlTable& root,
+                      const std::vector<TomlTable>& classes);
 
 }  // namespace piae::signal

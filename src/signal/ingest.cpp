@@ -58,9 +58,7 @@ void require_usable(const fs::path& file, const RecordSource& source,
 }  // namespace
 
 RecordReader::RecordReader(const Description& description, fs::path data_dir)
-    : dataset_(description.info.name),
-      sample_rate_hz_(description.info.sample_rate_hz),
-      data_dir_(std::move(data_dir)) {}
+    : info_(description.info), data_dir_(std::move(data_dir)) {}
 
 void RecordReader::require_new(const fs::path& file, const RecordSource& source,
                                std::span<const double> signal) {
@@ -76,7 +74,7 @@ void RecordReader::require_new(const fs::path& file, const RecordSource& source,
 
 RawRecord RecordReader::read_raw(const RecordSource& source) {
   const fs::path file = data_dir_ / source.file;
-  require_file(file, source, dataset_);
+  require_file(file, source, info_.name);
   (void)raw_limits(file);  // which refuses what is too large, before all of that is hashed
   RawRecord raw;
   raw.sha256 = checked_sha256(file, source);
@@ -89,12 +87,12 @@ RawRecord RecordReader::read_raw(const RecordSource& source) {
 Record RecordReader::resampled(const RecordSource& source, const RawRecord& raw) const {
   constexpr double most_samples = 1e8;
   const double samples =
-      static_cast<double>(raw.samples.size()) * sample_rate_hz_ / source.sample_rate_hz;
+      static_cast<double>(raw.samples.size()) * info_.sample_rate_hz / source.sample_rate_hz;
   if (samples > most_samples) {
     refuse(data_dir_ / source.file, source,
            "would have more than 1e8 samples at the dataset's rate; look at both sample rates");
   }
-  std::vector<double> signal = resample(raw.samples, source.sample_rate_hz, sample_rate_hz_);
+  std::vector<double> signal = resample(raw.samples, source.sample_rate_hz, info_.sample_rate_hz);
   if (signal.empty()) {
     refuse(data_dir_ / source.file, source, "is shorter than one sample at the dataset's rate");
   }
@@ -105,7 +103,9 @@ Record RecordReader::resampled(const RecordSource& source, const RawRecord& raw)
           .source = source.file,
           .source_sha256 = raw.sha256,
           .signal = std::move(signal),
-          .parameters = std::nullopt};
+          .parameters = std::nullopt,
+          .condition = info_.condition_called(source.condition),
+          .defect_size_mm = source.defect_size_mm};
 }
 
 Recordings ingest(const Description& description, const fs::path& data_dir,

@@ -39,8 +39,7 @@ class RecordReader {
   void require_new(const std::filesystem::path& file, const RecordSource& source,
                    std::span<const double> signal);
 
-  std::string dataset_;
-  double sample_rate_hz_;  // of the dataset
+  DatasetInfo info_;
   std::filesystem::path data_dir_;
   std::map<std::string, RecordSource> read_before_;  // by the sha256 of the samples
 };

@@ -1,5 +1,6 @@
 #include "signal/recordings.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "signal/ranges.hpp"
@@ -10,7 +11,7 @@ namespace {
 
 const std::string group = "/records";
 
-void write(artefact::Writer& writer, const Record& record) {
+void write(artefact::Writer& writer, const Record& record, const DatasetInfo& info) {
   if (!ranges::is_plain_name(record.name)) {
     throw std::logic_error("'" + record.name + "' cannot name a record");
   }
@@ -19,6 +20,11 @@ void write(artefact::Writer& writer, const Record& record) {
   writer.attribute(path, "label", std::int64_t{record.label});
   writer.attribute(path, "original_sample_rate_hz", record.original_sample_rate_hz);
   writer.attribute(path, "shaft_speed_rpm", record.shaft_speed_rpm);
+  if (record.condition != every_condition) {
+    const auto condition = static_cast<std::size_t>(record.condition);
+    writer.attribute(path, "condition", info.conditions.at(condition).name);
+  }
+  if (record.defect_size_mm) writer.attribute(path, "defect_size_mm", *record.defect_size_mm);
   writer.attribute(path, "source", record.source);
   writer.attribute(path, "source_sha256", record.source_sha256);
   if (record.parameters) {
@@ -27,7 +33,17 @@ void write(artefact::Writer& writer, const Record& record) {
   }
 }
 
-Record read_record(const artefact::Reader& reader, const std::string& name, std::size_t classes) {
+std::int32_t read_condition(const artefact::Reader& reader, const std::string& path,
+                            const DatasetInfo& info) {
+  if (!reader.has_attribute(path, "condition")) return every_condition;
+  const std::int32_t condition = info.condition_called(reader.text(path, "condition"));
+  if (condition == every_condition) reader.refuse(path, "is of a condition that is not listed");
+  return condition;
+}
+
+Record read_record(const artefact::Reader& reader, const std::string& name,
+                   const DatasetInfo& info) {
+  const std::size_t classes = info.classes.size();
   const std::string path = group + "/" + name;
   Record record;
   record.name = name;
@@ -46,6 +62,10 @@ Record read_record(const artefact::Reader& reader, const std::string& name, std:
   record.original_sample_rate_hz =
       reader.real(path, "original_sample_rate_hz", ranges::described_rate_hz);
   record.shaft_speed_rpm = reader.real(path, "shaft_speed_rpm", ranges::shaft_speed_rpm);
+  record.condition = read_condition(reader, path, info);
+  if (reader.has_attribute(path, "defect_size_mm")) {
+    record.defect_size_mm = reader.real(path, "defect_size_mm", ranges::defect_size_mm);
+  }
   record.source = reader.text(path, "source");
   record.source_sha256 = reader.text(path, "source_sha256");
   if (reader.has_attribute(path, "stiffness_n_per_m")) {
@@ -70,10 +90,18 @@ void require_a_record_for_each_class(const artefact::Reader& reader, const Recor
 
 }  // namespace
 
+bool Recordings::have_parameters() const {
+  return std::ranges::all_of(records, [](const Record& r) { return r.parameters.has_value(); });
+}
+
+bool Recordings::have_sizes() const {
+  return std::ranges::any_of(records, [](const Record& r) { return r.defect_size_mm.has_value(); });
+}
+
 void write(artefact::Writer& writer, const Recordings& recordings) {
   write(writer, recordings.info);
   writer.group(group);
-  for (const Record& record : recordings.records) write(writer, record);
+  for (const Record& record : recordings.records) write(writer, record, recordings.info);
 }
 
 Recordings read_recordings(const artefact::Reader& reader) {
@@ -81,7 +109,7 @@ Recordings read_recordings(const artefact::Reader& reader) {
   recordings.info = read_dataset_info(reader);
   if (!reader.has(group)) reader.refuse(group, "is missing");
   for (const std::string& name : reader.list(group)) {
-    recordings.records.push_back(read_record(reader, name, recordings.info.classes.size()));
+    recordings.records.push_back(read_record(reader, name, recordings.info));
   }
   require_a_record_for_each_class(reader, recordings);
   return recordings;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -25,18 +26,25 @@ struct Record {
   std::string source_sha256;                    ///< empty when simulated
   std::vector<double> signal;                   ///< acceleration, in the unit of the source
   std::optional<DynamicParameters> parameters;  ///< the truth, where simulated
+  std::int32_t condition = every_condition;     ///< index into the dataset's conditions
+  std::optional<double> defect_size_mm = {};    ///< its own, where its class holds several
 };
 
 /// The content of records.h5 (kind "records"). Each record is an HDF5 dataset /records/<name>, with
-/// label, rates, source and true parameters as its attributes.
+/// label, rates, source and, where there are any, condition, own size and true parameters as its
+/// attributes.
 struct Recordings {
   DatasetInfo info;
   std::vector<Record> records;  ///< in alphabetical order of their names
+
+  /// Whether all of them have true parameters; whether one has a size of its own.
+  [[nodiscard]] bool have_parameters() const;
+  [[nodiscard]] bool have_sizes() const;
 };
 
 void write(artefact::Writer& writer, const Recordings& recordings);
-/// Throws artefact::Refusal for labels that no class has, for empty signals, and for classes
-/// without a record.
+/// Throws artefact::Refusal for labels that no class has, for conditions that the dataset does not
+/// name, for empty signals, and for classes without a record.
 Recordings read_recordings(const artefact::Reader& reader);
 
 }  // namespace piae::signal

@@ -40,6 +40,22 @@ void note_differences(const RoleSet& one, const RoleSet& other,
   differ("seed", std::to_string(one.seed), std::to_string(other.seed));
   differ("records_digest", one.records_digest, other.records_digest);
   differ("window length", std::to_string(one.windows.length), std::to_string(other.windows.length));
+  if (one.windows.info.conditions != other.windows.info.conditions) {
+    findings.push_back(other.file + ": has other conditions than " + one.file +
+                       "; they are not of one split");
+  }
+}
+
+/// What is wrong with the conditions of a role's windows; nothing where all is well.
+std::string strange_condition(Role role, const WindowSet& windows) {
+  for (const std::int32_t index : windows.condition) {
+    if (index == every_condition) continue;
+    const Condition& condition = windows.info.conditions[static_cast<std::size_t>(index)];
+    if (may_hold(role, condition)) continue;
+    return "has windows of condition '" + condition.name + "', which role " + to_string(role) +
+           " must not have";
+  }
+  return {};
 }
 
 Pieces in_time_order(const std::vector<RoleSet>& sets) {
@@ -94,6 +110,11 @@ std::string line_of(const Conflicts::value_type& entry, std::int64_t length) {
 }  // namespace
 
 std::string to_string(Role role) { return role_letters[static_cast<std::size_t>(role)]; }
+
+bool may_hold(Role role, const Condition& condition) {
+  if (role == Role::known) return condition.known;
+  return role == Role::healthy ? condition.healthy : condition.test;
+}
 
 Role read_role(const artefact::Reader& reader) {
   const std::string text = reader.text("/", "role");
@@ -157,7 +178,7 @@ void require_learned_from(const artefact::Reader& generated, const artefact::Rea
                             ", which may be test windows here; train and generate with this C");
 }
 
-void require_classes(const artefact::Reader& reader, Role role, const WindowSet& windows) {
+void require_belonging(const artefact::Reader& reader, Role role, const WindowSet& windows) {
   for (const Label label : windows.info.labels()) {
     const ClassInfo& c = windows.info.class_of(label);
     const bool healthy = c.defect == Defect::none;
@@ -169,6 +190,8 @@ void require_classes(const artefact::Reader& reader, Role role, const WindowSet&
                                    to_string(role) + " must not have");
     }
   }
+  const std::string strange = strange_condition(role, windows);
+  if (!strange.empty()) reader.refuse("/condition", strange);
 }
 
 RoleSet read_role_set(const artefact::Reader& reader) {
@@ -190,6 +213,10 @@ std::vector<std::string> check_roles(const std::vector<RoleSet>& sets) {
   for (const RoleSet& set : sets) note_differences(sets.front(), set, findings);
   // Roles of different splits may well share windows, so nothing follows where they do.
   if (!findings.empty() || sets.empty()) return findings;
+  for (const RoleSet& set : sets) {
+    const std::string strange = strange_condition(set.role, set.windows);
+    if (!strange.empty()) findings.push_back(set.file + ": " + strange);
+  }
   const auto length = static_cast<std::int64_t>(sets.front().windows.length);
   const Protocol protocol = sets.front().protocol;
   for (const auto& entry : conflicts_in(in_time_order(sets), length, protocol)) {

@@ -38,9 +38,14 @@ std::string read_method(const artefact::Reader& reader);
 /// Throws artefact::Refusal when a window set has another role.
 void require_role(const artefact::Reader& reader, Role role);
 
+/// Whether windows of a condition may have a role: A, D and E a tested one, B one for healthy
+/// windows, C a known one.
+bool may_hold(Role role, const Condition& condition);
+
 /// A must hold every class, B the healthy one, C, D and E every class with a defect, and none of
-/// them any other. Throws artefact::Refusal naming the class.
-void require_classes(const artefact::Reader& reader, Role role, const WindowSet& windows);
+/// them any other, nor windows of a condition that may_hold() denies them. Throws artefact::Refusal
+/// naming the class or the condition.
+void require_belonging(const artefact::Reader& reader, Role role, const WindowSet& windows);
 
 /// The windows of one role of a split, and which split that was.
 struct RoleSet {
@@ -57,7 +62,8 @@ struct RoleSet {
 RoleSet read_role_set(const artefact::Reader& reader);
 
 /// Proves from what is stored that the sets are roles of one split and that no window has two:
-///   - protocol, seed, records_digest and window length are the same in all,
+///   - protocol, seed, records_digest, window length and conditions are the same in all,
+///   - no window is of a condition that its role may not hold,
 ///   - no (record, first sample) has two roles,
 ///   - under Protocol::blocked, samples of different roles lie at least one window length apart.
 /// Returns one line for each thing that is not so; nothing when all is good.

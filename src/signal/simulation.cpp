@@ -13,6 +13,7 @@
 #include "base/parallel.hpp"
 #include "base/random.hpp"
 #include "bearing/kinematics.hpp"
+#include "signal/described_conditions.hpp"
 #include "signal/description.hpp"
 #include "signal/ranges.hpp"
 #include "signal/toml_table.hpp"
@@ -58,13 +59,52 @@ void read_table(TomlTable& table, Simulation& simulation) {
   if (simulation.snr_db && !faulty) {
     table.refuse("snr_db", "needs a faulty [[class]]: the noise is measured by it");
   }
-  table.finish();
 }
 
-std::string record_name(const Simulation& simulation, Label label, std::size_t number) {
+/// The conditions of a simulation, and what [transfer] says of them.
+std::vector<Condition> read_conditions(TomlTable& root, TomlTable& table, const DatasetInfo& info) {
+  std::vector<RecordSource> records;
+  for (TomlTable& condition : table.optional_tables("condition")) {
+    RecordSource record;
+    record.condition = read_condition_name(condition, "name");
+    record.shaft_speed_rpm = condition.number("shaft_speed_rpm", ranges::shaft_speed_rpm);
+    if (std::ranges::find(records, record.condition, &RecordSource::condition) != records.end()) {
+      condition.refuse("name", "'" + record.condition + "' is given twice");
+    }
+    condition.finish();
+    for (const Label label : info.labels()) {
+      record.label = label;
+      records.push_back(record);
+    }
+  }
+  return read_described_conditions(root, info, records);
+}
+
+/// Records of one class in one condition.
+struct Batch {
+  Label label = 0;
+  std::int32_t condition = every_condition;
+};
+
+/// In the order in which they are simulated.
+std::vector<Batch> batches_of(const DatasetInfo& info) {
+  std::vector<Batch> batches;
+  for (std::size_t i = 0; i < std::max<std::size_t>(1, info.conditions.size()); ++i) {
+    const auto condition = info.conditions.empty() ? every_condition : static_cast<std::int32_t>(i);
+    for (const Label label : info.labels()) batches.push_back({label, condition});
+  }
+  return batches;
+}
+
+std::string record_name(const Simulation& simulation, const Batch& batch, std::size_t number) {
   const std::size_t digits =
       std::max<std::size_t>(2, std::to_string(simulation.records_per_class).size());
-  return fmt::format("{}-{:0{}}", simulation.info.class_of(label).name, number + 1, digits);
+  const DatasetInfo& info = simulation.info;
+  const bool of_all = batch.condition == every_condition;
+  const std::string stem =
+      record_stem(info.class_of(batch.label).name,
+                  of_all ? "" : info.conditions[static_cast<std::size_t>(batch.condition)].name);
+  return fmt::format("{}-{:0{}}", stem, number + 1, digits);
 }
 
 Stream stream_of(const Simulation& simulation, const Record& record) {
@@ -79,37 +119,38 @@ struct Draw {
   bearing::Course course;
 };
 
-Draw draw(const Simulation& simulation, Label label, std::size_t number) {
+Draw draw(const Simulation& simulation, const Batch& batch, std::size_t number) {
   const DatasetInfo& info = simulation.info;
   Draw draw;
   Record& record = draw.record;
-  record.name = record_name(simulation, label, number);
-  record.label = label;
+  record.name = record_name(simulation, batch, number);
+  record.label = batch.label;
+  record.condition = batch.condition;
   record.original_sample_rate_hz = info.sample_rate_hz;
   record.source = "simulated";
   Stream stream = stream_of(simulation, record);
   bearing::DynamicsOptions& dynamics = draw.course.options;
   dynamics = bearing::draw_dynamics(stream, simulation.dynamics, simulation.variation);
-  draw.course.motion = bearing::draw_motion(stream, info.class_of(label).defect,
-                                            info.shaft_speed_rpm, simulation.variation);
+  draw.course.motion = bearing::draw_motion(stream, info.class_of(batch.label).defect,
+                                            info.speed_rpm(batch.condition), simulation.variation);
   record.shaft_speed_rpm = draw.course.motion.shaft_speed_rpm;
   record.parameters = DynamicParameters{dynamics.stiffness_n_per_m, dynamics.damping_ns_per_m};
   return draw;
 }
 
-/// `count` records of a class, beginning with this number, without noise. How strong the noise is
+/// `count` records of a batch, beginning with this number, without noise. How strong the noise is
 /// depends on all records, so it is added when all are there.
-std::vector<Record> clean_records(const Simulation& simulation, Label label, std::size_t number,
-                                  std::size_t count) {
+std::vector<Record> clean_records(const Simulation& simulation, const Batch& batch,
+                                  std::size_t number, std::size_t count) {
   std::vector<Record> records;
   std::vector<bearing::Course> courses;
   for (std::size_t i = 0; i < count; ++i) {
-    Draw drawn = draw(simulation, label, number + i);
+    Draw drawn = draw(simulation, batch, number + i);
     records.push_back(std::move(drawn.record));
     courses.push_back(drawn.course);
   }
   const DatasetInfo& info = simulation.info;
-  const ClassInfo& c = info.class_of(label);
+  const ClassInfo& c = info.class_of(batch.label);
   const std::vector<double> rows =
       bearing::simulate(info.bearing, {c.defect, c.defect_size_mm}, courses,
                         {info.sample_rate_hz, simulation.samples});
@@ -157,24 +198,29 @@ Simulation read_simulation(const std::filesystem::path& file) {
   Simulation simulation;
   std::vector<TomlTable> classes = root.tables("class");
   simulation.info = read_info(root, classes);
+  require_possible(simulation.info, root, classes);
   simulation.info.sample_rate_hz = root.number("sample_rate_hz", ranges::sample_rate_hz);
   TomlTable table = root.table("simulation");
-  root.finish();
   for (const TomlTable& c : classes) c.finish();
   read_table(table, simulation);
+  simulation.info.conditions = read_conditions(root, table, simulation.info);
+  table.finish();
+  root.finish();
   return simulation;
 }
 
+std::size_t Simulation::records() const { return batches_of(info).size() * records_per_class; }
+
 Recordings simulate(const Simulation& simulation, const std::function<void(std::size_t)>& done) {
   Recordings recordings{simulation.info, {}};
-  const std::size_t classes = simulation.info.classes.size();
+  const std::vector<Batch> batches = batches_of(simulation.info);
   const std::size_t of_each = simulation.records_per_class;
-  recordings.records.resize(classes * of_each);
+  recordings.records.resize(batches.size() * of_each);
   std::size_t count = 0;
   parallel_for_parts(
-      classes, of_each, bearing::courses_at_once, [&](std::size_t first, std::size_t part) {
-        const auto label = static_cast<Label>(first / of_each);
-        std::ranges::move(clean_records(simulation, label, first % of_each, part),
+      batches.size(), of_each, bearing::courses_at_once, [&](std::size_t first, std::size_t part) {
+        const Batch& batch = batches[first / of_each];
+        std::ranges::move(clean_records(simulation, batch, first % of_each, part),
                           recordings.records.begin() + static_cast<std::ptrdiff_t>(first));
 #pragma omp critical(simulation_progress)
         for (std::size_t i = 0; done && i < part; ++i) done(++count);

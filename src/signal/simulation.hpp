@@ -29,10 +29,14 @@ namespace piae::signal {
 ///     slip_max = 0.01             # loss of cage and spin speed: uniform from 0 to this
 ///     speed_spread = 0.001        # standard deviation of the shaft speed / its mean
 ///     snr_db = 10                 # may be left out: no noise
+///
+///     [[simulation.condition]]    # may be left out. All records are made in each of these, and
+///     name = "900 rpm"            # [transfer] may say what for (described_conditions.hpp)
+///     shaft_speed_rpm = 900
 struct Simulation {
   DatasetInfo info;
   std::int64_t seed = 0;
-  std::size_t records_per_class = 0;
+  std::size_t records_per_class = 0;  ///< in each condition
   std::size_t samples = 0;            ///< of a record
   bearing::DynamicsOptions dynamics;  ///< with the mean stiffness and damping
   bearing::Variation variation;       ///< from record to record
@@ -42,6 +46,9 @@ struct Simulation {
   /// stronger fault has a better ratio of signal to noise, and the record of a healthy bearing
   /// holds the noise and the little vibration that the passing of the balls causes.
   std::optional<double> snr_db;
+
+  /// How many records there are in all.
+  [[nodiscard]] std::size_t records() const;
 };
 
 /// Throws Error(bad_input) with file, line and key for unknown and missing keys, wrong types and

@@ -5,6 +5,7 @@
 
 #include "base/error.hpp"
 #include "base/random.hpp"
+#include "signal/sources.hpp"
 #include "signal/stride.hpp"
 
 namespace piae::signal {
@@ -17,10 +18,22 @@ struct Place {
   std::size_t first_sample;
 };
 
-/// A role, and how many windows of a class it gets.
-struct Share {
-  Role role;
-  std::size_t count;
+/// A count that is an option, and a setting of a description.
+struct Setting {
+  const char* name;
+  std::size_t SplitOptions::* value;
+  const char* help;
+};
+constexpr Setting settings[] = {
+    {"window", &SplitOptions::window, "Samples in a window"},
+    {"max-stride", &SplitOptions::max_stride,
+     "Samples between two windows at most; less where the windows need it"},
+    {"windows-per-class", &SplitOptions::windows_per_class, "Windows cut of each class"},
+    {"test-per-class", &SplitOptions::test_per_class, "Windows of each class in A (test)"},
+    {"known-per-class", &SplitOptions::known_per_class,
+     "Windows of each fault class in C (known)"},
+    {"guard-windows", &SplitOptions::guard_windows,
+     "Window lengths left unused between two roles (blocked only)"},
 };
 
 [[noreturn]] void refuse_options(const std::string& what) { throw Error(Exit::usage, what); }
@@ -48,22 +61,12 @@ void require_a_fault_class(const DatasetInfo& info) {
   }
 }
 
-/// What the windows of a class are dealt out to, in this order. It is the order in time, too, where
-/// the protocol is blocked.
-std::vector<Share> shares_of(bool healthy, const SplitOptions& options) {
-  const std::size_t rest = options.windows_per_class - options.test_per_class;
-  if (healthy) return {{Role::test, options.test_per_class}, {Role::healthy, rest}};
-  return {{Role::test, options.test_per_class},
-          {Role::known, options.known_per_class},
-          {Role::hidden, rest - options.known_per_class}};
-}
-
-std::vector<std::size_t> records_of(const Recordings& recordings, Label label) {
-  std::vector<std::size_t> indices;
-  for (std::size_t i = 0; i < recordings.records.size(); ++i) {
-    if (recordings.records[i].label == label) indices.push_back(i);
+std::vector<RecordPlace> places_of(const Recordings& recordings) {
+  std::vector<RecordPlace> places;
+  for (const Record& record : recordings.records) {
+    places.push_back({.label = record.label, .condition = record.condition});
   }
-  return indices;
+  return places;
 }
 
 std::vector<std::size_t> lengths_of(const Recordings& recordings,
@@ -74,7 +77,7 @@ std::vector<std::size_t> lengths_of(const Recordings& recordings,
   return lengths;
 }
 
-/// Where the class's windows start, in time order, record by record.
+/// Where the windows of a source start, in time order, record by record.
 std::vector<Place> places_of(const Recordings& recordings, const std::vector<std::size_t>& records,
                              const WindowGrid& grid, std::size_t stride) {
   std::vector<Place> places;
@@ -85,7 +88,7 @@ std::vector<Place> places_of(const Recordings& recordings, const std::vector<std
   return places;
 }
 
-/// The order in which a class's windows are dealt out.
+/// The order in which the windows of a source are dealt out.
 std::vector<std::size_t> order_of(std::size_t count, Protocol protocol, Stream& stream) {
   if (protocol == Protocol::random) return stream.permutation(count);
   std::vector<std::size_t> order(count);
@@ -95,24 +98,33 @@ std::vector<std::size_t> order_of(std::size_t count, Protocol protocol, Stream& 
   return order;
 }
 
-WindowGrid grid_of(const SplitOptions& options, std::size_t blocks) {
+WindowGrid grid_of(const SplitOptions& options, const Source& source) {
   const bool blocked = options.protocol == Protocol::blocked;
   return {.window = options.window,
           .max_stride = options.max_stride,
-          .windows = options.windows_per_class,
-          .blocks = blocked ? blocks : 0,
+          .windows = source.windows(),
+          .blocks = blocked ? source.shares.size() : 0,
           .guard = options.guard_windows * options.window};
 }
 
-/// Appends the window at a place to a set whose record_names are those of all recordings.
-void cut(WindowSet& set, const Record& record, const Place& place, bool with_parameters) {
+/// Appends the window at a place to a set whose record_names are those of all recordings. The set
+/// says of each window what the recordings say of their records.
+void cut(WindowSet& set, const Recordings& recordings, const Place& place) {
+  const Record& record = recordings.records[place.record];
   const auto first = record.signal.begin() + static_cast<std::ptrdiff_t>(place.first_sample);
   std::transform(first, first + static_cast<std::ptrdiff_t>(set.length),
                  std::back_inserter(set.samples), [](double x) { return static_cast<float>(x); });
   set.labels.push_back(record.label);
   set.record.push_back(static_cast<std::int32_t>(place.record));
   set.first_sample.push_back(static_cast<std::int64_t>(place.first_sample));
-  if (with_parameters) set.parameters.push_back(*record.parameters);
+  if (recordings.have_parameters()) set.parameters.push_back(*record.parameters);
+  if (set.info.conditions.empty()) return;
+  set.condition.push_back(record.condition);
+  set.shaft_speed_rpm.push_back(record.shaft_speed_rpm);
+  if (recordings.have_sizes()) {
+    set.defect_size_mm.push_back(
+        record.defect_size_mm.value_or(set.info.class_of(record.label).defect_size_mm));
+  }
 }
 
 Split empty_split(const Recordings& recordings, const SplitOptions& options) {
@@ -125,28 +137,49 @@ Split empty_split(const Recordings& recordings, const SplitOptions& options) {
   return split;
 }
 
-void split_class(const Recordings& recordings, Label label, const SplitOptions& options,
-                 bool with_parameters, Split& out) {
-  const DatasetInfo& info = recordings.info;
-  const std::string& name = info.class_of(label).name;
-  const auto shares = shares_of(label == info.healthy_label(), options);
-  const auto records = records_of(recordings, label);
-  const WindowGrid grid = grid_of(options, shares.size());
-  const std::size_t stride = largest_stride("dataset " + info.name + ", class " + name,
-                                            lengths_of(recordings, records), grid);
-  const auto places = places_of(recordings, records, grid, stride);
-  Stream stream(info.name + "/seed" + std::to_string(options.seed) + "/split/" + name);
+/// "dataset cwru, class IR007, condition 900 rpm".
+std::string name_of(const DatasetInfo& info, Label label, const Source& source) {
+  std::string name = "dataset " + info.name + ", class " + info.class_of(label).name;
+  if (source.condition != every_condition) {
+    name += ", condition " + info.conditions[static_cast<std::size_t>(source.condition)].name;
+  }
+  return name;
+}
+
+/// Deals out the windows of one source, and returns their stride.
+std::size_t split_source(const Recordings& recordings, Label label, const Source& source,
+                         const SplitOptions& options, Stream stream, Split& out) {
+  const WindowGrid grid = grid_of(options, source);
+  const std::size_t stride = largest_stride(name_of(recordings.info, label, source),
+                                            lengths_of(recordings, source.records), grid);
+  const auto places = places_of(recordings, source.records, grid, stride);
   const auto order = order_of(places.size(), options.protocol, stream);
   const std::size_t skipped = grid.blocks > 0 ? skipped_windows(grid, stride) : 0;
   std::size_t next = 0;
-  for (const Share& share : shares) {
+  for (const Share& share : source.shares) {
     for (std::size_t i = 0; i < share.count; ++i) {
-      const Place& place = places[order[next + i]];
-      cut(out.of(share.role), recordings.records[place.record], place, with_parameters);
+      cut(out.of(share.role), recordings, places[order[next + i]]);
     }
     next += share.count + skipped;
   }
-  out.strides.push_back(static_cast<std::int64_t>(stride));
+  return stride;
+}
+
+void split_class(const Recordings& recordings, Label label, const SplitOptions& options,
+                 Split& out) {
+  const DatasetInfo& info = recordings.info;
+  const Stream stream(info.name + "/seed" + std::to_string(options.seed) + "/split/" +
+                      info.class_of(label).name);
+  std::size_t least = options.max_stride;
+  for (const Source& source :
+       sources_of(info, label, places_of(recordings), counts_of(options), stream)) {
+    const bool of_all = source.condition == every_condition;
+    const Stream own =
+        of_all ? stream
+               : stream.child(info.conditions[static_cast<std::size_t>(source.condition)].name);
+    least = std::min(least, split_source(recordings, label, source, options, own, out));
+  }
+  out.strides.push_back(static_cast<std::int64_t>(least));
 }
 
 }  // namespace
@@ -158,27 +191,30 @@ void bind(const cli::Options& command, SplitOptions& options) {
       .check(cli::whole_number(0, most));
   command.choose("--protocol", options.protocol, protocol_words(),
                  "random: the paper's; blocked: contiguous blocks with a guard gap");
-  const auto count = [&](const char* name, std::size_t& value, const char* help) {
-    command.add(name, value, help).check(cli::whole_number(1, most));
-  };
-  count("--window", options.window, "Samples in a window");
-  count("--max-stride", options.max_stride,
-        "Samples between two windows at most; less where the windows need it");
-  count("--windows-per-class", options.windows_per_class, "Windows cut of each class");
-  count("--test-per-class", options.test_per_class, "Windows of each class in A (test)");
-  count("--known-per-class", options.known_per_class, "Windows of each fault class in C (known)");
-  count("--guard-windows", options.guard_windows,
-        "Window lengths left unused between two roles (blocked only)");
+  for (const Setting& setting : settings) {
+    command.add(std::string("--") + setting.name, options.*setting.value, setting.help)
+        .check(cli::whole_number(1, most));
+  }
+}
+
+std::vector<std::string> split_settings() {
+  std::vector<std::string> names;
+  for (const Setting& setting : settings) names.emplace_back(setting.name);
+  return names;
+}
+
+Counts counts_of(const SplitOptions& options) {
+  return {.all = options.windows_per_class,
+          .test = options.test_per_class,
+          .known = options.known_per_class};
 }
 
 Split split(const Recordings& recordings, const SplitOptions& options) {
   require_sensible(options);
   require_a_fault_class(recordings.info);
-  const bool with_parameters = std::ranges::all_of(
-      recordings.records, [](const Record& record) { return record.parameters.has_value(); });
   Split out = empty_split(recordings, options);
   for (const Label label : recordings.info.labels()) {
-    split_class(recordings, label, options, with_parameters, out);
+    split_class(recordings, label, options, out);
   }
   return out;
 }

@@ -6,10 +6,12 @@
 #include <vector>
 
 #include "artefact/writer.hpp"
+#include "base/range.hpp"
 #include "cli/options.hpp"
 #include "signal/protocol.hpp"
 #include "signal/recordings.hpp"
 #include "signal/roles.hpp"
+#include "signal/sources.hpp"
 #include "signal/window_set.hpp"
 
 namespace piae::signal {
@@ -29,12 +31,22 @@ struct SplitOptions {
 /// Binds --seed, --protocol, --window and so on. --seed is required.
 void bind(const cli::Options& command, SplitOptions& options);
 
+/// Those of the options that a data set may set for itself, in [split] of its description, without
+/// the dashes; and what each of them may be.
+std::vector<std::string> split_settings();
+inline constexpr Range split_setting{.low = 1, .high = 1e9};
+
+/// What of these concerns one class.
+Counts counts_of(const SplitOptions& options);
+
 /// A dataset dealt out to the four roles. With the paper's numbers A has 100 windows of every
 /// class, B the other 500 of the healthy class, C 5 of every fault class, and D the other 495 of
 /// every fault class.
 struct Split {
   std::array<WindowSet, split_roles.size()> sets;  ///< in the order of split_roles
-  std::vector<std::int64_t> strides;               ///< samples, for each class by label
+  /// Samples between two windows, for each class by label; the least one where its conditions are
+  /// cut apart.
+  std::vector<std::int64_t> strides;
 
   [[nodiscard]] WindowSet& of(Role role) { return sets.at(static_cast<std::size_t>(role)); }
   [[nodiscard]] const WindowSet& of(Role role) const {
@@ -52,6 +64,9 @@ struct Split {
 ///            class: A, B). After each block windows are left out, so that at least guard_windows
 ///            window lengths of a record lie unused between two roles. The stride is small enough
 ///            for these gaps too.
+/// Where the dataset tells conditions apart, all of this is done for each of them by itself, with
+/// the part of the windows that it has to give (sources.hpp): A and D come from tested conditions
+/// alone, C from known ones, B from those for healthy windows.
 /// Random numbers come from the stream "<dataset>/seed<k>/split/<class>". Windows keep the unit of
 /// the recording, and the true (k, c) where all records have them. Throws Error(usage) for options
 /// that contradict each other, and Error(bad_input) where the records of a class are too short; the

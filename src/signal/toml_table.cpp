@@ -6,7 +6,7 @@
 
 #include "base/error.hpp"
 #include "base/one_line.hpp"
-#include "cli/toml_file.hpp"
+#include "signal/description_file.hpp"
 
 namespace piae::signal {
 
@@ -21,7 +21,7 @@ std::string keys_of(const std::set<std::string>& keys) {
 }  // namespace
 
 TomlTable::TomlTable(const std::filesystem::path& file)
-    : file_(std::make_shared<File>(File{file.string(), cli::parse_toml_file(file)})),
+    : file_(std::make_shared<File>(File{file.string(), read_description_file(file)})),
       table_(&file_->root) {}
 
 const toml::node& TomlTable::node(const std::string& key) {
@@ -51,6 +51,16 @@ double TomlTable::number(const std::string& key, const Range& range) {
   return *value;
 }
 
+std::vector<std::string> TomlTable::texts(const std::string& key) {
+  const toml::array* array = node(key).as_array();
+  if (array == nullptr || array->empty() || !array->is_homogeneous<std::string>()) {
+    refuse(key, "must be a list of one or more texts in quotes");
+  }
+  std::vector<std::string> texts;
+  for (const toml::node& element : *array) texts.push_back(element.as_string()->get());
+  return texts;
+}
+
 std::optional<double> TomlTable::optional_number(const std::string& key, const Range& range) {
   asked_.insert(key);
   return has(key) ? std::optional(number(key, range)) : std::nullopt;
@@ -69,6 +79,11 @@ TomlTable TomlTable::table(const std::string& key) {
   return {file_, inner, key};
 }
 
+std::optional<TomlTable> TomlTable::optional_table(const std::string& key) {
+  asked_.insert(key);
+  return has(key) ? std::optional(table(key)) : std::nullopt;
+}
+
 std::vector<TomlTable> TomlTable::tables(const std::string& key) {
   const toml::array* array = node(key).as_array();
   if (array == nullptr || array->empty() || !array->is_homogeneous<toml::table>()) {
@@ -81,6 +96,11 @@ std::vector<TomlTable> TomlTable::tables(const std::string& key) {
   return tables;
 }
 
+std::vector<TomlTable> TomlTable::optional_tables(const std::string& key) {
+  asked_.insert(key);
+  return has(key) ? tables(key) : std::vector<TomlTable>{};
+}
+
 void TomlTable::finish() const {
   for (const auto& [key, node] : *table_) {
     const std::string name(key.str());
@@ -90,10 +110,10 @@ void TomlTable::finish() const {
 
 void TomlTable::refuse(const std::string& key, const std::string& what) const {
   const toml::node* node = table_->get(key);
-  const auto line = (node != nullptr ? node->source() : table_->source()).begin.line;
+  const toml::source_region& place = node != nullptr ? node->source() : table_->source();
   std::ostringstream text;
-  text << file_->name;
-  if (line > 0) text << ", line " << line;
+  text << (place.path ? *place.path : file_->name);
+  if (place.begin.line > 0) text << ", line " << place.begin.line;
   text << ": " << (name_.empty() ? key : name_ + "." + key) << ' ' << what;
   throw Error(Exit::bad_input, one_line(text.str()));
 }

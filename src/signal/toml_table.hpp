@@ -14,7 +14,7 @@
 
 namespace piae::signal {
 
-/// One table of a TOML file, read strictly: every key must be known, present where it is needed,
+/// One table of a description, read strictly: every key must be known, present where it is needed,
 /// and of the right type. All errors are one line with the file, the line and the key
 /// (Error(bad_input); Error(input_missing) when there is no file).
 ///
@@ -24,6 +24,7 @@ namespace piae::signal {
 ///     root.finish();
 class TomlTable {
  public:
+  /// The whole of a description, as read_description_file() gives it.
   explicit TomlTable(const std::filesystem::path& file);
 
   [[nodiscard]] bool has(const std::string& key) const { return table_->contains(key); }
@@ -34,11 +35,18 @@ class TomlTable {
   std::optional<double> optional_number(const std::string& key, const Range& range);
   std::int64_t integer(const std::string& key, const Range& range);
 
-  TomlTable table(const std::string& key);                ///< [key]
+  std::vector<std::string> texts(const std::string& key);  ///< at least one
+
+  TomlTable table(const std::string& key);                          ///< [key]
+  std::optional<TomlTable> optional_table(const std::string& key);  ///< [key]
   std::vector<TomlTable> tables(const std::string& key);  ///< [[key]], at least one
+  std::vector<TomlTable> optional_tables(const std::string& key);
 
   /// Call it when all keys that may stand here have been asked for: any other one is an error.
   void finish() const;
+
+  /// The table as it stands, for what another reader makes of it; all of its keys may stand there.
+  [[nodiscard]] const toml::table& plain() const { return *table_; }
 
   /// Throws Error(bad_input): "<file>, line <n>: <table>.<key> <what>".
   [[noreturn]] void refuse(const std::string& key, const std::string& what) const;

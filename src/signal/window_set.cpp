@@ -62,6 +62,39 @@ void read_parameters(const artefact::Reader& reader, WindowSet& windows) {
   }
 }
 
+/// One number of each window, where they say it.
+std::vector<double> read_each(const artefact::Reader& reader, const std::string& path,
+                              std::size_t windows, const Range& range) {
+  if (!reader.has(path)) return {};
+  std::vector<double> values = reader.numbers<double>(path, {windows}).values;
+  reader.require_all(path, values, range);
+  return values;
+}
+
+void read_conditions(const artefact::Reader& reader, WindowSet& windows) {
+  const std::string path = "/condition";
+  if (!reader.has(path)) return;
+  windows.condition = reader.numbers<std::int32_t>(path, {windows.size()}).values;
+  const auto listed = static_cast<std::int32_t>(windows.info.conditions.size());
+  for (const std::int32_t condition : windows.condition) {
+    if (condition < every_condition || condition >= listed) {
+      reader.refuse(path, "holds condition " + std::to_string(condition) + " of " +
+                              std::to_string(listed));
+    }
+  }
+}
+
+/// Appends to what some windows say what another one says, if it and all before it say it.
+template <class T>
+void append_said(std::vector<T>& said, const std::vector<T>& other, std::size_t i,
+                 std::size_t windows) {
+  if (!other.empty() && said.size() == windows) {
+    said.push_back(other[i]);
+  } else {
+    said.clear();
+  }
+}
+
 }  // namespace
 
 std::vector<std::size_t> WindowSet::indices_of(Label label) const {
@@ -87,11 +120,10 @@ void WindowSet::append(const WindowSet& other, std::size_t i) {
     record.clear();
     first_sample.clear();
   }
-  if (!other.parameters.empty() && parameters.size() == size()) {
-    parameters.push_back(other.parameters[i]);
-  } else {
-    parameters.clear();
-  }
+  append_said(parameters, other.parameters, i, size());
+  append_said(condition, other.condition, i, size());
+  append_said(shaft_speed_rpm, other.shaft_speed_rpm, i, size());
+  append_said(defect_size_mm, other.defect_size_mm, i, size());
   const std::span<const float> window = other.window(i);
   samples.insert(samples.end(), window.begin(), window.end());
   labels.push_back(other.labels[i]);
@@ -113,6 +145,9 @@ void write(artefact::Writer& writer, const WindowSet& windows) {
     }
     writer.numbers("/parameters", pairs, {windows.size(), 2});
   }
+  if (!windows.condition.empty()) writer.numbers("/condition", windows.condition);
+  if (!windows.shaft_speed_rpm.empty()) writer.numbers("/shaft_speed_rpm", windows.shaft_speed_rpm);
+  if (!windows.defect_size_mm.empty()) writer.numbers("/defect_size_mm", windows.defect_size_mm);
 }
 
 WindowSet read_window_set(const artefact::Reader& reader) {
@@ -133,6 +168,11 @@ WindowSet read_window_set(const artefact::Reader& reader) {
   require_known_labels(reader, windows);
   if (reader.has("/record")) read_places(reader, windows);
   if (reader.has("/parameters")) read_parameters(reader, windows);
+  read_conditions(reader, windows);
+  windows.shaft_speed_rpm =
+      read_each(reader, "/shaft_speed_rpm", windows.size(), ranges::shaft_speed_rpm);
+  windows.defect_size_mm =
+      read_each(reader, "/defect_size_mm", windows.size(), ranges::defect_size_mm);
   return windows;
 }
 

@@ -22,6 +22,13 @@ struct WindowSet {
   std::vector<std::int64_t> first_sample;  ///< [n] in its recording; empty when generated
   /// [n] the (k, c) of each window, where it was simulated or generated from them; else empty.
   std::vector<DynamicParameters> parameters;
+  /// [n] the condition of each window, an index into info.conditions or every_condition; and the
+  /// speed of the shaft in it. Empty where the dataset tells no conditions apart, and where a
+  /// generator knows nothing of them.
+  std::vector<std::int32_t> condition;
+  std::vector<double> shaft_speed_rpm;
+  /// [n] the size of the defect in each window, where the records of a class hold several.
+  std::vector<double> defect_size_mm;
 
   [[nodiscard]] std::size_t size() const { return labels.size(); }
   [[nodiscard]] std::span<const float> window(std::size_t i) const {
@@ -32,13 +39,15 @@ struct WindowSet {
   [[nodiscard]] std::size_t count_of(Label label) const;
 
   /// Appends window i of another set of the same dataset and length. The set goes on saying where
-  /// windows were cut only while all of its windows say so, and the same goes for their parameters.
+  /// windows were cut only while all of its windows say so, and the same goes for all else that
+  /// windows may say.
   /// Throws std::logic_error for another length.
   void append(const WindowSet& other, std::size_t i);
 };
 
 /// In the artefact: /windows float32 [n, length], /labels, and where known /record/name,
-/// /record/index, /first_sample, /parameters float64 [n, 2] (k in N/m, c in N s/m).
+/// /record/index, /first_sample, /parameters float64 [n, 2] (k in N/m, c in N s/m), /condition,
+/// /shaft_speed_rpm and /defect_size_mm.
 void write(artefact::Writer& writer, const WindowSet& windows);
 /// Throws artefact::Refusal for labels that no class has, and for shapes that do not fit each
 /// other.

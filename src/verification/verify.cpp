@@ -29,13 +29,13 @@ void check_records(const Reader& reader, Splits& /*splits*/) {
 void check_windows(const Reader& reader, Splits& splits) {
   const signal::Role role = signal::read_role(reader);
   if (role == signal::Role::generated) {
-    signal::require_classes(reader, role, signal::read_window_set(reader));
+    signal::require_belonging(reader, role, signal::read_window_set(reader));
     (void)signal::read_origin(reader);
     (void)signal::read_method(reader);
     return;
   }
   signal::RoleSet set = signal::read_role_set(reader);
-  signal::require_classes(reader, role, set.windows);
+  signal::require_belonging(reader, role, set.windows);
   const std::string split =
       set.windows.info.name + " " + to_string(set.protocol) + " " + std::to_string(set.seed);
   set.windows.samples.clear();  // check_roles() needs only where the windows were cut

@@ -1,0 +1,169 @@
+#include "signal/described_conditions.hpp"
+
+#include <algorithm>
+#include <string>
+
+namespace piae::signal {
+
+namespace {
+
+using Names = std::vector<std::string>;
+
+bool has(const Names& names, const std::string& name) {
+  return std::ranges::find(names, name) != names.end();
+}
+
+std::string listed(const Names& names) {
+  std::string list;
+  for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
+  return list;
+}
+
+Names names_in(const std::vector<RecordSource>& records) {
+  Names names;
+  for (const RecordSource& record : records) {
+    if (!record.condition.empty() && !has(names, record.condition)) {
+      names.push_back(record.condition);
+    }
+  }
+  return names;
+}
+
+/// One list of [transfer].
+Names read_list(TomlTable& transfer, const std::string& key, const Names& named) {
+  const Names list = transfer.texts(key);
+  for (const std::string& name : list) {
+    if (!has(named, name)) {
+      transfer.refuse(key, "names '" + name + "', which is the condition of no record; there are " +
+                               listed(named));
+    }
+    if (std::ranges::count(list, name) > 1) transfer.refuse(key, "names '" + name + "' twice");
+  }
+  return list;
+}
+
+/// Without [transfer] nothing is changed: every condition is for everything.
+void read_transfer(TomlTable& transfer, std::vector<Condition>& conditions) {
+  Names named;
+  for (const Condition& condition : conditions) named.push_back(condition.name);
+  if (named.empty()) {
+    transfer.refuse("known", "cannot be: no record names a condition");
+  }
+  const Names known = read_list(transfer, "known", named);
+  const Names test = read_list(transfer, "test", named);
+  for (const std::string& name : test) {
+    if (!has(known, name)) continue;
+    transfer.refuse("test", "names '" + name +
+                                "', which is known, too: what is tested must be another condition");
+  }
+  const bool has_healthy = transfer.has("healthy");
+  const Names healthy = has_healthy ? read_list(transfer, "healthy", named) : Names{};
+  transfer.finish();
+  for (Condition& condition : conditions) {
+    condition.known = has(known, condition.name);
+    condition.test = has(test, condition.name);
+    condition.healthy =
+        has_healthy ? has(healthy, condition.name) : condition.known || condition.test;
+  }
+}
+
+/// Whether a record is of one of the conditions that have this use.
+bool is_for(const RecordSource& record, const std::vector<Condition>& conditions,
+            bool Condition::* use) {
+  if (record.condition.empty()) return true;
+  return (*std::ranges::find(conditions, record.condition, &Condition::name)).*use;
+}
+
+Names names_of(const std::vector<Condition>& conditions, bool Condition::* use) {
+  Names names;
+  for (const Condition& condition : conditions) {
+    if (condition.*use) names.push_back(condition.name);
+  }
+  return names;
+}
+
+/// A fault class has records to be known by and to be tested with.
+void require_faults(const TomlTable& transfer, const DatasetInfo& info,
+                    const std::vector<Condition>& conditions,
+                    const std::vector<RecordSource>& records) {
+  const auto require = [&](Label label, const std::string& key, bool Condition::* use) {
+    const bool there = std::ranges::any_of(records, [&](const RecordSource& record) {
+      return record.label == label && is_for(record, conditions, use);
+    });
+    if (there) return;
+    transfer.refuse(key, "is " + listed(names_of(conditions, use)) + ", but class " +
+                             info.class_of(label).name + " has no record there");
+  };
+  for (const Label label : info.fault_labels()) {
+    require(label, "known", &Condition::known);
+    require(label, "test", &Condition::test);
+  }
+}
+
+/// A tested condition has healthy windows, and so has each that healthy windows are to come from.
+void require_healthy(const TomlTable& transfer, const DatasetInfo& info,
+                     const std::vector<Condition>& conditions,
+                     const std::vector<RecordSource>& records) {
+  const Label healthy = info.healthy_label();
+  for (const Condition& condition : conditions) {
+    if (!condition.test && !condition.healthy) continue;
+    const bool there = std::ranges::any_of(records, [&](const RecordSource& record) {
+      return record.label == healthy &&
+             (record.condition.empty() || record.condition == condition.name);
+    });
+    if (there) continue;
+    transfer.refuse(condition.test ? "test" : "healthy",
+                    "names '" + condition.name + "', of which there is no record of class " +
+                        info.class_of(healthy).name +
+                        ": a healthy machine can always be recorded");
+  }
+}
+
+/// Of the records that are left, in place.
+void set_speeds(const std::vector<RecordSource>& records, std::vector<Condition>& conditions) {
+  for (Condition& condition : conditions) {
+    double sum = 0;
+    double count = 0;
+    for (const RecordSource& record : records) {
+      if (record.condition != condition.name) continue;
+      sum += record.shaft_speed_rpm;
+      ++count;
+    }
+    condition.shaft_speed_rpm = sum / count;
+  }
+}
+
+}  // namespace
+
+std::string read_condition_name(TomlTable& table, const std::string& key) {
+  std::string name = table.text(key);
+  if (!is_condition_name(name)) table.refuse(key, "'" + name + "' " + condition_name_rule);
+  return name;
+}
+
+std::string record_stem(const std::string& class_name, const std::string& condition) {
+  std::string stem = condition.empty() ? class_name : class_name + '-' + condition;
+  std::ranges::replace(stem, ' ', '-');
+  return stem;
+}
+
+std::vector<Condition> read_described_conditions(TomlTable& root, const DatasetInfo& info,
+                                                 std::vector<RecordSource>& records) {
+  std::vector<Condition> conditions;
+  for (const std::string& name : names_in(records)) conditions.push_back({.name = name});
+  if (auto transfer = root.optional_table("transfer")) {
+    read_transfer(*transfer, conditions);
+    require_faults(*transfer, info, conditions, records);
+    require_healthy(*transfer, info, conditions, records);
+  }
+  const auto is_used = [](const Condition& c) { return c.known || c.test || c.healthy; };
+  std::erase_if(records, [&](const RecordSource& record) {
+    return !record.condition.empty() &&
+           !is_used(*std::ranges::find(conditions, record.condition, &Condition::name));
+  });
+  std::erase_if(conditions, [&](const Condition& c) { return !is_used(c); });
+  set_speeds(records, conditions);
+  return conditions;
+}
+
+}  // namespace piae::signal

@@ -1,0 +1,81 @@
+#include "signal/description_file.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/error.hpp"
+#include "base/one_line.hpp"
+#include "cli/toml_file.hpp"
+#include "signal/ranges.hpp"
+
+namespace piae::signal {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+[[noreturn]] void refuse(const fs::path& file, const toml::node& node, const std::string& what,
+                         Exit exit = Exit::bad_input) {
+  throw Error(exit, one_line(file.string() + ", line " +
+                             std::to_string(node.source().begin.line) + ": like " + what));
+}
+
+/// The file that a description is like, where it is like one.
+std::optional<fs::path> model_of(const fs::path& file, const toml::table& description) {
+  const toml::node* like = description.get("like");
+  if (like == nullptr) return std::nullopt;
+  const auto name = like->value<std::string>();
+  if (!name || !ranges::is_plain_name(*name)) {
+    refuse(file, *like,
+           "must be the name of a description in the same folder, without its .toml; it " +
+               ranges::plain_name_rule);
+  }
+  if (!description.contains("name")) {
+    refuse(file, *like, "is there, but no name: a description that is like another has its own");
+  }
+  const fs::path model = file.parent_path() / (*name + ".toml");
+  std::error_code unreadable;
+  if (!fs::exists(model, unreadable)) {
+    refuse(file, *like, "= '" + *name + "', but there is no " + model.string(),
+           Exit::input_missing);
+  }
+  return model;
+}
+
+/// Gives `description` what it lacks of `model`.
+void complete(toml::table& description, toml::table& model) {
+  for (auto&& [key, node] : model) {
+    toml::node* own = description.get(key);
+    if (own == nullptr) {
+      description.insert(key, std::move(node));
+    } else if (own->is_table() && node.is_table()) {
+      complete(*own->as_table(), *node.as_table());
+    }
+  }
+}
+
+/// `before` are the files that led to this one.
+toml::table read_after(const std::vector<fs::path>& before, const fs::path& file) {
+  toml::table description = cli::parse_toml_file(file);
+  const auto model = model_of(file, description);
+  if (!model) return description;
+  std::vector<fs::path> so_far = before;
+  so_far.push_back(file);
+  if (std::ranges::find(so_far, *model) != so_far.end()) {
+    refuse(file, *description.get("like"),
+           "goes in a circle: this description is like " + model->string() +
+               ", which is like this one");
+  }
+  description.erase("like");
+  toml::table rest = read_after(so_far, *model);
+  complete(description, rest);
+  return description;
+}
+
+}  // namespace
+
+toml::table read_description_file(const fs::path& file) { return read_after({}, file); }
+
+}  // namespace piae::signal

@@ -1,0 +1,85 @@
+#include "signal/sources.hpp"
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+
+#include "base/error.hpp"
+
+namespace piae::signal {
+
+namespace {
+
+bool is_for(const DatasetInfo& info, const Source& source, Role role) {
+  if (source.condition == every_condition) return true;
+  const Condition& condition = info.conditions[static_cast<std::size_t>(source.condition)];
+  return may_hold(role, condition);
+}
+
+std::vector<Share> shares_of(bool healthy, const Counts& counts) {
+  const std::size_t rest = counts.all - counts.test;
+  if (healthy) return {{Role::test, counts.test}, {Role::healthy, rest}};
+  return {
+      {Role::test, counts.test}, {Role::known, counts.known}, {Role::hidden, rest - counts.known}};
+}
+
+/// One for each condition in which the class has records, in the order of the conditions.
+std::vector<Source> empty_sources(Label label, std::span<const RecordPlace> records) {
+  std::map<std::int32_t, Source> sources;
+  for (std::size_t i = 0; i < records.size(); ++i) {
+    if (records[i].label != label) continue;
+    Source& source = sources[records[i].condition];
+    source.condition = records[i].condition;
+    source.records.push_back(i);
+  }
+  std::vector<Source> list;
+  for (auto& [condition, source] : sources) list.push_back(std::move(source));
+  return list;
+}
+
+/// Shares a role's windows among the sources that are for it.
+void share_out(const Share& share, const std::vector<Source*>& sources, const Stream& stream) {
+  std::vector<std::size_t> counts(sources.size(), share.count / sources.size());
+  const std::size_t rest = share.count % sources.size();
+  if (rest > 0) {
+    Stream who_gives_more = stream.child("role " + to_string(share.role));
+    const auto order = who_gives_more.permutation(sources.size());
+    for (std::size_t i = 0; i < rest; ++i) ++counts[order[i]];
+  }
+  for (std::size_t i = 0; i < sources.size(); ++i) {
+    if (counts[i] > 0) sources[i]->shares.push_back({share.role, counts[i]});
+  }
+}
+
+}  // namespace
+
+std::size_t Source::windows() const {
+  return std::accumulate(shares.begin(), shares.end(), std::size_t{0},
+                         [](std::size_t sum, const Share& share) { return sum + share.count; });
+}
+
+std::size_t Source::count_of(Role role) const {
+  const auto found = std::ranges::find(shares, role, &Share::role);
+  return found == shares.end() ? 0 : found->count;
+}
+
+std::vector<Source> sources_of(const DatasetInfo& info, Label label,
+                               std::span<const RecordPlace> records, const Counts& counts,
+                               const Stream& stream) {
+  std::vector<Source> sources = empty_sources(label, records);
+  for (const Share& share : shares_of(label == info.healthy_label(), counts)) {
+    std::vector<Source*> givers;
+    for (Source& source : sources) {
+      if (is_for(info, source, share.role)) givers.push_back(&source);
+    }
+    if (givers.empty()) {
+      throw Error(Exit::bad_input, "dataset " + info.name + ", class " + info.class_of(label).name +
+                                       ": has no record for role " + to_string(share.role));
+    }
+    share_out(share, givers, stream);
+  }
+  std::erase_if(sources, [](const Source& source) { return source.shares.empty(); });
+  return sources;
+}
+
+}  // namespace piae::signal
