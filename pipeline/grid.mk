@@ -70,9 +70,11 @@ $(if $(if $(looks)$(only_asking),,$(beyond_us)),$(error METHODS: only LibTorch c
 # ---- settings -----------------------------------------------------------------------------------
 # The names of the settings files, without .toml; which options that make gives count as settings, too.
 settings        := $(results)/.settings
-settings_names  := split generate score diagnose $(generators:%=train.%) $(DATASETS:%=datasets/%) $(DATASETS:%=tabulate.%)
+# A data set may have settings of its own for the split.
+split_settings   = split$(addprefix .,$(filter $1,$(call fact,own-split)))
+settings_names  := $(sort $(foreach dataset,$(DATASETS),$(call split_settings,$(dataset)))) generate score diagnose $(generators:%=train.%) $(DATASETS:%=datasets/%) $(DATASETS:%=tabulate.%)
 selection       := --methods $(METHODS) --ratios $(RATIOS) --seeds $(SEEDS)
-options.split   := --protocol $(PROTOCOL)
+$(foreach dataset,$(DATASETS),$(eval options.$(call split_settings,$(dataset)) := --protocol $(PROTOCOL)))
 
 # ---- rules --------------------------------------------------------------------------------------
 # What is there is complete, so make has no cause to remove it when it is interrupted: each rule calls what
@@ -101,7 +103,7 @@ others_of_A  = $(filter-out %/A.h5,$(windows))
 
 define split_rule # data set, seed, its folder
 .PRECIOUS: $(call windows,$3)
-$(if $(only_shows),$3/A.h5:,$(call windows,$3) &:) $(results)/$1/records.h5 $(settings)/split.toml \
+$(if $(only_shows),$3/A.h5:,$(call windows,$3) &:) $(results)/$1/records.h5 $(settings)/$(call split_settings,$1).toml \
     $(if $(only_shows),$(if $(call lost_windows,$3),FORCE))
 	$$(step) split $$(config) --records $$< --seed $2 --protocol $(PROTOCOL) --output-dir $$(@D) -- $(call windows,$3)
 $(if $(only_shows),$(call others_of_A,$3): $3/A.h5 ;)

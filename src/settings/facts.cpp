@@ -41,12 +41,17 @@ void add_ratios(std::vector<std::string>& words) {
   }
 }
 
-/// A description that cannot be read is refused when its data set is asked for, not before.
-bool is_simulated(const fs::path& description) {
+/// What there is to know of a description. One that cannot be read is refused when its data set is
+/// asked for, not before.
+void add_dataset(const fs::path& description, std::vector<std::string>& words) {
+  const std::string name = description.stem().string();
+  words.push_back("dataset:" + name);
   try {
-    return signal::read_description_file(description).contains("simulation");
+    const toml::table content = signal::read_description_file(description);
+    if (content.contains("simulation")) words.push_back("simulated:" + name);
+    if (content.contains("split")) words.push_back("own-split:" + name);
   } catch (const Error&) {
-    return false;
+    return;
   }
 }
 
@@ -57,10 +62,7 @@ void add_datasets(const fs::path& folder, std::vector<std::string>& words) {
     if (entry.path().extension() == ".toml") descriptions.push_back(entry.path());
   }
   std::ranges::sort(descriptions);
-  for (const fs::path& description : descriptions) {
-    words.push_back("dataset:" + description.stem().string());
-    if (is_simulated(description)) words.push_back("simulated:" + description.stem().string());
-  }
+  for (const fs::path& description : descriptions) add_dataset(description, words);
 }
 
 void add_sweep(const toml::table& protocol, std::vector<std::string>& words) {

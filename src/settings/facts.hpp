@@ -19,6 +19,7 @@ namespace piae::settings {
 ///     nothing-generated:100to1
 ///     dataset:cwru           an entry of DATASETS
 ///     simulated:simulated    a dataset that is made, not measured
+///     own-split:NAME         a dataset whose description says something of the stage split
 ///     swept:piae-dt          the method whose settings `make sweep` moves
 ///     sweep-point:batch=1    a setting that it tries
 ///     sweep-centre:batch=5   one of those that the method has anyway

@@ -30,6 +30,7 @@ struct Request {
   std::string variant;  ///< of the stage, or the data set
 
   [[nodiscard]] bool is_description() const { return stage.empty(); }
+  [[nodiscard]] bool is_split_of_dataset() const { return stage == "split" && !variant.empty(); }
 };
 
 Request parse_request(const std::string& text) {
@@ -100,12 +101,24 @@ struct Wanted {
   toml::table values;
 };
 
+/// What the description of a data set says of the stage split, in the place of what all have.
+void add_own_split(const fs::path& pipeline, const std::string& dataset, Wanted& wanted) {
+  wanted.source = pipeline / "datasets" / (dataset + ".toml");
+  const toml::table description = signal::read_description_file(wanted.source);
+  const toml::table* own = description["split"].as_table();
+  if (own == nullptr) return;
+  for (const auto& [key, node] : *own) wanted.values.insert_or_assign(key, node);
+}
+
 Wanted wanted(const Request& request, const fs::path& pipeline, const toml::table& protocol) {
   if (request.is_description()) {
     const fs::path source = pipeline / request.file;
     return {source, signal::read_description_file(source)};
   }
-  return {pipeline / "protocol.toml", cli::options_of(protocol, request.stage, request.variant)};
+  Wanted wanted{pipeline / "protocol.toml",
+                cli::options_of(protocol, request.stage, request.variant)};
+  if (request.is_split_of_dataset()) add_own_split(pipeline, request.variant, wanted);
+  return wanted;
 }
 
 bool holds(const fs::path& file, const Request& request, const toml::table& values) {

@@ -16,7 +16,10 @@ namespace piae::settings {
 ///
 ///     STAGE.toml, STAGE.NAME.toml   what the stage reads from pipeline/protocol.toml, for the
 ///                                   variant NAME where there is a table [STAGE.NAME]
-///     datasets/NAME.toml            the description pipeline/datasets/NAME.toml
+///     split.NAME.toml               what split reads for the data set NAME: [split] of its
+///                                   description on top of that of the protocol
+///     datasets/NAME.toml            the description pipeline/datasets/NAME.toml, completed by the
+///                                   one that it is like
 ///
 /// Files hold values alone, in alphabetical order. They are compared by value: neither comments nor
 /// spacing nor the order of tables make a difference.
