@@ -14,11 +14,10 @@ const std::string group = "/conditions";
 /// What a condition may be used for, as the artefact names it.
 struct Use {
   const char* name;
-  bool Condition::* flag;
+  bool Condition::*flag;
 };
-constexpr Use uses[] = {{"known", &Condition::known},
-                        {"test", &Condition::test},
-                        {"healthy", &Condition::healthy}};
+constexpr Use uses[] = {
+    {"known", &Condition::known}, {"test", &Condition::test}, {"healthy", &Condition::healthy}};
 
 std::vector<std::string> read_names(const artefact::Reader& reader) {
   const std::string path = group + "/name";

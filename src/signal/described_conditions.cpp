@@ -29,9 +29,9 @@ Names names_in(const std::vector<RecordSource>& records) {
   return names;
 }
 
-/// One list of [transfer].
-Names read_list(TomlTable& transfer, const std::string& key, const Names& named) {
-  const Names list = transfer.texts(key);
+/// Refuses a list of [transfer] that names what no record has, or one twice.
+void require_named(const TomlTable& transfer, const std::string& key, const Names& list,
+                   const Names& named) {
   for (const std::string& name : list) {
     if (!has(named, name)) {
       transfer.refuse(key, "names '" + name + "', which is the condition of no record; there are " +
@@ -39,42 +39,43 @@ Names read_list(TomlTable& transfer, const std::string& key, const Names& named)
     }
     if (std::ranges::count(list, name) > 1) transfer.refuse(key, "names '" + name + "' twice");
   }
-  return list;
 }
 
-/// Without [transfer] nothing is changed: every condition is for everything.
+/// Sets what each condition is for.
 void read_transfer(TomlTable& transfer, std::vector<Condition>& conditions) {
   Names named;
   for (const Condition& condition : conditions) named.push_back(condition.name);
   if (named.empty()) {
     transfer.refuse("known", "cannot be: no record names a condition");
   }
-  const Names known = read_list(transfer, "known", named);
-  const Names test = read_list(transfer, "test", named);
+  const Names known = transfer.texts("known");
+  const Names test = transfer.texts("test");
+  const Names healthy = transfer.optional_texts("healthy");
+  transfer.finish();
+  require_named(transfer, "known", known, named);
+  require_named(transfer, "test", test, named);
+  require_named(transfer, "healthy", healthy, named);
   for (const std::string& name : test) {
     if (!has(known, name)) continue;
     transfer.refuse("test", "names '" + name +
                                 "', which is known, too: what is tested must be another condition");
   }
-  const bool has_healthy = transfer.has("healthy");
-  const Names healthy = has_healthy ? read_list(transfer, "healthy", named) : Names{};
-  transfer.finish();
   for (Condition& condition : conditions) {
     condition.known = has(known, condition.name);
     condition.test = has(test, condition.name);
     condition.healthy =
-        has_healthy ? has(healthy, condition.name) : condition.known || condition.test;
+        healthy.empty() ? condition.known || condition.test : has(healthy, condition.name);
   }
 }
 
 /// Whether a record is of one of the conditions that have this use.
 bool is_for(const RecordSource& record, const std::vector<Condition>& conditions,
-            bool Condition::* use) {
+            bool Condition::*use) {
   if (record.condition.empty()) return true;
   return (*std::ranges::find(conditions, record.condition, &Condition::name)).*use;
 }
 
-Names names_of(const std::vector<Condition>& conditions, bool Condition::* use) {
+Names names_of(const std::vector<Condition>& conditions, bool Condition::*use) {
   Names names;
   for (const Condition& condition : conditions) {
     if (condition.*use) names.push_back(condition.name);
@@ -86,7 +87,7 @@ Names names_of(const std::vector<Condition>& conditions, bool Condition::* use) 
 void require_faults(const TomlTable& transfer, const DatasetInfo& info,
                     const std::vector<Condition>& conditions,
                     const std::vector<RecordSource>& records) {
-  const auto require = [&](Label label, const std::string& key, bool Condition::* use) {
+  const auto require = [&](Label label, const std::string& key, bool Condition::*use) {
     const bool there = std::ranges::any_of(records, [&](const RecordSource& record) {
       return record.label == label && is_for(record, conditions, use);
     });
@@ -114,8 +115,7 @@ void require_healthy(const TomlTable& transfer, const DatasetInfo& info,
     if (there) continue;
     transfer.refuse(condition.test ? "test" : "healthy",
                     "names '" + condition.name + "', of which there is no record of class " +
-                        info.class_of(healthy).name +
-                        ": a healthy machine can always be recorded");
+                        info.class_of(healthy).name + ": a healthy machine can always be recorded");
   }
 }
 

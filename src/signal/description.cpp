@@ -157,7 +157,8 @@ std::string numbered(std::size_t number, std::size_t last) {
 /// the file.
 void name_records(const DatasetInfo& info, std::vector<RecordSource>& records) {
   std::map<std::string, std::vector<RecordSource*>> called;
-  for (RecordSource& record : records) called[record_stem(info.class_of(record.label).name, record.condition)].push_back(&record);
+  for (RecordSource& record : records)
+    called[record_stem(info.class_of(record.label).name, record.condition)].push_back(&record);
   for (const auto& [name, namesakes] : called) {
     for (std::size_t i = 0; i < namesakes.size(); ++i) {
       namesakes[i]->name = name;
@@ -171,7 +172,8 @@ void set_mean_sizes(const std::vector<TomlTable>& classes, const std::vector<Rec
                     DatasetInfo& info) {
   const auto is_known = [&](const RecordSource& record) {
     const std::int32_t condition = info.condition_called(record.condition);
-    return condition == every_condition || info.conditions[static_cast<std::size_t>(condition)].known;
+    return condition == every_condition ||
+           info.conditions[static_cast<std::size_t>(condition)].known;
   };
   for (const Label label : info.fault_labels()) {
     if (classes[index_of(label)].has("defect_size_mm")) continue;

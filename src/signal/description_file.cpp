@@ -18,8 +18,8 @@ namespace {
 
 [[noreturn]] void refuse(const fs::path& file, const toml::node& node, const std::string& what,
                          Exit exit = Exit::bad_input) {
-  throw Error(exit, one_line(file.string() + ", line " +
-                             std::to_string(node.source().begin.line) + ": like " + what));
+  throw Error(exit, one_line(file.string() + ", line " + std::to_string(node.source().begin.line) +
+                             ": like " + what));
 }
 
 /// The file that a description is like, where it is like one.

@@ -21,7 +21,7 @@ struct Place {
 /// A count that is an option, and a setting of a description.
 struct Setting {
   const char* name;
-  std::size_t SplitOptions::* value;
+  std::size_t SplitOptions::*value;
   const char* help;
 };
 constexpr Setting settings[] = {
@@ -30,8 +30,7 @@ constexpr Setting settings[] = {
      "Samples between two windows at most; less where the windows need it"},
     {"windows-per-class", &SplitOptions::windows_per_class, "Windows cut of each class"},
     {"test-per-class", &SplitOptions::test_per_class, "Windows of each class in A (test)"},
-    {"known-per-class", &SplitOptions::known_per_class,
-     "Windows of each fault class in C (known)"},
+    {"known-per-class", &SplitOptions::known_per_class, "Windows of each fault class in C (known)"},
     {"guard-windows", &SplitOptions::guard_windows,
      "Window lengths left unused between two roles (blocked only)"},
 };

@@ -61,6 +61,11 @@ std::vector<std::string> TomlTable::texts(const std::string& key) {
   return texts;
 }
 
+std::vector<std::string> TomlTable::optional_texts(const std::string& key) {
+  asked_.insert(key);
+  return has(key) ? texts(key) : std::vector<std::string>{};
+}
+
 std::optional<double> TomlTable::optional_number(const std::string& key, const Range& range) {
   asked_.insert(key);
   return has(key) ? std::optional(number(key, range)) : std::nullopt;

@@ -36,10 +36,11 @@ class TomlTable {
   std::int64_t integer(const std::string& key, const Range& range);
 
   std::vector<std::string> texts(const std::string& key);  ///< at least one
+  std::vector<std::string> optional_texts(const std::string& key);
 
   TomlTable table(const std::string& key);                          ///< [key]
   std::optional<TomlTable> optional_table(const std::string& key);  ///< [key]
-  std::vector<TomlTable> tables(const std::string& key);  ///< [[key]], at least one
+  std::vector<TomlTable> tables(const std::string& key);            ///< [[key]], at least one
   std::vector<TomlTable> optional_tables(const std::string& key);
 
   /// Call it when all keys that may stand here have been asked for: any other one is an error.

@@ -78,8 +78,8 @@ void read_conditions(const artefact::Reader& reader, WindowSet& windows) {
   const auto listed = static_cast<std::int32_t>(windows.info.conditions.size());
   for (const std::int32_t condition : windows.condition) {
     if (condition < every_condition || condition >= listed) {
-      reader.refuse(path, "holds condition " + std::to_string(condition) + " of " +
-                              std::to_string(listed));
+      reader.refuse(
+          path, "holds condition " + std::to_string(condition) + " of " + std::to_string(listed));
     }
   }
 }

@@ -11,6 +11,7 @@ namespace {
 
 using signal::Defect;
 using signal::Description;
+using signal::RecordSource;
 
 /// Two classes, one of two files, one of one.
 Description description() {
@@ -55,6 +56,28 @@ TEST(Check, FindsSamplesLevelsAndStrides) {
   EXPECT_EQ(found.classes[0].stride, 1U);
   EXPECT_EQ(found.classes[1].stride, 3U);
   EXPECT_NEAR(found.classes[1].overlap, 1021.0 / 1024, 1e-12);
+}
+
+/// Of the fault class, A and D come from one file and C from another: no test window meets a
+/// training window. 595 windows of 1024 in 1024 + 594 * 3 = 2806 samples: stride 3.
+TEST(Check, OfATransferCountsEachConditionByItself) {
+  const Folder folder;
+  write_signal(folder, "bad.csv", 2806, 3);
+  write_signal(folder, "bad2.csv", 1028, 4);
+  write_signal(folder, "ok1.csv", 1400, 1);
+  write_signal(folder, "ok2.csv", 1400, 2);
+  Description d = description();
+  d.info.conditions = {{.name = "a", .known = false}, {.name = "b", .test = false}};
+  d.records.push_back({"bad-02", 1, "bad2.csv", "1", 1000, 600, "", "", "b"});
+  for (RecordSource& record : d.records) {
+    if (record.condition.empty()) record.condition = record.name == "ok-02" ? "b" : "a";
+  }
+  const DatasetCheck found = check(d, folder.path());
+  EXPECT_EQ(found.exit, Exit::done) << found.classes[0].problem << found.classes[1].problem;
+  EXPECT_EQ(found.classes[1].records, 2U);
+  EXPECT_EQ(found.classes[1].stride, 1U);
+  EXPECT_EQ(found.classes[1].shared_with_training, 0);
+  EXPECT_NEAR(found.classes[0].shared_with_training, 1, 1e-6);
 }
 
 /// What is clipped in the file is not flat any more once it is resampled.

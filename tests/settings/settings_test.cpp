@@ -70,6 +70,29 @@ TEST(SettingsFolder, AFileHoldsWhatTheStageReads) {
   EXPECT_EQ(project.values_in("score.toml"), "\n");
 }
 
+TEST(SettingsFolder, ADescriptionHasTheLastWordOnItsSplit) {
+  const Project project("[split]\nwindow = 1024\nguard-windows = 2\n");
+  project.folder.write("datasets/a.toml", "name = \"a\"\n[split]\nwindow = 4096\n");
+  project.folder.write("datasets/b.toml", "name = \"b\"\nlike = \"a\"\n[split]\nmax-stride = 9\n");
+  project.update("split.b.toml --protocol blocked");
+  EXPECT_EQ(project.values_in("split.b.toml"),
+            "# Options given by make: --protocol blocked\nguard-windows = 2\nmax-stride = 9\n"
+            "window = 4096\n");
+  EXPECT_FALSE(project.is_outdated("split.b.toml --protocol blocked"));
+  project.folder.write("datasets/a.toml", "name = \"a\"\n[split]\nwindow = 2048\n");
+  EXPECT_TRUE(project.is_outdated("split.b.toml --protocol blocked"));
+}
+
+TEST(SettingsFolder, ADescriptionIsStoredWithWhatItTakesFromAnother) {
+  const Project project("");
+  project.folder.write("datasets/a.toml", "name = \"a\"\nrate = 3\n");
+  project.folder.write("datasets/b.toml", "name = \"b\"\nlike = \"a\"\n");
+  project.update("datasets/b.toml");
+  EXPECT_EQ(project.values_in("datasets/b.toml"), "name = 'b'\nrate = 3\n");
+  project.folder.write("datasets/a.toml", "name = \"a\"\nrate = 4\n");
+  EXPECT_TRUE(project.is_outdated("datasets/b.toml"));
+}
+
 TEST(SettingsFolder, AStageReadsFromTheFileWhatItReadsFromTheProtocol) {
   const auto pipeline = std::filesystem::path(PIAE_SOURCE) / "pipeline";
   const Folder run;
@@ -269,6 +292,11 @@ TEST(Facts, ABrokenDescriptionIsNobodysTroubleUntilItIsAskedFor) {
   project.folder.write("datasets/made.toml", "[simulation]\n");
   EXPECT_THAT(facts(project.folder.path()), Contains("dataset:broken"));
   EXPECT_THAT(facts(project.folder.path()), Contains("simulated:made"));
+  project.folder.write("datasets/like.toml",
+                       "name = \"like\"\nlike = \"made\"\n[split]\nwindow = 3\n");
+  EXPECT_THAT(facts(project.folder.path()), Contains("simulated:like"));
+  EXPECT_THAT(facts(project.folder.path()), Contains("own-split:like"));
+  EXPECT_THAT(facts(project.folder.path()), Not(Contains("own-split:made")));
   EXPECT_THROW((void)project.is_outdated("datasets/broken.toml"), Error);
 }
 

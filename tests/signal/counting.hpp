@@ -34,4 +34,21 @@ inline Recordings counting_recordings(std::size_t samples) {
   return r;
 }
 
+/// Three classes at two speeds, all samples different: known at 900 rpm, tested at 1200 rpm.
+inline Recordings counting_transfer(std::size_t samples) {
+  Recordings r = counting_recordings(1);
+  r.info.conditions = {{.name = "900 rpm", .shaft_speed_rpm = 900, .test = false},
+                       {.name = "1200 rpm", .shaft_speed_rpm = 1200, .known = false}};
+  r.records.clear();
+  for (int label = 0; label < 3; ++label) {
+    for (int condition = 0; condition < 2; ++condition) {
+      const std::string name = r.info.class_of(label).name + (condition == 0 ? "-900" : "-1200");
+      r.records.push_back(counting_record(name, label, condition, samples));
+      r.records.back().condition = condition;
+      r.records.back().shaft_speed_rpm = condition == 0 ? 900 : 1190;
+    }
+  }
+  return r;
+}
+
 }  // namespace piae::signal

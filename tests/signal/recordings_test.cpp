@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "signal/counting.hpp"
 #include "support/errors.hpp"
 #include "support/folder.hpp"
@@ -45,6 +47,38 @@ TEST(Recordings, ComeBackFromTheirFile) {
   }
   EXPECT_EQ(out.records[3].parameters->stiffness_n_per_m, 1e8);
   EXPECT_EQ(out.records[3].parameters->damping_ns_per_m, 500);
+}
+
+TEST(Recordings, ComeBackWithTheirConditionsAndSizes) {
+  const Folder folder;
+  Recordings in = counting_transfer(10);
+  in.records[2].defect_size_mm = 0.3;
+  in.records[5].condition = every_condition;
+  const Recordings out = load(save(folder, in));
+  EXPECT_EQ(out.info.conditions, in.info.conditions);
+  ASSERT_EQ(out.records.size(), 6U);
+  for (const Record& record : out.records) {
+    const auto same = std::ranges::find(in.records, record.name, &Record::name);
+    EXPECT_EQ(record.condition, same->condition);
+    EXPECT_EQ(record.defect_size_mm, same->defect_size_mm);
+  }
+  EXPECT_TRUE(out.have_sizes());
+  EXPECT_FALSE(load(save(folder, counting_transfer(10))).have_sizes());
+}
+
+TEST(Recordings, AreRefusedWithAConditionThatIsNotListed) {
+  const Folder folder;
+  artefact::Writer writer("records");
+  write(writer, counting_recordings(10).info);
+  writer.group("/records");
+  writer.numbers("/records/N", std::vector<double>{1, 2});
+  writer.attribute("/records/N", "label", std::int64_t{0});
+  writer.attribute("/records/N", "original_sample_rate_hz", 12000.0);
+  writer.attribute("/records/N", "shaft_speed_rpm", 900.0);
+  writer.attribute("/records/N", "condition", std::string("900 rpm"));
+  writer.save(folder / "records.h5", {});
+  EXPECT_ERROR(load(folder / "records.h5"), Exit::bad_input,
+               "/records/N is of a condition that is not listed");
 }
 
 TEST(Recordings, AreRefusedWithoutARecordOfAClass) {

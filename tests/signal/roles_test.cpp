@@ -86,6 +86,27 @@ TEST(Roles, MustBeOfOneSplit) {
   EXPECT_THAT(check_roles({a, d}), ElementsAre(HasSubstr("has window length 20")));
 }
 
+TEST(Roles, HoldOnlyWindowsOfTheirConditions) {
+  RoleSet a = role(Role::test, Protocol::random, {{0, 0}});
+  RoleSet c = role(Role::known, Protocol::random, {{1, 5}});
+  for (RoleSet* set : {&a, &c}) {
+    set->windows.info.conditions = {{.name = "900 rpm", .test = false},
+                                    {.name = "1200 rpm", .known = false}};
+    set->windows.condition = {set == &a ? 1 : 0};
+  }
+  EXPECT_THAT(check_roles({a, c}), IsEmpty());
+  a.windows.condition = {every_condition};
+  EXPECT_THAT(check_roles({a, c}), IsEmpty());
+  a.windows.condition = {0};
+  EXPECT_THAT(check_roles({a, c}),
+              ElementsAre("A.h5: has windows of condition '900 rpm', which role A must not have"));
+  a.windows.condition = {1};
+  c.windows.condition = {1};
+  EXPECT_THAT(check_roles({a, c}), ElementsAre(HasSubstr("C.h5: has windows of condition '1200 ")));
+  c.windows.info.conditions[0].name = "700 rpm";
+  EXPECT_THAT(check_roles({a, c}), ElementsAre(HasSubstr("C.h5: has other conditions than A.h5")));
+}
+
 TEST(Roles, OfNothingAreGood) { EXPECT_THAT(check_roles({}), IsEmpty()); }
 
 void save(const Folder& folder, const Split& split, Role role, const SplitOptions& options) {

@@ -259,5 +259,51 @@ TEST_F(SimulationTest, AMissingFileIsSaidToBeMissing) {
   }
 }
 
+const std::string at_two_speeds =
+    "[[simulation.condition]]\nname = \"900 rpm\"\nshaft_speed_rpm = 900\n"
+    "[[simulation.condition]]\nname = \"1200 rpm\"\nshaft_speed_rpm = 1200\n";
+
+TEST_F(SimulationTest, MakesAllRecordsInEachCondition) {
+  const Simulation simulation = read(description + at_two_speeds +
+                                     "[transfer]\nknown = [\"900 rpm\"]\ntest = [\"1200 rpm\"]\n");
+  EXPECT_EQ(simulation.records(), 24U);
+  const Recordings made = simulate(simulation);
+  ASSERT_EQ(made.records.size(), 24U);
+  ASSERT_EQ(made.info.conditions.size(), 2U);
+  EXPECT_TRUE(made.info.conditions[0].known && !made.info.conditions[0].test);
+  EXPECT_EQ(made.records.front().name, "B007-1200-rpm-01");
+  std::set<std::string> names;
+  for (const Record& record : made.records) {
+    names.insert(record.name);
+    const double nominal = record.condition == 0 ? 900 : 1200;
+    EXPECT_NEAR(record.shaft_speed_rpm, nominal, 0.01 * nominal) << record.name;
+  }
+  EXPECT_EQ(names.size(), 24U);
+}
+
+/// Without noise, whose strength depends on all records.
+TEST_F(SimulationTest, AConditionIsTheSameWhateverOthersThereAre) {
+  const std::string alone =
+      "[[simulation.condition]]\nname = \"1200 rpm\"\nshaft_speed_rpm = 1200\n";
+  const Recordings one = simulate(read(description + alone));
+  const Recordings both = simulate(read(description + at_two_speeds));
+  EXPECT_EQ(both.records.size(), 2 * one.records.size());
+  for (const Record& record : one.records) {
+    const auto same = std::ranges::find(both.records, record.name, &Record::name);
+    ASSERT_NE(same, both.records.end());
+    EXPECT_EQ(record.signal, same->signal) << record.name;
+  }
+}
+
+TEST_F(SimulationTest, RefusesConditionsThatCannotBe) {
+  EXPECT_THAT(refusal(description + replaced(at_two_speeds, "1200 rpm", "900 rpm")),
+              HasSubstr("condition.name '900 rpm' is given twice"));
+  EXPECT_THAT(refusal(description + replaced(at_two_speeds, "= 1200", "= 0")),
+              HasSubstr("condition.shaft_speed_rpm must be from 0.01"));
+  EXPECT_THAT(refusal(description + at_two_speeds +
+                      "[transfer]\nknown = [\"900 rpm\"]\ntest = [\"600 rpm\"]\n"),
+              HasSubstr("transfer.test names '600 rpm'"));
+}
+
 }  // namespace
 }  // namespace piae::signal

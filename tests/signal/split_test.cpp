@@ -73,6 +73,52 @@ TEST_P(Protocols, GiveNoWindowTwoRoles) {
   }
 }
 
+TEST_P(Protocols, KeepEachRoleToItsConditions) {
+  const SplitOptions options = options_of(GetParam());
+  const Split s = split(counting_transfer(80000), options);
+  EXPECT_THAT(check_roles(role_sets(s, options)), IsEmpty());
+  const auto conditions = [&](int set) {
+    const auto& all = s.sets[set].condition;
+    return std::set<std::int32_t>(all.begin(), all.end());
+  };
+  EXPECT_THAT(conditions(A), ElementsAre(1));
+  EXPECT_THAT(conditions(B), ElementsAre(0, 1));
+  EXPECT_THAT(conditions(C), ElementsAre(0));
+  EXPECT_THAT(conditions(D), ElementsAre(1));
+  EXPECT_EQ(s.sets[A].size(), 300U);
+  EXPECT_EQ(s.sets[B].size(), 500U);
+  EXPECT_EQ(s.sets[C].size(), 10U);
+  EXPECT_EQ(s.sets[D].size(), 990U);
+  EXPECT_EQ(std::ranges::count(s.sets[B].condition, 0), 250);
+}
+
+TEST_P(Protocols, SayTheConditionAndTheSpeedOfEachWindow) {
+  const Recordings recordings = counting_transfer(80000);
+  const Split s = split(recordings, options_of(GetParam()));
+  for (const WindowSet& set : s.sets) {
+    ASSERT_EQ(set.condition.size(), set.size());
+    ASSERT_EQ(set.shaft_speed_rpm.size(), set.size());
+    EXPECT_THAT(set.defect_size_mm, IsEmpty());
+    for (std::size_t i = 0; i < set.size(); ++i) {
+      const Record& record = recordings.records[static_cast<std::size_t>(set.record[i])];
+      ASSERT_EQ(set.condition[i], record.condition);
+      ASSERT_EQ(set.shaft_speed_rpm[i], record.shaft_speed_rpm);
+      ASSERT_EQ(set.window(i)[0],
+                static_cast<float>(record.signal[static_cast<std::size_t>(set.first_sample[i])]));
+    }
+  }
+}
+
+TEST_P(Protocols, SayTheSizeOfEachDefectWhereAClassHasSeveral) {
+  Recordings recordings = counting_transfer(80000);
+  recordings.records[2].defect_size_mm = 0.1;
+  const Split s = split(recordings, options_of(GetParam()));
+  ASSERT_EQ(s.sets[C].defect_size_mm.size(), 10U);
+  for (std::size_t i = 0; i < 10; ++i) {
+    EXPECT_EQ(s.sets[C].defect_size_mm[i], s.sets[C].labels[i] == 1 ? 0.1 : 0.5);
+  }
+}
+
 TEST_P(Protocols, CutWindowsWhereTheySay) {
   const Recordings recordings = counting_recordings(80000);
   const Split s = split(recordings, options_of(GetParam()));

@@ -76,6 +76,58 @@ TEST(WindowSet, ComesBackFromItsFile) {
   EXPECT_EQ(out.parameters[1].damping_ns_per_m, 4);
 }
 
+/// The same, which says the condition, the speed and the defect's size of each window.
+WindowSet set_of_conditions() {
+  WindowSet set = cut_set();
+  set.info.conditions = {{.name = "900 rpm", .shaft_speed_rpm = 900},
+                         {.name = "1200 rpm", .shaft_speed_rpm = 1200}};
+  set.condition = {1, 0, every_condition};
+  set.shaft_speed_rpm = {1201, 899, 1000};
+  set.defect_size_mm = {0, 0.3, 0};
+  return set;
+}
+
+TEST(WindowSet, ComesBackWithItsConditions) {
+  const Folder folder;
+  const WindowSet in = set_of_conditions();
+  const WindowSet out = load_set(save(folder, in));
+  EXPECT_EQ(out.info.conditions, in.info.conditions);
+  EXPECT_EQ(out.condition, in.condition);
+  EXPECT_EQ(out.shaft_speed_rpm, in.shaft_speed_rpm);
+  EXPECT_EQ(out.defect_size_mm, in.defect_size_mm);
+}
+
+TEST(WindowSet, SaysConditionsAsLongAsAllOfItsWindowsDo) {
+  WindowSet set = set_of_conditions();
+  set.append(set_of_conditions(), 1);
+  EXPECT_THAT(set.condition, ElementsAre(1, 0, every_condition, 0));
+  EXPECT_THAT(set.shaft_speed_rpm, ElementsAre(1201, 899, 1000, 899));
+  set.append(cut_set(), 0);
+  EXPECT_THAT(set.condition, IsEmpty());
+  EXPECT_THAT(set.shaft_speed_rpm, IsEmpty());
+  EXPECT_THAT(set.defect_size_mm, IsEmpty());
+}
+
+TEST(WindowSet, IsRefusedWithConditionsThatCannotBe) {
+  const Folder folder;
+  const auto refused = [&](auto spoil, const std::string& says) {
+    WindowSet set = set_of_conditions();
+    spoil(set);
+    EXPECT_ERROR(load_set(save(folder, set)), Exit::bad_input, says);
+  };
+  refused([](WindowSet& s) { s.condition[0] = 2; }, "/condition holds condition 2 of 2");
+  refused([](WindowSet& s) { s.condition[0] = -2; }, "/condition holds condition -2 of 2");
+  refused([](WindowSet& s) { s.condition.pop_back(); }, "/condition");
+  refused([](WindowSet& s) { s.shaft_speed_rpm[1] = 0; }, "/shaft_speed_rpm");
+  refused([](WindowSet& s) { s.defect_size_mm[1] = -1; }, "/defect_size_mm");
+  refused([](WindowSet& s) { s.info.conditions[1].name = "900 rpm"; }, "has 900 rpm twice");
+  refused([](WindowSet& s) { s.info.conditions[1].name = "a/b"; }, "/conditions/name");
+  refused([](WindowSet& s) { s.info.conditions[1].shaft_speed_rpm = -1; },
+          "/conditions/shaft_speed_rpm");
+  refused([](WindowSet& s) { s.info.conditions[0].test = s.info.conditions[1].test = false; },
+          "/conditions/test names no condition");
+}
+
 TEST(WindowSet, GeneratedOrEmptyComesBackToo) {
   const Folder folder;
   const WindowSet generated = load_set(save(folder, generated_set()));

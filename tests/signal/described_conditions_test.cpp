@@ -1,0 +1,155 @@
+#include "signal/described_conditions.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "signal/conditions_text.hpp"
+#include "support/description_text.hpp"
+#include "support/errors.hpp"
+#include "support/folder.hpp"
+
+namespace piae::signal {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+Description described(const std::string& text) {
+  const Folder folder;
+  return read_description(folder.write("rig.toml", text));
+}
+
+std::vector<std::string> names_of_records(const Description& d) {
+  std::vector<std::string> names;
+  for (const RecordSource& record : d.records) names.push_back(record.name);
+  return names;
+}
+
+TEST(DescribedConditions, AreThoseThatRecordsNameWithTheirSpeeds) {
+  const Description d = described(two_speeds);
+  EXPECT_THAT(d.info.conditions,
+              ElementsAre(Condition{.name = "900 rpm", .shaft_speed_rpm = 900},
+                          Condition{.name = "1200 rpm", .shaft_speed_rpm = 1195}));
+  EXPECT_FALSE(is_transfer(d.info.conditions));
+  EXPECT_THAT(names_of_records(d),
+              ElementsAre("cracked-1200-rpm", "cracked-900-rpm", "ok-1200-rpm", "ok-900-rpm"));
+}
+
+TEST(DescribedConditions, WithoutAnyThereAreNone) {
+  std::string text = replaced(two_speeds, "condition = \"900 rpm\"\n", "");
+  text = replaced(text, "condition = \"900 rpm\"\n", "");
+  text = replaced(text, "condition = \"1200 rpm\"\n", "");
+  text = replaced(text, "condition = \"1200 rpm\"\n", "");
+  const Description d = described(text);
+  EXPECT_THAT(d.info.conditions, IsEmpty());
+  EXPECT_THAT(names_of_records(d), ElementsAre("cracked-01", "cracked-02", "ok-01", "ok-02"));
+}
+
+TEST(DescribedConditions, ATransferSaysWhatEachIsFor) {
+  const Description d = described(two_speeds + from_900_to_1200);
+  ASSERT_EQ(d.info.conditions.size(), 2U);
+  const Condition& known = d.info.conditions[0];
+  EXPECT_TRUE(known.known && !known.test && known.healthy);
+  const Condition& test = d.info.conditions[1];
+  EXPECT_TRUE(!test.known && test.test && test.healthy);
+  EXPECT_TRUE(is_transfer(d.info.conditions));
+}
+
+TEST(DescribedConditions, HealthyWindowsMayComeFromSomeAlone) {
+  const Description d = described(two_speeds + from_900_to_1200 + "healthy = [\"1200 rpm\"]\n");
+  EXPECT_FALSE(d.info.conditions[0].healthy);
+  EXPECT_TRUE(d.info.conditions[1].healthy);
+}
+
+TEST(DescribedConditions, RecordsOfWhatIsForNothingAreLeftOut) {
+  const std::string third =
+      "[[record]]\nclass = \"ok\"\ncondition = \"600 rpm\"\nfile = \"e.csv\"\nvariable = \"1\"\n"
+      "sample_rate_hz = 8000\n";
+  const Description d = described(two_speeds + third + from_900_to_1200);
+  EXPECT_EQ(d.info.conditions.size(), 2U);
+  EXPECT_EQ(d.records.size(), 4U);
+}
+
+TEST(DescribedConditions, AClassOfSeveralSizesHasTheMeanOfThoseThatAreKnown) {
+  std::string text = replaced(two_speeds, "defect_size_mm = 0.5\n", "");
+  text = replaced(text, "file = \"c.csv\"", "file = \"c.csv\"\ndefect_size_mm = 0.3");
+  text = replaced(text, "file = \"d.csv\"", "file = \"d.csv\"\ndefect_size_mm = 0.6");
+  EXPECT_DOUBLE_EQ(described(text).info.classes[1].defect_size_mm, 0.45);
+  const Description transfer = described(text + from_900_to_1200);
+  EXPECT_DOUBLE_EQ(transfer.info.classes[1].defect_size_mm, 0.3);
+  EXPECT_EQ(transfer.records[0].defect_size_mm, 0.6);
+}
+
+struct Refused {
+  const char* from;
+  const char* to;
+  const char* says;
+};
+
+class RefusedConditions : public testing::TestWithParam<Refused> {};
+
+TEST_P(RefusedConditions, AreOneLineWithFileLineAndKey) {
+  const Folder folder;
+  const Refused& refused = GetParam();
+  const std::string text =
+      replaced(two_speeds + from_900_to_1200 + "# end\n", refused.from, refused.to);
+  const auto file = folder.write("rig.toml", text);
+  EXPECT_ERROR(read_description(file), Exit::bad_input, file.string() + ", line ");
+  EXPECT_ERROR(read_description(file), Exit::bad_input, refused.says);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, RefusedConditions,
+    testing::Values(
+        Refused{"known = [\"900 rpm\"]", "known = [\"700 rpm\"]",
+                "transfer.known names '700 rpm', which is the condition of no record; there are "
+                "900 rpm, 1200 rpm"},
+        Refused{"test = [\"1200 rpm\"]", "test = [\"900 rpm\"]",
+                "transfer.test names '900 rpm', which is known, too"},
+        Refused{"test = [\"1200 rpm\"]", "test = [\"1200 rpm\", \"1200 rpm\"]",
+                "transfer.test names '1200 rpm' twice"},
+        Refused{"test = [\"1200 rpm\"]", "test = []", "transfer.test must be a list of one"},
+        Refused{"test = [\"1200 rpm\"]", "test = \"1200 rpm\"", "transfer.test must be a list"},
+        Refused{"test = [\"1200 rpm\"]", "", "transfer.test is missing"},
+        Refused{"# end", "tested = 1", "transfer.tested is unknown; known keys are healthy"},
+        Refused{"# end", "healthy = [\"0 HP\"]", "transfer.healthy names '0 HP'"},
+        Refused{"class = \"cracked\"\ncondition = \"900 rpm\"",
+                "class = \"cracked\"\ncondition = \"1200 rpm\"",
+                "transfer.known is 900 rpm, but class cracked has no record there"},
+        Refused{"class = \"cracked\"\ncondition = \"1200 rpm\"",
+                "class = \"cracked\"\ncondition = \"900 rpm\"",
+                "transfer.test is 1200 rpm, but class cracked has no record there"},
+        Refused{"class = \"ok\"\ncondition = \"1200 rpm\"",
+                "class = \"ok\"\ncondition = \"900 rpm\"",
+                "transfer.test names '1200 rpm', of which there is no record of class ok"},
+        Refused{"class = \"ok\"\ncondition = \"900 rpm\"",
+                "class = \"ok\"\ncondition = \"1200 rpm\"",
+                "transfer.healthy names '900 rpm', of which there is no record of class ok"},
+        Refused{"condition = \"900 rpm\"", "condition = [\"900 rpm\", \"1200 rpm\"]",
+                "record.condition must be a text"},
+        Refused{"condition = \"900 rpm\"", "condition = \"900\\trpm\"",
+                "record.condition holds a control character"},
+        Refused{"condition = \"900 rpm\"", "condition = \"900 rpm \"",
+                "record.condition '900 rpm ' may hold letters"},
+        Refused{"condition = \"900 rpm\"", "condition = \"900 rpm\"\nshaft_speed_rpm = 0",
+                "record.shaft_speed_rpm must be from 0.01"},
+        Refused{"condition = \"900 rpm\"", "condition = \"900 rpm\"\ndefect_size_mm = 1",
+                "record.defect_size_mm makes no sense where the defect is 'none'"},
+        Refused{"file = \"c.csv\"", "file = \"c.csv\"\ndefect_size_mm = 90",
+                "record.defect_size_mm is refused: defect size 90"},
+        Refused{"# end", "[split]\nwindows = 3", "split.windows is unknown; known keys are window"},
+        Refused{"# end", "[split]\nwindow = 0", "split.window must be from 1"},
+        Refused{"# end", "[split]\nwindow = \"long\"", "split.window must be a whole number"}));
+
+TEST(DescribedConditions, ATransferNeedsSome) {
+  const Folder folder;
+  std::string text = two_speeds;
+  for (const char* speed : {"900", "900", "1200", "1200"}) {
+    text = replaced(text, "condition = \"" + std::string(speed) + " rpm\"\n", "");
+  }
+  EXPECT_ERROR(read_description(folder.write("rig.toml", text + from_900_to_1200)), Exit::bad_input,
+               "transfer.known cannot be: no record names a condition");
+}
+
+}  // namespace
+}  // namespace piae::signal

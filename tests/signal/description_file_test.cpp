@@ -1,0 +1,80 @@
+#include "signal/description_file.hpp"
+
+#include <gtest/gtest.h>
+
+#include "signal/conditions_text.hpp"
+#include "signal/description.hpp"
+#include "support/errors.hpp"
+#include "support/folder.hpp"
+
+namespace piae::signal {
+namespace {
+
+TEST(DescriptionFile, TakesFromItsModelWhatItDoesNotSay) {
+  const Folder folder;
+  folder.write("rig.toml", two_speeds);
+  const auto file = folder.write("rig-1200.toml",
+                                 "name = \"rig-1200\"\nlike = \"rig\"\nsample_rate_hz = 4000\n"
+                                 "[bearing]\nballs = 9\n" +
+                                     from_900_to_1200);
+  const Description d = read_description(file);
+  EXPECT_EQ(d.info.name, "rig-1200");
+  EXPECT_EQ(d.info.sample_rate_hz, 4000);
+  EXPECT_EQ(d.info.shaft_speed_rpm, 900);
+  EXPECT_EQ(d.info.bearing.balls, 9);
+  EXPECT_EQ(d.info.bearing.pitch_diameter_mm, 33.5);
+  EXPECT_EQ(d.records.size(), 4U);
+  EXPECT_TRUE(is_transfer(d.info.conditions));
+}
+
+TEST(DescriptionFile, TakesListsAsAWhole) {
+  const Folder folder;
+  folder.write("a.toml", "name = \"a\"\n[[class]]\nname = \"x\"\n[[class]]\nname = \"y\"\n");
+  const auto file = folder.write("b.toml", "name = \"b\"\nlike = \"a\"\n[[class]]\nname = \"z\"\n");
+  const toml::table b = read_description_file(file);
+  ASSERT_EQ(b["class"].as_array()->size(), 1U);
+  EXPECT_EQ(b["class"][0]["name"].value<std::string>(), "z");
+  EXPECT_FALSE(b.contains("like"));
+}
+
+TEST(DescriptionFile, AModelMayBeLikeAnotherOne) {
+  const Folder folder;
+  folder.write("a.toml", "name = \"a\"\nfirst = 1\nsecond = 1\nthird = 1\n");
+  folder.write("b.toml", "name = \"b\"\nlike = \"a\"\nsecond = 2\nthird = 2\n");
+  const toml::table c =
+      read_description_file(folder.write("c.toml", "name = \"c\"\nlike = \"b\"\nthird = 3\n"));
+  EXPECT_EQ(c["name"].value<std::string>(), "c");
+  EXPECT_EQ(c["first"].value<int>(), 1);
+  EXPECT_EQ(c["second"].value<int>(), 2);
+  EXPECT_EQ(c["third"].value<int>(), 3);
+}
+
+TEST(DescriptionFile, AnErrorNamesTheFileInWhichItStands) {
+  const Folder folder;
+  const auto model = folder.write("rig.toml", two_speeds + "colour = 1\n");
+  const auto file = folder.write("b.toml", "name = \"b\"\nlike = \"rig\"\n");
+  EXPECT_ERROR(read_description(file), Exit::bad_input,
+               model.string() + ", line 44: record.colour");
+  const auto other = folder.write("c.toml", "name = \"c\"\nlike = \"rig\"\n[bearing]\nballs = 0\n");
+  EXPECT_ERROR(read_description(other), Exit::bad_input,
+               other.string() + ", line 4: bearing.balls must be from 3");
+}
+
+TEST(DescriptionFile, RefusesWhatCannotBe) {
+  const Folder folder;
+  const auto refused = [&](const std::string& text, Exit exit, const std::string& says) {
+    const auto file = folder.write("b.toml", text);
+    EXPECT_ERROR(read_description_file(file), exit, file.string() + ", line 2: like " + says);
+  };
+  folder.write("a.toml", "name = \"a\"\nlike = \"b\"\n");
+  EXPECT_ERROR(read_description_file(folder.write("b.toml", "name = \"b\"\nlike = \"a\"\n")),
+               Exit::bad_input, "goes in a circle");
+  refused("name = \"b\"\nlike = \"b\"\n", Exit::bad_input, "goes in a circle");
+  refused("name = \"b\"\nlike = \"none\"\n", Exit::input_missing, "= 'none', but there is no ");
+  refused("name = \"b\"\nlike = 3\n", Exit::bad_input, "must be the name of a description");
+  refused("name = \"b\"\nlike = \"../a\"\n", Exit::bad_input, "must be the name of a description");
+  refused("balls = 3\nlike = \"a\"\n", Exit::bad_input, "is there, but no name");
+}
+
+}  // namespace
+}  // namespace piae::signal

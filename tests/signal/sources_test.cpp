@@ -1,0 +1,98 @@
+#include "signal/sources.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "support/errors.hpp"
+
+namespace piae::signal {
+namespace {
+
+using testing::ElementsAre;
+
+const Counts paper{.all = 600, .test = 100, .known = 5};
+constexpr Label ok_label = 0;
+constexpr Label cracked_label = 1;
+
+/// Three conditions: the first two known, the third tested, ok_label ones from all.
+DatasetInfo transfer() {
+  DatasetInfo info;
+  info.name = "rig";
+  info.classes = {{"ok", Defect::none, 0}, {"cracked", Defect::outer, 0.5}};
+  info.conditions = {
+      {.name = "a", .test = false}, {.name = "b", .test = false}, {.name = "c", .known = false}};
+  return info;
+}
+
+std::vector<std::size_t> counts_of(const std::vector<Source>& sources, Role role) {
+  std::vector<std::size_t> counts;
+  for (const Source& source : sources) counts.push_back(source.count_of(role));
+  return counts;
+}
+
+TEST(Sources, WithoutConditionsThereIsOneThatServesAllRoles) {
+  DatasetInfo info = transfer();
+  info.conditions.clear();
+  const std::vector<RecordPlace> records{{ok_label}, {cracked_label}, {cracked_label}};
+  const auto faults = sources_of(info, cracked_label, records, paper, Stream("s"));
+  ASSERT_EQ(faults.size(), 1U);
+  EXPECT_THAT(faults[0].records, ElementsAre(1, 2));
+  EXPECT_EQ(faults[0].windows(), 600U);
+  ASSERT_EQ(faults[0].shares.size(), 3U);
+  EXPECT_EQ(faults[0].shares[0].role, Role::test);
+  EXPECT_EQ(faults[0].shares[1].role, Role::known);
+  EXPECT_EQ(faults[0].shares[2].role, Role::hidden);
+  EXPECT_EQ(faults[0].shares[2].count, 495U);
+  const auto sound = sources_of(info, ok_label, records, paper, Stream("s"));
+  EXPECT_THAT(counts_of(sound, Role::test), ElementsAre(100));
+  EXPECT_THAT(counts_of(sound, Role::healthy), ElementsAre(500));
+}
+
+TEST(Sources, ATransferTakesEachRoleFromItsConditions) {
+  const std::vector<RecordPlace> records{{cracked_label, 0}, {cracked_label, 1}, {cracked_label, 2},
+                                         {ok_label, 0},      {ok_label, 1},      {ok_label, 2}};
+  const auto faults = sources_of(transfer(), cracked_label, records, paper, Stream("s"));
+  EXPECT_THAT(counts_of(faults, Role::test), ElementsAre(0, 0, 100));
+  EXPECT_THAT(counts_of(faults, Role::hidden), ElementsAre(0, 0, 495));
+  const auto known = counts_of(faults, Role::known);
+  EXPECT_EQ(known[0] + known[1], 5U);
+  EXPECT_TRUE(known[0] == 2 || known[0] == 3);
+  EXPECT_EQ(known[2], 0U);
+  const auto sound = sources_of(transfer(), ok_label, records, paper, Stream("s"));
+  EXPECT_THAT(counts_of(sound, Role::test), ElementsAre(0, 0, 100));
+  const auto normal = counts_of(sound, Role::healthy);
+  EXPECT_EQ(normal[0] + normal[1] + normal[2], 500U);
+  EXPECT_THAT(normal, testing::Each(testing::AnyOf(166U, 167U)));
+}
+
+TEST(Sources, WhoGivesOneMoreIsDrawn) {
+  const std::vector<RecordPlace> records{
+      {cracked_label, 0}, {cracked_label, 1}, {cracked_label, 2}};
+  std::set<std::size_t> of_the_first;
+  for (int seed = 0; seed < 20; ++seed) {
+    const Stream stream("seed" + std::to_string(seed));
+    of_the_first.insert(
+        counts_of(sources_of(transfer(), cracked_label, records, paper, stream), Role::known)[0]);
+  }
+  EXPECT_THAT(of_the_first, ElementsAre(2, 3));
+}
+
+TEST(Sources, ARecordOfEveryConditionServesAllRoles) {
+  const std::vector<RecordPlace> records{
+      {ok_label, every_condition}, {cracked_label, 0}, {cracked_label, 2}};
+  const auto sound = sources_of(transfer(), ok_label, records, paper, Stream("s"));
+  ASSERT_EQ(sound.size(), 1U);
+  EXPECT_EQ(sound[0].count_of(Role::test), 100U);
+  EXPECT_EQ(sound[0].count_of(Role::healthy), 500U);
+}
+
+TEST(Sources, ARoleWithoutARecordIsRefused) {
+  const std::vector<RecordPlace> records{{cracked_label, 0}, {cracked_label, 1}};
+  EXPECT_ERROR(sources_of(transfer(), cracked_label, records, paper, Stream("s")), Exit::bad_input,
+               "dataset rig, class cracked: has no record for role A");
+}
+
+}  // namespace
+}  // namespace piae::signal
