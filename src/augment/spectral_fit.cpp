@@ -147,7 +147,7 @@ std::vector<ArrayXd> SpectralFit::solved_spectra(std::span<const Point> points) 
     bearing::DynamicsOptions dynamics = dynamics_;
     dynamics.stiffness_n_per_m = std::exp(point.log_k);
     dynamics.damping_ns_per_m = std::exp(point.log_c);
-    courses.push_back({{.shaft_speed_rpm = info_.shaft_speed_rpm}, dynamics});
+    courses.push_back({{.shaft_speed_rpm = info_.known_speed_rpm()}, dynamics});
   }
   const auto length = static_cast<Index>(length_);
   const auto samples = static_cast<std::size_t>(samples_of(length));

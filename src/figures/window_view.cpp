@@ -23,7 +23,7 @@ constexpr double silence = 1e-20;  // as power
 
 /// The frequency at which the envelope spectrum ends.
 double last_line_hz(const signal::DatasetInfo& info) {
-  const auto f = bearing::fault_frequencies(info.bearing, info.shaft_speed_rpm);
+  const auto f = bearing::fault_frequencies(info.bearing, info.tested_speed_rpm());
   return ViewAxes::harmonics * std::max({f.bpfo_hz, f.bpfi_hz, 2 * f.bsf_hz}) + 2 * f.shaft_hz;
 }
 

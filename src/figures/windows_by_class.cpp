@@ -80,7 +80,7 @@ class ClassRows {
     for (const Defect defect : {Defect::outer, Defect::inner, Defect::roller}) {
       const double line_hz = scoring::fault_line_hz(info, defect);
       const std::string name = name_of(defect);
-      const double shaft_hz = info.shaft_speed_rpm / 60;
+      const double shaft_hz = info.tested_speed_rpm() / 60;
       for (int harmonic = 1; harmonic <= ViewAxes::harmonics; ++harmonic) {
         const double hz = harmonic * line_hz;
         line(defect == own ? "own-line" : "line", name, hz, harmonic);

@@ -21,7 +21,7 @@ constexpr std::size_t longest_blend = 64;
 }  // namespace
 
 double strike_frequency_hz(const signal::DatasetInfo& info, Label label) {
-  const auto lines = bearing::fault_frequencies(info.bearing, info.shaft_speed_rpm);
+  const auto lines = bearing::fault_frequencies(info.bearing, info.known_speed_rpm());
   const signal::ClassInfo& c = info.classes.at(index_of(label));
   switch (c.defect) {
     case signal::Defect::outer:

@@ -90,7 +90,7 @@ Windows envelopes(const Windows& windows) {
 }
 
 double fault_line_hz(const signal::DatasetInfo& info, signal::Defect defect) {
-  const auto f = bearing::fault_frequencies(info.bearing, info.shaft_speed_rpm);
+  const auto f = bearing::fault_frequencies(info.bearing, info.tested_speed_rpm());
   switch (defect) {
     case signal::Defect::outer:
       return f.bpfo_hz;

@@ -80,6 +80,22 @@ void require_possible(const artefact::Reader& reader, const DatasetInfo& info) {
   }
 }
 
+std::vector<std::int32_t> conditions_for(const std::vector<Condition>& conditions,
+                                         bool Condition::*use) {
+  if (conditions.empty()) return {every_condition};
+  std::vector<std::int32_t> indices;
+  for (std::size_t i = 0; i < conditions.size(); ++i) {
+    if (conditions[i].*use) indices.push_back(static_cast<std::int32_t>(i));
+  }
+  return indices;
+}
+
+double mean_speed_rpm(const DatasetInfo& info, const std::vector<std::int32_t>& conditions) {
+  double sum = 0;
+  for (const std::int32_t condition : conditions) sum += info.speed_rpm(condition);
+  return sum / static_cast<double>(conditions.size());
+}
+
 }  // namespace
 
 std::string to_string(Defect defect) { return defect_words[static_cast<std::size_t>(defect)]; }
@@ -128,6 +144,18 @@ double DatasetInfo::speed_rpm(std::int32_t condition) const {
   if (condition == every_condition) return shaft_speed_rpm;
   return conditions[static_cast<std::size_t>(condition)].shaft_speed_rpm;
 }
+
+std::vector<std::int32_t> DatasetInfo::known_conditions() const {
+  return conditions_for(conditions, &Condition::known);
+}
+
+std::vector<std::int32_t> DatasetInfo::tested_conditions() const {
+  return conditions_for(conditions, &Condition::test);
+}
+
+double DatasetInfo::known_speed_rpm() const { return mean_speed_rpm(*this, known_conditions()); }
+
+double DatasetInfo::tested_speed_rpm() const { return mean_speed_rpm(*this, tested_conditions()); }
 
 void write(artefact::Writer& writer, const DatasetInfo& info) {
   writer.attribute("/", "dataset", info.name);

@@ -50,6 +50,12 @@ struct DatasetInfo {
   [[nodiscard]] std::int32_t condition_called(const std::string& called) const;
   /// The speed of a condition, or for every_condition that of the dataset.
   [[nodiscard]] double speed_rpm(std::int32_t condition) const;
+  /// The conditions in which faults are known, or tested; every_condition alone where the dataset
+  /// tells none apart. And the mean of their speeds.
+  [[nodiscard]] std::vector<std::int32_t> known_conditions() const;
+  [[nodiscard]] std::vector<std::int32_t> tested_conditions() const;
+  [[nodiscard]] double known_speed_rpm() const;
+  [[nodiscard]] double tested_speed_rpm() const;
 };
 
 /// In the artefact: attributes of the root and of the group /bearing, the datasets /classes/name,

@@ -49,6 +49,7 @@ constexpr std::array<Stored<bearing::Variation>, 4> stored_variation{{
 /// What eq. 13 is solved for to get one window.
 struct WindowDraw {
   Label label = 0;
+  std::int32_t condition = every_condition;
   bearing::DynamicsOptions dynamics;
   bearing::Motion motion;
 };
@@ -63,8 +64,9 @@ std::vector<WindowDraw> draw_all(const WindowSimulation& simulation, std::size_t
     for (std::size_t i = 0; i < count; ++i) {
       Stream random = own.child(std::to_string(i));
       const bearing::DynamicsOptions dynamics = draw(label, random);
-      draws.push_back({label, dynamics,
-                       bearing::draw_motion(random, c.defect, info.shaft_speed_rpm,
+      const std::int32_t condition = simulation.conditions[i % simulation.conditions.size()];
+      draws.push_back({label, condition, dynamics,
+                       bearing::draw_motion(random, c.defect, info.speed_rpm(condition),
                                             simulation.options.variation)});
     }
   }
@@ -137,7 +139,8 @@ cli::Check spread() {
 }
 
 WindowSimulation simulation_like(const WindowSet& known, const SimulationOptions& options) {
-  WindowSimulation simulation{known.info, known.length, rms_by_class(known), options};
+  WindowSimulation simulation{known.info, known.length, rms_by_class(known), options,
+                              known.info.known_conditions()};
   if (ball_steps(simulation) > most_ball_steps) throw Error(Exit::bad_input, too_long);
   return simulation;
 }
@@ -161,6 +164,7 @@ WindowSimulation read_window_simulation(const artefact::Reader& reader) {
   simulation.length =
       static_cast<std::size_t>(reader.integer("/", "samples", ranges::window_samples));
   simulation.rms = read_amplitudes(reader, "/classes/rms", simulation.info);
+  simulation.conditions = simulation.info.tested_conditions();
   for (const auto& [name, member, range] : stored_dynamics) {
     simulation.options.dynamics.*member = reader.real(simulation_group, name, range);
   }
@@ -198,6 +202,9 @@ WindowSet simulate_windows(const WindowSimulation& simulation, std::size_t count
   for (const WindowDraw& one : draws) {
     windows.labels.push_back(one.label);
     windows.parameters.push_back({one.dynamics.stiffness_n_per_m, one.dynamics.damping_ns_per_m});
+    if (simulation.info.conditions.empty()) continue;
+    windows.condition.push_back(one.condition);
+    windows.shaft_speed_rpm.push_back(one.motion.shaft_speed_rpm);
   }
   return windows;
 }

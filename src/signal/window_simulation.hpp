@@ -34,15 +34,19 @@ struct WindowSimulation {
   std::size_t length = 0;   ///< samples in a window
   std::vector<double> rms;  ///< for each class, of its known windows (rms_by_class)
   SimulationOptions options;
+  /// In which conditions windows are made, in turn: in the known ones by who learns from what eq.
+  /// 13 gives, in the tested ones by who generates. Not stored, as the info says both.
+  std::vector<std::int32_t> conditions{every_condition};
 };
 
-/// Throws Error(bad_input) when the windows of a class are constant, and where a window of each
-/// class would take eq. 13 a time without end.
+/// That of the known conditions. Throws Error(bad_input) when the windows of a class are constant,
+/// and where a window of each class would take eq. 13 a time without end.
 WindowSimulation simulation_like(const WindowSet& known, const SimulationOptions& options);
 
 /// Writes info, length and options as attributes of the root and of /simulation, and the RMS as
 /// /classes/rms.
 void write(artefact::Writer& writer, const WindowSimulation& simulation);
+/// That of the tested conditions.
 WindowSimulation read_window_simulation(const artefact::Reader& reader);
 
 /// Draws the stiffness and the damping of one window of a class, and returns them with the other
@@ -50,7 +54,8 @@ WindowSimulation read_window_simulation(const artefact::Reader& reader);
 using DrawDynamics = std::function<bearing::DynamicsOptions(Label label, Stream& stream)>;
 
 /// Makes `count` windows of each class with a defect, class by class. For each window eq. 13 is
-/// solved with what `draw` gives, and with speed, slip and angles from bearing::draw_motion. Then
+/// solved with what `draw` gives, and with the speed of its condition, slip and angles from
+/// bearing::draw_motion. Then
 /// its mean is removed, and it is scaled to the RMS of the class: the path from the bearing to the
 /// sensor is not modelled, so eq. 13 says nothing of the amplitude. Window i of a class draws from
 /// the stream's child "<class>/<i>". OpenMP parallel; the result does not depend on the number of

@@ -21,7 +21,7 @@ class Passage {
       : balls_(info.bearing.balls),
         kind_(defect.kind),
         half_angle_(bearing::half_angle_rad(info.bearing, defect)),
-        speeds_(bearing::speeds(info.bearing, info.shaft_speed_rpm)) {}
+        speeds_(bearing::speeds(info.bearing, info.known_speed_rpm())) {}
 
   /// Eq. 9: whether a ball is in the defect.
   [[nodiscard]] bool is_on(double time_s) const {
