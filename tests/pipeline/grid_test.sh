@@ -229,6 +229,32 @@ test_a_description_remakes_its_data_set() {
   expect_equal "$(ran)" "10 diagnose, 4 generate, 1 ingest, 4 score, 2 split, 1 tabulate, 4 train"
 }
 
+test_a_description_that_is_like_another_follows_it() {
+  finished_grid
+  printf 'name = "other"\nlike = "made"\n' >pipeline/datasets/other.toml
+  grid DATASETS=other >/dev/null
+  expect_line "$(<calls)" '^simulate other'
+  rm calls
+  sed -i 's/noise = 0.1/noise = 0.2/' pipeline/datasets/made.toml
+  grid DATASETS=other >/dev/null
+  expect_equal "$(ran)" "10 diagnose, 4 generate, 4 score, 1 simulate, 2 split, 1 tabulate, 4 train"
+}
+
+test_a_data_set_may_have_a_split_of_its_own() {
+  describe
+  printf '[split]\nwindow = 4096\n' >>pipeline/datasets/real.toml
+  grid >/dev/null
+  expect_line "$(<results/t/real/seed0/A.h5)" '--config results/t/.settings/split.real.toml '
+  expect_line "$(<results/t/made/seed0/A.h5)" '--config results/t/.settings/split.toml '
+  expect_equal "$(grep -v '^#' results/t/.settings/split.real.toml)" 'window = 4096'
+  rm calls
+  sed -i 's/= 4096/= 2048/' pipeline/datasets/real.toml
+  sed -i 's/= 1024/= 512/' pipeline/protocol.toml
+  grid DATASETS=real >/dev/null
+  expect_no_line "$(<calls)" "made"
+  expect_equal "$(ran)" "10 diagnose, 4 generate, 1 ingest, 4 score, 2 split, 1 tabulate, 4 train"
+}
+
 test_stages_read_the_settings_that_were_compared() {
   finished_grid
   expect_equal "$(grep -v '^#' results/t/.settings/train.smote.toml)" $'epochs = 200\nneighbours = 4'

@@ -59,6 +59,24 @@ split=(--seed 0 --window 1024 --max-stride 64 --windows-per-class 30 --test-per-
 stage split --records records.h5 "${split[@]}" --output-dir .
 consumer records.h5 split --records records.h5 "${split[@]}" --output-dir out
 
+# Faults known at one speed and tested at another.
+speeds='[[simulation.condition]]
+name = "900 rpm"
+shaft_speed_rpm = 900
+[[simulation.condition]]
+name = "1200 rpm"
+shaft_speed_rpm = 1200
+'
+transfer='[transfer]
+known = ["900 rpm"]
+test = ["1200 rpm"]
+'
+printf '%s' $'name = "speeds"\n' "$bearing" "$classes" "$simulation" "$speeds" "$transfer" >speeds.toml
+stage simulate --description speeds.toml --output speeds.h5
+stage split --records speeds.h5 "${split[@]}" --output-dir speeds
+consumer speeds.h5 split --records speeds.h5 "${split[@]}" --output-dir out
+consumer speeds/C.h5 train --method dynamics --known speeds/C.h5 --seed 0 --output out.h5
+
 networks=(--epochs 2 --width 4)
 train() { # method, option...
   stage train --method "$1" --known C.h5 --seed 0 "${@:2}" --output "$1.model.h5"
@@ -128,7 +146,19 @@ record() { # class, file, variable
   printf 'sha256 = "%064d"\n' 0
   record OR021 rig/c.h5 /x
 } >description/raw.toml
-cp ../artefacts/tiny.toml simulation/
+printf '%s\n' '[[record]]' 'class = "IR007"' 'condition = "900 rpm"' 'file = "rig/d.csv"' 'variable = "1"' \
+  'sample_rate_hz = 12000' 'shaft_speed_rpm = 900' 'defect_size_mm = 0.3' |
+  cat description/raw.toml - >description/conditions.toml
+printf '%s\n' 'name = "transfer"' 'like = "conditions"' '[transfer]' 'known = ["900 rpm"]' 'test = ["1200 rpm"]' \
+  '[split]' 'window = 4096' '[[record]]' 'class = "Normal"' 'file = "a.mat"' 'variable = "x"' \
+  'sample_rate_hz = 12000' >description/transfer.toml
+for class in IR007 OR021; do
+  for rpm in 900 1200; do
+    printf '%s\n' '[[record]]' "class = \"$class\"" "condition = \"$rpm rpm\"" "file = \"$class$rpm.mat\"" \
+      'variable = "x"' 'sample_rate_hz = 12000'
+  done
+done >>description/transfer.toml
+cp ../artefacts/tiny.toml ../artefacts/speeds.toml simulation/
 cp "$project/pipeline/protocol.toml" protocol/
 cp "$project"/results/published/*.csv published/
-while read -r file _; do cp "../artefacts/$file" "artefact/$(basename "$file")"; done <../artefacts/consumers
+while read -r file _; do cp "../artefacts/$file" "artefact/${file//\//-}"; done <../artefacts/consumers
