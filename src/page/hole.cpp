@@ -13,7 +13,7 @@ namespace {
 
 fs::path file_of(const run::Layout& layout, const run::CellName& name) {
   return name.ratio.empty() ? layout.score(name.method, name.seed)
-                            : layout.diagnosis(name.method, name.ratio, name.seed);
+                            : layout.diagnosis(name.method, name.ratio, name.seed, name.classifier);
 }
 
 /// What collecting said of a file; all its errors name the file.

@@ -62,8 +62,8 @@ run::Layout layout_of(const std::filesystem::path& folder) {
 Side read_side(const run::Layout& layout, const run::Layout& other, run::GridOptions asked,
                const std::vector<std::string>& leave_out) {
   asked.dataset = layout.folder().filename();
-  const run::Collected all =
-      collect_held_diagnoses(layout, resolve(asked), run::Held(layout, other, leave_out));
+  const run::Collected all = collect_held_diagnoses(
+      layout, resolve(asked), run::Held(layout, other, leave_out), run::Classifiers::papers);
   run::require_all(all.results);
   return {.run = layout.folder().parent_path(),
           .dataset = all.grid.dataset,

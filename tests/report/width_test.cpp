@@ -61,7 +61,7 @@ class FullGrid {
   [[nodiscard]] std::string markdown_of_tables() const {
     const auto own = rows();
     return markdown(tables(grid_, results_, own, Published(PIAE_PUBLISHED),
-                           compare_methods(own, ""), rank_methods(own)));
+                           compare_by_classifier(own, ""), rank_by_classifier(own)));
   }
 
  private:
@@ -71,6 +71,7 @@ class FullGrid {
     results_.diagnoses.push_back(
         {.method = cell.method,
          .ratio = cell.ratio,
+         .classifier = cell.classifier,
          .seed = seed,
          .generated_per_class = ratio.generated_per_class,
          .true_ratio = scoring::true_ratio(500, 5, ratio.generated_per_class),
