@@ -1,5 +1,5 @@
-// What CONTRIBUTING.md shows of a new data set, method, table, figure and stage, letter for letter
-// (contributing/lay_out.sh), used as it says.
+// What CONTRIBUTING.md shows of a new data set, method, classifier, table, figure and stage, letter
+// for letter (contributing/lay_out.sh), used as it says.
 
 #include <gmock/gmock.h>
 
@@ -62,6 +62,15 @@ TEST(ShownDataSet, SaysWhichOfItsRecordingsIsMissing) {
            "--data-dir", "data"});
   EXPECT_EQ(checked.status, 66);
   EXPECT_THAT(checked.out, HasSubstr("rig/outer.csv"));
+}
+
+TEST(ShownClassifier, IsTrainedOnWhatItIsShown) {
+  const Tiny tiny;
+  tiny.run_chain_before("diagnose");
+  const Outcome diagnosed = tiny.run(
+      shown("diagnose"), with(step_of("diagnose").arguments, "--classifier", "wdcnn-loudness"));
+  ASSERT_EQ(diagnosed.status, 0) << diagnosed.err;
+  EXPECT_THAT(diagnosed.out, HasSubstr("(piae-dt 50to1, wdcnn-loudness, seed 0): accuracy"));
 }
 
 TEST(ShownMethod, PlaysTheKnownWindowsBackwards) {
