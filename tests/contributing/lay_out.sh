@@ -37,5 +37,5 @@ add_lines() { # file, pattern
 }
 add_lines src/augment/catalogue.cpp '^};$'
 add_lines src/diagnosis/catalogue.cpp '^};$'
-add_lines src/report/tables.cpp '^  return document;$'
+add_lines src/report/tables.cpp '^  return sections;$'
 add_lines src/figures/catalogue.cpp '^};$'
