@@ -29,7 +29,8 @@ void expect_narrow(const std::string& text) {
 /// the point, deviations as well, and quality from 1e-4 to 99.
 class FullGrid {
  public:
-  FullGrid(const std::string& dataset, int seeds) {
+  FullGrid(const std::string& dataset, int seeds,
+           const std::vector<std::string>& classifiers = {}) {
     std::string methods;
     std::string ratios;
     std::string seed_words;
@@ -39,7 +40,7 @@ class FullGrid {
     for (const scoring::Ratio& ratio : scoring::all_ratios())
       ratios += std::string(ratio.name) + ' ';
     for (int seed = 0; seed < seeds; ++seed) seed_words += std::to_string(seed) + ' ';
-    grid_ = resolve(run::GridOptions{dataset, {methods}, {ratios}, {seed_words}});
+    grid_ = resolve(run::GridOptions{dataset, {methods}, {ratios}, {seed_words}, classifiers});
     for (const run::Combination& cell : grid_.combinations) {
       for (const std::int64_t seed : grid_.seeds) add(cell, seed);
     }
@@ -115,6 +116,13 @@ TEST_P(Width, OfTablesOfFewOrManySeedsOrWithGapsIsAtMost100) {
   with_gaps.drop("oracle", 3);
   with_gaps.drop("piae-dt-phase", 9);
   expect_narrow(with_gaps.markdown_of_tables());
+}
+
+TEST_P(Width, OfTablesOfSeveralClassifiersIsAtMost100) {
+  const FullGrid grid(GetParam(), 3, {"wdcnn", "wdcnn-spectrum", "wdcnn-envelope"});
+  expect_narrow(grid.markdown_of_tables());
+  EXPECT_THAT(grid.markdown_of_tables(), testing::HasSubstr(", by wdcnn-envelope\n"));
+  expect_narrow(accuracy_text(grid.rows()));
 }
 
 TEST_P(Width, OfAContrastIsAtMost100) {
