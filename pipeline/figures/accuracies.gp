@@ -1,5 +1,5 @@
 # Accuracy of all methods by ratio.
-set title "Accuracy"
+set title "Accuracy".by_whom
 set ylabel "percent"
 # What is measured without any generated window is a line across all ratios, dotted differently for each:
 # `none`, and another classifier that stands beside it, whose name is in the place of a method's.

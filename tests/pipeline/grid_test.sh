@@ -307,7 +307,7 @@ test_a_part_that_adds_something_shares_what_is_there() {
   finished_grid
   grid SEEDS="0 2" DATASETS=real METHODS="none smote" >/dev/null
   expect_equal "$(ran)" "4 diagnose, 1 generate, 1 score, 1 split, 1 tabulate, 1 train"
-  expect_line "$(<results/t/real/accuracy.csv)" "--methods none smote --ratios 100to1 10to1 1to1 --seeds 0 2 --published"
+  expect_line "$(<results/t/real/accuracy.csv)" "--methods none smote --ratios 100to1 10to1 1to1 --seeds 0 2 --classifiers wdcnn --published"
   grid DATASETS=real >/dev/null
   expect_equal "$(ran)" ""
 }
@@ -369,7 +369,7 @@ test_what_is_out_of_date_is_told_by_the_steps_that_would_make_it() {
   sed -i 's/"#1"/"#2"/' pipeline/datasets/real.toml
   rm calls
   grid METHODS=none SEEDS=0 DATASETS=real >/dev/null
-  expect_equal "$(ran)" "1 diagnose, 1 ingest, 1 split, 1 tabulate"
+  expect_equal "$(ran)" "2 diagnose, 1 ingest, 1 split, 1 tabulate"
   expect_equal "$(left_out real)" "seed0 seed1"
 }
 
@@ -705,7 +705,7 @@ test_methods_that_only_libtorch_computes_are_refused_at_once_without_it() {
   expect_line "$(grid LIBTORCH=no 2>&1 || true)" "LIBTORCH: on or off, not 'no'"
 }
 
-# 10 seeds of 12 cells: nobody wants to read their names.
+# 10 seeds of 14 cells: nobody wants to read their names.
 test_without_recordings_the_data_set_says_so_and_no_cell_does() {
   describe
   fussy_tabulate
@@ -716,7 +716,7 @@ test_without_recordings_the_data_set_says_so_and_no_cell_does() {
   expect_equal "$(grep -c '^real .*the reason' <<<"$output")" 1
   expect_no_line "$output" "missing"
   expect_equal "$(grep -vc '^made' <<<"$output")" 9 # two of the step, the others make's own
-  expect_equal "$(ran)" "50 diagnose, 20 generate, 20 score, 1 simulate, 10 split, 1 tabulate, 20 train"
+  expect_equal "$(ran)" "60 diagnose, 20 generate, 20 score, 1 simulate, 10 split, 1 tabulate, 20 train"
 }
 
 run_tests
