@@ -8,7 +8,7 @@
 #
 # Each protocol has a make of its own for its cells. The tables cost nothing and are made each time.
 
-one_protocol = $(MAKE) --file=pipeline/grid.mk PROTOCOL=$1 results=$2 CLASSIFIERS=$(paper_classifier) bar= cells
+one_protocol = $(MAKE) --file=pipeline/grid.mk PROTOCOL=$1 results=$2 CLASSIFIERS=$(paper_classifier) cells
 # Folder and name of the table, the two runs' folders.
 contrast     = $(Q)pipeline/step.sh $1 contrast --with $3 --without $4 \
   $(selection) $(call leave_out,$(sort $(call out_of_date_side,$3) $(call out_of_date_side,$4)))--output $1/$2.md

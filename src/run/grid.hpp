@@ -13,10 +13,10 @@ namespace piae::run {
 /// Which part of the grid a table shows, by the names that make and the folders use. A list may
 /// come as one value with several words in it, see split_list().
 struct GridOptions {
-  std::string dataset;
-  std::vector<std::string> methods;
-  std::vector<std::string> ratios;
-  std::vector<std::string> seeds;
+  std::string dataset = {};
+  std::vector<std::string> methods = {};
+  std::vector<std::string> ratios = {};
+  std::vector<std::string> seeds = {};
   std::vector<std::string> classifiers = {};  ///< the paper's where none is given, and no bar
 };
 

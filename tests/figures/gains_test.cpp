@@ -75,5 +75,28 @@ TEST_F(Gains, AccuraciesHaveTheBaselineToo) {
   EXPECT_EQ(field(rows, "vae,0,10to1,45,mean", 5), "75");
 }
 
+// The line that a method must exceed to be needed, by the name of its classifier.
+TEST_F(Gains, AccuraciesHaveTheBarWhereItIsKnown) {
+  add_all();
+  for (const int seed : {0, 1}) add(by("nearest", diagnosis("none", "100to1", 0, seed, 19)));
+  Source all = source("none vae", "100to1 10to1");
+  EXPECT_EQ(all.accuracies().size(), 1U);
+  const Numbers rows = accuracies(all, all.accuracies().front());
+  EXPECT_EQ(field(rows, "nearest,0,100to1,0,mean", 5), "95");
+  EXPECT_EQ(field(gains_of_methods(all, all.accuracies().front()), "nearest", 5), "no row");
+}
+
+TEST_F(Gains, AreOfEachClassifierByItself) {
+  add_all();
+  for (const int seed : {0, 1}) {
+    add(by("wdcnn-spectrum", diagnosis("none", "100to1", 0, seed, 18)));
+    add(by("wdcnn-spectrum", diagnosis("vae", "10to1", 45, seed, 19)));
+  }
+  Source all = source("none vae", "100to1 10to1");
+  ASSERT_EQ(all.accuracies().size(), 2U);
+  EXPECT_EQ(field(gains_of_methods(all, all.accuracies()[0]), "vae,0,10to1,45,mean", 5), "12.5");
+  EXPECT_EQ(field(gains_of_methods(all, all.accuracies()[1]), "vae,0,10to1,45,mean", 5), "5");
+}
+
 }  // namespace
 }  // namespace piae::figures

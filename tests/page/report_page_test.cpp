@@ -84,6 +84,29 @@ TEST_F(ReportPage, SaysWhichArtefactsANumberCameFrom) {
   EXPECT_THAT(html, HasSubstr("<code>" + reader.digest().substr(0, 16) + "</code>"));
 }
 
+TEST_F(ReportPage, HasTheBarInItsTableAndTablesOfEachOtherClassifier) {
+  add_all();
+  EXPECT_THAT(page(), Not(HasSubstr("nearest")));
+  for (const int seed : {0, 1}) add(by("nearest", diagnosis("none", "100to1", 0, seed, 19)));
+  std::string html = page();
+  EXPECT_THAT(html, HasSubstr("none by nearest"));
+  EXPECT_THAT(html, HasSubstr("title=\"cwru/seed{0,1}/none/100to1/nearest/diagnosis.h5, "
+                              "attribute accuracy\""));
+  EXPECT_THAT(html, HasSubstr("<a href=\"./cwru/seed1/none/100to1/nearest/diagnosis.h5\">"));
+  EXPECT_THAT(html, Not(HasSubstr(", by nearest")));
+  EXPECT_THAT(html, HasSubstr("✔ All 8 diagnoses and 2 scores are there."));
+  for (const int seed : {0, 1}) {
+    add(by("wdcnn-spectrum", diagnosis("none", "100to1", 0, seed, 18)));
+    add(by("wdcnn-spectrum", diagnosis("vae", "10to1", 45, seed, 20)));
+  }
+  html = page();
+  EXPECT_THAT(html, HasSubstr("standard deviation over seeds, by wdcnn-spectrum"));
+  EXPECT_THAT(html, HasSubstr("interval of its mean, by wdcnn-spectrum"));
+  EXPECT_THAT(html, HasSubstr("<span class=\"ours\">○ +10.00</span>"));
+  // vae has been begun by it, so its other ratio is missing.
+  EXPECT_THAT(html, HasSubstr("vae by wdcnn-spectrum; 2:1; seeds 0, 1"));
+}
+
 TEST_F(ReportPage, SaysTheVerdictInTheWordsOfTheSummary) {
   add_all();
   EXPECT_THAT(page(),
