@@ -42,9 +42,11 @@ constexpr Figure figures[] = {
     {.name = "accuracies",
      .paper = "",
      .title = "Accuracy by ratio",
-     .caption = "Mean accuracy in percent over the seeds with its 95 % interval; dots are seeds. "
-                "The dotted line is the accuracy without generated windows; dashed is what "
-                "the paper publishes of the data set that the key names.",
+     .caption =
+         "Mean accuracy in percent over the seeds with its 95 % interval; dots are seeds. "
+         "The dotted line is the accuracy without generated windows, the dash-dotted one that of "
+         "the nearest neighbour without them; dashed is what "
+         "the paper publishes of the data set that the key names.",
      .from = "seed*/<method>/<ratio>/diagnosis.h5, /predictions",
      .accuracies = accuracies},
     {.name = "paired-differences",

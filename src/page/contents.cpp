@@ -188,8 +188,8 @@ DatasetContents read_dataset(const fs::path& run, const run::Grid& asked,
 }
 
 std::string counted_cells(std::size_t diagnoses, std::size_t scores) {
-  const std::string first = fmt::format("{} diagnos{}", diagnoses, diagnoses == 1 ? "is" : "es");
-  const std::string second = fmt::format("{} score{}", scores, scores == 1 ? "" : "s");
+  std::string first = fmt::format("{} diagnos{}", diagnoses, diagnoses == 1 ? "is" : "es");
+  std::string second = fmt::format("{} score{}", scores, scores == 1 ? "" : "s");
   if (scores == 0) return first;
   return diagnoses == 0 ? second : first + " and " + second;
 }

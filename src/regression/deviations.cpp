@@ -5,6 +5,7 @@
 #include <limits>
 #include <map>
 #include <stdexcept>
+#include <tuple>
 #include <utility>
 
 #include "scoring/distributions.hpp"
@@ -24,7 +25,10 @@ struct Key {
   std::string ratio;
   std::string quantity;
 
-  auto operator<=>(const Key&) const = default;
+  bool operator<(const Key& other) const { return order() < other.order(); }
+  [[nodiscard]] std::tuple<std::string, std::string, std::string, std::string> order() const {
+    return {method, classifier, ratio, quantity};
+  }
   /// Rows of the same kind scatter alike: a nearest neighbour less than a network that is trained.
   [[nodiscard]] std::pair<std::string, std::string> kind() const { return {quantity, classifier}; }
 };

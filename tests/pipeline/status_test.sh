@@ -292,7 +292,7 @@ test_a_contrast_is_of_both_protocols() {
   output=$(with_grid status DATASETS=real)
   expect_line "$output" '^real +smote +6 +6 +0 +0 +0 +0 s$'
   expect_line "$output" '^real, blocked +smote +6 +[0-9] +0 +1 '
-  expect_line "$output" '^all +16 +[0-9]+ +0 +1 '
+  expect_line "$output" '^all +20 +[0-9]+ +0 +1 '
   expect_line "$output" \
     '^  results/t-blocked/real/seed1/smote/10to1: diagnose: the reason \(log: results/t-blocked/real/seed1/smote/10to1/'
   rm broken
