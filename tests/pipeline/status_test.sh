@@ -298,7 +298,7 @@ test_a_contrast_is_of_both_protocols() {
   rm broken
   with_grid contrast DATASETS=real >/dev/null 2>&1
   output=$(with_grid status contrast DATASETS=real)
-  expect_line "$output" '^all +16 +16 +0 +0 +0 +0 s$'
+  expect_line "$output" '^all +20 +20 +0 +0 +0 +0 s$'
   expect_no_line "$output" failed$
 }
 
