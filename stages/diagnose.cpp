@@ -8,12 +8,10 @@
 #include "cli/progress.hpp"
 #include "cli/run_options.hpp"
 #include "cli/stage.hpp"
-#include "diagnosis/catalogue.hpp"
+#include "diagnosis/classify.hpp"
 #include "diagnosis/inputs.hpp"
-#include "diagnosis/nearest.hpp"
 #include "diagnosis/one_core_backend.hpp"
 #include "diagnosis/training_set.hpp"
-#include "diagnosis/wdcnn.hpp"
 #include "scoring/diagnosis_record.hpp"
 #include "scoring/ratios.hpp"
 #include "seam/libtorch.hpp"
@@ -47,21 +45,6 @@ scoring::DiagnosisRecord make_record(const diagnosis::Inputs& inputs, const std:
     record.features = {.hidden = result.outputs.hidden, .output = result.outputs.logits};
   }
   return record;
-}
-
-/// Of the paper's classifier the name is what it was when there was no other.
-Stream stream_of(const std::string& classifier, const std::string& dataset, std::int64_t seed,
-                 const std::string& ratio) {
-  const Stream stream(fmt::format("{}/seed{}/diagnose/{}", dataset, seed, ratio));
-  return classifier == scoring::paper_classifier ? stream : stream.child(classifier);
-}
-
-diagnosis::WdcnnResult ask_nearest(const signal::WindowSet& training,
-                                   const signal::WindowSet& test) {
-  diagnosis::WdcnnResult result;
-  result.predictions = diagnosis::classify_by_nearest(training, test);
-  result.outputs.scores = diagnosis::scores_of_named(result.predictions, test.info.classes.size());
-  return result;
 }
 
 /// What was done, and how well: the last line of the stage.
@@ -151,18 +134,14 @@ int main(int argc, char** argv) {
         ratio.generated_per_class);
     diagnosis::require_fitting_test_set(inputs.test, training);
 
-    const auto train_and_test = [&] {
-      cli::Progress progress("diagnose", "epochs", static_cast<std::size_t>(options.epochs));
-      return diagnosis::train_and_test(
-          classifier.represent(training, "training set"),
-          classifier.represent(inputs.test, "--test"), options,
-          stream_of(classifier_name, training.info.name, run.seed, ratio.name), make_backend,
-          [&](std::int64_t done, double loss) {
-            progress.update(static_cast<std::size_t>(done), fmt::format("loss {:.3g}", loss));
-          });
-    };
-    const diagnosis::WdcnnResult result =
-        classifier.trains() ? train_and_test() : ask_nearest(training, inputs.test);
+    const Stream stream(
+        fmt::format("{}/seed{}/diagnose/{}", training.info.name, run.seed, ratio.name));
+    cli::Progress progress("diagnose", "epochs", static_cast<std::size_t>(options.epochs));
+    const diagnosis::WdcnnResult result = diagnosis::classify(
+        classifier, training, inputs.test, options, stream, make_backend,
+        [&](std::int64_t done, double loss) {
+          progress.update(static_cast<std::size_t>(done), fmt::format("loss {:.3g}", loss));
+        });
 
     scoring::DiagnosisRecord record =
         make_record(inputs, classifier_name, ratio, run.seed, result, keep_features);
