@@ -159,7 +159,7 @@ help:
 	  DATASETS 'any of $(basename $(notdir $(wildcard pipeline/datasets/*.toml)))  [$(DATASETS)]' \
 	  METHODS  "none runs at 100to1, all others at the other ratios  [$(or $(METHODS),the paper's)]" \
 	  RATIOS   'windows known to generated  [$(or $(RATIOS),all seven)]' \
-	  CLASSIFIERS "none has its cell of nearest besides  [$(or $(CLASSIFIERS),wdcnn)]" \
+	  CLASSIFIERS "what learns from the windows; none has its cell of nearest in any case  [$(or $(CLASSIFIERS),wdcnn)]" \
 	  SEEDS    'independent repeats; 100-104 are for choosing parameters  [$(SEEDS)]' \
 	  PROTOCOL 'the split: random (the paper) or blocked (no overlaps)  [$(PROTOCOL)]' \
 	  DATA_DIR 'folder of the recordings  [$(DATA_DIR)]' \

@@ -74,7 +74,7 @@ Side read_side(const run::Layout& layout, const run::Layout& other, run::GridOpt
 
 }  // namespace
 
-Contrast read_contrast(const Folders& folders, run::GridOptions asked,
+Contrast read_contrast(const Folders& folders, const run::GridOptions& asked,
                        const std::vector<std::string>& leave_out) {
   const run::Layout with = layout_of(folders.with);
   const run::Layout without = layout_of(folders.without);
