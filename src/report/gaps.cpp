@@ -34,7 +34,7 @@ void say(Sayings& sayings, const std::string& method, const std::string& what) {
 std::string joined(const Sayings& sayings) {
   std::string text;
   for (const auto& [said, methods] : sayings) {
-    text += (text.empty() ? "" : "; ") + methods + ": " + said;
+    text.append(text.empty() ? "" : "; ").append(methods).append(": ").append(said);
   }
   return text;
 }
