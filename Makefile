@@ -10,9 +10,11 @@ MAKEFLAGS += --no-builtin-rules --no-print-directory
 # ---- what is run: each can be given on the command line -----------------------------------------
 RUN      := paper
 DATASETS := cwru
-# Where these two are not given, the programs say which they are: the paper's methods, all ratios.
+# Where these three are not given, the programs say which they are: the paper's methods, all ratios, the
+# paper's classifier.
 METHODS  :=
 RATIOS   :=
+CLASSIFIERS :=
 SEEDS    := 0 1 2 3 4 5 6 7 8 9
 PROTOCOL := random
 DATA_DIR ?= data
@@ -63,7 +65,7 @@ SEEDS    := 100 101 102 103 104
 endif
 
 # ---- what was given -----------------------------------------------------------------------------
-variables := RUN DATASETS METHODS RATIOS SEEDS PROTOCOL DATA_DIR ARCH LIBTORCH BIN SUBMIT TOLERANCE LINT STORM V \
+variables := RUN DATASETS METHODS RATIOS CLASSIFIERS SEEDS PROTOCOL DATA_DIR ARCH LIBTORCH BIN SUBMIT TOLERANCE LINT STORM V \
              CORES MINUTES JOBS GPU_PARTITION
 given     := $(foreach name,$(.VARIABLES),$(if $(filter command,$(firstword $(origin $(name)))),$(name)))
 
@@ -157,6 +159,7 @@ help:
 	  DATASETS 'any of $(basename $(notdir $(wildcard pipeline/datasets/*.toml)))  [$(DATASETS)]' \
 	  METHODS  "none runs at 100to1, all others at the other ratios  [$(or $(METHODS),the paper's)]" \
 	  RATIOS   'windows known to generated  [$(or $(RATIOS),all seven)]' \
+	  CLASSIFIERS "what learns from the windows; none has its cell of nearest in any case  [$(or $(CLASSIFIERS),wdcnn)]" \
 	  SEEDS    'independent repeats; 100-104 are for choosing parameters  [$(SEEDS)]' \
 	  PROTOCOL 'the split: random (the paper) or blocked (no overlaps)  [$(PROTOCOL)]' \
 	  DATA_DIR 'folder of the recordings  [$(DATA_DIR)]' \
@@ -190,10 +193,10 @@ endif
 # Where a run is only looked at, nothing need be there but what those variables name that are given.
 lower_case  = $(shell printf %s '$1' | tr A-Z a-z)
 options_of  = $(foreach name,$(filter $1,$(given)),--$(call lower_case,$(name)) $($(name)))
-cells_given := $(call options_of,METHODS RATIOS SEEDS)
+cells_given := $(call options_of,METHODS RATIOS CLASSIFIERS SEEDS)
 part        := $(call options_of,DATASETS) $(cells_given)
 
-choice = $(foreach name,RUN DATASETS METHODS RATIOS SEEDS PROTOCOL DATA_DIR BIN results cells_given,\
+choice = $(foreach name,RUN DATASETS METHODS RATIOS CLASSIFIERS SEEDS PROTOCOL DATA_DIR BIN results cells_given,\
            $(if $($(name)),'$(name)=$($(name))'))
 # A dry run of a project that is not built can show no more than that it would be built.
 unknown_yet := $(if $(findstring n,$(filter-out --%,$(flags))),$(if $(wildcard $(BIN)/settings),,yes))

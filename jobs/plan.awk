@@ -39,10 +39,14 @@ function look_up(stage, dataset, method, ratio,    keys, i) {
 }
 
 # results/RUN/DATASET/seedK/METHOD, and for what is tried beside the methods one folder more.
-function unit_of(folder, stage) {
-  if (stage == "diagnose" || stage == "features") sub(/\/[^\/]*$/, "", folder)
-  return folder
+function unit_of(    unit, i, last) {
+  last = is_among(place[5], "sweep readings") ? 6 : 5
+  for (i = 1; i <= last; ++i) unit = unit (i > 1 ? "/" : "") place[i]
+  return unit
 }
+
+# Another classifier than the paper's is like a stage of its own.
+function stage_by(stage, classifier) { return classifier == "" ? stage : stage " by " classifier }
 
 function is_among(word, words) { return index(" " words " ", " " word " ") > 0 }
 function needs_gpu(stage, method) {
@@ -127,13 +131,14 @@ BEGIN { FS = "\t" }
 
 FILENAME == ARGV[1] {
   if ($0 ~ /^#/ || !split($0, c, ",") || c[1] == "stage") next
-  # stage, dataset, method, ratio, seconds, megabytes
-  learn(c[1] SUBSEP c[2] SUBSEP c[3] SUBSEP c[4], c[5], c[6])
-  learn(c[1] SUBSEP SUBSEP c[3] SUBSEP c[4], c[5], c[6])
-  learn(c[1] SUBSEP c[2] SUBSEP SUBSEP c[4], c[5], c[6])
-  learn(c[1] SUBSEP SUBSEP SUBSEP c[4], c[5], c[6])
-  learn(c[1], c[5], c[6])
-  learn("", c[5], c[6])
+  # stage, dataset, method, classifier, ratio, seconds, megabytes
+  costly = stage_by(c[1], c[4])
+  learn(costly SUBSEP c[2] SUBSEP c[3] SUBSEP c[5], c[6], c[7])
+  learn(costly SUBSEP SUBSEP c[3] SUBSEP c[5], c[6], c[7])
+  learn(costly SUBSEP c[2] SUBSEP SUBSEP c[5], c[6], c[7])
+  learn(costly SUBSEP SUBSEP SUBSEP c[5], c[6], c[7])
+  learn(costly, c[6], c[7])
+  learn("", c[6], c[7])
   next
 }
 
@@ -147,18 +152,21 @@ FILENAME == ARGV[1] {
     records_seconds += cost[key]
     records_megabytes = max(records_megabytes, memory[key])
   } else if (stage ~ /^(train|generate|score|diagnose|features)$/) {
-    unit = unit_of($1, stage)
+    unit = unit_of()
     method = $3
     if (method == "") method = (unit in method_of) ? method_of[unit] : place[5]
     if (method == "sweep" || method == "readings") method = swept
     method_of[unit] = method
     ratio = ""
-    if (stage == "diagnose" || stage == "features") {
-      ratio = $1
-      sub(/.*\//, "", ratio)
-    }
+    costly = stage
     # The training of the features is that of the diagnosis beside it.
-    key = look_up(stage == "features" ? "diagnose" : stage, place[3], method, ratio)
+    if (stage == "diagnose" || stage == "features") {
+      below = substr($1, length(unit) + 2) # RATIO or RATIO/CLASSIFIER
+      ratio = below
+      sub(/\/.*/, "", ratio)
+      costly = stage_by("diagnose", ratio == below ? "" : substr(below, length(ratio) + 2))
+    }
+    key = look_up(costly, place[3], method, ratio)
     add_to_unit(unit, cost[key], $4)
     run[unit] = place[1] "/" place[2]
     most[unit] = max(most[unit], memory[key])

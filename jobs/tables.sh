@@ -13,6 +13,7 @@ scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 trap 'exit 75' TERM INT HUP
 grid=(make --file=pipeline/grid.mk "$@")
+fact() { "$(value_of BIN "${grid[@]}")/settings" --facts | sed -n "s/^$1://p"; }
 
 # The steps that make would run for a goal, without those of the tables themselves.
 steps_of() { # goal, variables
@@ -23,13 +24,18 @@ steps_of() { # goal, variables
 # Of a grid with holes the tables are made all the same, of all cells that are there: where one cell is asked
 # for that is, make finds the others by itself.
 tables_with_holes() { # data set
-  local file method ratio seed
+  local file method ratio seed classifier own bar papers
+  bar=$(fact bar) papers=$(fact paper-classifier)
   "${grid[@]}" "DATASETS=$1" --dry-run list-cells 2>/dev/null | sed -n 's/^cell //p' >"$scratch/cells"
   while IFS= read -r file; do
     [[ $file == */diagnosis.h5 && -f $file ]] || continue
-    IFS=/ read -r _ _ _ seed method ratio _ <<<"$file"
-    ! grep -qE "^results/[^/]+/$1/$seed(/$method(/$ratio)?)?"$'\t' "$scratch/steps" || continue
-    "${grid[@]}" "DATASETS=$1" "SEEDS=${seed#seed}" "METHODS=$method" "RATIOS=$ratio" tables && return
+    IFS=/ read -r _ _ _ seed method ratio classifier _ <<<"$file"
+    own=$seed/$method/$ratio
+    if [[ $classifier == diagnosis.h5 ]]; then classifier=$papers; else own+=/$classifier; fi
+    # The baseline has the bar beside it, whichever classifier is asked for.
+    ! grep -qE "^results/[^/]+/$1/($seed|$seed/$method|$own|$seed/$method/$ratio/$bar)"$'\t' "$scratch/steps" || continue
+    "${grid[@]}" "DATASETS=$1" "SEEDS=${seed#seed}" "METHODS=$method" "RATIOS=$ratio" "CLASSIFIERS=$classifier" \
+      tables && return
   done <"$scratch/cells"
   echo "$results/$1: no cell is complete, so there are no tables" >&2
   return 1

@@ -1,6 +1,6 @@
 # What a condition is worth in points of accuracy: two runs side by side that differ in it alone.
 #
-# They are of all cells that both runs hold; METHODS, RATIOS and SEEDS say which must be there.
+# They are of all cells by the paper's classifier that both runs hold; METHODS, RATIOS and SEEDS say which must be there.
 #
 #   RUN and RUN-blocked      -> <dataset>/protocols.md      the overlap of windows in the split `random`
 #   cwru-as-published, cwru  -> cwru-as-published/rates.md  the mixed sample rates; where both are in
@@ -8,7 +8,7 @@
 #
 # Each protocol has a make of its own for its cells. The tables cost nothing and are made each time.
 
-one_protocol = $(MAKE) --file=pipeline/grid.mk PROTOCOL=$1 results=$2 cells
+one_protocol = $(MAKE) --file=pipeline/grid.mk PROTOCOL=$1 results=$2 CLASSIFIERS=$(paper_classifier) cells
 # Folder and name of the table, the two runs' folders.
 contrast     = $(Q)pipeline/step.sh $1 contrast --with $3 --without $4 \
   $(selection) $(call leave_out,$(sort $(call out_of_date_side,$3) $(call out_of_date_side,$4)))--output $1/$2.md

@@ -1,12 +1,15 @@
-# The experiment as a graph: data set x seed x method x ratio.
+# The experiment as a graph: data set x seed x method x ratio x classifier.
 #
 #   records.h5 -> A B C D -> model.h5 -> E.h5 -> score.h5
 #                        \-------------------\-> <ratio>/diagnosis.h5 -> accuracy.csv, tables.md, ...
 #
+# The paper's classifier has its diagnosis there, each other one in a folder of its own below it:
+# <ratio>/<classifier>/diagnosis.h5.
+#
 # A file under its final name is complete, since every stage writes beside it and renames; so a run
 # can be stopped at any moment, killed even, and the same command goes on where it was.
 #
-# METHODS, RATIOS and SEEDS say what must be there. Tables are of all cells that the run holds, so that
+# METHODS, RATIOS, CLASSIFIERS and SEEDS say what must be there. Tables are of all cells that the run holds, so that
 # a part that is asked for never takes the place of the tables of the whole.
 #
 # What makes a step run again: its inputs, and its settings, which are compared by content (the
@@ -29,14 +32,18 @@ facts := $(shell $(BIN)/settings --facts)
 $(if $(filter 0,$(.SHELLSTATUS)),,$(error pipeline/ cannot be used as it is, see above))
 fact   = $(patsubst $1:%,%,$(filter $1:%,$(facts)))
 
+paper_classifier  := $(call fact,paper-classifier)
 METHODS := $(call fact,paper)
 RATIOS  := $(call fact,ratio)
+CLASSIFIERS := $(paper_classifier)
 baseline          := $(call fact,baseline)
 # Not a method but a ceiling: learns from D what all others may not see. A score would compare D with
 # itself, so it has none.
 ceilings          := $(call fact,ceiling)
 inferring         := $(call fact,infers)
 nothing_generated := $(call fact,nothing-generated)
+# What a classifier reaches that needs neither a generator nor a training: it stands beside the baseline.
+bar               := $(call fact,bar)
 simulated         := $(call fact,simulated)
 
 # ---- what is asked for --------------------------------------------------------------------------
@@ -48,6 +55,7 @@ endef
 $(call check_words,DATASETS,$(DATASETS),$(call fact,dataset))
 $(call check_words,RATIOS,$(RATIOS),$(call fact,ratio))
 $(call check_words,METHODS,$(METHODS),$(call fact,method))
+$(call check_words,CLASSIFIERS,$(CLASSIFIERS),$(call fact,classifier))
 $(call check_words,SEEDS,$(SEEDS),$(SEEDS))
 $(if $(shell printf '%s\n' $(SEEDS) | grep -vxE '0|[1-9][0-9]*'),\
   $(error SEEDS: whole numbers from 0 up, not '$(SEEDS)'))
@@ -59,6 +67,7 @@ $(if $(filter 1,$(words $(RUN))),,$(error RUN: one word, the name of a folder un
 method_ratios = $(if $(filter $(baseline),$1),$(filter $(nothing_generated),$(RATIOS)),$(filter-out $(nothing_generated),$(RATIOS)))
 methods       := $(foreach method,$(METHODS),$(if $(call method_ratios,$(method)),$(method)))
 generators    := $(filter-out $(baseline),$(methods))
+classifiers_of = $(CLASSIFIERS) $(if $(filter $(baseline),$1),$(filter-out $(CLASSIFIERS),$(bar)))
 $(if $(methods),,$(error no cells: METHODS="$(METHODS)" RATIOS="$(RATIOS)"; $(baseline) is run at $(nothing_generated) only, the others at all other ratios))
 
 # Programs that are built without LibTorch refuse these methods, too, but only when it is their turn.
@@ -73,7 +82,9 @@ settings        := $(results)/.settings
 # A data set may have settings of its own for the split.
 split_settings   = split$(addprefix .,$(filter $1,$(call fact,own-split)))
 settings_names  := $(sort $(foreach dataset,$(DATASETS),$(call split_settings,$(dataset)))) generate score diagnose $(generators:%=train.%) $(DATASETS:%=datasets/%) $(DATASETS:%=tabulate.%)
+# (Not all of what looks at cells knows of classifiers: some is about the paper's alone.)
 selection       := --methods $(METHODS) --ratios $(RATIOS) --seeds $(SEEDS)
+whole_selection := $(selection) --classifiers $(CLASSIFIERS)
 $(foreach dataset,$(DATASETS),$(eval options.$(call split_settings,$(dataset)) := --protocol $(PROTOCOL)))
 
 # ---- rules --------------------------------------------------------------------------------------
@@ -121,20 +132,23 @@ endef
 
 # Elapsed times are left out of what is stored (--reproducible), so that a cell computed again is
 # equal byte for byte; the log beside it has them.
-define diagnosis_rule # seed, its folder, cell
-.PRECIOUS: $(patsubst %,$2/$3/%/diagnosis.h5,$(call method_ratios,$3))
-$(patsubst %,$2/$3/%/diagnosis.h5,$(call method_ratios,$3)): $2/$3/%/diagnosis.h5: \
+another   = $(filter-out $(paper_classifier),$1)
+diagnoses_of = $(patsubst %,$1/%$(addprefix /,$(call another,$3))/diagnosis.h5,$(call method_ratios,$2))
+define diagnosis_rule # seed, its folder, cell, classifier
+.PRECIOUS: $(call diagnoses_of,$2/$3,$3,$4)
+$(call diagnoses_of,$2/$3,$3,$4): $2/$3/%$(addprefix /,$(call another,$4))/diagnosis.h5: \
     $(call windows,$2) $(if $(filter $(baseline),$3),,$2/$3/E.h5) $(settings)/diagnose.toml
 	$$(step) diagnose $$(config) --test $2/A.h5 --normal $2/B.h5 --known $2/C.h5 \
-	  $(if $(filter $(baseline),$3),,--generated $2/$3/E.h5 )--ratio $$* --seed $1 --reproducible --output $$@
+	  $(if $(filter $(baseline),$3),,--generated $2/$3/E.h5 )--ratio $$* $(if $(call another,$4),--classifier $4 )--seed $1 \
+	  --reproducible --output $$@
 endef
 
-# What the classifier makes of the test windows (Figs 20 and 21), of the lowest seed alone: each method
+# What the paper's classifier makes of the test windows (Figs 20 and 21), of the lowest seed alone: each method
 # at the ratio with the most generated windows. The training is that of the diagnosis beside it, done
 # once more. It has a log of its own, as it is no cell of the grid.
 features_ratio = $(lastword $(filter $(call method_ratios,$1),$(call fact,ratio)))
 features_seed := $(firstword $(shell printf '%s\n' $(SEEDS) | sort -n))
-features       = $(foreach method,$(methods),$(results)/$1/seed$(features_seed)/$(method)/$(call features_ratio,$(method))/features.h5)
+features       = $(foreach method,$(if $(filter $(paper_classifier),$(CLASSIFIERS)),$(methods)),$(results)/$1/seed$(features_seed)/$(method)/$(call features_ratio,$(method))/features.h5)
 
 define features_rule # its folder, method, ratio
 .PRECIOUS: $1/$2/$3/features.h5
@@ -145,12 +159,14 @@ endef
 
 seed_folders = $(foreach seed,$(SEEDS),$(results)/$1/seed$(seed))
 scores       = $(foreach folder,$(seed_folders),$(patsubst %,$(folder)/%/score.h5,$(filter-out $(ceilings),$(generators))))
-diagnoses    = $(foreach folder,$(seed_folders),$(foreach method,$(methods),\
-                 $(patsubst %,$(folder)/$(method)/%/diagnosis.h5,$(call method_ratios,$(method)))))
+diagnoses    = $(foreach folder,$(seed_folders),$(foreach method,$(methods),$(foreach classifier,$(call classifiers_of,$(method)),\
+                 $(call diagnoses_of,$(folder)/$(method),$(method),$(classifier)))))
 cell_files   = $(call diagnoses,$1) $(call scores,$1)
 
 # ---- what the run holds besides what is asked for ----------------------------------------------
-held_cells = $(wildcard $1/seed*/*/score.h5 $1/seed*/*/*/diagnosis.h5)
+other_classifiers = $(call another,$(call fact,classifier))
+held_cells = $(wildcard $1/seed*/*/score.h5 $1/seed*/*/*/diagnosis.h5 $(other_classifiers:%=$1/seed*/*/*/%/diagnosis.h5))
+held_classifiers = $(paper_classifier) $(foreach name,$(other_classifiers),$(if $(wildcard $1/seed*/*/*/$(name)/diagnosis.h5),$(name)))
 # Folder of the data set, cells asked for.
 besides    = $(filter-out $2,$(call held_cells,$1))
 
@@ -158,7 +174,7 @@ besides    = $(filter-out $2,$(call held_cells,$1))
 # for it, nor shown. Folder of the data set, protocol, goal that has rules for what is there.
 out_of_date = $(shell pipeline/out_of_date.sh $1 $(MAKE) --file=pipeline/grid.mk only_asking=yes \
   RUN='$(RUN)' DATASETS='$(notdir $1)' PROTOCOL='$2' DATA_DIR='$(DATA_DIR)' BIN='$(BIN)' \
-  results='$(patsubst %/,%,$(dir $1))' METHODS='$(call fact,method)' RATIOS='$(call fact,ratio)' $3)$(if \
+  results='$(patsubst %/,%,$(dir $1))' METHODS='$(call fact,method)' RATIOS='$(call fact,ratio)' CLASSIFIERS='$(call held_classifiers,$1)' $3)$(if \
   $(filter 0,$(.SHELLSTATUS)),,$(error what is out of date in $1 cannot be told, see above))
 # Folder, files in it, what is out of date in it: the files that are not; and of what is out of date
 # that which concerns these files.
@@ -187,7 +203,7 @@ $(foreach dataset,$(DATASETS),$(eval $(call find_besides,$(dataset),$(results)/$
 define tables_rule # data set
 .PRECIOUS: $(call tables_of,$1)
 $(call tables_of,$1) &: $(call cell_files,$1) $(besides.$1) $(wildcard results/published/*.csv) $(settings)/tabulate.$1.toml
-	$$(step) tabulate $$(config) --run $(results) --dataset $1 $(selection) $(call leave_out,$(left_out.$1))--published results/published \
+	$$(step) tabulate $$(config) --run $(results) --dataset $1 $(whole_selection) $(call leave_out,$(left_out.$1))--published results/published \
 	  -- $(call tables_of,$1)
 endef
 
@@ -199,7 +215,8 @@ $(foreach dataset,$(DATASETS),\
   $(foreach seed,$(SEEDS),$(eval folder := $(results)/$(dataset)/seed$(seed))\
     $(eval $(call split_rule,$(dataset),$(seed),$(folder)))\
     $(foreach method,$(generators),$(eval $(call generator_rules,$(seed),$(folder),$(method))))\
-    $(foreach method,$(methods),$(eval $(call diagnosis_rule,$(seed),$(folder),$(method))))))
+    $(foreach method,$(methods),$(foreach classifier,$(call classifiers_of,$(method)),\
+      $(eval $(call diagnosis_rule,$(seed),$(folder),$(method),$(classifier)))))))
 
 .DEFAULT_GOAL := cells
 .PHONY: FORCE records cells features tables draw figures page report demo all list-cells sweep contrast identify readings
@@ -219,7 +236,7 @@ define show_summaries
 endef
 # Only what is asked for must be there: of a run that is looked at, only what was named. A report says what is
 # missing, and shows pictures of what there is.
-must_be_there := $(if $(looks),$(cells_given),$(selection))
+must_be_there := $(if $(looks),$(cells_given),$(whole_selection))
 draw = $(MAKE) --file=pipeline/figures.mk results='$(results)' DATASETS='$(DATASETS)' selection='$1' \
   $(foreach dataset,$(DATASETS),'leave_out.$(dataset)=$(call leave_out,$(left_out.$(dataset)))')
 drawn := $(DATASETS:%=$(results)/%/figures)

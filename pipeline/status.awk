@@ -8,7 +8,8 @@
 # The time of steps that all methods wait for has a line of its own. Times are those of one step after
 # the other.
 
-# place[1] data set, place[2] seed, place[3] method, place[4] ratio: as many as the folder has. What is tried
+# place[1] data set, place[2] seed, place[3] method, place[4] ratio, place[5] another classifier than the paper's:
+# as many as the folder has. What is tried
 # beside the methods (sweep/depth-1/1to1) is together like one of them. A contrast has two runs.
 function locate(folder,    other_run) {
   other_run = index(folder, run "/") != 1
@@ -19,6 +20,9 @@ function locate(folder,    other_run) {
   return split(folder, place, "/")
 }
 
+# Times are those of a ratio and a classifier.
+function step_of_method() { return place[4] "/" place[5] }
+
 function learn(key, seconds) {
   sum[key] += seconds
   count[key]++
@@ -26,11 +30,11 @@ function learn(key, seconds) {
 
 # Seconds that a step takes, by those that are most like it; -1 when none is known. Generators have
 # nothing in common, but to diagnose or score takes equally long for all of them.
-function estimate(stage, data_set, method, ratio,    keys, count_of_keys, i) {
-  keys[1] = stage SUBSEP data_set SUBSEP method SUBSEP ratio
-  keys[2] = stage SUBSEP SUBSEP method SUBSEP ratio
-  keys[3] = stage SUBSEP data_set SUBSEP SUBSEP ratio
-  keys[4] = stage SUBSEP SUBSEP SUBSEP ratio
+function estimate(stage, data_set, method, step,    keys, count_of_keys, i) {
+  keys[1] = stage SUBSEP data_set SUBSEP method SUBSEP step
+  keys[2] = stage SUBSEP SUBSEP method SUBSEP step
+  keys[3] = stage SUBSEP data_set SUBSEP SUBSEP step
+  keys[4] = stage SUBSEP SUBSEP SUBSEP step
   keys[5] = stage
   count_of_keys = (stage == "train" || stage == "generate") ? 2 : 5
   for (i = 1; i <= count_of_keys; i++) if (keys[i] in count) return sum[keys[i]] / count[keys[i]]
@@ -65,10 +69,10 @@ BEGIN {
 
 FILENAME == ARGV[1] {
   locate($1)
-  learn($2 SUBSEP place[1] SUBSEP place[3] SUBSEP place[4], $3)
-  learn($2 SUBSEP SUBSEP place[3] SUBSEP place[4], $3)
-  learn($2 SUBSEP place[1] SUBSEP SUBSEP place[4], $3)
-  learn($2 SUBSEP SUBSEP SUBSEP place[4], $3)
+  learn($2 SUBSEP place[1] SUBSEP place[3] SUBSEP step_of_method(), $3)
+  learn($2 SUBSEP SUBSEP place[3] SUBSEP step_of_method(), $3)
+  learn($2 SUBSEP place[1] SUBSEP SUBSEP step_of_method(), $3)
+  learn($2 SUBSEP SUBSEP SUBSEP step_of_method(), $3)
   learn($2, $3)
 }
 
@@ -76,7 +80,7 @@ FILENAME == ARGV[2] {
   depth = locate($1)
   name = place[1] SUBSEP (depth < 3 ? shared : place[3])
   if ($3 == "running") running++
-  seconds = estimate($2, place[1], place[3], place[4])
+  seconds = estimate($2, place[1], place[3], step_of_method())
   if (seconds < 0) unknown[name]++
   else left[name] += seconds
   # Nothing waits for a score but its own cell.
@@ -87,12 +91,16 @@ FILENAME == ARGV[2] {
 FILENAME == ARGV[3] {
   folder = $1
   sub("/[^/]*$", "", folder)
-  locate(folder)
+  depth = locate(folder)
   if ((place[1], shared) in unknown || (place[1], shared) in left) line_of(place[1] SUBSEP shared)
   name = line_of(place[1] SUBSEP place[3])
   result = ($1 ~ /\/score\.h5$/ && folder in score) ? score[folder] : "done"
+  own = folder
+  of_ratio = folder
+  if (depth == 5) sub("/[^/]*$", "", of_ratio)
   while (length(folder) > length(run)) {
-    if (folder in state) result = worst(result, state[folder])
+    # In the folder of a ratio is the diagnosis by the paper's classifier, for which no other waits.
+    if (folder in state && (folder != of_ratio || folder == own)) result = worst(result, state[folder])
     sub("/[^/]*$", "", folder)
   }
   cells[name]++

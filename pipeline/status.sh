@@ -20,7 +20,7 @@ choice=("$goal")
 [[ -z $jobs ]] || mapfile -t choice <"$jobs/choice"
 [[ $goal ]] || goal=${choice[0]}
 if [[ $goal == "${choice[0]}" ]]; then
-  for name in DATASETS METHODS RATIOS SEEDS; do
+  for name in DATASETS METHODS RATIOS CLASSIFIERS SEEDS; do
     value=$(value_of "$name" "${choice[@]}")
     [[ ! $value || " $given " == *" $name "* ]] || make+=("$name=$value")
   done

@@ -50,7 +50,7 @@ endef
 
 define moved_rules # seed, its folder, factor, value
 $(call generator_rules,$1,$2,sweep/$3-$4,$(swept),--$3 $4)
-$(call diagnosis_rule,$1,$2,sweep/$3-$4)
+$(call diagnosis_rule,$1,$2,sweep/$3-$4,$(paper_classifier))
 endef
 
 $(foreach dataset,$(DATASETS),\

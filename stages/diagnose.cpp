@@ -8,10 +8,10 @@
 #include "cli/progress.hpp"
 #include "cli/run_options.hpp"
 #include "cli/stage.hpp"
+#include "diagnosis/classify.hpp"
 #include "diagnosis/inputs.hpp"
 #include "diagnosis/one_core_backend.hpp"
 #include "diagnosis/training_set.hpp"
-#include "diagnosis/wdcnn.hpp"
 #include "scoring/diagnosis_record.hpp"
 #include "scoring/ratios.hpp"
 #include "seam/libtorch.hpp"
@@ -21,12 +21,13 @@ namespace fs = std::filesystem;
 
 namespace {
 
-scoring::DiagnosisRecord make_record(const diagnosis::Inputs& inputs, const scoring::Ratio& ratio,
-                                     std::int64_t seed, const diagnosis::WdcnnResult& result,
-                                     bool keep_features) {
+scoring::DiagnosisRecord make_record(const diagnosis::Inputs& inputs, const std::string& classifier,
+                                     const scoring::Ratio& ratio, std::int64_t seed,
+                                     const diagnosis::WdcnnResult& result, bool keep_features) {
   scoring::DiagnosisRecord record;
   record.info = inputs.test.info;
   record.method = inputs.method;
+  record.classifier = classifier;
   record.ratio = ratio.name;
   record.generated_per_class = ratio.generated_per_class;
   const auto fault_classes = static_cast<std::int64_t>(record.info.classes.size()) - 1;
@@ -46,6 +47,18 @@ scoring::DiagnosisRecord make_record(const diagnosis::Inputs& inputs, const scor
   return record;
 }
 
+/// What was done, and how well: the last line of the stage.
+std::string said_of(const scoring::DiagnosisRecord& record, std::size_t training_windows,
+                    std::optional<double> rate) {
+  const std::string by =
+      record.classifier == scoring::paper_classifier ? "" : fmt::format(", {}", record.classifier);
+  return fmt::format("diagnosed {} windows {} {} ({} {}{}, seed {}): accuracy {:.2f} %{}",
+                     record.labels.size(), rate ? "after training on" : "by the nearest of",
+                     training_windows, record.method, record.ratio, by, record.seed,
+                     100 * record.accuracy(),
+                     rate ? fmt::format(", {:.0f} windows/s in training", *rate) : "");
+}
+
 diagnosis::MakeWdcnnBackend choose_backend(const Compute& compute, char** argv) {
   if (!needs_libtorch(compute)) return diagnosis::make_one_core_backend;
   seam::continue_with_libtorch(argv);
@@ -59,12 +72,14 @@ int main(int argc, char** argv) {
       "diagnose",
       "Trains the classifier WDCNN on the healthy windows B, the known fault windows C and, of "
       "each fault class, the first windows of E that the ratio asks for; then tries it on the test "
-      "windows A. Every window is freed of its mean and scaled to unit standard deviation. The "
-      "model of the last epoch is used, never one chosen on A.",
+      "windows A. Every window, or spectrum of one, is freed of its mean and scaled to unit "
+      "standard deviation. The model of the last epoch is used, never one chosen on A. The "
+      "classifier nearest is not trained: it names the class of the nearest of these windows.",
       "diagnose --test A.h5 --normal B.h5 --known C.h5 --generated E.h5 --ratio 10to1 "
       "--seed 0 --output diagnosis.h5");
   diagnosis::WdcnnOptions options;
   std::string ratio_name;
+  std::string classifier_name = scoring::paper_classifier;
   cli::RunOptions run;
   bool reproducible = false;
   bool keep_features = false;
@@ -87,6 +102,8 @@ int main(int argc, char** argv) {
            "normal to fault windows, and in brackets the generated ones of each fault class: " +
                scoring::list_of_ratios())
       .required();
+  stage.options().add("--classifier", classifier_name, diagnosis::list_of_classifiers());
+  stage.record_unless_default("--classifier");
   bind(stage.options(), run);
   stage.options().flag("--reproducible", reproducible,
                        "leave out the attribute train_windows_per_second, the one thing here that "
@@ -94,7 +111,14 @@ int main(int argc, char** argv) {
   bind(stage.options(), options);
 
   return stage.run(argc, argv, [&] {
-    const auto make_backend = choose_backend(run.compute, argv);
+    const diagnosis::Classifier& classifier = diagnosis::the_classifier(classifier_name);
+    if (keep_features && !classifier.trains()) {
+      throw Error(Exit::usage, fmt::format("--keep-features: {} has no layers; leave it out, or "
+                                           "choose another --classifier",
+                                           classifier_name));
+    }
+    const diagnosis::MakeWdcnnBackend make_backend =
+        classifier.trains() ? choose_backend(run.compute, argv) : nullptr;
     const scoring::Ratio& ratio = scoring::find_ratio(ratio_name);
     std::optional<artefact::Reader> generated;
     const artefact::Reader test = stage.open("test", test_file, "windows");
@@ -113,24 +137,23 @@ int main(int argc, char** argv) {
     const Stream stream(
         fmt::format("{}/seed{}/diagnose/{}", training.info.name, run.seed, ratio.name));
     cli::Progress progress("diagnose", "epochs", static_cast<std::size_t>(options.epochs));
-    const diagnosis::WdcnnResult result = diagnosis::train_and_test(
-        diagnosis::standardise(training, "training set"),
-        diagnosis::standardise(inputs.test, "--test"), options, stream, make_backend,
+    const diagnosis::WdcnnResult result = diagnosis::classify(
+        classifier, training, inputs.test, options, stream, make_backend,
         [&](std::int64_t done, double loss) {
           progress.update(static_cast<std::size_t>(done), fmt::format("loss {:.3g}", loss));
         });
 
-    scoring::DiagnosisRecord record = make_record(inputs, ratio, run.seed, result, keep_features);
-    const double rate = static_cast<double>(options.epochs) * static_cast<double>(training.size()) /
-                        result.training_seconds;
+    scoring::DiagnosisRecord record =
+        make_record(inputs, classifier_name, ratio, run.seed, result, keep_features);
+    std::optional<double> rate;
+    if (classifier.trains()) {
+      rate = static_cast<double>(options.epochs) * static_cast<double>(training.size()) /
+             result.training_seconds;
+    }
     if (!reproducible) record.train_windows_per_second = rate;
     artefact::Writer writer("diagnosis");
     scoring::write(writer, record);
     stage.save(writer, output);
-    std::cout << fmt::format(
-        "diagnosed {} windows after training on {} ({} {}, seed {}): accuracy {:.2f} %, {:.0f} "
-        "windows/s in training: {}\n",
-        record.labels.size(), training.size(), record.method, record.ratio, run.seed,
-        100 * record.accuracy(), rate, output.string());
+    std::cout << fmt::format("{}: {}\n", said_of(record, training.size(), rate), output.string());
   });
 }

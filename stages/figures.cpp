@@ -34,7 +34,8 @@ bool save(figures::Source& source, const figures::Figure& figure) {
 }
 
 run::Grid asked_cells(const run::Layout& layout, const run::GridOptions& options) {
-  const bool nothing = options.methods.empty() && options.ratios.empty() && options.seeds.empty();
+  const bool nothing = options.methods.empty() && options.ratios.empty() && options.seeds.empty() &&
+                       options.classifiers.empty();
   if (!nothing) return resolve_begun(layout, options);
   return {.dataset = options.dataset, .scored = {}, .combinations = {}, .seeds = {}};
 }
@@ -56,7 +57,7 @@ int main(int argc, char** argv) {
   fs::path published_folder;
   std::vector<std::string> leave_out;
   stage.options().add("--dataset", options.dataset, "Dataset, such as cwru").required();
-  run::bind_begun_cells(stage.options(), options.methods, options.ratios, options.seeds);
+  run::bind_begun_cells(stage.options(), options);
   run::bind_leave_out(stage.options(), leave_out);
   stage.input_file("--run", run_folder, "Folder of the run, such as results/try");
   stage.input_file("--published", published_folder, "Folder of the paper's tables as CSV");

@@ -35,6 +35,9 @@ int main(int argc, char** argv) {
   fs::path run_folder;
   fs::path published_folder;
   bind(stage.options(), options);
+  run::bind_classifiers(stage.options(), options.classifiers,
+                        "where they are named, `none` must also have its cell of nearest; wdcnn "
+                        "alone where they are not");
   stage.options().add("--against", against,
                       "Method that all others are compared with; where it is not given, "
                       "piae-dt-phase or else piae-dt, where they are among the methods");
@@ -60,8 +63,8 @@ int main(int argc, char** argv) {
     if (!left_out.empty()) spdlog::warn(left_out);
 
     const auto rows = report::accuracy_rows(grid, results, published);
-    const report::Comparisons comparisons = report::compare_methods(rows, against);
-    const report::RankTable ranks = report::rank_methods(rows);
+    const auto comparisons = report::compare_by_classifier(rows, against);
+    const auto ranks = report::rank_by_classifier(rows);
     const report::Document tables =
         report::tables(grid, results, rows, published, comparisons, ranks,
                        report::twin_sections(layout, grid, held));

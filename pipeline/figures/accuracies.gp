@@ -1,9 +1,20 @@
 # Accuracy of all methods by ratio.
-set title "Accuracy"
+set title "Accuracy".by_whom
 set ylabel "percent"
-stats data using (strcol(1) eq "none" && strcol(5) eq "mean" ? $6 : 0) name "none" nooutput
-if (none_max > 0) {
-  set arrow from graph 0, first none_max to graph 1, first none_max nohead dashtype 3 linecolor rgb 0x555555
-  set label "none" at graph 1.01, first none_max left textcolor rgb 0x555555
+# What is measured without any generated window is a line across all ratios, dotted differently for each:
+# `none`, and another classifier that stands beside it, whose name is in the place of a method's.
+others = ""
+do for [m in words_method] {
+  without = 0
+  stats data using (without = without + (strcol(1) eq m && $4 == 0), 0) nooutput
+  if (without > 0) {
+    stats data using (strcol(1) eq m && strcol(5) eq "mean" ? $6 : NaN) name "line" nooutput
+    dots = m eq "none" ? 3 : 4
+    set arrow from graph 0, first line_max to graph 1, first line_max nohead dashtype dots \
+      linecolor rgb 0x555555
+    set label m at graph 1.01, first line_max left textcolor rgb 0x555555
+  }
+  if (without == 0 || m eq "none") { others = others." ".m }
 }
+words_method = others
 load scripts.'/gains.gp'

@@ -17,7 +17,7 @@ name_y(n) = bar_y(bars) + 18 + 17 * (n <= left_half ? n - 1 : methods - n + 0.5)
 room      = 112.0 * (methods - 1) / (panel_width - 224)  # for the names, in ranks
 side(n)   = n <= left_half ? 1 - 0.1 * room : methods + 0.1 * room
 
-set label 1 "Average rank among the methods of the same seed; 1 is the best"
+set label 1 "Average rank among the methods of the same seed; 1 is the best".by_whom
 unset border
 unset grid
 unset tics

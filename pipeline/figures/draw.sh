@@ -13,6 +13,7 @@ csv=$1
 name=$(basename "$csv" .csv)
 scripts=$(dirname "$0")
 script=$scripts/${name%@*}.gp
+part=$([[ $name != *@* ]] || echo "${name##*@}")
 partial=$(mktemp -d "$(dirname "$csv")/.drawing.XXXXXX")
 trap 'rm -rf "$partial"' EXIT
 
@@ -40,7 +41,7 @@ for format in svg pdf; do
   esac
   # A series without a point, such as published values where there are none, is no cause for a word, nor are
   # values that are all the same.
-  gnuplot -e "data = '$csv'; scripts = '$scripts'; format = '$format'; height = $height" - <<<"$words
+  gnuplot -e "data = '$csv'; scripts = '$scripts'; format = '$format'; height = $height; part = '$part'" - <<<"$words
 set terminal $terminal
 set output '$partial/$format'
 load scripts.'/style.gp'

@@ -25,7 +25,7 @@ if (seeds > 1) {
   note = p_min <= 0.05 ? "" : sprintf("%d seeds cannot make p smaller than %.2g here: ".\
     "however large a difference is, it is not significant.", seeds, p_min)
 }
-set label 1 "Accuracy minus that of ".word(words_against, 1).", paired by seed"
+set label 1 "Accuracy minus that of ".word(words_against, 1).", paired by seed".by_whom
 set label 2 "points of accuracy" at screen 0.5, 36.0 / height
 set label 4 note at screen 0.5, 14.0 / height center textcolor rgb colour(2)
 set multiplot

@@ -3,8 +3,11 @@
 #                                 usual colour blindnesses (Okabe and Ito 2008), and never colour alone
 #   faint(rgb)                    the same colour for single seeds behind a mean
 #   panels(n, columns)            the rows of a grid of n panels
-# draw.sh gives it: `data` (the CSV), and of every column that holds words the distinct ones in their order,
+#   by_whom                       behind the title of a figure of accuracies: ", by CLASSIFIER" unless it is the paper's
+# draw.sh gives it: `data` (the CSV), `part` (what stands behind the "@" of its name, or nothing), and of every column that holds words the distinct ones in their order,
 # as words_<column>.
+
+by_whom = exists("part") && part ne "" ? ", by ".part : ""
 
 set datafile separator comma
 set datafile columnheaders

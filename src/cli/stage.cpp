@@ -4,6 +4,7 @@
 #include <spdlog/spdlog.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdlib>
 #include <iostream>
 #include <new>
@@ -101,6 +102,10 @@ Option Stage::file_flag(const std::string& option, bool& value, const std::strin
   return options().in_group(files_group).flag(option, value, help);
 }
 
+void Stage::record_unless_default(const std::string& option) {
+  recorded_unless_default_.push_back(app_->get_option(option)->get_lnames().front());
+}
+
 std::string Stage::choose_variant(int argc, char** argv, const std::string& option) {
   CLI::App first;
   first.set_help_flag();
@@ -193,6 +198,10 @@ std::string Stage::resolved_options() const {
       for (const std::string& result : option->reduced_results()) {
         value += (value.empty() ? "" : ", ") + result;
       }
+    }
+    if (value == option->get_default_str() &&
+        std::ranges::count(recorded_unless_default_, option->get_lnames().front()) > 0) {
+      continue;
     }
     text += option->get_lnames().front() + " = \"" + value + "\"\n";
   }

@@ -4,6 +4,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "artefact/provenance.hpp"
 #include "artefact/reader.hpp"
@@ -47,6 +48,10 @@ class Stage {
   /// either.
   Option file_flag(const std::string& option, bool& value, const std::string& help);
 
+  /// Leaves an option out of the recorded settings while it has its default. It came after files
+  /// were promised to be the same to the last byte, and they are where it is not given.
+  void record_unless_default(const std::string& option);
+
   /// Reads the value of one option before the other options are added, because which ones there are
   /// depends on it: `--method` decides which options `train` has. It is read from the command line
   /// or the TOML file, and is also the name of the table in the TOML file that holds the options of
@@ -80,6 +85,7 @@ class Stage {
 
   std::string name_;
   std::unique_ptr<CLI::App> app_;
+  std::vector<std::string> recorded_unless_default_;
   std::vector<artefact::Provenance::Input> inputs_;
   std::vector<std::filesystem::path> input_paths_;
 };

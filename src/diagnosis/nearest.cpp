@@ -61,4 +61,10 @@ std::vector<Label> classify_by_nearest(const signal::WindowSet& training,
   return labels;
 }
 
+std::vector<float> scores_of_named(const std::vector<Label>& named, std::size_t classes) {
+  std::vector<float> scores(named.size() * classes);
+  for (std::size_t i = 0; i < named.size(); ++i) scores[i * classes + index_of(named[i])] = 1;
+  return scores;
+}
+
 }  // namespace piae::diagnosis

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "signal/window_set.hpp"
@@ -14,5 +15,9 @@ namespace piae::diagnosis {
 /// windows are shorter than 256 samples or of another length than those of the test.
 std::vector<Label> classify_by_nearest(const signal::WindowSet& training,
                                        const signal::WindowSet& test);
+
+/// What it says of all classes, row-major [n, classes]: 1 for the named one and 0 for the others,
+/// since a neighbour does not say how sure it is.
+std::vector<float> scores_of_named(const std::vector<Label>& named, std::size_t classes);
 
 }  // namespace piae::diagnosis

@@ -9,35 +9,35 @@
 
 namespace piae::diagnosis {
 
-namespace {
-
-void standardise(std::span<const float> window, float* to) {
-  const double mean = signal::mean_of(window);
+void standardise(std::span<const float> values, float* to) {
+  const double mean = signal::mean_of(values);
   double squares = 0;
-  for (const float x : window) squares += (x - mean) * (x - mean);
-  const double scale = 1 / std::sqrt(squares / static_cast<double>(window.size()));
-  for (const float x : window) *to++ = static_cast<float>((x - mean) * scale);
+  for (const float x : values) squares += (x - mean) * (x - mean);
+  const double scale = 1 / std::sqrt(squares / static_cast<double>(values.size()));
+  for (const float x : values) *to++ = static_cast<float>((x - mean) * scale);
 }
 
-}  // namespace
+void require_varying(const signal::WindowSet& windows, const std::string& what) {
+  for (std::size_t i = 0; i < windows.size(); ++i) {
+    const auto [low, high] = std::ranges::minmax(windows.window(i));
+    if (low != high) continue;
+    throw Error(Exit::bad_input,
+                what + ": window " + std::to_string(i) + " (class " +
+                    windows.info.classes[index_of(windows.labels[i])].name +
+                    ") is constant and cannot be scaled to unit standard deviation; "
+                    "a window needs at least two different samples");
+  }
+}
 
 LabelledWindows standardise(const signal::WindowSet& windows, const std::string& what) {
+  require_varying(windows, what);
   LabelledWindows result;
   result.length = windows.length;
   result.classes = windows.info.classes.size();
   result.labels = windows.labels;
   result.samples.resize(windows.samples.size());
   for (std::size_t i = 0; i < windows.size(); ++i) {
-    const std::span<const float> window = windows.window(i);
-    const auto [low, high] = std::ranges::minmax(window);
-    if (low == high) {
-      throw Error(Exit::bad_input,
-                  what + ": window " + std::to_string(i) + " (class " +
-                      windows.info.classes[index_of(windows.labels[i])].name +
-                      ") is constant and cannot be scaled to unit standard deviation; "
-                      "a window needs at least two different samples");
-    }
-    standardise(window, result.samples.data() + i * windows.length);
+    standardise(windows.window(i), result.samples.data() + i * windows.length);
   }
   return result;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -11,13 +12,21 @@ namespace piae::diagnosis {
 
 /// Windows as a classifier sees them.
 struct LabelledWindows {
-  std::size_t length = 0;      ///< samples in a window
+  std::size_t length = 0;      ///< samples in a window, or bands of its spectra
   std::size_t classes = 0;     ///< labels are in {0, ..., classes - 1}
   std::vector<float> samples;  ///< row-major [n, length]
   std::vector<Label> labels;   ///< [n]
 
   [[nodiscard]] std::size_t size() const { return labels.size(); }
 };
+
+/// Subtracts from values, of which at least two differ, their mean and divides them by their
+/// standard deviation (the root of the mean of their squares). Writes as many to `to`.
+void standardise(std::span<const float> values, float* to);
+
+/// Throws Error(bad_input) for a window all of whose samples are the same. `what` names the set in
+/// the error, such as "--test".
+void require_varying(const signal::WindowSet& windows, const std::string& what);
 
 /// Subtracts from each window its mean and divides it by its standard deviation (the root of the
 /// mean of its squares), so that gain and offset of a recording do not give its class away. `what`

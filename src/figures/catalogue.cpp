@@ -31,22 +31,24 @@ constexpr Figure figures[] = {
          "ones. Below zero a "
          "method does harm.",
      .from = "seed*/<method>/<ratio>/diagnosis.h5, /predictions",
-     .numbers = gains_of_methods},
+     .accuracies = gains_of_methods},
     {.name = "fig18-gains-of-models",
      .paper = "Fig. 18",
      .title = "What the windows of the paper's five models gain, by ratio",
      .caption = "As Fig. 15, of PIAE-DT (Model 1) and of what is left when one part of it is taken "
                 "away or exchanged.",
      .from = "seed*/<method>/<ratio>/diagnosis.h5, /predictions",
-     .numbers = gains_of_models},
+     .accuracies = gains_of_models},
     {.name = "accuracies",
      .paper = "",
      .title = "Accuracy by ratio",
-     .caption = "Mean accuracy in percent over the seeds with its 95 % interval; dots are seeds. "
-                "The dotted line is the accuracy without generated windows; dashed is what "
-                "the paper publishes of the data set that the key names.",
+     .caption =
+         "Mean accuracy in percent over the seeds with its 95 % interval; dots are seeds. "
+         "The dotted line is the accuracy without generated windows, the dash-dotted one that of "
+         "the nearest neighbour without them; dashed is what "
+         "the paper publishes of the data set that the key names.",
      .from = "seed*/<method>/<ratio>/diagnosis.h5, /predictions",
-     .numbers = accuracies},
+     .accuracies = accuracies},
     {.name = "paired-differences",
      .paper = "",
      .title = "Each method against the method of interest, paired by seed",
@@ -56,7 +58,7 @@ constexpr Figure figures[] = {
                 "p is of "
                 "Wilcoxon's test with Holm's correction over the methods of a panel.",
      .from = "seed*/<method>/<ratio>/diagnosis.h5, /predictions",
-     .numbers = paired_differences},
+     .accuracies = paired_differences},
     {.name = "critical-difference",
      .paper = "",
      .title = "How the methods rank",
@@ -65,7 +67,7 @@ constexpr Figure figures[] = {
          "the same seed, 1 being the best. A bar joins methods that differ by less than the "
          "critical difference (CD): the test does not tell them apart at 0.05.",
      .from = "seed*/<method>/<ratio>/diagnosis.h5, /predictions",
-     .numbers = critical_differences},
+     .accuracies = critical_differences},
     {.name = "confusion",
      .paper = "",
      .title = "What was taken for what",

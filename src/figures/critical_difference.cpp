@@ -67,8 +67,8 @@ class RankRows {
 
 }  // namespace
 
-Numbers critical_differences(Source& source) {
-  const report::RankTable table = report::rank_methods(source.accuracy_rows());
+Numbers critical_differences(Source& /*source*/, const report::ClassifierRows& shown) {
+  const report::RankTable table = report::rank_methods(shown.rows);
   if (table.ratios.empty()) {
     throw LeftOut("less than two methods, ceilings aside, have the same ratio");
   }

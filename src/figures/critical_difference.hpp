@@ -12,6 +12,6 @@ namespace piae::figures {
 /// `rank_to`, each over methods of which no two differ by more than the critical difference, and
 /// over as many as can be. Their `place` is the row in which a bar is drawn. A single seed has no
 /// test, and no bars.
-Numbers critical_differences(Source& source);
+Numbers critical_differences(Source& source, const report::ClassifierRows& shown);
 
 }  // namespace piae::figures

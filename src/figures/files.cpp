@@ -15,9 +15,30 @@ bool is_picture_of(const Figure& figure, const std::string& name) {
   return name == figure.name || name.starts_with(std::string(figure.name) + "@");
 }
 
+/// Of the paper's classifier the picture must be made; of others those that can be.
+std::vector<text::File> files_by_classifier(Source& source, const Figure& figure) {
+  std::vector<text::File> files;
+  const std::vector<report::ClassifierRows>& blocks = source.accuracies();
+  if (blocks.empty() || blocks.front().classifier != scoring::paper_classifier) {
+    throw LeftOut(std::string("the run has no diagnosis by ") + scoring::paper_classifier);
+  }
+  for (const report::ClassifierRows& block : blocks) {
+    const bool is_papers = block.classifier == scoring::paper_classifier;
+    const std::string part = is_papers ? "" : "@" + block.classifier;
+    try {
+      files.push_back(
+          {source.layout().figure_csv(figure.name + part), figure.accuracies(source, block).csv()});
+    } catch (const LeftOut&) {
+      if (is_papers) throw;
+    }
+  }
+  return files;
+}
+
 std::vector<text::File> csv_files_of(Source& source, const Figure& figure) {
   const run::Layout& layout = source.layout();
   const std::string name = figure.name;
+  if (figure.accuracies != nullptr) return files_by_classifier(source, figure);
   if (figure.numbers != nullptr) return {{layout.figure_csv(name), figure.numbers(source).csv()}};
   std::vector<text::File> files;
   for (const Picture& picture : figure.pictures(source)) {

@@ -29,36 +29,44 @@ void add_row(Numbers& numbers, const AccuracyRow& row, const std::string& paper_
                interval[0], interval[1], or_empty(published), published ? paper_dataset : ""});
 }
 
-Numbers numbers_of(Source& source, const std::vector<AccuracyRow>& rows, const std::string& what) {
+Numbers numbers_of(const std::vector<AccuracyRow>& rows, const std::string& what) {
   Numbers numbers({"method", "ceiling", "ratio", "generated_per_class", "seed", what, "low", "high",
                    "published", "published_of"});
-  const auto beside = report::PaperReference(source.grid().dataset).beside();
-  for (const AccuracyRow& row : rows) add_row(numbers, row, beside ? beside->paper.title : "");
+  for (const AccuracyRow& row : rows) {
+    const auto beside = report::PaperReference(row.dataset).beside();
+    add_row(numbers, row, beside ? beside->paper.title : "");
+  }
   return numbers;
 }
 
-Numbers gains_of(Source& source, const std::vector<std::string>& methods) {
-  std::vector<AccuracyRow> rows = report::gain_rows(source.accuracy_rows());
+Numbers gains_of(const report::ClassifierRows& shown, Group group) {
+  const std::vector<std::string> methods = methods_among(report::methods_of(shown.rows), group);
+  std::vector<AccuracyRow> rows = report::gain_rows(shown.rows);
   if (rows.empty()) throw LeftOut("the run has no cell of the method none");
   std::erase_if(rows, [&](const AccuracyRow& row) {
     return std::ranges::find(methods, row.method) == methods.end() &&
            !augment::is_ceiling(row.method);
   });
-  return numbers_of(source, rows, "gain");
+  return numbers_of(rows, "gain");
 }
 
 }  // namespace
 
-Numbers gains_of_methods(Source& source) {
-  return gains_of(source, methods_in(source.grid(), Group::methods));
+Numbers gains_of_methods(Source& /*source*/, const report::ClassifierRows& shown) {
+  return gains_of(shown, Group::methods);
 }
 
-Numbers gains_of_models(Source& source) {
-  return gains_of(source, methods_in(source.grid(), Group::models));
+Numbers gains_of_models(Source& /*source*/, const report::ClassifierRows& shown) {
+  return gains_of(shown, Group::models);
 }
 
-Numbers accuracies(Source& source) {
-  return numbers_of(source, source.accuracy_rows(), "accuracy");
+Numbers accuracies(Source& /*source*/, const report::ClassifierRows& shown) {
+  std::vector<AccuracyRow> rows = shown.rows;
+  if (shown.bar) {
+    rows.push_back(*shown.bar);
+    rows.back().method = shown.bar->classifier;
+  }
+  return numbers_of(rows, "accuracy");
 }
 
 }  // namespace piae::figures

@@ -13,7 +13,10 @@ enum class Group {
   models,   ///< the paper's five models (Tables 10 and 11)
 };
 
-/// Those of a grid, in its order. Throws LeftOut where the grid has none of a group.
+/// Those of them that are of a group, in their order. Throws LeftOut where none is.
+std::vector<std::string> methods_among(const std::vector<std::string>& all, Group group);
+
+/// The same of all methods of a grid.
 std::vector<std::string> methods_in(const run::Grid& grid, Group group);
 
 }  // namespace piae::figures

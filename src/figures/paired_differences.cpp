@@ -46,8 +46,8 @@ void add_seeds(Numbers& numbers, const Comparison& comparison) {
 
 }  // namespace
 
-Numbers paired_differences(Source& source) {
-  const report::Comparisons comparisons = report::compare_methods(source.accuracy_rows(), "");
+Numbers paired_differences(Source& /*source*/, const report::ClassifierRows& shown) {
+  const report::Comparisons comparisons = report::compare_methods(shown.rows, "");
   if (comparisons.rows.empty()) {
     throw LeftOut("neither " + augment::paper_method() +
                   " nor a method of this project is there to be compared with others");

@@ -11,6 +11,6 @@ namespace piae::figures {
 /// each seed a row, then one whose seed is "mean", with the 95 % interval of the mean (empty for
 /// fewer than three seeds), p of Wilcoxon's test, p after Holm's correction over the methods of
 /// that ratio, and the smallest that so many seeds can make the latter. A single seed has no p.
-Numbers paired_differences(Source& source);
+Numbers paired_differences(Source& source, const report::ClassifierRows& shown);
 
 }  // namespace piae::figures

@@ -13,8 +13,8 @@ namespace {
 std::vector<report::AccuracyRow> rows_of_side(const run::Layout& side, const run::Layout& other,
                                               const std::string& dataset) {
   const run::Grid nothing_asked{.dataset = dataset, .scored = {}, .combinations = {}, .seeds = {}};
-  const auto [grid, results] =
-      run::collect_held_diagnoses(side, nothing_asked, run::Held(side, other, {}));
+  const auto [grid, results] = run::collect_held_diagnoses(
+      side, nothing_asked, run::Held(side, other, {}), run::Classifiers::papers);
   require_whole(results);
   return report::accuracy_rows(grid, results, report::Published());
 }

@@ -26,6 +26,7 @@ Source::Source(run::Layout layout, run::Grid asked, report::Published published,
   if (grid_.combinations.empty()) {
     throw Error(Exit::input_missing, layout_.folder().string() + ": holds no cell");
   }
+  grid_ = run::of_classifier(std::move(grid_), scoring::paper_classifier);
 }
 
 bool Source::has(const std::string& method, std::int64_t seed,
@@ -36,12 +37,11 @@ bool Source::has(const std::string& method, std::int64_t seed,
 }
 
 std::vector<std::int64_t> Source::seeds_of(const run::Combination& cell) const {
-  const bool is_asked = std::ranges::any_of(asked_.combinations, [&](const auto& each) {
-    return each.method == cell.method && each.ratio == cell.ratio;
-  });
+  const bool is_asked = std::ranges::count(asked_.combinations, cell) > 0;
   return held_.seeds_with(
-      is_asked ? asked_.seeds : std::vector<std::int64_t>{},
-      [&](std::int64_t seed) { return layout_.diagnosis(cell.method, cell.ratio, seed); });
+      is_asked ? asked_.seeds : std::vector<std::int64_t>{}, [&](std::int64_t seed) {
+        return layout_.diagnosis(cell.method, cell.ratio, seed, cell.classifier);
+      });
 }
 
 std::vector<std::string> Source::inferring_methods() const {
@@ -64,12 +64,13 @@ const run::Results& Source::results() {
   return diagnoses_->results;
 }
 
-const std::vector<report::AccuracyRow>& Source::accuracy_rows() {
-  if (!rows_) {
+const std::vector<report::ClassifierRows>& Source::accuracies() {
+  if (!accuracies_) {
     require_whole(results());
-    rows_ = report::accuracy_rows(diagnoses_->grid, diagnoses_->results, published_);
+    accuracies_ = report::by_classifier(
+        report::accuracy_rows(diagnoses_->grid, diagnoses_->results, published_));
   }
-  return *rows_;
+  return *accuracies_;
 }
 
 const std::vector<scoring::QualityRecord>& Source::qualities() {
@@ -88,7 +89,8 @@ scoring::DiagnosisRecord Source::read(const artefact::Reader& reader, const run:
 }
 
 scoring::DiagnosisRecord Source::diagnosis(const run::Combination& cell, std::int64_t seed) const {
-  return read({layout_.diagnosis(cell.method, cell.ratio, seed), "diagnosis"}, cell, seed);
+  return read({layout_.diagnosis(cell.method, cell.ratio, seed, cell.classifier), "diagnosis"},
+              cell, seed);
 }
 
 scoring::DiagnosisRecord Source::features(const run::Combination& cell, std::int64_t seed) const {

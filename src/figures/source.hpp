@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "artefact/reader.hpp"
-#include "report/accuracy_table.hpp"
+#include "report/classifier_rows.hpp"
 #include "run/held.hpp"
 #include "scoring/diagnosis_record.hpp"
 
@@ -33,7 +33,8 @@ class Source {
          const std::vector<std::string>& leave_out = {});
 
   [[nodiscard]] const run::Layout& layout() const { return layout_; }
-  /// Of all these cells; not every combination has every seed.
+  /// Of those of these cells that are by the paper's classifier; not every combination has every
+  /// seed.
   [[nodiscard]] const run::Grid& grid() const { return grid_; }
 
   /// What figures show that have room for one seed: the lowest.
@@ -51,8 +52,8 @@ class Source {
 
   /// Every diagnosis that could be read, what is wrong with the others, and what is left out.
   const run::Results& results();
-  /// Of every diagnosis; all must be there.
-  const std::vector<report::AccuracyRow>& accuracy_rows();
+  /// The accuracies by each classifier, the paper's first; all diagnoses must be there.
+  const std::vector<report::ClassifierRows>& accuracies();
   /// Every score, by method, then seed.
   const std::vector<scoring::QualityRecord>& qualities();
   /// One diagnosis with everything that it says of the test windows.
@@ -75,7 +76,7 @@ class Source {
   run::Grid grid_;
   report::Published published_;
   std::optional<run::Collected> diagnoses_;
-  std::optional<std::vector<report::AccuracyRow>> rows_;
+  std::optional<std::vector<report::ClassifierRows>> accuracies_;
   std::optional<std::vector<scoring::QualityRecord>> qualities_;
 };
 

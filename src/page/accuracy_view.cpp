@@ -5,8 +5,10 @@
 #include <algorithm>
 
 #include "augment/catalogue.hpp"
+#include "diagnosis/catalogue.hpp"
 #include "page/table.hpp"
 #include "page/words.hpp"
+#include "report/classifier_rows.hpp"
 #include "report/labels.hpp"
 #include "report/paper_reference.hpp"
 #include "report/ratio_columns.hpp"
@@ -30,8 +32,10 @@ Html line_of_cell(const std::string& looks, const std::string& text) {
 
 /// Which artefacts a mean was made from.
 std::string files_of(const AccuracyRow& row) {
-  return fmt::format("{}/seed{{{}}}/{}/{}/diagnosis.h5, attribute accuracy", row.dataset,
-                     fmt::join(row.seeds, ","), row.method, row.ratio);
+  const bool is_papers = row.classifier == scoring::paper_classifier;
+  return fmt::format("{}/seed{{{}}}/{}/{}/{}diagnosis.h5, attribute accuracy", row.dataset,
+                     fmt::join(row.seeds, ","), row.method, row.ratio,
+                     is_papers ? "" : row.classifier + "/");
 }
 
 /// "3 of 10 seeds", where some of those that the grid has are missing.
@@ -82,55 +86,88 @@ Cell gain_cell(const AccuracyRow& row, const report::PaperReference& reference, 
           .from = files_of(row) + ", minus that of none"};
 }
 
-/// A method in each row, a ratio in each column.
+/// A method in each row, a ratio in each column; then the bar, where it is known.
 template <class CellOf>
 Table table_by_ratio(const std::string& caption, const std::vector<AccuracyRow>& rows,
-                     const CellOf& cell_of) {
+                     const std::optional<AccuracyRow>& bar, const CellOf& cell_of) {
   Table table{.caption = caption, .columns = {{"method"}}};
-  const std::vector<report::RatioColumn> columns = report::ratio_columns(rows);
+  std::vector<AccuracyRow> all = rows;
+  if (bar) all.push_back(*bar);
+  const std::vector<report::RatioColumn> columns = report::ratio_columns(all);
   for (const report::RatioColumn& column : columns) table.columns.push_back({column.label, true});
-  for (const std::string& method : report::methods_of(rows)) {
-    Row line{.cells = {{.content = report::method_label(method)}},
-             .looks = augment::is_ceiling(method) ? "ceiling" : ""};
+  const auto add_line = [&](const std::string& name, const std::vector<AccuracyRow>& own,
+                            const std::string& looks) {
+    Row line{.cells = {{.content = name}}, .looks = looks};
     for (const report::RatioColumn& column : columns) {
-      const auto row = std::ranges::find_if(rows, [&](const AccuracyRow& each) {
-        return each.method == method && each.ratio == column.ratio;
-      });
-      line.cells.push_back(row == rows.end() ? Cell{} : cell_of(*row));
+      const auto row = std::ranges::find(own, column.ratio, &AccuracyRow::ratio);
+      line.cells.push_back(row == own.end() ? Cell{} : cell_of(*row));
     }
     table.rows.push_back(std::move(line));
+  };
+  for (const std::string& method : report::methods_of(rows)) {
+    add_line(report::method_label(method), report::rows_of(rows, method),
+             augment::is_ceiling(method) ? "ceiling" : "");
   }
+  if (bar) add_line(report::bar_label(*bar), {*bar}, "");
   return table;
 }
 
-std::string about_published(const report::PaperReference& reference) {
+/// Behind the caption of a table: by which classifier, unless it is the paper's.
+std::string by(const report::ClassifierRows& block) {
+  return block.classifier == scoring::paper_classifier ? "" : ", by " + block.classifier;
+}
+
+std::string about_published(const report::PaperReference& reference,
+                            const std::string& classifier) {
+  if (classifier != scoring::paper_classifier) return " The paper has no such classifier.";
   if (!reference.beside()) return " The paper has no such data set.";
   return " What the paper publishes is from its Tables 6 to 11 (results/published/*.csv).";
 }
 
-Table accuracies_of(const DatasetContents& contents, const report::PaperReference& reference) {
-  Table table = table_by_ratio(
-      "Accuracy on " + contents.name + ", percent: mean ± standard deviation over seeds",
-      contents.rows, [&](const AccuracyRow& row) {
-        return accuracy_cell(row, reference, contents.grid.seeds.size());
-      });
+std::string about_bar(const std::optional<AccuracyRow>& bar) {
+  if (!bar) return "";
+  return " " + report::bar_label(*bar) + " is " + diagnosis::the_classifier(bar->classifier).what +
+         ".";
+}
+
+Table accuracies_of(const DatasetContents& contents, const report::ClassifierRows& block,
+                    const report::PaperReference& reference) {
+  Table table = table_by_ratio("Accuracy on " + contents.name +
+                                   ", percent: mean ± standard deviation over seeds" + by(block),
+                               block.rows, block.bar, [&](const AccuracyRow& row) {
+                                 return accuracy_cell(row, reference, contents.grid.seeds.size());
+                               });
+  const std::string folder =
+      block.classifier == scoring::paper_classifier ? "" : block.classifier + "/";
   table.below = "A method’s numbers are the attribute accuracy of " + contents.name +
-                "/seed*/<method>/<ratio>/diagnosis.h5; each is in the list of cells below." +
-                about_published(reference);
+                "/seed*/<method>/<ratio>/" + folder +
+                "diagnosis.h5; each is in the list of cells below." +
+                about_published(reference, block.classifier) + about_bar(block.bar);
   return table;
 }
 
-Table gains_of(const DatasetContents& contents, const report::PaperReference& reference) {
-  Table table = table_by_ratio(
-      "Gain over none on " + contents.name + ", points, with the 95 % interval of its mean",
-      contents.gains, [&](const AccuracyRow& row) {
-        return gain_cell(row, reference, contents.grid.seeds.size());
-      });
+Table gains_of(const DatasetContents& contents, const report::ClassifierRows& block,
+               const report::PaperReference& reference) {
+  Table table =
+      table_by_ratio("Gain over none on " + contents.name +
+                         ", points, with the 95 % interval of its mean" + by(block),
+                     report::gain_rows(block.rows), std::nullopt, [&](const AccuracyRow& row) {
+                       return gain_cell(row, reference, contents.grid.seeds.size());
+                     });
   table.below =
       "▲ helps, ▼ harms, ○ makes no clear difference: whether the interval lies on one side of "
       "zero. Of fewer than three seeds there is none, and nothing follows. Seeds are paired, from "
       "the same artefacts as the accuracies.";
   return table;
+}
+
+/// The two tables of one classifier side by side.
+Html tables_of(const DatasetContents& contents, const report::ClassifierRows& block) {
+  const report::PaperReference reference(contents.name, block.classifier);
+  const Table gains = gains_of(contents, block, reference);
+  Html tables = element("div", html(accuracies_of(contents, block, reference)));
+  if (!gains.rows.empty()) tables += element("div", html(gains));
+  return element("div", {{"class", "pair"}}, tables);
 }
 
 }  // namespace
@@ -145,9 +182,10 @@ Html accuracy_view(const DatasetContents& contents) {
     view += element("p", reference.beside()->caution);
   }
   if (contents.rows.empty()) return view + element("p", "No diagnosis is there yet.");
-  Html tables = element("div", html(accuracies_of(contents, reference)));
-  if (!contents.gains.empty()) tables += element("div", html(gains_of(contents, reference)));
-  return view + element("div", {{"class", "pair"}}, tables);
+  for (const report::ClassifierRows& block : report::by_classifier(contents.rows)) {
+    view += tables_of(contents, block);
+  }
+  return view;
 }
 
 }  // namespace piae::page

@@ -32,7 +32,7 @@ std::vector<std::string> asked_datasets(const AskedCells& asked) {
 void bind(const cli::Options& command, AskedCells& asked) {
   command.add("--datasets", asked.datasets,
               "Data sets, such as: cwru hit-sm; those that the folder holds where it is not given");
-  run::bind_begun_cells(command, asked.methods, asked.ratios, asked.seeds);
+  run::bind_begun_cells(command, asked.cells);
   command.add("--leave-out", asked.leave_out,
               "Files and folders that are out of date and not asked for, such as "
               "cwru/seed1/smote: the report is made without them");
@@ -66,7 +66,9 @@ run::Grid grid_of(const run::Layout& layout, const std::string& dataset, const A
   if (!datasets.empty() && std::ranges::count(datasets, dataset) == 0) {
     return {.dataset = dataset, .scored = {}, .combinations = {}, .seeds = {}};
   }
-  return run::resolve_begun(layout, {dataset, asked.methods, asked.ratios, asked.seeds});
+  run::GridOptions cells = asked.cells;
+  cells.dataset = dataset;
+  return run::resolve_begun(layout, cells);
 }
 
 }  // namespace piae::page

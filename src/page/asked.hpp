@@ -13,9 +13,7 @@ namespace piae::page {
 /// of all that the folder holds besides, too.
 struct AskedCells {
   std::vector<std::string> datasets = {};
-  std::vector<std::string> methods = {};
-  std::vector<std::string> ratios = {};
-  std::vector<std::string> seeds = {};
+  run::GridOptions cells = {};  ///< of each of them
   /// What is out of date, below the folder of the run: "cwru/seed1/smote".
   std::vector<std::string> leave_out = {};
 

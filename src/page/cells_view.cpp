@@ -26,6 +26,7 @@ Table diagnoses_table(const std::vector<DatasetContents>& datasets) {
   Table table{.caption = "Diagnoses: the attribute accuracy of each, percent",
               .columns = {{"data set"},
                           {"method"},
+                          {"classifier"},
                           {"ratio"},
                           {"seed", true},
                           {"accuracy", true},
@@ -37,6 +38,7 @@ Table diagnoses_table(const std::vector<DatasetContents>& datasets) {
       const double percent = 100 * dataset.results.diagnoses[i].accuracy;
       table.rows.push_back({.cells = {{.content = dataset.name},
                                       {.content = cell.name.method},
+                                      {.content = cell.name.classifier},
                                       {.content = cell.name.ratio},
                                       seed_cell(cell.name.seed),
                                       number_cell(percent, fmt::format("{:.2f}", percent)),

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "augment/catalogue.hpp"
+#include "report/classifier_rows.hpp"
 #include "report/verdict.hpp"
 #include "run/held.hpp"
 
@@ -27,6 +28,10 @@ CellFile cell_file(const fs::path& run, const artefact::Reader& reader, run::Cel
           .file = reader.path().lexically_relative(run),
           .digest = reader.digest(),
           .build = build_of(reader)};
+}
+
+run::CellName name_of(const run::Diagnosis& cell) {
+  return {cell.method, cell.ratio, cell.seed, cell.classifier};
 }
 
 /// Of the ratios at which the most methods have a row, the one with the most generated windows.
@@ -57,13 +62,17 @@ void add(scoring::Confusion& sum, const scoring::Confusion& confusion) {
 class CellReader {
  public:
   CellReader(const fs::path& run, DatasetContents& into)
-      : run_(run), layout_(run, into.name), into_(into), shown_ratio_(ratio_to_show(into.rows)) {}
+      : run_(run),
+        layout_(run, into.name),
+        into_(into),
+        shown_ratio_(ratio_to_show(report::rows_by(into.rows, scoring::paper_classifier))) {}
 
   void diagnosis(const run::Diagnosis& cell) {
-    const artefact::Reader reader(layout_.diagnosis(cell.method, cell.ratio, cell.seed),
-                                  "diagnosis");
-    into_.diagnoses.push_back(cell_file(run_, reader, {cell.method, cell.ratio, cell.seed}));
+    const artefact::Reader reader(
+        layout_.diagnosis(cell.method, cell.ratio, cell.seed, cell.classifier), "diagnosis");
+    into_.diagnoses.push_back(cell_file(run_, reader, name_of(cell)));
     if (into_.classes.empty()) into_.classes = signal::read_dataset_info(reader).classes;
+    if (cell.classifier != scoring::paper_classifier) return;
     if (cell.ratio != shown_ratio_ && cell.method != augment::no_method) return;
     const std::size_t classes = into_.classes.size();
     auto of_method = std::ranges::find(into_.confusions, cell.method, &MethodConfusion::method);
@@ -89,25 +98,22 @@ class CellReader {
 };
 
 bool is_read(const run::Results& results, const run::CellName& name) {
-  const auto is_it = [&](const auto& cell) {
+  if (!name.ratio.empty()) return std::ranges::count(results.diagnoses, name, name_of) > 0;
+  return std::ranges::any_of(results.qualities, [&](const scoring::QualityRecord& cell) {
     return cell.method == name.method && cell.seed == name.seed;
-  };
-  if (name.ratio.empty()) return std::ranges::any_of(results.qualities, is_it);
-  return std::ranges::any_of(results.diagnoses, [&](const run::Diagnosis& cell) {
-    return is_it(cell) && cell.ratio == name.ratio;
   });
 }
 
 bool is_left_out(const run::Results& results, const run::CellName& name) {
-  return std::ranges::any_of(results.left_out, [&](const run::CellName& cell) {
-    return cell.method == name.method && cell.ratio == name.ratio && cell.seed == name.seed;
-  });
+  return std::ranges::count(results.left_out, name) > 0;
 }
 
 std::vector<run::CellName> cells_of(const run::Grid& grid) {
   std::vector<run::CellName> names;
   for (const run::Combination& cell : grid.combinations) {
-    for (const std::int64_t seed : grid.seeds) names.push_back({cell.method, cell.ratio, seed});
+    for (const std::int64_t seed : grid.seeds) {
+      names.push_back({cell.method, cell.ratio, seed, cell.classifier});
+    }
   }
   for (const std::string& method : grid.scored) {
     for (const std::int64_t seed : grid.seeds) names.push_back({method, "", seed});
@@ -118,9 +124,8 @@ std::vector<run::CellName> cells_of(const run::Grid& grid) {
 bool is_among(const run::Grid& grid, const run::CellName& name) {
   if (std::ranges::count(grid.seeds, name.seed) == 0) return false;
   if (name.ratio.empty()) return std::ranges::count(grid.scored, name.method) > 0;
-  return std::ranges::any_of(grid.combinations, [&](const run::Combination& cell) {
-    return cell.method == name.method && cell.ratio == name.ratio;
-  });
+  return std::ranges::count(grid.combinations,
+                            run::Combination{name.method, name.ratio, name.classifier}) > 0;
 }
 
 /// The cells that are asked for, or were begun, and could not be read.
@@ -173,7 +178,6 @@ DatasetContents read_dataset(const fs::path& run, const run::Grid& asked,
                            .grid = std::move(collected.grid),
                            .results = std::move(collected.results)};
   contents.rows = report::accuracy_rows(contents.grid, contents.results, published);
-  contents.gains = report::gain_rows(contents.rows);
   contents.verdict = report::verdict(contents.results, contents.rows);
   CellReader cells(run, contents);
   for (const run::Diagnosis& cell : contents.results.diagnoses) cells.diagnosis(cell);
@@ -184,8 +188,8 @@ DatasetContents read_dataset(const fs::path& run, const run::Grid& asked,
 }
 
 std::string counted_cells(std::size_t diagnoses, std::size_t scores) {
-  const std::string first = fmt::format("{} diagnos{}", diagnoses, diagnoses == 1 ? "is" : "es");
-  const std::string second = fmt::format("{} score{}", scores, scores == 1 ? "" : "s");
+  std::string first = fmt::format("{} diagnos{}", diagnoses, diagnoses == 1 ? "is" : "es");
+  std::string second = fmt::format("{} score{}", scores, scores == 1 ? "" : "s");
   if (scores == 0) return first;
   return diagnoses == 0 ? second : first + " and " + second;
 }

@@ -30,7 +30,8 @@ struct CellFile {
   Build build = {};
 };
 
-/// What the classifiers of a method said of the test windows, summed over seeds.
+/// What the paper's classifier, trained with a method's windows, said of the test windows, summed
+/// over seeds.
 struct MethodConfusion {
   std::string method;
   std::string ratio;
@@ -54,8 +55,7 @@ struct DatasetContents {
   std::vector<CellFile> diagnoses = {};
   std::vector<CellFile> scores = {};
   std::vector<Hole> holes = {};
-  std::vector<report::AccuracyRow> rows = {};    ///< accuracies, percent
-  std::vector<report::AccuracyRow> gains = {};   ///< over none, points
+  std::vector<report::AccuracyRow> rows = {};    ///< accuracies, percent, by any classifier
   std::vector<std::string> verdict = {};         ///< sentences
   std::vector<MethodConfusion> confusions = {};  ///< with the most generated windows, by method
   std::string records_digest = {};               ///< empty where there are no records

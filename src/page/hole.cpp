@@ -13,7 +13,7 @@ namespace {
 
 fs::path file_of(const run::Layout& layout, const run::CellName& name) {
   return name.ratio.empty() ? layout.score(name.method, name.seed)
-                            : layout.diagnosis(name.method, name.ratio, name.seed);
+                            : layout.diagnosis(name.method, name.ratio, name.seed, name.classifier);
 }
 
 /// What collecting said of a file; all its errors name the file.
@@ -27,7 +27,7 @@ std::string problem_with(const fs::path& file, const std::vector<std::string>& p
 /// The log of the first step on the way to a cell that is not done; also that of a data set's
 /// recordings, without which nothing else has begun.
 std::optional<fs::path> log_on_the_way(const run::Layout& layout, const fs::path& file) {
-  if (const auto log = run::Layout::unfinished_log(file)) return log;
+  if (auto log = run::Layout::unfinished_log(file)) return log;
   if (fs::exists(layout.folder() / "records.h5")) return std::nullopt;
   for (const char* name : {"ingest.log", "simulate.log"}) {
     if (fs::exists(layout.folder() / name)) return layout.folder() / name;

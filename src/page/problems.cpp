@@ -24,14 +24,18 @@ void add_once(std::vector<T>& values, const T& value) {
   if (std::ranges::count(values, value) == 0) values.push_back(value);
 }
 
+std::string method_of(const Hole& hole) {
+  return run::name_by(hole.name.method, hole.name.classifier);
+}
+
 bool belongs_to(const HoleGroup& group, const std::string& dataset, const Hole& hole) {
   const bool same =
       group.dataset == dataset && group.state == hole.state && group.stage == hole.stage;
-  return same && (hole.state == HoleState::not_begun || group.methods.front() == hole.name.method);
+  return same && (hole.state == HoleState::not_begun || group.methods.front() == method_of(hole));
 }
 
 void add(HoleGroup& group, const Hole& hole) {
-  add_once(group.methods, hole.name.method);
+  add_once(group.methods, method_of(hole));
   add_once(group.seeds, hole.name.seed);
   if (hole.name.ratio.empty()) {
     ++group.scores;

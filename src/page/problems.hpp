@@ -14,7 +14,7 @@ struct HoleGroup {
   std::string dataset = {};
   HoleState state = HoleState::not_begun;
   std::string stage = {};                 ///< the one that is not done
-  std::vector<std::string> methods = {};  ///< in the order of the grid
+  std::vector<std::string> methods = {};  ///< in the order of the grid, as run::name_by() has them
   std::vector<std::string> ratios = {};   ///< of the diagnoses among them
   std::vector<std::int64_t> seeds = {};   ///< ascending
   std::size_t diagnoses = 0;

@@ -39,6 +39,12 @@ std::vector<std::string> methods_in_grid(const DatasetContents& dataset) {
   return methods;
 }
 
+std::vector<std::string> classifiers_in_grid(const DatasetContents& dataset) {
+  std::vector<std::string> names;
+  for (const run::Combination& cell : dataset.grid.combinations) names.push_back(cell.classifier);
+  return names;
+}
+
 std::vector<std::string> protocols_in(const DatasetContents& dataset) {
   if (dataset.results.diagnoses.empty()) return {};
   return {to_string(dataset.results.diagnoses.front().protocol)};
@@ -165,7 +171,7 @@ std::vector<std::pair<std::string, std::string>> facts_of(const Datasets& datase
     diagnoses += dataset.diagnoses.size();
     scores += dataset.scores.size();
   }
-  return {
+  std::vector<std::pair<std::string, std::string>> facts{
       {"What",
        "A classifier (WDCNN) learns from healthy windows, a few known windows of each fault, and "
        "windows that a method has generated from these. Its accuracy is that on test windows."},
@@ -174,6 +180,12 @@ std::vector<std::pair<std::string, std::string>> facts_of(const Datasets& datase
       {"Seeds", ranges_label(seeds)},
       {"Split", protocols.empty() ? "not known yet" : in_words(protocols)},
       {"Cells", counted_cells(diagnoses, scores)}};
+  const auto classifiers = all_of<std::string>(datasets, classifiers_in_grid);
+  if (classifiers.size() > 1) {
+    facts.insert(facts.begin() + 2,
+                 {counted(classifiers.size(), "classifier"), in_words(classifiers)});
+  }
+  return facts;
 }
 
 ReportContents read_report(const std::filesystem::path& run, const AskedCells& asked,

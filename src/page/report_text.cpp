@@ -3,10 +3,12 @@
 #include <spdlog/fmt/fmt.h>
 
 #include <algorithm>
+#include <iterator>
 
 #include "augment/catalogue.hpp"
 #include "page/problems.hpp"
 #include "page/words.hpp"
+#include "report/classifier_rows.hpp"
 #include "report/document.hpp"
 #include "report/gaps.hpp"
 #include "report/labels.hpp"
@@ -32,8 +34,7 @@ std::string beside_published(const AccuracyRow& row, std::size_t seeds) {
 
 /// A method in each row, a ratio in each column. `none`, which has a ratio of its own, is in the
 /// title.
-text::Table main_table(const DatasetContents& contents) {
-  std::vector<AccuracyRow> rows = contents.rows;
+text::Table main_table(std::vector<AccuracyRow> rows, std::size_t seeds) {
   std::erase_if(rows, [](const AccuracyRow& row) { return row.method == augment::no_method; });
   const std::vector<report::RatioColumn> columns = report::ratio_columns(rows);
   std::vector<std::string> header{"method"};
@@ -47,24 +48,26 @@ text::Table main_table(const DatasetContents& contents) {
       const auto row = std::ranges::find_if(rows, [&](const AccuracyRow& each) {
         return each.method == method && each.ratio == column.ratio;
       });
-      cells.push_back(row == rows.end() ? "" : beside_published(*row, contents.grid.seeds.size()));
+      cells.push_back(row == rows.end() ? "" : beside_published(*row, seeds));
     }
     table.row(cells);
   }
   return table;
 }
 
-std::string title_of(const DatasetContents& contents) {
-  std::string title = "Accuracy on " + contents.name + ", percent";
-  const auto none = std::ranges::find(contents.rows, augment::no_method, &AccuracyRow::method);
-  if (none == contents.rows.end()) return title;
+std::string title_of(const DatasetContents& contents, const report::ClassifierRows& block) {
+  const bool is_papers = block.classifier == scoring::paper_classifier;
+  std::string title =
+      "Accuracy on " + contents.name + ", percent" + (is_papers ? "" : ", by " + block.classifier);
+  const auto none = std::ranges::find(block.rows, augment::no_method, &AccuracyRow::method);
+  if (none == block.rows.end()) return title;
   return title + "; without generated windows " +
          beside_published(*none, contents.grid.seeds.size());
 }
 
 /// How to read the numbers of a table, as far as it has them.
-std::string how_to_read(const DatasetContents& contents) {
-  const report::PaperReference reference(contents.name);
+std::string how_to_read(const DatasetContents& contents, const report::ClassifierRows& block) {
+  const report::PaperReference reference(contents.name, block.classifier);
   std::string text;
   if (reference.beside()) {
     text +=
@@ -73,7 +76,7 @@ std::string how_to_read(const DatasetContents& contents) {
   if (reference.beside() && !reference.beside()->own) {
     text += " " + std::string(reference.beside()->caution);
   }
-  const bool any_fewer = std::ranges::any_of(contents.rows, [&](const AccuracyRow& row) {
+  const bool any_fewer = std::ranges::any_of(block.rows, [&](const AccuracyRow& row) {
     return row.seeds.size() < contents.grid.seeds.size();
   });
   return any_fewer ? text + " " + report::mark_of_fewer_seeds +
@@ -81,13 +84,19 @@ std::string how_to_read(const DatasetContents& contents) {
                    : text;
 }
 
-report::Section section_of(const DatasetContents& contents) {
+/// A section for each classifier; the first begins with the verdict.
+std::vector<report::Section> sections_of(const DatasetContents& contents) {
   std::string note;
   for (const std::string& sentence : contents.verdict) note += sentence + " ";
-  return {.key = contents.name,
-          .title = title_of(contents),
-          .note = note + how_to_read(contents),
-          .table = main_table(contents)};
+  std::vector<report::Section> sections;
+  for (const report::ClassifierRows& block : report::by_classifier(contents.rows)) {
+    sections.push_back({.key = contents.name,
+                        .title = title_of(contents, block),
+                        .note = note + how_to_read(contents, block),
+                        .table = main_table(block.rows, contents.grid.seeds.size())});
+    note.clear();
+  }
+  return sections;
 }
 
 /// A line for each of the first groups of missing cells; the page has all of them.
@@ -127,7 +136,7 @@ std::string report_text(const ReportContents& contents) {
   }
   document.paragraphs.push_back(what);
   for (const DatasetContents& dataset : contents.datasets) {
-    if (!dataset.rows.empty()) document.sections.push_back(section_of(dataset));
+    std::ranges::move(sections_of(dataset), std::back_inserter(document.sections));
   }
   std::string text = report::markdown(document);
   return text +

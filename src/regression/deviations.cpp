@@ -6,6 +6,7 @@
 #include <map>
 #include <stdexcept>
 #include <tuple>
+#include <utility>
 
 #include "scoring/distributions.hpp"
 
@@ -17,14 +18,36 @@ constexpr double sigmas = 3;          // standard errors that are allowed for ma
 constexpr double last_places = 4;     // units in the last place by which the same number may differ
 constexpr double enough_degrees = 8;  // of freedom, for a quantity to speak for itself
 
-using Key = std::tuple<std::string, std::string, std::string>;  // method, ratio, quantity
+/// What a row is of.
+struct Key {
+  std::string method;
+  std::string classifier;
+  std::string ratio;
+  std::string quantity;
+
+  bool operator<(const Key& other) const { return order() < other.order(); }
+  [[nodiscard]] std::tuple<std::string, std::string, std::string, std::string> order() const {
+    return {method, classifier, ratio, quantity};
+  }
+  /// Rows of the same kind scatter alike: a nearest neighbour less than a network that is trained.
+  [[nodiscard]] std::pair<std::string, std::string> kind() const { return {quantity, classifier}; }
+};
+
+Key key_of(const Measured& each) {
+  return {each.method, each.classifier, each.ratio, each.quantity};
+}
+
+run::Combination cell_of(const Measured& each) {
+  return {each.method, each.ratio, each.classifier};
+}
+
 using Seeds = std::map<std::int64_t, double>;
 using Series = std::map<Key, Seeds>;
 
 Series series_of(const Measurements& measurements) {
   Series series;
   for (const Measured& each : measurements.values) {
-    series[{each.method, each.ratio, each.quantity}][each.seed] = each.value;
+    series[key_of(each)][each.seed] = each.value;
   }
   return series;
 }
@@ -60,7 +83,7 @@ double allowed_standard_errors(double degrees) {
   return scoring::student_t_exceeded_with(scoring::normal_above(sigmas), degrees);
 }
 
-/// Run and reference, with their scatter for each row and for each quantity.
+/// Run and reference, with their scatter for each row and for each kind of rows.
 class Sides {
  public:
   Sides(const Measurements& reference, const Measurements& run)
@@ -68,7 +91,7 @@ class Sides {
     for (const Series* side : {&reference_, &run_}) {
       for (const auto& [key, seeds] : *side) {
         by_row_[key].add(scatter_of(seeds));
-        by_quantity_[std::get<2>(key)].add(scatter_of(seeds));
+        by_kind_[key.kind()].add(scatter_of(seeds));
       }
     }
   }
@@ -76,7 +99,10 @@ class Sides {
   /// The row for these seeds. Whether it is within the tolerance is not yet said.
   [[nodiscard]] DeviationRow row(const Key& key, const std::vector<std::int64_t>& seeds) const {
     DeviationRow row;
-    std::tie(row.method, row.ratio, row.quantity) = key;
+    row.method = key.method;
+    row.classifier = key.classifier;
+    row.ratio = key.ratio;
+    row.quantity = key.quantity;
     row.seeds = seeds.size();
     const auto n = static_cast<double>(seeds.size());
     for (const std::int64_t seed : seeds) {
@@ -101,7 +127,7 @@ class Sides {
   };
   [[nodiscard]] Variance variance_of(const Key& key) const {
     const Scatter& own = by_row_.at(key);
-    const Scatter& all = by_quantity_.at(std::get<2>(key));
+    const Scatter& all = by_kind_.at(key.kind());
     if (own.degrees >= enough_degrees) return {own.variance(), own.degrees};
     if (all.degrees == 0) return {0, 0};
     const double own_variance = own.degrees > 0 ? own.variance() : 0;
@@ -111,7 +137,7 @@ class Sides {
   Series reference_;
   Series run_;
   std::map<Key, Scatter> by_row_;
-  std::map<std::string, Scatter> by_quantity_;
+  std::map<std::pair<std::string, std::string>, Scatter> by_kind_;
 };
 
 bool within(const DeviationRow& row, Tolerance tolerance) {
@@ -120,18 +146,20 @@ bool within(const DeviationRow& row, Tolerance tolerance) {
   return std::abs(row.difference()) <= row.allowed * *row.standard_error;
 }
 
-/// The cells of one side that the other lacks, wholly or in part: a line for each method and ratio,
-/// with the seeds.
+/// The cells of one side that the other lacks, wholly or in part: a line for each method, ratio and
+/// classifier, with the seeds.
 std::vector<std::string> cells_without(const Measurements& side, const Measurements& other,
                                        const run::Selection& selection) {
   const Series there = series_of(other);
   std::vector<std::string> names;
   std::map<std::string, std::set<std::int64_t>> cells;
   for (const Measured& each : side.values) {
-    if (!selection.has(each.method, each.ratio, each.seed)) continue;
-    const auto series = there.find({each.method, each.ratio, each.quantity});
+    if (!selection.has(cell_of(each), each.seed)) continue;
+    const auto series = there.find(key_of(each));
     if (series != there.end() && series->second.contains(each.seed)) continue;
-    const std::string name = each.method + ' ' + (each.ratio.empty() ? "score" : each.ratio);
+    const std::string name = each.ratio.empty()
+                                 ? each.method + " score"
+                                 : run::name_by(each.method + ' ' + each.ratio, each.classifier);
     if (!cells.contains(name)) names.push_back(name);
     cells[name].insert(each.seed);
   }
@@ -173,9 +201,9 @@ Deviations find_deviations(const Measurements& reference, const Measurements& ru
   std::vector<Key> keys;
   std::map<Key, std::vector<std::int64_t>> seeds;
   for (const Measured& each : reference.values) {
-    const Key key{each.method, each.ratio, each.quantity};
+    const Key key = key_of(each);
     const auto series = there.find(key);
-    if (!selection.has(each.method, each.ratio, each.seed)) continue;
+    if (!selection.has(cell_of(each), each.seed)) continue;
     if (series == there.end() || !series->second.contains(each.seed)) continue;
     if (!seeds.contains(key)) keys.push_back(key);
     seeds[key].push_back(each.seed);

@@ -26,9 +26,10 @@ enum class Tolerance {
 /// exact where both sides were made with the same settings, and with these alone; else spread.
 Tolerance tolerance_for(const Measurements& reference, const Measurements& run);
 
-/// A quantity of one method and ratio, over the seeds that both run and reference have.
+/// A quantity of one method, classifier and ratio, over the seeds that both run and reference have.
 struct DeviationRow {
   std::string method;
+  std::string classifier;
   std::string ratio;
   std::string quantity;
   std::size_t seeds = 0;
@@ -62,9 +63,9 @@ struct Deviations {
 /// Compares the selected cells of one dataset; the same seeds on both sides. How much a quantity
 /// scatters comes from all of its seeds, of run and of reference, each about the mean of its side.
 /// With less than 8 degrees of freedom (five seeds on both sides have 8) that is too uncertain:
-/// then the larger of two variances is taken, its own and that of all rows of the same quantity
-/// together, with the degrees of freedom of the latter. Throws std::logic_error for two datasets or
-/// protocols.
+/// then the larger of two variances is taken, its own and that of all rows of the same quantity and
+/// classifier together, with the degrees of freedom of the latter. Throws std::logic_error for two
+/// datasets or protocols.
 Deviations find_deviations(const Measurements& reference, const Measurements& run,
                            const run::Selection& selection, Tolerance tolerance);
 

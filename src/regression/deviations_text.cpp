@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "run/grid.hpp"
 #include "text/table.hpp"
 
 namespace piae::regression {
@@ -33,10 +34,12 @@ std::string table_of(const std::vector<DeviationRow>& rows) {
                     4);
   for (const DeviationRow& row : rows) {
     const auto errors = row.standard_errors();
-    table.row({row.method, row.ratio.empty() ? "score" : row.ratio, row.quantity,
-               row.within ? "" : "OUTSIDE", std::to_string(row.seeds),
-               std::to_string(row.moved_seeds), fmt::format("{:.6g}", row.reference),
-               fmt::format("{:.6g}", row.run), fmt::format("{:+.3g}", row.difference()),
+    const bool is_score = row.ratio.empty();
+    table.row({is_score ? row.method : run::name_by(row.method, row.classifier),
+               is_score ? "score" : row.ratio, row.quantity, row.within ? "" : "OUTSIDE",
+               std::to_string(row.seeds), std::to_string(row.moved_seeds),
+               fmt::format("{:.6g}", row.reference), fmt::format("{:.6g}", row.run),
+               fmt::format("{:+.3g}", row.difference()),
                errors ? fmt::format("{:+.2f}", *errors) : "unknown",
                errors ? fmt::format("{:.2f}", row.allowed) : ""});
   }

@@ -19,7 +19,8 @@ namespace fs = std::filesystem;
 
 const std::string version_mark = "# built from: ";
 const std::string settings_mark = "# computed with: ";
-const std::vector<std::string> columns{"method", "ratio", "quantity", "seed", "value"};
+const std::vector<std::string> columns{"method",   "classifier", "ratio",
+                                       "quantity", "seed",       "value"};
 
 void read_comments(const fs::path& path, Measurements& measurements) {
   for (const std::string& line : text::read_lines(path)) {
@@ -39,16 +40,17 @@ void read_comments(const fs::path& path, Measurements& measurements) {
 }
 
 Measured measured(const text::CsvLine& line) {
-  const auto seed = line.number(3);
-  const auto value = line.number(4);
+  const auto seed = line.number(4);
+  const auto value = line.number(5);
   constexpr double most = 1e15;  // beyond, a double does not hold every whole number
   if (!seed || *seed < 0 || *seed > most || std::trunc(*seed) != *seed) {
-    line.refuse("'" + line.fields[3] + "' is not a seed");
+    line.refuse("'" + line.fields[4] + "' is not a seed");
   }
-  if (!value) line.refuse("'" + line.fields[4] + "' is not a number");
+  if (!value) line.refuse("'" + line.fields[5] + "' is not a number");
   return {.method = line.fields[0],
-          .ratio = line.fields[1],
-          .quantity = line.fields[2],
+          .classifier = line.fields[1],
+          .ratio = line.fields[2],
+          .quantity = line.fields[3],
           .seed = static_cast<std::int64_t>(*seed),
           .value = *value};
 }
@@ -80,8 +82,8 @@ std::string reference_csv(const Measurements& measurements) {
   for (const std::string& setting : measurements.settings) text += settings_mark + setting + '\n';
   text += text::csv_line(columns);
   for (const Measured& each : measurements.values) {
-    text += text::csv_line({each.method, each.ratio, each.quantity, std::to_string(each.seed),
-                            fmt::format("{}", each.value)});
+    text += text::csv_line({each.method, each.classifier, each.ratio, each.quantity,
+                            std::to_string(each.seed), fmt::format("{}", each.value)});
   }
   return text;
 }
@@ -98,10 +100,10 @@ Measurements read_reference(const fs::path& folder, signal::Protocol protocol,
   if (lines.front().fields != columns) lines.front().refuse("is not the header of a reference");
   Measurements measurements{.dataset = dataset, .protocol = protocol};
   read_comments(path, measurements);
-  std::set<std::tuple<std::string, std::string, std::string, std::int64_t>> seen;
+  std::set<std::tuple<std::string, std::string, std::string, std::string, std::int64_t>> seen;
   for (const text::CsvLine& line : std::span(lines).subspan(1)) {
     const Measured& each = measurements.values.emplace_back(measured(line));
-    if (!seen.emplace(each.method, each.ratio, each.quantity, each.seed).second) {
+    if (!seen.emplace(each.method, each.classifier, each.ratio, each.quantity, each.seed).second) {
       line.refuse("is there twice");
     }
   }

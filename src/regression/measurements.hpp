@@ -13,8 +13,9 @@ namespace piae::regression {
 /// One number that a cell of a run gives.
 struct Measured {
   std::string method;
-  std::string ratio;     ///< of a diagnosis; a score has none, and this is empty
-  std::string quantity;  ///< "accuracy", in [0, 1], or the name of a metric (scoring/quality.hpp)
+  std::string classifier;  ///< of a diagnosis; a score has none, and this is empty
+  std::string ratio;       ///< the same
+  std::string quantity;    ///< "accuracy", in [0, 1], or the name of a metric (scoring/quality.hpp)
   std::int64_t seed = 0;
   double value = 0;  ///< of a metric: its mean over the fault classes
 };
@@ -38,7 +39,8 @@ std::vector<std::string> reference_datasets(const std::filesystem::path& folder,
                                             signal::Protocol protocol);
 
 /// What a reference file holds: comments that say what it was made with, then
-/// method,ratio,quantity,seed,value with as many digits as it takes to read the same number back.
+/// method,classifier,ratio,quantity,seed,value with as many digits as it takes to read the same
+/// number back.
 std::string reference_csv(const Measurements& measurements);
 
 /// Throws Error(input_missing) when there is none, with the command that makes one, and

@@ -7,6 +7,7 @@
 #include "artefact/digest.hpp"
 #include "base/error.hpp"
 #include "base/numbers.hpp"
+#include "diagnosis/catalogue.hpp"
 #include "run/cell.hpp"
 #include "run/layout.hpp"
 #include "scoring/ratios.hpp"
@@ -62,12 +63,14 @@ void note_origin(const artefact::Reader& reader, signal::Protocol protocol, Data
 
 void add_diagnosis(const run::Combination& combination, std::int64_t seed, DatasetOfRun& of_run) {
   Measurements& measurements = of_run.measurements;
-  const auto& [method, ratio] = combination;
-  const artefact::Reader reader(of_run.layout.diagnosis(method, ratio, seed), "diagnosis");
+  const auto& [method, ratio, classifier] = combination;
+  const artefact::Reader reader(of_run.layout.diagnosis(method, ratio, seed, classifier),
+                                "diagnosis");
   const run::Diagnosis cell =
       run::read_diagnosis_cell(reader, measurements.dataset, combination, seed);
   note_origin(reader, cell.protocol, of_run);
   measurements.values.push_back({.method = method,
+                                 .classifier = classifier,
                                  .ratio = ratio,
                                  .quantity = "accuracy",
                                  .seed = seed,
@@ -82,6 +85,7 @@ void add_score(const std::string& method, std::int64_t seed, DatasetOfRun& of_ru
   note_origin(reader, record.protocol, of_run);
   for (const scoring::Metric& metric : scoring::all_metrics()) {
     measurements.values.push_back({.method = method,
+                                   .classifier = "",
                                    .ratio = "",
                                    .quantity = metric.name,
                                    .seed = seed,
@@ -89,26 +93,41 @@ void add_score(const std::string& method, std::int64_t seed, DatasetOfRun& of_ru
   }
 }
 
+/// All diagnoses that there can be of a method.
+std::vector<run::Combination> cells_of(const std::string& method) {
+  std::vector<run::Combination> cells;
+  for (const scoring::Ratio& ratio : scoring::all_ratios()) {
+    for (const diagnosis::Classifier& classifier : diagnosis::classifiers()) {
+      cells.push_back({method, ratio.name, classifier.name});
+    }
+  }
+  return cells;
+}
+
 void add_seed(const fs::path& folder, std::int64_t seed, const run::Selection& selection,
               DatasetOfRun& of_run) {
   const run::Layout& layout = of_run.layout;
   for (const std::string& method : folders_in(folder)) {
-    for (const scoring::Ratio& ratio : scoring::all_ratios()) {
-      if (selection.has(method, ratio.name, seed) &&
-          fs::exists(layout.diagnosis(method, ratio.name, seed))) {
-        add_diagnosis({method, ratio.name}, seed, of_run);
+    for (const run::Combination& cell : cells_of(method)) {
+      if (selection.has(cell, seed) &&
+          fs::exists(layout.diagnosis(method, cell.ratio, seed, cell.classifier))) {
+        add_diagnosis(cell, seed, of_run);
       }
     }
-    if (selection.has(method, "", seed) && fs::exists(layout.score(method, seed))) {
+    if (selection.has({method, "", ""}, seed) && fs::exists(layout.score(method, seed))) {
       add_score(method, seed, of_run);
     }
   }
 }
 
-/// The order of the values: ratios as in Table 5, scores after them.
+/// The order of the values: classifiers as in their catalogue, ratios as in Table 5, scores after
+/// them.
 auto order_of(const Measured& each) {
   const auto ratio = std::ranges::find(scoring::all_ratios(), each.ratio, &scoring::Ratio::name);
-  return std::tuple(each.method, ratio - scoring::all_ratios().begin(), each.quantity, each.seed);
+  const auto classifier =
+      std::ranges::find(diagnosis::classifiers(), each.classifier, &diagnosis::Classifier::name);
+  return std::tuple(each.method, ratio - scoring::all_ratios().begin(),
+                    classifier - diagnosis::classifiers().begin(), each.quantity, each.seed);
 }
 
 }  // namespace

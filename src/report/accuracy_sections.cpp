@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "augment/catalogue.hpp"
+#include "diagnosis/catalogue.hpp"
 #include "report/labels.hpp"
 #include "report/paper_methods.hpp"
 #include "report/paper_reference.hpp"
@@ -39,40 +40,66 @@ std::string value_label(const std::vector<double>& percents, std::size_t run) {
   return run < percents.size() ? number_label(percents[run]) : "";
 }
 
-/// As Table 6, but with a run in each row: ten would be too wide.
-text::Table runs_table(const AccuracyRow& row, const PaperReference& reference,
-                       const Published& published) {
+/// What a row has at the seed of a run; empty where it does not have it.
+std::string value_of_seed(const AccuracyRow& row, const std::vector<std::int64_t>& seeds,
+                          std::size_t run) {
+  const auto value = run < seeds.size() ? row.at(seeds[run]) : std::nullopt;
+  return value ? number_label(*value) : "";
+}
+
+/// As Table 6, but with a run in each row: ten would be too wide. `bar` is null where it is
+/// unknown.
+text::Table runs_table(const AccuracyRow& row, const AccuracyRow* bar,
+                       const PaperReference& reference, const Published& published) {
   const std::optional<double> theirs = shown_of_paper(row);
   const std::vector<double> their_runs =
       theirs ? published.baseline_runs(reference.beside()->paper.name) : std::vector<double>{};
   Cells header{"run", "here"};
+  if (bar != nullptr) header.push_back("by " + bar->classifier);
   if (theirs) header.push_back(reference.label());
   text::Table table(header, 1);
   for (std::size_t run = 0; run < std::max(row.values.size(), their_runs.size()); ++run) {
-    table.row(
-        {run_label(run, row.seeds), value_label(row.values, run), value_label(their_runs, run)});
+    Cells cells{run_label(run, row.seeds), value_label(row.values, run)};
+    if (bar != nullptr) cells.push_back(value_of_seed(*bar, row.seeds, run));
+    if (theirs) cells.push_back(value_label(their_runs, run));
+    table.row(cells);
   }
   Cells mean{"mean", mean_label(row.summary)};
+  if (bar != nullptr) mean.push_back(mean_label(bar->summary));
   if (theirs) mean.push_back(number_label(*theirs));
   table.row(mean);
-  if (has_interval(row)) table.row({"95 % interval", interval_label(row.summary)});
+  if (has_interval(row)) {
+    Cells interval{"95 % interval", interval_label(row.summary)};
+    if (bar != nullptr) interval.push_back(interval_label(bar->summary));
+    table.row(interval);
+  }
   return table;
 }
 
+void add_means(text::Table& table, const std::string& name, const Rows& own,
+               const std::vector<RatioColumn>& columns) {
+  Cells cells{name};
+  for (const RatioColumn& column : columns) {
+    const auto row = std::ranges::find(own, column.ratio, &AccuracyRow::ratio);
+    cells.push_back(row == own.end() ? "" : number_label(row->summary.mean));
+  }
+  table.row(cells);
+}
+
 /// The means alone: a method in each row, a ratio in each column.
-text::Table means_table(const Rows& rows) {
-  const std::vector<RatioColumn> columns = ratio_columns(rows);
+text::Table means_table(const Rows& rows, const std::optional<AccuracyRow>& bar) {
+  Rows all = rows;
+  if (bar) all.push_back(*bar);
+  const std::vector<RatioColumn> columns = ratio_columns(all);
   Cells header{"method"};
   for (const RatioColumn& column : columns) header.push_back(column.label);
   text::Table table(header, 1);
   for (const std::string& method : methods_of(rows)) {
     const Rows own = rows_of(rows, method);
-    Cells cells{marked_if(has_fewer_seeds(own, rows), method_label(method))};
-    for (const RatioColumn& column : columns) {
-      const auto row = std::ranges::find(own, column.ratio, &AccuracyRow::ratio);
-      cells.push_back(row == own.end() ? "" : number_label(row->summary.mean));
-    }
-    table.row(cells);
+    add_means(table, marked_if(has_fewer_seeds(own, rows), method_label(method)), own, columns);
+  }
+  if (bar) {
+    add_means(table, marked_if(has_fewer_seeds({*bar}, rows), bar_label(*bar)), {*bar}, columns);
   }
   return table;
 }
@@ -83,8 +110,8 @@ std::string model_label(const std::string& method) {
 }
 
 /// A block for each method, and in it a row for each ratio. Columns that would be empty are left
-/// out.
-text::Table blocks_table(const MethodGroup& group, const Rows& rows,
+/// out. `bar` is null where it is unknown, or no part of the table.
+text::Table blocks_table(const MethodGroup& group, const Rows& rows, const AccuracyRow* bar,
                          const PaperReference& reference, NumberStyle style) {
   const auto any = [&](bool (*holds)(const AccuracyRow&)) {
     return std::ranges::any_of(rows, [&](const AccuracyRow& row) {
@@ -97,11 +124,7 @@ text::Table blocks_table(const MethodGroup& group, const Rows& rows,
   if (intervals) header.emplace_back("95 % interval");
   if (paper) header.push_back(reference.label());
   text::Table table(header, 2);
-  for (const std::string& method : group.methods) {
-    const Rows own = rows_of(rows, method);
-    if (own.empty()) continue;
-    std::string name = marked_if(has_fewer_seeds(own, rows),
-                                 group.are_models ? model_label(method) : method_label(method));
+  const auto add_block = [&](std::string name, const Rows& own) {
     for (const AccuracyRow& row : own) {
       const std::optional<double> theirs = shown_of_paper(row);
       Cells cells{name, ratio_label(row.ratio, row.true_ratio), mean_label(row.summary, style)};
@@ -110,14 +133,28 @@ text::Table blocks_table(const MethodGroup& group, const Rows& rows,
       table.row(cells);
       name.clear();
     }
+  };
+  for (const std::string& method : group.methods) {
+    const Rows own = rows_of(rows, method);
+    if (own.empty()) continue;
+    add_block(marked_if(has_fewer_seeds(own, rows),
+                        group.are_models ? model_label(method) : method_label(method)),
+              own);
+  }
+  if (bar != nullptr) {
+    add_block(marked_if(has_fewer_seeds({*bar}, rows), bar_label(*bar)), {*bar});
   }
   return table;
 }
 
-std::string means_note(const PaperReference& reference) {
+std::string means_note(const PaperReference& reference, const std::optional<AccuracyRow>& bar) {
+  const std::string of_bar = bar ? " " + bar_label(*bar) + " is " +
+                                       diagnosis::the_classifier(bar->classifier).what +
+                                       ": what a method must exceed to be needed."
+                                 : "";
   return std::string("All methods side by side. Their spread and intervals") +
          (reference.beside() ? ", and what the paper publishes," : "") +
-         " follow, method by method.";
+         " follow, method by method." + of_bar;
 }
 
 constexpr const char* gain_note =
@@ -135,45 +172,49 @@ std::string models_note(const MethodGroup& group) {
   return note + ".";
 }
 
-void add_group(std::vector<Section>& sections, const MethodGroup& group, const Rows& rows,
-               const Rows& gains, const PaperReference& reference) {
+void add_group(std::vector<Section>& sections, const MethodGroup& group,
+               const ClassifierRows& of_classifier, const Rows& gains,
+               const PaperReference& reference) {
+  const auto& [classifier, rows, bar] = of_classifier;
   sections.push_back(
       reference.table(group.table)
           .of({"accuracy-" + group.key,
                "Accuracy of " + group.name + " on " + reference.dataset() + ", percent",
-               models_note(group), blocks_table(group, rows, reference, {})}));
+               models_note(group),
+               blocks_table(group, rows, bar ? &*bar : nullptr, reference, {})}));
   if (gains.empty()) return;
   sections.push_back(
       reference.figure(group.gain_figure)
           .of({"gain-" + group.key,
                "Gain of " + group.name + " over none on " + reference.dataset() + ", points",
-               gain_note, blocks_table(group, gains, reference, {.sign = true})}));
+               gain_note, blocks_table(group, gains, nullptr, reference, {.sign = true})}));
 }
 
 }  // namespace
 
-std::vector<Section> accuracy_sections(const std::vector<AccuracyRow>& rows,
+std::vector<Section> accuracy_sections(const ClassifierRows& of_classifier,
                                        const Published& published) {
+  const auto& [classifier, rows, bar] = of_classifier;
   const std::string& dataset = rows.front().dataset;
-  const PaperReference reference(dataset);
+  const PaperReference reference(dataset, classifier);
   const Rows gains = gain_rows(rows);
   std::vector<std::string> methods = methods_of(rows);
   std::vector<Section> sections;
   if (methods.size() > 1) {
     sections.push_back(
         reference.none().of({"accuracy-means", "Mean accuracy on " + dataset + ", percent",
-                             means_note(reference), means_table(rows)}));
+                             means_note(reference, bar), means_table(rows, bar)}));
   }
   for (const AccuracyRow& row : rows_of(rows, augment::no_method)) {
     sections.push_back(reference.table(&PaperDataset::baseline_table)
                            .of({"accuracy-none",
                                 "Accuracy on " + dataset + " without generated windows, " +
                                     ratio_label(row.ratio, row.true_ratio) + ", percent",
-                                "", runs_table(row, reference, published)}));
+                                "", runs_table(row, bar ? &*bar : nullptr, reference, published)}));
   }
   std::erase(methods, augment::no_method);
   for (const MethodGroup& group : method_groups(methods)) {
-    add_group(sections, group, rows, gains, reference);
+    add_group(sections, group, of_classifier, gains, reference);
   }
   return sections;
 }

@@ -9,6 +9,7 @@
 
 #include "augment/catalogue.hpp"
 #include "report/bounded_summary.hpp"
+#include "report/classifier_rows.hpp"
 #include "report/csv_fields.hpp"
 #include "report/labels.hpp"
 #include "report/paper_reference.hpp"
@@ -20,6 +21,7 @@ namespace piae::report {
 namespace {
 
 void add_published(AccuracyRow& row, const Published& published) {
+  if (row.classifier != scoring::paper_classifier) return;
   const std::optional<Counterpart> beside = PaperReference(row.dataset).beside();
   if (!beside) return;
   const auto percent = published.percent(beside->paper.name, row.method, row.ratio);
@@ -31,9 +33,10 @@ AccuracyRow row_of(const run::Combination& combination, const run::Grid& grid,
   AccuracyRow row;
   row.dataset = grid.dataset;
   row.method = combination.method;
+  row.classifier = combination.classifier;
   row.ratio = combination.ratio;
   for (const run::Diagnosis& cell : results.diagnoses) {
-    if (cell.method != row.method || cell.ratio != row.ratio) continue;
+    if (run::Combination{cell.method, cell.ratio, cell.classifier} != combination) continue;
     row.generated_per_class = cell.generated_per_class;
     row.true_ratio = cell.true_ratio;
     row.seeds.push_back(cell.seed);
@@ -64,6 +67,12 @@ AccuracyRow gain_of(AccuracyRow row, const AccuracyRow& baseline) {
 
 std::string as_published(std::optional<double> value) {
   return value ? fmt::format("{:g}", *value) : "";
+}
+
+void add_line(text::Table& table, const std::string& name, const AccuracyRow& row) {
+  table.row({name, ratio_label(row.ratio, row.true_ratio), std::to_string(row.generated_per_class),
+             std::to_string(row.summary.count), mean_label(row.summary),
+             interval_label(row.summary), as_published(row.published)});
 }
 
 }  // namespace
@@ -112,10 +121,11 @@ std::vector<AccuracyRow> rows_of(const std::vector<AccuracyRow>& rows, const std
 
 std::vector<AccuracyRow> gain_rows(const std::vector<AccuracyRow>& rows) {
   std::vector<AccuracyRow> gains;
-  const auto baseline = std::ranges::find(rows, augment::no_method, &AccuracyRow::method);
-  if (baseline == rows.end()) return gains;
   for (const AccuracyRow& row : rows) {
-    if (row.method == augment::no_method) continue;
+    const auto baseline = std::ranges::find_if(rows, [&](const AccuracyRow& each) {
+      return each.method == augment::no_method && each.classifier == row.classifier;
+    });
+    if (row.method == augment::no_method || baseline == rows.end()) continue;
     AccuracyRow gain = gain_of(row, *baseline);
     if (!gain.values.empty()) gains.push_back(std::move(gain));
   }
@@ -123,12 +133,13 @@ std::vector<AccuracyRow> gain_rows(const std::vector<AccuracyRow>& rows) {
 }
 
 std::string accuracy_csv(const std::vector<AccuracyRow>& rows) {
-  std::string text = text::csv_line({"dataset", "method", "ratio", "generated_per_class", "seeds",
-                                     "mean", "std", "ci95_low", "ci95_high", "published"});
+  std::string text =
+      text::csv_line({"dataset", "method", "classifier", "ratio", "generated_per_class", "seeds",
+                      "mean", "std", "ci95_low", "ci95_high", "published"});
   for (const AccuracyRow& row : rows) {
     text += joined_csv_line(
-        {{row.dataset, row.method, row.ratio, std::to_string(row.generated_per_class),
-          std::to_string(row.summary.count)},
+        {{row.dataset, row.method, row.classifier, row.ratio,
+          std::to_string(row.generated_per_class), std::to_string(row.summary.count)},
          mean_fields(row.summary),
          interval_fields(row.summary),
          {as_published(row.published)}});
@@ -137,14 +148,17 @@ std::string accuracy_csv(const std::vector<AccuracyRow>& rows) {
 }
 
 std::string accuracy_text(const std::vector<AccuracyRow>& rows) {
-  text::Table table(
-      {"method", "ratio", "generated", "seeds", "accuracy %", "95 % interval", "paper"}, 2);
-  for (const AccuracyRow& row : rows) {
-    table.row({method_label(row.method), ratio_label(row.ratio, row.true_ratio),
-               std::to_string(row.generated_per_class), std::to_string(row.summary.count),
-               mean_label(row.summary), interval_label(row.summary), as_published(row.published)});
+  const std::vector<ClassifierRows> blocks = by_classifier(rows);
+  std::string text;
+  for (const ClassifierRows& block : blocks) {
+    text::Table table(
+        {"method", "ratio", "generated", "seeds", "accuracy %", "95 % interval", "paper"}, 2);
+    for (const AccuracyRow& row : block.rows) add_line(table, method_label(row.method), row);
+    if (block.bar) add_line(table, bar_label(*block.bar), *block.bar);
+    if (blocks.size() > 1) text += "by " + block.classifier + '\n';
+    text += table.plain();
   }
-  return table.plain();
+  return text;
 }
 
 }  // namespace piae::report

@@ -11,11 +11,12 @@
 
 namespace piae::report {
 
-/// One method at one ratio over its seeds. The numbers are accuracies in percent, or gains in
-/// points.
+/// One method at one ratio, by one classifier, over its seeds. The numbers are accuracies in
+/// percent, or gains in points.
 struct AccuracyRow {
   std::string dataset;
   std::string method;
+  std::string classifier = scoring::paper_classifier;
   std::string ratio;
   std::int64_t generated_per_class = 0;
   double true_ratio = 0;
@@ -25,7 +26,7 @@ struct AccuracyRow {
   std::vector<double> values;       ///< by seed
   scoring::Summary summary;         ///< of the values, with the interval that can be shown
   /// What the paper publishes: of this dataset, or of its counterpart (report/paper_reference.hpp),
-  /// which is for orientation only. At most one of them is there.
+  /// which is for orientation only. At most one of them is there, and none of another classifier.
   std::optional<double> published;
   std::optional<double> orientation;
 
@@ -50,19 +51,19 @@ struct Pairs {
 };
 Pairs pairs_of(const AccuracyRow& first, const AccuracyRow& second);
 
-/// What generated windows are worth, in points: for each row the accuracy minus that of `none`, at
-/// the seeds that both have. The published gain is the difference of the published accuracies. A
-/// row that has no seed in common with `none` is left out.
+/// What generated windows are worth, in points: for each row the accuracy minus that of `none` by
+/// the same classifier, at the seeds that both have. The published gain is the difference of the
+/// published accuracies. A row that has no seed in common with `none` is left out.
 std::vector<AccuracyRow> gain_rows(const std::vector<AccuracyRow>& rows);
 
 /// accuracy.csv and gains.csv:
-/// dataset,method,ratio,generated_per_class,seeds,mean,std,ci95_low,ci95_high,published in percent
-/// or points; `seeds` is how many there are. Empty are the standard deviation of a single seed, an
-/// interval that no table shows (report/bounded_summary.hpp), and what the paper does not publish
-/// of this very dataset.
+/// dataset,method,classifier,ratio,generated_per_class,seeds,mean,std,ci95_low,ci95_high,published
+/// in percent or points; `seeds` is how many there are. Empty are the standard deviation of a
+/// single seed, an interval that no table shows (report/bounded_summary.hpp), and what the paper
+/// does not publish of this very dataset.
 std::string accuracy_csv(const std::vector<AccuracyRow>& rows);
 
-/// The accuracies for a terminal, at most 100 columns wide.
+/// The accuracies for a terminal, at most 100 columns wide: a table for each classifier.
 std::string accuracy_text(const std::vector<AccuracyRow>& rows);
 
 }  // namespace piae::report

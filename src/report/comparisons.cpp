@@ -5,6 +5,7 @@
 
 #include "augment/catalogue.hpp"
 #include "base/error.hpp"
+#include "report/classifier_rows.hpp"
 #include "report/csv_fields.hpp"
 #include "report/labels.hpp"
 #include "report/paper_reference.hpp"
@@ -68,6 +69,7 @@ std::vector<PairedRow> paired_rows_of(const std::vector<AccuracyRow>& rows,
 Comparisons compare_methods(const std::vector<AccuracyRow>& rows, const std::string& against) {
   const std::vector<std::string> methods = methods_of(rows);
   Comparisons comparisons{.dataset = rows.front().dataset,
+                          .classifier = rows.front().classifier,
                           .against = choose_other_side(methods, against)};
   if (comparisons.against.empty()) return comparisons;
   for (const std::string& method : methods) {
@@ -79,18 +81,32 @@ Comparisons compare_methods(const std::vector<AccuracyRow>& rows, const std::str
   return comparisons;
 }
 
-std::string comparisons_csv(const Comparisons& comparisons) {
-  std::string text = joined_csv_line({{"dataset", "ratio", "method", "against"}, paired_header()});
-  for (const PairedRow& row : comparisons.rows) {
-    text += joined_csv_line(
-        {{comparisons.dataset, row.ratio, row.method, comparisons.against}, paired_fields(row)});
+std::vector<Comparisons> compare_by_classifier(const std::vector<AccuracyRow>& rows,
+                                               const std::string& against) {
+  const bool is_anywhere = std::ranges::count(methods_of(rows), against) > 0;
+  std::vector<Comparisons> all;
+  for (const ClassifierRows& block : by_classifier(rows)) {
+    const bool is_here = std::ranges::count(methods_of(block.rows), against) > 0;
+    if (is_here || !is_anywhere) all.push_back(compare_methods(block.rows, against));
+  }
+  return all;
+}
+
+std::string comparisons_csv(const std::vector<Comparisons>& comparisons) {
+  std::string text =
+      joined_csv_line({{"dataset", "ratio", "method", "classifier", "against"}, paired_header()});
+  for (const Comparisons& each : comparisons) {
+    for (const PairedRow& row : each.rows) {
+      text += joined_csv_line({{each.dataset, row.ratio, row.method, each.classifier, each.against},
+                               paired_fields(row)});
+    }
   }
   return text;
 }
 
 std::vector<Section> comparison_sections(const Comparisons& comparisons) {
   if (comparisons.rows.empty()) return {};
-  return {PaperReference(comparisons.dataset)
+  return {PaperReference(comparisons.dataset, comparisons.classifier)
               .none()
               .of({.key = "comparisons",
                    .title = "Accuracy minus that of " + method_label(comparisons.against) + " on " +

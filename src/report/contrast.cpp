@@ -62,8 +62,8 @@ run::Layout layout_of(const std::filesystem::path& folder) {
 Side read_side(const run::Layout& layout, const run::Layout& other, run::GridOptions asked,
                const std::vector<std::string>& leave_out) {
   asked.dataset = layout.folder().filename();
-  const run::Collected all =
-      collect_held_diagnoses(layout, resolve(asked), run::Held(layout, other, leave_out));
+  const run::Collected all = collect_held_diagnoses(
+      layout, resolve(asked), run::Held(layout, other, leave_out), run::Classifiers::papers);
   run::require_all(all.results);
   return {.run = layout.folder().parent_path(),
           .dataset = all.grid.dataset,
@@ -74,7 +74,7 @@ Side read_side(const run::Layout& layout, const run::Layout& other, run::GridOpt
 
 }  // namespace
 
-Contrast read_contrast(const Folders& folders, run::GridOptions asked,
+Contrast read_contrast(const Folders& folders, const run::GridOptions& asked,
                        const std::vector<std::string>& leave_out) {
   const run::Layout with = layout_of(folders.with);
   const run::Layout without = layout_of(folders.without);

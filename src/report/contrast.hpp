@@ -39,7 +39,7 @@ Contrast contrast(Side with, Side without);
 /// Reads the cells that are asked for, which both sides must have, and all others that both have
 /// (run/held.hpp, which says what `leave_out` is). Throws as contrast(), resolve() and
 /// run::require_all() do.
-Contrast read_contrast(const Folders& folders, run::GridOptions asked,
+Contrast read_contrast(const Folders& folders, const run::GridOptions& asked,
                        const std::vector<std::string>& leave_out);
 
 /// with,without,method,ratio,with_mean,with_std,without_mean,without_std and paired_header(). The

@@ -34,7 +34,7 @@ void say(Sayings& sayings, const std::string& method, const std::string& what) {
 std::string joined(const Sayings& sayings) {
   std::string text;
   for (const auto& [said, methods] : sayings) {
-    text += (text.empty() ? "" : "; ") + methods + ": " + said;
+    text.append(text.empty() ? "" : "; ").append(methods).append(": ").append(said);
   }
   return text;
 }
@@ -52,10 +52,13 @@ std::vector<std::string> ratios_for(const run::Grid& grid, const std::string& me
 }
 
 std::map<std::string, SeedSet> seeds_by_ratio(const run::Results& results,
-                                              const std::string& method) {
+                                              const std::string& method,
+                                              const std::string& classifier) {
   std::map<std::string, SeedSet> seeds;
   for (const run::Diagnosis& cell : results.diagnoses) {
-    if (cell.method == method) seeds[cell.ratio].insert(cell.seed);
+    if (cell.method == method && cell.classifier == classifier) {
+      seeds[cell.ratio].insert(cell.seed);
+    }
   }
   return seeds;
 }
@@ -71,9 +74,9 @@ SeedSet seeds_of_scores(const run::Results& results, const std::string& method) 
 /// What a method has, where that is not everything: "seeds 0 to 2", "10:1, 5:1 of seed 0, and 1:1
 /// of seeds 0 to 2".
 std::string diagnoses_of(const run::Grid& grid, const run::Results& results,
-                         const std::string& method) {
+                         const std::string& method, const std::string& classifier) {
   const SeedSet all(grid.seeds.begin(), grid.seeds.end());
-  const auto has = seeds_by_ratio(results, method);
+  const auto has = seeds_by_ratio(results, method, classifier);
   const std::vector<std::string> ratios = ratios_for(grid, method);
   std::vector<std::pair<SeedSet, std::string>> ratios_by_seeds;
   for (const std::string& ratio : ratios) {
@@ -104,9 +107,11 @@ std::string fewer_cells(const run::Grid& grid, const run::Results& results) {
   Sayings sayings;
   std::set<std::string> seen;
   for (const run::Combination& cell : grid.combinations) {
-    if (!seen.insert(cell.method).second) continue;
-    const std::string has = diagnoses_of(grid, results, cell.method);
-    if (!has.empty()) say(sayings, cell.method, has);
+    const std::string name = run::name_by(cell.method, cell.classifier);
+    if (!seen.insert(name).second) continue;
+    const std::string has = diagnoses_of(run::of_classifier(grid, cell.classifier), results,
+                                         cell.method, cell.classifier);
+    if (!has.empty()) say(sayings, name, has);
   }
   return joined(sayings);
 }
@@ -116,8 +121,8 @@ std::string fewer_scores(const run::Grid& grid, const run::Results& results) {
   Sayings sayings;
   for (const std::string& method : grid.scored) {
     SeedSet diagnosed;
-    for (const auto& [ratio, seeds] : seeds_by_ratio(results, method)) {
-      diagnosed.insert(seeds.begin(), seeds.end());
+    for (const run::Diagnosis& cell : results.diagnoses) {
+      if (cell.method == method) diagnosed.insert(cell.seed);
     }
     const SeedSet scored = seeds_of_scores(results, method);
     if (!diagnosed.empty() && scored != diagnosed) say(sayings, method, seeds_label(scored));
@@ -143,8 +148,9 @@ std::string left_out_line(const run::Results& results) {
   std::map<std::string, SeedSet> seeds;
   std::vector<std::string> methods;
   for (const run::CellName& cell : results.left_out) {
-    if (seeds[cell.method].empty()) methods.push_back(cell.method);
-    seeds[cell.method].insert(cell.seed);
+    const std::string name = run::name_by(cell.method, cell.classifier);
+    if (seeds[name].empty()) methods.push_back(name);
+    seeds[name].insert(cell.seed);
   }
   Sayings sayings;
   for (const std::string& method : methods) say(sayings, method, seeds_label(seeds[method]));

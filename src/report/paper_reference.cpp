@@ -44,8 +44,10 @@ std::optional<Counterpart> counterpart_of(const std::string& dataset) {
 
 }  // namespace
 
-PaperReference::PaperReference(std::string dataset)
-    : dataset_(std::move(dataset)), counterpart_(counterpart_of(dataset_)) {}
+PaperReference::PaperReference(std::string dataset, const std::string& classifier)
+    : dataset_(std::move(dataset)) {
+  if (classifier == scoring::paper_classifier) counterpart_ = counterpart_of(dataset_);
+}
 
 Section Place::of(Section section) const {
   section.title += after_title;

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "report/document.hpp"
+#include "scoring/diagnosis_record.hpp"
 
 namespace piae::report {
 
@@ -37,10 +38,11 @@ struct Place {
   [[nodiscard]] Section of(Section section) const;
 };
 
-/// What tables of a dataset say of the paper.
+/// What tables of a dataset say of the paper, which has none by another classifier than its own.
 class PaperReference {
  public:
-  explicit PaperReference(std::string dataset);
+  explicit PaperReference(std::string dataset,
+                          const std::string& classifier = scoring::paper_classifier);
 
   [[nodiscard]] const std::string& dataset() const { return dataset_; }
   /// Empty for a dataset that has no counterpart in the paper.

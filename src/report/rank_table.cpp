@@ -7,6 +7,7 @@
 #include <set>
 
 #include "augment/catalogue.hpp"
+#include "report/classifier_rows.hpp"
 #include "report/labels.hpp"
 #include "report/largest_block.hpp"
 #include "report/paper_reference.hpp"
@@ -128,10 +129,29 @@ std::vector<RatioRanks> ranks_of(const std::vector<AccuracyRow>& rows,
   return ratios;
 }
 
+std::string csv_lines(const RankTable& table) {
+  std::string text;
+  for (const auto& [ratio, ranks] : table.ratios) {
+    for (std::size_t i = 0; i < table.methods.size(); ++i) {
+      text += text::csv_line({table.dataset, ratio.ratio, table.methods[i], table.classifier,
+                              std::to_string(ranks.blocks), fmt::format("{:.4f}", ranks.average[i]),
+                              ranks.p ? fmt::format("{:.6g}", *ranks.p) : "",
+                              ranks.p ? fmt::format("{:.4f}", *ranks.critical_difference) : ""});
+    }
+  }
+  for (std::size_t i = 0; i < table.over_all_cells.size(); ++i) {
+    text += text::csv_line({table.dataset, "all", table.methods[i], table.classifier,
+                            std::to_string(table.ratios.front().ranks.blocks),
+                            fmt::format("{:.4f}", table.over_all_cells[i]), "", ""});
+  }
+  return text;
+}
+
 }  // namespace
 
 RankTable rank_methods(const std::vector<AccuracyRow>& rows) {
-  RankTable table{.dataset = rows.front().dataset, .methods = {}};
+  RankTable table{
+      .dataset = rows.front().dataset, .classifier = rows.front().classifier, .methods = {}};
   std::vector<std::string> methods = methods_of(rows);
   std::erase_if(methods, augment::is_ceiling);
   const std::vector<RankedCell> cells = cells_of_any(rows);
@@ -154,25 +174,19 @@ RankTable rank_methods(const std::vector<AccuracyRow>& rows) {
   return table;
 }
 
-std::string ranks_csv(const RankTable& table) {
-  std::string text = text::csv_line(
-      {"dataset", "ratio", "method", "seeds", "average_rank", "friedman_p", "critical_difference"});
-  for (const auto& [ratio, ranks] : table.ratios) {
-    for (std::size_t i = 0; i < table.methods.size(); ++i) {
-      text += text::csv_line({table.dataset, ratio.ratio, table.methods[i],
-                              std::to_string(ranks.blocks), fmt::format("{:.4f}", ranks.average[i]),
-                              ranks.p ? fmt::format("{:.6g}", *ranks.p) : "",
-                              ranks.p ? fmt::format("{:.4f}", *ranks.critical_difference) : ""});
-    }
-  }
-  for (std::size_t i = 0; i < table.over_all_cells.size(); ++i) {
-    text += text::csv_line({table.dataset, "all", table.methods[i],
-                            std::to_string(table.ratios.front().ranks.blocks),
-                            fmt::format("{:.4f}", table.over_all_cells[i]), "", ""});
-  }
-  return text;
+std::vector<RankTable> rank_by_classifier(const std::vector<AccuracyRow>& rows) {
+  std::vector<RankTable> tables;
+  for (const ClassifierRows& block : by_classifier(rows))
+    tables.push_back(rank_methods(block.rows));
+  return tables;
 }
 
+std::string ranks_csv(const std::vector<RankTable>& tables) {
+  std::string text = text::csv_line({"dataset", "ratio", "method", "classifier", "seeds",
+                                     "average_rank", "friedman_p", "critical_difference"});
+  for (const RankTable& table : tables) text += csv_lines(table);
+  return text;
+}
 std::vector<Section> rank_sections(const RankTable& table) {
   if (table.ratios.empty()) return {};
   std::vector<std::string> header{"method"};
@@ -194,7 +208,7 @@ std::vector<Section> rank_sections(const RankTable& table) {
     text.row(cells);
   }
   if (is_tested) text.row(tests);
-  return {PaperReference(table.dataset)
+  return {PaperReference(table.dataset, table.classifier)
               .none()
               .of({"ranks", "Average ranks on " + table.dataset, note_of(table), text})};
 }

@@ -17,6 +17,7 @@ struct RatioRanks {
 
 struct RankTable {
   std::string dataset;
+  std::string classifier;
   /// All but ceilings, which are not ranked, and those left out.
   std::vector<std::string> methods;
   std::vector<std::string> left_out = {};  ///< for lack of cells that the others have
@@ -26,15 +27,19 @@ struct RankTable {
   std::vector<double> over_all_cells = {};
 };
 
-/// `rows` are of accuracy_rows(). `none` is ranked at every ratio, with its one accuracy. Ranks are
-/// of methods that all have the same cells: those with the most cells together
-/// (report/largest_block.hpp). The table has no ratios where these are less than two methods.
+/// `rows` are of accuracy_rows() and of one classifier. `none` is ranked at every ratio, with its
+/// one accuracy. Ranks are of methods that all have the same cells: those with the most cells
+/// together (report/largest_block.hpp). The table has no ratios where these are less than two
+/// methods.
 RankTable rank_methods(const std::vector<AccuracyRow>& rows);
 
-/// ranks.csv: dataset,ratio,method,seeds,average_rank,friedman_p,critical_difference. The ratio is
-/// "all" for all cells together, which have no test, since the cells of one seed are no independent
-/// repeats.
-std::string ranks_csv(const RankTable& table);
+/// The same for each classifier that has tables of its own.
+std::vector<RankTable> rank_by_classifier(const std::vector<AccuracyRow>& rows);
+
+/// ranks.csv: dataset,ratio,method,classifier,seeds,average_rank,friedman_p,critical_difference.
+/// The ratio is "all" for all cells together, which have no test, since the cells of one seed are
+/// no independent repeats.
+std::string ranks_csv(const std::vector<RankTable>& tables);
 
 /// One section with a method in each row and a ratio in each column. No section for a table without
 /// ratios.

@@ -41,6 +41,7 @@ std::optional<AccuracyRow> mean_row(const std::vector<AccuracyRow>& rows) {
   AccuracyRow mean;
   mean.dataset = rows.front().dataset;
   mean.method = rows.front().method;
+  mean.classifier = rows.front().classifier;
   mean.ratio = mean_of_ratios;
   mean.ratios = block.columns.size();
   for (const std::size_t i : block.rows) {

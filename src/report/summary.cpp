@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "augment/catalogue.hpp"
+#include "report/classifier_rows.hpp"
 #include "report/labels.hpp"
 #include "report/ratio_columns.hpp"
 #include "report/verdict.hpp"
@@ -33,24 +34,38 @@ std::string wrapped_at_80(const std::string& paragraph) {
   return text + '\n';
 }
 
-text::Table accuracy_table(const std::vector<AccuracyRow>& rows) {
-  const std::vector<RatioColumn> columns = ratio_columns(rows);
+text::Table accuracy_table(const ClassifierRows& block) {
+  std::vector<AccuracyRow> all = block.rows;
+  if (block.bar) all.push_back(*block.bar);
+  const std::vector<RatioColumn> columns = ratio_columns(all);
   std::vector<std::string> header{"method"};
   for (const RatioColumn& column : columns) {
     header.push_back(short_ratio_label(column.ratio));
   }
   text::Table table(header, 1);
-  for (const std::string& method : methods_of(rows)) {
-    std::vector<std::string> cells{method_label(method)};
+  const auto add_line = [&](const std::string& name, const std::vector<AccuracyRow>& own) {
+    std::vector<std::string> cells{name};
     for (const RatioColumn& column : columns) {
-      const auto row = std::ranges::find_if(rows, [&](const AccuracyRow& each) {
-        return each.method == method && each.ratio == column.ratio;
-      });
-      cells.push_back(row == rows.end() ? "" : number_label(row->summary.mean, {.decimals = 1}));
+      const auto row = std::ranges::find(own, column.ratio, &AccuracyRow::ratio);
+      cells.push_back(row == own.end() ? "" : number_label(row->summary.mean, {.decimals = 1}));
     }
     table.row(cells);
+  };
+  for (const std::string& method : methods_of(block.rows)) {
+    add_line(method_label(method), rows_of(block.rows, method));
   }
+  if (block.bar) add_line(bar_label(*block.bar), {*block.bar});
   return table;
+}
+
+std::string accuracy_tables(const std::vector<AccuracyRow>& rows) {
+  const std::vector<ClassifierRows> blocks = by_classifier(rows);
+  std::string text;
+  for (const ClassifierRows& block : blocks) {
+    if (blocks.size() > 1) text += (text.empty() ? "" : "\n") + ("by " + block.classifier) + '\n';
+    text += accuracy_table(block).plain();
+  }
+  return text;
 }
 
 }  // namespace
@@ -63,7 +78,7 @@ std::string summary_text(const run::Grid& grid, const run::Results& results,
   std::string text = fmt::format("Accuracy on {} in percent, mean of {}{} seed{}\n\n", grid.dataset,
                                  std::ranges::all_of(rows, has_all) ? "" : "up to ",
                                  grid.seeds.size(), grid.seeds.size() == 1 ? "" : "s") +
-                     accuracy_table(rows).plain();
+                     accuracy_tables(rows);
   std::string sentences;
   for (const std::string& sentence : verdict(results, rows)) sentences += wrapped_at_80(sentence);
   return sentences.empty() ? text : text + '\n' + sentences;

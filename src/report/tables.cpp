@@ -8,6 +8,7 @@
 #include "augment/catalogue.hpp"
 #include "report/accuracy_sections.hpp"
 #include "report/bounded_summary.hpp"
+#include "report/classifier_rows.hpp"
 #include "report/gaps.hpp"
 #include "report/paper_reference.hpp"
 #include "report/quality_table.hpp"
@@ -36,11 +37,35 @@ std::string how_to_read(const run::Grid& grid, const std::string& protocol) {
       about_intervals, ceiling_note(grid));
 }
 
+/// The tables of one classifier.
+std::vector<Section> sections_of(const ClassifierRows& block, const Published& published,
+                                 const std::vector<Comparisons>& comparisons,
+                                 const std::vector<RankTable>& ranks) {
+  std::vector<Section> sections = accuracy_sections(block, published);
+  const auto add = [&](std::vector<Section> more) {
+    std::ranges::move(more, std::back_inserter(sections));
+  };
+  for (const Comparisons& each : comparisons) {
+    if (each.classifier == block.classifier) add(comparison_sections(each));
+  }
+  for (const RankTable& each : ranks) {
+    if (each.classifier == block.classifier) add(rank_sections(each));
+  }
+  return sections;
+}
+
+/// Keys are labels of LaTeX: those by the paper's classifier are as where there is no other.
+Section named_by(const std::string& classifier, Section section) {
+  section.title += ", by " + classifier;
+  if (classifier != scoring::paper_classifier) section.key += "-" + classifier;
+  return section;
+}
+
 }  // namespace
 
 Document tables(const run::Grid& grid, const run::Results& results,
                 const std::vector<AccuracyRow>& rows, const Published& published,
-                const Comparisons& comparisons, const RankTable& ranks,
+                const std::vector<Comparisons>& comparisons, const std::vector<RankTable>& ranks,
                 const std::vector<Section>& twins) {
   const auto beside = PaperReference(grid.dataset).beside();
   const bool stands_in = beside && !beside->own;
@@ -51,11 +76,15 @@ Document tables(const run::Grid& grid, const run::Results& results,
   }
   document.paragraphs.push_back(how_to_read(grid, to_string(results.diagnoses.front().protocol)));
   std::ranges::move(gap_paragraphs(grid, results), std::back_inserter(document.paragraphs));
-  for (std::vector<Section> sections :
-       {accuracy_sections(rows, published), comparison_sections(comparisons), rank_sections(ranks),
-        quality_sections(grid, results), twins}) {
-    std::ranges::move(sections, std::back_inserter(document.sections));
+  const std::vector<ClassifierRows> blocks = by_classifier(rows);
+  for (const ClassifierRows& block : blocks) {
+    for (Section& section : sections_of(block, published, comparisons, ranks)) {
+      document.sections.push_back(
+          blocks.size() == 1 ? std::move(section) : named_by(block.classifier, std::move(section)));
+    }
   }
+  std::ranges::move(quality_sections(grid, results), std::back_inserter(document.sections));
+  std::ranges::copy(twins, std::back_inserter(document.sections));
   return document;
 }
 

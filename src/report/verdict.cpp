@@ -9,6 +9,8 @@
 #include <ranges>
 
 #include "augment/catalogue.hpp"
+#include "diagnosis/catalogue.hpp"
+#include "report/classifier_rows.hpp"
 #include "report/labels.hpp"
 #include "report/ratio_columns.hpp"
 
@@ -146,6 +148,13 @@ std::string why_it_falls_short(const run::Results& results, const std::vector<Ac
       beginning, measured);
 }
 
+std::string without_any_of_this(const AccuracyRow& bar) {
+  return fmt::format(
+      "The classifier {}, {}, is right in {:.1f} % of the test windows with the known windows "
+      "alone.",
+      bar.classifier, diagnosis::the_classifier(bar.classifier).what, bar.summary.mean);
+}
+
 }  // namespace
 
 Effect effect_of(const AccuracyRow& gain) {
@@ -156,11 +165,16 @@ Effect effect_of(const AccuracyRow& gain) {
 
 std::vector<std::string> verdict(const run::Results& results,
                                  const std::vector<AccuracyRow>& rows) {
-  const std::vector<AccuracyRow> gains = largest_gains(rows);
+  const std::vector<ClassifierRows> blocks = by_classifier(rows);
+  if (blocks.empty()) return {};
+  const ClassifierRows& shown = blocks.front();
+  const std::vector<AccuracyRow> gains = largest_gains(shown.rows);
   if (gains.empty()) return {};
-  std::vector<std::string> sentences{who_helps(gains, *find_row(rows, augment::no_method, ""))};
+  std::vector<std::string> sentences{
+      who_helps(gains, *find_row(shown.rows, augment::no_method, ""))};
   std::string reason = why_it_falls_short(results, gains);
   if (!reason.empty()) sentences.push_back(std::move(reason));
+  if (shown.bar) sentences.push_back(without_any_of_this(*shown.bar));
   return sentences;
 }
 

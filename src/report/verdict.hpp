@@ -14,9 +14,10 @@ enum class Effect { helps, no_clear_difference, harms };
 Effect effect_of(const AccuracyRow& gain);
 
 /// What was seen, in sentences: which methods help and by how many points, at the ratio with the
-/// most generated windows that most methods have; and, where the paper's method is there and gains
-/// little, why. All numbers are those of the run. `rows` are accuracy_rows() of these results.
-/// Empty where nothing can be compared with `none`.
+/// most generated windows that most methods have; where the paper's method is there and gains
+/// little, why; and what the bar reaches without any of this, where that is known. All by the
+/// paper's classifier, or else the first of those there are. All numbers are those of the run.
+/// `rows` are accuracy_rows() of these results. Empty where nothing can be compared with `none`.
 std::vector<std::string> verdict(const run::Results& results, const std::vector<AccuracyRow>& rows);
 
 }  // namespace piae::report

@@ -5,6 +5,7 @@
 
 #include "augment/catalogue.hpp"
 #include "base/error.hpp"
+#include "diagnosis/catalogue.hpp"
 #include "scoring/ratios.hpp"
 
 namespace piae::run {
@@ -39,19 +40,46 @@ std::vector<std::string> ratios_begun(const Layout& layout,
   return ratios;
 }
 
+/// Whether there is a folder of this classifier in that of a method and any ratio.
+bool is_begun(const Layout& layout, const std::string& method, const std::string& classifier) {
+  return std::ranges::any_of(scoring::all_ratios(), [&](const scoring::Ratio& ratio) {
+    return is_in_any_seed(layout, fs::path(method) / ratio.name / classifier);
+  });
+}
+
+/// The paper's and all others that a method has begun. Empty where there is no other. The bar of
+/// the baseline does not count for itself, since it is asked for with any other.
+std::vector<std::string> classifiers_begun(const Layout& layout,
+                                           const std::vector<std::string>& methods) {
+  const bool has_bar = is_begun(layout, augment::no_method, diagnosis::bar_classifier);
+  std::vector<std::string> begun;
+  for (const diagnosis::Classifier& each : diagnosis::classifiers()) {
+    const std::string name = each.name;
+    const bool any = std::ranges::any_of(methods, [&](const std::string& method) {
+      const bool is_bar = method == augment::no_method && name == diagnosis::bar_classifier;
+      return !is_bar && is_begun(layout, method, name);
+    });
+    if (any || name == scoring::paper_classifier) begun.push_back(name);
+  }
+  return has_bar || begun.size() > 1 ? begun : std::vector<std::string>{};
+}
+
 }  // namespace
 
-void bind_begun_cells(const cli::Options& command, std::vector<std::string>& methods,
-                      std::vector<std::string>& ratios, std::vector<std::string>& seeds) {
-  const std::string held = "; those that the folder holds where it is not given";
-  command.add("--methods", methods, "Methods, such as: none piae-dt" + held);
-  command.add("--ratios", ratios, "Ratios, such as: 100to1 10to1" + held);
-  command.add("--seeds", seeds, "Seeds, such as: 0 1 2" + held);
+void bind_begun_cells(const cli::Options& command, GridOptions& options) {
+  const std::string held = "those that the folder holds where it is not given";
+  command.add("--methods", options.methods, "Methods, such as: none piae-dt; " + held);
+  command.add("--ratios", options.ratios, "Ratios, such as: 100to1 10to1; " + held);
+  command.add("--seeds", options.seeds, "Seeds, such as: 0 1 2; " + held);
+  bind_classifiers(command, options.classifiers, held);
 }
 
 Grid resolve_begun(const Layout& layout, GridOptions options) {
   if (options.methods.empty()) options.methods = methods_begun(layout);
   if (options.ratios.empty()) options.ratios = ratios_begun(layout, options.methods);
+  if (options.classifiers.empty()) {
+    options.classifiers = classifiers_begun(layout, options.methods);
+  }
   if (options.seeds.empty()) {
     for (const std::int64_t seed : layout.seeds()) options.seeds.push_back(std::to_string(seed));
   }

@@ -9,15 +9,14 @@
 
 namespace piae::run {
 
-/// Options --methods, --ratios and --seeds of a program that looks at what a run holds; each may be
-/// left out.
-void bind_begun_cells(const cli::Options& command, std::vector<std::string>& methods,
-                      std::vector<std::string>& ratios, std::vector<std::string>& seeds);
+/// Options --methods, --ratios, --seeds and --classifiers of a program that looks at what a run
+/// holds; each may be left out.
+void bind_begun_cells(const cli::Options& command, GridOptions& options);
 
 /// The cells that there should be: what is asked for, and for a list that is empty every method,
-/// ratio or seed of which there is a folder. A run that was only begun has a few folders and logs,
-/// and lacks cells. Throws Error(usage) as resolve() does, Error(input_missing) where nothing is
-/// asked for and the folder holds nothing.
+/// ratio, classifier or seed of which there is a folder. A run that was only begun has a few
+/// folders and logs, and lacks cells. Throws Error(usage) as resolve() does, Error(input_missing)
+/// where nothing is asked for and the folder holds nothing.
 Grid resolve_begun(const Layout& layout, GridOptions options);
 
 }  // namespace piae::run

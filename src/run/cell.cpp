@@ -10,9 +10,11 @@ Diagnosis read_diagnosis_cell(const artefact::Reader& reader, const std::string&
   require_same(reader, "the dataset", record.info.name, dataset);
   require_same(reader, "the method", record.method, combination.method);
   require_same(reader, "the ratio", record.ratio, combination.ratio);
+  require_same(reader, "the classifier", record.classifier, combination.classifier);
   require_same(reader, "the seed", std::to_string(record.seed), std::to_string(seed));
   return {.method = record.method,
           .ratio = record.ratio,
+          .classifier = record.classifier,
           .seed = record.seed,
           .generated_per_class = record.generated_per_class,
           .true_ratio = record.true_ratio,

@@ -14,6 +14,7 @@ namespace piae::run {
 struct Diagnosis {
   std::string method;
   std::string ratio;
+  std::string classifier = scoring::paper_classifier;
   std::int64_t seed = 0;
   std::int64_t generated_per_class = 0;
   double true_ratio = 0;  ///< healthy windows to those of one fault class
@@ -22,7 +23,8 @@ struct Diagnosis {
 };
 
 /// Reads one diagnosis. Throws artefact::Refusal where the file is not of this dataset, method,
-/// ratio and seed, which are those of its place in the run, or is not a diagnosis that can be.
+/// ratio, classifier and seed, which are those of its place in the run, or is not a diagnosis that
+/// can be.
 Diagnosis read_diagnosis_cell(const artefact::Reader& reader, const std::string& dataset,
                               const Combination& combination, std::int64_t seed);
 

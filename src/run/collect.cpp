@@ -75,7 +75,7 @@ void attempt(const std::string& name, const fs::path& path, const std::function<
 }  // namespace
 
 Series series_of(const Combination& combination) {
-  return {.name = "method " + combination.method,
+  return {.name = "method " + name_by(combination.method, combination.classifier),
           .folder = combination.method,
           .combination = combination};
 }
@@ -84,7 +84,7 @@ void collect_diagnoses(const Layout& layout, const std::string& dataset, const S
                        const std::vector<std::int64_t>& seeds, Results& results) {
   const Combination& cell = series.combination;
   for (const std::int64_t seed : seeds) {
-    const fs::path path = layout.diagnosis(series.folder, cell.ratio, seed);
+    const fs::path path = layout.diagnosis(series.folder, cell.ratio, seed, cell.classifier);
     attempt(
         fmt::format("{}, ratio {}, seed {}", series.name, cell.ratio, seed), path,
         [&] { add_diagnosis(path, dataset, cell, seed, results.diagnoses); }, results);

@@ -18,6 +18,9 @@ struct CellName {
   std::string method;
   std::string ratio;
   std::int64_t seed = 0;
+  std::string classifier = scoring::paper_classifier;
+
+  bool operator==(const CellName&) const = default;
 };
 
 /// The cells of a grid that could be read, and what is wrong with the others.

@@ -1,12 +1,14 @@
 #include "run/grid.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <optional>
 #include <string_view>
 
 #include "augment/catalogue.hpp"
 #include "base/error.hpp"
 #include "base/numbers.hpp"
+#include "diagnosis/catalogue.hpp"
 
 namespace piae::run {
 
@@ -29,7 +31,38 @@ std::vector<std::string> in_order_of_table_5(const std::vector<std::string>& nam
   return ordered;
 }
 
+std::vector<std::string> classifiers_of(const GridOptions& options) {
+  if (options.classifiers.empty()) return {scoring::paper_classifier};
+  std::vector<std::string> names = split_list("--classifiers", options.classifiers);
+  for (const std::string& name : names) diagnosis::the_classifier(name);
+  return names;
+}
+
+/// Adds those that the grid does not have yet.
+void add_cells(const std::vector<std::string>& methods, const std::vector<std::string>& ratios,
+               const std::string& classifier, Grid& grid) {
+  for (const std::string& method : methods) {
+    for (const std::string& ratio : ratios) {
+      const Combination cell{method, ratio, classifier};
+      const bool is_new = std::ranges::count(grid.combinations, cell) == 0;
+      if (is_new && go_together(method, scoring::find_ratio(ratio))) {
+        grid.combinations.push_back(cell);
+      }
+    }
+  }
+}
+
+/// Of these methods the baseline, if it is among them.
+std::vector<std::string> without_generating(std::vector<std::string> methods) {
+  std::erase_if(methods, [](const std::string& method) { return method != augment::no_method; });
+  return methods;
+}
+
 }  // namespace
+
+std::string name_by(const std::string& method, const std::string& classifier) {
+  return classifier == scoring::paper_classifier ? method : method + " by " + classifier;
+}
 
 void bind(const cli::Options& command, GridOptions& options) {
   command.add("--dataset", options.dataset, "Dataset, such as cwru").required();
@@ -40,6 +73,12 @@ void bind_cells(const cli::Options& command, GridOptions& options) {
   command.add("--methods", options.methods, "Methods, such as: none piae-dt").required();
   command.add("--ratios", options.ratios, "Ratios, such as: 100to1 10to1 1to1").required();
   command.add("--seeds", options.seeds, "Seeds, such as: 0 1 2").required();
+}
+
+void bind_classifiers(const cli::Options& command, std::vector<std::string>& classifiers,
+                      const std::string& otherwise) {
+  command.add("--classifiers", classifiers,
+              "Classifiers, such as: wdcnn wdcnn-spectrum; " + otherwise);
 }
 
 std::vector<std::string> split_list(const std::string& option,
@@ -69,6 +108,12 @@ bool has_score(const std::string& method) {
   return method != augment::no_method && !augment::is_ceiling(method);
 }
 
+Grid of_classifier(Grid grid, const std::string& classifier) {
+  std::erase_if(grid.combinations,
+                [&](const Combination& cell) { return cell.classifier != classifier; });
+  return grid;
+}
+
 Grid resolve(const GridOptions& options) {
   Grid grid;
   grid.dataset = options.dataset;
@@ -81,13 +126,13 @@ Grid resolve(const GridOptions& options) {
   if (twice != grid.seeds.end()) {
     throw Error(Exit::usage, "--seeds names " + std::to_string(*twice) + " twice");
   }
-  for (const std::string& method : split_list("--methods", options.methods)) {
-    if (has_score(method)) grid.scored.push_back(method);
-    for (const std::string& ratio : ratios) {
-      if (go_together(method, scoring::find_ratio(ratio))) {
-        grid.combinations.push_back({method, ratio});
-      }
-    }
+  const auto methods = split_list("--methods", options.methods);
+  std::ranges::copy_if(methods, std::back_inserter(grid.scored), has_score);
+  for (const std::string& classifier : classifiers_of(options)) {
+    add_cells(methods, ratios, classifier, grid);
+  }
+  if (!options.classifiers.empty()) {
+    add_cells(without_generating(methods), ratios, diagnosis::bar_classifier, grid);
   }
   if (grid.combinations.empty()) {
     throw Error(Exit::usage,

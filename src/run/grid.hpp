@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "cli/options.hpp"
+#include "scoring/diagnosis_record.hpp"
 #include "scoring/ratios.hpp"
 
 namespace piae::run {
@@ -12,28 +13,39 @@ namespace piae::run {
 /// Which part of the grid a table shows, by the names that make and the folders use. A list may
 /// come as one value with several words in it, see split_list().
 struct GridOptions {
-  std::string dataset;
-  std::vector<std::string> methods;
-  std::vector<std::string> ratios;
-  std::vector<std::string> seeds;
+  std::string dataset = {};
+  std::vector<std::string> methods = {};
+  std::vector<std::string> ratios = {};
+  std::vector<std::string> seeds = {};
+  std::vector<std::string> classifiers = {};  ///< the paper's where none is given, and no bar
 };
 
 void bind(const cli::Options& command, GridOptions& options);
 /// Binds all but --dataset, for a program that knows the dataset from elsewhere.
 void bind_cells(const cli::Options& command, GridOptions& options);
+/// Binds --classifiers, of which the help says what is meant where it is not given.
+void bind_classifiers(const cli::Options& command, std::vector<std::string>& classifiers,
+                      const std::string& otherwise);
 
-/// A method and a ratio. The cells of one combination differ in nothing but the seed.
+/// A method, a ratio and a classifier. The cells of one combination differ in nothing but the seed.
 struct Combination {
   std::string method;
   std::string ratio;
+  std::string classifier = scoring::paper_classifier;
+
+  bool operator==(const Combination&) const = default;
 };
+
+/// How texts name a method: "vae", or "vae by nearest" where the classifier is not the paper's.
+std::string name_by(const std::string& method, const std::string& classifier);
 
 /// The cells of one dataset.
 struct Grid {
   std::string dataset;
-  std::vector<std::string> scored;        ///< the methods that have scores, in the order asked for
-  std::vector<Combination> combinations;  ///< methods in the order asked for, ratios as in Table 5
-  std::vector<std::int64_t> seeds;        ///< ascending
+  std::vector<std::string> scored;  ///< the methods that have scores, in the order asked for
+  /// Classifiers and methods in the order asked for, ratios as in Table 5.
+  std::vector<Combination> combinations;
+  std::vector<std::int64_t> seeds;  ///< ascending
 };
 
 /// The words of a list. make passes a list as one value, people pass several: "0 1 2", "0,1,2" and
@@ -49,9 +61,13 @@ bool go_together(const std::string& method, const scoring::Ratio& ratio);
 /// Whether a method has scores: not `none`, which has no windows, and no ceiling.
 bool has_score(const std::string& method);
 
-/// The cells asked for. Throws Error(usage) for an empty list, a value that is there twice, an
-/// unknown ratio, a seed that is not a number from 0 up, and methods and ratios of which none go
-/// together.
+/// The same grid with the cells of one classifier alone.
+Grid of_classifier(Grid grid, const std::string& classifier);
+
+/// The cells asked for. Where classifiers are named and `none` is among the methods, it has a cell
+/// of the bar (diagnosis/catalogue.hpp) whatever they are. Throws Error(usage) for an empty list, a
+/// value that is there twice, an unknown ratio or classifier, a seed that is not a number from 0
+/// up, and methods and ratios of which none go together.
 Grid resolve(const GridOptions& options);
 
 }  // namespace piae::run

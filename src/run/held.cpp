@@ -4,6 +4,7 @@
 #include <set>
 
 #include "augment/catalogue.hpp"
+#include "diagnosis/catalogue.hpp"
 #include "scoring/ratios.hpp"
 
 namespace piae::run {
@@ -25,9 +26,21 @@ std::vector<std::string> methods_in_order(const Grid& asked) {
 }
 
 bool is_asked(const Grid& asked, const Combination& cell) {
-  return std::ranges::any_of(asked.combinations, [&](const Combination& each) {
-    return each.method == cell.method && each.ratio == cell.ratio;
-  });
+  return std::ranges::count(asked.combinations, cell) > 0;
+}
+
+/// Calls f for each combination that there can be: by classifier, then method, then ratio.
+template <class F>
+void for_each_combination(const Grid& asked, Classifiers which, const F& f) {
+  for (const diagnosis::Classifier& classifier : diagnosis::classifiers()) {
+    const bool is_papers = std::string(classifier.name) == scoring::paper_classifier;
+    if (!is_papers && which == Classifiers::papers) continue;
+    for (const std::string& method : methods_in_order(asked)) {
+      for (const scoring::Ratio& ratio : scoring::all_ratios()) {
+        if (go_together(method, ratio)) f(Combination{method, ratio.name, classifier.name});
+      }
+    }
+  }
 }
 
 /// Reads the cells of one file name over the seeds: those that tables are made of.
@@ -40,7 +53,7 @@ class CellsOfSeeds {
 
   void diagnoses(const Grid& asked, const Combination& cell) {
     const auto file_of = [&](std::int64_t seed) {
-      return layout_.diagnosis(cell.method, cell.ratio, seed);
+      return layout_.diagnosis(cell.method, cell.ratio, seed, cell.classifier);
     };
     const auto seeds = chosen(is_asked(asked, cell), asked, cell, file_of);
     if (seeds.empty()) return;
@@ -64,7 +77,7 @@ class CellsOfSeeds {
     auto seeds = held_.seeds_with(needed ? asked.seeds : std::vector<std::int64_t>{}, file_of);
     for (const std::int64_t seed : held_.seeds()) {
       if (held_.leaves_out(file_of(seed))) {
-        into_.results.left_out.push_back({cell.method, cell.ratio, seed});
+        into_.results.left_out.push_back({cell.method, cell.ratio, seed, cell.classifier});
       }
     }
     seeds_.insert(seeds.begin(), seeds.end());
@@ -140,15 +153,13 @@ Grid held_grid(const Layout& layout, const Grid& asked, const Held& held) {
     all.insert(seeds.begin(), seeds.end());
     return !seeds.empty();
   };
+  for_each_combination(asked, Classifiers::all, [&](const Combination& cell) {
+    const auto file_of = [&](std::int64_t seed) {
+      return layout.diagnosis(cell.method, cell.ratio, seed, cell.classifier);
+    };
+    if (any_seed(is_asked(asked, cell), file_of)) grid.combinations.push_back(cell);
+  });
   for (const std::string& method : methods_in_order(asked)) {
-    for (const scoring::Ratio& ratio : scoring::all_ratios()) {
-      const Combination cell{method, ratio.name};
-      const bool there =
-          go_together(method, ratio) && any_seed(is_asked(asked, cell), [&](std::int64_t seed) {
-            return layout.diagnosis(method, ratio.name, seed);
-          });
-      if (there) grid.combinations.push_back(cell);
-    }
     const bool needed = std::ranges::count(asked.scored, method) > 0;
     const bool there = has_score(method) && any_seed(needed, [&](std::int64_t seed) {
                          return layout.score(method, seed);
@@ -159,15 +170,13 @@ Grid held_grid(const Layout& layout, const Grid& asked, const Held& held) {
   return grid;
 }
 
-Collected collect_held_diagnoses(const Layout& layout, const Grid& asked, const Held& held) {
+Collected collect_held_diagnoses(const Layout& layout, const Grid& asked, const Held& held,
+                                 Classifiers which) {
   Collected collected;
   collected.grid.dataset = asked.dataset;
   CellsOfSeeds cells(layout, held, collected);
-  for (const std::string& method : methods_in_order(asked)) {
-    for (const scoring::Ratio& ratio : scoring::all_ratios()) {
-      if (go_together(method, ratio)) cells.diagnoses(asked, {method, ratio.name});
-    }
-  }
+  for_each_combination(asked, which,
+                       [&](const Combination& cell) { cells.diagnoses(asked, cell); });
   return collected;
 }
 

@@ -49,7 +49,8 @@ class Held {
 void bind_leave_out(const cli::Options& command, std::vector<std::string>& leave_out);
 
 /// All methods, ratios and seeds of which there is a cell, or one is asked for; not every
-/// combination has every seed. Methods are in the order of the catalogue. No cell is read.
+/// combination has every seed. Classifiers and methods are in the order of their
+/// catalogues. No cell is read.
 Grid held_grid(const Layout& layout, const Grid& asked, const Held& held);
 
 /// Cells, and the grid that they are of.
@@ -60,12 +61,17 @@ struct Collected {
 };
 
 /// Reads the cells that are asked for, as collect() does, and with them all others that the folder
-/// holds. What is left out is named in Results::left_out. Methods are in
-/// the order of the catalogue, so that the tables of the same cells are the same, whoever asked.
+/// holds. What is left out is named in Results::left_out. Classifiers and
+/// methods are in the order of their catalogues, so that the tables of the same cells are the same,
+/// whoever asked.
 Collected collect_held(const Layout& layout, const Grid& asked, const Held& held);
 
+/// Of which classifiers cells are looked for besides those that are asked for.
+enum class Classifiers { papers, all };
+
 /// The diagnoses alone, without the scores.
-Collected collect_held_diagnoses(const Layout& layout, const Grid& asked, const Held& held);
+Collected collect_held_diagnoses(const Layout& layout, const Grid& asked, const Held& held,
+                                 Classifiers which = Classifiers::all);
 
 /// The scores alone.
 Results collect_held_scores(const Layout& layout, const Grid& asked, const Held& held);

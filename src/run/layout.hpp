@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "scoring/diagnosis_record.hpp"
+
 namespace piae::run {
 
 /// Where the folder of a run has the artefacts and the tables of one dataset. The make rules in
@@ -27,9 +29,14 @@ class Layout {
   [[nodiscard]] std::filesystem::path score(const std::string& method, std::int64_t seed) const {
     return method_folder(method, seed) / "score.h5";
   }
-  [[nodiscard]] std::filesystem::path diagnosis(const std::string& method, const std::string& ratio,
-                                                std::int64_t seed) const {
-    return method_folder(method, seed) / ratio / "diagnosis.h5";
+  /// That of the paper's classifier lies in the ratio's folder, those of others in folders of their
+  /// own below it.
+  [[nodiscard]] std::filesystem::path diagnosis(
+      const std::string& method, const std::string& ratio, std::int64_t seed,
+      const std::string& classifier = scoring::paper_classifier) const {
+    const std::filesystem::path of_ratio = method_folder(method, seed) / ratio;
+    const bool is_papers = classifier == scoring::paper_classifier;
+    return (is_papers ? of_ratio : of_ratio / classifier) / "diagnosis.h5";
   }
   /// A diagnosis with the features of the test windows.
   [[nodiscard]] std::filesystem::path features(const std::string& method, const std::string& ratio,

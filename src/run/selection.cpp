@@ -23,9 +23,11 @@ bool any_generates(const std::vector<std::string>& ratios) {
 
 bool Selection::has_dataset(const std::string& dataset) const { return among(datasets, dataset); }
 
-bool Selection::has(const std::string& method, const std::string& ratio, std::int64_t seed) const {
-  return among(methods, method) && (ratio.empty() ? any_generates(ratios) : among(ratios, ratio)) &&
-         among(seeds, seed);
+bool Selection::has(const Combination& cell, std::int64_t seed) const {
+  const bool is_score = cell.ratio.empty();
+  return among(methods, cell.method) && among(seeds, seed) &&
+         (is_score ? any_generates(ratios)
+                   : among(ratios, cell.ratio) && among(classifiers, cell.classifier));
 }
 
 void bind(const cli::Options& command, Selection& selection) {
@@ -34,6 +36,7 @@ void bind(const cli::Options& command, Selection& selection) {
   command.add("--methods", selection.methods, "Methods, such as: none piae-dt" + all);
   command.add("--ratios", selection.ratios, "Ratios, such as: 100to1 10to1" + all);
   command.add("--seeds", selection.seeds, "Seeds, such as: 0 1" + all);
+  bind_classifiers(command, selection.classifiers, "all where it is not given");
 }
 
 }  // namespace piae::run

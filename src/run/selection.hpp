@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "cli/options.hpp"
+#include "run/grid.hpp"
 
 namespace piae::run {
 
@@ -14,12 +15,13 @@ struct Selection {
   std::vector<std::string> methods = {};
   std::vector<std::string> ratios = {};
   std::vector<std::int64_t> seeds = {};
+  std::vector<std::string> classifiers = {};
 
   [[nodiscard]] bool has_dataset(const std::string& dataset) const;
-  /// Whether a cell is selected. `ratio` is empty for a score; scores are selected where any ratio
-  /// with generated windows is. Throws Error(usage) for a selected ratio that does not exist.
-  [[nodiscard]] bool has(const std::string& method, const std::string& ratio,
-                         std::int64_t seed) const;
+  /// Whether a cell is selected. Ratio and classifier are empty for a score; scores are selected
+  /// where any ratio with generated windows is, whatever the classifiers. Throws Error(usage) for a
+  /// selected ratio that does not exist.
+  [[nodiscard]] bool has(const Combination& cell, std::int64_t seed) const;
 };
 
 void bind(const cli::Options& command, Selection& selection);

@@ -40,6 +40,14 @@ std::string read_ratio(const artefact::Reader& reader) {
   return name;
 }
 
+std::string read_classifier(const artefact::Reader& reader) {
+  std::string name = reader.text("/", "classifier");
+  if (!signal::ranges::is_plain_name(name)) {
+    reader.refuse("/, attribute classifier", signal::ranges::plain_name_rule);
+  }
+  return name;
+}
+
 void require_consistent(const artefact::Reader& reader, const DiagnosisRecord& record) {
   const std::size_t classes = record.info.classes.size();
   const Confusion stored{classes,
@@ -73,6 +81,10 @@ void write(artefact::Writer& writer, const DiagnosisRecord& record) {
   }
   signal::write(writer, record.info);
   writer.attribute("/", "method", record.method);
+  // Diagnoses by the paper's classifier are what they were when there was no other.
+  if (record.classifier != paper_classifier) {
+    writer.attribute("/", "classifier", record.classifier);
+  }
   writer.attribute("/", "ratio", record.ratio);
   writer.attribute("/", "generated_per_class", record.generated_per_class);
   writer.attribute("/", "true_ratio", record.true_ratio);
@@ -96,6 +108,9 @@ DiagnosisRecord read_diagnosis(const artefact::Reader& reader) {
   record.info = signal::read_dataset_info(reader);
   const std::size_t classes = record.info.classes.size();
   record.method = signal::read_method(reader);
+  if (reader.has_attribute("/", "classifier")) {
+    record.classifier = read_classifier(reader);
+  }
   record.ratio = read_ratio(reader);
   record.generated_per_class = reader.integer("/", "generated_per_class", generated_per_class);
   record.true_ratio = reader.real("/", "true_ratio", true_ratios);

@@ -5,6 +5,8 @@
 #include "augment/catalogue.hpp"
 #include "base/error.hpp"
 #include "cli/toml_file.hpp"
+#include "diagnosis/catalogue.hpp"
+#include "scoring/diagnosis_record.hpp"
 #include "scoring/ratios.hpp"
 #include "settings/protocol.hpp"
 #include "signal/description_file.hpp"
@@ -30,6 +32,14 @@ void add_methods(std::vector<std::string>& words) {
     if (entry.infers) words.push_back("infers:" + name);
     if (augment::needs_libtorch_always(entry)) words.push_back("needs-libtorch:" + name);
   }
+}
+
+void add_classifiers(std::vector<std::string>& words) {
+  for (const diagnosis::Classifier& each : diagnosis::classifiers()) {
+    words.push_back(std::string("classifier:") + each.name);
+  }
+  words.push_back(std::string("paper-classifier:") + scoring::paper_classifier);
+  words.push_back(std::string("bar:") + diagnosis::bar_classifier);
 }
 
 void add_ratios(std::vector<std::string>& words) {
@@ -83,6 +93,7 @@ void add_readings(const toml::table& protocol, std::vector<std::string>& words) 
 std::vector<std::string> facts(const fs::path& pipeline) {
   std::vector<std::string> words;
   add_methods(words);
+  add_classifiers(words);
   add_ratios(words);
   add_datasets(pipeline / "datasets", words);
   const toml::table protocol = read_protocol(pipeline / "protocol.toml");

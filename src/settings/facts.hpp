@@ -15,6 +15,9 @@ namespace piae::settings {
 ///     ceiling:oracle         sees real windows that no method may see, and has no score
 ///     infers:piae-dt         infers (k, c) of windows that it has not seen
 ///     needs-libtorch:NAME    computed by LibTorch alone
+///     classifier:nearest     an entry of CLASSIFIERS, in the order of the tables
+///     paper-classifier:wdcnn the paper's: the CLASSIFIERS where none are given
+///     bar:nearest            what is always computed of the baseline, for comparison
 ///     ratio:10to1            an entry of RATIOS
 ///     nothing-generated:100to1
 ///     dataset:cwru           an entry of DATASETS

@@ -6,6 +6,7 @@
 #include <new>
 
 #include "augment/stored_model.hpp"
+#include "diagnosis/catalogue.hpp"
 #include "scoring/diagnosis_record.hpp"
 #include "scoring/quality_record.hpp"
 #include "signal/recordings.hpp"
@@ -45,7 +46,11 @@ void check_windows(const Reader& reader, Splits& splits) {
 void check_score(const Reader& reader, Splits& /*splits*/) { (void)scoring::read_quality(reader); }
 
 void check_diagnosis(const Reader& reader, Splits& /*splits*/) {
-  (void)scoring::read_diagnosis(reader);
+  const std::string classifier = scoring::read_diagnosis(reader).classifier;
+  if (diagnosis::find_classifier(classifier) == nullptr) {
+    reader.refuse("/, attribute classifier",
+                  "is '" + classifier + "'; it must be one of " + diagnosis::list_of_classifiers());
+  }
 }
 
 void check_model(const Reader& reader, Splits& /*splits*/) { augment::require_usable(reader); }

@@ -30,7 +30,7 @@ test_out_of_time_a_job_goes_back_and_no_other_does_and_goes_on_from_the_checkpoi
   small_grid 300
   # Each of the two trainings is a job.
   local grid=("${grid[@]}" METHODS=piae-dt RATIOS=10to1)
-  printf '%s\n' stage,dataset,method,ratio,seconds,megabytes train,simulated-small,piae-dt,,100,200 >jobs/costs.csv
+  printf '%s\n' stage,dataset,method,classifier,ratio,seconds,megabytes train,simulated-small,piae-dt,,,100,200 >jobs/costs.csv
   cluster cluster MINUTES=1 CORES=1 >/dev/null
   local cells last=1
   cells=$(id_of cells)

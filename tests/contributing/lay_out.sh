@@ -1,5 +1,5 @@
 #!/bin/bash
-# Lays out what CONTRIBUTING.md shows of a new data set, method, table, figure and stage, letter for letter:
+# Lays out what CONTRIBUTING.md shows of a new data set, method, classifier, table, figure and stage, letter for letter:
 # its files, and copies of ours with the lines that it adds to them.
 # usage: lay_out.sh PROJECT FOLDER
 set -euo pipefail
@@ -36,5 +36,6 @@ add_lines() { # file, pattern
     { echo "lay_out.sh: not one line of $1 is like $2" >&2 && exit 1; }
 }
 add_lines src/augment/catalogue.cpp '^};$'
-add_lines src/report/tables.cpp '^  return document;$'
+add_lines src/diagnosis/catalogue.cpp '^};$'
+add_lines src/report/tables.cpp '^  return sections;$'
 add_lines src/figures/catalogue.cpp '^};$'

@@ -49,6 +49,10 @@ TEST(Nearest, OfSilentWindowsIsFinite) {
   EXPECT_EQ(classify_by_nearest(ringing("training", 2), silent).size(), 3U);
 }
 
+TEST(Nearest, SaysOneOfTheNamedClassAndNothingOfTheOthers) {
+  EXPECT_EQ(scores_of_named({2, 0}, 3), (std::vector<float>{0, 0, 1, 1, 0, 0}));
+}
+
 TEST(Nearest, NeedsTwoBinsABandAndEqualLengths) {
   EXPECT_ERROR(classify_by_nearest(ringing("a", 1, 255), ringing("b", 1, 255)), Exit::bad_input,
                "windows of 255 and 255 samples");

@@ -22,7 +22,7 @@ class CriticalDifference : public StoredSource {
   }
   [[nodiscard]] Numbers numbers_of(const std::string& seeds) const {
     Source all = source("none piae-dt shift oracle", "100to1 10to1", seeds);
-    return critical_differences(all);
+    return critical_differences(all, all.accuracies().front());
   }
 };
 
@@ -76,7 +76,7 @@ TEST_F(CriticalDifference, IsLeftOutWithLessThanTwoMethods) {
   add(diagnosis("piae-dt", "10to1", 45, 0, 12));
   add(diagnosis("oracle", "10to1", 45, 0, 18));
   Source one = source("piae-dt oracle", "10to1", "0");
-  EXPECT_THROW(critical_differences(one), LeftOut);
+  EXPECT_THROW(critical_differences(one, one.accuracies().front()), LeftOut);
 }
 
 TEST_F(CriticalDifference, NamesTheFirstCellThatIsMissing) {

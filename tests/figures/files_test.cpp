@@ -21,6 +21,13 @@ Numbers number(const std::string& value) {
 }
 
 Numbers one(Source&) { return number("1"); }
+Numbers first_mean(Source&, const report::ClassifierRows& shown) {
+  return number(digits(shown.rows.front().summary.mean));
+}
+Numbers of_paper_alone(Source&, const report::ClassifierRows& shown) {
+  if (shown.classifier != scoring::paper_classifier) throw LeftOut("it has no such method");
+  return number("1");
+}
 std::vector<Picture> two(Source&) { return {{"b", number("2")}, {"a", number("1")}}; }
 std::vector<Picture> only_a(Source&) { return {{"a", number("3")}}; }
 Numbers none(Source&) { throw Error(Exit::input_missing, "there is nothing"); }
@@ -47,6 +54,28 @@ TEST_F(FigureFiles, AreOneOfTheFiguresNameWhereItHasOnePicture) {
   save_pictures(source_, figure_);
   EXPECT_EQ(bytes_of(file("fig")), "value\n1\n");
   EXPECT_THAT(stored_pictures(layout_, figure_), ElementsAre("fig"));
+}
+
+TEST_F(FigureFiles, OfAccuraciesAreOneForEachClassifier) {
+  add_all();
+  figure_.accuracies = first_mean;
+  EXPECT_THAT(save_pictures(source_, figure_), ElementsAre(file("fig")));
+  for (const int seed : {0, 1}) add(by("wdcnn-envelope", diagnosis("none", "100to1", 0, seed, 18)));
+  Source two{layout_, grid_, {}};
+  EXPECT_THAT(save_pictures(two, figure_), ElementsAre(file("fig"), file("fig@wdcnn-envelope")));
+  EXPECT_EQ(bytes_of(file("fig")), "value\n62.5\n");
+  EXPECT_EQ(bytes_of(file("fig@wdcnn-envelope")), "value\n90\n");
+  // What a classifier lacks is left out of its picture alone.
+  figure_.accuracies = of_paper_alone;
+  EXPECT_THAT(save_pictures(two, figure_), ElementsAre(file("fig")));
+  EXPECT_THAT(stored_pictures(layout_, figure_), ElementsAre("fig"));
+}
+
+TEST_F(FigureFiles, OfAccuraciesNeedThePapersClassifier) {
+  for (const int seed : {0, 1}) add(by("nearest", diagnosis("none", "100to1", 0, seed, 18)));
+  figure_.accuracies = first_mean;
+  Source other{layout_, {.dataset = dataset_, .scored = {}, .combinations = {}, .seeds = {}}, {}};
+  EXPECT_THROW(save_pictures(other, figure_), LeftOut);
 }
 
 TEST_F(FigureFiles, AreOneForEachPart) {

@@ -21,7 +21,7 @@ class PairedDifferences : public StoredSource {
 TEST_F(PairedDifferences, AreThoseOfTheSameSeedWithTheirInterval) {
   add_three_seeds();
   Source three = source("none vae piae-dt", "100to1 10to1", "0 1 2");
-  const Numbers numbers = paired_differences(three);
+  const Numbers numbers = paired_differences(three, three.accuracies().front());
   EXPECT_EQ(field(numbers, "vae,0,10to1,piae-dt,0", 5), "5");
   EXPECT_EQ(field(numbers, "vae,0,10to1,piae-dt,2", 5), "15");
   EXPECT_EQ(field(numbers, "none,0,10to1,piae-dt,1", 5), "-15");
@@ -36,7 +36,7 @@ TEST_F(PairedDifferences, AreThoseOfTheSameSeedWithTheirInterval) {
 TEST_F(PairedDifferences, HaveAPAndTheLeastThatSoManySeedsCanGive) {
   add_three_seeds();
   Source three = source("none vae piae-dt", "100to1 10to1", "0 1 2");
-  const Numbers numbers = paired_differences(three);
+  const Numbers numbers = paired_differences(three, three.accuracies().front());
   EXPECT_EQ(field(numbers, "vae,0,10to1,piae-dt,mean", 8), "0.25");
   EXPECT_EQ(field(numbers, "vae,0,10to1,piae-dt,mean", 9), "0.5");
   EXPECT_EQ(field(numbers, "vae,0,10to1,piae-dt,mean", 10), "0.5");
@@ -46,7 +46,7 @@ TEST_F(PairedDifferences, CorrectNoMethodForTheCeiling) {
   add_three_seeds();
   for (const int seed : {0, 1, 2}) add(diagnosis("oracle", "10to1", 45, seed, 19));
   Source three = source("none vae piae-dt oracle", "100to1 10to1", "0 1 2");
-  const Numbers numbers = paired_differences(three);
+  const Numbers numbers = paired_differences(three, three.accuracies().front());
   EXPECT_EQ(field(numbers, "vae,0,10to1,piae-dt,mean", 9), "0.5");
   EXPECT_EQ(field(numbers, "oracle,1,10to1,piae-dt,mean", 8), "0.25");
   EXPECT_EQ(field(numbers, "oracle,1,10to1,piae-dt,mean", 9), "");
@@ -57,13 +57,17 @@ TEST_F(PairedDifferences, HaveNeitherIntervalNorPWhereSeedsAreTooFew) {
   add(diagnosis("vae", "10to1", 45, 0, 15));
   add(diagnosis("piae-dt", "10to1", 45, 0, 14));
   Source one = source("vae piae-dt", "10to1", "0");
-  EXPECT_EQ(field(paired_differences(one), "vae,0,10to1,piae-dt,mean", 5), "5");
-  EXPECT_EQ(field(paired_differences(one), "vae,0,10to1,piae-dt,mean", 9), "");
+  EXPECT_EQ(field(paired_differences(one, one.accuracies().front()), "vae,0,10to1,piae-dt,mean", 5),
+            "5");
+  EXPECT_EQ(field(paired_differences(one, one.accuracies().front()), "vae,0,10to1,piae-dt,mean", 9),
+            "");
   add(diagnosis("vae", "10to1", 45, 1, 15));
   add(diagnosis("piae-dt", "10to1", 45, 1, 14));
   Source two = source("vae piae-dt", "10to1", "0 1");
-  EXPECT_EQ(field(paired_differences(two), "vae,0,10to1,piae-dt,mean", 6), "");
-  EXPECT_EQ(field(paired_differences(two), "vae,0,10to1,piae-dt,mean", 9), "0.5");
+  EXPECT_EQ(field(paired_differences(two, two.accuracies().front()), "vae,0,10to1,piae-dt,mean", 6),
+            "");
+  EXPECT_EQ(field(paired_differences(two, two.accuracies().front()), "vae,0,10to1,piae-dt,mean", 9),
+            "0.5");
 }
 
 TEST_F(PairedDifferences, HaveTheMeanOfTheRatiosToo) {
@@ -73,20 +77,23 @@ TEST_F(PairedDifferences, HaveTheMeanOfTheRatiosToo) {
     add(diagnosis("piae-dt", "2to1", 145, seed, 16));
   }
   Source two = source("vae piae-dt", "10to1 2to1");
-  EXPECT_EQ(field(paired_differences(two), "vae,0,mean,piae-dt,0", 5), "5");
-  EXPECT_EQ(field(paired_differences(two), "vae,0,mean,piae-dt,mean", 5), "7.5");
+  EXPECT_EQ(field(paired_differences(two, two.accuracies().front()), "vae,0,mean,piae-dt,0", 5),
+            "5");
+  EXPECT_EQ(field(paired_differences(two, two.accuracies().front()), "vae,0,mean,piae-dt,mean", 5),
+            "7.5");
 }
 
 TEST_F(PairedDifferences, AreLeftOutWithoutAMethodToCompareWith) {
   add_all();
   Source all = source("none vae", "100to1 10to1");
-  EXPECT_THROW(paired_differences(all), LeftOut);
+  EXPECT_THROW(paired_differences(all, all.accuracies().front()), LeftOut);
 }
 
 TEST_F(PairedDifferences, NameTheFirstCellThatIsMissing) {
   add_three_seeds();
   Source four = source("none vae piae-dt", "100to1 10to1", "0 1 2 3");
-  EXPECT_ERROR(paired_differences(four), Exit::input_missing, "method none, ratio 100to1, seed 3");
+  EXPECT_ERROR(paired_differences(four, four.accuracies().front()), Exit::input_missing,
+               "method none, ratio 100to1, seed 3");
 }
 
 }  // namespace

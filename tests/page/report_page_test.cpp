@@ -84,6 +84,29 @@ TEST_F(ReportPage, SaysWhichArtefactsANumberCameFrom) {
   EXPECT_THAT(html, HasSubstr("<code>" + reader.digest().substr(0, 16) + "</code>"));
 }
 
+TEST_F(ReportPage, HasTheBarInItsTableAndTablesOfEachOtherClassifier) {
+  add_all();
+  EXPECT_THAT(page(), Not(HasSubstr("nearest")));
+  for (const int seed : {0, 1}) add(by("nearest", diagnosis("none", "100to1", 0, seed, 19)));
+  std::string html = page();
+  EXPECT_THAT(html, HasSubstr("none by nearest"));
+  EXPECT_THAT(html, HasSubstr("title=\"cwru/seed{0,1}/none/100to1/nearest/diagnosis.h5, "
+                              "attribute accuracy\""));
+  EXPECT_THAT(html, HasSubstr("<a href=\"./cwru/seed1/none/100to1/nearest/diagnosis.h5\">"));
+  EXPECT_THAT(html, Not(HasSubstr(", by nearest")));
+  EXPECT_THAT(html, HasSubstr("✔ All 8 diagnoses and 2 scores are there."));
+  for (const int seed : {0, 1}) {
+    add(by("wdcnn-spectrum", diagnosis("none", "100to1", 0, seed, 18)));
+    add(by("wdcnn-spectrum", diagnosis("vae", "10to1", 45, seed, 20)));
+  }
+  html = page();
+  EXPECT_THAT(html, HasSubstr("standard deviation over seeds, by wdcnn-spectrum"));
+  EXPECT_THAT(html, HasSubstr("interval of its mean, by wdcnn-spectrum"));
+  EXPECT_THAT(html, HasSubstr("<span class=\"ours\">○ +10.00</span>"));
+  // vae has been begun by it, so its other ratio is missing.
+  EXPECT_THAT(html, HasSubstr("vae by wdcnn-spectrum; 2:1; seeds 0, 1"));
+}
+
 TEST_F(ReportPage, SaysTheVerdictInTheWordsOfTheSummary) {
   add_all();
   EXPECT_THAT(page(),
@@ -125,7 +148,7 @@ TEST_F(ReportPage, MeansOfAnUnfinishedRunSayOfHowManySeedsTheyAre) {
 TEST_F(ReportPage, WhatIsAskedForAndNotBegunIsMissing) {
   add_all();
   const AskedCells asked{
-      .methods = {"none vae smote"}, .ratios = {"100to1 10to1"}, .seeds = {"0 1 2"}};
+      .cells = {.methods = {"none vae smote"}, .ratios = {"100to1 10to1"}, .seeds = {"0 1 2"}}};
   const auto groups = groups_of(read(asked).datasets);
   ASSERT_EQ(groups.size(), 1U);
   EXPECT_EQ(groups[0].state, HoleState::not_begun);
@@ -150,15 +173,16 @@ TEST_F(ReportPage, TellsFailedFromInterruptedAndRunningSteps) {
   add_baseline();
   write("cwru/seed0/vae/train.log", "command\nstep: begun at 1\nstep: exit 75 after 1.0 s\n");
   write("cwru/seed1/vae/train.log", "command\nstep: begun at 1\n");
-  const AskedCells asked{.methods = {"none vae"}, .ratios = {"100to1 10to1"}, .seeds = {"0 1"}};
+  const AskedCells asked{
+      .cells = {.methods = {"none vae"}, .ratios = {"100to1 10to1"}, .seeds = {"0 1"}}};
   EXPECT_THAT(page(asked),
               HasSubstr("4 of 6 cells are missing: 2 interrupted and 2 running or killed."));
 }
 
 TEST_F(ReportPage, WithoutRecordingsSaysSo) {
   add_failed("cwru/ingest.log", "ingest: data/cwru/97.mat: no such file");
-  const AskedCells asked{
-      .datasets = {"cwru"}, .methods = {"none"}, .ratios = {"100to1"}, .seeds = {"0"}};
+  const AskedCells asked{.datasets = {"cwru"},
+                         .cells = {.methods = {"none"}, .ratios = {"100to1"}, .seeds = {"0"}}};
   const std::string html = page(asked);
   EXPECT_THAT(html, HasSubstr("data/cwru/97.mat: no such file"));
   EXPECT_THAT(html, HasSubstr("No diagnosis is there yet."));
@@ -362,7 +386,7 @@ TEST_F(ReportPage, ReportMdIsNarrowAndHasTheVerdictTheTableAndWhatIsMissing) {
   add_all();
   add_failed("cwru/seed2/vae/train.log", "train: diverged");
   const AskedCells asked{
-      .methods = {"none vae"}, .ratios = {"100to1 10to1 2to1"}, .seeds = {"0 1 2"}};
+      .cells = {.methods = {"none vae"}, .ratios = {"100to1 10to1 2to1"}, .seeds = {"0 1 2"}}};
   const std::string markdown = text(asked);
   std::istringstream lines(markdown);
   for (std::string line; std::getline(lines, line);) EXPECT_THAT(line, SizeIs(Le(100U)));

@@ -44,7 +44,7 @@ test_four_makes_after_a_change_do_what_one_does() {
     sed -i "s/^window = .*/window = $((1000 + round))/; s/^neighbours = .*/neighbours = $round/" pipeline/protocol.toml
     rm calls
     four_at_once $round
-    expect_equal "$(awk '{ print $1 }' calls | sort | uniq -c | xargs)" "8 diagnose 4 generate 4 score 4 split 4 train"
+    expect_equal "$(awk '{ print $1 }' calls | sort | uniq -c | xargs)" "12 diagnose 4 generate 4 score 4 split 4 train"
     expect_equal "$(find results/t/.settings -type f | wc -l)" 6
   done
 }

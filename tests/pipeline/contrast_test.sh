@@ -21,7 +21,7 @@ ran() { awk '{ n[$1]++ } END { for (stage in n) print n[stage], stage }' calls |
 test_makes_the_cells_of_both_protocols_and_the_table() {
   describe
   contrast DATASETS=other >/dev/null
-  expect_equal "$(ran)" "1 contrast, 8 diagnose, 4 generate, 2 ingest, 4 score, 4 split, 4 train"
+  expect_equal "$(ran)" "1 contrast, 12 diagnose, 4 generate, 2 ingest, 4 score, 4 split, 4 train"
   expect_equal "$(<results/t/other/protocols.md)" \
     "contrast --with results/t/other --without results/t-blocked/other --methods none smote --ratios 100to1 10to1 --seeds 0 1 --output results/t/other/protocols.md"
   expect_line "$(<results/t/other/seed0/A.h5)" "--protocol random"

@@ -52,7 +52,7 @@ finished_grid() {
 test_makes_every_cell_once() {
   describe
   grid -j4 >/dev/null
-  expect_equal "$(ran)" "20 diagnose, 8 generate, 1 ingest, 8 score, 1 simulate, 4 split, 2 tabulate, 8 train"
+  expect_equal "$(ran)" "24 diagnose, 8 generate, 1 ingest, 8 score, 1 simulate, 4 split, 2 tabulate, 8 train"
 }
 
 test_ends_with_the_summary_of_every_data_set() {
@@ -84,7 +84,7 @@ test_gives_each_stage_its_files() {
   expect_equal "$(<$r/seed1/none/100to1/diagnosis.h5)" \
     "diagnose --config $s/diagnose.toml $windows --ratio 100to1 --seed 1 --reproducible --output $r/seed1/none/100to1/diagnosis.h5"
   expect_equal "$(<$r/accuracy.csv)" \
-    "tabulate --config $s/tabulate.real.toml --run results/t --dataset real --methods none smote piae-dt --ratios 100to1 10to1 1to1 --seeds 0 1 --published results/published"
+    "tabulate --config $s/tabulate.real.toml --run results/t --dataset real --methods none smote piae-dt --ratios 100to1 10to1 1to1 --seeds 0 1 --classifiers wdcnn --published results/published"
 }
 
 test_only_the_oracle_sees_real_windows_and_it_has_no_score() {
@@ -133,7 +133,7 @@ test_the_report_is_of_the_cells_that_were_asked_for() {
   describe
   grid >/dev/null
   expect_equal "$(tr -s ' ' <reports | sed 's/ $//')" \
-    "report: --run results/t --datasets real made --methods none smote piae-dt --ratios 100to1 10to1 1to1 --seeds 0 1 --published results/published"
+    "report: --run results/t --datasets real made --methods none smote piae-dt --ratios 100to1 10to1 1to1 --seeds 0 1 --classifiers wdcnn --published results/published"
 }
 
 test_features_and_diagnosis_have_logs_of_their_own() {
@@ -143,6 +143,63 @@ test_features_and_diagnosis_have_logs_of_their_own() {
   features SEEDS="0 1" >/dev/null
   expect_equal "$(<$log)" "$(<before)"
   expect_line "$(<results/t/real/seed0/smote/1to1/features.log)" "--keep-features"
+}
+
+# The paper's classifier stays where it was when there was no other.
+test_other_classifiers_have_folders_of_their_own() {
+  describe
+  grid DATASETS=real METHODS=smote RATIOS=10to1 SEEDS=0 CLASSIFIERS="wdcnn wdcnn-spectrum" >/dev/null
+  expect_equal "$(ran all)" "2 diagnose, 1 features, 1 generate, 1 ingest, 1 score, 1 split, 1 tabulate, 1 train"
+  local r=results/t/real s=results/t/.settings
+  local windows="--test $r/seed0/A.h5 --normal $r/seed0/B.h5 --known $r/seed0/C.h5 --generated $r/seed0/smote/E.h5"
+  expect_equal "$(<$r/seed0/smote/10to1/diagnosis.h5)" \
+    "diagnose --config $s/diagnose.toml $windows --ratio 10to1 --seed 0 --reproducible --output $r/seed0/smote/10to1/diagnosis.h5"
+  expect_equal "$(<$r/seed0/smote/10to1/wdcnn-spectrum/diagnosis.h5)" \
+    "diagnose --config $s/diagnose.toml $windows --ratio 10to1 --classifier wdcnn-spectrum --seed 0 --reproducible --output $r/seed0/smote/10to1/wdcnn-spectrum/diagnosis.h5"
+  [[ -f $r/seed0/smote/10to1/wdcnn-spectrum/diagnose.log ]] || fail "no log of its own"
+  expect_line "$(<$r/accuracy.csv)" '--classifiers wdcnn wdcnn-spectrum --published'
+}
+
+test_the_baseline_has_its_nearest_neighbour_whatever_the_classifiers() {
+  describe
+  local classifiers
+  for classifiers in wdcnn-spectra "nearest wdcnn"; do
+    make --silent cells BIN=fake RUN=t DATASETS=real METHODS="none smote" RATIOS="100to1 10to1 1to1" SEEDS=0 \
+      CLASSIFIERS="$classifiers" >/dev/null
+    expect_line "$(<results/t/real/seed0/none/100to1/nearest/diagnosis.h5)" '--ratio 100to1 --classifier nearest '
+    expect_equal "$(cd results/t/real/seed0 && find . -name nearest | wc -l)" \
+      "$([[ $classifiers == *nearest* ]] && echo 3 || echo 1)"
+    rm -r results
+  done
+}
+
+# Without the paper's classifier there are no features of it.
+test_what_another_classifier_needs_is_made_and_no_more() {
+  describe
+  grid DATASETS=real METHODS="none smote" SEEDS=0 CLASSIFIERS=wdcnn-envelope >/dev/null
+  expect_equal "$(ran all)" "4 diagnose, 1 generate, 1 ingest, 1 score, 1 split, 1 tabulate, 1 train"
+  [[ ! -e results/t/real/seed0/smote/10to1/diagnosis.h5 ]] || fail "the paper's classifier was asked, too"
+}
+
+test_tables_have_the_cells_of_other_classifiers_too() {
+  describe
+  grid DATASETS=real CLASSIFIERS="wdcnn wdcnn-spectrum" >/dev/null
+  rm calls
+  grid DATASETS=real CLASSIFIERS="wdcnn wdcnn-spectrum" >/dev/null
+  expect_equal "$(ran)" ""
+  # A part is asked for: what else is there is neither made again nor left out.
+  grid DATASETS=real SEEDS=0 >/dev/null
+  expect_equal "$(ran)" "" # the tables are of the same cells
+  touch results/t/real/seed1/smote/10to1/wdcnn-spectrum/diagnosis.h5
+  grid DATASETS=real SEEDS=0 >/dev/null
+  expect_equal "$(ran)" "1 tabulate"
+  # An option of all makes what is asked for again; the others are out of date.
+  sed -i 's/^epochs = 50/epochs = 60/' pipeline/protocol.toml
+  grid DATASETS=real SEEDS=0 METHODS=smote >/dev/null
+  expect_equal "$(ran)" "2 diagnose, 1 tabulate"
+  expect_line "$(<results/t/real/accuracy.csv)" ' --leave-out .*seed0/smote/10to1/wdcnn-spectrum/diagnosis.h5 '
+  expect_line "$(<results/t/real/accuracy.csv)" ' --leave-out .*seed1/none/100to1/nearest/diagnosis.h5 '
+  expect_no_line "$(<results/t/real/accuracy.csv)" ' seed0/smote/10to1/diagnosis.h5 '
 }
 
 test_none_only_without_generated_windows() {
@@ -158,7 +215,7 @@ test_second_run_does_nothing() {
 
 test_dry_run_shows_the_graph_and_makes_nothing() {
   describe
-  expect_equal "$(grid -n | grep -c pipeline/step.sh)" 58
+  expect_equal "$(grid -n | grep -c pipeline/step.sh)" 62
   expect_equal "$(ran)" ""
   finished_grid
   expect_equal "$(grid -n | grep -c pipeline/step.sh)" 0
@@ -168,7 +225,7 @@ test_dry_run_shows_the_graph_and_makes_nothing() {
 test_a_dry_run_shows_all_that_a_new_split_brings_back() {
   finished_grid
   sed -i 's/^window = 1024/window = 512/' pipeline/protocol.toml
-  expect_equal "$(grid -n | grep -c pipeline/step.sh)" 56
+  expect_equal "$(grid -n | grep -c pipeline/step.sh)" 60
   describe
   rm results/t/real/seed0/B.h5
   expect_line "$(grid -n)" 'step.sh results/t/real/seed0 split .* --records results/t/real/records.h5 '
@@ -215,7 +272,7 @@ test_an_option_of_a_late_stage_remakes_that_stage() {
   finished_grid
   sed -i 's/epochs = 50/epochs = 60/' pipeline/protocol.toml
   grid >/dev/null
-  expect_equal "$(ran)" "20 diagnose, 2 tabulate"
+  expect_equal "$(ran)" "24 diagnose, 2 tabulate"
   sed -i 's/kernels = 5/kernels = 3/' pipeline/protocol.toml
   grid >/dev/null
   expect_equal "$(ran)" "8 score, 2 tabulate"
@@ -226,7 +283,7 @@ test_a_description_remakes_its_data_set() {
   sed -i 's/"#1"/"#2"/' pipeline/datasets/real.toml
   grid >/dev/null
   expect_no_line "$(<calls)" "made"
-  expect_equal "$(ran)" "10 diagnose, 4 generate, 1 ingest, 4 score, 2 split, 1 tabulate, 4 train"
+  expect_equal "$(ran)" "12 diagnose, 4 generate, 1 ingest, 4 score, 2 split, 1 tabulate, 4 train"
 }
 
 test_a_description_that_is_like_another_follows_it() {
@@ -276,8 +333,8 @@ test_a_part_leaves_the_tables_of_the_whole() {
 test_a_part_that_adds_something_shares_what_is_there() {
   finished_grid
   grid SEEDS="0 2" DATASETS=real METHODS="none smote" >/dev/null
-  expect_equal "$(ran)" "3 diagnose, 1 generate, 1 score, 1 split, 1 tabulate, 1 train"
-  expect_line "$(<results/t/real/accuracy.csv)" "--methods none smote --ratios 100to1 10to1 1to1 --seeds 0 2 --published"
+  expect_equal "$(ran)" "4 diagnose, 1 generate, 1 score, 1 split, 1 tabulate, 1 train"
+  expect_line "$(<results/t/real/accuracy.csv)" "--methods none smote --ratios 100to1 10to1 1to1 --seeds 0 2 --classifiers wdcnn --published"
   grid DATASETS=real >/dev/null
   expect_equal "$(ran)" ""
 }
@@ -339,7 +396,7 @@ test_what_is_out_of_date_is_told_by_the_steps_that_would_make_it() {
   sed -i 's/"#1"/"#2"/' pipeline/datasets/real.toml
   rm calls
   grid METHODS=none SEEDS=0 DATASETS=real >/dev/null
-  expect_equal "$(ran)" "1 diagnose, 1 ingest, 1 split, 1 tabulate"
+  expect_equal "$(ran)" "2 diagnose, 1 ingest, 1 split, 1 tabulate"
   expect_equal "$(left_out real)" "seed0 seed1"
 }
 
@@ -404,7 +461,7 @@ test_a_table_that_is_a_goal_is_of_all_that_the_run_holds() {
 test_blocked_protocol_has_its_own_folder() {
   finished_grid
   grid PROTOCOL=blocked DATASETS=real SEEDS=0 METHODS=none >/dev/null
-  expect_equal "$(ran)" "1 diagnose, 1 ingest, 1 split, 1 tabulate"
+  expect_equal "$(ran)" "2 diagnose, 1 ingest, 1 split, 1 tabulate"
   expect_line "$(<results/t-blocked/real/seed0/A.h5)" "--protocol blocked"
   grid >/dev/null
   expect_equal "$(ran)" ""
@@ -440,7 +497,7 @@ test_every_hole_is_named_and_the_other_cells_are_made() {
   expect_equal "$(sed -n 's/^real  *tabulate: \(.*\): missing/\1/p' <<<"$output")" \
     "$(printf 'results/t/real/seed1/smote/%s.h5\n' score 10to1/diagnosis 1to1/diagnosis)"
   expect_no_line "$output" "^made .* missing"
-  expect_equal "$(ran)" "18 diagnose, 7 generate, 1 ingest, 7 score, 1 simulate, 4 split, 1 tabulate, 7 train"
+  expect_equal "$(ran)" "22 diagnose, 7 generate, 1 ingest, 7 score, 1 simulate, 4 split, 1 tabulate, 7 train"
   [[ ! -e results/t/real/accuracy.csv ]] || fail "there is a table with holes"
   rm broken
   expect_exit 0 grid
@@ -518,7 +575,7 @@ test_a_lost_window_file_brings_back_its_split() {
   finished_grid
   rm results/t/real/seed0/D.h5
   grid >/dev/null
-  expect_equal "$(ran)" "5 diagnose, 2 generate, 2 score, 1 split, 1 tabulate, 2 train"
+  expect_equal "$(ran)" "6 diagnose, 2 generate, 2 score, 1 split, 1 tabulate, 2 train"
 }
 
 test_unknown_names_are_refused() {
@@ -527,6 +584,8 @@ test_unknown_names_are_refused() {
   expect_line "$(grid RATIOS=3to1 2>&1 || true)" "RATIOS: unknown '3to1'"
   expect_line "$(grid METHODS=none RATIOS=1to1 2>&1 || true)" "no cells"
   expect_line "$(grid METHODS=magic 2>&1 || true)" "METHODS: unknown 'magic'; there are: none dynamics smote "
+  expect_line "$(grid CLASSIFIERS=svm 2>&1 || true)" "CLASSIFIERS: unknown 'svm'; there are: wdcnn wdcnn-spectrum .* nearest"
+  expect_line "$(grid CLASSIFIERS='nearest nearest' 2>&1 || true)" "CLASSIFIERS: 'nearest nearest' names one twice"
   expect_line "$(grid SEEDS='0 x' 2>&1 || true)" "SEEDS: whole numbers"
   expect_line "$(grid SEEDS='1 1' 2>&1 || true)" "names one twice"
   expect_line "$(grid SEEDS= 2>&1 || true)" "SEEDS: is empty"
@@ -559,7 +618,7 @@ test_demo_is_a_small_grid_of_its_own() {
   mv pipeline/datasets/made.toml pipeline/datasets/simulated-small.toml
   local output
   output=$(make --silent demo BIN=fake 2>&1)
-  expect_equal "$(ran)" "10 diagnose, 8 generate, 6 score, 1 simulate, 2 split, 1 tabulate, 8 train"
+  expect_equal "$(ran)" "12 diagnose, 8 generate, 6 score, 1 simulate, 2 split, 1 tabulate, 8 train"
   expect_line "$(tail -n 1 <<<"$output")" "results/demo/simulated-small/"
 }
 
@@ -587,7 +646,7 @@ test_seeds_that_are_only_begun_are_nothing_to_the_tables() {
   mkdir results/t/real/seed{7,8}
   rm results/t/real/accuracy.csv
   grid DATASETS=real SEEDS=0 >/dev/null
-  expect_line "$(<results/t/real/accuracy.csv)" "--seeds 0 --published"
+  expect_line "$(<results/t/real/accuracy.csv)" "--seeds 0 --classifiers wdcnn --published"
 }
 
 test_a_dry_run_and_a_question_write_nothing() {
@@ -673,7 +732,7 @@ test_methods_that_only_libtorch_computes_are_refused_at_once_without_it() {
   expect_line "$(grid LIBTORCH=no 2>&1 || true)" "LIBTORCH: on or off, not 'no'"
 }
 
-# 10 seeds of 12 cells: nobody wants to read their names.
+# 10 seeds of 14 cells: nobody wants to read their names.
 test_without_recordings_the_data_set_says_so_and_no_cell_does() {
   describe
   fussy_tabulate
@@ -684,7 +743,7 @@ test_without_recordings_the_data_set_says_so_and_no_cell_does() {
   expect_equal "$(grep -c '^real .*the reason' <<<"$output")" 1
   expect_no_line "$output" "missing"
   expect_equal "$(grep -vc '^made' <<<"$output")" 9 # two of the step, the others make's own
-  expect_equal "$(ran)" "50 diagnose, 20 generate, 20 score, 1 simulate, 10 split, 1 tabulate, 20 train"
+  expect_equal "$(ran)" "60 diagnose, 20 generate, 20 score, 1 simulate, 10 split, 1 tabulate, 20 train"
 }
 
 run_tests

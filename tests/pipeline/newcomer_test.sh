@@ -1,6 +1,6 @@
 #!/bin/bash
 # What CONTRIBUTING.md promises a newcomer, with the built programs: a method takes one class and one
-# line of the catalogue, a figure takes one function and one script, a data set takes one TOML file, and the
+# line of the catalogue, a classifier one function and one line, a figure takes one function and one script, a data set takes one TOML file, and the
 # grid knows them all.
 # shellcheck source-path=SCRIPTDIR
 source "${0%/*}/support.sh"
@@ -62,10 +62,12 @@ test_the_shown_method_and_a_described_data_set_run_in_the_grid() {
   bin/ingest --check --description pipeline/datasets/rig.toml --data-dir recordings >messages 2>&1 ||
     fail "$(<messages)"
   make --silent all BIN=bin RUN=new DATASETS=rig METHODS="none reverse" RATIOS="100to1 10to1" \
-    SEEDS=0 DATA_DIR=recordings >messages 2>&1 || fail "$(<messages)"
-  expect_line "$(<results/new/rig/accuracy.csv)" '^rig,reverse,10to1,45,1,'
+    SEEDS=0 CLASSIFIERS="wdcnn wdcnn-loudness" DATA_DIR=recordings >messages 2>&1 || fail "$(<messages)"
+  expect_line "$(<results/new/rig/accuracy.csv)" '^rig,reverse,wdcnn,10to1,45,1,'
+  expect_line "$(<results/new/rig/accuracy.csv)" '^rig,reverse,wdcnn-loudness,10to1,45,1,'
   expect_line "$(<results/new/rig/tables.md)" 'reverse'
   expect_line "$(<results/new/rig/figures/seed-range.svg)" '10to1'
+  [[ -f results/new/rig/figures/seed-range@wdcnn-loudness.svg ]] || fail "the shown classifier has no picture"
 }
 
 test_the_shown_method_plays_backwards() {

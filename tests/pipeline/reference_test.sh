@@ -39,7 +39,7 @@ made() {
 reference=results/reference/random/tiny.csv
 # Numbers of the reference moved by so much: lines that fit a pattern, summand.
 move() {
-  awk -F, -v OFS=, -v pattern="$1" -v by="$2" '$0 ~ pattern { $5 += by } { print }' $reference >moved
+  awk -F, -v OFS=, -v pattern="$1" -v by="$2" '$0 ~ pattern { $6 += by } { print }' $reference >moved
   mv moved $reference
 }
 # As if the reference came from another machine.
@@ -69,7 +69,7 @@ test_one_digit_of_one_seed_is_seen_on_the_same_machine() {
   made
   tiny reference >/dev/null
   expect_exit 0 tiny check
-  move '^smote,,mmd,1,' 1e-12
+  move '^smote,,,mmd,1,' 1e-12
   expect_exit 2 tiny check
   expect_line "$(tiny check 2>&1 || true)" '^smote +score +mmd +OUTSIDE +2 +1 '
   expect_exit 0 tiny check TOLERANCE=spread
@@ -79,25 +79,27 @@ test_what_chance_does_not_explain_is_seen_on_any_machine() {
   made
   tiny reference >/dev/null
   from_elsewhere
-  move '^smote,10to1,accuracy,' 0.01
+  move '^smote,wdcnn,10to1,accuracy,' 0.01
   expect_line "$(tiny check)" '^smote +10to1 +accuracy +2 +2 .* -0\.0[0-9]+ +[0-9.]+$'
-  move '^none,100to1,accuracy,' -0.9
+  move '^none,wdcnn,100to1,accuracy,' -0.9
   expect_exit 2 tiny check
   expect_line "$(tiny check 2>&1 || true)" '^none +100to1 +accuracy +OUTSIDE +2 +2 '
-  expect_line "$(tiny check 2>&1 || true)" '^compared 19 quantities of tiny: 2 moved, 1 outside'
+  expect_line "$(tiny check 2>&1 || true)" '^compared 20 quantities of tiny: 2 moved, 1 outside'
 }
 
 test_cells_of_one_side_are_named() {
   made
   rm results/tiny/tiny/seed1/smote/10to1/diagnosis.h5
-  sed -i '/^piae-dt,,.*,0,/d' $reference
+  sed -i '/^piae-dt,,,.*,0,/d' $reference
   local output
   output=$(tiny check 2>&1 || true)
   expect_line "$output" '^missing in the run: smote 10to1, seed 1$'
   expect_line "$output" '^not in the reference: piae-dt score, seed 0$'
+  sed -i '/^none,nearest,/d' $reference
+  expect_line "$(tiny check 2>&1 || true)" '^not in the reference: none 100to1 by nearest, seeds 0 1$'
   expect_exit 2 tiny check
-  tiny check SEEDS=0 METHODS="none smote" >messages || fail "$(<messages)"
-  tiny check RATIOS="100to1 50to1" SEEDS=1 >messages || fail "$(<messages)"
+  tiny check SEEDS=0 METHODS="none smote" CLASSIFIERS=wdcnn >messages || fail "$(<messages)"
+  tiny check RATIOS="100to1 50to1" SEEDS=1 CLASSIFIERS=wdcnn >messages || fail "$(<messages)"
 }
 
 test_without_a_reference_nothing_passes() {

@@ -31,9 +31,9 @@ test_before_anything_has_run() {
   local output
   output=$(status DATASETS="real made")
   expect_line "$output" '^data set +method +cells +done +running +failed +missing +time left$'
-  expect_line "$output" '^real +none +2 +0 +0 +0 +2 +not known yet$'
+  expect_line "$output" '^real +none +4 +0 +0 +0 +4 +not known yet$'
   expect_line "$output" '^made +smote +6 +0 +0 +0 +6 +not known yet$'
-  expect_line "$output" '^all +16 +0 +0 +0 +16 +not known yet$'
+  expect_line "$output" '^all +20 +0 +0 +0 +20 +not known yet$'
   [[ ! -e results && ! -e calls ]] || fail "status has made something"
 }
 
@@ -42,16 +42,16 @@ test_when_all_is_done() {
   cells
   expect_equal "$(status | sed 's/  */ /g')" "$(printf '%s\n' \
     'data set method cells done running failed missing time left' \
-    'real none 2 2 0 0 0 0 s' 'real smote 6 6 0 0 0 0 s' 'all 8 8 0 0 0 0 s')"
+    'real none 4 4 0 0 0 0 s' 'real smote 6 6 0 0 0 0 s' 'all 10 10 0 0 0 0 s')"
 }
 
 test_only_the_chosen_part_is_counted() {
   describe
   cells SEEDS=0
-  expect_equal "$(counts all '')" 'all 8 4 0 0 4 0 s'
-  expect_equal "$(counts all '' SEEDS=0)" 'all 4 4 0 0 0 0 s'
+  expect_equal "$(counts all '')" 'all 10 5 0 0 5 0 s'
+  expect_equal "$(counts all '' SEEDS=0)" 'all 5 5 0 0 0 0 s'
   expect_equal "$(counts all '' SEEDS=1 METHODS=smote RATIOS=1to1)" 'all 2 0 0 0 2 0 s'
-  expect_equal "$(counts all '' PROTOCOL=blocked | cut -d' ' -f1-6)" 'all 8 0 0 0 8'
+  expect_equal "$(counts all '' PROTOCOL=blocked | cut -d' ' -f1-6)" 'all 10 0 0 0 10'
 }
 
 test_a_failed_step_is_named_with_its_reason_and_log() {
@@ -61,12 +61,28 @@ test_a_failed_step_is_named_with_its_reason_and_log() {
   local output
   output=$(status)
   expect_equal "$(counts real smote)" 'real smote 6 3 0 3 0 0 s'
-  expect_equal "$(counts real none)" 'real none 2 2 0 0 0 0 s'
+  expect_equal "$(counts real none)" 'real none 4 4 0 0 0 0 s'
   expect_equal "$(tail -n 2 <<<"$output")" \
     $'failed\n  real/seed1/smote: train: the reason (log: results/t/real/seed1/smote/train.log)'
   rm broken
   cells
   expect_equal "$(counts real smote)" 'real smote 6 6 0 0 0 0 s'
+}
+
+# Classifiers wait for the same windows, and not for one another.
+test_a_failed_diagnosis_is_a_cell_of_its_classifier_alone() {
+  describe
+  echo "diagnose real/seed1/smote/1to1/diagnosis.h5" >broken
+  cells -k CLASSIFIERS="wdcnn wdcnn-spectrum" || true
+  # Per seed two scores and diagnoses at two ratios by two classifiers each.
+  expect_equal "$(counts real smote CLASSIFIERS="wdcnn wdcnn-spectrum")" 'real smote 10 9 0 1 0 0 s'
+  echo "diagnose real/seed1/smote/1to1/wdcnn-spectrum/diagnosis.h5" >broken
+  rm -r results
+  cells -k CLASSIFIERS="wdcnn wdcnn-spectrum" || true
+  expect_equal "$(counts real smote CLASSIFIERS="wdcnn wdcnn-spectrum")" 'real smote 10 9 0 1 0 0 s'
+  expect_equal "$(counts real smote)" 'real smote 6 6 0 0 0 0 s'
+  expect_line "$(status CLASSIFIERS="wdcnn wdcnn-spectrum")" \
+    '^  real/seed1/smote/1to1/wdcnn-spectrum: diagnose: the reason \(log: '
 }
 
 test_a_failed_score_is_one_cell() {
@@ -133,7 +149,7 @@ test_a_changed_setting_makes_cells_missing_and_status_changes_nothing() {
   rm calls
   sed -i 's/4/3/' pipeline/protocol.toml
   expect_equal "$(counts real smote | cut -d' ' -f1-7)" 'real smote 6 0 0 0 6'
-  expect_equal "$(counts real none)" 'real none 2 2 0 0 0 0 s'
+  expect_equal "$(counts real none)" 'real none 4 4 0 0 0 0 s'
   expect_line "$(<results/t/.settings/train.smote.toml)" "neighbours = 4"
   sed -i 's/3/4/' pipeline/protocol.toml
   cells
@@ -150,6 +166,7 @@ test_the_time_left_is_that_of_steps_like_those_to_come() {
   for seed in seed0 seed1; do
     took real/$seed split 5
     took real/$seed/none/100to1 diagnose 7
+    took real/$seed/none/100to1/nearest diagnose 1
     took real/$seed/smote train 100
     took real/$seed/smote generate 10
     took real/$seed/smote score 1
@@ -161,9 +178,9 @@ test_the_time_left_is_that_of_steps_like_those_to_come() {
   local output
   output=$(status SEEDS="0 1 2" | sed 's/  */ /g')
   expect_line "$output" '^real records, split 0 0 0 0 0 5 s$'
-  expect_line "$output" '^real none 3 2 0 0 1 7 s$'
+  expect_line "$output" '^real none 6 4 0 0 2 8 s$'
   expect_line "$output" '^real smote 9 5 0 0 4 4 min$' # 40 + 171 s
-  expect_line "$output" '^all 12 7 0 0 5 4 min$'
+  expect_line "$output" '^all 15 9 0 0 6 4 min$'
   # The mean of seeds that differ.
   took real/seed0/smote train 7000
   output=$(status SEEDS="0 1 2" | sed 's/  */ /g')
@@ -175,7 +192,9 @@ test_another_data_set_or_method_stands_in_where_nothing_is_known() {
   cells
   took real/seed0/none/100to1 diagnose 10
   took real/seed1/none/100to1 diagnose 30
-  expect_equal "$(counts made none DATASETS=made)" 'made none 2 0 0 0 2 40 s'
+  took real/seed0/none/100to1/nearest diagnose 3
+  took real/seed1/none/100to1/nearest diagnose 3
+  expect_equal "$(counts made none DATASETS=made)" 'made none 4 0 0 0 4 46 s'
   took real/seed0/smote/1to1 diagnose 30
   took real/seed1/smote/1to1 diagnose 30
   sed -i '/^step:/d' results/t/real/seed*/smote/train.log
@@ -268,18 +287,18 @@ test_a_contrast_is_of_both_protocols() {
   with_grid contrast DATASETS=real >/dev/null 2>&1 || true
   local output
   output=$(with_grid status DATASETS=real | sed 's/  */ /g')
-  expect_line "$output" '^all 8 8 0 0 0 0 s$'
+  expect_line "$output" '^all 10 10 0 0 0 0 s$'
   submitted contrast RUN=t DATASETS=real results=results/t
   output=$(with_grid status DATASETS=real)
   expect_line "$output" '^real +smote +6 +6 +0 +0 +0 +0 s$'
   expect_line "$output" '^real, blocked +smote +6 +[0-9] +0 +1 '
-  expect_line "$output" '^all +16 +[0-9]+ +0 +1 '
+  expect_line "$output" '^all +20 +[0-9]+ +0 +1 '
   expect_line "$output" \
     '^  results/t-blocked/real/seed1/smote/10to1: diagnose: the reason \(log: results/t-blocked/real/seed1/smote/10to1/'
   rm broken
   with_grid contrast DATASETS=real >/dev/null 2>&1
   output=$(with_grid status contrast DATASETS=real)
-  expect_line "$output" '^all +16 +16 +0 +0 +0 +0 s$'
+  expect_line "$output" '^all +20 +20 +0 +0 +0 +0 s$'
   expect_no_line "$output" failed$
 }
 
@@ -302,7 +321,7 @@ test_features_that_failed_are_named() {
   with_grid all DATASETS=real -k >/dev/null 2>&1 || true
   local output
   output=$(status)
-  expect_line "$output" '^all +8 +8 +0 +0 +0 +0 s$'
+  expect_line "$output" '^all +10 +10 +0 +0 +0 +0 s$'
   expect_equal "$(tail -n 2 <<<"$output")" \
     $'failed\n  real/seed0/smote/1to1: diagnose: the reason (log: results/t/real/seed0/smote/1to1/features.log)'
   # They were not asked for by make cells.
@@ -315,7 +334,7 @@ test_tables_that_failed_are_named() {
   with_grid all DATASETS=real -k >/dev/null 2>&1 || true
   local output
   output=$(status)
-  expect_line "$output" '^all +8 +8 +0 +0 +0 +0 s$'
+  expect_line "$output" '^all +10 +10 +0 +0 +0 +0 s$'
   expect_equal "$(tail -n 2 <<<"$output")" $'failed\n  real: tabulate: the reason (log: results/t/real/tabulate.log)'
   # As the job of the tables says, where it was killed.
   sed -i '/^step: exit/d; /^tabulate: /d' results/t/real/tabulate.log

@@ -19,7 +19,7 @@ using testing::IsEmpty;
 void add(Measurements& side, const std::string& method, const std::vector<double>& values) {
   for (std::size_t seed = 0; seed < values.size(); ++seed) {
     side.values.push_back(
-        {method, "10to1", "accuracy", static_cast<std::int64_t>(seed), values[seed]});
+        {method, "wdcnn", "10to1", "accuracy", static_cast<std::int64_t>(seed), values[seed]});
   }
 }
 
@@ -146,7 +146,7 @@ TEST(Deviations, NamesCellsOfOneSideOnly) {
   add(reference, "ae", {1});
   add(run, "smote", {1, 2});
   for (const char* metric : {"mmd", "rmse"}) {
-    reference.values.push_back({"ae", "", metric, 7, 0.5});
+    reference.values.push_back({"ae", "", "", metric, 7, 0.5});
   }
   const Deviations deviations = find_deviations(reference, run, {}, Tolerance::exact);
   EXPECT_THAT(deviations.missing,
@@ -155,6 +155,29 @@ TEST(Deviations, NamesCellsOfOneSideOnly) {
   EXPECT_FALSE(deviations.acceptable());
   EXPECT_TRUE(
       find_deviations(reference, run, {{}, {"vae"}, {}, {0}}, Tolerance::exact).acceptable());
+}
+
+// A classifier that is not trained scatters less: that must not narrow what is allowed of one that
+// is.
+TEST(Deviations, AreJudgedByTheScatterOfTheirOwnClassifier) {
+  const auto with_nearest = [](std::vector<double> values) {
+    Measurements both = side({0.60, 0.64, 0.66});
+    for (std::size_t seed = 0; seed < values.size(); ++seed) {
+      both.values.push_back(
+          {"none", "nearest", "100to1", "accuracy", static_cast<std::int64_t>(seed), values[seed]});
+    }
+    return both;
+  };
+  const Measurements reference = with_nearest({0.996, 0.996, 0.996});
+  EXPECT_EQ(
+      *find_deviations(reference, reference, {}, Tolerance::spread).rows[0].standard_error,
+      *find_deviations(side({0.60, 0.64, 0.66}), side({0.60, 0.64, 0.66}), {}, Tolerance::spread)
+           .rows[0]
+           .standard_error);
+  Measurements run = with_nearest({0.996, 0.996});
+  const Deviations deviations = find_deviations(reference, run, {}, Tolerance::spread);
+  EXPECT_THAT(deviations.missing, ElementsAre("none 100to1 by nearest, seed 2"));
+  EXPECT_EQ(deviations.rows[1].classifier, "nearest");
 }
 
 TEST(Deviations, NeedsOneDatasetAndProtocol) {

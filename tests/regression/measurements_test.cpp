@@ -41,9 +41,10 @@ TEST_F(Stored, ReferenceComesBackToTheLastDigit) {
       "cwru", signal::Protocol::random, {}, {"0.1.0 (abc)", "0.2.0"}, {"a; b", "c"}};
   for (const double accuracy : {0.1 + 0.2, 1.0 / 3, 1e-17, 0.62}) {
     const auto seed = static_cast<std::int64_t>(written.values.size());
-    written.values.push_back({"vae", "10to1", "accuracy", seed, accuracy});
+    written.values.push_back({"vae", "wdcnn", "10to1", "accuracy", seed, accuracy});
   }
-  written.values.push_back({"vae", "", "mmd", 100, 123456.789});
+  written.values.push_back({"vae", "nearest", "10to1", "accuracy", 0, 0.5});
+  written.values.push_back({"vae", "", "", "mmd", 100, 123456.789});
   store(reference_csv(written));
   const Measurements back = read();
   EXPECT_EQ(back.versions, written.versions);
@@ -51,6 +52,7 @@ TEST_F(Stored, ReferenceComesBackToTheLastDigit) {
   ASSERT_EQ(back.values.size(), written.values.size());
   for (std::size_t i = 0; i < back.values.size(); ++i) {
     EXPECT_EQ(back.values[i].method, written.values[i].method);
+    EXPECT_EQ(back.values[i].classifier, written.values[i].classifier);
     EXPECT_EQ(back.values[i].ratio, written.values[i].ratio);
     EXPECT_EQ(back.values[i].quantity, written.values[i].quantity);
     EXPECT_EQ(back.values[i].seed, written.values[i].seed);
@@ -62,21 +64,21 @@ TEST_F(Stored, ReferenceComesBackToTheLastDigit) {
 
 TEST_F(Stored, ReferenceThatIsDamagedOrMissingIsRefused) {
   const std::string made = "# built from: 1\n# computed with: 2\n";
-  const std::string header = "method,ratio,quantity,seed,value\n";
-  const std::string line = "vae,10to1,accuracy,0,0.5\n";
+  const std::string header = "method,classifier,ratio,quantity,seed,value\n";
+  const std::string line = "vae,wdcnn,10to1,accuracy,0,0.5\n";
   expect_refused(header + line, "does not say what it was made with", Exit::bad_input);
   expect_refused(made + "method,seed\nvae,0\n", "line 3: is not the header", Exit::bad_input);
   expect_refused(made + header, "holds no table", Exit::bad_input);
   expect_refused(made + header + line + line, "line 5: is there twice", Exit::bad_input);
-  expect_refused(made + header + "vae,10to1,accuracy,-1,0.5\n", "'-1' is not a seed",
+  expect_refused(made + header + "vae,wdcnn,10to1,accuracy,-1,0.5\n", "'-1' is not a seed",
                  Exit::bad_input);
-  expect_refused(made + header + "vae,10to1,accuracy,0.5,0.5\n", "'0.5' is not a seed",
+  expect_refused(made + header + "vae,wdcnn,10to1,accuracy,0.5,0.5\n", "'0.5' is not a seed",
                  Exit::bad_input);
-  expect_refused(made + header + "vae,10to1,accuracy,1e300,0.5\n", "'1e300' is not a seed",
+  expect_refused(made + header + "vae,wdcnn,10to1,accuracy,1e300,0.5\n", "'1e300' is not a seed",
                  Exit::bad_input);
-  expect_refused(made + header + "vae,10to1,accuracy,\x1b[2J,0.5\n", "'?[2J' is not a seed",
+  expect_refused(made + header + "vae,wdcnn,10to1,accuracy,\x1b[2J,0.5\n", "'?[2J' is not a seed",
                  Exit::bad_input);
-  expect_refused(made + header + "vae,10to1,accuracy,0,nan\n", "'nan' is not a number",
+  expect_refused(made + header + "vae,wdcnn,10to1,accuracy,0,nan\n", "'nan' is not a number",
                  Exit::bad_input);
   std::filesystem::remove(folder_.path() / "random/cwru.csv");
   try {

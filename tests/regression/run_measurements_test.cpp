@@ -51,6 +51,24 @@ TEST_F(RunMeasurements, IsReadWithWhatMadeIt) {
             "vae  spectral_distance_db 3.000000\n");
 }
 
+TEST_F(RunMeasurements, SaysWhichClassifierAnAccuracyIsOf) {
+  add_all();
+  add(by("nearest", diagnosis("none", "100to1", 0, 0, 19)));
+  const auto run = folder_.path() / "run";
+  std::string text;
+  const std::vector<Measurements> datasets = read_run(run, {});
+  for (const Measured& each : datasets.front().values) {
+    const bool is_accuracy = each.quantity == "accuracy";
+    EXPECT_EQ(each.classifier.empty(), !is_accuracy);
+    if (each.seed == 0 && is_accuracy) {
+      text += each.method + ' ' + each.classifier + ' ' + each.ratio + '\n';
+    }
+  }
+  EXPECT_EQ(text, "none wdcnn 100to1\nnone nearest 100to1\nvae wdcnn 10to1\nvae wdcnn 2to1\n");
+  EXPECT_EQ(read_run(run, {.methods = {"none"}, .classifiers = {"nearest"}}).front().values.size(),
+            1U);
+}
+
 TEST_F(RunMeasurements, IsReadAsFarAsItIsSelected) {
   add_all();
   const auto run = folder_.path() / "run";

@@ -15,11 +15,12 @@ using testing::IsEmpty;
 using testing::Not;
 
 const std::string comparisons_header =
-    "dataset,ratio,method,against,seeds,mean_difference,ci95_low,ci95_high,rank_biserial,p,p_"
+    "dataset,ratio,method,classifier,against,seeds,mean_difference,ci95_low,ci95_high,rank_"
+    "biserial,p,p_"
     "holm\n";
 
 std::string csv(const std::vector<AccuracyRow>& rows, const std::string& against = "") {
-  return comparisons_csv(compare_methods(rows, against));
+  return comparisons_csv({compare_methods(rows, against)});
 }
 
 std::string text(const std::vector<AccuracyRow>& rows, const std::string& against = "") {
@@ -33,20 +34,21 @@ std::string text(const std::vector<AccuracyRow>& rows, const std::string& agains
 TEST(Comparisons, AreThoseWorkedByHand) {
   EXPECT_EQ(csv(five_seeds()),
             comparisons_header +
-                "cwru,10to1,none,piae-dt,5,-10.0000,-10.0000,-10.0000,-1.0000,0.0625,0.125\n"
-                "cwru,2to1,none,piae-dt,5,-20.0000,-20.0000,-20.0000,-1.0000,0.0625,0.125\n"
-                "cwru,mean,none,piae-dt,5,-15.0000,-15.0000,-15.0000,-1.0000,0.0625,0.125\n"
-                "cwru,10to1,shift,piae-dt,5,3.0000,1.0368,4.9632,1.0000,0.0625,0.125\n"
-                "cwru,2to1,shift,piae-dt,5,1.0000,-3.3899,5.3899,0.3333,0.625,0.625\n"
-                "cwru,mean,shift,piae-dt,5,2.0000,-0.6340,4.6340,1.0000,0.25,0.25\n");
+                "cwru,10to1,none,wdcnn,piae-dt,5,-10.0000,-10.0000,-10.0000,-1.0000,0.0625,0.125\n"
+                "cwru,2to1,none,wdcnn,piae-dt,5,-20.0000,-20.0000,-20.0000,-1.0000,0.0625,0.125\n"
+                "cwru,mean,none,wdcnn,piae-dt,5,-15.0000,-15.0000,-15.0000,-1.0000,0.0625,0.125\n"
+                "cwru,10to1,shift,wdcnn,piae-dt,5,3.0000,1.0368,4.9632,1.0000,0.0625,0.125\n"
+                "cwru,2to1,shift,wdcnn,piae-dt,5,1.0000,-3.3899,5.3899,0.3333,0.625,0.625\n"
+                "cwru,mean,shift,wdcnn,piae-dt,5,2.0000,-0.6340,4.6340,1.0000,0.25,0.25\n");
 }
 
 /// A ceiling is no method: of its difference nothing is asked, so no other pays for it.
 TEST(Comparisons, CorrectNoMethodForACeiling) {
   std::vector<AccuracyRow> rows = five_seeds();
   rows.push_back(row_with("oracle", "10to1", {99, 98, 97, 96, 95}));
-  EXPECT_THAT(csv(rows), HasSubstr("cwru,10to1,shift,piae-dt,5,3.0000,1.0368,4.9632,1.0000,0.0625,"
-                                   "0.125\n"));
+  EXPECT_THAT(csv(rows),
+              HasSubstr("cwru,10to1,shift,wdcnn,piae-dt,5,3.0000,1.0368,4.9632,1.0000,0.0625,"
+                        "0.125\n"));
   EXPECT_THAT(csv(rows), testing::ContainsRegex("cwru,10to1,oracle,.*,0.0625,\n"));
   EXPECT_THAT(text(rows), HasSubstr("|         0.0625 † |\n"));
 }
@@ -75,8 +77,8 @@ TEST(Comparisons, AreWithTheNewerSubjectOrTheOneAskedFor) {
   std::vector<AccuracyRow> rows = five_seeds();
   EXPECT_EQ(compare_methods(rows, "").against, "piae-dt");
   EXPECT_EQ(compare_methods(rows, "shift").against, "shift");
-  EXPECT_THAT(csv(rows, "shift"), HasSubstr("cwru,10to1,piae-dt,shift,5,-3.0000,"));
-  EXPECT_THAT(csv(rows, "none"), HasSubstr("cwru,2to1,piae-dt,none,5,20.0000,"));
+  EXPECT_THAT(csv(rows, "shift"), HasSubstr("cwru,10to1,piae-dt,wdcnn,shift,5,-3.0000,"));
+  EXPECT_THAT(csv(rows, "none"), HasSubstr("cwru,2to1,piae-dt,wdcnn,none,5,20.0000,"));
   rows.push_back(row_with("piae-dt-phase", "10to1", {1, 2, 3, 4, 5}));
   EXPECT_EQ(compare_methods(rows, "").against, "piae-dt-phase");
 }
@@ -107,7 +109,7 @@ TEST(Comparisons, OfNothingAreEmpty) {
 TEST(Comparisons, OfOneSeedHaveNoTest) {
   const std::vector<AccuracyRow> rows{row_with("shift", "10to1", {81}),
                                       row_with("piae-dt", "10to1", {80})};
-  EXPECT_EQ(csv(rows), comparisons_header + "cwru,10to1,shift,piae-dt,1,1.0000,,,,,\n");
+  EXPECT_EQ(csv(rows), comparisons_header + "cwru,10to1,shift,wdcnn,piae-dt,1,1.0000,,,,,\n");
   EXPECT_THAT(text(rows), HasSubstr("| shift  | 10:1  |      +1.00 |\n"));
   EXPECT_THAT(text(rows), Not(HasSubstr("p (Holm)")));
   EXPECT_THAT(text(rows), HasSubstr("One seed alone"));
@@ -141,7 +143,7 @@ TEST(Comparisons, MarkThePValuesThatSoFewSeedsCannotMakeSmall) {
 /// Two seeds have no interval; the largest that points can have ends at 100.
 TEST(Comparisons, HaveNoIntervalThatCannotBe) {
   const std::string two = csv(of_seeds(2));
-  EXPECT_THAT(two, HasSubstr("cwru,10to1,shift,piae-dt,2,10.0000,,,1.0000,0.5,1\n"));
+  EXPECT_THAT(two, HasSubstr("cwru,10to1,shift,wdcnn,piae-dt,2,10.0000,,,1.0000,0.5,1\n"));
   EXPECT_THAT(text(of_seeds(2)), Not(HasSubstr("95 %")));
   const std::vector<AccuracyRow> wide{row_with("shift", "10to1", {100, 20, 100}),
                                       row_with("piae-dt", "10to1", {0, 20, 0})};
@@ -163,14 +165,15 @@ std::vector<AccuracyRow> with_gaps() {
 /// cannot be tested, so the families are of two tests, none's and shift's.
 TEST(Comparisons, AreOfTheSeedsThatBothHave) {
   const std::string pairs = csv(with_gaps(), "piae-dt");
-  EXPECT_THAT(pairs, HasSubstr("cwru,10to1,vae,piae-dt,1,-20.0000,,,,,\n"));
+  EXPECT_THAT(pairs, HasSubstr("cwru,10to1,vae,wdcnn,piae-dt,1,-20.0000,,,,,\n"));
   EXPECT_THAT(pairs, Not(HasSubstr("2to1,vae")));
   EXPECT_THAT(pairs, Not(HasSubstr("mean,vae")));
-  EXPECT_THAT(pairs, HasSubstr("cwru,10to1,shift,piae-dt,5,3.0000,1.0368,4.9632,1.0000,0.0625,0.125"
-                               "\n"));
-  EXPECT_THAT(pairs, HasSubstr("cwru,2to1,shift,piae-dt,2,0.5000,,,0.3333,1,1\n"));
-  EXPECT_THAT(pairs, HasSubstr("cwru,mean,shift,piae-dt,2,2.5000,,,1.0000,"));
-  EXPECT_THAT(pairs, HasSubstr("cwru,mean,none,piae-dt,5,-15.0000,"));
+  EXPECT_THAT(pairs,
+              HasSubstr("cwru,10to1,shift,wdcnn,piae-dt,5,3.0000,1.0368,4.9632,1.0000,0.0625,0.125"
+                        "\n"));
+  EXPECT_THAT(pairs, HasSubstr("cwru,2to1,shift,wdcnn,piae-dt,2,0.5000,,,0.3333,1,1\n"));
+  EXPECT_THAT(pairs, HasSubstr("cwru,mean,shift,wdcnn,piae-dt,2,2.5000,,,1.0000,"));
+  EXPECT_THAT(pairs, HasSubstr("cwru,mean,none,wdcnn,piae-dt,5,-15.0000,"));
 }
 
 TEST(Comparisons, MarkTheMethodsWithFewerSeeds) {

@@ -17,7 +17,8 @@ using testing::Not;
 using testing::StartsWith;
 
 const std::string csv_header =
-    "dataset,method,ratio,generated_per_class,seeds,mean,std,ci95_low,ci95_high,published\n";
+    "dataset,method,classifier,ratio,generated_per_class,seeds,mean,std,ci95_low,ci95_high,"
+    "published\n";
 
 class Tables : public StoredRun {
  protected:
@@ -35,7 +36,7 @@ class Tables : public StoredRun {
   }
   [[nodiscard]] Document document(const run::Grid& grid) const {
     return tables(grid, collect(layout_, grid), rows(grid), published(),
-                  compare_methods(rows(grid), ""), rank_methods(rows(grid)));
+                  compare_by_classifier(rows(grid), ""), rank_by_classifier(rows(grid)));
   }
   [[nodiscard]] std::string gains(const run::Grid& grid) const {
     return accuracy_csv(gain_rows(rows(grid)));
@@ -46,9 +47,9 @@ class Tables : public StoredRun {
 TEST_F(Tables, OfTwoSeedsAreWrittenAsCsv) {
   add_all();
   EXPECT_EQ(accuracy_csv(rows(grid_)), csv_header +
-                                           "cwru,none,100to1,0,2,62.5000,3.5355,,,61.8\n"
-                                           "cwru,vae,10to1,45,2,75.0000,0.0000,,,\n"
-                                           "cwru,vae,2to1,145,2,90.0000,7.0711,,,91.2\n");
+                                           "cwru,none,wdcnn,100to1,0,2,62.5000,3.5355,,,61.8\n"
+                                           "cwru,vae,wdcnn,10to1,45,2,75.0000,0.0000,,,\n"
+                                           "cwru,vae,wdcnn,2to1,145,2,90.0000,7.0711,,,91.2\n");
   EXPECT_EQ(quality_csv(grid_, collect(layout_, grid_)),
             "dataset,method,class,metric,seeds,mean,std\n"
             "cwru,vae,IR,mmd,2,0.6,0.141421\n"
@@ -71,8 +72,8 @@ TEST_F(Tables, OfTwoSeedsAreWrittenAsCsv) {
 TEST_F(Tables, OfGainsArePairedBySeed) {
   add_all();
   EXPECT_EQ(gains(grid_), csv_header +
-                              "cwru,vae,10to1,45,2,12.5000,3.5355,,,\n"
-                              "cwru,vae,2to1,145,2,27.5000,3.5355,,,29.4\n");
+                              "cwru,vae,wdcnn,10to1,45,2,12.5000,3.5355,,,\n"
+                              "cwru,vae,wdcnn,2to1,145,2,27.5000,3.5355,,,29.4\n");
   EXPECT_EQ(gains(grid("vae", "10to1")), csv_header) << "nothing to compare with";
   EXPECT_EQ(gains(grid("none", "100to1")), csv_header) << "nothing to compare";
 }
@@ -127,9 +128,9 @@ TEST_F(Tables, OfThreeSeedsHaveIntervalsThatCanBe) {
   const run::Grid three = grid("none vae", "100to1 10to1 2to1", "0 1 2");
   EXPECT_EQ(accuracy_csv(rows(three)),
             csv_header +
-                "cwru,none,100to1,0,3,63.3333,2.8868,56.1622,70.5044,61.8\n"
-                "cwru,vae,10to1,45,3,80.0000,8.6603,58.4867,100.0000,\n"
-                "cwru,vae,2to1,145,3,93.3333,7.6376,74.3604,100.0000,91.2\n");
+                "cwru,none,wdcnn,100to1,0,3,63.3333,2.8868,56.1622,70.5044,61.8\n"
+                "cwru,vae,wdcnn,10to1,45,3,80.0000,8.6603,58.4867,100.0000,\n"
+                "cwru,vae,wdcnn,2to1,145,3,93.3333,7.6376,74.3604,100.0000,91.2\n");
   const std::string text = markdown(document(three));
   EXPECT_THAT(text, HasSubstr("| mean          |   63.33 ± 2.89 | 61.80 |\n"
                               "| 95 % interval | [56.16, 70.50] |       |\n"));
@@ -150,14 +151,14 @@ TEST_F(Tables, OfARunWithGapsSayWhatThereIs) {
   EXPECT_THAT(all.seeds, testing::ElementsAre(0, 1, 2));
   const auto rows = accuracy_rows(all, results, published());
   EXPECT_EQ(accuracy_csv(rows), csv_header +
-                                    "cwru,none,100to1,0,2,62.5000,3.5355,,,61.8\n"
-                                    "cwru,smote,2to1,145,1,50.0000,,,,\n"
-                                    "cwru,vae,10to1,45,3,80.0000,8.6603,58.4867,100.0000,\n"
-                                    "cwru,vae,2to1,145,2,90.0000,7.0711,,,91.2\n");
+                                    "cwru,none,wdcnn,100to1,0,2,62.5000,3.5355,,,61.8\n"
+                                    "cwru,smote,wdcnn,2to1,145,1,50.0000,,,,\n"
+                                    "cwru,vae,wdcnn,10to1,45,3,80.0000,8.6603,58.4867,100.0000,\n"
+                                    "cwru,vae,wdcnn,2to1,145,2,90.0000,7.0711,,,91.2\n");
   EXPECT_THAT(accuracy_csv(gain_rows(rows)),
-              HasSubstr("cwru,vae,10to1,45,2,12.5000,3.5355,,,\n"));  // of seeds 0 and 1
-  const std::string text = markdown(
-      tables(all, results, rows, published(), compare_methods(rows, ""), rank_methods(rows)));
+              HasSubstr("cwru,vae,wdcnn,10to1,45,2,12.5000,3.5355,,,\n"));  // of seeds 0 and 1
+  const std::string text = markdown(tables(
+      all, results, rows, published(), compare_by_classifier(rows, ""), rank_by_classifier(rows)));
   std::string unwrapped = text;
   std::ranges::replace(unwrapped, '\n', ' ');
   EXPECT_THAT(unwrapped, HasSubstr("these have only: none: seeds 0, 1; smote: 2:1 of seed 0; vae: "
@@ -193,9 +194,9 @@ TEST_F(Tables, OfOneSeedHaveNoSpread) {
   add_all();
   const run::Grid one = grid("none vae", "100to1 10to1", "1");
   EXPECT_EQ(accuracy_csv(rows(one)), csv_header +
-                                         "cwru,none,100to1,0,1,65.0000,,,,61.8\n"
-                                         "cwru,vae,10to1,45,1,75.0000,,,,\n");
-  EXPECT_EQ(gains(one), csv_header + "cwru,vae,10to1,45,1,10.0000,,,,\n");
+                                         "cwru,none,wdcnn,100to1,0,1,65.0000,,,,61.8\n"
+                                         "cwru,vae,wdcnn,10to1,45,1,75.0000,,,,\n");
+  EXPECT_EQ(gains(one), csv_header + "cwru,vae,wdcnn,10to1,45,1,10.0000,,,,\n");
   EXPECT_THAT(quality_csv(one, collect(layout_, one)), HasSubstr("\ncwru,vae,IR,mmd,1,0.7,\n"));
   EXPECT_THAT(markdown(document(one)),
               AllOf(HasSubstr("; 1 seed (1), each"), HasSubstr("| 1, seed 1 | 65.00 | 61.80 |"),
@@ -287,9 +288,9 @@ TEST_F(TablesOfTheStandIn, HaveThePapersFiguresBesideThemButNotInTheirCsv) {
   EXPECT_THAT(text, HasSubstr("|        | 2:1 (3.33:1) | 90.00 ± 7.07 |       90.86 |\n"));
   EXPECT_THAT(text, HasSubstr("|        | 2:1 (3.33:1) | +27.50 ± 3.54 |      +28.86 |\n"));
   EXPECT_EQ(accuracy_csv(rows(grid_)), csv_header +
-                                           "hit-sm,none,100to1,0,2,62.5000,3.5355,,,\n"
-                                           "hit-sm,vae,10to1,45,2,75.0000,0.0000,,,\n"
-                                           "hit-sm,vae,2to1,145,2,90.0000,7.0711,,,\n");
+                                           "hit-sm,none,wdcnn,100to1,0,2,62.5000,3.5355,,,\n"
+                                           "hit-sm,vae,wdcnn,10to1,45,2,75.0000,0.0000,,,\n"
+                                           "hit-sm,vae,wdcnn,2to1,145,2,90.0000,7.0711,,,\n");
 }
 
 class TablesOfAnotherDataset : public Tables {

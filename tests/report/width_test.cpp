@@ -29,7 +29,8 @@ void expect_narrow(const std::string& text) {
 /// the point, deviations as well, and quality from 1e-4 to 99.
 class FullGrid {
  public:
-  FullGrid(const std::string& dataset, int seeds) {
+  FullGrid(const std::string& dataset, int seeds,
+           const std::vector<std::string>& classifiers = {}) {
     std::string methods;
     std::string ratios;
     std::string seed_words;
@@ -39,7 +40,7 @@ class FullGrid {
     for (const scoring::Ratio& ratio : scoring::all_ratios())
       ratios += std::string(ratio.name) + ' ';
     for (int seed = 0; seed < seeds; ++seed) seed_words += std::to_string(seed) + ' ';
-    grid_ = resolve(run::GridOptions{dataset, {methods}, {ratios}, {seed_words}});
+    grid_ = resolve(run::GridOptions{dataset, {methods}, {ratios}, {seed_words}, classifiers});
     for (const run::Combination& cell : grid_.combinations) {
       for (const std::int64_t seed : grid_.seeds) add(cell, seed);
     }
@@ -61,7 +62,7 @@ class FullGrid {
   [[nodiscard]] std::string markdown_of_tables() const {
     const auto own = rows();
     return markdown(tables(grid_, results_, own, Published(PIAE_PUBLISHED),
-                           compare_methods(own, ""), rank_methods(own)));
+                           compare_by_classifier(own, ""), rank_by_classifier(own)));
   }
 
  private:
@@ -71,6 +72,7 @@ class FullGrid {
     results_.diagnoses.push_back(
         {.method = cell.method,
          .ratio = cell.ratio,
+         .classifier = cell.classifier,
          .seed = seed,
          .generated_per_class = ratio.generated_per_class,
          .true_ratio = scoring::true_ratio(500, 5, ratio.generated_per_class),
@@ -114,6 +116,13 @@ TEST_P(Width, OfTablesOfFewOrManySeedsOrWithGapsIsAtMost100) {
   with_gaps.drop("oracle", 3);
   with_gaps.drop("piae-dt-phase", 9);
   expect_narrow(with_gaps.markdown_of_tables());
+}
+
+TEST_P(Width, OfTablesOfSeveralClassifiersIsAtMost100) {
+  const FullGrid grid(GetParam(), 3, {"wdcnn", "wdcnn-spectrum", "wdcnn-envelope"});
+  expect_narrow(grid.markdown_of_tables());
+  EXPECT_THAT(grid.markdown_of_tables(), testing::HasSubstr(", by wdcnn-envelope\n"));
+  expect_narrow(accuracy_text(grid.rows()));
 }
 
 TEST_P(Width, OfAContrastIsAtMost100) {

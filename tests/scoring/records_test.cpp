@@ -94,6 +94,29 @@ TEST_F(Records, DiagnosisComesBackAsItWas) {
   EXPECT_EQ(read.accuracy(), 0.75);
 }
 
+// Files of the paper's classifier are what they were before there was another.
+TEST_F(Records, DiagnosisNamesItsClassifierUnlessItIsThePapers) {
+  DiagnosisRecord record = diagnosis();
+  const Reader papers = stored("diagnosis", record);
+  EXPECT_FALSE(papers.has_attribute("/", "classifier"));
+  EXPECT_EQ(read_diagnosis(papers).classifier, "wdcnn");
+  record.classifier = "nearest";
+  const Reader other = stored("diagnosis", record);
+  EXPECT_EQ(other.text("/", "classifier"), "nearest");
+  EXPECT_EQ(read_diagnosis(other).classifier, "nearest");
+  record.classifier = "<b>nearest</b>";
+  EXPECT_THROW((void)read_diagnosis(stored("diagnosis", record)), Refusal);
+}
+
+TEST_F(Records, DiagnosisWithoutATrainingHasNoCurves) {
+  DiagnosisRecord record = diagnosis();
+  record.loss.clear();
+  record.train_accuracy.clear();
+  const DiagnosisRecord read = read_diagnosis(stored("diagnosis", record));
+  EXPECT_TRUE(read.loss.empty());
+  EXPECT_TRUE(read.train_accuracy.empty());
+}
+
 TEST_F(Records, DiagnosisMayHaveFeatures) {
   DiagnosisRecord record = diagnosis();
   EXPECT_FALSE(read_diagnosis(stored("diagnosis", record)).features);

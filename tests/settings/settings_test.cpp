@@ -271,12 +271,27 @@ TEST(Protocol, TheCentreOfASweepIsWhatTheMethodHasAnyway) {
 
 TEST(Facts, NameWhatThereIs) {
   const std::vector<std::string> all = facts(std::filesystem::path(PIAE_SOURCE) / "pipeline");
-  for (const std::string fact :
-       {"method:none", "method:smote", "method:oracle", "paper:ae", "paper:none", "baseline:none",
-        "ceiling:oracle", "infers:piae-dt-phase", "needs-libtorch:piae-dt-rnn", "ratio:1to1",
-        "nothing-generated:100to1", "dataset:cwru", "simulated:simulated", "swept:piae-dt",
-        "sweep-point:depth=1", "sweep-centre:depth=3", "reading:batches=class",
-        "reading-base:batches=mixed"}) {
+  for (const std::string fact : {"method:none",
+                                 "method:smote",
+                                 "method:oracle",
+                                 "paper:ae",
+                                 "paper:none",
+                                 "baseline:none",
+                                 "ceiling:oracle",
+                                 "infers:piae-dt-phase",
+                                 "needs-libtorch:piae-dt-rnn",
+                                 "ratio:1to1",
+                                 "classifier:wdcnn-spectrum",
+                                 "paper-classifier:wdcnn",
+                                 "bar:nearest",
+                                 "nothing-generated:100to1",
+                                 "dataset:cwru",
+                                 "simulated:simulated",
+                                 "swept:piae-dt",
+                                 "sweep-point:depth=1",
+                                 "sweep-centre:depth=3",
+                                 "reading:batches=class",
+                                 "reading-base:batches=mixed"}) {
     EXPECT_THAT(all, Contains(fact));
   }
   for (const std::string fact :

@@ -51,11 +51,13 @@ TEST(Chain, LeadsFromASimulationToTheTablesWithTheSameBytesInEveryFolder) {
   EXPECT_EQ(Reader(tiny / artefacts().back(), "diagnosis").text("/", "ratio"), "50to1");
 
   const std::string table = bytes_of(tiny / "run/tiny/accuracy.csv");
-  EXPECT_NE(table.find("dataset,method,ratio,generated_per_class,seeds,mean,std,ci95_low,ci95_high,"
-                       "published\ntiny,none,100to1,0,1,"),
-            std::string::npos)
+  EXPECT_NE(
+      table.find(
+          "dataset,method,classifier,ratio,generated_per_class,seeds,mean,std,ci95_low,ci95_high,"
+          "published\ntiny,none,wdcnn,100to1,0,1,"),
+      std::string::npos)
       << table;
-  EXPECT_NE(table.find("tiny,piae-dt,50to1,5,1,"), std::string::npos) << table;
+  EXPECT_NE(table.find("tiny,piae-dt,wdcnn,50to1,5,1,"), std::string::npos) << table;
 
   expect_same_bytes_elsewhere(tiny);
 }

@@ -1,5 +1,5 @@
-// What CONTRIBUTING.md shows of a new data set, method, table, figure and stage, letter for letter
-// (contributing/lay_out.sh), used as it says.
+// What CONTRIBUTING.md shows of a new data set, method, classifier, table, figure and stage, letter
+// for letter (contributing/lay_out.sh), used as it says.
 
 #include <gmock/gmock.h>
 
@@ -64,6 +64,15 @@ TEST(ShownDataSet, SaysWhichOfItsRecordingsIsMissing) {
   EXPECT_THAT(checked.out, HasSubstr("rig/outer.csv"));
 }
 
+TEST(ShownClassifier, IsTrainedOnWhatItIsShown) {
+  const Tiny tiny;
+  tiny.run_chain_before("diagnose");
+  const Outcome diagnosed = tiny.run(
+      shown("diagnose"), with(step_of("diagnose").arguments, "--classifier", "wdcnn-loudness"));
+  ASSERT_EQ(diagnosed.status, 0) << diagnosed.err;
+  EXPECT_THAT(diagnosed.out, HasSubstr("(piae-dt 50to1, wdcnn-loudness, seed 0): accuracy"));
+}
+
 TEST(ShownMethod, PlaysTheKnownWindowsBackwards) {
   const Tiny tiny;
   tiny.run_chain_before("train");
@@ -96,7 +105,7 @@ TEST(ShownMethod, StandsAmongTheOthersInTheHelp) {
 std::string accuracy_of(const std::string& csv, const std::string& cell) {
   std::istringstream fields(csv.substr(csv.find("\n" + cell) + 1));
   std::string field;
-  for (int column = 0; column < 6; ++column) std::getline(fields, field, ',');
+  for (int column = 0; column < 7; ++column) std::getline(fields, field, ',');
   return field.substr(0, field.find('.') + 3);
 }
 
@@ -107,8 +116,8 @@ TEST(ShownTable, HasTheLowestAndTheHighestAccuracyOfEachCell) {
   const Outcome outcome = tiny.run(shown("tabulate"), step_of("tabulate").arguments);
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   const std::string csv = bytes_of(tiny / "run/tiny/accuracy.csv");
-  const std::string none = accuracy_of(csv, "tiny,none,100to1,");
-  const std::string piae_dt = accuracy_of(csv, "tiny,piae-dt,50to1,");
+  const std::string none = accuracy_of(csv, "tiny,none,wdcnn,100to1,");
+  const std::string piae_dt = accuracy_of(csv, "tiny,piae-dt,wdcnn,50to1,");
   EXPECT_THAT(bytes_of(tiny / "run/tiny/tables.md"),
               testing::ContainsRegex("\n## Lowest and highest accuracy among the seeds, percent\n\n"
                                      "\\| method  \\| ratio [^\n]*\n[^\n]*\n"
@@ -130,7 +139,7 @@ TEST(ShownFigure, HasTheRangeOfEachCell) {
                                   std::string(PIAE_SOURCE) + "/results/published"});
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   const std::string none =
-      accuracy_of(bytes_of(tiny / "run/tiny/accuracy.csv"), "tiny,none,100to1,");
+      accuracy_of(bytes_of(tiny / "run/tiny/accuracy.csv"), "tiny,none,wdcnn,100to1,");
   EXPECT_THAT(bytes_of(tiny / "run/tiny/figures/seed-range.csv"),
               HasSubstr("\nnone,100to1," + none.substr(0, 4)));
 }

@@ -102,11 +102,12 @@ diagnose=(diagnose --test A.h5 --normal B.h5 --known C.h5 --generated E.h5 --rat
 baseline=(diagnose --test A.h5 --normal B.h5 --known C.h5 --ratio 100to1 --seed 0 --epochs 1 --reproducible)
 stage score --generated E.h5 --real D.h5 --output $cell/piae-dt/score.h5
 stage "${baseline[@]}" --output $cell/none/100to1/diagnosis.h5
+stage "${baseline[@]}" --classifier nearest --output $cell/none/100to1/nearest/diagnosis.h5
 stage "${diagnose[@]}" --output $cell/piae-dt/50to1/diagnosis.h5
 stage "${diagnose[@]}" --keep-features --output $cell/piae-dt/50to1/features.h5
 for file in A B C E; do consumer $file.h5 "${diagnose[@]}" --output out.h5; done
 for file in D E; do consumer $file.h5 score --generated E.h5 --real D.h5 --output out.h5; done
-for file in $cell/piae-dt/score.h5 $cell/piae-dt/50to1/diagnosis.h5; do
+for file in $cell/piae-dt/score.h5 $cell/piae-dt/50to1/diagnosis.h5 $cell/none/100to1/nearest/diagnosis.h5; do
   consumer "$file" tabulate --run run --dataset tiny --methods none piae-dt --ratios 100to1 50to1 --seeds 0 \
     --published "$project/results/published"
 done

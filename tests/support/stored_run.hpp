@@ -55,7 +55,14 @@ class StoredRun : public testing::Test {
     writer.save(path, {"test", "", {}});
   }
   void add(const scoring::DiagnosisRecord& record) const {
-    save("diagnosis", record, layout_.diagnosis(record.method, record.ratio, record.seed));
+    save("diagnosis", record,
+         layout_.diagnosis(record.method, record.ratio, record.seed, record.classifier));
+  }
+  /// The same windows by another classifier.
+  [[nodiscard]] static scoring::DiagnosisRecord by(const std::string& classifier,
+                                                   scoring::DiagnosisRecord record) {
+    record.classifier = classifier;
+    return record;
   }
   void add(const scoring::QualityRecord& record) const {
     save("score", record, layout_.score(record.method, record.seed));

@@ -1,0 +1,62 @@
+#include "diagnosis/catalogue.hpp"
+
+#include <algorithm>
+
+#include "base/error.hpp"
+#include "diagnosis/spectral_inputs.hpp"
+#include "scoring/diagnosis_record.hpp"
+
+namespace piae::diagnosis {
+
+namespace {
+
+constexpr Classifier known_classifiers[] = {
+    {.name = scoring::paper_classifier,
+     .what = "the paper's network",
+     .input = "the waveform",
+     .represent = standardise},
+    {.name = "wdcnn-spectrum",
+     .what = "the same network on spectra",
+     .input = "the log amplitude spectrum",
+     .represent = log_spectra},
+    {.name = "wdcnn-envelope",
+     .what = "the same network on envelope spectra",
+     .input = "the log envelope spectrum",
+     .represent = log_envelope_spectra},
+    {.name = "wdcnn-spectra",
+     .what = "the same network on both spectra side by side",
+     .input = "the log amplitude spectrum and the log envelope spectrum",
+     .represent = both_log_spectra},
+    {.name = bar_classifier,
+     .what = "the nearest known or generated window, without any training",
+     .input = "the log power in 128 bands"},
+};
+
+}  // namespace
+
+std::span<const Classifier> classifiers() { return known_classifiers; }
+
+const Classifier* find_classifier(const std::string& name) {
+  const auto* const found = std::ranges::find(known_classifiers, name, &Classifier::name);
+  return found == std::end(known_classifiers) ? nullptr : found;
+}
+
+const Classifier& the_classifier(const std::string& name) {
+  const Classifier* const found = find_classifier(name);
+  if (found != nullptr) return *found;
+  std::string known;
+  for (const Classifier& each : known_classifiers) {
+    known += std::string(known.empty() ? "" : ", ") + each.name;
+  }
+  throw Error(Exit::usage, "unknown classifier '" + name + "'; known are " + known);
+}
+
+std::string list_of_classifiers() {
+  std::string list;
+  for (const Classifier& each : known_classifiers) {
+    list += std::string(list.empty() ? "" : ", ") + each.name + " (" + each.what + ")";
+  }
+  return list;
+}
+
+}  // namespace piae::diagnosis

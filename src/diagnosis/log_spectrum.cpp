@@ -1,0 +1,23 @@
+#include "diagnosis/log_spectrum.hpp"
+
+#include <cmath>
+
+#include "scoring/spectrum.hpp"
+
+namespace piae::diagnosis {
+
+double root_mean_square(const scoring::Windows& window) {
+  return std::sqrt((window.array() - window.mean()).square().mean());
+}
+
+Eigen::ArrayXd log_spectrum(const scoring::Windows& window, Eigen::Index least_bands,
+                            double floor) {
+  const Eigen::Index length = window.cols();
+  Eigen::Index padding = 1;
+  while (padding * length / 2 < least_bands) ++padding;
+  const Eigen::ArrayXd power =
+      scoring::mean_power_spectrum(window, padding).tail(padding * length / 2);
+  return (4 / static_cast<double>(length) * power.sqrt()).max(floor).log();
+}
+
+}  // namespace piae::diagnosis

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "scoring/windows.hpp"
+
+namespace piae::diagnosis {
+
+/// What stands below this part of a window's root mean square is raised to it: a silent band is far
+/// away, but not infinitely far.
+inline constexpr double amplitude_floor = 1e-5;
+
+/// The root mean square of a window about its mean, in the unit of the recordings.
+double root_mean_square(const scoring::Windows& window);
+
+/// The logarithm (natural) of the amplitude spectrum of one window, a row of N samples. The
+/// window's mean is removed; it is tapered by Hann's window and padded with zeros to the least
+/// multiple of its length that gives at least `least_bands` bands (scoring/spectrum.hpp). The bands
+/// are the frequencies i / (padding * N) of the sample rate, i = 1 .. padding * N / 2; frequency 0
+/// is no vibration. A band is scaled such that a sine of amplitude a has ln(a) at its frequency:
+/// its amplitude is |X| * 4 / N, since Hann's window has the mean 1/2 and half of a sine's
+/// amplitude lies at the negative frequency (Harris 1978). Amplitudes below `floor`, in the unit of
+/// the recordings and above 0, are raised to it.
+Eigen::ArrayXd log_spectrum(const scoring::Windows& window, Eigen::Index least_bands, double floor);
+
+}  // namespace piae::diagnosis

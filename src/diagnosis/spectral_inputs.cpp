@@ -1,0 +1,68 @@
+#include "diagnosis/spectral_inputs.hpp"
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <initializer_list>
+#include <span>
+#include <vector>
+
+#include "diagnosis/log_envelope_spectrum.hpp"
+#include "diagnosis/log_spectrum.hpp"
+#include "diagnosis/wdcnn_layers.hpp"
+
+namespace piae::diagnosis {
+
+namespace {
+
+using Spectrum = Eigen::ArrayXd (*)(const scoring::Windows& window, Eigen::Index least_bands,
+                                    double floor);
+
+void append_standardised(std::vector<float>& samples, const Eigen::ArrayXd& spectrum) {
+  const Eigen::ArrayXf bands = spectrum.cast<float>();
+  const auto begin = static_cast<std::ptrdiff_t>(samples.size());
+  samples.resize(samples.size() + static_cast<std::size_t>(bands.size()));
+  if (bands.minCoeff() == bands.maxCoeff()) return;  // it stays at zero
+  standardise(std::span(bands.data(), static_cast<std::size_t>(bands.size())),
+              samples.data() + begin);
+}
+
+/// These spectra of each window one behind the other, all with the same number of bands.
+LabelledWindows represent(const signal::WindowSet& windows, const std::string& what,
+                          std::initializer_list<Spectrum> spectra) {
+  require_varying(windows, what);
+  const auto inputs =
+      std::max(static_cast<Eigen::Index>(windows.length), WdcnnLayers::shortest_window);
+  LabelledWindows seen;
+  seen.classes = windows.info.classes.size();
+  seen.labels = windows.labels;
+  for (std::size_t i = 0; i < windows.size(); ++i) {
+    const auto samples = windows.window(i);
+    const scoring::Windows window = Eigen::Map<const Eigen::RowVectorXf>(
+                                        samples.data(), static_cast<Eigen::Index>(samples.size()))
+                                        .cast<double>();
+    const double floor = amplitude_floor * root_mean_square(window);
+    for (const Spectrum spectrum : spectra) {
+      append_standardised(
+          seen.samples,
+          spectrum(window, inputs / static_cast<Eigen::Index>(spectra.size()), floor));
+    }
+    if (i == 0) seen.length = seen.samples.size();
+  }
+  return seen;
+}
+
+}  // namespace
+
+LabelledWindows log_spectra(const signal::WindowSet& windows, const std::string& what) {
+  return represent(windows, what, {log_spectrum});
+}
+
+LabelledWindows log_envelope_spectra(const signal::WindowSet& windows, const std::string& what) {
+  return represent(windows, what, {log_envelope_spectrum});
+}
+
+LabelledWindows both_log_spectra(const signal::WindowSet& windows, const std::string& what) {
+  return represent(windows, what, {log_spectrum, log_envelope_spectrum});
+}
+
+}  // namespace piae::diagnosis

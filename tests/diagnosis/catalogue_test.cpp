@@ -1,0 +1,50 @@
+#include "diagnosis/catalogue.hpp"
+
+#include <gtest/gtest.h>
+
+#include <set>
+#include <string>
+
+#include "scoring/diagnosis_record.hpp"
+#include "scoring/ratios.hpp"
+#include "signal/ranges.hpp"
+#include "support/errors.hpp"
+
+namespace piae::diagnosis {
+namespace {
+
+TEST(Classifiers, AreThePapersFirstAndTheNearestNeighbourLast) {
+  EXPECT_STREQ(classifiers().front().name, scoring::paper_classifier);
+  EXPECT_STREQ(classifiers().back().name, bar_classifier);
+}
+
+// Names are folders beside those of ratios, words of make, and lines of tables.
+TEST(Classifiers, HaveNamesOfTheirOwnAndSayWhatTheyAre) {
+  std::set<std::string> names;
+  for (const scoring::Ratio& ratio : scoring::all_ratios()) names.insert(ratio.name);
+  for (const Classifier& each : classifiers()) {
+    EXPECT_TRUE(names.insert(each.name).second) << each.name;
+    EXPECT_TRUE(signal::ranges::is_plain_name(each.name)) << each.name;
+    EXPECT_NE(std::string(each.what), "") << each.name;
+    EXPECT_NE(std::string(each.input), "") << each.name;
+  }
+}
+
+TEST(Classifiers, OnlyTheNearestNeighbourIsNotTrained) {
+  for (const Classifier& each : classifiers()) {
+    EXPECT_EQ(each.trains(), std::string(each.name) != bar_classifier) << each.name;
+  }
+}
+
+TEST(Classifiers, AreFoundByName) {
+  ASSERT_NE(find_classifier("wdcnn-spectra"), nullptr);
+  EXPECT_STREQ(find_classifier("wdcnn-spectra")->name, "wdcnn-spectra");
+  EXPECT_EQ(find_classifier("wdcnn-"), nullptr);
+  EXPECT_STREQ(the_classifier("nearest").name, "nearest");
+  EXPECT_ERROR(the_classifier("svm"), Exit::usage,
+               "unknown classifier 'svm'; known are wdcnn, wdcnn-spectrum, wdcnn-envelope, "
+               "wdcnn-spectra, nearest");
+}
+
+}  // namespace
+}  // namespace piae::diagnosis

@@ -1,0 +1,80 @@
+#include "diagnosis/log_spectrum.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "base/random.hpp"
+
+namespace piae::diagnosis {
+namespace {
+
+using Eigen::Index;
+
+scoring::Windows sine(Index length, double cycles, double amplitude) {
+  scoring::Windows window(1, length);
+  for (Index t = 0; t < length; ++t) {
+    const double turns = cycles * static_cast<double>(t) / static_cast<double>(length);
+    window(0, t) = 7 + amplitude * std::sin(2 * std::numbers::pi * turns + 1);
+  }
+  return window;
+}
+
+// The bands are half a cycle a window apart, and the first is half a cycle: 100 cycles are band
+// 199.
+TEST(LogSpectrum, OfASineIsItsAmplitudeAtItsFrequency) {
+  const Eigen::ArrayXd bands = log_spectrum(sine(1024, 100, 0.25), 1024, 1e-9);
+  ASSERT_EQ(bands.size(), 1024);
+  Index highest = 0;
+  EXPECT_NEAR(bands.maxCoeff(&highest), std::log(0.25), 1e-9);
+  EXPECT_EQ(highest, 199);
+  // Hann's window: half of the amplitude one cycle beside the line, nothing two cycles beside it.
+  EXPECT_NEAR(bands[201], std::log(0.125), 1e-9);
+  EXPECT_NEAR(bands[203], std::log(1e-9), 1e-9);
+}
+
+TEST(LogSpectrum, HasAsManyBandsAsAskedForOrMore) {
+  EXPECT_EQ(log_spectrum(sine(1024, 100, 1), 512, 1e-9).size(), 512);
+  EXPECT_EQ(log_spectrum(sine(512, 100, 1), 1024, 1e-9).size(), 1024);
+  EXPECT_EQ(log_spectrum(sine(8192, 100, 1), 8192, 1e-9).size(), 8192);
+  EXPECT_EQ(log_spectrum(sine(1000, 100, 1), 1024, 1e-9).size(), 1500);
+  // Without padding a band is a cycle a window.
+  Index highest = 0;
+  EXPECT_NEAR(log_spectrum(sine(1024, 100, 1), 512, 1e-9).maxCoeff(&highest), 0, 1e-9);
+  EXPECT_EQ(highest, 99);
+}
+
+// Parseval: the powers of all frequencies, negative ones and 0 among them, are the energy of the
+// tapered window times the length of the transform.
+TEST(LogSpectrum, HoldsTheEnergyOfTheTaperedWindow) {
+  constexpr Index length = 1024;
+  Stream stream("parseval");
+  scoring::Windows window(1, length);
+  for (Index t = 0; t < length; ++t) window(0, t) = stream.normal(3, 2);
+  double energy = 0;
+  double sum = 0;
+  for (Index t = 0; t < length; ++t) {
+    const double hann = std::pow(std::sin(std::numbers::pi * static_cast<double>(t) / length), 2);
+    const double tapered = (window(0, t) - window.mean()) * hann;
+    energy += tapered * tapered;
+    sum += tapered;
+  }
+  const Eigen::ArrayXd amplitude = log_spectrum(window, length, 1e-12).exp();
+  const Eigen::ArrayXd power = (amplitude * length / 4).square();
+  const double last = power[length - 1];  // half the sample rate has no negative counterpart
+  EXPECT_NEAR(2 * power.sum() - last + sum * sum, 2 * length * energy, 1e-6 * 2 * length * energy);
+}
+
+TEST(LogSpectrum, OfSilenceIsTheFloor) {
+  const Eigen::ArrayXd bands = log_spectrum(sine(1024, 100, 0), 1024, 0.5);
+  EXPECT_EQ(bands.minCoeff(), std::log(0.5));
+  EXPECT_EQ(bands.maxCoeff(), std::log(0.5));
+}
+
+TEST(RootMeanSquare, IsAboutTheMean) {
+  EXPECT_NEAR(root_mean_square(sine(1024, 100, 3)), 3 / std::numbers::sqrt2, 1e-12);
+}
+
+}  // namespace
+}  // namespace piae::diagnosis

@@ -1,0 +1,139 @@
+#include <gtest/gtest.h>
+
+#include <set>
+#include <string>
+#include <vector>
+
+#include "artefact/digest.hpp"
+#include "artefact/reader.hpp"
+#include "diagnosis/catalogue.hpp"
+#include "scoring/diagnosis_record.hpp"
+#include "stages/doctor.hpp"
+#include "stages/tiny.hpp"
+
+/// The classifiers of `diagnose`, as a user asks for them.
+namespace piae::stages {
+namespace {
+
+class Classifiers : public testing::Test {
+ protected:
+  void SetUp() override { tiny_.run_chain_before("diagnose"); }
+
+  [[nodiscard]] static Arguments diagnose_by(const std::string& classifier) {
+    return with(with(step_of("diagnose").arguments, "--classifier", classifier), "--output",
+                classifier + ".h5");
+  }
+  [[nodiscard]] Outcome run_well(const Arguments& arguments) const {
+    const Outcome outcome = tiny_.run("diagnose", arguments);
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    return outcome;
+  }
+  [[nodiscard]] scoring::DiagnosisRecord record_of(const std::string& classifier) const {
+    return scoring::read_diagnosis({tiny_ / (classifier + ".h5"), "diagnosis"});
+  }
+  [[nodiscard]] std::string bytes_of(const std::string& file) const {
+    std::ifstream in(tiny_ / file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+  }
+
+  const Tiny tiny_;
+};
+
+TEST_F(Classifiers, AreEachTriedOnTheTestWindows) {
+  Arguments files;
+  for (const diagnosis::Classifier& each : diagnosis::classifiers()) {
+    const std::string name = each.name;
+    const std::string said = run_well(diagnose_by(name)).out;
+    EXPECT_EQ(said.find(name + ", seed 0") != said.npos, name != "wdcnn") << said;
+    EXPECT_EQ(said.find("in training") != said.npos, each.trains()) << said;
+    const scoring::DiagnosisRecord record = record_of(name);
+    EXPECT_EQ(record.classifier, name);
+    EXPECT_EQ(record.labels.size(), 30U);
+    EXPECT_EQ(record.loss.size(), each.trains() ? 2U : 0U) << name;
+    EXPECT_FALSE(record.train_windows_per_second) << name;
+    files.push_back(name + ".h5");
+  }
+  const Outcome verified = tiny_.run("verify", files);
+  EXPECT_EQ(verified.status, 0) << verified.err;
+}
+
+// Files that were made when there was no other are those of today, to the last byte.
+TEST_F(Classifiers, ThePapersIsTheDefaultAndIsNotNamedInItsFile) {
+  (void)run_well(diagnose_by("wdcnn"));
+  (void)run_well(with(step_of("diagnose").arguments, "--output", "default.h5"));
+  EXPECT_TRUE(bytes_of("wdcnn.h5") == bytes_of("default.h5"));
+  const artefact::Reader reader(tiny_ / "default.h5", "diagnosis");
+  EXPECT_FALSE(reader.has_attribute("/", "classifier"));
+  const std::string options =
+      reader.strings(std::string(artefact::provenance_group) + "/options").front();
+  EXPECT_EQ(options.find("classifier"), std::string::npos) << options;
+  (void)run_well(diagnose_by("nearest"));
+  const artefact::Reader other(tiny_ / "nearest.h5", "diagnosis");
+  EXPECT_NE(other.strings(std::string(artefact::provenance_group) + "/options")
+                .front()
+                .find("classifier = \"nearest\""),
+            std::string::npos);
+}
+
+TEST_F(Classifiers, GiveTheSameBytesEachTimeAndTrainOnRandomNumbersOfTheirOwn) {
+  std::set<std::vector<float>> scores;
+  for (const std::string name : {"wdcnn", "wdcnn-spectrum", "wdcnn-envelope", "wdcnn-spectra"}) {
+    (void)run_well(diagnose_by(name));
+    const std::string first = bytes_of(name + ".h5");
+    (void)run_well(diagnose_by(name));
+    EXPECT_TRUE(first == bytes_of(name + ".h5")) << name;
+    EXPECT_TRUE(scores.insert(record_of(name).scores).second) << name;
+  }
+}
+
+TEST_F(Classifiers, TheNearestNeighbourIsSureOfWhatItNames) {
+  (void)run_well(diagnose_by("nearest"));
+  const scoring::DiagnosisRecord record = record_of("nearest");
+  for (std::size_t i = 0; i < record.predictions.size(); ++i) {
+    for (std::size_t label = 0; label < 3; ++label) {
+      EXPECT_EQ(record.scores[3 * i + label], index_of(record.predictions[i]) == label ? 1 : 0);
+    }
+  }
+}
+
+TEST_F(Classifiers, OfOtherNamesAreRefused) {
+  expect_refusal(tiny_.run("diagnose", diagnose_by("svm")), "diagnose", 2,
+                 {"unknown classifier 'svm'", "wdcnn-spectra, nearest"});
+  EXPECT_FALSE(fs::exists(tiny_ / "svm.h5"));
+}
+
+TEST_F(Classifiers, WithoutLayersHaveNoFeaturesToKeep) {
+  Arguments arguments = diagnose_by("nearest");
+  arguments.emplace_back("--keep-features");
+  expect_refusal(tiny_.run("diagnose", arguments), "diagnose", 2, {"--keep-features", "nearest"});
+  EXPECT_FALSE(fs::exists(tiny_ / "nearest.h5"));
+}
+
+TEST_F(Classifiers, OnSpectraTakeWindowsThatAreTooShortForTheWaveform) {
+  const Outcome split = tiny_.run(
+      "split", with(with(step_of("split").arguments, "--window", "512"), "--output-dir", "."));
+  ASSERT_EQ(split.status, 0) << split.err;
+  const auto known_alone = [](const std::string& classifier) {
+    return Arguments{"--test",   "A.h5",    "--normal",     "B.h5",    "--known",  "C.h5",
+                     "--ratio",  "100to1",  "--seed",       "0",       "--epochs", "2",
+                     "--output", "cell.h5", "--classifier", classifier};
+  };
+  expect_refusal(tiny_.run("diagnose", known_alone("wdcnn")), "diagnose", 65,
+                 {"512 samples are too short", "at least 1024"});
+  for (const std::string name : {"wdcnn-spectrum", "wdcnn-envelope", "wdcnn-spectra", "nearest"}) {
+    (void)run_well(known_alone(name));
+  }
+}
+
+TEST_F(Classifiers, ThatNobodyKnowsAreFoundByVerify) {
+  (void)run_well(diagnose_by("nearest"));
+  doctor((tiny_ / "nearest.h5").string(),
+         [](hid_t file) { replace_attribute(file, "/", "classifier", std::string("svm")); });
+  const Outcome outcome = tiny_.run("verify", {"nearest.h5"});
+  EXPECT_EQ(outcome.status, 16) << outcome.out << outcome.err;
+  EXPECT_NE((outcome.out + outcome.err).find("attribute classifier"), std::string::npos)
+      << outcome.out << outcome.err;
+}
+
+}  // namespace
+}  // namespace piae::stages
