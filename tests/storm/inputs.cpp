@@ -169,7 +169,7 @@ std::string report_in(const fs::path& reports) {
 
 /// The same, whose files are then removed.
 std::string take_report(const fs::path& reports) {
-  const std::string text = report_in(reports);
+  std::string text = report_in(reports);
   for (const auto& entry : fs::directory_iterator(reports)) fs::remove(entry.path());
   return text;
 }
