@@ -20,14 +20,21 @@ test_the_chain_of_one_stage_by_hand_runs_and_its_files_are_good() {
   expect_line "$(<messages)" '^diagnosed 700 windows'
 }
 
-test_the_shown_description_has_the_keys_that_ingest_knows() {
+# The n-th description that the page shows. "..." stands for what only the reader knows.
+shown_description() {
   # shellcheck disable=SC2016
-  sed -n '/^```toml/,/^```/ { /^```/d; p }' "$project/pipeline/datasets/README.md" >shown.toml
-  expect_line "$(<shown.toml)" '^name = "rig"'
-  # "..." stands for what only the reader knows.
-  sed -i '/= "\(https:\/\/\)\?\.\.\."/d' shown.toml
-  # Nothing is wrong with it but that the recordings are not there.
-  expect_exit 66 "$programs/ingest" --check --description shown.toml --data-dir .
+  awk -v n="$1" '/^```toml/ { inside = ++shown == n; next } /^```/ { inside = 0 } inside' "$project/pipeline/datasets/README.md" |
+    sed '/= "\(https:\/\/\)\?\.\.\."/d'
+}
+
+# Nothing is wrong with them but that the recordings are not there.
+test_the_shown_descriptions_have_the_keys_that_ingest_knows() {
+  shown_description 1 >rig.toml
+  expect_line "$(<rig.toml)" '^name = "rig"'
+  expect_exit 66 "$programs/ingest" --check --description rig.toml --data-dir .
+  shown_description 2 >rig-1200to900.toml
+  expect_line "$(<rig-1200to900.toml)" '^like = "rig"'
+  expect_exit 66 "$programs/ingest" --check --description rig-1200to900.toml --data-dir .
 }
 
 run_tests
