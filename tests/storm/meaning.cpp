@@ -517,10 +517,12 @@ std::string change_link(const Patient& patient, const std::vector<std::filesyste
 
 // ---- sizes --------------------------------------------------------------------------------------
 
-/// More classes, each like the last one.
+/// As many classes, those that are new like the last one.
 void change_classes(const Patient& patient, std::size_t count) {
   std::vector<std::string> names = hdf5::read_strings(patient.file, "/classes/name");
   std::vector<std::string> defects = hdf5::read_strings(patient.file, "/classes/defect");
+  // An earlier change may have left none to be like.
+  if (names.empty() || defects.empty()) return;
   const std::size_t before = names.size();
   while (names.size() < count) names.push_back("class" + std::to_string(names.size()));
   defects.resize(count, defects.back());
