@@ -63,6 +63,17 @@ void require_likeness(const std::filesystem::path& file, const toml::table& prot
   }
 }
 
+/// The tables of methods in [train], none of which has a table itself.
+void require_methods(const std::filesystem::path& file, const toml::table& protocol,
+                     const toml::table& train) {
+  for (const auto& [key, node] : train) {
+    if (!node.is_table()) continue;
+    const std::string method(key.str());
+    require_known_tables(file, *node.as_table(), "train." + method + ".", {});
+    require_likeness(file, protocol, method, node);
+  }
+}
+
 struct Point {
   std::string factor;
   std::string value;
@@ -133,14 +144,7 @@ toml::table read_protocol(const std::filesystem::path& file) {
     const bool has_methods = key.str() == "train";
     require_known_tables(file, *node.as_table(), std::string(key.str()) + ".",
                          has_methods ? augment::method_names() : std::vector<std::string>{});
-    if (!has_methods) continue;
-    for (const auto& [method, table] : *node.as_table()) {
-      if (table.is_table()) {
-        require_known_tables(file, *table.as_table(), "train." + std::string(method.str()) + ".",
-                             {});
-        require_likeness(file, protocol, std::string(method.str()), table);
-      }
-    }
+    if (has_methods) require_methods(file, protocol, *node.as_table());
   }
   require_points(file, protocol, "sweep", "points");
   require_points(file, protocol, "readings", "base");

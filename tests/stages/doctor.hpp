@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
@@ -53,6 +55,18 @@ void change_numbers(hid_t file, const std::string& path,
   check(H5Dread(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), path.c_str());
   change(values);
   check(H5Dwrite(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), path.c_str());
+}
+
+/// As many balls, in a bearing that has room for them.
+inline void change_balls(hid_t file, std::int64_t balls) {
+  replace_attribute(file, "/bearing", "balls", balls);
+  replace_attribute(file, "/bearing", "ball_diameter_mm", 0.1);
+  replace_attribute(file, "/bearing", "pitch_diameter_mm", 1000.0);
+  replace_attribute(file, "/bearing", "inner_raceway_mm", 999.9);
+  replace_attribute(file, "/bearing", "outer_raceway_mm", 1000.1);
+  change_numbers<double>(file, "/classes/defect_size_mm", [](auto& sizes) {
+    for (double& size : sizes) size = std::min(size, 0.05);
+  });
 }
 
 }  // namespace piae::stages

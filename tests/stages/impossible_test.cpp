@@ -39,14 +39,7 @@ Change first_number(const std::string& path, T value) {
 
 /// Each number can be; together they keep eq. 13 busy for minutes.
 void thousand_balls(hid_t file) {
-  replace_attribute(file, "/bearing", "balls", std::int64_t{1000});
-  replace_attribute(file, "/bearing", "ball_diameter_mm", 0.1);
-  replace_attribute(file, "/bearing", "pitch_diameter_mm", 1000.0);
-  replace_attribute(file, "/bearing", "inner_raceway_mm", 999.9);
-  replace_attribute(file, "/bearing", "outer_raceway_mm", 1000.1);
-  change_numbers<double>(file, "/classes/defect_size_mm", [](auto& sizes) {
-    for (double& size : sizes) size = std::min(size, 0.05);
-  });
+  change_balls(file, 1000);
   replace_attribute(file, "/", "sample_rate_hz", 1000.0);
 }
 

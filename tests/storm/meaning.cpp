@@ -517,22 +517,12 @@ std::string change_link(const Patient& patient, const std::vector<std::filesyste
 
 // ---- sizes --------------------------------------------------------------------------------------
 
-/// The balls of a bearing that has room for them.
-void change_balls(hid_t file, std::int64_t balls) {
-  stages::replace_attribute(file, "/bearing", "balls", balls);
-  stages::replace_attribute(file, "/bearing", "ball_diameter_mm", 0.1);
-  stages::replace_attribute(file, "/bearing", "pitch_diameter_mm", 1000.0);
-  stages::replace_attribute(file, "/bearing", "inner_raceway_mm", 999.9);
-  stages::replace_attribute(file, "/bearing", "outer_raceway_mm", 1000.1);
-  stages::change_numbers<double>(file, "/classes/defect_size_mm", [](auto& sizes) {
-    for (double& size : sizes) size = std::min(size, 0.05);
-  });
-}
-
-/// More classes, each like the last one.
+/// As many classes, those that are new like the last one.
 void change_classes(const Patient& patient, std::size_t count) {
   std::vector<std::string> names = hdf5::read_strings(patient.file, "/classes/name");
   std::vector<std::string> defects = hdf5::read_strings(patient.file, "/classes/defect");
+  // An earlier change may have left none to be like.
+  if (names.empty() || defects.empty()) return;
   const std::size_t before = names.size();
   while (names.size() < count) names.push_back("class" + std::to_string(names.size()));
   defects.resize(count, defects.back());
@@ -561,7 +551,7 @@ std::string change_sizes(const Patient& patient, Dice& dice) {
   const std::int64_t length = dice.one_of(lengths);
   const std::size_t count = dice.one_of(classes);
   stages::replace_attribute(patient.file, "/", "sample_rate_hz", rate);
-  change_balls(patient.file, balls);
+  stages::change_balls(patient.file, balls);
   change_classes(patient, count);
   const bool has_length = H5Aexists_by_name(patient.file, "/", "samples", H5P_DEFAULT) > 0;
   if (has_length) stages::replace_attribute(patient.file, "/", "samples", length);
