@@ -8,6 +8,7 @@
 #include "augment/physics.hpp"
 #include "augment/piae_dt.hpp"
 #include "augment/piae_dt_phase.hpp"
+#include "augment/playback.hpp"
 #include "augment/repetition.hpp"
 #include "augment/smote.hpp"
 #include "augment/vae.hpp"
@@ -19,6 +20,7 @@ namespace piae::augment {
 namespace {
 
 using Shift = Repetition::Shift;
+using Speed = Playback::Speed;
 
 template <class M, auto... arguments>
 std::unique_ptr<Method> make() {
@@ -85,6 +87,14 @@ constexpr CatalogueEntry entries[] = {
      .kind = Kind::control,
      .what = "known windows turned round",
      .make = make<Repetition, Shift::circular>},
+    {.name = "resample",
+     .kind = Kind::control,
+     .what = "known windows played at the tested speed",
+     .make = make<Playback, Speed::tested>},
+    {.name = "randomise",
+     .kind = Kind::control,
+     .what = "known windows played at random speeds through random transfer paths",
+     .make = make<Playback, Speed::random>},
     {.name = "oracle",
      .kind = Kind::ceiling,
      .what = "real windows in the place of generated ones",

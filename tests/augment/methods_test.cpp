@@ -20,6 +20,8 @@ const Case physics{"physics", "--stiffness-grid 3 --damping-grid 2"};
 const Case smote{"smote", "--neighbours 2"};
 const Case oversample{"oversample", ""};
 const Case shift{"shift", ""};
+const Case resample{"resample", ""};
+const Case randomise{"randomise", ""};
 const Case vae{"vae", "--epochs 4 --width 8 --latent 3 --batch 4"};
 // Three batches an epoch: the generator's steps fall on other batches in each.
 const Case wgan_gp{"wgan-gp", "--epochs 4 --width 8 --latent 3 --batch 4 --critic-steps 2"};
@@ -43,7 +45,8 @@ class GeneratingMethod : public testing::TestWithParam<Case> {
 };
 
 INSTANTIATE_TEST_SUITE_P(Augment, GeneratingMethod,
-                         testing::Values(dynamics, physics, smote, oversample, shift, vae, wgan_gp),
+                         testing::Values(dynamics, physics, smote, oversample, shift, resample,
+                                         randomise, vae, wgan_gp),
                          name_of);
 
 TEST_P(GeneratingMethod, MakesWindowsOfEveryFaultClassInOrder) {

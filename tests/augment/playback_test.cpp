@@ -1,0 +1,90 @@
+#include <cmath>
+#include <numbers>
+
+#include "augment/methods.hpp"
+
+namespace piae::augment {
+namespace {
+
+constexpr std::size_t played_length = 1024;
+
+/// A tone at 100 periods in each of the two fault classes, known at 1200 rpm and tested at 900.
+signal::WindowSet tones() {
+  signal::WindowSet known;
+  known.info = known_windows().info;
+  known.info.conditions = {
+      {.name = "fast", .shaft_speed_rpm = 1200, .known = true, .test = false, .healthy = true},
+      {.name = "slow", .shaft_speed_rpm = 900, .known = false, .test = true, .healthy = true}};
+  known.length = played_length;
+  for (const Label label : {1, 2}) {
+    for (std::size_t t = 0; t < played_length; ++t) {
+      known.samples.push_back(static_cast<float>(
+          std::sin(2 * std::numbers::pi * 100 * static_cast<double>(t) / double{played_length})));
+    }
+    known.labels.push_back(label);
+    known.condition.push_back(0);
+    known.shaft_speed_rpm.push_back(1200);
+  }
+  return known;
+}
+
+/// Periods in a window: half its sign changes.
+double periods(std::span<const float> window) {
+  int changes = 0;
+  for (std::size_t t = 1; t < window.size(); ++t) changes += window[t - 1] * window[t] < 0 ? 1 : 0;
+  return changes / 2.0;
+}
+
+TEST(Resample, PlaysTheKnownWindowsAtTheTestedSpeed) {
+  const auto model = train("resample", "", tones(), checkpoint_at("checkpoint"), "model.h5");
+  const signal::WindowSet windows = generate("resample", model, 4);
+  for (std::size_t i = 0; i < windows.size(); ++i) {
+    EXPECT_NEAR(periods(windows.window(i)), 75, 1) << i;
+    EXPECT_EQ(windows.condition[i], 1) << i;
+    EXPECT_EQ(windows.shaft_speed_rpm[i], 900) << i;
+  }
+}
+
+TEST(Randomise, PlaysThemAtSpeedsBetween) {
+  const auto model = train("randomise", "", tones(), checkpoint_at("checkpoint"), "model.h5");
+  const signal::WindowSet windows = generate("randomise", model, 200);
+  double sum = 0;
+  for (std::size_t i = 0; i < windows.size(); ++i) {
+    const double own = periods(windows.window(i));
+    EXPECT_GT(own, 73) << i;
+    EXPECT_LT(own, 102) << i;
+    sum += own;
+  }
+  // Uniform in the logarithm, from 75 to 100: 25 / log(4 / 3) = 86.9 in the mean, with a standard
+  // deviation of 7.2 / sqrt(400) = 0.36.
+  EXPECT_NEAR(sum / static_cast<double>(windows.size()), 86.9, 1.3);
+}
+
+TEST(Randomise, GivesEachWindowAPathOfItsOwn) {
+  signal::WindowSet known = tones();
+  for (std::size_t t = 0; t < known.samples.size(); ++t) {
+    known.samples[t] += static_cast<float>(
+        std::sin(2 * std::numbers::pi * 400 * static_cast<double>(t) / double{played_length}));
+  }
+  const auto spread_of = [&](const std::string& options) {
+    const auto model = train("randomise", options, known, checkpoint_at("checkpoint"), "model.h5");
+    const signal::WindowSet windows = generate("randomise", model, 60);
+    double sum = 0;
+    for (std::size_t i = 0; i < windows.size(); ++i) {
+      // Steepness against level: how strong the upper tone is beside the lower.
+      double steps = 0;
+      double level = 0;
+      const auto window = windows.window(i);
+      for (std::size_t t = 1; t < window.size(); ++t) {
+        steps += std::pow(window[t] - window[t - 1], 2);
+        level += std::pow(window[t], 2);
+      }
+      sum += std::pow(std::log(steps / level), 2);
+    }
+    return sum;
+  };
+  EXPECT_GT(spread_of("--equaliser-db 12"), 1.2 * spread_of("--equaliser-db 0"));
+}
+
+}  // namespace
+}  // namespace piae::augment
