@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "base/error.hpp"
-#include "bearing/kinematics.hpp"
+#include "bearing/strikes.hpp"
 
 namespace piae::phase {
 
@@ -21,20 +21,12 @@ constexpr std::size_t longest_blend = 64;
 }  // namespace
 
 double strike_frequency_hz(const signal::DatasetInfo& info, Label label) {
-  const auto lines = bearing::fault_frequencies(info.bearing, info.known_speed_rpm());
   const signal::ClassInfo& c = info.classes.at(index_of(label));
-  switch (c.defect) {
-    case signal::Defect::outer:
-      return lines.bpfo_hz;
-    case signal::Defect::inner:
-      return lines.bpfi_hz;
-    case signal::Defect::roller:
-      return 2 * lines.bsf_hz;
-    case signal::Defect::none:
-      break;
+  if (c.defect == signal::Defect::none) {
+    throw Error(Exit::bad_input,
+                info.name + ": class " + c.name + " has no defect, and so no fault frequency");
   }
-  throw Error(Exit::bad_input,
-              info.name + ": class " + c.name + " has no defect, and so no fault frequency");
+  return bearing::strike_frequency_hz(info.bearing, c.defect, info.known_speed_rpm());
 }
 
 std::size_t Cycle::offset_of_strike(std::size_t j) const {

@@ -8,7 +8,7 @@
 #include <unsupported/Eigen/FFT>
 #include <vector>
 
-#include "bearing/kinematics.hpp"
+#include "bearing/strikes.hpp"
 #include "scoring/spectrum.hpp"
 #include "scoring/statistics.hpp"
 
@@ -90,18 +90,7 @@ Windows envelopes(const Windows& windows) {
 }
 
 double fault_line_hz(const signal::DatasetInfo& info, signal::Defect defect) {
-  const auto f = bearing::fault_frequencies(info.bearing, info.tested_speed_rpm());
-  switch (defect) {
-    case signal::Defect::outer:
-      return f.bpfo_hz;
-    case signal::Defect::inner:
-      return f.bpfi_hz;
-    case signal::Defect::roller:
-      return 2 * f.bsf_hz;
-    case signal::Defect::none:
-      return 0;
-  }
-  throw std::logic_error("no such defect");
+  return bearing::strike_frequency_hz(info.bearing, defect, info.tested_speed_rpm());
 }
 
 double fault_line_db(const Windows& windows, double line_hz, double rate_hz) {

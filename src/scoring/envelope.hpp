@@ -11,9 +11,8 @@ namespace piae::scoring {
 /// envelope is not squared: in a squared one a single loud blow would hide the others.
 Windows envelopes(const Windows& windows);
 
-/// The first line of a defect in the envelope spectrum, in Hz, at the nominal speed and without
-/// slip: BPFO, BPFI, and 2 BSF for a roller, whose defect strikes both races in each turn (the real
-/// ball faults of CWRU have no line at the odd multiples of BSF). 0 for a healthy bearing.
+/// The first line of a defect in the envelope spectrum, in Hz: how often it is struck
+/// (bearing/strikes.hpp) at the speed that is tested. 0 for a healthy bearing.
 double fault_line_hz(const signal::DatasetInfo& info, signal::Defect defect);
 
 /// How far the line and its second and third harmonic stand out of the envelope spectrum, in dB:

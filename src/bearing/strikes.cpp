@@ -1,0 +1,40 @@
+#include "bearing/strikes.hpp"
+
+#include <stdexcept>
+
+#include "bearing/kinematics.hpp"
+
+namespace piae::bearing {
+
+double strike_frequency_hz(const Geometry& geometry, Defect kind, double shaft_speed_rpm) {
+  const FaultFrequencies f = fault_frequencies(geometry, shaft_speed_rpm);
+  switch (kind) {
+    case Defect::outer:
+      return f.bpfo_hz;
+    case Defect::inner:
+      return f.bpfi_hz;
+    case Defect::roller:
+      return 2 * f.bsf_hz;
+    case Defect::none:
+      return 0;
+  }
+  throw std::logic_error("no such defect");
+}
+
+double passage_s(const Geometry& geometry, const LocalDefect& defect, double shaft_speed_rpm) {
+  const Speeds s = speeds(geometry, shaft_speed_rpm);
+  const double angle = 2 * half_angle_rad(geometry, defect);
+  switch (defect.kind) {
+    case Defect::outer:
+      return angle / s.cage;
+    case Defect::inner:
+      return angle / (s.shaft - s.cage);
+    case Defect::roller:
+      return angle / s.spin;
+    case Defect::none:
+      return 0;
+  }
+  throw std::logic_error("no such defect");
+}
+
+}  // namespace piae::bearing
