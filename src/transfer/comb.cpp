@@ -1,0 +1,81 @@
+#include "transfer/comb.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "scoring/envelope.hpp"
+
+namespace piae::transfer {
+
+namespace {
+
+using Eigen::ArrayXd;
+using Eigen::Index;
+
+constexpr double period_tolerance = 0.015;
+constexpr int periods_tried = 13;
+constexpr double places_in_a_period = 100;
+constexpr double averaged_part = 1.0 / 14;
+
+/// The moving average over `width` samples around each; beyond the ends there is nothing.
+ArrayXd averaged(const ArrayXd& values, Index width) {
+  ArrayXd sums(values.size() + 1);
+  sums[0] = 0;
+  for (Index i = 0; i < values.size(); ++i) sums[i + 1] = sums[i] + values[i];
+  ArrayXd means(values.size());
+  for (Index i = 0; i < values.size(); ++i) {
+    const Index from = std::max<Index>(0, i - width / 2);
+    const Index to = std::min<Index>(values.size(), i - width / 2 + width);
+    means[i] = (sums[to] - sums[from]) / static_cast<double>(width);
+  }
+  return means;
+}
+
+ArrayXd envelope_of(std::span<const double> window, double period) {
+  const auto length = static_cast<Index>(window.size());
+  const scoring::Windows row = Eigen::Map<const Eigen::RowVectorXd>(window.data(), length);
+  const ArrayXd envelope = scoring::envelopes(row).row(0).transpose().array();
+  return averaged(envelope, std::max<Index>(1, std::lround(averaged_part * period)));
+}
+
+double mean_on(const Comb& comb, const ArrayXd& envelope) {
+  double sum = 0;
+  int strikes = 0;
+  const auto end = static_cast<double>(envelope.size());
+  for (double place = comb.first; place < end; place += comb.period) {
+    sum += envelope[static_cast<Index>(place)];
+    ++strikes;
+  }
+  return strikes > 0 ? sum / strikes : 0;
+}
+
+}  // namespace
+
+std::vector<std::size_t> Comb::strikes(std::size_t length) const {
+  std::vector<std::size_t> all;
+  for (double place = first; place < static_cast<double>(length); place += period) {
+    all.push_back(static_cast<std::size_t>(place));
+  }
+  return all;
+}
+
+Comb find_comb(std::span<const double> window, double nominal_period) {
+  const ArrayXd envelope = envelope_of(window, nominal_period);
+  Comb best;
+  double highest = -1;
+  for (int i = 0; i < periods_tried; ++i) {
+    const double off = period_tolerance * (2.0 * i / (periods_tried - 1) - 1);
+    const double period = nominal_period * (1 + off);
+    const double step = std::max(1.0, period / places_in_a_period);
+    for (double first = 0; first < period; first += step) {
+      const Comb comb{.first = first, .period = period};
+      const double height = mean_on(comb, envelope);
+      if (height <= highest) continue;
+      highest = height;
+      best = comb;
+    }
+  }
+  return best;
+}
+
+}  // namespace piae::transfer

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace piae::transfer {
+
+/// When a defect is struck, in samples of a window: at first + i period.
+struct Comb {
+  double first = 0;   ///< from 0 to below the period
+  double period = 0;  ///< samples from strike to strike
+
+  /// The strikes within `length` samples, rounded to samples.
+  [[nodiscard]] std::vector<std::size_t> strikes(std::size_t length) const;
+};
+
+/// The comb on which the envelope of a window is highest, of all whose period is within 1.5 % of
+/// the one that kinematics says: so much do balls slip, and shafts differ from their nominal speed.
+/// The envelope is that of the whole band (Hilbert), averaged over a fourteenth of the period, so
+/// that a comb stands on the middle of the first ringing, a few samples after the blow. The period
+/// must be at least two samples.
+Comb find_comb(std::span<const double> window, double nominal_period);
+
+}  // namespace piae::transfer
