@@ -11,6 +11,7 @@
 #include "augment/playback.hpp"
 #include "augment/repetition.hpp"
 #include "augment/smote.hpp"
+#include "augment/strike_twin.hpp"
 #include "augment/vae.hpp"
 #include "augment/wgan_gp.hpp"
 #include "base/error.hpp"
@@ -79,6 +80,10 @@ constexpr CatalogueEntry entries[] = {
      .what = "the twin with the angle of the shaft in its space",
      .make = make<PiaeDtPhase>,
      .infers = true},
+    {.name = "strike-twin",
+     .kind = Kind::ours,
+     .what = "known windows struck as in the tested condition",
+     .make = make<StrikeTwin>},
     {.name = "oversample",
      .kind = Kind::control,
      .what = "known windows repeated",

@@ -38,6 +38,12 @@ Check share() {
   return number("[0 - 1]", "a number from 0 to 1", [](double x) { return x >= 0 && x <= 1; });
 }
 
+Check within(const Range& range) {
+  return number(fmt::format("[{:g} - {:g}]", range.low, range.high),
+                fmt::format("a number from {:g} to {:g}{}", range.low, range.high, range.unit),
+                [range](double x) { return range.holds(x); });
+}
+
 Check natural_number() {
   constexpr double most = 1e15;  // beyond, a double does not hold every whole number
   return number("NATURAL", "a whole number from 0 to 10^15",

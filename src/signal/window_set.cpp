@@ -97,6 +97,14 @@ void append_said(std::vector<T>& said, const std::vector<T>& other, std::size_t 
 
 }  // namespace
 
+double WindowSet::speed_rpm(std::size_t i) const {
+  return shaft_speed_rpm.empty() ? info.shaft_speed_rpm : shaft_speed_rpm[i];
+}
+
+double WindowSet::size_mm(std::size_t i) const {
+  return defect_size_mm.empty() ? info.class_of(labels[i]).defect_size_mm : defect_size_mm[i];
+}
+
 std::vector<std::size_t> WindowSet::indices_of(Label label) const {
   std::vector<std::size_t> indices;
   for (std::size_t i = 0; i < labels.size(); ++i) {

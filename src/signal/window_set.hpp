@@ -34,6 +34,10 @@ struct WindowSet {
   [[nodiscard]] std::span<const float> window(std::size_t i) const {
     return std::span(samples).subspan(i * length, length);
   }
+  /// The speed of the shaft in a window: its own, or that of the data set.
+  [[nodiscard]] double speed_rpm(std::size_t i) const;
+  /// The size of the defect in a window: its own, or that of its class.
+  [[nodiscard]] double size_mm(std::size_t i) const;
   /// Which windows are of a class, ascending.
   [[nodiscard]] std::vector<std::size_t> indices_of(Label label) const;
   [[nodiscard]] std::size_t count_of(Label label) const;

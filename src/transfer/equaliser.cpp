@@ -4,18 +4,15 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <stdexcept>
-#include <unsupported/Eigen/FFT>
 
-#include "base/range.hpp"
+#include "transfer/filter.hpp"
+#include "transfer/ranges.hpp"
 
 namespace piae::transfer {
 
 namespace {
 
 const std::string group = "/equaliser";
-constexpr Range spreads{.low = 0, .high = 60, .unit = " dB"};
-constexpr Range knots{.low = 2, .high = 1000};
 
 }  // namespace
 
@@ -23,13 +20,12 @@ void bind(const cli::Options& command, EqualiserOptions& options) {
   command
       .add("--equaliser-db", options.spread_db,
            "of the random transfer path: standard deviation of its gain at a knot, dB")
-      .check(
-          cli::number("from 0 to 60", spreads.rule(), [](double db) { return spreads.holds(db); }));
+      .check(cli::within(ranges::spread_db));
   command
       .add("--equaliser-knots", options.knots,
            "of the random transfer path: knots from 0 Hz to half the sampling rate")
-      .check(cli::whole_number(static_cast<std::int64_t>(knots.low),
-                               static_cast<std::int64_t>(knots.high)));
+      .check(cli::whole_number(static_cast<std::int64_t>(ranges::knots.low),
+                               static_cast<std::int64_t>(ranges::knots.high)));
 }
 
 void write(artefact::Writer& writer, const EqualiserOptions& options) {
@@ -39,8 +35,8 @@ void write(artefact::Writer& writer, const EqualiserOptions& options) {
 }
 
 EqualiserOptions read_equaliser_options(const artefact::Reader& reader) {
-  return {.spread_db = reader.real(group, "spread_db", spreads),
-          .knots = static_cast<int>(reader.integer(group, "knots", knots))};
+  return {.spread_db = reader.real(group, "spread_db", ranges::spread_db),
+          .knots = static_cast<int>(reader.integer(group, "knots", ranges::knots))};
 }
 
 std::vector<double> draw_gains(Stream& random, std::size_t bins, const EqualiserOptions& options) {
@@ -60,22 +56,11 @@ std::vector<double> draw_gains(Stream& random, std::size_t bins, const Equaliser
 }
 
 void equalise(std::span<double> window, std::span<const double> gains) {
-  if (gains.size() != window.size() / 2 + 1) {
-    throw std::logic_error("equalise: one gain for each bin of the spectrum");
-  }
-  const Eigen::Map<Eigen::VectorXd> samples(window.data(),
-                                            static_cast<Eigen::Index>(window.size()));
+  Eigen::Map<Eigen::VectorXd> samples(window.data(), static_cast<Eigen::Index>(window.size()));
   const double before = samples.norm();
-  Eigen::FFT<double> fft;
-  fft.SetFlag(Eigen::FFT<double>::HalfSpectrum);
-  std::vector<std::complex<double>> spectrum;
-  std::vector<double> filtered(window.begin(), window.end());
-  fft.fwd(spectrum, filtered);
-  for (std::size_t i = 0; i < gains.size(); ++i) spectrum[i] *= gains[i];
-  fft.inv(filtered, spectrum, static_cast<Eigen::Index>(window.size()));
-  const double after = Eigen::Map<Eigen::VectorXd>(filtered.data(), samples.size()).norm();
-  const double level = after > 0 ? before / after : 1;
-  std::ranges::transform(filtered, window.begin(), [&](double x) { return level * x; });
+  filter(window, std::vector<std::complex<double>>(gains.begin(), gains.end()));
+  const double after = samples.norm();
+  if (after > 0) samples *= before / after;
 }
 
 }  // namespace piae::transfer

@@ -4,20 +4,11 @@
 
 namespace piae::transfer {
 
-namespace {
-
-double speed_of(const signal::WindowSet& windows, std::size_t i) {
-  return windows.shaft_speed_rpm.empty() ? windows.info.shaft_speed_rpm
-                                         : windows.shaft_speed_rpm[i];
-}
-
-}  // namespace
-
 Journey journey_of(const signal::WindowSet& known, Label label, std::size_t index) {
   const std::vector<std::size_t> own = known.indices_of(label);
   Journey journey;
   journey.known = own[index % own.size()];
-  journey.from_rpm = speed_of(known, journey.known);
+  journey.from_rpm = known.speed_rpm(journey.known);
   const std::vector<std::int32_t> tested = known.info.tested_conditions();
   journey.condition = tested[index / own.size() % tested.size()];
   journey.to_rpm =

@@ -38,6 +38,8 @@ TEST(Checks, RefuseWhatIsNotAFiniteNumber) {
 }
 
 TEST(Checks, SayWhatWouldDo) {
+  EXPECT_EQ(within({.low = 0, .high = 60, .unit = " dB"}).refusal("61"),
+            "'61' is not a number from 0 to 60 dB");
   EXPECT_EQ(positive_number().refusal("-1"), "'-1' is not a positive number");
   EXPECT_EQ(whole_number(1, 32).refusal("40"), "'40' is not a whole number from 1 to 32");
   EXPECT_EQ(one_of({"best", "final"}).refusal("worst"), "'worst' is none of: best, final");

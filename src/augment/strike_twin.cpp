@@ -1,0 +1,36 @@
+#include "augment/strike_twin.hpp"
+
+#include "augment/stored_model.hpp"
+#include "base/label.hpp"
+#include "signal/made_windows.hpp"
+#include "transfer/carry.hpp"
+#include "transfer/journey.hpp"
+#include "transfer/known_edges.hpp"
+#include "transfer/stored_edges.hpp"
+
+namespace piae::augment {
+
+void StrikeTwin::bind(const cli::Options& command) { transfer::bind(command, options_); }
+
+void StrikeTwin::train(const signal::WindowSet& known, const Stream& /*stream*/,
+                       const Compute& /*compute*/, const nets::Checkpoint& /*checkpoint*/,
+                       artefact::Writer& model) {
+  signal::write(model, known);
+  transfer::write(model, transfer::edges_of_known(known, options_.prior));
+  transfer::write(model, options_);
+}
+
+signal::WindowSet StrikeTwin::generate(const artefact::Reader& model, std::size_t count,
+                                       const Stream& stream, const Compute& /*compute*/) {
+  const signal::WindowSet known = read_learned(model, signal::Role::known);
+  const std::vector<transfer::Edges> edges = transfer::read_edges(model, known.size());
+  const transfer::Carrier carrier(known, edges, transfer::read_carry_options(model));
+  const auto make = [&](Label label, std::size_t index, Stream& random) {
+    return carrier.carry(transfer::journey_of(known, label, index), random);
+  };
+  signal::WindowSet made = signal::make_windows(known.info, known.length, count, stream, make);
+  transfer::arrive(known, count, made);
+  return made;
+}
+
+}  // namespace piae::augment

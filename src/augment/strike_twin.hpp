@@ -1,0 +1,23 @@
+#pragma once
+
+#include "augment/method.hpp"
+#include "transfer/options.hpp"
+
+namespace piae::augment {
+
+/// The method `strike-twin`, which makes fault windows of a condition in which no fault is known:
+/// docs/strike-twin.md. The structure answers as in the known windows; when it is struck, how often
+/// and for how long, follows from the bearing's geometry and the tested speed.
+class StrikeTwin final : public Method {
+ public:
+  void bind(const cli::Options& command) override;
+  void train(const signal::WindowSet& known, const Stream& stream, const Compute& compute,
+             const nets::Checkpoint& checkpoint, artefact::Writer& model) override;
+  signal::WindowSet generate(const artefact::Reader& model, std::size_t count, const Stream& stream,
+                             const Compute& compute) override;
+
+ private:
+  transfer::CarryOptions options_;
+};
+
+}  // namespace piae::augment

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "artefact/reader.hpp"
+#include "artefact/writer.hpp"
+#include "cli/options.hpp"
+#include "transfer/edge_fit.hpp"
+#include "transfer/equaliser.hpp"
+
+namespace piae::transfer {
+
+/// Whether something of a window is set to the tested condition or left as it is known.
+enum class Set { tested, known };
+
+/// How windows are carried to the tested condition.
+struct CarryOptions {
+  Set edges = Set::tested;   ///< the lag between both edges of the defect
+  Set rhythm = Set::tested;  ///< the time between strikes
+  double jitter = 0;         ///< of a strike: standard deviation / period
+  double lag_deviation = 0;  ///< of the lag: standard deviation / lag
+  double tilt = 0;           ///< largest power of the frequency for each doubling of the speed
+  double size_factor = 1;    ///< how far beyond the known sizes one that is not known may lie
+  EqualiserOptions equaliser;
+  EdgePrior prior;  ///< not stored: the edges that were found with it are
+};
+
+void bind(const cli::Options& command, CarryOptions& options);
+
+/// In the artefact: attributes of the groups /carry and /equaliser.
+void write(artefact::Writer& writer, const CarryOptions& options);
+CarryOptions read_carry_options(const artefact::Reader& reader);
+
+}  // namespace piae::transfer

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "base/range.hpp"
+
+/// What the numbers of windows that are carried to another condition may be.
+namespace piae::transfer::ranges {
+
+inline constexpr Range jitter{.low = 0, .high = 0.2};
+inline constexpr Range lag_deviation{.low = 0, .high = 0.2};
+inline constexpr Range tilt{.low = 0, .high = 10};
+inline constexpr Range size_factor{.low = 1, .high = 100};
+inline constexpr Range spread_db{.low = 0, .high = 60, .unit = " dB"};
+inline constexpr Range knots{.low = 2, .high = 1000};
+inline constexpr Range lag_s{.low = 0, .high = 1, .unit = " s"};
+inline constexpr Range exit{.low = 0, .high = 0.99};
+inline constexpr Range spread{.low = 0, .high = 0.2};
+
+}  // namespace piae::transfer::ranges
