@@ -14,6 +14,7 @@
 #include "settings/facts.hpp"
 #include "settings/protocol.hpp"
 #include "settings/settings_folder.hpp"
+#include "support/errors.hpp"
 #include "support/folder.hpp"
 
 namespace piae::settings {
@@ -68,6 +69,15 @@ TEST(SettingsFolder, AFileHoldsWhatTheStageReads) {
   EXPECT_EQ(project.values_in("train.smote.toml"), "epochs = 200\n");
   project.update("score.toml");
   EXPECT_EQ(project.values_in("score.toml"), "\n");
+}
+
+TEST(SettingsFolder, WritesThroughNoLink) {
+  const Project project("[score]\nepochs = 3\n");
+  const std::filesystem::path elsewhere = project.folder / "elsewhere";
+  std::filesystem::create_directories(elsewhere);
+  std::filesystem::create_directory_symlink(elsewhere, project.run);
+  EXPECT_ERROR(project.update("score.toml"), Exit::failed, "run: is a link");
+  EXPECT_TRUE(std::filesystem::is_empty(elsewhere));
 }
 
 TEST(SettingsFolder, AStageReadsFromTheFileWhatItReadsFromTheProtocol) {
