@@ -85,13 +85,12 @@ hit_srun() { # signal
     [[ ! $process ]] || ! kill "-$1" "$process" || return 0
   done
 }
-a_running_job() { # what squeue says of it
-  local found
+a_running_job() { # what squeue is to say of it; sets `running_job`, and fails where there is none any more
   until has_ended && too_late=yes; do
-    found=$(squeue --noheader --states=RUNNING --format="$1" | one_of)
-    [[ ! $found ]] || break
+    running_job=$(squeue --noheader --states=RUNNING --format="$1" | one_of)
+    [[ ! $running_job ]] || return 0
   done
-  echo "$found"
+  return 1
 }
 
 start_and_wait() {
@@ -113,7 +112,7 @@ kill_to_a_stage() {
 }
 scancel_a_step() {
   start_and_wait ''
-  scancel "$(a_running_job %i)"
+  while a_running_job %i && ! scancel "$running_job"; do :; done
 }
 # A minute is the least that Slurm allows; meanwhile the stage stands still.
 time_limit() {
@@ -123,8 +122,8 @@ time_limit() {
 }
 slurmd_killed() {
   start_and_wait ''
-  local node
-  node=$(a_running_job %N)
+  a_running_job %N || return
+  local node=$running_job
   kill_node "$node"
   # A slurmd that comes back before it is missed leaves its jobs running for ever.
   until_true "$node is down" is_down "$node"
@@ -141,15 +140,22 @@ requeue() {
   wait_until_it_trains
   some_time
   scontrol requeue "$job" || return 0
-  until_true "job $job waits" in_state PENDING "$job" && begin_again "$job"
+  until_true "job $job waits" in_state PENDING "$job" || return
+  ! lost_checkpoint || lost=yes # before the job's second life writes the logs anew
+  begin_again "$job"
 }
 
 # ---- what has become of it --------------------------------------------------------------------------------
+# A training that ended with 75 says that it has written one: then the one that was laid out does not count.
 lost_checkpoint() {
-  local folder
-  for folder in results/tiny/tiny/seed*/piae-dt; do
-    [[ -f $folder/model.h5 || -f $folder/model.h5.checkpoint ]] || return 0
+  local seed folder
+  for seed in 0 1; do
+    folder=results/tiny/tiny/seed$seed/piae-dt
     grep -q 'starts anew' "$folder/train.log" && return 0
+    [[ ! -f $folder/model.h5 ]] || continue
+    [[ -f $folder/model.h5.checkpoint ]] || return 0
+    grep -q '^step: exit 75 ' "$folder/train.log" &&
+      cmp --quiet "$folder/model.h5.checkpoint" "$alone/checkpoint$seed" && return 0
   done
   return 1
 }
