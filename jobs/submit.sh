@@ -4,15 +4,24 @@
 # Make's variables, and CORES, MINUTES, JOBS, GPU_PARTITION. Other options of sbatch come from its own
 # environment variables: SBATCH_PARTITION, SBATCH_ACCOUNT, ...
 set -euo pipefail
+
+usage() { sed -n '/^# usage: /,/^[^#]/s/^# //p' "$0"; }
+only_plan=
+if [[ ${1:-} == --plan ]]; then
+  only_plan=yes
+  shift
+fi
+if [[ ${1:-} == --help ]]; then
+  usage
+  exit
+elif (($# == 0)); then
+  usage >&2
+  exit 2
+fi
 cd "${0%/*}/.."
 # shellcheck source=jobs/common.sh
 source jobs/common.sh
 
-only_plan=
-if [[ $1 == --plan ]]; then
-  only_plan=yes
-  shift
-fi
 goal=$1
 shift
 choice=("$@")
