@@ -11,8 +11,11 @@ namespace piae::signal {
 ///   .csv         `variable` is a column: its number, counted from 1, or its name in the first line
 ///   .h5, .hdf5   `variable` is the path of a one-dimensional dataset of integers or floats
 /// Throws Error(bad_input) in one line with the file: what is wrong, and, where the variable is not
-/// in the file, what the file has instead. NaN and infinite samples are returned as they are. It
-/// is read by a program of its own, within limits (raw_reader.hpp).
+/// in the file, what the file has instead. NaN and infinite samples are returned as they are.
+///
+/// The program `read_raw`, which stands beside the one that runs, reads it within the limits of
+/// raw_limits.hpp. A damaged file can make the libraries that read it crash, or take all memory:
+/// then only that program ends, and the Error says how.
 std::vector<double> read_raw_file(const std::filesystem::path& file, const std::string& variable);
 
 /// The same in this process: what that program does.
