@@ -1,6 +1,5 @@
 #include "diagnosis/standardise.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <span>
 
@@ -29,8 +28,7 @@ LabelledWindows standardise(const signal::WindowSet& windows, const std::string&
   result.samples.resize(windows.samples.size());
   for (std::size_t i = 0; i < windows.size(); ++i) {
     const std::span<const float> window = windows.window(i);
-    const auto [low, high] = std::ranges::minmax(window);
-    if (low == high) {
+    if (signal::is_constant(window)) {
       throw Error(Exit::bad_input,
                   what + ": window " + std::to_string(i) + " (class " +
                       windows.info.classes[index_of(windows.labels[i])].name +
