@@ -46,8 +46,10 @@ fetch() { # file, sha256, url
   if ! is_right "$part" "$sum"; then
     echo "data: $file from $url"
     message=$(download "$part" "$url" 2>&1) || status=$?
-    # What is too large is nothing to go on with.
-    ((status != too_large && status != 128 + 25)) || { rm -f "$part" && message="more than $largest_bytes bytes"; }
+    if ((status == too_large || status == 128 + 25)); then
+      rm -f "$part" # it is nothing to go on with
+      message="more than $largest_bytes bytes"
+    fi
     ((status == 0)) ||
       give_up "$file" "$sum" "could not be downloaded from $url (${message##*$'\n'})"
   fi
