@@ -4,15 +4,24 @@
 # Make's variables, and CORES, MINUTES, JOBS, GPU_PARTITION. Other options of sbatch come from its own
 # environment variables: SBATCH_PARTITION, SBATCH_ACCOUNT, ...
 set -euo pipefail
+
+usage() { sed -n '/^# usage: /,/^[^#]/s/^# //p' "$0"; }
+only_plan=
+if [[ ${1:-} == --plan ]]; then
+  only_plan=yes
+  shift
+fi
+if [[ ${1:-} == --help ]]; then
+  usage
+  exit
+elif (($# == 0)); then
+  usage >&2
+  exit 2
+fi
 cd "${0%/*}/.."
 # shellcheck source=jobs/common.sh
 source jobs/common.sh
 
-only_plan=
-if [[ $1 == --plan ]]; then
-  only_plan=yes
-  shift
-fi
 goal=$1
 shift
 choice=("$@")
@@ -32,8 +41,12 @@ if [[ $only_plan ]]; then
   exit
 fi
 
+# Where others may write, a link may have been planted, and a pipe would be waited for.
+lock=$results/.jobs/lock
+[[ ! -L $results/.jobs && ! -L $lock && (! -e $lock || -f $lock) ]] ||
+  die "$results/.jobs or its lock is a link, or no file; remove it; nothing is submitted"
 # A job whose log cannot be written ends without a word, so this is tried first.
-{ mkdir -p "$results/.jobs" && exec 9>"$results/.jobs/lock"; } 2>/dev/null ||
+{ mkdir -p "$results/.jobs" && exec 9>>"$lock"; } 2>/dev/null ||
   die "$results/.jobs cannot be written, where the logs of the jobs are to be; nothing is submitted"
 flock --nonblock 9 || die "another \`make cluster\` is submitting this run; nothing is submitted"
 queue=$(jobs_in_queue "$results") || die "Slurm does not answer, see above; nothing is submitted"

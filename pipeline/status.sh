@@ -15,9 +15,12 @@ trap 'rm -r "$scratch"' EXIT
 source jobs/common.sh
 unset MAKEFLAGS MFLAGS MAKELEVEL MAKEOVERRIDES
 
+# What stands in logs and in a submission, anybody may have written: a terminal must not obey it.
+printable() { LC_ALL=C tr '\000-\010\013-\037\177' '?'; }
+
 jobs=$(last_submission "$run")
 choice=("$goal")
-[[ -z $jobs ]] || mapfile -t choice <"$jobs/choice"
+[[ -z $jobs ]] || mapfile -t choice < <(printable <"$jobs/choice")
 [[ $goal ]] || goal=${choice[0]}
 if [[ $goal == "${choice[0]}" ]]; then
   for name in DATASETS METHODS RATIOS CLASSIFIERS SEEDS; do
@@ -95,7 +98,7 @@ mapfile -t runs < <(cut -d / -f -2 "$scratch/cells" | sort -u) # of a contrast t
 # Neither features nor tables are cells, and no cell waits for them.
 grep -vE "^[^ ]+ (features|$tables) " "$scratch/states" >"$scratch/counted" || true
 awk -v run="$run" -v counted="$counted" -f "${0%/*}/status.awk" \
-  "$scratch/durations" "$scratch/counted" "$scratch/cells"
+  "$scratch/durations" "$scratch/counted" "$scratch/cells" | printable
 
 # Of a step that says nothing itself: it was killed by the kernel or with its job, or it crashed.
 why_without_a_word() { # stage, file, exit code
@@ -117,13 +120,16 @@ list() { # state, pattern (STAGE stands for the stage's name), which of the line
     [[ $state == "$1" ]] || continue
     log=$folder/$stage.log
     program=${stage/#features/diagnose}
-    line=$({ grep "${2//STAGE/$program}" "$log" || true; } | "$3" -n 1)
+    # Printable here already, as a variable holds no NUL.
+    line=$({ grep --text "${2//STAGE/$program}" "$log" || true; } | printable | "$3" -n 1)
     [[ $line || $state != running ]] || line=$stage
     [[ $line ]] || line=$(why_without_a_word "$stage" "$file" "$code")
     printf '  %s: %s (log: %s)\n' "${folder#"$run/"}" "$line" "$log"
   done <"$scratch/states"
 }
-list running '^STAGE  ' tail
-list failed '^STAGE: ' head
-[[ -z $jobs ]] || awk -F '\t' -v log_folder="$jobs" -f jobs/ended.awk "$scratch/queue" "$scratch/ended"
-[[ ! -f $jobs/tables.log ]] || grep '^spent: ' "$jobs/tables.log" || true
+{
+  list running '^STAGE  ' tail
+  list failed '^STAGE: ' head
+  [[ -z $jobs ]] || awk -F '\t' -v log_folder="$jobs" -f jobs/ended.awk "$scratch/queue" "$scratch/ended"
+  [[ ! -f $jobs/tables.log ]] || grep --text '^spent: ' "$jobs/tables.log" || true
+} | printable

@@ -1,5 +1,5 @@
-// Reads one variable of a raw recording for ingest, which runs it for each file of a foreign
-// format: where the libraries that read those crash or take too much, only this program ends.
+// Reads one variable of a raw recording for ingest, which runs it for each file: where the
+// library that reads it crashes or takes too much, only this program ends.
 
 #include <unistd.h>
 

@@ -51,6 +51,6 @@ done
 # The same numbers give the same bytes: a PDF holds the time at which it was drawn, to be replaced by one of
 # the same length.
 LC_ALL=C sed -i -E '/^ *\/CreationDate \(D:/ s/D:[0-9]{14}/D:20000101000000/' "$partial/pdf"
-mv "$partial/pdf" "${csv%.csv}.pdf"
+mv -T "$partial/pdf" "${csv%.csv}.pdf"
 awk -f "$scripts/shorten.awk" "$partial/svg" >"$partial/short"
-mv "$partial/short" "${csv%.csv}.svg"
+mv -T "$partial/short" "${csv%.csv}.svg"

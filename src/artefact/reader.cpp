@@ -74,11 +74,16 @@ std::string stored_kind(const fs::path& path, hid_t file) {
   throw Refusal(Exit::bad_input, RefusalReason::wrong_kind, path.string() + foreign);
 }
 
-std::int64_t stored_schema(hid_t file) {
+std::int64_t stored_schema(const fs::path& path, hid_t file) {
   const std::string name = "schema";
   const Handle attribute(H5Aopen(file, name.c_str(), H5P_DEFAULT), name.c_str());
+  const Handle type(H5Aget_type(attribute), name.c_str());
+  if (H5Tequal(type, hdf5::stored_type<std::int64_t>()) <= 0) {
+    throw Refusal(Exit::bad_input, RefusalReason::wrong_kind,
+                  path.string() + ": its schema version is no whole number" + remedy);
+  }
   std::int64_t schema = 0;
-  hdf5::check(H5Aread(attribute, hdf5::stored_type<std::int64_t>(), &schema), name.c_str());
+  hdf5::check(H5Aread(attribute, type, &schema), name.c_str());
   return schema;
 }
 
@@ -88,7 +93,7 @@ void require_artefact(const fs::path& path, std::span<const std::byte> image,
   const Handle file = open_checked(path, image);
   const std::string stored = stored_kind(path, file);
   require_undamaged(path, file, image.size());
-  const std::int64_t schema = stored_schema(file);
+  const std::int64_t schema = stored_schema(path, file);
   if (schema != schema_version) {
     throw Refusal(Exit::bad_input, RefusalReason::wrong_kind,
                   path.string() + ": has schema version " + std::to_string(schema) +
@@ -119,7 +124,16 @@ Reader::Reader(const fs::path& path, const std::string& kind)
       image_(rehearsed(path, kind)),
       file_(open_checked(path, image_)),
       kind_(stored_kind(path, file_)),
-      digest_(text("/", digest_attribute)) {}
+      digest_(text("/", digest_attribute)) {
+  require_provenance();
+}
+
+void Reader::require_provenance() const {
+  for (const char* name : {"program", "version", "libraries", "cpu"}) {
+    (void)text(provenance_group, name);
+  }
+  for (const char* name : {"/options", "/inputs"}) (void)strings(provenance_group + name);
+}
 
 bool Reader::has(const std::string& object) const {
   for (std::size_t slash = object.find('/', 1); slash != std::string::npos;

@@ -92,6 +92,9 @@ class Reader {
   [[noreturn]] void refuse(const std::string& where, const std::string& what) const;
 
  private:
+  /// Throws Refusal where it does not say how it was made, as every artefact does: pages and tables
+  /// show it.
+  void require_provenance() const;
   /// Throws Refusal for what is not there or no dataset.
   [[nodiscard]] hdf5::Handle open(const std::string& path) const;
   template <hdf5::Number T>

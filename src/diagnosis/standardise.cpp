@@ -1,6 +1,5 @@
 #include "diagnosis/standardise.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <span>
 
@@ -19,8 +18,7 @@ void standardise(std::span<const float> values, float* to) {
 
 void require_varying(const signal::WindowSet& windows, const std::string& what) {
   for (std::size_t i = 0; i < windows.size(); ++i) {
-    const auto [low, high] = std::ranges::minmax(windows.window(i));
-    if (low != high) continue;
+    if (!signal::is_constant(windows.window(i))) continue;
     throw Error(Exit::bad_input,
                 what + ": window " + std::to_string(i) + " (class " +
                     windows.info.classes[index_of(windows.labels[i])].name +

@@ -87,6 +87,13 @@ class FolderLock {
   int descriptor_;
 };
 
+void require_no_link(const fs::path& folder) {
+  std::error_code none;
+  if (!fs::is_symlink(folder, none)) return;
+  throw Error(Exit::failed,
+              folder.string() + ": is a link, and settings are not written through one; remove it");
+}
+
 void make_folder(const fs::path& folder) {
   std::error_code error;
   fs::create_directories(folder, error);
@@ -155,6 +162,8 @@ void SettingsFolder::update(const std::string& text) const {
   const Request request = parse_request(text);
   const Wanted content = wanted(request, pipeline_, protocol_);
   const fs::path file = folder_ / request.file;
+  require_no_link(folder_);
+  require_no_link(file.parent_path());
   make_folder(file.parent_path());
   const FolderLock lock(file.parent_path());
   if (holds(file, request, content.values)) return;

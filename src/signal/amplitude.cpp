@@ -23,6 +23,10 @@ double rms_of(std::span<const double> signal) {
   return std::sqrt(squares / n);
 }
 
+bool is_constant(std::span<const float> window) {
+  return std::ranges::all_of(window, [&](float x) { return x == window.front(); });
+}
+
 namespace {
 
 /// For each class the summary of its windows' samples, each about its window's mean.

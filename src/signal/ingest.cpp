@@ -24,8 +24,10 @@ namespace fs = std::filesystem;
 void require_file(const fs::path& file, const RecordSource& source, const std::string& dataset) {
   std::error_code ignored;
   if (fs::is_regular_file(file, ignored)) return;
+  const std::string what =
+      fs::exists(fs::symlink_status(file, ignored)) ? "is not a file" : "no such file";
   throw Error(Exit::input_missing,
-              file.string() + ": no such file; record " + source.name + " of dataset " + dataset +
+              file.string() + ": " + what + "; record " + source.name + " of dataset " + dataset +
                   " needs it: run `make data`, or name the folder that holds " + source.file +
                   " by DATA_DIR= (--data-dir)");
 }

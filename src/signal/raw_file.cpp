@@ -4,7 +4,6 @@
 
 #include "base/error.hpp"
 #include "base/one_line.hpp"
-#include "signal/raw_reader.hpp"
 
 namespace piae::signal {
 
@@ -17,11 +16,6 @@ bool is_hdf5(const std::filesystem::path& file) {
 }
 
 }  // namespace
-
-std::vector<double> read_raw_file(const std::filesystem::path& file, const std::string& variable) {
-  const bool by_a_library = is_mat(file) || is_hdf5(file);
-  return by_a_library ? read_elsewhere(file, variable) : read_here(file, variable);
-}
 
 std::vector<double> read_here(const std::filesystem::path& file, const std::string& variable) {
   if (is_mat(file)) return read_mat(file, variable);

@@ -11,8 +11,11 @@ namespace piae::signal {
 ///   .csv         `variable` is a column: its number, counted from 1, or its name in the first line
 ///   .h5, .hdf5   `variable` is the path of a one-dimensional dataset of integers or floats
 /// Throws Error(bad_input) in one line with the file: what is wrong, and, where the variable is not
-/// in the file, what the file has instead. NaN and infinite samples are returned as they are. What
-/// a foreign library reads is read by a program of its own (raw_reader.hpp).
+/// in the file, what the file has instead. NaN and infinite samples are returned as they are.
+///
+/// The program `read_raw`, which stands beside the one that runs, reads it within the limits of
+/// raw_limits.hpp. A damaged file can make the libraries that read it crash, or take all memory:
+/// then only that program ends, and the Error says how.
 std::vector<double> read_raw_file(const std::filesystem::path& file, const std::string& variable);
 
 /// The same in this process: what that program does.
@@ -21,7 +24,8 @@ std::vector<double> read_here(const std::filesystem::path& file, const std::stri
 /// The formats one by one, in this process, whatever the extension.
 std::vector<double> read_mat(const std::filesystem::path& file, const std::string& variable);
 /// Strict: fields are separated by ',', ';' or tabs (whichever the first line has), every line has
-/// as many fields as the first, numbers have a decimal point, only the first line may be a header.
+/// as many fields as the first, of which there are 10 000 at most, numbers have a decimal point,
+/// only the first line may be a header, whose name of the column has a letter.
 std::vector<double> read_csv(const std::filesystem::path& file, const std::string& column);
 /// Nothing is read from elsewhere: no link is followed, and no dataset is taken whose values stand
 /// in another file.

@@ -31,19 +31,22 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(" \t\"") - first + 1);
 }
 
-/// The lines of a text without LF or CRLF and without a byte order mark. What follows the last line
-/// end is no line if it is empty.
-std::vector<std::string_view> lines_of(std::string_view text) {
-  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
-  std::vector<std::string_view> lines;
-  while (!text.empty()) {
-    const std::size_t end = std::min(text.find('\n'), text.size());
-    std::string_view line = text.substr(0, end);
-    if (line.ends_with('\r')) line.remove_suffix(1);
-    lines.push_back(line);
-    text.remove_prefix(std::min(end + 1, text.size()));
-  }
-  return lines;
+/// Takes the next line off a text, without its LF or CRLF. What follows the last line end is no
+/// line if it is empty.
+std::string_view take_line(std::string_view& text) {
+  const std::size_t end = std::min(text.find('\n'), text.size());
+  std::string_view line = text.substr(0, end);
+  text.remove_prefix(std::min(end + 1, text.size()));
+  if (line.ends_with('\r')) line.remove_suffix(1);
+  return line;
+}
+
+/// Takes the next field off a line, which ends with its last.
+std::string_view take_field(std::optional<std::string_view>& line, char separator) {
+  const std::string_view rest = *line;
+  const std::size_t end = rest.find(separator);
+  line = end == std::string_view::npos ? std::nullopt : std::optional(rest.substr(end + 1));
+  return trimmed(rest.substr(0, end));
 }
 
 char separator_of(std::string_view header) {
@@ -53,14 +56,42 @@ char separator_of(std::string_view header) {
   return ',';
 }
 
-std::vector<std::string_view> fields_of(std::string_view line, char separator) {
+/// The fields of the first line, of which recordings have a few.
+std::vector<std::string_view> fields_of(const fs::path& file, std::string_view line,
+                                        char separator) {
+  constexpr std::size_t most = 10'000;
   std::vector<std::string_view> fields;
-  while (true) {
-    const std::size_t end = line.find(separator);
-    fields.push_back(trimmed(line.substr(0, end)));
-    if (end == std::string_view::npos) return fields;
-    line.remove_prefix(end + 1);
+  for (std::optional rest = line; rest;) {
+    if (fields.size() == most) {
+      refuse_line(file, 1, "has more than " + std::to_string(most) + " columns");
+    }
+    fields.push_back(take_field(rest, separator));
   }
+  return fields;
+}
+
+/// One field of a line, which must have so many.
+std::string_view field_of(const fs::path& file, std::size_t number, std::string_view line,
+                          char separator, std::size_t wanted, std::size_t fields) {
+  std::string_view found;
+  std::size_t count = 0;
+  for (std::optional rest = line; rest; ++count) {
+    const std::string_view field = take_field(rest, separator);
+    if (count == wanted) found = field;
+  }
+  if (count != fields) {
+    refuse_line(
+        file, number,
+        "has " + std::to_string(count) + " fields, the first line " + std::to_string(fields));
+  }
+  return found;
+}
+
+/// What names columns has letters. A damaged number has none, or is one of a few that do.
+bool is_name(std::string_view field) {
+  return std::ranges::any_of(field, [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || static_cast<unsigned char>(c) > 127;
+  });
 }
 
 /// The index of a column that is given by its number or by its name.
@@ -84,25 +115,26 @@ std::size_t find_column(const fs::path& file, const std::vector<std::string_view
 
 std::vector<double> read_csv(const fs::path& file, const std::string& column) {
   const std::vector<std::byte> bytes = artefact::read_file(file, largest_raw_bytes);
-  const auto lines = lines_of({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+  std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
   std::vector<double> numbers;
-  if (lines.empty()) return numbers;
-  const char separator = separator_of(lines.front());
-  const auto header = fields_of(lines.front(), separator);
+  if (text.empty()) return numbers;
+  std::string_view from_first = text;
+  const std::string_view first = take_line(from_first);
+  const char separator = separator_of(first);
+  const auto header = fields_of(file, first, separator);
   const std::size_t wanted = find_column(file, header, column);
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    const auto fields = fields_of(lines[i], separator);
-    if (fields.size() != header.size()) {
-      refuse_line(file, i + 1,
-                  "has " + std::to_string(fields.size()) + " fields, the first line " +
-                      std::to_string(header.size()));
-    }
-    const auto number = number_in<double>(fields[wanted]);
+  for (std::size_t line = 1; !text.empty(); ++line) {
+    const std::string_view field =
+        field_of(file, line, take_line(text), separator, wanted, header.size());
+    const auto number = number_in<double>(field);
     if (number) {
       numbers.push_back(*number);
-    } else if (i > 0) {
-      refuse_line(file, i + 1,
-                  "column " + column + " holds " + quoted(fields[wanted]) + ", not a number");
+    } else if (line > 1) {
+      refuse_line(file, line, "column " + column + " holds " + quoted(field) + ", not a number");
+    } else if (!is_name(field)) {
+      refuse_line(file, line,
+                  "column " + column + " holds " + quoted(field) + ", neither a number nor a name");
     }
   }
   return numbers;

@@ -64,7 +64,9 @@ mat_ft require_readable(const fs::path& path) {
   refuse_raw_file(path, "truncated, damaged or not a MATLAB file of version 5 or 7.3");
 }
 
-void print_nothing(int /*level*/, char* /*message*/) {}
+/// The message is a `char*` in matio 1.5.23 (Debian 12), and a `const char*` in 1.5.28 (Debian 13).
+template <class Char>
+void print_nothing(int /*level*/, Char* /*message*/) {}
 
 File open(const fs::path& path) {
   Mat_LogInitFunc("", print_nothing);

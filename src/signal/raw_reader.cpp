@@ -1,5 +1,3 @@
-#include "signal/raw_reader.hpp"
-
 #include <fcntl.h>
 #include <poll.h>
 #include <sys/prctl.h>
@@ -188,7 +186,7 @@ class Reader {
 
 }  // namespace
 
-std::vector<double> read_elsewhere(const fs::path& file, const std::string& variable) {
+std::vector<double> read_raw_file(const fs::path& file, const std::string& variable) {
   return Reader(file, variable, raw_limits(file)).numbers();
 }
 

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <numeric>
+#include <span>
 
 #include "base/error.hpp"
 #include "base/random.hpp"
+#include "signal/amplitude.hpp"
 #include "signal/sources.hpp"
 #include "signal/stride.hpp"
 
@@ -113,6 +115,13 @@ void cut(WindowSet& set, const Recordings& recordings, const Place& place) {
   const auto first = record.signal.begin() + static_cast<std::ptrdiff_t>(place.first_sample);
   std::transform(first, first + static_cast<std::ptrdiff_t>(set.length),
                  std::back_inserter(set.samples), [](double x) { return static_cast<float>(x); });
+  if (is_constant(std::span(set.samples).last(set.length))) {
+    throw Error(Exit::bad_input, "record " + record.name + " of " + set.info.name +
+                                     ": nothing moves in the window "
+                                     "from sample " +
+                                     std::to_string(place.first_sample) +
+                                     " on; leave that part of the recording out");
+  }
   set.labels.push_back(record.label);
   set.record.push_back(static_cast<std::int32_t>(place.record));
   set.first_sample.push_back(static_cast<std::int64_t>(place.first_sample));

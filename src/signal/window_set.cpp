@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "signal/amplitude.hpp"
 #include "signal/ranges.hpp"
 
 namespace piae::signal {
@@ -15,6 +16,14 @@ std::int32_t index_in(std::vector<std::string>& names, const std::string& name) 
   const auto index = static_cast<std::int32_t>(found - names.begin());
   if (found == names.end()) names.push_back(name);
   return index;
+}
+
+void require_movement(const artefact::Reader& reader, const WindowSet& windows) {
+  for (std::size_t i = 0; i < windows.size(); ++i) {
+    if (is_constant(windows.window(i))) {
+      reader.refuse("/windows", "window " + std::to_string(i) + " is constant");
+    }
+  }
 }
 
 void require_known_labels(const artefact::Reader& reader, const WindowSet& windows) {
@@ -174,6 +183,7 @@ WindowSet read_window_set(const artefact::Reader& reader) {
   }
   if (windows.size() != samples.shape[0]) reader.refuse("/labels", "misfits /windows");
   require_known_labels(reader, windows);
+  require_movement(reader, windows);
   if (reader.has("/record")) read_places(reader, windows);
   if (reader.has("/parameters")) read_parameters(reader, windows);
   read_conditions(reader, windows);

@@ -53,8 +53,9 @@ struct WindowSet {
 /// /record/index, /first_sample, /parameters float64 [n, 2] (k in N/m, c in N s/m), /condition,
 /// /shaft_speed_rpm and /defect_size_mm.
 void write(artefact::Writer& writer, const WindowSet& windows);
-/// Throws artefact::Refusal for labels that no class has, and for shapes that do not fit each
-/// other.
+/// Throws artefact::Refusal for labels that no class has, for shapes that do not fit each other,
+/// and for a window in which nothing moves, of which no classifier can learn and which no generator
+/// should have made.
 WindowSet read_window_set(const artefact::Reader& reader);
 
 }  // namespace piae::signal

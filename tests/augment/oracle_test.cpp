@@ -6,13 +6,13 @@
 namespace piae::augment {
 namespace {
 
-/// 30 real windows of each fault class in order of time: each holds its own number.
+/// 30 real windows of each fault class in order of time: each begins with its own number.
 signal::WindowSet numbered_windows() {
   signal::WindowSet real;
   real.info = known_windows().info;
   real.length = 2;
   for (int i = 0; i < 60; ++i) {
-    real.samples.insert(real.samples.end(), 2, static_cast<float>(i));
+    real.samples.insert(real.samples.end(), {static_cast<float>(i), 0.5F});
     real.labels.push_back(i < 30 ? 1 : 2);
   }
   return real;

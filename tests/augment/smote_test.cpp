@@ -8,12 +8,14 @@ namespace piae::augment {
 namespace {
 
 /// Class IR: (0, 0), (2, 0), (0, 3), (4, 3), the windows of interpolation_test.cpp; class OR lies
-/// between them, so that neighbours across classes would show.
+/// between them, so that neighbours across classes would show. A third sample, the same in all, has
+/// every window move.
 signal::WindowSet four_of_a_class() {
   signal::WindowSet known;
   known.info = known_windows().info;
-  known.length = 2;
-  known.samples = {0, 0, 2, 0, 0, 3, 4, 3, 1, 1, 1, 2, 2, 1, 2, 2};
+  known.length = 3;
+  known.samples = {0, 0, 1.5, 2, 0, 1.5, 0, 3, 1.5, 4, 3, 1.5,
+                   1, 1, 1.5, 1, 2, 1.5, 2, 1, 1.5, 2, 2, 1.5};
   known.labels = {1, 1, 1, 1, 2, 2, 2, 2};
   return known;
 }
@@ -107,14 +109,14 @@ void expect_refusal(const signal::WindowSet& known, int neighbours,
 TEST(Smote, SaysHowManyNeighboursWouldWork) {
   expect_refusal(four_of_a_class(), 4, {"--neighbours 4", "IR", "4 known windows", "is 3"});
   signal::WindowSet uneven = four_of_a_class();
-  uneven.samples.resize(12);
+  uneven.samples.resize(18);
   uneven.labels.resize(6);
   expect_refusal(uneven, 3, {"--neighbours 3", "OR", "2 known windows", "is 1"});
 }
 
 TEST(Smote, NeedsTwoKnownWindows) {
   signal::WindowSet known = four_of_a_class();
-  known.samples.resize(10);
+  known.samples.resize(15);
   known.labels.resize(5);
   expect_refusal(known, 1, {"OR", "1 known window;", "at least 2"});
 }

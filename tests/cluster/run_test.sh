@@ -74,6 +74,22 @@ test_logs_that_cannot_be_written_are_noticed_before_anything_is_submitted() {
   expect_equal "$(squeue --noheader)" ""
 }
 
+test_nothing_is_written_through_what_was_planted_for_logs() {
+  small_grid 2
+  mkdir -p results/t/.jobs elsewhere
+  echo precious >victim
+  ln -s "$PWD/victim" results/t/.jobs/lock
+  expect_line "$(cluster cluster)" 'results/t/.jobs or its lock is a link, or no file; remove it; nothing is submitted$'
+  expect_equal "$(<victim)" precious
+  rm results/t/.jobs/lock
+  mkfifo results/t/.jobs/lock
+  expect_line "$(timeout 20 make --silent cluster "${grid[@]}" RUN=t CORES=2 2>&1)" 'is a link, or no file; '
+  rm -r results/t/.jobs
+  ln -s "$PWD/elsewhere" results/t/.jobs
+  expect_line "$(cluster cluster)" 'is a link, or no file; '
+  expect_equal "$(ls elsewhere)" ""
+}
+
 # The folder under another name, squeue's own variables, and a job of an array that calls it.
 test_a_run_is_submitted_once_however_it_is_called() {
   small_grid 2

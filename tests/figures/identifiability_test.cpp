@@ -14,7 +14,7 @@ class IdentifiabilityFigure : public StoredSource {
     known.info = three_classes("cwru");
     known.length = 4;
     known.labels = {1};
-    known.samples.assign(4, 1);
+    known.samples = {1, 2, 1, 2};
     if (simulated) known.parameters = {{1e8, 500}};
     artefact::Writer writer("windows");
     write(writer, known);

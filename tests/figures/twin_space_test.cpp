@@ -29,7 +29,9 @@ class TwinSpaceFigure : public StoredSource {
     set.info = three_classes("cwru");
     set.length = 4;
     set.labels = labels;
-    set.samples.assign(4 * labels.size(), 1);
+    for (std::size_t i = 0; i < labels.size(); ++i) {
+      set.samples.insert(set.samples.end(), {1, 2, 1, 2});
+    }
     set.parameters = parameters;
     return set;
   }

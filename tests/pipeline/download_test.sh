@@ -93,6 +93,14 @@ test_only_the_web_is_asked() {
   expect_line "$(<curl-options)" '^--url$'
 }
 
+test_a_site_cannot_fill_the_disk_or_keep_waiting() {
+  site
+  truncate --size=4100000000 site/1.mat
+  expect_line "$(data 2>&1 || true)" 'file 1.mat: could not be downloaded from .* \(more than 4000000000 bytes\)'
+  expect_equal "$(ls d/real)" ""
+  expect_line "$(<curl-options)" '^--speed-time$'
+}
+
 test_nothing_is_written_outside_the_data_folder() {
   site
   mkdir d elsewhere

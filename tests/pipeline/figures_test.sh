@@ -211,6 +211,16 @@ test_a_changed_style_draws_all_again() {
   [[ $(pictures) != "$first" ]] || fail "the pictures are as before"
 }
 
+test_nothing_is_drawn_through_a_planted_link() {
+  lay_out
+  mkdir elsewhere
+  ln -s "$PWD/elsewhere" $drawn/fig07-losses.svg
+  ln -s "$PWD/elsewhere" $drawn/fig07-losses.pdf
+  figures >messages 2>&1 || fail "$(<messages)"
+  expect_equal "$(ls elsewhere)" ""
+  expect_line "$(head -c 300 $drawn/fig07-losses.svg)" '<svg'
+}
+
 test_a_picture_without_numbers_is_removed() {
   lay_out
   figures >/dev/null 2>&1

@@ -34,6 +34,14 @@ test_programs_without_libtorch_plan_what_they_cannot_compute() {
   expect_line "$(plan SEEDS=0)" '^cells +1 '
 }
 
+test_submit_alone_says_how_it_is_called() {
+  expect_line "$(jobs/submit.sh --help)" '^usage: jobs/submit.sh \[--plan\] GOAL '
+  expect_exit 0 jobs/submit.sh --help
+  expect_line "$(jobs/submit.sh 2>&1 || true)" '^usage: jobs/submit.sh '
+  expect_exit 2 jobs/submit.sh
+  expect_exit 2 jobs/submit.sh --plan
+}
+
 test_a_thousand_and_one_seeds_are_an_array_that_slurm_takes() {
   local output
   # (Where an array may have 1001 tasks, as when nobody has said otherwise.)

@@ -85,6 +85,25 @@ test_a_failed_diagnosis_is_a_cell_of_its_classifier_alone() {
     '^  real/seed1/smote/1to1/wdcnn-spectrum: diagnose: the reason \(log: '
 }
 
+# A terminal would obey them.
+test_control_characters_of_logs_are_not_printed() {
+  describe
+  echo "train real/seed1/smote/model.h5" >broken
+  cells -k || true
+  local log=results/t/real/seed1/smote/train.log output
+  sed -i 's/^train: the reason$/train: \x1b]0;evil\x07 \x00\x1b[31mred\x7f\xff µ/' $log
+  submitted all RUN=t DATASETS=real results=results/t
+  printf 'job: life ended at 1, used 1 s, status 1: \e[2Jgone\n' >$jobs/cells.0.log
+  printf 'spent: \e[2Jnothing\n' >$jobs/tables.log
+  output=$(status)
+  expect_line "$(LC_ALL=C tr '\377' y <<<"$output")" '^  real/seed1/smote: train: \?]0;evil\? \?\?\[31mred\?y µ \(log: '
+  expect_line "$output" '^  cells.0: \?\[2Jgone \(log: '
+  expect_line "$output" '^spent: \?\[2Jnothing$'
+  # Nor those of what was submitted.
+  printf 'a\e[31mll\n' >$jobs/choice
+  expect_line "$(status 2>&1 || true)" "not 'a\?\[31mll'$"
+}
+
 test_a_failed_score_is_one_cell() {
   describe
   echo "score real/seed1/smote/score.h5" >broken

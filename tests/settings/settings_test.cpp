@@ -14,6 +14,7 @@
 #include "settings/facts.hpp"
 #include "settings/protocol.hpp"
 #include "settings/settings_folder.hpp"
+#include "support/errors.hpp"
 #include "support/folder.hpp"
 
 namespace piae::settings {
@@ -91,6 +92,15 @@ TEST(SettingsFolder, ADescriptionIsStoredWithWhatItTakesFromAnother) {
   EXPECT_EQ(project.values_in("datasets/b.toml"), "name = 'b'\nrate = 3\n");
   project.folder.write("datasets/a.toml", "name = \"a\"\nrate = 4\n");
   EXPECT_TRUE(project.is_outdated("datasets/b.toml"));
+}
+
+TEST(SettingsFolder, WritesThroughNoLink) {
+  const Project project("[score]\nepochs = 3\n");
+  const std::filesystem::path elsewhere = project.folder / "elsewhere";
+  std::filesystem::create_directories(elsewhere);
+  std::filesystem::create_directory_symlink(elsewhere, project.run);
+  EXPECT_ERROR(project.update("score.toml"), Exit::failed, "run: is a link");
+  EXPECT_TRUE(std::filesystem::is_empty(elsewhere));
 }
 
 TEST(SettingsFolder, AStageReadsFromTheFileWhatItReadsFromTheProtocol) {

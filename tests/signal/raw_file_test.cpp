@@ -73,6 +73,26 @@ TEST(Csv, RefusesWhatIsNotStrictlyNumbersInColumns) {
   EXPECT_ERROR(read("t,a\n0,1\n", "0"), Exit::bad_input, "has no column 0");
 }
 
+TEST(Csv, TellsANameFromADamagedNumber) {
+  const Folder folder;
+  const std::string damaged = std::string("0.") + '\x01' + "125\n1\n2\n";
+  EXPECT_ERROR((void)read_csv(folder.write("a.csv", damaged), "1"), Exit::bad_input,
+               "line 1: column 1 holds '0.?125', neither a number nor a name");
+  EXPECT_ERROR((void)read_csv(folder.write("b.csv", "--\n1\n"), "1"), Exit::bad_input, "line 1: ");
+  EXPECT_THAT(read_csv(folder.write("c.csv", "t,[g]\n1,2\n"), "2"), ElementsAre(2));
+}
+
+// Lines and fields that are kept one by one take many times the bytes of the file.
+TEST(Csv, TakesNoMoreMemoryThanItsSizeAllows) {
+  const Folder folder;
+  const std::string lines = "1\n" + std::string(30'000'000, '\n');
+  EXPECT_ERROR((void)read_raw_file(folder.write("lines.csv", lines), "1"), Exit::bad_input,
+               "line 2: column 1 holds ''");
+  const std::string fields(30'000'000, ',');
+  EXPECT_ERROR((void)read_raw_file(folder.write("fields.csv", fields), "1"), Exit::bad_input,
+               "line 1: has more than 10000 columns");
+}
+
 // ---- MATLAB
 // --------------------------------------------------------------------------------------
 
@@ -225,7 +245,9 @@ TEST(Hdf5, RefusesATruncatedFile) {
 }
 
 TEST(RawFile, OfAnUnknownFormatIsRefused) {
-  EXPECT_ERROR(read_raw_file("a.wav", "x"), Exit::bad_input, "unknown format '.wav'");
+  const Folder folder;
+  EXPECT_ERROR(read_raw_file(folder.write("a.wav", "RIFF"), "x"), Exit::bad_input,
+               "unknown format '.wav'");
 }
 
 }  // namespace

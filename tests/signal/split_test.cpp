@@ -55,6 +55,13 @@ TEST_P(Protocols, DealOutThePapersNumbers) {
   }
 }
 
+TEST_P(Protocols, RefuseAWindowInWhichNothingMoves) {
+  Recordings recordings = counting_recordings(80000);
+  std::ranges::fill(recordings.records[1].signal, 0.5);
+  EXPECT_ERROR((void)split(recordings, options_of(GetParam())), Exit::bad_input,
+               "nothing moves in the window from sample ");
+}
+
 TEST_P(Protocols, GiveNoWindowTwoRoles) {
   const Recordings recordings = counting_recordings(80000);
   for (std::int64_t seed = 0; seed < 20; ++seed) {

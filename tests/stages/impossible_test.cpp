@@ -46,6 +46,30 @@ void thousand_balls(hid_t file) {
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr std::int64_t huge = std::int64_t{1} << 40U;
 
+Change without(const std::string& object, const std::string& name) {
+  return [=](hid_t file) {
+    artefact::hdf5::check(H5Adelete_by_name(file, object.c_str(), name.c_str(), H5P_DEFAULT),
+                          name.c_str());
+  };
+}
+
+/// Of what every artefact says of how it was made, which tables and pages show.
+const std::vector<Case>& cases_of_provenance() {
+  static const std::vector<Case> cases{
+      {"cpu with a terminal's orders",
+       attribute("/provenance", "cpu", std::string("AMD\x1b]0;evil\x07")), "cpu"},
+      {"no cpu", without("/provenance", "cpu"), "cpu is missing"},
+      {"no program", without("/provenance", "program"), "program is missing"},
+      {"no version", without("/provenance", "version"), "version is missing"},
+      {"no libraries", without("/provenance", "libraries"), "libraries is missing"},
+      {"no inputs", [](hid_t file) { H5Ldelete(file, "/provenance/inputs", H5P_DEFAULT); },
+       "/provenance/inputs is missing"},
+      {"no options", [](hid_t file) { H5Ldelete(file, "/provenance/options", H5P_DEFAULT); },
+       "/provenance/options is missing"},
+  };
+  return cases;
+}
+
 /// Of what every artefact says of its data set.
 const std::vector<Case>& cases_of_all() {
   static const std::vector<Case> cases{
@@ -135,10 +159,18 @@ TEST_F(Impossible, Records) {
 
 TEST_F(Impossible, Windows) {
   expect_refused("C.h5", cases_of_all(), "train", of_train());
+  expect_refused("C.h5", cases_of_provenance(), "train", of_train());
   expect_refused(
       "C.h5",
       {
           {"seed -1", attribute("/", "seed", std::int64_t{-1}), "seed"},
+          {"a window in which nothing moves",
+           [](hid_t file) {
+             change_numbers<float>(file, "/windows", [](auto& samples) {
+               std::fill_n(samples.begin(), 1024, samples.front());
+             });
+           },
+           "window 0 is constant"},
           {"cut at the end of time",
            first_number("/first_sample", std::numeric_limits<std::int64_t>::max()), "first_sample"},
           {"a group in the place of the windows",
@@ -248,7 +280,7 @@ TEST_F(Impossible, RefusalsNameTheFiles) {
   doctor(tiny_ / "D.h5", [](hid_t file) {
     change_numbers<float>(file, "/windows", [](auto& values) { std::ranges::fill(values, 0.0F); });
   });
-  expect_refusal(tiny_.run_step("score"), "score", 65, {"D.h5", "silent"});
+  expect_refusal(tiny_.run_step("score"), "score", 65, {"D.h5", "window 0 is constant"});
 }
 
 }  // namespace

@@ -256,7 +256,7 @@ TEST_F(Ingest, RefusesFilesThatAreNotWhatTheirNamesSay) {
 TEST_F(Ingest, RefusesRecordingsAndDescriptionsThatArePipes) {
   fs::remove(folder_ / "data/inner.csv");
   ASSERT_EQ(::mkfifo((folder_ / "data/inner.csv").c_str(), 0600), 0);
-  expect_refused(66, {"data/inner.csv", "no such file"});
+  expect_refused(66, {"data/inner.csv", "is not a file"});
   fs::remove(folder_ / "raw.toml");
   ASSERT_EQ(::mkfifo((folder_ / "raw.toml").c_str(), 0600), 0);
   expect_refused(66, {"raw.toml", "not a file"});

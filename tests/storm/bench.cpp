@@ -84,7 +84,7 @@ Workbench::Workbench(const fs::path& corpus, const fs::path& folder, const fs::p
                                outcome.err);
     }
     write_bytes(folder_ / consumer.file, good_[consumer.file]);  // a used checkpoint is removed
-    made_of_good_[consumer.file] = take_new_files();
+    made_of_good_[{consumer.file, consumer.stage}] = take_new_files();
   }
 }
 
@@ -112,7 +112,7 @@ std::string Workbench::odd(const Consumer& consumer, const Outcome& verified,
   const std::string said = "; it said: " + outcome.err + outcome.out;
   const auto same_name = [](const auto& a, const auto& b) { return a.first == b.first; };
   if (outcome.status == 0) {
-    const Contents& expected = made_of_good_.at(consumer.file);
+    const Contents& expected = made_of_good_.at({consumer.file, consumer.stage});
     const bool as_good = std::ranges::equal(made, expected, same_name);
     return as_good ? "" : consumer.stage + " left other files than of the good artefact" + said;
   }
@@ -146,7 +146,7 @@ Verdict Workbench::judge(const Consumer& consumer, const std::string& bytes, boo
     verdict.finding = consumer.stage + " did not start anew: " + outcome.err;
     return verdict;
   }
-  if (outcome.status == 0 && made != made_of_good_.at(consumer.file)) {
+  if (outcome.status == 0 && made != made_of_good_.at({consumer.file, consumer.stage})) {
     verdict.finding = consumer.stage + " made something else of it, silently";
   } else if (verified.status == 0 && outcome.status != 0) {
     verdict.finding = "verify found nothing, but " + outcome.err;

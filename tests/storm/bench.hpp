@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "storm/consumers.hpp"
@@ -47,8 +48,9 @@ class Workbench {
   std::filesystem::path folder_;
   std::filesystem::path programs_;
   std::vector<Consumer> consumers_;
-  std::map<std::string, std::string> good_;       ///< bytes of each artefact
-  std::map<std::string, Contents> made_of_good_;  ///< what the stage makes of it, by the artefact
+  std::map<std::string, std::string> good_;  ///< bytes of each artefact
+  /// What a stage makes of the corpus as it is, by the artefact and the stage: several read one.
+  std::map<std::pair<std::string, std::string>, Contents> made_of_good_;
   Files corpus_;
 };
 

@@ -10,7 +10,8 @@ source "${0%/*}/../cluster/tiny_grid.sh"
 
 events=${1:-20}
 RANDOM=$((${2:-0} + 1))
-kinds=(term_to_srun term_to_a_stage kill_to_a_stage scancel_a_step time_limit slurmd_killed
+# The first two are those of continuous integration: one that leaves a checkpoint, and one that does not.
+kinds=(scancel_a_step kill_to_a_stage term_to_srun term_to_a_stage time_limit slurmd_killed
   slurmctld_restarted requeue)
 
 # Once: a checkpoint of each seed, so that every event has one to lose.
@@ -85,13 +86,12 @@ hit_srun() { # signal
     [[ ! $process ]] || ! kill "-$1" "$process" || return 0
   done
 }
-a_running_job() { # what squeue says of it
-  local found
+a_running_job() { # what squeue is to say of it; sets `running_job`, and fails where there is none any more
   until has_ended && too_late=yes; do
-    found=$(squeue --noheader --states=RUNNING --format="$1" | one_of)
-    [[ ! $found ]] || break
+    running_job=$(squeue --noheader --states=RUNNING --format="$1" | one_of)
+    [[ ! $running_job ]] || return 0
   done
-  echo "$found"
+  return 1
 }
 
 start_and_wait() {
@@ -113,7 +113,7 @@ kill_to_a_stage() {
 }
 scancel_a_step() {
   start_and_wait ''
-  scancel "$(a_running_job %i)"
+  a_running_job %i && scancel "$running_job"
 }
 # A minute is the least that Slurm allows; meanwhile the stage stands still.
 time_limit() {
@@ -123,8 +123,8 @@ time_limit() {
 }
 slurmd_killed() {
   start_and_wait ''
-  local node
-  node=$(a_running_job %N)
+  a_running_job %N || return
+  local node=$running_job
   kill_node "$node"
   # A slurmd that comes back before it is missed leaves its jobs running for ever.
   until_true "$node is down" is_down "$node"
@@ -141,15 +141,22 @@ requeue() {
   wait_until_it_trains
   some_time
   scontrol requeue "$job" || return 0
-  until_true "job $job waits" in_state PENDING "$job" && begin_again "$job"
+  until_true "job $job waits" in_state PENDING "$job" || return
+  ! lost_checkpoint || lost=yes # before the job's second life writes the logs anew
+  begin_again "$job"
 }
 
 # ---- what has become of it --------------------------------------------------------------------------------
+# A training that ended with 75 says that it has written one: then the one that was laid out does not count.
 lost_checkpoint() {
-  local folder
-  for folder in results/tiny/tiny/seed*/piae-dt; do
-    [[ -f $folder/model.h5 || -f $folder/model.h5.checkpoint ]] || return 0
+  local seed folder
+  for seed in 0 1; do
+    folder=results/tiny/tiny/seed$seed/piae-dt
     grep -q 'starts anew' "$folder/train.log" && return 0
+    [[ ! -f $folder/model.h5 ]] || continue
+    [[ -f $folder/model.h5.checkpoint ]] || return 0
+    grep -q '^step: exit 75 ' "$folder/train.log" &&
+      cmp --quiet "$folder/model.h5.checkpoint" "$alone/checkpoint$seed" && return 0
   done
   return 1
 }

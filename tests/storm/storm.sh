@@ -21,7 +21,7 @@ mkdir -p "$1"
 folder=$(realpath "$1") bin=$(realpath "$2") inputs_bin=$(realpath "$3")
 counts() { parts=(kills "$1" flips "$2" meanings "$3" inputs "$4" cluster "$5"); }
 case $4 in
-  least) counts 0 22 22 400 0 ;;
+  least) counts 3 22 22 400 2 ;;
   short) counts 8 300 300 10000 2 ;;
   full) counts 200 10000 2000 1000000 20 ;;
   *) parts=("$4" "${5:?how many}") && shift ;;
@@ -67,7 +67,7 @@ run_part() { # part, count
     kills) "$here/kills.sh" "$folder/kills" "$2" "$seed" "$bin" ;;
     flips | meanings) make_corpus && in_jobs "$1" "$2" "$bin" ;;
     inputs) make_corpus && in_jobs inputs "$2" "$inputs_bin" ;;
-    cluster) "$here/cluster.sh" "$2" "$seed" ;;
+    cluster) PIAE_BIN=$bin "$here/cluster.sh" "$2" "$seed" ;;
     *) echo "storm: no part '$1'; there are kills, flips, meanings, inputs and cluster" >&2 && return 2 ;;
   esac
 }
@@ -78,12 +78,16 @@ for ((i = 0; i < ${#parts[@]}; i += 2)); do
   started=$SECONDS
   said=$(run_part "$part" "$count")
   code=$?
+  if ((code == 77)); then
+    echo "$part: skipped: ${said##*$'\n'}"
+    continue
+  fi
   seconds=$((SECONDS - started))
   printf '%s, %d.%d minutes\n' "$said" $((seconds / 60)) $((seconds % 60 / 6))
   # Done well: the next storm of this kind begins anew.
   if ((code == 0)); then
     rm -rf "${folder:?}/$part-$count-$seed"
-  elif ((code != 77)); then
+  else
     echo "storm: $part has failed; what was found stands in $folder" >&2
     status=1
   fi
