@@ -8,6 +8,7 @@
 #include "transfer/edges.hpp"
 #include "transfer/journey.hpp"
 #include "transfer/options.hpp"
+#include "transfer/structure.hpp"
 
 namespace piae::transfer {
 
@@ -35,6 +36,8 @@ class Carrier {
   [[nodiscard]] double draw_size_mm(Label label, Stream& random) const;
   [[nodiscard]] std::vector<double> recoloured(const Journey& journey, double size_mm,
                                                Stream& random) const;
+  [[nodiscard]] std::vector<double> synthesised(const Journey& journey, double size_mm,
+                                                Stream& random) const;
   [[nodiscard]] std::vector<double> in_rhythm(const Journey& journey,
                                               const std::vector<double>& samples,
                                               Stream& random) const;
@@ -42,7 +45,9 @@ class Carrier {
   const signal::WindowSet& known_;
   const std::vector<Edges>& edges_;
   CarryOptions options_;
-  std::vector<Comb> combs_;  ///< of each known window
+  std::vector<Comb> combs_;                     ///< of each known window
+  std::vector<std::vector<double>> strengths_;  ///< of the strikes of each known window
+  Structure structure_;
 };
 
 }  // namespace piae::transfer

@@ -78,4 +78,19 @@ Comb find_comb(std::span<const double> window, double nominal_period) {
   return best;
 }
 
+std::vector<double> strengths(std::span<const double> window, const Comb& comb) {
+  ArrayXd envelope = envelope_of(window, comb.period);
+  ArrayXd sorted = envelope;
+  std::ranges::sort(sorted);
+  const double median = sorted[sorted.size() / 2];
+  std::vector<double> all;
+  double sum = 0;
+  for (const std::size_t strike : comb.strikes(window.size())) {
+    all.push_back(std::max(0.0, envelope[static_cast<Index>(strike)] - median));
+    sum += all.back();
+  }
+  for (double& one : all) one = sum > 0 ? one * static_cast<double>(all.size()) / sum : 1;
+  return all;
+}
+
 }  // namespace piae::transfer

@@ -22,4 +22,8 @@ struct Comb {
 /// must be at least two samples.
 Comb find_comb(std::span<const double> window, double nominal_period);
 
+/// How strong each strike of a window is, as a multiple of their mean: how far that envelope stands
+/// above its median, at least 0. Equal, where nothing stands out.
+std::vector<double> strengths(std::span<const double> window, const Comb& comb);
+
 }  // namespace piae::transfer

@@ -38,9 +38,36 @@ Set read_set(const artefact::Reader& reader, const std::string& name) {
   reader.refuse(group + ", attribute " + name, "is " + word + ", must be tested or known");
 }
 
+std::string to_string(Response response) {
+  return response == Response::cut ? "cut" : "minimum-phase";
+}
+
+Response read_response(const artefact::Reader& reader) {
+  const std::string word = reader.text(group, "response");
+  for (const Response response : {Response::minimum_phase, Response::cut}) {
+    if (word == to_string(response)) return response;
+  }
+  reader.refuse(group + ", attribute response", "is " + word + ", must be minimum-phase or cut");
+}
+
 }  // namespace
 
 void bind(const cli::Options& command, CarryOptions& o) {
+  command.choose("--response", o.response,
+                 {{"minimum-phase", Response::minimum_phase}, {"cut", Response::cut}},
+                 "how the machine answers a blow: as its spectrum says, or cut from known windows");
+  command
+      .add("--least-own", o.least_own,
+           "of what tells a bearing's structure from the others': the least part that is kept")
+      .check(cli::within(ranges::part));
+  command.add("--background", o.background, "largest part of the power that is not struck")
+      .check(cli::within(ranges::part));
+  command
+      .add("--dispersion-s", o.dispersion_s, "group delay of the random path: standard deviation")
+      .check(cli::within(ranges::dispersion_s));
+  command
+      .add("--strengths", o.strengths, "0: strikes are alike; 1: they differ as in known windows")
+      .check(cli::within(ranges::part));
   const std::vector<cli::Word<Set>> words{{"tested", Set::tested}, {"known", Set::known}};
   command.choose("--edges", o.edges, words,
                  "the lag between both edges of the defect: of the tested condition, or left");
@@ -65,6 +92,11 @@ void bind(const cli::Options& command, CarryOptions& o) {
 
 void write(artefact::Writer& writer, const CarryOptions& options) {
   writer.group(group);
+  writer.attribute(group, "response", to_string(options.response));
+  writer.attribute(group, "least_own", options.least_own);
+  writer.attribute(group, "background", options.background);
+  writer.attribute(group, "dispersion_s", options.dispersion_s);
+  writer.attribute(group, "strengths", options.strengths);
   writer.attribute(group, "edges", to_string(options.edges));
   writer.attribute(group, "rhythm", to_string(options.rhythm));
   writer.attribute(group, "jitter", options.jitter);
@@ -75,7 +107,12 @@ void write(artefact::Writer& writer, const CarryOptions& options) {
 }
 
 CarryOptions read_carry_options(const artefact::Reader& reader) {
-  return {.edges = read_set(reader, "edges"),
+  return {.response = read_response(reader),
+          .least_own = reader.real(group, "least_own", ranges::part),
+          .background = reader.real(group, "background", ranges::part),
+          .dispersion_s = reader.real(group, "dispersion_s", ranges::dispersion_s),
+          .strengths = reader.real(group, "strengths", ranges::part),
+          .edges = read_set(reader, "edges"),
           .rhythm = read_set(reader, "rhythm"),
           .jitter = reader.real(group, "jitter", ranges::jitter),
           .lag_deviation = reader.real(group, "lag_deviation", ranges::lag_deviation),

@@ -11,8 +11,17 @@ namespace piae::transfer {
 /// Whether something of a window is set to the tested condition or left as it is known.
 enum class Set { tested, known };
 
+/// How the machine answers a blow: as its known spectrum says, with minimum phase, or as what was
+/// cut from the known windows.
+enum class Response { minimum_phase, cut };
+
 /// How windows are carried to the tested condition.
 struct CarryOptions {
+  Response response = Response::minimum_phase;
+  double least_own = 1;   ///< of what tells a bearing's structure from the others': least part kept
+  double background = 0;  ///< largest part of the power that is not struck
+  double dispersion_s = 0;   ///< standard deviation of the random path's group delay
+  double strengths = 1;      ///< 0: all strikes are alike; 1: they differ as in the known window
   Set edges = Set::tested;   ///< the lag between both edges of the defect
   Set rhythm = Set::tested;  ///< the time between strikes
   double jitter = 0;         ///< of a strike: standard deviation / period

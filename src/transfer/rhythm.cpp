@@ -17,17 +17,17 @@ constexpr double least_step = 0.5;
 constexpr std::size_t longest_blend = 12;
 
 /// The last part of one of the responses, either way up.
-Response draw_tail(const std::vector<Response>& responses, Stream& random) {
-  const Response& whole = responses[random.below(responses.size())];
+Cut draw_tail(const std::vector<Cut>& responses, Stream& random) {
+  const Cut& whole = responses[random.below(responses.size())];
   const auto length = std::max<std::size_t>(
       1, static_cast<std::size_t>(tail_part * static_cast<double>(whole.size())));
-  Response tail(whole.end() - static_cast<std::ptrdiff_t>(length), whole.end());
+  Cut tail(whole.end() - static_cast<std::ptrdiff_t>(length), whole.end());
   if (random.below(2) == 1) std::ranges::transform(tail, tail.begin(), std::negate{});
   return tail;
 }
 
 /// Appends a tail. Both are independent, so their powers blend.
-void append_blended(Response& response, const Response& tail) {
+void append_blended(Cut& response, const Cut& tail) {
   const std::size_t blend = std::min({longest_blend, tail.size() / 2, response.size()});
   const std::size_t begin = response.size() - blend;
   for (std::size_t i = 0; i < blend; ++i) {
@@ -37,15 +37,14 @@ void append_blended(Response& response, const Response& tail) {
   response.insert(response.end(), tail.begin() + static_cast<std::ptrdiff_t>(blend), tail.end());
 }
 
-Response continued(Response response, std::size_t length, const std::vector<Response>& responses,
-                   Stream& random) {
+Cut continued(Cut response, std::size_t length, const std::vector<Cut>& responses, Stream& random) {
   while (response.size() < length) append_blended(response, draw_tail(responses, random));
   response.resize(length);
   return response;
 }
 
 /// What is heard beside the next response fades at its end to nothing, in a straight line.
-void fade_out(Response& response, std::size_t beside) {
+void fade_out(Cut& response, std::size_t beside) {
   const auto longest = static_cast<std::size_t>(fade_part * static_cast<double>(response.size()));
   const std::size_t length = std::min(longest, beside);
   for (std::size_t i = 0; i < length; ++i) {
@@ -54,7 +53,7 @@ void fade_out(Response& response, std::size_t beside) {
   }
 }
 
-void add_at(std::ptrdiff_t place, const Response& response, std::vector<double>& window) {
+void add_at(std::ptrdiff_t place, const Cut& response, std::vector<double>& window) {
   const auto end = static_cast<std::ptrdiff_t>(window.size());
   for (std::size_t i = 0; i < response.size(); ++i) {
     const std::ptrdiff_t at = place + static_cast<std::ptrdiff_t>(i);
@@ -64,10 +63,10 @@ void add_at(std::ptrdiff_t place, const Response& response, std::vector<double>&
 
 }  // namespace
 
-std::vector<Response> cut_responses(std::span<const double> window, const Comb& comb) {
+std::vector<Cut> cut_responses(std::span<const double> window, const Comb& comb) {
   const auto lead = static_cast<std::size_t>(lead_part * comb.period);
   const auto length = static_cast<std::size_t>(comb.period);
-  std::vector<Response> responses;
+  std::vector<Cut> responses;
   for (const std::size_t strike : comb.strikes(window.size())) {
     if (strike < lead || strike - lead + length > window.size()) continue;
     const auto part = window.subspan(strike - lead, length);
@@ -76,16 +75,16 @@ std::vector<Response> cut_responses(std::span<const double> window, const Comb& 
   return responses;
 }
 
-std::vector<double> struck(const std::vector<Response>& responses, double period, double jitter,
+std::vector<double> struck(const std::vector<Cut>& responses, double period, double jitter,
                            std::size_t length, Stream& random) {
   std::vector<double> window(length, 0.0);
   const auto gap = static_cast<std::size_t>(std::ceil(period));
-  const std::size_t longest = std::ranges::max(responses, {}, &Response::size).size();
+  const std::size_t longest = std::ranges::max(responses, {}, &Cut::size).size();
   std::size_t next = random.below(responses.size());
   // What was struck before the window still rings in it.
   double place = -static_cast<double>(std::max(longest, gap)) - random.uniform(0, period);
   while (place < static_cast<double>(length)) {
-    Response response = responses[next];
+    Cut response = responses[next];
     next = (next + 1) % responses.size();
     if (response.size() < gap) {
       response = continued(std::move(response), gap, responses, random);

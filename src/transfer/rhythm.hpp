@@ -9,11 +9,11 @@
 
 namespace piae::transfer {
 
-using Response = std::vector<double>;
+using Cut = std::vector<double>;
 
 /// A window cut at its strikes: what follows each, from a little before it (where the comb stands
 /// the blow has begun) to a little before the next. Only those that the window holds whole.
-std::vector<Response> cut_responses(std::span<const double> window, const Comb& comb);
+std::vector<Cut> cut_responses(std::span<const double> window, const Comb& comb);
 
 /// A window in which the structure answers as in these responses, but is struck every `period`
 /// samples. They follow each other in their order, from a random one on: so the load zone, which
@@ -22,7 +22,7 @@ std::vector<Response> cut_responses(std::span<const double> window, const Comb& 
 /// responses overlap and fade; where it is longer, they go on with the ends of others, which are
 /// the machine's background and what still rings. There must be a response, and a period of two
 /// samples or more.
-std::vector<double> struck(const std::vector<Response>& responses, double period, double jitter,
+std::vector<double> struck(const std::vector<Cut>& responses, double period, double jitter,
                            std::size_t length, Stream& random);
 
 }  // namespace piae::transfer

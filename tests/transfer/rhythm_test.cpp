@@ -21,7 +21,7 @@ double power(const std::vector<double>& window) {
 TEST(Rhythm, CutsWhatFollowsEachStrikeThatTheWindowHoldsWhole) {
   std::vector<double> window(1024);
   for (std::size_t i = 0; i < window.size(); ++i) window[i] = static_cast<double>(i);
-  const std::vector<Response> responses = cut_responses(window, known);
+  const std::vector<Cut> responses = cut_responses(window, known);
   // Strikes at 60, 220, ... 860, 1020, each cut 19 samples before it; the last is not whole.
   ASSERT_EQ(responses.size(), 6U);
   for (std::size_t i = 0; i < 6; ++i) {
@@ -31,7 +31,7 @@ TEST(Rhythm, CutsWhatFollowsEachStrikeThatTheWindowHoldsWhole) {
 }
 
 TEST(Rhythm, StrikesAtTheNewPeriodAndLeavesEachRingingAsItWas) {
-  const std::vector<Response> responses = cut_responses(ringing(60, 160, 1024), known);
+  const std::vector<Cut> responses = cut_responses(ringing(60, 160, 1024), known);
   for (const double period : {80.0, 160.0, 213.3, 320.0}) {
     Stream random("struck at " + std::to_string(period));
     const std::vector<double> window = struck(responses, period, 0, 1024, random);
@@ -45,7 +45,7 @@ TEST(Rhythm, StrikesAtTheNewPeriodAndLeavesEachRingingAsItWas) {
 
 TEST(Rhythm, KeepsTheOrderOfResponses) {
   // Responses as loud as 1, 2 and 3: the load zone of a race that passes it once in three strikes.
-  std::vector<Response> responses(3, Response(100, 0.0));
+  std::vector<Cut> responses(3, Cut(100, 0.0));
   for (std::size_t i = 0; i < 3; ++i) responses[i][10] = static_cast<double>(i + 1);
   Stream random("order");
   const std::vector<double> window = struck(responses, 50, 0, 1024, random);
@@ -60,7 +60,7 @@ TEST(Rhythm, KeepsTheOrderOfResponses) {
 }
 
 TEST(Rhythm, IsAsIrregularAsItIsAskedToBe) {
-  std::vector<Response> responses(1, Response(50, 0.0));
+  std::vector<Cut> responses(1, Cut(50, 0.0));
   responses[0][0] = 1;
   Stream random("irregular");
   double squares = 0;
@@ -85,7 +85,7 @@ TEST(Rhythm, GoesOnBeyondTheKnownPeriodAsLoudAsItsEnds) {
   Stream noise("noise");
   std::vector<double> window(1024);
   for (double& x : window) x = noise.normal(0, 1);
-  const std::vector<Response> responses = cut_responses(window, known);
+  const std::vector<Cut> responses = cut_responses(window, known);
   double sum = 0;
   for (int i = 0; i < 40; ++i) {
     Stream random("window " + std::to_string(i));

@@ -1,0 +1,58 @@
+#include "transfer/bearings.hpp"
+
+#include <limits>
+#include <map>
+#include <tuple>
+
+#include "scoring/spectrum.hpp"
+
+namespace piae::transfer {
+
+namespace {
+
+using Eigen::Index;
+
+constexpr Index pieces_in_half = 4;  ///< a piece begins each quarter of its length
+constexpr Index padding = 4;         ///< from half a window to a frame of two
+
+/// Pieces of half a window, a row for each.
+scoring::Windows pieces_of(const signal::WindowSet& known, const std::vector<std::size_t>& own) {
+  const auto length = static_cast<Index>(known.length / 2);
+  const Index step = length / pieces_in_half;
+  const Index in_a_window = pieces_in_half + 1;
+  scoring::Windows pieces(static_cast<Index>(own.size()) * in_a_window, length);
+  Index row = 0;
+  for (const std::size_t i : own) {
+    const Eigen::Map<const Eigen::RowVectorXf> window(known.window(i).data(),
+                                                      static_cast<Index>(known.length));
+    for (Index j = 0; j < in_a_window; ++j) {
+      pieces.row(row++) = window.segment(j * step, length).cast<double>();
+    }
+  }
+  return pieces;
+}
+
+}  // namespace
+
+std::vector<KnownBearing> bearings_of(const signal::WindowSet& known) {
+  std::map<std::tuple<Label, double, double>, std::vector<std::size_t>> windows;
+  for (std::size_t i = 0; i < known.size(); ++i) {
+    windows[{known.labels[i], known.speed_rpm(i), known.size_mm(i)}].push_back(i);
+  }
+  std::vector<KnownBearing> bearings;
+  for (auto& [what, own] : windows) {
+    const auto [label, speed_rpm, size_mm] = what;
+    bearings.push_back(
+        {.label = label, .speed_rpm = speed_rpm, .size_mm = size_mm, .windows = std::move(own)});
+  }
+  return bearings;
+}
+
+Eigen::ArrayXd log_amplitude(const signal::WindowSet& known, const KnownBearing& bearing) {
+  const Eigen::ArrayXd power =
+      scoring::mean_power_spectrum(pieces_of(known, bearing.windows), padding);
+  const double silence = std::numeric_limits<double>::min();
+  return (power + silence).log() / 2;
+}
+
+}  // namespace piae::transfer

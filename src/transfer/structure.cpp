@@ -1,0 +1,60 @@
+#include "transfer/structure.hpp"
+
+#include <cmath>
+
+#include "bearing/strikes.hpp"
+#include "transfer/bearings.hpp"
+#include "transfer/cepstrum.hpp"
+
+namespace piae::transfer {
+
+namespace {
+
+using Eigen::ArrayXd;
+using Eigen::Index;
+
+/// Of the time between strikes: so long may the structure ring, as far as it can be seen.
+constexpr double seen_part = 0.8;
+
+/// Where E is almost 0, the spectrum shows noise rather than the structure.
+constexpr double least_gain = 0.1;
+
+ArrayXd without_edges(ArrayXd log_amplitude, const Edges& edges, double bin_hz) {
+  for (Index i = 0; i < log_amplitude.size(); ++i) {
+    const double gain = std::abs(edges.gain(static_cast<double>(i) * bin_hz));
+    log_amplitude[i] -= std::log(std::max(gain, least_gain));
+  }
+  return log_amplitude;
+}
+
+ArrayXd answer_of(const signal::WindowSet& known, const KnownBearing& bearing, const Edges& edges) {
+  const double rate_hz = known.info.sample_rate_hz;
+  const double strikes_hz = bearing::strike_frequency_hz(
+      known.info.bearing, known.info.class_of(bearing.label).defect, bearing.speed_rpm);
+  const double bin_hz = rate_hz / 2 / static_cast<double>(known.length);
+  const ArrayXd answer = liftered(without_edges(log_amplitude(known, bearing), edges, bin_hz),
+                                  seen_part * rate_hz / strikes_hz);
+  return answer - answer.mean();
+}
+
+}  // namespace
+
+Structure structure_of(const signal::WindowSet& known, const std::vector<Edges>& edges) {
+  const std::vector<KnownBearing> bearings = bearings_of(known);
+  std::vector<ArrayXd> answers;
+  for (const KnownBearing& bearing : bearings) {
+    answers.push_back(answer_of(known, bearing, edges[bearing.windows.front()]));
+  }
+  Structure structure{.common = ArrayXd::Zero(answers.front().size()),
+                      .own = std::vector<ArrayXd>(known.size())};
+  for (const ArrayXd& answer : answers) structure.common += answer;
+  structure.common /= static_cast<double>(answers.size());
+  for (std::size_t b = 0; b < bearings.size(); ++b) {
+    for (const std::size_t i : bearings[b].windows) {
+      structure.own[i] = answers[b] - structure.common;
+    }
+  }
+  return structure;
+}
+
+}  // namespace piae::transfer

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "signal/window_set.hpp"
+#include "transfer/edges.hpp"
+
+namespace piae::transfer {
+
+/// How the machine answers one blow, as the logarithm of the amplitude at the bins 0 .. length of a
+/// frame of two windows, with the mean 0: the spectra of the known windows without the edges of
+/// their defects, and without the lines of their rhythm.
+struct Structure {
+  Eigen::ArrayXd common;  ///< the mean over all bearings
+  std::vector<Eigen::ArrayXd>
+      own;  ///< of each known window, by its bearing: what differs from that
+};
+
+/// `edges` are those of each known window.
+Structure structure_of(const signal::WindowSet& known, const std::vector<Edges>& edges);
+
+}  // namespace piae::transfer
