@@ -5,6 +5,7 @@
 #include "signal/made_windows.hpp"
 #include "transfer/carry.hpp"
 #include "transfer/journey.hpp"
+#include "transfer/kinematics.hpp"
 #include "transfer/known_edges.hpp"
 #include "transfer/stored_edges.hpp"
 
@@ -15,6 +16,7 @@ void StrikeTwin::bind(const cli::Options& command) { transfer::bind(command, opt
 void StrikeTwin::train(const signal::WindowSet& known, const Stream& /*stream*/,
                        const Compute& /*compute*/, const nets::Checkpoint& /*checkpoint*/,
                        artefact::Writer& model) {
+  transfer::require_rhythm(known);
   signal::write(model, known);
   transfer::write(model, transfer::edges_of_known(known, options_.prior));
   transfer::write(model, options_);
@@ -23,6 +25,7 @@ void StrikeTwin::train(const signal::WindowSet& known, const Stream& /*stream*/,
 signal::WindowSet StrikeTwin::generate(const artefact::Reader& model, std::size_t count,
                                        const Stream& stream, const Compute& /*compute*/) {
   const signal::WindowSet known = read_learned(model, signal::Role::known);
+  transfer::require_rhythm(known);
   const std::vector<transfer::Edges> edges = transfer::read_edges(model, known.size());
   const transfer::Carrier carrier(known, edges, transfer::read_carry_options(model));
   const auto make = [&](Label label, std::size_t index, Stream& random) {

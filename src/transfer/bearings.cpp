@@ -12,14 +12,14 @@ namespace {
 
 using Eigen::Index;
 
-constexpr Index pieces_in_half = 4;  ///< a piece begins each quarter of its length
-constexpr Index padding = 4;         ///< from half a window to a frame of two
+constexpr Index steps = 4;    ///< from the first piece to the last, a quarter of a piece each
+constexpr Index padding = 4;  ///< from half a window to a frame of two
 
 /// Pieces of half a window, a row for each.
 scoring::Windows pieces_of(const signal::WindowSet& known, const std::vector<std::size_t>& own) {
-  const auto length = static_cast<Index>(known.length / 2);
-  const Index step = length / pieces_in_half;
-  const Index in_a_window = pieces_in_half + 1;
+  const auto length = static_cast<Index>((known.length + 1) / 2);
+  const Index step = (static_cast<Index>(known.length) - length) / steps;
+  const Index in_a_window = steps + 1;
   scoring::Windows pieces(static_cast<Index>(own.size()) * in_a_window, length);
   Index row = 0;
   for (const std::size_t i : own) {

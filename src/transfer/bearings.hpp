@@ -20,8 +20,8 @@ struct KnownBearing {
 std::vector<KnownBearing> bearings_of(const signal::WindowSet& known);
 
 /// The logarithm (natural) of the amplitude of a bearing's windows, at the bins 0 .. length of a
-/// frame of two windows. It is Welch's mean, of pieces of half a window that overlap by three
-/// quarters.
+/// frame of two windows (of one sample more, where the length is odd). It is Welch's mean, of
+/// pieces of half a window that overlap by three quarters.
 Eigen::ArrayXd log_amplitude(const signal::WindowSet& known, const KnownBearing& bearing);
 
 }  // namespace piae::transfer

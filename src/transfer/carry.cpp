@@ -3,37 +3,30 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <numbers>
+#include <limits>
 
-#include "bearing/strikes.hpp"
-#include "transfer/cepstrum.hpp"
-#include "transfer/excitation.hpp"
 #include "transfer/filter.hpp"
+#include "transfer/kinematics.hpp"
 #include "transfer/rhythm.hpp"
+#include "transfer/strike_train.hpp"
+#include "transfer/synthesis.hpp"
 
 namespace piae::transfer {
 
 namespace {
 
-/// Below this part of half the sampling rate, the tilt of a spectrum ends.
-constexpr double tilt_from = 0.05;
-/// The frequency, as a part of half the sampling rate, that a tilt leaves as it is.
-constexpr double tilt_about = 1.0 / 6;
+using Eigen::ArrayXd;
+using Eigen::Index;
 
-double strike_period(const signal::DatasetInfo& info, Label label, double rpm) {
-  return info.sample_rate_hz /
-         bearing::strike_frequency_hz(info.bearing, info.class_of(label).defect, rpm);
+std::vector<double> samples_of_window(const signal::WindowSet& windows, std::size_t i) {
+  const auto window = windows.window(i);
+  return {window.begin(), window.end()};
 }
 
-double passage_s(const signal::DatasetInfo& info, Label label, double size_mm, double rpm) {
-  return bearing::passage_s(info.bearing, {.kind = info.class_of(label).defect, .size_mm = size_mm},
-                            rpm);
-}
-
-std::vector<double> turned(std::vector<double> samples, Stream& random) {
+ArrayXd turned(std::vector<double> samples, Stream& random) {
   const auto first = static_cast<std::ptrdiff_t>(random.below(samples.size()));
   std::ranges::rotate(samples, samples.begin() + first);
-  return samples;
+  return Eigen::Map<const ArrayXd>(samples.data(), static_cast<Index>(samples.size()));
 }
 
 }  // namespace
@@ -42,18 +35,19 @@ Carrier::Carrier(const signal::WindowSet& known, const std::vector<Edges>& edges
                  const CarryOptions& options)
     : known_(known), edges_(edges), options_(options), structure_(structure_of(known, edges)) {
   for (std::size_t i = 0; i < known.size(); ++i) {
-    const auto window = known.window(i);
-    const std::vector<double> samples(window.begin(), window.end());
+    const std::vector<double> samples = samples_of_window(known, i);
     combs_.push_back(
-        find_comb(samples, strike_period(known.info, known.labels[i], known.speed_rpm(i))));
-    strengths_.push_back(strengths(samples, combs_.back()));
+        find_comb(samples, period_s(known, i, known.speed_rpm(i)) * known.info.sample_rate_hz));
+    strengths_.push_back(options.strengths == Strengths::known ? strengths(samples, combs_.back())
+                                                               : std::vector<double>{1.0});
   }
 }
 
-double Carrier::draw_size_mm(Label label, Stream& random) const {
+double Carrier::draw_size_mm(std::size_t known, Stream& random) const {
+  if (known_.defect_size_mm.empty()) return known_.size_mm(known);
   double least = std::numeric_limits<double>::max();
   double largest = 0;
-  for (const std::size_t i : known_.indices_of(label)) {
+  for (const std::size_t i : known_.indices_of(known_.labels[known])) {
     least = std::min(least, known_.size_mm(i));
     largest = std::max(largest, known_.size_mm(i));
   }
@@ -61,126 +55,66 @@ double Carrier::draw_size_mm(Label label, Stream& random) const {
   return std::exp(random.uniform(std::log(least / factor), std::log(largest * factor)));
 }
 
-std::vector<double> Carrier::recoloured(const Journey& journey, double size_mm,
-                                        Stream& random) const {
-  const signal::DatasetInfo& info = known_.info;
-  const Label label = known_.labels[journey.known];
+Carrier::Draw Carrier::draw(const Journey& journey, Stream& random) const {
+  const std::size_t known = journey.known;
+  Draw draw{.edges = edges_[known],
+            .period_s = period_s(
+                known_, known, options_.rhythm == Set::tested ? journey.to_rpm : journey.from_rpm),
+            .path = {}};
+  if (options_.edges == Set::tested) {
+    const double size_mm = draw_size_mm(known, random);
+    draw.edges.lag_s *= passage_s(known_, known, size_mm, journey.to_rpm) /
+                        passage_s(known_, known, known_.size_mm(known), journey.from_rpm) *
+                        std::max(0.0, 1 + random.normal(0, options_.lag_deviation));
+  }
+  draw.path = draw_path(random, structure_.common.size(), known_.info.sample_rate_hz,
+                        journey.speed_ratio(), options_);
+  return draw;
+}
+
+ArrayXd Carrier::put_together(const Journey& journey, const Draw& draw, Stream& random) const {
+  const double rate_hz = known_.info.sample_rate_hz;
+  const double own = random.uniform(0, 1) * (1 - options_.own_structure) + options_.own_structure;
+  const ArrayXd answer = structure_.common + own * structure_.own[journey.known];
+  const double frame_s = 2 * static_cast<double>(answer.size() - 1) / rate_hz;
+  const std::vector<Strike> strikes = draw_strikes(
+      random, {.period_s = draw.period_s, .jitter = options_.jitter, .edges = draw.edges},
+      strengths_[journey.known], frame_s);
+  const double background = random.uniform(0, 1) * options_.background;
+  return std::sqrt(1 - background) * struck_window(answer, draw.path, strikes, rate_hz) +
+         std::sqrt(background) * background_window(answer, draw.path, draw.edges, rate_hz, random);
+}
+
+ArrayXd Carrier::cut_and_set(const Journey& journey, const Draw& draw, Stream& random) const {
   const Edges& known = edges_[journey.known];
-  Edges tested = known;
-  if (options_.edges == Set::tested) {
-    tested.lag_s *= passage_s(info, label, size_mm, journey.to_rpm) /
-                    passage_s(info, label, known_.size_mm(journey.known), journey.from_rpm) *
-                    (1 + random.normal(0, options_.lag_deviation));
+  std::vector<std::complex<double>> gains(known_.length / 2 + 1);
+  for (std::size_t i = 0; i < gains.size(); ++i) {
+    const double hz =
+        static_cast<double>(i) * known_.info.sample_rate_hz / static_cast<double>(known_.length);
+    const auto bin = static_cast<Index>(2 * i);  // of a frame of two windows
+    gains[i] = draw.edges.gain(hz) / known.gain(hz) *
+               std::polar(std::exp(draw.path.log_gain[bin]), draw.path.phase[bin]);
   }
-  const double power = random.uniform(0, 1) * options_.tilt * std::log2(journey.speed_ratio());
-  const std::size_t bins = known_.length / 2 + 1;
-  const std::vector<double> path = draw_gains(random, bins, options_.equaliser);
-
-  std::vector<std::complex<double>> gains(bins);
-  for (std::size_t i = 0; i < bins; ++i) {
-    const double part = static_cast<double>(i) / static_cast<double>(bins - 1);
-    const double hz = part * info.sample_rate_hz / 2;
-    gains[i] = tested.gain(hz) / known.gain(hz) * path[i] *
-               std::pow(std::max(part, tilt_from) / tilt_about, power);
-  }
-  const auto window = known_.window(journey.known);
-  std::vector<double> samples(window.begin(), window.end());
+  std::vector<double> samples = samples_of_window(known_, journey.known);
   filter(samples, gains);
-  return samples;
-}
-
-std::vector<double> Carrier::synthesised(const Journey& journey, double size_mm,
-                                         Stream& random) const {
-  const signal::DatasetInfo& info = known_.info;
-  const Label label = known_.labels[journey.known];
-  const double rate_hz = info.sample_rate_hz;
-  const auto bins = static_cast<Eigen::Index>(known_.length + 1);
-  const double bin_hz = rate_hz / 2 / static_cast<double>(known_.length);
-  Edges edges = edges_[journey.known];
-  if (options_.edges == Set::tested) {
-    edges.lag_s *= passage_s(info, label, size_mm, journey.to_rpm) /
-                   passage_s(info, label, known_.size_mm(journey.known), journey.from_rpm) *
-                   (1 + random.normal(0, options_.lag_deviation));
-  }
-  const double own = 1 - random.uniform(0, 1) * (1 - options_.least_own);
-  Eigen::ArrayXd answer = structure_.common + own * structure_.own[journey.known];
-  const double power = random.uniform(0, 1) * options_.tilt * std::log2(journey.speed_ratio());
-  const std::vector<double> path =
-      draw_gains(random, static_cast<std::size_t>(bins), options_.equaliser);
-  for (Eigen::Index i = 0; i < bins; ++i) {
-    const double part = static_cast<double>(i) / static_cast<double>(bins - 1);
-    answer[i] += std::log(path[static_cast<std::size_t>(i)]) +
-                 power * std::log(std::max(part, tilt_from) / tilt_about);
-  }
-  const double period_s =
-      strike_period(info, label,
-                    options_.rhythm == Set::tested ? journey.to_rpm : journey.from_rpm) /
-      rate_hz;
-  const std::vector<double>& strong = strengths_[journey.known];
-  std::size_t next = random.below(strong.size());
-  const double frame_s = 2 * static_cast<double>(known_.length) / rate_hz;
-  std::vector<Strike> strikes;
-  double time_s = random.uniform(0, period_s);
-  while (time_s < frame_s) {
-    strikes.push_back({.time_s = time_s,
-                       .strength = 1 + options_.strengths * (strong[next] - 1),
-                       .lag_s = edges.lag_s * (1 + random.normal(0, edges.spread)),
-                       .exit = edges.exit});
-    next = (next + 1) % strong.size();
-    time_s += period_s * std::max(0.5, 1 + random.normal(0, options_.jitter));
-  }
-  Eigen::ArrayXcd spectrum = minimum_phase(answer);
-  // The group delay of the path: normal at the knots, straight between them.
-  std::vector<double> delays_s(static_cast<std::size_t>(options_.equaliser.knots));
-  for (double& s : delays_s) s = random.normal(0, options_.dispersion_s);
-  double phase = 0;
-  for (Eigen::Index i = 0; i < bins; ++i) {
-    const double place = static_cast<double>(i) / static_cast<double>(bins - 1) *
-                         static_cast<double>(delays_s.size() - 1);
-    const auto below = std::min(static_cast<std::size_t>(place), delays_s.size() - 2);
-    spectrum[i] *= std::polar(1.0, phase);
-    phase -= 2 * std::numbers::pi * bin_hz *
-             std::lerp(delays_s[below], delays_s[below + 1], place - static_cast<double>(below));
-  }
-  Eigen::ArrayXd hit = samples_of(spectrum * excitation(strikes, bins, bin_hz)).tail(bins - 1);
-  Eigen::ArrayXcd noise(bins);
-  for (Eigen::Index i = 0; i < bins; ++i) {
-    noise[i] = std::abs(spectrum[i]) * std::abs(edges.gain(static_cast<double>(i) * bin_hz)) *
-               std::complex<double>(random.normal(0, 1), random.normal(0, 1));
-  }
-  Eigen::ArrayXd rest = samples_of(noise).tail(bins - 1);
-  const double share = random.uniform(0, 1) * options_.background;
-  hit *= std::sqrt((1 - share) / hit.square().mean());
-  rest *= std::sqrt(share / rest.square().mean());
-  hit += rest;
-  const auto window = known_.window(journey.known);
-  double square = 0;
-  for (const float x : window) square += static_cast<double>(x) * x;
-  hit *= std::sqrt(square / static_cast<double>(window.size()));
-  return {hit.begin(), hit.end()};
-}
-
-std::vector<double> Carrier::in_rhythm(const Journey& journey, const std::vector<double>& samples,
-                                       Stream& random) const {
   const std::vector<Cut> responses = cut_responses(samples, combs_[journey.known]);
   // A window in which no response is whole has no rhythm that could be changed.
-  if (responses.empty()) return turned(samples, random);
-  const double period = strike_period(known_.info, known_.labels[journey.known], journey.to_rpm);
-  return struck(responses, period, options_.jitter, known_.length, random);
+  if (options_.rhythm == Set::known || responses.empty()) return turned(samples, random);
+  samples = struck(responses, draw.period_s * known_.info.sample_rate_hz, options_.jitter,
+                   known_.length, random);
+  return Eigen::Map<const ArrayXd>(samples.data(), static_cast<Index>(samples.size()));
 }
 
 std::vector<float> Carrier::carry(const Journey& journey, Stream& random) const {
-  const Label label = known_.labels[journey.known];
-  const double size_mm =
-      known_.defect_size_mm.empty() ? known_.size_mm(journey.known) : draw_size_mm(label, random);
-  if (options_.response == Response::minimum_phase) {
-    const std::vector<double> made = synthesised(journey, size_mm, random);
-    return {made.begin(), made.end()};
-  }
-  std::vector<double> samples = recoloured(journey, size_mm, random);
-  samples = options_.rhythm == Set::tested ? in_rhythm(journey, samples, random)
-                                           : turned(std::move(samples), random);
-  return {samples.begin(), samples.end()};
+  const Draw drawn = draw(journey, random);
+  const auto length = static_cast<Index>(known_.length);
+  ArrayXd made = options_.response == Response::cut ? cut_and_set(journey, drawn, random)
+                                                    : put_together(journey, drawn, random);
+  const auto window = known_.window(journey.known);
+  const ArrayXd known = Eigen::Map<const Eigen::ArrayXf>(window.data(), length).cast<double>();
+  made.conservativeResize(length);
+  made *= std::sqrt(known.square().mean() / made.square().mean());
+  return {made.begin(), made.end()};
 }
 
 }  // namespace piae::transfer

@@ -8,19 +8,22 @@
 #include "transfer/edges.hpp"
 #include "transfer/journey.hpp"
 #include "transfer/options.hpp"
+#include "transfer/path.hpp"
 #include "transfer/structure.hpp"
 
 namespace piae::transfer {
 
 /// Carries known fault windows to the tested condition. What belongs to the structure stays where
-/// it is in Hz; what belongs to the shaft moves with its speed:
-///   - the lag between both edges of the defect (edges.hpp): the spectrum is divided by the known
-///     E(f) and multiplied by the tested one, whose lag is the known one by the ratio of the
+/// it is in Hz; what belongs to the shaft moves with its speed. A window is put together from
+///   - how the machine answers one blow (structure.hpp), by a random transfer path (path.hpp);
+///   - strikes at the period that follows from the geometry, as strong as those of a known window
+///     (strike_train.hpp);
+///   - both edges of the defect (edges.hpp), whose lag is the known one by the ratio of the
 ///     passages, with a small deviation;
-///   - the strength of high frequencies, which grows with the sharpness of the blow: at a doubled
-///     speed by a power of the frequency that is drawn for each window;
-///   - the transfer path, which is known to some dB (equaliser.hpp);
-///   - the rhythm of the strikes (rhythm.hpp), whose period follows from the geometry.
+///   - a background that is not struck.
+/// Its mean square is that of the known window. With --response cut, the known window itself is
+/// taken instead: its spectrum is divided by the known E(f) and multiplied by the tested one, and
+/// what follows each strike is set to the new rhythm (rhythm.hpp).
 /// Where defects of the tested condition have sizes that are not known, one is drawn, uniform in
 /// its logarithm, between the smallest known of the class and the largest, and some way beyond.
 class Carrier {
@@ -33,21 +36,26 @@ class Carrier {
   [[nodiscard]] std::vector<float> carry(const Journey& journey, Stream& random) const;
 
  private:
-  [[nodiscard]] double draw_size_mm(Label label, Stream& random) const;
-  [[nodiscard]] std::vector<double> recoloured(const Journey& journey, double size_mm,
-                                               Stream& random) const;
-  [[nodiscard]] std::vector<double> synthesised(const Journey& journey, double size_mm,
-                                                Stream& random) const;
-  [[nodiscard]] std::vector<double> in_rhythm(const Journey& journey,
-                                              const std::vector<double>& samples,
-                                              Stream& random) const;
+  /// What is drawn for one window.
+  struct Draw {
+    Edges edges;          ///< in the tested condition
+    double period_s = 0;  ///< between strikes
+    Path path;
+  };
+
+  [[nodiscard]] Draw draw(const Journey& journey, Stream& random) const;
+  [[nodiscard]] double draw_size_mm(std::size_t known, Stream& random) const;
+  [[nodiscard]] Eigen::ArrayXd put_together(const Journey& journey, const Draw& draw,
+                                            Stream& random) const;
+  [[nodiscard]] Eigen::ArrayXd cut_and_set(const Journey& journey, const Draw& draw,
+                                           Stream& random) const;
 
   const signal::WindowSet& known_;
   const std::vector<Edges>& edges_;
   CarryOptions options_;
+  Structure structure_;
   std::vector<Comb> combs_;                     ///< of each known window
   std::vector<std::vector<double>> strengths_;  ///< of the strikes of each known window
-  Structure structure_;
 };
 
 }  // namespace piae::transfer

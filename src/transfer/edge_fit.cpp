@@ -94,7 +94,7 @@ Trial trial_of(const SeenBearing& bearing, const Band& band, const std::vector<P
     const Edges edges = edges_at(places[static_cast<std::size_t>(j)], bearing.passage_s);
     for (Index i = 0; i < bins; ++i) {
       const double hz = static_cast<double>(band.first + i) * band.bin_hz;
-      explained(i, j) = std::log(std::abs(edges.gain(hz)));
+      explained(i, j) = std::log(edges.amplitude(hz));
     }
   }
   return {.seen = detrend(bearing.log_amplitude.segment(band.first, bins).matrix()),

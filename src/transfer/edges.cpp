@@ -5,10 +5,23 @@
 
 namespace piae::transfer {
 
+namespace {
+
+double angle_of(const Edges& edges, double hz) { return 2 * std::numbers::pi * hz * edges.lag_s; }
+
+/// exit g(f).
+double mean_exit(const Edges& edges, double hz) {
+  return edges.exit * std::exp(-std::pow(angle_of(edges, hz) * edges.spread, 2) / 2);
+}
+
+}  // namespace
+
 std::complex<double> Edges::gain(double hz) const {
-  const double angle = 2 * std::numbers::pi * hz * lag_s;
-  const double seen = exit * std::exp(-std::pow(angle * spread, 2) / 2);
-  return 1.0 - std::polar(seen, -angle);
+  return 1.0 - std::polar(mean_exit(*this, hz), -angle_of(*this, hz));
+}
+
+double Edges::amplitude(double hz) const {
+  return std::sqrt(1 + exit * exit - 2 * mean_exit(*this, hz) * std::cos(angle_of(*this, hz)));
 }
 
 }  // namespace piae::transfer

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "bearing/strikes.hpp"
 #include "transfer/bearings.hpp"
+#include "transfer/kinematics.hpp"
 
 namespace piae::transfer {
 
@@ -13,14 +13,13 @@ constexpr double band_from = 0.02;
 constexpr double band_to = 0.91;
 
 SeenBearing seen(const signal::WindowSet& known, const KnownBearing& bearing) {
-  const bearing::LocalDefect defect{.kind = known.info.class_of(bearing.label).defect,
-                                    .size_mm = bearing.size_mm};
-  return {.log_amplitude = log_amplitude(known, bearing),
-          .passage_s = bearing::passage_s(known.info.bearing, defect, bearing.speed_rpm)};
+  return {
+      .log_amplitude = log_amplitude(known, bearing),
+      .passage_s = passage_s(known, bearing.windows.front(), bearing.size_mm, bearing.speed_rpm)};
 }
 
 Band band_of(const signal::WindowSet& known) {
-  const auto bins = static_cast<double>(known.length);
+  const auto bins = static_cast<double>(known.length + known.length % 2);
   return {.bin_hz = known.info.sample_rate_hz / 2 / bins,
           .first = std::lround(band_from * bins),
           .last = std::lround(band_to * bins)};

@@ -1,5 +1,8 @@
 #include "transfer/options.hpp"
 
+#include <algorithm>
+#include <vector>
+
 #include "transfer/ranges.hpp"
 
 namespace piae::transfer {
@@ -27,52 +30,64 @@ void bind_prior(const cli::Options& command, EdgePrior& o) {
       .check(cli::non_negative_number());
 }
 
-/// Stored as a word, so that a model says what it does.
-std::string to_string(Set set) { return set == Set::tested ? "tested" : "known"; }
+/// Words, in the artefact as on the command line, so that a model says what it does.
+template <typename Choice>
+using Words = std::vector<cli::Word<Choice>>;
 
-Set read_set(const artefact::Reader& reader, const std::string& name) {
-  const std::string word = reader.text(group, name);
-  for (const Set set : {Set::tested, Set::known}) {
-    if (word == to_string(set)) return set;
-  }
-  reader.refuse(group + ", attribute " + name, "is " + word + ", must be tested or known");
+const Words<Set>& set_words() {
+  static const Words<Set> words{{"tested", Set::tested}, {"known", Set::known}};
+  return words;
 }
 
-std::string to_string(Response response) {
-  return response == Response::cut ? "cut" : "minimum-phase";
+const Words<Response>& response_words() {
+  static const Words<Response> words{{"minimum-phase", Response::minimum_phase},
+                                     {"cut", Response::cut}};
+  return words;
 }
 
-Response read_response(const artefact::Reader& reader) {
-  const std::string word = reader.text(group, "response");
-  for (const Response response : {Response::minimum_phase, Response::cut}) {
-    if (word == to_string(response)) return response;
+const Words<Strengths>& strength_words() {
+  static const Words<Strengths> words{{"known", Strengths::known}, {"alike", Strengths::alike}};
+  return words;
+}
+
+template <typename Choice>
+std::string word_of(Choice choice, const Words<Choice>& words) {
+  return std::ranges::find(words, choice, &cli::Word<Choice>::value)->text;
+}
+
+template <typename Choice>
+Choice read_word(const artefact::Reader& reader, const std::string& name,
+                 const Words<Choice>& words) {
+  const std::string text = reader.text(group, name);
+  std::string known;
+  for (const cli::Word<Choice>& word : words) {
+    if (text == word.text) return word.value;
+    known += (known.empty() ? "" : " or ") + std::string(word.text);
   }
-  reader.refuse(group + ", attribute response", "is " + word + ", must be minimum-phase or cut");
+  reader.refuse(group + ", attribute " + name, "is " + text + ", must be " + known);
 }
 
 }  // namespace
 
 void bind(const cli::Options& command, CarryOptions& o) {
-  command.choose("--response", o.response,
-                 {{"minimum-phase", Response::minimum_phase}, {"cut", Response::cut}},
+  command.choose("--response", o.response, response_words(),
                  "how the machine answers a blow: as its spectrum says, or cut from known windows");
-  command
-      .add("--least-own", o.least_own,
-           "of what tells a bearing's structure from the others': the least part that is kept")
-      .check(cli::within(ranges::part));
-  command.add("--background", o.background, "largest part of the power that is not struck")
-      .check(cli::within(ranges::part));
-  command
-      .add("--dispersion-s", o.dispersion_s, "group delay of the random path: standard deviation")
-      .check(cli::within(ranges::dispersion_s));
-  command
-      .add("--strengths", o.strengths, "0: strikes are alike; 1: they differ as in known windows")
-      .check(cli::within(ranges::part));
-  const std::vector<cli::Word<Set>> words{{"tested", Set::tested}, {"known", Set::known}};
-  command.choose("--edges", o.edges, words,
+  command.choose("--edges", o.edges, set_words(),
                  "the lag between both edges of the defect: of the tested condition, or left");
-  command.choose("--rhythm", o.rhythm, words,
+  command.choose("--rhythm", o.rhythm, set_words(),
                  "the time between strikes: of the tested condition, or left");
+  command.choose("--strengths", o.strengths, strength_words(),
+                 "how strong strikes are: as those of a known window, or all alike");
+  command
+      .add("--own-structure", o.own_structure,
+           "of what tells the structure of a bearing from that of all: the least part kept")
+      .check(cli::share());
+  command.add("--background", o.background, "largest part of the power that is not struck")
+      .check(cli::share());
+  command
+      .add("--dispersion-ms", o.dispersion_ms,
+           "of the random transfer path: standard deviation of its group delay at a knot, ms")
+      .check(cli::within(ranges::dispersion_ms));
   command.add("--strike-jitter", o.jitter, "of a strike: standard deviation / period")
       .check(cli::within(ranges::jitter));
   command.add("--lag-deviation", o.lag_deviation, "of a window's lag: standard deviation / lag")
@@ -92,13 +107,13 @@ void bind(const cli::Options& command, CarryOptions& o) {
 
 void write(artefact::Writer& writer, const CarryOptions& options) {
   writer.group(group);
-  writer.attribute(group, "response", to_string(options.response));
-  writer.attribute(group, "least_own", options.least_own);
+  writer.attribute(group, "response", word_of(options.response, response_words()));
+  writer.attribute(group, "edges", word_of(options.edges, set_words()));
+  writer.attribute(group, "rhythm", word_of(options.rhythm, set_words()));
+  writer.attribute(group, "strengths", word_of(options.strengths, strength_words()));
+  writer.attribute(group, "own_structure", options.own_structure);
   writer.attribute(group, "background", options.background);
-  writer.attribute(group, "dispersion_s", options.dispersion_s);
-  writer.attribute(group, "strengths", options.strengths);
-  writer.attribute(group, "edges", to_string(options.edges));
-  writer.attribute(group, "rhythm", to_string(options.rhythm));
+  writer.attribute(group, "dispersion_ms", options.dispersion_ms);
   writer.attribute(group, "jitter", options.jitter);
   writer.attribute(group, "lag_deviation", options.lag_deviation);
   writer.attribute(group, "tilt", options.tilt);
@@ -107,13 +122,13 @@ void write(artefact::Writer& writer, const CarryOptions& options) {
 }
 
 CarryOptions read_carry_options(const artefact::Reader& reader) {
-  return {.response = read_response(reader),
-          .least_own = reader.real(group, "least_own", ranges::part),
+  return {.response = read_word(reader, "response", response_words()),
+          .edges = read_word(reader, "edges", set_words()),
+          .rhythm = read_word(reader, "rhythm", set_words()),
+          .strengths = read_word(reader, "strengths", strength_words()),
+          .own_structure = reader.real(group, "own_structure", ranges::part),
           .background = reader.real(group, "background", ranges::part),
-          .dispersion_s = reader.real(group, "dispersion_s", ranges::dispersion_s),
-          .strengths = reader.real(group, "strengths", ranges::part),
-          .edges = read_set(reader, "edges"),
-          .rhythm = read_set(reader, "rhythm"),
+          .dispersion_ms = reader.real(group, "dispersion_ms", ranges::dispersion_ms),
           .jitter = reader.real(group, "jitter", ranges::jitter),
           .lag_deviation = reader.real(group, "lag_deviation", ranges::lag_deviation),
           .tilt = reader.real(group, "tilt", ranges::tilt),

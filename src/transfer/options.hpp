@@ -15,15 +15,18 @@ enum class Set { tested, known };
 /// cut from the known windows.
 enum class Response { minimum_phase, cut };
 
+/// Whether strikes are as strong as those of a known window, or all alike.
+enum class Strengths { known, alike };
+
 /// How windows are carried to the tested condition.
 struct CarryOptions {
   Response response = Response::minimum_phase;
-  double least_own = 1;   ///< of what tells a bearing's structure from the others': least part kept
-  double background = 0;  ///< largest part of the power that is not struck
-  double dispersion_s = 0;   ///< standard deviation of the random path's group delay
-  double strengths = 1;      ///< 0: all strikes are alike; 1: they differ as in the known window
   Set edges = Set::tested;   ///< the lag between both edges of the defect
   Set rhythm = Set::tested;  ///< the time between strikes
+  Strengths strengths = Strengths::known;
+  double own_structure = 1;  ///< least part kept of what tells a bearing's structure from others'
+  double background = 0;     ///< largest part of the power that is not struck
+  double dispersion_ms = 0;  ///< of the random path's group delay: standard deviation
   double jitter = 0;         ///< of a strike: standard deviation / period
   double lag_deviation = 0;  ///< of the lag: standard deviation / lag
   double tilt = 0;           ///< largest power of the frequency for each doubling of the speed

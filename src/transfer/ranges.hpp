@@ -6,7 +6,7 @@
 namespace piae::transfer::ranges {
 
 inline constexpr Range part{.low = 0, .high = 1};
-inline constexpr Range dispersion_s{.low = 0, .high = 0.1, .unit = " s"};
+inline constexpr Range dispersion_ms{.low = 0, .high = 100, .unit = " ms"};
 inline constexpr Range jitter{.low = 0, .high = 0.2};
 inline constexpr Range lag_deviation{.low = 0, .high = 0.2};
 inline constexpr Range tilt{.low = 0, .high = 10};

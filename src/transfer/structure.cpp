@@ -2,9 +2,9 @@
 
 #include <cmath>
 
-#include "bearing/strikes.hpp"
 #include "transfer/bearings.hpp"
 #include "transfer/cepstrum.hpp"
+#include "transfer/kinematics.hpp"
 
 namespace piae::transfer {
 
@@ -21,7 +21,7 @@ constexpr double least_gain = 0.1;
 
 ArrayXd without_edges(ArrayXd log_amplitude, const Edges& edges, double bin_hz) {
   for (Index i = 0; i < log_amplitude.size(); ++i) {
-    const double gain = std::abs(edges.gain(static_cast<double>(i) * bin_hz));
+    const double gain = edges.amplitude(static_cast<double>(i) * bin_hz);
     log_amplitude[i] -= std::log(std::max(gain, least_gain));
   }
   return log_amplitude;
@@ -29,11 +29,10 @@ ArrayXd without_edges(ArrayXd log_amplitude, const Edges& edges, double bin_hz) 
 
 ArrayXd answer_of(const signal::WindowSet& known, const KnownBearing& bearing, const Edges& edges) {
   const double rate_hz = known.info.sample_rate_hz;
-  const double strikes_hz = bearing::strike_frequency_hz(
-      known.info.bearing, known.info.class_of(bearing.label).defect, bearing.speed_rpm);
   const double bin_hz = rate_hz / 2 / static_cast<double>(known.length);
-  const ArrayXd answer = liftered(without_edges(log_amplitude(known, bearing), edges, bin_hz),
-                                  seen_part * rate_hz / strikes_hz);
+  const ArrayXd answer =
+      liftered(without_edges(log_amplitude(known, bearing), edges, bin_hz),
+               seen_part * rate_hz * period_s(known, bearing.windows.front(), bearing.speed_rpm));
   return answer - answer.mean();
 }
 

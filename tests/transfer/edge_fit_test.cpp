@@ -25,7 +25,7 @@ SeenBearing seen(const Edges& edges, double passage_s, double colour, Stream& ra
       structure += 1 / (1 + std::pow((hz - resonance) / 90, 2));
     }
     bearing.log_amplitude[i] = std::log(structure) + colour * hz / 6000 +
-                               std::log(std::abs(edges.gain(hz))) + random.normal(0, 0.15);
+                               std::log(edges.amplitude(hz)) + random.normal(0, 0.15);
   }
   return bearing;
 }

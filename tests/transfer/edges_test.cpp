@@ -34,9 +34,13 @@ TEST(Edges, OfManyStrikesAreTheMeanOfEach) {
   constexpr int strikes = 20000;
   for (const double hz : {700.0, 2000.0, 4000.0}) {
     std::complex<double> sum;
+    double power = 0;
     for (int i = 0; i < strikes; ++i) {
-      sum += Edges{.lag_s = random.normal(1e-3, 0.05e-3), .exit = 0.8}.gain(hz);
+      const auto one = Edges{.lag_s = random.normal(1e-3, 0.05e-3), .exit = 0.8}.gain(hz);
+      sum += one;
+      power += std::norm(one);
     }
+    EXPECT_NEAR(power / strikes, std::pow(edges.amplitude(hz), 2), 0.035) << hz;
     EXPECT_NEAR(std::abs(sum / double{strikes} - edges.gain(hz)), 0, 0.02) << hz;
   }
 }

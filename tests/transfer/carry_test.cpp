@@ -1,0 +1,115 @@
+#include "transfer/carry.hpp"
+
+#include <gtest/gtest.h>
+
+#include "scoring/spectrum.hpp"
+#include "transfer/carried.hpp"
+#include "transfer/cepstrum.hpp"
+#include "transfer/known_edges.hpp"
+
+namespace piae::transfer {
+namespace {
+
+std::vector<Edges> true_edges(const signal::WindowSet& known) {
+  std::vector<Edges> edges;
+  for (std::size_t i = 0; i < known.size(); ++i) {
+    edges.push_back(edges_at(known, i, lag_shares[i / 5], 1200));
+  }
+  return edges;
+}
+
+std::vector<double> carried(const Carrier& carrier, const signal::WindowSet& known, Label label,
+                            std::size_t index) {
+  Stream random("carried " + std::to_string(index));
+  const std::vector<float> window = carrier.carry(journey_of(known, label, index), random);
+  return {window.begin(), window.end()};
+}
+
+class CarriedBy : public testing::TestWithParam<Response> {};
+INSTANTIATE_TEST_SUITE_P(Transfer, CarriedBy,
+                         testing::Values(Response::minimum_phase, Response::cut),
+                         [](const auto& i) {
+                           return i.param == Response::cut ? "Cut" : "MinimumPhase";
+                         });
+
+TEST_P(CarriedBy, IsStruckAtTheTestedRhythmAndAsLoudAsKnown) {
+  const signal::WindowSet known = one_machine();
+  const std::vector<Edges> edges = true_edges(known);
+  CarryOptions options;
+  options.response = GetParam();
+  const Carrier carrier(known, edges, options);
+  for (const Label label : {1, 3}) {
+    const std::vector<double> window = carried(carrier, known, label, 2);
+    ASSERT_EQ(window.size(), 1024U);
+    const auto any = static_cast<std::size_t>(5 * (label - 1));
+    const double period = period_s(known, any, 600) * 12000;
+    const Comb tested = find_comb(window, period);
+    const Comb known_rhythm = find_comb(window, period / 2 * 1.2);
+    EXPECT_NEAR(tested.period, period, 0.01 * period);
+    const auto height = [&](const Comb& comb) {
+      double sum = 0;
+      for (const std::size_t strike : comb.strikes(1024)) {
+        const std::size_t end = std::min<std::size_t>(1024, strike + 10);
+        for (std::size_t t = strike; t < end; ++t) sum += window[t] * window[t];
+      }
+      return sum / static_cast<double>(comb.strikes(1024).size());
+    };
+    EXPECT_GT(height(tested), 1.3 * height(known_rhythm)) << label;
+    double square = 0;
+    for (const double x : window) square += x * x;
+    EXPECT_NEAR(square / 1024, 9, 1e-3);  // known windows have an RMS of 3
+  }
+}
+
+TEST(Carrier, MovesTheMinimaOfTheEdgesAndLeavesTheResonances) {
+  const signal::WindowSet known = one_machine();
+  const std::vector<Edges> edges = true_edges(known);
+  const Carrier carrier(known, edges, {});
+  scoring::Windows windows(100, 1024);
+  for (Eigen::Index i = 0; i < 100; ++i) {
+    const std::vector<double> window = carried(carrier, known, 4, static_cast<std::size_t>(i));
+    windows.row(i) = Eigen::Map<const Eigen::RowVectorXd>(window.data(), 1024);
+  }
+  // What 100 windows of OR8 show, without the structure, is E(f) of the lag at 600 rpm.
+  // The lines of the rhythm lie closer than any quefrency of the edges.
+  const double period = period_s(known, 19, 600) * 12000;
+  const Eigen::ArrayXd seen =
+      liftered(scoring::mean_power_spectrum(windows, 2).log() / 2, 0.8 * period) -
+      three_resonances(1025, 12000);
+  const Edges tested = edges_at(known, 19, lag_shares[3], 600);
+  const Edges before = edges_at(known, 19, lag_shares[3], 1200);
+  double error_tested = 0;
+  double error_before = 0;
+  double level = 0;
+  for (Eigen::Index i = 60; i < 500; ++i) {
+    level += (seen[i] - std::log(tested.amplitude(static_cast<double>(i) * 12000 / 2048))) / 440;
+  }
+  for (Eigen::Index i = 60; i < 500; ++i) {
+    const double hz = static_cast<double>(i) * 12000 / 2048;
+    error_tested += std::pow(seen[i] - level - std::log(tested.amplitude(hz)), 2) / 440;
+    error_before += std::pow(seen[i] - level - std::log(before.amplitude(hz)), 2) / 440;
+  }
+  EXPECT_LT(std::sqrt(error_tested), 0.25);
+  EXPECT_GT(std::sqrt(error_before), 2 * std::sqrt(error_tested));
+}
+
+TEST(Carrier, WorksOnWindowsOfAnyLength) {
+  for (const std::size_t length : {64U, 101U, 1023U}) {
+    signal::WindowSet known = one_machine();
+    std::vector<float> shorter;
+    for (std::size_t i = 0; i < known.size(); ++i) {
+      const auto window = known.window(i);
+      shorter.insert(shorter.end(), window.begin(), window.begin() + static_cast<long>(length));
+    }
+    known.samples = shorter;
+    known.length = length;
+    const std::vector<Edges> edges = edges_of_known(known, {});
+    const Carrier carrier(known, edges, {});
+    const std::vector<double> window = carried(carrier, known, 2, 0);
+    ASSERT_EQ(window.size(), length);
+    for (const double x : window) ASSERT_TRUE(std::isfinite(x)) << length;
+  }
+}
+
+}  // namespace
+}  // namespace piae::transfer

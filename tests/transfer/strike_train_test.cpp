@@ -1,0 +1,53 @@
+#include "transfer/strike_train.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace piae::transfer {
+namespace {
+
+const Rhythm even{
+    .period_s = 0.01, .jitter = 0, .edges = {.lag_s = 0.002, .exit = 0.5, .spread = 0}};
+
+TEST(StrikeTrain, WithoutJitterStrikesOncePerPeriodToTheEndOfTheFrame) {
+  Stream random("even");
+  const std::vector<Strike> strikes = draw_strikes(random, even, std::vector{1.0}, 0.2);
+  EXPECT_GE(strikes.front().time_s, 0);
+  EXPECT_LT(strikes.front().time_s, 0.01);
+  EXPECT_EQ(strikes.size(), 20U);
+  for (std::size_t i = 0; i < strikes.size(); ++i) {
+    EXPECT_NEAR(strikes[i].time_s, strikes[0].time_s + 0.01 * static_cast<double>(i), 1e-12);
+    EXPECT_EQ(strikes[i].lag_s, 0.002);
+    EXPECT_EQ(strikes[i].exit, 0.5);
+  }
+}
+
+TEST(StrikeTrain, StrengthsFollowEachOtherAsInTheKnownWindow) {
+  Stream random("strengths");
+  const std::vector<double> known{0.5, 1, 1.5};
+  const std::vector<Strike> strikes = draw_strikes(random, even, known, 0.2);
+  std::size_t at = 0;
+  while (known[at] != strikes[0].strength) ++at;
+  for (const Strike& strike : strikes) EXPECT_EQ(strike.strength, known[at++ % 3]);
+}
+
+TEST(StrikeTrain, LagsAndStepsSpreadAsTheyShould) {
+  Stream random("spread");
+  const Rhythm rhythm{
+      .period_s = 0.01, .jitter = 0.02, .edges = {.lag_s = 0.002, .exit = 0.5, .spread = 0.05}};
+  const std::vector<Strike> strikes = draw_strikes(random, rhythm, std::vector{1.0}, 40);
+  double steps = 0;
+  double lags = 0;
+  for (std::size_t i = 1; i < strikes.size(); ++i) {
+    steps += std::pow((strikes[i].time_s - strikes[i - 1].time_s) / 0.01 - 1, 2);
+    lags += std::pow(strikes[i].lag_s / 0.002 - 1, 2);
+  }
+  // Standard deviations of some 4000, to within 4 / sqrt(2 * 4000) of themselves.
+  const auto count = static_cast<double>(strikes.size() - 1);
+  EXPECT_NEAR(std::sqrt(steps / count), 0.02, 0.02 * 0.045);
+  EXPECT_NEAR(std::sqrt(lags / count), 0.05, 0.05 * 0.045);
+}
+
+}  // namespace
+}  // namespace piae::transfer
