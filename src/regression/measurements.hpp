@@ -15,7 +15,8 @@ struct Measured {
   std::string method;
   std::string classifier;  ///< of a diagnosis; a score has none, and this is empty
   std::string ratio;       ///< the same
-  std::string quantity;    ///< "accuracy", in [0, 1], or the name of a metric (scoring/quality.hpp)
+  std::string quantity;    ///< "accuracy" or "kind_accuracy", in [0, 1], or the name of a metric
+                           ///< (scoring/quality.hpp)
   std::int64_t seed = 0;
   double value = 0;  ///< of a metric: its mean over the fault classes
 };

@@ -76,18 +76,23 @@ text::Table runs_table(const AccuracyRow& row, const AccuracyRow* bar,
   return table;
 }
 
+/// What of a row a table of means shows: its accuracy, or that by kind of defect.
+using Shown = const scoring::Summary& (*)(const AccuracyRow&);
+const scoring::Summary& by_class(const AccuracyRow& row) { return row.summary; }
+const scoring::Summary& by_kind(const AccuracyRow& row) { return *row.kind; }
+
 void add_means(text::Table& table, const std::string& name, const Rows& own,
-               const std::vector<RatioColumn>& columns) {
+               const std::vector<RatioColumn>& columns, Shown shown) {
   Cells cells{name};
   for (const RatioColumn& column : columns) {
     const auto row = std::ranges::find(own, column.ratio, &AccuracyRow::ratio);
-    cells.push_back(row == own.end() ? "" : number_label(row->summary.mean));
+    cells.push_back(row == own.end() ? "" : number_label(shown(*row).mean));
   }
   table.row(cells);
 }
 
 /// The means alone: a method in each row, a ratio in each column.
-text::Table means_table(const Rows& rows, const std::optional<AccuracyRow>& bar) {
+text::Table means_table(const Rows& rows, const std::optional<AccuracyRow>& bar, Shown shown) {
   Rows all = rows;
   if (bar) all.push_back(*bar);
   const std::vector<RatioColumn> columns = ratio_columns(all);
@@ -96,10 +101,12 @@ text::Table means_table(const Rows& rows, const std::optional<AccuracyRow>& bar)
   text::Table table(header, 1);
   for (const std::string& method : methods_of(rows)) {
     const Rows own = rows_of(rows, method);
-    add_means(table, marked_if(has_fewer_seeds(own, rows), method_label(method)), own, columns);
+    add_means(table, marked_if(has_fewer_seeds(own, rows), method_label(method)), own, columns,
+              shown);
   }
   if (bar) {
-    add_means(table, marked_if(has_fewer_seeds({*bar}, rows), bar_label(*bar)), {*bar}, columns);
+    add_means(table, marked_if(has_fewer_seeds({*bar}, rows), bar_label(*bar)), {*bar}, columns,
+              shown);
   }
   return table;
 }
@@ -120,8 +127,10 @@ text::Table blocks_table(const MethodGroup& group, const Rows& rows, const Accur
   };
   const bool intervals = any(has_interval);
   const bool paper = any(is_in_paper);
+  const bool kinds = tell_kinds(rows);
   Cells header{"method", "ratio", "here"};
   if (intervals) header.emplace_back("95 % interval");
+  if (kinds) header.emplace_back("kind of defect");
   if (paper) header.push_back(reference.label());
   text::Table table(header, 2);
   const auto add_block = [&](std::string name, const Rows& own) {
@@ -129,6 +138,7 @@ text::Table blocks_table(const MethodGroup& group, const Rows& rows, const Accur
       const std::optional<double> theirs = shown_of_paper(row);
       Cells cells{name, ratio_label(row.ratio, row.true_ratio), mean_label(row.summary, style)};
       if (intervals) cells.push_back(interval_label(row.summary, style));
+      if (kinds) cells.push_back(mean_label(*row.kind, style));
       if (paper) cells.push_back(theirs ? number_label(*theirs, style) : "");
       table.row(cells);
       name.clear();
@@ -156,6 +166,10 @@ std::string means_note(const PaperReference& reference, const std::optional<Accu
          (reference.beside() ? ", and what the paper publishes," : "") +
          " follow, method by method." + of_bar;
 }
+
+constexpr const char* kinds_note =
+    "How often the kind is right: healthy, or which part of the bearing is damaged, whatever the "
+    "size. It is what a maintainer asks first.";
 
 constexpr const char* gain_note =
     "Accuracy minus that of the same seed without generated windows; mean and spread are those of "
@@ -203,7 +217,12 @@ std::vector<Section> accuracy_sections(const ClassifierRows& of_classifier,
   if (methods.size() > 1) {
     sections.push_back(
         reference.none().of({"accuracy-means", "Mean accuracy on " + dataset + ", percent",
-                             means_note(reference, bar), means_table(rows, bar)}));
+                             means_note(reference, bar), means_table(rows, bar, by_class)}));
+  }
+  if (tell_kinds(rows)) {
+    sections.push_back(reference.none().of(
+        {"accuracy-kinds", "Mean accuracy by kind of defect on " + dataset + ", percent",
+         kinds_note, means_table(rows, bar, by_kind)}));
   }
   for (const AccuracyRow& row : rows_of(rows, augment::no_method)) {
     sections.push_back(reference.table(&PaperDataset::baseline_table)

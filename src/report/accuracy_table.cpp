@@ -31,6 +31,7 @@ void add_published(AccuracyRow& row, const Published& published) {
 AccuracyRow row_of(const run::Combination& combination, const run::Grid& grid,
                    const run::Results& results, const Published& published) {
   AccuracyRow row;
+  std::vector<double> kinds;
   row.dataset = grid.dataset;
   row.method = combination.method;
   row.classifier = combination.classifier;
@@ -41,9 +42,11 @@ AccuracyRow row_of(const run::Combination& combination, const run::Grid& grid,
     row.true_ratio = cell.true_ratio;
     row.seeds.push_back(cell.seed);
     row.values.push_back(100 * cell.accuracy);
+    if (cell.kind_accuracy) kinds.push_back(100 * *cell.kind_accuracy);
   }
   if (row.values.empty()) return row;
   row.summary = summarise_within(percents, row.values);
+  if (!kinds.empty()) row.kind = summarise_within(percents, kinds);
   add_published(row, published);
   return row;
 }
@@ -60,6 +63,7 @@ AccuracyRow gain_of(AccuracyRow row, const AccuracyRow& baseline) {
   std::ranges::transform(pairs.first, pairs.second, row.values.begin(), std::minus());
   if (row.values.empty()) return row;
   row.summary = summarise_within(differences_of_percents, row.values);
+  row.kind.reset();
   row.published = difference(row.published, baseline.published);
   row.orientation = difference(row.orientation, baseline.orientation);
   return row;
@@ -69,10 +73,20 @@ std::string as_published(std::optional<double> value) {
   return value ? fmt::format("{:g}", *value) : "";
 }
 
-void add_line(text::Table& table, const std::string& name, const AccuracyRow& row) {
-  table.row({name, ratio_label(row.ratio, row.true_ratio), std::to_string(row.generated_per_class),
-             std::to_string(row.summary.count), mean_label(row.summary),
-             interval_label(row.summary), as_published(row.published)});
+void add_line(text::Table& table, const std::string& name, const AccuracyRow& row,
+              bool with_kinds) {
+  std::vector<std::string> cells{name,
+                                 ratio_label(row.ratio, row.true_ratio),
+                                 std::to_string(row.generated_per_class),
+                                 std::to_string(row.summary.count),
+                                 mean_label(row.summary),
+                                 interval_label(row.summary)};
+  if (with_kinds) {
+    cells.push_back(row.kind ? mean_label(*row.kind) : "");
+  } else {
+    cells.push_back(as_published(row.published));
+  }
+  table.row(cells);
 }
 
 }  // namespace
@@ -112,6 +126,10 @@ std::vector<std::string> methods_of(const std::vector<AccuracyRow>& rows) {
   return methods;
 }
 
+bool tell_kinds(const std::vector<AccuracyRow>& rows) {
+  return std::ranges::any_of(rows, [](const AccuracyRow& row) { return row.kind.has_value(); });
+}
+
 std::vector<AccuracyRow> rows_of(const std::vector<AccuracyRow>& rows, const std::string& method) {
   std::vector<AccuracyRow> own;
   std::ranges::copy_if(rows, std::back_inserter(own),
@@ -133,28 +151,39 @@ std::vector<AccuracyRow> gain_rows(const std::vector<AccuracyRow>& rows) {
 }
 
 std::string accuracy_csv(const std::vector<AccuracyRow>& rows) {
-  std::string text =
-      text::csv_line({"dataset", "method", "classifier", "ratio", "generated_per_class", "seeds",
-                      "mean", "std", "ci95_low", "ci95_high", "published"});
+  const bool with_kinds = tell_kinds(rows);
+  std::vector<std::string> header{
+      "dataset", "method",   "classifier", "ratio",    "generated_per_class", "seeds", "mean",
+      "std",     "ci95_low", "ci95_high",  "published"};
+  const std::vector<std::string> of_kinds{"kind_mean", "kind_std", "kind_ci95_low",
+                                          "kind_ci95_high"};
+  if (with_kinds) header.insert(header.end(), of_kinds.begin(), of_kinds.end());
+  std::string text = text::csv_line(header);
   for (const AccuracyRow& row : rows) {
     text += joined_csv_line(
         {{row.dataset, row.method, row.classifier, row.ratio,
           std::to_string(row.generated_per_class), std::to_string(row.summary.count)},
          mean_fields(row.summary),
          interval_fields(row.summary),
-         {as_published(row.published)}});
+         {as_published(row.published)},
+         with_kinds ? mean_fields(*row.kind) : std::vector<std::string>{},
+         with_kinds ? interval_fields(*row.kind) : std::vector<std::string>{}});
   }
   return text;
 }
 
 std::string accuracy_text(const std::vector<AccuracyRow>& rows) {
   const std::vector<ClassifierRows> blocks = by_classifier(rows);
+  const bool with_kinds = tell_kinds(rows);
   std::string text;
   for (const ClassifierRows& block : blocks) {
-    text::Table table(
-        {"method", "ratio", "generated", "seeds", "accuracy %", "95 % interval", "paper"}, 2);
-    for (const AccuracyRow& row : block.rows) add_line(table, method_label(row.method), row);
-    if (block.bar) add_line(table, bar_label(*block.bar), *block.bar);
+    text::Table table({"method", "ratio", "generated", "seeds", "accuracy %", "95 % interval",
+                       with_kinds ? "kind %" : "paper"},
+                      2);
+    for (const AccuracyRow& row : block.rows) {
+      add_line(table, method_label(row.method), row, with_kinds);
+    }
+    if (block.bar) add_line(table, bar_label(*block.bar), *block.bar, with_kinds);
     if (blocks.size() > 1) text += "by " + block.classifier + '\n';
     text += table.plain();
   }

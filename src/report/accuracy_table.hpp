@@ -25,6 +25,8 @@ struct AccuracyRow {
   std::vector<std::int64_t> seeds;  ///< ascending; not every row of a run has the same
   std::vector<double> values;       ///< by seed
   scoring::Summary summary;         ///< of the values, with the interval that can be shown
+  /// The same of the accuracy by kind of defect, where it is told apart (run::Diagnosis).
+  std::optional<scoring::Summary> kind;
   /// What the paper publishes: of this dataset, or of its counterpart (report/paper_reference.hpp),
   /// which is for orientation only. At most one of them is there, and none of another classifier.
   std::optional<double> published;
@@ -40,6 +42,9 @@ std::vector<AccuracyRow> accuracy_rows(const run::Grid& grid, const run::Results
 
 /// Each method that has a row, once, in the order of the rows.
 std::vector<std::string> methods_of(const std::vector<AccuracyRow>& rows);
+/// Whether the rows have accuracies by kind of defect; then all of them do, but no gains. What the
+/// paper publishes is never of such a dataset.
+bool tell_kinds(const std::vector<AccuracyRow>& rows);
 /// The rows of one method.
 std::vector<AccuracyRow> rows_of(const std::vector<AccuracyRow>& rows, const std::string& method);
 
@@ -60,7 +65,8 @@ std::vector<AccuracyRow> gain_rows(const std::vector<AccuracyRow>& rows);
 /// dataset,method,classifier,ratio,generated_per_class,seeds,mean,std,ci95_low,ci95_high,published
 /// in percent or points; `seeds` is how many there are. Empty are the standard deviation of a
 /// single seed, an interval that no table shows (report/bounded_summary.hpp), and what the paper
-/// does not publish of this very dataset.
+/// does not publish of this very dataset. Where kinds of defects are told apart, the columns
+/// kind_mean,kind_std,kind_ci95_low,kind_ci95_high follow.
 std::string accuracy_csv(const std::vector<AccuracyRow>& rows);
 
 /// The accuracies for a terminal, at most 100 columns wide: a table for each classifier.

@@ -1,8 +1,26 @@
 #include "run/cell.hpp"
 
+#include <set>
+
 #include "scoring/diagnosis_record.hpp"
+#include "scoring/kind_accuracy.hpp"
 
 namespace piae::run {
+
+namespace {
+
+bool tells_kinds(const signal::DatasetInfo& info) {
+  std::set<signal::Defect> kinds;
+  for (const signal::ClassInfo& each : info.classes) kinds.insert(each.defect);
+  return !info.conditions.empty() && kinds.size() < info.classes.size();
+}
+
+std::optional<double> kind_accuracy_of(const scoring::DiagnosisRecord& record) {
+  if (!tells_kinds(record.info)) return std::nullopt;
+  return scoring::kind_accuracy(record.confusion(), record.info.classes);
+}
+
+}  // namespace
 
 Diagnosis read_diagnosis_cell(const artefact::Reader& reader, const std::string& dataset,
                               const Combination& combination, std::int64_t seed) {
@@ -19,7 +37,8 @@ Diagnosis read_diagnosis_cell(const artefact::Reader& reader, const std::string&
           .generated_per_class = record.generated_per_class,
           .true_ratio = record.true_ratio,
           .protocol = record.protocol,
-          .accuracy = record.accuracy()};
+          .accuracy = record.accuracy(),
+          .kind_accuracy = kind_accuracy_of(record)};
 }
 
 scoring::QualityRecord read_score_cell(const artefact::Reader& reader, const std::string& dataset,

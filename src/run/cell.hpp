@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "artefact/reader.hpp"
@@ -20,6 +21,9 @@ struct Diagnosis {
   double true_ratio = 0;  ///< healthy windows to those of one fault class
   signal::Protocol protocol = signal::Protocol::random;
   double accuracy = 0;  ///< in [0, 1]
+  /// In [0, 1] (scoring/kind_accuracy.hpp), where conditions are told apart and classes have a kind
+  /// of defect in common; else it says nothing, or nothing new.
+  std::optional<double> kind_accuracy = std::nullopt;
 };
 
 /// Reads one diagnosis. Throws artefact::Refusal where the file is not of this dataset, method,

@@ -87,6 +87,28 @@ TEST_F(Tables, OfTwoSeedsAreWrittenForATerminal) {
             "vae     2:1 (3.33:1)        145      2  90.00 ± 7.07              –   91.2\n");
 }
 
+/// Where speeds differ, and both faults are of the inner race: which of them it was taken for is
+/// wrong in 5 of 20 windows and in 1, which part is damaged in none.
+TEST_F(Tables, OfConditionsHaveTheKindOfDefectBesideTheClass) {
+  for (const int seed : {0, 1}) {
+    scoring::DiagnosisRecord record = diagnosis("none", "100to1", 0, seed, seed == 0 ? 15 : 19);
+    record.info.classes[2].defect = signal::Defect::inner;
+    record.info.conditions = {
+        {.name = "fast", .shaft_speed_rpm = 1200, .known = true, .test = false, .healthy = true},
+        {.name = "slow", .shaft_speed_rpm = 900, .known = false, .test = true, .healthy = true}};
+    add(record);
+  }
+  const run::Grid none = grid("none", "100to1");
+  EXPECT_THAT(accuracy_csv(rows(none)),
+              HasSubstr(",published,kind_mean,kind_std,kind_ci95_low,kind_ci95_high\n"
+                        "cwru,none,wdcnn,100to1,0,2,85.0000,14.1421,,,61.8,100.0000,0.0000,,\n"));
+  EXPECT_THAT(accuracy_text(rows(none)),
+              HasSubstr("95 % interval         kind %\n"
+                        "none    100:1          0      2  85.00 ± 14.14              –  100.00 ± "
+                        "0.00\n"));
+  EXPECT_EQ(rows(none)[0].kind->mean, 100);
+}
+
 TEST_F(Tables, OfTwoSeedsAreWrittenAsMarkdown) {
   add_all();
   const std::string text = markdown(document(grid_));
