@@ -25,7 +25,7 @@ std::vector<double> samples_of_window(const signal::WindowSet& windows, std::siz
 
 ArrayXd turned(std::vector<double> samples, Stream& random) {
   const auto first = static_cast<std::ptrdiff_t>(random.below(samples.size()));
-  std::ranges::rotate(samples, samples.begin() + first);
+  std::rotate(samples.begin(), samples.begin() + first, samples.end());
   return Eigen::Map<const ArrayXd>(samples.data(), static_cast<Index>(samples.size()));
 }
 

@@ -38,13 +38,17 @@ ArrayXd envelope_of(std::span<const double> window, double period) {
   return averaged(envelope, std::max<Index>(1, std::lround(averaged_part * period)));
 }
 
+int strikes_before(double end, const Comb& comb) {
+  int count = 0;
+  while (comb.first + count * comb.period < end) ++count;
+  return count;
+}
+
 double mean_on(const Comb& comb, const ArrayXd& envelope) {
+  const int strikes = strikes_before(static_cast<double>(envelope.size()), comb);
   double sum = 0;
-  int strikes = 0;
-  const auto end = static_cast<double>(envelope.size());
-  for (double place = comb.first; place < end; place += comb.period) {
-    sum += envelope[static_cast<Index>(place)];
-    ++strikes;
+  for (int i = 0; i < strikes; ++i) {
+    sum += envelope[static_cast<Index>(comb.first + i * comb.period)];
   }
   return strikes > 0 ? sum / strikes : 0;
 }
@@ -53,9 +57,8 @@ double mean_on(const Comb& comb, const ArrayXd& envelope) {
 
 std::vector<std::size_t> Comb::strikes(std::size_t length) const {
   std::vector<std::size_t> all;
-  for (double place = first; place < static_cast<double>(length); place += period) {
-    all.push_back(static_cast<std::size_t>(place));
-  }
+  const int count = strikes_before(static_cast<double>(length), *this);
+  for (int i = 0; i < count; ++i) all.push_back(static_cast<std::size_t>(first + i * period));
   return all;
 }
 
@@ -67,8 +70,9 @@ Comb find_comb(std::span<const double> window, double nominal_period) {
     const double off = period_tolerance * (2.0 * i / (periods_tried - 1) - 1);
     const double period = nominal_period * (1 + off);
     const double step = std::max(1.0, period / places_in_a_period);
-    for (double first = 0; first < period; first += step) {
-      const Comb comb{.first = first, .period = period};
+    const int places = static_cast<int>(std::ceil(period / step));
+    for (int j = 0; j < places; ++j) {
+      const Comb comb{.first = j * step, .period = period};
       const double height = mean_on(comb, envelope);
       if (height <= highest) continue;
       highest = height;
@@ -81,7 +85,7 @@ Comb find_comb(std::span<const double> window, double nominal_period) {
 std::vector<double> strengths(std::span<const double> window, const Comb& comb) {
   ArrayXd envelope = envelope_of(window, comb.period);
   ArrayXd sorted = envelope;
-  std::ranges::sort(sorted);
+  std::sort(sorted.begin(), sorted.end());
   const double median = sorted[sorted.size() / 2];
   std::vector<double> all;
   double sum = 0;

@@ -30,6 +30,7 @@ Band band_of(const signal::WindowSet& known) {
 std::vector<Edges> edges_of_known(const signal::WindowSet& known, const EdgePrior& prior) {
   const std::vector<KnownBearing> bearings = bearings_of(known);
   std::vector<SeenBearing> all;
+  all.reserve(bearings.size());
   for (const KnownBearing& bearing : bearings) all.push_back(seen(known, bearing));
   const std::vector<Edges> found = fit_edges(all, band_of(known), prior);
   std::vector<Edges> edges(known.size());

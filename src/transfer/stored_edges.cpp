@@ -21,6 +21,7 @@ constexpr Part parts[] = {{"/edges/lag_s", &Edges::lag_s, ranges::lag_s},
 void write(artefact::Writer& writer, const std::vector<Edges>& edges) {
   for (const Part& part : parts) {
     std::vector<double> values;
+    values.reserve(edges.size());
     for (const Edges& one : edges) values.push_back(one.*part.value);
     writer.numbers(part.path, values);
   }

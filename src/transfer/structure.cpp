@@ -41,6 +41,7 @@ ArrayXd answer_of(const signal::WindowSet& known, const KnownBearing& bearing, c
 Structure structure_of(const signal::WindowSet& known, const std::vector<Edges>& edges) {
   const std::vector<KnownBearing> bearings = bearings_of(known);
   std::vector<ArrayXd> answers;
+  answers.reserve(bearings.size());
   for (const KnownBearing& bearing : bearings) {
     answers.push_back(answer_of(known, bearing, edges[bearing.windows.front()]));
   }
