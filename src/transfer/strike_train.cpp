@@ -7,7 +7,7 @@ namespace piae::transfer {
 namespace {
 
 /// Of a period: the ball before is never nearer.
-constexpr double least_step = 0.5;
+constexpr double nearest_ball = 0.5;
 
 }  // namespace
 
@@ -22,7 +22,7 @@ std::vector<Strike> draw_strikes(Stream& random, const Rhythm& rhythm,
                        .lag_s = rhythm.edges.lag_s * (1 + random.normal(0, rhythm.edges.spread)),
                        .exit = rhythm.edges.exit});
     next = (next + 1) % strengths.size();
-    time_s += rhythm.period_s * std::max(least_step, 1 + random.normal(0, rhythm.jitter));
+    time_s += rhythm.period_s * std::max(nearest_ball, 1 + random.normal(0, rhythm.jitter));
   }
   return strikes;
 }

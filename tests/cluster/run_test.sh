@@ -16,9 +16,9 @@ test_the_grid_in_jobs_ends_in_the_same_bytes_as_without() {
   expect_line "$output" '^submitted as job [0-9]+ \(records\), [0-9]+ \(cells\), [0-9]+ \(tables\)$'
   wait_for_line tables.log '^job: life ended .* status 0: done'
   (($(requests) - before <= SECONDS)) || fail "$(($(requests) - before)) requests in $SECONDS s"
-  expect_in_log tables.log '^spent: 26 steps in 3 jobs; '
+  expect_in_log tables.log '^spent: 28 steps in 3 jobs; '
   expect_as_alone all
-  expect_line "$(cluster status)" '^all +10 +10 +0 +0 +0 '
+  expect_line "$(cluster status)" '^all +12 +12 +0 +0 +0 '
   until_done
   expect_line "$(cluster cluster-plan)" '^1 submissions'
 }
@@ -116,7 +116,7 @@ test_a_new_split_is_planned_with_all_that_comes_of_it() {
   alone cells
   mv results/alone results/t
   sed -i 's/^windows-per-class = .*/windows-per-class = 350/' pipeline/protocol.toml
-  expect_line "$(cluster cluster-plan)" '^cells +1 +2 .* 21 '
+  expect_line "$(cluster cluster-plan)" '^cells +1 +2 .* 23 '
 }
 
 test_a_job_that_is_refused_takes_the_others_with_it() {
@@ -132,7 +132,7 @@ test_another_question_takes_a_run_of_both_protocols() {
   expect_line "$(<results/t/simulated-small/protocols.md)" none
   [[ -e results/t-blocked/simulated-small/seed0/none/100to1/diagnosis.h5 ]] || fail "the other protocol was not computed"
   # What was submitted is known without saying it again.
-  expect_line "$(make --silent status BIN=bin RUN=t)" '^all +2 +2 +0 +0 +0 '
+  expect_line "$(make --silent status BIN=bin RUN=t)" '^all +4 +4 +0 +0 +0 '
   until_done
 }
 

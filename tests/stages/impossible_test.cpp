@@ -226,6 +226,22 @@ TEST_F(Impossible, ModelsOfTheTwinWithItsAngle) {
       });
 }
 
+TEST_F(Impossible, ModelsOfTheTwinThatIsStruck) {
+  expect_model_refused(
+      "strike-twin", {},
+      {
+          {"a rate that shows no rhythm", attribute("/", "sample_rate_hz", 100.0), "is struck"},
+          {"knots 2^40", attribute("/equaliser", "knots", huge), "knots"},
+          {"background 2", attribute("/carry", "background", 2.0), "background"},
+          {"dispersion of an hour", attribute("/carry", "dispersion_ms", 3.6e6), "dispersion_ms"},
+          {"a response that is none",
+           [](hid_t file) { replace_attribute(file, "/carry", "response", "cake"); },
+           "minimum-phase or cut"},
+          {"a lag before the blow", first_number("/edges/lag_s", -1.0), "/edges/lag_s"},
+          {"an exit of 2", first_number("/edges/exit", 2.0), "/edges/exit"},
+      });
+}
+
 TEST_F(Impossible, ModelsOfOtherMethods) {
   expect_model_refused(
       "smote", {},
