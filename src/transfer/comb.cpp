@@ -58,6 +58,7 @@ double mean_on(const Comb& comb, const ArrayXd& envelope) {
 std::vector<std::size_t> Comb::strikes(std::size_t length) const {
   std::vector<std::size_t> all;
   const int count = strikes_before(static_cast<double>(length), *this);
+  all.reserve(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i) all.push_back(static_cast<std::size_t>(first + i * period));
   return all;
 }
