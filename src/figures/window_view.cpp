@@ -65,7 +65,8 @@ double ViewAxes::envelope_hz(Index point) const {
 }
 
 double ViewAxes::spectrogram_ms(Index time) const {
-  return 1e3 * static_cast<double>((time + 1) * (segment / 2)) / rate_hz_;
+  constexpr Index step = segment / 2;
+  return 1e3 * static_cast<double>((time + 1) * step) / rate_hz_;
 }
 
 double ViewAxes::spectrogram_hz(Index bin) const {

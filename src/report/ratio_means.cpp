@@ -15,8 +15,7 @@ std::vector<std::int64_t> seeds_of_any(const std::vector<AccuracyRow>& rows) {
   std::vector<std::int64_t> seeds;
   for (const AccuracyRow& row : rows) seeds.insert(seeds.end(), row.seeds.begin(), row.seeds.end());
   std::ranges::sort(seeds);
-  const auto repeated = std::ranges::unique(seeds);
-  seeds.erase(repeated.begin(), repeated.end());
+  seeds.erase(std::unique(seeds.begin(), seeds.end()), seeds.end());
   return seeds;
 }
 
