@@ -17,5 +17,6 @@ void Numbers::row(const std::vector<std::string>& fields) {
 }
 
 std::string digits(double number) { return fmt::format("{:.6g}", number); }
+std::string few_digits(double number) { return fmt::format("{:.4g}", number); }
 
 }  // namespace piae::figures

@@ -23,5 +23,7 @@ class Numbers {
 
 /// A number with six significant digits, which is more than a picture can show.
 std::string digits(double number);
+/// With four, where there are many points.
+std::string few_digits(double number);
 
 }  // namespace piae::figures
