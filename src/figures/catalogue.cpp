@@ -7,6 +7,7 @@
 #include "figures/gains.hpp"
 #include "figures/identifiability.hpp"
 #include "figures/missed_faults.hpp"
+#include "figures/other_condition.hpp"
 #include "figures/paired_differences.hpp"
 #include "figures/protocols.hpp"
 #include "figures/quality.hpp"
@@ -165,6 +166,24 @@ constexpr Figure figures[] = {
          "beside those of this class.",
      .from = "seed<first>/D.h5 and seed<first>/<method>/E.h5, /windows",
      .pictures = windows_by_class},
+    {.name = "other-condition",
+     .paper = "",
+     .title = "Faults that are known in one condition and tested in another",
+     .caption =
+         "One picture for each fault class. Above, the known windows (C) at their own speed; "
+         "below, "
+         "at the tested one, what methods made of them (E) and the real windows (D), whose spectra "
+         "stand in grey behind all others. Shift knows of no condition. Each window is shown as a "
+         "classifier gets it, without its mean and divided by its own RMS, since recordings may "
+         "differ in scale; levels are in dB to that RMS. The window shown is the one whose RMS is "
+         "the median of its set; both spectra are means of all windows. Lines in the envelope are "
+         "where the class's own defect shows (BPFO, BPFI or 2 BSF and harmonics) at the speed of "
+         "the row, without slip: they move with the shaft, and resonances, in the amplitude "
+         "spectrum, stay. A bar in the waveform is as long as one period of the defect. Of several "
+         "tested conditions "
+         "the one is shown whose speed is farthest from the known ones.",
+     .from = "seed<first>/C.h5, seed<first>/D.h5 and seed<first>/<method>/E.h5, /windows",
+     .pictures = other_condition},
     {.name = "fig20-tsne-hidden",
      .paper = "Fig. 20",
      .title = "Test windows as the classifier's hidden layer sees them",

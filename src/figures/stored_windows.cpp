@@ -15,7 +15,8 @@ WindowSet read_windows(const std::filesystem::path& file, signal::Role role) {
 WindowSet read_windows_beside(const WindowSet& real, const std::filesystem::path& file,
                               signal::Role role) {
   WindowSet windows = read_windows(file, role);
-  if (windows.length != real.length || windows.info.classes.size() != real.info.classes.size()) {
+  if (windows.length != real.length || windows.info.classes.size() != real.info.classes.size() ||
+      windows.info.conditions != real.info.conditions) {
     throw Error(Exit::bad_input, file.string() + ": is not of the dataset of D.h5");
   }
   return windows;

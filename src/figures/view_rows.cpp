@@ -54,9 +54,9 @@ void ViewRows::spectrograms() {
 }
 
 void ViewRows::row(const std::string& panel, const std::string& what, const std::string& x,
-                   const std::string& y, const std::vector<std::string>& values) {
+                   const std::string& y, const std::vector<std::string>& of_sets) {
   std::vector<std::string> fields{panel, what, x, y};
-  fields.insert(fields.end(), values.begin(), values.end());
+  fields.insert(fields.end(), of_sets.begin(), of_sets.end());
   numbers_.row(fields);
 }
 

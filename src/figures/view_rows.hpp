@@ -31,7 +31,7 @@ class ViewRows {
   void spectrograms();
   /// Anything else, with a value for each set, or none.
   void row(const std::string& panel, const std::string& what, const std::string& x,
-           const std::string& y, const std::vector<std::string>& values);
+           const std::string& y, const std::vector<std::string>& of_sets);
   void row(const std::string& panel, const std::string& what, const std::string& x,
            const std::string& y);
 

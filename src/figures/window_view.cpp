@@ -22,8 +22,8 @@ constexpr Index most_padding = 16;
 constexpr double silence = 1e-20;  // as power
 
 /// The frequency at which the envelope spectrum ends.
-double last_line_hz(const signal::DatasetInfo& info) {
-  const auto f = bearing::fault_frequencies(info.bearing, info.tested_speed_rpm());
+double last_line_hz(const signal::DatasetInfo& info, double fastest_rpm) {
+  const auto f = bearing::fault_frequencies(info.bearing, fastest_rpm);
   return ViewAxes::harmonics * std::max({f.bpfo_hz, f.bpfi_hz, 2 * f.bsf_hz}) + 2 * f.shaft_hz;
 }
 
@@ -45,15 +45,15 @@ Eigen::ArrayXXd level_db(const Eigen::ArrayXXd& power, Index length) {
 
 }  // namespace
 
-ViewAxes::ViewAxes(const signal::DatasetInfo& info, Index length)
+ViewAxes::ViewAxes(const signal::DatasetInfo& info, Index length, double fastest_rpm)
     : rate_hz_(info.sample_rate_hz),
       length_(length),
       samples_(length, most_points),
       bins_(length / 2, most_points),
-      envelope_padding_(padding_for(last_line_hz(info), bin_hz())),
-      envelope_count_(std::min(
-          envelope_padding_ * length / 2,
-          std::lround(static_cast<double>(envelope_padding_) * last_line_hz(info) / bin_hz()))),
+      envelope_padding_(padding_for(last_line_hz(info, fastest_rpm), bin_hz())),
+      envelope_count_(std::min(envelope_padding_ * length / 2,
+                               std::lround(static_cast<double>(envelope_padding_) *
+                                           last_line_hz(info, fastest_rpm) / bin_hz()))),
       envelope_bins_(envelope_count_, most_points) {}
 
 double ViewAxes::waveform_ms(Index point) const { return 1e3 * samples_.middle(point) / rate_hz_; }
@@ -84,18 +84,22 @@ Index typical_window(const scoring::Windows& windows) {
 }
 
 WindowView view_of(const scoring::Windows& windows, const ViewAxes& axes) {
-  const Eigen::RowVectorXd shown = windows.row(typical_window(windows));
+  return view_of(windows, typical_window(windows), axes);
+}
+
+WindowView view_of(const scoring::Windows& windows, Index shown, const ViewAxes& axes) {
+  const Eigen::RowVectorXd samples = windows.row(shown);
   const Index length = windows.cols();
   const Eigen::ArrayXd spectrum = scoring::mean_power_spectrum(windows);
   const Eigen::ArrayXd envelope =
       scoring::mean_power_spectrum(scoring::envelopes(windows), axes.envelope_padding());
-  return {.low = axes.samples().lowest(shown.transpose()),
-          .high = axes.samples().highest(shown.transpose()),
+  return {.low = axes.samples().lowest(samples.transpose()),
+          .high = axes.samples().highest(samples.transpose()),
           .spectrum_db = level_db(axes.bins().highest(spectrum.tail(length / 2)), length),
           .envelope_db = level_db(
               axes.envelope_bins().highest(envelope.segment(1, axes.envelope_count())), length),
           .spectrogram_db =
-              level_db(scoring::spectrogram(shown, ViewAxes::segment), ViewAxes::segment)};
+              level_db(scoring::spectrogram(samples, ViewAxes::segment), ViewAxes::segment)};
 }
 
 }  // namespace piae::figures

@@ -12,8 +12,11 @@ namespace piae::figures {
 /// there are about a hundred points along each axis.
 class ViewAxes {
  public:
-  /// For windows of `length` samples.
-  ViewAxes(const signal::DatasetInfo& info, Eigen::Index length);
+  /// For windows of `length` samples, in which the shaft turns at the tested speed, or no faster
+  /// than `fastest_rpm`.
+  ViewAxes(const signal::DatasetInfo& info, Eigen::Index length)
+      : ViewAxes(info, length, info.tested_speed_rpm()) {}
+  ViewAxes(const signal::DatasetInfo& info, Eigen::Index length, double fastest_rpm);
 
   /// As far as the third harmonics of all fault lines reach, with their sidebands.
   static constexpr int harmonics = 3;
@@ -60,7 +63,9 @@ struct WindowView {
 /// std::logic_error where there is none.
 Eigen::Index typical_window(const scoring::Windows& windows);
 
-/// The windows are in m/s^2. There must be one.
+/// The windows are in m/s^2. There must be one. The one that is shown is typical_window(), or
+/// window `shown`.
 WindowView view_of(const scoring::Windows& windows, const ViewAxes& axes);
+WindowView view_of(const scoring::Windows& windows, Eigen::Index shown, const ViewAxes& axes);
 
 }  // namespace piae::figures

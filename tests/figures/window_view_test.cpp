@@ -62,6 +62,12 @@ TEST(WindowView, ShowsTheExtremesOfTheTypicalWindow) {
   EXPECT_NEAR(axes().waveform_ms(127), (1024 - 4.5) / 12, 1e-9);
 }
 
+TEST(WindowView, ShowsTheWindowThatIsNamed) {
+  const WindowView view = view_of(three_tones(), 1, axes());
+  EXPECT_NEAR(view.high[0], 5 * std::sqrt(3.0) / 2, 1e-9);
+  EXPECT_NEAR(view.spectrum_db.maxCoeff(), 10 * std::log10((1.0 + 25 + 4) / 3), 1e-9);
+}
+
 TEST(WindowView, HasTheLevelOfAToneWhereItLies) {
   const WindowView view = view_of(tone(2), axes());
   const Eigen::Index at =
@@ -90,6 +96,14 @@ TEST(WindowView, ShowsTheEnvelopeAsFarAsTheThirdHarmonicsAndTheirSidebands) {
   const WindowView view = view_of(tone(1), axes());
   const double last_hz = axes().envelope_hz(view.envelope_db.size() - 1);
   EXPECT_NEAR(last_hz, 3 * 162.44 + 2 * 30, rate_hz / length);
+}
+
+/// BPFI is 324.97 Hz there.
+TEST(WindowView, ShowsTheEnvelopeAsFarAsTheLinesOfAFasterShaftThanTheTestedOne) {
+  const ViewAxes faster(three_classes(), length, 3600);
+  const WindowView view = view_of(tone(1), faster);
+  EXPECT_NEAR(faster.envelope_hz(view.envelope_db.size() - 1), 3 * 324.97 + 2 * 60,
+              rate_hz / length);
 }
 
 TEST(WindowView, HasEnoughPointsForTheLinesOfASlowShaft) {
