@@ -41,6 +41,8 @@ baseline          := $(call fact,baseline)
 # itself, so it has none.
 ceilings          := $(call fact,ceiling)
 inferring         := $(call fact,infers)
+# What learns of the machine's background from healthy windows, too.
+hearing           := $(call fact,hears)
 nothing_generated := $(call fact,nothing-generated)
 # What a classifier reaches that needs neither a generator nor a training: it stands beside the baseline.
 bar               := $(call fact,bar)
@@ -123,7 +125,7 @@ endef
 define generator_rules # seed, its folder, cell; where that is not a method: the method, further options
 .PRECIOUS: $(patsubst %,$2/$3/%.h5,model E score)
 $2/$3/model.h5: $(call windows,$2) $(settings)/train.$(or $4,$3).toml
-	$$(step) train $$(config) --method $(or $4,$3) $(if $5,$5 )$(if $(filter $(ceilings),$3),--real $2/D.h5 )--known $2/C.h5 --seed $1 --output $$@
+	$$(step) train $$(config) --method $(or $4,$3) $(if $5,$5 )$(if $(filter $(ceilings),$3),--real $2/D.h5 )$(if $(filter $(hearing),$(or $4,$3)),--healthy $2/B.h5 )--known $2/C.h5 --seed $1 --output $$@
 $2/$3/E.h5: $2/$3/model.h5 $(settings)/generate.toml
 	$$(step) generate $$(config) --model $$< --seed $1 --output $$@
 $2/$3/score.h5: $2/$3/E.h5 $(call windows,$2) $(settings)/score.toml

@@ -17,14 +17,15 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Reads the real windows D. Requires them to come from the same split as the known ones, which is
+/// Reads other windows than the known ones. Requires them to come from the same split, which is
 /// proved by where each window was cut.
-signal::WindowSet read_real(const artefact::Reader& real, const artefact::Reader& known) {
-  signal::require_role(real, signal::Role::hidden);
+signal::WindowSet read_beside(const artefact::Reader& other, signal::Role role,
+                              const artefact::Reader& known) {
+  signal::require_role(other, role);
   const std::vector<signal::RoleSet> roles{signal::read_role_set(known),
-                                           signal::read_role_set(real)};
+                                           signal::read_role_set(other)};
   signal::require_one_split(roles);
-  signal::require_belonging(real, signal::Role::hidden, roles.back().windows);
+  signal::require_belonging(other, role, roles.back().windows);
   return roles.back().windows;
 }
 
@@ -41,6 +42,7 @@ int main(int argc, char** argv) {
   cli::RunOptions run;
   fs::path known_file;
   fs::path real_file;
+  fs::path healthy_file;
   fs::path model_file;
   stage.options()
       .add("--method", name,
@@ -59,6 +61,12 @@ int main(int argc, char** argv) {
         stage.input_file("--real", real_file,
                          "D.h5 of the same split, which only a ceiling learns from");
       }
+      if (augment::find_entry(name)->hears) {
+        stage
+            .input_file("--healthy", healthy_file,
+                        "B.h5 of the same split, for --background-from healthy")
+            .required(false);
+      }
     } catch (const Error&) {
       // run() meets the same error again, and reports it.
     }
@@ -72,7 +80,11 @@ int main(int argc, char** argv) {
     signal::WindowSet windows = signal::read_window_set(reader);
     signal::require_belonging(reader, signal::Role::known, windows);
     if (method->learns_from() == augment::LearnsFrom::real) {
-      windows = read_real(stage.open("real", real_file, "windows"), reader);
+      windows = read_beside(stage.open("real", real_file, "windows"), signal::Role::hidden, reader);
+    }
+    if (!healthy_file.empty()) {
+      method->hear(read_beside(stage.open("healthy", healthy_file, "windows"),
+                               signal::Role::healthy, reader));
     }
     const Stream stream(fmt::format("{}/seed{}/train/{}", windows.info.name, run.seed, name));
 

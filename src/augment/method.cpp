@@ -1,5 +1,7 @@
 #include "augment/method.hpp"
 
+#include <stdexcept>
+
 #include "base/error.hpp"
 
 namespace piae::augment {
@@ -7,6 +9,10 @@ namespace piae::augment {
 bool Method::needs_libtorch(const Compute& compute) const {
   (void)piae::needs_libtorch(compute);  // throws where back end and device do not go together
   return false;
+}
+
+void Method::hear(const signal::WindowSet& /*healthy*/) {
+  throw std::logic_error("this method learns from known windows alone");
 }
 
 std::vector<signal::DynamicParameters> Method::infer(const artefact::Reader& model,

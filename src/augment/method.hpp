@@ -37,6 +37,10 @@ class Method {
   /// networks, which never need LibTorch.
   [[nodiscard]] virtual bool needs_libtorch(const Compute& compute) const;
 
+  /// Takes healthy windows B of the split before train(), of a method that can learn of the
+  /// machine's background from them. What stands here is for the others: std::logic_error.
+  virtual void hear(const signal::WindowSet& healthy);
+
   /// Adds the options of the program `train` that are this method's own.
   virtual void bind(const cli::Options& command) = 0;
 

@@ -13,6 +13,10 @@ namespace piae::augment {
 
 void StrikeTwin::bind(const cli::Options& command) { transfer::bind(command, options_); }
 
+void StrikeTwin::hear(const signal::WindowSet& healthy) {
+  healthy_ = transfer::healthy_spectra(healthy);
+}
+
 void StrikeTwin::train(const signal::WindowSet& known, const Stream& /*stream*/,
                        const Compute& /*compute*/, const nets::Checkpoint& /*checkpoint*/,
                        artefact::Writer& model) {
@@ -20,6 +24,7 @@ void StrikeTwin::train(const signal::WindowSet& known, const Stream& /*stream*/,
   signal::write(model, known);
   transfer::write(model, transfer::edges_of_known(known, options_.prior));
   transfer::write(model, options_);
+  transfer::write(model, healthy_);
 }
 
 signal::WindowSet StrikeTwin::generate(const artefact::Reader& model, std::size_t count,
@@ -27,11 +32,20 @@ signal::WindowSet StrikeTwin::generate(const artefact::Reader& model, std::size_
   const signal::WindowSet known = read_learned(model, signal::Role::known);
   transfer::require_rhythm(known);
   const std::vector<transfer::Edges> edges = transfer::read_edges(model, known.size());
-  const transfer::Carrier carrier(known, edges, transfer::read_carry_options(model));
+  const transfer::Carrier carrier(known, edges, transfer::read_carry_options(model),
+                                  transfer::read_healthy_spectra(model, known));
+  std::vector<std::vector<double>> strikes_s;
+  std::vector<signal::DynamicParameters> rings;
   const auto make = [&](Label label, std::size_t index, Stream& random) {
-    return carrier.carry(transfer::journey_of(known, label, index), random);
+    const transfer::Journey journey = transfer::journey_of(known, label, index);
+    transfer::Carried carried = carrier.carry(journey, random);
+    strikes_s.push_back(std::move(carried.strikes_s));
+    rings.push_back(carrier.ring(journey.known));
+    return std::move(carried.samples);
   };
   signal::WindowSet made = signal::make_windows(known.info, known.length, count, stream, make);
+  made.strikes_s = std::move(strikes_s);
+  made.parameters = std::move(rings);
   transfer::arrive(known, count, made);
   return made;
 }

@@ -1,6 +1,9 @@
 #pragma once
 
+#include <vector>
+
 #include "augment/method.hpp"
+#include "transfer/healthy.hpp"
 #include "transfer/options.hpp"
 
 namespace piae::augment {
@@ -10,6 +13,7 @@ namespace piae::augment {
 /// and for how long, follows from the bearing's geometry and the tested speed.
 class StrikeTwin final : public Method {
  public:
+  void hear(const signal::WindowSet& healthy) override;
   void bind(const cli::Options& command) override;
   void train(const signal::WindowSet& known, const Stream& stream, const Compute& compute,
              const nets::Checkpoint& checkpoint, artefact::Writer& model) override;
@@ -18,6 +22,7 @@ class StrikeTwin final : public Method {
 
  private:
   transfer::CarryOptions options_;
+  std::vector<transfer::HealthySpectrum> healthy_;
 };
 
 }  // namespace piae::augment

@@ -29,6 +29,7 @@ void add_methods(std::vector<std::string>& words) {
     if (is_the_papers(entry.kind)) words.push_back("paper:" + name);
     if (entry.kind == augment::Kind::baseline) words.push_back("baseline:" + name);
     if (entry.kind == augment::Kind::ceiling) words.push_back("ceiling:" + name);
+    if (entry.hears) words.push_back("hears:" + name);
     if (entry.infers) words.push_back("infers:" + name);
     if (augment::needs_libtorch_always(entry)) words.push_back("needs-libtorch:" + name);
   }

@@ -93,6 +93,39 @@ void read_conditions(const artefact::Reader& reader, WindowSet& windows) {
   }
 }
 
+void write_strikes(artefact::Writer& writer, const std::vector<std::vector<double>>& strikes_s) {
+  std::vector<double> times_s;
+  std::vector<std::int64_t> owners;
+  for (std::size_t i = 0; i < strikes_s.size(); ++i) {
+    times_s.insert(times_s.end(), strikes_s[i].begin(), strikes_s[i].end());
+    owners.insert(owners.end(), strikes_s[i].size(), static_cast<std::int64_t>(i));
+  }
+  writer.numbers("/strikes/time_s", times_s);
+  writer.numbers("/strikes/window", owners);
+}
+
+void read_strikes(const artefact::Reader& reader, WindowSet& windows) {
+  if (!reader.has("/strikes")) return;
+  const std::vector<double> times_s = reader.numbers<double>("/strikes/time_s", {0}).values;
+  const auto owners = reader.numbers<std::int64_t>("/strikes/window", {times_s.size()}).values;
+  const double end_s = static_cast<double>(windows.length) / windows.info.sample_rate_hz;
+  windows.strikes_s.resize(windows.size());
+  std::int64_t last = 0;
+  for (std::size_t i = 0; i < times_s.size(); ++i) {
+    if (owners[i] < last || owners[i] >= static_cast<std::int64_t>(windows.size())) {
+      reader.refuse("/strikes/window", "does not name windows in their order");
+    }
+    last = owners[i];
+    std::vector<double>& own = windows.strikes_s[static_cast<std::size_t>(last)];
+    if (!(times_s[i] >= (own.empty() ? 0 : own.back()) && times_s[i] < end_s)) {
+      reader.refuse("/strikes/time_s",
+                    "holds a strike that does not follow the one before it "
+                    "within its window");
+    }
+    own.push_back(times_s[i]);
+  }
+}
+
 /// Appends to what some windows say what another one says, if it and all before it say it.
 template <class T>
 void append_said(std::vector<T>& said, const std::vector<T>& other, std::size_t i,
@@ -141,6 +174,7 @@ void WindowSet::append(const WindowSet& other, std::size_t i) {
   append_said(condition, other.condition, i, size());
   append_said(shaft_speed_rpm, other.shaft_speed_rpm, i, size());
   append_said(defect_size_mm, other.defect_size_mm, i, size());
+  append_said(strikes_s, other.strikes_s, i, size());
   const std::span<const float> window = other.window(i);
   samples.insert(samples.end(), window.begin(), window.end());
   labels.push_back(other.labels[i]);
@@ -165,6 +199,7 @@ void write(artefact::Writer& writer, const WindowSet& windows) {
   if (!windows.condition.empty()) writer.numbers("/condition", windows.condition);
   if (!windows.shaft_speed_rpm.empty()) writer.numbers("/shaft_speed_rpm", windows.shaft_speed_rpm);
   if (!windows.defect_size_mm.empty()) writer.numbers("/defect_size_mm", windows.defect_size_mm);
+  if (!windows.strikes_s.empty()) write_strikes(writer, windows.strikes_s);
 }
 
 WindowSet read_window_set(const artefact::Reader& reader) {
@@ -191,6 +226,7 @@ WindowSet read_window_set(const artefact::Reader& reader) {
       read_each(reader, "/shaft_speed_rpm", windows.size(), ranges::shaft_speed_rpm);
   windows.defect_size_mm =
       read_each(reader, "/defect_size_mm", windows.size(), ranges::defect_size_mm);
+  read_strikes(reader, windows);
   return windows;
 }
 

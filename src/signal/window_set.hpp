@@ -29,6 +29,9 @@ struct WindowSet {
   std::vector<double> shaft_speed_rpm;
   /// [n] the size of the defect in each window, where the records of a class hold several.
   std::vector<double> defect_size_mm;
+  /// [n] when the defect is struck in each window, in s from its first sample, ascending; where a
+  /// generator knows.
+  std::vector<std::vector<double>> strikes_s;
 
   [[nodiscard]] std::size_t size() const { return labels.size(); }
   [[nodiscard]] std::span<const float> window(std::size_t i) const {
@@ -51,7 +54,8 @@ struct WindowSet {
 
 /// In the artefact: /windows float32 [n, length], /labels, and where known /record/name,
 /// /record/index, /first_sample, /parameters float64 [n, 2] (k in N/m, c in N s/m), /condition,
-/// /shaft_speed_rpm and /defect_size_mm.
+/// /shaft_speed_rpm and /defect_size_mm; and all strikes, window after window: /strikes/time_s
+/// float64 and /strikes/window int64, the index of the window.
 void write(artefact::Writer& writer, const WindowSet& windows);
 /// Throws artefact::Refusal for labels that no class has, for shapes that do not fit each other,
 /// and for a window in which nothing moves, of which no classifier can learn and which no generator

@@ -48,6 +48,8 @@ std::vector<KnownBearing> bearings_of(const signal::WindowSet& known) {
   return bearings;
 }
 
+bool tests_other_bearings(const signal::WindowSet& known) { return !known.defect_size_mm.empty(); }
+
 Eigen::ArrayXd log_amplitude(const signal::WindowSet& known, const KnownBearing& bearing) {
   const Eigen::ArrayXd power =
       scoring::mean_power_spectrum(pieces_of(known, bearing.windows), padding);

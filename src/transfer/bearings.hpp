@@ -19,6 +19,10 @@ struct KnownBearing {
 /// By class, then by speed, then by size.
 std::vector<KnownBearing> bearings_of(const signal::WindowSet& known);
 
+/// Whether bearings are tested that are not known: where the records of a class hold several sizes,
+/// each is of a bearing of its own, and the tested size is not known.
+bool tests_other_bearings(const signal::WindowSet& known);
+
 /// The logarithm (natural) of the amplitude of a bearing's windows, at the bins 0 .. length of a
 /// frame of two windows (of one sample more, where the length is odd). It is Welch's mean, of
 /// pieces of half a window that overlap by three quarters.

@@ -1,14 +1,18 @@
 #include "transfer/carry.hpp"
 
+#include <spdlog/fmt/fmt.h>
+
 #include <algorithm>
 #include <cmath>
 #include <complex>
 #include <limits>
 
+#include "base/error.hpp"
+#include "transfer/bearings.hpp"
 #include "transfer/filter.hpp"
 #include "transfer/kinematics.hpp"
 #include "transfer/rhythm.hpp"
-#include "transfer/strike_train.hpp"
+#include "transfer/ring.hpp"
 #include "transfer/synthesis.hpp"
 
 namespace piae::transfer {
@@ -23,28 +27,60 @@ std::vector<double> samples_of_window(const signal::WindowSet& windows, std::siz
   return {window.begin(), window.end()};
 }
 
-ArrayXd turned(std::vector<double> samples, Stream& random) {
-  const auto first = static_cast<std::ptrdiff_t>(random.below(samples.size()));
-  std::rotate(samples.begin(), samples.begin() + first, samples.end());
-  return Eigen::Map<const ArrayXd>(samples.data(), static_cast<Index>(samples.size()));
+/// The ring of each known window. Those of one bearing have the same one.
+std::vector<signal::DynamicParameters> rings_of(const signal::WindowSet& known,
+                                                const Structure& structure, double mass_kg) {
+  std::vector<signal::DynamicParameters> rings(known.size());
+  for (const KnownBearing& bearing : bearings_of(known)) {
+    const signal::DynamicParameters ring =
+        strongest_ring(structure.common + structure.own[bearing.windows.front()], mass_kg,
+                       known.info.sample_rate_hz);
+    for (const std::size_t i : bearing.windows) rings[i] = ring;
+  }
+  return rings;
+}
+
+const HealthySpectrum* find_spectrum(const std::vector<HealthySpectrum>& spectra,
+                                     std::int32_t condition) {
+  const auto found = std::ranges::find(spectra, condition, &HealthySpectrum::condition);
+  return found == spectra.end() ? nullptr : &*found;
+}
+
+void require_spectra(const signal::WindowSet& known, const std::vector<HealthySpectrum>& spectra) {
+  for (const std::int32_t condition : known.info.tested_conditions()) {
+    if (find_spectrum(spectra, condition) == nullptr) {
+      throw Error(Exit::usage,
+                  "--background-from healthy: needs healthy windows of the tested condition; give "
+                  "--healthy B.h5 to train");
+    }
+  }
 }
 
 }  // namespace
 
 Carrier::Carrier(const signal::WindowSet& known, const std::vector<Edges>& edges,
-                 const CarryOptions& options)
-    : known_(known), edges_(edges), options_(options), structure_(structure_of(known, edges)) {
+                 const CarryOptions& options, std::vector<HealthySpectrum> healthy)
+    : known_(known),
+      edges_(edges),
+      options_(options),
+      structure_(structure_of(known, edges)),
+      healthy_(std::move(healthy)),
+      rings_(rings_of(known, structure_, options.mass_kg)) {
+  if (options.background_from == BackgroundFrom::healthy) require_spectra(known, healthy_);
   for (std::size_t i = 0; i < known.size(); ++i) {
     const std::vector<double> samples = samples_of_window(known, i);
     combs_.push_back(
         find_comb(samples, period_s(known, i, known.speed_rpm(i)) * known.info.sample_rate_hz));
-    strengths_.push_back(options.strengths == Strengths::known ? strengths(samples, combs_.back())
-                                                               : std::vector<double>{1.0});
+    strengths_.push_back(seen_strengths(samples, combs_.back()));
   }
 }
 
+bool Carrier::moves(const Journey& journey) const {
+  return journey.speed_ratio() != 1 || tests_other_bearings(known_);
+}
+
 double Carrier::draw_size_mm(std::size_t known, Stream& random) const {
-  if (known_.defect_size_mm.empty()) return known_.size_mm(known);
+  if (!tests_other_bearings(known_)) return known_.size_mm(known);
   double least = std::numeric_limits<double>::max();
   double largest = 0;
   for (const std::size_t i : known_.indices_of(known_.labels[known])) {
@@ -57,64 +93,132 @@ double Carrier::draw_size_mm(std::size_t known, Stream& random) const {
 
 Carrier::Draw Carrier::draw(const Journey& journey, Stream& random) const {
   const std::size_t known = journey.known;
-  Draw draw{.edges = edges_[known],
-            .period_s = period_s(
-                known_, known, options_.rhythm == Set::tested ? journey.to_rpm : journey.from_rpm),
+  const double rpm = options_.rhythm == Set::tested ? journey.to_rpm : journey.from_rpm;
+  Draw draw{.rhythm = {.period_s = period_s(known_, known, rpm),
+                       .jitter = options_.jitter,
+                       .edges = edges_[known]},
             .path = {}};
   if (options_.edges == Set::tested) {
     const double size_mm = draw_size_mm(known, random);
-    draw.edges.lag_s *= passage_s(known_, known, size_mm, journey.to_rpm) /
-                        passage_s(known_, known, known_.size_mm(known), journey.from_rpm) *
-                        std::max(0.0, 1 + random.normal(0, options_.lag_deviation));
+    draw.rhythm.edges.lag_s *= passage_s(known_, known, size_mm, journey.to_rpm) /
+                               passage_s(known_, known, known_.size_mm(known), journey.from_rpm) *
+                               std::max(0.0, 1 + random.normal(0, options_.lag_deviation));
   }
   draw.path = draw_path(random, structure_.common.size(), known_.info.sample_rate_hz,
-                        journey.speed_ratio(), options_);
+                        journey.speed_ratio(), tests_other_bearings(known_), options_);
   return draw;
 }
 
-ArrayXd Carrier::put_together(const Journey& journey, const Draw& draw, Stream& random) const {
-  const double rate_hz = known_.info.sample_rate_hz;
-  const double own = random.uniform(0, 1) * (1 - options_.own_structure) + options_.own_structure;
-  const ArrayXd answer = structure_.common + own * structure_.own[journey.known];
-  const double frame_s = 2 * static_cast<double>(answer.size() - 1) / rate_hz;
-  const std::vector<Strike> strikes = draw_strikes(
-      random, {.period_s = draw.period_s, .jitter = options_.jitter, .edges = draw.edges},
-      strengths_[journey.known], frame_s);
-  const double background = random.uniform(0, 1) * options_.background;
-  return std::sqrt(1 - background) * struck_window(answer, draw.path, strikes, rate_hz) +
-         std::sqrt(background) * background_window(answer, draw.path, draw.edges, rate_hz, random);
+std::vector<double> Carrier::draw_strengths(const Journey& journey, const Rhythm& rhythm,
+                                            double frame_s, Stream& random) const {
+  const std::size_t count = most_strikes(rhythm, frame_s);
+  switch (options_.strengths.from) {
+    case Strengths::alike:
+      return std::vector<double>(count, 1.0);
+    case Strengths::known:
+      return repeated_strengths(strengths_[journey.known], count, random);
+    case Strengths::load_zone:
+      break;
+  }
+  const Struck struck{.geometry = known_.info.bearing,
+                      .kind = known_.info.class_of(known_.labels[journey.known]).defect,
+                      .shaft_speed_rpm = journey.to_rpm,
+                      .period_s = rhythm.period_s};
+  return load_zone_strengths(struck, count, options_.strengths, random);
 }
 
-ArrayXd Carrier::cut_and_set(const Journey& journey, const Draw& draw, Stream& random) const {
+ArrayXd Carrier::answer(const Journey& journey, Stream& random) const {
+  if (options_.response == Response::ring) {
+    return ring_answer(rings_[journey.known], options_.mass_kg, structure_.common.size(),
+                       known_.info.sample_rate_hz);
+  }
+  const double own = random.uniform(0, 1) * (1 - options_.own_structure) + options_.own_structure;
+  return structure_.common + own * structure_.own[journey.known];
+}
+
+ArrayXd Carrier::background(const Journey& journey, const ArrayXd& answer, const Draw& draw,
+                            Stream& random) const {
+  const double rate_hz = known_.info.sample_rate_hz;
+  if (options_.background_from == BackgroundFrom::struck) {
+    return background_window(answer + draw.path.log_gain, draw.rhythm.edges, rate_hz, random);
+  }
+  return background_window(find_spectrum(healthy_, journey.condition)->log_amplitude, Edges{},
+                           rate_hz, random);
+}
+
+Carried Carrier::put_together(const Journey& journey, Stream& random) const {
+  const Draw drawn = draw(journey, random);
+  const double rate_hz = known_.info.sample_rate_hz;
+  const ArrayXd answers = answer(journey, random);
+  const double half_s = static_cast<double>(answers.size() - 1) / rate_hz;
+  const std::vector<Strike> strikes = draw_strikes(
+      random, drawn.rhythm, draw_strengths(journey, drawn.rhythm, 2 * half_s, random), 2 * half_s);
+  const ArrayXd struck = struck_window(answers, drawn.path, strikes, rate_hz);
+  const double part = struck.isZero(0) ? 1 : random.uniform(0, 1) * options_.background;
+  const ArrayXd made =
+      std::sqrt(1 - part) * struck + std::sqrt(part) * background(journey, answers, drawn, random);
+  std::vector<double> places;
+  for (const Strike& strike : strikes) places.push_back((strike.time_s - half_s) * rate_hz);
+  return as_loud_as_known(journey.known, {made.begin(), made.end()}, std::move(places));
+}
+
+Carried Carrier::cut_and_set(const Journey& journey, Stream& random) const {
+  const Draw drawn = draw(journey, random);
   const Edges& known = edges_[journey.known];
   std::vector<std::complex<double>> gains(known_.length / 2 + 1);
   for (std::size_t i = 0; i < gains.size(); ++i) {
     const double hz =
         static_cast<double>(i) * known_.info.sample_rate_hz / static_cast<double>(known_.length);
     const auto bin = static_cast<Index>(2 * i);  // of a frame of two windows
-    gains[i] = draw.edges.gain(hz) / known.gain(hz) *
-               std::polar(std::exp(draw.path.log_gain[bin]), draw.path.phase[bin]);
+    gains[i] = drawn.rhythm.edges.gain(hz) / known.gain(hz) *
+               std::polar(std::exp(drawn.path.log_gain[bin]), drawn.path.phase[bin]);
   }
   std::vector<double> samples = samples_of_window(known_, journey.known);
   filter(samples, gains);
   const std::vector<Cut> responses = cut_responses(samples, combs_[journey.known]);
   // A window in which no response is whole has no rhythm that could be changed.
-  if (options_.rhythm == Set::known || responses.empty()) return turned(samples, random);
-  samples = struck(responses, draw.period_s * known_.info.sample_rate_hz, options_.jitter,
-                   known_.length, random);
-  return Eigen::Map<const ArrayXd>(samples.data(), static_cast<Index>(samples.size()));
+  if (options_.rhythm == Set::known || responses.empty()) {
+    return turned(journey.known, std::move(samples), random);
+  }
+  StruckWindow window = struck(responses, drawn.rhythm.period_s * known_.info.sample_rate_hz,
+                               options_.jitter, known_.length, random);
+  return as_loud_as_known(journey.known, std::move(window.samples), std::move(window.strikes));
 }
 
-std::vector<float> Carrier::carry(const Journey& journey, Stream& random) const {
-  const Draw drawn = draw(journey, random);
+Carried Carrier::turned(std::size_t known, std::vector<double> samples, Stream& random) const {
+  const std::size_t first = random.below(samples.size());
+  const std::size_t length = samples.size();
+  std::ranges::rotate(samples, samples.begin() + static_cast<std::ptrdiff_t>(first));
+  std::vector<double> strikes;
+  for (const std::size_t strike : combs_[known].strikes(length)) {
+    strikes.push_back(static_cast<double>((strike + length - first) % length));
+  }
+  std::ranges::sort(strikes);
+  return as_loud_as_known(known, std::move(samples), std::move(strikes));
+}
+
+Carried Carrier::as_loud_as_known(std::size_t known, std::vector<double> samples,
+                                  std::vector<double> strikes) const {
   const auto length = static_cast<Index>(known_.length);
-  ArrayXd made = options_.response == Response::cut ? cut_and_set(journey, drawn, random)
-                                                    : put_together(journey, drawn, random);
-  const auto window = known_.window(journey.known);
-  const ArrayXd known = Eigen::Map<const Eigen::ArrayXf>(window.data(), length).cast<double>();
-  made.conservativeResize(length);
-  made *= std::sqrt(known.square().mean() / made.square().mean());
-  return {made.begin(), made.end()};
+  samples.resize(known_.length);
+  Eigen::Map<ArrayXd> made(samples.data(), length);
+  const auto window = known_.window(known);
+  const ArrayXd before = Eigen::Map<const Eigen::ArrayXf>(window.data(), length).cast<double>();
+  made *= std::sqrt(before.square().mean() / made.square().mean());
+  Carried carried{.samples = {samples.begin(), samples.end()}, .strikes_s = {}};
+  for (const double strike : strikes) {
+    if (strike < 0 || strike >= static_cast<double>(length)) continue;
+    carried.strikes_s.push_back(strike / known_.info.sample_rate_hz);
+  }
+  return carried;
+}
+
+Carried Carrier::carry(const Journey& journey, Stream& random) const {
+  if (!moves(journey)) {
+    return turned(journey.known, samples_of_window(known_, journey.known), random);
+  }
+  return options_.response == Response::cut ? cut_and_set(journey, random)
+                                            : put_together(journey, random);
 }
 
 }  // namespace piae::transfer

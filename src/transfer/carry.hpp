@@ -6,18 +6,26 @@
 #include "signal/window_set.hpp"
 #include "transfer/comb.hpp"
 #include "transfer/edges.hpp"
+#include "transfer/healthy.hpp"
 #include "transfer/journey.hpp"
 #include "transfer/options.hpp"
 #include "transfer/path.hpp"
+#include "transfer/strike_train.hpp"
 #include "transfer/structure.hpp"
 
 namespace piae::transfer {
 
+/// A window that was made, and when its defect is struck, in s from its first sample.
+struct Carried {
+  std::vector<float> samples;
+  std::vector<double> strikes_s;
+};
+
 /// Carries known fault windows to the tested condition. What belongs to the structure stays where
 /// it is in Hz; what belongs to the shaft moves with its speed. A window is put together from
 ///   - how the machine answers one blow (structure.hpp), by a random transfer path (path.hpp);
-///   - strikes at the period that follows from the geometry, as strong as those of a known window
-///     (strike_train.hpp);
+///   - strikes at the period that follows from the geometry, as strong as the balls are loaded
+///     (strengths.hpp);
 ///   - both edges of the defect (edges.hpp), whose lag is the known one by the ratio of the
 ///     passages, with a small deviation;
 ///   - a background that is not struck.
@@ -26,36 +34,53 @@ namespace piae::transfer {
 /// what follows each strike is set to the new rhythm (rhythm.hpp).
 /// Where defects of the tested condition have sizes that are not known, one is drawn, uniform in
 /// its logarithm, between the smallest known of the class and the largest, and some way beyond.
+/// Where nothing moves, since the known bearing is tested at the known speed, the known window is
+/// turned round: there is nothing that could be better known.
 class Carrier {
  public:
-  /// `edges` are those of each known window. Both must outlive this.
+  /// `edges` are those of each known window. Both must outlive this. `healthy` is for
+  /// --background-from healthy alone: throws Error(usage) where that lacks a tested condition.
   Carrier(const signal::WindowSet& known, const std::vector<Edges>& edges,
-          const CarryOptions& options);
+          const CarryOptions& options, std::vector<HealthySpectrum> healthy = {});
 
   /// One window, as long as the known ones.
-  [[nodiscard]] std::vector<float> carry(const Journey& journey, Stream& random) const;
+  [[nodiscard]] Carried carry(const Journey& journey, Stream& random) const;
+
+  /// The k and c of the strongest resonance with which the bearing of a known window answers.
+  [[nodiscard]] const signal::DynamicParameters& ring(std::size_t known) const {
+    return rings_[known];
+  }
 
  private:
   /// What is drawn for one window.
   struct Draw {
-    Edges edges;          ///< in the tested condition
-    double period_s = 0;  ///< between strikes
+    Rhythm rhythm;  ///< in the tested condition
     Path path;
   };
 
+  [[nodiscard]] bool moves(const Journey& journey) const;
   [[nodiscard]] Draw draw(const Journey& journey, Stream& random) const;
   [[nodiscard]] double draw_size_mm(std::size_t known, Stream& random) const;
-  [[nodiscard]] Eigen::ArrayXd put_together(const Journey& journey, const Draw& draw,
-                                            Stream& random) const;
-  [[nodiscard]] Eigen::ArrayXd cut_and_set(const Journey& journey, const Draw& draw,
-                                           Stream& random) const;
+  [[nodiscard]] std::vector<double> draw_strengths(const Journey& journey, const Rhythm& rhythm,
+                                                   double frame_s, Stream& random) const;
+  [[nodiscard]] Eigen::ArrayXd answer(const Journey& journey, Stream& random) const;
+  [[nodiscard]] Eigen::ArrayXd background(const Journey& journey, const Eigen::ArrayXd& answer,
+                                          const Draw& draw, Stream& random) const;
+  [[nodiscard]] Carried put_together(const Journey& journey, Stream& random) const;
+  [[nodiscard]] Carried cut_and_set(const Journey& journey, Stream& random) const;
+  [[nodiscard]] Carried turned(std::size_t known, std::vector<double> samples,
+                               Stream& random) const;
+  [[nodiscard]] Carried as_loud_as_known(std::size_t known, std::vector<double> samples,
+                                         std::vector<double> strikes) const;
 
   const signal::WindowSet& known_;
   const std::vector<Edges>& edges_;
   CarryOptions options_;
   Structure structure_;
-  std::vector<Comb> combs_;                     ///< of each known window
-  std::vector<std::vector<double>> strengths_;  ///< of the strikes of each known window
+  std::vector<HealthySpectrum> healthy_;
+  std::vector<Comb> combs_;                       ///< of each known window
+  std::vector<std::vector<double>> strengths_;    ///< of the strikes of each known window
+  std::vector<signal::DynamicParameters> rings_;  ///< of each known window, by its bearing
 };
 
 }  // namespace piae::transfer

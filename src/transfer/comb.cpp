@@ -83,7 +83,7 @@ Comb find_comb(std::span<const double> window, double nominal_period) {
   return best;
 }
 
-std::vector<double> strengths(std::span<const double> window, const Comb& comb) {
+std::vector<double> seen_strengths(std::span<const double> window, const Comb& comb) {
   ArrayXd envelope = envelope_of(window, comb.period);
   ArrayXd sorted = envelope;
   std::sort(sorted.begin(), sorted.end());

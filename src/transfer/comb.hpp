@@ -24,6 +24,6 @@ Comb find_comb(std::span<const double> window, double nominal_period);
 
 /// How strong each strike of a window is, as a multiple of their mean: how far that envelope stands
 /// above its median, at least 0. Equal, where nothing stands out.
-std::vector<double> strengths(std::span<const double> window, const Comb& comb);
+std::vector<double> seen_strengths(std::span<const double> window, const Comb& comb);
 
 }  // namespace piae::transfer

@@ -1,9 +1,8 @@
 #include "transfer/options.hpp"
 
-#include <algorithm>
-#include <vector>
-
+#include "signal/ranges.hpp"
 #include "transfer/ranges.hpp"
+#include "transfer/words.hpp"
 
 namespace piae::transfer {
 
@@ -30,60 +29,42 @@ void bind_prior(const cli::Options& command, EdgePrior& o) {
       .check(cli::non_negative_number());
 }
 
-/// Words, in the artefact as on the command line, so that a model says what it does.
-template <typename Choice>
-using Words = std::vector<cli::Word<Choice>>;
-
 const Words<Set>& set_words() {
   static const Words<Set> words{{"tested", Set::tested}, {"known", Set::known}};
   return words;
 }
 
 const Words<Response>& response_words() {
-  static const Words<Response> words{{"minimum-phase", Response::minimum_phase},
-                                     {"cut", Response::cut}};
+  static const Words<Response> words{
+      {"minimum-phase", Response::minimum_phase}, {"ring", Response::ring}, {"cut", Response::cut}};
   return words;
 }
 
-const Words<Strengths>& strength_words() {
-  static const Words<Strengths> words{{"known", Strengths::known}, {"alike", Strengths::alike}};
+const Words<BackgroundFrom>& background_words() {
+  static const Words<BackgroundFrom> words{{"struck", BackgroundFrom::struck},
+                                           {"healthy", BackgroundFrom::healthy}};
   return words;
-}
-
-template <typename Choice>
-std::string word_of(Choice choice, const Words<Choice>& words) {
-  return std::ranges::find(words, choice, &cli::Word<Choice>::value)->text;
-}
-
-template <typename Choice>
-Choice read_word(const artefact::Reader& reader, const std::string& name,
-                 const Words<Choice>& words) {
-  const std::string text = reader.text(group, name);
-  std::string known;
-  for (const cli::Word<Choice>& word : words) {
-    if (text == word.text) return word.value;
-    known += (known.empty() ? "" : " or ") + std::string(word.text);
-  }
-  reader.refuse(group + ", attribute " + name, "is " + text + ", must be " + known);
 }
 
 }  // namespace
 
 void bind(const cli::Options& command, CarryOptions& o) {
-  command.choose("--response", o.response, response_words(),
-                 "how the machine answers a blow: as its spectrum says, or cut from known windows");
+  command.choose(
+      "--response", o.response, response_words(),
+      "how the machine answers a blow: as its spectrum says, as eq. 13's ring, or cut from "
+      "known windows");
   command.choose("--edges", o.edges, set_words(),
                  "the lag between both edges of the defect: of the tested condition, or left");
   command.choose("--rhythm", o.rhythm, set_words(),
                  "the time between strikes: of the tested condition, or left");
-  command.choose("--strengths", o.strengths, strength_words(),
-                 "how strong strikes are: as those of a known window, or all alike");
   command
       .add("--own-structure", o.own_structure,
            "of what tells the structure of a bearing from that of all: the least part kept")
       .check(cli::share());
   command.add("--background", o.background, "largest part of the power that is not struck")
       .check(cli::share());
+  command.choose("--background-from", o.background_from, background_words(),
+                 "what colours it: the struck windows, or healthy ones of the tested condition");
   command
       .add("--dispersion-ms", o.dispersion_ms,
            "of the random transfer path: standard deviation of its group delay at a knot, ms")
@@ -101,7 +82,14 @@ void bind(const cli::Options& command, CarryOptions& o) {
       .add("--size-factor", o.size_factor,
            "a defect of unknown size is up to so many times as large or small as those known")
       .check(cli::within(ranges::size_factor));
+  bind(command, o.strengths);
   bind(command, o.equaliser);
+  command
+      .add("--other-bearing-db", o.other_bearing_db,
+           "the same where the tested bearing is not the known one, dB")
+      .check(cli::within(ranges::spread_db));
+  command.add("--mass-kg", o.mass_kg, "M of eq. 13, by which windows have their k and c, kg")
+      .check(cli::within(signal::ranges::mass_kg));
   bind_prior(command, o.prior);
 }
 
@@ -110,30 +98,36 @@ void write(artefact::Writer& writer, const CarryOptions& options) {
   writer.attribute(group, "response", word_of(options.response, response_words()));
   writer.attribute(group, "edges", word_of(options.edges, set_words()));
   writer.attribute(group, "rhythm", word_of(options.rhythm, set_words()));
-  writer.attribute(group, "strengths", word_of(options.strengths, strength_words()));
   writer.attribute(group, "own_structure", options.own_structure);
   writer.attribute(group, "background", options.background);
+  writer.attribute(group, "background_from", word_of(options.background_from, background_words()));
   writer.attribute(group, "dispersion_ms", options.dispersion_ms);
   writer.attribute(group, "jitter", options.jitter);
   writer.attribute(group, "lag_deviation", options.lag_deviation);
   writer.attribute(group, "tilt", options.tilt);
   writer.attribute(group, "size_factor", options.size_factor);
+  writer.attribute(group, "other_bearing_db", options.other_bearing_db);
+  writer.attribute(group, "mass_kg", options.mass_kg);
+  write(writer, options.strengths);
   write(writer, options.equaliser);
 }
 
 CarryOptions read_carry_options(const artefact::Reader& reader) {
-  return {.response = read_word(reader, "response", response_words()),
-          .edges = read_word(reader, "edges", set_words()),
-          .rhythm = read_word(reader, "rhythm", set_words()),
-          .strengths = read_word(reader, "strengths", strength_words()),
+  return {.response = read_word(reader, group, "response", response_words()),
+          .edges = read_word(reader, group, "edges", set_words()),
+          .rhythm = read_word(reader, group, "rhythm", set_words()),
+          .strengths = read_strength_options(reader),
           .own_structure = reader.real(group, "own_structure", ranges::part),
           .background = reader.real(group, "background", ranges::part),
+          .background_from = read_word(reader, group, "background_from", background_words()),
           .dispersion_ms = reader.real(group, "dispersion_ms", ranges::dispersion_ms),
           .jitter = reader.real(group, "jitter", ranges::jitter),
           .lag_deviation = reader.real(group, "lag_deviation", ranges::lag_deviation),
           .tilt = reader.real(group, "tilt", ranges::tilt),
           .size_factor = reader.real(group, "size_factor", ranges::size_factor),
           .equaliser = read_equaliser_options(reader),
+          .other_bearing_db = reader.real(group, "other_bearing_db", ranges::spread_db),
+          .mass_kg = reader.real(group, "mass_kg", signal::ranges::mass_kg),
           .prior = {}};
 }
 

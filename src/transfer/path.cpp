@@ -37,10 +37,11 @@ ArrayXd draw_phase(Stream& random, Index bins, double rate_hz, const CarryOption
 }  // namespace
 
 Path draw_path(Stream& random, Index bins, double rate_hz, double speed_ratio,
-               const CarryOptions& options) {
+               bool to_other_bearing, const CarryOptions& options) {
   const double power = random.uniform(0, 1) * options.tilt * std::log2(speed_ratio);
-  const std::vector<double> gains =
-      draw_gains(random, static_cast<std::size_t>(bins), options.equaliser);
+  EqualiserOptions equaliser = options.equaliser;
+  if (to_other_bearing) equaliser.spread_db = options.other_bearing_db;
+  const std::vector<double> gains = draw_gains(random, static_cast<std::size_t>(bins), equaliser);
   ArrayXd log_gain(bins);
   for (Index i = 0; i < bins; ++i) {
     const double part = static_cast<double>(i) / static_cast<double>(bins - 1);

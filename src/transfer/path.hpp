@@ -17,8 +17,8 @@ struct Path {
 /// The gain is that of a random equaliser (equaliser.hpp), times a power of the frequency: a faster
 /// blow is sharper, so the spectrum grows with the frequency, by a power that is drawn between 0
 /// and `tilt` for a doubled speed. The group delay is normal at the equaliser's knots, a straight
-/// line between them.
+/// line between them. The path of another bearing differs by its own standard deviation.
 Path draw_path(Stream& random, Eigen::Index bins, double rate_hz, double speed_ratio,
-               const CarryOptions& options);
+               bool to_other_bearing, const CarryOptions& options);
 
 }  // namespace piae::transfer

@@ -75,12 +75,13 @@ std::vector<Cut> cut_responses(std::span<const double> window, const Comb& comb)
   return responses;
 }
 
-std::vector<double> struck(const std::vector<Cut>& responses, double period, double jitter,
-                           std::size_t length, Stream& random) {
-  std::vector<double> window(length, 0.0);
+StruckWindow struck(const std::vector<Cut>& responses, double period, double jitter,
+                    std::size_t length, Stream& random) {
+  StruckWindow window{.samples = std::vector<double>(length, 0.0), .strikes = {}};
   const auto gap = static_cast<std::size_t>(std::ceil(period));
   const std::size_t longest = std::ranges::max(responses, {}, &Cut::size).size();
   std::size_t next = random.below(responses.size());
+  const double lead = lead_part * static_cast<double>(longest);
   // What was struck before the window still rings in it.
   double place = -static_cast<double>(std::max(longest, gap)) - random.uniform(0, period);
   while (place < static_cast<double>(length)) {
@@ -91,7 +92,9 @@ std::vector<double> struck(const std::vector<Cut>& responses, double period, dou
     } else {
       fade_out(response, response.size() - gap);
     }
-    add_at(std::lround(place), response, window);
+    add_at(std::lround(place), response, window.samples);
+    const double strike = place + lead;
+    if (strike >= 0 && strike < static_cast<double>(length)) window.strikes.push_back(strike);
     place += period * std::max(least_step, 1 + random.normal(0, jitter));
   }
   return window;

@@ -11,6 +11,12 @@ namespace piae::transfer {
 
 using Cut = std::vector<double>;
 
+/// A window, and where in it the structure is struck, in samples, ascending.
+struct StruckWindow {
+  std::vector<double> samples;
+  std::vector<double> strikes;
+};
+
 /// A window cut at its strikes: what follows each, from a little before it (where the comb stands
 /// the blow has begun) to a little before the next. Only those that the window holds whole.
 std::vector<Cut> cut_responses(std::span<const double> window, const Comb& comb);
@@ -22,7 +28,7 @@ std::vector<Cut> cut_responses(std::span<const double> window, const Comb& comb)
 /// responses overlap and fade; where it is longer, they go on with the ends of others, which are
 /// the machine's background and what still rings. There must be a response, and a period of two
 /// samples or more.
-std::vector<double> struck(const std::vector<Cut>& responses, double period, double jitter,
-                           std::size_t length, Stream& random);
+StruckWindow struck(const std::vector<Cut>& responses, double period, double jitter,
+                    std::size_t length, Stream& random);
 
 }  // namespace piae::transfer

@@ -15,10 +15,12 @@ struct Rhythm {
   Edges edges;
 };
 
-/// Strikes from a random start in the first period to the end of a frame. Their strengths follow
-/// each other as in a known window, from a random one on: so the load zone, which inner race and
-/// balls pass with so many strikes a turn, stays where it was. The lag of each differs from the
-/// others' by the spread of the edges. There must be a strength.
+/// How many strikes a frame has at most.
+std::size_t most_strikes(const Rhythm& rhythm, double frame_s);
+
+/// Strikes from a random start in the first period to the end of a frame, with these strengths
+/// (strengths.hpp) in their order: most_strikes() of them. The lag of each differs from the others'
+/// by the spread of the edges.
 std::vector<Strike> draw_strikes(Stream& random, const Rhythm& rhythm,
                                  std::span<const double> strengths, double frame_s);
 

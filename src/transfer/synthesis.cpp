@@ -17,7 +17,8 @@ double bin_hz_of(Index bins, double rate_hz) { return rate_hz / 2 / static_cast<
 
 ArrayXd second_half(const ArrayXcd& spectrum) {
   const ArrayXd window = samples_of(spectrum).tail(spectrum.size() - 1);
-  return window / std::sqrt(window.square().mean());
+  const double power = window.square().mean();
+  return power > 0 ? ArrayXd(window / std::sqrt(power)) : window;
 }
 
 }  // namespace
@@ -31,13 +32,13 @@ ArrayXd struck_window(const ArrayXd& log_answer, const Path& path,
                      excitation(strikes, bins, bin_hz_of(bins, rate_hz)));
 }
 
-ArrayXd background_window(const ArrayXd& log_answer, const Path& path, const Edges& edges,
-                          double rate_hz, Stream& random) {
+ArrayXd background_window(const ArrayXd& log_answer, const Edges& edges, double rate_hz,
+                          Stream& random) {
   const double bin_hz = bin_hz_of(log_answer.size(), rate_hz);
   ArrayXcd spectrum(log_answer.size());
   for (Index i = 0; i < spectrum.size(); ++i) {
-    const double amplitude = std::exp(log_answer[i] + path.log_gain[i]) *
-                             edges.amplitude(static_cast<double>(i) * bin_hz);
+    const double amplitude =
+        std::exp(log_answer[i]) * edges.amplitude(static_cast<double>(i) * bin_hz);
     const double real = random.normal(0, amplitude);
     spectrum[i] = {real, random.normal(0, amplitude)};
   }

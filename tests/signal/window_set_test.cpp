@@ -160,6 +160,32 @@ TEST(WindowSet, OfCutAndGeneratedWindowsKeepsWhatAllHave) {
   EXPECT_EQ(set.parameters.size(), 5U);
 }
 
+TEST(WindowSet, KeepsWhenEachWindowIsStruck) {
+  const Folder folder;
+  const auto struck = [&](const std::vector<std::vector<double>>& strikes_s) {
+    WindowSet set = generated_set();
+    set.strikes_s = strikes_s;
+    return load_set(save(folder, set));
+  };
+  const WindowSet some = generated_set();
+  const double end_s = static_cast<double>(some.length) / some.info.sample_rate_hz;
+  std::vector<std::vector<double>> strikes_s(some.size());
+  strikes_s[0] = {0, 0.25 * end_s, 0.5 * end_s};
+  strikes_s.back().push_back(0.9 * end_s);
+  EXPECT_EQ(struck(strikes_s).strikes_s, strikes_s);
+  strikes_s[0] = {0.5 * end_s, 0.25 * end_s};
+  EXPECT_ERROR(struck(strikes_s), Exit::bad_input, "/strikes/time_s holds a strike");
+  strikes_s[0] = {end_s};
+  EXPECT_ERROR(struck(strikes_s), Exit::bad_input, "/strikes/time_s holds a strike");
+  strikes_s[0] = {-0.1 * end_s};
+  EXPECT_ERROR(struck(strikes_s), Exit::bad_input, "/strikes/time_s holds a strike");
+  strikes_s[0] = {std::nan("")};
+  EXPECT_ERROR(struck(strikes_s), Exit::bad_input, "/strikes/time_s");
+  strikes_s[0] = {0};
+  strikes_s.push_back({0});
+  EXPECT_ERROR(struck(strikes_s), Exit::bad_input, "/strikes/window does not name windows");
+}
+
 TEST(WindowSet, TakesNoWindowOfAnotherLength) {
   WindowSet set = empty_set();
   set.length = 3;

@@ -60,9 +60,10 @@ inline signal::WindowSet one_machine() {
     const Rhythm rhythm{.period_s = period_s(known, i, 1200),
                         .jitter = 0.005,
                         .edges = edges_at(known, i, lag_shares[i / 5], 1200)};
+    const std::vector<double> alike(most_strikes(rhythm, 2048 / rate_hz), 1.0);
     const Eigen::ArrayXd window =
         3 * struck_window(three_resonances(1025, rate_hz), path,
-                          draw_strikes(random, rhythm, std::vector{1.0}, 2048 / rate_hz), rate_hz);
+                          draw_strikes(random, rhythm, alike, 2048 / rate_hz), rate_hz);
     for (const double x : window) known.samples.push_back(static_cast<float>(x));
   }
   return known;

@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "scoring/spectrum.hpp"
+#include "support/errors.hpp"
 #include "transfer/carried.hpp"
 #include "transfer/cepstrum.hpp"
 #include "transfer/known_edges.hpp"
@@ -21,15 +24,17 @@ std::vector<Edges> true_edges(const signal::WindowSet& known) {
 std::vector<double> carried(const Carrier& carrier, const signal::WindowSet& known, Label label,
                             std::size_t index) {
   Stream random("carried " + std::to_string(index));
-  const std::vector<float> window = carrier.carry(journey_of(known, label, index), random);
+  const std::vector<float> window = carrier.carry(journey_of(known, label, index), random).samples;
   return {window.begin(), window.end()};
 }
 
 class CarriedBy : public testing::TestWithParam<Response> {};
 INSTANTIATE_TEST_SUITE_P(Transfer, CarriedBy,
-                         testing::Values(Response::minimum_phase, Response::cut),
+                         testing::Values(Response::minimum_phase, Response::ring, Response::cut),
                          [](const auto& i) {
-                           return i.param == Response::cut ? "Cut" : "MinimumPhase";
+                           return i.param == Response::cut    ? "Cut"
+                                  : i.param == Response::ring ? "Ring"
+                                                              : "MinimumPhase";
                          });
 
 TEST_P(CarriedBy, IsStruckAtTheTestedRhythmAndAsLoudAsKnown) {
@@ -91,6 +96,86 @@ TEST(Carrier, MovesTheMinimaOfTheEdgesAndLeavesTheResonances) {
   }
   EXPECT_LT(std::sqrt(error_tested), 0.25);
   EXPECT_GT(std::sqrt(error_before), 2 * std::sqrt(error_tested));
+}
+
+TEST_P(CarriedBy, SaysWhenTheDefectIsStruck) {
+  const signal::WindowSet known = one_machine();
+  const std::vector<Edges> edges = true_edges(known);
+  CarryOptions options;
+  options.response = GetParam();
+  options.strengths.from = Strengths::alike;
+  const Carrier carrier(known, edges, options);
+  Stream random("told");
+  const Carried carried = carrier.carry(journey_of(known, 3, 0), random);
+  const std::vector<double> samples(carried.samples.begin(), carried.samples.end());
+  const double period_s_told = period_s(known, 10, 600);
+  ASSERT_GE(carried.strikes_s.size(), 2U);
+  for (std::size_t i = 1; i < carried.strikes_s.size(); ++i) {
+    EXPECT_NEAR(carried.strikes_s[i] - carried.strikes_s[i - 1], period_s_told, 1e-4);
+  }
+  // The comb stands a few samples behind the blow.
+  const Comb comb = find_comb(samples, period_s_told * 12000);
+  const double behind = comb.first - carried.strikes_s.front() * 12000;
+  EXPECT_GE(behind, -0.15 * comb.period);
+  EXPECT_LE(behind, 0.15 * comb.period);
+}
+
+TEST(Carrier, TurnsTheKnownWindowWhereNothingMoves) {
+  signal::WindowSet known = one_machine();
+  known.info.conditions[1].shaft_speed_rpm = 1200;
+  const std::vector<Edges> edges = true_edges(known);
+  CarryOptions options;
+  options.equaliser.spread_db = 20;
+  const Carrier carrier(known, edges, options);
+  Stream random("stays");
+  std::vector<float> made = carrier.carry(journey_of(known, 2, 3), random).samples;
+  std::vector<float> before(known.window(8).begin(), known.window(8).end());
+  std::ranges::sort(made);
+  std::ranges::sort(before);
+  for (std::size_t i = 0; i < made.size(); ++i) EXPECT_NEAR(made[i], before[i], 1e-5);
+}
+
+TEST(Carrier, NeedsHealthyWindowsOfTheTestedConditionForTheirBackground) {
+  const signal::WindowSet known = one_machine();
+  const std::vector<Edges> edges = true_edges(known);
+  CarryOptions options;
+  options.background_from = BackgroundFrom::healthy;
+  EXPECT_ERROR(Carrier(known, edges, options), Exit::usage, "give --healthy B.h5 to train");
+  // A background of one line at 3 kHz, and nothing else: what is not struck is there alone.
+  Eigen::ArrayXd line = Eigen::ArrayXd::Constant(1025, -20);
+  line[512] = 0;
+  options.background = 1;
+  const Carrier carrier(known, edges, options, {{.condition = 1, .log_amplitude = line}});
+  options.background_from = BackgroundFrom::struck;
+  const Carrier without(known, edges, options);
+  const auto at_line = [&](const Carrier& from) {
+    scoring::Windows windows(50, 1024);
+    for (Eigen::Index i = 0; i < 50; ++i) {
+      const std::vector<double> window = carried(from, known, 4, static_cast<std::size_t>(i));
+      windows.row(i) = Eigen::Map<const Eigen::RowVectorXd>(window.data(), 1024);
+    }
+    const Eigen::ArrayXd power = scoring::mean_power_spectrum(windows);
+    return power[256] / power.sum();
+  };
+  // Half of the power on average, of which Hann's window leaves two thirds in the bin itself.
+  EXPECT_GT(at_line(carrier), 0.2);
+  EXPECT_LT(at_line(without), 0.05);
+}
+
+TEST(Carrier, KnowsTheRingOfABearing) {
+  const signal::WindowSet known = one_machine();
+  const std::vector<Edges> edges = true_edges(known);
+  CarryOptions options;
+  options.mass_kg = 2;
+  const Carrier carrier(known, edges, options);
+  const signal::DynamicParameters& ring = carrier.ring(0);
+  const double hz = std::sqrt(ring.stiffness_n_per_m / 2) / (2 * std::numbers::pi);
+  double nearest = 1;  // of the resonances that its structure has
+  for (const double resonance_hz : {1100.0, 2400.0, 4200.0}) {
+    nearest = std::min(nearest, std::abs(hz / resonance_hz - 1));
+  }
+  EXPECT_LT(nearest, 0.1) << hz;
+  EXPECT_EQ(carrier.ring(4).stiffness_n_per_m, ring.stiffness_n_per_m);
 }
 
 TEST(Carrier, WorksOnWindowsOfAnyLength) {

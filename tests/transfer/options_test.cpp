@@ -14,8 +14,10 @@ TEST(CarryOptions, AreReadAsTheyWereWritten) {
   CarryOptions options;
   cli::parse(
       "--response cut --edges known --rhythm known --strengths alike --own-structure 0.25 "
-      "--background 0.5 --dispersion-ms 0.75 --strike-jitter 0.01 --lag-deviation 0.03 --tilt 2 "
-      "--size-factor 3 --equaliser-db 4 --equaliser-knots 5",
+      "--background 0.5 --background-from healthy --dispersion-ms 0.75 --strike-jitter 0.01 "
+      "--lag-deviation 0.03 --tilt 2 "
+      "--size-factor 3 --equaliser-db 4 --equaliser-knots 5 --other-bearing-db 7 --mass-kg 2 "
+      "--load-zone-from 0.3 --load-zone-to 0.6 --rotating-load 0.4 --strength-scatter 0.7",
       [&](const cli::Options& command) { bind(command, options); });
   artefact::Writer writer("model");
   write(writer, options);
@@ -25,7 +27,14 @@ TEST(CarryOptions, AreReadAsTheyWereWritten) {
   EXPECT_EQ(read.response, Response::cut);
   EXPECT_EQ(read.edges, Set::known);
   EXPECT_EQ(read.rhythm, Set::known);
-  EXPECT_EQ(read.strengths, Strengths::alike);
+  EXPECT_EQ(read.strengths.from, Strengths::alike);
+  EXPECT_EQ(read.strengths.least_extent, 0.3);
+  EXPECT_EQ(read.strengths.largest_extent, 0.6);
+  EXPECT_EQ(read.strengths.rotating, 0.4);
+  EXPECT_EQ(read.strengths.scatter, 0.7);
+  EXPECT_EQ(read.background_from, BackgroundFrom::healthy);
+  EXPECT_EQ(read.other_bearing_db, 7);
+  EXPECT_EQ(read.mass_kg, 2);
   EXPECT_EQ(read.own_structure, 0.25);
   EXPECT_EQ(read.background, 0.5);
   EXPECT_EQ(read.dispersion_ms, 0.75);
@@ -44,7 +53,7 @@ TEST(CarryOptions, OfAWordThatNoOneKnowsAreRefused) {
   const std::filesystem::path path = scratch_file("loud.h5");
   writer.save(path, {});
   EXPECT_ERROR(read_carry_options(artefact::Reader(path, "model")), Exit::bad_input,
-               "attribute response is loud, must be minimum-phase or cut");
+               "attribute response is loud, must be minimum-phase or ring or cut");
 }
 
 TEST(StoredEdges, AreReadAsTheyWereWrittenAndRefusedWhereTheyCannotBe) {

@@ -13,7 +13,7 @@ constexpr double path_rate_hz = 12000;
 
 TEST(Path, ThatIsNotRandomChangesNothing) {
   Stream random("path");
-  const Path path = draw_path(random, path_bins, path_rate_hz, 2, {});
+  const Path path = draw_path(random, path_bins, path_rate_hz, 2, false, {});
   EXPECT_EQ(path.log_gain.abs().maxCoeff(), 0);
   EXPECT_EQ(path.phase.abs().maxCoeff(), 0);
 }
@@ -24,14 +24,14 @@ TEST(Path, TiltsTheSpectrumUpAtAHigherSpeedAndDownAtALowerOne) {
   double sum = 0;
   for (int i = 0; i < 400; ++i) {
     Stream random("tilt " + std::to_string(i));
-    const Path path = draw_path(random, path_bins, path_rate_hz, 2, options);
+    const Path path = draw_path(random, path_bins, path_rate_hz, 2, false, options);
     // From 1 to 4 kHz, path_bins 171 and 683: by a power from 0 to 1.5.
     const double power = (path.log_gain[683] - path.log_gain[171]) / std::log(683.0 / 171);
     EXPECT_GE(power, 0);
     EXPECT_LE(power, 1.5 + 1e-9);
     sum += power;
     Stream same("tilt " + std::to_string(i));
-    const Path back = draw_path(same, path_bins, path_rate_hz, 0.5, options);
+    const Path back = draw_path(same, path_bins, path_rate_hz, 0.5, false, options);
     EXPECT_NEAR((path.log_gain + back.log_gain).abs().maxCoeff(), 0, 1e-12);
   }
   EXPECT_NEAR(sum / 400, 0.75, 4 * 1.5 / std::sqrt(12 * 400.0));
@@ -43,13 +43,31 @@ TEST(Path, DelaysEachFrequencyByAsMuchAsItsKnotsSay) {
   double squares = 0;
   for (int i = 0; i < 400; ++i) {
     Stream random("delay " + std::to_string(i));
-    const Path path = draw_path(random, path_bins, path_rate_hz, 1, options);
+    const Path path = draw_path(random, path_bins, path_rate_hz, 1, false, options);
     EXPECT_EQ(path.log_gain.abs().maxCoeff(), 0);
     // The group delay at 0 Hz, which is that of the first knot.
     const double bin = 2 * std::numbers::pi * path_rate_hz / 2 / (path_bins - 1);
     squares += std::pow(-(path.phase[1] - path.phase[0]) / bin, 2);
   }
   EXPECT_NEAR(std::sqrt(squares / 400), 0.5e-3, 4 * 0.5e-3 / std::sqrt(800.0));
+}
+
+TEST(Path, OfAnotherBearingDiffersByItsOwnDeviation) {
+  CarryOptions options;
+  options.equaliser = {.spread_db = 1, .knots = 8};
+  options.other_bearing_db = 10;
+  const auto spread_db = [&](bool to_other) {
+    double sum = 0;
+    for (int i = 0; i < 400; ++i) {
+      Stream random("bearing " + std::to_string(i));
+      const Path path = draw_path(random, path_bins, path_rate_hz, 1, to_other, options);
+      sum += std::pow(20 * std::log10(std::exp(path.log_gain[0])), 2);  // a knot
+    }
+    return std::sqrt(sum / 400);
+  };
+  // A standard deviation of 400 is right to 1 / sqrt(800); here within three times that.
+  EXPECT_NEAR(spread_db(false), 1, 0.11);
+  EXPECT_NEAR(spread_db(true), 10, 1.1);
 }
 
 }  // namespace

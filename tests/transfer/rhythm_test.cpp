@@ -34,7 +34,7 @@ TEST(Rhythm, StrikesAtTheNewPeriodAndLeavesEachRingingAsItWas) {
   const std::vector<Cut> responses = cut_responses(ringing(60, 160, 1024), known);
   for (const double period : {80.0, 160.0, 213.3, 320.0}) {
     Stream random("struck at " + std::to_string(period));
-    const std::vector<double> window = struck(responses, period, 0, 1024, random);
+    const std::vector<double> window = struck(responses, period, 0, 1024, random).samples;
     const Comb comb = find_comb(window, period);
     EXPECT_NEAR(comb.period, period, 0.006 * period) << period;
     // As much ringing after each blow, so in all as many times more as there are more blows.
@@ -43,12 +43,25 @@ TEST(Rhythm, StrikesAtTheNewPeriodAndLeavesEachRingingAsItWas) {
   }
 }
 
+TEST(Rhythm, SaysWhenItStrikes) {
+  // The blow of a response of 100 samples is 12 samples after its beginning, as where it is cut.
+  std::vector<Cut> responses(2, Cut(100, 0.0));
+  for (Cut& response : responses) response[12] = 1;
+  Stream random("strikes");
+  const StruckWindow window = struck(responses, 70, 0.02, 1024, random);
+  ASSERT_GE(window.strikes.size(), 13U);
+  for (const double strike : window.strikes) {
+    const auto place = static_cast<std::size_t>(std::lround(strike));
+    EXPECT_EQ(window.samples[std::min<std::size_t>(place, 1023)], 1) << strike;
+  }
+}
+
 TEST(Rhythm, KeepsTheOrderOfResponses) {
   // Responses as loud as 1, 2 and 3: the load zone of a race that passes it once in three strikes.
   std::vector<Cut> responses(3, Cut(100, 0.0));
   for (std::size_t i = 0; i < 3; ++i) responses[i][10] = static_cast<double>(i + 1);
   Stream random("order");
-  const std::vector<double> window = struck(responses, 50, 0, 1024, random);
+  const std::vector<double> window = struck(responses, 50, 0, 1024, random).samples;
   std::vector<double> heard;
   for (const double x : window) {
     if (x > 0) heard.push_back(x);
@@ -66,7 +79,7 @@ TEST(Rhythm, IsAsIrregularAsItIsAskedToBe) {
   double squares = 0;
   double strikes = 0;
   for (int i = 0; i < 100; ++i) {
-    const std::vector<double> window = struck(responses, 50, 0.04, 1024, random);
+    const std::vector<double> window = struck(responses, 50, 0.04, 1024, random).samples;
     std::vector<double> places;
     for (std::size_t t = 0; t < window.size(); ++t) {
       if (window[t] > 0.5) places.push_back(static_cast<double>(t));
@@ -89,7 +102,7 @@ TEST(Rhythm, GoesOnBeyondTheKnownPeriodAsLoudAsItsEnds) {
   double sum = 0;
   for (int i = 0; i < 40; ++i) {
     Stream random("window " + std::to_string(i));
-    sum += power(struck(responses, 400, 0, 1024, random)) / 1024;
+    sum += power(struck(responses, 400, 0, 1024, random).samples) / 1024;
   }
   EXPECT_NEAR(sum / 40, 1, 0.12);
 }

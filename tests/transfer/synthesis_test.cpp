@@ -52,7 +52,7 @@ TEST(Synthesis, TheBackgroundHasTheColourOfTheStructureAndTheEdges) {
   scoring::Windows windows(400, 1024);
   for (Eigen::Index i = 0; i < windows.rows(); ++i) {
     Stream random("background " + std::to_string(i));
-    const ArrayXd window = background_window(answer, no_path(), edges, frame_rate_hz, random);
+    const ArrayXd window = background_window(answer, edges, frame_rate_hz, random);
     EXPECT_NEAR(window.square().mean(), 1, 1e-12);
     windows.row(i) = window.transpose().matrix();
   }

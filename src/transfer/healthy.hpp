@@ -1,0 +1,30 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <vector>
+
+#include "artefact/reader.hpp"
+#include "artefact/writer.hpp"
+#include "signal/window_set.hpp"
+
+namespace piae::transfer {
+
+/// What is heard of a healthy machine in a tested condition.
+struct HealthySpectrum {
+  std::int32_t condition = signal::every_condition;
+  Eigen::ArrayXd log_amplitude;  ///< as of bearings.hpp, with the mean 0
+};
+
+/// Of healthy windows B: one for each tested condition that they have. Those that belong to every
+/// condition count in each.
+std::vector<HealthySpectrum> healthy_spectra(const signal::WindowSet& healthy);
+
+/// In the artefact: /healthy/condition int32 [m] and /healthy/log_amplitude float64 [m, bins].
+void write(artefact::Writer& writer, const std::vector<HealthySpectrum>& spectra);
+/// None where there are none. Throws artefact::Refusal for another number of bins, and for
+/// conditions that no data set has.
+std::vector<HealthySpectrum> read_healthy_spectra(const artefact::Reader& reader,
+                                                  const signal::WindowSet& known);
+
+}  // namespace piae::transfer
