@@ -40,6 +40,6 @@ $(foreach group,$(transfer_groups),$(eval $(call transfer_rule,$(group))))
 
 transfer: $(foreach group,$(transfer_groups),$(call transfer_tables,$(group)) $(results)/transfer@$(group).svg)
 	@cat $(filter %.md,$^)
-	@printf 'tables and pictures: %s\n' $(transfer_groups:%=$(results)/transfer@%.*)
+	@printf 'tables and picture: %s.{md,csv,svg,pdf}\n' $(transfer_groups:%=$(results)/transfer@%)
 
 endif

@@ -1,6 +1,6 @@
-# What each method is worth in other conditions, transfer@GROUP.csv of `make transfer`: dataset,speed_ratio,method,role,
-# classifier,recorded,best,ratio,seed,accuracy,std,ci95_low,ci95_high,kind,... At the left each data set, by the tested
-# speed where that changes; at the right the mean over them. A colour and a mark a method, by its recorded input.
+# Draws a table, transfer@GROUP.csv of `make transfer`: dataset,speed_ratio,method,role,classifier,recorded,best,ratio,
+# seed,accuracy,std,ci95_low,ci95_high,... At the left each data set, by the tested speed where that changes; at the
+# right the mean over them. A colour and a mark a method, by the input that is recorded for it.
 # height: 540
 edge_left = 64; edge_right = 14; edge_top = 72; edge_bottom = 96; gap_x = 0; gap_y = 0
 count = 1; columns = 1
@@ -101,7 +101,7 @@ plot for [m in ceilings] data using (of(m) && is_mean(9) ? plain(1) : NaN):10 sm
        with lines linewidth 1.6 dashtype 2 linecolor rgb ceiling_colour, \
      for [m in bars] data using (of_bar(m) && is_mean(9) ? plain(1) : NaN):10 smooth unique \
        with lines linewidth 1.6 dashtype 3 linecolor rgb 0x333333, \
-     for [m in methods] data using (of(m) && is_mean(9) ? at(m) : NaN):10 smooth unique \
+     for [m in (by_speed ? methods : "")] data using (of(m) && is_mean(9) ? at(m) : NaN):10 smooth unique \
        with lines linewidth 0.7 linecolor rgb faint(place(m, methods)), \
      for [m in methods] data using (of(m) && !is_mean(9) ? at(m) + 0.35 * pitch(nearest_gap) : NaN):10 \
        with points pointtype 7 pointsize 0.25 linecolor rgb dots(place(m, methods)), \

@@ -26,7 +26,7 @@ InputChoice parse_input_choice(const std::string& word) {
   if (equals == std::string::npos) {
     refuse("is not METHOD=CLASSIFIER, such as none=wdcnn-spectrum");
   }
-  const InputChoice choice{word.substr(0, equals), word.substr(equals + 1)};
+  InputChoice choice{word.substr(0, equals), word.substr(equals + 1)};
   if (augment::find_entry(choice.method) == nullptr) refuse("names a method that there is not");
   const diagnosis::Classifier* const classifier = diagnosis::find_classifier(choice.classifier);
   if (classifier == nullptr || !classifier->trains()) {

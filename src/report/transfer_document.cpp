@@ -143,9 +143,9 @@ Section inputs_section(const TransferGroup& group) {
   }
   return {"inputs", "Each method by each input: mean over the data sets, percent",
           fmt::format("{} is the input that was chosen on other seeds, and that all other tables "
-                      "show; {} the best of WDCNN's in this very run, which is no result where the "
-                      "run is not that on which inputs are chosen. Lost: by how many points the "
-                      "first is below the second. The best here are: {}",
+                      "show; {} the best of WDCNN's in this very run: what to record where these "
+                      "seeds are for choosing, and no result where they are not. Lost: by how many "
+                      "points the first is below the second. The best here are: {}",
                       mark_of_recorded, mark_of_best, best_inputs(group)),
           table};
 }

@@ -1,5 +1,7 @@
 #include "settings/groups.hpp"
 
+#include <spdlog/fmt/fmt.h>
+
 #include <algorithm>
 #include <set>
 
@@ -44,7 +46,7 @@ void require_inputs(const std::filesystem::path& file, const toml::table& group,
   for (const toml::node& node : *group.get("inputs")->as_array()) {
     const std::string method = method_of_input(file, node, path);
     if (!methods.insert(method).second) {
-      refuse(file, node, path + ".inputs names an input of " + method + " twice");
+      refuse(file, node, fmt::format("{}.inputs names an input of {} twice", path, method));
     }
   }
 }
@@ -79,7 +81,7 @@ void require_groups(const std::filesystem::path& file, const toml::table& protoc
     const std::string path = "transfer." + name;
     if (!node.is_table()) refuse(file, node, path + " stands in no group of data sets");
     if (!signal::ranges::is_plain_name(name)) {
-      refuse(file, node, "the name of [" + path + "] " + signal::ranges::plain_name_rule);
+      refuse(file, node, fmt::format("the name of [{}] {}", path, signal::ranges::plain_name_rule));
     }
     require_group(file, path, *node.as_table());
   }
