@@ -64,6 +64,11 @@ METHODS  := piae-dt
 SEEDS    := 100 101 102 103 104
 endif
 
+# The groups of pipeline/protocol.toml say of which data sets it is (pipeline/transfer.mk).
+ifneq (,$(filter transfer,$(MAKECMDGOALS)))
+DATASETS :=
+endif
+
 # ---- what was given -----------------------------------------------------------------------------
 variables := RUN DATASETS METHODS RATIOS CLASSIFIERS SEEDS PROTOCOL DATA_DIR ARCH LIBTORCH BIN SUBMIT TOLERANCE LINT STORM V \
              CORES MINUTES JOBS GPU_PARTITION
@@ -137,7 +142,8 @@ help:
 	  contrast 'both protocols side by side, and both readings of cwru: protocols.md, rates.md' \
 	  identify 'whether the (k, c) of the twin are the true ones, on simulated windows' \
 	  readings 'the choices that the paper leaves, tried on seeds 100-104: readings.csv, readings.md' \
-	  records  'only read or simulate the data sets' \
+	  transfer 'methods in the mean over data sets that test another speed or size: transfer@GROUP.md' \
+  records  'only read or simulate the data sets' \
 	  cluster  'the same on Slurm, in few jobs: all, or with cells, sweep, contrast, identify or readings' \
 	  cluster-plan 'what jobs that would be: their number, cores, hours and memory' \
 	  cluster-stop 'stop the jobs of RUN; the same make cluster goes on from there' \
@@ -183,7 +189,7 @@ help:
 
 # ---- the grid -----------------------------------------------------------------------------------
 # All goals that are its own, files of results/ among them, go to one make.
-asked := $(filter records cells tables all figures report demo sweep contrast identify readings results/%,$(goals))
+asked := $(filter records cells tables all figures report demo sweep contrast identify readings transfer results/%,$(goals))
 .PHONY: $(asked)
 $(asked): $(or $(on_cluster),grid)
 ifneq (,$(on_cluster))
@@ -227,7 +233,7 @@ data: | $(programs)
 
 # ---- building -----------------------------------------------------------------------------------
 # What is to be built, of `programs tests benches` or `demo`: packages for that are installed first.
-build_them = pipeline/deps.sh $(LIBTORCH) $1 $(if $(filter all figures report,$(or $(asked),$(on_cluster:%=all))),figures) && pipeline/build.sh $(ARCH) $(LIBTORCH) $1
+build_them = pipeline/deps.sh $(LIBTORCH) $1 $(if $(filter all figures report transfer,$(or $(asked),$(on_cluster:%=all))),figures) && pipeline/build.sh $(ARCH) $(LIBTORCH) $1
 
 build:
 	$(Q)$(call build_them,programs)

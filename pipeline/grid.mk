@@ -48,7 +48,19 @@ nothing_generated := $(call fact,nothing-generated)
 bar               := $(call fact,bar)
 simulated         := $(call fact,simulated)
 
+# The data sets of a group and the methods of which an input is recorded (pipeline/transfer.mk).
+in_group           = $(patsubst $2/%,%,$(filter $2/%,$(call fact,group-$1)))
+in_any_group       = $(notdir $(call fact,group-$1))
+
 # ---- what is asked for --------------------------------------------------------------------------
+# Where nothing else is: all groups, all inputs of the methods that have one recorded, with the most windows.
+ifneq (,$(filter transfer,$(MAKECMDGOALS)))
+$(if $(call fact,group),,$(error make transfer: [transfer] of pipeline/protocol.toml names no group of data sets))
+DATASETS    := $(filter $(call in_any_group,dataset),$(call fact,dataset))
+METHODS     := $(filter $(call in_any_group,method),$(call fact,method))
+RATIOS      := $(nothing_generated) $(lastword $(call fact,ratio))
+CLASSIFIERS := $(call fact,classifier)
+endif
 define check_words # name, words, known words
 $(if $2,,$(error $1: is empty))\
 $(foreach word,$(filter-out $3,$2),$(error $1: unknown '$(word)'; there are: $3))\
@@ -221,7 +233,7 @@ $(foreach dataset,$(DATASETS),\
       $(eval $(call diagnosis_rule,$(seed),$(folder),$(method),$(classifier)))))))
 
 .DEFAULT_GOAL := cells
-.PHONY: FORCE records cells features tables draw figures page report demo all list-cells sweep contrast identify readings
+.PHONY: FORCE records cells features tables draw figures page report demo all list-cells sweep contrast identify readings transfer
 records: $(DATASETS:%=$(results)/%/records.h5)
 cells: $(foreach dataset,$(DATASETS),$(call cell_files,$(dataset)))
 features: $(foreach dataset,$(DATASETS),$(call features,$(dataset)))
@@ -270,6 +282,7 @@ include pipeline/sweep.mk
 include pipeline/contrast.mk
 include pipeline/identify.mk
 include pipeline/readings.mk
+include pipeline/transfer.mk
 
 # ---- rules of the settings ----------------------------------------------------------------------
 # Looking at the rules writes nothing. A file that does not hold what it should is written when a step

@@ -40,7 +40,8 @@ int main(int argc, char** argv) {
                         "alone where they are not");
   stage.options().add("--against", against,
                       "Method that all others are compared with; where it is not given, "
-                      "piae-dt-phase or else piae-dt, where they are among the methods");
+                      "piae-dt-phase or else piae-dt, where they are among the methods; where "
+                      "faults are known in other conditions than tested, first strike-twin");
   stage.input_file("--run", run_folder, "Folder of the run, such as results/try");
   stage.input_file("--published", published_folder, "Folder of the paper's tables as CSV");
 

@@ -25,9 +25,10 @@ struct CatalogueEntry {
   Kind kind;
   const char* what;                             ///< what it does, in a few words
   std::unique_ptr<Method> (*make)() = nullptr;  ///< null for the baseline, which generates nothing
-  int model = 0;        ///< number of the model in the paper (Tables 10 and 11); 0 for no model
-  bool hears = false;   ///< whether it takes healthy windows B beside the known ones
-  bool infers = false;  ///< whether it infers stiffness and damping of windows it has not seen
+  int model = 0;         ///< number of the model in the paper (Tables 10 and 11); 0 for no model
+  bool infers = false;   ///< whether it infers stiffness and damping of windows it has not seen
+  bool hears = false;    ///< whether it takes healthy windows B beside the known ones
+  bool carries = false;  ///< whether it is made for faults that are known in other conditions alone
 };
 
 /// All entries in the order of the tables. This is the one place that knows the methods: programs

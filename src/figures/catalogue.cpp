@@ -53,9 +53,10 @@ constexpr Figure figures[] = {
     {.name = "paired-differences",
      .paper = "",
      .title = "Each method against the method of interest, paired by seed",
-     .caption = "Accuracy minus that of the same seed by piae-dt-phase, or else piae-dt, in "
-                "points; left of "
-                "zero a method is worse. Dots are seeds, marks their mean, bars its 95 % interval. "
+     .caption = "Accuracy minus that of the same seed by piae-dt-phase, or else piae-dt (where "
+                "faults are known in other conditions than tested, by strike-twin), in points; "
+                "left of zero a method is worse. Dots are seeds, marks their mean, bars its 95 % "
+                "interval. "
                 "p is of "
                 "Wilcoxon's test with Holm's correction over the methods of a panel.",
      .from = "seed*/<method>/<ratio>/diagnosis.h5, /predictions",

@@ -40,6 +40,7 @@ AccuracyRow row_of(const run::Combination& combination, const run::Grid& grid,
     if (run::Combination{cell.method, cell.ratio, cell.classifier} != combination) continue;
     row.generated_per_class = cell.generated_per_class;
     row.true_ratio = cell.true_ratio;
+    row.speed_ratio = cell.speed_ratio;
     row.seeds.push_back(cell.seed);
     row.values.push_back(100 * cell.accuracy);
     if (cell.kind_accuracy) kinds.push_back(100 * *cell.kind_accuracy);

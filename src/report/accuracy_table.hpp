@@ -27,6 +27,8 @@ struct AccuracyRow {
   scoring::Summary summary;         ///< of the values, with the interval that can be shown
   /// The same of the accuracy by kind of defect, where it is told apart (run::Diagnosis).
   std::optional<scoring::Summary> kind;
+  /// run::Diagnosis::speed_ratio: there where faults are known in other conditions than tested.
+  std::optional<double> speed_ratio;
   /// What the paper publishes: of this dataset, or of its counterpart (report/paper_reference.hpp),
   /// which is for orientation only. At most one of them is there, and none of another classifier.
   std::optional<double> published;

@@ -17,7 +17,8 @@ struct Comparisons {
 };
 
 /// `rows` are of accuracy_rows() and of one classifier. `against` is the method that all others are
-/// compared with. Where it is empty, that is this project's method if it has a row, else the
+/// compared with. Where it is empty, that is this project's method if it has a row (where faults
+/// are known in other conditions than tested, first the one that carries them there), else the
 /// paper's, else none. `none` has one accuracy, with which methods are compared at every ratio.
 /// Throws Error(usage) for a method that has no row.
 Comparisons compare_methods(const std::vector<AccuracyRow>& rows, const std::string& against);

@@ -191,7 +191,7 @@ text::Table paired_table(const std::vector<PairedRow>& rows) {
   return table;
 }
 
-std::string paired_note(const std::vector<PairedRow>& rows) {
+std::string paired_note(const std::vector<PairedRow>& rows, const std::string& about_means) {
   if (std::ranges::none_of(rows, is_tested)) {
     return "Differences in points. One seed alone can be tested for nothing.";
   }
@@ -201,10 +201,8 @@ std::string paired_note(const std::vector<PairedRow>& rows) {
          "positive, "
          "-1 where every one is negative. p: Wilcoxon's signed-rank test, two-sided and exact, "
          "differences of zero left out; in brackets with Holm's correction over the methods at the "
-         "same ratio, of which a ceiling is none. The mean of ratios is taken for each seed, since "
-         "ratios of one seed share "
-         "their split and are no independent repeats." +
-         warning_of_few_seeds(rows);
+         "same ratio, of which a ceiling is none. " +
+         about_means + warning_of_few_seeds(rows);
 }
 
 }  // namespace piae::report

@@ -55,8 +55,14 @@ std::string block_label(const std::vector<const PairedRow*>& block,
 /// that so few seeds cannot make small is marked; paired_note() says how. `rows` are at least one.
 text::Table paired_table(const std::vector<PairedRow>& rows);
 
-/// The note below such a table: what its columns mean, and a warning where the seeds are too few to
-/// tell anything.
-std::string paired_note(const std::vector<PairedRow>& rows);
+/// What is said of the means of ratios in such a table.
+inline constexpr const char* about_means_of_ratios =
+    "The mean of ratios is taken for each seed, since ratios of one seed share their split and are "
+    "no independent repeats.";
+
+/// The note below such a table: what its columns mean, what is said of the means in it, and a
+/// warning where the seeds are too few to tell anything.
+std::string paired_note(const std::vector<PairedRow>& rows,
+                        const std::string& about_means = about_means_of_ratios);
 
 }  // namespace piae::report

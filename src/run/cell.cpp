@@ -20,6 +20,11 @@ std::optional<double> kind_accuracy_of(const scoring::DiagnosisRecord& record) {
   return scoring::kind_accuracy(record.confusion(), record.info.classes);
 }
 
+std::optional<double> speed_ratio_of(const signal::DatasetInfo& info) {
+  if (!signal::is_transfer(info.conditions)) return std::nullopt;
+  return info.tested_speed_rpm() / info.known_speed_rpm();
+}
+
 }  // namespace
 
 Diagnosis read_diagnosis_cell(const artefact::Reader& reader, const std::string& dataset,
@@ -38,7 +43,8 @@ Diagnosis read_diagnosis_cell(const artefact::Reader& reader, const std::string&
           .true_ratio = record.true_ratio,
           .protocol = record.protocol,
           .accuracy = record.accuracy(),
-          .kind_accuracy = kind_accuracy_of(record)};
+          .kind_accuracy = kind_accuracy_of(record),
+          .speed_ratio = speed_ratio_of(record.info)};
 }
 
 scoring::QualityRecord read_score_cell(const artefact::Reader& reader, const std::string& dataset,

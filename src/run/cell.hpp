@@ -24,6 +24,9 @@ struct Diagnosis {
   /// In [0, 1] (scoring/kind_accuracy.hpp), where conditions are told apart and classes have a kind
   /// of defect in common; else it says nothing, or nothing new.
   std::optional<double> kind_accuracy = std::nullopt;
+  /// The tested speed divided by the known one, where the tested faults are known in other
+  /// conditions alone (signal::is_transfer); 1 where these differ in something else.
+  std::optional<double> speed_ratio = std::nullopt;
 };
 
 /// Reads one diagnosis. Throws artefact::Refusal where the file is not of this dataset, method,

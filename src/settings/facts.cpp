@@ -6,8 +6,10 @@
 #include "base/error.hpp"
 #include "cli/toml_file.hpp"
 #include "diagnosis/catalogue.hpp"
+#include "report/input_choice.hpp"
 #include "scoring/diagnosis_record.hpp"
 #include "scoring/ratios.hpp"
+#include "settings/groups.hpp"
 #include "settings/protocol.hpp"
 #include "signal/description_file.hpp"
 
@@ -89,6 +91,19 @@ void add_readings(const toml::table& protocol, std::vector<std::string>& words) 
   }
 }
 
+void add_groups(const toml::table& protocol, std::vector<std::string>& words) {
+  for (const Group& group : groups(protocol)) {
+    words.push_back("group:" + group.name);
+    for (const std::string& dataset : group.datasets) {
+      words.push_back("group-dataset:" + group.name + '/' + dataset);
+    }
+    for (const std::string& input : group.inputs) {
+      words.push_back("group-method:" + group.name + '/' +
+                      report::parse_input_choice(input).method);
+    }
+  }
+}
+
 }  // namespace
 
 std::vector<std::string> facts(const fs::path& pipeline) {
@@ -100,6 +115,7 @@ std::vector<std::string> facts(const fs::path& pipeline) {
   const toml::table protocol = read_protocol(pipeline / "protocol.toml");
   add_sweep(protocol, words);
   add_readings(protocol, words);
+  add_groups(protocol, words);
   return words;
 }
 

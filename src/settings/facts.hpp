@@ -26,6 +26,9 @@ namespace piae::settings {
 ///     swept:piae-dt          the method whose settings `make sweep` moves
 ///     sweep-point:batch=1    a setting that it tries
 ///     sweep-centre:batch=5   one of those that the method has anyway
+///     group:speeds           a group of data sets that `make transfer` averages over
+///     group-dataset:speeds/NAME  a data set of it, which need not be there
+///     group-method:speeds/none   a method of which an input is recorded
 ///
 /// `pipeline` is the folder with protocol.toml and datasets/. Throws as read_protocol does.
 std::vector<std::string> facts(const std::filesystem::path& pipeline);

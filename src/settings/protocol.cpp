@@ -11,26 +11,22 @@
 #include "base/numbers.hpp"
 #include "cli/toml_file.hpp"
 #include "cli/toml_options.hpp"
+#include "settings/groups.hpp"
+#include "settings/lists.hpp"
 
 namespace piae::settings {
 
 namespace {
 
-/// The stages that read settings. `train` has a table for each method as well.
-const std::vector<std::string> stages = {"split",    "train", "generate", "score",   "diagnose",
-                                         "tabulate", "sweep", "identify", "readings"};
+/// The stages that read settings. `train` has a table for each method as well, `transfer` one for
+/// each group of data sets.
+const std::vector<std::string> stages = {"split",    "train", "generate", "score",    "diagnose",
+                                         "tabulate", "sweep", "identify", "readings", "transfer"};
 
 std::string listed(const std::vector<std::string>& words) {
   std::string list;
   for (const std::string& word : words) list += (list.empty() ? "" : ", ") + word;
   return list;
-}
-
-[[noreturn]] void refuse(const std::filesystem::path& file, const toml::node& node,
-                         const std::string& what) {
-  std::ostringstream line;
-  line << file.string() << ", line " << node.source().begin.line << ": " << what;
-  throw Error(Exit::bad_input, line.str());
 }
 
 std::string nothing_reads(const std::string& path, const std::string& name,
@@ -87,10 +83,6 @@ std::optional<Point> parse_point(const std::string& word) {
 
 std::string twice(const std::string& factor) { return ", which sets " + factor + " twice"; }
 
-std::string holds(const std::string& list, const std::string& word, const std::string& what) {
-  return list + " holds '" + word + "'" + what;
-}
-
 /// Every word of the list is a point, or several that are joined by +, each of another factor; none
 /// is there twice.
 void require_points(const std::filesystem::path& file, const toml::table& protocol,
@@ -117,11 +109,8 @@ void require_points(const std::filesystem::path& file, const toml::table& protoc
 
 std::vector<std::string> words_of(const toml::table& protocol, const std::string& table,
                                   const std::string& list) {
-  std::vector<std::string> words;
-  const toml::array* nodes = protocol[table][list].as_array();
-  if (nodes == nullptr) return words;
-  for (const toml::node& node : *nodes) words.push_back(node.value_or<std::string>(""));
-  return words;
+  const toml::table* own = protocol[table].as_table();
+  return own == nullptr ? std::vector<std::string>{} : words_in(*own, list);
 }
 
 bool is_value(const toml::node* node, const std::string& text) {
@@ -142,10 +131,12 @@ toml::table read_protocol(const std::filesystem::path& file) {
   require_known_tables(file, protocol, "", stages);
   for (const auto& [key, node] : protocol) {
     const bool has_methods = key.str() == "train";
+    if (key.str() == "transfer") continue;
     require_known_tables(file, *node.as_table(), std::string(key.str()) + ".",
                          has_methods ? augment::method_names() : std::vector<std::string>{});
     if (has_methods) require_methods(file, protocol, *node.as_table());
   }
+  require_groups(file, protocol);
   require_points(file, protocol, "sweep", "points");
   require_points(file, protocol, "readings", "base");
   require_points(file, protocol, "readings", "readings");

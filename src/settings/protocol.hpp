@@ -13,8 +13,9 @@ namespace piae::settings {
 /// name is mistyped and would run with what its program has built in, so anything else is refused.
 ///
 /// Throws Error(bad_input) with the file and the line for what is not TOML, for a key outside all
-/// tables, for a table that nothing reads, for one that is like none and for points of a sweep that
-/// are none; Error(input_missing) when there is no such file.
+/// tables, for a table that nothing reads, for one that is like none, for points of a sweep that
+/// are none and for a group of data sets with a method or classifier that there is not;
+/// Error(input_missing) when there is no such file.
 toml::table read_protocol(const std::filesystem::path& file);
 
 /// The settings that are tried one at a time by `make sweep`, such as "batch=1": [sweep] names

@@ -11,6 +11,7 @@
 #include "base/error.hpp"
 #include "cli/toml_file.hpp"
 #include "cli/toml_options.hpp"
+#include "settings/groups.hpp"
 #include "settings/protocol.hpp"
 #include "signal/description_file.hpp"
 #include "text/lines.hpp"
@@ -122,6 +123,7 @@ Wanted wanted(const Request& request, const fs::path& pipeline, const toml::tabl
     const fs::path source = pipeline / request.file;
     return {source, signal::read_description_file(source)};
   }
+  if (request.stage == "transfer") require_datasets(protocol, request.variant, pipeline);
   Wanted wanted{pipeline / "protocol.toml",
                 cli::options_of(protocol, request.stage, request.variant)};
   if (request.is_split_of_dataset()) add_own_split(pipeline, request.variant, wanted);

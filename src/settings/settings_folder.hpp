@@ -18,6 +18,8 @@ namespace piae::settings {
 ///                                   variant NAME where there is a table [STAGE.NAME]
 ///     split.NAME.toml               what split reads for the data set NAME: [split] of its
 ///                                   description on top of that of the protocol
+///     transfer.NAME.toml            what transfer reads of the group NAME, all of whose data sets
+///                                   must have a description
 ///     datasets/NAME.toml            the description pipeline/datasets/NAME.toml, completed by the
 ///                                   one that it is like
 ///

@@ -53,6 +53,7 @@ while (($#)); do
     --output-dir) outputs+=("$2"/{A,B,C,D}.h5) ;;
     --run) run=$2 ;;
     --dataset) outputs+=("${tables[@]/#/$run/$2/}") ;;
+    --group) outputs+=("$run/transfer@$2".{csv,md} "$run/transfer-comparisons@$2.csv") ;;
   esac
   shift
 done
@@ -69,7 +70,7 @@ echo "$stage: 1 thing done"
 STAGE
   chmod +x fake/stage
   local stage
-  for stage in ingest simulate split train generate score diagnose tabulate sweep contrast identify readings \
+  for stage in ingest simulate split train generate score diagnose tabulate sweep contrast identify readings transfer \
     train-libtorch; do
     ln -s stage "fake/$stage"
   done

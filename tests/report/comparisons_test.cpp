@@ -83,6 +83,20 @@ TEST(Comparisons, AreWithTheNewerSubjectOrTheOneAskedFor) {
   EXPECT_EQ(compare_methods(rows, "").against, "piae-dt-phase");
 }
 
+/// strike-twin is made for faults that are known in other conditions than they are tested in.
+TEST(Comparisons, AreWithTheMethodThatIsMadeForTheDataset) {
+  std::vector<AccuracyRow> rows = five_seeds();
+  rows.push_back(row_with("strike-twin", "10to1", {1, 2, 3, 4, 5}));
+  EXPECT_EQ(compare_methods(rows, "").against, "strike-twin");
+  rows.push_back(row_with("piae-dt-phase", "10to1", {1, 2, 3, 4, 5}));
+  EXPECT_EQ(compare_methods(rows, "").against, "piae-dt-phase");
+  for (AccuracyRow& row : rows) row.speed_ratio = 0.75;
+  EXPECT_EQ(compare_methods(rows, "").against, "strike-twin");
+  EXPECT_EQ(compare_methods(rows, "shift").against, "shift");
+  std::erase_if(rows, [](const AccuracyRow& row) { return row.method == "strike-twin"; });
+  EXPECT_EQ(compare_methods(rows, "").against, "piae-dt-phase");
+}
+
 TEST(Comparisons, WithAMethodThatIsNotThereAreRefused) {
   try {
     compare_methods(five_seeds(), "vae");

@@ -49,6 +49,21 @@ TEST_F(Cells, AreAllThere) {
   EXPECT_EQ(results.qualities.size(), 2U);
 }
 
+/// 900 rpm tested, 1200 known: 0.75. Where nothing is tested in another condition there is none.
+TEST_F(Cells, SayByWhatTheTestedSpeedDiffersFromTheKnownOne) {
+  scoring::DiagnosisRecord record = diagnosis("none", "100to1", 0, 0, 12);
+  const auto speed_ratio = [&] {
+    add(record);
+    return collect(layout_, grid("none", "100to1", "0")).diagnoses.at(0).speed_ratio;
+  };
+  EXPECT_EQ(speed_ratio(), std::nullopt);
+  record.info.conditions = {{"900 rpm", 900, false, true, true},
+                            {"1200 rpm", 1200, true, false, true}};
+  EXPECT_EQ(speed_ratio(), 0.75);
+  for (signal::Condition& each : record.info.conditions) each.known = each.test = true;
+  EXPECT_EQ(speed_ratio(), std::nullopt);
+}
+
 TEST_F(Cells, AreNamedWhereTheyAreMissing) {
   add_all();
   std::filesystem::remove(layout_.diagnosis("none", "100to1", 1));

@@ -271,6 +271,55 @@ TEST(Protocol, WhatNothingReadsIsRefusedWithItsLine) {
               HasSubstr("line 2: readings.readings holds 'a=b+c=d+a=e', which sets a twice"));
 }
 
+/// A group of data sets as it should be, on the first three lines.
+const std::string group_a =
+    "[transfer.a]\ndatasets = [\"x\"]\nagainst = \"smote\"\ninputs = [\"none=wdcnn\"]\n";
+
+TEST(Protocol, AGroupThatIsNoneIsRefusedWithItsLine) {
+  EXPECT_EQ(Project(group_a).refusal(), "not refused");
+  const auto refusal = [](const std::string& from, const std::string& to) {
+    std::string text = group_a;
+    return Project(text.replace(text.find(from), from.size(), to)).refusal();
+  };
+  EXPECT_THAT(refusal("[\"x\"]", "[]"),
+              HasSubstr("protocol.toml, line 2: transfer.a.datasets must be a list of words"));
+  EXPECT_THAT(refusal("[\"x\"]", "[\"x\",\n\"x\"]"),
+              HasSubstr("line 3: transfer.a.datasets holds 'x' twice"));
+  EXPECT_THAT(refusal("datasets", "data"), HasSubstr("line 1: [transfer.a] has no list datasets"));
+  EXPECT_THAT(refusal("\"smote\"", "\"smoke\""),
+              HasSubstr("line 3: transfer.a.against names no method: 'smoke'"));
+  EXPECT_THAT(refusal("against = \"smote\"", ""),
+              HasSubstr("line 1: transfer.a.against names no method: ''"));
+  EXPECT_THAT(refusal("none=wdcnn", "none"),
+              HasSubstr("line 4: transfer.a.inputs: 'none' is not METHOD=CLASSIFIER"));
+  EXPECT_THAT(
+      refusal("none=wdcnn", "nine=wdcnn"),
+      HasSubstr("line 4: transfer.a.inputs: 'nine=wdcnn' names a method that there is not"));
+  EXPECT_THAT(refusal("none=wdcnn", "none=cnn"),
+              HasSubstr("'none=cnn' names no classifier that is trained; such are wdcnn, wdcnn-"));
+  EXPECT_THAT(refusal("none=wdcnn", "none=nearest"), HasSubstr("no classifier that is trained"));
+  EXPECT_THAT(refusal("\"none=wdcnn\"", "\"none=wdcnn\",\n\"none=wdcnn-spectra\""),
+              HasSubstr("line 5: transfer.a.inputs names an input of none twice"));
+  EXPECT_THAT(refusal("[transfer.a]", "[transfer.\"a b\"]"), HasSubstr("line 1: the name of"));
+  EXPECT_THAT(Project("[transfer]\nagainst = \"smote\"\n").refusal(),
+              HasSubstr("line 2: transfer.against stands in no group of data sets"));
+  EXPECT_THAT(Project(group_a + "[transfer.a.inner]\n").refusal(),
+              HasSubstr("line 5: nothing reads the table [transfer.a.inner]"));
+}
+
+/// Who takes a description away can still run all else.
+TEST(Protocol, AGroupOfAnUnknownDatasetIsRefusedWhereItIsAskedFor) {
+  const Project project(group_a + "[split]\nwindow = 3\n");
+  project.update("split.toml");
+  EXPECT_THAT(facts(project.folder.path()), Contains("group-dataset:a/x"));
+  EXPECT_ERROR(project.is_outdated("transfer.a.toml"), Exit::bad_input,
+               "protocol.toml, line 2: transfer.a.datasets holds 'x', and there is no ");
+  project.folder.write("datasets/x.toml", "name = \"x\"\n");
+  project.update("transfer.a.toml");
+  EXPECT_EQ(project.values_in("transfer.a.toml"),
+            "against = 'smote'\ndatasets = [ 'x' ]\ninputs = [ 'none=wdcnn' ]\n");
+}
+
 TEST(Protocol, TheCentreOfASweepIsWhatTheMethodHasAnyway) {
   const toml::table protocol = toml::parse(
       "[train]\nbatch = 3\n[train.piae-dt]\nbatch = 5\nrate = 5e-4\nkind = \"plain\"\n"
@@ -301,7 +350,10 @@ TEST(Facts, NameWhatThereIs) {
                                  "sweep-point:depth=1",
                                  "sweep-centre:depth=3",
                                  "reading:batches=class",
-                                 "reading-base:batches=mixed"}) {
+                                 "reading-base:batches=mixed",
+                                 "group:speeds",
+                                 "group-dataset:speeds/hit-sm-1200to900",
+                                 "group-method:sizes/strike-twin"}) {
     EXPECT_THAT(all, Contains(fact));
   }
   for (const std::string fact :

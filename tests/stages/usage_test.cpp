@@ -33,6 +33,10 @@ TEST_P(Usage, UnknownOptionIsNamed) {
   } else if (GetParam() == std::string("contrast")) {
     arguments = {"--with",   "run/tiny", "--without", "other/tiny", "--methods", "none",
                  "--ratios", "100to1",   "--seeds",   "0",          "--output",  "x.md"};
+  } else if (GetParam() == std::string("transfer")) {
+    arguments = {"--run",     "run",   "--group",       "a",     "--datasets", "tiny",
+                 "--against", "none",  "--inputs",      "a=b",   "--methods",  "none",
+                 "--ratio",   "50to1", "--classifiers", "wdcnn", "--seeds",    "0"};
   } else if (GetParam() == std::string("identify")) {
     arguments = {"--run", "run", "--dataset", "tiny", "--methods", "piae-dt", "--seeds", "0"};
   } else if (GetParam() == std::string("read_raw")) {
@@ -50,7 +54,7 @@ TEST_P(Usage, UnknownOptionIsNamed) {
 INSTANTIATE_TEST_SUITE_P(Stages, Usage,
                          testing::Values("ingest", "simulate", "split", "train", "generate",
                                          "score", "diagnose", "tabulate", "sweep", "check",
-                                         "contrast", "identify", "verify", "read_raw"),
+                                         "contrast", "transfer", "identify", "verify", "read_raw"),
                          [](const auto& info) { return info.param; });
 
 TEST(Usage, TrainHelpShowsTheOptionsOfTheMethod) {

@@ -1,0 +1,126 @@
+# Draws a table, transfer@GROUP.csv of `make transfer`: dataset,speed_ratio,method,role,classifier,recorded,best,ratio,
+# seed,accuracy,std,ci95_low,ci95_high,... At the left each data set, by the tested speed where that changes; at the
+# right the mean over them. A colour and a mark a method, by the input that is recorded for it.
+# height: 540
+edge_left = 64; edge_right = 14; edge_top = 72; edge_bottom = 96; gap_x = 0; gap_y = 0
+count = 1; columns = 1
+load scripts.'/panel_grid.gp'
+right_of_sets = 600.0; left_of_mean = 622.0; right_of_mean = 752.0
+
+# Methods: first the one that the others are subtracted from, then those that have an input recorded; a ceiling apart.
+methods = ""; ceilings = ""; bars = ""; against = ""
+do for [wanted in "against method ceiling bar"] {
+  do for [m in words_method] {
+    found = 0
+    stats data using (found = found + (strcol(3) eq m && strcol(4) eq wanted && ($6 == 1 || wanted eq "bar")), 0) nooutput
+    if (found) {
+      if (wanted eq "ceiling") { ceilings = ceilings." ".m } else {
+        if (wanted eq "bar") { bars = bars." ".m } else { methods = methods." ".m }
+        if (wanted eq "against") { against = m }
+      }
+    }
+  }
+}
+many = words(methods)
+shown_as = ""  # the input of each method, in their order
+do for [m in methods] {
+  chosen = ""
+  stats data using (strcol(3) eq m && $6 == 1 ? (chosen = strcol(5), 0) : 0) nooutput
+  shown_as = shown_as." ".chosen
+}
+entry(m) = m.", ".word(shown_as, place(m, methods))
+
+# Data sets, without what all their names begin with. The last word is their mean.
+sets  = words(words_dataset) - 1
+name(i) = word(words_dataset, i)
+common = strlen(name(1))
+do for [i = 1:sets] {
+  while (common > 0 && (strlen(name(i)) < common || substr(name(i), 1, common) ne substr(name(1), 1, common))) { common = common - 1 }
+}
+while (common > 0 && substr(name(1), common, common) ne "-") { common = common - 1 }
+# Beside each other a few have room for the whole.
+short(i) = sets > 1 && (by_speed || sets > 4) ? substr(name(i), common + 1, strlen(name(i))) : name(i)
+
+# Where a data set stands: at the logarithm of its speed ratio, or one beside the other where the speed does not change.
+array ratios[sets]
+do for [i = 1:sets] {
+  stats data using (strcol(1) eq name(i) && valid(2) ? $2 : NaN) name "ratio" nooutput
+  ratios[i] = ratio_records > 0 ? ratio_min : 1
+}
+by_speed = 0
+do for [i = 1:sets] { if (abs(log(ratios[i])) > 0.05) { by_speed = 1 } }
+spot(i) = by_speed ? log(ratios[i]) / log(2) : i
+nearest_gap = 1.0
+do for [i = 1:sets] { do for [j = 1:sets] {
+  apart = abs(spot(i) - spot(j))
+  if (i != j && apart > 0.02 && apart < nearest_gap) { nearest_gap = apart }
+} }
+least = spot(1); most = spot(1)
+do for [i = 1:sets] { least = spot(i) < least ? spot(i) : least; most = spot(i) > most ? spot(i) : most }
+# Methods stand side by side, and their seeds beside them.
+pitch(wide)  = 0.75 * wide / (many > 5 ? many : 5)
+off(m, wide) = (place(m, methods) - (many + 1) / 2.0) * pitch(wide)
+
+of(m)    = strcol(3) eq m && $6 == 1
+of_bar(m) = strcol(3) eq m && strcol(4) eq "bar"
+set_in(n) = place(strcol(n), words_dataset)
+plain(n) = set_in(n) <= sets ? spot(set_in(n)) : NaN
+at(m)    = plain(1) + off(m, nearest_gap)
+middle(m) = is_mean(1) ? off(m, 1) : NaN
+is_mean(n) = strcol(n) eq "mean"
+end(n)   = valid(n) ? column(n) : $10
+tint(m)  = colour(place(m, methods))
+symbol(m) = mark(place(m, methods))
+thick(m) = m eq against ? 2.2 : 1.1
+large(m) = m eq against ? 1.0 : 0.7
+
+stats data using ($6 == 1 || strcol(4) eq "bar" ? end(12) : NaN) name "low" nooutput
+stats data using ($6 == 1 || strcol(4) eq "bar" ? $10 : NaN) name "one" nooutput
+bottom = floor((low_min < one_min ? low_min : one_min) / 10.0) * 10 - 2
+set yrange [(bottom < 0 ? -2 : bottom):102]
+set label 1 (by_speed ? "Accuracy at another speed than that at which faults are known" : \
+  "Accuracy in another condition than that in which faults are known").": ".part
+set label 4 "each method by the input that was chosen for it before; marks: mean over the seeds and its 95 % interval; dots: seeds" \
+  at screen 0.5, 1 - 36.0 / height center font font_11 textcolor rgb 0x555555
+set label 2 by_speed ? "tested speed divided by the speed at which faults are known (data set ".substr(name(1), 1, common)."...)" \
+  : sets > 4 ? "data set ".substr(name(1), 1, common)."..." : "data set"
+set label 2 at screen (edge_left + right_of_sets) / 2 / 960, 22.0 / height noenhanced
+set label 3 "accuracy, percent"
+set ytics 0, 20, 100 font font_12
+set multiplot
+eval margins(edge_left / 960.0, right_of_sets / 960, 1 - 1.0 * edge_top / height, 1.0 * edge_bottom / height)
+set xrange [least - 0.6 * nearest_gap:most + 0.6 * nearest_gap]
+set xtics () scale 0 font font_12
+# Names of neighbours that are near stand at two heights.
+crowded = by_speed && nearest_gap < 0.25 * (most - least)
+before(i) = int(sum [j = 1:sets] (spot(j) < spot(i)))
+lower(i)  = crowded && before(i) % 2 == 1 ? "\n" : ""
+do for [i = 1:sets] { set xtics add ((by_speed ? sprintf("%.3g\n%s%s", ratios[i], lower(i), short(i)) : short(i)) spot(i)) }
+set key off
+plot for [m in ceilings] data using (of(m) && is_mean(9) ? plain(1) : NaN):10 smooth unique \
+       with lines linewidth 1.6 dashtype 2 linecolor rgb ceiling_colour, \
+     for [m in bars] data using (of_bar(m) && is_mean(9) ? plain(1) : NaN):10 smooth unique \
+       with lines linewidth 1.6 dashtype 3 linecolor rgb 0x333333, \
+     for [m in (by_speed ? methods : "")] data using (of(m) && is_mean(9) ? at(m) : NaN):10 smooth unique \
+       with lines linewidth 0.7 linecolor rgb faint(place(m, methods)), \
+     for [m in methods] data using (of(m) && !is_mean(9) ? at(m) + 0.35 * pitch(nearest_gap) : NaN):10 \
+       with points pointtype 7 pointsize 0.25 linecolor rgb dots(place(m, methods)), \
+     for [m in methods] data using (of(m) && is_mean(9) ? at(m) : NaN):10:(end(12)):(end(13)) \
+       with yerrorbars pointtype symbol(m) pointsize large(m) linewidth thick(m) linecolor rgb tint(m)
+eval beside_done
+unset label 4
+eval margins(left_of_mean / 960, right_of_mean / 960, 1 - 1.0 * edge_top / height, 1.0 * edge_bottom / height)
+set xrange [-0.6:0.6]
+set xtics () scale 0 font font_12
+set xtics add ("mean" 0)
+set format y ""
+set key at screen (right_of_mean + 14) / 960, 1 - 1.0 * edge_top / height left top reverse Left vertical samplen 1.5 spacing 1.25 font font_11 noenhanced
+plot for [m in methods] data using (of(m) && !is_mean(9) ? middle(m) + 0.35 * pitch(1) : NaN):10 \
+       with points pointtype 7 pointsize 0.25 linecolor rgb dots(place(m, methods)) notitle, \
+     for [m in methods] data using (of(m) && is_mean(9) ? middle(m) : NaN):10:(end(12)):(end(13)) \
+       with yerrorbars pointtype symbol(m) pointsize large(m) linewidth thick(m) linecolor rgb tint(m) title entry(m), \
+     for [m in ceilings] data using (of(m) && is_mean(9) && is_mean(1) ? -0.6 : NaN):10:(1.2):(0) \
+       with vectors nohead linewidth 1.6 dashtype 2 linecolor rgb ceiling_colour title m." (ceiling)", \
+     for [m in bars] data using (of_bar(m) && is_mean(9) && is_mean(1) ? -0.6 : NaN):10:(1.2):(0) \
+       with vectors nohead linewidth 1.6 dashtype 3 linecolor rgb 0x333333 title m." by nearest"
+unset multiplot

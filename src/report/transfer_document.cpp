@@ -1,0 +1,198 @@
+#include <spdlog/fmt/fmt.h>
+#include <spdlog/fmt/ranges.h>
+
+#include <algorithm>
+
+#include "augment/catalogue.hpp"
+#include "diagnosis/catalogue.hpp"
+#include "report/bounded_summary.hpp"
+#include "report/classifier_rows.hpp"
+#include "report/gaps.hpp"
+#include "report/labels.hpp"
+#include "report/transfer_tables.hpp"
+
+namespace piae::report {
+
+namespace {
+
+using Cells = std::vector<std::string>;
+
+constexpr const char* mark_of_recorded = "✓";
+constexpr const char* mark_of_best = "↑";
+
+/// The rows of the main tables: the methods by the inputs recorded for them, and the bar.
+std::vector<const GroupRow*> shown_rows(const TransferGroup& group) {
+  std::vector<const GroupRow*> rows = group.recorded();
+  if (group.bar() != nullptr) rows.push_back(group.bar());
+  return rows;
+}
+
+/// "smote" and "wdcnn-spectra"; the bar is called as in other tables.
+Cells shown_names(const TransferGroup& group, const GroupRow& row) {
+  if (&row == group.bar()) return {bar_label(row.mean.row), no_number};
+  return {method_label(row.method), row.classifier};
+}
+
+Section mean_section(const TransferGroup& group, const std::vector<const GroupRow*>& rows) {
+  const bool kinds =
+      std::ranges::all_of(rows, [](const GroupRow* row) { return row->mean.kind.has_value(); });
+  Cells header{"method", "shown", "accuracy", "95 % interval"};
+  if (kinds) header.insert(header.end(), {"by kind", "95 % interval"});
+  text::Table table(header, 2);
+  for (const GroupRow* const row : rows) {
+    Cells cells = shown_names(group, *row);
+    const auto add = [&](const scoring::Summary& summary) {
+      cells.insert(cells.end(), {mean_label(summary), interval_label(summary)});
+    };
+    add(row->mean.row.summary);
+    if (kinds) add(row->mean.kind->summary);
+    table.row(cells);
+  }
+  return {"mean", "Mean over the data sets, percent",
+          std::string("Shown: what WDCNN is given of each window, as it was chosen for the method "
+                      "on other seeds, so that no number here is the best of several.") +
+              (kinds ? " By kind: a fault that is taken for another of the same kind of defect, "
+                       "such as one of another size, counts as right."
+                     : ""),
+          table};
+}
+
+Section difference_section(const TransferGroup& group) {
+  return {"difference", "Mean of " + group.choices.against + " minus that of each other, points",
+          paired_note(group.differences, "Each is of the input shown above."),
+          paired_table(group.differences)};
+}
+
+Section datasets_section(const TransferGroup& group, const std::vector<const GroupRow*>& rows) {
+  Cells header{"method", "shown"};
+  header.insert(header.end(), group.datasets.begin(), group.datasets.end());
+  text::Table table(header, 2);
+  for (const GroupRow* const row : rows) {
+    Cells cells = shown_names(group, *row);
+    for (const GroupCell& cell : row->datasets) cells.push_back(mean_label(cell.row.summary));
+    table.row(cells);
+  }
+  return {"datasets", "Each data set, percent", "", table};
+}
+
+std::string input_label(const GroupRow& row) {
+  const std::string marks =
+      std::string(row.recorded ? mark_of_recorded : "") + std::string(row.best ? mark_of_best : "");
+  return number_label(row.mean.row.summary.mean) + (marks.empty() ? "" : " " + marks);
+}
+
+const GroupRow* group_row_of(const TransferGroup& group, const std::string& method,
+                             const std::string& classifier) {
+  const auto found = std::ranges::find_if(group.rows, [&](const GroupRow& row) {
+    return row.method == method && row.classifier == classifier;
+  });
+  return found == group.rows.end() ? nullptr : &*found;
+}
+
+/// How far the recorded input of a method is below its best one in this run.
+std::string lost_label(const TransferGroup& group, const std::string& method) {
+  const std::vector<const GroupRow*> recorded = group.recorded();
+  const auto own = std::ranges::find(recorded, method, &GroupRow::method);
+  const GroupRow* const best = group.best_of(method);
+  if (own == recorded.end() || best == nullptr) return no_number;
+  return number_label(best->mean.row.summary.mean - (*own)->mean.row.summary.mean);
+}
+
+/// Classifiers of which there is a row.
+Cells classifiers_of(const TransferGroup& group) {
+  Cells names;
+  for (const diagnosis::Classifier& each : diagnosis::classifiers()) {
+    if (std::ranges::count(group.rows, each.name, &GroupRow::classifier) > 0) {
+      names.emplace_back(each.name);
+    }
+  }
+  return names;
+}
+
+Cells group_methods(const TransferGroup& group) {
+  Cells names;
+  for (const GroupRow& row : group.rows) {
+    if (names.empty() || names.back() != row.method) names.push_back(row.method);
+  }
+  return names;
+}
+
+/// The best inputs of this run as pipeline/protocol.toml records them.
+std::string best_inputs(const TransferGroup& group) {
+  Cells words;
+  for (const GroupRow& row : group.rows) {
+    if (row.best) words.push_back(fmt::format("\"{}={}\"", row.method, row.classifier));
+  }
+  return fmt::format("inputs = [{}]", fmt::join(words, ", "));
+}
+
+Section inputs_section(const TransferGroup& group) {
+  const Cells classifiers = classifiers_of(group);
+  Cells header{"method"};
+  header.insert(header.end(), classifiers.begin(), classifiers.end());
+  header.emplace_back("lost");
+  text::Table table(header, 1);
+  for (const std::string& method : group_methods(group)) {
+    Cells cells{method_label(method)};
+    for (const std::string& classifier : classifiers) {
+      const GroupRow* const row = group_row_of(group, method, classifier);
+      cells.push_back(row == nullptr ? no_number : input_label(*row));
+    }
+    cells.push_back(lost_label(group, method));
+    table.row(cells);
+  }
+  return {"inputs", "Each method by each input: mean over the data sets, percent",
+          fmt::format("{} is the input that was chosen on other seeds, and that all other tables "
+                      "show; {} the best of WDCNN's in this very run: what to record where these "
+                      "seeds are for choosing, and no result where they are not. Lost: by how many "
+                      "points the first is below the second. The best here are: {}",
+                      mark_of_recorded, mark_of_best, best_inputs(group)),
+          table};
+}
+
+std::string about(const TransferGroup& group) {
+  const auto generated = std::ranges::max_element(
+      group.rows, {}, [](const GroupRow& row) { return row.mean.row.generated_per_class; });
+  const AccuracyRow& row = generated->mean.row;
+  return fmt::format(
+      "What each method is worth where faults are known in one condition of the machine and tested "
+      "in another: the mean over {}, with {} generated windows of each fault ({}), seed{} {}, "
+      "split {}. For each seed the accuracy is first averaged over the data sets; numbers are the "
+      "mean ± the sample standard deviation over the seeds. {}",
+      fmt::join(group.datasets, ", "), row.generated_per_class, short_ratio_label(row.ratio),
+      group.seeds.size() == 1 ? "" : "s", seed_list(group.seeds), to_string(group.protocol),
+      about_intervals);
+}
+
+/// Methods of which no input is recorded; empty where there are none.
+std::string about_missing_choices(const TransferGroup& group) {
+  Cells without = group_methods(group);
+  for (const GroupRow* const row : group.recorded()) std::erase(without, row->method);
+  if (without.empty()) return "";
+  return fmt::format(
+      "No input is recorded in [transfer.{}] of pipeline/protocol.toml for {}: see the table by "
+      "input alone.",
+      group.choices.group, fmt::join(without, ", "));
+}
+
+}  // namespace
+
+Document transfer_document(const TransferGroup& group) {
+  Document document{.key = "transfer-" + group.choices.group,
+                    .title = "Faults known in another condition: " + group.choices.group};
+  document.paragraphs.push_back(about(group));
+  const std::string missing = about_missing_choices(group);
+  if (!missing.empty()) document.paragraphs.push_back(missing);
+  const std::vector<const GroupRow*> rows = shown_rows(group);
+  if (group.own() == nullptr) {
+    document.paragraphs.push_back(group.choices.against +
+                                  " is not among these methods, so nothing is subtracted from it.");
+  }
+  if (!rows.empty()) document.sections.push_back(mean_section(group, rows));
+  if (!group.differences.empty()) document.sections.push_back(difference_section(group));
+  if (!rows.empty()) document.sections.push_back(datasets_section(group, rows));
+  document.sections.push_back(inputs_section(group));
+  return document;
+}
+
+}  // namespace piae::report

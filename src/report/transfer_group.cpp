@@ -1,0 +1,155 @@
+#include "report/transfer_group.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "augment/catalogue.hpp"
+#include "base/error.hpp"
+#include "diagnosis/catalogue.hpp"
+#include "report/bounded_summary.hpp"
+#include "report/classifier_rows.hpp"
+#include "report/gaps.hpp"
+
+namespace piae::report {
+
+namespace {
+
+const AccuracyRow* find_by(const std::vector<AccuracyRow>& rows, const std::string& method,
+                           const std::string& classifier) {
+  const auto found = std::ranges::find_if(rows, [&](const AccuracyRow& row) {
+    return row.method == method && row.classifier == classifier;
+  });
+  return found == rows.end() ? nullptr : &*found;
+}
+
+GroupCell mean_cell(const std::vector<GroupCell>& cells) {
+  std::vector<AccuracyRow> rows;
+  std::vector<AccuracyRow> kinds;
+  for (const GroupCell& cell : cells) {
+    rows.push_back(cell.row);
+    if (cell.kind) kinds.push_back(*cell.kind);
+  }
+  GroupCell mean{mean_of_datasets(rows), std::nullopt};
+  if (kinds.size() == rows.size()) mean.kind = mean_of_datasets(kinds);
+  return mean;
+}
+
+/// Empty where the datasets do not have the method by this classifier.
+std::optional<GroupRow> group_row(const std::vector<DatasetRows>& datasets,
+                                  const std::string& method, const std::string& classifier) {
+  GroupRow group{.method = method, .classifier = classifier, .datasets = {}, .mean = {}};
+  for (const DatasetRows& each : datasets) {
+    const AccuracyRow* const row = find_by(each.rows, method, classifier);
+    if (row == nullptr) return std::nullopt;
+    GroupCell& cell = group.datasets.emplace_back(GroupCell{*row, std::nullopt});
+    if (const AccuracyRow* const kind = find_by(each.kinds, method, classifier)) cell.kind = *kind;
+  }
+  group.mean = mean_cell(group.datasets);
+  return group;
+}
+
+bool is_recorded(const GroupChoices& choices, const GroupRow& row) {
+  return std::ranges::any_of(choices.inputs, [&](const InputChoice& choice) {
+    return choice.method == row.method && choice.classifier == row.classifier;
+  });
+}
+
+/// Marks the best input of each method among those of trained classifiers; of equal ones the first.
+void mark_best(std::vector<GroupRow>& rows) {
+  for (const augment::CatalogueEntry& entry : augment::catalogue()) {
+    GroupRow* best = nullptr;
+    for (GroupRow& row : rows) {
+      if (row.method != entry.name || !diagnosis::the_classifier(row.classifier).trains()) continue;
+      if (best == nullptr || row.mean.row.summary.mean > best->mean.row.summary.mean) best = &row;
+    }
+    if (best != nullptr) best->best = true;
+  }
+}
+
+std::vector<PairedRow> differences_of(const TransferGroup& group) {
+  std::vector<PairedRow> differences;
+  if (group.own() == nullptr) return differences;
+  for (const GroupRow* const other : group.others()) {
+    auto pair = paired_row(group.own()->mean.row, other->mean.row);
+    pair.value().method = other == group.bar() ? bar_label(other->mean.row) : other->method;
+    differences.push_back(std::move(*pair));
+  }
+  add_holm_p(differences);
+  return differences;
+}
+
+}  // namespace
+
+std::vector<const GroupRow*> TransferGroup::recorded() const {
+  std::vector<const GroupRow*> own;
+  for (const GroupRow& row : rows) {
+    if (row.recorded) own.push_back(&row);
+  }
+  return own;
+}
+
+const GroupRow* TransferGroup::own() const {
+  const auto all = recorded();
+  const auto found = std::ranges::find(all, choices.against, &GroupRow::method);
+  return found == all.end() ? nullptr : *found;
+}
+
+std::vector<const GroupRow*> TransferGroup::others() const {
+  std::vector<const GroupRow*> others = recorded();
+  std::erase(others, own());
+  if (bar() != nullptr) others.push_back(bar());
+  return others;
+}
+
+const GroupRow* TransferGroup::bar() const {
+  const auto found = std::ranges::find_if(rows, [](const GroupRow& row) {
+    return row.method == augment::no_method && row.classifier == diagnosis::bar_classifier;
+  });
+  return found == rows.end() ? nullptr : &*found;
+}
+
+const GroupRow* TransferGroup::best_of(const std::string& method) const {
+  const auto found = std::ranges::find_if(
+      rows, [&](const GroupRow& row) { return row.method == method && row.best; });
+  return found == rows.end() ? nullptr : &*found;
+}
+
+AccuracyRow mean_of_datasets(const std::vector<AccuracyRow>& rows) {
+  AccuracyRow mean = rows.front();
+  mean.dataset = mean_over_datasets;
+  mean.kind.reset();
+  mean.speed_ratio.reset();
+  std::ranges::fill(mean.values, 0);
+  for (const AccuracyRow& row : rows) {
+    if (row.seeds != mean.seeds) {
+      throw Error(Exit::bad_input, run::name_by(row.method, row.classifier) + ": " + row.dataset +
+                                       " has the seeds " + seed_list(row.seeds) + ", and " +
+                                       rows.front().dataset + " has " + seed_list(mean.seeds) +
+                                       "; a mean over datasets needs the same of all");
+    }
+    for (std::size_t i = 0; i < row.values.size(); ++i) {
+      mean.values[i] += row.values[i] / static_cast<double>(rows.size());
+    }
+  }
+  mean.summary = summarise_within(percents, mean.values);
+  return mean;
+}
+
+TransferGroup transfer_group(GroupChoices choices, const std::vector<DatasetRows>& datasets) {
+  TransferGroup group{.choices = std::move(choices), .datasets = {}, .seeds = {}, .rows = {}};
+  for (const DatasetRows& each : datasets) group.datasets.push_back(each.dataset);
+  group.seeds = datasets.front().rows.front().seeds;
+  for (const augment::CatalogueEntry& entry : augment::catalogue()) {
+    for (const diagnosis::Classifier& classifier : diagnosis::classifiers()) {
+      auto row = group_row(datasets, entry.name, classifier.name);
+      if (!row) continue;
+      row->recorded = is_recorded(group.choices, *row);
+      group.rows.push_back(std::move(*row));
+    }
+  }
+  mark_best(group.rows);
+  group.differences = differences_of(group);
+  return group;
+}
+
+}  // namespace piae::report

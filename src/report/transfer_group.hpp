@@ -1,0 +1,84 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "report/accuracy_table.hpp"
+#include "report/input_choice.hpp"
+#include "report/paired_rows.hpp"
+#include "signal/protocol.hpp"
+
+namespace piae::report {
+
+/// Stands in the place of a dataset's name for the mean over those of a group.
+inline const std::string mean_over_datasets = "mean";
+
+/// The accuracies of one method by one classifier, on one dataset or in the mean over several.
+struct GroupCell {
+  AccuracyRow row;
+  /// The same by kind of defect; there where every dataset that it is of tells kinds apart.
+  std::optional<AccuracyRow> kind;
+};
+
+/// One method by one classifier, on the datasets of a group.
+struct GroupRow {
+  std::string method;
+  std::string classifier;
+  std::vector<GroupCell> datasets;  ///< in the order of the group
+  GroupCell mean;                   ///< for each seed the mean over the datasets
+  /// Whether this input is the one that was recorded for the method, and whether it is the best of
+  /// those of a trained classifier in this very run.
+  bool recorded = false;
+  bool best = false;
+};
+
+/// What was chosen before the run.
+struct GroupChoices {
+  std::string group;                     ///< "speeds"
+  std::string against;                   ///< the method that all others are subtracted from
+  std::vector<InputChoice> inputs = {};  ///< at most one for each method
+};
+
+/// What each method is worth where faults are known in other conditions than they are tested in.
+struct TransferGroup {
+  GroupChoices choices;
+  std::vector<std::string> datasets;
+  signal::Protocol protocol = signal::Protocol::random;
+  std::vector<std::int64_t> seeds;
+  std::vector<GroupRow> rows;  ///< by method, then classifier, in the order of their catalogues
+  /// own() minus each of others(), in the mean over the datasets. A row has the name of what is
+  /// subtracted. Empty where there is no own().
+  std::vector<PairedRow> differences = {};
+
+  /// The rows by the inputs that are recorded: one for each method that has one.
+  [[nodiscard]] std::vector<const GroupRow*> recorded() const;
+  /// That of `against`; null where it has none.
+  [[nodiscard]] const GroupRow* own() const;
+  /// Those of all other methods, and the bar.
+  [[nodiscard]] std::vector<const GroupRow*> others() const;
+  /// None by the bar's classifier; null where it is not there.
+  [[nodiscard]] const GroupRow* bar() const;
+  /// The best input of a method in this run; null where it has none of a trained classifier.
+  [[nodiscard]] const GroupRow* best_of(const std::string& method) const;
+};
+
+/// For each seed the mean over the rows, which are of one method and one classifier, each of
+/// another dataset. Throws Error(bad_input) where they do not have the same seeds: their mean would
+/// be of other datasets from seed to seed.
+AccuracyRow mean_of_datasets(const std::vector<AccuracyRow>& rows);
+
+/// All rows of a dataset at one ratio, and at 100to1 for `none`.
+struct DatasetRows {
+  std::string dataset;
+  std::vector<AccuracyRow> rows;
+  /// The same by kind of defect; empty where it does not tell kinds apart.
+  std::vector<AccuracyRow> kinds = {};
+};
+
+/// Puts datasets together that have the same methods and classifiers. Throws as
+/// mean_of_datasets() does.
+TransferGroup transfer_group(GroupChoices choices, const std::vector<DatasetRows>& datasets);
+
+}  // namespace piae::report

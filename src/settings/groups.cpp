@@ -1,0 +1,117 @@
+#include "settings/groups.hpp"
+
+#include <spdlog/fmt/fmt.h>
+
+#include <algorithm>
+#include <set>
+
+#include "augment/catalogue.hpp"
+#include "base/error.hpp"
+#include "report/input_choice.hpp"
+#include "settings/lists.hpp"
+#include "signal/ranges.hpp"
+
+namespace piae::settings {
+
+namespace {
+
+/// A list that must be there, of words each of which stands there once.
+void require_list(const std::filesystem::path& file, const toml::table& group,
+                  const std::string& path, const std::string& key) {
+  const std::string name = path + '.' + key;
+  const toml::node* list = group.get(key);
+  if (list == nullptr) refuse(file, group, "[" + path + "] has no list " + key);
+  const bool has_words = list->is_array() && !list->as_array()->empty();
+  if (!has_words) refuse(file, *list, name + " must be a list of words");
+  std::set<std::string> words;
+  for (const toml::node& node : *list->as_array()) {
+    const auto word = node.value_or<std::string>("");
+    if (!words.insert(word).second) refuse(file, node, holds(name, word, " twice"));
+  }
+}
+
+std::string method_of_input(const std::filesystem::path& file, const toml::node& node,
+                            const std::string& path) {
+  try {
+    return report::parse_input_choice(node.value_or<std::string>("")).method;
+  } catch (const Error& error) {
+    refuse(file, node, path + ".inputs: " + error.what());
+  }
+}
+
+void require_inputs(const std::filesystem::path& file, const toml::table& group,
+                    const std::string& path) {
+  require_list(file, group, path, "inputs");
+  std::set<std::string> methods;
+  for (const toml::node& node : *group.get("inputs")->as_array()) {
+    const std::string method = method_of_input(file, node, path);
+    if (!methods.insert(method).second) {
+      refuse(file, node, fmt::format("{}.inputs names an input of {} twice", path, method));
+    }
+  }
+}
+
+void require_against(const std::filesystem::path& file, const toml::table& group,
+                     const std::string& path) {
+  const toml::node* own = group.get("against");
+  const auto method = own == nullptr ? "" : own->value_or<std::string>("");
+  if (augment::find_entry(method) != nullptr) return;
+  refuse(file, own == nullptr ? group : *own, path + ".against names no method: '" + method + "'");
+}
+
+void require_group(const std::filesystem::path& file, const std::string& path,
+                   const toml::table& group) {
+  for (const auto& [key, node] : group) {
+    if (node.is_table() || node.is_array_of_tables()) {
+      refuse(file, node, "nothing reads the table [" + path + '.' + std::string(key.str()) + "]");
+    }
+  }
+  require_list(file, group, path, "datasets");
+  require_inputs(file, group, path);
+  require_against(file, group, path);
+}
+
+}  // namespace
+
+void require_groups(const std::filesystem::path& file, const toml::table& protocol) {
+  const toml::table* groups = protocol["transfer"].as_table();
+  if (groups == nullptr) return;
+  for (const auto& [key, node] : *groups) {
+    const std::string name(key.str());
+    const std::string path = "transfer." + name;
+    if (!node.is_table()) refuse(file, node, path + " stands in no group of data sets");
+    if (!signal::ranges::is_plain_name(name)) {
+      refuse(file, node, fmt::format("the name of [{}] {}", path, signal::ranges::plain_name_rule));
+    }
+    require_group(file, path, *node.as_table());
+  }
+}
+
+std::vector<Group> groups(const toml::table& protocol) {
+  std::vector<Group> groups;
+  const toml::table* tables = protocol["transfer"].as_table();
+  if (tables == nullptr) return groups;
+  for (const auto& [key, node] : *tables) {
+    const toml::table& table = *node.as_table();
+    groups.push_back({.name = std::string(key.str()),
+                      .datasets = words_in(table, "datasets"),
+                      .inputs = words_in(table, "inputs")});
+  }
+  return groups;
+}
+
+void require_datasets(const toml::table& protocol, const std::string& group,
+                      const std::filesystem::path& pipeline) {
+  const toml::array* datasets = protocol["transfer"][group]["datasets"].as_array();
+  if (datasets == nullptr) return;
+  for (const toml::node& node : *datasets) {
+    const auto name = node.value_or<std::string>("");
+    const std::filesystem::path description = pipeline / "datasets" / (name + ".toml");
+    if (std::filesystem::exists(description)) continue;
+    refuse(pipeline / "protocol.toml", node,
+           holds("transfer." + group + ".datasets", name,
+                 ", and there is no " + description.string()));
+  }
+}
+
+}  // namespace piae::settings
