@@ -118,7 +118,7 @@ std::vector<double> accuracies_of(const Source& source, const std::vector<std::i
   run::Results results;
   run::collect_diagnoses(source.layout(), source.grid().dataset,
                          {.name = point.factor + " " + point.value,
-                          .folder = point.folder(),
+                          .folder = point.folder(augment::paper_method()),
                           .combination = {augment::paper_method(), ratio}},
                          seeds, results);
   require_whole(results);
