@@ -138,7 +138,7 @@ help:
 	  cells    'run the grid without the tables (on a cluster: see jobs/)' \
 	  figures  'draw what RUN holds, in results/RUN/<dataset>/figures/: CSV, SVG and PDF' \
 	  report   'a page of what RUN holds and lacks: results/RUN/report.html, and report.md' \
-	  sweep    'vary the settings of piae-dt one at a time (pipeline/sweep.mk): sweep.csv, sweep.md' \
+	  sweep    'move the settings that [sweep] of the protocol has of METHODS, one at a time: sweep*.csv, .md' \
 	  contrast 'both protocols side by side, and both readings of cwru: protocols.md, rates.md' \
 	  identify 'whether the (k, c) of the twin are the true ones, on simulated windows' \
 	  readings 'the choices that the paper leaves, tried on seeds 100-104: readings.csv, readings.md' \

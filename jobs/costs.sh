@@ -6,7 +6,7 @@ set -euo pipefail
 export LC_ALL=C
 
 echo 'stage,dataset,method,classifier,ratio,seconds,megabytes'
-find "$@" -name '*.log' -not -path '*/.jobs/*' -not -path '*/seed*/sweep/*' -not -path '*/seed*/readings/*' \
+find "$@" -name '*.log' -not -path '*/.jobs/*' -not -path '*/seed*/sweep/*' -not -path '*/seed*/sweep@*/*' -not -path '*/seed*/readings/*' \
   -exec awk -v OFS='\t' '
     /^step: used / { seconds = $3; megabytes = $9 }
     /^step: exit / {

@@ -1,5 +1,5 @@
 # Divides the steps that are to be done among jobs, by what they have cost elsewhere.
-# usage: awk -f jobs/plan.awk -v cores=N -v minutes=N -v out=FOLDER [-v swept=METHOD] \
+# usage: awk -f jobs/plan.awk -v cores=N -v minutes=N -v out=FOLDER [-v papers=METHOD] \
 #          [-v gpu_stages="..."] [-v gpu_methods="..."] jobs/costs.csv STEPS
 #   STEPS   of jobs/steps.awk
 # Writes into FOLDER for each job the files that it makes, in the order in which they are to be begun:
@@ -40,7 +40,7 @@ function look_up(stage, dataset, method, ratio,    keys, i) {
 
 # results/RUN/DATASET/seedK/METHOD, and for what is tried beside the methods one folder more.
 function unit_of(    unit, i, last) {
-  last = is_among(place[5], "sweep readings") ? 6 : 5
+  last = place[5] ~ beside ? 6 : 5
   for (i = 1; i <= last; ++i) unit = unit (i > 1 ? "/" : "") place[i]
   return unit
 }
@@ -127,7 +127,11 @@ function show_kind(name,    k, job, most_steps, longest, all_steps, seconds, man
   show(name, jobs[name], many, longest, most_megabytes[name], all_steps, seconds)
 }
 
-BEGIN { FS = "\t" }
+BEGIN {
+  FS = "\t"
+  # What is tried beside the methods: of the paper's, or of the one that is named.
+  beside = "^(sweep|sweep@.*|readings)$"
+}
 
 FILENAME == ARGV[1] {
   if ($0 ~ /^#/ || !split($0, c, ",") || c[1] == "stage") next
@@ -155,7 +159,7 @@ FILENAME == ARGV[1] {
     unit = unit_of()
     method = $3
     if (method == "") method = (unit in method_of) ? method_of[unit] : place[5]
-    if (method == "sweep" || method == "readings") method = swept
+    if (method ~ beside && !sub(/^sweep@/, "", method)) method = papers
     method_of[unit] = method
     ratio = ""
     costly = stage
@@ -172,6 +176,7 @@ FILENAME == ARGV[1] {
     most[unit] = max(most[unit], memory[key])
     if (needs_gpu(stage, method)) gpu[unit]
   } else {
+    sub(/@.*/, "", stage)
     key = look_up(stage, place[3], "", "")
     tables_seconds += cost[key]
     tables_megabytes = max(tables_megabytes, memory[key])

@@ -31,7 +31,7 @@ for stage in generate diagnose; do ! asks_for_gpu "$stage" || gpu_stages+=" $sta
 [[ $gpu_stages != *diagnose* ]] || gpu_stages+=" features"
 
 awk -f jobs/plan.awk -v out="$folder" -v cores="$(value_of CORES "$@")" \
-  -v minutes="$(value_of MINUTES "$@")" -v swept="$("$bin/settings" --facts | sed -n 's/^swept://p')" \
+  -v minutes="$(value_of MINUTES "$@")" -v papers="$("$bin/settings" --facts | sed -n 's/^paper-method://p')" \
   -v gpu_stages="$gpu_stages" -v gpu_methods="$gpu_methods" jobs/costs.csv "$folder/steps" >"$folder/plan"
 grep -v '^unknown' "$folder/plan" >"$folder/jobs"
 rm -rf "$folder/settings" "$folder/answer" "$folder/steps"

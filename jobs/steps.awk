@@ -2,6 +2,8 @@
 # shows a long command as several lines. Of a step that makes several files one is named.
 # usage: make -n ... | awk -f jobs/steps.awk
 
+# (A stage that has several steps in a folder is called as the log of the step is.)
+
 function option(name,    i) {
   for (i = first; i < NF; ++i) if ($i == name) return $(i + 1)
   return ""
@@ -26,5 +28,6 @@ function file_of(stage) {
   folder = $(first + 1)
   stage = $(first + 2)
   if (stage == "diagnose" && $0 ~ / --keep-features( |$)/) stage = "features"
+  if (stage == "sweep" && option("--method") != "") stage = "sweep@" option("--method")
   print folder "\t" stage "\t" option("--method") "\t" folder "/" file_of(stage)
 }

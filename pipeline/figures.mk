@@ -10,10 +10,11 @@ MAKEFLAGS += --no-builtin-rules --no-print-directory
 Q := $(if $(V),,@)
 
 cells   = $(wildcard $(patsubst %,$(results)/$1/seed*/%,C.h5 D.h5 */model.h5 */E.h5 */score.h5 */*/diagnosis.h5 */*/features.h5))
-# What some figures show beside the cells of the grid by the paper's classifier: other classifiers and a sweep,
+# What some figures show beside the cells of the grid by the paper's classifier: other classifiers and sweeps,
 # the truth, the run with the other split.
-beside  = $(wildcard $(patsubst %,$(results)/$1/%,seed*/sweep/*/model.h5 seed*/*/*/*/diagnosis.h5 scatter.csv \
-            identifiability.csv) $(results)-blocked/$1/seed*/*/*/diagnosis.h5)
+beside  = $(wildcard $(patsubst %,$(results)/$1/%,seed*/sweep/*/model.h5 seed*/*/*/*/diagnosis.h5 \
+            seed*/sweep@*/*/*/*/diagnosis.h5 sweep@*.csv scatter.csv identifiability.csv) \
+            $(results)-blocked/$1/seed*/*/*/diagnosis.h5)
 shown   := $(foreach dataset,$(DATASETS),$(if $(call cells,$(dataset)),$(dataset)))
 folders := $(shown:%=$(results)/%)
 

@@ -33,6 +33,7 @@ $(if $(filter 0,$(.SHELLSTATUS)),,$(error pipeline/ cannot be used as it is, see
 fact   = $(patsubst $1:%,%,$(filter $1:%,$(facts)))
 
 paper_classifier  := $(call fact,paper-classifier)
+paper_method      := $(call fact,paper-method)
 METHODS := $(call fact,paper)
 RATIOS  := $(call fact,ratio)
 CLASSIFIERS := $(paper_classifier)

@@ -48,7 +48,7 @@ $(results)/$1/readings.svg $(results)/$1/readings.pdf &: $(results)/$1/readings.
 endef
 
 define reading_rules # seed, its folder, reading
-$(call generator_rules,$1,$2,$(call reading_folder,$3),$(call fact,swept),$(call reading_train,$(call settings_of,$3)))
+$(call generator_rules,$1,$2,$(call reading_folder,$3),$(paper_method),$(call reading_train,$(call settings_of,$3)))
 $(call diagnosis_rule,$1,$2,$(call reading_folder,$3))
 endef
 

@@ -11,11 +11,14 @@
 # place[1] data set, place[2] seed, place[3] method, place[4] ratio, place[5] another classifier than the paper's:
 # as many as the folder has. What is tried
 # beside the methods (sweep/depth-1/1to1) is together like one of them. A contrast has two runs.
-function locate(folder,    other_run) {
+function locate(folder,    other_run, tried) {
   other_run = index(folder, run "/") != 1
   sub("^[^/]*/[^/]*/", "", folder)
-  sub("/sweep/[^/]*", "/sweep", folder)
-  sub("/readings/[^/]*", "/readings", folder)
+  if (match(folder, "/(sweep(@[^/]*)?|readings)/")) {
+    tried = substr(folder, RSTART + RLENGTH)
+    sub("^[^/]*", "", tried)
+    folder = substr(folder, 1, RSTART + RLENGTH - 2) tried
+  }
   if (other_run) sub("^[^/]*", "&, blocked", folder)
   return split(folder, place, "/")
 }

@@ -51,7 +51,7 @@ steps >"$scratch/steps"
 steps --always-make | awk -F '\t' -v made_by="^($made_by)\$" '$2 ~ made_by { print $3 }' >"$scratch/cells"
 
 # Stages that the last job of a submission runs.
-tables='tabulate|sweep|readings|identify|contrast'
+tables='tabulate|sweep(@[^ ]+)?|readings|identify|contrast'
 
 # Where this run was submitted to Slurm: what is in the queue, and which jobs ended otherwise than well.
 [[ -z $jobs ]] || jobs/ended.sh "$run" "$jobs" "$scratch"
@@ -119,7 +119,7 @@ list() { # state, pattern (STAGE stands for the stage's name), which of the line
   while read -r folder stage state file code; do
     [[ $state == "$1" ]] || continue
     log=$folder/$stage.log
-    program=${stage/#features/diagnose}
+    program=${stage/#features/diagnose} program=${program%@*}
     # Printable here already, as a variable holds no NUL.
     line=$({ grep --text "${2//STAGE/$program}" "$log" || true; } | printable | "$3" -n 1)
     [[ $line || $state != running ]] || line=$stage

@@ -1,4 +1,4 @@
-// Makes the table of a hyper-parameter sweep from its diagnoses.
+// Makes the table of a sweep from its diagnoses: of hyper-parameters, or of what parts are worth.
 
 #include "report/sweep.hpp"
 
@@ -7,21 +7,44 @@
 #include <iostream>
 
 #include "cli/stage.hpp"
+#include "report/parts.hpp"
 #include "text/file.hpp"
 
 using namespace piae;
 namespace fs = std::filesystem;
+
+namespace {
+
+/// Both tables of a sweep: that for programs, and that for people.
+struct Tables {
+  std::string csv;
+  report::Document document;
+};
+
+Tables tables_of(const report::Sweep& sweep, const std::vector<report::SweepRow>& rows,
+                 const run::Results& results) {
+  if (sweep.method == augment::paper_method()) {
+    return {report::sweep_csv(sweep, rows), report::sweep_document(sweep, rows, results)};
+  }
+  const std::vector<report::PartRow> parts = report::part_rows(rows);
+  return {report::parts_csv(sweep, parts), report::parts_document(sweep, parts, results)};
+}
+
+}  // namespace
 
 int main(int argc, char** argv) {
   cli::Stage stage(
       "sweep",
       "Makes sweep.csv and sweep.md in RUN/DATASET from the diagnoses of a sweep, in which one "
       "setting of piae-dt at a time is moved (paper, Section 4.5.5 and Fig. 19). They lie in "
-      "seedK/sweep/FACTOR-VALUE/RATIO, those of --centre in seedK/piae-dt/RATIO. The ratios and "
+      "seedK/sweep/FACTOR-VALUE/RATIO, those of --centre in seedK/piae-dt/RATIO. Of another "
+      "--method everything is called sweep@METHOD, and the tables say what each of its parts is "
+      "worth. The ratios and "
       "seeds that are named must be there; the tables have all that the run holds. Lists may be "
       "several values, or one with commas.",
       "sweep --run results/try --dataset cwru --points batch=1 batch=5 --centre batch=5 "
       "--ratios 1to1 --seeds 0 1");
+  (void)stage.choose_variant(argc, argv, "--method");
   report::SweepOptions options;
   fs::path run_folder;
   std::vector<std::string> leave_out;
@@ -36,11 +59,11 @@ int main(int argc, char** argv) {
     const auto rows = report::sweep_rows(layout, sweep, run::Held(layout, leave_out), results);
     run::require_all(results);
 
-    const std::string tables = report::markdown(report::sweep_document(sweep, rows, results));
-    text::save_all(
-        {{layout.sweep_csv(), report::sweep_csv(sweep, rows)}, {layout.sweep_markdown(), tables}});
+    const Tables tables = tables_of(sweep, rows, results);
+    const fs::path markdown = layout.sweep_markdown(sweep.method);
+    text::save_all({{layout.sweep_csv(sweep.method), tables.csv},
+                    {markdown, report::markdown(tables.document)}});
     std::cout << fmt::format("tabulated {} diagnoses of {} settings: {}\n",
-                             results.diagnoses.size(), sweep.points.size(),
-                             layout.sweep_markdown().string());
+                             results.diagnoses.size(), sweep.points.size(), markdown.string());
   });
 }

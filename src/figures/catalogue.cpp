@@ -15,6 +15,7 @@
 #include "figures/sweep.hpp"
 #include "figures/twin_space.hpp"
 #include "figures/windows_by_class.hpp"
+#include "figures/worth_of_parts.hpp"
 
 namespace piae::figures {
 
@@ -117,6 +118,18 @@ constexpr Figure figures[] = {
                 "their mean, bars its 95 % interval; the shaded value is that of the grid.",
      .from = "seed*/sweep/<setting>/<ratio>/diagnosis.h5, seed*/piae-dt/<ratio>/diagnosis.h5",
      .numbers = sweeps},
+    {.name = "worth-of-parts",
+     .paper = "",
+     .title = "What each part of a method is worth",
+     .caption =
+         "Accuracy where one setting is moved and all others stay, minus that of the same seed by "
+         "the method as it is, in points: left of zero the method is worse without that part. Dots "
+         "are seeds, marks their mean, bars its 95 % interval. An arrow goes from what the method "
+         "has to what it was given.",
+     .from =
+         "sweep@<method>.csv, which `sweep` makes of seed*/sweep@<method>/<setting>/<ratio>/ and "
+         "seed*/<method>/<ratio>/; seed<first>/<method>/model.h5",
+     .pictures = worth_of_parts},
     {.name = "identifiability",
      .paper = "",
      .title = "Stiffness and damping, inferred against true",

@@ -1,34 +1,11 @@
 #include "figures/identifiability.hpp"
 
-#include <algorithm>
-
+#include "figures/stored_table.hpp"
 #include "signal/window_set.hpp"
-#include "text/csv.hpp"
 
 namespace piae::figures {
 
 namespace {
-
-/// A table that the stage `identify` wrote, with its columns found by their names.
-class IdentifyTable {
- public:
-  explicit IdentifyTable(const std::filesystem::path& path)
-      : path_(path), lines_(text::read_csv(path)) {}
-
-  [[nodiscard]] std::size_t rows() const { return lines_.size() - 1; }
-  [[nodiscard]] const std::string& at(std::size_t row, const std::string& column) const {
-    const std::vector<std::string>& header = lines_.front().fields;
-    const auto found = std::ranges::find(header, column);
-    if (found == header.end()) {
-      throw Error(Exit::bad_input, path_.string() + ": has no column '" + column + "'");
-    }
-    return lines_[row + 1].fields[static_cast<std::size_t>(found - header.begin())];
-  }
-
- private:
-  std::filesystem::path path_;
-  std::vector<text::CsvLine> lines_;
-};
 
 void require_simulated(const Source& source) {
   const auto file = source.layout().known_windows(source.shown_seed());
@@ -41,7 +18,7 @@ void require_table(const std::filesystem::path& file) {
   throw LeftOut("not yet compared with the truth (make identify): no " + file.filename().string());
 }
 
-std::string r2_of(const IdentifyTable& agreement, const std::string& method,
+std::string r2_of(const StoredTable& agreement, const std::string& method,
                   const std::string& parameter) {
   for (std::size_t i = 0; i < agreement.rows(); ++i) {
     if (agreement.at(i, "method") == method && agreement.at(i, "parameter") == parameter &&
@@ -58,8 +35,8 @@ Numbers identifiability(Source& source) {
   require_simulated(source);
   require_table(source.layout().scatter_csv());
   require_table(source.layout().identifiability_csv());
-  const IdentifyTable scatter(source.layout().scatter_csv());
-  const IdentifyTable agreement(source.layout().identifiability_csv());
+  const StoredTable scatter(source.layout().scatter_csv());
+  const StoredTable agreement(source.layout().identifiability_csv());
   const std::vector<std::string> columns{"method",  "parameter",    "truth_low",    "truth_high",
                                          "windows", "inferred_p10", "inferred_p50", "inferred_p90"};
   std::vector<std::string> header = columns;

@@ -40,6 +40,9 @@ std::vector<std::string> MethodDiagnoses::fields() const {
 }
 
 std::vector<MethodDiagnoses> diagnoses_with_most_windows(const Source& source) {
+  if (source.grid().combinations.empty()) {
+    throw LeftOut(std::string("the run has no diagnosis by ") + scoring::paper_classifier);
+  }
   std::vector<MethodDiagnoses> all;
   for (const run::Combination& cell : last_cells(source.grid())) {
     MethodDiagnoses& own = all.emplace_back(MethodDiagnoses{.cell = cell, .seeds = {}});

@@ -20,8 +20,9 @@ struct MethodDiagnoses {
 };
 
 /// Those of each method, in the order of the grid; `none`, which has but one ratio, is among them.
-/// Throws Error for a cell that is missing or refused, and Error(bad_input) for one that has other
-/// classes, or comes from another kind of split, than those before it.
+/// Throws LeftOut where there is no cell at all, Error for one that is missing or refused, and
+/// Error(bad_input) for one that has other classes, or comes from another kind of split, than those
+/// before it.
 std::vector<MethodDiagnoses> diagnoses_with_most_windows(const Source& source);
 
 }  // namespace piae::figures

@@ -1,8 +1,5 @@
 #include "figures/sweep.hpp"
 
-#include <spdlog/fmt/fmt.h>
-#include <toml++/toml.h>
-
 #include <algorithm>
 #include <array>
 #include <filesystem>
@@ -12,6 +9,7 @@
 #include "augment/catalogue.hpp"
 #include "base/numbers.hpp"
 #include "figures/intervals.hpp"
+#include "figures/trained_options.hpp"
 #include "report/bounded_summary.hpp"
 #include "report/sweep.hpp"
 #include "scoring/ratios.hpp"
@@ -42,11 +40,6 @@ Tried tried_in(const Source& source) {
   }
   if (tried.cells.empty()) throw LeftOut("there is no sweep (make sweep)");
   return tried;
-}
-
-/// The options that a model was trained with. The model holds them as TOML, each as text.
-toml::table options_of_training(const artefact::Reader& model) {
-  return toml::parse(model.strings("/provenance/options").at(0));
 }
 
 bool are_the_same(const std::string& one, const std::string& other) {
@@ -118,19 +111,13 @@ std::vector<double> accuracies_of(const Source& source, const std::vector<std::i
   run::Results results;
   run::collect_diagnoses(source.layout(), source.grid().dataset,
                          {.name = point.factor + " " + point.value,
-                          .folder = point.folder(),
+                          .folder = point.folder(augment::paper_method()),
                           .combination = {augment::paper_method(), ratio}},
                          seeds, results);
   require_whole(results);
   std::vector<double> percents;
   for (const run::Diagnosis& cell : results.diagnoses) percents.push_back(100 * cell.accuracy);
   return percents;
-}
-
-/// 0.0005 also where a settings file has 0.00050000000000000001.
-std::string shown_value(const std::string& value) {
-  const auto number = number_in<double>(value);
-  return number ? fmt::format("{:g}", *number) : value;
 }
 
 void add_point(Numbers& numbers, const std::vector<std::string>& fields,

@@ -28,30 +28,6 @@ void add_published(AccuracyRow& row, const Published& published) {
   (beside->own ? row.published : row.orientation) = percent;
 }
 
-AccuracyRow row_of(const run::Combination& combination, const run::Grid& grid,
-                   const run::Results& results, const Published& published) {
-  AccuracyRow row;
-  std::vector<double> kinds;
-  row.dataset = grid.dataset;
-  row.method = combination.method;
-  row.classifier = combination.classifier;
-  row.ratio = combination.ratio;
-  for (const run::Diagnosis& cell : results.diagnoses) {
-    if (run::Combination{cell.method, cell.ratio, cell.classifier} != combination) continue;
-    row.generated_per_class = cell.generated_per_class;
-    row.true_ratio = cell.true_ratio;
-    row.speed_ratio = cell.speed_ratio;
-    row.seeds.push_back(cell.seed);
-    row.values.push_back(100 * cell.accuracy);
-    if (cell.kind_accuracy) kinds.push_back(100 * *cell.kind_accuracy);
-  }
-  if (row.values.empty()) return row;
-  row.summary = summarise_within(percents, row.values);
-  if (!kinds.empty()) row.kind = summarise_within(percents, kinds);
-  add_published(row, published);
-  return row;
-}
-
 std::optional<double> difference(std::optional<double> a, std::optional<double> b) {
   return a && b ? std::optional(*a - *b) : std::nullopt;
 }
@@ -92,12 +68,39 @@ void add_line(text::Table& table, const std::string& name, const AccuracyRow& ro
 
 }  // namespace
 
+AccuracyRow accuracy_row(const std::string& dataset, const std::vector<run::Diagnosis>& cells) {
+  const run::Diagnosis& first = cells.front();
+  AccuracyRow row;
+  row.dataset = dataset;
+  row.method = first.method;
+  row.classifier = first.classifier;
+  row.ratio = first.ratio;
+  row.generated_per_class = first.generated_per_class;
+  row.true_ratio = first.true_ratio;
+  row.speed_ratio = first.speed_ratio;
+  std::vector<double> kinds;
+  for (const run::Diagnosis& cell : cells) {
+    row.seeds.push_back(cell.seed);
+    row.values.push_back(100 * cell.accuracy);
+    if (cell.kind_accuracy) kinds.push_back(100 * *cell.kind_accuracy);
+  }
+  row.summary = summarise_within(percents, row.values);
+  if (!kinds.empty()) row.kind = summarise_within(percents, kinds);
+  return row;
+}
+
 std::vector<AccuracyRow> accuracy_rows(const run::Grid& grid, const run::Results& results,
                                        const Published& published) {
   std::vector<AccuracyRow> rows;
   for (const run::Combination& combination : grid.combinations) {
-    AccuracyRow row = row_of(combination, grid, results, published);
-    if (!row.values.empty()) rows.push_back(std::move(row));
+    std::vector<run::Diagnosis> cells;
+    std::ranges::copy_if(
+        results.diagnoses, std::back_inserter(cells), [&](const run::Diagnosis& cell) {
+          return run::Combination{cell.method, cell.ratio, cell.classifier} == combination;
+        });
+    if (cells.empty()) continue;
+    rows.push_back(accuracy_row(grid.dataset, cells));
+    add_published(rows.back(), published);
   }
   return rows;
 }

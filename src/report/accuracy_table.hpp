@@ -38,6 +38,10 @@ struct AccuracyRow {
   [[nodiscard]] std::optional<double> at(std::int64_t seed) const;
 };
 
+/// The row of these cells, which differ in the seed alone and are at least one, without what the
+/// paper publishes.
+AccuracyRow accuracy_row(const std::string& dataset, const std::vector<run::Diagnosis>& cells);
+
 /// A row for each combination of the grid of which `results` have a cell, in its order.
 std::vector<AccuracyRow> accuracy_rows(const run::Grid& grid, const run::Results& results,
                                        const Published& published);

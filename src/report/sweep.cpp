@@ -30,6 +30,20 @@ SweepPoint parse_point(const std::string& word, const std::vector<std::string>& 
           .centre = std::ranges::find(centre, word) != centre.end()};
 }
 
+std::filesystem::path diagnosis_of(const run::Layout& layout, const Sweep& sweep,
+                                   const SweepPoint& point, const std::string& ratio,
+                                   std::int64_t seed) {
+  return layout.diagnosis(point.folder(sweep.method), ratio, seed, sweep.classifier);
+}
+
+run::Series series_of(const Sweep& sweep, const SweepPoint& point,
+                      const run::Combination& combination) {
+  run::Series series = run::series_of(combination);
+  if (!point.factor.empty()) series.name = point.factor + " " + point.value;
+  series.folder = point.folder(sweep.method);
+  return series;
+}
+
 /// The seeds of a run at which any setting was moved, and those asked for. The cells of a centre
 /// are the grid's, which may have other seeds; they say nothing of the settings beside them.
 std::vector<std::int64_t> swept_seeds(const run::Layout& layout, const Sweep& sweep,
@@ -40,7 +54,7 @@ std::vector<std::int64_t> swept_seeds(const run::Layout& layout, const Sweep& sw
     if (point.centre) continue;
     const auto of_point = held.seeds_with(
         is_asked ? sweep.grid.seeds : std::vector<std::int64_t>{},
-        [&](std::int64_t seed) { return layout.diagnosis(point.folder(), ratio, seed); });
+        [&](std::int64_t seed) { return diagnosis_of(layout, sweep, point, ratio, seed); });
     seeds.insert(of_point.begin(), of_point.end());
   }
   if (is_asked) seeds.insert(sweep.grid.seeds.begin(), sweep.grid.seeds.end());
@@ -58,7 +72,7 @@ std::vector<SweptRatio> swept_ratios(const run::Layout& layout, const Sweep& swe
                                      const run::Held& held) {
   std::vector<SweptRatio> ratios;
   for (const scoring::Ratio& ratio : scoring::all_ratios()) {
-    const run::Combination cell{augment::paper_method(), ratio.name};
+    const run::Combination cell{sweep.method, ratio.name, sweep.classifier};
     if (!run::go_together(cell.method, ratio)) continue;
     const bool is_asked =
         std::ranges::count(sweep.grid.combinations, cell.ratio, &run::Combination::ratio) > 0;
@@ -77,23 +91,15 @@ std::optional<SweepRow> row_of(const run::Layout& layout, const Sweep& sweep,
   std::vector<std::int64_t> seeds;
   for (const std::int64_t seed : ratio.seeds) {
     const bool is_asked = std::ranges::count(ratio.asked, seed) > 0;
-    if (is_asked || held.has(layout.diagnosis(point.folder(), name, seed))) seeds.push_back(seed);
+    if (is_asked || held.has(diagnosis_of(layout, sweep, point, name, seed))) seeds.push_back(seed);
   }
   const std::size_t before = results.diagnoses.size();
-  const run::Series series{.name = point.factor + " " + point.value,
-                           .folder = point.folder(),
-                           .combination = ratio.combination};
-  run::collect_diagnoses(layout, sweep.grid.dataset, series, seeds, results);
-  std::vector<double> accuracies;
-  for (std::size_t i = before; i < results.diagnoses.size(); ++i) {
-    accuracies.push_back(100 * results.diagnoses[i].accuracy);
-  }
-  if (seeds.empty() || accuracies.size() < seeds.size()) return std::nullopt;
-  return SweepRow{.point = point,
-                  .ratio = name,
-                  .true_ratio = results.diagnoses.back().true_ratio,
-                  .seeds = seeds,
-                  .summary = summarise_within(percents, accuracies)};
+  run::collect_diagnoses(layout, sweep.grid.dataset, series_of(sweep, point, ratio.combination),
+                         seeds, results);
+  const std::vector<run::Diagnosis> cells(
+      results.diagnoses.begin() + static_cast<std::ptrdiff_t>(before), results.diagnoses.end());
+  if (seeds.empty() || cells.size() < seeds.size()) return std::nullopt;
+  return SweepRow{.point = point, .accuracy = accuracy_row(sweep.grid.dataset, cells)};
 }
 
 std::vector<std::string> factors_of(const Sweep& sweep) {
@@ -106,51 +112,41 @@ std::vector<std::string> factors_of(const Sweep& sweep) {
 
 /// A block for each value of the factor, and in it a row for each ratio.
 text::Table factor_table(const std::string& factor, const std::vector<SweepRow>& rows) {
-  const auto has_interval = [](const SweepRow& row) { return row.summary.interval.has_value(); };
+  const auto has_interval = [](const SweepRow& row) {
+    return row.accuracy.summary.interval.has_value();
+  };
   const bool intervals = std::ranges::any_of(rows, has_interval);
   std::size_t most = 0;
-  for (const SweepRow& row : rows) most = std::max(most, row.seeds.size());
+  for (const SweepRow& row : rows) most = std::max(most, row.accuracy.seeds.size());
   std::vector<std::string> header{factor, "", "ratio", "accuracy"};
   if (intervals) header.emplace_back("95 % interval");
   text::Table table(header, 3);
   std::string above;
   for (const SweepRow& row : rows) {
     if (row.point.factor != factor) continue;
+    const AccuracyRow& accuracy = row.accuracy;
     const bool first = row.point.value != above;
     std::vector<std::string> cells{
         first ? row.point.value : "", first && row.point.centre ? "as in the grid" : "",
-        marked_if(row.seeds.size() < most, ratio_label(row.ratio, row.true_ratio)),
-        mean_label(row.summary)};
-    if (intervals) cells.push_back(interval_label(row.summary));
+        marked_if(accuracy.seeds.size() < most, ratio_label(accuracy.ratio, accuracy.true_ratio)),
+        mean_label(accuracy.summary)};
+    if (intervals) cells.push_back(interval_label(accuracy.summary));
     table.row(cells);
     above = row.point.value;
   }
   return table;
 }
 
-/// All seeds of any row, ascending.
-std::vector<std::int64_t> seeds_of_any_row(const std::vector<SweepRow>& rows) {
-  std::set<std::int64_t> seeds;
-  for (const SweepRow& row : rows) seeds.insert(row.seeds.begin(), row.seeds.end());
-  return {seeds.begin(), seeds.end()};
-}
-
-/// Where not every row has all of them.
-std::string fewer_seeds_note(const std::vector<SweepRow>& rows, std::size_t all) {
-  const auto has_fewer = [&](const SweepRow& row) { return row.seeds.size() < all; };
-  if (std::ranges::none_of(rows, has_fewer)) return "";
-  return std::string(" ") + mark_of_fewer_seeds +
-         " marks what is of fewer seeds than others of its table; the CSV file says of how many.";
-}
-
 }  // namespace
 
-std::string SweepPoint::folder() const {
-  return centre ? augment::paper_method() : "sweep/" + factor + "-" + value;
+std::string SweepPoint::folder(const std::string& method) const {
+  return centre ? method : run::sweep_name(method) + "/" + factor + "-" + value;
 }
 
 void bind(const cli::Options& command, SweepOptions& options) {
   command.add("--dataset", options.dataset, "Dataset, such as cwru").required();
+  command.add("--method", options.method, "Method whose settings are moved");
+  command.add("--classifier", options.classifier, "Classifier that it is judged by");
   command.add("--points", options.points, "Settings tried, such as: batch=1 batch=5 depth=2")
       .required();
   command.add("--centre", options.centre, "Those of them that are the method as the grid has it");
@@ -159,9 +155,15 @@ void bind(const cli::Options& command, SweepOptions& options) {
 }
 
 Sweep resolve(const SweepOptions& options) {
-  Sweep sweep;
-  sweep.grid = resolve(
-      run::GridOptions{options.dataset, {augment::paper_method()}, options.ratios, options.seeds});
+  (void)augment::make_method(options.method);
+  Sweep sweep{.method = options.method,
+              .classifier = options.classifier,
+              .grid = resolve(run::GridOptions{.dataset = options.dataset,
+                                               .methods = {options.method},
+                                               .ratios = options.ratios,
+                                               .seeds = options.seeds,
+                                               .classifiers = {options.classifier}}),
+              .points = {}};
   const std::vector<std::string> words = run::split_list("--points", options.points);
   std::vector<std::string> centre;
   if (!options.centre.empty()) centre = run::split_list("--centre", options.centre);
@@ -169,6 +171,9 @@ Sweep resolve(const SweepOptions& options) {
     if (std::ranges::find(words, word) == words.end()) {
       throw Error(Exit::usage, "--centre: '" + word + "' is none of --points");
     }
+  }
+  if (sweep.method != augment::paper_method()) {
+    sweep.points.push_back({.factor = "", .value = "", .centre = true});
   }
   for (const std::string& word : words) sweep.points.push_back(parse_point(word, centre));
   return sweep;
@@ -186,14 +191,30 @@ std::vector<SweepRow> sweep_rows(const run::Layout& layout, const Sweep& sweep,
   return rows;
 }
 
+std::vector<std::int64_t> seeds_of_any_row(const std::vector<SweepRow>& rows) {
+  std::set<std::int64_t> seeds;
+  for (const SweepRow& row : rows)
+    seeds.insert(row.accuracy.seeds.begin(), row.accuracy.seeds.end());
+  return {seeds.begin(), seeds.end()};
+}
+
+std::string fewer_seeds_note(const std::vector<SweepRow>& rows, std::size_t all) {
+  const auto has_fewer = [&](const SweepRow& row) { return row.accuracy.seeds.size() < all; };
+  if (std::ranges::none_of(rows, has_fewer)) return "";
+  return fmt::format(
+      "{} marks what is of fewer seeds than others of its table; the CSV file says of how many.",
+      mark_of_fewer_seeds);
+}
+
 std::string sweep_csv(const Sweep& sweep, const std::vector<SweepRow>& rows) {
   std::string text = text::csv_line(
       {"dataset", "factor", "value", "ratio", "seeds", "mean", "std", "ci95_low", "ci95_high"});
   for (const SweepRow& row : rows) {
-    text += joined_csv_line({{sweep.grid.dataset, row.point.factor, row.point.value, row.ratio,
-                              std::to_string(row.summary.count)},
-                             mean_fields(row.summary),
-                             interval_fields(row.summary)});
+    const scoring::Summary& summary = row.accuracy.summary;
+    text += joined_csv_line({{sweep.grid.dataset, row.point.factor, row.point.value,
+                              row.accuracy.ratio, std::to_string(summary.count)},
+                             mean_fields(summary),
+                             interval_fields(summary)});
   }
   return text;
 }
@@ -204,12 +225,13 @@ Document sweep_document(const Sweep& sweep, const std::vector<SweepRow>& rows,
       .key = sweep.grid.dataset + "-sweep",
       .title = "Settings of " + augment::paper_method() + " on " + sweep.grid.dataset};
   const std::vector<std::int64_t> seeds = seeds_of_any_row(rows);
+  const std::string fewer = fewer_seeds_note(rows, seeds.size());
   document.paragraphs.push_back(fmt::format(
       "Accuracy in percent where one setting is moved and all others are those of the grid (paper, "
       "Section 4.5.5 and Fig. 19, which publishes no numbers). Split protocol {}; {} seed{} ({}). "
       "Numbers are the mean ± the sample standard deviation over the seeds. {}{}",
       to_string(results.diagnoses.front().protocol), seeds.size(), seeds.size() == 1 ? "" : "s",
-      seed_list(seeds), about_intervals, fewer_seeds_note(rows, seeds.size())));
+      seed_list(seeds), about_intervals, fewer.empty() ? "" : " " + fewer));
   for (const std::string& factor : factors_of(sweep)) {
     document.sections.push_back({factor, "By " + factor, "", factor_table(factor, rows)});
   }

@@ -4,55 +4,59 @@
 #include <string>
 #include <vector>
 
+#include "augment/catalogue.hpp"
 #include "cli/options.hpp"
+#include "report/accuracy_table.hpp"
 #include "report/document.hpp"
 #include "run/collect.hpp"
 #include "run/grid.hpp"
 #include "run/held.hpp"
 #include "run/layout.hpp"
-#include "scoring/statistics.hpp"
+#include "scoring/diagnosis_record.hpp"
 
 namespace piae::report {
 
 /// Which part of a sweep a table shows; [sweep] of pipeline/protocol.toml has all of it. In a sweep
-/// one setting of the paper's method at a time is moved, and all others stay as they are in the
-/// grid (paper, Section 4.5.5 and Fig. 19).
+/// one setting of a method at a time is moved, and all others stay as they are in the grid. The
+/// paper does so with its own method (Section 4.5.5 and Fig. 19).
 struct SweepOptions {
-  std::string dataset;
-  std::vector<std::string> points;  ///< "batch=1": an option of train, and its value
-  std::vector<std::string> centre;  ///< those points that are the setting of the grid
-  std::vector<std::string> ratios;
-  std::vector<std::string> seeds;
+  std::string dataset = {};
+  std::vector<std::string> points = {};  ///< "batch=1": an option of train, and its value
+  std::vector<std::string> centre = {};  ///< those points that are the setting of the grid
+  std::vector<std::string> ratios = {};
+  std::vector<std::string> seeds = {};
+  std::string method = augment::paper_method();
+  std::string classifier = scoring::paper_classifier;
 };
 
 void bind(const cli::Options& command, SweepOptions& options);
 
 /// One setting, and one value of it.
 struct SweepPoint {
-  std::string factor;   ///< an option of train: "batch"
+  std::string factor;   ///< an option of train: "batch"; empty where nothing is moved
   std::string value;    ///< "1"
   bool centre = false;  ///< whether the grid has this very value
   /// The folder of its cells below that of each seed: "sweep/batch-1". The cells of a centre are
   /// those of the grid, which are not computed twice; they are in the folder of the method.
-  [[nodiscard]] std::string folder() const;
+  [[nodiscard]] std::string folder(const std::string& method) const;
 };
 
 struct Sweep {
-  run::Grid grid;  ///< of the paper's method
+  std::string method;
+  std::string classifier;
+  run::Grid grid;  ///< what is asked for: cells of this method by this classifier
   std::vector<SweepPoint> points;
 };
 
-/// Throws Error(usage) as run::resolve() does, for a point that is not FACTOR=VALUE, and for a
+/// Of another method than the paper's, the first point is the method as it is. Throws Error(usage)
+/// as run::resolve() does, for an unknown method, for a point that is not FACTOR=VALUE, and for a
 /// centre that is none of the points.
 Sweep resolve(const SweepOptions& options);
 
 /// One point at one ratio, over the seeds.
 struct SweepRow {
   SweepPoint point;
-  std::string ratio;
-  double true_ratio = 0;
-  std::vector<std::int64_t> seeds;  ///< ascending
-  scoring::Summary summary;  ///< of accuracies in percent, with the interval that can be shown
+  AccuracyRow accuracy;
 };
 
 /// A row for each point and ratio, points in the order asked for. Beside the seeds and ratios asked
@@ -60,6 +64,11 @@ struct SweepRow {
 /// cell that is missing or refused has no row; `results` says what is wrong with the cell.
 std::vector<SweepRow> sweep_rows(const run::Layout& layout, const Sweep& sweep,
                                  const run::Held& held, run::Results& results);
+
+/// All seeds of any row, ascending.
+std::vector<std::int64_t> seeds_of_any_row(const std::vector<SweepRow>& rows);
+/// What is to be said where not every row has so many seeds; else nothing.
+std::string fewer_seeds_note(const std::vector<SweepRow>& rows, std::size_t all);
 
 /// sweep.csv: dataset,factor,value,ratio,seeds,mean,std,ci95_low,ci95_high in percent; `seeds` is
 /// how many there are. Empty are the standard deviation of a single seed, and an interval that no

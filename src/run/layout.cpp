@@ -3,12 +3,17 @@
 #include <algorithm>
 #include <system_error>
 
+#include "augment/catalogue.hpp"
 #include "base/numbers.hpp"
 #include "diagnosis/catalogue.hpp"
 
 namespace piae::run {
 
 namespace fs = std::filesystem;
+
+std::string sweep_name(const std::string& method) {
+  return method == augment::paper_method() ? "sweep" : "sweep@" + method;
+}
 
 std::vector<std::int64_t> Layout::seeds() const {
   const std::string prefix = "seed";

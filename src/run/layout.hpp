@@ -10,6 +10,10 @@
 
 namespace piae::run {
 
+/// What a sweep of a method's settings is called, in folders and files (pipeline/sweep.mk): "sweep"
+/// where the method is the paper's, "sweep@smote" where it is another.
+std::string sweep_name(const std::string& method);
+
 /// Where the folder of a run has the artefacts and the tables of one dataset. The make rules in
 /// pipeline/ put the artefacts there.
 class Layout {
@@ -77,8 +81,13 @@ class Layout {
   [[nodiscard]] std::filesystem::path ranks_csv() const { return folder_ / "ranks.csv"; }
   [[nodiscard]] std::filesystem::path tables_markdown() const { return folder_ / "tables.md"; }
   [[nodiscard]] std::filesystem::path tables_latex() const { return folder_ / "tables.tex"; }
-  [[nodiscard]] std::filesystem::path sweep_csv() const { return folder_ / "sweep.csv"; }
-  [[nodiscard]] std::filesystem::path sweep_markdown() const { return folder_ / "sweep.md"; }
+  /// The tables of a sweep of a method's settings.
+  [[nodiscard]] std::filesystem::path sweep_csv(const std::string& method) const {
+    return folder_ / (sweep_name(method) + ".csv");
+  }
+  [[nodiscard]] std::filesystem::path sweep_markdown(const std::string& method) const {
+    return folder_ / (sweep_name(method) + ".md");
+  }
   [[nodiscard]] std::filesystem::path readings_csv() const { return folder_ / "readings.csv"; }
   [[nodiscard]] std::filesystem::path readings_markdown() const { return folder_ / "readings.md"; }
   [[nodiscard]] std::filesystem::path identifiability_csv() const {

@@ -35,6 +35,7 @@ void add_methods(std::vector<std::string>& words) {
     if (entry.infers) words.push_back("infers:" + name);
     if (augment::needs_libtorch_always(entry)) words.push_back("needs-libtorch:" + name);
   }
+  words.push_back("paper-method:" + augment::paper_method());
 }
 
 void add_classifiers(std::vector<std::string>& words) {
@@ -78,10 +79,16 @@ void add_datasets(const fs::path& folder, std::vector<std::string>& words) {
   for (const fs::path& description : descriptions) add_dataset(description, words);
 }
 
-void add_sweep(const toml::table& protocol, std::vector<std::string>& words) {
-  words.push_back("swept:" + augment::paper_method());
-  for (const std::string& point : sweep_points(protocol)) words.push_back("sweep-point:" + point);
-  for (const std::string& point : sweep_centre(protocol)) words.push_back("sweep-centre:" + point);
+void add_sweeps(const toml::table& protocol, std::vector<std::string>& words) {
+  for (const Sweep& sweep : sweeps(protocol)) {
+    words.push_back("swept:" + sweep.method);
+    words.push_back("sweep-classifier:" + sweep.method + ':' + sweep.classifier);
+    const auto add = [&](const std::string& kind, const std::vector<std::string>& points) {
+      for (const std::string& point : points) words.push_back(kind + sweep.method + ':' + point);
+    };
+    add("sweep-point:", sweep.points);
+    add("sweep-centre:", sweep.centre);
+  }
 }
 
 void add_readings(const toml::table& protocol, std::vector<std::string>& words) {
@@ -113,7 +120,7 @@ std::vector<std::string> facts(const fs::path& pipeline) {
   add_ratios(words);
   add_datasets(pipeline / "datasets", words);
   const toml::table protocol = read_protocol(pipeline / "protocol.toml");
-  add_sweep(protocol, words);
+  add_sweeps(protocol, words);
   add_readings(protocol, words);
   add_groups(protocol, words);
   return words;

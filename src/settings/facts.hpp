@@ -11,6 +11,7 @@ namespace piae::settings {
 ///
 ///     method:smote           an entry of METHODS, in the order of the tables
 ///     paper:smote            one of the paper's: the METHODS where none are given
+///     paper-method:piae-dt   the paper's own method
 ///     baseline:none          the method that generates nothing
 ///     ceiling:oracle         sees real windows that no method may see, and has no score
 ///     infers:piae-dt         infers (k, c) of windows that it has not seen
@@ -23,9 +24,10 @@ namespace piae::settings {
 ///     dataset:cwru           an entry of DATASETS
 ///     simulated:simulated    a dataset that is made, not measured
 ///     own-split:NAME         a dataset whose description says something of the stage split
-///     swept:piae-dt          the method whose settings `make sweep` moves
-///     sweep-point:batch=1    a setting that it tries
-///     sweep-centre:batch=5   one of those that the method has anyway
+///     swept:piae-dt          a method whose settings `make sweep` moves
+///     sweep-classifier:piae-dt:wdcnn   by which it is judged then
+///     sweep-point:piae-dt:batch=1      a setting that is tried
+///     sweep-centre:piae-dt:batch=5     one of those that the method has anyway
 ///     group:speeds           a group of data sets that `make transfer` averages over
 ///     group-dataset:speeds/NAME  a data set of it, which need not be there
 ///     group-method:speeds/none   a method of which an input is recorded

@@ -14,17 +14,23 @@ namespace piae::settings {
 ///
 /// Throws Error(bad_input) with the file and the line for what is not TOML, for a key outside all
 /// tables, for a table that nothing reads, for one that is like none, for points of a sweep that
-/// are none and for a group of data sets with a method or classifier that there is not;
+/// the method's options do not take, for a classifier where there is none of that name, and for a
+/// group of data sets with a method or classifier that there is not;
 /// Error(input_missing) when there is no such file.
 toml::table read_protocol(const std::filesystem::path& file);
 
-/// The settings that are tried one at a time by `make sweep`, such as "batch=1": [sweep] names
-/// them. Throws Error(bad_input) for what is not FACTOR=VALUE.
-std::vector<std::string> sweep_points(const toml::table& protocol);
+/// What `make sweep` tries of one method: settings such as "batch=1", one at a time.
+struct Sweep {
+  std::string method;
+  std::string classifier;           ///< by which it is judged
+  std::vector<std::string> points;  ///< in the order of the protocol
+  /// Those points that the method has without the sweep. "5e-4" and "0.0005" are the same.
+  std::vector<std::string> centre;
+};
 
-/// Those sweep_points() that the swept method has without the sweep. "5e-4" and "0.0005" are the
-/// same.
-std::vector<std::string> sweep_centre(const toml::table& protocol);
+/// [sweep], which is of the paper's method and of its classifier, and then each [sweep.METHOD], in
+/// the order of the catalogue. One without points is left out.
+std::vector<Sweep> sweeps(const toml::table& protocol);
 
 /// What `make readings` tries: each is one setting of the paper's method, or several joined by +,
 /// such as "batches=class+space=class", that differ from base_of_readings().

@@ -53,6 +53,11 @@ Request parse_request(const std::string& text) {
   const std::size_t dot = name.find('.');
   request.stage = name.substr(0, dot);
   if (dot != std::string::npos) request.variant = name.substr(dot + 1);
+  const std::size_t at = request.stage.find('@');
+  if (at != std::string::npos) {
+    request.variant = request.stage.substr(at + 1);
+    request.stage.resize(at);
+  }
   return request;
 }
 

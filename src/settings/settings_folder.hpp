@@ -16,6 +16,7 @@ namespace piae::settings {
 ///
 ///     STAGE.toml, STAGE.NAME.toml   what the stage reads from pipeline/protocol.toml, for the
 ///                                   variant NAME where there is a table [STAGE.NAME]
+///     STAGE@NAME.DATASET.toml       the same where each data set has a file of its own
 ///     split.NAME.toml               what split reads for the data set NAME: [split] of its
 ///                                   description on top of that of the protocol
 ///     transfer.NAME.toml            what transfer reads of the group NAME, all of whose data sets

@@ -38,6 +38,13 @@ TEST_F(Confusion, HasNoRowsOfAClassWithoutTestWindows) {
   EXPECT_THAT(confusions(one).csv(), Not(HasSubstr(",OR,Normal")));
 }
 
+/// A picture of no cells cannot be drawn.
+TEST_F(Confusion, IsLeftOutWithoutACellByThePapersClassifier) {
+  add(by("nearest", diagnosis("none", "100to1", 0, 0, 12)));
+  Source one{layout_, {.dataset = "cwru", .scored = {}, .combinations = {}, .seeds = {}}, {}};
+  EXPECT_THROW(confusions(one), LeftOut);
+}
+
 TEST_F(Confusion, NamesTheDiagnosisThatIsMissing) {
   add_two_seeds();
   std::filesystem::remove(layout_.diagnosis("vae", "2to1", 1));

@@ -11,7 +11,7 @@ line_of() { awk -v name="$2" '$1 == name { $1 = $1; print }' <<<"$1"; }
 divide() { # steps, cores, minutes, further options of awk
   mkdir -p jobs_are
   rm -f jobs_are/*
-  awk -f jobs/plan.awk -v cores="$2" -v minutes="$3" -v out=jobs_are -v swept=piae-dt "${@:4}" costs "$1"
+  awk -f jobs/plan.awk -v cores="$2" -v minutes="$3" -v out=jobs_are -v papers=piae-dt "${@:4}" costs "$1"
 }
 step() { printf 'results/t/%s\t%s\t%s\tresults/t/%s/%s\n' "$1" "$2" "$3" "$1" "$4"; }
 
@@ -32,6 +32,23 @@ test_the_papers_grid_takes_few_submissions_and_little_more_than_is_needed() {
 test_programs_without_libtorch_plan_what_they_cannot_compute() {
   rm fake/train-libtorch
   expect_line "$(plan SEEDS=0)" '^cells +1 '
+}
+
+# A setting of a seed is a unit. Here each of two takes 50 + 1 s by the cost of piae-dt, and 10 + 1 s by that of long.
+test_what_is_tried_beside_the_methods_is_divided_by_what_the_method_costs() {
+  costs
+  {
+    for point in a-1 a-2; do
+      for sweep in sweep sweep@long; do
+        step cwru/seed0/$sweep/$point generate '' E.h5
+        step cwru/seed0/$sweep/$point/10to1/nearest diagnose '' diagnosis.h5
+      done
+    done
+    step cwru sweep@long long sweep@long.h5
+  } >steps
+  echo generate,cwru,piae-dt,,,50,100 >>costs
+  expect_equal "$(divide steps 1 1 | grep -P '^(cells|unknown)')" \
+    $'cells\t3\t1\t10\t400\t8\t124\nunknown\tsweep'
 }
 
 test_submit_alone_says_how_it_is_called() {

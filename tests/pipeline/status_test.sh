@@ -276,6 +276,26 @@ test_a_failed_step_of_a_sweep_is_named() {
   expect_equal "$(tail -n 2 <<<"$output")" $'failed\n  real: sweep: the reason (log: results/t/real/sweep.log)'
 }
 
+test_a_failed_step_of_the_parts_of_a_method_is_named() {
+  describe_others
+  printf '[sweep.smote]\npoints = ["neighbours=1"]\n' >>pipeline/protocol.toml
+  local which=(BIN=fake RUN=t DATASETS=real SEEDS="0 1" METHODS="piae-dt smote") output
+  echo "train real/seed1/sweep@smote/neighbours-1/model.h5" >broken
+  make --silent -k sweep "${which[@]}" >/dev/null 2>&1 || true
+  output=$(make --silent status sweep "${which[@]}" | sed 's/  */ /g')
+  expect_line "$output" '^real smote 4 4 0 0 0 0 s$'
+  expect_line "$output" '^real sweep 4 4 0 0 0 0 s$'
+  expect_line "$output" '^real sweep@smote 4 2 0 2 0 0 s$'
+  expect_line "$output" '^ real/seed1/sweep@smote/neighbours-1: train: the reason '
+  # The table itself, whose log is not that of the other table.
+  echo "sweep real/sweep@smote.csv" >broken
+  make --silent sweep "${which[@]}" >/dev/null 2>&1 || true
+  output=$(make --silent status sweep "${which[@]}")
+  expect_line "$output" '^all +16 +16 +0 +0 +0 +0 s'
+  expect_equal "$(tail -n 2 <<<"$output")" \
+    $'failed\n  real: sweep: the reason (log: results/t/real/sweep@smote.log)'
+}
+
 test_what_is_given_goes_before_what_was_submitted() {
   describe
   submitted all RUN=t DATASETS="real made" METHODS=smote RATIOS=10to1 SEEDS="0 1 2" results=results/t

@@ -45,6 +45,10 @@ stand_ins() {
 stage=${0##*/} options="$*" outputs=()
 tables=(accuracy.csv gains.csv quality.csv comparisons.csv ranks.csv tables.md tables.tex summary.txt)
 [[ $stage != sweep ]] || tables=(sweep.csv sweep.md)
+if [[ $stage == sweep && $options == *" --method "* ]]; then
+  method=${options#* --method }
+  tables=("${tables[@]/#sweep/sweep@${method%% *}}")
+fi
 [[ $stage != readings ]] || tables=(readings.csv readings.md)
 [[ $stage != identify ]] || tables=(identifiability.csv scatter.csv identifiability.md)
 while (($#)); do

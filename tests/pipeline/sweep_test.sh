@@ -24,10 +24,16 @@ points = [
   "loss-weights=adaptive", "loss-weights=adaptive-without-log", "loss-weights=fixed",
   "learning-rate=1e-4", "learning-rate=2e-4", "learning-rate=0.0005", "learning-rate=1e-3",
 ]
+[train.strike-twin]
+tilt = 0
+[sweep.strike-twin]
+classifier = "wdcnn-spectra"
+points = ["edges=known", "tilt=0", "background=0"]
 TOML
 }
 
 sweep() { make --silent sweep BIN=fake RUN=t DATASETS=real SEEDS=0 "$@"; }
+parts() { sweep METHODS=strike-twin "$@"; }
 
 ran() {
   [[ -e calls ]] || return 0
@@ -151,9 +157,76 @@ test_the_grid_does_not_run_the_sweep() {
 
 test_what_cannot_be_is_refused() {
   describe
-  expect_line "$(sweep METHODS=smote 2>&1 || true)" "METHODS must have it"
+  expect_line "$(sweep METHODS=smote 2>&1 || true)" "moves the settings of piae-dt strike-twin: METHODS must have one of them"
   expect_line "$(sweep RATIOS=100to1 2>&1 || true)" "RATIOS"
   expect_exit 2 sweep RATIOS=100to1
+  sed -i 's/"background=0"/"backgrund=0"/' pipeline/protocol.toml
+  expect_line "$(sweep 2>&1 || true)" "pipeline/protocol.toml, line 22: .*'backgrund=0', but of strike-twin there is no"
+}
+
+# Of three points one is the method as it is, which the table has in any case.
+test_parts_of_another_method_have_folders_and_tables_of_their_own() {
+  describe
+  parts -j4 >/dev/null
+  expect_equal "$(ran)" "3 diagnose, 3 generate, 1 ingest, 3 score, 1 split, 1 sweep, 3 train"
+  local r=results/t/real s=results/t/.settings c=results/t/real/seed0/sweep@strike-twin/edges-known
+  expect_equal "$(<$c/model.h5)" \
+    "train --config $s/train.strike-twin.toml --method strike-twin --edges known --known $r/seed0/C.h5 --seed 0 --output $c/model.h5"
+  expect_line "$(<$c/1to1/wdcnn-spectra/diagnosis.h5)" "--generated $c/E.h5 --ratio 1to1 --classifier wdcnn-spectra --seed 0"
+  expect_line "$(<$r/seed0/strike-twin/1to1/wdcnn-spectra/diagnosis.h5)" "--classifier wdcnn-spectra --seed 0"
+  expect_equal "$(<$r/sweep@strike-twin.md)" \
+    "sweep --config $s/sweep@strike-twin.real.toml --run results/t --dataset real --method strike-twin --centre tilt=0 --ratios 1to1 --seeds 0"
+  expect_line "$(<$s/sweep@strike-twin.real.toml)" "^classifier = 'wdcnn-spectra'$"
+  [[ ! -e $r/sweep.md && ! -e $r/sweep.log && -e $r/sweep@strike-twin.log ]] || fail "$(ls $r)"
+}
+
+test_sweeps_of_several_methods_are_one_run() {
+  describe
+  local output
+  output=$(sweep METHODS="none smote piae-dt strike-twin" -j4)
+  expect_equal "$(ran)" "18 diagnose, 18 generate, 1 ingest, 18 score, 1 split, 2 sweep, 18 train"
+  expect_line "$output" "^sweep .* --dataset real --centre batch=5 "
+  expect_line "$output" "^sweep .* --dataset real --method strike-twin "
+  sweep METHODS="piae-dt strike-twin" >/dev/null
+  parts >/dev/null
+  sweep >/dev/null
+  expect_equal "$(ran)" ""
+}
+
+test_parts_share_cells_with_the_grid() {
+  describe
+  make --silent cells BIN=fake RUN=t DATASETS=real SEEDS=0 METHODS="none strike-twin" RATIOS="100to1 1to1" \
+    CLASSIFIERS="wdcnn wdcnn-spectra" >/dev/null
+  rm calls
+  parts >/dev/null
+  expect_equal "$(ran)" "2 diagnose, 2 generate, 2 score, 1 sweep, 2 train"
+  parts CLASSIFIERS=wdcnn-spectra >/dev/null
+  expect_equal "$(ran)" ""
+}
+
+test_a_part_of_the_parts_leaves_the_table_of_the_whole() {
+  describe
+  parts SEEDS="0 1" >/dev/null
+  rm calls
+  parts >/dev/null
+  expect_equal "$(ran)" ""
+  rm results/t/real/seed1/sweep@strike-twin/edges-known/E.h5
+  parts >/dev/null
+  expect_equal "$(ran)" "1 sweep"
+  expect_line "$(<results/t/real/sweep@strike-twin.md)" "--leave-out seed1/sweep@strike-twin/edges-known --method"
+  sed -i 's/"edges=known", //' pipeline/protocol.toml
+  parts SEEDS="0 1" >/dev/null
+  expect_equal "$(ran)" "1 sweep"
+}
+
+test_another_classifier_judges_anew() {
+  describe
+  parts >/dev/null
+  rm calls
+  sed -i 's/"wdcnn-spectra"/"wdcnn"/' pipeline/protocol.toml
+  parts >/dev/null
+  expect_equal "$(ran)" "3 diagnose, 1 sweep"
+  [[ -e results/t/real/seed0/sweep@strike-twin/edges-known/1to1/diagnosis.h5 ]] || fail "no diagnosis by wdcnn"
 }
 
 run_tests

@@ -12,7 +12,11 @@ using testing::IsEmpty;
 
 SweepOptions options_of(const std::string& points, const std::string& centre,
                         const std::string& ratios = "1to1", const std::string& seeds = "0 1") {
-  return {"cwru", {points}, {centre}, {ratios}, {seeds}};
+  return {.dataset = "cwru",
+          .points = {points},
+          .centre = {centre},
+          .ratios = {ratios},
+          .seeds = {seeds}};
 }
 
 void expect_usage_error(const SweepOptions& options, const std::string& words) {
@@ -28,11 +32,11 @@ void expect_usage_error(const SweepOptions& options, const std::string& words) {
 TEST(SweepPoints, HaveTheFoldersOfTheGridWhereTheyAreTheCentre) {
   const Sweep sweep = resolve(options_of("batch=1 batch=5,learning-rate=1e-4", "batch=5"));
   ASSERT_EQ(sweep.points.size(), 3U);
-  EXPECT_EQ(sweep.points[0].folder(), "sweep/batch-1");
-  EXPECT_EQ(sweep.points[1].folder(), "piae-dt");
+  EXPECT_EQ(sweep.points[0].folder("piae-dt"), "sweep/batch-1");
+  EXPECT_EQ(sweep.points[1].folder("piae-dt"), "piae-dt");
   EXPECT_EQ(sweep.points[2].factor, "learning-rate");
   EXPECT_EQ(sweep.points[2].value, "1e-4");
-  EXPECT_EQ(sweep.points[2].folder(), "sweep/learning-rate-1e-4");
+  EXPECT_EQ(sweep.points[2].folder("piae-dt"), "sweep/learning-rate-1e-4");
 }
 
 TEST(SweepPoints, ThatCannotBeAreRefused) {
@@ -131,7 +135,8 @@ TEST_F(SweepTables, LeaveOutWhatIsOutOfDate) {
   const auto rows = sweep_rows(
       layout_, resolve(options_of(points_, centre_, "1to1", "0")),
       run::Held(layout_, {"seed1/sweep", "seed0/sweep/depth-4/2to1/diagnosis.h5"}), results);
-  for (const SweepRow& row : rows) EXPECT_THAT(row.seeds, ElementsAre(0)) << row.point.value;
+  for (const SweepRow& row : rows)
+    EXPECT_THAT(row.accuracy.seeds, ElementsAre(0)) << row.point.value;
   EXPECT_EQ(rows.size(), 7U);
 }
 

@@ -20,6 +20,7 @@
 namespace piae::settings {
 namespace {
 
+using testing::AllOf;
 using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -69,6 +70,16 @@ TEST(SettingsFolder, AFileHoldsWhatTheStageReads) {
   EXPECT_EQ(project.values_in("train.smote.toml"), "epochs = 200\n");
   project.update("score.toml");
   EXPECT_EQ(project.values_in("score.toml"), "\n");
+}
+
+TEST(SettingsFolder, AFileOfAVariantMayBeOfADatasetToo) {
+  const Project project("[sweep]\npoints = [\"batch=1\"]\n[sweep.smote]\npoints = []\n");
+  project.update("sweep@smote.cwru.toml 3 cells");
+  EXPECT_EQ(project.values_in("sweep@smote.cwru.toml"),
+            "# Options given by make: 3 cells\npoints = []\n");
+  EXPECT_FALSE(project.is_outdated("sweep@smote.cwru.toml 3 cells"));
+  project.update("sweep.cwru.toml");
+  EXPECT_EQ(project.values_in("sweep.cwru.toml"), "points = [ 'batch=1' ]\n");
 }
 
 TEST(SettingsFolder, ADescriptionHasTheLastWordOnItsSplit) {
@@ -320,12 +331,62 @@ TEST(Protocol, AGroupOfAnUnknownDatasetIsRefusedWhereItIsAskedFor) {
             "against = 'smote'\ndatasets = [ 'x' ]\ninputs = [ 'none=wdcnn' ]\n");
 }
 
+TEST(Protocol, PointsOfASweepMustBeWhatItsMethodTakes) {
+  EXPECT_THAT(Project("[sweep]\npoints = [\"batch=1\",\n\"batches=mixd\"]\n").refusal(),
+              AllOf(HasSubstr("protocol.toml, line 3: sweep.points holds 'batches=mixd'"),
+                    HasSubstr("of piae-dt --batches: 'mixd' is none of: ")));
+  EXPECT_THAT(Project("[sweep.smote]\npoints = [\"neighbours=2\",\n\"depth=1\"]\n").refusal(),
+              HasSubstr("line 3: sweep.smote.points holds 'depth=1', but of smote there is no "
+                        "option --depth"));
+  EXPECT_THAT(Project("[sweep.smote]\npoints = [\"neighbours=2\",\n\"neighbours\"]\n").refusal(),
+              HasSubstr("line 3: sweep.smote.points holds 'neighbours', which is not FACTOR="));
+  EXPECT_THAT(Project("[sweep.smote]\npoints = [\"neighbours=2\"]\n").refusal(), "not refused");
+}
+
+TEST(Protocol, TheTableOfASweepIsOfAMethodAndAClassifier) {
+  EXPECT_THAT(Project("[sweep]\n[sweep.smot]\n").refusal(),
+              HasSubstr("line 2: nothing reads the table [sweep.smot]; there are sweep.dynamics"));
+  for (const std::string other : {"piae-dt", "oracle", "none"}) {
+    EXPECT_THAT(Project("[sweep." + other + "]\npoints = []\n").refusal(),
+                HasSubstr("line 1: nothing reads the table [sweep." + other + "]"));
+  }
+  EXPECT_THAT(
+      Project("[sweep.smote]\npoints = []\nclassifier = \"wdcn\"\n").refusal(),
+      HasSubstr("protocol.toml, line 3: unknown classifier 'wdcn'; known are wdcnn, wdcnn-"));
+  EXPECT_THAT(Project("[sweep.smote]\npoints = []\nclassifier = 3\n").refusal(),
+              HasSubstr("line 3: unknown classifier ''"));
+  EXPECT_THAT(Project("[sweep.smote]\nclassifier = \"wdcnn\"\n").refusal(),
+              HasSubstr("line 1: sweep.smote has no points"));
+  EXPECT_THAT(Project("[sweep.smote]\npoints = []\npoint = []\n").refusal(),
+              HasSubstr("line 3: nothing reads sweep.smote.point"));
+  EXPECT_THAT(Project("[sweep]\nclassifier = \"wdcnn\"\n").refusal(),
+              HasSubstr("line 2: nothing reads sweep.classifier"));
+}
+
 TEST(Protocol, TheCentreOfASweepIsWhatTheMethodHasAnyway) {
   const toml::table protocol = toml::parse(
       "[train]\nbatch = 3\n[train.piae-dt]\nbatch = 5\nrate = 5e-4\nkind = \"plain\"\n"
       "[sweep]\npoints = [\"batch=3\", \"batch=5\", \"rate=0.0005\", \"kind=other\", "
       "\"kind=plain\", \"depth=1\"]\n");
-  EXPECT_THAT(sweep_centre(protocol), ElementsAre("batch=5", "rate=0.0005", "kind=plain"));
+  const std::vector<Sweep> all = sweeps(protocol);
+  ASSERT_EQ(all.size(), 1U);
+  EXPECT_EQ(all[0].method, "piae-dt");
+  EXPECT_EQ(all[0].classifier, "wdcnn");
+  EXPECT_THAT(all[0].centre, ElementsAre("batch=5", "rate=0.0005", "kind=plain"));
+}
+
+TEST(Protocol, HasASweepOfEachMethodWithATable) {
+  const toml::table protocol = toml::parse(
+      "[train.vae]\nepochs = 3\n[sweep.vae]\npoints = [\"epochs=2\", \"epochs=3\"]\n"
+      "[sweep.smote]\nclassifier = \"nearest\"\npoints = [\"neighbours=2\"]\n");
+  const std::vector<Sweep> all = sweeps(protocol);
+  ASSERT_EQ(all.size(), 2U);
+  EXPECT_EQ(all[0].method, "smote");
+  EXPECT_EQ(all[0].classifier, "nearest");
+  EXPECT_THAT(all[0].points, ElementsAre("neighbours=2"));
+  EXPECT_EQ(all[1].method, "vae");
+  EXPECT_EQ(all[1].classifier, "wdcnn");
+  EXPECT_THAT(all[1].centre, ElementsAre("epochs=3"));
 }
 
 TEST(Facts, NameWhatThereIs) {
@@ -347,8 +408,13 @@ TEST(Facts, NameWhatThereIs) {
                                  "dataset:cwru",
                                  "simulated:simulated",
                                  "swept:piae-dt",
-                                 "sweep-point:depth=1",
-                                 "sweep-centre:depth=3",
+                                 "paper-method:piae-dt",
+                                 "sweep-classifier:piae-dt:wdcnn",
+                                 "sweep-point:piae-dt:depth=1",
+                                 "sweep-centre:piae-dt:depth=3",
+                                 "swept:strike-twin",
+                                 "sweep-classifier:strike-twin:wdcnn-spectra",
+                                 "sweep-point:strike-twin:edges=known",
                                  "reading:batches=class",
                                  "reading-base:batches=mixed",
                                  "group:speeds",
@@ -358,7 +424,7 @@ TEST(Facts, NameWhatThereIs) {
   }
   for (const std::string fact :
        {"paper:piae-dt-phase", "paper:oracle", "infers:smote", "needs-libtorch:piae-dt",
-        "simulated:cwru", "sweep-centre:depth=1"}) {
+        "simulated:cwru", "sweep-centre:piae-dt:depth=1"}) {
     EXPECT_THAT(all, Not(Contains(fact)));
   }
 }

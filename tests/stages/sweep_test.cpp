@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <fstream>
+
 #include "stages/tiny.hpp"
 
 /// The table of a sweep, from cells that the other stages have made.
@@ -37,6 +39,47 @@ TEST(Sweep, TableIsMadeFromItsOwnCellsAndTheGrids) {
       << csv;
   EXPECT_NE(csv.find("\ntiny,batch,5,50to1,1,"), std::string::npos) << csv;
   EXPECT_NE(bytes_of(tiny / "run/tiny/sweep.md").find("as in the grid"), std::string::npos);
+}
+
+/// Cells of smote by `nearest`: as the protocol has it, and with another number of neighbours.
+void make_parts(const Tiny& tiny) {
+  const auto make = [&](const std::string& folder, const std::string& neighbours) {
+    const std::string model = "run/tiny/seed0/" + folder + "/model.h5";
+    const std::string made = "run/tiny/seed0/" + folder + "/E.h5";
+    const std::vector<std::pair<std::string, Arguments>> steps{
+        {"train",
+         {"--method", "smote", "--neighbours", neighbours, "--known", "C.h5", "--seed", "0",
+          "--output", model}},
+        {"generate", with(with(step_of("generate").arguments, "--model", model), "--output", made)},
+        {"diagnose", with(with(with(step_of("diagnose").arguments, "--generated", made), "--output",
+                               "run/tiny/seed0/" + folder + "/50to1/nearest/diagnosis.h5"),
+                          "--classifier", "nearest")}};
+    for (const auto& [stage, arguments] : steps) {
+      const Outcome outcome = tiny.run(stage, arguments);
+      ASSERT_EQ(outcome.status, 0) << stage << ": " << outcome.err;
+    }
+  };
+  make("smote", "3");
+  make("sweep@smote/neighbours-1", "1");
+}
+
+/// As by hand, with the protocol itself.
+TEST(Sweep, OfAnotherMethodIsComparedWithTheMethodAsItIs) {
+  const Tiny tiny;
+  tiny.run_chain_before("tabulate");
+  make_parts(tiny);
+  std::ofstream(tiny / "protocol.toml")
+      << "[sweep]\npoints = [\"batch=1\"]\n[sweep.smote]\npoints = [\"neighbours=1\"]\n"
+         "classifier = \"nearest\"\n";
+  const Arguments parts{"--config", "protocol.toml", "--run",    "run",   "--dataset", "tiny",
+                        "--method", "smote",         "--ratios", "50to1", "--seeds",   "0"};
+  const Outcome outcome = tiny.run("sweep", parts);
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_EQ(outcome.out, "tabulated 2 diagnoses of 2 settings: run/tiny/sweep@smote.md\n");
+  const std::string csv = bytes_of(tiny / "run/tiny/sweep@smote.csv");
+  EXPECT_NE(csv.find("\ntiny,smote,nearest,,,1,50to1,1,"), std::string::npos) << csv;
+  EXPECT_NE(csv.find("\ntiny,smote,nearest,neighbours,1,0,50to1,1,"), std::string::npos) << csv;
+  expect_refusal(tiny.run("sweep", with(parts, "--method", "smot")), "sweep", 2, {"smot", "smote"});
 }
 
 TEST(Sweep, MissingCellIsNamedAndNoTableIsMade) {

@@ -33,8 +33,7 @@ void read_simulation(const fs::path& file) { (void)signal::read_simulation(file)
 
 void read_protocol(const fs::path& file) {
   const toml::table protocol = settings::read_protocol(file);
-  (void)settings::sweep_points(protocol);
-  (void)settings::sweep_centre(protocol);
+  (void)settings::sweeps(protocol);
   (void)settings::readings(protocol);
   (void)settings::base_of_readings(protocol);
 }

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "cli/options.hpp"
+
+namespace piae::cli {
+
+/// What is wrong with one option and its value, as a program whose options are bound so would say;
+/// empty where nothing is. What only the program itself finds out, it finds out later.
+std::string refusal_of(const std::function<void(const Options&)>& bind, const std::string& name,
+                       const std::string& value);
+
+}  // namespace piae::cli

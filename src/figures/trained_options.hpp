@@ -1,0 +1,17 @@
+#pragma once
+
+#include <toml++/toml.h>
+
+#include <string>
+
+#include "artefact/reader.hpp"
+
+namespace piae::figures {
+
+/// The options that a model was trained with. The model holds them as TOML, each as text.
+toml::table options_of_training(const artefact::Reader& model);
+
+/// 0.0005 also where a settings file has 0.00050000000000000001.
+std::string shown_value(const std::string& value);
+
+}  // namespace piae::figures

@@ -1,0 +1,172 @@
+#include "report/parts.hpp"
+
+#include <spdlog/fmt/fmt.h>
+
+#include <algorithm>
+
+#include "report/bounded_summary.hpp"
+#include "report/csv_fields.hpp"
+#include "report/gaps.hpp"
+#include "report/labels.hpp"
+#include "text/csv.hpp"
+
+namespace piae::report {
+
+namespace {
+
+constexpr NumberStyle one_decimal{.decimals = 1};
+constexpr NumberStyle one_decimal_signed{.decimals = 1, .sign = true};
+
+bool is_the_method(const SweepRow& row) { return row.point.factor.empty(); }
+
+bool tells_kinds(const PartRow& row) { return row.moved.accuracy.kind.has_value(); }
+
+std::vector<SweepRow> moved_rows(const std::vector<PartRow>& rows) {
+  std::vector<SweepRow> moved;
+  for (const PartRow& row : rows) moved.push_back(row.moved);
+  return moved;
+}
+
+std::vector<std::string> difference_fields(const PartRow& row) {
+  if (!row.difference) return {"0", "", "", "", ""};
+  const scoring::Summary& difference = row.difference->paired.difference;
+  std::vector<std::string> fields{std::to_string(difference.count)};
+  for (const auto& group : {mean_fields(difference), interval_fields(difference)}) {
+    fields.insert(fields.end(), group.begin(), group.end());
+  }
+  return fields;
+}
+
+std::vector<std::string> kind_fields(const PartRow& row) {
+  if (!tells_kinds(row)) return {};
+  std::vector<std::string> fields = mean_fields(*row.moved.accuracy.kind);
+  const std::vector<std::string> interval = interval_fields(*row.moved.accuracy.kind);
+  fields.insert(fields.end(), interval.begin(), interval.end());
+  return fields;
+}
+
+std::string setting_label(const SweepPoint& point) {
+  if (point.factor.empty()) return "as in the grid";
+  return point.factor + "=" + point.value + (point.centre ? " (as in the grid)" : "");
+}
+
+/// A row for each setting. What is not of `most` seeds is marked.
+text::Table ratio_table(const std::vector<PartRow>& rows, std::size_t most) {
+  const bool kinds = std::ranges::any_of(rows, tells_kinds);
+  std::vector<std::string> header{"setting", "accuracy", "95 % interval"};
+  if (kinds) header.emplace_back("by kind");
+  header.insert(header.end(), {"difference", "95 % interval"});
+  text::Table table(header, 1);
+  for (const PartRow& row : rows) {
+    const AccuracyRow& accuracy = row.moved.accuracy;
+    std::vector<std::string> cells{
+        marked_if(accuracy.seeds.size() < most, setting_label(row.moved.point)),
+        mean_label(accuracy.summary, one_decimal), interval_label(accuracy.summary, one_decimal)};
+    if (kinds) cells.push_back(mean_label(*accuracy.kind, one_decimal));
+    if (row.difference) {
+      const scoring::Summary& difference = row.difference->paired.difference;
+      cells.push_back(mean_label(difference, one_decimal_signed));
+      cells.push_back(interval_label(difference, one_decimal_signed));
+    }
+    table.row(cells);
+  }
+  return table;
+}
+
+/// The rows of each ratio, ratios as in Table 5.
+std::vector<std::vector<PartRow>> by_ratio(const std::vector<PartRow>& rows) {
+  std::vector<std::vector<PartRow>> blocks;
+  for (const scoring::Ratio& ratio : scoring::all_ratios()) {
+    std::vector<PartRow> block;
+    std::ranges::copy_if(rows, std::back_inserter(block), [&](const PartRow& row) {
+      return row.moved.accuracy.ratio == ratio.name;
+    });
+    if (!block.empty()) blocks.push_back(std::move(block));
+  }
+  return blocks;
+}
+
+}  // namespace
+
+std::vector<PartRow> part_rows(const std::vector<SweepRow>& rows) {
+  std::vector<PartRow> parts;
+  for (const SweepRow& row : rows) {
+    const auto whole = std::ranges::find_if(rows, [&](const SweepRow& other) {
+      return is_the_method(other) && other.accuracy.ratio == row.accuracy.ratio;
+    });
+    PartRow part{.moved = row, .difference = std::nullopt};
+    if (!row.point.centre && whole != rows.end()) {
+      part.difference = paired_row(row.accuracy, whole->accuracy);
+    }
+    parts.push_back(std::move(part));
+  }
+  return parts;
+}
+
+std::string parts_csv(const Sweep& sweep, const std::vector<PartRow>& rows) {
+  std::vector<std::string> header{"dataset",
+                                  "method",
+                                  "classifier",
+                                  "factor",
+                                  "value",
+                                  "centre",
+                                  "ratio",
+                                  "seeds",
+                                  "mean",
+                                  "std",
+                                  "ci95_low",
+                                  "ci95_high",
+                                  "pairs",
+                                  "difference",
+                                  "difference_std",
+                                  "difference_ci95_low",
+                                  "difference_ci95_high"};
+  if (std::ranges::any_of(rows, tells_kinds)) {
+    header.insert(header.end(), {"kind_mean", "kind_std", "kind_ci95_low", "kind_ci95_high"});
+  }
+  std::string text = text::csv_line(header);
+  for (const PartRow& row : rows) {
+    const SweepPoint& point = row.moved.point;
+    const scoring::Summary& summary = row.moved.accuracy.summary;
+    text += joined_csv_line(
+        {{sweep.grid.dataset, sweep.method, sweep.classifier, point.factor, point.value,
+          point.centre ? "1" : "0", row.moved.accuracy.ratio, std::to_string(summary.count)},
+         mean_fields(summary),
+         interval_fields(summary),
+         difference_fields(row),
+         kind_fields(row)});
+  }
+  return text;
+}
+
+Document parts_document(const Sweep& sweep, const std::vector<PartRow>& rows,
+                        const run::Results& results) {
+  Document document{
+      .key = sweep.grid.dataset + "-" + run::sweep_name(sweep.method),
+      .title = "What each part of " + sweep.method + " is worth on " + sweep.grid.dataset};
+  const std::vector<std::int64_t> seeds = seeds_of_any_row(moved_rows(rows));
+  const bool kinds = std::ranges::any_of(rows, tells_kinds);
+  document.paragraphs.push_back(fmt::format(
+      "Accuracy in percent by {} where one setting of {} is moved and all others are those of the "
+      "grid. The difference to the method as it is in the grid is in points and paired by seed: "
+      "below zero the method is worse without that part. {}Split protocol {}; {} seed{} ({}). "
+      "Numbers are the mean ± the sample standard deviation over the seeds. {}",
+      sweep.classifier, sweep.method,
+      kinds ? "By kind: a window counts as right where the damaged part of the bearing is named, "
+              "whatever the size of the defect. "
+            : "",
+      to_string(results.diagnoses.front().protocol), seeds.size(), seeds.size() == 1 ? "" : "s",
+      seed_list(seeds), about_intervals));
+  for (const std::vector<PartRow>& block : by_ratio(rows)) {
+    const AccuracyRow& first = block.front().moved.accuracy;
+    const std::vector<SweepRow> of_ratio = moved_rows(block);
+    const std::size_t most = seeds_of_any_row(of_ratio).size();
+    document.sections.push_back({.key = first.ratio,
+                                 .title = "At " + ratio_label(first.ratio, first.true_ratio),
+                                 .note = fewer_seeds_note(of_ratio, most),
+                                 .table = ratio_table(block, most)});
+  }
+  return document;
+}
+
+}  // namespace piae::report
