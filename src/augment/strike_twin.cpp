@@ -21,6 +21,7 @@ void StrikeTwin::train(const signal::WindowSet& known, const Stream& /*stream*/,
                        const Compute& /*compute*/, const nets::Checkpoint& /*checkpoint*/,
                        artefact::Writer& model) {
   transfer::require_rhythm(known);
+  transfer::require_sense(options_, known, healthy_);
   signal::write(model, known);
   transfer::write(model, transfer::edges_of_known(known, options_.prior));
   transfer::write(model, options_);

@@ -1,13 +1,10 @@
 #include "transfer/carry.hpp"
 
-#include <spdlog/fmt/fmt.h>
-
 #include <algorithm>
 #include <cmath>
 #include <complex>
 #include <limits>
 
-#include "base/error.hpp"
 #include "transfer/bearings.hpp"
 #include "transfer/filter.hpp"
 #include "transfer/kinematics.hpp"
@@ -40,22 +37,6 @@ std::vector<signal::DynamicParameters> rings_of(const signal::WindowSet& known,
   return rings;
 }
 
-const HealthySpectrum* find_spectrum(const std::vector<HealthySpectrum>& spectra,
-                                     std::int32_t condition) {
-  const auto found = std::ranges::find(spectra, condition, &HealthySpectrum::condition);
-  return found == spectra.end() ? nullptr : &*found;
-}
-
-void require_spectra(const signal::WindowSet& known, const std::vector<HealthySpectrum>& spectra) {
-  for (const std::int32_t condition : known.info.tested_conditions()) {
-    if (find_spectrum(spectra, condition) == nullptr) {
-      throw Error(Exit::usage,
-                  "--background-from healthy: needs healthy windows of the tested condition; give "
-                  "--healthy B.h5 to train");
-    }
-  }
-}
-
 }  // namespace
 
 Carrier::Carrier(const signal::WindowSet& known, const std::vector<Edges>& edges,
@@ -66,7 +47,7 @@ Carrier::Carrier(const signal::WindowSet& known, const std::vector<Edges>& edges
       structure_(structure_of(known, edges)),
       healthy_(std::move(healthy)),
       rings_(rings_of(known, structure_, options.mass_kg)) {
-  if (options.background_from == BackgroundFrom::healthy) require_spectra(known, healthy_);
+  require_sense(options_, known, healthy_);
   for (std::size_t i = 0; i < known.size(); ++i) {
     const std::vector<double> samples = samples_of_window(known, i);
     combs_.push_back(

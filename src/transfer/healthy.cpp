@@ -35,6 +35,12 @@ std::vector<HealthySpectrum> healthy_spectra(const signal::WindowSet& healthy) {
   return spectra;
 }
 
+const HealthySpectrum* find_spectrum(const std::vector<HealthySpectrum>& spectra,
+                                     std::int32_t condition) {
+  const auto found = std::ranges::find(spectra, condition, &HealthySpectrum::condition);
+  return found == spectra.end() ? nullptr : &*found;
+}
+
 void write(artefact::Writer& writer, const std::vector<HealthySpectrum>& spectra) {
   if (spectra.empty()) return;
   std::vector<std::int32_t> conditions;

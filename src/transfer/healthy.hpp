@@ -20,6 +20,10 @@ struct HealthySpectrum {
 /// condition count in each.
 std::vector<HealthySpectrum> healthy_spectra(const signal::WindowSet& healthy);
 
+/// That of a condition; null where there is none.
+const HealthySpectrum* find_spectrum(const std::vector<HealthySpectrum>& spectra,
+                                     std::int32_t condition);
+
 /// In the artefact: /healthy/condition int32 [m] and /healthy/log_amplitude float64 [m, bins].
 void write(artefact::Writer& writer, const std::vector<HealthySpectrum>& spectra);
 /// None where there are none. Throws artefact::Refusal for another number of bins, and for

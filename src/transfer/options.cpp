@@ -1,5 +1,6 @@
 #include "transfer/options.hpp"
 
+#include "base/error.hpp"
 #include "signal/ranges.hpp"
 #include "transfer/ranges.hpp"
 #include "transfer/words.hpp"
@@ -91,6 +92,21 @@ void bind(const cli::Options& command, CarryOptions& o) {
   command.add("--mass-kg", o.mass_kg, "M of eq. 13, by which windows have their k and c, kg")
       .check(cli::within(signal::ranges::mass_kg));
   bind_prior(command, o.prior);
+}
+
+void require_sense(const CarryOptions& options, const signal::WindowSet& known,
+                   const std::vector<HealthySpectrum>& healthy) {
+  if (options.strengths.least_extent > options.strengths.largest_extent) {
+    throw Error(Exit::usage, "--load-zone-from is above --load-zone-to; it must not be");
+  }
+  if (options.background_from != BackgroundFrom::healthy) return;
+  for (const std::int32_t condition : known.info.tested_conditions()) {
+    if (find_spectrum(healthy, condition) == nullptr) {
+      throw Error(Exit::usage,
+                  "--background-from healthy: needs healthy windows of the tested condition; give "
+                  "--healthy B.h5 to train");
+    }
+  }
 }
 
 void write(artefact::Writer& writer, const CarryOptions& options) {

@@ -5,6 +5,7 @@
 #include "cli/options.hpp"
 #include "transfer/edge_fit.hpp"
 #include "transfer/equaliser.hpp"
+#include "transfer/healthy.hpp"
 #include "transfer/strengths.hpp"
 
 namespace piae::transfer {
@@ -42,7 +43,13 @@ struct CarryOptions {
 
 void bind(const cli::Options& command, CarryOptions& options);
 
-/// In the artefact: attributes of the groups /carry and /equaliser.
+/// Throws Error(usage) for options that do not go together, or not with what is known: a load zone
+/// that ends before it begins, and a background of healthy windows where a tested condition has
+/// none.
+void require_sense(const CarryOptions& options, const signal::WindowSet& known,
+                   const std::vector<HealthySpectrum>& healthy);
+
+/// In the artefact: attributes of the groups /carry, /strengths and /equaliser.
 void write(artefact::Writer& writer, const CarryOptions& options);
 CarryOptions read_carry_options(const artefact::Reader& reader);
 

@@ -228,7 +228,7 @@ TEST_F(Impossible, ModelsOfTheTwinWithItsAngle) {
 
 TEST_F(Impossible, ModelsOfTheTwinThatIsStruck) {
   expect_model_refused(
-      "strike-twin", {},
+      "strike-twin", {"--healthy", "B.h5"},
       {
           {"a rate that shows no rhythm", attribute("/", "sample_rate_hz", 100.0), "is struck"},
           {"knots 2^40", attribute("/equaliser", "knots", huge), "knots"},
@@ -236,7 +236,22 @@ TEST_F(Impossible, ModelsOfTheTwinThatIsStruck) {
           {"dispersion of an hour", attribute("/carry", "dispersion_ms", 3.6e6), "dispersion_ms"},
           {"a response that is none",
            [](hid_t file) { replace_attribute(file, "/carry", "response", "cake"); },
-           "minimum-phase or cut"},
+           "minimum-phase or ring or cut"},
+          {"strengths that are none",
+           [](hid_t file) { replace_attribute(file, "/strengths", "from", "cake"); },
+           "load-zone or known or alike"},
+          {"a load zone that ends before it begins", attribute("/strengths", "least_extent", 2.0),
+           "least extent is above the largest"},
+          {"more load that turns than stays", attribute("/strengths", "rotating", 1.5), "rotating"},
+          {"no mass", attribute("/carry", "mass_kg", 0.0), "mass_kg"},
+          {"healthy windows louder than any number", first_number("/healthy/log_amplitude", 1e6),
+           "/healthy/log_amplitude"},
+          {"healthy windows of an untested condition",
+           [](hid_t file) {
+             change_numbers<std::int32_t>(file, "/healthy/condition",
+                                          [](auto& conditions) { conditions[0] = 3; });
+           },
+           "/healthy/condition"},
           {"a lag before the blow", first_number("/edges/lag_s", -1.0), "/edges/lag_s"},
           {"an exit of 2", first_number("/edges/exit", 2.0), "/edges/exit"},
       });

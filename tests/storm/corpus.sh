@@ -77,6 +77,15 @@ stage split --records speeds.h5 "${split[@]}" --output-dir speeds
 consumer speeds.h5 split --records speeds.h5 "${split[@]}" --output-dir out
 consumer speeds/C.h5 train --method dynamics --known speeds/C.h5 --seed 0 --output out.h5
 
+for method in resample randomise strike-twin; do
+  healthy=()
+  [[ $method != strike-twin ]] || healthy=(--healthy speeds/B.h5)
+  stage train --method $method --known speeds/C.h5 "${healthy[@]}" --seed 0 --output $method.model.h5
+  consumer $method.model.h5 generate --model $method.model.h5 --count 5 --seed 0 --output out.h5
+done
+stage generate --model strike-twin.model.h5 --count 5 --seed 0 --output speeds/E.h5
+consumer speeds/E.h5 score --generated speeds/E.h5 --real speeds/D.h5 --output out.h5
+
 networks=(--epochs 2 --width 4)
 train() { # method, option...
   stage train --method "$1" --known C.h5 --seed 0 "${@:2}" --output "$1.model.h5"

@@ -1,0 +1,69 @@
+#include <gtest/gtest.h>
+
+#include "artefact/reader.hpp"
+#include "stages/tiny.hpp"
+
+/// Healthy windows B, of which strike-twin learns what the machine itself sounds like.
+namespace piae::stages {
+namespace {
+
+const Arguments train_on_healthy{"--method", "strike-twin", "--known", "C.h5",     "--healthy",
+                                 "B.h5",     "--seed",      "0",       "--output", "model.h5"};
+
+class Healthy : public testing::Test {
+ protected:
+  void SetUp() override { tiny_.run_chain_before("train"); }
+
+  [[nodiscard]] Outcome generate() const {
+    return tiny_.run("generate",
+                     {"--model", "model.h5", "--count", "2", "--seed", "0", "--output", "E.h5"});
+  }
+
+  const Tiny tiny_;
+};
+
+TEST_F(Healthy, WindowsAreStoredAsASpectrumAndNamedAsAnInput) {
+  ASSERT_EQ(tiny_.run("train", train_on_healthy).status, 0);
+  const artefact::Reader model(tiny_ / "model.h5", "model");
+  EXPECT_TRUE(model.has("/healthy/log_amplitude"));
+  ASSERT_EQ(generate().status, 0);
+  EXPECT_EQ(tiny_.run("verify", {"model.h5", "E.h5"}).status, 0);
+  EXPECT_TRUE(artefact::Reader(tiny_ / "E.h5", "windows").has("/strikes/time_s"));
+}
+
+TEST_F(Healthy, WindowsMustBeBOfTheSameSplit) {
+  expect_refusal(tiny_.run("train", with(train_on_healthy, "--healthy", "D.h5")), "train", 65,
+                 {"D.h5", "role D", "needed is B"});
+  fs::create_directory(tiny_ / "other");
+  ASSERT_EQ(tiny_
+                .run("split",
+                     with(with(step_of("split").arguments, "--seed", "1"), "--output-dir", "other"))
+                .status,
+            0);
+  expect_refusal(tiny_.run("train", with(train_on_healthy, "--healthy", "other/B.h5")), "train", 65,
+                 {"other/B.h5", "not of one split"});
+  EXPECT_FALSE(fs::exists(tiny_ / "model.h5"));
+}
+
+TEST_F(Healthy, WindowsAreAskedForWhereTheBackgroundIsTheirs) {
+  Arguments without = train_on_healthy;
+  without.erase(without.begin() + 4, without.begin() + 6);
+  without.insert(without.end(), {"--background-from", "healthy"});
+  expect_refusal(tiny_.run("train", without), "train", 2, {"--healthy B.h5"});
+  EXPECT_FALSE(fs::exists(tiny_ / "model.h5"));
+}
+
+TEST_F(Healthy, WindowsAreNotTakenByWhatLearnsNothingOfThem) {
+  expect_refusal(tiny_.run("train", with(train_on_healthy, "--method", "smote")), "train", 2,
+                 {"--healthy"});
+}
+
+TEST_F(Healthy, ALoadZoneMustNotEndBeforeItBegins) {
+  Arguments reversed = train_on_healthy;
+  reversed.insert(reversed.end(), {"--load-zone-from", "0.8", "--load-zone-to", "0.4"});
+  expect_refusal(tiny_.run("train", reversed), "train", 2, {"--load-zone-from", "--load-zone-to"});
+  EXPECT_FALSE(fs::exists(tiny_ / "model.h5"));
+}
+
+}  // namespace
+}  // namespace piae::stages
