@@ -1,12 +1,13 @@
 #!/bin/bash
-# Copies what people look at from a run to where its reference is kept: FOLDER/<dataset>/*.md, and of the
-# figures the numbers and pictures, FOLDER/<dataset>/figures/*.csv and *.svg.
+# Copies what people look at from a run to where its reference is kept: FOLDER/<dataset>/*.md, of the
+# figures the numbers and pictures, FOLDER/<dataset>/figures/*.csv and *.svg, and what is of several data sets,
+# FOLDER/transfer*@<group>.md, .csv and .svg.
 # usage: pipeline/keep_shown.sh results/RUN FOLDER
 set -euo pipefail
 shopt -s nullglob
 
 run=$1 folder=$2
-for table in "$run"/*/*.md; do
+for table in "$run"/*/*.md "$run"/transfer*@*.{md,csv,svg}; do
   kept=$folder/${table#"$run"/}
   mkdir -p "${kept%/*}"
   cp "$table" "$kept"

@@ -11,6 +11,7 @@
 #include "scoring/ratios.hpp"
 #include "settings/groups.hpp"
 #include "settings/protocol.hpp"
+#include "settings/sweeps.hpp"
 #include "signal/description_file.hpp"
 
 namespace piae::settings {

@@ -19,19 +19,6 @@ namespace piae::settings {
 /// Error(input_missing) when there is no such file.
 toml::table read_protocol(const std::filesystem::path& file);
 
-/// What `make sweep` tries of one method: settings such as "batch=1", one at a time.
-struct Sweep {
-  std::string method;
-  std::string classifier;           ///< by which it is judged
-  std::vector<std::string> points;  ///< in the order of the protocol
-  /// Those points that the method has without the sweep. "5e-4" and "0.0005" are the same.
-  std::vector<std::string> centre;
-};
-
-/// [sweep], which is of the paper's method and of its classifier, and then each [sweep.METHOD], in
-/// the order of the catalogue. One without points is left out.
-std::vector<Sweep> sweeps(const toml::table& protocol);
-
 /// What `make readings` tries: each is one setting of the paper's method, or several joined by +,
 /// such as "batches=class+space=class", that differ from base_of_readings().
 std::vector<std::string> readings(const toml::table& protocol);

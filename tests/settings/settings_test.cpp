@@ -14,6 +14,7 @@
 #include "settings/facts.hpp"
 #include "settings/protocol.hpp"
 #include "settings/settings_folder.hpp"
+#include "settings/sweeps.hpp"
 #include "support/errors.hpp"
 #include "support/folder.hpp"
 
