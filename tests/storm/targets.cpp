@@ -5,6 +5,7 @@
 
 #include "report/published.hpp"
 #include "settings/protocol.hpp"
+#include "settings/sweeps.hpp"
 #include "signal/description.hpp"
 #include "signal/raw_file.hpp"
 #include "signal/simulation.hpp"
