@@ -135,7 +135,7 @@ Wanted wanted(const Request& request, const fs::path& pipeline, const toml::tabl
   return wanted;
 }
 
-bool holds(const fs::path& file, const Request& request, const toml::table& values) {
+bool already_holds(const fs::path& file, const Request& request, const toml::table& values) {
   if (!fs::is_regular_file(file)) return false;
   try {
     if (options_in(file) != request.options) return false;
@@ -162,7 +162,7 @@ SettingsFolder::SettingsFolder(const fs::path& pipeline, fs::path folder)
 
 bool SettingsFolder::is_outdated(const std::string& text) const {
   const Request request = parse_request(text);
-  return !holds(folder_ / request.file, request, wanted(request, pipeline_, protocol_).values);
+  return !already_holds(folder_ / request.file, request, wanted(request, pipeline_, protocol_).values);
 }
 
 void SettingsFolder::update(const std::string& text) const {
@@ -173,7 +173,7 @@ void SettingsFolder::update(const std::string& text) const {
   require_no_link(file.parent_path());
   make_folder(file.parent_path());
   const FolderLock lock(file.parent_path());
-  if (holds(file, request, content.values)) return;
+  if (already_holds(file, request, content.values)) return;
   const std::string wanted_text = text_of(request, content);
   artefact::write_file_atomically(file, std::as_bytes(std::span(wanted_text)));
 }
