@@ -12,7 +12,7 @@ namespace piae::transfer {
 
 namespace {
 
-const std::string group = "/equaliser";
+const std::string equaliser_group = "/equaliser";
 
 }  // namespace
 
@@ -29,14 +29,14 @@ void bind(const cli::Options& command, EqualiserOptions& options) {
 }
 
 void write(artefact::Writer& writer, const EqualiserOptions& options) {
-  writer.group(group);
-  writer.attribute(group, "spread_db", options.spread_db);
-  writer.attribute(group, "knots", std::int64_t{options.knots});
+  writer.equaliser_group(equaliser_group);
+  writer.attribute(equaliser_group, "spread_db", options.spread_db);
+  writer.attribute(equaliser_group, "knots", std::int64_t{options.knots});
 }
 
 EqualiserOptions read_equaliser_options(const artefact::Reader& reader) {
-  return {.spread_db = reader.real(group, "spread_db", ranges::spread_db),
-          .knots = static_cast<int>(reader.integer(group, "knots", ranges::knots))};
+  return {.spread_db = reader.real(equaliser_group, "spread_db", ranges::spread_db),
+          .knots = static_cast<int>(reader.integer(equaliser_group, "knots", ranges::knots))};
 }
 
 std::vector<double> draw_gains(Stream& random, std::size_t bins, const EqualiserOptions& options) {

@@ -9,7 +9,7 @@ namespace piae::transfer {
 
 namespace {
 
-const std::string group = "/carry";
+const std::string carry_group = "/carry";
 
 void bind_prior(const cli::Options& command, EdgePrior& o) {
   command
@@ -68,7 +68,7 @@ void bind(const cli::Options& command, CarryOptions& o) {
                  "what colours it: the struck windows, or healthy ones of the tested condition");
   command
       .add("--dispersion-ms", o.dispersion_ms,
-           "of the random transfer path: standard deviation of its group delay at a knot, ms")
+           "of the random transfer path: standard deviation of its carry_group delay at a knot, ms")
       .check(cli::within(ranges::dispersion_ms));
   command.add("--strike-jitter", o.jitter, "of a strike: standard deviation / period")
       .check(cli::within(ranges::jitter));
@@ -110,40 +110,41 @@ void require_sense(const CarryOptions& options, const signal::WindowSet& known,
 }
 
 void write(artefact::Writer& writer, const CarryOptions& options) {
-  writer.group(group);
-  writer.attribute(group, "response", word_of(options.response, response_words()));
-  writer.attribute(group, "edges", word_of(options.edges, set_words()));
-  writer.attribute(group, "rhythm", word_of(options.rhythm, set_words()));
-  writer.attribute(group, "own_structure", options.own_structure);
-  writer.attribute(group, "background", options.background);
-  writer.attribute(group, "background_from", word_of(options.background_from, background_words()));
-  writer.attribute(group, "dispersion_ms", options.dispersion_ms);
-  writer.attribute(group, "jitter", options.jitter);
-  writer.attribute(group, "lag_deviation", options.lag_deviation);
-  writer.attribute(group, "tilt", options.tilt);
-  writer.attribute(group, "size_factor", options.size_factor);
-  writer.attribute(group, "other_bearing_db", options.other_bearing_db);
-  writer.attribute(group, "mass_kg", options.mass_kg);
+  writer.carry_group(carry_group);
+  writer.attribute(carry_group, "response", word_of(options.response, response_words()));
+  writer.attribute(carry_group, "edges", word_of(options.edges, set_words()));
+  writer.attribute(carry_group, "rhythm", word_of(options.rhythm, set_words()));
+  writer.attribute(carry_group, "own_structure", options.own_structure);
+  writer.attribute(carry_group, "background", options.background);
+  writer.attribute(carry_group, "background_from",
+                   word_of(options.background_from, background_words()));
+  writer.attribute(carry_group, "dispersion_ms", options.dispersion_ms);
+  writer.attribute(carry_group, "jitter", options.jitter);
+  writer.attribute(carry_group, "lag_deviation", options.lag_deviation);
+  writer.attribute(carry_group, "tilt", options.tilt);
+  writer.attribute(carry_group, "size_factor", options.size_factor);
+  writer.attribute(carry_group, "other_bearing_db", options.other_bearing_db);
+  writer.attribute(carry_group, "mass_kg", options.mass_kg);
   write(writer, options.strengths);
   write(writer, options.equaliser);
 }
 
 CarryOptions read_carry_options(const artefact::Reader& reader) {
-  return {.response = read_word(reader, group, "response", response_words()),
-          .edges = read_word(reader, group, "edges", set_words()),
-          .rhythm = read_word(reader, group, "rhythm", set_words()),
+  return {.response = read_word(reader, carry_group, "response", response_words()),
+          .edges = read_word(reader, carry_group, "edges", set_words()),
+          .rhythm = read_word(reader, carry_group, "rhythm", set_words()),
           .strengths = read_strength_options(reader),
-          .own_structure = reader.real(group, "own_structure", ranges::part),
-          .background = reader.real(group, "background", ranges::part),
-          .background_from = read_word(reader, group, "background_from", background_words()),
-          .dispersion_ms = reader.real(group, "dispersion_ms", ranges::dispersion_ms),
-          .jitter = reader.real(group, "jitter", ranges::jitter),
-          .lag_deviation = reader.real(group, "lag_deviation", ranges::lag_deviation),
-          .tilt = reader.real(group, "tilt", ranges::tilt),
-          .size_factor = reader.real(group, "size_factor", ranges::size_factor),
+          .own_structure = reader.real(carry_group, "own_structure", ranges::part),
+          .background = reader.real(carry_group, "background", ranges::part),
+          .background_from = read_word(reader, carry_group, "background_from", background_words()),
+          .dispersion_ms = reader.real(carry_group, "dispersion_ms", ranges::dispersion_ms),
+          .jitter = reader.real(carry_group, "jitter", ranges::jitter),
+          .lag_deviation = reader.real(carry_group, "lag_deviation", ranges::lag_deviation),
+          .tilt = reader.real(carry_group, "tilt", ranges::tilt),
+          .size_factor = reader.real(carry_group, "size_factor", ranges::size_factor),
           .equaliser = read_equaliser_options(reader),
-          .other_bearing_db = reader.real(group, "other_bearing_db", ranges::spread_db),
-          .mass_kg = reader.real(group, "mass_kg", signal::ranges::mass_kg),
+          .other_bearing_db = reader.real(carry_group, "other_bearing_db", ranges::spread_db),
+          .mass_kg = reader.real(carry_group, "mass_kg", signal::ranges::mass_kg),
           .prior = {}};
 }
 

@@ -13,7 +13,7 @@ namespace piae::transfer {
 
 namespace {
 
-const std::string group = "/strengths";
+const std::string strengths_group = "/strengths";
 
 const Words<Strengths>& strength_words() {
   static const Words<Strengths> words{{"load-zone", Strengths::load_zone},
@@ -59,23 +59,23 @@ void bind(const cli::Options& command, StrengthOptions& o) {
 }
 
 void write(artefact::Writer& writer, const StrengthOptions& options) {
-  writer.group(group);
-  writer.attribute(group, "from", word_of(options.from, strength_words()));
-  writer.attribute(group, "least_extent", options.least_extent);
-  writer.attribute(group, "largest_extent", options.largest_extent);
-  writer.attribute(group, "rotating", options.rotating);
-  writer.attribute(group, "scatter", options.scatter);
+  writer.strengths_group(strengths_group);
+  writer.attribute(strengths_group, "from", word_of(options.from, strength_words()));
+  writer.attribute(strengths_group, "least_extent", options.least_extent);
+  writer.attribute(strengths_group, "largest_extent", options.largest_extent);
+  writer.attribute(strengths_group, "rotating", options.rotating);
+  writer.attribute(strengths_group, "scatter", options.scatter);
 }
 
 StrengthOptions read_strength_options(const artefact::Reader& reader) {
   const StrengthOptions options{
-      .from = read_word(reader, group, "from", strength_words()),
-      .least_extent = reader.real(group, "least_extent", ranges::extent),
-      .largest_extent = reader.real(group, "largest_extent", ranges::extent),
-      .rotating = reader.real(group, "rotating", ranges::part),
-      .scatter = reader.real(group, "scatter", ranges::scatter)};
+      .from = read_word(reader, strengths_group, "from", strength_words()),
+      .least_extent = reader.real(strengths_group, "least_extent", ranges::extent),
+      .largest_extent = reader.real(strengths_group, "largest_extent", ranges::extent),
+      .rotating = reader.real(strengths_group, "rotating", ranges::part),
+      .scatter = reader.real(strengths_group, "scatter", ranges::scatter)};
   if (options.least_extent > options.largest_extent) {
-    reader.refuse(group, "has a load zone whose least extent is above the largest");
+    reader.refuse(strengths_group, "has a load zone whose least extent is above the largest");
   }
   return options;
 }
