@@ -29,7 +29,7 @@ void bind(const cli::Options& command, EqualiserOptions& options) {
 }
 
 void write(artefact::Writer& writer, const EqualiserOptions& options) {
-  writer.equaliser_group(equaliser_group);
+  writer.group(equaliser_group);
   writer.attribute(equaliser_group, "spread_db", options.spread_db);
   writer.attribute(equaliser_group, "knots", std::int64_t{options.knots});
 }

@@ -68,7 +68,7 @@ void bind(const cli::Options& command, CarryOptions& o) {
                  "what colours it: the struck windows, or healthy ones of the tested condition");
   command
       .add("--dispersion-ms", o.dispersion_ms,
-           "of the random transfer path: standard deviation of its carry_group delay at a knot, ms")
+           "of the random transfer path: standard deviation of its group delay at a knot, ms")
       .check(cli::within(ranges::dispersion_ms));
   command.add("--strike-jitter", o.jitter, "of a strike: standard deviation / period")
       .check(cli::within(ranges::jitter));
@@ -110,7 +110,7 @@ void require_sense(const CarryOptions& options, const signal::WindowSet& known,
 }
 
 void write(artefact::Writer& writer, const CarryOptions& options) {
-  writer.carry_group(carry_group);
+  writer.group(carry_group);
   writer.attribute(carry_group, "response", word_of(options.response, response_words()));
   writer.attribute(carry_group, "edges", word_of(options.edges, set_words()));
   writer.attribute(carry_group, "rhythm", word_of(options.rhythm, set_words()));

@@ -59,7 +59,7 @@ void bind(const cli::Options& command, StrengthOptions& o) {
 }
 
 void write(artefact::Writer& writer, const StrengthOptions& options) {
-  writer.strengths_group(strengths_group);
+  writer.group(strengths_group);
   writer.attribute(strengths_group, "from", word_of(options.from, strength_words()));
   writer.attribute(strengths_group, "least_extent", options.least_extent);
   writer.attribute(strengths_group, "largest_extent", options.largest_extent);
