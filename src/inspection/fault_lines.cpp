@@ -7,6 +7,7 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "bearing/strikes.hpp"
 #include "scoring/distributions.hpp"
 #include "scoring/envelope.hpp"
 #include "scoring/spectrum.hpp"
@@ -204,13 +205,11 @@ std::string line_name(Defect kind) {
 
 FaultLines fault_lines(const EnvelopeSpectrum& spectrum, const signal::DatasetInfo& info,
                        double shaft_speed_rpm) {
-  signal::DatasetInfo at_speed = info;
-  at_speed.shaft_speed_rpm = shaft_speed_rpm;
   constexpr std::array kinds{Defect::outer, Defect::inner, Defect::roller};
   FaultLines lines;
   for (std::size_t i = 0; i < lines.size(); ++i) {
     lines.at(i).kind = kinds.at(i);
-    lines.at(i).hz = scoring::fault_line_hz(at_speed, kinds.at(i));
+    lines.at(i).hz = bearing::strike_frequency_hz(info.bearing, kinds.at(i), shaft_speed_rpm);
   }
   const Ruler ruler(spectrum);
   const std::vector<double> elsewhere = elsewhere_db(ruler, lines);

@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <string>
+#include <vector>
 
 #include "base/error.hpp"
+#include "bearing/strikes.hpp"
 #include "scoring/envelope.hpp"
 #include "scoring/mmd.hpp"
 #include "scoring/spectrum.hpp"
@@ -77,6 +80,29 @@ void require_reference(const std::string& name, const Windows& real, double squa
   }
 }
 
+/// How far the fault's line stands out in these windows, the first of their class. Each is looked
+/// at where the speed of its own shaft has the line; those of a method that knows no speed, at the
+/// tested one.
+double line_db_of(const signal::WindowSet& set, Label label, const Windows& windows) {
+  const signal::DatasetInfo& info = set.info;
+  const std::vector<std::size_t> own = set.indices_of(label);
+  std::map<double, std::vector<Eigen::Index>> by_speed;
+  for (Eigen::Index i = 0; i < windows.rows(); ++i) {
+    const bool says = !set.shaft_speed_rpm.empty();
+    by_speed[says ? set.speed_rpm(own[static_cast<std::size_t>(i)]) : info.tested_speed_rpm()]
+        .push_back(i);
+  }
+  double sum = 0;
+  for (const auto& [speed_rpm, rows] : by_speed) {
+    const double line_hz =
+        bearing::strike_frequency_hz(info.bearing, info.class_of(label).defect, speed_rpm);
+    const Windows at_speed = windows(rows, Eigen::all);
+    const double part = static_cast<double>(rows.size()) / static_cast<double>(windows.rows());
+    sum += part * fault_line_db(at_speed, line_hz, info.sample_rate_hz);
+  }
+  return sum;
+}
+
 ClassQuality quality_of(const signal::WindowSet& generated, const signal::WindowSet& real,
                         Label label) {
   const signal::ClassInfo& c = real.info.class_of(label);
@@ -93,9 +119,8 @@ ClassQuality quality_of(const signal::WindowSet& generated, const signal::Window
   const Windows x = windows_of(generated, label, count);
   const Windows y = reference.topRows(static_cast<Eigen::Index>(count));
   require_reference(name, y, squared_distance);
-  const double line_hz = fault_line_hz(real.info, c.defect);
-  const double line_db = fault_line_db(x, line_hz, real.info.sample_rate_hz);
-  const double real_line_db = fault_line_db(y, line_hz, real.info.sample_rate_hz);
+  const double line_db = line_db_of(generated, label, x);
+  const double real_line_db = line_db_of(real, label, y);
   return {.label = label,
           .windows = static_cast<std::int64_t>(count),
           .mmd = mmd_squared(x, y, squared_distance),

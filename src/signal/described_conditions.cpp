@@ -1,6 +1,9 @@
 #include "signal/described_conditions.hpp"
 
+#include <spdlog/fmt/fmt.h>
+
 #include <algorithm>
+#include <numeric>
 #include <string>
 
 namespace piae::signal {
@@ -83,6 +86,18 @@ Names names_of(const std::vector<Condition>& conditions, bool Condition::*use) {
   return names;
 }
 
+/// A fault that belongs to every condition would be tested in windows of the recording by which it
+/// is known.
+void require_a_condition_of_faults(const TomlTable& transfer, const DatasetInfo& info,
+                                   const std::vector<RecordSource>& records) {
+  for (const RecordSource& record : records) {
+    if (record.label == info.healthy_label() || !record.condition.empty()) continue;
+    transfer.refuse("known", "leaves class " + info.class_of(record.label).name +
+                                 " a record without a condition, which would be known and tested "
+                                 "alike; say which condition it is of");
+  }
+}
+
 /// A fault class has records to be known by and to be tested with.
 void require_faults(const TomlTable& transfer, const DatasetInfo& info,
                     const std::vector<Condition>& conditions,
@@ -113,23 +128,36 @@ void require_healthy(const TomlTable& transfer, const DatasetInfo& info,
              (record.condition.empty() || record.condition == condition.name);
     });
     if (there) continue;
-    transfer.refuse(condition.test ? "test" : "healthy",
-                    "names '" + condition.name + "', of which there is no record of class " +
-                        info.class_of(healthy).name + ": a healthy machine can always be recorded");
+    const std::string no_record = "there is no record of class " + info.class_of(healthy).name;
+    if (condition.test) {
+      transfer.refuse("test", "names '" + condition.name + "', of which " + no_record +
+                                  ": a healthy machine can always be recorded");
+    }
+    transfer.refuse("healthy",
+                    "is known and test together where it does not say otherwise, but of '" +
+                        condition.name + "' " + no_record + "; name conditions that have one");
   }
 }
 
-/// Of the records that are left, in place.
-void set_speeds(const std::vector<RecordSource>& records, std::vector<Condition>& conditions) {
+/// Within a condition speeds differ by no more than balls slip; the largest by the least.
+constexpr double largest_speed_ratio = 1.02;
+
+/// Of the records that are left: the mean of a condition, which must be about that of each.
+void set_speeds(const TomlTable& root, const std::vector<RecordSource>& records,
+                std::vector<Condition>& conditions) {
   for (Condition& condition : conditions) {
-    double sum = 0;
-    double count = 0;
+    std::vector<double> speeds_rpm;
     for (const RecordSource& record : records) {
-      if (record.condition != condition.name) continue;
-      sum += record.shaft_speed_rpm;
-      ++count;
+      if (record.condition == condition.name) speeds_rpm.push_back(record.shaft_speed_rpm);
     }
-    condition.shaft_speed_rpm = sum / count;
+    const auto [least, largest] = std::ranges::minmax(speeds_rpm);
+    if (largest > largest_speed_ratio * least) {
+      root.refuse("record", fmt::format("has condition '{}' at {:g} and at {:g} rpm; a condition "
+                                        "has one speed, to 2 %",
+                                        condition.name, least, largest));
+    }
+    condition.shaft_speed_rpm = std::accumulate(speeds_rpm.begin(), speeds_rpm.end(), 0.0) /
+                                static_cast<double>(speeds_rpm.size());
   }
 }
 
@@ -153,6 +181,7 @@ std::vector<Condition> read_described_conditions(TomlTable& root, const DatasetI
   for (const std::string& name : names_in(records)) conditions.push_back({.name = name});
   if (auto transfer = root.optional_table("transfer")) {
     read_transfer(*transfer, conditions);
+    require_a_condition_of_faults(*transfer, info, records);
     require_faults(*transfer, info, conditions, records);
     require_healthy(*transfer, info, conditions, records);
   }
@@ -162,7 +191,7 @@ std::vector<Condition> read_described_conditions(TomlTable& root, const DatasetI
            !is_used(*std::ranges::find(conditions, record.condition, &Condition::name));
   });
   std::erase_if(conditions, [&](const Condition& c) { return !is_used(c); });
-  set_speeds(records, conditions);
+  set_speeds(root, records, conditions);
   return conditions;
 }
 

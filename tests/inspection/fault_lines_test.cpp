@@ -35,6 +35,19 @@ TEST(FaultLines, LieAtTheFrequenciesOfTheBearing) {
   EXPECT_EQ(line_name(Defect::roller), "2BSF");
 }
 
+/// Where conditions turn at other speeds, a record has the lines of its own: at 900 rpm half as
+/// high as at 1800.
+TEST(FaultLines, AreThoseOfTheSpeedOfTheRecordInEveryCondition) {
+  signal::DatasetInfo info;
+  info.conditions = {
+      {.name = "slow", .shaft_speed_rpm = 900, .known = true, .test = false, .healthy = true},
+      {.name = "fast", .shaft_speed_rpm = 1800, .known = false, .test = true, .healthy = true}};
+  const double slow = fault_lines({}, info, 900).front().hz;
+  const double fast = fault_lines({}, info, 1800).front().hz;
+  EXPECT_GT(slow, 0);
+  EXPECT_NEAR(fast / slow, 2, 1e-12);
+}
+
 /// A carrier at a quarter of the rate with cos of depth m at f, 2 f and 3 f, in noise of deviation
 /// s. Its envelope holds the noise in phase with the carrier: s^2 in a band half as wide as the
 /// signal's, twice as dense. Hann's window makes (m L / 4)^2 of a line, and 2 s^2 (3 / 8) L of the

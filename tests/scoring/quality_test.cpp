@@ -3,8 +3,12 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <numbers>
+#include <string>
 
 #include "base/error.hpp"
+#include "base/random.hpp"
+#include "bearing/strikes.hpp"
 #include "scoring/mmd.hpp"
 #include "scoring/sets.hpp"
 #include "support/three_classes.hpp"
@@ -83,6 +87,43 @@ TEST(QualityByClass, TakesTheBandwidthFromAllRealWindowsOfTheClass) {
   double kernels = 0;
   for (const double m : {1, 2, 4, 8, 16}) kernels += std::exp(-4 / (8.0 / 4 * m));
   EXPECT_NEAR(classes[1].mmd, 2 * (5 - kernels), 1e-12);
+}
+
+/// Windows of 4096 samples at 600 and 1200 rpm in turn: a carrier that is modulated at BPFO.
+signal::WindowSet of_two_speeds(double faster_by) {
+  signal::WindowSet set = empty_set();
+  set.length = 4096;
+  set.info.conditions = {
+      {.name = "slow", .shaft_speed_rpm = 600, .known = true, .test = true, .healthy = true},
+      {.name = "fast", .shaft_speed_rpm = 1200, .known = true, .test = true, .healthy = true}};
+  for (int i = 0; i < 8; ++i) {
+    const double rpm = i % 2 == 0 ? 600 : 1200;
+    const double line_hz =
+        faster_by * bearing::strike_frequency_hz(set.info.bearing, bearing::Defect::outer, rpm);
+    Stream random("window " + std::to_string(i));
+    for (std::size_t t = 0; t < set.length; ++t) {
+      const double time_s = static_cast<double>(t) / set.info.sample_rate_hz;
+      const double modulation = std::cos(2 * std::numbers::pi * line_hz * time_s) +
+                                std::cos(4 * std::numbers::pi * line_hz * time_s) +
+                                std::cos(6 * std::numbers::pi * line_hz * time_s);
+      set.samples.push_back(static_cast<float>(
+          (1 + 0.2 * modulation) * std::cos(0.5 * std::numbers::pi * static_cast<double>(t)) +
+          random.normal(0, 0.1)));
+    }
+    set.labels.push_back(2);
+    set.condition.push_back(i % 2);
+    set.shaft_speed_rpm.push_back(rpm);
+  }
+  return set;
+}
+
+TEST(QualityByClass, LooksForTheFaultsLineWhereTheShaftOfEachWindowHasIt) {
+  const signal::WindowSet real = of_two_speeds(1);
+  const auto own = quality_by_class(real, real);
+  EXPECT_GT(own[0].fault_line_db, 20);
+  EXPECT_EQ(own[0].fault_line_difference_db, 0);
+  // At the mean of both speeds there is no line of either.
+  EXPECT_LT(quality_by_class(of_two_speeds(1.25), real)[0].fault_line_db, 10);
 }
 
 TEST(QualityByClass, RefusesAClassThatOneSideLacks) {

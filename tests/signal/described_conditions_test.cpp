@@ -119,12 +119,19 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"class = \"cracked\"\ncondition = \"1200 rpm\"",
                 "class = \"cracked\"\ncondition = \"900 rpm\"",
                 "transfer.test is 1200 rpm, but class cracked has no record there"},
+        Refused{"class = \"cracked\"\ncondition = \"1200 rpm\"", "class = \"cracked\"",
+                "transfer.known leaves class cracked a record without a condition, which would be "
+                "known "
+                "and tested alike"},
+        Refused{"shaft_speed_rpm = 1190", "shaft_speed_rpm = 1500",
+                "record has condition '1200 rpm' at 1200 and at 1500 rpm"},
         Refused{"class = \"ok\"\ncondition = \"1200 rpm\"",
                 "class = \"ok\"\ncondition = \"900 rpm\"",
                 "transfer.test names '1200 rpm', of which there is no record of class ok"},
-        Refused{"class = \"ok\"\ncondition = \"900 rpm\"",
-                "class = \"ok\"\ncondition = \"1200 rpm\"",
-                "transfer.healthy names '900 rpm', of which there is no record of class ok"},
+        Refused{
+            "class = \"ok\"\ncondition = \"900 rpm\"", "class = \"ok\"\ncondition = \"1200 rpm\"",
+            "transfer.healthy is known and test together where it does not say otherwise, but of "
+            "'900 rpm' there is no record of class ok"},
         Refused{"condition = \"900 rpm\"", "condition = [\"900 rpm\", \"1200 rpm\"]",
                 "record.condition must be a text"},
         Refused{"condition = \"900 rpm\"", "condition = \"900\\trpm\"",
