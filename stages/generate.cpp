@@ -16,8 +16,9 @@ namespace fs = std::filesystem;
 int main(int argc, char** argv) {
   cli::Stage stage("generate",
                    "Makes windows of every fault class with a trained model (paper, eqs 15 and 26) "
-                   "and writes them as dataset E, with the (k, c) that each came from where the "
-                   "method knows it. The first n windows of a class do not depend on --count.",
+                   "and writes them as dataset E, with the (k, c) that each came from, the "
+                   "tested condition and the strikes, where the method knows them. The first n "
+                   "windows of a class do not depend on --count.",
                    "generate --model model.h5 --count 495 --seed 0 --output E.h5");
   std::size_t count = 495;
   cli::RunOptions run;

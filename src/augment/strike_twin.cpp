@@ -11,6 +11,22 @@
 
 namespace piae::augment {
 
+namespace {
+
+/// Throws artefact::Refusal for a model that needs healthy windows and has none.
+std::vector<transfer::HealthySpectrum> read_background(const artefact::Reader& model,
+                                                       const signal::WindowSet& known,
+                                                       const transfer::CarryOptions& options) {
+  std::vector<transfer::HealthySpectrum> spectra = transfer::read_healthy_spectra(model, known);
+  if (options.background_from == transfer::BackgroundFrom::healthy &&
+      spectra.size() != known.info.tested_conditions().size()) {
+    model.refuse("/healthy", "lacks a tested condition, of which the background is to be");
+  }
+  return spectra;
+}
+
+}  // namespace
+
 void StrikeTwin::bind(const cli::Options& command) { transfer::bind(command, options_); }
 
 void StrikeTwin::hear(const signal::WindowSet& healthy) {
@@ -33,8 +49,8 @@ signal::WindowSet StrikeTwin::generate(const artefact::Reader& model, std::size_
   const signal::WindowSet known = read_learned(model, signal::Role::known);
   transfer::require_rhythm(known);
   const std::vector<transfer::Edges> edges = transfer::read_edges(model, known.size());
-  const transfer::Carrier carrier(known, edges, transfer::read_carry_options(model),
-                                  transfer::read_healthy_spectra(model, known));
+  const transfer::CarryOptions options = transfer::read_carry_options(model);
+  const transfer::Carrier carrier(known, edges, options, read_background(model, known, options));
   std::vector<std::vector<double>> strikes_s;
   std::vector<signal::DynamicParameters> rings;
   const auto make = [&](Label label, std::size_t index, Stream& random) {

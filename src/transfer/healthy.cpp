@@ -68,6 +68,9 @@ std::vector<HealthySpectrum> read_healthy_spectra(const artefact::Reader& reader
     if (std::ranges::find(tested, conditions[i]) == tested.end()) {
       reader.refuse(conditions_path, "names a condition that is not tested");
     }
+    if (find_spectrum(spectra, conditions[i]) != nullptr) {
+      reader.refuse(conditions_path, "names a condition twice");
+    }
     spectra.push_back({.condition = conditions[i],
                        .log_amplitude = Eigen::Map<const Eigen::ArrayXd>(
                            numbers.data() + i * bins, static_cast<Eigen::Index>(bins))});

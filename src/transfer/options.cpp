@@ -102,9 +102,10 @@ void require_sense(const CarryOptions& options, const signal::WindowSet& known,
   if (options.background_from != BackgroundFrom::healthy) return;
   for (const std::int32_t condition : known.info.tested_conditions()) {
     if (find_spectrum(healthy, condition) == nullptr) {
-      throw Error(Exit::usage,
-                  "--background-from healthy: needs healthy windows of the tested condition; give "
-                  "--healthy B.h5 to train");
+      throw Error(
+          Exit::usage,
+          "--background-from healthy: needs healthy windows of the tested condition; give "
+          "--healthy B.h5, of a data set whose [transfer] takes healthy windows from there");
     }
   }
 }

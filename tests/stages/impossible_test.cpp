@@ -246,6 +246,12 @@ TEST_F(Impossible, ModelsOfTheTwinThatIsStruck) {
           {"no mass", attribute("/carry", "mass_kg", 0.0), "mass_kg"},
           {"healthy windows louder than any number", first_number("/healthy/log_amplitude", 1e6),
            "/healthy/log_amplitude"},
+          {"a background of healthy windows that there are not",
+           [](hid_t file) {
+             replace_attribute(file, "/carry", "background_from", "healthy");
+             H5Ldelete(file, "/healthy", H5P_DEFAULT);
+           },
+           "/healthy"},
           {"healthy windows of an untested condition",
            [](hid_t file) {
              change_numbers<std::int32_t>(file, "/healthy/condition",

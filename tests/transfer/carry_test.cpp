@@ -140,7 +140,7 @@ TEST(Carrier, NeedsHealthyWindowsOfTheTestedConditionForTheirBackground) {
   const std::vector<Edges> edges = true_edges(known);
   CarryOptions options;
   options.background_from = BackgroundFrom::healthy;
-  EXPECT_ERROR(Carrier(known, edges, options), Exit::usage, "give --healthy B.h5 to train");
+  EXPECT_ERROR(Carrier(known, edges, options), Exit::usage, "give --healthy B.h5, of a data set");
   // A background of one line at 3 kHz, and nothing else: what is not struck is there alone.
   Eigen::ArrayXd line = Eigen::ArrayXd::Constant(1025, -20);
   line[512] = 0;

@@ -53,6 +53,8 @@ TEST(HealthySpectra, AreReadAsTheyWereWrittenAndRefusedWhereTheyCannotBe) {
   ASSERT_EQ(read.size(), 1U);
   EXPECT_EQ(read[0].condition, 1);
   EXPECT_TRUE((read[0].log_amplitude == spectra[0].log_amplitude).all());
+  EXPECT_ERROR(read_healthy_spectra(stored({spectra[0], spectra[0]}), known), Exit::bad_input,
+               "names a condition twice");
   spectra[0].condition = 0;
   EXPECT_ERROR(read_healthy_spectra(stored(spectra), known), Exit::bad_input, "is not tested");
   spectra[0] = {.condition = 1, .log_amplitude = Eigen::ArrayXd::Zero(1000)};
