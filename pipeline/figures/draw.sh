@@ -17,15 +17,27 @@ part=$([[ $name != *@* ]] || echo "${name##*@}")
 partial=$(mktemp -d "$(dirname "$csv")/.drawing.XXXXXX")
 trap 'rm -rf "$partial"' EXIT
 
-# The distinct words of each column that holds words, in their order, as gnuplot's string variables.
+# The distinct words of each column that holds words, in their order, as gnuplot's string variables. Ratios stand
+# from 100to1 to 1to1, and what is none behind them: not every method has every ratio.
 words=$(awk -F, '
+  function by_ratio(list,    word, n, i, j, moved) {
+    n = split(list, word, " ")
+    for (i = 2; i <= n; ++i) {
+      moved = word[i]
+      for (j = i; j > 1 && word[j - 1] + 0 < moved + 0; --j) word[j] = word[j - 1]
+      word[j] = moved
+    }
+    list = word[1]
+    for (i = 2; i <= n; ++i) list = list " " word[i]
+    return list
+  }
   NR == 1 { for (i = 1; i <= NF; ++i) column[i] = $i; columns = NF; next }
   { for (i = 1; i <= columns; ++i) if ($i != "" && !((i, $i) in seen)) {
       seen[i, $i]; all[i] = all[i] (all[i] == "" ? "" : " ") $i
       if ($i !~ /^[-+]?[0-9]*\.?[0-9]+([eE][-+]?[0-9]+)?$/) wordy[i] } }
   # Seeds are words though they are digits, and so are the names of classes, which may be.
   END { for (i = 1; i <= columns; ++i) if (i in wordy || column[i] ~ /^(seed|class|truth|predicted)$/)
-          printf "words_%s = \"%s\"\n", column[i], all[i] }' "$csv")
+          printf "words_%s = \"%s\"\n", column[i], column[i] == "ratio" ? by_ratio(all[i]) : all[i] }' "$csv")
 
 # A script that needs another height than 600 says so in a line "# height: EXPRESSION", which may ask how many
 # words there are. The script finds it as `height`.

@@ -17,9 +17,10 @@ struct Setting {
 };
 
 /// The settings files of a run (results/RUN/.settings), in alphabetical order, each value with the
-/// comment that stands beside it in pipeline/protocol.toml or pipeline/datasets/NAME.toml. A value
-/// that these no longer have has their value in the place of a source. Throws Error(bad_input) for
-/// a file that is no TOML.
+/// comment that stands beside it in pipeline/protocol.toml or pipeline/datasets/NAME.toml; where it
+/// is stated by another description that this one is like, that is named before it. A value that
+/// these no longer have has their value in the place of a source. Throws Error(bad_input) for a
+/// file that is no TOML.
 std::vector<Setting> read_settings(const std::filesystem::path& run,
                                    const std::filesystem::path& pipeline);
 

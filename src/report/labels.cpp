@@ -34,6 +34,15 @@ std::string marked_if(bool fewer_seeds, const std::string& label) {
   return fewer_seeds ? label + " " + mark_of_fewer_seeds : label;
 }
 
+std::string listed(const std::vector<std::string>& words) {
+  std::string text;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    if (i > 0) text += i + 1 == words.size() ? " and " : ", ";
+    text += words[i];
+  }
+  return text;
+}
+
 std::string short_ratio_label(const std::string& name) {
   const std::size_t to = name.find("to");
   return name.substr(0, to) + ":" + name.substr(to + 2);

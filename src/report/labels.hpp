@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "scoring/statistics.hpp"
 
@@ -31,6 +32,9 @@ std::string marked_if(bool fewer_seeds, const std::string& label);
 inline constexpr double significance_level = 0.05;
 /// Stands after a p that so few seeds cannot make as small as that, whatever they show.
 inline constexpr const char* mark_of_large_p = "†";
+
+/// "a", "a and b", "a, b and c".
+std::string listed(const std::vector<std::string>& words);
 
 /// "10:1" for the ratio 10to1.
 std::string short_ratio_label(const std::string& name);

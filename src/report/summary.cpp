@@ -7,6 +7,7 @@
 
 #include "augment/catalogue.hpp"
 #include "report/classifier_rows.hpp"
+#include "report/condition_notes.hpp"
 #include "report/labels.hpp"
 #include "report/ratio_columns.hpp"
 #include "report/verdict.hpp"
@@ -64,6 +65,8 @@ std::string accuracy_tables(const std::vector<AccuracyRow>& rows) {
   for (const ClassifierRows& block : blocks) {
     if (blocks.size() > 1) text += (text.empty() ? "" : "\n") + ("by " + block.classifier) + '\n';
     text += accuracy_table(block).plain();
+    const std::string kinds = kinds_sentence(block);
+    if (!kinds.empty()) text += '\n' + wrapped_at_80(kinds);
   }
   return text;
 }
@@ -75,10 +78,12 @@ std::string summary_text(const run::Grid& grid, const run::Results& results,
   const auto has_all = [&](const AccuracyRow& row) {
     return row.seeds.size() == grid.seeds.size();
   };
-  std::string text = fmt::format("Accuracy on {} in percent, mean of {}{} seed{}\n\n", grid.dataset,
+  const std::string conditions = conditions_note(results);
+  std::string text = fmt::format("Accuracy on {} in percent, mean of {}{} seed{}\n", grid.dataset,
                                  std::ranges::all_of(rows, has_all) ? "" : "up to ",
-                                 grid.seeds.size(), grid.seeds.size() == 1 ? "" : "s") +
-                     accuracy_tables(rows);
+                                 grid.seeds.size(), grid.seeds.size() == 1 ? "" : "s");
+  if (!conditions.empty()) text += wrapped_at_80(conditions);
+  text += '\n' + accuracy_tables(rows);
   std::string sentences;
   for (const std::string& sentence : verdict(results, rows)) sentences += wrapped_at_80(sentence);
   return sentences.empty() ? text : text + '\n' + sentences;

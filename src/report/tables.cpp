@@ -9,6 +9,7 @@
 #include "report/accuracy_sections.hpp"
 #include "report/bounded_summary.hpp"
 #include "report/classifier_rows.hpp"
+#include "report/condition_notes.hpp"
 #include "report/gaps.hpp"
 #include "report/paper_reference.hpp"
 #include "report/quality_table.hpp"
@@ -74,6 +75,8 @@ Document tables(const run::Grid& grid, const run::Results& results,
     document.title += std::string(", which ") + beside->relation;
     document.paragraphs.emplace_back(beside->caution);
   }
+  const std::string conditions = conditions_note(results);
+  if (!conditions.empty()) document.paragraphs.push_back(conditions);
   document.paragraphs.push_back(how_to_read(grid, to_string(results.diagnoses.front().protocol)));
   std::ranges::move(gap_paragraphs(grid, results), std::back_inserter(document.paragraphs));
   const std::vector<ClassifierRows> blocks = by_classifier(rows);

@@ -18,16 +18,6 @@ namespace piae::report {
 
 namespace {
 
-/// "a", "a and b", "a, b and c".
-std::string listed(const std::vector<std::string>& words) {
-  std::string text;
-  for (std::size_t i = 0; i < words.size(); ++i) {
-    if (i > 0) text += i + 1 == words.size() ? " and " : ", ";
-    text += words[i];
-  }
-  return text;
-}
-
 /// "shift (+35.2)"; with how many seeds where others have more: "shift (+35.2, 1 seed)".
 std::string with_points(const std::vector<AccuracyRow>& gains, std::size_t most_seeds) {
   std::vector<std::string> words;

@@ -25,6 +25,16 @@ std::optional<double> speed_ratio_of(const signal::DatasetInfo& info) {
   return info.tested_speed_rpm() / info.known_speed_rpm();
 }
 
+/// The names of those of these conditions.
+std::vector<std::string> names_of(const signal::DatasetInfo& info, bool signal::Condition::*role) {
+  std::vector<std::string> names;
+  if (!signal::is_transfer(info.conditions)) return names;
+  for (const signal::Condition& each : info.conditions) {
+    if (each.*role) names.push_back(each.name);
+  }
+  return names;
+}
+
 }  // namespace
 
 Diagnosis read_diagnosis_cell(const artefact::Reader& reader, const std::string& dataset,
@@ -44,7 +54,9 @@ Diagnosis read_diagnosis_cell(const artefact::Reader& reader, const std::string&
           .protocol = record.protocol,
           .accuracy = record.accuracy(),
           .kind_accuracy = kind_accuracy_of(record),
-          .speed_ratio = speed_ratio_of(record.info)};
+          .speed_ratio = speed_ratio_of(record.info),
+          .known_at = names_of(record.info, &signal::Condition::known),
+          .tested_at = names_of(record.info, &signal::Condition::test)};
 }
 
 scoring::QualityRecord read_score_cell(const artefact::Reader& reader, const std::string& dataset,

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "artefact/reader.hpp"
 #include "run/grid.hpp"
@@ -27,6 +28,9 @@ struct Diagnosis {
   /// The tested speed divided by the known one, where the tested faults are known in other
   /// conditions alone (signal::is_transfer); 1 where these differ in something else.
   std::optional<double> speed_ratio = std::nullopt;
+  /// The names of the conditions in which faults are known, and tested; empty as speed_ratio is.
+  std::vector<std::string> known_at = {};
+  std::vector<std::string> tested_at = {};
 };
 
 /// Reads one diagnosis. Throws artefact::Refusal where the file is not of this dataset, method,

@@ -44,6 +44,12 @@ class ReportPage : public StoredRun {
   fs::path write(const std::string& name, const std::string& content) const {
     return folder_.write("run/" + name, content);
   }
+  /// Each setting with where it comes from.
+  [[nodiscard]] std::vector<std::string> sources() const {
+    std::vector<std::string> lines;
+    for (const Setting& each : read().settings) lines.push_back(each.option + "|" + each.source);
+    return lines;
+  }
   /// A log of a step that failed.
   void add_failed(const std::string& name, const std::string& line) const {
     write(name, "command\nstep: begun at 1\n" + line + "\nstep: exit 1 after 2.0 s\n");
@@ -372,6 +378,53 @@ TEST_F(ReportPage, SettingsOfADataSetHaveTheCommentsOfItsDescription) {
   EXPECT_THAT(lines, testing::UnorderedElementsAre("rate|12000|", "unit|9.8|in g",
                                                    "bearing.balls|9|SKF 6205",
                                                    "class|name = IR; size = 0.5|"));
+}
+
+TEST_F(ReportPage, SettingsOfADescriptionThatIsLikeOthersSayWhoseTheyAre) {
+  add_all();
+  folder_.write("pipeline/datasets/cwru.toml",
+                "unit = 9.8  # in g\n[bearing]  # SKF 6205\nballs = 9\nrollers = 8 # none\n");
+  folder_.write("pipeline/datasets/types.toml", "name = \"types\"\nlike = \"cwru\"\nrate = 12\n");
+  folder_.write("pipeline/datasets/sizes.toml",
+                "name = \"sizes\" # own\nlike = \"types\"\n[bearing]\nrollers = 7 # some\n");
+  write(".settings/datasets/sizes.toml",
+        "name = \"sizes\"\nunit = 9.8\nrate = 12\ngone = 1\n[bearing]\nballs = 9\nrollers = 7\n");
+  EXPECT_THAT(sources(), testing::UnorderedElementsAre(
+                             "name|own", "unit|as cwru: in g", "rate|as types",
+                             "gone|no longer in its description", "bearing.balls|as cwru: SKF 6205",
+                             "bearing.rollers|some"));
+}
+
+TEST_F(ReportPage, DescriptionsThatAreLikeEachOtherInACircleStillShowTheirOwnSettings) {
+  add_all();
+  folder_.write("pipeline/datasets/cwru.toml", "like = \"other\"\nunit = 9.8  # in g\n");
+  folder_.write("pipeline/datasets/other.toml", "like = \"cwru\"\n");
+  write(".settings/datasets/cwru.toml", "unit = 9.8\nrate = 12\n");
+  EXPECT_THAT(sources(),
+              testing::UnorderedElementsAre("unit|in g", "rate|no longer in its description"));
+}
+
+TEST_F(ReportPage, SettingsOfASplitAreFirstThoseOfTheDescription) {
+  add_all();
+  folder_.write("pipeline/protocol.toml", "[split]\nknown = 5 # Table 5\ntest = 20 # Table 6\n");
+  folder_.write("pipeline/datasets/cwru.toml", "[split]\nknown = 8 # few\n");
+  folder_.write("pipeline/datasets/types.toml", "name = \"types\"\nlike = \"cwru\"\n");
+  write(".settings/split.cwru.toml", "known = 7\ntest = 20\n");
+  write(".settings/split.types.toml", "known = 8\ntest = 21\n");
+  EXPECT_THAT(sources(), ElementsAre("known|its description has 8 now", "test|Table 6",
+                                     "known|as cwru: few", "test|protocol.toml has 20 now"));
+}
+
+TEST_F(ReportPage, SettingsOfSweepsAndGroupsAreThoseOfTheirTables) {
+  add_all();
+  folder_.write(
+      "pipeline/protocol.toml",
+      "[sweep]\npoints = [\"batch=1\"] # paper\n[sweep.vae]\npoints = [\"tilt=0\"] # own\n"
+      "[transfer.speeds]\nagainst = \"vae\" # best\n");
+  write(".settings/sweep.cwru.toml", "points = [\"batch=1\"]\n");
+  write(".settings/sweep@vae.cwru.toml", "points = [\"tilt=0\"]\n");
+  write(".settings/transfer.speeds.toml", "against = \"vae\"\n");
+  EXPECT_THAT(sources(), ElementsAre("points|paper", "points|own", "against|best"));
 }
 
 TEST_F(ReportPage, ProvenanceNamesBuildAndMachine) {

@@ -193,6 +193,17 @@ test_published_values_name_their_recordings() {
   cmp $drawn/accuracies.svg results/gains/accuracies.svg
 }
 
+# Methods of which each has but some of the ratios.
+test_ratios_stand_in_the_order_of_their_generated_windows() {
+  lay_out
+  {
+    echo method,ceiling,ratio,generated_per_class,seed,accuracy,low,high,published,published_of
+    printf '%s,mean,60,,,,\n' none,0,100to1,0 smote,0,1to1,495 vae,0,10to1,45 vae,0,2to1,145
+  } >$drawn/accuracies.csv
+  pipeline/figures/draw.sh $drawn/accuracies.csv
+  expect_equal "$(grep -oE '[0-9]+:1\b' $drawn/accuracies.svg | paste -sd' ')" "100:1 10:1 2:1 1:1"
+}
+
 test_the_script_that_contributing_shows_draws() {
   lay_out
   "$project/tests/contributing/lay_out.sh" "$project" shown

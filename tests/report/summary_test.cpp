@@ -3,8 +3,11 @@
 #include <gmock/gmock.h>
 
 #include <sstream>
+#include <tuple>
 
+#include "report/document.hpp"
 #include "report/published.hpp"
+#include "report/tables.hpp"
 #include "report/verdict.hpp"
 #include "run/grid.hpp"
 #include "run/held.hpp"
@@ -165,6 +168,37 @@ TEST_F(Summary, IsOfARatioThatHalfOfTheMethodsHave) {
   for (const char* method : {"vae", "smote", "piae-dt"}) add_at_2to1(method, 19);
   add(diagnosis("vae", "1to1", 495, 0, 20));
   EXPECT_THAT(summary_of("none vae smote piae-dt"), HasSubstr("With 145 generated windows"));
+}
+
+/// Of 20 windows 15 are right, and all by the kind of defect.
+TEST_F(Summary, SaysWhereFaultsAreKnownAndTestedAndHowOftenTheirKindIsRight) {
+  for (const auto& [method, ratio, generated] :
+       {std::tuple{"none", "100to1", 0}, {"vae", "10to1", 45}, {"vae", "2to1", 145}}) {
+    scoring::DiagnosisRecord record = diagnosis(method, ratio, generated, 0, 15);
+    record.info.classes[2].defect = signal::Defect::inner;
+    record.info.conditions = {{"1200 rpm", 1200, true, false, true},
+                              {"900 rpm", 900, false, true, true},
+                              {"600 rpm", 600, true, false, true}};
+    add(record);
+  }
+  add(quality("vae", 0, 0.5));
+  const run::Grid grid = this->grid("none vae", "100to1 10to1 2to1", "0");
+  const run::Results results = run::collect(layout_, grid);
+  const auto rows = accuracy_rows(grid, results, Published(folder_.path()));
+  const std::string text = unwrapped(summary_text(grid, results, rows));
+  EXPECT_THAT(text, HasSubstr("Faults are known at 1200 rpm and 600 rpm, and tested at 900 rpm. "));
+  EXPECT_THAT(text,
+              HasSubstr("vae 75.0 75.0 By kind of defect: none 100.0 (100:1), vae 100.0 (2:1)."));
+  EXPECT_THAT(markdown(tables(grid, results, rows, Published(folder_.path()), {}, {}, {})),
+              HasSubstr("Faults are known at 1200 rpm"));
+}
+
+TEST_F(Summary, SaysNothingOfConditionsWhereThereAreNone) {
+  add_baseline();
+  add_method("vae");
+  const std::string text = summary_of("none vae");
+  EXPECT_THAT(text, Not(HasSubstr("known at")));
+  EXPECT_THAT(text, Not(HasSubstr("kind")));
 }
 
 TEST_F(Summary, IsTheTableAloneWithoutTheBaseline) {
