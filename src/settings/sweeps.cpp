@@ -1,5 +1,7 @@
 #include "settings/sweeps.hpp"
 
+#include <spdlog/fmt/fmt.h>
+
 #include <algorithm>
 
 #include "augment/catalogue.hpp"
@@ -48,8 +50,9 @@ void require_options(const std::filesystem::path& file, const toml::array& point
     const auto made = augment::make_method(method);
     const auto bind = [&](const cli::Options& options) { made->bind(options); };
     const std::string refusal = cli::refusal_of(bind, point.factor, point.value);
-    if (!refusal.empty())
-      refuse(file, node, holds(list, word, ", but of " + method + ' ' + refusal));
+    if (!refusal.empty()) {
+      refuse(file, node, holds(list, word, fmt::format(", but of {} {}", method, refusal)));
+    }
   }
 }
 

@@ -140,7 +140,7 @@ Carried Carrier::put_together(const Journey& journey, Stream& random) const {
       std::sqrt(1 - part) * struck + std::sqrt(part) * background(journey, answers, drawn, random);
   std::vector<double> places;
   for (const Strike& strike : strikes) places.push_back((strike.time_s - half_s) * rate_hz);
-  return as_loud_as_known(journey.known, {made.begin(), made.end()}, std::move(places));
+  return as_loud_as_known(journey.known, {made.begin(), made.end()}, places);
 }
 
 Carried Carrier::cut_and_set(const Journey& journey, Stream& random) const {
@@ -163,23 +163,23 @@ Carried Carrier::cut_and_set(const Journey& journey, Stream& random) const {
   }
   StruckWindow window = struck(responses, drawn.rhythm.period_s * known_.info.sample_rate_hz,
                                options_.jitter, known_.length, random);
-  return as_loud_as_known(journey.known, std::move(window.samples), std::move(window.strikes));
+  return as_loud_as_known(journey.known, std::move(window.samples), window.strikes);
 }
 
 Carried Carrier::turned(std::size_t known, std::vector<double> samples, Stream& random) const {
   const std::size_t first = random.below(samples.size());
   const std::size_t length = samples.size();
-  std::ranges::rotate(samples, samples.begin() + static_cast<std::ptrdiff_t>(first));
+  std::rotate(samples.begin(), samples.begin() + static_cast<std::ptrdiff_t>(first), samples.end());
   std::vector<double> strikes;
   for (const std::size_t strike : combs_[known].strikes(length)) {
     strikes.push_back(static_cast<double>((strike + length - first) % length));
   }
   std::ranges::sort(strikes);
-  return as_loud_as_known(known, std::move(samples), std::move(strikes));
+  return as_loud_as_known(known, std::move(samples), strikes);
 }
 
 Carried Carrier::as_loud_as_known(std::size_t known, std::vector<double> samples,
-                                  std::vector<double> strikes) const {
+                                  const std::vector<double>& strikes) const {
   const auto length = static_cast<Index>(known_.length);
   samples.resize(known_.length);
   Eigen::Map<ArrayXd> made(samples.data(), length);

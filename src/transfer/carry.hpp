@@ -71,7 +71,7 @@ class Carrier {
   [[nodiscard]] Carried turned(std::size_t known, std::vector<double> samples,
                                Stream& random) const;
   [[nodiscard]] Carried as_loud_as_known(std::size_t known, std::vector<double> samples,
-                                         std::vector<double> strikes) const;
+                                         const std::vector<double>& strikes) const;
 
   const signal::WindowSet& known_;
   const std::vector<Edges>& edges_;
