@@ -171,7 +171,7 @@ test_parts_of_another_method_have_folders_and_tables_of_their_own() {
   expect_equal "$(ran)" "3 diagnose, 3 generate, 1 ingest, 3 score, 1 split, 1 sweep, 3 train"
   local r=results/t/real s=results/t/.settings c=results/t/real/seed0/sweep@strike-twin/edges-known
   expect_equal "$(<$c/model.h5)" \
-    "train --config $s/train.strike-twin.toml --method strike-twin --edges known --known $r/seed0/C.h5 --seed 0 --output $c/model.h5"
+    "train --config $s/train.strike-twin.toml --method strike-twin --edges known --healthy $r/seed0/B.h5 --known $r/seed0/C.h5 --seed 0 --output $c/model.h5"
   expect_line "$(<$c/1to1/wdcnn-spectra/diagnosis.h5)" "--generated $c/E.h5 --ratio 1to1 --classifier wdcnn-spectra --seed 0"
   expect_line "$(<$r/seed0/strike-twin/1to1/wdcnn-spectra/diagnosis.h5)" "--classifier wdcnn-spectra --seed 0"
   expect_equal "$(<$r/sweep@strike-twin.md)" \
