@@ -162,7 +162,8 @@ SettingsFolder::SettingsFolder(const fs::path& pipeline, fs::path folder)
 
 bool SettingsFolder::is_outdated(const std::string& text) const {
   const Request request = parse_request(text);
-  return !already_holds(folder_ / request.file, request, wanted(request, pipeline_, protocol_).values);
+  return !already_holds(folder_ / request.file, request,
+                        wanted(request, pipeline_, protocol_).values);
 }
 
 void SettingsFolder::update(const std::string& text) const {
