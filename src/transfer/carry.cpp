@@ -52,7 +52,9 @@ Carrier::Carrier(const signal::WindowSet& known, const std::vector<Edges>& edges
     const std::vector<double> samples = samples_of_window(known, i);
     combs_.push_back(
         find_comb(samples, period_s(known, i, known.speed_rpm(i)) * known.info.sample_rate_hz));
-    strengths_.push_back(seen_strengths(samples, combs_.back()));
+    if (options_.strengths.from == Strengths::known) {
+      strengths_.push_back(seen_strengths(samples, combs_.back()));
+    }
   }
 }
 

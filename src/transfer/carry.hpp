@@ -79,7 +79,7 @@ class Carrier {
   Structure structure_;
   std::vector<HealthySpectrum> healthy_;
   std::vector<Comb> combs_;                       ///< of each known window
-  std::vector<std::vector<double>> strengths_;    ///< of the strikes of each known window
+  std::vector<std::vector<double>> strengths_;    ///< of each known window, where asked for
   std::vector<signal::DynamicParameters> rings_;  ///< of each known window, by its bearing
 };
 
