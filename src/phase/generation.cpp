@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "phase/class_cycle.hpp"
 #include "phase/states.hpp"
 #include "twin/model.hpp"
 #include "twin/physics.hpp"
@@ -42,7 +43,9 @@ class Decoder {
   [[nodiscard]] std::size_t length() const {
     return static_cast<std::size_t>(description_.shape.samples);
   }
-  [[nodiscard]] Cycle cycle(Label label) const { return cycle_of(info(), label, length()); }
+  [[nodiscard]] signal::Cycle cycle(Label label) const {
+    return cycle_of_class(info(), label, length());
+  }
 
   /// The twin space of one class. Each class has its own, because the state of an inner race says
   /// nothing about a ball.
@@ -55,14 +58,15 @@ class Decoder {
     for (float& a : waveforms) {
       a *= static_cast<float>(description_.acceleration[index_of(label)]);
     }
-    const Cycle own = cycle(label);
+    const signal::Cycle own = cycle(label);
     const auto waveform = [&](std::size_t row) {
-      return std::span(waveforms).subspan(row * length(), own.samples);
+      const std::span<const float> all_rows(waveforms);
+      return signal::Waveform<float>{all_rows.subspan(row * length(), own.samples), own};
     };
     std::vector<float> all;
     for (std::size_t i = 0; i < draws.size(); ++i) {
       const std::vector<float> window =
-          splice(waveform(i), waveform(draws.size() + i), own, draws[i].passage, length());
+          signal::splice(waveform(i), waveform(draws.size() + i), draws[i].passage, length());
       all.insert(all.end(), window.begin(), window.end());
     }
     return all;
@@ -87,7 +91,7 @@ class Decoder {
   StateScale scale_;
 };
 
-std::vector<Draw> draw(const twin::TwinSpace& space, const Cycle& cycle, std::size_t length,
+std::vector<Draw> draw(const twin::TwinSpace& space, const signal::Cycle& cycle, std::size_t length,
                        std::size_t count, const Stream& stream) {
   std::vector<Draw> draws;
   for (std::size_t i = 0; i < count; ++i) {
@@ -95,27 +99,12 @@ std::vector<Draw> draw(const twin::TwinSpace& space, const Cycle& cycle, std::si
     const twin::TwinPoint first = space.sample(own);
     const twin::TwinPoint second = space.sample(own);
     draws.push_back(
-        {.first = first, .second = second, .passage = draw_passage(cycle, length, own)});
+        {.first = first, .second = second, .passage = signal::draw_passage(cycle, length, own)});
   }
   return draws;
 }
 
 }  // namespace
-
-Passage draw_passage(const Cycle& cycle, std::size_t length, Stream& stream) {
-  return {.start = stream.below(cycle.samples),
-          .change = stream.below(length),
-          .turn = stream.below(cycle.strikes)};
-}
-
-std::vector<float> splice(std::span<const float> first, std::span<const float> second,
-                          const Cycle& cycle, const Passage& passage, std::size_t length) {
-  std::vector<float> window = read(first, passage.start, passage.change);
-  const std::size_t ahead = passage.start + passage.change + cycle.offset_of_strike(passage.turn);
-  const std::vector<float> rest = read(second, ahead, length - passage.change);
-  window.insert(window.end(), rest.begin(), rest.end());
-  return window;
-}
 
 std::vector<float> decode(const artefact::Reader& model, Label label,
                           const std::vector<Draw>& draws, const twin::Engine& engine) {

@@ -5,7 +5,7 @@
 
 #include "base/label.hpp"
 #include "phase/alignment.hpp"
-#include "phase/cycle.hpp"
+#include "phase/class_cycle.hpp"
 #include "phase/inference_training.hpp"
 #include "phase/states.hpp"
 #include "signal/amplitude.hpp"
@@ -33,17 +33,17 @@ Turned turn_to_common_angle(const signal::WindowSet& known) {
   for (Label label = 0; index_of(label) < known.info.classes.size(); ++label) {
     const std::vector<std::size_t> indices = known.indices_of(label);
     if (indices.empty()) continue;
-    const Cycle cycle = cycle_of(known.info, label, known.length);
+    const signal::Cycle cycle = cycle_of_class(known.info, label, known.length);
     std::vector<std::vector<double>> waveforms;
     waveforms.reserve(indices.size());
     for (const std::size_t i : indices) {
-      waveforms.push_back(closed_cycle(without_mean(known.window(i)), cycle));
+      waveforms.push_back(signal::closed_cycle(without_mean(known.window(i)), cycle));
     }
     const Alignment alignment = align(waveforms);
     for (std::size_t j = 0; j < indices.size(); ++j) {
       const std::size_t start = alignment.starts[j];
       const std::vector<double> window =
-          read(std::span<const double>(waveforms[j]), cycle.samples - start, known.length);
+          signal::read(std::span<const double>(waveforms[j]), cycle.samples - start, known.length);
       std::copy(
           window.begin(), window.end(),
           turned.windows.samples.begin() + static_cast<std::ptrdiff_t>(indices[j] * known.length));

@@ -11,6 +11,7 @@
 #include "transfer/rhythm.hpp"
 #include "transfer/ring.hpp"
 #include "transfer/synthesis.hpp"
+#include "transfer/turning.hpp"
 
 namespace piae::transfer {
 
@@ -22,6 +23,15 @@ using Eigen::Index;
 std::vector<double> samples_of_window(const signal::WindowSet& windows, std::size_t i) {
   const auto window = windows.window(i);
   return {window.begin(), window.end()};
+}
+
+/// For each known window all those of its bearing.
+std::vector<std::vector<std::size_t>> of_bearing(const signal::WindowSet& known) {
+  std::vector<std::vector<std::size_t>> alike(known.size());
+  for (const KnownBearing& bearing : bearings_of(known)) {
+    for (const std::size_t i : bearing.windows) alike[i] = bearing.windows;
+  }
+  return alike;
 }
 
 /// The ring of each known window. Those of one bearing have the same one.
@@ -46,13 +56,14 @@ Carrier::Carrier(const signal::WindowSet& known, const std::vector<Edges>& edges
       options_(options),
       structure_(structure_of(known, edges)),
       healthy_(std::move(healthy)),
+      of_bearing_(of_bearing(known)),
       rings_(rings_of(known, structure_, options.mass_kg)) {
   require_sense(options_, known, healthy_);
   for (std::size_t i = 0; i < known.size(); ++i) {
     const std::vector<double> samples = samples_of_window(known, i);
     combs_.push_back(
         find_comb(samples, period_s(known, i, known.speed_rpm(i)) * known.info.sample_rate_hz));
-    if (options_.strengths.from == Strengths::known) {
+    if (strengths_from() == Strengths::known) {
       strengths_.push_back(seen_strengths(samples, combs_.back()));
     }
   }
@@ -71,7 +82,9 @@ double Carrier::draw_size_mm(std::size_t known, Stream& random) const {
     largest = std::max(largest, known_.size_mm(i));
   }
   const double factor = options_.size_factor;
-  return std::exp(random.uniform(std::log(least / factor), std::log(largest * factor)));
+  // Both may be the same, and a uniform draw needs two.
+  return std::exp(
+      std::lerp(std::log(least / factor), std::log(largest * factor), random.uniform(0, 1)));
 }
 
 Carrier::Draw Carrier::draw(const Journey& journey, Stream& random) const {
@@ -92,10 +105,16 @@ Carrier::Draw Carrier::draw(const Journey& journey, Stream& random) const {
   return draw;
 }
 
+Strengths Carrier::strengths_from() const {
+  const bool of_another = tests_other_bearings(known_);
+  return of_another && options_.strengths.from == Strengths::known ? Strengths::load_zone
+                                                                   : options_.strengths.from;
+}
+
 std::vector<double> Carrier::draw_strengths(const Journey& journey, const Rhythm& rhythm,
                                             double frame_s, Stream& random) const {
   const std::size_t count = most_strikes(rhythm, frame_s);
-  switch (options_.strengths.from) {
+  switch (strengths_from()) {
     case Strengths::alike:
       return std::vector<double>(count, 1.0);
     case Strengths::known:
@@ -140,8 +159,9 @@ Carried Carrier::put_together(const Journey& journey, Stream& random) const {
   const double part = struck.isZero(0) ? 1 : random.uniform(0, 1) * options_.background;
   const ArrayXd made =
       std::sqrt(1 - part) * struck + std::sqrt(part) * background(journey, answers, drawn, random);
-  std::vector<double> places;
-  for (const Strike& strike : strikes) places.push_back((strike.time_s - half_s) * rate_hz);
+  std::vector<double> places(strikes.size());
+  std::ranges::transform(strikes, places.begin(),
+                         [&](const Strike& strike) { return (strike.time_s - half_s) * rate_hz; });
   return as_loud_as_known(journey.known, {made.begin(), made.end()}, places);
 }
 
@@ -161,23 +181,22 @@ Carried Carrier::cut_and_set(const Journey& journey, Stream& random) const {
   const std::vector<Cut> responses = cut_responses(samples, combs_[journey.known]);
   // A window in which no response is whole has no rhythm that could be changed.
   if (options_.rhythm == Set::known || responses.empty()) {
-    return turned(journey.known, std::move(samples), random);
+    const Turning turning = turning_of(samples, combs_[journey.known]);
+    StruckWindow window = turned(turning, turning, known_.length, random);
+    return as_loud_as_known(journey.known, std::move(window.samples), window.strikes);
   }
   StruckWindow window = struck(responses, drawn.rhythm.period_s * known_.info.sample_rate_hz,
                                options_.jitter, known_.length, random);
   return as_loud_as_known(journey.known, std::move(window.samples), window.strikes);
 }
 
-Carried Carrier::turned(std::size_t known, std::vector<double> samples, Stream& random) const {
-  const std::size_t first = random.below(samples.size());
-  const std::size_t length = samples.size();
-  std::rotate(samples.begin(), samples.begin() + static_cast<std::ptrdiff_t>(first), samples.end());
-  std::vector<double> strikes;
-  for (const std::size_t strike : combs_[known].strikes(length)) {
-    strikes.push_back(static_cast<double>((strike + length - first) % length));
-  }
-  std::ranges::sort(strikes);
-  return as_loud_as_known(known, std::move(samples), strikes);
+Carried Carrier::turn(std::size_t known, Stream& random) const {
+  const std::vector<std::size_t>& alike = of_bearing_[known];
+  const std::size_t other = alike[random.below(alike.size())];
+  StruckWindow window =
+      turned(turning_of(samples_of_window(known_, known), combs_[known]),
+             turning_of(samples_of_window(known_, other), combs_[other]), known_.length, random);
+  return as_loud_as_known(known, std::move(window.samples), window.strikes);
 }
 
 Carried Carrier::as_loud_as_known(std::size_t known, std::vector<double> samples,
@@ -189,17 +208,17 @@ Carried Carrier::as_loud_as_known(std::size_t known, std::vector<double> samples
   const ArrayXd before = Eigen::Map<const Eigen::ArrayXf>(window.data(), length).cast<double>();
   made *= std::sqrt(before.square().mean() / made.square().mean());
   Carried carried{.samples = {samples.begin(), samples.end()}, .strikes_s = {}};
+  const double end_s = static_cast<double>(known_.length) / known_.info.sample_rate_hz;
   for (const double strike : strikes) {
-    if (strike < 0 || strike >= static_cast<double>(length)) continue;
-    carried.strikes_s.push_back(strike / known_.info.sample_rate_hz);
+    // In seconds, since the last sample but a rounding error is the end there.
+    const double strike_s = strike / known_.info.sample_rate_hz;
+    if (strike_s >= 0 && strike_s < end_s) carried.strikes_s.push_back(strike_s);
   }
   return carried;
 }
 
 Carried Carrier::carry(const Journey& journey, Stream& random) const {
-  if (!moves(journey)) {
-    return turned(journey.known, samples_of_window(known_, journey.known), random);
-  }
+  if (!moves(journey)) return turn(journey.known, random);
   return options_.response == Response::cut ? cut_and_set(journey, random)
                                             : put_together(journey, random);
 }

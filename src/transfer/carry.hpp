@@ -24,8 +24,8 @@ struct Carried {
 /// Carries known fault windows to the tested condition. What belongs to the structure stays where
 /// it is in Hz; what belongs to the shaft moves with its speed. A window is put together from
 ///   - how the machine answers one blow (structure.hpp), by a random transfer path (path.hpp);
-///   - strikes at the period that follows from the geometry, as strong as the balls are loaded
-///     (strengths.hpp);
+///   - strikes at the period that follows from the geometry, as strong as in the known window, or
+///     as in a load zone where another bearing is tested (strengths.hpp);
 ///   - both edges of the defect (edges.hpp), whose lag is the known one by the ratio of the
 ///     passages, with a small deviation;
 ///   - a background that is not struck.
@@ -35,7 +35,8 @@ struct Carried {
 /// Where defects of the tested condition have sizes that are not known, one is drawn, uniform in
 /// its logarithm, between the smallest known of the class and the largest, and some way beyond.
 /// Where nothing moves, since the known bearing is tested at the known speed, the known window is
-/// turned round: there is nothing that could be better known.
+/// turned round, and at a random moment goes on in another one of its bearing, in the same rhythm
+/// (turning.hpp): there is nothing that could be better known.
 class Carrier {
  public:
   /// `edges` are those of each known window. Both must outlive this. `healthy` is for
@@ -61,6 +62,7 @@ class Carrier {
   [[nodiscard]] bool moves(const Journey& journey) const;
   [[nodiscard]] Draw draw(const Journey& journey, Stream& random) const;
   [[nodiscard]] double draw_size_mm(std::size_t known, Stream& random) const;
+  [[nodiscard]] Strengths strengths_from() const;
   [[nodiscard]] std::vector<double> draw_strengths(const Journey& journey, const Rhythm& rhythm,
                                                    double frame_s, Stream& random) const;
   [[nodiscard]] Eigen::ArrayXd answer(const Journey& journey, Stream& random) const;
@@ -68,8 +70,7 @@ class Carrier {
                                           const Draw& draw, Stream& random) const;
   [[nodiscard]] Carried put_together(const Journey& journey, Stream& random) const;
   [[nodiscard]] Carried cut_and_set(const Journey& journey, Stream& random) const;
-  [[nodiscard]] Carried turned(std::size_t known, std::vector<double> samples,
-                               Stream& random) const;
+  [[nodiscard]] Carried turn(std::size_t known, Stream& random) const;
   [[nodiscard]] Carried as_loud_as_known(std::size_t known, std::vector<double> samples,
                                          const std::vector<double>& strikes) const;
 
@@ -78,8 +79,10 @@ class Carrier {
   CarryOptions options_;
   Structure structure_;
   std::vector<HealthySpectrum> healthy_;
-  std::vector<Comb> combs_;                       ///< of each known window
-  std::vector<std::vector<double>> strengths_;    ///< of each known window, where asked for
+  std::vector<std::vector<std::size_t>> of_bearing_;  ///< for each known window all of its bearing
+  std::vector<Comb> combs_;                           ///< of each known window
+  std::vector<std::vector<double>>
+      strengths_;  ///< of each known window, where they are taken from there
   std::vector<signal::DynamicParameters> rings_;  ///< of each known window, by its bearing
 };
 

@@ -16,8 +16,8 @@ namespace {
 const std::string strengths_group = "/strengths";
 
 const Words<Strengths>& strength_words() {
-  static const Words<Strengths> words{{"load-zone", Strengths::load_zone},
-                                      {"known", Strengths::known},
+  static const Words<Strengths> words{{"known", Strengths::known},
+                                      {"load-zone", Strengths::load_zone},
                                       {"alike", Strengths::alike}};
   return words;
 }
@@ -39,7 +39,8 @@ double turning(const bearing::Speeds& speeds, bearing::Defect kind) {
 void bind(const cli::Options& command, StrengthOptions& o) {
   command.choose(
       "--strengths", o.from, strength_words(),
-      "how strong strikes are: as the ball is loaded, as in a known window, or all alike");
+      "how strong strikes are: as in a known window (of another bearing: as in a load zone), as in "
+      "a load zone, or all alike");
   command
       .add("--load-zone-from", o.least_extent,
            "least extent of the load zone: 0.5 is half a turn, less with clearance")

@@ -13,13 +13,14 @@
 
 namespace piae::transfer {
 
-/// Where the strengths of strikes come from: from the load that the ball carries, from a known
-/// window, or they are all alike.
-enum class Strengths { load_zone, known, alike };
+/// Where the strengths of strikes come from: from a known window, as long as its own bearing is the
+/// tested one, which is loaded as it was; from the load that a ball carries in a load zone; or they
+/// are all alike.
+enum class Strengths { known, load_zone, alike };
 
 /// How strong the strikes of a window are.
 struct StrengthOptions {
-  Strengths from = Strengths::load_zone;
+  Strengths from = Strengths::known;
   double least_extent = 0.2;  ///< of the load zone (bearing/load_zone.hpp), drawn for each window
   double largest_extent = 1;
   double rotating = 0;  ///< load that turns with the shaft / load that stays: the largest

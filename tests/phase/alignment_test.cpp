@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "phase/cycle.hpp"
+#include "phase/class_cycle.hpp"
 #include "support/simulated_windows.hpp"
 
 namespace piae::phase {
@@ -22,7 +22,7 @@ std::vector<double> noise_of(std::size_t samples, const std::string& name) {
 TEST(InferStart, FindsEveryCircularShiftOfAWaveform) {
   const std::vector<double> waveform = noise_of(61, "waveform");
   for (std::size_t start = 0; start < 61; ++start) {
-    const std::vector<double> turned = read(std::span<const double>(waveform), start, 61);
+    const std::vector<double> turned = signal::read(std::span<const double>(waveform), start, 61);
     EXPECT_EQ(infer_start(waveform, turned), start);
   }
 }
@@ -32,7 +32,7 @@ TEST(Align, FindsTheStartsOfNoisyCopies) {
   const std::vector<std::size_t> starts{17, 0, 150, 63};
   std::vector<std::vector<double>> copies;
   for (std::size_t i = 0; i < starts.size(); ++i) {
-    copies.push_back(read(std::span<const double>(waveform), starts[i], 200));
+    copies.push_back(signal::read(std::span<const double>(waveform), starts[i], 200));
     const std::vector<double> noise = noise_of(200, "noise" + std::to_string(i));
     for (std::size_t t = 0; t < 200; ++t) copies.back()[t] += 0.5 * noise[t];
   }
@@ -53,7 +53,7 @@ std::vector<double> angle_errors(signal::Defect defect) {
   constexpr Label label = 1;
   info.classes[label] = {"021", defect, 0.5334};
   constexpr std::size_t length = 1024;
-  const Cycle cycle = cycle_of(info, label, length);
+  const signal::Cycle cycle = cycle_of_class(info, label, length);
   std::vector<std::vector<double>> waveforms;
   std::vector<double> truth;
   for (int i = 0; i < 60; ++i) {
@@ -62,7 +62,7 @@ std::vector<double> angle_errors(signal::Defect defect) {
     double mean = 0;
     for (const double x : window.samples) mean += x / length;
     for (double& x : window.samples) x -= mean;
-    waveforms.push_back(closed_cycle(window.samples, cycle));
+    waveforms.push_back(signal::closed_cycle(window.samples, cycle));
     truth.push_back(window.strike_angle_rad);
   }
   const Alignment alignment = align(waveforms);

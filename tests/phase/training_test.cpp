@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "base/error.hpp"
+#include "phase/class_cycle.hpp"
 #include "phase/generation.hpp"
 #include "support/checkpoints.hpp"
 #include "support/folder.hpp"
@@ -74,7 +75,7 @@ TEST(PhaseGeneration, AnotherStartAngleShiftsWhatTheDecoderGives) {
   constexpr Label outer = 2;
   constexpr std::size_t length = 1024;
   constexpr std::size_t change = 600;
-  const Cycle cycle = cycle_of(bearing_info(), outer, length);
+  const signal::Cycle cycle = cycle_of_class(bearing_info(), outer, length);
   const Draw draw{{1.1e8, 450}, {0.9e8, 600}, {37, change, 3}};
   std::vector<Draw> draws{draw};
   for (const std::size_t later : {1U, 250U}) {
@@ -103,24 +104,6 @@ TEST(PhaseTraining, RefusesWindowsThatAreTooShort) {
   EXPECT_THROW(
       make_phase_training(known, quick_options(), Stream("test"), twin::dense_engine(Device::cpu)),
       Error);
-}
-
-// A later start shifts the window; the change from one state to the other stays where it is.
-TEST(Splice, StartsAtTheAngleAndGoesOnInRhythm) {
-  std::vector<float> first(30);
-  std::vector<float> second(30);
-  for (std::size_t i = 0; i < 30; ++i) {
-    first[i] = static_cast<float>(i);
-    second[i] = static_cast<float>(100 + i);
-  }
-  const Cycle cycle{30, 3, 4};
-  const std::vector<float> window =
-      splice(first, second, cycle, {.start = 28, .change = 4, .turn = 2}, 8);
-  // 28 29 0 1 of the first; then, 2 strikes of 10 samples ahead, 2 + 20 ... of the second.
-  EXPECT_EQ(window, (std::vector<float>{28, 29, 0, 1, 122, 123, 124, 125}));
-  const std::vector<float> later =
-      splice(first, second, cycle, {.start = 29, .change = 4, .turn = 2}, 8);
-  for (const std::size_t i : {0U, 1U, 2U, 4U, 5U, 6U}) EXPECT_EQ(later[i], window[i + 1]) << i;
 }
 
 }  // namespace

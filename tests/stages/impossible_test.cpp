@@ -239,7 +239,7 @@ TEST_F(Impossible, ModelsOfTheTwinThatIsStruck) {
            "minimum-phase or ring or cut"},
           {"strengths that are none",
            [](hid_t file) { replace_attribute(file, "/strengths", "from", "cake"); },
-           "load-zone or known or alike"},
+           "known or load-zone or alike"},
           {"a load zone that ends before it begins", attribute("/strengths", "least_extent", 2.0),
            "least extent is above the largest"},
           {"more load that turns than stays", attribute("/strengths", "rotating", 1.5), "rotating"},

@@ -2,7 +2,9 @@
 
 #include <cmath>
 #include <numbers>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "signal/window_set.hpp"
 #include "support/three_classes.hpp"
@@ -34,6 +36,22 @@ inline Edges edges_at(const signal::WindowSet& windows, std::size_t i, double sh
 
 constexpr double lag_shares[] = {0.85, 0.95, 0.9, 0.8};
 
+/// A window of 1024 samples of this structure, struck from a random moment on at the rhythm of the
+/// window `i`, with strengths that come again and again.
+inline Eigen::ArrayXd struck_like(const signal::WindowSet& windows, std::size_t i,
+                                  std::span<const double> strengths, double rms) {
+  Stream random("window " + std::to_string(i));
+  const double rate_hz = windows.info.sample_rate_hz;
+  const Path path{.log_gain = Eigen::ArrayXd::Zero(1025), .phase = Eigen::ArrayXd::Zero(1025)};
+  const Rhythm rhythm{.period_s = period_s(windows, i, 1200),
+                      .jitter = 0.005,
+                      .edges = edges_at(windows, i, lag_shares[i / 5], 1200)};
+  std::vector<double> all(most_strikes(rhythm, 2048 / rate_hz));
+  for (std::size_t j = 0; j < all.size(); ++j) all[j] = strengths[j % strengths.size()];
+  return rms * struck_window(three_resonances(1025, rate_hz), path,
+                             draw_strikes(random, rhythm, all, 2048 / rate_hz), rate_hz);
+}
+
 /// One machine with four bearings, small and large defects of inner and outer race, five windows
 /// each at 1200 rpm, tested at 600: its structure, struck at both edges of each.
 inline signal::WindowSet one_machine() {
@@ -53,18 +71,11 @@ inline signal::WindowSet one_machine() {
     known.condition.push_back(0);
     known.shaft_speed_rpm.push_back(1200);
   }
-  const double rate_hz = known.info.sample_rate_hz;
-  const Path path{.log_gain = Eigen::ArrayXd::Zero(1025), .phase = Eigen::ArrayXd::Zero(1025)};
+  const std::vector<double> alike{1};
   for (std::size_t i = 0; i < 20; ++i) {
-    Stream random("window " + std::to_string(i));
-    const Rhythm rhythm{.period_s = period_s(known, i, 1200),
-                        .jitter = 0.005,
-                        .edges = edges_at(known, i, lag_shares[i / 5], 1200)};
-    const std::vector<double> alike(most_strikes(rhythm, 2048 / rate_hz), 1.0);
-    const Eigen::ArrayXd window =
-        3 * struck_window(three_resonances(1025, rate_hz), path,
-                          draw_strikes(random, rhythm, alike, 2048 / rate_hz), rate_hz);
-    for (const double x : window) known.samples.push_back(static_cast<float>(x));
+    for (const double x : struck_like(known, i, alike, 3)) {
+      known.samples.push_back(static_cast<float>(x));
+    }
   }
   return known;
 }

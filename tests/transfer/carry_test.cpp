@@ -120,19 +120,93 @@ TEST_P(CarriedBy, SaysWhenTheDefectIsStruck) {
   EXPECT_LE(behind, 0.15 * comb.period);
 }
 
-TEST(Carrier, TurnsTheKnownWindowWhereNothingMoves) {
+TEST(Carrier, StrikesAsStrongAsTheKnownWindowDoes) {
+  signal::WindowSet known = one_machine();
+  const std::vector<double> every_second_is_weak{1, 0.15};
+  for (std::size_t i = 0; i < 5; ++i) {
+    const Eigen::ArrayXf window = struck_like(known, i, every_second_is_weak, 3).cast<float>();
+    std::ranges::copy(window, known.samples.begin() + static_cast<std::ptrdiff_t>(1024 * i));
+  }
+  const std::vector<Edges> edges = true_edges(known);
+  // The share of strikes of which the next one is much stronger or much weaker.
+  const auto uneven = [&](Strengths from) {
+    CarryOptions options;
+    options.strengths.from = from;
+    const Carrier carrier(known, edges, options);
+    double uneven = 0;
+    double all = 0;
+    for (std::size_t i = 0; i < 10; ++i) {
+      Stream random("strong " + std::to_string(i));
+      const Carried carried = carrier.carry(journey_of(known, 1, i), random);
+      std::vector<double> powers;
+      for (const double strike_s : carried.strikes_s) {
+        const auto begin = static_cast<std::size_t>(strike_s * 12000);
+        if (begin + 20 > 1024) continue;
+        double power = 0;
+        for (std::size_t t = begin; t < begin + 20; ++t) power += std::pow(carried.samples[t], 2);
+        powers.push_back(power);
+      }
+      for (std::size_t j = 1; j < powers.size(); ++j) {
+        uneven += std::max(powers[j], powers[j - 1]) > 3 * std::min(powers[j], powers[j - 1]);
+        ++all;
+      }
+    }
+    return uneven / all;
+  };
+  EXPECT_GT(uneven(Strengths::known), 0.7);
+  EXPECT_LT(uneven(Strengths::alike), 0.1);
+}
+
+TEST(Carrier, TakesNoStrengthsOfOneBearingForAnother) {
+  signal::WindowSet known = one_machine();
+  for (std::size_t i = 0; i < known.size(); ++i) {
+    known.defect_size_mm.push_back(known.info.class_of(known.labels[i]).defect_size_mm);
+  }
+  const std::vector<Edges> edges = true_edges(known);
+  CarryOptions options;
+  options.strengths.from = Strengths::known;
+  const Carrier as_known(known, edges, options);
+  options.strengths.from = Strengths::load_zone;
+  const Carrier in_load_zone(known, edges, options);
+  EXPECT_EQ(carried(as_known, known, 1, 0), carried(in_load_zone, known, 1, 0));
+}
+
+TEST(Carrier, JoinsKnownWindowsOfABearingWhereNothingMoves) {
   signal::WindowSet known = one_machine();
   known.info.conditions[1].shaft_speed_rpm = 1200;
   const std::vector<Edges> edges = true_edges(known);
   CarryOptions options;
-  options.equaliser.spread_db = 20;
+  options.equaliser.spread_db = 20;  // would be seen at once
   const Carrier carrier(known, edges, options);
-  Stream random("stays");
-  std::vector<float> made = carrier.carry(journey_of(known, 2, 3), random).samples;
-  std::vector<float> before(known.window(8).begin(), known.window(8).end());
-  std::ranges::sort(made);
-  std::ranges::sort(before);
-  for (std::size_t i = 0; i < made.size(); ++i) EXPECT_NEAR(made[i], before[i], 1e-5);
+  scoring::Windows own(5, 1024);
+  for (Eigen::Index i = 0; i < 5; ++i) {
+    own.row(i) = Eigen::Map<const Eigen::RowVectorXf>(
+                     known.window(static_cast<std::size_t>(5 + i)).data(), 1024)
+                     .cast<double>();
+  }
+  const Eigen::ArrayXd bearing = liftered(scoring::mean_power_spectrum(own).log() / 2, 20);
+  for (std::size_t i = 0; i < 10; ++i) {
+    const std::vector<double> window = carried(carrier, known, 2, i);
+    const scoring::Windows row = Eigen::Map<const Eigen::RowVectorXd>(window.data(), 1024);
+    const Eigen::ArrayXd made = liftered(scoring::mean_power_spectrum(row).log() / 2, 20);
+    EXPECT_LT(std::sqrt((made - bearing).square().mean()), 0.5) << i;
+    EXPECT_NE(window, carried(carrier, known, 2, i + 5));  // of the same known window
+  }
+}
+
+// Where the reader of windows counts in seconds, as it does, and not in samples.
+TEST(Carrier, IsStruckWithinTheWindow) {
+  signal::WindowSet known = one_machine();
+  known.info.conditions[1].shaft_speed_rpm = 1811;
+  known.shaft_speed_rpm.assign(known.size(), 1811);  // with periods that no binary number is
+  const std::vector<Edges> edges = true_edges(known);
+  const Carrier carrier(known, edges, {});
+  for (std::size_t i = 0; i < 4000; ++i) {
+    Stream random("within " + std::to_string(i));
+    const Carried made = carrier.carry(journey_of(known, static_cast<Label>(1 + i % 4), i), random);
+    ASSERT_TRUE(std::ranges::is_sorted(made.strikes_s));
+    ASSERT_LT(made.strikes_s.back(), 1024.0 / known.info.sample_rate_hz) << i;
+  }
 }
 
 TEST(Carrier, NeedsHealthyWindowsOfTheTestedConditionForTheirBackground) {
@@ -176,6 +250,19 @@ TEST(Carrier, KnowsTheRingOfABearing) {
   }
   EXPECT_LT(nearest, 0.1) << hz;
   EXPECT_EQ(carrier.ring(4).stiffness_n_per_m, ring.stiffness_n_per_m);
+}
+
+// A draw between equal bounds must end, too.
+TEST(Carrier, KnowsTheSizeOfAnotherBearingWhereAllKnownOnesAgree) {
+  signal::WindowSet known = one_machine();
+  for (std::size_t i = 0; i < known.size(); ++i) {
+    known.defect_size_mm.push_back(known.info.class_of(known.labels[i]).defect_size_mm);
+  }
+  const std::vector<Edges> edges = true_edges(known);
+  CarryOptions options;
+  options.size_factor = 1;
+  const Carrier carrier(known, edges, options);
+  EXPECT_EQ(carried(carrier, known, 1, 0).size(), 1024U);
 }
 
 TEST(Carrier, WorksOnWindowsOfAnyLength) {

@@ -1,15 +1,10 @@
-#include "phase/cycle.hpp"
-
-#include <spdlog/fmt/fmt.h>
+#include "signal/cycle.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "base/error.hpp"
-#include "bearing/strikes.hpp"
-
-namespace piae::phase {
+namespace piae::signal {
 
 namespace {
 
@@ -19,15 +14,6 @@ constexpr double least_blend = 1.0 / 32;
 constexpr std::size_t longest_blend = 64;
 
 }  // namespace
-
-double strike_frequency_hz(const signal::DatasetInfo& info, Label label) {
-  const signal::ClassInfo& c = info.classes.at(index_of(label));
-  if (c.defect == signal::Defect::none) {
-    throw Error(Exit::bad_input,
-                info.name + ": class " + c.name + " has no defect, and so no fault frequency");
-  }
-  return bearing::strike_frequency_hz(info.bearing, c.defect, info.known_speed_rpm());
-}
 
 std::size_t Cycle::offset_of_strike(std::size_t j) const {
   return static_cast<std::size_t>(
@@ -39,26 +25,22 @@ double Cycle::angle_rad(std::size_t sample) const {
   return 2 * std::numbers::pi * (turns - std::floor(turns));
 }
 
-Cycle cycle_of(const signal::DatasetInfo& info, Label label, std::size_t length) {
-  const double strike_samples = info.sample_rate_hz / strike_frequency_hz(info, label);
+double Cycle::period() const { return static_cast<double>(samples) / static_cast<double>(strikes); }
+
+std::optional<Cycle> cycle_of(double period, std::size_t length) {
   const double usable = static_cast<double>(length) * (1 - least_blend);
-  const double strikes = std::floor(usable / strike_samples);
-  if (strikes < 1) {
-    throw Error(
-        Exit::bad_input,
-        fmt::format("{}: windows of {} samples do not hold one strike of class {}, every "
-                    "{:.1f} samples; longer windows would",
-                    info.name, length, info.classes.at(index_of(label)).name, strike_samples));
-  }
+  const double strikes = std::floor(usable / period);
+  if (strikes < 1) return std::nullopt;
   Cycle cycle;
   cycle.strikes = static_cast<std::size_t>(strikes);
-  cycle.samples = static_cast<std::size_t>(std::lround(strikes * strike_samples));
+  cycle.samples = static_cast<std::size_t>(std::lround(strikes * period));
   cycle.blend = std::min({length - cycle.samples, cycle.samples, longest_blend});
   return cycle;
 }
 
 std::vector<double> closed_cycle(std::span<const double> window, const Cycle& cycle) {
-  std::vector<double> waveform(window.begin(), window.begin() + cycle.samples);
+  std::vector<double> waveform(window.begin(),
+                               window.begin() + static_cast<std::ptrdiff_t>(cycle.samples));
   for (std::size_t i = 0; i < cycle.blend; ++i) {
     const double weight = (static_cast<double>(i) + 0.5) / static_cast<double>(cycle.blend);
     waveform[i] = weight * window[i] + (1 - weight) * window[cycle.samples + i];
@@ -66,4 +48,4 @@ std::vector<double> closed_cycle(std::span<const double> window, const Cycle& cy
   return waveform;
 }
 
-}  // namespace piae::phase
+}  // namespace piae::signal

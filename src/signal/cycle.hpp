@@ -1,20 +1,14 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
-#include "base/label.hpp"
-#include "signal/dataset_info.hpp"
+namespace piae::signal {
 
-namespace piae::phase {
-
-/// How often the defect of a class strikes, in Hz: BPFO, BPFI, or 2 BSF for a ball, whose defect
-/// strikes both races in one turn. Throws Error(bad_input) for a class without a defect.
-double strike_frequency_hz(const signal::DatasetInfo& info, Label label);
-
-/// The fault cycle of a class, in samples: as many whole strikes as fit into a window, less a part
-/// of the window that is needed to blend the cycle's end into its beginning. From one sample to the
+/// The fault cycle of a window, in samples: as many whole strikes as fit into it, less a part of
+/// the window that is needed to blend the cycle's end into its beginning. From one sample to the
 /// next the strike angle grows by 2 pi m / L. L is rounded to whole samples; at 1024 samples that
 /// is an error of 0.05 %, far below that of slip.
 struct Cycle {
@@ -26,11 +20,13 @@ struct Cycle {
   [[nodiscard]] std::size_t offset_of_strike(std::size_t j) const;
   /// The strike angle of a sample of the cycle, in [0, 2 pi).
   [[nodiscard]] double angle_rad(std::size_t sample) const;
+  /// Samples from strike to strike.
+  [[nodiscard]] double period() const;
 };
 
-/// The cycle of a class in windows of `length` samples. Throws Error(bad_input) where not one whole
-/// strike fits.
-Cycle cycle_of(const signal::DatasetInfo& info, Label label, std::size_t length);
+/// The cycle of windows of `length` samples with a strike every `period` samples. None where not
+/// one whole strike fits.
+std::optional<Cycle> cycle_of(double period, std::size_t length);
 
 /// One cycle of a window, [L]: its first L samples, of which the first few are blended with the
 /// samples that follow the L-th, so that the cycle has no jump where its end meets its beginning.
@@ -45,4 +41,4 @@ std::vector<T> read(std::span<const T> waveform, std::size_t start, std::size_t 
   return samples;
 }
 
-}  // namespace piae::phase
+}  // namespace piae::signal

@@ -1,47 +1,32 @@
-#include "phase/cycle.hpp"
+#include "signal/cycle.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
-#include "base/error.hpp"
-#include "support/simulated_windows.hpp"
+#include "base/random.hpp"
 
-namespace piae::phase {
+namespace piae::signal {
 namespace {
-
-// Harris' formulas by hand for 9 balls, d / D = 7.94 / 39, 29.95 Hz: BPFI = 9/2 f (1 + d/D) =
-// 162.21 Hz, BPFO = 9/2 f (1 - d/D) = 107.34 Hz, 2 BSF = f D/d (1 - (d/D)^2) = 141.01 Hz.
-TEST(Cycle, StrikesComeAtTheFaultFrequency) {
-  signal::DatasetInfo info = bearing_info();
-  EXPECT_NEAR(strike_frequency_hz(info, 1), 162.21, 0.01);
-  EXPECT_NEAR(strike_frequency_hz(info, 2), 107.34, 0.01);
-  info.classes[2].defect = signal::Defect::roller;
-  EXPECT_NEAR(strike_frequency_hz(info, 2), 141.01, 0.02);
-  EXPECT_THROW(strike_frequency_hz(info, 0), Error);
-}
 
 // A strike every 12000 / 107.34 = 111.79 samples: 8 in 894.4, 9 would leave only 18 of 1024.
 TEST(Cycle, HoldsAsManyWholeStrikesAsLeaveSomethingToBlend) {
-  const Cycle cycle = cycle_of(bearing_info(), 2, 1024);
+  const Cycle cycle = *cycle_of(12000 / 107.34, 1024);
   EXPECT_EQ(cycle.strikes, 8U);
   EXPECT_EQ(cycle.samples, 894U);
   EXPECT_EQ(cycle.offset_of_strike(0), 0U);
   EXPECT_EQ(cycle.offset_of_strike(1), 112U);
   EXPECT_EQ(cycle.offset_of_strike(4), 447U);
+  EXPECT_EQ(cycle.period(), 111.75);
   EXPECT_NEAR(cycle.angle_rad(447), 0, 1e-12);
   EXPECT_NEAR(cycle.angle_rad(1), 2 * std::numbers::pi * 8 / 894, 1e-12);
 }
 
-TEST(Cycle, RefusesWindowsWithoutAWholeStrike) {
-  try {
-    cycle_of(bearing_info(), 2, 100);
-    FAIL();
-  } catch (const Error& error) {
-    EXPECT_EQ(error.exit(), Exit::bad_input);
-    EXPECT_NE(std::string(error.what()).find("OR021"), std::string::npos) << error.what();
-  }
+TEST(Cycle, HasNoneWhereNotOneWholeStrikeFits) {
+  EXPECT_FALSE(cycle_of(111.8, 100));
+  EXPECT_FALSE(cycle_of(99, 100));  // there would be nothing to blend
+  EXPECT_TRUE(cycle_of(96, 100));
 }
 
 TEST(ClosedCycle, LeavesAPeriodicSignalAsItIs) {
@@ -80,4 +65,4 @@ TEST(Read, ShiftsTheWaveformBitForBit) {
 }
 
 }  // namespace
-}  // namespace piae::phase
+}  // namespace piae::signal
