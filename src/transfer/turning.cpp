@@ -21,7 +21,10 @@ void append_strikes(std::vector<double>& strikes, const Turning& turning, std::s
   const double period = turning.cycle.period();
   const double since = std::fmod(static_cast<double>(at % turning.cycle.samples), period);
   double next = static_cast<double>(from) + (since > 0 ? period - since : 0);
-  for (; next < static_cast<double>(to); next += period) strikes.push_back(next);
+  while (next < static_cast<double>(to)) {
+    strikes.push_back(next);
+    next += period;
+  }
 }
 
 }  // namespace
