@@ -12,19 +12,22 @@ namespace piae::report {
 
 namespace {
 
-std::vector<InputChoice> parse_inputs(const TransferOptions& options,
-                                      const std::vector<std::string>& methods) {
+std::vector<InputChoice> parse_inputs(const std::string& option,
+                                      const std::vector<std::string>& words,
+                                      const TransferOptions& options) {
+  if (words.empty()) return {};
+  const auto methods = run::split_list("--methods", options.methods);
   const auto classifiers = run::split_list("--classifiers", options.classifiers);
   std::vector<InputChoice> choices;
-  for (const std::string& word : run::split_list("--inputs", options.inputs)) {
+  for (const std::string& word : run::split_list(option, words)) {
     const InputChoice choice = parse_input_choice(word);
     if (std::ranges::count(choices, choice.method, &InputChoice::method) > 0) {
-      throw Error(Exit::usage, "--inputs: names an input of " + choice.method + " twice");
+      throw Error(Exit::usage, option + ": names an input of " + choice.method + " twice");
     }
     const bool is_asked = std::ranges::count(methods, choice.method) > 0;
     if (is_asked && std::ranges::count(classifiers, choice.classifier) == 0) {
-      throw Error(Exit::usage, "--classifiers: must have " + choice.classifier +
-                                   ", which --inputs names for " + choice.method);
+      throw Error(Exit::usage, "--classifiers: must have " + choice.classifier + ", which " +
+                                   option + " names for " + choice.method);
     }
     choices.push_back(choice);
   }
@@ -101,6 +104,8 @@ void bind(const cli::Options& command, TransferOptions& options) {
            "Which classifier each method is shown with, such as: none=wdcnn-spectrum; a method "
            "without one stands in the table by input alone")
       .required();
+  command.add("--kind-inputs", options.kind_inputs,
+              "The same for telling the kind of defect, whatever its size; without: as --inputs");
   command.add("--methods", options.methods, "Methods, such as: none smote").required();
   command
       .add("--ratio", options.ratio,
@@ -114,9 +119,12 @@ void bind(const cli::Options& command, TransferOptions& options) {
 }
 
 TransferGroup read_transfer(const std::filesystem::path& run, const TransferOptions& options) {
-  const auto methods = run::split_list("--methods", options.methods);
-  const std::vector<InputChoice> inputs = parse_inputs(options, methods);
-  run::GridOptions asked{.methods = methods,
+  const GroupChoices choices{
+      .group = options.group,
+      .against = options.against,
+      .inputs = parse_inputs("--inputs", options.inputs, options),
+      .kind_inputs = parse_inputs("--kind-inputs", options.kind_inputs, options)};
+  run::GridOptions asked{.methods = run::split_list("--methods", options.methods),
                          .ratios = ratios_with(options.ratio),
                          .seeds = options.seeds,
                          .classifiers = options.classifiers};
@@ -130,7 +138,7 @@ TransferGroup read_transfer(const std::filesystem::path& run, const TransferOpti
   require_all_of(results);
   std::vector<DatasetRows> rows;
   for (std::size_t i = 0; i < grids.size(); ++i) rows.push_back(dataset_rows(grids[i], results[i]));
-  TransferGroup group = transfer_group({options.group, options.against, inputs}, rows);
+  TransferGroup group = transfer_group(choices, rows);
   group.protocol = protocol_of(grids, results);
   return group;
 }

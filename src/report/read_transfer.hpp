@@ -15,7 +15,8 @@ struct TransferOptions {
   std::string group = {};
   std::vector<std::string> datasets = {};
   std::string against = {};
-  std::vector<std::string> inputs = {};  ///< "none=wdcnn-spectrum", see parse_input_choice()
+  std::vector<std::string> inputs = {};       ///< "none=wdcnn-spectrum", see parse_input_choice()
+  std::vector<std::string> kind_inputs = {};  ///< the same for telling kinds; may be empty
   std::vector<std::string> methods = {};
   std::string ratio = {};  ///< of the generated windows; `none` is taken at 100to1
   std::vector<std::string> classifiers = {};

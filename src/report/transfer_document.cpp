@@ -21,8 +21,8 @@ constexpr const char* mark_of_recorded = "✓";
 constexpr const char* mark_of_best = "↑";
 
 /// The rows of the main tables: the methods by the inputs recorded for them, and the bar.
-std::vector<const GroupRow*> shown_rows(const TransferGroup& group) {
-  std::vector<const GroupRow*> rows = group.recorded();
+std::vector<const GroupRow*> shown_rows(const TransferGroup& group, Question question) {
+  std::vector<const GroupRow*> rows = group.recorded(question);
   if (group.bar() != nullptr) rows.push_back(group.bar());
   return rows;
 }
@@ -33,28 +33,33 @@ Cells shown_names(const TransferGroup& group, const GroupRow& row) {
   return {method_label(row.method), row.classifier};
 }
 
-Section mean_section(const TransferGroup& group, const std::vector<const GroupRow*>& rows) {
-  const bool kinds =
-      std::ranges::all_of(rows, [](const GroupRow* row) { return row->mean.kind.has_value(); });
-  Cells header{"method", "shown", "accuracy", "95 % interval"};
-  if (kinds) header.insert(header.end(), {"by kind", "95 % interval"});
-  text::Table table(header, 2);
-  for (const GroupRow* const row : rows) {
+/// The title and the key of a table, which is there once for each question.
+std::string titled(Question question, const std::string& title) {
+  return title + (question == Question::by_class ? "" : " by kind of defect") + ", percent";
+}
+std::string keyed(Question question, const std::string& key) {
+  return question == Question::by_class ? key : "kind-" + key;
+}
+
+std::string about_mean(Question question) {
+  if (question == Question::by_class) {
+    return "Shown: what WDCNN is given of each window, as it was chosen for the method on other "
+           "seeds, so that no number here is the best of several.";
+  }
+  return "A fault that is taken for another of the same kind of defect, such as one of another "
+         "size, counts as right. Shown: as above, but chosen for telling kinds.";
+}
+
+Section mean_section(const TransferGroup& group, Question question) {
+  text::Table table({"method", "shown", "accuracy", "95 % interval"}, 2);
+  for (const GroupRow* const row : shown_rows(group, question)) {
     Cells cells = shown_names(group, *row);
-    const auto add = [&](const scoring::Summary& summary) {
-      cells.insert(cells.end(), {mean_label(summary), interval_label(summary)});
-    };
-    add(row->mean.row.summary);
-    if (kinds) add(row->mean.kind->summary);
+    const scoring::Summary& summary = answers(row->mean, question).summary;
+    cells.insert(cells.end(), {mean_label(summary), interval_label(summary)});
     table.row(cells);
   }
-  return {"mean", "Mean over the data sets, percent",
-          std::string("Shown: what WDCNN is given of each window, as it was chosen for the method "
-                      "on other seeds, so that no number here is the best of several.") +
-              (kinds ? " By kind: a fault that is taken for another of the same kind of defect, "
-                       "such as one of another size, counts as right."
-                     : ""),
-          table};
+  return {keyed(question, "mean"), titled(question, "Mean over the data sets"),
+          about_mean(question), table};
 }
 
 Section difference_section(const TransferGroup& group) {
@@ -63,22 +68,25 @@ Section difference_section(const TransferGroup& group) {
           paired_table(group.differences)};
 }
 
-Section datasets_section(const TransferGroup& group, const std::vector<const GroupRow*>& rows) {
+Section datasets_section(const TransferGroup& group, Question question) {
   Cells header{"method", "shown"};
   header.insert(header.end(), group.datasets.begin(), group.datasets.end());
   text::Table table(header, 2);
-  for (const GroupRow* const row : rows) {
+  for (const GroupRow* const row : shown_rows(group, question)) {
     Cells cells = shown_names(group, *row);
-    for (const GroupCell& cell : row->datasets) cells.push_back(mean_label(cell.row.summary));
+    for (const GroupCell& cell : row->datasets) {
+      cells.push_back(mean_label(answers(cell, question).summary));
+    }
     table.row(cells);
   }
-  return {"datasets", "Each data set, percent", "", table};
+  return {keyed(question, "datasets"), titled(question, "Each data set"), "", table};
 }
 
-std::string input_label(const GroupRow& row) {
-  const std::string marks =
-      std::string(row.recorded ? mark_of_recorded : "") + std::string(row.best ? mark_of_best : "");
-  return number_label(row.mean.row.summary.mean) + (marks.empty() ? "" : " " + marks);
+std::string input_label(const GroupRow& row, Question question) {
+  const Marks& marks = row.marks(question);
+  const std::string text = std::string(marks.recorded ? mark_of_recorded : "") +
+                           std::string(marks.best ? mark_of_best : "");
+  return number_label(answers(row.mean, question).summary.mean) + (text.empty() ? "" : " " + text);
 }
 
 const GroupRow* group_row_of(const TransferGroup& group, const std::string& method,
@@ -90,12 +98,13 @@ const GroupRow* group_row_of(const TransferGroup& group, const std::string& meth
 }
 
 /// How far the recorded input of a method is below its best one in this run.
-std::string lost_label(const TransferGroup& group, const std::string& method) {
-  const std::vector<const GroupRow*> recorded = group.recorded();
+std::string lost_label(const TransferGroup& group, const std::string& method, Question question) {
+  const std::vector<const GroupRow*> recorded = group.recorded(question);
   const auto own = std::ranges::find(recorded, method, &GroupRow::method);
-  const GroupRow* const best = group.best_of(method);
+  const GroupRow* const best = group.best_of(method, question);
   if (own == recorded.end() || best == nullptr) return no_number;
-  return number_label(best->mean.row.summary.mean - (*own)->mean.row.summary.mean);
+  return number_label(answers(best->mean, question).summary.mean -
+                      answers((*own)->mean, question).summary.mean);
 }
 
 /// Classifiers of which there is a row.
@@ -118,15 +127,27 @@ Cells group_methods(const TransferGroup& group) {
 }
 
 /// The best inputs of this run as pipeline/protocol.toml records them.
-std::string best_inputs(const TransferGroup& group) {
+std::string best_inputs(const TransferGroup& group, Question question) {
   Cells words;
   for (const GroupRow& row : group.rows) {
-    if (row.best) words.push_back(fmt::format("\"{}={}\"", row.method, row.classifier));
+    if (row.marks(question).best)
+      words.push_back(fmt::format("\"{}={}\"", row.method, row.classifier));
   }
-  return fmt::format("inputs = [{}]", fmt::join(words, ", "));
+  return fmt::format("{}inputs = [{}]", question == Question::by_class ? "" : "kind-",
+                     fmt::join(words, ", "));
 }
 
-Section inputs_section(const TransferGroup& group) {
+std::string about_inputs(const TransferGroup& group, Question question) {
+  const std::string best = "The best here are: " + best_inputs(group, question);
+  if (question == Question::by_kind) return "As above. " + best;
+  return fmt::format(
+      "{} is the input that was chosen on other seeds, and that all other tables show; {} the best "
+      "of WDCNN's in this very run: what to record where these seeds are for choosing, and no "
+      "result where they are not. Lost: by how many points the first is below the second. {}",
+      mark_of_recorded, mark_of_best, best);
+}
+
+Section inputs_section(const TransferGroup& group, Question question) {
   const Cells classifiers = classifiers_of(group);
   Cells header{"method"};
   header.insert(header.end(), classifiers.begin(), classifiers.end());
@@ -136,18 +157,14 @@ Section inputs_section(const TransferGroup& group) {
     Cells cells{method_label(method)};
     for (const std::string& classifier : classifiers) {
       const GroupRow* const row = group_row_of(group, method, classifier);
-      cells.push_back(row == nullptr ? no_number : input_label(*row));
+      cells.push_back(row == nullptr ? no_number : input_label(*row, question));
     }
-    cells.push_back(lost_label(group, method));
+    cells.push_back(lost_label(group, method, question));
     table.row(cells);
   }
-  return {"inputs", "Each method by each input: mean over the data sets, percent",
-          fmt::format("{} is the input that was chosen on other seeds, and that all other tables "
-                      "show; {} the best of WDCNN's in this very run: what to record where these "
-                      "seeds are for choosing, and no result where they are not. Lost: by how many "
-                      "points the first is below the second. The best here are: {}",
-                      mark_of_recorded, mark_of_best, best_inputs(group)),
-          table};
+  return {keyed(question, "inputs"),
+          titled(question, "Each method by each input: mean over the data sets"),
+          about_inputs(group, question), table};
 }
 
 std::string about(const TransferGroup& group) {
@@ -175,6 +192,16 @@ std::string about_missing_choices(const TransferGroup& group) {
       group.choices.group, fmt::join(without, ", "));
 }
 
+void add_sections(const TransferGroup& group, Question question, Document& document) {
+  const bool shown = !shown_rows(group, question).empty();
+  if (shown) document.sections.push_back(mean_section(group, question));
+  if (question == Question::by_class && !group.differences.empty()) {
+    document.sections.push_back(difference_section(group));
+  }
+  if (shown) document.sections.push_back(datasets_section(group, question));
+  document.sections.push_back(inputs_section(group, question));
+}
+
 }  // namespace
 
 Document transfer_document(const TransferGroup& group) {
@@ -183,15 +210,12 @@ Document transfer_document(const TransferGroup& group) {
   document.paragraphs.push_back(about(group));
   const std::string missing = about_missing_choices(group);
   if (!missing.empty()) document.paragraphs.push_back(missing);
-  const std::vector<const GroupRow*> rows = shown_rows(group);
   if (group.own() == nullptr) {
     document.paragraphs.push_back(group.choices.against +
                                   " is not among these methods, so nothing is subtracted from it.");
   }
-  if (!rows.empty()) document.sections.push_back(mean_section(group, rows));
-  if (!group.differences.empty()) document.sections.push_back(difference_section(group));
-  if (!rows.empty()) document.sections.push_back(datasets_section(group, rows));
-  document.sections.push_back(inputs_section(group));
+  add_sections(group, Question::by_class, document);
+  if (group.tells_kinds()) add_sections(group, Question::by_kind, document);
   return document;
 }
 

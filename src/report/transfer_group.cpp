@@ -48,21 +48,34 @@ std::optional<GroupRow> group_row(const std::vector<DatasetRows>& datasets,
   return group;
 }
 
-bool is_recorded(const GroupChoices& choices, const GroupRow& row) {
-  return std::ranges::any_of(choices.inputs, [&](const InputChoice& choice) {
+bool is_among(const std::vector<InputChoice>& choices, const GroupRow& row) {
+  return std::ranges::any_of(choices, [&](const InputChoice& choice) {
     return choice.method == row.method && choice.classifier == row.classifier;
   });
 }
 
-/// Marks the best input of each method among those of trained classifiers; of equal ones the first.
-void mark_best(std::vector<GroupRow>& rows) {
+/// The best input of a method among those of trained classifiers; of equal ones the first.
+GroupRow* best_row(std::vector<GroupRow>& rows, const std::string& method, Question question) {
+  const auto mean = [&](const GroupRow& row) { return answers(row.mean, question).summary.mean; };
+  GroupRow* best = nullptr;
+  for (GroupRow& row : rows) {
+    if (row.method != method || !diagnosis::the_classifier(row.classifier).trains()) continue;
+    if (best == nullptr || mean(row) > mean(*best)) best = &row;
+  }
+  return best;
+}
+
+void mark(TransferGroup& group) {
+  for (GroupRow& row : group.rows) {
+    row.by_class.recorded = is_among(group.choices.inputs_for(Question::by_class), row);
+    row.by_kind.recorded = is_among(group.choices.inputs_for(Question::by_kind), row);
+  }
   for (const augment::CatalogueEntry& entry : augment::catalogue()) {
-    GroupRow* best = nullptr;
-    for (GroupRow& row : rows) {
-      if (row.method != entry.name || !diagnosis::the_classifier(row.classifier).trains()) continue;
-      if (best == nullptr || row.mean.row.summary.mean > best->mean.row.summary.mean) best = &row;
-    }
-    if (best != nullptr) best->best = true;
+    GroupRow* const best = best_row(group.rows, entry.name, Question::by_class);
+    if (best == nullptr) continue;
+    best->by_class.best = true;
+    if (group.tells_kinds())
+      best_row(group.rows, entry.name, Question::by_kind)->by_kind.best = true;
   }
 }
 
@@ -80,12 +93,24 @@ std::vector<PairedRow> differences_of(const TransferGroup& group) {
 
 }  // namespace
 
-std::vector<const GroupRow*> TransferGroup::recorded() const {
+const std::vector<InputChoice>& GroupChoices::inputs_for(Question question) const {
+  return question == Question::by_kind && !kind_inputs.empty() ? kind_inputs : inputs;
+}
+
+const AccuracyRow& answers(const GroupCell& cell, Question question) {
+  return question == Question::by_class ? cell.row : cell.kind.value();
+}
+
+std::vector<const GroupRow*> TransferGroup::recorded(Question question) const {
   std::vector<const GroupRow*> own;
   for (const GroupRow& row : rows) {
-    if (row.recorded) own.push_back(&row);
+    if (row.marks(question).recorded) own.push_back(&row);
   }
   return own;
+}
+
+bool TransferGroup::tells_kinds() const {
+  return std::ranges::all_of(rows, [](const GroupRow& row) { return row.mean.kind.has_value(); });
 }
 
 const GroupRow* TransferGroup::own() const {
@@ -108,9 +133,9 @@ const GroupRow* TransferGroup::bar() const {
   return found == rows.end() ? nullptr : &*found;
 }
 
-const GroupRow* TransferGroup::best_of(const std::string& method) const {
+const GroupRow* TransferGroup::best_of(const std::string& method, Question question) const {
   const auto found = std::ranges::find_if(
-      rows, [&](const GroupRow& row) { return row.method == method && row.best; });
+      rows, [&](const GroupRow& row) { return row.method == method && row.marks(question).best; });
   return found == rows.end() ? nullptr : &*found;
 }
 
@@ -143,11 +168,10 @@ TransferGroup transfer_group(GroupChoices choices, const std::vector<DatasetRows
     for (const diagnosis::Classifier& classifier : diagnosis::classifiers()) {
       auto row = group_row(datasets, entry.name, classifier.name);
       if (!row) continue;
-      row->recorded = is_recorded(group.choices, *row);
       group.rows.push_back(std::move(*row));
     }
   }
-  mark_best(group.rows);
+  mark(group);
   group.differences = differences_of(group);
   return group;
 }

@@ -22,23 +22,41 @@ struct GroupCell {
   std::optional<AccuracyRow> kind;
 };
 
+/// What an input is to its method.
+struct Marks {
+  bool recorded = false;  ///< the one that was chosen for the method before the run
+  bool best = false;      ///< the best of those of a trained classifier in this very run
+};
+
+/// What is asked of a window: its class, or its kind of defect, whatever the size.
+enum class Question { by_class, by_kind };
+
 /// One method by one classifier, on the datasets of a group.
 struct GroupRow {
   std::string method;
   std::string classifier;
   std::vector<GroupCell> datasets;  ///< in the order of the group
   GroupCell mean;                   ///< for each seed the mean over the datasets
-  /// Whether this input is the one that was recorded for the method, and whether it is the best of
-  /// those of a trained classifier in this very run.
-  bool recorded = false;
-  bool best = false;
+  Marks by_class = {};              ///< as an input for telling classes
+  Marks by_kind = {};               ///< as an input for telling kinds of defect
+
+  [[nodiscard]] const Marks& marks(Question question) const {
+    return question == Question::by_class ? by_class : by_kind;
+  }
 };
+
+/// The accuracies of a cell by class or by kind, which it must tell.
+const AccuracyRow& answers(const GroupCell& cell, Question question);
 
 /// What was chosen before the run.
 struct GroupChoices {
   std::string group;                     ///< "speeds"
   std::string against;                   ///< the method that all others are subtracted from
   std::vector<InputChoice> inputs = {};  ///< at most one for each method
+  /// The same for telling kinds of defect; empty where those of classes are taken.
+  std::vector<InputChoice> kind_inputs = {};
+
+  [[nodiscard]] const std::vector<InputChoice>& inputs_for(Question question) const;
 };
 
 /// What each method is worth where faults are known in other conditions than they are tested in.
@@ -53,7 +71,9 @@ struct TransferGroup {
   std::vector<PairedRow> differences = {};
 
   /// The rows by the inputs that are recorded: one for each method that has one.
-  [[nodiscard]] std::vector<const GroupRow*> recorded() const;
+  [[nodiscard]] std::vector<const GroupRow*> recorded(Question question = Question::by_class) const;
+  /// Whether every row tells kinds of defect.
+  [[nodiscard]] bool tells_kinds() const;
   /// That of `against`; null where it has none.
   [[nodiscard]] const GroupRow* own() const;
   /// Those of all other methods, and the bar.
@@ -61,7 +81,8 @@ struct TransferGroup {
   /// None by the bar's classifier; null where it is not there.
   [[nodiscard]] const GroupRow* bar() const;
   /// The best input of a method in this run; null where it has none of a trained classifier.
-  [[nodiscard]] const GroupRow* best_of(const std::string& method) const;
+  [[nodiscard]] const GroupRow* best_of(const std::string& method,
+                                        Question question = Question::by_class) const;
 };
 
 /// For each seed the mean over the rows, which are of one method and one classifier, each of

@@ -1,9 +1,12 @@
 #include "settings/groups.hpp"
 
 #include <spdlog/fmt/fmt.h>
+#include <spdlog/fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <set>
+#include <string_view>
 
 #include "augment/catalogue.hpp"
 #include "base/error.hpp"
@@ -14,6 +17,8 @@
 namespace piae::settings {
 
 namespace {
+
+constexpr std::array<std::string_view, 4> keys{"datasets", "against", "inputs", "kind-inputs"};
 
 /// A list that must be there, of words each of which stands there once.
 void require_list(const std::filesystem::path& file, const toml::table& group,
@@ -31,22 +36,23 @@ void require_list(const std::filesystem::path& file, const toml::table& group,
 }
 
 std::string method_of_input(const std::filesystem::path& file, const toml::node& node,
-                            const std::string& path) {
+                            const std::string& name) {
   try {
     return report::parse_input_choice(node.value_or<std::string>("")).method;
   } catch (const Error& error) {
-    refuse(file, node, path + ".inputs: " + error.what());
+    refuse(file, node, name + ": " + error.what());
   }
 }
 
 void require_inputs(const std::filesystem::path& file, const toml::table& group,
-                    const std::string& path) {
-  require_list(file, group, path, "inputs");
+                    const std::string& path, const std::string& key) {
+  require_list(file, group, path, key);
+  const std::string name = path + '.' + key;
   std::set<std::string> methods;
-  for (const toml::node& node : *group.get("inputs")->as_array()) {
-    const std::string method = method_of_input(file, node, path);
+  for (const toml::node& node : *group.get(key)->as_array()) {
+    const std::string method = method_of_input(file, node, name);
     if (!methods.insert(method).second) {
-      refuse(file, node, fmt::format("{}.inputs names an input of {} twice", path, method));
+      refuse(file, node, fmt::format("{} names an input of {} twice", name, method));
     }
   }
 }
@@ -65,9 +71,15 @@ void require_group(const std::filesystem::path& file, const std::string& path,
     if (node.is_table() || node.is_array_of_tables()) {
       refuse(file, node, "nothing reads the table [" + path + '.' + std::string(key.str()) + "]");
     }
+    if (std::ranges::find(keys, key.str()) == keys.end()) {
+      refuse(file, node,
+             fmt::format("nothing reads {}.{}; a group has {}", path, key.str(),
+                         fmt::join(keys, ", ")));
+    }
   }
   require_list(file, group, path, "datasets");
-  require_inputs(file, group, path);
+  require_inputs(file, group, path, "inputs");
+  if (group.contains("kind-inputs")) require_inputs(file, group, path, "kind-inputs");
   require_against(file, group, path);
 }
 

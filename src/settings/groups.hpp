@@ -17,8 +17,9 @@ struct Group {
 std::vector<Group> groups(const toml::table& protocol);
 
 /// Refuses, as read_protocol() does, what among the tables of [transfer] is no group: a table in
-/// it, a list that is missing, empty or names one twice, a method or a classifier that there is
-/// not, a method with two inputs, and a name that cannot be part of a file's.
+/// it, a key that nothing reads, a list that is missing, empty or names one twice, a method or a
+/// classifier that there is not, a method with two inputs, and a name that cannot be part of a
+/// file's.
 void require_groups(const std::filesystem::path& file, const toml::table& protocol);
 
 /// Throws Error(bad_input), with the line of protocol.toml, for a data set of a group of which

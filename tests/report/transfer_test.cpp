@@ -91,18 +91,18 @@ TEST(TransferGroup, ComparesAsWorkedByHand) {
 TEST(TransferGroup, TellsTheRecordedInputFromTheBestOfThisRun) {
   const TransferGroup group = transfer_group(choices, two_datasets());
   EXPECT_EQ(group.best_of("none")->classifier, "wdcnn-spectra");
-  EXPECT_FALSE(group.best_of("none")->recorded);
-  EXPECT_TRUE(group.best_of("shift")->recorded);
+  EXPECT_FALSE(group.best_of("none")->by_class.recorded);
+  EXPECT_TRUE(group.best_of("shift")->by_class.recorded);
   const std::string csv = transfer_csv(group);
   for (const std::string line :
        {"dataset,speed_ratio,method,role,classifier,recorded,best,ratio,seed,accuracy,",
-        "a,0.7500,none,method,wdcnn,1,0,100to1,0,80.0000,,,,,,,\n",
-        "mean,,none,method,wdcnn,1,0,100to1,mean,77.0000,1.5811,75.0368,78.9632,,,,\n",
-        "mean,,none,method,wdcnn-spectra,0,1,100to1,4,79.0000,,,,,,,\n",
-        "mean,,none,bar,nearest,0,0,100to1,1,82.0000,,,,,,,\n",
-        "mean,,vae,method,wdcnn,0,1,1to1,0,9.0000,,,,,,,\n",
-        "b,0.7500,strike-twin,against,wdcnn-spectra,1,1,1to1,1,90.0000,,,,,,,\n",
-        "mean,,oracle,ceiling,wdcnn,1,1,1to1,mean,100.0000,0.0000,100.0000,100.0000,,,,\n"}) {
+        "a,0.7500,none,method,wdcnn,1,0,100to1,0,80.0000,,,,,,,,1,0\n",
+        "mean,,none,method,wdcnn,1,0,100to1,mean,77.0000,1.5811,75.0368,78.9632,,,,,1,0\n",
+        "mean,,none,method,wdcnn-spectra,0,1,100to1,4,79.0000,,,,,,,,0,0\n",
+        "mean,,none,bar,nearest,0,0,100to1,1,82.0000,,,,,,,,0,0\n",
+        "mean,,vae,method,wdcnn,0,1,1to1,0,9.0000,,,,,,,,0,0\n",
+        "b,0.7500,strike-twin,against,wdcnn-spectra,1,1,1to1,1,90.0000,,,,,,,,1,0\n",
+        "mean,,oracle,ceiling,wdcnn,1,1,1to1,mean,100.0000,0.0000,100.0000,100.0000,,,,,1,0\n"}) {
     EXPECT_THAT(csv, HasSubstr(line));
   }
 }
@@ -130,7 +130,7 @@ TEST(TransferGroup, IsShownToPeople) {
   EXPECT_THAT(text, Not(HasSubstr("by kind")));
 }
 
-/// By kind 100 and 90 of every method on the two datasets: 95.
+/// By kind 100 and 90 of every method on the two datasets: 95, but of none by wdcnn 100.
 TEST(TransferGroup, HasTheKindOfDefectWhereAllDatasetsTellIt) {
   std::vector<DatasetRows> datasets = two_datasets();
   datasets[0].kinds = datasets[0].rows;
@@ -138,11 +138,30 @@ TEST(TransferGroup, HasTheKindOfDefectWhereAllDatasetsTellIt) {
   EXPECT_FALSE(transfer_group(choices, datasets).own()->mean.kind.has_value());
   datasets[1].kinds = datasets[1].rows;
   for (AccuracyRow& row : datasets[1].kinds) std::ranges::fill(row.values, 90);
+  std::ranges::fill(datasets[1].kinds.front().values, 100);
   const TransferGroup group = transfer_group(choices, datasets);
   EXPECT_EQ(group.own()->mean.kind->summary.mean, 95);
   EXPECT_THAT(transfer_csv(group),
-              HasSubstr("mean,,shift,method,wdcnn,1,1,1to1,0,81.0000,,,,95.0000,,,\n"));
-  EXPECT_THAT(markdown(transfer_document(group)), HasSubstr("95.00 ± 0.00 | [95.00, 95.00] |"));
+              HasSubstr("mean,,shift,method,wdcnn,1,1,1to1,0,81.0000,,,,95.0000,,,,1,1\n"));
+  const std::string text = markdown(transfer_document(group));
+  EXPECT_THAT(text, HasSubstr("## Mean over the data sets by kind of defect, percent\n"));
+  EXPECT_THAT(text, HasSubstr("95.00 ± 0.00 |   [95.00, 95.00] |"));
+  EXPECT_THAT(text,
+              HasSubstr("| none             | 100.00 ✓↑ |         95.00 |   95.00 | 0.00 |\n"));
+}
+
+TEST(TransferGroup, AnswersEachQuestionByItsOwnInput) {
+  std::vector<DatasetRows> datasets = two_datasets();
+  for (DatasetRows& each : datasets) each.kinds = each.rows;
+  GroupChoices both = choices;
+  both.kind_inputs = {{"none", "wdcnn-spectra"}, {"shift", "wdcnn"}};
+  const TransferGroup group = transfer_group(both, datasets);
+  EXPECT_EQ(group.recorded().front()->classifier, "wdcnn");
+  EXPECT_EQ(group.recorded(Question::by_kind).front()->classifier, "wdcnn-spectra");
+  EXPECT_EQ(group.recorded(Question::by_kind).size(), 2U);
+  EXPECT_THAT(
+      transfer_csv(group),
+      HasSubstr("a,0.7500,none,method,wdcnn-spectra,0,1,100to1,0,79.0000,,,,79.0000,,,,1,1\n"));
 }
 
 TEST(TransferGroup, WithoutItsMethodSubtractsNothing) {
@@ -205,8 +224,14 @@ class TransferOfARun : public StoredRun {
   [[nodiscard]] TransferGroup read() const { return read_transfer(run_, options_); }
 
   const std::filesystem::path run_ = folder_.path() / "run";
-  TransferOptions options_{"g",    {"one two"}, "smote", {"none=wdcnn smote=wdcnn"}, {"none smote"},
-                           "1to1", {"wdcnn"},   {"0 1"}};
+  TransferOptions options_{.group = "g",
+                           .datasets = {"one two"},
+                           .against = "smote",
+                           .inputs = {"none=wdcnn smote=wdcnn"},
+                           .methods = {"none smote"},
+                           .ratio = "1to1",
+                           .classifiers = {"wdcnn"},
+                           .seeds = {"0 1"}};
 };
 
 /// 16 and 18 of 20 are 80 and 90 percent.
@@ -239,6 +264,8 @@ TEST_F(TransferOfARun, RefusesOptionsThatCannotBe) {
   refused("--inputs: names an input of none twice");
   options_.inputs = {"none=wdcnn-spectra"};
   refused("--classifiers: must have wdcnn-spectra, which --inputs names for none");
+  options_.kind_inputs = {"none=wdcnn-spectra"};
+  refused("--classifiers: must have wdcnn-spectra, which --kind-inputs names for none");
   options_.inputs = {"none=cnn"};
   refused("'none=cnn' names no classifier that is trained");
   options_.classifiers = {"wdcnn cnn"};

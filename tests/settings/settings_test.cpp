@@ -297,7 +297,10 @@ TEST(Protocol, AGroupThatIsNoneIsRefusedWithItsLine) {
               HasSubstr("protocol.toml, line 2: transfer.a.datasets must be a list of words"));
   EXPECT_THAT(refusal("[\"x\"]", "[\"x\",\n\"x\"]"),
               HasSubstr("line 3: transfer.a.datasets holds 'x' twice"));
-  EXPECT_THAT(refusal("datasets", "data"), HasSubstr("line 1: [transfer.a] has no list datasets"));
+  EXPECT_THAT(refusal("datasets = [\"x\"]", ""),
+              HasSubstr("line 1: [transfer.a] has no list datasets"));
+  EXPECT_THAT(refusal("datasets", "data"),
+              HasSubstr("line 2: nothing reads transfer.a.data; a group has datasets, against, "));
   EXPECT_THAT(refusal("\"smote\"", "\"smoke\""),
               HasSubstr("line 3: transfer.a.against names no method: 'smoke'"));
   EXPECT_THAT(refusal("against = \"smote\"", ""),
@@ -312,6 +315,10 @@ TEST(Protocol, AGroupThatIsNoneIsRefusedWithItsLine) {
   EXPECT_THAT(refusal("none=wdcnn", "none=nearest"), HasSubstr("no classifier that is trained"));
   EXPECT_THAT(refusal("\"none=wdcnn\"", "\"none=wdcnn\",\n\"none=wdcnn-spectra\""),
               HasSubstr("line 5: transfer.a.inputs names an input of none twice"));
+  EXPECT_THAT(
+      Project(group_a + "kind-inputs = [\"none=wdcnn\",\n\"none=wdcnn-spectra\"]\n").refusal(),
+      HasSubstr("line 6: transfer.a.kind-inputs names an input of none twice"));
+  EXPECT_THAT(Project(group_a + "kind-inputs = [\"none=wdcnn\"]\n").refusal(), "not refused");
   EXPECT_THAT(refusal("[transfer.a]", "[transfer.\"a b\"]"), HasSubstr("line 1: the name of"));
   EXPECT_THAT(Project("[transfer]\nagainst = \"smote\"\n").refusal(),
               HasSubstr("line 2: transfer.against stands in no group of data sets"));
