@@ -97,11 +97,18 @@ before(i) = int(sum [j = 1:sets] (spot(j) < spot(i)))
 lower(i)  = crowded && before(i) % 2 == 1 ? "\n" : ""
 do for [i = 1:sets] { set xtics add ((by_speed ? sprintf("%.3g\n%s%s", ratios[i], lower(i), short(i)) : short(i)) spot(i)) }
 set key off
-plot for [m in ceilings] data using (of(m) && is_mean(9) ? plain(1) : NaN):10 smooth unique \
+# Lines join what has an order; else each data set has a line of its own.
+joined(names) = by_speed ? names : ""
+apart(names)  = by_speed ? "" : names
+plot for [m in joined(ceilings)] data using (of(m) && is_mean(9) ? plain(1) : NaN):10 smooth unique \
        with lines linewidth 1.6 dashtype 2 linecolor rgb ceiling_colour, \
-     for [m in bars] data using (of_bar(m) && is_mean(9) ? plain(1) : NaN):10 smooth unique \
+     for [m in joined(bars)] data using (of_bar(m) && is_mean(9) ? plain(1) : NaN):10 smooth unique \
        with lines linewidth 1.6 dashtype 3 linecolor rgb 0x333333, \
-     for [m in (by_speed ? methods : "")] data using (of(m) && is_mean(9) ? at(m) : NaN):10 smooth unique \
+     for [m in apart(ceilings)] data using (of(m) && is_mean(9) ? plain(1) - 0.45 : NaN):10:(0.9):(0) \
+       with vectors nohead linewidth 1.6 dashtype 2 linecolor rgb ceiling_colour, \
+     for [m in apart(bars)] data using (of_bar(m) && is_mean(9) ? plain(1) - 0.45 : NaN):10:(0.9):(0) \
+       with vectors nohead linewidth 1.6 dashtype 3 linecolor rgb 0x333333, \
+     for [m in joined(methods)] data using (of(m) && is_mean(9) ? at(m) : NaN):10 smooth unique \
        with lines linewidth 0.7 linecolor rgb faint(place(m, methods)), \
      for [m in methods] data using (of(m) && !is_mean(9) ? at(m) + 0.35 * pitch(nearest_gap) : NaN):10 \
        with points pointtype 7 pointsize 0.25 linecolor rgb dots(place(m, methods)), \

@@ -7,6 +7,7 @@
 
 #include "augment/catalogue.hpp"
 #include "report/classifier_rows.hpp"
+#include "report/condition_notes.hpp"
 #include "report/verdict.hpp"
 #include "run/held.hpp"
 
@@ -179,6 +180,8 @@ DatasetContents read_dataset(const fs::path& run, const run::Grid& asked,
                            .results = std::move(collected.results)};
   contents.rows = report::accuracy_rows(contents.grid, contents.results, published);
   contents.verdict = report::verdict(contents.results, contents.rows);
+  const std::string conditions = report::conditions_note(contents.results);
+  if (!conditions.empty()) contents.verdict.insert(contents.verdict.begin(), conditions);
   CellReader cells(run, contents);
   for (const run::Diagnosis& cell : contents.results.diagnoses) cells.diagnosis(cell);
   for (const scoring::QualityRecord& cell : contents.results.qualities) cells.score(cell);

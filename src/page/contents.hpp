@@ -56,7 +56,7 @@ struct DatasetContents {
   std::vector<CellFile> scores = {};
   std::vector<Hole> holes = {};
   std::vector<report::AccuracyRow> rows = {};    ///< accuracies, percent, by any classifier
-  std::vector<std::string> verdict = {};         ///< sentences
+  std::vector<std::string> verdict = {};         ///< sentences; first its conditions
   std::vector<MethodConfusion> confusions = {};  ///< with the most generated windows, by method
   std::string records_digest = {};               ///< empty where there are no records
   std::string records_problem = {};              ///< why they cannot be read; empty where they can

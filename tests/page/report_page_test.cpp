@@ -68,6 +68,16 @@ TEST_F(ReportPage, ShowsTheMeanOfEachCellBesideWhatIsPublished) {
                               "<span class=\"theirs\">paper 61.80</span>"));
 }
 
+TEST_F(ReportPage, SaysFirstWhereFaultsAreKnownAndTested) {
+  scoring::DiagnosisRecord record = diagnosis("none", "100to1", 0, 0, 12);
+  record.info.conditions = {{"1200 rpm", 1200, true, false, true},
+                            {"900 rpm", 900, false, true, true}};
+  add(record);
+  const std::string sentence = "Faults are known at 1200 rpm, and tested at 900 rpm.";
+  EXPECT_THAT(page(), HasSubstr("<p class=\"verdict\">" + sentence + "</p>"));
+  EXPECT_THAT(text(), HasSubstr(sentence));
+}
+
 TEST_F(ReportPage, ShowsGainsWithASignBesideTheColour) {
   add_all();
   // 85 - 60 and 95 - 65 points; published 91.2 - 61.8.
