@@ -1,6 +1,6 @@
 # What each method is worth where faults are known in one condition and tested in another: the mean over a group
-# of such data sets, each method with the input of WDCNN that was chosen for it on other seeds. The groups and the
-# choices stand in [transfer.GROUP] of pipeline/protocol.toml.
+# of such data sets, each method with the input of WDCNN that was chosen for it on other seeds: one for telling classes
+# and one for telling kinds of defect. The groups and the choices stand in [transfer.GROUP] of pipeline/protocol.toml.
 #
 #   <dataset>/seed*/.../diagnosis.h5 -> transfer@<group>.csv, .md -> .svg, .pdf; transfer-comparisons@<group>.csv
 #

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <set>
 #include <utility>
 
 #include "base/error.hpp"
@@ -32,6 +33,21 @@ std::vector<InputChoice> parse_inputs(const std::string& option,
     choices.push_back(choice);
   }
   return choices;
+}
+
+/// A method that one question has an input for and the other has not would stand in half of the
+/// tables.
+void require_same_methods(const GroupChoices& choices) {
+  const auto methods_of = [](const std::vector<InputChoice>& inputs) {
+    std::set<std::string> methods;
+    for (const InputChoice& input : inputs) methods.insert(input.method);
+    return methods;
+  };
+  if (choices.kind_inputs.empty()) return;
+  if (methods_of(choices.kind_inputs) == methods_of(choices.inputs)) return;
+  throw Error(Exit::usage,
+              "--kind-inputs: must name an input of each method that --inputs names "
+              "one of, and of no other");
 }
 
 /// The names of all ratios that cells are read of: 100to1 for `none`, and the one asked for.
@@ -124,6 +140,7 @@ TransferGroup read_transfer(const std::filesystem::path& run, const TransferOpti
       .against = options.against,
       .inputs = parse_inputs("--inputs", options.inputs, options),
       .kind_inputs = parse_inputs("--kind-inputs", options.kind_inputs, options)};
+  require_same_methods(choices);
   run::GridOptions asked{.methods = run::split_list("--methods", options.methods),
                          .ratios = ratios_with(options.ratio),
                          .seeds = options.seeds,

@@ -41,13 +41,16 @@ std::string keyed(Question question, const std::string& key) {
   return question == Question::by_class ? key : "kind-" + key;
 }
 
-std::string about_mean(Question question) {
+std::string about_mean(const TransferGroup& group, Question question) {
   if (question == Question::by_class) {
     return "Shown: what WDCNN is given of each window, as it was chosen for the method on other "
            "seeds, so that no number here is the best of several.";
   }
-  return "A fault that is taken for another of the same kind of defect, such as one of another "
-         "size, counts as right. Shown: as above, but chosen for telling kinds.";
+  return std::string(
+             "A fault that is taken for another of the same kind of defect, such as one of "
+             "another size, counts as right. Shown: ") +
+         (group.choices.kind_inputs.empty() ? "as above."
+                                            : "as above, but chosen for telling kinds.");
 }
 
 Section mean_section(const TransferGroup& group, Question question) {
@@ -59,7 +62,7 @@ Section mean_section(const TransferGroup& group, Question question) {
     table.row(cells);
   }
   return {keyed(question, "mean"), titled(question, "Mean over the data sets"),
-          about_mean(question), table};
+          about_mean(group, question), table};
 }
 
 Section difference_section(const TransferGroup& group) {
@@ -130,8 +133,8 @@ Cells group_methods(const TransferGroup& group) {
 std::string best_inputs(const TransferGroup& group, Question question) {
   Cells words;
   for (const GroupRow& row : group.rows) {
-    if (row.marks(question).best)
-      words.push_back(fmt::format("\"{}={}\"", row.method, row.classifier));
+    if (!row.marks(question).best) continue;
+    words.push_back(fmt::format("\"{}={}\"", row.method, row.classifier));
   }
   return fmt::format("{}inputs = [{}]", question == Question::by_class ? "" : "kind-",
                      fmt::join(words, ", "));

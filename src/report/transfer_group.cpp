@@ -74,8 +74,8 @@ void mark(TransferGroup& group) {
     GroupRow* const best = best_row(group.rows, entry.name, Question::by_class);
     if (best == nullptr) continue;
     best->by_class.best = true;
-    if (group.tells_kinds())
-      best_row(group.rows, entry.name, Question::by_kind)->by_kind.best = true;
+    if (!group.tells_kinds()) continue;
+    best_row(group.rows, entry.name, Question::by_kind)->by_kind.best = true;
   }
 }
 

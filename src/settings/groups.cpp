@@ -44,8 +44,9 @@ std::string method_of_input(const std::filesystem::path& file, const toml::node&
   }
 }
 
-void require_inputs(const std::filesystem::path& file, const toml::table& group,
-                    const std::string& path, const std::string& key) {
+/// The methods that have an input.
+std::set<std::string> require_inputs(const std::filesystem::path& file, const toml::table& group,
+                                     const std::string& path, const std::string& key) {
   require_list(file, group, path, key);
   const std::string name = path + '.' + key;
   std::set<std::string> methods;
@@ -55,6 +56,18 @@ void require_inputs(const std::filesystem::path& file, const toml::table& group,
       refuse(file, node, fmt::format("{} names an input of {} twice", name, method));
     }
   }
+  return methods;
+}
+
+/// The inputs for telling classes and, where there are such, those for telling kinds, which must be
+/// of the same methods.
+void require_both_inputs(const std::filesystem::path& file, const toml::table& group,
+                         const std::string& path) {
+  const std::set<std::string> methods = require_inputs(file, group, path, "inputs");
+  const toml::node* kinds = group.get("kind-inputs");
+  if (kinds == nullptr || require_inputs(file, group, path, "kind-inputs") == methods) return;
+  refuse(file, *kinds,
+         path + ".kind-inputs must name an input of each method of inputs, and of no other");
 }
 
 void require_against(const std::filesystem::path& file, const toml::table& group,
@@ -78,8 +91,7 @@ void require_group(const std::filesystem::path& file, const std::string& path,
     }
   }
   require_list(file, group, path, "datasets");
-  require_inputs(file, group, path, "inputs");
-  if (group.contains("kind-inputs")) require_inputs(file, group, path, "kind-inputs");
+  require_both_inputs(file, group, path);
   require_against(file, group, path);
 }
 

@@ -1,5 +1,6 @@
 #include "transfer/bearings.hpp"
 
+#include <algorithm>
 #include <limits>
 #include <map>
 #include <tuple>
@@ -48,7 +49,12 @@ std::vector<KnownBearing> bearings_of(const signal::WindowSet& known) {
   return bearings;
 }
 
-bool tests_other_bearings(const signal::WindowSet& known) { return !known.defect_size_mm.empty(); }
+bool tests_other_bearings(const signal::WindowSet& known) {
+  return !known.defect_size_mm.empty() &&
+         std::ranges::any_of(known.info.conditions, [](const auto& condition) {
+           return condition.test && !condition.known;
+         });
+}
 
 Eigen::ArrayXd log_amplitude(const signal::WindowSet& known, const KnownBearing& bearing) {
   const Eigen::ArrayXd power =

@@ -20,7 +20,7 @@ struct KnownBearing {
 std::vector<KnownBearing> bearings_of(const signal::WindowSet& known);
 
 /// Whether bearings are tested that are not known: where the records of a class hold several sizes,
-/// each is of a bearing of its own, and the tested size is not known.
+/// each is of a bearing of its own, and a condition in which none is known has others.
 bool tests_other_bearings(const signal::WindowSet& known);
 
 /// The logarithm (natural) of the amplitude of a bearing's windows, at the bins 0 .. length of a

@@ -159,10 +159,10 @@ Carried Carrier::put_together(const Journey& journey, Stream& random) const {
   const double part = struck.isZero(0) ? 1 : random.uniform(0, 1) * options_.background;
   const ArrayXd made =
       std::sqrt(1 - part) * struck + std::sqrt(part) * background(journey, answers, drawn, random);
-  std::vector<double> places(strikes.size());
-  std::ranges::transform(strikes, places.begin(),
-                         [&](const Strike& strike) { return (strike.time_s - half_s) * rate_hz; });
-  return as_loud_as_known(journey.known, {made.begin(), made.end()}, places);
+  StruckWindow window{.samples = {made.begin(), made.end()}, .strikes = {}};
+  window.strikes.reserve(strikes.size());
+  for (const Strike& strike : strikes) window.strikes.push_back((strike.time_s - half_s) * rate_hz);
+  return as_loud_as_known(journey.known, std::move(window));
 }
 
 Carried Carrier::cut_and_set(const Journey& journey, Stream& random) const {
@@ -182,39 +182,35 @@ Carried Carrier::cut_and_set(const Journey& journey, Stream& random) const {
   // A window in which no response is whole has no rhythm that could be changed.
   if (options_.rhythm == Set::known || responses.empty()) {
     const Turning turning = turning_of(samples, combs_[journey.known]);
-    StruckWindow window = turned(turning, turning, known_.length, random);
-    return as_loud_as_known(journey.known, std::move(window.samples), window.strikes);
+    return as_loud_as_known(journey.known, turned(turning, turning, known_.length, random));
   }
-  StruckWindow window = struck(responses, drawn.rhythm.period_s * known_.info.sample_rate_hz,
-                               options_.jitter, known_.length, random);
-  return as_loud_as_known(journey.known, std::move(window.samples), window.strikes);
+  return as_loud_as_known(journey.known,
+                          struck(responses, drawn.rhythm.period_s * known_.info.sample_rate_hz,
+                                 options_.jitter, known_.length, random));
 }
 
 Carried Carrier::turn(std::size_t known, Stream& random) const {
   const std::vector<std::size_t>& alike = of_bearing_[known];
   const std::size_t other = alike[random.below(alike.size())];
-  StruckWindow window =
+  const StruckWindow window =
       turned(turning_of(samples_of_window(known_, known), combs_[known]),
              turning_of(samples_of_window(known_, other), combs_[other]), known_.length, random);
-  return as_loud_as_known(known, std::move(window.samples), window.strikes);
+  return carried(window);
 }
 
-Carried Carrier::as_loud_as_known(std::size_t known, std::vector<double> samples,
-                                  const std::vector<double>& strikes) const {
+Carried Carrier::as_loud_as_known(std::size_t known, StruckWindow window) const {
   const auto length = static_cast<Index>(known_.length);
-  samples.resize(known_.length);
-  Eigen::Map<ArrayXd> made(samples.data(), length);
-  const auto window = known_.window(known);
-  const ArrayXd before = Eigen::Map<const Eigen::ArrayXf>(window.data(), length).cast<double>();
+  window.samples.resize(known_.length);
+  Eigen::Map<ArrayXd> made(window.samples.data(), length);
+  const auto loud = known_.window(known);
+  const ArrayXd before = Eigen::Map<const Eigen::ArrayXf>(loud.data(), length).cast<double>();
   made *= std::sqrt(before.square().mean() / made.square().mean());
-  Carried carried{.samples = {samples.begin(), samples.end()}, .strikes_s = {}};
-  const double end_s = static_cast<double>(known_.length) / known_.info.sample_rate_hz;
-  for (const double strike : strikes) {
-    // In seconds, since the last sample but a rounding error is the end there.
-    const double strike_s = strike / known_.info.sample_rate_hz;
-    if (strike_s >= 0 && strike_s < end_s) carried.strikes_s.push_back(strike_s);
-  }
-  return carried;
+  return carried(window);
+}
+
+Carried Carrier::carried(const StruckWindow& window) const {
+  return {.samples = {window.samples.begin(), window.samples.end()},
+          .strikes_s = times_within(window.strikes, known_.length, known_.info.sample_rate_hz)};
 }
 
 Carried Carrier::carry(const Journey& journey, Stream& random) const {

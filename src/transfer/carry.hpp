@@ -10,6 +10,7 @@
 #include "transfer/journey.hpp"
 #include "transfer/options.hpp"
 #include "transfer/path.hpp"
+#include "transfer/rhythm.hpp"
 #include "transfer/strike_train.hpp"
 #include "transfer/structure.hpp"
 
@@ -35,8 +36,8 @@ struct Carried {
 /// Where defects of the tested condition have sizes that are not known, one is drawn, uniform in
 /// its logarithm, between the smallest known of the class and the largest, and some way beyond.
 /// Where nothing moves, since the known bearing is tested at the known speed, the known window is
-/// turned round, and at a random moment goes on in another one of its bearing, in the same rhythm
-/// (turning.hpp): there is nothing that could be better known.
+/// turned round, and at a random moment goes on in one of its bearing, in the same rhythm and as
+/// loud as it is (turning.hpp): there is nothing that could be better known.
 class Carrier {
  public:
   /// `edges` are those of each known window. Both must outlive this. `healthy` is for
@@ -71,8 +72,8 @@ class Carrier {
   [[nodiscard]] Carried put_together(const Journey& journey, Stream& random) const;
   [[nodiscard]] Carried cut_and_set(const Journey& journey, Stream& random) const;
   [[nodiscard]] Carried turn(std::size_t known, Stream& random) const;
-  [[nodiscard]] Carried as_loud_as_known(std::size_t known, std::vector<double> samples,
-                                         const std::vector<double>& strikes) const;
+  [[nodiscard]] Carried as_loud_as_known(std::size_t known, StruckWindow window) const;
+  [[nodiscard]] Carried carried(const StruckWindow& window) const;
 
   const signal::WindowSet& known_;
   const std::vector<Edges>& edges_;

@@ -29,4 +29,15 @@ std::vector<Strike> draw_strikes(Stream& random, const Rhythm& rhythm,
   return strikes;
 }
 
+std::vector<double> times_within(std::span<const double> strikes, std::size_t length,
+                                 double rate_hz) {
+  const double end_s = static_cast<double>(length) / rate_hz;
+  std::vector<double> times_s;
+  for (const double strike : strikes) {
+    const double time_s = strike / rate_hz;
+    if (time_s >= 0 && time_s < end_s) times_s.push_back(time_s);
+  }
+  return times_s;
+}
+
 }  // namespace piae::transfer

@@ -24,4 +24,9 @@ std::size_t most_strikes(const Rhythm& rhythm, double frame_s);
 std::vector<Strike> draw_strikes(Stream& random, const Rhythm& rhythm,
                                  std::span<const double> strengths, double frame_s);
 
+/// The times in s of those strikes that lie within a window of `length` samples. All are below the
+/// time at which it ends, of which the last sample may be a rounding error away.
+std::vector<double> times_within(std::span<const double> strikes, std::size_t length,
+                                 double rate_hz);
+
 }  // namespace piae::transfer

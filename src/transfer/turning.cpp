@@ -13,30 +13,55 @@ signal::Waveform<double> waveform(const Turning& turning) {
   return {.samples = turning.samples, .cycle = turning.cycle};
 }
 
-/// Appends the strikes of a window's samples `from` to `to`, of which the first is sample `at` of
-/// the cycle.
-void append_strikes(std::vector<double>& strikes, const Turning& turning, std::size_t at,
-                    std::size_t from, std::size_t to) {
-  if (!turning.is_struck) return;
-  const double period = turning.cycle.period();
-  const double since = std::fmod(static_cast<double>(at % turning.cycle.samples), period);
-  double next = static_cast<double>(from) + (since > 0 ? period - since : 0);
-  while (next < static_cast<double>(to)) {
-    strikes.push_back(next);
-    next += period;
+/// The first sample of the stretch of `length` samples that has the most power.
+std::size_t loudest_stretch(std::span<const double> window, std::size_t length) {
+  double power = 0;
+  for (std::size_t i = 0; i < length; ++i) power += window[i] * window[i];
+  double most = power;
+  std::size_t loudest = 0;
+  for (std::size_t i = length; i < window.size(); ++i) {
+    power += window[i] * window[i] - window[i - length] * window[i - length];
+    if (power <= most) continue;
+    most = power;
+    loudest = i + 1 - length;
   }
+  return loudest;
+}
+
+/// The strikes of a window that passes so through two rhythms. The part of the period goes on at
+/// the change, so none is there twice and none is missing.
+std::vector<double> strikes_of(const signal::Passage& passage, double first_period,
+                               double second_period, std::size_t length) {
+  std::vector<double> strikes;
+  const auto change = static_cast<double>(passage.change);
+  const double since = std::fmod(static_cast<double>(passage.start), first_period);
+  double next = since > 0 ? first_period - since : 0;
+  while (next < change) {
+    strikes.push_back(next);
+    next += first_period;
+  }
+  next = change + (next - change) / first_period * second_period;
+  while (next < static_cast<double>(length)) {
+    strikes.push_back(next);
+    next += second_period;
+  }
+  return strikes;
 }
 
 }  // namespace
 
 Turning turning_of(std::span<const double> window, const Comb& comb) {
   const signal::Cycle whole{.samples = window.size(), .strikes = 1, .blend = 0};
-  Turning turning;
-  turning.cycle = signal::cycle_of(comb.period, window.size()).value_or(whole);
-  turning.samples = signal::closed_cycle(window, turning.cycle);
-  turning.is_struck = comb.first < static_cast<double>(window.size());
-  const auto first = static_cast<std::size_t>(std::lround(comb.first)) % turning.cycle.samples;
-  std::rotate(turning.samples.begin(), turning.samples.begin() + static_cast<std::ptrdiff_t>(first),
+  const auto cycle = signal::cycle_of(comb.period, window.size());
+  Turning turning{.samples = {}, .cycle = cycle.value_or(whole), .has_rhythm = cycle.has_value()};
+  const std::size_t begin = loudest_stretch(window, turning.cycle.samples + turning.cycle.blend);
+  turning.samples = signal::closed_cycle(window.subspan(begin), turning.cycle);
+  const double period = turning.cycle.period();
+  const double first = comb.first - static_cast<double>(begin);
+  const double to_first_strike = first - std::floor(first / period) * period;
+  const auto ahead = static_cast<std::size_t>(std::lround(to_first_strike));
+  std::rotate(turning.samples.begin(),
+              turning.samples.begin() + static_cast<std::ptrdiff_t>(ahead % turning.cycle.samples),
               turning.samples.end());
   return turning;
 }
@@ -46,10 +71,9 @@ StruckWindow turned(const Turning& first, const Turning& second, std::size_t len
   const signal::Passage passage = signal::draw_passage(first.cycle, length, random);
   StruckWindow window;
   window.samples = signal::splice(waveform(first), waveform(second), passage, length);
-  append_strikes(window.strikes, first, passage.start, 0, passage.change);
-  append_strikes(window.strikes, second,
-                 signal::sample_after_change(first.cycle, second.cycle, passage), passage.change,
-                 length);
+  if (first.has_rhythm && second.has_rhythm) {
+    window.strikes = strikes_of(passage, first.cycle.period(), second.cycle.period(), length);
+  }
   return window;
 }
 

@@ -154,11 +154,16 @@ TEST(TransferGroup, AnswersEachQuestionByItsOwnInput) {
   std::vector<DatasetRows> datasets = two_datasets();
   for (DatasetRows& each : datasets) each.kinds = each.rows;
   GroupChoices both = choices;
-  both.kind_inputs = {{"none", "wdcnn-spectra"}, {"shift", "wdcnn"}};
+  both.kind_inputs = choices.inputs;
+  both.kind_inputs.front().classifier = "wdcnn-spectra";
   const TransferGroup group = transfer_group(both, datasets);
   EXPECT_EQ(group.recorded().front()->classifier, "wdcnn");
   EXPECT_EQ(group.recorded(Question::by_kind).front()->classifier, "wdcnn-spectra");
-  EXPECT_EQ(group.recorded(Question::by_kind).size(), 2U);
+  const std::string text = markdown(transfer_document(group));
+  EXPECT_THAT(text, HasSubstr("| none             | wdcnn-spectra |  79.00 ± 0.00 |"));
+  EXPECT_THAT(text, HasSubstr("but chosen for telling kinds."));
+  EXPECT_THAT(markdown(transfer_document(transfer_group(choices, datasets))),
+              HasSubstr("Shown: as above."));
   EXPECT_THAT(
       transfer_csv(group),
       HasSubstr("a,0.7500,none,method,wdcnn-spectra,0,1,100to1,0,79.0000,,,,79.0000,,,,1,1\n"));
@@ -264,6 +269,8 @@ TEST_F(TransferOfARun, RefusesOptionsThatCannotBe) {
   refused("--inputs: names an input of none twice");
   options_.inputs = {"none=wdcnn-spectra"};
   refused("--classifiers: must have wdcnn-spectra, which --inputs names for none");
+  options_.kind_inputs = {"none=wdcnn"};
+  refused("--kind-inputs: must name an input of each method that --inputs names one of");
   options_.kind_inputs = {"none=wdcnn-spectra"};
   refused("--classifiers: must have wdcnn-spectra, which --kind-inputs names for none");
   options_.inputs = {"none=cnn"};

@@ -318,7 +318,11 @@ TEST(Protocol, AGroupThatIsNoneIsRefusedWithItsLine) {
   EXPECT_THAT(
       Project(group_a + "kind-inputs = [\"none=wdcnn\",\n\"none=wdcnn-spectra\"]\n").refusal(),
       HasSubstr("line 6: transfer.a.kind-inputs names an input of none twice"));
-  EXPECT_THAT(Project(group_a + "kind-inputs = [\"none=wdcnn\"]\n").refusal(), "not refused");
+  EXPECT_THAT(
+      Project(group_a + "kind-inputs = [\"vae=wdcnn\"]\n").refusal(),
+      HasSubstr("line 5: transfer.a.kind-inputs must name an input of each method of inputs"));
+  EXPECT_THAT(Project(group_a + "kind-inputs = [\"none=wdcnn-spectra\"]\n").refusal(),
+              "not refused");
   EXPECT_THAT(refusal("[transfer.a]", "[transfer.\"a b\"]"), HasSubstr("line 1: the name of"));
   EXPECT_THAT(Project("[transfer]\nagainst = \"smote\"\n").refusal(),
               HasSubstr("line 2: transfer.against stands in no group of data sets"));

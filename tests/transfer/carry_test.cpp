@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <set>
 
 #include "scoring/spectrum.hpp"
 #include "support/errors.hpp"
@@ -171,42 +173,41 @@ TEST(Carrier, TakesNoStrengthsOfOneBearingForAnother) {
   EXPECT_EQ(carried(as_known, known, 1, 0), carried(in_load_zone, known, 1, 0));
 }
 
+/// IR8 is known at both speeds, three windows and two, each with a mean of its own. At 1200 rpm
+/// those of 1200 rpm alone are joined, as they are.
 TEST(Carrier, JoinsKnownWindowsOfABearingWhereNothingMoves) {
   signal::WindowSet known = one_machine();
-  known.info.conditions[1].shaft_speed_rpm = 1200;
+  known.info.conditions[1].known = true;
+  known.info.conditions[1].shaft_speed_rpm = 600;
+  known.info.conditions.push_back(
+      {.name = "again", .shaft_speed_rpm = 1200, .known = false, .test = true, .healthy = true});
+  known.info.conditions[1].test = false;
+  for (std::size_t i = 5; i < 10; ++i) {
+    for (std::size_t t = 0; t < 1024; ++t) {
+      known.samples[1024 * i + t] += 1000 * static_cast<float>(i);
+    }
+    if (i < 8) continue;
+    known.condition[i] = 1;
+    known.shaft_speed_rpm[i] = 600;
+  }
   const std::vector<Edges> edges = true_edges(known);
   CarryOptions options;
   options.equaliser.spread_db = 20;  // would be seen at once
   const Carrier carrier(known, edges, options);
-  scoring::Windows own(5, 1024);
-  for (Eigen::Index i = 0; i < 5; ++i) {
-    own.row(i) = Eigen::Map<const Eigen::RowVectorXf>(
-                     known.window(static_cast<std::size_t>(5 + i)).data(), 1024)
-                     .cast<double>();
+  std::size_t joined = 0;
+  for (std::size_t i = 0; i < 60; ++i) {
+    const Journey journey = journey_of(known, 2, i);
+    if (journey.speed_ratio() != 1) continue;
+    Stream random("joined " + std::to_string(i));
+    std::set<long> sources;
+    for (const float x : carrier.carry(journey, random).samples)
+      sources.insert(std::lround(x / 1000));
+    EXPECT_TRUE(sources.contains(static_cast<long>(journey.known)));
+    EXPECT_LE(sources.size(), 2U);
+    EXPECT_LT(*sources.rbegin(), 8);
+    joined += sources.size() == 2;
   }
-  const Eigen::ArrayXd bearing = liftered(scoring::mean_power_spectrum(own).log() / 2, 20);
-  for (std::size_t i = 0; i < 10; ++i) {
-    const std::vector<double> window = carried(carrier, known, 2, i);
-    const scoring::Windows row = Eigen::Map<const Eigen::RowVectorXd>(window.data(), 1024);
-    const Eigen::ArrayXd made = liftered(scoring::mean_power_spectrum(row).log() / 2, 20);
-    EXPECT_LT(std::sqrt((made - bearing).square().mean()), 0.5) << i;
-    EXPECT_NE(window, carried(carrier, known, 2, i + 5));  // of the same known window
-  }
-}
-
-// Where the reader of windows counts in seconds, as it does, and not in samples.
-TEST(Carrier, IsStruckWithinTheWindow) {
-  signal::WindowSet known = one_machine();
-  known.info.conditions[1].shaft_speed_rpm = 1811;
-  known.shaft_speed_rpm.assign(known.size(), 1811);  // with periods that no binary number is
-  const std::vector<Edges> edges = true_edges(known);
-  const Carrier carrier(known, edges, {});
-  for (std::size_t i = 0; i < 4000; ++i) {
-    Stream random("within " + std::to_string(i));
-    const Carried made = carrier.carry(journey_of(known, static_cast<Label>(1 + i % 4), i), random);
-    ASSERT_TRUE(std::ranges::is_sorted(made.strikes_s));
-    ASSERT_LT(made.strikes_s.back(), 1024.0 / known.info.sample_rate_hz) << i;
-  }
+  EXPECT_GT(joined, 10U);  // of 36, of which 24 on average go on in another window
 }
 
 TEST(Carrier, NeedsHealthyWindowsOfTheTestedConditionForTheirBackground) {

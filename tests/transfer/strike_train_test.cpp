@@ -34,6 +34,16 @@ TEST(StrikeTrain, StrikesHaveTheStrengthsInTheirOrder) {
   for (std::size_t i = 0; i < 20; ++i) EXPECT_EQ(strikes[i].strength, 1.0 + static_cast<double>(i));
 }
 
+TEST(StrikeTrain, TimesLieWithinTheWindowInSeconds) {
+  const std::vector<double> strikes{-0.5, 0, 512, std::nextafter(1024.0, 0.0), 1024, 1030};
+  const std::vector<double> times_s = times_within(strikes, 1024, 12000);
+  // The fourth is a strike within the window, and its time is the end of it.
+  ASSERT_EQ(strikes[3] / 12000, 1024 / 12000.0);
+  ASSERT_EQ(times_s.size(), 2U);
+  EXPECT_EQ(times_s[0], 0);
+  EXPECT_EQ(times_s[1], 512 / 12000.0);
+}
+
 TEST(StrikeTrain, LagsAndStepsSpreadAsTheyShould) {
   Stream random("spread");
   const Rhythm rhythm{
