@@ -18,6 +18,12 @@ $(if $(transfer_groups),,$(error make transfer: DATASETS must have all of a grou
 transfer_ratio := $(lastword $(filter-out $(nothing_generated),$(filter $(RATIOS),$(call fact,ratio))))
 $(if $(transfer_ratio),,$(error make transfer: RATIOS must have others than $(nothing_generated), at which nothing is generated))
 
+# Before hours of cells: a table needs each method by the inputs that are recorded for it.
+transfer_inputs = $(foreach method,$(METHODS),$(patsubst $(method)=%,%,$(filter $(method)=%,$(call in_group,input,$1))))
+transfer_lacks  = $(sort $(filter-out $(CLASSIFIERS),$(call transfer_inputs,$1)))
+$(foreach group,$(transfer_groups),$(if $(call transfer_lacks,$(group)),$(error make transfer: CLASSIFIERS must have \
+  $(call transfer_lacks,$(group)), which [transfer.$(group)] of pipeline/protocol.toml names for these METHODS)))
+
 settings_names += $(transfer_groups:%=transfer.%)
 transfer_choice := --methods $(METHODS) --ratio $(transfer_ratio) --classifiers $(CLASSIFIERS) --seeds $(SEEDS)
 $(foreach group,$(transfer_groups),$(eval options.transfer.$(group) := $(transfer_choice)))

@@ -109,6 +109,11 @@ void add_groups(const toml::table& protocol, std::vector<std::string>& words) {
       words.push_back("group-method:" + group.name + '/' +
                       report::parse_input_choice(input).method);
     }
+    for (const auto& inputs : {group.inputs, group.kind_inputs}) {
+      for (const std::string& input : inputs) {
+        words.push_back("group-input:" + group.name + '/' + input);
+      }
+    }
   }
 }
 

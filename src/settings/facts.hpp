@@ -31,6 +31,7 @@ namespace piae::settings {
 ///     group:speeds           a group of data sets that `make transfer` averages over
 ///     group-dataset:speeds/NAME  a data set of it, which need not be there
 ///     group-method:speeds/none   a method of which an input is recorded
+///     group-input:speeds/none=wdcnn-spectra  each input of it, for whichever question
 ///
 /// `pipeline` is the folder with protocol.toml and datasets/. Throws as read_protocol does.
 std::vector<std::string> facts(const std::filesystem::path& pipeline);

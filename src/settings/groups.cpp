@@ -119,7 +119,8 @@ std::vector<Group> groups(const toml::table& protocol) {
     const toml::table& table = *node.as_table();
     groups.push_back({.name = std::string(key.str()),
                       .datasets = words_in(table, "datasets"),
-                      .inputs = words_in(table, "inputs")});
+                      .inputs = words_in(table, "inputs"),
+                      .kind_inputs = words_in(table, "kind-inputs")});
   }
   return groups;
 }

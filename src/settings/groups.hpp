@@ -13,6 +13,7 @@ struct Group {
   std::string name;                   ///< "speeds"
   std::vector<std::string> datasets;  ///< not all of which need be there, see require_datasets()
   std::vector<std::string> inputs;    ///< "none=wdcnn-spectrum" (report/input_choice.hpp)
+  std::vector<std::string> kind_inputs = {};  ///< the same for telling kinds; may be empty
 };
 std::vector<Group> groups(const toml::table& protocol);
 

@@ -61,6 +61,17 @@ test_is_of_the_groups_whose_data_sets_are_all_asked_for() {
   expect_line "$(transfer RATIOS=100to1 2>&1)" 'RATIOS must have others than 100to1'
 }
 
+test_classifiers_without_a_recorded_input_are_refused_before_any_cell() {
+  describe
+  expect_line "$(transfer CLASSIFIERS="wdcnn nearest" 2>&1)" \
+    'make transfer: CLASSIFIERS must have wdcnn-spectra, which \[transfer.first\] of pipeline/protocol.toml names'
+  expect_exit 2 transfer CLASSIFIERS="wdcnn nearest"
+  expect_equal "$(ran)" ""
+  transfer CLASSIFIERS="wdcnn nearest" METHODS=smote >/dev/null
+  sed -i '/^inputs = \["smote=wdcnn"\]/a kind-inputs = ["smote=wdcnn-envelope"]' pipeline/protocol.toml
+  expect_line "$(transfer DATASETS=c CLASSIFIERS=wdcnn 2>&1)" "must have wdcnn-envelope, which"
+}
+
 test_another_choice_makes_the_table_again_and_no_cell() {
   describe
   transfer >/dev/null

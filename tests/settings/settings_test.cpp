@@ -431,7 +431,8 @@ TEST(Facts, NameWhatThereIs) {
                                  "reading-base:batches=mixed",
                                  "group:speeds",
                                  "group-dataset:speeds/hit-sm-1200to900",
-                                 "group-method:sizes/strike-twin"}) {
+                                 "group-method:sizes/strike-twin",
+                                 "group-input:sizes/strike-twin=wdcnn-spectra"}) {
     EXPECT_THAT(all, Contains(fact));
   }
   for (const std::string fact :
