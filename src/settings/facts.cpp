@@ -85,7 +85,8 @@ void add_sweeps(const toml::table& protocol, std::vector<std::string>& words) {
     words.push_back("swept:" + sweep.method);
     words.push_back("sweep-classifier:" + sweep.method + ':' + sweep.classifier);
     const auto add = [&](const std::string& kind, const std::vector<std::string>& points) {
-      for (const std::string& point : points) words.push_back(kind + sweep.method + ':' + point);
+      const std::string of_method = kind + sweep.method + ':';
+      for (const std::string& point : points) words.push_back(of_method + point);
     };
     add("sweep-point:", sweep.points);
     add("sweep-centre:", sweep.centre);
@@ -109,11 +110,9 @@ void add_groups(const toml::table& protocol, std::vector<std::string>& words) {
       words.push_back("group-method:" + group.name + '/' +
                       report::parse_input_choice(input).method);
     }
-    for (const auto& inputs : {group.inputs, group.kind_inputs}) {
-      for (const std::string& input : inputs) {
-        words.push_back("group-input:" + group.name + '/' + input);
-      }
-    }
+    const std::string input_of = "group-input:" + group.name + '/';
+    for (const std::string& input : group.inputs) words.push_back(input_of + input);
+    for (const std::string& input : group.kind_inputs) words.push_back(input_of + input);
   }
 }
 
