@@ -23,6 +23,15 @@ std::vector<Edges> true_edges(const signal::WindowSet& known) {
   return edges;
 }
 
+/// The same machine, of which other bearings are tested than are known.
+signal::WindowSet other_bearings_tested() {
+  signal::WindowSet known = one_machine();
+  for (std::size_t i = 0; i < known.size(); ++i) {
+    known.defect_size_mm.push_back(known.info.class_of(known.labels[i]).defect_size_mm);
+  }
+  return known;
+}
+
 std::vector<double> carried(const Carrier& carrier, const signal::WindowSet& known, Label label,
                             std::size_t index) {
   Stream random("carried " + std::to_string(index));
@@ -160,10 +169,7 @@ TEST(Carrier, StrikesAsStrongAsTheKnownWindowDoes) {
 }
 
 TEST(Carrier, TakesNoStrengthsOfOneBearingForAnother) {
-  signal::WindowSet known = one_machine();
-  for (std::size_t i = 0; i < known.size(); ++i) {
-    known.defect_size_mm.push_back(known.info.class_of(known.labels[i]).defect_size_mm);
-  }
+  const signal::WindowSet known = other_bearings_tested();
   const std::vector<Edges> edges = true_edges(known);
   CarryOptions options;
   options.strengths.from = Strengths::known;
@@ -255,10 +261,7 @@ TEST(Carrier, KnowsTheRingOfABearing) {
 
 // A draw between equal bounds must end, too.
 TEST(Carrier, KnowsTheSizeOfAnotherBearingWhereAllKnownOnesAgree) {
-  signal::WindowSet known = one_machine();
-  for (std::size_t i = 0; i < known.size(); ++i) {
-    known.defect_size_mm.push_back(known.info.class_of(known.labels[i]).defect_size_mm);
-  }
+  const signal::WindowSet known = other_bearings_tested();
   const std::vector<Edges> edges = true_edges(known);
   CarryOptions options;
   options.size_factor = 1;
