@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "page/links.hpp"
-#include "page/words.hpp"
+#include "report/labels.hpp"
 
 namespace piae::page {
 
@@ -98,7 +98,7 @@ Html list_of_reasons(const std::vector<FigureContents>& figures, bool left_out) 
   }
   Html items;
   for (const auto& [reason, names] : names_by_reason) {
-    items += element("li", element("b", reason) + ": " + in_words(names));
+    items += element("li", element("b", reason) + ": " + report::listed(names));
   }
   return items.empty() ? Html() : element("ul", items);
 }

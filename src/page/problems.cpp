@@ -152,8 +152,8 @@ std::vector<HoleGroup> groups_of(const std::vector<DatasetContents>& datasets) {
 std::string cells_label(const HoleGroup& group) {
   std::vector<std::string> ratios;
   for (const std::string& ratio : group.ratios) ratios.push_back(report::short_ratio_label(ratio));
-  std::string text = in_words(group.methods);
-  if (!ratios.empty()) text += "; " + in_words(ratios);
+  std::string text = report::listed(group.methods);
+  if (!ratios.empty()) text += "; " + report::listed(ratios);
   return text + "; seed" + (group.seeds.size() == 1 ? " " : "s ") + ranges_label(group.seeds);
 }
 
@@ -173,7 +173,7 @@ std::string completeness(const std::vector<DatasetContents>& datasets) {
     if (count > 0) states.push_back(fmt::format("{} {}", count, word_of(state)));
   }
   return fmt::format("{} of {} cells {} missing: {}.", missing, missing + diagnoses + scores,
-                     missing == 1 ? "is" : "are", in_words(states));
+                     missing == 1 ? "is" : "are", report::listed(states));
 }
 
 Html problems_html(const std::vector<DatasetContents>& datasets) {

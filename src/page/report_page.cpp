@@ -156,7 +156,7 @@ ReportContents without_attachments(ReportContents contents) {
 std::string names_of(const Datasets& datasets) {
   std::vector<std::string> names;
   for (const DatasetContents& dataset : datasets) names.push_back(dataset.name);
-  return in_words(names);
+  return report::listed(names);
 }
 
 std::vector<std::pair<std::string, std::string>> facts_of(const Datasets& datasets) {
@@ -175,15 +175,15 @@ std::vector<std::pair<std::string, std::string>> facts_of(const Datasets& datase
       {"What",
        "A classifier (WDCNN) learns from healthy windows, a few known windows of each fault, and "
        "windows that a method has generated from these. Its accuracy is that on test windows."},
-      {counted(methods.size(), "method"), in_words(methods)},
-      {"Ratios", in_words(ratio_labels(datasets))},
+      {counted(methods.size(), "method"), report::listed(methods)},
+      {"Ratios", report::listed(ratio_labels(datasets))},
       {"Seeds", ranges_label(seeds)},
-      {"Split", protocols.empty() ? "not known yet" : in_words(protocols)},
+      {"Split", protocols.empty() ? "not known yet" : report::listed(protocols)},
       {"Cells", counted_cells(diagnoses, scores)}};
   const auto classifiers = all_of<std::string>(datasets, classifiers_in_grid);
   if (classifiers.size() > 1) {
     facts.insert(facts.begin() + 2,
-                 {counted(classifiers.size(), "classifier"), in_words(classifiers)});
+                 {counted(classifiers.size(), "classifier"), report::listed(classifiers)});
   }
   return facts;
 }

@@ -6,9 +6,6 @@
 
 namespace piae::page {
 
-/// "a", "a and b", "a, b and c".
-std::string in_words(const std::vector<std::string>& words);
-
 /// "1 cell", "2 cells". The plural of the word is made by an s.
 std::string counted(std::size_t count, const std::string& word);
 
