@@ -103,11 +103,10 @@ int main(int argc, char** argv) {
     method->train(windows, stream, run.compute, checkpoint, model);
     stage.save(model, model_file);
     artefact::remove_file(checkpoint.path);
-    const std::string source =
-        windows.size() > 0
-            ? fmt::format("{} windows of {} fault classes", windows.size(),
-                          windows.info.classes.size() - 1)
-            : std::string("no fault window");
+    const std::string source = windows.size() > 0
+                                   ? fmt::format("{} windows of {} fault classes", windows.size(),
+                                                 windows.info.classes.size() - 1)
+                                   : std::string("no fault window");
     std::cout << fmt::format("trained {} on {}: {}\n", name, source, model_file.string());
   });
 }

@@ -54,8 +54,7 @@ TEST(Grid, OptionsTakeSeveralValuesAfterOneFlag) {
   EXPECT_EQ(options.seeds, (Strings{"0", "1", "2"}));
 }
 
-const augment::CatalogueEntry none{
-    .name = "none", .kind = augment::Kind::baseline, .what = ""};
+const augment::CatalogueEntry none{.name = "none", .kind = augment::Kind::baseline, .what = ""};
 const augment::CatalogueEntry learns{
     .name = "learns", .kind = augment::Kind::published, .what = ""};
 const augment::CatalogueEntry invents{
@@ -88,9 +87,8 @@ TEST(Grid, WhereNothingIsKnownOthersNeedWindowsFromAMethodThatNeedsNone) {
 
 TEST(Grid, WhereNothingIsKnownThereIsNeitherNoneNorTheBar) {
   GridOptions options{"rig", {"none smote oracle"}, {"100to1 10to1"}, {"0"}, {"wdcnn nearest"}};
-  EXPECT_THAT(cells(resolve(options)),
-              ElementsAre("none 100to1", "smote 10to1", "oracle 10to1", "none 100to1",
-                          "smote 10to1", "oracle 10to1"));
+  EXPECT_THAT(cells(resolve(options)), ElementsAre("none 100to1", "smote 10to1", "oracle 10to1",
+                                                   "none 100to1", "smote 10to1", "oracle 10to1"));
   options.nothing_known = {"another", "rig"};
   const Grid grid = resolve(options);
   EXPECT_THAT(cells(grid), ElementsAre("oracle 10to1", "oracle 10to1"));

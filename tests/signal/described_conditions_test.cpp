@@ -147,8 +147,9 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"# end", "[split]\nwindows = 3", "split.windows is unknown; known keys are window"},
         Refused{"# end", "[split]\nwindow = 0", "split.window must be from 1"},
         Refused{"# end", "[split]\nknown-per-class = -1", "split.known-per-class must be from 0"},
-        Refused{"# end", "[split]\nknown-per-class = 0",
-                "split.known-per-class is 0, so no fault is known in any condition, but [transfer]"},
+        Refused{
+            "# end", "[split]\nknown-per-class = 0",
+            "split.known-per-class is 0, so no fault is known in any condition, but [transfer]"},
         Refused{"# end", "[split]\nwindow = \"long\"", "split.window must be a whole number"}));
 
 TEST(DescribedConditions, NoFaultNeedBeKnownInAny) {

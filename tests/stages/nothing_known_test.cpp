@@ -10,9 +10,9 @@ namespace piae::stages {
 namespace {
 
 const Arguments train_of_nothing{"--method", "oracle", "--known", "C.h5",     "--real",
-                       "D.h5",     "--seed", "0",       "--output", "oracle.h5"};
+                                 "D.h5",     "--seed", "0",       "--output", "oracle.h5"};
 const Arguments generate_of_nothing{"--model", "oracle.h5", "--count",  "25",
-                         "--seed",  "0",         "--output", "oracle_E.h5"};
+                                    "--seed",  "0",         "--output", "oracle_E.h5"};
 const std::string no_window = "C.h5: holds no known fault window (known-per-class = 0), and ";
 
 /// The step, with the windows of oracle in the place of others.
@@ -53,9 +53,8 @@ TEST_F(NothingKnown, IsSaidOfASplitWhoseArtefactsAreWhole) {
       run_well("split", with(with(step_of("split").arguments, "--known-per-class", "0"),
                              "--windows-per-class", "35"));
   EXPECT_NE(outcome.out.find("split: A 30 B 25 C 0 D 50 windows"), std::string::npos);
-  EXPECT_NE(
-      outcome.out.find("\nno fault window is known (known-per-class = 0): C.h5 holds none\n"),
-      std::string::npos)
+  EXPECT_NE(outcome.out.find("\nno fault window is known (known-per-class = 0): C.h5 holds none\n"),
+            std::string::npos)
       << outcome.out;
   run_well("verify", {"A.h5", "B.h5", "C.h5", "D.h5"});
   expect_refusal(tiny_.run("split", with(step_of("split").arguments, "--test-per-class", "0")),
@@ -94,9 +93,10 @@ TEST_F(NothingKnown, WithoutAnyFaultWindowClassifiersAreRefused) {
 TEST_F(NothingKnown, IsSaidInTheTables) {
   make_windows();
   run_well("diagnose", of_oracle("diagnose", "run/tiny/seed0/oracle/50to1/diagnosis.h5"));
-  Arguments tabulate{"--run",   "run",     "--dataset", "tiny", "--methods", "none,oracle",
-                     "--ratios", "100to1,50to1", "--seeds", "0", "--published",
-                     std::string(PIAE_SOURCE) + "/results/published"};
+  Arguments tabulate{"--run",    "run",          "--dataset",
+                     "tiny",     "--methods",    "none,oracle",
+                     "--ratios", "100to1,50to1", "--seeds",
+                     "0",        "--published",  std::string(PIAE_SOURCE) + "/results/published"};
   EXPECT_EQ(tiny_.run("tabulate", tabulate).status, 66);  // none by wdcnn
   run_well("tabulate", with(tabulate, "--nothing-known", "tiny"));
   for (const std::string file : {"tables.md", "summary.txt"}) {
@@ -106,9 +106,10 @@ TEST_F(NothingKnown, IsSaidInTheTables) {
   }
   run_well("figures", {"--run", "run", "--dataset", "tiny", "--published",
                        std::string(PIAE_SOURCE) + "/results/published"});
-  run_well("report", {"--run", "run", "--published", std::string(PIAE_SOURCE) + "/results/published",
-                      "--style", std::string(PIAE_SOURCE) + "/pipeline/report", "--pipeline",
-                      std::string(PIAE_SOURCE) + "/pipeline"});
+  run_well("report",
+           {"--run", "run", "--published", std::string(PIAE_SOURCE) + "/results/published",
+            "--style", std::string(PIAE_SOURCE) + "/pipeline/report", "--pipeline",
+            std::string(PIAE_SOURCE) + "/pipeline"});
   EXPECT_NE(bytes_of(tiny_ / "run/report.md").find("No fault window was known."),
             std::string::npos);
 }
