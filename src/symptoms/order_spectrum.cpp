@@ -22,6 +22,9 @@ using Eigen::Index;
 constexpr Index padding = 2;
 constexpr double floor_orders = 1.6;
 constexpr Index least_floor_bins = 9;
+// Above its width a band has no envelope but what rounding leaves at the bins, and leakage between
+// them. A floor of at least this part of the mean power keeps that from looking like lines.
+constexpr double least_floor = 1e-4;
 constexpr double least_ratio = 1e-3;  // a silent place is far below the floor, not infinitely far
 
 /// The number at a place between two of an array, on the straight line between them; beyond the end
@@ -49,10 +52,11 @@ Eigen::ArrayXd above_floor(const Eigen::ArrayXd& power, Index floor_bins) {
   const Eigen::ArrayXd unpadded = Eigen::Map<const Eigen::ArrayXd, 0, Eigen::InnerStride<>>(
       power.data(), coarse, Eigen::InnerStride<>(padding));
   const Eigen::ArrayXd floor = running_median(unpadded, floor_bins) / std::numbers::ln2;
+  const double least = least_floor * power.mean() + std::numeric_limits<double>::min();
   Eigen::ArrayXd heights(power.size());
   for (Index i = 0; i < heights.size(); ++i) {
-    const double here = between(floor, static_cast<double>(i) / padding);
-    heights[i] = std::log10(power[i] / (here + std::numeric_limits<double>::min()) + least_ratio);
+    const double here = std::max(between(floor, static_cast<double>(i) / padding), least);
+    heights[i] = std::log10(power[i] / here + least_ratio);
   }
   return heights;
 }

@@ -30,7 +30,9 @@ struct OrderSpectrum {
 /// of some turns is too short for. The power of noise has an exponential distribution, whose median
 /// is its mean times ln 2; so the floor is the running median / ln 2, over 1.6 orders or nine bins,
 /// whichever is more. Noise alone has R about -0.25 everywhere, the mean of the logarithm of such a
-/// distribution. A line is 1 for ten times the floor.
+/// distribution. A line is 1 for ten times the floor. Above the width of
+/// a band, 1200 Hz or what half the sample rate leaves of it, is no line: of a fast shaft the
+/// higher harmonics are low, of healthy and faulty windows alike.
 OrderSpectrum order_spectrum(const Eigen::RowVectorXd& window, double rate_hz, double shaft_hz,
                              double last);
 
