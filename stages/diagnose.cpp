@@ -48,14 +48,21 @@ scoring::DiagnosisRecord make_record(const diagnosis::Inputs& inputs, const std:
   return record;
 }
 
+/// What a classifier made of how many windows.
+std::string basis_of(const diagnosis::Classifier& classifier, const diagnosis::Inputs& inputs,
+                     std::size_t training_windows) {
+  if (classifier.rule) return fmt::format("against {} healthy ones", inputs.normal.size());
+  return fmt::format("{} {}", classifier.trains() ? "after training on" : "by the nearest of",
+                     training_windows);
+}
+
 /// What was done, and how well: the last line of the stage.
-std::string said_of(const scoring::DiagnosisRecord& record, std::size_t training_windows,
+std::string said_of(const scoring::DiagnosisRecord& record, const std::string& basis,
                     std::optional<double> rate) {
   const std::string by =
       record.classifier == scoring::paper_classifier ? "" : fmt::format(", {}", record.classifier);
-  return fmt::format("diagnosed {} windows {} {} ({} {}{}, seed {}): accuracy {:.2f} %{}",
-                     record.labels.size(), rate ? "after training on" : "by the nearest of",
-                     training_windows, record.method, record.ratio, by, record.seed,
+  return fmt::format("diagnosed {} windows {} ({} {}{}, seed {}): accuracy {:.2f} %{}",
+                     record.labels.size(), basis, record.method, record.ratio, by, record.seed,
                      100 * record.accuracy(),
                      rate ? fmt::format(", {:.0f} windows/s in training", *rate) : "");
 }
@@ -75,7 +82,9 @@ int main(int argc, char** argv) {
       "each fault class, the first windows of E that the ratio asks for; then tries it on the test "
       "windows A. Every window, or spectrum of one, is freed of its mean and scaled to unit "
       "standard deviation. The model of the last epoch is used, never one chosen on A. The "
-      "classifier nearest is not trained: it names the class of the nearest of these windows.",
+      "classifier nearest is not trained: it names the class of the nearest of these windows. "
+      "envelope-rule and exclusion-rule compare fault lines, and spectra, with those of B alone. "
+      "symptom-net is trained on what both measure, with settings of its own.",
       "diagnose --test A.h5 --normal B.h5 --known C.h5 --generated E.h5 --ratio 10to1 "
       "--seed 0 --output diagnosis.h5");
   diagnosis::WdcnnOptions options;
@@ -125,7 +134,7 @@ int main(int argc, char** argv) {
                                            classifier_name, scoring::all_ratios().front().name));
     }
     const diagnosis::MakeWdcnnBackend make_backend =
-        classifier.trains() ? choose_backend(run.compute, argv) : nullptr;
+        classifier.represent != nullptr ? choose_backend(run.compute, argv) : nullptr;
     const scoring::Ratio& ratio = scoring::find_ratio(ratio_name);
     std::optional<artefact::Reader> generated;
     const artefact::Reader test = stage.open("test", test_file, "windows");
@@ -144,9 +153,10 @@ int main(int argc, char** argv) {
 
     const Stream stream(
         fmt::format("{}/seed{}/diagnose/{}", training.info.name, run.seed, ratio.name));
-    cli::Progress progress("diagnose", "epochs", static_cast<std::size_t>(options.epochs));
+    const std::int64_t epochs = diagnosis::epochs_of(classifier, options);
+    cli::Progress progress("diagnose", "epochs", static_cast<std::size_t>(epochs));
     const diagnosis::WdcnnResult result = diagnosis::classify(
-        classifier, training, inputs.test, options, stream, make_backend,
+        classifier, inputs.normal, training, inputs.test, options, stream, make_backend,
         [&](std::int64_t done, double loss) {
           progress.update(static_cast<std::size_t>(done), fmt::format("loss {:.3g}", loss));
         });
@@ -155,13 +165,15 @@ int main(int argc, char** argv) {
         make_record(inputs, classifier_name, ratio, run.seed, result, keep_features);
     std::optional<double> rate;
     if (classifier.trains()) {
-      rate = static_cast<double>(options.epochs) * static_cast<double>(training.size()) /
+      rate = static_cast<double>(epochs) * static_cast<double>(training.size()) /
              result.training_seconds;
     }
     if (!reproducible) record.train_windows_per_second = rate;
     artefact::Writer writer("diagnosis");
     scoring::write(writer, record);
     stage.save(writer, output);
-    std::cout << fmt::format("{}: {}\n", said_of(record, training.size(), rate), output.string());
+    std::cout << fmt::format("{}: {}\n",
+                             said_of(record, basis_of(classifier, inputs, training.size()), rate),
+                             output.string());
   });
 }

@@ -1,14 +1,39 @@
 #include "diagnosis/catalogue.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "base/error.hpp"
+#include "diagnosis/line_rules.hpp"
+#include "diagnosis/nearest.hpp"
 #include "diagnosis/spectral_inputs.hpp"
+#include "diagnosis/symptom_net.hpp"
 #include "scoring/diagnosis_record.hpp"
 
 namespace piae::diagnosis {
 
 namespace {
+
+using signal::WindowSet;
+
+WdcnnResult ask_nearest(const WindowSet& /*normal*/, const WindowSet& training,
+                        const WindowSet& test, const Stream& /*stream*/,
+                        const EpochDone& /*epoch_done*/) {
+  WdcnnResult result;
+  result.predictions = classify_by_nearest(training, test);
+  result.outputs.scores = scores_of_named(result.predictions, test.info.classes.size());
+  return result;
+}
+
+template <Rule rule>
+WdcnnResult ask_rule(const WindowSet& normal, const WindowSet& /*training*/, const WindowSet& test,
+                     const Stream& /*stream*/, const EpochDone& /*epoch_done*/) {
+  RuleAnswer answer = classify_by_rule(normal, test, rule);
+  WdcnnResult result;
+  result.predictions = std::move(answer.predictions);
+  result.outputs.scores = std::move(answer.scores);
+  return result;
+}
 
 constexpr Classifier known_classifiers[] = {
     {.name = scoring::paper_classifier,
@@ -29,7 +54,23 @@ constexpr Classifier known_classifiers[] = {
      .represent = both_log_spectra},
     {.name = bar_classifier,
      .what = "the nearest known or generated window, without any training",
-     .input = "the log power in 128 bands"},
+     .input = "the log power in 128 bands",
+     .ask = ask_nearest},
+    {.name = "envelope-rule",
+     .what = "fault lines against healthy windows, without any training",
+     .input = "the envelope spectrum over orders of the shaft",
+     .rule = true,
+     .ask = ask_rule<Rule::envelope>},
+    {.name = "exclusion-rule",
+     .what = "the same; and a change without a line is a ball",
+     .input = "the envelope spectrum over orders of the shaft and the log power in 48 bands",
+     .rule = true,
+     .ask = ask_rule<Rule::exclusion>},
+    {.name = "symptom-net",
+     .what = "a small network on symptoms",
+     .input = "17 symptoms: fault lines, kurtosis, rise of bands, novelty",
+     .ask = train_and_test_symptoms,
+     .own_epochs = SymptomTraining::epochs},
 };
 
 }  // namespace

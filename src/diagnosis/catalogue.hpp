@@ -1,10 +1,12 @@
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "diagnosis/standardise.hpp"
+#include "diagnosis/wdcnn.hpp"
 #include "signal/window_set.hpp"
 
 namespace piae::diagnosis {
@@ -14,14 +16,20 @@ struct Classifier {
   const char* name;   ///< the name in CLASSIFIERS, in folders and in tables
   const char* what;   ///< what it is, in one phrase
   const char* input;  ///< what it is shown of a window
-  /// Windows as WDCNN sees them, in which `what` names the set in errors; null for the one that is
-  /// not trained (diagnosis/nearest.hpp).
+  /// Windows as WDCNN sees them, in which `what` names the set in errors; null for what is no
+  /// WDCNN, which has `ask` instead.
   LabelledWindows (*represent)(const signal::WindowSet& windows, const std::string& what) = nullptr;
   /// Learns from healthy windows alone: it needs no fault window, known or generated, and is run
   /// with `none` only.
   bool rule = false;
+  /// What any other says of the test windows. `normal` is B, and `training` all that there is to
+  /// learn from, B first. Of one that is not trained there are predictions and scores alone.
+  WdcnnResult (*ask)(const signal::WindowSet& normal, const signal::WindowSet& training,
+                     const signal::WindowSet& test, const Stream& stream,
+                     const EpochDone& epoch_done) = nullptr;
+  std::int64_t own_epochs = 0;  ///< of what is trained and is no WDCNN
 
-  [[nodiscard]] bool trains() const { return represent != nullptr; }
+  [[nodiscard]] bool trains() const { return represent != nullptr || own_epochs > 0; }
 };
 
 /// All classifiers in the order of the tables, the paper's first (scoring/diagnosis_record.hpp).

@@ -13,9 +13,9 @@
 namespace piae::diagnosis {
 namespace {
 
-TEST(Classifiers, AreThePapersFirstAndTheNearestNeighbourLast) {
+TEST(Classifiers, AreThePapersFirstAndTheBarAmongThem) {
   EXPECT_STREQ(classifiers().front().name, scoring::paper_classifier);
-  EXPECT_STREQ(classifiers().back().name, bar_classifier);
+  EXPECT_NE(find_classifier(bar_classifier), nullptr);
 }
 
 // Names are folders beside those of ratios, words of make, and lines of tables.
@@ -30,9 +30,17 @@ TEST(Classifiers, HaveNamesOfTheirOwnAndSayWhatTheyAre) {
   }
 }
 
-TEST(Classifiers, OnlyTheNearestNeighbourIsNotTrained) {
+TEST(Classifiers, AreTrainedButForTheNearestNeighbourAndTheRules) {
   for (const Classifier& each : classifiers()) {
-    EXPECT_EQ(each.trains(), std::string(each.name) != bar_classifier) << each.name;
+    const bool is_rule = std::string(each.name).ends_with("-rule");
+    EXPECT_EQ(each.rule, is_rule) << each.name;
+    EXPECT_EQ(each.trains(), std::string(each.name) != bar_classifier && !is_rule) << each.name;
+  }
+}
+
+TEST(Classifiers, EachAreAskedInOneWay) {
+  for (const Classifier& each : classifiers()) {
+    EXPECT_NE(each.represent == nullptr, each.ask == nullptr) << each.name;
   }
 }
 
@@ -43,7 +51,7 @@ TEST(Classifiers, AreFoundByName) {
   EXPECT_STREQ(the_classifier("nearest").name, "nearest");
   EXPECT_ERROR(the_classifier("svm"), Exit::usage,
                "unknown classifier 'svm'; known are wdcnn, wdcnn-spectrum, wdcnn-envelope, "
-               "wdcnn-spectra, nearest");
+               "wdcnn-spectra, nearest, envelope-rule, exclusion-rule, symptom-net");
 }
 
 }  // namespace

@@ -25,10 +25,11 @@ signal::WindowSet recorded_tones(std::size_t per_class, const std::string& strea
 class Classify : public testing::Test {
  protected:
   [[nodiscard]] WdcnnResult by(const std::string& name) const {
-    return classify(the_classifier(name), training_, test_, {.epochs = 3}, Stream("toy"),
+    return classify(the_classifier(name), normal_, training_, test_, {.epochs = 3}, Stream("toy"),
                     make_one_core_backend);
   }
 
+  const signal::WindowSet normal_ = empty_set(1024);  // of which these know nothing
   const signal::WindowSet training_ = recorded_tones(10, "training");
   const signal::WindowSet test_ = recorded_tones(5, "test");
 };
@@ -49,11 +50,18 @@ TEST_F(Classify, AnotherHasRandomNumbersOfItsOwn) {
 
 TEST_F(Classify, TheNearestNeighbourIsAskedWithoutATraining) {
   const WdcnnResult result =
-      classify(the_classifier("nearest"), training_, test_, {}, Stream("toy"), nullptr);
+      classify(the_classifier("nearest"), normal_, training_, test_, {}, Stream("toy"), nullptr);
   EXPECT_EQ(result.predictions, test_.labels);
   EXPECT_EQ(result.outputs.scores, scores_of_named(test_.labels, 3));
   EXPECT_TRUE(result.loss.empty());
   EXPECT_EQ(result.training_seconds, 0);
+}
+
+TEST_F(Classify, OnlyWdcnnHasTheEpochsOfTheOptions) {
+  EXPECT_EQ(epochs_of(the_classifier("wdcnn-envelope"), {.epochs = 3}), 3);
+  EXPECT_EQ(epochs_of(the_classifier("symptom-net"), {.epochs = 3}), 60);
+  EXPECT_EQ(epochs_of(the_classifier("exclusion-rule"), {.epochs = 3}), 0);
+  EXPECT_EQ(epochs_of(the_classifier("nearest"), {.epochs = 3}), 0);
 }
 
 }  // namespace

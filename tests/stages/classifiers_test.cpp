@@ -49,7 +49,7 @@ TEST_F(Classifiers, AreEachTriedOnTheTestWindows) {
     const scoring::DiagnosisRecord record = record_of(name);
     EXPECT_EQ(record.classifier, name);
     EXPECT_EQ(record.labels.size(), 30U);
-    EXPECT_EQ(record.loss.size(), each.trains() ? 2U : 0U) << name;
+    EXPECT_EQ(record.loss.size(), each.represent != nullptr ? 2U : each.own_epochs) << name;
     EXPECT_FALSE(record.train_windows_per_second) << name;
     files.push_back(name + ".h5");
   }
@@ -77,7 +77,8 @@ TEST_F(Classifiers, ThePapersIsTheDefaultAndIsNotNamedInItsFile) {
 
 TEST_F(Classifiers, GiveTheSameBytesEachTimeAndTrainOnRandomNumbersOfTheirOwn) {
   std::set<std::vector<float>> scores;
-  for (const std::string name : {"wdcnn", "wdcnn-spectrum", "wdcnn-envelope", "wdcnn-spectra"}) {
+  for (const std::string name :
+       {"wdcnn", "wdcnn-spectrum", "wdcnn-envelope", "wdcnn-spectra", "symptom-net"}) {
     (void)run_well(diagnose_by(name));
     const std::string first = bytes_of(name + ".h5");
     (void)run_well(diagnose_by(name));
@@ -103,10 +104,42 @@ TEST_F(Classifiers, OfOtherNamesAreRefused) {
 }
 
 TEST_F(Classifiers, WithoutLayersHaveNoFeaturesToKeep) {
-  Arguments arguments = diagnose_by("nearest");
+  for (const std::string name : {"nearest", "exclusion-rule"}) {
+    Arguments arguments = diagnose_by(name);
+    arguments.emplace_back("--keep-features");
+    expect_refusal(tiny_.run("diagnose", arguments), "diagnose", 2, {"--keep-features", name});
+    EXPECT_FALSE(fs::exists(tiny_ / (name + ".h5")));
+  }
+}
+
+TEST_F(Classifiers, OnSymptomsKeepTheirHiddenLayer) {
+  Arguments arguments = diagnose_by("symptom-net");
   arguments.emplace_back("--keep-features");
-  expect_refusal(tiny_.run("diagnose", arguments), "diagnose", 2, {"--keep-features", "nearest"});
-  EXPECT_FALSE(fs::exists(tiny_ / "nearest.h5"));
+  (void)run_well(arguments);
+  const auto features = record_of("symptom-net").features;
+  ASSERT_TRUE(features);
+  EXPECT_EQ(features->hidden.size(), 30U * 48);
+  EXPECT_EQ(features->output.size(), 30U * 3);
+}
+
+TEST_F(Classifiers, ThatAreRulesSayAgainstWhatTheyCompared) {
+  const Outcome outcome = run_well(diagnose_by("envelope-rule"));
+  EXPECT_NE(outcome.out.find("diagnosed 30 windows against 30 healthy ones ("), std::string::npos)
+      << outcome.out;
+}
+
+TEST_F(Classifiers, ByLinesNeedWindowsThatTellTheLinesApart) {
+  const Outcome split = tiny_.run(
+      "split", with(with(step_of("split").arguments, "--window", "256"), "--output-dir", "."));
+  ASSERT_EQ(split.status, 0) << split.err;
+  for (const std::string name : {"envelope-rule", "symptom-net"}) {
+    expect_refusal(tiny_.run("diagnose", {"--test", "A.h5", "--normal", "B.h5", "--known", "C.h5",
+                                          "--ratio", "100to1", "--seed", "0", "--output", "cell.h5",
+                                          "--classifier", name}),
+                   "diagnose", 65,
+                   {"--normal: windows of 256 samples are too short to tell the fault lines"});
+    EXPECT_FALSE(fs::exists(tiny_ / "cell.h5"));
+  }
 }
 
 TEST_F(Classifiers, OnSpectraTakeWindowsThatAreTooShortForTheWaveform) {

@@ -1,0 +1,91 @@
+#include "diagnosis/line_rules.hpp"
+
+#include <spdlog/fmt/fmt.h>
+
+#include <algorithm>
+
+#include "base/error.hpp"
+#include "diagnosis/cross_entropy.hpp"
+#include "symptoms/baseline.hpp"
+#include "symptoms/measures.hpp"
+
+namespace piae::diagnosis {
+
+namespace {
+
+using signal::DatasetInfo;
+using signal::Defect;
+
+constexpr double threshold = 5;
+
+std::size_t place_among_kinds(Defect kind) {
+  return static_cast<std::size_t>(std::ranges::find(symptoms::kinds, kind) -
+                                  symptoms::kinds.begin());
+}
+
+/// The class that exclusion names.
+Label excluded(const DatasetInfo& info, const std::vector<float>& evidence) {
+  const std::vector<Label> faults = info.fault_labels();
+  const auto ball = std::ranges::find(faults, Defect::roller,
+                                      [&](Label label) { return info.class_of(label).defect; });
+  if (ball != faults.end()) return *ball;
+  return *std::ranges::max_element(faults, {},
+                                   [&](Label label) { return evidence[index_of(label)]; });
+}
+
+void require_one_class_a_kind(const DatasetInfo& info) {
+  const std::vector<Label> faults = info.fault_labels();
+  for (auto label = faults.begin(); label != faults.end(); ++label) {
+    const signal::ClassInfo& own = info.class_of(*label);
+    const auto other = std::find_if(faults.begin(), label, [&](Label earlier) {
+      return info.class_of(earlier).defect == own.defect;
+    });
+    if (other == label) continue;
+    throw Error(
+        Exit::bad_input,
+        fmt::format("rules name kinds of defects, but dataset {} has several classes of one "
+                    "kind, {} and {}; choose a data set with one class a kind, such as "
+                    "cwru-types, or another classifier",
+                    info.name, info.class_of(*other).name, own.name));
+  }
+}
+
+}  // namespace
+
+std::vector<float> evidence(const DatasetInfo& info, const Findings& findings, Rule rule) {
+  std::vector<float> evidence(info.classes.size(), static_cast<float>(threshold));
+  double greatest = 0;
+  for (const Label label : info.fault_labels()) {
+    const double excess = findings.excesses.at(place_among_kinds(info.class_of(label).defect));
+    evidence[index_of(label)] = static_cast<float>(excess);
+    greatest = std::max(greatest, excess);
+  }
+  if (rule == Rule::exclusion && greatest <= threshold && findings.novelty > 1) {
+    evidence[index_of(excluded(info, evidence))] = static_cast<float>(threshold * findings.novelty);
+  }
+  return evidence;
+}
+
+RuleAnswer classify_by_rule(const signal::WindowSet& normal, const signal::WindowSet& test,
+                            Rule rule) {
+  const DatasetInfo& info = test.info;
+  require_one_class_a_kind(info);
+  const std::vector<symptoms::Measures> healthy = symptoms::measure(normal, "--normal");
+  const std::vector<symptoms::Measures> asked = symptoms::measure(test, "--test");
+  symptoms::Baselines baselines(normal, healthy);
+  const std::size_t classes = info.classes.size();
+  RuleAnswer answer;
+  answer.scores.resize(test.size() * classes);
+  answer.predictions.resize(test.size());
+  for (std::size_t i = 0; i < test.size(); ++i) {
+    const symptoms::Baseline& baseline = baselines.at(test.speed_rpm(i));
+    const Findings findings{.excesses = baseline.excesses(asked[i]),
+                            .novelty = baseline.novelty().of(asked[i].shape_db)};
+    float* const scores = answer.scores.data() + i * classes;
+    softmax(static_cast<std::int64_t>(classes), evidence(info, findings, rule).data(), scores);
+    answer.predictions[i] = static_cast<Label>(std::max_element(scores, scores + classes) - scores);
+  }
+  return answer;
+}
+
+}  // namespace piae::diagnosis

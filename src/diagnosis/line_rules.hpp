@@ -1,0 +1,49 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "base/label.hpp"
+#include "signal/window_set.hpp"
+#include "symptoms/line_heights.hpp"
+
+namespace piae::diagnosis {
+
+// Two rules that name the kind of a defect from healthy windows alone: no fault window is known,
+// and none is generated. They do by machine what an analyst does by hand.
+
+/// What one window shows against healthy windows of its speed (symptoms/baseline.hpp).
+struct Findings {
+  /// By how many standard deviations the line of each kind stands above the healthy mean.
+  std::array<double, symptoms::number_of_kinds> excesses{};
+  double novelty = 0;  ///< by its threshold: more than 1 is new
+};
+
+enum class Rule {
+  /// The line that stands out most names the kind, if by more than 5 deviations; else the window is
+  /// healthy. The height is a maximum over slips, so for healthy windows it has about Gumbel's
+  /// distribution, which exceeds its mean by 5 deviations with the chance 0.09 %.
+  envelope,
+  /// The same; but a window that is new and shows no line is a ball defect, where the task has a
+  /// class of these, else the kind whose line stands out most. A ball spins freely, so its defect
+  /// now strikes the races and now does not, and is the one that rarely shows its line; Smith and
+  /// Randall (2015) found so in most of CWRU's records of ball defects.
+  exclusion
+};
+
+/// The evidence for each class of a data set, in deviations; the greatest names the class. That for
+/// a kind is its excess, that for healthy 5, and that for what exclusion names 5 times the novelty.
+std::vector<float> evidence(const signal::DatasetInfo& info, const Findings& findings, Rule rule);
+
+/// What a rule says of test windows.
+struct RuleAnswer {
+  std::vector<Label> predictions;  ///< [n] the classes of the greatest scores
+  std::vector<float> scores;       ///< row-major [n, classes]: the softmax of the evidence
+};
+
+/// Throws Error(bad_input) where a data set has several classes of one kind of defect, between
+/// which a line does not tell, and as symptoms::measure() and symptoms::Baselines do.
+RuleAnswer classify_by_rule(const signal::WindowSet& normal, const signal::WindowSet& test,
+                            Rule rule);
+
+}  // namespace piae::diagnosis

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <memory>
+#include <span>
+
+#include "base/random.hpp"
+#include "diagnosis/cross_entropy.hpp"
+#include "diagnosis/symptom_inputs.hpp"
+#include "nets/dense_chain.hpp"
+#include "nets/parameters.hpp"
+#include "nets/row_array.hpp"
+
+namespace piae::diagnosis {
+
+/// The network symptom-net: 17 symptoms, a hidden layer of 48 with ReLU, the classes. Trained by
+/// Adam on the cross-entropy.
+class SymptomNetwork {
+ public:
+  static constexpr std::int64_t hidden = 48;
+  static constexpr double dropout = 0.2;  ///< of the hidden layer, in training (Srivastava 2014)
+
+  /// For batches of up to `most_rows`; initial values come from the stream (nets/parameters.hpp).
+  SymptomNetwork(std::int64_t classes, std::int64_t most_rows, const Stream& initial);
+
+  /// What it makes of a batch.
+  struct Outputs {
+    nets::RowArray<double> hidden;  ///< [rows, 48] after ReLU
+    nets::RowArray<double> logits;  ///< [rows, classes]
+  };
+  Outputs outputs(const SymptomRows& batch);
+
+  /// One step of Adam by a batch. Which hidden units are dropped is drawn from the stream; the
+  /// others are scaled up, so that their sum stays as it is on average.
+  BatchOutcome step(const SymptomRows& batch, std::span<const Label> labels, double learning_rate,
+                    Stream& dropped);
+
+ private:
+  using Array = nets::RowArray<double>;
+  Array run_hidden(const SymptomRows& batch);
+
+  std::int64_t classes_;
+  std::shared_ptr<nets::Parameters<double>> parameters_;
+  nets::DenseChain<double> first_;
+  nets::DenseChain<double> last_;
+  std::int64_t steps_ = 0;
+};
+
+}  // namespace piae::diagnosis

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <Eigen/Core>
+
+namespace piae::symptoms {
+
+/// The mean power of one window in 48 bands of equal width between 1/60 and 59/60 of half the
+/// sample rate (100 to 5900 Hz at 12 kHz), in dB, less its mean over the bands: the shape of the
+/// spectrum, not how loud it is. The window is tapered by Hann's window. Throws Error(bad_input)
+/// for a window so short (some 100 samples) that a band holds no frequency.
+Eigen::ArrayXd spectral_shape_db(const Eigen::RowVectorXd& window);
+
+/// The power of one window in each of the narrow_bands() (bands.hpp) by that of the whole window,
+/// in dB.
+Eigen::ArrayXd band_levels_db(const Eigen::RowVectorXd& window, double rate_hz);
+
+}  // namespace piae::symptoms

@@ -1,0 +1,116 @@
+#include "symptoms/measures.hpp"
+
+#include <spdlog/fmt/fmt.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/error.hpp"
+#include "base/parallel.hpp"
+#include "bearing/kinematics.hpp"
+#include "signal/amplitude.hpp"
+#include "symptoms/band_levels.hpp"
+#include "symptoms/bands.hpp"
+
+namespace piae::symptoms {
+
+namespace {
+
+using Orders = std::array<double, number_of_kinds>;
+
+constexpr double bins_apart = 2;
+constexpr double lowest_line = -1;
+constexpr double lowest_height = -0.5;
+
+[[noreturn]] void refuse(const std::string& what, const std::string& why) {
+  throw Error(Exit::bad_input, what + ": " + why);
+}
+
+double smallest_gap(Orders orders) {
+  std::ranges::sort(orders);
+  double gap = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 1; i < orders.size(); ++i) gap = std::min(gap, orders[i] - orders[i - 1]);
+  return gap;
+}
+
+/// Refuses a speed at which windows cannot show the lines.
+void require_lines_shown(const signal::WindowSet& windows, double speed_rpm, const Orders& orders,
+                         const std::string& what) {
+  if (!(speed_rpm > 0)) {
+    refuse(what, fmt::format("the speed of the shaft is {} rpm; fault lines need one above 0",
+                             speed_rpm));
+  }
+  const double rate_hz = windows.info.sample_rate_hz;
+  const double shaft_hz = speed_rpm / 60;
+  const double last_hz = last_order(orders) * shaft_hz;
+  if (last_hz > rate_hz / 2) {
+    refuse(what,
+           fmt::format("at {:g} rpm fault lines reach {:.0f} Hz, above half the sample rate of "
+                       "{:g} Hz; a higher rate or a lower speed would do",
+                       speed_rpm, last_hz, rate_hz));
+  }
+  const double needed =
+      std::ceil(bins_apart * rate_hz / (most_harmonics * smallest_gap(orders) * shaft_hz));
+  if (static_cast<double>(windows.length) < needed) {
+    refuse(what, fmt::format("windows of {} samples are too short to tell the fault lines apart at "
+                             "{:g} rpm; {:.0f} or more would do",
+                             windows.length, speed_rpm, needed));
+  }
+}
+
+void require_measurable(const signal::WindowSet& windows, const Orders& orders,
+                        const std::string& what) {
+  if (narrow_bands(windows.info.sample_rate_hz).empty()) {
+    refuse(what, fmt::format("a sample rate of {:g} Hz is too low for envelope analysis, which "
+                             "needs 1800 Hz or more",
+                             windows.info.sample_rate_hz));
+  }
+  for (std::size_t i = 0; i < windows.size(); ++i) {
+    require_lines_shown(windows, windows.speed_rpm(i), orders, what);
+    if (signal::is_constant(windows.window(i))) {
+      refuse(what, fmt::format("window {} is constant and shows nothing", i));
+    }
+  }
+}
+
+double log_kurtosis(const Eigen::RowVectorXd& window) {
+  const Eigen::ArrayXd squares = (window.array() - window.mean()).square();
+  return std::log(squares.square().mean() / (squares.mean() * squares.mean()));
+}
+
+Measures measure_one(const Eigen::RowVectorXd& window, double rate_hz, double shaft_hz,
+                     const Orders& orders) {
+  const OrderSpectrum spectrum = order_spectrum(window, rate_hz, shaft_hz, last_order(orders));
+  Measures measures;
+  for (std::size_t kind = 0; kind < number_of_kinds; ++kind) {
+    measures.lines.at(kind) = line_height(spectrum, orders.at(kind), most_harmonics, lowest_line);
+    for (int n = 1; n <= most_harmonics; ++n) {
+      measures.heights.at(kind).at(n - 1) =
+          line_height(spectrum, orders.at(kind), n, lowest_height);
+    }
+  }
+  measures.log_kurtosis = log_kurtosis(window);
+  measures.shape_db = spectral_shape_db(window);
+  measures.levels_db = band_levels_db(window, rate_hz);
+  return measures;
+}
+
+}  // namespace
+
+std::vector<Measures> measure(const signal::WindowSet& windows, const std::string& what) {
+  bearing::validate(windows.info.bearing);
+  const Orders orders = line_orders(windows.info.bearing);
+  require_measurable(windows, orders, what);
+  std::vector<Measures> all(windows.size());
+  parallel_for(windows.size(), [&](std::size_t i) {
+    const auto samples = windows.window(i);
+    const Eigen::RowVectorXd window = Eigen::Map<const Eigen::RowVectorXf>(
+                                          samples.data(), static_cast<Eigen::Index>(samples.size()))
+                                          .cast<double>();
+    all[i] = measure_one(window, windows.info.sample_rate_hz, windows.speed_rpm(i) / 60, orders);
+  });
+  return all;
+}
+
+}  // namespace piae::symptoms

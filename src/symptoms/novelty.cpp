@@ -1,0 +1,56 @@
+#include "symptoms/novelty.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace piae::symptoms {
+
+namespace {
+
+using Eigen::Index;
+
+constexpr Index blocks = 4;
+constexpr double margin = 1.2;
+constexpr double common_share = 0.5;         // of the mean deviation, to each band's own
+constexpr double least_deviation_db = 1e-6;  // where all healthy windows are the same
+
+/// The rows that are not of a block.
+Eigen::ArrayXXd without_block(const Eigen::ArrayXXd& rows, Index block) {
+  std::vector<Index> others;
+  for (Index i = 0; i < rows.rows(); ++i) {
+    if (i * blocks / rows.rows() != block) others.push_back(i);
+  }
+  return rows(others, Eigen::all);
+}
+
+}  // namespace
+
+double Novelty::Likeness::distance(const Eigen::ArrayXd& shape) const {
+  return std::sqrt(((shape - mean) / deviation).square().mean());
+}
+
+Novelty::Likeness Novelty::likeness(const Eigen::ArrayXXd& shapes) {
+  const Eigen::ArrayXd mean = shapes.colwise().mean();
+  const Eigen::ArrayXd variance = (shapes.rowwise() - mean.transpose()).square().colwise().mean();
+  const double common = std::max(common_share * variance.sqrt().mean(), least_deviation_db);
+  return {.mean = mean, .deviation = (variance + common * common).sqrt()};
+}
+
+Novelty::Novelty(const Eigen::ArrayXXd& healthy)
+    : all_(likeness(healthy)), of_healthy_(healthy.rows()) {
+  for (Index block = 0; block < blocks; ++block) {
+    const Likeness others = likeness(without_block(healthy, block));
+    for (Index i = 0; i < healthy.rows(); ++i) {
+      if (i * blocks / healthy.rows() == block) {
+        of_healthy_[i] = others.distance(healthy.row(i).transpose());
+      }
+    }
+  }
+  threshold_ = std::max(margin * of_healthy_.maxCoeff(), least_deviation_db);
+  of_healthy_ /= threshold_;
+}
+
+double Novelty::of(const Eigen::ArrayXd& shape) const { return all_.distance(shape) / threshold_; }
+
+}  // namespace piae::symptoms

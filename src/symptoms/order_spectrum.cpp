@@ -1,0 +1,104 @@
+#include "symptoms/order_spectrum.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <limits>
+#include <numbers>
+#include <unsupported/Eigen/FFT>
+#include <vector>
+
+#include "scoring/spectrum.hpp"
+#include "symptoms/bands.hpp"
+#include "symptoms/running_median.hpp"
+#include "symptoms/whitening.hpp"
+
+namespace piae::symptoms {
+
+namespace {
+
+using Eigen::Index;
+
+constexpr Index padding = 2;
+constexpr double floor_orders = 1.6;
+constexpr Index least_floor_bins = 9;
+// Above its width a band has no envelope but what rounding leaves at the bins, and leakage between
+// them. A floor of at least this part of the mean power keeps that from looking like lines.
+constexpr double least_floor = 1e-4;
+constexpr double least_ratio = 1e-3;  // a silent place is far below the floor, not infinitely far
+
+/// The number at a place between two of an array, on the straight line between them; beyond the end
+/// the last one.
+double between(const Eigen::ArrayXd& values, double place) {
+  const double inside = std::min(place, static_cast<double>(values.size() - 1));
+  const Index before = std::min(static_cast<Index>(inside), values.size() - 2);
+  return std::lerp(values[before], values[before + 1], inside - static_cast<double>(before));
+}
+
+/// The squared envelope of what a band lets through of a whitened half spectrum.
+Eigen::RowVectorXd squared_envelope(const Eigen::ArrayXcd& whitened, const Eigen::ArrayXd& response,
+                                    Index length) {
+  std::vector<std::complex<double>> spectrum(static_cast<std::size_t>(length));
+  Eigen::Map<Eigen::ArrayXcd>(spectrum.data(), whitened.size()) = 2 * response * whitened;
+  std::vector<std::complex<double>> analytic;
+  Eigen::FFT<double>().inv(analytic, spectrum);
+  return Eigen::Map<const Eigen::RowVectorXcd>(analytic.data(), length).cwiseAbs2();
+}
+
+/// How far the bins of an envelope spectrum stand above the floor, which is sought among the bins
+/// that would be there without padding.
+Eigen::ArrayXd above_floor(const Eigen::ArrayXd& power, Index floor_bins) {
+  const Index coarse = (power.size() - 1) / padding + 1;
+  const Eigen::ArrayXd unpadded = Eigen::Map<const Eigen::ArrayXd, 0, Eigen::InnerStride<>>(
+      power.data(), coarse, Eigen::InnerStride<>(padding));
+  const Eigen::ArrayXd floor = running_median(unpadded, floor_bins) / std::numbers::ln2;
+  const double least = least_floor * power.mean() + std::numeric_limits<double>::min();
+  Eigen::ArrayXd heights(power.size());
+  for (Index i = 0; i < heights.size(); ++i) {
+    const double here = std::max(between(floor, static_cast<double>(i) / padding), least);
+    heights[i] = std::log10(power[i] / here + least_ratio);
+  }
+  return heights;
+}
+
+}  // namespace
+
+double OrderSpectrum::at(double order, double lowest, double highest) const {
+  const double place = (order - first) / step;
+  const auto before = static_cast<Index>(place);
+  return std::lerp(std::clamp(heights[before], lowest, highest),
+                   std::clamp(heights[before + 1], lowest, highest),
+                   place - static_cast<double>(before));
+}
+
+OrderSpectrum order_spectrum(const Eigen::RowVectorXd& window, double rate_hz, double shaft_hz,
+                             double last) {
+  const Index length = window.size();
+  const double coarse_hz = rate_hz / static_cast<double>(length);
+  const double bins_an_order = shaft_hz / coarse_hz;
+  const Index floor_bins =
+      std::max(static_cast<Index>(floor_orders * bins_an_order), least_floor_bins) / 2 * 2 + 1;
+  const Index used = std::min<Index>(
+      padding * (static_cast<Index>((last + OrderSpectrum::step) * bins_an_order) + floor_bins) + 1,
+      padding * length / 2 + 1);
+
+  const Eigen::ArrayXcd whitened = whitened_spectrum(window, rate_hz);
+  const std::vector<Band> bands = narrow_bands(rate_hz);
+  const auto orders =
+      static_cast<Index>(std::ceil((last - OrderSpectrum::first) / OrderSpectrum::step)) + 2;
+  OrderSpectrum spectrum{Eigen::ArrayXd::Zero(orders)};
+  for (const Band& band : bands) {
+    const scoring::Windows envelope =
+        squared_envelope(whitened, response(band, whitened.size(), coarse_hz), length);
+    const Eigen::ArrayXd power = scoring::mean_power_spectrum(envelope, padding).head(used);
+    const Eigen::ArrayXd heights = above_floor(power, floor_bins);
+    for (Index i = 0; i < orders; ++i) {
+      const double order = OrderSpectrum::first + static_cast<double>(i) * OrderSpectrum::step;
+      spectrum.heights[i] += between(heights, padding * bins_an_order * order);
+    }
+  }
+  spectrum.heights /= static_cast<double>(bands.size());
+  return spectrum;
+}
+
+}  // namespace piae::symptoms

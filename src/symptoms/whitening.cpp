@@ -1,0 +1,61 @@
+#include "symptoms/whitening.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <limits>
+#include <numbers>
+#include <unsupported/Eigen/FFT>
+#include <vector>
+
+namespace piae::symptoms {
+
+namespace {
+
+using Eigen::Index;
+
+constexpr double quietest = 1e-9;  // of the loudest amplitude: what is less is rounding
+
+/// Hann's window without the zeros at its ends, with the sum 1.
+Eigen::ArrayXd hann_weights(Index width) {
+  Eigen::ArrayXd weights(width);
+  for (Index i = 0; i < width; ++i) {
+    weights[i] = 1 - std::cos(2 * std::numbers::pi * static_cast<double>(i + 1) /
+                              static_cast<double>(width + 1));
+  }
+  return weights / weights.sum();
+}
+
+/// `half` more numbers at both ends, the mirror image there.
+Eigen::ArrayXd mirrored(const Eigen::ArrayXd& values, Index half) {
+  const Index n = values.size();
+  Eigen::ArrayXd longer(n + 2 * half);
+  longer << values.segment(1, half).reverse(), values, values.segment(n - 1 - half, half).reverse();
+  return longer;
+}
+
+}  // namespace
+
+Eigen::ArrayXd smoothed(const Eigen::ArrayXd& values, Index width) {
+  const Eigen::ArrayXd weights = hann_weights(width);
+  const Eigen::ArrayXd longer = mirrored(values, width / 2);
+  Eigen::ArrayXd means(values.size());
+  for (Index i = 0; i < means.size(); ++i) means[i] = (longer.segment(i, width) * weights).sum();
+  return means;
+}
+
+Eigen::ArrayXcd whitened_spectrum(const Eigen::RowVectorXd& window, double rate_hz) {
+  std::vector<double> samples(static_cast<std::size_t>(window.size()));
+  Eigen::Map<Eigen::RowVectorXd>(samples.data(), window.size()) = window.array() - window.mean();
+  std::vector<std::complex<double>> all;
+  Eigen::FFT<double>().fwd(all, samples);
+  const Eigen::ArrayXcd spectrum =
+      Eigen::Map<const Eigen::ArrayXcd>(all.data(), window.size() / 2 + 1);
+  const auto bins = std::lround(smoothing_hz * static_cast<double>(window.size()) / rate_hz);
+  const Index width = std::max<Index>(3, bins / 2 * 2 + 1);
+  const Eigen::ArrayXd amplitude = smoothed(spectrum.abs2(), width).sqrt();
+  const double floor = quietest * amplitude.maxCoeff() + std::numeric_limits<double>::min();
+  return spectrum / amplitude.max(floor);
+}
+
+}  // namespace piae::symptoms

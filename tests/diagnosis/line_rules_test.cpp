@@ -1,0 +1,141 @@
+#include "diagnosis/line_rules.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "support/errors.hpp"
+#include "support/struck_windows.hpp"
+
+namespace piae::diagnosis {
+namespace {
+
+/// Classes in another order than that of the kinds.
+signal::DatasetInfo four_kinds() {
+  signal::DatasetInfo info = three_classes();
+  info.classes = {{"outer", signal::Defect::outer, 0.2},
+                  {"Normal", signal::Defect::none, 0},
+                  {"ball", signal::Defect::roller, 0.2},
+                  {"inner", signal::Defect::inner, 0.2}};
+  return info;
+}
+
+std::string named(const signal::DatasetInfo& info, const Findings& findings, Rule rule) {
+  const std::vector<float> all = evidence(info, findings, rule);
+  return info.classes[static_cast<std::size_t>(std::ranges::max_element(all) - all.begin())].name;
+}
+
+TEST(Evidence, IsTheExcessOfEachKindAndFiveForHealthy) {
+  const Findings findings{.excesses = {1, 2, 3}, .novelty = 0.5};  // inner, ball, outer
+  for (const Rule rule : {Rule::envelope, Rule::exclusion}) {
+    EXPECT_EQ(evidence(four_kinds(), findings, rule), (std::vector<float>{3, 5, 2, 1}));
+    EXPECT_EQ(evidence(three_classes(), findings, rule), (std::vector<float>{5, 1, 3}));
+  }
+}
+
+TEST(Evidence, OfALineAboveFiveNamesItsKindHoweverNew) {
+  for (const Rule rule : {Rule::envelope, Rule::exclusion}) {
+    for (const double novelty : {0.1, 9.0}) {
+      EXPECT_EQ(named(four_kinds(), {{5.1, 1, 4}, novelty}, rule), "inner");
+      EXPECT_EQ(named(four_kinds(), {{5.1, 6, 4}, novelty}, rule), "ball");
+      EXPECT_EQ(named(four_kinds(), {{5.1, 6, 40}, novelty}, rule), "outer");
+    }
+    EXPECT_EQ(named(four_kinds(), {{4.9, 4.9, 4.9}, 0.99}, rule), "Normal");
+  }
+}
+
+TEST(Evidence, OfWhatIsNewWithoutALineIsABallByExclusionAlone) {
+  const Findings findings{.excesses = {1, 2, 4}, .novelty = 1.5};
+  EXPECT_EQ(named(four_kinds(), findings, Rule::envelope), "Normal");
+  EXPECT_EQ(evidence(four_kinds(), findings, Rule::exclusion), (std::vector<float>{4, 5, 7.5, 1}));
+  // Without a class of ball defects it is the kind whose line stands out most.
+  EXPECT_EQ(evidence(three_classes(), findings, Rule::exclusion), (std::vector<float>{5, 1, 7.5}));
+}
+
+// A line of a kind of which the task has no class names nothing.
+TEST(Evidence, OfAKindWithoutAClassDoesNotCount) {
+  EXPECT_EQ(named(three_classes(), {{1, 50, 2}, 0.5}, Rule::envelope), "Normal");
+}
+
+class Rules : public testing::Test {
+ protected:
+  Rules() {
+    Stream stream("rules");
+    add_struck(normal_, 0, 40, stream);
+    for (const Label label : {0, 1, 2}) add_struck(test_, label, 10, stream);
+  }
+  signal::WindowSet normal_ = no_struck_windows();
+  signal::WindowSet test_ = no_struck_windows();
+};
+
+TEST_F(Rules, NameTheKindThatIsStruck) {
+  for (const Rule rule : {Rule::envelope, Rule::exclusion}) {
+    EXPECT_EQ(classify_by_rule(normal_, test_, rule).predictions, test_.labels);
+  }
+}
+
+TEST_F(Rules, ScoreByTheSoftmaxOfTheEvidence) {
+  const RuleAnswer answer = classify_by_rule(normal_, test_, Rule::envelope);
+  ASSERT_EQ(answer.scores.size(), 90U);
+  for (std::size_t i = 0; i < 30; ++i) {
+    const auto row = std::span(answer.scores).subspan(3 * i, 3);
+    EXPECT_NEAR(row[0] + row[1] + row[2], 1, 1e-6);
+    EXPECT_EQ(std::ranges::max_element(row) - row.begin(), answer.predictions[i]);
+  }
+  EXPECT_LT(answer.scores[0], 1);               // healthy, by some deviations
+  EXPECT_GT(answer.scores[3 * 10 + 1], 0.999);  // inner, by many
+}
+
+TEST_F(Rules, DoNotCareHowLoudAWindowIs) {
+  for (float& sample : test_.samples) sample = 20 * sample + 3;
+  EXPECT_EQ(classify_by_rule(normal_, test_, Rule::exclusion).predictions, test_.labels);
+}
+
+/// Noise of which what is above a quarter of the rate is quieter: x[t] = n[t] + 0.5 n[t - 1].
+void make_duller(signal::WindowSet& set) {
+  for (std::size_t i = set.samples.size() - 1; i > 0; --i) set.samples[i] += set.samples[i - 1] / 2;
+}
+
+TEST_F(Rules, OfExclusionSeeAChangeWithoutALine) {
+  Stream stream("changed");
+  signal::WindowSet changed = no_struck_windows();
+  add_struck(changed, 0, 10, stream);
+  make_duller(changed);
+  changed.info.classes[1].defect = signal::Defect::roller;
+  EXPECT_EQ(classify_by_rule(normal_, changed, Rule::envelope).predictions,
+            std::vector<Label>(10, 0));
+  EXPECT_EQ(classify_by_rule(normal_, changed, Rule::exclusion).predictions,
+            std::vector<Label>(10, 1));
+}
+
+TEST_F(Rules, CompareWindowsOfOneSpeed) {
+  // At another speed healthy windows are duller: what is new at one speed is not at the other.
+  Stream stream("speeds");
+  signal::WindowSet dull = no_struck_windows();
+  add_struck(dull, 0, 50, stream);
+  make_duller(dull);
+  const auto say_speed = [](signal::WindowSet& set, double speed_rpm) {
+    set.condition.assign(set.size(), signal::every_condition);
+    set.shaft_speed_rpm.assign(set.size(), speed_rpm);
+  };
+  say_speed(normal_, 1800);
+  say_speed(dull, 1200);
+  for (std::size_t i = 0; i < 40; ++i) normal_.append(dull, i);
+  signal::WindowSet asked = no_struck_windows();
+  for (std::size_t i = 40; i < 50; ++i) asked.append(dull, i);
+  EXPECT_EQ(classify_by_rule(normal_, asked, Rule::exclusion).predictions,
+            std::vector<Label>(10, 0));
+  asked.shaft_speed_rpm.assign(10, 1800);
+  const auto at_the_other = classify_by_rule(normal_, asked, Rule::exclusion).predictions;
+  EXPECT_EQ(std::ranges::count(at_the_other, 0), 0);
+}
+
+TEST_F(Rules, NeedOneClassAKind) {
+  test_.info.classes[2].defect = signal::Defect::inner;
+  EXPECT_ERROR(classify_by_rule(normal_, test_, Rule::envelope), Exit::bad_input,
+               "dataset toy has several classes of one kind, IR and OR");
+}
+
+}  // namespace
+}  // namespace piae::diagnosis

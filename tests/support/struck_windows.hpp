@@ -1,0 +1,67 @@
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "base/random.hpp"
+#include "signal/window_set.hpp"
+#include "support/three_classes.hpp"
+
+namespace piae {
+
+/// What struck_window() is made of.
+struct Struck {
+  std::size_t length = 4096;
+  double rate_hz = 12000;
+  double strikes_hz = 0;  ///< how often a resonance of 3 kHz is struck; 0 for never
+  double level = 10;      ///< of a strike, by the standard deviation of the noise
+};
+
+/// White noise, and a resonance that is struck regularly, from a random moment on.
+inline std::vector<float> struck_window(const Struck& made, Stream& stream) {
+  std::vector<double> samples(made.length);
+  for (double& sample : samples) sample = stream.normal(0, 1);
+  const double duration_s = static_cast<double>(made.length) / made.rate_hz;
+  const double first = stream.uniform(0, 1);
+  for (int strike = 0; made.strikes_hz > 0 && strike < duration_s * made.strikes_hz; ++strike) {
+    for (std::size_t t = 0; t < made.length; ++t) {
+      const double since_s =
+          static_cast<double>(t) / made.rate_hz - (strike + first) / made.strikes_hz;
+      if (since_s < 0) continue;
+      samples[t] +=
+          made.level * std::exp(-800 * since_s) * std::sin(2 * std::numbers::pi * 3000 * since_s);
+    }
+  }
+  return {samples.begin(), samples.end()};
+}
+
+/// A set of such windows of a 6205 at 1800 rpm, without any window yet: healthy, inner, outer.
+inline signal::WindowSet no_struck_windows(std::size_t length = 4096) {
+  signal::WindowSet set;
+  set.info = three_classes();
+  set.length = length;
+  return set;
+}
+
+/// How often a defect of each class of that set is struck, in Hz: n/2 (1 +- d/D) of 30 Hz.
+inline const std::vector<double> strikes_of_classes_hz{0, 4.5 * (1 + 7.94 / 39) * 30,
+                                                       4.5 * (1 - 7.94 / 39) * 30};
+
+/// Adds `count` windows of a class.
+inline void add_struck(signal::WindowSet& set, Label label, int count, Stream& stream,
+                       double level = 10) {
+  for (int i = 0; i < count; ++i) {
+    const std::vector<float> window =
+        struck_window({.length = set.length,
+                       .strikes_hz = strikes_of_classes_hz[index_of(label)],
+                       .level = level},
+                      stream);
+    set.samples.insert(set.samples.end(), window.begin(), window.end());
+    set.labels.push_back(label);
+  }
+}
+
+}  // namespace piae

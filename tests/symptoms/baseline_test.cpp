@@ -1,0 +1,110 @@
+#include "symptoms/baseline.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "support/errors.hpp"
+#include "support/three_classes.hpp"
+
+namespace piae::symptoms {
+namespace {
+
+/// What a window might show: a line of this height of every kind, and a spectrum that goes with it.
+Measures measures_of(double height) {
+  Measures measures;
+  measures.lines.fill(height);
+  measures.shape_db = Eigen::Array3d(height, -height, std::sin(height));
+  measures.levels_db = Eigen::Array2d(height, 2 * height);
+  return measures;
+}
+
+/// Healthy windows at these speeds; the i-th shows i + 1.
+struct Healthy {
+  explicit Healthy(const std::vector<double>& speeds_rpm) {
+    windows.info = three_classes();
+    windows.length = 1;
+    windows.samples.resize(speeds_rpm.size());
+    windows.labels.resize(speeds_rpm.size());
+    windows.condition.resize(speeds_rpm.size());
+    windows.shaft_speed_rpm = speeds_rpm;
+    for (std::size_t i = 0; i < speeds_rpm.size(); ++i) {
+      measures.push_back(measures_of(static_cast<double>(i) + 1));
+    }
+  }
+  signal::WindowSet windows;
+  std::vector<Measures> measures;
+};
+
+std::vector<double> eight_of_each(const std::vector<double>& speeds_rpm) {
+  std::vector<double> all;
+  for (const double speed : speeds_rpm) all.insert(all.end(), 8, speed);
+  return all;
+}
+
+// 1 .. 8 have the mean 4.5 and the variance 63 / 12 = 5.25.
+TEST(Baseline, CountsDeviationsOfHealthyWindows) {
+  const Healthy healthy(eight_of_each({1800}));
+  Baselines baselines(healthy.windows, healthy.measures);
+  const Baseline& baseline = baselines.at(1800);
+  EXPECT_NEAR(baseline.excesses(measures_of(10))[1], 5.5 / std::sqrt(5.25), 1e-12);
+  EXPECT_NEAR(baseline.rise_db(measures_of(10))[0], 5.5, 1e-12);
+  EXPECT_NEAR(baseline.rise_db(measures_of(10))[1], 11, 1e-12);
+}
+
+// 9 .. 16 have the mean 12.5, and all sixteen 8.5 and the variance 255 / 12.
+TEST(Baselines, AreOfTheWindowsOfASpeedOrElseOfAll) {
+  const Healthy healthy(eight_of_each({1000, 2000}));
+  Baselines baselines(healthy.windows, healthy.measures);
+  const auto excess = [&](double speed_rpm) {
+    return baselines.at(speed_rpm).excesses(measures_of(13))[0];
+  };
+  EXPECT_NEAR(excess(1000), 8.5 / std::sqrt(5.25), 1e-12);
+  EXPECT_NEAR(excess(1019), 8.5 / std::sqrt(5.25), 1e-12);
+  EXPECT_NEAR(excess(1970), 0.5 / std::sqrt(5.25), 1e-12);
+  EXPECT_NEAR(excess(1100), 4.5 / std::sqrt(255 / 12.0), 1e-12);
+}
+
+// Seven windows of a speed are too few.
+TEST(Baselines, AreOfAllWhereFewAreOfASpeed) {
+  std::vector<double> speeds = eight_of_each({1000});
+  speeds.insert(speeds.end(), 7, 2000);
+  const Healthy healthy(speeds);
+  Baselines baselines(healthy.windows, healthy.measures);
+  EXPECT_NEAR(baselines.at(2000).rise_db(measures_of(9))[0], 1, 1e-12);  // 1 .. 15 have the mean 8
+}
+
+TEST(Baselines, LeaveOutBlocksOfTheTimeNotOfTheOrderInTheSet) {
+  const Healthy sorted(std::vector<double>(8, 1800));
+  Healthy mixed = sorted;
+  mixed.windows.record_names = {"healthy"};
+  mixed.windows.record.assign(8, 0);
+  for (std::size_t i = 0; i < 8; ++i) {
+    const std::size_t place = 5 * i % 8;
+    mixed.windows.first_sample.push_back(static_cast<std::int64_t>(place));
+    mixed.measures[i] = sorted.measures[place];
+  }
+  Baselines of_sorted(sorted.windows, sorted.measures);
+  Baselines of_mixed(mixed.windows, mixed.measures);
+  for (std::size_t i = 0; i < 8; ++i) {
+    EXPECT_EQ(of_mixed.left_out(i), of_sorted.left_out(5 * i % 8)) << i;
+    EXPECT_EQ(of_sorted.left_out(i),
+              of_sorted.at(1800).novelty().of_healthy()[static_cast<Eigen::Index>(i)]);
+  }
+}
+
+TEST(Baselines, NeedEightHealthyWindows) {
+  const Healthy healthy(std::vector<double>(7, 1800));
+  EXPECT_ERROR(Baselines(healthy.windows, healthy.measures), Exit::bad_input,
+               "7 healthy windows are too few to compare others with; 8 or more would do");
+}
+
+TEST(Baselines, AreOfTheHealthyWindowsAlone) {
+  Healthy healthy(std::vector<double>(9, 1800));
+  healthy.windows.labels.back() = 1;
+  Baselines baselines(healthy.windows, healthy.measures);
+  EXPECT_NEAR(baselines.at(1800).rise_db(measures_of(5.5))[0], 1, 1e-12);
+}
+
+}  // namespace
+}  // namespace piae::symptoms

@@ -1,0 +1,44 @@
+#include "symptoms/whitening.hpp"
+
+#include <gtest/gtest.h>
+
+#include "base/random.hpp"
+
+namespace piae::symptoms {
+namespace {
+
+// Hann's weights over three numbers are 1/4, 1/2, 1/4; beyond the ends lie the second number and
+// the last but one.
+TEST(Smoothed, IsAWeightedMeanWithMirrorsAtTheEnds) {
+  const Eigen::ArrayXd means = smoothed(Eigen::Array4d(0, 4, 0, 8), 3);
+  EXPECT_NEAR(means[0], 2, 1e-12);
+  EXPECT_NEAR(means[1], 2, 1e-12);
+  EXPECT_NEAR(means[2], 3, 1e-12);
+  EXPECT_NEAR(means[3], 4, 1e-12);
+}
+
+/// Noise through a resonance at a quarter of the rate: x[t] = n[t] - 0.9 x[t - 2].
+Eigen::RowVectorXd ringing_noise() {
+  Stream stream("noise");
+  Eigen::RowVectorXd window(4096);
+  for (Eigen::Index t = 0; t < window.size(); ++t) {
+    window[t] = stream.normal(0, 1) - (t < 2 ? 0 : 0.9 * window[t - 2]);
+  }
+  return window;
+}
+
+TEST(WhitenedSpectrum, IsEquallyLoudEverywhere) {
+  const Eigen::ArrayXd power = whitened_spectrum(ringing_noise(), 12000).abs2();
+  for (Eigen::Index first = 0; first + 128 < power.size(); first += 128) {
+    EXPECT_NEAR(power.segment(first, 128).mean(), 1, 0.15) << first;
+  }
+}
+
+TEST(WhitenedSpectrum, IsTheSameForALouderWindowWithAnOffset) {
+  const Eigen::ArrayXcd plain = whitened_spectrum(ringing_noise(), 12000);
+  const Eigen::ArrayXcd louder = whitened_spectrum(50 * ringing_noise().array() + 7, 12000);
+  EXPECT_LT((plain - louder).abs().maxCoeff(), 1e-9);
+}
+
+}  // namespace
+}  // namespace piae::symptoms
