@@ -77,7 +77,7 @@ std::vector<Section> confidence_sections(const ClassifierRows& block, const run:
   return {PaperReference(dataset, block.classifier)
               .none()
               .of({"confidence",
-                   fmt::format("What may be answered with {} % of the answers right on {}, percent",
+                   fmt::format("What may be answered at {} % precision on {}, percent",
                                scoring::wanted_precision_percent, dataset),
                    confidence_note(silent), table})};
 }
