@@ -6,6 +6,8 @@
 #include <iostream>
 
 #include "cli/stage.hpp"
+#include "report/confidence_table.hpp"
+#include "report/decisions_table.hpp"
 #include "report/gaps.hpp"
 #include "report/quality_table.hpp"
 #include "report/summary.hpp"
@@ -23,7 +25,9 @@ int main(int argc, char** argv) {
       "Makes the tables of RUN/DATASET from the diagnoses and scores there, with the published "
       "figures beside ours: accuracy.csv, gains.csv and quality.csv; comparisons.csv and "
       "ranks.csv, "
-      "which say what is more than chance; all of them for people as tables.md and tables.tex; and "
+      "which say what is more than chance; decisions.csv, which has decisions over several windows "
+      "of a record, where the test windows (A.h5) are there, and confidence.csv, which says how "
+      "many windows may be answered; all of them for people as tables.md and tables.tex; and "
       "summary.txt, which says in one small table and a sentence or two what was seen. The "
       "methods, "
       "ratios and seeds that are named must be there; the tables have all cells that are. Prints "
@@ -74,6 +78,8 @@ int main(int argc, char** argv) {
                     {layout.quality_csv(), report::quality_csv(grid, results)},
                     {layout.comparisons_csv(), report::comparisons_csv(comparisons)},
                     {layout.ranks_csv(), report::ranks_csv(ranks)},
+                    {layout.decisions_csv(), report::decisions_csv(rows, results)},
+                    {layout.confidence_csv(), report::confidence_csv(rows, results)},
                     {layout.tables_markdown(), report::markdown(tables)},
                     {layout.tables_latex(), report::latex(tables)},
                     {layout.summary_text(), report::summary_text(grid, results, rows)}});

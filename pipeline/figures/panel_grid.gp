@@ -22,7 +22,6 @@ beside_done = "unset label 1; unset label 2; unset label 3"
 key_row  = margins(0.05, 0.95, 1 - 24.0 / height, 1 - 48.0 / height). \
   "unset border; unset tics; unset title; unset label; unset arrow; unset object; ". \
   "set xrange [0:1]; set yrange [0:1]; set key at screen 0.5, 1 - 36.0 / height center horizontal maxrows 1"
-colon(ratio) = ratio[1:strstrt(ratio, "to") - 1].":".ratio[strstrt(ratio, "to") + 2:]  # "10:1" for 10to1
 # Fonts of so many pixels, where 13 are usual; in a PDF 9 points are.
 sized(pixels) = sprintf(",%g", format eq "pdf" ? pixels * 9 / 13.0 : pixels)
 font_9  = sized(9)

@@ -25,6 +25,7 @@ faint(i)  = (0xB0 << 24) + colour(i)
 ceiling_colour = 0x777777
 panels(n, columns) = (n + columns - 1) / columns
 
+colon(ratio) = ratio[1:strstrt(ratio, "to") - 1].":".ratio[strstrt(ratio, "to") + 2:]  # "10:1" for 10to1
 # The place of a word in a list, from 1.
 place(word, list) = (found = 0, sum [n = 1:words(list)] (word(list, n) eq word ? (found = n) : 0), found)
 

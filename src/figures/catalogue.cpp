@@ -11,6 +11,7 @@
 #include "figures/paired_differences.hpp"
 #include "figures/protocols.hpp"
 #include "figures/quality.hpp"
+#include "figures/refusal.hpp"
 #include "figures/reliability.hpp"
 #include "figures/sweep.hpp"
 #include "figures/twin_space.hpp"
@@ -100,6 +101,18 @@ constexpr Figure figures[] = {
          "from the diagonal, weighted by them.",
      .from = "seed*/<method>/<last ratio>/diagnosis.h5, /scores and /predictions",
      .numbers = reliabilities},
+    {.name = "refusal",
+     .paper = "",
+     .title = "What refusing the least sure windows is worth",
+     .caption =
+         "How many of a hundred answers are right where only part of the test windows is answered: "
+         "those with the largest score of the class that was named. The mean over the seeds, with "
+         "the most generated windows; at the right edge, where all are answered, it is the "
+         "accuracy. A line that is level says that the scores do not tell right from wrong. The "
+         "dashed line is the precision of confidence.csv. Shares are read off the test windows "
+         "themselves: a user must choose the threshold before.",
+     .from = "seed*/<method>/<last ratio>/diagnosis.h5, /scores and /predictions",
+     .accuracies = refusals},
     {.name = "protocols",
      .paper = "",
      .title = "What overlapping windows are worth",

@@ -2,23 +2,20 @@
 
 #include <algorithm>
 #include <cmath>
-#include <span>
+#include <iterator>
 
 #include "figures/most_windows.hpp"
-#include "scoring/calibration.hpp"
+#include "scoring/confidence.hpp"
 
 namespace piae::figures {
 
 namespace {
 
-std::vector<scoring::Judgement> judgements_of(const MethodDiagnoses& method) {
+/// Of the windows of all seeds.
+std::vector<scoring::Judgement> pooled_judgements(const MethodDiagnoses& method) {
   std::vector<scoring::Judgement> all;
-  const std::size_t classes = method.info().classes.size();
   for (const scoring::DiagnosisRecord& record : method.seeds) {
-    for (std::size_t i = 0; i < record.labels.size(); ++i) {
-      const auto own = std::span(record.scores).subspan(i * classes, classes);
-      all.push_back({std::ranges::max(own), record.predictions[i] == record.labels[i]});
-    }
+    std::ranges::copy(scoring::judgements_of(record), std::back_inserter(all));
   }
   return all;
 }
@@ -37,12 +34,12 @@ void add_bin(Numbers& numbers, const MethodDiagnoses& method, const std::string&
 }  // namespace
 
 Numbers reliabilities(Source& source) {
-  constexpr std::size_t bins = 10;
   Numbers numbers({"method", "ceiling", "ratio", "kind", "score_from", "score_to", "windows",
                    "share", "mean_score", "accuracy", "gap"});
   for (const MethodDiagnoses& method : diagnoses_with_most_windows(source)) {
-    const std::vector<scoring::Judgement> judgements = judgements_of(method);
-    const std::vector<scoring::ScoreBin> own = scoring::reliability(judgements, bins);
+    const std::vector<scoring::Judgement> judgements = pooled_judgements(method);
+    const std::vector<scoring::ScoreBin> own =
+        scoring::reliability(judgements, scoring::reliability_bins);
     for (const scoring::ScoreBin& bin : own) {
       add_bin(numbers, method, "bin", bin, judgements.size(),
               std::abs(bin.accuracy - bin.mean_score));

@@ -93,11 +93,7 @@ std::vector<AccuracyRow> accuracy_rows(const run::Grid& grid, const run::Results
                                        const Published& published) {
   std::vector<AccuracyRow> rows;
   for (const run::Combination& combination : grid.combinations) {
-    std::vector<run::Diagnosis> cells;
-    std::ranges::copy_if(
-        results.diagnoses, std::back_inserter(cells), [&](const run::Diagnosis& cell) {
-          return run::Combination{cell.method, cell.ratio, cell.classifier} == combination;
-        });
+    const std::vector<run::Diagnosis> cells = run::diagnoses_of(results, combination);
     if (cells.empty()) continue;
     rows.push_back(accuracy_row(grid.dataset, cells));
     add_published(rows.back(), published);

@@ -10,6 +10,8 @@
 #include "report/bounded_summary.hpp"
 #include "report/classifier_rows.hpp"
 #include "report/condition_notes.hpp"
+#include "report/confidence_table.hpp"
+#include "report/decisions_table.hpp"
 #include "report/gaps.hpp"
 #include "report/paper_reference.hpp"
 #include "report/quality_table.hpp"
@@ -39,7 +41,8 @@ std::string how_to_read(const run::Grid& grid, const std::string& protocol) {
 }
 
 /// The tables of one classifier.
-std::vector<Section> sections_of(const ClassifierRows& block, const Published& published,
+std::vector<Section> sections_of(const ClassifierRows& block, const run::Results& results,
+                                 const Published& published,
                                  const std::vector<Comparisons>& comparisons,
                                  const std::vector<RankTable>& ranks) {
   std::vector<Section> sections = accuracy_sections(block, published);
@@ -52,6 +55,8 @@ std::vector<Section> sections_of(const ClassifierRows& block, const Published& p
   for (const RankTable& each : ranks) {
     if (each.classifier == block.classifier) add(rank_sections(each));
   }
+  add(decision_sections(block, results));
+  add(confidence_sections(block, results));
   return sections;
 }
 
@@ -79,9 +84,11 @@ Document tables(const run::Grid& grid, const run::Results& results,
   if (!conditions.empty()) document.paragraphs.push_back(conditions);
   document.paragraphs.push_back(how_to_read(grid, to_string(results.diagnoses.front().protocol)));
   std::ranges::move(gap_paragraphs(grid, results), std::back_inserter(document.paragraphs));
+  const std::string no_decisions = decisions_gap(results);
+  if (!no_decisions.empty()) document.paragraphs.push_back(no_decisions);
   const std::vector<ClassifierRows> blocks = by_classifier(rows);
   for (const ClassifierRows& block : blocks) {
-    for (Section& section : sections_of(block, published, comparisons, ranks)) {
+    for (Section& section : sections_of(block, results, published, comparisons, ranks)) {
       document.sections.push_back(
           blocks.size() == 1 ? std::move(section) : named_by(block.classifier, std::move(section)));
     }

@@ -10,10 +10,10 @@
 namespace piae::report {
 
 /// All tables of a dataset: accuracies and gains, beside what the paper publishes of this dataset
-/// or of its counterpart, comparisons and ranks, for each classifier; then quality. Where there are
-/// several classifiers, the title of each table says which it is of. `rows`, at least one, were
-/// made from `results`; `comparisons` and `ranks` were made from `rows`. `twins` come last
-/// (twin_table.hpp).
+/// or of its counterpart, comparisons and ranks, decisions over several windows and confidence, for
+/// each classifier; then quality. Where there are several classifiers, the title of each table says
+/// which it is of. `rows`, at least one, were made from `results`; `comparisons` and `ranks` were
+/// made from `rows`. `twins` come last (twin_table.hpp).
 Document tables(const run::Grid& grid, const run::Results& results,
                 const std::vector<AccuracyRow>& rows, const Published& published,
                 const std::vector<Comparisons>& comparisons, const std::vector<RankTable>& ranks,

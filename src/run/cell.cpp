@@ -35,10 +35,25 @@ std::vector<std::string> names_of(const signal::DatasetInfo& info, bool signal::
   return names;
 }
 
+/// That labels differ is how a diagnosis shows that it is of another split.
+std::vector<scoring::DecisionRates> decisions_of(const artefact::Reader& reader,
+                                                 const scoring::DiagnosisRecord& record,
+                                                 const TestedWindows* tested) {
+  if (tested == nullptr) return {};
+  if (record.labels != tested->labels) {
+    reader.refuse("/labels",
+                  "are not those of A.h5 of this seed, so it was tested on other windows; make it "
+                  "again, or take away that A.h5");
+  }
+  return scoring::decision_rates(record.labels, record.scores, record.info.classes.size(),
+                                 tested->places);
+}
+
 }  // namespace
 
 Diagnosis read_diagnosis_cell(const artefact::Reader& reader, const std::string& dataset,
-                              const Combination& combination, std::int64_t seed) {
+                              const Combination& combination, std::int64_t seed,
+                              const TestedWindows* tested) {
   const scoring::DiagnosisRecord record = scoring::read_diagnosis(reader);
   require_same(reader, "the dataset", record.info.name, dataset);
   require_same(reader, "the method", record.method, combination.method);
@@ -57,7 +72,9 @@ Diagnosis read_diagnosis_cell(const artefact::Reader& reader, const std::string&
           .kind_accuracy = kind_accuracy_of(record),
           .speed_ratio = speed_ratio_of(record.info),
           .known_at = names_of(record.info, &signal::Condition::known),
-          .tested_at = names_of(record.info, &signal::Condition::test)};
+          .tested_at = names_of(record.info, &signal::Condition::test),
+          .confidence = scoring::confidence_of(record),
+          .decisions = decisions_of(reader, record, tested)};
 }
 
 scoring::QualityRecord read_score_cell(const artefact::Reader& reader, const std::string& dataset,

@@ -7,6 +7,9 @@
 
 #include "artefact/reader.hpp"
 #include "run/grid.hpp"
+#include "run/tested_windows.hpp"
+#include "scoring/confidence.hpp"
+#include "scoring/decisions.hpp"
 #include "scoring/quality_record.hpp"
 #include "signal/protocol.hpp"
 
@@ -33,13 +36,17 @@ struct Diagnosis {
   /// The names of the conditions in which faults are known, and tested; empty as speed_ratio is.
   std::vector<std::string> known_at = {};
   std::vector<std::string> tested_at = {};
+  scoring::Confidence confidence = {};
+  /// Over several windows; empty where it is not known where the test windows were cut.
+  std::vector<scoring::DecisionRates> decisions = {};
 };
 
 /// Reads one diagnosis. Throws artefact::Refusal where the file is not of this dataset, method,
-/// ratio, classifier and seed, which are those of its place in the run, or is not a diagnosis that
-/// can be.
+/// ratio, classifier and seed, which are those of its place in the run, is not a diagnosis that
+/// can be, or is not of these test windows. `tested` may be null, where they are not known.
 Diagnosis read_diagnosis_cell(const artefact::Reader& reader, const std::string& dataset,
-                              const Combination& combination, std::int64_t seed);
+                              const Combination& combination, std::int64_t seed,
+                              const TestedWindows* tested = nullptr);
 
 /// Reads one score, in the same way.
 scoring::QualityRecord read_score_cell(const artefact::Reader& reader, const std::string& dataset,

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <iterator>
 
 namespace piae::run {
 
@@ -43,9 +44,12 @@ std::string class_names(const scoring::QualityRecord& record) {
 }
 
 void add_diagnosis(const fs::path& path, const std::string& dataset, const Combination& combination,
-                   std::int64_t seed, std::vector<Diagnosis>& diagnoses) {
+                   std::int64_t seed, const TestedWindowsBySeed& tested,
+                   std::vector<Diagnosis>& diagnoses) {
   const artefact::Reader reader(path, "diagnosis");
-  const Diagnosis cell = read_diagnosis_cell(reader, dataset, combination, seed);
+  const auto windows = tested.find(seed);
+  const Diagnosis cell = read_diagnosis_cell(reader, dataset, combination, seed,
+                                             windows == tested.end() ? nullptr : &windows->second);
   require_like_the_others(reader, cell, diagnoses);
   diagnoses.push_back(cell);
 }
@@ -87,14 +91,35 @@ Series series_of(const Combination& combination) {
           .combination = combination};
 }
 
+void collect_tested_windows(const Layout& layout, const std::string& dataset, std::int64_t seed,
+                            TestedWindowsBySeed& windows, Results& results) {
+  const fs::path path = layout.windows("A", seed);
+  attempt(
+      fmt::format("test windows, seed {}", seed), path,
+      [&] {
+        const artefact::Reader reader(path, "windows");
+        windows.emplace(seed, read_tested_windows(reader, dataset, seed));
+      },
+      results);
+}
+
+std::vector<Diagnosis> diagnoses_of(const Results& results, const Combination& combination) {
+  std::vector<Diagnosis> own;
+  std::ranges::copy_if(results.diagnoses, std::back_inserter(own), [&](const Diagnosis& cell) {
+    return Combination{cell.method, cell.ratio, cell.classifier} == combination;
+  });
+  return own;
+}
+
 void collect_diagnoses(const Layout& layout, const std::string& dataset, const Series& series,
-                       const std::vector<std::int64_t>& seeds, Results& results) {
+                       const std::vector<std::int64_t>& seeds, Results& results,
+                       const TestedWindowsBySeed& tested) {
   const Combination& cell = series.combination;
   for (const std::int64_t seed : seeds) {
     const fs::path path = layout.diagnosis(series.folder, cell.ratio, seed, cell.classifier);
     attempt(
         fmt::format("{}, ratio {}, seed {}", series.name, cell.ratio, seed), path,
-        [&] { add_diagnosis(path, dataset, cell, seed, results.diagnoses); }, results);
+        [&] { add_diagnosis(path, dataset, cell, seed, tested, results.diagnoses); }, results);
   }
 }
 

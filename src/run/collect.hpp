@@ -45,9 +45,18 @@ struct Series {
 /// The series of the grid itself.
 Series series_of(const Combination& combination);
 
-/// Adds the diagnoses of a series at these seeds to the results, or what is wrong with them.
+/// Adds the test windows (A) of a seed to these, or what is wrong with them to the results.
+void collect_tested_windows(const Layout& layout, const std::string& dataset, std::int64_t seed,
+                            TestedWindowsBySeed& windows, Results& results);
+
+/// Adds the diagnoses of a series at these seeds to the results, or what is wrong with them. Those
+/// of seeds whose test windows are known have decisions.
 void collect_diagnoses(const Layout& layout, const std::string& dataset, const Series& series,
-                       const std::vector<std::int64_t>& seeds, Results& results);
+                       const std::vector<std::int64_t>& seeds, Results& results,
+                       const TestedWindowsBySeed& tested = {});
+
+/// The diagnoses of one combination, by seed.
+std::vector<Diagnosis> diagnoses_of(const Results& results, const Combination& combination);
 
 /// The same for the scores of a method.
 void collect_scores(const Layout& layout, const std::string& dataset, const std::string& method,

@@ -46,8 +46,9 @@ void for_each_combination(const Grid& asked, Classifiers which, const F& f) {
 /// Reads the cells of one file name over the seeds: those that tables are made of.
 class CellsOfSeeds {
  public:
-  CellsOfSeeds(const Layout& layout, const Held& held, Collected& into)
-      : layout_(layout), held_(held), into_(into) {
+  CellsOfSeeds(const Layout& layout, const Held& held, Collected& into,
+               TestedWindowsBySeed tested = {})
+      : layout_(layout), held_(held), into_(into), tested_(std::move(tested)) {
     seeds_.insert(into.grid.seeds.begin(), into.grid.seeds.end());
   }
 
@@ -58,7 +59,7 @@ class CellsOfSeeds {
     const auto seeds = chosen(is_asked(asked, cell), asked, cell, file_of);
     if (seeds.empty()) return;
     into_.grid.combinations.push_back(cell);
-    collect_diagnoses(layout_, asked.dataset, series_of(cell), seeds, into_.results);
+    collect_diagnoses(layout_, asked.dataset, series_of(cell), seeds, into_.results, tested_);
   }
 
   void scores(const Grid& asked, const std::string& method) {
@@ -88,8 +89,20 @@ class CellsOfSeeds {
   const Layout& layout_;
   const Held& held_;
   Collected& into_;
+  TestedWindowsBySeed tested_;
   std::set<std::int64_t> seeds_;
 };
+
+/// The test windows of all seeds that tables are of, as far as the folder holds them.
+TestedWindowsBySeed tested_windows(const Layout& layout, const Grid& asked, const Held& held,
+                                   Results& results) {
+  TestedWindowsBySeed windows;
+  for (const std::int64_t seed : held_grid(layout, asked, held).seeds) {
+    if (!held.has(layout.windows("A", seed))) continue;
+    collect_tested_windows(layout, asked.dataset, seed, windows, results);
+  }
+  return windows;
+}
 
 void add_scores(const Layout& layout, const Grid& asked, const Held& held, Collected& into) {
   CellsOfSeeds cells(layout, held, into);
@@ -204,7 +217,12 @@ Results collect_held_scores(const Layout& layout, const Grid& asked, const Held&
 }
 
 Collected collect_held(const Layout& layout, const Grid& asked, const Held& held) {
-  Collected collected = collect_held_diagnoses(layout, asked, held);
+  Collected collected;
+  collected.grid.dataset = asked.dataset;
+  CellsOfSeeds cells(layout, held, collected,
+                     tested_windows(layout, asked, held, collected.results));
+  for_each_combination(asked, Classifiers::all,
+                       [&](const Combination& cell) { cells.diagnoses(asked, cell); });
   add_scores(layout, asked, held, collected);
   return collected;
 }

@@ -63,7 +63,7 @@ struct Collected {
 /// Reads the cells that are asked for, as collect() does, and with them all others that the folder
 /// holds. What is left out is named in Results::left_out. Classifiers and
 /// methods are in the order of their catalogues, so that the tables of the same cells are the same,
-/// whoever asked.
+/// whoever asked. Diagnoses of seeds whose test windows (A) the folder holds have decisions.
 Collected collect_held(const Layout& layout, const Grid& asked, const Held& held);
 
 /// Of which classifiers cells are looked for besides those that are asked for.

@@ -38,4 +38,19 @@ double accuracy(const Confusion& confusion) {
   return static_cast<double>(right) / static_cast<double>(all);
 }
 
+double balanced_accuracy(const Confusion& confusion) {
+  double sum = 0;
+  std::size_t tested = 0;
+  for (std::size_t truth = 0; truth < confusion.classes; ++truth) {
+    const auto row =
+        std::span(confusion.counts).subspan(truth * confusion.classes, confusion.classes);
+    const std::int64_t all = std::accumulate(row.begin(), row.end(), std::int64_t{0});
+    if (all == 0) continue;
+    ++tested;
+    sum += static_cast<double>(row[truth]) / static_cast<double>(all);
+  }
+  if (tested == 0) throw std::logic_error("no window to be accurate about");
+  return sum / static_cast<double>(tested);
+}
+
 }  // namespace piae::scoring

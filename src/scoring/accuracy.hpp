@@ -30,4 +30,8 @@ Confusion confusion_matrix(std::span<const Label> labels, std::span<const Label>
 /// there is not one window.
 double accuracy(const Confusion& confusion);
 
+/// The mean over the classes of the share of their windows that were recognised, in [0, 1]; a class
+/// without a window does not count. Throws std::logic_error when there is not one window.
+double balanced_accuracy(const Confusion& confusion);
+
 }  // namespace piae::scoring

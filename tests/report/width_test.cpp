@@ -78,7 +78,12 @@ class FullGrid {
          .true_ratio = scoring::true_ratio(500, 5, ratio.generated_per_class),
          .protocol = signal::Protocol::random,
          .accuracy = cell.method == "oracle" ? 1 - 1e-3 * std::abs(std::sin(place))
-                                             : 0.5 + 0.5 * std::sin(3 * place + 0.1)});
+                                             : 0.5 + 0.5 * std::sin(3 * place + 0.1),
+         .confidence = {.calibration_error = 0.5 - 0.5 * std::sin(place),
+                        .answerable = 0.5 + 0.5 * std::sin(2 * place)},
+         .decisions = {{.windows = 1, .decisions = 12345, .balanced = 0.5 + 0.5 * std::sin(place)},
+                       {.windows = 10, .decisions = 1234, .balanced = 1},
+                       {.windows = 60, .decisions = 1, .balanced = seed == 0 ? 0.0 : 1.0}}});
   }
   void add_score(const std::string& method, std::int64_t seed) {
     scoring::QualityRecord& record = results_.qualities.emplace_back();
@@ -106,6 +111,7 @@ TEST_P(Width, OfTheTablesOfTheFullGridIsAtMost100) {
   FullGrid grid(GetParam(), 10);
   expect_narrow(grid.markdown_of_tables());
   EXPECT_THAT(grid.markdown_of_tables(), testing::HasSubstr("| oracle (ceiling) | "));
+  EXPECT_THAT(grid.markdown_of_tables(), testing::HasSubstr("| decisions of a seed | "));
 }
 
 TEST_P(Width, OfTablesOfFewOrManySeedsOrWithGapsIsAtMost100) {

@@ -33,5 +33,14 @@ TEST(Confusion, RefusesWhatDoesNotFit) {
   EXPECT_THROW(confusion_matrix(two, std::vector<std::int32_t>{-1, 0}, 2), std::logic_error);
 }
 
+/// Three of four of one class, none of one of another; the third has no window.
+TEST(BalancedAccuracy, IsTheMeanOverTheClassesThatHaveWindows) {
+  const Confusion confusion =
+      confusion_matrix(std::vector<Label>{0, 0, 0, 0, 2}, std::vector<Label>{0, 0, 0, 1, 0}, 3);
+  EXPECT_DOUBLE_EQ(balanced_accuracy(confusion), (0.75 + 0) / 2);
+  EXPECT_DOUBLE_EQ(accuracy(confusion), 0.6);
+  EXPECT_THROW(balanced_accuracy({2, std::vector<std::int64_t>(4)}), std::logic_error);
+}
+
 }  // namespace
 }  // namespace piae::scoring
