@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "base/error.hpp"
+#include "signal/ranges.hpp"
 #include "text/csv.hpp"
 #include "text/lines.hpp"
 
@@ -67,7 +68,11 @@ std::vector<std::string> reference_datasets(const fs::path& folder, signal::Prot
   const fs::path below = folder / to_string(protocol);
   if (!fs::is_directory(below)) return names;
   for (const auto& entry : fs::directory_iterator(below)) {
-    if (entry.path().extension() == ".csv") names.push_back(entry.path().stem().string());
+    const std::string name = entry.path().stem().string();
+    // Tables of several data sets lie beside, with a name that no data set can have.
+    if (entry.path().extension() == ".csv" && signal::ranges::is_plain_name(name)) {
+      names.push_back(name);
+    }
   }
   std::ranges::sort(names);
   return names;
