@@ -2,6 +2,7 @@
 
 #include <span>
 #include <string>
+#include <vector>
 
 #include "diagnosis/standardise.hpp"
 #include "signal/window_set.hpp"
@@ -16,6 +17,9 @@ struct Classifier {
   /// Windows as WDCNN sees them, in which `what` names the set in errors; null for the one that is
   /// not trained (diagnosis/nearest.hpp).
   LabelledWindows (*represent)(const signal::WindowSet& windows, const std::string& what) = nullptr;
+  /// Learns from healthy windows alone: it needs no fault window, known or generated, and is run
+  /// with `none` only.
+  bool rule = false;
 
   [[nodiscard]] bool trains() const { return represent != nullptr; }
 };
@@ -29,6 +33,9 @@ const Classifier* find_classifier(const std::string& name);
 
 /// The same. Throws Error(usage), which lists the known names, for any other.
 const Classifier& the_classifier(const std::string& name);
+
+/// The names of the rules.
+std::vector<std::string> rules();
 
 /// Whose accuracy without any generated window stands beside all others: what needs neither a
 /// generator nor a training.

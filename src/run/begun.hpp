@@ -9,7 +9,7 @@
 
 namespace piae::run {
 
-/// Options --methods, --ratios, --seeds and --classifiers of a program that looks at what a run
+/// Options --methods, --ratios, --seeds, --classifiers and --nothing-known of a program that looks at what a run
 /// holds; each may be left out.
 void bind_begun_cells(const cli::Options& command, GridOptions& options);
 

@@ -19,8 +19,11 @@ bool is_for(const DatasetInfo& info, const Source& source, Role role) {
 std::vector<Share> shares_of(bool healthy, const Counts& counts) {
   const std::size_t rest = counts.all - counts.test;
   if (healthy) return {{Role::test, counts.test}, {Role::healthy, rest}};
-  return {
-      {Role::test, counts.test}, {Role::known, counts.known}, {Role::hidden, rest - counts.known}};
+  const Share test{Role::test, counts.test};
+  const Share hidden{Role::hidden, rest - counts.known};
+  // Where nothing is known, C takes part in nothing: it has no block of time, and no gap beside it.
+  if (counts.known == 0) return {test, hidden};
+  return {test, {Role::known, counts.known}, hidden};
 }
 
 /// One for each condition in which the class has records, in the order of the conditions.

@@ -17,7 +17,7 @@ namespace piae::signal {
 struct Counts {
   std::size_t all = 0;    ///< of the class
   std::size_t test = 0;   ///< A
-  std::size_t known = 0;  ///< C, of a fault class
+  std::size_t known = 0;  ///< C, of a fault class; it may be none
 };
 
 /// A role, and how many windows it gets.

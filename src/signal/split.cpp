@@ -25,14 +25,17 @@ struct Setting {
   const char* name;
   std::size_t SplitOptions::*value;
   const char* help;
+  std::int64_t least = 1;
 };
+constexpr std::int64_t most_of_a_setting = 1000000000;
 constexpr Setting settings[] = {
     {"window", &SplitOptions::window, "Samples in a window"},
     {"max-stride", &SplitOptions::max_stride,
      "Samples between two windows at most; less where the windows need it"},
     {"windows-per-class", &SplitOptions::windows_per_class, "Windows cut of each class"},
     {"test-per-class", &SplitOptions::test_per_class, "Windows of each class in A (test)"},
-    {"known-per-class", &SplitOptions::known_per_class, "Windows of each fault class in C (known)"},
+    {known_per_class, &SplitOptions::known_per_class,
+     "Windows of each fault class in C (known); 0 where no fault is known", 0},
     {"guard-windows", &SplitOptions::guard_windows,
      "Window lengths left unused between two roles (blocked only)"},
 };
@@ -41,10 +44,8 @@ constexpr Setting settings[] = {
 
 void require_sensible(const SplitOptions& options) {
   if (options.window == 0 || options.max_stride == 0 || options.test_per_class == 0 ||
-      options.known_per_class == 0 || options.guard_windows == 0) {
-    refuse_options(
-        "window, max-stride, test-per-class, known-per-class and guard-windows must be "
-        "at least 1");
+      options.guard_windows == 0) {
+    refuse_options("window, max-stride, test-per-class and guard-windows must be at least 1");
   }
   if (options.windows_per_class <= options.test_per_class + options.known_per_class) {
     refuse_options("windows-per-class (" + std::to_string(options.windows_per_class) +
@@ -193,22 +194,25 @@ void split_class(const Recordings& recordings, Label label, const SplitOptions& 
 }  // namespace
 
 void bind(const cli::Options& command, SplitOptions& options) {
-  constexpr std::int64_t most = 1000000000;
   command.add("--seed", options.seed, "The repeat: each seed has its own split")
       .required()
-      .check(cli::whole_number(0, most));
+      .check(cli::whole_number(0, most_of_a_setting));
   command.choose("--protocol", options.protocol, protocol_words(),
                  "random: the paper's; blocked: contiguous blocks with a guard gap");
   for (const Setting& setting : settings) {
     command.add(std::string("--") + setting.name, options.*setting.value, setting.help)
-        .check(cli::whole_number(1, most));
+        .check(cli::whole_number(setting.least, most_of_a_setting));
   }
 }
 
-std::vector<std::string> split_settings() {
-  std::vector<std::string> names;
-  for (const Setting& setting : settings) names.emplace_back(setting.name);
-  return names;
+std::vector<SplitSetting> split_settings() {
+  std::vector<SplitSetting> list;
+  for (const Setting& setting : settings) {
+    list.push_back({.name = setting.name,
+                    .range = {.low = static_cast<double>(setting.least),
+                              .high = static_cast<double>(most_of_a_setting)}});
+  }
+  return list;
 }
 
 Counts counts_of(const SplitOptions& options) {
