@@ -20,10 +20,9 @@ signal::WindowSet PiaeDtZero::generate(const artefact::Reader& model, std::size_
   const signal::WindowSet healthy = read_learned(model, signal::Role::healthy);
   const zero::Machine machine(healthy);
   const zero::Twin twin(machine, zero::read_prior(model));
-  return zero::make_windows(machine, count, stream,
-                            [&](const zero::Scene& scene, const Stream& random) {
-                              return twin.make(scene, random);
-                            });
+  return zero::make_windows(
+      machine, count, stream,
+      [&](const zero::Scene& scene, const Stream& random) { return twin.make(scene, random); });
 }
 
 }  // namespace piae::augment

@@ -69,12 +69,11 @@ void leave_track(const Rhythm& rhythm, double cage_hz, double frame_s, const Pri
   const double share = evenly(random, prior.least_on_track, 1);
   if (share <= 0 || share >= 1) return;
   const auto steps = static_cast<std::size_t>(std::ceil(frame_s / rhythm.period_s)) + 1;
-  const std::vector<double> axis =
-      wandering(steps, std::exp(-rhythm.period_s / memory_s), random);
+  const std::vector<double> axis = wandering(steps, std::exp(-rhythm.period_s / memory_s), random);
   const double threshold = exceeded_by(share);
   for (transfer::Strike& strike : strikes) {
-    const double step = std::clamp(strike.time_s / rhythm.period_s, 0.0,
-                                   static_cast<double>(steps - 1));
+    const double step =
+        std::clamp(strike.time_s / rhythm.period_s, 0.0, static_cast<double>(steps - 1));
     if (axis[static_cast<std::size_t>(step)] <= threshold) strike.strength *= off_track;
   }
 }

@@ -9,9 +9,9 @@
 
 namespace piae::zero {
 
-// A ball turns about an axis that nothing holds, so its defect meets the races less orderly than one
-// of a race meets balls (Smith and Randall 2015 show records of balls with lines of their cage, and
-// ones without any line).
+// A ball turns about an axis that nothing holds, so its defect meets the races less orderly than
+// one of a race meets balls (Smith and Randall 2015 show records of balls with lines of their cage,
+// and ones without any line).
 
 /// A defect meets both races in turn. On one of them it is heard less: every second strike is times
 /// a part that is uniform from the prior's to 1.
@@ -30,8 +30,8 @@ void scatter_in_time(double frame_s, const Prior& prior, Stream& random,
 
 /// The axis wanders, so the spot meets the track for a share of the time alone, uniform from the
 /// prior's to 1; beside it a strike is times `off_track`. Whether it does is a normal process
-/// w(t) with a correlation of exp(-t / T) against a threshold, and T is log-uniform from half a turn
-/// of the cage to 20.
+/// w(t) with a correlation of exp(-t / T) against a threshold, and T is log-uniform from half a
+/// turn of the cage to 20.
 void leave_track(const Rhythm& rhythm, double cage_hz, double frame_s, const Prior& prior,
                  Stream& random, std::vector<transfer::Strike>& strikes);
 

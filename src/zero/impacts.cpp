@@ -32,8 +32,7 @@ double largest_size_mm(const bearing::Geometry& geometry, const Prior& prior) {
 double draw_lag_s(const Scene& scene, const bearing::Geometry& geometry, const Prior& prior,
                   Stream& random) {
   const double largest_mm = largest_size_mm(geometry, prior);
-  const double size_mm =
-      log_evenly(random, std::min(prior.least_size_mm, largest_mm), largest_mm);
+  const double size_mm = log_evenly(random, std::min(prior.least_size_mm, largest_mm), largest_mm);
   return bearing::passage_s(geometry, {.kind = scene.defect, .size_mm = size_mm},
                             scene.shaft_speed_rpm) *
          evenly(random, least_passage, 1);

@@ -9,11 +9,11 @@ namespace piae::zero {
 
 /// What the common recipe draws for a window.
 struct ImpulseOptions {
-  double lowest_part = 1.0 / 6;  ///< of the resonance / half the sampling rate: 1 kHz at 12 kHz
+  double lowest_part = 1.0 / 6;     ///< of the resonance / half the sampling rate: 1 kHz at 12 kHz
   double highest_part = 11.0 / 12;  ///< 5.5 kHz at 12 kHz
-  double least_damping = 0.01;   ///< ratio
+  double least_damping = 0.01;      ///< ratio
   double largest_damping = 0.1;
-  double modulation = 0.9;  ///< of the impulses' amplitude: the largest depth
+  double modulation = 0.9;      ///< of the impulses' amplitude: the largest depth
   double least_level_db = -10;  ///< impulses over the healthy window
   double largest_level_db = 10;
 };
@@ -23,8 +23,8 @@ void bind(const cli::Options& command, ImpulseOptions& options);
 /// Throws Error(usage) for a range that ends before it begins.
 void require_order(const ImpulseOptions& options);
 
-/// In the artefact: attributes of the group /impulses. Throws artefact::Refusal also for a range that
-/// ends before it begins.
+/// In the artefact: attributes of the group /impulses. Throws artefact::Refusal also for a range
+/// that ends before it begins.
 void write(artefact::Writer& writer, const ImpulseOptions& options);
 ImpulseOptions read_impulse_options(const artefact::Reader& reader);
 

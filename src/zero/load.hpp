@@ -12,10 +12,10 @@ namespace piae::zero {
 
 /// How the load on the ball that strikes comes and goes.
 struct Load {
-  double extent = 0;         ///< of the load zone (bearing/load_zone.hpp); 0: all are loaded alike
-  double angle_rad = 0;      ///< of the defect from the direction of the load, at time 0
-  double rad_per_s = 0;      ///< how fast it goes round
-  double rotating = 0;       ///< load that turns with the shaft / load that stays
+  double extent = 0;     ///< of the load zone (bearing/load_zone.hpp); 0: all are loaded alike
+  double angle_rad = 0;  ///< of the defect from the direction of the load, at time 0
+  double rad_per_s = 0;  ///< how fast it goes round
+  double rotating = 0;   ///< load that turns with the shaft / load that stays
   double shaft_angle_rad = 0;  ///< at time 0
   double shaft_rad_per_s = 0;
 

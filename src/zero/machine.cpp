@@ -69,11 +69,11 @@ Machine::Machine(const signal::WindowSet& healthy) : healthy_(healthy) {
                                        ": what no fault is known of is made from those of B");
     }
     for (const std::size_t i : windows) require_speed(healthy, i);
-    heard_.push_back({.condition = condition,
-                      .windows = std::move(windows),
-                      .log_amplitude = transfer::liftered(
-                          transfer::find_spectrum(spectra, condition)->log_amplitude,
-                          colour_quefrency)});
+    heard_.push_back(
+        {.condition = condition,
+         .windows = std::move(windows),
+         .log_amplitude = transfer::liftered(
+             transfer::find_spectrum(spectra, condition)->log_amplitude, colour_quefrency)});
   }
 }
 

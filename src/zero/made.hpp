@@ -20,8 +20,8 @@ struct Made {
 using Make = std::function<Made(const Scene& scene, const Stream& random)>;
 
 /// Makes `count` windows of each class with a defect, class by class, as signal::make_windows does.
-/// Where the data set tells conditions apart, each says the tested one in which it is, and the speed
-/// of the shaft in it.
+/// Where the data set tells conditions apart, each says the tested one in which it is, and the
+/// speed of the shaft in it.
 signal::WindowSet make_windows(const Machine& machine, std::size_t count, const Stream& stream,
                                const Make& make);
 

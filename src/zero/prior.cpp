@@ -81,8 +81,7 @@ void bind(const cli::Options& command, Prior& prior) {
                  "whether a strike is as strong as the load on the ball, or all are alike");
   command.choose("--edges", prior.edges, switch_words(),
                  "whether a ball strikes the second edge of a defect, too");
-  command
-      .add("--resonances", prior.resonances, "of the structure: the most; the fewest are two")
+  command.add("--resonances", prior.resonances, "of the structure: the most; the fewest are two")
       .check(cli::whole_number(static_cast<std::int64_t>(ranges::resonances.low),
                                static_cast<std::int64_t>(ranges::resonances.high)));
   bind<Prior>(command, prior, prior_settings);

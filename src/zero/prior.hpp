@@ -25,9 +25,9 @@ struct Prior {
   double strength_scatter = 0.6;  ///< of a strike's logarithm: largest standard deviation
 
   // What a ball does beside that (ball.hpp).
-  double other_race = 0.2;      ///< strength on the weaker race / on the other: the least; 1: alike
-  double new_phase = 1;         ///< probability that a turn of the cage finds it turned: the largest
-  double random_strikes = 1;    ///< share of strikes at any moment: the largest
+  double other_race = 0.2;    ///< strength on the weaker race / on the other: the least; 1: alike
+  double new_phase = 1;       ///< probability that a turn of the cage finds it turned: the largest
+  double random_strikes = 1;  ///< share of strikes at any moment: the largest
   double least_on_track = 0.1;  ///< share of the time in which the spot meets a race: the least
 
   // What a ball meets (impacts.hpp).
@@ -43,15 +43,15 @@ struct Prior {
   double highest_part = 0.95;
   double least_damping = 0.01;  ///< ratio
   double largest_damping = 0.08;
-  double gain_scatter = 0.7;       ///< of a resonance's logarithm: standard deviation
-  double healthy_structure = 1;    ///< power of the healthy amplitude spectrum: the largest
-  double path_db = 10;             ///< of the path's gain at a knot: standard deviation
-  double mass_kg = 1;              ///< M of eq. 13, by which a resonance has its k and c
+  double gain_scatter = 0.7;     ///< of a resonance's logarithm: standard deviation
+  double healthy_structure = 1;  ///< power of the healthy amplitude spectrum: the largest
+  double path_db = 10;           ///< of the path's gain at a knot: standard deviation
+  double mass_kg = 1;            ///< M of eq. 13, by which a resonance has its k and c
 
   // The background (background.hpp), and what else is heard (nuisances.hpp).
-  double background_db = 3;   ///< of its path's gain at a knot: standard deviation
-  double modulation = 0.3;    ///< depth at a rate of the bearing: the largest
-  double stray_knocks = 0.3;  ///< probability of knocks without rhythm
+  double background_db = 3;     ///< of its path's gain at a knot: standard deviation
+  double modulation = 0.3;      ///< depth at a rate of the bearing: the largest
+  double stray_knocks = 0.3;    ///< probability of knocks without rhythm
   double least_level_db = -10;  ///< what is struck over the background
   double largest_level_db = 20;
 };

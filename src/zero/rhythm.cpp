@@ -17,8 +17,7 @@ constexpr double least_step = 0.5;
 
 Rhythm draw_rhythm(const Scene& scene, const Prior& prior, Stream& random) {
   const double slip = evenly(random, -prior.slip, prior.slip);
-  const double jitter =
-      scene.defect == bearing::Defect::roller ? prior.ball_jitter : prior.jitter;
+  const double jitter = scene.defect == bearing::Defect::roller ? prior.ball_jitter : prior.jitter;
   return {.period_s = 1 / (scene.strike_hz * (1 + slip)),
           .slip = slip,
           .jitter = log_evenly(random, jitter / jitter_span, jitter)};

@@ -18,7 +18,7 @@ namespace piae::zero {
 template <class Options>
 struct Setting {
   const char* name;  ///< as on the command line, without its dashes
-  double Options::* value;
+  double Options::*value;
   Range range;
   const char* help;
 };

@@ -66,9 +66,9 @@ ArrayXd draw_log_answer(const std::vector<Resonance>& resonances, const ArrayXd&
   const std::vector<double> gains =
       transfer::draw_gains(random, static_cast<std::size_t>(healthy.size()),
                            {.spread_db = prior.path_db, .knots = path_knots});
-  const ArrayXd heard =
-      (rings / std::sqrt(rings.square().mean()) + between_resonances) * (power * healthy).exp() *
-      Eigen::Map<const ArrayXd>(gains.data(), healthy.size());
+  const ArrayXd heard = (rings / std::sqrt(rings.square().mean()) + between_resonances) *
+                        (power * healthy).exp() *
+                        Eigen::Map<const ArrayXd>(gains.data(), healthy.size());
   return (heard + least_amplitude * heard.maxCoeff()).log();
 }
 

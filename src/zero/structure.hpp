@@ -29,9 +29,10 @@ Eigen::ArrayXd amplitude(const std::vector<Resonance>& resonances, Eigen::Index 
 /// The k and c of the resonance with the highest peak: w_n^2 = k / M, 2 zeta w_n = c / M.
 signal::DynamicParameters ring_of(const std::vector<Resonance>& resonances, double mass_kg);
 
-/// The logarithm of the amplitude with which a blow is heard at the sensor: resonances, times a power
-/// of the healthy spectrum that is uniform up to the prior's (where the machine itself sounds, it
-/// passes vibration on), times a random smooth path. `healthy` is a logarithm at the same bins.
+/// The logarithm of the amplitude with which a blow is heard at the sensor: resonances, times a
+/// power of the healthy spectrum that is uniform up to the prior's (where the machine itself
+/// sounds, it passes vibration on), times a random smooth path. `healthy` is a logarithm at the
+/// same bins.
 Eigen::ArrayXd draw_log_answer(const std::vector<Resonance>& resonances,
                                const Eigen::ArrayXd& healthy, double rate_hz, const Prior& prior,
                                Stream& random);

@@ -36,8 +36,7 @@ double amplitude_of(double db) { return std::pow(10, db / 20); }
 ArrayXd struck_frame(const Strikes& strikes, const ArrayXcd& response, double rate_hz) {
   const Index bins = response.size();
   return transfer::samples_of(
-      response *
-      transfer::excitation(strikes, bins, rate_hz / 2 / static_cast<double>(bins - 1)));
+      response * transfer::excitation(strikes, bins, rate_hz / 2 / static_cast<double>(bins - 1)));
 }
 
 /// The last `length` samples, with the mean square 1, or nothing where nothing is.
@@ -53,7 +52,8 @@ std::vector<double> times_in_window(const Strikes& strikes, Index frame, std::si
   std::vector<double> samples;
   samples.reserve(strikes.size());
   const double begins = static_cast<double>(frame) - static_cast<double>(length);
-  for (const transfer::Strike& strike : strikes) samples.push_back(strike.time_s * rate_hz - begins);
+  for (const transfer::Strike& strike : strikes)
+    samples.push_back(strike.time_s * rate_hz - begins);
   return transfer::times_within(samples, length, rate_hz);
 }
 
@@ -149,8 +149,8 @@ Made Twin::make(const Scene& scene, const Stream& random) const {
   Struck struck = strike(scene, response, random);
   const double level = amplitude_of(evenly(loud, prior_.least_level_db, prior_.largest_level_db));
   const ArrayXd window = (level * struck.window + background(scene, response, random)) *
-                         draw_modulation(scene, machine_.info().bearing, machine_.length(),
-                                         rate_hz, prior_, modulating);
+                         draw_modulation(scene, machine_.info().bearing, machine_.length(), rate_hz,
+                                         prior_, modulating);
   return {.samples = as_loud_as(scene.healthy, window),
           .strikes_s = std::move(struck.strikes_s),
           .ring = ring_of(resonances, prior_.mass_kg)};

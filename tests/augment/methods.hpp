@@ -25,8 +25,8 @@ inline signal::WindowSet as_healthy(signal::WindowSet windows) {
   return windows;
 }
 
-/// Trains on the known windows and returns the stored model. What needs no known ones hears the same
-/// windows as healthy ones.
+/// Trains on the known windows and returns the stored model. What needs no known ones hears the
+/// same windows as healthy ones.
 inline std::filesystem::path train(const std::string& method, const std::string& options,
                                    const signal::WindowSet& known,
                                    const nets::Checkpoint& checkpoint, const std::string& name) {

@@ -10,8 +10,8 @@
 
 namespace piae::zero {
 
-/// Healthy windows of a machine with a 6205 at 1800 rpm: noise of different loudness, with an offset.
-/// Its classes are healthy, inner race, outer race and ball.
+/// Healthy windows of a machine with a 6205 at 1800 rpm: noise of different loudness, with an
+/// offset. Its classes are healthy, inner race, outer race and ball.
 inline signal::WindowSet healthy_windows(std::size_t length = 1024, std::size_t count = 6) {
   signal::WindowSet windows;
   windows.info = three_classes("zero");

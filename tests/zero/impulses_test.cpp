@@ -15,8 +15,8 @@ namespace {
 TEST(Impulses, ComeAtTheKinematicRateAndNothingElse) {
   const signal::WindowSet healthy = healthy_windows(4096);
   const Machine machine(healthy);
-  const Made made = add_impulses(machine, {}, scene_of(healthy, bearing::Defect::outer),
-                                 Stream("window"));
+  const Made made =
+      add_impulses(machine, {}, scene_of(healthy, bearing::Defect::outer), Stream("window"));
   const double period_s = 1 / (30 * 4.5 * (1 - 7.94 / 39));
   ASSERT_NEAR(static_cast<double>(made.strikes_s.size()), 4096 / 12000.0 / period_s, 1);
   for (std::size_t i = 1; i < made.strikes_s.size(); ++i) {

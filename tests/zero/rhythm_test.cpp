@@ -38,8 +38,7 @@ TEST(Rhythm, OfABallIsLessRegular) {
   const signal::WindowSet healthy = healthy_windows();
   for (int i = 0; i < 100; ++i) {
     Stream random("jitter " + std::to_string(i));
-    const double race =
-        draw_rhythm(scene_of(healthy, bearing::Defect::outer), {}, random).jitter;
+    const double race = draw_rhythm(scene_of(healthy, bearing::Defect::outer), {}, random).jitter;
     EXPECT_GE(race, 0.015 / 7 - 1e-12);
     EXPECT_LE(race, 0.015);
     Stream again("jitter " + std::to_string(i));

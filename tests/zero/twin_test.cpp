@@ -62,8 +62,9 @@ TEST(ZeroTwin, HasTheDrawnLevelOverTheBackground) {
     const Eigen::ArrayXd background = draw_background(scene.healthy, 0, under);
     Eigen::ArrayXd window(4096);
     for (Eigen::Index t = 0; t < 4096; ++t) window[t] = made.samples[static_cast<std::size_t>(t)];
-    // window = g (10^(db/20) y + b), with y and b of mean square 1. They know nothing of each other,
-    // so b explains 1 / (1 + 10^(db/10)) of its power, and is in the window with that correlation.
+    // window = g (10^(db/20) y + b), with y and b of mean square 1. They know nothing of each
+    // other, so b explains 1 / (1 + 10^(db/10)) of its power, and is in the window with that
+    // correlation.
     const double explained = std::pow((window * background).mean(), 2) / window.square().mean();
     EXPECT_NEAR(explained, 1 / (1 + std::pow(10, db / 10)), 0.05) << db;
   }
@@ -83,8 +84,8 @@ TEST(ZeroTwin, RingsAsItsStrongestResonance) {
   Prior prior;
   prior.mass_kg = 2;
   for (int i = 0; i < 100; ++i) {
-    const Made made = Twin(machine, prior)
-                          .make(scene_of(healthy, Defect::outer), Stream(std::to_string(i)));
+    const Made made =
+        Twin(machine, prior).make(scene_of(healthy, Defect::outer), Stream(std::to_string(i)));
     ASSERT_TRUE(made.ring);
     const double natural_hz = std::sqrt(made.ring->stiffness_n_per_m / 2) / 2 / std::numbers::pi;
     EXPECT_GE(natural_hz, 600 - 1e-6);
