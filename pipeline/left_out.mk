@@ -3,8 +3,8 @@
 # in a data set is left out, with one line that says so.
 
 # Data set, method.
-classifiers_of = $(foreach classifier,$(CLASSIFIERS) $(if $(filter $(baseline),$2),$(filter-out $(CLASSIFIERS),$(bar))),\
-                   $(if $(filter $2/$(classifier),$(call pairs,$1)),$(classifier)))
+classifiers_of = $(strip $(foreach classifier,$(CLASSIFIERS) $(if $(filter $(baseline),$2),$(filter-out $(CLASSIFIERS),$(bar))),\
+                   $(if $(filter $2/$(classifier),$(call pairs,$1)),$(classifier))))
 # Data set.
 methods_of     = $(methods.$1)
 generators_of  = $(filter-out $(baseline),$(methods.$1))

@@ -22,7 +22,7 @@ $(if $(swept),,$(error make sweep moves the settings of $(call fact,swept): METH
 
 sweep_judge = $(call fact,sweep-classifier:$1)
 # Of a data set: those that have cells by the classifier of their sweep there.
-swept_of = $(foreach method,$(swept),$(if $(filter $(method)/$(call sweep_judge,$(method)),$(call pairs,$1)),$(method)))
+swept_of = $(strip $(foreach method,$(swept),$(if $(filter $(method)/$(call sweep_judge,$(method)),$(call pairs,$1)),$(method))))
 $(foreach dataset,$(DATASETS),$(if $(call swept_of,$(dataset)),,$(error make sweep: $(dataset): no fault window is known, and \
   none of $(swept) works there by the classifier of its sweep)))
 

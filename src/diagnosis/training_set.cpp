@@ -116,7 +116,8 @@ void require_faults(const WindowSet& training, const Classifier& classifier,
   if (classifier.rule || training.count_of(training.info.healthy_label()) < training.size()) return;
   const std::vector<std::string> there = rules();
   const std::string cure =
-      there.empty() ? "" : fmt::format(", or choose a rule by --classifier: {}", fmt::join(there, ", "));
+      there.empty() ? ""
+                    : fmt::format(", or choose a rule by --classifier: {}", fmt::join(there, ", "));
   throw Error(Exit::bad_input,
               fmt::format("{}: holds no known fault window (known-per-class = 0), and without any "
                           "{} cannot learn what a fault is; give --generated windows of a method "

@@ -20,7 +20,7 @@ struct Diagnosis {
   std::int64_t seed = 0;
   std::int64_t generated_per_class = 0;
   /// healthy windows to those of one fault class; nothing where there are none
-  std::optional<double> true_ratio;
+  std::optional<double> true_ratio = std::nullopt;
   bool any_known = true;  ///< whether fault windows were known
   signal::Protocol protocol = signal::Protocol::random;
   double accuracy = 0;  ///< in [0, 1]

@@ -62,8 +62,9 @@ void add_cells(const std::vector<std::string>& methods, const std::vector<std::s
       "none of these methods, ratios and classifiers go together: 'none' exists at 100to1 only, "
       "every other method at every other ratio only, and rules are asked of 'none' alone";
   throw Error(Exit::usage, nothing_known
-                               ? of_all + "; where no fault window is known, there are 'none' by "
-                                          "rules, and methods that need none: " +
+                               ? of_all +
+                                     "; where no fault window is known, there are 'none' by "
+                                     "rules, and methods that need none: " +
                                      joined(augment::methods_without_known())
                                : of_all);
 }

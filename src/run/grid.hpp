@@ -80,11 +80,11 @@ bool has_score(const std::string& method);
 /// The same grid with the cells of one classifier alone.
 Grid of_classifier(Grid grid, const std::string& classifier);
 
-/// The cells asked for, as far as there can be such. Where classifiers are named and `none` is among
-/// the methods, it has a cell of the bar (diagnosis/catalogue.hpp) whatever they are, unless nothing
-/// is known. Throws Error(usage) for an empty list, a
-/// value that is there twice, an unknown ratio or classifier, a seed that is not a number from 0
-/// up, and methods, ratios and classifiers of which none go together.
+/// The cells asked for, as far as there can be such. Where classifiers are named and `none` is
+/// among the methods, it has a cell of the bar (diagnosis/catalogue.hpp) whatever they are, unless
+/// nothing is known. Throws Error(usage) for an empty list, a value that is there twice, an unknown
+/// ratio or classifier, a seed that is not a number from 0 up, and methods, ratios and classifiers
+/// of which none go together.
 Grid resolve(const GridOptions& options);
 
 }  // namespace piae::run

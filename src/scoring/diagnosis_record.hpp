@@ -32,7 +32,7 @@ struct DiagnosisRecord {
   std::int64_t generated_per_class = 0;       ///< windows of each fault class
   /// healthy windows to those of one fault class: 3.33 for "2to1"; nothing where there are none
   std::optional<double> true_ratio;
-  bool any_known = true;                                 ///< whether fault windows were known
+  bool any_known = true;  ///< whether fault windows were known
   std::int64_t seed = 0;
   signal::Protocol protocol = signal::Protocol::random;  ///< of the split
   std::vector<Label> labels;                             ///< [n] true classes of the windows of A

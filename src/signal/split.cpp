@@ -1,5 +1,7 @@
 #include "signal/split.hpp"
 
+#include <spdlog/fmt/fmt.h>
+
 #include <algorithm>
 #include <numeric>
 #include <span>
@@ -66,7 +68,9 @@ void require_a_fault_class(const DatasetInfo& info) {
 std::vector<RecordPlace> places_of(const Recordings& recordings) {
   std::vector<RecordPlace> places;
   for (const Record& record : recordings.records) {
-    places.push_back({.label = record.label, .condition = record.condition});
+    places.push_back({.label = record.label,
+                      .condition = record.condition,
+                      .shaft_speed_rpm = record.shaft_speed_rpm});
   }
   return places;
 }
@@ -146,13 +150,22 @@ Split empty_split(const Recordings& recordings, const SplitOptions& options) {
   return split;
 }
 
+std::string speed_label(double speed_rpm) { return fmt::format("{:g} rpm", speed_rpm); }
+
+/// The random numbers of a source.
+Stream stream_of(const Stream& of_class, const DatasetInfo& info, const Source& source) {
+  if (source.shaft_speed_rpm) return of_class.child(speed_label(*source.shaft_speed_rpm));
+  if (source.condition == every_condition) return of_class;
+  return of_class.child(info.conditions[static_cast<std::size_t>(source.condition)].name);
+}
+
 /// "dataset cwru, class IR007, condition 900 rpm".
 std::string name_of(const DatasetInfo& info, Label label, const Source& source) {
   std::string name = "dataset " + info.name + ", class " + info.class_of(label).name;
   if (source.condition != every_condition) {
     name += ", condition " + info.conditions[static_cast<std::size_t>(source.condition)].name;
   }
-  return name;
+  return source.shaft_speed_rpm ? name + ", " + speed_label(*source.shaft_speed_rpm) : name;
 }
 
 /// Deals out the windows of one source, and returns their stride.
@@ -182,10 +195,7 @@ void split_class(const Recordings& recordings, Label label, const SplitOptions& 
   std::size_t least = options.max_stride;
   for (const Source& source :
        sources_of(info, label, places_of(recordings), counts_of(options), stream)) {
-    const bool of_all = source.condition == every_condition;
-    const Stream own =
-        of_all ? stream
-               : stream.child(info.conditions[static_cast<std::size_t>(source.condition)].name);
+    const Stream own = stream_of(stream, info, source);
     least = std::min(least, split_source(recordings, label, source, options, own, out));
   }
   out.strides.push_back(static_cast<std::int64_t>(least));
