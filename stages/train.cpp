@@ -61,11 +61,14 @@ int main(int argc, char** argv) {
         stage.input_file("--real", real_file,
                          "D.h5 of the same split, which only a ceiling learns from");
       }
-      if (augment::find_entry(name)->hears) {
+      const augment::CatalogueEntry& entry = *augment::find_entry(name);
+      if (entry.hears) {
         stage
             .input_file("--healthy", healthy_file,
-                        "B.h5 of the same split, for --background-from healthy")
-            .required(false);
+                        entry.without_known
+                            ? "B.h5 of the same split: the healthy windows that faults are made of"
+                            : "B.h5 of the same split, for --background-from healthy")
+            .required(entry.without_known);
       }
     } catch (const Error&) {
       // run() meets the same error again, and reports it.

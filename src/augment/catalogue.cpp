@@ -7,10 +7,12 @@
 #include <iterator>
 
 #include "augment/dynamics.hpp"
+#include "augment/healthy_plus_impulses.hpp"
 #include "augment/oracle.hpp"
 #include "augment/physics.hpp"
 #include "augment/piae_dt.hpp"
 #include "augment/piae_dt_phase.hpp"
+#include "augment/piae_dt_zero.hpp"
 #include "augment/playback.hpp"
 #include "augment/repetition.hpp"
 #include "augment/smote.hpp"
@@ -89,6 +91,12 @@ constexpr CatalogueEntry entries[] = {
      .make = make<StrikeTwin>,
      .hears = true,
      .carries = true},
+    {.name = "piae-dt-zero",
+     .kind = Kind::ours,
+     .what = "healthy windows struck as a prior of faults says",
+     .make = make<PiaeDtZero>,
+     .hears = true,
+     .without_known = true},
     {.name = "oversample",
      .kind = Kind::control,
      .what = "known windows repeated",
@@ -105,6 +113,12 @@ constexpr CatalogueEntry entries[] = {
      .kind = Kind::control,
      .what = "known windows played at random speeds through random transfer paths",
      .make = make<Playback, Speed::random>},
+    {.name = "healthy-plus-impulses",
+     .kind = Kind::control,
+     .what = "healthy windows with the impulses of one damped resonance",
+     .make = make<HealthyPlusImpulses>,
+     .hears = true,
+     .without_known = true},
     {.name = "oracle",
      .kind = Kind::ceiling,
      .what = "real windows in the place of generated ones",

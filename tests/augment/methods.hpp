@@ -19,12 +19,21 @@ inline std::unique_ptr<Method> method_with(const std::string& name, const std::s
   return method;
 }
 
-/// Trains on the known windows and returns the stored model.
+/// The same windows as healthy ones.
+inline signal::WindowSet as_healthy(signal::WindowSet windows) {
+  windows.labels.assign(windows.size(), windows.info.healthy_label());
+  return windows;
+}
+
+/// Trains on the known windows and returns the stored model. What needs no known ones hears the
+/// same windows as healthy ones.
 inline std::filesystem::path train(const std::string& method, const std::string& options,
                                    const signal::WindowSet& known,
                                    const nets::Checkpoint& checkpoint, const std::string& name) {
   artefact::Writer writer("model");
-  method_with(method, options)->train(known, Stream("train"), {}, checkpoint, writer);
+  const std::unique_ptr<Method> learner = method_with(method, options);
+  if (find_entry(method)->without_known) learner->hear(as_healthy(known));
+  learner->train(known, Stream("train"), {}, checkpoint, writer);
   std::filesystem::path path = scratch_file(name);
   writer.save(path, {});
   return path;

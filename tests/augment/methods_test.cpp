@@ -23,6 +23,8 @@ const Case shift{"shift", ""};
 const Case resample{"resample", ""};
 const Case randomise{"randomise", ""};
 const Case strike_twin{"strike-twin", "--equaliser-db 3 --background 0.2"};
+const Case piae_dt_zero{"piae-dt-zero", "--resonances 3"};
+const Case healthy_plus_impulses{"healthy-plus-impulses", ""};
 const Case vae{"vae", "--epochs 4 --width 8 --latent 3 --batch 4"};
 // Three batches an epoch: the generator's steps fall on other batches in each.
 const Case wgan_gp{"wgan-gp", "--epochs 4 --width 8 --latent 3 --batch 4 --critic-steps 2"};
@@ -47,7 +49,8 @@ class GeneratingMethod : public testing::TestWithParam<Case> {
 
 INSTANTIATE_TEST_SUITE_P(Augment, GeneratingMethod,
                          testing::Values(dynamics, physics, smote, oversample, shift, resample,
-                                         randomise, strike_twin, vae, wgan_gp),
+                                         randomise, strike_twin, piae_dt_zero,
+                                         healthy_plus_impulses, vae, wgan_gp),
                          name_of);
 
 TEST_P(GeneratingMethod, MakesWindowsOfEveryFaultClassInOrder) {

@@ -263,6 +263,33 @@ TEST_F(Impossible, ModelsOfTheTwinThatIsStruck) {
       });
 }
 
+TEST_F(Impossible, ModelsOfMethodsThatKnowNoFault) {
+  const auto of_a_fault = [](hid_t file) {
+    change_numbers<std::int32_t>(file, "/labels", [](auto& labels) { labels[0] = 1; });
+  };
+  expect_model_refused(
+      "piae-dt-zero", {"--healthy", "B.h5"},
+      {
+          {"a rate that shows no rhythm", attribute("/", "sample_rate_hz", 100.0), "is struck"},
+          {"a fault among the healthy windows", of_a_fault, "IR007"},
+          {"slip 1", attribute("/prior", "slip", 1.0), "slip"},
+          {"resonances 2^40", attribute("/prior", "resonances", huge), "resonances"},
+          {"no damping", attribute("/prior", "damping_ratio_from", 0.0), "damping_ratio_from"},
+          {"sizes in disorder", attribute("/prior", "size_from_mm", 9.0), "is above size_to_mm"},
+          {"edges that are neither",
+           [](hid_t file) { replace_attribute(file, "/prior", "edges", "cake"); }, "on or off"},
+          {"no mass", attribute("/prior", "mass_kg", 0.0), "mass_kg"},
+      });
+  expect_model_refused(
+      "healthy-plus-impulses", {"--healthy", "B.h5"},
+      {
+          {"a fault among the healthy windows", of_a_fault, "IR007"},
+          {"modulation 2", attribute("/impulses", "modulation", 2.0), "modulation"},
+          {"levels in disorder", attribute("/impulses", "level_from_db", 50.0),
+           "is above level_to_db"},
+      });
+}
+
 TEST_F(Impossible, ModelsOfOtherMethods) {
   expect_model_refused(
       "smote", {},

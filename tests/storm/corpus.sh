@@ -77,9 +77,9 @@ stage split --records speeds.h5 "${split[@]}" --output-dir speeds
 consumer speeds.h5 split --records speeds.h5 "${split[@]}" --output-dir out
 consumer speeds/C.h5 train --method dynamics --known speeds/C.h5 --seed 0 --output out.h5
 
-for method in resample randomise strike-twin; do
+for method in resample randomise strike-twin piae-dt-zero healthy-plus-impulses; do
   healthy=()
-  [[ $method != strike-twin ]] || healthy=(--healthy speeds/B.h5)
+  [[ ! $method =~ ^(strike-twin|piae-dt-zero|healthy-plus-impulses)$ ]] || healthy=(--healthy speeds/B.h5)
   stage train --method $method --known speeds/C.h5 "${healthy[@]}" --seed 0 --output $method.model.h5
   consumer $method.model.h5 generate --model $method.model.h5 --count 5 --seed 0 --output out.h5
 done

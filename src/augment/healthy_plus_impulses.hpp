@@ -1,0 +1,26 @@
+#pragma once
+
+#include <optional>
+
+#include "augment/method.hpp"
+#include "zero/impulses.hpp"
+
+namespace piae::augment {
+
+/// The method `healthy-plus-impulses`, the common recipe where no fault window is known
+/// (zero/impulses.hpp): what piae-dt-zero must beat to be worth anything.
+class HealthyPlusImpulses final : public Method {
+ public:
+  void hear(const signal::WindowSet& healthy) override { healthy_ = healthy; }
+  void bind(const cli::Options& command) override { zero::bind(command, options_); }
+  void train(const signal::WindowSet& known, const Stream& stream, const Compute& compute,
+             const nets::Checkpoint& checkpoint, artefact::Writer& model) override;
+  signal::WindowSet generate(const artefact::Reader& model, std::size_t count, const Stream& stream,
+                             const Compute& compute) override;
+
+ private:
+  zero::ImpulseOptions options_;
+  std::optional<signal::WindowSet> healthy_;
+};
+
+}  // namespace piae::augment

@@ -1,0 +1,28 @@
+#include "augment/piae_dt_zero.hpp"
+
+#include "augment/healthy_model.hpp"
+#include "zero/twin.hpp"
+
+namespace piae::augment {
+
+void PiaeDtZero::train(const signal::WindowSet& known, const Stream& /*stream*/,
+                       const Compute& /*compute*/, const nets::Checkpoint& /*checkpoint*/,
+                       artefact::Writer& model) {
+  zero::require_order(prior_);
+  const signal::WindowSet& healthy = require_heard(healthy_, known);
+  (void)zero::Twin(zero::Machine(healthy), prior_);  // refuses what cannot be
+  signal::write(model, healthy);
+  zero::write(model, prior_);
+}
+
+signal::WindowSet PiaeDtZero::generate(const artefact::Reader& model, std::size_t count,
+                                       const Stream& stream, const Compute& /*compute*/) {
+  const signal::WindowSet healthy = read_learned(model, signal::Role::healthy);
+  const zero::Machine machine(healthy);
+  const zero::Twin twin(machine, zero::read_prior(model));
+  return zero::make_windows(
+      machine, count, stream,
+      [&](const zero::Scene& scene, const Stream& random) { return twin.make(scene, random); });
+}
+
+}  // namespace piae::augment

@@ -1,0 +1,81 @@
+#include "zero/ball.hpp"
+
+#include <algorithm>
+#include <boost/math/distributions/normal.hpp>
+#include <cmath>
+
+#include "zero/draws.hpp"
+
+namespace piae::zero {
+
+namespace {
+
+constexpr double half_a_period = 0.5;
+/// In turns of the cage.
+constexpr double least_memory = 0.5;
+constexpr double longest_memory = 20;
+
+/// What a standard normal number is above with this probability, which is below 1.
+double exceeded_by(double share) {
+  return boost::math::quantile(boost::math::complement(boost::math::normal(), share));
+}
+
+/// `count` numbers, standard normal each, with this correlation from one to the next.
+std::vector<double> wandering(std::size_t count, double correlation, Stream& random) {
+  std::vector<double> numbers(count);
+  const double fresh = std::sqrt(1 - correlation * correlation);
+  double now = random.normal(0, 1);
+  for (double& number : numbers) {
+    number = now;
+    now = correlation * now + fresh * random.normal(0, 1);
+  }
+  return numbers;
+}
+
+}  // namespace
+
+void alternate_races(const Prior& prior, Stream& random, std::vector<transfer::Strike>& strikes) {
+  const double weaker = evenly(random, prior.other_race, 1);
+  for (std::size_t i = random.below(2); i < strikes.size(); i += 2) strikes[i].strength *= weaker;
+}
+
+void turn_between_passes(const Rhythm& rhythm, double cage_hz, const Prior& prior, Stream& random,
+                         std::vector<transfer::Strike>& strikes) {
+  const double probability = random.uniform(0, 1) * prior.new_phase;
+  const double began = random.uniform(0, 1);
+  double turn = 0;
+  double offset_s = 0;
+  for (transfer::Strike& strike : strikes) {
+    const double now = std::floor(strike.time_s * cage_hz + began);
+    if (now > turn && happens(random, probability)) {
+      offset_s = rhythm.period_s * evenly(random, -half_a_period, half_a_period);
+    }
+    turn = now;
+    strike.time_s += offset_s;
+  }
+}
+
+void scatter_in_time(double frame_s, const Prior& prior, Stream& random,
+                     std::vector<transfer::Strike>& strikes) {
+  const double share = random.uniform(0, 1) * prior.random_strikes;
+  for (transfer::Strike& strike : strikes) {
+    if (happens(random, share)) strike.time_s = random.uniform(0, frame_s);
+  }
+}
+
+void leave_track(const Rhythm& rhythm, double cage_hz, double frame_s, const Prior& prior,
+                 Stream& random, std::vector<transfer::Strike>& strikes) {
+  const double memory_s = log_evenly(random, least_memory, longest_memory) / cage_hz;
+  const double share = evenly(random, prior.least_on_track, 1);
+  if (share <= 0 || share >= 1) return;
+  const auto steps = static_cast<std::size_t>(std::ceil(frame_s / rhythm.period_s)) + 1;
+  const std::vector<double> axis = wandering(steps, std::exp(-rhythm.period_s / memory_s), random);
+  const double threshold = exceeded_by(share);
+  for (transfer::Strike& strike : strikes) {
+    const double step =
+        std::clamp(strike.time_s / rhythm.period_s, 0.0, static_cast<double>(steps - 1));
+    if (axis[static_cast<std::size_t>(step)] <= threshold) strike.strength *= off_track;
+  }
+}
+
+}  // namespace piae::zero

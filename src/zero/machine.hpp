@@ -1,0 +1,56 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "base/random.hpp"
+#include "bearing/kinematics.hpp"
+#include "signal/window_set.hpp"
+
+namespace piae::zero {
+
+/// Where a window is made: which defect, and on which healthy window of the machine.
+struct Scene {
+  bearing::Defect defect = bearing::Defect::outer;
+  std::int32_t condition = signal::every_condition;  ///< the tested one
+  double shaft_speed_rpm = 0;                        ///< that of the healthy window
+  double strike_hz = 0;                              ///< BPFO, BPFI or 2 BSF at that speed
+  std::span<const float> healthy;
+};
+
+/// A machine of which no fault is known: its bearing, and healthy windows B in the tested
+/// conditions.
+class Machine {
+ public:
+  /// `healthy` must outlive this. Throws Error (bad_input) where a tested condition has no healthy
+  /// window, where the bearing cannot be or its speed is not known, and where a defect is struck
+  /// more often than every two samples.
+  explicit Machine(const signal::WindowSet& healthy);
+
+  /// Window `index` of a class: in one tested condition after the other, on any healthy window of
+  /// that.
+  [[nodiscard]] Scene draw_scene(Label label, std::size_t index, Stream& random) const;
+
+  /// How a healthy machine sounds in a condition: the logarithm of its amplitude at the bins of a
+  /// frame of two windows (of one sample more, where their length is odd), with the mean 0, without
+  /// its lines (cepstrum.hpp).
+  [[nodiscard]] const Eigen::ArrayXd& log_amplitude(std::int32_t condition) const;
+
+  [[nodiscard]] const signal::DatasetInfo& info() const { return healthy_.info; }
+  [[nodiscard]] std::size_t length() const { return healthy_.length; }
+
+ private:
+  /// A tested condition.
+  struct Heard {
+    std::int32_t condition;
+    std::vector<std::size_t> windows;
+    Eigen::ArrayXd log_amplitude;
+  };
+
+  const signal::WindowSet& healthy_;
+  std::vector<Heard> heard_;
+};
+
+}  // namespace piae::zero

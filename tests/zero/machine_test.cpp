@@ -1,0 +1,72 @@
+#include "zero/machine.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <set>
+
+#include "support/errors.hpp"
+#include "zero/healthy.hpp"
+
+namespace piae::zero {
+namespace {
+
+/// The same windows, three of each of two conditions.
+signal::WindowSet at_two_speeds() {
+  signal::WindowSet healthy = healthy_windows();
+  healthy.info.conditions = {{.name = "900 rpm", .shaft_speed_rpm = 900},
+                             {.name = "1800 rpm", .shaft_speed_rpm = 1800}};
+  healthy.condition = {0, 0, 0, 1, 1, 1};
+  healthy.shaft_speed_rpm = {900, 901, 902, 1800, 1801, 1802};
+  return healthy;
+}
+
+TEST(Machine, MakesAWindowOfOneConditionAfterTheOtherAtTheSpeedOfItsHealthyWindow) {
+  const signal::WindowSet healthy = at_two_speeds();
+  const Machine machine(healthy);
+  std::set<double> speeds;
+  for (std::size_t i = 0; i < 200; ++i) {
+    Stream random("scene " + std::to_string(i));
+    const Scene scene = machine.draw_scene(2, i, random);
+    ASSERT_EQ(scene.condition, static_cast<std::int32_t>(i % 2));
+    // A 6205 has 3.5848 strikes on its outer race in a turn: 4.5 (1 - 7.94 / 39).
+    ASSERT_NEAR(scene.strike_hz / (scene.shaft_speed_rpm / 60), 4.5 * (1 - 7.94 / 39), 1e-9);
+    EXPECT_EQ(scene.defect, bearing::Defect::outer);
+    speeds.insert(scene.shaft_speed_rpm);
+  }
+  EXPECT_EQ(speeds, (std::set<double>{900, 901, 902, 1800, 1801, 1802}));
+}
+
+TEST(Machine, NeedsHealthyWindowsOfEachTestedCondition) {
+  signal::WindowSet healthy = at_two_speeds();
+  healthy.condition = {0, 0, 0, 0, 0, 0};
+  EXPECT_ERROR(Machine{healthy}, Exit::bad_input, "tested condition '1800 rpm'");
+  healthy.condition = {0, 0, 0, signal::every_condition, 0, 0};
+  EXPECT_NO_THROW(Machine{healthy});
+  healthy.info.conditions[1].test = false;
+  healthy.condition = {0, 0, 0, 0, 0, 0};
+  EXPECT_NO_THROW(Machine{healthy});
+  const signal::WindowSet none = healthy_windows(1024, 0);
+  EXPECT_ERROR(Machine{none}, Exit::bad_input, "no healthy window");
+}
+
+TEST(Machine, NeedsABearingThatCanBeAndItsSpeed) {
+  signal::WindowSet healthy = healthy_windows();
+  healthy.info.bearing.balls = 0;
+  EXPECT_ERROR(Machine{healthy}, Exit::bad_input, "bearing: 0 balls");
+  healthy = healthy_windows();
+  for (const double unknown : {0.0, std::numeric_limits<double>::quiet_NaN()}) {
+    healthy.info.shaft_speed_rpm = unknown;
+    EXPECT_ERROR(Machine{healthy}, Exit::bad_input, "describe the speed");
+  }
+}
+
+TEST(Machine, NeedsASamplingRateAtWhichStrikesAreApart) {
+  signal::WindowSet healthy = healthy_windows();
+  // BPFI of 1800 rpm is 162.5 Hz, 2 BSF 141.4 Hz.
+  healthy.info.sample_rate_hz = 320;
+  EXPECT_ERROR(Machine{healthy}, Exit::bad_input, "class IR is struck 162.485 times a second");
+}
+
+}  // namespace
+}  // namespace piae::zero

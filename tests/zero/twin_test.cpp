@@ -1,0 +1,160 @@
+#include "zero/twin.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "support/errors.hpp"
+#include "zero/background.hpp"
+#include "zero/healthy.hpp"
+
+namespace piae::zero {
+namespace {
+
+using bearing::Defect;
+
+/// Nothing but strikes alike: no slip, no path, no background beside the healthy window.
+Prior plain() {
+  Prior prior;
+  prior.slip = 0;
+  prior.jitter = 0;
+  prior.ball_jitter = 0;
+  prior.load_zone = Switch::off;
+  prior.rotating = 0;
+  prior.strength_scatter = 0;
+  prior.other_race = 1;
+  prior.new_phase = 0;
+  prior.random_strikes = 0;
+  prior.least_on_track = 1;
+  prior.roughness = 0;
+  prior.background_db = 0;
+  prior.modulation = 0;
+  prior.stray_knocks = 0;
+  return prior;
+}
+
+TEST(ZeroTwin, StrikesABallThatNothingTurnsStrictlyInItsRhythm) {
+  const signal::WindowSet healthy = healthy_windows(4096);
+  const Machine machine(healthy);
+  const Scene scene = scene_of(healthy, Defect::roller);
+  const Made made = Twin(machine, plain()).make(scene, Stream("window"));
+  // 2 BSF of a 6205 at 30 turns a second.
+  const double period_s = 1 / (30 * 39 / 7.94 * (1 - std::pow(7.94 / 39, 2)));
+  ASSERT_NEAR(static_cast<double>(made.strikes_s.size()), 4096 / 12000.0 / period_s, 1);
+  for (std::size_t i = 1; i < made.strikes_s.size(); ++i) {
+    EXPECT_NEAR(made.strikes_s[i] - made.strikes_s[i - 1], period_s, 1e-9);
+  }
+}
+
+TEST(ZeroTwin, HasTheDrawnLevelOverTheBackground) {
+  const signal::WindowSet healthy = healthy_windows(4096);
+  const Machine machine(healthy);
+  const Scene scene = scene_of(healthy, Defect::outer);
+  for (const double db : {-10.0, 0.0, 10.0}) {
+    Prior prior = plain();
+    prior.least_level_db = db;
+    prior.largest_level_db = db;
+    const Stream random("window");
+    const Made made = Twin(machine, prior).make(scene, random);
+    Stream under = random.child("background");
+    const Eigen::ArrayXd background = draw_background(scene.healthy, 0, under);
+    Eigen::ArrayXd window(4096);
+    for (Eigen::Index t = 0; t < 4096; ++t) window[t] = made.samples[static_cast<std::size_t>(t)];
+    // window = g (10^(db/20) y + b), with y and b of mean square 1. They know nothing of each
+    // other, so b explains 1 / (1 + 10^(db/10)) of its power, and is in the window with that
+    // correlation.
+    const double explained = std::pow((window * background).mean(), 2) / window.square().mean();
+    EXPECT_NEAR(explained, 1 / (1 + std::pow(10, db / 10)), 0.05) << db;
+  }
+}
+
+TEST(ZeroTwin, IsAsLoudAsTheHealthyWindow) {
+  const signal::WindowSet healthy = healthy_windows();
+  const Machine machine(healthy);
+  const Scene scene = scene_of(healthy, Defect::inner);
+  const Made made = Twin(machine, {}).make(scene, Stream("window"));
+  EXPECT_NEAR(deviation_of(made.samples) / deviation_of(scene.healthy), 1, 1e-5);
+}
+
+TEST(ZeroTwin, RingsAsItsStrongestResonance) {
+  const signal::WindowSet healthy = healthy_windows();
+  const Machine machine(healthy);
+  Prior prior;
+  prior.mass_kg = 2;
+  for (int i = 0; i < 100; ++i) {
+    const Made made =
+        Twin(machine, prior).make(scene_of(healthy, Defect::outer), Stream(std::to_string(i)));
+    ASSERT_TRUE(made.ring);
+    const double natural_hz = std::sqrt(made.ring->stiffness_n_per_m / 2) / 2 / std::numbers::pi;
+    EXPECT_GE(natural_hz, 600 - 1e-6);
+    EXPECT_LE(natural_hz, 5700 + 1e-6);
+    const double ratio =
+        made.ring->damping_ns_per_m / 2 / std::sqrt(made.ring->stiffness_n_per_m * 2);
+    EXPECT_GE(ratio, 0.01 - 1e-9);
+    EXPECT_LE(ratio, 0.08 + 1e-9);
+  }
+}
+
+TEST(ZeroTwin, MakesFiniteWindowsOfAnyLengthAndDefect) {
+  for (const std::size_t length : {16U, 63U, 64U, 1024U}) {
+    const signal::WindowSet healthy = healthy_windows(length);
+    const Machine machine(healthy);
+    const Twin twin(machine, {});
+    const signal::WindowSet made = make_windows(
+        machine, 100, Stream("many"),
+        [&](const Scene& scene, const Stream& random) { return twin.make(scene, random); });
+    ASSERT_EQ(made.samples.size(), 300 * length);
+    EXPECT_TRUE(std::ranges::all_of(made.samples, [](float x) { return std::isfinite(x); }));
+    for (const std::vector<double>& strikes : made.strikes_s) {
+      EXPECT_TRUE(std::ranges::is_sorted(strikes));
+      for (const double time_s : strikes) {
+        EXPECT_GE(time_s, 0);
+        EXPECT_LT(time_s, static_cast<double>(length) / 12000);
+      }
+    }
+  }
+}
+
+TEST(ZeroTwin, KeepsAllElseWhereOnePartIsTakenAway) {
+  const signal::WindowSet healthy = healthy_windows(4096);
+  const Machine machine(healthy);
+  const Scene scene = scene_of(healthy, Defect::inner);
+  Prior without;
+  without.stray_knocks = 0;
+  without.modulation = 0;
+  without.roughness = 0;
+  const Made all = Twin(machine, {}).make(scene, Stream("window"));
+  const Made fewer = Twin(machine, without).make(scene, Stream("window"));
+  EXPECT_EQ(all.strikes_s, fewer.strikes_s);
+  EXPECT_EQ(all.ring->stiffness_n_per_m, fewer.ring->stiffness_n_per_m);
+  EXPECT_NE(all.samples, fewer.samples);
+}
+
+TEST(ZeroTwin, RefusesABearingThatNoDefectOfItsSizeFits) {
+  signal::WindowSet healthy = healthy_windows();
+  healthy.info.bearing.inner_raceway_mm = 5;
+  const Machine machine(healthy);
+  EXPECT_ERROR(Twin(machine, {}), Exit::bad_input, "distance of two balls");
+}
+
+TEST(ZeroWindows, SayConditionAndSpeedWhereConditionsAreToldApart) {
+  signal::WindowSet healthy = healthy_windows(64);
+  healthy.info.conditions = {{.name = "slow", .shaft_speed_rpm = 900},
+                             {.name = "fast", .shaft_speed_rpm = 1800}};
+  healthy.condition = {0, 0, 0, 1, 1, 1};
+  healthy.shaft_speed_rpm = {900, 900, 900, 1800, 1800, 1800};
+  const Machine machine(healthy);
+  const Twin twin(machine, {});
+  const signal::WindowSet made = make_windows(
+      machine, 3, Stream("conditions"),
+      [&](const Scene& scene, const Stream& random) { return twin.make(scene, random); });
+  EXPECT_EQ(made.condition, (std::vector<std::int32_t>{0, 1, 0, 0, 1, 0, 0, 1, 0}));
+  EXPECT_EQ(made.shaft_speed_rpm,
+            (std::vector<double>{900, 1800, 900, 900, 1800, 900, 900, 1800, 900}));
+  EXPECT_EQ(made.parameters.size(), 9U);
+}
+
+}  // namespace
+}  // namespace piae::zero
