@@ -7,7 +7,7 @@ set ylabel "answers that are right, percent"
 set key outside right center
 stats data using 5 nooutput
 beside = ""
-stats data using (strcol(3) eq "100to1" && strcol(1) ne "none" ? (beside = strcol(1), 0) : 0) nooutput
+stats data using (strcol(3) eq "100to1" && strcol(1) ne "none" ? (beside = strcol(1), 0) : 0) name "bar" nooutput
 # Always with the precision that is wanted, and room above what is perfect.
 lowest = STATS_min < 94 ? STATS_min : 94
 set xrange [0:100]

@@ -6,6 +6,7 @@
 
 #include "page/accuracy_view.hpp"
 #include "page/cells_view.hpp"
+#include "page/decisions_view.hpp"
 #include "page/figures_view.hpp"
 #include "page/links.hpp"
 #include "page/problems.hpp"
@@ -83,6 +84,7 @@ Html navigation(const Datasets& datasets) {
     add(id_of_dataset("figures", dataset), "Figures of " + dataset.name);
   }
   add("recall", "Recall by class");
+  add("decisions", "Decisions and confidence");
   add("cells", "Cells");
   add("settings", "Settings");
   add("provenance", "Provenance");
@@ -116,8 +118,13 @@ Html results_and_figures(const ReportContents& contents) {
 
 Html rest_of(const ReportContents& contents) {
   Html recall;
-  for (const DatasetContents& dataset : contents.datasets) recall += recall_view(dataset);
+  Html decisions;
+  for (const DatasetContents& dataset : contents.datasets) {
+    recall += recall_view(dataset);
+    decisions += decisions_view(dataset);
+  }
   return section("recall", "Recall by class", recall) +
+         section("decisions", "Decisions and confidence", decisions) +
          section("cells", "Cells", cells_view(contents.datasets)) +
          section("settings", "Settings", settings_view(contents.settings)) +
          section("provenance", "Provenance", provenance_view(contents.datasets)) +

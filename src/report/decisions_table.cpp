@@ -22,22 +22,12 @@ std::string cell_label(const std::optional<DecisionRow>& decisions, std::size_t 
   return marked_if(decisions->balanced.count < seeds, mean_label(decisions->balanced));
 }
 
-std::string decisions_note(const run::Results& results, bool any_fewer) {
-  const bool are_apart = results.diagnoses.front().protocol == signal::Protocol::random;
-  return std::string(
-             "Balanced accuracy, the mean over the classes of the share that is "
-             "recognised, of decisions over n test windows of one record that follow each "
-             "other") +
-         (are_apart ? " (the random split makes them neighbours among the test windows, not in the "
-                      "record)"
-                    : "") +
-         ": the class with the largest sum of scores. What fills no group of n is left out; there "
-         "is no number where a class has no record with n test windows. Each method is at its "
-         "ratio with the most generated windows; decisions.csv has all, and plain accuracies." +
-         (any_fewer ? fmt::format(" {} marks means of fewer seeds than the table is of: not each "
-                                  "has such records, or its A.h5.",
-                                  mark_of_fewer_seeds)
-                    : "");
+std::string fewer_note(bool any_fewer) {
+  if (!any_fewer) return "";
+  return fmt::format(
+      " {} marks means of fewer seeds than the table is of: not each has such records, or its "
+      "A.h5.",
+      mark_of_fewer_seeds);
 }
 
 }  // namespace
@@ -72,6 +62,20 @@ std::string decisions_gap(const run::Results& results) {
   if (has_decisions(results)) return "";
   return "Decisions over several windows of a record are left out: the run does not hold the test "
          "windows (A.h5 of each seed), which say of which record they are.";
+}
+
+std::string decisions_note(const run::Results& results) {
+  const bool are_apart = results.diagnoses.front().protocol == signal::Protocol::random;
+  return std::string(
+             "Balanced accuracy, the mean over the classes of the share that is "
+             "recognised, of decisions over n test windows of one record that follow each "
+             "other") +
+         (are_apart ? " (the random split makes them neighbours among the test windows, not in the "
+                      "record)"
+                    : "") +
+         ": the class with the largest sum of scores. What fills no group of n is left out; there "
+         "is no number where a class has no record with n test windows. Each method is at its "
+         "ratio with the most generated windows; decisions.csv has all, and plain accuracies.";
 }
 
 std::string decisions_csv(const std::vector<AccuracyRow>& rows, const run::Results& results) {
@@ -121,7 +125,7 @@ std::vector<Section> decision_sections(const ClassifierRows& block, const run::R
               .none()
               .of({"decisions",
                    "Decisions over several windows of a record on " + dataset + ", percent",
-                   decisions_note(results, any_fewer), table})};
+                   decisions_note(results) + fewer_note(any_fewer), table})};
 }
 
 }  // namespace piae::report

@@ -30,6 +30,9 @@ bool has_decisions(const run::Results& results);
 /// "Decisions over several windows are left out, since ..."; empty where the run has them.
 std::string decisions_gap(const run::Results& results);
 
+/// How to read a table of them, in sentences.
+std::string decisions_note(const run::Results& results);
+
 /// decisions.csv: dataset,method,classifier,ratio,windows,seeds,decisions,mean,std,ci95_low,
 /// ci95_high,balanced_mean,balanced_std,balanced_ci95_low,balanced_ci95_high. The first four
 /// numbers are the plain accuracy, in percent, the last four the balanced one; `windows` are those

@@ -8,6 +8,7 @@
 #include "page/report_text.hpp"
 #include "support/errors.hpp"
 #include "support/stored_run.hpp"
+#include "support/stored_tested_windows.hpp"
 
 namespace piae::page {
 namespace {
@@ -66,6 +67,28 @@ TEST_F(ReportPage, ShowsTheMeanOfEachCellBesideWhatIsPublished) {
                               "<span class=\"theirs\">paper 91.20</span>"));
   EXPECT_THAT(html, HasSubstr("<span class=\"ours\">62.50 ± 3.54</span>"
                               "<span class=\"theirs\">paper 61.80</span>"));
+}
+
+/// The 20 windows of a seed follow each other in one record: of vae at 2to1 17 and 19 are
+/// recognised, by a score of 1 as all are told, so that both decisions over ten are right.
+TEST_F(ReportPage, ShowsDecisionsOverSeveralWindowsAndWhatMayBeAnswered) {
+  for (const int seed : {0, 1}) {
+    scoring::DiagnosisRecord record = diagnosis("vae", "2to1", 145, seed, seed == 0 ? 17 : 19);
+    for (std::size_t i = 0; i < 20; ++i) record.scores[3 * i + index_of(record.predictions[i])] = 1;
+    add(record);
+  }
+  std::string html = page();
+  EXPECT_THAT(html, HasSubstr("are left out: the run does not hold the test windows"));
+  EXPECT_THAT(html, HasSubstr("answers of vae are: all windows are answered, or none."));
+  EXPECT_THAT(html, Not(HasSubstr("10 windows")));
+  for (const int seed : {0, 1}) {
+    save_tested_windows(layout_, "cwru", seed, std::vector<Label>(20, 1), one_record(20));
+  }
+  html = page();
+  EXPECT_THAT(html, HasSubstr("title=\"2 decisions of each of 2 seeds\">100.00 ± 0.00"));
+  EXPECT_THAT(html, HasSubstr("title=\"20 decisions of each of 2 seeds\">90.00 ± 7.07"));
+  EXPECT_THAT(html, HasSubstr("title=\"/scores of 2 seeds\">50.00 ± 70.71"));  // 0 and 100
+  EXPECT_THAT(html, HasSubstr("title=\"/scores of 2 seeds\">10.00 ± 7.07"));
 }
 
 TEST_F(ReportPage, SaysFirstWhereFaultsAreKnownAndTested) {

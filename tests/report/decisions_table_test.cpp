@@ -122,7 +122,7 @@ TEST_F(DecisionsTable, MarksMeansOfFewerSeeds) {
   add_two_seeds();
   std::filesystem::remove(layout_.windows("A", 1));
   EXPECT_THAT(csv(), HasSubstr("cwru,none,wdcnn,100to1,10,1,3,33.3333,,,,50.0000,,,\n"));
-  EXPECT_THAT(text(), testing::AllOf(HasSubstr("| 50.00 ‡ |"), HasSubstr("‡ marks")));
+  EXPECT_THAT(text(), testing::AllOf(HasSubstr(" 50.00 ‡ |"), HasSubstr("‡ marks")));
 }
 
 TEST_F(DecisionsTable, OfARunWithoutTestWindowsIsLeftOutWithALine) {

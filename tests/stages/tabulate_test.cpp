@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <sstream>
+
 #include "stages/tiny.hpp"
 
 /// Tables of a part of a run.
@@ -71,6 +73,66 @@ TEST(Tabulate, SaysHowTheTrainingsOfTheTwinsEndedWhereTheRunHoldsModels) {
   const std::string text = tables();
   EXPECT_NE(text.find("## How the trainings of the twins ended on tiny"), std::string::npos);
   EXPECT_NE(text.find("2γL"), std::string::npos);
+}
+
+/// The fields of the first line of a table that begins with these.
+std::vector<std::string> fields_after(const std::string& table, const std::string& beginning) {
+  std::istringstream lines(table);
+  for (std::string line; std::getline(lines, line);) {
+    if (!line.starts_with(beginning)) continue;
+    std::vector<std::string> fields;
+    std::istringstream rest(line.substr(beginning.size()));
+    for (std::string field; std::getline(rest, field, ',');) fields.push_back(field);
+    return fields;
+  }
+  return {};
+}
+
+/// Of one window a decision is what the accuracy counts; A has 10 windows of each of three classes.
+TEST(Tabulate, DecidesOverSeveralWindowsWhereTheRunHoldsTheTestWindows) {
+  const Tiny tiny;
+  tiny.run_chain_before("tabulate");
+  const auto decisions = [&] {
+    const Outcome outcome = tiny.run_step("tabulate");
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_EQ(outcome.err, "");
+    return bytes_of(tiny / "run/tiny/decisions.csv");
+  };
+  EXPECT_EQ(fields_after(decisions(), "tiny,").size(), 0U);
+  EXPECT_NE(bytes_of(tiny / "run/tiny/tables.md").find("are left out: the run does not hold"),
+            std::string::npos);
+  const std::string before = bytes_of(tiny / "run/tiny/accuracy.csv");
+  fs::copy(tiny / "A.h5", tiny / "run/tiny/seed0/A.h5");
+  const auto of_one = fields_after(decisions(), "tiny,piae-dt,wdcnn,50to1,1,");
+  const auto accuracy =
+      fields_after(bytes_of(tiny / "run/tiny/accuracy.csv"), "tiny,piae-dt,wdcnn,50to1,");
+  ASSERT_GE(of_one.size(), 3U);
+  ASSERT_GE(accuracy.size(), 3U);
+  EXPECT_EQ(of_one[1], "30");
+  EXPECT_EQ(of_one[2], accuracy[2]) << "the mean";
+  EXPECT_EQ(bytes_of(tiny / "run/tiny/accuracy.csv"), before);
+  EXPECT_NE(bytes_of(tiny / "run/tiny/tables.md").find("\n## Decisions over several windows"),
+            std::string::npos);
+  EXPECT_NE(bytes_of(tiny / "run/tiny/tables.tex").find("tab:tiny-decisions"), std::string::npos);
+  EXPECT_EQ(
+      fields_after(bytes_of(tiny / "run/tiny/confidence.csv"), "tiny,none,wdcnn,100to1,1,").back(),
+      "1");
+}
+
+TEST(Tabulate, RefusesTestWindowsThatADiagnosisIsNotOf) {
+  const Tiny tiny;
+  tiny.run_chain_before("");
+  const auto before = tables_of(tiny);
+  Arguments split = with(step_of("split").arguments, "--test-per-class", "12");
+  ASSERT_EQ(tiny.run("split", with(split, "--output-dir", "other")).status, 0);
+  fs::copy(tiny / "other/A.h5", tiny / "run/tiny/seed0/A.h5");
+  const Outcome outcome = tiny.run_step("tabulate");
+  EXPECT_EQ(outcome.status, 65);
+  EXPECT_NE(outcome.err.find("run/tiny/seed0/none/100to1/diagnosis.h5: /labels are not those of "
+                             "A.h5 of this seed"),
+            std::string::npos)
+      << outcome.err;
+  EXPECT_EQ(tables_of(tiny), before);
 }
 
 }  // namespace
