@@ -11,8 +11,11 @@
 one_protocol = $(MAKE) --file=pipeline/grid.mk PROTOCOL=$1 results=$2 CLASSIFIERS=$(paper_classifier) cells
 # Folder and name of the table, the two runs' folders.
 contrast     = $(Q)pipeline/step.sh $1 contrast --with $3 --without $4 \
-  $(selection) $(call leave_out,$(sort $(call out_of_date_side,$3) $(call out_of_date_side,$4)))--output $1/$2.md
+  $(call contrast_choice,$3) $(call leave_out,$(sort $(call out_of_date_side,$3) $(call out_of_date_side,$4)))--output $1/$2.md
 # Of what a side holds besides what is asked for, that which is out of date.
+# Folder of the data set: of METHODS those that have cells by that classifier.
+contrast_methods = $(strip $(foreach method,$(METHODS),$(if $(filter $(method)/$(paper_classifier),$(call pairs,$(notdir $1))),$(method))))
+contrast_choice  = --methods $(contrast_methods) --ratios $(RATIOS) --seeds $(SEEDS)
 asked_in     = $(patsubst $(results)/$(notdir $1)/%,$1/%,$(call cell_files,$(notdir $1)))
 besides_in   = $(call besides,$1,$(call asked_in,$1))
 protocol_of  = $(if $(filter $(run_folder)-blocked/%,$1),blocked,random)

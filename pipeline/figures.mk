@@ -24,7 +24,7 @@ figures: $(folders:%=%/figures.log)
 
 # The log of the step says when the numbers were made, of which cells, whether that went well, and which
 # files there must be.
-step       = pipeline/step.sh $(results)/$1 figures --run $(results) --dataset $1 $(selection) $(leave_out.$1)--published results/published
+step       = pipeline/step.sh $(results)/$1 figures --run $(results) --dataset $1 $(selection) $(nothing_known.$1)$(leave_out.$1)--published results/published
 command    = $(BIN)/figures $(wordlist 4,999,$(call step,$1))
 is_as_made = $(shell log=$(results)/$1/figures.log; [[ -f $$log && $$(head -n 1 $$log) == *'$(strip $(call command,$1))' \
                && $$(tail -n 1 $$log) == 'step: exit 0 '* ]] && \

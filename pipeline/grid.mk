@@ -48,6 +48,13 @@ nothing_generated := $(call fact,nothing-generated)
 # What a classifier reaches that needs neither a generator nor a training: it stands beside the baseline.
 bar               := $(call fact,bar)
 simulated         := $(call fact,simulated)
+# The data sets of which no fault window is known, and which methods have cells by which classifiers there and
+# elsewhere: METHOD/CLASSIFIER (src/run/grid.hpp).
+nothing_known     := $(call fact,nothing-known)
+all_pairs         := $(call fact,pair)
+pairs_of_nothing  := $(call fact,pair-of-nothing)
+pairs              = $(if $(filter $1,$(nothing_known)),$(pairs_of_nothing),$(all_pairs))
+says_nothing_known = $(patsubst %,--nothing-known % ,$(filter $1,$(nothing_known)))
 
 # The data sets of a group and the methods of which an input is recorded (pipeline/transfer.mk).
 in_group           = $(patsubst $2/%,%,$(filter $2/%,$(call fact,group-$1)))
@@ -82,13 +89,13 @@ $(if $(filter 1,$(words $(RUN))),,$(error RUN: one word, the name of a folder un
 method_ratios = $(if $(filter $(baseline),$1),$(filter $(nothing_generated),$(RATIOS)),$(filter-out $(nothing_generated),$(RATIOS)))
 methods       := $(foreach method,$(METHODS),$(if $(call method_ratios,$(method)),$(method)))
 generators    := $(filter-out $(baseline),$(methods))
-classifiers_of = $(CLASSIFIERS) $(if $(filter $(baseline),$1),$(filter-out $(CLASSIFIERS),$(bar)))
 $(if $(methods),,$(error no cells: METHODS="$(METHODS)" RATIOS="$(RATIOS)"; $(baseline) is run at $(nothing_generated) only, the others at all other ratios))
+
+include pipeline/left_out.mk
 
 # Programs that are built without LibTorch refuse these methods, too, but only when it is their turn.
 beyond_us := $(if $(wildcard $(BIN)/train-libtorch),,$(filter $(call fact,needs-libtorch),$(methods)))
 # (Who only looks at a run, or as out_of_date.sh asks what would be done, may name these, too.)
-looks := $(filter figures report,$(MAKECMDGOALS))
 $(if $(if $(looks)$(only_asking),,$(beyond_us)),$(error METHODS: only LibTorch computes $(beyond_us), and the programs in $(BIN) are built without it; build with LIBTORCH=on, or ask for METHODS="$(filter-out $(beyond_us),$(METHODS))"))
 
 # ---- settings -----------------------------------------------------------------------------------
@@ -163,7 +170,8 @@ endef
 # once more. It has a log of its own, as it is no cell of the grid.
 features_ratio = $(lastword $(filter $(call method_ratios,$1),$(call fact,ratio)))
 features_seed := $(firstword $(shell printf '%s\n' $(SEEDS) | sort -n))
-features       = $(foreach method,$(if $(filter $(paper_classifier),$(CLASSIFIERS)),$(methods)),$(results)/$1/seed$(features_seed)/$(method)/$(call features_ratio,$(method))/features.h5)
+has_features   = $(filter $(paper_classifier),$(call classifiers_of,$1,$2))
+features       = $(foreach method,$(methods_of),$(if $(call has_features,$1,$(method)),$(results)/$1/seed$(features_seed)/$(method)/$(call features_ratio,$(method))/features.h5))
 
 define features_rule # its folder, method, ratio
 .PRECIOUS: $1/$2/$3/features.h5
@@ -173,8 +181,8 @@ $1/$2/$3/features.h5: $(call windows,$1) $(if $(filter $(baseline),$2),,$1/$2/E.
 endef
 
 seed_folders = $(foreach seed,$(SEEDS),$(results)/$1/seed$(seed))
-scores       = $(foreach folder,$(seed_folders),$(patsubst %,$(folder)/%/score.h5,$(filter-out $(ceilings),$(generators))))
-diagnoses    = $(foreach folder,$(seed_folders),$(foreach method,$(methods),$(foreach classifier,$(call classifiers_of,$(method)),\
+scores       = $(foreach folder,$(seed_folders),$(patsubst %,$(folder)/%/score.h5,$(filter-out $(ceilings),$(generators_of))))
+diagnoses    = $(foreach folder,$(seed_folders),$(foreach method,$(methods_of),$(foreach classifier,$(call classifiers_of,$1,$(method)),\
                  $(call diagnoses_of,$(folder)/$(method),$(method),$(classifier)))))
 cell_files   = $(call diagnoses,$1) $(call scores,$1)
 
@@ -218,7 +226,7 @@ $(foreach dataset,$(DATASETS),$(eval $(call find_besides,$(dataset),$(results)/$
 define tables_rule # data set
 .PRECIOUS: $(call tables_of,$1)
 $(call tables_of,$1) &: $(call cell_files,$1) $(besides.$1) $(wildcard results/published/*.csv) $(settings)/tabulate.$1.toml
-	$$(step) tabulate $$(config) --run $(results) --dataset $1 $(whole_selection) $(call leave_out,$(left_out.$1))--published results/published \
+	$$(step) tabulate $$(config) --run $(results) --dataset $1 $(whole_selection) $(call says_nothing_known,$1)$(call leave_out,$(left_out.$1))--published results/published \
 	  -- $(call tables_of,$1)
 endef
 
@@ -226,11 +234,11 @@ endef
 $(foreach dataset,$(DATASETS),\
   $(eval $(call records_rule,$(dataset)))\
   $(eval $(call tables_rule,$(dataset)))\
-  $(foreach method,$(methods),$(eval $(call features_rule,$(results)/$(dataset)/seed$(features_seed),$(method),$(call features_ratio,$(method)))))\
+  $(foreach method,$(call methods_of,$(dataset)),$(eval $(call features_rule,$(results)/$(dataset)/seed$(features_seed),$(method),$(call features_ratio,$(method)))))\
   $(foreach seed,$(SEEDS),$(eval folder := $(results)/$(dataset)/seed$(seed))\
     $(eval $(call split_rule,$(dataset),$(seed),$(folder)))\
-    $(foreach method,$(generators),$(eval $(call generator_rules,$(seed),$(folder),$(method))))\
-    $(foreach method,$(methods),$(foreach classifier,$(call classifiers_of,$(method)),\
+    $(foreach method,$(call generators_of,$(dataset)),$(eval $(call generator_rules,$(seed),$(folder),$(method))))\
+    $(foreach method,$(call methods_of,$(dataset)),$(foreach classifier,$(call classifiers_of,$(dataset),$(method)),\
       $(eval $(call diagnosis_rule,$(seed),$(folder),$(method),$(classifier)))))))
 
 .DEFAULT_GOAL := cells
@@ -253,7 +261,8 @@ endef
 # missing, and shows pictures of what there is.
 must_be_there := $(if $(looks),$(cells_given),$(whole_selection))
 draw = $(MAKE) --file=pipeline/figures.mk results='$(results)' DATASETS='$(DATASETS)' selection='$1' \
-  $(foreach dataset,$(DATASETS),'leave_out.$(dataset)=$(call leave_out,$(left_out.$(dataset)))')
+  $(foreach dataset,$(DATASETS),'leave_out.$(dataset)=$(call leave_out,$(left_out.$(dataset)))' \
+    'nothing_known.$(dataset)=$(call says_nothing_known,$(dataset))')
 drawn := $(DATASETS:%=$(results)/%/figures)
 draw figures: $(DATASETS:%=$(settings)/tabulate.%.toml)
 	$(Q)+$(call draw,$(must_be_there))
@@ -266,7 +275,7 @@ draw_all: $(DATASETS:%=$(settings)/tabulate.%.toml) $(filter figures,$(MAKECMDGO
 report: draw_all
 page report:
 	$(Q)$(BIN)/report --run $(results) $(if $(looks),,--datasets $(DATASETS)) $(must_be_there) --published results/published \
-	  $(call leave_out,$(strip $(foreach dataset,$(DATASETS),$(left_out.$(dataset):%=$(dataset)/%))))
+	  $(foreach dataset,$(nothing_known),$(call says_nothing_known,$(dataset)))$(call leave_out,$(strip $(foreach dataset,$(DATASETS),$(left_out.$(dataset):%=$(dataset)/%))))
 # Drawing would double what a newcomer waits for.
 demo:
 	$(Q)+pipeline/tables.sh $(this_make)

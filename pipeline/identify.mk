@@ -5,11 +5,11 @@
 
 # Of METHODS those that infer.
 identify_methods  := $(filter $(inferring),$(methods))
-identify_datasets := $(filter $(simulated),$(DATASETS))
+identify_datasets := $(filter-out $(nothing_known),$(filter $(simulated),$(DATASETS)))
 identify_tables    = $(addprefix $(results)/$1/,identifiability.csv scatter.csv identifiability.md)
 
 ifneq (,$(filter identify,$(MAKECMDGOALS)))
-$(if $(identify_datasets),,$(error make identify: DATASETS must have one that is simulated ($(simulated)), whose (k, c) are known))
+$(if $(identify_datasets),,$(error make identify: DATASETS must have one that is simulated ($(filter-out $(nothing_known),$(simulated))), whose (k, c) are known))
 $(if $(identify_methods),,$(error make identify: METHODS must have one of $(inferring)))
 
 identify_choice := --methods $(identify_methods) --seeds $(SEEDS)

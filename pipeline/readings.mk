@@ -14,6 +14,8 @@ ifneq (,$(filter readings,$(MAKECMDGOALS))$(findstring /readings,$(MAKECMDGOALS:
 
 $(if $(readings_ratios),,$(error make readings: RATIOS must have others than $(nothing_generated), at which nothing is generated))
 $(if $(call fact,reading),,$(error make readings: [readings] of pipeline/protocol.toml names none))
+$(foreach dataset,$(DATASETS),$(if $(filter $(paper_method)/$(paper_classifier),$(call pairs,$(dataset))),,$(error make \
+  readings: $(dataset): no fault window is known, and $(paper_method) learns from those)))
 readings_base := $(call fact,reading-base)
 all_readings  := base $(call fact,reading)
 

@@ -20,9 +20,14 @@ swept := $(filter $(generators),$(call fact,swept))
 $(if $(call fact,swept),,$(error make sweep: no points in [sweep] of pipeline/protocol.toml))
 $(if $(swept),,$(error make sweep moves the settings of $(call fact,swept): METHODS must have one of them))
 
+sweep_judge = $(call fact,sweep-classifier:$1)
+# Of a data set: those that have cells by the classifier of their sweep there.
+swept_of = $(strip $(foreach method,$(swept),$(if $(filter $(method)/$(call sweep_judge,$(method)),$(call pairs,$1)),$(method))))
+$(foreach dataset,$(DATASETS),$(if $(call swept_of,$(dataset)),,$(error make sweep: $(dataset): no fault window is known, and \
+  none of $(swept) works there by the classifier of its sweep)))
+
 # Of a method: what its sweep is called, its classifier as a folder, points, cells.
 sweep_name   = sweep$(addprefix @,$(filter-out $(paper_method),$1))
-sweep_judge  = $(call fact,sweep-classifier:$1)
 sweep_below  = $(addprefix /,$(call another,$(call sweep_judge,$1)))
 sweep_centre = $(call fact,sweep-centre:$1)
 sweep_moved  = $(filter-out $(call sweep_centre,$1),$(call fact,sweep-point:$1))
@@ -31,7 +36,7 @@ sweep_cells  = $1 $(foreach point,$(call sweep_moved,$1),$(call moved_cell,$1,$(
 centres      = $(addprefix --centre ,$(call sweep_centre,$1))
 sweep_choice = $(addprefix --method ,$(filter-out $(paper_method),$1)) $(call centres,$1) --ratios $(sweep_ratios) --seeds $(SEEDS)
 
-settings_names += $(foreach method,$(swept),$(DATASETS:%=$(call sweep_name,$(method)).%))
+settings_names += $(foreach dataset,$(DATASETS),$(foreach method,$(call swept_of,$(dataset)),$(call sweep_name,$(method)).$(dataset)))
 
 # Of a data set and a method.
 sweep_scores    = $(foreach folder,$(seed_folders),$(patsubst %,$(folder)/%/score.h5,$(call sweep_cells,$2)))
@@ -48,7 +53,7 @@ left_out.$3.$1 := $$(call concerning,$4,$$(besides.$3.$1),$$(left_out.$3.$1))
 besides.$3.$1  := $$(call up_to_date,$4,$$(besides.$3.$1),$$(left_out.$3.$1))
 options.$3.$1  := $$(words $(call sweep_diagnoses,$1,$2) $$(besides.$3.$1)) cells, $(call centres,$2)
 endef
-$(if $(only_asking),,$(foreach dataset,$(DATASETS),$(foreach method,$(swept),\
+$(if $(only_asking),,$(foreach dataset,$(DATASETS),$(foreach method,$(call swept_of,$(dataset)),\
   $(eval $(call find_swept_besides,$(dataset),$(method),$(call sweep_name,$(method)),$(results)/$(dataset))))))
 
 # Each table has a log of its own, as there may be several.
@@ -65,18 +70,18 @@ $(call diagnosis_rule,$1,$2,$(call moved_cell,$3,$4),$(call sweep_judge,$3))
 endef
 
 # Where the grid is not asked for this classifier, it has no rule for the cells of the method itself.
-define centre_rule # seed, its folder, method
-$(if $(filter $(call sweep_judge,$3),$(call classifiers_of,$3)),,$(call diagnosis_rule,$1,$2,$3,$(call sweep_judge,$3)))
+define centre_rule # seed, its folder, method, data set
+$(if $(filter $(call sweep_judge,$3),$(call classifiers_of,$4,$3)),,$(call diagnosis_rule,$1,$2,$3,$(call sweep_judge,$3)))
 endef
 
-$(foreach dataset,$(DATASETS),$(foreach method,$(swept),\
+$(foreach dataset,$(DATASETS),$(foreach method,$(call swept_of,$(dataset)),\
   $(eval $(call sweep_rule,$(dataset),$(method),$(call sweep_name,$(method))))\
   $(foreach seed,$(SEEDS),$(eval folder := $(results)/$(dataset)/seed$(seed))\
-    $(eval $(call centre_rule,$(seed),$(folder),$(method)))\
+    $(eval $(call centre_rule,$(seed),$(folder),$(method),$(dataset)))\
     $(foreach point,$(call sweep_moved,$(method)),\
       $(eval $(call moved_rules,$(seed),$(folder),$(method),$(point)))))))
 
-sweep: $(foreach dataset,$(DATASETS),$(foreach method,$(swept),\
+sweep: $(foreach dataset,$(DATASETS),$(foreach method,$(call swept_of,$(dataset)),\
          $(call sweep_scores,$(dataset),$(method)) $(call sweep_tables,$(dataset),$(method))))
 	@cat $(filter %.md,$^)
 

@@ -34,6 +34,7 @@ scoring::DiagnosisRecord make_record(const diagnosis::Inputs& inputs, const std:
   record.true_ratio = scoring::true_ratio(
       static_cast<std::int64_t>(inputs.normal.size()),
       static_cast<std::int64_t>(inputs.known.size()) / fault_classes, ratio.generated_per_class);
+  record.any_known = inputs.known.size() > 0;
   record.seed = seed;
   record.protocol = inputs.protocol;
   record.labels = inputs.test.labels;
@@ -126,6 +127,12 @@ int main(int argc, char** argv) {
                                            "choose another --classifier",
                                            classifier_name));
     }
+    if (classifier.rule && !generated_file.empty()) {
+      throw Error(Exit::usage, fmt::format("--generated: {} is a rule, which learns from healthy "
+                                           "windows alone; leave the option out, and choose "
+                                           "--ratio {}",
+                                           classifier_name, scoring::all_ratios().front().name));
+    }
     const diagnosis::MakeWdcnnBackend make_backend =
         classifier.represent != nullptr ? choose_backend(run.compute, argv) : nullptr;
     const scoring::Ratio& ratio = scoring::find_ratio(ratio_name);
@@ -141,6 +148,7 @@ int main(int argc, char** argv) {
     const signal::WindowSet training = diagnosis::compose_training_set(
         inputs.normal, inputs.known, inputs.generated ? &*inputs.generated : nullptr,
         ratio.generated_per_class);
+    diagnosis::require_faults(training, classifier, known_file.string());
     diagnosis::require_fitting_test_set(inputs.test, training);
 
     const Stream stream(

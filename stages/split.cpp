@@ -26,6 +26,9 @@ void print_summary(const signal::Split& split, const signal::SplitOptions& optio
     std::cout << ' ' << info.class_of(label).name << ' ' << split.strides[index_of(label)];
   }
   std::cout << '\n';
+  if (options.known_per_class == 0) {
+    std::cout << "no fault window is known (known-per-class = 0): C.h5 holds none\n";
+  }
 }
 
 }  // namespace

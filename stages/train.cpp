@@ -79,6 +79,7 @@ int main(int argc, char** argv) {
     signal::require_role(reader, signal::Role::known);
     signal::WindowSet windows = signal::read_window_set(reader);
     signal::require_belonging(reader, signal::Role::known, windows);
+    augment::require_known_windows(*augment::find_entry(name), windows, known_file.string());
     if (method->learns_from() == augment::LearnsFrom::real) {
       windows = read_beside(stage.open("real", real_file, "windows"), signal::Role::hidden, reader);
     }
@@ -102,7 +103,10 @@ int main(int argc, char** argv) {
     method->train(windows, stream, run.compute, checkpoint, model);
     stage.save(model, model_file);
     artefact::remove_file(checkpoint.path);
-    std::cout << fmt::format("trained {} on {} windows of {} fault classes: {}\n", name,
-                             windows.size(), windows.info.classes.size() - 1, model_file.string());
+    const std::string source = windows.size() > 0
+                                   ? fmt::format("{} windows of {} fault classes", windows.size(),
+                                                 windows.info.classes.size() - 1)
+                                   : std::string("no fault window");
+    std::cout << fmt::format("trained {} on {}: {}\n", name, source, model_file.string());
   });
 }

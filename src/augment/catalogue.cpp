@@ -1,5 +1,8 @@
 #include "augment/catalogue.hpp"
 
+#include <spdlog/fmt/fmt.h>
+#include <spdlog/fmt/ranges.h>
+
 #include <algorithm>
 #include <iterator>
 
@@ -125,6 +128,27 @@ const std::string& paper_method() {
 bool is_ceiling(const std::string& name) {
   const CatalogueEntry* const entry = find_entry(name);
   return entry != nullptr && entry->kind == Kind::ceiling;
+}
+
+bool works_without_known(const CatalogueEntry& entry) {
+  return entry.without_known || entry.kind == Kind::ceiling;
+}
+
+std::vector<std::string> methods_without_known() {
+  std::vector<std::string> names;
+  for (const CatalogueEntry& entry : entries) {
+    if (works_without_known(entry)) names.emplace_back(entry.name);
+  }
+  return names;
+}
+
+void require_known_windows(const CatalogueEntry& entry, const signal::WindowSet& known,
+                           const std::string& file) {
+  if (known.size() > 0 || works_without_known(entry)) return;
+  throw Error(Exit::bad_input,
+              fmt::format("{}: holds no known fault window (known-per-class = 0), and {} learns "
+                          "from those; methods that need none: {}",
+                          file, entry.name, fmt::join(methods_without_known(), ", ")));
 }
 
 std::vector<std::string> method_names() {

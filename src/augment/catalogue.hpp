@@ -29,6 +29,7 @@ struct CatalogueEntry {
   bool infers = false;   ///< whether it infers stiffness and damping of windows it has not seen
   bool hears = false;    ///< whether it takes healthy windows B beside the known ones
   bool carries = false;  ///< whether it is made for faults that are known in other conditions alone
+  bool without_known = false;  ///< whether it makes faults of which no window is known
 };
 
 /// All entries in the order of the tables. This is the one place that knows the methods: programs
@@ -48,8 +49,19 @@ const std::string& paper_method();
 /// itself.
 bool is_ceiling(const std::string& name);
 
-/// The names of all entries that generate windows.
+/// Whether a method makes windows where no fault window is known: one that is made for that, or a
+/// ceiling, which learns from others.
+bool works_without_known(const CatalogueEntry& entry);
+
+/// The names of all entries that generate windows; and of those that do where no fault window is
+/// known.
 std::vector<std::string> method_names();
+std::vector<std::string> methods_without_known();
+
+/// Throws Error(bad_input), which lists the methods that would work, where C (`file`) holds no
+/// window and this method learns from those.
+void require_known_windows(const CatalogueEntry& entry, const signal::WindowSet& known,
+                           const std::string& file);
 
 /// Makes the method of that name. Throws Error(usage), which lists the known names, for any other.
 std::unique_ptr<Method> make_method(const std::string& name);

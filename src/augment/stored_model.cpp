@@ -59,6 +59,9 @@ signal::WindowSet generate_with(Method& method, const artefact::Reader& model, s
 signal::WindowSet read_learned(const artefact::Reader& model, signal::Role role) {
   signal::WindowSet windows = signal::read_window_set(model);
   signal::require_belonging(model, role, windows);
+  if (windows.size() == 0) {
+    require_known_windows(entry_of(model), windows, model.path().string());
+  }
   return windows;
 }
 

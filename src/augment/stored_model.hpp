@@ -20,7 +20,8 @@ signal::WindowSet generate_with(Method& method, const artefact::Reader& model, s
                                 const Stream& stream, const Compute& compute);
 
 /// The windows that a model stores because its method needs no more: C or, of a ceiling, D. Throws
-/// artefact::Refusal where a class has none that should, or has some that should not.
+/// artefact::Refusal where a class has none that should, or has some that should not; Error where
+/// there are no known windows and the method learns from those.
 signal::WindowSet read_learned(const artefact::Reader& model, signal::Role role);
 
 /// Reads all that a stage would read of a model, by what the stages read it with, and makes a

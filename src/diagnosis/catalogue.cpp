@@ -92,6 +92,14 @@ const Classifier& the_classifier(const std::string& name) {
   throw Error(Exit::usage, "unknown classifier '" + name + "'; known are " + known);
 }
 
+std::vector<std::string> rules() {
+  std::vector<std::string> names;
+  for (const Classifier& each : known_classifiers) {
+    if (each.rule) names.emplace_back(each.name);
+  }
+  return names;
+}
+
 std::string list_of_classifiers() {
   std::string list;
   for (const Classifier& each : known_classifiers) {

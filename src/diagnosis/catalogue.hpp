@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "diagnosis/standardise.hpp"
 #include "diagnosis/wdcnn.hpp"
@@ -18,8 +19,9 @@ struct Classifier {
   /// Windows as WDCNN sees them, in which `what` names the set in errors; null for what is no
   /// WDCNN, which has `ask` instead.
   LabelledWindows (*represent)(const signal::WindowSet& windows, const std::string& what) = nullptr;
-  bool rule = false;  ///< learns from healthy windows alone: needs no fault window, known or
-                      ///< generated, and is run with `none` only
+  /// Learns from healthy windows alone: it needs no fault window, known or generated, and is run
+  /// with `none` only.
+  bool rule = false;
   /// What any other says of the test windows. `normal` is B, and `training` all that there is to
   /// learn from, B first. Of one that is not trained there are predictions and scores alone.
   WdcnnResult (*ask)(const signal::WindowSet& normal, const signal::WindowSet& training,
@@ -39,6 +41,9 @@ const Classifier* find_classifier(const std::string& name);
 
 /// The same. Throws Error(usage), which lists the known names, for any other.
 const Classifier& the_classifier(const std::string& name);
+
+/// The names of the rules.
+std::vector<std::string> rules();
 
 /// Whose accuracy without any generated window stands beside all others: what needs neither a
 /// generator nor a training.

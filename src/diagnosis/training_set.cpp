@@ -1,5 +1,8 @@
 #include "diagnosis/training_set.hpp"
 
+#include <spdlog/fmt/fmt.h>
+#include <spdlog/fmt/ranges.h>
+
 #include <string>
 
 #include "base/error.hpp"
@@ -97,7 +100,7 @@ WindowSet compose_training_set(const WindowSet& normal, const WindowSet& known,
   require_generated_where_used(generated, generated_per_class);
   require_alike(known, "--known", normal, "--normal");
   require_classes(normal, "--normal", /*healthy=*/true, /*faults=*/false);
-  require_classes(known, "--known", /*healthy=*/false, /*faults=*/true);
+  if (known.size() > 0) require_classes(known, "--known", /*healthy=*/false, /*faults=*/true);
   WindowSet training = normal;
   for (std::size_t i = 0; i < known.size(); ++i) training.append(known, i);
   if (generated != nullptr) {
@@ -106,6 +109,20 @@ WindowSet compose_training_set(const WindowSet& normal, const WindowSet& known,
     append_first(training, *generated, static_cast<std::size_t>(generated_per_class));
   }
   return training;
+}
+
+void require_faults(const WindowSet& training, const Classifier& classifier,
+                    const std::string& known_file) {
+  if (classifier.rule || training.count_of(training.info.healthy_label()) < training.size()) return;
+  const std::vector<std::string> there = rules();
+  const std::string cure =
+      there.empty() ? ""
+                    : fmt::format(", or choose a rule by --classifier: {}", fmt::join(there, ", "));
+  throw Error(Exit::bad_input,
+              fmt::format("{}: holds no known fault window (known-per-class = 0), and without any "
+                          "{} cannot learn what a fault is; give --generated windows of a method "
+                          "that needs no known ones{}",
+                          known_file, classifier.name, cure));
 }
 
 void require_fitting_test_set(const WindowSet& test, const WindowSet& training) {

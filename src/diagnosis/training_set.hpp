@@ -2,21 +2,26 @@
 
 #include <cstdint>
 
+#include "diagnosis/catalogue.hpp"
 #include "signal/window_set.hpp"
 
 namespace piae::diagnosis {
 
 /// Composes the training set of one ratio (paper, 4.3.2): all of B (healthy windows), all of C (the
-/// known windows of every fault class), and of E the first `generated_per_class` windows of every
-/// fault class, in this order. `generated` is null where there is no E.
-/// Throws Error(usage) when E is missing though it is needed, or given though none of it would be
-/// used; Error(bad_input) when the sets are of different datasets or window lengths, when B or C
-/// lacks a class or holds one that does not belong there, and when E has too few windows of a
-/// class.
+/// known windows of every fault class, or none at all), and of E the first `generated_per_class`
+/// windows of every fault class, in this order. `generated` is null where there is no E. Throws
+/// Error(usage) when E is missing though it is needed, or given though none of it would be used;
+/// Error(bad_input) when the sets are of different datasets or window lengths, when B or C lacks a
+/// class or holds one that does not belong there, and when E has too few windows of a class.
 signal::WindowSet compose_training_set(const signal::WindowSet& normal,
                                        const signal::WindowSet& known,
                                        const signal::WindowSet* generated,
                                        std::int64_t generated_per_class);
+
+/// Throws Error(bad_input), which names the file of C, where the training set has no fault window
+/// and the classifier is not a rule.
+void require_faults(const signal::WindowSet& training, const Classifier& classifier,
+                    const std::string& known_file);
 
 /// Throws Error(bad_input) when the test set is of another dataset or window length than the
 /// training set, or lacks a class.

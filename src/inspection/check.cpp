@@ -66,8 +66,9 @@ bool are_readable(const DatasetCheck& check, Label label) {
 std::vector<signal::RecordPlace> places_of(const Description& description) {
   std::vector<signal::RecordPlace> places;
   for (const signal::RecordSource& source : description.records) {
-    places.push_back(
-        {.label = source.label, .condition = description.info.condition_called(source.condition)});
+    places.push_back({.label = source.label,
+                      .condition = description.info.condition_called(source.condition),
+                      .shaft_speed_rpm = source.shaft_speed_rpm});
   }
   return places;
 }

@@ -19,7 +19,7 @@ struct AccuracyRow {
   std::string classifier = scoring::paper_classifier;
   std::string ratio;
   std::int64_t generated_per_class = 0;
-  double true_ratio = 0;
+  std::optional<double> true_ratio;  ///< nothing where there was no fault window
   /// Of how many ratios the values are means; see report/ratio_means.hpp.
   std::size_t ratios = 1;
   std::vector<std::int64_t> seeds;  ///< ascending; not every row of a run has the same

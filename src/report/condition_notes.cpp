@@ -19,6 +19,7 @@ std::string kind_label(const std::string& name, const AccuracyRow& row) {
 std::string conditions_note(const run::Results& results) {
   if (results.diagnoses.empty()) return "";
   const run::Diagnosis& any = results.diagnoses.front();
+  if (!any.any_known) return "No fault window was known.";
   if (any.known_at.empty()) return "";
   return fmt::format("Faults are known at {}, and tested at {}.", listed(any.known_at),
                      listed(any.tested_at));

@@ -48,12 +48,13 @@ std::string short_ratio_label(const std::string& name) {
   return name.substr(0, to) + ":" + name.substr(to + 2);
 }
 
-std::string ratio_label(const std::string& name, double true_ratio) {
+std::string ratio_label(const std::string& name, std::optional<double> true_ratio) {
   const std::size_t to = name.find("to");
   const double named = std::stod(name.substr(0, to)) / std::stod(name.substr(to + 2));
   const std::string label = short_ratio_label(name);
-  const bool as_named = std::abs(true_ratio - named) < 0.005 * named;
-  return as_named ? label : fmt::format("{} ({:.3g}:1)", label, true_ratio);
+  if (!true_ratio) return label + " (no faults)";
+  const bool as_named = std::abs(*true_ratio - named) < 0.005 * named;
+  return as_named ? label : fmt::format("{} ({:.3g}:1)", label, *true_ratio);
 }
 
 }  // namespace piae::report

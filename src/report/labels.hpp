@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -40,7 +41,7 @@ std::string listed(const std::vector<std::string>& words);
 std::string short_ratio_label(const std::string& name);
 
 /// How tables show a ratio of this name: "10:1", or "2:1 (3.33:1)" where the true ratio is not the
-/// one that the name says.
-std::string ratio_label(const std::string& name, double true_ratio);
+/// one that the name says; "100:1 (no faults)" where there was no window of a fault.
+std::string ratio_label(const std::string& name, std::optional<double> true_ratio);
 
 }  // namespace piae::report

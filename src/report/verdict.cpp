@@ -12,6 +12,7 @@
 #include "diagnosis/catalogue.hpp"
 #include "report/classifier_rows.hpp"
 #include "report/labels.hpp"
+#include "report/nothing_known.hpp"
 #include "report/ratio_columns.hpp"
 
 namespace piae::report {
@@ -159,6 +160,8 @@ std::vector<std::string> verdict(const run::Results& results,
   if (blocks.empty()) return {};
   const ClassifierRows& shown = blocks.front();
   const std::vector<AccuracyRow> gains = largest_gains(shown.rows);
+  const bool any_known = results.diagnoses.empty() || results.diagnoses.front().any_known;
+  if (!any_known) return {most_accurate_without_known(rows)};
   if (gains.empty()) return {};
   std::vector<std::string> sentences{
       who_helps(gains, *find_row(shown.rows, augment::no_method, ""))};

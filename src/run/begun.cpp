@@ -72,6 +72,7 @@ void bind_begun_cells(const cli::Options& command, GridOptions& options) {
   command.add("--ratios", options.ratios, "Ratios, such as: 100to1 10to1; " + held);
   command.add("--seeds", options.seeds, "Seeds, such as: 0 1 2; " + held);
   bind_classifiers(command, options.classifiers, held);
+  bind_nothing_known(command, options.nothing_known);
 }
 
 Grid resolve_begun(const Layout& layout, GridOptions options) {

@@ -9,8 +9,8 @@
 
 namespace piae::run {
 
-/// Options --methods, --ratios, --seeds and --classifiers of a program that looks at what a run
-/// holds; each may be left out.
+/// Options --methods, --ratios, --seeds, --classifiers and --nothing-known of a program that looks
+/// at what a run holds; each may be left out.
 void bind_begun_cells(const cli::Options& command, GridOptions& options);
 
 /// The cells that there should be: what is asked for, and for a list that is empty every method,

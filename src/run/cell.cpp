@@ -51,6 +51,7 @@ Diagnosis read_diagnosis_cell(const artefact::Reader& reader, const std::string&
           .seed = record.seed,
           .generated_per_class = record.generated_per_class,
           .true_ratio = record.true_ratio,
+          .any_known = record.any_known,
           .protocol = record.protocol,
           .accuracy = record.accuracy(),
           .kind_accuracy = kind_accuracy_of(record),

@@ -19,7 +19,9 @@ struct Diagnosis {
   std::string classifier = scoring::paper_classifier;
   std::int64_t seed = 0;
   std::int64_t generated_per_class = 0;
-  double true_ratio = 0;  ///< healthy windows to those of one fault class
+  /// healthy windows to those of one fault class; nothing where there are none
+  std::optional<double> true_ratio = std::nullopt;
+  bool any_known = true;  ///< whether fault windows were known
   signal::Protocol protocol = signal::Protocol::random;
   double accuracy = 0;  ///< in [0, 1]
   /// In [0, 1] (scoring/kind_accuracy.hpp), where conditions are told apart and classes have a kind

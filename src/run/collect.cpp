@@ -12,19 +12,26 @@ namespace {
 
 namespace fs = std::filesystem;
 
+std::string known_label(const Diagnosis& cell) { return cell.any_known ? "above zero" : "zero"; }
+
+std::string ratio_label(const Diagnosis& cell) {
+  return cell.true_ratio ? std::to_string(*cell.true_ratio) : "none, without fault windows";
+}
+
 /// Refuses a cell that was made under other conditions than those read before it.
 void require_like_the_others(const artefact::Reader& reader, const Diagnosis& cell,
                              const std::vector<Diagnosis>& others) {
   if (others.empty()) return;
   require_same(reader, "the split protocol", to_string(cell.protocol),
                to_string(others.front().protocol));
+  require_same(reader, "the number of known windows", known_label(cell),
+               known_label(others.front()));
   const auto same_ratio = std::ranges::find(others, cell.ratio, &Diagnosis::ratio);
   if (same_ratio == others.end()) return;
   require_same(reader, "the number of generated windows per class",
                std::to_string(cell.generated_per_class),
                std::to_string(same_ratio->generated_per_class));
-  require_same(reader, "the true ratio", std::to_string(cell.true_ratio),
-               std::to_string(same_ratio->true_ratio));
+  require_same(reader, "the true ratio", ratio_label(cell), ratio_label(*same_ratio));
 }
 
 std::string class_names(const scoring::QualityRecord& record) {

@@ -5,10 +5,8 @@
 #include <optional>
 #include <string_view>
 
-#include "augment/catalogue.hpp"
 #include "base/error.hpp"
 #include "base/numbers.hpp"
-#include "diagnosis/catalogue.hpp"
 
 namespace piae::run {
 
@@ -38,10 +36,17 @@ std::vector<std::string> classifiers_of(const GridOptions& options) {
   return names;
 }
 
+std::string joined(const std::vector<std::string>& words) {
+  std::string list;
+  for (const std::string& word : words) list += (list.empty() ? "" : ", ") + word;
+  return list;
+}
+
 /// Adds those that the grid does not have yet.
 void add_cells(const std::vector<std::string>& methods, const std::vector<std::string>& ratios,
-               const std::string& classifier, Grid& grid) {
+               const std::string& classifier, bool nothing_known, Grid& grid) {
   for (const std::string& method : methods) {
+    if (!go_together(method, classifier, nothing_known)) continue;
     for (const std::string& ratio : ratios) {
       const Combination cell{method, ratio, classifier};
       const bool is_new = std::ranges::count(grid.combinations, cell) == 0;
@@ -50,6 +55,18 @@ void add_cells(const std::vector<std::string>& methods, const std::vector<std::s
       }
     }
   }
+}
+
+[[noreturn]] void refuse_nothing(bool nothing_known) {
+  const std::string of_all =
+      "none of these methods, ratios and classifiers go together: 'none' exists at 100to1 only, "
+      "every other method at every other ratio only, and rules are asked of 'none' alone";
+  throw Error(Exit::usage, nothing_known
+                               ? of_all +
+                                     "; where no fault window is known, there are 'none' by "
+                                     "rules, and methods that need none: " +
+                                     joined(augment::methods_without_known())
+                               : of_all);
 }
 
 /// Of these methods the baseline, if it is among them.
@@ -67,12 +84,19 @@ std::string name_by(const std::string& method, const std::string& classifier) {
 void bind(const cli::Options& command, GridOptions& options) {
   command.add("--dataset", options.dataset, "Dataset, such as cwru").required();
   bind_cells(command, options);
+  bind_nothing_known(command, options.nothing_known);
 }
 
 void bind_cells(const cli::Options& command, GridOptions& options) {
   command.add("--methods", options.methods, "Methods, such as: none piae-dt").required();
   command.add("--ratios", options.ratios, "Ratios, such as: 100to1 10to1 1to1").required();
   command.add("--seeds", options.seeds, "Seeds, such as: 0 1 2").required();
+}
+
+void bind_nothing_known(const cli::Options& command, std::vector<std::string>& nothing_known) {
+  command.add("--nothing-known", nothing_known,
+              "Data sets of which no fault window is known (known-per-class = 0): their cells are "
+              "'none' by rules, and methods that need no known window");
 }
 
 void bind_classifiers(const cli::Options& command, std::vector<std::string>& classifiers,
@@ -104,6 +128,19 @@ bool go_together(const std::string& method, const scoring::Ratio& ratio) {
   return (method == augment::no_method) == (ratio.generated_per_class == 0);
 }
 
+bool go_together(const augment::CatalogueEntry& method, const diagnosis::Classifier& classifier,
+                 bool nothing_known) {
+  const bool generates = method.kind != augment::Kind::baseline;
+  if (classifier.rule) return !generates;
+  return !nothing_known || (generates && works_without_known(method));
+}
+
+bool go_together(const std::string& method, const std::string& classifier, bool nothing_known) {
+  const diagnosis::Classifier& by = diagnosis::the_classifier(classifier);
+  const augment::CatalogueEntry* const entry = augment::find_entry(method);
+  return entry == nullptr ? !nothing_known && !by.rule : go_together(*entry, by, nothing_known);
+}
+
 bool has_score(const std::string& method) {
   return method != augment::no_method && !augment::is_ceiling(method);
 }
@@ -127,18 +164,21 @@ Grid resolve(const GridOptions& options) {
     throw Error(Exit::usage, "--seeds names " + std::to_string(*twice) + " twice");
   }
   const auto methods = split_list("--methods", options.methods);
-  std::ranges::copy_if(methods, std::back_inserter(grid.scored), has_score);
-  for (const std::string& classifier : classifiers_of(options)) {
-    add_cells(methods, ratios, classifier, grid);
+  const std::vector<std::string> classifiers = classifiers_of(options);
+  const bool nothing_known = std::ranges::count(options.nothing_known, grid.dataset) > 0;
+  std::ranges::copy_if(methods, std::back_inserter(grid.scored), [&](const std::string& method) {
+    return has_score(method) &&
+           std::ranges::any_of(classifiers, [&](const std::string& classifier) {
+             return go_together(method, classifier, nothing_known);
+           });
+  });
+  for (const std::string& classifier : classifiers) {
+    add_cells(methods, ratios, classifier, nothing_known, grid);
   }
   if (!options.classifiers.empty()) {
-    add_cells(without_generating(methods), ratios, diagnosis::bar_classifier, grid);
+    add_cells(without_generating(methods), ratios, diagnosis::bar_classifier, nothing_known, grid);
   }
-  if (grid.combinations.empty()) {
-    throw Error(Exit::usage,
-                "none of these methods and ratios go together: 'none' exists at 100to1 only, every "
-                "other method at every other ratio only");
-  }
+  if (grid.combinations.empty()) refuse_nothing(nothing_known);
   return grid;
 }
 

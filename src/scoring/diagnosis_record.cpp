@@ -13,6 +13,8 @@ namespace piae::scoring {
 namespace {
 
 constexpr Range generated_per_class{.low = 0, .high = 1e9};
+constexpr const char* known_per_class = "known_per_class";
+constexpr Range no_window{.low = 0, .high = 0};
 constexpr Range true_ratios{.low = 0, .high = 1e9};
 constexpr Range windows_per_second{.low = 0, .high = 1e12};
 constexpr Range cross_entropy{.low = 0, .high = 1e30};
@@ -87,7 +89,9 @@ void write(artefact::Writer& writer, const DiagnosisRecord& record) {
   }
   writer.attribute("/", "ratio", record.ratio);
   writer.attribute("/", "generated_per_class", record.generated_per_class);
-  writer.attribute("/", "true_ratio", record.true_ratio);
+  if (record.true_ratio) writer.attribute("/", "true_ratio", *record.true_ratio);
+  // Diagnoses by known fault windows are what they were when there were always some.
+  if (!record.any_known) writer.attribute("/", known_per_class, std::int64_t{0});
   writer.attribute("/", "seed", record.seed);
   writer.attribute("/", "protocol", to_string(record.protocol));
   writer.attribute("/", "accuracy", record.accuracy());
@@ -113,7 +117,13 @@ DiagnosisRecord read_diagnosis(const artefact::Reader& reader) {
   }
   record.ratio = read_ratio(reader);
   record.generated_per_class = reader.integer("/", "generated_per_class", generated_per_class);
-  record.true_ratio = reader.real("/", "true_ratio", true_ratios);
+  if (reader.has_attribute("/", known_per_class)) {
+    (void)reader.integer("/", known_per_class, no_window);
+    record.any_known = false;
+  }
+  if (record.any_known || record.generated_per_class > 0) {
+    record.true_ratio = reader.real("/", "true_ratio", true_ratios);
+  }
   record.seed = reader.integer("/", "seed", signal::ranges::seed);
   record.protocol = signal::read_protocol(reader);
   record.labels = read_labels(reader, "/labels", 0, classes);

@@ -30,7 +30,9 @@ struct DiagnosisRecord {
   std::string classifier = paper_classifier;  ///< as the grid names it
   std::string ratio;                          ///< as the grid names it, "2to1" (scoring/ratios.hpp)
   std::int64_t generated_per_class = 0;       ///< windows of each fault class
-  double true_ratio = 0;  ///< healthy windows to those of one fault class: 3.33 for "2to1"
+  /// healthy windows to those of one fault class: 3.33 for "2to1"; nothing where there are none
+  std::optional<double> true_ratio;
+  bool any_known = true;  ///< whether fault windows were known
   std::int64_t seed = 0;
   signal::Protocol protocol = signal::Protocol::random;  ///< of the split
   std::vector<Label> labels;                             ///< [n] true classes of the windows of A
@@ -53,8 +55,9 @@ struct DiagnosisRecord {
 };
 
 /// In the artefact: attributes of the root, those of DatasetInfo and `method`, `ratio`,
-/// `generated_per_class`, `true_ratio`, `seed`, `protocol`, `accuracy`, `classifier` unless it is
-/// the paper's, and where known `train_windows_per_second`; datasets /labels, /predictions int32
+/// `generated_per_class`, `true_ratio` where there were fault windows, `known_per_class` (0) where
+/// none was known, `seed`, `protocol`, `accuracy`, `classifier` unless it is the paper's, and where
+/// measured `train_windows_per_second`; datasets /labels, /predictions int32
 /// [n], /confusion int64 [C, C], /scores float32 [n, C], /curves/loss, /curves/train_accuracy
 /// float64 [epochs], and where they are kept /features/hidden, /features/output float32 [n, width].
 /// Throws std::logic_error when the lengths do not fit each other.

@@ -39,8 +39,9 @@ const Ratio& find_ratio(const std::string& name) {
   throw Error(Exit::usage, "unknown ratio '" + name + "'; known are " + known);
 }
 
-double true_ratio(std::int64_t normal_windows, std::int64_t known_per_class,
-                  std::int64_t generated_per_class) {
+std::optional<double> true_ratio(std::int64_t normal_windows, std::int64_t known_per_class,
+                                 std::int64_t generated_per_class) {
+  if (known_per_class + generated_per_class == 0) return std::nullopt;
   return static_cast<double>(normal_windows) /
          static_cast<double>(known_per_class + generated_per_class);
 }

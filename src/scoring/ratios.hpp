@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 
@@ -22,8 +23,9 @@ std::string list_of_ratios();
 const Ratio& find_ratio(const std::string& name);
 
 /// How many healthy windows there really are for each window of one fault class: 500 / (5 + 145) =
-/// 3.33 for the ratio that the paper names 2to1 (paper-notes, row 3).
-double true_ratio(std::int64_t normal_windows, std::int64_t known_per_class,
-                  std::int64_t generated_per_class);
+/// 3.33 for the ratio that the paper names 2to1 (paper-notes, row 3). Nothing where there is no
+/// window of a fault.
+std::optional<double> true_ratio(std::int64_t normal_windows, std::int64_t known_per_class,
+                                 std::int64_t generated_per_class);
 
 }  // namespace piae::scoring

@@ -7,12 +7,14 @@
 #include "cli/toml_file.hpp"
 #include "diagnosis/catalogue.hpp"
 #include "report/input_choice.hpp"
+#include "run/grid.hpp"
 #include "scoring/diagnosis_record.hpp"
 #include "scoring/ratios.hpp"
 #include "settings/groups.hpp"
 #include "settings/protocol.hpp"
 #include "settings/sweeps.hpp"
 #include "signal/description_file.hpp"
+#include "signal/split.hpp"
 
 namespace piae::settings {
 
@@ -56,28 +58,50 @@ void add_ratios(std::vector<std::string>& words) {
   }
 }
 
+/// Which methods have cells by which classifiers.
+void add_pairs(std::vector<std::string>& words) {
+  for (const augment::CatalogueEntry& method : augment::catalogue()) {
+    for (const diagnosis::Classifier& classifier : diagnosis::classifiers()) {
+      const std::string pair = std::string(method.name) + '/' + classifier.name;
+      if (run::go_together(method, classifier, false)) words.push_back("pair:" + pair);
+      if (run::go_together(method, classifier, true)) words.push_back("pair-of-nothing:" + pair);
+    }
+  }
+}
+
+/// Whether the stage split, of which the protocol and the description have settings, makes known
+/// fault windows.
+bool knows_nothing(const toml::table& protocol, const toml::table& description) {
+  const auto own = description["split"][signal::known_per_class];
+  const auto count = (own ? own : protocol["split"][signal::known_per_class]).value<std::int64_t>();
+  return count == std::int64_t{0};
+}
+
 /// What there is to know of a description. One that cannot be read is refused when its data set is
 /// asked for, not before.
-void add_dataset(const fs::path& description, std::vector<std::string>& words) {
+void add_dataset(const toml::table& protocol, const fs::path& description,
+                 std::vector<std::string>& words) {
   const std::string name = description.stem().string();
   words.push_back("dataset:" + name);
   try {
     const toml::table content = signal::read_description_file(description);
     if (content.contains("simulation")) words.push_back("simulated:" + name);
     if (content.contains("split")) words.push_back("own-split:" + name);
+    if (knows_nothing(protocol, content)) words.push_back("nothing-known:" + name);
   } catch (const Error&) {
     return;
   }
 }
 
-void add_datasets(const fs::path& folder, std::vector<std::string>& words) {
+void add_datasets(const toml::table& protocol, const fs::path& folder,
+                  std::vector<std::string>& words) {
   std::vector<fs::path> descriptions;
   std::error_code no_folder;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, no_folder)) {
     if (entry.path().extension() == ".toml") descriptions.push_back(entry.path());
   }
   std::ranges::sort(descriptions);
-  for (const fs::path& description : descriptions) add_dataset(description, words);
+  for (const fs::path& description : descriptions) add_dataset(protocol, description, words);
 }
 
 void add_sweeps(const toml::table& protocol, std::vector<std::string>& words) {
@@ -123,8 +147,9 @@ std::vector<std::string> facts(const fs::path& pipeline) {
   add_methods(words);
   add_classifiers(words);
   add_ratios(words);
-  add_datasets(pipeline / "datasets", words);
+  add_pairs(words);
   const toml::table protocol = read_protocol(pipeline / "protocol.toml");
+  add_datasets(protocol, pipeline / "datasets", words);
   add_sweeps(protocol, words);
   add_readings(protocol, words);
   add_groups(protocol, words);

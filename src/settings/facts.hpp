@@ -24,6 +24,9 @@ namespace piae::settings {
 ///     dataset:cwru           an entry of DATASETS
 ///     simulated:simulated    a dataset that is made, not measured
 ///     own-split:NAME         a dataset whose description says something of the stage split
+///     nothing-known:NAME     a dataset of which no fault window is known
+///     pair:vae/nearest       a method that has cells by this classifier
+///     pair-of-nothing:oracle/nearest   the same of a data set of which no fault window is known
 ///     swept:piae-dt          a method whose settings `make sweep` moves
 ///     sweep-classifier:piae-dt:wdcnn   by which it is judged then
 ///     sweep-point:piae-dt:batch=1      a setting that is tried

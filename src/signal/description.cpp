@@ -9,8 +9,8 @@
 #include "bearing/defect.hpp"
 #include "bearing/kinematics.hpp"
 #include "signal/described_conditions.hpp"
+#include "signal/described_split.hpp"
 #include "signal/ranges.hpp"
-#include "signal/split.hpp"
 
 namespace piae::signal {
 
@@ -204,20 +204,6 @@ void require_different_names(const fs::path& file, const std::vector<RecordSourc
                                    "; rename the class that ends like a number");
 }
 
-/// What a description may say of the stage split.
-void require_split_settings(TomlTable table) {
-  const std::vector<std::string> known = split_settings();
-  std::string list;
-  for (const std::string& name : known) list += (list.empty() ? "" : ", ") + name;
-  for (const auto& [key, node] : table.plain()) {
-    const std::string name(key.str());
-    if (std::ranges::find(known, name) == known.end()) {
-      table.refuse(name, "is unknown; known keys are " + list);
-    }
-    (void)table.integer(name, split_setting);
-  }
-}
-
 /// The sample rate of the records, which must all have the same, for a dataset that does not say to
 /// which rate they are brought.
 double common_rate(const TomlTable& root, const std::vector<RecordSource>& records) {
@@ -286,11 +272,11 @@ Description read_description(const fs::path& file) {
   }
   const auto rate = root.optional_number("sample_rate_hz", ranges::sample_rate_hz);
   require_a_record_for_each_class(file, description);
+  check_described_split(root);
   description.info.conditions =
       read_described_conditions(root, description.info, description.records);
   set_mean_sizes(classes, description.records, description.info);
   require_possible(description.info, root, classes);
-  if (const auto own = root.optional_table("split")) require_split_settings(*own);
   root.finish();
   description.info.sample_rate_hz = rate ? *rate : common_rate(root, description.records);
   if (!ranges::sample_rate_hz.holds(description.info.sample_rate_hz)) {

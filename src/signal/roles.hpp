@@ -16,7 +16,7 @@ namespace piae::signal {
 enum class Role {
   test,      ///< A: of every class; what the classifier is tried on
   healthy,   ///< B: of the healthy class; what the classifier learns from
-  known,     ///< C: of every fault class; what generators and the classifier learn from
+  known,     ///< C: of every fault class, or none; what generators and the classifier learn from
   hidden,    ///< D: of every fault class; what generated windows are compared with
   generated  ///< E: of every fault class; made by a generator
 };
@@ -43,8 +43,9 @@ void require_role(const artefact::Reader& reader, Role role);
 bool may_hold(Role role, const Condition& condition);
 
 /// A must hold every class, B the healthy one, C, D and E every class with a defect, and none of
-/// them any other, nor windows of a condition that may_hold() denies them. Throws artefact::Refusal
-/// naming the class or the condition.
+/// them any other, nor windows of a condition that may_hold() denies them. C alone may hold no
+/// window at all: no fault is known then. Throws artefact::Refusal naming the class or the
+/// condition.
 void require_belonging(const artefact::Reader& reader, Role role, const WindowSet& windows);
 
 /// The windows of one role of a split, and which split that was.

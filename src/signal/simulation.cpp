@@ -14,6 +14,7 @@
 #include "base/random.hpp"
 #include "bearing/kinematics.hpp"
 #include "signal/described_conditions.hpp"
+#include "signal/described_split.hpp"
 #include "signal/description.hpp"
 #include "signal/ranges.hpp"
 #include "signal/toml_table.hpp"
@@ -205,6 +206,7 @@ Simulation read_simulation(const std::filesystem::path& file) {
   read_table(table, simulation);
   simulation.info.conditions = read_conditions(root, table, simulation.info);
   table.finish();
+  check_described_split(root);
   root.finish();
   return simulation;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 #include <numeric>
+#include <utility>
 
 #include "base/error.hpp"
 
@@ -19,21 +20,33 @@ bool is_for(const DatasetInfo& info, const Source& source, Role role) {
 std::vector<Share> shares_of(bool healthy, const Counts& counts) {
   const std::size_t rest = counts.all - counts.test;
   if (healthy) return {{Role::test, counts.test}, {Role::healthy, rest}};
-  return {
-      {Role::test, counts.test}, {Role::known, counts.known}, {Role::hidden, rest - counts.known}};
+  const Share test{Role::test, counts.test};
+  const Share hidden{Role::hidden, rest - counts.known};
+  // Where nothing is known, C takes part in nothing: it has no block of time, and no gap beside it.
+  if (counts.known == 0) return {test, hidden};
+  return {test, {Role::known, counts.known}, hidden};
 }
 
-/// One for each condition in which the class has records, in the order of the conditions.
-std::vector<Source> empty_sources(Label label, std::span<const RecordPlace> records) {
-  std::map<std::int32_t, Source> sources;
+/// One for each condition in which the class has records, and each speed at which it has some that
+/// belong to every condition, in the order of the conditions and speeds.
+std::vector<Source> empty_sources(const DatasetInfo& info, Label label,
+                                  std::span<const RecordPlace> records) {
+  std::map<std::pair<std::int32_t, double>, Source> sources;
+  std::size_t of_every = 0;
   for (std::size_t i = 0; i < records.size(); ++i) {
     if (records[i].label != label) continue;
-    Source& source = sources[records[i].condition];
-    source.condition = records[i].condition;
-    source.records.push_back(i);
+    const bool by_speed = records[i].condition == every_condition && !info.conditions.empty();
+    const double speed_rpm = by_speed ? records[i].shaft_speed_rpm : 0;
+    const auto [place, is_new] = sources.try_emplace({records[i].condition, speed_rpm});
+    if (is_new && by_speed) ++of_every;
+    place->second.records.push_back(i);
   }
   std::vector<Source> list;
-  for (auto& [condition, source] : sources) list.push_back(std::move(source));
+  for (auto& [place, source] : sources) {
+    source.condition = place.first;
+    if (place.first == every_condition && of_every > 1) source.shaft_speed_rpm = place.second;
+    list.push_back(std::move(source));
+  }
   return list;
 }
 
@@ -66,7 +79,7 @@ std::size_t Source::count_of(Role role) const {
 std::vector<Source> sources_of(const DatasetInfo& info, Label label,
                                std::span<const RecordPlace> records, const Counts& counts,
                                const Stream& stream) {
-  std::vector<Source> sources = empty_sources(label, records);
+  std::vector<Source> sources = empty_sources(info, label, records);
   for (const Share& share : shares_of(label == info.healthy_label(), counts)) {
     std::vector<Source*> givers;
     for (Source& source : sources) {

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -17,7 +18,7 @@ namespace piae::signal {
 struct Counts {
   std::size_t all = 0;    ///< of the class
   std::size_t test = 0;   ///< A
-  std::size_t known = 0;  ///< C, of a fault class
+  std::size_t known = 0;  ///< C, of a fault class; it may be none
 };
 
 /// A role, and how many windows it gets.
@@ -30,6 +31,8 @@ struct Share {
 /// It is the order in time, too, where the protocol is blocked.
 struct Source {
   std::int32_t condition = every_condition;
+  /// Of records that belong to every condition, where those of the class have several speeds.
+  std::optional<double> shaft_speed_rpm = {};
   std::vector<std::size_t> records;  ///< indices into the recordings
   std::vector<Share> shares;         ///< none is empty
 
@@ -41,12 +44,14 @@ struct Source {
 struct RecordPlace {
   Label label = 0;
   std::int32_t condition = every_condition;
+  double shaft_speed_rpm = 0;
 };
 
 /// Deals a class out: the healthy one to A and B, a fault class to A, C and D. Each role takes its
 /// windows from the conditions that are for it, and from records that belong to every condition, as
-/// evenly as whole windows allow; which of them give one more is drawn from `stream`. A dataset
-/// without conditions has one source.
+/// evenly as whole windows allow; which of them give one more is drawn from `stream`. Records that
+/// belong to every condition are one source, or one for each of their speeds: what is tested at a
+/// speed shall be known healthy at it. A dataset without conditions has one source.
 ///
 /// Throws Error(bad_input) where a role finds no record.
 std::vector<Source> sources_of(const DatasetInfo& info, Label label,

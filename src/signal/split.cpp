@@ -1,5 +1,7 @@
 #include "signal/split.hpp"
 
+#include <spdlog/fmt/fmt.h>
+
 #include <algorithm>
 #include <numeric>
 #include <span>
@@ -25,14 +27,17 @@ struct Setting {
   const char* name;
   std::size_t SplitOptions::*value;
   const char* help;
+  std::int64_t least = 1;
 };
+constexpr std::int64_t most_of_a_setting = 1000000000;
 constexpr Setting settings[] = {
     {"window", &SplitOptions::window, "Samples in a window"},
     {"max-stride", &SplitOptions::max_stride,
      "Samples between two windows at most; less where the windows need it"},
     {"windows-per-class", &SplitOptions::windows_per_class, "Windows cut of each class"},
     {"test-per-class", &SplitOptions::test_per_class, "Windows of each class in A (test)"},
-    {"known-per-class", &SplitOptions::known_per_class, "Windows of each fault class in C (known)"},
+    {known_per_class, &SplitOptions::known_per_class,
+     "Windows of each fault class in C (known); 0 where no fault is known", 0},
     {"guard-windows", &SplitOptions::guard_windows,
      "Window lengths left unused between two roles (blocked only)"},
 };
@@ -41,10 +46,8 @@ constexpr Setting settings[] = {
 
 void require_sensible(const SplitOptions& options) {
   if (options.window == 0 || options.max_stride == 0 || options.test_per_class == 0 ||
-      options.known_per_class == 0 || options.guard_windows == 0) {
-    refuse_options(
-        "window, max-stride, test-per-class, known-per-class and guard-windows must be "
-        "at least 1");
+      options.guard_windows == 0) {
+    refuse_options("window, max-stride, test-per-class and guard-windows must be at least 1");
   }
   if (options.windows_per_class <= options.test_per_class + options.known_per_class) {
     refuse_options("windows-per-class (" + std::to_string(options.windows_per_class) +
@@ -65,7 +68,9 @@ void require_a_fault_class(const DatasetInfo& info) {
 std::vector<RecordPlace> places_of(const Recordings& recordings) {
   std::vector<RecordPlace> places;
   for (const Record& record : recordings.records) {
-    places.push_back({.label = record.label, .condition = record.condition});
+    places.push_back({.label = record.label,
+                      .condition = record.condition,
+                      .shaft_speed_rpm = record.shaft_speed_rpm});
   }
   return places;
 }
@@ -145,13 +150,22 @@ Split empty_split(const Recordings& recordings, const SplitOptions& options) {
   return split;
 }
 
+std::string speed_label(double speed_rpm) { return fmt::format("{:g} rpm", speed_rpm); }
+
+/// The random numbers of a source.
+Stream stream_of(const Stream& of_class, const DatasetInfo& info, const Source& source) {
+  if (source.shaft_speed_rpm) return of_class.child(speed_label(*source.shaft_speed_rpm));
+  if (source.condition == every_condition) return of_class;
+  return of_class.child(info.conditions[static_cast<std::size_t>(source.condition)].name);
+}
+
 /// "dataset cwru, class IR007, condition 900 rpm".
 std::string name_of(const DatasetInfo& info, Label label, const Source& source) {
   std::string name = "dataset " + info.name + ", class " + info.class_of(label).name;
   if (source.condition != every_condition) {
     name += ", condition " + info.conditions[static_cast<std::size_t>(source.condition)].name;
   }
-  return name;
+  return source.shaft_speed_rpm ? name + ", " + speed_label(*source.shaft_speed_rpm) : name;
 }
 
 /// Deals out the windows of one source, and returns their stride.
@@ -181,10 +195,7 @@ void split_class(const Recordings& recordings, Label label, const SplitOptions& 
   std::size_t least = options.max_stride;
   for (const Source& source :
        sources_of(info, label, places_of(recordings), counts_of(options), stream)) {
-    const bool of_all = source.condition == every_condition;
-    const Stream own =
-        of_all ? stream
-               : stream.child(info.conditions[static_cast<std::size_t>(source.condition)].name);
+    const Stream own = stream_of(stream, info, source);
     least = std::min(least, split_source(recordings, label, source, options, own, out));
   }
   out.strides.push_back(static_cast<std::int64_t>(least));
@@ -193,22 +204,25 @@ void split_class(const Recordings& recordings, Label label, const SplitOptions& 
 }  // namespace
 
 void bind(const cli::Options& command, SplitOptions& options) {
-  constexpr std::int64_t most = 1000000000;
   command.add("--seed", options.seed, "The repeat: each seed has its own split")
       .required()
-      .check(cli::whole_number(0, most));
+      .check(cli::whole_number(0, most_of_a_setting));
   command.choose("--protocol", options.protocol, protocol_words(),
                  "random: the paper's; blocked: contiguous blocks with a guard gap");
   for (const Setting& setting : settings) {
     command.add(std::string("--") + setting.name, options.*setting.value, setting.help)
-        .check(cli::whole_number(1, most));
+        .check(cli::whole_number(setting.least, most_of_a_setting));
   }
 }
 
-std::vector<std::string> split_settings() {
-  std::vector<std::string> names;
-  for (const Setting& setting : settings) names.emplace_back(setting.name);
-  return names;
+std::vector<SplitSetting> split_settings() {
+  std::vector<SplitSetting> list;
+  for (const Setting& setting : settings) {
+    list.push_back({.name = setting.name,
+                    .range = {.low = static_cast<double>(setting.least),
+                              .high = static_cast<double>(most_of_a_setting)}});
+  }
+  return list;
 }
 
 Counts counts_of(const SplitOptions& options) {

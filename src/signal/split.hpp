@@ -24,24 +24,30 @@ struct SplitOptions {
   std::size_t max_stride = 512;          ///< samples between the starts of two windows, at most
   std::size_t windows_per_class = 600;
   std::size_t test_per_class = 100;  ///< windows of every class in A
-  std::size_t known_per_class = 5;   ///< windows of every fault class in C
+  std::size_t known_per_class = 5;   ///< windows of every fault class in C; 0: no fault is known
   std::size_t guard_windows = 1;     ///< window lengths left unused between roles; blocked only
 };
 
 /// Binds --seed, --protocol, --window and so on. --seed is required.
 void bind(const cli::Options& command, SplitOptions& options);
 
+/// Of the settings that which decides whether any fault window is known.
+inline constexpr const char* known_per_class = "known-per-class";
+
 /// Those of the options that a data set may set for itself, in [split] of its description, without
 /// the dashes; and what each of them may be.
-std::vector<std::string> split_settings();
-inline constexpr Range split_setting{.low = 1, .high = 1e9};
+struct SplitSetting {
+  std::string name;
+  Range range;
+};
+std::vector<SplitSetting> split_settings();
 
 /// What of these concerns one class.
 Counts counts_of(const SplitOptions& options);
 
 /// A dataset dealt out to the four roles. With the paper's numbers A has 100 windows of every
 /// class, B the other 500 of the healthy class, C 5 of every fault class, and D the other 495 of
-/// every fault class.
+/// every fault class. Where no window is to be known, C has none, and all else is as always.
 struct Split {
   std::array<WindowSet, split_roles.size()> sets;  ///< in the order of split_roles
   /// Samples between two windows, for each class by label; the least one where its conditions are

@@ -184,7 +184,7 @@ void write(artefact::Writer& writer, const WindowSet& windows) {
   write(writer, windows.info);
   writer.numbers("/windows", windows.samples, {windows.size(), windows.length});
   writer.numbers("/labels", windows.labels);
-  if (!windows.record.empty()) {
+  if (!windows.record_names.empty()) {
     writer.strings("/record/name", windows.record_names);
     writer.numbers("/record/index", windows.record);
     writer.numbers("/first_sample", windows.first_sample);

@@ -68,6 +68,26 @@ TEST(Catalogue, SaysWhichMethodsInferStiffnessAndDamping) {
   }
 }
 
+TEST(Catalogue, SaysWhatWorksWithoutKnownWindows) {
+  signal::WindowSet none = known_windows();
+  none = {.info = none.info, .length = none.length};
+  for (const CatalogueEntry& entry : catalogue()) {
+    EXPECT_NO_THROW(require_known_windows(entry, known_windows(), "C.h5"));
+    if (works_without_known(entry)) {
+      EXPECT_NO_THROW(require_known_windows(entry, none, "C.h5"));
+    } else {
+      EXPECT_ERROR(require_known_windows(entry, none, "C.h5"), Exit::bad_input,
+                   "C.h5: holds no known fault window (known-per-class = 0), and " +
+                       std::string(entry.name) + " learns from those; methods that need none: ");
+    }
+  }
+  EXPECT_THAT(methods_without_known(), testing::Contains("oracle"));
+  EXPECT_THAT(methods_without_known(), testing::Not(testing::Contains("smote")));
+  EXPECT_FALSE(works_without_known({.name = "a", .kind = Kind::ours, .what = ""}));
+  EXPECT_TRUE(
+      works_without_known({.name = "a", .kind = Kind::ours, .what = "", .without_known = true}));
+}
+
 TEST(Catalogue, NamesAllMethodsToWhoeverAsksForAnother) {
   EXPECT_ERROR(make_method("another"), Exit::usage, "unknown method 'another'; known are dynamics");
   EXPECT_ERROR(make_method(no_method), Exit::usage, "known are dynamics");

@@ -7,6 +7,7 @@
 
 #include "base/error.hpp"
 #include "diagnosis/sets.hpp"
+#include "support/errors.hpp"
 
 namespace piae::diagnosis {
 namespace {
@@ -122,6 +123,27 @@ TEST_F(TrainingSet, NeedsATestSetWithEveryClass) {
   EXPECT_THROW(require_fitting_test_set(lacking, training), Error);
   test.info.sample_rate_hz = 48000;
   EXPECT_THROW(require_fitting_test_set(test, training), Error);
+}
+
+TEST_F(TrainingSet, NoFaultNeedBeKnownWhereSomeAreGenerated) {
+  const WindowSet nothing = empty_set(4);
+  const WindowSet set = compose_training_set(normal, nothing, &generated, 1);
+  EXPECT_THAT(first_samples(set), testing::ElementsAre(100, 101, 102, 103, 104, 105, 400, 500));
+  const Classifier network{.name = "network", .what = "", .input = ""};
+  const Classifier rule{.name = "rule", .what = "", .input = "", .rule = true};
+  EXPECT_NO_THROW(require_faults(set, network, "C.h5"));
+  const WindowSet healthy_alone = compose_training_set(normal, nothing, nullptr, 0);
+  EXPECT_EQ(healthy_alone.size(), normal.size());
+  EXPECT_NO_THROW(require_faults(healthy_alone, rule, "C.h5"));
+  EXPECT_ERROR(require_faults(healthy_alone, network, "C.h5"), Exit::bad_input,
+               "C.h5: holds no known fault window (known-per-class = 0), and without any network "
+               "cannot learn what a fault is; give --generated windows");
+}
+
+TEST_F(TrainingSet, FaultsOfSomeClassesAloneAreRefused) {
+  known = empty_set(4);
+  add(known, 1, 2, 200);
+  expect_error(Exit::bad_input, "--known: holds no window of class", nullptr, 0);
 }
 
 }  // namespace

@@ -18,6 +18,7 @@ TEST(Labels, OfRatiosTellTheTrueOneWhereItDiffers) {
   EXPECT_EQ(ratio_label("25to1", 25), "25:1");
   EXPECT_EQ(ratio_label("2to1", 500.0 / 150), "2:1 (3.33:1)");
   EXPECT_EQ(ratio_label("100to1", 30.0 / 5), "100:1 (6:1)");
+  EXPECT_EQ(ratio_label("100to1", std::nullopt), "100:1 (no faults)");
 }
 
 }  // namespace

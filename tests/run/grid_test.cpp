@@ -54,6 +54,52 @@ TEST(Grid, OptionsTakeSeveralValuesAfterOneFlag) {
   EXPECT_EQ(options.seeds, (Strings{"0", "1", "2"}));
 }
 
+const augment::CatalogueEntry none{.name = "none", .kind = augment::Kind::baseline, .what = ""};
+const augment::CatalogueEntry learns{
+    .name = "learns", .kind = augment::Kind::published, .what = ""};
+const augment::CatalogueEntry invents{
+    .name = "invents", .kind = augment::Kind::ours, .what = "", .without_known = true};
+const augment::CatalogueEntry ceiling{
+    .name = "ceiling", .kind = augment::Kind::ceiling, .what = ""};
+const diagnosis::Classifier network{.name = "network", .what = "", .input = ""};
+const diagnosis::Classifier rule{.name = "rule", .what = "", .input = "", .rule = true};
+
+TEST(Grid, RulesGoTogetherWithNoneAlone) {
+  for (const bool nothing_known : {false, true}) {
+    EXPECT_TRUE(go_together(none, rule, nothing_known));
+    for (const augment::CatalogueEntry& method : {learns, invents, ceiling}) {
+      EXPECT_FALSE(go_together(method, rule, nothing_known)) << method.name;
+    }
+  }
+}
+
+TEST(Grid, WhereNothingIsKnownOthersNeedWindowsFromAMethodThatNeedsNone) {
+  for (const augment::CatalogueEntry& method : {none, learns, invents, ceiling}) {
+    EXPECT_TRUE(go_together(method, network, false)) << method.name;
+  }
+  EXPECT_FALSE(go_together(none, network, true));
+  EXPECT_FALSE(go_together(learns, network, true));
+  EXPECT_TRUE(go_together(invents, network, true));
+  EXPECT_TRUE(go_together(ceiling, network, true));
+  EXPECT_FALSE(go_together("not in the catalogue", "wdcnn", true));
+  EXPECT_TRUE(go_together("not in the catalogue", "wdcnn", false));
+}
+
+TEST(Grid, WhereNothingIsKnownThereIsNeitherNoneNorTheBar) {
+  GridOptions options{"rig", {"none smote oracle"}, {"100to1 10to1"}, {"0"}, {"wdcnn nearest"}};
+  EXPECT_THAT(cells(resolve(options)), ElementsAre("none 100to1", "smote 10to1", "oracle 10to1",
+                                                   "none 100to1", "smote 10to1", "oracle 10to1"));
+  options.nothing_known = {"another", "rig"};
+  const Grid grid = resolve(options);
+  EXPECT_THAT(cells(grid), ElementsAre("oracle 10to1", "oracle 10to1"));
+  EXPECT_EQ(grid.combinations.back().classifier, "nearest");
+  EXPECT_TRUE(grid.scored.empty());
+  options.methods = {"none smote"};
+  expect_usage_error(options, "where no fault window is known, there are 'none' by rules, and");
+  options.nothing_known = {"another"};
+  EXPECT_EQ(resolve(options).combinations.size(), 4U);
+}
+
 TEST(Grid, RefusesMethodsRatiosAndSeedsThatCannotBe) {
   expect_usage_error({"cwru", {"none"}, {"3to1"}, {"0"}}, "unknown ratio '3to1'");
   expect_usage_error({"cwru", {"none"}, {"10to1"}, {"0"}}, "none of these");

@@ -37,8 +37,13 @@ TEST(Ratios, TrueRatioIsTheNamedOneButForTwoToOne) {
   EXPECT_EQ(of("25to1"), 25);
   EXPECT_EQ(of("10to1"), 10);
   EXPECT_EQ(of("5to1"), 5);
-  EXPECT_NEAR(of("2to1"), 3.3333, 1e-4);
+  EXPECT_NEAR(*of("2to1"), 3.3333, 1e-4);
   EXPECT_EQ(of("1to1"), 1);
+}
+
+TEST(Ratios, WithoutAFaultWindowThereIsNoTrueRatio) {
+  EXPECT_EQ(true_ratio(495, 0, 0), std::nullopt);
+  EXPECT_EQ(true_ratio(495, 0, 495), 1);
 }
 
 TEST(Ratios, AreListedWithTheirGeneratedWindows) {

@@ -4,6 +4,7 @@
 #include "artefact/writer.hpp"
 #include "scoring/diagnosis_record.hpp"
 #include "scoring/quality_record.hpp"
+#include "support/errors.hpp"
 #include "support/folder.hpp"
 #include "support/three_classes.hpp"
 
@@ -92,6 +93,31 @@ TEST_F(Records, DiagnosisComesBackAsItWas) {
   EXPECT_EQ(read.train_accuracy, record.train_accuracy);
   EXPECT_EQ(read.train_windows_per_second, record.train_windows_per_second);
   EXPECT_EQ(read.accuracy(), 0.75);
+}
+
+TEST_F(Records, DiagnosisWithoutKnownFaultsSaysSo) {
+  DiagnosisRecord record = diagnosis();
+  EXPECT_FALSE(stored("diagnosis", record).has_attribute("/", "known_per_class"));
+  record.any_known = false;
+  const Reader generated = stored("diagnosis", record);
+  EXPECT_EQ(generated.integer("/", "known_per_class"), 0);
+  EXPECT_FALSE(read_diagnosis(generated).any_known);
+  EXPECT_EQ(read_diagnosis(generated).true_ratio, record.true_ratio);
+}
+
+/// There is no ratio to the windows of a fault where there are none, and one to all others.
+TEST_F(Records, DiagnosisHasATrueRatioUnlessThereIsNoFaultWindow) {
+  DiagnosisRecord record = diagnosis();
+  record.any_known = false;
+  record.true_ratio.reset();
+  EXPECT_ERROR(read_diagnosis(stored("diagnosis", record)), Exit::bad_input, "true_ratio");
+  record.generated_per_class = 0;
+  record.ratio = "100to1";
+  const Reader healthy_alone = stored("diagnosis", record);
+  EXPECT_FALSE(healthy_alone.has_attribute("/", "true_ratio"));
+  EXPECT_EQ(read_diagnosis(healthy_alone).true_ratio, std::nullopt);
+  record.any_known = true;
+  EXPECT_ERROR(read_diagnosis(stored("diagnosis", record)), Exit::bad_input, "true_ratio");
 }
 
 // Files of the paper's classifier are what they were before there was another.

@@ -456,5 +456,36 @@ TEST(Facts, ABrokenDescriptionIsNobodysTroubleUntilItIsAskedFor) {
   EXPECT_THROW((void)project.is_outdated("datasets/broken.toml"), Error);
 }
 
+TEST(Facts, NameTheDataSetsOfWhichNothingIsKnown) {
+  const Project project("");
+  const auto of_nothing = [&] {
+    std::vector<std::string> names;
+    for (const std::string& fact : facts(project.folder.path())) {
+      if (fact.starts_with("nothing-known:")) names.push_back(fact.substr(14));
+    }
+    return names;
+  };
+  project.folder.write("datasets/five.toml", "name = \"five\"\n[split]\nknown-per-class = 5\n");
+  project.folder.write("datasets/said.toml", "name = \"said\"\n");
+  project.folder.write("datasets/zero.toml", "name = \"zero\"\n[split]\nknown-per-class = 0\n");
+  project.folder.write("datasets/zero-wide.toml",
+                       "name = \"zero-wide\"\nlike = \"zero\"\n[split]\nwindow = 3\n");
+  EXPECT_THAT(of_nothing(), ElementsAre("zero-wide", "zero"));
+  project.folder.write("protocol.toml", "[split]\nknown-per-class = 0\n");
+  EXPECT_THAT(of_nothing(), ElementsAre("said", "zero-wide", "zero"));
+}
+
+TEST(Facts, NameWhichMethodsHaveCellsByWhichClassifiers) {
+  const std::vector<std::string> all = facts(std::filesystem::path(PIAE_SOURCE) / "pipeline");
+  for (const std::string pair : {"none/wdcnn", "none/nearest", "smote/nearest", "oracle/wdcnn"}) {
+    EXPECT_THAT(all, Contains("pair:" + pair));
+  }
+  EXPECT_THAT(all, Contains("pair-of-nothing:oracle/wdcnn"));
+  EXPECT_THAT(all, Contains("pair-of-nothing:oracle/nearest"));
+  for (const std::string pair : {"none/wdcnn", "none/nearest", "smote/nearest"}) {
+    EXPECT_THAT(all, Not(Contains("pair-of-nothing:" + pair)));
+  }
+}
+
 }  // namespace
 }  // namespace piae::settings

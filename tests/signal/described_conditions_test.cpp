@@ -146,7 +146,30 @@ INSTANTIATE_TEST_SUITE_P(
                 "record.defect_size_mm is refused: defect size 90"},
         Refused{"# end", "[split]\nwindows = 3", "split.windows is unknown; known keys are window"},
         Refused{"# end", "[split]\nwindow = 0", "split.window must be from 1"},
+        Refused{"# end", "[split]\nknown-per-class = -1", "split.known-per-class must be from 0"},
+        Refused{
+            "# end", "[split]\nknown-per-class = 0",
+            "split.known-per-class is 0, so no fault is known in any condition, but [transfer]"},
         Refused{"# end", "[split]\nwindow = \"long\"", "split.window must be a whole number"}));
+
+TEST(DescribedConditions, NoFaultNeedBeKnownInAny) {
+  const Folder folder;
+  const Description description =
+      read_description(folder.write("rig.toml", two_speeds + "[split]\nknown-per-class = 0\n"));
+  EXPECT_EQ(description.info.conditions.size(), 2U);
+}
+
+/// Healthy records at several speeds need not be of a condition for that.
+TEST(DescribedConditions, ARecordOfNoneMayHaveASpeedOfItsOwn) {
+  const Folder folder;
+  const std::string text = replaced(two_speeds, "condition = \"1200 rpm\"\nshaft_speed_rpm = 1200",
+                                    "shaft_speed_rpm = 1200");
+  const Description description = read_description(folder.write("rig.toml", text));
+  const auto healthy = std::ranges::find(description.records, "b.csv", &RecordSource::file);
+  ASSERT_NE(healthy, description.records.end());
+  EXPECT_EQ(healthy->condition, "");
+  EXPECT_EQ(healthy->shaft_speed_rpm, 1200);
+}
 
 TEST(DescribedConditions, ATransferNeedsSome) {
   const Folder folder;

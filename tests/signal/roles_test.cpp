@@ -136,6 +136,43 @@ TEST(Roles, ComeBackFromTheirFiles) {
   EXPECT_THAT(check_roles(sets), IsEmpty());
 }
 
+/// Where no fault is known: all else that C says is there.
+TEST(Roles, OfKnownWindowsAloneMayHaveNone) {
+  const Folder folder;
+  const Recordings recordings = counting_recordings(80000);
+  SplitOptions options{.seed = 3};
+  options.known_per_class = 0;
+  const Split s = split(recordings, options);
+  const auto stored = [&](Role role, const WindowSet& windows) {
+    Split other = s;
+    other.of(role) = windows;
+    artefact::Writer writer("windows");
+    write(writer, other, role, options, "digest");
+    writer.save(folder / "set.h5", {"test", "", {}});
+    return artefact::Reader(folder / "set.h5", "windows");
+  };
+  const artefact::Reader c = stored(Role::known, s.of(Role::known));
+  const RoleSet known = read_role_set(c);
+  EXPECT_NO_THROW(require_belonging(c, Role::known, known.windows));
+  EXPECT_EQ(known.windows.size(), 0U);
+  EXPECT_EQ(known.windows.length, 1024U);
+  EXPECT_EQ(known.windows.info.classes.size(), 3U);
+  EXPECT_EQ(known.windows.record_names, s.of(Role::known).record_names);
+  EXPECT_EQ(known.seed, 3);
+  EXPECT_EQ(known.records_digest, "digest");
+  for (const Role role : {Role::test, Role::healthy, Role::hidden}) {
+    const artefact::Reader empty = stored(role, s.of(Role::known));
+    EXPECT_ERROR(require_belonging(empty, role, read_window_set(empty)), Exit::bad_input,
+                 "has no window of class");
+  }
+  WindowSet some = s.of(Role::known);
+  const WindowSet& hidden = s.of(Role::hidden);
+  some.append(hidden, hidden.indices_of(1).front());
+  const artefact::Reader half = stored(Role::known, some);
+  EXPECT_ERROR(require_belonging(half, Role::known, read_window_set(half)), Exit::bad_input,
+               "has no window of class R");
+}
+
 TEST(Roles, CannotBeReadFromGeneratedWindows) {
   const Folder folder;
   WindowSet generated;

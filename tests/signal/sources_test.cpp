@@ -88,6 +88,39 @@ TEST(Sources, ARecordOfEveryConditionServesAllRoles) {
   EXPECT_EQ(sound[0].count_of(Role::healthy), 500U);
 }
 
+/// So that a healthy window of each speed is both tested and learned from.
+TEST(Sources, RecordsOfEveryConditionAreDealtOutBySpeed) {
+  const std::vector<RecordPlace> records{{ok_label, every_condition, 900},
+                                         {ok_label, every_condition, 600},
+                                         {ok_label, every_condition, 900},
+                                         {cracked_label, 0, 600},
+                                         {cracked_label, 2, 900}};
+  const auto sound = sources_of(transfer(), ok_label, records, paper, Stream("s"));
+  ASSERT_EQ(sound.size(), 2U);
+  EXPECT_EQ(sound[0].shaft_speed_rpm, 600);
+  EXPECT_EQ(sound[1].shaft_speed_rpm, 900);
+  EXPECT_THAT(sound[0].records, ElementsAre(1));
+  EXPECT_THAT(sound[1].records, ElementsAre(0, 2));
+  EXPECT_THAT(counts_of(sound, Role::test), ElementsAre(50, 50));
+  EXPECT_THAT(counts_of(sound, Role::healthy), ElementsAre(250, 250));
+  // Where no conditions are told apart, records differ in speed by chance.
+  DatasetInfo info = transfer();
+  info.conditions.clear();
+  const std::vector<RecordPlace> same{{ok_label, every_condition, 900},
+                                      {ok_label, every_condition, 905}};
+  EXPECT_EQ(sources_of(info, ok_label, same, paper, Stream("s")).size(), 1U);
+}
+
+TEST(Sources, ARoleWithoutWindowsTakesPartInNothing) {
+  const Counts nothing_known{.all = 595, .test = 100, .known = 0};
+  const std::vector<RecordPlace> records{{cracked_label, 2}};  // where nothing is known anyway
+  const auto faults = sources_of(transfer(), cracked_label, records, nothing_known, Stream("s"));
+  ASSERT_EQ(faults.size(), 1U);
+  ASSERT_EQ(faults[0].shares.size(), 2U);
+  EXPECT_EQ(faults[0].count_of(Role::test), 100U);
+  EXPECT_EQ(faults[0].count_of(Role::hidden), 495U);
+}
+
 TEST(Sources, ARoleWithoutARecordIsRefused) {
   const std::vector<RecordPlace> records{{cracked_label, 0}, {cracked_label, 1}};
   EXPECT_ERROR(sources_of(transfer(), cracked_label, records, paper, Stream("s")), Exit::bad_input,

@@ -55,6 +55,21 @@ TEST_P(Protocols, DealOutThePapersNumbers) {
   }
 }
 
+/// C is there, of the same data set and records, and everybody else has what they have.
+TEST_P(Protocols, LeaveCWithoutWindowsWhereNoFaultIsKnown) {
+  SplitOptions options = options_of(GetParam());
+  options.known_per_class = 0;
+  options.windows_per_class = 595;
+  const Split s = split(counting_recordings(80000), options);
+  EXPECT_EQ(s.sets[A].size(), 300U);
+  EXPECT_EQ(s.sets[B].size(), 495U);
+  EXPECT_EQ(s.sets[C].size(), 0U);
+  EXPECT_EQ(s.sets[D].size(), 990U);
+  EXPECT_EQ(s.sets[C].length, 1024U);
+  EXPECT_EQ(s.sets[C].record_names, s.sets[A].record_names);
+  EXPECT_THAT(check_roles(role_sets(s, options)), IsEmpty());
+}
+
 TEST_P(Protocols, RefuseAWindowInWhichNothingMoves) {
   Recordings recordings = counting_recordings(80000);
   std::ranges::fill(recordings.records[1].signal, 0.5);
@@ -225,6 +240,23 @@ TEST(SplitBlocked, KeepsAWiderGuardWhereAsked) {
   }
 }
 
+/// Two roles of 10 windows, with a window length between them and behind the last, need 22 window
+/// lengths without overlap; a third role would need one more gap.
+TEST(SplitBlocked, HasNoGapBesideARoleThatHasNoWindow) {
+  SplitOptions options = options_of(Protocol::blocked);
+  options.window = options.max_stride = 100;
+  options.windows_per_class = 20;
+  options.test_per_class = 10;
+  options.known_per_class = 0;
+  Recordings recordings = counting_recordings(1);
+  recordings.records = {counting_record("I", 1, 0, 2200), counting_record("N", 0, 0, 2200),
+                        counting_record("R", 2, 0, 2200)};
+  EXPECT_THAT(split(recordings, options).strides, ElementsAre(100, 100, 100));
+  options.test_per_class = 9;
+  options.known_per_class = 1;
+  EXPECT_LT(split(recordings, options).strides[1], 100);
+}
+
 TEST(SplitOptionsCheck, RefusesContradictions) {
   const Recordings recordings = counting_recordings(80000);
   const auto with = [&](const auto& change) {
@@ -233,7 +265,7 @@ TEST(SplitOptionsCheck, RefusesContradictions) {
     return split(recordings, options);
   };
   EXPECT_ERROR(with([](auto& o) { o.windows_per_class = 105; }), Exit::usage, "must exceed");
-  EXPECT_ERROR(with([](auto& o) { o.known_per_class = 0; }), Exit::usage, "at least 1");
+  EXPECT_ERROR(with([](auto& o) { o.test_per_class = 0; }), Exit::usage, "at least 1");
   EXPECT_ERROR(with([](auto& o) { o.max_stride = 0; }), Exit::usage, "at least 1");
   EXPECT_ERROR(with([](auto& o) { o.seed = -1; }), Exit::usage, "seed");
 }
