@@ -2,8 +2,6 @@
 
 #include <string>
 
-#include "base/error.hpp"
-
 namespace piae::diagnosis {
 
 namespace {
@@ -21,11 +19,6 @@ signal::WindowSet fault_windows(const signal::WindowSet& training) {
   faults.length = training.length;
   for (std::size_t i = 0; i < training.size(); ++i) {
     if (training.labels[i] != healthy) faults.append(training, i);
-  }
-  if (faults.size() == 0) {
-    throw Error(Exit::bad_input,
-                "symptom-net: no fault window to learn from, neither known nor generated; choose a "
-                "--ratio with generated windows, or a rule such as exclusion-rule");
   }
   return faults;
 }

@@ -4,7 +4,6 @@
 
 #include <cmath>
 
-#include "support/errors.hpp"
 #include "support/struck_windows.hpp"
 
 namespace piae::diagnosis {
@@ -50,11 +49,6 @@ TEST_F(SymptomRowsOf, HaveOfHealthyWindowsTheNoveltyOfABlockThatIsLeftOut) {
                 .cwiseAbs()
                 .maxCoeff(),
             1e-12);
-}
-
-TEST_F(SymptomRowsOf, NeedAFaultWindow) {
-  EXPECT_ERROR(symptom_inputs(normal_, normal_, test_), Exit::bad_input,
-               "symptom-net: no fault window to learn from");
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
 #include <string>
 #include <vector>
@@ -20,8 +21,13 @@ class Classifiers : public testing::Test {
   void SetUp() override { tiny_.run_chain_before("diagnose"); }
 
   [[nodiscard]] static Arguments diagnose_by(const std::string& classifier) {
-    return with(with(step_of("diagnose").arguments, "--classifier", classifier), "--output",
-                classifier + ".h5");
+    Arguments arguments = with(with(step_of("diagnose").arguments, "--classifier", classifier),
+                               "--output", classifier + ".h5");
+    const diagnosis::Classifier* const found = diagnosis::find_classifier(classifier);
+    if (found == nullptr || !found->rule) return arguments;
+    const auto generated = std::ranges::find(arguments, "--generated");
+    arguments.erase(generated, generated + 2);
+    return with(arguments, "--ratio", "100to1");
   }
   [[nodiscard]] Outcome run_well(const Arguments& arguments) const {
     const Outcome outcome = tiny_.run("diagnose", arguments);
@@ -120,6 +126,12 @@ TEST_F(Classifiers, OnSymptomsKeepTheirHiddenLayer) {
   ASSERT_TRUE(features);
   EXPECT_EQ(features->hidden.size(), 30U * 48);
   EXPECT_EQ(features->output.size(), 30U * 3);
+}
+
+TEST_F(Classifiers, ThatAreRulesTakeNoGeneratedWindows) {
+  expect_refusal(tiny_.run("diagnose", with(diagnose_by("exclusion-rule"), "--generated", "E.h5")),
+                 "diagnose", 2, {"--generated: exclusion-rule is a rule"});
+  EXPECT_FALSE(fs::exists(tiny_ / "exclusion-rule.h5"));
 }
 
 TEST_F(Classifiers, ThatAreRulesSayAgainstWhatTheyCompared) {

@@ -88,6 +88,18 @@ TEST_F(NothingKnown, WithoutAnyFaultWindowClassifiersAreRefused) {
                    65, {no_window + "without any " + classifier + " cannot learn"});
   }
   EXPECT_FALSE(fs::exists(tiny_ / "cell.h5"));
+  expect_refusal(tiny_.run("diagnose", with(of_none(), "--classifier", "symptom-net")), "diagnose",
+                 65, {"or choose a rule by --classifier: envelope-rule, exclusion-rule"});
+}
+
+TEST_F(NothingKnown, RulesNeedNone) {
+  for (const std::string rule : {"envelope-rule", "exclusion-rule"}) {
+    const Outcome outcome =
+        run_well("diagnose", with(with(of_none(), "--classifier", rule), "--output", "rule.h5"));
+    EXPECT_NE(outcome.out.find("against 25 healthy ones (none 100to1, " + rule), std::string::npos)
+        << outcome.out;
+    run_well("verify", {"rule.h5"});
+  }
 }
 
 TEST_F(NothingKnown, IsSaidInTheTables) {
