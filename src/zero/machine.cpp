@@ -3,22 +3,27 @@
 #include <spdlog/fmt/fmt.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/error.hpp"
 #include "bearing/strikes.hpp"
 #include "signal/ranges.hpp"
+#include "transfer/bearings.hpp"
 #include "transfer/cepstrum.hpp"
-#include "transfer/healthy.hpp"
 
 namespace piae::zero {
 
 namespace {
 
 constexpr double least_samples = 2;  // between strikes
+/// Speeds of a machine under other loads differ by as much, in parts.
+constexpr double same_speed = 0.05;
 /// In samples: what changes faster along the spectrum are lines of the shaft and of gears, which no
 /// blow excites.
 constexpr double colour_quefrency = 256;
 
+/// Those of a condition, and those of every one: of these, none that has another speed than the
+/// nearest.
 std::vector<std::size_t> windows_in(const signal::WindowSet& healthy, std::int32_t condition) {
   std::vector<std::size_t> windows;
   for (std::size_t i = 0; i < healthy.size(); ++i) {
@@ -26,6 +31,11 @@ std::vector<std::size_t> windows_in(const signal::WindowSet& healthy, std::int32
         healthy.condition.empty() || healthy.condition[i] == signal::every_condition;
     if (in_every || healthy.condition[i] == condition) windows.push_back(i);
   }
+  if (windows.empty() || condition == signal::every_condition) return windows;
+  const double rpm = healthy.info.speed_rpm(condition);
+  const auto away = [&](std::size_t i) { return std::abs(healthy.speed_rpm(i) - rpm); };
+  const double nearest = away(std::ranges::min(windows, {}, away));
+  std::erase_if(windows, [&](std::size_t i) { return away(i) > nearest + same_speed * rpm; });
   return windows;
 }
 
@@ -61,25 +71,31 @@ void require_speed(const signal::WindowSet& healthy, std::size_t i) {
 
 Machine::Machine(const signal::WindowSet& healthy) : healthy_(healthy) {
   bearing::validate(healthy.info.bearing);
-  const std::vector<transfer::HealthySpectrum> spectra = transfer::healthy_spectra(healthy);
+  for (std::size_t i = 0; i < healthy.size(); ++i) require_speed(healthy, i);
   for (const std::int32_t condition : healthy.info.tested_conditions()) {
     std::vector<std::size_t> windows = windows_in(healthy, condition);
     if (windows.empty()) {
       throw Error(Exit::bad_input, called(healthy, condition) +
                                        ": what no fault is known of is made from those of B");
     }
-    for (const std::size_t i : windows) require_speed(healthy, i);
-    heard_.push_back(
-        {.condition = condition,
-         .windows = std::move(windows),
-         .log_amplitude = transfer::liftered(
-             transfer::find_spectrum(spectra, condition)->log_amplitude, colour_quefrency)});
+    heard_.push_back({.condition = condition, .sound = sound_of(std::move(windows))});
   }
+}
+
+std::size_t Machine::sound_of(std::vector<std::size_t> windows) {
+  const auto known = std::ranges::find(sounds_, windows, &Sound::windows);
+  if (known != sounds_.end()) return static_cast<std::size_t>(known - sounds_.begin());
+  const Eigen::ArrayXd seen = transfer::log_amplitude(
+      healthy_, {.label = 0, .speed_rpm = 0, .size_mm = 0, .windows = windows});
+  sounds_.push_back({.windows = std::move(windows),
+                     .log_amplitude = transfer::liftered(seen - seen.mean(), colour_quefrency)});
+  return sounds_.size() - 1;
 }
 
 Scene Machine::draw_scene(Label label, std::size_t index, Stream& random) const {
   const Heard& heard = heard_[index % heard_.size()];
-  const std::size_t window = heard.windows[random.below(heard.windows.size())];
+  const std::vector<std::size_t>& windows = sounds_[heard.sound].windows;
+  const std::size_t window = windows[random.below(windows.size())];
   const bearing::Defect defect = info().class_of(label).defect;
   const double rpm = healthy_.speed_rpm(window);
   return {.defect = defect,
@@ -90,7 +106,7 @@ Scene Machine::draw_scene(Label label, std::size_t index, Stream& random) const 
 }
 
 const Eigen::ArrayXd& Machine::log_amplitude(std::int32_t condition) const {
-  return std::ranges::find(heard_, condition, &Heard::condition)->log_amplitude;
+  return sounds_[std::ranges::find(heard_, condition, &Heard::condition)->sound].log_amplitude;
 }
 
 }  // namespace piae::zero

@@ -30,7 +30,8 @@ class Machine {
   explicit Machine(const signal::WindowSet& healthy);
 
   /// Window `index` of a class: in one tested condition after the other, on any healthy window of
-  /// that.
+  /// that. Of windows that belong to every condition, those are taken whose speed is nearest to the
+  /// condition's.
   [[nodiscard]] Scene draw_scene(Label label, std::size_t index, Stream& random) const;
 
   /// How a healthy machine sounds in a condition: the logarithm of its amplitude at the bins of a
@@ -42,14 +43,21 @@ class Machine {
   [[nodiscard]] std::size_t length() const { return healthy_.length; }
 
  private:
-  /// A tested condition.
-  struct Heard {
-    std::int32_t condition;
+  /// Healthy windows that are heard alike.
+  struct Sound {
     std::vector<std::size_t> windows;
     Eigen::ArrayXd log_amplitude;
   };
+  /// A tested condition, and which of the sounds it has.
+  struct Heard {
+    std::int32_t condition;
+    std::size_t sound;
+  };
+
+  std::size_t sound_of(std::vector<std::size_t> windows);
 
   const signal::WindowSet& healthy_;
+  std::vector<Sound> sounds_;
   std::vector<Heard> heard_;
 };
 

@@ -37,6 +37,22 @@ TEST(Machine, MakesAWindowOfOneConditionAfterTheOtherAtTheSpeedOfItsHealthyWindo
   EXPECT_EQ(speeds, (std::set<double>{900, 901, 902, 1800, 1801, 1802}));
 }
 
+TEST(Machine, TakesOfWindowsOfEveryConditionThoseOfItsSpeed) {
+  signal::WindowSet healthy = at_two_speeds();
+  healthy.condition.assign(6, signal::every_condition);
+  const Machine machine(healthy);
+  for (std::size_t i = 0; i < 50; ++i) {
+    Stream random("scene " + std::to_string(i));
+    EXPECT_NEAR(machine.draw_scene(1, i, random).shaft_speed_rpm, i % 2 == 0 ? 901 : 1801, 1);
+  }
+  // Where none has the tested speed, the nearest are taken: a machine turns a little slower with
+  // load.
+  healthy.info.conditions[0].shaft_speed_rpm = 1700;
+  const Machine loaded(healthy);
+  Stream random("scene");
+  EXPECT_NEAR(loaded.draw_scene(1, 0, random).shaft_speed_rpm, 1801, 1);
+}
+
 TEST(Machine, NeedsHealthyWindowsOfEachTestedCondition) {
   signal::WindowSet healthy = at_two_speeds();
   healthy.condition = {0, 0, 0, 0, 0, 0};
