@@ -5,7 +5,7 @@
 edge_left = 64; edge_right = 14; edge_top = 72; edge_bottom = 96; gap_x = 0; gap_y = 0
 count = 1; columns = 1
 load scripts.'/panel_grid.gp'
-right_of_sets = 600.0; left_of_mean = 622.0; right_of_mean = 752.0
+right_of_sets = 570.0; left_of_mean = 592.0; right_of_mean = 722.0
 
 # Methods: first the one that the others are subtracted from, then those that have an input recorded; a ceiling apart.
 methods = ""; ceilings = ""; bars = ""; against = ""
