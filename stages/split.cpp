@@ -15,6 +15,9 @@ namespace {
 
 void print_summary(const signal::Split& split, const signal::SplitOptions& options) {
   const signal::DatasetInfo& info = split.sets.front().info;
+  if (options.known_per_class == 0) {
+    std::cout << "no fault window is known (known-per-class = 0), so C.h5 holds none\n";
+  }
   // The counts come first, since make shows only what fits a terminal.
   std::cout << "split:";
   for (const signal::Role role : signal::split_roles) {
@@ -26,9 +29,6 @@ void print_summary(const signal::Split& split, const signal::SplitOptions& optio
     std::cout << ' ' << info.class_of(label).name << ' ' << split.strides[index_of(label)];
   }
   std::cout << '\n';
-  if (options.known_per_class == 0) {
-    std::cout << "no fault window is known (known-per-class = 0): C.h5 holds none\n";
-  }
 }
 
 }  // namespace
