@@ -37,6 +37,18 @@ TEST_P(WithoutKnown, TrainsGeneratesIsVerifiedAndScored) {
   EXPECT_EQ(bytes_of(tiny_ / "E.h5"), few);
 }
 
+TEST_P(WithoutKnown, NeedsNoKnownWindow) {
+  ASSERT_EQ(tiny_.run("split", with(step_of("split").arguments, "--known-per-class", "0")).status,
+            0);
+  ASSERT_EQ(tiny_.run("train", training()).status, 0);
+  ASSERT_EQ(tiny_
+                .run("generate",
+                     {"--model", "model.h5", "--count", "3", "--seed", "0", "--output", "E.h5"})
+                .status,
+            0);
+  EXPECT_EQ(tiny_.run("verify", {"C.h5", "model.h5", "E.h5"}).status, 0);
+}
+
 TEST_P(WithoutKnown, AsksForHealthyWindows) {
   Arguments without = training();
   without.erase(without.begin() + 4, without.begin() + 6);
