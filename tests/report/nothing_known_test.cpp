@@ -5,7 +5,11 @@
 
 #include "report/accuracy_rows.hpp"
 #include "report/condition_notes.hpp"
+#include "report/summary.hpp"
+#include "report/tables.hpp"
 #include "report/verdict.hpp"
+#include "run/held.hpp"
+#include "support/stored_run.hpp"
 
 namespace piae::report {
 namespace {
@@ -42,6 +46,42 @@ TEST(NothingKnown, IsTheVerdictOfARunWithoutKnownFaults) {
   EXPECT_THAT(verdict(results, rows),
               testing::ElementsAre("Right in most test windows: with real windows in their place "
                                    "oracle by wdcnn (98.5 %, 1:1)."));
+}
+
+class RunWithoutKnownFaults : public StoredRun {
+ protected:
+  RunWithoutKnownFaults() {
+    folder_.write("table6-7-baseline.csv", "dataset,run1,average\ncwru,61.8,61.8\n");
+    folder_.write("table8-9-methods.csv", "dataset,method,2to1\ncwru,vae,91.2\n");
+    folder_.write("table10-11-ablation.csv", "dataset,model,2to1\ncwru,model1,93.7\n");
+  }
+  void add_without_known(scoring::DiagnosisRecord record) const {
+    record.any_known = false;
+    if (record.generated_per_class == 0) record.true_ratio.reset();
+    add(record);
+  }
+};
+
+/// `none` is there by one classifier, the methods by another.
+TEST_F(RunWithoutKnownFaults, HasTablesThatSaySo) {
+  for (const int seed : {0, 1}) {
+    add_without_known(diagnosis("oracle", "2to1", 145, seed, 19));
+    add_without_known(by("wdcnn-spectrum", diagnosis("none", "100to1", 0, seed, 12 + seed)));
+  }
+  const auto [cells, results] = collect_held(layout_, grid("oracle", "2to1"), run::Held(layout_));
+  run::require_all(results);
+  const Published published(folder_.path());
+  const auto rows = accuracy_rows(cells, results, published);
+  const std::string text =
+      markdown(tables(cells, results, rows, published, compare_by_classifier(rows, ""),
+                      rank_by_classifier(rows), {}));
+  EXPECT_THAT(text, testing::HasSubstr("\nNo fault window was known.\n"));
+  EXPECT_THAT(text, testing::HasSubstr("without generated windows, 100:1 (no faults), percent"));
+  const std::string summary = summary_text(cells, results, rows);
+  EXPECT_THAT(summary, testing::HasSubstr("\nNo fault window was known.\n"));
+  EXPECT_THAT(summary, testing::HasSubstr("by a rule wdcnn-spectrum (62.5 %)"));
+  EXPECT_THAT(accuracy_csv(rows),
+              testing::HasSubstr("cwru,none,wdcnn-spectrum,100to1,0,2,62.5000"));
 }
 
 }  // namespace

@@ -152,6 +152,11 @@ TEST_F(Cells, ThatDoNotBelongTogetherAreRefused) {
   other.true_ratio = 2;
   add(other);
   expect_problem("the true ratio is 2.000000, here it must be 3.333333", Exit::bad_input);
+  other = diagnosis("vae", "2to1", 145, 1, 9);
+  other.any_known = false;
+  add(other);
+  expect_problem("the number of known windows is zero, here it must be above zero",
+                 Exit::bad_input);
 }
 
 TEST_F(Cells, WithScoresThatDoNotBelongTogetherAreRefused) {
