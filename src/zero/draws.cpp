@@ -20,7 +20,9 @@ double sign(Stream& random) { return random.below(2) == 0 ? 1 : -1; }
 std::size_t poisson(Stream& random, double mean) {
   const double least = std::exp(-mean);
   std::size_t count = 0;
-  for (double product = random.uniform(0, 1); product > least; product *= random.uniform(0, 1)) {
+  double product = random.uniform(0, 1);
+  while (product > least) {
+    product *= random.uniform(0, 1);
     ++count;
   }
   return count;

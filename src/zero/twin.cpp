@@ -128,7 +128,7 @@ Twin::Struck Twin::strike(const Scene& scene, const ArrayXcd& response,
 ArrayXd Twin::background(const Scene& scene, const ArrayXcd& response, const Stream& random) const {
   Stream under = random.child("background");
   Stream knocking = random.child("knocks");
-  const ArrayXd healthy = draw_background(scene.healthy, prior_.background_db, under);
+  ArrayXd healthy = draw_background(scene.healthy, prior_.background_db, under);
   const Strikes knocks = draw_stray_knocks(frame_s_, prior_, knocking);
   if (knocks.empty()) return healthy;
   const double level = amplitude_of(evenly(knocking, quietest_knocks_db, loudest_knocks_db));
