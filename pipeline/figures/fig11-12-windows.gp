@@ -63,7 +63,13 @@ set multiplot
 set border 1
 unset grid
 set ytics () scale 0
-do for [i = 1:rows] { set ytics add (word(names, i) middle(i)) }
+# A name that is longer than the margin goes on in a second line, after the last of its hyphens that fits.
+do for [i = 1:rows] {
+  name = word(names, i)
+  fits = strlen(name) <= 14 ? strlen(name) : 0
+  do for [letter = 1:14] { if (strlen(name) > 14 && name[letter:letter] eq "-") { fits = letter } }
+  set ytics add (name[1:fits].(fits < strlen(name) ? "\n".name[fits + 1:*] : "") middle(i))
+}
 do for [i = 0:rows] {
   set arrow from graph 0, first i to graph 1, first i nohead linecolor rgb 0xDDDDDD linewidth 0.6 back
 }
@@ -102,6 +108,7 @@ eval heading(n, "spectrogram", sprintf("a row is 0 to %g kHz, %g dB", two_digits
 set lmargin at screen left(n)
 set rmargin at screen right(n)
 set xrange [0:time_max]
+if (time_max > 150) { set xtics 100 } # the panel is narrow
 set xlabel "time, ms"
 unset colorbox
 set palette defined (0 'white', 1 '#0072B2', 2 '#001A2B') maxcolors 10
@@ -109,6 +116,7 @@ set cbrange [top_3 - height_3:top_3]
 plot for [i = 1:rows] data using (is("spectrogram") ? $3 : NaN):(middle(i) - 0.5 + 0.94e-3 * $4 / (frequency_max / 1e3)):(of(i)) \
        with image
 unset label
+set xtics autofreq
 
 n = 3
 eval heading(n, "envelope spectrum", sprintf("%g to %g dB; dotted: ± shaft", top_2 - height_2, top_2))
