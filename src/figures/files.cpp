@@ -15,14 +15,11 @@ bool is_picture_of(const Figure& figure, const std::string& name) {
   return name == figure.name || name.starts_with(std::string(figure.name) + "@");
 }
 
-/// Of the paper's classifier the picture must be made; of others those that can be.
+/// Of the paper's classifier, where the run has it, the picture must be made; of others those that
+/// can be.
 std::vector<text::File> files_by_classifier(Source& source, const Figure& figure) {
   std::vector<text::File> files;
-  const std::vector<report::ClassifierRows>& blocks = source.accuracies();
-  if (blocks.empty() || blocks.front().classifier != scoring::paper_classifier) {
-    throw LeftOut(std::string("the run has no diagnosis by ") + scoring::paper_classifier);
-  }
-  for (const report::ClassifierRows& block : blocks) {
+  for (const report::ClassifierRows& block : source.accuracies()) {
     const bool is_papers = block.classifier == scoring::paper_classifier;
     const std::string part = is_papers ? "" : "@" + block.classifier;
     try {
@@ -31,6 +28,9 @@ std::vector<text::File> files_by_classifier(Source& source, const Figure& figure
     } catch (const LeftOut&) {
       if (is_papers) throw;
     }
+  }
+  if (files.empty()) {
+    throw LeftOut(std::string("the run has no diagnosis by ") + scoring::paper_classifier);
   }
   return files;
 }
