@@ -119,7 +119,7 @@ void require_faults(const WindowSet& training, const Classifier& classifier,
       there.empty() ? ""
                     : fmt::format(", or choose a rule by --classifier: {}", fmt::join(there, ", "));
   throw Error(Exit::bad_input,
-              fmt::format("{}: holds no known fault window (known-per-class = 0), and without any "
+              fmt::format("{}: holds no known fault window (known-per-class = 0), and without any, "
                           "{} cannot learn what a fault is; give --generated windows of a method "
                           "that needs no known ones{}",
                           known_file, classifier.name, cure));

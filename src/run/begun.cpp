@@ -47,8 +47,23 @@ bool is_begun(const Layout& layout, const std::string& method, const std::string
   });
 }
 
-/// The paper's and all others that a method has begun. Empty where there is no other. The bar of
-/// the baseline does not count for itself, since it is asked for with any other.
+/// The same of the paper's classifier, which has no folder of its own.
+bool is_papers_begun(const Layout& layout, const std::vector<std::string>& methods) {
+  const auto has_cell = [&](const std::string& method, const scoring::Ratio& ratio) {
+    return std::ranges::any_of(layout.seeds(), [&](std::int64_t seed) {
+      const fs::path cell = layout.diagnosis(method, ratio.name, seed);
+      return fs::is_regular_file(cell) || fs::is_regular_file(cell.parent_path() / "diagnose.log");
+    });
+  };
+  return std::ranges::any_of(methods, [&](const std::string& method) {
+    return std::ranges::any_of(scoring::all_ratios(), [&](const scoring::Ratio& ratio) {
+      return has_cell(method, ratio);
+    });
+  });
+}
+
+/// All that a method has begun, the paper's even so where no other is. Empty where there is no
+/// other. The bar of the baseline does not count for itself, since it is asked for with any other.
 std::vector<std::string> classifiers_begun(const Layout& layout,
                                            const std::vector<std::string>& methods) {
   const bool has_bar = is_begun(layout, augment::no_method, diagnosis::bar_classifier);
@@ -59,9 +74,13 @@ std::vector<std::string> classifiers_begun(const Layout& layout,
       const bool is_bar = method == augment::no_method && name == diagnosis::bar_classifier;
       return !is_bar && is_begun(layout, method, name);
     });
-    if (any || name == scoring::paper_classifier) begun.push_back(name);
+    if (any) begun.push_back(name);
   }
-  return has_bar || begun.size() > 1 ? begun : std::vector<std::string>{};
+  const bool has_others = !begun.empty();
+  if (!has_others || is_papers_begun(layout, methods)) {
+    begun.insert(begun.begin(), scoring::paper_classifier);
+  }
+  return has_bar || has_others ? begun : std::vector<std::string>{};
 }
 
 }  // namespace

@@ -136,7 +136,7 @@ TEST_F(TrainingSet, NoFaultNeedBeKnownWhereSomeAreGenerated) {
   EXPECT_EQ(healthy_alone.size(), normal.size());
   EXPECT_NO_THROW(require_faults(healthy_alone, rule, "C.h5"));
   EXPECT_ERROR(require_faults(healthy_alone, network, "C.h5"), Exit::bad_input,
-               "C.h5: holds no known fault window (known-per-class = 0), and without any network "
+               "C.h5: holds no known fault window (known-per-class = 0), and without any, network "
                "cannot learn what a fault is; give --generated windows");
 }
 

@@ -135,5 +135,15 @@ TEST_F(CellsOfClassifiers, ThatAreBegunAreThoseOfARunThatIsLookedAt) {
                           "vae 2to1 wdcnn-spectrum", "none 100to1 nearest"));
 }
 
+/// Where no fault is known, a run may have rules and symptom-net alone.
+TEST_F(CellsOfClassifiers, ThatAreBegunNeedNotBeOfThePapers) {
+  add(by("symptom-net", diagnosis("vae", "2to1", 145, 1, 20)));
+  const GridOptions nothing_said{.dataset = dataset_, .methods = {}, .ratios = {}, .seeds = {}};
+  EXPECT_THAT(names_of(resolve_begun(layout_, nothing_said)), ElementsAre("vae 2to1 symptom-net"));
+  folder_.write("run/cwru/seed1/vae/2to1/diagnose.log", "");
+  EXPECT_THAT(names_of(resolve_begun(layout_, nothing_said)),
+              ElementsAre("vae 2to1 wdcnn", "vae 2to1 symptom-net"));
+}
+
 }  // namespace
 }  // namespace piae::run

@@ -86,7 +86,7 @@ TEST_F(NothingKnown, RealWindowsInTheirPlaceGoThroughAllStages) {
 TEST_F(NothingKnown, WithoutAnyFaultWindowClassifiersAreRefused) {
   for (const std::string classifier : {"wdcnn", "nearest"}) {
     expect_refusal(tiny_.run("diagnose", with(of_none(), "--classifier", classifier)), "diagnose",
-                   65, {no_window + "without any " + classifier + " cannot learn"});
+                   65, {no_window + "without any, " + classifier + " cannot learn"});
   }
   EXPECT_FALSE(fs::exists(tiny_ / "cell.h5"));
   expect_refusal(tiny_.run("diagnose", with(of_none(), "--classifier", "symptom-net")), "diagnose",
