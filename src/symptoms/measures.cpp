@@ -22,6 +22,7 @@ using Orders = std::array<double, number_of_kinds>;
 constexpr double bins_apart = 2;
 constexpr double lowest_line = -1;
 constexpr double lowest_height = -0.5;
+constexpr double longest_window = 1e9;  // in samples: more are not to be had
 
 [[noreturn]] void refuse(const std::string& what, const std::string& why) {
   throw Error(Exit::bad_input, what + ": " + why);
@@ -52,6 +53,10 @@ void require_lines_shown(const signal::WindowSet& windows, double speed_rpm, con
   }
   const double needed =
       std::ceil(bins_apart * rate_hz / (most_harmonics * smallest_gap(orders) * shaft_hz));
+  if (needed > longest_window) {
+    refuse(what,
+           "the fault lines of two kinds coincide in this bearing, so no window tells them apart");
+  }
   if (static_cast<double>(windows.length) < needed) {
     refuse(what, fmt::format("windows of {} samples are too short to tell the fault lines apart at "
                              "{:g} rpm; {:.0f} or more would do",

@@ -97,6 +97,18 @@ TEST(Measures, NeedWindowsThatTellTheLinesApart) {
   }
 }
 
+// Nine balls of 2/7 of the pitch circle turn as often as they pass the outer race.
+TEST(Measures, NeedLinesThatDoNotCoincide) {
+  signal::WindowSet set = computed_set();
+  set.info.bearing = {.balls = 9,
+                      .ball_diameter_mm = 2.0 / 7 * 39,
+                      .pitch_diameter_mm = 39,
+                      .inner_raceway_mm = 27,
+                      .outer_raceway_mm = 51};
+  EXPECT_ERROR(measure(set, "--test"), Exit::bad_input,
+               "--test: the fault lines of two kinds coincide in this bearing");
+}
+
 TEST(Measures, NeedASpeedARateAndABearingThatCanBe) {
   signal::WindowSet set = computed_set();
   set.info.shaft_speed_rpm = 0;
