@@ -11,11 +11,15 @@ rm -rf $results
 mkdir -p $results
 
 # For a header the source of the same name, from which clang-tidy looks into it; where there is none, the
-# header itself.
+# first beside it that includes it, whose include folders are the right ones; or else the header itself.
 sources_of() {
-  local file
+  local file user
   while read -r file; do
-    [[ ! -e ${file%.hpp}.cpp ]] || file=${file%.hpp}.cpp
+    if [[ $file == *.hpp ]]; then
+      user=${file%.hpp}.cpp
+      [[ -e $user ]] || user=$(grep -lsF "\"${file#*/}\"" "${file%/*}"/*.cpp | head -n 1)
+      file=${user:-$file}
+    fi
     echo "$file"
   done
 }
