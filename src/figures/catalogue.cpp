@@ -95,12 +95,12 @@ constexpr Figure figures[] = {
      .paper = "",
      .title = "Whether the classifier is right as often as it says",
      .caption =
-         "Test windows of all seeds, with the most generated windows, in ten bins by the softmax "
+         "Test windows of all seeds, with the most generated windows, in ten bins by the "
          "score of the class that was named. Below the diagonal the classifier is surer than it "
          "may be. Grey bars are the share of the windows in each bin; ECE is the mean distance "
          "from the diagonal, weighted by them.",
      .from = "seed*/<method>/<last ratio>/diagnosis.h5, /scores and /predictions",
-     .numbers = reliabilities},
+     .accuracies = reliabilities},
     {.name = "refusal",
      .paper = "",
      .title = "What refusing the least sure windows is worth",

@@ -17,6 +17,9 @@ class ReliabilityFigure : public ToldWindows {
     record.scores[3 + index_of(record.predictions[1])] = 0.55F;
     add(record);
   }
+  static Numbers numbers_of(Source& source) {
+    return reliabilities(source, source.accuracies().front());
+  }
 };
 
 /// Of both seeds together half of each bin is right: 0.95 and 0.55 are off by 45 and 5 points.
@@ -24,7 +27,7 @@ TEST_F(ReliabilityFigure, PoolsTheSeeds) {
   add_seed(0, true, false);
   add_seed(1, false, true);
   Source two = source("vae", "2to1");
-  const Numbers numbers = reliabilities(two);
+  const Numbers numbers = numbers_of(two);
   const std::string top = "vae,0,2to1,bin,90,100";
   EXPECT_EQ(field(numbers, top, 6), "2");
   EXPECT_EQ(field(numbers, top, 7), "50");
@@ -40,14 +43,25 @@ TEST_F(ReliabilityFigure, PoolsTheSeeds) {
 TEST_F(ReliabilityFigure, SaysNothingOfAnEmptyBin) {
   add_seed(0, true, true);
   Source one = source("vae", "2to1", "0");
-  const Numbers numbers = reliabilities(one);
+  const Numbers numbers = numbers_of(one);
   EXPECT_EQ(field(numbers, "vae,0,2to1,bin,0,10", 7), "0");
   EXPECT_EQ(field(numbers, "vae,0,2to1,bin,0,10", 9), "");
 }
 
 TEST_F(ReliabilityFigure, NamesTheDiagnosisThatIsMissing) {
   Source one = source("vae", "2to1", "0");
-  EXPECT_ERROR(reliabilities(one), Exit::input_missing, "seed0/vae/2to1/diagnosis.h5");
+  EXPECT_ERROR(numbers_of(one), Exit::input_missing, "seed0/vae/2to1/diagnosis.h5");
+}
+
+TEST_F(ReliabilityFigure, IsLeftOutForAClassifierThatDoesNotSayHowSureItIs) {
+  add_seed(0, true, false);
+  scoring::DiagnosisRecord votes = by("nearest", told("vae", "2to1", 145, 0, {1, 1}, {1, 2}));
+  for (std::size_t i = 0; i < 2; ++i) votes.scores[3 * i + index_of(votes.predictions[i])] = 1;
+  add(votes);
+  Source one = source("vae", "2to1", "0");
+  const report::ClassifierRows& by_votes = one.accuracies().back();
+  ASSERT_EQ(by_votes.classifier, "nearest");
+  EXPECT_THROW((void)reliabilities(one, by_votes), LeftOut);
 }
 
 }  // namespace
