@@ -30,8 +30,10 @@ left_out_lines = $(foreach dataset,$(DATASETS),$(call left_out_line,$(strip $(ca
 
 # Who only looks at a run asks for no cell.
 looks := $(filter figures report,$(MAKECMDGOALS))
-refuse_nothing = $(error $1: nothing is left to be made; $(strip $(call reasons,$(call without_cells,$1))); there are \
-  $(call listed,$(call pairs,$1)))
+methods_in     = $(sort $(foreach pair,$1,$(firstword $(subst /, ,$(pair)))))
+classifiers_in = $(sort $(foreach pair,$1,$(lastword $(subst /, ,$(pair)))))
+refuse_nothing = $(error $1: nothing is left to be made; $(strip $(call reasons,$(call without_cells,$1))); choose of \
+  METHODS="$(call methods_in,$(call pairs,$1))" CLASSIFIERS="$(call classifiers_in,$(call pairs,$1))")
 $(if $(looks),,$(foreach dataset,$(DATASETS),$(if $(methods.$(dataset)),,$(call refuse_nothing,$(dataset)))))
 
 # A make within another one has nothing new to say.
