@@ -84,5 +84,19 @@ TEST(Machine, NeedsASamplingRateAtWhichStrikesAreApart) {
   EXPECT_ERROR(Machine{healthy}, Exit::bad_input, "class IR is struck 162.485 times a second");
 }
 
+TEST(Machine, NeedsWindowsInWhichEachDefectIsStruck) {
+  // BPFO of 1800 rpm is 107.5 Hz: a strike in 111.6 samples.
+  const signal::WindowSet shorter = healthy_windows(111);
+  EXPECT_ERROR(Machine{shorter}, Exit::bad_input,
+               "class OR is struck 107.515 times a second at 1800 rpm, so that windows of 111 "
+               "samples may hold no strike; 112 or more would do");
+  const signal::WindowSet just_long_enough = healthy_windows(112);
+  EXPECT_NO_THROW(Machine{just_long_enough});
+  // The slower the shaft, the longer.
+  signal::WindowSet slower = at_two_speeds();
+  slower.shaft_speed_rpm[0] = 190;
+  EXPECT_ERROR(Machine{slower}, Exit::bad_input, "at 190 rpm, so that windows of 1024 samples");
+}
+
 }  // namespace
 }  // namespace piae::zero

@@ -99,7 +99,8 @@ TEST(ZeroTwin, RingsAsItsStrongestResonance) {
 
 TEST(ZeroTwin, MakesFiniteWindowsOfAnyLengthAndDefect) {
   for (const std::size_t length : {16U, 63U, 64U, 1024U}) {
-    const signal::WindowSet healthy = healthy_windows(length);
+    signal::WindowSet healthy = healthy_windows(length);
+    healthy.info.shaft_speed_rpm = 13000;  // BPFO is 776 Hz: a strike in 15.5 samples
     const Machine machine(healthy);
     const Twin twin(machine, {});
     const signal::WindowSet made = make_windows(
@@ -140,7 +141,7 @@ TEST(ZeroTwin, RefusesABearingThatNoDefectOfItsSizeFits) {
 }
 
 TEST(ZeroWindows, SayConditionAndSpeedWhereConditionsAreToldApart) {
-  signal::WindowSet healthy = healthy_windows(64);
+  signal::WindowSet healthy = healthy_windows(256);
   healthy.info.conditions = {{.name = "slow", .shaft_speed_rpm = 900},
                              {.name = "fast", .shaft_speed_rpm = 1800}};
   healthy.condition = {0, 0, 0, 1, 1, 1};
