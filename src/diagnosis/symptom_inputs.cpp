@@ -1,6 +1,10 @@
 #include "diagnosis/symptom_inputs.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <string>
+
+#include "base/error.hpp"
 
 namespace piae::diagnosis {
 
@@ -21,6 +25,16 @@ signal::WindowSet fault_windows(const signal::WindowSet& training) {
     if (training.labels[i] != healthy) faults.append(training, i);
   }
   return faults;
+}
+
+void require_speeds(const signal::WindowSet& faults) {
+  if (std::ranges::none_of(faults.shaft_speed_rpm, [](double rpm) { return std::isnan(rpm); })) {
+    return;
+  }
+  throw Error(Exit::bad_input,
+              "--generated: the windows do not say at which speed of the shaft they are, which "
+              "symptom-net must know in a data set of several; take a method that says so, such as "
+              "strike-twin or piae-dt-zero, or another --classifier");
 }
 
 auto row(const symptoms::Symptoms& symptoms) {
@@ -68,6 +82,7 @@ void standardise(SymptomInputs& inputs) {
 SymptomInputs symptom_inputs(const signal::WindowSet& normal, const signal::WindowSet& training,
                              const signal::WindowSet& test) {
   const signal::WindowSet faults = fault_windows(training);
+  require_speeds(faults);
   const std::vector<Measures> healthy = symptoms::measure(normal, "--normal");
   symptoms::Baselines baselines(normal, healthy);
   SymptomInputs inputs;

@@ -3,10 +3,17 @@
 #include <spdlog/fmt/fmt.h>
 #include <spdlog/fmt/ranges.h>
 
+#include <algorithm>
+#include <iterator>
+#include <limits>
+#include <numeric>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "base/error.hpp"
 #include "base/label.hpp"
+#include "symptoms/baseline.hpp"
 
 namespace piae::diagnosis {
 
@@ -69,13 +76,44 @@ void require_enough(const WindowSet& generated, Label label, std::size_t needed)
                             std::to_string(needed) + " or more, or choose another --ratio");
 }
 
+/// The speed of the shaft in a generated window that does not say it, where B and C have one alone:
+/// its middle. Else NaN.
+double unsaid_speed_rpm(const WindowSet& recorded) {
+  std::vector<double> speeds = recorded.shaft_speed_rpm;
+  const std::vector<signal::Condition>& conditions = recorded.info.conditions;
+  std::ranges::transform(conditions, std::back_inserter(speeds),
+                         &signal::Condition::shaft_speed_rpm);
+  const auto [slowest, fastest] = std::ranges::minmax(speeds);
+  return symptoms::is_same_speed(slowest, fastest) ? std::midpoint(slowest, fastest)
+                                                   : std::numeric_limits<double>::quiet_NaN();
+}
+
+void say_speeds(WindowSet& windows) {
+  std::vector<double> speeds(windows.size());
+  for (std::size_t i = 0; i < windows.size(); ++i) speeds[i] = windows.speed_rpm(i);
+  windows.shaft_speed_rpm = std::move(speeds);
+}
+
+/// Appends a window, and the speed of the shaft in it, of which its set may be silent.
+void append_at(double speed_rpm, WindowSet& training, const WindowSet& set, std::size_t i) {
+  std::vector<double> speeds = std::move(training.shaft_speed_rpm);
+  speeds.push_back(speed_rpm);
+  training.append(set, i);
+  training.shaft_speed_rpm = std::move(speeds);
+}
+
 void append_first(WindowSet& training, const WindowSet& generated, std::size_t per_class) {
   const Label healthy = generated.info.healthy_label();
+  const bool silent = generated.shaft_speed_rpm.empty();
+  const double unsaid_rpm = unsaid_speed_rpm(training);
   for (Label label = 0; index_of(label) < generated.info.classes.size(); ++label) {
     if (label == healthy) continue;
     require_enough(generated, label, per_class);
     const std::vector<std::size_t> indices = generated.indices_of(label);
-    for (std::size_t i = 0; i < per_class; ++i) training.append(generated, indices[i]);
+    for (std::size_t k = 0; k < per_class; ++k) {
+      const std::size_t i = indices[k];
+      append_at(silent ? unsaid_rpm : generated.speed_rpm(i), training, generated, i);
+    }
   }
 }
 
@@ -102,7 +140,10 @@ WindowSet compose_training_set(const WindowSet& normal, const WindowSet& known,
   require_classes(normal, "--normal", /*healthy=*/true, /*faults=*/false);
   if (known.size() > 0) require_classes(known, "--known", /*healthy=*/false, /*faults=*/true);
   WindowSet training = normal;
-  for (std::size_t i = 0; i < known.size(); ++i) training.append(known, i);
+  say_speeds(training);
+  for (std::size_t i = 0; i < known.size(); ++i) {
+    append_at(known.speed_rpm(i), training, known, i);
+  }
   if (generated != nullptr) {
     require_alike(*generated, "--generated", normal, "--normal");
     require_classes(*generated, "--generated", /*healthy=*/false, /*faults=*/true);

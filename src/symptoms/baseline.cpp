@@ -59,6 +59,10 @@ Eigen::ArrayXd Baseline::rise_db(const Measures& window) const {
   return window.levels_db - levels_db_;
 }
 
+bool is_same_speed(double speed_rpm, double other_rpm) {
+  return std::abs(speed_rpm - other_rpm) <= equal_speeds * other_rpm;
+}
+
 Baselines::Baselines(const signal::WindowSet& windows, const std::vector<Measures>& measures)
     : windows_(&windows),
       measures_(&measures),
@@ -75,7 +79,7 @@ Baselines::Baselines(const signal::WindowSet& windows, const std::vector<Measure
 Baselines::Indices Baselines::near(double speed_rpm) const {
   Indices alike;
   std::ranges::copy_if(healthy_, std::back_inserter(alike), [&](std::size_t i) {
-    return std::abs(windows_->speed_rpm(i) - speed_rpm) <= equal_speeds * speed_rpm;
+    return is_same_speed(windows_->speed_rpm(i), speed_rpm);
   });
   return alike.size() < fewest_healthy ? healthy_ : alike;
 }

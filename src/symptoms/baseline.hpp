@@ -35,8 +35,11 @@ class Baseline {
 /// The fewest healthy windows that something can be compared with.
 inline constexpr std::size_t fewest_healthy = 8;
 
-/// The healthy windows of a set, from which each window is compared with those of its own speed:
-/// within 2 %. Where fewer than eight are, it is compared with all of them.
+/// Whether a speed is, for a baseline, the same as another: within 2 % of that.
+bool is_same_speed(double speed_rpm, double other_rpm);
+
+/// The healthy windows of a set, from which each window is compared with those of its own speed.
+/// Where fewer than eight are, it is compared with all of them.
 class Baselines {
  public:
   /// Of the windows of the healthy class in a set, which may hold others; `measures` are of all its

@@ -56,6 +56,18 @@ void require_rhythm(const signal::DatasetInfo& info, Label label, double rpm) {
                   info.class_of(label).name, strike_hz, rpm, info.sample_rate_hz));
 }
 
+void require_strikes(const signal::WindowSet& healthy, Label label, double rpm) {
+  const signal::DatasetInfo& info = healthy.info;
+  const double strike_hz =
+      bearing::strike_frequency_hz(info.bearing, info.class_of(label).defect, rpm);
+  const double samples = std::ceil(info.sample_rate_hz / strike_hz);
+  if (static_cast<double>(healthy.length) >= samples) return;
+  throw Error(Exit::bad_input,
+              fmt::format("class {} is struck {:g} times a second at {:g} rpm, so that windows of "
+                          "{} samples may hold no strike; {:.0f} or more would do",
+                          info.class_of(label).name, strike_hz, rpm, healthy.length, samples));
+}
+
 void require_speed(const signal::WindowSet& healthy, std::size_t i) {
   const double rpm = healthy.speed_rpm(i);
   if (!signal::ranges::shaft_speed_rpm.holds(rpm)) {
@@ -64,7 +76,10 @@ void require_speed(const signal::WindowSet& healthy, std::size_t i) {
                             "has a rhythm; describe the speed of its recording",
                             i, rpm));
   }
-  for (const Label label : healthy.info.fault_labels()) require_rhythm(healthy.info, label, rpm);
+  for (const Label label : healthy.info.fault_labels()) {
+    require_rhythm(healthy.info, label, rpm);
+    require_strikes(healthy, label, rpm);
+  }
 }
 
 }  // namespace

@@ -26,7 +26,7 @@ class Machine {
  public:
   /// `healthy` must outlive this. Throws Error (bad_input) where a tested condition has no healthy
   /// window, where the bearing cannot be or its speed is not known, and where a defect is struck
-  /// more often than every two samples.
+  /// more often than every two samples, or less often than once in a window.
   explicit Machine(const signal::WindowSet& healthy);
 
   /// Window `index` of a class: in one tested condition after the other, on any healthy window of

@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "diagnosis/training_set.hpp"
+#include "support/errors.hpp"
 #include "support/struck_windows.hpp"
 
 namespace piae::diagnosis {
@@ -49,6 +51,56 @@ TEST_F(SymptomRowsOf, HaveOfHealthyWindowsTheNoveltyOfABlockThatIsLeftOut) {
                 .cwiseAbs()
                 .maxCoeff(),
             1e-12);
+}
+
+/// Sets of a split whose healthy windows were heard at these two speeds, and the others at the
+/// first of them, which is not that of the data set.
+class SymptomRowsAtSpeeds : public testing::Test {
+ protected:
+  SymptomRowsAtSpeeds() {
+    Stream stream("speeds");
+    add_struck(normal_, 0, 20, stream);
+    for (signal::WindowSet* const set : {&known_, &generated_}) {
+      for (const Label label : {1, 2}) add_struck(*set, label, 5, stream);
+    }
+    known_.shaft_speed_rpm.assign(10, 900);
+    heard_at(900, 900);
+  }
+  void heard_at(double rpm, double other_rpm) {
+    normal_.shaft_speed_rpm.assign(10, rpm);
+    normal_.shaft_speed_rpm.insert(normal_.shaft_speed_rpm.end(), 10, other_rpm);
+  }
+  /// Whether windows have the rows in the training that they have when they are tested, where
+  /// each is measured at its own speed. They are the training's from `first` on.
+  void expect_as_tested(const signal::WindowSet& windows, Eigen::Index first) {
+    const SymptomInputs inputs =
+        symptom_inputs(normal_, compose_training_set(normal_, known_, &generated_, 5), windows);
+    ASSERT_EQ(inputs.training.rows(), 40);
+    EXPECT_LT((inputs.training.middleRows(first, 10) - inputs.test).cwiseAbs().maxCoeff(), 1e-12);
+  }
+  signal::WindowSet normal_ = no_struck_windows();
+  signal::WindowSet known_ = no_struck_windows();
+  signal::WindowSet generated_ = no_struck_windows();
+};
+
+TEST_F(SymptomRowsAtSpeeds, OfKnownWindowsAreMeasuredAtTheirs) { expect_as_tested(known_, 20); }
+
+TEST_F(SymptomRowsAtSpeeds, OfGeneratedWindowsAreMeasuredAtWhatTheySayOrAtTheOneThatThereIs) {
+  generated_.shaft_speed_rpm.assign(10, 900);
+  const signal::WindowSet at_900 = generated_;
+  generated_.shaft_speed_rpm.clear();
+  expect_as_tested(at_900, 30);
+  heard_at(900, 1200);
+  generated_.shaft_speed_rpm = {900, 1200, 900, 1200, 900, 1200, 900, 1200, 900, 1200};
+  expect_as_tested(known_, 20);
+  expect_as_tested(generated_, 30);
+}
+
+TEST_F(SymptomRowsAtSpeeds, OfGeneratedWindowsThatMayBeOfSeveralAreRefused) {
+  heard_at(900, 1200);
+  const signal::WindowSet training = compose_training_set(normal_, known_, &generated_, 5);
+  EXPECT_ERROR(symptom_inputs(normal_, training, known_), Exit::bad_input,
+               "--generated: the windows do not say at which speed of the shaft they are");
 }
 
 }  // namespace

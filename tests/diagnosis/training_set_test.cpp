@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <functional>
 
 #include "base/error.hpp"
@@ -74,6 +75,39 @@ TEST_F(TrainingSet, HoldsTheFirstGeneratedWindowsOfEachClass) {
 TEST_F(TrainingSet, NeedsGeneratedWindowsExactlyWhereTheyAreUsed) {
   expect_error(Exit::usage, "--generated: missing, but the ratio needs 2", nullptr, 2);
   expect_error(Exit::usage, "--generated: this ratio uses no generated window", &generated, 0);
+}
+
+TEST_F(TrainingSet, SaysTheSpeedOfEachWindowThatIsKnown) {
+  normal.shaft_speed_rpm = {600, 600, 600, 900, 900, 900};
+  known.shaft_speed_rpm = {900, 600, 900, 600};
+  generated.shaft_speed_rpm = {1, 2, 3, 4, 5, 6};
+  EXPECT_THAT(compose_training_set(normal, known, &generated, 1).shaft_speed_rpm,
+              testing::ElementsAre(600, 600, 600, 900, 900, 900, 900, 600, 900, 600, 2, 1));
+  generated.shaft_speed_rpm.clear();
+  EXPECT_THAT(compose_training_set(normal, known, &generated, 1).shaft_speed_rpm,
+              testing::ElementsAre(600, 600, 600, 900, 900, 900, 900, 600, 900, 600,
+                                   testing::IsNan(), testing::IsNan()));
+}
+
+TEST_F(TrainingSet, TakesOneSpeedForThatOfGeneratedWindowsThatAreSilent) {
+  const auto speed_of_generated = [&] {
+    const WindowSet set = compose_training_set(normal, known, &generated, 1);
+    return set.speed_rpm(set.size() - 1);
+  };
+  EXPECT_EQ(speed_of_generated(), 1800);  // of the data set, where no window says another
+  normal.shaft_speed_rpm.assign(6, 900);
+  known.shaft_speed_rpm.assign(4, 900);
+  normal.info.conditions = {{.name = "900 rpm", .shaft_speed_rpm = 900}};
+  EXPECT_EQ(speed_of_generated(), 900);
+  // A machine does not turn equally fast in all records: 2 % are one speed.
+  known.shaft_speed_rpm = {900, 902, 910, 905};
+  EXPECT_EQ(speed_of_generated(), 905);
+  known.shaft_speed_rpm = {900, 902, 925, 905};
+  EXPECT_TRUE(std::isnan(speed_of_generated()));
+  // What is tested at another speed may be generated for that.
+  known.shaft_speed_rpm.assign(4, 900);
+  normal.info.conditions.push_back({.name = "600 rpm", .shaft_speed_rpm = 600});
+  EXPECT_TRUE(std::isnan(speed_of_generated()));
 }
 
 TEST_F(TrainingSet, RefusesTooFewGeneratedWindows) {

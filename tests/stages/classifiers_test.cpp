@@ -154,6 +154,34 @@ TEST_F(Classifiers, ByLinesNeedWindowsThatTellTheLinesApart) {
   }
 }
 
+TEST_F(Classifiers, OnSymptomsMustKnowTheSpeedOfGeneratedWindows) {
+  tiny_.write("tiny.toml",
+              tiny_description +
+                  "[[simulation.condition]]\nname = \"fast\"\nshaft_speed_rpm = 1797\n"
+                  "[[simulation.condition]]\nname = \"slow\"\nshaft_speed_rpm = 1400\n");
+  for (const std::string stage : {"simulate", "split"}) {
+    const Outcome made = tiny_.run_step(stage);
+    ASSERT_EQ(made.status, 0) << made.err;
+  }
+  for (const std::string method : {"smote", "strike-twin"}) {
+    ASSERT_EQ(tiny_
+                  .run("train", {"--method", method, "--known", "C.h5", "--seed", "0", "--output",
+                                 "model.h5"})
+                  .status,
+              0);
+    ASSERT_EQ(tiny_.run_step("generate").status, 0);
+    const Arguments diagnose = with(diagnose_by("symptom-net"), "--output", method + ".h5");
+    if (method == "strike-twin") {
+      (void)run_well(diagnose);
+    } else {
+      expect_refusal(tiny_.run("diagnose", diagnose), "diagnose", 65,
+                     {"--generated: the windows do not say at which speed"});
+      EXPECT_FALSE(fs::exists(tiny_ / "smote.h5"));
+      (void)run_well(with(diagnose_by("nearest"), "--output", method + ".h5"));
+    }
+  }
+}
+
 TEST_F(Classifiers, OnSpectraTakeWindowsThatAreTooShortForTheWaveform) {
   const Outcome split = tiny_.run(
       "split", with(with(step_of("split").arguments, "--window", "512"), "--output-dir", "."));

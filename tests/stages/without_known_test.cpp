@@ -56,6 +56,13 @@ TEST_P(WithoutKnown, AsksForHealthyWindows) {
   EXPECT_FALSE(fs::exists(tiny_ / "model.h5"));
 }
 
+TEST_P(WithoutKnown, RefusesWindowsThatMayHoldNoStrike) {
+  ASSERT_EQ(tiny_.run("split", with(step_of("split").arguments, "--window", "100")).status, 0);
+  expect_refusal(tiny_.run("train", training()), "train", 65,
+                 {"windows of 100 samples may hold no strike; 112 or more would do"});
+  EXPECT_FALSE(fs::exists(tiny_ / "model.h5"));
+}
+
 TEST_P(WithoutKnown, RefusesARangeThatEndsBeforeItBegins) {
   Arguments reversed = training();
   reversed.insert(reversed.end(), {"--level-from-db", "10", "--level-to-db", "0"});

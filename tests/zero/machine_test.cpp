@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
+#include <numbers>
 #include <set>
 
 #include "support/errors.hpp"
@@ -82,6 +84,49 @@ TEST(Machine, NeedsASamplingRateAtWhichStrikesAreApart) {
   // BPFI of 1800 rpm is 162.5 Hz, 2 BSF 141.4 Hz.
   healthy.info.sample_rate_hz = 320;
   EXPECT_ERROR(Machine{healthy}, Exit::bad_input, "class IR is struck 162.485 times a second");
+}
+
+TEST(Machine, NeedsWindowsInWhichEachDefectIsStruck) {
+  // BPFO of 1800 rpm is 107.5 Hz: a strike in 111.6 samples.
+  const signal::WindowSet shorter = healthy_windows(111);
+  EXPECT_ERROR(Machine{shorter}, Exit::bad_input,
+               "class OR is struck 107.515 times a second at 1800 rpm, so that windows of 111 "
+               "samples may hold no strike; 112 or more would do");
+  const signal::WindowSet just_long_enough = healthy_windows(112);
+  EXPECT_NO_THROW(Machine{just_long_enough});
+  // The slower the shaft, the longer.
+  signal::WindowSet slower = at_two_speeds();
+  slower.shaft_speed_rpm[0] = 190;
+  EXPECT_ERROR(Machine{slower}, Exit::bad_input, "at 190 rpm, so that windows of 1024 samples");
+}
+
+/// How strongly a healthy machine's spectrum ripples where each of its windows of 8192 samples
+/// holds an echo, half as strong, after `lag` samples. The logarithm of |1 + exp(-i w lag) / 2| is
+/// cos(w lag) / 2 less cos(2 w lag) / 8 and so on.
+double ripple_of_echo(std::size_t lag) {
+  signal::WindowSet healthy = healthy_windows(8192);
+  const std::vector<float> direct = healthy.samples;
+  for (std::size_t i = 0; i < direct.size(); ++i) {
+    const std::size_t window = i / 8192 * 8192;
+    healthy.samples[i] += direct[window + (i + 8192 - lag) % 8192] / 2;
+  }
+  const Machine machine(healthy);
+  const Eigen::ArrayXd& spectrum = machine.log_amplitude(signal::every_condition);
+  EXPECT_EQ(spectrum.size(), 8193);
+  double ripple = 0;
+  for (Eigen::Index bin = 0; bin < spectrum.size(); ++bin) {
+    const double rad_per_sample = std::numbers::pi * static_cast<double>(bin) / 8192;
+    ripple += spectrum[bin] * std::cos(rad_per_sample * static_cast<double>(lag));
+  }
+  return 2 * ripple / 8193;
+}
+
+TEST(Machine, SoundsWithItsColourAndWithoutItsLines) {
+  // All that changes as slowly as with 0.7 x 256 samples is kept, and half of what does with 217.6.
+  EXPECT_NEAR(ripple_of_echo(32), 0.5, 0.05);
+  EXPECT_NEAR(ripple_of_echo(170), 0.5, 0.05);
+  EXPECT_NEAR(ripple_of_echo(218), 0.25, 0.05);
+  EXPECT_NEAR(ripple_of_echo(270), 0, 1e-3);
 }
 
 }  // namespace

@@ -48,6 +48,79 @@ TEST(ZeroTwin, StrikesABallThatNothingTurnsStrictlyInItsRhythm) {
   }
 }
 
+TEST(ZeroTwin, SlipsWithItsCage) {
+  const signal::WindowSet healthy = healthy_windows(65536, 1);
+  const Machine machine(healthy);
+  const Scene scene = scene_of(healthy, Defect::roller);
+  // A ball is struck in the load zone alone, for 0.37 of a turn of the cage.
+  Prior prior = plain();
+  prior.slip = 0.2;
+  prior.load_zone = Switch::on;
+  prior.least_extent = 0.3;
+  prior.largest_extent = 0.3;
+  double fastest_s = 1;
+  double slowest_s = 0;
+  for (int i = 0; i < 8; ++i) {
+    const std::vector<double> strikes =
+        Twin(machine, prior).make(scene, Stream("slip " + std::to_string(i))).strikes_s;
+    const double period_s = strikes.at(2) - strikes.at(1) < strikes.at(1) - strikes.at(0)
+                                ? strikes[2] - strikes[1]
+                                : strikes[1] - strikes[0];
+    std::vector<double> passes;
+    for (std::size_t k = 1; k < strikes.size(); ++k) {
+      if (strikes[k] - strikes[k - 1] > 1.5 * period_s) passes.push_back(strikes[k]);
+    }
+    ASSERT_GT(passes.size(), 50U);
+    const double cage_s = (passes.back() - passes.front()) / static_cast<double>(passes.size() - 1);
+    // Whatever the slip, 2 BSF is 2 (D / d + 1) times FTF. Of 50 turns, the first and the last are
+    // seen to a strike.
+    EXPECT_NEAR(cage_s / period_s, 2 * (39 / 7.94 + 1), 2.0 / 50) << i;
+    fastest_s = std::min(fastest_s, period_s);
+    slowest_s = std::max(slowest_s, period_s);
+  }
+  EXPECT_GT(slowest_s / fastest_s, 1.2);
+}
+
+/// The level of what is in a window beside the healthy one, forwards or backwards, over that.
+double level_beside_db(const Made& made, const Scene& scene) {
+  Eigen::ArrayXd healthy =
+      Eigen::Map<const Eigen::ArrayXf>(scene.healthy.data(), std::ssize(scene.healthy))
+          .cast<double>();
+  healthy -= healthy.mean();
+  const Eigen::ArrayXd window =
+      Eigen::Map<const Eigen::ArrayXf>(made.samples.data(), std::ssize(made.samples))
+          .cast<double>();
+  const double forwards = std::abs((window * healthy).mean());
+  const double backwards = std::abs((window * healthy.reverse()).mean());
+  const double heard =
+      std::pow(std::max(forwards, backwards), 2) / healthy.square().mean();  // of the power
+  return 10 * std::log10((window.square().mean() - heard) / heard);
+}
+
+TEST(ZeroTwin, KnocksAtTheirLevelOverTheBackground) {
+  const signal::WindowSet healthy = healthy_windows(4096);
+  const Machine machine(healthy);
+  const Scene scene = scene_of(healthy, Defect::outer);
+  Prior prior = plain();  // in which nothing else is heard
+  prior.stray_knocks = 1;
+  prior.least_level_db = -300;
+  prior.largest_level_db = -300;
+  double quietest_db = 0;
+  double loudest_db = 0;
+  double sum_db = 0;
+  for (int i = 0; i < 300; ++i) {
+    const double db = level_beside_db(
+        Twin(machine, prior).make(scene, Stream("knocks " + std::to_string(i))), scene);
+    quietest_db = std::min(quietest_db, db);
+    loudest_db = std::max(loudest_db, db);
+    sum_db += db;
+  }
+  // Even from -15 to 5 dB. Knocks and background are not quite strangers in 4096 samples.
+  EXPECT_NEAR(quietest_db, -15, 0.7);
+  EXPECT_NEAR(loudest_db, 5, 0.7);
+  EXPECT_NEAR(sum_db / 300, -5, 4 * 20 / std::sqrt(12.0 * 300));
+}
+
 TEST(ZeroTwin, HasTheDrawnLevelOverTheBackground) {
   const signal::WindowSet healthy = healthy_windows(4096);
   const Machine machine(healthy);
@@ -99,7 +172,8 @@ TEST(ZeroTwin, RingsAsItsStrongestResonance) {
 
 TEST(ZeroTwin, MakesFiniteWindowsOfAnyLengthAndDefect) {
   for (const std::size_t length : {16U, 63U, 64U, 1024U}) {
-    const signal::WindowSet healthy = healthy_windows(length);
+    signal::WindowSet healthy = healthy_windows(length);
+    healthy.info.shaft_speed_rpm = 13000;  // BPFO is 776 Hz: a strike in 15.5 samples
     const Machine machine(healthy);
     const Twin twin(machine, {});
     const signal::WindowSet made = make_windows(
@@ -140,7 +214,7 @@ TEST(ZeroTwin, RefusesABearingThatNoDefectOfItsSizeFits) {
 }
 
 TEST(ZeroWindows, SayConditionAndSpeedWhereConditionsAreToldApart) {
-  signal::WindowSet healthy = healthy_windows(64);
+  signal::WindowSet healthy = healthy_windows(256);
   healthy.info.conditions = {{.name = "slow", .shaft_speed_rpm = 900},
                              {.name = "fast", .shaft_speed_rpm = 1800}};
   healthy.condition = {0, 0, 0, 1, 1, 1};
