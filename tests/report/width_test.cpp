@@ -110,8 +110,8 @@ class Width : public testing::TestWithParam<const char*> {};
 TEST_P(Width, OfTheTablesOfTheFullGridIsAtMost100) {
   FullGrid grid(GetParam(), 10);
   expect_narrow(grid.markdown_of_tables());
-  EXPECT_THAT(grid.markdown_of_tables(), testing::HasSubstr("| oracle (ceiling) | "));
-  EXPECT_THAT(grid.markdown_of_tables(), testing::HasSubstr("| decisions of a seed | "));
+  EXPECT_THAT(grid.markdown_of_tables(), testing::HasSubstr("| oracle (ceiling) "));
+  EXPECT_THAT(grid.markdown_of_tables(), testing::HasSubstr("| decisions of a seed "));
 }
 
 TEST_P(Width, OfTablesOfFewOrManySeedsOrWithGapsIsAtMost100) {
