@@ -61,13 +61,14 @@ in_group           = $(patsubst $2/%,%,$(filter $2/%,$(call fact,group-$1)))
 in_any_group       = $(notdir $(call fact,group-$1))
 
 # ---- what is asked for --------------------------------------------------------------------------
-# Where nothing else is: all groups, all inputs of the methods that have one recorded, with the most windows.
+# Where nothing else is: all groups, the methods that have an input recorded, by all inputs of WDCNN and by the bar, with
+# the most windows.
 ifneq (,$(filter transfer,$(MAKECMDGOALS)))
 $(if $(call fact,group),,$(error make transfer: [transfer] of pipeline/protocol.toml names no group of data sets))
 DATASETS    := $(filter $(call in_any_group,dataset),$(call fact,dataset))
 METHODS     := $(filter $(call in_any_group,method),$(call fact,method))
 RATIOS      := $(nothing_generated) $(lastword $(call fact,ratio))
-CLASSIFIERS := $(call fact,classifier)
+CLASSIFIERS := $(filter $(paper_classifier) $(paper_classifier)-% $(bar),$(call fact,classifier))
 endif
 define check_words # name, words, known words
 $(if $2,,$(error $1: is empty))\

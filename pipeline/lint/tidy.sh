@@ -17,7 +17,7 @@ sources_of() {
   while read -r file; do
     if [[ $file == *.hpp ]]; then
       user=${file%.hpp}.cpp
-      [[ -e $user ]] || user=$(grep -lsF "\"${file#*/}\"" "${file%/*}"/*.cpp | head -n 1)
+      [[ -e $user ]] || user=$(grep -lsF "\"${file#*/}\"" "${file%/*}"/*.cpp | head -n 1 || true)
       file=${user:-$file}
     fi
     echo "$file"
