@@ -180,8 +180,9 @@ std::vector<std::pair<std::string, std::string>> facts_of(const Datasets& datase
   }
   std::vector<std::pair<std::string, std::string>> facts{
       {"What",
-       "A classifier (WDCNN) learns from healthy windows, a few known windows of each fault, and "
-       "windows that a method has generated from these. Its accuracy is that on test windows."},
+       "A classifier (WDCNN, where no other is named) learns from healthy windows, the known "
+       "windows of each fault, where there are any, and windows that a method has generated. Its "
+       "accuracy is that on test windows."},
       {counted(methods.size(), "method"), report::listed(methods)},
       {"Ratios", report::listed(ratio_labels(datasets))},
       {"Seeds", ranges_label(seeds)},
