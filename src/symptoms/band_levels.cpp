@@ -48,13 +48,11 @@ Eigen::ArrayXd spectral_shape_db(const Eigen::RowVectorXd& window) {
   return shape - shape.mean();
 }
 
-Eigen::ArrayXd band_levels_db(const Eigen::RowVectorXd& window, double rate_hz) {
+Eigen::ArrayXd band_levels_db(const Eigen::RowVectorXd& window, const FilterBank& bank) {
   const Eigen::ArrayXd power = scoring::mean_power_spectrum(window);
-  const double bin_hz = rate_hz / static_cast<double>(window.size());
-  const std::vector<Band> bands = narrow_bands(rate_hz);
-  Eigen::ArrayXd levels(bands.size());
-  std::ranges::transform(bands, levels.begin(), [&](const Band& band) {
-    const double passed = (power * response(band, power.size(), bin_hz).square()).sum();
+  Eigen::ArrayXd levels(bank.responses.size());
+  std::ranges::transform(bank.responses, levels.begin(), [&](const Eigen::ArrayXd& response) {
+    const double passed = (power * response.square()).sum();
     return 10 * std::log10(passed / power.sum() + quietest_level);
   });
   return levels;

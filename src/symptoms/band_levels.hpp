@@ -2,6 +2,8 @@
 
 #include <Eigen/Core>
 
+#include "symptoms/bands.hpp"
+
 namespace piae::symptoms {
 
 /// The mean power of one window in 48 bands of equal width between 1/60 and 59/60 of half the
@@ -10,8 +12,8 @@ namespace piae::symptoms {
 /// for a window so short (some 100 samples) that a band holds no frequency.
 Eigen::ArrayXd spectral_shape_db(const Eigen::RowVectorXd& window);
 
-/// The power of one window in each of the narrow_bands() (bands.hpp) by that of the whole window,
-/// in dB.
-Eigen::ArrayXd band_levels_db(const Eigen::RowVectorXd& window, double rate_hz);
+/// The power of one window in each band of a bank by that of the whole window, in dB. The bank is
+/// one for windows of this length.
+Eigen::ArrayXd band_levels_db(const Eigen::RowVectorXd& window, const FilterBank& bank);
 
 }  // namespace piae::symptoms

@@ -33,4 +33,13 @@ Eigen::ArrayXd response(const Band& band, Eigen::Index bins, double bin_hz) {
   return (std::numbers::pi / 2 * share).sin().square();
 }
 
+FilterBank filter_bank(double rate_hz, Eigen::Index length) {
+  const double bin_hz = rate_hz / static_cast<double>(length);
+  FilterBank bank{.rate_hz = rate_hz, .responses = {}};
+  for (const Band& band : narrow_bands(rate_hz)) {
+    bank.responses.push_back(response(band, length / 2 + 1, bin_hz));
+  }
+  return bank;
+}
+
 }  // namespace piae::symptoms

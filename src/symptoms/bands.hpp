@@ -21,4 +21,14 @@ std::vector<Band> narrow_bands(double rate_hz);
 /// within, 0 outside, and sin^2 over 100 Hz about either edge.
 Eigen::ArrayXd response(const Band& band, Eigen::Index bins, double bin_hz);
 
+/// The narrow bands as they act on windows of one length and sample rate. To compute their
+/// responses takes about as long as to use them, so who looks at many windows does it once.
+struct FilterBank {
+  double rate_hz = 0;
+  std::vector<Eigen::ArrayXd> responses;  ///< of each band, at the bins 0 .. length / 2
+};
+
+/// For windows of `length` samples.
+FilterBank filter_bank(double rate_hz, Eigen::Index length);
+
 }  // namespace piae::symptoms

@@ -84,9 +84,9 @@ double log_kurtosis(const Eigen::RowVectorXd& window) {
   return std::log(squares.square().mean() / (squares.mean() * squares.mean()));
 }
 
-Measures measure_one(const Eigen::RowVectorXd& window, double rate_hz, double shaft_hz,
+Measures measure_one(const Eigen::RowVectorXd& window, const FilterBank& bank, double shaft_hz,
                      const Orders& orders) {
-  const OrderSpectrum spectrum = order_spectrum(window, rate_hz, shaft_hz, last_order(orders));
+  const OrderSpectrum spectrum = order_spectrum(window, bank, shaft_hz, last_order(orders));
   Measures measures;
   for (std::size_t kind = 0; kind < number_of_kinds; ++kind) {
     measures.lines.at(kind) = line_height(spectrum, orders.at(kind), most_harmonics, lowest_line);
@@ -97,7 +97,7 @@ Measures measure_one(const Eigen::RowVectorXd& window, double rate_hz, double sh
   }
   measures.log_kurtosis = log_kurtosis(window);
   measures.shape_db = spectral_shape_db(window);
-  measures.levels_db = band_levels_db(window, rate_hz);
+  measures.levels_db = band_levels_db(window, bank);
   return measures;
 }
 
@@ -107,13 +107,15 @@ std::vector<Measures> measure(const signal::WindowSet& windows, const std::strin
   bearing::validate(windows.info.bearing);
   const Orders orders = line_orders(windows.info.bearing);
   require_measurable(windows, orders, what);
+  const FilterBank bank =
+      filter_bank(windows.info.sample_rate_hz, static_cast<Eigen::Index>(windows.length));
   std::vector<Measures> all(windows.size());
   parallel_for(windows.size(), [&](std::size_t i) {
     const auto samples = windows.window(i);
     const Eigen::RowVectorXd window = Eigen::Map<const Eigen::RowVectorXf>(
                                           samples.data(), static_cast<Eigen::Index>(samples.size()))
                                           .cast<double>();
-    all[i] = measure_one(window, windows.info.sample_rate_hz, windows.speed_rpm(i) / 60, orders);
+    all[i] = measure_one(window, bank, windows.speed_rpm(i) / 60, orders);
   });
   return all;
 }

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "scoring/spectrum.hpp"
-#include "symptoms/bands.hpp"
 #include "symptoms/running_median.hpp"
 #include "symptoms/whitening.hpp"
 
@@ -71,10 +70,10 @@ double OrderSpectrum::at(double order, double lowest, double highest) const {
                    place - static_cast<double>(before));
 }
 
-OrderSpectrum order_spectrum(const Eigen::RowVectorXd& window, double rate_hz, double shaft_hz,
-                             double last) {
+OrderSpectrum order_spectrum(const Eigen::RowVectorXd& window, const FilterBank& bank,
+                             double shaft_hz, double last) {
   const Index length = window.size();
-  const double coarse_hz = rate_hz / static_cast<double>(length);
+  const double coarse_hz = bank.rate_hz / static_cast<double>(length);
   const double bins_an_order = shaft_hz / coarse_hz;
   const Index floor_bins =
       std::max(static_cast<Index>(floor_orders * bins_an_order), least_floor_bins) / 2 * 2 + 1;
@@ -82,14 +81,12 @@ OrderSpectrum order_spectrum(const Eigen::RowVectorXd& window, double rate_hz, d
       padding * (static_cast<Index>((last + OrderSpectrum::step) * bins_an_order) + floor_bins) + 1,
       padding * length / 2 + 1);
 
-  const Eigen::ArrayXcd whitened = whitened_spectrum(window, rate_hz);
-  const std::vector<Band> bands = narrow_bands(rate_hz);
+  const Eigen::ArrayXcd whitened = whitened_spectrum(window, bank.rate_hz);
   const auto orders =
       static_cast<Index>(std::ceil((last - OrderSpectrum::first) / OrderSpectrum::step)) + 2;
   OrderSpectrum spectrum{Eigen::ArrayXd::Zero(orders)};
-  for (const Band& band : bands) {
-    const scoring::Windows envelope =
-        squared_envelope(whitened, response(band, whitened.size(), coarse_hz), length);
+  for (const Eigen::ArrayXd& response : bank.responses) {
+    const scoring::Windows envelope = squared_envelope(whitened, response, length);
     const Eigen::ArrayXd power = scoring::mean_power_spectrum(envelope, padding).head(used);
     const Eigen::ArrayXd heights = above_floor(power, floor_bins);
     for (Index i = 0; i < orders; ++i) {
@@ -97,7 +94,7 @@ OrderSpectrum order_spectrum(const Eigen::RowVectorXd& window, double rate_hz, d
       spectrum.heights[i] += between(heights, padding * bins_an_order * order);
     }
   }
-  spectrum.heights /= static_cast<double>(bands.size());
+  spectrum.heights /= static_cast<double>(bank.responses.size());
   return spectrum;
 }
 

@@ -2,6 +2,8 @@
 
 #include <Eigen/Core>
 
+#include "symptoms/bands.hpp"
+
 namespace piae::symptoms {
 
 /// How far an envelope spectrum stands above its floor, as the decimal logarithm of a ratio of
@@ -18,8 +20,8 @@ struct OrderSpectrum {
   [[nodiscard]] double at(double order, double lowest, double highest) const;
 };
 
-/// The order spectrum of one window, up to an order of at least `last`. With X the window's
-/// whitened spectrum (whitening.hpp) and G a band (bands.hpp),
+/// The order spectrum of one window, up to an order of at least `last`. The bank is one for windows
+/// of this length. With X the window's whitened spectrum (whitening.hpp) and G a band (bands.hpp),
 ///
 ///     e = |analytic signal of G X|^2,  S = |FFT(Hann (e - mean e))|^2, padded to twice the length,
 ///     L = log10(S / floor + 1e-3),     R = mean of L over all bands.
@@ -33,7 +35,7 @@ struct OrderSpectrum {
 /// distribution. A line is 1 for ten times the floor. Above the width of
 /// a band, 1200 Hz or what half the sample rate leaves of it, is no line: of a fast shaft the
 /// higher harmonics are low, of healthy and faulty windows alike.
-OrderSpectrum order_spectrum(const Eigen::RowVectorXd& window, double rate_hz, double shaft_hz,
-                             double last);
+OrderSpectrum order_spectrum(const Eigen::RowVectorXd& window, const FilterBank& bank,
+                             double shaft_hz, double last);
 
 }  // namespace piae::symptoms

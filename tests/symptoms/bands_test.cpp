@@ -31,5 +31,13 @@ TEST(Response, IsOneWithinAHalfAtTheEdgesAndZeroOutside) {
   EXPECT_EQ(passed[0], 0);
 }
 
+TEST(FilterBank, HasTheResponsesOfAllBandsAtTheBinsOfAWindow) {
+  const FilterBank bank = filter_bank(12000, 480);
+  ASSERT_EQ(bank.responses.size(), 9U);
+  EXPECT_EQ(bank.rate_hz, 12000);
+  const Eigen::ArrayXd second = response({.low_hz = 900, .high_hz = 2100}, 241, 25);
+  EXPECT_TRUE((bank.responses[1] == second).all());
+}
+
 }  // namespace
 }  // namespace piae::symptoms

@@ -8,12 +8,15 @@
 namespace piae::symptoms {
 namespace {
 
-Eigen::RowVectorXd row_of(const std::vector<float>& window) {
-  return Eigen::Map<const Eigen::RowVectorXf>(window.data(), std::ssize(window)).cast<double>();
+/// Of a window at 12 kHz, up to the fourth harmonic of a 6205's highest line.
+OrderSpectrum spectrum_of(const std::vector<float>& window, double shaft_hz) {
+  const auto length = std::ssize(window);
+  return order_spectrum(Eigen::Map<const Eigen::RowVectorXf>(window.data(), length).cast<double>(),
+                        filter_bank(12000, length), shaft_hz, 21.92);
 }
 
 TEST(OrderSpectrum, IsThatOfNumpy) {
-  const OrderSpectrum spectrum = order_spectrum(row_of(computed_window()), 12000, 30, 21.92);
+  const OrderSpectrum spectrum = spectrum_of(computed_window(), 30);
   const auto height = [&](double order) { return spectrum.at(order, -3, 9); };
   EXPECT_NEAR(height(0.2), -0.241855, 2e-6);
   EXPECT_NEAR(height(1), -0.273831, 2e-6);
@@ -31,8 +34,7 @@ TEST(OrderSpectrum, OfNoiseIsAQuarterBelowItsFloor) {
   double sum = 0;
   constexpr int windows = 20;
   for (int i = 0; i < windows; ++i) {
-    const OrderSpectrum spectrum =
-        order_spectrum(row_of(struck_window({}, stream)), 12000, 30, 21.92);
+    const OrderSpectrum spectrum = spectrum_of(struck_window({}, stream), 30);
     sum += spectrum.heights.mean();
   }
   EXPECT_NEAR(sum / windows, -0.2507, 0.04);
@@ -41,8 +43,8 @@ TEST(OrderSpectrum, OfNoiseIsAQuarterBelowItsFloor) {
 TEST(OrderSpectrum, HasALineAtTheOrderOfTheStrikesWhateverTheSpeed) {
   Stream stream("struck");
   for (const double shaft_hz : {10.0, 30.0, 45.0, 60.0}) {
-    const OrderSpectrum spectrum = order_spectrum(
-        row_of(struck_window({.strikes_hz = 4.2 * shaft_hz}, stream)), 12000, shaft_hz, 21.92);
+    const OrderSpectrum spectrum =
+        spectrum_of(struck_window({.strikes_hz = 4.2 * shaft_hz}, stream), shaft_hz);
     Eigen::Index highest = 0;
     spectrum.heights.maxCoeff(&highest);
     const double order = OrderSpectrum::first + OrderSpectrum::step * static_cast<double>(highest);
