@@ -1,6 +1,7 @@
 #include "augment/playback.hpp"
 
 #include <cmath>
+#include <utility>
 
 #include "augment/stored_model.hpp"
 #include "base/label.hpp"
@@ -27,8 +28,10 @@ signal::WindowSet Playback::generate(const artefact::Reader& model, std::size_t 
   const bool at_random = speed_ == Speed::random;
   const auto equaliser =
       at_random ? transfer::read_equaliser_options(model) : transfer::EqualiserOptions{};
+  std::vector<signal::Parents> parents;
   const auto make = [&](Label label, std::size_t index, Stream& random) {
     const transfer::Journey journey = transfer::journey_of(known, label, index);
+    parents.push_back(signal::parents_of({journey.known}));
     const std::size_t start = random.below(known.length);
     const double factor = std::pow(journey.speed_ratio(), at_random ? random.uniform(0, 1) : 1.0);
     std::vector<double> samples = transfer::played(known.window(journey.known), start, factor);
@@ -38,6 +41,7 @@ signal::WindowSet Playback::generate(const artefact::Reader& model, std::size_t 
     return std::vector<float>(samples.begin(), samples.end());
   };
   signal::WindowSet made = signal::make_windows(known.info, known.length, count, stream, make);
+  made.parents = std::move(parents);
   transfer::arrive(known, count, made);
   return made;
 }

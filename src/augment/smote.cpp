@@ -3,6 +3,7 @@
 #include <spdlog/fmt/fmt.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "augment/interpolation.hpp"
 #include "augment/stored_model.hpp"
@@ -16,6 +17,7 @@ namespace {
 
 /// The known windows of one class, and for each the indices of those nearest to it.
 struct Neighbourhood {
+  std::vector<std::size_t> indices;  ///< of the windows, among all known ones
   std::vector<Window> windows;
   std::vector<std::vector<std::size_t>> neighbours;
 };
@@ -36,9 +38,8 @@ std::vector<Neighbourhood> neighbourhoods(const signal::WindowSet& known, int k)
     const signal::ClassInfo& c = known.info.classes[index_of(label)];
     Neighbourhood& own = all.emplace_back();
     if (c.defect == signal::Defect::none) continue;
-    for (const std::size_t i : known.indices_of(label)) {
-      own.windows.push_back(known.window(i));
-    }
+    own.indices = known.indices_of(label);
+    for (const std::size_t i : own.indices) own.windows.push_back(known.window(i));
     require_neighbours(c, own.windows.size(), k);
     own.neighbours = nearest_neighbours(own.windows, static_cast<std::size_t>(k));
   }
@@ -79,14 +80,18 @@ signal::WindowSet Smote::generate(const artefact::Reader& model, std::size_t cou
   const Range neighbours{.low = 1, .high = static_cast<double>(fewest_windows(known)) - 1};
   const std::vector<Neighbourhood> all =
       neighbourhoods(known, static_cast<int>(model.integer("/", "neighbours", neighbours)));
+  std::vector<signal::Parents> parents;
   const auto make = [&](Label label, std::size_t index, Stream& random) {
     const Neighbourhood& own = all[index_of(label)];
     const std::size_t base = index % own.windows.size();
     const std::vector<std::size_t>& near = own.neighbours[base];
     const std::size_t neighbour = near[random.below(near.size())];
+    parents.push_back(signal::parents_of({own.indices[base], own.indices[neighbour]}));
     return interpolate(own.windows[base], own.windows[neighbour], random.uniform(0, 1));
   };
-  return signal::make_windows(known.info, known.length, count, stream, make);
+  signal::WindowSet made = signal::make_windows(known.info, known.length, count, stream, make);
+  made.parents = std::move(parents);
+  return made;
 }
 
 }  // namespace piae::augment

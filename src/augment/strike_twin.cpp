@@ -53,16 +53,19 @@ signal::WindowSet StrikeTwin::generate(const artefact::Reader& model, std::size_
   const transfer::Carrier carrier(known, edges, options, read_background(model, known, options));
   std::vector<std::vector<double>> strikes_s;
   std::vector<signal::DynamicParameters> rings;
+  std::vector<signal::Parents> parents;
   const auto make = [&](Label label, std::size_t index, Stream& random) {
     const transfer::Journey journey = transfer::journey_of(known, label, index);
     transfer::Carried carried = carrier.carry(journey, random);
     strikes_s.push_back(std::move(carried.strikes_s));
+    parents.push_back(signal::parents_of({journey.known, carried.goes_on_in}));
     rings.push_back(carrier.ring(journey.known));
     return std::move(carried.samples);
   };
   signal::WindowSet made = signal::make_windows(known.info, known.length, count, stream, make);
   made.strikes_s = std::move(strikes_s);
   made.parameters = std::move(rings);
+  made.parents = std::move(parents);
   transfer::arrive(known, count, made);
   return made;
 }

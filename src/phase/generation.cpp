@@ -127,6 +127,7 @@ signal::WindowSet generate(const artefact::Reader& model, std::size_t count, con
     for (const Draw& d : draws) {
       generated.labels.push_back(label);
       generated.parameters.push_back(twin::in_units(d.first));
+      generated.start_angle_rad.push_back(decoder.cycle(label).angle_rad(d.passage.start));
     }
   }
   return generated;

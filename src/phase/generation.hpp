@@ -27,7 +27,8 @@ std::vector<float> decode(const artefact::Reader& model, Label label,
 
 /// Makes `count` windows of each class with a defect, in the recordings' unit. For each it draws
 /// two states from the histogram of the class's known (k~, c~) and a passage through them, and
-/// decodes both states. The (k, c) that is stored with a window is that of the first state. Window
+/// decodes both states. The (k, c) that is stored with a window is that of the first state, and its
+/// start angle that of the passage, counted from where the class's reference window begins. Window
 /// i of a class draws from the stream's child "<class>/<i>".
 signal::WindowSet generate(const artefact::Reader& model, std::size_t count, const Stream& stream,
                            const twin::Engine& engine);

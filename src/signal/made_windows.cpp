@@ -1,5 +1,7 @@
 #include "signal/made_windows.hpp"
 
+#include <algorithm>
+
 namespace piae::signal {
 
 WindowSet make_windows(const DatasetInfo& info, std::size_t length, std::size_t count,
@@ -17,6 +19,15 @@ WindowSet make_windows(const DatasetInfo& info, std::size_t length, std::size_t 
     }
   }
   return windows;
+}
+
+Parents parents_of(std::initializer_list<std::size_t> known) {
+  Parents parents;
+  for (const std::size_t i : known) {
+    const auto index = static_cast<std::int32_t>(i);
+    if (std::ranges::find(parents, index) == parents.end()) parents.push_back(index);
+  }
+  return parents;
 }
 
 }  // namespace piae::signal

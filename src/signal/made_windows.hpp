@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <initializer_list>
 #include <vector>
 
 #include "base/random.hpp"
@@ -19,5 +20,8 @@ using MakeWindow =
 /// same, bit for bit, however many are asked for.
 WindowSet make_windows(const DatasetInfo& info, std::size_t length, std::size_t count,
                        const Stream& stream, const MakeWindow& make);
+
+/// The indices of known windows as a made one says them. One that is there twice is said once.
+Parents parents_of(std::initializer_list<std::size_t> known);
 
 }  // namespace piae::signal

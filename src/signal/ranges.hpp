@@ -1,5 +1,6 @@
 #pragma once
 
+#include <numbers>
 #include <string>
 
 #include "base/range.hpp"
@@ -30,6 +31,8 @@ inline constexpr Range defect_size_mm{.low = 0, .high = 1e5, .unit = " mm"};
 inline constexpr Range seed{.low = 0, .high = 9.3e18};
 inline constexpr Range window_samples{.low = 1, .high = 1 << 20, .unit = " samples"};
 inline constexpr Range first_sample{.low = 0, .high = 1e12};
+/// Between two strikes: a full turn is 2 pi.
+inline constexpr Range start_angle_rad{.low = 0, .high = 2 * std::numbers::pi, .unit = " rad"};
 /// Of what eq. 13 is solved with.
 inline constexpr Range mass_kg{.low = 1e-6, .high = 1e9, .unit = " kg"};
 inline constexpr Range nominal_stiffness_n_per_m{.low = 1e-3, .high = 1e15, .unit = " N/m"};

@@ -93,36 +93,75 @@ void read_conditions(const artefact::Reader& reader, WindowSet& windows) {
   }
 }
 
-void write_strikes(artefact::Writer& writer, const std::vector<std::vector<double>>& strikes_s) {
-  std::vector<double> times_s;
+/// Where the lists of windows stand: all in one, in the order of the windows, and beside it to
+/// which window each belongs.
+struct ListPaths {
+  std::string group;
+  std::string values;
+  [[nodiscard]] std::string owners() const { return group + "/window"; }
+};
+
+const ListPaths strike_paths{.group = "/strikes", .values = "/strikes/time_s"};
+const ListPaths parent_paths{.group = "/parents", .values = "/parents/known"};
+
+template <class T>
+void write_lists(artefact::Writer& writer, const ListPaths& paths,
+                 const std::vector<std::vector<T>>& lists) {
+  if (lists.empty()) return;
+  std::vector<T> values;
   std::vector<std::int64_t> owners;
-  for (std::size_t i = 0; i < strikes_s.size(); ++i) {
-    times_s.insert(times_s.end(), strikes_s[i].begin(), strikes_s[i].end());
-    owners.insert(owners.end(), strikes_s[i].size(), static_cast<std::int64_t>(i));
+  for (std::size_t i = 0; i < lists.size(); ++i) {
+    values.insert(values.end(), lists[i].begin(), lists[i].end());
+    owners.insert(owners.end(), lists[i].size(), static_cast<std::int64_t>(i));
   }
-  writer.numbers("/strikes/time_s", times_s);
-  writer.numbers("/strikes/window", owners);
+  writer.numbers(paths.values, values);
+  writer.numbers(paths.owners(), owners);
+}
+
+/// A list of each window, where they say it.
+template <class T>
+std::vector<std::vector<T>> read_lists(const artefact::Reader& reader, const ListPaths& paths,
+                                       std::size_t windows) {
+  if (!reader.has(paths.group)) return {};
+  const std::vector<T> values = reader.numbers<T>(paths.values, {0}).values;
+  const auto owners = reader.numbers<std::int64_t>(paths.owners(), {values.size()}).values;
+  std::vector<std::vector<T>> lists(windows);
+  std::int64_t last = 0;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (owners[i] < last || owners[i] >= static_cast<std::int64_t>(windows)) {
+      reader.refuse(paths.owners(), "does not name windows in their order");
+    }
+    last = owners[i];
+    lists[static_cast<std::size_t>(last)].push_back(values[i]);
+  }
+  return lists;
 }
 
 void read_strikes(const artefact::Reader& reader, WindowSet& windows) {
-  if (!reader.has("/strikes")) return;
-  const std::vector<double> times_s = reader.numbers<double>("/strikes/time_s", {0}).values;
-  const auto owners = reader.numbers<std::int64_t>("/strikes/window", {times_s.size()}).values;
+  windows.strikes_s = read_lists<double>(reader, strike_paths, windows.size());
   const double end_s = static_cast<double>(windows.length) / windows.info.sample_rate_hz;
-  windows.strikes_s.resize(windows.size());
-  std::int64_t last = 0;
-  for (std::size_t i = 0; i < times_s.size(); ++i) {
-    if (owners[i] < last || owners[i] >= static_cast<std::int64_t>(windows.size())) {
-      reader.refuse("/strikes/window", "does not name windows in their order");
+  for (const std::vector<double>& own : windows.strikes_s) {
+    double last_s = 0;
+    for (const double time_s : own) {
+      if (!(time_s >= last_s && time_s < end_s)) {
+        reader.refuse(strike_paths.values,
+                      "holds a strike that does not follow the one before it "
+                      "within its window");
+      }
+      last_s = time_s;
     }
-    last = owners[i];
-    std::vector<double>& own = windows.strikes_s[static_cast<std::size_t>(last)];
-    if (!(times_s[i] >= (own.empty() ? 0 : own.back()) && times_s[i] < end_s)) {
-      reader.refuse("/strikes/time_s",
-                    "holds a strike that does not follow the one before it "
-                    "within its window");
+  }
+}
+
+void read_parents(const artefact::Reader& reader, WindowSet& windows) {
+  windows.parents = read_lists<std::int32_t>(reader, parent_paths, windows.size());
+  for (const Parents& own : windows.parents) {
+    for (const std::int32_t known : own) {
+      if (known < 0) {
+        reader.refuse(parent_paths.values,
+                      "holds " + std::to_string(known) + ", which is no index of a window of C");
+      }
     }
-    own.push_back(times_s[i]);
   }
 }
 
@@ -175,6 +214,8 @@ void WindowSet::append(const WindowSet& other, std::size_t i) {
   append_said(shaft_speed_rpm, other.shaft_speed_rpm, i, size());
   append_said(defect_size_mm, other.defect_size_mm, i, size());
   append_said(strikes_s, other.strikes_s, i, size());
+  append_said(parents, other.parents, i, size());
+  append_said(start_angle_rad, other.start_angle_rad, i, size());
   const std::span<const float> window = other.window(i);
   samples.insert(samples.end(), window.begin(), window.end());
   labels.push_back(other.labels[i]);
@@ -199,7 +240,9 @@ void write(artefact::Writer& writer, const WindowSet& windows) {
   if (!windows.condition.empty()) writer.numbers("/condition", windows.condition);
   if (!windows.shaft_speed_rpm.empty()) writer.numbers("/shaft_speed_rpm", windows.shaft_speed_rpm);
   if (!windows.defect_size_mm.empty()) writer.numbers("/defect_size_mm", windows.defect_size_mm);
-  if (!windows.strikes_s.empty()) write_strikes(writer, windows.strikes_s);
+  if (!windows.start_angle_rad.empty()) writer.numbers("/start_angle_rad", windows.start_angle_rad);
+  write_lists(writer, strike_paths, windows.strikes_s);
+  write_lists(writer, parent_paths, windows.parents);
 }
 
 WindowSet read_window_set(const artefact::Reader& reader) {
@@ -226,7 +269,10 @@ WindowSet read_window_set(const artefact::Reader& reader) {
       read_each(reader, "/shaft_speed_rpm", windows.size(), ranges::shaft_speed_rpm);
   windows.defect_size_mm =
       read_each(reader, "/defect_size_mm", windows.size(), ranges::defect_size_mm);
+  windows.start_angle_rad =
+      read_each(reader, "/start_angle_rad", windows.size(), ranges::start_angle_rad);
   read_strikes(reader, windows);
+  read_parents(reader, windows);
   return windows;
 }
 

@@ -10,6 +10,9 @@
 
 namespace piae::signal {
 
+/// Of which known windows a generated one was made: indices into the windows of C.
+using Parents = std::vector<std::int32_t>;
+
 /// n windows of equal length with their labels. Windows that were cut from recordings say where
 /// they were cut; generated ones do not.
 struct WindowSet {
@@ -32,6 +35,12 @@ struct WindowSet {
   /// [n] when the defect is struck in each window, in s from its first sample, ascending; where a
   /// generator knows.
   std::vector<std::vector<double>> strikes_s;
+  /// [n] the known windows of which each was made, the one that gave most first; where a generator
+  /// knows. Empty where its windows come from what was fitted to all known ones of a class.
+  std::vector<Parents> parents;
+  /// [n] the angle between two strikes at which each window begins, from 0 to 2 pi; where a
+  /// generator knows.
+  std::vector<double> start_angle_rad;
 
   [[nodiscard]] std::size_t size() const { return labels.size(); }
   [[nodiscard]] std::span<const float> window(std::size_t i) const {
@@ -54,8 +63,9 @@ struct WindowSet {
 
 /// In the artefact: /windows float32 [n, length], /labels, and where known /record/name,
 /// /record/index, /first_sample, /parameters float64 [n, 2] (k in N/m, c in N s/m), /condition,
-/// /shaft_speed_rpm and /defect_size_mm; and all strikes, window after window: /strikes/time_s
-/// float64 and /strikes/window int64, the index of the window.
+/// /shaft_speed_rpm, /defect_size_mm and /start_angle_rad; all strikes, window after window:
+/// /strikes/time_s float64 and /strikes/window int64, the index of the window; and in the same way
+/// all parents: /parents/known int32 and /parents/window int64.
 void write(artefact::Writer& writer, const WindowSet& windows);
 /// Throws artefact::Refusal for labels that no class has, for shapes that do not fit each other,
 /// and for a window in which nothing moves, of which no classifier can learn and which no generator

@@ -195,7 +195,7 @@ Carried Carrier::turn(std::size_t known, Stream& random) const {
   const StruckWindow window =
       turned(turning_of(samples_of_window(known_, known), combs_[known]),
              turning_of(samples_of_window(known_, other), combs_[other]), known_.length, random);
-  return carried(window);
+  return carried(window, other);
 }
 
 Carried Carrier::as_loud_as_known(std::size_t known, StruckWindow window) const {
@@ -205,12 +205,13 @@ Carried Carrier::as_loud_as_known(std::size_t known, StruckWindow window) const 
   const auto loud = known_.window(known);
   const ArrayXd before = Eigen::Map<const Eigen::ArrayXf>(loud.data(), length).cast<double>();
   made *= std::sqrt(before.square().mean() / made.square().mean());
-  return carried(window);
+  return carried(window, known);
 }
 
-Carried Carrier::carried(const StruckWindow& window) const {
+Carried Carrier::carried(const StruckWindow& window, std::size_t goes_on_in) const {
   return {.samples = {window.samples.begin(), window.samples.end()},
-          .strikes_s = times_within(window.strikes, known_.length, known_.info.sample_rate_hz)};
+          .strikes_s = times_within(window.strikes, known_.length, known_.info.sample_rate_hz),
+          .goes_on_in = goes_on_in};
 }
 
 Carried Carrier::carry(const Journey& journey, Stream& random) const {

@@ -20,6 +20,7 @@ namespace piae::transfer {
 struct Carried {
   std::vector<float> samples;
   std::vector<double> strikes_s;
+  std::size_t goes_on_in = 0;  ///< the known window in which it ends; mostly that of its journey
 };
 
 /// Carries known fault windows to the tested condition. What belongs to the structure stays where
@@ -73,7 +74,7 @@ class Carrier {
   [[nodiscard]] Carried cut_and_set(const Journey& journey, Stream& random) const;
   [[nodiscard]] Carried turn(std::size_t known, Stream& random) const;
   [[nodiscard]] Carried as_loud_as_known(std::size_t known, StruckWindow window) const;
-  [[nodiscard]] Carried carried(const StruckWindow& window) const;
+  [[nodiscard]] Carried carried(const StruckWindow& window, std::size_t goes_on_in) const;
 
   const signal::WindowSet& known_;
   const std::vector<Edges>& edges_;

@@ -62,6 +62,21 @@ TEST_P(GeneratingMethod, MakesWindowsOfEveryFaultClassInOrder) {
   EXPECT_TRUE(windows.record.empty());  // they were not cut from any recording
 }
 
+TEST_P(GeneratingMethod, SaysKnownWindowsOfTheSameClassAsParentsOrNone) {
+  const std::vector<std::string> without{
+      "dynamics", "physics", "piae-dt-zero", "healthy-plus-impulses", "vae", "wgan-gp"};
+  const signal::WindowSet windows = generate(GetParam().method, model("model.h5"), 12);
+  const bool says = std::ranges::find(without, GetParam().method) == without.end();
+  ASSERT_EQ(windows.parents.size(), says ? windows.size() : 0);
+  const signal::WindowSet known = known_windows();
+  for (std::size_t i = 0; i < windows.parents.size(); ++i) {
+    EXPECT_FALSE(windows.parents[i].empty()) << i;
+    for (const std::int32_t parent : windows.parents[i]) {
+      EXPECT_EQ(known.labels.at(static_cast<std::size_t>(parent)), windows.labels[i]) << i;
+    }
+  }
+}
+
 TEST_P(GeneratingMethod, MakesTheFirstWindowsTheSameWhateverTheCount) {
   const std::filesystem::path path = model("model.h5");
   const signal::WindowSet few = generate(GetParam().method, path, 2);

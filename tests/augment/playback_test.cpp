@@ -45,6 +45,13 @@ TEST(Resample, PlaysTheKnownWindowsAtTheTestedSpeed) {
   }
 }
 
+TEST(Playback, SaysWhichWindowItPlays) {
+  for (const std::string name : {"resample", "randomise"}) {
+    const auto model = train(name, "", tones(), checkpoint_at("checkpoint"), "model.h5");
+    EXPECT_EQ(generate(name, model, 2).parents, (std::vector<signal::Parents>{{0}, {0}, {1}, {1}}));
+  }
+}
+
 TEST(Randomise, PlaysThemAtSpeedsBetween) {
   const auto model = train("randomise", "", tones(), checkpoint_at("checkpoint"), "model.h5");
   const signal::WindowSet windows = generate("randomise", model, 200);

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <map>
 
 #include "augment/methods.hpp"
@@ -30,6 +31,23 @@ TEST(Oversample, RepeatsTheKnownWindowsInTurn) {
   EXPECT_EQ(windows_of("oversample", 3).samples,
             (Samples{1,  2,  3,  4,  5,  6,  7,  8,  1,  2,  3,  4,  //
                      10, 20, 30, 40, 10, 20, 30, 40, 10, 20, 30, 40}));
+}
+
+TEST(Oversample, SaysWhichWindowItRepeats) {
+  EXPECT_EQ(windows_of("oversample", 3).parents,
+            (std::vector<signal::Parents>{{0}, {1}, {0}, {2}, {2}, {2}}));
+}
+
+TEST(Shift, SaysWhichWindowItTurns) {
+  const signal::WindowSet known = three_windows();
+  const signal::WindowSet windows = windows_of("shift", 5);
+  ASSERT_EQ(windows.parents.size(), 10U);
+  for (std::size_t i = 0; i < 10; ++i) {
+    ASSERT_EQ(windows.parents[i].size(), 1U) << i;
+    Samples turned = window(windows, i);
+    std::ranges::sort(turned);
+    EXPECT_EQ(turned, window(known, static_cast<std::size_t>(windows.parents[i][0]))) << i;
+  }
 }
 
 TEST(Shift, TurnsTheKnownWindowsRoundByWhatTheirRandomNumbersSay) {

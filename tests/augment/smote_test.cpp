@@ -82,6 +82,23 @@ TEST(Smote, IsExactlyWhatItsRandomNumbersSay) {
   EXPECT_EQ(windows.window(5)[1], static_cast<float>(gap * neighbour[1]));
 }
 
+TEST(Smote, SaysBetweenWhichTwoWindowsEachLies) {
+  const signal::WindowSet known = four_of_a_class();
+  const signal::WindowSet windows = generate("smote", model_with(3), 40);
+  ASSERT_EQ(windows.parents.size(), 80U);
+  for (std::size_t i = 0; i < 80; ++i) {
+    ASSERT_EQ(windows.parents[i].size(), 2U) << i;
+    const auto base = static_cast<std::size_t>(windows.parents[i][0]);
+    const auto neighbour = static_cast<std::size_t>(windows.parents[i][1]);
+    EXPECT_EQ(base, i % 40 % 4 + i / 40 * 4);
+    EXPECT_EQ(known.labels[neighbour], windows.labels[i]);
+    const double gap =
+        place_between(known.window(base), known.window(neighbour), windows.window(i));
+    EXPECT_GE(gap, 0);
+    EXPECT_LT(gap, 1);
+  }
+}
+
 TEST(Smote, StaysWithinTheClass) {
   const signal::WindowSet windows = generate("smote", model_with(3), 100);
   for (std::size_t i = 100; i < 200; ++i) {

@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
+#include <numbers>
 
 #include "base/error.hpp"
 #include "phase/class_cycle.hpp"
@@ -65,6 +67,37 @@ TEST(PhaseGeneration, FirstWindowsDoNotDependOnTheirNumber) {
     // A matrix product of more rows may round otherwise.
     ASSERT_NEAR(few.window(1)[i], many.window(1)[i], 1e-3) << i;
     ASSERT_NEAR(few.window(2)[i], many.window(7)[i], 1e-3) << i;
+  }
+}
+
+// Window 1 of a class draws its two states, and then where it starts on the cycle, from its own
+// child of the stream.
+TEST(PhaseGeneration, SaysAtWhichAngleEachWindowStarts) {
+  const artefact::Reader model(train(checkpoint_at("said.ckpt"), "said.h5"), "model");
+  const signal::WindowSet windows =
+      generate(model, 40, Stream("generate"), twin::dense_engine(Device::cpu));
+  ASSERT_EQ(windows.start_angle_rad.size(), windows.size());
+  EXPECT_TRUE(windows.parents.empty());  // states are drawn, and belong to no one window
+  for (const Label label : {1, 2}) {
+    const signal::Cycle cycle = cycle_of_class(bearing_info(), label, 1024);
+    const double step_rad = 2 * std::numbers::pi * static_cast<double>(cycle.strikes) /
+                            static_cast<double>(cycle.samples);
+    double largest = 0;
+    for (const std::size_t i : windows.indices_of(label)) {
+      const double angle = windows.start_angle_rad[i];
+      EXPECT_GE(angle, 0);
+      EXPECT_LT(angle, 2 * std::numbers::pi);
+      // A sample of the cycle lies at a whole number of steps, less whole turns: for some turn
+      // there is one.
+      double nearest = 1;
+      for (std::size_t turn = 0; turn < cycle.strikes; ++turn) {
+        const double steps = (angle + 2 * std::numbers::pi * static_cast<double>(turn)) / step_rad;
+        nearest = std::min(nearest, std::abs(steps - std::round(steps)));
+      }
+      EXPECT_LT(nearest, 1e-6);
+      largest = std::max(largest, angle);
+    }
+    EXPECT_GT(largest, std::numbers::pi);  // of 40 uniform ones all are below in 1 of 10^12 cases
   }
 }
 

@@ -184,6 +184,49 @@ TEST(WindowSet, KeepsWhenEachWindowIsStruck) {
   EXPECT_ERROR(struck(strikes_s), Exit::bad_input, "/strikes/window does not name windows");
 }
 
+/// The cut set as if made of two other windows, of one and of none.
+WindowSet set_with_parents() {
+  WindowSet set = cut_set();
+  set.parents = {{4, 0}, {2}, {}};
+  set.start_angle_rad = {0, 3, 6.25};
+  return set;
+}
+
+TEST(WindowSet, KeepsOfWhichKnownWindowsEachWasMade) {
+  const Folder folder;
+  const WindowSet out = load_set(save(folder, set_with_parents()));
+  EXPECT_EQ(out.parents, set_with_parents().parents);
+  EXPECT_EQ(out.start_angle_rad, set_with_parents().start_angle_rad);
+  EXPECT_THAT(load_set(save(folder, cut_set())).parents, IsEmpty());
+  EXPECT_THAT(load_set(save(folder, cut_set())).start_angle_rad, IsEmpty());
+}
+
+TEST(WindowSet, SaysParentsAsLongAsAllOfItsWindowsDo) {
+  WindowSet set = set_with_parents();
+  set.append(set_with_parents(), 1);
+  EXPECT_THAT(set.parents,
+              ElementsAre(ElementsAre(4, 0), ElementsAre(2), IsEmpty(), ElementsAre(2)));
+  EXPECT_THAT(set.start_angle_rad, ElementsAre(0, 3, 6.25, 3));
+  set.append(cut_set(), 0);
+  EXPECT_THAT(set.parents, IsEmpty());
+  EXPECT_THAT(set.start_angle_rad, IsEmpty());
+}
+
+TEST(WindowSet, IsRefusedWithParentsOrAnglesThatCannotBe) {
+  const Folder folder;
+  const auto refused = [&](auto spoil, const std::string& says) {
+    WindowSet set = set_with_parents();
+    spoil(set);
+    EXPECT_ERROR(load_set(save(folder, set)), Exit::bad_input, says);
+  };
+  refused([](WindowSet& s) { s.parents[1] = {-1}; }, "/parents/known holds -1");
+  refused([](WindowSet& s) { s.parents.push_back({0}); },
+          "/parents/window does not name windows in their order");
+  refused([](WindowSet& s) { s.start_angle_rad[1] = 6.3; }, "/start_angle_rad");
+  refused([](WindowSet& s) { s.start_angle_rad[1] = -0.1; }, "/start_angle_rad");
+  refused([](WindowSet& s) { s.start_angle_rad.pop_back(); }, "/start_angle_rad");
+}
+
 TEST(WindowSet, TakesNoWindowOfAnotherLength) {
   WindowSet set = empty_set();
   set.length = 3;

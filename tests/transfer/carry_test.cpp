@@ -131,6 +131,35 @@ TEST_P(CarriedBy, SaysWhenTheDefectIsStruck) {
   EXPECT_LE(behind, 0.15 * comb.period);
 }
 
+// Where nothing moves, a window is made of two: what was drawn says which the second one is.
+TEST(Carrier, SaysInWhichKnownWindowOneEnds) {
+  signal::WindowSet known = one_machine();
+  known.info.conditions.clear();
+  known.condition.clear();
+  known.shaft_speed_rpm.clear();
+  const std::vector<Edges> edges = true_edges(known);
+  const Carrier carrier(known, edges, {});
+  for (std::size_t i = 0; i < 20; ++i) {
+    Stream random("ends " + std::to_string(i));
+    Stream same("ends " + std::to_string(i));
+    const Journey journey = journey_of(known, 2, i);
+    ASSERT_EQ(journey.speed_ratio(), 1);
+    // The five known windows of class 2, all of one bearing, stand from 5 on.
+    EXPECT_EQ(carrier.carry(journey, random).goes_on_in, 5 + same.below(5));
+  }
+}
+
+TEST_P(CarriedBy, EndsInTheWindowThatItCarries) {
+  const signal::WindowSet known = one_machine();
+  const std::vector<Edges> edges = true_edges(known);
+  CarryOptions options;
+  options.response = GetParam();
+  const Carrier carrier(known, edges, options);
+  Stream random("carried");
+  const Journey journey = journey_of(known, 3, 4);
+  EXPECT_EQ(carrier.carry(journey, random).goes_on_in, journey.known);
+}
+
 TEST(Carrier, StrikesAsStrongAsTheKnownWindowDoes) {
   signal::WindowSet known = one_machine();
   const std::vector<double> every_second_is_weak{1, 0.15};
