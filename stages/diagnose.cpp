@@ -8,10 +8,12 @@
 #include "cli/progress.hpp"
 #include "cli/run_options.hpp"
 #include "cli/stage.hpp"
-#include "diagnosis/classify.hpp"
 #include "diagnosis/inputs.hpp"
+#include "diagnosis/keep.hpp"
+#include "diagnosis/learn.hpp"
 #include "diagnosis/one_core_backend.hpp"
 #include "diagnosis/training_set.hpp"
+#include "diagnosis/trust.hpp"
 #include "scoring/diagnosis_record.hpp"
 #include "scoring/ratios.hpp"
 #include "seam/libtorch.hpp"
@@ -23,7 +25,8 @@ namespace {
 
 scoring::DiagnosisRecord make_record(const diagnosis::Inputs& inputs, const std::string& classifier,
                                      const scoring::Ratio& ratio, std::int64_t seed,
-                                     const diagnosis::WdcnnResult& result, bool keep_features) {
+                                     const diagnosis::Training& training,
+                                     diagnosis::WdcnnOutputs outputs, bool keep_features) {
   scoring::DiagnosisRecord record;
   record.info = inputs.test.info;
   record.method = inputs.method;
@@ -38,12 +41,12 @@ scoring::DiagnosisRecord make_record(const diagnosis::Inputs& inputs, const std:
   record.seed = seed;
   record.protocol = inputs.protocol;
   record.labels = inputs.test.labels;
-  record.predictions = result.predictions;
-  record.scores = result.outputs.scores;
-  record.loss = result.loss;
-  record.train_accuracy = result.train_accuracy;
+  record.predictions = diagnosis::most_likely(outputs.scores, record.info.classes.size());
+  record.scores = std::move(outputs.scores);
+  record.loss = training.loss;
+  record.train_accuracy = training.train_accuracy;
   if (keep_features) {
-    record.features = {.hidden = result.outputs.hidden, .output = result.outputs.logits};
+    record.features = {.hidden = std::move(outputs.hidden), .output = std::move(outputs.logits)};
   }
   return record;
 }
@@ -73,6 +76,55 @@ diagnosis::MakeWdcnnBackend choose_backend(const Compute& compute, char** argv) 
   return seam::back_ends()->wdcnn(compute.device);
 }
 
+/// Shows how far the epochs of several trainings are, one after the other.
+class Epochs {
+ public:
+  explicit Epochs(std::int64_t in_all)
+      : progress_("diagnose", "epochs", static_cast<std::size_t>(in_all)) {}
+
+  diagnosis::EpochDone counter() {
+    return [this](std::int64_t /*done*/, double loss) {
+      progress_.update(++done_, fmt::format("loss {:.3g}", loss));
+    };
+  }
+
+ private:
+  cli::Progress progress_;
+  std::size_t done_ = 0;
+};
+
+/// What is wrong with options that do not go with a classifier.
+void require_fitting_options(const diagnosis::Classifier& classifier, bool keep_features,
+                             const fs::path& generated_file) {
+  if (keep_features && !classifier.trains()) {
+    throw Error(Exit::usage, fmt::format("--keep-features: {} has no layers; leave it out, or "
+                                         "choose another --classifier",
+                                         classifier.name));
+  }
+  if (classifier.rule && !generated_file.empty()) {
+    throw Error(Exit::usage, fmt::format("--generated: {} is a rule, which learns from healthy "
+                                         "windows alone; leave the option out, and choose "
+                                         "--ratio {}",
+                                         classifier.name, scoring::all_ratios().front().name));
+  }
+}
+
+/// Writes the classifier, and what its answers on the test windows are worth.
+void save_classifier(const cli::Stage& stage, diagnosis::KeptClassifier& kept,
+                     const signal::WindowSet& test, const fs::path& file) {
+  const diagnosis::Trust trust = diagnosis::trust_in(kept, test);
+  artefact::Writer writer("classifier");
+  kept.write(writer);
+  diagnosis::write(writer, trust);
+  stage.save(writer, file);
+  std::cout << fmt::format(
+      "kept {} with temperature {:.2f} by {} windows left out: calibration error {:.1f} % of the "
+      "test windows, {:.1f} % of them called unknown: {} ({:.1f} MB)\n",
+      kept.classifier().name, kept.calibration().temperature, kept.calibration().windows,
+      100 * trust.calibration_error, 100 * trust.called_unknown, file.string(),
+      static_cast<double>(fs::file_size(file)) / 1e6);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -98,12 +150,20 @@ int main(int argc, char** argv) {
   fs::path known_file;
   fs::path generated_file;
   fs::path output;
+  fs::path classifier_file;
   stage.input_file("--test", test_file, "A.h5 made by split");
   stage.input_file("--normal", normal_file, "B.h5 made by split");
   stage.input_file("--known", known_file, "C.h5 made by split");
   stage.input_file("--generated", generated_file, "E.h5 made by generate; not with 100to1")
       .required(false);
-  stage.output_file("--output", output, "diagnosis.h5, predictions and training curves");
+  stage.output_file("--output", output, "diagnosis.h5, predictions and training curves")
+      .required(false);
+  stage
+      .output_file(
+          "--keep-classifier", classifier_file,
+          "classifier.h5: the trained classifier itself, for classify and monitor. It is "
+          "trained five times more, to learn how sure it may be of windows it has not seen")
+      .required(false);
   stage.file_flag("--keep-features", keep_features,
                   "also store what the classifier makes of the test windows: its last hidden layer "
                   "and its output layer");
@@ -122,16 +182,9 @@ int main(int argc, char** argv) {
 
   return stage.run(argc, argv, [&] {
     const diagnosis::Classifier& classifier = diagnosis::the_classifier(classifier_name);
-    if (keep_features && !classifier.trains()) {
-      throw Error(Exit::usage, fmt::format("--keep-features: {} has no layers; leave it out, or "
-                                           "choose another --classifier",
-                                           classifier_name));
-    }
-    if (classifier.rule && !generated_file.empty()) {
-      throw Error(Exit::usage, fmt::format("--generated: {} is a rule, which learns from healthy "
-                                           "windows alone; leave the option out, and choose "
-                                           "--ratio {}",
-                                           classifier_name, scoring::all_ratios().front().name));
+    require_fitting_options(classifier, keep_features, generated_file);
+    if (output.empty() && classifier_file.empty()) {
+      throw Error(Exit::usage, "--output is required, or --keep-classifier");
     }
     const diagnosis::MakeWdcnnBackend make_backend =
         classifier.represent != nullptr ? choose_backend(run.compute, argv) : nullptr;
@@ -153,27 +206,49 @@ int main(int argc, char** argv) {
 
     const Stream stream(
         fmt::format("{}/seed{}/diagnose/{}", training.info.name, run.seed, ratio.name));
+    const diagnosis::Lessons lessons{.normal = inputs.normal,
+                                     .known = inputs.known,
+                                     .generated = inputs.generated ? &*inputs.generated : nullptr,
+                                     .generated_per_class = ratio.generated_per_class};
     const std::int64_t epochs = diagnosis::epochs_of(classifier, options);
-    cli::Progress progress("diagnose", "epochs", static_cast<std::size_t>(epochs));
-    const diagnosis::WdcnnResult result = diagnosis::classify(
-        classifier, inputs.normal, training, inputs.test, options, stream, make_backend,
-        [&](std::int64_t done, double loss) {
-          progress.update(static_cast<std::size_t>(done), fmt::format("loss {:.3g}", loss));
-        });
+    Epochs shown(epochs * (classifier_file.empty()
+                               ? 1
+                               : 1 + diagnosis::trainings_to_keep(training, lessons)));
+    diagnosis::Learned learned = diagnosis::learn(classifier, inputs.normal, training, options,
+                                                  stream, make_backend, shown.counter());
 
-    scoring::DiagnosisRecord record =
-        make_record(inputs, classifier_name, ratio, run.seed, result, keep_features);
-    std::optional<double> rate;
-    if (classifier.trains()) {
-      rate = static_cast<double>(epochs) * static_cast<double>(training.size()) /
-             result.training_seconds;
+    if (!output.empty()) {
+      scoring::DiagnosisRecord record =
+          make_record(inputs, classifier_name, ratio, run.seed, learned.training,
+                      learned.trained->outputs(inputs.test, "--test"), keep_features);
+      std::optional<double> rate;
+      if (classifier.trains()) {
+        rate = static_cast<double>(epochs) * static_cast<double>(training.size()) /
+               learned.training.seconds;
+      }
+      if (!reproducible) record.train_windows_per_second = rate;
+      artefact::Writer writer("diagnosis");
+      scoring::write(writer, record);
+      stage.save(writer, output);
+      std::cout << fmt::format("{}: {}\n",
+                               said_of(record, basis_of(classifier, inputs, training.size()), rate),
+                               output.string());
     }
-    if (!reproducible) record.train_windows_per_second = rate;
-    artefact::Writer writer("diagnosis");
-    scoring::write(writer, record);
-    stage.save(writer, output);
-    std::cout << fmt::format("{}: {}\n",
-                             said_of(record, basis_of(classifier, inputs, training.size()), rate),
-                             output.string());
+    if (!classifier_file.empty()) {
+      diagnosis::KeptClassifier kept =
+          diagnosis::keep(classifier, std::move(learned.trained), training, lessons,
+                          {.options = options,
+                           .stream = stream,
+                           .make_backend = make_backend,
+                           .epoch_done = shown.counter()},
+                          {.method = inputs.method,
+                           .ratio = ratio.name,
+                           .generated_per_class = ratio.generated_per_class,
+                           .seed = run.seed,
+                           .protocol = inputs.protocol,
+                           .training_windows = 0,
+                           .training_digest = ""});
+      save_classifier(stage, kept, inputs.test, classifier_file);
+    }
   });
 }

@@ -1,7 +1,7 @@
 #include "diagnosis/catalogue.hpp"
 
 #include <algorithm>
-#include <utility>
+#include <memory>
 
 #include "base/error.hpp"
 #include "diagnosis/line_rules.hpp"
@@ -14,25 +14,34 @@ namespace piae::diagnosis {
 
 namespace {
 
+using signal::DatasetInfo;
 using signal::WindowSet;
 
-WdcnnResult ask_nearest(const WindowSet& /*normal*/, const WindowSet& training,
-                        const WindowSet& test, const Stream& /*stream*/,
-                        const EpochDone& /*epoch_done*/) {
-  WdcnnResult result;
-  result.predictions = classify_by_nearest(training, test);
-  result.outputs.scores = scores_of_named(result.predictions, test.info.classes.size());
-  return result;
+Learned learn_nearest(const WindowSet& /*normal*/, const WindowSet& training,
+                      const Stream& /*stream*/, const EpochDone& /*epoch_done*/) {
+  return {.trained = std::make_unique<Nearest>(training), .training = {}};
+}
+
+std::unique_ptr<Trained> read_nearest(const artefact::Reader& reader, const DatasetInfo& info,
+                                      std::size_t length) {
+  return std::make_unique<Nearest>(reader, info, length);
 }
 
 template <Rule rule>
-WdcnnResult ask_rule(const WindowSet& normal, const WindowSet& /*training*/, const WindowSet& test,
-                     const Stream& /*stream*/, const EpochDone& /*epoch_done*/) {
-  RuleAnswer answer = classify_by_rule(normal, test, rule);
-  WdcnnResult result;
-  result.predictions = std::move(answer.predictions);
-  result.outputs.scores = std::move(answer.scores);
-  return result;
+Learned learn_rule(const WindowSet& normal, const WindowSet& /*training*/, const Stream& /*stream*/,
+                   const EpochDone& /*epoch_done*/) {
+  return {.trained = std::make_unique<TrainedRule>(normal, rule), .training = {}};
+}
+
+template <Rule rule>
+std::unique_ptr<Trained> read_rule(const artefact::Reader& reader, const DatasetInfo& info,
+                                   std::size_t /*length*/) {
+  return std::make_unique<TrainedRule>(reader, info, rule);
+}
+
+std::unique_ptr<Trained> read_symptom_net(const artefact::Reader& reader, const DatasetInfo& info,
+                                          std::size_t /*length*/) {
+  return std::make_unique<SymptomNet>(reader, info);
 }
 
 constexpr Classifier known_classifiers[] = {
@@ -55,21 +64,25 @@ constexpr Classifier known_classifiers[] = {
     {.name = bar_classifier,
      .what = "the nearest known or generated window, without any training",
      .input = "the log power in 128 bands",
-     .ask = ask_nearest},
+     .learn = learn_nearest,
+     .read = read_nearest},
     {.name = "envelope-rule",
      .what = "fault lines against healthy windows, without any training",
      .input = "the envelope spectrum over orders of the shaft",
      .rule = true,
-     .ask = ask_rule<Rule::envelope>},
+     .learn = learn_rule<Rule::envelope>,
+     .read = read_rule<Rule::envelope>},
     {.name = "exclusion-rule",
      .what = "the same; and a change without a line is a ball",
      .input = "the envelope spectrum over orders of the shaft and the log power in 48 bands",
      .rule = true,
-     .ask = ask_rule<Rule::exclusion>},
+     .learn = learn_rule<Rule::exclusion>,
+     .read = read_rule<Rule::exclusion>},
     {.name = "symptom-net",
      .what = "a small network on symptoms",
      .input = "17 symptoms: fault lines, kurtosis, rise of bands, novelty",
-     .ask = train_and_test_symptoms,
+     .learn = train_symptom_net,
+     .read = read_symptom_net,
      .own_epochs = SymptomTraining::epochs},
 };
 

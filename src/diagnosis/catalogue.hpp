@@ -1,12 +1,14 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
 
-#include "diagnosis/standardise.hpp"
-#include "diagnosis/wdcnn.hpp"
+#include "base/random.hpp"
+#include "diagnosis/trained.hpp"
+#include "diagnosis/trained_wdcnn.hpp"
 #include "signal/window_set.hpp"
 
 namespace piae::diagnosis {
@@ -16,17 +18,18 @@ struct Classifier {
   const char* name;   ///< the name in CLASSIFIERS, in folders and in tables
   const char* what;   ///< what it is, in one phrase
   const char* input;  ///< what it is shown of a window
-  /// Windows as WDCNN sees them, in which `what` names the set in errors; null for what is no
-  /// WDCNN, which has `ask` instead.
-  LabelledWindows (*represent)(const signal::WindowSet& windows, const std::string& what) = nullptr;
+  /// Of a WDCNN; null for what is none, which has `learn` and `read` instead.
+  Represent represent = nullptr;
   /// Learns from healthy windows alone: it needs no fault window, known or generated, and is run
   /// with `none` only.
   bool rule = false;
-  /// What any other says of the test windows. `normal` is B, and `training` all that there is to
-  /// learn from, B first. Of one that is not trained there are predictions and scores alone.
-  WdcnnResult (*ask)(const signal::WindowSet& normal, const signal::WindowSet& training,
-                     const signal::WindowSet& test, const Stream& stream,
-                     const EpochDone& epoch_done) = nullptr;
+  /// How any other learns. `normal` is B, and `training` all that there is to learn from, B first.
+  Learned (*learn)(const signal::WindowSet& normal, const signal::WindowSet& training,
+                   const Stream& stream, const EpochDone& epoch_done) = nullptr;
+  /// What it had written of itself when it had learned from windows of that data set, `length`
+  /// samples each.
+  std::unique_ptr<Trained> (*read)(const artefact::Reader& reader, const signal::DatasetInfo& info,
+                                   std::size_t length) = nullptr;
   std::int64_t own_epochs = 0;  ///< of what is trained and is no WDCNN
 
   [[nodiscard]] bool trains() const { return represent != nullptr || own_epochs > 0; }

@@ -6,7 +6,6 @@
 
 #include "base/error.hpp"
 #include "diagnosis/cross_entropy.hpp"
-#include "symptoms/baseline.hpp"
 #include "symptoms/measures.hpp"
 
 namespace piae::diagnosis {
@@ -50,6 +49,11 @@ void require_one_class_a_kind(const DatasetInfo& info) {
   }
 }
 
+std::vector<symptoms::Measures> measured(const signal::WindowSet& normal) {
+  require_one_class_a_kind(normal.info);
+  return symptoms::measure(normal, "--normal");
+}
+
 }  // namespace
 
 std::vector<float> evidence(const DatasetInfo& info, const Findings& findings, Rule rule) {
@@ -66,26 +70,28 @@ std::vector<float> evidence(const DatasetInfo& info, const Findings& findings, R
   return evidence;
 }
 
-RuleAnswer classify_by_rule(const signal::WindowSet& normal, const signal::WindowSet& test,
-                            Rule rule) {
-  const DatasetInfo& info = test.info;
-  require_one_class_a_kind(info);
-  const std::vector<symptoms::Measures> healthy = symptoms::measure(normal, "--normal");
-  const std::vector<symptoms::Measures> asked = symptoms::measure(test, "--test");
-  symptoms::Baselines baselines(normal, healthy);
-  const std::size_t classes = info.classes.size();
-  RuleAnswer answer;
-  answer.scores.resize(test.size() * classes);
-  answer.predictions.resize(test.size());
-  for (std::size_t i = 0; i < test.size(); ++i) {
-    const symptoms::Baseline& baseline = baselines.at(test.speed_rpm(i));
+TrainedRule::TrainedRule(const signal::WindowSet& normal, Rule rule)
+    : rule_(rule), baselines_(normal, measured(normal)) {}
+
+TrainedRule::TrainedRule(const artefact::Reader& reader, const DatasetInfo& info, Rule rule)
+    : rule_(rule), baselines_(symptoms::Baselines::read(reader, learned, info.sample_rate_hz)) {}
+
+WdcnnOutputs TrainedRule::outputs(const signal::WindowSet& windows, const std::string& what) {
+  const std::vector<symptoms::Measures> asked = symptoms::measure(windows, what);
+  const std::size_t classes = windows.info.classes.size();
+  WdcnnOutputs all;
+  all.scores.resize(windows.size() * classes);
+  for (std::size_t i = 0; i < windows.size(); ++i) {
+    const symptoms::Baseline& baseline = baselines_.at(windows.speed_rpm(i));
     const Findings findings{.excesses = baseline.excesses(asked[i]),
                             .novelty = baseline.novelty().of(asked[i].shape_db)};
-    float* const scores = answer.scores.data() + i * classes;
-    softmax(static_cast<std::int64_t>(classes), evidence(info, findings, rule).data(), scores);
-    answer.predictions[i] = static_cast<Label>(std::max_element(scores, scores + classes) - scores);
+    const std::vector<float> logits = evidence(windows.info, findings, rule_);
+    softmax(static_cast<std::int64_t>(classes), logits.data(), all.scores.data() + i * classes);
+    all.logits.insert(all.logits.end(), logits.begin(), logits.end());
   }
-  return answer;
+  return all;
 }
+
+void TrainedRule::write(artefact::Writer& writer) const { baselines_.write(writer, learned); }
 
 }  // namespace piae::diagnosis

@@ -3,8 +3,10 @@
 #include <array>
 #include <vector>
 
-#include "base/label.hpp"
+#include "artefact/reader.hpp"
+#include "diagnosis/trained.hpp"
 #include "signal/window_set.hpp"
+#include "symptoms/baseline.hpp"
 #include "symptoms/line_heights.hpp"
 
 namespace piae::diagnosis {
@@ -35,15 +37,21 @@ enum class Rule {
 /// a kind is its excess, that for healthy 5, and that for what exclusion names 5 times the novelty.
 std::vector<float> evidence(const signal::DatasetInfo& info, const Findings& findings, Rule rule);
 
-/// What a rule says of test windows.
-struct RuleAnswer {
-  std::vector<Label> predictions;  ///< [n] the classes of the greatest scores
-  std::vector<float> scores;       ///< row-major [n, classes]: the softmax of the evidence
-};
+/// A rule with the healthy windows that it compares others with.
+class TrainedRule final : public Trained {
+ public:
+  /// Throws Error(bad_input) where a data set has several classes of one kind of defect, between
+  /// which a line does not tell, and as symptoms::measure() and symptoms::Baselines do.
+  TrainedRule(const signal::WindowSet& normal, Rule rule);
+  TrainedRule(const artefact::Reader& reader, const signal::DatasetInfo& info, Rule rule);
 
-/// Throws Error(bad_input) where a data set has several classes of one kind of defect, between
-/// which a line does not tell, and as symptoms::measure() and symptoms::Baselines do.
-RuleAnswer classify_by_rule(const signal::WindowSet& normal, const signal::WindowSet& test,
-                            Rule rule);
+  /// Logits are the evidence.
+  WdcnnOutputs outputs(const signal::WindowSet& windows, const std::string& what) override;
+  void write(artefact::Writer& writer) const override;
+
+ private:
+  Rule rule_;
+  symptoms::Baselines baselines_;
+};
 
 }  // namespace piae::diagnosis

@@ -1,23 +1,34 @@
 #pragma once
 
-#include <cstddef>
 #include <vector>
 
-#include "signal/window_set.hpp"
+#include "diagnosis/neighbours.hpp"
+#include "diagnosis/trained.hpp"
 
 namespace piae::diagnosis {
 
-/// The class of each test window by its nearest neighbour among the training windows: no training,
-/// and the bar that a generator must clear to be worth its name. Windows are compared by the
-/// logarithm of their power in 128 bands of equal width, from which its mean over the bands is
-/// removed, so that neither the level nor the angle at which a window starts counts; the distance
-/// is Euclid's. Of equal distances the first training window counts. Throws Error(bad_input) where
-/// windows are shorter than 256 samples or of another length than those of the test.
-std::vector<Label> classify_by_nearest(const signal::WindowSet& training,
-                                       const signal::WindowSet& test);
+/// The class of a window by its nearest neighbour among the training windows: no training, and the
+/// bar that a generator must clear to be worth its name. Windows are compared by their band powers.
+/// Of equal distances the first training window counts.
+///
+/// Scores are 1 for the named class and 0 for the others, since a neighbour does not say how sure
+/// it is. Logits are minus half the squared distance to the nearest window of each class, as of
+/// Gaussian kernels of unit width about the training windows; a class without one has the least.
+class Nearest final : public Trained {
+ public:
+  /// Throws Error(bad_input) for windows shorter than 256 samples.
+  explicit Nearest(const signal::WindowSet& training);
+  explicit Nearest(const artefact::Reader& reader, const signal::DatasetInfo& info,
+                   std::size_t length);
 
-/// What it says of all classes, row-major [n, classes]: 1 for the named one and 0 for the others,
-/// since a neighbour does not say how sure it is.
-std::vector<float> scores_of_named(const std::vector<Label>& named, std::size_t classes);
+  WdcnnOutputs outputs(const signal::WindowSet& windows, const std::string& what) override;
+  void write(artefact::Writer& writer) const override;
+
+ private:
+  std::size_t length_;
+  std::size_t classes_;
+  std::vector<Label> labels_;  ///< of the training windows
+  Neighbours training_;
+};
 
 }  // namespace piae::diagnosis

@@ -5,7 +5,7 @@
 
 #include "base/label.hpp"
 #include "diagnosis/batches.hpp"
-#include "diagnosis/wdcnn_layers.hpp"
+#include "diagnosis/wdcnn_evaluation.hpp"
 #include "diagnosis/wdcnn_network.hpp"
 #include "nets/adam.hpp"
 
@@ -57,27 +57,10 @@ class OneCoreBackend final : public WdcnnBackend {
   BatchOutcome finish_epoch() override { return sums_; }
 
   WdcnnOutputs outputs(const LabelledWindows& windows) override {
-    const std::size_t classes = windows.classes;
-    WdcnnOutputs all;
-    all.scores.resize(windows.size() * classes);
-    std::vector<const float*> batch;
-    for (std::size_t begin = 0; begin < windows.size(); begin += batch.size()) {
-      batch.clear();
-      const auto end = std::min(windows.size(), begin + static_cast<std::size_t>(most_windows_));
-      for (std::size_t i = begin; i < end; ++i) {
-        batch.push_back(windows.samples.data() + i * windows.length);
-      }
-      const float* logits = network_.forward(batch, Network::Mode::evaluation);
-      const float* hidden = network_.hidden();
-      for (std::size_t i = begin; i < end; ++i, logits += network_.logits_row()) {
-        softmax(static_cast<std::int64_t>(classes), logits, all.scores.data() + i * classes);
-        all.logits.insert(all.logits.end(), logits, logits + classes);
-        all.hidden.insert(all.hidden.end(), hidden, hidden + WdcnnLayers::hidden);
-        hidden += network_.hidden_row();
-      }
-    }
-    return all;
+    return outputs_of(network_, most_windows_, windows);
   }
+
+  [[nodiscard]] WdcnnWeights weights() const override { return network_.weights(); }
 
  private:
   LabelledWindows train_;

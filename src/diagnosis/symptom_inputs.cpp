@@ -41,60 +41,83 @@ auto row(const symptoms::Symptoms& symptoms) {
   return Eigen::Map<const Eigen::RowVectorXd>(symptoms.data(), std::ssize(symptoms));
 }
 
-SymptomRows rows_of_healthy(const signal::WindowSet& normal, const std::vector<Measures>& measures,
-                            symptoms::Baselines& baselines) {
-  SymptomRows rows(normal.size(), SymptomRows::ColsAtCompileTime);
-  for (std::size_t i = 0; i < normal.size(); ++i) {
-    rows.row(static_cast<Index>(i)) =
-        row(symptoms_of(measures[i], baselines.at(normal.speed_rpm(i)), baselines.left_out(i)));
-  }
-  return rows;
-}
-
-SymptomRows rows_of(const signal::WindowSet& windows, const std::string& what,
-                    symptoms::Baselines& baselines) {
-  const std::vector<Measures> measures = symptoms::measure(windows, what);
+/// The symptoms of windows, of which `novelty` says how new window i is against its baseline.
+template <class NoveltyOf>
+SymptomRows symptom_rows(const signal::WindowSet& windows, const std::vector<Measures>& measures,
+                         symptoms::Baselines& baselines, const NoveltyOf& novelty) {
   SymptomRows rows(windows.size(), SymptomRows::ColsAtCompileTime);
   for (std::size_t i = 0; i < windows.size(); ++i) {
     const symptoms::Baseline& baseline = baselines.at(windows.speed_rpm(i));
-    rows.row(static_cast<Index>(i)) =
-        row(symptoms_of(measures[i], baseline, baseline.novelty().of(measures[i].shape_db)));
+    rows.row(static_cast<Index>(i)) = row(symptoms_of(measures[i], baseline, novelty(baseline, i)));
   }
   return rows;
-}
-
-void standardise(SymptomInputs& inputs) {
-  const Eigen::RowVectorXd mean = inputs.training.colwise().mean();
-  const Eigen::RowVectorXd deviation = ((inputs.training.rowwise() - mean).colwise().squaredNorm() /
-                                        static_cast<double>(inputs.training.rows()))
-                                           .cwiseSqrt()
-                                           .array() +
-                                       least_deviation;
-  for (SymptomRows* const rows : {&inputs.training, &inputs.test}) {
-    *rows = ((rows->rowwise() - mean).array().rowwise() / deviation.array())
-                .max(-farthest)
-                .min(farthest);
-  }
 }
 
 }  // namespace
 
-SymptomInputs symptom_inputs(const signal::WindowSet& normal, const signal::WindowSet& training,
-                             const signal::WindowSet& test) {
+SymptomScale::SymptomScale(const signal::WindowSet& normal, const signal::WindowSet& training)
+    : SymptomScale(normal, training, symptoms::measure(normal, "--normal")) {}
+
+SymptomScale::SymptomScale(const signal::WindowSet& normal, const signal::WindowSet& training,
+                           const std::vector<Measures>& of_normal)
+    : baselines_(normal, of_normal), labels_(normal.labels) {
   const signal::WindowSet faults = fault_windows(training);
   require_speeds(faults);
-  const std::vector<Measures> healthy = symptoms::measure(normal, "--normal");
-  symptoms::Baselines baselines(normal, healthy);
-  SymptomInputs inputs;
-  const SymptomRows of_healthy = rows_of_healthy(normal, healthy, baselines);
-  const SymptomRows of_faults = rows_of(faults, "training set", baselines);
-  inputs.training.resize(of_healthy.rows() + of_faults.rows(), Eigen::NoChange);
-  inputs.training << of_healthy, of_faults;
-  inputs.labels = normal.labels;
-  inputs.labels.insert(inputs.labels.end(), faults.labels.begin(), faults.labels.end());
-  inputs.test = rows_of(test, "--test", baselines);
-  standardise(inputs);
-  return inputs;
+  const SymptomRows healthy = symptom_rows(
+      normal, of_normal, baselines_, [&](const symptoms::Baseline& /*baseline*/, std::size_t i) {
+        return baselines_.left_out(i);
+      });
+  const SymptomRows faulty = raw_rows_of(faults, "training set");
+  SymptomRows rows(healthy.rows() + faulty.rows(), SymptomRows::ColsAtCompileTime);
+  rows << healthy, faulty;
+  labels_.insert(labels_.end(), faults.labels.begin(), faults.labels.end());
+  mean_ = rows.colwise().mean();
+  deviation_ = ((rows.rowwise() - mean_).colwise().squaredNorm() / static_cast<double>(rows.rows()))
+                   .cwiseSqrt()
+                   .array() +
+               least_deviation;
+  training_ = scaled(rows);
+}
+
+SymptomScale::SymptomScale(const artefact::Reader& reader, const std::string& group, double rate_hz)
+    : baselines_(symptoms::Baselines::read(reader, group, rate_hz)) {
+  const auto read = [&](const char* name) {
+    const auto values =
+        reader.numbers<double>(group + "/" + name, {symptoms::number_of_symptoms}).values;
+    return Row(Eigen::Map<const Row>(values.data(), std::ssize(values)));
+  };
+  mean_ = read("mean");
+  deviation_ = read("deviation");
+  if (!(deviation_.minCoeff() > 0)) {
+    reader.refuse(group + "/deviation", "has a value that is not above 0");
+  }
+}
+
+SymptomRows SymptomScale::raw_rows_of(const signal::WindowSet& windows, const std::string& what) {
+  const std::vector<Measures> measures = symptoms::measure(windows, what);
+  return symptom_rows(windows, measures, baselines_,
+                      [&](const symptoms::Baseline& baseline, std::size_t i) {
+                        return baseline.novelty().of(measures[i].shape_db);
+                      });
+}
+
+SymptomRows SymptomScale::scaled(const SymptomRows& rows) const {
+  return ((rows.rowwise() - mean_).array().rowwise() / deviation_.array())
+      .max(-farthest)
+      .min(farthest);
+}
+
+SymptomRows SymptomScale::rows_of(const signal::WindowSet& windows, const std::string& what) {
+  return scaled(raw_rows_of(windows, what));
+}
+
+void SymptomScale::write(artefact::Writer& writer, const std::string& group) const {
+  baselines_.write(writer, group);
+  writer.numbers(group + "/mean", std::span<const double>(mean_.data(), mean_.size()),
+                 {symptoms::number_of_symptoms});
+  writer.numbers(group + "/deviation",
+                 std::span<const double>(deviation_.data(), deviation_.size()),
+                 {symptoms::number_of_symptoms});
 }
 
 }  // namespace piae::diagnosis

@@ -4,9 +4,9 @@
 #include <chrono>
 #include <cmath>
 #include <numbers>
+#include <span>
 #include <string>
-
-#include "diagnosis/symptom_network.hpp"
+#include <utility>
 
 namespace piae::diagnosis {
 
@@ -29,64 +29,75 @@ SymptomRows noisy(const SymptomRows& all, std::span<const std::size_t> chosen, S
   return rows;
 }
 
-void run_symptom_epoch(SymptomNetwork& network, const SymptomInputs& inputs, std::int64_t epoch,
-                       const Stream& stream, WdcnnResult& result) {
+}  // namespace
+
+SymptomNet::SymptomNet(const artefact::Reader& reader, const signal::DatasetInfo& info)
+    : SymptomNet(SymptomScale(reader, learned, info.sample_rate_hz), std::ssize(info.classes),
+                 Stream("overwritten")) {
+  network_.read(reader, learned);
+}
+
+void SymptomNet::run_epoch(std::int64_t epoch, const Stream& stream, Training& training) {
+  const std::vector<Label>& all_labels = scale_.labels();
   Stream own = stream.child("epoch" + std::to_string(epoch));
   Stream noise = own.child("noise");
   Stream dropped = own.child("dropout");
-  const std::vector<std::size_t> order = own.permutation(inputs.labels.size());
+  const std::vector<std::size_t> order = own.permutation(all_labels.size());
   constexpr auto batch = static_cast<std::size_t>(SymptomTraining::batch);
   BatchOutcome sums;
   for (std::size_t begin = 0; begin < order.size(); begin += batch) {
     const auto chosen = std::span(order).subspan(begin, std::min(batch, order.size() - begin));
     std::vector<Label> labels(chosen.size());
-    std::ranges::transform(chosen, labels.begin(), [&](std::size_t i) { return inputs.labels[i]; });
-    const BatchOutcome outcome = network.step(noisy(inputs.training, chosen, noise), labels,
-                                              learning_rate_in(epoch), dropped);
+    std::ranges::transform(chosen, labels.begin(), [&](std::size_t i) { return all_labels[i]; });
+    const BatchOutcome outcome = network_.step(noisy(scale_.training(), chosen, noise), labels,
+                                               learning_rate_in(epoch), dropped);
     sums.loss += outcome.loss;
     sums.correct += outcome.correct;
   }
   const auto n = static_cast<double>(order.size());
-  result.loss.push_back(sums.loss / n);
-  result.train_accuracy.push_back(static_cast<double>(sums.correct) / n);
+  training.loss.push_back(sums.loss / n);
+  training.train_accuracy.push_back(static_cast<double>(sums.correct) / n);
 }
 
-void test_network(SymptomNetwork& network, const SymptomRows& test, std::int64_t classes,
-                  WdcnnResult& result) {
-  for (Index i = 0; i < test.rows(); ++i) {
-    const SymptomNetwork::Outputs outputs = network.outputs(test.row(i));
-    std::vector<float> logits(outputs.logits.data(), outputs.logits.data() + classes);
+Training SymptomNet::train(const Stream& stream, const EpochDone& epoch_done) {
+  Training training;
+  const auto start = std::chrono::steady_clock::now();
+  for (std::int64_t epoch = 1; epoch <= SymptomTraining::epochs; ++epoch) {
+    run_epoch(epoch, stream, training);
+    if (epoch_done) epoch_done(epoch, training.loss.back());
+  }
+  training.seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return training;
+}
+
+WdcnnOutputs SymptomNet::outputs(const signal::WindowSet& windows, const std::string& what) {
+  const SymptomRows rows = scale_.rows_of(windows, what);
+  WdcnnOutputs all;
+  for (Index i = 0; i < rows.rows(); ++i) {
+    const SymptomNetwork::Outputs outputs = network_.outputs(rows.row(i));
+    std::vector<float> logits(outputs.logits.data(), outputs.logits.data() + classes_);
     std::vector<float> scores(logits.size());
-    softmax(classes, logits.data(), scores.data());
-    const auto named = std::ranges::max_element(scores) - scores.begin();
-    result.predictions.push_back(static_cast<Label>(named));
-    WdcnnOutputs& all = result.outputs;
+    softmax(classes_, logits.data(), scores.data());
     all.hidden.insert(all.hidden.end(), outputs.hidden.data(),
                       outputs.hidden.data() + SymptomNetwork::hidden);
     all.logits.insert(all.logits.end(), logits.begin(), logits.end());
     all.scores.insert(all.scores.end(), scores.begin(), scores.end());
   }
+  return all;
 }
 
-}  // namespace
+void SymptomNet::write(artefact::Writer& writer) const {
+  scale_.write(writer, learned);
+  network_.write(writer, learned);
+}
 
-WdcnnResult train_and_test_symptoms(const signal::WindowSet& normal,
-                                    const signal::WindowSet& training,
-                                    const signal::WindowSet& test, const Stream& stream,
-                                    const EpochDone& epoch_done) {
-  const SymptomInputs inputs = symptom_inputs(normal, training, test);
-  const auto classes = static_cast<std::int64_t>(test.info.classes.size());
-  SymptomNetwork network(classes, SymptomTraining::batch, stream.child("initial"));
-  WdcnnResult result;
-  const auto start = std::chrono::steady_clock::now();
-  for (std::int64_t epoch = 1; epoch <= SymptomTraining::epochs; ++epoch) {
-    run_symptom_epoch(network, inputs, epoch, stream, result);
-    if (epoch_done) epoch_done(epoch, result.loss.back());
-  }
-  result.training_seconds =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  test_network(network, inputs.test, classes, result);
-  return result;
+Learned train_symptom_net(const signal::WindowSet& normal, const signal::WindowSet& training,
+                          const Stream& stream, const EpochDone& epoch_done) {
+  auto net = std::make_unique<SymptomNet>(
+      SymptomScale(normal, training), std::ssize(training.info.classes), stream.child("initial"));
+  Training course = net->train(stream, epoch_done);
+  return {.trained = std::move(net), .training = std::move(course)};
 }
 
 }  // namespace piae::diagnosis

@@ -1,7 +1,9 @@
 #pragma once
 
 #include "base/random.hpp"
-#include "diagnosis/wdcnn.hpp"
+#include "diagnosis/symptom_inputs.hpp"
+#include "diagnosis/symptom_network.hpp"
+#include "diagnosis/trained.hpp"
 #include "signal/window_set.hpp"
 
 namespace piae::diagnosis {
@@ -16,14 +18,34 @@ struct SymptomTraining {
   static constexpr double noise = 0.1;  ///< added to the symptoms, in their standard deviations
 };
 
-/// Trains the network symptom-net (symptom_network.hpp) on the symptoms (symptom_inputs.hpp) of B
-/// and of all fault windows in `training`, and tries that of the last epoch on the test windows.
-/// Initial values come from stream.child("initial"); order, noise and dropout of epoch e, counted
-/// from 1, from stream.child("epoch<e>") and its children "noise" and "dropout". Throws as
-/// symptom_inputs() does.
-WdcnnResult train_and_test_symptoms(const signal::WindowSet& normal,
-                                    const signal::WindowSet& training,
-                                    const signal::WindowSet& test, const Stream& stream,
-                                    const EpochDone& epoch_done = {});
+/// The network symptom-net (symptom_network.hpp) with the scale of its symptoms.
+class SymptomNet final : public Trained {
+ public:
+  SymptomNet(SymptomScale scale, std::int64_t classes, const Stream& initial)
+      : scale_(std::move(scale)),
+        classes_(classes),
+        network_(classes, SymptomTraining::batch, initial) {}
+  SymptomNet(const artefact::Reader& reader, const signal::DatasetInfo& info);
+
+  /// Order, noise and dropout of epoch e, counted from 1, come from stream.child("epoch<e>") and
+  /// its children "noise" and "dropout".
+  Training train(const Stream& stream, const EpochDone& epoch_done);
+
+  WdcnnOutputs outputs(const signal::WindowSet& windows, const std::string& what) override;
+  void write(artefact::Writer& writer) const override;
+
+ private:
+  void run_epoch(std::int64_t epoch, const Stream& stream, Training& training);
+
+  SymptomScale scale_;
+  std::int64_t classes_;
+  SymptomNetwork network_;
+};
+
+/// Trains it on the symptoms (symptom_inputs.hpp) of B and of all fault windows in `training`. It
+/// is that of the last epoch. Initial values come from stream.child("initial"). Throws as
+/// SymptomScale does.
+Learned train_symptom_net(const signal::WindowSet& normal, const signal::WindowSet& training,
+                          const Stream& stream, const EpochDone& epoch_done = {});
 
 }  // namespace piae::diagnosis

@@ -2,6 +2,8 @@
 
 #include <vector>
 
+#include "nets/stored_parameters.hpp"
+
 namespace piae::diagnosis {
 
 namespace {
@@ -63,6 +65,16 @@ BatchOutcome SymptomNetwork::step(const SymptomRows& batch, std::span<const Labe
     layer->take(adam, 1, {.of_weights = rows, .of_biases = rows});
   }
   return outcome;
+}
+
+void SymptomNetwork::write(artefact::Writer& writer, const std::string& group) const {
+  nets::write_parameters(writer, group, both_layers(classes_),
+                         parameters_->read(nets::Parameters<double>::Kept::value));
+}
+
+void SymptomNetwork::read(const artefact::Reader& reader, const std::string& group) {
+  parameters_->write(nets::Parameters<double>::Kept::value,
+                     nets::read_parameters(reader, group, both_layers(classes_)));
 }
 
 }  // namespace piae::diagnosis

@@ -4,7 +4,10 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <string>
 
+#include "artefact/reader.hpp"
+#include "artefact/writer.hpp"
 #include "base/random.hpp"
 #include "diagnosis/cross_entropy.hpp"
 #include "diagnosis/symptom_inputs.hpp"
@@ -35,6 +38,11 @@ class SymptomNetwork {
   /// others are scaled up, so that their sum stays as it is on average.
   BatchOutcome step(const SymptomRows& batch, std::span<const Label> labels, double learning_rate,
                     Stream& dropped);
+
+  /// Its parameters as <group>/hidden/0/weight and so on, in single precision.
+  void write(artefact::Writer& writer, const std::string& group) const;
+  /// Throws artefact::Refusal where one is missing or has another shape.
+  void read(const artefact::Reader& reader, const std::string& group);
 
  private:
   using Array = nets::RowArray<double>;

@@ -78,42 +78,26 @@ void require_enough(const WindowSet& generated, Label label, std::size_t needed)
 
 /// The speed of the shaft in a generated window that does not say it, where B and C have one alone:
 /// its middle. Else NaN.
-double unsaid_speed_rpm(const WindowSet& recorded) {
-  std::vector<double> speeds = recorded.shaft_speed_rpm;
-  const std::vector<signal::Condition>& conditions = recorded.info.conditions;
-  std::ranges::transform(conditions, std::back_inserter(speeds),
+double unsaid_speed_rpm(const signal::DatasetInfo& info, std::vector<double> speeds) {
+  std::ranges::transform(info.conditions, std::back_inserter(speeds),
                          &signal::Condition::shaft_speed_rpm);
   const auto [slowest, fastest] = std::ranges::minmax(speeds);
   return symptoms::is_same_speed(slowest, fastest) ? std::midpoint(slowest, fastest)
                                                    : std::numeric_limits<double>::quiet_NaN();
 }
 
-void say_speeds(WindowSet& windows) {
-  std::vector<double> speeds(windows.size());
-  for (std::size_t i = 0; i < windows.size(); ++i) speeds[i] = windows.speed_rpm(i);
-  windows.shaft_speed_rpm = std::move(speeds);
+/// The speed of the shaft in each of these windows.
+void append_speeds(std::vector<double>& speeds, const WindowSet& windows) {
+  for (std::size_t i = 0; i < windows.size(); ++i) speeds.push_back(windows.speed_rpm(i));
 }
 
-/// Appends a window, and the speed of the shaft in it, of which its set may be silent.
-void append_at(double speed_rpm, WindowSet& training, const WindowSet& set, std::size_t i) {
-  std::vector<double> speeds = std::move(training.shaft_speed_rpm);
-  speeds.push_back(speed_rpm);
-  training.append(set, i);
-  training.shaft_speed_rpm = std::move(speeds);
+void append_all(WindowSet& training, const WindowSet& set) {
+  for (std::size_t i = 0; i < set.size(); ++i) training.append(set, i);
 }
 
-void append_first(WindowSet& training, const WindowSet& generated, std::size_t per_class) {
-  const Label healthy = generated.info.healthy_label();
-  const bool silent = generated.shaft_speed_rpm.empty();
-  const double unsaid_rpm = unsaid_speed_rpm(training);
-  for (Label label = 0; index_of(label) < generated.info.classes.size(); ++label) {
-    if (label == healthy) continue;
+void require_enough_of_each(const WindowSet& generated, std::size_t per_class) {
+  for (const Label label : generated.info.fault_labels()) {
     require_enough(generated, label, per_class);
-    const std::vector<std::size_t> indices = generated.indices_of(label);
-    for (std::size_t k = 0; k < per_class; ++k) {
-      const std::size_t i = indices[k];
-      append_at(silent ? unsaid_rpm : generated.speed_rpm(i), training, generated, i);
-    }
   }
 }
 
@@ -140,16 +124,34 @@ WindowSet compose_training_set(const WindowSet& normal, const WindowSet& known,
   require_classes(normal, "--normal", /*healthy=*/true, /*faults=*/false);
   if (known.size() > 0) require_classes(known, "--known", /*healthy=*/false, /*faults=*/true);
   WindowSet training = normal;
-  say_speeds(training);
-  for (std::size_t i = 0; i < known.size(); ++i) {
-    append_at(known.speed_rpm(i), training, known, i);
-  }
+  std::vector<double> speeds_rpm;
+  append_speeds(speeds_rpm, normal);
+  append_all(training, known);
+  append_speeds(speeds_rpm, known);
   if (generated != nullptr) {
     require_alike(*generated, "--generated", normal, "--normal");
     require_classes(*generated, "--generated", /*healthy=*/false, /*faults=*/true);
-    append_first(training, *generated, static_cast<std::size_t>(generated_per_class));
+    const auto per_class = static_cast<std::size_t>(generated_per_class);
+    require_enough_of_each(*generated, per_class);
+    const bool silent = generated->shaft_speed_rpm.empty();
+    const double unsaid_rpm = unsaid_speed_rpm(normal.info, speeds_rpm);
+    for (const std::size_t i : first_of_each_fault(*generated, per_class)) {
+      training.append(*generated, i);
+      speeds_rpm.push_back(silent ? unsaid_rpm : generated->speed_rpm(i));
+    }
   }
+  training.shaft_speed_rpm = std::move(speeds_rpm);
   return training;
+}
+
+std::vector<std::size_t> first_of_each_fault(const WindowSet& generated, std::size_t per_class) {
+  std::vector<std::size_t> first;
+  for (const Label label : generated.info.fault_labels()) {
+    const std::vector<std::size_t> own = generated.indices_of(label);
+    const std::size_t count = std::min(per_class, own.size());
+    first.insert(first.end(), own.begin(), own.begin() + static_cast<std::ptrdiff_t>(count));
+  }
+  return first;
 }
 
 void require_faults(const WindowSet& training, const Classifier& classifier,

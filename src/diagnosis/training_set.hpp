@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <vector>
 
 #include "diagnosis/catalogue.hpp"
 #include "signal/window_set.hpp"
@@ -19,6 +21,10 @@ signal::WindowSet compose_training_set(const signal::WindowSet& normal,
                                        const signal::WindowSet& known,
                                        const signal::WindowSet* generated,
                                        std::int64_t generated_per_class);
+
+/// Which windows of E these are: of each fault class the first ones, class by class.
+std::vector<std::size_t> first_of_each_fault(const signal::WindowSet& generated,
+                                             std::size_t per_class);
 
 /// Throws Error(bad_input), which names the file of C, where the training set has no fault window
 /// and the classifier is not a rule.

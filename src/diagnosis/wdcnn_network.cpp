@@ -225,6 +225,41 @@ BatchOutcome WdcnnNetwork<T>::backward(std::span<const Label> labels) {
   return outcome;
 }
 
+template <class T>
+WdcnnWeights WdcnnNetwork<T>::weights() const {
+  WdcnnWeights weights{.length = length_,
+                       .classes = number_of_classes_,
+                       .parameters = {},
+                       .running_means = {},
+                       .running_variances = {}};
+  for (const WdcnnParameter& parameter : layout_) {
+    parameter.for_each([&](std::int64_t /*i*/, std::int64_t j) {
+      weights.parameters.push_back(static_cast<float>(values_[j]));
+    });
+  }
+  for (std::size_t i = 0; i < layers_.size(); ++i) {
+    const auto without_filling = [&](std::span<const T> all) {
+      const std::span<const T> channels = all.first(layer_channels(i));
+      return std::vector<float>(channels.begin(), channels.end());
+    };
+    weights.running_means.push_back(without_filling(running_mean(i)));
+    weights.running_variances.push_back(without_filling(running_variance(i)));
+  }
+  return weights;
+}
+
+template <class T>
+void WdcnnNetwork<T>::set(const WdcnnWeights& weights) {
+  auto next = weights.parameters.begin();
+  for (const WdcnnParameter& parameter : layout_) {
+    parameter.for_each([&](std::int64_t /*i*/, std::int64_t j) { values_[j] = *next++; });
+  }
+  for (std::size_t i = 0; i < layers_.size(); ++i) {
+    std::ranges::copy(weights.running_means.at(i), layers_[i].running_mean.begin());
+    std::ranges::copy(weights.running_variances.at(i), layers_[i].running_variance.begin());
+  }
+}
+
 template class WdcnnNetwork<float>;
 template class WdcnnNetwork<double>;
 

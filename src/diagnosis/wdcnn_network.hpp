@@ -13,6 +13,7 @@
 #include "diagnosis/cross_entropy.hpp"
 #include "diagnosis/time_convolution.hpp"
 #include "diagnosis/wdcnn_layout.hpp"
+#include "diagnosis/wdcnn_weights.hpp"
 
 namespace piae::diagnosis {
 
@@ -59,6 +60,11 @@ class WdcnnNetwork {
   [[nodiscard]] std::span<const T> running_variance(std::size_t i) const {
     return span_of(layers_.at(i).running_variance);
   }
+
+  /// All that it has learned, rounded to single precision.
+  [[nodiscard]] WdcnnWeights weights() const;
+  /// Sets what weights() gives, of a network of the same length and classes.
+  void set(const WdcnnWeights& weights);
 
  private:
   using Numbers = Eigen::ArrayX<T>;  // begins at the boundary of a vector register

@@ -2,8 +2,6 @@
 
 #include <cmath>
 
-#include "diagnosis/wdcnn_layers.hpp"
-
 namespace piae::diagnosis {
 
 namespace {
@@ -22,6 +20,12 @@ void add_normalised_layer(std::vector<nets::ParameterSpec>& specs, const std::st
 
 std::string layer_name(std::size_t i) {
   return i < WdcnnLayers::convolutions.size() ? "conv" + std::to_string(i + 1) : "dense";
+}
+
+std::size_t layer_channels(std::size_t i) {
+  return static_cast<std::size_t>(i < WdcnnLayers::convolutions.size()
+                                      ? WdcnnLayers::convolutions[i].outputs
+                                      : WdcnnLayers::hidden);
 }
 
 std::vector<nets::ParameterSpec> wdcnn_parameters(std::int64_t length, std::int64_t classes) {

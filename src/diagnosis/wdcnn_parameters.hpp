@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "diagnosis/wdcnn_layers.hpp"
 #include "nets/parameter_spec.hpp"
 
 namespace piae::diagnosis {
@@ -12,6 +13,10 @@ namespace piae::diagnosis {
 /// The name of the i-th layer with batch normalisation: "conv1" to "conv5" for 0 to 4, "dense"
 /// for 5.
 std::string layer_name(std::size_t i);
+
+/// How many layers have batch normalisation, and how many channels each of them has.
+inline constexpr std::size_t layers_with_normalisation = WdcnnLayers::convolutions.size() + 1;
+std::size_t layer_channels(std::size_t i);
 
 /// The parameters of WDCNN for windows of `length` samples. For conv1 to conv5: conv1/weight
 /// [outputs, inputs, width], and conv1/scale and conv1/shift [outputs] of its batch normalisation.

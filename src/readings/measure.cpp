@@ -51,7 +51,9 @@ class Cell {
 double nearest_accuracy(const diagnosis::Inputs& inputs, const scoring::Ratio& ratio) {
   const signal::WindowSet training = diagnosis::compose_training_set(
       inputs.normal, inputs.known, &*inputs.generated, ratio.generated_per_class);
-  const std::vector<Label> named = diagnosis::classify_by_nearest(training, inputs.test);
+  const std::vector<Label> named =
+      diagnosis::most_likely(diagnosis::Nearest(training).outputs(inputs.test, "--test").scores,
+                             training.info.classes.size());
   std::size_t right = 0;
   for (std::size_t i = 0; i < named.size(); ++i) right += named[i] == inputs.test.labels[i];
   return 100.0 * static_cast<double>(right) / static_cast<double>(named.size());

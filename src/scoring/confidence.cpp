@@ -7,15 +7,19 @@
 
 namespace piae::scoring {
 
-std::vector<Judgement> judgements_of(const DiagnosisRecord& record) {
+std::vector<Judgement> judgements_of(std::span<const float> scores, std::span<const Label> named,
+                                     std::span<const Label> labels) {
   std::vector<Judgement> all;
-  all.reserve(record.labels.size());
-  const std::size_t classes = record.info.classes.size();
-  for (std::size_t i = 0; i < record.labels.size(); ++i) {
-    const auto own = std::span(record.scores).subspan(i * classes, classes);
-    all.push_back({std::ranges::max(own), record.predictions[i] == record.labels[i]});
+  all.reserve(labels.size());
+  const std::size_t classes = scores.size() / labels.size();
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    all.push_back({std::ranges::max(scores.subspan(i * classes, classes)), named[i] == labels[i]});
   }
   return all;
+}
+
+std::vector<Judgement> judgements_of(const DiagnosisRecord& record) {
+  return judgements_of(record.scores, record.predictions, record.labels);
 }
 
 Confidence confidence_of(const DiagnosisRecord& record) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "scoring/calibration.hpp"
@@ -22,7 +23,11 @@ struct Confidence {
   bool tells = false;
 };
 
-/// The largest score of each test window, and whether the class that was named is the true one.
+/// The largest score of each window, row-major [n, classes], and whether the class that was named
+/// is the true one.
+std::vector<Judgement> judgements_of(std::span<const float> scores, std::span<const Label> named,
+                                     std::span<const Label> labels);
+/// Of each test window.
 std::vector<Judgement> judgements_of(const DiagnosisRecord& record);
 
 /// Throws std::logic_error for a diagnosis of no window.

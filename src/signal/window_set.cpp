@@ -1,7 +1,9 @@
 #include "signal/window_set.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <stdexcept>
+#include <utility>
 
 #include "signal/amplitude.hpp"
 #include "signal/ranges.hpp"
@@ -219,6 +221,16 @@ void WindowSet::append(const WindowSet& other, std::size_t i) {
   const std::span<const float> window = other.window(i);
   samples.insert(samples.end(), window.begin(), window.end());
   labels.push_back(other.labels[i]);
+}
+
+std::vector<std::size_t> in_time_order(const WindowSet& windows) {
+  std::vector<std::size_t> order(windows.size());
+  std::iota(order.begin(), order.end(), 0);
+  if (windows.record.empty() || windows.first_sample.empty()) return order;
+  std::ranges::stable_sort(order, {}, [&](std::size_t i) {
+    return std::pair(windows.record[i], windows.first_sample[i]);
+  });
+  return order;
 }
 
 void write(artefact::Writer& writer, const WindowSet& windows) {

@@ -61,6 +61,10 @@ struct WindowSet {
   void append(const WindowSet& other, std::size_t i);
 };
 
+/// [n] the indices of the windows in the order of time: by recording and place there, where these
+/// are known; else as they stand.
+std::vector<std::size_t> in_time_order(const WindowSet& windows);
+
 /// In the artefact: /windows float32 [n, length], /labels, and where known /record/name,
 /// /record/index, /first_sample, /parameters float64 [n, 2] (k in N/m, c in N s/m), /condition,
 /// /shaft_speed_rpm, /defect_size_mm and /start_angle_rad; all strikes, window after window:

@@ -6,6 +6,9 @@
 
 namespace piae::symptoms {
 
+/// The bands of a spectrum's shape.
+inline constexpr Eigen::Index spectral_shape_bands = 48;
+
 /// The mean power of one window in 48 bands of equal width between 1/60 and 59/60 of half the
 /// sample rate (100 to 5900 Hz at 12 kHz), in dB, less its mean over the bands: the shape of the
 /// spectrum, not how loud it is. The window is tapered by Hann's window. Throws Error(bad_input)

@@ -4,9 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
+#include <iterator>
+#include <numeric>
 
 #include "base/error.hpp"
+#include "signal/ranges.hpp"
+#include "symptoms/band_levels.hpp"
+#include "symptoms/bands.hpp"
 
 namespace piae::symptoms {
 
@@ -24,12 +28,6 @@ Eigen::ArrayXXd rows_of(const std::vector<const Measures*>& windows, Row row) {
     rows.row(static_cast<Eigen::Index>(i)) = (windows[i]->*row).transpose();
   }
   return rows;
-}
-
-/// Where a window was cut, where that is known: windows so ordered are in the order of time.
-std::tuple<std::int32_t, std::int64_t> place_of(const signal::WindowSet& windows, std::size_t i) {
-  if (windows.record.empty() || windows.first_sample.empty()) return {};
-  return {windows.record[i], windows.first_sample[i]};
 }
 
 }  // namespace
@@ -63,41 +61,92 @@ bool is_same_speed(double speed_rpm, double other_rpm) {
   return std::abs(speed_rpm - other_rpm) <= equal_speeds * other_rpm;
 }
 
-Baselines::Baselines(const signal::WindowSet& windows, const std::vector<Measures>& measures)
-    : windows_(&windows),
-      measures_(&measures),
-      healthy_(windows.indices_of(windows.info.healthy_label())) {
-  if (healthy_.size() < fewest_healthy) {
+Baselines::Baselines(const signal::WindowSet& windows, const std::vector<Measures>& measures) {
+  const Label healthy = windows.info.healthy_label();
+  if (windows.count_of(healthy) < fewest_healthy) {
     throw Error(Exit::bad_input,
                 fmt::format("{} healthy windows are too few to compare others with; {} or more "
                             "would do",
-                            healthy_.size(), fewest_healthy));
+                            windows.count_of(healthy), fewest_healthy));
   }
-  std::ranges::stable_sort(healthy_, {}, [&](std::size_t i) { return place_of(windows, i); });
+  for (const std::size_t i : signal::in_time_order(windows)) {
+    if (windows.labels[i] != healthy) continue;
+    places_.emplace(i, measures_.size());
+    speeds_rpm_.push_back(windows.speed_rpm(i));
+    measures_.push_back(measures[i]);
+  }
 }
 
 Baselines::Indices Baselines::near(double speed_rpm) const {
+  Indices all(measures_.size());
+  std::iota(all.begin(), all.end(), 0);
   Indices alike;
-  std::ranges::copy_if(healthy_, std::back_inserter(alike), [&](std::size_t i) {
-    return is_same_speed(windows_->speed_rpm(i), speed_rpm);
-  });
-  return alike.size() < fewest_healthy ? healthy_ : alike;
+  std::ranges::copy_if(all, std::back_inserter(alike),
+                       [&](std::size_t i) { return is_same_speed(speeds_rpm_[i], speed_rpm); });
+  return alike.size() < fewest_healthy ? all : alike;
 }
 
 const Baseline& Baselines::of(const Indices& healthy) {
   const auto made = made_.find(healthy);
   if (made != made_.end()) return made->second;
   std::vector<const Measures*> rows(healthy.size());
-  std::ranges::transform(healthy, rows.begin(), [&](std::size_t i) { return &(*measures_)[i]; });
+  std::ranges::transform(healthy, rows.begin(), [&](std::size_t i) { return &measures_[i]; });
   return made_.emplace(healthy, rows).first->second;
 }
 
 const Baseline& Baselines::at(double speed_rpm) { return of(near(speed_rpm)); }
 
 double Baselines::left_out(std::size_t window) {
-  const Indices alike = near(windows_->speed_rpm(window));
-  const auto place = std::ranges::find(alike, window) - alike.begin();
+  const std::size_t own = places_.at(window);
+  const Indices alike = near(speeds_rpm_[own]);
+  const auto place = std::ranges::find(alike, own) - alike.begin();
   return of(alike).novelty().of_healthy()[place];
+}
+
+void Baselines::write(artefact::Writer& writer, const std::string& group) const {
+  std::vector<double> lines;
+  std::vector<double> shapes;
+  std::vector<double> levels;
+  for (const Measures& window : measures_) {
+    lines.insert(lines.end(), window.lines.begin(), window.lines.end());
+    shapes.insert(shapes.end(), window.shape_db.begin(), window.shape_db.end());
+    levels.insert(levels.end(), window.levels_db.begin(), window.levels_db.end());
+  }
+  const std::size_t n = measures_.size();
+  writer.numbers(group + "/speed_rpm", speeds_rpm_);
+  writer.numbers(group + "/lines", lines, {n, number_of_kinds});
+  writer.numbers(group + "/shape_db", shapes, {n, shapes.size() / n});
+  writer.numbers(group + "/levels_db", levels, {n, levels.size() / n});
+}
+
+Baselines Baselines::read(const artefact::Reader& reader, const std::string& group,
+                          double rate_hz) {
+  Baselines read;
+  read.speeds_rpm_ = reader.numbers<double>(group + "/speed_rpm", {0}).values;
+  reader.require_all(group + "/speed_rpm", read.speeds_rpm_, signal::ranges::shaft_speed_rpm);
+  const std::size_t n = read.speeds_rpm_.size();
+  if (n < fewest_healthy) {
+    reader.refuse(group + "/speed_rpm",
+                  fmt::format("has {} healthy windows, needs {} or more", n, fewest_healthy));
+  }
+  const auto lines = reader.numbers<double>(group + "/lines", {n, number_of_kinds}).values;
+  const auto shapes =
+      reader.numbers<double>(group + "/shape_db", {n, std::size_t{spectral_shape_bands}});
+  const auto levels =
+      reader.numbers<double>(group + "/levels_db", {n, narrow_bands(rate_hz).size()});
+  const auto row_of = [](const artefact::Array<double>& rows, std::size_t i) {
+    const auto columns = static_cast<Eigen::Index>(rows.shape[1]);
+    return Eigen::Map<const Eigen::ArrayXd>(rows.values.data() + i * rows.shape[1], columns);
+  };
+  for (std::size_t i = 0; i < n; ++i) {
+    Measures window;
+    std::copy_n(lines.begin() + static_cast<std::ptrdiff_t>(i * number_of_kinds), number_of_kinds,
+                window.lines.begin());
+    window.shape_db = row_of(shapes, i);
+    window.levels_db = row_of(levels, i);
+    read.measures_.push_back(window);
+  }
+  return read;
 }
 
 }  // namespace piae::symptoms

@@ -4,8 +4,11 @@
 #include <array>
 #include <cstddef>
 #include <map>
+#include <string>
 #include <vector>
 
+#include "artefact/reader.hpp"
+#include "artefact/writer.hpp"
 #include "signal/window_set.hpp"
 #include "symptoms/measures.hpp"
 #include "symptoms/novelty.hpp"
@@ -43,7 +46,7 @@ bool is_same_speed(double speed_rpm, double other_rpm);
 class Baselines {
  public:
   /// Of the windows of the healthy class in a set, which may hold others; `measures` are of all its
-  /// windows and must outlive this. Throws Error(bad_input) for fewer than eight healthy windows.
+  /// windows. Throws Error(bad_input) for fewer than eight healthy windows.
   Baselines(const signal::WindowSet& windows, const std::vector<Measures>& measures);
 
   /// The baseline of a speed.
@@ -52,14 +55,23 @@ class Baselines {
   /// of its speed is left out.
   double left_out(std::size_t window);
 
+  /// What is compared with, below a group: /speed_rpm [n], /lines [n, 3], /shape_db [n, 48] and
+  /// /levels_db [n, bands] of the healthy windows in the order of time.
+  void write(artefact::Writer& writer, const std::string& group) const;
+  /// Of windows at this sample rate. Throws artefact::Refusal for shapes that cannot be, fewer than
+  /// eight windows, and a speed that cannot be.
+  static Baselines read(const artefact::Reader& reader, const std::string& group, double rate_hz);
+
  private:
   using Indices = std::vector<std::size_t>;
+  Baselines() = default;
   [[nodiscard]] Indices near(double speed_rpm) const;
   const Baseline& of(const Indices& healthy);
 
-  const signal::WindowSet* windows_;
-  const std::vector<Measures>* measures_;
-  Indices healthy_;  ///< in the order of time
+  // The healthy windows in the order of time:
+  std::vector<double> speeds_rpm_;
+  std::vector<Measures> measures_;
+  std::map<std::size_t, std::size_t> places_;  ///< of a window of the set among them
   std::map<Indices, Baseline> made_;
 };
 

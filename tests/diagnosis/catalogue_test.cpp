@@ -40,7 +40,8 @@ TEST(Classifiers, AreTrainedButForTheNearestNeighbourAndTheRules) {
 
 TEST(Classifiers, EachAreAskedInOneWay) {
   for (const Classifier& each : classifiers()) {
-    EXPECT_NE(each.represent == nullptr, each.ask == nullptr) << each.name;
+    EXPECT_NE(each.represent == nullptr, each.learn == nullptr) << each.name;
+    EXPECT_EQ(each.learn == nullptr, each.read == nullptr) << each.name;
   }
 }
 

@@ -58,6 +58,16 @@ TEST(Evidence, OfAKindWithoutAClassDoesNotCount) {
   EXPECT_EQ(named(three_classes(), {{1, 50, 2}, 0.5}, Rule::envelope), "Normal");
 }
 
+WdcnnOutputs asked_by_rule(const signal::WindowSet& normal, const signal::WindowSet& test,
+                           Rule rule) {
+  return TrainedRule(normal, rule).outputs(test, "--test");
+}
+
+std::vector<Label> named_by_rule(const signal::WindowSet& normal, const signal::WindowSet& test,
+                                 Rule rule) {
+  return most_likely(asked_by_rule(normal, test, rule).scores, 3);
+}
+
 class Rules : public testing::Test {
  protected:
   Rules() {
@@ -71,17 +81,18 @@ class Rules : public testing::Test {
 
 TEST_F(Rules, NameTheKindThatIsStruck) {
   for (const Rule rule : {Rule::envelope, Rule::exclusion}) {
-    EXPECT_EQ(classify_by_rule(normal_, test_, rule).predictions, test_.labels);
+    EXPECT_EQ(named_by_rule(normal_, test_, rule), test_.labels);
   }
 }
 
 TEST_F(Rules, ScoreByTheSoftmaxOfTheEvidence) {
-  const RuleAnswer answer = classify_by_rule(normal_, test_, Rule::envelope);
+  const WdcnnOutputs answer = asked_by_rule(normal_, test_, Rule::envelope);
+  const std::vector<Label> named = most_likely(answer.scores, 3);
   ASSERT_EQ(answer.scores.size(), 90U);
   for (std::size_t i = 0; i < 30; ++i) {
     const auto row = std::span(answer.scores).subspan(3 * i, 3);
     EXPECT_NEAR(row[0] + row[1] + row[2], 1, 1e-6);
-    EXPECT_EQ(std::ranges::max_element(row) - row.begin(), answer.predictions[i]);
+    EXPECT_EQ(std::ranges::max_element(row) - row.begin(), named[i]);
   }
   EXPECT_LT(answer.scores[0], 1);               // healthy, by some deviations
   EXPECT_GT(answer.scores[3 * 10 + 1], 0.999);  // inner, by many
@@ -89,7 +100,7 @@ TEST_F(Rules, ScoreByTheSoftmaxOfTheEvidence) {
 
 TEST_F(Rules, DoNotCareHowLoudAWindowIs) {
   for (float& sample : test_.samples) sample = 20 * sample + 3;
-  EXPECT_EQ(classify_by_rule(normal_, test_, Rule::exclusion).predictions, test_.labels);
+  EXPECT_EQ(named_by_rule(normal_, test_, Rule::exclusion), test_.labels);
 }
 
 /// Noise of which what is above a quarter of the rate is quieter: x[t] = n[t] + 0.5 n[t - 1].
@@ -103,10 +114,8 @@ TEST_F(Rules, OfExclusionSeeAChangeWithoutALine) {
   add_struck(changed, 0, 10, stream);
   make_duller(changed);
   changed.info.classes[1].defect = signal::Defect::roller;
-  EXPECT_EQ(classify_by_rule(normal_, changed, Rule::envelope).predictions,
-            std::vector<Label>(10, 0));
-  EXPECT_EQ(classify_by_rule(normal_, changed, Rule::exclusion).predictions,
-            std::vector<Label>(10, 1));
+  EXPECT_EQ(named_by_rule(normal_, changed, Rule::envelope), std::vector<Label>(10, 0));
+  EXPECT_EQ(named_by_rule(normal_, changed, Rule::exclusion), std::vector<Label>(10, 1));
 }
 
 TEST_F(Rules, CompareWindowsOfOneSpeed) {
@@ -124,16 +133,15 @@ TEST_F(Rules, CompareWindowsOfOneSpeed) {
   for (std::size_t i = 0; i < 40; ++i) normal_.append(dull, i);
   signal::WindowSet asked = no_struck_windows();
   for (std::size_t i = 40; i < 50; ++i) asked.append(dull, i);
-  EXPECT_EQ(classify_by_rule(normal_, asked, Rule::exclusion).predictions,
-            std::vector<Label>(10, 0));
+  EXPECT_EQ(named_by_rule(normal_, asked, Rule::exclusion), std::vector<Label>(10, 0));
   asked.shaft_speed_rpm.assign(10, 1800);
-  const auto at_the_other = classify_by_rule(normal_, asked, Rule::exclusion).predictions;
+  const auto at_the_other = named_by_rule(normal_, asked, Rule::exclusion);
   EXPECT_EQ(std::ranges::count(at_the_other, 0), 0);
 }
 
 TEST_F(Rules, NeedOneClassAKind) {
-  test_.info.classes[2].defect = signal::Defect::inner;
-  EXPECT_ERROR(classify_by_rule(normal_, test_, Rule::envelope), Exit::bad_input,
+  normal_.info.classes[2].defect = signal::Defect::inner;
+  EXPECT_ERROR(named_by_rule(normal_, test_, Rule::envelope), Exit::bad_input,
                "dataset toy has several classes of one kind, IR and OR");
 }
 

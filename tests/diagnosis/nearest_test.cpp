@@ -32,32 +32,52 @@ signal::WindowSet ringing(const std::string& stream_name, int of_each, std::size
   return windows;
 }
 
+std::vector<Label> named_by(const signal::WindowSet& training, const signal::WindowSet& test) {
+  return most_likely(Nearest(training).outputs(test, "--test").scores, 3);
+}
+
 TEST(Nearest, TellsSpectraApartWhateverTheAngleAndTheLevel) {
   const signal::WindowSet test = ringing("test", 20);
-  EXPECT_EQ(classify_by_nearest(ringing("training", 1), test), test.labels);
+  EXPECT_EQ(named_by(ringing("training", 1), test), test.labels);
 }
 
 TEST(Nearest, OfAWindowThatIsAmongThemIsThatWindow) {
   signal::WindowSet training = ringing("training", 4);
   for (std::size_t i = 0; i < training.size(); ++i) training.labels[i] = static_cast<Label>(i % 3);
-  EXPECT_EQ(classify_by_nearest(training, training), training.labels);
+  EXPECT_EQ(named_by(training, training), training.labels);
 }
 
 TEST(Nearest, OfSilentWindowsIsFinite) {
   signal::WindowSet silent = ringing("test", 1);
   std::ranges::fill(silent.samples, 0.0F);
-  EXPECT_EQ(classify_by_nearest(ringing("training", 2), silent).size(), 3U);
+  EXPECT_EQ(named_by(ringing("training", 2), silent).size(), 3U);
 }
 
-TEST(Nearest, SaysOneOfTheNamedClassAndNothingOfTheOthers) {
-  EXPECT_EQ(scores_of_named({2, 0}, 3), (std::vector<float>{0, 0, 1, 1, 0, 0}));
+// The distance of a window to itself is nothing, and to the nearest of another class d.
+TEST(Nearest, ScoresTheNamedClassAloneAndHasHalfSquaredDistancesForLogits) {
+  const signal::WindowSet training = ringing("training", 2);
+  const WdcnnOutputs outputs = Nearest(training).outputs(training, "");
+  const BandPowers bands = band_powers(training);
+  EXPECT_EQ(std::vector<float>(outputs.scores.begin(), outputs.scores.begin() + 3),
+            (std::vector<float>{1, 0, 0}));
+  EXPECT_NEAR(outputs.logits[0], 0, 1e-6);
+  const double to_second = std::min((bands.row(0) - bands.row(2)).squaredNorm(),
+                                    (bands.row(0) - bands.row(3)).squaredNorm());
+  EXPECT_NEAR(outputs.logits[1], -to_second / 2, 1e-5 * to_second);
+}
+
+TEST(Nearest, IsNoNearerToAClassWithoutAWindow) {
+  signal::WindowSet training = ringing("training", 1);
+  training.labels[2] = 0;
+  const WdcnnOutputs outputs = Nearest(training).outputs(training, "");
+  EXPECT_LT(outputs.logits[2], -1e5);
 }
 
 TEST(Nearest, NeedsTwoBinsABandAndEqualLengths) {
-  EXPECT_ERROR(classify_by_nearest(ringing("a", 1, 255), ringing("b", 1, 255)), Exit::bad_input,
-               "windows of 255 and 255 samples");
-  EXPECT_ERROR(classify_by_nearest(ringing("a", 1, 512), ringing("b", 1, 256)), Exit::bad_input,
-               "equal lengths");
+  EXPECT_ERROR(named_by(ringing("a", 1, 255), ringing("b", 1, 255)), Exit::bad_input,
+               "windows of 255 samples");
+  EXPECT_ERROR(named_by(ringing("a", 1, 512), ringing("b", 1, 256)), Exit::bad_input,
+               "both must be the same");
 }
 
 }  // namespace

@@ -11,6 +11,16 @@
 namespace piae::diagnosis {
 namespace {
 
+/// The rows of a scale, and those of windows that are tested.
+struct ScaledRows {
+  ScaledRows(const signal::WindowSet& normal, const signal::WindowSet& all,
+             const signal::WindowSet& tested)
+      : scale(normal, all), training(scale.training()), test(scale.rows_of(tested, "--test")) {}
+  SymptomScale scale;
+  SymptomRows training;
+  SymptomRows test;
+};
+
 class SymptomRowsOf : public testing::Test {
  protected:
   SymptomRowsOf() {
@@ -26,10 +36,10 @@ class SymptomRowsOf : public testing::Test {
 };
 
 TEST_F(SymptomRowsOf, AreStandardisedByTheTrainingWindowsAndClipped) {
-  const SymptomInputs inputs = symptom_inputs(normal_, training_, test_);
+  const ScaledRows inputs(normal_, training_, test_);
   ASSERT_EQ(inputs.training.rows(), 40);
   ASSERT_EQ(inputs.test.rows(), 3);
-  EXPECT_EQ(inputs.labels, training_.labels);
+  EXPECT_EQ(inputs.scale.labels(), training_.labels);
   EXPECT_LE(inputs.training.cwiseAbs().maxCoeff(), 4);
   for (Eigen::Index symptom = 0; symptom < inputs.training.cols(); ++symptom) {
     const auto column = inputs.training.col(symptom);
@@ -42,7 +52,7 @@ TEST_F(SymptomRowsOf, AreStandardisedByTheTrainingWindowsAndClipped) {
 // The largest novelty of a healthy window is 1 / 1.2 when its block is left out. It would be less
 // against a baseline that holds the window itself.
 TEST_F(SymptomRowsOf, HaveOfHealthyWindowsTheNoveltyOfABlockThatIsLeftOut) {
-  const SymptomInputs inputs = symptom_inputs(normal_, training_, normal_);
+  const ScaledRows inputs(normal_, training_, normal_);
   const Eigen::Index novelty = inputs.training.cols() - 1;
   const double left_out = inputs.training.col(novelty).head(20).maxCoeff();
   const double held = inputs.test.col(novelty).maxCoeff();
@@ -73,8 +83,8 @@ class SymptomRowsAtSpeeds : public testing::Test {
   /// Whether windows have the rows in the training that they have when they are tested, where
   /// each is measured at its own speed. They are the training's from `first` on.
   void expect_as_tested(const signal::WindowSet& windows, Eigen::Index first) {
-    const SymptomInputs inputs =
-        symptom_inputs(normal_, compose_training_set(normal_, known_, &generated_, 5), windows);
+    const ScaledRows inputs(normal_, compose_training_set(normal_, known_, &generated_, 5),
+                            windows);
     ASSERT_EQ(inputs.training.rows(), 40);
     EXPECT_LT((inputs.training.middleRows(first, 10) - inputs.test).cwiseAbs().maxCoeff(), 1e-12);
   }
@@ -99,7 +109,7 @@ TEST_F(SymptomRowsAtSpeeds, OfGeneratedWindowsAreMeasuredAtWhatTheySayOrAtTheOne
 TEST_F(SymptomRowsAtSpeeds, OfGeneratedWindowsThatMayBeOfSeveralAreRefused) {
   heard_at(900, 1200);
   const signal::WindowSet training = compose_training_set(normal_, known_, &generated_, 5);
-  EXPECT_ERROR(symptom_inputs(normal_, training, known_), Exit::bad_input,
+  EXPECT_ERROR(ScaledRows(normal_, training, known_), Exit::bad_input,
                "--generated: the windows do not say at which speed of the shaft they are");
 }
 

@@ -15,7 +15,7 @@
 
 #include "base/error.hpp"
 #include "diagnosis/sets.hpp"
-#include "diagnosis/wdcnn.hpp"
+#include "diagnosis/train_and_test.hpp"
 
 namespace piae::diagnosis {
 
@@ -53,9 +53,9 @@ TEST_P(WdcnnTraining, LearnsTones) {
   const WdcnnResult result =
       train_and_test(tones(30, "train"), test, short_training(12), Stream("learn"), backend());
   EXPECT_GT(share_equal(result.predictions, test.labels), 0.95);
-  EXPECT_GT(result.train_accuracy.back(), 0.95);
-  EXPECT_LT(result.loss.back(), 0.2 * result.loss.front());
-  EXPECT_GT(result.training_seconds, 0);
+  EXPECT_GT(result.training.train_accuracy.back(), 0.95);
+  EXPECT_LT(result.training.loss.back(), 0.2 * result.training.loss.front());
+  EXPECT_GT(result.training.seconds, 0);
 }
 
 /// exp(a) / exp(b) of two logits is the ratio of their scores.
@@ -86,8 +86,8 @@ TEST_P(WdcnnTraining, ScoresAreProbabilitiesAndPredictionsTheirMaximum) {
       train_and_test(tones(5, "train"), test, short_training(), Stream("scores"), backend());
   ASSERT_EQ(result.predictions.size(), 105U);
   ASSERT_EQ(result.outputs.scores.size(), 105U * 3);
-  ASSERT_EQ(result.loss.size(), 2U);
-  ASSERT_EQ(result.train_accuracy.size(), 2U);
+  ASSERT_EQ(result.training.loss.size(), 2U);
+  ASSERT_EQ(result.training.train_accuracy.size(), 2U);
   for (std::size_t i = 0; i < 105; ++i) {
     const auto row = result.outputs.scores.begin() + static_cast<std::ptrdiff_t>(3 * i);
     EXPECT_NEAR(std::accumulate(row, row + 3, 0.0), 1.0, 1e-6);
@@ -101,7 +101,7 @@ TEST_P(WdcnnTraining, StartsFromTheLossOfAGuess) {
   options.learning_rate = 1e-12;
   const WdcnnResult result =
       train_and_test(tones(20, "train"), tones(1, "test"), options, Stream("guess"), backend());
-  EXPECT_NEAR(result.loss[0], std::log(3.0), 0.25);
+  EXPECT_NEAR(result.training.loss[0], std::log(3.0), 0.25);
 }
 
 TEST_P(WdcnnTraining, GivesTheSameBitsForTheSameStream) {
@@ -114,15 +114,16 @@ TEST_P(WdcnnTraining, GivesTheSameBitsForTheSameStream) {
   const WdcnnResult other = run("b");
   const WdcnnResult again = run("a");
   EXPECT_EQ(first.outputs.scores, again.outputs.scores);
-  EXPECT_EQ(first.loss, again.loss);
-  EXPECT_EQ(first.train_accuracy, again.train_accuracy);
+  EXPECT_EQ(first.training.loss, again.training.loss);
+  EXPECT_EQ(first.training.train_accuracy, again.training.train_accuracy);
   EXPECT_NE(first.outputs.scores, other.outputs.scores);
 }
 
 TEST_P(WdcnnTraining, AnEpochDoesNotKnowHowManyFollow) {
   const LabelledWindows train = tones(8, "train");
   const auto loss = [&](std::int64_t epochs) {
-    return train_and_test(train, train, short_training(epochs), Stream("a"), backend()).loss;
+    return train_and_test(train, train, short_training(epochs), Stream("a"), backend())
+        .training.loss;
   };
   const std::vector<double> three = loss(3);
   EXPECT_EQ(loss(2), std::vector(three.begin(), three.begin() + 2));
@@ -138,7 +139,7 @@ TEST_P(WdcnnTraining, ReportsEveryEpoch) {
                        losses.push_back(loss);
                      });
   EXPECT_THAT(done, testing::ElementsAre(1, 2, 3));
-  EXPECT_EQ(losses, result.loss);
+  EXPECT_EQ(losses, result.training.loss);
 }
 
 inline void expect_error(Exit exit, const std::string& part, const LabelledWindows& train,

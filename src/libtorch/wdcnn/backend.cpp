@@ -1,5 +1,6 @@
 #include "libtorch/wdcnn/backend.hpp"
 
+#include "diagnosis/wdcnn_parameters.hpp"
 #include "libtorch/nets/adam.hpp"
 #include "libtorch/nets/device.hpp"
 #include "libtorch/nets/torch.hpp"
@@ -78,6 +79,20 @@ class Backend final : public diagnosis::WdcnnBackend {
     return {.hidden = to_vector(torch::cat(hidden)),
             .logits = to_vector(torch::cat(logits)),
             .scores = to_vector(torch::cat(scores))};
+  }
+
+  [[nodiscard]] diagnosis::WdcnnWeights weights() const override {
+    const torch::NoGradGuard no_grad;
+    diagnosis::WdcnnWeights weights{.length = windows_.size(1),
+                                    .classes = network_.classes(),
+                                    .parameters = to_vector(network_.parameters().values()),
+                                    .running_means = {},
+                                    .running_variances = {}};
+    for (std::size_t i = 0; i < diagnosis::layers_with_normalisation; ++i) {
+      weights.running_means.push_back(to_vector(network_.running(i).mean));
+      weights.running_variances.push_back(to_vector(network_.running(i).variance));
+    }
+    return weights;
   }
 
  private:

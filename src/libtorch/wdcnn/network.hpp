@@ -49,6 +49,8 @@ class WdcnnNetwork {
   }
 
   ParameterSet& parameters() { return parameters_; }
+  [[nodiscard]] const ParameterSet& parameters() const { return parameters_; }
+  [[nodiscard]] std::int64_t classes() const { return classes_bias_.size(0); }
 
  private:
   struct Layer {

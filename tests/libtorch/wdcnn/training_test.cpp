@@ -1,5 +1,6 @@
 #include "diagnosis/one_core_backend.hpp"
 #include "diagnosis/training_cases.hpp"
+#include "diagnosis/wdcnn_evaluation.hpp"
 #include "libtorch/wdcnn/backend.hpp"
 
 namespace piae::diagnosis {
@@ -18,8 +19,10 @@ TEST(WdcnnBackends, FollowOneCourseUntilRoundingHasGrown) {
   const WdcnnResult one_core = run(make_one_core_backend);
   const WdcnnResult theirs = run(libtorch::wdcnn_on(Device::cpu));
   for (std::size_t epoch = 0; epoch < 4; ++epoch) {
-    EXPECT_NEAR(one_core.loss[epoch], theirs.loss[epoch], 1e-3 * theirs.loss[epoch]);
-    EXPECT_NEAR(one_core.train_accuracy[epoch], theirs.train_accuracy[epoch], 1.5 / 33);
+    EXPECT_NEAR(one_core.training.loss[epoch], theirs.training.loss[epoch],
+                1e-3 * theirs.training.loss[epoch]);
+    EXPECT_NEAR(one_core.training.train_accuracy[epoch], theirs.training.train_accuracy[epoch],
+                1.5 / 33);
   }
   for (std::size_t i = 0; i < one_core.outputs.scores.size(); ++i) {
     EXPECT_NEAR(one_core.outputs.scores[i], theirs.outputs.scores[i], 0.02);
@@ -44,6 +47,22 @@ TEST(WdcnnBackends, MakeTheSameOfEachWindow) {
   const WdcnnOutputs theirs = run(libtorch::wdcnn_on(Device::cpu));
   expect_near(one_core.hidden, theirs.hidden);
   expect_near(one_core.logits, theirs.logits);
+}
+
+// What LibTorch has learned, our own network for one core makes the same of.
+TEST(WdcnnBackends, HandOverTheirWeights) {
+  const LabelledWindows test = tones(20, "test");
+  for (const MakeWdcnnBackend& backend :
+       {MakeWdcnnBackend(make_one_core_backend), libtorch::wdcnn_on(Device::cpu)}) {
+    const TrainedWdcnn trained =
+        train_wdcnn(tones(11, "train"), short_training(3), Stream("weights"), backend);
+    const std::vector<float> logits = trained.network->outputs(test).logits;
+    const std::vector<float> ours = wdcnn_of(trained.network->weights())->outputs(test).logits;
+    ASSERT_EQ(ours.size(), logits.size());
+    for (std::size_t i = 0; i < logits.size(); ++i) {
+      ASSERT_NEAR(ours[i], logits[i], 1e-4 * (1 + std::abs(logits[i]))) << i;
+    }
+  }
 }
 
 }  // namespace

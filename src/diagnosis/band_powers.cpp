@@ -1,0 +1,67 @@
+#include "diagnosis/band_powers.hpp"
+
+#include <spdlog/fmt/fmt.h>
+
+#include <cmath>
+#include <complex>
+#include <numbers>
+#include <unsupported/Eigen/FFT>
+#include <vector>
+
+#include "base/error.hpp"
+
+namespace piae::diagnosis {
+
+namespace {
+
+using Eigen::Index;
+
+/// Hann's window in the periodic form.
+Eigen::RowVectorXd hann(Index length) {
+  const double step = 2 * std::numbers::pi / static_cast<double>(length);
+  return (0.5 -
+          0.5 *
+              (Eigen::ArrayXd::LinSpaced(length, 0, static_cast<double>(length) - 1) * step).cos())
+      .matrix()
+      .transpose();
+}
+
+}  // namespace
+
+BandPowers band_powers(const signal::WindowSet& windows) {
+  const auto length = static_cast<Index>(windows.length);
+  if (length < 2 * number_of_bands) {
+    throw Error(Exit::bad_input,
+                fmt::format("windows of {} samples: {} bands need {} samples or more",
+                            windows.length, number_of_bands, 2 * number_of_bands));
+  }
+  const Index bins = length / 2;
+  const Eigen::RowVectorXd taper = hann(length);
+  Eigen::FFT<double> fft;  // makes its plan once
+  fft.SetFlag(Eigen::FFT<double>::HalfSpectrum);
+  std::vector<double> tapered(windows.length);
+  std::vector<std::complex<double>> spectrum;
+  Eigen::ArrayXd power(bins);
+  BandPowers features(static_cast<Index>(windows.size()), number_of_bands);
+  for (Index i = 0; i < features.rows(); ++i) {
+    const auto samples = windows.window(static_cast<std::size_t>(i));
+    const Eigen::RowVectorXd window =
+        Eigen::Map<const Eigen::RowVectorXf>(samples.data(), length).cast<double>();
+    Eigen::Map<Eigen::RowVectorXd>(tapered.data(), length) =
+        (window.array() - window.mean()) * taper.array();
+    fft.fwd(spectrum, tapered);
+    for (Index bin = 0; bin < bins; ++bin) {
+      power[bin] = std::norm(spectrum[static_cast<std::size_t>(bin + 1)]);
+    }
+    const double floor = 1e-12 * power.mean() + 1e-300;  // silence is far away, not infinitely far
+    for (Index band = 0; band < number_of_bands; ++band) {
+      const Index from = band * bins / number_of_bands;
+      const Index count = (band + 1) * bins / number_of_bands - from;
+      features(i, band) = std::log(power.segment(from, count).mean() + floor);
+    }
+    features.row(i).array() -= features.row(i).mean();
+  }
+  return features;
+}
+
+}  // namespace piae::diagnosis

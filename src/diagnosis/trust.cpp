@@ -1,0 +1,95 @@
+#include "diagnosis/trust.hpp"
+
+#include <algorithm>
+#include <vector>
+
+#include "scoring/auroc.hpp"
+#include "scoring/confidence.hpp"
+
+namespace piae::diagnosis {
+
+namespace {
+
+constexpr Range share{.low = 0, .high = 1};
+
+double calibration_error_of(const std::vector<scoring::Judgement>& judgements) {
+  return scoring::expected_calibration_error(
+      scoring::reliability(judgements, scoring::reliability_bins));
+}
+
+double share_above_one(std::span<const double> strangeness) {
+  return static_cast<double>(std::ranges::count_if(strangeness, [](double s) { return s > 1; })) /
+         static_cast<double>(strangeness.size());
+}
+
+Trust::Untrained untrained(const Strangeness& strangeness, const signal::WindowSet& test,
+                           Label label) {
+  const std::vector<double> all = strangeness.without(label).of(test);
+  std::vector<double> own;
+  std::vector<double> others;
+  for (std::size_t i = 0; i < test.size(); ++i) {
+    (test.labels[i] == label ? own : others).push_back(all[i]);
+  }
+  return {.auroc = scoring::auroc(others, own), .called_unknown = share_above_one(own)};
+}
+
+}  // namespace
+
+Trust trust_in(KeptClassifier& kept, const signal::WindowSet& test) {
+  const Answers answers = kept.answer(test);
+  const std::vector<scoring::Judgement> judgements =
+      scoring::judgements_of(answers.probabilities, answers.labels, test.labels);
+  Trust trust;
+  trust.accuracy =
+      static_cast<double>(std::ranges::count(judgements, true, &scoring::Judgement::right)) /
+      static_cast<double>(judgements.size());
+  trust.calibration_error = calibration_error_of(judgements);
+  trust.raw_calibration_error = calibration_error_of(
+      scoring::judgements_of(kept.uncalibrated(test).scores, answers.labels, test.labels));
+  trust.called_unknown = share_above_one(answers.strangeness);
+  for (const Label label : test.info.fault_labels()) {
+    trust.untrained.emplace(label, untrained(kept.strangeness(), test, label));
+  }
+  return trust;
+}
+
+void write(artefact::Writer& writer, const Trust& trust) {
+  writer.group("/trust");
+  writer.attribute("/trust", "accuracy", trust.accuracy);
+  writer.attribute("/trust", "raw_calibration_error", trust.raw_calibration_error);
+  writer.attribute("/trust", "calibration_error", trust.calibration_error);
+  writer.attribute("/trust", "called_unknown", trust.called_unknown);
+  std::vector<Label> labels;
+  std::vector<double> aurocs;
+  std::vector<double> called_unknown;
+  for (const auto& [label, of_class] : trust.untrained) {
+    labels.push_back(label);
+    aurocs.push_back(of_class.auroc);
+    called_unknown.push_back(of_class.called_unknown);
+  }
+  writer.numbers("/trust/untrained_class", labels);
+  writer.numbers("/trust/untrained_auroc", aurocs);
+  writer.numbers("/trust/untrained_called_unknown", called_unknown);
+}
+
+Trust read_trust(const artefact::Reader& reader) {
+  Trust trust{.accuracy = reader.real("/trust", "accuracy", share),
+              .raw_calibration_error = reader.real("/trust", "raw_calibration_error", share),
+              .calibration_error = reader.real("/trust", "calibration_error", share),
+              .called_unknown = reader.real("/trust", "called_unknown", share),
+              .untrained = {}};
+  const auto labels = reader.numbers<Label>("/trust/untrained_class", {0}).values;
+  const auto read = [&](const std::string& path) {
+    auto values = reader.numbers<double>(path, {labels.size()}).values;
+    reader.require_all(path, values, share);
+    return values;
+  };
+  const std::vector<double> aurocs = read("/trust/untrained_auroc");
+  const std::vector<double> called_unknown = read("/trust/untrained_called_unknown");
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    trust.untrained[labels[i]] = {.auroc = aurocs[i], .called_unknown = called_unknown[i]};
+  }
+  return trust;
+}
+
+}  // namespace piae::diagnosis

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+#include "diagnosis/wdcnn_backend.hpp"
+#include "diagnosis/wdcnn_network.hpp"
+
+namespace piae::diagnosis {
+
+/// What our network for one core makes of windows, `batch` of them at a time.
+WdcnnOutputs outputs_of(WdcnnNetwork<float>& network, std::int64_t batch,
+                        const LabelledWindows& windows);
+
+/// A trained network on one core, without what only a training needs.
+std::unique_ptr<Wdcnn> wdcnn_of(const WdcnnWeights& weights);
+
+}  // namespace piae::diagnosis

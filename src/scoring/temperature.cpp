@@ -1,0 +1,59 @@
+#include "scoring/temperature.hpp"
+
+#include <algorithm>
+#include <boost/math/tools/minima.hpp>
+#include <cmath>
+#include <stdexcept>
+
+namespace piae::scoring {
+
+namespace {
+
+constexpr double farthest_temperature = 50;
+constexpr int precision_bits = 20;
+
+/// -ln of what softmax at that temperature says of the true class.
+double surprise(std::span<const float> logits, Label label, double temperature) {
+  const double greatest = std::ranges::max(logits);
+  double sum = 0;
+  for (const float logit : logits) sum += std::exp((logit - greatest) / temperature);
+  return std::log(sum) - (logits[index_of(label)] - greatest) / temperature;
+}
+
+}  // namespace
+
+std::vector<float> tempered(std::span<const float> logits, std::size_t classes,
+                            double temperature) {
+  std::vector<float> all(logits.size());
+  for (std::size_t begin = 0; begin < logits.size(); begin += classes) {
+    const std::span<const float> row = logits.subspan(begin, classes);
+    const float greatest = std::ranges::max(row);
+    double sum = 0;
+    for (const float logit : row) sum += std::exp((logit - greatest) / temperature);
+    for (std::size_t i = 0; i < classes; ++i) {
+      all[begin + i] = static_cast<float>(std::exp((row[i] - greatest) / temperature) / sum);
+    }
+  }
+  return all;
+}
+
+double best_temperature(std::span<const float> logits, std::span<const Label> labels,
+                        std::size_t classes) {
+  if (labels.empty()) throw std::logic_error("a temperature needs labels to be fitted to");
+  std::vector<double> counts(classes);
+  for (const Label label : labels) ++counts[index_of(label)];
+  const auto mean_surprise = [&](double log_temperature) {
+    double sum = 0;
+    for (std::size_t i = 0; i < labels.size(); ++i) {
+      sum += surprise(logits.subspan(i * classes, classes), labels[i], std::exp(log_temperature)) /
+             counts[index_of(labels[i])];
+    }
+    return sum;
+  };
+  const double limit = std::log(farthest_temperature);
+  const double found =
+      boost::math::tools::brent_find_minima(mean_surprise, -limit, limit, precision_bits).first;
+  return std::exp(found);
+}
+
+}  // namespace piae::scoring

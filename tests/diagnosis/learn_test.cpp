@@ -1,0 +1,71 @@
+#include "diagnosis/learn.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "diagnosis/one_core_backend.hpp"
+#include "diagnosis/sets.hpp"
+#include "diagnosis/train_and_test.hpp"
+
+namespace piae::diagnosis {
+namespace {
+
+/// The windows of tones() as recordings give them.
+signal::WindowSet recorded_tones(std::size_t per_class, const std::string& stream_name) {
+  const LabelledWindows tones_of_classes = tones(per_class, stream_name);
+  signal::WindowSet set = empty_set(tones_of_classes.length);
+  set.samples = tones_of_classes.samples;
+  set.labels = tones_of_classes.labels;
+  return set;
+}
+
+class Learn : public testing::Test {
+ protected:
+  [[nodiscard]] Learned by(const std::string& name) const {
+    return learn(the_classifier(name), normal_, training_, {.epochs = 3}, Stream("toy"),
+                 make_one_core_backend);
+  }
+  [[nodiscard]] std::vector<float> scores_by(const std::string& name) const {
+    return by(name).trained->outputs(test_, "").scores;
+  }
+  [[nodiscard]] std::vector<float> alone(const std::string& name, const Stream& stream) const {
+    return train_and_test(the_classifier(name).represent(training_, ""),
+                          the_classifier(name).represent(test_, ""), {.epochs = 3}, stream,
+                          make_one_core_backend)
+        .outputs.scores;
+  }
+
+  const signal::WindowSet normal_ = empty_set(1024);  // of which these know nothing
+  const signal::WindowSet training_ = recorded_tones(10, "training");
+  const signal::WindowSet test_ = recorded_tones(5, "test");
+};
+
+TEST_F(Learn, ThePapersIsItsNetworkWithItsRandomNumbers) {
+  EXPECT_EQ(scores_by("wdcnn"), alone("wdcnn", Stream("toy")));
+}
+
+TEST_F(Learn, AnotherHasRandomNumbersOfItsOwn) {
+  EXPECT_EQ(scores_by("wdcnn-spectrum"),
+            alone("wdcnn-spectrum", Stream("toy").child("wdcnn-spectrum")));
+}
+
+TEST_F(Learn, TheNearestNeighbourIsAskedWithoutATraining) {
+  const Learned nearest = by("nearest");
+  EXPECT_EQ(most_likely(nearest.trained->outputs(test_, "").scores, 3), test_.labels);
+  EXPECT_TRUE(nearest.training.loss.empty());
+  EXPECT_EQ(nearest.training.seconds, 0);
+}
+
+TEST_F(Learn, OnlyWdcnnHasTheEpochsOfTheOptions) {
+  EXPECT_EQ(epochs_of(the_classifier("wdcnn-envelope"), {.epochs = 3}), 3);
+  EXPECT_EQ(epochs_of(the_classifier("symptom-net"), {.epochs = 3}), 60);
+  EXPECT_EQ(epochs_of(the_classifier("exclusion-rule"), {.epochs = 3}), 0);
+  EXPECT_EQ(epochs_of(the_classifier("nearest"), {.epochs = 3}), 0);
+}
+
+}  // namespace
+}  // namespace piae::diagnosis
