@@ -152,7 +152,7 @@ help:
 	  reference 'store RUN, or the cells of the variables given, as results/reference, its tables and figures' \
 	  data     'download the recordings that have an official address into DATA_DIR' \
 	  test     'build and run every test; those on real recordings when DATA_DIR has them' \
-	  test-deps 'install what some tests need beyond that, and are skipped without: a Slurm' \
+	  test-deps 'install what some tests need beyond that, and are skipped without: Slurm, SciPy, Octave' \
 	  storm    'kill, damage and forge by the thousand, under sanitizers: SECURITY.md' \
 	  lint     'check style and structure of what changed; of everything with LINT=all' \
 	  bench    'build and run the benchmarks' \
@@ -251,7 +251,7 @@ test:
 	$(Q)DATA_DIR='$(DATA_DIR)' tests/run.sh
 
 test-deps:
-	$(Q)pipeline/deps.sh $(LIBTORCH) programs tests cluster
+	$(Q)pipeline/deps.sh $(LIBTORCH) programs tests readers cluster
 
 # The programs as they are used, and the readers once more under the sanitizers.
 storm:

@@ -177,13 +177,17 @@ void Stage::note_input(const std::string& role, const std::filesystem::path& pat
 
 artefact::Provenance Stage::provenance() const { return {name_, resolved_options(), inputs_}; }
 
-void Stage::save(artefact::Writer& writer, const std::filesystem::path& path) const {
+void Stage::require_no_input(const std::filesystem::path& path) const {
   for (const std::filesystem::path& input : input_paths_) {
     std::error_code none_there;
     if (std::filesystem::equivalent(input, path, none_there)) {
       throw Error(Exit::usage, path.string() + ": is an input; choose another output");
     }
   }
+}
+
+void Stage::save(artefact::Writer& writer, const std::filesystem::path& path) const {
+  require_no_input(path);
   writer.save(path, provenance());
 }
 

@@ -70,8 +70,10 @@ class Stage {
   /// sha256 of its bytes.
   void note_input(const std::string& role, const std::filesystem::path& path);
 
-  /// Writes an artefact with its provenance. Throws Error(usage) where the path is that of an
-  /// input, which an output must not replace.
+  /// Throws Error(usage) where the path is that of an input, which an output must not replace.
+  void require_no_input(const std::filesystem::path& path) const;
+
+  /// Writes an artefact with its provenance, to a path for which require_no_input() holds.
   void save(artefact::Writer& writer, const std::filesystem::path& path) const;
 
   /// The program, all options but those of files with their values, and the inputs opened so far.

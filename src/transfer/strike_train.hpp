@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -17,6 +18,13 @@ struct Rhythm {
 
 /// How many strikes a frame has at most.
 std::size_t most_strikes(const Rhythm& rhythm, double frame_s);
+
+/// Calls `strike` with the time of each strike, from a random moment of the first period to the end
+/// of a frame. Each follows the last one by a period with the jitter, so deviations add up, as
+/// balls that slip do not come back to their places. What `strike` draws comes before the next
+/// period.
+void for_each_strike(Stream& random, double period_s, double jitter, double frame_s,
+                     const std::function<void(double time_s)>& strike);
 
 /// Strikes from a random start in the first period to the end of a frame, with these strengths
 /// (strengths.hpp) in their order: most_strikes() of them. The lag of each differs from the others'

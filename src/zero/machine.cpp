@@ -45,27 +45,22 @@ std::string called(const signal::WindowSet& healthy, std::int32_t condition) {
          healthy.info.conditions[static_cast<std::size_t>(condition)].name + "'";
 }
 
-void require_rhythm(const signal::DatasetInfo& info, Label label, double rpm) {
-  const double strike_hz =
-      bearing::strike_frequency_hz(info.bearing, info.class_of(label).defect, rpm);
-  if (strike_hz * least_samples <= info.sample_rate_hz) return;
-  throw Error(
-      Exit::bad_input,
-      fmt::format("class {} is struck {:g} times a second at {:g} rpm, which windows at {:g} Hz do "
-                  "not show: they need a higher sampling rate",
-                  info.class_of(label).name, strike_hz, rpm, info.sample_rate_hz));
-}
-
 void require_strikes(const signal::WindowSet& healthy, Label label, double rpm) {
   const signal::DatasetInfo& info = healthy.info;
-  const double strike_hz =
-      bearing::strike_frequency_hz(info.bearing, info.class_of(label).defect, rpm);
+  const signal::ClassInfo& c = info.class_of(label);
+  const double strike_hz = bearing::strike_frequency_hz(info.bearing, c.defect, rpm);
+  if (strike_hz * least_samples > info.sample_rate_hz) {
+    throw Error(Exit::bad_input,
+                fmt::format("class {} is struck {:g} times a second at {:g} rpm, which windows at "
+                            "{:g} Hz do not show: they need a higher sampling rate",
+                            c.name, strike_hz, rpm, info.sample_rate_hz));
+  }
   const double samples = std::ceil(info.sample_rate_hz / strike_hz);
   if (static_cast<double>(healthy.length) >= samples) return;
   throw Error(Exit::bad_input,
               fmt::format("class {} is struck {:g} times a second at {:g} rpm, so that windows of "
                           "{} samples may hold no strike; {:.0f} or more would do",
-                          info.class_of(label).name, strike_hz, rpm, healthy.length, samples));
+                          c.name, strike_hz, rpm, healthy.length, samples));
 }
 
 void require_speed(const signal::WindowSet& healthy, std::size_t i) {
@@ -76,10 +71,7 @@ void require_speed(const signal::WindowSet& healthy, std::size_t i) {
                             "has a rhythm; describe the speed of its recording",
                             i, rpm));
   }
-  for (const Label label : healthy.info.fault_labels()) {
-    require_rhythm(healthy.info, label, rpm);
-    require_strikes(healthy, label, rpm);
-  }
+  for (const Label label : healthy.info.fault_labels()) require_strikes(healthy, label, rpm);
 }
 
 }  // namespace

@@ -1,7 +1,6 @@
 #include "zero/rhythm.hpp"
 
-#include <algorithm>
-
+#include "transfer/strike_train.hpp"
 #include "zero/draws.hpp"
 
 namespace piae::zero {
@@ -10,8 +9,6 @@ namespace {
 
 /// The largest jitter / the least.
 constexpr double jitter_span = 7;
-/// Of a period: the ball before is never nearer.
-constexpr double least_step = 0.5;
 
 }  // namespace
 
@@ -26,11 +23,8 @@ Rhythm draw_rhythm(const Scene& scene, const Prior& prior, Stream& random) {
 std::vector<transfer::Strike> regular_strikes(const Rhythm& rhythm, double frame_s,
                                               Stream& random) {
   std::vector<transfer::Strike> strikes;
-  double time_s = random.uniform(0, rhythm.period_s);
-  while (time_s < frame_s) {
-    strikes.push_back({.time_s = time_s});
-    time_s += rhythm.period_s * std::max(least_step, 1 + random.normal(0, rhythm.jitter));
-  }
+  transfer::for_each_strike(random, rhythm.period_s, rhythm.jitter, frame_s,
+                            [&](double time_s) { strikes.push_back({.time_s = time_s}); });
   return strikes;
 }
 

@@ -20,8 +20,7 @@ struct Rhythm {
 /// (Randall and Antoni 2011: 1 to 2 %). The jitter is log-uniform from a seventh of the prior's on.
 Rhythm draw_rhythm(const Scene& scene, const Prior& prior, Stream& random);
 
-/// Strikes of strength 1 from a random moment of the first period to the end of a frame. Each
-/// follows the last one, so deviations add up, as balls that slip do not come back to their places.
+/// Strikes of strength 1, one after another as transfer/strike_train.hpp has them follow.
 std::vector<transfer::Strike> regular_strikes(const Rhythm& rhythm, double frame_s, Stream& random);
 
 }  // namespace piae::zero

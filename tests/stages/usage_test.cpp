@@ -41,6 +41,8 @@ TEST_P(Usage, UnknownOptionIsNamed) {
     arguments = {"--run", "run", "--dataset", "tiny", "--methods", "piae-dt", "--seeds", "0"};
   } else if (GetParam() == std::string("read_raw")) {
     arguments = {"--file", "tiny.csv", "--variable", "1"};
+  } else if (GetParam() == std::string("export_windows")) {
+    arguments = {"--windows", "E.h5", "--output", "E.csv"};
   } else if (GetParam() == std::string("check")) {
     arguments = {"--run", "run", "--reference", "reference"};
   } else if (GetParam() != std::string("verify")) {
@@ -54,7 +56,8 @@ TEST_P(Usage, UnknownOptionIsNamed) {
 INSTANTIATE_TEST_SUITE_P(Stages, Usage,
                          testing::Values("ingest", "simulate", "split", "train", "generate",
                                          "score", "diagnose", "tabulate", "sweep", "check",
-                                         "contrast", "transfer", "identify", "verify", "read_raw"),
+                                         "contrast", "transfer", "identify", "verify", "read_raw",
+                                         "export_windows"),
                          [](const auto& info) { return info.param; });
 
 TEST(Usage, TrainHelpShowsTheOptionsOfTheMethod) {

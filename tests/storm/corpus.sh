@@ -105,6 +105,7 @@ train oracle --real D.h5
 for method in piae-dt-phase smote; do # their windows say start angles and parents
   stage generate --model $method.model.h5 --count 5 --seed 0 --output $method.E.h5
   consumer $method.E.h5 score --generated $method.E.h5 --real D.h5 --output out.h5
+  consumer $method.E.h5 export_windows --windows $method.E.h5 --output out.mat
 done
 consumer C.h5 train --method piae-dt --known C.h5 --seed 0 "${networks[@]}" --output out.h5
 stage generate --model piae-dt.model.h5 --count 5 --seed 0 --output E.h5

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <string>
+
+#include "formats/exported.hpp"
+
+namespace piae::formats {
+
+/// A file of NumPy (format 1.0): the samples as float32 [n, length].
+std::string npy(const signal::WindowSet& windows);
+
+}  // namespace piae::formats
