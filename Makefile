@@ -143,6 +143,7 @@ help:
 	  identify 'whether the (k, c) of the twin are the true ones, on simulated windows' \
 	  readings 'the choices that the paper leaves, tried on seeds 100-104: readings.csv, readings.md' \
 	  transfer 'methods in the mean over data sets that test another speed or size: transfer@GROUP.md' \
+  trust    'keep the classifiers, for classify and monitor, and say how far to believe them: trust.md' \
   records  'only read or simulate the data sets' \
 	  cluster  'the same on Slurm, in few jobs: all, or with cells, sweep, contrast, identify or readings' \
 	  cluster-plan 'what jobs that would be: their number, cores, hours and memory' \
@@ -189,7 +190,7 @@ help:
 
 # ---- the grid -----------------------------------------------------------------------------------
 # All goals that are its own, files of results/ among them, go to one make.
-asked := $(filter records cells tables all figures report demo sweep contrast identify readings transfer results/%,$(goals))
+asked := $(filter records cells tables all figures report demo sweep contrast identify readings transfer trust results/%,$(goals))
 .PHONY: $(asked)
 $(asked): $(or $(on_cluster),grid)
 ifneq (,$(on_cluster))

@@ -243,7 +243,7 @@ $(foreach dataset,$(DATASETS),\
       $(eval $(call diagnosis_rule,$(seed),$(folder),$(method),$(classifier)))))))
 
 .DEFAULT_GOAL := cells
-.PHONY: FORCE records cells features tables draw figures page report demo all list-cells sweep contrast identify readings transfer
+.PHONY: FORCE records cells features tables draw figures page report demo all list-cells sweep contrast identify readings transfer trust
 records: $(DATASETS:%=$(results)/%/records.h5)
 cells: $(foreach dataset,$(DATASETS),$(call cell_files,$(dataset)))
 features: $(foreach dataset,$(DATASETS),$(call features,$(dataset)))
@@ -294,6 +294,7 @@ include pipeline/contrast.mk
 include pipeline/identify.mk
 include pipeline/readings.mk
 include pipeline/transfer.mk
+include pipeline/trust.mk
 
 # ---- rules of the settings ----------------------------------------------------------------------
 # Looking at the rules writes nothing. A file that does not hold what it should is written when a step

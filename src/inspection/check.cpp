@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "inspection/plausibility.hpp"
+#include "inspection/spectrum_panel.hpp"
 #include "signal/split.hpp"
 #include "signal/stride.hpp"
 
@@ -17,11 +18,6 @@ void note_exit(DatasetCheck& check, Exit exit) {
   if (check.exit != Exit::bad_input) check.exit = exit;
 }
 
-/// The third harmonic of the highest line, and a little more.
-double highest_shown_hz(const FaultLines& lines) {
-  return 3.5 * std::ranges::max(lines, {}, &FaultLine::hz).hz;
-}
-
 void look_at_signal(RecordCheck& found, const std::vector<double>& signal,
                     const signal::DatasetInfo& info) {
   const double rate_hz = info.sample_rate_hz;
@@ -31,10 +27,7 @@ void look_at_signal(RecordCheck& found, const std::vector<double>& signal,
   found.lines = fault_lines(found.envelope, info, found.source.shaft_speed_rpm);
   const auto shown = std::min(signal.size(), static_cast<std::size_t>(shown_s * rate_hz));
   found.beginning.assign(signal.begin(), signal.begin() + static_cast<std::ptrdiff_t>(shown));
-  const double bins = std::ceil(highest_shown_hz(found.lines) / found.envelope.bin_hz);
-  if (bins < static_cast<double>(found.envelope.power.size())) {
-    found.envelope.power.resize(static_cast<std::size_t>(bins));
-  }
+  keep_shown_part(found.envelope, found.lines);
 }
 
 void look_at_record(RecordCheck& found, const Description& description,

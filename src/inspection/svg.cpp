@@ -59,6 +59,12 @@ void Svg::frame(Point corner, double width, double height) {
       corner.x, corner.y, width, height);
 }
 
+void Svg::area(Point corner, double width, double height, const std::string& colour) {
+  body_ += fmt::format(
+      "<rect x=\"{:.2f}\" y=\"{:.1f}\" width=\"{:.2f}\" height=\"{:.1f}\" fill=\"{}\"/>\n",
+      corner.x, corner.y, width, height, colour);
+}
+
 void Svg::text(Point at, const std::string& words, Anchor anchor, double size, bool bold) {
   constexpr std::array anchors{"start", "middle", "end"};
   body_ += fmt::format(

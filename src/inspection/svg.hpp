@@ -29,6 +29,8 @@ class Svg {
   void line(Point from, Point to, const Stroke& stroke);
   void polyline(const std::vector<Point>& points, const Stroke& stroke);
   void frame(Point corner, double width, double height);
+  /// Filled, without an edge.
+  void area(Point corner, double width, double height, const std::string& colour);
   /// `y` is that of the line that the letters stand on.
   void text(Point at, const std::string& words, Anchor anchor = Anchor::start, double size = 11,
             bool bold = false);

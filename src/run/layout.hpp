@@ -42,6 +42,12 @@ class Layout {
     const bool is_papers = classifier == scoring::paper_classifier;
     return (is_papers ? of_ratio : of_ratio / classifier) / "diagnosis.h5";
   }
+  /// The classifier itself, beside its diagnosis (pipeline/trust.mk).
+  [[nodiscard]] std::filesystem::path kept_classifier(const std::string& method,
+                                                      const std::string& ratio, std::int64_t seed,
+                                                      const std::string& classifier) const {
+    return diagnosis(method, ratio, seed, classifier).replace_filename("classifier.h5");
+  }
   /// A diagnosis with the features of the test windows.
   [[nodiscard]] std::filesystem::path features(const std::string& method, const std::string& ratio,
                                                std::int64_t seed) const {
@@ -81,6 +87,8 @@ class Layout {
   [[nodiscard]] std::filesystem::path ranks_csv() const { return folder_ / "ranks.csv"; }
   [[nodiscard]] std::filesystem::path decisions_csv() const { return folder_ / "decisions.csv"; }
   [[nodiscard]] std::filesystem::path confidence_csv() const { return folder_ / "confidence.csv"; }
+  [[nodiscard]] std::filesystem::path trust_csv() const { return folder_ / "trust.csv"; }
+  [[nodiscard]] std::filesystem::path trust_markdown() const { return folder_ / "trust.md"; }
   [[nodiscard]] std::filesystem::path tables_markdown() const { return folder_ / "tables.md"; }
   [[nodiscard]] std::filesystem::path tables_latex() const { return folder_ / "tables.tex"; }
   /// The tables of a sweep of a method's settings.

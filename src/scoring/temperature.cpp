@@ -12,12 +12,19 @@ namespace {
 constexpr double farthest_temperature = 50;
 constexpr int precision_bits = 20;
 
-/// -ln of what softmax at that temperature says of the true class.
-double surprise(std::span<const float> logits, Label label, double temperature) {
+/// The mean of -ln of what softmax at that temperature says of each class, weighted by its chance:
+/// `rest` shared by all but the true one.
+double surprise(std::span<const float> logits, Label label, double rest, double temperature) {
   const double greatest = std::ranges::max(logits);
   double sum = 0;
-  for (const float logit : logits) sum += std::exp((logit - greatest) / temperature);
-  return std::log(sum) - (logits[index_of(label)] - greatest) / temperature;
+  double all = 0;
+  for (const float logit : logits) {
+    sum += std::exp((logit - greatest) / temperature);
+    all += (logit - greatest) / temperature;
+  }
+  const double own = (logits[index_of(label)] - greatest) / temperature;
+  const double other = (all - own) / static_cast<double>(logits.size() - 1);
+  return std::log(sum) - (1 - rest) * own - rest * other;
 }
 
 }  // namespace
@@ -42,10 +49,12 @@ double best_temperature(std::span<const float> logits, std::span<const Label> la
   if (labels.empty()) throw std::logic_error("a temperature needs labels to be fitted to");
   std::vector<double> counts(classes);
   for (const Label label : labels) ++counts[index_of(label)];
+  const double rest = 1 / (static_cast<double>(labels.size()) + 2);
   const auto mean_surprise = [&](double log_temperature) {
     double sum = 0;
     for (std::size_t i = 0; i < labels.size(); ++i) {
-      sum += surprise(logits.subspan(i * classes, classes), labels[i], std::exp(log_temperature)) /
+      sum += surprise(logits.subspan(i * classes, classes), labels[i], rest,
+                      std::exp(log_temperature)) /
              counts[index_of(labels[i])];
     }
     return sum;

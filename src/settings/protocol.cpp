@@ -17,8 +17,9 @@ namespace {
 
 /// The stages that read settings. `train` has a table for each method as well, `transfer` one for
 /// each group of data sets.
-const std::vector<std::string> stages = {"split",    "train", "generate", "score",    "diagnose",
-                                         "tabulate", "sweep", "identify", "readings", "transfer"};
+const std::vector<std::string> stages = {"split",    "train",    "generate", "score",
+                                         "diagnose", "tabulate", "sweep",    "identify",
+                                         "readings", "transfer", "trust"};
 
 std::string listed(const std::vector<std::string>& words) {
   std::string list;

@@ -6,7 +6,9 @@
 #include <new>
 
 #include "augment/stored_model.hpp"
+#include "classification/record.hpp"
 #include "diagnosis/catalogue.hpp"
+#include "diagnosis/trust.hpp"
 #include "scoring/diagnosis_record.hpp"
 #include "scoring/quality_record.hpp"
 #include "signal/recordings.hpp"
@@ -53,6 +55,15 @@ void check_diagnosis(const Reader& reader, Splits& /*splits*/) {
   }
 }
 
+void check_classifier(const Reader& reader, Splits& /*splits*/) {
+  (void)diagnosis::KeptClassifier(reader);
+  (void)diagnosis::read_trust(reader);
+}
+
+void check_classification(const Reader& reader, Splits& /*splits*/) {
+  classification::require_classification(reader);
+}
+
 void check_model(const Reader& reader, Splits& /*splits*/) { augment::require_usable(reader); }
 
 /// What a checkpoint holds is known to the training that left it, which reads no other.
@@ -66,8 +77,10 @@ struct Kind {
 
 /// A new kind of artefact is added here, with its check.
 constexpr Kind kinds[] = {
-    {"records", check_records}, {"windows", check_windows},     {"model", check_model},
-    {"score", check_score},     {"diagnosis", check_diagnosis}, {"checkpoint", check_nothing_more},
+    {"records", check_records},       {"windows", check_windows},
+    {"model", check_model},           {"score", check_score},
+    {"diagnosis", check_diagnosis},   {"checkpoint", check_nothing_more},
+    {"classifier", check_classifier}, {"classification", check_classification},
 };
 
 void check_content(const Reader& reader, Splits& splits) {

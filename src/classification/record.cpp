@@ -1,0 +1,96 @@
+#include "classification/record.hpp"
+
+#include <string>
+
+namespace piae::classification {
+
+namespace {
+
+void write_recordings(artefact::Writer& writer, const std::vector<Verdict>& verdicts) {
+  std::vector<std::string> names;
+  std::vector<Label> labels;
+  std::vector<double> probabilities;
+  std::vector<double> shares;
+  std::vector<double> unknown_shares;
+  std::vector<std::int32_t> unknown;
+  for (const Verdict& verdict : verdicts) {
+    names.push_back(verdict.recording.name);
+    labels.push_back(verdict.label);
+    probabilities.push_back(verdict.probability);
+    shares.push_back(verdict.share);
+    unknown_shares.push_back(verdict.share_unknown);
+    unknown.push_back(verdict.unknown ? 1 : 0);
+  }
+  writer.strings("/recordings/name", names);
+  writer.numbers("/recordings/label", labels);
+  writer.numbers("/recordings/probability", probabilities);
+  writer.numbers("/recordings/share", shares);
+  writer.numbers("/recordings/share_unknown", unknown_shares);
+  writer.numbers("/recordings/unknown", unknown);
+}
+
+void write_windows(artefact::Writer& writer, const std::vector<Verdict>& verdicts,
+                   std::size_t classes) {
+  std::vector<std::int32_t> recordings;
+  std::vector<double> starts_s;
+  std::vector<Label> labels;
+  std::vector<float> probabilities;
+  std::vector<double> strangeness;
+  for (std::size_t i = 0; i < verdicts.size(); ++i) {
+    const Verdict& verdict = verdicts[i];
+    const diagnosis::Answers& answers = verdict.answers;
+    recordings.insert(recordings.end(), verdict.start_s.size(), static_cast<std::int32_t>(i));
+    starts_s.insert(starts_s.end(), verdict.start_s.begin(), verdict.start_s.end());
+    labels.insert(labels.end(), answers.labels.begin(), answers.labels.end());
+    probabilities.insert(probabilities.end(), answers.probabilities.begin(),
+                         answers.probabilities.end());
+    strangeness.insert(strangeness.end(), answers.strangeness.begin(), answers.strangeness.end());
+  }
+  writer.numbers("/windows/recording", recordings);
+  writer.numbers("/windows/start_s", starts_s);
+  writer.numbers("/windows/label", labels);
+  writer.numbers("/windows/probabilities", probabilities, {labels.size(), classes});
+  writer.numbers("/windows/strangeness", strangeness);
+}
+
+}  // namespace
+
+void write(artefact::Writer& writer, const std::vector<Verdict>& verdicts,
+           const diagnosis::KeptClassifier& classifier, const std::string& classifier_digest) {
+  signal::write(writer, classifier.info());
+  writer.attribute("/", "classifier", std::string(classifier.classifier().name));
+  writer.attribute("/", "classifier_digest", classifier_digest);
+  write_recordings(writer, verdicts);
+  write_windows(writer, verdicts, classifier.info().classes.size());
+}
+
+void require_classification(const artefact::Reader& reader) {
+  const signal::DatasetInfo info = signal::read_dataset_info(reader);
+  (void)reader.text("/", "classifier_digest");
+  const std::size_t recordings = reader.strings("/recordings/name").size();
+  const auto require_labels = [&](const std::string& path, std::size_t n) {
+    for (const Label label : reader.numbers<Label>(path, {n}).values) {
+      if (label < 0 || index_of(label) >= info.classes.size()) {
+        reader.refuse(path, "has a label that no class has");
+      }
+    }
+  };
+  require_labels("/recordings/label", recordings);
+  for (const std::string name : {"probability", "share", "share_unknown"}) {
+    const std::string path = "/recordings/" + name;
+    reader.require_all(path, reader.numbers<double>(path, {recordings}).values,
+                       {.low = 0, .high = 1});
+  }
+  const auto of_window = reader.numbers<std::int32_t>("/windows/recording", {0}).values;
+  for (const std::int32_t recording : of_window) {
+    if (recording < 0 || static_cast<std::size_t>(recording) >= recordings) {
+      reader.refuse("/windows/recording", "has an index that no recording has");
+    }
+  }
+  require_labels("/windows/label", of_window.size());
+  (void)reader.numbers<double>("/windows/start_s", {of_window.size()});
+  (void)reader.numbers<double>("/windows/strangeness", {of_window.size()});
+  (void)reader.numbers<float>("/windows/probabilities", {of_window.size(), info.classes.size()});
+}
+
+}  // namespace piae::classification

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <vector>
+
+#include "artefact/reader.hpp"
+#include "artefact/writer.hpp"
+#include "classification/verdict.hpp"
+
+namespace piae::classification {
+
+/// The content of classification.h5 (kind "classification"): what DatasetInfo writes, as attributes
+/// of the root the `classifier` and its digest; a row for each recording in /recordings/name,
+/// /label, /probability, /share, /share_unknown and /unknown (0 or 1); a row for each window in
+/// /windows/recording (index), /start_s, /label, /probabilities float32 [n, classes] and
+/// /strangeness.
+void write(artefact::Writer& writer, const std::vector<Verdict>& verdicts,
+           const diagnosis::KeptClassifier& classifier, const std::string& classifier_digest);
+
+/// Throws artefact::Refusal for what write() cannot have written.
+void require_classification(const artefact::Reader& reader);
+
+}  // namespace piae::classification

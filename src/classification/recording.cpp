@@ -1,0 +1,86 @@
+#include "classification/recording.hpp"
+
+#include <spdlog/fmt/fmt.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.hpp"
+#include "diagnosis/fitting_signal.hpp"
+#include "signal/amplitude.hpp"
+#include "signal/raw_file.hpp"
+#include "signal/resample.hpp"
+
+namespace piae::classification {
+
+namespace {
+
+void require_finite_samples(const std::vector<double>& samples, const std::string& what) {
+  const auto odd = std::ranges::find_if_not(
+      samples, [](double x) { return std::isfinite(static_cast<float>(x)); });
+  if (odd == samples.end()) return;
+  throw Error(Exit::bad_input,
+              fmt::format("{}: sample {} (counted from 0) is NaN, infinite or beyond 32 bits; cut "
+                          "the recording before it",
+                          what, odd - samples.begin()));
+}
+
+}  // namespace
+
+Recording read_lone_file(const LoneFile& lone, const signal::DatasetInfo& trained) {
+  const std::string what = lone.file.string();
+  diagnosis::require_fitting_signal(trained, lone.sample_rate_hz, lone.shaft_speed_rpm, what);
+  const std::vector<double> samples = signal::read_raw_file(lone.file, lone.variable);
+  require_finite_samples(samples, what);
+  return {.name = lone.file.filename().string(),
+          .shaft_speed_rpm = lone.shaft_speed_rpm,
+          .said = "",
+          .signal = signal::resample(samples, lone.sample_rate_hz, trained.sample_rate_hz)};
+}
+
+Recording recording_of(const signal::Record& record, const signal::DatasetInfo& described,
+                       const signal::DatasetInfo& trained) {
+  diagnosis::require_fitting_signal(trained, described.sample_rate_hz, record.shaft_speed_rpm,
+                                    "record " + record.name);
+  return {
+      .name = record.name,
+      .shaft_speed_rpm = record.shaft_speed_rpm,
+      .said = described.class_of(record.label).name,
+      .signal = signal::resample(record.signal, described.sample_rate_hz, trained.sample_rate_hz)};
+}
+
+signal::WindowSet windows_of(const Recording& recording, const signal::DatasetInfo& trained,
+                             std::size_t length, std::size_t step) {
+  if (recording.signal.size() < length) {
+    throw Error(Exit::bad_input,
+                fmt::format("{}: is {:.3g} s long, but a window of the classifier is {:.3g} s; "
+                            "record for longer",
+                            recording.name,
+                            static_cast<double>(recording.signal.size()) / trained.sample_rate_hz,
+                            static_cast<double>(length) / trained.sample_rate_hz));
+  }
+  signal::WindowSet windows;
+  windows.info = trained;
+  windows.length = length;
+  for (std::size_t first = 0; first + length <= recording.signal.size(); first += step) {
+    const auto begin = recording.signal.begin() + static_cast<std::ptrdiff_t>(first);
+    std::transform(begin, begin + static_cast<std::ptrdiff_t>(length),
+                   std::back_inserter(windows.samples),
+                   [](double sample) { return static_cast<float>(sample); });
+    windows.first_sample.push_back(static_cast<std::int64_t>(first));
+    windows.labels.push_back(trained.healthy_label());  // nobody knows yet
+    if (signal::is_constant(windows.window(windows.size() - 1))) {
+      const double from_s = static_cast<double>(first) / trained.sample_rate_hz;
+      throw Error(Exit::bad_input,
+                  fmt::format("{}: nothing moves from {:.3g} to {:.3g} s, a dead channel; cut that "
+                              "stretch out",
+                              recording.name, from_s,
+                              from_s + static_cast<double>(length) / trained.sample_rate_hz));
+    }
+  }
+  windows.shaft_speed_rpm.assign(windows.size(), recording.shaft_speed_rpm);
+  windows.condition.assign(windows.size(), signal::every_condition);
+  return windows;
+}
+
+}  // namespace piae::classification

@@ -1,0 +1,85 @@
+#include "classification/texts.hpp"
+
+#include <spdlog/fmt/fmt.h>
+
+#include <algorithm>
+
+#include "text/csv.hpp"
+#include "text/table.hpp"
+
+namespace piae::classification {
+
+namespace {
+
+using signal::DatasetInfo;
+
+constexpr std::size_t longest_name = 22;  // so that a row fits a terminal
+
+/// The end of a name says which recording it is, where several begin alike.
+std::string shortened(const std::string& name) {
+  return name.size() <= longest_name ? name : ".." + name.substr(name.size() - longest_name + 2);
+}
+
+std::string percent(double share) { return fmt::format("{:.0f} %", 100 * share); }
+
+/// The line of the named fault, or else the one that stands out farthest: "BPFI 12.3 dB".
+std::string evidence_of(const Verdict& verdict, const DatasetInfo& info) {
+  const signal::Defect named = info.class_of(verdict.label).defect;
+  const inspection::FaultLine* line = verdict.unknown || named == signal::Defect::none
+                                          ? inspection::farthest(verdict.lines)
+                                          : &inspection::line_of(verdict.lines, named);
+  if (line == nullptr) return "no fault line";
+  if (!line->db) return "too short for lines";
+  return fmt::format("{} {:+.1f} dB{}", inspection::line_name(line->kind), *line->db,
+                     line->stands_out ? "" : ", faint");
+}
+
+}  // namespace
+
+std::string table_of(const std::vector<Verdict>& verdicts, const DatasetInfo& info) {
+  const bool any_said = std::ranges::any_of(
+      verdicts, [](const Verdict& verdict) { return !verdict.recording.said.empty(); });
+  std::vector<std::string> header{"recording"};
+  if (any_said) header.emplace_back("said");
+  header.insert(header.end(), {"named", "evidence", "sure", "agree", "unknown", "windows"});
+  text::Table table(header, any_said ? 4 : 3);
+  for (const Verdict& verdict : verdicts) {
+    std::vector<std::string> row{shortened(verdict.recording.name)};
+    if (any_said) row.push_back(verdict.recording.said);
+    row.push_back(verdict.unknown ? "unknown" : info.class_of(verdict.label).name);
+    row.push_back(evidence_of(verdict, info));
+    row.push_back(verdict.unknown ? "-" : percent(verdict.probability));
+    row.push_back(verdict.unknown ? "-" : percent(verdict.share));
+    row.push_back(percent(verdict.share_unknown));
+    row.push_back(std::to_string(verdict.start_s.size()));
+    table.row(row);
+  }
+  return table.plain();
+}
+
+std::string csv_of(const std::vector<Verdict>& verdicts, const DatasetInfo& info) {
+  std::vector<std::string> header{"recording",   "start_s",     "class",
+                                  "probability", "strangeness", "unknown"};
+  for (const signal::ClassInfo& each : info.classes) header.push_back("p_" + each.name);
+  std::string csv = text::csv_line(header);
+  const std::size_t classes = info.classes.size();
+  for (const Verdict& verdict : verdicts) {
+    for (std::size_t i = 0; i < verdict.start_s.size(); ++i) {
+      const Label named = verdict.answers.labels[i];
+      const float* const probabilities = verdict.answers.probabilities.data() + i * classes;
+      std::vector<std::string> fields{verdict.recording.name,
+                                      fmt::format("{:.6f}", verdict.start_s[i]),
+                                      info.class_of(named).name,
+                                      fmt::format("{:.4f}", probabilities[index_of(named)]),
+                                      fmt::format("{:.4f}", verdict.answers.strangeness[i]),
+                                      verdict.is_unknown(i) ? "1" : "0"};
+      for (std::size_t k = 0; k < classes; ++k) {
+        fields.push_back(fmt::format("{:.4f}", probabilities[k]));
+      }
+      csv += text::csv_line(fields);
+    }
+  }
+  return csv;
+}
+
+}  // namespace piae::classification

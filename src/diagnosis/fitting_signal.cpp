@@ -1,0 +1,51 @@
+#include "diagnosis/fitting_signal.hpp"
+
+#include <spdlog/fmt/fmt.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "base/error.hpp"
+
+namespace piae::diagnosis {
+
+namespace {
+
+/// Of the conditions in which faults were known or tested.
+std::set<double> trained_speeds_rpm(const signal::DatasetInfo& trained) {
+  std::set<double> speeds;
+  for (const std::int32_t condition : trained.known_conditions()) {
+    speeds.insert(trained.speed_rpm(condition));
+  }
+  for (const std::int32_t condition : trained.tested_conditions()) {
+    speeds.insert(trained.speed_rpm(condition));
+  }
+  return speeds;
+}
+
+}  // namespace
+
+void require_fitting_signal(const signal::DatasetInfo& trained, double sample_rate_hz,
+                            double shaft_speed_rpm, const std::string& what) {
+  if (sample_rate_hz < trained.sample_rate_hz) {
+    throw Error(Exit::bad_input,
+                fmt::format("{}: is sampled at {:g} Hz, but the classifier was trained at {:g} Hz; "
+                            "record at that rate or above, or train a classifier at this one",
+                            what, sample_rate_hz, trained.sample_rate_hz));
+  }
+  const std::set<double> speeds = trained_speeds_rpm(trained);
+  const auto is_near = [&](double rpm) {
+    return std::abs(shaft_speed_rpm / rpm - 1) <= speed_tolerance;
+  };
+  if (std::ranges::any_of(speeds, is_near)) return;
+  std::string all;
+  for (const double rpm : speeds) all += fmt::format("{}{:g}", all.empty() ? "" : ", ", rpm);
+  throw Error(Exit::bad_input,
+              fmt::format("{}: is of {:g} rpm, but the classifier was trained at {} rpm and judges "
+                          "up to {:g} % beside that; train one for this speed (docs/strike-twin.md "
+                          "says how, where faults are known at another)",
+                          what, shaft_speed_rpm, all, 100 * speed_tolerance));
+}
+
+}  // namespace piae::diagnosis

@@ -1,0 +1,189 @@
+#include "report/trust_table.hpp"
+
+#include <spdlog/fmt/fmt.h>
+
+#include <map>
+
+#include "report/csv_fields.hpp"
+#include "report/labels.hpp"
+#include "text/csv.hpp"
+
+namespace piae::report {
+
+namespace {
+
+/// The values of one row, a number for each seed.
+struct TrustSeries {
+  std::vector<double> accuracy;
+  std::vector<double> raw_calibration_error;
+  std::vector<double> calibration_error;
+  std::vector<double> called_unknown;
+  std::vector<double> temperature;
+  std::vector<double> auroc;
+  std::vector<double> untrained_called_unknown;
+  std::map<Label, std::vector<double>> by_class;
+};
+
+void require_of_cell(const artefact::Reader& reader, const diagnosis::KeptClassifier& kept,
+                     const run::Grid& grid, const run::Combination& combination,
+                     std::int64_t seed) {
+  const diagnosis::ClassifierOrigin& origin = kept.origin();
+  if (kept.info().name == grid.dataset && origin.method == combination.method &&
+      origin.ratio == combination.ratio && origin.seed == seed &&
+      kept.classifier().name == combination.classifier) {
+    return;
+  }
+  reader.refuse("/", fmt::format("is {} of {}, {} {}, seed {}; here it must be {} of {}, {} {}, "
+                                 "seed {}",
+                                 kept.classifier().name, kept.info().name, origin.method,
+                                 origin.ratio, origin.seed, combination.classifier, grid.dataset,
+                                 combination.method, combination.ratio, seed));
+}
+
+void add(TrustSeries& series, const diagnosis::KeptClassifier& kept,
+         const diagnosis::Trust& trust) {
+  series.accuracy.push_back(100 * trust.accuracy);
+  series.raw_calibration_error.push_back(100 * trust.raw_calibration_error);
+  series.calibration_error.push_back(100 * trust.calibration_error);
+  series.called_unknown.push_back(100 * trust.called_unknown);
+  series.temperature.push_back(kept.calibration().temperature);
+  const auto classes = static_cast<double>(trust.untrained.size());
+  double auroc = 0;
+  double called_unknown = 0;
+  for (const auto& [label, of_class] : trust.untrained) {
+    series.by_class[label].push_back(of_class.auroc);
+    auroc += of_class.auroc / classes;
+    called_unknown += 100 * of_class.called_unknown / classes;
+  }
+  series.auroc.push_back(auroc);
+  series.untrained_called_unknown.push_back(called_unknown);
+}
+
+TrustRow trust_row(const run::Layout& layout, const run::Grid& grid,
+                   const run::Combination& combination) {
+  TrustSeries series;
+  TrustRow row;
+  row.combination = combination;
+  std::map<Label, std::string> names;
+  for (const std::int64_t seed : grid.seeds) {
+    const artefact::Reader reader(
+        layout.kept_classifier(combination.method, combination.ratio, seed, combination.classifier),
+        "classifier");
+    const diagnosis::KeptClassifier kept(reader);
+    require_of_cell(reader, kept, grid, combination, seed);
+    add(series, kept, diagnosis::read_trust(reader));
+    for (const Label label : kept.info().fault_labels()) {
+      names[label] = kept.info().class_of(label).name;
+    }
+  }
+  row.accuracy = scoring::summarise(series.accuracy);
+  row.raw_calibration_error = scoring::summarise(series.raw_calibration_error);
+  row.calibration_error = scoring::summarise(series.calibration_error);
+  row.called_unknown = scoring::summarise(series.called_unknown);
+  row.temperature = scoring::summarise(series.temperature);
+  row.auroc = scoring::summarise(series.auroc);
+  row.untrained_called_unknown = scoring::summarise(series.untrained_called_unknown);
+  for (const auto& [label, aurocs] : series.by_class) {
+    row.auroc_by_class.emplace_back(names[label], scoring::summarise(aurocs));
+  }
+  return row;
+}
+
+std::string name_of_row(const TrustRow& row) {
+  return run::name_by(method_label(row.combination.method), row.combination.classifier);
+}
+
+Section calibration_section(const std::vector<TrustRow>& rows) {
+  text::Table table({"method", "ratio", "accuracy", "error as is", "calibrated", "temperature"}, 2);
+  for (const TrustRow& row : rows) {
+    table.row({name_of_row(row), short_ratio_label(row.combination.ratio),
+               mean_label(row.accuracy, {.decimals = 1}),
+               mean_label(row.raw_calibration_error, {.decimals = 1}),
+               mean_label(row.calibration_error, {.decimals = 1}), mean_label(row.temperature)});
+  }
+  return {.key = "calibration",
+          .title = "How sure a classifier says it is, and how often it is right, percent",
+          .note =
+              "Expected calibration error over ten bins of the test windows (Guo et al. 2017): "
+              "as the softmax says, and with the temperature that was found on windows left "
+              "out of trainings of their own, none of which is tested.",
+          .table = table};
+}
+
+Section unknown_section(const std::vector<TrustRow>& rows) {
+  text::Table table({"method", "ratio", "called unknown", "untrained: area", "called unknown"}, 2);
+  for (const TrustRow& row : rows) {
+    table.row({name_of_row(row), short_ratio_label(row.combination.ratio),
+               mean_label(row.called_unknown, {.decimals = 1}),
+               mean_label(row.auroc, {.decimals = 3}),
+               mean_label(row.untrained_called_unknown, {.decimals = 1})});
+  }
+  return {.key = "unknown",
+          .title = "Windows that look like nothing that was trained",
+          .note =
+              "Percent of the test windows, all of whose classes were trained, that are called "
+              "unknown. And if one class of fault at a time had not been trained: the area "
+              "under the receiver's operating characteristic of its windows against the "
+              "others, and percent of its windows that are called unknown, in the mean over "
+              "the classes.",
+          .table = table};
+}
+
+Section class_section(const std::vector<TrustRow>& rows) {
+  text::Table table({"class not trained", "method", "ratio", "area"}, 3);
+  for (const TrustRow& row : rows) {
+    for (const auto& [name, auroc] : row.auroc_by_class) {
+      table.row({name, name_of_row(row), short_ratio_label(row.combination.ratio),
+                 mean_label(auroc, {.decimals = 3})});
+    }
+  }
+  return {.key = "unknown-classes",
+          .title = "The same, class by class",
+          .note =
+              "What is compared with are the real windows of the training set, so methods "
+              "differ only where none of these is known.",
+          .table = table};
+}
+
+}  // namespace
+
+std::vector<TrustRow> trust_rows(const run::Layout& layout, const run::Grid& grid) {
+  std::vector<TrustRow> rows;
+  for (const run::Combination& combination : grid.combinations) {
+    rows.push_back(trust_row(layout, grid, combination));
+  }
+  return rows;
+}
+
+std::string trust_csv(const std::string& dataset, const std::vector<TrustRow>& rows) {
+  std::string csv = text::csv_line(
+      {"dataset", "classifier", "method", "ratio", "seeds", "quantity", "class", "mean", "std"});
+  for (const TrustRow& row : rows) {
+    const auto add_line = [&](const std::string& quantity, const std::string& class_name,
+                              const scoring::Summary& summary) {
+      csv += joined_csv_line(
+          {{dataset, row.combination.classifier, row.combination.method, row.combination.ratio,
+            std::to_string(summary.count), quantity, class_name},
+           mean_fields(summary)});
+    };
+    add_line("accuracy", "", row.accuracy);
+    add_line("raw_calibration_error", "", row.raw_calibration_error);
+    add_line("calibration_error", "", row.calibration_error);
+    add_line("temperature", "", row.temperature);
+    add_line("called_unknown", "", row.called_unknown);
+    add_line("untrained_auroc", "", row.auroc);
+    add_line("untrained_called_unknown", "", row.untrained_called_unknown);
+    for (const auto& [name, auroc] : row.auroc_by_class) add_line("untrained_auroc", name, auroc);
+  }
+  return csv;
+}
+
+Document trust_document(const std::string& dataset, const std::vector<TrustRow>& rows) {
+  return {.key = dataset + "-trust",
+          .title = dataset + ": how far kept classifiers are to be believed",
+          .paragraphs = {"Of the classifiers that `make trust` kept, on the test windows A. Means "
+                         "and standard deviations over the seeds."},
+          .sections = {calibration_section(rows), unknown_section(rows), class_section(rows)}};
+}
+
+}  // namespace piae::report

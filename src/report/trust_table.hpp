@@ -1,0 +1,41 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "diagnosis/trust.hpp"
+#include "report/document.hpp"
+#include "run/grid.hpp"
+#include "run/layout.hpp"
+#include "scoring/statistics.hpp"
+
+namespace piae::report {
+
+/// What may be believed of the kept classifiers of one method, ratio and classifier, over the
+/// seeds.
+struct TrustRow {
+  run::Combination combination;
+  scoring::Summary accuracy;  ///< this and the next three: see diagnosis::Trust, in percent
+  scoring::Summary raw_calibration_error;
+  scoring::Summary calibration_error;
+  scoring::Summary called_unknown;
+  scoring::Summary temperature;
+  /// If a class had not been trained: the mean over the classes of how well its windows are told
+  /// from the others, in [0, 1], and which share of them is called unknown, in percent.
+  scoring::Summary auroc;
+  scoring::Summary untrained_called_unknown;
+  /// The area of each class, by its name.
+  std::vector<std::pair<std::string, scoring::Summary>> auroc_by_class;
+};
+
+/// Reads the kept classifier of every cell. Throws artefact::Refusal for one that is not there, or
+/// not of its cell.
+std::vector<TrustRow> trust_rows(const run::Layout& layout, const run::Grid& grid);
+
+/// A line for each row, and one for each class that is left out:
+/// dataset,classifier,method,ratio,seeds,quantity,class,mean,std.
+std::string trust_csv(const std::string& dataset, const std::vector<TrustRow>& rows);
+
+Document trust_document(const std::string& dataset, const std::vector<TrustRow>& rows);
+
+}  // namespace piae::report

@@ -1,0 +1,162 @@
+// Applies a kept classifier to recordings.
+
+#include <spdlog/fmt/fmt.h>
+
+#include <algorithm>
+#include <iostream>
+
+#include "classification/picture.hpp"
+#include "classification/record.hpp"
+#include "classification/texts.hpp"
+#include "classification/verdict.hpp"
+#include "cli/checks.hpp"
+#include "cli/progress.hpp"
+#include "cli/stage.hpp"
+#include "diagnosis/trust.hpp"
+#include "signal/ingest.hpp"
+#include "signal/ranges.hpp"
+#include "text/file.hpp"
+
+using namespace piae;
+namespace fs = std::filesystem;
+
+namespace {
+
+/// What the recordings are: one file by itself, or those of a description.
+struct Sources {
+  classification::LoneFile lone;
+  fs::path description;
+  fs::path data_dir = "data";
+  std::vector<std::string> records;  ///< of the description; all where none is named
+};
+
+void require_one_source(const Sources& sources) {
+  if (sources.lone.file.empty() == sources.description.empty()) {
+    throw Error(Exit::usage, "name either one --recording, or a --description of several");
+  }
+  const bool complete = sources.lone.sample_rate_hz > 0 && sources.lone.shaft_speed_rpm > 0 &&
+                        !sources.lone.variable.empty();
+  if (!sources.lone.file.empty() && !complete) {
+    throw Error(Exit::usage,
+                "--recording needs --variable, --sample-rate-hz and --speed-rpm beside it");
+  }
+}
+
+std::vector<classification::Recording> read_described(const Sources& sources,
+                                                      const signal::DatasetInfo& trained) {
+  const signal::Description description = signal::read_description(sources.description);
+  signal::RecordReader reader(description, sources.data_dir);
+  std::vector<classification::Recording> recordings;
+  for (const signal::RecordSource& source : description.records) {
+    const bool asked = sources.records.empty() ||
+                       std::ranges::find(sources.records, source.name) != sources.records.end();
+    if (!asked) continue;
+    recordings.push_back(
+        classification::recording_of(reader.read(source), description.info, trained));
+  }
+  for (const std::string& name : sources.records) {
+    if (std::ranges::find(description.records, name, &signal::RecordSource::name) !=
+        description.records.end()) {
+      continue;
+    }
+    std::string there;
+    for (const auto& record : description.records) there += " " + record.name;
+    throw Error(Exit::usage, fmt::format("--record: {} has no record '{}'; there are{}",
+                                         sources.description.string(), name, there));
+  }
+  return recordings;
+}
+
+/// What the classifier is, and how far it may be believed.
+std::string said_of(const diagnosis::KeptClassifier& kept, const diagnosis::Trust& trust) {
+  return fmt::format(
+      "by {} of {}, trained on {} windows ({} {}, seed {}). Of windows it had not seen, {:.1f} % "
+      "were\nnamed rightly; where it says how sure it is, it errs by {:.1f} points on average{}.",
+      kept.classifier().name, kept.info().name, kept.origin().training_windows,
+      kept.origin().method, kept.origin().ratio, kept.origin().seed, 100 * trust.accuracy,
+      100 * trust.calibration_error,
+      kept.calibration().windows == 0 ? " (uncalibrated: too few known windows to leave any out)"
+                                      : "");
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  cli::Stage stage(
+      "classify",
+      "Names the fault in recordings, by a classifier that `diagnose --keep-classifier` kept: for "
+      "each window and for the whole recording the class and a calibrated probability, or "
+      "\"unknown\" where it looks like nothing that was trained. The picture shows the evidence "
+      "beside: the envelope spectrum with the lines of the bearing's faults.",
+      "classify --classifier classifier.h5 --recording bearing7.csv --variable 1 "
+      "--sample-rate-hz 25600 --speed-rpm 1500 --picture bearing7.svg");
+  fs::path classifier_file;
+  Sources sources;
+  fs::path output;
+  fs::path csv;
+  fs::path picture;
+  std::size_t step = 0;
+  stage.input_file("--classifier", classifier_file, "classifier.h5 made by diagnose");
+  stage.input_file("--recording", sources.lone.file, "one recording: .mat, .csv, .txt or .h5")
+      .required(false);
+  stage.options().add(
+      "--variable", sources.lone.variable,
+      "of the recording: variable of a .mat, column of a .csv (its name or number), "
+      "dataset of an .h5");
+  stage.options()
+      .add("--sample-rate-hz", sources.lone.sample_rate_hz, "of the recording")
+      .check(cli::within(signal::ranges::sample_rate_hz));
+  stage.options()
+      .add("--speed-rpm", sources.lone.shaft_speed_rpm, "of the shaft in the recording")
+      .check(cli::within(signal::ranges::shaft_speed_rpm));
+  stage
+      .input_file("--description", sources.description,
+                  "in the place of --recording: a description of recordings (TOML)")
+      .required(false);
+  stage.input_file("--data-dir", sources.data_dir, "folder that holds the files it names")
+      .required(false);
+  stage.options().add("--record", sources.records, "only these records of it");
+  stage.options().add("--step", step,
+                      "samples, at the classifier's rate, from the start of one window to that of "
+                      "the next; 0: one window after the other");
+  stage.output_file("--output", output, "answers on all windows (HDF5)").required(false);
+  stage.output_file("--csv", csv, "the same as text").required(false);
+  stage.output_file("--picture", picture, "time lines and envelope spectra (SVG)").required(false);
+
+  return stage.run(argc, argv, [&] {
+    require_one_source(sources);
+    const artefact::Reader reader = stage.open("classifier", classifier_file, "classifier");
+    diagnosis::KeptClassifier kept(reader);
+    const diagnosis::Trust trust = diagnosis::read_trust(reader);
+    const signal::DatasetInfo& info = kept.info();
+
+    std::vector<classification::Recording> recordings;
+    if (sources.description.empty()) {
+      stage.note_input("recording", sources.lone.file);
+      recordings.push_back(classification::read_lone_file(sources.lone, info));
+    } else {
+      stage.note_input("description", sources.description);
+      recordings = read_described(sources, info);
+    }
+    std::vector<classification::Verdict> verdicts;
+    cli::Progress progress("classify", "recordings", recordings.size());
+    for (classification::Recording& recording : recordings) {
+      verdicts.push_back(
+          classification::judge(std::move(recording), kept, step == 0 ? kept.length() : step));
+      progress.update(verdicts.size());
+    }
+
+    std::vector<text::File> texts;
+    if (!csv.empty()) texts.push_back({csv, classification::csv_of(verdicts, info)});
+    if (!picture.empty()) {
+      texts.push_back({picture, classification::picture_of(verdicts, info, kept.length())});
+    }
+    text::save_all(texts);
+    if (!output.empty()) {
+      artefact::Writer writer("classification");
+      classification::write(writer, verdicts, kept, reader.digest());
+      stage.save(writer, output);
+    }
+    std::cout << classification::table_of(verdicts, info) << said_of(kept, trust) << '\n';
+  });
+}
