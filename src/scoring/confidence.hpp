@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "scoring/calibration.hpp"
@@ -17,13 +18,15 @@ inline constexpr std::size_t reliability_bins = 10;
 struct Confidence {
   double calibration_error = 0;  ///< in [0, 1]: expected_calibration_error()
   double answerable = 0;         ///< in [0, 1]: answerable_share() at wanted_precision_percent
-  /// Whether it is surer of some windows than of others. Where it is not, as where it names a class
-  /// and says nothing more, all windows are answered, or none.
-  bool tells = false;
+  bool tells = false;            ///< see tells()
 };
 
 /// The largest score of each test window, and whether the class that was named is the true one.
 std::vector<Judgement> judgements_of(const DiagnosisRecord& record);
+
+/// Whether a classifier is surer of some windows than of others. Where it is not, as where it names
+/// a class and says nothing more, all windows are answered, or none.
+bool tells(std::span<const Judgement> judgements);
 
 /// Throws std::logic_error for a diagnosis of no window.
 Confidence confidence_of(const DiagnosisRecord& record);
