@@ -7,6 +7,7 @@
 #include "page/problems.hpp"
 #include "page/report_text.hpp"
 #include "support/errors.hpp"
+#include "support/published_tables.hpp"
 #include "support/stored_run.hpp"
 #include "support/stored_tested_windows.hpp"
 
@@ -25,9 +26,7 @@ using testing::SizeIs;
 class ReportPage : public StoredRun {
  protected:
   ReportPage() : run_(folder_.path() / "run") {
-    folder_.write("table6-7-baseline.csv", "dataset,run1,average\ncwru,61.8,61.8\n");
-    folder_.write("table8-9-methods.csv", "dataset,method,2to1\ncwru,vae,91.2\n");
-    folder_.write("table10-11-ablation.csv", "dataset,model,2to1\ncwru,model1,93.7\n");
+    write_published_tables(folder_);
     folder_.write("pipeline/protocol.toml",
                   "[train]\n[train.vae]\nepochs = 200  # paper, Table 4\nbatch = 5 # as "
                   "\"paper\"\n                # and <b>more</b>\n[train.ae]\nlike = \"vae\"\n");
