@@ -171,6 +171,7 @@ DatasetContents read_dataset(const fs::path& run, const run::Grid& asked,
                            .grid = std::move(collected.grid),
                            .results = std::move(collected.results)};
   contents.rows = report::accuracy_rows(contents.grid, contents.results, published);
+  contents.recommendations = report::recommendations(contents.rows, contents.results);
   contents.verdict = report::verdict(contents.results, contents.rows);
   const std::string conditions = report::conditions_note(contents.results);
   if (!conditions.empty()) contents.verdict.insert(contents.verdict.begin(), conditions);

@@ -111,6 +111,19 @@ TEST_F(ReportPage, ShowsGainsWithASignBesideTheColour) {
   EXPECT_THAT(page(), HasSubstr("<span class=\"ours\">▲ +28.33</span>"));
 }
 
+/// vae at 2to1: 90 %. What is wrong is taken for the outer race, so that no fault is missed.
+TEST_F(ReportPage, SaysWhichMethodToTake) {
+  add_all();
+  const std::string html = page();
+  EXPECT_THAT(html, HasSubstr("<h2>Which method to take</h2>\n<p class=\"verdict\">Recommended on "
+                              "cwru: vae, right in 90.0 % of the test windows (2 seeds)"));
+  EXPECT_THAT(html, HasSubstr("2 seeds cannot tell: none (-27.5 points). At least 6 seeds could."));
+  EXPECT_THAT(html, HasSubstr("<td class=\"helps\">✔ yes</td>"));
+  EXPECT_THAT(html, HasSubstr("title=\"0 of 40 windows\">0.0</td>"));
+  EXPECT_THAT(html, HasSubstr("Which method to take at each ratio on cwru, percent"));
+  EXPECT_THAT(text(), HasSubstr("\n## Which method to take on cwru\n\nRecommended on cwru: vae"));
+}
+
 TEST_F(ReportPage, SaysWhichArtefactsANumberCameFrom) {
   add_all();
   const std::string html = page();
