@@ -207,7 +207,7 @@ concerning  = $(foreach name,$3,$(if $(filter $1/$(name) $1/$(name)/%,$2),$(name
 leave_out   = $(if $(strip $1),--leave-out $(strip $1) )
 
 # ---- tables -------------------------------------------------------------------------------------
-table_names  := accuracy.csv gains.csv quality.csv comparisons.csv ranks.csv decisions.csv confidence.csv tables.md tables.tex summary.txt
+table_names  := accuracy.csv gains.csv quality.csv comparisons.csv ranks.csv decisions.csv confidence.csv recommendation.csv tables.md tables.tex summary.txt
 tables_of    = $(table_names:%=$(results)/$1/%)
 
 # That a cell has been removed, no file's time tells: so the number of cells counts as a setting.

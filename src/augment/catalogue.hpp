@@ -29,6 +29,7 @@ struct CatalogueEntry {
   bool infers = false;   ///< whether it infers stiffness and damping of windows it has not seen
   bool hears = false;    ///< whether it takes healthy windows B beside the known ones
   bool carries = false;  ///< whether it is made for faults that are known in other conditions alone
+  bool trains = false;   ///< whether it is trained or fitted in epochs, by nets::run_epochs()
   bool without_known = false;  ///< whether it makes faults of which no window is known
 };
 

@@ -68,6 +68,24 @@ TEST(Catalogue, SaysWhichMethodsInferStiffnessAndDamping) {
   }
 }
 
+/// Only what goes by epochs asks whether it is to stop. The windows are longer than a turn of the
+/// shaft, which piae-dt-phase needs.
+TEST(Catalogue, SaysWhichMethodsAreTrainedInEpochs) {
+  nets::Checkpoint stopped = checkpoint_at("cut");
+  stopped.interrupted = [] { return true; };
+  for (const CatalogueEntry& entry : catalogue()) {
+    if (entry.make == nullptr || needs_libtorch_always(entry)) continue;
+    bool in_epochs = false;
+    try {
+      train(entry.name, "", known_windows(512), stopped, "model.h5");
+    } catch (const Error& error) {
+      in_epochs = error.exit() == Exit::interrupted;
+    }
+    EXPECT_EQ(in_epochs, entry.trains) << entry.name;
+    std::filesystem::remove(stopped.path);
+  }
+}
+
 TEST(Catalogue, SaysWhatWorksWithoutKnownWindows) {
   signal::WindowSet none = known_windows();
   none = {.info = none.info, .length = none.length};

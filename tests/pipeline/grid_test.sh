@@ -632,7 +632,7 @@ test_the_papers_methods_and_all_ratios_run_where_none_are_given() {
 test_a_lost_table_comes_back() {
   finished_grid
   local table
-  for table in accuracy.csv gains.csv quality.csv comparisons.csv ranks.csv decisions.csv confidence.csv tables.md tables.tex summary.txt; do
+  for table in accuracy.csv gains.csv quality.csv comparisons.csv ranks.csv decisions.csv confidence.csv recommendation.csv tables.md tables.tex summary.txt; do
     rm results/t/real/$table
     grid >/dev/null
     expect_equal "$(ran)" "1 tabulate"
