@@ -3,7 +3,7 @@
 # is possible it prints the line for somebody who may, and exits with 2. When nothing is missing it
 # does nothing, and needs no network.
 # usage: pipeline/deps.sh LIBTORCH TARGET...      (LIBTORCH: on or off)
-# TARGETs are `programs`, `tests`, `benches`, `figures`, `cluster` and `lint`: what one of them needs
+# TARGETs are `programs`, `tests`, `benches`, `figures`, `cluster`, `lint` and `package`: what one of them needs
 # beyond the programs comes for it alone.
 set -euo pipefail
 
@@ -20,6 +20,7 @@ packages=(
 [[ " $* " != *" tests "* ]] || packages+=(libgtest-dev libgmock-dev hdf5-tools gnuplot-nox fonts-dejavu-core)
 [[ " $* " != *" benches "* ]] || packages+=(libbenchmark-dev)
 [[ " $* " != *" figures "* ]] || packages+=(gnuplot-nox fonts-dejavu-core)
+[[ " $* " != *" package "* ]] || packages+=(dpkg-dev file) # which libraries, of which packages, a program needs
 # The tests on a real Slurm start it themselves, in a network namespace.
 [[ " $* " != *" cluster "* ]] || packages+=(slurm-wlm iproute2)
 # Lint asks clang's tools of one version alone, that of Debian 12.
