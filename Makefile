@@ -24,7 +24,7 @@ SUBMIT   :=
 TOLERANCE := auto
 LINT     :=
 STORM    := full
-PREFIX   ?= /usr/local
+PREFIX   := /usr/local
 DESTDIR  ?=
 V        :=
 # On a cluster: cores of a job, how long it is to take, how many run at a time.

@@ -57,7 +57,7 @@ set(CPACK_PACKAGE_VERSION ${PROJECT_VERSION})
 set(CPACK_PACKAGE_CONTACT "The PIAE-DT pipeline authors")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
-set(CPACK_DEBIAN_COMPRESSION_TYPE xz)  # half of gzip's size: the programs have much in common
+set(CPACK_DEBIAN_COMPRESSION_TYPE xz)  # a fifth of gzip's size: the programs have much in common
 set(CPACK_DEBIAN_PACKAGE_RELEASE ${release})
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
