@@ -32,6 +32,8 @@ test_the_grid_runs_in_another_folder() {
   expect_equal "$(find "$prefix" -newer ../began)" ""
   # Again there is nothing to do, and no more to be said of the folder.
   expect_no_line "$(piae-dt make cells DATASETS=tiny METHODS=none RATIOS=100to1 SEEDS=0 2>&1)" 'lays out|diagnose'
+  # What messages say of make can be typed there as it stands.
+  expect_line "$(make status DATASETS=tiny METHODS="none smote" RATIOS="100to1 50to1" SEEDS=0 2>&1)" '^all +4 +4 '
   # The paper's numbers and the stored reference are found.
   expect_line "$(realpath -e results/published/table8-9-methods.csv)" "^$(realpath "$prefix")/"
   expect_line "$(realpath -e results/reference/random/cwru.csv)" "^$(realpath "$prefix")/"
@@ -136,7 +138,7 @@ test_what_needs_the_sources_is_refused_in_one_line() {
 test_an_unknown_stage_is_refused_in_one_line() {
   installed
   local name
-  for name in nosuch ../bin/piae-dt train-libtorch ''; do
+  for name in nosuch ../bin/piae-dt train-libtorch . ''; do
     expect_exit 2 piae-dt "$name"
     expect_equal "$(piae-dt "$name" 2>&1 | wc -l)" 1
   done
