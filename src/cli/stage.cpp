@@ -81,6 +81,9 @@ Stage::Stage(std::string name, const std::string& summary, const std::string& ex
                "75 interrupted after a checkpoint (run the same command again)\n");
   app_->option_defaults()->always_capture_default();
   app_->get_formatter()->column_width(38);
+  app_->set_version_flag("--version", "piae-dt " + name_ + " " + artefact::build_version(),
+                         "Print the version and exit")
+      ->configurable(false);
   add_config(*app_, "TOML file to read options from, table [" + name_ + "]")->group(files_group);
   app_->config_formatter(std::make_shared<TomlConfig>(name_, ""));
   app_->allow_config_extras(CLI::config_extras_mode::error);
@@ -133,6 +136,9 @@ int Stage::run(int argc, char** argv, const std::function<void()>& body) {
     return static_cast<int>(Exit::done);
   } catch (const CLI::CallForHelp&) {
     std::cout << app_->help();
+    return static_cast<int>(Exit::done);
+  } catch (const CLI::CallForVersion&) {
+    std::cout << app_->version() << '\n';
     return static_cast<int>(Exit::done);
   } catch (const CLI::FileError& error) {
     return fail(name_, Exit::input_missing, first_line(error.what()));
@@ -194,8 +200,8 @@ void Stage::save(artefact::Writer& writer, const std::filesystem::path& path) co
 std::string Stage::resolved_options() const {
   std::string text;
   for (const CLI::Option* option : app_->get_options()) {
-    const bool has_name = !option->get_lnames().empty();
-    if (!has_name || option->get_group() == files_group || option == app_->get_help_ptr()) continue;
+    const bool asks = option == app_->get_help_ptr() || option == app_->get_version_ptr();
+    if (asks || option->get_lnames().empty() || option->get_group() == files_group) continue;
     std::string value = option->get_default_str();
     if (option->count() > 0) {
       value.clear();

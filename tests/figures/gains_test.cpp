@@ -58,6 +58,14 @@ TEST_F(Gains, OfTheModelsNeedAnAblation) {
   EXPECT_ERROR(gains_of_models(all, all.accuracies().front()), Exit::input_missing, "ablation");
 }
 
+// Numbers without a row could not be drawn.
+TEST_F(Gains, OfTheMethodsNeedOneThatIsNoAblation) {
+  add_baseline();
+  for (const int seed : {0, 1}) add(diagnosis("ae", "10to1", 45, seed, 15));
+  Source all = source("none ae", "100to1 10to1");
+  EXPECT_ERROR(gains_of_methods(all, all.accuracies().front()), Exit::input_missing, "no method");
+}
+
 TEST_F(Gains, NameTheFirstCellThatIsMissing) {
   add_all();
   std::filesystem::remove(layout_.diagnosis("vae", "2to1", 1));

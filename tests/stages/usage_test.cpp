@@ -1,3 +1,4 @@
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "stages/tiny.hpp"
@@ -14,6 +15,15 @@ TEST_P(Usage, HelpShowsAnExample) {
   EXPECT_EQ(help.err, "");
   EXPECT_NE(help.out.find(std::string("Example:\n  ") + GetParam() + ' '), std::string::npos)
       << help.out;
+}
+
+TEST_P(Usage, VersionIsOneLineWithTheNumber) {
+  const Folder folder;
+  const Outcome version = run(folder.path(), GetParam(), {"--version"});
+  EXPECT_EQ(version.status, 0);
+  EXPECT_EQ(version.err, "");
+  EXPECT_THAT(version.out, testing::MatchesRegex("piae-dt " + std::string(GetParam()) +
+                                                 " [0-9]+[.][0-9]+[.][0-9]+( [(][0-9a-f]+[)])?\n"));
 }
 
 TEST_P(Usage, WithoutArgumentsIsAUsageError) {
