@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/error.hpp"
+#include "base/one_line.hpp"
 #include "base/range.hpp"
 #include "monitor/sample_clock.hpp"
 
@@ -124,7 +125,7 @@ std::string watch(Input& input, Monitor& monitor, const signal::DatasetInfo& inf
         spdlog::warn(
             "{}: was cut or replaced after {:.1f} s of signal, and is read from its "
             "beginning; samples may be lost",
-            input.name(), monitor.signal_s());
+            one_line(input.name()), monitor.signal_s());
         monitor.skip();
         break;
       case Input::Event::end:
