@@ -30,7 +30,7 @@ int main(int argc, char** argv) {
       "for long enough, and cleared when it has looked healthy again. It ends with its input, or "
       "when it is told to (SIGTERM, Ctrl-C), with a line on standard error that says how much was "
       "heard and what was lost.",
-      "recorder | monitor --classifier classifier.h5 --sample-rate-hz 12000 --speed-rpm 1797");
+      "monitor --classifier classifier.h5 --sample-rate-hz 12000 --speed-rpm 1797 < raw.f32");
   fs::path classifier_file;
   fs::path input_file = "-";
   bool follow = false;

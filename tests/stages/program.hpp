@@ -39,7 +39,7 @@ struct Surroundings {
   rlim_t largest_file = RLIM_INFINITY;  ///< bytes; a write beyond fails as on a full disk
   rlim_t most_memory = RLIM_INFINITY;   ///< bytes of address space
   bool without_root_rights = false;     ///< permissions of files hold even for root
-  fs::path input;                       ///< what standard input is, where it is not the test's
+  fs::path input{};                     ///< what standard input is, where it is not the test's
 };
 
 inline std::string read_all(std::FILE* file) {
