@@ -6,6 +6,7 @@
 #include "base/write_all.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/stage.hpp"
+#include "diagnosis/fitting_signal.hpp"
 #include "diagnosis/kept_classifier.hpp"
 #include "monitor/watch.hpp"
 
@@ -45,8 +46,9 @@ int main(int argc, char** argv) {
 
   return stage.run(argc, argv, [&] {
     diagnosis::KeptClassifier classifier(stage.open("classifier", classifier_file, "classifier"));
-    require_fitting(classifier.info(), options);
     monitor::Input input(input_file, follow);
+    diagnosis::require_fitting_signal(classifier.info(), options.sample_rate_hz, options.speed_rpm,
+                                      input.name());
     const auto answer = [&](const signal::WindowSet& windows) {
       return classifier.answer(windows);
     };

@@ -1,12 +1,9 @@
 #include "monitor/monitor.hpp"
 
-#include <spdlog/fmt/fmt.h>
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "base/error.hpp"
 #include "base/range.hpp"
 #include "signal/amplitude.hpp"
 #include "signal/ranges.hpp"
@@ -68,28 +65,6 @@ Monitor::Monitor(const signal::DatasetInfo& info, std::size_t length, Answer ans
              Alarm(options.alarm,
                    windows_per_hour(info, options.stride == 0 ? length : options.stride)),
              options.every_s) {}
-
-void require_fitting(const signal::DatasetInfo& info, const MonitorOptions& options) {
-  if (options.sample_rate_hz < info.sample_rate_hz) {
-    throw Error(
-        Exit::usage,
-        fmt::format("--sample-rate-hz {:g}: the classifier was trained at {:g} Hz, and needs "
-                    "a stream of at least that; a higher rate is resampled",
-                    options.sample_rate_hz, info.sample_rate_hz));
-  }
-  std::string speeds;
-  for (const std::int32_t condition : info.known_conditions()) {
-    const double known_rpm = info.speed_rpm(condition);
-    if (std::abs(options.speed_rpm / known_rpm - 1) <= speed_tolerance) return;
-    speeds += fmt::format("{}{:g}", speeds.empty() ? "" : ", ", known_rpm);
-  }
-  throw Error(
-      Exit::usage,
-      fmt::format("--speed-rpm {:g}: the classifier was trained at {} rpm, and judges speeds "
-                  "up to {:g} % from that; train one at this speed (docs/strike-twin.md "
-                  "says how, where faults are known at another)",
-                  options.speed_rpm, speeds, 100 * speed_tolerance));
-}
 
 double Monitor::window_s() const { return static_cast<double>(length_) / info_.sample_rate_hz; }
 

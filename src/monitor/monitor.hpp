@@ -29,14 +29,6 @@ struct MonitorOptions {
 
 void bind(const cli::Options& command, MonitorOptions& options);
 
-/// Of the speeds that a classifier was trained at, the nearest may differ by this share: the loads
-/// of CWRU's records alone make 4 %.
-inline constexpr double speed_tolerance = 0.05;
-
-/// Throws Error(usage) where a classifier cannot judge such a stream: sampled more slowly than its
-/// windows, or of a machine at another speed.
-void require_fitting(const signal::DatasetInfo& info, const MonitorOptions& options);
-
 /// A stream of raw samples, judged window by window as it comes. It keeps what the next window
 /// needs and nothing else, and says the same however the stream was cut into pieces.
 class Monitor {

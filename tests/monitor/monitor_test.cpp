@@ -8,7 +8,6 @@
 
 #include "monitor/judged.hpp"
 #include "signal/amplitude.hpp"
-#include "support/errors.hpp"
 
 namespace piae::monitor {
 namespace {
@@ -146,21 +145,6 @@ TEST(Monitor, ManyWindowsAtOnceAreJudgedInTheirOrder) {
   const auto all = heard(signal, options_at(1000), signal.size() * sizeof(float)).decisions;
   ASSERT_EQ(all.size(), 200U);
   for (std::size_t i = 0; i < all.size(); ++i) EXPECT_EQ(all[i].label, i % 4 == 0 ? 2 : 0) << i;
-}
-
-TEST(Monitor, RefusesAStreamThatCannotFit) {
-  EXPECT_ERROR(require_fitting(rig(), options_at(999)), Exit::usage,
-               "--sample-rate-hz 999: the classifier was trained at 1000 Hz");
-  MonitorOptions options = options_at(51200);
-  for (const double speed_rpm : {1426.0, 1574.0}) {
-    options.speed_rpm = speed_rpm;
-    EXPECT_NO_THROW(require_fitting(rig(), options));
-  }
-  for (const double speed_rpm : {1424.0, 1576.0}) {
-    options.speed_rpm = speed_rpm;
-    EXPECT_ERROR(require_fitting(rig(), options), Exit::usage,
-                 "the classifier was trained at 1500 rpm, and judges speeds up to 5 % from that");
-  }
 }
 
 }  // namespace

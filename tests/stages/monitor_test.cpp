@@ -178,10 +178,10 @@ TEST_F(Monitored, OtherFormatsSayTheSame) {
 TEST_F(Monitored, AStreamThatCannotFitIsRefused) {
   simulate("Normal", 1, 0, "raw.f32");
   const Arguments given{"--input", "raw.f32"};
-  expect_refusal(monitor(with(given, "--sample-rate-hz", "8000")), "monitor", 2,
-                 {"--sample-rate-hz 8000", "12000 Hz"});
-  expect_refusal(monitor(with(given, "--speed-rpm", "1200")), "monitor", 2,
-                 {"--speed-rpm 1200", "1797"});
+  expect_refusal(monitor(with(given, "--sample-rate-hz", "8000")), "monitor", 65,
+                 {"raw.f32", "8000 Hz", "12000 Hz"});
+  expect_refusal(monitor(with(given, "--speed-rpm", "1200")), "monitor", 65,
+                 {"raw.f32", "1200 rpm", "1797"});
   expect_refusal(monitor(with(given, "--healthy-share", "0.7")), "monitor", 2,
                  {"--healthy-share 0.7", "--faulty-share 0.5"});
   expect_refusal(monitor(with(given, "--input", "nowhere.f32")), "monitor", 66,
