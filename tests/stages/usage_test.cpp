@@ -53,6 +53,8 @@ TEST_P(Usage, UnknownOptionIsNamed) {
     arguments = {"--file", "tiny.csv", "--variable", "1"};
   } else if (GetParam() == std::string("export_windows")) {
     arguments = {"--windows", "E.h5", "--output", "E.csv"};
+  } else if (GetParam() == std::string("monitor")) {
+    arguments = {"--classifier", "c.h5", "--sample-rate-hz", "12000", "--speed-rpm", "1797"};
   } else if (GetParam() == std::string("check")) {
     arguments = {"--run", "run", "--reference", "reference"};
   } else if (GetParam() != std::string("verify")) {
@@ -67,7 +69,7 @@ INSTANTIATE_TEST_SUITE_P(Stages, Usage,
                          testing::Values("ingest", "simulate", "split", "train", "generate",
                                          "score", "diagnose", "tabulate", "sweep", "check",
                                          "contrast", "transfer", "identify", "verify", "read_raw",
-                                         "export_windows"),
+                                         "export_windows", "monitor"),
                          [](const auto& info) { return info.param; });
 
 TEST(Usage, TrainHelpShowsTheOptionsOfTheMethod) {
