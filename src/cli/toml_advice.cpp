@@ -81,6 +81,8 @@ std::string advice_on_value(std::string_view value) {
   }
   const bool is_plain = value.find_first_of("[]{}\"'") == std::string_view::npos;
   if (!is_plain) return {};
+  const bool is_like_a_number = value.find_first_not_of("0123456789+-._eE") == std::string::npos;
+  if (is_like_a_number) return {};
   const bool begins_like_a_number = value.find_first_of("0123456789+-.") == 0;
   if (begins_like_a_number && has(value, " ")) {
     return "has something behind the number; leave it out, or write a text in quotes, " +
