@@ -17,7 +17,7 @@ struct RecordSource {
   std::string name;
   Label label = 0;
   std::string file;      ///< below DATA_DIR; the extension says the format (raw_file.hpp)
-  std::string variable;  ///< of a .mat; column of a .csv; dataset of an .h5
+  std::string variable;  ///< of a .mat; column of a .csv or .txt; dataset of an .h5
   double sample_rate_hz = 0;
   double shaft_speed_rpm = 0;
   std::string sha256;  ///< of the file, 64 hexadecimal digits; empty where it is not checked
