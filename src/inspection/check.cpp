@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "inspection/plausibility.hpp"
+#include "signal/described_split.hpp"
 #include "signal/split.hpp"
 #include "signal/stride.hpp"
 
@@ -99,13 +100,13 @@ ClassCheck check_class(const Description& description, const DatasetCheck& check
   result.records = static_cast<std::size_t>(std::ranges::count(
       check.records, label, [](const RecordCheck& record) { return record.source.label; }));
   if (!are_readable(check, label)) return result;
-  const signal::SplitOptions split;
+  const signal::SplitOptions split = signal::split_options_of(description);
   const signal::DatasetInfo& info = description.info;
   try {
     const Stream any("check");
     for (const signal::Source& source :
          sources_of(info, label, places_of(description), counts_of(split), any)) {
-      look_at_source(source, check, split, info.class_of(label).name, result);
+      look_at_source(source, check, split, name_of(info, label, source), result);
     }
   } catch (const Error& error) {
     return {.label = label, .records = result.records, .problem = error.what()};

@@ -7,7 +7,7 @@
 #include <iterator>
 
 #include "inspection/plausibility.hpp"
-#include "signal/split.hpp"
+#include "signal/described_split.hpp"
 
 namespace piae::inspection {
 
@@ -67,7 +67,7 @@ void add_rate(const Description& description, Lines& lines) {
   const auto [slowest, fastest] =
       std::ranges::minmax(sources, {}, [](const RecordSource& s) { return s.shaft_speed_rpm; });
   const DatasetInfo& info = description.info;
-  const std::size_t window = signal::SplitOptions{}.window;
+  const std::size_t window = signal::split_options_of(description).window;
   const double window_s = static_cast<double>(window) / info.sample_rate_hz;
   const double turns = turns_in(window_s, slowest.shaft_speed_rpm);
   if (turns < 1) {
@@ -173,16 +173,16 @@ void add_flaws(const RecordCheck& record, Lines& lines) {
   }
 }
 
-void add_stride(const DatasetInfo& info, const ClassCheck& found, Lines& lines) {
+void add_stride(const Description& description, const ClassCheck& found, Lines& lines) {
   if (found.stride == 0 || found.stride >= sensible_stride) return;
-  const signal::SplitOptions split;
+  const std::size_t window = signal::split_options_of(description).window;
   lines.push_back(fmt::format(
       "class {}: its recordings are so short that windows of {} samples start every {}: they "
       "overlap by {:.1f} %, and with PROTOCOL=random {:.0f} % of the test windows (A) share "
       "samples "
       "with a training window: the accuracy says little of new recordings; record longer, or take "
       "PROTOCOL=blocked",
-      info.class_of(found.label).name, split.window, found.stride, 100 * found.overlap,
+      description.info.class_of(found.label).name, window, found.stride, 100 * found.overlap,
       100 * found.shared_with_training));
 }
 
@@ -293,7 +293,7 @@ std::vector<std::string> warnings_of(const Description& description, const Datas
   for (const RecordCheck& record : check.records) {
     if (record.problem.empty()) add_flaws(record, lines);
   }
-  for (const ClassCheck& found : check.classes) add_stride(description.info, found, lines);
+  for (const ClassCheck& found : check.classes) add_stride(description, found, lines);
   std::ranges::move(line_warnings(description.info, check.records), std::back_inserter(lines));
   return lines;
 }

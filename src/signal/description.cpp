@@ -272,7 +272,7 @@ Description read_description(const fs::path& file) {
   }
   const auto rate = root.optional_number("sample_rate_hz", ranges::sample_rate_hz);
   require_a_record_for_each_class(file, description);
-  check_described_split(root);
+  description.split = read_described_split(root);
   description.info.conditions =
       read_described_conditions(root, description.info, description.records);
   set_mean_sizes(classes, description.records, description.info);

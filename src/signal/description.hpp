@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -25,6 +27,9 @@ struct RecordSource {
   std::string condition = {};                 ///< empty where it belongs to every one
   std::optional<double> defect_size_mm = {};  ///< its own, where the class holds several
 };
+
+/// Settings of the stage split by their names, such as "windows-per-class".
+using SplitSettings = std::map<std::string, std::size_t>;
 
 /// A dataset description (pipeline/datasets/<name>.toml):
 ///
@@ -54,9 +59,11 @@ struct RecordSource {
 ///     [split]                     # optional: settings of the stage split for this dataset alone,
 ///     known-per-class = 5         # in the place of those of the protocol
 ///
-/// It may be `like` another one (description_file.hpp).
+/// or windows-per-class = 300, test-per-class = 50 where the recordings are short. (All of
+/// split_settings() may stand there.) It may be `like` another one (description_file.hpp).
 struct Description {
   DatasetInfo info;
+  SplitSettings split = {};           ///< what it sets for the stage split
   std::vector<RecordSource> records;  ///< in alphabetical order of their names
 };
 
