@@ -14,8 +14,8 @@
 #
 # What makes a step run again: its inputs, and its settings, which are compared by content (the
 # program `settings`). The programs are no prerequisites: building them again does not throw away days
-# of results. The raw recordings are none either: where the description gives their sha256 sums,
-# ingest refuses any other file.
+# of results. The raw recordings are compared by content, too, whatever their folder is; those that are
+# not there have not changed.
 #
 # The front door (Makefile) builds the programs, and then has this file made into rules.
 
@@ -119,9 +119,23 @@ $(foreach dataset,$(DATASETS),$(eval options.$(call split_settings,$(dataset)) :
 step   = $(Q)pipeline/step.sh $(@D)
 config = --config $(filter $(settings)/%,$^)
 
+# A file of settings says of which recordings the records are. It is a prerequisite where it is there or must be
+# made: records of an older project are without one, and stay. Who only looks notes nothing.
+measured        := $(filter-out $(simulated),$(DATASETS))
+recordings_file  = $(settings)/recordings/$1.toml
+recordings_asked = 'recordings/$1.toml $(DATA_DIR)'
+looks_only      := $(looks)$(only_asking)$(findstring n,$(filter-out --%,$(firstword -$(MAKEFLAGS))))
+other_recordings := $(if $(measured),$(shell $(BIN)/settings --folder $(settings) $(if $(looks_only),,--note) \
+  --outdated $(foreach dataset,$(measured),$(call recordings_asked,$(dataset)))))
+$(if $(measured),$(if $(filter 0,$(.SHELLSTATUS)),,$(error pipeline/ cannot be used as it is, see above)))
+recordings_of    = $(if $(filter recordings/$1.toml,$(other_recordings)),$(call recordings_file,$1),$(wildcard $(call recordings_file,$1)))
+$(foreach dataset,$(measured),$(call recordings_file,$(dataset))): $(settings)/recordings/%.toml:
+	$(Q)$(BIN)/settings --folder $(settings) --update $(call recordings_asked,$*)
+$(other_recordings:%=$(settings)/%): FORCE
+
 define records_rule # data set
 .PRECIOUS: $(results)/$1/records.h5
-$(results)/$1/records.h5: $(settings)/datasets/$1.toml
+$(results)/$1/records.h5: $(settings)/datasets/$1.toml $(call recordings_of,$1)
 	$$(step) $(if $(filter $1,$(simulated)),simulate,ingest --data-dir '$(DATA_DIR)') --description $$< --output $$@
 endef
 

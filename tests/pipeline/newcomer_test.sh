@@ -81,4 +81,53 @@ test_the_shown_method_plays_backwards() {
   expect_equal "$(first_window $cell/reverse/E.h5)" "$(first_window $cell/C.h5 | tac)"
 }
 
+run_rig() {
+  make --silent cells BIN=bin RUN=new DATASETS=rig METHODS=none RATIOS=100to1 SEEDS=0 CLASSIFIERS=nearest \
+    DATA_DIR=recordings "$@"
+}
+stages_of() { awk '$2 ~ /^[a-z]+$/ { print $2 }' <<<"$1" | xargs; }
+
+test_a_recording_that_is_replaced_is_noticed() {
+  lay_out
+  describe_rig
+  expect_equal "$(stages_of "$(run_rig)")" "ingest split diagnose"
+  expect_equal "$(run_rig)" ""
+  # The same recordings: written again, in another folder, by another path, none at all.
+  touch recordings/outer.csv
+  cp -r recordings copies
+  expect_equal "$(run_rig)$(run_rig DATA_DIR=copies)$(run_rig DATA_DIR="$PWD/copies/")$(run_rig DATA_DIR=none)" ""
+  # Another one, as long and as old.
+  tr 1 2 <recordings/outer.csv >other.csv
+  touch -r recordings/outer.csv other.csv
+  mv other.csv recordings/outer.csv
+  expect_line "$(run_rig -n)" 'step.sh results/new/rig ingest '
+  expect_equal "$(stages_of "$(run_rig)")" "ingest split diagnose"
+  expect_equal "$(run_rig)" ""
+  expect_equal "$(stages_of "$(run_rig DATA_DIR=copies)")" "ingest split diagnose"
+}
+
+# Before there were files that say of which recordings the records are.
+test_records_of_an_older_project_are_compared_with_their_own_sums() {
+  lay_out
+  describe_rig
+  run_rig >/dev/null
+  rm -r results/new/.settings/recordings
+  expect_equal "$(run_rig)" ""
+  record recordings/outer.csv 3
+  expect_equal "$(stages_of "$(run_rig)")" "ingest split diagnose"
+}
+
+# What a failed step would have made is still due.
+test_a_recording_that_cannot_be_read_leaves_the_step_due() {
+  lay_out
+  describe_rig
+  run_rig >/dev/null
+  cp recordings/outer.csv good.csv
+  echo x >>recordings/outer.csv
+  expect_line "$(run_rig 2>&1)" 'ingest: recordings/outer.csv, line 70001: '
+  expect_line "$(run_rig 2>&1)" 'ingest: recordings/outer.csv, line 70001: '
+  cp good.csv recordings/outer.csv
+  expect_equal "$(stages_of "$(run_rig)")" "ingest split diagnose"
+}
+
 run_tests
