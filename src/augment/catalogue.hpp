@@ -30,6 +30,7 @@ struct CatalogueEntry {
   bool hears = false;    ///< whether it takes healthy windows B beside the known ones
   bool carries = false;  ///< whether it is made for faults that are known in other conditions alone
   bool without_known = false;  ///< whether it makes faults of which no window is known
+  bool recommended = false;    ///< whether a run has it beside the paper's where nobody chooses
 };
 
 /// All entries in the order of the tables. This is the one place that knows the methods: programs

@@ -31,7 +31,9 @@ void add_methods(std::vector<std::string>& words) {
   for (const augment::CatalogueEntry& entry : augment::catalogue()) {
     const std::string name = entry.name;
     words.push_back("method:" + name);
-    if (is_the_papers(entry.kind)) words.push_back("paper:" + name);
+    const bool is_papers = is_the_papers(entry.kind);
+    if (is_papers) words.push_back("paper:" + name);
+    if (is_papers || entry.recommended) words.push_back("default:" + name);
     if (entry.kind == augment::Kind::baseline) words.push_back("baseline:" + name);
     if (entry.kind == augment::Kind::ceiling) words.push_back("ceiling:" + name);
     if (entry.hears) words.push_back("hears:" + name);

@@ -10,7 +10,9 @@ namespace piae::settings {
 /// down in one place only:
 ///
 ///     method:smote           an entry of METHODS, in the order of the tables
-///     paper:smote            one of the paper's: the METHODS where none are given
+///     paper:smote            one of the paper's: what the word `paper` among METHODS stands for
+///     default:shift          one of the METHODS where none are given: the paper's, and what we
+///                            recommend
 ///     paper-method:piae-dt   the paper's own method
 ///     baseline:none          the method that generates nothing
 ///     ceiling:oracle         sees real windows that no method may see, and has no score

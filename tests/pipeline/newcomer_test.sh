@@ -14,8 +14,6 @@ lay_out() {
   ln -sf "$shown"/bin/* bin
   cp "$shown"/pipeline/figures/* pipeline/figures
   cp "$project/tests/reference/protocol.toml" pipeline
-  mkdir -p results
-  cp -r "$project/results/published" results
 }
 
 # Ringing struck every 80 samples, ever louder from class to class, and noise.

@@ -473,6 +473,10 @@ TEST(Facts, NameWhatThereIs) {
                                  "method:oracle",
                                  "paper:ae",
                                  "paper:none",
+                                 "default:none",
+                                 "default:piae-dt-rnn",
+                                 "default:piae-dt-phase",
+                                 "default:shift",
                                  "baseline:none",
                                  "ceiling:oracle",
                                  "infers:piae-dt-phase",
@@ -501,7 +505,7 @@ TEST(Facts, NameWhatThereIs) {
     EXPECT_THAT(all, Contains(fact));
   }
   for (const std::string fact :
-       {"paper:piae-dt-phase", "paper:oracle", "infers:smote", "needs-libtorch:piae-dt",
+       {"paper:piae-dt-phase", "default:oracle", "default:oversample", "paper:oracle", "infers:smote", "needs-libtorch:piae-dt",
         "simulated:cwru", "sweep-centre:piae-dt:depth=1"}) {
     EXPECT_THAT(all, Not(Contains(fact)));
   }
