@@ -86,6 +86,24 @@ $(if $(findstring /,$(RUN)),$(error RUN: the name of a folder under results/, no
 $(if $(filter . .. published reference,$(RUN)),$(error RUN: '$(RUN)' cannot be the name of a run))
 $(if $(filter 1,$(words $(RUN))),,$(error RUN: one word, the name of a folder under results/))
 
+# Methods that need what a description does not say of its faults. Where nobody has chosen them, the others are run.
+unsaid_of   = $(foreach what,bearing rhythm size,$(if $(filter $1,$(call fact,without-$(what))),$(what)))
+unsaid     := $(sort $(foreach dataset,$(DATASETS),$(call unsaid_of,$(dataset))))
+cannot_run := $(filter $(foreach what,$(unsaid),$(call fact,needs-$(what))),$(METHODS))
+can_run    := $(filter-out $(cannot_run),$(METHODS))
+why_not     = the description of $(foreach dataset,$(DATASETS),$(if $(call unsaid_of,$(dataset)),$(dataset))) does not say what they need: \
+  $(foreach what,$(unsaid),$(if $(filter-out $(firstword $(unsaid)),$(what)),and )$(patsubst size,defect_size_mm of every fault,$(patsubst rhythm,faults in a raceway or a ball (not "other"),$(patsubst bearing,[bearing],$(what)))))
+# (Who only looks at a run, or as out_of_date.sh asks what would be done, may name any.)
+only_asked := $(filter figures report,$(MAKECMDGOALS))$(only_asking)
+ifneq (,$(cannot_run))
+ifneq (,$(filter command,$(firstword $(origin METHODS))))
+$(if $(only_asked),,$(error METHODS: $(cannot_run) cannot be run; $(why_not); choose METHODS="$(can_run)"))
+else
+$(if $(only_asked)$(LEFT_OUT_IS_SAID),,$(shell printf '%s\n' 'left out: $(cannot_run); $(why_not)' >&2))
+METHODS := $(can_run)
+endif
+endif
+
 # `none` is the case without generated windows, and so is the ratio 100to1.
 method_ratios = $(if $(filter $(baseline),$1),$(filter $(nothing_generated),$(RATIOS)),$(filter-out $(nothing_generated),$(RATIOS)))
 methods       := $(foreach method,$(METHODS),$(if $(call method_ratios,$(method)),$(method)))

@@ -33,6 +33,18 @@ Label excluded(const DatasetInfo& info, const std::vector<float>& evidence) {
                                    [&](Label label) { return evidence[index_of(label)]; });
 }
 
+void require_lines(const DatasetInfo& info) {
+  for (const Label label : info.fault_labels()) {
+    const signal::ClassInfo& own = info.class_of(label);
+    if (bearing::is_struck(own.defect)) continue;
+    throw Error(Exit::bad_input,
+                fmt::format("class {} of dataset {} has defect '{}', which has no fault line to go "
+                            "by; rules name defects of the bearing alone: choose another "
+                            "classifier, such as wdcnn or nearest",
+                            own.name, info.name, signal::to_string(own.defect)));
+  }
+}
+
 void require_one_class_a_kind(const DatasetInfo& info) {
   const std::vector<Label> faults = info.fault_labels();
   for (auto label = faults.begin(); label != faults.end(); ++label) {
@@ -69,6 +81,7 @@ std::vector<float> evidence(const DatasetInfo& info, const Findings& findings, R
 RuleAnswer classify_by_rule(const signal::WindowSet& normal, const signal::WindowSet& test,
                             Rule rule) {
   const DatasetInfo& info = test.info;
+  require_lines(info);
   require_one_class_a_kind(info);
   const std::vector<symptoms::Measures> healthy = symptoms::measure(normal, "--normal");
   const std::vector<symptoms::Measures> asked = symptoms::measure(test, "--test");

@@ -19,7 +19,9 @@ void note_exit(DatasetCheck& check, Exit exit) {
 }
 
 /// The third harmonic of the highest line, and a little more.
-double highest_shown_hz(const FaultLines& lines) {
+double highest_shown_hz(const FaultLines& lines, double shaft_hz) {
+  constexpr double shown_turns = 20;  // where there is no line
+  if (lines.front().hz == 0) return shown_turns * shaft_hz;
   return 3.5 * std::ranges::max(lines, {}, &FaultLine::hz).hz;
 }
 
@@ -32,7 +34,8 @@ void look_at_signal(RecordCheck& found, const std::vector<double>& signal,
   found.lines = fault_lines(found.envelope, info, found.source.shaft_speed_rpm);
   const auto shown = std::min(signal.size(), static_cast<std::size_t>(shown_s * rate_hz));
   found.beginning.assign(signal.begin(), signal.begin() + static_cast<std::ptrdiff_t>(shown));
-  const double bins = std::ceil(highest_shown_hz(found.lines) / found.envelope.bin_hz);
+  const double bins = std::ceil(highest_shown_hz(found.lines, found.source.shaft_speed_rpm / 60) /
+                                found.envelope.bin_hz);
   if (bins < static_cast<double>(found.envelope.power.size())) {
     found.envelope.power.resize(static_cast<std::size_t>(bins));
   }

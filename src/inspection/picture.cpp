@@ -68,10 +68,13 @@ std::vector<Point> trace_of(const std::vector<double>& values, double step, cons
   return points;
 }
 
+bool has_lines(const FaultLines& lines) { return lines.front().hz > 0; }
+
 void draw_legend(Svg& svg, const FaultLines& lines, const std::string& dataset) {
   svg.text({wave_left, 24}, dataset + ": recordings", Anchor::start, 16, true);
   svg.text({wave_left, 46}, fmt::format("first {:g} s about the mean", shown_s));
   svg.text({spectrum_left, 46}, "envelope spectrum, dB over its median");
+  if (!has_lines(lines)) return;
   double x = spectrum_left;
   for (std::size_t i = 0; i < line_strokes.size(); ++i) {
     Stroke stroke = line_strokes.at(i);
@@ -123,6 +126,7 @@ std::vector<double> decibels_of(const EnvelopeSpectrum& spectrum) {
 /// Each defect's names stand on a line of their own above the panel: the higher the frequency, the
 /// closer to it, so that no line crosses a name on its left.
 void draw_marks(Svg& svg, const FaultLines& lines, signal::Defect own, const Axis& x, double y0) {
+  if (!has_lines(lines)) return;
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const FaultLine& line = lines.at(i);
     const bool is_own = line.kind == own;
@@ -183,6 +187,7 @@ void draw_spectrum(Svg& svg, const RecordCheck& record, signal::Defect own, doub
 std::string row_title(const RecordCheck& record, signal::Defect own) {
   std::string title = fmt::format("{} ({})", record.source.name, record.source.file);
   if (own == signal::Defect::none) return title + ", healthy";
+  if (!bearing::is_struck(own)) return title + ", no fault of the bearing";
   const FaultLine& line = line_of(record.lines, own);
   title += fmt::format(", {} {:.1f} Hz", line_name(own), line.hz);
   return line.db ? title + fmt::format(": {:.1f} dB", *line.db) : title;

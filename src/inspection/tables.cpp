@@ -100,13 +100,19 @@ std::string lines_table(const DatasetInfo& info, const DatasetCheck& check) {
   return table.plain() + lines_note;
 }
 
+/// Of a defect whose size nobody knows, none.
+std::string size_of(const signal::ClassInfo& c) {
+  const bool is_unknown = c.defect != signal::Defect::none && c.defect_size_mm == 0;
+  return is_unknown ? "-" : fmt::format("{:g}", c.defect_size_mm);
+}
+
 std::string classes_table(const DatasetInfo& info, const DatasetCheck& check) {
   text::Table table({"class", "defect", "mm", "records", "stride", "overlap %", "A meets B, C %"},
                     2);
   for (const ClassCheck& found : check.classes) {
     const signal::ClassInfo& described = info.class_of(found.label);
     Row row{shortened(described.name, widest_class), signal::to_string(described.defect),
-            fmt::format("{:g}", described.defect_size_mm), std::to_string(found.records), "-"};
+            size_of(described), std::to_string(found.records), "-"};
     if (found.stride > 0) {
       row.back() = std::to_string(found.stride);
       row.push_back(fmt::format("{:.1f}", 100 * found.overlap));
@@ -139,7 +145,8 @@ std::string tables_of(const signal::Description& description, const DatasetCheck
       "{}: all brought to {:g} Hz, unit_m_per_s2 = {:g}, windows of {} samples\n\n{}\n{}{}{}",
       info.name, info.sample_rate_hz, info.unit_m_per_s2,
       signal::split_options_of(description).window, recordings_text(description, check),
-      any ? lines_table(info, check) : "", classes_table(info, check), classes_note);
+      any && info.has_bearing ? lines_table(info, check) : "", classes_table(info, check),
+      classes_note);
 }
 
 }  // namespace piae::inspection

@@ -77,6 +77,7 @@ void add_rate(const Description& description, Lines& lines) {
         "the dataset makes windows longer",
         info.sample_rate_hz, window, window_s, turns, slowest.shaft_speed_rpm, slowest.name));
   }
+  if (!info.has_bearing) return;
   const FaultLines fault = fault_lines({}, info, fastest.shaft_speed_rpm);
   const double bpfi_hz = line_of(fault, signal::Defect::inner).hz;
   if (info.sample_rate_hz / 2 <= bpfi_hz) {
@@ -270,7 +271,7 @@ std::vector<std::string> line_warnings(const DatasetInfo& info,
   std::size_t asked = 0;
   for (const RecordCheck& record : records) {
     const signal::Defect defect = info.class_of(record.source.label).defect;
-    if (defect == signal::Defect::none || !has_lines(record)) continue;
+    if (!bearing::is_struck(defect) || !has_lines(record)) continue;
     if (!line_of(record.lines, defect).db) continue;
     ++asked;
     std::string oddity = oddity_of_fault(record, defect);
@@ -287,7 +288,7 @@ std::vector<std::string> line_warnings(const DatasetInfo& info,
 std::vector<std::string> warnings_of(const Description& description, const DatasetCheck& check) {
   Lines lines;
   add_speeds(description, lines);
-  add_raceways(description.info.bearing, lines);
+  if (description.info.has_bearing) add_raceways(description.info.bearing, lines);
   add_rate(description, lines);
   add_lengths(check.records, lines);
   for (const RecordCheck& record : check.records) {

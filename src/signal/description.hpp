@@ -38,11 +38,12 @@ using SplitSettings = std::map<std::string, std::size_t>;
 ///     shaft_speed_rpm = 1797
 ///     unit_m_per_s2 = 9.80665     # one unit of the signals, here g; without it m/s^2
 ///     [bearing]                   # all keys of bearing::Geometry; without the raceways these
-///                                 # are the pitch diameter minus and plus the ball's
+///                                 # are the pitch diameter minus and plus the ball's. Not
+///                                 # needed where all faults are `other`
 ///     [[class]]                   # labels in this order
 ///     name = "IR007"
-///     defect = "inner"            # none (exactly one class), outer, inner or roller
-///     defect_size_mm = 0.1778     # along the raceway; not for "none"
+///     defect = "inner"            # none (exactly one class), outer, inner, roller or other
+///     defect_size_mm = 0.1778     # optional, along the raceway; not for "none" and "other"
 ///     [[record]]                  # one or more for each class
 ///     class = "IR007"
 ///     file = "cwru/105.mat"
@@ -74,13 +75,18 @@ struct Description {
 Description read_description(const std::filesystem::path& file);
 
 /// Reads the part that every description has: name, shaft_speed_rpm, unit_m_per_s2, [bearing] and
-/// the given [[class]] tables, of which those without a defect_size_mm get none. The caller reads
+/// the given [[class]] tables, of which those without a defect_size_mm get 0. The caller reads
 /// sample_rate_hz and whatever else there may be, and then calls require_possible(), and finish()
 /// of `root` and `classes`.
 DatasetInfo read_info(TomlTable& root, std::vector<TomlTable>& classes);
 
-/// Refuses a fault class without a size, and a geometry or a defect that no bearing can have.
+/// Refuses a geometry or a defect that no bearing can have, and one of a bearing that is not
+/// described.
 void require_possible(const DatasetInfo& info, const TomlTable& root,
                       const std::vector<TomlTable>& classes);
+
+/// Refuses a class of which nothing says how it moves, and one whose size nobody knows: such a
+/// fault can be recorded, but not simulated.
+void require_simulable(const DatasetInfo& info, const std::vector<TomlTable>& classes);
 
 }  // namespace piae::signal

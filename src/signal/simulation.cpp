@@ -200,6 +200,7 @@ Simulation read_simulation(const std::filesystem::path& file) {
   std::vector<TomlTable> classes = root.tables("class");
   simulation.info = read_info(root, classes);
   require_possible(simulation.info, root, classes);
+  require_simulable(simulation.info, classes);
   simulation.info.sample_rate_hz = root.number("sample_rate_hz", ranges::sample_rate_hz);
   TomlTable table = root.table("simulation");
   for (const TomlTable& c : classes) c.finish();

@@ -128,4 +128,42 @@ test_a_recording_that_cannot_be_read_leaves_the_step_due() {
   expect_equal "$(stages_of "$(run_rig)")" "ingest split diagnose"
 }
 
+# A machine whose bearing is sound, and of which nothing is said: what needs no kinematics runs.
+test_a_fault_of_another_part_of_the_machine() {
+  lay_out
+  describe_rig
+  sed -i '/^\[bearing\]/,/^contact_angle_deg/d; /^defect_size_mm/d; s/^defect = "\(inner\|outer\)"/defect = "other"/' \
+    pipeline/datasets/rig.toml
+  bin/ingest --check --description pipeline/datasets/rig.toml --data-dir recordings --picture rig.svg >messages 2>&1 ||
+    fail "$(<messages)"
+  expect_no_line "$(<messages)" BPFO
+  make --silent all BIN=bin RUN=new DATASETS=rig METHODS="none shift" RATIOS="100to1 10to1" SEEDS=0 \
+    CLASSIFIERS="wdcnn nearest" DATA_DIR=recordings >messages 2>&1 || fail "$(<messages)"
+  expect_line "$(<messages)" '^rig/seed0/shift +score .*no fault line'
+  expect_line "$(<results/new/rig/accuracy.csv)" '^rig,shift,wdcnn,10to1,45,1,'
+  bin/verify results/new/rig/records.h5 results/new/rig/seed0/*/*.h5 || fail "not verified"
+  local refused
+  for refused in piae-dt-phase ae piae-dt-zero; do
+    expect_exit 2 run_rig METHODS="shift $refused" RATIOS=10to1
+    expect_line "$(run_rig METHODS="shift $refused" RATIOS=10to1 2>&1 || true)" \
+      "METHODS: $refused cannot be run; the description of rig does not say .*; choose METHODS=\"shift\""
+  done
+  # Who chooses none is told which are left out.
+  expect_line "$(make -n cells BIN=bin RUN=new DATASETS=rig SEEDS=0 DATA_DIR=recordings 2>&1)" \
+    '^left out: dynamics piae-dt ae physics piae-dt-cnn piae-dt-rnn piae-dt-phase; the description of rig'
+  bin/diagnose --test results/new/rig/seed0/A.h5 --normal results/new/rig/seed0/B.h5 --known results/new/rig/seed0/C.h5 \
+    --ratio 100to1 --classifier envelope-rule --seed 0 --output rule.h5 >messages 2>&1 && fail "a rule named it"
+  expect_line "$(<messages)" "has defect 'other', which has no fault line"
+}
+
+test_a_defect_of_unknown_size() {
+  lay_out
+  describe_rig
+  sed -i '/^defect_size_mm/d' pipeline/datasets/rig.toml
+  run_rig METHODS="none shift" RATIOS="100to1 10to1" >messages 2>&1 || fail "$(<messages)"
+  bin/train --method piae-dt --known results/new/rig/seed0/C.h5 --seed 0 --output m.h5 >messages 2>&1 &&
+    fail "trained without a size"
+  expect_line "$(<messages)" 'C.h5: piae-dt needs defect_size_mm of class inner-1, .*; methods that do without: smote, '
+}
+
 run_tests

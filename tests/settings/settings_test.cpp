@@ -504,9 +504,9 @@ TEST(Facts, NameWhatThereIs) {
                                  "group-input:sizes/strike-twin=wdcnn-spectra"}) {
     EXPECT_THAT(all, Contains(fact));
   }
-  for (const std::string fact :
-       {"paper:piae-dt-phase", "default:oracle", "default:oversample", "paper:oracle", "infers:smote", "needs-libtorch:piae-dt",
-        "simulated:cwru", "sweep-centre:piae-dt:depth=1"}) {
+  for (const std::string fact : {"paper:piae-dt-phase", "default:oracle", "default:oversample",
+                                 "paper:oracle", "infers:smote", "needs-libtorch:piae-dt",
+                                 "simulated:cwru", "sweep-centre:piae-dt:depth=1"}) {
     EXPECT_THAT(all, Not(Contains(fact)));
   }
 }
