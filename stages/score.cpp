@@ -26,7 +26,7 @@ std::string without_line(const scoring::QualityRecord& record) {
     if (scoring::has_line(record.info, quality.label)) continue;
     names += (names.empty() ? "" : ", ") + record.info.class_of(quality.label).name;
   }
-  return names.empty() ? "" : " (no fault line, as the defect is 'other': " + names + ")";
+  return names.empty() ? "" : " (no fault line of " + names + ", as the defect is 'other')";
 }
 
 }  // namespace

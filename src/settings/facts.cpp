@@ -104,7 +104,6 @@ bool says_size(const toml::table& description, const toml::table& of_class) {
 /// What a description does not say of its faults, which some methods need.
 void add_unsaid(const std::string& name, const toml::table& description,
                 std::vector<std::string>& words) {
-  if (!description.contains("bearing")) words.push_back("without-bearing:" + name);
   bool rhythm = true;
   bool sizes = true;
   for (const toml::table* of_class : tables_of(description, "class")) {
@@ -114,6 +113,7 @@ void add_unsaid(const std::string& name, const toml::table& description,
     sizes = sizes && (!has_size || says_size(description, *of_class));
   }
   if (!rhythm) words.push_back("without-rhythm:" + name);
+  if (!rhythm && !description.contains("bearing")) words.push_back("without-bearing:" + name);
   if (!sizes) words.push_back("without-size:" + name);
 }
 

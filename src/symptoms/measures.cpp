@@ -107,7 +107,7 @@ std::vector<Measures> measure(const signal::WindowSet& windows, const std::strin
   if (!windows.info.has_bearing) {
     throw Error(
         Exit::bad_input,
-        what + ": dataset " + windows.info.name +
+        "dataset " + windows.info.name +
             " does not describe its bearing, by whose kinematics symptoms are measured; give "
             "its description a [bearing], or choose another classifier, such as wdcnn");
   }
