@@ -10,8 +10,8 @@ MAKEFLAGS += --no-builtin-rules --no-print-directory
 # ---- what is run: each can be given on the command line -----------------------------------------
 RUN      := paper
 DATASETS := cwru
-# Where these three are not given, the programs say which they are: the paper's methods, all ratios, the
-# paper's classifier.
+# Where these three are not given, the programs say which they are: the paper's methods and those we recommend, all
+# ratios, the paper's classifier. The word `paper` among METHODS stands for the paper's alone.
 METHODS  :=
 RATIOS   :=
 CLASSIFIERS :=
@@ -177,7 +177,7 @@ help:
 	@printf '  %-14s%s\n' \
 	  RUN      'folder under results/; PROTOCOL=blocked adds "-blocked"  [$(RUN)]' \
 	  DATASETS 'any of $(basename $(notdir $(wildcard pipeline/datasets/*.toml)))  [$(DATASETS)]' \
-	  METHODS  "none runs at 100to1, all others at the other ratios  [$(or $(METHODS),the paper's)]" \
+	  METHODS  "none runs at 100to1, all others at the other ratios; paper: the paper's alone  [$(or $(METHODS),$(default_methods))]" \
 	  RATIOS   'windows known to generated  [$(or $(RATIOS),all seven)]' \
 	  CLASSIFIERS "what learns from the windows; none has its cell of nearest in any case  [$(or $(CLASSIFIERS),wdcnn)]" \
 	  SEEDS    'independent repeats; 100-104 are for choosing parameters  [$(SEEDS)]' \
@@ -214,14 +214,20 @@ ifneq (,$(on_cluster))
 $(asked): ; @: # or make would say that there is nothing to be done
 endif
 
+# The programs know the methods.
+facts_of = $(patsubst $1:%,%,$(filter $1:%,$(shell [ ! -x $(BIN)/settings ] || $(BIN)/settings --facts)))
+default_methods = $(or $(call facts_of,default),the paper's ten and what we recommend: piae-dt-phase shift)
+spelled_out = $(if $(filter paper,$1),$(foreach word,$1,$(if $(filter paper,$(word)),$(call facts_of,paper),$(word))),$1)
+value_of    = $(if $(filter METHODS,$1),$(call spelled_out,$(METHODS)),$($1))
+
 # Where a run is only looked at, nothing need be there but what those variables name that are given.
 lower_case  = $(shell printf %s '$1' | tr A-Z a-z)
-options_of  = $(foreach name,$(filter $1,$(given)),--$(call lower_case,$(name)) $($(name)))
-cells_given := $(call options_of,METHODS RATIOS CLASSIFIERS SEEDS)
-part        := $(call options_of,DATASETS) $(cells_given)
+options_of  = $(foreach name,$(filter $1,$(given)),--$(call lower_case,$(name)) $(call value_of,$(name)))
+cells_given = $(call options_of,METHODS RATIOS CLASSIFIERS SEEDS)
+part        = $(call options_of,DATASETS) $(cells_given)
 
 choice = $(foreach name,RUN DATASETS METHODS RATIOS CLASSIFIERS SEEDS PROTOCOL DATA_DIR BIN results cells_given,\
-           $(if $($(name)),'$(name)=$($(name))'))
+           $(if $($(name)),'$(name)=$(call value_of,$(name))'))
 # A dry run of a project that is not built can show no more than that it would be built.
 unknown_yet := $(if $(findstring n,$(filter-out --%,$(flags))),$(if $(wildcard $(BIN)/settings),,yes))
 grid: | $(programs)

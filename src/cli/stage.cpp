@@ -5,6 +5,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <iostream>
 #include <new>
@@ -30,10 +31,20 @@ void log_to_stderr(const std::string& name) {
 /// CLI11 ends some of its messages with a second line, which is left out.
 std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
 
-/// CLI11 calls every file of options an INI file.
-std::string in_our_words(const std::string& text) {
+/// What is wrong with a file of options, each of which CLI11 calls an INI file.
+std::string about_config(const std::string& file, const std::string& text) {
   const std::string theirs = "INI was not able to parse ";
-  return text.starts_with(theirs) ? "unknown option " + text.substr(theirs.size()) : text;
+  if (text.starts_with(theirs)) return file + ": unknown option " + text.substr(theirs.size());
+  return file + (text.starts_with("line ") ? ", " : ": ") + text;
+}
+
+/// Whether a line begins with the name of a file, such as a recording that a description names.
+bool names_its_file(const std::string& line) {
+  return std::ranges::any_of(std::array{": ", ", line ", " (record "}, [&](const char* behind) {
+    std::error_code ignored;
+    const std::size_t end = line.find(behind);
+    return end != std::string::npos && std::filesystem::exists(line.substr(0, end), ignored);
+  });
 }
 
 /// A pipe would be waited for.
@@ -144,8 +155,8 @@ int Stage::run(int argc, char** argv, const std::function<void()>& body) {
     return fail(name_, Exit::input_missing, first_line(error.what()));
   } catch (const CLI::ConfigError& error) {
     return fail(name_, Exit::usage,
-                app_->get_config_ptr()->as<std::string>() + ": " +
-                    in_our_words(first_line(error.what())) + " (see " + name_ + " --help)");
+                about_config(app_->get_config_ptr()->as<std::string>(), first_line(error.what())) +
+                    " (see " + name_ + " --help)");
   } catch (const CLI::Error& error) {
     return fail(name_, Exit::usage, first_line(error.what()) + " (see " + name_ + " --help)");
   } catch (const Error& error) {
@@ -159,6 +170,7 @@ int Stage::run(int argc, char** argv, const std::function<void()>& body) {
 
 std::string Stage::with_input_names(const Error& error) const {
   std::string line = error.what();
+  if (names_its_file(line)) return line;
   std::string names;
   for (const std::filesystem::path& path : input_paths_) {
     if (line.find(path.string()) != std::string::npos) return line;

@@ -204,13 +204,14 @@ Simulation read_simulation(const std::filesystem::path& file) {
   std::vector<TomlTable> classes = root.tables("class");
   simulation.info = read_info(root, classes);
   require_possible(simulation.info, root, classes);
+  require_simulable(simulation.info, classes);
   simulation.info.sample_rate_hz = root.number("sample_rate_hz", ranges::sample_rate_hz);
   TomlTable table = root.table("simulation");
   for (const TomlTable& c : classes) c.finish();
   read_table(table, simulation);
   simulation.info.conditions = read_conditions(root, table, simulation.info);
   table.finish();
-  check_described_split(root);
+  (void)read_described_split(root);
   root.finish();
   return simulation;
 }

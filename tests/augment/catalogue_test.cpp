@@ -119,5 +119,40 @@ TEST(Catalogue, HasMethodsThatSayThatLibtorchIsMissing) {
   }
 }
 
+TEST(Catalogue, AMethodIsRefusedWhereADescriptionDoesNotSayWhatItNeeds) {
+  signal::DatasetInfo info;
+  info.name = "rig";
+  info.classes = {{"ok", signal::Defect::none, 0}, {"bad", signal::Defect::outer, 0}};
+  const auto refusal = [&](const char* method) -> std::string {
+    try {
+      require_described_faults(*find_entry(method), info, "C.h5");
+    } catch (const Error& error) {
+      EXPECT_EQ(error.exit(), Exit::bad_input);
+      return error.what();
+    }
+    return {};
+  };
+  EXPECT_EQ(refusal("piae-dt-phase"),
+            "C.h5: piae-dt-phase needs defect_size_mm of class bad, which the description of rig "
+            "does not say; methods that do without: smote, vae, wgan-gp, ae, piae-dt-zero, "
+            "oversample, shift, resample, randomise, healthy-plus-impulses, oracle");
+  EXPECT_EQ(refusal("piae-dt-zero"), "");
+  info.classes[1].defect = signal::Defect::other;
+  EXPECT_EQ(refusal("piae-dt-zero"),
+            "C.h5: piae-dt-zero needs the rhythm of class bad, whose defect is 'other', which the "
+            "description of rig does not say; methods that do without: smote, vae, wgan-gp, ae, "
+            "oversample, shift, resample, randomise, oracle");
+  EXPECT_EQ(refusal("ae"), "");
+  info.has_bearing = false;
+  EXPECT_EQ(refusal("ae"),
+            "C.h5: ae needs [bearing], its geometry, which the description of rig does not say; "
+            "methods that do without: smote, vae, wgan-gp, oversample, shift, resample, randomise, "
+            "oracle");
+  EXPECT_EQ(refusal("shift"), "");
+  info.has_bearing = true;
+  info.classes[1] = {"bad", signal::Defect::outer, 0.5};
+  for (const CatalogueEntry& entry : catalogue()) EXPECT_EQ(refusal(entry.name), "");
+}
+
 }  // namespace
 }  // namespace piae::augment

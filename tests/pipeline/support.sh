@@ -99,6 +99,8 @@ run_tests() {
       cp -r "$project"/{Makefile,jobs} "$folder"
       cp -r "$project/pipeline" "$folder/pipeline"
       cd "$folder"
+      mkdir results
+      cp -r "$project/results/published" results
       stand_ins
       "$test"
     )
