@@ -87,8 +87,9 @@ TEST(Catalogue, SaysWhichMethodsAreTrainedInEpochs) {
 }
 
 TEST(Catalogue, SaysWhatWorksWithoutKnownWindows) {
-  signal::WindowSet none = known_windows();
-  none = {.info = none.info, .length = none.length};
+  signal::WindowSet none;
+  none.info = known_windows().info;
+  none.length = known_windows().length;
   for (const CatalogueEntry& entry : catalogue()) {
     EXPECT_NO_THROW(require_known_windows(entry, known_windows(), "C.h5"));
     if (works_without_known(entry)) {

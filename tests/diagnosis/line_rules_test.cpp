@@ -140,8 +140,8 @@ TEST_F(Rules, CompareWindowsOfOneSpeed) {
 }
 
 TEST_F(Rules, NeedFaultsOfTheBearing) {
-  test_.info.classes[2].defect = signal::Defect::other;
-  EXPECT_ERROR(classify_by_rule(normal_, test_, Rule::exclusion), Exit::bad_input,
+  normal_.info.classes[2].defect = signal::Defect::other;
+  EXPECT_ERROR(named_by_rule(normal_, test_, Rule::exclusion), Exit::bad_input,
                "class OR of dataset toy has defect 'other', which has no fault line");
 }
 
