@@ -9,16 +9,16 @@ namespace piae::diagnosis {
 
 namespace {
 
-struct Range {
+struct TimeRange {
   std::int64_t begin;
   std::int64_t end;
 
-  bool operator==(const Range&) const = default;
+  bool operator==(const TimeRange&) const = default;
   [[nodiscard]] std::int64_t size() const { return end - begin; }
 };
 
 /// The indices i in [0, n) for which first + i is in [0, length).
-Range inside(std::int64_t first, std::int64_t n, std::int64_t length) {
+TimeRange inside(std::int64_t first, std::int64_t n, std::int64_t length) {
   return {std::max(std::int64_t{0}, -first), std::min(n, length - first)};
 }
 
@@ -38,7 +38,7 @@ struct Taps {
 template <class T>
 void apply(const Taps& taps, std::int64_t windows, const T* from, const T* weight, T* to) {
   for (std::int64_t begin = 0; begin < taps.to_length;) {
-    const Range reach = inside(begin - taps.padding, taps.width, taps.from_length);
+    const TimeRange reach = inside(begin - taps.padding, taps.width, taps.from_length);
     std::int64_t end = begin + 1;
     while (end < taps.to_length &&
            inside(end - taps.padding, taps.width, taps.from_length) == reach) {
@@ -91,7 +91,7 @@ void weight_gradient(const TimeConvolution& shape, std::int64_t windows, const T
                      const T* output_gradient, T* gradient) {
   for (std::int64_t tap = 0; tap < shape.width; ++tap) {
     const std::int64_t shift = tap - shape.padding;
-    const Range times = inside(shift, shape.output_length(), shape.input_length);
+    const TimeRange times = inside(shift, shape.output_length(), shape.input_length);
     multiply<T>({.a = input + (times.begin + shift) * windows * shape.inputs,
                  .a_row = 1,
                  .a_column = shape.inputs,

@@ -45,8 +45,9 @@ class DecimalSign {
 };
 
 /// "05" and "-0" are no whole numbers as a program writes them, but what commas leave of 1,05 and
-/// -0,5.
-bool is_torn_decimal(std::string_view field) {
+/// -0,5, unless another field of the line has a decimal point.
+bool is_torn_decimal(std::string_view field, std::string_view line) {
+  if (line.find('.') != std::string_view::npos) return false;
   const bool is_negative = field.starts_with('-');
   if (is_negative) field.remove_prefix(1);
   const bool is_padded = field.size() > 1 && field.front() == '0' &&
@@ -63,7 +64,8 @@ std::vector<double> read_csv(const fs::path& file, const std::string& column) {
   std::vector<double> numbers;
   DecimalSign sign;
   for (std::size_t line = layout.first_line; !rest.empty(); ++line) {
-    const std::string_view field = field_of(file, line, take_line(rest), layout);
+    const std::string_view all = take_line(rest);
+    const std::string_view field = field_of(file, line, all, layout);
     const auto number = number_in_field(field, layout.separator);
     const auto holds = [&] { return "column " + column + " holds " + csv_field_in_quotes(field); };
     if (!number) refuse_csv_line(file, line, holds() + ", not a number");
@@ -73,7 +75,7 @@ std::vector<double> read_csv(const fs::path& file, const std::string& column) {
                           ", and a line before has the other decimal sign; write all with a "
                           "decimal point, and no sign between thousands");
     }
-    if (layout.separator == ',' && layout.fields % 2 == 0 && is_torn_decimal(field)) {
+    if (layout.separator == ',' && layout.fields % 2 == 0 && is_torn_decimal(field, all)) {
       refuse_csv_line(file, line,
                       holds() +
                           ": numbers with a decimal comma, it seems, and commas between the "

@@ -118,6 +118,8 @@ TEST(Csv, TakesDecimalCommasWhereTheyDoNotSeparate) {
   EXPECT_ERROR(read("1,25\n1,05\n", "2"), Exit::bad_input,
                "line 2: column 2 holds '05': numbers with a decimal comma, it seems");
   EXPECT_ERROR(read("1,25\n-0,05\n", "1"), Exit::bad_input, "decimal comma, it seems");
+  // Where another field has a decimal point, commas separate, and a -0 is a number.
+  EXPECT_EQ(read("-0,0.5\n1,0.25\n", "1"), (std::vector<double>{0, 1}));
 }
 
 TEST(Csv, MayBeATextFileOrInCapitals) {
