@@ -42,18 +42,8 @@ void require_one_source(const Sources& sources) {
   }
 }
 
-std::vector<classification::Recording> read_described(const Sources& sources,
-                                                      const signal::DatasetInfo& trained) {
-  const signal::Description description = signal::read_description(sources.description);
-  signal::RecordReader reader(description, sources.data_dir);
-  std::vector<classification::Recording> recordings;
-  for (const signal::RecordSource& source : description.records) {
-    const bool asked = sources.records.empty() ||
-                       std::ranges::find(sources.records, source.name) != sources.records.end();
-    if (!asked) continue;
-    recordings.push_back(
-        classification::recording_of(reader.read(source), description.info, trained));
-  }
+/// The names of records must be those of the description.
+void require_described(const Sources& sources, const signal::Description& description) {
   for (const std::string& name : sources.records) {
     if (std::ranges::find(description.records, name, &signal::RecordSource::name) !=
         description.records.end()) {
@@ -64,18 +54,34 @@ std::vector<classification::Recording> read_described(const Sources& sources,
     throw Error(Exit::usage, fmt::format("--record: {} has no record '{}'; there are{}",
                                          sources.description.string(), name, there));
   }
+}
+
+std::vector<classification::Recording> read_described(const Sources& sources,
+                                                      const signal::DatasetInfo& trained) {
+  const signal::Description description = signal::read_description(sources.description);
+  require_described(sources, description);
+  signal::RecordReader reader(description, sources.data_dir);
+  std::vector<classification::Recording> recordings;
+  for (const signal::RecordSource& source : description.records) {
+    const bool asked = sources.records.empty() ||
+                       std::ranges::find(sources.records, source.name) != sources.records.end();
+    if (!asked) continue;
+    recordings.push_back(
+        classification::recording_of(reader.read(source), description.info, trained));
+  }
   return recordings;
 }
 
 /// What the classifier is, and how far it may be believed.
 std::string said_of(const diagnosis::KeptClassifier& kept, const diagnosis::Trust& trust) {
   return fmt::format(
-      "by {} of {}, trained on {} windows ({} {}, seed {}). Of windows it had not seen, {:.1f} % "
-      "were\nnamed rightly; where it says how sure it is, it errs by {:.1f} points on average{}.",
+      "by {} of {}, trained on {} windows ({} {}, seed {}).\n"
+      "Of windows it had not seen, {:.1f} % were named rightly; how sure it says it is\n"
+      "differs from how often it is right by {:.1f} points on average{}.",
       kept.classifier().name, kept.info().name, kept.origin().training_windows,
       kept.origin().method, kept.origin().ratio, kept.origin().seed, 100 * trust.accuracy,
       100 * trust.calibration_error,
-      kept.calibration().windows == 0 ? " (uncalibrated: too few known windows to leave any out)"
+      kept.calibration().windows == 0 ? "\n(uncalibrated: too few known windows to leave any out)"
                                       : "");
 }
 
@@ -127,8 +133,8 @@ int main(int argc, char** argv) {
     require_one_source(sources);
     const artefact::Reader reader = stage.open("classifier", classifier_file, "classifier");
     diagnosis::KeptClassifier kept(reader);
-    const diagnosis::Trust trust = diagnosis::read_trust(reader);
     const signal::DatasetInfo& info = kept.info();
+    const diagnosis::Trust trust = diagnosis::read_trust(reader, info);
 
     std::vector<classification::Recording> recordings;
     if (sources.description.empty()) {

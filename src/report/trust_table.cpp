@@ -71,7 +71,7 @@ TrustRow trust_row(const run::Layout& layout, const run::Grid& grid,
         "classifier");
     const diagnosis::KeptClassifier kept(reader);
     require_of_cell(reader, kept, grid, combination, seed);
-    add(series, kept, diagnosis::read_trust(reader));
+    add(series, kept, diagnosis::read_trust(reader, kept.info()));
     for (const Label label : kept.info().fault_labels()) {
       names[label] = kept.info().class_of(label).name;
     }
