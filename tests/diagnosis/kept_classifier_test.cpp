@@ -3,13 +3,16 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "diagnosis/keep.hpp"
 #include "diagnosis/learn.hpp"
 #include "diagnosis/one_core_backend.hpp"
 #include "diagnosis/stored.hpp"
 #include "diagnosis/training_set.hpp"
+#include "stages/doctor.hpp"
 #include "support/errors.hpp"
 #include "support/struck_windows.hpp"
 
@@ -200,6 +203,36 @@ TEST_F(Keep, WhereFaultsAreKnownElsewhereStrangenessRefersToGeneratedOnesToo) {
     set->shaft_speed_rpm.assign(set->size(), 1800);
   }
   EXPECT_EQ(reference_of(kept("nearest", 5)), 40U);
+}
+
+// Only what it says is wrong: no damage would tell.
+TEST_F(Keep, OneThatCannotBeAskedIsRefused) {
+  const std::string file = folder_ / "stored.h5";
+  const auto expect_refused = [&](const std::string& name, const std::string& what,
+                                  const std::function<void(hid_t)>& change) {
+    (void)written(kept(name));
+    stages::doctor(file, change);
+    EXPECT_ERROR(KeptClassifier(artefact::Reader(file, "classifier")), Exit::bad_input,
+                 file + ": / " + what);
+  };
+  const auto length = [](std::int64_t samples) {
+    return [=](hid_t open) { stages::replace_attribute(open, "/", "window_length", samples); };
+  };
+  for (const std::string name : {"wdcnn", "wdcnn-spectrum"}) {
+    expect_refused(name, "cannot be asked about a window: WDCNN: ", length(2048));
+  }
+  // Half a turn of the shaft does not tell the lines apart, nor do 255 samples 128 bands.
+  expect_refused("envelope-rule", "cannot be asked about a window: ", length(200));
+  expect_refused("nearest", "cannot be asked about a window: windows of 255 samples", length(255));
+  const auto weights = [](const std::string& path) {
+    return [=](hid_t open) {
+      stages::change_numbers<float>(open, path, [](auto& all) { std::ranges::fill(all, 3e38F); });
+    };
+  };
+  expect_refused("wdcnn", "cannot be asked about a window: WDCNN: what it makes of a window is not",
+                 weights("/learned/conv1/weight"));
+  expect_refused("symptom-net", "has no finite answer to a window",
+                 weights("/learned/classes/0/weight"));
 }
 
 }  // namespace
