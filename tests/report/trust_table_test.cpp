@@ -101,8 +101,12 @@ TEST_F(TrustTable, IsWrittenAsCsv) {
 TEST_F(TrustTable, IsShownInTables) {
   const std::string text = markdown(trust_document(dataset_, trust_rows(layout_, cells())));
   EXPECT_THAT(text, HasSubstr("# cwru: how far kept classifiers are to be believed"));
-  EXPECT_THAT(text, HasSubstr("| none by nearest | 100:1 | 92.0 ± 2.8 |  10.0 ± 0.0 |"));
-  EXPECT_THAT(text, HasSubstr("| 0.955 ± 0.021 |"));
+  EXPECT_THAT(
+      text,
+      HasSubstr(
+          "| none by nearest | 100:1 | 92.0 ± 2.8 |  10.0 ± 0.0 |  2.0 ± 0.0 | 2.00 ± 0.71 |"));
+  EXPECT_THAT(text, HasSubstr("| untrained: area | untrained: unknown |"));
+  EXPECT_THAT(text, HasSubstr("|      4.0 ± 0.0 |   0.955 ± 0.021 |         70.0 ± 0.0 |"));
   EXPECT_THAT(text, HasSubstr("| IR                | none by nearest | 100:1 | 0.980 ± 0.014 |"));
 }
 
