@@ -10,8 +10,8 @@ MAKEFLAGS += --no-builtin-rules --no-print-directory
 # ---- what is run: each can be given on the command line -----------------------------------------
 RUN      := paper
 DATASETS := cwru
-# Where these three are not given, the programs say which they are: the paper's methods, all ratios, the
-# paper's classifier.
+# Where these three are not given, the programs say which they are: the paper's methods and those we recommend, all
+# ratios, the paper's classifier. The word `paper` among METHODS stands for the paper's alone.
 METHODS  :=
 RATIOS   :=
 CLASSIFIERS :=
@@ -24,6 +24,8 @@ SUBMIT   :=
 TOLERANCE := auto
 LINT     :=
 STORM    := full
+PREFIX   := /usr/local
+DESTDIR  ?=
 V        :=
 # On a cluster: cores of a job, how long it is to take, how many run at a time.
 CORES    := 4
@@ -71,7 +73,7 @@ endif
 
 # ---- what was given -----------------------------------------------------------------------------
 variables := RUN DATASETS METHODS RATIOS CLASSIFIERS SEEDS PROTOCOL DATA_DIR ARCH LIBTORCH BIN SUBMIT TOLERANCE LINT STORM V \
-             CORES MINUTES JOBS GPU_PARTITION
+             PREFIX DESTDIR CORES MINUTES JOBS GPU_PARTITION
 given     := $(foreach name,$(.VARIABLES),$(if $(filter command,$(firstword $(origin $(name)))),$(name)))
 
 # Values are text, and make and the shell are given no other. (What a value holds is looked at before make
@@ -115,10 +117,17 @@ ifneq (,$(filter figures report,$(MAKECMDGOALS)))
 DATASETS := $(or $(sort $(notdir $(patsubst %/,%,$(dir $(wildcard $(results)/*/seed*))))),$(DATASETS))
 endif
 
-# Programs are built first, unless BIN= names a folder where they already are. `make -q` only asks.
+# Programs are built first, unless BIN= names a folder where they already are, or the link bin of a folder that the
+# installed piae-dt has laid out (packaging/piae-dt). There are no sources then. `make -q` only asks.
 flags := $(firstword -$(MAKEFLAGS))
+installed  := $(wildcard bin/settings)
+of_sources := build build-demo deps install package test test-deps storm lint bench reference clean
+$(if $(installed),$(foreach goal,$(filter $(of_sources),$(goals)),$(error make $(goal): needs a clone of the sources; the programs here \
+  are installed ones ($(realpath bin)))))
 ifneq (,$(filter BIN,$(given)))
 $(if $(wildcard $(BIN)/settings),,$(error BIN: there are no programs in '$(BIN)'; `make build` builds them into build/bin))
+else ifneq (,$(installed))
+BIN      := bin
 else
 BIN      := build$(quickly:%=/%)/bin
 programs := $(if $(findstring q,$(flags)),,build$(quickly:%=-%))
@@ -129,11 +138,11 @@ Q := $(if $(V),,@)
 
 .DEFAULT_GOAL := help
 .PHONY: help grid cluster cluster-plan cluster-stop status check reference data test \
-        test-deps storm lint bench deps build build-demo clean
+        test-deps storm lint bench deps build build-demo install package clean
 
 help:
 	@printf '  %-14s%s\n' \
-	  demo     'install what is missing, build, run the method on a simulated bearing: start here' \
+	  demo     'install and build what is missing, run the method on a simulated bearing: start here' \
 	  all      'run the grid, make its tables in results/RUN/<dataset>/, its figures, its report' \
 	  cells    'run the grid without the tables (on a cluster: see jobs/)' \
 	  figures  'draw what RUN holds, in results/RUN/<dataset>/figures/: CSV, SVG and PDF' \
@@ -150,8 +159,10 @@ help:
 	  cluster-stop 'stop the jobs of RUN; the same make cluster goes on from there' \
 	  status   'how far the grid is: cells done, running, failed, missing, and the time left' \
 	  check    'compare RUN with results/reference: all cells, or those of the variables given' \
-	  reference 'store RUN, or the cells of the variables given, as results/reference, its tables and figures' \
 	  data     'download the recordings that have an official address into DATA_DIR' \
+	  | sed 's/^ /make/; 1i\Targets'
+	@$(if $(installed),: )printf '  %-14s%s\n' \
+	  reference 'store RUN, or the cells of the variables given, as results/reference, its tables and figures' \
 	  test     'build and run every test; those on real recordings when DATA_DIR has them' \
 	  test-deps 'install what some tests need beyond that, and are skipped without: Slurm, SciPy, Octave' \
 	  storm    'kill, damage and forge by the thousand, under sanitizers: SECURITY.md' \
@@ -159,19 +170,19 @@ help:
 	  bench    'build and run the benchmarks' \
 	  deps     'install the packages that are missing (apt)' \
 	  build    'build the programs into build/bin' \
+	  install  'build them and install them into PREFIX, as the command piae-dt' \
+	  package  'make Debian packages of them, build/package/*.deb, for this release of Debian' \
 	  clean    'remove build/; results and data stay' \
-	  | sed 's/^ /make/; 1i\Targets'
+	  | sed 's/^ /make/; 1i\\nTargets that need the sources'
 	@printf '  %-14s%s\n' \
 	  RUN      'folder under results/; PROTOCOL=blocked adds "-blocked"  [$(RUN)]' \
 	  DATASETS 'any of $(basename $(notdir $(wildcard pipeline/datasets/*.toml)))  [$(DATASETS)]' \
-	  METHODS  "none runs at 100to1, all others at the other ratios  [$(or $(METHODS),the paper's)]" \
+	  METHODS  "none runs at 100to1, all others at the other ratios; paper: the paper's alone  [$(or $(METHODS),$(default_methods))]" \
 	  RATIOS   'windows known to generated  [$(or $(RATIOS),all seven)]' \
 	  CLASSIFIERS "what learns from the windows; none has its cell of nearest in any case  [$(or $(CLASSIFIERS),wdcnn)]" \
 	  SEEDS    'independent repeats; 100-104 are for choosing parameters  [$(SEEDS)]' \
 	  PROTOCOL 'the split: random (the paper) or blocked (no overlaps)  [$(PROTOCOL)]' \
 	  DATA_DIR 'folder of the recordings  [$(DATA_DIR)]' \
-	  ARCH     'processor to build for: native, x86-64-v3, ...  [$(ARCH)]' \
-	  LIBTORCH 'on, or off: build without it, and without the methods that only it computes  [$(LIBTORCH)]' \
 	  BIN      'folder of programs to use as they are, instead of building  [$(BIN)]' \
 	  SUBMIT   'command put before every step, such as "srun --ntasks=1 --mem=2G"  [$(SUBMIT)]' \
 	  TOLERANCE 'of check: exact, spread, or auto: exact on the same processor and libraries  [$(TOLERANCE)]' \
@@ -179,10 +190,16 @@ help:
 	  MINUTES  'that a job on a cluster is to take, by what the steps took elsewhere  [$(MINUTES)]' \
 	  JOBS     'that run at a time on a cluster  [$(JOBS)]' \
 	  GPU_PARTITION 'of the cluster, for what asks for device = "cuda" in pipeline/  [$(GPU_PARTITION)]' \
-	  LINT     'of lint: all, or what changed  [$(LINT)]' \
-	  STORM    'of storm: full (hours), short (minutes) or least  [$(STORM)]' \
 	  V        'V=1 shows the commands  [$(V)]' \
 	  | sed '1i\\nVariables, and their values now'
+	@$(if $(installed),: )printf '  %-14s%s\n' \
+	  ARCH     'processor to build for: native, x86-64-v3, ...  [$(ARCH)]' \
+	  LIBTORCH 'on, or off: build without it, and without the methods that only it computes  [$(LIBTORCH)]' \
+	  LINT     'of lint: all, or what changed  [$(LINT)]' \
+	  STORM    'of storm: full (hours), short (minutes) or least  [$(STORM)]' \
+	  PREFIX   'where to install  [$(PREFIX)]' \
+	  DESTDIR  'folder that stands for the root when installing  [$(DESTDIR)]' \
+	  | sed '1i\\nVariables of targets that need the sources'
 	@printf '%s\n' '' \
 	  'make -j2 runs two steps at a time, -k carries on after a failed cell, -n shows what would run.' \
 	  'A setting changed in pipeline/ makes exactly what depends on it again. Programs built again do' \
@@ -197,14 +214,20 @@ ifneq (,$(on_cluster))
 $(asked): ; @: # or make would say that there is nothing to be done
 endif
 
+# The programs know the methods.
+facts_of = $(patsubst $1:%,%,$(filter $1:%,$(shell [ ! -x $(BIN)/settings ] || $(BIN)/settings --facts)))
+default_methods = $(or $(call facts_of,default),the paper's ten and what we recommend: piae-dt-phase shift)
+spelled_out = $(if $(filter paper,$1),$(foreach word,$1,$(if $(filter paper,$(word)),$(call facts_of,paper),$(word))),$1)
+value_of    = $(if $(filter METHODS,$1),$(call spelled_out,$(METHODS)),$($1))
+
 # Where a run is only looked at, nothing need be there but what those variables name that are given.
 lower_case  = $(shell printf %s '$1' | tr A-Z a-z)
-options_of  = $(foreach name,$(filter $1,$(given)),--$(call lower_case,$(name)) $($(name)))
-cells_given := $(call options_of,METHODS RATIOS CLASSIFIERS SEEDS)
-part        := $(call options_of,DATASETS) $(cells_given)
+options_of  = $(foreach name,$(filter $1,$(given)),--$(call lower_case,$(name)) $(call value_of,$(name)))
+cells_given = $(call options_of,METHODS RATIOS CLASSIFIERS SEEDS)
+part        = $(call options_of,DATASETS) $(cells_given)
 
 choice = $(foreach name,RUN DATASETS METHODS RATIOS CLASSIFIERS SEEDS PROTOCOL DATA_DIR BIN results cells_given,\
-           $(if $($(name)),'$(name)=$($(name))'))
+           $(if $($(name)),'$(name)=$(call value_of,$(name))'))
 # A dry run of a project that is not built can show no more than that it would be built.
 unknown_yet := $(if $(findstring n,$(filter-out --%,$(flags))),$(if $(wildcard $(BIN)/settings),,yes))
 grid: | $(programs)
@@ -250,6 +273,24 @@ bench:
 test:
 	$(Q)$(call build_them,programs tests)
 	$(Q)DATA_DIR='$(DATA_DIR)' tests/run.sh
+
+# The programs are found where they are installed, whatever stands in BIN.
+install:
+	$(Q)$(call build_them,programs)
+	$(Q)DESTDIR='$(DESTDIR)' cmake --install build --prefix '$(abspath $(PREFIX))' --strip >build/install.log
+	@echo 'installed: $(DESTDIR)$(abspath $(PREFIX))/bin/piae-dt'
+
+# A package is for any processor of the last ten years, unless ARCH= says for which.
+ifneq (,$(filter package,$(goals)))
+ifeq (native,$(ARCH))
+ARCH := $(or $(patsubst %,x86-64-v3,$(filter x86_64,$(shell uname -m))),native)
+endif
+endif
+package:
+	$(Q)pipeline/deps.sh $(LIBTORCH) programs package
+	$(Q)rm -f build/package/*.deb
+	$(Q)pipeline/build.sh $(ARCH) $(LIBTORCH) package
+	@ls build/package/*.deb
 
 test-deps:
 	$(Q)pipeline/deps.sh $(LIBTORCH) programs tests readers cluster

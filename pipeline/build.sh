@@ -4,7 +4,8 @@
 # TARGETs are `programs`, `tests`, `storm_parts` and `benches`; what is not asked for is not configured
 # either, so that it needs no packages. `demo`, which stands alone, builds what the demo runs into
 # build/demo/: several sources at a time, which takes half as long, and would be a nuisance to whoever
-# edits one. So does `storm_inputs`, into build/storm/ and with sanitizers.
+# edits one. So do `storm_inputs`, into build/storm/ and with sanitizers, and `package`, into build/package/,
+# which packs what it has built.
 set -euo pipefail
 
 arch=$1 libtorch=$2
@@ -15,6 +16,8 @@ unset MAKEFLAGS MFLAGS MAKELEVEL MAKEOVERRIDES
 folder=build options=()
 if [[ $* == demo ]]; then
   folder=build/demo options=(-DCMAKE_UNITY_BUILD=ON)
+elif [[ $* == package ]]; then
+  folder=build/package options=(-DCMAKE_UNITY_BUILD=ON)
 elif [[ $* == storm_inputs ]]; then
   folder=build/storm options=(-DCMAKE_UNITY_BUILD=ON -DPIAE_SANITIZE=ON)
 fi

@@ -3,8 +3,8 @@
 # is possible it prints the line for somebody who may, and exits with 2. When nothing is missing it
 # does nothing, and needs no network.
 # usage: pipeline/deps.sh LIBTORCH TARGET...      (LIBTORCH: on or off)
-# TARGETs are `programs`, `tests`, `benches`, `figures`, `readers`, `cluster` and `lint`: what one of them needs
-# beyond the programs comes for it alone.
+# TARGETs are `programs`, `tests`, `benches`, `figures`, `readers`, `cluster`, `lint` and `package`: what one of
+# them needs beyond the programs comes for it alone.
 set -euo pipefail
 
 libtorch=$1
@@ -22,6 +22,7 @@ packages=(
 [[ " $* " != *" figures "* ]] || packages+=(gnuplot-nox fonts-dejavu-core)
 # The tests of `export_windows` have others read what it writes.
 [[ " $* " != *" readers "* ]] || packages+=(python3-numpy python3-scipy octave)
+[[ " $* " != *" package "* ]] || packages+=(dpkg-dev file) # which libraries, of which packages, a program needs
 # The tests on a real Slurm start it themselves, in a network namespace.
 [[ " $* " != *" cluster "* ]] || packages+=(slurm-wlm iproute2)
 # Lint asks clang's tools of one version alone, that of Debian 12.

@@ -14,8 +14,8 @@
 #
 # What makes a step run again: its inputs, and its settings, which are compared by content (the
 # program `settings`). The programs are no prerequisites: building them again does not throw away days
-# of results. The raw recordings are none either: where the description gives their sha256 sums,
-# ingest refuses any other file.
+# of results. The raw recordings are compared by content, too, whatever their folder is; those that are
+# not there have not changed.
 #
 # The front door (Makefile) builds the programs, and then has this file made into rules.
 
@@ -34,7 +34,7 @@ fact   = $(patsubst $1:%,%,$(filter $1:%,$(facts)))
 
 paper_classifier  := $(call fact,paper-classifier)
 paper_method      := $(call fact,paper-method)
-METHODS := $(call fact,paper)
+METHODS := $(call fact,default)
 RATIOS  := $(call fact,ratio)
 CLASSIFIERS := $(paper_classifier)
 baseline          := $(call fact,baseline)
@@ -86,11 +86,35 @@ $(if $(findstring /,$(RUN)),$(error RUN: the name of a folder under results/, no
 $(if $(filter . .. published reference,$(RUN)),$(error RUN: '$(RUN)' cannot be the name of a run))
 $(if $(filter 1,$(words $(RUN))),,$(error RUN: one word, the name of a folder under results/))
 
+# Methods that need what a description does not say of its faults. Where nobody has chosen them, the others are run.
+unsaid_of   = $(foreach what,bearing rhythm size,$(if $(filter $1,$(call fact,without-$(what))),$(what)))
+unsaid     := $(sort $(foreach dataset,$(DATASETS),$(call unsaid_of,$(dataset))))
+cannot_run := $(filter $(foreach what,$(unsaid),$(call fact,needs-$(what))),$(METHODS))
+can_run    := $(filter-out $(cannot_run),$(METHODS))
+why_not     = the description of $(foreach dataset,$(DATASETS),$(if $(call unsaid_of,$(dataset)),$(dataset))) does not say what they need: \
+  $(foreach what,$(unsaid),$(if $(filter-out $(firstword $(unsaid)),$(what)),and )$(patsubst size,defect_size_mm of every fault,$(patsubst rhythm,faults in a raceway or a ball (not "other"),$(patsubst bearing,[bearing],$(what)))))
+# (Who only looks at a run, or as out_of_date.sh asks what would be done, may name any.)
+only_asked := $(filter figures report,$(MAKECMDGOALS))$(only_asking)
+ifneq (,$(cannot_run))
+ifneq (,$(filter command,$(firstword $(origin METHODS))))
+$(if $(only_asked),,$(error METHODS: $(cannot_run) cannot be run; $(why_not); choose METHODS="$(can_run)"))
+else
+$(if $(only_asked)$(LEFT_OUT_IS_SAID),,$(shell printf '%s\n' 'left out: $(cannot_run); $(why_not)' >&2))
+METHODS := $(can_run)
+endif
+endif
+
 # `none` is the case without generated windows, and so is the ratio 100to1.
 method_ratios = $(if $(filter $(baseline),$1),$(filter $(nothing_generated),$(RATIOS)),$(filter-out $(nothing_generated),$(RATIOS)))
 methods       := $(foreach method,$(METHODS),$(if $(call method_ratios,$(method)),$(method)))
 generators    := $(filter-out $(baseline),$(methods))
 $(if $(methods),,$(error no cells: METHODS="$(METHODS)" RATIOS="$(RATIOS)"; $(baseline) is run at $(nothing_generated) only, the others at all other ratios))
+
+# What the paper publishes stands in the tables, and is tracked in results/, which may have been removed as a whole.
+published       := $(wildcard results/published/*.csv)
+shows_published := $(filter all demo tables figures report draw page readings,$(MAKECMDGOALS))
+$(if $(only_asking)$(published),,$(if $(shows_published),$(error results/published holds no table: what the paper publishes is shown \
+  beside our results; `git checkout results/published` brings it back)))
 
 include pipeline/left_out.mk
 
@@ -119,9 +143,23 @@ $(foreach dataset,$(DATASETS),$(eval options.$(call split_settings,$(dataset)) :
 step   = $(Q)pipeline/step.sh $(@D)
 config = --config $(filter $(settings)/%,$^)
 
+# A file of settings says of which recordings the records are. It is a prerequisite where it is there or must be
+# made: records of an older project are without one, and stay. Who only looks notes nothing.
+measured        := $(filter-out $(simulated),$(DATASETS))
+recordings_file  = $(settings)/recordings/$1.toml
+recordings_asked = 'recordings/$1.toml $(DATA_DIR)'
+looks_only      := $(looks)$(only_asking)$(findstring n,$(filter-out --%,$(firstword -$(MAKEFLAGS))))
+other_recordings := $(if $(measured),$(shell $(BIN)/settings --folder $(settings) $(if $(looks_only),,--note) \
+  --outdated $(foreach dataset,$(measured),$(call recordings_asked,$(dataset)))))
+$(if $(measured),$(if $(filter 0,$(.SHELLSTATUS)),,$(error pipeline/ cannot be used as it is, see above)))
+recordings_of    = $(if $(filter recordings/$1.toml,$(other_recordings)),$(call recordings_file,$1),$(wildcard $(call recordings_file,$1)))
+$(foreach dataset,$(measured),$(call recordings_file,$(dataset))): $(settings)/recordings/%.toml:
+	$(Q)$(BIN)/settings --folder $(settings) --update $(call recordings_asked,$*)
+$(other_recordings:%=$(settings)/%): FORCE
+
 define records_rule # data set
 .PRECIOUS: $(results)/$1/records.h5
-$(results)/$1/records.h5: $(settings)/datasets/$1.toml
+$(results)/$1/records.h5: $(settings)/datasets/$1.toml $(call recordings_of,$1)
 	$$(step) $(if $(filter $1,$(simulated)),simulate,ingest --data-dir '$(DATA_DIR)') --description $$< --output $$@
 endef
 
@@ -207,7 +245,7 @@ concerning  = $(foreach name,$3,$(if $(filter $1/$(name) $1/$(name)/%,$2),$(name
 leave_out   = $(if $(strip $1),--leave-out $(strip $1) )
 
 # ---- tables -------------------------------------------------------------------------------------
-table_names  := accuracy.csv gains.csv quality.csv comparisons.csv ranks.csv decisions.csv confidence.csv tables.md tables.tex summary.txt
+table_names  := accuracy.csv gains.csv quality.csv comparisons.csv ranks.csv decisions.csv confidence.csv recommendation.csv tables.md tables.tex summary.txt
 tables_of    = $(table_names:%=$(results)/$1/%)
 
 # That a cell has been removed, no file's time tells: so the number of cells counts as a setting.
@@ -226,7 +264,7 @@ $(foreach dataset,$(DATASETS),$(eval $(call find_besides,$(dataset),$(results)/$
 
 define tables_rule # data set
 .PRECIOUS: $(call tables_of,$1)
-$(call tables_of,$1) &: $(call cell_files,$1) $(besides.$1) $(wildcard results/published/*.csv) $(settings)/tabulate.$1.toml
+$(call tables_of,$1) &: $(call cell_files,$1) $(besides.$1) $(published) $(settings)/tabulate.$1.toml
 	$$(step) tabulate $$(config) --run $(results) --dataset $1 $(whole_selection) $(call says_nothing_known,$1)$(call leave_out,$(left_out.$1))--published results/published \
 	  -- $(call tables_of,$1)
 endef

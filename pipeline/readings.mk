@@ -41,7 +41,7 @@ $(foreach dataset,$(DATASETS),$(eval options.readings.$(dataset) := $(readings_c
 
 define readings_rule # data set
 .PRECIOUS: $(call readings_tables,$1)
-$(call readings_tables,$1) &: $(call readings_cells,$1) $(wildcard results/published/*.csv) \
+$(call readings_tables,$1) &: $(call readings_cells,$1) $(published) \
                               $(settings)/readings.$1.toml
 	$$(step) readings $$(config) --run $(results) --dataset $1 $(readings_choice) \
 	  --published results/published -- $(call readings_tables,$1)

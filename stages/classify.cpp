@@ -74,15 +74,15 @@ std::vector<classification::Recording> read_described(const Sources& sources,
 
 /// What the classifier is, and how far it may be believed.
 std::string said_of(const diagnosis::KeptClassifier& kept, const diagnosis::Trust& trust) {
+  const diagnosis::ClassifierOrigin& origin = kept.origin();
   return fmt::format(
-      "by {} of {}, trained on {} windows ({} {}, seed {}).\n"
-      "Of windows it had not seen, {:.1f} % were named rightly; how sure it says it is\n"
-      "differs from how often it is right by {:.1f} points on average{}.",
-      kept.classifier().name, kept.info().name, kept.origin().training_windows,
-      kept.origin().method, kept.origin().ratio, kept.origin().seed, 100 * trust.accuracy,
-      100 * trust.calibration_error,
-      kept.calibration().windows == 0 ? "\n(uncalibrated: too few known windows to leave any out)"
-                                      : "");
+      "by {} of {}, trained on {} windows ({} {}, seed {})\n"
+      "of windows that it had not seen it named {:.1f} % rightly; how sure it is\n{}\n",
+      kept.classifier().name, kept.info().name, origin.training_windows, origin.method,
+      origin.ratio, origin.seed, 100 * trust.accuracy,
+      kept.calibration().windows > 0
+          ? fmt::format("was off by {:.1f} points", 100 * trust.calibration_error)
+          : "is uncalibrated: too few known windows to leave any out");
 }
 
 }  // namespace
@@ -163,6 +163,6 @@ int main(int argc, char** argv) {
       classification::write(writer, verdicts, kept, reader.digest());
       stage.save(writer, output);
     }
-    std::cout << classification::table_of(verdicts, info) << said_of(kept, trust) << '\n';
+    std::cout << classification::table_of(verdicts, info) << said_of(kept, trust);
   });
 }

@@ -12,6 +12,7 @@
 #include "inspection/picture.hpp"
 #include "inspection/tables.hpp"
 #include "inspection/warnings.hpp"
+#include "signal/described_split.hpp"
 #include "text/file.hpp"
 
 namespace fs = std::filesystem;
@@ -32,14 +33,22 @@ signal::Recordings read_raw_files(const signal::Description& description, const 
   return signal::ingest(description, folder, [&](std::size_t done) { progress.update(done); });
 }
 
-void print_problems(const signal::DatasetInfo& info, const inspection::DatasetCheck& check) {
+void print_problems(const inspection::DatasetCheck& check) {
   for (const auto& record : check.records) {
     if (!record.problem.empty()) std::cout << one_line(record.problem) << '\n';
   }
   for (const auto& c : check.classes) {
-    if (!c.problem.empty()) {
-      std::cout << info.class_of(c.label).name << ": " << one_line(c.problem) << '\n';
-    }
+    if (!c.problem.empty()) std::cout << one_line(c.problem) << '\n';
+  }
+}
+
+/// Refuses settings of the stage split that leave no window for a role, before all is read.
+void require_sensible_split(const fs::path& file, const signal::Description& description) {
+  try {
+    require_sensible(split_options_of(description));
+  } catch (const Error& error) {
+    throw Error(Exit::bad_input,
+                file.string() + ": " + error.what() + "; set those in its [split]");
   }
 }
 
@@ -54,10 +63,10 @@ void check_files(const signal::Description& description, const fs::path& folder,
   const std::vector<std::string> warnings = inspection::warnings_of(description, check);
   std::cout << inspection::tables_of(description, check) << '\n';
   for (const std::string& warning : warnings) std::cout << "warning: " << warning << '\n';
-  print_problems(info, check);
+  print_problems(check);
   if (!picture.empty()) text::save_all({{picture, inspection::picture_of(info, check)}});
   if (check.exit != Exit::done) {
-    throw Error(check.exit, info.name + ": cannot be used as it is, see above");
+    throw Error(check.exit, "dataset " + info.name + " cannot be used as it is, see above");
   }
   std::cout << fmt::format("checked {} records of {} classes, warnings: {}\n", check.records.size(),
                            check.classes.size(), warnings.size());
@@ -66,11 +75,12 @@ void check_files(const signal::Description& description, const fs::path& folder,
 }  // namespace
 
 int main(int argc, char** argv) {
-  cli::Stage stage("ingest",
-                   "Reads the raw recordings of a dataset (.mat, .csv, .h5), checks them, brings "
-                   "them to one sample rate and writes them as one artefact.",
-                   "ingest --description pipeline/datasets/cwru.toml --data-dir data --output "
-                   "records.h5");
+  cli::Stage stage(
+      "ingest",
+      "Reads the raw recordings of a dataset (.mat, .csv, .txt, .h5), checks them, brings "
+      "them to one sample rate and writes them as one artefact.",
+      "ingest --description pipeline/datasets/cwru.toml --data-dir data --output "
+      "records.h5");
   fs::path file;
   fs::path data_dir = "data";
   fs::path output;
@@ -91,7 +101,10 @@ int main(int argc, char** argv) {
   return stage.run(argc, argv, [&] {
     const signal::Description description = signal::read_description(file);
     if (sources) return print_sources(description);
-    if (check) return check_files(description, data_dir, picture);
+    if (check) {
+      require_sensible_split(file, description);
+      return check_files(description, data_dir, picture);
+    }
     if (!picture.empty()) throw Error(Exit::usage, "--picture needs --check (see ingest --help)");
     if (output.empty()) throw Error(Exit::usage, "--output is required (see ingest --help)");
     stage.note_input("description", file);

@@ -19,6 +19,16 @@ std::int64_t windows_of(const scoring::QualityRecord& record) {
   return windows;
 }
 
+/// What the fault line says nothing of.
+std::string without_line(const scoring::QualityRecord& record) {
+  std::string names;
+  for (const scoring::ClassQuality& quality : record.classes) {
+    if (scoring::has_line(record.info, quality.label)) continue;
+    names += (names.empty() ? "" : ", ") + record.info.class_of(quality.label).name;
+  }
+  return names.empty() ? "" : " (no fault line of " + names + ", as the defect is 'other')";
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -54,7 +64,7 @@ int main(int argc, char** argv) {
     artefact::Writer writer("score");
     scoring::write(writer, record);
     stage.save(writer, output);
-    std::cout << fmt::format("scored {} windows of {} classes: {}\n", windows_of(record),
-                             record.classes.size(), output.string());
+    std::cout << fmt::format("scored {} windows of {} classes{}: {}\n", windows_of(record),
+                             record.classes.size(), without_line(record), output.string());
   });
 }

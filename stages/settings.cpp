@@ -18,9 +18,10 @@ void print_facts(const fs::path& pipeline) {
 
 /// The names of the files that are outdated, each as it was asked for, without its options.
 void print_outdated(const settings::SettingsFolder& folder,
-                    const std::vector<std::string>& requests) {
+                    const std::vector<std::string>& requests, bool may_note) {
   for (const std::string& request : requests) {
-    if (folder.is_outdated(request)) std::cout << request.substr(0, request.find(' ')) << '\n';
+    if (folder.is_outdated(request, may_note))
+      std::cout << request.substr(0, request.find(' ')) << '\n';
   }
 }
 
@@ -40,11 +41,14 @@ int main(int argc, char** argv) {
   bool facts = false;
   std::vector<std::string> outdated;
   std::string update;
+  bool note = false;
   stage.input_file("--pipeline", pipeline, "Folder with protocol.toml and datasets/")
       .required(false);
   stage.output_file("--folder", folder, "Settings of a run: results/RUN/.settings").required(false);
   stage.options().flag("--facts", facts, "Print what there is, as words KIND:VALUE");
   stage.options().add("--outdated", outdated, "Print which of these files are to be written");
+  stage.options().flag("--note", note,
+                       "With --outdated: note how recordings look that are the same as before");
   stage.options().add("--update", update, "Write this file, unless it is as it should be");
 
   return stage.run(argc, argv, [&] {
@@ -55,7 +59,7 @@ int main(int argc, char** argv) {
                   "(see settings --help)");
     }
     const settings::SettingsFolder settings_folder(pipeline, folder);
-    print_outdated(settings_folder, outdated);
+    print_outdated(settings_folder, outdated, note);
     if (!update.empty()) settings_folder.update(update);
   });
 }

@@ -1,24 +1,67 @@
+// Simulates the records of a data set, or the signal of one machine that runs on and on.
+
 #include <spdlog/fmt/fmt.h>
+#include <spdlog/spdlog.h>
 
 #include <iostream>
 
 #include "cli/progress.hpp"
 #include "cli/stage.hpp"
+#include "signal/machine.hpp"
+#include "signal/raw_output.hpp"
 #include "signal/simulation.hpp"
 
+using namespace piae;
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Writes the samples of a machine as they come.
+void stream_to(const fs::path& output, const signal::Simulation& simulation,
+               const std::string& class_name, const signal::MachineOptions& options) {
+  signal::Machine machine(simulation, class_name, options);
+  signal::RawOutput raw(output);
+  for (std::vector<float> samples; !(samples = machine.next()).empty();) raw.write(samples);
+  raw.close();
+  spdlog::info("{} samples of float32 at {:g} Hz: {}", machine.samples(),
+               simulation.info.sample_rate_hz, output.string());
+}
+
+}  // namespace
+
 int main(int argc, char** argv) {
-  using namespace piae;
   cli::Stage stage("simulate",
                    "Simulates the vibration of healthy and faulty bearings (paper, section 3.1, "
                    "eqs 5 to 13).\nBearing, classes, distributions of stiffness and damping, slip "
-                   "and noise stand in the description.",
-                   "simulate --description pipeline/datasets/simulated.toml --output records.h5");
-  std::filesystem::path description;
-  std::filesystem::path output;
+                   "and noise stand in the description.\nWith --stream it simulates one machine "
+                   "that runs on and on, and in which a defect may appear, as raw samples: float32 "
+                   "in m/s^2, in the byte order of this machine, without a header.",
+                   "simulate --description pipeline/datasets/simulated.toml --output records.h5\n"
+                   "  simulate --description pipeline/datasets/simulated.toml --stream OR007 "
+                   "--duration-s 60 --appears-at-s 30 --output -");
+  fs::path description;
+  fs::path output;
+  std::string class_name;
+  signal::MachineOptions machine;
   stage.input_file("--description", description, "dataset description with a table [simulation]");
-  stage.output_file("--output", output, "records.h5 to write");
+  stage.output_file("--output", output,
+                    "records.h5 to write; with --stream the raw samples, or - for standard output");
+  const cli::Options streaming = stage.options().in_group("One machine");
+  streaming.add("--stream", class_name,
+                "class of the machine's defect, or that of healthy bearings: simulate one machine");
+  bind(streaming, machine);
+  for (const char* option : {"--stream", "--duration-s", "--appears-at-s", "--drift-s", "--seed"}) {
+    stage.record_unless_default(option);
+  }
+
   return stage.run(argc, argv, [&] {
     const signal::Simulation simulation = signal::read_simulation(description);
+    if (!class_name.empty()) return stream_to(output, simulation, class_name, machine);
+    if (machine != signal::MachineOptions{}) {
+      throw Error(Exit::usage,
+                  "--duration-s, --appears-at-s, --drift-s and --seed are of one machine: name its "
+                  "class with --stream (the seed of records stands in the description)");
+    }
     stage.note_input("description", description);
     const std::size_t records = simulation.records();
     signal::Recordings recordings;

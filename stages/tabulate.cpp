@@ -10,6 +10,7 @@
 #include "report/decisions_table.hpp"
 #include "report/gaps.hpp"
 #include "report/quality_table.hpp"
+#include "report/recommendation_tables.hpp"
 #include "report/summary.hpp"
 #include "report/tables.hpp"
 #include "report/twin_table.hpp"
@@ -27,8 +28,9 @@ int main(int argc, char** argv) {
       "ranks.csv, "
       "which say what is more than chance; decisions.csv, which has decisions over several windows "
       "of a record, where the test windows (A.h5) are there, and confidence.csv, which says how "
-      "many windows may be answered; all of them for people as tables.md and tables.tex; and "
-      "summary.txt, which says in one small table and a sentence or two what was seen. The "
+      "many windows may be answered; recommendation.csv, which says which method to take; all of "
+      "them for people as tables.md and tables.tex; and summary.txt, which says in one small table "
+      "and a few sentences what was seen and what to take. The "
       "methods, "
       "ratios and seeds that are named must be there; the tables have all cells that are. Prints "
       "the accuracies in percent. Lists may be several values, or one with commas.",
@@ -80,6 +82,8 @@ int main(int argc, char** argv) {
                     {layout.ranks_csv(), report::ranks_csv(ranks)},
                     {layout.decisions_csv(), report::decisions_csv(rows, results)},
                     {layout.confidence_csv(), report::confidence_csv(rows, results)},
+                    {layout.recommendation_csv(),
+                     report::recommendation_csv(report::recommendations(rows, results))},
                     {layout.tables_markdown(), report::markdown(tables)},
                     {layout.tables_latex(), report::latex(tables)},
                     {layout.summary_text(), report::summary_text(grid, results, rows)}});

@@ -82,6 +82,8 @@ int main(int argc, char** argv) {
     signal::require_role(reader, signal::Role::known);
     signal::WindowSet windows = signal::read_window_set(reader);
     signal::require_belonging(reader, signal::Role::known, windows);
+    augment::require_described_faults(*augment::find_entry(name), windows.info,
+                                      known_file.string());
     augment::require_known_windows(*augment::find_entry(name), windows, known_file.string());
     if (method->learns_from() == augment::LearnsFrom::real) {
       windows = read_beside(stage.open("real", real_file, "windows"), signal::Role::hidden, reader);

@@ -24,6 +24,9 @@ int main(int argc, char** argv) {
   run::GridOptions options;
   fs::path run_folder;
   bind(stage.options(), options);
+  run::bind_classifiers(stage.options(), options.classifiers,
+                        "where they are named, `none` must also have its cell of nearest; wdcnn "
+                        "alone where they are not");
   stage.input_file("--run", run_folder, "Folder of the run, such as results/try");
 
   return stage.run(argc, argv, [&] {

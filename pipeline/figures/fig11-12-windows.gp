@@ -39,7 +39,7 @@ stats data using (is("envelope") ? $3 : NaN) name "last_line" nooutput
 lines  = "BPFO BPFI 2BSF"
 own    = ""
 others = ""
-stats data using (is("own-line") ? (own = strcol(2), 0) : NaN) nooutput
+stats data using (is("own-line") ? (own = strcol(2), 0) : 0) nooutput
 do for [line in lines] { if (line ne own) { others = others." ".line } }
 is_line(name)   = strcol(2) eq name && (is("line") || is("own-line"))
 line_text(name) = $4 == 1 ? (name eq "2BSF" ? "2·BSF" : name) : sprintf("%g×", $4)

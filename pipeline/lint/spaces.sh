@@ -3,7 +3,7 @@
 # shellcheck source-path=SCRIPTDIR
 source "${0%/*}/common.sh"
 
-sources='(\.(cpp|hpp|in|sh|sbatch|awk|toml|md|mk)|CMakeLists\.txt|Makefile|^\.ci/run)$'
+sources='(\.(cpp|hpp|in|sh|sbatch|awk|toml|md|mk|cmake|cff)|CMakeLists\.txt|Makefile|^\.ci/run|^packaging/piae-dt)$'
 tab=$'\t'
 # shellcheck disable=SC2016
 files_matching "$sources" "$@" | xargs --no-run-if-empty awk -v tab="$tab" '

@@ -38,7 +38,8 @@ constexpr CatalogueEntry entries[] = {
     {.name = "dynamics",
      .kind = Kind::published,
      .what = "a bearing simulated with nominal parameters",
-     .make = make<Dynamics>},
+     .make = make<Dynamics>,
+     .needs = Needs::size},
     {.name = "smote",
      .kind = Kind::published,
      .what = "points between known windows",
@@ -46,57 +47,74 @@ constexpr CatalogueEntry entries[] = {
     {.name = "vae",
      .kind = Kind::published,
      .what = "a conditional variational auto-encoder",
-     .make = make<Vae>},
+     .make = make<Vae>,
+     .trains = true},
     {.name = "wgan-gp",
      .kind = Kind::published,
      .what = "a conditional Wasserstein GAN",
-     .make = make<WganGp>},
+     .make = make<WganGp>,
+     .trains = true},
     {.name = "piae-dt",
      .kind = Kind::published,
      .what = "the full model",
      .make = make<PiaeDt, twin::full_model>,
      .model = 1,
-     .infers = true},
+     .infers = true,
+     .trains = true,
+     .needs = Needs::size},
     {.name = "ae",
      .kind = Kind::ablation,
      .what = "without the physics",
      .make = make<PiaeDt, twin::without_physics>,
      .model = 2,
-     .infers = true},
+     .infers = true,
+     .trains = true,
+     .needs = Needs::bearing},
     {.name = "physics",
      .kind = Kind::ablation,
      .what = "without the auto-encoder",
      .make = make<Physics>,
-     .model = 3},
+     .model = 3,
+     .trains = true,
+     .needs = Needs::size},
     {.name = "piae-dt-cnn",
      .kind = Kind::ablation,
      .what = "with a convolutional auto-encoder",
      .make = make<PiaeDt, twin::convolutional_model>,
      .model = 4,
-     .infers = true},
+     .infers = true,
+     .trains = true,
+     .needs = Needs::size},
     {.name = "piae-dt-rnn",
      .kind = Kind::ablation,
      .what = "with a recurrent auto-encoder",
      .make = make<PiaeDt, twin::recurrent_model>,
      .model = 5,
-     .infers = true},
+     .infers = true,
+     .trains = true,
+     .needs = Needs::size},
     {.name = "piae-dt-phase",
      .kind = Kind::ours,
      .what = "the twin with the angle of the shaft in its space",
      .make = make<PiaeDtPhase>,
-     .infers = true},
+     .infers = true,
+     .trains = true,
+     .needs = Needs::size,
+     .recommended = true},
     {.name = "strike-twin",
      .kind = Kind::ours,
      .what = "known windows struck as in the tested condition",
      .make = make<StrikeTwin>,
      .hears = true,
-     .carries = true},
+     .carries = true,
+     .needs = Needs::size},
     {.name = "piae-dt-zero",
      .kind = Kind::ours,
      .what = "healthy windows struck as a prior of faults says",
      .make = make<PiaeDtZero>,
      .hears = true,
-     .without_known = true},
+     .without_known = true,
+     .needs = Needs::rhythm},
     {.name = "oversample",
      .kind = Kind::control,
      .what = "known windows repeated",
@@ -104,7 +122,8 @@ constexpr CatalogueEntry entries[] = {
     {.name = "shift",
      .kind = Kind::control,
      .what = "known windows turned round",
-     .make = make<Repetition, Shift::circular>},
+     .make = make<Repetition, Shift::circular>,
+     .recommended = true},
     {.name = "resample",
      .kind = Kind::control,
      .what = "known windows played at the tested speed",
@@ -118,7 +137,8 @@ constexpr CatalogueEntry entries[] = {
      .what = "healthy windows with the impulses of one damped resonance",
      .make = make<HealthyPlusImpulses>,
      .hears = true,
-     .without_known = true},
+     .without_known = true,
+     .needs = Needs::rhythm},
     {.name = "oracle",
      .kind = Kind::ceiling,
      .what = "real windows in the place of generated ones",
@@ -163,6 +183,43 @@ void require_known_windows(const CatalogueEntry& entry, const signal::WindowSet&
               fmt::format("{}: holds no known fault window (known-per-class = 0), and {} learns "
                           "from those; methods that need none: {}",
                           file, entry.name, fmt::join(methods_without_known(), ", ")));
+}
+
+namespace {
+
+/// What of a class such a method lacks; empty where it lacks nothing.
+std::string lack(Needs needs, const signal::DatasetInfo& info, const signal::ClassInfo& c) {
+  const bool is_struck = bearing::is_struck(c.defect);
+  if (needs >= Needs::bearing && !info.has_bearing) return "[bearing], its geometry";
+  if (needs >= Needs::rhythm && !is_struck) {
+    return "the rhythm of class " + c.name + ", whose defect is 'other'";
+  }
+  if (needs >= Needs::size && c.defect_size_mm == 0) return "defect_size_mm of class " + c.name;
+  return {};
+}
+
+std::string lack(Needs needs, const signal::DatasetInfo& info) {
+  for (const Label label : info.fault_labels()) {
+    std::string of_class = lack(needs, info, info.class_of(label));
+    if (!of_class.empty()) return of_class;
+  }
+  return {};
+}
+
+}  // namespace
+
+void require_described_faults(const CatalogueEntry& entry, const signal::DatasetInfo& info,
+                              const std::string& file) {
+  const std::string lacking = lack(entry.needs, info);
+  if (lacking.empty()) return;
+  std::vector<std::string> others;
+  for (const CatalogueEntry& other : entries) {
+    if (other.make != nullptr && lack(other.needs, info).empty()) others.emplace_back(other.name);
+  }
+  throw Error(Exit::bad_input,
+              fmt::format("{}: {} needs {}, which the description of {} does not say; methods that "
+                          "do without: {}",
+                          file, entry.name, lacking, info.name, fmt::join(others, ", ")));
 }
 
 std::vector<std::string> method_names() {

@@ -19,6 +19,14 @@ enum class Kind {
   ceiling,    ///< not a method: it sees real windows that no method may see
 };
 
+/// What a method has to be told of each fault, beside its windows.
+enum class Needs {
+  nothing,
+  bearing,  ///< the geometry of the bearing
+  rhythm,   ///< that, and a defect in it: not `other`
+  size,     ///< that, and its defect_size_mm
+};
+
 /// One entry of the catalogue of methods.
 struct CatalogueEntry {
   const char* name;  ///< the name in METHODS, in folders and in tables
@@ -29,7 +37,10 @@ struct CatalogueEntry {
   bool infers = false;   ///< whether it infers stiffness and damping of windows it has not seen
   bool hears = false;    ///< whether it takes healthy windows B beside the known ones
   bool carries = false;  ///< whether it is made for faults that are known in other conditions alone
+  bool trains = false;   ///< whether it is trained or fitted in epochs, by nets::run_epochs()
   bool without_known = false;  ///< whether it makes faults of which no window is known
+  Needs needs = Needs::nothing;
+  bool recommended = false;  ///< whether a run has it beside the paper's where nobody chooses
 };
 
 /// All entries in the order of the tables. This is the one place that knows the methods: programs
@@ -62,6 +73,11 @@ std::vector<std::string> methods_without_known();
 /// window and this method learns from those.
 void require_known_windows(const CatalogueEntry& entry, const signal::WindowSet& known,
                            const std::string& file);
+
+/// Throws Error(bad_input), which lists the methods that would work, where the description does not
+/// say of each fault what this method needs. `file` is the one that the info is from.
+void require_described_faults(const CatalogueEntry& entry, const signal::DatasetInfo& info,
+                              const std::string& file);
 
 /// Makes the method of that name. Throws Error(usage), which lists the known names, for any other.
 std::unique_ptr<Method> make_method(const std::string& name);

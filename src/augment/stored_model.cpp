@@ -23,6 +23,12 @@ const CatalogueEntry& entry_of(const artefact::Reader& model) {
   return *entry;
 }
 
+/// No training has left a model of faults that its method could not be told of.
+void require_described(const artefact::Reader& model) {
+  require_described_faults(entry_of(model), signal::read_dataset_info(model),
+                           model.path().string());
+}
+
 /// What a model holds for those who look at it later.
 void require_record_of_training(const artefact::Reader& model) {
   model.require_finite();
@@ -48,6 +54,7 @@ std::unique_ptr<Method> method_of(const artefact::Reader& model) { return entry_
 
 signal::WindowSet generate_with(Method& method, const artefact::Reader& model, std::size_t count,
                                 const Stream& stream, const Compute& compute) {
+  require_described(model);
   require_record_of_training(model);
   signal::WindowSet windows = generated_by(method, model, count, stream, compute);
   if (!std::ranges::all_of(windows.samples, [](float x) { return std::isfinite(x); })) {
@@ -69,6 +76,7 @@ void require_usable(const artefact::Reader& model) {
   const CatalogueEntry& entry = entry_of(model);
   (void)signal::read_origin(model);
   if (needs_libtorch_always(entry)) {
+    require_described(model);
     require_record_of_training(model);
     (void)twin::read_model_description(model);
     (void)twin::ClassSpaces(model);

@@ -28,10 +28,11 @@ double diameter_mm(const Geometry& g, Defect kind) {
 }  // namespace
 
 void validate(const Geometry& g, const LocalDefect& defect) {
-  if (defect.kind == Defect::none) {
+  if (!is_struck(defect.kind)) {
     if (defect.size_mm == 0) return;
-    throw Error(Exit::bad_input, fmt::format("defect size {} mm in a healthy bearing; it must be 0",
-                                             defect.size_mm));
+    throw Error(Exit::bad_input,
+                fmt::format("defect size {} mm in a bearing without a defect; it must be 0",
+                            defect.size_mm));
   }
   if (!(defect.size_mm > 0 && defect.size_mm < g.ball_diameter_mm)) {
     throw Error(Exit::bad_input,

@@ -4,8 +4,13 @@
 
 namespace piae::bearing {
 
-/// Where a defect is; the paper's lambda_o, lambda_i and lambda_r (eq. 11).
-enum class Defect { none, outer, inner, roller };
+/// Where a defect is; the paper's lambda_o, lambda_i and lambda_r (eq. 11). `other` is any fault
+/// that is in no raceway and no ball, such as imbalance or looseness: nothing here says what it
+/// does.
+enum class Defect { none, outer, inner, roller, other };
+
+/// Whether a defect is struck by balls, in the rhythm of the bearing's kinematics.
+constexpr bool is_struck(Defect kind) { return kind != Defect::none && kind != Defect::other; }
 
 /// A rectangular spall across the raceway or the ball.
 struct LocalDefect {
@@ -13,9 +18,10 @@ struct LocalDefect {
   double size_mm = 0;  ///< L_o, L_i or L_r: its length along the running direction; 0 for none
 };
 
-/// Throws Error(bad_input) for an impossible defect. A healthy bearing must have size 0. Any other
-/// must have a positive size that is below the ball's diameter, so that the ball does not reach the
-/// bottom, and so small that only one ball at a time is in the defect.
+/// Throws Error(bad_input) for an impossible defect. A healthy bearing must have size 0, and so
+/// must one with a fault elsewhere. Any other must have a positive size that is below the ball's
+/// diameter, so that the ball does not reach the bottom, and so small that only one ball at a time
+/// is in the defect.
 void validate(const Geometry& geometry, const LocalDefect& defect);
 
 /// Eq. 8: half of the angle, in radians, that the defect spans as seen from the centre of the race

@@ -109,6 +109,41 @@ void simulate_at_once(const Geometry& geometry, const LocalDefect& defect,
   write_rows(solution, settling, courses.size(), sampling, steps.step_s, rows);
 }
 
+/// simulate_onset() for courses_at_once or fewer courses.
+void simulate_onset_at_once(const Geometry& geometry, const LocalDefect& defect,
+                            std::span<const Course> courses, const Sampling& sampling,
+                            double* rows) {
+  const DynamicsOptions& times = courses.front().options;
+  const SubSteps steps = sub_steps(sampling.rate_hz, times.max_sub_step_s);
+  const EquationOfMotion equation = equation_of(geometry, courses);
+  LoadedBalls healthy = balls_of(geometry, {}, courses);
+  const double settling_samples = std::ceil(times.settling_s * sampling.rate_hz);
+  const double start_s = -settling_samples / sampling.rate_hz;
+  healthy.set(start_s);
+  State state{static_equilibrium_m(equation, healthy.contacts()), PerCourse{}};
+  const auto settling = static_cast<std::size_t>(settling_samples);
+  const Solution before =
+      solve(equation, healthy, state, start_s, {sampling.rate_hz, settling}, steps);
+  write_rows(before, settling, courses.size(), sampling, steps.step_s, rows);
+  LoadedBalls defective = balls_of(geometry, defect, courses);
+  const Solution after = solve(equation, defective, state, 0, sampling, steps);
+  write_rows(after, 0, courses.size(), sampling, steps.step_s, rows);
+}
+
+/// All courses, as many at once as there are lanes.
+std::vector<double> simulate_by(decltype(simulate_at_once)& at_once, const Geometry& geometry,
+                                const LocalDefect& defect, std::span<const Course> courses,
+                                const Sampling& sampling) {
+  for (const Course& course : courses) validate(course.options);
+  require_same_times(courses);
+  std::vector<double> accelerations(courses.size() * sampling.samples);
+  for (std::size_t i = 0; i < courses.size(); i += courses_at_once) {
+    at_once(geometry, defect, courses.subspan(i, std::min(courses_at_once, courses.size() - i)),
+            sampling, accelerations.data() + i * sampling.samples);
+  }
+  return accelerations;
+}
+
 }  // namespace
 
 double largest_stiffness_n_per_m(const DynamicsOptions& options) {
@@ -125,15 +160,12 @@ SubSteps sub_steps(double rate_hz, double max_sub_step_s) {
 
 std::vector<double> simulate(const Geometry& geometry, const LocalDefect& defect,
                              std::span<const Course> courses, const Sampling& sampling) {
-  for (const Course& course : courses) validate(course.options);
-  require_same_times(courses);
-  std::vector<double> accelerations(courses.size() * sampling.samples);
-  for (std::size_t i = 0; i < courses.size(); i += courses_at_once) {
-    simulate_at_once(geometry, defect,
-                     courses.subspan(i, std::min(courses_at_once, courses.size() - i)), sampling,
-                     accelerations.data() + i * sampling.samples);
-  }
-  return accelerations;
+  return simulate_by(simulate_at_once, geometry, defect, courses, sampling);
+}
+
+std::vector<double> simulate_onset(const Geometry& geometry, const LocalDefect& defect,
+                                   std::span<const Course> courses, const Sampling& sampling) {
+  return simulate_by(simulate_onset_at_once, geometry, defect, courses, sampling);
 }
 
 std::vector<double> simulate(const Geometry& geometry, const LocalDefect& defect,

@@ -58,7 +58,12 @@ struct Course {
 std::vector<double> simulate(const Geometry& geometry, const LocalDefect& defect,
                              std::span<const Course> courses, const Sampling& sampling);
 
-/// The same for one course, [samples].
+/// The same where the defect appears at the first sample: until then the bearing is healthy, and
+/// goes on from the state in which it then is.
+std::vector<double> simulate_onset(const Geometry& geometry, const LocalDefect& defect,
+                                   std::span<const Course> courses, const Sampling& sampling);
+
+/// simulate() for one course, [samples].
 std::vector<double> simulate(const Geometry& geometry, const LocalDefect& defect,
                              const Motion& motion, const DynamicsOptions& options,
                              const Sampling& sampling);

@@ -16,6 +16,7 @@ double strike_frequency_hz(const Geometry& geometry, Defect kind, double shaft_s
     case Defect::roller:
       return 2 * f.bsf_hz;
     case Defect::none:
+    case Defect::other:
       return 0;
   }
   throw std::logic_error("no such defect");
@@ -32,6 +33,7 @@ double passage_s(const Geometry& geometry, const LocalDefect& defect, double sha
     case Defect::roller:
       return angle / s.spin;
     case Defect::none:
+    case Defect::other:
       return 0;
   }
   throw std::logic_error("no such defect");

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "bearing/defect.hpp"
 #include "text/csv.hpp"
 #include "text/table.hpp"
 
@@ -49,8 +50,9 @@ std::string percent(double share) { return fmt::format("{:.0f} %", 100 * share);
 
 /// The line of the named fault, or else the one that stands out farthest: "BPFI 12.3 dB".
 std::string evidence_of(const Verdict& verdict, const DatasetInfo& info) {
+  if (!info.has_bearing) return "no bearing known";
   const signal::Defect named = info.class_of(verdict.label).defect;
-  const inspection::FaultLine* line = verdict.unknown || named == signal::Defect::none
+  const inspection::FaultLine* line = verdict.unknown || !bearing::is_struck(named)
                                           ? inspection::farthest(verdict.lines)
                                           : &inspection::line_of(verdict.lines, named);
   if (line == nullptr) return "no fault line";

@@ -5,6 +5,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <iostream>
 #include <new>
@@ -30,10 +31,20 @@ void log_to_stderr(const std::string& name) {
 /// CLI11 ends some of its messages with a second line, which is left out.
 std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
 
-/// CLI11 calls every file of options an INI file.
-std::string in_our_words(const std::string& text) {
+/// What is wrong with a file of options, each of which CLI11 calls an INI file.
+std::string about_config(const std::string& file, const std::string& text) {
   const std::string theirs = "INI was not able to parse ";
-  return text.starts_with(theirs) ? "unknown option " + text.substr(theirs.size()) : text;
+  if (text.starts_with(theirs)) return file + ": unknown option " + text.substr(theirs.size());
+  return file + (text.starts_with("line ") ? ", " : ": ") + text;
+}
+
+/// Whether a line begins with the name of a file, such as a recording that a description names.
+bool names_its_file(const std::string& line) {
+  return std::ranges::any_of(std::array{": ", ", line ", " (record "}, [&](const char* behind) {
+    std::error_code ignored;
+    const std::size_t end = line.find(behind);
+    return end != std::string::npos && std::filesystem::exists(line.substr(0, end), ignored);
+  });
 }
 
 /// A pipe would be waited for.
@@ -81,6 +92,9 @@ Stage::Stage(std::string name, const std::string& summary, const std::string& ex
                "75 interrupted after a checkpoint (run the same command again)\n");
   app_->option_defaults()->always_capture_default();
   app_->get_formatter()->column_width(38);
+  app_->set_version_flag("--version", "piae-dt " + name_ + " " + artefact::build_version(),
+                         "Print the version and exit")
+      ->configurable(false);
   add_config(*app_, "TOML file to read options from, table [" + name_ + "]")->group(files_group);
   app_->config_formatter(std::make_shared<TomlConfig>(name_, ""));
   app_->allow_config_extras(CLI::config_extras_mode::error);
@@ -134,12 +148,15 @@ int Stage::run(int argc, char** argv, const std::function<void()>& body) {
   } catch (const CLI::CallForHelp&) {
     std::cout << app_->help();
     return static_cast<int>(Exit::done);
+  } catch (const CLI::CallForVersion&) {
+    std::cout << app_->version() << '\n';
+    return static_cast<int>(Exit::done);
   } catch (const CLI::FileError& error) {
     return fail(name_, Exit::input_missing, first_line(error.what()));
   } catch (const CLI::ConfigError& error) {
     return fail(name_, Exit::usage,
-                app_->get_config_ptr()->as<std::string>() + ": " +
-                    in_our_words(first_line(error.what())) + " (see " + name_ + " --help)");
+                about_config(app_->get_config_ptr()->as<std::string>(), first_line(error.what())) +
+                    " (see " + name_ + " --help)");
   } catch (const CLI::Error& error) {
     return fail(name_, Exit::usage, first_line(error.what()) + " (see " + name_ + " --help)");
   } catch (const Error& error) {
@@ -153,6 +170,7 @@ int Stage::run(int argc, char** argv, const std::function<void()>& body) {
 
 std::string Stage::with_input_names(const Error& error) const {
   std::string line = error.what();
+  if (names_its_file(line)) return line;
   std::string names;
   for (const std::filesystem::path& path : input_paths_) {
     if (line.find(path.string()) != std::string::npos) return line;
@@ -194,8 +212,8 @@ void Stage::save(artefact::Writer& writer, const std::filesystem::path& path) co
 std::string Stage::resolved_options() const {
   std::string text;
   for (const CLI::Option* option : app_->get_options()) {
-    const bool has_name = !option->get_lnames().empty();
-    if (!has_name || option->get_group() == files_group || option == app_->get_help_ptr()) continue;
+    const bool asks = option == app_->get_help_ptr() || option == app_->get_version_ptr();
+    if (asks || option->get_lnames().empty() || option->get_group() == files_group) continue;
     std::string value = option->get_default_str();
     if (option->count() > 0) {
       value.clear();

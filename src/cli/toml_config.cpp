@@ -50,8 +50,7 @@ std::vector<CLI::ConfigItem> TomlConfig::from_config(std::istream& input) const 
       items.push_back({{}, std::string(key.str()), values_of(node)});
     }
   } catch (const NotToml& error) {
-    throw CLI::ConfigError(
-        one_line(std::string(error.what()) + " (line " + std::to_string(error.line()) + ")"));
+    throw CLI::ConfigError(one_line("line " + std::to_string(error.line()) + ": " + error.what()));
   } catch (const Error& error) {
     throw CLI::ConfigError(error.what());
   }

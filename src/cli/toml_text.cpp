@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "cli/toml_advice.hpp"
+
 namespace piae::cli {
 
 namespace {
@@ -21,6 +23,14 @@ void require_shallow(std::string_view text) {
   }
 }
 
+/// A line by its number, counted from 1.
+std::string_view line_of(std::string_view text, std::size_t number) {
+  for (; number > 1 && !text.empty(); --number) {
+    text.remove_prefix(std::min(text.find('\n'), text.size() - 1) + 1);
+  }
+  return text.substr(0, text.find('\n'));
+}
+
 }  // namespace
 
 toml::table parse_toml(std::string_view text, std::string_view source) {
@@ -29,7 +39,10 @@ toml::table parse_toml(std::string_view text, std::string_view source) {
   try {
     return toml::parse(text, source);
   } catch (const toml::parse_error& error) {
-    throw NotToml(error.source().begin.line, "not valid TOML: " + std::string(error.description()));
+    const std::size_t line = error.source().begin.line;
+    const std::string advice = toml_advice(line_of(text, line));
+    throw NotToml(
+        line, "not valid TOML: " + (advice.empty() ? std::string(error.description()) : advice));
   }
 }
 

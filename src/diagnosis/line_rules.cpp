@@ -32,6 +32,18 @@ Label excluded(const DatasetInfo& info, const std::vector<float>& evidence) {
                                    [&](Label label) { return evidence[index_of(label)]; });
 }
 
+void require_lines(const DatasetInfo& info) {
+  for (const Label label : info.fault_labels()) {
+    const signal::ClassInfo& own = info.class_of(label);
+    if (bearing::is_struck(own.defect)) continue;
+    throw Error(Exit::bad_input,
+                fmt::format("class {} of dataset {} has defect '{}', which has no fault line to go "
+                            "by; rules name defects of the bearing alone: choose another "
+                            "classifier, such as wdcnn or nearest",
+                            own.name, info.name, signal::to_string(own.defect)));
+  }
+}
+
 void require_one_class_a_kind(const DatasetInfo& info) {
   const std::vector<Label> faults = info.fault_labels();
   for (auto label = faults.begin(); label != faults.end(); ++label) {
@@ -50,6 +62,7 @@ void require_one_class_a_kind(const DatasetInfo& info) {
 }
 
 std::vector<symptoms::Measures> measured(const signal::WindowSet& normal) {
+  require_lines(normal.info);
   require_one_class_a_kind(normal.info);
   return symptoms::measure(normal, "--normal");
 }

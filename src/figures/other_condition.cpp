@@ -143,6 +143,7 @@ std::vector<NamedView> views_of_rows(const std::vector<ConditionRow>& rows, cons
 /// The lines of a defect in each row, up to the end of the axis.
 void add_lines_of_rows(ViewRows& numbers, const std::vector<ConditionRow>& rows,
                        const DatasetInfo& info, signal::Defect defect, double last_hz) {
+  if (!bearing::is_struck(defect)) return;
   for (int harmonic = 1; harmonic <= most_harmonics; ++harmonic) {
     std::vector<std::string> lines;
     for (const ConditionRow& row : rows) {

@@ -55,7 +55,7 @@ Numbers reliabilities(Source& source, const report::ClassifierRows& shown) {
     const bool is_bar = row.classifier != shown.classifier;
     if (is_bar) continue;
     const std::vector<scoring::Judgement> judgements = pooled_judgements(source, row);
-    tells |= std::ranges::any_of(judgements, [](const auto& each) { return each.score != 1; });
+    tells |= scoring::tells(judgements);
     add_bins(numbers, row, judgements);
   }
   if (!tells) throw LeftOut(shown.classifier + " names a class and not how sure it is");

@@ -23,6 +23,8 @@ constexpr double silence = 1e-20;  // as power
 
 /// The frequency at which the envelope spectrum ends.
 double last_line_hz(const signal::DatasetInfo& info, double fastest_rpm) {
+  constexpr double shown_turns = 20;  // where no line says what is to be seen
+  if (!info.has_bearing) return shown_turns * fastest_rpm / 60;
   const auto f = bearing::fault_frequencies(info.bearing, fastest_rpm);
   return ViewAxes::harmonics * std::max({f.bpfo_hz, f.bpfi_hz, 2 * f.bsf_hz}) + 2 * f.shaft_hz;
 }

@@ -66,6 +66,7 @@ Numbers numbers_of(ViewRows rows, const DatasetInfo& info, Defect own) {
   rows.spectra();
   rows.spectrograms();
   rows.row("unit", info.unit_m_per_s2 == 1 ? "recordings" : "m/s2", "", "");
+  if (!info.has_bearing) return rows.numbers();
   for (const Defect defect : {Defect::outer, Defect::inner, Defect::roller}) {
     add_line(rows, info, defect, defect == own);
   }

@@ -5,6 +5,7 @@
 
 #include "inspection/plausibility.hpp"
 #include "inspection/spectrum_panel.hpp"
+#include "signal/described_split.hpp"
 #include "signal/split.hpp"
 #include "signal/stride.hpp"
 
@@ -27,7 +28,7 @@ void look_at_signal(RecordCheck& found, const std::vector<double>& signal,
   found.lines = fault_lines(found.envelope, info, found.source.shaft_speed_rpm);
   const auto shown = std::min(signal.size(), static_cast<std::size_t>(shown_s * rate_hz));
   found.beginning.assign(signal.begin(), signal.begin() + static_cast<std::ptrdiff_t>(shown));
-  keep_shown_part(found.envelope, found.lines);
+  keep_shown_part(found.envelope, found.lines, found.source.shaft_speed_rpm / 60);
 }
 
 void look_at_record(RecordCheck& found, const Description& description,
@@ -92,13 +93,13 @@ ClassCheck check_class(const Description& description, const DatasetCheck& check
   result.records = static_cast<std::size_t>(std::ranges::count(
       check.records, label, [](const RecordCheck& record) { return record.source.label; }));
   if (!are_readable(check, label)) return result;
-  const signal::SplitOptions split;
+  const signal::SplitOptions split = signal::split_options_of(description);
   const signal::DatasetInfo& info = description.info;
   try {
     const Stream any("check");
     for (const signal::Source& source :
          sources_of(info, label, places_of(description), counts_of(split), any)) {
-      look_at_source(source, check, split, info.class_of(label).name, result);
+      look_at_source(source, check, split, name_of(info, label, source), result);
     }
   } catch (const Error& error) {
     return {.label = label, .records = result.records, .problem = error.what()};

@@ -198,15 +198,17 @@ std::string line_name(Defect kind) {
     case Defect::roller:
       return "2BSF";
     case Defect::none:
+    case Defect::other:
       break;
   }
-  throw std::logic_error("a healthy bearing has no line");
+  throw std::logic_error("what is no defect of the bearing has no line");
 }
 
 FaultLines fault_lines(const EnvelopeSpectrum& spectrum, const signal::DatasetInfo& info,
                        double shaft_speed_rpm) {
   constexpr std::array kinds{Defect::outer, Defect::inner, Defect::roller};
   FaultLines lines;
+  if (!info.has_bearing) return lines;
   for (std::size_t i = 0; i < lines.size(); ++i) {
     lines.at(i).kind = kinds.at(i);
     lines.at(i).hz = bearing::strike_frequency_hz(info.bearing, kinds.at(i), shaft_speed_rpm);

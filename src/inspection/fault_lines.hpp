@@ -47,6 +47,7 @@ using FaultLines = std::array<FaultLine, 3>;
 /// "BPFO", "BPFI", "2BSF".
 std::string line_name(signal::Defect kind);
 
+/// All at 0 Hz, and none measured, where the bearing is not described.
 FaultLines fault_lines(const EnvelopeSpectrum& spectrum, const signal::DatasetInfo& info,
                        double shaft_speed_rpm);
 

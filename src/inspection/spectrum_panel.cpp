@@ -31,10 +31,13 @@ std::vector<double> decibels_of(const EnvelopeSpectrum& spectrum) {
   return decibels;
 }
 
+bool has_lines(const FaultLines& lines) { return lines.front().hz > 0; }
+
 /// Each defect's names stand on a line of their own above the panel: the higher the frequency, the
 /// closer to it, so that no line crosses a name on its left.
 void draw_marks(Svg& svg, const FaultLines& lines, signal::Defect own, const Axis& x,
                 const Panel& panel) {
+  if (!has_lines(lines)) return;
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const FaultLine& line = lines.at(i);
     const bool is_own = line.kind == own;
@@ -54,20 +57,23 @@ void draw_marks(Svg& svg, const FaultLines& lines, signal::Defect own, const Axi
 }
 
 /// The third harmonic of the highest line, and a little more.
-double highest_shown_hz(const FaultLines& lines) {
+double highest_shown_hz(const FaultLines& lines, double shaft_hz) {
+  constexpr double shown_turns = 20;  // where there is no line
+  if (!has_lines(lines)) return shown_turns * shaft_hz;
   return 3.5 * std::ranges::max(lines, {}, &FaultLine::hz).hz;
 }
 
 }  // namespace
 
-void keep_shown_part(EnvelopeSpectrum& spectrum, const FaultLines& lines) {
-  const double bins = std::ceil(highest_shown_hz(lines) / spectrum.bin_hz);
+void keep_shown_part(EnvelopeSpectrum& spectrum, const FaultLines& lines, double shaft_hz) {
+  const double bins = std::ceil(highest_shown_hz(lines, shaft_hz) / spectrum.bin_hz);
   if (bins < static_cast<double>(spectrum.power.size())) {
     spectrum.power.resize(static_cast<std::size_t>(bins));
   }
 }
 
 void draw_line_legend(Svg& svg, const FaultLines& lines, Point at, const std::string& thick) {
+  if (!has_lines(lines)) return;
   for (std::size_t i = 0; i < line_strokes.size(); ++i) {
     Stroke stroke = line_strokes.at(i);
     stroke.width = 2;

@@ -9,7 +9,7 @@
 namespace piae::inspection {
 
 /// Cuts a spectrum off behind what a drawing shows of it.
-void keep_shown_part(EnvelopeSpectrum& spectrum, const FaultLines& lines);
+void keep_shown_part(EnvelopeSpectrum& spectrum, const FaultLines& lines, double shaft_hz);
 
 /// An envelope spectrum in dB over its own median, with the lines of the three defects and their
 /// second and third harmonics marked and named; those of `own` are thick. The names stand above the

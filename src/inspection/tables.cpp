@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-#include "signal/split.hpp"
+#include "signal/described_split.hpp"
 #include "text/table.hpp"
 
 namespace piae::inspection {
@@ -44,9 +44,10 @@ bool fits(const std::string& table) {
   });
 }
 
-text::Table recordings_table(const DatasetInfo& info, const DatasetCheck& check,
+text::Table recordings_table(const signal::Description& description, const DatasetCheck& check,
                              std::size_t file_width) {
-  const std::size_t window = signal::SplitOptions{}.window;
+  const DatasetInfo& info = description.info;
+  const std::size_t window = signal::split_options_of(description).window;
   text::Table table({"record", "file", "file Hz", "Hz", "s", "windows",
                      "RMS " + unit_name(info.unit_m_per_s2), "kurtosis", "crest"},
                     2);
@@ -72,9 +73,9 @@ text::Table recordings_table(const DatasetInfo& info, const DatasetCheck& check,
 }
 
 /// With the names of the files as long as the width allows.
-std::string recordings_text(const DatasetInfo& info, const DatasetCheck& check) {
+std::string recordings_text(const signal::Description& description, const DatasetCheck& check) {
   for (std::size_t width = widest_file;; --width) {
-    std::string text = recordings_table(info, check, width).plain();
+    std::string text = recordings_table(description, check, width).plain();
     if (fits(text) || width == narrowest_file) return text;
   }
 }
@@ -99,13 +100,19 @@ std::string lines_table(const DatasetInfo& info, const DatasetCheck& check) {
   return table.plain() + lines_note;
 }
 
+/// Of a defect whose size nobody knows, none.
+std::string size_of(const signal::ClassInfo& c) {
+  const bool is_unknown = c.defect != signal::Defect::none && c.defect_size_mm == 0;
+  return is_unknown ? "-" : fmt::format("{:g}", c.defect_size_mm);
+}
+
 std::string classes_table(const DatasetInfo& info, const DatasetCheck& check) {
   text::Table table({"class", "defect", "mm", "records", "stride", "overlap %", "A meets B, C %"},
                     2);
   for (const ClassCheck& found : check.classes) {
     const signal::ClassInfo& described = info.class_of(found.label);
     Row row{shortened(described.name, widest_class), signal::to_string(described.defect),
-            fmt::format("{:g}", described.defect_size_mm), std::to_string(found.records), "-"};
+            size_of(described), std::to_string(found.records), "-"};
     if (found.stride > 0) {
       row.back() = std::to_string(found.stride);
       row.push_back(fmt::format("{:.1f}", 100 * found.overlap));
@@ -136,8 +143,9 @@ std::string tables_of(const signal::Description& description, const DatasetCheck
       check.records, [](const RecordCheck& record) { return record.problem.empty(); });
   return fmt::format(
       "{}: all brought to {:g} Hz, unit_m_per_s2 = {:g}, windows of {} samples\n\n{}\n{}{}{}",
-      info.name, info.sample_rate_hz, info.unit_m_per_s2, signal::SplitOptions{}.window,
-      recordings_text(info, check), any ? lines_table(info, check) : "", classes_table(info, check),
+      info.name, info.sample_rate_hz, info.unit_m_per_s2,
+      signal::split_options_of(description).window, recordings_text(description, check),
+      any && info.has_bearing ? lines_table(info, check) : "", classes_table(info, check),
       classes_note);
 }
 

@@ -7,7 +7,7 @@
 #include <iterator>
 
 #include "inspection/plausibility.hpp"
-#include "signal/split.hpp"
+#include "signal/described_split.hpp"
 
 namespace piae::inspection {
 
@@ -67,7 +67,7 @@ void add_rate(const Description& description, Lines& lines) {
   const auto [slowest, fastest] =
       std::ranges::minmax(sources, {}, [](const RecordSource& s) { return s.shaft_speed_rpm; });
   const DatasetInfo& info = description.info;
-  const std::size_t window = signal::SplitOptions{}.window;
+  const std::size_t window = signal::split_options_of(description).window;
   const double window_s = static_cast<double>(window) / info.sample_rate_hz;
   const double turns = turns_in(window_s, slowest.shaft_speed_rpm);
   if (turns < 1) {
@@ -77,6 +77,7 @@ void add_rate(const Description& description, Lines& lines) {
         "the dataset makes windows longer",
         info.sample_rate_hz, window, window_s, turns, slowest.shaft_speed_rpm, slowest.name));
   }
+  if (!info.has_bearing) return;
   const FaultLines fault = fault_lines({}, info, fastest.shaft_speed_rpm);
   const double bpfi_hz = line_of(fault, signal::Defect::inner).hz;
   if (info.sample_rate_hz / 2 <= bpfi_hz) {
@@ -173,16 +174,16 @@ void add_flaws(const RecordCheck& record, Lines& lines) {
   }
 }
 
-void add_stride(const DatasetInfo& info, const ClassCheck& found, Lines& lines) {
+void add_stride(const Description& description, const ClassCheck& found, Lines& lines) {
   if (found.stride == 0 || found.stride >= sensible_stride) return;
-  const signal::SplitOptions split;
+  const std::size_t window = signal::split_options_of(description).window;
   lines.push_back(fmt::format(
       "class {}: its recordings are so short that windows of {} samples start every {}: they "
       "overlap by {:.1f} %, and with PROTOCOL=random {:.0f} % of the test windows (A) share "
       "samples "
       "with a training window: the accuracy says little of new recordings; record longer, or take "
       "PROTOCOL=blocked",
-      info.class_of(found.label).name, split.window, found.stride, 100 * found.overlap,
+      description.info.class_of(found.label).name, window, found.stride, 100 * found.overlap,
       100 * found.shared_with_training));
 }
 
@@ -270,7 +271,7 @@ std::vector<std::string> line_warnings(const DatasetInfo& info,
   std::size_t asked = 0;
   for (const RecordCheck& record : records) {
     const signal::Defect defect = info.class_of(record.source.label).defect;
-    if (defect == signal::Defect::none || !has_lines(record)) continue;
+    if (!bearing::is_struck(defect) || !has_lines(record)) continue;
     if (!line_of(record.lines, defect).db) continue;
     ++asked;
     std::string oddity = oddity_of_fault(record, defect);
@@ -287,13 +288,13 @@ std::vector<std::string> line_warnings(const DatasetInfo& info,
 std::vector<std::string> warnings_of(const Description& description, const DatasetCheck& check) {
   Lines lines;
   add_speeds(description, lines);
-  add_raceways(description.info.bearing, lines);
+  if (description.info.has_bearing) add_raceways(description.info.bearing, lines);
   add_rate(description, lines);
   add_lengths(check.records, lines);
   for (const RecordCheck& record : check.records) {
     if (record.problem.empty()) add_flaws(record, lines);
   }
-  for (const ClassCheck& found : check.classes) add_stride(description.info, found, lines);
+  for (const ClassCheck& found : check.classes) add_stride(description, found, lines);
   std::ranges::move(line_warnings(description.info, check.records), std::back_inserter(lines));
   return lines;
 }

@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <optional>
+#include <vector>
 
 #include "base/error.hpp"
 #include "base/one_line.hpp"
@@ -70,15 +71,31 @@ std::size_t resume(Trainee& trainee, const Checkpoint& checkpoint) {
   return done;
 }
 
+/// What all epochs before each one have taken, and at the end all of them.
+std::vector<double> efforts_of(const Trainee& trainee) {
+  std::vector<double> efforts{0};
+  for (std::size_t epoch = 0; epoch < trainee.epochs(); ++epoch) {
+    efforts.push_back(efforts.back() + trainee.effort(epoch));
+  }
+  return efforts;
+}
+
 }  // namespace
 
 void run_epochs(Trainee& trainee, const Checkpoint& checkpoint) {
   using Clock = std::chrono::steady_clock;
   const std::size_t first = resume(trainee, checkpoint);
-  cli::Progress progress("train", "epochs", trainee.epochs(), first);
+  std::optional<cli::Progress> progress;
+  const auto begin = [&](std::size_t done) {
+    progress.emplace("train", "epochs", efforts_of(trainee), done);
+  };
+  if (first == 0) begin(0);
   Clock::time_point saved = Clock::now();
   for (std::size_t epoch = first; epoch < trainee.epochs(); ++epoch) {
-    progress.update(epoch + 1, trainee.run_epoch(epoch));
+    const std::string note = trainee.run_epoch(epoch);
+    if (progress) progress->update(epoch + 1, note);
+    // The first epoch of a training that goes on may make again what its state does not hold.
+    if (!progress) begin(epoch + 1);
     if (checkpoint.interrupted()) {
       save(trainee, checkpoint, epoch + 1);
       throw Error(Exit::interrupted, "interrupted after epoch " + std::to_string(epoch + 1) +

@@ -19,6 +19,9 @@ class Trainee {
   virtual ~Trainee() = default;
 
   [[nodiscard]] virtual std::size_t epochs() const = 0;
+  /// What an epoch takes, in any unit: for how far the training is, and the time left. What stands
+  /// here is for trainings all of whose epochs take as long.
+  [[nodiscard]] virtual double effort(std::size_t /*epoch*/) const { return 1; }
   /// Runs one epoch, counted from 0. Returns a note for the progress line, such as "loss 0.41".
   virtual std::string run_epoch(std::size_t epoch) = 0;
   virtual void write_state(artefact::Writer& writer) const = 0;

@@ -53,13 +53,7 @@ std::string ratio_to_show(const std::vector<report::AccuracyRow>& rows) {
   return shown;
 }
 
-void add(scoring::Confusion& sum, const scoring::Confusion& confusion) {
-  if (sum.counts.empty())
-    sum = {confusion.classes, std::vector<std::int64_t>(confusion.counts.size())};
-  for (std::size_t i = 0; i < sum.counts.size(); ++i) sum.counts[i] += confusion.counts[i];
-}
-
-/// Reads what tables do not need of the cells: digests, builds, confusions.
+/// Reads what tables do not need of the cells: digests and builds. Adds up confusions.
 class CellReader {
  public:
   CellReader(const fs::path& run, DatasetContents& into)
@@ -72,16 +66,14 @@ class CellReader {
     const artefact::Reader reader(
         layout_.diagnosis(cell.method, cell.ratio, cell.seed, cell.classifier), "diagnosis");
     into_.diagnoses.push_back(cell_file(run_, reader, name_of(cell)));
-    if (into_.classes.empty()) into_.classes = signal::read_dataset_info(reader).classes;
+    if (into_.classes.empty()) into_.classes = cell.classes;
     if (cell.classifier != scoring::paper_classifier) return;
     if (cell.ratio != shown_ratio_ && cell.method != augment::no_method) return;
-    const std::size_t classes = into_.classes.size();
     auto of_method = std::ranges::find(into_.confusions, cell.method, &MethodConfusion::method);
     if (of_method == into_.confusions.end()) {
       of_method = into_.confusions.insert(of_method, {cell.method, cell.ratio, 0, {}});
     }
-    add(of_method->confusion,
-        {classes, reader.numbers<std::int64_t>("/confusion", {classes, classes}).values});
+    scoring::add(of_method->confusion, cell.confusion);
     ++of_method->seeds;
   }
 
@@ -179,6 +171,7 @@ DatasetContents read_dataset(const fs::path& run, const run::Grid& asked,
                            .grid = std::move(collected.grid),
                            .results = std::move(collected.results)};
   contents.rows = report::accuracy_rows(contents.grid, contents.results, published);
+  contents.recommendations = report::recommendations(contents.rows, contents.results);
   contents.verdict = report::verdict(contents.results, contents.rows);
   const std::string conditions = report::conditions_note(contents.results);
   if (!conditions.empty()) contents.verdict.insert(contents.verdict.begin(), conditions);

@@ -8,6 +8,7 @@
 #include "page/asked.hpp"
 #include "page/hole.hpp"
 #include "report/accuracy_table.hpp"
+#include "report/recommendation.hpp"
 #include "run/collect.hpp"
 #include "scoring/accuracy.hpp"
 #include "signal/dataset_info.hpp"
@@ -55,8 +56,9 @@ struct DatasetContents {
   std::vector<CellFile> diagnoses = {};
   std::vector<CellFile> scores = {};
   std::vector<Hole> holes = {};
-  std::vector<report::AccuracyRow> rows = {};    ///< accuracies, percent, by any classifier
-  std::vector<std::string> verdict = {};         ///< sentences; first its conditions
+  std::vector<report::AccuracyRow> rows = {};  ///< accuracies, percent, by any classifier
+  std::vector<std::string> verdict = {};       ///< sentences; first its conditions
+  std::vector<report::Recommendation> recommendations = {};  ///< by ratio
   std::vector<MethodConfusion> confusions = {};  ///< with the most generated windows, by method
   std::string records_digest = {};               ///< empty where there are no records
   std::string records_problem = {};              ///< why they cannot be read; empty where they can

@@ -26,7 +26,8 @@ Cell decisions_cell(std::size_t windows, const report::AccuracyRow& row,
                                   decisions->balanced.count));
 }
 
-Row row_of(const report::ShownRow& shown, const run::Results& results, bool with_decisions) {
+Row row_of(const report::ShownRow& shown, const report::ConfidenceRow& confidence,
+           const run::Results& results, bool with_decisions) {
   const report::AccuracyRow& row = shown.row;
   Row line{.cells = {{.content = shown.name},
                      {.content = report::ratio_label(row.ratio, row.true_ratio)}},
@@ -36,7 +37,6 @@ Row row_of(const report::ShownRow& shown, const run::Results& results, bool with
       line.cells.push_back(decisions_cell(windows, row, results));
     }
   }
-  const report::ConfidenceRow confidence = report::confidence_of(row, results);
   const std::string from = fmt::format("/scores of {} seeds", confidence.answerable.count);
   line.cells.push_back(summary_cell(confidence.answerable, from));
   line.cells.push_back(summary_cell(confidence.calibration_error, from));
@@ -58,8 +58,9 @@ Table table_of(const DatasetContents& contents, const report::ClassifierRows& bl
   table.columns.push_back({"calibration error", true});
   std::vector<std::string> silent;
   for (const report::ShownRow& shown : report::rows_with_most_windows(block)) {
-    table.rows.push_back(row_of(shown, contents.results, with_decisions));
-    if (!report::confidence_of(shown.row, contents.results).tells) silent.push_back(shown.name);
+    const report::ConfidenceRow confidence = report::confidence_of(shown.row, contents.results);
+    table.rows.push_back(row_of(shown, confidence, contents.results, with_decisions));
+    if (!confidence.tells) silent.push_back(shown.name);
   }
   table.below = (with_decisions ? report::decisions_note(contents.results)
                                 : report::decisions_gap(contents.results)) +

@@ -1,10 +1,9 @@
 #include "page/recall_view.hpp"
 
-#include <spdlog/fmt/fmt.h>
-
 #include <algorithm>
 
 #include "augment/catalogue.hpp"
+#include "page/recall_cells.hpp"
 #include "page/table.hpp"
 #include "page/words.hpp"
 #include "report/labels.hpp"
@@ -13,67 +12,14 @@ namespace piae::page {
 
 namespace {
 
-/// What share of a number of windows something happened to, in percent.
-struct Share {
-  std::int64_t count = 0;
-  std::int64_t of = 0;
-  [[nodiscard]] double percent() const {
-    return 100.0 * static_cast<double>(count) / static_cast<double>(of);
-  }
-};
-
-Share recall_of(const scoring::Confusion& confusion, std::size_t truth) {
-  Share share{.count = confusion.at(truth, truth)};
-  for (std::size_t k = 0; k < confusion.classes; ++k) share.of += confusion.at(truth, k);
-  return share;
-}
-
-bool is_healthy(const signal::ClassInfo& info) { return info.defect == signal::Defect::none; }
-
-/// Windows with a fault that were taken for healthy ones, or healthy ones that were taken for
-/// faulty.
-Share mistaken(const std::vector<signal::ClassInfo>& classes, const scoring::Confusion& confusion,
-               bool truly_healthy) {
-  Share share;
-  for (std::size_t truth = 0; truth < classes.size(); ++truth) {
-    if (is_healthy(classes[truth]) != truly_healthy) continue;
-    for (std::size_t k = 0; k < classes.size(); ++k) {
-      share.of += confusion.at(truth, k);
-      if (is_healthy(classes[k]) != truly_healthy) share.count += confusion.at(truth, k);
-    }
-  }
-  return share;
-}
-
-/// The less is recognised, the stronger a cell is shaded: "low-1" to "low-4", nothing from 80 % on.
-std::string shade_of(double recall_percent) {
-  for (int level = 4; level >= 1; --level) {
-    if (recall_percent < 20.0 * (5 - level)) return fmt::format("low-{}", level);
-  }
-  return "";
-}
-
-Cell share_cell(const Share& share) {
-  if (share.of == 0) return {.content = report::no_number};
-  return {.content = fmt::format("{:.1f}", share.percent()),
-          .number = share.percent(),
-          .from = fmt::format("{} of {} windows", share.count, share.of)};
-}
-
-Cell recall_cell(const Share& share) {
-  Cell cell = share_cell(share);
-  if (share.of > 0) cell.looks = shade_of(share.percent());
-  return cell;
-}
-
 Row row_of_method(const DatasetContents& contents, const MethodConfusion& method) {
   Row row{.cells = {{.content = report::method_label(method.method)}},
           .looks = augment::is_ceiling(method.method) ? "ceiling" : ""};
   for (std::size_t truth = 0; truth < contents.classes.size(); ++truth) {
-    row.cells.push_back(recall_cell(recall_of(method.confusion, truth)));
+    row.cells.push_back(recall_cell(scoring::recall_of(method.confusion, truth)));
   }
-  row.cells.push_back(share_cell(mistaken(contents.classes, method.confusion, false)));
-  row.cells.push_back(share_cell(mistaken(contents.classes, method.confusion, true)));
+  row.cells.push_back(share_cell(scoring::missed_faults(method.confusion, contents.classes)));
+  row.cells.push_back(share_cell(scoring::false_alarms(method.confusion, contents.classes)));
   row.cells.push_back(number_cell(static_cast<double>(method.seeds), std::to_string(method.seeds)));
   return row;
 }

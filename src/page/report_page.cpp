@@ -12,6 +12,7 @@
 #include "page/problems.hpp"
 #include "page/provenance_view.hpp"
 #include "page/recall_view.hpp"
+#include "page/recommendation_view.hpp"
 #include "page/words.hpp"
 #include "report/labels.hpp"
 #include "scoring/ratios.hpp"
@@ -64,6 +65,8 @@ std::vector<std::string> ratio_labels(const Datasets& datasets) {
   return labels;
 }
 
+constexpr const char* which_to_take = "Which method to take";
+
 Html section(const std::string& id, const std::string& title, const Html& content) {
   return element("section", {{"id", id}}, element("h2", title) + content);
 }
@@ -85,6 +88,7 @@ Html navigation(const Datasets& datasets) {
   }
   add("recall", "Recall by class");
   add("decisions", "Decisions and confidence");
+  add("recommendation", which_to_take);
   add("cells", "Cells");
   add("settings", "Settings");
   add("provenance", "Provenance");
@@ -119,12 +123,15 @@ Html results_and_figures(const ReportContents& contents) {
 Html rest_of(const ReportContents& contents) {
   Html recall;
   Html decisions;
+  Html recommendation;
   for (const DatasetContents& dataset : contents.datasets) {
     recall += recall_view(dataset);
     decisions += decisions_view(dataset);
+    recommendation += recommendation_view(dataset);
   }
   return section("recall", "Recall by class", recall) +
          section("decisions", "Decisions and confidence", decisions) +
+         section("recommendation", which_to_take, recommendation) +
          section("cells", "Cells", cells_view(contents.datasets)) +
          section("settings", "Settings", settings_view(contents.settings)) +
          section("provenance", "Provenance", provenance_view(contents.datasets)) +

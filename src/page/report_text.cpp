@@ -14,6 +14,7 @@
 #include "report/labels.hpp"
 #include "report/paper_reference.hpp"
 #include "report/ratio_columns.hpp"
+#include "report/recommendation_tables.hpp"
 
 namespace piae::page {
 
@@ -84,7 +85,8 @@ std::string how_to_read(const DatasetContents& contents, const report::Classifie
                    : text;
 }
 
-/// A section for each classifier; the first begins with the verdict.
+/// A section for each classifier, of which the first begins with the verdict, and which method to
+/// take.
 std::vector<report::Section> sections_of(const DatasetContents& contents) {
   std::string note;
   for (const std::string& sentence : contents.verdict) note += sentence + " ";
@@ -96,6 +98,8 @@ std::vector<report::Section> sections_of(const DatasetContents& contents) {
                         .table = main_table(block.rows, contents.grid.seeds.size())});
     note.clear();
   }
+  std::vector<report::Section> last = report::recommendation_sections(contents.recommendations);
+  if (!last.empty()) sections.push_back(std::move(last.front()));
   return sections;
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "page/cost_table.hpp"
 #include "page/duration.hpp"
 #include "page/links.hpp"
 #include "page/table.hpp"
@@ -170,6 +171,7 @@ Html content_of(const std::vector<StepLog>& steps) {
   if (steps.empty()) return element("p", "No step of this run has left a log.");
   Steps all;
   for (const StepLog& step : steps) all.push_back(&step);
+  const std::optional<Table> costs = cost_table(steps);
   return element("p", {{"class", "verdict"}}, in_short(steps, all)) +
          element("h2", "When the steps ran") +
          element(
@@ -178,7 +180,7 @@ Html content_of(const std::vector<StepLog>& steps) {
              "A step that is not done has a dashed border. Pauses of more than ten minutes are cut "
              "out.") +
          time_line(steps) + element("h2", "What they took") + html(table_of_groups(steps)) +
-         html(slowest_steps(all)) +
+         (costs ? html(*costs) : Html()) + html(slowest_steps(all)) +
          element("details", element("summary", fmt::format("All {} steps", steps.size())) +
                                 html(table_of_steps("All steps", all)));
 }

@@ -57,6 +57,10 @@ void read_line(const std::string& line, StepLog& log) {
     log.elapsed_s = number_between(line, before, " s").value_or(0);
   }
   const std::string name = log.stage + ": ";
+  if (line.starts_with(name + "going on from ")) {  // nets/trainee.cpp
+    log.went_on = true;
+    return;
+  }
   if (log.reason.empty() && line.starts_with(name)) log.reason = line.substr(name.size());
 }
 

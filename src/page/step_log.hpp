@@ -23,6 +23,7 @@ struct StepLog {
   StepEnd end = StepEnd::open;
   std::optional<double> begun_s = {};  ///< seconds since 1970
   double elapsed_s = 0;                ///< 0 while it is not ended
+  bool went_on = false;                ///< from a checkpoint: what it took before is not in the log
   std::optional<double> processor_s =
       {};                                ///< of all its threads; logs of older runs do not have it
   std::optional<double> memory_mb = {};  ///< the most that it held at a time, in 10^6 bytes

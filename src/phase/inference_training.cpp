@@ -28,6 +28,9 @@ constexpr std::size_t noise_realisations = 4;
 /// median times them.
 constexpr double prior_factor_k = 1.5;
 constexpr double prior_factor_c = 2;
+/// What it takes to simulate a lesson, as features with all noise, measured in what it takes to
+/// learn from it once. Only for the time left.
+constexpr double effort_of_a_simulation = 40;
 /// The longest sub-step of the solution of eq. 13. It is coarse: its error is 1 % of the waveform,
 /// which is below the noise that is added.
 constexpr double sub_step_s = 6e-6;
@@ -92,6 +95,20 @@ std::size_t InferenceTraining::epochs() const {
   return rounds * static_cast<std::size_t>(options_.epochs);
 }
 
+std::size_t InferenceTraining::lessons_of_a_class(std::size_t round) const {
+  const bool is_last = round + 1 == rounds;
+  const int count =
+      is_last ? options_.simulations : std::max(1, options_.simulations / fewer_in_first_round);
+  return static_cast<std::size_t>(count);
+}
+
+double InferenceTraining::effort(std::size_t epoch) const {
+  const auto epochs_of_round = static_cast<std::size_t>(options_.epochs);
+  const auto lessons = static_cast<double>(lessons_of_a_class(epoch / epochs_of_round) *
+                                           known_.info.fault_labels().size());
+  return epoch % epochs_of_round == 0 ? (1 + effort_of_a_simulation) * lessons : lessons;
+}
+
 Bounds InferenceTraining::first_bounds() const {
   const double largest_n_per_m = bearing::largest_stiffness_n_per_m(simulation_.options.dynamics);
   return {
@@ -121,12 +138,9 @@ std::vector<Bounds> InferenceTraining::bounds_around_known() {
 }
 
 void InferenceTraining::prepare_lessons(std::size_t round, const std::vector<Bounds>& bounds) {
-  const bool last = round + 1 == rounds;
-  const int count =
-      last ? options_.simulations : std::max(1, options_.simulations / fewer_in_first_round);
   const Stream stream = stream_.child("round" + std::to_string(round));
   const signal::WindowSet windows = signal::simulate_windows(
-      simulation_, static_cast<std::size_t>(count), stream, [&](Label label, Stream& own) {
+      simulation_, lessons_of_a_class(round), stream, [&](Label label, Stream& own) {
         const auto& [low, high] = bounds[index_of(label)];
         bearing::DynamicsOptions dynamics = simulation_.options.dynamics;
         dynamics.stiffness_n_per_m = draw_log(own, low.k, high.k) * stiffness_scale_n_per_m;

@@ -26,6 +26,9 @@ class InferenceTraining final : public nets::Trainee {
                     const InferenceOptions& options, const Stream& stream);
 
   [[nodiscard]] std::size_t epochs() const override;
+  /// Of one epoch, in lessons that are learned from once. Most of it is in the first epoch of a
+  /// round, which makes the lessons.
+  [[nodiscard]] double effort(std::size_t epoch) const override;
   /// Throws Error(failed) when the loss is no longer finite.
   std::string run_epoch(std::size_t epoch) override;
   void write_state(artefact::Writer& writer) const override;
@@ -42,6 +45,7 @@ class InferenceTraining final : public nets::Trainee {
     std::vector<twin::TwinPoint> points;
   };
 
+  [[nodiscard]] std::size_t lessons_of_a_class(std::size_t round) const;
   void prepare_lessons(std::size_t round, const std::vector<Bounds>& bounds);
   /// Learns from every lesson once, in batches; returns the mean squared error of the standardised
   /// logarithms.

@@ -15,6 +15,10 @@ namespace piae::phase {
 
 namespace {
 
+/// What an epoch of the decoder takes for each known window, in lessons of the inference that are
+/// learned from once; measured, and only for the time left.
+constexpr double effort_of_a_window = 30;
+
 /// The known windows, turned so that all of a class start at one angle, and where each started.
 struct Turned {
   signal::WindowSet windows;
@@ -66,6 +70,11 @@ class Training final : public PhaseTraining {
 
   [[nodiscard]] std::size_t epochs() const override {
     return inference_.epochs() + static_cast<std::size_t>(options_.twin.epochs);
+  }
+
+  [[nodiscard]] double effort(std::size_t epoch) const override {
+    if (epoch < inference_.epochs()) return inference_.effort(epoch);
+    return effort_of_a_window * static_cast<double>(known_.size());
   }
 
   std::string run_epoch(std::size_t epoch) override {

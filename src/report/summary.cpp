@@ -10,6 +10,7 @@
 #include "report/condition_notes.hpp"
 #include "report/labels.hpp"
 #include "report/ratio_columns.hpp"
+#include "report/recommendation_words.hpp"
 #include "report/verdict.hpp"
 #include "text/table.hpp"
 
@@ -71,6 +72,17 @@ std::string accuracy_tables(const std::vector<AccuracyRow>& rows) {
   return text;
 }
 
+/// Empty where nothing can be recommended.
+std::string recommendation_paragraph(const std::vector<AccuracyRow>& rows,
+                                     const run::Results& results) {
+  const std::vector<Recommendation> all = recommendations(rows, results);
+  const Recommendation* const main = main_recommendation(all);
+  std::string text;
+  if (main == nullptr) return text;
+  for (const std::string& sentence : recommendation_sentences(*main)) text += sentence + ' ';
+  return text;
+}
+
 }  // namespace
 
 std::string summary_text(const run::Grid& grid, const run::Results& results,
@@ -86,7 +98,9 @@ std::string summary_text(const run::Grid& grid, const run::Results& results,
   text += '\n' + accuracy_tables(rows);
   std::string sentences;
   for (const std::string& sentence : verdict(results, rows)) sentences += wrapped_at_80(sentence);
-  return sentences.empty() ? text : text + '\n' + sentences;
+  if (!sentences.empty()) text += '\n' + sentences;
+  const std::string recommended = recommendation_paragraph(rows, results);
+  return recommended.empty() ? text : text + '\n' + wrapped_at_80(recommended);
 }
 
 }  // namespace piae::report

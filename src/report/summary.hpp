@@ -14,7 +14,8 @@ namespace piae::report {
 /// conditions are tested in and how often their kind is right (report/condition_notes.hpp), and a
 /// sentence that says which methods help and by how many points at the ratio with the most
 /// generated windows. Where the paper's method is in the grid and does not help, a second sentence
-/// says why. All numbers are those of the run. `rows` are accuracy_rows() of these results.
+/// says why. Last comes which method to take (report/recommendation.hpp). All numbers are those of
+/// the run. `rows` are accuracy_rows() of these results.
 std::string summary_text(const run::Grid& grid, const run::Results& results,
                          const std::vector<AccuracyRow>& rows);
 

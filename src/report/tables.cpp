@@ -15,6 +15,7 @@
 #include "report/gaps.hpp"
 #include "report/paper_reference.hpp"
 #include "report/quality_table.hpp"
+#include "report/recommendation_tables.hpp"
 
 namespace piae::report {
 
@@ -95,6 +96,8 @@ Document tables(const run::Grid& grid, const run::Results& results,
   }
   std::ranges::move(quality_sections(grid, results), std::back_inserter(document.sections));
   std::ranges::copy(twins, std::back_inserter(document.sections));
+  std::ranges::move(recommendation_sections(recommendations(rows, results)),
+                    std::back_inserter(document.sections));
   return document;
 }
 

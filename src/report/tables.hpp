@@ -13,7 +13,8 @@ namespace piae::report {
 /// or of its counterpart, comparisons and ranks, decisions over several windows and confidence, for
 /// each classifier; then quality. Where there are several classifiers, the title of each table says
 /// which it is of. `rows`, at least one, were made from `results`; `comparisons` and `ranks` were
-/// made from `rows`. `twins` come last (twin_table.hpp).
+/// made from `rows`. `twins` (twin_table.hpp) follow. Last comes which method to take
+/// (recommendation_tables.hpp).
 Document tables(const run::Grid& grid, const run::Results& results,
                 const std::vector<AccuracyRow>& rows, const Published& published,
                 const std::vector<Comparisons>& comparisons, const std::vector<RankTable>& ranks,

@@ -40,24 +40,19 @@ std::vector<std::string> ratios_begun(const Layout& layout,
   return ratios;
 }
 
-/// Whether there is a folder of this classifier in that of a method and any ratio.
-bool is_begun(const Layout& layout, const std::string& method, const std::string& classifier) {
-  return std::ranges::any_of(scoring::all_ratios(), [&](const scoring::Ratio& ratio) {
-    return is_in_any_seed(layout, fs::path(method) / ratio.name / classifier);
-  });
+/// Whether a cell is there, or was begun. That of the paper's classifier has no folder of its own.
+bool is_cell_begun(const Layout& layout, const std::string& method, const std::string& ratio,
+                   std::int64_t seed, const std::string& classifier) {
+  const fs::path cell = layout.diagnosis(method, ratio, seed, classifier);
+  const fs::path folder = cell.parent_path();
+  if (classifier != scoring::paper_classifier) return fs::is_directory(folder);
+  return fs::is_regular_file(cell) || fs::is_regular_file(folder / "diagnose.log");
 }
 
-/// The same of the paper's classifier, which has no folder of its own.
-bool is_papers_begun(const Layout& layout, const std::vector<std::string>& methods) {
-  const auto has_cell = [&](const std::string& method, const scoring::Ratio& ratio) {
+bool is_begun(const Layout& layout, const std::string& method, const std::string& classifier) {
+  return std::ranges::any_of(scoring::all_ratios(), [&](const scoring::Ratio& ratio) {
     return std::ranges::any_of(layout.seeds(), [&](std::int64_t seed) {
-      const fs::path cell = layout.diagnosis(method, ratio.name, seed);
-      return fs::is_regular_file(cell) || fs::is_regular_file(cell.parent_path() / "diagnose.log");
-    });
-  };
-  return std::ranges::any_of(methods, [&](const std::string& method) {
-    return std::ranges::any_of(scoring::all_ratios(), [&](const scoring::Ratio& ratio) {
-      return has_cell(method, ratio);
+      return is_cell_begun(layout, method, ratio.name, seed, classifier);
     });
   });
 }
@@ -66,7 +61,6 @@ bool is_papers_begun(const Layout& layout, const std::vector<std::string>& metho
 /// other. The bar of the baseline does not count for itself, since it is asked for with any other.
 std::vector<std::string> classifiers_begun(const Layout& layout,
                                            const std::vector<std::string>& methods) {
-  const bool has_bar = is_begun(layout, augment::no_method, diagnosis::bar_classifier);
   std::vector<std::string> begun;
   for (const diagnosis::Classifier& each : diagnosis::classifiers()) {
     const std::string name = each.name;
@@ -76,11 +70,11 @@ std::vector<std::string> classifiers_begun(const Layout& layout,
     });
     if (any) begun.push_back(name);
   }
-  const bool has_others = !begun.empty();
-  if (!has_others || is_papers_begun(layout, methods)) {
-    begun.insert(begun.begin(), scoring::paper_classifier);
-  }
-  return has_bar || has_others ? begun : std::vector<std::string>{};
+  const bool has_others = std::ranges::any_of(
+      begun, [](const std::string& name) { return name != scoring::paper_classifier; });
+  if (has_others) return begun;
+  const bool has_bar = is_begun(layout, augment::no_method, diagnosis::bar_classifier);
+  return has_bar ? std::vector<std::string>{scoring::paper_classifier} : std::vector<std::string>{};
 }
 
 }  // namespace

@@ -74,6 +74,8 @@ Diagnosis read_diagnosis_cell(const artefact::Reader& reader, const std::string&
           .known_at = names_of(record.info, &signal::Condition::known),
           .tested_at = names_of(record.info, &signal::Condition::test),
           .confidence = scoring::confidence_of(record),
+          .classes = record.info.classes,
+          .confusion = record.confusion(),
           .decisions = decisions_of(reader, record, tested)};
 }
 

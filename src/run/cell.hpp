@@ -8,9 +8,11 @@
 #include "artefact/reader.hpp"
 #include "run/grid.hpp"
 #include "run/tested_windows.hpp"
+#include "scoring/accuracy.hpp"
 #include "scoring/confidence.hpp"
 #include "scoring/decisions.hpp"
 #include "scoring/quality_record.hpp"
+#include "signal/dataset_info.hpp"
 #include "signal/protocol.hpp"
 
 namespace piae::run {
@@ -37,6 +39,8 @@ struct Diagnosis {
   std::vector<std::string> known_at = {};
   std::vector<std::string> tested_at = {};
   scoring::Confidence confidence = {};
+  std::vector<signal::ClassInfo> classes = {};
+  scoring::Confusion confusion = {};  ///< of these classes
   /// Over several windows; empty where it is not known where the test windows were cut.
   std::vector<scoring::DecisionRates> decisions = {};
 };

@@ -19,20 +19,11 @@ std::string ratio_label(const Diagnosis& cell) {
   return cell.true_ratio ? std::to_string(*cell.true_ratio) : "none, without fault windows";
 }
 
-/// Refuses a cell that was made under other conditions than those read before it.
-void require_like_the_others(const artefact::Reader& reader, const Diagnosis& cell,
-                             const std::vector<Diagnosis>& others) {
-  if (others.empty()) return;
-  require_same(reader, "the split protocol", to_string(cell.protocol),
-               to_string(others.front().protocol));
-  require_same(reader, "the number of known windows", known_label(cell),
-               known_label(others.front()));
-  const auto same_ratio = std::ranges::find(others, cell.ratio, &Diagnosis::ratio);
-  if (same_ratio == others.end()) return;
-  require_same(reader, "the number of generated windows per class",
-               std::to_string(cell.generated_per_class),
-               std::to_string(same_ratio->generated_per_class));
-  require_same(reader, "the true ratio", ratio_label(cell), ratio_label(*same_ratio));
+std::string class_names(const Diagnosis& cell) {
+  std::string names;
+  for (const signal::ClassInfo& each : cell.classes)
+    names += (names.empty() ? "" : " ") + each.name;
+  return names;
 }
 
 std::string class_names(const scoring::QualityRecord& record) {
@@ -41,6 +32,23 @@ std::string class_names(const scoring::QualityRecord& record) {
     names += (names.empty() ? "" : " ") + record.info.class_of(quality.label).name;
   }
   return names;
+}
+
+/// Refuses a cell that was made under other conditions than those read before it.
+void require_like_the_others(const artefact::Reader& reader, const Diagnosis& cell,
+                             const std::vector<Diagnosis>& others) {
+  if (others.empty()) return;
+  require_same(reader, "the split protocol", to_string(cell.protocol),
+               to_string(others.front().protocol));
+  require_same(reader, "the number of known windows", known_label(cell),
+               known_label(others.front()));
+  require_same(reader, "the list of classes", class_names(cell), class_names(others.front()));
+  const auto same_ratio = std::ranges::find(others, cell.ratio, &Diagnosis::ratio);
+  if (same_ratio == others.end()) return;
+  require_same(reader, "the number of generated windows per class",
+               std::to_string(cell.generated_per_class),
+               std::to_string(same_ratio->generated_per_class));
+  require_same(reader, "the true ratio", ratio_label(cell), ratio_label(*same_ratio));
 }
 
 void add_diagnosis(const fs::path& path, const std::string& dataset, const Combination& combination,

@@ -43,71 +43,73 @@ void for_each_combination(const Grid& asked, Classifiers which, const F& f) {
   }
 }
 
+/// Whether the test windows (A) of a seed are read with its first cell, where the folder holds
+/// them.
+enum class Tested { read, left };
+
 /// Reads the cells of one file name over the seeds: those that tables are made of.
 class CellsOfSeeds {
  public:
-  CellsOfSeeds(const Layout& layout, const Held& held, Collected& into,
-               TestedWindowsBySeed tested = {})
-      : layout_(layout), held_(held), into_(into), tested_(std::move(tested)) {
-    seeds_.insert(into.grid.seeds.begin(), into.grid.seeds.end());
-  }
+  CellsOfSeeds(const Layout& layout, const Grid& asked, const Held& held, Tested tested,
+               Collected& into)
+      : layout_(layout), asked_(asked), held_(held), tested_(tested), into_(into) {}
 
-  void diagnoses(const Grid& asked, const Combination& cell) {
+  void diagnoses(const Combination& cell) {
     const auto file_of = [&](std::int64_t seed) {
       return layout_.diagnosis(cell.method, cell.ratio, seed, cell.classifier);
     };
-    const auto seeds = chosen(is_asked(asked, cell), asked, cell, file_of);
+    const auto seeds = chosen(is_asked(asked_, cell), cell, file_of);
     if (seeds.empty()) return;
     into_.grid.combinations.push_back(cell);
-    collect_diagnoses(layout_, asked.dataset, series_of(cell), seeds, into_.results, tested_);
+    collect_diagnoses(layout_, asked_.dataset, series_of(cell), seeds, into_.results, windows_);
   }
 
-  void scores(const Grid& asked, const std::string& method) {
+  void scores(const std::string& method) {
     const auto file_of = [&](std::int64_t seed) { return layout_.score(method, seed); };
-    const bool needed = std::ranges::count(asked.scored, method) > 0;
-    const auto seeds = chosen(needed, asked, {method, ""}, file_of);
+    const bool needed = std::ranges::count(asked_.scored, method) > 0;
+    const auto seeds = chosen(needed, {method, ""}, file_of);
     if (seeds.empty()) return;
     into_.grid.scored.push_back(method);
-    collect_scores(layout_, asked.dataset, method, seeds, into_.results);
+    collect_scores(layout_, asked_.dataset, method, seeds, into_.results);
   }
 
  private:
   template <class FileOf>
-  std::vector<std::int64_t> chosen(bool needed, const Grid& asked, const Combination& cell,
-                                   const FileOf& file_of) {
-    auto seeds = held_.seeds_with(needed ? asked.seeds : std::vector<std::int64_t>{}, file_of);
+  std::vector<std::int64_t> chosen(bool needed, const Combination& cell, const FileOf& file_of) {
+    auto seeds = held_.seeds_with(needed ? asked_.seeds : std::vector<std::int64_t>{}, file_of);
     for (const std::int64_t seed : held_.seeds()) {
       if (held_.leaves_out(file_of(seed))) {
         into_.results.left_out.push_back({cell.method, cell.ratio, seed, cell.classifier});
       }
     }
-    seeds_.insert(seeds.begin(), seeds.end());
+    for (const std::int64_t seed : seeds) {
+      if (seeds_.insert(seed).second) read_tested_windows_of(seed);
+    }
     into_.grid.seeds.assign(seeds_.begin(), seeds_.end());
     return seeds;
   }
 
+  void read_tested_windows_of(std::int64_t seed) {
+    if (tested_ == Tested::left || !held_.has(layout_.windows("A", seed))) return;
+    collect_tested_windows(layout_, asked_.dataset, seed, windows_, into_.results);
+  }
+
   const Layout& layout_;
+  const Grid& asked_;
   const Held& held_;
+  Tested tested_;
   Collected& into_;
-  TestedWindowsBySeed tested_;
+  TestedWindowsBySeed windows_;
   std::set<std::int64_t> seeds_;
 };
 
-/// The test windows of all seeds that tables are of, as far as the folder holds them.
-TestedWindowsBySeed tested_windows(const Layout& layout, const Grid& asked, const Held& held,
-                                   Results& results) {
-  TestedWindowsBySeed windows;
-  for (const std::int64_t seed : held_grid(layout, asked, held).seeds) {
-    if (!held.has(layout.windows("A", seed))) continue;
-    collect_tested_windows(layout, asked.dataset, seed, windows, results);
-  }
-  return windows;
+void add_diagnoses(const Grid& asked, Classifiers which, CellsOfSeeds& cells) {
+  for_each_combination(asked, which, [&](const Combination& cell) { cells.diagnoses(cell); });
 }
 
-void add_scores(const Layout& layout, const Grid& asked, const Held& held, Collected& into) {
-  CellsOfSeeds cells(layout, held, into);
+void add_scores(const Grid& asked, CellsOfSeeds& cells) {
   for (const std::string& method : methods_in_order(asked)) {
-    if (has_score(method)) cells.scores(asked, method);
+    if (has_score(method)) cells.scores(method);
   }
 }
 
@@ -187,9 +189,8 @@ Collected collect_held_diagnoses(const Layout& layout, const Grid& asked, const 
                                  Classifiers which) {
   Collected collected;
   collected.grid.dataset = asked.dataset;
-  CellsOfSeeds cells(layout, held, collected);
-  for_each_combination(asked, which,
-                       [&](const Combination& cell) { cells.diagnoses(asked, cell); });
+  CellsOfSeeds cells(layout, asked, held, Tested::left, collected);
+  add_diagnoses(asked, which, cells);
   return collected;
 }
 
@@ -212,18 +213,17 @@ std::vector<CellName> held_models(const Layout& layout, const Grid& asked, const
 
 Results collect_held_scores(const Layout& layout, const Grid& asked, const Held& held) {
   Collected collected;
-  add_scores(layout, asked, held, collected);
+  CellsOfSeeds cells(layout, asked, held, Tested::left, collected);
+  add_scores(asked, cells);
   return std::move(collected.results);
 }
 
 Collected collect_held(const Layout& layout, const Grid& asked, const Held& held) {
   Collected collected;
   collected.grid.dataset = asked.dataset;
-  CellsOfSeeds cells(layout, held, collected,
-                     tested_windows(layout, asked, held, collected.results));
-  for_each_combination(asked, Classifiers::all,
-                       [&](const Combination& cell) { cells.diagnoses(asked, cell); });
-  add_scores(layout, asked, held, collected);
+  CellsOfSeeds cells(layout, asked, held, Tested::read, collected);
+  add_diagnoses(asked, Classifiers::all, cells);
+  add_scores(asked, cells);
   return collected;
 }
 

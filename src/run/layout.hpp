@@ -89,6 +89,9 @@ class Layout {
   [[nodiscard]] std::filesystem::path confidence_csv() const { return folder_ / "confidence.csv"; }
   [[nodiscard]] std::filesystem::path trust_csv() const { return folder_ / "trust.csv"; }
   [[nodiscard]] std::filesystem::path trust_markdown() const { return folder_ / "trust.md"; }
+  [[nodiscard]] std::filesystem::path recommendation_csv() const {
+    return folder_ / "recommendation.csv";
+  }
   [[nodiscard]] std::filesystem::path tables_markdown() const { return folder_ / "tables.md"; }
   [[nodiscard]] std::filesystem::path tables_latex() const { return folder_ / "tables.tex"; }
   /// The tables of a sweep of a method's settings.

@@ -16,6 +16,15 @@ std::size_t checked(Label label, std::size_t classes) {
 
 }  // namespace
 
+void add(Confusion& sum, const Confusion& confusion) {
+  if (sum.counts.empty()) {
+    sum = confusion;
+    return;
+  }
+  if (sum.classes != confusion.classes) throw std::logic_error("confusions of other classes");
+  for (std::size_t i = 0; i < sum.counts.size(); ++i) sum.counts[i] += confusion.counts[i];
+}
+
 Confusion confusion_matrix(std::span<const Label> labels, std::span<const Label> predictions,
                            std::size_t classes) {
   if (labels.size() != predictions.size()) {

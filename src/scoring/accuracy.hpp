@@ -21,6 +21,9 @@ struct Confusion {
   bool operator==(const Confusion&) const = default;
 };
 
+/// Adds the counts of another to a sum, which may be empty as yet. Both are of the same classes.
+void add(Confusion& sum, const Confusion& confusion);
+
 /// labels and predictions are [n], each in {0, ..., classes - 1}. Throws std::logic_error when they
 /// differ in length, and when one of them is no class.
 Confusion confusion_matrix(std::span<const Label> labels, std::span<const Label> predictions,

@@ -1,7 +1,6 @@
 #include "scoring/confidence.hpp"
 
 #include <algorithm>
-#include <span>
 
 #include "scoring/refusal.hpp"
 
@@ -22,14 +21,17 @@ std::vector<Judgement> judgements_of(const DiagnosisRecord& record) {
   return judgements_of(record.scores, record.predictions, record.labels);
 }
 
+bool tells(std::span<const Judgement> judgements) {
+  return std::ranges::any_of(
+      judgements, [&](const Judgement& each) { return each.score != judgements.front().score; });
+}
+
 Confidence confidence_of(const DiagnosisRecord& record) {
   const std::vector<Judgement> judgements = judgements_of(record);
   return {
       .calibration_error = expected_calibration_error(reliability(judgements, reliability_bins)),
       .answerable = answerable_share(judgements, wanted_precision_percent),
-      .tells = std::ranges::any_of(judgements, [&](const Judgement& each) {
-        return each.score != judgements.front().score;
-      })};
+      .tells = tells(judgements)};
 }
 
 }  // namespace piae::scoring

@@ -18,9 +18,7 @@ inline constexpr std::size_t reliability_bins = 10;
 struct Confidence {
   double calibration_error = 0;  ///< in [0, 1]: expected_calibration_error()
   double answerable = 0;         ///< in [0, 1]: answerable_share() at wanted_precision_percent
-  /// Whether it is surer of some windows than of others. Where it is not, as where it names a class
-  /// and says nothing more, all windows are answered, or none.
-  bool tells = false;
+  bool tells = false;            ///< see tells()
 };
 
 /// The largest score of each window, row-major [n, classes], and whether the class that was named
@@ -29,6 +27,10 @@ std::vector<Judgement> judgements_of(std::span<const float> scores, std::span<co
                                      std::span<const Label> labels);
 /// Of each test window.
 std::vector<Judgement> judgements_of(const DiagnosisRecord& record);
+
+/// Whether a classifier is surer of some windows than of others. Where it is not, as where it names
+/// a class and says nothing more, all windows are answered, or none.
+bool tells(std::span<const Judgement> judgements);
 
 /// Throws std::logic_error for a diagnosis of no window.
 Confidence confidence_of(const DiagnosisRecord& record);

@@ -37,14 +37,14 @@ constexpr std::array<Metric, 7> metrics{{
      "How far the lines of the class's own fault (BPFO, BPFI or 2 BSF, and two harmonics) stand "
      "out of the envelope spectrum of the generated windows; 0 is not at all. Right is what real "
      "windows show: the next section.",
-     false, 1},
+     false, 1, true},
     {"fault_line_difference_db", &ClassQuality::fault_line_difference_db,
      "fault line, generated minus real, dB",
      "0 is right; below it the fault is fainter than in real windows, above it clearer. 45 other "
      "real windows of a class mostly come within 1 dB. Where real windows show no line themselves "
      "(below 2 dB; many ball faults), 0 says only that none was invented. Signs cancel in the "
      "mean.",
-     false, 1},
+     false, 1, true},
 }};
 
 // A squared distance that is a smaller part of the windows' mean square than this is rounding
@@ -85,6 +85,7 @@ void require_reference(const std::string& name, const Windows& real, double squa
 /// tested one.
 double line_db_of(const signal::WindowSet& set, Label label, const Windows& windows) {
   const signal::DatasetInfo& info = set.info;
+  if (!has_line(info, label)) return 0;
   const std::vector<std::size_t> own = set.indices_of(label);
   std::map<double, std::vector<Eigen::Index>> by_speed;
   for (Eigen::Index i = 0; i < windows.rows(); ++i) {
@@ -133,6 +134,10 @@ ClassQuality quality_of(const signal::WindowSet& generated, const signal::Window
 }
 
 }  // namespace
+
+bool has_line(const signal::DatasetInfo& info, Label label) {
+  return bearing::is_struck(info.class_of(label).defect);
+}
 
 std::span<const Metric> all_metrics() { return metrics; }
 

@@ -29,7 +29,12 @@ struct Metric {
   const char* meaning;  ///< how to read it, in sentences
   bool in_paper;        ///< whether the paper draws it (Figs 13, 14, 16 and 17, without numbers)
   int decimals = 4;     ///< the most that tables show
+  bool is_of_line = false;  ///< whether it is of a fault line, and 0 for a class without one
 };
+
+/// Whether the defect of a class has a fault line: whether it is one of the bearing.
+bool has_line(const signal::DatasetInfo& info, Label label);
+
 std::span<const Metric> all_metrics();
 
 /// Compares generated windows with real ones, class by class. Of each class the first n windows of

@@ -7,8 +7,13 @@ namespace piae::scoring {
 
 double QualityRecord::mean_over_classes(const Metric& metric) const {
   double sum = 0;
-  for (const ClassQuality& quality : classes) sum += quality.*metric.value;
-  return sum / static_cast<double>(classes.size());
+  std::size_t count = 0;
+  for (const ClassQuality& quality : classes) {
+    if (metric.is_of_line && !has_line(info, quality.label)) continue;
+    sum += quality.*metric.value;
+    ++count;
+  }
+  return count > 0 ? sum / static_cast<double>(count) : 0;
 }
 
 void write(artefact::Writer& writer, const QualityRecord& record) {

@@ -20,6 +20,7 @@ struct QualityRecord {
   signal::Protocol protocol = signal::Protocol::random;  ///< of the split
   std::vector<ClassQuality> classes;                     ///< [K], by label
 
+  /// Of the fault line over the classes that have one; 0 where none has.
   [[nodiscard]] double mean_over_classes(const Metric& metric) const;
 };
 

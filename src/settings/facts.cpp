@@ -31,10 +31,15 @@ void add_methods(std::vector<std::string>& words) {
   for (const augment::CatalogueEntry& entry : augment::catalogue()) {
     const std::string name = entry.name;
     words.push_back("method:" + name);
-    if (is_the_papers(entry.kind)) words.push_back("paper:" + name);
+    const bool is_papers = is_the_papers(entry.kind);
+    if (is_papers) words.push_back("paper:" + name);
+    if (is_papers || entry.recommended) words.push_back("default:" + name);
     if (entry.kind == augment::Kind::baseline) words.push_back("baseline:" + name);
     if (entry.kind == augment::Kind::ceiling) words.push_back("ceiling:" + name);
     if (entry.hears) words.push_back("hears:" + name);
+    if (entry.needs >= augment::Needs::bearing) words.push_back("needs-bearing:" + name);
+    if (entry.needs >= augment::Needs::rhythm) words.push_back("needs-rhythm:" + name);
+    if (entry.needs >= augment::Needs::size) words.push_back("needs-size:" + name);
     if (entry.infers) words.push_back("infers:" + name);
     if (augment::needs_libtorch_always(entry)) words.push_back("needs-libtorch:" + name);
   }
@@ -77,6 +82,41 @@ bool knows_nothing(const toml::table& protocol, const toml::table& description) 
   return count == std::int64_t{0};
 }
 
+/// The tables of a list of tables; none where it is none.
+std::vector<const toml::table*> tables_of(const toml::table& description, const char* key) {
+  std::vector<const toml::table*> tables;
+  if (const toml::array* list = description[key].as_array()) {
+    for (const toml::node& node : *list) {
+      if (node.is_table()) tables.push_back(node.as_table());
+    }
+  }
+  return tables;
+}
+
+bool says_size(const toml::table& description, const toml::table& of_class) {
+  if (of_class.contains("defect_size_mm")) return true;
+  const auto name = of_class["name"].value<std::string>();
+  return std::ranges::any_of(tables_of(description, "record"), [&](const toml::table* record) {
+    return (*record)["class"].value<std::string>() == name && record->contains("defect_size_mm");
+  });
+}
+
+/// What a description does not say of its faults, which some methods need.
+void add_unsaid(const std::string& name, const toml::table& description,
+                std::vector<std::string>& words) {
+  bool rhythm = true;
+  bool sizes = true;
+  for (const toml::table* of_class : tables_of(description, "class")) {
+    const auto defect = (*of_class)["defect"].value_or<std::string>("none");
+    rhythm = rhythm && defect != "other";
+    const bool has_size = defect != "none" && defect != "other";
+    sizes = sizes && (!has_size || says_size(description, *of_class));
+  }
+  if (!rhythm) words.push_back("without-rhythm:" + name);
+  if (!rhythm && !description.contains("bearing")) words.push_back("without-bearing:" + name);
+  if (!sizes) words.push_back("without-size:" + name);
+}
+
 /// What there is to know of a description. One that cannot be read is refused when its data set is
 /// asked for, not before.
 void add_dataset(const toml::table& protocol, const fs::path& description,
@@ -87,6 +127,7 @@ void add_dataset(const toml::table& protocol, const fs::path& description,
     const toml::table content = signal::read_description_file(description);
     if (content.contains("simulation")) words.push_back("simulated:" + name);
     if (content.contains("split")) words.push_back("own-split:" + name);
+    add_unsaid(name, content, words);
     if (knows_nothing(protocol, content)) words.push_back("nothing-known:" + name);
   } catch (const Error&) {
     return;

@@ -10,10 +10,14 @@ namespace piae::settings {
 /// down in one place only:
 ///
 ///     method:smote           an entry of METHODS, in the order of the tables
-///     paper:smote            one of the paper's: the METHODS where none are given
+///     paper:smote            one of the paper's: what the word `paper` among METHODS stands for
+///     default:shift          one of the METHODS where none are given: the paper's, and what we
+///                            recommend
 ///     paper-method:piae-dt   the paper's own method
 ///     baseline:none          the method that generates nothing
 ///     ceiling:oracle         sees real windows that no method may see, and has no score
+///     needs-size:piae-dt     has to be told defect_size_mm of each fault; needs-rhythm: that it is
+///                            one of the bearing; needs-bearing: the bearing's geometry
 ///     infers:piae-dt         infers (k, c) of windows that it has not seen
 ///     needs-libtorch:NAME    computed by LibTorch alone
 ///     classifier:nearest     an entry of CLASSIFIERS, in the order of the tables
@@ -24,6 +28,8 @@ namespace piae::settings {
 ///     dataset:cwru           an entry of DATASETS
 ///     simulated:simulated    a dataset that is made, not measured
 ///     own-split:NAME         a dataset whose description says something of the stage split
+///     without-size:NAME      a dataset whose description does not say that of all faults; so
+///                            without-rhythm and without-bearing
 ///     nothing-known:NAME     a dataset of which no fault window is known
 ///     pair:vae/nearest       a method that has cells by this classifier
 ///     pair-of-nothing:oracle/nearest   the same of a data set of which no fault window is known

@@ -4,6 +4,7 @@
 #include <sys/file.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <span>
 #include <sstream>
 
@@ -13,6 +14,7 @@
 #include "cli/toml_options.hpp"
 #include "settings/groups.hpp"
 #include "settings/protocol.hpp"
+#include "settings/raw_files.hpp"
 #include "signal/description_file.hpp"
 #include "text/lines.hpp"
 
@@ -30,7 +32,8 @@ struct Request {
   std::string stage;    ///< empty for a description of a data set
   std::string variant;  ///< of the stage, or the data set
 
-  [[nodiscard]] bool is_description() const { return stage.empty(); }
+  [[nodiscard]] bool is_of_recordings() const { return file.parent_path() == "recordings"; }
+  [[nodiscard]] bool is_description() const { return stage.empty() && !is_of_recordings(); }
   [[nodiscard]] bool is_split_of_dataset() const { return stage == "split" && !variant.empty(); }
 };
 
@@ -42,7 +45,7 @@ Request parse_request(const std::string& text) {
   const std::string name = request.file.stem().string();
   const bool in_folder = request.file.has_parent_path();
   if (request.file.extension() != ".toml" ||
-      (in_folder && request.file.parent_path() != "datasets")) {
+      (in_folder && request.file.parent_path() != "datasets" && !request.is_of_recordings())) {
     throw Error(Exit::usage, "'" + text + "' is no settings file; such are train.smote.toml, " +
                                  "datasets/cwru.toml and 'split.toml --protocol random'");
   }
@@ -145,6 +148,78 @@ bool already_holds(const fs::path& file, const Request& request, const toml::tab
   }
 }
 
+/// What concerns the recordings of one data set in a run.
+struct RecordingsOf {
+  fs::path file;
+  fs::path stamps;
+  fs::path records;
+  fs::path data_dir;
+  std::vector<std::string> names;
+};
+
+RecordingsOf recordings_of(const Request& request, const fs::path& pipeline,
+                           const fs::path& folder) {
+  const fs::path source = pipeline / "datasets" / (request.variant + ".toml");
+  const fs::path file = folder / request.file;
+  return {.file = file,
+          .stamps = fs::path(file).replace_extension(".stamps"),
+          .records = folder.parent_path() / request.variant / "records.h5",
+          .data_dir = request.options,
+          .names = raw_files_of(signal::read_description_file(source))};
+}
+
+/// The digests in a settings file; empty where it is none.
+Digests read_digests(const fs::path& file) {
+  Digests digests;
+  try {
+    for (const auto& [name, node] : cli::parse_toml_file(file)) {
+      digests[std::string(name.str())] = node.value_or<std::string>("");
+    }
+  } catch (const Error&) {
+    digests.clear();
+  }
+  return digests;
+}
+
+/// What the records of the run were made of, or are about to be. Empty where nothing says it.
+Digests digests_before(const RecordingsOf& of) {
+  if (fs::exists(of.file)) return read_digests(of.file);
+  return fs::exists(of.records) ? digests_in_records(of.records) : Digests{};
+}
+
+bool are_others(const RecordingsOf& of, bool may_note) {
+  const Digests before = digests_before(of);
+  // Records that nobody can read, or made by something else: there is nothing to compare.
+  if (before.empty() && !fs::exists(of.file) && fs::exists(of.records)) return false;
+  const bool notes = may_note && fs::is_directory(of.stamps.parent_path());
+  const Digests now = notes ? noted_digests_of(of.names, of.data_dir, of.stamps)
+                            : digests_of(of.names, of.data_dir, of.stamps);
+  return std::ranges::any_of(now, [&](const auto& each) {
+    const auto found = before.find(each.first);
+    return found == before.end() || found->second != each.second;
+  });
+}
+
+/// Those that are there, and of the others what was known of them.
+Digests digests_now(const RecordingsOf& of) {
+  const Digests before = digests_before(of);
+  Digests digests = noted_digests_of(of.names, of.data_dir, of.stamps);
+  for (const std::string& name : of.names) {
+    const auto found = before.find(name);
+    if (found != before.end()) digests.insert(*found);
+  }
+  return digests;
+}
+
+std::string text_of(const Digests& digests) {
+  toml::table values;
+  for (const auto& [name, sha256] : digests) values.insert(name, sha256);
+  std::ostringstream text;
+  text << "# The raw recordings that records.h5 is made of, by their sha256.\n"
+       << toml::toml_formatter(values) << '\n';
+  return text.str();
+}
+
 std::string text_of(const Request& request, const Wanted& wanted) {
   std::ostringstream text;
   text << "# Made from " << wanted.source.string() << "; edit that file, not this one.\n";
@@ -160,22 +235,33 @@ SettingsFolder::SettingsFolder(const fs::path& pipeline, fs::path folder)
       folder_(std::move(folder)),
       protocol_(read_protocol(pipeline / "protocol.toml")) {}
 
-bool SettingsFolder::is_outdated(const std::string& text) const {
+bool SettingsFolder::is_outdated(const std::string& text, bool may_note) const {
   const Request request = parse_request(text);
+  if (request.is_of_recordings()) {
+    return are_others(recordings_of(request, pipeline_, folder_), may_note);
+  }
   return !already_holds(folder_ / request.file, request,
                         wanted(request, pipeline_, protocol_).values);
 }
 
 void SettingsFolder::update(const std::string& text) const {
   const Request request = parse_request(text);
-  const Wanted content = wanted(request, pipeline_, protocol_);
   const fs::path file = folder_ / request.file;
   require_no_link(folder_);
   require_no_link(file.parent_path());
   make_folder(file.parent_path());
   const FolderLock lock(file.parent_path());
-  if (already_holds(file, request, content.values)) return;
-  const std::string wanted_text = text_of(request, content);
+  std::string wanted_text;
+  if (request.is_of_recordings()) {
+    const RecordingsOf of = recordings_of(request, pipeline_, folder_);
+    const Digests digests = digests_now(of);
+    if (fs::exists(file) && read_digests(file) == digests) return;
+    wanted_text = text_of(digests);
+  } else {
+    const Wanted content = wanted(request, pipeline_, protocol_);
+    if (already_holds(file, request, content.values)) return;
+    wanted_text = text_of(request, content);
+  }
   artefact::write_file_atomically(file, std::as_bytes(std::span(wanted_text)));
 }
 

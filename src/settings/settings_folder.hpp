@@ -21,19 +21,27 @@ namespace piae::settings {
 ///                                   description on top of that of the protocol
 ///     transfer.NAME.toml            what transfer reads of the group NAME, all of whose data sets
 ///                                   must have a description
+///     recordings/NAME.toml DIR      the sha256 of each raw recording of the data set NAME below
+///     the
+///                                   folder DIR, as it was when the records were made
 ///     datasets/NAME.toml            the description pipeline/datasets/NAME.toml, completed by the
 ///                                   one that it is like
 ///
 /// Files hold values alone, in alphabetical order. They are compared by value: neither comments nor
-/// spacing nor the order of tables make a difference.
+/// spacing nor the order of tables make a difference. So do recordings: from whatever folder, the
+/// same bytes are the same recording. One that is not there has not changed, so that a run which
+/// was copied without its recordings stays as it is.
 class SettingsFolder {
  public:
   /// `pipeline` is the folder with protocol.toml and datasets/. Throws as read_protocol does.
   SettingsFolder(const std::filesystem::path& pipeline, std::filesystem::path folder);
 
-  /// Whether the file is missing or holds something else. Reads only. Throws Error(bad_input) and
+  /// Whether the file is missing or holds something else. Reads only; where a recording looks other
+  /// than before but is the same, `may_note` lets that be noted, so that it is not read once more
+  /// next time. Recordings of a run whose records.h5 is there without such a file are compared with
+  /// what that was made of. Throws Error(bad_input) and
   /// Error(input_missing) where its source cannot be read.
-  [[nodiscard]] bool is_outdated(const std::string& request) const;
+  [[nodiscard]] bool is_outdated(const std::string& request, bool may_note = false) const;
 
   /// Writes the file where it is outdated, and else leaves it as it is, with its time. Programs
   /// that do so at once do not disturb each other: one writes, the others find it written. Throws

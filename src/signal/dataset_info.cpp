@@ -13,7 +13,7 @@ namespace piae::signal {
 
 namespace {
 
-constexpr std::array<const char*, 4> defect_words{"none", "outer", "inner", "roller"};
+constexpr std::array<const char*, 5> defect_words{"none", "outer", "inner", "roller", "other"};
 
 bearing::Geometry read_bearing(const artefact::Reader& reader) {
   const auto length_mm = [&](const std::string& name) {
@@ -26,6 +26,16 @@ bearing::Geometry read_bearing(const artefact::Reader& reader) {
       .inner_raceway_mm = length_mm("inner_raceway_mm"),
       .outer_raceway_mm = length_mm("outer_raceway_mm"),
       .contact_angle_deg = reader.real("/bearing", "contact_angle_deg", ranges::contact_angle_deg)};
+}
+
+void write_bearing(artefact::Writer& writer, const bearing::Geometry& bearing) {
+  writer.group("/bearing");
+  writer.attribute("/bearing", "balls", std::int64_t{bearing.balls});
+  writer.attribute("/bearing", "ball_diameter_mm", bearing.ball_diameter_mm);
+  writer.attribute("/bearing", "pitch_diameter_mm", bearing.pitch_diameter_mm);
+  writer.attribute("/bearing", "inner_raceway_mm", bearing.inner_raceway_mm);
+  writer.attribute("/bearing", "outer_raceway_mm", bearing.outer_raceway_mm);
+  writer.attribute("/bearing", "contact_angle_deg", bearing.contact_angle_deg);
 }
 
 void require_class_names(const artefact::Reader& reader, const std::vector<std::string>& names) {
@@ -42,7 +52,8 @@ Defect read_defect(const artefact::Reader& reader, const std::string& word) {
   try {
     return parse_defect(word);
   } catch (const Error&) {
-    reader.refuse("/classes/defect", "holds a word that is none of none, outer, inner and roller");
+    reader.refuse("/classes/defect",
+                  "holds a word that is none of none, outer, inner, roller and other");
   }
 }
 
@@ -71,9 +82,13 @@ std::vector<ClassInfo> read_classes(const artefact::Reader& reader) {
 void require_possible(const artefact::Reader& reader, const DatasetInfo& info) {
   try {
     (void)info.healthy_label();
-    bearing::validate(info.bearing);
+    if (info.has_bearing) bearing::validate(info.bearing);
     for (const ClassInfo& c : info.classes) {
-      bearing::validate(info.bearing, {c.defect, c.defect_size_mm});
+      if (bearing::is_struck(c.defect) && !info.has_bearing) {
+        throw Error(Exit::bad_input, "class " + c.name + " is of a bearing that is not described");
+      }
+      const bool is_of_unknown_size = bearing::is_struck(c.defect) && c.defect_size_mm == 0;
+      if (!is_of_unknown_size) bearing::validate(info.bearing, {c.defect, c.defect_size_mm});
     }
   } catch (const Error& error) {
     reader.refuse("/bearing or /classes", std::string("cannot be: ") + error.what());
@@ -105,7 +120,7 @@ Defect parse_defect(const std::string& word) {
     if (word == defect_words[i]) return static_cast<Defect>(i);
   }
   throw Error(Exit::bad_input,
-              "unknown defect '" + word + "'; known are none, outer, inner and roller");
+              "unknown defect '" + word + "'; known are none, outer, inner, roller and other");
 }
 
 std::vector<Label> DatasetInfo::labels() const {
@@ -162,13 +177,7 @@ void write(artefact::Writer& writer, const DatasetInfo& info) {
   writer.attribute("/", "sample_rate_hz", info.sample_rate_hz);
   writer.attribute("/", "shaft_speed_rpm", info.shaft_speed_rpm);
   writer.attribute("/", "unit_m_per_s2", info.unit_m_per_s2);
-  writer.group("/bearing");
-  writer.attribute("/bearing", "balls", std::int64_t{info.bearing.balls});
-  writer.attribute("/bearing", "ball_diameter_mm", info.bearing.ball_diameter_mm);
-  writer.attribute("/bearing", "pitch_diameter_mm", info.bearing.pitch_diameter_mm);
-  writer.attribute("/bearing", "inner_raceway_mm", info.bearing.inner_raceway_mm);
-  writer.attribute("/bearing", "outer_raceway_mm", info.bearing.outer_raceway_mm);
-  writer.attribute("/bearing", "contact_angle_deg", info.bearing.contact_angle_deg);
+  if (info.has_bearing) write_bearing(writer, info.bearing);
   std::vector<std::string> names;
   std::vector<std::string> defects;
   std::vector<double> sizes;
@@ -192,7 +201,8 @@ DatasetInfo read_dataset_info(const artefact::Reader& reader) {
   info.sample_rate_hz = reader.real("/", "sample_rate_hz", ranges::sample_rate_hz);
   info.shaft_speed_rpm = reader.real("/", "shaft_speed_rpm", ranges::shaft_speed_rpm);
   info.unit_m_per_s2 = reader.real("/", "unit_m_per_s2", ranges::unit_m_per_s2);
-  info.bearing = read_bearing(reader);
+  info.has_bearing = reader.has("/bearing");
+  if (info.has_bearing) info.bearing = read_bearing(reader);
   info.classes = read_classes(reader);
   info.conditions = read_conditions(reader);
   require_possible(reader, info);

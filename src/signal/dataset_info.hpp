@@ -16,15 +16,16 @@ namespace piae::signal {
 /// Where the defect of a class sits.
 using bearing::Defect;
 
-/// "none", "outer", "inner", "roller". parse_defect throws Error(bad_input) for any other word.
+/// "none", "outer", "inner", "roller", "other". parse_defect throws Error(bad_input) for any other
+/// word.
 std::string to_string(Defect defect);
 Defect parse_defect(const std::string& word);
 
 struct ClassInfo {
   std::string name;  ///< "IR007"
   Defect defect = Defect::none;
-  /// L_o, L_i or L_r; 0 for a healthy bearing. Where the records of the class hold several sizes:
-  /// the mean of the known ones.
+  /// L_o, L_i or L_r; 0 for a healthy bearing, and where nobody knows it. Where the records of the
+  /// class hold several sizes: the mean of the known ones.
   double defect_size_mm = 0;
 };
 
@@ -35,6 +36,8 @@ struct DatasetInfo {
   double shaft_speed_rpm = 0;
   double unit_m_per_s2 = 1;  ///< one unit of the signals: 9.80665 where they are in g
   bearing::Geometry bearing;
+  /// Whether anything is said of the bearing. Where not, all faults are `other`.
+  bool has_bearing = true;
   std::vector<ClassInfo> classes;
   std::vector<Condition> conditions;  ///< empty where the dataset tells none apart
 
@@ -58,7 +61,8 @@ struct DatasetInfo {
   [[nodiscard]] double tested_speed_rpm() const;
 };
 
-/// In the artefact: attributes of the root and of the group /bearing, the datasets /classes/name,
+/// In the artefact: attributes of the root and, where the bearing is described, of the group
+/// /bearing; the datasets /classes/name,
 /// /classes/defect, /classes/defect_size_mm, and the conditions.
 void write(artefact::Writer& writer, const DatasetInfo& info);
 DatasetInfo read_dataset_info(const artefact::Reader& reader);

@@ -4,13 +4,12 @@
 #include <string>
 #include <vector>
 
-#include "signal/split.hpp"
-
 namespace piae::signal {
 
-void check_described_split(TomlTable& root) {
+SplitSettings read_described_split(TomlTable& root) {
+  SplitSettings settings;
   auto table = root.optional_table("split");
-  if (!table) return;
+  if (!table) return settings;
   const std::vector<SplitSetting> known = split_settings();
   std::string list;
   for (const SplitSetting& each : known) list += (list.empty() ? "" : ", ") + each.name;
@@ -24,7 +23,15 @@ void check_described_split(TomlTable& root) {
                     "is 0, so no fault is known in any condition, but [transfer] says in which "
                     "they are; leave one of the two out");
     }
+    settings.emplace(name, static_cast<std::size_t>(value));
   }
+  return settings;
+}
+
+SplitOptions split_options_of(const Description& description) {
+  SplitOptions options;
+  for (const auto& [name, value] : description.split) set(options, name, value);
+  return options;
 }
 
 }  // namespace piae::signal

@@ -53,8 +53,9 @@ Defect read_defect(TomlTable& table) {
 /// Of a class, or of a record of such a class.
 std::optional<double> read_size(TomlTable& table, Defect defect) {
   const auto size = table.optional_number("defect_size_mm", ranges::defect_size_mm);
-  if (size && defect == Defect::none) {
-    table.refuse("defect_size_mm", "makes no sense where the defect is 'none'");
+  if (size && !bearing::is_struck(defect)) {
+    table.refuse("defect_size_mm",
+                 "makes no sense where the defect is '" + to_string(defect) + "'");
   }
   return size;
 }
@@ -178,12 +179,17 @@ void set_mean_sizes(const std::vector<TomlTable>& classes, const std::vector<Rec
   for (const Label label : info.fault_labels()) {
     if (classes[index_of(label)].has("defect_size_mm")) continue;
     std::vector<double> sizes;
+    std::size_t known = 0;
     for (const RecordSource& record : records) {
       if (record.label != label || !is_known(record)) continue;
-      if (!record.defect_size_mm) classes[index_of(label)].refuse("defect_size_mm", "is missing");
-      sizes.push_back(*record.defect_size_mm);
+      ++known;
+      if (record.defect_size_mm) sizes.push_back(*record.defect_size_mm);
     }
-    if (sizes.empty()) continue;
+    if (sizes.empty()) continue;  // nobody knows it
+    if (sizes.size() < known) {
+      classes[index_of(label)].refuse("defect_size_mm",
+                                      "is missing: only some of its records have one of their own");
+    }
     const double sum = std::accumulate(sizes.begin(), sizes.end(), 0.0);
     info.classes[index_of(label)].defect_size_mm = sum / static_cast<double>(sizes.size());
   }
@@ -222,16 +228,33 @@ double common_rate(const TomlTable& root, const std::vector<RecordSource>& recor
 void require_possible(const DatasetInfo& info, const TomlTable& root,
                       const std::vector<TomlTable>& classes) {
   try {
-    bearing::validate(info.bearing);
+    if (info.has_bearing) bearing::validate(info.bearing);
   } catch (const Error& error) {
     root.refuse("bearing", std::string("is refused: ") + error.what());
   }
   for (std::size_t i = 0; i < classes.size(); ++i) {
     const ClassInfo& c = info.classes[i];
-    if (c.defect != Defect::none && c.defect_size_mm == 0 && !classes[i].has("defect_size_mm")) {
-      classes[i].refuse("defect_size_mm", "is missing");
+    const bool is_struck = bearing::is_struck(c.defect);
+    if (is_struck && !info.has_bearing) {
+      root.refuse("bearing",
+                  "is missing: it decides the rhythm of class " + c.name +
+                      "; a fault that is in no raceway and no ball has defect = \"other\"");
     }
-    require_possible_defect(info, c, c.defect_size_mm, classes[i]);
+    const bool is_of_unknown_size =
+        is_struck && c.defect_size_mm == 0 && !classes[i].has("defect_size_mm");
+    if (!is_of_unknown_size) require_possible_defect(info, c, c.defect_size_mm, classes[i]);
+  }
+}
+
+void require_simulable(const DatasetInfo& info, const std::vector<TomlTable>& classes) {
+  for (std::size_t i = 0; i < classes.size(); ++i) {
+    const ClassInfo& c = info.classes[i];
+    if (c.defect == Defect::other) {
+      classes[i].refuse("defect", "is 'other', of which nothing is known that could be simulated");
+    }
+    if (c.defect != Defect::none && c.defect_size_mm == 0) {
+      classes[i].refuse("defect_size_mm", "is missing, and the simulation needs it");
+    }
   }
 }
 
@@ -245,7 +268,9 @@ DatasetInfo read_info(TomlTable& root, std::vector<TomlTable>& classes) {
   info.shaft_speed_rpm = root.number("shaft_speed_rpm", ranges::shaft_speed_rpm);
   info.unit_m_per_s2 =
       root.optional_number("unit_m_per_s2", ranges::unit_m_per_s2).value_or(info.unit_m_per_s2);
-  info.bearing = read_bearing(root.table("bearing"));
+  auto bearing = root.optional_table("bearing");
+  info.has_bearing = bearing.has_value();
+  if (bearing) info.bearing = read_bearing(*bearing);
   for (TomlTable& table : classes) {
     const ClassInfo next = read_class(table);
     if (std::ranges::find(info.classes, next.name, &ClassInfo::name) != info.classes.end()) {
@@ -272,7 +297,7 @@ Description read_description(const fs::path& file) {
   }
   const auto rate = root.optional_number("sample_rate_hz", ranges::sample_rate_hz);
   require_a_record_for_each_class(file, description);
-  check_described_split(root);
+  description.split = read_described_split(root);
   description.info.conditions =
       read_described_conditions(root, description.info, description.records);
   set_mean_sizes(classes, description.records, description.info);

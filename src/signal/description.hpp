@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -17,7 +19,7 @@ struct RecordSource {
   std::string name;
   Label label = 0;
   std::string file;      ///< below DATA_DIR; the extension says the format (raw_file.hpp)
-  std::string variable;  ///< of a .mat; column of a .csv; dataset of an .h5
+  std::string variable;  ///< of a .mat; column of a .csv or .txt; dataset of an .h5
   double sample_rate_hz = 0;
   double shaft_speed_rpm = 0;
   std::string sha256;  ///< of the file, 64 hexadecimal digits; empty where it is not checked
@@ -26,6 +28,9 @@ struct RecordSource {
   std::optional<double> defect_size_mm = {};  ///< its own, where the class holds several
 };
 
+/// Settings of the stage split by their names, such as "windows-per-class".
+using SplitSettings = std::map<std::string, std::size_t>;
+
 /// A dataset description (pipeline/datasets/<name>.toml):
 ///
 ///     name = "cwru"
@@ -33,11 +38,12 @@ struct RecordSource {
 ///     shaft_speed_rpm = 1797
 ///     unit_m_per_s2 = 9.80665     # one unit of the signals, here g; without it m/s^2
 ///     [bearing]                   # all keys of bearing::Geometry; without the raceways these
-///                                 # are the pitch diameter minus and plus the ball's
+///                                 # are the pitch diameter minus and plus the ball's. Not
+///                                 # needed where all faults are `other`
 ///     [[class]]                   # labels in this order
 ///     name = "IR007"
-///     defect = "inner"            # none (exactly one class), outer, inner or roller
-///     defect_size_mm = 0.1778     # along the raceway; not for "none"
+///     defect = "inner"            # none (exactly one class), outer, inner, roller or other
+///     defect_size_mm = 0.1778     # optional, along the raceway; not for "none" and "other"
 ///     [[record]]                  # one or more for each class
 ///     class = "IR007"
 ///     file = "cwru/105.mat"
@@ -54,9 +60,11 @@ struct RecordSource {
 ///     [split]                     # optional: settings of the stage split for this dataset alone,
 ///     known-per-class = 5         # in the place of those of the protocol
 ///
-/// It may be `like` another one (description_file.hpp).
+/// or windows-per-class = 300, test-per-class = 50 where the recordings are short. (All of
+/// split_settings() may stand there.) It may be `like` another one (description_file.hpp).
 struct Description {
   DatasetInfo info;
+  SplitSettings split = {};           ///< what it sets for the stage split
   std::vector<RecordSource> records;  ///< in alphabetical order of their names
 };
 
@@ -67,13 +75,18 @@ struct Description {
 Description read_description(const std::filesystem::path& file);
 
 /// Reads the part that every description has: name, shaft_speed_rpm, unit_m_per_s2, [bearing] and
-/// the given [[class]] tables, of which those without a defect_size_mm get none. The caller reads
+/// the given [[class]] tables, of which those without a defect_size_mm get 0. The caller reads
 /// sample_rate_hz and whatever else there may be, and then calls require_possible(), and finish()
 /// of `root` and `classes`.
 DatasetInfo read_info(TomlTable& root, std::vector<TomlTable>& classes);
 
-/// Refuses a fault class without a size, and a geometry or a defect that no bearing can have.
+/// Refuses a geometry or a defect that no bearing can have, and one of a bearing that is not
+/// described.
 void require_possible(const DatasetInfo& info, const TomlTable& root,
                       const std::vector<TomlTable>& classes);
+
+/// Refuses a class of which nothing says how it moves, and one whose size nobody knows: such a
+/// fault can be recorded, but not simulated.
+void require_simulable(const DatasetInfo& info, const std::vector<TomlTable>& classes);
 
 }  // namespace piae::signal

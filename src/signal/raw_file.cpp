@@ -1,6 +1,7 @@
 #include "signal/raw_file.hpp"
 
 #include <algorithm>
+#include <cctype>
 
 #include "base/error.hpp"
 #include "base/one_line.hpp"
@@ -9,20 +10,22 @@ namespace piae::signal {
 
 namespace {
 
-bool is_csv(const std::filesystem::path& file) { return file.extension() == ".csv"; }
-bool is_mat(const std::filesystem::path& file) { return file.extension() == ".mat"; }
-bool is_hdf5(const std::filesystem::path& file) {
-  return file.extension() == ".h5" || file.extension() == ".hdf5";
+/// In lower case, as loggers write .CSV and .MAT, too.
+std::string extension_of(const std::filesystem::path& file) {
+  std::string extension = file.extension().string();
+  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return extension;
 }
 
 }  // namespace
 
 std::vector<double> read_here(const std::filesystem::path& file, const std::string& variable) {
-  if (is_mat(file)) return read_mat(file, variable);
-  if (is_csv(file)) return read_csv(file, variable);
-  if (is_hdf5(file)) return read_hdf5(file, variable);
+  const std::string extension = extension_of(file);
+  if (extension == ".mat") return read_mat(file, variable);
+  if (extension == ".csv" || extension == ".txt") return read_csv(file, variable);
+  if (extension == ".h5" || extension == ".hdf5") return read_hdf5(file, variable);
   refuse_raw_file(file, "unknown format '" + file.extension().string() +
-                            "'; known are .mat, .csv, .h5 and .hdf5");
+                            "'; known are .mat, .csv, .txt, .h5 and .hdf5");
 }
 
 std::string listed(const std::vector<std::string>& names) {

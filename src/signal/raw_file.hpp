@@ -6,9 +6,10 @@
 
 namespace piae::signal {
 
-/// Reads one signal of a raw recording. The extension of the file says its format:
+/// Reads one signal of a raw recording. The extension of the file, in capitals or not, says its
+/// format:
 ///   .mat         MATLAB v5 and v7.3, by libmatio; `variable` is a real vector of any number type
-///   .csv         `variable` is a column: its number, counted from 1, or its name in the first line
+///   .csv, .txt   `variable` is a column: its number, counted from 1, or its name in the header
 ///   .h5, .hdf5   `variable` is the path of a one-dimensional dataset of integers or floats
 /// Throws Error(bad_input) in one line with the file: what is wrong, and, where the variable is not
 /// in the file, what the file has instead. NaN and infinite samples are returned as they are.
@@ -23,9 +24,10 @@ std::vector<double> read_here(const std::filesystem::path& file, const std::stri
 
 /// The formats one by one, in this process, whatever the extension.
 std::vector<double> read_mat(const std::filesystem::path& file, const std::string& variable);
-/// Strict: fields are separated by ',', ';' or tabs (whichever the first line has), every line has
-/// as many fields as the first, of which there are 10 000 at most, numbers have a decimal point,
-/// only the first line may be a header, whose name of the column has a letter.
+/// Fields are separated by semicolons, tabs, commas or blanks, numbers have a decimal point or,
+/// where commas do not separate, a decimal comma. Before them there may be comments, text and a
+/// header (csv_layout.hpp); from there on every line has as many fields, of which there are 10 000
+/// at most, and a number in the column. The text is UTF-8, or UTF-16 with a byte order mark.
 std::vector<double> read_csv(const std::filesystem::path& file, const std::string& column);
 /// Nothing is read from elsewhere: no link is followed, and no dataset is taken whose values stand
 /// in another file.

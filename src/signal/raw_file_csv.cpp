@@ -1,12 +1,10 @@
-#include <algorithm>
 #include <optional>
 #include <string_view>
 
-#include "artefact/file.hpp"
-#include "base/error.hpp"
-#include "base/numbers.hpp"
+#include "signal/csv_fields.hpp"
+#include "signal/csv_layout.hpp"
 #include "signal/raw_file.hpp"
-#include "signal/raw_limits.hpp"
+#include "signal/raw_text.hpp"
 
 namespace piae::signal {
 
@@ -14,128 +12,74 @@ namespace {
 
 namespace fs = std::filesystem;
 
-[[noreturn]] void refuse_line(const fs::path& file, std::size_t line, const std::string& what) {
-  refuse_raw_file(file.string() + ", line " + std::to_string(line), what);
-}
-
-/// A field may be as long as its file.
-std::string quoted(std::string_view field) {
-  constexpr std::size_t longest = 80;
-  if (field.size() <= longest) return "'" + std::string(field) + "'";
-  return "'" + std::string(field.substr(0, longest)) + "...'";
-}
-
-std::string_view trimmed(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(" \t\"");
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t\"") - first + 1);
-}
-
-/// Takes the next line off a text, without its LF or CRLF. What follows the last line end is no
-/// line if it is empty.
-std::string_view take_line(std::string_view& text) {
-  const std::size_t end = std::min(text.find('\n'), text.size());
-  std::string_view line = text.substr(0, end);
-  text.remove_prefix(std::min(end + 1, text.size()));
-  if (line.ends_with('\r')) line.remove_suffix(1);
-  return line;
-}
-
-/// Takes the next field off a line, which ends with its last.
-std::string_view take_field(std::optional<std::string_view>& line, char separator) {
-  const std::string_view rest = *line;
-  const std::size_t end = rest.find(separator);
-  line = end == std::string_view::npos ? std::nullopt : std::optional(rest.substr(end + 1));
-  return trimmed(rest.substr(0, end));
-}
-
-char separator_of(std::string_view header) {
-  for (const char candidate : {';', '\t', ','}) {
-    if (header.find(candidate) != std::string_view::npos) return candidate;
-  }
-  return ',';
-}
-
-/// The fields of the first line, of which recordings have a few.
-std::vector<std::string_view> fields_of(const fs::path& file, std::string_view line,
-                                        char separator) {
-  constexpr std::size_t most = 10'000;
-  std::vector<std::string_view> fields;
-  for (std::optional rest = line; rest;) {
-    if (fields.size() == most) {
-      refuse_line(file, 1, "has more than " + std::to_string(most) + " columns");
-    }
-    fields.push_back(take_field(rest, separator));
-  }
-  return fields;
-}
-
-/// One field of a line, which must have so many.
+/// The field of the column in a line, which must have as many as all.
 std::string_view field_of(const fs::path& file, std::size_t number, std::string_view line,
-                          char separator, std::size_t wanted, std::size_t fields) {
+                          const CsvLayout& layout) {
   std::string_view found;
   std::size_t count = 0;
   for (std::optional rest = line; rest; ++count) {
-    const std::string_view field = take_field(rest, separator);
-    if (count == wanted) found = field;
+    const std::string_view field = take_field(rest, layout.separator);
+    if (count == layout.column) found = field;
   }
-  if (count != fields) {
-    refuse_line(
-        file, number,
-        "has " + std::to_string(count) + " fields, the first line " + std::to_string(fields));
+  if (count != layout.fields) {
+    refuse_csv_line(file, number,
+                    "has " + std::to_string(count) + " fields, the lines before " +
+                        std::to_string(layout.fields));
   }
   return found;
 }
 
-/// What names columns has letters. A damaged number has none, or is one of a few that do.
-bool is_name(std::string_view field) {
-  return std::ranges::any_of(field, [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || static_cast<unsigned char>(c) > 127;
-  });
-}
-
-/// The index of a column that is given by its number or by its name.
-std::size_t find_column(const fs::path& file, const std::vector<std::string_view>& header,
-                        const std::string& column) {
-  if (column.find_first_not_of("0123456789") == std::string::npos) {
-    const std::size_t number = number_in<std::size_t>(column).value_or(0);
-    if (number >= 1 && number <= header.size()) return number - 1;
-    refuse_line(file, 1,
-                "has no column " + column + "; columns are 1 to " + std::to_string(header.size()));
+/// Which sign a column has before its decimals. Both in one column are a sign of thousands.
+class DecimalSign {
+ public:
+  /// Whether the field goes together with those before.
+  bool fits(std::string_view field) {
+    comma_ = comma_ || field.find(',') != std::string_view::npos;
+    point_ = point_ || field.find('.') != std::string_view::npos;
+    return !(comma_ && point_);
   }
-  const auto found = std::ranges::count(header, column);
-  if (found == 1)
-    return static_cast<std::size_t>(std::ranges::find(header, column) - header.begin());
-  if (found > 1) refuse_line(file, 1, "has several columns " + column);
-  refuse_line(file, 1,
-              "has no column " + column + "; it has " + listed({header.begin(), header.end()}));
+
+ private:
+  bool comma_ = false;
+  bool point_ = false;
+};
+
+/// "05" and "-0" are no whole numbers as a program writes them, but what commas leave of 1,05 and
+/// -0,5.
+bool is_torn_decimal(std::string_view field) {
+  const bool is_negative = field.starts_with('-');
+  if (is_negative) field.remove_prefix(1);
+  const bool is_padded = field.size() > 1 && field.front() == '0' &&
+                         field.find_first_not_of("0123456789") == std::string_view::npos;
+  return (is_negative && field == "0") || is_padded;
 }
 
 }  // namespace
 
 std::vector<double> read_csv(const fs::path& file, const std::string& column) {
-  const std::vector<std::byte> bytes = artefact::read_file(file, largest_raw_bytes);
-  std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+  const std::string text = read_raw_text(file);
+  const CsvLayout layout = csv_layout(file, text, column);
+  std::string_view rest = layout.numbers;
   std::vector<double> numbers;
-  if (text.empty()) return numbers;
-  std::string_view from_first = text;
-  const std::string_view first = take_line(from_first);
-  const char separator = separator_of(first);
-  const auto header = fields_of(file, first, separator);
-  const std::size_t wanted = find_column(file, header, column);
-  for (std::size_t line = 1; !text.empty(); ++line) {
-    const std::string_view field =
-        field_of(file, line, take_line(text), separator, wanted, header.size());
-    const auto number = number_in<double>(field);
-    if (number) {
-      numbers.push_back(*number);
-    } else if (line > 1) {
-      refuse_line(file, line, "column " + column + " holds " + quoted(field) + ", not a number");
-    } else if (!is_name(field)) {
-      refuse_line(file, line,
-                  "column " + column + " holds " + quoted(field) + ", neither a number nor a name");
+  DecimalSign sign;
+  for (std::size_t line = layout.first_line; !rest.empty(); ++line) {
+    const std::string_view field = field_of(file, line, take_line(rest), layout);
+    const auto number = number_in_field(field, layout.separator);
+    const auto holds = [&] { return "column " + column + " holds " + csv_field_in_quotes(field); };
+    if (!number) refuse_csv_line(file, line, holds() + ", not a number");
+    if (layout.separator != ',' && !sign.fits(field)) {
+      refuse_csv_line(file, line,
+                      holds() +
+                          ", and a line before has the other decimal sign; write all with a "
+                          "decimal point, and no sign between thousands");
     }
+    if (layout.separator == ',' && layout.fields % 2 == 0 && is_torn_decimal(field)) {
+      refuse_csv_line(file, line,
+                      holds() +
+                          ": numbers with a decimal comma, it seems, and commas between the "
+                          "fields; write decimal points, or separate the fields by semicolons");
+    }
+    numbers.push_back(*number);
   }
   return numbers;
 }

@@ -180,9 +180,13 @@ double faintest_faulty_power(const Recordings& recordings) {
   return *std::ranges::min_element(sums) / static_cast<double>(per_class);
 }
 
+/// Standard deviation of the measurement noise, which is found from all records without it.
+double noise_deviation(const Simulation& simulation, const Recordings& clean) {
+  return std::sqrt(faintest_faulty_power(clean) * std::pow(10, -*simulation.snr_db / 10));
+}
+
 void add_noise(const Simulation& simulation, Recordings& recordings) {
-  const double deviation =
-      std::sqrt(faintest_faulty_power(recordings) * std::pow(10, -*simulation.snr_db / 10));
+  const double deviation = noise_deviation(simulation, recordings);
   for (Record& record : recordings.records) {
     Stream noise = stream_of(simulation, record).child("noise");
     for (double& x : record.signal) x += noise.normal(0, deviation);
@@ -200,13 +204,14 @@ Simulation read_simulation(const std::filesystem::path& file) {
   std::vector<TomlTable> classes = root.tables("class");
   simulation.info = read_info(root, classes);
   require_possible(simulation.info, root, classes);
+  require_simulable(simulation.info, classes);
   simulation.info.sample_rate_hz = root.number("sample_rate_hz", ranges::sample_rate_hz);
   TomlTable table = root.table("simulation");
   for (const TomlTable& c : classes) c.finish();
   read_table(table, simulation);
   simulation.info.conditions = read_conditions(root, table, simulation.info);
   table.finish();
-  check_described_split(root);
+  (void)read_described_split(root);
   root.finish();
   return simulation;
 }
@@ -230,6 +235,13 @@ Recordings simulate(const Simulation& simulation, const std::function<void(std::
   if (simulation.snr_db) add_noise(simulation, recordings);
   std::ranges::sort(recordings.records, {}, &Record::name);
   return recordings;
+}
+
+double measurement_noise(const Simulation& simulation) {
+  if (!simulation.snr_db) return 0;
+  Simulation quiet = simulation;
+  quiet.snr_db.reset();
+  return noise_deviation(simulation, simulate(quiet));
 }
 
 }  // namespace piae::signal

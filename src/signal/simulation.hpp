@@ -62,4 +62,8 @@ Simulation read_simulation(const std::filesystem::path& file);
 Recordings simulate(const Simulation& simulation,
                     const std::function<void(std::size_t)>& done = nullptr);
 
+/// The standard deviation of the noise that simulate() adds to each sample; 0 where snr_db is left
+/// out. It follows from all records, so that it takes as long as simulate().
+double measurement_noise(const Simulation& simulation);
+
 }  // namespace piae::signal

@@ -1,5 +1,7 @@
 #include "signal/sources.hpp"
 
+#include <spdlog/fmt/fmt.h>
+
 #include <algorithm>
 #include <map>
 #include <numeric>
@@ -74,6 +76,16 @@ std::size_t Source::windows() const {
 std::size_t Source::count_of(Role role) const {
   const auto found = std::ranges::find(shares, role, &Share::role);
   return found == shares.end() ? 0 : found->count;
+}
+
+std::string speed_label(double speed_rpm) { return fmt::format("{:g} rpm", speed_rpm); }
+
+std::string name_of(const DatasetInfo& info, Label label, const Source& source) {
+  std::string name = "dataset " + info.name + ", class " + info.class_of(label).name;
+  if (source.condition != every_condition) {
+    name += ", condition " + info.conditions[static_cast<std::size_t>(source.condition)].name;
+  }
+  return source.shaft_speed_rpm ? name + ", " + speed_label(*source.shaft_speed_rpm) : name;
 }
 
 std::vector<Source> sources_of(const DatasetInfo& info, Label label,

@@ -40,6 +40,12 @@ struct Source {
   [[nodiscard]] std::size_t count_of(Role role) const;
 };
 
+/// "1797 rpm".
+std::string speed_label(double speed_rpm);
+
+/// "dataset cwru, class IR007, condition 900 rpm", for messages.
+std::string name_of(const DatasetInfo& info, Label label, const Source& source);
+
 /// Where a record belongs.
 struct RecordPlace {
   Label label = 0;

@@ -1,10 +1,10 @@
 #include "signal/split.hpp"
 
-#include <spdlog/fmt/fmt.h>
-
 #include <algorithm>
+#include <iterator>
 #include <numeric>
 #include <span>
+#include <stdexcept>
 
 #include "base/error.hpp"
 #include "base/random.hpp"
@@ -43,20 +43,6 @@ constexpr Setting settings[] = {
 };
 
 [[noreturn]] void refuse_options(const std::string& what) { throw Error(Exit::usage, what); }
-
-void require_sensible(const SplitOptions& options) {
-  if (options.window == 0 || options.max_stride == 0 || options.test_per_class == 0 ||
-      options.guard_windows == 0) {
-    refuse_options("window, max-stride, test-per-class and guard-windows must be at least 1");
-  }
-  if (options.windows_per_class <= options.test_per_class + options.known_per_class) {
-    refuse_options("windows-per-class (" + std::to_string(options.windows_per_class) +
-                   ") must exceed test-per-class plus known-per-class (" +
-                   std::to_string(options.test_per_class) + " + " +
-                   std::to_string(options.known_per_class) + ")");
-  }
-  if (options.seed < 0) refuse_options("seed must not be negative");
-}
 
 void require_a_fault_class(const DatasetInfo& info) {
   (void)info.healthy_label();
@@ -150,22 +136,11 @@ Split empty_split(const Recordings& recordings, const SplitOptions& options) {
   return split;
 }
 
-std::string speed_label(double speed_rpm) { return fmt::format("{:g} rpm", speed_rpm); }
-
 /// The random numbers of a source.
 Stream stream_of(const Stream& of_class, const DatasetInfo& info, const Source& source) {
   if (source.shaft_speed_rpm) return of_class.child(speed_label(*source.shaft_speed_rpm));
   if (source.condition == every_condition) return of_class;
   return of_class.child(info.conditions[static_cast<std::size_t>(source.condition)].name);
-}
-
-/// "dataset cwru, class IR007, condition 900 rpm".
-std::string name_of(const DatasetInfo& info, Label label, const Source& source) {
-  std::string name = "dataset " + info.name + ", class " + info.class_of(label).name;
-  if (source.condition != every_condition) {
-    name += ", condition " + info.conditions[static_cast<std::size_t>(source.condition)].name;
-  }
-  return source.shaft_speed_rpm ? name + ", " + speed_label(*source.shaft_speed_rpm) : name;
 }
 
 /// Deals out the windows of one source, and returns their stride.
@@ -223,6 +198,26 @@ std::vector<SplitSetting> split_settings() {
                               .high = static_cast<double>(most_of_a_setting)}});
   }
   return list;
+}
+
+void set(SplitOptions& options, const std::string& name, std::size_t value) {
+  const auto* const setting = std::ranges::find(settings, name, &Setting::name);
+  if (setting == std::end(settings)) throw std::logic_error("split has no setting " + name);
+  options.*(setting->value) = value;
+}
+
+void require_sensible(const SplitOptions& options) {
+  if (options.window == 0 || options.max_stride == 0 || options.test_per_class == 0 ||
+      options.guard_windows == 0) {
+    refuse_options("window, max-stride, test-per-class and guard-windows must be at least 1");
+  }
+  if (options.windows_per_class <= options.test_per_class + options.known_per_class) {
+    refuse_options("windows-per-class (" + std::to_string(options.windows_per_class) +
+                   ") must exceed test-per-class plus known-per-class (" +
+                   std::to_string(options.test_per_class) + " + " +
+                   std::to_string(options.known_per_class) + ")");
+  }
+  if (options.seed < 0) refuse_options("seed must not be negative");
 }
 
 Counts counts_of(const SplitOptions& options) {

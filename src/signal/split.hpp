@@ -42,6 +42,12 @@ struct SplitSetting {
 };
 std::vector<SplitSetting> split_settings();
 
+/// Sets one of these. Throws std::logic_error for another name.
+void set(SplitOptions& options, const std::string& name, std::size_t value);
+
+/// Throws Error(usage) for options that contradict each other.
+void require_sensible(const SplitOptions& options);
+
 /// What of these concerns one class.
 Counts counts_of(const SplitOptions& options);
 
@@ -74,8 +80,8 @@ struct Split {
 /// the part of the windows that it has to give (sources.hpp): A and D come from tested conditions
 /// alone, C from known ones, B from those for healthy windows.
 /// Random numbers come from the stream "<dataset>/seed<k>/split/<class>". Windows keep the unit of
-/// the recording, and the true (k, c) where all records have them. Throws Error(usage) for options
-/// that contradict each other, and Error(bad_input) where the records of a class are too short; the
+/// the recording, and the true (k, c) where all records have them. Throws as
+/// require_sensible(), and Error(bad_input) where the records of a class are too short; the
 /// line names the class and how many windows do fit.
 Split split(const Recordings& recordings, const SplitOptions& options);
 

@@ -36,11 +36,13 @@ std::size_t first_stride(const std::vector<std::size_t>& lengths, const WindowGr
   }
   std::size_t samples = 0;
   for (const std::size_t length : lengths) samples += length;
-  const std::string cure = most == 0 ? "none fits: lower --window or (protocol blocked) "
-                                       "--guard-windows, or give longer recordings"
-                                     : "at most " + std::to_string(most) + " fit, at stride " +
-                                           std::to_string(at_stride) +
-                                           ": lower --windows-per-class or --window";
+  const std::string cure = most == 0
+                               ? "none fits: lower window or (protocol blocked) guard-windows, in "
+                                 "[split] of the description, or give longer recordings"
+                               : "at most " + std::to_string(most) + " fit, at stride " +
+                                     std::to_string(at_stride) +
+                                     ": lower windows-per-class (and test-per-class) or window, in "
+                                     "[split] of the description or as options of split";
   throw Error(Exit::bad_input, whose + ": " + std::to_string(grid.windows) + " windows of " +
                                    std::to_string(grid.window) + " samples do not fit into " +
                                    std::to_string(samples) + " samples in " +

@@ -104,6 +104,13 @@ Measures measure_one(const Eigen::RowVectorXd& window, const FilterBank& bank, d
 }  // namespace
 
 std::vector<Measures> measure(const signal::WindowSet& windows, const std::string& what) {
+  if (!windows.info.has_bearing) {
+    throw Error(
+        Exit::bad_input,
+        "dataset " + windows.info.name +
+            " does not describe its bearing, by whose kinematics symptoms are measured; give "
+            "its description a [bearing], or choose another classifier, such as wdcnn");
+  }
   bearing::validate(windows.info.bearing);
   const Orders orders = line_orders(windows.info.bearing);
   require_measurable(windows, orders, what);

@@ -68,9 +68,28 @@ TEST(Catalogue, SaysWhichMethodsInferStiffnessAndDamping) {
   }
 }
 
+/// Only what goes by epochs asks whether it is to stop. The windows are longer than a turn of the
+/// shaft, which piae-dt-phase needs.
+TEST(Catalogue, SaysWhichMethodsAreTrainedInEpochs) {
+  nets::Checkpoint stopped = checkpoint_at("cut");
+  stopped.interrupted = [] { return true; };
+  for (const CatalogueEntry& entry : catalogue()) {
+    if (entry.make == nullptr || needs_libtorch_always(entry)) continue;
+    bool in_epochs = false;
+    try {
+      train(entry.name, "", known_windows(512), stopped, "model.h5");
+    } catch (const Error& error) {
+      in_epochs = error.exit() == Exit::interrupted;
+    }
+    EXPECT_EQ(in_epochs, entry.trains) << entry.name;
+    std::filesystem::remove(stopped.path);
+  }
+}
+
 TEST(Catalogue, SaysWhatWorksWithoutKnownWindows) {
-  signal::WindowSet none = known_windows();
-  none = {.info = none.info, .length = none.length};
+  signal::WindowSet none;
+  none.info = known_windows().info;
+  none.length = known_windows().length;
   for (const CatalogueEntry& entry : catalogue()) {
     EXPECT_NO_THROW(require_known_windows(entry, known_windows(), "C.h5"));
     if (works_without_known(entry)) {
@@ -99,6 +118,41 @@ TEST(Catalogue, HasMethodsThatSayThatLibtorchIsMissing) {
     EXPECT_ERROR(train(method, "--epochs 1", known_windows(), checkpoint_at("cut"), "never.h5"),
                  Exit::failed, "not linked with LibTorch");
   }
+}
+
+TEST(Catalogue, AMethodIsRefusedWhereADescriptionDoesNotSayWhatItNeeds) {
+  signal::DatasetInfo info;
+  info.name = "rig";
+  info.classes = {{"ok", signal::Defect::none, 0}, {"bad", signal::Defect::outer, 0}};
+  const auto refusal = [&](const char* method) -> std::string {
+    try {
+      require_described_faults(*find_entry(method), info, "C.h5");
+    } catch (const Error& error) {
+      EXPECT_EQ(error.exit(), Exit::bad_input);
+      return error.what();
+    }
+    return {};
+  };
+  EXPECT_EQ(refusal("piae-dt-phase"),
+            "C.h5: piae-dt-phase needs defect_size_mm of class bad, which the description of rig "
+            "does not say; methods that do without: smote, vae, wgan-gp, ae, piae-dt-zero, "
+            "oversample, shift, resample, randomise, healthy-plus-impulses, oracle");
+  EXPECT_EQ(refusal("piae-dt-zero"), "");
+  info.classes[1].defect = signal::Defect::other;
+  EXPECT_EQ(refusal("piae-dt-zero"),
+            "C.h5: piae-dt-zero needs the rhythm of class bad, whose defect is 'other', which the "
+            "description of rig does not say; methods that do without: smote, vae, wgan-gp, ae, "
+            "oversample, shift, resample, randomise, oracle");
+  EXPECT_EQ(refusal("ae"), "");
+  info.has_bearing = false;
+  EXPECT_EQ(refusal("ae"),
+            "C.h5: ae needs [bearing], its geometry, which the description of rig does not say; "
+            "methods that do without: smote, vae, wgan-gp, oversample, shift, resample, randomise, "
+            "oracle");
+  EXPECT_EQ(refusal("shift"), "");
+  info.has_bearing = true;
+  info.classes[1] = {"bad", signal::Defect::outer, 0.5};
+  for (const CatalogueEntry& entry : catalogue()) EXPECT_EQ(refusal(entry.name), "");
 }
 
 }  // namespace

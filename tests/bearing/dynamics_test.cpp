@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <span>
 #include <vector>
 
 #include "base/error.hpp"
@@ -79,6 +80,25 @@ TEST(Simulate, AnglesHoldAtTheFirstSample) {
   const auto part = simulate({}, defect, advanced, {}, {rate_hz, 2000});
   const std::vector<double> rest(whole.begin() + later, whole.end());
   EXPECT_LT(relative_error(part, rest), 0.01);  // what is left of the start after settling
+}
+
+TEST(Simulate, ADefectThatAppearsIsFeltFromTheFirstStrikeOn) {
+  const LocalDefect defect{Defect::outer, 0.5334};
+  Motion before_strike = running;  // a ball has just left the defect; the next comes after 8 ms
+  before_strike.cage_angle_rad = 0.1;
+  const Course course{before_strike, {}};
+  const Sampling sampling{rate_hz, 2400};
+  const auto healthy = simulate({}, {}, before_strike, {}, sampling);
+  const auto always = simulate({}, defect, before_strike, {}, sampling);
+  const auto onset = simulate_onset({}, defect, std::span(&course, 1), sampling);
+  const auto from = [](const std::vector<double>& x, std::size_t first, std::size_t count) {
+    const auto begin = x.begin() + static_cast<std::ptrdiff_t>(first);
+    return std::vector<double>(begin, begin + static_cast<std::ptrdiff_t>(count));
+  };
+  EXPECT_LT(relative_error(from(onset, 0, 80), from(healthy, 0, 80)), 1e-6);
+  EXPECT_GT(relative_error(from(always, 0, 80), from(healthy, 0, 80)), 1);  // it still rings
+  EXPECT_GT(rms(from(onset, 80, 100)), 100 * rms(from(healthy, 80, 100)));
+  EXPECT_LT(relative_error(from(onset, 1200, 1200), from(always, 1200, 1200)), 1e-6);
 }
 
 TEST(Simulate, AllBallsAreAlikeUnlessOneIsFaulty) {

@@ -139,6 +139,12 @@ TEST_F(Rules, CompareWindowsOfOneSpeed) {
   EXPECT_EQ(std::ranges::count(at_the_other, 0), 0);
 }
 
+TEST_F(Rules, NeedFaultsOfTheBearing) {
+  normal_.info.classes[2].defect = signal::Defect::other;
+  EXPECT_ERROR(named_by_rule(normal_, test_, Rule::exclusion), Exit::bad_input,
+               "class OR of dataset toy has defect 'other', which has no fault line");
+}
+
 TEST_F(Rules, NeedOneClassAKind) {
   normal_.info.classes[2].defect = signal::Defect::inner;
   EXPECT_ERROR(named_by_rule(normal_, test_, Rule::envelope), Exit::bad_input,

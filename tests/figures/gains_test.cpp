@@ -3,6 +3,7 @@
 #include "base/error.hpp"
 #include "figures/stored_source.hpp"
 #include "support/errors.hpp"
+#include "support/published_tables.hpp"
 
 namespace piae::figures {
 namespace {
@@ -34,9 +35,7 @@ TEST_F(Gains, HaveAnIntervalFromThreeSeedsOn) {
 
 TEST_F(Gains, SayOfWhatThePublishedOnesAre) {
   add_all();
-  folder_.write("table6-7-baseline.csv", "dataset,run1,average\ncwru,61.8,61.8\n");
-  folder_.write("table8-9-methods.csv", "dataset,method,2to1\ncwru,vae,91.2\n");
-  folder_.write("table10-11-ablation.csv", "dataset,model,2to1\ncwru,model1,93.7\n");
+  write_published_tables(folder_);
   Source all{layout_, grid("none vae", "100to1 10to1 2to1"), report::Published(folder_.path())};
   const Numbers gains = gains_of_methods(all, all.accuracies().front());
   EXPECT_EQ(field(gains, "vae,0,2to1,145,mean", 8), "29.4");
@@ -57,6 +56,14 @@ TEST_F(Gains, OfTheModelsNeedAnAblation) {
   add_all();
   Source all = source("none vae", "100to1 10to1");
   EXPECT_ERROR(gains_of_models(all, all.accuracies().front()), Exit::input_missing, "ablation");
+}
+
+// Numbers without a row could not be drawn.
+TEST_F(Gains, OfTheMethodsNeedOneThatIsNoAblation) {
+  add_baseline();
+  for (const int seed : {0, 1}) add(diagnosis("ae", "10to1", 45, seed, 15));
+  Source all = source("none ae", "100to1 10to1");
+  EXPECT_ERROR(gains_of_methods(all, all.accuracies().front()), Exit::input_missing, "no method");
 }
 
 TEST_F(Gains, NameTheFirstCellThatIsMissing) {

@@ -27,17 +27,17 @@ std::string panel_of(const EnvelopeSpectrum& spectrum, signal::Defect own) {
 TEST(SpectrumPanel, ShowsUpToALittleBehindTheThirdHarmonicOfTheHighestLine) {
   EnvelopeSpectrum spectrum = struck_spectrum();
   const FaultLines lines = fault_lines(spectrum, three_classes(), 1800);
-  keep_shown_part(spectrum, lines);
+  keep_shown_part(spectrum, lines, 30);
   EXPECT_NEAR(static_cast<double>(spectrum.power.size()) * spectrum.bin_hz, 3.5 * 162.5,
               1 + spectrum.bin_hz);
   const std::size_t size = spectrum.power.size();
-  keep_shown_part(spectrum, lines);
+  keep_shown_part(spectrum, lines, 30);
   EXPECT_EQ(spectrum.power.size(), size);
 }
 
 TEST(SpectrumPanel, MarksTheLinesAndMakesThoseOfOneDefectThick) {
   EnvelopeSpectrum spectrum = struck_spectrum();
-  keep_shown_part(spectrum, fault_lines(spectrum, three_classes(), 1800));
+  keep_shown_part(spectrum, fault_lines(spectrum, three_classes(), 1800), 30);
   const std::string outer = panel_of(spectrum, signal::Defect::outer);
   EXPECT_THAT(outer, HasSubstr("font-weight=\"bold\" fill=\"#222222\">BPFO<"));
   EXPECT_THAT(outer, HasSubstr("stroke=\"#0072B2\" stroke-width=\"2.4\""));

@@ -1,6 +1,7 @@
 #include "page/run_page.hpp"
 
 #include <gmock/gmock.h>
+#include <spdlog/fmt/fmt.h>
 
 #include "page/duration.hpp"
 #include "page/time_line.hpp"
@@ -68,6 +69,17 @@ TEST(StepLog, OfAFailedStepSaysWhy) {
                                          "--learning-rate\nstep: exit 1 after 2.0 s\n")));
   EXPECT_EQ(log.end, StepEnd::failed);
   EXPECT_EQ(log.reason, "diverged at epoch 3: lower --learning-rate");
+}
+
+TEST(StepLog, SaysThatTheStepWentOnFromACheckpoint) {
+  const Folder folder;
+  const auto log = read_step_log(folder.write(
+      "train.log", log_text(1,
+                            "train: going on from model.h5.checkpoint after 3 epochs\ntrain: "
+                            "diverged at epoch 4\nstep: exit 1 after 2.0 s\n")));
+  EXPECT_TRUE(log.went_on);
+  EXPECT_EQ(log.reason, "diverged at epoch 4");
+  EXPECT_FALSE(read_step_log(folder.write("train.log", log_text(1, ""))).went_on);
 }
 
 TEST(StepLog, TellsStoppedStepsFromFailedOnes) {
@@ -147,6 +159,63 @@ TEST(RunPage, SumsTimeAndMemoryByStageAndMethod) {
                               "data-sort=\"60\">60 s</td><td class=\"number\" "
                               "data-sort=\"153.4\">153 MB</td>"));
   EXPECT_THAT(page, HasSubstr("<th scope=\"row\">train smote</th>"));
+}
+
+/// A cell of the table of costs.
+std::string shown_time(double seconds) {
+  return fmt::format("<td class=\"number\" data-sort=\"{}\">{}</td>", seconds,
+                     duration_label(seconds));
+}
+
+/// A step that used so much processor time, and took twice as long.
+StepLog used(const std::string& file, double seconds, StepEnd end = StepEnd::done) {
+  StepLog log = step(file, 0, 2 * seconds, end);
+  log.processor_s = seconds;
+  return log;
+}
+
+/// Of two seeds 40 and 60 s of training are 50, and 2 s of generating. Of the ratios that with the
+/// most windows counts; what is not done does not; and what a sweep took is no method's.
+TEST(RunPage, SumsWhatAMethodWithAClassifierTakesOfASeed) {
+  const std::string page = run_page(
+      {used("cwru/seed0/vae/train.log", 40), used("cwru/seed1/vae/train.log", 60),
+       used("cwru/seed0/vae/generate.log", 2),
+       used("cwru/seed1/vae/generate.log", 77, StepEnd::failed),
+       used("cwru/seed0/vae/10to1/diagnose.log", 5), used("cwru/seed0/vae/1to1/diagnose.log", 8),
+       used("cwru/seed0/vae/1to1/nearest/diagnose.log", 3),
+       used("cwru/seed0/sweep/batch-1/1to1/diagnose.log", 70),
+       used("cwru/seed0/none/100to1/diagnose.log", 6),
+       used("cwru/seed0/smote/1to1/diagnose.log", 7)},
+      {});
+  const std::string unknown = "<td class=\"number\">–</td>";
+  const auto row = [](const std::string& method, const std::string& classifier,
+                      const std::string& ratio) {
+    return "<th scope=\"row\">" + method + "</th><td>" + classifier + "</td><td>" + ratio +
+           "</td><td>cwru</td>";
+  };
+  EXPECT_THAT(page, HasSubstr(row("vae", "wdcnn", "1:1") + shown_time(50) + shown_time(2) +
+                              shown_time(8) + shown_time(60)));
+  EXPECT_THAT(page, HasSubstr(row("vae", "nearest", "1:1") + shown_time(50) + shown_time(2) +
+                              shown_time(3) + shown_time(55)));
+  EXPECT_THAT(page, HasSubstr(row("none", "wdcnn", "100:1") + unknown + unknown + shown_time(6) +
+                              shown_time(6)));
+  EXPECT_THAT(page,
+              HasSubstr(row("smote", "wdcnn", "1:1") + unknown + unknown + shown_time(7) + unknown))
+      << "its other logs are not there";
+  EXPECT_THAT(page, Not(HasSubstr("<td>10:1</td>")));
+  EXPECT_THAT(page, Not(HasSubstr("<td>batch-1</td>")));
+  EXPECT_THAT(run_page({used("cwru/seed0/vae/train.log", 40)}, {}),
+              Not(HasSubstr("that each method takes")));
+}
+
+/// Its log has what it took since then alone.
+TEST(RunPage, TakesNoTimeFromAStepThatWentOn) {
+  StepLog second_half = used("cwru/seed0/vae/train.log", 30);
+  second_half.went_on = true;
+  const std::vector<StepLog> steps{second_half, used("cwru/seed1/vae/train.log", 60),
+                                   used("cwru/seed0/vae/generate.log", 2),
+                                   used("cwru/seed0/vae/1to1/diagnose.log", 8)};
+  EXPECT_THAT(run_page(steps, {}), HasSubstr(shown_time(60) + shown_time(2) + shown_time(8)));
 }
 
 TEST(RunPage, ShowsTheSlowestStepsFirst) {

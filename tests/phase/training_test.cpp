@@ -55,6 +55,21 @@ TEST(PhaseTraining, CutAnywhereAndContinuedEqualsAnUncutOne) {
   }
 }
 
+/// Two classes; 4 simulations of each in the first round, 12 in the second; 10 known windows. The
+/// time left goes by this, so each part must count what it works through.
+TEST(PhaseTraining, EffortIsThatOfWhatAnEpochWorksThrough) {
+  const auto training = make_phase_training(simulated_windows(5, "known"), quick_options(),
+                                            Stream("test"), twin::dense_engine(Device::cpu));
+  ASSERT_EQ(training->epochs(), 10U);
+  EXPECT_EQ(training->effort(1), 8);
+  EXPECT_EQ(training->effort(4), 24);
+  // The first epochs of the rounds simulate: in all as many times what learning from it takes.
+  EXPECT_GT(training->effort(0), 10 * training->effort(1));
+  EXPECT_EQ(training->effort(3) / training->effort(4), training->effort(0) / training->effort(1));
+  EXPECT_EQ(training->effort(6), training->effort(9));
+  EXPECT_GT(training->effort(9), 10);
+}
+
 TEST(PhaseGeneration, FirstWindowsDoNotDependOnTheirNumber) {
   const artefact::Reader model(train(checkpoint_at("model.ckpt"), "model.h5"), "model");
   const signal::WindowSet few =

@@ -48,7 +48,7 @@ test_the_run_is_left_as_it_is() {
   check_stage
   called check >/dev/null
   called reference >/dev/null
-  [[ ! -e results ]] || fail "there is $(find results)"
+  [[ ! -e results/t ]] || fail "there is $(find results/t)"
 }
 
 test_a_misspelled_protocol_is_refused_before_anything_is_compared_or_stored() {

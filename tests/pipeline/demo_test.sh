@@ -4,9 +4,7 @@
 source "${0%/*}/support.sh"
 
 test_the_demo_builds_what_it_runs_and_ends_with_one_table_and_two_sentences() {
-  ln -s "$project"/{CMakeLists.txt,src,stages} .
-  mkdir -p results
-  ln -s "$project/results/published" results
+  ln -s "$project"/{CMakeLists.txt,packaging,src,stages} .
   make demo >messages 2>&1 || fail "$(<messages)"
   [[ ! -e build/bin ]] || fail "built more than the demo runs: $(ls build/bin)"
   local summary=results/demo/simulated-small/summary.txt

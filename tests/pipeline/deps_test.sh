@@ -75,6 +75,9 @@ test_what_is_not_asked_for_needs_no_packages() {
   all_but python3-scipy octave
   expect_equal "$(deps_as 0 off programs tests)" ""
   expect_equal "$(deps_as 0 off readers)" "deps: installing python3-scipy octave"
+  all_but dpkg-dev file
+  expect_equal "$(deps_as 0 off programs tests)" ""
+  expect_equal "$(deps_as 0 off programs package)" "deps: installing dpkg-dev file"
 }
 
 # Which packages make asks for, and what it has built.
@@ -91,6 +94,12 @@ test_goals_ask_for_what_they_need() {
   expect_equal "$(asked build LIBTORCH=off ARCH=x86-64-v3)" "deps off programs,build x86-64-v3 off programs"
   expect_equal "$(asked test)" "deps on programs tests,build native on programs tests"
   expect_equal "$(asked test-deps)" "deps on programs tests readers cluster"
+  expect_equal "$(asked package ARCH=x86-64 LIBTORCH=off)" "deps off programs package,build x86-64 off package"
+  mkdir cmake
+  printf '#!/bin/bash\necho "cmake [$DESTDIR] $*" >>asked\n' >cmake/cmake
+  chmod +x cmake/cmake
+  expect_equal "$(PATH=$PWD/cmake:$PATH DESTDIR=/root asked install PREFIX=here)" \
+    "deps on programs,build native on programs,cmake [/root] --install build --prefix $PWD/here --strip"
   expect_equal "$(asked deps)" "deps on programs tests benches figures"
   mkdir -p build/demo/bin
   ln -s "$programs/settings" build/demo/bin

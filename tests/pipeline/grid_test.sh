@@ -202,6 +202,32 @@ test_tables_have_the_cells_of_other_classifiers_too() {
   expect_no_line "$(<results/t/real/accuracy.csv)" ' seed0/smote/10to1/diagnosis.h5 '
 }
 
+# What a run would lack at its very end is missed before its first step.
+test_published_tables_that_were_removed_are_missed_at_the_start() {
+  describe
+  rm -r results
+  expect_exit 2 grid
+  expect_line "$(grid 2>&1 || true)" 'results/published holds no table: .*git checkout results/published'
+  expect_equal "$(ran)" ""
+  make --silent cells BIN=fake RUN=t DATASETS=real METHODS=none RATIOS=100to1 SEEDS=0 >/dev/null # needs none
+  expect_equal "$(ran)" "2 diagnose, 1 ingest, 1 split"
+}
+
+cells_of() { make -n cells BIN=fake RUN=t DATASETS=real SEEDS=0 RATIOS="100to1 1to1" "$@" 2>&1; }
+trained() { sed -nE 's/.* train .* --method ([^ ]+) .*/\1/p' | xargs; }
+
+# Who chooses no methods sees those that are recommended beside the paper's; these have a name of their own.
+test_methods_are_the_papers_and_what_is_recommended() {
+  describe
+  local papers="dynamics smote vae wgan-gp piae-dt ae physics piae-dt-cnn piae-dt-rnn"
+  expect_equal "$(cells_of | trained)" "$papers piae-dt-phase shift"
+  expect_equal "$(cells_of METHODS=paper | trained)" "$papers"
+  expect_equal "$(cells_of METHODS="paper oracle" | trained)" "$papers oracle"
+  expect_line "$(make help BIN=fake)" "^  METHODS .* \\[none $papers piae-dt-phase shift\\]"
+  expect_line "$(make help)" "^  METHODS .* piae-dt-phase shift\\]" # before anything is built
+  expect_equal "$(make status cells BIN=fake RUN=t DATASETS=real SEEDS=0 METHODS=paper | awk '$1 == "all" { print $2 }')" 65
+}
+
 test_none_only_without_generated_windows() {
   finished_grid
   expect_equal "$(cd results/t/real/seed0 && echo {none,smote}/*to1)" "none/100to1 smote/10to1 smote/1to1"
@@ -594,7 +620,7 @@ test_unknown_names_are_refused() {
   expect_line "$(grid RUN=reference 2>&1 || true)" "RUN: 'reference' cannot be the name of a run"
   expect_line "$(grid PROTOCOL='random blocked' 2>&1 || true)" "PROTOCOL: random or blocked, not 'random blocked'"
   expect_exit 2 grid PROTOCOL=other
-  expect_equal "$(ls)" "$(printf '%s\n' Makefile fake jobs pipeline)"
+  expect_equal "$(ls)" "$(printf '%s\n' Makefile fake jobs pipeline results)"
 }
 
 # Else a stage would run with what its program has built in.
@@ -622,17 +648,17 @@ test_demo_is_a_small_grid_of_its_own() {
   expect_line "$(tail -n 1 <<<"$output")" "results/demo/simulated-small/"
 }
 
-test_the_papers_methods_and_all_ratios_run_where_none_are_given() {
+test_the_papers_methods_those_recommended_and_all_ratios_run_where_none_are_given() {
   describe
   make --silent all BIN=fake RUN=t DATASETS=real SEEDS=0 >/dev/null
   expect_line "$(<results/t/real/accuracy.csv)" \
-    "--methods none dynamics smote vae wgan-gp piae-dt ae physics piae-dt-cnn piae-dt-rnn --ratios 100to1 50to1 25to1 10to1 5to1 2to1 1to1 --seeds 0 "
+    "--methods none dynamics smote vae wgan-gp piae-dt ae physics piae-dt-cnn piae-dt-rnn piae-dt-phase shift --ratios 100to1 50to1 25to1 10to1 5to1 2to1 1to1 --seeds 0 "
 }
 
 test_a_lost_table_comes_back() {
   finished_grid
   local table
-  for table in accuracy.csv gains.csv quality.csv comparisons.csv ranks.csv decisions.csv confidence.csv tables.md tables.tex summary.txt; do
+  for table in accuracy.csv gains.csv quality.csv comparisons.csv ranks.csv decisions.csv confidence.csv recommendation.csv tables.md tables.tex summary.txt; do
     rm results/t/real/$table
     grid >/dev/null
     expect_equal "$(ran)" "1 tabulate"
@@ -654,7 +680,7 @@ test_a_dry_run_and_a_question_write_nothing() {
   grid -n >/dev/null
   grid -n cells results/t/real/records.h5 >/dev/null
   expect_exit 1 grid -q
-  [[ ! -e results ]] || fail "there is $(find results)"
+  [[ ! -e results/t ]] || fail "there is $(find results/t)"
   finished_grid
   sed -i 's/epochs = 50/epochs = 60/' pipeline/protocol.toml
   find results -printf '%p %T@ %s\n' >before
@@ -706,7 +732,7 @@ test_unknown_variables_are_refused_with_the_right_name() {
   expect_line "$(make cells BIN=fake RUN=t THREADS=2 2>&1 || true)" "there is no variable THREADS; .make help. lists"
   expect_exit 2 make cells BIN=fake RUN=t SEED=0
   expect_exit 2 make help SEED=0
-  [[ ! -e results ]] || fail "something ran"
+  [[ ! -e results/t ]] || fail "something ran"
 }
 
 test_programs_that_are_not_there_are_one_line() {

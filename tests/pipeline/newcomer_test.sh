@@ -14,8 +14,6 @@ lay_out() {
   ln -sf "$shown"/bin/* bin
   cp "$shown"/pipeline/figures/* pipeline/figures
   cp "$project/tests/reference/protocol.toml" pipeline
-  mkdir -p results
-  cp -r "$project/results/published" results
 }
 
 # Ringing struck every 80 samples, ever louder from class to class, and noise.
@@ -79,6 +77,94 @@ test_the_shown_method_plays_backwards() {
   # Window 0 of E is window 0 of that class in C, from its end.
   first_window() { h5dump -d "/windows[0,0;;1,1024;]" -y -w 1 "$1" | grep -oE '^ +-?[0-9][0-9.e+-]*' | tr -d ' '; }
   expect_equal "$(first_window $cell/reverse/E.h5)" "$(first_window $cell/C.h5 | tac)"
+}
+
+run_rig() {
+  make --silent cells BIN=bin RUN=new DATASETS=rig METHODS=none RATIOS=100to1 SEEDS=0 CLASSIFIERS=nearest \
+    DATA_DIR=recordings "$@"
+}
+stages_of() { awk '$2 ~ /^[a-z]+$/ { print $2 }' <<<"$1" | xargs; }
+
+test_a_recording_that_is_replaced_is_noticed() {
+  lay_out
+  describe_rig
+  expect_equal "$(stages_of "$(run_rig)")" "ingest split diagnose"
+  expect_equal "$(run_rig)" ""
+  # The same recordings: written again, in another folder, by another path, none at all.
+  touch recordings/outer.csv
+  cp -r recordings copies
+  expect_equal "$(run_rig)$(run_rig DATA_DIR=copies)$(run_rig DATA_DIR="$PWD/copies/")$(run_rig DATA_DIR=none)" ""
+  # Another one, as long and as old.
+  tr 1 2 <recordings/outer.csv >other.csv
+  touch -r recordings/outer.csv other.csv
+  mv other.csv recordings/outer.csv
+  expect_line "$(run_rig -n)" 'step.sh results/new/rig ingest '
+  expect_equal "$(stages_of "$(run_rig)")" "ingest split diagnose"
+  expect_equal "$(run_rig)" ""
+  expect_equal "$(stages_of "$(run_rig DATA_DIR=copies)")" "ingest split diagnose"
+}
+
+# Before there were files that say of which recordings the records are.
+test_records_of_an_older_project_are_compared_with_their_own_sums() {
+  lay_out
+  describe_rig
+  run_rig >/dev/null
+  rm -r results/new/.settings/recordings
+  expect_equal "$(run_rig)" ""
+  record recordings/outer.csv 3
+  expect_equal "$(stages_of "$(run_rig)")" "ingest split diagnose"
+}
+
+# What a failed step would have made is still due.
+test_a_recording_that_cannot_be_read_leaves_the_step_due() {
+  lay_out
+  describe_rig
+  run_rig >/dev/null
+  cp recordings/outer.csv good.csv
+  echo x >>recordings/outer.csv
+  expect_line "$(run_rig 2>&1)" 'ingest: recordings/outer.csv, line 70001: '
+  expect_line "$(run_rig 2>&1)" 'ingest: recordings/outer.csv, line 70001: '
+  cp good.csv recordings/outer.csv
+  expect_equal "$(stages_of "$(run_rig)")" "ingest split diagnose"
+}
+
+# A machine whose bearing is sound, and of which nothing is said: what needs no kinematics runs.
+test_a_fault_of_another_part_of_the_machine() {
+  lay_out
+  describe_rig
+  sed -i '/^\[bearing\]/,/^contact_angle_deg/d; /^defect_size_mm/d; s/^defect = "\(inner\|outer\)"/defect = "other"/' \
+    pipeline/datasets/rig.toml
+  bin/ingest --check --description pipeline/datasets/rig.toml --data-dir recordings --picture rig.svg >messages 2>&1 ||
+    fail "$(<messages)"
+  expect_no_line "$(<messages)" BPFO
+  make --silent all BIN=bin RUN=new DATASETS=rig METHODS="none shift" RATIOS="100to1 10to1" SEEDS=0 \
+    CLASSIFIERS="wdcnn nearest" DATA_DIR=recordings >messages 2>&1 || fail "$(<messages)"
+  expect_line "$(<results/new/rig/seed0/shift/score.log)" "no fault line of inner-1, outer-1, as the defect is 'other'"
+  expect_no_line "$(<messages)" warning
+  expect_line "$(<results/new/rig/accuracy.csv)" '^rig,shift,wdcnn,10to1,45,1,'
+  bin/verify results/new/rig/records.h5 results/new/rig/seed0/*/*.h5 || fail "not verified"
+  local refused
+  for refused in piae-dt-phase ae piae-dt-zero; do
+    expect_exit 2 run_rig METHODS="shift $refused" RATIOS=10to1
+    expect_line "$(run_rig METHODS="shift $refused" RATIOS=10to1 2>&1 || true)" \
+      "METHODS: $refused cannot be run; the description of rig does not say .*; choose METHODS=\"shift\""
+  done
+  # Who chooses none is told which are left out.
+  expect_line "$(make -n cells BIN=bin RUN=new DATASETS=rig SEEDS=0 DATA_DIR=recordings 2>&1)" \
+    '^left out: dynamics piae-dt ae physics piae-dt-cnn piae-dt-rnn piae-dt-phase; the description of rig'
+  bin/diagnose --test results/new/rig/seed0/A.h5 --normal results/new/rig/seed0/B.h5 --known results/new/rig/seed0/C.h5 \
+    --ratio 100to1 --classifier envelope-rule --seed 0 --output rule.h5 >messages 2>&1 && fail "a rule named it"
+  expect_line "$(<messages)" "has defect 'other', which has no fault line"
+}
+
+test_a_defect_of_unknown_size() {
+  lay_out
+  describe_rig
+  sed -i '/^defect_size_mm/d' pipeline/datasets/rig.toml
+  run_rig METHODS="none shift" RATIOS="100to1 10to1" >messages 2>&1 || fail "$(<messages)"
+  bin/train --method piae-dt --known results/new/rig/seed0/C.h5 --seed 0 --output m.h5 >messages 2>&1 &&
+    fail "trained without a size"
+  expect_line "$(<messages)" 'C.h5: piae-dt needs defect_size_mm of class inner-1, .*; methods that do without: smote, '
 }
 
 run_tests

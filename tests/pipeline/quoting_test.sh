@@ -48,7 +48,7 @@ test_an_empty_folder_is_not_the_root() {
 
 test_no_other_value_is_executed() {
   local name value
-  for name in RUN DATASETS METHODS RATIOS SEEDS PROTOCOL ARCH LIBTORCH BIN TOLERANCE LINT; do
+  for name in RUN DATASETS METHODS RATIOS SEEDS PROTOCOL ARCH LIBTORCH BIN TOLERANCE LINT PREFIX DESTDIR; do
     # shellcheck disable=SC2016
     for value in '0;touch executed' '$(shell touch executed)' '`touch executed`' "0' ; touch executed '" \
       '0 | touch executed' $'0\ntouch executed' '0 >executed'; do

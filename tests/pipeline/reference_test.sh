@@ -14,10 +14,9 @@ trap 'rm -r "$grid"' EXIT
 # In a folder with the front door alone.
 lay_out() {
   rm -r pipeline/datasets
-  mkdir -p pipeline/datasets results
+  mkdir -p pipeline/datasets
   cp "$project/tests/reference/tiny.toml" pipeline/datasets
   cp "$project/tests/reference/protocol.toml" pipeline
-  cp -r "$project/results/published" results
 }
 tiny() {
   make --silent "$@" "BIN=$programs" RUN=tiny

@@ -43,7 +43,7 @@ stand_ins() {
   cat >fake/stage <<'STAGE'
 #!/bin/bash
 stage=${0##*/} options="$*" outputs=()
-tables=(accuracy.csv gains.csv quality.csv comparisons.csv ranks.csv decisions.csv confidence.csv tables.md tables.tex summary.txt)
+tables=(accuracy.csv gains.csv quality.csv comparisons.csv ranks.csv decisions.csv confidence.csv recommendation.csv tables.md tables.tex summary.txt)
 [[ $stage != sweep ]] || tables=(sweep.csv sweep.md)
 if [[ $stage == sweep && $options == *" --method "* ]]; then
   method=${options#* --method }
@@ -101,6 +101,8 @@ run_tests() {
       cp -r "$project"/{Makefile,jobs} "$folder"
       cp -r "$project/pipeline" "$folder/pipeline"
       cd "$folder"
+      mkdir results
+      cp -r "$project/results/published" results
       stand_ins
       "$test"
     )

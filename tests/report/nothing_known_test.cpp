@@ -9,6 +9,7 @@
 #include "report/tables.hpp"
 #include "report/verdict.hpp"
 #include "run/held.hpp"
+#include "support/published_tables.hpp"
 #include "support/stored_run.hpp"
 
 namespace piae::report {
@@ -50,11 +51,7 @@ TEST(NothingKnown, IsTheVerdictOfARunWithoutKnownFaults) {
 
 class RunWithoutKnownFaults : public StoredRun {
  protected:
-  RunWithoutKnownFaults() {
-    folder_.write("table6-7-baseline.csv", "dataset,run1,average\ncwru,61.8,61.8\n");
-    folder_.write("table8-9-methods.csv", "dataset,method,2to1\ncwru,vae,91.2\n");
-    folder_.write("table10-11-ablation.csv", "dataset,model,2to1\ncwru,model1,93.7\n");
-  }
+  RunWithoutKnownFaults() { write_published_tables(folder_); }
   void add_without_known(scoring::DiagnosisRecord record) const {
     record.any_known = false;
     if (record.generated_per_class == 0) record.true_ratio.reset();

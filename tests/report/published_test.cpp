@@ -5,7 +5,7 @@
 #include <fstream>
 
 #include "base/error.hpp"
-#include "support/folder.hpp"
+#include "support/published_tables.hpp"
 
 namespace piae::report {
 namespace {
@@ -36,9 +36,9 @@ class PublishedTables : public testing::Test {
   }
 
   Folder folder_;
-  const std::string baseline_ = "table6-7-baseline.csv";
-  const std::string methods_ = "table8-9-methods.csv";
-  const std::string ablation_ = "table10-11-ablation.csv";
+  const std::string baseline_ = published_baseline;
+  const std::string methods_ = published_methods;
+  const std::string ablation_ = published_ablation;
 };
 
 TEST_F(PublishedTables, AreLookedUpByTheNamesOfTheGrid) {

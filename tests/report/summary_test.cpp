@@ -11,6 +11,7 @@
 #include "report/verdict.hpp"
 #include "run/grid.hpp"
 #include "run/held.hpp"
+#include "support/published_tables.hpp"
 #include "support/stored_run.hpp"
 
 namespace piae::report {
@@ -24,11 +25,7 @@ using testing::SizeIs;
 class Summary : public StoredRun {
  protected:
   /// Of the published tables nothing is shown, but they must be there.
-  Summary() {
-    folder_.write("table6-7-baseline.csv", "dataset,run1,average\ncwru,61.8,61.8\n");
-    folder_.write("table8-9-methods.csv", "dataset,method,2to1\ncwru,vae,91.2\n");
-    folder_.write("table10-11-ablation.csv", "dataset,model,2to1\ncwru,model1,93.7\n");
-  }
+  Summary() { write_published_tables(folder_); }
 
   /// Of these methods, which must have all cells, and of whatever else the run holds.
   [[nodiscard]] std::string summary_of(const std::string& methods) const {

@@ -6,6 +6,7 @@
 #include "report/published.hpp"
 #include "report/quality_table.hpp"
 #include "run/held.hpp"
+#include "support/published_tables.hpp"
 #include "support/stored_run.hpp"
 
 namespace piae::report {
@@ -23,12 +24,7 @@ const std::string csv_header =
 class Tables : public StoredRun {
  protected:
   explicit Tables(const std::string& dataset = "cwru") : StoredRun(dataset) {
-    folder_.write("table6-7-baseline.csv",
-                  "dataset,run1,run2,run3,average\ncwru,61.8,62,61.7,61.8\nhfhp,61,62,63,62\n");
-    folder_.write("table8-9-methods.csv",
-                  "dataset,method,2to1\ncwru,vae,91.2\ncwru,piae-dt,93.7\nhfhp,vae,90.86\n");
-    folder_.write("table10-11-ablation.csv",
-                  "dataset,model,2to1\ncwru,model1,93.7\ncwru,model2,91.7\n");
+    write_published_tables(folder_);
   }
   [[nodiscard]] Published published() const { return Published(folder_.path()); }
   [[nodiscard]] std::vector<AccuracyRow> rows(const run::Grid& grid) const {

@@ -157,6 +157,12 @@ TEST_F(Cells, ThatDoNotBelongTogetherAreRefused) {
   add(other);
   expect_problem("the number of known windows is zero, here it must be above zero",
                  Exit::bad_input);
+  other = diagnosis("vae", "2to1", 145, 1, 9);
+  other.info.classes.push_back({"Ball", signal::Defect::roller, 0.2});
+  other.scores.resize(80);
+  add(other);
+  expect_problem("the list of classes is Normal IR OR Ball, here it must be Normal IR OR",
+                 Exit::bad_input);
 }
 
 TEST_F(Cells, WithScoresThatDoNotBelongTogetherAreRefused) {

@@ -64,6 +64,17 @@ TEST(QualityByClass, RealAgainstThemselvesIsPerfect) {
   }
 }
 
+TEST(QualityByClass, AFaultElsewhereHasNoLine) {
+  signal::WindowSet real = real_set();
+  real.info.classes[2].defect = signal::Defect::other;
+  signal::WindowSet louder = real;
+  for (float& sample : louder.samples) sample *= sample;
+  const auto classes = quality_by_class(louder, real);
+  EXPECT_EQ(classes[1].fault_line_db, 0);
+  EXPECT_EQ(classes[1].fault_line_difference_db, 0);
+  EXPECT_GT(classes[1].rmse, 0);
+}
+
 TEST(QualityByClass, PairsTheFirstWindowsOfAClassInTheirOrder) {
   signal::WindowSet generated = empty_set();
   add(generated, 2, {4, 0, 0, 1});  // against {2, 0, 0, 1}: RMSE 1

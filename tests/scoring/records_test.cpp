@@ -1,5 +1,7 @@
 #include <gmock/gmock.h>
 
+#include <algorithm>
+
 #include "artefact/reader.hpp"
 #include "artefact/writer.hpp"
 #include "scoring/diagnosis_record.hpp"
@@ -257,6 +259,23 @@ TEST_F(Records, QualityOfClassesThatCannotBeIsRefused) {
 TEST_F(Records, OfOneKindAreNotReadAsAnother) {
   EXPECT_THROW(read_diagnosis(stored("score", quality())), Refusal);
   EXPECT_THROW(read_quality(stored("diagnosis", diagnosis())), Refusal);
+}
+
+TEST(QualityRecord, TheMeanOfTheFaultLineIsOfClassesThatHaveOne) {
+  QualityRecord record;
+  record.info = three_classes();
+  record.classes = {{.label = 1, .rmse = 1, .fault_line_db = 4}, {.label = 2, .rmse = 3}};
+  const auto mean = [&](const std::string& name) {
+    const auto metrics = all_metrics();
+    return record.mean_over_classes(*std::ranges::find(metrics, name, &Metric::name));
+  };
+  EXPECT_EQ(mean("rmse"), 2);
+  EXPECT_EQ(mean("fault_line_db"), 2);
+  record.info.classes[2].defect = signal::Defect::other;
+  EXPECT_EQ(mean("rmse"), 2);
+  EXPECT_EQ(mean("fault_line_db"), 4);
+  record.info.classes[1].defect = signal::Defect::other;
+  EXPECT_EQ(mean("fault_line_db"), 0);
 }
 
 }  // namespace

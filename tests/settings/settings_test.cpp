@@ -27,6 +27,8 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::Not;
 
+namespace fs = std::filesystem;
+
 const std::string header = "# Made from PIPELINE; edit that file, not this one.\n";
 
 /// pipeline/ of a project, and the settings of a run.
@@ -71,6 +73,69 @@ TEST(SettingsFolder, AFileHoldsWhatTheStageReads) {
   EXPECT_EQ(project.values_in("train.smote.toml"), "epochs = 200\n");
   project.update("score.toml");
   EXPECT_EQ(project.values_in("score.toml"), "\n");
+}
+
+/// A project with a data set of two recordings below data/.
+struct Recorded : Project {
+  const std::string request = "recordings/rig.toml " + (folder / "data").string();
+
+  Recorded() : Project("") {
+    folder.write("datasets/rig.toml",
+                 "[[record]]\nfile = \"rig/a.csv\"\n[[record]]\nfile = \"rig/b.csv\"\n"
+                 "[[record]]\nfile = \"rig/b.csv\"\n");
+    folder.write("data/rig/a.csv", "1\n");
+    folder.write("data/rig/b.csv", "abc");
+  }
+};
+
+TEST(SettingsFolder, RecordingsAreComparedByContentInAnyFolder) {
+  const Recorded project;
+  EXPECT_TRUE(project.is_outdated(project.request));
+  project.update(project.request);
+  // sha256 of "1\n" and "abc" (FIPS 180-4).
+  EXPECT_EQ(project.values_in("recordings/rig.toml"),
+            "'rig/a.csv' = '4355a46b19d348dc2f57c046f8ef63d4538ebb936000f3c9ee954a27460dd865'\n"
+            "'rig/b.csv' = 'ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad'\n");
+  EXPECT_FALSE(project.is_outdated(project.request));
+  const auto written = fs::last_write_time(project.run / "recordings/rig.toml");
+  const std::string stamps = bytes_of(project.run / "recordings/rig.stamps");
+  // Written again, and from another folder, they are the same.
+  project.folder.write("data/rig/a.csv", "1\n");
+  fs::copy(project.folder / "data", project.folder / "other", fs::copy_options::recursive);
+  EXPECT_FALSE(project.is_outdated(project.request));
+  EXPECT_FALSE(project.is_outdated("recordings/rig.toml " + (project.folder / "other").string()));
+  EXPECT_EQ(bytes_of(project.run / "recordings/rig.stamps"), stamps);
+  EXPECT_FALSE(
+      SettingsFolder(project.folder.path(), project.run).is_outdated(project.request, true));
+  EXPECT_NE(bytes_of(project.run / "recordings/rig.stamps"), stamps);
+  project.update(project.request);
+  EXPECT_EQ(fs::last_write_time(project.run / "recordings/rig.toml"), written);
+  // As long as before, and as old.
+  const auto time = fs::last_write_time(project.folder / "data/rig/b.csv");
+  project.folder.write("data/rig/b.csv", "abd");
+  fs::last_write_time(project.folder / "data/rig/b.csv", time);
+  EXPECT_TRUE(project.is_outdated(project.request));
+  project.update(project.request);
+  EXPECT_FALSE(project.is_outdated(project.request));
+}
+
+TEST(SettingsFolder, RecordingsThatAreNotThereHaveNotChanged) {
+  const Recorded project;
+  project.update(project.request);
+  fs::remove_all(project.folder / "data");
+  EXPECT_FALSE(project.is_outdated(project.request));
+  project.update(project.request);
+  project.folder.write("data/rig/b.csv", "abc");
+  EXPECT_FALSE(project.is_outdated(project.request));
+  project.folder.write("data/rig/b.csv", "abd");
+  EXPECT_TRUE(project.is_outdated(project.request));
+}
+
+TEST(SettingsFolder, RecordsThatNothingIsSaidOfStayAsTheyAre) {
+  const Recorded project;
+  project.folder.write("rig/records.h5", "of a stand-in");
+  EXPECT_FALSE(project.is_outdated(project.request));
+  EXPECT_FALSE(fs::exists(project.run));
 }
 
 TEST(SettingsFolder, AFileOfAVariantMayBeOfADatasetToo) {
@@ -408,6 +473,10 @@ TEST(Facts, NameWhatThereIs) {
                                  "method:oracle",
                                  "paper:ae",
                                  "paper:none",
+                                 "default:none",
+                                 "default:piae-dt-rnn",
+                                 "default:piae-dt-phase",
+                                 "default:shift",
                                  "baseline:none",
                                  "ceiling:oracle",
                                  "infers:piae-dt-phase",
@@ -435,9 +504,9 @@ TEST(Facts, NameWhatThereIs) {
                                  "group-input:sizes/strike-twin=wdcnn-spectra"}) {
     EXPECT_THAT(all, Contains(fact));
   }
-  for (const std::string fact :
-       {"paper:piae-dt-phase", "paper:oracle", "infers:smote", "needs-libtorch:piae-dt",
-        "simulated:cwru", "sweep-centre:piae-dt:depth=1"}) {
+  for (const std::string fact : {"paper:piae-dt-phase", "default:oracle", "default:oversample",
+                                 "paper:oracle", "infers:smote", "needs-libtorch:piae-dt",
+                                 "simulated:cwru", "sweep-centre:piae-dt:depth=1"}) {
     EXPECT_THAT(all, Not(Contains(fact)));
   }
 }

@@ -63,6 +63,46 @@ TEST(Description, IsReadAsItStands) {
   EXPECT_EQ(d.info.healthy_label(), 0);
 }
 
+/// The same with another defect, with or without what is said of it and of the bearing.
+std::string described_fault(const std::string& defect, const std::string& size, bool bearing) {
+  std::string text = good;
+  text.replace(text.find("\"outer\"\ndefect_size_mm = 0.5\n"), 30, '"' + defect + "\"\n" + size);
+  if (!bearing) text.replace(text.find(bearing_table), bearing_table.size(), "");
+  return text;
+}
+
+TEST(Description, AFaultElsewhereNeedsNeitherSizeNorBearing) {
+  const Folder folder;
+  const Description d =
+      read_description(folder.write("rig.toml", described_fault("other", "", false)));
+  EXPECT_EQ(d.info.classes[1].defect, Defect::other);
+  EXPECT_EQ(d.info.classes[1].defect_size_mm, 0);
+  EXPECT_FALSE(d.info.has_bearing);
+  EXPECT_EQ(d.info.fault_labels(), std::vector<Label>{1});
+  EXPECT_TRUE(read_description(folder.write("b.toml", described_fault("other", "", true)))
+                  .info.has_bearing);
+  EXPECT_ERROR(read_description(folder.write("c.toml", described_fault("outer", "", false))),
+               Exit::bad_input, "bearing is missing: it decides the rhythm of class cracked");
+  EXPECT_ERROR(read_description(folder.write(
+                   "d.toml", described_fault("other", "defect_size_mm = 0.5\n", true))),
+               Exit::bad_input, "class.defect_size_mm makes no sense where the defect is 'other'");
+}
+
+TEST(Description, TheSizeOfADefectMayBeUnknown) {
+  const Folder folder;
+  const Description d =
+      read_description(folder.write("rig.toml", described_fault("outer", "", true)));
+  EXPECT_EQ(d.info.classes[1].defect, Defect::outer);
+  EXPECT_EQ(d.info.classes[1].defect_size_mm, 0);
+  std::string some = described_fault("outer", "", true);
+  some.insert(some.find("file = \"rig/b.csv\""), "defect_size_mm = 0.5\n");
+  EXPECT_ERROR(read_description(folder.write("b.toml", some)), Exit::bad_input,
+               "class.defect_size_mm is missing: only some of its records have one");
+  EXPECT_ERROR(read_description(
+                   folder.write("c.toml", described_fault("outer", "defect_size_mm = 0\n", true))),
+               Exit::bad_input, "class.defect_size_mm is refused");
+}
+
 TEST(Description, NamesRecordsAfterTheirClassAndSortsThem) {
   const Folder folder;
   const Description d = read_description(folder.write("rig.toml", good));
@@ -149,7 +189,6 @@ INSTANTIATE_TEST_SUITE_P(
         Damage{"= \"none\"", "= \"cage\"", "class.defect holds an unknown defect 'cage'"},
         Damage{"= \"none\"", "= \"none\"\ndefect_size_mm = 1", "class.defect_size_mm makes no"},
         Damage{"= \"none\"", "= \"inner\"\ndefect_size_mm = 1", "no class has defect 'none'"},
-        Damage{"defect_size_mm = 0.5", "", "class.defect_size_mm is missing"},
         Damage{"name = \"cracked\"", "name = \"ok\"", "class.name 'ok' is given twice"},
         Damage{"class = \"ok\"", "class = \"okay\"", "record.class 'okay' is not a [[class]]"},
         Damage{"class = \"ok\"", "class = \"cracked\"", "class ok has no [[record]]"},

@@ -58,7 +58,7 @@ TEST(Csv, RefusesWhatIsNotStrictlyNumbersInColumns) {
   EXPECT_ERROR(read("t,a\n0,1\n1,x2\n", "a"), Exit::bad_input, "line 3: column a holds 'x2'");
   EXPECT_ERROR(read("t,a\n0,1\n1,2x\n", "a"), Exit::bad_input, "line 3: column a holds '2x'");
   EXPECT_ERROR(read("t,a\n0,1\n1,\n", "a"), Exit::bad_input, "line 3: column a holds ''");
-  EXPECT_ERROR(read("t;a\n0;1,5\n", "a"), Exit::bad_input, "line 2: column a holds '1,5'");
+  EXPECT_ERROR(read("t,a\n0,1,5\n", "a"), Exit::bad_input, "line 2: has 3 fields");
   EXPECT_ERROR(read("t,a\n0,1\n", "b"), Exit::bad_input, "has no column b; it has t, a");
   EXPECT_ERROR(read("a,a\n0,1\n", "a"), Exit::bad_input, "has several columns a");
   std::string many = "x";
@@ -80,6 +80,73 @@ TEST(Csv, TellsANameFromADamagedNumber) {
                "line 1: column 1 holds '0.?125', neither a number nor a name");
   EXPECT_ERROR((void)read_csv(folder.write("b.csv", "--\n1\n"), "1"), Exit::bad_input, "line 1: ");
   EXPECT_THAT(read_csv(folder.write("c.csv", "t,[g]\n1,2\n"), "2"), ElementsAre(2));
+}
+
+TEST(Csv, TakesWhatStandsBeforeTheNumbers) {
+  const Folder folder;
+  const auto read = [&](const std::string& text, const std::string& column) {
+    return read_csv(folder.write("a.csv", text), column);
+  };
+  // Comments, one of which names the columns.
+  EXPECT_THAT(read("# made by a logger\n# t acc\n0 1.5\n1 2.5\n", "acc"), ElementsAre(1.5, 2.5));
+  EXPECT_THAT(read("% made by acc\n0,1.5\n1,2.5\n", "2"), ElementsAre(1.5, 2.5));
+  // Words and single numbers of an instrument, a header, units.
+  const std::string logger =
+      "Logger X200\nRate;12000\n\nTime;Acc\ns;m/s2\n0;1,5\n0,1;2\n0,2;-2,25\n";
+  EXPECT_THAT(read(logger, "Acc"), ElementsAre(1.5, 2, -2.25));
+  EXPECT_THAT(read(logger, "2"), ElementsAre(1.5, 2, -2.25));
+  EXPECT_THAT(read("Channel,acc\nt,acc\n0,7\n1,8\n", "acc"), ElementsAre(7, 8));
+  // The number of a line that says which line is damaged counts all of these.
+  EXPECT_ERROR(read(logger + "1;x\n", "Acc"), Exit::bad_input, "line 9: column Acc holds 'x'");
+  EXPECT_ERROR(read(logger, "Force"), Exit::bad_input, "has no column Force; it has ");
+  EXPECT_ERROR(read("0.5,1\n...\n1,2\n", "2"), Exit::bad_input, "line 2: has 1 fields");
+  EXPECT_ERROR(read("words\n..;..\n1;2\n3;4\n", "2"), Exit::bad_input, "line 2: column 2 holds");
+}
+
+TEST(Csv, TakesDecimalCommasWhereTheyDoNotSeparate) {
+  const Folder folder;
+  const auto read = [&](const std::string& text, const std::string& column) {
+    return read_csv(folder.write("a.csv", text), column);
+  };
+  EXPECT_THAT(read("t;a\n0;1,5\n1;-2,5e-1\n", "a"), ElementsAre(1.5, -0.25));
+  EXPECT_THAT(read("0\t1,5\n1\t2\n", "2"), ElementsAre(1.5, 2));
+  EXPECT_THAT(read(" 0,1   2,5\n 0,2  -3,5 \n", "2"), ElementsAre(2.5, -3.5));
+  EXPECT_THAT(read("1, 2\n3, 4\n", "2"), ElementsAre(2, 4));
+  EXPECT_ERROR(read("1;1.234,5\n", "2"), Exit::bad_input, "holds '1.234,5', ");
+  EXPECT_ERROR(read("1;1,234\n2;5.5\n", "2"), Exit::bad_input, "the other decimal sign");
+  // Half numbers are no samples.
+  EXPECT_ERROR(read("1,25\n1,05\n", "2"), Exit::bad_input,
+               "line 2: column 2 holds '05': numbers with a decimal comma, it seems");
+  EXPECT_ERROR(read("1,25\n-0,05\n", "1"), Exit::bad_input, "decimal comma, it seems");
+}
+
+TEST(Csv, MayBeATextFileOrInCapitals) {
+  const Folder folder;
+  EXPECT_THAT(read_raw_file(folder.write("a.txt", "0 1\n1 2\n"), "2"), ElementsAre(1, 2));
+  EXPECT_THAT(read_raw_file(folder.write("A.CSV", "0,1\n1,2\n"), "2"), ElementsAre(1, 2));
+}
+
+std::string utf16(const std::string& text, bool low_byte_first) {
+  std::string bytes;
+  for (const char c : text) {
+    bytes += low_byte_first ? std::string{c, '\0'} : std::string{'\0', c};
+  }
+  return bytes;
+}
+
+TEST(Csv, MayBeUtf16WithAByteOrderMark) {
+  const Folder folder;
+  const std::string text = "t;a\r\n0;1,5\r\n1;2\r\n";
+  const fs::path little = folder.write("a.csv", "\xFF\xFE" + utf16(text, true));
+  const fs::path big = folder.write("b.csv", "\xFE\xFF" + utf16(text, false));
+  EXPECT_THAT(read_csv(little, "a"), ElementsAre(1.5, 2));
+  EXPECT_THAT(read_csv(big, "a"), ElementsAre(1.5, 2));
+  // m/s² as it stands in UTF-16, and in UTF-8.
+  const std::string squared = "\xFF\xFE" + utf16("m/s", true) + "\xB2" +
+                              utf16("\n", true).insert(0, 1, '\0') + utf16("1\n", true);
+  EXPECT_THAT(read_csv(folder.write("c.csv", squared), "m/s²"), ElementsAre(1));
+  EXPECT_ERROR((void)read_csv(folder.write("d.csv", utf16(text, true)), "a"), Exit::bad_input,
+               "may be UTF-16 without a byte order mark; save it as UTF-8");
 }
 
 // Lines and fields that are kept one by one take many times the bytes of the file.

@@ -54,7 +54,7 @@ TEST(Stride, NamesHowManyFitWhereTheyDoNot) {
       "class IR: 600 windows of 1024 samples do not fit into 2600 samples in 2 record(s) at "
       "any stride up to 512; at most 554 fit, at stride 1");
   EXPECT_ERROR(largest_stride("class IR", {1000}, {1024, 512, 600, 0, 0}), Exit::bad_input,
-               "none fits: lower --window");
+               "none fits: lower window or (protocol blocked) guard-windows, in [split]");
 }
 
 TEST(Stride, IsNotSearchedBeyondTheRecords) {

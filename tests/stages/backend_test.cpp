@@ -45,7 +45,7 @@ TEST(Backend, NoProgramOfADefaultRunLoadsLibtorch) {
   const Tiny tiny;
   for (const std::string stage :
        {"ingest", "simulate", "split", "train", "generate", "score", "diagnose", "tabulate",
-        "verify", "identify", "sweep", "contrast", "transfer", "check"}) {
+        "verify", "identify", "sweep", "contrast", "transfer", "check", "monitor"}) {
     EXPECT_THAT(libraries_of(tiny, stage), HasSubstr("libhdf5")) << stage;
     EXPECT_THAT(libraries_of(tiny, stage), Not(HasSubstr("libtorch"))) << stage;
   }

@@ -196,8 +196,8 @@ TEST_F(Classify, SaysInEightyColumnsWhatARecordingIsAndByWhom) {
   EXPECT_EQ(outcome.err, "");
   EXPECT_THAT(outcome.out, testing::StartsWith("recording      named"));
   EXPECT_THAT(outcome.out, HasSubstr("\nrecording.csv  "));
-  EXPECT_THAT(outcome.out, HasSubstr("\nby wdcnn of tiny, trained on 40 windows (none 100to1, seed "
-                                     "0)."));
+  EXPECT_THAT(outcome.out,
+              HasSubstr("\nby wdcnn of tiny, trained on 40 windows (none 100to1, seed 0)\n"));
   std::istringstream lines(outcome.out);
   for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 80U) << line;
 }

@@ -78,7 +78,7 @@ TEST(Config, UnknownKeyIsNamed) {
 }
 
 TEST(Config, InvalidFileIsNamedWithTheLine) {
-  expect_text_refused("[split]\nwindow = \n", {"TOML", "line 2"});
+  expect_text_refused("[split]\nwindow = \n", {"options.toml, line 2: not valid TOML: "});
   expect_text_refused("\x89PNG", {"TOML"});
 }
 

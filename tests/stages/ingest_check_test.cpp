@@ -128,7 +128,7 @@ TEST_F(IngestCheck, WarnsOfARateThatIsTooHigh) {
   const std::vector<std::string> warnings = warnings_in(outcome.out);
   ASSERT_EQ(warnings.size(), 1U) << outcome.out;
   EXPECT_THAT(warnings.front(), HasSubstr("sample_rate_hz = 1.2e+07 are 0.006 s"));
-  EXPECT_THAT(outcome.out, HasSubstr("IR007: IR007: 600 windows"));
+  EXPECT_THAT(outcome.out, HasSubstr("\ndataset rig, class IR007: 600 windows of 1024"));
 }
 
 TEST_F(IngestCheck, WarnsOfSmallStrides) {
@@ -136,6 +136,39 @@ TEST_F(IngestCheck, WarnsOfSmallStrides) {
   samples.resize(24000);
   write("OR021", samples);
   expect_one_warning({"class OR021", "start every 38", "96.3 %", "PROTOCOL=random"});
+}
+
+/// 1.3 s give no 600 windows, but 150 at a sensible stride.
+TEST_F(IngestCheck, GoesByTheDescriptionsOwnSplit) {
+  for (const std::string name : {"Normal", "IR007", "OR021"}) {
+    std::vector<double> samples = good_samples(name);
+    samples.resize(1500);
+    write(name, samples);
+  }
+  const Outcome refused = run();
+  EXPECT_EQ(refused.status, 65);
+  EXPECT_THAT(refused.out, HasSubstr("at most 477 fit, at stride 1: lower windows-per-class (and "
+                                     "test-per-class) or window, in [split] of the description"));
+  EXPECT_EQ(refused.err, "ingest: dataset rig cannot be used as it is, see above\n");
+  describe(good_description +
+           "[split]\nwindows-per-class = 60\ntest-per-class = 20\nwindow = 512\n");
+  const Outcome outcome = run();
+  EXPECT_EQ(outcome.status, 0) << outcome.out;
+  EXPECT_THAT(outcome.out, HasSubstr("windows of 512 samples"));
+  EXPECT_THAT(outcome.out, HasSubstr("start every 16"));  // (1500 - 512) / 59
+  describe(good_description + "[split]\nwindows-per-class = 60\n");
+  expect_refusal(run(), "ingest", 65,
+                 {"rig.toml", "windows-per-class (60) must exceed test-per-class", "[split]"});
+}
+
+/// A file that the description names is not blamed on the description, too.
+TEST_F(IngestCheck, AMessageHasOnePlace) {
+  folder_.write("data/IR007.csv", "acceleration\n1\nx\n");
+  const Outcome outcome =
+      stages::run(folder_.path(), "ingest",
+                  {"--description", "rig.toml", "--data-dir", "data", "--output", "records.h5"});
+  EXPECT_EQ(outcome.err,
+            "ingest: data/IR007.csv, line 3: column acceleration holds 'x', not a number\n");
 }
 
 TEST_F(IngestCheck, WarnsOfClippedSamples) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <linux/capability.h>
 #include <sys/prctl.h>
@@ -29,6 +30,7 @@ struct Outcome {
   int status = -1;  ///< exit status; 128 + signal where a signal ended it, as in the shell
   std::string out;
   std::string err;
+  long peak_kb = 0;  ///< the most memory that it held
 };
 
 /// What a run may be given beside its arguments.
@@ -37,6 +39,7 @@ struct Surroundings {
   rlim_t largest_file = RLIM_INFINITY;  ///< bytes; a write beyond fails as on a full disk
   rlim_t most_memory = RLIM_INFINITY;   ///< bytes of address space
   bool without_root_rights = false;     ///< permissions of files hold even for root
+  fs::path input{};                     ///< what standard input is, where it is not the test's
 };
 
 inline std::string read_all(std::FILE* file) {
@@ -89,11 +92,19 @@ class Process {
     }
   }
 
+  /// Until it has written this on standard output, or has ended.
+  void wait_until_it_says(const std::string& text) const {
+    while (said().find(text) == std::string::npos && !ended()) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+  }
+
   /// A program that does not end within two minutes hangs: it is killed, and the test fails.
   Outcome wait() {
     int status = 0;
+    rusage usage{};
     const auto limit = std::chrono::steady_clock::now() + std::chrono::minutes(2);
-    while (::waitpid(pid_, &status, WNOHANG) == 0) {
+    while (::wait4(pid_, &status, WNOHANG, &usage) == 0) {
       if (std::chrono::steady_clock::now() > limit) {
         ADD_FAILURE() << command_ << ": hangs";
         ::kill(pid_, SIGKILL);
@@ -104,7 +115,7 @@ class Process {
     }
     pid_ = -1;
     const int code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-    return {code, read_all(out_), read_all(err_)};
+    return {code, read_all(out_), read_all(err_), usage.ru_maxrss};
   }
 
  private:
@@ -122,12 +133,30 @@ class Process {
     const rlimit memory{surroundings.most_memory, surroundings.most_memory};
     const bool limited = surroundings.largest_file != RLIM_INFINITY;
     if (limited) ::signal(SIGXFSZ, SIG_IGN);  // write() then fails with EFBIG
-    const bool ready = ::chdir(folder.c_str()) == 0 && ::dup2(fileno(out_), STDOUT_FILENO) >= 0 &&
+    const bool ready = ::chdir(folder.c_str()) == 0 && becomes_input(surroundings.input) &&
+                       ::dup2(fileno(out_), STDOUT_FILENO) >= 0 &&
                        ::dup2(fileno(err_), STDERR_FILENO) >= 0 &&
                        (!limited || ::setrlimit(RLIMIT_FSIZE, &limit) == 0) &&
                        (memory.rlim_cur == RLIM_INFINITY || ::setrlimit(RLIMIT_AS, &memory) == 0);
     if (ready) ::execv(argv.front(), argv.data());
     ::_exit(127);
+  }
+
+  /// A pipe is waited for until somebody writes to it.
+  static bool becomes_input(const fs::path& path) {
+    if (path.empty()) return true;
+    return ::dup2(::open(path.c_str(), O_RDONLY), STDIN_FILENO) >= 0;
+  }
+
+  /// What it has written until now, without moving where it writes on.
+  [[nodiscard]] std::string said() const {
+    std::string text;
+    char buffer[4096];
+    for (ssize_t got = 0; (got = ::pread(fileno(out_), buffer, sizeof buffer,
+                                         static_cast<off_t>(text.size()))) > 0;) {
+      text.append(buffer, static_cast<std::size_t>(got));
+    }
+    return text;
   }
 
   [[nodiscard]] bool ended() const {

@@ -62,8 +62,8 @@ inline const std::vector<Step>& chain() {
         "50to1", "--seeds", "0", "--published", std::string(PIAE_SOURCE) + "/results/published"},
        {"run/tiny/accuracy.csv", "run/tiny/gains.csv", "run/tiny/quality.csv",
         "run/tiny/comparisons.csv", "run/tiny/ranks.csv", "run/tiny/decisions.csv",
-        "run/tiny/confidence.csv", "run/tiny/tables.md", "run/tiny/tables.tex",
-        "run/tiny/summary.txt"}},
+        "run/tiny/confidence.csv", "run/tiny/recommendation.csv", "run/tiny/tables.md",
+        "run/tiny/tables.tex", "run/tiny/summary.txt"}},
   };
   return steps;
 }

@@ -1,3 +1,4 @@
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "stages/tiny.hpp"
@@ -14,6 +15,15 @@ TEST_P(Usage, HelpShowsAnExample) {
   EXPECT_EQ(help.err, "");
   EXPECT_NE(help.out.find(std::string("Example:\n  ") + GetParam() + ' '), std::string::npos)
       << help.out;
+}
+
+TEST_P(Usage, VersionIsOneLineWithTheNumber) {
+  const Folder folder;
+  const Outcome version = run(folder.path(), GetParam(), {"--version"});
+  EXPECT_EQ(version.status, 0);
+  EXPECT_EQ(version.err, "");
+  EXPECT_THAT(version.out, testing::MatchesRegex("piae-dt " + std::string(GetParam()) +
+                                                 " [0-9]+[.][0-9]+[.][0-9]+( [(][0-9a-f]+[)])?\n"));
 }
 
 TEST_P(Usage, WithoutArgumentsIsAUsageError) {
@@ -43,6 +53,8 @@ TEST_P(Usage, UnknownOptionIsNamed) {
     arguments = {"--file", "tiny.csv", "--variable", "1"};
   } else if (GetParam() == std::string("export_windows")) {
     arguments = {"--windows", "E.h5", "--output", "E.csv"};
+  } else if (GetParam() == std::string("monitor")) {
+    arguments = {"--classifier", "c.h5", "--sample-rate-hz", "12000", "--speed-rpm", "1797"};
   } else if (GetParam() == std::string("check")) {
     arguments = {"--run", "run", "--reference", "reference"};
   } else if (GetParam() != std::string("verify")) {
@@ -57,7 +69,7 @@ INSTANTIATE_TEST_SUITE_P(Stages, Usage,
                          testing::Values("ingest", "simulate", "split", "train", "generate",
                                          "score", "diagnose", "tabulate", "sweep", "check",
                                          "contrast", "transfer", "identify", "verify", "read_raw",
-                                         "export_windows"),
+                                         "export_windows", "monitor"),
                          [](const auto& info) { return info.param; });
 
 TEST(Usage, TrainHelpShowsTheOptionsOfTheMethod) {

@@ -1,0 +1,85 @@
+# `make install` and `make package`: one front command, bin/piae-dt, for programs whose names other packages have,
+# too. The programs are in lib/piae-dt, what make reads in share/piae-dt, in folders as they are here.
+#
+# What only LibTorch computes is a component, and a package, of its own: its programs are found beside the others at
+# run time, and LibTorch is 0.5 GB that few need.
+
+install(PROGRAMS packaging/piae-dt DESTINATION bin COMPONENT programs)
+foreach(program IN LISTS PROGRAMS)
+  set(component programs)
+  if(program MATCHES "-libtorch$")
+    set(component libtorch)
+  endif()
+  install(TARGETS ${program} RUNTIME DESTINATION lib/piae-dt COMPONENT ${component})
+endforeach()
+
+# Of pipeline/ not what builds and checks; of the reference the numbers, for `make check`, without their pictures.
+set(home share/piae-dt)
+install(FILES Makefile DESTINATION ${home} COMPONENT programs)
+install(DIRECTORY pipeline jobs DESTINATION ${home} COMPONENT programs USE_SOURCE_PERMISSIONS
+        PATTERN pipeline/lint EXCLUDE PATTERN keep_shown.sh EXCLUDE
+        REGEX "pipeline/(lint|build|deps)\\.sh$" EXCLUDE)
+install(DIRECTORY results/published DESTINATION ${home}/results COMPONENT programs)
+install(DIRECTORY results/reference DESTINATION ${home}/results COMPONENT programs
+        FILES_MATCHING PATTERN "*.csv" PATTERN figures EXCLUDE PATTERN readings EXCLUDE)
+
+file(GLOB pages RELATIVE ${PROJECT_SOURCE_DIR} *.md CITATION.cff docs/* results/*.md jobs/*.md pipeline/datasets/*.md)
+foreach(page IN LISTS pages)
+  get_filename_component(folder ${page} DIRECTORY)
+  install(FILES ${page} DESTINATION share/doc/piae-dt/${folder} COMPONENT programs)
+endforeach()
+install(FILES LICENSE DESTINATION share/doc/piae-dt RENAME copyright COMPONENT programs)
+install(FILES LICENSE DESTINATION share/doc/piae-dt-libtorch RENAME copyright COMPONENT libtorch EXCLUDE_FROM_ALL)
+# The pages are of the day of the commit, so that the same sources give the same bytes.
+string(TIMESTAMP date "%Y-%m-%d" UTC)
+if(Git_FOUND)
+  execute_process(COMMAND ${GIT_EXECUTABLE} -C ${PROJECT_SOURCE_DIR} show --no-patch --format=%cs HEAD
+                  OUTPUT_VARIABLE committed OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
+  if(committed)
+    set(date ${committed})
+  endif()
+endif()
+install(CODE "execute_process(COMMAND \"${PROJECT_SOURCE_DIR}/packaging/man.sh\" \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}\" ${date}
+                              COMMAND_ERROR_IS_FATAL ANY)" COMPONENT programs)
+
+# ---- Debian packages ----------------------------------------------------------------------------
+# A package is for the release it was built on, whose name is part of its version.
+set(release 1)
+if(EXISTS /etc/os-release)
+  file(STRINGS /etc/os-release id REGEX "^ID=")
+  file(STRINGS /etc/os-release number REGEX "^VERSION_ID=")
+  string(REGEX REPLACE "VERSION_ID=|ID=|[^a-z0-9.]" "" release "${id}${number}")
+  set(release "1~${release}")
+endif()
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_NAME ${PROJECT_NAME})
+set(CPACK_PACKAGE_VERSION ${PROJECT_VERSION})
+set(CPACK_PACKAGE_CONTACT "The PIAE-DT pipeline authors")
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_DEBIAN_COMPRESSION_TYPE xz)  # a fifth of gzip's size: the programs have much in common
+set(CPACK_DEBIAN_PACKAGE_RELEASE ${release})
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_COMPONENTS_ALL programs)
+if(PIAE_LIBTORCH)
+  list(APPEND CPACK_COMPONENTS_ALL libtorch)
+endif()
+set(CPACK_DEBIAN_PROGRAMS_PACKAGE_NAME piae-dt)
+set(CPACK_DEBIAN_PROGRAMS_DESCRIPTION "bearing fault data from a digital twin, as a batch pipeline
+Makes the fault windows that a bearing in service does not yield, by the
+method PIAE-DT and by others, trains and tests classifiers with them, and
+compares the methods over data sets, ratios and seeds in tables, figures
+and a report.")
+# make runs the grid; it draws by gnuplot and fetches recordings by curl.
+set(CPACK_DEBIAN_PROGRAMS_PACKAGE_DEPENDS "make (>= 4.3)")
+set(CPACK_DEBIAN_PROGRAMS_PACKAGE_RECOMMENDS "gnuplot-nox, fonts-dejavu-core, curl, ca-certificates")
+set(CPACK_DEBIAN_PROGRAMS_PACKAGE_SUGGESTS "piae-dt-libtorch")
+set(CPACK_DEBIAN_LIBTORCH_PACKAGE_NAME piae-dt-libtorch)
+set(CPACK_DEBIAN_LIBTORCH_DESCRIPTION "methods of piae-dt that need LibTorch
+The programs of piae-dt once more, linked with LibTorch: for the methods
+piae-dt-cnn and piae-dt-rnn, --backend libtorch and --device cuda.")
+set(CPACK_DEBIAN_LIBTORCH_PACKAGE_DEPENDS "piae-dt (= ${PROJECT_VERSION}-${release})")
+include(CPack)

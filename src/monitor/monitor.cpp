@@ -1,0 +1,160 @@
+#include "monitor/monitor.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "base/range.hpp"
+#include "signal/amplitude.hpp"
+#include "signal/ranges.hpp"
+
+namespace piae::monitor {
+
+namespace {
+
+/// So many windows are classified at once, at most: enough to be fast, few enough to be small.
+constexpr std::size_t most_at_once = 64;
+
+double windows_per_hour(const signal::DatasetInfo& info, std::size_t stride) {
+  return 3600 * info.sample_rate_hz / static_cast<double>(stride);
+}
+
+}  // namespace
+
+void bind(const cli::Options& command, MonitorOptions& options) {
+  constexpr Range scale{.low = -1e30, .high = 1e30};
+  constexpr Range every_s{.low = 0, .high = 1e9, .unit = " s"};
+  command.choose("--format", options.format, sample_format_words(),
+                 "samples of the stream: floats or integers of so many bits, in the byte order of "
+                 "this machine and without a header, or text, one number a line");
+  command.add("--sample-rate-hz", options.sample_rate_hz, "samples of the stream in a second")
+      .required()
+      .check(cli::within(signal::ranges::sample_rate_hz));
+  command.add("--speed-rpm", options.speed_rpm, "speed of the shaft")
+      .required()
+      .check(cli::within(signal::ranges::shaft_speed_rpm));
+  command
+      .add("--scale", options.scale,
+           "what one unit of the stream is in the unit of the recordings that the classifier "
+           "learned")
+      .check(cli::within(scale));
+  command
+      .add("--stride", options.stride,
+           "samples, at the classifier's rate, from the start of one window to that of the next; "
+           "0: its length, so that every sample is judged once")
+      .check(cli::within(signal::ranges::first_sample));
+  command
+      .add("--every-s", options.every_s,
+           "seconds of the stream from one decision to the next; 0: one for each window. An alarm "
+           "is "
+           "told at once")
+      .check(cli::within(every_s));
+  bind(command.in_group("Alarm"), options.alarm);
+}
+
+Monitor::Monitor(const signal::DatasetInfo& info, std::size_t length, Answer answer,
+                 const MonitorOptions& options)
+    : info_(info),
+      length_(length),
+      answer_(std::move(answer)),
+      rate_hz_(options.sample_rate_hz),
+      decoder_(options.format, options.scale),
+      resampler_(rate_hz_, info.sample_rate_hz),
+      cutter_(length, options.stride == 0 ? length : options.stride),
+      judge_(info,
+             Alarm(options.alarm,
+                   windows_per_hour(info, options.stride == 0 ? length : options.stride)),
+             options.every_s) {}
+
+double Monitor::window_s() const { return static_cast<double>(length_) / info_.sample_rate_hz; }
+
+double Monitor::signal_s() const { return static_cast<double>(samples_) / rate_hz_; }
+
+void Monitor::add(std::span<const std::byte> bytes, const Say& say) {
+  decoded_.clear();
+  decoder_.add(bytes, decoded_);
+  take(decoded_, say);
+}
+
+void Monitor::take(std::span<const double> samples, const Say& say) {
+  while (!samples.empty()) {
+    const auto first_bad =
+        std::ranges::find_if_not(samples, [](double x) { return std::isfinite(x); });
+    const auto good = static_cast<std::size_t>(first_bad - samples.begin());
+    resampled_.clear();
+    resampler_.add(samples.first(good), resampled_);
+    samples_ += good;
+    judge_windows(say);
+    samples = samples.subspan(good);
+    if (samples.empty()) return;
+    const auto next_good = std::ranges::find_if(samples, [](double x) { return std::isfinite(x); });
+    const auto bad = static_cast<std::size_t>(next_good - samples.begin());
+    samples_ += bad;
+    not_finite_ += bad;
+    samples = samples.subspan(bad);
+    begin_anew();
+  }
+}
+
+void Monitor::skip() {
+  decoder_.restart();
+  begin_anew();
+}
+
+void Monitor::begin_anew() {
+  resampler_ = signal::StreamResampler(rate_hz_, info_.sample_rate_hz);
+  cutter_.restart();
+  begun_at_s_ = signal_s();
+}
+
+void Monitor::finish(const Say& say) {
+  decoded_.clear();
+  decoder_.finish(decoded_);
+  take(decoded_, say);
+  resampled_.clear();
+  resampler_.finish(resampled_);
+  judge_windows(say);
+  if (const auto decision = judge_.finish()) say(*decision);
+}
+
+/// Those that the resampled samples complete.
+void Monitor::judge_windows(const Say& say) {
+  cutter_.add(resampled_);
+  for (;;) {
+    std::vector<Cut> cuts;
+    signal::WindowSet moving;
+    moving.info = info_;
+    moving.length = length_;
+    while (cuts.size() < most_at_once) {
+      const auto window = cutter_.next();
+      if (!window) break;
+      const auto end = static_cast<double>(window->first_sample + length_);
+      cuts.push_back(
+          {begun_at_s_ + end / info_.sample_rate_hz, signal::is_constant(window->samples)});
+      if (cuts.back().silent) continue;
+      moving.samples.insert(moving.samples.end(), window->samples.begin(), window->samples.end());
+      moving.labels.push_back(info_.healthy_label());
+    }
+    if (cuts.empty()) return;
+    judge_cuts(cuts, moving.size() > 0 ? answer_(moving) : diagnosis::Answers{}, say);
+  }
+}
+
+/// In their order; `answers` are of those that are not silent.
+void Monitor::judge_cuts(const std::vector<Cut>& cuts, const diagnosis::Answers& answers,
+                         const Say& say) {
+  const std::size_t classes = info_.classes.size();
+  std::size_t answered = 0;
+  for (const Cut& cut : cuts) {
+    Judge::Finding finding;
+    finding.end_s = cut.end_s;
+    if (!cut.silent) {
+      finding.classes = std::span(answers.probabilities).subspan(answered * classes, classes);
+      finding.unknown = answers.strangeness[answered] > 1;
+      ++answered;
+    }
+    if (const auto decision = judge_.add(finding)) say(*decision);
+  }
+}
+
+}  // namespace piae::monitor

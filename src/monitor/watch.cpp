@@ -1,0 +1,144 @@
+#include "monitor/watch.hpp"
+
+#include <spdlog/fmt/fmt.h>
+#include <spdlog/spdlog.h>
+
+#include <chrono>
+#include <optional>
+#include <vector>
+
+#include "base/error.hpp"
+#include "base/one_line.hpp"
+#include "base/range.hpp"
+#include "monitor/sample_clock.hpp"
+
+namespace piae::monitor {
+
+namespace {
+
+/// As much as a pipe holds.
+constexpr std::size_t bytes_at_once = 1 << 16;
+
+double now_s() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+/// Whether samples come when they should.
+class Punctuality {
+ public:
+  Punctuality(double rate_hz, const WatchOptions& options)
+      : options_(options), clock_(rate_hz, options.late_s) {}
+
+  void samples_came(std::uint64_t all, double signal_s) {
+    if (!options_.realtime) return;
+    last_s_ = now_s();
+    told_of_silence_ = false;
+    const double late_s = clock_.late_by(*last_s_, all);
+    if (late_s > 0)
+      spdlog::warn("after {:.1f} s of signal the samples are {:.1f} s late", signal_s, late_s);
+  }
+
+  void nothing_came(double signal_s) {
+    if (!last_s_ || told_of_silence_ || now_s() - *last_s_ <= options_.late_s) return;
+    told_of_silence_ = true;
+    spdlog::warn("after {:.1f} s of signal no samples come", signal_s);
+  }
+
+  /// Nothing where nobody asked.
+  [[nodiscard]] std::string summary() const {
+    if (!options_.realtime) return "";
+    if (clock_.times() == 0) return "; none was late";
+    return fmt::format("; late {} times, by {:.1f} s in all", clock_.times(), clock_.all_s());
+  }
+
+ private:
+  WatchOptions options_;
+  SampleClock clock_;
+  std::optional<double> last_s_;
+  bool told_of_silence_ = false;
+};
+
+std::string counted(std::uint64_t n, const std::string& one) {
+  return fmt::format("{} {}{}", n, one, n == 1 ? "" : "s");
+}
+
+std::string lost(const Monitor& monitor, std::size_t breaks) {
+  std::string text;
+  const auto add = [&](const std::string& what) { text += (text.empty() ? "" : ", ") + what; };
+  if (breaks > 0) add("the file began anew " + counted(breaks, "time"));
+  if (monitor.samples_not_finite() > 0) {
+    add(counted(monitor.samples_not_finite(), "sample") + " not finite");
+  }
+  if (monitor.begun_bytes() > 0)
+    add(counted(monitor.begun_bytes(), "byte") + " of an unfinished sample");
+  return text.empty() ? "nothing lost" : "lost: " + text;
+}
+
+std::string heard(const Monitor& monitor, const std::string& until) {
+  return fmt::format("{} in {:.1f} s of signal until {}: {}; ",
+                     counted(monitor.judge().windows(), "window"), monitor.signal_s(), until,
+                     counted(monitor.judge().alarms(), "alarm"));
+}
+
+void require_windows(const Monitor& monitor, const Input& input) {
+  if (monitor.judge().windows() > 0) return;
+  throw Error(Exit::bad_input, fmt::format("{}: ended after {}, {:.3g} s; a window takes {:.3g} s",
+                                           input.name(), counted(monitor.samples(), "sample"),
+                                           monitor.signal_s(), monitor.window_s()));
+}
+
+}  // namespace
+
+void bind(const cli::Options& command, WatchOptions& options) {
+  constexpr Range late_s{.low = 0.01, .high = 1e6, .unit = " s"};
+  command.flag("--realtime", options.realtime,
+               "compare the samples with the clock, and say when they are late");
+  command.add("--late-s", options.late_s, "with --realtime: how late they may be, in s")
+      .check(cli::within(late_s));
+}
+
+std::string watch(Input& input, Monitor& monitor, const signal::DatasetInfo& info,
+                  const WatchOptions& options, const std::function<bool()>& stopped,
+                  const std::function<void(const std::string&)>& write) {
+  std::vector<std::byte> buffer(bytes_at_once);
+  std::string lines;
+  const auto say = [&](const Decision& decision) { lines += json_line(decision, info); };
+  const auto write_lines = [&] {
+    if (!lines.empty()) write(lines);
+    lines.clear();
+  };
+  Punctuality punctuality(monitor.rate_hz(), options);
+  std::size_t breaks = 0;
+  bool ended = false;
+  while (!ended && !stopped()) {
+    const Input::Piece piece = input.read(buffer);
+    switch (piece.event) {
+      case Input::Event::bytes:
+        monitor.add(piece.bytes, say);
+        punctuality.samples_came(monitor.samples(), monitor.signal_s());
+        break;
+      case Input::Event::none:
+        punctuality.nothing_came(monitor.signal_s());
+        break;
+      case Input::Event::broken:
+        ++breaks;
+        spdlog::warn(
+            "{}: was cut or replaced after {:.1f} s of signal, and is read from its "
+            "beginning; samples may be lost",
+            one_line(input.name()), monitor.signal_s());
+        monitor.skip();
+        break;
+      case Input::Event::end:
+        ended = true;
+        break;
+    }
+    write_lines();
+  }
+  monitor.finish(say);
+  write_lines();
+  if (ended) require_windows(monitor, input);
+  return heard(monitor, ended ? "its end" : "it was told to stop") + lost(monitor, breaks) +
+         punctuality.summary();
+}
+
+}  // namespace piae::monitor

@@ -1,0 +1,137 @@
+#include "page/cost_table.hpp"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "augment/catalogue.hpp"
+#include "diagnosis/catalogue.hpp"
+#include "page/duration.hpp"
+#include "report/labels.hpp"
+#include "scoring/diagnosis_record.hpp"
+#include "scoring/ratios.hpp"
+
+namespace piae::page {
+
+namespace {
+
+/// What a step was of: dataset/seed0/method, and below it ratio and classifier where it diagnosed.
+struct StepPlace {
+  std::string dataset;
+  std::string method;
+  std::string stage;
+  std::string ratio = {};
+  std::string classifier = {};
+
+  bool operator==(const StepPlace&) const = default;
+};
+
+struct TimedStep {
+  StepPlace place;
+  double processor_s;
+};
+
+std::optional<StepPlace> place_of(const StepLog& step) {
+  std::vector<std::string> parts;
+  for (const auto& part : step.file.parent_path()) parts.push_back(part.string());
+  if (parts.size() < 3 || !parts[1].starts_with("seed")) return std::nullopt;
+  StepPlace place{.dataset = parts[0], .method = parts[2], .stage = step.stage};
+  const bool is_generator = step.stage == "train" || step.stage == "generate";
+  if (is_generator && parts.size() == 3) return place;
+  if (step.stage != "diagnose" || parts.size() < 4 || parts.size() > 5) return std::nullopt;
+  place.ratio = parts[3];
+  place.classifier = parts.size() == 5 ? parts[4] : scoring::paper_classifier;
+  return place;
+}
+
+std::vector<TimedStep> timed_steps(const std::vector<StepLog>& steps) {
+  std::vector<TimedStep> timed;
+  for (const StepLog& step : steps) {
+    const auto place = place_of(step);
+    const bool is_whole = step.end == StepEnd::done && !step.went_on;
+    if (place && is_whole && step.processor_s) timed.push_back({*place, *step.processor_s});
+  }
+  return timed;
+}
+
+/// Over the seeds; empty where no step of this place is done.
+std::optional<double> mean_time(const std::vector<TimedStep>& steps, const StepPlace& place) {
+  double sum = 0;
+  std::size_t count = 0;
+  for (const TimedStep& step : steps) {
+    if (step.place != place) continue;
+    sum += step.processor_s;
+    ++count;
+  }
+  return count == 0 ? std::nullopt : std::optional(sum / static_cast<double>(count));
+}
+
+Cell time_or_none(std::optional<double> seconds) {
+  if (!seconds) return {.content = report::no_number};
+  return number_cell(*seconds, duration_label(*seconds));
+}
+
+/// Without a sum where the time of a part is not known.
+Row row_of_costs(const std::vector<TimedStep>& steps, const StepPlace& diagnosis,
+                 double diagnosing_s) {
+  Row row{.cells = {{.content = report::method_label(diagnosis.method)},
+                    {.content = diagnosis.classifier},
+                    {.content = report::short_ratio_label(diagnosis.ratio)},
+                    {.content = diagnosis.dataset}}};
+  std::optional<double> sum = diagnosing_s;
+  for (const char* const stage : {"train", "generate"}) {
+    const auto time = mean_time(steps, {diagnosis.dataset, diagnosis.method, stage});
+    row.cells.push_back(time_or_none(time));
+    if (diagnosis.method == augment::no_method) continue;
+    sum = sum && time ? std::optional(*sum + *time) : std::nullopt;
+  }
+  row.cells.push_back(time_or_none(diagnosing_s));
+  row.cells.push_back(time_or_none(sum));
+  return row;
+}
+
+void add_costs(const std::vector<TimedStep>& steps, const std::string& dataset,
+               std::vector<Row>& rows) {
+  for (const diagnosis::Classifier& classifier : diagnosis::classifiers()) {
+    for (const augment::CatalogueEntry& method : augment::catalogue()) {
+      std::optional<Row> with_most_windows;
+      for (const scoring::Ratio& ratio : scoring::all_ratios()) {
+        const StepPlace place{dataset, method.name, "diagnose", ratio.name, classifier.name};
+        const auto time = mean_time(steps, place);
+        if (time) with_most_windows = row_of_costs(steps, place, *time);
+      }
+      if (with_most_windows) rows.push_back(std::move(*with_most_windows));
+    }
+  }
+}
+
+}  // namespace
+
+std::optional<Table> cost_table(const std::vector<StepLog>& steps) {
+  const std::vector<TimedStep> timed = timed_steps(steps);
+  std::vector<std::string> datasets;
+  for (const TimedStep& step : timed) {
+    if (std::ranges::count(datasets, step.place.dataset) == 0) {
+      datasets.push_back(step.place.dataset);
+    }
+  }
+  Table table{.caption = "Processor time that each method takes of one seed, mean over the seeds",
+              .columns = {{"method"},
+                          {"classifier"},
+                          {"ratio"},
+                          {"data set"},
+                          {"train it", true},
+                          {"generate", true},
+                          {"train and ask the classifier", true},
+                          {"together", true}}};
+  for (const std::string& dataset : datasets) add_costs(timed, dataset, table.rows);
+  if (table.rows.empty()) return std::nullopt;
+  table.below =
+      "From the lines “step: used” of train.log, generate.log and diagnose.log beside the "
+      "artefacts, each with the most generated windows of its method and classifier. What has no "
+      "such line, as in older runs, has no time here, nor has a step that went on from a "
+      "checkpoint, of which the log has the last part alone.";
+  return table;
+}
+
+}  // namespace piae::page

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <string_view>
+
+namespace piae::signal {
+
+inline constexpr const char* blanks = " \t";
+
+/// A text without what stands at its ends of these characters.
+inline std::string_view trimmed(std::string_view text, const char* what) {
+  const std::size_t first = text.find_first_not_of(what);
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(what) - first + 1);
+}
+
+/// Takes the next line off a text, without its LF or CRLF. What follows the last line end is no
+/// line if it is empty.
+inline std::string_view take_line(std::string_view& text) {
+  const std::size_t end = std::min(text.find('\n'), text.size());
+  std::string_view line = text.substr(0, end);
+  text.remove_prefix(std::min(end + 1, text.size()));
+  if (line.ends_with('\r')) line.remove_suffix(1);
+  return line;
+}
+
+/// Takes the next field off a line, without the blanks and quotes around it; the line is empty once
+/// its last has been taken. A separator ' ' stands for any number of blanks and tabs, which may
+/// stand at the ends of the line, too.
+inline std::string_view take_field(std::optional<std::string_view>& line, char separator) {
+  constexpr const char* around = " \t\"";
+  if (separator == ' ') {
+    const std::string_view rest = trimmed(*line, blanks);
+    const std::size_t end = rest.find_first_of(blanks);
+    line = end == std::string_view::npos ? std::nullopt : std::optional(rest.substr(end + 1));
+    return trimmed(rest.substr(0, end), around);
+  }
+  const std::string_view rest = *line;
+  const std::size_t end = rest.find(separator);
+  line = end == std::string_view::npos ? std::nullopt : std::optional(rest.substr(end + 1));
+  return trimmed(rest.substr(0, end), around);
+}
+
+/// A number with a decimal point or, where commas do not separate the fields, a decimal comma. None
+/// for any other text.
+std::optional<double> number_in_field(std::string_view field, char separator);
+
+/// What separates the fields of a line: a semicolon, a tab, a comma or blanks.
+char separator_of(std::string_view line);
+
+}  // namespace piae::signal

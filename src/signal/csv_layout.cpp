@@ -1,0 +1,260 @@
+#include "signal/csv_layout.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <vector>
+
+#include "base/numbers.hpp"
+#include "signal/csv_fields.hpp"
+#include "signal/raw_file.hpp"
+
+namespace piae::signal {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What stands before the numbers ends within so many lines.
+constexpr std::size_t most_lines_before = 200;
+
+/// What names columns has letters. A damaged number has none, or is one of a few that do.
+bool is_name(std::string_view text) {
+  return std::ranges::any_of(text, [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || static_cast<unsigned char>(c) > 127;
+  });
+}
+
+/// The fields of a line, of which recordings have a few.
+std::vector<std::string_view> fields_of(const fs::path& file, std::size_t number,
+                                        std::string_view line, char separator) {
+  constexpr std::size_t most = 10'000;
+  std::vector<std::string_view> fields;
+  for (std::optional rest = line; rest;) {
+    if (fields.size() == most) {
+      refuse_csv_line(file, number, "has more than " + std::to_string(most) + " columns");
+    }
+    fields.push_back(take_field(rest, separator));
+  }
+  return fields;
+}
+
+struct Line {
+  std::size_t number = 0;
+  bool is_comment = false;
+  std::string_view text;       ///< without what makes it a comment
+  std::string_view from_here;  ///< the whole text from this line on
+};
+
+/// The lines at the beginning, without those that are blank.
+std::vector<Line> lines_at_beginning(std::string_view text) {
+  std::vector<Line> lines;
+  for (std::size_t number = 1; number <= most_lines_before && !text.empty(); ++number) {
+    Line line{.number = number, .is_comment = false, .text = {}, .from_here = text};
+    line.text = take_line(text);
+    const std::size_t first = line.text.find_first_not_of(" \t");
+    if (first == std::string_view::npos) continue;
+    line.is_comment = line.text[first] == '#' || line.text[first] == '%';
+    if (line.is_comment) {
+      const std::size_t words = line.text.find_first_not_of("#% \t", first);
+      line.text.remove_prefix(std::min(words, line.text.size()));
+    }
+    lines.push_back(line);
+  }
+  return lines;
+}
+
+class Search {
+ public:
+  Search(const fs::path& file, std::string_view text, std::string column)
+      : file_(file), column_(std::move(column)), lines_(lines_at_beginning(text)) {}
+
+  CsvLayout run() {
+    if (lines_.empty()) return {};
+    const bool by_number = column_.find_first_not_of("0123456789") == std::string::npos;
+    const std::optional<CsvLayout> found = by_number ? find_by_number() : find_by_name();
+    if (found) return *found;
+    refuse_column();
+  }
+
+ private:
+  [[nodiscard]] std::vector<std::string_view> fields(const Line& line, char separator) const {
+    return fields_of(file_, line.number, line.text, separator);
+  }
+
+  /// Whether the numbers of the column may begin here.
+  [[nodiscard]] bool holds_number(const Line& line, char separator, std::size_t count,
+                                  std::size_t column) const {
+    if (line.is_comment) return false;
+    const auto found = fields(line, separator);
+    return found.size() == count && number_in_field(found[column], separator);
+  }
+
+  [[nodiscard]] CsvLayout layout_from(const Line& line, char separator, std::size_t count,
+                                      std::size_t column) const {
+    return {.separator = separator,
+            .fields = count,
+            .column = column,
+            .first_line = line.number,
+            .numbers = line.from_here};
+  }
+
+  /// A line of text before the numbers; of one with as many fields, the column's is a name.
+  void require_text(const Line& line, char separator, std::size_t count, std::size_t column) const {
+    if (line.is_comment) return;
+    const auto found = fields(line, separator);
+    const std::string_view field = found.size() == count ? found[column] : line.text;
+    const bool is_named_number = number_in_field(field, separator) && is_name(line.text);
+    if (is_name(field) || is_named_number) return;
+    refuse_csv_line(file_, line.number,
+                    "column " + column_ + " holds " + csv_field_in_quotes(field) +
+                        ", neither a number nor a name");
+  }
+
+  std::optional<CsvLayout> find_by_number() {
+    const std::size_t column = number_in<std::size_t>(column_).value_or(0) - 1;
+    for (std::size_t i = 0; i < lines_.size(); ++i) {
+      if (lines_[i].is_comment) continue;
+      const char separator = separator_of(lines_[i].text);
+      const std::size_t count = fields(lines_[i], separator).size();
+      if (column >= count || !holds_number(lines_[i], separator, count, column)) continue;
+      // A single number among the words of an instrument is followed by something else.
+      const bool is_alone =
+          i + 1 < lines_.size() && !holds_number(lines_[i + 1], separator, count, column);
+      if (is_alone && (has_text_before(i) || is_name(lines_[i].text))) continue;
+      for (std::size_t j = 0; j < i; ++j) require_text(lines_[j], separator, count, column);
+      return layout_from(lines_[i], separator, count, column);
+    }
+    return header_alone(column);
+  }
+
+  [[nodiscard]] bool has_text_before(std::size_t end) const {
+    return std::any_of(lines_.begin(), lines_.begin() + static_cast<std::ptrdiff_t>(end),
+                       [](const Line& line) { return !line.is_comment; });
+  }
+
+  /// No number in sight: the first line is a header, and what follows is refused where it is read.
+  std::optional<CsvLayout> header_alone(std::size_t column) {
+    const auto first = std::ranges::find(lines_, false, &Line::is_comment);
+    if (first == lines_.end()) return CsvLayout{};
+    const char separator = separator_of(first->text);
+    const std::size_t count = fields(*first, separator).size();
+    if (column >= count) return std::nullopt;
+    require_text(*first, separator, count, column);
+    return after(static_cast<std::size_t>(first - lines_.begin()), separator, count, column);
+  }
+
+  /// What follows a header, but for a line of units.
+  [[nodiscard]] CsvLayout after(std::size_t header, char separator, std::size_t count,
+                                std::size_t column) const {
+    std::size_t next = header + 1;
+    while (next < lines_.size() && lines_[next].is_comment) ++next;
+    if (next >= lines_.size()) {
+      return {.separator = separator,
+              .fields = count,
+              .column = column,
+              .first_line = 1,
+              .numbers = {}};
+    }
+    const bool has_units = next + 1 < lines_.size() &&
+                           !holds_number(lines_[next], separator, count, column) &&
+                           holds_number(lines_[next + 1], separator, count, column) &&
+                           is_line_of_units(lines_[next], separator, count);
+    return layout_from(lines_[has_units ? next + 1 : next], separator, count, column);
+  }
+
+  [[nodiscard]] bool is_line_of_units(const Line& line, char separator, std::size_t count) const {
+    const auto found = fields(line, separator);
+    return found.size() == count && std::ranges::none_of(found, [](std::string_view field) {
+             return std::ranges::any_of(field,
+                                        [](char c) { return c >= '0' && c <= '9' && c != '2'; });
+           });
+  }
+
+  /// The header may separate its names otherwise than the numbers are: by commas where those have
+  /// tabs. So all that may separate is tried. Where the name stands in several lines, that is the
+  /// header which has numbers below it.
+  std::optional<CsvLayout> find_by_name() {
+    std::optional<CsvLayout> without_numbers;
+    for (std::size_t i = 0; i < lines_.size(); ++i) {
+      for (const char separator : {';', '\t', ',', ' '}) {
+        const auto header = fields(lines_[i], separator);
+        const auto times = std::ranges::count(header, std::string_view(column_));
+        if (times > 1) refuse_csv_line(file_, lines_[i].number, "has several columns " + column_);
+        if (times == 0) continue;
+        const auto place = std::ranges::find(header, std::string_view(column_));
+        const auto column = static_cast<std::size_t>(place - header.begin());
+        const CsvLayout found = below(i, separator, header.size(), column);
+        if (has_numbers(found)) return found;
+        if (!without_numbers && !lines_[i].is_comment) without_numbers = found;
+      }
+    }
+    return without_numbers;
+  }
+
+  [[nodiscard]] CsvLayout below(std::size_t header, char separator, std::size_t count,
+                                std::size_t column) const {
+    std::size_t next = header + 1;
+    while (next < lines_.size() && lines_[next].is_comment) ++next;
+    if (next < lines_.size()) {
+      const char other = separator_of(lines_[next].text);
+      if (holds_number(lines_[next], other, count, column)) separator = other;
+    }
+    return after(header, separator, count, column);
+  }
+
+  [[nodiscard]] bool has_numbers(const CsvLayout& found) const {
+    const auto line = std::ranges::find(lines_, found.first_line, &Line::number);
+    return !found.numbers.empty() && line != lines_.end() &&
+           holds_number(*line, found.separator, found.fields, found.column);
+  }
+
+  /// By what is most like a header: the line before the first one of numbers.
+  [[noreturn]] void refuse_column() const {
+    const Line* header = &lines_.front();
+    std::size_t count = 0;
+    for (const Line& line : lines_) {
+      const char separator = separator_of(line.text);
+      const auto found = fields(line, separator);
+      const bool numbers =
+          !line.is_comment && std::ranges::all_of(found, [&](std::string_view field) {
+            return number_in_field(field, separator).has_value();
+          });
+      if (numbers) {
+        count = found.size();
+        break;
+      }
+      header = &line;
+    }
+    const auto names = fields(*header, separator_of(header->text));
+    if (count == 0) count = names.size();
+    if (column_.find_first_not_of("0123456789") == std::string::npos) {
+      refuse_csv_line(file_, header->number,
+                      "has no column " + column_ + "; columns are 1 to " + std::to_string(count));
+    }
+    refuse_csv_line(
+        file_, header->number,
+        "has no column " + column_ + "; it has " + listed({names.begin(), names.end()}));
+  }
+
+  const fs::path& file_;
+  std::string column_;
+  std::vector<Line> lines_;
+};
+
+}  // namespace
+
+void refuse_csv_line(const fs::path& file, std::size_t line, const std::string& what) {
+  refuse_raw_file(file.string() + ", line " + std::to_string(line), what);
+}
+
+std::string csv_field_in_quotes(std::string_view field) {
+  constexpr std::size_t longest = 80;
+  if (field.size() <= longest) return "'" + std::string(field) + "'";
+  return "'" + std::string(field.substr(0, longest)) + "...'";
+}
+
+CsvLayout csv_layout(const fs::path& file, std::string_view text, const std::string& column) {
+  return Search(file, text, column).run();
+}
+
+}  // namespace piae::signal

@@ -1,0 +1,82 @@
+#include "signal/raw_text.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "artefact/file.hpp"
+#include "signal/raw_file.hpp"
+#include "signal/raw_limits.hpp"
+
+namespace piae::signal {
+
+namespace {
+
+constexpr std::uint32_t first_high_surrogate = 0xD800;
+constexpr std::uint32_t first_low_surrogate = 0xDC00;
+constexpr std::uint32_t first_behind_surrogates = 0xE000;
+constexpr std::uint32_t unknown_character = 0xFFFD;
+
+void append_utf8(std::string& text, std::uint32_t c) {
+  const auto byte = [&](std::uint32_t value) { text.push_back(static_cast<char>(value)); };
+  if (c < 0x80) return byte(c);
+  if (c < 0x800) {
+    byte(0xC0 | c >> 6);
+  } else {
+    if (c < 0x10000) {
+      byte(0xE0 | c >> 12);
+    } else {
+      byte(0xF0 | c >> 18);
+      byte(0x80 | (c >> 12 & 0x3F));
+    }
+    byte(0x80 | (c >> 6 & 0x3F));
+  }
+  byte(0x80 | (c & 0x3F));
+}
+
+/// A half of a pair without the other one, which no text has, becomes the sign for what cannot be
+/// read.
+std::string from_utf16(std::string_view bytes, bool low_byte_first) {
+  const auto unit = [&](std::size_t i) -> std::uint32_t {
+    const auto a = static_cast<std::uint8_t>(bytes[i]);
+    const auto b = static_cast<std::uint8_t>(bytes[i + 1]);
+    return low_byte_first ? a | b << 8U : b | a << 8U;
+  };
+  std::string text;
+  text.reserve(bytes.size() / 2);
+  for (std::size_t i = 0; i + 1 < bytes.size(); i += 2) {
+    std::uint32_t c = unit(i);
+    if (c >= first_high_surrogate && c < first_behind_surrogates) {
+      const std::uint32_t next = i + 3 < bytes.size() ? unit(i + 2) : 0;
+      const bool is_pair =
+          c < first_low_surrogate && next >= first_low_surrogate && next < first_behind_surrogates;
+      if (is_pair) i += 2;
+      c = is_pair ? 0x10000 + ((c - first_high_surrogate) << 10) + (next - first_low_surrogate)
+                  : unknown_character;
+    }
+    append_utf8(text, c);
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string read_raw_text(const std::filesystem::path& file) {
+  const std::vector<std::byte> bytes = artefact::read_file(file, largest_raw_bytes);
+  std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  if (text.starts_with("\xFF\xFE")) return from_utf16(text.substr(2), true);
+  if (text.starts_with("\xFE\xFF")) return from_utf16(text.substr(2), false);
+  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+  // Every other byte of a number in UTF-16 is 0, which no text in UTF-8 has.
+  constexpr std::size_t enough = 64;
+  if (std::ranges::count(text.substr(0, enough), '\0') > 2) {
+    refuse_raw_file(file,
+                    "is no text in UTF-8: it may be UTF-16 without a byte order mark; save it "
+                    "as UTF-8");
+  }
+  return std::string(text);
+}
+
+}  // namespace piae::signal

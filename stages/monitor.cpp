@@ -1,0 +1,61 @@
+// Judges a stream of raw samples by a kept classifier, and raises an alarm.
+
+#include <spdlog/spdlog.h>
+#include <unistd.h>
+
+#include "base/write_all.hpp"
+#include "cli/interrupt.hpp"
+#include "cli/stage.hpp"
+#include "diagnosis/fitting_signal.hpp"
+#include "diagnosis/kept_classifier.hpp"
+#include "monitor/watch.hpp"
+
+using namespace piae;
+namespace fs = std::filesystem;
+
+namespace {
+
+void write_to_standard_output(const std::string& text) {
+  if (write_all(STDOUT_FILENO, std::as_bytes(std::span(text)))) return;
+  throw Error(Exit::failed, "standard output cannot be written; send it elsewhere");
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  cli::Stage stage(
+      "monitor",
+      "Judges a stream of raw samples by a classifier that diagnose kept: a line of JSON for each "
+      "decision on standard output, with an alarm that is raised when the machine has looked "
+      "faulty "
+      "for long enough, and cleared when it has looked healthy again. It ends with its input, or "
+      "when it is told to (SIGTERM, Ctrl-C), with a line on standard error that says how much was "
+      "heard and what was lost.",
+      "monitor --classifier classifier.h5 --sample-rate-hz 12000 --speed-rpm 1797 < raw.f32");
+  fs::path classifier_file;
+  fs::path input_file = "-";
+  bool follow = false;
+  monitor::MonitorOptions options;
+  monitor::WatchOptions watching;
+  stage.input_file("--classifier", classifier_file,
+                   "classifier.h5 made by diagnose --keep-classifier");
+  stage.input_file("--input", input_file, "raw samples; -: standard input").required(false);
+  stage.file_flag("--follow", follow, "wait for more at the end of --input, a file that grows");
+  bind(stage.options(), options);
+  bind(stage.options(), watching);
+
+  return stage.run(argc, argv, [&] {
+    diagnosis::KeptClassifier classifier(stage.open("classifier", classifier_file, "classifier"));
+    monitor::Input input(input_file, follow);
+    diagnosis::require_fitting_signal(classifier.info(), options.sample_rate_hz, options.speed_rpm,
+                                      input.name());
+    const auto answer = [&](const signal::WindowSet& windows) {
+      return classifier.answer(windows);
+    };
+    monitor::Monitor monitor(classifier.info(), classifier.length(), answer, options);
+    cli::catch_interrupts();
+    const std::string summary = watch(input, monitor, classifier.info(), watching, cli::interrupted,
+                                      write_to_standard_output);
+    spdlog::info(summary);
+  });
+}

@@ -1,0 +1,95 @@
+#include "monitor/alarm.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "base/random.hpp"
+#include "support/errors.hpp"
+
+namespace piae::monitor {
+namespace {
+
+/// p0 = 0.2 and p1 = 0.8: a window that looks faulty adds log 4, any other takes as much away. With
+/// 64 windows from one false alarm to the next the threshold is log 64, three such steps.
+const AlarmOptions even{.healthy_share = 0.2, .faulty_share = 0.8, .hours_per_false_alarm = 1};
+constexpr double windows_an_hour = 64;
+
+/// The first letters of the states, with 1 for a window that looks faulty and 0 for another.
+std::string states(const std::string& windows) {
+  Alarm alarm(even, windows_an_hour);
+  std::string letters;
+  for (const char window : windows) letters += to_string(alarm.add(window - '0'))[1];
+  return letters;  // f: off, a: raised, n: on, l: cleared
+}
+
+TEST(Alarm, IsRaisedAtTheThresholdAndClearedAtZero) {
+  EXPECT_EQ(states("111"), "ffa");
+  EXPECT_EQ(states("11011"), "ffffa");
+  EXPECT_EQ(states("000111"), "fffffa");          // health does not count in advance
+  EXPECT_EQ(states("111000"), "ffannl");          // as slowly as it was raised
+  EXPECT_EQ(states("1111110000"), "ffannnnnlf");  // nor does a long alarm
+}
+
+TEST(Alarm, StaysAsItIsBetweenTheTwo) {
+  EXPECT_EQ(states("10101010"), "ffffffff");
+  EXPECT_EQ(states("11010101"), "ffffffff");
+  EXPECT_EQ(states("11100101011"), "ffannnnnnnn");
+  EXPECT_EQ(states("111000111"), "ffannlffa");
+}
+
+TEST(Alarm, WeighsAWindowByHowFaultyItLooks) {
+  Alarm alarm(even, windows_an_hour);
+  alarm.add(0.5);
+  EXPECT_DOUBLE_EQ(alarm.evidence(), 0);  // as likely of either machine
+  alarm.add(0.75);
+  EXPECT_NEAR(alarm.evidence(), 0.5 / 3, 1e-12);
+  alarm.add(1);
+  EXPECT_NEAR(alarm.evidence(), 1.5 / 3, 1e-12);
+}
+
+TEST(Alarm, NeedsAsManyWindowsAsItSays) {
+  const Alarm alarm(even, windows_an_hour);
+  EXPECT_NEAR(alarm.windows_to_alarm(1), 3, 1e-12);
+  EXPECT_NEAR(alarm.windows_to_alarm(0.75), 6, 1e-12);
+  EXPECT_TRUE(std::isinf(alarm.windows_to_alarm(0.5)));
+}
+
+/// Windows of 1024 samples at 12 kHz. The target is an alarm within 10 s of a defect.
+TEST(Alarm, IsQuickEnoughByDefault) {
+  constexpr double windows_per_s = 12000.0 / 1024;
+  const AlarmOptions defaults;
+  const Alarm alarm(defaults, 3600 * windows_per_s);
+  EXPECT_LT(alarm.windows_to_alarm(1) / windows_per_s, 1.5);
+  EXPECT_LT(alarm.windows_to_alarm(defaults.faulty_share) / windows_per_s, 5);
+}
+
+/// Alarms in 200 stretches of as many windows as there shall be from one false alarm to the next,
+/// where the share of windows that look faulty is as high as a healthy machine's may be: in all
+/// likelihood far fewer than 200.
+TEST(Alarm, KeepsItsPromiseOfFewFalseAlarms) {
+  Stream random("alarm");
+  const AlarmOptions options{.healthy_share = 0.1, .faulty_share = 0.5, .hours_per_false_alarm = 1};
+  constexpr std::size_t windows = 2000;
+  const auto alarms_at = [&](double share) {
+    Alarm alarm(options, windows);
+    std::size_t alarms = 0;
+    for (std::size_t i = 0; i < 200 * windows; ++i) {
+      const double looks_faulty = random.uniform(0, 1) < share ? 1 : 0;
+      alarms += alarm.add(looks_faulty) == AlarmState::raised ? 1 : 0;
+    }
+    return alarms;
+  };
+  EXPECT_LT(alarms_at(0.1), 200U);
+  EXPECT_GT(alarms_at(0.4), 200U);  // the test can tell
+}
+
+TEST(Alarm, RefusesSharesTheWrongWayRound) {
+  EXPECT_ERROR(Alarm({.healthy_share = 0.5, .faulty_share = 0.5}, 64), Exit::usage,
+               "--healthy-share 0.5 must be below --faulty-share 0.5");
+}
+
+}  // namespace
+}  // namespace piae::monitor

@@ -1,0 +1,151 @@
+#include "monitor/monitor.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "monitor/judged.hpp"
+#include "signal/amplitude.hpp"
+
+namespace piae::monitor {
+namespace {
+
+constexpr std::size_t window_length = 100;  // a tenth of a second
+
+/// A window above 0 on average has a fault of the outer race; one beyond 10 is unknown.
+diagnosis::Answers by_mean(const signal::WindowSet& windows) {
+  diagnosis::Answers answers;
+  for (std::size_t i = 0; i < windows.size(); ++i) {
+    const double mean = signal::mean_of(windows.window(i));
+    const Label label = mean > 0 ? 2 : 0;
+    answers.labels.push_back(label);
+    for (Label c = 0; c < 3; ++c) answers.probabilities.push_back(c == label ? 1.0F : 0.0F);
+    answers.strangeness.push_back(mean > 10 ? 1.5 : 0.5);
+  }
+  return answers;
+}
+
+/// So many samples of a wave about a level, the first of which is number `from`.
+void append_wave(std::vector<float>& signal, double level, std::size_t samples,
+                 double rate_hz = 1000) {
+  for (std::size_t i = 0; i < samples; ++i) {
+    const double t = static_cast<double>(signal.size()) / rate_hz;
+    signal.push_back(static_cast<float>(level + 0.3 * std::sin(2 * std::numbers::pi * 50 * t)));
+  }
+}
+
+MonitorOptions options_at(double rate_hz, double every_s = 0) {
+  MonitorOptions options;
+  options.sample_rate_hz = rate_hz;
+  options.speed_rpm = 1500;
+  options.every_s = every_s;
+  // As many windows as in judged.hpp: three raise the alarm, three clear it.
+  options.alarm = three_windows;
+  options.alarm.hours_per_false_alarm = 64.0 * window_length / (3600 * 1000);
+  return options;
+}
+
+struct Heard {
+  std::vector<Decision> decisions;
+  std::uint64_t samples = 0;
+  std::uint64_t not_finite = 0;
+  std::size_t silent = 0;
+};
+
+Heard heard(const std::vector<float>& signal, const MonitorOptions& options, std::size_t piece) {
+  Monitor monitor(rig(), window_length, by_mean, options);
+  Heard heard;
+  const auto say = [&](const Decision& d) { heard.decisions.push_back(d); };
+  const auto bytes = std::as_bytes(std::span(signal));
+  for (std::size_t at = 0; at < bytes.size(); at += piece) {
+    monitor.add(bytes.subspan(at, std::min(piece, bytes.size() - at)), say);
+  }
+  monitor.finish(say);
+  heard.samples = monitor.samples();
+  heard.not_finite = monitor.samples_not_finite();
+  heard.silent = monitor.judge().silent_windows();
+  return heard;
+}
+
+TEST(Monitor, SaysTheSameHoweverTheStreamIsCut) {
+  std::vector<float> signal;
+  append_wave(signal, -1, 450);
+  append_wave(signal, 2, 500);
+  append_wave(signal, -1, 333);
+  const std::string expected =
+      "0.10 Normal off; 0.20 Normal off; 0.30 Normal off; 0.40 Normal off; 0.50 OR off; "
+      "0.60 OR off; 0.70 OR raised OR; 0.80 OR on OR; 0.90 OR on OR; 1.00 OR on OR; "
+      "1.10 Normal on OR; 1.20 Normal on OR; ";
+  for (const std::size_t piece : {1, 3, 4, 399, 400, 401, 1000, 100000}) {
+    EXPECT_EQ(told(heard(signal, options_at(1000), piece).decisions), expected) << piece;
+  }
+}
+
+TEST(Monitor, ResamplesAFasterStream) {
+  std::vector<float> fast;
+  append_wave(fast, -1, 2250, 5000);
+  append_wave(fast, 2, 2500, 5000);
+  for (const std::size_t piece : {4, 1000, 100000}) {
+    EXPECT_EQ(told(heard(fast, options_at(5000), piece).decisions),
+              "0.10 Normal off; 0.20 Normal off; 0.30 Normal off; 0.40 Normal off; 0.50 OR off; "
+              "0.60 OR off; 0.70 OR raised OR; 0.80 OR on OR; 0.90 OR on OR; ")
+        << piece;
+  }
+}
+
+TEST(Monitor, NoWindowSpansSamplesThatAreNotFinite) {
+  std::vector<float> signal;
+  append_wave(signal, -1, 150);
+  signal.insert(signal.end(), 30, std::numeric_limits<float>::quiet_NaN());
+  append_wave(signal, 2, 120);
+  signal.push_back(std::numeric_limits<float>::infinity());
+  append_wave(signal, 2, 99);
+  for (const std::size_t piece : {4, 7, 4000}) {
+    const Heard all = heard(signal, options_at(1000), piece);
+    EXPECT_EQ(told(all.decisions), "0.10 Normal off; 0.28 OR off; ") << piece;
+    EXPECT_EQ(all.samples, 400U);
+    EXPECT_EQ(all.not_finite, 31U);
+  }
+}
+
+TEST(Monitor, NoWindowSpansABreak) {
+  std::vector<float> signal;
+  append_wave(signal, -1, 150);
+  Monitor monitor(rig(), window_length, by_mean, options_at(1000));
+  std::vector<Decision> decisions;
+  const auto say = [&](const Decision& d) { decisions.push_back(d); };
+  monitor.add(std::as_bytes(std::span(signal)).first(599), say);
+  EXPECT_EQ(monitor.begun_bytes(), 3U);
+  monitor.skip();
+  EXPECT_EQ(monitor.begun_bytes(), 0U);
+  monitor.add(std::as_bytes(std::span(signal)), say);
+  EXPECT_EQ(told(decisions), "0.10 Normal off; 0.24 Normal off; ");
+}
+
+TEST(Monitor, ASilentSensorIsNotHealthy) {
+  const std::vector<float> dead(400, 0.25F);
+  const Heard all = heard(dead, options_at(1000), 1000);
+  EXPECT_EQ(told(all.decisions),
+            "0.10 -? off; 0.20 -? off; 0.30 -? raised unknown; 0.40 -? on unknown; ");
+  EXPECT_EQ(all.silent, 4U);
+}
+
+TEST(Monitor, AStrangeWindowIsUnknown) {
+  std::vector<float> signal;
+  append_wave(signal, 20, 300);
+  EXPECT_EQ(told(heard(signal, options_at(1000), 1000).decisions),
+            "0.10 OR? off; 0.20 OR? off; 0.30 OR? raised unknown; ");
+}
+
+TEST(Monitor, ManyWindowsAtOnceAreJudgedInTheirOrder) {
+  std::vector<float> signal;
+  for (int i = 0; i < 200; ++i) append_wave(signal, i % 4 == 0 ? 2 : -1, window_length);
+  const auto all = heard(signal, options_at(1000), signal.size() * sizeof(float)).decisions;
+  ASSERT_EQ(all.size(), 200U);
+  for (std::size_t i = 0; i < all.size(); ++i) EXPECT_EQ(all[i].label, i % 4 == 0 ? 2 : 0) << i;
+}
+
+}  // namespace
+}  // namespace piae::monitor

@@ -1,0 +1,130 @@
+#include "report/recommendation_words.hpp"
+
+#include <gmock/gmock.h>
+
+#include "report/recommendation_tables.hpp"
+#include "report/recommended_rows.hpp"
+
+namespace piae::report {
+namespace {
+
+using testing::ElementsAre;
+using testing::EndsWith;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::StartsWith;
+
+const std::string gets_wrong =
+    "It takes 13.3 % of the fault windows for healthy (missed faults) and 10.0 % of the healthy "
+    "ones for a fault (false alarms). Of the classes IR is recognised least, in 75.0 %.";
+
+/// Of 86 to 92 the mean is 89; of -10 to -4 it is -7, of -26 to -20 -23.
+TEST(RecommendationSentences, SayThatWhatTakesLessIsWorse) {
+  EXPECT_THAT(
+      recommendation_sentences(recommended(seven_seeds(worse))),
+      ElementsAre("Recommended on cwru: vae, right in 96.0 % of the test windows (95 % interval "
+                  "96.0 to 96.0, 7 seeds), with 145 generated windows of each fault.",
+                  "It is the most accurate of the 3 that were compared, and what takes less is "
+                  "significantly worse: none (-23.0 points, p 0.031) and shift (-7.0 points, p "
+                  "0.031).",
+                  "It costs the training of a generator and of the classifier.", gets_wrong));
+}
+
+/// The differences 1, -2, 1, -2, 1, -2, -1: mean -4/7, deviation 1.512, and t with six degrees of
+/// freedom is 2.447: from -1.97 to 0.83.
+TEST(RecommendationSentences, SayThatTheSimplerIsAsGood) {
+  EXPECT_THAT(
+      recommendation_sentences(recommended(seven_seeds(as_good))),
+      ElementsAre(StartsWith("Recommended on cwru: shift, right in 95.4 % of the test windows"),
+                  "The most accurate of the 3 that were compared is vae (96.0 %), but shift is not "
+                  "significantly worse (-0.6 points, 95 % interval -2.0 to +0.8, p 0.28), and "
+                  "takes less: windows + classifier instead of generator + classifier. What takes "
+                  "still less is significantly worse: none (-23.0 points, p 0.031).",
+                  "It costs the training of the classifier; windows are generated without "
+                  "training.",
+                  gets_wrong));
+}
+
+TEST(RecommendationSentences, SayThatFewSeedsCannotTell) {
+  EXPECT_THAT(recommendation_sentences(
+                  recommended({by_classifier_of("nearest", row_with("none", "100to1", {80, 90})),
+                               row_with("shift", "2to1", {90, 95})})),
+              ElementsAre("Recommended on cwru: shift by wdcnn, right in 92.5 % of the test "
+                          "windows (2 seeds), with 145 generated windows of each fault.",
+                          "It is the most accurate of the 2 that were compared. Whether what takes "
+                          "less is as good, 2 seeds cannot tell: none by nearest (-7.5 points). At "
+                          "least 6 seeds could.",
+                          "It costs the training of the classifier; windows are generated without "
+                          "training.",
+                          gets_wrong));
+}
+
+TEST(RecommendationSentences, SayThatNoneTakesLess) {
+  const auto said = recommendation_sentences(
+      recommended({by_classifier_of("nearest", row_with("none", "100to1", {98, 98})),
+                   by_classifier_of("nearest", row_with("shift", "2to1", {90, 95}))}));
+  EXPECT_THAT(said[0], HasSubstr(": none by nearest, right in 98.0 %"));
+  EXPECT_THAT(said[0], EndsWith("(2 seeds), without any generated window."));
+  EXPECT_EQ(said[1], "It is the most accurate of the 2 that were compared, and none takes less.");
+  EXPECT_EQ(said[2],
+            "It costs nothing beforehand: no window is generated, and nothing is trained.");
+  EXPECT_THAT(recommendation_sentences(recommended({row_with("none", "100to1", {70})})),
+              testing::Contains("Nothing else was compared."));
+}
+
+/// Where no healthy window was tested, nothing is said of false alarms.
+TEST(RecommendationSentences, SayNothingOfWhatWasNotTested) {
+  Recommendation of = recommended(seven_seeds(worse));
+  of.by_effort[of.taken].confusion = {3, {0, 0, 0, 0, 9, 1, 0, 0, 0}};
+  EXPECT_EQ(recommendation_sentences(of).back(),
+            "It takes 0.0 % of the fault windows for healthy (missed faults). Of the classes IR is "
+            "recognised least, in 90.0 %.");
+  of.by_effort[of.taken].confusion = {3, {9, 1, 0, 0, 0, 0, 0, 0, 0}};
+  EXPECT_EQ(recommendation_sentences(of).back(),
+            "It takes 10.0 % of the healthy windows for a fault (false alarms). Of the classes "
+            "Normal is recognised least, in 90.0 %.");
+  of.by_effort[of.taken].confusion = {};
+  EXPECT_EQ(recommendation_sentences(of).size(), 3U);
+}
+
+TEST(RecommendationSections, AreAtTheMostWindowsThenByRatioThenByClass) {
+  std::vector<AccuracyRow> rows = seven_seeds(as_good);
+  rows.push_back(row_with("shift", "10to1", {80, 81, 82, 83, 84, 85, 86}));
+  const auto sections = recommendation_sections(recommendations(rows, results_of(rows)));
+  ASSERT_EQ(sections.size(), 3U);
+  EXPECT_EQ(sections[0].title, "Which method to take on cwru");
+  EXPECT_EQ(
+      sections[0].table.plain(),
+      "it takes                most accurate  take  accuracy %  95 % interval  behind       p\n"
+      "classifier              none                       73.0   [71.0, 75.0]   -23.0  0.0312\n"
+      "windows + classifier    shift          yes         95.4   [94.0, 96.8]    -0.6   0.281\n"
+      "generator + classifier  vae                        96.0   [96.0, 96.0]       –       –\n");
+  EXPECT_THAT(sections[0].note, HasSubstr("not significantly worse (-0.6 points"));
+  EXPECT_EQ(sections[1].title, "Which method to take at each ratio on cwru");
+  EXPECT_EQ(sections[1].table.plain(),
+            "ratio         take   accuracy %  95 % interval  missed faults  false alarms\n"
+            "10:1          shift        83.0   [81.0, 85.0]           13.3          10.0\n"
+            "2:1 (3.33:1)  shift        95.4   [94.0, 96.8]           13.3          10.0\n");
+  EXPECT_EQ(sections[2].table.plain(),
+            "class   test windows  recognised\n"
+            "Normal            70        90.0\n"
+            "IR               140        75.0\n"
+            "OR                70       100.0\n");
+  EXPECT_THAT(recommendation_sections({}), IsEmpty());
+}
+
+TEST(RecommendationCsv, HasALineForEachEffort) {
+  const auto rows = seven_seeds(as_good);
+  EXPECT_EQ(recommendation_csv(recommendations(rows, results_of(rows))),
+            "dataset,ratio,effort,method,classifier,seeds,mean,std,ci95_low,ci95_high,behind,"
+            "p_holm,missed_faults,false_alarms,best,recommended\n"
+            "cwru,2to1,classifier,none,wdcnn,7,73.0000,2.1602,71.0021,74.9979,-23.0000,0.03125,"
+            "13.3333,10.0000,0,0\n"
+            "cwru,2to1,windows + classifier,shift,wdcnn,7,95.4286,1.5119,94.0303,96.8268,-0.5714,"
+            "0.28125,13.3333,10.0000,0,1\n"
+            "cwru,2to1,generator + classifier,vae,wdcnn,7,96.0000,0.0000,96.0000,96.0000,,,13.3333,"
+            "10.0000,1,0\n");
+}
+
+}  // namespace
+}  // namespace piae::report
