@@ -17,7 +17,7 @@ done_meanwhile() {
   begun=$(sed -n '2s/^step: begun at //p' "$log")
   for word in "${options[@]}"; do
     after=$option option=$word
-    [[ $after != --output && $after != --output-dir && -e $word ]] || continue
+    [[ $after != --output-dir && " ${makes[*]} " != *" $word "* && -e $word ]] || continue
     [[ ! $(changed_since "$begun" "$after" "$word") ]] || return
   done
 }

@@ -42,18 +42,8 @@ void require_one_source(const Sources& sources) {
   }
 }
 
-std::vector<classification::Recording> read_described(const Sources& sources,
-                                                      const signal::DatasetInfo& trained) {
-  const signal::Description description = signal::read_description(sources.description);
-  signal::RecordReader reader(description, sources.data_dir);
-  std::vector<classification::Recording> recordings;
-  for (const signal::RecordSource& source : description.records) {
-    const bool asked = sources.records.empty() ||
-                       std::ranges::find(sources.records, source.name) != sources.records.end();
-    if (!asked) continue;
-    recordings.push_back(
-        classification::recording_of(reader.read(source), description.info, trained));
-  }
+/// The names of records must be those of the description.
+void require_described(const Sources& sources, const signal::Description& description) {
   for (const std::string& name : sources.records) {
     if (std::ranges::find(description.records, name, &signal::RecordSource::name) !=
         description.records.end()) {
@@ -64,6 +54,21 @@ std::vector<classification::Recording> read_described(const Sources& sources,
     throw Error(Exit::usage, fmt::format("--record: {} has no record '{}'; there are{}",
                                          sources.description.string(), name, there));
   }
+}
+
+std::vector<classification::Recording> read_described(const Sources& sources,
+                                                      const signal::DatasetInfo& trained) {
+  const signal::Description description = signal::read_description(sources.description);
+  require_described(sources, description);
+  signal::RecordReader reader(description, sources.data_dir);
+  std::vector<classification::Recording> recordings;
+  for (const signal::RecordSource& source : description.records) {
+    const bool asked = sources.records.empty() ||
+                       std::ranges::find(sources.records, source.name) != sources.records.end();
+    if (!asked) continue;
+    recordings.push_back(
+        classification::recording_of(reader.read(source), description.info, trained));
+  }
   return recordings;
 }
 
@@ -72,7 +77,7 @@ std::string said_of(const diagnosis::KeptClassifier& kept, const diagnosis::Trus
   const diagnosis::ClassifierOrigin& origin = kept.origin();
   return fmt::format(
       "by {} of {}, trained on {} windows ({} {}, seed {})\n"
-      "of windows that it had not seen it named {:.1f} % rightly; how sure it is {}\n",
+      "of windows that it had not seen it named {:.1f} % rightly; how sure it is\n{}\n",
       kept.classifier().name, kept.info().name, origin.training_windows, origin.method,
       origin.ratio, origin.seed, 100 * trust.accuracy,
       kept.calibration().windows > 0
@@ -128,8 +133,8 @@ int main(int argc, char** argv) {
     require_one_source(sources);
     const artefact::Reader reader = stage.open("classifier", classifier_file, "classifier");
     diagnosis::KeptClassifier kept(reader);
-    const diagnosis::Trust trust = diagnosis::read_trust(reader);
     const signal::DatasetInfo& info = kept.info();
+    const diagnosis::Trust trust = diagnosis::read_trust(reader, info);
 
     std::vector<classification::Recording> recordings;
     if (sources.description.empty()) {

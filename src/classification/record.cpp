@@ -66,6 +66,7 @@ void write(artefact::Writer& writer, const std::vector<Verdict>& verdicts,
 
 void require_classification(const artefact::Reader& reader) {
   const signal::DatasetInfo info = signal::read_dataset_info(reader);
+  (void)reader.text("/", "classifier");
   (void)reader.text("/", "classifier_digest");
   const std::size_t recordings = reader.strings("/recordings/name").size();
   const auto require_labels = [&](const std::string& path, std::size_t n) {
@@ -81,6 +82,11 @@ void require_classification(const artefact::Reader& reader) {
     reader.require_all(path, reader.numbers<double>(path, {recordings}).values,
                        {.low = 0, .high = 1});
   }
+  for (const std::int32_t unknown :
+       reader.numbers<std::int32_t>("/recordings/unknown", {recordings}).values) {
+    if (unknown != 0 && unknown != 1)
+      reader.refuse("/recordings/unknown", "must hold 0 and 1 only");
+  }
   const auto of_window = reader.numbers<std::int32_t>("/windows/recording", {0}).values;
   for (const std::int32_t recording : of_window) {
     if (recording < 0 || static_cast<std::size_t>(recording) >= recordings) {
@@ -88,9 +94,14 @@ void require_classification(const artefact::Reader& reader) {
     }
   }
   require_labels("/windows/label", of_window.size());
-  (void)reader.numbers<double>("/windows/start_s", {of_window.size()});
-  (void)reader.numbers<double>("/windows/strangeness", {of_window.size()});
-  (void)reader.numbers<float>("/windows/probabilities", {of_window.size(), info.classes.size()});
+  for (const std::string path : {"/windows/start_s", "/windows/strangeness"}) {
+    reader.require_all(path, reader.numbers<double>(path, {of_window.size()}).values,
+                       {.low = 0, .high = artefact::finite.high});
+  }
+  const std::string path = "/windows/probabilities";
+  const auto probabilities = reader.numbers<float>(path, {of_window.size(), info.classes.size()});
+  const std::vector<double> values(probabilities.values.begin(), probabilities.values.end());
+  reader.require_all(path, values, {.low = 0, .high = 1});
 }
 
 }  // namespace piae::classification

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/error.hpp"
+#include "base/one_line.hpp"
 #include "diagnosis/fitting_signal.hpp"
 #include "signal/amplitude.hpp"
 #include "signal/raw_file.hpp"
@@ -32,7 +33,7 @@ Recording read_lone_file(const LoneFile& lone, const signal::DatasetInfo& traine
   diagnosis::require_fitting_signal(trained, lone.sample_rate_hz, lone.shaft_speed_rpm, what);
   const std::vector<double> samples = signal::read_raw_file(lone.file, lone.variable);
   require_finite_samples(samples, what);
-  return {.name = lone.file.filename().string(),
+  return {.name = one_line(lone.file.filename().string()),
           .shaft_speed_rpm = lone.shaft_speed_rpm,
           .said = "",
           .signal = signal::resample(samples, lone.sample_rate_hz, trained.sample_rate_hz)};

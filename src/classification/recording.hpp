@@ -22,7 +22,7 @@ struct LoneFile {
 
 /// A recording at the classifier's sample rate.
 struct Recording {
-  std::string name;
+  std::string name;  ///< without what a terminal would obey
   double shaft_speed_rpm = 0;
   std::string said;  ///< the class that its description gives it; empty where none does
   std::vector<double> signal;

@@ -14,11 +14,36 @@ namespace {
 
 using signal::DatasetInfo;
 
-constexpr std::size_t longest_name = 22;  // so that a row fits a terminal
+constexpr std::size_t terminal_width = 80;
+constexpr std::size_t longest_name = 22;
+constexpr std::size_t shortest_name = 4;
+
+bool begins_character(char byte) { return (byte & 0xC0) != 0x80; }
 
 /// The end of a name says which recording it is, where several begin alike.
-std::string shortened(const std::string& name) {
-  return name.size() <= longest_name ? name : ".." + name.substr(name.size() - longest_name + 2);
+std::string shortened(const std::string& name, std::size_t longest) {
+  auto characters = static_cast<std::size_t>(std::ranges::count_if(name, begins_character));
+  if (characters <= longest) return name;
+  std::size_t cut = 0;
+  while (characters > longest - 2) {
+    do ++cut;
+    while (cut < name.size() && !begins_character(name[cut]));
+    --characters;
+  }
+  return ".." + name.substr(cut);
+}
+
+std::size_t widest_line_of(const std::string& text) {
+  std::size_t widest = 0;
+  std::size_t width = 0;
+  for (const char byte : text) {
+    if (byte == '\n') {
+      width = 0;
+    } else if (begins_character(byte)) {
+      widest = std::max(widest, ++width);
+    }
+  }
+  return widest;
 }
 
 std::string percent(double share) { return fmt::format("{:.0f} %", 100 * share); }
@@ -36,9 +61,9 @@ std::string evidence_of(const Verdict& verdict, const DatasetInfo& info) {
                      line->stands_out ? "" : ", faint");
 }
 
-}  // namespace
-
-std::string table_of(const std::vector<Verdict>& verdicts, const DatasetInfo& info) {
+/// The table with names of that many characters at most.
+std::string table_with_names(const std::vector<Verdict>& verdicts, const DatasetInfo& info,
+                             std::size_t longest) {
   const bool any_said = std::ranges::any_of(
       verdicts, [](const Verdict& verdict) { return !verdict.recording.said.empty(); });
   std::vector<std::string> header{"recording"};
@@ -46,9 +71,10 @@ std::string table_of(const std::vector<Verdict>& verdicts, const DatasetInfo& in
   header.insert(header.end(), {"named", "evidence", "sure", "agree", "unknown", "windows"});
   text::Table table(header, any_said ? 4 : 3);
   for (const Verdict& verdict : verdicts) {
-    std::vector<std::string> row{shortened(verdict.recording.name)};
-    if (any_said) row.push_back(verdict.recording.said);
-    row.push_back(verdict.unknown ? "unknown" : info.class_of(verdict.label).name);
+    std::vector<std::string> row{shortened(verdict.recording.name, longest)};
+    if (any_said) row.push_back(shortened(verdict.recording.said, longest));
+    row.push_back(verdict.unknown ? "unknown"
+                                  : shortened(info.class_of(verdict.label).name, longest));
     row.push_back(evidence_of(verdict, info));
     row.push_back(verdict.unknown ? "-" : percent(verdict.probability));
     row.push_back(verdict.unknown ? "-" : percent(verdict.share));
@@ -57,6 +83,17 @@ std::string table_of(const std::vector<Verdict>& verdicts, const DatasetInfo& in
     table.row(row);
   }
   return table.plain();
+}
+
+}  // namespace
+
+std::string table_of(const std::vector<Verdict>& verdicts, const DatasetInfo& info) {
+  std::size_t longest = longest_name;
+  std::string table = table_with_names(verdicts, info, longest);
+  while (widest_line_of(table) > terminal_width && longest > shortest_name) {
+    table = table_with_names(verdicts, info, --longest);
+  }
+  return table;
 }
 
 std::string csv_of(const std::vector<Verdict>& verdicts, const DatasetInfo& info) {

@@ -6,6 +6,7 @@
 
 #include "base/error.hpp"
 #include "diagnosis/training_set.hpp"
+#include "symptoms/baseline.hpp"
 
 namespace piae::diagnosis {
 
@@ -67,17 +68,19 @@ void add_generated(Folds& folds, const WindowSet& generated, std::size_t per_cla
 /// Whether each class has windows to train on, whatever fold is left out, and is asked about.
 bool is_possible(const WindowSet& training, const Folds& folds) {
   const std::size_t classes = training.info.classes.size();
+  const Label healthy = training.info.healthy_label();
   std::vector<bool> asked(classes);
   for (std::size_t i = 0; i < training.size(); ++i) {
     if (folds.asked[i] != Folds::none) asked[index_of(training.labels[i])] = true;
   }
   if (std::ranges::count(asked, false) > 0) return false;
   for (std::size_t fold = 0; fold < number_of_folds; ++fold) {
-    std::vector<bool> learned(classes);
+    std::vector<std::size_t> learned(classes);
     for (std::size_t i = 0; i < training.size(); ++i) {
-      if (!folds.left_out[i][fold]) learned[index_of(training.labels[i])] = true;
+      if (!folds.left_out[i][fold]) ++learned[index_of(training.labels[i])];
     }
-    if (std::ranges::count(learned, false) > 0) return false;
+    if (std::ranges::count(learned, 0U) > 0) return false;
+    if (learned[index_of(healthy)] < symptoms::fewest_healthy) return false;
   }
   return true;
 }

@@ -31,7 +31,8 @@ struct Folds {
   /// all.
   std::vector<std::vector<bool>> left_out;
 
-  /// Whether every class is left in each training, so that a classifier can learn it.
+  /// Whether every class is left in each training, so that a classifier can learn it, and of
+  /// healthy windows as many as others can be compared with (symptoms/baseline.hpp).
   bool possible = false;
 };
 

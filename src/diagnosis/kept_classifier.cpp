@@ -1,7 +1,10 @@
 #include "diagnosis/kept_classifier.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
+#include "base/random.hpp"
 #include "diagnosis/learn.hpp"
 #include "scoring/temperature.hpp"
 #include "signal/ranges.hpp"
@@ -46,6 +49,20 @@ void write_origin(artefact::Writer& writer, const ClassifierOrigin& origin) {
   writer.attribute("/", "training_digest", origin.training_digest);
 }
 
+signal::WindowSet window_of_noise(const signal::DatasetInfo& info, std::size_t length) {
+  Stream stream("noise");
+  signal::WindowSet noise;
+  noise.info = info;
+  noise.length = length;
+  for (std::size_t i = 0; i < length; ++i) {
+    noise.samples.push_back(static_cast<float>(stream.normal(0, 1)));
+  }
+  noise.labels = {info.healthy_label()};
+  noise.condition = {signal::every_condition};
+  noise.shaft_speed_rpm = {info.tested_speed_rpm()};
+  return noise;
+}
+
 }  // namespace
 
 KeptClassifier::KeptClassifier(signal::DatasetInfo info, std::size_t length,
@@ -68,7 +85,23 @@ KeptClassifier::KeptClassifier(const artefact::Reader& reader)
       calibration_{.temperature = reader.real("/", "temperature", possible_temperature),
                    .windows = reader.integer("/", "left_out_windows", count)},
       strangeness_(reader, reference, info_),
-      origin_(read_origin(reader)) {}
+      origin_(read_origin(reader)) {
+  require_answer(reader);
+}
+
+void KeptClassifier::require_answer(const artefact::Reader& reader) {
+  Answers answers;
+  try {
+    answers = answer(window_of_noise(info_, length_));
+  } catch (const Error& error) {
+    reader.refuse("/", std::string("cannot be asked about a window: ") + error.what());
+  }
+  const auto is_finite = [](double number) { return std::isfinite(number); };
+  if (!std::ranges::all_of(answers.probabilities, is_finite) ||
+      !std::ranges::all_of(answers.strangeness, is_finite)) {
+    reader.refuse("/", "has no finite answer to a window");
+  }
+}
 
 void KeptClassifier::write(artefact::Writer& writer) const {
   signal::write(writer, info_);

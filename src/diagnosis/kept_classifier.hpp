@@ -47,7 +47,8 @@ class KeptClassifier {
   KeptClassifier(signal::DatasetInfo info, std::size_t length, const Classifier& classifier,
                  std::unique_ptr<Trained> trained, Calibration calibration, Strangeness strangeness,
                  ClassifierOrigin origin);
-  /// Throws artefact::Refusal for what `diagnose` cannot have written.
+  /// Throws artefact::Refusal for what `diagnose` cannot have written, such as one that cannot be
+  /// asked about windows of its length, or has no finite answer.
   explicit KeptClassifier(const artefact::Reader& reader);
 
   /// In the artefact: what DatasetInfo writes; attributes of the root `classifier`, `input` (what
@@ -69,6 +70,8 @@ class KeptClassifier {
   [[nodiscard]] const Strangeness& strangeness() const { return strangeness_; }
 
  private:
+  void require_answer(const artefact::Reader& reader);
+
   signal::DatasetInfo info_;
   std::size_t length_;  ///< samples in a window
   const Classifier* classifier_;

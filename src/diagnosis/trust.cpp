@@ -72,13 +72,17 @@ void write(artefact::Writer& writer, const Trust& trust) {
   writer.numbers("/trust/untrained_called_unknown", called_unknown);
 }
 
-Trust read_trust(const artefact::Reader& reader) {
+Trust read_trust(const artefact::Reader& reader, const signal::DatasetInfo& info) {
   Trust trust{.accuracy = reader.real("/trust", "accuracy", share),
               .raw_calibration_error = reader.real("/trust", "raw_calibration_error", share),
               .calibration_error = reader.real("/trust", "calibration_error", share),
               .called_unknown = reader.real("/trust", "called_unknown", share),
               .untrained = {}};
   const auto labels = reader.numbers<Label>("/trust/untrained_class", {0}).values;
+  if (labels != info.fault_labels()) {
+    reader.refuse("/trust/untrained_class",
+                  "must name each class of fault once, in ascending order");
+  }
   const auto read = [&](const std::string& path) {
     auto values = reader.numbers<double>(path, {labels.size()}).values;
     reader.require_all(path, values, share);

@@ -30,7 +30,8 @@ Trust trust_in(KeptClassifier& kept, const signal::WindowSet& test);
 /// In the artefact: /trust with the first four as attributes, and /trust/untrained_class,
 /// /trust/untrained_auroc, /trust/untrained_called_unknown.
 void write(artefact::Writer& writer, const Trust& trust);
-/// Throws artefact::Refusal for shares that cannot be.
-Trust read_trust(const artefact::Reader& reader);
+/// Of a classifier of that data set. Throws artefact::Refusal for shares that cannot be, and where
+/// not each class of fault is named once.
+Trust read_trust(const artefact::Reader& reader, const signal::DatasetInfo& info);
 
 }  // namespace piae::diagnosis

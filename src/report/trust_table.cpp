@@ -71,7 +71,7 @@ TrustRow trust_row(const run::Layout& layout, const run::Grid& grid,
         "classifier");
     const diagnosis::KeptClassifier kept(reader);
     require_of_cell(reader, kept, grid, combination, seed);
-    add(series, kept, diagnosis::read_trust(reader));
+    add(series, kept, diagnosis::read_trust(reader, kept.info()));
     for (const Label label : kept.info().fault_labels()) {
       names[label] = kept.info().class_of(label).name;
     }
@@ -111,7 +111,8 @@ Section calibration_section(const std::vector<TrustRow>& rows) {
 }
 
 Section unknown_section(const std::vector<TrustRow>& rows) {
-  text::Table table({"method", "ratio", "called unknown", "untrained: area", "called unknown"}, 2);
+  text::Table table({"method", "ratio", "called unknown", "untrained: area", "untrained: unknown"},
+                    2);
   for (const TrustRow& row : rows) {
     table.row({name_of_row(row), short_ratio_label(row.combination.ratio),
                mean_label(row.called_unknown, {.decimals = 1}),
@@ -181,8 +182,8 @@ std::string trust_csv(const std::string& dataset, const std::vector<TrustRow>& r
 Document trust_document(const std::string& dataset, const std::vector<TrustRow>& rows) {
   return {.key = dataset + "-trust",
           .title = dataset + ": how far kept classifiers are to be believed",
-          .paragraphs = {"Of the classifiers that `make trust` kept, on the test windows A. Means "
-                         "and standard deviations over the seeds."},
+          .paragraphs = {"Of the classifiers that were kept, on the test windows A. Means and "
+                         "standard deviations over the seeds."},
           .sections = {calibration_section(rows), unknown_section(rows), class_section(rows)}};
 }
 

@@ -56,8 +56,8 @@ void check_diagnosis(const Reader& reader, Splits& /*splits*/) {
 }
 
 void check_classifier(const Reader& reader, Splits& /*splits*/) {
-  (void)diagnosis::KeptClassifier(reader);
-  (void)diagnosis::read_trust(reader);
+  const diagnosis::KeptClassifier kept(reader);
+  (void)diagnosis::read_trust(reader, kept.info());
 }
 
 void check_classification(const Reader& reader, Splits& /*splits*/) {

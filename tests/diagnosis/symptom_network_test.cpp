@@ -4,6 +4,9 @@
 
 #include <cmath>
 
+#include "diagnosis/stored.hpp"
+#include "support/errors.hpp"
+
 namespace piae::diagnosis {
 namespace {
 
@@ -55,6 +58,22 @@ TEST(SymptomNetwork, HasAHiddenLayerWithoutNegativeNumbersNorDropoutWhenAsked) {
   EXPECT_GE(once.hidden.minCoeff(), 0);
   EXPECT_GT(once.hidden.maxCoeff(), 0);
   EXPECT_TRUE((network.outputs(batch.rows).logits == once.logits).all());
+}
+
+TEST(SymptomNetwork, ComesBackInSinglePrecision) {
+  const Folder folder;
+  const Quadrants batch("batch", 16);
+  SymptomNetwork network(3, 16, Stream("initial"));
+  SymptomNetwork other(3, 16, Stream("other"));
+  EXPECT_FALSE(other.outputs(batch.rows).logits.isApprox(network.outputs(batch.rows).logits, 0.1));
+  artefact::Writer writer("network");
+  network.write(writer, "/net");
+  const artefact::Reader reader = stored(writer, folder);
+  other.read(reader, "/net");
+  const auto difference = other.outputs(batch.rows).logits - network.outputs(batch.rows).logits;
+  EXPECT_LT(difference.abs().maxCoeff(), 1e-6);
+  SymptomNetwork of_four(4, 16, Stream("initial"));
+  EXPECT_ERROR(of_four.read(reader, "/net"), Exit::bad_input, "/net/classes/0/weight");
 }
 
 }  // namespace

@@ -180,5 +180,11 @@ TEST_F(TrainingSet, FaultsOfSomeClassesAloneAreRefused) {
   expect_error(Exit::bad_input, "--known: holds no window of class", nullptr, 0);
 }
 
+TEST_F(TrainingSet, TheFirstOfEachFaultAreTakenClassAfterClass) {
+  EXPECT_THAT(first_of_each_fault(generated, 2), testing::ElementsAre(1, 3, 0, 2));
+  EXPECT_THAT(first_of_each_fault(generated, 9), testing::ElementsAre(1, 3, 5, 0, 2, 4));
+  EXPECT_THAT(first_of_each_fault(generated, 0), testing::ElementsAre());
+}
+
 }  // namespace
 }  // namespace piae::diagnosis

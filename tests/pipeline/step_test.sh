@@ -104,6 +104,23 @@ test_what_another_make_has_done_meanwhile_is_not_done_again() {
   expect_exit 1 run
 }
 
+# Not every stage calls what it makes its output: diagnose may keep a classifier.
+test_what_a_step_makes_by_another_option_is_nothing_that_it_reads() {
+  # shellcheck disable=SC2016
+  own_stage <<<'echo once >>calls; echo made >"${!#}"'
+  touch input
+  local made=results/t/real/seed0/classifier.h5 asked_at
+  run() { ASKED_AT=$asked_at step --input input --keep-classifier $made -- $made >messages; }
+  asked_at=$(date +%s.%6N)
+  sleep 0.05
+  run
+  run
+  expect_line "$(<messages)" '^real/seed0 +own +done meanwhile by another make$'
+  touch input
+  run
+  expect_equal "$(wc -l <calls)" 2
+}
+
 # Their commands do not name their cells.
 test_tables_that_another_make_has_made_meanwhile_are_not_made_again() {
   # shellcheck disable=SC2016

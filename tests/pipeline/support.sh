@@ -50,10 +50,11 @@ if [[ $stage == sweep && $options == *" --method "* ]]; then
   tables=("${tables[@]/#sweep/sweep@${method%% *}}")
 fi
 [[ $stage != readings ]] || tables=(readings.csv readings.md)
+[[ $stage != trust ]] || tables=(trust.csv trust.md)
 [[ $stage != identify ]] || tables=(identifiability.csv scatter.csv identifiability.md)
 while (($#)); do
   case $1 in
-    --output) outputs+=("$2") ;;
+    --output | --keep-classifier) outputs+=("$2") ;;
     --output-dir) outputs+=("$2"/{A,B,C,D}.h5) ;;
     --run) run=$2 ;;
     --dataset) outputs+=("${tables[@]/#/$run/$2/}") ;;
@@ -68,6 +69,7 @@ if [[ -e broken && $(<broken) == "$stage $cell" ]]; then
 fi
 called=$stage
 [[ $options != *--keep-features* ]] || called=features
+[[ $options != *--keep-classifier* ]] || called=keep
 echo "$called ${cell%/*}" >>calls
 for output in "${outputs[@]}"; do echo "$stage $options" >"$output"; done
 echo "$stage: 1 thing done"
@@ -75,7 +77,7 @@ STAGE
   chmod +x fake/stage
   local stage
   for stage in ingest simulate split train generate score diagnose tabulate sweep contrast identify readings transfer \
-    train-libtorch; do
+    trust train-libtorch; do
     ln -s stage "fake/$stage"
   done
   ln -s "$programs/settings" fake/settings

@@ -255,5 +255,17 @@ TEST(WindowSet, IsRefusedWhereItsPartsDoNotFit) {
                Exit::bad_input, "/windows has windows of 0 samples");
 }
 
+TEST(WindowSet, IsInTheOrderOfRecordingsAndOfTheirTime) {
+  WindowSet set = empty_set();
+  set.labels = {0, 2, 0, 2, 0};
+  set.record_names = {"N", "R"};
+  set.record = {1, 0, 1, 0, 0};
+  set.first_sample = {30, 20, 10, 0, 20};
+  EXPECT_THAT(in_time_order(set), ElementsAre(3, 1, 4, 2, 0));
+  set.record.clear();
+  set.first_sample.clear();
+  EXPECT_THAT(in_time_order(set), ElementsAre(0, 1, 2, 3, 4));
+}
+
 }  // namespace
 }  // namespace piae::signal

@@ -139,6 +139,21 @@ for file in $cell/piae-dt/score.h5 $cell/piae-dt/50to1/diagnosis.h5 $cell/none/1
     --published "$project/results/published"
 done
 
+# Kept classifiers, one of every kind of what it has learned, and what one says of a recording.
+keep=(diagnose --test A.h5 --normal B.h5 --known C.h5 --ratio 100to1 --seed 0 --epochs 1)
+awk 'BEGIN { srand(1); for (i = 0; i < 4096; ++i) printf "%.6f\n", sin(i / 3) + rand() }' >recording.csv
+classify=(--recording recording.csv --variable 1 --sample-rate-hz 12000 --speed-rpm 1797)
+for classifier in wdcnn nearest exclusion-rule symptom-net; do
+  kept=$cell/none/100to1/$classifier/classifier.h5
+  [[ $classifier != wdcnn ]] || kept=$cell/none/100to1/classifier.h5
+  stage "${keep[@]}" --classifier $classifier --keep-classifier $kept
+  consumer $kept classify --classifier $kept "${classify[@]}" --csv out.csv --picture out.svg --output out.h5
+done
+consumer $cell/none/100to1/classifier.h5 trust --run run --dataset tiny --methods none --ratios 100to1 --seeds 0 \
+  --classifiers wdcnn
+# (No stage reads it; verify does.)
+stage classify --classifier $cell/none/100to1/classifier.h5 "${classify[@]}" --output classification.h5
+
 # A checkpoint is what a training leaves that is stopped.
 long=(--method vae --known C.h5 --seed 0 --epochs 400 --width 4 --output long.h5)
 for delay in 0.1 0.2 0.05 0.4 0.02 0.8; do
@@ -190,3 +205,4 @@ cp ../artefacts/tiny.toml ../artefacts/speeds.toml simulation/
 cp "$project/pipeline/protocol.toml" protocol/
 cp "$project"/results/published/*.csv published/
 while read -r file _; do cp "../artefacts/$file" "artefact/${file//\//-}"; done <../artefacts/consumers
+cp ../artefacts/classification.h5 artefact/

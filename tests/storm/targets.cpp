@@ -2,7 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <vector>
 
+#include "classification/verdict.hpp"
+#include "diagnosis/fitting_signal.hpp"
 #include "report/published.hpp"
 #include "settings/protocol.hpp"
 #include "settings/sweeps.hpp"
@@ -46,10 +50,36 @@ bool is_model(const fs::path& file) {
   return file.filename().string().find(".model.") != std::string::npos;
 }
 
-/// With a model verify makes windows, too.
+bool is_classifier(const fs::path& file) {
+  return file.filename().string().find("classifier.") != std::string::npos;
+}
+
+constexpr double recorded_hz = 12000;
+constexpr double recorded_rpm = 1797;
+
+/// Two windows that look like nothing.
+std::vector<double> recorded_samples() {
+  std::vector<double> samples;
+  for (int i = 0; i < 2048; ++i) samples.push_back(std::sin(i / 3.0) + i % 7);
+  return samples;
+}
+
+/// Has a classifier name the windows of a recording, as classify does.
+void ask_classifier(const fs::path& file) {
+  diagnosis::KeptClassifier kept(artefact::Reader(file, "classifier"));
+  diagnosis::require_fitting_signal(kept.info(), recorded_hz, recorded_rpm, file.string());
+  const classification::Recording recording{.name = file.string(),
+                                            .shaft_speed_rpm = recorded_rpm,
+                                            .said = "",
+                                            .signal = recorded_samples()};
+  (void)classification::judge(recording, kept, kept.length());
+}
+
+/// With a model verify makes windows, too, and a classifier is asked about some.
 void read_artefact(const fs::path& file) {
   const std::vector<verification::Finding> findings = verification::verify({file});
   if (!findings.empty()) throw Error(Exit::bad_input, findings.front().line);
+  if (is_classifier(file)) ask_classifier(file);
 }
 
 constexpr std::array<Target, 8> all{{
@@ -94,6 +124,16 @@ std::string failure_of_programs(const Target& target, const fs::path& file,
   const auto program = [&](const char* stage) { return (fs::absolute(programs) / stage).string(); };
   if (std::string(target.name) == "artefact") {
     const std::string failure = failure_of(run(folder, {program("verify"), name}), name, true);
+    if (failure.empty() && is_classifier(file)) {
+      std::string recording;
+      for (const double sample : recorded_samples()) recording += std::to_string(sample) + '\n';
+      write_bytes(folder / "recording.csv", recording);
+      const Outcome named =
+          run(folder, {program("classify"), "--classifier", name, "--recording", "recording.csv",
+                       "--variable", "1", "--sample-rate-hz", std::to_string(recorded_hz),
+                       "--speed-rpm", std::to_string(recorded_rpm)});
+      return failure_of(named, name, false);
+    }
     if (!failure.empty() || !is_model(file)) return failure;
     const Outcome made = run(folder, {program("generate"), "--model", name, "--count", "1",
                                       "--seed", "0", "--output", "out.h5"});

@@ -4,8 +4,12 @@
 
 #include <cmath>
 
+#include "base/random.hpp"
 #include "support/errors.hpp"
+#include "support/folder.hpp"
 #include "support/three_classes.hpp"
+#include "symptoms/band_levels.hpp"
+#include "symptoms/bands.hpp"
 
 namespace piae::symptoms {
 namespace {
@@ -104,6 +108,67 @@ TEST(Baselines, AreOfTheHealthyWindowsAlone) {
   healthy.windows.labels.back() = 1;
   Baselines baselines(healthy.windows, healthy.measures);
   EXPECT_NEAR(baselines.at(1800).rise_db(measures_of(5.5))[0], 1, 1e-12);
+}
+
+/// Windows that say as much as real ones, each in its own way.
+Healthy with_all_bands(const std::vector<double>& speeds_rpm) {
+  Healthy healthy(speeds_rpm);
+  Stream stream("bands");
+  const auto random_bands = [&](std::size_t count) {
+    Eigen::ArrayXd bands(count);
+    for (double& band : bands) band = stream.normal(0, 3);
+    return bands;
+  };
+  for (Measures& measures : healthy.measures) {
+    for (double& line : measures.lines) line = stream.normal(0, 1);
+    measures.shape_db = random_bands(spectral_shape_bands);
+    measures.levels_db = random_bands(narrow_bands(12000).size());
+  }
+  return healthy;
+}
+
+class StoredBaselines : public testing::Test {
+ protected:
+  [[nodiscard]] artefact::Reader written(const Healthy& healthy) const {
+    artefact::Writer writer("baselines");
+    Baselines(healthy.windows, healthy.measures).write(writer, "/some");
+    writer.save(folder_ / "baselines.h5", {"test", "", {}});
+    return {folder_ / "baselines.h5", "baselines"};
+  }
+  const Folder folder_;
+};
+
+TEST_F(StoredBaselines, CompareAsBefore) {
+  const Healthy healthy = with_all_bands(eight_of_each({1000, 2000}));
+  Baselines before(healthy.windows, healthy.measures);
+  Baselines after = Baselines::read(written(healthy), "/some", 12000);
+  const Measures asked = with_all_bands({1000}).measures.front();
+  for (const double speed_rpm : {1000.0, 1500.0, 2000.0}) {
+    EXPECT_EQ(after.at(speed_rpm).excesses(asked), before.at(speed_rpm).excesses(asked));
+    EXPECT_TRUE((after.at(speed_rpm).rise_db(asked) == before.at(speed_rpm).rise_db(asked)).all());
+    EXPECT_EQ(after.at(speed_rpm).novelty().of(asked.shape_db),
+              before.at(speed_rpm).novelty().of(asked.shape_db));
+  }
+  EXPECT_NE(after.at(1000).excesses(asked), after.at(2000).excesses(asked));
+}
+
+TEST_F(StoredBaselines, AreOfTheSameBands) {
+  const artefact::Reader reader = written(with_all_bands(eight_of_each({1000})));
+  // At 12 kHz there are nine narrow bands, at 6 kHz fewer.
+  EXPECT_ERROR(Baselines::read(reader, "/some", 6000), Exit::bad_input, "/some/levels_db");
+  EXPECT_ERROR(Baselines::read(reader, "/other", 12000), Exit::bad_input, "/other/speed_rpm");
+}
+
+TEST_F(StoredBaselines, HaveEightWindowsAndSpeedsThatCanBe) {
+  for (const auto& [speeds, what] :
+       {std::pair(std::vector<double>(7, 1000), "has 7 healthy windows, needs 8 or more"),
+        std::pair(std::vector<double>(8, -1000), "/some/speed_rpm")}) {
+    artefact::Writer writer("baselines");
+    writer.numbers("/some/speed_rpm", speeds);
+    writer.save(folder_ / "baselines.h5", {"test", "", {}});
+    EXPECT_ERROR(Baselines::read({folder_ / "baselines.h5", "baselines"}, "/some", 12000),
+                 Exit::bad_input, what);
+  }
 }
 
 }  // namespace

@@ -1,0 +1,86 @@
+#include "classification/picture.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <regex>
+
+#include "classification/judged.hpp"
+#include "support/made_recordings.hpp"
+
+namespace piae::classification {
+namespace {
+
+using testing::HasSubstr;
+
+/// How often a text is in another.
+std::size_t times(const std::string& text, const std::string& word) {
+  std::size_t count = 0;
+  for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) {
+    ++count;
+  }
+  return count;
+}
+
+std::string drawn(const std::vector<Verdict>& verdicts) {
+  return picture_of(verdicts, three_classes(), judged_length);
+}
+
+/// Rectangles of a colour, of which one is drawn for each window.
+std::size_t bars(const std::string& picture, const std::string& colour) {
+  return times(picture, "fill=\"" + colour + "\"");
+}
+
+TEST(ClassificationPicture, HasATimeLineWithABarForEachWindow) {
+  const std::string picture = drawn({judged("a.csv", {1, 0, 1, -1}, "OR")});
+  EXPECT_THAT(picture, HasSubstr(">a.csv (said to be OR): IR, 57 % sure<"));
+  for (const std::string name : {"Normal", "IR", "OR", "unknown"}) {
+    EXPECT_GE(times(picture, ">" + name + "<"), 1U) << name;
+  }
+  EXPECT_EQ(bars(picture, "#009E73"), 1U);  // healthy
+  EXPECT_EQ(bars(picture, "#e0702f"), 2U);  // 0.8: in the third quarter from half sure to sure
+  EXPECT_EQ(bars(picture, "#999999"), 1U);  // unknown
+  EXPECT_TRUE(picture.ends_with("</svg>\n"));
+}
+
+TEST(ClassificationPicture, SaysWhatIsUnknown) {
+  const std::string picture = drawn({judged("a.csv", {-1, -1, 1})});
+  EXPECT_THAT(picture, HasSubstr(">a.csv: unknown, 67 % of its windows look like nothing that was "
+                                 "trained<"));
+}
+
+// The legend and each row name the lines; those of the named fault are thick.
+TEST(ClassificationPicture, ShowsTheEnvelopeSpectrumWithTheLinesOfTheNamedFault) {
+  Recording recording{.name = "struck",
+                      .shaft_speed_rpm = 1800,
+                      .said = "",
+                      .signal = struck_recording(12000, 2, strikes_of_classes_hz[1], "struck")};
+  diagnosis::KeptClassifier classifier = classifier_of_toys();
+  Verdict verdict = judge(recording, classifier, judged_length);
+  verdict.label = 1;
+  verdict.unknown = false;
+  const std::string picture = drawn({verdict});
+  EXPECT_EQ(times(picture, ">BPFI<"), 2U);
+  EXPECT_EQ(times(picture, "stroke-width=\"2.4\" stroke-dasharray=\"7 3\""), 3U);
+  verdict.unknown = true;
+  EXPECT_EQ(times(drawn({verdict}), "stroke-width=\"2.4\""), 0U);
+}
+
+TEST(ClassificationPicture, DrawsNothingBesideItsPaper) {
+  const std::string picture = drawn({judged("a", std::vector<int>(40, 1)), judged("b", {0})});
+  const std::regex place("(x|width)=\"([-0-9.]+)");
+  std::size_t places = 0;
+  for (auto at = std::sregex_iterator(picture.begin(), picture.end(), place);
+       at != std::sregex_iterator(); ++at, ++places) {
+    EXPECT_GE(std::stod((*at)[2]), 0) << at->str();
+    EXPECT_LE(std::stod((*at)[2]), 1080) << at->str();
+  }
+  EXPECT_GT(places, 40U);
+}
+
+TEST(ClassificationPicture, EscapesNames) {
+  EXPECT_THAT(drawn({judged("a<b&c.csv", {1})}), HasSubstr(">a&lt;b&amp;c.csv: IR"));
+}
+
+}  // namespace
+}  // namespace piae::classification

@@ -1,0 +1,106 @@
+#include "classification/recording.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "support/errors.hpp"
+#include "support/folder.hpp"
+#include "support/three_classes.hpp"
+
+namespace piae::classification {
+namespace {
+
+using testing::ElementsAre;
+
+/// So many samples, of which none is that before it.
+Recording counting_recording(std::size_t samples) {
+  Recording recording{.name = "a.csv", .shaft_speed_rpm = 1790, .said = "", .signal = {}};
+  for (std::size_t i = 0; i < samples; ++i) recording.signal.push_back(static_cast<double>(i));
+  return recording;
+}
+
+TEST(Windows, OfARecordingBeginAStepApartAndEndWithinIt) {
+  const signal::WindowSet windows = windows_of(counting_recording(10), three_classes(), 4, 3);
+  EXPECT_EQ(windows.length, 4U);
+  EXPECT_THAT(windows.first_sample, ElementsAre(0, 3, 6));
+  EXPECT_THAT(windows.samples, ElementsAre(0, 1, 2, 3, 3, 4, 5, 6, 6, 7, 8, 9));
+  EXPECT_EQ(windows.size(), 3U);
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(windows.speed_rpm(i), 1790);
+  EXPECT_EQ(windows_of(counting_recording(9), three_classes(), 4, 3).size(), 2U);
+  EXPECT_EQ(windows_of(counting_recording(4), three_classes(), 4, 4).size(), 1U);
+}
+
+TEST(Windows, NeedARecordingThatIsLongEnough) {
+  EXPECT_ERROR(windows_of(counting_recording(5999), three_classes(), 6000, 6000), Exit::bad_input,
+               "a.csv: is 0.5 s long, but a window of the classifier is 0.5 s; record for longer");
+  EXPECT_ERROR(windows_of(counting_recording(1200), three_classes(), 6000, 6000), Exit::bad_input,
+               "a.csv: is 0.1 s long");
+}
+
+TEST(Windows, AreNotOfADeadChannel) {
+  Recording recording = counting_recording(36000);
+  std::fill(recording.signal.begin() + 12000, recording.signal.begin() + 24000, 5.0);
+  EXPECT_ERROR(windows_of(recording, three_classes(), 6000, 6000), Exit::bad_input,
+               "a.csv: nothing moves from 1 to 1.5 s, a dead channel; cut that stretch out");
+}
+
+class LoneFiles : public testing::Test {
+ protected:
+  [[nodiscard]] Recording read(const std::string& name, const std::string& text,
+                               double rate_hz = 12000) const {
+    return read_lone_file({.file = folder_.write(name, text),
+                           .variable = "1",
+                           .sample_rate_hz = rate_hz,
+                           .shaft_speed_rpm = 1790},
+                          three_classes());
+  }
+  const Folder folder_;
+};
+
+TEST_F(LoneFiles, AreReadAsTheyStand) {
+  const Recording recording = read("a.csv", "1\n2.5\n-3\n");
+  EXPECT_EQ(recording.name, "a.csv");
+  EXPECT_EQ(recording.shaft_speed_rpm, 1790);
+  EXPECT_EQ(recording.said, "");
+  EXPECT_THAT(recording.signal, ElementsAre(1, 2.5, -3));
+}
+
+TEST_F(LoneFiles, ThatAreSampledFasterAreResampled) {
+  std::string text;
+  for (int i = 0; i < 4800; ++i) text += std::to_string(i % 7) + '\n';
+  EXPECT_EQ(read("a.csv", text, 48000).signal.size(), 1200U);
+}
+
+TEST_F(LoneFiles, ThatDoNotFitAreNotRead) {
+  EXPECT_ERROR(read("a.csv", "no number", 8000), Exit::bad_input, "is sampled at 8000 Hz");
+}
+
+TEST_F(LoneFiles, HaveSamplesThatAreNumbers) {
+  for (const std::string odd : {"nan", "inf", "1e39"}) {
+    EXPECT_ERROR(read("a.csv", "1\n2\n" + odd + "\n4\n"), Exit::bad_input,
+                 "a.csv: sample 2 (counted from 0) is NaN, infinite or beyond 32 bits");
+  }
+}
+
+// It comes into tables, pictures and artefacts.
+TEST_F(LoneFiles, HaveNamesThatNoTerminalObeys) {
+  EXPECT_EQ(read("a\x1B[2J.csv", "1\n2\n").name, "a?[2J.csv");
+}
+
+TEST(DescribedRecord, SaysWhatItIs) {
+  signal::Record record;
+  record.name = "IR-02";
+  record.label = 1;
+  record.shaft_speed_rpm = 1790;
+  record.signal = {1, 2, 3};
+  const Recording recording = recording_of(record, three_classes("other"), three_classes());
+  EXPECT_EQ(recording.name, "IR-02");
+  EXPECT_EQ(recording.said, "IR");
+  EXPECT_EQ(recording.signal, record.signal);
+  record.shaft_speed_rpm = 900;
+  EXPECT_ERROR(recording_of(record, three_classes("other"), three_classes()), Exit::bad_input,
+               "record IR-02: is of 900 rpm");
+}
+
+}  // namespace
+}  // namespace piae::classification

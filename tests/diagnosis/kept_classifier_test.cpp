@@ -1,0 +1,239 @@
+#include "diagnosis/kept_classifier.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "diagnosis/keep.hpp"
+#include "diagnosis/learn.hpp"
+#include "diagnosis/one_core_backend.hpp"
+#include "diagnosis/stored.hpp"
+#include "diagnosis/training_set.hpp"
+#include "stages/doctor.hpp"
+#include "support/errors.hpp"
+#include "support/struck_windows.hpp"
+
+namespace piae::diagnosis {
+namespace {
+
+using signal::WindowSet;
+
+/// What keep() needs, of windows that are struck as a bearing is.
+class Keep : public testing::Test {
+ protected:
+  Keep() {
+    Stream stream("keep");
+    add_struck(normal_, 0, 20, stream);
+    for (const Label label : {1, 2}) add_struck(known_, label, 5, stream);
+    for (const Label label : {0, 1, 2}) add_struck(asked_, label, 4, stream);
+    for (const Label label : {1, 2}) add_struck(generated_, label, 5, stream, 14);
+  }
+  [[nodiscard]] Lessons lessons(std::int64_t per_class = 0) const {
+    return {.normal = normal_,
+            .known = known_,
+            .generated = per_class > 0 ? &generated_ : nullptr,
+            .generated_per_class = per_class};
+  }
+  [[nodiscard]] WindowSet training(std::int64_t per_class = 0) const {
+    return compose_training_set(normal_, known_, per_class > 0 ? &generated_ : nullptr, per_class);
+  }
+  [[nodiscard]] KeptClassifier kept(const std::string& name, std::int64_t per_class = 0,
+                                    const EpochDone& epoch_done = {}) const {
+    const Classifier& classifier = the_classifier(name);
+    const Stream stream("toy");
+    const MakeWdcnnBackend backend = make_one_core_backend;
+    const WindowSet set = training(per_class);
+    return keep(
+        classifier, learn(classifier, normal_, set, options_, stream, backend).trained, set,
+        lessons(per_class),
+        {.options = options_, .stream = stream, .make_backend = backend, .epoch_done = epoch_done},
+        {.method = "none",
+         .ratio = "100to1",
+         .generated_per_class = per_class,
+         .seed = 7,
+         .protocol = signal::Protocol::blocked,
+         .training_windows = 0,
+         .training_digest = ""});
+  }
+  [[nodiscard]] artefact::Reader written(const KeptClassifier& classifier) const {
+    artefact::Writer writer("classifier");
+    classifier.write(writer);
+    return stored(writer, folder_);
+  }
+  /// How many windows strangeness refers to.
+  [[nodiscard]] std::size_t reference_of(const KeptClassifier& classifier) const {
+    return written(classifier).numbers<Label>("/reference/labels", {0}).values.size();
+  }
+
+  const Folder folder_;
+  const WdcnnOptions options_{.epochs = 2, .batch = 8, .learning_rate = 1e-3};
+  WindowSet normal_ = no_struck_windows();
+  WindowSet known_ = no_struck_windows();
+  WindowSet generated_ = no_struck_windows();
+  WindowSet asked_ = no_struck_windows();
+};
+
+void expect_almost(const std::vector<float>& all, const std::vector<float>& expected,
+                   double tolerance) {
+  ASSERT_EQ(all.size(), expected.size());
+  for (std::size_t i = 0; i < all.size(); ++i) EXPECT_NEAR(all[i], expected[i], tolerance) << i;
+}
+
+// Whatever is added to the catalogue is kept, too.
+TEST_F(Keep, EveryClassifierComesBackWithTheSameAnswers) {
+  for (const Classifier& classifier : classifiers()) {
+    SCOPED_TRACE(classifier.name);
+    KeptClassifier before = kept(classifier.name);
+    const artefact::Reader reader = written(before);
+    KeptClassifier after(reader);
+    EXPECT_EQ(after.classifier().name, classifier.name);
+    EXPECT_EQ(reader.text("/", "input"), classifier.input);
+    const WdcnnOutputs was = before.uncalibrated(asked_);
+    const WdcnnOutputs is = after.uncalibrated(asked_);
+    const Answers answered = before.answer(asked_);
+    const Answers answers = after.answer(asked_);
+    if (classifier.represent != nullptr) {
+      EXPECT_EQ(is.logits, was.logits);
+      EXPECT_EQ(is.hidden, was.hidden);
+      EXPECT_EQ(answers.probabilities, answered.probabilities);
+    }
+    expect_almost(is.scores, was.scores, 1e-6);
+    expect_almost(answers.probabilities, answered.probabilities, 1e-6);
+    EXPECT_EQ(answers.labels, answered.labels);
+    EXPECT_EQ(answers.strangeness, answered.strangeness);
+  }
+}
+
+TEST_F(Keep, WhatItIsAndHowItCameToBeComesBack) {
+  const KeptClassifier before = kept("nearest");
+  const KeptClassifier after(written(before));
+  EXPECT_EQ(after.info().name, "toy");
+  EXPECT_EQ(after.length(), 4096U);
+  EXPECT_EQ(after.calibration().temperature, before.calibration().temperature);
+  EXPECT_EQ(after.calibration().windows, 30);
+  EXPECT_EQ(after.origin().method, "none");
+  EXPECT_EQ(after.origin().ratio, "100to1");
+  EXPECT_EQ(after.origin().generated_per_class, 0);
+  EXPECT_EQ(after.origin().seed, 7);
+  EXPECT_EQ(after.origin().protocol, signal::Protocol::blocked);
+  EXPECT_EQ(after.origin().training_windows, 30);
+  EXPECT_EQ(after.origin().training_digest, before.origin().training_digest);
+  EXPECT_EQ(after.origin().training_digest.size(), 64U);
+}
+
+TEST_F(Keep, TheDigestIsThatOfTheTrainingWindows) {
+  const std::string digest = kept("nearest").origin().training_digest;
+  EXPECT_EQ(kept("envelope-rule").origin().training_digest, digest);
+  known_.samples[17] += 1;
+  EXPECT_NE(kept("nearest").origin().training_digest, digest);
+  known_.samples[17] -= 1;
+  std::swap(known_.labels[0], known_.labels[9]);
+  EXPECT_NE(kept("nearest").origin().training_digest, digest);
+}
+
+// exp of the logits by the temperature, by hand.
+TEST_F(Keep, ProbabilitiesAreThoseOfTheTemperature) {
+  KeptClassifier classifier = kept("envelope-rule");
+  const double temperature = classifier.calibration().temperature;
+  EXPECT_NE(temperature, 1);
+  const std::vector<float> logits = classifier.uncalibrated(asked_).logits;
+  const Answers answers = classifier.answer(asked_);
+  for (std::size_t i = 0; i < asked_.size(); ++i) {
+    double sum = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      sum += std::exp((logits[3 * i + k] - logits[3 * i]) / temperature);
+    }
+    EXPECT_NEAR(answers.probabilities[3 * i], 1 / sum, 1e-6);
+  }
+  EXPECT_EQ(answers.labels, asked_.labels);
+}
+
+// Each fold trains once more, on random numbers of its own; the classifier that is kept is not one
+// of these.
+TEST_F(Keep, TrainsOnceMoreForEachFold) {
+  std::int64_t epochs = 0;
+  const KeptClassifier classifier =
+      kept("symptom-net", 0, [&](std::int64_t /*done*/, double /*loss*/) { ++epochs; });
+  EXPECT_EQ(epochs, 5 * 60);
+  EXPECT_EQ(trainings_to_keep(training(), lessons()), 5);
+}
+
+TEST_F(Keep, WhereNothingCanBeLeftOutTheTemperatureIsOne) {
+  known_ = no_struck_windows();
+  Stream stream("one");
+  for (const Label label : {1, 2}) add_struck(known_, label, 1, stream);
+  const KeptClassifier classifier = kept("nearest");
+  EXPECT_EQ(classifier.calibration().temperature, 1);
+  EXPECT_EQ(classifier.calibration().windows, 0);
+  EXPECT_EQ(trainings_to_keep(training(), lessons()), 0);
+}
+
+// With nine healthy windows a rule can be made, but none where two of them are left out.
+TEST_F(Keep, WhereTooFewHealthyWindowsWouldBeLeftTheTemperatureIsOne) {
+  normal_ = no_struck_windows();
+  Stream stream("nine");
+  add_struck(normal_, 0, 9, stream);
+  for (const std::string name : {"envelope-rule", "symptom-net"}) {
+    EXPECT_EQ(kept(name).calibration().windows, 0) << name;
+  }
+  add_struck(normal_, 0, 1, stream);
+  EXPECT_EQ(kept("envelope-rule").calibration().windows, 20);
+}
+
+TEST_F(Keep, StrangenessRefersToRealWindows) {
+  EXPECT_EQ(reference_of(kept("nearest")), 30U);
+  EXPECT_EQ(reference_of(kept("nearest", 5)), 30U);
+  EXPECT_EQ(kept("nearest", 5).origin().training_windows, 40);
+}
+
+TEST_F(Keep, WhereNoneIsKnownStrangenessRefersToGeneratedOnesToo) {
+  known_ = no_struck_windows();
+  EXPECT_EQ(reference_of(kept("nearest", 5)), 30U);
+  EXPECT_EQ(reference_of(kept("exclusion-rule")), 20U);
+}
+
+TEST_F(Keep, WhereFaultsAreKnownElsewhereStrangenessRefersToGeneratedOnesToo) {
+  for (WindowSet* set : {&normal_, &known_, &generated_, &asked_}) {
+    set->info.conditions = {{.name = "slow", .shaft_speed_rpm = 1800, .test = false},
+                            {.name = "fast", .shaft_speed_rpm = 1800, .known = false}};
+    set->condition.assign(set->size(), 0);
+    set->shaft_speed_rpm.assign(set->size(), 1800);
+  }
+  EXPECT_EQ(reference_of(kept("nearest", 5)), 40U);
+}
+
+// Only what it says is wrong: no damage would tell.
+TEST_F(Keep, OneThatCannotBeAskedIsRefused) {
+  const std::string file = folder_ / "stored.h5";
+  const auto expect_refused = [&](const std::string& name, const std::string& what,
+                                  const std::function<void(hid_t)>& change) {
+    (void)written(kept(name));
+    stages::doctor(file, change);
+    EXPECT_ERROR(KeptClassifier(artefact::Reader(file, "classifier")), Exit::bad_input,
+                 file + ": / " + what);
+  };
+  const auto length = [](std::int64_t samples) {
+    return [=](hid_t open) { stages::replace_attribute(open, "/", "window_length", samples); };
+  };
+  for (const std::string name : {"wdcnn", "wdcnn-spectrum"}) {
+    expect_refused(name, "cannot be asked about a window: WDCNN: ", length(2048));
+  }
+  // Half a turn of the shaft does not tell the lines apart, nor do 255 samples 128 bands.
+  expect_refused("envelope-rule", "cannot be asked about a window: ", length(200));
+  expect_refused("nearest", "cannot be asked about a window: windows of 255 samples", length(255));
+  const auto weights = [](const std::string& path) {
+    return [=](hid_t open) {
+      stages::change_numbers<float>(open, path, [](auto& all) { std::ranges::fill(all, 3e38F); });
+    };
+  };
+  expect_refused("wdcnn", "cannot be asked about a window: WDCNN: what it makes of a window is not",
+                 weights("/learned/conv1/weight"));
+  expect_refused("symptom-net", "has no finite answer to a window",
+                 weights("/learned/classes/0/weight"));
+}
+
+}  // namespace
+}  // namespace piae::diagnosis

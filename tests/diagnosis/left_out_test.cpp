@@ -1,0 +1,77 @@
+#include "diagnosis/left_out.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "diagnosis/sets.hpp"
+
+namespace piae::diagnosis {
+namespace {
+
+using signal::WindowSet;
+
+/// The first samples, by which the windows of toys are told apart.
+std::set<float> first_samples_of(const WindowSet& set) {
+  std::set<float> firsts;
+  for (std::size_t i = 0; i < set.size(); ++i) firsts.insert(set.window(i)[0]);
+  return firsts;
+}
+
+/// Remembers what it was asked about, and answers with the first sample for each class.
+class Listening final : public Trained {
+ public:
+  explicit Listening(std::set<float>& asked) : asked_(asked) {}
+  WdcnnOutputs outputs(const WindowSet& windows, const std::string& /*what*/) override {
+    WdcnnOutputs outputs;
+    for (std::size_t i = 0; i < windows.size(); ++i) {
+      asked_.insert(windows.window(i)[0]);
+      outputs.logits.insert(outputs.logits.end(), 3, windows.window(i)[0]);
+    }
+    return outputs;
+  }
+  void write(artefact::Writer& /*writer*/) const override {}
+
+ private:
+  std::set<float>& asked_;
+};
+
+TEST(LeftOut, IsAskedAboutOnceByOneThatWasNotTrainedOnIt) {
+  WindowSet training = empty_set(4);
+  add(training, 0, 3, 100);
+  add(training, 1, 2, 200);
+  add(training, 2, 1, 300);
+  Folds folds;
+  folds.asked = {0, 1, 1, 0, 4, Folds::none};
+  for (const std::int32_t fold : folds.asked) {
+    folds.left_out.emplace_back(5);
+    if (fold != Folds::none) folds.left_out.back()[static_cast<std::size_t>(fold)] = true;
+  }
+  folds.left_out[5][1] = true;  // made of what is asked there
+  std::vector<std::set<float>> trained(5);
+  std::vector<std::set<float>> asked(5);
+  const LeftOut all = ask_left_out(
+      training, folds, [&](const WindowSet& normal, const WindowSet& kept, std::int32_t fold) {
+        const auto place = static_cast<std::size_t>(fold);
+        trained[place] = first_samples_of(kept);
+        std::set<float> healthy = trained[place];
+        std::erase_if(healthy, [](float first) { return first >= 200; });
+        EXPECT_EQ(first_samples_of(normal), healthy);
+        return std::make_unique<Listening>(asked[place]);
+      });
+  using Firsts = std::set<float>;
+  EXPECT_EQ(asked[0], (Firsts{100, 200}));
+  EXPECT_EQ(trained[0], (Firsts{101, 102, 201, 300}));
+  EXPECT_EQ(asked[1], (Firsts{101, 102}));
+  EXPECT_EQ(trained[1], (Firsts{100, 200, 201}));
+  EXPECT_EQ(asked[4], (Firsts{201}));
+  EXPECT_EQ(trained[4], (Firsts{100, 101, 102, 200, 300}));
+  EXPECT_TRUE(trained[2].empty());  // nothing is asked there
+  EXPECT_THAT(all.labels, testing::ElementsAre(0, 1, 0, 0, 1));
+  EXPECT_THAT(all.logits, testing::ElementsAre(100, 100, 100, 200, 200, 200, 101, 101, 101, 102,
+                                               102, 102, 201, 201, 201));
+}
+
+}  // namespace
+}  // namespace piae::diagnosis

@@ -1,0 +1,137 @@
+#include "diagnosis/strangeness.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "diagnosis/dull_windows.hpp"
+#include "diagnosis/sets.hpp"
+#include "diagnosis/stored.hpp"
+#include "diagnosis/stored_bands.hpp"
+#include "support/errors.hpp"
+
+namespace piae::diagnosis {
+namespace {
+
+using signal::WindowSet;
+
+double distance(const BandPowers& a, Eigen::Index i, const BandPowers& b, Eigen::Index j) {
+  return std::sqrt((a.row(i) - b.row(j)).squaredNorm());
+}
+
+/// Four healthy windows in two blocks of the time, and two faults; windows to be asked about.
+class StrangenessOfToys : public testing::Test {
+ protected:
+  StrangenessOfToys() {
+    Stream stream("strange");
+    for (int i = 0; i < 4; ++i) add_dull(reference_, 0, 0, stream);
+    add_dull(reference_, 1, 0.9, stream);
+    add_dull(reference_, 2, -0.9, stream);
+    for (const double dull : {0.0, 0.9, -0.5, 0.3}) add_dull(asked_, 0, dull, stream);
+    const WindowSet four = asked_;
+    for (int i = 0; i < 70; ++i) asked_.append(four, 3);  // more than are looked at together
+  }
+
+  /// The distance of a window to the nearest of the reference whose label is not this one.
+  [[nodiscard]] double nearest(const BandPowers& windows, Eigen::Index i, Label but) const {
+    const BandPowers bands = band_powers(reference_);
+    double least = std::numeric_limits<double>::infinity();
+    for (Eigen::Index j = 0; j < bands.rows(); ++j) {
+      if (reference_.labels[static_cast<std::size_t>(j)] == but) continue;
+      least = std::min(least, distance(windows, i, bands, j));
+    }
+    return least;
+  }
+  [[nodiscard]] double threshold(Label but) const {
+    const BandPowers bands = band_powers(reference_);
+    double largest = 0;
+    for (Eigen::Index i = 0; i < bands.rows(); ++i) {
+      if (reference_.labels[static_cast<std::size_t>(i)] == but) continue;
+      double least = std::numeric_limits<double>::infinity();
+      for (Eigen::Index j = 0; j < bands.rows(); ++j) {
+        const auto own = static_cast<std::size_t>(i);
+        const auto other = static_cast<std::size_t>(j);
+        if (groups_[own] == groups_[other] || reference_.labels[other] == but) continue;
+        least = std::min(least, distance(bands, i, bands, j));
+      }
+      largest = std::max(largest, least);
+    }
+    return largest;
+  }
+  void expect_by_hand(const Strangeness& strangeness, Label but) const {
+    const std::vector<double> all = strangeness.of(asked_);
+    const BandPowers asked = band_powers(asked_);
+    ASSERT_EQ(all.size(), 74U);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      const double expected = nearest(asked, static_cast<Eigen::Index>(i), but) / threshold(but);
+      EXPECT_NEAR(all[i], expected, 1e-9 * expected) << i;
+    }
+  }
+
+  WindowSet reference_ = empty_set(1024);
+  WindowSet asked_ = empty_set(1024);
+  const std::vector<std::int32_t> groups_{0, 0, 1, 1, 9, 10};
+};
+
+TEST_F(StrangenessOfToys, IsTheDistanceToTheNearestByTheLargestOfWhatIsLeftOut) {
+  expect_by_hand(Strangeness(reference_, groups_), Label{-1});
+}
+
+TEST_F(StrangenessOfToys, WithoutAClassIsThatOfTheOthers) {
+  const Strangeness strangeness(reference_, groups_);
+  expect_by_hand(strangeness.without(1), 1);
+  expect_by_hand(strangeness.without(2), 2);
+}
+
+// What is close in time does not vouch: a window and its copy in the same block.
+TEST_F(StrangenessOfToys, LeavesOutWhatIsCloseInTime) {
+  WindowSet reference = empty_set(1024);
+  reference.append(reference_, 0);
+  reference.append(reference_, 0);
+  reference.append(reference_, 2);
+  reference.append(reference_, 2);
+  const BandPowers bands = band_powers(reference);
+  const double between = distance(bands, 0, bands, 2);
+  WindowSet asked = empty_set(1024);
+  asked.append(asked_, 1);
+  const double to_nearest = std::min(distance(band_powers(asked), 0, bands, 0),
+                                     distance(band_powers(asked), 0, bands, 2));
+  EXPECT_NEAR(Strangeness(reference, {0, 0, 1, 1}).of(asked)[0], to_nearest / between, 1e-9);
+  // Had each copy vouched for the other, the threshold would be nothing.
+  EXPECT_GT(Strangeness(reference, {0, 1, 2, 3}).of(asked)[0], 1e4);
+}
+
+TEST_F(StrangenessOfToys, OfTheReferenceItselfIsNothing) {
+  const std::vector<double> all = Strangeness(reference_, groups_).of(reference_);
+  EXPECT_LT(std::ranges::max(all), 1e-5);
+}
+
+TEST_F(StrangenessOfToys, NeedsTwoGroups) {
+  EXPECT_THROW(Strangeness(reference_, std::vector<std::int32_t>(6, 0)), std::logic_error);
+}
+
+TEST_F(StrangenessOfToys, ComesBackAsItWas) {
+  const Folder folder;
+  const Strangeness strangeness(reference_, groups_);
+  artefact::Writer writer("strangeness");
+  strangeness.write(writer, "/reference");
+  const Strangeness read(stored(writer, folder), "/reference", three_classes());
+  EXPECT_EQ(read.of(asked_), strangeness.of(asked_));
+  EXPECT_EQ(read.without(1).of(asked_), strangeness.without(1).of(asked_));
+}
+
+TEST_F(StrangenessOfToys, HasAThresholdAboveNothing) {
+  const Folder folder;
+  artefact::Writer writer("strangeness");
+  write_bands(writer, "/reference", band_powers(reference_), reference_.labels);
+  writer.numbers("/reference/groups", groups_);
+  writer.attribute("/reference", "threshold", 0.0);
+  EXPECT_ERROR(Strangeness(stored(writer, folder), "/reference", three_classes()), Exit::bad_input,
+               "threshold");
+}
+
+}  // namespace
+}  // namespace piae::diagnosis

@@ -1,0 +1,38 @@
+#include "scoring/auroc.hpp"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+#include <vector>
+
+namespace piae::scoring {
+namespace {
+
+// Of the six pairs (negative, positive) the positive is greater in five, and less in one: (3, 2).
+TEST(Auroc, IsTheShareOfPairsThatThePositiveWins) {
+  EXPECT_DOUBLE_EQ(auroc(std::vector{1.0, 3.0}, std::vector{2.0, 4.0, 5.0}), 5.0 / 6);
+  EXPECT_DOUBLE_EQ(auroc(std::vector{3.0, 1.0}, std::vector{5.0, 2.0, 4.0}), 5.0 / 6);
+}
+
+// Of the six pairs two are equal and three are won.
+TEST(Auroc, CountsEqualOnesHalf) {
+  EXPECT_DOUBLE_EQ(auroc(std::vector{1.0, 2.0, 2.0}, std::vector{2.0, 3.0}), (1 + 2 * 0.5 + 3) / 6);
+  EXPECT_DOUBLE_EQ(auroc(std::vector{7.0, 7.0}, std::vector{7.0}), 0.5);
+}
+
+TEST(Auroc, IsOneOrNothingWhereAllPairsAgree) {
+  const std::vector<double> low{-3, -2};
+  const std::vector<double> high{0, 1, 1};
+  EXPECT_DOUBLE_EQ(auroc(low, high), 1);
+  EXPECT_DOUBLE_EQ(auroc(high, low), 0);
+}
+
+TEST(Auroc, NeedsValuesOfBothKinds) {
+  const std::vector<double> none;
+  const std::vector<double> some{1};
+  EXPECT_THROW((void)auroc(none, some), std::logic_error);
+  EXPECT_THROW((void)auroc(some, none), std::logic_error);
+}
+
+}  // namespace
+}  // namespace piae::scoring

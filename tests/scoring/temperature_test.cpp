@@ -1,0 +1,105 @@
+#include "scoring/temperature.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace piae::scoring {
+namespace {
+
+TEST(Tempered, IsTheSoftmaxOfLogitsByTheTemperature) {
+  // exp(ln 9 / 2) = 3, and the second row is further up by a hundred.
+  const auto nine = static_cast<float>(std::log(9.0));
+  const std::vector<float> logits{nine, 0, 0, 100, 100 + nine, 100};
+  const std::vector<float> expected{0.6F, 0.2F, 0.2F, 0.2F, 0.6F, 0.2F};
+  const std::vector<float> probabilities = tempered(logits, 3, 2);
+  ASSERT_EQ(probabilities.size(), 6U);
+  for (std::size_t i = 0; i < 6; ++i) EXPECT_NEAR(probabilities[i], expected[i], 1e-5);
+}
+
+TEST(Tempered, OfLogitsFarApartIsFinite) {
+  const std::vector<float> sure = tempered(std::vector<float>{0, -1e6F, -3e38F}, 3, 0.02);
+  EXPECT_EQ(sure, (std::vector<float>{1, 0, 0}));
+}
+
+/// Windows of two classes of which a classifier says 3 to 1 for the one it names.
+struct Said {
+  std::vector<float> logits;
+  std::vector<Label> labels;
+
+  void add(int count, Label named, Label label, double logit) {
+    for (int i = 0; i < count; ++i) {
+      for (const Label each : {0, 1}) {
+        logits.push_back(each == named ? static_cast<float>(logit) : 0.0F);
+      }
+      labels.push_back(label);
+    }
+  }
+  [[nodiscard]] double temperature() const { return best_temperature(logits, labels, 2); }
+};
+
+/// Three of four are right, whichever class is named.
+Said right_three_times_of_four(int quarters, double logit) {
+  Said said;
+  for (const Label named : {0, 1}) {
+    said.add(3 * quarters, named, named, logit);
+    said.add(quarters, named, 1 - named, logit);
+  }
+  return said;
+}
+
+// The logit of 3 to 1 is ln 3; one that is so many times larger wants that temperature. The chance
+// (n + 1) / (n + 2) hardly counts with 80 000 windows.
+TEST(BestTemperature, IsTheFactorByWhichLogitsAreTooLarge) {
+  for (const double factor : {0.25, 1.0, 2.0, 10.0}) {
+    const Said said = right_three_times_of_four(10000, factor * std::log(3.0));
+    EXPECT_NEAR(said.temperature(), factor, 1e-3 * factor) << factor;
+  }
+}
+
+// Of n windows, all right, the mean is least where the softmax says (n + 1) / (n + 2) of each: the
+// logit by the temperature is ln(n + 1).
+TEST(BestTemperature, OfWindowsThatAreAllRightIsBoundByTheirNumber) {
+  for (const int each : {4, 50}) {
+    Said said;
+    said.add(each, 0, 0, 6);
+    said.add(each, 1, 1, 6);
+    EXPECT_NEAR(said.temperature(), 6 / std::log(2.0 * each + 1), 2e-3) << each;
+  }
+}
+
+// Class 0 is right three times of four, class 1 always: each class has half the weight, however
+// many windows it has.
+TEST(BestTemperature, GivesEachClassTheSameWeight) {
+  const auto with_so_many_of_class_1 = [](int count) {
+    Said said;
+    said.add(30000, 0, 0, 2);
+    said.add(10000, 1, 0, 2);
+    said.add(count, 1, 1, 2);
+    return said.temperature();
+  };
+  // Right with the weight 7/8: ln 7 = 2 / T.
+  EXPECT_NEAR(with_so_many_of_class_1(40000), 2 / std::log(7.0), 1e-3);
+  EXPECT_NEAR(with_so_many_of_class_1(400), with_so_many_of_class_1(40000), 1e-3);
+}
+
+// Wrong logits want to be forgotten, and sure ones to be surer than can be told.
+TEST(BestTemperature, StaysBetweenAFiftiethAndFifty) {
+  Said wrong;
+  wrong.add(10, 0, 1, 5);
+  wrong.add(10, 1, 0, 5);
+  EXPECT_NEAR(wrong.temperature(), 50, 0.1);
+  Said timid;
+  timid.add(10, 0, 0, 1e-6);
+  timid.add(10, 1, 1, 1e-6);
+  EXPECT_NEAR(timid.temperature(), 0.02, 1e-4);
+}
+
+TEST(BestTemperature, NeedsLabels) {
+  EXPECT_THROW((void)best_temperature({}, {}, 2), std::logic_error);
+}
+
+}  // namespace
+}  // namespace piae::scoring
