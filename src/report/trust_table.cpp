@@ -2,6 +2,7 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include <algorithm>
 #include <map>
 
 #include "report/csv_fields.hpp"
@@ -130,19 +131,31 @@ Section unknown_section(const std::vector<TrustRow>& rows) {
           .table = table};
 }
 
+/// Whether an earlier row has the same areas, as where both compare with the same windows.
+bool is_as_before(const std::vector<TrustRow>& rows, std::size_t row) {
+  return std::any_of(rows.begin(), rows.begin() + static_cast<std::ptrdiff_t>(row),
+                     [&](const TrustRow& earlier) {
+                       return std::ranges::equal(
+                           earlier.auroc_by_class, rows[row].auroc_by_class, {},
+                           [](const auto& c) { return c.second.mean; },
+                           [](const auto& c) { return c.second.mean; });
+                     });
+}
+
 Section class_section(const std::vector<TrustRow>& rows) {
   text::Table table({"class not trained", "method", "ratio", "area"}, 3);
-  for (const TrustRow& row : rows) {
-    for (const auto& [name, auroc] : row.auroc_by_class) {
-      table.row({name, name_of_row(row), short_ratio_label(row.combination.ratio),
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (is_as_before(rows, i)) continue;
+    for (const auto& [name, auroc] : rows[i].auroc_by_class) {
+      table.row({name, name_of_row(rows[i]), short_ratio_label(rows[i].combination.ratio),
                  mean_label(auroc, {.decimals = 3})});
     }
   }
   return {.key = "unknown-classes",
           .title = "The same, class by class",
           .note =
-              "What is compared with are the real windows of the training set, so methods "
-              "differ only where none of these is known.",
+              "What is compared with are the real windows of the training set; where these are "
+              "those of a method above, and so are the areas, it is not shown again.",
           .table = table};
 }
 
