@@ -49,8 +49,7 @@ Verdict judge(Recording recording, diagnosis::KeptClassifier& classifier, std::s
   verdict.envelope = inspection::envelope_spectrum(recording.signal, info.sample_rate_hz,
                                                    recording.shaft_speed_rpm / 60);
   verdict.lines = inspection::fault_lines(verdict.envelope, info, recording.shaft_speed_rpm);
-  inspection::keep_shown_part(verdict.envelope, verdict.lines,
-                              recording.shaft_speed_rpm / 60);
+  inspection::keep_shown_part(verdict.envelope, verdict.lines, recording.shaft_speed_rpm / 60);
   verdict.recording = std::move(recording);
   return verdict;
 }

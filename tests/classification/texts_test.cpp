@@ -64,6 +64,12 @@ TEST(ClassificationTable, SaysWhatSpeaksForIt) {
   EXPECT_THAT(row(judged("a", {1})), HasSubstr("too short for lines"));
 }
 
+TEST(ClassificationTable, SaysWhereNoBearingIsKnown) {
+  signal::DatasetInfo info = three_classes();
+  info.has_bearing = false;
+  EXPECT_THAT(table_of({judged("a", {1})}, info), HasSubstr("IR     no bearing known"));
+}
+
 TEST(ClassificationTable, ShowsWhatADescriptionSaysBesideIt) {
   const std::string table = table_of({judged("a", {1}, "OR"), judged("b", {1})}, three_classes());
   EXPECT_THAT(lines_of(table)[0], HasSubstr("recording  said  named"));

@@ -55,6 +55,11 @@ TEST_P(Usage, UnknownOptionIsNamed) {
     arguments = {"--windows", "E.h5", "--output", "E.csv"};
   } else if (GetParam() == std::string("monitor")) {
     arguments = {"--classifier", "c.h5", "--sample-rate-hz", "12000", "--speed-rpm", "1797"};
+  } else if (GetParam() == std::string("classify")) {
+    arguments = {"--classifier", "c.h5"};
+  } else if (GetParam() == std::string("trust")) {
+    arguments = {"--run", "run",      "--dataset", "tiny",    "--methods",
+                 "none",  "--ratios", "100to1",    "--seeds", "0"};
   } else if (GetParam() == std::string("check")) {
     arguments = {"--run", "run", "--reference", "reference"};
   } else if (GetParam() != std::string("verify")) {
@@ -69,7 +74,7 @@ INSTANTIATE_TEST_SUITE_P(Stages, Usage,
                          testing::Values("ingest", "simulate", "split", "train", "generate",
                                          "score", "diagnose", "tabulate", "sweep", "check",
                                          "contrast", "transfer", "identify", "verify", "read_raw",
-                                         "export_windows", "monitor"),
+                                         "export_windows", "monitor", "classify", "trust"),
                          [](const auto& info) { return info.param; });
 
 TEST(Usage, TrainHelpShowsTheOptionsOfTheMethod) {

@@ -139,10 +139,11 @@ for file in $cell/piae-dt/score.h5 $cell/piae-dt/50to1/diagnosis.h5 $cell/none/1
     --published "$project/results/published"
 done
 
-# Kept classifiers, one of every kind of what it has learned, and what one says of a recording.
+# Kept classifiers, one of every kind of what it has learned, and what one says of a recording. A refusal
+# names the classifier, or the recording that does not fit it: its name holds that of the former.
 keep=(diagnose --test A.h5 --normal B.h5 --known C.h5 --ratio 100to1 --seed 0 --epochs 1)
-awk 'BEGIN { srand(1); for (i = 0; i < 4096; ++i) printf "%.6f\n", sin(i / 3) + rand() }' >recording.csv
-classify=(--recording recording.csv --variable 1 --sample-rate-hz 12000 --speed-rpm 1797)
+awk 'BEGIN { srand(1); for (i = 0; i < 4096; ++i) printf "%.6f\n", sin(i / 3) + rand() }' >classifier.h5.csv
+classify=(--recording classifier.h5.csv --variable 1 --sample-rate-hz 12000 --speed-rpm 1797)
 for classifier in wdcnn nearest exclusion-rule symptom-net; do
   kept=$cell/none/100to1/$classifier/classifier.h5
   [[ $classifier != wdcnn ]] || kept=$cell/none/100to1/classifier.h5

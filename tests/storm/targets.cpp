@@ -127,11 +127,13 @@ std::string failure_of_programs(const Target& target, const fs::path& file,
     if (failure.empty() && is_classifier(file)) {
       std::string recording;
       for (const double sample : recorded_samples()) recording += std::to_string(sample) + '\n';
-      write_bytes(folder / "recording.csv", recording);
+      const std::string file_name = name + ".csv";  // so that it names the classifier, too
+      write_bytes(folder / file_name, recording);
       const Outcome named =
-          run(folder, {program("classify"), "--classifier", name, "--recording", "recording.csv",
+          run(folder, {program("classify"), "--classifier", name, "--recording", file_name,
                        "--variable", "1", "--sample-rate-hz", std::to_string(recorded_hz),
                        "--speed-rpm", std::to_string(recorded_rpm)});
+      fs::remove(folder / file_name);
       return failure_of(named, name, false);
     }
     if (!failure.empty() || !is_model(file)) return failure;
