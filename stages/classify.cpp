@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <iostream>
+#include <vector>
 
 #include "classification/picture.hpp"
 #include "classification/record.hpp"
@@ -56,7 +57,7 @@ void require_described(const Sources& sources, const signal::Description& descri
   }
 }
 
-std::vector<classification::Recording> read_described(const Sources& sources,
+std::vector<classification::Recording> read_described(cli::Stage& stage, const Sources& sources,
                                                       const signal::DatasetInfo& trained) {
   const signal::Description description = signal::read_description(sources.description);
   require_described(sources, description);
@@ -66,6 +67,7 @@ std::vector<classification::Recording> read_described(const Sources& sources,
     const bool asked = sources.records.empty() ||
                        std::ranges::find(sources.records, source.name) != sources.records.end();
     if (!asked) continue;
+    stage.note_input("recording", sources.data_dir / source.file);
     recordings.push_back(
         classification::recording_of(reader.read(source), description.info, trained));
   }
@@ -77,12 +79,29 @@ std::string said_of(const diagnosis::KeptClassifier& kept, const diagnosis::Trus
   const diagnosis::ClassifierOrigin& origin = kept.origin();
   return fmt::format(
       "by {} of {}, trained on {} windows ({} {}, seed {})\n"
-      "of windows that it had not seen it named {:.1f} % rightly; how sure it is\n{}\n",
+      "of windows that it was not trained on it named {:.1f} % rightly;\nhow sure it is {}\n{}",
       kept.classifier().name, kept.info().name, origin.training_windows, origin.method,
       origin.ratio, origin.seed, 100 * trust.accuracy,
       kept.calibration().windows > 0
           ? fmt::format("was off by {:.1f} points", 100 * trust.calibration_error)
-          : "is uncalibrated: too few known windows to leave any out");
+          : "is uncalibrated: no known windows could be left out to find it",
+      kept.strangeness() ? ""
+                         : "it cannot tell what is unknown: no fault was known as it is tested\n");
+}
+
+/// What --output, --csv and --picture name must be no input, and not be the same.
+void require_outputs(const cli::Stage& stage, std::vector<fs::path> paths) {
+  std::erase(paths, fs::path());
+  for (fs::path& path : paths) {
+    stage.require_no_input(path);
+    path = fs::weakly_canonical(path);
+  }
+  std::ranges::sort(paths);
+  const auto twice = std::ranges::adjacent_find(paths);
+  if (twice == paths.end()) return;
+  throw Error(Exit::usage, fmt::format("{}: is named by two of --output, --csv and --picture; "
+                                       "choose another name for one",
+                                       twice->string()));
 }
 
 }  // namespace
@@ -122,9 +141,11 @@ int main(int argc, char** argv) {
   stage.input_file("--data-dir", sources.data_dir, "folder that holds the files it names")
       .required(false);
   stage.options().add("--record", sources.records, "only these records of it");
-  stage.options().add("--step", step,
-                      "samples, at the classifier's rate, from the start of one window to that of "
-                      "the next; 0: one window after the other");
+  stage.options()
+      .add("--step", step,
+           "samples, at the classifier's rate, from the start of one window to that of "
+           "the next; 0: one window after the other")
+      .check(cli::whole_number(0, 1'000'000'000));
   stage.output_file("--output", output, "answers on all windows (HDF5)").required(false);
   stage.output_file("--csv", csv, "the same as text").required(false);
   stage.output_file("--picture", picture, "time lines and envelope spectra (SVG)").required(false);
@@ -142,8 +163,9 @@ int main(int argc, char** argv) {
       recordings.push_back(classification::read_lone_file(sources.lone, info));
     } else {
       stage.note_input("description", sources.description);
-      recordings = read_described(sources, info);
+      recordings = read_described(stage, sources, info);
     }
+    require_outputs(stage, {output, csv, picture});
     std::vector<classification::Verdict> verdicts;
     cli::Progress progress("classify", "recordings", recordings.size());
     for (classification::Recording& recording : recordings) {

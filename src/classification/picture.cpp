@@ -62,8 +62,8 @@ void draw_time_line(Svg& svg, const Verdict& verdict, const DatasetInfo& info, s
   for (std::size_t i = 0; i < verdict.start_s.size(); ++i) {
     const std::size_t named = index_of(verdict.answers.labels[i]);
     const bool unknown = verdict.is_unknown(i);
-    const double end_s =
-        i + 1 < verdict.start_s.size() ? verdict.start_s[i + 1] : verdict.start_s[i] + window_s;
+    const double next_s = i + 1 < verdict.start_s.size() ? verdict.start_s[i + 1] : x.high;
+    const double end_s = std::min(next_s, verdict.start_s[i] + window_s);
     const std::string colour = unknown
                                    ? unknown_colour
                                    : colour_of(info.classes[named].defect == signal::Defect::none,

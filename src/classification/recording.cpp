@@ -53,17 +53,17 @@ Recording recording_of(const signal::Record& record, const signal::DatasetInfo& 
 signal::WindowSet windows_of(const Recording& recording, const signal::DatasetInfo& trained,
                              std::size_t length, std::size_t step) {
   if (recording.signal.size() < length) {
-    throw Error(Exit::bad_input,
-                fmt::format("{}: is {:.3g} s long, but a window of the classifier is {:.3g} s; "
-                            "record for longer",
-                            recording.name,
-                            static_cast<double>(recording.signal.size()) / trained.sample_rate_hz,
-                            static_cast<double>(length) / trained.sample_rate_hz));
+    throw Error(
+        Exit::bad_input,
+        fmt::format("{}: has {} samples at {:g} Hz, but a window of the classifier has {}; "
+                    "record for longer",
+                    recording.name, recording.signal.size(), trained.sample_rate_hz, length));
   }
   signal::WindowSet windows;
   windows.info = trained;
   windows.length = length;
-  for (std::size_t first = 0; first + length <= recording.signal.size(); first += step) {
+  const std::size_t last = recording.signal.size() - length;
+  for (std::size_t first = 0; first <= last; first += step) {
     const auto begin = recording.signal.begin() + static_cast<std::ptrdiff_t>(first);
     std::transform(begin, begin + static_cast<std::ptrdiff_t>(length),
                    std::back_inserter(windows.samples),

@@ -48,17 +48,25 @@ std::size_t widest_line_of(const std::string& text) {
 
 std::string percent(double share) { return fmt::format("{:.0f} %", 100 * share); }
 
-/// The line of the named fault, or else the one that stands out farthest: "BPFI 12.3 dB".
+/// "BPFI +12.3 dB".
+std::string words_of(const inspection::FaultLine& line) {
+  return fmt::format("{} {:+.1f} dB", inspection::line_name(line.kind), line.db.value_or(0));
+}
+
+/// The line of the named fault, or else the one that stands out farthest. Where the former is faint
+/// and another stands out, both: a network has seen something that an analyst would not.
 std::string evidence_of(const Verdict& verdict, const DatasetInfo& info) {
   if (!info.has_bearing) return "no bearing known";
   const signal::Defect named = info.class_of(verdict.label).defect;
-  const inspection::FaultLine* line = verdict.unknown || !bearing::is_struck(named)
-                                          ? inspection::farthest(verdict.lines)
-                                          : &inspection::line_of(verdict.lines, named);
-  if (line == nullptr) return "no fault line";
-  if (!line->db) return "too short for lines";
-  return fmt::format("{} {:+.1f} dB{}", inspection::line_name(line->kind), *line->db,
-                     line->stands_out ? "" : ", faint");
+  const inspection::FaultLine* const farthest = inspection::farthest(verdict.lines);
+  if (verdict.unknown || !bearing::is_struck(named)) {
+    return farthest == nullptr ? "no fault line" : words_of(*farthest);
+  }
+  const inspection::FaultLine& own = inspection::line_of(verdict.lines, named);
+  if (!own.db) return "too short for lines";
+  if (own.stands_out) return words_of(own);
+  if (farthest == nullptr) return words_of(own) + ", faint";
+  return fmt::format("{}, not {}", words_of(*farthest), inspection::line_name(own.kind));
 }
 
 /// The table with names of that many characters at most.
@@ -78,7 +86,7 @@ std::string table_with_names(const std::vector<Verdict>& verdicts, const Dataset
     row.push_back(evidence_of(verdict, info));
     row.push_back(verdict.unknown ? "-" : percent(verdict.probability));
     row.push_back(verdict.unknown ? "-" : percent(verdict.share));
-    row.push_back(percent(verdict.share_unknown));
+    row.push_back(verdict.tells_unknown ? percent(verdict.share_unknown) : "-");
     row.push_back(std::to_string(verdict.start_s.size()));
     table.row(row);
   }

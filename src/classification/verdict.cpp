@@ -32,6 +32,7 @@ Verdict judge(Recording recording, diagnosis::KeptClassifier& classifier, std::s
   const signal::WindowSet windows = windows_of(recording, info, classifier.length(), step);
   Verdict verdict;
   verdict.answers = classifier.answer(windows);
+  verdict.tells_unknown = classifier.strangeness().has_value();
   for (const std::int64_t first : windows.first_sample) {
     verdict.start_s.push_back(static_cast<double>(first) / info.sample_rate_hz);
   }

@@ -19,6 +19,7 @@ struct Verdict {
   Recording recording;
   std::vector<double> start_s;  ///< [n] of each window
   diagnosis::Answers answers;   ///< of each window
+  bool tells_unknown = true;    ///< else nothing can be unknown (KeptClassifier::strangeness())
   /// Of the whole recording: more than half of its windows look like nothing that was trained.
   bool unknown = false;
   /// The class with the greatest probability in the mean over the windows (of those that are known,

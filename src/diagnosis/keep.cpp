@@ -36,18 +36,18 @@ bool known_where_tested(const WindowSet& known) {
   return known.size() > 0 && known.info.known_conditions() == known.info.tested_conditions();
 }
 
-Strangeness strangeness_by(const WindowSet& training, const Lessons& lessons) {
+std::optional<Strangeness> strangeness_by(const WindowSet& training, const Lessons& lessons) {
+  if (!known_where_tested(lessons.known)) return std::nullopt;
   const std::size_t real = lessons.normal.size() + lessons.known.size();
-  const std::size_t size = known_where_tested(lessons.known) ? real : training.size();
   WindowSet reference;
   reference.info = training.info;
   reference.length = training.length;
-  for (std::size_t i = 0; i < size; ++i) reference.append(training, i);
+  for (std::size_t i = 0; i < real; ++i) reference.append(training, i);
   std::vector<std::int32_t> groups = blocks_of_time(lessons.normal);
-  while (groups.size() < size) {  // each fault window is a group of its own
+  while (groups.size() < real) {  // each known fault window is a group of its own
     groups.push_back(Folds::count + static_cast<std::int32_t>(groups.size()));
   }
-  return {reference, std::move(groups)};
+  return Strangeness(reference, std::move(groups));
 }
 
 std::string digest_of(const WindowSet& training) {

@@ -25,7 +25,8 @@ std::int64_t trainings_to_keep(const signal::WindowSet& training, const Lessons&
 /// Makes a trained classifier ready to be kept. Its temperature is the best one for windows that
 /// were left out of trainings of their own (folds.hpp); where these cannot be, as where a class has
 /// one known window alone, it is 1. Strangeness has for reference the real windows of the training
-/// set; where no fault is known, or none in a condition that is tested, the generated ones, too.
+/// set. There is none where no fault is known in the tested condition: then a real fault is as
+/// strange as any other.
 KeptClassifier keep(const Classifier& classifier, std::unique_ptr<Trained> trained,
                     const signal::WindowSet& training, const Lessons& lessons,
                     const Relearn& relearn, ClassifierOrigin origin);

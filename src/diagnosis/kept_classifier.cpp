@@ -63,11 +63,17 @@ signal::WindowSet window_of_noise(const signal::DatasetInfo& info, std::size_t l
   return noise;
 }
 
+std::optional<Strangeness> read_strangeness(const artefact::Reader& reader,
+                                            const signal::DatasetInfo& info) {
+  if (!reader.has(reference)) return std::nullopt;
+  return Strangeness(reader, reference, info);
+}
+
 }  // namespace
 
 KeptClassifier::KeptClassifier(signal::DatasetInfo info, std::size_t length,
                                const Classifier& classifier, std::unique_ptr<Trained> trained,
-                               Calibration calibration, Strangeness strangeness,
+                               Calibration calibration, std::optional<Strangeness> strangeness,
                                ClassifierOrigin origin)
     : info_(std::move(info)),
       length_(length),
@@ -84,7 +90,7 @@ KeptClassifier::KeptClassifier(const artefact::Reader& reader)
       trained_(read_learned(*classifier_, reader, info_, length_)),
       calibration_{.temperature = reader.real("/", "temperature", possible_temperature),
                    .windows = reader.integer("/", "left_out_windows", count)},
-      strangeness_(reader, reference, info_),
+      strangeness_(read_strangeness(reader, info_)),
       origin_(read_origin(reader)) {
   require_answer(reader);
 }
@@ -112,7 +118,7 @@ void KeptClassifier::write(artefact::Writer& writer) const {
   writer.attribute("/", "left_out_windows", calibration_.windows);
   write_origin(writer, origin_);
   trained_->write(writer);
-  strangeness_.write(writer, reference);
+  if (strangeness_) strangeness_->write(writer, reference);
 }
 
 WdcnnOutputs KeptClassifier::uncalibrated(const signal::WindowSet& windows) {
@@ -125,7 +131,8 @@ Answers KeptClassifier::answer(const signal::WindowSet& windows) {
   answers.probabilities =
       scoring::tempered(uncalibrated(windows).logits, classes, calibration_.temperature);
   answers.labels = most_likely(answers.probabilities, classes);
-  answers.strangeness = strangeness_.of(windows);
+  answers.strangeness =
+      strangeness_ ? strangeness_->of(windows) : std::vector<double>(windows.size());
   return answers;
 }
 

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -36,8 +37,9 @@ struct Calibration {
 /// What a kept classifier says of n windows.
 struct Answers {
   std::vector<float> probabilities;  ///< row-major [n, classes], calibrated
-  std::vector<double> strangeness;   ///< [n] above 1 a window looks like nothing that was trained
-  std::vector<Label> labels;         ///< [n] the class of the greatest probability
+  /// [n] above 1 a window looks like nothing that was trained; 0 where that cannot be told.
+  std::vector<double> strangeness;
+  std::vector<Label> labels;  ///< [n] the class of the greatest probability
 };
 
 /// A classifier as `diagnose --keep-classifier` stores it in classifier.h5 (kind "classifier"): it
@@ -45,15 +47,16 @@ struct Answers {
 class KeptClassifier {
  public:
   KeptClassifier(signal::DatasetInfo info, std::size_t length, const Classifier& classifier,
-                 std::unique_ptr<Trained> trained, Calibration calibration, Strangeness strangeness,
-                 ClassifierOrigin origin);
+                 std::unique_ptr<Trained> trained, Calibration calibration,
+                 std::optional<Strangeness> strangeness, ClassifierOrigin origin);
   /// Throws artefact::Refusal for what `diagnose` cannot have written, such as one that cannot be
   /// asked about windows of its length, or has no finite answer.
   explicit KeptClassifier(const artefact::Reader& reader);
 
   /// In the artefact: what DatasetInfo writes; attributes of the root `classifier`, `input` (what
   /// it is shown of a window), `window_length`, `temperature`, `left_out_windows`, and those of
-  /// ClassifierOrigin; /learned (Trained::write()) and /reference (Strangeness::write()).
+  /// ClassifierOrigin; /learned (Trained::write()) and, where there is one, /reference
+  /// (Strangeness::write()).
   void write(artefact::Writer& writer) const;
 
   /// Windows of its data set, length() samples each at the rate of info(). Throws as
@@ -67,7 +70,8 @@ class KeptClassifier {
   [[nodiscard]] const Classifier& classifier() const { return *classifier_; }
   [[nodiscard]] const Calibration& calibration() const { return calibration_; }
   [[nodiscard]] const ClassifierOrigin& origin() const { return origin_; }
-  [[nodiscard]] const Strangeness& strangeness() const { return strangeness_; }
+  /// None where no fault was known in the tested condition: then it cannot be told what is strange.
+  [[nodiscard]] const std::optional<Strangeness>& strangeness() const { return strangeness_; }
 
  private:
   void require_answer(const artefact::Reader& reader);
@@ -77,7 +81,7 @@ class KeptClassifier {
   const Classifier* classifier_;
   std::unique_ptr<Trained> trained_;
   Calibration calibration_;
-  Strangeness strangeness_;
+  std::optional<Strangeness> strangeness_;
   ClassifierOrigin origin_;
 };
 

@@ -39,22 +39,30 @@ WdcnnOutputs Nearest::outputs(const signal::WindowSet& windows, const std::strin
                             "both must be the same",
                             what, windows.length, length_));
   }
-  const Eigen::MatrixXd squares = training_.squared_distances(band_powers(windows));
+  const BandPowers asked = band_powers(windows);
   WdcnnOutputs all;
   all.scores.assign(windows.size() * classes_, 0);
   all.logits.assign(windows.size() * classes_, farthest_logit);
-  for (Index i = 0; i < squares.cols(); ++i) {
-    float* const logits = all.logits.data() + static_cast<std::size_t>(i) * classes_;
-    Index nearest = 0;
-    squares.col(i).minCoeff(&nearest);
-    for (Index j = 0; j < squares.rows(); ++j) {
-      float& logit = logits[index_of(labels_[static_cast<std::size_t>(j)])];
-      logit = std::max(logit, static_cast<float>(-squares(j, i) / 2));
+  for (Index begin = 0; begin < asked.rows(); begin += Neighbours::at_a_time) {
+    const Index count = std::min(Neighbours::at_a_time, asked.rows() - begin);
+    const Eigen::MatrixXd squares = training_.squared_distances(asked.middleRows(begin, count));
+    for (Index i = 0; i < count; ++i) {
+      answer(squares.col(i), static_cast<std::size_t>(begin + i), all);
     }
-    const Label named = labels_[static_cast<std::size_t>(nearest)];
-    all.scores[static_cast<std::size_t>(i) * classes_ + index_of(named)] = 1;
   }
   return all;
+}
+
+void Nearest::answer(const Eigen::VectorXd& squares, std::size_t window, WdcnnOutputs& all) const {
+  float* const logits = all.logits.data() + window * classes_;
+  Index nearest = 0;
+  squares.minCoeff(&nearest);
+  for (Index j = 0; j < squares.size(); ++j) {
+    float& logit = logits[index_of(labels_[static_cast<std::size_t>(j)])];
+    logit = std::max(logit, static_cast<float>(-squares[j] / 2));
+  }
+  const Label named = labels_[static_cast<std::size_t>(nearest)];
+  all.scores[window * classes_ + index_of(named)] = 1;
 }
 
 void Nearest::write(artefact::Writer& writer) const {

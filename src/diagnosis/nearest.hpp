@@ -25,6 +25,9 @@ class Nearest final : public Trained {
   void write(artefact::Writer& writer) const override;
 
  private:
+  /// What one window, by its squared distances to the training windows, is answered.
+  void answer(const Eigen::VectorXd& squares, std::size_t window, WdcnnOutputs& all) const;
+
   std::size_t length_;
   std::size_t classes_;
   std::vector<Label> labels_;  ///< of the training windows

@@ -16,8 +16,6 @@ using Eigen::Index;
 
 constexpr double least_threshold = 1e-6;  // where all reference windows are the same
 constexpr Range possible_threshold{.low = least_threshold, .high = 1e6};
-/// Windows that are looked at together: their distances fit into the caches.
-constexpr Index at_a_time = 64;
 
 }  // namespace
 
@@ -50,8 +48,8 @@ std::vector<double> Strangeness::of(const signal::WindowSet& windows) const {
   const BandPowers asked = band_powers(windows);
   std::vector<double> all;
   all.reserve(windows.size());
-  for (Index begin = 0; begin < asked.rows(); begin += at_a_time) {
-    const Index count = std::min(at_a_time, asked.rows() - begin);
+  for (Index begin = 0; begin < asked.rows(); begin += Neighbours::at_a_time) {
+    const Index count = std::min(Neighbours::at_a_time, asked.rows() - begin);
     const Eigen::RowVectorXd nearest =
         reference_.squared_distances(asked.middleRows(begin, count)).colwise().minCoeff();
     for (const double square : nearest) all.push_back(std::sqrt(square) / threshold_);

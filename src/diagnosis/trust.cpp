@@ -47,8 +47,9 @@ Trust trust_in(KeptClassifier& kept, const signal::WindowSet& test) {
   trust.raw_calibration_error = calibration_error_of(
       scoring::judgements_of(kept.uncalibrated(test).scores, answers.labels, test.labels));
   trust.called_unknown = share_above_one(answers.strangeness);
+  if (!kept.strangeness()) return trust;
   for (const Label label : test.info.fault_labels()) {
-    trust.untrained.emplace(label, untrained(kept.strangeness(), test, label));
+    trust.untrained.emplace(label, untrained(*kept.strangeness(), test, label));
   }
   return trust;
 }
@@ -59,6 +60,7 @@ void write(artefact::Writer& writer, const Trust& trust) {
   writer.attribute("/trust", "raw_calibration_error", trust.raw_calibration_error);
   writer.attribute("/trust", "calibration_error", trust.calibration_error);
   writer.attribute("/trust", "called_unknown", trust.called_unknown);
+  if (trust.untrained.empty()) return;
   std::vector<Label> labels;
   std::vector<double> aurocs;
   std::vector<double> called_unknown;
@@ -78,6 +80,7 @@ Trust read_trust(const artefact::Reader& reader, const signal::DatasetInfo& info
               .calibration_error = reader.real("/trust", "calibration_error", share),
               .called_unknown = reader.real("/trust", "called_unknown", share),
               .untrained = {}};
+  if (!reader.has("/trust/untrained_class")) return trust;
   const auto labels = reader.numbers<Label>("/trust/untrained_class", {0}).values;
   if (labels != info.fault_labels()) {
     reader.refuse("/trust/untrained_class",

@@ -21,7 +21,7 @@ struct Trust {
     double auroc = 0;
     double called_unknown = 0;
   };
-  std::map<Label, Untrained> untrained;
+  std::map<Label, Untrained> untrained;  ///< empty where it cannot be told what is strange
 };
 
 /// By windows of each class.

@@ -48,6 +48,7 @@ void add(TrustSeries& series, const diagnosis::KeptClassifier& kept,
   series.calibration_error.push_back(100 * trust.calibration_error);
   series.called_unknown.push_back(100 * trust.called_unknown);
   series.temperature.push_back(kept.calibration().temperature);
+  if (trust.untrained.empty()) return;
   const auto classes = static_cast<double>(trust.untrained.size());
   double auroc = 0;
   double called_unknown = 0;
@@ -82,8 +83,10 @@ TrustRow trust_row(const run::Layout& layout, const run::Grid& grid,
   row.calibration_error = scoring::summarise(series.calibration_error);
   row.called_unknown = scoring::summarise(series.called_unknown);
   row.temperature = scoring::summarise(series.temperature);
-  row.auroc = scoring::summarise(series.auroc);
-  row.untrained_called_unknown = scoring::summarise(series.untrained_called_unknown);
+  if (!series.auroc.empty()) {
+    row.auroc = scoring::summarise(series.auroc);
+    row.untrained_called_unknown = scoring::summarise(series.untrained_called_unknown);
+  }
   for (const auto& [label, aurocs] : series.by_class) {
     row.auroc_by_class.emplace_back(names[label], scoring::summarise(aurocs));
   }
@@ -116,9 +119,9 @@ Section unknown_section(const std::vector<TrustRow>& rows) {
                     2);
   for (const TrustRow& row : rows) {
     table.row({name_of_row(row), short_ratio_label(row.combination.ratio),
-               mean_label(row.called_unknown, {.decimals = 1}),
-               mean_label(row.auroc, {.decimals = 3}),
-               mean_label(row.untrained_called_unknown, {.decimals = 1})});
+               row.auroc ? mean_label(row.called_unknown, {.decimals = 1}) : no_number,
+               row.auroc ? mean_label(*row.auroc, {.decimals = 3}) : no_number,
+               row.auroc ? mean_label(*row.untrained_called_unknown, {.decimals = 1}) : no_number});
   }
   return {.key = "unknown",
           .title = "Windows that look like nothing that was trained",
@@ -185,8 +188,10 @@ std::string trust_csv(const std::string& dataset, const std::vector<TrustRow>& r
     add_line("calibration_error", "", row.calibration_error);
     add_line("temperature", "", row.temperature);
     add_line("called_unknown", "", row.called_unknown);
-    add_line("untrained_auroc", "", row.auroc);
-    add_line("untrained_called_unknown", "", row.untrained_called_unknown);
+    if (row.auroc) {
+      add_line("untrained_auroc", "", *row.auroc);
+      add_line("untrained_called_unknown", "", *row.untrained_called_unknown);
+    }
     for (const auto& [name, auroc] : row.auroc_by_class) add_line("untrained_auroc", name, auroc);
   }
   return csv;

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "diagnosis/trust.hpp"
@@ -22,8 +24,9 @@ struct TrustRow {
   scoring::Summary temperature;
   /// If a class had not been trained: the mean over the classes of how well its windows are told
   /// from the others, in [0, 1], and which share of them is called unknown, in percent.
-  scoring::Summary auroc;
-  scoring::Summary untrained_called_unknown;
+  /// None where it cannot be told what is strange (KeptClassifier::strangeness()).
+  std::optional<scoring::Summary> auroc;
+  std::optional<scoring::Summary> untrained_called_unknown;
   /// The area of each class, by its name.
   std::vector<std::pair<std::string, scoring::Summary>> auroc_by_class;
 };

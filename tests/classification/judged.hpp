@@ -51,7 +51,7 @@ inline diagnosis::KeptClassifier classifier_of_toys() {
           diagnosis::the_classifier("nearest"),
           std::make_unique<ByFirstSample>(),
           {.temperature = 1, .windows = 10},
-          {reference, {0, 0, 1, 1, 2, 2, 3, 3, 4, 4}},
+          diagnosis::Strangeness(reference, {0, 0, 1, 1, 2, 2, 3, 3, 4, 4}),
           {}};
 }
 

@@ -32,9 +32,10 @@ TEST(Windows, OfARecordingBeginAStepApartAndEndWithinIt) {
 
 TEST(Windows, NeedARecordingThatIsLongEnough) {
   EXPECT_ERROR(windows_of(counting_recording(5999), three_classes(), 6000, 6000), Exit::bad_input,
-               "a.csv: is 0.5 s long, but a window of the classifier is 0.5 s; record for longer");
+               "a.csv: has 5999 samples at 12000 Hz, but a window of the classifier has 6000; "
+               "record for longer");
   EXPECT_ERROR(windows_of(counting_recording(1200), three_classes(), 6000, 6000), Exit::bad_input,
-               "a.csv: is 0.1 s long");
+               "a.csv: has 1200 samples");
 }
 
 TEST(Windows, AreNotOfADeadChannel) {

@@ -44,7 +44,8 @@ class TrustTable : public StoredRun {
     const diagnosis::KeptClassifier kept(
         windows.info, windows.length, entry,
         diagnosis::learn(entry, windows, windows, {}, stream, nullptr).trained,
-        {.temperature = temperature, .windows = 6}, {windows, {0, 1, 2, 3, 4, 5}},
+        {.temperature = temperature, .windows = 6},
+        diagnosis::Strangeness(windows, {0, 1, 2, 3, 4, 5}),
         {.method = method,
          .ratio = "100to1",
          .generated_per_class = 0,
@@ -75,8 +76,8 @@ TEST_F(TrustTable, HasMeansOverTheSeedsInPercent) {
   EXPECT_NEAR(row.calibration_error.mean, 2, 1e-9);
   EXPECT_NEAR(row.called_unknown.mean, 4, 1e-9);
   EXPECT_NEAR(row.temperature.mean, 2, 1e-9);
-  EXPECT_NEAR(row.auroc.mean, 0.955, 1e-9);  // of 0.97 and 0.94
-  EXPECT_NEAR(row.untrained_called_unknown.mean, 70, 1e-9);
+  EXPECT_NEAR(row.auroc.value().mean, 0.955, 1e-9);  // of 0.97 and 0.94
+  EXPECT_NEAR(row.untrained_called_unknown.value().mean, 70, 1e-9);
   ASSERT_EQ(row.auroc_by_class.size(), 2U);
   EXPECT_EQ(row.auroc_by_class[0].first, "IR");
   EXPECT_NEAR(row.auroc_by_class[0].second.mean, 0.98, 1e-9);

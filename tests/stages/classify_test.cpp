@@ -5,6 +5,7 @@
 #include <random>
 #include <sstream>
 
+#include "base/sha256.hpp"
 #include "diagnosis/catalogue.hpp"
 #include "diagnosis/kept_classifier.hpp"
 #include "scoring/diagnosis_record.hpp"
@@ -274,13 +275,29 @@ TEST_F(Classify, RefusesASignalThatCannotFitAndSaysWhatWould) {
                  {"recording.csv: is sampled at 8000 Hz", "at that rate or above"});
   expect_refused(with(classify(), "--speed-rpm", "900"), 65,
                  {"recording.csv: is of 900 rpm", "trained at 1797 rpm", "5 %"});
-  expect_refused(
-      with(classify(), "--sample-rate-hz", "48000"), 65,
-      {"recording.csv: is ", " s long, but a window of the classifier is ", "record for longer"});
+  expect_refused(with(classify(), "--sample-rate-hz", "48000"), 65,
+                 {"recording.csv: has 256 samples at 12000 Hz", "has 1024", "record for longer"});
   describe("1000");
   expect_refused(
       {"--classifier", "classifier.h5", "--description", "mine.toml", "--data-dir", "data"}, 65,
       {"record IR007-01: is of 1000 rpm"});
+}
+
+TEST_F(Classify, ReplacesNoInputAndWritesNoFileTwice) {
+  const auto expect_usage = [&](const Arguments& outputs, const std::string& word) {
+    Arguments all = classify();
+    all.insert(all.end(), outputs.begin(), outputs.end());
+    expect_refusal(tiny_.run("classify", all), "classify", 2, {word});
+  };
+  const std::string recording = sha256_of_file(tiny_ / "recording.csv");
+  expect_usage({"--picture", "recording.csv"}, "recording.csv: is an input");
+  expect_usage({"--csv", "classifier.h5"}, "classifier.h5: is an input");
+  expect_usage({"--csv", "out", "--output", "./out"}, "out: is named by two of");
+  EXPECT_EQ(sha256_of_file(tiny_ / "recording.csv"), recording);
+}
+
+TEST_F(Classify, RefusesAStepThatCannotBe) {
+  expect_refused(with(classify(), "--step", "-1"), 2, {"--step"});
 }
 
 TEST_F(Classify, RefusesARecordingInWhichSomethingIsWrong) {
