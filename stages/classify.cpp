@@ -79,12 +79,12 @@ std::string said_of(const diagnosis::KeptClassifier& kept, const diagnosis::Trus
   const diagnosis::ClassifierOrigin& origin = kept.origin();
   return fmt::format(
       "by {} of {}, trained on {} windows ({} {}, seed {})\n"
-      "of windows that it was not trained on it named {:.1f} % rightly;\nhow sure it is {}\n{}",
+      "of windows that it was not trained on it named {:.1f} % rightly;\nthe probabilities {}\n{}",
       kept.classifier().name, kept.info().name, origin.training_windows, origin.method,
       origin.ratio, origin.seed, 100 * trust.accuracy,
       kept.calibration().windows > 0
-          ? fmt::format("was off by {:.1f} points", 100 * trust.calibration_error)
-          : "is uncalibrated: no known windows could be left out to find it",
+          ? fmt::format("were off by {:.1f} points in the mean", 100 * trust.calibration_error)
+          : "are uncalibrated: no known windows could be left out to find a temperature",
       kept.strangeness() ? ""
                          : "it cannot tell what is unknown: no fault was known as it is tested\n");
 }
@@ -94,7 +94,7 @@ void require_outputs(const cli::Stage& stage, std::vector<fs::path> paths) {
   std::erase(paths, fs::path());
   for (fs::path& path : paths) {
     stage.require_no_input(path);
-    path = fs::weakly_canonical(path);
+    path = fs::absolute(path).lexically_normal();
   }
   std::ranges::sort(paths);
   const auto twice = std::ranges::adjacent_find(paths);
