@@ -58,6 +58,7 @@ Monitor::Monitor(const signal::DatasetInfo& info, std::size_t length, Answer ans
       length_(length),
       answer_(std::move(answer)),
       rate_hz_(options.sample_rate_hz),
+      speed_rpm_(options.speed_rpm),
       decoder_(options.format, options.scale),
       resampler_(rate_hz_, info.sample_rate_hz),
       cutter_(length, options.stride == 0 ? length : options.stride),
@@ -135,6 +136,8 @@ void Monitor::judge_windows(const Say& say) {
       moving.samples.insert(moving.samples.end(), window->samples.begin(), window->samples.end());
       moving.labels.push_back(info_.healthy_label());
     }
+    moving.shaft_speed_rpm.assign(moving.size(), speed_rpm_);
+    moving.condition.assign(moving.size(), signal::every_condition);
     if (cuts.empty()) return;
     judge_cuts(cuts, moving.size() > 0 ? answer_(moving) : diagnosis::Answers{}, say);
   }

@@ -71,6 +71,7 @@ class Monitor {
   std::size_t length_;
   Answer answer_;
   double rate_hz_;
+  double speed_rpm_;
   SampleDecoder decoder_;
   signal::StreamResampler resampler_;
   WindowCutter cutter_;

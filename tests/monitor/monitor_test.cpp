@@ -139,6 +139,30 @@ TEST(Monitor, AStrangeWindowIsUnknown) {
             "0.10 OR? off; 0.20 OR? off; 0.30 OR? raised unknown; ");
 }
 
+/// Fault lines are looked for at the shaft's own speed, not at the data set's.
+TEST(Monitor, TheClassifierIsToldTheSpeedOfTheShaft) {
+  signal::DatasetInfo slower = rig();
+  slower.conditions = {{.name = "fast", .shaft_speed_rpm = 1500},
+                       {.name = "slow", .shaft_speed_rpm = 1200}};
+  std::vector<double> speeds_rpm;
+  std::vector<std::int32_t> conditions;
+  const auto listen = [&](const signal::WindowSet& windows) {
+    for (std::size_t i = 0; i < windows.size(); ++i) speeds_rpm.push_back(windows.speed_rpm(i));
+    conditions.insert(conditions.end(), windows.condition.begin(), windows.condition.end());
+    return by_mean(windows);
+  };
+  MonitorOptions options = options_at(1000);
+  options.speed_rpm = 1190;
+  Monitor monitor(slower, window_length, listen, options);
+  std::vector<float> signal;
+  append_wave(signal, -1, window_length);
+  signal.insert(signal.end(), window_length, 0.25F);  // silent
+  append_wave(signal, 2, window_length);
+  monitor.add(std::as_bytes(std::span(signal)), [](const Decision&) {});
+  EXPECT_EQ(speeds_rpm, (std::vector<double>{1190, 1190}));
+  EXPECT_EQ(conditions, (std::vector<std::int32_t>(2, signal::every_condition)));
+}
+
 TEST(Monitor, ManyWindowsAtOnceAreJudgedInTheirOrder) {
   std::vector<float> signal;
   for (int i = 0; i < 200; ++i) append_wave(signal, i % 4 == 0 ? 2 : -1, window_length);
