@@ -22,7 +22,6 @@ double windows_per_hour(const signal::DatasetInfo& info, std::size_t stride) {
 }  // namespace
 
 void bind(const cli::Options& command, MonitorOptions& options) {
-  constexpr Range scale{.low = -1e30, .high = 1e30};
   constexpr Range every_s{.low = 0, .high = 1e9, .unit = " s"};
   command.choose("--format", options.format, sample_format_words(),
                  "samples of the stream: floats or integers of so many bits, in the byte order of "
@@ -33,11 +32,6 @@ void bind(const cli::Options& command, MonitorOptions& options) {
   command.add("--speed-rpm", options.speed_rpm, "speed of the shaft")
       .required()
       .check(cli::within(signal::ranges::shaft_speed_rpm));
-  command
-      .add("--scale", options.scale,
-           "what one unit of the stream is in the unit of the recordings that the classifier "
-           "learned")
-      .check(cli::within(scale));
   command
       .add("--stride", options.stride,
            "samples, at the classifier's rate, from the start of one window to that of the next; "
@@ -59,7 +53,7 @@ Monitor::Monitor(const signal::DatasetInfo& info, std::size_t length, Answer ans
       answer_(std::move(answer)),
       rate_hz_(options.sample_rate_hz),
       speed_rpm_(options.speed_rpm),
-      decoder_(options.format, options.scale),
+      decoder_(options.format),
       resampler_(rate_hz_, info.sample_rate_hz),
       cutter_(length, options.stride == 0 ? length : options.stride),
       judge_(info,

@@ -21,7 +21,6 @@ struct MonitorOptions {
   double sample_rate_hz = 0;  ///< of the stream; must be given
   double speed_rpm = 0;       ///< of the shaft; must be given
   SampleFormat format = SampleFormat::f32;
-  double scale = 1;  ///< what one unit of the stream is in the unit that the classifier learned
   std::size_t stride = 0;  ///< samples between the starts of two windows; 0: their length
   double every_s = 1;      ///< of the stream, between two decisions; 0: one for each window
   AlarmOptions alarm;
