@@ -15,6 +15,12 @@ namespace {
 /// So many windows are classified at once, at most: enough to be fast, few enough to be small.
 constexpr std::size_t most_at_once = 64;
 
+/// Beyond this a sample counts as not finite: windows are of 32 bits, which hold 3e38, and
+/// resampled samples may exceed those that came.
+constexpr double largest_sample = 1e36;
+
+bool is_sample(double x) { return std::abs(x) <= largest_sample; }
+
 double windows_per_hour(const signal::DatasetInfo& info, std::size_t stride) {
   return 3600 * info.sample_rate_hz / static_cast<double>(stride);
 }
@@ -73,8 +79,7 @@ void Monitor::add(std::span<const std::byte> bytes, const Say& say) {
 
 void Monitor::take(std::span<const double> samples, const Say& say) {
   while (!samples.empty()) {
-    const auto first_bad =
-        std::ranges::find_if_not(samples, [](double x) { return std::isfinite(x); });
+    const auto first_bad = std::ranges::find_if_not(samples, is_sample);
     const auto good = static_cast<std::size_t>(first_bad - samples.begin());
     resampled_.clear();
     resampler_.add(samples.first(good), resampled_);
@@ -82,7 +87,7 @@ void Monitor::take(std::span<const double> samples, const Say& say) {
     judge_windows(say);
     samples = samples.subspan(good);
     if (samples.empty()) return;
-    const auto next_good = std::ranges::find_if(samples, [](double x) { return std::isfinite(x); });
+    const auto next_good = std::ranges::find_if(samples, is_sample);
     const auto bad = static_cast<std::size_t>(next_good - samples.begin());
     samples_ += bad;
     not_finite_ += bad;

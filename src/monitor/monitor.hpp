@@ -38,7 +38,8 @@ class Monitor {
 
   using Say = std::function<void(const Decision&)>;
 
-  /// The bytes that come next. Samples that are not finite are a gap: no window spans it.
+  /// The bytes that come next. Samples that are not finite, or beyond 1e36, are a gap: no window
+  /// spans it.
   void add(std::span<const std::byte> bytes, const Say& say);
   /// What comes next does not follow what came before.
   void skip();
