@@ -15,6 +15,12 @@ namespace {
 /// So many windows are classified at once, at most: enough to be fast, few enough to be small.
 constexpr std::size_t most_at_once = 64;
 
+/// Beyond this a sample counts as not finite: windows are of 32 bits, which hold 3e38, and
+/// resampled samples may exceed those that came.
+constexpr double largest_sample = 1e36;
+
+bool is_sample(double x) { return std::abs(x) <= largest_sample; }
+
 double windows_per_hour(const signal::DatasetInfo& info, std::size_t stride) {
   return 3600 * info.sample_rate_hz / static_cast<double>(stride);
 }
@@ -22,7 +28,6 @@ double windows_per_hour(const signal::DatasetInfo& info, std::size_t stride) {
 }  // namespace
 
 void bind(const cli::Options& command, MonitorOptions& options) {
-  constexpr Range scale{.low = -1e30, .high = 1e30};
   constexpr Range every_s{.low = 0, .high = 1e9, .unit = " s"};
   command.choose("--format", options.format, sample_format_words(),
                  "samples of the stream: floats or integers of so many bits, in the byte order of "
@@ -33,11 +38,6 @@ void bind(const cli::Options& command, MonitorOptions& options) {
   command.add("--speed-rpm", options.speed_rpm, "speed of the shaft")
       .required()
       .check(cli::within(signal::ranges::shaft_speed_rpm));
-  command
-      .add("--scale", options.scale,
-           "what one unit of the stream is in the unit of the recordings that the classifier "
-           "learned")
-      .check(cli::within(scale));
   command
       .add("--stride", options.stride,
            "samples, at the classifier's rate, from the start of one window to that of the next; "
@@ -58,7 +58,8 @@ Monitor::Monitor(const signal::DatasetInfo& info, std::size_t length, Answer ans
       length_(length),
       answer_(std::move(answer)),
       rate_hz_(options.sample_rate_hz),
-      decoder_(options.format, options.scale),
+      speed_rpm_(options.speed_rpm),
+      decoder_(options.format),
       resampler_(rate_hz_, info.sample_rate_hz),
       cutter_(length, options.stride == 0 ? length : options.stride),
       judge_(info,
@@ -78,8 +79,7 @@ void Monitor::add(std::span<const std::byte> bytes, const Say& say) {
 
 void Monitor::take(std::span<const double> samples, const Say& say) {
   while (!samples.empty()) {
-    const auto first_bad =
-        std::ranges::find_if_not(samples, [](double x) { return std::isfinite(x); });
+    const auto first_bad = std::ranges::find_if_not(samples, is_sample);
     const auto good = static_cast<std::size_t>(first_bad - samples.begin());
     resampled_.clear();
     resampler_.add(samples.first(good), resampled_);
@@ -87,7 +87,7 @@ void Monitor::take(std::span<const double> samples, const Say& say) {
     judge_windows(say);
     samples = samples.subspan(good);
     if (samples.empty()) return;
-    const auto next_good = std::ranges::find_if(samples, [](double x) { return std::isfinite(x); });
+    const auto next_good = std::ranges::find_if(samples, is_sample);
     const auto bad = static_cast<std::size_t>(next_good - samples.begin());
     samples_ += bad;
     not_finite_ += bad;
@@ -135,6 +135,8 @@ void Monitor::judge_windows(const Say& say) {
       moving.samples.insert(moving.samples.end(), window->samples.begin(), window->samples.end());
       moving.labels.push_back(info_.healthy_label());
     }
+    moving.shaft_speed_rpm.assign(moving.size(), speed_rpm_);
+    moving.condition.assign(moving.size(), signal::every_condition);
     if (cuts.empty()) return;
     judge_cuts(cuts, moving.size() > 0 ? answer_(moving) : diagnosis::Answers{}, say);
   }

@@ -21,7 +21,6 @@ struct MonitorOptions {
   double sample_rate_hz = 0;  ///< of the stream; must be given
   double speed_rpm = 0;       ///< of the shaft; must be given
   SampleFormat format = SampleFormat::f32;
-  double scale = 1;  ///< what one unit of the stream is in the unit that the classifier learned
   std::size_t stride = 0;  ///< samples between the starts of two windows; 0: their length
   double every_s = 1;      ///< of the stream, between two decisions; 0: one for each window
   AlarmOptions alarm;
@@ -39,7 +38,8 @@ class Monitor {
 
   using Say = std::function<void(const Decision&)>;
 
-  /// The bytes that come next. Samples that are not finite are a gap: no window spans it.
+  /// The bytes that come next. Samples that are not finite, or beyond 1e36, are a gap: no window
+  /// spans it.
   void add(std::span<const std::byte> bytes, const Say& say);
   /// What comes next does not follow what came before.
   void skip();
@@ -71,6 +71,7 @@ class Monitor {
   std::size_t length_;
   Answer answer_;
   double rate_hz_;
+  double speed_rpm_;
   SampleDecoder decoder_;
   signal::StreamResampler resampler_;
   WindowCutter cutter_;

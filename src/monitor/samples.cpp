@@ -30,7 +30,7 @@ void SampleDecoder::add_binary(std::span<const std::byte> bytes, std::vector<dou
   const auto take = [&](const void* from) {
     T value;
     std::memcpy(&value, from, sizeof value);
-    samples.push_back(scale_ * static_cast<double>(value));
+    samples.push_back(static_cast<double>(value));
   };
   const auto move_to_begun = [&](std::size_t count) {
     begun_.append(reinterpret_cast<const char*>(bytes.data()), count);
@@ -59,7 +59,7 @@ void SampleDecoder::end_line(std::vector<double>& samples) {
                               "text holds one sample",
                               line_, begun_));
     }
-    samples.push_back(scale_ * *value);
+    samples.push_back(*value);
   }
   begun_.clear();
 }

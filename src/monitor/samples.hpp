@@ -19,8 +19,7 @@ std::vector<cli::Word<SampleFormat>> sample_format_words();
 /// Makes numbers of the bytes of a stream, which come in pieces that may end within a sample.
 class SampleDecoder {
  public:
-  /// Each number is multiplied by `scale`.
-  SampleDecoder(SampleFormat format, double scale) : format_(format), scale_(scale) {}
+  explicit SampleDecoder(SampleFormat format) : format_(format) {}
 
   /// Appends the samples of what came until now. Throws Error(bad_input) for a line that is not a
   /// number; empty lines are passed over.
@@ -38,7 +37,6 @@ class SampleDecoder {
   void end_line(std::vector<double>& samples);
 
   SampleFormat format_;
-  double scale_;
   std::string begun_;
   std::uint64_t line_ = 0;
 };

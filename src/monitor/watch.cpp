@@ -67,7 +67,7 @@ std::string lost(const Monitor& monitor, std::size_t breaks) {
   const auto add = [&](const std::string& what) { text += (text.empty() ? "" : ", ") + what; };
   if (breaks > 0) add("the file began anew " + counted(breaks, "time"));
   if (monitor.samples_not_finite() > 0) {
-    add(counted(monitor.samples_not_finite(), "sample") + " not finite");
+    add(counted(monitor.samples_not_finite(), "sample") + " not finite or beyond 1e36");
   }
   if (monitor.begun_bytes() > 0)
     add(counted(monitor.begun_bytes(), "byte") + " of an unfinished sample");

@@ -110,6 +110,37 @@ TEST(Monitor, NoWindowSpansSamplesThatAreNotFinite) {
   }
 }
 
+/// Windows are of 32 bits, and what is resampled may exceed what came.
+TEST(Monitor, NoWindowSpansSamplesTooLargeForIt) {
+  for (const double rate_hz : {1000.0, 3000.0}) {
+    std::vector<double> signal;
+    for (std::size_t i = 0; i < 6000; ++i) signal.push_back(i % 7 == 0 ? 1 : -1);
+    signal[2150] = 1e300;
+    signal[2250] = -1e39;
+    for (std::size_t i = 4000; i < 4400; ++i) signal[i] = (i / 3) % 2 == 0 ? 3.4e38 : -3.4e38;
+    bool finite = true;
+    const auto listen = [&](const signal::WindowSet& windows) {
+      for (const float x : windows.samples) finite = finite && std::isfinite(x);
+      return by_mean(windows);
+    };
+    MonitorOptions options = options_at(rate_hz);
+    options.format = SampleFormat::f64;
+    Monitor monitor(rig(), window_length, listen, options);
+    std::vector<double> ends_s;
+    const auto say = [&](const Decision& d) { ends_s.push_back(d.time_s); };
+    monitor.add(std::as_bytes(std::span(signal)), say);
+    monitor.finish(say);
+    EXPECT_TRUE(finite) << rate_hz;
+    EXPECT_EQ(monitor.samples_not_finite(), 402U);
+    const auto spans_the_gap = [&](double end_s) {
+      const double begin = (end_s - monitor.window_s()) * rate_hz;
+      return begin < 4399.5 && end_s * rate_hz > 4000.5;
+    };
+    EXPECT_TRUE(std::ranges::none_of(ends_s, spans_the_gap)) << rate_hz;
+    EXPECT_NEAR(ends_s.back(), 6000 / rate_hz, monitor.window_s());
+  }
+}
+
 TEST(Monitor, NoWindowSpansABreak) {
   std::vector<float> signal;
   append_wave(signal, -1, 150);
@@ -137,6 +168,30 @@ TEST(Monitor, AStrangeWindowIsUnknown) {
   append_wave(signal, 20, 300);
   EXPECT_EQ(told(heard(signal, options_at(1000), 1000).decisions),
             "0.10 OR? off; 0.20 OR? off; 0.30 OR? raised unknown; ");
+}
+
+/// Fault lines are looked for at the shaft's own speed, not at the data set's.
+TEST(Monitor, TheClassifierIsToldTheSpeedOfTheShaft) {
+  signal::DatasetInfo slower = rig();
+  slower.conditions = {{.name = "fast", .shaft_speed_rpm = 1500},
+                       {.name = "slow", .shaft_speed_rpm = 1200}};
+  std::vector<double> speeds_rpm;
+  std::vector<std::int32_t> conditions;
+  const auto listen = [&](const signal::WindowSet& windows) {
+    for (std::size_t i = 0; i < windows.size(); ++i) speeds_rpm.push_back(windows.speed_rpm(i));
+    conditions.insert(conditions.end(), windows.condition.begin(), windows.condition.end());
+    return by_mean(windows);
+  };
+  MonitorOptions options = options_at(1000);
+  options.speed_rpm = 1190;
+  Monitor monitor(slower, window_length, listen, options);
+  std::vector<float> signal;
+  append_wave(signal, -1, window_length);
+  signal.insert(signal.end(), window_length, 0.25F);  // silent
+  append_wave(signal, 2, window_length);
+  monitor.add(std::as_bytes(std::span(signal)), [](const Decision&) {});
+  EXPECT_EQ(speeds_rpm, (std::vector<double>{1190, 1190}));
+  EXPECT_EQ(conditions, (std::vector<std::int32_t>(2, signal::every_condition)));
 }
 
 TEST(Monitor, ManyWindowsAtOnceAreJudgedInTheirOrder) {

@@ -63,8 +63,8 @@ TEST(Watch, SaysWhatWasLost) {
   std::vector<float> samples = ramp(250);
   samples[120] = std::numeric_limits<float>::quiet_NaN();
   EXPECT_EQ(watched(samples, 3).summary,
-            "2 windows in 0.2 s of signal until its end: 0 alarms; lost: 1 sample not finite, 3 "
-            "bytes of an unfinished sample");
+            "2 windows in 0.2 s of signal until its end: 0 alarms; lost: 1 sample not finite or "
+            "beyond 1e36, 3 bytes of an unfinished sample");
 }
 
 TEST(Watch, SaysThatNothingWasLateWhereAsked) {
