@@ -38,8 +38,11 @@ std::string about_config(const std::string& file, const std::string& text) {
   return file + (text.starts_with("line ") ? ", " : ": ") + text;
 }
 
-/// Whether a line begins with the name of a file, such as a recording that a description names.
+/// Whether a line begins with the name of a file, such as a recording that a description names, or
+/// with that of the stream which monitor calls so.
 bool names_its_file(const std::string& line) {
+  if (line.starts_with("standard input: ") || line.starts_with("standard input, line "))
+    return true;
   return std::ranges::any_of(std::array{": ", ", line ", " (record "}, [&](const char* behind) {
     std::error_code ignored;
     const std::size_t end = line.find(behind);
