@@ -188,18 +188,22 @@ artefact::Reader Stage::open(const std::string& role, const std::filesystem::pat
   artefact::Reader reader(path, kind);
   inputs_.push_back({role, path.filename().string(), reader.digest()});
   input_paths_.push_back(path);
+  note_read(path);
   return reader;
 }
 
 void Stage::note_input(const std::string& role, const std::filesystem::path& path) {
   inputs_.push_back({role, path.filename().string(), sha256_of_file(path)});
   input_paths_.push_back(path);
+  note_read(path);
 }
+
+void Stage::note_read(const std::filesystem::path& path) { read_paths_.push_back(path); }
 
 artefact::Provenance Stage::provenance() const { return {name_, resolved_options(), inputs_}; }
 
 void Stage::require_no_input(const std::filesystem::path& path) const {
-  for (const std::filesystem::path& input : input_paths_) {
+  for (const std::filesystem::path& input : read_paths_) {
     std::error_code none_there;
     if (std::filesystem::equivalent(input, path, none_there)) {
       throw Error(Exit::usage, path.string() + ": is an input; choose another output");
