@@ -71,6 +71,29 @@ test_every_program_is_installed_and_has_a_manual_page() {
   expect_line "$(piae-dt --version)" "^piae-dt $version( |$)"
 }
 
+# A stage's line is its first sentence, or as many of its words as 80 columns take.
+test_the_list_of_stages_says_what_each_does() {
+  installed
+  local listed stage summary line said
+  listed=$(piae-dt --help | sed -n '/^Stages:$/,/^$/p' | sed '1d; $d')
+  expect_equal "$(wc -l <<<"$listed")" "$(find "$project/stages" -name '*.cpp' | wc -l)"
+  while read -r line; do
+    ((${#line} <= 78)) || fail "wider than 80 columns: $line"
+    read -r stage said <<<"$line"
+    summary=$(piae-dt "$stage" --help | head -n 1)
+    if [[ $said == *' ...' ]]; then
+      said=${said%...}
+      ((${#line} > 60)) || fail "cut too early: $line"
+      [[ $summary == "$said"* ]] || fail "'$said' does not begin: $summary"
+    else
+      [[ "$summary " == "$said. "* ]] || fail "'$said' is not the first sentence of: $summary"
+    fi
+  done <<<"$listed"
+  # The manual page has the name alone in front.
+  gzip -dc "$prefix/share/man/man1/piae-dt.1.gz" >page
+  expect_equal "$(grep -A 1 '^.fBsplit.fR' page | cut -c 1-40)" $'\\fBsplit\\fR\nCuts records into windows and shares the'
+}
+
 # An option is there with its text, whether that stands beside it or below, and a dash is one that can be copied.
 test_pages_say_what_the_programs_say() {
   installed
