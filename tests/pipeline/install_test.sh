@@ -186,7 +186,7 @@ in_one_line() { sed 's/^> //' "$project/$1" | tr -s ' \n' ' '; }
 test_the_citation_names_the_software_and_the_paper() {
   local cited readme title
   cited=$(in_one_line CITATION.cff) readme=$(in_one_line README.md)
-  expect_line "$cited" '^cff-version: 1\.2\.0 message: .* type: software title: .* authors: - name: .* license: MIT references: - type: article title: '
+  expect_line "$cited" "^cff-version: 1\.2\.0 message: .* type: software title: .* version: ${version//./\\.} .* authors: - name: .* license: MIT references: - type: article title: "
   for title in 'PIAE-DT: bearing fault data from a digital twin, as a batch pipeline' \
     'Physics-informed auto-encoder based on digital twin for rolling bearing fault diagnosis under imbalanced sample conditions'; do
     expect_line "$cited" "title: (>- |\")$title"
