@@ -1,6 +1,7 @@
 # Makes a manual page of what a program says of itself with --help: a summary, "Usage:", headings that end in a
 # colon, "Example:" and "Exit codes:". Below a heading, a line that is indented by two spaces is an entry, whose
-# text stands in column 39 or, where its name is long, in that of the next line; deeper ones are text.
+# text stands behind two spaces more, in column 39, or, where its name is long, in that of the next line; deeper ones
+# are text.
 # usage: PROGRAM --help | awk -v name=piae-dt-split -v command='piae-dt split' -v version=0.1.0 -v date=2026-01-31 \
 #        -f packaging/man.awk
 
@@ -35,13 +36,15 @@ function heading(title) {
 }
 
 # An entry waits for the line after it, which may hold its text.
-function end_entry(text,    line) {
+function end_entry(text,    line, name_ends) {
   line = waiting
   waiting = ""
   if (line == "") return
   if (text == "") {
-    text = substr(line, 39)
-    line = substr(line, 1, 38)
+    name_ends = match(line, /[^ ]  /) ? RSTART : 38
+    text = substr(line, name_ends + 1)
+    line = substr(line, 1, name_ends)
+    sub(/^ +/, "", text)
     sub(/ +$/, "", line)
   }
   sub(/^ +/, "", line)

@@ -101,6 +101,11 @@ int main(int argc, char** argv) {
   return stage.run(argc, argv, [&] {
     const signal::Description description = signal::read_description(file);
     if (sources) return print_sources(description);
+    stage.note_read(file);
+    for (const signal::RecordSource& source : description.records) {
+      stage.note_read(data_dir / source.file);
+    }
+    stage.require_no_input(check ? picture : output);
     if (check) {
       require_sensible_split(file, description);
       return check_files(description, data_dir, picture);

@@ -52,7 +52,7 @@ int main(int argc, char** argv) {
     const auto answer = [&](const signal::WindowSet& windows) {
       return classifier.answer(windows);
     };
-    monitor::Monitor monitor(classifier.info(), classifier.length(), answer, options);
+    monitor::Monitor monitor(classifier.info(), classifier.length(), answer, options, input.name());
     cli::catch_interrupts();
     const std::string summary = watch(input, monitor, classifier.info(), watching, cli::interrupted,
                                       write_to_standard_output);

@@ -38,8 +38,11 @@ std::string about_config(const std::string& file, const std::string& text) {
   return file + (text.starts_with("line ") ? ", " : ": ") + text;
 }
 
-/// Whether a line begins with the name of a file, such as a recording that a description names.
+/// Whether a line begins with the name of a file, such as a recording that a description names, or
+/// with that of the stream which monitor calls so.
 bool names_its_file(const std::string& line) {
+  if (line.starts_with("standard input: ") || line.starts_with("standard input, line "))
+    return true;
   return std::ranges::any_of(std::array{": ", ", line ", " (record "}, [&](const char* behind) {
     std::error_code ignored;
     const std::size_t end = line.find(behind);
@@ -185,18 +188,22 @@ artefact::Reader Stage::open(const std::string& role, const std::filesystem::pat
   artefact::Reader reader(path, kind);
   inputs_.push_back({role, path.filename().string(), reader.digest()});
   input_paths_.push_back(path);
+  note_read(path);
   return reader;
 }
 
 void Stage::note_input(const std::string& role, const std::filesystem::path& path) {
   inputs_.push_back({role, path.filename().string(), sha256_of_file(path)});
   input_paths_.push_back(path);
+  note_read(path);
 }
+
+void Stage::note_read(const std::filesystem::path& path) { read_paths_.push_back(path); }
 
 artefact::Provenance Stage::provenance() const { return {name_, resolved_options(), inputs_}; }
 
 void Stage::require_no_input(const std::filesystem::path& path) const {
-  for (const std::filesystem::path& input : input_paths_) {
+  for (const std::filesystem::path& input : read_paths_) {
     std::error_code none_there;
     if (std::filesystem::equivalent(input, path, none_there)) {
       throw Error(Exit::usage, path.string() + ": is an input; choose another output");

@@ -70,6 +70,10 @@ class Stage {
   /// sha256 of its bytes.
   void note_input(const std::string& role, const std::filesystem::path& path);
 
+  /// A file that is read and that provenance does not name, such as a recording, must not be
+  /// replaced either.
+  void note_read(const std::filesystem::path& path);
+
   /// Throws Error(usage) where the path is that of an input, which an output must not replace.
   void require_no_input(const std::filesystem::path& path) const;
 
@@ -90,6 +94,7 @@ class Stage {
   std::vector<std::string> recorded_unless_default_;
   std::vector<artefact::Provenance::Input> inputs_;
   std::vector<std::filesystem::path> input_paths_;
+  std::vector<std::filesystem::path> read_paths_;  ///< those and the others that are read
 };
 
 }  // namespace piae::cli

@@ -53,13 +53,13 @@ void bind(const cli::Options& command, MonitorOptions& options) {
 }
 
 Monitor::Monitor(const signal::DatasetInfo& info, std::size_t length, Answer answer,
-                 const MonitorOptions& options)
+                 const MonitorOptions& options, const std::string& stream)
     : info_(info),
       length_(length),
       answer_(std::move(answer)),
       rate_hz_(options.sample_rate_hz),
       speed_rpm_(options.speed_rpm),
-      decoder_(options.format),
+      decoder_(options.format, stream),
       resampler_(rate_hz_, info.sample_rate_hz),
       cutter_(length, options.stride == 0 ? length : options.stride),
       judge_(info,

@@ -32,9 +32,10 @@ void bind(const cli::Options& command, MonitorOptions& options);
 /// needs and nothing else, and says the same however the stream was cut into pieces.
 class Monitor {
  public:
-  /// `info` and `length` (samples in a window) are the classifier's, whose answers `answer` gives.
+  /// `info` and `length` (samples in a window) are the classifier's, whose answers `answer` gives;
+  /// `stream` is what messages call the stream.
   Monitor(const signal::DatasetInfo& info, std::size_t length, Answer answer,
-          const MonitorOptions& options);
+          const MonitorOptions& options, const std::string& stream);
 
   using Say = std::function<void(const Decision&)>;
 

@@ -54,10 +54,11 @@ void SampleDecoder::end_line(std::vector<double>& samples) {
     const std::optional<double> value =
         number_in<double>(std::string_view(begun_).substr(first, last + 1 - first));
     if (!value) {
-      throw Error(Exit::bad_input,
-                  fmt::format("line {} of the samples, '{}', is not a number; a line of --format "
-                              "text holds one sample",
-                              line_, begun_));
+      throw Error(
+          Exit::bad_input,
+          fmt::format("{}, line {}: '{}' is not a number; a line of --format text holds one "
+                      "sample",
+                      name_, line_, begun_));
     }
     samples.push_back(*value);
   }
@@ -72,11 +73,9 @@ void SampleDecoder::add_text(std::span<const std::byte> bytes, std::vector<doubl
     } else if (begun_.size() < longest_line) {
       begun_ += c;
     } else {
-      throw Error(
-          Exit::bad_input,
-          fmt::format("line {} of the samples has more than {} characters: is --format text "
-                      "right?",
-                      line_ + 1, longest_line));
+      throw Error(Exit::bad_input,
+                  fmt::format("{}, line {}: has more than {} characters: is --format text right?",
+                              name_, line_ + 1, longest_line));
     }
   }
 }

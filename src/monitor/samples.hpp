@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "cli/options.hpp"
@@ -19,7 +20,8 @@ std::vector<cli::Word<SampleFormat>> sample_format_words();
 /// Makes numbers of the bytes of a stream, which come in pieces that may end within a sample.
 class SampleDecoder {
  public:
-  explicit SampleDecoder(SampleFormat format) : format_(format) {}
+  /// `name` is the stream's, for messages.
+  SampleDecoder(SampleFormat format, std::string name) : format_(format), name_(std::move(name)) {}
 
   /// Appends the samples of what came until now. Throws Error(bad_input) for a line that is not a
   /// number; empty lines are passed over.
@@ -37,6 +39,7 @@ class SampleDecoder {
   void end_line(std::vector<double>& samples);
 
   SampleFormat format_;
+  std::string name_;
   std::string begun_;
   std::uint64_t line_ = 0;
 };

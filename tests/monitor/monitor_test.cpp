@@ -55,7 +55,7 @@ struct Heard {
 };
 
 Heard heard(const std::vector<float>& signal, const MonitorOptions& options, std::size_t piece) {
-  Monitor monitor(rig(), window_length, by_mean, options);
+  Monitor monitor(rig(), window_length, by_mean, options, "raw");
   Heard heard;
   const auto say = [&](const Decision& d) { heard.decisions.push_back(d); };
   const auto bytes = std::as_bytes(std::span(signal));
@@ -125,7 +125,7 @@ TEST(Monitor, NoWindowSpansSamplesTooLargeForIt) {
     };
     MonitorOptions options = options_at(rate_hz);
     options.format = SampleFormat::f64;
-    Monitor monitor(rig(), window_length, listen, options);
+    Monitor monitor(rig(), window_length, listen, options, "raw");
     std::vector<double> ends_s;
     const auto say = [&](const Decision& d) { ends_s.push_back(d.time_s); };
     monitor.add(std::as_bytes(std::span(signal)), say);
@@ -144,7 +144,7 @@ TEST(Monitor, NoWindowSpansSamplesTooLargeForIt) {
 TEST(Monitor, NoWindowSpansABreak) {
   std::vector<float> signal;
   append_wave(signal, -1, 150);
-  Monitor monitor(rig(), window_length, by_mean, options_at(1000));
+  Monitor monitor(rig(), window_length, by_mean, options_at(1000), "raw");
   std::vector<Decision> decisions;
   const auto say = [&](const Decision& d) { decisions.push_back(d); };
   monitor.add(std::as_bytes(std::span(signal)).first(599), say);
@@ -184,7 +184,7 @@ TEST(Monitor, TheClassifierIsToldTheSpeedOfTheShaft) {
   };
   MonitorOptions options = options_at(1000);
   options.speed_rpm = 1190;
-  Monitor monitor(slower, window_length, listen, options);
+  Monitor monitor(slower, window_length, listen, options, "raw");
   std::vector<float> signal;
   append_wave(signal, -1, window_length);
   signal.insert(signal.end(), window_length, 0.25F);  // silent

@@ -19,7 +19,7 @@ std::string as_bytes_of(const std::vector<T>& values) {
 }
 
 Numbers decoded(SampleFormat format, const std::string& bytes, std::size_t piece) {
-  SampleDecoder decoder(format);
+  SampleDecoder decoder(format, "raw");
   Numbers samples;
   for (std::size_t at = 0; at < bytes.size(); at += piece) {
     decoder.add(std::as_bytes(std::span(bytes).subspan(at, std::min(piece, bytes.size() - at))),
@@ -45,7 +45,7 @@ TEST(Samples, AreTheSameWhateverThePieces) {
 }
 
 TEST(Samples, TellOfOneThatHasNotComeWhole) {
-  SampleDecoder decoder(SampleFormat::f32);
+  SampleDecoder decoder(SampleFormat::f32, "raw");
   Numbers samples;
   const std::string bytes(7, '\0');
   decoder.add(std::as_bytes(std::span(bytes)), samples);
@@ -57,9 +57,9 @@ TEST(Samples, TellOfOneThatHasNotComeWhole) {
 
 TEST(Samples, ALineThatIsNoNumberIsNamed) {
   EXPECT_ERROR(decoded(SampleFormat::text, "1\n2\n3,4\n", 3), Exit::bad_input,
-               "line 3 of the samples, '3,4', is not a number");
+               "raw, line 3: '3,4' is not a number");
   EXPECT_ERROR(decoded(SampleFormat::text, "1\n" + std::string(200, '1'), 9), Exit::bad_input,
-               "line 2 of the samples has more than 100 characters");
+               "raw, line 2: has more than 100 characters");
 }
 
 }  // namespace

@@ -37,7 +37,7 @@ Watched watched(const std::vector<float>& samples, std::size_t more_bytes = 0,
   MonitorOptions of_stream;
   of_stream.sample_rate_hz = 1000;
   of_stream.speed_rpm = 1500;
-  Monitor monitor(rig(), 100, all_healthy, of_stream);
+  Monitor monitor(rig(), 100, all_healthy, of_stream, input.name());
   Watched watched;
   watched.summary = watch(
       input, monitor, rig(), options, [=] { return stopped; },

@@ -71,6 +71,29 @@ test_every_program_is_installed_and_has_a_manual_page() {
   expect_line "$(piae-dt --version)" "^piae-dt $version( |$)"
 }
 
+# A stage's line is its first sentence, or as many of its words as 80 columns take.
+test_the_list_of_stages_says_what_each_does() {
+  installed
+  local listed stage summary line said
+  listed=$(piae-dt --help | sed -n '/^Stages:$/,/^$/p' | sed '1d; $d')
+  expect_equal "$(wc -l <<<"$listed")" "$(find "$project/stages" -name '*.cpp' | wc -l)"
+  while read -r line; do
+    ((${#line} <= 78)) || fail "wider than 80 columns: $line"
+    read -r stage said <<<"$line"
+    summary=$(piae-dt "$stage" --help | head -n 1)
+    if [[ $said == *' ...' ]]; then
+      said=${said%...}
+      ((${#line} > 60)) || fail "cut too early: $line"
+      [[ $summary == "$said"* ]] || fail "'$said' does not begin: $summary"
+    else
+      [[ "$summary " == "$said. "* ]] || fail "'$said' is not the first sentence of: $summary"
+    fi
+  done <<<"$listed"
+  # The manual page has the name alone in front.
+  gzip -dc "$prefix/share/man/man1/piae-dt.1.gz" >page
+  expect_equal "$(grep -A 1 '^.fBsplit.fR' page | cut -c 1-40)" $'\\fBsplit\\fR\nCuts records into windows and shares the'
+}
+
 # An option is there with its text, whether that stands beside it or below, and a dash is one that can be copied.
 test_pages_say_what_the_programs_say() {
   installed
@@ -163,7 +186,7 @@ in_one_line() { sed 's/^> //' "$project/$1" | tr -s ' \n' ' '; }
 test_the_citation_names_the_software_and_the_paper() {
   local cited readme title
   cited=$(in_one_line CITATION.cff) readme=$(in_one_line README.md)
-  expect_line "$cited" '^cff-version: 1\.2\.0 message: .* type: software title: .* authors: - name: .* license: MIT references: - type: article title: '
+  expect_line "$cited" "^cff-version: 1\.2\.0 message: .* type: software title: .* version: ${version//./\\.} .* authors: - name: .* license: MIT references: - type: article title: "
   for title in 'PIAE-DT: bearing fault data from a digital twin, as a batch pipeline' \
     'Physics-informed auto-encoder based on digital twin for rolling bearing fault diagnosis under imbalanced sample conditions'; do
     expect_line "$cited" "title: (>- |\")$title"

@@ -242,6 +242,19 @@ TEST_F(IngestCheck, DrawsTheSamePictureEachTime) {
   EXPECT_THAT(picture, HasSubstr("OR021 (OR021.csv), BPFO 107.3 Hz"));
 }
 
+TEST_F(IngestCheck, ReplacesNothingThatIsRead) {
+  const std::string recording = bytes_of(folder_ / "data/IR007.csv");
+  for (const std::string file : {"rig.toml", "data/IR007.csv", "./data/../data/IR007.csv"}) {
+    expect_refusal(run({"--picture", file}), "ingest", 2, {file, "is an input"});
+    expect_refusal(
+        stages::run(folder_.path(), "ingest",
+                    {"--description", "rig.toml", "--data-dir", "data", "--output", file}),
+        "ingest", 2, {file, "is an input"});
+  }
+  EXPECT_TRUE(bytes_of(folder_ / "rig.toml") == good_description);
+  EXPECT_TRUE(bytes_of(folder_ / "data/IR007.csv") == recording);
+}
+
 TEST_F(IngestCheck, APictureNeedsACheck) {
   const Outcome outcome = stages::run(folder_.path(), "ingest",
                                       {"--description", "rig.toml", "--data-dir", "data",

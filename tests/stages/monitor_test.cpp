@@ -196,6 +196,22 @@ TEST_F(Monitored, AStreamThatCannotFitIsRefused) {
   expect_refusal(monitor({"--input", "empty.f32"}), "monitor", 65, {"empty.f32", "0 samples"});
 }
 
+/// The fault is the stream's, and its line begins with the stream's name.
+TEST_F(Monitored, WhatIsWrongWithTheStreamNamesTheStream) {
+  write_bytes(tiny_ / "raw.csv", "t,acc\n0,1\n");
+  write_bytes(tiny_ / "empty.f32", "");
+  EXPECT_THAT(monitor({"--input", "raw.csv", "--format", "text"}).err,
+              StartsWith("monitor: raw.csv, line 1: 't,acc' is not a number; "));
+  Surroundings piped;
+  piped.input = tiny_ / "raw.csv";
+  EXPECT_THAT(monitor({"--format", "text"}, piped).err,
+              StartsWith("monitor: standard input, line 1: 't,acc' is not a number; "));
+  EXPECT_THAT(monitor({"--speed-rpm", "1200"}, piped).err,
+              StartsWith("monitor: standard input: is of 1200 rpm"));
+  piped.input = tiny_ / "empty.f32";
+  EXPECT_THAT(monitor({}, piped).err, StartsWith("monitor: standard input: ended after 0 samples"));
+}
+
 TEST_F(Monitored, ADamagedClassifierIsRefused) {
   simulate("Normal", 1, 0, "raw.f32");
   const auto with_classifier = [&](const std::string& file) {
