@@ -245,9 +245,7 @@ int main(int argc, char** argv) {
                            .ratio = ratio.name,
                            .generated_per_class = ratio.generated_per_class,
                            .seed = run.seed,
-                           .protocol = inputs.protocol,
-                           .training_windows = 0,
-                           .training_digest = ""});
+                           .protocol = inputs.protocol});
       save_classifier(stage, kept, inputs.test, classifier_file);
     }
   });

@@ -24,8 +24,8 @@ struct ClassifierOrigin {
   std::int64_t generated_per_class = 0;
   std::int64_t seed = 0;
   signal::Protocol protocol = signal::Protocol::random;
-  std::int64_t training_windows = 0;
-  std::string training_digest;  ///< sha256 of the samples and labels of the training set
+  std::int64_t training_windows = 0;  ///< this and the next: keep() finds them
+  std::string training_digest = {};   ///< sha256 of the samples and labels of the training set
 };
 
 /// Probabilities that mean what they say: softmax of logits by a temperature.
