@@ -4,27 +4,17 @@
 
 #include <cmath>
 #include <complex>
-#include <numbers>
 #include <unsupported/Eigen/FFT>
 #include <vector>
 
 #include "base/error.hpp"
+#include "scoring/spectrum.hpp"
 
 namespace piae::diagnosis {
 
 namespace {
 
 using Eigen::Index;
-
-/// Hann's window in the periodic form.
-Eigen::RowVectorXd hann(Index length) {
-  const double step = 2 * std::numbers::pi / static_cast<double>(length);
-  return (0.5 -
-          0.5 *
-              (Eigen::ArrayXd::LinSpaced(length, 0, static_cast<double>(length) - 1) * step).cos())
-      .matrix()
-      .transpose();
-}
 
 }  // namespace
 
@@ -36,7 +26,7 @@ BandPowers band_powers(const signal::WindowSet& windows) {
                             windows.length, number_of_bands, 2 * number_of_bands));
   }
   const Index bins = length / 2;
-  const Eigen::RowVectorXd taper = hann(length);
+  const Eigen::RowVectorXd taper = scoring::hann(length);
   Eigen::FFT<double> fft;  // makes its plan once
   fft.SetFlag(Eigen::FFT<double>::HalfSpectrum);
   std::vector<double> tapered(windows.length);

@@ -15,7 +15,8 @@ using Eigen::Index;
 
 constexpr double floor_to_mean = 1e-10;  // of powers, as a part of the real spectrum's mean
 
-/// Hann's window in the periodic form, which is usual in spectral estimates.
+}  // namespace
+
 Eigen::RowVectorXd hann(Index length) {
   Eigen::RowVectorXd taper(length);
   for (Index i = 0; i < length; ++i) {
@@ -24,8 +25,6 @@ Eigen::RowVectorXd hann(Index length) {
   }
   return taper;
 }
-
-}  // namespace
 
 Eigen::ArrayXd mean_power_spectrum(const Windows& windows, Index padding) {
   const Index bins = padding * windows.cols() / 2 + 1;

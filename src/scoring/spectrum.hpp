@@ -4,6 +4,9 @@
 
 namespace piae::scoring {
 
+/// Hann's window in the periodic form, which is usual in spectral estimates.
+Eigen::RowVectorXd hann(Eigen::Index length);
+
 /// Mean power of each frequency bin 0 .. length / 2 over all windows. This is Welch's estimate
 /// (1967) with the windows as its segments: the mean of each is removed, and it is tapered by
 /// Hann's window. It is not scaled to a density, since only ratios are used. With `padding` above
