@@ -38,8 +38,8 @@ Verdict judge(Recording recording, diagnosis::KeptClassifier& classifier, std::s
   }
   const auto n = static_cast<double>(windows.size());
   verdict.share_unknown =
-      static_cast<double>(std::ranges::count_if(verdict.answers.strangeness,
-                                                [](double s) { return s > strangest_known; })) /
+      static_cast<double>(std::ranges::count_if(
+          verdict.answers.strangeness, [](double s) { return s > diagnosis::strangest_known; })) /
       n;
   verdict.unknown = verdict.share_unknown > 0.5;
   Eigen::Index named = 0;

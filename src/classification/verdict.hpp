@@ -11,9 +11,6 @@
 
 namespace piae::classification {
 
-/// A window that is stranger than this looks like nothing that was trained.
-inline constexpr double strangest_known = 1;
-
 /// What a classifier says of a recording, and what speaks for it.
 struct Verdict {
   Recording recording;
@@ -34,7 +31,7 @@ struct Verdict {
   inspection::FaultLines lines;
 
   [[nodiscard]] bool is_unknown(std::size_t window) const {
-    return answers.strangeness[window] > strangest_known;
+    return answers.strangeness[window] > diagnosis::strangest_known;
   }
 };
 

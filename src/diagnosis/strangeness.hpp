@@ -11,6 +11,9 @@
 
 namespace piae::diagnosis {
 
+/// A window that is stranger than this looks like nothing that was trained.
+inline constexpr double strangest_known = 1;
+
 /// Whether a window looks like anything that was trained: its distance to the nearest reference
 /// window by band powers (Neighbours), by a threshold. The threshold is the largest distance that a
 /// reference window has to the others when what is close to it in time is left out: each known

@@ -17,8 +17,9 @@ double calibration_error_of(const std::vector<scoring::Judgement>& judgements) {
       scoring::reliability(judgements, scoring::reliability_bins));
 }
 
-double share_above_one(std::span<const double> strangeness) {
-  return static_cast<double>(std::ranges::count_if(strangeness, [](double s) { return s > 1; })) /
+double share_unknown(std::span<const double> strangeness) {
+  return static_cast<double>(
+             std::ranges::count_if(strangeness, [](double s) { return s > strangest_known; })) /
          static_cast<double>(strangeness.size());
 }
 
@@ -30,7 +31,7 @@ Trust::Untrained untrained(const Strangeness& strangeness, const signal::WindowS
   for (std::size_t i = 0; i < test.size(); ++i) {
     (test.labels[i] == label ? own : others).push_back(all[i]);
   }
-  return {.auroc = scoring::auroc(others, own), .called_unknown = share_above_one(own)};
+  return {.auroc = scoring::auroc(others, own), .called_unknown = share_unknown(own)};
 }
 
 }  // namespace
@@ -46,7 +47,7 @@ Trust trust_in(KeptClassifier& kept, const signal::WindowSet& test) {
   trust.calibration_error = calibration_error_of(judgements);
   trust.raw_calibration_error = calibration_error_of(
       scoring::judgements_of(kept.uncalibrated(test).scores, answers.labels, test.labels));
-  trust.called_unknown = share_above_one(answers.strangeness);
+  trust.called_unknown = share_unknown(answers.strangeness);
   if (!kept.strangeness()) return trust;
   for (const Label label : test.info.fault_labels()) {
     trust.untrained.emplace(label, untrained(*kept.strangeness(), test, label));

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/range.hpp"
+#include "diagnosis/strangeness.hpp"
 #include "signal/amplitude.hpp"
 #include "signal/ranges.hpp"
 
@@ -152,7 +153,7 @@ void Monitor::judge_cuts(const std::vector<Cut>& cuts, const diagnosis::Answers&
     finding.end_s = cut.end_s;
     if (!cut.silent) {
       finding.classes = std::span(answers.probabilities).subspan(answered * classes, classes);
-      finding.unknown = answers.strangeness[answered] > 1;
+      finding.unknown = answers.strangeness[answered] > diagnosis::strangest_known;
       ++answered;
     }
     if (const auto decision = judge_.add(finding)) say(*decision);
