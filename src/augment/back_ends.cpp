@@ -2,12 +2,12 @@
 
 #include "latent/generator.hpp"
 #include "seam/libtorch.hpp"
-#include "twin/dense_backend.hpp"
+#include "twin/one_core_backend.hpp"
 
 namespace piae::augment {
 
 Backends<twin::MakeEngine> twin_engines(const twin::TwinVariant& variant) {
-  return {.native = variant.coder == twin::CoderKind::dense ? twin::dense_engine : nullptr,
+  return {.native = variant.coder == twin::CoderKind::dense ? twin::one_core_engine : nullptr,
           .libtorch = seam::back_end(&seam::BackEnds::twin)};
 }
 

@@ -59,7 +59,7 @@ BatchOutcome SymptomNetwork::step(const SymptomRows& batch, std::span<const Labe
   const nets::Rows<const double> by_units = last_.backward(rows, 1, {.begin = 0, .count = rows});
   const Array passed = (units > 0).select(nets::copied(by_units, rows, hidden) * factors, 0.0);
   nets::put(passed, first_.output_gradient());
-  (void)first_.backward(rows, 1, nets::DenseChain<double>::no_rows);
+  (void)first_.backward(rows, 1, nets::no_rows);
   const nets::AdamStep adam(++steps_, learning_rate);
   for (nets::DenseChain<double>* const layer : {&first_, &last_}) {
     layer->take(adam, 1, {.of_weights = rows, .of_biases = rows});

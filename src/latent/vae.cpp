@@ -37,7 +37,7 @@ class DenseVae final : public DenseBackend {
     nets::put<float>(by_z + mean * per_window, encoder_.output_gradient());
     nets::put<float>(0.5F * (by_z * deviation + (log_variance.exp() - 1) * per_window),
                      encoder_.output_gradient(), latent);
-    encoder_.backward(n, 1, Chain::no_rows);
+    encoder_.backward(n, 1, nets::no_rows);
 
     const nets::AdamStep adam(++steps_, task_.options.learning_rate);
     generator_.take(adam, 1, {.of_weights = n, .of_biases = n});

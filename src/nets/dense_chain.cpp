@@ -43,6 +43,7 @@ void DenseChain<T>::require_room_for(std::int64_t rows) const {
 template <class T>
 Rows<const T> DenseChain<T>::forward(std::int64_t rows) {
   require_room_for(rows);
+  rows_ = rows;
   for (std::size_t i = 0; i < layers_.size(); ++i) {
     Layer& layer = layers_[i];
     const bool last = i + 1 == layers_.size();

@@ -7,48 +7,30 @@
 #include <vector>
 
 #include "nets/dense_kernels.hpp"
+#include "nets/network.hpp"
 #include "nets/parameters.hpp"
 
 namespace piae::nets {
 
-/// A chain of dense layers with ReLU between them, trained on one core with gradients that are
-/// written by hand. Batches are small and weights are large, so a step waits for memory. The
-/// gradient of a weight is therefore never stored: it is a sum of as many outer products as the
-/// batch has rows, and it is formed where it is used (dense_kernels.hpp).
-///
-/// A training step: fill input(); call forward(); fill output_gradient(); call backward(), which
-/// returns the gradient by the input where that is asked for; call squared_norm() if the gradients
-/// are to be clipped; call take().
+/// A chain of dense layers with ReLU between them. Batches are small and weights are large, so a
+/// step waits for memory. The gradient of a weight is therefore never stored: it is a sum of as
+/// many outer products as the batch has rows, and it is formed where it is used
+/// (dense_kernels.hpp).
 template <class T>
-class DenseChain {
+class DenseChain final : public Network<T> {
  public:
   /// A chain over the parameters <name>/0/weight, <name>/0/bias, <name>/1/weight, ..., for batches
   /// of up to `most_rows` rows. Several chains may share one set of parameters. Throws
   /// std::logic_error when no parameter has such a name; later calls throw it for more rows.
   DenseChain(std::shared_ptr<Parameters<T>> parameters, const std::string& name,
              std::int64_t most_rows);
-  // A copy would train the same parameters as the original, which nobody would expect.
-  DenseChain(const DenseChain&) = delete;
-  DenseChain& operator=(const DenseChain&) = delete;
 
-  /// [most_rows, inputs]: the caller fills the rows of its batch. The numbers that fill a row up to
-  /// whole vectors must stay zero.
-  Rows<T> input() { return rows_of(layers_.front().input, layers_.front().size.held_inputs); }
-  /// The output [rows, outputs] for the first `rows` rows of input().
-  Rows<const T> forward(std::int64_t rows);
-
-  /// [most_rows, outputs]: the caller fills in the gradient of its loss by the output.
-  Rows<T> output_gradient() { return output_gradient_of(layers_.back()); }
-  struct RowRange {
-    std::int64_t begin;
-    std::int64_t count;
-  };
-  static constexpr RowRange no_rows{.begin = 0, .count = 0};
-  /// Propagates output_gradient() back through the layers, after forward(rows). With more than one
-  /// signal, output_gradient() holds the gradients of several losses of the same batch, one below
-  /// the other: [signals * rows, outputs]. Returns the gradients by the input for the rows
-  /// `by_input` of these [signals * rows].
-  Rows<const T> backward(std::int64_t rows, std::int64_t signals, RowRange by_input);
+  Rows<T> input() override {
+    return rows_of(layers_.front().input, layers_.front().size.held_inputs);
+  }
+  Rows<const T> forward(std::int64_t rows) override;
+  Rows<T> output_gradient() override { return output_gradient_of(layers_.back()); }
+  Rows<const T> backward(std::int64_t rows, std::int64_t signals, RowRange by_input) override;
 
   /// The forward pass that the derivative of a gradient by the input needs, as a gradient penalty
   /// has it. For the rows [first, first + rows), it takes what input() now holds through the
@@ -63,8 +45,10 @@ class DenseChain {
   };
   /// The squared Euclidean norm of the gradients of all weights and biases together.
   [[nodiscard]] double squared_norm(const Summed& rows) const;
+  [[nodiscard]] double squared_norm() const override { return squared_norm(batch()); }
   /// One step of Adam by the gradients times `scale`.
   void take(const AdamStep& step, double scale, const Summed& rows);
+  void take(const AdamStep& step, double scale) override { take(step, scale, batch()); }
 
  private:
   using Numbers = Eigen::ArrayX<T>;  // begins at the boundary of a vector register
@@ -91,11 +75,14 @@ class DenseChain {
   [[nodiscard]] const T* values(std::int64_t begin) const {
     return parameters_->data(Kept::value) + begin;
   }
+  /// The rows of the first signal.
+  [[nodiscard]] Summed batch() const { return {.of_weights = rows_, .of_biases = rows_}; }
   void require_room_for(std::int64_t rows) const;
   [[nodiscard]] std::vector<T> bias_gradient(const Layer& layer, std::int64_t rows) const;
 
   std::shared_ptr<Parameters<T>> parameters_;
   std::int64_t most_rows_;
+  std::int64_t rows_ = 0;  ///< of the last forward()
   std::vector<Layer> layers_;
   Numbers output_;          ///< [most_rows, held outputs] of the last layer
   Numbers input_gradient_;  ///< [most_rows, held inputs] of the first layer

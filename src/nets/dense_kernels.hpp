@@ -3,20 +3,9 @@
 #include <cstdint>
 
 #include "nets/adam.hpp"
+#include "nets/rows.hpp"
 
 namespace piae::nets {
-
-/// A view of rows of numbers; row i begins at data + i * stride. Zeros fill each row up to whole
-/// vectors (base/vector.hpp), so the stride is a multiple of a vector too.
-template <class T>
-struct Rows {
-  T* data;
-  std::int64_t stride;
-
-  [[nodiscard]] T* row(std::int64_t i) const { return data + i * stride; }
-  [[nodiscard]] Rows from(std::int64_t i) const { return {row(i), stride}; }
-  operator Rows<const T>() const { return {data, stride}; }
-};
 
 /// The sizes of a dense layer. Its weight lies in memory as [outputs, held_inputs].
 struct LayerSize {

@@ -7,7 +7,7 @@
 #include <span>
 
 #include "base/label.hpp"
-#include "nets/dense_kernels.hpp"
+#include "nets/rows.hpp"
 
 namespace piae::nets {
 

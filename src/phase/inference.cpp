@@ -106,7 +106,7 @@ double Inference::learn(const nets::RowArray<float>& features, std::span<const L
                         const nets::RowArray<float>& targets, double learning_rate) {
   const nets::RowArray<float> error = forward(features, labels) - targets;
   nets::put<float>(error * (2.0F / static_cast<float>(error.size())), network_.output_gradient());
-  network_.backward(error.rows(), 1, network_.no_rows);
+  network_.backward(error.rows(), 1, nets::no_rows);
   const nets::AdamStep step(++steps_, learning_rate);
   network_.take(step, 1, {.of_weights = error.rows(), .of_biases = error.rows()});
   return static_cast<double>(error.square().mean());

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "nets/dense_chain.hpp"
+
 namespace piae::twin {
 
 namespace {
@@ -12,23 +14,20 @@ using Eigen::Index;
 /// ln(1 + e^x). As in LibTorch, it is the identity beyond 20, where the two agree in float.
 float softplus(float x) { return x > 20 ? x : std::log1p(std::exp(x)); }
 
-std::unique_ptr<nets::DenseChain<float>> chain(
-    const std::shared_ptr<nets::Parameters<float>>& parameters, bool exists,
-    const std::string& name, std::int64_t rows) {
-  if (!exists) return nullptr;
-  return std::make_unique<nets::DenseChain<float>>(parameters, name, rows);
-}
-
 }  // namespace
 
 Networks::Networks(const std::shared_ptr<nets::Parameters<float>>& parameters,
-                   const TwinVariant& variant, const NetworkShape& network_shape,
-                   Positive made_positive, std::int64_t most_windows)
+                   const TwinVariant& variant, const Coder& coder,
+                   const NetworkShape& network_shape, Positive made_positive,
+                   std::int64_t most_windows)
     : shape(network_shape),
       positive(made_positive),
-      encoder(chain(parameters, variant.encoder, encoder_name, most_windows)),
-      decoder(chain(parameters, true, decoder_name, 2 * most_windows)),
-      module(chain(parameters, variant.physics, module_name, 2 * most_windows)) {}
+      decoder(coder.decoder(parameters, 2 * most_windows)) {
+  if (variant.encoder) encoder = coder.encoder(parameters, most_windows);
+  if (variant.physics) {
+    module = std::make_unique<nets::DenseChain<float>>(parameters, module_name, 2 * most_windows);
+  }
+}
 
 RowArray<float> Networks::encode(const RowArray<float>& windows) {
   nets::put(windows, encoder->input());

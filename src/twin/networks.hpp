@@ -6,8 +6,9 @@
 #include <vector>
 
 #include "base/label.hpp"
-#include "nets/dense_chain.hpp"
+#include "nets/network.hpp"
 #include "nets/parameters.hpp"
+#include "twin/coder.hpp"
 #include "twin/losses.hpp"
 #include "twin/network_shape.hpp"
 #include "twin/space.hpp"
@@ -15,13 +16,14 @@
 
 namespace piae::twin {
 
-/// Encoder, decoder and physics-informed module as chains of dense layers for one core. Those that
-/// a variant does not have are null.
+/// Encoder, decoder and physics-informed module for one core. Those that a variant does not have
+/// are null. The module is a chain of dense layers in every variant.
 struct Networks {
   /// For batches of up to `most_windows` windows. Decoder and module have room for two signals of
-  /// such a batch (DenseChain::backward).
+  /// such a batch (nets::Network::backward).
   Networks(const std::shared_ptr<nets::Parameters<float>>& parameters, const TwinVariant& variant,
-           const NetworkShape& shape, Positive positive, std::int64_t most_windows);
+           const Coder& coder, const NetworkShape& shape, Positive positive,
+           std::int64_t most_windows);
 
   /// Eq. 16: windows [batch, N] -> (k~, c~), [batch, 2].
   RowArray<float> encode(const RowArray<float>& windows);
@@ -32,9 +34,9 @@ struct Networks {
 
   NetworkShape shape;
   Positive positive;
-  std::unique_ptr<nets::DenseChain<float>> encoder;
-  std::unique_ptr<nets::DenseChain<float>> decoder;
-  std::unique_ptr<nets::DenseChain<float>> module;
+  std::unique_ptr<nets::Network<float>> encoder;
+  std::unique_ptr<nets::Network<float>> decoder;
+  std::unique_ptr<nets::Network<float>> module;
 };
 
 /// The slope of what makes (k~, c~) positive (eq. 16), at the places where it gave these values.

@@ -2,14 +2,6 @@
 
 namespace piae::twin {
 
-std::vector<nets::ParameterSpec> dense_coder_specs(const NetworkShape& shape,
-                                                   const TwinOptions& options) {
-  const nets::DenseSize size{.depth = options.depth, .width = options.width};
-  auto specs = nets::dense_chain_specs(encoder_name, shape.samples, 2, size);
-  append(specs, nets::dense_chain_specs(decoder_name, 2 + shape.classes, shape.samples, size));
-  return specs;
-}
-
 std::vector<nets::ParameterSpec> network_specs(const TwinVariant& variant,
                                                const NetworkShape& shape,
                                                const TwinOptions& options,

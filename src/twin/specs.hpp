@@ -17,12 +17,8 @@ inline const std::string module_name = "net/physics";
 /// ln alpha, ln beta and ln gamma of eq. 23.
 inline const std::string log_weights_name = "loss/log_weights";
 
-/// The parameters of encoder and decoder of PIAE-DT itself (eqs 16 and 17): chains of `depth` dense
-/// layers, `width` wide, with ReLU between them, [N] -> [2] and [2 + classes] -> [N].
-std::vector<nets::ParameterSpec> dense_coder_specs(const NetworkShape& shape,
-                                                   const TwinOptions& options);
-
-/// The parameters of all networks that the variant has. `coder` holds those of encoder and decoder.
+/// The parameters of all networks that the variant has. `coder` holds those of encoder and decoder
+/// (coder.hpp).
 /// The module of eq. 18, acceleration and times [2 N] -> displacement and velocity [2 N], is a
 /// chain of dense layers in every variant.
 std::vector<nets::ParameterSpec> network_specs(const TwinVariant& variant,

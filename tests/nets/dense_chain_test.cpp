@@ -199,7 +199,7 @@ TEST(DenseChain, ResultOfARowDoesNotDependOnTheRowsBesideIt) {
 TEST(DenseChain, HasNoRoomForMoreRowsThanItWasMadeFor) {
   Example example(3, 4);
   EXPECT_THROW(example.chain.forward(5), std::logic_error);
-  EXPECT_THROW(example.chain.backward(3, 2, Chain::no_rows), std::logic_error);
+  EXPECT_THROW(example.chain.backward(3, 2, no_rows), std::logic_error);
   EXPECT_THROW(example.chain.forward_derivative(2, 3), std::logic_error);
 }
 

@@ -13,7 +13,7 @@
 #include "support/checkpoints.hpp"
 #include "support/folder.hpp"
 #include "support/simulated_windows.hpp"
-#include "twin/dense_backend.hpp"
+#include "twin/one_core_backend.hpp"
 
 namespace piae::phase {
 namespace {
@@ -32,8 +32,8 @@ PhaseOptions quick_options() {
 
 fs::path train(const nets::Checkpoint& checkpoint, const std::string& name) {
   const signal::WindowSet known = simulated_windows(5, "known");
-  const auto training =
-      make_phase_training(known, quick_options(), Stream("test"), twin::dense_engine(Device::cpu));
+  const auto training = make_phase_training(known, quick_options(), Stream("test"),
+                                            twin::one_core_engine(Device::cpu));
   nets::run_epochs(*training, checkpoint);
   artefact::Writer writer("model");
   training->write_model(writer);
@@ -59,7 +59,7 @@ TEST(PhaseTraining, CutAnywhereAndContinuedEqualsAnUncutOne) {
 /// time left goes by this, so each part must count what it works through.
 TEST(PhaseTraining, EffortIsThatOfWhatAnEpochWorksThrough) {
   const auto training = make_phase_training(simulated_windows(5, "known"), quick_options(),
-                                            Stream("test"), twin::dense_engine(Device::cpu));
+                                            Stream("test"), twin::one_core_engine(Device::cpu));
   ASSERT_EQ(training->epochs(), 10U);
   EXPECT_EQ(training->effort(1), 8);
   EXPECT_EQ(training->effort(4), 24);
@@ -73,9 +73,9 @@ TEST(PhaseTraining, EffortIsThatOfWhatAnEpochWorksThrough) {
 TEST(PhaseGeneration, FirstWindowsDoNotDependOnTheirNumber) {
   const artefact::Reader model(train(checkpoint_at("model.ckpt"), "model.h5"), "model");
   const signal::WindowSet few =
-      generate(model, 2, Stream("generate"), twin::dense_engine(Device::cpu));
+      generate(model, 2, Stream("generate"), twin::one_core_engine(Device::cpu));
   const signal::WindowSet many =
-      generate(model, 7, Stream("generate"), twin::dense_engine(Device::cpu));
+      generate(model, 7, Stream("generate"), twin::one_core_engine(Device::cpu));
   ASSERT_EQ(few.size(), 4U);
   ASSERT_EQ(many.size(), 14U);
   for (std::size_t i = 0; i < few.length; ++i) {
@@ -90,7 +90,7 @@ TEST(PhaseGeneration, FirstWindowsDoNotDependOnTheirNumber) {
 TEST(PhaseGeneration, SaysAtWhichAngleEachWindowStarts) {
   const artefact::Reader model(train(checkpoint_at("said.ckpt"), "said.h5"), "model");
   const signal::WindowSet windows =
-      generate(model, 40, Stream("generate"), twin::dense_engine(Device::cpu));
+      generate(model, 40, Stream("generate"), twin::one_core_engine(Device::cpu));
   ASSERT_EQ(windows.start_angle_rad.size(), windows.size());
   EXPECT_TRUE(windows.parents.empty());  // states are drawn, and belong to no one window
   for (const Label label : {1, 2}) {
@@ -132,7 +132,8 @@ TEST(PhaseGeneration, AnotherStartAngleShiftsWhatTheDecoderGives) {
   }
   draws.push_back(draw);
   draws.back().passage.start += cycle.samples;
-  const std::vector<float> windows = decode(model, outer, draws, twin::dense_engine(Device::cpu));
+  const std::vector<float> windows =
+      decode(model, outer, draws, twin::one_core_engine(Device::cpu));
   ASSERT_EQ(windows.size(), draws.size() * length);
   const auto window = [&](std::size_t i) { return std::span(windows).subspan(i * length, length); };
   EXPECT_GT(*std::ranges::max_element(window(0)), *std::ranges::min_element(window(0)));
@@ -149,9 +150,9 @@ TEST(PhaseGeneration, AnotherStartAngleShiftsWhatTheDecoderGives) {
 TEST(PhaseTraining, RefusesWindowsThatAreTooShort) {
   signal::WindowSet known = simulated_windows(5, "known");
   known.length = 64;
-  EXPECT_THROW(
-      make_phase_training(known, quick_options(), Stream("test"), twin::dense_engine(Device::cpu)),
-      Error);
+  EXPECT_THROW(make_phase_training(known, quick_options(), Stream("test"),
+                                   twin::one_core_engine(Device::cpu)),
+               Error);
 }
 
 }  // namespace

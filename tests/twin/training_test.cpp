@@ -2,8 +2,8 @@
 
 #include "support/errors.hpp"
 #include "support/three_classes.hpp"
-#include "twin/dense_backend.hpp"
 #include "twin/model.hpp"
+#include "twin/one_core_backend.hpp"
 #include "twin/space.hpp"
 #include "twin/training_cases.hpp"
 
@@ -12,19 +12,19 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const NamedVariant variants[] = {{"Full", full_model, dense_engine},
-                                 {"WithoutPhysics", without_physics, dense_engine}};
+const NamedVariant variants[] = {{"Full", full_model, one_core_engine},
+                                 {"WithoutPhysics", without_physics, one_core_engine}};
 INSTANTIATE_TEST_SUITE_P(Dense, TwinVariantTraining, testing::ValuesIn(variants), name_of);
 
 fs::path train(const nets::Checkpoint& checkpoint, const TwinOptions& options,
                const std::string& name, const TwinVariant& variant = full_model) {
-  return train(checkpoint, options, name, variant, dense_engine);
+  return train(checkpoint, options, name, variant, one_core_engine);
 }
 
 TEST(TwinGeneration, RefusesAModelThatLacksWhatTheVariantHas) {
   const artefact::Reader model(
       train(checkpoint_at("v.ckpt"), quick_options(), "v.h5", without_physics), "model");
-  EXPECT_THROW(generate(model, full_model, 1, Stream("g"), dense_engine(Device::cpu)),
+  EXPECT_THROW(generate(model, full_model, 1, Stream("g"), one_core_engine(Device::cpu)),
                artefact::Refusal);
 }
 
@@ -157,7 +157,7 @@ TEST(TwinTraining, RefusesWindowsWithoutASecondDerivative) {
   const signal::WindowSet windows = known_windows(2);
   try {
     make_twin_training(windows, quick_options(), full_model, Stream("test"),
-                       dense_engine(Device::cpu));
+                       one_core_engine(Device::cpu));
     FAIL() << "no error";
   } catch (const Error& error) {
     EXPECT_EQ(error.exit(), Exit::usage);
@@ -169,7 +169,7 @@ TEST(TwinTraining, RefusesASilentClass) {
   signal::WindowSet windows = known_windows();
   std::fill(windows.samples.begin(), windows.samples.begin() + std::ptrdiff_t{5} * 64, 1.0F);
   EXPECT_THROW(make_twin_training(windows, quick_options(), full_model, Stream("test"),
-                                  dense_engine(Device::cpu)),
+                                  one_core_engine(Device::cpu)),
                Error);
 }
 
@@ -178,7 +178,7 @@ TEST(TwinGeneration, DrawsFromTheTwinSpace) {
   const artefact::Reader model(path, "model");
   const TwinSpace space(model);
   for (const auto& parameters :
-       generate(model, full_model, 50, Stream("g"), dense_engine(Device::cpu)).parameters) {
+       generate(model, full_model, 50, Stream("g"), one_core_engine(Device::cpu)).parameters) {
     EXPECT_GE(parameters.stiffness_n_per_m, space.k_edges().front() * 1e8);
     EXPECT_LE(parameters.stiffness_n_per_m, space.k_edges().back() * 1e8);
     EXPECT_GE(parameters.damping_ns_per_m, space.c_edges().front() * 1e2);
@@ -200,9 +200,9 @@ TEST(TwinGeneration, DependsOnTheModelThatIsKept) {
   }
   const bool last_is_best = best_model.integer("/", "best_epoch") == options.epochs;
   const auto a =
-      generate(best_model, full_model, 3, Stream("g"), dense_engine(Device::cpu)).samples;
+      generate(best_model, full_model, 3, Stream("g"), one_core_engine(Device::cpu)).samples;
   const auto b =
-      generate(final_model, full_model, 3, Stream("g"), dense_engine(Device::cpu)).samples;
+      generate(final_model, full_model, 3, Stream("g"), one_core_engine(Device::cpu)).samples;
   EXPECT_EQ(a == b, last_is_best);
 }
 

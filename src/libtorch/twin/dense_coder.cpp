@@ -2,12 +2,13 @@
 
 #include "libtorch/nets/dense.hpp"
 #include "libtorch/nets/torch.hpp"
+#include "twin/dense_coder.hpp"
 #include "twin/specs.hpp"
 
 namespace piae::libtorch {
 
 std::vector<nets::ParameterSpec> DenseCoder::specs() const {
-  return twin::dense_coder_specs(shape_, options_);
+  return twin::DenseCoder(shape_, options_).specs();
 }
 
 torch::Tensor DenseCoder::encode(const ParameterSet& parameters, const torch::Tensor& x) const {

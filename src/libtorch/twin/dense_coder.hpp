@@ -5,7 +5,7 @@
 
 namespace piae::libtorch {
 
-/// Encoder and decoder of PIAE-DT itself (twin::dense_coder_specs). Windows may have any length.
+/// Encoder and decoder of PIAE-DT itself (twin::DenseCoder). Windows may have any length.
 class DenseCoder final : public Coder {
  public:
   DenseCoder(const twin::NetworkShape& shape, const twin::TwinOptions& options)

@@ -1,5 +1,5 @@
 #include "libtorch/twin/backend.hpp"
-#include "twin/dense_backend.hpp"
+#include "twin/one_core_backend.hpp"
 #include "twin/training_cases.hpp"
 
 namespace piae::twin {
@@ -16,7 +16,7 @@ TEST(TwinGenerationByLibtorch, RefusesAModelThatLacksWhatTheVariantHas) {
     if (variant.physics && variant.coder == CoderKind::dense) continue;
     const artefact::Reader model(
         train(checkpoint_at("v.ckpt"), quick_options(), "v.h5", variant, engine), "model");
-    for (const MakeEngine other : {dense_engine, libtorch::twin_engine}) {
+    for (const MakeEngine other : {one_core_engine, libtorch::twin_engine}) {
       EXPECT_THROW(generate(model, full_model, 1, Stream("g"), other(Device::cpu)),
                    artefact::Refusal)
           << name;

@@ -1,4 +1,4 @@
-#include "twin/dense_backend.hpp"
+#include "twin/one_core_backend.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,15 +6,15 @@
 #include <utility>
 
 #include "base/label.hpp"
-#include "twin/dense_model.hpp"
 #include "twin/networks.hpp"
+#include "twin/one_core_model.hpp"
 
 namespace piae::twin {
 
 namespace {
 
 using Array = RowArray<float>;
-using Chain = nets::DenseChain<float>;
+using Network = nets::Network<float>;
 using Parameters = nets::Parameters<float>;
 using Kept = Parameters::Kept;
 
@@ -38,25 +38,27 @@ std::vector<TwinPoint> chosen(const std::vector<TwinPoint>& points,
   return chosen;
 }
 
-/// Copies a gradient into a chain's output gradient, from a row and a column on.
-void put(const Array& gradient, Chain& chain, std::int64_t row, std::int64_t column = 0) {
-  nets::put(gradient, chain.output_gradient().from(row), column);
+/// Copies a gradient into a network's output gradient, from a row and a column on.
+void put(const Array& gradient, Network& network, std::int64_t row, std::int64_t column = 0) {
+  nets::put(gradient, network.output_gradient().from(row), column);
 }
 
-/// The rows of the last of several signals (DenseChain::backward).
-Chain::RowRange last_signal(std::int64_t rows, std::int64_t signals) {
+/// The rows of the last of several signals (nets::Network::backward).
+nets::RowRange last_signal(std::int64_t rows, std::int64_t signals) {
   return {.begin = (signals - 1) * rows, .count = rows};
 }
 
-class DenseBackend final : public TwinBackend {
+class OneCoreBackend final : public TwinBackend {
  public:
-  DenseBackend(TwinTask task, const Stream& initial)
+  OneCoreBackend(TwinTask task, const Stream& initial)
       : task_(std::move(task)),
-        specs_(with_log_weights(network_specs(task_.variant, task_.shape, task_.options,
-                                              dense_coder_specs(task_.shape, task_.options)))),
+        coder_(make_coder(task_.variant.coder, task_.shape, task_.options)),
+        specs_(with_log_weights(
+            network_specs(task_.variant, task_.shape, task_.options, coder_->specs()))),
         parameters_(std::make_shared<Parameters>(specs_, initial)),
         largest_batch_(std::min<std::int64_t>(task_.options.batch, std::ssize(task_.labels))),
-        networks_(parameters_, task_.variant, task_.shape, task_.options.positive, largest_batch_),
+        networks_(parameters_, task_.variant, *coder_, task_.shape, task_.options.positive,
+                  largest_batch_),
         stencil_(stencil_of(task_.options.derivatives)),
         reading_{.squares = task_.options.squares,
                  .mmd = task_.options.mmd,
@@ -160,8 +162,7 @@ class DenseBackend final : public TwinBackend {
       put(batch.twin.by_acceleration + differentiate_module(rows, 2), *networks_.decoder, rows);
       differentiate_coder(rows, 2, batch.twin.by_k_and_c, batch.k_and_c);
     }
-    const Chain::Summed all{.of_weights = rows, .of_biases = rows};
-    for (Chain* chain : chains()) chain->take(adam, clipping(chain->squared_norm(all)), all);
+    for (Network* network : trained()) network->take(adam, clipping(network->squared_norm()));
   }
 
   /// Eq. 25.
@@ -185,12 +186,11 @@ class DenseBackend final : public TwinBackend {
     put(by_a, *networks_.decoder, 0);
     differentiate_coder(rows, 1, by_k_and_c, batch.k_and_c);
 
-    const Chain::Summed all{.of_weights = rows, .of_biases = rows};
     double squares = 0;
     for (const float x : by_log_weights) squares += static_cast<double>(x) * x;
-    for (const Chain* chain : chains()) squares += chain->squared_norm(all);
+    for (const Network* network : trained()) squares += network->squared_norm();
     const double scale = clipping(squares);
-    for (Chain* chain : chains()) chain->take(adam, scale, all);
+    for (Network* network : trained()) network->take(adam, scale);
     for (float& x : by_log_weights) x *= static_cast<float>(scale);
     const nets::AdamStep of_weights(++weight_steps_, rate_of_weights);
     nets::take(of_weights, parameters_->data(Kept::value) + log_weights_, by_log_weights.data(),
@@ -221,22 +221,22 @@ class DenseBackend final : public TwinBackend {
   void differentiate_coder(std::int64_t rows, std::int64_t signals, const Array& by_k_and_c,
                            const Array& k_and_c) {
     if (!task_.variant.encoder) {
-      networks_.decoder->backward(rows, signals, Chain::no_rows);
+      networks_.decoder->backward(rows, signals, nets::no_rows);
       return;
     }
     const Array by_inputs = nets::copied<float>(
         networks_.decoder->backward(rows, signals, last_signal(rows, signals)), rows, 2);
     put((by_k_and_c + by_inputs) * slope_at(k_and_c, networks_.positive), *networks_.encoder, 0);
-    networks_.encoder->backward(rows, 1, Chain::no_rows);
+    networks_.encoder->backward(rows, 1, nets::no_rows);
   }
 
-  [[nodiscard]] std::vector<Chain*> chains() const {
-    std::vector<Chain*> chains;
-    for (Chain* chain :
+  [[nodiscard]] std::vector<Network*> trained() const {
+    std::vector<Network*> networks;
+    for (Network* network :
          {networks_.encoder.get(), networks_.decoder.get(), networks_.module.get()}) {
-      if (chain) chains.push_back(chain);
+      if (network) networks.push_back(network);
     }
-    return chains;
+    return networks;
   }
 
   /// The factor that brings gradients of this squared norm down to the largest norm allowed.
@@ -245,6 +245,7 @@ class DenseBackend final : public TwinBackend {
   }
 
   TwinTask task_;
+  std::unique_ptr<Coder> coder_;
   std::vector<nets::ParameterSpec> specs_;
   std::shared_ptr<Parameters> parameters_;
   std::int64_t largest_batch_;  ///< in windows
@@ -258,12 +259,12 @@ class DenseBackend final : public TwinBackend {
 
 }  // namespace
 
-Engine dense_engine(Device /*device*/) {
+Engine one_core_engine(Device /*device*/) {
   return {.train =
               [](TwinTask task, const Stream& initial) {
-                return std::make_unique<DenseBackend>(std::move(task), initial);
+                return std::make_unique<OneCoreBackend>(std::move(task), initial);
               },
-          .open = open_dense_model};
+          .open = open_one_core_model};
 }
 
 }  // namespace piae::twin

@@ -1,6 +1,6 @@
 // Whole steps of the twin on one core against finite differences of the losses that they report.
 
-#include "twin/dense_backend.hpp"
+#include "twin/one_core_backend.hpp"
 
 #include <gtest/gtest.h>
 
@@ -27,7 +27,7 @@ std::vector<float> gradient_of(const TwinBackend& backend, const std::string& gr
 
 /// Losses of the batch at other parameters.
 BatchLosses losses_at(const TwinTask& task, const std::vector<float>& values) {
-  const auto probe = dense_engine(Device::cpu).train(task, Stream("initial"));
+  const auto probe = one_core_engine(Device::cpu).train(task, Stream("initial"));
   probe->set_values(values);
   return probe->step(TrainingStage::one, batch, rates);
 }
@@ -60,7 +60,7 @@ std::vector<float> part_of(const std::vector<float>& all, const Range& range) {
 void expect_followed(const TwinTask& task, TrainingStage stage, const std::string& prefix,
                      const std::function<double(const BatchLosses&)>& loss) {
   SCOPED_TRACE(prefix);
-  const auto backend = dense_engine(Device::cpu).train(task, Stream("initial"));
+  const auto backend = one_core_engine(Device::cpu).train(task, Stream("initial"));
   const std::vector<float> start = values_of(*backend);
   const Range range = range_of(*backend, prefix);
   backend->step(stage, batch, rates);
@@ -75,7 +75,7 @@ void expect_followed(const TwinTask& task, TrainingStage stage, const std::strin
 
 constexpr double unclipped = 1e9;
 
-TEST(DenseTwin, InStageOneEachNetworkFollowsItsOwnLoss) {
+TEST(OneCoreTwin, InStageOneEachNetworkFollowsItsOwnLoss) {
   const TwinTask task = task_of({"Full", full_model, LossWeights::adaptive, unclipped});
   expect_followed(task, TrainingStage::one, "net/encoder/",
                   [](const BatchLosses& losses) { return losses.twin; });
@@ -85,7 +85,7 @@ TEST(DenseTwin, InStageOneEachNetworkFollowsItsOwnLoss) {
                   [](const BatchLosses& losses) { return losses.differential; });
 }
 
-TEST(DenseTwin, InStageTwoEveryNetworkFollowsTheTotal) {
+TEST(OneCoreTwin, InStageTwoEveryNetworkFollowsTheTotal) {
   for (const LossWeights loss_weights : {LossWeights::adaptive, LossWeights::adaptive_without_log,
                                          LossWeights::stationary, LossWeights::fixed}) {
     SCOPED_TRACE(static_cast<int>(loss_weights));
@@ -94,7 +94,7 @@ TEST(DenseTwin, InStageTwoEveryNetworkFollowsTheTotal) {
   }
 }
 
-TEST(DenseTwin, WithoutPhysicsItsCoderFollowsTheReconstruction) {
+TEST(OneCoreTwin, WithoutPhysicsItsCoderFollowsTheReconstruction) {
   const TwinTask task =
       task_of({"WithoutPhysics", without_physics, LossWeights::adaptive, unclipped});
   for (const TrainingStage stage : {TrainingStage::one, TrainingStage::two}) {
@@ -103,7 +103,7 @@ TEST(DenseTwin, WithoutPhysicsItsCoderFollowsTheReconstruction) {
   }
 }
 
-TEST(DenseTwin, WithoutAnEncoderItsDecoderFollowsTheReconstruction) {
+TEST(OneCoreTwin, WithoutAnEncoderItsDecoderFollowsTheReconstruction) {
   const TwinTask task = task_of({"WithoutEncoder", without_encoder, LossWeights::fixed, unclipped});
   expect_followed(task, TrainingStage::one, "net/",
                   [](const BatchLosses& losses) { return losses.reconstruction; });
@@ -111,11 +111,11 @@ TEST(DenseTwin, WithoutAnEncoderItsDecoderFollowsTheReconstruction) {
 
 // At the start all weights are 1: alpha L_DDL - 1/2 by ln alpha, and so on; without the logarithms,
 // the losses themselves.
-TEST(DenseTwin, LossWeightsFollowTheClosedFormOfEquation23) {
+TEST(OneCoreTwin, LossWeightsFollowTheClosedFormOfEquation23) {
   for (const auto& [loss_weights, held] :
        {std::pair{LossWeights::adaptive, 0.5}, std::pair{LossWeights::adaptive_without_log, 0.0}}) {
     const TwinTask task = task_of({"Full", full_model, loss_weights, unclipped});
-    const auto backend = dense_engine(Device::cpu).train(task, Stream("initial"));
+    const auto backend = one_core_engine(Device::cpu).train(task, Stream("initial"));
     const BatchLosses losses = backend->step(TrainingStage::two, batch, rates);
     const std::vector<float> gradient = gradient_of(*backend, "loss_weights");
     ASSERT_EQ(gradient.size(), 3U);
@@ -127,7 +127,7 @@ TEST(DenseTwin, LossWeightsFollowTheClosedFormOfEquation23) {
   }
 }
 
-TEST(DenseTwin, FollowsNoGradientThatIsLongerThanAllowed) {
+TEST(OneCoreTwin, FollowsNoGradientThatIsLongerThanAllowed) {
   constexpr double longest = 0.01;
   const TwinTask task = task_of({"Clipped", full_model, LossWeights::adaptive, longest});
   const TwinTask free = task_of({"Free", full_model, LossWeights::adaptive, unclipped});
@@ -136,8 +136,8 @@ TEST(DenseTwin, FollowsNoGradientThatIsLongerThanAllowed) {
     for (const float g : gradient) squares += static_cast<double>(g) * g;
     return std::sqrt(squares);
   };
-  const auto clipped = dense_engine(Device::cpu).train(task, Stream("initial"));
-  const auto unbounded = dense_engine(Device::cpu).train(free, Stream("initial"));
+  const auto clipped = one_core_engine(Device::cpu).train(task, Stream("initial"));
+  const auto unbounded = one_core_engine(Device::cpu).train(free, Stream("initial"));
   clipped->step(TrainingStage::one, batch, rates);
   unbounded->step(TrainingStage::one, batch, rates);
   for (const std::string prefix : {"net/encoder/", "net/decoder/", "net/physics/"}) {
@@ -147,10 +147,10 @@ TEST(DenseTwin, FollowsNoGradientThatIsLongerThanAllowed) {
   }
 }
 
-TEST(DenseTwin, GivesAStateForEveryKnownWindow) {
+TEST(OneCoreTwin, GivesAStateForEveryKnownWindow) {
   const TwinTask task = task_of({"Full", full_model, LossWeights::adaptive, unclipped});
   const std::vector<TwinPoint> states =
-      dense_engine(Device::cpu).train(task, Stream("initial"))->states();
+      one_core_engine(Device::cpu).train(task, Stream("initial"))->states();
   ASSERT_EQ(states.size(), task.labels.size());
   for (const TwinPoint& state : states) {
     EXPECT_GT(state.k, 0);  // by softplus
@@ -159,10 +159,10 @@ TEST(DenseTwin, GivesAStateForEveryKnownWindow) {
   EXPECT_NE(states[0].k, states[1].k);
 }
 
-TEST(DenseTwin, WithoutAnEncoderKeepsTheStatesThatItWasGiven) {
+TEST(OneCoreTwin, WithoutAnEncoderKeepsTheStatesThatItWasGiven) {
   const TwinTask task = task_of({"WithoutEncoder", without_encoder, LossWeights::fixed, unclipped});
   const std::vector<TwinPoint> states =
-      dense_engine(Device::cpu).train(task, Stream("initial"))->states();
+      one_core_engine(Device::cpu).train(task, Stream("initial"))->states();
   ASSERT_EQ(states.size(), task.labels.size());
   EXPECT_EQ(states[3].k, task.states->points[3].k);
   EXPECT_EQ(states[3].c, task.states->points[3].c);

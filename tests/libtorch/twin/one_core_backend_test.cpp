@@ -1,6 +1,6 @@
 // Whole steps of our back end against LibTorch's, from the same parameters.
 
-#include "twin/dense_backend.hpp"
+#include "twin/one_core_backend.hpp"
 
 #include <gtest/gtest.h>
 
@@ -21,15 +21,15 @@ std::vector<float> gradient_of(const TwinBackend& backend, const std::string& gr
 
 constexpr LearningRates rates{.networks = 1e-3, .loss_weights = 2e-2};
 
-class DenseTwinBesideLibtorch : public testing::TestWithParam<TaskOf> {};
+class TwinBesideLibtorch : public testing::TestWithParam<TaskOf> {};
 
 // In single precision: LibTorch takes the distances of eq. 21's MMD from products, which leaves it
 // five digits.
-TEST_P(DenseTwinBesideLibtorch, StepsAsLibtorchDoes) {
+TEST_P(TwinBesideLibtorch, StepsAsLibtorchDoes) {
   const TwinTask task = task_of(GetParam());
   const std::vector<std::size_t> batch{7, 2, 5, 0, 8};
   for (const TrainingStage stage : {TrainingStage::one, TrainingStage::two}) {
-    const auto mine = dense_engine(Device::cpu).train(task, Stream("initial"));
+    const auto mine = one_core_engine(Device::cpu).train(task, Stream("initial"));
     const auto theirs = libtorch::twin_engine(Device::cpu).train(task, Stream("initial"));
     ASSERT_EQ(values_of(*mine), values_of(*theirs));
     const BatchLosses own = mine->step(stage, batch, rates);
@@ -48,11 +48,11 @@ TEST_P(DenseTwinBesideLibtorch, StepsAsLibtorchDoes) {
 
 // Adam divides by the root of its second moment, so that the last digits of a gradient near zero
 // move a weight as far as any: three steps leave fewer digits than one.
-TEST_P(DenseTwinBesideLibtorch, FollowsLibtorchThroughBothStagesAndBatchesThatAreNotFull) {
+TEST_P(TwinBesideLibtorch, FollowsLibtorchThroughBothStagesAndBatchesThatAreNotFull) {
   TwinTask task = task_of(GetParam());
   for (const int depth : {1, 3}) {
     task.options.depth = depth;
-    const auto mine = dense_engine(Device::cpu).train(task, Stream("initial"));
+    const auto mine = one_core_engine(Device::cpu).train(task, Stream("initial"));
     const auto theirs = libtorch::twin_engine(Device::cpu).train(task, Stream("initial"));
     const auto step = [&](TrainingStage stage, const std::vector<std::size_t>& batch) {
       const BatchLosses own = mine->step(stage, batch, rates);
@@ -67,10 +67,10 @@ TEST_P(DenseTwinBesideLibtorch, FollowsLibtorchThroughBothStagesAndBatchesThatAr
   }
 }
 
-TEST_P(DenseTwinBesideLibtorch, GivesTheStatesThatLibtorchGives) {
+TEST_P(TwinBesideLibtorch, GivesTheStatesThatLibtorchGives) {
   const TwinTask task = task_of(GetParam());
   const std::vector<TwinPoint> mine =
-      dense_engine(Device::cpu).train(task, Stream("initial"))->states();
+      one_core_engine(Device::cpu).train(task, Stream("initial"))->states();
   const std::vector<TwinPoint> theirs =
       libtorch::twin_engine(Device::cpu).train(task, Stream("initial"))->states();
   ASSERT_EQ(mine.size(), task.labels.size());
@@ -81,7 +81,7 @@ TEST_P(DenseTwinBesideLibtorch, GivesTheStatesThatLibtorchGives) {
 }
 
 INSTANTIATE_TEST_SUITE_P(
-    Twin, DenseTwinBesideLibtorch,
+    Twin, TwinBesideLibtorch,
     testing::Values(TaskOf{"Full", full_model, LossWeights::adaptive, 1e9},
                     TaskOf{"FullClipped", full_model, LossWeights::adaptive, 0.01},
                     TaskOf{"FullFixed", full_model, LossWeights::fixed, 1e9},

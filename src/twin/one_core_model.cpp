@@ -1,4 +1,4 @@
-#include "twin/dense_model.hpp"
+#include "twin/one_core_model.hpp"
 
 #include <algorithm>
 
@@ -14,11 +14,11 @@ using Parameters = nets::Parameters<float>;
 
 constexpr std::int64_t windows_at_a_time = 64;
 
-class DenseModel final : public StoredTwin {
+class OneCoreModel final : public StoredTwin {
  public:
-  DenseModel(const std::shared_ptr<Parameters>& parameters, const ModelDescription& description,
-             const TwinVariant& variant)
-      : networks_(parameters, variant, description.shape, description.options.positive,
+  OneCoreModel(const std::shared_ptr<Parameters>& parameters, const ModelDescription& description,
+               const TwinVariant& variant, const Coder& coder)
+      : networks_(parameters, variant, coder, description.shape, description.options.positive,
                   windows_at_a_time) {}
 
   [[nodiscard]] std::vector<TwinPoint> encode(std::span<const float> windows) override {
@@ -43,16 +43,16 @@ class DenseModel final : public StoredTwin {
 
 }  // namespace
 
-std::unique_ptr<StoredTwin> open_dense_model(const artefact::Reader& model,
-                                             const ModelDescription& description,
-                                             const TwinVariant& variant) {
-  const auto specs = network_specs(variant, description.shape, description.options,
-                                   dense_coder_specs(description.shape, description.options));
+std::unique_ptr<StoredTwin> open_one_core_model(const artefact::Reader& model,
+                                                const ModelDescription& description,
+                                                const TwinVariant& variant) {
+  const auto coder = make_coder(variant.coder, description.shape, description.options);
+  const auto specs = network_specs(variant, description.shape, description.options, coder->specs());
   const std::string group = std::string("/") + to_string(description.options.keep);
   const std::vector<float> values = nets::read_parameters(model, group, specs);
   const auto parameters = std::make_shared<Parameters>(specs, Stream("replaced"));
   parameters->write(Parameters::Kept::value, values);
-  return std::make_unique<DenseModel>(parameters, description, variant);
+  return std::make_unique<OneCoreModel>(parameters, description, variant, *coder);
 }
 
 }  // namespace piae::twin

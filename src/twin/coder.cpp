@@ -1,0 +1,21 @@
+#include "twin/coder.hpp"
+
+#include <stdexcept>
+
+#include "twin/dense_coder.hpp"
+
+namespace piae::twin {
+
+std::unique_ptr<Coder> make_coder(CoderKind kind, const NetworkShape& shape,
+                                  const TwinOptions& options) {
+  switch (kind) {
+    case CoderKind::dense:
+      return std::make_unique<DenseCoder>(shape, options);
+    case CoderKind::convolutional:
+    case CoderKind::recurrent:
+      break;
+  }
+  throw std::logic_error("no such coder");
+}
+
+}  // namespace piae::twin
