@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "base/denormals.hpp"
 #include "base/vector.hpp"
 
 namespace piae::nets {
@@ -165,6 +166,7 @@ void propagate_back(const LayerSize& size, const T* weight, std::int64_t rows, R
 template <class T>
 void take(const AdamStep& step, double scale, const LayerSize& size, std::int64_t rows,
           Rows<const T> dy, Rows<const T> x, const TrainedWeight<T>& weight) {
+  const DenormalsAreZero guard;  // as in adam.cpp
   const AdamUpdate<T> update(step);
   const std::int64_t inputs = size.held_inputs;
   std::vector<T> factors(static_cast<std::size_t>(rows));

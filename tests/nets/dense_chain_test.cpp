@@ -229,5 +229,26 @@ TEST(DenseChain, WhatFillsRowsUpStaysZero) {
   }
 }
 
+// As in adam_test.cpp.
+TEST(DenseChain, MomentsOfAnInputThatIsZeroFromThenOnFadeToZero) {
+#if !defined(__SSE__)
+  GTEST_SKIP() << "this processor keeps denormal numbers";
+#endif
+  Example example(1);
+  Array x = random_array("x", 2, inputs);
+  const Array slope = random_array("slope", 2, outputs);
+  const double& moment = *example.parameters->data(Kept::first_moment);  // of input 0
+  for (int t = 1; t < 9000; ++t) {
+    example.forward(x);
+    example.backward(slope);
+    example.chain.take(AdamStep(t, 1e-3), 1);
+    if (t == 1) {
+      EXPECT_NE(moment, 0);
+    }
+    x.col(0) = 0;
+  }
+  EXPECT_EQ(moment, 0);
+}
+
 }  // namespace
 }  // namespace piae::nets

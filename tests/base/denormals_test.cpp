@@ -1,0 +1,31 @@
+#include "base/denormals.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace piae {
+namespace {
+
+TEST(DenormalsAreZero, TakesThemForZeroWhileItLives) {
+  volatile float smallest = std::numeric_limits<float>::min();
+  volatile float denormal = smallest / 4;
+  ASSERT_GT(denormal, 0);
+#if !defined(__SSE__)
+  GTEST_SKIP() << "this processor keeps them";
+#endif
+  {
+    const DenormalsAreZero guard;
+    volatile float computed = smallest / 4;
+    volatile float read = denormal * 8;
+    volatile float normal = smallest * 3;
+    EXPECT_EQ(computed, 0);
+    EXPECT_EQ(read, 0);
+    EXPECT_EQ(normal / 3, smallest);
+  }
+  volatile float after = smallest / 4;
+  EXPECT_EQ(after, denormal);
+}
+
+}  // namespace
+}  // namespace piae
