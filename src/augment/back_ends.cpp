@@ -7,7 +7,7 @@
 namespace piae::augment {
 
 Backends<twin::MakeEngine> twin_engines(const twin::TwinVariant& variant) {
-  return {.native = variant.coder == twin::CoderKind::dense ? twin::one_core_engine : nullptr,
+  return {.native = variant.coder != twin::CoderKind::recurrent ? twin::one_core_engine : nullptr,
           .libtorch = seam::back_end(&seam::BackEnds::twin)};
 }
 

@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 
+#include "twin/convolutional_coder.hpp"
 #include "twin/dense_coder.hpp"
 
 namespace piae::twin {
@@ -12,6 +13,7 @@ std::unique_ptr<Coder> make_coder(CoderKind kind, const NetworkShape& shape,
     case CoderKind::dense:
       return std::make_unique<DenseCoder>(shape, options);
     case CoderKind::convolutional:
+      return std::make_unique<ConvolutionalCoder>(shape, options);
     case CoderKind::recurrent:
       break;
   }

@@ -72,16 +72,16 @@ TEST(Backend, OnlyWhatHasNoNativeOneIsTrainedByLibtorch) {
   fs::create_directories(alone.parent_path());
   fs::copy_file(fs::path(PIAE_BIN) / "train", alone);
   const std::string program = fs::relative(alone, PIAE_BIN);
-  for (const std::string method : {"vae", "wgan-gp", "piae-dt", "ae"}) {
+  for (const std::string method : {"vae", "wgan-gp", "piae-dt", "ae", "piae-dt-cnn"}) {
     const Outcome outcome = tiny.run(program, training(method, "model.h5"));
     EXPECT_EQ(outcome.status, 0) << method << outcome.err;
   }
-  for (const Arguments& arguments : {training("piae-dt-cnn", "cnn.h5"),
+  for (const Arguments& arguments : {training("piae-dt-rnn", "rnn.h5"),
                                      with(training("vae", "l.h5"), "--backend", "libtorch")}) {
     expect_refusal(tiny.run(program, arguments), "train", 1,
                    {"needs LibTorch", "bin/train-libtorch", "make build LIBTORCH=on"});
   }
-  expect_refusal(tiny.run(program, with(training("piae-dt-cnn", "cnn.h5"), "--backend", "native")),
+  expect_refusal(tiny.run(program, with(training("piae-dt-rnn", "rnn.h5"), "--backend", "native")),
                  "train", 2, {"--backend", "no native back end", "libtorch"});
 }
 
@@ -90,7 +90,7 @@ TEST(Backend, ModelsOfOneAreReadByTheOther) {
   SKIP_WITHOUT_LIBTORCH();
   const Tiny tiny;
   tiny.run_chain_before("train");
-  for (const std::string method : {"vae", "wgan-gp", "piae-dt", "ae"}) {
+  for (const std::string method : {"vae", "wgan-gp", "piae-dt", "ae", "piae-dt-cnn"}) {
     const Outcome trained =
         tiny.run("train", with(training(method, "model.h5"), "--backend", "libtorch"));
     ASSERT_EQ(trained.status, 0) << trained.err;
