@@ -1,22 +1,23 @@
 #include "nets/joined_networks.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <utility>
+#include <vector>
 
 namespace piae::nets {
 
 namespace {
 
-/// Calls f(i, j) with the place i of each number of a matrix [height, width] and its place j in the
-/// transposed one, square by square, so that neither is left for long.
-template <class F>
-void for_each_place(std::int64_t height, std::int64_t width, const F& f) {
+/// Writes a matrix [height, width] transposed, square by square, so that neither is left for long.
+template <class T>
+void transpose(std::int64_t height, std::int64_t width, const T* from, T* to) {
   constexpr std::int64_t square = 16;
   for (std::int64_t top = 0; top < height; top += square) {
     for (std::int64_t left = 0; left < width; left += square) {
       for (std::int64_t y = top; y < std::min(top + square, height); ++y) {
         for (std::int64_t x = left; x < std::min(left + square, width); ++x) {
-          f(y * width + x, x * height + y);
+          to[x * height + y] = from[y * width + x];
         }
       }
     }
@@ -34,10 +35,9 @@ template <class T>
 Rows<const T> JoinedNetworks<T>::forward(std::int64_t rows) {
   const Rows<const T> given = first_->forward(rows);
   for (std::int64_t r = 0; r < rows; ++r) {
-    const T* const from = given.row(r);
     T* const to = second_->input().row(r);
-    for_each_place(height_, width_,
-                   [&](std::int64_t i, std::int64_t j) { to[j] = std::max(from[i], T{0}); });
+    transpose(height_, width_, given.row(r), to);
+    for (std::int64_t i = 0; i < height_ * width_; ++i) to[i] = std::max(to[i], T{0});
   }
   return second_->forward(rows);
 }
@@ -46,12 +46,12 @@ template <class T>
 Rows<const T> JoinedNetworks<T>::backward(std::int64_t rows, std::int64_t signals,
                                           RowRange by_input) {
   const Rows<const T> gradients = second_->backward(rows, signals, {0, signals * rows});
+  std::vector<T> passed(static_cast<std::size_t>(height_ * width_));
   for (std::int64_t r = 0; r < signals * rows; ++r) {
     const T* const taken = second_->input().row(r % rows);
-    const T* const from = gradients.row(r);
-    T* const to = first_->output_gradient().row(r);
-    for_each_place(height_, width_,
-                   [&](std::int64_t i, std::int64_t j) { to[i] = taken[j] > 0 ? from[j] : T{0}; });
+    const T* const gradient = gradients.row(r);
+    for (std::size_t i = 0; i < passed.size(); ++i) passed[i] = taken[i] > 0 ? gradient[i] : T{0};
+    transpose<T>(width_, height_, passed.data(), first_->output_gradient().row(r));
   }
   return first_->backward(rows, signals, by_input);
 }
