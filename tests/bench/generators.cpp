@@ -1,6 +1,6 @@
-// Training of the methods on dense networks as on CWRU, 45 known windows of 1024 samples in batches
-// of 5, at their default sizes: LibTorch's eager operations (with our Adam in one pass) and, after
-// it, our own back end. Rates are by the processor's time.
+// Training of the methods on networks as on CWRU, 45 known windows of 1024 samples in batches of 5,
+// at their default sizes: LibTorch's eager operations (with our Adam in one pass) and, after it,
+// our own back end. Rates are by the processor's time.
 //
 // What a step must move at least: a weight is read forward and backward, 4 bytes each, and read and
 // written by Adam with its two moments, 24 bytes. "of_copy" is what our step moves a second of what
@@ -36,9 +36,15 @@ constexpr double vae = chain(1024 + classes, 20) + chain(10 + classes, 1024);
 constexpr double critic = chain(1024 + classes, 1);
 constexpr double generator = chain(20 + classes, 1024);
 constexpr double taught = 4 + 4 + 24;  // bytes of a weight: forward, backward, Adam
+// Two convolutions, 8 samples wide, of 1 to 16 to 32 channels, a dense layer, and their mirror
+// image. Their products, 20 million operations a step, take longer than their bytes, but little
+// beside those of the module.
+constexpr double convolutional =
+    chain(2048, 2048) + 2 * 8 * (1 * 16 + 16 * 32) + 2048 * (2 + 2 + classes);
 const Subject subjects[] = {
     {"piae-dt", twin, taught* twin},
     {"ae", coder, taught* coder},
+    {"piae-dt-cnn", convolutional, taught* convolutional},
     {"vae", vae, taught* vae},
     // The generator runs in each step, and learns in one of five, through the critic.
     {"wgan-gp", critic + generator,
