@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/error.hpp"
 #include "base/label.hpp"
 #include "nets/stored_parameters.hpp"
 #include "twin/networks.hpp"
@@ -41,12 +42,22 @@ class OneCoreModel final : public StoredTwin {
   Networks networks_;
 };
 
+/// Where no coder has the sizes of a model, the model is to blame, and not who asks for it.
+std::unique_ptr<Coder> coder_of(const artefact::Reader& model, const ModelDescription& description,
+                                const TwinVariant& variant) {
+  try {
+    return make_coder(variant.coder, description.shape, description.options);
+  } catch (const Error& error) {
+    model.refuse("/", std::string("has sizes that its networks cannot have: ") + error.what());
+  }
+}
+
 }  // namespace
 
 std::unique_ptr<StoredTwin> open_one_core_model(const artefact::Reader& model,
                                                 const ModelDescription& description,
                                                 const TwinVariant& variant) {
-  const auto coder = make_coder(variant.coder, description.shape, description.options);
+  const auto coder = coder_of(model, description, variant);
   const auto specs = network_specs(variant, description.shape, description.options, coder->specs());
   const std::string group = std::string("/") + to_string(description.options.keep);
   const std::vector<float> values = nets::read_parameters(model, group, specs);

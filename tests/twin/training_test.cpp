@@ -29,6 +29,15 @@ TEST(TwinGeneration, RefusesAModelThatLacksWhatTheVariantHas) {
                artefact::Refusal);
 }
 
+TEST(TwinGeneration, RefusesAModelOfSizesThatItsCoderCannotHave) {
+  TwinOptions options = quick_options();
+  options.depth = 1;
+  const artefact::Reader model(train(checkpoint_at("d.ckpt"), options, "shallow.h5"), "model");
+  EXPECT_ERROR(generate(model, convolutional_model, 1, Stream("g"), one_core_engine(Device::cpu)),
+               Exit::bad_input,
+               "has sizes that its networks cannot have: --depth: 1 leaves no convolution");
+}
+
 TEST(TwinTraining, GivesTheSameBytesTwice) {
   const fs::path first = train(checkpoint_at("a.ckpt"), quick_options(), "first.h5");
   const fs::path second = train(checkpoint_at("b.ckpt"), quick_options(), "second.h5");
