@@ -194,7 +194,7 @@ help:
 	  | sed '1i\\nVariables, and their values now'
 	@$(if $(installed),: )printf '  %-14s%s\n' \
 	  ARCH     'processor to build for: native, x86-64-v3, ...  [$(ARCH)]' \
-	  LIBTORCH 'on, or off: build without it, and without the methods that only it computes  [$(LIBTORCH)]' \
+	  LIBTORCH 'on, or off: build without it, and without --backend libtorch and --device cuda  [$(LIBTORCH)]' \
 	  LINT     'of lint: all, or what changed  [$(LINT)]' \
 	  STORM    'of storm: full (hours), short (minutes) or least  [$(STORM)]' \
 	  PREFIX   'where to install  [$(PREFIX)]' \

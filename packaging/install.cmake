@@ -78,8 +78,8 @@ set(CPACK_DEBIAN_PROGRAMS_PACKAGE_DEPENDS "make (>= 4.3)")
 set(CPACK_DEBIAN_PROGRAMS_PACKAGE_RECOMMENDS "gnuplot-nox, fonts-dejavu-core, curl, ca-certificates")
 set(CPACK_DEBIAN_PROGRAMS_PACKAGE_SUGGESTS "piae-dt-libtorch")
 set(CPACK_DEBIAN_LIBTORCH_PACKAGE_NAME piae-dt-libtorch)
-set(CPACK_DEBIAN_LIBTORCH_DESCRIPTION "methods of piae-dt that need LibTorch
-The programs of piae-dt once more, linked with LibTorch: for the methods
-piae-dt-cnn and piae-dt-rnn, --backend libtorch and --device cuda.")
+set(CPACK_DEBIAN_LIBTORCH_DESCRIPTION "networks of piae-dt by LibTorch
+The programs of piae-dt once more, linked with LibTorch: for
+--backend libtorch and --device cuda.")
 set(CPACK_DEBIAN_LIBTORCH_PACKAGE_DEPENDS "piae-dt (= ${PROJECT_VERSION}-${release})")
 include(CPack)

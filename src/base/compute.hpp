@@ -23,8 +23,8 @@ struct Compute {
 /// Throws Error(usage) where our own is asked for and cannot.
 bool needs_libtorch(const Compute& compute, bool has_native = true);
 
-/// The same thing by each back end. Null where there is none: ours has no convolutional twin, and
-/// a program that is not linked with LibTorch has nothing of LibTorch's.
+/// The same thing by each back end. Null where there is none: a program that is not linked with
+/// LibTorch has nothing of LibTorch's.
 template <class F>
 struct Backends {
   F native;
