@@ -201,7 +201,7 @@ TEST(DenseChain, TakesTheStepsOfAdam) {
     adam.step(1e-2);
     put(x, both.chain.input());
     put(tensor_of(both.chain.forward(5), 5, outputs) - target, both.chain.output_gradient());
-    both.chain.backward(5, 1, no_rows);
+    both.chain.backward(5, 1, nets::no_rows);
     both.chain.take(AdamStep(t, 1e-2), 1, {5, 5});
   }
   const std::vector<float> mine = both.flat->read(Kept::value);
