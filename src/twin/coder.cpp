@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "twin/dense_coder.hpp"
+#include "twin/recurrent_coder.hpp"
 
 namespace piae::twin {
 
@@ -11,8 +12,9 @@ std::unique_ptr<Coder> make_coder(CoderKind kind, const NetworkShape& shape,
   switch (kind) {
     case CoderKind::dense:
       return std::make_unique<DenseCoder>(shape, options);
-    case CoderKind::convolutional:
     case CoderKind::recurrent:
+      return std::make_unique<RecurrentCoder>(shape, options);
+    case CoderKind::convolutional:
       break;
   }
   throw std::logic_error("no such coder");

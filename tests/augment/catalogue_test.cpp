@@ -46,7 +46,7 @@ TEST(Catalogue, HasOneBaselineWhichMakesNothing) {
 }
 
 TEST(Catalogue, SaysWhichMethodsLibtorchAloneComputes) {
-  EXPECT_THAT(names_of(needs_libtorch_always), ElementsAre("piae-dt-cnn", "piae-dt-rnn"));
+  EXPECT_THAT(names_of(needs_libtorch_always), ElementsAre("piae-dt-cnn"));
 }
 
 TEST(Catalogue, SaysWhichMethodsInferStiffnessAndDamping) {
@@ -114,7 +114,7 @@ TEST(Catalogue, NamesAllMethodsToWhoeverAsksForAnother) {
 
 // This test is linked without LibTorch.
 TEST(Catalogue, HasMethodsThatSayThatLibtorchIsMissing) {
-  for (const std::string method : {"piae-dt-cnn", "piae-dt-rnn"}) {
+  for (const std::string method : {"piae-dt-cnn"}) {
     EXPECT_ERROR(train(method, "--epochs 1", known_windows(), checkpoint_at("cut"), "never.h5"),
                  Exit::failed, "not linked with LibTorch");
   }

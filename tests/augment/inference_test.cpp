@@ -5,7 +5,8 @@
 namespace piae::augment {
 namespace {
 
-INSTANTIATE_TEST_SUITE_P(Methods, Inferring, testing::Values("piae-dt", "ae", "piae-dt-phase"),
+INSTANTIATE_TEST_SUITE_P(Methods, Inferring,
+                         testing::Values("piae-dt", "ae", "piae-dt-rnn", "piae-dt-phase"),
                          test_name);
 
 TEST(Inferring, IsNotForMethodsWithoutAnEncoder) {

@@ -39,7 +39,7 @@ Networks::Networks(const twin::TwinVariant& variant, const twin::NetworkShape& s
     : variant_(variant),
       shape_(shape),
       options_(options),
-      coder_(make_coder(variant.coder, shape, options)) {}
+      coder_(libtorch::make_coder(variant.coder, shape, options)) {}
 
 std::vector<nets::ParameterSpec> Networks::specs() const {
   return twin::network_specs(variant_, shape_, options_, coder_->specs());

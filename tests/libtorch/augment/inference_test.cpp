@@ -3,8 +3,7 @@
 namespace piae::augment {
 namespace {
 
-INSTANTIATE_TEST_SUITE_P(MethodsOfLibtorch, Inferring,
-                         testing::Values("piae-dt-cnn", "piae-dt-rnn"), test_name);
+INSTANTIATE_TEST_SUITE_P(MethodsOfLibtorch, Inferring, testing::Values("piae-dt-cnn"), test_name);
 
 }  // namespace
 }  // namespace piae::augment
