@@ -7,8 +7,7 @@
 namespace piae::augment {
 
 Backends<twin::MakeEngine> twin_engines(const twin::TwinVariant& variant) {
-  return {.native = variant.coder != twin::CoderKind::recurrent ? twin::one_core_engine : nullptr,
-          .libtorch = seam::back_end(&seam::BackEnds::twin)};
+  return {.native = twin::one_core_engine, .libtorch = seam::back_end(&seam::BackEnds::twin)};
 }
 
 twin::Engine twin_engine(const twin::TwinVariant& variant, const Compute& compute) {

@@ -4,6 +4,7 @@
 
 #include "twin/convolutional_coder.hpp"
 #include "twin/dense_coder.hpp"
+#include "twin/recurrent_coder.hpp"
 
 namespace piae::twin {
 
@@ -15,7 +16,7 @@ std::unique_ptr<Coder> make_coder(CoderKind kind, const NetworkShape& shape,
     case CoderKind::convolutional:
       return std::make_unique<ConvolutionalCoder>(shape, options);
     case CoderKind::recurrent:
-      break;
+      return std::make_unique<RecurrentCoder>(shape, options);
   }
   throw std::logic_error("no such coder");
 }

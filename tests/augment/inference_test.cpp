@@ -6,7 +6,8 @@ namespace piae::augment {
 namespace {
 
 INSTANTIATE_TEST_SUITE_P(Methods, Inferring,
-                         testing::Values("piae-dt", "ae", "piae-dt-cnn", "piae-dt-phase"),
+                         testing::Values("piae-dt", "ae", "piae-dt-cnn", "piae-dt-rnn",
+                                         "piae-dt-phase"),
                          test_name);
 
 TEST(Inferring, IsNotForMethodsWithoutAnEncoder) {

@@ -5,6 +5,10 @@
 // What a step must move at least: a weight is read forward and backward, 4 bytes each, and read and
 // written by Adam with its two moments, 24 bytes. "of_copy" is what our step moves a second of what
 // a copy of an array as large as the weights moves in the same run.
+//
+// Recurrent layers use a weight at each of 32 frames, and compute more than they move. "of_limit"
+// is the time that our step takes at least, its products at the speed of a large one and its bytes
+// at that of a copy, to the time that it takes.
 
 #include <benchmark/benchmark.h>
 
@@ -13,6 +17,7 @@
 #include "augment/catalogue.hpp"
 #include "bench/known_windows.hpp"
 #include "bench/machine.hpp"
+#include "libtorch/nets/torch.hpp"
 #include "support/command_line.hpp"
 
 namespace piae::augment {
@@ -23,15 +28,17 @@ constexpr int epochs = 100;  // over which the start is spread
 
 struct Subject {
   const char* method;
-  double weights;        ///< of all its networks
-  double bytes_of_step;  ///< in the mean
+  double weights;            ///< of all its networks
+  double bytes_of_step;      ///< in the mean
+  double flops_of_step = 0;  ///< in the mean, of products; 0 where memory is the limit
 };
 
 /// Weights of a dense chain of depth 3 and width 256.
 constexpr double chain(double inputs, double outputs) { return 256 * (inputs + 256 + outputs); }
 constexpr double classes = 10;
 constexpr double coder = chain(1024, 2) + chain(2 + classes, 1024);
-constexpr double twin = coder + chain(2048, 2048);
+constexpr double module = chain(2048, 2048);
+constexpr double twin = coder + module;
 constexpr double vae = chain(1024 + classes, 20) + chain(10 + classes, 1024);
 constexpr double critic = chain(1024 + classes, 1);
 constexpr double generator = chain(20 + classes, 1024);
@@ -41,10 +48,25 @@ constexpr double taught = 4 + 4 + 24;  // bytes of a weight: forward, backward, 
 // beside those of the module.
 constexpr double convolutional =
     chain(2048, 2048) + 2 * 8 * (1 * 16 + 16 * 32) + 2048 * (2 + 2 + classes);
+
+// Of a window in piae-dt-rnn: multiplications of its layers of 96 units over 32 frames (at the
+// first one the state is zero).
+constexpr double gates = 3 * 96;
+constexpr double layer(double inputs, double input_frames) {
+  return gates * (inputs * input_frames + 96 * 31);
+}
+constexpr double encoder = layer(32, 32) + layer(96, 32) + 96 * 2;
+constexpr double decoder = layer(2 + classes, 1) + layer(96, 32) + 96 * 32 * 32;
+// Of a step, forward, for the parameters, and back: not to the windows, and through the decoder
+// twice in Stage 1, which is every other epoch.
+constexpr double products = 2 * batch * (3 * encoder - gates * 32 * 32 + 3.5 * decoder);
+constexpr double recurrent_weights = gates * (32 + 2 + classes + 6 * 96) + 96 * (2 + 32);
+
 const Subject subjects[] = {
     {"piae-dt", twin, taught* twin},
     {"ae", coder, taught* coder},
     {"piae-dt-cnn", convolutional, taught* convolutional},
+    {"piae-dt-rnn", module + recurrent_weights, taught*(module + recurrent_weights), products},
     {"vae", vae, taught* vae},
     // The generator runs in each step, and learns in one of five, through the critic.
     {"wgan-gp", critic + generator,
@@ -80,12 +102,35 @@ void by_libtorch(benchmark::State& state, const Subject& subject) {
   libtorch_rates[subject.method] = train(state, subject, Backend::libtorch);
 }
 
+/// Operations a second of OpenBLAS on a product that fits it: what the core can do at most, nearly.
+double large_product_flops_per_s() {
+  constexpr std::int64_t n = 1024;
+  constexpr int rounds = 20;
+  const torch::Tensor a = torch::rand({n, n});
+  const torch::Tensor b = torch::rand({n, n});
+  torch::Tensor c = torch::mm(a, b);
+  const double start = bench::processor_seconds();
+  for (int i = 0; i < rounds; ++i) torch::mm_out(c, a, b);
+  return 2.0 * n * n * n * rounds / (bench::processor_seconds() - start);
+}
+
 void ours(benchmark::State& state, const Subject& subject) {
   const double rate = train(state, subject, Backend::native);
-  const double bytes_per_s = rate / batch * subject.bytes_of_step;
-  const auto size = static_cast<std::size_t>(4 * subject.weights);
+  const double steps_per_s = rate / batch;
+  const double bytes_per_s = steps_per_s * subject.bytes_of_step;
+  const double copied_per_s =
+      bench::copied_bytes_per_s(static_cast<std::size_t>(4 * subject.weights));
   state.counters["bytes/s"] = bytes_per_s;
-  state.counters["of_copy"] = bytes_per_s / bench::copied_bytes_per_s(size);
+  if (subject.flops_of_step > 0) {
+    const double product_per_s = large_product_flops_per_s();
+    const double least_s =
+        subject.flops_of_step / product_per_s + subject.bytes_of_step / copied_per_s;
+    state.counters["flop/s"] = steps_per_s * subject.flops_of_step;
+    state.counters["of_product"] = steps_per_s * subject.flops_of_step / product_per_s;
+    state.counters["of_limit"] = steps_per_s * least_s;
+  } else {
+    state.counters["of_copy"] = bytes_per_s / copied_per_s;
+  }
   if (libtorch_rates.contains(subject.method)) {
     state.counters["times_libtorch"] = rate / libtorch_rates.at(subject.method);
   }

@@ -468,7 +468,7 @@ test_cells_that_are_not_asked_for_go_with_the_model_that_is_made_again() {
 
 test_what_only_libtorch_computes_stays_in_the_tables_without_it() {
   describe
-  grid METHODS="none piae-dt-rnn" DATASETS=real >/dev/null
+  grid METHODS="none piae-dt-cnn" DATASETS=real >/dev/null
   rm fake/train-libtorch calls
   grid METHODS="none smote" DATASETS=real >/dev/null
   expect_equal "$(ran)" "4 diagnose, 2 generate, 2 score, 1 tabulate, 2 train"
@@ -751,8 +751,8 @@ test_methods_that_only_libtorch_computes_are_refused_at_once_without_it() {
   describe
   rm fake/train-libtorch
   local output
-  output=$(grid METHODS="none smote piae-dt-rnn piae-dt-cnn" 2>&1 || true)
-  expect_line "$output" "METHODS: only LibTorch computes piae-dt-rnn piae-dt-cnn, .* LIBTORCH=on, or ask for METHODS=\"none smote\""
+  output=$(grid METHODS="none smote piae-dt-cnn" 2>&1 || true)
+  expect_line "$output" "METHODS: only LibTorch computes piae-dt-cnn, .* LIBTORCH=on, or ask for METHODS=\"none smote\""
   [[ ! -e calls ]] || fail "ran: $(<calls)"
   grid METHODS="none smote" >/dev/null
   expect_line "$(grid LIBTORCH=no 2>&1 || true)" "LIBTORCH: on or off, not 'no'"

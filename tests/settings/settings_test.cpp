@@ -480,7 +480,7 @@ TEST(Facts, NameWhatThereIs) {
                                  "baseline:none",
                                  "ceiling:oracle",
                                  "infers:piae-dt-phase",
-                                 "needs-libtorch:piae-dt-rnn",
+                                 "needs-libtorch:piae-dt-cnn",
                                  "ratio:1to1",
                                  "classifier:wdcnn-spectrum",
                                  "paper-classifier:wdcnn",

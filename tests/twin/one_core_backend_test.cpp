@@ -76,13 +76,17 @@ void expect_followed(const TwinTask& task, TrainingStage stage, const std::strin
 constexpr double unclipped = 1e9;
 
 TEST(OneCoreTwin, InStageOneEachNetworkFollowsItsOwnLoss) {
-  const TwinTask task = task_of({"Full", full_model, LossWeights::adaptive, unclipped});
-  expect_followed(task, TrainingStage::one, "net/encoder/",
-                  [](const BatchLosses& losses) { return losses.twin; });
-  expect_followed(task, TrainingStage::one, "net/decoder/",
-                  [](const BatchLosses& losses) { return losses.reconstruction; });
-  expect_followed(task, TrainingStage::one, "net/physics/",
-                  [](const BatchLosses& losses) { return losses.differential; });
+  for (const TaskOf& c : {TaskOf{"Full", full_model, LossWeights::adaptive, unclipped},
+                          TaskOf{"Recurrent", recurrent_model, LossWeights::adaptive, unclipped}}) {
+    SCOPED_TRACE(c.name);
+    const TwinTask task = task_of(c);
+    expect_followed(task, TrainingStage::one, "net/encoder/",
+                    [](const BatchLosses& losses) { return losses.twin; });
+    expect_followed(task, TrainingStage::one, "net/decoder/",
+                    [](const BatchLosses& losses) { return losses.reconstruction; });
+    expect_followed(task, TrainingStage::one, "net/physics/",
+                    [](const BatchLosses& losses) { return losses.differential; });
+  }
 }
 
 TEST(OneCoreTwin, InStageTwoEveryNetworkFollowsTheTotal) {

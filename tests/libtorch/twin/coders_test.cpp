@@ -6,7 +6,7 @@
 #include "libtorch/nets/torch.hpp"
 #include "libtorch/twin/losses.hpp"
 #include "libtorch/twin/networks.hpp"
-#include "libtorch/twin/recurrent_coder.hpp"
+#include "twin/recurrent_coder.hpp"
 
 namespace piae::libtorch {
 namespace {
@@ -152,10 +152,10 @@ TEST(RecurrentCoder, ReadsItsFramesInTurn) {
     const auto set = [&](const std::string& name, std::int64_t row, double value) {
       parameters[name].detach()[row][0] = value;
     };
-    set("net/encoder/gru0/input_weight", RecurrentCoder::units,
+    set("net/encoder/gru0/input_weight", twin::RecurrentCoder::units,
         0.5);  // the gate z of unit 0, from sample 0
-    set("net/encoder/gru0/input_weight", 2 * RecurrentCoder::units, 1.0);  // its candidate n
-    set("net/encoder/dense/weight", 0, 1.0);                               // k is its last state
+    set("net/encoder/gru0/input_weight", 2 * twin::RecurrentCoder::units, 1.0);  // its candidate n
+    set("net/encoder/dense/weight", 0, 1.0);  // k is its last state
   }
   torch::Tensor x = torch::zeros({1, 64}, torch::kFloat64);
   x[0][0] = 0.8;
@@ -200,8 +200,6 @@ TEST(TwinVariants, NameTheWindowsThatWork) {
   expect_usage_error(twin::convolutional_model, 1024, 7, {"1024", "multiples of 4096", "--depth"});
   expect_usage_error(twin::convolutional_model, 1024, 32, {"--depth"});
   expect_usage_error(twin::convolutional_model, 1024, 1, {"--depth", "2 or more"});
-  expect_usage_error(twin::recurrent_model, 1000, 3, {"1000", "multiples of 32", "--window"});
-  expect_usage_error(twin::recurrent_model, 1024, 1, {"--depth", "2 or more"});
   EXPECT_NO_THROW(Networks(twin::full_model, {1001, 2}, small_options(1)));
   EXPECT_NO_THROW(Networks(twin::convolutional_model, {1024, 2}, small_options(6)));
 }

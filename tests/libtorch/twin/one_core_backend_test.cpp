@@ -50,7 +50,7 @@ TEST_P(TwinBesideLibtorch, StepsAsLibtorchDoes) {
 // move a weight as far as any: three steps leave fewer digits than one.
 TEST_P(TwinBesideLibtorch, FollowsLibtorchThroughBothStagesAndBatchesThatAreNotFull) {
   TwinTask task = task_of(GetParam());
-  // A convolutional coder has two layers at least.
+  // Other coders have two layers at least.
   for (const int depth : {task.variant.coder == CoderKind::dense ? 1 : 2, 3}) {
     task.options.depth = depth;
     const auto mine = one_core_engine(Device::cpu).train(task, Stream("initial"));
@@ -93,6 +93,8 @@ INSTANTIATE_TEST_SUITE_P(
                     TaskOf{"Convolutional", convolutional_model, LossWeights::adaptive, 1e9},
                     TaskOf{"ConvolutionalClipped", convolutional_model, LossWeights::adaptive,
                            0.01},
+                    TaskOf{"Recurrent", recurrent_model, LossWeights::adaptive, 1e9},
+                    TaskOf{"RecurrentClipped", recurrent_model, LossWeights::adaptive, 0.01},
                     TaskOf{"WithoutEncoder", without_encoder, LossWeights::adaptive, 1e9}),
     [](const auto& info) { return info.param.name; });
 

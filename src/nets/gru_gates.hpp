@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstdint>
+
+namespace piae::nets {
+
+// The gates of a recurrent layer at one frame (Cho et al. 2014, in the form that LibTorch has):
+//
+//   r = sigmoid(x_r + h_r)     how much of the state the candidate sees
+//   z = sigmoid(x_z + h_z)     how much of the state is kept
+//   n = tanh(x_n + r h_n)      the candidate
+//   h' = (1 - z) n + z h       the state after the frame
+//
+// where x = W_x input + b_x and h_* = W_h h + b_h are dense in the input and in the state before.
+// `units` must be a multiple of row_granule.
+
+/// One frame forward, for all rows of a batch.
+template <class T>
+struct GatesForward {
+  std::int64_t rows;
+  std::int64_t units;
+  const T* x;           ///< [rows, 3 units]: x_r, x_z, x_n
+  const T* product;     ///< [rows, 3 units]: W_h h
+  const T* state_bias;  ///< [3 units]: b_h
+  const T* before;      ///< [rows, units]: h
+  T* gates;             ///< [rows, 4 units] gets r, z, n and h_n
+  T* state;             ///< [rows, units] gets h'
+};
+template <class T>
+void open_gates(const GatesForward<T>& frame);
+
+/// One frame backward, for all rows of a signal.
+template <class T>
+struct GatesBackward {
+  std::int64_t rows;
+  std::int64_t units;
+  const T* gates;     ///< [rows, 4 units], as open_gates() left them
+  const T* before;    ///< [rows, units]: h
+  const T* by_state;  ///< [rows, units]: the loss's gradient by h' itself
+  T* carried;         ///< [rows, units]: its gradient by h' through later frames; gets the part of
+                      ///< that by h which does not pass through W_h
+  T* by_x;            ///< [rows, 3 units] gets the gradient by x
+  T* by_product;      ///< [rows, 3 units] gets that by W_h h, which is that by b_h, too
+};
+template <class T>
+void differentiate_gates(const GatesBackward<T>& frame);
+
+}  // namespace piae::nets
