@@ -19,7 +19,8 @@
 #
 # The front door (Makefile) builds the programs, and then has this file made into rules.
 
-SHELL := /bin/bash
+# What make calls its default shell it does without where a line asks for nothing of it, as those of steps do.
+SHELL := /bin/sh
 MAKEFLAGS += --no-builtin-rules --no-print-directory
 Q := $(if $(V),,@)
 export BIN SUBMIT
