@@ -121,7 +121,7 @@ endif
 # installed piae-dt has laid out (packaging/piae-dt). There are no sources then. `make -q` only asks.
 flags := $(firstword -$(MAKEFLAGS))
 installed  := $(wildcard bin/settings)
-of_sources := build build-demo deps install package test test-deps storm lint bench reference clean
+of_sources := build build-demo deps install package test test-deps storm lint bench bench-scale reference clean
 $(if $(installed),$(foreach goal,$(filter $(of_sources),$(goals)),$(error make $(goal): needs a clone of the sources; the programs here \
   are installed ones ($(realpath bin)))))
 ifneq (,$(filter BIN,$(given)))
@@ -138,7 +138,7 @@ Q := $(if $(V),,@)
 
 .DEFAULT_GOAL := help
 .PHONY: help grid cluster cluster-plan cluster-stop status check reference data test \
-        test-deps storm lint bench deps build build-demo install package clean
+        test-deps storm lint bench bench-scale deps build build-demo install package clean
 
 help:
 	@printf '  %-14s%s\n' \
@@ -168,6 +168,7 @@ help:
 	  storm    'kill, damage and forge by the thousand, under sanitizers: SECURITY.md' \
 	  lint     'check style and structure of what changed; of everything with LINT=all' \
 	  bench    'build and run the benchmarks' \
+	  bench-scale 'what make, status, tables, figures and report take of 10^3, 10^4 and 10^5 steps' \
 	  deps     'install the packages that are missing (apt)' \
 	  build    'build the programs into build/bin' \
 	  install  'build them and install them into PREFIX, as the command piae-dt' \
@@ -269,6 +270,11 @@ bench:
 	$(Q)$(call build_them,benches)
 	$(Q)source pipeline/environment.sh; export OMP_NUM_THREADS=1; \
 	  for bench in build/bin/bench_*; do $$bench || exit; done
+
+bench-scale:
+	$(Q)pipeline/deps.sh $(LIBTORCH) programs benches figures
+	$(Q)pipeline/build.sh $(ARCH) $(LIBTORCH) programs benches_of_scale
+	$(Q)tests/bench/scale/scale.sh build/bin
 
 test:
 	$(Q)$(call build_them,programs tests)

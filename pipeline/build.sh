@@ -1,7 +1,7 @@
 #!/bin/bash
 # Configures and builds into build/, on as many cores as there is memory for.
 # usage: pipeline/build.sh ARCH LIBTORCH TARGET...      (LIBTORCH: on or off)
-# TARGETs are `programs`, `tests`, `storm_parts` and `benches`; what is not asked for is not configured
+# TARGETs are `programs`, `tests`, `storm_parts`, `benches` and `benches_of_scale`; what is not asked for is not configured
 # either, so that it needs no packages. `demo`, which stands alone, builds what the demo runs into
 # build/demo/: several sources at a time, which takes half as long, and would be a nuisance to whoever
 # edits one. So do `storm_inputs`, into build/storm/ and with sanitizers, and `package`, into build/package/,
@@ -36,7 +36,7 @@ on_if_asked_for() { [[ " ${*:2} " == *" $1 "* ]] && echo on || echo off; }
 [[ -f $folder/CMakeCache.txt ]] || options+=(-G Ninja)
 cmake -S . -B "$folder" "${options[@]}" "-DPIAE_ARCH=$arch" "-DPIAE_LIBTORCH=$libtorch" \
   "-DPIAE_TESTS=$(on_if_asked_for tests "${@/#storm_*/tests}")" \
-  "-DPIAE_BENCH=$(on_if_asked_for benches "$@")" >"$folder/configure.log" 2>&1 || {
+  "-DPIAE_BENCH=$(on_if_asked_for benches "${@/#benches_*/benches}")" >"$folder/configure.log" 2>&1 || {
   cat "$folder/configure.log" >&2
   echo "build: cmake could not configure; above is why (also in $folder/configure.log)" >&2
   exit 1

@@ -18,7 +18,7 @@ packages=(
 )
 [[ $libtorch == off ]] || packages+=(libtorch-dev libopenblas-dev)
 [[ " $* " != *" tests "* ]] || packages+=(libgtest-dev libgmock-dev hdf5-tools gnuplot-nox fonts-dejavu-core)
-[[ " $* " != *" benches "* ]] || packages+=(libbenchmark-dev)
+[[ " $* " != *" benches "* ]] || packages+=(libbenchmark-dev time)
 [[ " $* " != *" figures "* ]] || packages+=(gnuplot-nox fonts-dejavu-core)
 # The tests of `export_windows` have others read what it writes.
 [[ " $* " != *" readers "* ]] || packages+=(python3-numpy python3-scipy octave)

@@ -19,7 +19,8 @@
 #
 # The front door (Makefile) builds the programs, and then has this file made into rules.
 
-SHELL := /bin/bash
+# What make calls its default shell it does without where a line asks for nothing of it, as those of steps do.
+SHELL := /bin/sh
 MAKEFLAGS += --no-builtin-rules --no-print-directory
 Q := $(if $(V),,@)
 export BIN SUBMIT
@@ -136,7 +137,8 @@ $(foreach dataset,$(DATASETS),$(eval options.$(call split_settings,$(dataset)) :
 
 # ---- rules --------------------------------------------------------------------------------------
 # What is there is complete, so make has no cause to remove it when it is interrupted: each rule calls what
-# it makes precious.
+# it makes precious. Make goes through all precious files whenever it is told of more of them: so those of a seed
+# are noted, and told together at the end.
 
 # A step runs a stage for the folder of its target. Its settings file is also what the stage reads. What it
 # makes stands behind --output, or behind -- where that is several files.
@@ -174,7 +176,7 @@ lost_windows = $(filter-out $(wildcard $(windows)),$(windows))
 others_of_A  = $(filter-out %/A.h5,$(windows))
 
 define split_rule # data set, seed, its folder
-.PRECIOUS: $(call windows,$3)
+precious.$3 += $(call windows,$3)
 $(if $(only_shows),$3/A.h5:,$(call windows,$3) &:) $(results)/$1/records.h5 $(settings)/$(call split_settings,$1).toml \
     $(if $(only_shows),$(if $(call lost_windows,$3),FORCE))
 	$$(step) split $$(config) --records $$< --seed $2 --protocol $(PROTOCOL) --output-dir $$(@D) -- $(call windows,$3)
@@ -182,7 +184,7 @@ $(if $(only_shows),$(call others_of_A,$3): $3/A.h5 ;)
 endef
 
 define generator_rules # seed, its folder, cell; where that is not a method: the method, further options
-.PRECIOUS: $(patsubst %,$2/$3/%.h5,model E score)
+precious.$2 += $(patsubst %,$2/$3/%.h5,model E score)
 $2/$3/model.h5: $(call windows,$2) $(settings)/train.$(or $4,$3).toml
 	$$(step) train $$(config) --method $(or $4,$3) $(if $5,$5 )$(if $(filter $(ceilings),$3),--real $2/D.h5 )$(if $(filter $(hearing),$(or $4,$3)),--healthy $2/B.h5 )--known $2/C.h5 --seed $1 --output $$@
 $2/$3/E.h5: $2/$3/model.h5 $(settings)/generate.toml
@@ -196,7 +198,7 @@ endef
 another   = $(filter-out $(paper_classifier),$1)
 diagnoses_of = $(patsubst %,$1/%$(addprefix /,$(call another,$3))/diagnosis.h5,$(call method_ratios,$2))
 define diagnosis_rule # seed, its folder, cell, classifier
-.PRECIOUS: $(call diagnoses_of,$2/$3,$3,$4)
+precious.$2 += $(call diagnoses_of,$2/$3,$3,$4)
 $(call diagnoses_of,$2/$3,$3,$4): $2/$3/%$(addprefix /,$(call another,$4))/diagnosis.h5: \
     $(call windows,$2) $(if $(filter $(baseline),$3),,$2/$3/E.h5) $(settings)/diagnose.toml
 	$$(step) diagnose $$(config) --test $2/A.h5 --normal $2/B.h5 --known $2/C.h5 \
@@ -213,7 +215,7 @@ has_features   = $(filter $(paper_classifier),$(call classifiers_of,$1,$2))
 features       = $(foreach method,$(methods_of),$(if $(call has_features,$1,$(method)),$(results)/$1/seed$(features_seed)/$(method)/$(call features_ratio,$(method))/features.h5))
 
 define features_rule # its folder, method, ratio
-.PRECIOUS: $1/$2/$3/features.h5
+precious.$1 += $1/$2/$3/features.h5
 $1/$2/$3/features.h5: $(call windows,$1) $(if $(filter $(baseline),$2),,$1/$2/E.h5) $(settings)/diagnose.toml
 	$(Q)STEP_LOG=features pipeline/step.sh $$(@D) diagnose $$(config) --test $1/A.h5 --normal $1/B.h5 --known $1/C.h5 \
 	  $(if $(filter $(baseline),$2),,--generated $1/$2/E.h5 )--ratio $3 --seed $(features_seed) --reproducible --keep-features --output $$@
@@ -333,6 +335,8 @@ include pipeline/identify.mk
 include pipeline/readings.mk
 include pipeline/transfer.mk
 include pipeline/trust.mk
+
+.PRECIOUS: $(foreach dataset,$(DATASETS),$(foreach folder,$(call seed_folders,$(dataset)),$(precious.$(folder))))
 
 # ---- rules of the settings ----------------------------------------------------------------------
 # Looking at the rules writes nothing. A file that does not hold what it should is written when a step

@@ -9,9 +9,10 @@ time_of() { stat --format=%.6Y "$1"; }
 # is done when this very stage with these options has ended well since make looked, and nothing that it
 # reads has changed since it began. SUBMIT and BIN may have been others.
 done_meanwhile() {
-  local begun file word after option=
-  [[ -n ${ASKED_AT:-} && ${#makes[@]} -gt 0 && -f $log ]] || return
-  [[ " $(head -n 1 "$log")" == *[\ /]"$stage ${options[*]}" ]] || return
+  local begun file word after option='' command=
+  [[ -n ${ASKED_AT:-} && ${#makes[@]} -gt 0 ]] || return
+  read -r command <"$log"
+  [[ " $command" == *[\ /]"$stage ${options[*]}" ]] || return
   [[ $(tail -n 1 "$log") == "step: exit 0 after "* && $(time_of "$log") > $ASKED_AT ]] || return
   for file in "${makes[@]}"; do [[ -f $file ]] || return; done
   begun=$(sed -n '2s/^step: begun at //p' "$log")
@@ -28,21 +29,24 @@ changed_since() { # time, option, its value
   find "${what[@]}" -newermt "@$1" -print -quit
 }
 
-# Whether a file has been made anew: a stage writes beside it and renames.
+# Whether a file has been made anew: a stage writes beside it and renames. A file that was not there needs no
+# looking at.
 identity() { stat --format='%i %y' "$1" 2>/dev/null; }
 note_what_is_there() {
   was=()
-  local file
-  for file in "${makes[@]}"; do was+=("$(identity "$file")"); done
+  local i
+  for i in "${!makes[@]}"; do
+    was[i]=
+    [[ ! -e ${makes[i]} ]] || was[i]=$(identity "${makes[i]}")
+  done
 }
 all_are_new() {
-  local i is
+  local i
   for i in "${!makes[@]}"; do
     missing_output=${makes[i]}
     # To open a file makes a network's file system look how it is now.
     { : <"$missing_output"; } 2>/dev/null || return
-    is=$(identity "$missing_output")
-    [[ $is && $is != "${was[i]}" ]] || return
+    [[ ! ${was[i]} || $(identity "$missing_output") != "${was[i]}" ]] || return
   done
   missing_output=
 }

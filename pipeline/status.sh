@@ -68,13 +68,27 @@ job_ended() { # stage, file
   done <"$scratch/ended" | sed -n 1p
 }
 
-# A line for each step that is to be done: folder, stage, state, file, and of a failed one its exit code. See
-# step.sh for what the logs say.
+# Of many logs, one a line, the lines that a pattern fits: log and line. There may be a hundred thousand, so they are
+# not looked at one by one.
+lines_of() { # pattern, options of grep
+  { xargs --no-run-if-empty --delimiter='\n' grep --text --with-filename "${@:2}" -- "$1" || true; } |
+    printable | sed 's/\.log:/.log\t/'
+}
+
+# How the steps that are to be done have ended; see step.sh for what the logs say.
+declare -A exit_of=()
+while IFS=$'\t' read -r log code; do exit_of[$log]=$code; done < <(
+  while IFS=$'\t' read -r folder stage _; do
+    [[ ! -f $folder/$stage.log ]] || echo "$folder/$stage.log"
+  done <"$scratch/steps" | lines_of '^step: exit [0-9]* after ' | sed -E 's/\tstep: exit ([0-9]*) .*/\t\1/'
+)
+
+# A line for each step that is to be done: folder, stage, state, file, and of a failed one its exit code.
 while IFS=$'\t' read -r folder stage file; do
   log=$folder/$stage.log
   state=missing code=
   if [[ -f $log ]]; then
-    code=$(sed -n 's/^step: exit \([0-9]*\) after .*/\1/p' "$log" | tail -n 1)
+    code=${exit_of[$log]-}
     case $code in
       0 | 75 | 129 | 130 | 131 | 138 | 143) ;; # of older settings, or stopped
       '')
@@ -111,25 +125,35 @@ why_without_a_word() { # stage, file, exit code
   esac
 }
 
-# The steps in a state, each with the first line of its log that a pattern fits.
-list() { # state, pattern (STAGE stands for the stage's name), which of the lines
+# The steps in a state, each with the first or the last line of its log in which its program says something.
+list() { # state, what comes behind the program's name, head or tail
   local folder stage state file code log line program
+  local -A said=()
   grep -q " $1 " "$scratch/states" || return 0
+  awk -v state="$1" -v folder="$scratch" '$3 == state {
+    program = $2
+    sub(/@.*/, "", program)
+    print $1 "/" $2 ".log" >(folder "/logs." (program == "features" ? "diagnose" : program))
+  }' "$scratch/states"
+  for program in "$scratch"/logs.*; do
+    while IFS=$'\t' read -r log line; do
+      [[ $3 == head && ${said[$log]-} ]] || said[$log]=$line
+    done < <(lines_of "^${program##*.}$2" <"$program")
+    rm "$program"
+  done
   printf '\n%s\n' "$1"
   while read -r folder stage state file code; do
     [[ $state == "$1" ]] || continue
     log=$folder/$stage.log
-    program=${stage/#features/diagnose} program=${program%@*}
-    # Printable here already, as a variable holds no NUL.
-    line=$({ grep --text "${2//STAGE/$program}" "$log" || true; } | printable | "$3" -n 1)
+    line=${said[$log]-}
     [[ $line || $state != running ]] || line=$stage
     [[ $line ]] || line=$(why_without_a_word "$stage" "$file" "$code")
     printf '  %s: %s (log: %s)\n' "${folder#"$run/"}" "$line" "$log"
   done <"$scratch/states"
 }
 {
-  list running '^STAGE  ' tail
-  list failed '^STAGE: ' head
+  list running '  ' tail
+  list failed ': ' head
   [[ -z $jobs ]] || awk -F '\t' -v log_folder="$jobs" -f jobs/ended.awk "$scratch/queue" "$scratch/ended"
   [[ ! -f $jobs/tables.log ]] || grep --text '^spent: ' "$jobs/tables.log" || true
 } | printable

@@ -40,11 +40,13 @@ source "${0%/*}/environment.sh"
 # shellcheck source=pipeline/outputs.sh
 source "${0%/*}/outputs.sh"
 
-report() { printf '%-32s %-8s %s\n' "$cell" "$stage" "$1"; }
+# A grid has thousands of steps: no process is started here for what bash does itself. So these leave what they
+# find in a variable of their name.
+now() { now=$((${EPOCHREALTIME/./} / 1000)); } # ms
+seconds() { seconds=$(($1 / 1000)).$(($1 % 1000 / 100)); } # of ms
 # What comes in hundreds of lines is cut where a terminal ends; the log has it whole.
-fit() { ((${#1} <= 100)) && echo "$1" || echo "${1:0:97}..."; }
-now() { echo $((${EPOCHREALTIME/./} / 1000)); } # ms
-seconds() { echo $(($1 / 1000)).$(($1 % 1000 / 100)); }
+fit() { ((${#1} <= 100)) && fit=$1 || fit=${1:0:97}...; }
+report() { printf '%-32s %-8s %s\n' "$cell" "$stage" "$1"; }
 
 show_and_log() {
   local waited=
@@ -52,15 +54,18 @@ show_and_log() {
   while IFS= read -r line; do
     # Where a command stands before the stage, its job may have waited in a queue.
     if [[ $line == "step: started" && ! $waited ]]; then
-      waited=$(($(now) - submitted))
-      ((waited < 100)) || [[ ! $SUBMIT ]] || line="step: waited $(seconds $waited) s"
+      now
+      waited=$((now - submitted))
+      seconds $waited
+      ((waited < 100)) || [[ ! $SUBMIT ]] || line="step: waited $seconds s"
     fi
     printf '%s\n' "$line" >>"$log"
     [[ $line != "step: "* ]] || continue
     printf -v line '%-32s %s' "$cell" "$line"
     # How far a stage is, is cut; a warning or an error never.
-    [[ $line != *" $stage  "[#.]* ]] || line=$(fit "$line")
-    echo "$line" >&2
+    fit=$line
+    [[ $line != *" $stage  "[#.]* ]] || fit "$line"
+    echo "$fit" >&2
   done
 }
 has_started() { grep -qE '^step: (started|waited .* s)$' "$log"; }
@@ -70,7 +75,7 @@ cannot_write() {
   exit 1
 }
 
-mkdir -p "$folder" 2>/dev/null || cannot_write
+[[ -d $folder ]] || mkdir -p "$folder" 2>/dev/null || cannot_write
 [[ ! -L $log ]] || cannot_write           # a link may have been planted
 [[ ! -e $log || -f $log ]] || cannot_write # a pipe would be waited for
 { exec 9>>"$log"; } 2>/dev/null || cannot_write
@@ -89,7 +94,8 @@ command="${SUBMIT:+$SUBMIT }$BIN/$stage ${options[*]}"
 { echo "$command" >"$log" && echo "step: begun at $(time_of "$log")" >>"$log"; } 2>/dev/null || cannot_write
 note_what_is_there
 
-submitted=$(now)
+now
+submitted=$now
 exec 3> >(show_and_log)
 reader=$!
 # In a process group of its own where a command stands before the stage: Ctrl-C, which a terminal sends to
@@ -122,19 +128,24 @@ while ((signalled)); do
   status=$?
 done
 wait "$reader"
-elapsed=$(($(now) - submitted))
-waited=$(sed -nE 's/^step: waited ([0-9]+)\.([0-9]) s$/\1\200/p' "$log" | head -n 1)
-seconds=$(seconds $((elapsed - ${waited:-0})))
-
+now
+elapsed=$((now - submitted))
+mapfile -t lines <"$log"
 # The stage's last line says what it did; a warning or how far it was, which begin with the stage's name, may
 # come behind it.
+waited=0 last='' summary=''
+for line in "${lines[@]:2}"; do
+  if [[ $line == "step: "* ]]; then
+    [[ ! $line =~ ^"step: waited "([0-9]+)\.([0-9])" s"$ ]] || waited=${BASH_REMATCH[1]}${BASH_REMATCH[2]}00
+    continue
+  fi
+  last=$line
+  [[ $line == "$stage: "* || $line == "$stage  "* ]] || summary=$line
+done
+seconds $((elapsed - 10#$waited))
 # Which stage, for which cell and in which file, stands before it already; where it gives a result after a
 # colon, that is enough.
-summary=$(awk -v name="$stage" 'NR > 2 && !/^step: / {
-    last = $0
-    if (index($0, name ": ") != 1 && index($0, name "  ") != 1) said = $0
-  }
-  END { print said == "" ? last : said }' "$log")
+summary=${summary:-$last}
 summary=${summary#"$stage: "}
 summary=${summary%%": $folder/"*}
 summary=${summary#*: }
@@ -152,7 +163,11 @@ fi
 [[ ! $why ]] || echo "$stage: $why" >>"$log"
 echo "step: exit $status after $seconds s" >>"$log"
 case $status in
-  0) fit "$(report "$(printf '%8s s  %s' "$seconds" "$summary")")" ;;
+  0)
+    printf -v line '%-32s %-8s %8s s  %s' "$cell" "$stage" "$seconds" "$summary"
+    fit "$line"
+    echo "$fit"
+    ;;
   75) report "interrupted after a checkpoint; the same command goes on from there" >&2 ;;
   *) report "failed with exit code $status after $seconds s${why:+: $why} (log: $log)" >&2 ;;
 esac

@@ -11,7 +11,7 @@ settings_names += $(DATASETS:%=trust.%)
 $(foreach dataset,$(DATASETS),$(eval options.trust.$(dataset) := $(words $(call kept_of,$(dataset))) classifiers))
 
 define kept_rule # seed, its folder, cell, classifier
-.PRECIOUS: $(patsubst %/diagnosis.h5,%/classifier.h5,$(call diagnoses_of,$2/$3,$3,$4))
+precious.$2 += $(patsubst %/diagnosis.h5,%/classifier.h5,$(call diagnoses_of,$2/$3,$3,$4))
 $(patsubst %/diagnosis.h5,%/classifier.h5,$(call diagnoses_of,$2/$3,$3,$4)): $2/$3/%$(addprefix /,$(call another,$4))/classifier.h5: \
     $(call windows,$2) $(if $(filter $(baseline),$3),,$2/$3/E.h5) $(settings)/diagnose.toml
 	$(Q)STEP_LOG=classifier pipeline/step.sh $$(@D) diagnose $$(config) --test $2/A.h5 --normal $2/B.h5 --known $2/C.h5 \

@@ -75,9 +75,13 @@ int main(int argc, char** argv) {
     }
   }
 
+  cli::catch_interrupts();
   return stage.run(argc, argv, [&] {
     if (!method) method = augment::make_method(name);
-    if (method->needs_libtorch(run.compute)) seam::continue_with_libtorch(argv);
+    if (method->needs_libtorch(run.compute)) {
+      cli::hold_interrupts();
+      seam::continue_with_libtorch(argv);
+    }
     const artefact::Reader reader = stage.open("known", known_file, "windows");
     signal::require_role(reader, signal::Role::known);
     signal::WindowSet windows = signal::read_window_set(reader);
@@ -98,7 +102,6 @@ int main(int argc, char** argv) {
     checkpoint.path = model_file.string() + ".checkpoint";
     artefact::require_replaceable(model_file);
     artefact::require_replaceable(checkpoint.path);
-    cli::catch_interrupts();
     checkpoint.provenance = stage.provenance();
     checkpoint.interrupted = cli::interrupted;
     artefact::Writer model("model");

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <sstream>
+#include <stdexcept>
+#include <utility>
 
 #include "artefact/digest.hpp"
 #include "artefact/file.hpp"
@@ -106,13 +108,19 @@ void require_artefact(const fs::path& path, std::span<const std::byte> image,
   }
 }
 
+Rehearsal rehearsal_of(const fs::path& path, std::span<const std::byte> image,
+                       const std::string& kind) {
+  return {.size = image.size(),
+          .otherwise = path.string() + ": damaged: it cannot be read without harm" + remedy,
+          .read = [&path, image, &kind] { require_artefact(path, image, kind); }};
+}
+
 /// The bytes of a file which has been found to be a whole artefact, by a process that could come to
 /// harm over it.
 std::vector<std::byte> rehearsed(const fs::path& path, const std::string& kind) {
   std::vector<std::byte> image = bytes_of(path);
-  const std::string otherwise = path.string() + ": damaged: it cannot be read without harm";
-  const auto objection =
-      rehearse(image.size(), otherwise + remedy, [&] { require_artefact(path, image, kind); });
+  const Rehearsal file = rehearsal_of(path, image, kind);
+  const auto objection = rehearse(file.size, file.otherwise, file.read);
   if (objection) throw Refusal(Exit::bad_input, objection->reason, objection->line);
   return image;
 }
@@ -120,12 +128,57 @@ std::vector<std::byte> rehearsed(const fs::path& path, const std::string& kind) 
 }  // namespace
 
 Reader::Reader(const fs::path& path, const std::string& kind)
-    : path_(path),
-      image_(rehearsed(path, kind)),
-      file_(open_checked(path, image_)),
-      kind_(stored_kind(path, file_)),
+    : Reader(path, rehearsed(path, kind)) {}
+
+Reader::Reader(fs::path path, std::vector<std::byte> image)
+    : path_(std::move(path)),
+      image_(std::move(image)),
+      file_(open_checked(path_, image_)),
+      kind_(stored_kind(path_, file_)),
       digest_(text("/", digest_attribute)) {
   require_provenance();
+}
+
+Readers::Readers(std::vector<fs::path> paths, std::string kind)
+    : paths_(std::move(paths)), kind_(std::move(kind)) {}
+
+Reader Readers::next() {
+  if (next_ == paths_.size()) throw std::logic_error("no file is left to be read");
+  if (next_ == first_ + checked_.size()) check_some();
+  const fs::path& path = paths_[next_];
+  Checked& checked = checked_[next_++ - first_];
+  if (checked.refusal) throw Refusal(*checked.refusal);
+  return {path, std::move(checked.image)};
+}
+
+void Readers::check_some() {
+  constexpr std::size_t most_files = 128;
+  constexpr std::size_t most_bytes = 8'000'000;  // but one file of any size
+  checked_.clear();
+  first_ = next_;
+  std::vector<std::size_t> read;
+  std::size_t bytes = 0;
+  while (first_ + checked_.size() < paths_.size() && checked_.size() < most_files &&
+         bytes < most_bytes) {
+    Checked& checked = checked_.emplace_back();
+    try {
+      checked.image = bytes_of(paths_[first_ + checked_.size() - 1]);
+      bytes += checked.image.size();
+      read.push_back(checked_.size() - 1);
+    } catch (const Refusal& refusal) {
+      checked.refusal = refusal;
+    }
+  }
+  std::vector<Rehearsal> rehearsals;
+  for (const std::size_t i : read) {
+    rehearsals.push_back(rehearsal_of(paths_[first_ + i], checked_[i].image, kind_));
+  }
+  const auto objections = rehearse_all(rehearsals);
+  for (std::size_t i = 0; i < read.size(); ++i) {
+    if (!objections[i]) continue;
+    checked_[read[i]].refusal =
+        Refusal(Exit::bad_input, objections[i]->reason, objections[i]->line);
+  }
 }
 
 void Reader::require_provenance() const {

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <limits>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -92,6 +93,11 @@ class Reader {
   [[noreturn]] void refuse(const std::string& where, const std::string& what) const;
 
  private:
+  friend class Readers;
+
+  /// The same for bytes that have been read and checked.
+  Reader(std::filesystem::path path, std::vector<std::byte> image);
+
   /// Throws Refusal where it does not say how it was made, as every artefact does: pages and tables
   /// show it.
   void require_provenance() const;
@@ -106,6 +112,31 @@ class Reader {
   hdf5::Handle file_;
   std::string kind_;
   std::string digest_;
+};
+
+/// Many artefacts of a kind, one after the other, each as Reader's constructor reads it. The
+/// process of its own is one for many of them: to start it takes longer than to check a small file.
+class Readers {
+ public:
+  Readers(std::vector<std::filesystem::path> paths, std::string kind);
+
+  /// Opens the next one. Throws Refusal as Reader's constructor does, and then goes on with the one
+  /// behind it; std::logic_error where none is left.
+  [[nodiscard]] Reader next();
+
+ private:
+  /// A file that was read and checked: its bytes, or why it is refused.
+  struct Checked {
+    std::vector<std::byte> image = {};
+    std::optional<Refusal> refusal = std::nullopt;
+  };
+  void check_some();
+
+  std::vector<std::filesystem::path> paths_;
+  std::string kind_;
+  std::vector<Checked> checked_;  ///< the last that were
+  std::size_t first_ = 0;         ///< of paths_, that checked_ begins with
+  std::size_t next_ = 0;          ///< of paths_
 };
 
 }  // namespace piae::artefact

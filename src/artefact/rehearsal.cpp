@@ -22,9 +22,11 @@ namespace piae::artefact {
 
 namespace {
 
-/// What the child says when it has found nothing wrong. Anything else begins with the number of a
-/// reason; silence means that the child died.
+/// What the child says of a file when it has found nothing wrong. Anything else begins with the
+/// number of a reason; silence means that the child died.
 constexpr std::string_view good = "good";
+/// Ends what it says of each file.
+constexpr char end_of_answer = '\0';
 
 void limit(int resource, rlim_t most) {
   rlimit now{};
@@ -55,8 +57,17 @@ bool is_short_of_memory(std::size_t size) {
   return ::getrlimit(RLIMIT_AS, &now) == 0 && now.rlim_cur < enough_for(size);
 }
 
+std::size_t size_of(std::span<const Rehearsal> files) {
+  std::size_t size = 0;
+  for (const Rehearsal& file : files) size += file.size;
+  return size;
+}
+
 /// Who cannot be heard has died, as far as the parent knows.
-void say(int to, std::string_view text) { (void)write_all(to, std::as_bytes(std::span(text))); }
+void say(int to, std::string text) {
+  text += end_of_answer;
+  (void)write_all(to, std::as_bytes(std::span(text)));
+}
 
 std::string hear(int from) {
   std::string text;
@@ -69,17 +80,24 @@ std::string hear(int from) {
   }
 }
 
-/// The child's whole life. It ends without running what the program does at its end.
-[[noreturn]] void be_the_child(int to, std::size_t size, const std::function<void()>& read) {
+void read_and_say(int to, const std::function<void()>& read) {
+  try {
+    read();
+    say(to, std::string(good));
+  } catch (const Refusal& refusal) {
+    say(to, std::to_string(static_cast<int>(refusal.reason())) + ' ' + refusal.what());
+  }
+}
+
+/// The child's whole life. It ends without running what the program does at its end, and at the
+/// first file of which there is nothing to say.
+[[noreturn]] void be_the_child(int to, std::span<const Rehearsal> files) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   // A handler that the program has for these is no business of the child.
   for (const int signal : {SIGSEGV, SIGBUS, SIGABRT, SIGFPE, SIGXCPU}) ::signal(signal, SIG_DFL);
-  limit_by_size(size);
+  limit_by_size(size_of(files));
   try {
-    read();
-    say(to, good);
-  } catch (const Refusal& refusal) {
-    say(to, std::to_string(static_cast<int>(refusal.reason())) + ' ' + refusal.what());
+    for (const Rehearsal& file : files) read_and_say(to, file.read);
   } catch (...) {
     // Silence says it.
   }
@@ -100,10 +118,8 @@ Objection objection_in(const std::string& heard, const std::string& otherwise) {
                                 what + ": " + std::generic_category().message(errno));
 }
 
-}  // namespace
-
-std::optional<Objection> rehearse(std::size_t size, const std::string& otherwise,
-                                  const std::function<void()>& read) {
+/// What a child has said of the first of the files, as far as it came.
+std::vector<std::string> answers_of_child(std::span<const Rehearsal> files) {
   std::array<int, 2> pipe{};
   if (::pipe2(pipe.data(), O_CLOEXEC) != 0) fail("pipe");
   const pid_t child = ::fork();
@@ -112,17 +128,51 @@ std::optional<Objection> rehearse(std::size_t size, const std::string& otherwise
     ::close(pipe[1]);
     fail("fork");
   }
-  if (child == 0) be_the_child(pipe[1], size, read);
+  if (child == 0) be_the_child(pipe[1], files);
   ::close(pipe[1]);
   const std::string heard = hear(pipe[0]);
   ::close(pipe[0]);
   while (::waitpid(child, nullptr, 0) < 0 && errno == EINTR) {
   }
-  if (heard == good) return std::nullopt;
-  Objection objection = objection_in(heard, otherwise);
+  std::vector<std::string> answers;
+  std::size_t begin = 0;
+  for (std::size_t end = 0; (end = heard.find(end_of_answer, begin)) != std::string::npos;
+       begin = end + 1) {
+    answers.push_back(heard.substr(begin, end - begin));
+  }
+  return answers;
+}
+
+std::optional<Objection> objection_to(const Rehearsal& file, const std::string& answer) {
+  if (answer == good) return std::nullopt;
+  Objection objection = objection_in(answer, file.otherwise);
   const bool may_be_for_memory = objection.reason != RefusalReason::wrong_kind;
-  if (may_be_for_memory && is_short_of_memory(size)) throw std::bad_alloc();
+  if (may_be_for_memory && is_short_of_memory(file.size)) throw std::bad_alloc();
   return objection;
+}
+
+}  // namespace
+
+std::optional<Objection> rehearse(std::size_t size, const std::string& otherwise,
+                                  const std::function<void()>& read) {
+  const Rehearsal file{size, otherwise, read};
+  const std::vector<std::string> answers = answers_of_child({&file, 1});
+  return objection_to(file, answers.empty() ? "" : answers.front());
+}
+
+std::vector<std::optional<Objection>> rehearse_all(std::span<const Rehearsal> files) {
+  std::vector<std::optional<Objection>> objections;
+  while (objections.size() < files.size()) {
+    const auto left = files.subspan(objections.size());
+    const std::vector<std::string> answers = answers_of_child(left);
+    for (std::size_t i = 0; i < std::min(answers.size(), left.size()); ++i) {
+      objections.push_back(objection_to(left[i], answers[i]));
+    }
+    if (answers.size() >= left.size()) break;
+    const Rehearsal& harmful = left[answers.size()];
+    objections.push_back(rehearse(harmful.size, harmful.otherwise, harmful.read));
+  }
+  return objections;
 }
 
 }  // namespace piae::artefact

@@ -3,7 +3,9 @@
 #include <cstddef>
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "artefact/reader.hpp"
 
@@ -26,5 +28,17 @@ struct Objection {
 /// that this process was given less memory than a good file of this size takes.
 std::optional<Objection> rehearse(std::size_t size, const std::string& otherwise,
                                   const std::function<void()>& read);
+
+/// The arguments of rehearse() for one file.
+struct Rehearsal {
+  std::size_t size;
+  std::string otherwise;
+  std::function<void()> read;
+};
+
+/// The same for each of many files. To start a child takes longer than to read a small file, so one
+/// goes on to the next; where a file ends it, that one is rehearsed alone and another child goes on
+/// behind it.
+std::vector<std::optional<Objection>> rehearse_all(std::span<const Rehearsal> files);
 
 }  // namespace piae::artefact

@@ -2,8 +2,11 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include <algorithm>
+
 #include "page/links.hpp"
 #include "page/table.hpp"
+#include "page/words.hpp"
 #include "scoring/quality_record.hpp"
 #include "scoring/ratios.hpp"
 
@@ -74,15 +77,83 @@ Table scores_table(const std::vector<DatasetContents>& datasets) {
   return table;
 }
 
+/// The cells of one combination, in the place of a row for each.
+struct CombinedCells {
+  const DatasetContents* dataset = nullptr;
+  run::Combination combination;
+  std::vector<std::int64_t> seeds = {};
+  std::vector<double> percents = {};
+};
+
+/// Cells come by combination.
+std::vector<CombinedCells> combined_diagnoses(const std::vector<DatasetContents>& datasets) {
+  std::vector<CombinedCells> all;
+  for (const DatasetContents& dataset : datasets) {
+    for (const run::Diagnosis& cell : dataset.results.diagnoses) {
+      const run::Combination combination{cell.method, cell.ratio, cell.classifier};
+      const bool is_new =
+          all.empty() || all.back().dataset != &dataset || !(all.back().combination == combination);
+      if (is_new) all.push_back({.dataset = &dataset, .combination = combination});
+      all.back().seeds.push_back(cell.seed);
+      all.back().percents.push_back(100 * cell.accuracy);
+    }
+  }
+  return all;
+}
+
+Table combined_table(const std::vector<DatasetContents>& datasets) {
+  Table table{.caption = "Diagnoses: the lowest and the highest accuracy among the seeds, percent",
+              .columns = {{"data set"},
+                          {"method"},
+                          {"classifier"},
+                          {"ratio"},
+                          {"diagnoses", true},
+                          {"lowest", true},
+                          {"highest", true},
+                          {"seeds"}}};
+  for (const CombinedCells& cells : combined_diagnoses(datasets)) {
+    const auto [low, high] = std::ranges::minmax(cells.percents);
+    table.rows.push_back({.cells = {{.content = cells.dataset->name},
+                                    {.content = cells.combination.method},
+                                    {.content = cells.combination.classifier},
+                                    {.content = cells.combination.ratio},
+                                    number_cell(static_cast<double>(cells.seeds.size()),
+                                                std::to_string(cells.seeds.size())),
+                                    number_cell(low, fmt::format("{:.2f}", low)),
+                                    number_cell(high, fmt::format("{:.2f}", high)),
+                                    {.content = ranges_label(cells.seeds)}}});
+  }
+  return table;
+}
+
 Html in_details(const Table& table, const std::string& what) {
   if (table.rows.empty()) return {};
   return element("details", {{"class", "not-on-paper"}},
                  element("summary", fmt::format("{}: {}", what, table.rows.size())) + html(table));
 }
 
+std::size_t count_of_cells(const std::vector<DatasetContents>& datasets) {
+  std::size_t count = 0;
+  for (const DatasetContents& dataset : datasets) {
+    count += dataset.diagnoses.size() + dataset.scores.size();
+  }
+  return count;
+}
+
 }  // namespace
 
 Html cells_view(const std::vector<DatasetContents>& datasets) {
+  const std::size_t count = count_of_cells(datasets);
+  if (count > most_listed_cells) {
+    return element("p",
+                   fmt::format(
+                       "The means above were made from {} cells. A row for each would make this "
+                       "page too large to send, so there is one for all seeds of a diagnosis. "
+                       "Each cell lies in DATASET/seedN/METHOD/: score.h5, and below RATIO/ "
+                       "diagnosis.h5, of which the program verify checks the digest.",
+                       count)) +
+           in_details(combined_table(datasets), "Diagnoses by method, classifier and ratio");
+  }
   return element("p", fmt::format("What the means above were made from. A digest is the first {} "
                                   "of 64 digits of the SHA-256 of an artefact’s content; the "
                                   "program verify checks it.",

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "page/contents.hpp"
@@ -7,7 +8,11 @@
 
 namespace piae::page {
 
-/// Every cell with its number, artefact and digest: what all means were made from.
+/// More cells than this have no row each, or the page could not be sent by mail.
+inline constexpr std::size_t most_listed_cells = 3000;
+
+/// Every cell with its number, artefact and digest: what all means were made from. Of more than
+/// most_listed_cells, a row for all seeds of a diagnosis.
 Html cells_view(const std::vector<DatasetContents>& datasets);
 
 }  // namespace piae::page

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
+#include <tuple>
 
 #include "augment/catalogue.hpp"
 #include "report/classifier_rows.hpp"
@@ -62,9 +64,29 @@ class CellReader {
         into_(into),
         shown_ratio_(ratio_to_show(report::rows_by(into.rows, scoring::paper_classifier))) {}
 
-  void diagnosis(const run::Diagnosis& cell) {
-    const artefact::Reader reader(
-        layout_.diagnosis(cell.method, cell.ratio, cell.seed, cell.classifier), "diagnosis");
+  void diagnoses(const std::vector<run::Diagnosis>& cells) {
+    std::vector<fs::path> files;
+    for (const run::Diagnosis& cell : cells) {
+      files.push_back(layout_.diagnosis(cell.method, cell.ratio, cell.seed, cell.classifier));
+    }
+    artefact::Readers readers(files, "diagnosis");
+    for (const run::Diagnosis& cell : cells) diagnosis(readers.next(), cell);
+  }
+
+  void scores(const std::vector<scoring::QualityRecord>& cells) {
+    std::vector<fs::path> files;
+    for (const scoring::QualityRecord& cell : cells) {
+      files.push_back(layout_.score(cell.method, cell.seed));
+    }
+    artefact::Readers readers(files, "score");
+    for (const scoring::QualityRecord& cell : cells) {
+      into_.scores.push_back(cell_file(run_, readers.next(), {cell.method, "", cell.seed}));
+      if (into_.classes.empty()) into_.classes = cell.info.classes;
+    }
+  }
+
+ private:
+  void diagnosis(const artefact::Reader& reader, const run::Diagnosis& cell) {
     into_.diagnoses.push_back(cell_file(run_, reader, name_of(cell)));
     if (into_.classes.empty()) into_.classes = cell.classes;
     if (cell.classifier != scoring::paper_classifier) return;
@@ -77,28 +99,35 @@ class CellReader {
     ++of_method->seeds;
   }
 
-  void score(const scoring::QualityRecord& cell) {
-    const artefact::Reader reader(layout_.score(cell.method, cell.seed), "score");
-    into_.scores.push_back(cell_file(run_, reader, {cell.method, "", cell.seed}));
-    if (into_.classes.empty()) into_.classes = cell.info.classes;
-  }
-
- private:
   fs::path run_;
   run::Layout layout_;
   DatasetContents& into_;
   std::string shown_ratio_;
 };
 
-bool is_read(const run::Results& results, const run::CellName& name) {
-  if (!name.ratio.empty()) return std::ranges::count(results.diagnoses, name, name_of) > 0;
-  return std::ranges::any_of(results.qualities, [&](const scoring::QualityRecord& cell) {
-    return cell.method == name.method && cell.seed == name.seed;
-  });
-}
+/// Names of cells, of which there may be a hundred thousand.
+class CellNames {
+ public:
+  void add(const run::CellName& name) { keys_.insert(key_of(name)); }
+  [[nodiscard]] bool has(const run::CellName& name) const { return keys_.contains(key_of(name)); }
 
-bool is_left_out(const run::Results& results, const run::CellName& name) {
-  return std::ranges::count(results.left_out, name) > 0;
+ private:
+  using Key = std::tuple<std::string, std::string, std::int64_t, std::string>;
+  static Key key_of(const run::CellName& name) {
+    return {name.method, name.ratio, name.seed, name.classifier};
+  }
+  std::set<Key> keys_;
+};
+
+/// Those that are read, or left out.
+CellNames no_holes(const run::Results& results) {
+  CellNames names;
+  for (const run::Diagnosis& cell : results.diagnoses) names.add(name_of(cell));
+  for (const scoring::QualityRecord& cell : results.qualities) {
+    names.add({cell.method, "", cell.seed});
+  }
+  for (const run::CellName& cell : results.left_out) names.add(cell);
+  return names;
 }
 
 std::vector<run::CellName> cells_of(const run::Grid& grid) {
@@ -129,9 +158,10 @@ std::vector<Hole> holes_in(const fs::path& run, const run::Grid& asked,
   for (run::CellName& name : cells_of(contents.grid)) {
     if (!is_among(asked, name)) names.push_back(std::move(name));
   }
+  const CellNames whole = no_holes(contents.results);
   std::vector<Hole> holes;
   for (const run::CellName& name : names) {
-    if (is_read(contents.results, name) || is_left_out(contents.results, name)) continue;
+    if (whole.has(name)) continue;
     Hole hole = hole_of(run, layout, name, contents.results.problems);
     const bool counts = is_among(asked, name) || hole.state != HoleState::not_begun;
     if (counts) holes.push_back(std::move(hole));
@@ -176,8 +206,8 @@ DatasetContents read_dataset(const fs::path& run, const run::Grid& asked,
   const std::string conditions = report::conditions_note(contents.results);
   if (!conditions.empty()) contents.verdict.insert(contents.verdict.begin(), conditions);
   CellReader cells(run, contents);
-  for (const run::Diagnosis& cell : contents.results.diagnoses) cells.diagnosis(cell);
-  for (const scoring::QualityRecord& cell : contents.results.qualities) cells.score(cell);
+  cells.diagnoses(contents.results.diagnoses);
+  cells.scores(contents.results.qualities);
   contents.holes = holes_in(run, asked, contents);
   read_records(run, contents);
   return contents;

@@ -3,6 +3,7 @@
 #include <spdlog/fmt/fmt.h>
 
 #include <algorithm>
+#include <iterator>
 
 #include "page/cost_table.hpp"
 #include "page/duration.hpp"
@@ -167,6 +168,26 @@ std::string in_short(const std::vector<StepLog>& steps, const Steps& all) {
   return text;
 }
 
+/// Each step, or where that would be too long a page those that are not done.
+Html list_of_steps(const Steps& all) {
+  if (all.size() <= most_listed_steps) {
+    return element("details", element("summary", fmt::format("All {} steps", all.size())) +
+                                  html(table_of_steps("All steps", all)));
+  }
+  Steps open;
+  std::ranges::copy_if(all, std::back_inserter(open),
+                       [](const StepLog* step) { return step->end != StepEnd::done; });
+  const std::size_t shown = std::min(open.size(), most_listed_steps);
+  const std::string what = fmt::format(
+      "{} steps are too many for a page: their logs lie beside what they made. {} are not done{}",
+      all.size(), open.size(),
+      shown < open.size() ? fmt::format(", of which {} follow.", shown) : ".");
+  open.resize(shown);
+  if (open.empty()) return element("p", what);
+  return element("p", what) + element("details", element("summary", "Steps that are not done") +
+                                                     html(table_of_steps("Steps not done", open)));
+}
+
 Html content_of(const std::vector<StepLog>& steps) {
   if (steps.empty()) return element("p", "No step of this run has left a log.");
   Steps all;
@@ -180,9 +201,7 @@ Html content_of(const std::vector<StepLog>& steps) {
              "A step that is not done has a dashed border. Pauses of more than ten minutes are cut "
              "out.") +
          time_line(steps) + element("h2", "What they took") + html(table_of_groups(steps)) +
-         (costs ? html(*costs) : Html()) + html(slowest_steps(all)) +
-         element("details", element("summary", fmt::format("All {} steps", steps.size())) +
-                                html(table_of_steps("All steps", all)));
+         (costs ? html(*costs) : Html()) + html(slowest_steps(all)) + list_of_steps(all);
 }
 
 }  // namespace

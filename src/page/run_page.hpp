@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -8,9 +9,12 @@
 
 namespace piae::page {
 
+inline constexpr std::size_t most_listed_steps = 5000;
+
 /// run.html: when the steps of a run ran, how much processor time and memory each stage took, and
 /// which steps were the slowest. Two runs of the same settings give different pages, which is why
-/// none of this stands in report.html. `steps` are ordered by begin.
+/// none of this stands in report.html. `steps` are ordered by begin. Of more than
+/// most_listed_steps, only those have a row of their own that are not done, as many as that.
 std::string run_page(const std::vector<StepLog>& steps, const Style& style);
 
 }  // namespace piae::page

@@ -72,17 +72,60 @@ std::vector<std::size_t> lanes_of(const std::vector<const StepLog*>& steps) {
   return lanes;
 }
 
-Html bar(const StepLog& step, const Axis& axis, double y, double height) {
-  const std::string what =
-      step.file.generic_string() + ", " + word_of(step.end) +
-      (step.end == StepEnd::open ? "" : " after " + duration_label(step.elapsed_s));
-  return element("rect",
-                 {{"class", "bar " + word_of(step.end)},
-                  {"x", position(axis.at(*step.begun_s))},
-                  {"y", position(y)},
-                  {"width", position(std::max(narrowest_bar, axis.units(step.elapsed_s)))},
-                  {"height", position(height)}},
-                 element("title", what));
+/// Steps that are drawn as one bar: of a lane, one after the other.
+struct Bar {
+  std::size_t lane = 0;
+  const StepLog* first = nullptr;
+  double end_s = 0;
+  std::size_t steps = 1;
+};
+
+/// A bar for each step. Where there are so many that most would lie on top of each other, those are
+/// one that follow each other in a lane, ended alike, and together are not wider than the eye tells
+/// apart.
+std::vector<Bar> bars_of(const std::vector<const StepLog*>& steps, const Axis& axis) {
+  constexpr std::size_t many = 2000;
+  constexpr double widest_together = 2;
+  const std::vector<std::size_t> lanes = lanes_of(steps);
+  std::vector<Bar> bars;
+  std::vector<std::size_t> last_of_lane(std::ranges::max(lanes) + 1, steps.size());
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    const StepLog& step = *steps[i];
+    std::size_t& last = last_of_lane[lanes[i]];
+    const bool follows =
+        steps.size() > many && last < bars.size() && bars[last].first->end == step.end &&
+        step.end != StepEnd::open &&
+        axis.at(end_of_step(step)) - axis.at(*bars[last].first->begun_s) < widest_together;
+    if (follows) {
+      bars[last].end_s = end_of_step(step);
+      ++bars[last].steps;
+    } else {
+      last = bars.size();
+      bars.push_back({.lane = lanes[i], .first = &step, .end_s = end_of_step(step)});
+    }
+  }
+  return bars;
+}
+
+std::string title_of_bar(const Bar& bar) {
+  const StepLog& step = *bar.first;
+  std::string title = step.file.generic_string() + ", ";
+  if (bar.steps > 1) title += fmt::format("and {} more, ", bar.steps - 1);
+  title += word_of(step.end);
+  return step.end == StepEnd::open ? title
+                                   : title + " after " + duration_label(bar.end_s - *step.begun_s);
+}
+
+Html html_of_bar(const Bar& bar, const Axis& axis, double y, double height) {
+  const StepLog& step = *bar.first;
+  return element(
+      "rect",
+      {{"class", "bar " + word_of(step.end)},
+       {"x", position(axis.at(*step.begun_s))},
+       {"y", position(y)},
+       {"width", position(std::max(narrowest_bar, axis.units(bar.end_s - *step.begun_s)))},
+       {"height", position(height)}},
+      element("title", title_of_bar(bar)));
 }
 
 Html label(double x, double y, const std::string& text, const std::string& looks) {
@@ -105,11 +148,12 @@ Html row_of_stage(const std::string& stage, const std::vector<StepLog>& steps, c
   for (const StepLog& step : steps) {
     if (step.stage == stage) own.push_back(&step);
   }
-  const std::vector<std::size_t> lanes = lanes_of(own);
-  const double height = row_height / static_cast<double>(std::ranges::max(lanes) + 1);
+  const std::vector<Bar> bars = bars_of(own, axis);
+  const std::size_t lanes = std::ranges::max(bars, {}, &Bar::lane).lane + 1;
+  const double height = row_height / static_cast<double>(lanes);
   Html row = label(0, y + row_height / 2 + 4, stage, "name");
-  for (std::size_t i = 0; i < own.size(); ++i) {
-    row += bar(*own[i], axis, y + height * static_cast<double>(lanes[i]), 0.9 * height);
+  for (const Bar& bar : bars) {
+    row += html_of_bar(bar, axis, y + height * static_cast<double>(bar.lane), 0.9 * height);
   }
   return row;
 }

@@ -16,11 +16,15 @@ using twin::Outcome;
 /// The trainings of one method, by seed.
 std::vector<Outcome> outcomes_of(const std::string& method, const run::Layout& layout,
                                  const run::Held& held) {
-  std::vector<Outcome> outcomes;
+  std::vector<std::filesystem::path> files;
   for (const std::int64_t seed : held.seeds()) {
     const auto file = layout.model(method, seed);
-    if (!held.has(file)) continue;
-    const artefact::Reader model(file, "model");
+    if (held.has(file)) files.push_back(file);
+  }
+  artefact::Readers models(files, "model");
+  std::vector<Outcome> outcomes;
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    const artefact::Reader model = models.next();
     if (twin::has_outcome(model)) outcomes.push_back(twin::read_outcome(model));
   }
   return outcomes;

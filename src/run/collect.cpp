@@ -43,28 +43,30 @@ void require_like_the_others(const artefact::Reader& reader, const Diagnosis& ce
   require_same(reader, "the number of known windows", known_label(cell),
                known_label(others.front()));
   require_same(reader, "the list of classes", class_names(cell), class_names(others.front()));
-  const auto same_ratio = std::ranges::find(others, cell.ratio, &Diagnosis::ratio);
-  if (same_ratio == others.end()) return;
+  // The last is the nearest: cells come by ratio, and there may be thousands of seeds.
+  const auto same_ratio = std::find_if(others.rbegin(), others.rend(), [&](const Diagnosis& each) {
+    return each.ratio == cell.ratio;
+  });
+  if (same_ratio == others.rend()) return;
   require_same(reader, "the number of generated windows per class",
                std::to_string(cell.generated_per_class),
                std::to_string(same_ratio->generated_per_class));
   require_same(reader, "the true ratio", ratio_label(cell), ratio_label(*same_ratio));
 }
 
-void add_diagnosis(const fs::path& path, const std::string& dataset, const Combination& combination,
-                   std::int64_t seed, const TestedWindowsBySeed& tested,
-                   std::vector<Diagnosis>& diagnoses) {
-  const artefact::Reader reader(path, "diagnosis");
+void add_diagnosis(const artefact::Reader& reader, const std::string& dataset,
+                   const Combination& combination, std::int64_t seed,
+                   const TestedWindowsBySeed& tested, std::vector<Diagnosis>& diagnoses) {
   const auto windows = tested.find(seed);
-  const Diagnosis cell = read_diagnosis_cell(reader, dataset, combination, seed,
-                                             windows == tested.end() ? nullptr : &windows->second);
+  Diagnosis cell = read_diagnosis_cell(reader, dataset, combination, seed,
+                                       windows == tested.end() ? nullptr : &windows->second);
   require_like_the_others(reader, cell, diagnoses);
-  diagnoses.push_back(cell);
+  diagnoses.push_back(std::move(cell));
 }
 
-void add_quality(const fs::path& path, const std::string& dataset, const std::string& method,
-                 std::int64_t seed, std::vector<scoring::QualityRecord>& qualities) {
-  const artefact::Reader reader(path, "score");
+void add_quality(const artefact::Reader& reader, const std::string& dataset,
+                 const std::string& method, std::int64_t seed,
+                 std::vector<scoring::QualityRecord>& qualities) {
   scoring::QualityRecord record = read_score_cell(reader, dataset, method, seed);
   if (!qualities.empty()) {
     require_same(reader, "the split protocol", to_string(record.protocol),
@@ -123,21 +125,29 @@ void collect_diagnoses(const Layout& layout, const std::string& dataset, const S
                        const std::vector<std::int64_t>& seeds, Results& results,
                        const TestedWindowsBySeed& tested) {
   const Combination& cell = series.combination;
+  std::vector<fs::path> paths;
   for (const std::int64_t seed : seeds) {
-    const fs::path path = layout.diagnosis(series.folder, cell.ratio, seed, cell.classifier);
+    paths.push_back(layout.diagnosis(series.folder, cell.ratio, seed, cell.classifier));
+  }
+  artefact::Readers readers(paths, "diagnosis");
+  for (std::size_t i = 0; i < seeds.size(); ++i) {
     attempt(
-        fmt::format("{}, ratio {}, seed {}", series.name, cell.ratio, seed), path,
-        [&] { add_diagnosis(path, dataset, cell, seed, tested, results.diagnoses); }, results);
+        fmt::format("{}, ratio {}, seed {}", series.name, cell.ratio, seeds[i]), paths[i],
+        [&] { add_diagnosis(readers.next(), dataset, cell, seeds[i], tested, results.diagnoses); },
+        results);
   }
 }
 
 void collect_scores(const Layout& layout, const std::string& dataset, const std::string& method,
                     const std::vector<std::int64_t>& seeds, Results& results) {
-  for (const std::int64_t seed : seeds) {
-    const fs::path path = layout.score(method, seed);
+  std::vector<fs::path> paths;
+  for (const std::int64_t seed : seeds) paths.push_back(layout.score(method, seed));
+  artefact::Readers readers(paths, "score");
+  for (std::size_t i = 0; i < seeds.size(); ++i) {
     attempt(
-        fmt::format("method {}, seed {}", method, seed), path,
-        [&] { add_quality(path, dataset, method, seed, results.qualities); }, results);
+        fmt::format("method {}, seed {}", method, seeds[i]), paths[i],
+        [&] { add_quality(readers.next(), dataset, method, seeds[i], results.qualities); },
+        results);
   }
 }
 

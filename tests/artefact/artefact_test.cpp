@@ -172,6 +172,32 @@ TEST_F(Artefact, RefusalsSayWhatAndWhere) {
   EXPECT_THROW((void)reader.text("/", "no"), Refusal);
 }
 
+TEST_F(Artefact, ManyAreReadAsEachAlone) {
+  std::vector<fs::path> files;
+  for (int i = 0; i < 300; ++i) {
+    files.push_back(example(std::to_string(i) + ".h5", "a = \"" + std::to_string(i) + "\"\n"));
+  }
+  fs::remove(files[7]);
+  std::vector<std::byte> damaged = slurp(files[130]);
+  damaged[damaged.size() / 2] ^= std::byte{1};
+  spill(files[130], damaged);
+  Writer("another").save(files[131], {"tester", "", {}});
+  Readers readers(files, "example");
+  for (const fs::path& file : files) {
+    try {
+      const Reader reader = readers.next();
+      const Reader alone(file, "example");
+      EXPECT_EQ(reader.path(), file);
+      EXPECT_EQ(reader.digest(), alone.digest());
+      EXPECT_EQ(reader.strings("/provenance/options"), alone.strings("/provenance/options"));
+    } catch (const Refusal& refusal) {
+      EXPECT_EQ(refusal.what(), std::string(refusal_of(file).what()));
+      EXPECT_EQ(refusal.reason(), refusal_of(file).reason());
+    }
+  }
+  EXPECT_THROW((void)readers.next(), std::logic_error);
+}
+
 TEST_F(Artefact, NothingThatIsNotFiniteIsWritten) {
   Writer writer("example");
   const std::vector<float> values{1, std::numeric_limits<float>::quiet_NaN()};

@@ -47,6 +47,33 @@ TEST(Rehearsal, SurvivesWhateverBecomesOfTheChild) {
   expect_harm([] { ::_exit(0); });  // without having found it good
 }
 
+/// What is said of three files, of which the second does this.
+std::vector<std::optional<Objection>> rehearsed_among_others(const std::function<void()>& read) {
+  const std::vector<Rehearsal> files{
+      {1000, "first", [] {}},
+      {1000, "second", read},
+      {1000, "third",
+       [] { throw Refusal(Exit::bad_input, RefusalReason::wrong_kind, "third: is odd"); }}};
+  return rehearse_all(files);
+}
+
+TEST(Rehearsal, OfManyFilesBlamesTheOneThatDoesHarm) {
+  const std::vector<std::function<void()>> harms{
+      [] { ::raise(SIGSEGV); }, [] { throw std::runtime_error("odd"); }, [] { ::_exit(0); }};
+  for (const auto& harm : harms) {
+    const auto objections = rehearsed_among_others(harm);
+    ASSERT_EQ(objections.size(), 3U);
+    EXPECT_FALSE(objections[0]);
+    ASSERT_TRUE(objections[1]);
+    EXPECT_EQ(objections[1]->reason, RefusalReason::damaged);
+    EXPECT_EQ(objections[1]->line, "second");
+    ASSERT_TRUE(objections[2]);
+    EXPECT_EQ(objections[2]->line, "third: is odd");
+  }
+  EXPECT_FALSE(rehearsed_among_others([] {})[1]);
+  EXPECT_TRUE(rehearse_all({}).empty());
+}
+
 TEST(Rehearsal, GivesTheChildMemoryAndTimeByTheFilesSize) {
   expect_harm([] {
     std::vector<char> large(std::size_t{1} << 30U);

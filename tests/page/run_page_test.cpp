@@ -233,6 +233,22 @@ TEST(RunPage, ShowsWhyAStepFailed) {
   EXPECT_THAT(page, Not(HasSubstr("<b>diverged")));
 }
 
+/// With a row and a bar each, a hundred thousand steps would be a page of 60 MB.
+TEST(RunPage, OfManyStepsListsThoseThatAreNotDone) {
+  std::vector<StepLog> steps;
+  for (int i = 0; i < 100'000; ++i) {
+    steps.push_back(step(fmt::format("cwru/seed{}/split.log", i), i, 1));
+  }
+  steps[70'000].end = StepEnd::failed;
+  const std::string page = run_page(steps, {});
+  EXPECT_LT(page.size(), 1'000'000U);
+  EXPECT_THAT(page, HasSubstr("100000 steps are too many for a page: their logs lie beside what "
+                              "they made. 1 are not done."));
+  EXPECT_THAT(page, HasSubstr("<rect class=\"bar failed\""));
+  EXPECT_THAT(page, HasSubstr("cwru/seed70000/split.log</a>"));
+  EXPECT_THAT(page, HasSubstr("<title>cwru/seed0/split.log, and "));
+}
+
 TEST(RunPage, OfARunWithoutLogsSaysSo) {
   EXPECT_THAT(run_page({}, {}), HasSubstr("No step of this run has left a log."));
 }

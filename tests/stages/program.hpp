@@ -92,12 +92,9 @@ class Process {
     }
   }
 
-  /// Until it has written this on standard output, or has ended.
-  void wait_until_it_says(const std::string& text) const {
-    while (said().find(text) == std::string::npos && !ended()) {
-      std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    }
-  }
+  /// Until it has written this on standard output, or on standard error, or has ended.
+  void wait_until_it_says(const std::string& text) const { wait_until_it_is_in(out_, text); }
+  void wait_until_it_warns(const std::string& text) const { wait_until_it_is_in(err_, text); }
 
   /// A program that does not end within two minutes hangs: it is killed, and the test fails.
   Outcome wait() {
@@ -148,11 +145,17 @@ class Process {
     return ::dup2(::open(path.c_str(), O_RDONLY), STDIN_FILENO) >= 0;
   }
 
+  void wait_until_it_is_in(std::FILE* stream, const std::string& text) const {
+    while (said(stream).find(text) == std::string::npos && !ended()) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+  }
+
   /// What it has written until now, without moving where it writes on.
-  [[nodiscard]] std::string said() const {
+  [[nodiscard]] static std::string said(std::FILE* stream) {
     std::string text;
     char buffer[4096];
-    for (ssize_t got = 0; (got = ::pread(fileno(out_), buffer, sizeof buffer,
+    for (ssize_t got = 0; (got = ::pread(fileno(stream), buffer, sizeof buffer,
                                          static_cast<off_t>(text.size()))) > 0;) {
       text.append(buffer, static_cast<std::size_t>(got));
     }

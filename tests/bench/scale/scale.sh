@@ -1,0 +1,125 @@
+#!/bin/bash
+# How make, status, tables, figures and the report grow with a grid: seconds, and the most memory that one process
+# held, for 10^3, 10^4 and 10^5 steps. Growth is that of processor time from each number of steps to the next; others
+# on the machine change the time elapsed. The steps themselves compute nothing: fill_run writes what they would make,
+# small and valid, so that what is measured is what the project adds to any grid. Below the table stands what a step
+# costs beside its stage.
+# usage: tests/bench/scale/scale.sh PROGRAMS [DATASETSxSEEDS...]     from the project's folder; 1x10 10x10 10x100
+set -euo pipefail
+export LC_ALL=C
+unset MAKEFLAGS MFLAGS MAKELEVEL MAKEOVERRIDES
+
+programs=$(realpath "$1")
+shift
+sizes=("${@:-1x10}")
+(($#)) || sizes=(1x10 10x10 10x100)
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+cp -r Makefile pipeline jobs "$scratch"
+mkdir "$scratch/results" "$scratch/programs" "$scratch/nothing"
+cp -r results/published "$scratch/results"
+cd "$scratch"
+
+# The grid has methods that only LibTorch computes; here nobody does.
+for stage in settings tabulate figures report; do ln -s "$programs/$stage" programs; done
+touch programs/train-libtorch
+# A stage that makes its files and no more, of which the cost of a step is what is left.
+cat >nothing/stage <<'STAGE'
+#!/bin/sh
+while [ $# -gt 1 ]; do
+  case $1 in
+    --output) : >"$2" ;;
+    --) shift && for file; do : >"$file"; done ;;
+    --output-dir) for role in A B C D; do : >"$2/$role.h5"; done ;;
+  esac
+  shift
+done
+echo "stage: nothing done"
+STAGE
+chmod +x nothing/stage
+for stage in simulate split train generate score diagnose train-libtorch; do ln -s stage "nothing/$stage"; done
+ln -s "$programs/settings" nothing
+
+describe() { # data sets
+  local name
+  for name; do
+    sed "s/^name = .*/name = \"$name\"/" pipeline/datasets/simulated-small.toml >"pipeline/datasets/$name.toml"
+  done
+}
+
+# What the steps would make, by what make says of them. Settings come first: all else is made of them.
+fill() { # variables of make
+  make --dry-run tables "$@" >wanted
+  grep -oE "[^ ]+/settings --folder [^ ]+ --update '[^']+'" wanted | while read -r line; do eval "$line"; done
+  make --dry-run tables "$@" | awk -f jobs/steps.awk >steps
+  grep -vP '\ttabulate\t' steps | "$programs/fill_run"
+}
+
+measure() { # name, command...
+  command time --quiet --format='%e %U %S %M' --output=used "${@:2}" >said 2>&1 || {
+    cat said >&2
+    exit 1
+  }
+  # Seconds elapsed, of processor time, MB.
+  awk -v OFS='\t' -v name="$1" -v count="$count" \
+    '{ print name, count, $1, $2 + $3, int($4 / 1000) }' used | tee -a measured >&2
+}
+
+cores=$(env -u OMP_NUM_THREADS nproc)
+: >measured
+for size in "${sizes[@]}"; do
+  mapfile -t datasets < <(seq -f 'scale%g' "${size%x*}")
+  describe "${datasets[@]}"
+  variables=(RUN="$size" DATASETS="${datasets[*]}" SEEDS="$(seq -s ' ' 0 $((${size#*x} - 1)))" BIN=programs)
+  fill "${variables[@]}"
+  count=$(wc -l <steps)
+  measure 'parsing' make records "${variables[@]}"
+  measure 'nothing to do' make cells "${variables[@]}"
+  measure 'status' make status "${variables[@]}"
+  measure 'tables' make -j"$cores" tables "${variables[@]}"
+  measure 'figures' make -j"$cores" figures RUN="$size" BIN=programs
+  measure 'report' make -j"$cores" report RUN="$size" BIN=programs
+  printf 'report.html, MB\t%s\t\t\t%s\n' "$count" \
+    "$(awk "BEGIN { printf \"%.1f\", $(stat --format=%s "results/$size/report.html") / 1e6 }")" >>measured
+done
+
+# A row for each measure, a column for each number of steps.
+printf '\n%s\n' "seconds elapsed (of processor time), MB of the largest process; ${cores} cores"
+awk -F '\t' '{
+    if (!($2 in seen)) { seen[$2]; counts[++columns] = $2 }
+    if (!($1 in known)) { known[$1]; names[++rows] = $1 }
+    elapsed[$1, $2] = $3; used[$1, $2] = $4; memory[$1, $2] = $5
+  }
+  END {
+    printf "%-16s", "steps"
+    for (c = 1; c <= columns; ++c) printf "%21s", counts[c]
+    print (columns > 1 ? "  growth" : "")
+    for (r = 1; r <= rows; ++r) {
+      printf "%-16s", names[r]
+      for (c = 1; c <= columns; ++c) {
+        key = names[r] SUBSEP counts[c]
+        if (elapsed[key] == "") printf "%21s", memory[key]
+        else printf "%21s", sprintf("%.2f (%.2f) %4d", elapsed[key], used[key], memory[key])
+      }
+      growth = ""
+      for (c = 2; c <= columns; ++c) {
+        before = used[names[r], counts[c - 1]]
+        if (before > 0) growth = growth sprintf(" x%.1f", used[names[r], counts[c]] / before)
+      }
+      print " " growth
+    }
+  }' measured
+
+# What make and the shell take for each step beside its stage.
+user_and_system() { # command...
+  command time --quiet --format='%U %S' --output=used "$@" >/dev/null
+  awk '{ print $1 + $2 }' used
+}
+alone() { for ((i = 0; i < $1; ++i)); do nothing/stage --output made; done; }
+export -f alone
+variables=(RUN=steps DATASETS=scale1 SEEDS="0 1" BIN=nothing)
+make records "${variables[@]}" >/dev/null
+count=$(make --dry-run cells "${variables[@]}" | awk -f jobs/steps.awk | wc -l)
+printf '\nbeside its stage a step takes %s ms of processor time (of %s steps that compute nothing)\n' \
+  "$(awk "BEGIN { printf \"%.1f\", 1000 * ($(user_and_system make cells "${variables[@]}") - \
+    $(user_and_system bash -c "alone $count")) / $count }")" "$count"

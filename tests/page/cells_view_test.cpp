@@ -1,0 +1,46 @@
+#include "page/cells_view.hpp"
+
+#include <gmock/gmock.h>
+#include <spdlog/fmt/fmt.h>
+
+namespace piae::page {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+/// Diagnoses of two ratios, of so many seeds each; the accuracy of a seed is its last two digits.
+std::vector<DatasetContents> with_cells(std::int64_t seeds) {
+  DatasetContents contents{.name = "cwru"};
+  for (const char* ratio : {"10to1", "2to1"}) {
+    for (std::int64_t seed = 0; seed < seeds; ++seed) {
+      run::Diagnosis cell{.method = "vae", .ratio = ratio, .seed = seed};
+      cell.accuracy = static_cast<double>(seed % 100) / 100;
+      contents.diagnoses.push_back(
+          {.name = {cell.method, cell.ratio, seed},
+           .file = fmt::format("cwru/seed{}/vae/{}/diagnosis.h5", seed, ratio),
+           .digest = std::string(64, 'a')});
+      contents.results.diagnoses.push_back(cell);
+    }
+  }
+  return {contents};
+}
+
+TEST(CellsView, HasARowForEachCell) {
+  const std::string view = cells_view(with_cells(3)).text();
+  EXPECT_THAT(view, HasSubstr("cwru/seed2/vae/2to1/diagnosis.h5"));
+  EXPECT_THAT(view, HasSubstr("Diagnoses: 6"));
+}
+
+TEST(CellsView, OfMoreThanAPageHoldsHasARowForAllSeeds) {
+  const std::string view = cells_view(with_cells(2000)).text();
+  EXPECT_LT(view.size(), 10'000U);
+  EXPECT_THAT(view, HasSubstr("The means above were made from 4000 cells."));
+  EXPECT_THAT(view, HasSubstr("Diagnoses by method, classifier and ratio: 2"));
+  EXPECT_THAT(view, HasSubstr(">99.00</td>"));
+  EXPECT_THAT(view, HasSubstr("0 to 1999"));
+  EXPECT_THAT(view, Not(HasSubstr("seed7/")));
+}
+
+}  // namespace
+}  // namespace piae::page
