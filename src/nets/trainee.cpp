@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "base/denormals.hpp"
 #include "base/error.hpp"
 #include "base/one_line.hpp"
 #include "base/sha256.hpp"
@@ -80,6 +81,11 @@ std::vector<double> efforts_of(const Trainee& trainee) {
   return efforts;
 }
 
+std::string run_epoch(Trainee& trainee, std::size_t epoch) {
+  const FlushDenormals flush;
+  return trainee.run_epoch(epoch);
+}
+
 }  // namespace
 
 void run_epochs(Trainee& trainee, const Checkpoint& checkpoint) {
@@ -92,7 +98,7 @@ void run_epochs(Trainee& trainee, const Checkpoint& checkpoint) {
   if (first == 0) begin(0);
   Clock::time_point saved = Clock::now();
   for (std::size_t epoch = first; epoch < trainee.epochs(); ++epoch) {
-    const std::string note = trainee.run_epoch(epoch);
+    const std::string note = run_epoch(trainee, epoch);
     if (progress) progress->update(epoch + 1, note);
     // The first epoch of a training that goes on may make again what its state does not hold.
     if (!progress) begin(epoch + 1);
