@@ -53,6 +53,8 @@ PerCourse EquationOfMotion::force_n(const State& state, std::span<const BallCont
   PerCourse contact{};
   for (const BallContact& ball : balls) {
     const PerCourse compression = compression_m(state.displacement, ball);
+    // A ball that touches in no course would add nothing, after a root that takes long.
+    if (!any_positive(compression)) continue;
     contact += compression * square_root<double>(compression) * ball.along;
   }
   return load_n - damping_ns_per_m * state.velocity - stiffness_n_per_m * state.displacement -

@@ -43,7 +43,7 @@ int roots_of_sub_step(int balls) { return 4 * ((balls + 1) / 2); }
 
 /// Square roots of doubles a second.
 double peak_roots_per_s() {
-  constexpr std::size_t chains = 4;
+  constexpr std::size_t chains = 12;  // a root waits long for the one before
   const auto round = [](std::array<PerCourse, chains>& x) {
     for (PerCourse& chain : x) chain = piae::square_root<double>(chain);
   };
