@@ -44,18 +44,21 @@ Index samples_of(Index length) { return length + (segments - 1) * (length / 2); 
 /// The power averaged over neighbouring bins, with Hann's weights.
 ArrayXd smoothed(const ArrayXd& power, double bin_hz) {
   const auto reach = static_cast<Index>(std::ceil(smoothing_hz / bin_hz));
+  ArrayXd weights(reach + 1);  // by the distance in bins
+  for (Index i = 0; i <= reach; ++i) {
+    const double distance = static_cast<double>(i) * bin_hz / smoothing_hz;
+    weights[i] = distance < 1 ? 1 + std::cos(std::numbers::pi * distance) : 0;
+  }
   ArrayXd result(power.size());
   for (Index i = 0; i < power.size(); ++i) {
     double sum = 0;
-    double weights = 0;
+    double sum_of_weights = 0;
     for (Index j = std::max<Index>(0, i - reach); j <= std::min(power.size() - 1, i + reach); ++j) {
-      const double distance = static_cast<double>(i - j) * bin_hz / smoothing_hz;
-      if (std::abs(distance) >= 1) continue;
-      const double weight = 1 + std::cos(std::numbers::pi * distance);
-      sum += weight * power[j];
-      weights += weight;
+      const double weight = weights[std::abs(i - j)];
+      sum = std::fma(weight, power[j], sum);
+      sum_of_weights += weight;
     }
-    result[i] = sum / weights;
+    result[i] = sum / sum_of_weights;
   }
   return result;
 }

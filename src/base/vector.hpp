@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
-#include <type_traits>
 
 #if defined(__AVX__)
 #include <immintrin.h>
@@ -50,14 +49,14 @@ void store(T* to, Vector<T> vector) {
 }
 
 #if defined(__AVX512F__)
-/// The square roots of finite numbers that are not negative, three times as fast as the processor's
-/// own instruction and with the same rounding. The estimate of 1 / sqrt(x) is refined twice by
+/// positive_root() three times as fast as the processor's own instruction and with the same
+/// rounding. The estimate of 1 / sqrt(x) is refined twice by
 /// Goldschmidt's method, side by side with that of sqrt(x), until both are exact but for the last
 /// bits. What sqrt(x) then leaves of x, which a fused multiplication gives exactly, corrects it.
-inline Vector<double> square_root_by_estimate(Vector<double> x) {
+inline Vector<double> root_by_estimate(Vector<double> x) {
   const Vector<double> half = Vector<double>{} + 0.5;
-  const __mmask8 not_zero = _mm512_cmp_pd_mask(x, Vector<double>{}, _CMP_GT_OQ);
-  const Vector<double> inverse = _mm512_maskz_rsqrt14_pd(not_zero, x);
+  const __mmask8 positive = _mm512_cmp_pd_mask(x, Vector<double>{}, _CMP_GT_OQ);
+  const Vector<double> inverse = _mm512_maskz_rsqrt14_pd(positive, x);
   Vector<double> root = x * inverse;
   Vector<double> half_inverse = half * inverse;
   for (int round = 0; round < 2; ++round) {
@@ -70,17 +69,16 @@ inline Vector<double> square_root_by_estimate(Vector<double> x) {
 }
 #endif
 
-/// The square roots of finite numbers that are not negative. Fast only in a file that is compiled
-/// with -fno-math-errno (see CMakeLists.txt); elsewhere the compiler may call a function for each.
-template <class T>
-Vector<T> square_root(Vector<T> x) {
+/// The square roots of positive finite numbers; 0 for others.
+inline Vector<double> positive_root(Vector<double> x) {
 #if defined(__AVX512F__)
-  if constexpr (std::is_same_v<T, double>) return square_root_by_estimate(x);
-#endif
-  T roots[lanes<T>];
-  store<T>(roots, x);
-  for (T& root : roots) root = std::sqrt(root);
+  return root_by_estimate(x);
+#else
+  double roots[lanes<double>];
+  store<double>(roots, x > 0 ? x : Vector<double>{});
+  for (double& root : roots) root = std::sqrt(root);
   return load(roots);
+#endif
 }
 
 /// Whether any number of a vector is above zero.

@@ -13,13 +13,13 @@ namespace {
 /// Compares as many roots as a vector holds with those of the standard library, bit for bit.
 void expect_roots(const std::array<double, lanes<double>>& numbers) {
   std::array<double, lanes<double>> roots{};
-  store<double>(roots.data(), square_root<double>(load(numbers.data())));
+  store<double>(roots.data(), positive_root(load(numbers.data())));
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     EXPECT_EQ(roots[i], std::sqrt(numbers[i])) << numbers[i];
   }
 }
 
-TEST(SquareRoot, IsRoundedAsThatOfTheStandardLibrary) {
+TEST(PositiveRoot, IsRoundedAsThatOfTheStandardLibrary) {
   Stream random("roots");
   std::array<double, lanes<double>> numbers{};
   for (int i = 0; i < 20000; ++i) {
@@ -28,7 +28,7 @@ TEST(SquareRoot, IsRoundedAsThatOfTheStandardLibrary) {
   }
 }
 
-TEST(SquareRoot, IsRoundedSoBesideSquares) {
+TEST(PositiveRoot, IsRoundedSoBesideSquares) {
   Stream random("squares");
   std::array<double, lanes<double>> numbers{};
   for (int i = 0; i < 20000; ++i) {
@@ -40,7 +40,13 @@ TEST(SquareRoot, IsRoundedSoBesideSquares) {
   }
 }
 
-TEST(SquareRoot, OfZeroIsZero) { expect_roots({}); }
+TEST(PositiveRoot, OfOthersIsZero) {
+  for (const double x : {0.0, -1e-300, -4.0}) {
+    double roots[lanes<double>];
+    store<double>(roots, positive_root(Vector<double>{} + x));
+    for (const double root : roots) EXPECT_EQ(root, 0) << x;
+  }
+}
 
 TEST(AnyPositive, LooksAtEachNumber) {
   EXPECT_FALSE(any_positive(Vector<double>{}));
