@@ -98,16 +98,26 @@ void add_weight_rows(std::int64_t inputs, const T* weight, const T* dy, std::int
   }
 }
 
-template <class T, int rows>
-void propagate_rows_back(const LayerSize& size, const T* weight, Rows<const T> dy, Rows<T> dx) {
+/// Outputs of a layer, which are rows of its weight.
+struct OutputRange {
+  std::int64_t begin;
+  std::int64_t end;
+};
+
+/// Calls passed(outputs) for the rows of the weight that it has read, while they are in the cache.
+template <class T, int rows, class F>
+void propagate_rows_back(const LayerSize& size, const T* weight, Rows<const T> dy, Rows<T> dx,
+                         const F& passed) {
   const std::int64_t inputs = size.held_inputs;
   for (int r = 0; r < rows; ++r) std::fill_n(dx.row(r), inputs, T{0});
   std::int64_t j = 0;
   for (; j + side_by_side <= size.outputs; j += side_by_side) {
     add_weight_rows<T, rows, side_by_side>(inputs, weight + j * inputs, dy.data + j, dy.stride, dx);
+    passed(OutputRange{j, j + side_by_side});
   }
   for (; j < size.outputs; ++j) {
     add_weight_rows<T, rows, 1>(inputs, weight + j * inputs, dy.data + j, dy.stride, dx);
+    passed(OutputRange{j, j + 1});
   }
 }
 
@@ -125,6 +135,23 @@ void take_row(const AdamUpdate<T>& update, std::int64_t inputs, const T* factors
   }
 }
 
+template <class T>
+TrainedWeight<T> row_of(const TrainedWeight<T>& weight, std::int64_t j, std::int64_t inputs) {
+  return {weight.values + j * inputs, weight.first_moment + j * inputs,
+          weight.second_moment + j * inputs};
+}
+
+/// take() for some rows of the weight and a batch of `rows` rows.
+template <class T, int rows>
+void take_rows(const AdamUpdate<T>& update, T scale, const LayerSize& size, OutputRange outputs,
+               Rows<const T> dy, Rows<const T> x, const TrainedWeight<T>& weight) {
+  for (std::int64_t j = outputs.begin; j < outputs.end; ++j) {
+    T factors[rows];
+    for (int r = 0; r < rows; ++r) factors[r] = scale * dy.row(r)[j];
+    take_row<T, rows>(update, size.held_inputs, factors, x, row_of(weight, j, size.held_inputs));
+  }
+}
+
 /// Adds to `gradient` the sum of `rows` rows of x, each times its factor.
 template <class T, int rows>
 void add_rows(std::int64_t inputs, const T* factors, Rows<const T> x, T* gradient) {
@@ -137,11 +164,25 @@ void add_rows(std::int64_t inputs, const T* factors, Rows<const T> x, T* gradien
   }
 }
 
+/// The products of one row with `rows` others, each summed from its first number to its last.
+/// Side by side, because each addition waits for the one before.
+template <class T, int rows>
+void dot_row(std::int64_t count, const T* row, Rows<const T> others, double* products) {
+  double sums[rows] = {};
+  for (std::int64_t i = 0; i < count; ++i) {
+    const auto number = static_cast<double>(row[i]);
+#pragma GCC unroll 8
+    for (int r = 0; r < rows; ++r) sums[r] += number * others.data[r * others.stride + i];
+  }
+  std::copy_n(sums, rows, products);
+}
+
+/// The products of row r of x with the rows 0 to r.
 template <class T>
-double dot(std::int64_t count, const T* x, const T* y) {
-  double sum = 0;
-  for (std::int64_t i = 0; i < count; ++i) sum += static_cast<double>(x[i]) * y[i];
-  return sum;
+void dot_with_earlier(std::int64_t count, Rows<const T> x, std::int64_t r, double* products) {
+  in_blocks(r + 1, [&]<int block>(std::int64_t first) {
+    dot_row<T, block>(count, x.row(r), x.from(first), products + first);
+  });
 }
 
 }  // namespace
@@ -158,7 +199,24 @@ template <class T>
 void propagate_back(const LayerSize& size, const T* weight, std::int64_t rows, Rows<const T> dy,
                     Rows<T> dx) {
   in_blocks(rows, [&]<int block>(std::int64_t row) {
-    propagate_rows_back<T, block>(size, weight, dy.from(row), dx.from(row));
+    propagate_rows_back<T, block>(size, weight, dy.from(row), dx.from(row), [](OutputRange) {});
+  });
+}
+
+template <class T>
+void propagate_back_and_take(const AdamStep& step, const LayerSize& size, std::int64_t rows,
+                             Rows<const T> dy, Rows<const T> x, const TrainedWeight<T>& weight,
+                             Rows<T> dx) {
+  if (rows > most_rows) {
+    propagate_back<T>(size, weight.values, rows, dy, dx);
+    take<T>(step, 1, size, rows, dy, x, weight);
+    return;
+  }
+  const AdamUpdate<T> update(step);
+  in_blocks(rows, [&]<int block>(std::int64_t) {
+    propagate_rows_back<T, block>(size, weight.values, dy, dx, [&](OutputRange outputs) {
+      take_rows<T, block>(update, 1, size, outputs, dy, x, weight);
+    });
   });
 }
 
@@ -166,6 +224,12 @@ template <class T>
 void take(const AdamStep& step, double scale, const LayerSize& size, std::int64_t rows,
           Rows<const T> dy, Rows<const T> x, const TrainedWeight<T>& weight) {
   const AdamUpdate<T> update(step);
+  if (rows <= most_rows) {
+    in_blocks(rows, [&]<int block>(std::int64_t) {
+      take_rows<T, block>(update, static_cast<T>(scale), size, {0, size.outputs}, dy, x, weight);
+    });
+    return;
+  }
   const std::int64_t inputs = size.held_inputs;
   std::vector<T> factors(static_cast<std::size_t>(rows));
   std::vector<T> gradient(static_cast<std::size_t>(inputs));
@@ -173,30 +237,26 @@ void take(const AdamStep& step, double scale, const LayerSize& size, std::int64_
     for (std::int64_t r = 0; r < rows; ++r) {
       factors[static_cast<std::size_t>(r)] = static_cast<T>(scale) * dy.row(r)[j];
     }
-    const TrainedWeight<T> row{weight.values + j * inputs, weight.first_moment + j * inputs,
-                               weight.second_moment + j * inputs};
-    if (rows <= most_rows) {
-      in_blocks(rows, [&]<int block>(std::int64_t) {
-        take_row<T, block>(update, inputs, factors.data(), x, row);
-      });
-      continue;
-    }
     std::ranges::fill(gradient, T{0});
     in_blocks(rows, [&]<int block>(std::int64_t first) {
       add_rows<T, block>(inputs, factors.data() + first, x.from(first), gradient.data());
     });
     constexpr T once = 1;
-    take_row<T, 1>(update, inputs, &once, {gradient.data(), inputs}, row);
+    take_row<T, 1>(update, inputs, &once, {gradient.data(), inputs}, row_of(weight, j, inputs));
   }
 }
 
 template <class T>
 double squared_norm(const LayerSize& size, std::int64_t rows, Rows<const T> dy, Rows<const T> x) {
+  std::vector<double> of_dy(static_cast<std::size_t>(rows));
+  std::vector<double> of_x(static_cast<std::size_t>(rows));
   double sum = 0;
   for (std::int64_t r = 0; r < rows; ++r) {
+    dot_with_earlier(size.outputs, dy, r, of_dy.data());
+    dot_with_earlier(size.held_inputs, x, r, of_x.data());
     for (std::int64_t s = 0; s <= r; ++s) {
-      sum += (r == s ? 1 : 2) * dot(size.outputs, dy.row(r), dy.row(s)) *
-             dot(size.held_inputs, x.row(r), x.row(s));
+      const auto i = static_cast<std::size_t>(s);
+      sum += (r == s ? 1 : 2) * of_dy[i] * of_x[i];
     }
   }
   return sum;
@@ -208,6 +268,9 @@ double squared_norm(const LayerSize& size, std::int64_t rows, Rows<const T> dy, 
   template void propagate_back(const LayerSize&, const T*, std::int64_t, Rows<const T>, Rows<T>); \
   template void take(const AdamStep&, double, const LayerSize&, std::int64_t, Rows<const T>,      \
                      Rows<const T>, const TrainedWeight<T>&);                                     \
+  template void propagate_back_and_take(const AdamStep&, const LayerSize&, std::int64_t,          \
+                                        Rows<const T>, Rows<const T>, const TrainedWeight<T>&,    \
+                                        Rows<T>);                                                 \
   template double squared_norm(const LayerSize&, std::int64_t, Rows<const T>, Rows<const T>)
 PIAE_INSTANTIATE(float);
 PIAE_INSTANTIATE(double);
