@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <type_traits>
 
 #if defined(__AVX__)
 #include <immintrin.h>
@@ -48,6 +49,20 @@ void store(T* to, Vector<T> vector) {
   std::memcpy(to, &vector, sizeof vector);
 }
 
+/// Fast only in a file that is compiled with -fno-math-errno (see CMakeLists.txt); elsewhere the
+/// compiler may call a function for each number.
+template <class T>
+Vector<T> square_root(Vector<T> x) {
+#if defined(__AVX512F__)
+  // GCC takes the root of either half and puts them together in memory, and waits for that.
+  if constexpr (std::is_same_v<T, float>) return _mm512_sqrt_ps(x);
+#endif
+  T roots[lanes<T>];
+  store<T>(roots, x);
+  for (T& root : roots) root = std::sqrt(root);
+  return load(roots);
+}
+
 #if defined(__AVX512F__)
 /// positive_root() three times as fast as the processor's own instruction and with the same
 /// rounding. The estimate of 1 / sqrt(x) is refined twice by
@@ -74,10 +89,7 @@ inline Vector<double> positive_root(Vector<double> x) {
 #if defined(__AVX512F__)
   return root_by_estimate(x);
 #else
-  double roots[lanes<double>];
-  store<double>(roots, x > 0 ? x : Vector<double>{});
-  for (double& root : roots) root = std::sqrt(root);
-  return load(roots);
+  return square_root<double>(x > 0 ? x : Vector<double>{});
 #endif
 }
 

@@ -14,6 +14,8 @@ namespace {
 /// read side by side. Both are as large as the number of vector registers allows.
 constexpr int most_rows = 6;
 constexpr int side_by_side = vector_registers >= 32 ? 4 : 2;
+/// How many vectors of a weight take a step of Adam side by side.
+constexpr int adam_vectors = 4;
 
 /// The sum of the numbers in a vector: its halves are added until one number is left.
 template <class T>
@@ -121,46 +123,49 @@ void propagate_rows_back(const LayerSize& size, const T* weight, Rows<const T> d
   }
 }
 
-/// One step of Adam for one row of a weight. Its gradient is the sum of `rows` rows of x, each
-/// times its factor.
-template <class T, int rows>
-void take_row(const AdamUpdate<T>& update, std::int64_t inputs, const T* factors, Rows<const T> x,
-              const TrainedWeight<T>& w) {
-#pragma GCC ivdep
-  for (std::int64_t i = 0; i < inputs; ++i) {
-    T gradient = 0;
+/// One step of Adam for so many vectors of a row of a weight. Their gradient is the sum of the
+/// rows of x, each times its factor.
+template <class T, int vectors>
+void take_vectors(const AdamUpdate<T>& update, const std::vector<T>& factors, Rows<const T> x,
+                  const TrainedWeight<T>& w) {
+  Vector<T> gradients[vectors] = {};
+  for (std::size_t r = 0; r < factors.size(); ++r) {
+    const T* const row = x.row(static_cast<std::int64_t>(r));
 #pragma GCC unroll 8
-    for (int r = 0; r < rows; ++r) gradient += factors[r] * x.data[r * x.stride + i];
-    update(gradient, w.values[i], w.first_moment[i], w.second_moment[i]);
+    for (int k = 0; k < vectors; ++k) gradients[k] += factors[r] * load(row + k * lanes<T>);
+  }
+#pragma GCC unroll 8
+  for (int k = 0; k < vectors; ++k) {
+    const std::int64_t at = k * lanes<T>;
+    Vector<T> value = load(w.values + at);
+    Vector<T> first_moment = load(w.first_moment + at);
+    Vector<T> second_moment = load(w.second_moment + at);
+    update(gradients[k], value, first_moment, second_moment);
+    store(w.values + at, value);
+    store(w.first_moment + at, first_moment);
+    store(w.second_moment + at, second_moment);
   }
 }
 
 template <class T>
-TrainedWeight<T> row_of(const TrainedWeight<T>& weight, std::int64_t j, std::int64_t inputs) {
-  return {weight.values + j * inputs, weight.first_moment + j * inputs,
-          weight.second_moment + j * inputs};
+TrainedWeight<T> from(const TrainedWeight<T>& weight, std::int64_t begin) {
+  return {weight.values + begin, weight.first_moment + begin, weight.second_moment + begin};
 }
 
-/// take() for some rows of the weight and a batch of `rows` rows.
-template <class T, int rows>
+/// take() for some rows of the weight; `factors` are as many as the batch has rows, for any use.
+template <class T>
 void take_rows(const AdamUpdate<T>& update, T scale, const LayerSize& size, OutputRange outputs,
-               Rows<const T> dy, Rows<const T> x, const TrainedWeight<T>& weight) {
+               Rows<const T> dy, Rows<const T> x, const TrainedWeight<T>& weight,
+               std::vector<T>& factors) {
   for (std::int64_t j = outputs.begin; j < outputs.end; ++j) {
-    T factors[rows];
-    for (int r = 0; r < rows; ++r) factors[r] = scale * dy.row(r)[j];
-    take_row<T, rows>(update, size.held_inputs, factors, x, row_of(weight, j, size.held_inputs));
-  }
-}
-
-/// Adds to `gradient` the sum of `rows` rows of x, each times its factor.
-template <class T, int rows>
-void add_rows(std::int64_t inputs, const T* factors, Rows<const T> x, T* gradient) {
-#pragma GCC ivdep
-  for (std::int64_t i = 0; i < inputs; ++i) {
-    T sum = gradient[i];
-#pragma GCC unroll 8
-    for (int r = 0; r < rows; ++r) sum += factors[r] * x.data[r * x.stride + i];
-    gradient[i] = sum;
+    for (std::size_t r = 0; r < factors.size(); ++r) {
+      factors[r] = scale * dy.row(static_cast<std::int64_t>(r))[j];
+    }
+    in_blocks<adam_vectors>(size.held_inputs / lanes<T>, [&]<int vectors>(std::int64_t first) {
+      const std::int64_t i = first * lanes<T>;
+      take_vectors<T, vectors>(update, factors, {x.data + i, x.stride},
+                               from(weight, j * size.held_inputs + i));
+    });
   }
 }
 
@@ -213,9 +218,10 @@ void propagate_back_and_take(const AdamStep& step, const LayerSize& size, std::i
     return;
   }
   const AdamUpdate<T> update(step);
+  std::vector<T> factors(static_cast<std::size_t>(rows));
   in_blocks(rows, [&]<int block>(std::int64_t) {
     propagate_rows_back<T, block>(size, weight.values, dy, dx, [&](OutputRange outputs) {
-      take_rows<T, block>(update, 1, size, outputs, dy, x, weight);
+      take_rows<T>(update, 1, size, outputs, dy, x, weight, factors);
     });
   });
 }
@@ -223,27 +229,9 @@ void propagate_back_and_take(const AdamStep& step, const LayerSize& size, std::i
 template <class T>
 void take(const AdamStep& step, double scale, const LayerSize& size, std::int64_t rows,
           Rows<const T> dy, Rows<const T> x, const TrainedWeight<T>& weight) {
-  const AdamUpdate<T> update(step);
-  if (rows <= most_rows) {
-    in_blocks(rows, [&]<int block>(std::int64_t) {
-      take_rows<T, block>(update, static_cast<T>(scale), size, {0, size.outputs}, dy, x, weight);
-    });
-    return;
-  }
-  const std::int64_t inputs = size.held_inputs;
   std::vector<T> factors(static_cast<std::size_t>(rows));
-  std::vector<T> gradient(static_cast<std::size_t>(inputs));
-  for (std::int64_t j = 0; j < size.outputs; ++j) {
-    for (std::int64_t r = 0; r < rows; ++r) {
-      factors[static_cast<std::size_t>(r)] = static_cast<T>(scale) * dy.row(r)[j];
-    }
-    std::ranges::fill(gradient, T{0});
-    in_blocks(rows, [&]<int block>(std::int64_t first) {
-      add_rows<T, block>(inputs, factors.data() + first, x.from(first), gradient.data());
-    });
-    constexpr T once = 1;
-    take_row<T, 1>(update, inputs, &once, {gradient.data(), inputs}, row_of(weight, j, inputs));
-  }
+  take_rows<T>(AdamUpdate<T>(step), static_cast<T>(scale), size, {0, size.outputs}, dy, x, weight,
+               factors);
 }
 
 template <class T>
