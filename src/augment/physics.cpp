@@ -37,10 +37,16 @@ class Fitting final : public nets::Trainee {
     const SpectralFit spectral_fit(simulation_, label, options_);
     const std::vector<std::size_t> windows = known_.indices_of(label);
     std::vector<twin::TwinPoint> fitted(windows.size());
-    parallel_for(windows.size(), [&](std::size_t i) {
-      const signal::DynamicParameters p = spectral_fit.fit(known_.window(windows[i]));
-      fitted[i] = twin::without_units(p);
-    });
+    parallel_for_parts(
+        1, windows.size(), bearing::courses_at_once, [&](std::size_t first, std::size_t count) {
+          std::vector<SpectralFit::Window> some;
+          for (std::size_t i = 0; i < count; ++i) {
+            some.push_back(known_.window(windows[first + i]));
+          }
+          std::ranges::transform(spectral_fit.fit(some),
+                                 fitted.begin() + static_cast<std::ptrdiff_t>(first),
+                                 [](const auto& p) { return twin::without_units(p); });
+        });
     points_.insert(points_.end(), fitted.begin(), fitted.end());
     return known_.info.classes[index_of(label)].name;
   }

@@ -3,12 +3,11 @@
 #include <spdlog/fmt/fmt.h>
 
 #include <algorithm>
-#include <boost/math/tools/minima.hpp>
 #include <cmath>
-#include <cstdint>
 #include <numbers>
 #include <span>
 
+#include "augment/line_minimum.hpp"
 #include "base/error.hpp"
 #include "base/parallel.hpp"
 #include "scoring/spectrum.hpp"
@@ -34,12 +33,6 @@ constexpr double smoothing_hz = 120;
 constexpr double lowest_log_noise = -16;
 constexpr double highest_log_noise = 5;
 
-/// Where a function of one variable is least, to about 2^-bits of that variable.
-template <class F>
-double minimum(const F& f, double low, double high, int bits, std::uintmax_t most_calls) {
-  return boost::math::tools::brent_find_minima(f, low, high, bits, most_calls).first;
-}
-
 /// The power in the bins 1 .. length / 2. Bin 0, which holds the mean, is left out.
 ArrayXd power_of(const scoring::Windows& windows) {
   return scoring::mean_power_spectrum(windows).tail(windows.cols() / 2);
@@ -51,18 +44,21 @@ Index samples_of(Index length) { return length + (segments - 1) * (length / 2); 
 /// The power averaged over neighbouring bins, with Hann's weights.
 ArrayXd smoothed(const ArrayXd& power, double bin_hz) {
   const auto reach = static_cast<Index>(std::ceil(smoothing_hz / bin_hz));
+  ArrayXd weights(reach + 1);  // by the distance in bins
+  for (Index i = 0; i <= reach; ++i) {
+    const double distance = static_cast<double>(i) * bin_hz / smoothing_hz;
+    weights[i] = distance < 1 ? 1 + std::cos(std::numbers::pi * distance) : 0;
+  }
   ArrayXd result(power.size());
   for (Index i = 0; i < power.size(); ++i) {
     double sum = 0;
-    double weights = 0;
+    double sum_of_weights = 0;
     for (Index j = std::max<Index>(0, i - reach); j <= std::min(power.size() - 1, i + reach); ++j) {
-      const double distance = static_cast<double>(i - j) * bin_hz / smoothing_hz;
-      if (std::abs(distance) >= 1) continue;
-      const double weight = 1 + std::cos(std::numbers::pi * distance);
-      sum += weight * power[j];
-      weights += weight;
+      const double weight = weights[std::abs(i - j)];
+      sum = std::fma(weight, power[j], sum);
+      sum_of_weights += weight;
     }
-    result[i] = sum / weights;
+    result[i] = sum / sum_of_weights;
   }
   return result;
 }
@@ -86,8 +82,9 @@ double deviance(const ArrayXd& power, const ArrayXd& spectrum, double log_noise)
 
 /// The same at the noise r at which it is least. `spectrum` has mean 1.
 double deviance(const ArrayXd& power, const ArrayXd& spectrum) {
-  const auto of_noise = [&](double log_noise) { return deviance(power, spectrum, log_noise); };
-  return of_noise(minimum(of_noise, lowest_log_noise, highest_log_noise, 8, 15));
+  LineMinimum line(lowest_log_noise, highest_log_noise, 8, 15);
+  while (!line.done()) line.take(deviance(power, spectrum, line.next()));
+  return deviance(power, spectrum, line.best());
 }
 
 void require_between(const std::string& option, double from, double to, const std::string& what) {
@@ -167,34 +164,71 @@ SpectralFit::Point SpectralFit::best_of_grid(const ArrayXd& power) const {
   return grid_[static_cast<std::size_t>(std::ranges::min_element(deviances) - deviances.begin())];
 }
 
-void SpectralFit::refine(const ArrayXd& power, Point& point, double Point::*coordinate) const {
-  const Point start = point;
-  const auto moved = [&](double steps) {
-    Point result = start;
-    result.*coordinate = std::clamp(start.*coordinate + steps * step_.*coordinate, low_.*coordinate,
-                                    high_.*coordinate);
-    return result;
-  };
-  // The variable counts grid steps from the start, because Brent's tolerance is relative to the
-  // variable: for a log k near 18 it would be wider than the grid.
-  const auto deviance_at = [&](double steps) {
-    const Point at = moved(steps);
-    return deviance(power, solved_spectra(std::span(&at, 1)).front());
-  };
-  point = moved(minimum(deviance_at, -1, 1, 6, 8));
-}
+/// The search for one window's best point, which begins at the best one of the grid. It goes along
+/// one coordinate after the other, and says at which point it needs the spectrum next.
+class SpectralFit::Search {
+ public:
+  Search(const SpectralFit& fit, Window window)
+      : fit_(&fit), power_(power_of(row(window))), point_(fit.best_of_grid(power_)) {}
 
-signal::DynamicParameters SpectralFit::fit(std::span<const float> window) const {
-  const scoring::Windows row =
-      Eigen::Map<const Eigen::RowVectorXf>(window.data(), static_cast<Index>(window.size()))
-          .cast<double>();
-  const ArrayXd power = power_of(row);
-  Point point = best_of_grid(power);
-  for (int round = 0; round < 2; ++round) {
-    refine(power, point, &Point::log_k);
-    refine(power, point, &Point::log_c);
+  [[nodiscard]] bool done() const { return leg_ == std::size(legs); }
+  [[nodiscard]] Point next() const { return moved(line_.next()); }
+  void take(const ArrayXd& spectrum) {
+    line_.take(deviance(power_, spectrum));
+    if (!line_.done()) return;
+    point_ = moved(line_.best());
+    line_ = new_line();
+    ++leg_;
   }
-  return {.stiffness_n_per_m = std::exp(point.log_k), .damping_ns_per_m = std::exp(point.log_c)};
+  [[nodiscard]] signal::DynamicParameters best() const {
+    return {.stiffness_n_per_m = std::exp(point_.log_k),
+            .damping_ns_per_m = std::exp(point_.log_c)};
+  }
+
+ private:
+  static constexpr double Point::*legs[] = {&Point::log_k, &Point::log_c, &Point::log_k,
+                                            &Point::log_c};
+
+  static scoring::Windows row(Window window) {
+    return Eigen::Map<const Eigen::RowVectorXf>(window.data(), static_cast<Index>(window.size()))
+        .cast<double>();
+  }
+  // The variable counts grid steps from the point, because Brent's tolerance is relative to the
+  // variable: for a log k near 18 it would be wider than the grid.
+  static LineMinimum new_line() { return {-1, 1, 6, 8}; }
+  [[nodiscard]] Point moved(double steps) const {
+    double Point::*const coordinate = legs[leg_];
+    Point result = point_;
+    result.*coordinate = std::clamp(point_.*coordinate + steps * fit_->step_.*coordinate,
+                                    fit_->low_.*coordinate, fit_->high_.*coordinate);
+    return result;
+  }
+
+  const SpectralFit* fit_;
+  ArrayXd power_;
+  Point point_;  ///< where the leg began
+  std::size_t leg_ = 0;
+  LineMinimum line_ = new_line();
+};
+
+std::vector<signal::DynamicParameters> SpectralFit::fit(const std::vector<Window>& windows) const {
+  std::vector<Search> searches;
+  for (const Window window : windows) searches.emplace_back(*this, window);
+  while (true) {
+    std::vector<Search*> open;
+    std::vector<Point> points;
+    for (Search& search : searches) {
+      if (search.done() || open.size() == bearing::courses_at_once) continue;
+      open.push_back(&search);
+      points.push_back(search.next());
+    }
+    if (open.empty()) break;
+    const std::vector<ArrayXd> spectra = solved_spectra(points);
+    for (std::size_t i = 0; i < open.size(); ++i) open[i]->take(spectra[i]);
+  }
+  std::vector<signal::DynamicParameters> fitted;
+  for (const Search& search : searches) fitted.push_back(search.best());
+  return fitted;
 }
 
 }  // namespace piae::augment

@@ -46,10 +46,15 @@ class SpectralFit {
   /// Error(usage) when the bounds leave nothing between them.
   SpectralFit(const signal::WindowSimulation& simulation, Label label, const FitOptions& options);
 
-  /// Fits a window, which must have the length that the simulation has.
-  [[nodiscard]] signal::DynamicParameters fit(std::span<const float> window) const;
+  using Window = std::span<const float>;
+  /// Fits windows, each of the length that the simulation has. Beyond the grid, as many searches go
+  /// on side by side as eq. 13 is solved at once (bearing::courses_at_once). What a window gives
+  /// does not depend on the others, bit for bit.
+  [[nodiscard]] std::vector<signal::DynamicParameters> fit(
+      const std::vector<Window>& windows) const;
 
  private:
+  class Search;
   /// The coordinates of the search, in which equal steps are equal ratios.
   struct Point {
     double log_k = 0;
@@ -58,7 +63,6 @@ class SpectralFit {
 
   [[nodiscard]] std::vector<Eigen::ArrayXd> solved_spectra(std::span<const Point> points) const;
   [[nodiscard]] Point best_of_grid(const Eigen::ArrayXd& power) const;
-  void refine(const Eigen::ArrayXd& power, Point& point, double Point::*coordinate) const;
 
   signal::DatasetInfo info_;
   std::size_t length_;

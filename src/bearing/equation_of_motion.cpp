@@ -6,9 +6,9 @@ namespace piae::bearing {
 
 namespace {
 
+/// How far a ball is compressed; below zero where it does not touch.
 PerCourse compression_m(PerCourse displacement, const BallContact& ball) {
-  const PerCourse compression = displacement * ball.along - ball.delta_m;
-  return compression > 0 ? compression : PerCourse{};
+  return displacement * ball.along - ball.delta_m;
 }
 
 /// The change of a state per second.
@@ -53,7 +53,9 @@ PerCourse EquationOfMotion::force_n(const State& state, std::span<const BallCont
   PerCourse contact{};
   for (const BallContact& ball : balls) {
     const PerCourse compression = compression_m(state.displacement, ball);
-    contact += compression * square_root<double>(compression) * ball.along;
+    // A ball that touches in no course would add nothing, after a root that takes long.
+    if (!any_positive(compression)) continue;
+    contact += compression * positive_root(compression) * ball.along;
   }
   return load_n - damping_ns_per_m * state.velocity - stiffness_n_per_m * state.displacement -
          contact_n_per_m15 * contact;
@@ -69,8 +71,8 @@ PerCourse static_equilibrium_m(const EquationOfMotion& e, std::span<const BallCo
   for (int i = 0; i < 50; ++i) {
     PerCourse slope = e.stiffness_n_per_m;
     for (const BallContact& ball : balls) {
-      slope += 1.5 * e.contact_n_per_m15 * square_root<double>(compression_m(s, ball)) *
-               ball.along * ball.along;
+      slope += 1.5 * e.contact_n_per_m15 * positive_root(compression_m(s, ball)) * ball.along *
+               ball.along;
     }
     s += e.force_n({s, PerCourse{}}, balls) / slope;
   }

@@ -90,8 +90,21 @@ LoadedBalls::LoadedBalls(const Geometry& geometry, const LocalDefect& defect,
 }
 
 void LoadedBalls::set(double time_s) {
-  for (std::size_t lane = 0; lane < courses_at_once; ++lane) set_lane(lane, time_s);
+  for (std::size_t lane = 0; lane < courses_at_once; ++lane) {
+    if (lane > 0 && motions_[lane] == motions_[lane - 1]) {
+      copy_lane(lane - 1, lane);
+    } else {
+      set_lane(lane, time_s);
+    }
+  }
   find_contacts();
+}
+
+void LoadedBalls::copy_lane(std::size_t from, std::size_t to) {
+  for (Direction* direction : {&entered_, &from_defect_, &strike_}) {
+    direction->cosine[to] = direction->cosine[from];
+    direction->sine[to] = direction->sine[from];
+  }
 }
 
 void LoadedBalls::set_lane(std::size_t lane, double time_s) {

@@ -63,6 +63,7 @@ class LoadedBalls {
   };
 
   void set_lane(std::size_t lane, double time_s);
+  void copy_lane(std::size_t from, std::size_t to);
   void find_contacts();
 
   Defect kind_;

@@ -12,6 +12,8 @@ struct Motion {
   /// load presses, "6 o'clock" of CWRU). Inner race: theta_i, which turns with the shaft. Ball: phi
   /// of eq. 7, which turns with the ball's spin.
   double defect_angle_rad = 0;
+
+  bool operator==(const Motion&) const = default;
 };
 
 }  // namespace piae::bearing

@@ -33,15 +33,13 @@ class DenseVae final : public DenseBackend {
     const Array error = generate(mean + deviation, batch) - batch.windows;
 
     nets::put<float>(error * per_window, generator_.output_gradient());
-    const Array by_z = nets::copied(generator_.backward(n, 1, {.begin = 0, .count = n}), n, latent);
+    const nets::AdamStep adam(++steps_, task_.options.learning_rate);
+    const Array by_z = nets::copied(generator_.backward_and_take(adam, true), n, latent);
     nets::put<float>(by_z + mean * per_window, encoder_.output_gradient());
     nets::put<float>(0.5F * (by_z * deviation + (log_variance.exp() - 1) * per_window),
                      encoder_.output_gradient(), latent);
-    encoder_.backward(n, 1, nets::no_rows);
+    encoder_.backward_and_take(adam, false);
 
-    const nets::AdamStep adam(++steps_, task_.options.learning_rate);
-    generator_.take(adam, 1, {.of_weights = n, .of_biases = n});
-    encoder_.take(adam, 1, {.of_weights = n, .of_biases = n});
     const Array kl = mean.square() + log_variance.exp() - 1 - log_variance;
     return {0.5 * static_cast<double>(error.square().sum() * per_window),
             0.5 * static_cast<double>(kl.sum() * per_window)};

@@ -104,8 +104,7 @@ class DenseWganGp final : public DenseBackend {
     nets::put(
         nets::copied(critic_.backward(n, 1, {.begin = 0, .count = n}), n, task_.generator.samples),
         generator_.output_gradient());
-    generator_.backward(n, 1, nets::no_rows);
-    generator_.take(adam(++generator_taken_), 1, {.of_weights = n, .of_biases = n});
+    generator_.backward_and_take(adam(++generator_taken_), false);
   }
 
   [[nodiscard]] nets::AdamStep adam(std::int64_t taken) const {

@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/vector.hpp"
+
 namespace piae::nets {
 
 /// The constants of Adam that Kingma and Ba (2015) recommend.
@@ -26,9 +28,9 @@ struct AdamStep {
   double correction;  ///< 1 / sqrt(1 - beta2^t), a factor on the root of the second moment
 };
 
-/// One step of Adam for one parameter, computed in T. GCC turns a loop that calls it into vector
-/// instructions only in files that are compiled with -fno-math-errno (CMakeLists.txt), because
-/// otherwise the square root must set errno.
+/// One step of Adam for one parameter, or for a vector of them, computed in T. Fast only in files
+/// that are compiled with -fno-math-errno (CMakeLists.txt), because otherwise the square root must
+/// set errno.
 template <class T>
 class AdamUpdate {
  public:
@@ -40,14 +42,19 @@ class AdamUpdate {
         rate_(static_cast<T>(step.rate)),
         correction_(static_cast<T>(step.correction)) {}
 
-  void operator()(T gradient, T& value, T& first_moment, T& second_moment) const {
+  template <class Numbers>  // T or Vector<T>
+  void operator()(Numbers gradient, Numbers& value, Numbers& first_moment,
+                  Numbers& second_moment) const {
     constexpr auto epsilon = static_cast<T>(AdamConstants::epsilon);
     first_moment = beta1_ * first_moment + newest1_ * gradient;
     second_moment = beta2_ * second_moment + newest2_ * gradient * gradient;
-    value -= rate_ * first_moment / (std::sqrt(second_moment) * correction_ + epsilon);
+    value -= rate_ * first_moment / (root(second_moment) * correction_ + epsilon);
   }
 
  private:
+  static T root(T x) { return std::sqrt(x); }
+  static Vector<T> root(Vector<T> x) { return square_root<T>(x); }
+
   T beta1_;
   T beta2_;
   T newest1_;

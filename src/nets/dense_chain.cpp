@@ -63,20 +63,45 @@ Rows<const T> DenseChain<T>::backward(std::int64_t rows, std::int64_t signals, R
   require_room_for(signals * rows);
   for (std::size_t i = layers_.size() - 1; i > 0; --i) {
     const Layer& layer = layers_[i];
-    Layer& before = layers_[i - 1];
     propagate_back<T>(layer.size, values(layer.weight), signals * rows, output_gradient_of(layer),
-                      output_gradient_of(before));
-    const std::int64_t size = rows * layer.size.held_inputs;
-    for (std::int64_t signal = 0; signal < signals; ++signal) {
-      auto gradient = before.output_gradient.segment(signal * size, size);
-      gradient = (layer.input.head(size) > T{0}).select(gradient, T{0});
-    }
+                      output_gradient_of(layers_[i - 1]));
+    pass_relu_back(i, rows, signals);
   }
   const Layer& first = layers_.front();
   const Rows<T> to = rows_of(input_gradient_, first.size.held_inputs);
   propagate_back<T>(first.size, values(first.weight), by_input.count,
                     output_gradient_of(first).from(by_input.begin), to);
   return to;
+}
+
+template <class T>
+Rows<const T> DenseChain<T>::backward_and_take(const AdamStep& step, bool by_input) {
+  for (std::size_t i = layers_.size(); i-- > 0;) {
+    Layer& layer = layers_[i];
+    take_bias(layer, step, 1, rows_);
+    const Rows<const T> input = rows_of(std::as_const(layer.input), layer.size.held_inputs);
+    if (i == 0 && !by_input) {
+      nets::take<T>(step, 1, layer.size, rows_, output_gradient_of(layer), input,
+                    trained(layer.weight));
+      break;
+    }
+    const Rows<T> to = i == 0 ? rows_of(input_gradient_, layer.size.held_inputs)
+                              : output_gradient_of(layers_[i - 1]);
+    propagate_back_and_take<T>(step, layer.size, rows_, output_gradient_of(layer), input,
+                               trained(layer.weight), to);
+    if (i > 0) pass_relu_back(i, rows_, 1);
+  }
+  return rows_of(input_gradient_, layers_.front().size.held_inputs);
+}
+
+template <class T>
+void DenseChain<T>::pass_relu_back(std::size_t i, std::int64_t rows, std::int64_t signals) {
+  const Layer& layer = layers_[i];
+  const std::int64_t size = rows * layer.size.held_inputs;
+  for (std::int64_t signal = 0; signal < signals; ++signal) {
+    auto gradient = layers_[i - 1].output_gradient.segment(signal * size, size);
+    gradient = (layer.input.head(size) > T{0}).select(gradient, T{0});
+  }
 }
 
 template <class T>
@@ -115,19 +140,27 @@ double DenseChain<T>::squared_norm(const Summed& rows) const {
 }
 
 template <class T>
+TrainedWeight<T> DenseChain<T>::trained(std::int64_t begin) {
+  return {.values = parameters_->data(Kept::value) + begin,
+          .first_moment = parameters_->data(Kept::first_moment) + begin,
+          .second_moment = parameters_->data(Kept::second_moment) + begin};
+}
+
+template <class T>
+void DenseChain<T>::take_bias(const Layer& layer, const AdamStep& step, double scale,
+                              std::int64_t rows) {
+  std::vector<T> bias = bias_gradient(layer, rows);
+  for (T& x : bias) x *= static_cast<T>(scale);
+  const TrainedWeight<T> to = trained(layer.bias);
+  nets::take(step, to.values, bias.data(), to.first_moment, to.second_moment, bias.size());
+}
+
+template <class T>
 void DenseChain<T>::take(const AdamStep& step, double scale, const Summed& rows) {
-  const auto kept = [&](std::int64_t begin) {
-    return TrainedWeight<T>{.values = parameters_->data(Kept::value) + begin,
-                            .first_moment = parameters_->data(Kept::first_moment) + begin,
-                            .second_moment = parameters_->data(Kept::second_moment) + begin};
-  };
   for (Layer& layer : layers_) {
-    std::vector<T> bias = bias_gradient(layer, rows.of_biases);
-    for (T& x : bias) x *= static_cast<T>(scale);
-    const TrainedWeight<T> to = kept(layer.bias);
-    nets::take(step, to.values, bias.data(), to.first_moment, to.second_moment, bias.size());
+    take_bias(layer, step, scale, rows.of_biases);
     nets::take<T>(step, scale, layer.size, rows.of_weights, output_gradient_of(layer),
-                  rows_of(layer.input, layer.size.held_inputs), kept(layer.weight));
+                  rows_of(layer.input, layer.size.held_inputs), trained(layer.weight));
   }
 }
 

@@ -32,6 +32,11 @@ class DenseChain final : public Network<T> {
   Rows<T> output_gradient() override { return output_gradient_of(layers_.back()); }
   Rows<const T> backward(std::int64_t rows, std::int64_t signals, RowRange by_input) override;
 
+  /// backward() for one signal and then take() with a scale of 1, where no norm of all gradients is
+  /// needed in between, in one pass over the weights. The gradients by the input are those for the
+  /// rows of the last forward(), if they are wanted.
+  Rows<const T> backward_and_take(const AdamStep& step, bool by_input);
+
   /// The forward pass that the derivative of a gradient by the input needs, as a gradient penalty
   /// has it. For the rows [first, first + rows), it takes what input() now holds through the
   /// layers without their biases, and only through units that gave more than zero in the last
@@ -77,7 +82,12 @@ class DenseChain final : public Network<T> {
   }
   /// The rows of the first signal.
   [[nodiscard]] Summed batch() const { return {.of_weights = rows_, .of_biases = rows_}; }
+  [[nodiscard]] TrainedWeight<T> trained(std::int64_t begin);
   void require_room_for(std::int64_t rows) const;
+  /// From the gradients by the input of layer i, which stand in the layer before, to those by what
+  /// that layer gave before its ReLU.
+  void pass_relu_back(std::size_t i, std::int64_t rows, std::int64_t signals);
+  void take_bias(const Layer& layer, const AdamStep& step, double scale, std::int64_t rows);
   [[nodiscard]] std::vector<T> bias_gradient(const Layer& layer, std::int64_t rows) const;
 
   std::shared_ptr<Parameters<T>> parameters_;

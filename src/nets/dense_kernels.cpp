@@ -15,6 +15,8 @@ namespace {
 /// read side by side. Both are as large as the number of vector registers allows.
 constexpr int most_rows = 6;
 constexpr int side_by_side = vector_registers >= 32 ? 4 : 2;
+/// How many vectors of a weight take a step of Adam side by side.
+constexpr int adam_vectors = 4;
 
 /// The sum of the numbers in a vector: its halves are added until one number is left.
 template <class T>
@@ -99,50 +101,95 @@ void add_weight_rows(std::int64_t inputs, const T* weight, const T* dy, std::int
   }
 }
 
-template <class T, int rows>
-void propagate_rows_back(const LayerSize& size, const T* weight, Rows<const T> dy, Rows<T> dx) {
+/// Outputs of a layer, which are rows of its weight.
+struct OutputRange {
+  std::int64_t begin;
+  std::int64_t end;
+};
+
+/// Calls passed(outputs) for the rows of the weight that it has read, while they are in the cache.
+template <class T, int rows, class F>
+void propagate_rows_back(const LayerSize& size, const T* weight, Rows<const T> dy, Rows<T> dx,
+                         const F& passed) {
   const std::int64_t inputs = size.held_inputs;
   for (int r = 0; r < rows; ++r) std::fill_n(dx.row(r), inputs, T{0});
   std::int64_t j = 0;
   for (; j + side_by_side <= size.outputs; j += side_by_side) {
     add_weight_rows<T, rows, side_by_side>(inputs, weight + j * inputs, dy.data + j, dy.stride, dx);
+    passed(OutputRange{j, j + side_by_side});
   }
   for (; j < size.outputs; ++j) {
     add_weight_rows<T, rows, 1>(inputs, weight + j * inputs, dy.data + j, dy.stride, dx);
+    passed(OutputRange{j, j + 1});
   }
 }
 
-/// One step of Adam for one row of a weight. Its gradient is the sum of `rows` rows of x, each
-/// times its factor.
-template <class T, int rows>
-void take_row(const AdamUpdate<T>& update, std::int64_t inputs, const T* factors, Rows<const T> x,
-              const TrainedWeight<T>& w) {
-#pragma GCC ivdep
-  for (std::int64_t i = 0; i < inputs; ++i) {
-    T gradient = 0;
+/// One step of Adam for so many vectors of a row of a weight. Their gradient is the sum of the
+/// rows of x, each times its factor.
+template <class T, int vectors>
+void take_vectors(const AdamUpdate<T>& update, const std::vector<T>& factors, Rows<const T> x,
+                  const TrainedWeight<T>& w) {
+  Vector<T> gradients[vectors] = {};
+  for (std::size_t r = 0; r < factors.size(); ++r) {
+    const T* const row = x.row(static_cast<std::int64_t>(r));
 #pragma GCC unroll 8
-    for (int r = 0; r < rows; ++r) gradient += factors[r] * x.data[r * x.stride + i];
-    update(gradient, w.values[i], w.first_moment[i], w.second_moment[i]);
+    for (int k = 0; k < vectors; ++k) gradients[k] += factors[r] * load(row + k * lanes<T>);
   }
-}
-
-/// Adds to `gradient` the sum of `rows` rows of x, each times its factor.
-template <class T, int rows>
-void add_rows(std::int64_t inputs, const T* factors, Rows<const T> x, T* gradient) {
-#pragma GCC ivdep
-  for (std::int64_t i = 0; i < inputs; ++i) {
-    T sum = gradient[i];
 #pragma GCC unroll 8
-    for (int r = 0; r < rows; ++r) sum += factors[r] * x.data[r * x.stride + i];
-    gradient[i] = sum;
+  for (int k = 0; k < vectors; ++k) {
+    const std::int64_t at = k * lanes<T>;
+    Vector<T> value = load(w.values + at);
+    Vector<T> first_moment = load(w.first_moment + at);
+    Vector<T> second_moment = load(w.second_moment + at);
+    update(gradients[k], value, first_moment, second_moment);
+    store(w.values + at, value);
+    store(w.first_moment + at, first_moment);
+    store(w.second_moment + at, second_moment);
   }
 }
 
 template <class T>
-double dot(std::int64_t count, const T* x, const T* y) {
-  double sum = 0;
-  for (std::int64_t i = 0; i < count; ++i) sum += static_cast<double>(x[i]) * y[i];
-  return sum;
+TrainedWeight<T> from(const TrainedWeight<T>& weight, std::int64_t begin) {
+  return {weight.values + begin, weight.first_moment + begin, weight.second_moment + begin};
+}
+
+/// take() for some rows of the weight; `factors` are as many as the batch has rows, for any use.
+template <class T>
+void take_rows(const AdamUpdate<T>& update, T scale, const LayerSize& size, OutputRange outputs,
+               Rows<const T> dy, Rows<const T> x, const TrainedWeight<T>& weight,
+               std::vector<T>& factors) {
+  const DenormalsAreZero guard;  // as in adam.cpp
+  for (std::int64_t j = outputs.begin; j < outputs.end; ++j) {
+    for (std::size_t r = 0; r < factors.size(); ++r) {
+      factors[r] = scale * dy.row(static_cast<std::int64_t>(r))[j];
+    }
+    in_blocks<adam_vectors>(size.held_inputs / lanes<T>, [&]<int vectors>(std::int64_t first) {
+      const std::int64_t i = first * lanes<T>;
+      take_vectors<T, vectors>(update, factors, {x.data + i, x.stride},
+                               from(weight, j * size.held_inputs + i));
+    });
+  }
+}
+
+/// The products of one row with `rows` others, each summed from its first number to its last.
+/// Side by side, because each addition waits for the one before.
+template <class T, int rows>
+void dot_row(std::int64_t count, const T* row, Rows<const T> others, double* products) {
+  double sums[rows] = {};
+  for (std::int64_t i = 0; i < count; ++i) {
+    const auto number = static_cast<double>(row[i]);
+#pragma GCC unroll 8
+    for (int r = 0; r < rows; ++r) sums[r] += number * others.data[r * others.stride + i];
+  }
+  std::copy_n(sums, rows, products);
+}
+
+/// The products of row r of x with the rows 0 to r.
+template <class T>
+void dot_with_earlier(std::int64_t count, Rows<const T> x, std::int64_t r, double* products) {
+  in_blocks(r + 1, [&]<int block>(std::int64_t first) {
+    dot_row<T, block>(count, x.row(r), x.from(first), products + first);
+  });
 }
 
 }  // namespace
@@ -159,46 +206,47 @@ template <class T>
 void propagate_back(const LayerSize& size, const T* weight, std::int64_t rows, Rows<const T> dy,
                     Rows<T> dx) {
   in_blocks(rows, [&]<int block>(std::int64_t row) {
-    propagate_rows_back<T, block>(size, weight, dy.from(row), dx.from(row));
+    propagate_rows_back<T, block>(size, weight, dy.from(row), dx.from(row), [](OutputRange) {});
+  });
+}
+
+template <class T>
+void propagate_back_and_take(const AdamStep& step, const LayerSize& size, std::int64_t rows,
+                             Rows<const T> dy, Rows<const T> x, const TrainedWeight<T>& weight,
+                             Rows<T> dx) {
+  if (rows > most_rows) {
+    propagate_back<T>(size, weight.values, rows, dy, dx);
+    take<T>(step, 1, size, rows, dy, x, weight);
+    return;
+  }
+  const AdamUpdate<T> update(step);
+  std::vector<T> factors(static_cast<std::size_t>(rows));
+  in_blocks(rows, [&]<int block>(std::int64_t) {
+    propagate_rows_back<T, block>(size, weight.values, dy, dx, [&](OutputRange outputs) {
+      take_rows<T>(update, 1, size, outputs, dy, x, weight, factors);
+    });
   });
 }
 
 template <class T>
 void take(const AdamStep& step, double scale, const LayerSize& size, std::int64_t rows,
           Rows<const T> dy, Rows<const T> x, const TrainedWeight<T>& weight) {
-  const DenormalsAreZero guard;  // as in adam.cpp
-  const AdamUpdate<T> update(step);
-  const std::int64_t inputs = size.held_inputs;
   std::vector<T> factors(static_cast<std::size_t>(rows));
-  std::vector<T> gradient(static_cast<std::size_t>(inputs));
-  for (std::int64_t j = 0; j < size.outputs; ++j) {
-    for (std::int64_t r = 0; r < rows; ++r) {
-      factors[static_cast<std::size_t>(r)] = static_cast<T>(scale) * dy.row(r)[j];
-    }
-    const TrainedWeight<T> row{weight.values + j * inputs, weight.first_moment + j * inputs,
-                               weight.second_moment + j * inputs};
-    if (rows <= most_rows) {
-      in_blocks(rows, [&]<int block>(std::int64_t) {
-        take_row<T, block>(update, inputs, factors.data(), x, row);
-      });
-      continue;
-    }
-    std::ranges::fill(gradient, T{0});
-    in_blocks(rows, [&]<int block>(std::int64_t first) {
-      add_rows<T, block>(inputs, factors.data() + first, x.from(first), gradient.data());
-    });
-    constexpr T once = 1;
-    take_row<T, 1>(update, inputs, &once, {gradient.data(), inputs}, row);
-  }
+  take_rows<T>(AdamUpdate<T>(step), static_cast<T>(scale), size, {0, size.outputs}, dy, x, weight,
+               factors);
 }
 
 template <class T>
 double squared_norm(const LayerSize& size, std::int64_t rows, Rows<const T> dy, Rows<const T> x) {
+  std::vector<double> of_dy(static_cast<std::size_t>(rows));
+  std::vector<double> of_x(static_cast<std::size_t>(rows));
   double sum = 0;
   for (std::int64_t r = 0; r < rows; ++r) {
+    dot_with_earlier(size.outputs, dy, r, of_dy.data());
+    dot_with_earlier(size.held_inputs, x, r, of_x.data());
     for (std::int64_t s = 0; s <= r; ++s) {
-      sum += (r == s ? 1 : 2) * dot(size.outputs, dy.row(r), dy.row(s)) *
-             dot(size.held_inputs, x.row(r), x.row(s));
+      const auto i = static_cast<std::size_t>(s);
+      sum += (r == s ? 1 : 2) * of_dy[i] * of_x[i];
     }
   }
   return sum;
@@ -210,6 +258,9 @@ double squared_norm(const LayerSize& size, std::int64_t rows, Rows<const T> dy, 
   template void propagate_back(const LayerSize&, const T*, std::int64_t, Rows<const T>, Rows<T>); \
   template void take(const AdamStep&, double, const LayerSize&, std::int64_t, Rows<const T>,      \
                      Rows<const T>, const TrainedWeight<T>&);                                     \
+  template void propagate_back_and_take(const AdamStep&, const LayerSize&, std::int64_t,          \
+                                        Rows<const T>, Rows<const T>, const TrainedWeight<T>&,    \
+                                        Rows<T>);                                                 \
   template double squared_norm(const LayerSize&, std::int64_t, Rows<const T>, Rows<const T>)
 PIAE_INSTANTIATE(float);
 PIAE_INSTANTIATE(double);

@@ -42,6 +42,12 @@ template <class T>
 void take(const AdamStep& step, double scale, const LayerSize& size, std::int64_t rows,
           Rows<const T> dy, Rows<const T> x, const TrainedWeight<T>& weight);
 
+/// propagate_back() and then take() with a scale of 1, in one pass over the weight.
+template <class T>
+void propagate_back_and_take(const AdamStep& step, const LayerSize& size, std::int64_t rows,
+                             Rows<const T> dy, Rows<const T> x, const TrainedWeight<T>& weight,
+                             Rows<T> dx);
+
 /// The squared Euclidean norm of dy^T x, computed as sum over r and s of (dy_r . dy_s)(x_r . x_s)
 /// so that dy^T x itself is not needed.
 template <class T>

@@ -54,8 +54,9 @@ class Recovery : public testing::TestWithParam<Truth> {
                             .damping_grid = 5};
     const SpectralFit fit(simulation_of(truth.fault), 1, coarse);
     const signal::WindowSet windows = windows_of(truth, 2, noise_rms);
+    const auto both = fit.fit({windows.window(0), windows.window(1)});
     for (std::size_t i = 0; i < windows.size(); ++i) {
-      const signal::DynamicParameters found = fit.fit(windows.window(i));
+      const signal::DynamicParameters& found = both[i];
       EXPECT_NEAR(found.stiffness_n_per_m / truth.stiffness_n_per_m, 1, 0.05) << i;
       EXPECT_LT(std::abs(std::log(found.damping_ns_per_m / truth.damping_ns_per_m)), std::log(1.5))
           << i;
@@ -81,8 +82,8 @@ TEST(SpectralFit, DoesNotDependOnScaleAndOffset) {
   const signal::WindowSet windows = windows_of(truth, 1, 0);
   std::vector<float> other;
   for (const float x : windows.window(0)) other.push_back(1 + 8 * x);
-  const signal::DynamicParameters a = fit.fit(windows.window(0));
-  const signal::DynamicParameters b = fit.fit(other);
+  const signal::DynamicParameters a = fit.fit({windows.window(0)}).front();
+  const signal::DynamicParameters b = fit.fit({other}).front();
   EXPECT_NEAR(a.stiffness_n_per_m / b.stiffness_n_per_m, 1, 1e-3);
   EXPECT_NEAR(a.damping_ns_per_m / b.damping_ns_per_m, 1, 1e-2);
 }
@@ -96,7 +97,22 @@ TEST(SpectralFit, StaysBelowTheStiffnessThatLosesContact) {
   for (std::size_t i = 0; i < length; ++i) {
     tone.push_back(static_cast<float>(std::sin(2.5 * static_cast<double>(i))));
   }
-  EXPECT_LT(fit.fit(tone).stiffness_n_per_m, 1e8);
+  EXPECT_LT(fit.fit({tone}).front().stiffness_n_per_m, 1e8);
+}
+
+TEST(SpectralFit, FindsForEachOfManyWindowsWhatItFindsForItAlone) {
+  const Truth truth{{"OR", signal::Defect::outer, 0.5334}, 2e8, 800};
+  const SpectralFit fit(simulation_of(truth.fault), 1, {.stiffness_grid = 6, .damping_grid = 3});
+  const signal::WindowSet windows = windows_of(truth, bearing::courses_at_once + 2, 0.1);
+  std::vector<SpectralFit::Window> all;
+  for (std::size_t i = 0; i < windows.size(); ++i) all.push_back(windows.window(i));
+  const auto together = fit.fit(all);
+  ASSERT_EQ(together.size(), all.size());
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const signal::DynamicParameters alone = fit.fit({all[i]}).front();
+    EXPECT_EQ(together[i].stiffness_n_per_m, alone.stiffness_n_per_m) << i;
+    EXPECT_EQ(together[i].damping_ns_per_m, alone.damping_ns_per_m) << i;
+  }
 }
 
 const std::string quick = "--stiffness-grid 3 --damping-grid 2 ";

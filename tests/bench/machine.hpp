@@ -56,4 +56,23 @@ inline double copied_bytes_per_s(std::size_t size) {
   return 2.0 * rounds * static_cast<double>(size) / (processor_seconds() - start);
 }
 
+/// Bytes read a second from an array of this size. Writing back what was read costs nothing more
+/// where the array is larger than the core's own cache.
+inline double read_bytes_per_s(std::size_t size) {
+  const std::vector<float> from(size / sizeof(float), 1);
+  constexpr double total = 4e9;
+  const int rounds = static_cast<int>(total / static_cast<double>(size)) + 1;
+  constexpr std::size_t chains = 4;
+  constexpr std::size_t at_once = chains * lanes<float>;
+  std::array<Vector<float>, chains> sums{};
+  const double start = processor_seconds();
+  for (int round = 0; round < rounds; ++round) {
+    for (std::size_t i = 0; i + at_once <= from.size(); i += at_once) {
+      for (std::size_t k = 0; k < chains; ++k) sums[k] += load(&from[i + k * lanes<float>]);
+    }
+    benchmark::DoNotOptimize(sums);
+  }
+  return static_cast<double>(rounds) * static_cast<double>(size) / (processor_seconds() - start);
+}
+
 }  // namespace piae::bench

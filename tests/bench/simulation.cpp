@@ -38,14 +38,15 @@ double sub_steps_of_window() {
   return samples * static_cast<double>(sub_steps(window.rate_hz, options.max_sub_step_s).count);
 }
 
-/// Each ball that is looked at takes a root in each of the four stages.
+/// Each ball that is looked at, in each of the four stages. Those that touch in no course are
+/// counted too, though their roots are left out.
 int roots_of_sub_step(int balls) { return 4 * ((balls + 1) / 2); }
 
 /// Square roots of doubles a second.
 double peak_roots_per_s() {
-  constexpr std::size_t chains = 4;
+  constexpr std::size_t chains = 12;  // a root waits long for the one before
   const auto round = [](std::array<PerCourse, chains>& x) {
-    for (PerCourse& chain : x) chain = piae::square_root<double>(chain);
+    for (PerCourse& chain : x) chain = piae::positive_root(chain) + 1;
   };
   return chains * courses_at_once * piae::bench::rounds_per_s<double, chains>(round);
 }

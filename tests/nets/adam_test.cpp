@@ -73,7 +73,8 @@ TYPED_TEST(AdamOf, TheFirstStepIsAsLongAsTheLearningRate) {
     TypeParam value = 0;
     TypeParam first_moment = 0;
     TypeParam second_moment = 0;
-    AdamUpdate<TypeParam>(AdamStep(1, 0.01, beta1, 0.9))(-7, value, first_moment, second_moment);
+    AdamUpdate<TypeParam>(AdamStep(1, 0.01, beta1, 0.9))(TypeParam{-7}, value, first_moment,
+                                                         second_moment);
     EXPECT_NEAR(value, 0.01, 1e-8);
     EXPECT_NEAR(first_moment, -7 * (1 - beta1), 1e-6);
     EXPECT_NEAR(second_moment, 4.9, 1e-6);

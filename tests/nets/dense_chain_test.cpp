@@ -149,6 +149,40 @@ INSTANTIATE_TEST_SUITE_P(Nets, DenseChains,
                          testing::Combine(testing::Values(1, 2, 3, 4),
                                           testing::Values(1, 2, 3, 4, 5, 6, 7, 12, 23)));
 
+/// All that is kept of the parameters.
+std::vector<float> all_kept(const Example& example) {
+  std::vector<float> all;
+  for (const Kept kept : {Kept::value, Kept::first_moment, Kept::second_moment}) {
+    const std::vector<float> some = example.parameters->read(kept);
+    all.insert(all.end(), some.begin(), some.end());
+  }
+  return all;
+}
+
+/// 5 rows go back and learn in one pass over a weight, 20 in two.
+TEST_P(DenseChains, GoBackAndLearnInOnePassAsInTwo) {
+  const auto [depth, rows] = GetParam();
+  for (const bool by_input : {true, false}) {
+    Example two(depth);
+    Example one(depth);
+    for (int t = 1; t <= 2; ++t) {
+      const Array x = random_array("x" + std::to_string(t), rows, inputs);
+      const Array slope = random_array("slope" + std::to_string(t), rows, outputs);
+      const AdamStep step(t, 0.01);
+      two.forward(x);
+      const Array expected = two.backward(slope);
+      two.chain.take(step, 1);
+      one.forward(x);
+      put(slope, one.chain.output_gradient());
+      const Array by_x = copied(one.chain.backward_and_take(step, by_input), rows, inputs);
+      if (by_input) {
+        EXPECT_TRUE((by_x == expected).all()) << t;
+      }
+    }
+    EXPECT_EQ(all_kept(one), all_kept(two)) << by_input;
+  }
+}
+
 TEST(DenseChain, PropagatesTwoSignalsOfOneBatchAtOnce) {
   constexpr std::int64_t rows = 5;
   Example both;
