@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "artefact/hdf5.hpp"
+#include "base/bytes.hpp"
 #include "base/error.hpp"
 #include "base/range.hpp"
 
@@ -102,7 +103,7 @@ class Reader {
                          const Range& range) const;
 
   std::filesystem::path path_;
-  std::vector<std::byte> image_;  ///< what file_ reads from
+  Bytes image_;  ///< what file_ reads from
   hdf5::Handle file_;
   std::string kind_;
   std::string digest_;
