@@ -5,10 +5,10 @@
 #include <complex>
 #include <limits>
 #include <stdexcept>
-#include <unsupported/Eigen/FFT>
 #include <vector>
 
 #include "bearing/strikes.hpp"
+#include "scoring/planned_fft.hpp"
 #include "scoring/spectrum.hpp"
 #include "scoring/statistics.hpp"
 
@@ -72,7 +72,7 @@ double harmonic_db(const Spectrum& spectrum, int number, double line_hz) {
 }  // namespace
 
 Windows envelopes(const Windows& windows) {
-  Eigen::FFT<double> fft;
+  Eigen::FFT<double>& fft = planned_fft();
   Windows result(windows.rows(), windows.cols());
   std::vector<Complex> samples(static_cast<std::size_t>(windows.cols()));
   std::vector<Complex> spectrum;
