@@ -28,10 +28,11 @@ constexpr double rounding_power = 1e-20;
 
 /// Doubles the positive frequencies and removes the negative ones.
 void make_analytic(std::vector<Complex>& spectrum) {
-  for (std::size_t i = 1; i < spectrum.size(); ++i) {
-    if (2 * i < spectrum.size()) spectrum[i] *= 2;
-    if (2 * i > spectrum.size()) spectrum[i] = 0;
-  }
+  const auto zero = spectrum.begin();
+  const auto half = std::ssize(spectrum) / 2;
+  const auto negative = zero + half + 1;
+  std::for_each(zero + 1, negative - (std::ssize(spectrum) + 1) % 2, [](Complex& x) { x *= 2; });
+  std::fill(negative, spectrum.end(), Complex(0));
 }
 
 struct Spectrum {
