@@ -43,15 +43,15 @@ void sync_folder(const fs::path& folder) {
 
 }  // namespace
 
-std::vector<std::byte> read_file(const fs::path& path, std::uint64_t most) {
+Bytes read_file(const fs::path& path, std::uint64_t most) {
   const RegularFile file(path);
   if (file.size() > most) {
     throw Error(Exit::bad_input, path.string() + ": is larger than " +
                                      std::to_string(most / 1'000'000) +
                                      " MB, more than such a file can be");
   }
-  std::vector<std::byte> bytes(file.size());
-  bytes.resize(file.read(bytes));
+  Bytes bytes(file.size());
+  bytes.shorten(file.read(bytes));
   return bytes;
 }
 

@@ -5,15 +5,16 @@
 #include <filesystem>
 #include <limits>
 #include <span>
-#include <vector>
+
+#include "base/bytes.hpp"
 
 namespace piae::artefact {
 
 /// All bytes of a file. Throws Error(input_missing) where it cannot be read, or is no file: a pipe
 /// is not waited for. Throws Error(bad_input), before anything is read, where it has more than
 /// `most` bytes: a file may say that it is huge and take no room on the disk.
-std::vector<std::byte> read_file(const std::filesystem::path& path,
-                                 std::uint64_t most = std::numeric_limits<std::int64_t>::max());
+Bytes read_file(const std::filesystem::path& path,
+                std::uint64_t most = std::numeric_limits<std::int64_t>::max());
 
 /// What stands where a file is to be written must be a file itself: a link may have been planted.
 /// Throws Error(failed) where it is not, and Error(usage) for a path that ends with no name. Who

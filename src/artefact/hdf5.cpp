@@ -2,9 +2,14 @@
 
 #include <algorithm>
 #include <atomic>
+#include <bit>
 #include <cstdlib>
 #include <cstring>
 #include <stdexcept>
+
+#include "artefact/fletcher32.hpp"
+
+static_assert(std::endian::native == std::endian::little, "values are stored as they are");
 
 namespace piae::artefact::hdf5 {
 
@@ -61,7 +66,7 @@ constexpr std::size_t end_address_at = 28;
 /// Keeps the bytes of a file in memory when HDF5 closes the file and would free them.
 struct ImageKeeper {
   bool wanted = false;  ///< while MemoryFile::close() runs
-  std::vector<std::byte> image;
+  Bytes image;
 };
 
 thread_local ImageKeeper keeper;
@@ -73,7 +78,9 @@ void* copy_image(void* to, const void* from, size_t size, H5FD_file_image_op_t, 
 }
 
 void* reallocate_image(void* image, size_t size, H5FD_file_image_op_t, void*) {
-  return std::realloc(image, size);
+  void* const larger = std::realloc(image, size);
+  if (larger != nullptr) expect_much(larger, size);
+  return larger;
 }
 
 herr_t release_image(void* image, H5FD_file_image_op_t operation, void*) {
@@ -81,9 +88,10 @@ herr_t release_image(void* image, H5FD_file_image_op_t operation, void*) {
     const auto* bytes = static_cast<const std::byte*>(image);
     std::uint64_t end = 0;
     std::memcpy(&end, bytes + end_address_at, sizeof end);
-    keeper.image.assign(bytes, bytes + end);
+    keeper.image = Bytes(image, end);
+  } else {
+    std::free(image);
   }
-  std::free(image);
   return 0;
 }
 
@@ -99,6 +107,25 @@ void* same_keeper(void* udata) { return udata; }
 herr_t no_keeper_to_free(void*) { return 0; }
 
 std::vector<hsize_t> extent(const Shape& shape) { return {shape.begin(), shape.end()}; }
+
+std::size_t bytes_of(hid_t dataset) {
+  const Handle type(H5Dget_type(dataset), "dataset");
+  std::size_t size = H5Tget_size(type);
+  for (const std::size_t n : shape_of(dataset)) size *= n;
+  return size;
+}
+
+/// Writes all values of a dataset, its one chunk. HDF5 would copy them twice more, and compute the
+/// checksum byte by byte.
+void write_chunk(hid_t dataset, std::span<const std::byte> values, const std::string& path) {
+  const std::uint32_t checksum = fletcher32(values);
+  Bytes chunk(values.size() + sizeof checksum);
+  std::ranges::copy(values, chunk.begin());
+  std::memcpy(chunk.begin() + values.size(), &checksum, sizeof checksum);
+  const std::vector<hsize_t> first(shape_of(dataset).size());
+  check(H5Dwrite_chunk(dataset, H5P_DEFAULT, 0, first.data(), chunk.size(), chunk.data()),
+        path.c_str());
+}
 
 /// A name that no other file of this process has. HDF5 would take two files in memory with the same
 /// name for one file, and read the one that was opened first. No file on the disk can have it
@@ -129,12 +156,21 @@ MemoryFile::MemoryFile() : access_(property_list(H5P_FILE_ACCESS)) {
   file_ = Handle(H5Fcreate(new_name().c_str(), H5F_ACC_TRUNC, creation, access_), "file in memory");
 }
 
-std::vector<std::byte> MemoryFile::close() {
+Bytes MemoryFile::close() {
   check(H5Fflush(file_, H5F_SCOPE_GLOBAL), "flush");
   keeper.wanted = true;
   file_ = Handle();
   keeper.wanted = false;
   return std::exchange(keeper.image, {});
+}
+
+std::span<const std::byte> MemoryFile::image() const {
+  // Chunks are written at once. Flushing what is not would change where HDF5 puts it in the file.
+  void* handle = nullptr;
+  check(H5Fget_vfd_handle(file_, H5P_DEFAULT, &handle), "file in memory");
+  hsize_t size = 0;
+  check(H5Fget_filesize(file_, &size), "file in memory");
+  return {*static_cast<const std::byte* const*>(handle), size};
 }
 
 Handle open_image(std::span<const std::byte> image) {
@@ -165,7 +201,7 @@ void write_numbers(hid_t file, const std::string& path, hid_t type, const void* 
       H5Dcreate2(file, path.c_str(), type, space, H5P_DEFAULT, creation, H5P_DEFAULT),
       path.c_str());
   if (std::ranges::find(dims, hsize_t{0}) != dims.end()) return;
-  check(H5Dwrite(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, data), path.c_str());
+  write_chunk(dataset, {static_cast<const std::byte*>(data), bytes_of(dataset)}, path);
 }
 
 void write_strings(hid_t file, const std::string& path, const std::vector<std::string>& strings) {
@@ -188,6 +224,27 @@ void write_strings(hid_t file, const std::string& path, const std::vector<std::s
 
 Handle open_dataset(hid_t file, const std::string& path) {
   return {H5Dopen2(file, path.c_str(), H5P_DEFAULT), path.c_str()};
+}
+
+std::optional<StoredValues> stored_values(hid_t dataset, std::span<const std::byte> image) {
+  const Handle creation(H5Dget_create_plist(dataset), "dataset");
+  if (H5Pget_layout(creation) != H5D_CHUNKED || H5Pget_nfilters(creation) != 1) return {};
+  const std::vector<hsize_t> first(shape_of(dataset).size());
+  unsigned left_out_filters = 0;
+  haddr_t address = HADDR_UNDEF;
+  hsize_t stored = 0;
+  const herr_t found =
+      H5Dget_chunk_info_by_coord(dataset, first.data(), &left_out_filters, &address, &stored);
+  const std::size_t size = bytes_of(dataset);
+  StoredValues there{};
+  if (found < 0 || address == HADDR_UNDEF || left_out_filters != 0 || size % 2 != 0 ||
+      stored != size + sizeof there.fletcher32 || address > image.size() ||
+      stored > image.size() - address) {
+    return {};
+  }
+  there.values = image.subspan(address, size);
+  std::memcpy(&there.fletcher32, image.data() + address + size, sizeof there.fletcher32);
+  return there;
 }
 
 Shape shape_of(hid_t dataset) {

@@ -5,10 +5,13 @@
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
 #include <vector>
+
+#include "base/bytes.hpp"
 
 /// A thin layer over the C interface of HDF5: handles that close themselves, and calls that throw
 /// with the reason that HDF5 gives. Here files are in memory only. artefact/file.hpp reads them
@@ -65,7 +68,9 @@ class MemoryFile {
   [[nodiscard]] hid_t id() const { return file_; }
   /// Closes the file and returns the bytes that it has on the disk. H5Fget_file_image is not used:
   /// until HDF5 1.14.6 it leaves a wrong checksum in the superblock of such files.
-  std::vector<std::byte> close();
+  Bytes close();
+  /// The bytes of the chunks that were written, at their places, until something else is.
+  [[nodiscard]] std::span<const std::byte> image() const;
 
  private:
   Handle access_;
@@ -84,6 +89,13 @@ void write_numbers(hid_t file, const std::string& path, hid_t type, const void* 
 void write_strings(hid_t file, const std::string& path, const std::vector<std::string>& strings);
 
 Handle open_dataset(hid_t file, const std::string& path);
+/// Where the values of a dataset stand among the bytes of its file, if they stand there as they
+/// are, in one piece with its checksum behind it: as write_numbers() leaves them. Else nothing.
+struct StoredValues {
+  std::span<const std::byte> values;
+  std::uint32_t fletcher32;
+};
+std::optional<StoredValues> stored_values(hid_t dataset, std::span<const std::byte> image);
 Shape shape_of(hid_t dataset);
 /// Reads all values of a dataset without computing its checksum. For a file whose digest has been
 /// found good, which says more.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <sstream>
 #include <stdexcept>
 #include <utility>
@@ -22,7 +23,32 @@ using hdf5::Handle;
 
 const std::string remedy = "; make it again with the stage that wrote it";
 
-std::vector<std::byte> bytes_of(const fs::path& path) {
+/// The numbers that stand in these bytes. A part at a time, which is still in the cache when
+/// numbers are put over the zeros that a vector has to begin with.
+template <hdf5::Number T>
+std::vector<T> values_in(std::span<const std::byte> bytes) {
+  constexpr std::size_t at_once = 4096;
+  const std::size_t count = bytes.size() / sizeof(T);
+  std::vector<T> values;
+  values.reserve(count);
+  expect_much(values.data(), bytes.size());
+  while (values.size() < count) {
+    const std::size_t done = values.size();
+    const std::size_t more = std::min(at_once, count - done);
+    values.resize(done + more);
+    std::memcpy(values.data() + done, bytes.data() + done * sizeof(T), more * sizeof(T));
+  }
+  return values;
+}
+
+template <hdf5::Number T>
+bool are_finite(std::span<const T> values) {
+  if constexpr (!std::floating_point<T>) return true;
+  const auto is_finite = [](T value) { return std::isfinite(value); };
+  return std::ranges::count_if(values, is_finite) == std::ssize(values);
+}
+
+Bytes bytes_of(const fs::path& path) {
   try {
     return read_file(path, largest_artefact_bytes);
   } catch (const Error& error) {
@@ -45,13 +71,13 @@ Handle open_checked(const fs::path& path, std::span<const std::byte> image) {
                 path.string() + ": damaged: " + what + remedy);
 }
 
-void require_undamaged(const fs::path& path, hid_t file, std::size_t size) {
+void require_undamaged(const fs::path& path, hid_t file, std::span<const std::byte> image) {
   try {
-    require_our_structure(file, size);
-    if (content_digest(file) != hdf5::read_string_attribute(file, "/", digest_attribute)) {
+    require_our_structure(file, image.size());
+    if (content_digest(file, image) != hdf5::read_string_attribute(file, "/", digest_attribute)) {
       refuse_damaged(path, "the content digest does not match");
     }
-    if (provenance_digest(file) !=
+    if (provenance_digest(file, image) !=
         hdf5::read_string_attribute(file, provenance_group, digest_attribute)) {
       refuse_damaged(path, "the digest of " + provenance_group + " does not match");
     }
@@ -94,7 +120,7 @@ void require_artefact(const fs::path& path, std::span<const std::byte> image,
                       const std::string& kind) {
   const Handle file = open_checked(path, image);
   const std::string stored = stored_kind(path, file);
-  require_undamaged(path, file, image.size());
+  require_undamaged(path, file, image);
   const std::int64_t schema = stored_schema(path, file);
   if (schema != schema_version) {
     throw Refusal(Exit::bad_input, RefusalReason::wrong_kind,
@@ -117,8 +143,8 @@ Rehearsal rehearsal_of(const fs::path& path, std::span<const std::byte> image,
 
 /// The bytes of a file which has been found to be a whole artefact, by a process that could come to
 /// harm over it.
-std::vector<std::byte> rehearsed(const fs::path& path, const std::string& kind) {
-  std::vector<std::byte> image = bytes_of(path);
+Bytes rehearsed(const fs::path& path, const std::string& kind) {
+  Bytes image = bytes_of(path);
   const Rehearsal file = rehearsal_of(path, image, kind);
   const auto objection = rehearse(file.size, file.otherwise, file.read);
   if (objection) throw Refusal(Exit::bad_input, objection->reason, objection->line);
@@ -130,7 +156,7 @@ std::vector<std::byte> rehearsed(const fs::path& path, const std::string& kind) 
 Reader::Reader(const fs::path& path, const std::string& kind)
     : Reader(path, rehearsed(path, kind)) {}
 
-Reader::Reader(fs::path path, std::vector<std::byte> image)
+Reader::Reader(fs::path path, Bytes image)
     : path_(std::move(path)),
       image_(std::move(image)),
       file_(open_checked(path_, image_)),
@@ -232,16 +258,13 @@ Array<T> Reader::numbers(const std::string& path, const hdf5::Shape& shape) cons
     count *= array.shape[i];
   }
   if (!fits) refuse(path, "has another shape");
-  array.values.resize(count);
-  if (count > 0) {
+  if (const auto stored = hdf5::stored_values(dataset, image_)) {
+    array.values = values_in<T>(stored->values);
+  } else if (count > 0) {
+    array.values.resize(count);
     hdf5::read_checked(dataset, hdf5::stored_type<T>(), array.values.data(), path);
   }
-  if constexpr (std::floating_point<T>) {
-    const auto finite = [](T value) { return std::isfinite(value); };
-    if (std::ranges::count_if(array.values, finite) != std::ssize(array.values)) {
-      refuse(path, "holds a NaN or an infinite value");
-    }
-  }
+  if (!are_finite<T>(array.values)) refuse(path, "holds a NaN or an infinite value");
   return array;
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "artefact/hdf5.hpp"
+#include "base/bytes.hpp"
 #include "base/error.hpp"
 #include "base/range.hpp"
 
@@ -96,7 +97,7 @@ class Reader {
   friend class Readers;
 
   /// The same for bytes that have been read and checked.
-  Reader(std::filesystem::path path, std::vector<std::byte> image);
+  Reader(std::filesystem::path path, Bytes image);
 
   /// Throws Refusal where it does not say how it was made, as every artefact does: pages and tables
   /// show it.
@@ -108,7 +109,7 @@ class Reader {
                          const Range& range) const;
 
   std::filesystem::path path_;
-  std::vector<std::byte> image_;  ///< what file_ reads from
+  Bytes image_;  ///< what file_ reads from
   hdf5::Handle file_;
   std::string kind_;
   std::string digest_;
@@ -127,7 +128,7 @@ class Readers {
  private:
   /// A file that was read and checked: its bytes, or why it is refused.
   struct Checked {
-    std::vector<std::byte> image = {};
+    Bytes image = {};
     std::optional<Refusal> refusal = std::nullopt;
   };
   void check_some();

@@ -1,5 +1,6 @@
 #include "cli/stage.hpp"
 
+#include <malloc.h>
 #include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
 
@@ -21,6 +22,13 @@ namespace piae::cli {
 namespace {
 
 const std::string files_group = "Files";
+
+/// Matrices of some MB come and go, each time at the cost of a system call for every page of them.
+/// What is freed stays with the program, up to this much; it ends soon.
+void keep_freed_memory() {
+  ::mallopt(M_MMAP_THRESHOLD, 32 << 20);
+  ::mallopt(M_TRIM_THRESHOLD, 256 << 20);
+}
 
 void log_to_stderr(const std::string& name) {
   if (spdlog::get(name)) return;
@@ -142,6 +150,7 @@ std::string Stage::choose_variant(int argc, char** argv, const std::string& opti
 }
 
 int Stage::run(int argc, char** argv, const std::function<void()>& body) {
+  keep_freed_memory();
   log_to_stderr(name_);
   const UsageForStep usage;
   try {

@@ -11,7 +11,7 @@
 namespace piae::cli {
 
 toml::table parse_toml_file(const std::filesystem::path& file) {
-  const std::vector<std::byte> bytes = artefact::read_file(file, most_toml_bytes);
+  const Bytes bytes = artefact::read_file(file, most_toml_bytes);
   const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
   try {
     return parse_toml(text, file.string());

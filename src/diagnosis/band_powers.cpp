@@ -12,11 +12,7 @@
 
 namespace piae::diagnosis {
 
-namespace {
-
 using Eigen::Index;
-
-}  // namespace
 
 BandPowers band_powers(const signal::WindowSet& windows) {
   const auto length = static_cast<Index>(windows.length);

@@ -37,7 +37,7 @@ std::string source_hash(const std::string& text) {
 /// Browsers take the end of a line for a line feed, however it is written, before they compare the
 /// hash of a script.
 std::string read_inlined(const fs::path& file, const std::string& element) {
-  const std::vector<std::byte> bytes = artefact::read_file(file);
+  const Bytes bytes = artefact::read_file(file);
   std::string text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
   std::erase(text, '\r');
   if (text.find("</" + element) != std::string::npos) {

@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 namespace {
 
 std::string text_of_file(const fs::path& file) {
-  const std::vector<std::byte> bytes = artefact::read_file(file);
+  const Bytes bytes = artefact::read_file(file);
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 

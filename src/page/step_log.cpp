@@ -67,7 +67,7 @@ void read_line(const std::string& line, StepLog& log) {
 }  // namespace
 
 StepLog read_step_log(const fs::path& file) {
-  const std::vector<std::byte> bytes = artefact::read_file(file);
+  const Bytes bytes = artefact::read_file(file);
   std::istringstream lines(std::string(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
   StepLog log;
   log.file = file;

@@ -5,10 +5,10 @@
 #include <complex>
 #include <limits>
 #include <stdexcept>
-#include <unsupported/Eigen/FFT>
 #include <vector>
 
 #include "bearing/strikes.hpp"
+#include "scoring/planned_fft.hpp"
 #include "scoring/spectrum.hpp"
 #include "scoring/statistics.hpp"
 
@@ -28,10 +28,11 @@ constexpr double rounding_power = 1e-20;
 
 /// Doubles the positive frequencies and removes the negative ones.
 void make_analytic(std::vector<Complex>& spectrum) {
-  for (std::size_t i = 1; i < spectrum.size(); ++i) {
-    if (2 * i < spectrum.size()) spectrum[i] *= 2;
-    if (2 * i > spectrum.size()) spectrum[i] = 0;
-  }
+  const auto zero = spectrum.begin();
+  const auto half = std::ssize(spectrum) / 2;
+  const auto negative = zero + half + 1;
+  std::for_each(zero + 1, negative - (std::ssize(spectrum) + 1) % 2, [](Complex& x) { x *= 2; });
+  std::fill(negative, spectrum.end(), Complex(0));
 }
 
 struct Spectrum {
@@ -72,7 +73,7 @@ double harmonic_db(const Spectrum& spectrum, int number, double line_hz) {
 }  // namespace
 
 Windows envelopes(const Windows& windows) {
-  Eigen::FFT<double> fft;
+  Eigen::FFT<double>& fft = planned_fft();
   Windows result(windows.rows(), windows.cols());
   std::vector<Complex> samples(static_cast<std::size_t>(windows.cols()));
   std::vector<Complex> spectrum;

@@ -2,10 +2,12 @@
 
 #include <cmath>
 #include <complex>
+#include <map>
 #include <numbers>
 #include <stdexcept>
-#include <unsupported/Eigen/FFT>
 #include <vector>
+
+#include "scoring/planned_fft.hpp"
 
 namespace piae::scoring {
 
@@ -14,6 +16,14 @@ namespace {
 using Eigen::Index;
 
 constexpr double floor_to_mean = 1e-10;  // of powers, as a part of the real spectrum's mean
+
+/// Hann's window, made once for each length and thread: windows often come one by one.
+const Eigen::RowVectorXd& taper_of(Index length) {
+  thread_local std::map<Index, Eigen::RowVectorXd> tapers;
+  Eigen::RowVectorXd& taper = tapers[length];
+  if (taper.size() == 0) taper = hann(length);
+  return taper;
+}
 
 }  // namespace
 
@@ -28,8 +38,8 @@ Eigen::RowVectorXd hann(Index length) {
 
 Eigen::ArrayXd mean_power_spectrum(const Windows& windows, Index padding) {
   const Index bins = padding * windows.cols() / 2 + 1;
-  const Eigen::RowVectorXd taper = hann(windows.cols());
-  Eigen::FFT<double> fft;
+  const Eigen::RowVectorXd& taper = taper_of(windows.cols());
+  Eigen::FFT<double>& fft = planned_fft();
   Eigen::ArrayXd power = Eigen::ArrayXd::Zero(bins);
   std::vector<double> tapered(static_cast<std::size_t>(padding * windows.cols()));
   std::vector<std::complex<double>> spectrum;

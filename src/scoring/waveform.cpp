@@ -4,8 +4,9 @@
 #include <cmath>
 #include <complex>
 #include <stdexcept>
-#include <unsupported/Eigen/FFT>
 #include <vector>
+
+#include "scoring/planned_fft.hpp"
 
 namespace piae::scoring {
 
@@ -24,24 +25,29 @@ double root_mean_square(const Eigen::Ref<const Eigen::RowVectorXd>& difference) 
   return std::sqrt(difference.squaredNorm() / static_cast<double>(difference.size()));
 }
 
-std::vector<Complex> spectrum(Eigen::FFT<double>& fft, const Windows& windows, Index row) {
-  const double* first = windows.row(row).data();
-  const std::vector<double> samples(first, first + windows.cols());
-  std::vector<Complex> bins;
-  fft.fwd(bins, samples);
-  return bins;
-}
+/// Finds the s that makes sum_n real(n) generated(n + s) largest, indices modulo the length.
+class BestShift {
+ public:
+  explicit BestShift(Index length)
+      : spectrum_(static_cast<std::size_t>(length / 2 + 1)),
+        reference_(spectrum_.size()),
+        correlation_(static_cast<std::size_t>(length)) {}
 
-/// The s that makes sum_n real(n) generated(n + s) largest, indices modulo the length.
-Index best_shift(Eigen::FFT<double>& fft, const Windows& generated, const Windows& real,
-                 Index row) {
-  std::vector<Complex> product = spectrum(fft, generated, row);
-  const std::vector<Complex> reference = spectrum(fft, real, row);
-  for (std::size_t i = 0; i < product.size(); ++i) product[i] *= std::conj(reference[i]);
-  std::vector<double> correlation;
-  fft.inv(correlation, product);
-  return std::max_element(correlation.begin(), correlation.end()) - correlation.begin();
-}
+  Index operator()(const double* generated, const double* real) {
+    const Index length = std::ssize(correlation_);
+    Eigen::FFT<double>& fft = planned_fft();
+    fft.fwd(spectrum_.data(), generated, length);
+    fft.fwd(reference_.data(), real, length);
+    for (std::size_t i = 0; i < spectrum_.size(); ++i) spectrum_[i] *= std::conj(reference_[i]);
+    fft.inv(correlation_.data(), spectrum_.data(), length);
+    return std::ranges::max_element(correlation_) - correlation_.begin();
+  }
+
+ private:
+  std::vector<Complex> spectrum_;
+  std::vector<Complex> reference_;
+  std::vector<double> correlation_;
+};
 
 }  // namespace
 
@@ -54,10 +60,10 @@ double rmse(const Windows& generated, const Windows& real) {
 
 double aligned_rmse(const Windows& generated, const Windows& real) {
   require_pairs(generated, real);
-  Eigen::FFT<double> fft;
+  BestShift best_shift(generated.cols());
   Windows shifted(generated.rows(), generated.cols());
   for (Index i = 0; i < real.rows(); ++i) {
-    const Index head = generated.cols() - best_shift(fft, generated, real, i);
+    const Index head = generated.cols() - best_shift(generated.row(i).data(), real.row(i).data());
     shifted.row(i) << generated.row(i).tail(head), generated.row(i).head(generated.cols() - head);
   }
   return rmse(shifted, real);

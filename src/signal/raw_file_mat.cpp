@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <memory>
+#include <span>
 
 #include "artefact/file.hpp"
 #include "base/error.hpp"
@@ -22,7 +23,7 @@ struct Close {
 using File = std::unique_ptr<mat_t, Close>;
 using Variable = std::unique_ptr<matvar_t, Close>;
 
-std::uint32_t number_at(const std::vector<std::byte>& bytes, std::size_t at, bool big_endian) {
+std::uint32_t number_at(std::span<const std::byte> bytes, std::size_t at, bool big_endian) {
   std::uint32_t number = 0;
   for (std::size_t i = 0; i < 4; ++i) {
     number = number << 8U | std::to_integer<std::uint32_t>(bytes[at + (big_endian ? i : 3 - i)]);
@@ -34,9 +35,9 @@ std::uint32_t number_at(const std::vector<std::byte>& bytes, std::size_t at, boo
 /// of bytes. libmatio is given no other file: it takes those of version 4 at their word.
 constexpr std::size_t header_size = 128;
 
-bool is_big_endian(const std::vector<std::byte>& bytes) { return bytes[126] == std::byte{'M'}; }
+bool is_big_endian(std::span<const std::byte> bytes) { return bytes[126] == std::byte{'M'}; }
 
-int version_of(const std::vector<std::byte>& bytes) {
+int version_of(std::span<const std::byte> bytes) {
   if (bytes.size() < header_size) return 0;
   const auto at = [&](std::size_t i) { return std::to_integer<int>(bytes[i]); };
   if (at(126) == 'M' && at(127) == 'I') return at(124) * 256 + at(125);
@@ -47,7 +48,7 @@ int version_of(const std::vector<std::byte>& bytes) {
 /// Whether a file of version 5 is complete. libmatio does not say when it is truncated, but fills
 /// up the missing values. Such a file is a header of 128 bytes and then one element after another,
 /// each with its type and size (4 bytes each) and its content.
-bool is_whole_v5(const std::vector<std::byte>& bytes) {
+bool is_whole_v5(std::span<const std::byte> bytes) {
   const bool big_endian = is_big_endian(bytes);
   std::size_t at = header_size;
   while (at + 8 <= bytes.size()) at += 8 + number_at(bytes, at + 4, big_endian);
@@ -56,7 +57,7 @@ bool is_whole_v5(const std::vector<std::byte>& bytes) {
 
 /// Refuses what cannot be read, before libmatio sees it.
 mat_ft require_readable(const fs::path& path) {
-  const std::vector<std::byte> bytes = artefact::read_file(path);
+  const Bytes bytes = artefact::read_file(path);
   const int version = version_of(bytes);
   if (version == MAT_FT_MAT73 || (version == MAT_FT_MAT5 && is_whole_v5(bytes))) {
     return static_cast<mat_ft>(version);

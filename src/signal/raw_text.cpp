@@ -64,7 +64,7 @@ std::string from_utf16(std::string_view bytes, bool low_byte_first) {
 }  // namespace
 
 std::string read_raw_text(const std::filesystem::path& file) {
-  const std::vector<std::byte> bytes = artefact::read_file(file, largest_raw_bytes);
+  const Bytes bytes = artefact::read_file(file, largest_raw_bytes);
   std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
   if (text.starts_with("\xFF\xFE")) return from_utf16(text.substr(2), true);
   if (text.starts_with("\xFE\xFF")) return from_utf16(text.substr(2), false);

@@ -5,8 +5,9 @@
 #include <complex>
 #include <limits>
 #include <numbers>
-#include <unsupported/Eigen/FFT>
 #include <vector>
+
+#include "scoring/planned_fft.hpp"
 
 namespace piae::symptoms {
 
@@ -48,7 +49,7 @@ Eigen::ArrayXcd whitened_spectrum(const Eigen::RowVectorXd& window, double rate_
   std::vector<double> samples(static_cast<std::size_t>(window.size()));
   Eigen::Map<Eigen::RowVectorXd>(samples.data(), window.size()) = window.array() - window.mean();
   std::vector<std::complex<double>> all;
-  Eigen::FFT<double>().fwd(all, samples);
+  scoring::planned_fft().fwd(all, samples);
   const Eigen::ArrayXcd spectrum =
       Eigen::Map<const Eigen::ArrayXcd>(all.data(), window.size() / 2 + 1);
   const auto bins = std::lround(smoothing_hz * static_cast<double>(window.size()) / rate_hz);

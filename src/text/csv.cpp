@@ -51,7 +51,7 @@ std::optional<double> CsvLine::number(std::size_t i) const {
 }
 
 std::vector<CsvLine> read_csv(const std::filesystem::path& path) {
-  const std::vector<std::byte> bytes = artefact::read_file(path);
+  const Bytes bytes = artefact::read_file(path);
   std::istringstream in(std::string(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
   std::vector<CsvLine> lines;
   std::size_t number = 0;

@@ -57,7 +57,10 @@ class Artefact : public testing::Test {
   fs::path folder_;
 };
 
-std::vector<std::byte> slurp(const fs::path& path) { return read_file(path); }
+std::vector<std::byte> slurp(const fs::path& path) {
+  const Bytes bytes = read_file(path);
+  return {bytes.begin(), bytes.end()};
+}
 
 void spill(const fs::path& path, const std::vector<std::byte>& bytes) {
   std::ofstream(path, std::ios::binary)
@@ -134,6 +137,18 @@ TEST_F(Artefact, NoFlippedByteIsSilentlyUsed) {
     }
   }
   EXPECT_GT(refused, bytes.size() / 140);  // the rest is padding that holds no value
+}
+
+TEST_F(Artefact, AWrongChecksumIsRefusedThoughTheValuesAreRight) {
+  std::vector<std::byte> bytes = slurp(example("good.h5"));
+  const std::vector<float> values{1.5F, -2.0F, 0.25F, 4.0F, 5.0F, 6.0F};
+  const auto found = std::ranges::search(bytes, std::as_bytes(std::span(values)));
+  ASSERT_FALSE(found.empty());
+  *found.end() ^= std::byte{1};
+  spill(folder_ / "bad.h5", bytes);
+  const Refusal refusal = refusal_of(folder_ / "bad.h5");
+  EXPECT_EQ(refusal.reason(), RefusalReason::damaged);
+  EXPECT_THAT(refusal.what(), HasSubstr("/float: its checksum"));
 }
 
 TEST_F(Artefact, ATruncatedFileIsRefused) {

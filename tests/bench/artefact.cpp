@@ -19,10 +19,13 @@ namespace fs = std::filesystem;
 signal::WindowSet window_set() {
   signal::WindowSet set;
   set.info.name = "bench";
+  set.info.sample_rate_hz = 12000;
+  set.info.shaft_speed_rpm = 1800;
   set.length = 1024;
   Stream stream("bench/artefact");
   for (std::int32_t label = 0; label < 9; ++label) {
-    set.info.classes.push_back({"class" + std::to_string(label), signal::Defect::none, 0});
+    const signal::Defect defect = label == 0 ? signal::Defect::none : signal::Defect::other;
+    set.info.classes.push_back({"class" + std::to_string(label), defect, 0});
     set.labels.insert(set.labels.end(), 495, label);
   }
   set.samples.resize(set.size() * set.length);
