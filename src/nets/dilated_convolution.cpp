@@ -1,0 +1,90 @@
+#include "nets/dilated_convolution.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "base/vector.hpp"
+
+namespace piae::nets {
+
+std::vector<ParameterSpec> dilated_convolution_specs(const std::string& name, std::int64_t inputs,
+                                                     std::int64_t outputs, std::int64_t kernel) {
+  const double bound = 1 / std::sqrt(static_cast<double>(kernel * inputs));
+  return {{name + "/weight", {outputs, kernel, inputs}, bound}, {name + "/bias", {outputs}, bound}};
+}
+
+template <class T>
+DilatedConvolution<T>::DilatedConvolution(GradientArray<T>& parameters, const std::string& name,
+                                          std::int64_t length, const DilatedTaps& taps)
+    : SequenceLayer<T>(
+          {.length = length, .width = parameters.find(name + "/weight").columns / taps.kernel},
+          {.length = length, .width = parameters.find(name + "/weight").rows}),
+      taps_(taps),
+      weight_(parameters.find(name + "/weight")),
+      bias_(parameters.find(name + "/bias")) {
+  const std::int64_t inputs = this->input().width;
+  const std::int64_t outputs = this->output().width;
+  if (inputs != whole_rows(inputs) || outputs != whole_rows(outputs)) {
+    throw std::logic_error("the channels of " + name + " are no whole rows");
+  }
+  read_gradient_.resize(length * weight_.columns);
+}
+
+template <class T>
+template <class F>
+void DilatedConvolution<T>::for_each_tap(const F& f) const {
+  const std::int64_t length = this->input().length;
+  for (std::int64_t k = 0; k < taps_.kernel; ++k) {
+    const std::int64_t offset = (k - taps_.kernel / 2) * taps_.dilation;
+    const std::int64_t end = std::min(length, length - offset);
+    for (std::int64_t t = std::max<std::int64_t>(0, -offset); t < end; ++t) f(t, k, t + offset);
+  }
+}
+
+template <class T>
+void DilatedConvolution<T>::forward(std::int64_t windows, const T* x, T* y) {
+  const std::int64_t inputs = this->input().width;
+  const std::int64_t rows = windows * this->input().length;
+  T* const read = room_for(rows * weight_.columns, read_);
+  std::fill_n(read, rows * weight_.columns, T{0});
+  for (std::int64_t w = 0; w < windows; ++w) {
+    const T* const from = x + w * this->input().size();
+    T* const to = read + w * this->input().length * weight_.columns;
+    for_each_tap([&](std::int64_t t, std::int64_t k, std::int64_t at) {
+      std::copy_n(from + at * inputs, inputs, to + t * weight_.columns + k * inputs);
+    });
+  }
+  auto all = as_matrix(y, rows, weight_.rows);
+  all.rowwise() = as_matrix(bias_.values, 1, weight_.rows).row(0);
+  all.noalias() += as_matrix<T>(static_cast<const T*>(read), rows, weight_.columns) *
+                   as_matrix(weight_.values, weight_.rows, weight_.columns).transpose();
+}
+
+template <class T>
+void DilatedConvolution<T>::backward(const SignalBatch& batch, const T*, const T* dy, T* dx) {
+  const std::int64_t inputs = this->input().width;
+  const std::int64_t length = this->input().length;
+  const std::int64_t rows = batch.windows * length;
+  const auto first = as_matrix(dy, rows, weight_.rows);
+  as_matrix(weight_.gradient, weight_.rows, weight_.columns).noalias() =
+      first.transpose() * as_matrix<T>(std::as_const(read_).data(), rows, weight_.columns);
+  as_matrix(bias_.gradient, 1, weight_.rows) = first.colwise().sum();
+  if (dx == nullptr) return;
+  std::fill_n(dx, batch.all() * this->input().size(), T{0});
+  for (std::int64_t w = 0; w < batch.all(); ++w) {
+    as_matrix(read_gradient_.data(), length, weight_.columns).noalias() =
+        as_matrix(dy + w * this->output().size(), length, weight_.rows) *
+        as_matrix(weight_.values, weight_.rows, weight_.columns);
+    T* const to = dx + w * this->input().size();
+    for_each_tap([&](std::int64_t t, std::int64_t k, std::int64_t at) {
+      const T* const from = read_gradient_.data() + t * weight_.columns + k * inputs;
+      for (std::int64_t i = 0; i < inputs; ++i) to[at * inputs + i] += from[i];
+    });
+  }
+}
+
+template class DilatedConvolution<float>;
+template class DilatedConvolution<double>;
+
+}  // namespace piae::nets
