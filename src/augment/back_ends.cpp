@@ -7,7 +7,9 @@
 namespace piae::augment {
 
 Backends<twin::MakeEngine> twin_engines(const twin::TwinVariant& variant) {
-  return {.native = variant.coder == twin::CoderKind::dense ? twin::one_core_engine : nullptr,
+  const bool is_libtorchs = variant.coder == twin::CoderKind::convolutional ||
+                            variant.coder == twin::CoderKind::recurrent;
+  return {.native = is_libtorchs ? nullptr : twin::one_core_engine,
           .libtorch = seam::back_end(&seam::BackEnds::twin)};
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 #include "base/vector.hpp"
 
@@ -32,38 +33,51 @@ DilatedConvolution<T>::DilatedConvolution(GradientArray<T>& parameters, const st
 }
 
 template <class T>
-template <class F>
-void DilatedConvolution<T>::for_each_tap(const F& f) const {
+void DilatedConvolution<T>::gather(const T* x, T* read) const {
   const std::int64_t length = this->input().length;
-  for (std::int64_t k = 0; k < taps_.kernel; ++k) {
-    const std::int64_t offset = (k - taps_.kernel / 2) * taps_.dilation;
-    const std::int64_t end = std::min(length, length - offset);
-    for (std::int64_t t = std::max<std::int64_t>(0, -offset); t < end; ++t) f(t, k, t + offset);
+  const std::int64_t inputs = this->input().width;
+  for (std::int64_t t = 0; t < length; ++t) {
+    for (std::int64_t k = 0; k < taps_.kernel; ++k, read += inputs) {
+      const std::int64_t at = t + offset(k);
+      if (at >= 0 && at < length) {
+        std::copy_n(x + at * inputs, inputs, read);
+      } else {
+        std::fill_n(read, inputs, T{0});
+      }
+    }
+  }
+}
+
+template <class T>
+void DilatedConvolution<T>::scatter(const T* read, T* x) const {
+  const std::int64_t length = this->input().length;
+  const std::int64_t inputs = this->input().width;
+  const std::int64_t middle = taps_.kernel / 2;  // at offset 0
+  for (std::int64_t at = 0; at < length; ++at, x += inputs) {
+    std::copy_n(read + (at * taps_.kernel + middle) * inputs, inputs, x);
+    for (std::int64_t k = 0; k < taps_.kernel; ++k) {
+      const std::int64_t t = at - offset(k);
+      if (k == middle || t < 0 || t >= length) continue;
+      as_matrix(x, 1, inputs) += as_matrix(read + (t * taps_.kernel + k) * inputs, 1, inputs);
+    }
   }
 }
 
 template <class T>
 void DilatedConvolution<T>::forward(std::int64_t windows, const T* x, T* y) {
-  const std::int64_t inputs = this->input().width;
   const std::int64_t rows = windows * this->input().length;
   T* const read = room_for(rows * weight_.columns, read_);
-  std::fill_n(read, rows * weight_.columns, T{0});
   for (std::int64_t w = 0; w < windows; ++w) {
-    const T* const from = x + w * this->input().size();
-    T* const to = read + w * this->input().length * weight_.columns;
-    for_each_tap([&](std::int64_t t, std::int64_t k, std::int64_t at) {
-      std::copy_n(from + at * inputs, inputs, to + t * weight_.columns + k * inputs);
-    });
+    gather(x + w * this->input().size(), read + w * this->input().length * weight_.columns);
   }
   auto all = as_matrix(y, rows, weight_.rows);
   all.rowwise() = as_matrix(bias_.values, 1, weight_.rows).row(0);
-  all.noalias() += as_matrix<T>(static_cast<const T*>(read), rows, weight_.columns) *
+  all.noalias() += as_matrix<T>(std::as_const(read_).data(), rows, weight_.columns) *
                    as_matrix(weight_.values, weight_.rows, weight_.columns).transpose();
 }
 
 template <class T>
 void DilatedConvolution<T>::backward(const SignalBatch& batch, const T*, const T* dy, T* dx) {
-  const std::int64_t inputs = this->input().width;
   const std::int64_t length = this->input().length;
   const std::int64_t rows = batch.windows * length;
   const auto first = as_matrix(dy, rows, weight_.rows);
@@ -71,16 +85,11 @@ void DilatedConvolution<T>::backward(const SignalBatch& batch, const T*, const T
       first.transpose() * as_matrix<T>(std::as_const(read_).data(), rows, weight_.columns);
   as_matrix(bias_.gradient, 1, weight_.rows) = first.colwise().sum();
   if (dx == nullptr) return;
-  std::fill_n(dx, batch.all() * this->input().size(), T{0});
   for (std::int64_t w = 0; w < batch.all(); ++w) {
     as_matrix(read_gradient_.data(), length, weight_.columns).noalias() =
         as_matrix(dy + w * this->output().size(), length, weight_.rows) *
         as_matrix(weight_.values, weight_.rows, weight_.columns);
-    T* const to = dx + w * this->input().size();
-    for_each_tap([&](std::int64_t t, std::int64_t k, std::int64_t at) {
-      const T* const from = read_gradient_.data() + t * weight_.columns + k * inputs;
-      for (std::int64_t i = 0; i < inputs; ++i) to[at * inputs + i] += from[i];
-    });
+    scatter(read_gradient_.data(), dx + w * this->input().size());
   }
 }
 

@@ -35,9 +35,14 @@ class DilatedConvolution final : public SequenceLayer<T> {
   void backward(const SignalBatch& batch, const T* x, const T* dy, T* dx) override;
 
  private:
-  /// Calls f(position, tap, read position) for each that lies within the window.
-  template <class F>
-  void for_each_tap(const F& f) const;
+  /// How far from its position a tap reads.
+  [[nodiscard]] std::int64_t offset(std::int64_t tap) const {
+    return (tap - taps_.kernel / 2) * taps_.dilation;
+  }
+  /// What the taps read of a window, [length, kernel * inputs].
+  void gather(const T* x, T* read) const;
+  /// From the gradient by what the taps read to that by the window.
+  void scatter(const T* read, T* x) const;
 
   DilatedTaps taps_;
   TrainedParameter<T> weight_;

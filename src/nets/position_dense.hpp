@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "nets/gradient_array.hpp"
@@ -7,19 +8,27 @@
 
 namespace piae::nets {
 
+/// Whether a dense layer has a bias.
+enum class Bias { there, absent };
+
+/// <name>/weight [outputs, inputs] of a dense layer without a bias.
+ParameterSpec unbiased_dense_spec(const std::string& name, std::int64_t inputs,
+                                  std::int64_t outputs);
+
 /// The dense layer <name>/weight [outputs, inputs] and <name>/bias [outputs] (dense_specs()), at
 /// each position by itself: y_t = W x_t + b.
 template <class T>
 class PositionDense final : public SequenceLayer<T> {
  public:
-  PositionDense(GradientArray<T>& parameters, const std::string& name, std::int64_t length);
+  PositionDense(GradientArray<T>& parameters, const std::string& name, std::int64_t length,
+                Bias bias = Bias::there);
 
   void forward(std::int64_t windows, const T* x, T* y) override;
   void backward(const SignalBatch& batch, const T* x, const T* dy, T* dx) override;
 
  private:
   TrainedParameter<T> weight_;
-  TrainedParameter<T> bias_;
+  std::optional<TrainedParameter<T>> bias_;
 };
 
 extern template class PositionDense<float>;

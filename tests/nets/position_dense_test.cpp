@@ -33,6 +33,16 @@ TEST(PositionDense, HasTheGradientsOfFiniteDifferences) {
   expect_gradients_of_differences(whole, 3);
 }
 
+TEST(PositionDense, HasNoBiasWhereNoneIsAskedFor) {
+  LayerExample example(
+      [](GradientArray<double>& parameters) {
+        return std::make_unique<PositionDense<double>>(parameters, "dense", 2, Bias::absent);
+      },
+      {unbiased_dense_spec("net/dense", 16, 32)});
+  EXPECT_EQ(example.forward(std::vector<double>(3 * 2 * 16), 3), std::vector<double>(3 * 2 * 32));
+  expect_gradients_of_differences(example, 3);
+}
+
 // The numbers that fill up the input are zeros.
 TEST(PositionDense, OfNarrowRowsHasGradientsWithoutTheFilling) {
   LayerExample example = dense_at_positions(3, 2, 1);

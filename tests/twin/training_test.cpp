@@ -13,8 +13,10 @@ namespace {
 namespace fs = std::filesystem;
 
 const NamedVariant variants[] = {{"Full", full_model, one_core_engine},
-                                 {"WithoutPhysics", without_physics, one_core_engine}};
-INSTANTIATE_TEST_SUITE_P(Dense, TwinVariantTraining, testing::ValuesIn(variants), name_of);
+                                 {"WithoutPhysics", without_physics, one_core_engine},
+                                 {"Temporal", temporal_model, one_core_engine},
+                                 {"Transformer", transformer_model, one_core_engine}};
+INSTANTIATE_TEST_SUITE_P(OneCore, TwinVariantTraining, testing::ValuesIn(variants), name_of);
 
 fs::path train(const nets::Checkpoint& checkpoint, const TwinOptions& options,
                const std::string& name, const TwinVariant& variant = full_model) {
