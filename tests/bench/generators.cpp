@@ -1,10 +1,14 @@
-// Training of the methods on dense networks as on CWRU, 45 known windows of 1024 samples in batches
-// of 5, at their default sizes: LibTorch's eager operations (with our Adam in one pass) and, after
-// it, our own back end. Rates are by the processor's time.
+// Training of the methods on networks as on CWRU, 45 known windows of 1024 samples in batches of 5,
+// at their default sizes: LibTorch's eager operations (with our Adam in one pass) and, after it,
+// our own back end. Rates are by the processor's time.
 //
 // What a step must move at least: a weight is read forward and backward, 4 bytes each, and read and
 // written by Adam with its two moments, 24 bytes. "of_copy" is what our step moves a second of what
 // a copy of an array as large as the weights moves in the same run.
+//
+// Layers on frames use a weight at each of them, and compute more than they move. "of_limit"
+// is the time that our step takes at least, its products at the speed of a large one and its bytes
+// at that of a copy, to the time that it takes.
 
 #include <benchmark/benchmark.h>
 
@@ -13,6 +17,7 @@
 #include "augment/catalogue.hpp"
 #include "bench/known_windows.hpp"
 #include "bench/machine.hpp"
+#include "libtorch/nets/torch.hpp"
 #include "support/command_line.hpp"
 
 namespace piae::augment {
@@ -23,22 +28,51 @@ constexpr int epochs = 100;  // over which the start is spread
 
 struct Subject {
   const char* method;
-  double weights;        ///< of all its networks
-  double bytes_of_step;  ///< in the mean
+  double weights;            ///< of all its networks
+  double bytes_of_step;      ///< in the mean
+  double flops_of_step = 0;  ///< in the mean, of products; 0 where memory is the limit
 };
 
 /// Weights of a dense chain of depth 3 and width 256.
 constexpr double chain(double inputs, double outputs) { return 256 * (inputs + 256 + outputs); }
 constexpr double classes = 10;
 constexpr double coder = chain(1024, 2) + chain(2 + classes, 1024);
-constexpr double twin = coder + chain(2048, 2048);
+constexpr double module = chain(2048, 2048);
+constexpr double twin = coder + module;
 constexpr double vae = chain(1024 + classes, 20) + chain(10 + classes, 1024);
 constexpr double critic = chain(1024 + classes, 1);
 constexpr double generator = chain(20 + classes, 1024);
 constexpr double taught = 4 + 4 + 24;  // bytes of a weight: forward, backward, Adam
+
+// Multiplications of a window and weights of each layer, in piae-dt-tcn (64 frames of 16 samples,
+// 32 channels, two blocks of two convolutions with 3 taps) and in piae-dt-transformer (32 frames of
+// 32, two blocks of attention and dense layers of 128).
+constexpr double convolutions = 4 * 3 * 32 * 32;
+constexpr double convolved_frames = 64 * 16 * 32;
+constexpr double blocks = 2 * (4 * 32 * 32 + 2 * 32 * 128);
+constexpr double attended = 2 * 2 * 32 * 32 * 32;  // scores and sums of values
+constexpr double attended_frames = 32 * 32 * 32;
+constexpr double first_layer = (2 + classes) * 64 * 32;  // of the temporal decoder
+
+/// Forward, for the parameters, and back: not to the windows, and through the decoder twice in
+/// Stage 1, which is every other epoch.
+constexpr double passes(double encoder, double encoder_frames, double decoder) {
+  return 3 * encoder + 2 * encoder_frames + 3.5 * decoder;
+}
+constexpr double temporal =
+    passes(64 * convolutions, convolved_frames, first_layer + 64 * convolutions + convolved_frames);
+constexpr double temporal_weights = 2 * convolutions + first_layer + 2 * 16 * 32;
+constexpr double transformer =
+    passes(32 * blocks + attended, attended_frames, 32 * blocks + attended + attended_frames);
+constexpr double transformer_weights = 2 * blocks + 4 * 32 * 32;
+
 const Subject subjects[] = {
     {"piae-dt", twin, taught* twin},
     {"ae", coder, taught* coder},
+    {"piae-dt-tcn", module + temporal_weights, taught*(module + temporal_weights),
+     2 * batch* temporal},
+    {"piae-dt-transformer", module + transformer_weights, taught*(module + transformer_weights),
+     2 * batch* transformer},
     {"vae", vae, taught* vae},
     // The generator runs in each step, and learns in one of five, through the critic.
     {"wgan-gp", critic + generator,
@@ -74,12 +108,35 @@ void by_libtorch(benchmark::State& state, const Subject& subject) {
   libtorch_rates[subject.method] = train(state, subject, Backend::libtorch);
 }
 
+/// Operations a second of OpenBLAS on a product that fits it: what the core can do at most, nearly.
+double large_product_flops_per_s() {
+  constexpr std::int64_t n = 1024;
+  constexpr int rounds = 20;
+  const torch::Tensor a = torch::rand({n, n});
+  const torch::Tensor b = torch::rand({n, n});
+  torch::Tensor c = torch::mm(a, b);
+  const double start = bench::processor_seconds();
+  for (int i = 0; i < rounds; ++i) torch::mm_out(c, a, b);
+  return 2.0 * n * n * n * rounds / (bench::processor_seconds() - start);
+}
+
 void ours(benchmark::State& state, const Subject& subject) {
   const double rate = train(state, subject, Backend::native);
-  const double bytes_per_s = rate / batch * subject.bytes_of_step;
-  const auto size = static_cast<std::size_t>(4 * subject.weights);
+  const double steps_per_s = rate / batch;
+  const double bytes_per_s = steps_per_s * subject.bytes_of_step;
+  const double copied_per_s =
+      bench::copied_bytes_per_s(static_cast<std::size_t>(4 * subject.weights));
   state.counters["bytes/s"] = bytes_per_s;
-  state.counters["of_copy"] = bytes_per_s / bench::copied_bytes_per_s(size);
+  if (subject.flops_of_step > 0) {
+    const double product_per_s = large_product_flops_per_s();
+    const double least_s =
+        subject.flops_of_step / product_per_s + subject.bytes_of_step / copied_per_s;
+    state.counters["flop/s"] = steps_per_s * subject.flops_of_step;
+    state.counters["of_product"] = steps_per_s * subject.flops_of_step / product_per_s;
+    state.counters["of_limit"] = steps_per_s * least_s;
+  } else {
+    state.counters["of_copy"] = bytes_per_s / copied_per_s;
+  }
   if (libtorch_rates.contains(subject.method)) {
     state.counters["times_libtorch"] = rate / libtorch_rates.at(subject.method);
   }
