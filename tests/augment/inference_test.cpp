@@ -5,7 +5,9 @@
 namespace piae::augment {
 namespace {
 
-INSTANTIATE_TEST_SUITE_P(Methods, Inferring, testing::Values("piae-dt", "ae", "piae-dt-phase"),
+INSTANTIATE_TEST_SUITE_P(Methods, Inferring,
+                         testing::Values("piae-dt", "ae", "piae-dt-tcn", "piae-dt-transformer",
+                                         "piae-dt-phase"),
                          test_name);
 
 TEST(Inferring, IsNotForMethodsWithoutAnEncoder) {
