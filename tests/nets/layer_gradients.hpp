@@ -99,4 +99,12 @@ inline void expect_gradients_of_differences(LayerExample& example, std::int64_t 
   }
 }
 
+/// A layer that has no parameters, made of a shape.
+template <class Layer>
+LayerExample example_of_shape(const SequenceShape& shape) {
+  return LayerExample([&](GradientArray<double>&) { return std::make_unique<Layer>(shape); });
+}
+
+inline constexpr SequenceShape three_by_sixteen{.length = 3, .width = 16};
+
 }  // namespace piae::nets
