@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "base/vector.hpp"
-#include "diagnosis/matrix_product.hpp"
+#include "nets/matrix_product.hpp"
 
 namespace piae::diagnosis {
 
@@ -46,17 +46,17 @@ void apply(const Taps& taps, std::int64_t windows, const T* from, const T* weigh
     }
     const std::int64_t from_time = windows * taps.from_channels;
     const std::int64_t tap_weights = taps.from_channels * taps.to_channels;
-    multiply<T>({.a = from + (begin - taps.padding + reach.begin) * from_time,
-                 .a_row = taps.from_channels,
-                 .a_column = 1,
-                 .a_block = from_time,
-                 .b = weight + reach.begin * tap_weights,
-                 .b_block = tap_weights,
-                 .c = to + begin * windows * taps.to_channels,
-                 .rows = (end - begin) * windows,
-                 .columns = taps.to_channels,
-                 .depth = taps.from_channels,
-                 .blocks = reach.size()});
+    nets::multiply<T>({.a = from + (begin - taps.padding + reach.begin) * from_time,
+                       .a_row = taps.from_channels,
+                       .a_column = 1,
+                       .a_block = from_time,
+                       .b = weight + reach.begin * tap_weights,
+                       .b_block = tap_weights,
+                       .c = to + begin * windows * taps.to_channels,
+                       .rows = (end - begin) * windows,
+                       .columns = taps.to_channels,
+                       .depth = taps.from_channels,
+                       .blocks = reach.size()});
     begin = end;
   }
 }
@@ -92,16 +92,16 @@ void weight_gradient(const TimeConvolution& shape, std::int64_t windows, const T
   for (std::int64_t tap = 0; tap < shape.width; ++tap) {
     const std::int64_t shift = tap - shape.padding;
     const TimeRange times = inside(shift, shape.output_length(), shape.input_length);
-    multiply<T>({.a = input + (times.begin + shift) * windows * shape.inputs,
-                 .a_row = 1,
-                 .a_column = shape.inputs,
-                 .a_block = 0,
-                 .b = output_gradient + times.begin * windows * shape.outputs,
-                 .b_block = 0,
-                 .c = gradient + tap * shape.inputs * shape.outputs,
-                 .rows = shape.inputs,
-                 .columns = shape.outputs,
-                 .depth = times.size() * windows});
+    nets::multiply<T>({.a = input + (times.begin + shift) * windows * shape.inputs,
+                       .a_row = 1,
+                       .a_column = shape.inputs,
+                       .a_block = 0,
+                       .b = output_gradient + times.begin * windows * shape.outputs,
+                       .b_block = 0,
+                       .c = gradient + tap * shape.inputs * shape.outputs,
+                       .rows = shape.inputs,
+                       .columns = shape.outputs,
+                       .depth = times.size() * windows});
   }
 }
 

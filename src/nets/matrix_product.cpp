@@ -1,10 +1,10 @@
-#include "diagnosis/matrix_product.hpp"
+#include "nets/matrix_product.hpp"
 
 #include <algorithm>
 
 #include "base/vector.hpp"
 
-namespace piae::diagnosis {
+namespace piae::nets {
 
 namespace {
 
@@ -79,4 +79,4 @@ void multiply(const MatrixProduct<T>& product) {
 template void multiply(const MatrixProduct<float>&);
 template void multiply(const MatrixProduct<double>&);
 
-}  // namespace piae::diagnosis
+}  // namespace piae::nets

@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-namespace piae::diagnosis {
+namespace piae::nets {
 
 /// A product of matrices summed over blocks: C = sum over b of A_b B_b. C [rows, columns] and every
 /// B_b [depth, columns] are row-major without gaps. A_b [rows, depth] may lie at any stride, so it
@@ -23,14 +23,14 @@ struct MatrixProduct {
   std::int64_t blocks = 1;
 };
 
-/// Computes C. BLAS and Eigen first copy the matrices into another order; those of WDCNN are so
-/// small that this would cost a fifth of the speed, so they are read where they are. Each number of
-/// C is summed in the same order whatever the shape, so that what a window gives does not depend on
-/// its batch.
+/// Computes C. BLAS and Eigen first copy the matrices into another order; those of our convolutions
+/// are so small that this would cost a fifth of the speed, so they are read where they are. Each
+/// number of C is summed in the same order whatever the shape, so that what a window gives does not
+/// depend on its batch.
 template <class T>
 void multiply(const MatrixProduct<T>& product);
 
 extern template void multiply(const MatrixProduct<float>&);
 extern template void multiply(const MatrixProduct<double>&);
 
-}  // namespace piae::diagnosis
+}  // namespace piae::nets

@@ -1,4 +1,4 @@
-#include "diagnosis/matrix_product.hpp"
+#include "nets/matrix_product.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include "base/random.hpp"
 #include "base/vector.hpp"
 
-namespace piae::diagnosis {
+namespace piae::nets {
 namespace {
 
 std::vector<double> random_numbers(std::int64_t n, const char* name) {
@@ -74,4 +74,4 @@ TEST(MatrixProduct, ARowDoesNotDependOnThoseBesideIt) {
 }
 
 }  // namespace
-}  // namespace piae::diagnosis
+}  // namespace piae::nets
