@@ -22,14 +22,14 @@ DilatedConvolution<T>::DilatedConvolution(GradientArray<T>& parameters, const st
           {.length = length, .width = parameters.find(name + "/weight").columns / taps.kernel},
           {.length = length, .width = parameters.find(name + "/weight").rows}),
       taps_(taps),
-      weight_(parameters.find(name + "/weight")),
+      products_(parameters.find(name + "/weight")),
       bias_(parameters.find(name + "/bias")) {
   const std::int64_t inputs = this->input().width;
   const std::int64_t outputs = this->output().width;
   if (inputs != whole_rows(inputs) || outputs != whole_rows(outputs)) {
     throw std::logic_error("the channels of " + name + " are no whole rows");
   }
-  read_gradient_.resize(length * weight_.columns);
+  read_gradient_.resize(length * row_of_taps());
 }
 
 template <class T>
@@ -66,29 +66,25 @@ void DilatedConvolution<T>::scatter(const T* read, T* x) const {
 template <class T>
 void DilatedConvolution<T>::forward(std::int64_t windows, const T* x, T* y) {
   const std::int64_t rows = windows * this->input().length;
-  T* const read = room_for(rows * weight_.columns, read_);
+  T* const read = room_for(rows * row_of_taps(), read_);
   for (std::int64_t w = 0; w < windows; ++w) {
-    gather(x + w * this->input().size(), read + w * this->input().length * weight_.columns);
+    gather(x + w * this->input().size(), read + w * this->input().length * row_of_taps());
   }
-  auto all = as_matrix(y, rows, weight_.rows);
-  all.rowwise() = as_matrix(bias_.values, 1, weight_.rows).row(0);
-  all.noalias() += as_matrix<T>(std::as_const(read_).data(), rows, weight_.columns) *
-                   as_matrix(weight_.values, weight_.rows, weight_.columns).transpose();
+  products_.forward(rows, read, y);
+  const std::int64_t outputs = this->output().width;
+  as_matrix(y, rows, outputs).rowwise() += as_matrix(bias_.values, 1, outputs).row(0);
 }
 
 template <class T>
 void DilatedConvolution<T>::backward(const SignalBatch& batch, const T*, const T* dy, T* dx) {
   const std::int64_t length = this->input().length;
+  const std::int64_t outputs = this->output().width;
   const std::int64_t rows = batch.windows * length;
-  const auto first = as_matrix(dy, rows, weight_.rows);
-  as_matrix(weight_.gradient, weight_.rows, weight_.columns).noalias() =
-      first.transpose() * as_matrix<T>(std::as_const(read_).data(), rows, weight_.columns);
-  as_matrix(bias_.gradient, 1, weight_.rows) = first.colwise().sum();
+  products_.differentiate(rows, read_.data(), dy);
+  as_matrix(bias_.gradient, 1, outputs) = as_matrix(dy, rows, outputs).colwise().sum();
   if (dx == nullptr) return;
   for (std::int64_t w = 0; w < batch.all(); ++w) {
-    as_matrix(read_gradient_.data(), length, weight_.columns).noalias() =
-        as_matrix(dy + w * this->output().size(), length, weight_.rows) *
-        as_matrix(weight_.values, weight_.rows, weight_.columns);
+    products_.backward(length, dy + w * this->output().size(), read_gradient_.data());
     scatter(read_gradient_.data(), dx + w * this->input().size());
   }
 }

@@ -7,6 +7,7 @@
 
 #include "nets/gradient_array.hpp"
 #include "nets/sequence_layer.hpp"
+#include "nets/weight_products.hpp"
 
 namespace piae::nets {
 
@@ -39,13 +40,15 @@ class DilatedConvolution final : public SequenceLayer<T> {
   [[nodiscard]] std::int64_t offset(std::int64_t tap) const {
     return (tap - taps_.kernel / 2) * taps_.dilation;
   }
+  /// How many numbers the taps read at a position.
+  [[nodiscard]] std::int64_t row_of_taps() const { return taps_.kernel * this->input().width; }
   /// What the taps read of a window, [length, kernel * inputs].
   void gather(const T* x, T* read) const;
   /// From the gradient by what the taps read to that by the window.
   void scatter(const T* read, T* x) const;
 
   DilatedTaps taps_;
-  TrainedParameter<T> weight_;
+  WeightProducts<T> products_;
   TrainedParameter<T> bias_;
   Eigen::ArrayX<T> read_;           ///< [windows, length, kernel * inputs]
   Eigen::ArrayX<T> read_gradient_;  ///< of one window

@@ -5,6 +5,7 @@
 
 #include "nets/gradient_array.hpp"
 #include "nets/sequence_layer.hpp"
+#include "nets/weight_products.hpp"
 
 namespace piae::nets {
 
@@ -27,7 +28,7 @@ class PositionDense final : public SequenceLayer<T> {
   void backward(const SignalBatch& batch, const T* x, const T* dy, T* dx) override;
 
  private:
-  TrainedParameter<T> weight_;
+  WeightProducts<T> products_;
   std::optional<TrainedParameter<T>> bias_;
 };
 
