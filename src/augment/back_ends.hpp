@@ -11,8 +11,8 @@
 
 namespace piae::augment {
 
-/// What computes the networks of a twin: ours, which knows dense encoders and decoders only, and
-/// LibTorch's.
+/// What computes the networks of a twin: ours, which knows all encoders and decoders but the
+/// convolutional and the recurrent one, and LibTorch's.
 Backends<twin::MakeEngine> twin_engines(const twin::TwinVariant& variant);
 
 /// The engine that is asked for. Throws as Backends::chosen() does.

@@ -93,6 +93,20 @@ constexpr CatalogueEntry entries[] = {
      .infers = true,
      .trains = true,
      .needs = Needs::size},
+    {.name = "piae-dt-tcn",
+     .kind = Kind::outlook,
+     .what = "with a temporal convolutional auto-encoder",
+     .make = make<PiaeDt, twin::temporal_model>,
+     .infers = true,
+     .trains = true,
+     .needs = Needs::size},
+    {.name = "piae-dt-transformer",
+     .kind = Kind::outlook,
+     .what = "with an auto-encoder of Transformer blocks",
+     .make = make<PiaeDt, twin::transformer_model>,
+     .infers = true,
+     .trains = true,
+     .needs = Needs::size},
     {.name = "piae-dt-phase",
      .kind = Kind::ours,
      .what = "the twin with the angle of the shaft in its space",
@@ -157,6 +171,10 @@ const CatalogueEntry* find_entry(const std::string& name) {
 const std::string& paper_method() {
   static const std::string name = std::ranges::find(entries, 1, &CatalogueEntry::model)->name;
   return name;
+}
+
+bool is_ablation(const CatalogueEntry& entry) {
+  return entry.kind == Kind::ablation || entry.kind == Kind::outlook;
 }
 
 bool is_ceiling(const std::string& name) {

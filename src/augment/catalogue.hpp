@@ -14,6 +14,7 @@ enum class Kind {
   baseline,   ///< `none`: the classifier without generated windows
   published,  ///< one of the methods that the paper compares (Section 4.5.3)
   ablation,   ///< the paper's method with one part left out or exchanged (Section 4.5.4)
+  outlook,    ///< an ablation that the paper does not make, but names for the future (Section 5)
   ours,       ///< a method of this project
   control,    ///< knows nothing of bearings: what a method must beat to be worth anything
   ceiling,    ///< not a method: it sees real windows that no method may see
@@ -55,6 +56,10 @@ inline const std::string no_method = "none";
 
 /// The name of the paper's own method, which is its Model 1; the other models are ablations of it.
 const std::string& paper_method();
+
+/// Whether a method is the paper's with one part left out or exchanged, in the paper or in its
+/// outlook.
+bool is_ablation(const CatalogueEntry& entry);
 
 /// Whether this is the name of a ceiling. A ceiling has no score, which would compare D with
 /// itself.

@@ -10,7 +10,7 @@ namespace piae::figures {
 /// Methods that are drawn in the same figure, as the paper's tables have them side by side.
 enum class Group {
   methods,  ///< those that Tables 8 and 9 compare: all but the ablations
-  models,   ///< the paper's five models (Tables 10 and 11)
+  models,   ///< the paper's five models (Tables 10 and 11), and the ablations of its outlook
 };
 
 /// Those of them that are of a group, in their order. Throws LeftOut where none is.

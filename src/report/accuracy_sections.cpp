@@ -111,9 +111,14 @@ text::Table means_table(const Rows& rows, const std::optional<AccuracyRow>& bar,
   return table;
 }
 
+/// "Model 2"; "outlook" where the paper has no number for it.
+std::string model_name(const augment::CatalogueEntry& model) {
+  return model.model > 0 ? "Model " + std::to_string(model.model) : "outlook";
+}
+
 /// "ae (Model 2)": how a table of the models names a method.
 std::string model_label(const std::string& method) {
-  return method + " (Model " + std::to_string(augment::find_entry(method)->model) + ")";
+  return method + " (" + model_name(*augment::find_entry(method)) + ")";
 }
 
 /// A block for each method, and in it a row for each ratio. Columns that would be empty are left
@@ -180,8 +185,8 @@ std::string models_note(const MethodGroup& group) {
   if (!group.are_models) return note;
   for (const std::string& method : group.methods) {
     const augment::CatalogueEntry& model = *augment::find_entry(method);
-    note += (note.empty() ? "Model " : "; Model ") + std::to_string(model.model) + ": " +
-            std::string(model.name) + ", " + model.what;
+    note += (note.empty() ? "" : "; ") + model_name(model) + ": " + std::string(model.name) + ", " +
+            model.what;
   }
   return note + ".";
 }

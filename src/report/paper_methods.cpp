@@ -7,14 +7,15 @@ namespace piae::report {
 
 namespace {
 
+/// Whether it is the paper's method or an ablation of it.
 bool is_model(const std::string& method) {
   const augment::CatalogueEntry* const entry = augment::find_entry(method);
-  return entry != nullptr && entry->model > 0;
+  return entry != nullptr && (entry->model > 0 || augment::is_ablation(*entry));
 }
 
 bool is_ablation(const std::string& method) {
   const augment::CatalogueEntry* const entry = augment::find_entry(method);
-  return entry != nullptr && entry->kind == augment::Kind::ablation;
+  return entry != nullptr && augment::is_ablation(*entry);
 }
 
 }  // namespace

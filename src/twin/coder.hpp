@@ -13,8 +13,9 @@
 
 namespace piae::twin {
 
-/// The layers of encoder and decoder, which the ablations of paper 4.5.4 exchange for others. Their
-/// parameters are net/encoder/... and net/decoder/... (specs.hpp).
+/// The layers of encoder and decoder, which the ablations of paper 4.5.4, and those that its
+/// outlook names, exchange for others. Their parameters are net/encoder/... and net/decoder/...
+/// (specs.hpp).
 class Coder {
  public:
   using Network = nets::Network<float>;

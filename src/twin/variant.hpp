@@ -3,7 +3,7 @@
 namespace piae::twin {
 
 /// The kind of layers that encoder and decoder are made of.
-enum class CoderKind { dense, convolutional, recurrent };
+enum class CoderKind { dense, convolutional, recurrent, temporal, transformer };
 
 /// What a variant of PIAE-DT is made of. An ablation (paper 4.5.4) differs from PIAE-DT in one of
 /// these parts; everything else, settings included, is the same.
@@ -22,6 +22,8 @@ inline constexpr TwinVariant full_model{};                                      
 inline constexpr TwinVariant without_physics{.physics = false};                       // Model 2
 inline constexpr TwinVariant convolutional_model{.coder = CoderKind::convolutional};  // Model 4
 inline constexpr TwinVariant recurrent_model{.coder = CoderKind::recurrent};          // Model 5
+inline constexpr TwinVariant temporal_model{.coder = CoderKind::temporal};            // outlook
+inline constexpr TwinVariant transformer_model{.coder = CoderKind::transformer};      // outlook
 inline constexpr TwinVariant without_encoder{.physics = false, .encoder = false};     // phase/
 
 }  // namespace piae::twin

@@ -38,6 +38,11 @@ TEST(Catalogue, NumbersThePapersFiveModelsInTheirOrder) {
             names_of([](const auto& entry) { return entry.model > 1; }));
 }
 
+TEST(Catalogue, KnowsTheAblationsThatThePaperMakesAndThoseOfItsOutlook) {
+  EXPECT_THAT(names_of(is_ablation), ElementsAre("ae", "physics", "piae-dt-cnn", "piae-dt-rnn",
+                                                 "piae-dt-tcn", "piae-dt-transformer"));
+}
+
 TEST(Catalogue, HasOneBaselineWhichMakesNothing) {
   EXPECT_THAT(names_of([](const auto& entry) { return entry.kind == Kind::baseline; }),
               ElementsAre(no_method));

@@ -7,7 +7,7 @@ namespace {
 
 INSTANTIATE_TEST_SUITE_P(Methods, Inferring,
                          testing::Values("piae-dt", "ae", "piae-dt-cnn", "piae-dt-rnn",
-                                         "piae-dt-phase"),
+                                         "piae-dt-tcn", "piae-dt-transformer", "piae-dt-phase"),
                          test_name);
 
 TEST(Inferring, IsNotForMethodsWithoutAnEncoder) {

@@ -8,7 +8,7 @@
 // and reading is what a core waits for: "of_reading" is what the step reads a second of what a core
 // reads that does nothing else with an array as large as weights and moments together.
 //
-// Recurrent layers use a weight at each of 32 frames, and compute more than they move. "of_limit"
+// Layers on frames use a weight at each of them, and compute more than they move. "of_limit"
 // is the time that our step takes at least, its products at the speed of a large one and its bytes
 // at that of a copy, to the time that it takes.
 
@@ -65,6 +65,28 @@ constexpr double decoder = layer(2 + classes, 1) + layer(96, 32) + 96 * 32 * 32;
 constexpr double products = 2 * batch * (3 * encoder - gates * 32 * 32 + 3.5 * decoder);
 constexpr double recurrent_weights = gates * (32 + 2 + classes + 6 * 96) + 96 * (2 + 32);
 
+// Multiplications of a window and weights of each layer, in piae-dt-tcn (64 frames of 16 samples,
+// 32 channels, two blocks of two convolutions with 3 taps) and in piae-dt-transformer (32 frames of
+// 32, two blocks of attention and dense layers of 128).
+constexpr double convolutions = 4 * 3 * 32 * 32;
+constexpr double convolved_frames = 64 * 16 * 32;
+constexpr double blocks = 2 * (4 * 32 * 32 + 2 * 32 * 128);
+constexpr double attended = 2 * 2 * 32 * 32 * 32;  // scores and sums of values
+constexpr double attended_frames = 32 * 32 * 32;
+constexpr double first_layer = (2 + classes) * 64 * 32;  // of the temporal decoder
+
+/// Forward, for the parameters, and back: not to the windows, and through the decoder twice in
+/// Stage 1, which is every other epoch.
+constexpr double passes(double encoder, double encoder_frames, double decoder) {
+  return 3 * encoder + 2 * encoder_frames + 3.5 * decoder;
+}
+constexpr double temporal =
+    passes(64 * convolutions, convolved_frames, first_layer + 64 * convolutions + convolved_frames);
+constexpr double temporal_weights = 2 * convolutions + first_layer + 2 * 16 * 32;
+constexpr double transformer =
+    passes(32 * blocks + attended, attended_frames, 32 * blocks + attended + attended_frames);
+constexpr double transformer_weights = 2 * blocks + 4 * 32 * 32;
+
 constexpr double read = 4 + 4 + 12;
 constexpr double read_by_vae = 4 + 12;  // goes back and learns in one pass
 
@@ -74,6 +96,10 @@ const Subject subjects[] = {
     {"piae-dt-cnn", convolutional, taught* convolutional, read* convolutional},
     {"piae-dt-rnn", module + recurrent_weights, taught*(module + recurrent_weights),
      read*(module + recurrent_weights), products},
+    {"piae-dt-tcn", module + temporal_weights, taught*(module + temporal_weights),
+     read*(module + temporal_weights), 2 * batch* temporal},
+    {"piae-dt-transformer", module + transformer_weights, taught*(module + transformer_weights),
+     read*(module + transformer_weights), 2 * batch* transformer},
     {"vae", vae, (4 + 24) * vae, read_by_vae* vae},
     // The generator runs in each step, and learns in one of five, through the critic.
     {"wgan-gp", critic + generator,

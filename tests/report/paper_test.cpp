@@ -20,6 +20,14 @@ TEST(Groups, AreThePapersComparisonAndItsAblation) {
   EXPECT_TRUE(groups[1].are_models);
 }
 
+TEST(Groups, TakeTheAblationsOfTheOutlookAmongThePapers) {
+  const auto groups = method_groups({"smote", "piae-dt", "ae", "piae-dt-tcn"});
+  ASSERT_EQ(groups.size(), 2U);
+  EXPECT_THAT(groups[0].methods, ElementsAre("smote", "piae-dt"));
+  EXPECT_THAT(groups[1].methods, ElementsAre("piae-dt", "ae", "piae-dt-tcn"));
+  EXPECT_EQ(method_groups({"piae-dt", "piae-dt-transformer"}).size(), 2U);
+}
+
 TEST(Groups, TakeAnyOtherMethodIntoTheComparisonInTheOrderAskedFor) {
   const auto groups = method_groups({"shift", "piae-dt", "toy", "dynamics"});
   ASSERT_EQ(groups.size(), 1U);

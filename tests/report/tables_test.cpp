@@ -280,6 +280,17 @@ TEST_F(Tables, OfTheAblationStandApart) {
   EXPECT_THAT(text, HasSubstr("## Quality of the ablations on cwru: RMSE (the paper's Fig. 16)"));
 }
 
+TEST_F(Tables, OfTheAblationNameThoseOfTheOutlookWithoutANumber) {
+  add_baseline();
+  for (const char* method : {"piae-dt", "ae", "piae-dt-tcn"}) add_method(method);
+  const std::string text = markdown(document(grid("none piae-dt ae piae-dt-tcn", "100to1 2to1")));
+  EXPECT_THAT(text, HasSubstr("Model 1: piae-dt, the full model; Model 2: ae, without the physics; "
+                              "outlook: piae-dt-tcn, with a\n"
+                              "temporal convolutional auto-encoder.\n\n"));
+  EXPECT_THAT(text, HasSubstr("| ae (Model 2)          | 2:1 (3.33:1) | 90.00 ± 7.07 | 91.70 |\n"
+                              "| piae-dt-tcn (outlook) | 2:1 (3.33:1) | 90.00 ± 7.07 |       |\n"));
+}
+
 class TablesOfTheStandIn : public Tables {
  protected:
   TablesOfTheStandIn() : Tables("hit-sm") {}

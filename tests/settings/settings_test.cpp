@@ -480,7 +480,8 @@ TEST(Facts, NameWhatThereIs) {
                                  "baseline:none",
                                  "ceiling:oracle",
                                  "infers:piae-dt-phase",
-                                 "needs-libtorch:piae-dt-cnn",
+                                 "infers:piae-dt-tcn",
+                                 "method:piae-dt-transformer",
                                  "ratio:1to1",
                                  "classifier:wdcnn-spectrum",
                                  "paper-classifier:wdcnn",
@@ -504,9 +505,11 @@ TEST(Facts, NameWhatThereIs) {
                                  "group-input:sizes/strike-twin=wdcnn-spectra"}) {
     EXPECT_THAT(all, Contains(fact));
   }
-  for (const std::string fact : {"paper:piae-dt-phase", "default:oracle", "default:oversample",
-                                 "paper:oracle", "infers:smote", "needs-libtorch:piae-dt",
-                                 "simulated:cwru", "sweep-centre:piae-dt:depth=1"}) {
+  for (const std::string fact :
+       {"paper:piae-dt-phase", "default:oracle", "default:oversample", "paper:oracle",
+        "paper:piae-dt-tcn", "default:piae-dt-tcn", "default:piae-dt-transformer",
+        "needs-libtorch:piae-dt-transformer", "infers:smote", "needs-libtorch:piae-dt",
+        "simulated:cwru", "sweep-centre:piae-dt:depth=1"}) {
     EXPECT_THAT(all, Not(Contains(fact)));
   }
 }

@@ -72,8 +72,8 @@ TEST(Backend, OnlyWhatHasNoNativeOneIsTrainedByLibtorch) {
   fs::create_directories(alone.parent_path());
   fs::copy_file(fs::path(PIAE_BIN) / "train", alone);
   const std::string program = fs::relative(alone, PIAE_BIN);
-  for (const std::string method :
-       {"vae", "wgan-gp", "piae-dt", "ae", "piae-dt-cnn", "piae-dt-rnn"}) {
+  for (const std::string method : {"vae", "wgan-gp", "piae-dt", "ae", "piae-dt-cnn", "piae-dt-rnn",
+                                   "piae-dt-tcn", "piae-dt-transformer"}) {
     const Outcome outcome = tiny.run(program, training(method, "model.h5"));
     EXPECT_EQ(outcome.status, 0) << method << outcome.err;
   }
@@ -91,8 +91,8 @@ TEST(Backend, ModelsOfOneAreReadByTheOther) {
   SKIP_WITHOUT_LIBTORCH();
   const Tiny tiny;
   tiny.run_chain_before("train");
-  for (const std::string method :
-       {"vae", "wgan-gp", "piae-dt", "ae", "piae-dt-cnn", "piae-dt-rnn"}) {
+  for (const std::string method : {"vae", "wgan-gp", "piae-dt", "ae", "piae-dt-cnn", "piae-dt-rnn",
+                                   "piae-dt-tcn", "piae-dt-transformer"}) {
     const Outcome trained =
         tiny.run("train", with(training(method, "model.h5"), "--backend", "libtorch"));
     ASSERT_EQ(trained.status, 0) << trained.err;

@@ -105,6 +105,8 @@ train() { # method, option...
   consumer "$1.model.h5" generate --model "$1.model.h5" --count 5 --seed 0 --output out.h5
 }
 train piae-dt "${networks[@]}"
+train piae-dt-tcn "${networks[@]}"
+train piae-dt-transformer "${networks[@]}"
 train piae-dt-phase "${networks[@]}" --simulations 60 --inference-epochs 2 --inference-width 16
 train ae "${networks[@]}"
 train vae "${networks[@]}"

@@ -15,7 +15,9 @@ namespace fs = std::filesystem;
 const NamedVariant variants[] = {{"Full", full_model, one_core_engine},
                                  {"WithoutPhysics", without_physics, one_core_engine},
                                  {"Convolutional", convolutional_model, one_core_engine},
-                                 {"Recurrent", recurrent_model, one_core_engine}};
+                                 {"Recurrent", recurrent_model, one_core_engine},
+                                 {"Temporal", temporal_model, one_core_engine},
+                                 {"Transformer", transformer_model, one_core_engine}};
 INSTANTIATE_TEST_SUITE_P(OneCore, TwinVariantTraining, testing::ValuesIn(variants), name_of);
 
 fs::path train(const nets::Checkpoint& checkpoint, const TwinOptions& options,

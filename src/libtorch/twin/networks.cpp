@@ -7,6 +7,8 @@
 #include "libtorch/twin/convolutional_coder.hpp"
 #include "libtorch/twin/dense_coder.hpp"
 #include "libtorch/twin/recurrent_coder.hpp"
+#include "libtorch/twin/temporal_coder.hpp"
+#include "libtorch/twin/transformer_coder.hpp"
 #include "twin/specs.hpp"
 
 namespace piae::libtorch {
@@ -22,6 +24,10 @@ std::unique_ptr<Coder> make_coder(twin::CoderKind kind, const twin::NetworkShape
       return std::make_unique<ConvolutionalCoder>(shape, options);
     case twin::CoderKind::recurrent:
       return std::make_unique<RecurrentCoder>(shape, options);
+    case twin::CoderKind::temporal:
+      return std::make_unique<TemporalCoder>(shape, options);
+    case twin::CoderKind::transformer:
+      return std::make_unique<TransformerCoder>(shape, options);
   }
   throw std::logic_error("no such coder");
 }

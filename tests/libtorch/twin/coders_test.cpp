@@ -114,7 +114,9 @@ TEST_P(Coders, GradientsOfTheReconstructionLossEqualFiniteDifferences) {
 INSTANTIATE_TEST_SUITE_P(Twin, Coders,
                          testing::Values(Case{"Dense", twin::full_model, 20},
                                          Case{"Convolutional", twin::convolutional_model, 48},
-                                         Case{"Recurrent", twin::recurrent_model, 96}),
+                                         Case{"Recurrent", twin::recurrent_model, 96},
+                                         Case{"Temporal", twin::temporal_model, 48},
+                                         Case{"Transformer", twin::transformer_model, 96}),
                          [](const auto& info) { return info.param.name; });
 
 std::vector<std::string> names_of(const std::vector<nets::ParameterSpec>& specs) {
@@ -124,7 +126,8 @@ std::vector<std::string> names_of(const std::vector<nets::ParameterSpec>& specs)
   return names;
 }
 
-/// What Models 2, 4 and 5 leave alone is the same in name, shape and start.
+/// What Models 2, 4 and 5, and those of the outlook, leave alone is the same in name, shape and
+/// start.
 TEST(TwinVariants, DifferInTheirPartAlone) {
   const twin::NetworkShape shape{64, 3};
   const Networks full(twin::full_model, shape, small_options(3));
@@ -135,7 +138,8 @@ TEST(TwinVariants, DifferInTheirPartAlone) {
   EXPECT_EQ(coder.size(), names_of(full.specs()).size() - 6);  // three layers
 
   const ParameterSet reference(full.specs(), Stream("start"));
-  for (const twin::TwinVariant& variant : {twin::convolutional_model, twin::recurrent_model}) {
+  for (const twin::TwinVariant& variant : {twin::convolutional_model, twin::recurrent_model,
+                                           twin::temporal_model, twin::transformer_model}) {
     const ParameterSet other(Networks(variant, shape, small_options(3)).specs(), Stream("start"));
     EXPECT_TRUE(reference.values("net/physics/").equal(other.values("net/physics/")));
   }
@@ -200,6 +204,11 @@ TEST(TwinVariants, NameTheWindowsThatWork) {
   expect_usage_error(twin::convolutional_model, 1024, 7, {"1024", "multiples of 4096", "--depth"});
   expect_usage_error(twin::convolutional_model, 1024, 32, {"--depth"});
   expect_usage_error(twin::convolutional_model, 1024, 1, {"--depth", "2 or more"});
+  expect_usage_error(twin::temporal_model, 1000, 3, {"1000", "multiples of 16", "--window"});
+  expect_usage_error(twin::temporal_model, 1024, 1, {"--depth", "2 to 10"});
+  expect_usage_error(twin::temporal_model, 1024, 11, {"--depth", "2 to 10"});
+  expect_usage_error(twin::transformer_model, 1000, 3, {"1000", "multiples of 32", "--window"});
+  expect_usage_error(twin::transformer_model, 1024, 1, {"--depth", "2 or more"});
   EXPECT_NO_THROW(Networks(twin::full_model, {1001, 2}, small_options(1)));
   EXPECT_NO_THROW(Networks(twin::convolutional_model, {1024, 2}, small_options(6)));
 }

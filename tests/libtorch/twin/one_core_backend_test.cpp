@@ -95,7 +95,11 @@ INSTANTIATE_TEST_SUITE_P(
                            0.01},
                     TaskOf{"Recurrent", recurrent_model, LossWeights::adaptive, 1e9},
                     TaskOf{"RecurrentClipped", recurrent_model, LossWeights::adaptive, 0.01},
-                    TaskOf{"WithoutEncoder", without_encoder, LossWeights::adaptive, 1e9}),
+                    TaskOf{"WithoutEncoder", without_encoder, LossWeights::adaptive, 1e9},
+                    TaskOf{"Temporal", temporal_model, LossWeights::adaptive, 1e9},
+                    TaskOf{"TemporalClipped", temporal_model, LossWeights::adaptive, 0.01},
+                    TaskOf{"Transformer", transformer_model, LossWeights::adaptive, 1e9},
+                    TaskOf{"TransformerClipped", transformer_model, LossWeights::adaptive, 0.01}),
     [](const auto& info) { return info.param.name; });
 
 }  // namespace

@@ -8,7 +8,9 @@ namespace {
 const NamedVariant variants[] = {{"Full", full_model, libtorch::twin_engine},
                                  {"WithoutPhysics", without_physics, libtorch::twin_engine},
                                  {"Convolutional", convolutional_model, libtorch::twin_engine},
-                                 {"Recurrent", recurrent_model, libtorch::twin_engine}};
+                                 {"Recurrent", recurrent_model, libtorch::twin_engine},
+                                 {"Temporal", temporal_model, libtorch::twin_engine},
+                                 {"Transformer", transformer_model, libtorch::twin_engine}};
 INSTANTIATE_TEST_SUITE_P(Libtorch, TwinVariantTraining, testing::ValuesIn(variants), name_of);
 
 TEST(TwinGenerationByLibtorch, RefusesAModelThatLacksWhatTheVariantHas) {

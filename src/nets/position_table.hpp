@@ -1,0 +1,34 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "nets/gradient_array.hpp"
+#include "nets/sequence_layer.hpp"
+
+namespace piae::nets {
+
+/// <name> [length, width]. A position is given as if a dense layer were told it as a one-hot
+/// vector, of which one number alone is not 0; so it starts as the weight of a unit with one input.
+std::vector<ParameterSpec> position_table_specs(const std::string& name,
+                                                const SequenceShape& shape);
+
+/// Adds to each position numbers of its own, which are learned (Gehring et al. 2017): y_t = x_t +
+/// p_t.
+template <class T>
+class PositionTable final : public SequenceLayer<T> {
+ public:
+  /// The width must be whole rows.
+  PositionTable(GradientArray<T>& parameters, const std::string& name);
+
+  void forward(std::int64_t windows, const T* x, T* y) override;
+  void backward(const SignalBatch& batch, const T* x, const T* dy, T* dx) override;
+
+ private:
+  TrainedParameter<T> table_;
+};
+
+extern template class PositionTable<float>;
+extern template class PositionTable<double>;
+
+}  // namespace piae::nets

@@ -1,0 +1,156 @@
+#include "twin/transformer_coder.hpp"
+
+#include <spdlog/fmt/fmt.h>
+
+#include "base/error.hpp"
+#include "nets/dot_product_attention.hpp"
+#include "nets/layer_normalisation.hpp"
+#include "nets/position_copy.hpp"
+#include "nets/position_dense.hpp"
+#include "nets/position_mean.hpp"
+#include "nets/position_table.hpp"
+#include "nets/relu.hpp"
+#include "nets/residual.hpp"
+#include "nets/sequence_chain.hpp"
+#include "nets/sequence_network.hpp"
+#include "twin/specs.hpp"
+
+namespace piae::twin {
+
+namespace {
+
+using nets::GradientArray;
+
+constexpr std::int64_t width = TransformerCoder::width;
+constexpr std::int64_t inner_width = TransformerCoder::inner_width;
+
+std::vector<nets::ParameterSpec> transformer_block_specs(const std::string& name) {
+  auto specs = nets::layer_normalisation_specs(name + "/attention/norm", width);
+  append(specs, {nets::unbiased_dense_spec(name + "/attention/projections", width, 3 * width),
+                 nets::unbiased_dense_spec(name + "/attention/output", width, width)});
+  append(specs, nets::layer_normalisation_specs(name + "/dense/norm", width));
+  append(specs, nets::dense_specs(name + "/dense/inner", width, inner_width));
+  append(specs, nets::dense_specs(name + "/dense/output", inner_width, width));
+  return specs;
+}
+
+template <class T>
+std::unique_ptr<nets::SequenceLayer<T>> attention_branch(GradientArray<T>& parameters,
+                                                         const std::string& name,
+                                                         std::int64_t tokens) {
+  const auto dense = [&](const char* own) {
+    return std::make_unique<nets::PositionDense<T>>(parameters, name + own, tokens,
+                                                    nets::Bias::absent);
+  };
+  return std::make_unique<nets::SequenceChain<T>>(nets::layers<T>(
+      std::make_unique<nets::LayerNormalisation<T>>(parameters, name + "/norm", tokens),
+      dense("/projections"),
+      std::make_unique<nets::DotProductAttention<T>>(
+          nets::SequenceShape{.length = tokens, .width = width}, TransformerCoder::heads),
+      dense("/output")));
+}
+
+template <class T>
+std::unique_ptr<nets::SequenceLayer<T>> dense_branch(GradientArray<T>& parameters,
+                                                     const std::string& name, std::int64_t tokens) {
+  const auto dense = [&](const char* own) {
+    return std::make_unique<nets::PositionDense<T>>(parameters, name + own, tokens);
+  };
+  return std::make_unique<nets::SequenceChain<T>>(nets::layers<T>(
+      std::make_unique<nets::LayerNormalisation<T>>(parameters, name + "/norm", tokens),
+      dense("/inner"),
+      std::make_unique<nets::Relu<T>>(nets::SequenceShape{.length = tokens, .width = inner_width}),
+      dense("/output")));
+}
+
+/// The positions, the blocks, and the normalisation after the last.
+template <class T>
+void add_transformer_blocks(typename nets::SequenceChain<T>::Layers& layers,
+                            GradientArray<T>& parameters, std::int64_t tokens,
+                            std::int64_t blocks) {
+  layers.push_back(std::make_unique<nets::PositionTable<T>>(parameters, "positions"));
+  for (std::int64_t i = 0; i < blocks; ++i) {
+    const std::string name = fmt::format("block{}", i);
+    layers.push_back(std::make_unique<nets::Residual<T>>(
+        attention_branch(parameters, name + "/attention", tokens)));
+    layers.push_back(
+        std::make_unique<nets::Residual<T>>(dense_branch(parameters, name + "/dense", tokens)));
+  }
+  layers.push_back(std::make_unique<nets::LayerNormalisation<T>>(parameters, "norm", tokens));
+}
+
+}  // namespace
+
+TransformerCoder::TransformerCoder(const NetworkShape& shape, const TwinOptions& options)
+    : shape_(shape), blocks_(options.depth - 1) {
+  if (blocks_ < 1) {
+    throw Error(Exit::usage,
+                "--depth: 1 leaves no block of attention, since the layer at (k, c) is dense; 2 or "
+                "more layers work");
+  }
+  if (shape.samples % frame != 0) {
+    throw Error(Exit::usage, fmt::format("windows of {} samples are no whole number of the frames "
+                                         "of {} that attend to each other; multiples of {} samples "
+                                         "work (split --window)",
+                                         shape.samples, frame, frame));
+  }
+}
+
+std::vector<nets::ParameterSpec> TransformerCoder::specs() const {
+  std::vector<nets::ParameterSpec> specs;
+  const auto add_tokens = [&](const std::string& network) {
+    append(specs, nets::position_table_specs(network + "/positions",
+                                             {.length = tokens(), .width = width}));
+    for (std::int64_t i = 0; i < blocks_; ++i) {
+      append(specs, transformer_block_specs(fmt::format("{}/block{}", network, i)));
+    }
+    append(specs, nets::layer_normalisation_specs(network + "/norm", width));
+  };
+  append(specs, nets::dense_specs(encoder_name + "/frames", frame, width));
+  add_tokens(encoder_name);
+  append(specs, nets::dense_specs(encoder_name + "/dense", width, 2));
+  append(specs, nets::dense_specs(decoder_name + "/dense", 2 + shape_.classes, width));
+  add_tokens(decoder_name);
+  append(specs, nets::dense_specs(decoder_name + "/frames", width, frame));
+  return specs;
+}
+
+template <class T>
+std::unique_ptr<nets::Network<T>> TransformerCoder::make_encoder(
+    const std::shared_ptr<nets::Parameters<T>>& all, std::int64_t most_rows) const {
+  auto parameters = std::make_unique<GradientArray<T>>(all, encoder_name);
+  auto layers =
+      nets::layers<T>(std::make_unique<nets::PositionDense<T>>(*parameters, "frames", tokens()));
+  add_transformer_blocks<T>(layers, *parameters, tokens(), blocks_);
+  layers.push_back(std::make_unique<nets::PositionMean<T>>(
+      nets::SequenceShape{.length = tokens(), .width = width}));
+  layers.push_back(std::make_unique<nets::PositionDense<T>>(*parameters, "dense", 1));
+  return std::make_unique<nets::SequenceNetwork<T>>(
+      std::move(parameters), std::make_unique<nets::SequenceChain<T>>(std::move(layers)),
+      most_rows);
+}
+
+template <class T>
+std::unique_ptr<nets::Network<T>> TransformerCoder::make_decoder(
+    const std::shared_ptr<nets::Parameters<T>>& all, std::int64_t most_rows) const {
+  auto parameters = std::make_unique<GradientArray<T>>(all, decoder_name);
+  auto layers = nets::layers<T>(std::make_unique<nets::PositionDense<T>>(*parameters, "dense", 1),
+                                std::make_unique<nets::PositionCopy<T>>(
+                                    nets::SequenceShape{.length = tokens(), .width = width}));
+  add_transformer_blocks<T>(layers, *parameters, tokens(), blocks_);
+  layers.push_back(std::make_unique<nets::PositionDense<T>>(*parameters, "frames", tokens()));
+  return std::make_unique<nets::SequenceNetwork<T>>(
+      std::move(parameters), std::make_unique<nets::SequenceChain<T>>(std::move(layers)),
+      most_rows);
+}
+
+template std::unique_ptr<nets::Network<float>> TransformerCoder::make_encoder(
+    const std::shared_ptr<nets::Parameters<float>>&, std::int64_t) const;
+template std::unique_ptr<nets::Network<double>> TransformerCoder::make_encoder(
+    const std::shared_ptr<nets::Parameters<double>>&, std::int64_t) const;
+template std::unique_ptr<nets::Network<float>> TransformerCoder::make_decoder(
+    const std::shared_ptr<nets::Parameters<float>>&, std::int64_t) const;
+template std::unique_ptr<nets::Network<double>> TransformerCoder::make_decoder(
+    const std::shared_ptr<nets::Parameters<double>>&, std::int64_t) const;
+
+}  // namespace piae::twin

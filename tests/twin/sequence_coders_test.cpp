@@ -1,0 +1,47 @@
+// The temporal coder and that of a Transformer; what they compute is tested beside LibTorch.
+
+#include <gtest/gtest.h>
+
+#include "nets/row_array.hpp"
+#include "twin/coder.hpp"
+
+namespace piae::twin {
+namespace {
+
+using Numbers = nets::RowArray<float>;
+
+Numbers random_rows(const std::string& name, std::int64_t rows, std::int64_t columns) {
+  Stream stream(name);
+  Numbers numbers(rows, columns);
+  for (float& x : numbers.reshaped()) x = static_cast<float>(stream.normal(0, 1));
+  return numbers;
+}
+
+class SequenceCoders : public testing::TestWithParam<CoderKind> {};
+
+/// So that the first windows that are generated are the same however many are asked for.
+TEST_P(SequenceCoders, GiveForAWindowTheSameWhateverStandsBesideIt) {
+  const auto coder = make_coder(GetParam(), {.samples = 96, .classes = 3}, TwinOptions{});
+  const auto parameters = std::make_shared<Coder::Parameters>(coder->specs(), Stream("initial"));
+  const auto expect_the_same = [](Coder::Network& network, const Numbers& all,
+                                  std::int64_t outputs) {
+    nets::put(all, network.input());
+    const Numbers together = nets::copied(network.forward(all.rows()), all.rows(), outputs);
+    for (const std::int64_t rows : {1, 2, 3, 7}) {
+      nets::put(Numbers(all.bottomRows(rows)), network.input());
+      const Numbers some = nets::copied(network.forward(rows), rows, outputs);
+      EXPECT_TRUE((some == together.bottomRows(rows)).all()) << rows;
+    }
+  };
+  expect_the_same(*coder->encoder(parameters, 9), random_rows("windows", 9, 96), 2);
+  expect_the_same(*coder->decoder(parameters, 9), random_rows("states", 9, 2 + 3), 96);
+}
+
+INSTANTIATE_TEST_SUITE_P(Twin, SequenceCoders,
+                         testing::Values(CoderKind::temporal, CoderKind::transformer),
+                         [](const auto& info) {
+                           return info.param == CoderKind::temporal ? "Temporal" : "Transformer";
+                         });
+
+}  // namespace
+}  // namespace piae::twin
