@@ -119,11 +119,6 @@ $(if $(only_asking)$(published),,$(if $(shows_published),$(error results/publish
 
 include pipeline/left_out.mk
 
-# Programs that are built without LibTorch refuse these methods, too, but only when it is their turn.
-beyond_us := $(if $(wildcard $(BIN)/train-libtorch),,$(filter $(call fact,needs-libtorch),$(methods)))
-# (Who only looks at a run, or as out_of_date.sh asks what would be done, may name these, too.)
-$(if $(if $(looks)$(only_asking),,$(beyond_us)),$(error METHODS: only LibTorch computes $(beyond_us), and the programs in $(BIN) are built without it; build with LIBTORCH=on, or ask for METHODS="$(filter-out $(beyond_us),$(METHODS))"))
-
 # ---- settings -----------------------------------------------------------------------------------
 # The names of the settings files, without .toml; which options that make gives count as settings, too.
 settings        := $(results)/.settings

@@ -1,9 +1,7 @@
 // Compares the stiffness and damping that trained models infer with the true ones.
 
 #include <spdlog/fmt/fmt.h>
-#include <spdlog/spdlog.h>
 
-#include <algorithm>
 #include <iostream>
 
 #include "augment/catalogue.hpp"
@@ -11,7 +9,6 @@
 #include "report/identifiability.hpp"
 #include "run/held.hpp"
 #include "run/layout.hpp"
-#include "seam/libtorch.hpp"
 #include "signal/roles.hpp"
 #include "text/file.hpp"
 
@@ -39,26 +36,6 @@ report::Identification identify(const run::Layout& layout, const std::string& me
           .inferred = std::move(inferred)};
 }
 
-bool only_libtorch_can_use(const run::CellName& model) {
-  return augment::make_method(model.method)->needs_libtorch({});
-}
-
-/// The models that are asked for, and those others of the run that these programs can use.
-std::vector<run::CellName> usable_models(const run::Layout& layout, const run::Grid& asked,
-                                         const run::Held& held) {
-  std::vector<run::CellName> models = held_models(layout, asked, held);
-  std::erase_if(models, [&](const run::CellName& model) {
-    const bool is_asked =
-        std::ranges::count(asked.combinations, model.method, &run::Combination::method) > 0;
-    const bool cannot = !is_asked && only_libtorch_can_use(model) && !seam::is_libtorch_there();
-    if (cannot) {
-      spdlog::warn("left out: {}, seed {}, which only LibTorch can use", model.method, model.seed);
-    }
-    return cannot;
-  });
-  return models;
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -80,10 +57,8 @@ int main(int argc, char** argv) {
   return stage.run(argc, argv, [&] {
     const run::Grid asked = report::resolve(options);
     const run::Layout layout(run_folder, asked.dataset);
-    const auto models = usable_models(layout, asked, run::Held(layout, leave_out));
-    if (std::ranges::any_of(models, only_libtorch_can_use)) seam::continue_with_libtorch(argv);
     std::vector<report::Identification> all;
-    for (const run::CellName& model : models) {
+    for (const run::CellName& model : held_models(layout, asked, run::Held(layout, leave_out))) {
       all.push_back(identify(layout, model.method, model.seed));
     }
     const auto rows = report::identifiability_rows(all);

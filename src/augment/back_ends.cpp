@@ -6,12 +6,10 @@
 
 namespace piae::augment {
 
-Backends<twin::MakeEngine> twin_engines(const twin::TwinVariant& variant) {
-  return {.native = twin::one_core_engine, .libtorch = seam::back_end(&seam::BackEnds::twin)};
-}
-
-twin::Engine twin_engine(const twin::TwinVariant& variant, const Compute& compute) {
-  return twin_engines(variant).chosen(compute)(compute.device);
+twin::Engine twin_engine(const Compute& compute) {
+  const Backends<twin::MakeEngine> engines{.native = twin::one_core_engine,
+                                           .libtorch = seam::back_end(&seam::BackEnds::twin)};
+  return engines.chosen(compute)(compute.device);
 }
 
 signal::WindowSet generate_from_latent(const artefact::Reader& model, std::size_t count,

@@ -7,16 +7,11 @@
 #include "base/random.hpp"
 #include "signal/window_set.hpp"
 #include "twin/backend.hpp"
-#include "twin/variant.hpp"
 
 namespace piae::augment {
 
-/// What computes the networks of a twin: ours, which knows all encoders and decoders but the
-/// convolutional and the recurrent one, and LibTorch's.
-Backends<twin::MakeEngine> twin_engines(const twin::TwinVariant& variant);
-
-/// The engine that is asked for. Throws as Backends::chosen() does.
-twin::Engine twin_engine(const twin::TwinVariant& variant, const Compute& compute);
+/// The networks of twins by what is asked for. Throws as Backends::chosen() does.
+twin::Engine twin_engine(const Compute& compute);
 
 /// Makes windows with a stored VAE or WGAN-GP (latent/generator.hpp) by the back end that is asked
 /// for.

@@ -258,8 +258,4 @@ std::unique_ptr<Method> make_method(const std::string& name) {
                                : "--method: unknown method '" + name + "'; known are " + known);
 }
 
-bool needs_libtorch_always(const CatalogueEntry& entry) {
-  return entry.make != nullptr && entry.make()->needs_libtorch(Compute{});
-}
-
 }  // namespace piae::augment

@@ -87,7 +87,4 @@ void require_described_faults(const CatalogueEntry& entry, const signal::Dataset
 /// Makes the method of that name. Throws Error(usage), which lists the known names, for any other.
 std::unique_ptr<Method> make_method(const std::string& name);
 
-/// Whether only LibTorch can compute the networks of this method, whatever back end is asked for.
-bool needs_libtorch_always(const CatalogueEntry& entry);
-
 }  // namespace piae::augment

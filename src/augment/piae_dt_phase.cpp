@@ -7,15 +7,8 @@
 
 namespace piae::augment {
 
-namespace {
-
-/// What computes the decoder.
-twin::Engine engine(const Compute& compute) { return twin_engine(twin::without_encoder, compute); }
-
-}  // namespace
-
 bool PiaeDtPhase::needs_libtorch(const Compute& compute) const {
-  return twin_engines(twin::without_encoder).needs_libtorch(compute);
+  return piae::needs_libtorch(compute);
 }
 
 void PiaeDtPhase::bind(const cli::Options& command) { phase::bind(command, options_); }
@@ -23,14 +16,14 @@ void PiaeDtPhase::bind(const cli::Options& command) { phase::bind(command, optio
 void PiaeDtPhase::train(const signal::WindowSet& known, const Stream& stream,
                         const Compute& compute, const nets::Checkpoint& checkpoint,
                         artefact::Writer& model) {
-  const auto training = phase::make_phase_training(known, options_, stream, engine(compute));
+  const auto training = phase::make_phase_training(known, options_, stream, twin_engine(compute));
   nets::run_epochs(*training, checkpoint);
   training->write_model(model);
 }
 
 signal::WindowSet PiaeDtPhase::generate(const artefact::Reader& model, std::size_t count,
                                         const Stream& stream, const Compute& compute) {
-  return phase::generate(model, count, stream, engine(compute));
+  return phase::generate(model, count, stream, twin_engine(compute));
 }
 
 std::vector<signal::DynamicParameters> PiaeDtPhase::infer(const artefact::Reader& model,

@@ -75,14 +75,7 @@ signal::WindowSet read_learned(const artefact::Reader& model, signal::Role role)
 void require_usable(const artefact::Reader& model) {
   const CatalogueEntry& entry = entry_of(model);
   (void)signal::read_origin(model);
-  if (needs_libtorch_always(entry)) {
-    require_described(model);
-    require_record_of_training(model);
-    (void)twin::read_model_description(model);
-    (void)twin::ClassSpaces(model);
-  } else {
-    (void)generate_with(*entry.make(), model, 1, Stream("verify"), {});
-  }
+  (void)generate_with(*entry.make(), model, 1, Stream("verify"), {});
 }
 
 }  // namespace piae::augment

@@ -16,9 +16,7 @@ Backends<latent::MakeVae> vae_trainings() {
 
 }  // namespace
 
-bool Vae::needs_libtorch(const Compute& compute) const {
-  return vae_trainings().needs_libtorch(compute);
-}
+bool Vae::needs_libtorch(const Compute& compute) const { return piae::needs_libtorch(compute); }
 
 void Vae::bind(const cli::Options& command) { latent::bind(command, options_); }
 

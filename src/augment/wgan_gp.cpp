@@ -16,9 +16,7 @@ Backends<latent::MakeWganGp> wgan_gp_trainings() {
 
 }  // namespace
 
-bool WganGp::needs_libtorch(const Compute& compute) const {
-  return wgan_gp_trainings().needs_libtorch(compute);
-}
+bool WganGp::needs_libtorch(const Compute& compute) const { return piae::needs_libtorch(compute); }
 
 void WganGp::bind(const cli::Options& command) { latent::bind(command, options_); }
 

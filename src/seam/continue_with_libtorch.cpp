@@ -11,19 +11,9 @@ namespace piae::seam {
 
 namespace fs = std::filesystem;
 
-namespace {
-
-fs::path program_with_libtorch() {
-  return fs::read_symlink("/proc/self/exe").string() + "-libtorch";
-}
-
-}  // namespace
-
-bool is_libtorch_there() { return back_ends() != nullptr || fs::exists(program_with_libtorch()); }
-
 void continue_with_libtorch(char** argv) {
   if (back_ends() != nullptr) return;
-  const fs::path other = program_with_libtorch();
+  const fs::path other = fs::read_symlink("/proc/self/exe").string() + "-libtorch";
   if (!fs::exists(other)) {
     throw Error(Exit::failed,
                 "this needs LibTorch, and there is no " + other.string() +

@@ -30,9 +30,6 @@ F back_end(F BackEnds::*which) {
   return all == nullptr ? nullptr : all->*which;
 }
 
-/// Whether this program is linked with LibTorch, or continue_with_libtorch() finds one that is.
-bool is_libtorch_there();
-
 /// Does nothing in a program that is linked with LibTorch. A program that is not is replaced by the
 /// one that is: it lies in the same folder, is called <program>-libtorch, and gets the same
 /// arguments. The function does not return then. Throws Error(failed) where there is no such

@@ -41,7 +41,6 @@ void add_methods(std::vector<std::string>& words) {
     if (entry.needs >= augment::Needs::rhythm) words.push_back("needs-rhythm:" + name);
     if (entry.needs >= augment::Needs::size) words.push_back("needs-size:" + name);
     if (entry.infers) words.push_back("infers:" + name);
-    if (augment::needs_libtorch_always(entry)) words.push_back("needs-libtorch:" + name);
   }
   words.push_back("paper-method:" + augment::paper_method());
 }

@@ -19,7 +19,6 @@ namespace piae::settings {
 ///     needs-size:piae-dt     has to be told defect_size_mm of each fault; needs-rhythm: that it is
 ///                            one of the bearing; needs-bearing: the bearing's geometry
 ///     infers:piae-dt         infers (k, c) of windows that it has not seen
-///     needs-libtorch:NAME    computed by LibTorch alone
 ///     classifier:nearest     an entry of CLASSIFIERS, in the order of the tables
 ///     paper-classifier:wdcnn the paper's: the CLASSIFIERS where none are given
 ///     bar:nearest            what is always computed of the baseline, for comparison

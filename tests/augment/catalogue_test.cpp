@@ -50,10 +50,6 @@ TEST(Catalogue, HasOneBaselineWhichMakesNothing) {
               ElementsAre(no_method));
 }
 
-TEST(Catalogue, SaysWhichMethodsLibtorchAloneComputes) {
-  EXPECT_THAT(names_of(needs_libtorch_always), ElementsAre("piae-dt-rnn"));
-}
-
 TEST(Catalogue, SaysWhichMethodsInferStiffnessAndDamping) {
   artefact::Writer writer("model");
   writer.attribute("/", "method", std::string("any"));
@@ -79,7 +75,7 @@ TEST(Catalogue, SaysWhichMethodsAreTrainedInEpochs) {
   nets::Checkpoint stopped = checkpoint_at("cut");
   stopped.interrupted = [] { return true; };
   for (const CatalogueEntry& entry : catalogue()) {
-    if (entry.make == nullptr || needs_libtorch_always(entry)) continue;
+    if (entry.make == nullptr) continue;
     bool in_epochs = false;
     try {
       train(entry.name, "", known_windows(512), stopped, "model.h5");
@@ -115,14 +111,6 @@ TEST(Catalogue, SaysWhatWorksWithoutKnownWindows) {
 TEST(Catalogue, NamesAllMethodsToWhoeverAsksForAnother) {
   EXPECT_ERROR(make_method("another"), Exit::usage, "unknown method 'another'; known are dynamics");
   EXPECT_ERROR(make_method(no_method), Exit::usage, "known are dynamics");
-}
-
-// This test is linked without LibTorch.
-TEST(Catalogue, HasMethodsThatSayThatLibtorchIsMissing) {
-  for (const std::string method : {"piae-dt-rnn"}) {
-    EXPECT_ERROR(train(method, "--epochs 1", known_windows(), checkpoint_at("cut"), "never.h5"),
-                 Exit::failed, "not linked with LibTorch");
-  }
 }
 
 TEST(Catalogue, AMethodIsRefusedWhereADescriptionDoesNotSayWhatItNeeds) {

@@ -466,15 +466,6 @@ test_cells_that_are_not_asked_for_go_with_the_model_that_is_made_again() {
   expect_equal "$(left_out real)" "seed0/smote/1to1/diagnosis.h5 seed1/smote"
 }
 
-test_what_only_libtorch_computes_stays_in_the_tables_without_it() {
-  describe
-  grid METHODS="none piae-dt-cnn" DATASETS=real >/dev/null
-  rm fake/train-libtorch calls
-  grid METHODS="none smote" DATASETS=real >/dev/null
-  expect_equal "$(ran)" "4 diagnose, 2 generate, 2 score, 1 tabulate, 2 train"
-  expect_equal "$(left_out real)" ""
-}
-
 test_a_table_that_is_a_goal_is_of_all_that_the_run_holds() {
   finished_grid
   rm results/t/real/tables.md
@@ -747,14 +738,8 @@ test_programs_that_are_not_there_are_one_line() {
   expect_exit 0 make -n cells
 }
 
-test_methods_that_only_libtorch_computes_are_refused_at_once_without_it() {
+test_libtorch_is_on_or_off() {
   describe
-  rm fake/train-libtorch
-  local output
-  output=$(grid METHODS="none smote piae-dt-cnn" 2>&1 || true)
-  expect_line "$output" "METHODS: only LibTorch computes piae-dt-cnn, .* LIBTORCH=on, or ask for METHODS=\"none smote\""
-  [[ ! -e calls ]] || fail "ran: $(<calls)"
-  grid METHODS="none smote" >/dev/null
   expect_line "$(grid LIBTORCH=no 2>&1 || true)" "LIBTORCH: on or off, not 'no'"
 }
 

@@ -29,11 +29,6 @@ test_the_papers_grid_takes_few_submissions_and_little_more_than_is_needed() {
   expect_line "$output" '^3 submissions, which ask for [0-9.]+ core-hours at most'
 }
 
-test_programs_without_libtorch_plan_what_they_cannot_compute() {
-  rm fake/train-libtorch
-  expect_line "$(plan SEEDS=0)" '^cells +1 '
-}
-
 # A setting of a seed is a unit. Here each of two takes 50 + 1 s by the cost of piae-dt, and 10 + 1 s by that of long.
 test_what_is_tried_beside_the_methods_is_divided_by_what_the_method_costs() {
   costs

@@ -77,7 +77,7 @@ STAGE
   chmod +x fake/stage
   local stage
   for stage in ingest simulate split train generate score diagnose tabulate sweep contrast identify readings transfer \
-    trust train-libtorch; do
+    trust; do
     ln -s stage "fake/$stage"
   done
   ln -s "$programs/settings" fake/settings

@@ -507,8 +507,7 @@ TEST(Facts, NameWhatThereIs) {
   }
   for (const std::string fact :
        {"paper:piae-dt-phase", "default:oracle", "default:oversample", "paper:oracle",
-        "paper:piae-dt-tcn", "default:piae-dt-tcn", "default:piae-dt-transformer",
-        "needs-libtorch:piae-dt-transformer", "infers:smote", "needs-libtorch:piae-dt",
+        "paper:piae-dt-tcn", "default:piae-dt-tcn", "default:piae-dt-transformer", "infers:smote",
         "simulated:cwru", "sweep-centre:piae-dt:depth=1"}) {
     EXPECT_THAT(all, Not(Contains(fact)));
   }

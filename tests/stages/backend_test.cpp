@@ -54,7 +54,7 @@ TEST(Backend, NoProgramOfADefaultRunLoadsLibtorch) {
 TEST(Backend, ProgramsThatAreNamedAfterLibtorchLoadIt) {
   SKIP_WITHOUT_LIBTORCH();
   const Tiny tiny;
-  for (const std::string stage : {"train", "generate", "diagnose", "identify"}) {
+  for (const std::string stage : {"train", "generate", "diagnose"}) {
     EXPECT_THAT(libraries_of(tiny, stage + "-libtorch"), HasSubstr("libtorch")) << stage;
   }
 }
@@ -65,7 +65,7 @@ Arguments training(const std::string& method, const std::string& model) {
           "--seed",   "0",    "--width",  "8", "--output", model};
 }
 
-TEST(Backend, OnlyWhatHasNoNativeOneIsTrainedByLibtorch) {
+TEST(Backend, IsLibtorchsOnlyWhereThatIsAskedFor) {
   const Tiny tiny;
   tiny.run_chain_before("train");
   const fs::path alone = tiny / "bin/train";  // where no train-libtorch stands beside it
@@ -77,13 +77,8 @@ TEST(Backend, OnlyWhatHasNoNativeOneIsTrainedByLibtorch) {
     const Outcome outcome = tiny.run(program, training(method, "model.h5"));
     EXPECT_EQ(outcome.status, 0) << method << outcome.err;
   }
-  for (const Arguments& arguments : {training("piae-dt-rnn", "rnn.h5"),
-                                     with(training("vae", "l.h5"), "--backend", "libtorch")}) {
-    expect_refusal(tiny.run(program, arguments), "train", 1,
-                   {"needs LibTorch", "bin/train-libtorch", "make build LIBTORCH=on"});
-  }
-  expect_refusal(tiny.run(program, with(training("piae-dt-rnn", "rnn.h5"), "--backend", "native")),
-                 "train", 2, {"--backend", "no native back end", "libtorch"});
+  expect_refusal(tiny.run(program, with(training("vae", "l.h5"), "--backend", "libtorch")), "train",
+                 1, {"needs LibTorch", "bin/train-libtorch", "make build LIBTORCH=on"});
 }
 
 // Whoever trained a model, either generates from it, and but for rounding the same.

@@ -1,9 +1,0 @@
-#include "augment/inference_cases.hpp"
-
-namespace piae::augment {
-namespace {
-
-INSTANTIATE_TEST_SUITE_P(MethodsOfLibtorch, Inferring, testing::Values("piae-dt-rnn"), test_name);
-
-}  // namespace
-}  // namespace piae::augment
