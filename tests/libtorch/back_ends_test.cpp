@@ -1,0 +1,19 @@
+#include "seam/libtorch.hpp"
+
+#include <gtest/gtest.h>
+
+namespace piae::seam {
+namespace {
+
+// This test is linked with LibTorch.
+TEST(BackEnds, AreThereInAProgramThatIsLinkedWithLibtorch) {
+  ASSERT_NE(back_ends(), nullptr);
+  EXPECT_NE(back_end(&BackEnds::twin), nullptr);
+  EXPECT_NE(back_end(&BackEnds::vae), nullptr);
+  EXPECT_NE(back_end(&BackEnds::wgan_gp), nullptr);
+  EXPECT_NE(back_end(&BackEnds::generator), nullptr);
+  EXPECT_NE(back_end(&BackEnds::wdcnn), nullptr);
+}
+
+}  // namespace
+}  // namespace piae::seam
