@@ -1,6 +1,6 @@
-#include "seam/libtorch.hpp"
-
 #include <gtest/gtest.h>
+
+#include "seam/libtorch.hpp"
 
 namespace piae::seam {
 namespace {
