@@ -196,6 +196,7 @@ void Readers::check_some() {
     }
   }
   std::vector<Rehearsal> rehearsals;
+  rehearsals.reserve(read.size());
   for (const std::size_t i : read) {
     rehearsals.push_back(rehearsal_of(paths_[first_ + i], checked_[i].image, kind_));
   }

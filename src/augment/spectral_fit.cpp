@@ -213,6 +213,7 @@ class SpectralFit::Search {
 
 std::vector<signal::DynamicParameters> SpectralFit::fit(const std::vector<Window>& windows) const {
   std::vector<Search> searches;
+  searches.reserve(windows.size());
   for (const Window window : windows) searches.emplace_back(*this, window);
   while (true) {
     std::vector<Search*> open;
@@ -227,6 +228,7 @@ std::vector<signal::DynamicParameters> SpectralFit::fit(const std::vector<Window
     for (std::size_t i = 0; i < open.size(); ++i) open[i]->take(spectra[i]);
   }
   std::vector<signal::DynamicParameters> fitted;
+  fitted.reserve(searches.size());
   for (const Search& search : searches) fitted.push_back(search.best());
   return fitted;
 }

@@ -14,8 +14,9 @@ void expect_much(void* begin, std::size_t bytes) {
   const auto from = reinterpret_cast<std::uintptr_t>(begin);
   const std::uintptr_t first = (from + large_page - 1) / large_page * large_page;
   const std::uintptr_t last = (from + bytes) / large_page * large_page;
+  if (first >= last) return;
   // Where there are no large pages all stays as it is.
-  if (first < last) ::madvise(reinterpret_cast<void*>(first), last - first, MADV_HUGEPAGE);
+  ::madvise(static_cast<std::byte*>(begin) + (first - from), last - first, MADV_HUGEPAGE);
 }
 
 Bytes::Bytes(std::size_t size)
