@@ -50,10 +50,10 @@ void convolve(const StridedConvolution& shape, std::int64_t rows, Rows<const T> 
     multiply<T>({.a = fine.row(r) - shape.padding() * shape.fine_channels,
                  .a_row = shape.stride * shape.fine_channels,
                  .a_column = 1,
-                 .a_block = 0,
                  .b = packed.data(),
-                 .b_block = 0,
+                 .b_row = shape.coarse_channels,
                  .c = coarse.row(r),
+                 .c_row = shape.coarse_channels,
                  .rows = shape.coarse_length,
                  .columns = shape.coarse_channels,
                  .depth = depth});
@@ -81,10 +81,10 @@ void convolve_transposed(const StridedConvolution& shape, std::int64_t rows, Row
     multiply<T>({.a = coarse.row(r) - shape.coarse_channels,
                  .a_row = shape.coarse_channels,
                  .a_column = 1,
-                 .a_block = 0,
                  .b = packed.data(),
-                 .b_block = 0,
+                 .b_row = held_columns,
                  .c = held.empty() ? to : held.data(),
+                 .c_row = held_columns,
                  .rows = product_rows,
                  .columns = held_columns,
                  .depth = 2 * shape.coarse_channels});
@@ -106,14 +106,16 @@ void weight_gradient(const StridedConvolution& shape, std::int64_t rows, Rows<co
   multiply<T>({.a = fine.data - shape.padding() * shape.fine_channels,
                .a_row = 1,
                .a_column = shape.stride * shape.fine_channels,
-               .a_block = fine.stride,
                .b = coarse.data,
-               .b_block = coarse.stride,
+               .b_row = shape.coarse_channels,
                .c = packed.data(),
+               .c_row = shape.coarse_channels,
                .rows = product_rows,
                .columns = shape.coarse_channels,
                .depth = shape.coarse_length,
-               .blocks = rows});
+               .blocks = rows,
+               .a_block = fine.stride,
+               .b_block = coarse.stride});
   for_each_weight(shape, gradient, [&, at = ByCoarse{shape}](auto o, auto c, auto j, T& w) {
     w = packed[static_cast<std::size_t>(at(o, c, j))];
   });

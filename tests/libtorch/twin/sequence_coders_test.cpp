@@ -8,6 +8,7 @@
 #include "libtorch/nets/adam.hpp"
 #include "libtorch/nets/parameters.hpp"
 #include "libtorch/nets/torch.hpp"
+#include "libtorch/twin/recurrent_coder.hpp"
 #include "libtorch/twin/temporal_coder.hpp"
 #include "libtorch/twin/transformer_coder.hpp"
 #include "nets/parameters.hpp"
@@ -168,6 +169,10 @@ void expect_the_same() {
     // weight as far as any.
     expect_the_same_steps<float, Mine, Theirs>(encodes, 1e-3);
   }
+}
+
+TEST(SequenceCoders, OfRecurrentUnitsGiveWhatLibtorchGives) {
+  expect_the_same<twin::RecurrentCoder, RecurrentCoder>();
 }
 
 TEST(SequenceCoders, OfTheTemporalNetworkGiveWhatLibtorchGives) {
