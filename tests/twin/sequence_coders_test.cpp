@@ -38,8 +38,8 @@ TEST_P(SequenceCoders, GiveForAWindowTheSameWhateverStandsBesideIt) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Twin, SequenceCoders,
-                         testing::Values(CoderKind::recurrent, CoderKind::temporal,
-                                         CoderKind::transformer));
+                         testing::Values(CoderKind::convolutional, CoderKind::recurrent,
+                                         CoderKind::temporal, CoderKind::transformer));
 
 }  // namespace
 }  // namespace piae::twin
