@@ -49,14 +49,16 @@ void apply(const Taps& taps, std::int64_t windows, const T* from, const T* weigh
     nets::multiply<T>({.a = from + (begin - taps.padding + reach.begin) * from_time,
                        .a_row = taps.from_channels,
                        .a_column = 1,
-                       .a_block = from_time,
                        .b = weight + reach.begin * tap_weights,
-                       .b_block = tap_weights,
+                       .b_row = taps.to_channels,
                        .c = to + begin * windows * taps.to_channels,
+                       .c_row = taps.to_channels,
                        .rows = (end - begin) * windows,
                        .columns = taps.to_channels,
                        .depth = taps.from_channels,
-                       .blocks = reach.size()});
+                       .blocks = reach.size(),
+                       .a_block = from_time,
+                       .b_block = tap_weights});
     begin = end;
   }
 }
@@ -95,10 +97,10 @@ void weight_gradient(const TimeConvolution& shape, std::int64_t windows, const T
     nets::multiply<T>({.a = input + (times.begin + shift) * windows * shape.inputs,
                        .a_row = 1,
                        .a_column = shape.inputs,
-                       .a_block = 0,
                        .b = output_gradient + times.begin * windows * shape.outputs,
-                       .b_block = 0,
+                       .b_row = shape.outputs,
                        .c = gradient + tap * shape.inputs * shape.outputs,
+                       .c_row = shape.outputs,
                        .rows = shape.inputs,
                        .columns = shape.outputs,
                        .depth = times.size() * windows});

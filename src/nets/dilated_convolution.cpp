@@ -70,9 +70,10 @@ void DilatedConvolution<T>::forward(std::int64_t windows, const T* x, T* y) {
   for (std::int64_t w = 0; w < windows; ++w) {
     gather(x + w * this->input().size(), read + w * this->input().length * row_of_taps());
   }
-  products_.forward(rows, read, y);
   const std::int64_t outputs = this->output().width;
-  as_matrix(y, rows, outputs).rowwise() += as_matrix(bias_.values, 1, outputs).row(0);
+  products_.renew();
+  products_.forward(rows, {read, row_of_taps()}, {y, outputs});
+  add_bias(bias_, rows, outputs, y);
 }
 
 template <class T>
@@ -80,11 +81,12 @@ void DilatedConvolution<T>::backward(const SignalBatch& batch, const T*, const T
   const std::int64_t length = this->input().length;
   const std::int64_t outputs = this->output().width;
   const std::int64_t rows = batch.windows * length;
-  products_.differentiate(rows, read_.data(), dy);
-  as_matrix(bias_.gradient, 1, outputs) = as_matrix(dy, rows, outputs).colwise().sum();
+  products_.differentiate(rows, {read_.data(), row_of_taps()}, {dy, outputs});
+  differentiate_bias(bias_, rows, outputs, dy);
   if (dx == nullptr) return;
   for (std::int64_t w = 0; w < batch.all(); ++w) {
-    products_.backward(length, dy + w * this->output().size(), read_gradient_.data());
+    products_.backward(length, {dy + w * this->output().size(), outputs},
+                       {read_gradient_.data(), row_of_taps()});
     scatter(read_gradient_.data(), dx + w * this->input().size());
   }
 }

@@ -1,5 +1,6 @@
 #include "nets/gradient_array.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 #include <utility>
 
@@ -33,7 +34,13 @@ TrainedParameter<T> GradientArray<T>::find(const std::string& name) {
 
 template <class T>
 double GradientArray<T>::squared_norm() const {
-  return gradients_.template cast<double>().square().sum();
+  // In single precision only so far as a sum of this many keeps its digits.
+  constexpr std::int64_t together = 4096;
+  double sum = 0;
+  for (std::int64_t i = 0; i < gradients_.size(); i += together) {
+    sum += gradients_.segment(i, std::min(together, gradients_.size() - i)).square().sum();
+  }
+  return sum;
 }
 
 template <class T>

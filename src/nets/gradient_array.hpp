@@ -32,6 +32,10 @@ class GradientArray {
 
   /// The parameter <network>/<name>. Throws std::logic_error where there is none.
   [[nodiscard]] TrainedParameter<T> find(const std::string& name);
+  /// What it was made from, in the same way.
+  [[nodiscard]] const ParameterSpec& spec(const std::string& name) const {
+    return parameters_->find(network_ + "/" + name).spec;
+  }
 
   [[nodiscard]] double squared_norm() const;
   /// One step of Adam by the gradients times `scale`.

@@ -9,11 +9,11 @@ template <class T>
 void open_gates(const GatesForward<T>& frame) {
   const std::int64_t units = frame.units;
   for (std::int64_t row = 0; row < frame.rows; ++row) {
-    const T* const x = frame.x + row * 3 * units;
-    const T* const product = frame.product + row * 3 * units;
-    const T* const before = frame.before + row * units;
-    T* const gates = frame.gates + row * 4 * units;
-    T* const state = frame.state + row * units;
+    const T* const x = frame.x.row(row);
+    const T* const product = frame.product.row(row);
+    const T* const before = frame.before.row(row);
+    T* const gates = frame.gates.row(row);
+    T* const state = frame.state.row(row);
     for (std::int64_t j = 0; j < units; j += lanes<T>) {
       const auto of_state = [&](std::int64_t gate) {
         return load(product + gate * units + j) + load(frame.state_bias + gate * units + j);
@@ -35,12 +35,12 @@ template <class T>
 void differentiate_gates(const GatesBackward<T>& frame) {
   const std::int64_t units = frame.units;
   for (std::int64_t row = 0; row < frame.rows; ++row) {
-    const T* const gates = frame.gates + row * 4 * units;
-    const T* const before = frame.before + row * units;
-    const T* const by_state = frame.by_state + row * units;
-    T* const carried = frame.carried + row * units;
-    T* const by_x = frame.by_x + row * 3 * units;
-    T* const by_product = frame.by_product + row * 3 * units;
+    const T* const gates = frame.gates.row(row);
+    const T* const before = frame.before.row(row);
+    const T* const by_state = frame.by_state.row(row);
+    T* const carried = frame.carried.row(row);
+    T* const by_x = frame.by_x.row(row);
+    T* const by_product = frame.by_product.row(row);
     for (std::int64_t j = 0; j < units; j += lanes<T>) {
       const Vector<T> r = load(gates + j);
       const Vector<T> z = load(gates + units + j);

@@ -2,6 +2,8 @@
 
 #include <cstdint>
 
+#include "nets/rows.hpp"
+
 namespace piae::nets {
 
 // The gates of a recurrent layer at one frame (Cho et al. 2014, in the form that LibTorch has):
@@ -19,12 +21,12 @@ template <class T>
 struct GatesForward {
   std::int64_t rows;
   std::int64_t units;
-  const T* x;           ///< [rows, 3 units]: x_r, x_z, x_n
-  const T* product;     ///< [rows, 3 units]: W_h h
-  const T* state_bias;  ///< [3 units]: b_h
-  const T* before;      ///< [rows, units]: h
-  T* gates;             ///< [rows, 4 units] gets r, z, n and h_n
-  T* state;             ///< [rows, units] gets h'
+  Rows<const T> x;        ///< [rows, 3 units]: x_r, x_z, x_n
+  Rows<const T> product;  ///< [rows, 3 units]: W_h h
+  const T* state_bias;    ///< [3 units]: b_h
+  Rows<const T> before;   ///< [rows, units]: h
+  Rows<T> gates;          ///< [rows, 4 units] gets r, z, n and h_n
+  Rows<T> state;          ///< [rows, units] gets h'
 };
 template <class T>
 void open_gates(const GatesForward<T>& frame);
@@ -34,13 +36,13 @@ template <class T>
 struct GatesBackward {
   std::int64_t rows;
   std::int64_t units;
-  const T* gates;     ///< [rows, 4 units], as open_gates() left them
-  const T* before;    ///< [rows, units]: h
-  const T* by_state;  ///< [rows, units]: the loss's gradient by h' itself
-  T* carried;         ///< [rows, units]: its gradient by h' through later frames; gets the part of
-                      ///< that by h which does not pass through W_h
-  T* by_x;            ///< [rows, 3 units] gets the gradient by x
-  T* by_product;      ///< [rows, 3 units] gets that by W_h h, which is that by b_h, too
+  Rows<const T> gates;     ///< [rows, 4 units], as open_gates() left them
+  Rows<const T> before;    ///< [rows, units]: h
+  Rows<const T> by_state;  ///< [rows, units]: the loss's gradient by h' itself
+  Rows<T> carried;         ///< [rows, units]: its gradient by h' through later frames; gets the
+                           ///< part of that by h which does not pass through W_h
+  Rows<T> by_x;            ///< [rows, 3 units] gets the gradient by x
+  Rows<T> by_product;      ///< [rows, 3 units] gets that by W_h h, which is that by b_h, too
 };
 template <class T>
 void differentiate_gates(const GatesBackward<T>& frame);

@@ -1,128 +1,126 @@
 #include "nets/gru_layer.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
+#include <utility>
 
 #include "base/vector.hpp"
 #include "nets/gru_gates.hpp"
-#include "nets/weight_gradient.hpp"
 
 namespace piae::nets {
 
+std::vector<ParameterSpec> gru_specs(const std::string& name, std::int64_t inputs,
+                                     std::int64_t units) {
+  const double bound = 1 / std::sqrt(static_cast<double>(units));
+  return {{name + "/input_weight", {3 * units, inputs}, bound},
+          {name + "/state_weight", {3 * units, units}, bound},
+          {name + "/input_bias", {3 * units}, bound},
+          {name + "/state_bias", {3 * units}, bound}};
+}
+
 template <class T>
-GruLayer<T>::GruLayer(const Parameters<T>& parameters, const std::string& name, std::int64_t origin,
-                      std::int64_t input_frames, std::int64_t frames, std::int64_t most_rows)
-    : input_frames_(input_frames),
-      frames_(frames),
-      units_(parameters.find(name + "/state_weight").columns),
-      held_inputs_(parameters.find(name + "/input_weight").held_columns),
-      at_{.input_weight = parameters.find(name + "/input_weight").begin - origin,
-          .state_weight = parameters.find(name + "/state_weight").begin - origin,
-          .input_bias = parameters.find(name + "/input_bias").begin - origin,
-          .state_bias = parameters.find(name + "/state_bias").begin - origin},
+GruLayer<T>::GruLayer(GradientArray<T>& parameters, const std::string& name,
+                      std::int64_t input_length, std::int64_t length)
+    : SequenceLayer<T>(
+          {.length = input_length, .width = parameters.find(name + "/input_weight").held_columns},
+          {.length = length, .width = parameters.find(name + "/state_weight").columns}),
       input_weight_(parameters.find(name + "/input_weight")),
-      state_weight_(parameters.find(name + "/state_weight")) {
-  if (units_ % row_granule != 0) {
-    throw std::logic_error(name + ": recurrent units must fill whole vectors");
+      state_weight_(parameters.find(name + "/state_weight")),
+      input_bias_(parameters.find(name + "/input_bias")),
+      state_bias_(parameters.find(name + "/state_bias")) {
+  if (units() % row_granule != 0)
+    throw std::logic_error("the units of " + name + " are no whole row");
+  if (input_length != 1 && input_length != length) {
+    throw std::logic_error(name + " is given neither one input nor one for each position");
   }
-  const std::int64_t size = most_rows * units_;
-  x_ = Numbers::Zero(3 * input_frames * size);
-  product_ = Numbers::Zero(3 * size);
-  gates_ = Numbers::Zero(4 * frames * size);
-  states_ = Numbers::Zero((1 + frames) * size);
-  state_gradient_ = Numbers::Zero(frames * size);
-  carried_ = Numbers::Zero(size);
-  by_x_ = Numbers::Zero(3 * frames * size);
-  by_product_ = Numbers::Zero(3 * frames * size);
 }
 
 template <class T>
-Rows<const T> GruLayer<T>::forward(const T* values, Rows<const T> inputs, std::int64_t rows) {
-  input_weight_.renew(values + at_.input_weight);
-  state_weight_.renew(values + at_.state_weight);
-  for (std::int64_t i = 0; i < input_frames_ * rows; ++i) {
-    std::copy_n(values + at_.input_bias, 3 * units_, x_.data() + i * 3 * units_);
-  }
-  input_weight_.add(inputs, input_frames_ * rows, {x_.data(), 3 * units_});
+void GruLayer<T>::forward(std::int64_t windows, const T* x, T* y) {
+  const std::int64_t given = windows * this->input().length;
+  T* const inputs = room_for(given * 3 * units(), x_);
+  input_weight_.renew();
+  input_weight_.forward(given, {x, this->input().width}, {inputs, 3 * units()});
+  add_bias(input_bias_, given, 3 * units(), inputs);
 
-  const std::int64_t size = rows * units_;  // of the states at one frame
-  states_.head(size).setZero();
-  product_.head(3 * size).setZero();
-  for (std::int64_t frame = 0; frame < frames_; ++frame) {
-    const T* const before = states_.data() + frame * size;
-    if (frame > 0) state_weight_.set({before, units_}, rows, {product_.data(), 3 * units_});
-    open_gates<T>({.rows = rows,
-                   .units = units_,
-                   .x = x_.data() + (input_frames_ > 1 ? frame : 0) * 3 * size,
-                   .product = product_.data(),
-                   .state_bias = values + at_.state_bias,
+  room_for(windows * 3 * units(), product_);
+  room_for(windows * length() * 4 * units(), gates_);
+  room_for(windows * length() * units(), before_);
+  product_.setZero();  // of the state at rest
+  for (std::int64_t w = 0; w < windows; ++w) {
+    std::fill_n(at(before_.data(), 0, units()).row(w), units(), T{0});
+  }
+  state_weight_.renew();
+  for (std::int64_t t = 0; t < length(); ++t) {
+    const Rows<const T> before =
+        t == 0 ? at(std::as_const(before_).data(), 0, units()) : at<const T>(y, t - 1, units());
+    const Rows<T> product{product_.data(), 3 * units()};
+    if (t > 0) state_weight_.forward(windows, before, product);
+    const std::int64_t input = this->input().length > 1 ? t : 0;
+    open_gates<T>({.rows = windows,
+                   .units = units(),
+                   .x = {inputs + input * 3 * units(), this->input().length * 3 * units()},
+                   .product = product,
+                   .state_bias = state_bias_.values,
                    .before = before,
-                   .gates = gates_.data() + frame * 4 * size,
-                   .state = states_.data() + (frame + 1) * size});
+                   .gates = at(gates_.data(), t, 4 * units()),
+                   .state = at(y, t, units())});
   }
-  return {states_.data() + size, units_};
-}
-
-template <class T>
-void GruLayer<T>::backward(const T* values, std::int64_t rows) {
-  const std::int64_t size = rows * units_;
-  carried_.head(size).setZero();
-  for (std::int64_t frame = frames_ - 1; frame >= 0; --frame) {
-    T* const by_product = by_product_.data() + frame * 3 * size;
-    differentiate_gates<T>({.rows = rows,
-                            .units = units_,
-                            .gates = gates_.data() + frame * 4 * size,
-                            .before = states_.data() + frame * size,
-                            .by_state = state_gradient_.data() + frame * size,
-                            .carried = carried_.data(),
-                            .by_x = by_x_.data() + frame * 3 * size,
-                            .by_product = by_product});
-    if (frame == 0) break;
-    add_product<T>({.a = by_product,
-                    .a_row = 3 * units_,
-                    .a_column = 1,
-                    .b = values + at_.state_weight,
-                    .b_row = units_,
-                    .c = carried_.data(),
-                    .c_row = units_,
-                    .rows = rows,
-                    .columns = units_,
-                    .depth = 3 * units_});
-  }
-  for (std::int64_t frame = input_frames_; frame < frames_; ++frame) {
-    by_x_.head(3 * size) += by_x_.segment(frame * 3 * size, 3 * size);
+  const std::int64_t size = this->output().size();
+  for (std::int64_t w = 0; w < windows; ++w) {
+    std::copy_n(y + w * size, size - units(), before_.data() + w * size + units());
   }
 }
 
 template <class T>
-void GruLayer<T>::differentiate_inputs(const T* values, std::int64_t rows,
-                                       Rows<T> by_inputs) const {
-  set_product<T>({.a = by_x_.data(),
-                  .a_row = 3 * units_,
-                  .a_column = 1,
-                  .b = values + at_.input_weight,
-                  .b_row = held_inputs_,
-                  .c = by_inputs.data,
-                  .c_row = by_inputs.stride,
-                  .rows = input_frames_ * rows,
-                  .columns = held_inputs_,
-                  .depth = 3 * units_});
+void GruLayer<T>::differentiate_states(const SignalBatch& batch, const T* dy) {
+  const std::int64_t size = batch.all() * length() * 3 * units();
+  T* const by_x = room_for(size, by_x_);
+  T* const by_product = room_for(size, by_product_);
+  T* const carried = room_for(batch.all() * units(), carried_);
+  carried_.setZero();
+  for (std::int64_t t = length() - 1; t >= 0; --t) {
+    for (std::int64_t signal = 0; signal < batch.signals; ++signal) {
+      const std::int64_t first = signal * batch.windows;
+      differentiate_gates<T>({.rows = batch.windows,
+                              .units = units(),
+                              .gates = at<const T>(gates_.data(), t, 4 * units()),
+                              .before = at<const T>(before_.data(), t, units()),
+                              .by_state = at(dy, t, units()).from(first),
+                              .carried = Rows<T>{carried, units()}.from(first),
+                              .by_x = at(by_x, t, 3 * units()).from(first),
+                              .by_product = at(by_product, t, 3 * units()).from(first)});
+    }
+    if (t > 0) {
+      state_weight_.backward(batch.all(), at<const T>(by_product, t, 3 * units()),
+                             {carried, units()}, true);
+    }
+  }
 }
 
 template <class T>
-void GruLayer<T>::differentiate_parameters(Rows<const T> inputs, std::int64_t rows,
-                                           T* gradients) const {
-  const Rows<const T> by_x{by_x_.data(), 3 * units_};
-  const Rows<const T> by_product{by_product_.data(), 3 * units_};
-  const std::int64_t given = input_frames_ * rows;
-  const std::int64_t all = frames_ * rows;
-  set_weight_gradient<T>(by_x, inputs, given, 3 * units_, held_inputs_,
-                         gradients + at_.input_weight);
-  set_bias_gradient<T>(by_x, given, 3 * units_, gradients + at_.input_bias);
-  // At rest, before frame 0, the state is zero and adds nothing.
-  set_weight_gradient<T>(by_product.from(rows), {states_.data() + rows * units_, units_},
-                         all - rows, 3 * units_, units_, gradients + at_.state_weight);
-  set_bias_gradient<T>(by_product, all, 3 * units_, gradients + at_.state_bias);
+void GruLayer<T>::backward(const SignalBatch& batch, const T* x, const T* dy, T* dx) {
+  differentiate_states(batch, dy);
+  const std::int64_t width = 3 * units();
+  const std::int64_t all = batch.windows * length();
+  state_weight_.differentiate(all, {before_.data(), units()}, {by_product_.data(), width});
+  differentiate_bias(state_bias_, all, width, std::as_const(by_product_).data());
+
+  if (this->input().length < length()) {  // the gradients by one input are those of all positions
+    for (std::int64_t w = 0; w < batch.all(); ++w) {
+      const T* const from = by_x_.data() + w * length() * width;
+      as_matrix(by_x_.data() + w * width, 1, width) =
+          as_matrix(from, length(), width).colwise().sum().eval();
+    }
+  }
+  const std::int64_t given = batch.windows * this->input().length;
+  const Rows<const T> by_x{by_x_.data(), width};
+  input_weight_.differentiate(given, {x, this->input().width}, by_x);
+  differentiate_bias(input_bias_, given, width, by_x.data);
+  if (dx != nullptr) {
+    input_weight_.backward(batch.signals * given, by_x, {dx, this->input().width});
+  }
 }
 
 template class GruLayer<float>;

@@ -24,34 +24,43 @@ void multiply_tile(const MatrixProduct<T>& p, const T* a, const T* b, T* c) {
   Vector<T> sums[rows * vectors];
 #pragma GCC unroll 64
   for (Vector<T>& sum : sums) sum = Vector<T>{};
+  if (p.add) {
+#pragma GCC unroll 64
+    for (int i = 0; i < rows * vectors; ++i) {
+      sums[i] = load(c + i / vectors * p.c_row + i % vectors * lanes<T>);
+    }
+  }
   for (std::int64_t block = 0; block < p.blocks; ++block) {
     const T* a_at = a + block * p.a_block;
     const T* b_at = b + block * p.b_block;
     for (std::int64_t k = 0; k < p.depth; ++k) {
       Vector<T> b_row[vectors];
+#pragma GCC unroll 8
       for (int v = 0; v < vectors; ++v) b_row[v] = load(b_at + v * lanes<T>);
 #pragma GCC unroll 64
       for (int i = 0; i < rows * vectors; ++i) {
         sums[i] += b_row[i % vectors] * a_at[i / vectors * p.a_row];
       }
       a_at += p.a_column;
-      b_at += p.columns;
+      b_at += p.b_row;
     }
   }
 #pragma GCC unroll 64
   for (int i = 0; i < rows * vectors; ++i) {
-    store(c + i / vectors * p.columns + i % vectors * lanes<T>, sums[i]);
+    store(c + i / vectors * p.c_row + i % vectors * lanes<T>, sums[i]);
   }
 }
 
-/// All tiles of `rows` rows that fit from row `row` on. Returns the row after them.
-template <class T, int rows, int vectors>
-std::int64_t multiply_rows(const MatrixProduct<T>& p, std::int64_t row, std::int64_t column) {
+/// All rows from `row` on of the tiles that begin at `column`: tiles of `rows` rows as long as so
+/// many are left; the last one has fewer, because B is read once for each tile, and a batch of a
+/// step has few rows.
+template <class T, int vectors, int rows = tile_rows(vectors)>
+void multiply_rows(const MatrixProduct<T>& p, std::int64_t column, std::int64_t row = 0) {
   for (; row + rows <= p.rows; row += rows) {
     multiply_tile<T, rows, vectors>(p, p.a + row * p.a_row, p.b + column,
-                                    p.c + row * p.columns + column);
+                                    p.c + row * p.c_row + column);
   }
-  return row;
+  if constexpr (rows > 1) multiply_rows<T, vectors, rows - 1>(p, column, row);
 }
 
 /// All rows of the tiles of `vectors` vectors that fit from `column` on. Returns the column after
@@ -59,11 +68,7 @@ std::int64_t multiply_rows(const MatrixProduct<T>& p, std::int64_t row, std::int
 template <class T, int vectors>
 std::int64_t multiply_columns(const MatrixProduct<T>& p, std::int64_t column) {
   constexpr std::int64_t width = vectors * lanes<T>;
-  for (; column + width <= p.columns; column += width) {
-    std::int64_t row = multiply_rows<T, tile_rows(vectors), vectors>(p, 0, column);
-    row = multiply_rows<T, 4, vectors>(p, row, column);
-    multiply_rows<T, 1, vectors>(p, row, column);
-  }
+  for (; column + width <= p.columns; column += width) multiply_rows<T, vectors>(p, column);
   return column;
 }
 

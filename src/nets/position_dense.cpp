@@ -23,19 +23,19 @@ template <class T>
 void PositionDense<T>::forward(std::int64_t windows, const T* x, T* y) {
   const std::int64_t rows = windows * this->input().length;
   const std::int64_t width = this->output().width;
-  products_.forward(rows, x, y);
-  if (bias_) as_matrix(y, rows, width).rowwise() += as_matrix(bias_->values, 1, width).row(0);
+  products_.renew();
+  products_.forward(rows, {x, this->input().width}, {y, width});
+  if (bias_) add_bias(*bias_, rows, width, y);
 }
 
 template <class T>
 void PositionDense<T>::backward(const SignalBatch& batch, const T* x, const T* dy, T* dx) {
   const std::int64_t rows = batch.windows * this->input().length;
-  const std::int64_t width = this->output().width;
-  products_.differentiate(rows, x, dy);
-  if (bias_) {
-    as_matrix(bias_->gradient, 1, width) = as_matrix(dy, rows, width).colwise().sum();
-  }
-  if (dx != nullptr) products_.backward(batch.signals * rows, dy, dx);
+  const std::int64_t inputs = this->input().width;
+  const std::int64_t outputs = this->output().width;
+  products_.differentiate(rows, {x, inputs}, {dy, outputs});
+  if (bias_) differentiate_bias(*bias_, rows, outputs, dy);
+  if (dx != nullptr) products_.backward(batch.signals * rows, {dy, outputs}, {dx, inputs});
 }
 
 template class PositionDense<float>;

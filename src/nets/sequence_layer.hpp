@@ -7,7 +7,8 @@
 namespace piae::nets {
 
 /// Numbers that follow each other in time: `length` positions with `width` numbers each, position
-/// by position. Widths are whole rows (base/vector.hpp); zeros fill up what is narrower.
+/// by position. Widths are whole rows (base/vector.hpp), and zeros fill up what is narrower, but
+/// where a layer says that it takes or gives others.
 struct SequenceShape {
   std::int64_t length;
   std::int64_t width;

@@ -33,8 +33,11 @@ Rows<const T> SequenceNetwork<T>::backward(std::int64_t rows, std::int64_t signa
                                            RowRange by_input) {
   require_room_for(signals * rows);
   const std::int64_t stride = layers_->input().size();
-  T* const to = by_input.count > 0 ? room_for(signals * rows * stride, input_gradient_) : nullptr;
-  layers_->backward({.windows = rows, .signals = signals}, input_.data(), output_gradient_.data(),
+  // The parameters follow the first signal, and nobody sees those below the rows asked for.
+  const std::int64_t followed =
+      by_input.count > 0 ? (by_input.begin + by_input.count - 1) / rows + 1 : 1;
+  T* const to = by_input.count > 0 ? room_for(followed * rows * stride, input_gradient_) : nullptr;
+  layers_->backward({.windows = rows, .signals = followed}, input_.data(), output_gradient_.data(),
                     to);
   return Rows<const T>{to, stride}.from(to == nullptr ? 0 : by_input.begin);
 }

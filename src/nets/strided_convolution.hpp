@@ -1,52 +1,81 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <cstdint>
+#include <string>
 
-#include "nets/rows.hpp"
+#include "nets/gradient_array.hpp"
+#include "nets/sequence_layer.hpp"
+#include "nets/weight_products.hpp"
 
 namespace piae::nets {
 
-/// A convolution with a stride along time, between a fine side and a coarse side that has one time
-/// for every `stride` fine ones:
+enum class ConvolutionKind {
+  strided,    ///< the output is the coarse side
+  transposed  ///< the output is the fine side
+};
+
+/// A convolution with a stride along time, between a fine side and a coarse side that has one
+/// position for every `stride` fine ones:
 ///
-///   coarse[t][o] = sum over taps j and fine channels c of
-///                  fine[stride t - padding + j][c] weight[o][c][j]
+///   coarse[t][o] = b[o] + sum over taps j and fine channels c of
+///                  fine[stride t - stride / 2 + j][c] weight[o][c][j]
 ///
 /// What the sum reads outside the fine side is zero. The kernel is two strides wide and half a
 /// stride of zeros stands at either end, so that lengths divide exactly.
 ///
 /// A transposed convolution is the same the other way round: its output is what a convolution gives
-/// for the gradient by its input. Hence the functions below are all that either needs.
-struct StridedConvolution {
-  std::int64_t fine_channels;
-  std::int64_t coarse_channels;  ///< a multiple of row_granule (base/vector.hpp)
-  std::int64_t stride;           ///< fine times, even
-  std::int64_t coarse_length;    ///< times
+/// for the gradient by its input, and a bias. It has the same weight [coarse channels, fine
+/// channels, kernel], <name>/weight; <name>/bias has one number for each channel of the output.
+///
+/// The fine side may have any number of channels, such as the one of a recording.
+template <class T>
+class StridedConvolution final : public SequenceLayer<T> {
+ public:
+  /// Throws std::logic_error for a weight of another form, for an odd stride, for coarse channels
+  /// that are no whole row, and for a length that the stride does not divide.
+  StridedConvolution(GradientArray<T>& parameters, const std::string& name, ConvolutionKind kind,
+                     std::int64_t input_length);
 
-  [[nodiscard]] std::int64_t kernel() const { return 2 * stride; }
-  [[nodiscard]] std::int64_t padding() const { return stride / 2; }
-  [[nodiscard]] std::int64_t fine_length() const { return stride * coarse_length; }
+  void forward(std::int64_t windows, const T* x, T* y) override;
+  void backward(const SignalBatch& batch, const T* x, const T* dy, T* dx) override;
+
+ private:
+  using Numbers = Eigen::ArrayX<T>;
+
+  [[nodiscard]] const SequenceShape& fine() const {
+    return kind_ == ConvolutionKind::strided ? this->input() : this->output();
+  }
+  [[nodiscard]] const SequenceShape& coarse() const {
+    return kind_ == ConvolutionKind::strided ? this->output() : this->input();
+  }
+  [[nodiscard]] std::int64_t stride() const { return fine().length / coarse().length; }
+  /// Numbers of the zeros at either end of the fine side.
+  [[nodiscard]] std::int64_t padding() const { return stride() / 2 * fine().width; }
+  /// Numbers under the kernel: two rows of the fine side, if this is read in strides.
+  [[nodiscard]] std::int64_t under_kernel() const { return 2 * stride() * fine().width; }
+
+  /// Both orders of the weight as it is now.
+  void renew_to_coarse();
+  void renew_to_fine();
+  void make_coarse(std::int64_t windows, Rows<const T> padded_fine, T* coarse) const;
+  void make_fine(std::int64_t windows, const T* coarse, T* fine);
+  void differentiate_weight(std::int64_t windows, Rows<const T> padded_fine, const T* coarse);
+  /// The fine sides of windows with the zeros at either end.
+  Rows<const T> pad_fine(std::int64_t windows, const T* fine);
+
+  ConvolutionKind kind_;
+  TrainedParameter<T> weight_;
+  TrainedParameter<T> bias_;
+  Numbers to_coarse_;        ///< the weight as [tap, fine channel][coarse channel]
+  Numbers to_fine_;          ///< as [half of the kernel, coarse channel][tap of it, fine channel]
+  Numbers padded_fine_;      ///< [windows, padding + fine side + padding]
+  Numbers padded_coarse_;    ///< of one window, with a position of zeros at either end
+  Numbers made_fine_;        ///< of one window, [coarse length + 1, held columns of to_fine_]
+  Numbers packed_gradient_;  ///< as to_coarse_
 };
 
-// A row of a batch is a signal [time, channel]. Beyond both ends of a row on the fine side,
-// padding() times must be there and be zero, and one time on the coarse side (padded_batch.hpp). So
-// the numbers under the kernel lie in memory one after the other, those of neighbouring outputs
-// overlap, and each function is a product of matrices for which nothing is copied. A weight is held
-// as it is stored: row o has the numbers [fine channel, tap].
-
-/// From fine to coarse.
-template <class T>
-void convolve(const StridedConvolution& shape, std::int64_t rows, Rows<const T> fine,
-              Rows<const T> weight, Rows<T> coarse);
-
-/// From coarse to fine. The times beyond both ends of the fine side are left zero.
-template <class T>
-void convolve_transposed(const StridedConvolution& shape, std::int64_t rows, Rows<const T> coarse,
-                         Rows<const T> weight, Rows<T> fine);
-
-/// The gradient by the weight, of one of the sides and the gradient by the other.
-template <class T>
-void weight_gradient(const StridedConvolution& shape, std::int64_t rows, Rows<const T> fine,
-                     Rows<const T> coarse, Rows<T> gradient);
+extern template class StridedConvolution<float>;
+extern template class StridedConvolution<double>;
 
 }  // namespace piae::nets

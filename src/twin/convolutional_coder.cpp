@@ -5,19 +5,16 @@
 #include <cmath>
 
 #include "base/error.hpp"
-#include "nets/convolutional_chain.hpp"
-#include "nets/dense_chain.hpp"
-#include "nets/joined_networks.hpp"
-#include "twin/specs.hpp"
+#include "nets/position_dense.hpp"
+#include "nets/relu.hpp"
+#include "nets/strided_convolution.hpp"
+#include "nets/transposition.hpp"
 
 namespace piae::twin {
 
 namespace {
 
 using Specs = std::vector<nets::ParameterSpec>;
-using Convolutions = nets::ConvolutionalChain<float>;
-using Dense = nets::DenseChain<float>;
-using Joined = nets::JoinedNetworks<float>;
 
 /// The parameters of a layer each of whose outputs is computed from `inputs_of_one` inputs.
 Specs layer_specs(const std::string& name, const std::vector<std::int64_t>& shape,
@@ -26,20 +23,18 @@ Specs layer_specs(const std::string& name, const std::vector<std::int64_t>& shap
   return {{name + "/weight", shape, bound}, {name + "/bias", {outputs}, bound}};
 }
 
+/// Of a convolution, behind that of its network.
+std::string own_name(std::int64_t i) { return "conv" + std::to_string(i); }
+
 }  // namespace
 
 std::string convolution_name(const std::string& network, std::int64_t i) {
-  return network + "/conv" + std::to_string(i);
+  return network + "/" + own_name(i);
 }
 std::string dense_name(const std::string& network) { return network + "/dense"; }
 
 ConvolutionalCoder::ConvolutionalCoder(const NetworkShape& shape, const TwinOptions& options)
-    : shape_(shape), convolutions_(options.depth - 1) {
-  if (convolutions_ < 1) {
-    throw Error(Exit::usage,
-                "--depth: 1 leaves no convolution, since the layer at (k, c) is dense; 2 or more "
-                "layers work");
-  }
+    : shape_(shape), convolutions_(layers_beside_dense(options.depth, "convolution")) {
   std::int64_t step = 1;
   for (std::int64_t i = 0; i < convolutions_; ++i) step *= stride;
   if (shape.samples % step != 0) {
@@ -73,22 +68,34 @@ std::vector<nets::ParameterSpec> ConvolutionalCoder::specs() const {
   return specs;
 }
 
-std::unique_ptr<Coder::Network> ConvolutionalCoder::encoder(
-    const std::shared_ptr<Parameters>& parameters, std::int64_t most_rows) const {
-  return std::make_unique<Joined>(
-      std::make_unique<Convolutions>(parameters, encoder_name, nets::ConvolutionKind::strided,
-                                     shape_.samples, most_rows),
-      inner_length_, inner_channels(),
-      std::make_unique<Dense>(parameters, dense_name(encoder_name), most_rows));
+template <class T>
+Layers<T> ConvolutionalCoder::encoder_layers(nets::GradientArray<T>& parameters) const {
+  Layers<T> layers;
+  std::int64_t length = shape_.samples;
+  for (std::int64_t i = 0; i < convolutions_; ++i, length /= stride) {
+    layers.push_back(std::make_unique<nets::StridedConvolution<T>>(
+        parameters, own_name(i), nets::ConvolutionKind::strided, length));
+    layers.push_back(std::make_unique<nets::Relu<T>>(layers.back()->output()));
+  }
+  layers.push_back(std::make_unique<nets::Transposition<T>>(layers.back()->output()));
+  layers.push_back(std::make_unique<nets::PositionDense<T>>(parameters, "dense", 1));
+  return layers;
 }
 
-std::unique_ptr<Coder::Network> ConvolutionalCoder::decoder(
-    const std::shared_ptr<Parameters>& parameters, std::int64_t most_rows) const {
-  return std::make_unique<Joined>(
-      std::make_unique<Dense>(parameters, dense_name(decoder_name), most_rows), inner_channels(),
-      inner_length_,
-      std::make_unique<Convolutions>(parameters, decoder_name, nets::ConvolutionKind::transposed,
-                                     inner_length_, most_rows));
+template <class T>
+Layers<T> ConvolutionalCoder::decoder_layers(nets::GradientArray<T>& parameters) const {
+  auto layers = nets::layers<T>(std::make_unique<nets::PositionDense<T>>(parameters, "dense", 1),
+                                std::make_unique<nets::Transposition<T>>(nets::SequenceShape{
+                                    .length = inner_channels(), .width = inner_length_}));
+  std::int64_t length = inner_length_;
+  for (std::int64_t i = 0; i < convolutions_; ++i, length *= stride) {
+    layers.push_back(std::make_unique<nets::Relu<T>>(layers.back()->output()));
+    layers.push_back(std::make_unique<nets::StridedConvolution<T>>(
+        parameters, own_name(i), nets::ConvolutionKind::transposed, length));
+  }
+  return layers;
 }
+
+PIAE_INSTANTIATE_SEQUENCE_CODER(ConvolutionalCoder);
 
 }  // namespace piae::twin

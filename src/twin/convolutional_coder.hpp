@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "twin/coder.hpp"
+#include "twin/sequence_coder.hpp"
 
 namespace piae::twin {
 
@@ -16,7 +16,7 @@ std::string dense_name(const std::string& network);
 /// ReLU between them. Each convolution of the encoder keeps one of `stride` samples and doubles the
 /// channels, and a dense layer makes (k~, c~) of what the last one gives. The decoder is its mirror
 /// image, with transposed convolutions.
-class ConvolutionalCoder final : public Coder {
+class ConvolutionalCoder final : public SequenceCoder<ConvolutionalCoder> {
  public:
   static constexpr std::int64_t channels = 16;  ///< after the first convolution
   static constexpr std::int64_t kernel = 8;     ///< samples
@@ -29,10 +29,10 @@ class ConvolutionalCoder final : public Coder {
   ConvolutionalCoder(const NetworkShape& shape, const TwinOptions& options);
 
   [[nodiscard]] std::vector<nets::ParameterSpec> specs() const override;
-  [[nodiscard]] std::unique_ptr<Network> encoder(const std::shared_ptr<Parameters>& parameters,
-                                                 std::int64_t most_rows) const override;
-  [[nodiscard]] std::unique_ptr<Network> decoder(const std::shared_ptr<Parameters>& parameters,
-                                                 std::int64_t most_rows) const override;
+  template <class T>
+  [[nodiscard]] Layers<T> encoder_layers(nets::GradientArray<T>& parameters) const;
+  template <class T>
+  [[nodiscard]] Layers<T> decoder_layers(nets::GradientArray<T>& parameters) const;
 
   /// Of the encoder, and as many of the decoder.
   [[nodiscard]] std::int64_t convolutions() const { return convolutions_; }

@@ -1,44 +1,62 @@
 #include "twin/recurrent_coder.hpp"
 
-#include <spdlog/fmt/fmt.h>
-
-#include "base/error.hpp"
-#include "nets/recurrent_chain.hpp"
-#include "twin/specs.hpp"
+#include "nets/gru_layer.hpp"
+#include "nets/last_position.hpp"
+#include "nets/position_dense.hpp"
 
 namespace piae::twin {
 
+namespace {
+
+std::string gru_name(std::int64_t i) { return "gru" + std::to_string(i); }
+
+}  // namespace
+
 RecurrentCoder::RecurrentCoder(const NetworkShape& shape, const TwinOptions& options)
-    : shape_(shape), size_{.layers = options.depth - 1, .units = units} {
-  if (size_.layers < 1) {
-    throw Error(Exit::usage,
-                "--depth: 1 leaves no recurrent layer, since the last one is dense; 2 or more "
-                "layers work");
-  }
-  if (shape.samples % frame != 0) {
-    throw Error(Exit::usage, fmt::format("windows of {} samples are no whole number of the frames "
-                                         "of {} that are read in turn; multiples of {} samples "
-                                         "work (split --window)",
-                                         shape.samples, frame, frame));
-  }
-}
+    : shape_(shape),
+      layers_(layers_beside_dense(options.depth, "recurrent layer")),
+      frames_(frames_of(shape.samples, frame, "read in turn")) {}
 
 std::vector<nets::ParameterSpec> RecurrentCoder::specs() const {
-  auto specs = nets::recurrent_chain_specs(encoder_name, frame, 2, size_);
-  append(specs, nets::recurrent_chain_specs(decoder_name, 2 + shape_.classes, frame, size_));
+  std::vector<nets::ParameterSpec> specs;
+  const auto add = [&](const std::string& network, std::int64_t inputs, std::int64_t outputs) {
+    for (std::int64_t i = 0; i < layers_; ++i) {
+      append(specs, nets::gru_specs(network + "/" + gru_name(i), i == 0 ? inputs : units, units));
+    }
+    append(specs, nets::dense_specs(network + "/dense", units, outputs));
+  };
+  add(encoder_name, frame, 2);
+  add(decoder_name, 2 + shape_.classes, frame);
   return specs;
 }
 
-std::unique_ptr<Coder::Network> RecurrentCoder::encoder(
-    const std::shared_ptr<Parameters>& parameters, std::int64_t most_rows) const {
-  return std::make_unique<nets::RecurrentChain<float>>(
-      parameters, encoder_name, nets::FrameCounts{.input = frames(), .output = 1}, most_rows);
+template <class T>
+Layers<T> RecurrentCoder::gru_layers(nets::GradientArray<T>& parameters,
+                                     std::int64_t input_length) const {
+  Layers<T> layers;
+  for (std::int64_t i = 0; i < layers_; ++i) {
+    layers.push_back(std::make_unique<nets::GruLayer<T>>(parameters, gru_name(i),
+                                                         i == 0 ? input_length : frames_, frames_));
+  }
+  return layers;
 }
 
-std::unique_ptr<Coder::Network> RecurrentCoder::decoder(
-    const std::shared_ptr<Parameters>& parameters, std::int64_t most_rows) const {
-  return std::make_unique<nets::RecurrentChain<float>>(
-      parameters, decoder_name, nets::FrameCounts{.input = 1, .output = frames()}, most_rows);
+template <class T>
+Layers<T> RecurrentCoder::encoder_layers(nets::GradientArray<T>& parameters) const {
+  Layers<T> layers = gru_layers(parameters, frames_);
+  layers.push_back(std::make_unique<nets::LastPosition<T>>(
+      nets::SequenceShape{.length = frames_, .width = units}));
+  layers.push_back(std::make_unique<nets::PositionDense<T>>(parameters, "dense", 1));
+  return layers;
 }
+
+template <class T>
+Layers<T> RecurrentCoder::decoder_layers(nets::GradientArray<T>& parameters) const {
+  Layers<T> layers = gru_layers(parameters, 1);
+  layers.push_back(std::make_unique<nets::PositionDense<T>>(parameters, "dense", frames_));
+  return layers;
+}
+
+PIAE_INSTANTIATE_SEQUENCE_CODER(RecurrentCoder);
 
 }  // namespace piae::twin

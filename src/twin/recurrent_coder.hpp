@@ -1,7 +1,6 @@
 #pragma once
 
-#include "nets/recurrent_specs.hpp"
-#include "twin/coder.hpp"
+#include "twin/sequence_coder.hpp"
 
 namespace piae::twin {
 
@@ -11,7 +10,7 @@ namespace piae::twin {
 /// this is 32 times cheaper than sample by sample. The encoder reads the frames, and a dense layer
 /// makes (k~, c~) of its last state. The decoder is given (k~, c~, label) at each frame, and a
 /// dense layer makes the frame of its state.
-class RecurrentCoder final : public Coder {
+class RecurrentCoder final : public SequenceCoder<RecurrentCoder> {
  public:
   static constexpr std::int64_t frame = 32;  ///< samples
   static constexpr std::int64_t units = 96;  ///< in a recurrent layer
@@ -20,18 +19,25 @@ class RecurrentCoder final : public Coder {
   /// frames.
   RecurrentCoder(const NetworkShape& shape, const TwinOptions& options);
 
-  [[nodiscard]] std::int64_t layers() const { return size_.layers; }  ///< that are recurrent
-  [[nodiscard]] std::int64_t frames() const { return shape_.samples / frame; }
+  [[nodiscard]] std::int64_t layers() const { return layers_; }  ///< that are recurrent
+  [[nodiscard]] std::int64_t frames() const { return frames_; }
 
   [[nodiscard]] std::vector<nets::ParameterSpec> specs() const override;
-  [[nodiscard]] std::unique_ptr<Network> encoder(const std::shared_ptr<Parameters>& parameters,
-                                                 std::int64_t most_rows) const override;
-  [[nodiscard]] std::unique_ptr<Network> decoder(const std::shared_ptr<Parameters>& parameters,
-                                                 std::int64_t most_rows) const override;
+  template <class T>
+  [[nodiscard]] Layers<T> encoder_layers(nets::GradientArray<T>& parameters) const;
+  template <class T>
+  [[nodiscard]] Layers<T> decoder_layers(nets::GradientArray<T>& parameters) const;
 
  private:
+  /// The recurrent layers, of which the first is given `input_length` inputs: one for each frame,
+  /// or one for all.
+  template <class T>
+  [[nodiscard]] Layers<T> gru_layers(nets::GradientArray<T>& parameters,
+                                     std::int64_t input_length) const;
+
   NetworkShape shape_;
-  nets::RecurrentSize size_;
+  std::int64_t layers_;
+  std::int64_t frames_;
 };
 
 }  // namespace piae::twin

@@ -8,9 +8,6 @@
 #include "nets/position_mean.hpp"
 #include "nets/relu.hpp"
 #include "nets/residual.hpp"
-#include "nets/sequence_chain.hpp"
-#include "nets/sequence_network.hpp"
-#include "twin/specs.hpp"
 
 namespace piae::twin {
 
@@ -39,9 +36,8 @@ std::unique_ptr<nets::SequenceLayer<T>> temporal_branch(GradientArray<T>& parame
 }
 
 template <class T>
-void add_temporal_blocks(typename nets::SequenceChain<T>::Layers& layers,
-                         GradientArray<T>& parameters, const nets::SequenceShape& shape,
-                         std::int64_t blocks) {
+void add_temporal_blocks(Layers<T>& layers, GradientArray<T>& parameters,
+                         const nets::SequenceShape& shape, std::int64_t blocks) {
   for (std::int64_t i = 0; i < blocks; ++i) {
     layers.push_back(std::make_unique<nets::Residual<T>>(
         temporal_branch(parameters, block_name(i), shape, TemporalCoder::dilation(i))));
@@ -52,18 +48,14 @@ void add_temporal_blocks(typename nets::SequenceChain<T>::Layers& layers,
 }  // namespace
 
 TemporalCoder::TemporalCoder(const NetworkShape& shape, const TwinOptions& options)
-    : shape_(shape), blocks_(options.depth - 1) {
+    : shape_(shape),
+      blocks_(options.depth - 1),
+      positions_(frames_of(shape.samples, frame, "convolved")) {
   if (blocks_ < 1 || blocks_ > most_blocks) {
     throw Error(Exit::usage,
                 fmt::format("--depth: {} is not possible: one layer is dense, and 1 to {} blocks "
                             "of convolutions beside it work, that is depths of 2 to {}",
                             options.depth, most_blocks, most_blocks + 1));
-  }
-  if (shape.samples % frame != 0) {
-    throw Error(Exit::usage, fmt::format("windows of {} samples are no whole number of the frames "
-                                         "of {} that are convolved; multiples of {} samples work "
-                                         "(split --window)",
-                                         shape.samples, frame, frame));
   }
 }
 
@@ -87,47 +79,32 @@ std::vector<nets::ParameterSpec> TemporalCoder::specs() const {
   add_blocks(encoder_name);
   append(specs, nets::dense_specs(encoder_name + "/dense", channels, 2));
   append(specs,
-         nets::dense_specs(decoder_name + "/dense", 2 + shape_.classes, positions() * channels));
+         nets::dense_specs(decoder_name + "/dense", 2 + shape_.classes, positions_ * channels));
   add_blocks(decoder_name);
   append(specs, nets::dense_specs(decoder_name + "/frames", channels, frame));
   return specs;
 }
 
 template <class T>
-std::unique_ptr<nets::Network<T>> TemporalCoder::make_encoder(
-    const std::shared_ptr<nets::Parameters<T>>& all, std::int64_t most_rows) const {
-  auto parameters = std::make_unique<GradientArray<T>>(all, encoder_name);
-  const nets::SequenceShape shape{.length = positions(), .width = channels};
+Layers<T> TemporalCoder::encoder_layers(GradientArray<T>& parameters) const {
+  const nets::SequenceShape shape{.length = positions_, .width = channels};
   auto layers =
-      nets::layers<T>(std::make_unique<nets::PositionDense<T>>(*parameters, "frames", positions()));
-  add_temporal_blocks<T>(layers, *parameters, shape, blocks_);
+      nets::layers<T>(std::make_unique<nets::PositionDense<T>>(parameters, "frames", positions_));
+  add_temporal_blocks<T>(layers, parameters, shape, blocks_);
   layers.push_back(std::make_unique<nets::PositionMean<T>>(shape));
-  layers.push_back(std::make_unique<nets::PositionDense<T>>(*parameters, "dense", 1));
-  return std::make_unique<nets::SequenceNetwork<T>>(
-      std::move(parameters), std::make_unique<nets::SequenceChain<T>>(std::move(layers)),
-      most_rows);
+  layers.push_back(std::make_unique<nets::PositionDense<T>>(parameters, "dense", 1));
+  return layers;
 }
 
 template <class T>
-std::unique_ptr<nets::Network<T>> TemporalCoder::make_decoder(
-    const std::shared_ptr<nets::Parameters<T>>& all, std::int64_t most_rows) const {
-  auto parameters = std::make_unique<GradientArray<T>>(all, decoder_name);
-  const nets::SequenceShape shape{.length = positions(), .width = channels};
-  auto layers = nets::layers<T>(std::make_unique<nets::PositionDense<T>>(*parameters, "dense", 1));
-  add_temporal_blocks<T>(layers, *parameters, shape, blocks_);
-  layers.push_back(std::make_unique<nets::PositionDense<T>>(*parameters, "frames", positions()));
-  return std::make_unique<nets::SequenceNetwork<T>>(
-      std::move(parameters), std::make_unique<nets::SequenceChain<T>>(std::move(layers)),
-      most_rows);
+Layers<T> TemporalCoder::decoder_layers(GradientArray<T>& parameters) const {
+  const nets::SequenceShape shape{.length = positions_, .width = channels};
+  auto layers = nets::layers<T>(std::make_unique<nets::PositionDense<T>>(parameters, "dense", 1));
+  add_temporal_blocks<T>(layers, parameters, shape, blocks_);
+  layers.push_back(std::make_unique<nets::PositionDense<T>>(parameters, "frames", positions_));
+  return layers;
 }
 
-template std::unique_ptr<nets::Network<float>> TemporalCoder::make_encoder(
-    const std::shared_ptr<nets::Parameters<float>>&, std::int64_t) const;
-template std::unique_ptr<nets::Network<double>> TemporalCoder::make_encoder(
-    const std::shared_ptr<nets::Parameters<double>>&, std::int64_t) const;
-template std::unique_ptr<nets::Network<float>> TemporalCoder::make_decoder(
-    const std::shared_ptr<nets::Parameters<float>>&, std::int64_t) const;
-template std::unique_ptr<nets::Network<double>> TemporalCoder::make_decoder(
-    const std::shared_ptr<nets::Parameters<double>>&, std::int64_t) const;
+PIAE_INSTANTIATE_SEQUENCE_CODER(TemporalCoder);
 
 }  // namespace piae::twin

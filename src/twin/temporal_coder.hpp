@@ -1,6 +1,6 @@
 #pragma once
 
-#include "twin/coder.hpp"
+#include "twin/sequence_coder.hpp"
 
 namespace piae::twin {
 
@@ -25,7 +25,7 @@ namespace piae::twin {
 /// At 1024 samples, 10 classes and depth 3, encoder and decoder have 52 594 parameters (39 235 in
 /// `piae-dt-cnn`, 184 162 in `piae-dt-rnn`) and 1.7e6 products of numbers a window (0.6e6; the
 /// module has 1.1e6).
-class TemporalCoder final : public Coder {
+class TemporalCoder final : public SequenceCoder<TemporalCoder> {
  public:
   static constexpr std::int64_t frame = 16;     ///< samples of a position
   static constexpr std::int64_t channels = 32;  ///< numbers of a position
@@ -41,28 +41,15 @@ class TemporalCoder final : public Coder {
   [[nodiscard]] static std::int64_t dilation(std::int64_t block);
 
   [[nodiscard]] std::vector<nets::ParameterSpec> specs() const override;
-  [[nodiscard]] std::unique_ptr<Network> encoder(const std::shared_ptr<Parameters>& parameters,
-                                                 std::int64_t most_rows) const override {
-    return make_encoder<float>(parameters, most_rows);
-  }
-  [[nodiscard]] std::unique_ptr<Network> decoder(const std::shared_ptr<Parameters>& parameters,
-                                                 std::int64_t most_rows) const override {
-    return make_decoder<float>(parameters, most_rows);
-  }
-
-  /// The same in float and in double.
   template <class T>
-  [[nodiscard]] std::unique_ptr<nets::Network<T>> make_encoder(
-      const std::shared_ptr<nets::Parameters<T>>& parameters, std::int64_t most_rows) const;
+  [[nodiscard]] Layers<T> encoder_layers(nets::GradientArray<T>& parameters) const;
   template <class T>
-  [[nodiscard]] std::unique_ptr<nets::Network<T>> make_decoder(
-      const std::shared_ptr<nets::Parameters<T>>& parameters, std::int64_t most_rows) const;
+  [[nodiscard]] Layers<T> decoder_layers(nets::GradientArray<T>& parameters) const;
 
  private:
-  [[nodiscard]] std::int64_t positions() const { return shape_.samples / frame; }
-
   NetworkShape shape_;
   std::int64_t blocks_;
+  std::int64_t positions_;
 };
 
 }  // namespace piae::twin

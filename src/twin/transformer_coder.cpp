@@ -2,7 +2,6 @@
 
 #include <spdlog/fmt/fmt.h>
 
-#include "base/error.hpp"
 #include "nets/dot_product_attention.hpp"
 #include "nets/layer_normalisation.hpp"
 #include "nets/position_copy.hpp"
@@ -11,9 +10,6 @@
 #include "nets/position_table.hpp"
 #include "nets/relu.hpp"
 #include "nets/residual.hpp"
-#include "nets/sequence_chain.hpp"
-#include "nets/sequence_network.hpp"
-#include "twin/specs.hpp"
 
 namespace piae::twin {
 
@@ -65,8 +61,7 @@ std::unique_ptr<nets::SequenceLayer<T>> dense_branch(GradientArray<T>& parameter
 
 /// The positions, the blocks, and the normalisation after the last.
 template <class T>
-void add_transformer_blocks(typename nets::SequenceChain<T>::Layers& layers,
-                            GradientArray<T>& parameters, std::int64_t tokens,
+void add_transformer_blocks(Layers<T>& layers, GradientArray<T>& parameters, std::int64_t tokens,
                             std::int64_t blocks) {
   layers.push_back(std::make_unique<nets::PositionTable<T>>(parameters, "positions"));
   for (std::int64_t i = 0; i < blocks; ++i) {
@@ -82,25 +77,15 @@ void add_transformer_blocks(typename nets::SequenceChain<T>::Layers& layers,
 }  // namespace
 
 TransformerCoder::TransformerCoder(const NetworkShape& shape, const TwinOptions& options)
-    : shape_(shape), blocks_(options.depth - 1) {
-  if (blocks_ < 1) {
-    throw Error(Exit::usage,
-                "--depth: 1 leaves no block of attention, since the layer at (k, c) is dense; 2 or "
-                "more layers work");
-  }
-  if (shape.samples % frame != 0) {
-    throw Error(Exit::usage, fmt::format("windows of {} samples are no whole number of the frames "
-                                         "of {} that attend to each other; multiples of {} samples "
-                                         "work (split --window)",
-                                         shape.samples, frame, frame));
-  }
-}
+    : shape_(shape),
+      blocks_(layers_beside_dense(options.depth, "block of attention")),
+      tokens_(frames_of(shape.samples, frame, "read as tokens")) {}
 
 std::vector<nets::ParameterSpec> TransformerCoder::specs() const {
   std::vector<nets::ParameterSpec> specs;
   const auto add_tokens = [&](const std::string& network) {
-    append(specs, nets::position_table_specs(network + "/positions",
-                                             {.length = tokens(), .width = width}));
+    append(specs,
+           nets::position_table_specs(network + "/positions", {.length = tokens_, .width = width}));
     for (std::int64_t i = 0; i < blocks_; ++i) {
       append(specs, transformer_block_specs(fmt::format("{}/block{}", network, i)));
     }
@@ -116,41 +101,26 @@ std::vector<nets::ParameterSpec> TransformerCoder::specs() const {
 }
 
 template <class T>
-std::unique_ptr<nets::Network<T>> TransformerCoder::make_encoder(
-    const std::shared_ptr<nets::Parameters<T>>& all, std::int64_t most_rows) const {
-  auto parameters = std::make_unique<GradientArray<T>>(all, encoder_name);
+Layers<T> TransformerCoder::encoder_layers(GradientArray<T>& parameters) const {
   auto layers =
-      nets::layers<T>(std::make_unique<nets::PositionDense<T>>(*parameters, "frames", tokens()));
-  add_transformer_blocks<T>(layers, *parameters, tokens(), blocks_);
+      nets::layers<T>(std::make_unique<nets::PositionDense<T>>(parameters, "frames", tokens_));
+  add_transformer_blocks<T>(layers, parameters, tokens_, blocks_);
   layers.push_back(std::make_unique<nets::PositionMean<T>>(
-      nets::SequenceShape{.length = tokens(), .width = width}));
-  layers.push_back(std::make_unique<nets::PositionDense<T>>(*parameters, "dense", 1));
-  return std::make_unique<nets::SequenceNetwork<T>>(
-      std::move(parameters), std::make_unique<nets::SequenceChain<T>>(std::move(layers)),
-      most_rows);
+      nets::SequenceShape{.length = tokens_, .width = width}));
+  layers.push_back(std::make_unique<nets::PositionDense<T>>(parameters, "dense", 1));
+  return layers;
 }
 
 template <class T>
-std::unique_ptr<nets::Network<T>> TransformerCoder::make_decoder(
-    const std::shared_ptr<nets::Parameters<T>>& all, std::int64_t most_rows) const {
-  auto parameters = std::make_unique<GradientArray<T>>(all, decoder_name);
-  auto layers = nets::layers<T>(std::make_unique<nets::PositionDense<T>>(*parameters, "dense", 1),
+Layers<T> TransformerCoder::decoder_layers(GradientArray<T>& parameters) const {
+  auto layers = nets::layers<T>(std::make_unique<nets::PositionDense<T>>(parameters, "dense", 1),
                                 std::make_unique<nets::PositionCopy<T>>(
-                                    nets::SequenceShape{.length = tokens(), .width = width}));
-  add_transformer_blocks<T>(layers, *parameters, tokens(), blocks_);
-  layers.push_back(std::make_unique<nets::PositionDense<T>>(*parameters, "frames", tokens()));
-  return std::make_unique<nets::SequenceNetwork<T>>(
-      std::move(parameters), std::make_unique<nets::SequenceChain<T>>(std::move(layers)),
-      most_rows);
+                                    nets::SequenceShape{.length = tokens_, .width = width}));
+  add_transformer_blocks<T>(layers, parameters, tokens_, blocks_);
+  layers.push_back(std::make_unique<nets::PositionDense<T>>(parameters, "frames", tokens_));
+  return layers;
 }
 
-template std::unique_ptr<nets::Network<float>> TransformerCoder::make_encoder(
-    const std::shared_ptr<nets::Parameters<float>>&, std::int64_t) const;
-template std::unique_ptr<nets::Network<double>> TransformerCoder::make_encoder(
-    const std::shared_ptr<nets::Parameters<double>>&, std::int64_t) const;
-template std::unique_ptr<nets::Network<float>> TransformerCoder::make_decoder(
-    const std::shared_ptr<nets::Parameters<float>>&, std::int64_t) const;
-template std::unique_ptr<nets::Network<double>> TransformerCoder::make_decoder(
-    const std::shared_ptr<nets::Parameters<double>>&, std::int64_t) const;
+PIAE_INSTANTIATE_SEQUENCE_CODER(TransformerCoder);
 
 }  // namespace piae::twin

@@ -99,6 +99,37 @@ inline void expect_gradients_of_differences(LayerExample& example, std::int64_t 
   }
 }
 
+/// What an earlier batch left behind, which had more windows, changes neither what a layer gives
+/// nor its gradients.
+inline void expect_that_batches_leave_nothing_behind(const LayerExample::Make& make,
+                                                     const std::vector<ParameterSpec>& specs) {
+  constexpr std::int64_t windows = 2;
+  const auto outcome = [&](bool after_another) {
+    LayerExample example(make, specs);
+    SequenceLayer<double>& layer = *example.layer;
+    std::vector<double> all;
+    for (const bool earlier : {true, false}) {
+      if (earlier && !after_another) continue;
+      const std::int64_t own = earlier ? 5 : windows;
+      const std::string name = earlier ? "earlier " : "";
+      const std::vector<double> x = random_numbers(name + "x", own * layer.input().size());
+      const std::vector<double> dy = random_numbers(name + "dy", 2 * own * layer.output().size());
+      std::vector<double> by_x(2 * x.size());
+      all = example.forward(x, own);
+      layer.backward({.windows = own, .signals = 2}, x.data(), dy.data(), by_x.data());
+      all.insert(all.end(), by_x.begin(), by_x.end());
+    }
+    for (const ParameterSpec& spec : specs) {
+      const TrainedParameter<double> trained =
+          example.gradients.find(spec.name.substr(std::string("net/").size()));
+      all.insert(all.end(), trained.gradient,
+                 trained.gradient + trained.rows * trained.held_columns);
+    }
+    return all;
+  };
+  EXPECT_EQ(outcome(true), outcome(false));
+}
+
 /// A layer that has no parameters, made of a shape.
 template <class Layer>
 LayerExample example_of_shape(const SequenceShape& shape) {

@@ -2,98 +2,140 @@
 
 #include <gtest/gtest.h>
 
-#include "base/vector.hpp"
-#include "nets/convolution_example.hpp"
-#include "nets/padded_batch.hpp"
+#include <stdexcept>
+
+#include "nets/layer_gradients.hpp"
 
 namespace piae::nets {
 namespace {
 
-// 3 and 8 fine channels: rows of the transposed product that are filled up, and whole ones.
-class StridedConvolutions : public testing::TestWithParam<StridedConvolution> {
+/// 3 and 8 fine channels, and one as of a recording: rows of the product that makes the fine side
+/// are filled up, or whole.
+struct StridedShape {
+  std::int64_t fine_channels;
+  std::int64_t coarse_channels;
+  std::int64_t stride;
+  std::int64_t coarse_length;
+
+  [[nodiscard]] std::int64_t fine_length() const { return stride * coarse_length; }
+  [[nodiscard]] std::vector<ParameterSpec> specs(ConvolutionKind kind) const {
+    return {{"net/conv/weight", {coarse_channels, fine_channels, 2 * stride}, 0.5},
+            {"net/conv/bias",
+             {kind == ConvolutionKind::strided ? coarse_channels : fine_channels},
+             0.5}};
+  }
+  [[nodiscard]] LayerExample::Make layer(ConvolutionKind kind) const {
+    const std::int64_t length = kind == ConvolutionKind::strided ? fine_length() : coarse_length;
+    return [=](GradientArray<double>& parameters) {
+      return std::make_unique<StridedConvolution<double>>(parameters, "conv", kind, length);
+    };
+  }
+  [[nodiscard]] LayerExample example(ConvolutionKind kind) const {
+    return LayerExample(layer(kind), specs(kind));
+  }
+};
+
+class StridedConvolutions : public testing::TestWithParam<StridedShape> {
  protected:
-  static constexpr std::int64_t rows = 2;
-  static constexpr std::int64_t padding = 3;  // more than is needed
-
-  static double dot(const PaddedBatch<double>& a, const PaddedBatch<double>& b) {
-    auto x = a;
-    auto y = b;
-    return (x.all(0, rows) * y.all(0, rows)).sum();
+  static constexpr std::int64_t windows = 2;
+  static double number(const LayerExample& example, const std::string& name, std::int64_t row,
+                       std::int64_t column) {
+    const auto& p = example.parameters->find("net/conv/" + name);
+    return example.parameters->data(
+        Parameters<double>::Kept::value)[p.begin + row * p.held_columns + column];
   }
-  static PaddedBatch<double> signals(const std::string& name, std::int64_t length,
-                                     std::int64_t channels) {
-    PaddedBatch<double> batch(rows, length, channels, padding);
-    put(drawn(name, rows, length * channels), batch.rows());
-    return batch;
-  }
-  [[nodiscard]] std::int64_t weight_columns() const {
-    return shape_.fine_channels * shape_.kernel();
-  }
-  Rows<double> weight() { return {weight_.data(), weight_columns()}; }
-
-  const StridedConvolution shape_ = GetParam();
-  PaddedBatch<double> fine_ = signals("fine", shape_.fine_length(), shape_.fine_channels);
-  PaddedBatch<double> coarse_ = signals("coarse", shape_.coarse_length, shape_.coarse_channels);
-  RowArray<double> weight_ = drawn("weight", shape_.coarse_channels, weight_columns());
+  const StridedShape shape_ = GetParam();
 };
 
 TEST_P(StridedConvolutions, EqualTheDefinition) {
-  PaddedBatch<double> to(rows, shape_.coarse_length, shape_.coarse_channels, padding);
-  convolve<double>(shape_, rows, fine_.rows(), weight(), to.rows());
-  for (std::int64_t r = 0; r < rows; ++r) {
+  const LayerExample example = shape_.example(ConvolutionKind::strided);
+  const std::vector<double> fine =
+      random_numbers("fine", windows * shape_.fine_length() * shape_.fine_channels);
+  const std::vector<double> coarse = example.forward(fine, windows);
+  auto made = coarse.begin();
+  for (std::int64_t w = 0; w < windows; ++w) {
     for (std::int64_t t = 0; t < shape_.coarse_length; ++t) {
       for (std::int64_t o = 0; o < shape_.coarse_channels; ++o) {
-        double sum = 0;
-        for (std::int64_t j = 0; j < shape_.kernel(); ++j) {
-          const std::int64_t time = shape_.stride * t - shape_.padding() + j;
+        double sum = number(example, "bias", 0, o);
+        for (std::int64_t j = 0; j < 2 * shape_.stride; ++j) {
+          const std::int64_t time = shape_.stride * t - shape_.stride / 2 + j;
           if (time < 0 || time >= shape_.fine_length()) continue;
           for (std::int64_t c = 0; c < shape_.fine_channels; ++c) {
-            sum += fine_.rows().row(r)[time * shape_.fine_channels + c] *
-                   weight_(o, c * shape_.kernel() + j);
+            sum += fine[static_cast<std::size_t>(
+                       (w * shape_.fine_length() + time) * shape_.fine_channels + c)] *
+                   number(example, "weight", o, c * 2 * shape_.stride + j);
           }
         }
-        EXPECT_NEAR(to.rows().row(r)[t * shape_.coarse_channels + o], sum, 1e-12);
+        EXPECT_NEAR(*made++, sum, 1e-12);
       }
     }
   }
 }
 
-// The transposed map A' of a linear map A: y . A x = A' y . x for any x and y.
+// The transposed map A' of a linear map A: y . A x = A' y . x for any x and y. The biases are
+// taken off as what is made of zeros.
 TEST_P(StridedConvolutions, AreTransposed) {
-  PaddedBatch<double> to_coarse(rows, shape_.coarse_length, shape_.coarse_channels, padding);
-  convolve<double>(shape_, rows, fine_.rows(), weight(), to_coarse.rows());
-  PaddedBatch<double> to_fine(rows, shape_.fine_length(), shape_.fine_channels, padding);
-  to_fine.all(0, rows) = 7;  // what stood there before
-  PaddedBatch<double> inside(rows, shape_.fine_length(), shape_.fine_channels, padding);
-  put<double>(RowArray<double>::Ones(rows, shape_.fine_length() * shape_.fine_channels),
-              inside.rows());
-  to_fine.all(0, rows) *= inside.all(0, rows);
-  convolve_transposed<double>(shape_, rows, coarse_.rows(), weight(), to_fine.rows());
-  EXPECT_NEAR(dot(coarse_, to_coarse), dot(to_fine, fine_), 1e-10);
-  // Nothing is left beyond the ends.
-  EXPECT_EQ(((inside.all(0, rows) == 0) && (to_fine.all(0, rows) != 0)).count(), 0);
+  const auto without_bias = [](const LayerExample& example, const std::vector<double>& x) {
+    std::vector<double> y = example.forward(x, windows);
+    const std::vector<double> biases = example.forward(std::vector<double>(x.size()), windows);
+    for (std::size_t i = 0; i < y.size(); ++i) y[i] -= biases[i];
+    return y;
+  };
+  const auto dot = [](const std::vector<double>& a, const std::vector<double>& b) {
+    double sum = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
+    return sum;
+  };
+  const std::vector<double> fine =
+      random_numbers("fine", windows * shape_.fine_length() * shape_.fine_channels);
+  const std::vector<double> coarse =
+      random_numbers("coarse", windows * shape_.coarse_length * shape_.coarse_channels);
+  const LayerExample strided = shape_.example(ConvolutionKind::strided);
+  const LayerExample transposed = shape_.example(ConvolutionKind::transposed);
+  EXPECT_NEAR(dot(coarse, without_bias(strided, fine)), dot(without_bias(transposed, coarse), fine),
+              1e-10);
+  EXPECT_EQ(transposed.forward(std::vector<double>(coarse.size()), windows)[0],
+            number(transposed, "bias", 0, 0));
 }
 
-// The convolution is linear in its weight W, too: y . A(W) x = W . gradient.
-TEST_P(StridedConvolutions, HaveTheirGradientByTheWeight) {
-  PaddedBatch<double> to(rows, shape_.coarse_length, shape_.coarse_channels, padding);
-  RowArray<double> gradient(weight_.rows(), weight_.cols());
-  weight_gradient<double>(shape_, rows, fine_.rows(), coarse_.rows(),
-                          {gradient.data(), weight_columns()});
-  for (const char* name : {"one weight", "another"}) {
-    weight_ = drawn(name, weight_.rows(), weight_.cols());
-    convolve<double>(shape_, rows, fine_.rows(), weight(), to.rows());
-    EXPECT_NEAR(dot(coarse_, to), (weight_ * gradient).sum(), 1e-10);
+TEST_P(StridedConvolutions, HaveTheGradientsOfFiniteDifferences) {
+  for (const ConvolutionKind kind : {ConvolutionKind::strided, ConvolutionKind::transposed}) {
+    LayerExample example = shape_.example(kind);
+    expect_gradients_of_differences(example, windows);
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Nets, StridedConvolutions,
-    testing::Values(StridedConvolution{1, 16, 4, 9}, StridedConvolution{3, 16, 2, 5},
-                    StridedConvolution{8, 32, 4, 3}, StridedConvolution{16, 32, 6, 1}),
-    [](const auto& info) {
-      return std::to_string(info.param.fine_channels) + "By" + std::to_string(info.param.stride);
-    });
+TEST_P(StridedConvolutions, LeaveNothingBehindForTheNextBatch) {
+  for (const ConvolutionKind kind : {ConvolutionKind::strided, ConvolutionKind::transposed}) {
+    expect_that_batches_leave_nothing_behind(shape_.layer(kind), shape_.specs(kind));
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Nets, StridedConvolutions,
+                         testing::Values(StridedShape{1, 16, 4, 9}, StridedShape{3, 16, 2, 5},
+                                         StridedShape{8, 32, 4, 3}, StridedShape{16, 32, 6, 1}),
+                         [](const auto& info) {
+                           return std::to_string(info.param.fine_channels) + "By" +
+                                  std::to_string(info.param.stride);
+                         });
+
+TEST(StridedConvolution, RefusesWhatIsNone) {
+  const auto layer_of = [](std::vector<std::int64_t> weight, std::int64_t length) {
+    const std::int64_t outputs = weight[0];
+    return LayerExample(
+        [=](GradientArray<double>& parameters) {
+          return std::make_unique<StridedConvolution<double>>(parameters, "conv",
+                                                              ConvolutionKind::strided, length);
+        },
+        {{"net/conv/weight", std::move(weight)}, {"net/conv/bias", {outputs}}});
+  };
+  EXPECT_NO_THROW(layer_of({16, 1, 8}, 8));
+  EXPECT_THROW(layer_of({16, 1, 8}, 10), std::logic_error);  // no multiple of 4
+  EXPECT_THROW(layer_of({16, 1, 6}, 9), std::logic_error);   // of an odd stride
+  EXPECT_THROW(layer_of({16, 1, 9}, 8), std::logic_error);
+  EXPECT_THROW(layer_of({10, 1, 8}, 8), std::logic_error);  // no whole vectors of channels
+  EXPECT_THROW(layer_of({16, 8}, 8), std::logic_error);
+}
 
 }  // namespace
 }  // namespace piae::nets

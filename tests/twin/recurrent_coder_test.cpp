@@ -17,9 +17,10 @@ TEST(RecurrentCoder, NamesTheWindowsAndDepthsThatWork) {
   EXPECT_ERROR(RecurrentCoder({1000, 2}, with_depth(3)), Exit::usage,
                "windows of 1000 samples are no whole number of the frames of 32 that are read in "
                "turn; multiples of 32 samples work (split --window)");
-  EXPECT_ERROR(RecurrentCoder({1024, 2}, with_depth(1)), Exit::usage,
-               "--depth: 1 leaves no recurrent layer, since the last one is dense; 2 or more "
-               "layers work");
+  EXPECT_ERROR(
+      RecurrentCoder({1024, 2}, with_depth(1)), Exit::usage,
+      "--depth: 1 leaves no recurrent layer, since the layer at (k, c) is dense; 2 or more "
+      "layers work");
 }
 
 // Models that were stored with these names and shapes stay readable.

@@ -1,4 +1,4 @@
-// The temporal coder and that of a Transformer; what they compute is tested beside LibTorch.
+// The coders that are chains of layers on sequences; what they compute is tested beside LibTorch.
 
 #include <gtest/gtest.h>
 
@@ -38,10 +38,8 @@ TEST_P(SequenceCoders, GiveForAWindowTheSameWhateverStandsBesideIt) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Twin, SequenceCoders,
-                         testing::Values(CoderKind::temporal, CoderKind::transformer),
-                         [](const auto& info) {
-                           return info.param == CoderKind::temporal ? "Temporal" : "Transformer";
-                         });
+                         testing::Values(CoderKind::convolutional, CoderKind::recurrent,
+                                         CoderKind::temporal, CoderKind::transformer));
 
 }  // namespace
 }  // namespace piae::twin

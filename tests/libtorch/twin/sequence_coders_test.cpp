@@ -8,6 +8,8 @@
 #include "libtorch/nets/adam.hpp"
 #include "libtorch/nets/parameters.hpp"
 #include "libtorch/nets/torch.hpp"
+#include "libtorch/twin/convolutional_coder.hpp"
+#include "libtorch/twin/recurrent_coder.hpp"
 #include "libtorch/twin/temporal_coder.hpp"
 #include "libtorch/twin/transformer_coder.hpp"
 #include "nets/parameters.hpp"
@@ -18,7 +20,7 @@ namespace {
 
 using nets::Rows;
 
-constexpr twin::NetworkShape coded_shape{.samples = 96, .classes = 3};
+constexpr twin::NetworkShape coded_shape{.samples = 192, .classes = 3};
 
 twin::TwinOptions of_depth(int depth) {
   twin::TwinOptions options;
@@ -168,6 +170,14 @@ void expect_the_same() {
     // weight as far as any.
     expect_the_same_steps<float, Mine, Theirs>(encodes, 1e-3);
   }
+}
+
+TEST(SequenceCoders, OfConvolutionsGiveWhatLibtorchGives) {
+  expect_the_same<twin::ConvolutionalCoder, ConvolutionalCoder>();
+}
+
+TEST(SequenceCoders, OfRecurrentUnitsGiveWhatLibtorchGives) {
+  expect_the_same<twin::RecurrentCoder, RecurrentCoder>();
 }
 
 TEST(SequenceCoders, OfTheTemporalNetworkGiveWhatLibtorchGives) {
