@@ -77,8 +77,9 @@ double ViewAxes::spectrogram_hz(Index bin) const {
 
 Index typical_window(const scoring::Windows& windows) {
   if (windows.rows() == 0) throw std::logic_error("no windows have none that is typical");
-  const Eigen::ArrayXd squares =
-      (windows.colwise() - windows.rowwise().mean()).rowwise().squaredNorm();
+  // A name of its own: within the expression all means would be computed once more for each row.
+  const Eigen::VectorXd means = windows.rowwise().mean();
+  const Eigen::ArrayXd squares = (windows.colwise() - means).rowwise().squaredNorm();
   std::vector<Index> by_loudness(static_cast<std::size_t>(windows.rows()));
   std::iota(by_loudness.begin(), by_loudness.end(), Index{0});
   std::ranges::stable_sort(by_loudness, {}, [&](Index i) { return squares[i]; });

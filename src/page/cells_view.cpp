@@ -7,10 +7,13 @@
 #include "page/links.hpp"
 #include "page/table.hpp"
 #include "page/words.hpp"
+#include "run/layout.hpp"
 #include "scoring/quality_record.hpp"
 #include "scoring/ratios.hpp"
 
 namespace piae::page {
+
+namespace fs = std::filesystem;
 
 namespace {
 
@@ -36,17 +39,19 @@ Table diagnoses_table(const std::vector<DatasetContents>& datasets) {
                           {"artefact"},
                           {"digest"}}};
   for (const DatasetContents& dataset : datasets) {
-    for (std::size_t i = 0; i < dataset.diagnoses.size(); ++i) {
-      const CellFile& cell = dataset.diagnoses[i];
-      const double percent = 100 * dataset.results.diagnoses[i].accuracy;
+    const run::Layout layout("", dataset.name);
+    for (std::size_t i = 0; i < dataset.results.diagnoses.size(); ++i) {
+      const run::Diagnosis& cell = dataset.results.diagnoses[i];
+      const double percent = 100 * cell.accuracy;
+      const fs::path file = layout.diagnosis(cell.method, cell.ratio, cell.seed, cell.classifier);
       table.rows.push_back({.cells = {{.content = dataset.name},
-                                      {.content = cell.name.method},
-                                      {.content = cell.name.classifier},
-                                      {.content = cell.name.ratio},
-                                      seed_cell(cell.name.seed),
+                                      {.content = cell.method},
+                                      {.content = cell.classifier},
+                                      {.content = cell.ratio},
+                                      seed_cell(cell.seed),
                                       number_cell(percent, fmt::format("{:.2f}", percent)),
-                                      {.content = file_link(cell.file)},
-                                      digest_cell(cell.digest)}});
+                                      {.content = file_link(file)},
+                                      digest_cell(dataset.diagnosis_digests[i])}});
     }
   }
   return table;
@@ -60,17 +65,16 @@ Table scores_table(const std::vector<DatasetContents>& datasets) {
   }
   table.columns.insert(table.columns.end(), {{"artefact"}, {"digest"}});
   for (const DatasetContents& dataset : datasets) {
-    for (std::size_t i = 0; i < dataset.scores.size(); ++i) {
-      const CellFile& cell = dataset.scores[i];
-      Row row{.cells = {{.content = dataset.name},
-                        {.content = cell.name.method},
-                        seed_cell(cell.name.seed)}};
+    const run::Layout layout("", dataset.name);
+    for (std::size_t i = 0; i < dataset.results.qualities.size(); ++i) {
+      const scoring::QualityRecord& cell = dataset.results.qualities[i];
+      Row row{.cells = {{.content = dataset.name}, {.content = cell.method}, seed_cell(cell.seed)}};
       for (const scoring::Metric& metric : scoring::all_metrics()) {
-        const double mean = dataset.results.qualities[i].mean_over_classes(metric);
+        const double mean = cell.mean_over_classes(metric);
         row.cells.push_back(number_cell(mean, fmt::format("{:.4g}", mean)));
       }
-      row.cells.push_back({.content = file_link(cell.file)});
-      row.cells.push_back(digest_cell(cell.digest));
+      row.cells.push_back({.content = file_link(layout.score(cell.method, cell.seed))});
+      row.cells.push_back(digest_cell(dataset.score_digests[i]));
       table.rows.push_back(std::move(row));
     }
   }
@@ -135,7 +139,7 @@ Html in_details(const Table& table, const std::string& what) {
 std::size_t count_of_cells(const std::vector<DatasetContents>& datasets) {
   std::size_t count = 0;
   for (const DatasetContents& dataset : datasets) {
-    count += dataset.diagnoses.size() + dataset.scores.size();
+    count += dataset.results.diagnoses.size() + dataset.results.qualities.size();
   }
   return count;
 }

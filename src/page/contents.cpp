@@ -26,13 +26,6 @@ Build build_of(const artefact::Reader& reader) {
           .processor = reader.text(group, "cpu")};
 }
 
-CellFile cell_file(const fs::path& run, const artefact::Reader& reader, run::CellName name) {
-  return {.name = std::move(name),
-          .file = reader.path().lexically_relative(run),
-          .digest = reader.digest(),
-          .build = build_of(reader)};
-}
-
 run::CellName name_of(const run::Diagnosis& cell) {
   return {cell.method, cell.ratio, cell.seed, cell.classifier};
 }
@@ -55,55 +48,28 @@ std::string ratio_to_show(const std::vector<report::AccuracyRow>& rows) {
   return shown;
 }
 
-/// Reads what tables do not need of the cells: digests and builds. Adds up confusions.
-class CellReader {
- public:
-  CellReader(const fs::path& run, DatasetContents& into)
-      : run_(run),
-        layout_(run, into.name),
-        into_(into),
-        shown_ratio_(ratio_to_show(report::rows_by(into.rows, scoring::paper_classifier))) {}
-
-  void diagnoses(const std::vector<run::Diagnosis>& cells) {
-    std::vector<fs::path> files;
-    for (const run::Diagnosis& cell : cells) {
-      files.push_back(layout_.diagnosis(cell.method, cell.ratio, cell.seed, cell.classifier));
-    }
-    artefact::Readers readers(files, "diagnosis");
-    for (const run::Diagnosis& cell : cells) diagnosis(readers.next(), cell);
-  }
-
-  void scores(const std::vector<scoring::QualityRecord>& cells) {
-    std::vector<fs::path> files;
-    for (const scoring::QualityRecord& cell : cells) {
-      files.push_back(layout_.score(cell.method, cell.seed));
-    }
-    artefact::Readers readers(files, "score");
-    for (const scoring::QualityRecord& cell : cells) {
-      into_.scores.push_back(cell_file(run_, readers.next(), {cell.method, "", cell.seed}));
-      if (into_.classes.empty()) into_.classes = cell.info.classes;
-    }
-  }
-
- private:
-  void diagnosis(const artefact::Reader& reader, const run::Diagnosis& cell) {
-    into_.diagnoses.push_back(cell_file(run_, reader, name_of(cell)));
-    if (into_.classes.empty()) into_.classes = cell.classes;
-    if (cell.classifier != scoring::paper_classifier) return;
-    if (cell.ratio != shown_ratio_ && cell.method != augment::no_method) return;
-    auto of_method = std::ranges::find(into_.confusions, cell.method, &MethodConfusion::method);
-    if (of_method == into_.confusions.end()) {
-      of_method = into_.confusions.insert(of_method, {cell.method, cell.ratio, 0, {}});
+/// Of the paper's classifier at this ratio, and without generated windows.
+std::vector<MethodConfusion> confusions_of(const std::vector<run::Diagnosis>& cells,
+                                           const std::string& ratio) {
+  std::vector<MethodConfusion> confusions;
+  for (const run::Diagnosis& cell : cells) {
+    if (cell.classifier != scoring::paper_classifier) continue;
+    if (cell.ratio != ratio && cell.method != augment::no_method) continue;
+    auto of_method = std::ranges::find(confusions, cell.method, &MethodConfusion::method);
+    if (of_method == confusions.end()) {
+      of_method = confusions.insert(of_method, {cell.method, cell.ratio, 0, {}});
     }
     scoring::add(of_method->confusion, cell.confusion);
     ++of_method->seeds;
   }
+  return confusions;
+}
 
-  fs::path run_;
-  run::Layout layout_;
-  DatasetContents& into_;
-  std::string shown_ratio_;
-};
+std::vector<signal::ClassInfo> classes_of(const run::Results& results) {
+  if (!results.diagnoses.empty()) return results.diagnoses.front().classes;
+  if (!results.qualities.empty()) return results.qualities.front().info.classes;
+  return {};
+}
 
 /// Names of cells, of which there may be a hundred thousand.
 class CellNames {
@@ -196,18 +162,24 @@ DatasetContents read_dataset(const fs::path& run, const run::Grid& asked,
                              const std::vector<std::string>& leave_out,
                              const report::Published& published) {
   const run::Layout layout(run, asked.dataset);
-  run::Collected collected = run::collect_held(layout, asked, run::Held(layout, leave_out));
-  DatasetContents contents{.name = asked.dataset,
-                           .grid = std::move(collected.grid),
-                           .results = std::move(collected.results)};
+  DatasetContents contents{.name = asked.dataset};
+  const auto note = [&](const artefact::Reader& cell) {
+    ++contents.builds[build_of(cell)];
+    const bool is_score = cell.kind() == "score";
+    (is_score ? contents.score_digests : contents.diagnosis_digests).push_back(cell.digest());
+  };
+  run::Collected collected = run::collect_held(layout, asked, run::Held(layout, leave_out), note);
+  contents.grid = std::move(collected.grid);
+  contents.results = std::move(collected.results);
+  contents.classes = classes_of(contents.results);
   contents.rows = report::accuracy_rows(contents.grid, contents.results, published);
   contents.recommendations = report::recommendations(contents.rows, contents.results);
   contents.verdict = report::verdict(contents.results, contents.rows);
   const std::string conditions = report::conditions_note(contents.results);
   if (!conditions.empty()) contents.verdict.insert(contents.verdict.begin(), conditions);
-  CellReader cells(run, contents);
-  cells.diagnoses(contents.results.diagnoses);
-  cells.scores(contents.results.qualities);
+  contents.confusions =
+      confusions_of(contents.results.diagnoses,
+                    ratio_to_show(report::rows_by(contents.rows, scoring::paper_classifier)));
   contents.holes = holes_in(run, asked, contents);
   read_records(run, contents);
   return contents;

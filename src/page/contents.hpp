@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -21,14 +23,6 @@ struct Build {
   std::string libraries;  ///< and compiler
   std::string processor;
   auto operator<=>(const Build&) const = default;
-};
-
-/// A cell that could be read, and the artefact that holds it.
-struct CellFile {
-  run::CellName name;          ///< the ratio is empty for a score
-  std::filesystem::path file;  ///< below the folder of the run
-  std::string digest;          ///< of its content
-  Build build = {};
 };
 
 /// What the paper's classifier, trained with a method's windows, said of the test windows, summed
@@ -53,8 +47,9 @@ struct DatasetContents {
   std::vector<signal::ClassInfo> classes = {};
   run::Grid grid = {};        ///< what is asked for, and what else the folder holds
   run::Results results = {};  ///< the cells that could be read
-  std::vector<CellFile> diagnoses = {};
-  std::vector<CellFile> scores = {};
+  std::vector<std::string> diagnosis_digests = {};  ///< of the contents of results.diagnoses
+  std::vector<std::string> score_digests = {};      ///< of the contents of results.qualities
+  std::map<Build, std::size_t> builds = {};         ///< how many of the cells each has made
   std::vector<Hole> holes = {};
   std::vector<report::AccuracyRow> rows = {};  ///< accuracies, percent, by any classifier
   std::vector<std::string> verdict = {};       ///< sentences; first its conditions

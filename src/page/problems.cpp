@@ -4,7 +4,11 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
+#include <map>
+#include <set>
 #include <tuple>
+#include <utility>
 
 #include "page/links.hpp"
 #include "page/table.hpp"
@@ -19,32 +23,79 @@ namespace {
 /// So many reasons and logs of a group are shown; the others are counted.
 constexpr std::size_t most_shown = 3;
 
+/// Values of which each is kept once, in the order in which they come. There may be as many as
+/// there are cells.
 template <class T>
-void add_once(std::vector<T>& values, const T& value) {
-  if (std::ranges::count(values, value) == 0) values.push_back(value);
-}
+class EachOnce {
+ public:
+  void add(const T& value) {
+    if (known_.insert(value).second) values_.push_back(value);
+  }
+  [[nodiscard]] std::vector<T> take() { return std::move(values_); }
+
+ private:
+  std::vector<T> values_;
+  std::set<T> known_;
+};
+
+/// A group to which holes are still added.
+struct GrowingGroup {
+  HoleGroup group;
+  EachOnce<std::string> methods = {};
+  EachOnce<std::string> ratios = {};
+  EachOnce<std::int64_t> seeds = {};
+  EachOnce<std::string> reasons = {};
+  EachOnce<std::filesystem::path> logs = {};
+};
 
 std::string method_of(const Hole& hole) {
   return run::name_by(hole.name.method, hole.name.classifier);
 }
 
-bool belongs_to(const HoleGroup& group, const std::string& dataset, const Hole& hole) {
-  const bool same =
-      group.dataset == dataset && group.state == hole.state && group.stage == hole.stage;
-  return same && (hole.state == HoleState::not_begun || group.methods.front() == method_of(hole));
+/// What the holes of a group have in common. What is not begun has no method in common.
+using CommonOfHoles = std::tuple<HoleState, std::string, std::string>;
+CommonOfHoles common_of(const Hole& hole) {
+  return {hole.state, hole.stage, hole.state == HoleState::not_begun ? "" : method_of(hole)};
 }
 
-void add(HoleGroup& group, const Hole& hole) {
-  add_once(group.methods, method_of(hole));
-  add_once(group.seeds, hole.name.seed);
+void add(GrowingGroup& growing, const Hole& hole) {
+  growing.methods.add(method_of(hole));
+  growing.seeds.add(hole.name.seed);
   if (hole.name.ratio.empty()) {
-    ++group.scores;
+    ++growing.group.scores;
   } else {
-    ++group.diagnoses;
-    add_once(group.ratios, hole.name.ratio);
+    ++growing.group.diagnoses;
+    growing.ratios.add(hole.name.ratio);
   }
-  if (!hole.why.empty()) add_once(group.reasons, hole.why);
-  if (!hole.log.empty()) add_once(group.logs, hole.log);
+  if (!hole.why.empty()) growing.reasons.add(hole.why);
+  if (!hole.log.empty()) growing.logs.add(hole.log);
+}
+
+HoleGroup grown(GrowingGroup growing) {
+  HoleGroup group = std::move(growing.group);
+  group.methods = growing.methods.take();
+  group.ratios = growing.ratios.take();
+  group.seeds = growing.seeds.take();
+  group.reasons = growing.reasons.take();
+  group.logs = growing.logs.take();
+  std::ranges::sort(group.seeds);
+  return group;
+}
+
+std::vector<HoleGroup> groups_of(const DatasetContents& dataset) {
+  std::vector<GrowingGroup> groups;
+  std::map<CommonOfHoles, std::size_t> places;
+  for (const Hole& hole : dataset.holes) {
+    const auto [place, is_new] = places.try_emplace(common_of(hole), groups.size());
+    if (is_new) {
+      groups.push_back(
+          {.group = {.dataset = dataset.name, .state = hole.state, .stage = hole.stage}});
+    }
+    add(groups[place->second], hole);
+  }
+  std::vector<HoleGroup> all;
+  for (GrowingGroup& growing : groups) all.push_back(grown(std::move(growing)));
+  return all;
 }
 
 std::size_t count_of(const std::vector<DatasetContents>& datasets, HoleState state) {
@@ -134,17 +185,8 @@ std::string word_of(HoleState state) {
 std::vector<HoleGroup> groups_of(const std::vector<DatasetContents>& datasets) {
   std::vector<HoleGroup> groups;
   for (const DatasetContents& dataset : datasets) {
-    for (const Hole& hole : dataset.holes) {
-      auto group = std::ranges::find_if(
-          groups, [&](const HoleGroup& each) { return belongs_to(each, dataset.name, hole); });
-      if (group == groups.end()) {
-        group = groups.insert(group,
-                              {.dataset = dataset.name, .state = hole.state, .stage = hole.stage});
-      }
-      add(*group, hole);
-    }
+    std::ranges::move(groups_of(dataset), std::back_inserter(groups));
   }
-  for (HoleGroup& group : groups) std::ranges::sort(group.seeds);
   std::ranges::stable_sort(groups, {}, &HoleGroup::state);
   return groups;
 }
@@ -162,8 +204,8 @@ std::string completeness(const std::vector<DatasetContents>& datasets) {
   std::size_t scores = 0;
   std::size_t missing = 0;
   for (const DatasetContents& dataset : datasets) {
-    diagnoses += dataset.diagnoses.size();
-    scores += dataset.scores.size();
+    diagnoses += dataset.results.diagnoses.size();
+    scores += dataset.results.qualities.size();
     missing += dataset.holes.size();
   }
   if (missing == 0) return "All " + counted_cells(diagnoses, scores) + " are there.";

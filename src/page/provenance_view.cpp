@@ -14,8 +14,7 @@ using Builds = std::map<Build, std::size_t>;
 Builds builds_of(const std::vector<DatasetContents>& datasets) {
   Builds builds;
   for (const DatasetContents& dataset : datasets) {
-    for (const CellFile& cell : dataset.diagnoses) ++builds[cell.build];
-    for (const CellFile& cell : dataset.scores) ++builds[cell.build];
+    for (const auto& [build, count] : dataset.builds) builds[build] += count;
   }
   return builds;
 }

@@ -22,6 +22,7 @@ namespace piae::page {
 namespace {
 
 using Datasets = std::vector<DatasetContents>;
+using Figures = std::vector<std::vector<FigureContents>>;
 
 /// The values of all data sets, each once, in the order in which they come.
 template <class T, class ValuesOf>
@@ -106,16 +107,15 @@ Html header_of(const Datasets& datasets) {
                                navigation(datasets));
 }
 
-Html results_and_figures(const ReportContents& contents) {
+Html results_and_figures(const Datasets& datasets, const Figures& figures) {
   Html all;
-  for (const DatasetContents& dataset : contents.datasets) {
+  for (const DatasetContents& dataset : datasets) {
     all += section(id_of_dataset("results", dataset), "Results on " + dataset.name,
                    accuracy_view(dataset));
   }
-  for (std::size_t i = 0; i < contents.datasets.size(); ++i) {
-    const DatasetContents& dataset = contents.datasets[i];
-    all += section(id_of_dataset("figures", dataset), "Figures of " + dataset.name,
-                   figures_view(dataset.name, contents.figures[i]));
+  for (std::size_t i = 0; i < datasets.size(); ++i) {
+    all += section(id_of_dataset("figures", datasets[i]), "Figures of " + datasets[i].name,
+                   figures_view(datasets[i].name, figures[i]));
   }
   return all;
 }
@@ -143,17 +143,18 @@ Html rest_of(const ReportContents& contents) {
                          file_link("run.html") + "."));
 }
 
-std::string whole_page(const ReportContents& contents, const Style& style) {
-  return document(
-      "PIAE-DT on " + names_of(contents.datasets), style,
-      header_of(contents.datasets) +
-          element("main", {{"id", "content"}}, results_and_figures(contents) + rest_of(contents)));
+/// Of these figures instead of those of the contents.
+std::string whole_page(const ReportContents& contents, const Figures& figures, const Style& style) {
+  return document("PIAE-DT on " + names_of(contents.datasets), style,
+                  header_of(contents.datasets) +
+                      element("main", {{"id", "content"}},
+                              results_and_figures(contents.datasets, figures) + rest_of(contents)));
 }
 
 /// All figures, without the files that the page may hold: what is left of a page without them.
-ReportContents without_attachments(ReportContents contents) {
-  for (std::vector<FigureContents>& figures : contents.figures) {
-    for (FigureContents& figure : figures) {
+Figures without_attachments(Figures figures) {
+  for (std::vector<FigureContents>& of_dataset : figures) {
+    for (FigureContents& figure : of_dataset) {
       for (Picture& picture : figure.pictures) {
         for (Attachment* attachment : {&picture.svg, &picture.csv}) {
           attachment->held = !attachment->file.empty();
@@ -162,7 +163,7 @@ ReportContents without_attachments(ReportContents contents) {
       }
     }
   }
-  return contents;
+  return figures;
 }
 
 }  // namespace
@@ -182,8 +183,8 @@ std::vector<std::pair<std::string, std::string>> facts_of(const Datasets& datase
   std::size_t diagnoses = 0;
   std::size_t scores = 0;
   for (const DatasetContents& dataset : datasets) {
-    diagnoses += dataset.diagnoses.size();
-    scores += dataset.scores.size();
+    diagnoses += dataset.results.diagnoses.size();
+    scores += dataset.results.qualities.size();
   }
   std::vector<std::pair<std::string, std::string>> facts{
       {"What",
@@ -216,18 +217,20 @@ ReportContents read_report(const std::filesystem::path& run, const AskedCells& a
   return contents;
 }
 
-std::string report_page(ReportContents contents, const Style& style) {
-  const std::size_t without = whole_page(without_attachments(contents), style).size();
-  std::vector<FigureContents*> figures;
-  for (std::vector<FigureContents>& of_dataset : contents.figures) {
-    for (FigureContents& figure : of_dataset) figures.push_back(&figure);
+std::string report_page(const ReportContents& contents, const Style& style) {
+  const std::size_t without =
+      whole_page(contents, without_attachments(contents.figures), style).size();
+  Figures figures = contents.figures;
+  std::vector<FigureContents*> all;
+  for (std::vector<FigureContents>& of_dataset : figures) {
+    for (FigureContents& figure : of_dataset) all.push_back(&figure);
   }
   // What is linked in the place of a file is shorter than what stands around a file that is held,
   // but for its address.
   constexpr std::size_t for_addresses = 100'000;
   const std::size_t taken = without + for_addresses;
-  choose_attachments(figures, taken < most_bytes_of_report ? most_bytes_of_report - taken : 0);
-  return whole_page(contents, style);
+  choose_attachments(all, taken < most_bytes_of_report ? most_bytes_of_report - taken : 0);
+  return whole_page(contents, figures, style);
 }
 
 }  // namespace piae::page

@@ -30,7 +30,7 @@ inline constexpr std::size_t most_bytes_of_report = 5'000'000;
 /// report.html. The same cells and figures give the same bytes in any folder, however often the run
 /// was interrupted: there is no time, no host and no folder in it. It is not longer than
 /// most_bytes_of_report as long as its tables are not; what does not fit is linked.
-std::string report_page(ReportContents contents, const Style& style);
+std::string report_page(const ReportContents& contents, const Style& style);
 
 /// "cwru and hit-sm".
 std::string names_of(const std::vector<DatasetContents>& datasets);

@@ -56,16 +56,18 @@ void require_like_the_others(const artefact::Reader& reader, const Diagnosis& ce
 
 void add_diagnosis(const artefact::Reader& reader, const std::string& dataset,
                    const Combination& combination, std::int64_t seed,
-                   const TestedWindowsBySeed& tested, std::vector<Diagnosis>& diagnoses) {
+                   const TestedWindowsBySeed& tested, const SeenCell& seen,
+                   std::vector<Diagnosis>& diagnoses) {
   const auto windows = tested.find(seed);
   Diagnosis cell = read_diagnosis_cell(reader, dataset, combination, seed,
                                        windows == tested.end() ? nullptr : &windows->second);
   require_like_the_others(reader, cell, diagnoses);
+  if (seen) seen(reader);
   diagnoses.push_back(std::move(cell));
 }
 
 void add_quality(const artefact::Reader& reader, const std::string& dataset,
-                 const std::string& method, std::int64_t seed,
+                 const std::string& method, std::int64_t seed, const SeenCell& seen,
                  std::vector<scoring::QualityRecord>& qualities) {
   scoring::QualityRecord record = read_score_cell(reader, dataset, method, seed);
   if (!qualities.empty()) {
@@ -74,6 +76,7 @@ void add_quality(const artefact::Reader& reader, const std::string& dataset,
     require_same(reader, "the list of classes", class_names(record),
                  class_names(qualities.front()));
   }
+  if (seen) seen(reader);
   qualities.push_back(std::move(record));
 }
 
@@ -123,7 +126,7 @@ std::vector<Diagnosis> diagnoses_of(const Results& results, const Combination& c
 
 void collect_diagnoses(const Layout& layout, const std::string& dataset, const Series& series,
                        const std::vector<std::int64_t>& seeds, Results& results,
-                       const TestedWindowsBySeed& tested) {
+                       const TestedWindowsBySeed& tested, const SeenCell& seen) {
   const Combination& cell = series.combination;
   std::vector<fs::path> paths;
   for (const std::int64_t seed : seeds) {
@@ -133,20 +136,23 @@ void collect_diagnoses(const Layout& layout, const std::string& dataset, const S
   for (std::size_t i = 0; i < seeds.size(); ++i) {
     attempt(
         fmt::format("{}, ratio {}, seed {}", series.name, cell.ratio, seeds[i]), paths[i],
-        [&] { add_diagnosis(readers.next(), dataset, cell, seeds[i], tested, results.diagnoses); },
+        [&] {
+          add_diagnosis(readers.next(), dataset, cell, seeds[i], tested, seen, results.diagnoses);
+        },
         results);
   }
 }
 
 void collect_scores(const Layout& layout, const std::string& dataset, const std::string& method,
-                    const std::vector<std::int64_t>& seeds, Results& results) {
+                    const std::vector<std::int64_t>& seeds, Results& results,
+                    const SeenCell& seen) {
   std::vector<fs::path> paths;
   for (const std::int64_t seed : seeds) paths.push_back(layout.score(method, seed));
   artefact::Readers readers(paths, "score");
   for (std::size_t i = 0; i < seeds.size(); ++i) {
     attempt(
         fmt::format("method {}, seed {}", method, seeds[i]), paths[i],
-        [&] { add_quality(readers.next(), dataset, method, seeds[i], results.qualities); },
+        [&] { add_quality(readers.next(), dataset, method, seeds[i], seen, results.qualities); },
         results);
   }
 }

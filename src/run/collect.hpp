@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -34,6 +35,11 @@ struct Results {
   Exit exit = Exit::done;
 };
 
+/// Is shown each cell that becomes part of the results, with the artefact that it was read from, in
+/// the order of the results: for what tables do not need of artefacts. A cell is refused with the
+/// artefact::Refusal that this throws.
+using SeenCell = std::function<void(const artefact::Reader&)>;
+
 /// The diagnoses of one method and ratio over the seeds: those of the grid, or those of a sweep
 /// with one setting of the method moved.
 struct Series {
@@ -53,14 +59,15 @@ void collect_tested_windows(const Layout& layout, const std::string& dataset, st
 /// of seeds whose test windows are known have decisions.
 void collect_diagnoses(const Layout& layout, const std::string& dataset, const Series& series,
                        const std::vector<std::int64_t>& seeds, Results& results,
-                       const TestedWindowsBySeed& tested = {});
+                       const TestedWindowsBySeed& tested = {}, const SeenCell& seen = {});
 
 /// The diagnoses of one combination, by seed.
 std::vector<Diagnosis> diagnoses_of(const Results& results, const Combination& combination);
 
 /// The same for the scores of a method.
 void collect_scores(const Layout& layout, const std::string& dataset, const std::string& method,
-                    const std::vector<std::int64_t>& seeds, Results& results);
+                    const std::vector<std::int64_t>& seeds, Results& results,
+                    const SeenCell& seen = {});
 
 /// Reads every cell of a grid, and goes on after one that cannot be read. A file is also refused
 /// when it holds another cell than its place says, and when it was made under other conditions than

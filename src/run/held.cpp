@@ -51,8 +51,8 @@ enum class Tested { read, left };
 class CellsOfSeeds {
  public:
   CellsOfSeeds(const Layout& layout, const Grid& asked, const Held& held, Tested tested,
-               Collected& into)
-      : layout_(layout), asked_(asked), held_(held), tested_(tested), into_(into) {}
+               Collected& into, const SeenCell& seen = {})
+      : layout_(layout), asked_(asked), held_(held), tested_(tested), into_(into), seen_(seen) {}
 
   void diagnoses(const Combination& cell) {
     const auto file_of = [&](std::int64_t seed) {
@@ -61,7 +61,8 @@ class CellsOfSeeds {
     const auto seeds = chosen(is_asked(asked_, cell), cell, file_of);
     if (seeds.empty()) return;
     into_.grid.combinations.push_back(cell);
-    collect_diagnoses(layout_, asked_.dataset, series_of(cell), seeds, into_.results, windows_);
+    collect_diagnoses(layout_, asked_.dataset, series_of(cell), seeds, into_.results, windows_,
+                      seen_);
   }
 
   void scores(const std::string& method) {
@@ -70,7 +71,7 @@ class CellsOfSeeds {
     const auto seeds = chosen(needed, {method, ""}, file_of);
     if (seeds.empty()) return;
     into_.grid.scored.push_back(method);
-    collect_scores(layout_, asked_.dataset, method, seeds, into_.results);
+    collect_scores(layout_, asked_.dataset, method, seeds, into_.results, seen_);
   }
 
  private:
@@ -99,6 +100,7 @@ class CellsOfSeeds {
   const Held& held_;
   Tested tested_;
   Collected& into_;
+  SeenCell seen_;
   TestedWindowsBySeed windows_;
   std::set<std::int64_t> seeds_;
 };
@@ -218,10 +220,11 @@ Results collect_held_scores(const Layout& layout, const Grid& asked, const Held&
   return std::move(collected.results);
 }
 
-Collected collect_held(const Layout& layout, const Grid& asked, const Held& held) {
+Collected collect_held(const Layout& layout, const Grid& asked, const Held& held,
+                       const SeenCell& seen) {
   Collected collected;
   collected.grid.dataset = asked.dataset;
-  CellsOfSeeds cells(layout, asked, held, Tested::read, collected);
+  CellsOfSeeds cells(layout, asked, held, Tested::read, collected, seen);
   add_diagnoses(asked, Classifiers::all, cells);
   add_scores(asked, cells);
   return collected;

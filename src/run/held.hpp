@@ -64,7 +64,8 @@ struct Collected {
 /// holds. What is left out is named in Results::left_out. Classifiers and
 /// methods are in the order of their catalogues, so that the tables of the same cells are the same,
 /// whoever asked. Diagnoses of seeds whose test windows (A) the folder holds have decisions.
-Collected collect_held(const Layout& layout, const Grid& asked, const Held& held);
+Collected collect_held(const Layout& layout, const Grid& asked, const Held& held,
+                       const SeenCell& seen = {});
 
 /// Of which classifiers cells are looked for besides those that are asked for.
 enum class Classifiers { papers, all };

@@ -6,6 +6,7 @@ namespace piae::run {
 namespace {
 
 using testing::AllOf;
+using testing::Contains;
 using testing::ElementsAre;
 using testing::Field;
 using testing::HasSubstr;
@@ -83,6 +84,31 @@ TEST_F(HeldCells, ThatAreDamagedAreRefusedAlsoWhereTheyAreNotAskedFor) {
   const Results results = collected(part_).results;
   EXPECT_THAT(results.problems, ElementsAre(HasSubstr("method vae, ratio 2to1, seed 0: ")));
   EXPECT_EQ(results.exit, Exit::bad_input);
+}
+
+TEST_F(HeldCells, AreShownWithTheirArtefactsInTheOrderOfTheResults) {
+  add_all();
+  add_method("smote");
+  std::filesystem::copy_file(layout_.diagnosis("vae", "2to1", 1),
+                             layout_.diagnosis("vae", "2to1", 0),
+                             std::filesystem::copy_options::overwrite_existing);
+  Strings shown;
+  const SeenCell see = [&](const artefact::Reader& cell) {
+    const std::string ratio = cell.kind() == "score" ? "" : cell.text("/", "ratio") + " ";
+    shown.push_back(cell.text("/", "method") + " " + ratio +
+                    std::to_string(cell.integer("/", "seed")));
+    if (shown.back() == "smote 2to1 1") cell.refuse("/", "is not liked");
+  };
+  const Results results = collect_held(layout_, part_, Held(layout_), see).results;
+  EXPECT_THAT(results.problems,
+              ElementsAre(HasSubstr("smote, ratio 2to1, seed 1: "), HasSubstr("the seed is 1")));
+  EXPECT_THAT(results.problems, Contains(HasSubstr("diagnosis.h5: / is not liked")));
+  Strings wanted = names(results);
+  for (const scoring::QualityRecord& cell : results.qualities) {
+    wanted.push_back(cell.method + " " + std::to_string(cell.seed));
+  }
+  std::erase(shown, "smote 2to1 1");
+  EXPECT_EQ(shown, wanted);
 }
 
 TEST_F(HeldCells, ThatAreOutOfDateAreLeftOutByName) {
