@@ -129,6 +129,7 @@ void collect_diagnoses(const Layout& layout, const std::string& dataset, const S
                        const TestedWindowsBySeed& tested, const SeenCell& seen) {
   const Combination& cell = series.combination;
   std::vector<fs::path> paths;
+  paths.reserve(seeds.size());
   for (const std::int64_t seed : seeds) {
     paths.push_back(layout.diagnosis(series.folder, cell.ratio, seed, cell.classifier));
   }
@@ -147,6 +148,7 @@ void collect_scores(const Layout& layout, const std::string& dataset, const std:
                     const std::vector<std::int64_t>& seeds, Results& results,
                     const SeenCell& seen) {
   std::vector<fs::path> paths;
+  paths.reserve(seeds.size());
   for (const std::int64_t seed : seeds) paths.push_back(layout.score(method, seed));
   artefact::Readers readers(paths, "score");
   for (std::size_t i = 0; i < seeds.size(); ++i) {
