@@ -126,7 +126,7 @@ std::vector<FigureContents> read_figures(const fs::path& run, const std::string&
   return figures;
 }
 
-void choose_attachments(std::vector<FigureContents*> figures, std::size_t most_bytes) {
+void choose_attachments(const std::vector<FigureContents*>& figures, std::size_t most_bytes) {
   std::vector<Attachment*> svg;
   std::vector<Attachment*> csv;
   for (FigureContents* figure : figures) {

@@ -42,6 +42,6 @@ std::vector<FigureContents> read_figures(const std::filesystem::path& run,
 
 /// Chooses what the page holds so that all of it is not longer than so many bytes: pictures come
 /// first, and the smaller before the larger.
-void choose_attachments(std::vector<FigureContents*> figures, std::size_t most_bytes);
+void choose_attachments(const std::vector<FigureContents*>& figures, std::size_t most_bytes);
 
 }  // namespace piae::page
