@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "page/asked.hpp"
@@ -22,7 +23,10 @@ struct Build {
   std::string version;    ///< and commit
   std::string libraries;  ///< and compiler
   std::string processor;
-  auto operator<=>(const Build&) const = default;
+  bool operator<(const Build& other) const {
+    return std::tie(version, libraries, processor) <
+           std::tie(other.version, other.libraries, other.processor);
+  }
 };
 
 /// What the paper's classifier, trained with a method's windows, said of the test windows, summed

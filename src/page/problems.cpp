@@ -94,6 +94,7 @@ std::vector<HoleGroup> groups_of(const DatasetContents& dataset) {
     add(groups[place->second], hole);
   }
   std::vector<HoleGroup> all;
+  all.reserve(groups.size());
   for (GrowingGroup& growing : groups) all.push_back(grown(std::move(growing)));
   return all;
 }
