@@ -3,7 +3,6 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
-#include <string>
 
 #include "base/random.hpp"
 
@@ -43,7 +42,7 @@ Plane first_places(const Points& points) {
       const Eigen::VectorXd direction = solver.eigenvectors().col(variances.size() - 1 - k);
       places.col(k) = scale * (centred * with_fixed_sign(direction)).array();
     } else {
-      Stream noise("tsne/start/component" + std::to_string(k + 1));
+      Stream noise(k == 0 ? "tsne/start/component1" : "tsne/start/component2");
       std::ranges::generate(places.col(k), [&] { return noise.normal(0, noise_deviation); });
     }
   }
