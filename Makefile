@@ -229,8 +229,11 @@ part        = $(call options_of,DATASETS) $(cells_given)
 
 choice = $(foreach name,RUN DATASETS METHODS RATIOS CLASSIFIERS SEEDS PROTOCOL DATA_DIR BIN results cells_given,\
            $(if $($(name)),'$(name)=$(call value_of,$(name))'))
-# A dry run of a project that is not built can show no more than that it would be built.
-unknown_yet := $(if $(findstring n,$(filter-out --%,$(flags))),$(if $(wildcard $(BIN)/settings),,yes))
+# A dry run of a project that is not built can show no more than that it would be built. Nor can one whose programs
+# are older than the sources, where these programs do not understand pipeline/ any more.
+too_old     = $(if $(programs),$(shell $(BIN)/settings --facts >/dev/null 2>&1 || \
+  find src stages -newer $(BIN)/settings -print -quit 2>/dev/null))
+unknown_yet := $(if $(findstring n,$(filter-out --%,$(flags))),$(if $(wildcard $(BIN)/settings),$(too_old),yes))
 grid: | $(programs)
 	$(Q)+$(if $(unknown_yet),echo 'for the steps of the grid the programs must be built first: `make build`',\
 	  $(MAKE) --file=pipeline/grid.mk $(choice) $(asked))

@@ -738,6 +738,20 @@ test_programs_that_are_not_there_are_one_line() {
   expect_exit 0 make -n cells
 }
 
+# Programs of before do not know what the sources and pipeline/ have learned since.
+test_a_dry_run_with_programs_of_before_says_that_they_would_be_built() {
+  describe
+  mkdir -p build/bin src
+  printf '#!/bin/bash\necho "settings: nothing reads the table [train.new]" >&2\nexit 65\n' >build/bin/settings
+  chmod +x build/bin/settings
+  touch -d '1 hour ago' build/bin/settings
+  touch src/new.cpp
+  expect_line "$(make -n cells 2>&1)" "the programs must be built first: .make build."
+  touch build/bin/settings
+  touch -d '1 hour ago' src/new.cpp src
+  expect_line "$(make -n cells 2>&1 || true)" "nothing reads the table .train.new."
+}
+
 test_libtorch_is_on_or_off() {
   describe
   expect_line "$(grid LIBTORCH=no 2>&1 || true)" "LIBTORCH: on or off, not 'no'"
