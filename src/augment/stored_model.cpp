@@ -7,9 +7,7 @@
 #include "base/error.hpp"
 #include "phase/stored_inference.hpp"
 #include "twin/curves.hpp"
-#include "twin/model.hpp"
 #include "twin/outcome.hpp"
-#include "twin/space.hpp"
 
 namespace piae::augment {
 
