@@ -6,7 +6,7 @@ source "${0%/*}/../pipeline/support.sh"
 source "${0%/*}/jobs.sh"
 
 test_stopped_trainings_leave_checkpoints_and_the_same_command_goes_on() {
-  small_grid 300
+  small_grid 2000
   cluster cluster >/dev/null
   wait_for results/t/simulated-small/seed1/piae-dt/train.log
   wait_for results/t/simulated-small/seed0/piae-dt/train.log
@@ -27,7 +27,7 @@ test_stopped_trainings_leave_checkpoints_and_the_same_command_goes_on() {
 }
 
 test_out_of_time_a_job_goes_back_and_no_other_does_and_goes_on_from_the_checkpoint() {
-  small_grid 300
+  small_grid 2000
   # Each of the two trainings is a job.
   local grid=("${grid[@]}" METHODS=piae-dt RATIOS=10to1)
   printf '%s\n' stage,dataset,method,classifier,ratio,seconds,megabytes train,simulated-small,piae-dt,,,100,200 >jobs/costs.csv
