@@ -91,6 +91,9 @@ $(if $(strip $(value DATA_DIR)),,$(error DATA_DIR: is empty; name the folder of 
 $(call refuse_signs,DATA_DIR,$(in_folders),rename the folder or make a link to it)
 $(if $(filter -%,$(firstword $(DATA_DIR))),$(error DATA_DIR: begins with '-'; write ./$(DATA_DIR)))
 $(foreach name,$(filter-out DATA_DIR SUBMIT,$(variables)),$(call refuse_signs,$(name),$(of_code),it is a plain word or a list of them))
+# make reads these as its own where a file has them in its name.
+comma := ,
+$(call refuse_signs,RUN,: = % $(comma),it is the name of a folder under results/)
 
 # A name that is nearly one of ours: in the other case, or the beginning of one, or one with more to it.
 upper_case = $(shell printf %s '$1' | tr a-z A-Z)

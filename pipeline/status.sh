@@ -70,8 +70,8 @@ job_ended() { # stage, file
 
 # Of many logs, one a line, the lines that a pattern fits: log and line. There may be a hundred thousand, so they are
 # not looked at one by one.
-lines_of() { # pattern, options of grep
-  { xargs --no-run-if-empty --delimiter='\n' grep --text --with-filename "${@:2}" -- "$1" || true; } |
+lines_of() { # pattern
+  { xargs --no-run-if-empty --delimiter='\n' grep --text --with-filename -- "$1" || true; } |
     printable | sed 's/\.log:/.log\t/'
 }
 

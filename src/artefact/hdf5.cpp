@@ -116,7 +116,7 @@ std::size_t bytes_of(hid_t dataset) {
 }
 
 /// Writes all values of a dataset, its one chunk. HDF5 would copy them twice more, and compute the
-/// checksum byte by byte.
+/// checksum word by word.
 void write_chunk(hid_t dataset, std::span<const std::byte> values, const std::string& path) {
   const std::uint32_t checksum = fletcher32(values);
   Bytes chunk(values.size() + sizeof checksum);

@@ -170,27 +170,29 @@ Readers::Readers(std::vector<fs::path> paths, std::string kind)
 
 Reader Readers::next() {
   if (next_ == paths_.size()) throw std::logic_error("no file is left to be read");
-  if (next_ == first_ + checked_.size()) check_some();
-  const fs::path& path = paths_[next_];
-  Checked& checked = checked_[next_++ - first_];
+  const std::size_t now = next_++;
+  if (now >= first_ + checked_.size()) check_some(now);
+  const fs::path& path = paths_[now];
+  Checked& checked = checked_[now - first_];
   if (checked.refusal) throw Refusal(*checked.refusal);
   return {path, std::move(checked.image)};
 }
 
-void Readers::check_some() {
+void Readers::check_some(std::size_t first) {
   constexpr std::size_t most_files = 128;
   constexpr std::size_t most_bytes = 8'000'000;  // but one file of any size
+  // Where the system gives no process, none of them has been checked: they are not kept.
   checked_.clear();
-  first_ = next_;
+  first_ = first;
+  std::vector<Checked> some;
   std::vector<std::size_t> read;
   std::size_t bytes = 0;
-  while (first_ + checked_.size() < paths_.size() && checked_.size() < most_files &&
-         bytes < most_bytes) {
-    Checked& checked = checked_.emplace_back();
+  while (first + some.size() < paths_.size() && some.size() < most_files && bytes < most_bytes) {
+    Checked& checked = some.emplace_back();
     try {
-      checked.image = bytes_of(paths_[first_ + checked_.size() - 1]);
+      checked.image = bytes_of(paths_[first + some.size() - 1]);
       bytes += checked.image.size();
-      read.push_back(checked_.size() - 1);
+      read.push_back(some.size() - 1);
     } catch (const Refusal& refusal) {
       checked.refusal = refusal;
     }
@@ -198,14 +200,14 @@ void Readers::check_some() {
   std::vector<Rehearsal> rehearsals;
   rehearsals.reserve(read.size());
   for (const std::size_t i : read) {
-    rehearsals.push_back(rehearsal_of(paths_[first_ + i], checked_[i].image, kind_));
+    rehearsals.push_back(rehearsal_of(paths_[first + i], some[i].image, kind_));
   }
   const auto objections = rehearse_all(rehearsals);
   for (std::size_t i = 0; i < read.size(); ++i) {
     if (!objections[i]) continue;
-    checked_[read[i]].refusal =
-        Refusal(Exit::bad_input, objections[i]->reason, objections[i]->line);
+    some[read[i]].refusal = Refusal(Exit::bad_input, objections[i]->reason, objections[i]->line);
   }
+  checked_ = std::move(some);
 }
 
 void Reader::require_provenance() const {

@@ -121,8 +121,8 @@ class Readers {
  public:
   Readers(std::vector<std::filesystem::path> paths, std::string kind);
 
-  /// Opens the next one. Throws Refusal as Reader's constructor does, and then goes on with the one
-  /// behind it; std::logic_error where none is left.
+  /// Opens the next one. Throws as Reader's constructor does, and then goes on with the one behind
+  /// it; std::logic_error where none is left.
   [[nodiscard]] Reader next();
 
  private:
@@ -131,7 +131,7 @@ class Readers {
     Bytes image = {};
     std::optional<Refusal> refusal = std::nullopt;
   };
-  void check_some();
+  void check_some(std::size_t first);
 
   std::vector<std::filesystem::path> paths_;
   std::string kind_;

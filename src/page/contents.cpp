@@ -125,10 +125,11 @@ std::vector<Hole> holes_in(const fs::path& run, const run::Grid& asked,
     if (!is_among(asked, name)) names.push_back(std::move(name));
   }
   const CellNames whole = no_holes(contents.results);
+  const ProblemsByFile problems(layout, contents.results.problems);
   std::vector<Hole> holes;
   for (const run::CellName& name : names) {
     if (whole.has(name)) continue;
-    Hole hole = hole_of(run, layout, name, contents.results.problems);
+    Hole hole = hole_of(run, layout, name, problems);
     const bool counts = is_among(asked, name) || hole.state != HoleState::not_begun;
     if (counts) holes.push_back(std::move(hole));
   }

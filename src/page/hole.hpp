@@ -1,7 +1,9 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <string>
+#include <vector>
 
 #include "run/collect.hpp"
 #include "run/layout.hpp"
@@ -26,10 +28,22 @@ struct Hole {
   std::filesystem::path log = {};  ///< below the folder of the run; empty where there is none
 };
 
+/// What collecting a data set said of its files, by file: all its errors name one. There may be as
+/// many as there are cells.
+class ProblemsByFile {
+ public:
+  ProblemsByFile(const run::Layout& layout, const std::vector<std::string>& problems);
+  /// Empty where nothing was said of it.
+  [[nodiscard]] std::string with(const std::filesystem::path& file) const;
+
+ private:
+  std::map<std::string, std::string> problems_;
+};
+
 /// Why a cell has no number in the results. `problems` are those of collecting it. Paths are named
 /// from the folder of the run on, so that the same holes read the same in any folder.
 Hole hole_of(const std::filesystem::path& run, const run::Layout& layout, const run::CellName& name,
-             const std::vector<std::string>& problems);
+             const ProblemsByFile& problems);
 
 /// Without the folder of the run, wherever a text names a file in it.
 std::string below_run(std::string text, const std::filesystem::path& run);

@@ -1,6 +1,9 @@
+#include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <hdf5.h>
+#include <sys/resource.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -17,6 +20,7 @@ namespace piae::artefact {
 namespace {
 
 namespace fs = std::filesystem;
+using testing::ElementsAre;
 using testing::HasSubstr;
 
 class Artefact : public testing::Test {
@@ -66,6 +70,16 @@ void spill(const fs::path& path, const std::vector<std::byte>& bytes) {
   std::ofstream(path, std::ios::binary)
       .write(reinterpret_cast<const char*>(bytes.data()),
              static_cast<std::streamsize>(bytes.size()));
+}
+
+/// Changes the first of the numbers in /float of an example.
+void damage(const fs::path& path) {
+  std::vector<std::byte> bytes = slurp(path);
+  const std::vector<float> values{1.5F, -2.0F, 0.25F};
+  const auto found = std::ranges::search(bytes, std::as_bytes(std::span(values)));
+  ASSERT_FALSE(found.empty());
+  found.front() ^= std::byte{1};
+  spill(path, bytes);
 }
 
 TEST_F(Artefact, GivesBackWhatWasWritten) {
@@ -193,11 +207,10 @@ TEST_F(Artefact, ManyAreReadAsEachAlone) {
     files.push_back(example(std::to_string(i) + ".h5", "a = \"" + std::to_string(i) + "\"\n"));
   }
   fs::remove(files[7]);
-  std::vector<std::byte> damaged = slurp(files[130]);
-  damaged[damaged.size() / 2] ^= std::byte{1};
-  spill(files[130], damaged);
+  damage(files[130]);
   Writer("another").save(files[131], {"tester", "", {}});
   Readers readers(files, "example");
+  std::vector<RefusalReason> reasons;
   for (const fs::path& file : files) {
     try {
       const Reader reader = readers.next();
@@ -208,9 +221,42 @@ TEST_F(Artefact, ManyAreReadAsEachAlone) {
     } catch (const Refusal& refusal) {
       EXPECT_EQ(refusal.what(), std::string(refusal_of(file).what()));
       EXPECT_EQ(refusal.reason(), refusal_of(file).reason());
+      reasons.push_back(refusal.reason());
     }
   }
+  EXPECT_THAT(reasons, ElementsAre(RefusalReason::unreadable, RefusalReason::damaged,
+                                   RefusalReason::wrong_kind));
   EXPECT_THROW((void)readers.next(), std::logic_error);
+}
+
+/// So that one more file can be opened and no pipe, as long as it lives.
+class NoPipe {
+ public:
+  NoPipe() {
+    ::getrlimit(RLIMIT_NOFILE, &before_);
+    const int free = ::open("/dev/null", O_RDONLY | O_CLOEXEC);
+    ::close(free);
+    const rlimit one_more{static_cast<rlim_t>(free) + 1, before_.rlim_max};
+    ::setrlimit(RLIMIT_NOFILE, &one_more);
+  }
+  ~NoPipe() { ::setrlimit(RLIMIT_NOFILE, &before_); }
+  NoPipe(const NoPipe&) = delete;
+  NoPipe& operator=(const NoPipe&) = delete;
+
+ private:
+  rlimit before_{};
+};
+
+TEST_F(Artefact, NoneOfManyIsReadUncheckedWhereTheSystemGivesNoProcess) {
+  const std::vector<fs::path> files{example("0.h5"), example("1.h5"), example("2.h5")};
+  damage(files[1]);
+  Readers readers(files, "example");
+  {
+    const NoPipe no_pipe;
+    EXPECT_THROW((void)readers.next(), Error);
+  }
+  EXPECT_THROW((void)readers.next(), Refusal);
+  EXPECT_EQ(readers.next().path(), files[2]);
 }
 
 TEST_F(Artefact, NothingThatIsNotFiniteIsWritten) {

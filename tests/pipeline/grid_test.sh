@@ -607,6 +607,9 @@ test_unknown_names_are_refused() {
   expect_line "$(grid SEEDS='1 1' 2>&1 || true)" "names one twice"
   expect_line "$(grid SEEDS= 2>&1 || true)" "SEEDS: is empty"
   expect_line "$(grid RUN=../t 2>&1 || true)" "not a path"
+  for sign in ':' '=' '%' ','; do
+    expect_line "$(grid RUN="a${sign}b" 2>&1 || true)" "RUN: holds a $sign, which it must not"
+  done
   expect_line "$(grid METHODS='smote smote' 2>&1 || true)" "METHODS: 'smote smote' names one twice"
   expect_line "$(grid RUN=reference 2>&1 || true)" "RUN: 'reference' cannot be the name of a run"
   expect_line "$(grid PROTOCOL='random blocked' 2>&1 || true)" "PROTOCOL: random or blocked, not 'random blocked'"

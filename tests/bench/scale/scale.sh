@@ -20,9 +20,7 @@ mkdir "$scratch/results" "$scratch/programs" "$scratch/nothing"
 cp -r results/published "$scratch/results"
 cd "$scratch"
 
-# The grid has methods that only LibTorch computes; here nobody does.
 for stage in settings tabulate figures report; do ln -s "$programs/$stage" programs; done
-touch programs/train-libtorch
 # A stage that makes its files and no more, of which the cost of a step is what is left.
 cat >nothing/stage <<'STAGE'
 #!/bin/sh
@@ -37,7 +35,7 @@ done
 echo "stage: nothing done"
 STAGE
 chmod +x nothing/stage
-for stage in simulate split train generate score diagnose train-libtorch; do ln -s stage "nothing/$stage"; done
+for stage in simulate split train generate score diagnose; do ln -s stage "nothing/$stage"; done
 ln -s "$programs/settings" nothing
 
 describe() { # data sets
