@@ -33,10 +33,12 @@ std::string beside_published(const AccuracyRow& row, std::size_t seeds) {
          (theirs ? "/" + one_decimal(*theirs) : "");
 }
 
+bool is_none(const AccuracyRow& row) { return row.method == augment::no_method; }
+
 /// A method in each row, a ratio in each column. `none`, which has a ratio of its own, is in the
-/// title.
+/// title, and in the table where there is nothing else.
 text::Table main_table(std::vector<AccuracyRow> rows, std::size_t seeds) {
-  std::erase_if(rows, [](const AccuracyRow& row) { return row.method == augment::no_method; });
+  if (!std::ranges::all_of(rows, is_none)) std::erase_if(rows, is_none);
   const std::vector<report::RatioColumn> columns = report::ratio_columns(rows);
   std::vector<std::string> header{"method"};
   for (const report::RatioColumn& column : columns) {
@@ -60,7 +62,7 @@ std::string title_of(const DatasetContents& contents, const report::ClassifierRo
   const bool is_papers = block.classifier == scoring::paper_classifier;
   std::string title =
       "Accuracy on " + contents.name + ", percent" + (is_papers ? "" : ", by " + block.classifier);
-  const auto none = std::ranges::find(block.rows, augment::no_method, &AccuracyRow::method);
+  const auto none = std::ranges::find_if(block.rows, is_none);
   if (none == block.rows.end()) return title;
   return title + "; without generated windows " +
          beside_published(*none, contents.grid.seeds.size());

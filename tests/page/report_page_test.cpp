@@ -495,6 +495,11 @@ TEST_F(ReportPage, ReportMdIsNarrowAndHasTheVerdictTheTableAndWhatIsMissing) {
   EXPECT_THAT(markdown, HasSubstr("| vae    | 75.0‡ | 90.0‡/91.2 |"));
 }
 
+TEST_F(ReportPage, ReportMdHasATableWhereNothingWasGenerated) {
+  add_baseline();
+  EXPECT_THAT(text(), HasSubstr("| method |     100:1 |\n|--------|----------:|\n| none   | "));
+}
+
 /// Contents of a run of the paper's size, without a file.
 ReportContents large_run(std::size_t cells, std::size_t bytes_of_a_picture) {
   DatasetContents dataset{.name = "cwru"};
