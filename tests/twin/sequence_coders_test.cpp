@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "nets/row_array.hpp"
+#include "support/errors.hpp"
 #include "twin/coder.hpp"
 
 namespace piae::twin {
@@ -44,6 +45,12 @@ TEST_P(SequenceCoders, GiveForAWindowTheSameWhateverStandsBesideIt) {
 INSTANTIATE_TEST_SUITE_P(Twin, SequenceCoders,
                          testing::Values(CoderKind::convolutional, CoderKind::recurrent,
                                          CoderKind::temporal, CoderKind::transformer));
+
+TEST(TransformerCoder, RefusesWindowsWhoseAttentionWouldFillTheMemory) {
+  EXPECT_NO_THROW(make_coder(CoderKind::transformer, {.samples = 32768, .classes = 3}, {}));
+  EXPECT_ERROR(make_coder(CoderKind::transformer, {.samples = 65536, .classes = 3}, {}),
+               Exit::usage, "windows of 65536 samples are too long for attention");
+}
 
 }  // namespace
 }  // namespace piae::twin
