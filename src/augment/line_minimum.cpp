@@ -80,7 +80,8 @@ void LineMinimum::choose_next() {
     step_before_ = x >= middle ? low_ - x : high_ - x;
     step_ = golden * step_before_;
   }
-  next_ = x + (std::abs(step_) >= least_step ? step_ : std::copysign(least_step, step_));
+  const double shortest = step_ > 0 ? least_step : -least_step;
+  next_ = x + (std::abs(step_) >= least_step ? step_ : shortest);
 }
 
 }  // namespace piae::augment

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "base/vector.hpp"
+
 namespace piae::nets {
 
 namespace {
@@ -25,6 +27,7 @@ DotProductAttention<T>::DotProductAttention(const SequenceShape& output, std::in
     : SequenceLayer<T>({.length = output.length, .width = 3 * output.width}, output),
       heads_(heads),
       head_(output.width / heads),
+      held_length_(whole_rows(output.length)),
       factor_(1 / std::sqrt(static_cast<T>(head_))),
       by_attention_(output.length, output.length) {
   if (head_ * heads != output.width) {
@@ -36,15 +39,15 @@ template <class T>
 void DotProductAttention<T>::forward(std::int64_t windows, const T* x, T* y) {
   const std::int64_t length = this->output().length;
   const std::int64_t width = this->output().width;
-  T* attention = room_for(windows * heads_ * length * length, attention_);
+  T* attention = room_for(windows * heads_ * length * held_length_, attention_);
   for (std::int64_t w = 0; w < windows; ++w) {
     const auto from = as_matrix(x + w * this->input().size(), length, 3 * width);
     auto to = as_matrix(y + w * this->output().size(), length, width);
-    for (std::int64_t h = 0; h < heads_; ++h, attention += length * length) {
+    for (std::int64_t h = 0; h < heads_; ++h, attention += length * held_length_) {
       const auto queries = from.middleCols(h * head_, head_);
       const auto keys = from.middleCols(width + h * head_, head_);
       const auto values = from.middleCols(2 * width + h * head_, head_);
-      auto scores = as_matrix(attention, length, length);
+      auto scores = as_matrix(attention, length, held_length_).leftCols(length);
       scores.noalias() = queries * keys.transpose();
       softmax_rows<T>(scores, factor_);
       to.middleCols(h * head_, head_).noalias() = scores * values;
@@ -62,12 +65,12 @@ void DotProductAttention<T>::backward(const SignalBatch& batch, const T* x, cons
     const auto from = as_matrix(x + window * this->input().size(), length, 3 * width);
     const auto by_y = as_matrix(dy + w * this->output().size(), length, width);
     auto by_x = as_matrix(dx + w * this->input().size(), length, 3 * width);
-    const T* attention = attention_.data() + window * heads_ * length * length;
-    for (std::int64_t h = 0; h < heads_; ++h, attention += length * length) {
+    const T* attention = attention_.data() + window * heads_ * length * held_length_;
+    for (std::int64_t h = 0; h < heads_; ++h, attention += length * held_length_) {
       const auto queries = from.middleCols(h * head_, head_);
       const auto keys = from.middleCols(width + h * head_, head_);
       const auto values = from.middleCols(2 * width + h * head_, head_);
-      const auto given = as_matrix(attention, length, length);
+      const auto given = as_matrix(attention, length, held_length_).leftCols(length);
       const auto by_given = by_y.middleCols(h * head_, head_);
       by_x.middleCols(2 * width + h * head_, head_).noalias() = given.transpose() * by_given;
       // Of softmax: each row's gradient about its mean, weighted by what softmax gave.

@@ -22,9 +22,12 @@ class DotProductAttention final : public SequenceLayer<T> {
 
  private:
   std::int64_t heads_;
-  std::int64_t head_;           ///< numbers of a head
+  std::int64_t head_;  ///< numbers of a head
+  /// Of a row of attention, which begins at the boundary of a vector register: where it does
+  /// decides in which order Eigen sums it, and that must not depend on the window's place.
+  std::int64_t held_length_;
   T factor_;                    ///< 1 / sqrt(head_)
-  Eigen::ArrayX<T> attention_;  ///< [windows, heads, length, length]
+  Eigen::ArrayX<T> attention_;  ///< [windows, heads, length, held length]
   RowMatrix<T> by_attention_;   ///< of one window and head
 };
 

@@ -105,7 +105,7 @@ class StoredTwin {
                                                   Label label) = 0;
 };
 
-/// A way to compute twins: ours, for one core (dense_backend.hpp), or LibTorch's, on a device
+/// A way to compute twins: ours, for one core (one_core_backend.hpp), or LibTorch's, on a device
 /// (seam/libtorch.hpp).
 struct Engine {
   /// Makes the back end of one training, which owns the task. Initial values come from `initial`.

@@ -13,7 +13,7 @@ namespace piae::twin {
 ///   for each sample would cost 16 times as much.
 /// - The dilation grows by 4 from block to block, where Bai et al. double it, because there are
 ///   few. With two blocks a position sees 21 of them, 336 samples, in which each fault of cwru
-///   strikes at least twice (the longest rhythm, that of a ball, has 170 samples).
+///   strikes at least twice (that of the outer race least often, once in 112 samples).
 /// - Convolutions look to both sides. Theirs are causal, because they predict what comes; a coder
 ///   is given its window whole.
 /// - The encoder takes the mean over the positions, from which a dense layer makes (k~, c~): these

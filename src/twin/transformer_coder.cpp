@@ -2,6 +2,7 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include "base/error.hpp"
 #include "nets/dot_product_attention.hpp"
 #include "nets/layer_normalisation.hpp"
 #include "nets/position_copy.hpp"
@@ -79,7 +80,15 @@ void add_transformer_blocks(Layers<T>& layers, GradientArray<T>& parameters, std
 TransformerCoder::TransformerCoder(const NetworkShape& shape, const TwinOptions& options)
     : shape_(shape),
       blocks_(layers_beside_dense(options.depth, "block of attention")),
-      tokens_(frames_of(shape.samples, frame, "read as tokens")) {}
+      tokens_(frames_of(shape.samples, frame, "read as tokens")) {
+  if (tokens_ > most_tokens) {
+    throw Error(Exit::usage,
+                fmt::format("windows of {} samples are too long for attention, whose memory grows "
+                            "with the square of their length; up to {} samples work (split "
+                            "--window)",
+                            shape.samples, most_tokens * frame));
+  }
+}
 
 std::vector<nets::ParameterSpec> TransformerCoder::specs() const {
   std::vector<nets::ParameterSpec> specs;

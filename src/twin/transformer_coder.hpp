@@ -32,10 +32,12 @@ class TransformerCoder final : public SequenceCoder<TransformerCoder> {
   static constexpr std::int64_t frame = 32;  ///< samples of a token
   static constexpr std::int64_t width = 32;  ///< numbers of a token
   static constexpr std::int64_t heads = 4;
+  /// Each token attends to each: of so many a window takes 17 MB in a block.
+  static constexpr std::int64_t most_tokens = 1024;
   static constexpr std::int64_t inner_width = 4 * width;  ///< between the two dense layers
 
   /// Throws Error(usage) for fewer than two layers, and for a window that is not a whole number of
-  /// frames.
+  /// frames, or has more than most_tokens of them.
   TransformerCoder(const NetworkShape& shape, const TwinOptions& options);
 
   /// Block i has the parameters <network>/block<i>/...: attention/norm, attention/projections (of

@@ -38,6 +38,8 @@ TEST(LineMinimum, LooksWhereBoostLooks) {
     expect_as_boost([](double x) { return std::abs(x - 1.9); }, 8, most_values);
     expect_as_boost([](double x) { return std::sin(7 * x) + x; }, 10, most_values);
     expect_as_boost([](double /*x*/) { return 1.0; }, 6, most_values);
+    // Its third value is at the vertex, from which the next step would be zero.
+    expect_as_boost([](double x) { return (x - 1.5) * (x - 1.5); }, 12, most_values);
   }
 }
 

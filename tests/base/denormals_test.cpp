@@ -14,15 +14,19 @@ TEST(DenormalsAreZero, TakesThemForZeroWhileItLives) {
 #if !defined(__SSE__)
   GTEST_SKIP() << "this processor keeps them";
 #endif
+  // Looked at afterwards, because the guard takes a denormal number for zero in a comparison, too.
+  volatile float computed = 1;
+  volatile float read = 1;
+  volatile float normal = 0;
   {
     const DenormalsAreZero guard;
-    volatile float computed = smallest / 4;
-    volatile float read = denormal * 8;
-    volatile float normal = smallest * 3;
-    EXPECT_EQ(computed, 0);
-    EXPECT_EQ(read, 0);
-    EXPECT_EQ(normal / 3, smallest);
+    computed = smallest / 4;
+    read = denormal * 8;
+    normal = smallest * 3;
   }
+  EXPECT_EQ(computed, 0);
+  EXPECT_EQ(read, 0);
+  EXPECT_EQ(normal / 3, smallest);
   volatile float after = smallest / 4;
   EXPECT_EQ(after, denormal);
 }
