@@ -2,6 +2,8 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include <utility>
+
 #include "augment/stored_model.hpp"
 #include "base/error.hpp"
 #include "base/label.hpp"
@@ -47,11 +49,16 @@ signal::WindowSet Oracle::generate(const artefact::Reader& model, std::size_t co
                                    const Stream& stream, const Compute& /*compute*/) {
   const signal::WindowSet real = read_learned(model, signal::Role::hidden);
   const auto order = shuffled_classes(real, count, stream);
+  std::vector<double> speeds_rpm;
   const auto take = [&](Label label, std::size_t index, Stream& /*random*/) {
-    const auto window = real.window(order[index_of(label)][index]);
+    const std::size_t i = order[index_of(label)][index];
+    if (!real.shaft_speed_rpm.empty()) speeds_rpm.push_back(real.shaft_speed_rpm[i]);
+    const auto window = real.window(i);
     return std::vector<float>(window.begin(), window.end());
   };
-  return signal::make_windows(real.info, real.length, count, stream, take);
+  signal::WindowSet taken = signal::make_windows(real.info, real.length, count, stream, take);
+  taken.shaft_speed_rpm = std::move(speeds_rpm);
+  return taken;
 }
 
 }  // namespace piae::augment

@@ -84,7 +84,8 @@ inline Vector<double> root_by_estimate(Vector<double> x) {
 }
 #endif
 
-/// The square roots of positive finite numbers; 0 for others.
+/// The square roots of finite numbers; 0 for those that are not positive. What it makes of infinity
+/// and NaN depends on the processor.
 inline Vector<double> positive_root(Vector<double> x) {
 #if defined(__AVX512F__)
   return root_by_estimate(x);

@@ -63,6 +63,20 @@ TEST(Oracle, TakesTheSameFirstWindowsWhateverTheCount) {
   EXPECT_EQ(many, few);
 }
 
+/// Some classifiers measure a window at the speed of its own shaft.
+TEST(Oracle, SaysAtWhichSpeedEachWindowWasRecorded) {
+  signal::WindowSet real = numbered_windows();
+  for (std::size_t i = 0; i < real.size(); ++i) {
+    real.shaft_speed_rpm.push_back(600 + real.window(i)[0]);
+  }
+  const signal::WindowSet taken =
+      generate("oracle", train("oracle", "", real, checkpoint_at("checkpoint"), "model.h5"), 30);
+  ASSERT_EQ(taken.shaft_speed_rpm.size(), 60U);
+  for (std::size_t i = 0; i < taken.size(); ++i) {
+    EXPECT_EQ(taken.shaft_speed_rpm[i], 600 + taken.window(i)[0]);
+  }
+}
+
 TEST(Oracle, SaysHowManyThereAre) {
   try {
     generate("oracle", model(), 31);
