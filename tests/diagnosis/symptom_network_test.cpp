@@ -70,7 +70,8 @@ TEST(SymptomNetwork, ComesBackInSinglePrecision) {
   network.write(writer, "/net");
   const artefact::Reader reader = stored(writer, folder);
   other.read(reader, "/net");
-  const auto difference = other.outputs(batch.rows).logits - network.outputs(batch.rows).logits;
+  const Eigen::ArrayXXd difference =
+      other.outputs(batch.rows).logits - network.outputs(batch.rows).logits;
   EXPECT_LT(difference.abs().maxCoeff(), 1e-6);
   SymptomNetwork of_four(4, 16, Stream("initial"));
   EXPECT_ERROR(of_four.read(reader, "/net"), Exit::bad_input, "/net/classes/0/weight");
