@@ -150,7 +150,7 @@ summary=${summary#"$stage: "}
 summary=${summary%%": $folder/"*}
 summary=${summary#*: }
 
-# That a step is done, its files say: srun returns 0 when its node is lost.
+# That a step is done, its files say: srun of Slurm 22 returns 0 when its node is lost.
 why=
 if ((status == 0)) && ! made_anew; then
   status=$((${#stopped} ? 143 : 1))

@@ -95,6 +95,15 @@ CONF
   echo "PartitionName=gpu Nodes=n4 MaxTime=INFINITE State=UP"
 }
 
+# From 23.02 on slurmd wants control groups even where no plugin uses them, and without them, as in a bare
+# container, it ends. Before, it did not know the word.
+cgroup_conf() {
+  local version
+  version=$(slurmd -V)
+  version=${version#* }
+  ((${version%%.*} < 23)) || echo CgroupPlugin=disabled
+}
+
 # In a subshell, so that they are no jobs of the test's shell.
 start_ctld() { (slurmctld -D -f "$SLURM_CONF" >>"$slurm_folder/output" 2>&1 &) }
 start_node() { (slurmd -D -N "$1" -f "$SLURM_CONF" >>"$slurm_folder/output" 2>&1 &) }
@@ -104,13 +113,17 @@ slurm_up() {
   export SLURM_CONF=$slurm_folder/slurm.conf
   mkdir "$slurm_folder/state" "${slurm_nodes[@]/#/$slurm_folder/spool-}"
   slurm_conf >"$SLURM_CONF"
+  cgroup_conf >"$slurm_folder/cgroup.conf"
   trap slurm_down EXIT
   local node
   start_ctld
   for node in "${slurm_nodes[@]}"; do start_node "$node"; done
   # Should this script be killed, it is ended all the same.
   (end_after_us &) >/dev/null 2>&1
-  wait_for_nodes
+  wait_for_nodes || {
+    tail -n 3 "$slurm_folder"/slurmd-*.log >&2
+    exit 1
+  }
 }
 
 end_after_us() {
