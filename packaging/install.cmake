@@ -75,7 +75,7 @@ compares the methods over data sets, ratios and seeds in tables, figures
 and a report.")
 # make runs the grid; it draws by gnuplot and fetches recordings by curl.
 set(CPACK_DEBIAN_PROGRAMS_PACKAGE_DEPENDS "make (>= 4.3)")
-set(CPACK_DEBIAN_PROGRAMS_PACKAGE_RECOMMENDS "gnuplot-nox, fonts-dejavu-core, curl, ca-certificates")
+set(CPACK_DEBIAN_PROGRAMS_PACKAGE_RECOMMENDS "gnuplot-nox, qpdf, fonts-dejavu-core, curl, ca-certificates")
 set(CPACK_DEBIAN_PROGRAMS_PACKAGE_SUGGESTS "piae-dt-libtorch")
 set(CPACK_DEBIAN_LIBTORCH_PACKAGE_NAME piae-dt-libtorch)
 set(CPACK_DEBIAN_LIBTORCH_DESCRIPTION "networks of piae-dt by LibTorch

@@ -17,9 +17,9 @@ packages=(
   curl ca-certificates                                # make data
 )
 [[ $libtorch == off ]] || packages+=(libtorch-dev libopenblas-dev)
-[[ " $* " != *" tests "* ]] || packages+=(libgtest-dev libgmock-dev hdf5-tools gnuplot-nox fonts-dejavu-core)
+[[ " $* " != *" tests "* ]] || packages+=(libgtest-dev libgmock-dev hdf5-tools gnuplot-nox qpdf fonts-dejavu-core)
 [[ " $* " != *" benches "* ]] || packages+=(libbenchmark-dev time)
-[[ " $* " != *" figures "* ]] || packages+=(gnuplot-nox fonts-dejavu-core)
+[[ " $* " != *" figures "* ]] || packages+=(gnuplot-nox qpdf fonts-dejavu-core)
 # The tests of `export_windows` have others read what it writes.
 [[ " $* " != *" readers "* ]] || packages+=(python3-numpy python3-scipy octave)
 [[ " $* " != *" package "* ]] || packages+=(dpkg-dev file) # which libraries, of which packages, a program needs

@@ -5,10 +5,12 @@
 set -euo pipefail
 export TZ=UTC LC_ALL=C.UTF-8 # the same bytes wherever it is drawn
 
-command -v gnuplot >/dev/null || {
-  echo "figures: gnuplot is not installed; \`make deps\` installs it (package gnuplot-nox)" >&2
-  exit 69
-}
+for program in gnuplot qpdf; do
+  command -v $program >/dev/null || {
+    echo "figures: $program is not installed; \`make deps\` installs it (package ${program/gnuplot/gnuplot-nox})" >&2
+    exit 69
+  }
+done
 csv=$1
 name=$(basename "$csv" .csv)
 scripts=$(dirname "$0")
@@ -60,9 +62,10 @@ load scripts.'/style.gp'
 load '$script'
 unset output" 2> >(grep -vE 'Skipping data file with no valid points|empty [xy] range|^$' >&2)
 done
-# The same numbers give the same bytes: a PDF holds the time at which it was drawn, to be replaced by one of
-# the same length.
-LC_ALL=C sed -i -E '/^ *\/CreationDate \(D:/ s/D:[0-9]{14}/D:20000101000000/' "$partial/pdf"
-mv -T "$partial/pdf" "${csv%.csv}.pdf"
+# The same numbers give the same bytes: a PDF holds the time at which it was drawn, in Debian 13 where it is
+# compressed. It is replaced by one of the same length.
+qpdf --object-streams=disable --static-id "$partial/pdf" "$partial/plain"
+LC_ALL=C sed -i -E '/\/CreationDate \(D:/ s/D:[0-9]{14}/D:20000101000000/' "$partial/plain"
+mv -T "$partial/plain" "${csv%.csv}.pdf"
 awk -f "$scripts/shorten.awk" "$partial/svg" >"$partial/short"
 mv -T "$partial/short" "${csv%.csv}.svg"

@@ -8,10 +8,10 @@ count   = words(shown)
 columns = count < 4 ? count : 4
 edge_left = name_width; edge_right = 16; edge_top = 86; edge_bottom = 56; gap_x = 18; gap_y = 36
 load scripts.'/panel_grid.gp'
-split(n)   = word(words_protocol, n)
+protocol_of(n) = word(words_protocol, n)
 off(n)     = n == 1 ? -0.13 : 0.13
 mark_of(n) = n == 1 ? 7 : 9
-is(n)      = strcol(4) eq split(n) && (strcol(3) eq ratio || strcol(3) eq "100to1")
+is(n)      = strcol(4) eq protocol_of(n) && (strcol(3) eq ratio || strcol(3) eq "100to1")
 of_seed(n) = is(n) && strcol(5) ne "mean" ? $6 : NaN
 of_mean(n) = is(n) && strcol(5) eq "mean" ? $6 : NaN
 stats data using (valid(7) ? $7 : $6) name "low" nooutput
@@ -36,5 +36,5 @@ do for [i = 1:count] {
 }
 eval key_row
 plot for [n = 1:2] NaN with linespoints pointtype mark_of(n) pointsize 0.8 linewidth 1.2 linecolor rgb colour(n) \
-       title (split(n) eq "random" ? "random split: windows overlap" : "blocked split: none overlap")
+       title (protocol_of(n) eq "random" ? "random split: windows overlap" : "blocked split: none overlap")
 unset multiplot
