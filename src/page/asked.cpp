@@ -49,14 +49,14 @@ std::vector<std::string> AskedCells::left_out_of(const std::string& dataset) con
 std::vector<std::string> datasets_of(const fs::path& run, const AskedCells& asked) {
   std::vector<std::string> datasets = folders_in(run);
   std::erase_if(datasets,
-                [&](const std::string& name) { return run::Layout(run, name).seeds().empty(); });
+                [&](const std::string& name) { return !run::holds_cells(run::Layout(run, name)); });
   for (const std::string& name : asked_datasets(asked)) {
     if (std::ranges::count(datasets, name) == 0) datasets.push_back(name);
   }
   std::ranges::sort(datasets);
   if (datasets.empty()) {
     throw Error(Exit::input_missing,
-                run.string() + ": holds no seed of any data set; `make cells` makes some");
+                run.string() + ": holds no cell of any data set; `make cells` makes some");
   }
   return datasets;
 }

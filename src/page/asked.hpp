@@ -23,7 +23,7 @@ struct AskedCells {
 
 void bind(const cli::Options& command, AskedCells& asked);
 
-/// The data sets that are asked for, and those of which the folder of the run holds seeds, in
+/// The data sets that are asked for, and those of which the folder of the run holds cells, in
 /// alphabetical order. Throws Error(usage) for one that is named twice, Error(input_missing) where
 /// there is none.
 std::vector<std::string> datasets_of(const std::filesystem::path& run, const AskedCells& asked);

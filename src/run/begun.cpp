@@ -88,6 +88,10 @@ void bind_begun_cells(const cli::Options& command, GridOptions& options) {
   bind_nothing_known(command, options.nothing_known);
 }
 
+bool holds_cells(const Layout& layout) {
+  return !ratios_begun(layout, methods_begun(layout)).empty();
+}
+
 Grid resolve_begun(const Layout& layout, GridOptions options) {
   if (options.methods.empty()) options.methods = methods_begun(layout);
   if (options.ratios.empty()) options.ratios = ratios_begun(layout, options.methods);

@@ -19,4 +19,7 @@ void bind_begun_cells(const cli::Options& command, GridOptions& options);
 /// where nothing is asked for and the folder holds nothing.
 Grid resolve_begun(const Layout& layout, GridOptions options);
 
+/// Whether any diagnosis was begun. Other questions leave folders of seeds, too (identify).
+bool holds_cells(const Layout& layout);
+
 }  // namespace piae::run

@@ -241,8 +241,14 @@ TEST_F(ReportPage, WithoutRecordingsSaysSo) {
 
 TEST_F(ReportPage, OfNothingAtAllIsAnError) {
   fs::create_directories(run_);
-  EXPECT_ERROR(page(), Exit::input_missing, "holds no seed of any data set");
+  EXPECT_ERROR(page(), Exit::input_missing, "holds no cell of any data set");
   EXPECT_ERROR(page({.datasets = {"cwru"}}), Exit::input_missing, "holds no cell");
+}
+
+TEST_F(ReportPage, LeavesOutADataSetOfWhichOnlyAnotherQuestionWasAsked) {
+  add_all();
+  write("simulated/seed0/vae/train.log", "");  // as `make identify` leaves it
+  EXPECT_THAT(page(), AllOf(HasSubstr("cwru"), Not(HasSubstr("simulated"))));
 }
 
 TEST_F(ReportPage, HostileNamesStayText) {
