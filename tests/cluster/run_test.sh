@@ -62,7 +62,7 @@ test_what_asks_for_cuda_is_submitted_to_the_gpus_partition() {
   awk '/^\[train.smote\]/ && !once++ { skip = 1; next } /^\[/ { skip = 0 } !skip' pipeline/protocol.toml >protocol
   mv protocol pipeline/protocol.toml
   expect_line "$(cluster cluster GPU_PARTITION=gpu)" '\(cells-gpu\)'
-  expect_equal "$(squeue --noheader --array --format='%P %b' --jobs="$(id_of cells-gpu)")" "gpu gres:gpu:1"
+  expect_line "$(squeue --noheader --array --format='%P %b' --jobs="$(id_of cells-gpu)")" '^gpu gres[:/]gpu:1$'
   cluster cluster-stop >/dev/null
 }
 

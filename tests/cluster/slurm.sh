@@ -159,7 +159,7 @@ on_node() { # node
   local process
   for process in $(in_namespace); do
     if readlink "/proc/$process"/fd/* 2>/dev/null | grep -qxF "$slurm_folder/slurmd-$1.log" ||
-      tr '\0' '\n' <"/proc/$process/environ" 2>/dev/null | grep -qx "SLURMD_NODENAME=$1"; then
+      tr '\0' '\n' 2>/dev/null <"/proc/$process/environ" | grep -qx "SLURMD_NODENAME=$1"; then
       echo "$process"
     fi
   done
