@@ -11,8 +11,8 @@ namespace piae::nets {
 
 // Logistic function and hyperbolic tangent of a vector of numbers. Those of the C library take one
 // number at a time, and many times as long. What these give is wrong by a few units in the last
-// place, near zero too; a NaN stays one. No number that they compute with is denormal, but the square
-// that tanh takes of what is below 1e-19.
+// place, near zero too; a NaN stays one. No number that they compute with is denormal, but the
+// square that tanh takes of what is below 1e-19.
 
 namespace detail {
 
