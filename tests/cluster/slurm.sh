@@ -95,13 +95,18 @@ CONF
   echo "PartitionName=gpu Nodes=n4 MaxTime=INFINITE State=UP"
 }
 
-# From 23.02 on slurmd wants control groups even where no plugin uses them, and without them, as in a bare
-# container, it ends. Before, it did not know the word.
-cgroup_conf() {
+# 22 on Debian 12, 24 on Debian 13, which says some things otherwise.
+slurm_release() {
   local version
   version=$(slurmd -V)
   version=${version#* }
-  ((${version%%.*} < 23)) || echo CgroupPlugin=disabled
+  echo "${version%%.*}"
+}
+
+# From 23.02 on slurmd wants control groups even where no plugin uses them, and without them, as in a bare
+# container, it ends. Before, it did not know the word.
+cgroup_conf() {
+  (($(slurm_release) < 23)) || echo CgroupPlugin=disabled
 }
 
 # In a subshell, so that they are no jobs of the test's shell.

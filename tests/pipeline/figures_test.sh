@@ -8,7 +8,7 @@ drawn=results/t/made/figures
 
 # Numbers of one figure, as the stage writes them; the stand-in for it writes what `numbers` says.
 lay_out() {
-  { command -v gnuplot && command -v qpdf; } >/dev/null || skip "gnuplot or qpdf is not installed"
+  skip_where_nothing_draws
   rm -f pipeline/datasets/*
   printf 'name = "made"\n[simulation]\n' >pipeline/datasets/made.toml
   cp "$project/tests/reference/protocol.toml" pipeline

@@ -25,7 +25,7 @@ test_the_papers_grid_takes_few_submissions_and_little_more_than_is_needed() {
   local output
   output=$(plan DATASETS="cwru hit-sm" METHODS=paper)
   expect_equal "$(line_of "$output" records | cut -d' ' -f 1-3)" "records 1 4"
-  expect_line "$output" '^cells +[1-9] +4 +0:[0-9]+ h +[0-9.]+ GB +1[67][0-9]+ '
+  expect_line "$output" '^cells +[1-9] +4 +0:[0-9]+ h +0\.[0-9] GB +1[67][0-9]+ '
   expect_line "$output" '^3 submissions, which ask for [0-9.]+ core-hours at most'
 }
 

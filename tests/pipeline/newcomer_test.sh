@@ -54,7 +54,7 @@ RIG
 }
 
 test_the_shown_method_and_a_described_data_set_run_in_the_grid() {
-  { command -v gnuplot && command -v qpdf; } >/dev/null || skip "gnuplot or qpdf is not installed"
+  skip_where_nothing_draws
   lay_out
   describe_rig
   bin/ingest --check --description pipeline/datasets/rig.toml --data-dir recordings >messages 2>&1 ||

@@ -29,6 +29,11 @@ skip() {
   exit 77
 }
 
+# Figures are drawn by both (pipeline/figures/draw.sh).
+skip_where_nothing_draws() {
+  { command -v gnuplot && command -v qpdf; } >/dev/null || skip "gnuplot or qpdf is not installed"
+}
+
 wait_for() { # file
   local tries=0
   until [[ -e $1 ]]; do
