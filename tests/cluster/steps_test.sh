@@ -119,7 +119,8 @@ test_a_step_in_the_queue_is_stopped_at_once() {
   expect_same_as_alone
 }
 
-# A batch job whose steps run inside its allocation, side by side.
+# A batch job whose steps run inside its allocation, side by side. Slurm sends TERM to all processes of the job:
+# the stage begins to write a checkpoint, and its srun kills it. Either may be the first.
 test_requeue() {
   nearly_done
   rm -r results/tiny/tiny/seed1/piae-dt
@@ -130,10 +131,12 @@ test_requeue() {
   expect_equal "$(running "$programs/train" | wc -l)" 2
   scontrol requeue "$job"
   until_true "job $job waits" in_state PENDING "$job"
-  expect_checkpoint
+  expect_line "$(tail -n 1 "$training")" '^step: exit (75|143) after'
+  local had_checkpoint=
+  [[ ! -f $model.checkpoint ]] || had_checkpoint=yes
   begin_again "$job"
   until_true "job $job is done" in_state COMPLETED "$job"
-  expect_line "$(<"$training")" 'going on from'
+  [[ ! $had_checkpoint ]] || expect_line "$(<"$training")" 'going on from'
   expect_same_as_alone
 }
 
