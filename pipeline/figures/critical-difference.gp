@@ -14,8 +14,17 @@ bars = 0
 stats data using (bars = strcol(2) eq "alike" && $4 > bars ? int($4) : bars, 0) nooutput
 bar_y(n)  = 8 + (bars > 6 ? 48.0 / bars : 8) * (n - 1)
 name_y(n) = bar_y(bars) + 18 + 17 * (n <= left_half ? n - 1 : methods - n + 0.5)  # no two at one height
-room      = 112.0 * (methods - 1) / (panel_width - 224)  # for the names, in ranks
-side(n)   = n <= left_half ? 1 - 0.1 * room : methods + 0.1 * room
+
+# In pixels: beside the axis there is room for the longest name of either side.
+longest_left = 0; longest_right = 0
+stats data using (letters = strlen(strcol(3)), is_left = $4 <= left_half, \
+  longest_left  = is_left && letters > longest_left ? letters : longest_left, \
+  longest_right = !is_left && letters > longest_right ? letters : longest_right, 0) nooutput
+room(letters) = 22 + 6.8 * letters
+rank_width    = (panel_width - room(longest_left) - room(longest_right)) / (methods - 1)
+ranks(pixels) = pixels / rank_width
+side(n)       = n <= left_half ? 1 - ranks(11) : methods + ranks(11)
+each          = rank_width < (methods < 10 ? 9 : 16) ? 2 : 1  # second rank has its number, or each one
 
 set label 1 "Average rank among the methods of the same seed; 1 is the best".by_whom
 unset border
@@ -31,7 +40,7 @@ do for [i = 1:count] {
     (p = valid(8) ? $8 : NaN, critical = valid(9) ? $9 : NaN, seeds = int($7), 0) : 0) nooutput
   test = seeds == 1 ? "one seed, no test" : \
          sprintf("Friedman p %s, %d seeds", p < 0.001 ? "< 0.001" : sprintf("= %.2g", p), seeds)
-  set xrange [1 - room:methods + room]
+  set xrange [1 - ranks(room(longest_left)):methods + ranks(room(longest_right))]
   set yrange [panel_height:0]
   set label 2 colon(ratio).": ".test at graph 0.5, first -56 center
   unset arrow
@@ -39,6 +48,8 @@ do for [i = 1:count] {
   set arrow from 1, 0 to methods, 0 nohead linecolor rgb 0x333333 front
   do for [n = 1:methods] {
     set arrow from n, 0 to n, -4 nohead linecolor rgb 0x333333 front
+  }
+  do for [n = 1:methods:each] {
     set label 100 + n sprintf("%d", n) at n, -11 center font font_11 textcolor rgb 0x333333
   }
   if (seeds > 1 && critical <= methods - 1) {

@@ -1,6 +1,6 @@
 # Figs 9 and 10: method,kind,class,k_n_per_m,c_ns_per_m,k_to_n_per_m,c_to_ns_per_m,windows. Each method has a
 # joint histogram, its marginals above and beside it, and the windows on it.
-# height: words(words_method) < 3 ? 560 : 1100
+# height: 40 + panels(words(words_method), 2) * (words(words_method) < 3 ? 530 : 357)
 columns   = words(words_method) < 2 ? 1 : 2
 rows      = panels(words(words_method), columns)
 simulated = strstrt(words_kind, "true")
@@ -14,17 +14,19 @@ power_of_ten(span) = 10 ** floor(log10(span / 2))
 tic(span) = span <= 0 ? 1 : span / 2 / power_of_ten(span) < 2 ? power_of_ten(span) : \
   span / 2 / power_of_ten(span) < 5 ? 2 * power_of_ten(span) : 5 * power_of_ten(span)
 
-# Two places within the block of a method: the joint histogram, and the marginals above and beside it.
+# The blocks of the methods stand between the heading and a margin below. Two places within a block: the joint
+# histogram, and the marginals above and beside it.
+block_height = (1 - 40.0 / height) / rows
 low_x = 0.17; high_x = 0.76; low_y = 0.17; high_y = 0.72
 place_x(part) = left + part / columns
-place_y(part) = bottom + part * 0.96 / rows
+place_y(part) = bottom + part * block_height
 
 set multiplot
-set label 1 "The digital twin space: stiffness and damping" at screen 0.02, 0.985
+set label 1 "The digital twin space: stiffness and damping" at screen 0.02, 1 - 16.0 / height
 do for [i = 1:words(words_method)] {
   m = word(words_method, i)
   left   = ((i - 1) % columns) * 1.0 / columns
-  bottom = 0.96 - 0.96 * ((i - 1) / columns + 1) / rows
+  bottom = 10.0 / height + block_height * (rows - 1 - (i - 1) / columns)
   set autoscale  # stats would look no further than the ranges of the block before
   stats data using (is("bin") ? $8 : NaN) name "bins" nooutput
   stats data using (strcol(1) eq m && strcol(2) ne "bin" ? k(4) : NaN) name "k_low" nooutput
@@ -43,7 +45,8 @@ do for [i = 1:words(words_method)] {
   set xtics tic(k_high_max - k_low_min)
   set xlabel "k, 10^8 N/m"
   set ylabel "c, N s/m" offset 1,0
-  if (i == 1) { set key at screen 0.98, 0.995 right top horizontal } else { unset key }
+  # Narrower than it would be, or three entries took two lines: gnuplot counts the width of the first block.
+  if (i == 1) { set key at screen 0.98, 1 - 6.0 / height right top horizontal width -4 } else { unset key }
   if (simulated) {
     plot data using (is_bin("bin") ? mid(k(4), k(6)) : NaN):(mid($5, $7)):(k(4)):(k(6)):5:7:(shade($8)) \
            with boxxyerror linecolor rgb variable, \
@@ -71,7 +74,7 @@ do for [i = 1:words(words_method)] {
   set bmargin at screen place_y(high_y + 0.01)
   set tmargin at screen place_y(high_y + 0.15)
   set yrange [0:*]
-  set title m
+  set title m offset 0,-0.6 # as style.gp has it
   plot data using (is_bin("k-bin") ? mid(k(4), k(6)) : NaN):(mid(0, $8)):(k(4)):(k(6)):(0):8 \
          with boxxyerror linecolor rgb 0x9A9A9A
   unset title
@@ -84,7 +87,7 @@ do for [i = 1:words(words_method)] {
   plot data using (is_bin("c-bin") ? mid(0, $8) : NaN):(mid($5, $7)):(0):8:5:7 \
          with boxxyerror linecolor rgb 0x9A9A9A
   set border 3
-  set xtics nomirror out scale 0.5 # as style.gp has them
-  set ytics nomirror out scale 0.5
+  set xtics nomirror out scale 0.5 textcolor rgb 0x333333 # as style.gp has them
+  set ytics nomirror out scale 0.5 textcolor rgb 0x333333
 }
 unset multiplot

@@ -1,4 +1,5 @@
 # Figs 16 and 17, and what does not reward silence.
 # height: 1300
-heading = "Generated windows of the paper's five models beside real ones, by class"
+load scripts.'/models.gp'
+heading = "Generated windows of ".models." beside real ones, by class"
 load scripts.'/quality.gp'

@@ -37,7 +37,7 @@ constexpr Figure figures[] = {
      .accuracies = gains_of_methods},
     {.name = "fig18-gains-of-models",
      .paper = "Fig. 18",
-     .title = "What the windows of the paper's five models gain, by ratio",
+     .title = "What the windows of the paper's models and those of its outlook gain, by ratio",
      .caption =
          "As Fig. 15, of PIAE-DT (Model 1) and of what is left when one part of it is taken "
          "away or exchanged; with those that the paper's outlook names, where a run has them.",
@@ -166,7 +166,7 @@ constexpr Figure figures[] = {
      .numbers = quality_of_methods},
     {.name = "fig16-17-quality-of-models",
      .paper = "Figs 16 and 17",
-     .title = "How good the windows of the paper's five models are",
+     .title = "How good the windows of the paper's models and those of its outlook are",
      .caption = "As Figs 13 and 14, of PIAE-DT (Model 1) and its ablations, those of the paper's "
                 "outlook too where a run has them.",
      .from = "seed*/<method>/score.h5, /quality",

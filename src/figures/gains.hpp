@@ -11,7 +11,7 @@ namespace piae::figures {
 /// than three seeds) and what the paper publishes of this dataset or of its counterpart.
 Numbers gains_of_methods(Source& source, const report::ClassifierRows& shown);
 
-/// Fig. 18: the same of the paper's five models, and the ceiling.
+/// Fig. 18: the same of the paper's models and those of its outlook, and the ceiling.
 Numbers gains_of_models(Source& source, const report::ClassifierRows& shown);
 
 /// The accuracies themselves, with the same columns, of all methods of the grid; `none` has one row
