@@ -179,8 +179,8 @@ Reader Readers::next() {
 }
 
 void Readers::check_some(std::size_t first) {
-  constexpr std::size_t most_files = 128;
-  constexpr std::size_t most_bytes = 8'000'000;  // but one file of any size
+  constexpr std::size_t most_files = 512;
+  constexpr std::size_t most_bytes = 32'000'000;  // but one file of any size
   // Where the system gives no process, none of them has been checked: they are not kept.
   checked_.clear();
   first_ = first;

@@ -42,12 +42,12 @@ std::size_t enough_for(std::size_t size) {
   return mapped_bytes() + some + 4 * size;
 }
 
-/// The child may take as much address space, and a second for some hundred MB.
-void limit_by_size(std::size_t size) {
+/// The child may take as much address space, and a second for each 20 MB or 50 files.
+void limit_by_size(std::size_t size, std::size_t files) {
 #ifndef __SANITIZE_ADDRESS__  // which needs memory to say what it has found, and has a limit itself
   limit(RLIMIT_AS, enough_for(size));
 #endif
-  limit(RLIMIT_CPU, 2 + size / (std::size_t{20} << 20U));
+  limit(RLIMIT_CPU, 2 + files / 50 + size / (std::size_t{20} << 20U));
   limit(RLIMIT_CORE, 0);
 }
 
@@ -95,7 +95,7 @@ void read_and_say(int to, const std::function<void()>& read) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   // A handler that the program has for these is no business of the child.
   for (const int signal : {SIGSEGV, SIGBUS, SIGABRT, SIGFPE, SIGXCPU}) ::signal(signal, SIG_DFL);
-  limit_by_size(size_of(files));
+  limit_by_size(size_of(files), files.size());
   try {
     for (const Rehearsal& file : files) read_and_say(to, file.read);
   } catch (...) {

@@ -110,10 +110,11 @@ std::vector<double> accuracies_of(const Source& source, const std::vector<std::i
                                   const SweepPoint& point, const std::string& ratio) {
   run::Results results;
   run::collect_diagnoses(source.layout(), source.grid().dataset,
-                         {.name = point.factor + " " + point.value,
-                          .folder = point.folder(augment::paper_method()),
-                          .combination = {augment::paper_method(), ratio}},
-                         seeds, results);
+                         {{.series = {.name = point.factor + " " + point.value,
+                                      .folder = point.folder(augment::paper_method()),
+                                      .combination = {augment::paper_method(), ratio}},
+                           .seeds = seeds}},
+                         results);
   require_whole(results);
   std::vector<double> percents;
   for (const run::Diagnosis& cell : results.diagnoses) percents.push_back(100 * cell.accuracy);

@@ -64,9 +64,7 @@ std::vector<std::string> ratios_with(const std::string& ratio) {
 
 run::Results collect_diagnoses(const run::Layout& layout, const run::Grid& grid) {
   run::Results results;
-  for (const run::Combination& cell : grid.combinations) {
-    run::collect_diagnoses(layout, grid.dataset, run::series_of(cell), grid.seeds, results);
-  }
+  run::collect_diagnoses(layout, grid.dataset, run::series_of(grid), results);
   return results;
 }
 

@@ -94,8 +94,8 @@ std::optional<SweepRow> row_of(const run::Layout& layout, const Sweep& sweep,
     if (is_asked || held.has(diagnosis_of(layout, sweep, point, name, seed))) seeds.push_back(seed);
   }
   const std::size_t before = results.diagnoses.size();
-  run::collect_diagnoses(layout, sweep.grid.dataset, series_of(sweep, point, ratio.combination),
-                         seeds, results);
+  run::collect_diagnoses(layout, sweep.grid.dataset,
+                         {{series_of(sweep, point, ratio.combination), seeds}}, results);
   const std::vector<run::Diagnosis> cells(
       results.diagnoses.begin() + static_cast<std::ptrdiff_t>(before), results.diagnoses.end());
   if (seeds.empty() || cells.size() < seeds.size()) return std::nullopt;

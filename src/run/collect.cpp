@@ -104,16 +104,19 @@ Series series_of(const Combination& combination) {
           .combination = combination};
 }
 
-void collect_tested_windows(const Layout& layout, const std::string& dataset, std::int64_t seed,
-                            TestedWindowsBySeed& windows, Results& results) {
-  const fs::path path = layout.windows("A", seed);
-  attempt(
-      fmt::format("test windows, seed {}", seed), path,
-      [&] {
-        const artefact::Reader reader(path, "windows");
-        windows.emplace(seed, read_tested_windows(reader, dataset, seed));
-      },
-      results);
+void collect_tested_windows(const Layout& layout, const std::string& dataset,
+                            const std::vector<std::int64_t>& seeds, TestedWindowsBySeed& windows,
+                            Results& results) {
+  std::vector<fs::path> paths;
+  paths.reserve(seeds.size());
+  for (const std::int64_t seed : seeds) paths.push_back(layout.windows("A", seed));
+  artefact::Readers readers(paths, "windows");
+  for (std::size_t i = 0; i < seeds.size(); ++i) {
+    attempt(
+        fmt::format("test windows, seed {}", seeds[i]), paths[i],
+        [&] { windows.emplace(seeds[i], read_tested_windows(readers.next(), dataset, seeds[i])); },
+        results);
+  }
 }
 
 std::vector<Diagnosis> diagnoses_of(const Results& results, const Combination& combination) {
@@ -124,49 +127,63 @@ std::vector<Diagnosis> diagnoses_of(const Results& results, const Combination& c
   return own;
 }
 
-void collect_diagnoses(const Layout& layout, const std::string& dataset, const Series& series,
-                       const std::vector<std::int64_t>& seeds, Results& results,
+void collect_diagnoses(const Layout& layout, const std::string& dataset,
+                       const std::vector<SeriesOfSeeds>& all, Results& results,
                        const TestedWindowsBySeed& tested, const SeenCell& seen) {
-  const Combination& cell = series.combination;
   std::vector<fs::path> paths;
-  paths.reserve(seeds.size());
-  for (const std::int64_t seed : seeds) {
-    paths.push_back(layout.diagnosis(series.folder, cell.ratio, seed, cell.classifier));
+  for (const auto& [series, seeds] : all) {
+    const Combination& cell = series.combination;
+    for (const std::int64_t seed : seeds) {
+      paths.push_back(layout.diagnosis(series.folder, cell.ratio, seed, cell.classifier));
+    }
   }
   artefact::Readers readers(paths, "diagnosis");
-  for (std::size_t i = 0; i < seeds.size(); ++i) {
-    attempt(
-        fmt::format("{}, ratio {}, seed {}", series.name, cell.ratio, seeds[i]), paths[i],
-        [&] {
-          add_diagnosis(readers.next(), dataset, cell, seeds[i], tested, seen, results.diagnoses);
-        },
-        results);
+  auto path = paths.begin();
+  for (const auto& each : all) {
+    const Combination& cell = each.series.combination;
+    for (const std::int64_t seed : each.seeds) {
+      attempt(
+          fmt::format("{}, ratio {}, seed {}", each.series.name, cell.ratio, seed), *path++,
+          [&] {
+            add_diagnosis(readers.next(), dataset, cell, seed, tested, seen, results.diagnoses);
+          },
+          results);
+    }
   }
 }
 
-void collect_scores(const Layout& layout, const std::string& dataset, const std::string& method,
-                    const std::vector<std::int64_t>& seeds, Results& results,
-                    const SeenCell& seen) {
+void collect_scores(const Layout& layout, const std::string& dataset,
+                    const std::vector<MethodOfSeeds>& all, Results& results, const SeenCell& seen) {
   std::vector<fs::path> paths;
-  paths.reserve(seeds.size());
-  for (const std::int64_t seed : seeds) paths.push_back(layout.score(method, seed));
-  artefact::Readers readers(paths, "score");
-  for (std::size_t i = 0; i < seeds.size(); ++i) {
-    attempt(
-        fmt::format("method {}, seed {}", method, seeds[i]), paths[i],
-        [&] { add_quality(readers.next(), dataset, method, seeds[i], seen, results.qualities); },
-        results);
+  for (const auto& [method, seeds] : all) {
+    for (const std::int64_t seed : seeds) paths.push_back(layout.score(method, seed));
   }
+  artefact::Readers readers(paths, "score");
+  auto path = paths.begin();
+  for (const auto& each : all) {
+    for (const std::int64_t seed : each.seeds) {
+      attempt(
+          fmt::format("method {}, seed {}", each.method, seed), *path++,
+          [&] { add_quality(readers.next(), dataset, each.method, seed, seen, results.qualities); },
+          results);
+    }
+  }
+}
+
+std::vector<SeriesOfSeeds> series_of(const Grid& grid) {
+  std::vector<SeriesOfSeeds> all;
+  all.reserve(grid.combinations.size());
+  for (const Combination& cell : grid.combinations) all.push_back({series_of(cell), grid.seeds});
+  return all;
 }
 
 Results collect(const Layout& layout, const Grid& grid) {
   Results results;
-  for (const Combination& cell : grid.combinations) {
-    collect_diagnoses(layout, grid.dataset, series_of(cell), grid.seeds, results);
-  }
-  for (const std::string& method : grid.scored) {
-    collect_scores(layout, grid.dataset, method, grid.seeds, results);
-  }
+  collect_diagnoses(layout, grid.dataset, series_of(grid), results);
+  std::vector<MethodOfSeeds> scored;
+  scored.reserve(grid.scored.size());
+  for (const std::string& method : grid.scored) scored.push_back({method, grid.seeds});
+  collect_scores(layout, grid.dataset, scored, results);
   return results;
 }
 

@@ -51,22 +51,39 @@ struct Series {
 /// The series of the grid itself.
 Series series_of(const Combination& combination);
 
-/// Adds the test windows (A) of a seed to these, or what is wrong with them to the results.
-void collect_tested_windows(const Layout& layout, const std::string& dataset, std::int64_t seed,
-                            TestedWindowsBySeed& windows, Results& results);
+/// Adds the test windows (A) of these seeds, or what is wrong with them to the results.
+void collect_tested_windows(const Layout& layout, const std::string& dataset,
+                            const std::vector<std::int64_t>& seeds, TestedWindowsBySeed& windows,
+                            Results& results);
 
-/// Adds the diagnoses of a series at these seeds to the results, or what is wrong with them. Those
-/// of seeds whose test windows are known have decisions.
-void collect_diagnoses(const Layout& layout, const std::string& dataset, const Series& series,
-                       const std::vector<std::int64_t>& seeds, Results& results,
+/// A series, and the seeds at which it is read.
+struct SeriesOfSeeds {
+  Series series;
+  std::vector<std::int64_t> seeds;
+};
+
+/// Adds the diagnoses of these series to the results, or what is wrong with them. Those of seeds
+/// whose test windows are known have decisions. Many series in one call take less than one at a
+/// time (artefact::Readers).
+void collect_diagnoses(const Layout& layout, const std::string& dataset,
+                       const std::vector<SeriesOfSeeds>& all, Results& results,
                        const TestedWindowsBySeed& tested = {}, const SeenCell& seen = {});
+
+/// The series of a grid, each at all of its seeds.
+std::vector<SeriesOfSeeds> series_of(const Grid& grid);
 
 /// The diagnoses of one combination, by seed.
 std::vector<Diagnosis> diagnoses_of(const Results& results, const Combination& combination);
 
-/// The same for the scores of a method.
-void collect_scores(const Layout& layout, const std::string& dataset, const std::string& method,
-                    const std::vector<std::int64_t>& seeds, Results& results,
+/// A method, and the seeds at which its scores are read.
+struct MethodOfSeeds {
+  std::string method;
+  std::vector<std::int64_t> seeds;
+};
+
+/// The same for scores.
+void collect_scores(const Layout& layout, const std::string& dataset,
+                    const std::vector<MethodOfSeeds>& all, Results& results,
                     const SeenCell& seen = {});
 
 /// Reads every cell of a grid, and goes on after one that cannot be read. A file is also refused

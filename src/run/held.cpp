@@ -1,6 +1,7 @@
 #include "run/held.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <set>
 
 #include "augment/catalogue.hpp"
@@ -43,11 +44,11 @@ void for_each_combination(const Grid& asked, Classifiers which, const F& f) {
   }
 }
 
-/// Whether the test windows (A) of a seed are read with its first cell, where the folder holds
-/// them.
+/// Whether the test windows (A) of the cells' seeds are read, too, where the folder holds them.
 enum class Tested { read, left };
 
-/// Reads the cells of one file name over the seeds: those that tables are made of.
+/// Finds the cells of one file name over the seeds, those that tables are made of, and then reads
+/// them all.
 class CellsOfSeeds {
  public:
   CellsOfSeeds(const Layout& layout, const Grid& asked, const Held& held, Tested tested,
@@ -61,8 +62,7 @@ class CellsOfSeeds {
     const auto seeds = chosen(is_asked(asked_, cell), cell, file_of);
     if (seeds.empty()) return;
     into_.grid.combinations.push_back(cell);
-    collect_diagnoses(layout_, asked_.dataset, series_of(cell), seeds, into_.results, windows_,
-                      seen_);
+    diagnoses_.push_back({series_of(cell), seeds});
   }
 
   void scores(const std::string& method) {
@@ -71,7 +71,13 @@ class CellsOfSeeds {
     const auto seeds = chosen(needed, {method, ""}, file_of);
     if (seeds.empty()) return;
     into_.grid.scored.push_back(method);
-    collect_scores(layout_, asked_.dataset, method, seeds, into_.results, seen_);
+    scores_.push_back({method, seeds});
+  }
+
+  void read() {
+    if (tested_ == Tested::read) read_tested_windows();
+    collect_diagnoses(layout_, asked_.dataset, diagnoses_, into_.results, windows_, seen_);
+    collect_scores(layout_, asked_.dataset, scores_, into_.results, seen_);
   }
 
  private:
@@ -83,16 +89,16 @@ class CellsOfSeeds {
         into_.results.left_out.push_back({cell.method, cell.ratio, seed, cell.classifier});
       }
     }
-    for (const std::int64_t seed : seeds) {
-      if (seeds_.insert(seed).second) read_tested_windows_of(seed);
-    }
+    seeds_.insert(seeds.begin(), seeds.end());
     into_.grid.seeds.assign(seeds_.begin(), seeds_.end());
     return seeds;
   }
 
-  void read_tested_windows_of(std::int64_t seed) {
-    if (tested_ == Tested::left || !held_.has(layout_.windows("A", seed))) return;
-    collect_tested_windows(layout_, asked_.dataset, seed, windows_, into_.results);
+  void read_tested_windows() {
+    std::vector<std::int64_t> there;
+    std::ranges::copy_if(seeds_, std::back_inserter(there),
+                         [&](std::int64_t seed) { return held_.has(layout_.windows("A", seed)); });
+    collect_tested_windows(layout_, asked_.dataset, there, windows_, into_.results);
   }
 
   const Layout& layout_;
@@ -103,6 +109,8 @@ class CellsOfSeeds {
   SeenCell seen_;
   TestedWindowsBySeed windows_;
   std::set<std::int64_t> seeds_;
+  std::vector<SeriesOfSeeds> diagnoses_;
+  std::vector<MethodOfSeeds> scores_;
 };
 
 void add_diagnoses(const Grid& asked, Classifiers which, CellsOfSeeds& cells) {
@@ -193,6 +201,7 @@ Collected collect_held_diagnoses(const Layout& layout, const Grid& asked, const 
   collected.grid.dataset = asked.dataset;
   CellsOfSeeds cells(layout, asked, held, Tested::left, collected);
   add_diagnoses(asked, which, cells);
+  cells.read();
   return collected;
 }
 
@@ -217,6 +226,7 @@ Results collect_held_scores(const Layout& layout, const Grid& asked, const Held&
   Collected collected;
   CellsOfSeeds cells(layout, asked, held, Tested::left, collected);
   add_scores(asked, cells);
+  cells.read();
   return std::move(collected.results);
 }
 
@@ -227,6 +237,7 @@ Collected collect_held(const Layout& layout, const Grid& asked, const Held& held
   CellsOfSeeds cells(layout, asked, held, Tested::read, collected, seen);
   add_diagnoses(asked, Classifiers::all, cells);
   add_scores(asked, cells);
+  cells.read();
   return collected;
 }
 

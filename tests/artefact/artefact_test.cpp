@@ -203,12 +203,12 @@ TEST_F(Artefact, RefusalsSayWhatAndWhere) {
 
 TEST_F(Artefact, ManyAreReadAsEachAlone) {
   std::vector<fs::path> files;
-  for (int i = 0; i < 300; ++i) {
+  for (int i = 0; i < 600; ++i) {
     files.push_back(example(std::to_string(i) + ".h5", "a = \"" + std::to_string(i) + "\"\n"));
   }
   fs::remove(files[7]);
-  damage(files[130]);
-  Writer("another").save(files[131], {"tester", "", {}});
+  damage(files[514]);
+  Writer("another").save(files[515], {"tester", "", {}});
   Readers readers(files, "example");
   std::vector<RefusalReason> reasons;
   for (const fs::path& file : files) {
