@@ -10,8 +10,8 @@ namespace piae::figures {
 /// `seed` is "mean" for the mean over the seeds. The methods are those of the paper's comparison.
 Numbers quality_of_methods(Source& source);
 
-/// Figs 16 and 17: the same of the paper's models and those of its outlook. Throws LeftOut where the grid
-/// has none of the ablations.
+/// Figs 16 and 17: the same of the paper's models and those of its outlook. Throws LeftOut where
+/// the grid has none of the ablations.
 Numbers quality_of_models(Source& source);
 
 }  // namespace piae::figures

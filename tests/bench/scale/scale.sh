@@ -9,10 +9,19 @@ set -euo pipefail
 export LC_ALL=C
 unset MAKEFLAGS MFLAGS MAKELEVEL MAKEOVERRIDES
 
+refuse() {
+  echo "scale.sh: $1; usage: tests/bench/scale/scale.sh PROGRAMS [DATASETSxSEEDS...], such as build/bin 1x10 10x10" >&2
+  exit 2
+}
+(($#)) || refuse "it is not said where the programs are"
+[[ -x $1/fill_run ]] || refuse "there is no $1/fill_run (\`make bench-scale\` builds it)"
 programs=$(realpath "$1")
 shift
-sizes=("${@:-1x10}")
+sizes=("$@")
 (($#)) || sizes=(1x10 10x10 10x100)
+for size in "${sizes[@]}"; do
+  [[ $size =~ ^[1-9][0-9]*x[1-9][0-9]*$ ]] || refuse "'$size' is no size"
+done
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 cp -r Makefile pipeline jobs "$scratch"
