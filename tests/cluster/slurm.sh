@@ -34,12 +34,22 @@ cannot_run_slurm() {
   exit 77
 }
 
+# 22 on Debian 12, 24 on Debian 13, which says some things otherwise.
+slurm_release() {
+  local version
+  version=$(slurmd -V)
+  version=${version#* }
+  echo "${version%%.*}"
+}
+
 if [[ -z ${IN_SLURM_NAMESPACE:-} ]]; then
   PATH=$PATH:/usr/sbin:/sbin
   for program in "${slurm_programs[@]}"; do
     command -v "$program" >/dev/null ||
       cannot_run_slurm "$program is not installed; \`make test-deps\` installs it"
   done
+  (($(slurm_release) >= 23)) || [[ $(ls -A /sys/fs/cgroup 2>/dev/null) ]] ||
+    cannot_run_slurm "Slurm 22 wants control groups, and nothing is mounted at /sys/fs/cgroup"
   namespace=(unshare --net --uts)
   ((EUID == 0)) || namespace+=(--user --map-current-user --keep-caps)
   "${namespace[@]}" true 2>/dev/null ||
@@ -95,16 +105,8 @@ CONF
   echo "PartitionName=gpu Nodes=n4 MaxTime=INFINITE State=UP"
 }
 
-# 22 on Debian 12, 24 on Debian 13, which says some things otherwise.
-slurm_release() {
-  local version
-  version=$(slurmd -V)
-  version=${version#* }
-  echo "${version%%.*}"
-}
-
-# From 23.02 on slurmd wants control groups even where no plugin uses them, and without them, as in a bare
-# container, it ends. Before, it did not know the word.
+# slurmd wants control groups even where no plugin uses them, and without them, as in a bare container, it ends.
+# Before 23.02 it does not know the word.
 cgroup_conf() {
   (($(slurm_release) < 23)) || echo CgroupPlugin=disabled
 }
