@@ -296,7 +296,7 @@ STAGE
     SUBMIT=./queue pipeline/step.sh results/t/real/seed0 own >/dev/null 2>messages &
     set +m
     wait_for started
-    until grep -qs '^step: started' results/t/real/seed0/own.log; do sleep 0.05; done
+    until grep -qsE '^step: (started|waited)' results/t/real/seed0/own.log; do sleep 0.05; done
     # To the whole group, as a terminal does.
     kill -$signal -- -$!
     code=0
