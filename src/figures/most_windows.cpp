@@ -45,12 +45,12 @@ std::vector<MethodDiagnoses> diagnoses_with_most_windows(const Source& source) {
   }
   std::vector<MethodDiagnoses> all;
   for (const run::Combination& cell : last_cells(source.grid())) {
-    MethodDiagnoses& own = all.emplace_back(MethodDiagnoses{.cell = cell, .seeds = {}});
-    for (const std::int64_t seed : source.seeds_of(cell)) {
-      own.seeds.push_back(source.diagnosis(cell, seed));
-      if (belong_together(own.seeds.back(), all.front().seeds.front())) continue;
+    const MethodDiagnoses& own = all.emplace_back(
+        MethodDiagnoses{.cell = cell, .seeds = source.diagnoses(cell, source.seeds_of(cell))});
+    for (const scoring::DiagnosisRecord& record : own.seeds) {
+      if (belong_together(record, all.front().seeds.front())) continue;
       throw Error(Exit::bad_input,
-                  source.layout().diagnosis(cell.method, cell.ratio, seed).string() +
+                  source.layout().diagnosis(cell.method, cell.ratio, record.seed).string() +
                       ": its classes or its split are not those of the others");
     }
   }

@@ -16,10 +16,9 @@ std::vector<double> mean_precisions(const Source& source, const report::Accuracy
                                     std::size_t steps) {
   std::vector<double> mean(steps);
   const double weight = 100.0 / static_cast<double>(row.seeds.size());
-  for (const std::int64_t seed : row.seeds) {
-    const auto own = scoring::precision_by_share(
-        scoring::judgements_of(source.diagnosis({row.method, row.ratio, row.classifier}, seed)),
-        steps);
+  for (const scoring::DiagnosisRecord& record :
+       source.diagnoses({row.method, row.ratio, row.classifier}, row.seeds)) {
+    const auto own = scoring::precision_by_share(scoring::judgements_of(record), steps);
     std::ranges::transform(own, mean, mean.begin(),
                            [&](double share, double sum) { return sum + weight * share; });
   }

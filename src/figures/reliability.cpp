@@ -16,10 +16,9 @@ namespace {
 std::vector<scoring::Judgement> pooled_judgements(const Source& source,
                                                   const report::AccuracyRow& row) {
   std::vector<scoring::Judgement> all;
-  for (const std::int64_t seed : row.seeds) {
-    std::ranges::copy(
-        scoring::judgements_of(source.diagnosis({row.method, row.ratio, row.classifier}, seed)),
-        std::back_inserter(all));
+  for (const scoring::DiagnosisRecord& record :
+       source.diagnoses({row.method, row.ratio, row.classifier}, row.seeds)) {
+    std::ranges::copy(scoring::judgements_of(record), std::back_inserter(all));
   }
   return all;
 }

@@ -88,9 +88,18 @@ scoring::DiagnosisRecord Source::read(const artefact::Reader& reader, const run:
   return scoring::read_diagnosis(reader);
 }
 
-scoring::DiagnosisRecord Source::diagnosis(const run::Combination& cell, std::int64_t seed) const {
-  return read({layout_.diagnosis(cell.method, cell.ratio, seed, cell.classifier), "diagnosis"},
-              cell, seed);
+std::vector<scoring::DiagnosisRecord> Source::diagnoses(
+    const run::Combination& cell, const std::vector<std::int64_t>& seeds) const {
+  std::vector<std::filesystem::path> paths;
+  paths.reserve(seeds.size());
+  for (const std::int64_t seed : seeds) {
+    paths.push_back(layout_.diagnosis(cell.method, cell.ratio, seed, cell.classifier));
+  }
+  artefact::Readers readers(std::move(paths), "diagnosis");
+  std::vector<scoring::DiagnosisRecord> records;
+  records.reserve(seeds.size());
+  for (const std::int64_t seed : seeds) records.push_back(read(readers.next(), cell, seed));
+  return records;
 }
 
 scoring::DiagnosisRecord Source::features(const run::Combination& cell, std::int64_t seed) const {

@@ -56,9 +56,9 @@ class Source {
   const std::vector<report::ClassifierRows>& accuracies();
   /// Every score, by method, then seed.
   const std::vector<scoring::QualityRecord>& qualities();
-  /// One diagnosis with everything that it says of the test windows.
-  [[nodiscard]] scoring::DiagnosisRecord diagnosis(const run::Combination& cell,
-                                                   std::int64_t seed) const;
+  /// The diagnoses of a cell at these seeds, with everything that they say of the test windows.
+  [[nodiscard]] std::vector<scoring::DiagnosisRecord> diagnoses(
+      const run::Combination& cell, const std::vector<std::int64_t>& seeds) const;
   /// The same with the features of the test windows, which are kept of some cells.
   [[nodiscard]] scoring::DiagnosisRecord features(const run::Combination& cell,
                                                   std::int64_t seed) const;
