@@ -83,6 +83,8 @@ test_a_lost_node_is_no_success() {
   touch results/tiny/tiny/seed0/D.h5
   start_make ''
   wait_until_it_trains
+  # On a loaded machine it would else be done before its node is.
+  kill -STOP "$(running "$programs/train" | head -n 1)"
   local node words='(was its node lost|137)'
   (($(slurm_release) < 23)) || words='exit code 1 '
   node=$(squeue --noheader --format=%N --name=train)
