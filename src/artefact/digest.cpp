@@ -88,23 +88,17 @@ bool is_provenance(const std::string& path) {
   return path == provenance_group || path.starts_with(provenance_group + "/");
 }
 
-std::string digest_of(hid_t file, std::span<const std::byte> image, bool provenance) {
-  Sha256 sha;
-  if (!provenance) add_object(sha, file, image, "/");
-  for (const std::string& path : hdf5::object_paths(file)) {
-    if (is_provenance(path) == provenance) add_object(sha, file, image, path);
-  }
-  return sha.finish_hex();
-}
-
 }  // namespace
 
-std::string content_digest(hid_t file, std::span<const std::byte> image) {
-  return digest_of(file, image, false);
-}
-
-std::string provenance_digest(hid_t file, std::span<const std::byte> image) {
-  return digest_of(file, image, true);
+Digests digests_of(hid_t file, const std::vector<std::string>& paths,
+                   std::span<const std::byte> image) {
+  Sha256 content;
+  Sha256 provenance;
+  add_object(content, file, image, "/");
+  for (const std::string& path : paths) {
+    add_object(is_provenance(path) ? provenance : content, file, image, path);
+  }
+  return {.content = content.finish_hex(), .provenance = provenance.finish_hex()};
 }
 
 }  // namespace piae::artefact

@@ -73,11 +73,12 @@ Handle open_checked(const fs::path& path, std::span<const std::byte> image) {
 
 void require_undamaged(const fs::path& path, hid_t file, std::span<const std::byte> image) {
   try {
-    require_our_structure(file, image.size());
-    if (content_digest(file, image) != hdf5::read_string_attribute(file, "/", digest_attribute)) {
+    const std::vector<std::string> paths = require_our_structure(file, image.size());
+    const Digests digests = digests_of(file, paths, image);
+    if (digests.content != hdf5::read_string_attribute(file, "/", digest_attribute)) {
       refuse_damaged(path, "the content digest does not match");
     }
-    if (provenance_digest(file, image) !=
+    if (digests.provenance !=
         hdf5::read_string_attribute(file, provenance_group, digest_attribute)) {
       refuse_damaged(path, "the digest of " + provenance_group + " does not match");
     }

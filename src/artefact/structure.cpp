@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 #include "base/one_line.hpp"
@@ -81,7 +82,14 @@ class Walk {
       if (type == H5L_TYPE_EXTERNAL) refuse("a link to another file", child);
       if (type != H5L_TYPE_HARD) refuse("a link of an unknown kind", child);
       visit(Handle(H5Oopen(object, name.c_str(), H5P_DEFAULT), child.c_str()), child, depth + 1);
+      paths_.push_back(child);
     }
+  }
+
+  /// Of all objects but the root, in alphabetical order.
+  std::vector<std::string> paths() && {
+    std::ranges::sort(paths_);
+    return std::move(paths_);
   }
 
  private:
@@ -161,15 +169,18 @@ class Walk {
   }
 
   std::set<haddr_t> addresses_;
+  std::vector<std::string> paths_;
   std::size_t size_;
   std::size_t left_;  ///< bytes of the file that no value has claimed
 };
 
 }  // namespace
 
-void require_our_structure(hid_t file, std::size_t size) {
+std::vector<std::string> require_our_structure(hid_t file, std::size_t size) {
   const Handle root(H5Gopen2(file, "/", H5P_DEFAULT), "/");
-  Walk(size).visit(root, "/", 0);
+  Walk walk(size);
+  walk.visit(root, "/", 0);
+  return std::move(walk).paths();
 }
 
 }  // namespace piae::artefact

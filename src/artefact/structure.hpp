@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <string>
+#include <vector>
 
 #include "artefact/hdf5.hpp"
 
@@ -13,7 +14,8 @@ namespace piae::artefact {
 /// lead out of the file, be found in two places, or be larger than what was read of it.
 ///
 /// The paths of all objects, which are in the digest, then say all links that there are: a link
-/// more or less is an object more or less. `size` is that of the file in bytes.
-void require_our_structure(hid_t file, std::size_t size);
+/// more or less is an object more or less. They are returned as hdf5::object_paths would. `size` is
+/// that of the file in bytes.
+std::vector<std::string> require_our_structure(hid_t file, std::size_t size);
 
 }  // namespace piae::artefact

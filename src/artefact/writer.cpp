@@ -85,10 +85,9 @@ void Writer::attribute(const std::string& object, const std::string& name,
 
 void Writer::save(const std::filesystem::path& path, const Provenance& provenance) {
   write_provenance(file_.id(), provenance);
-  hdf5::write_attribute(file_.id(), provenance_group, digest_attribute,
-                        provenance_digest(file_.id(), file_.image()));
-  hdf5::write_attribute(file_.id(), "/", digest_attribute,
-                        content_digest(file_.id(), file_.image()));
+  const Digests digests = digests_of(file_.id(), hdf5::object_paths(file_.id()), file_.image());
+  hdf5::write_attribute(file_.id(), provenance_group, digest_attribute, digests.provenance);
+  hdf5::write_attribute(file_.id(), "/", digest_attribute, digests.content);
   const auto bytes = file_.close();
   if (bytes.size() > largest_artefact_bytes) {
     throw Error(Exit::failed, path.string() + ": would be larger than " +

@@ -80,19 +80,33 @@ void add_quality(const artefact::Reader& reader, const std::string& dataset,
   qualities.push_back(std::move(record));
 }
 
-/// Reads a cell, or adds to the results what is wrong with it. `name` is the cell in words.
-void attempt(const std::string& name, const fs::path& path, const std::function<void()>& read,
-             Results& results) {
-  try {
-    read();
-  } catch (const Error& error) {
-    std::string problem = name + ": " + error.what();
-    const auto log = Layout::unfinished_log(path);
-    if (error.exit() == Exit::input_missing && log) {
-      problem += "; a step on the way to it failed or is not done, see " + log->string();
+/// A file to be read, the cell that it holds in words, and what is done with it.
+struct Wanted {
+  std::string name;
+  fs::path path;
+  std::function<void(const artefact::Reader&)> read;
+};
+
+std::string problem_of(const Wanted& file, const Error& error) {
+  const std::string problem = file.name + ": " + error.what();
+  const auto log = Layout::unfinished_log(file.path);
+  if (error.exit() != Exit::input_missing || !log) return problem;
+  return problem + "; a step on the way to it failed or is not done, see " + log->string();
+}
+
+/// Reads files of one kind in turn, or adds to the results what is wrong with them.
+void read_all(const std::vector<Wanted>& files, const std::string& kind, Results& results) {
+  std::vector<fs::path> paths;
+  paths.reserve(files.size());
+  for (const Wanted& file : files) paths.push_back(file.path);
+  artefact::Readers readers(std::move(paths), kind);
+  for (const Wanted& file : files) {
+    try {
+      file.read(readers.next());
+    } catch (const Error& error) {
+      results.problems.push_back(problem_of(file, error));
+      if (results.exit != Exit::bad_input) results.exit = error.exit();
     }
-    results.problems.push_back(problem);
-    if (results.exit != Exit::bad_input) results.exit = error.exit();
   }
 }
 
@@ -107,16 +121,15 @@ Series series_of(const Combination& combination) {
 void collect_tested_windows(const Layout& layout, const std::string& dataset,
                             const std::vector<std::int64_t>& seeds, TestedWindowsBySeed& windows,
                             Results& results) {
-  std::vector<fs::path> paths;
-  paths.reserve(seeds.size());
-  for (const std::int64_t seed : seeds) paths.push_back(layout.windows("A", seed));
-  artefact::Readers readers(paths, "windows");
-  for (std::size_t i = 0; i < seeds.size(); ++i) {
-    attempt(
-        fmt::format("test windows, seed {}", seeds[i]), paths[i],
-        [&] { windows.emplace(seeds[i], read_tested_windows(readers.next(), dataset, seeds[i])); },
-        results);
+  std::vector<Wanted> files;
+  files.reserve(seeds.size());
+  for (const std::int64_t seed : seeds) {
+    files.push_back({fmt::format("test windows, seed {}", seed), layout.windows("A", seed),
+                     [&, seed](const artefact::Reader& reader) {
+                       windows.emplace(seed, read_tested_windows(reader, dataset, seed));
+                     }});
   }
+  read_all(files, "windows", results);
 }
 
 std::vector<Diagnosis> diagnoses_of(const Results& results, const Combination& combination) {
@@ -130,44 +143,35 @@ std::vector<Diagnosis> diagnoses_of(const Results& results, const Combination& c
 void collect_diagnoses(const Layout& layout, const std::string& dataset,
                        const std::vector<SeriesOfSeeds>& all, Results& results,
                        const TestedWindowsBySeed& tested, const SeenCell& seen) {
-  std::vector<fs::path> paths;
-  for (const auto& [series, seeds] : all) {
+  std::vector<Wanted> files;
+  for (const SeriesOfSeeds& each : all) {
+    const Series& series = each.series;
     const Combination& cell = series.combination;
-    for (const std::int64_t seed : seeds) {
-      paths.push_back(layout.diagnosis(series.folder, cell.ratio, seed, cell.classifier));
-    }
-  }
-  artefact::Readers readers(paths, "diagnosis");
-  auto path = paths.begin();
-  for (const auto& each : all) {
-    const Combination& cell = each.series.combination;
     for (const std::int64_t seed : each.seeds) {
-      attempt(
-          fmt::format("{}, ratio {}, seed {}", each.series.name, cell.ratio, seed), *path++,
-          [&] {
-            add_diagnosis(readers.next(), dataset, cell, seed, tested, seen, results.diagnoses);
-          },
-          results);
+      files.push_back({fmt::format("{}, ratio {}, seed {}", series.name, cell.ratio, seed),
+                       layout.diagnosis(series.folder, cell.ratio, seed, cell.classifier),
+                       [&, seed](const artefact::Reader& reader) {
+                         add_diagnosis(reader, dataset, cell, seed, tested, seen,
+                                       results.diagnoses);
+                       }});
     }
   }
+  read_all(files, "diagnosis", results);
 }
 
 void collect_scores(const Layout& layout, const std::string& dataset,
                     const std::vector<MethodOfSeeds>& all, Results& results, const SeenCell& seen) {
-  std::vector<fs::path> paths;
-  for (const auto& [method, seeds] : all) {
-    for (const std::int64_t seed : seeds) paths.push_back(layout.score(method, seed));
-  }
-  artefact::Readers readers(paths, "score");
-  auto path = paths.begin();
-  for (const auto& each : all) {
+  std::vector<Wanted> files;
+  for (const MethodOfSeeds& each : all) {
+    const std::string& method = each.method;
     for (const std::int64_t seed : each.seeds) {
-      attempt(
-          fmt::format("method {}, seed {}", each.method, seed), *path++,
-          [&] { add_quality(readers.next(), dataset, each.method, seed, seen, results.qualities); },
-          results);
+      files.push_back({fmt::format("method {}, seed {}", method, seed), layout.score(method, seed),
+                       [&, seed](const artefact::Reader& reader) {
+                         add_quality(reader, dataset, method, seed, seen, results.qualities);
+                       }});
     }
   }
+  read_all(files, "score", results);
 }
 
 std::vector<SeriesOfSeeds> series_of(const Grid& grid) {

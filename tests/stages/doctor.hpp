@@ -23,10 +23,10 @@ inline void replace_attribute(hid_t file, const std::string& object, const std::
 inline void doctor(const std::string& file, const std::function<void(hid_t)>& change) {
   const artefact::hdf5::Handle open(H5Fopen(file.c_str(), H5F_ACC_RDWR, H5P_DEFAULT), "open");
   change(open);
-  const std::string content = artefact::content_digest(open);
+  const artefact::Digests digests = artefact::digests_of(open, artefact::hdf5::object_paths(open));
   replace_attribute(open, artefact::provenance_group, artefact::digest_attribute,
-                    artefact::provenance_digest(open));
-  replace_attribute(open, "/", artefact::digest_attribute, content);
+                    digests.provenance);
+  replace_attribute(open, "/", artefact::digest_attribute, digests.content);
 }
 
 template <artefact::hdf5::Number T>

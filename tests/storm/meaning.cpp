@@ -572,10 +572,10 @@ bool one_claims_too_much(hid_t file) {
 void renew_digests(hid_t file) {
   try {
     if (one_claims_too_much(file)) return;
-    const std::string content = artefact::content_digest(file);
+    const artefact::Digests digests = artefact::digests_of(file, hdf5::object_paths(file));
     stages::replace_attribute(file, artefact::provenance_group, artefact::digest_attribute,
-                              artefact::provenance_digest(file));
-    stages::replace_attribute(file, "/", artefact::digest_attribute, content);
+                              digests.provenance);
+    stages::replace_attribute(file, "/", artefact::digest_attribute, digests.content);
   } catch (const std::exception&) {
     // Where the product's own digest refuses the file, its readers must, too.
   }
