@@ -75,7 +75,7 @@ configure() {
   }
   [[ $has_libtorch ]] || say "LibTorch is not installed, so src/libtorch and the tests that need it are left out"
   [[ $benches ]] || say "Google Benchmark is not installed, so tests/bench is left out"
-  sed -i 's/ -fcx-limited-range//' $configured/compile_commands.json
+  sed -i 's/ -fcx-limited-range//; s/ --param=avoid-fma-max-bits=0//' $configured/compile_commands.json
   flock --unlock 9
 }
 
