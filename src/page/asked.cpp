@@ -1,9 +1,12 @@
 #include "page/asked.hpp"
 
+#include <spdlog/spdlog.h>
+
 #include <algorithm>
 
 #include "base/error.hpp"
 #include "run/begun.hpp"
+#include "scoring/ratios.hpp"
 
 namespace piae::page {
 
@@ -27,6 +30,28 @@ std::vector<std::string> asked_datasets(const AskedCells& asked) {
   return run::split_list("--datasets", asked.datasets);
 }
 
+/// Whether `make identify` alone left the models that are there.
+bool was_only_identified(const run::Layout& layout) {
+  return fs::is_regular_file(layout.identifiability_csv()) && !run::holds_cells(layout);
+}
+
+/// Whether the report has to do with a data set that nobody has named. Of one that was tried, but
+/// of which no method was begun, nothing tells which cells are missing: a line names it.
+bool is_reported(const run::Layout& layout) {
+  if (!run::methods_begun(layout).empty()) return !was_only_identified(layout);
+  if (!layout.seeds().empty() || fs::exists(layout.folder() / "ingest.log")) {
+    spdlog::warn("{}: no method was begun, so the report leaves it out; --datasets asks for it",
+                 layout.folder().string());
+  }
+  return false;
+}
+
+std::vector<std::string> every_ratio() {
+  std::vector<std::string> names;
+  for (const scoring::Ratio& ratio : scoring::all_ratios()) names.emplace_back(ratio.name);
+  return names;
+}
+
 }  // namespace
 
 void bind(const cli::Options& command, AskedCells& asked) {
@@ -47,11 +72,10 @@ std::vector<std::string> AskedCells::left_out_of(const std::string& dataset) con
 }
 
 std::vector<std::string> datasets_of(const fs::path& run, const AskedCells& asked) {
-  std::vector<std::string> datasets = folders_in(run);
-  std::erase_if(datasets,
-                [&](const std::string& name) { return !run::holds_cells(run::Layout(run, name)); });
-  for (const std::string& name : asked_datasets(asked)) {
-    if (std::ranges::count(datasets, name) == 0) datasets.push_back(name);
+  std::vector<std::string> datasets = asked_datasets(asked);
+  for (const std::string& name : folders_in(run)) {
+    const bool is_named = std::ranges::count(datasets, name) != 0;
+    if (!is_named && is_reported(run::Layout(run, name))) datasets.push_back(name);
   }
   std::ranges::sort(datasets);
   if (datasets.empty()) {
@@ -68,6 +92,10 @@ run::Grid grid_of(const run::Layout& layout, const std::string& dataset, const A
   }
   run::GridOptions cells = asked.cells;
   cells.dataset = dataset;
+  // Where no cell was begun, no folder tells which ratios were asked for.
+  if (cells.ratios.empty() && !run::holds_cells(layout)) {
+    cells.ratios = every_ratio();
+  }
   return run::resolve_begun(layout, cells);
 }
 

@@ -20,14 +20,6 @@ bool is_in_any_seed(const Layout& layout, const fs::path& below) {
   });
 }
 
-std::vector<std::string> methods_begun(const Layout& layout) {
-  std::vector<std::string> methods;
-  for (const augment::CatalogueEntry& entry : augment::catalogue()) {
-    if (is_in_any_seed(layout, entry.name)) methods.emplace_back(entry.name);
-  }
-  return methods;
-}
-
 std::vector<std::string> ratios_begun(const Layout& layout,
                                       const std::vector<std::string>& methods) {
   std::vector<std::string> ratios;
@@ -86,6 +78,14 @@ void bind_begun_cells(const cli::Options& command, GridOptions& options) {
   command.add("--seeds", options.seeds, "Seeds, such as: 0 1 2; " + held);
   bind_classifiers(command, options.classifiers, held);
   bind_nothing_known(command, options.nothing_known);
+}
+
+std::vector<std::string> methods_begun(const Layout& layout) {
+  std::vector<std::string> methods;
+  for (const augment::CatalogueEntry& entry : augment::catalogue()) {
+    if (is_in_any_seed(layout, entry.name)) methods.emplace_back(entry.name);
+  }
+  return methods;
 }
 
 bool holds_cells(const Layout& layout) {

@@ -19,7 +19,10 @@ void bind_begun_cells(const cli::Options& command, GridOptions& options);
 /// where nothing is asked for and the folder holds nothing.
 Grid resolve_begun(const Layout& layout, GridOptions options);
 
-/// Whether any diagnosis was begun. Other questions leave folders of seeds, too (identify).
+/// The methods of which anything was begun, in the order of the catalogue.
+std::vector<std::string> methods_begun(const Layout& layout);
+
+/// Whether any diagnosis was begun.
 bool holds_cells(const Layout& layout);
 
 }  // namespace piae::run

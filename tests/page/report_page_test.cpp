@@ -248,7 +248,20 @@ TEST_F(ReportPage, OfNothingAtAllIsAnError) {
 TEST_F(ReportPage, LeavesOutADataSetOfWhichOnlyAnotherQuestionWasAsked) {
   add_all();
   write("simulated/seed0/vae/train.log", "");  // as `make identify` leaves it
+  write("simulated/identifiability.csv", "");
   EXPECT_THAT(page(), AllOf(HasSubstr("cwru"), Not(HasSubstr("simulated"))));
+}
+
+/// No folder tells which ratios were asked for, so all are missing.
+TEST_F(ReportPage, NamesADataSetOfWhichNoTrainingWasDone) {
+  add_all();
+  add_failed("hit-sm/seed0/vae/train.log", "train: hit-sm/seed0/C.h5: damaged");
+  EXPECT_THAT(page(), AllOf(HasSubstr("7 of 15 cells are missing: 7 failed."),
+                            HasSubstr("vae; 50:1, 25:1, 10:1, 5:1, 2:1 and 1:1; seed 0"),
+                            HasSubstr("hit-sm/seed0/C.h5: damaged")));
+  write("hit-sm/identifiability.csv", "");
+  write("hit-sm/seed0/vae/2to1/diagnose.log", "command\nstep: begun at 1\n");
+  EXPECT_THAT(page(), HasSubstr("2 of 10 cells are missing"));
 }
 
 TEST_F(ReportPage, HostileNamesStayText) {

@@ -103,6 +103,16 @@ TEST_F(Report, IsOfWhatTheRunHoldsAndNamesWhatItLacks) {
   EXPECT_THAT(bytes_of(tiny / "run/report.md"), HasSubstr("3 of 6 cells are missing"));
 }
 
+TEST_F(Report, SaysWhichDataSetItLeavesOutSinceNothingOfItWasBegun) {
+  tiny.write("run/hit-sm/ingest.log", "ingest: none-900.csv: no such file\nstep: exit 66\n");
+  fs::create_directories(tiny / "run/simulated/seed0");
+  const Outcome outcome = tiny.run("report", report_of({}));
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("reported 1 data sets, 0 cells missing"));
+  EXPECT_THAT(outcome.err, HasSubstr("run/hit-sm: no method was begun"));
+  EXPECT_THAT(outcome.err, HasSubstr("run/simulated: no method was begun"));
+}
+
 TEST(ReportOfAFolder, ThatIsNotThereIsAnError) {
   const Tiny tiny;
   const Outcome outcome = tiny.run("report", report_of({}));
