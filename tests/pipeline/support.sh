@@ -95,6 +95,15 @@ STAGE
   chmod +x fake/figures fake/report
 }
 
+# Goes into a folder with all that a run needs, and with stand-ins.
+enter() { # folder
+  cp -r "$project"/{Makefile,jobs,pipeline} "$1"
+  cd "$1" || exit
+  mkdir results
+  cp -r "$project/results/published" results
+  stand_ins
+}
+
 run_tests() {
   local test failures=0 code skipped_because
   skipped_because=$(mktemp)
@@ -103,12 +112,7 @@ run_tests() {
     folder=$(mktemp -d)
     ( # not in the condition itself, where bash would let `set -e` pass
       set -e
-      cp -r "$project"/{Makefile,jobs} "$folder"
-      cp -r "$project/pipeline" "$folder/pipeline"
-      cd "$folder"
-      mkdir results
-      cp -r "$project/results/published" results
-      stand_ins
+      enter "$folder"
       "$test"
     )
     code=$?
