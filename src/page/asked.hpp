@@ -24,8 +24,8 @@ struct AskedCells {
 void bind(const cli::Options& command, AskedCells& asked);
 
 /// The data sets that are asked for, and those of which the folder of the run holds more than what
-/// `make identify` left, in alphabetical order. Throws Error(usage) for one that is named twice, Error(input_missing) where
-/// there is none.
+/// `make identify` left, in alphabetical order. Throws Error(usage) for one that is named twice,
+/// Error(input_missing) where there is none.
 std::vector<std::string> datasets_of(const std::filesystem::path& run, const AskedCells& asked);
 
 /// The cells of one data set that there should be, see run::resolve_begun(): of every ratio where
