@@ -1,0 +1,110 @@
+#!/bin/bash
+# What make refuses before anything runs, and what only asks and writes nothing.
+# shellcheck source-path=SCRIPTDIR disable=SC2119
+source "${0%/*}/small_grid.sh"
+
+test_unknown_names_are_refused() {
+  describe
+  expect_line "$(grid DATASETS=nowhere 2>&1 || true)" "DATASETS: unknown 'nowhere'; there are: made real"
+  expect_line "$(grid RATIOS=3to1 2>&1 || true)" "RATIOS: unknown '3to1'"
+  expect_line "$(grid METHODS=none RATIOS=1to1 2>&1 || true)" "no cells"
+  expect_line "$(grid METHODS=magic 2>&1 || true)" "METHODS: unknown 'magic'; there are: none dynamics smote "
+  expect_line "$(grid CLASSIFIERS=svm 2>&1 || true)" "CLASSIFIERS: unknown 'svm'; there are: wdcnn wdcnn-spectrum .* nearest"
+  expect_line "$(grid CLASSIFIERS='nearest nearest' 2>&1 || true)" "CLASSIFIERS: 'nearest nearest' names one twice"
+  expect_line "$(grid SEEDS='0 x' 2>&1 || true)" "SEEDS: whole numbers"
+  expect_line "$(grid SEEDS='1 1' 2>&1 || true)" "names one twice"
+  expect_line "$(grid SEEDS= 2>&1 || true)" "SEEDS: is empty"
+  expect_line "$(grid RUN=../t 2>&1 || true)" "not a path"
+  for sign in ':' '=' '%' ','; do
+    expect_line "$(grid RUN="a${sign}b" 2>&1 || true)" "RUN: holds a $sign, which it must not"
+  done
+  expect_line "$(grid METHODS='smote smote' 2>&1 || true)" "METHODS: 'smote smote' names one twice"
+  expect_line "$(grid RUN=reference 2>&1 || true)" "RUN: 'reference' cannot be the name of a run"
+  expect_line "$(grid PROTOCOL='random blocked' 2>&1 || true)" "PROTOCOL: random or blocked, not 'random blocked'"
+  expect_exit 2 grid PROTOCOL=other
+  expect_equal "$(ls)" "$(printf '%s\n' Makefile fake jobs pipeline results)"
+}
+
+# Else a stage would run with what its program has built in.
+test_a_table_of_the_protocol_that_nothing_reads_is_refused() {
+  describe
+  echo '[diagnoze]' >>pipeline/protocol.toml
+  expect_line "$(grid 2>&1 || true)" "^settings: pipeline/protocol.toml, line 18: nothing reads the table \[diagnoze\]"
+  sed -i 's/^\[diagnoze\]/[diagnose/' pipeline/protocol.toml
+  expect_line "$(grid 2>&1 || true)" "^settings: pipeline/protocol.toml, line 18: not valid TOML"
+  [[ ! -e calls ]] || fail "ran: $(<calls)"
+}
+
+test_unknown_variables_are_refused_with_the_right_name() {
+  describe
+  local pair
+  for pair in SEED:SEEDS seeds:SEEDS METHOD:METHODS DATASET:DATASETS Ratio:RATIOS PROTOCOLS:PROTOCOL; do
+    expect_line "$(make cells BIN=fake RUN=t "${pair%:*}=x" 2>&1 || true)" \
+      "there is no variable ${pair%:*}; did you mean ${pair#*:}\?"
+  done
+  expect_line "$(make cells BIN=fake RUN=t THREADS=2 2>&1 || true)" "there is no variable THREADS; .make help. lists"
+  expect_exit 2 make cells BIN=fake RUN=t SEED=0
+  expect_exit 2 make help SEED=0
+  [[ ! -e results/t ]] || fail "something ran"
+}
+
+# What a run would lack at its very end is missed before its first step.
+test_published_tables_that_were_removed_are_missed_at_the_start() {
+  describe
+  rm -r results
+  expect_exit 2 grid
+  expect_line "$(grid 2>&1 || true)" 'results/published holds no table: .*git checkout results/published'
+  expect_equal "$(ran)" ""
+  make --silent cells BIN=fake RUN=t DATASETS=real METHODS=none RATIOS=100to1 SEEDS=0 >/dev/null # needs none
+  expect_equal "$(ran)" "2 diagnose, 1 ingest, 1 split"
+}
+
+test_programs_that_are_not_there_are_one_line() {
+  describe
+  local goal
+  for goal in cells check status data demo; do
+    expect_equal "$(make --silent $goal BIN=/nowhere 2>&1 | sed 's/^Makefile:[0-9]*: //')" \
+      "*** BIN: there are no programs in '/nowhere'; \`make build\` builds them into build/bin.  Stop."
+  done
+  rm -r fake
+  expect_line "$(make -n cells 2>&1 || true)" "the programs must be built first: .make build."
+  expect_exit 0 make -n cells
+}
+
+# Programs of before do not know what the sources and pipeline/ have learned since.
+test_a_dry_run_with_programs_of_before_says_that_they_would_be_built() {
+  describe
+  mkdir -p build/bin src
+  printf '#!/bin/bash\necho "settings: nothing reads the table [train.new]" >&2\nexit 65\n' >build/bin/settings
+  chmod +x build/bin/settings
+  touch -d '1 hour ago' build/bin/settings
+  touch src/new.cpp
+  expect_line "$(make -n cells 2>&1)" "the programs must be built first: .make build."
+  touch build/bin/settings
+  touch -d '1 hour ago' src/new.cpp src
+  expect_line "$(make -n cells 2>&1 || true)" "nothing reads the table .train.new."
+}
+
+test_a_dry_run_and_a_question_write_nothing() {
+  describe
+  grid -n >/dev/null
+  grid -n cells results/t/real/records.h5 >/dev/null
+  expect_exit 1 grid -q
+  [[ ! -e results/t ]] || fail "there is $(find results/t)"
+  finished_grid
+  sed -i 's/epochs = 50/epochs = 60/' pipeline/protocol.toml
+  find results -printf '%p %T@ %s\n' >before
+  grid -n >/dev/null
+  grid -n SEEDS=0 METHODS="none smote" >/dev/null
+  expect_exit 1 make --silent -q cells BIN=fake RUN=t DATASETS=real METHODS=smote SEEDS=0
+  expect_equal "$(find results -printf '%p %T@ %s\n')" "$(<before)"
+  sed -i 's/epochs = 60/epochs = 50/' pipeline/protocol.toml
+  expect_exit 0 make --silent -q cells BIN=fake RUN=t DATASETS=real METHODS=smote RATIOS=10to1 SEEDS=0
+}
+
+test_libtorch_is_on_or_off() {
+  describe
+  expect_line "$(grid LIBTORCH=no 2>&1 || true)" "LIBTORCH: on or off, not 'no'"
+}
+
+run_tests

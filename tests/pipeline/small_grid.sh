@@ -1,0 +1,50 @@
+# shellcheck shell=bash source-path=SCRIPTDIR disable=SC2119,SC2120
+# A grid of two data sets, for the tests that source this; with all of support.sh. Its functions mostly
+# go without the arguments that they may have, which shellcheck (SC2119) would take for a slip.
+source "${BASH_SOURCE[0]%/*}/support.sh"
+
+# Two data sets, so that what belongs to one of them can be told apart.
+describe() {
+  rm -f pipeline/datasets/*
+  printf 'name = "real"\nsha256 = "#1" # a comment\n' >pipeline/datasets/real.toml
+  printf 'name = "made"\n[simulation]\nnoise = 0.1\n' >pipeline/datasets/made.toml
+  cat >pipeline/protocol.toml <<'TOML'
+[split]
+window = 1024  # samples
+[train]
+epochs = 200
+[train.smote]
+neighbours = 4
+[train.piae-dt]
+layers = [
+  # depth
+  3,
+]
+[generate]
+count = 495
+[score]
+kernels = 5
+[diagnose]
+epochs = 50
+TOML
+}
+
+grid() {
+  make --silent all BIN=fake RUN=t DATASETS="real made" METHODS="none smote piae-dt" \
+    RATIOS="100to1 10to1 1to1" SEEDS="0 1" "$@"
+}
+
+# The stages that ran since the last call, counted: "12 diagnose, 4 train". With `all`, also the trainings
+# whose features are kept.
+ran() {
+  [[ -e calls ]] || return 0
+  awk -v all="${1:-}" '$1 != "features" || all { n[$1]++ } END { for (stage in n) print n[stage], stage }' calls | sort -k2 |
+    paste -sd, | sed 's/,/, /g'
+  rm calls
+}
+
+finished_grid() {
+  describe
+  grid >/dev/null 2>&1
+  rm calls
+}
