@@ -41,6 +41,15 @@ words=$(awk -F, '
   END { for (i = 1; i <= columns; ++i) if (i in wordy || column[i] ~ /^(seed|class|truth|predicted)$/)
           printf "words_%s = \"%s\"\n", column[i], column[i] == "ratio" ? by_ratio(all[i]) : all[i] }' "$csv")
 
+# A script with a line "# rows by: COLUMN" finds the rows of each word of that column in a file of their own,
+# rows_of(word). A figure of many curves would else take most of its time to look for each one's rows.
+rows_by=$(sed -nE 's/^# rows by: (.+)$/\1/p' "$script")
+[[ -z $rows_by ]] || awk -F, -v by="$rows_by" -v folder="$partial" '
+  NR == 1 { for (i = 1; i <= NF; ++i) if ($i == by) column = i; header = $0; next }
+  { file = folder "/" $column ".csv"
+    if (!(file in begun)) { print header >file; begun[file] }
+    print >file }' "$csv"
+
 # A script that needs another height than 600 says so in a line "# height: EXPRESSION", which may ask how many
 # words there are. The script finds it as `height`.
 height=$(sed -nE 's/^# height: (.+)$/\1/p' "$script")
@@ -55,7 +64,7 @@ for format in svg pdf; do
   esac
   # A series without a point, such as published values where there are none, is no cause for a word, nor are
   # values that are all the same.
-  gnuplot -e "data = '$csv'; scripts = '$scripts'; format = '$format'; height = $height; part = '$part'" - <<<"$words
+  gnuplot -e "data = '$csv'; scripts = '$scripts'; format = '$format'; height = $height; part = '$part'; rows_of(word) = '$partial/'.word.'.csv'" - <<<"$words
 set terminal $terminal
 set output '$partial/$format'
 load scripts.'/style.gp'

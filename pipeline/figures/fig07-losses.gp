@@ -1,4 +1,5 @@
 # Fig. 7: seed,stage,epoch,curve,value. A panel a loss; Stage 1 and Stage 2 each with its own line.
+# rows by: curve
 stage_name(s) = s == 1 ? "Stage 1: each network its own loss" : "Stage 2: all the total loss"
 line_of(seed, s) = seed eq "mean" ? s : 1
 set logscale y
@@ -9,8 +10,8 @@ do for [n = 1:words(words_curve)] {
   curve = word(words_curve, n)
   set title curve
   if (n == 2) { set key top right } else { unset key }
-  plot for [seed in words_seed] for [s = 1:2] data \
-         using ((strcol(4) eq curve && strcol(1) eq seed && $2 == s) ? $3 : NaN):5 \
+  plot for [seed in words_seed] for [s = 1:2] rows_of(curve) \
+         using (strcol(1) eq seed && $2 == s ? $3 : NaN):5 \
          with lines linewidth (seed eq "mean" ? 2.4 : 0.6) dashtype line_of(seed, s) \
          linecolor rgb (seed eq "mean" ? colour(s) : faint(s)) \
          title (seed eq "mean" ? stage_name(s) : "")

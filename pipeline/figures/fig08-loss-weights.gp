@@ -1,4 +1,5 @@
 # Fig. 8: seed,stage,epoch,curve,value. One panel, a colour a weight; the seed "stationary" is where eq. 23 is least.
+# rows by: curve
 set xlabel "epoch"
 set ylabel "weight of eq. 23, logarithmic"
 set logscale y
@@ -8,8 +9,8 @@ set key outside right center
 label(curve) = curve eq "alpha" ? "α, differential" : curve eq "beta" ? "β, twin" : "γ, reconstruction"
 is_least         = "stationary"
 dash_of(seed, n) = seed eq is_least ? 3 : dash(n)
-plot for [seed in words_seed] for [n = 1:words(words_curve)] data \
-       using ((strcol(4) eq word(words_curve, n) && strcol(1) eq seed) ? $3 : NaN):5 \
+plot for [seed in words_seed] for [n = 1:words(words_curve)] rows_of(word(words_curve, n)) \
+       using (strcol(1) eq seed ? $3 : NaN):5 \
        with lines linewidth (seed eq "mean" ? 2.4 : seed eq is_least ? 1.2 : 0.6) \
        dashtype dash_of(seed, n) \
        linecolor rgb (seed eq "mean" || seed eq is_least ? colour(n) : faint(n)) \

@@ -2,6 +2,7 @@
 # is one axis, on which real windows and those of each method stand in rows. A value is drawn at the middle
 # of its row, plus its part of the row's height.
 # height: 860
+# rows by: panel
 part = data[strstrt(data, "@") + 1:strlen(data) - 4]
 stats data using 0 nooutput
 rows  = STATS_columns - 4
@@ -10,35 +11,35 @@ do for [i = 1:rows] {
   stats data using (name = columnhead(4 + i), 0) every ::::0 nooutput
   names = names." ".name
 }
-is(panel) = strcol(1) eq panel
 of(i)     = column(4 + i)
 middle(i) = rows - i + 0.5
 within_row(part) = part < -0.5 ? -0.5 : part > 0.5 ? 0.5 : part
 
 # All rows of a panel have the scale of the real windows; what goes beyond it ends at the edge of its row.
 two_digits(x) = (unit = 10 ** (floor(log10(x)) - 1), unit * ceil(x / unit))
-stats data using (is("waveform") ? abs(of(1)) : NaN) name "real" nooutput
+stats rows_of("waveform") using (abs(of(1))) name "real" nooutput
 loudest = two_digits(1.2 * real_max)
 wave(i) = middle(i) + within_row(of(i) / loudest / 2)
 level(i, top, height) = within_row(0.5 - (top - of(i)) / height)
 next_ten(x) = 10 * ceil(x / 10 + 0.2)
-stats data using (is("spectrum") ? of(1) : NaN) name "real" nooutput
+stats rows_of("spectrum") using (of(1)) name "real" nooutput
 top_1 = next_ten(real_max)
-stats data using (is("envelope") ? of(1) : NaN) name "real" nooutput
+stats rows_of("envelope") using (of(1)) name "real" nooutput
 top_2 = next_ten(real_max)
-stats data using (is("spectrogram") ? of(1) : NaN) name "real" nooutput
+stats rows_of("spectrogram") using (of(1)) name "real" nooutput
 top_3 = next_ten(real_max)
 height_1 = 60
 height_2 = 40
 height_3 = 50
-stats data using (is("waveform") ? $3 : NaN) name "time" nooutput
-stats data using (is("spectrum") ? $3 : NaN) name "frequency" nooutput
-stats data using (is("envelope") ? $3 : NaN) name "last_line" nooutput
+stats rows_of("waveform") using 3 name "time" nooutput
+stats rows_of("spectrum") using 3 name "frequency" nooutput
+stats rows_of("envelope") using 3 name "last_line" nooutput
 
 # A row of names above the rows of windows for each kind of fault line; `own` is that of this class.
 lines  = "BPFO BPFI 2BSF"
 own    = ""
 others = ""
+is(kind) = strcol(1) eq kind # of the few rows of which there may be none
 stats data using (is("own-line") ? (own = strcol(2), 0) : 0) nooutput
 do for [line in lines] { if (line ne own) { others = others." ".line } }
 is_line(name)   = strcol(2) eq name && (is("line") || is("own-line"))
@@ -85,7 +86,7 @@ set lmargin at screen left(n)
 set rmargin at screen right(n)
 set xrange [0:time_max]
 set xlabel "time, ms"
-plot for [i = 1:rows] data using (is("waveform") ? $3 : NaN):(wave(i)) \
+plot for [i = 1:rows] rows_of("waveform") using 3:(wave(i)) \
        with lines linewidth 0.5 linecolor rgb tint(i)
 unset label
 unset ytics
@@ -96,10 +97,9 @@ set lmargin at screen left(n)
 set rmargin at screen right(n)
 set xrange [0:frequency_max / 1e3]
 set xlabel "frequency, kHz"
-kilohertz(panel) = is(panel) ? $3 / 1e3 : NaN
-plot for [i = 2:rows] data using (kilohertz("spectrum")):(middle(i) + level(1, top_1, height_1)) \
+plot for [i = 2:rows] rows_of("spectrum") using ($3 / 1e3):(middle(i) + level(1, top_1, height_1)) \
        with lines linewidth 0.8 linecolor rgb behind, \
-     for [i = 1:rows] data using (kilohertz("spectrum")):(middle(i) + level(i, top_1, height_1)) \
+     for [i = 1:rows] rows_of("spectrum") using ($3 / 1e3):(middle(i) + level(i, top_1, height_1)) \
        with lines linewidth 0.8 linecolor rgb tint(i)
 unset label
 
@@ -113,7 +113,7 @@ set xlabel "time, ms"
 unset colorbox
 set palette defined (0 'white', 1 '#0072B2', 2 '#001A2B') maxcolors 10
 set cbrange [top_3 - height_3:top_3]
-plot for [i = 1:rows] data using (is("spectrogram") ? $3 : NaN):(middle(i) - 0.5 + 0.94e-3 * $4 / (frequency_max / 1e3)):(of(i)) \
+plot for [i = 1:rows] rows_of("spectrogram") using 3:(middle(i) - 0.5 + 0.94e-3 * $4 / (frequency_max / 1e3)):(of(i)) \
        with image
 unset label
 set xtics autofreq
@@ -134,8 +134,8 @@ plot for [f in others] data using (is_line(f) ? $3 : NaN):(0):(0):(rows) \
        with vectors nohead linewidth 1 linecolor rgb line_tint(own), \
      for [f in lines] data using (is_line(f) ? $3 : NaN):(row_of_name(f)):(line_name(f)) \
        with labels textcolor rgb line_tint(f), \
-     for [i = 2:rows] data using (is("envelope") ? $3 : NaN):(middle(i) + level(1, top_2, height_2)) \
+     for [i = 2:rows] rows_of("envelope") using 3:(middle(i) + level(1, top_2, height_2)) \
        with lines linewidth 0.8 linecolor rgb behind, \
-     for [i = 1:rows] data using (is("envelope") ? $3 : NaN):(middle(i) + level(i, top_2, height_2)) \
+     for [i = 1:rows] rows_of("envelope") using 3:(middle(i) + level(i, top_2, height_2)) \
        with lines linewidth 0.8 linecolor rgb tint(i)
 unset multiplot

@@ -1,4 +1,5 @@
 # Figs 13 and 14, and what does not reward silence.
 # height: 1300
+# rows by: metric
 heading = "Generated windows of the methods beside real ones, by class"
 load scripts.'/quality.gp'

@@ -1,5 +1,6 @@
 # Figs 16 and 17, and what does not reward silence.
 # height: 1300
+# rows by: metric
 load scripts.'/models.gp'
 heading = "Generated windows of ".models." beside real ones, by class"
 load scripts.'/quality.gp'

@@ -1,5 +1,5 @@
 # Quality of generated windows: metric,class,method,seed,value. A panel a metric, a class at each tick, the
-# methods side by side. Loaded by scripts that have set `heading`.
+# methods side by side. Loaded by scripts that have set `heading`, and have the rows by metric.
 set key noautotitle
 unset key
 set xtics () rotate by 35 right
@@ -8,8 +8,8 @@ set xrange [0.5:words(words_class) + 0.5]
 methods = words(words_method)
 shift(method)   = (place(method, words_method) - (methods + 1) / 2.0) * 0.8 / methods
 x(method)       = place(strcol(2), words_class) + shift(method)
-seed_x(method)  = strcol(1) eq metric && strcol(3) eq method && strcol(4) ne "mean" ? x(method) : NaN
-mean_x(method)  = strcol(1) eq metric && strcol(3) eq method && strcol(4) eq "mean" ? x(method) : NaN
+seed_x(method)  = strcol(3) eq method && strcol(4) ne "mean" ? x(method) : NaN
+mean_x(method)  = strcol(3) eq method && strcol(4) eq "mean" ? x(method) : NaN
 tint(method)    = colour(place(method, words_method))
 symbol(method)  = mark(place(method, words_method))
 # Where a window like the real ones would lie; of MMD and RMSE only that small is good.
@@ -38,9 +38,9 @@ do for [metric in words_metric] {
     set arrow from graph 0, first ideal(metric) to graph 1, first ideal(metric) nohead \
       linecolor rgb 0x333333 dashtype 3 back
   }
-  plot for [m in words_method] data using (seed_x(m) + 0.3 / methods):5 \
+  plot for [m in words_method] rows_of(metric) using (seed_x(m) + 0.3 / methods):5 \
          with points pointtype 7 pointsize 0.25 linecolor rgb (0x60 << 24) + tint(m), \
-       for [m in words_method] data using (mean_x(m)):5 \
+       for [m in words_method] rows_of(metric) using (mean_x(m)):5 \
          with points pointtype symbol(m) pointsize 0.6 linecolor rgb tint(m)
 }
 # The last panel is the key.

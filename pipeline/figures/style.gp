@@ -4,8 +4,9 @@
 #   faint(rgb)                    the same colour for single seeds behind a mean
 #   panels(n, columns)            the rows of a grid of n panels
 #   by_whom                       behind the title of a figure of accuracies: ", by CLASSIFIER" unless it is the paper's
-# draw.sh gives it: `data` (the CSV), `part` (what stands behind the "@" of its name, or nothing), and of every column that holds words the distinct ones in their order
-# (ratios from 100to1 to 1to1), as words_<column>.
+# draw.sh gives it: `data` (the CSV), `part` (what stands behind the "@" of its name, or nothing), of every column that
+# holds words the distinct ones in their order (ratios from 100to1 to 1to1), as words_<column>, and where the script
+# says "# rows by: COLUMN" the rows of each word of that column, as rows_of(word).
 
 by_whom = exists("part") && part ne "" ? ", by ".part : ""
 
