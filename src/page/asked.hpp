@@ -29,9 +29,9 @@ void bind(const cli::Options& command, AskedCells& asked);
 std::vector<std::string> datasets_of(const std::filesystem::path& run, const AskedCells& asked);
 
 /// The cells of one data set that there should be, see run::resolve_begun(): of every ratio where
-/// no ratio is asked for and none was begun. Nothing is asked for
-/// of a data set that is not among those asked for. Throws Error(usage) as run::resolve() does,
-/// Error(input_missing) where nothing is asked for and the folder holds nothing.
+/// no ratio is asked for and none was begun. Nothing is asked for of a data set that is not among
+/// those asked for. Throws Error(usage) as run::resolve() does, Error(input_missing) where nothing
+/// is asked for and the folder holds nothing.
 run::Grid grid_of(const run::Layout& layout, const std::string& dataset, const AskedCells& asked);
 
 }  // namespace piae::page

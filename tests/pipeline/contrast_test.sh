@@ -16,8 +16,6 @@ contrast() {
   make --silent contrast BIN=fake RUN=t METHODS="none smote" RATIOS="100to1 10to1" SEEDS="0 1" "$@"
 }
 
-ran() { awk '{ n[$1]++ } END { for (stage in n) print n[stage], stage }' calls | sort -k2 | paste -sd, | sed 's/,/, /g'; }
-
 test_makes_the_cells_of_both_protocols_and_the_table() {
   describe
   contrast DATASETS=other >/dev/null

@@ -59,7 +59,7 @@ features() {
 test_features_are_kept_once_for_each_method() {
   describe
   features >/dev/null
-  expect_equal "$(ran all)" "3 features, 2 generate, 1 ingest, 1 split, 2 train"
+  expect_equal "$(ran_with_features)" "3 features, 2 generate, 1 ingest, 1 split, 2 train"
   local r=results/t/real s=results/t/.settings
   expect_equal "$(cd $r && echo seed*/*/*/features.h5)" \
     "seed2/none/100to1/features.h5 seed2/oracle/1to1/features.h5 seed2/smote/1to1/features.h5"
@@ -69,10 +69,10 @@ test_features_are_kept_once_for_each_method() {
   expect_equal "$(<$r/seed2/none/100to1/features.h5)" \
     "diagnose --config $s/diagnose.toml $windows --ratio 100to1 --seed 2 --reproducible --keep-features --output $r/seed2/none/100to1/features.h5"
   features >/dev/null
-  expect_equal "$(ran all)" ""
+  expect_equal "$(ran_with_features)" ""
   sed -i 's/^epochs = 50/epochs = 60/' pipeline/protocol.toml
   features >/dev/null
-  expect_equal "$(ran all)" "3 features"
+  expect_equal "$(ran_with_features)" "3 features"
 }
 
 test_features_are_made_with_the_tables_and_once() {
@@ -103,7 +103,7 @@ test_features_and_diagnosis_have_logs_of_their_own() {
 test_other_classifiers_have_folders_of_their_own() {
   describe
   grid DATASETS=real METHODS=smote RATIOS=10to1 SEEDS=0 CLASSIFIERS="wdcnn wdcnn-spectrum" >/dev/null
-  expect_equal "$(ran all)" "2 diagnose, 1 features, 1 generate, 1 ingest, 1 score, 1 split, 1 tabulate, 1 train"
+  expect_equal "$(ran_with_features)" "2 diagnose, 1 features, 1 generate, 1 ingest, 1 score, 1 split, 1 tabulate, 1 train"
   local r=results/t/real s=results/t/.settings
   local windows="--test $r/seed0/A.h5 --normal $r/seed0/B.h5 --known $r/seed0/C.h5 --generated $r/seed0/smote/E.h5"
   expect_equal "$(<$r/seed0/smote/10to1/diagnosis.h5)" \
@@ -131,7 +131,7 @@ test_the_baseline_has_its_nearest_neighbour_whatever_the_classifiers() {
 test_what_another_classifier_needs_is_made_and_no_more() {
   describe
   grid DATASETS=real METHODS="none smote" SEEDS=0 CLASSIFIERS=wdcnn-envelope >/dev/null
-  expect_equal "$(ran all)" "4 diagnose, 1 generate, 1 ingest, 1 score, 1 split, 1 tabulate, 1 train"
+  expect_equal "$(ran_with_features)" "4 diagnose, 1 generate, 1 ingest, 1 score, 1 split, 1 tabulate, 1 train"
   [[ ! -e results/t/real/seed0/smote/10to1/diagnosis.h5 ]] || fail "the paper's classifier was asked, too"
 }
 

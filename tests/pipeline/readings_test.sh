@@ -22,13 +22,6 @@ TOML
 
 readings() { make --silent readings BIN=fake RUN=t DATASETS=real SEEDS=100 "$@"; }
 
-ran() {
-  [[ -e calls ]] || return 0
-  awk '{ n[$1]++ } END { for (stage in n) print n[stage], stage }' calls | sort -k2 |
-    paste -sd, | sed 's/,/, /g'
-  rm calls
-}
-
 test_a_reading_has_the_settings_of_the_base_but_those_that_it_names() {
   describe
   readings >/dev/null

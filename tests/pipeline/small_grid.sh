@@ -34,15 +34,6 @@ grid() {
     RATIOS="100to1 10to1 1to1" SEEDS="0 1" "$@"
 }
 
-# The stages that ran since the last call, counted: "12 diagnose, 4 train". With `all`, also the trainings
-# whose features are kept.
-ran() {
-  [[ -e calls ]] || return 0
-  awk -v all="${1:-}" '$1 != "features" || all { n[$1]++ } END { for (stage in n) print n[stage], stage }' calls | sort -k2 |
-    paste -sd, | sed 's/,/, /g'
-  rm calls
-}
-
 finished_grid() {
   describe
   grid >/dev/null 2>&1

@@ -95,6 +95,18 @@ STAGE
   chmod +x fake/figures fake/report
 }
 
+# The stages that ran since the last call, counted: "12 diagnose, 4 train".
+ran_with_features() {
+  [[ -e calls ]] || return 0
+  awk '{ n[$1]++ } END { for (stage in n) print n[stage], stage }' calls | sort -k2 | paste -sd, | sed 's/,/, /g'
+  rm calls
+}
+# The same without the trainings whose features are kept.
+ran() {
+  [[ ! -e calls ]] || sed -i '/^features /d' calls
+  ran_with_features
+}
+
 # Goes into a folder with all that a run needs, and with stand-ins.
 enter() { # folder
   cp -r "$project"/{Makefile,jobs,pipeline} "$1"

@@ -35,13 +35,6 @@ TOML
 sweep() { make --silent sweep BIN=fake RUN=t DATASETS=real SEEDS=0 "$@"; }
 parts() { sweep METHODS=strike-twin "$@"; }
 
-ran() {
-  [[ -e calls ]] || return 0
-  awk '{ n[$1]++ } END { for (stage in n) print n[stage], stage }' calls | sort -k2 |
-    paste -sd, | sed 's/,/, /g'
-  rm calls
-}
-
 finished_sweep() {
   describe
   sweep >/dev/null 2>&1

@@ -25,12 +25,6 @@ TOML
 
 transfer() { make --silent transfer BIN=fake RUN=t SEEDS="0 1" "$@"; }
 
-ran() {
-  [[ -e calls ]] || return 0
-  awk '{ n[$1]++ } END { for (stage in n) print n[stage], stage }' calls | sort -k2 | paste -sd, | sed 's/,/, /g'
-  rm calls
-}
-
 test_makes_the_cells_and_the_tables_of_all_groups() {
   describe
   local shown
