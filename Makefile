@@ -124,7 +124,7 @@ endif
 # installed piae-dt has laid out (packaging/piae-dt). There are no sources then. `make -q` only asks.
 flags := $(firstword -$(MAKEFLAGS))
 installed  := $(wildcard bin/settings)
-of_sources := build build-demo deps install package test test-deps storm lint bench bench-scale reference clean
+of_sources := build build-demo deps install package test test-all storm lint bench bench-scale reference clean
 $(if $(installed),$(foreach goal,$(filter $(of_sources),$(goals)),$(error make $(goal): needs a clone of the sources; the programs here \
   are installed ones ($(realpath bin)))))
 ifneq (,$(filter BIN,$(given)))
@@ -132,7 +132,7 @@ $(if $(wildcard $(BIN)/settings),,$(error BIN: there are no programs in '$(BIN)'
 else ifneq (,$(installed))
 BIN      := bin
 else
-BIN      := build$(quickly:%=/%)/bin
+BIN      := build/bin
 programs := $(if $(findstring q,$(flags)),,build$(quickly:%=-%))
 endif
 
@@ -141,7 +141,7 @@ Q := $(if $(V),,@)
 
 .DEFAULT_GOAL := help
 .PHONY: help grid cluster cluster-plan cluster-stop status check reference data test \
-        test-deps storm lint bench bench-scale deps build build-demo install package clean
+        test-all storm lint bench bench-scale deps build build-demo install package clean
 
 help:
 	@printf '  %-14s%s\n' \
@@ -166,8 +166,8 @@ help:
 	  | sed 's/^ /make/; 1i\Targets'
 	@$(if $(installed),: )printf '  %-14s%s\n' \
 	  reference 'store RUN, or the cells of the variables given, as results/reference, its tables and figures' \
-	  test     'build and run every test; those on real recordings when DATA_DIR has them' \
-	  test-deps 'install what some tests need beyond that, and are skipped without: Slurm, SciPy, Octave' \
+	  test     'build and run the quick tests, in minutes; those on real recordings when DATA_DIR has them' \
+	  test-all 'build and run every test, on a real Slurm, too: most of an hour' \
 	  storm    'kill, damage and forge by the thousand, under sanitizers: SECURITY.md' \
 	  lint     'check style and structure of what changed; of everything with LINT=all' \
 	  bench    'build and run the benchmarks' \
@@ -284,7 +284,12 @@ bench-scale:
 
 test:
 	$(Q)$(call build_them,programs tests)
-	$(Q)DATA_DIR='$(DATA_DIR)' tests/run.sh
+	$(Q)DATA_DIR='$(DATA_DIR)' tests/run.sh quick
+
+test-all:
+	$(Q)pipeline/deps.sh $(LIBTORCH) programs tests readers cluster
+	$(Q)pipeline/build.sh $(ARCH) $(LIBTORCH) programs tests slow_tests
+	$(Q)DATA_DIR='$(DATA_DIR)' tests/run.sh all
 
 # The programs are found where they are installed, whatever stands in BIN.
 install:
@@ -304,15 +309,12 @@ package:
 	$(Q)pipeline/build.sh $(ARCH) $(LIBTORCH) package
 	@ls build/package/*.deb
 
-test-deps:
-	$(Q)pipeline/deps.sh $(LIBTORCH) programs tests readers cluster
-
 # The programs as they are used, and the readers once more under the sanitizers.
 storm:
 	$(Q)pipeline/deps.sh $(LIBTORCH) programs tests
 	$(Q)pipeline/build.sh $(ARCH) $(LIBTORCH) programs storm_parts
 	$(Q)pipeline/build.sh $(ARCH) off storm_inputs
-	$(Q)tests/storm/storm.sh build/storm/run '$(BIN)' build/storm/bin '$(STORM)'
+	$(Q)tests/slow/storm/storm.sh build/storm/run '$(BIN)' build/storm/bin '$(STORM)'
 
 lint:
 	$(Q)pipeline/deps.sh $(LIBTORCH) programs tests benches lint

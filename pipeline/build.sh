@@ -1,11 +1,10 @@
 #!/bin/bash
 # Configures and builds into build/, on as many cores as there is memory for.
 # usage: pipeline/build.sh ARCH LIBTORCH TARGET...      (LIBTORCH: on or off)
-# TARGETs are `programs`, `tests`, `storm_parts`, `benches` and `benches_of_scale`; what is not asked for is not configured
-# either, so that it needs no packages. `demo`, which stands alone, builds what the demo runs into
-# build/demo/: several sources at a time, which takes half as long, and would be a nuisance to whoever
-# edits one. So do `storm_inputs`, into build/storm/ and with sanitizers, and `package`, into build/package/,
-# which packs what it has built.
+# TARGETs are `programs`, `demo` (the programs that `make demo` runs), `tests`, `slow_tests`, `storm_parts`, `benches` and
+# `benches_of_scale`. What is not requested is not configured, so that it needs no packages. Two stand alone and have
+# folders of their own: `storm_inputs`, in build/storm/, is built with sanitizers; `package`, in build/package/, packs
+# what it has built.
 set -euo pipefail
 
 arch=$1 libtorch=$2
@@ -14,13 +13,12 @@ shift 2
 unset MAKEFLAGS MFLAGS MAKELEVEL MAKEOVERRIDES
 
 folder=build options=()
-if [[ $* == demo ]]; then
-  folder=build/demo options=(-DCMAKE_UNITY_BUILD=ON)
-elif [[ $* == package ]]; then
-  folder=build/package options=(-DCMAKE_UNITY_BUILD=ON)
-elif [[ $* == storm_inputs ]]; then
-  folder=build/storm options=(-DCMAKE_UNITY_BUILD=ON -DPIAE_SANITIZE=ON)
-fi
+case $* in
+  package) folder=build/package ;;
+  storm_inputs) folder=build/storm options=(-DPIAE_SANITIZE=ON) ;;
+  # The demo needs no LibTorch, but leaves a build that has it as it is.
+  demo) ! grep -qs '^PIAE_LIBTORCH:BOOL=on$' build/CMakeCache.txt || libtorch=on ;;
+esac
 mkdir -p "$folder"
 exec 9>build/.lock
 flock 9 # two makes at once, as on a cluster, build once
@@ -31,12 +29,14 @@ cores=$(env -u OMP_NUM_THREADS nproc)
 memory=$(awk '/^MemAvailable/ { print $2 }' /proc/meminfo)
 jobs=$((memory / per_job < cores ? memory / per_job : cores))
 
-on_if_asked_for() { [[ " ${*:2} " == *" $1 "* ]] && echo on || echo off; }
+on_if_requested() { # extended regular expression, target...
+  printf '%s\n' "${@:2}" | grep -qxE "$1" && echo on || echo off
+}
 # Ninja builds a tenth faster than make does. A folder that make has configured stays with it.
 [[ -f $folder/CMakeCache.txt ]] || options+=(-G Ninja)
 cmake -S . -B "$folder" "${options[@]}" "-DPIAE_ARCH=$arch" "-DPIAE_LIBTORCH=$libtorch" \
-  "-DPIAE_TESTS=$(on_if_asked_for tests "${@/#storm_*/tests}")" \
-  "-DPIAE_BENCH=$(on_if_asked_for benches "${@/#benches_*/benches}")" >"$folder/configure.log" 2>&1 || {
+  "-DPIAE_TESTS=$(on_if_requested '(slow_)?tests|storm_.*' "$@")" \
+  "-DPIAE_BENCH=$(on_if_requested 'benches.*' "$@")" >"$folder/configure.log" 2>&1 || {
   cat "$folder/configure.log" >&2
   echo "build: cmake could not configure; above is why (also in $folder/configure.log)" >&2
   exit 1

@@ -1,7 +1,18 @@
 #!/bin/bash
-# Runs every test that was built, and ends with a line that counts them.
-# usage: DATA_DIR=... tests/run.sh      from the project's folder
+# Runs the tests that were built, and ends with the ten slowest, what was left out, and a line that counts.
+# usage: DATA_DIR=... tests/run.sh quick|all      from the project's folder
+# A quick test may take two minutes and a slow one 15; PIAE_TEST_PATIENCE=N multiplies both, for slow machines.
 set -uo pipefail
+
+case ${1:-} in
+  quick) tiers=(quick) ;;
+  all) tiers=(quick slow) ;;
+  *)
+    sed -n 's/^# usage: /usage: /p' "$0" >&2
+    exit 2
+    ;;
+esac
+declare -A seconds=([quick]=120 [slow]=900)
 
 # Tests on real recordings look for them here, and skip themselves when it is not set.
 if [[ -d ${DATA_DIR:-} ]]; then
@@ -14,13 +25,21 @@ fi
 unset MAKEFLAGS MFLAGS MAKELEVEL MAKEOVERRIDES
 export OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1
 
-report=$PWD/build/tests.xml
-rm -rf "$report" build/tests-of-rooms
-# One more than there are cores: those on a Slurm wait most of the time.
-ctest --test-dir build --parallel $(($(env -u OMP_NUM_THREADS nproc) + 1)) --output-on-failure \
-  --no-tests=error --output-junit "$report"
-status=$?
+# One job more than there are cores: the tests on a Slurm mostly wait.
+jobs=$(($(env -u OMP_NUM_THREADS nproc) + 1))
+rm -rf build/tests-of-rooms build/tests-*.xml
+status=0 reports=()
+for tier in "${tiers[@]}"; do
+  reports+=("$PWD/build/tests-$tier.xml")
+  ctest --test-dir build --parallel $jobs --label-regex "^$tier\$" --timeout $((seconds[$tier] * ${PIAE_TEST_PATIENCE:-1})) \
+    --output-on-failure --no-tests=error --output-junit "${reports[-1]}" || status=1
+done
 
 shopt -s nullglob # a room whose program crashed has no report
-awk -f tests/count.awk build/tests-of-rooms/*.xml "$report" || status=1
+awk -f tests/slowest.awk "${reports[@]}"
+if [[ $1 == quick ]]; then
+  echo "left out: $(ctest --test-dir build --label-regex '^slow$' --show-only | sed -n 's/^Total Tests: //p') slow tests" \
+    "(LibTorch, whole grids, installing, Slurm, storms); \`make test-all\` runs all"
+fi
+awk -f tests/count.awk build/tests-of-rooms/*.xml "${reports[@]}" || status=1
 exit $status

@@ -31,7 +31,7 @@ checks() {
     FNR == NR { command[$1] = $2; next }
     {
       is_header = /\.hpp$/
-      torch = is_header ? /^(src|tests)\/libtorch\// : command[$1] ~ /torch\/csrc\/api\/include/
+      torch = is_header ? /^(src|tests\/slow)\/libtorch\// : command[$1] ~ /torch\/csrc\/api\/include/
     }
     is_header ? has_libtorch || !torch : command[$1] != "" {
       print $1 (torch ? " -extra-arg=-stdlib=libc++" : "")

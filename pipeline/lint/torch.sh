@@ -3,7 +3,7 @@
 # shellcheck source-path=SCRIPTDIR
 source "${0%/*}/common.sh"
 
-files_matching '\.(cpp|hpp|in)$' "$@" | { grep -vE '^(src/libtorch|tests/libtorch|tests/bench)/' || true; } |
+files_matching '\.(cpp|hpp|in)$' "$@" | { grep -vE '^(src/libtorch|tests/slow/libtorch|tests/bench)/' || true; } |
   xargs --no-run-if-empty awk '
     /^[ \t]*#[ \t]*include[ \t]*[<"](torch|ATen|c10|caffe2|libtorch)[\/.]/ {
       printf "%s:%d: includes LibTorch outside src/libtorch; ", FILENAME, FNR

@@ -9,7 +9,7 @@ namespace piae::signal {
 
 namespace {
 
-const std::string group = "/conditions";
+const std::string conditions_group = "/conditions";
 
 /// What a condition may be used for, as the artefact names it.
 struct Use {
@@ -20,7 +20,7 @@ constexpr Use uses[] = {
     {"known", &Condition::known}, {"test", &Condition::test}, {"healthy", &Condition::healthy}};
 
 std::vector<std::string> read_names(const artefact::Reader& reader) {
-  const std::string path = group + "/name";
+  const std::string path = conditions_group + "/name";
   std::vector<std::string> names = reader.strings(path);
   if (names.empty()) reader.refuse(path, "names none");
   std::set<std::string> seen;
@@ -32,7 +32,7 @@ std::vector<std::string> read_names(const artefact::Reader& reader) {
 }
 
 void read_use(const artefact::Reader& reader, const Use& use, std::vector<Condition>& conditions) {
-  const std::string path = group + "/" + use.name;
+  const std::string path = conditions_group + "/" + use.name;
   const auto flags = reader.numbers<std::int32_t>(path, {conditions.size()}).values;
   for (std::size_t i = 0; i < conditions.size(); ++i) {
     if (flags[i] != 0 && flags[i] != 1) reader.refuse(path, "holds something else than 0 and 1");
@@ -62,20 +62,20 @@ void write(artefact::Writer& writer, std::span<const Condition> conditions) {
     names.push_back(condition.name);
     speeds.push_back(condition.shaft_speed_rpm);
   }
-  writer.strings(group + "/name", names);
-  writer.numbers(group + "/shaft_speed_rpm", speeds);
+  writer.strings(conditions_group + "/name", names);
+  writer.numbers(conditions_group + "/shaft_speed_rpm", speeds);
   for (const Use& use : uses) {
     std::vector<std::int32_t> flags;
     for (const Condition& condition : conditions) flags.push_back(condition.*use.flag ? 1 : 0);
-    writer.numbers(group + "/" + use.name, flags);
+    writer.numbers(conditions_group + "/" + use.name, flags);
   }
 }
 
 std::vector<Condition> read_conditions(const artefact::Reader& reader) {
-  if (!reader.has(group)) return {};
+  if (!reader.has(conditions_group)) return {};
   std::vector<Condition> conditions;
   for (std::string& name : read_names(reader)) conditions.push_back({.name = std::move(name)});
-  const std::string speeds_path = group + "/shaft_speed_rpm";
+  const std::string speeds_path = conditions_group + "/shaft_speed_rpm";
   const auto speeds = reader.numbers<double>(speeds_path, {conditions.size()}).values;
   reader.require_all(speeds_path, speeds, ranges::shaft_speed_rpm);
   for (std::size_t i = 0; i < conditions.size(); ++i) conditions[i].shaft_speed_rpm = speeds[i];

@@ -9,13 +9,13 @@ namespace piae::signal {
 
 namespace {
 
-const std::string group = "/records";
+const std::string records_group = "/records";
 
 void write(artefact::Writer& writer, const Record& record, const DatasetInfo& info) {
   if (!ranges::is_plain_name(record.name)) {
     throw std::logic_error("'" + record.name + "' cannot name a record");
   }
-  const std::string path = group + "/" + record.name;
+  const std::string path = records_group + "/" + record.name;
   writer.numbers(path, record.signal);
   writer.attribute(path, "label", std::int64_t{record.label});
   writer.attribute(path, "original_sample_rate_hz", record.original_sample_rate_hz);
@@ -44,11 +44,11 @@ std::int32_t read_condition(const artefact::Reader& reader, const std::string& p
 Record read_record(const artefact::Reader& reader, const std::string& name,
                    const DatasetInfo& info) {
   const std::size_t classes = info.classes.size();
-  const std::string path = group + "/" + name;
+  const std::string path = records_group + "/" + name;
   Record record;
   record.name = name;
   if (!ranges::is_plain_name(name)) {
-    reader.refuse(group, "has a record whose name is none: it " + ranges::plain_name_rule);
+    reader.refuse(records_group, "has a record whose name is none: it " + ranges::plain_name_rule);
   }
   record.signal = reader.numbers<double>(path, {0}).values;
   if (record.signal.empty()) reader.refuse(path, "holds no sample");
@@ -83,7 +83,7 @@ void require_a_record_for_each_class(const artefact::Reader& reader, const Recor
   }
   for (const Label label : recordings.info.labels()) {
     if (!seen[index_of(label)]) {
-      reader.refuse(group, "has no record of class " + recordings.info.class_of(label).name);
+      reader.refuse(records_group, "has no record of class " + recordings.info.class_of(label).name);
     }
   }
 }
@@ -100,15 +100,15 @@ bool Recordings::have_sizes() const {
 
 void write(artefact::Writer& writer, const Recordings& recordings) {
   write(writer, recordings.info);
-  writer.group(group);
+  writer.group(records_group);
   for (const Record& record : recordings.records) write(writer, record, recordings.info);
 }
 
 Recordings read_recordings(const artefact::Reader& reader) {
   Recordings recordings;
   recordings.info = read_dataset_info(reader);
-  if (!reader.has(group)) reader.refuse(group, "is missing");
-  for (const std::string& name : reader.list(group)) {
+  if (!reader.has(records_group)) reader.refuse(records_group, "is missing");
+  for (const std::string& name : reader.list(records_group)) {
     recordings.records.push_back(read_record(reader, name, recordings.info));
   }
   require_a_record_for_each_class(reader, recordings);

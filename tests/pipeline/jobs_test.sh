@@ -1,5 +1,5 @@
 #!/bin/bash
-# How `make cluster` divides a grid among jobs, which needs no Slurm. On a real one: tests/cluster/.
+# How `make cluster` divides a grid among jobs, which needs no Slurm. On a real one: tests/slow/cluster/.
 # shellcheck source-path=SCRIPTDIR
 source "${0%/*}/support.sh"
 

@@ -57,11 +57,11 @@ class FullGrid {
   }
 
   [[nodiscard]] std::vector<AccuracyRow> rows() const {
-    return accuracy_rows(grid_, results_, Published(PIAE_PUBLISHED));
+    return accuracy_rows(grid_, results_, Published(PIAE_SOURCE "/results/published"));
   }
   [[nodiscard]] std::string markdown_of_tables() const {
     const auto own = rows();
-    return markdown(tables(grid_, results_, own, Published(PIAE_PUBLISHED),
+    return markdown(tables(grid_, results_, own, Published(PIAE_SOURCE "/results/published"),
                            compare_by_classifier(own, ""), rank_by_classifier(own)));
   }
 

@@ -6,6 +6,7 @@
 
 #include "stages/doctor.hpp"
 #include "stages/tiny.hpp"
+#include "verification/verify.hpp"
 
 /// Artefacts that say what cannot be, under good digests: verify and the stages that read them
 /// refuse them alike, in one line that names the file.
@@ -114,21 +115,32 @@ class Impossible : public testing::Test {
  protected:
   void SetUp() override { tiny_.run_chain_before("score"); }
 
-  /// `arguments` have the stage read the file "bad.h5".
+  /// `arguments` have the stage read the file "bad.h5". Every case is verified in process. The stage and the program
+  /// `verify` read what the library reads, so one case of each group shows how both end.
   void expect_refused(const std::string& good, const std::vector<Case>& cases,
                       const std::string& stage, const Arguments& arguments) const {
+    const fs::path bad = tiny_ / "bad.h5";
     for (const Case& c : cases) {
       SCOPED_TRACE(good + ": " + c.what);
-      fs::copy_file(tiny_ / good, tiny_ / "bad.h5", fs::copy_options::overwrite_existing);
-      doctor(tiny_ / "bad.h5", c.change);
-      const std::set<std::string> before = tiny_.files();
-      expect_refusal(tiny_.run(stage, arguments), stage, 65, {"bad.h5", c.word});
-      EXPECT_EQ(tiny_.files(), before);
-      const Outcome verified = tiny_.run("verify", {"bad.h5"});
-      EXPECT_EQ(verified.status, 16) << verified.out;
-      EXPECT_TRUE(is_one_line(verified.out)) << verified.out;
-      EXPECT_NE(verified.out.find("bad.h5"), std::string::npos) << verified.out;
+      fs::copy_file(tiny_ / good, bad, fs::copy_options::overwrite_existing);
+      doctor(bad, c.change);
+      const std::vector<verification::Finding> findings = verification::verify({bad});
+      ASSERT_EQ(findings.size(), 1);
+      EXPECT_EQ(findings[0].reason, artefact::RefusalReason::bad_content) << findings[0].line;
+      EXPECT_NE(findings[0].line.find(bad.string()), std::string::npos) << findings[0].line;
+      EXPECT_NE(findings[0].line.find(c.word), std::string::npos) << findings[0].line;
+      if (&c == &cases.front()) expect_programs_refuse(c, stage, arguments);
     }
+  }
+  void expect_programs_refuse(const Case& c, const std::string& stage,
+                              const Arguments& arguments) const {
+    const std::set<std::string> before = tiny_.files();
+    expect_refusal(tiny_.run(stage, arguments), stage, 65, {"bad.h5", c.word});
+    EXPECT_EQ(tiny_.files(), before);
+    const Outcome verified = tiny_.run("verify", {"bad.h5"});
+    EXPECT_EQ(verified.status, 16) << verified.out;
+    EXPECT_TRUE(is_one_line(verified.out)) << verified.out;
+    EXPECT_NE(verified.out.find("bad.h5"), std::string::npos) << verified.out;
   }
   /// The same for a model of a method, of which a window is to be made.
   void expect_model_refused(const std::string& method, const Arguments& options,

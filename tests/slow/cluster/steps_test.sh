@@ -1,0 +1,147 @@
+#!/bin/bash
+# Single steps as jobs of a real Slurm (SUBMIT=srun ...): whatever stops them leaves a checkpoint, fails, and
+# the same command again ends in the bytes of `make -j2`.
+# shellcheck source-path=SCRIPTDIR
+source "${0%/*}/slurm.sh"
+source "${0%/*}/../../pipeline/support.sh"
+source "${0%/*}/tiny_grid.sh"
+
+start_make() { # make's options; sets `make`, its process id and that of its group
+  set -m
+  "${tiny[@]}" -j2 tables SUBMIT="$one_job_a_step $1" "${@:2}" >messages 2>&1 &
+  make=$!
+  set +m
+}
+
+expect_failed() {
+  local code=0
+  wait "$make" || code=$?
+  ((code)) || fail "make says that all is well: $(<messages)"
+}
+
+expect_checkpoint() {
+  [[ -f $model.checkpoint ]] || fail "there is no checkpoint: $(<"$training") $(<messages)"
+  expect_line "$(tail -n 1 "$training")" '^step: exit 75 after'
+}
+
+expect_goes_on() {
+  until_true "no job is left" no_jobs
+  tiny -j2 tables SUBMIT="$one_job_a_step" >messages 2>&1 || fail "$(<messages)"
+  expect_line "$(<"$training")" 'going on from'
+  expect_same_as_alone
+}
+
+stopped_by() { # signal, process or group
+  nearly_done
+  start_make ''
+  wait_until_it_trains
+  kill "-$1" -- "${2/make/$make}"
+  expect_failed
+  expect_checkpoint
+  expect_goes_on
+}
+
+test_ctrl_c() { stopped_by INT -make; }
+test_term_to_make() { stopped_by TERM make; }
+test_hang_up() { stopped_by HUP -make; }
+test_quit() { stopped_by QUIT -make; }
+
+test_undisturbed() {
+  lay_out_grid
+  tiny -j8 tables SUBMIT="$one_job_a_step" >messages 2>&1 || fail "$(<messages)"
+  expect_same_as_alone
+  expect_no_line "$(<messages)" 'srun: warning'
+}
+
+test_scancel() {
+  nearly_done
+  start_make ''
+  wait_until_it_trains
+  scancel "$(squeue --noheader --format=%i --name=train)"
+  expect_failed
+  expect_checkpoint
+  expect_goes_on
+}
+
+# A minute is the least that Slurm allows; meanwhile the stage stands still.
+test_time_limit() {
+  nearly_done
+  start_make --time=1
+  wait_until_it_trains
+  kill -STOP "$(running "$programs/train" | head -n 1)"
+  expect_failed
+  expect_checkpoint
+  expect_goes_on
+}
+
+# The model that is there is of an older setting. srun says 0, and that of Debian 13 says 1.
+test_a_lost_node_is_no_success() {
+  nearly_done
+  mkdir "${model%/*}"
+  # (As old as it was: copied now, it can have the very time of what is touched next.)
+  cp --preserve=timestamps "$alone/$model" "$model"
+  touch results/tiny/tiny/seed0/D.h5
+  start_make ''
+  wait_until_it_trains
+  # On a loaded machine it would else be done before its node is.
+  kill -STOP "$(running "$programs/train" | head -n 1)"
+  local node words='(was its node lost|137)'
+  (($(slurm_release) < 23)) || words='exit code 1 '
+  node=$(squeue --noheader --format=%N --name=train)
+  kill_node "$node"
+  expect_failed
+  expect_line "$(<messages)" "seed0/piae-dt .* failed .*$words"
+  start_node "$node"
+  wait_for_nodes
+  tiny -j2 tables SUBMIT="$one_job_a_step" >messages 2>&1 || fail "$(<messages)"
+  expect_same_as_alone
+}
+
+test_a_killed_stage() {
+  nearly_done
+  start_make ''
+  wait_until_it_trains
+  kill -KILL "$(running "$programs/train" | head -n 1)"
+  expect_failed
+  expect_line "$(<messages)" 'seed0/piae-dt .* failed with exit code 137 .* killed, perhaps for want of memory'
+  tiny -j2 tables SUBMIT="$one_job_a_step" >messages 2>&1 || fail "$(<messages)"
+  expect_same_as_alone
+}
+
+# Nothing is in the way of Slurm's own USR1 to what waits: so that is taken out of the queue.
+test_a_step_in_the_queue_is_stopped_at_once() {
+  nearly_done
+  start_make --begin=now+1hour
+  until_true "a job waits" in_state PENDING
+  kill -TERM "$make"
+  expect_failed
+  until_true "no job is left" no_jobs
+  expect_line "$(tail -n 1 "$training")" '^step: exit 143 after'
+  tiny -j2 tables >messages 2>&1 || fail "$(<messages)"
+  expect_same_as_alone
+}
+
+# A batch job whose steps run inside its allocation, side by side. Slurm sends TERM to all processes of the job:
+# the stage begins to write a checkpoint, and its srun kills it. Either may be the first.
+test_requeue() {
+  nearly_done
+  rm -r results/tiny/tiny/seed1/piae-dt
+  { printf '#!/bin/bash\n' && printf '%q ' "${tiny[@]}" -j2 tables "SUBMIT=$one_job_a_step --exact"; } >job
+  local job
+  job=$(sbatch --parsable --requeue --nodes=1 --ntasks=2 --mem=2000 --output=messages --open-mode=append job)
+  wait_until_it_trains
+  expect_equal "$(running "$programs/train" | wc -l)" 2
+  scontrol requeue "$job"
+  until_true "job $job waits" in_state PENDING "$job"
+  [[ $(tail -n 1 "$training") == 'step: exit 143 after '* ]] || expect_checkpoint
+  local had_checkpoint=
+  [[ ! -f $model.checkpoint ]] || had_checkpoint=yes
+  begin_again "$job"
+  until_true "job $job is done" in_state COMPLETED "$job"
+  [[ ! $had_checkpoint ]] || expect_line "$(<"$training")" 'going on from'
+  expect_same_as_alone
+}
+
+slurm_up
+make_alone
+run_tests

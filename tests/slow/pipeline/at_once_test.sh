@@ -1,0 +1,81 @@
+#!/bin/bash
+# Makes that start at once, as array jobs on a cluster do, neither hurt each other nor make each
+# other's steps run again. Many rounds of it: ROUNDS=200 tests/pipeline/at_once_test.sh
+# shellcheck source-path=SCRIPTDIR
+source "${0%/*}/../../pipeline/support.sh"
+
+cells() { make --silent cells BIN=fake RUN=t DATASETS=real METHODS="none smote" RATIOS="100to1 10to1" "$@"; }
+
+four_at_once() { # round
+  local seed makes=()
+  for seed in 0 1 2 3; do
+    cells "SEEDS=$seed" >"messages-$seed" 2>&1 &
+    makes+=($!)
+  done
+  for seed in 0 1 2 3; do
+    wait "${makes[seed]}" || fail "round $1, seed $seed: $(<"messages-$seed")"
+  done
+}
+
+ran() { sort calls | uniq -c | sort -k2; }
+
+test_four_makes_do_what_one_does() {
+  echo 'name = "real"' >pipeline/datasets/real.toml
+  cells SEEDS="0 1 2 3" -j4 >/dev/null
+  mv results one && rm -r one/published
+  local of_one round
+  of_one=$(ran)
+  for ((round = 1; round <= ${ROUNDS:-5}; ++round)); do
+    rm -rf results calls
+    four_at_once $round
+    diff -r --exclude='*.log' results one >difference || fail "round $round: $(<difference)"
+    expect_equal "$(ran)" "$of_one"
+    # Nor is anything left to be done because one make has come after another.
+    expect_equal "$(cells SEEDS="0 1 2 3" -n | grep -E 'step.sh|settings' || true)" ""
+  done
+}
+
+# A setting changed: all four find it so, and one of them writes it down.
+test_four_makes_after_a_change_do_what_one_does() {
+  echo 'name = "real"' >pipeline/datasets/real.toml
+  cells SEEDS="0 1 2 3" -j4 >/dev/null
+  local round
+  for ((round = 1; round <= ${ROUNDS:-5}; ++round)); do
+    sed -i "s/^window = .*/window = $((1000 + round))/; s/^neighbours = .*/neighbours = $round/" pipeline/protocol.toml
+    rm calls
+    four_at_once $round
+    expect_equal "$(awk '{ print $1 }' calls | sort | uniq -c | xargs)" "12 diagnose 4 generate 4 score 4 split 4 train"
+    expect_equal "$(find results/t/.settings -type f | wc -l)" 6
+  done
+}
+
+# A large array. What tables are of differs from make to make, and is nothing to cells.
+test_a_hundred_makes_all_succeed() {
+  echo 'name = "real"' >pipeline/datasets/real.toml
+  local seed makes=()
+  for ((seed = 0; seed < 100; ++seed)); do
+    cells "SEEDS=$seed" >"messages-$seed" 2>&1 &
+    makes+=($!)
+  done
+  for seed in "${!makes[@]}"; do
+    wait "${makes[seed]}" || fail "seed $seed: $(<"messages-$seed")"
+  done
+  expect_equal "$(ls results/t/.settings)" \
+    "$(printf '%s\n' datasets diagnose.toml generate.toml score.toml split.toml train.smote.toml)"
+}
+
+# Tables of what there is, while others are only begun.
+test_tables_are_made_while_cells_are() {
+  echo 'name = "real"' >pipeline/datasets/real.toml
+  local seed makes=()
+  for ((seed = 0; seed < 12; ++seed)); do
+    make --silent tables BIN=fake RUN=t DATASETS=real METHODS="none smote" RATIOS="100to1 10to1" "SEEDS=$seed" \
+      >"messages-$seed" 2>&1 &
+    makes+=($!)
+  done
+  for seed in "${!makes[@]}"; do
+    wait "${makes[seed]}" || fail "seed $seed: $(<"messages-$seed")"
+  done
+}
+
+run_tests

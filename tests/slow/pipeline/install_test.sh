@@ -1,0 +1,203 @@
+#!/bin/bash
+# What is installed, with the built programs: the command piae-dt runs stages and make in any folder, and every
+# program has its manual page.
+# shellcheck source-path=SCRIPTDIR
+source "${0%/*}/../../pipeline/support.sh"
+
+version=$(sed -nE 's/^project\(.* VERSION ([0-9.]+) .*/\1/p' "$project/CMakeLists.txt")
+prefix=$(mktemp -d)
+trap 'rm -rf "$prefix"' EXIT
+
+# It is installed once, by the first test that needs it.
+installed() {
+  PATH=$prefix/bin:$PATH
+  [[ ! -e $prefix/bin/piae-dt ]] || return 0
+  env -u DESTDIR cmake --install "${programs%/bin}" --prefix "$prefix" >messages 2>&1 || fail "$(<messages)"
+}
+
+# As those who use it have it: they may not write where it is installed.
+test_the_grid_runs_in_another_folder() {
+  installed
+  mkdir -p elsewhere/pipeline/datasets
+  cd elsewhere
+  cp "$project/tests/reference/tiny.toml" pipeline/datasets/tiny.toml
+  cp "$project/tests/reference/protocol.toml" pipeline
+  touch ../began
+  piae-dt make all DATASETS=tiny METHODS="none smote" RATIOS="100to1 50to1" SEEDS=0 >messages 2>&1 || fail "$(<messages)"
+  expect_line "$(<messages)" '^piae-dt: lays out .* in .*/elsewhere$'
+  expect_line "$(<results/paper/tiny/summary.txt)" '^smote '
+  expect_line "$(head -n 1 results/paper/tiny/seed0/split.log)" '^bin/split '
+  [[ -s results/paper/report.html ]] || fail "no report"
+  cmp pipeline/protocol.toml "$project/tests/reference/protocol.toml" || fail "the settings of the folder were replaced"
+  expect_equal "$(find "$prefix" -newer ../began)" ""
+  # Again there is nothing to do, and no more to be said of the folder.
+  expect_no_line "$(piae-dt make cells DATASETS=tiny METHODS=none RATIOS=100to1 SEEDS=0 2>&1)" 'lays out|diagnose'
+  # What messages say of make can be typed there as it stands.
+  expect_line "$(make status DATASETS=tiny METHODS="none smote" RATIOS="100to1 50to1" SEEDS=0 2>&1)" '^all +4 +4 '
+  # The paper's numbers and the stored reference are found.
+  expect_line "$(realpath -e results/published/table8-9-methods.csv)" "^$(realpath "$prefix")/"
+  expect_line "$(realpath -e results/reference/random/cwru.csv)" "^$(realpath "$prefix")/"
+  piae-dt verify results/paper/tiny/records.h5 || fail "the records are not good"
+}
+
+test_a_stage_finds_the_programs_beside_it() {
+  installed
+  printf '%s\n' 'name = "rig"' 'sample_rate_hz = 12000' 'shaft_speed_rpm = 1500' '[bearing]' 'balls = 9' \
+    'ball_diameter_mm = 7.94' 'pitch_diameter_mm = 39' 'contact_angle_deg = 0' >rig.toml
+  local class
+  for class in none inner; do
+    awk -v loudness=${#class} 'BEGIN { for (i = 0; i < 3000; ++i) print loudness * sin(i + loudness) }' >$class.csv
+    printf '%s\n' '[[class]]' "name = \"$class\"" "defect = \"$class\"" >>rig.toml
+    [[ $class == none ]] || echo 'defect_size_mm = 0.3' >>rig.toml
+    printf '%s\n' '[[record]]' "class = \"$class\"" "file = \"$class.csv\"" 'variable = "1"' 'sample_rate_hz = 12000' >>rig.toml
+  done
+  expect_line "$(piae-dt ingest --description rig.toml --data-dir . --output records.h5 2>&1)" '^ingest: 2 records, 6000 samples '
+}
+
+test_every_program_is_installed_and_has_a_manual_page() {
+  installed
+  local source stage expected=()
+  for source in "$project"/stages/*.cpp; do
+    stage=$(basename "$source" .cpp)
+    expected+=("$stage")
+    [[ ! -e $programs/$stage-libtorch ]] || expected+=("$stage-libtorch")
+    gzip -dc "$prefix/share/man/man1/piae-dt-$stage.1.gz" >text || fail "$stage has no page"
+    expect_line "$(<text)" '^\.SH EXIT STATUS$'
+    expect_line "$(<text)" "^piae\\\\-dt $stage "
+    expect_line "$(piae-dt --help)" "^  $stage  +[A-Z]"
+    expect_line "$(piae-dt "$stage" --version)" "^piae-dt $stage $version( |$)"
+  done
+  expect_equal "$(ls "$prefix/lib/piae-dt")" "$(printf '%s\n' "${expected[@]}" | LC_ALL=C sort)"
+  expect_line "$(piae-dt --version)" "^piae-dt $version( |$)"
+}
+
+# A stage's line is its first sentence, or as many of its words as 80 columns take.
+test_the_list_of_stages_says_what_each_does() {
+  installed
+  local listed stage summary line said
+  listed=$(piae-dt --help | sed -n '/^Stages:$/,/^$/p' | sed '1d; $d')
+  expect_equal "$(wc -l <<<"$listed")" "$(find "$project/stages" -name '*.cpp' | wc -l)"
+  while read -r line; do
+    ((${#line} <= 78)) || fail "wider than 80 columns: $line"
+    read -r stage said <<<"$line"
+    summary=$(piae-dt "$stage" --help | head -n 1)
+    if [[ $said == *' ...' ]]; then
+      said=${said%...}
+      ((${#line} > 60)) || fail "cut too early: $line"
+      [[ $summary == "$said"* ]] || fail "'$said' does not begin: $summary"
+    else
+      [[ "$summary " == "$said. "* ]] || fail "'$said' is not the first sentence of: $summary"
+    fi
+  done <<<"$listed"
+  # The manual page has the name alone in front.
+  gzip -dc "$prefix/share/man/man1/piae-dt.1.gz" >page
+  expect_equal "$(grep -A 1 '^.fBsplit.fR' page | cut -c 1-40)" $'\\fBsplit\\fR\nCuts records into windows and shares the'
+}
+
+# An option is there with its text, whether that stands beside it or below, and a dash is one that can be copied.
+test_pages_say_what_the_programs_say() {
+  installed
+  local page=$prefix/share/man/man1/piae-dt-split.1.gz
+  expect_line "$(gzip -dc "$page" | grep -A 1 '^.fB.-.-window.fR ')" '^Samples in a window$'
+  expect_line "$(gzip -dc "$page" | grep -A 1 '^.fB.-.-max.-stride.fR ')" '^Samples between two windows at most'
+  expect_line "$(gzip -dc "$page" | head -n 1)" "^\.TH \"PIAE-DT-SPLIT\" 1 \"[0-9-]{10}\" \"piae-dt $version\""
+}
+
+test_pages_are_clean() {
+  installed
+  command -v man >/dev/null || command -v mandoc >/dev/null || skip "neither man nor mandoc is installed"
+  local page
+  for page in "$prefix"/share/man/man1/*.gz; do
+    gzip -dc "$page" >text
+    if command -v mandoc >/dev/null; then expect_equal "$(mandoc -T lint -W warning text)" ""; fi
+    if command -v man >/dev/null; then
+      expect_equal "$(LC_ALL=C.UTF-8 man --warnings -E UTF-8 -l -Tutf8 -Z ./text 2>&1 >/dev/null)" ""
+    fi
+  done
+}
+
+test_a_folder_that_is_another_projects_is_left_alone() {
+  installed
+  local name
+  for name in Makefile bin jobs; do
+    mkdir -p "of-$name" && echo "mine" >"of-$name/$name"
+    (cd "of-$name" && expect_exit 2 piae-dt make help)
+    expect_equal "$(ls "of-$name") $(<"of-$name/$name")" "$name mine"
+  done
+  expect_line "$(cd of-bin && piae-dt make help 2>&1)" '^piae-dt: .*/of-bin: has a bin of its own; '
+}
+
+test_links_are_renewed_and_files_stay() {
+  installed
+  mkdir folder
+  cd folder
+  piae-dt make help >/dev/null 2>&1
+  ln -sfnT /nowhere/share/piae-dt/pipeline/step.sh pipeline/step.sh    # as another prefix has left it
+  ln -sfnT /nowhere/share/piae-dt/pipeline/gone.sh pipeline/gone.sh    # as an older version has left it
+  ln -sfnT /nowhere/protocol.toml pipeline/protocol.toml               # the user's own
+  echo mine >pipeline/datasets/rig.toml
+  rm pipeline/datasets/cwru.toml
+  echo mine >pipeline/datasets/cwru.toml
+  piae-dt make help >/dev/null 2>&1
+  expect_equal "$(realpath pipeline/step.sh)" "$(realpath "$prefix")/share/piae-dt/pipeline/step.sh"
+  expect_equal "$(readlink pipeline/protocol.toml)" /nowhere/protocol.toml
+  expect_equal "$(cat pipeline/datasets/{rig,cwru}.toml)" $'mine\nmine'
+  [[ ! -L pipeline/gone.sh ]] || fail "a link that leads nowhere is still there"
+}
+
+test_what_needs_the_sources_is_refused_in_one_line() {
+  installed
+  mkdir folder
+  cd folder
+  expect_line "$(piae-dt make help 2>/dev/null)" '^make demo '
+  expect_no_line "$(piae-dt make help)" '^make (install|lint|test) |  PREFIX'
+  local goal
+  for goal in build test lint install package reference; do
+    expect_line "$(piae-dt make $goal 2>&1)" "make $goal: needs a clone of the sources; "
+    expect_exit 2 piae-dt make $goal
+  done
+}
+
+test_an_unknown_stage_is_refused_in_one_line() {
+  installed
+  local name
+  for name in nosuch ../bin/piae-dt train-libtorch . ''; do
+    expect_exit 2 piae-dt "$name"
+    expect_equal "$(piae-dt "$name" 2>&1 | wc -l)" 1
+  done
+  expect_line "$(piae-dt nosuch 2>&1)" "^piae-dt: there is no stage 'nosuch'; there are make and: .* split "
+}
+
+test_destdir_stands_for_the_root() {
+  DESTDIR=$PWD/root cmake --install "${programs%/bin}" --prefix /opt/piae >messages 2>&1 || fail "$(<messages)"
+  expect_equal "$(ls root/opt/piae)" $'bin\nlib\nshare'
+  expect_line "$(root/opt/piae/bin/piae-dt --version)" "^piae-dt $version"
+  [[ -s root/opt/piae/share/man/man1/piae-dt.1.gz ]] || fail "no manual page below DESTDIR"
+}
+
+# The first heading of the list of changes is the version that is built.
+test_the_list_of_changes_has_this_version() {
+  expect_line "$version" '^[0-9]+\.[0-9]+\.[0-9]+$'
+  expect_line "$(grep -m 1 '^## ' "$project/CHANGELOG.md")" "^## ${version//./\\.}, (not released yet|20[0-9]{2}-[0-9]{2}-[0-9]{2})$"
+}
+
+# Text that is folded in one file may stand in one line in the other.
+in_one_line() { sed 's/^> //' "$project/$1" | tr -s ' \n' ' '; }
+test_the_citation_names_the_software_and_the_paper() {
+  local cited readme title
+  cited=$(in_one_line CITATION.cff) readme=$(in_one_line README.md)
+  expect_line "$cited" "^cff-version: 1\.2\.0 message: .* type: software title: .* version: ${version//./\\.} .* authors: - name: .* license: MIT references: - type: article title: "
+  for title in 'PIAE-DT: bearing fault data from a digital twin, as a batch pipeline' \
+    'Physics-informed auto-encoder based on digital twin for rolling bearing fault diagnosis under imbalanced sample conditions'; do
+    expect_line "$cited" "title: (>- |\")$title"
+    expect_line "$readme" "\*$title\.\*"
+  done
+  # Whom one page names, the other does.
+  expect_line "$readme" "$(grep -oE 'name: The .*' "$project/CITATION.cff" | cut -c 7-)\. \*PIAE-DT: "
+  expect_line "$readme" "$(sed -nE 's/.*given-names: (.*)/\1/p' "$project/CITATION.cff" |
+    paste -d ' ' - <(sed -nE 's/.*family-names: (.*)/\1/p' "$project/CITATION.cff") | paste -sd, | sed 's/,/, /g')\. \*Physics-informed"
+  # What the copy of the paper does not say is not made up.
+  expect_no_line "$(<"$project/CITATION.cff")" '^ *(doi|journal|year):'
+}
+
+run_tests

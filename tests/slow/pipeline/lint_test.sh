@@ -1,0 +1,124 @@
+#!/bin/bash
+# Each rule of `make lint` finds what it is there for, in a copy of the project that was clean before.
+# shellcheck source-path=SCRIPTDIR
+source "${0%/*}/../../pipeline/support.sh"
+
+# All files of the project as they are now, committed or not, in a repository of their own.
+copy_of_project() {
+  mkdir copy
+  (cd "$project" && git ls-files -z --cached --others --exclude-standard) |
+    while IFS= read -r -d '' file; do [[ ! -f $project/$file ]] || printf '%s\0' "$file"; done |
+    (cd "$project" && xargs -0 cp --parents --target-directory="$OLDPWD/copy")
+  cd copy
+  git init --quiet
+}
+
+found=
+lint() { # rule, [file...]
+  local code=0
+  found=$(pipeline/lint.sh "$@" 2>&1) || code=$?
+  [[ $found != *'skipped, as'* ]] || skip "$(grep 'skipped, as' <<<"$found")"
+  return $code
+}
+
+expect_clean() { # rule, [file...]
+  lint "$@" || fail "$found"
+  expect_line "$found" "^lint: $1 0 -- 0 findings$"
+}
+
+expect_finding() { # line, rule, [file...]
+  local code=0
+  lint "${@:2}" || code=$?
+  ((code == 1)) || fail "expected exit code 1, got $code: $found"
+  expect_line "$found" "$1"
+  expect_line "$found" "^lint: $2 1 -- 1 findings$"
+}
+
+test_a_badly_formatted_file_is_found() {
+  copy_of_project
+  expect_clean format src/base
+  echo 'int  two_spaces;' >>src/base/error.hpp
+  expect_finding '^src/base/error.hpp:[0-9]+: .*clang-format -i src/base/error.hpp$' format src/base
+}
+
+test_an_unquoted_shell_variable_is_found() {
+  copy_of_project
+  expect_clean shell jobs
+  # shellcheck disable=SC2016
+  printf '#!/bin/bash\nrm $1\n' >jobs/careless.sh
+  expect_finding '^jobs/careless.sh:2: Double quote' shell jobs
+}
+
+test_white_space_at_the_end_of_a_line_is_found() {
+  copy_of_project
+  expect_clean spaces
+  echo '// and then ' >>src/base/error.hpp
+  expect_finding '^src/base/error.hpp:[0-9]+: ends with white space' spaces
+}
+
+test_a_torch_header_elsewhere_is_found() {
+  copy_of_project
+  expect_clean torch
+  sed -i '1i#include <torch/types.h>' src/nets/adam.cpp
+  expect_finding '^src/nets/adam.cpp:1: includes LibTorch outside src/libtorch' torch
+}
+
+test_an_include_against_the_direction_is_found() {
+  copy_of_project
+  expect_clean rooms
+  sed -i '1i#include "report/tables.hpp"' src/nets/adam.cpp
+  expect_finding '^src/nets/adam.cpp:1: includes "report/tables.hpp", but nets stands below report' rooms
+}
+
+test_an_include_of_the_same_row_is_found() {
+  copy_of_project
+  sed -i '1i#include "twin/losses.hpp"' src/diagnosis/wdcnn.cpp
+  expect_finding '^src/diagnosis/wdcnn.cpp:1: .* diagnosis and twin stand in one row' rooms
+}
+
+test_the_room_of_libtorch_is_included_by_nobody() {
+  copy_of_project
+  sed -i '1i#include "libtorch/nets/adam.hpp"' src/augment/smote.cpp
+  expect_finding '^src/augment/smote.cpp:1: includes "libtorch/nets/adam.hpp", but augment stands below libtorch' rooms
+}
+
+test_a_room_without_a_row_and_a_row_without_a_folder_are_found() {
+  copy_of_project
+  # shellcheck disable=SC2016
+  sed -i 's/^| `text` /| `texts` /' CONTRIBUTING.md
+  expect_exit 1 pipeline/lint.sh rooms
+  lint rooms || true
+  expect_line "$found" "^CONTRIBUTING.md:[0-9]+: the table has a room 'texts' without a folder"
+  expect_line "$found" "^CONTRIBUTING.md:[0-9]+: the room 'text' is not in the table"
+}
+
+test_a_header_that_does_not_compile_alone_is_found() {
+  copy_of_project
+  printf '#pragma once\n\ninline std::string name() { return {}; }\n' >src/base/name.hpp
+  expect_finding '^src/base/name.hpp:3: does not compile alone: .*include what it uses$' \
+    headers src/base/name.hpp src/base/error.hpp
+  sed -i '1a#include <string>' src/base/name.hpp
+  expect_clean headers src/base/name.hpp src/base/error.hpp
+}
+
+test_a_header_is_compiled_again_when_what_it_includes_changed() {
+  copy_of_project
+  printf '#pragma once\n#include "base/b.hpp"\ninline std::size_t a() { return 0; }\n' >src/base/a.hpp
+  printf '#pragma once\n#include <cstddef>\n' >src/base/b.hpp
+  expect_clean headers src/base/a.hpp src/base/b.hpp
+  printf '#pragma once\n' >src/base/b.hpp
+  expect_finding '^src/base/a.hpp:3: does not compile alone' headers src/base/a.hpp src/base/b.hpp
+}
+
+test_what_clang_tidy_warns_of_is_found() {
+  copy_of_project
+  printf '#pragma once\n\ninline int* nothing() { return 0; }\n' >src/base/nothing.hpp
+  expect_finding '^src/base/nothing.hpp:3: use nullptr' tidy src/base/nothing.hpp
+}
+
+test_an_unknown_rule_is_refused() {
+  copy_of_project
+  expect_exit 2 pipeline/lint.sh spelling
+}
+
+run_tests

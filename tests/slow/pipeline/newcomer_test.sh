@@ -1,0 +1,170 @@
+#!/bin/bash
+# What CONTRIBUTING.md promises a newcomer, with the built programs: a method takes one class and one
+# line of the catalogue, a classifier one function and one line, a figure takes one function and one script, a data set takes one TOML file, and the
+# grid knows them all.
+# shellcheck source-path=SCRIPTDIR
+source "${0%/*}/../../pipeline/support.sh"
+
+shown=$(realpath "${PIAE_SHOWN:-$project/build/tests/slow/contributing}")
+
+# The programs, and those that have the shown method in the place of the others.
+lay_out() {
+  mkdir bin
+  ln -s "$programs"/* bin
+  ln -sf "$shown"/bin/* bin
+  cp "$shown"/pipeline/figures/* pipeline/figures
+  cp "$project/tests/reference/protocol.toml" pipeline
+}
+
+# Ringing struck every 80 samples, ever louder from class to class, and noise.
+record() { # file, loudness
+  awk -v loudness="$2" 'BEGIN {
+    srand(loudness + 1)
+    for (i = 0; i < 70000; ++i) {
+      t = i % 80
+      printf "%.6f\n", loudness * exp(-t / 12) * sin(t * (0.8 + 0.1 * loudness)) + 0.2 * (rand() - 0.5)
+    }
+  }' >"$1"
+}
+
+describe_rig() {
+  mkdir recordings
+  {
+    cat <<'RIG'
+name = "rig"
+sample_rate_hz = 12000
+shaft_speed_rpm = 1500
+[bearing]
+balls = 9
+ball_diameter_mm = 7.94
+pitch_diameter_mm = 39
+inner_raceway_mm = 31.06
+outer_raceway_mm = 46.94
+contact_angle_deg = 0
+RIG
+    local class loudness=0
+    for class in none inner outer; do
+      record "recordings/$class.csv" $((loudness++))
+      printf '[[class]]\nname = "%s-1"\ndefect = "%s"\n' $class $class
+      [[ $class == none ]] || echo 'defect_size_mm = 0.3'
+      printf '[[record]]\nclass = "%s-1"\nfile = "%s.csv"\nvariable = "1"\nsample_rate_hz = 12000\n' \
+        $class $class
+    done
+  } >pipeline/datasets/rig.toml
+}
+
+test_the_shown_method_and_a_described_data_set_run_in_the_grid() {
+  skip_where_nothing_draws
+  lay_out
+  describe_rig
+  bin/ingest --check --description pipeline/datasets/rig.toml --data-dir recordings >messages 2>&1 ||
+    fail "$(<messages)"
+  make --silent all BIN=bin RUN=new DATASETS=rig METHODS="none reverse" RATIOS="100to1 10to1" \
+    SEEDS=0 CLASSIFIERS="wdcnn wdcnn-loudness" DATA_DIR=recordings >messages 2>&1 || fail "$(<messages)"
+  expect_line "$(<results/new/rig/accuracy.csv)" '^rig,reverse,wdcnn,10to1,45,1,'
+  expect_line "$(<results/new/rig/accuracy.csv)" '^rig,reverse,wdcnn-loudness,10to1,45,1,'
+  expect_line "$(<results/new/rig/tables.md)" 'reverse'
+  expect_line "$(<results/new/rig/figures/seed-range.svg)" '10to1'
+  [[ -f results/new/rig/figures/seed-range@wdcnn-loudness.svg ]] || fail "the shown classifier has no picture"
+}
+
+test_the_shown_method_plays_backwards() {
+  lay_out
+  describe_rig
+  make --silent cells BIN=bin RUN=new DATASETS=rig METHODS=reverse RATIOS=10to1 SEEDS=0 \
+    DATA_DIR=recordings >messages 2>&1 || fail "$(<messages)"
+  local cell=results/new/rig/seed0
+  # Window 0 of E is window 0 of that class in C, from its end.
+  first_window() { h5dump -d "/windows[0,0;;1,1024;]" -y -w 1 "$1" | grep -oE '^ +-?[0-9][0-9.e+-]*' | tr -d ' '; }
+  expect_equal "$(first_window $cell/reverse/E.h5)" "$(first_window $cell/C.h5 | tac)"
+}
+
+run_rig() {
+  make --silent cells BIN=bin RUN=new DATASETS=rig METHODS=none RATIOS=100to1 SEEDS=0 CLASSIFIERS=nearest \
+    DATA_DIR=recordings "$@"
+}
+stages_of() { awk '$2 ~ /^[a-z]+$/ { print $2 }' <<<"$1" | xargs; }
+
+test_a_recording_that_is_replaced_is_noticed() {
+  lay_out
+  describe_rig
+  expect_equal "$(stages_of "$(run_rig)")" "ingest split diagnose"
+  expect_equal "$(run_rig)" ""
+  # The same recordings: written again, in another folder, by another path, none at all.
+  touch recordings/outer.csv
+  cp -r recordings copies
+  expect_equal "$(run_rig)$(run_rig DATA_DIR=copies)$(run_rig DATA_DIR="$PWD/copies/")$(run_rig DATA_DIR=none)" ""
+  # Another one, as long and as old.
+  tr 1 2 <recordings/outer.csv >other.csv
+  touch -r recordings/outer.csv other.csv
+  mv other.csv recordings/outer.csv
+  expect_line "$(run_rig -n)" 'step.sh results/new/rig ingest '
+  expect_equal "$(stages_of "$(run_rig)")" "ingest split diagnose"
+  expect_equal "$(run_rig)" ""
+  expect_equal "$(stages_of "$(run_rig DATA_DIR=copies)")" "ingest split diagnose"
+}
+
+# Before there were files that say of which recordings the records are.
+test_records_of_an_older_project_are_compared_with_their_own_sums() {
+  lay_out
+  describe_rig
+  run_rig >/dev/null
+  rm -r results/new/.settings/recordings
+  expect_equal "$(run_rig)" ""
+  record recordings/outer.csv 3
+  expect_equal "$(stages_of "$(run_rig)")" "ingest split diagnose"
+}
+
+# What a failed step would have made is still due.
+test_a_recording_that_cannot_be_read_leaves_the_step_due() {
+  lay_out
+  describe_rig
+  run_rig >/dev/null
+  cp recordings/outer.csv good.csv
+  echo x >>recordings/outer.csv
+  expect_line "$(run_rig 2>&1)" 'ingest: recordings/outer.csv, line 70001: '
+  expect_line "$(run_rig 2>&1)" 'ingest: recordings/outer.csv, line 70001: '
+  cp good.csv recordings/outer.csv
+  expect_equal "$(stages_of "$(run_rig)")" "ingest split diagnose"
+}
+
+# A machine whose bearing is sound, and of which nothing is said: what needs no kinematics runs.
+test_a_fault_of_another_part_of_the_machine() {
+  lay_out
+  describe_rig
+  sed -i '/^\[bearing\]/,/^contact_angle_deg/d; /^defect_size_mm/d; s/^defect = "\(inner\|outer\)"/defect = "other"/' \
+    pipeline/datasets/rig.toml
+  bin/ingest --check --description pipeline/datasets/rig.toml --data-dir recordings --picture rig.svg >messages 2>&1 ||
+    fail "$(<messages)"
+  expect_no_line "$(<messages)" BPFO
+  make --silent all BIN=bin RUN=new DATASETS=rig METHODS="none shift" RATIOS="100to1 10to1" SEEDS=0 \
+    CLASSIFIERS="wdcnn nearest" DATA_DIR=recordings >messages 2>&1 || fail "$(<messages)"
+  expect_line "$(<results/new/rig/seed0/shift/score.log)" "no fault line of inner-1, outer-1, as the defect is 'other'"
+  expect_no_line "$(<messages)" warning
+  expect_line "$(<results/new/rig/accuracy.csv)" '^rig,shift,wdcnn,10to1,45,1,'
+  bin/verify results/new/rig/records.h5 results/new/rig/seed0/*/*.h5 || fail "not verified"
+  local refused
+  for refused in piae-dt-phase ae piae-dt-zero; do
+    expect_exit 2 run_rig METHODS="shift $refused" RATIOS=10to1
+    expect_line "$(run_rig METHODS="shift $refused" RATIOS=10to1 2>&1 || true)" \
+      "METHODS: $refused cannot be run; the description of rig does not say .*; choose METHODS=\"shift\""
+  done
+  # Who chooses none is told which are left out.
+  expect_line "$(make -n cells BIN=bin RUN=new DATASETS=rig SEEDS=0 DATA_DIR=recordings 2>&1)" \
+    '^left out: dynamics piae-dt ae physics piae-dt-cnn piae-dt-rnn piae-dt-phase; the description of rig'
+  bin/diagnose --test results/new/rig/seed0/A.h5 --normal results/new/rig/seed0/B.h5 --known results/new/rig/seed0/C.h5 \
+    --ratio 100to1 --classifier envelope-rule --seed 0 --output rule.h5 >messages 2>&1 && fail "a rule named it"
+  expect_line "$(<messages)" "has defect 'other', which has no fault line"
+}
+
+test_a_defect_of_unknown_size() {
+  lay_out
+  describe_rig
+  sed -i '/^defect_size_mm/d' pipeline/datasets/rig.toml
+  run_rig METHODS="none shift" RATIOS="100to1 10to1" >messages 2>&1 || fail "$(<messages)"
+  bin/train --method piae-dt --known results/new/rig/seed0/C.h5 --seed 0 --output m.h5 >messages 2>&1 &&
+    fail "trained without a size"
+  expect_line "$(<messages)" 'C.h5: piae-dt needs defect_size_mm of class inner-1, .*; methods that do without: smote, '
+}
+
+run_tests

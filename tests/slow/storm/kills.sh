@@ -1,0 +1,129 @@
+#!/bin/bash
+# Kills random processes of a small grid while it runs (make, pipeline/step.sh, stages; with kill -9, a third
+# of the times after a SIGTERM that brings a training to its checkpoint), and gives the same command again.
+# When the grid is done, it must hold the bytes of an undisturbed one and nothing else; it is then begun anew,
+# until there were enough kills. No checkpoint may be damaged or forgotten.
+# usage: tests/slow/storm/kills.sh FOLDER COUNT SEED BIN
+set -uo pipefail
+
+project=$(realpath "${BASH_SOURCE[0]%/*}/../../..")
+mkdir -p "$1"
+folder=$(realpath "$1") count=$2 seed=$3 bin=$(realpath "$4")
+unset MAKEFLAGS MFLAGS MAKELEVEL MAKEOVERRIDES DATA_DIR
+export OMP_NUM_THREADS=1
+RANDOM=$seed
+
+rm -rf "$folder"
+mkdir "$folder"
+cp -r "$project"/{Makefile,pipeline} "$folder"
+mkdir "$folder/results"
+ln -s "$project/results/published" "$folder/results/published"
+run=$folder/results/r
+# A smaller experiment than the paper's: a grid takes half a minute, most of it in trainings.
+sed -i -E 's/^epochs = .*/epochs = 60/; s/^width = .*/width = 64/; s/^(windows-per-class) = .*/\1 = 150/
+  s/^(test-per-class) = .*/\1 = 40/' "$folder/pipeline/protocol.toml"
+sed -i -E 's/^(records_per_class) = .*/\1 = 10/' "$folder/pipeline/datasets/simulated-small.toml"
+# For a few kills half of it will do.
+seeds='0 1'
+((count >= 8)) || seeds=0
+
+grid=(make -C "$folder" -j2 cells "BIN=$bin" RUN=r DATASETS=simulated-small RATIOS='100to1 10to1' SEEDS="$seeds"
+  METHODS='none smote vae wgan-gp piae-dt piae-dt-phase')
+
+missed=0
+miss() {
+  echo "kills: $1" >&2
+  missed=$((missed + 1))
+}
+
+# Processes of the run: make, step.sh and the stages, and nothing else, work in this folder.
+processes() {
+  local link
+  for link in /proc/[0-9]*/cwd; do
+    [[ $(readlink "$link" 2>/dev/null) != "$folder" ]] || { link=${link%/cwd} && echo "${link#/proc/}"; }
+  done
+}
+gone() { ! kill -0 "$1" 2>/dev/null; }
+
+checkpoints() { find "$run" -name '*.checkpoint' 2>/dev/null; }
+
+# A checkpoint is whole at any moment, and whoever begins the training again goes on from it.
+look_at_checkpoints() {
+  local file said
+  for file in $(checkpoints); do
+    cp "$file" "$folder/checked" 2>/dev/null || continue # the training has just ended
+    said=$("$bin/verify" "$folder/checked" 2>&1) || miss "$file is damaged after a kill: $said"
+  done
+  rm -f "$folder/checked"
+}
+
+kill_one() {
+  local victims victim name
+  mapfile -t victims < <(processes)
+  ((${#victims[@]})) || return 1
+  victim=${victims[RANDOM % ${#victims[@]}]}
+  name=$(cat "/proc/$victim/comm" 2>/dev/null) || return 1
+  # Neither this script's own helpers nor one that ends by itself is a process of the run.
+  case $name in
+    make | step.sh | settings | simulate | split | train | generate | score | diagnose) ;;
+    *) return 1 ;;
+  esac
+  if [[ $name == train ]] && ((RANDOM % 3)); then
+    kill -TERM "$victim" 2>/dev/null
+    sleep "0.00$((RANDOM % 10))"
+  fi
+  kill -KILL "$victim" 2>/dev/null || return 1
+  killed[$name]=$((${killed[$name]:-0} + 1))
+}
+
+# The end of a round: what the same command leaves, undisturbed, is what there should be.
+finish_round() {
+  local difference
+  "${grid[@]}" >"$folder/log" 2>&1 || miss "the command given again ends with $?: $(tail -n 3 "$folder/log")"
+  wait_for_all
+  difference=$(diff -r --exclude='*.log' "$folder/one" "$run") || miss "not as undisturbed: ${difference:0:500}"
+  difference=$(diff <(cd "$folder/one" && find . | sort) <(cd "$run" && find . | sort)) ||
+    miss "other files than undisturbed: ${difference:0:500}"
+  ! difference=$(grep -rE 'damaged|starts anew' "$run" --include='*.log') ||
+    miss "a checkpoint was lost: ${difference:0:500}"
+  resumed=$((resumed + $(grep -rl 'going on from' "$run" --include='*.log' | wc -l)))
+  rounds=$((rounds + 1))
+  rm -rf "$run"
+}
+wait_for_all() { while [[ $(processes) ]]; do sleep 0.05; done; }
+
+declare -A killed=()
+started=$SECONDS
+"${grid[@]}" >"$folder/log" 2>&1 || {
+  echo "kills: the undisturbed run fails: $(tail -n 3 "$folder/log")" >&2
+  exit 2
+}
+mv "$run" "$folder/one"
+echo "kills: the undisturbed grid takes $((SECONDS - started)) s" >&2
+
+kills=0 rounds=0 resumed=0 told=$SECONDS
+while ((kills < count)); do
+  "${grid[@]}" >"$folder/log" 2>&1 &
+  make=$!
+  while ((kills < count)); do
+    sleep "$((RANDOM % 2)).$((RANDOM % 10))"
+    ! gone "$make" || break
+    kill_one && kills=$((kills + 1)) && look_at_checkpoints
+    # make may live on: it stops at the failed step, or the command is given again beside it.
+    ((RANDOM % 2)) || break
+  done
+  ((RANDOM % 4)) || gone "$make" || while ! gone "$make"; do sleep 0.1; done
+  if ((SECONDS - told > 20)); then
+    told=$SECONDS
+    echo "kills: $kills of $count, $missed missed," \
+      "$(((SECONDS - started) * (count - kills) / (kills + 1) / 60)) minutes left" >&2
+  fi
+  # A grid that is done is compared, and begun anew.
+  if gone "$make" && wait "$make"; then finish_round; fi
+done
+finish_round
+list=
+for name in "${!killed[@]}"; do list+=", ${killed[$name]} $name"; done
+echo "kills: killed were ${list#, }; $rounds grids compared, $resumed trainings went on from a checkpoint"
+echo "kills: $kills done, 0 refused, $((kills - missed)) accepted, $missed missed"
+((missed == 0))
