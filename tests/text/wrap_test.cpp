@@ -1,0 +1,20 @@
+#include "text/wrap.hpp"
+
+#include <gtest/gtest.h>
+
+namespace piae::text {
+namespace {
+
+TEST(Wrap, BreaksBetweenWords) {
+  EXPECT_EQ(wrap("one two three", 7), "one two\nthree\n");
+  EXPECT_EQ(wrap("one two three", 13), "one two three\n");
+}
+
+TEST(Wrap, IndentsAllLinesButTheFirst) {
+  EXPECT_EQ(wrap("1. two three", 6, 2), "1. two\n  three\n");
+}
+
+TEST(Wrap, KeepsALongWordWhole) { EXPECT_EQ(wrap("a longest b", 4), "a\nlongest\nb\n"); }
+
+}  // namespace
+}  // namespace piae::text
