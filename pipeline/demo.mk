@@ -21,7 +21,7 @@ demo: $(recording).svg same_speed other_speed
 	$(grid) report DATASETS=simulated-small
 	$(Q)$(BIN)/demo_answers --run $(results) --same-speed simulated-small --other-speed $(slower) \
 	  --no-fault $(no_fault) --diagnosis $(recording).h5 --true-class outer
-	@printf '\n%s\n' 'Open $(results)/report.html    tables and figures' \
+	@printf '%s\n' '' 'Open $(results)/report.html    tables and figures' \
 	  '     $(recording).svg  the diagnosis of recording.txt'
 
 no_fault:

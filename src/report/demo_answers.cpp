@@ -117,7 +117,7 @@ std::string answer_at_the_other_speed(const Compared& cells) {
                      percent(best), best.classifier, others.empty() ? "" : "; " + listed(others));
 }
 
-/// "Yes: 100 % of windows correct by exclusion-rule; recording.txt: outer, correct."
+/// "Yes: 100 % correct by exclusion-rule; recording.txt: outer, correct."
 std::string answer_without_a_fault(const std::vector<run::Diagnosis>& cells,
                                    const NamedRecording& recording) {
   const std::vector<AccuracyRow> rows = rows_of_cells(cells);
@@ -125,16 +125,15 @@ std::string answer_without_a_fault(const std::vector<run::Diagnosis>& cells,
   const AccuracyRow& best =
       *std::ranges::max_element(rows, {}, [](const AccuracyRow& row) { return row.summary.mean; });
   const bool diagnoses = best.summary.mean >= percent_of_a_diagnosis && recording.correct;
-  return fmt::format("{}: {} of windows correct by {}; {}: {}, {}.", diagnoses ? "Yes" : "Not well",
+  return fmt::format("{}: {} correct by {}; {}: {}, {}.", diagnoses ? "Yes" : "Not well",
                      percent(best), best.classifier, recording.file, recording.named,
                      recording.correct ? "correct" : "wrong");
 }
 
 std::string numbered(int number, const std::string& question, const std::string& answer) {
   constexpr std::size_t widest = 80;
-  const std::string indent(3, ' ');
-  return text::wrap(fmt::format("{}. {}", number, question), widest, indent.size()) + indent +
-         text::wrap(answer, widest - indent.size());
+  return text::wrap(fmt::format("{}. {}", number, question), widest) +
+         text::wrap(answer, widest, 3);
 }
 
 }  // namespace

@@ -19,7 +19,7 @@ test_the_demo_ends_with_three_answers_and_two_files_to_open() {
 2. Faults are known at 1800 rpm, the machine runs at 1200 rpm. What helps?
    strike-twin (N -> N % by wdcnn-spectra); shift reaches N %.
 3. No fault was ever recorded. Can one be named all the same?
-   Yes: N % of windows correct by exclusion-rule; recording.txt: outer, correct.
+   Yes: N % correct by exclusion-rule; recording.txt: outer, correct.
 
 Open results/demo/report.html    tables and figures
      results/demo/recording.svg  the diagnosis of recording.txt"

@@ -67,7 +67,7 @@ TEST_F(DemoAnswers, ArePrintedInOneLineEach) {
             "2. Faults are known at 1800 rpm, the machine runs at 1200 rpm. What helps?\n"
             "   strike-twin (66 -> 99 % by wdcnn-spectra); shift reaches 79 %.\n"
             "3. No fault was ever recorded. Can one be named all the same?\n"
-            "   Yes: 100 % of windows correct by exclusion-rule; recording.txt: outer, correct.\n");
+            "   Yes: 100 % correct by exclusion-rule; recording.txt: outer, correct.\n");
 }
 
 TEST_F(DemoAnswers, HaveNoLineBeyond80Characters) {
@@ -80,7 +80,7 @@ TEST_F(DemoAnswers, SayWhatTheNumbersSay) {
   change(cells_.same_speed, "shift", "wdcnn", {99, 79, 98});  // 4 points in one seed
   EXPECT_THAT(text(), HasSubstr("nothing: 74 % alone, shift (92 %) and piae-dt (72 %)."));
   change(cells_.same_speed, "none", "nearest", {80, 80, 80});
-  EXPECT_THAT(text(), HasSubstr("One of spectra reaches 80 % alone."));
+  EXPECT_THAT(text(), HasSubstr("One of spectra reaches\n   80 % alone."));
   change(cells_.other_speed, "shift", "wdcnn-spectra", {100, 100, 100});
   EXPECT_THAT(text(), HasSubstr("shift (66 -> 100 % by wdcnn-spectra); strike-twin reaches 99 %."));
   change(cells_.other_speed, "none", "wdcnn-spectra", {99, 99, 99});
@@ -89,11 +89,11 @@ TEST_F(DemoAnswers, SayWhatTheNumbersSay) {
 
 TEST_F(DemoAnswers, DenyADiagnosisThatIsWrongOrSeldomCorrect) {
   cells_.recording.correct = false;
-  EXPECT_THAT(text(), HasSubstr("Not well: 100 % of windows"));
+  EXPECT_THAT(text(), HasSubstr("Not well: 100 % correct"));
   EXPECT_THAT(text(), HasSubstr("outer, wrong."));
   cells_.recording.correct = true;
   change(cells_.no_fault, "none", "exclusion-rule", {79});
-  EXPECT_THAT(text(), HasSubstr("Not well: 79 % of windows"));
+  EXPECT_THAT(text(), HasSubstr("Not well: 79 % correct"));
 }
 
 TEST_F(DemoAnswers, NeedTheCellsOfAllQuestions) {

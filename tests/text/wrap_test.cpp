@@ -10,9 +10,7 @@ TEST(Wrap, BreaksBetweenWords) {
   EXPECT_EQ(wrap("one two three", 13), "one two three\n");
 }
 
-TEST(Wrap, IndentsAllLinesButTheFirst) {
-  EXPECT_EQ(wrap("1. two three", 6, 2), "1. two\n  three\n");
-}
+TEST(Wrap, IndentsEveryLine) { EXPECT_EQ(wrap("one two three", 9, 2), "  one two\n  three\n"); }
 
 TEST(Wrap, KeepsALongWordWhole) { EXPECT_EQ(wrap("a longest b", 4), "a\nlongest\nb\n"); }
 
