@@ -14,7 +14,7 @@ slower    := simulated-small-slower
 no_fault  := simulated-small-types-zero
 rule      := $(results)/$(no_fault)/seed0/none/100to1/exclusion-rule/classifier.h5
 recording := $(results)/recording
-grid       = $(Q)+$(MAKE) --file=pipeline/grid.mk cells_given=
+grid       = $(Q)+$(MAKE) $(if $(V),,--silent) --file=pipeline/grid.mk cells_given=
 
 .PHONY: demo no_fault same_speed other_speed
 demo: $(recording).svg same_speed other_speed
