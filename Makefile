@@ -39,14 +39,13 @@ elsewhere  := cluster cluster-plan cluster-stop status help
 on_cluster := $(filter $(elsewhere),$(MAKECMDGOALS))
 goals      := $(filter-out $(elsewhere),$(MAKECMDGOALS))
 
-# The demo is a small grid of the same kind, on all cores unless -j says otherwise. Its programs are few,
-# without LibTorch, and have a folder of their own, where they are built in half the time.
+# The demo has grids of its own (pipeline/demo.mk) and uses all cores unless -j says otherwise. It builds only the
+# programs that it runs, and does not need LibTorch.
 ifneq (,$(filter demo,$(MAKECMDGOALS)))
+$(if $(filter-out demo,$(MAKECMDGOALS)),$(error make demo: give no other target with it))
 RUN      := demo
-DATASETS := simulated-small
-METHODS  := none smote piae-dt piae-dt-phase oracle
-RATIOS   := 100to1 10to1
-SEEDS    := 0 1
+RATIOS   := 100to1 5to1
+SEEDS    := 0 1 2
 LIBTORCH := off
 quickly  := demo
 MAKEFLAGS += -j$(shell env -u OMP_NUM_THREADS nproc)
@@ -95,6 +94,11 @@ $(foreach name,$(filter-out DATA_DIR SUBMIT,$(variables)),$(call refuse_signs,$(
 comma := ,
 $(call refuse_signs,RUN,: = % $(comma),it is the name of a folder under results/)
 
+ifneq (,$(filter demo,$(MAKECMDGOALS)))
+$(foreach name,$(filter DATASETS METHODS CLASSIFIERS,$(given)),$(error make demo: has $(name) of its own; \
+  `make all` takes any))
+endif
+
 # A name that is nearly one of ours: in the other case, or the beginning of one, or one with more to it.
 upper_case = $(shell printf %s '$1' | tr a-z A-Z)
 like_it    = $(foreach name,$(variables),$(if $(filter $1%,$(name))$(filter $(name)%,$1),$(name)))
@@ -140,12 +144,12 @@ export BIN SUBMIT
 Q := $(if $(V),,@)
 
 .DEFAULT_GOAL := help
-.PHONY: help grid cluster cluster-plan cluster-stop status check reference data test \
+.PHONY: help grid demo cluster cluster-plan cluster-stop status check reference data test \
         test-all storm lint bench bench-scale deps build build-demo install package clean
 
 help:
 	@printf '  %-14s%s\n' \
-	  demo     'install and build what is missing, run the method on a simulated bearing: start here' \
+	  demo     'install and build what is missing, answer three questions on a simulated bearing: start here' \
 	  all      'run the grid, make its tables in results/RUN/<dataset>/, its figures, its report' \
 	  cells    'run the grid without the tables (on a cluster: see jobs/)' \
 	  figures  'draw what RUN holds, in results/RUN/<dataset>/figures/: CSV, SVG and PDF' \
@@ -211,7 +215,7 @@ help:
 
 # ---- the grid -----------------------------------------------------------------------------------
 # All goals that are its own, files of results/ among them, go to one make.
-asked := $(filter records cells tables all figures report demo sweep contrast identify readings transfer trust results/%,$(goals))
+asked := $(filter records cells tables all figures report sweep contrast identify readings transfer trust results/%,$(goals))
 .PHONY: $(asked)
 $(asked): $(or $(on_cluster),grid)
 ifneq (,$(on_cluster))
@@ -237,9 +241,12 @@ choice = $(foreach name,RUN DATASETS METHODS RATIOS CLASSIFIERS SEEDS PROTOCOL D
 too_old     = $(if $(programs),$(shell $(BIN)/settings --facts >/dev/null 2>&1 || \
   find src stages -newer $(BIN)/settings -print -quit 2>/dev/null))
 unknown_yet := $(if $(findstring n,$(filter-out --%,$(flags))),$(if $(wildcard $(BIN)/settings),$(too_old),yes))
+to_run = $(if $(unknown_yet),echo 'for the steps of the grid the programs must be built first: `make build`',\
+  $(MAKE) --file=pipeline/$1.mk $(choice) $2)
 grid: | $(programs)
-	$(Q)+$(if $(unknown_yet),echo 'for the steps of the grid the programs must be built first: `make build`',\
-	  $(MAKE) --file=pipeline/grid.mk $(choice) $(asked))
+	$(Q)+$(call to_run,grid,$(asked))
+demo: | $(programs)
+	$(Q)+$(call to_run,demo,demo)
 
 cluster: | $(programs)
 	$(Q)jobs/submit.sh '$(or $(asked),all)' $(choice) $(foreach name,CORES MINUTES JOBS GPU_PARTITION,'$(name)=$($(name))')
@@ -264,7 +271,8 @@ data: | $(programs)
 
 # ---- building -----------------------------------------------------------------------------------
 # What is to be built, of `programs tests benches` or `demo`: packages for that are installed first.
-build_them = pipeline/deps.sh $(LIBTORCH) $1 $(if $(filter all figures report transfer,$(or $(asked),$(on_cluster:%=all))),figures) && pipeline/build.sh $(ARCH) $(LIBTORCH) $1
+draws      = $(filter demo all figures report transfer,$(or $(goals),$(on_cluster:%=all)))
+build_them = pipeline/deps.sh $(LIBTORCH) $1 $(if $(draws),figures) && pipeline/build.sh $(ARCH) $(LIBTORCH) $1
 
 build:
 	$(Q)$(call build_them,programs)

@@ -113,7 +113,7 @@ $(if $(methods),,$(error no cells: METHODS="$(METHODS)" RATIOS="$(RATIOS)"; $(ba
 
 # What the paper publishes stands in the tables, and is tracked in results/, which may have been removed as a whole.
 published       := $(wildcard results/published/*.csv)
-shows_published := $(filter all demo tables figures report draw page readings,$(MAKECMDGOALS))
+shows_published := $(filter all tables figures report draw page readings,$(MAKECMDGOALS))
 $(if $(only_asking)$(published),,$(if $(shows_published),$(error results/published holds no table: what the paper publishes is shown \
   beside our results; `git checkout results/published` brings it back)))
 
@@ -278,7 +278,7 @@ $(foreach dataset,$(DATASETS),\
       $(eval $(call diagnosis_rule,$(seed),$(folder),$(method),$(classifier)))))))
 
 .DEFAULT_GOAL := cells
-.PHONY: FORCE records cells features tables draw figures page report demo all list-cells sweep contrast identify readings transfer trust
+.PHONY: FORCE records cells features tables draw figures page report all list-cells sweep contrast identify readings transfer trust
 records: $(DATASETS:%=$(results)/%/records.h5)
 cells: $(foreach dataset,$(DATASETS),$(call cell_files,$(dataset)))
 features: $(foreach dataset,$(DATASETS),$(call features,$(dataset)))
@@ -312,10 +312,6 @@ report: draw_all
 page report:
 	$(Q)$(BIN)/report --run $(results) $(if $(looks),,--datasets $(DATASETS)) $(must_be_there) --published results/published \
 	  $(foreach dataset,$(nothing_known),$(call says_nothing_known,$(dataset)))$(call leave_out,$(strip $(foreach dataset,$(DATASETS),$(left_out.$(dataset):%=$(dataset)/%))))
-# Drawing would double what a newcomer waits for.
-demo:
-	$(Q)+pipeline/tables.sh $(this_make)
-	$(show_summaries)
 all:
 	$(Q)+pipeline/tables.sh $(if $(findstring q,$(firstword -$(MAKEFLAGS))),,--show) $(this_make)
 	$(show_summaries)

@@ -33,11 +33,11 @@ fi
 counted=cells made_by='score|diagnose'
 case $goal in
   '' | all) goals=(tables features) ;;
-  cells | demo) goals=(cells) ;;
+  cells) goals=(cells) ;;
   sweep | contrast | readings) goals=("$goal") ;;
   identify) goals=(identify) counted=models made_by=train ;;
   *)
-    echo "status: one of all, cells, sweep, contrast, identify, readings and demo at a time, not '$goal'" >&2
+    echo "status: one of all, cells, sweep, contrast, identify and readings at a time, not '$goal'" >&2
     exit 2
     ;;
 esac

@@ -104,4 +104,17 @@ void require_classification(const artefact::Reader& reader) {
   reader.require_all(path, values, {.low = 0, .high = 1});
 }
 
+std::vector<Named> read_named(const artefact::Reader& reader) {
+  require_classification(reader);
+  const signal::DatasetInfo info = signal::read_dataset_info(reader);
+  const std::vector<std::string> names = reader.strings("/recordings/name");
+  const auto labels = reader.numbers<Label>("/recordings/label", {names.size()}).values;
+  const auto unknown = reader.numbers<std::int32_t>("/recordings/unknown", {names.size()}).values;
+  std::vector<Named> named;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    named.push_back({names[i], unknown[i] == 1 ? "unknown" : info.class_of(labels[i]).name});
+  }
+  return named;
+}
+
 }  // namespace piae::classification

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "artefact/reader.hpp"
@@ -18,5 +19,14 @@ void write(artefact::Writer& writer, const std::vector<Verdict>& verdicts,
 
 /// Throws artefact::Refusal for what write() cannot have written.
 void require_classification(const artefact::Reader& reader);
+
+/// What classification.h5 says about a recording.
+struct Named {
+  std::string recording;
+  std::string fault;  ///< name of the class, or "unknown"
+};
+
+/// Returns an entry for each recording. Throws as require_classification() does.
+std::vector<Named> read_named(const artefact::Reader& reader);
 
 }  // namespace piae::classification

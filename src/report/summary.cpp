@@ -3,7 +3,6 @@
 #include <spdlog/fmt/fmt.h>
 
 #include <algorithm>
-#include <sstream>
 
 #include "augment/catalogue.hpp"
 #include "report/classifier_rows.hpp"
@@ -13,6 +12,7 @@
 #include "report/recommendation_words.hpp"
 #include "report/verdict.hpp"
 #include "text/table.hpp"
+#include "text/wrap.hpp"
 
 namespace piae::report {
 
@@ -21,19 +21,7 @@ namespace {
 constexpr std::size_t widest_paragraph = 80;
 
 std::string wrapped_at_80(const std::string& paragraph) {
-  std::istringstream words(paragraph);
-  std::string text;
-  std::size_t column = 0;
-  for (std::string word; words >> word;) {
-    if (column > 0 && column + 1 + word.size() > widest_paragraph) {
-      text += '\n';
-      column = 0;
-    }
-    if (column > 0) text += ' ';
-    text += word;
-    column += (column > 0 ? 1 : 0) + word.size();
-  }
-  return text + '\n';
+  return text::wrap(paragraph, widest_paragraph);
 }
 
 text::Table accuracy_table(const ClassifierRows& block) {

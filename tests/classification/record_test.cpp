@@ -59,6 +59,14 @@ TEST_F(ClassificationRecord, HoldsEachRecordingAndEachWindow) {
   EXPECT_NEAR(reader().numbers<float>("/windows/probabilities", {6, 3}).values[1], 0.8, 1e-6);
 }
 
+TEST_F(ClassificationRecord, SaysWhatEachRecordingIsNamed) {
+  const std::vector<Named> named = read_named(reader());
+  ASSERT_EQ(named.size(), 2U);
+  EXPECT_EQ(named[0].recording, "a.csv");
+  EXPECT_EQ(named[0].fault, classifier_of_toys().info().classes[1].name);
+  EXPECT_EQ(named[1].fault, "unknown");
+}
+
 TEST_F(ClassificationRecord, RefusesWhatNoStageWrites) {
   expect_refused<Label>("/recordings/label", 3);
   expect_refused<Label>("/windows/label", -1);

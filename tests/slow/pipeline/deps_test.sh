@@ -103,9 +103,9 @@ test_goals_ask_for_what_they_need() {
   expect_equal "$(asked deps)" "deps on programs tests benches figures"
   mkdir -p build/demo/bin
   ln -s "$programs/settings" build/demo/bin
-  expect_equal "$(asked demo)" "deps off demo,build native off demo"
+  expect_equal "$(asked demo)" "deps off demo figures,build native off demo"
   touch build/bin/{train,train-libtorch} # the demo has its own
-  expect_equal "$(asked demo)" "deps off demo,build native off demo"
+  expect_equal "$(asked demo)" "deps off demo figures,build native off demo"
 }
 
 test_a_failed_install_fails() {

@@ -201,15 +201,6 @@ test_a_single_artefact_is_a_goal() {
   expect_equal "$(ran)" "1 ingest, 1 split, 1 train"
 }
 
-test_demo_is_a_small_grid_of_its_own() {
-  describe
-  mv pipeline/datasets/made.toml pipeline/datasets/simulated-small.toml
-  local output
-  output=$(make --silent demo BIN=fake 2>&1)
-  expect_equal "$(ran)" "12 diagnose, 8 generate, 6 score, 1 simulate, 2 split, 1 tabulate, 8 train"
-  expect_line "$(tail -n 1 <<<"$output")" "results/demo/simulated-small/"
-}
-
 test_the_papers_methods_those_recommended_and_all_ratios_run_where_none_are_given() {
   describe
   make --silent all BIN=fake RUN=t DATASETS=real SEEDS=0 >/dev/null

@@ -1,0 +1,40 @@
+# `make demo`: three questions about a simulated machine, each a small grid in results/demo/.
+#
+#   three grids -> tables, figures, report.html
+#   the rule of the third grid, a recording that it has not seen -> recording.svg
+#   all of them -> the answers
+#
+# Three seeds are enough because the margins are wide, so the words of the answers are the same on any processor.
+
+SHELL := /bin/bash
+MAKEFLAGS += --no-builtin-rules --no-print-directory
+Q := $(if $(V),,@)
+
+slower    := simulated-small-slower
+no_fault  := simulated-small-types-zero
+rule      := $(results)/$(no_fault)/seed0/none/100to1/exclusion-rule/classifier.h5
+recording := $(results)/recording
+grid       = $(Q)+$(MAKE) $(if $(V),,--silent) --file=pipeline/grid.mk cells_given=
+
+.PHONY: demo no_fault same_speed other_speed
+demo: $(recording).svg same_speed other_speed
+	$(grid) report DATASETS=simulated-small
+	$(Q)$(BIN)/demo_answers --run $(results) --same-speed simulated-small --other-speed $(slower) \
+	  --no-fault $(no_fault) --diagnosis $(recording).h5 --true-class outer
+	@printf '%s\n' '' 'Open $(results)/report.html    tables and figures' \
+	  '     $(recording).svg  the diagnosis of recording.txt'
+
+no_fault:
+	$(grid) tables $(rule) DATASETS=$(no_fault) METHODS=none CLASSIFIERS=exclusion-rule SEEDS=0
+same_speed:
+	$(grid) tables DATASETS=simulated-small METHODS='none piae-dt shift'
+other_speed:
+	$(grid) tables DATASETS=$(slower) METHODS='none shift strike-twin' CLASSIFIERS=wdcnn-spectra
+
+# 4 s of a machine with a damaged outer race, one number a line.
+$(recording).txt: pipeline/datasets/$(no_fault).toml
+	$(Q)mkdir -p $(@D) && set -o pipefail && $(BIN)/simulate --description $< --stream outer --duration-s 4 --output - | \
+	  od --address-radix=n --output-duplicates --format=f4 --width=4 >$@.part && mv $@.part $@
+$(recording).svg: $(recording).txt no_fault
+	$(Q)$(BIN)/classify --classifier $(rule) --recording $< --variable 1 --sample-rate-hz 12000 --speed-rpm 1797 \
+	  --output $(recording).h5 --picture $@ >$(recording).log
