@@ -152,4 +152,4 @@ test_windows_that_could_not_be_made_are_asked_for_once() {
 }
 
 slurm_up
-run_tests
+run_tests "$@"

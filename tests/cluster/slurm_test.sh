@@ -53,4 +53,4 @@ test_goes_on_after_slurmctld_was_killed() {
 }
 
 slurm_up
-run_tests
+run_tests "$@"
