@@ -63,12 +63,13 @@ test_scancel() {
   expect_goes_on
 }
 
-# A minute is the least that Slurm allows; meanwhile the stage stands still.
+# The stage stands still until Slurm signals it.
 test_time_limit() {
   nearly_done
   start_make --time=1
   wait_until_it_trains
   kill -STOP "$(running "$programs/train" | head -n 1)"
+  end_time "$(squeue --noheader --format=%i --name=train)"
   expect_failed
   expect_checkpoint
   expect_goes_on
@@ -81,14 +82,14 @@ test_a_lost_node_is_no_success() {
   # (As old as it was: copied now, it can have the very time of what is touched next.)
   cp --preserve=timestamps "$alone/$model" "$model"
   touch results/tiny/tiny/seed0/D.h5
-  start_make ''
+  CHECKPOINT_WITHIN=1 start_make ''
   wait_until_it_trains
   # On a loaded machine it would else be done before its node is.
   kill -STOP "$(running "$programs/train" | head -n 1)"
   local node words='(was its node lost|137)'
   (($(slurm_release) < 23)) || words='exit code 1 '
   node=$(squeue --noheader --format=%N --name=train)
-  kill_node "$node"
+  lose_node "$node"
   expect_failed
   expect_line "$(<messages)" "seed0/piae-dt .* failed .*$words"
   start_node "$node"
