@@ -34,6 +34,8 @@ changed_since() { # time, option, its value
 identity() { stat --format='%i %y' "$1" 2>/dev/null; }
 note_what_is_there() {
   was=()
+  checkpoint_was=
+  [[ ! -e ${makes[0]:-}.checkpoint ]] || checkpoint_was=$(identity "${makes[0]}.checkpoint")
   local i
   for i in "${!makes[@]}"; do
     was[i]=
@@ -62,5 +64,18 @@ made_anew() {
   until all_are_new; do
     [[ $SUBMIT ]] && ((tries++ < 60)) && grep -q '^step: used ' "$log" || return
     sleep 1
+  done
+}
+
+# True if the stage was interrupted and has left a checkpoint. Waits for it where the stage may still be running:
+# a stage that has ended by itself has reported what it used. Of a step that was not told to stop, only a
+# checkpoint written from now on counts; an earlier one does not tell a lost node from an interrupted stage.
+left_checkpoint() {
+  local checkpoint tries=0
+  ((${#makes[@]})) && ! all_are_new || return
+  [[ $stopped ]] || checkpoint_was=$(identity "${makes[0]}.checkpoint")
+  until checkpoint=$(identity "${makes[0]}.checkpoint") && [[ $checkpoint != "$checkpoint_was" ]]; do
+    ((tries++ < 5 * ${CHECKPOINT_WITHIN:-30})) && ! grep -q '^step: used ' "$log" && ! all_are_new || return
+    sleep 0.2
   done
 }

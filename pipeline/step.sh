@@ -16,7 +16,8 @@
 # The FILEs are what the stage makes, beside that which its --output says.
 # From the environment: BIN (folder of the programs), SUBMIT (a command to put before the stage),
 # ASKED_AT (when make began to look what is to be done; may be missing), STEP_LOG (what the log is called
-# where the stage has another step in the same folder; otherwise as the stage).
+# where the stage has another step in the same folder; otherwise as the stage), CHECKPOINT_WITHIN (how many seconds
+# to wait for the checkpoint of a stage whose launcher has given up; 30, as long as Slurm waits before it kills).
 set -u
 export LC_ALL=C    # numbers and times with a point
 export PIAE_STEP=1 # the stage says on standard error that it has started, and what it used
@@ -127,6 +128,7 @@ while ((signalled)); do
   wait "$child"
   status=$?
 done
+trap 'stopped=yes' INT TERM HUP QUIT # the child has ended: another process may have its id
 wait "$reader"
 now
 elapsed=$((now - submitted))
@@ -149,6 +151,12 @@ summary=${summary:-$last}
 summary=${summary#"$stage: "}
 summary=${summary%%": $folder/"*}
 summary=${summary#*: }
+
+# srun gives up a few seconds after a requeue of its job. Then it returns 0 or 1, although the stage may still be
+# writing its checkpoint, or has ended with 75 already. So the checkpoint decides, and not how srun ended.
+if [[ $SUBMIT ]] && has_started && { ((status == 0)) || [[ $stopped ]]; } && ((status != 75)) && left_checkpoint; then
+  status=75
+fi
 
 # That a step is done, its files say: srun of Slurm 22 returns 0 when its node is lost.
 why=

@@ -305,6 +305,62 @@ STAGE
   done
 }
 
+# A launcher that ends when it is signalled, as srun does some seconds after its job was requeued: it does not
+# wait for its stage, passes on no more of what the stage prints, and does not know the stage's exit code.
+launcher_that_gives_up() { # its exit code
+  cat >launcher <<LAUNCHER
+#!/bin/bash
+"\$@" >/dev/null 2>printed &
+child=\$!
+until grep -qs started printed; do sleep 0.05; done
+cat printed >&2
+touch started
+trap 'kill -USR1 \$child; exit $1' USR1
+while :; do sleep 0.05; done
+LAUNCHER
+  chmod +x launcher
+}
+stop_step_of_launcher() { # the exit code that is wanted
+  local model=results/t/real/seed0/model.h5
+  rm -f started
+  SUBMIT=./launcher pipeline/step.sh results/t/real/seed0 own --output $model >/dev/null 2>messages &
+  wait_for started
+  until grep -qs '^step: waited\|^step: started' results/t/real/seed0/own.log; do sleep 0.05; done
+  kill -TERM $!
+  expect_exit "$1" wait $!
+  expect_line "$(tail -n 1 results/t/real/seed0/own.log)" "^step: exit $1 after"
+}
+
+test_a_stage_is_waited_for_when_its_launcher_gives_up() {
+  own_stage <<'STAGE'
+trap 'sleep 1; echo saved >results/t/real/seed0/model.h5.checkpoint; exit 75' USR1
+echo "step: started" >&2
+while :; do sleep 0.05; done
+STAGE
+  local code
+  for code in 0 1 137; do
+    rm -f results/t/real/seed0/model.h5.checkpoint
+    launcher_that_gives_up $code
+    stop_step_of_launcher 75
+    expect_equal "$(<results/t/real/seed0/model.h5.checkpoint)" saved
+    expect_line "$(<messages)" 'interrupted after a checkpoint; the same command goes on'
+  done
+}
+
+# A checkpoint of an earlier life tells nothing of this one.
+test_a_stage_that_is_killed_before_its_checkpoint_has_not_been_interrupted() {
+  mkdir -p results/t/real/seed0
+  echo old >results/t/real/seed0/model.h5.checkpoint
+  # shellcheck disable=SC2016
+  own_stage <<'STAGE'
+trap 'kill -KILL $$' USR1
+echo "step: started" >&2
+while :; do sleep 0.05; done
+STAGE
+  launcher_that_gives_up 137
+  CHECKPOINT_WITHIN=1 stop_step_of_launcher 143
+}
+
 test_a_step_in_a_queue_is_stopped_at_once() {
   queue
   touch busy
@@ -360,4 +416,4 @@ test_a_log_that_is_a_pipe_is_not_waited_for() {
     'failed: cannot write results/t/real/seed0/own.log'
 }
 
-run_tests
+run_tests "$@"

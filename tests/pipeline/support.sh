@@ -116,11 +116,14 @@ enter() { # folder
   stand_ins
 }
 
-run_tests() {
-  local test failures=0 code skipped_because
+# All tests of the script, or only those named.
+run_tests() { # names
+  local test tests=("$@") failures=0 code began skipped_because
   skipped_because=$(mktemp)
-  for test in $(declare -F | awk '$3 ~ /^test_/ { print $3 }'); do
+  (($#)) || mapfile -t tests < <(declare -F | awk '$3 ~ /^test_/ { print $3 }')
+  for test in "${tests[@]}"; do
     local folder
+    began=$SECONDS
     folder=$(mktemp -d)
     ( # not in the condition itself, where bash would let `set -e` pass
       set -e
@@ -129,7 +132,7 @@ run_tests() {
     )
     code=$?
     case $code in
-      0) echo "passed: $test" ;;
+      0) echo "passed: $test ($((SECONDS - began)) s)" ;;
       77) echo "skipped: $test" ;;
       *)
         echo "FAILED: $test" >&2

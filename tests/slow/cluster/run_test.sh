@@ -113,7 +113,7 @@ test_who_cannot_ask_slurm_stops_nothing_and_says_so() {
 
 test_a_new_split_is_planned_with_all_that_comes_of_it() {
   small_grid 2
-  alone cells
+  alone all
   mv results/alone results/t
   sed -i 's/^windows-per-class = .*/windows-per-class = 350/' pipeline/protocol.toml
   expect_line "$(cluster cluster-plan)" '^cells +1 +2 .* 23 '
@@ -152,4 +152,4 @@ test_windows_that_could_not_be_made_are_asked_for_once() {
 }
 
 slurm_up
-run_tests
+run_tests "$@"

@@ -9,6 +9,8 @@
 #   wait_for_nodes                 until all nodes are idle
 #   kill_node NODE, start_node NODE    its slurmd, its stepd and what ran on it, by SIGKILL, as when a node
 #                                  loses its power; and its slurmd anew
+#   lose_node NODE                 kill_node, and slurmctld knows it at once
+#   end_time JOB                   the time limit of a running job is over, within 30 s
 #   restart_ctld                   kill -9, and a new one that goes on from the state of the old
 #   begin_again JOB                a job that was requeued begins, without the two minutes that it would wait
 #   running PROGRAM, no_jobs       process ids of a program's file; whether the queue is empty
@@ -22,7 +24,7 @@
 # - `scancel --signal=TERM` goes to the steps; with --batch to the batch script, and with --full to both.
 # - A node that was lost is DOWN after SlurmdTimeout; its slurmd back again, ReturnToService makes it idle. Back
 #   before that, the jobs that it had run for ever (is_down NODE tells).
-# - Time limits are in minutes, and are looked at every few seconds: --time=1 ends after 60 to 70 s.
+# - Time limits are in minutes, but EndTime is not. slurmctld looks at both every 30 s.
 # - A step in an allocation waits for others unless --exact, and for memory unless --mem= says how much.
 
 slurm_nodes=(n1 n2 n3 n4)
@@ -83,7 +85,7 @@ SelectType=select/cons_tres
 SelectTypeParameters=CR_Core_Memory
 DefMemPerCPU=500
 SlurmdParameters=config_overrides
-SchedulerParameters=bf_interval=1,sched_interval=2,sched_min_interval=0
+SchedulerParameters=batch_sched_delay=0,bf_interval=1,sched_interval=1,sched_min_interval=0
 JobCompType=jobcomp/filetxt
 JobCompLoc=$folder/jobs
 AccountingStorageType=accounting_storage/none
@@ -215,10 +217,24 @@ all_idle() { [[ $(sinfo --noheader --partition=all --Format=StateLong | sort -u)
 is_down() { sinfo --noheader --nodes="$1" --format=%t | grep -q down; }
 wait_for_nodes() { until_true "all nodes are idle" all_idle; }
 
+# Until it has left its node Slurm may accept the new time, and then replace it by its own.
 begin_again() {
   sleep 2
-  until_true "job $1 has left its node" scontrol update JobId="$1" StartTime=now
+  until_true "job $1 begins again" begins_again "$1"
 }
+begins_again() {
+  [[ $(squeue --noheader --states=all --format=%T --jobs="$1") != @(PENDING|COMPLETING) ]] ||
+    { scontrol update JobId="$1" StartTime=now && false; }
+}
+
+# As if slurmctld had waited for it in vain (SlurmdTimeout).
+lose_node() { # node
+  kill_node "$1"
+  scontrol update NodeName="$1" State=DOWN Reason=lost
+}
+
+# Lets the time limit of a running job be over. slurmctld looks at the limits twice a minute.
+end_time() { scontrol update JobId="$1" EndTime=now+1; }
 
 no_jobs() { [[ ! $(squeue --noheader) ]]; }
 

@@ -39,7 +39,7 @@ lose_a_node() {
   srun --quiet --nodes=1 --ntasks=1 --nodelist=n2 sleep 60 &
   wait_for_job RUNNING
   sleep 1
-  kill_node n2
+  lose_node n2
   wait $!
 }
 
@@ -53,4 +53,4 @@ test_goes_on_after_slurmctld_was_killed() {
 }
 
 slurm_up
-run_tests
+run_tests "$@"

@@ -86,4 +86,4 @@ test_tables_that_take_too_long_are_stopped_at_once() {
 has_begun_twice() { (($(lives cells.0.log) == 2)); }
 
 slurm_up
-run_tests
+run_tests "$@"
