@@ -105,7 +105,7 @@ TEST_F(Export, IsReadByTheReaderOfRecordings) {
 
 TEST_F(Export, IsReadByNumPyAndSciPy) {
   const std::string python = python_with("numpy, scipy.io.wavfile");
-  if (python.empty()) GTEST_SKIP() << "no python3 with numpy and scipy (make test-deps)";
+  if (python.empty()) GTEST_SKIP() << "no python3 with numpy and scipy (make test-all)";
   export_all();
   tiny.write("read.py", R"(
 import csv, warnings
@@ -142,7 +142,7 @@ assert np.array_equal(samples, expected)
 
 TEST_F(Export, IsReadByOctave) {
   if (!shell_succeeds("octave-cli --version > /dev/null 2>&1")) {
-    GTEST_SKIP() << "Octave is not installed (make test-deps)";
+    GTEST_SKIP() << "Octave is not installed (make test-all)";
   }
   export_all();
   tiny.write("read.m", R"(

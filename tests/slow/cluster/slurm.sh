@@ -48,7 +48,7 @@ if [[ -z ${IN_SLURM_NAMESPACE:-} ]]; then
   PATH=$PATH:/usr/sbin:/sbin
   for program in "${slurm_programs[@]}"; do
     command -v "$program" >/dev/null ||
-      cannot_run_slurm "$program is not installed; \`make test-deps\` installs it"
+      cannot_run_slurm "$program is not installed; \`make test-all\` installs it"
   done
   (($(slurm_release) >= 23)) || [[ $(ls -A /sys/fs/cgroup 2>/dev/null) ]] ||
     cannot_run_slurm "Slurm 22 wants control groups, and nothing is mounted at /sys/fs/cgroup"

@@ -1,7 +1,7 @@
 #!/bin/bash
 # Installing packages, with stand-ins for dpkg-query, apt-get and sudo that write down their calls.
 # shellcheck source-path=SCRIPTDIR disable=SC2016
-source "${0%/*}/../../pipeline/support.sh"
+source "${0%/*}/support.sh"
 
 command_that() { # name, body
   printf '#!/bin/bash\n%s\n' "$2" >"path/$1"
@@ -78,6 +78,9 @@ test_what_is_not_asked_for_needs_no_packages() {
   all_but dpkg-dev file
   expect_equal "$(deps_as 0 off programs tests)" ""
   expect_equal "$(deps_as 0 off programs package)" "deps: installing dpkg-dev file"
+  all_but gnuplot-nox qpdf fonts-dejavu-core
+  expect_equal "$(deps_as 0 off programs)" ""
+  expect_equal "$(deps_as 0 off programs figures)" "deps: installing gnuplot-nox qpdf fonts-dejavu-core"
 }
 
 # Which packages make asks for, and what it has built.
@@ -93,7 +96,8 @@ test_goals_ask_for_what_they_need() {
   expect_equal "$(asked build)" "deps on programs,build native on programs"
   expect_equal "$(asked build LIBTORCH=off ARCH=x86-64-v3)" "deps off programs,build x86-64-v3 off programs"
   expect_equal "$(asked test)" "deps on programs tests,build native on programs tests"
-  expect_equal "$(asked test-deps)" "deps on programs tests readers cluster"
+  expect_equal "$(asked test-all)" \
+    "deps on programs tests readers cluster,build native on programs tests slow_tests"
   expect_equal "$(asked package ARCH=x86-64 LIBTORCH=off)" "deps off programs package,build x86-64 off package"
   mkdir cmake
   printf '#!/bin/bash\necho "cmake [$DESTDIR] $*" >>asked\n' >cmake/cmake
@@ -101,10 +105,7 @@ test_goals_ask_for_what_they_need() {
   expect_equal "$(PATH=$PWD/cmake:$PATH DESTDIR=/root asked install PREFIX=here)" \
     "deps on programs,build native on programs,cmake [/root] --install build --prefix $PWD/here --strip"
   expect_equal "$(asked deps)" "deps on programs tests benches figures"
-  mkdir -p build/demo/bin
-  ln -s "$programs/settings" build/demo/bin
-  expect_equal "$(asked demo)" "deps off demo figures,build native off demo"
-  touch build/bin/{train,train-libtorch} # the demo has its own
+  ln -s "$programs/settings" build/bin
   expect_equal "$(asked demo)" "deps off demo figures,build native off demo"
 }
 
