@@ -139,20 +139,20 @@ start_job() { # sets `job`
   kill -STOP "${trainings[@]}"
 }
 
-expect_job_goes_on() {
+expect_requeued() {
   until_true "job $job waits" in_state PENDING "$job"
   expect_checkpoint
-  begin_again "$job"
-  until_true "job $job is done" in_state COMPLETED "$job" || fail "$(<messages) $(<"$training")"
-  expect_line "$(<"$training")" 'going on from'
-  expect_same_as_alone
 }
 
 test_requeue() {
   local job
   start_job
   scontrol requeue "$job"
-  expect_job_goes_on
+  expect_requeued
+  begin_again "$job"
+  until_true "job $job is done" in_state COMPLETED "$job" || fail "$(<messages) $(<"$training")"
+  expect_line "$(<"$training")" 'going on from'
+  expect_same_as_alone
 }
 
 # srun hears of the requeue from slurmctld and gives up after KillWait and two more seconds. Where the node is too
@@ -165,7 +165,8 @@ test_requeue_on_a_busy_node() {
   scontrol requeue "$job"
   until_true "srun has given up" grep -q 'Timed out waiting for job step' "$training"
   kill -CONT "$slurmd"
-  expect_job_goes_on
+  expect_requeued
+  scancel "$job"
 }
 
 slurm_up
