@@ -13,6 +13,7 @@
 #   end_time JOB                   the time limit of a running job is over, within 30 s
 #   restart_ctld                   kill -9, and a new one that goes on from the state of the old
 #   begin_again JOB                a job that was requeued begins, without the two minutes that it would wait
+#   slurmd_of NODE                 process id of its slurmd
 #   running PROGRAM, no_jobs       process ids of a program's file; whether the queue is empty
 #   until_true WHAT COMMAND...     waits up to two minutes, and says what for if it was in vain
 #
@@ -179,6 +180,13 @@ running() { # its file
   local process
   for process in $(in_namespace | sort -n); do
     [[ ! "/proc/$process/exe" -ef $1 ]] || echo "$process"
+  done
+}
+
+slurmd_of() { # node
+  local process
+  for process in $(running "$(command -v slurmd)"); do
+    ! readlink "/proc/$process"/fd/* 2>/dev/null | grep -qxF "$slurm_folder/slurmd-$1.log" || echo "$process"
   done
 }
 

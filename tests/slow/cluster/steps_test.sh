@@ -124,11 +124,12 @@ test_a_step_in_the_queue_is_stopped_at_once() {
 
 both_train() { is_training && grep -qsE '^step: (started|waited)' "${training/seed0/seed1}"; }
 
-# A batch job whose steps run inside its allocation, side by side.
+# A batch job whose steps run inside its allocation, side by side. A script that does not exec make ends at the
+# signal, and then Slurm kills its steps.
 start_job() { # sets `job`
   nearly_done
   rm -r results/tiny/tiny/seed1/piae-dt
-  { printf '#!/bin/bash\n' && printf '%q ' "${tiny[@]}" -j2 tables "SUBMIT=$one_job_a_step --exact"; } >job
+  { printf '#!/bin/bash\nexec ' && printf '%q ' "${tiny[@]}" -j2 tables "SUBMIT=$one_job_a_step --exact"; } >job
   job=$(sbatch --parsable --requeue --nodes=1 --ntasks=2 --mem=2000 --output=messages --open-mode=append job)
   until_true "both are trained" both_train
   local trainings
@@ -138,20 +139,20 @@ start_job() { # sets `job`
   kill -STOP "${trainings[@]}"
 }
 
-expect_job_goes_on() {
+expect_requeued() {
   until_true "job $job waits" in_state PENDING "$job"
   expect_checkpoint
-  begin_again "$job"
-  until_true "job $job is done" in_state COMPLETED "$job"
-  expect_line "$(<"$training")" 'going on from'
-  expect_same_as_alone
 }
 
 test_requeue() {
   local job
   start_job
   scontrol requeue "$job"
-  expect_job_goes_on
+  expect_requeued
+  begin_again "$job"
+  until_true "job $job is done" in_state COMPLETED "$job" || fail "$(<messages) $(<"$training")"
+  expect_line "$(<"$training")" 'going on from'
+  expect_same_as_alone
 }
 
 # srun hears of the requeue from slurmctld and gives up after KillWait and two more seconds. Where the node is too
@@ -159,12 +160,13 @@ test_requeue() {
 test_requeue_on_a_busy_node() {
   local job slurmd
   start_job
-  slurmd=$(running "$(command -v slurmd)" | head -n 1) # n1's, as it was started first
+  slurmd=$(slurmd_of "$(squeue --noheader --format=%N --jobs="$job")")
   kill -STOP "$slurmd"
   scontrol requeue "$job"
   until_true "srun has given up" grep -q 'Timed out waiting for job step' "$training"
   kill -CONT "$slurmd"
-  expect_job_goes_on
+  expect_requeued
+  scancel "$job"
 }
 
 slurm_up
