@@ -83,7 +83,8 @@ void require_a_record_for_each_class(const artefact::Reader& reader, const Recor
   }
   for (const Label label : recordings.info.labels()) {
     if (!seen[index_of(label)]) {
-      reader.refuse(records_group, "has no record of class " + recordings.info.class_of(label).name);
+      reader.refuse(records_group,
+                    "has no record of class " + recordings.info.class_of(label).name);
     }
   }
 }

@@ -12,6 +12,7 @@
 #include <sstream>
 
 #include "artefact/file.hpp"
+#include "artefact/hdf5.hpp"
 #include "artefact/reader.hpp"
 #include "artefact/writer.hpp"
 #include "base/random.hpp"
@@ -165,6 +166,19 @@ TEST_F(Artefact, AWrongChecksumIsRefusedThoughTheValuesAreRight) {
   EXPECT_THAT(refusal.what(), HasSubstr("/float: its checksum"));
 }
 
+/// What made an artefact is as protected as what it holds.
+TEST_F(Artefact, AlteredProvenanceIsRefused) {
+  const fs::path altered = example("altered.h5");
+  {
+    const hdf5::Handle file(H5Fopen(altered.c_str(), H5F_ACC_RDWR, H5P_DEFAULT), "open");
+    hdf5::check(H5Adelete_by_name(file, "/provenance", "program", H5P_DEFAULT), "program");
+    hdf5::write_attribute(file, "/provenance", "program", std::string("forger"));
+  }
+  const Refusal refusal = refusal_of(altered);
+  EXPECT_EQ(refusal.reason(), RefusalReason::damaged);
+  EXPECT_THAT(refusal.what(), HasSubstr("the digest of /provenance does not match"));
+}
+
 TEST_F(Artefact, ATruncatedFileIsRefused) {
   const std::vector<std::byte> bytes = slurp(example("good.h5"));
   for (const std::size_t keep :
@@ -217,11 +231,13 @@ TEST_F(Artefact, ManyAreReadAsEachAlone) {
   Writer("another").save(files[515], {"tester", "", {}});
   Readers readers(files, "example");
   std::vector<RefusalReason> reasons;
+  std::size_t read = 0;
   for (const fs::path& file : files) {
     try {
       const Reader reader = readers.next();
-      const Reader alone(file, "example");
       EXPECT_EQ(reader.path(), file);
+      if (++read % 20 != 1) continue;  // reading one alone takes a process
+      const Reader alone(file, "example");
       EXPECT_EQ(reader.digest(), alone.digest());
       EXPECT_EQ(reader.strings("/provenance/options"), alone.strings("/provenance/options"));
     } catch (const Refusal& refusal) {

@@ -29,6 +29,18 @@ test_the_papers_grid_takes_few_submissions_and_little_more_than_is_needed() {
   expect_line "$output" '^3 submissions, which ask for [0-9.]+ core-hours at most'
 }
 
+test_the_records_ask_for_the_memory_of_the_largest() {
+  memory() { divide steps 1 1 | grep -P '^records' | cut -f 5; }
+  costs
+  printf '%s\n' ingest,large,,,,1,4000 ingest,small,,,,1,20 >>costs
+  step large ingest '' records.h5 >steps
+  local of_the_large
+  of_the_large=$(memory)
+  ((of_the_large >= 4000)) || fail "$of_the_large MB"
+  step small ingest '' records.h5 >>steps
+  expect_equal "$(memory)" "$of_the_large"
+}
+
 # A setting of a seed is a unit. Here each of two takes 50 + 1 s by the cost of piae-dt, and 10 + 1 s by that of long.
 test_what_is_tried_beside_the_methods_is_divided_by_what_the_method_costs() {
   costs
@@ -193,4 +205,4 @@ test_what_stands_beside_status_and_cluster_stop_is_not_computed() {
   expect_equal "$(make --silent cluster-stop sweep BIN=fake RUN=t)" "no job of results/t is in the queue"
 }
 
-run_tests
+run_tests "$@"

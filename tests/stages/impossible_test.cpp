@@ -115,8 +115,9 @@ class Impossible : public testing::Test {
  protected:
   void SetUp() override { tiny_.run_chain_before("score"); }
 
-  /// `arguments` have the stage read the file "bad.h5". Every case is verified in process. The stage and the program
-  /// `verify` read what the library reads, so one case of each group shows how both end.
+  /// `arguments` have the stage read the file "bad.h5". Every case is verified in process. The
+  /// stage and the program `verify` read what the library reads, so one case of each group shows
+  /// how both end.
   void expect_refused(const std::string& good, const std::vector<Case>& cases,
                       const std::string& stage, const Arguments& arguments) const {
     const fs::path bad = tiny_ / "bad.h5";

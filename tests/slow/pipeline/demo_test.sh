@@ -36,4 +36,4 @@ test_the_demo_refuses_what_it_has_of_its_own() {
   expect_line "$(demo cells || true)" 'make demo: give no other target with it'
 }
 
-run_tests
+run_tests "$@"

@@ -1,0 +1,37 @@
+#!/bin/bash
+# No compilation unit of the last build costs more than four times the median, in seconds for each file of the library in
+# it. Such a unit includes or instantiates more than it needs, and everybody who builds waits for it.
+# shellcheck source-path=SCRIPTDIR
+source "${0%/*}/common.sh"
+
+log=build/.ninja_log
+[[ -f $log ]] || skip "as nothing was built with ninja; \`make build\` does"
+
+# An object with the number of its library's files: those that a unit of several includes, or its own.
+files_of_units() {
+  local unit
+  for unit in build/CMakeFiles/piae*.dir/Unity/*.cxx; do
+    [[ ! -f $unit ]] || echo "${unit#build/}.o $(grep -c '^#include' "$unit")"
+  done
+}
+
+# Units that take no time to speak of on a slow machine are left in peace.
+awk -v at_least=8 '
+  FNR == NR { files[$1] = $2; next }
+  $4 ~ /^CMakeFiles\/piae.*\.o$/ { seconds[$4] = ($2 - $1) / 1000 }
+  END {
+    for (unit in seconds) {
+      cost[unit] = seconds[unit] / (unit in files ? files[unit] : 1)
+      sorted[++units] = cost[unit]
+    }
+    for (i = 2; i <= units; ++i)
+      for (j = i; j > 1 && sorted[j] < sorted[j - 1]; --j) { kept = sorted[j]; sorted[j] = sorted[j - 1]; sorted[j - 1] = kept }
+    median = sorted[int((units + 1) / 2)]
+    for (unit in cost) {
+      if (cost[unit] <= 4 * median || seconds[unit] < at_least) continue
+      name = unit
+      sub(/^CMakeFiles\/[^\/]*\.dir\/(Unity\/unity_)?/, "", name)
+      sub(/(_cxx\.cxx)?\.o$/, "", name)
+      printf "CMakeLists.txt:1: unit %s takes %.1f s a file, the median %.1f s; include and instantiate less in it\n", name, cost[unit], median
+    }
+  }' <(files_of_units) "$log"
