@@ -76,4 +76,14 @@ test_room_that_crashed_after_its_report_failed() {
     '1 passed, 1 failed, 0 skipped')"
 }
 
+test_the_ten_slowest_of_all_reports_are_named_slowest_first() {
+  local number
+  for number in {1..12}; do
+    printf '\t<testcase name="T%d" classname="x" time="%d.25" status="run">\n' "$number" "$number"
+  done >report.xml
+  printf '\t<testcase name="Slow" classname="x" time="100.5" status="run">\n' >other.xml
+  expect_equal "$(awk -f "$project/tests/slowest.awk" report.xml other.xml)" "the slowest tests, in seconds:
+$(printf '%8.1f  %s\n' 100.5 Slow 12.2 T12 11.2 T11 10.2 T10 9.2 T9 8.2 T8 7.2 T7 6.2 T6 5.2 T5 4.2 T4)"
+}
+
 run_tests "$@"
