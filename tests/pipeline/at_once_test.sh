@@ -78,4 +78,4 @@ test_tables_are_made_while_cells_are() {
   done
 }
 
-run_tests
+run_tests "$@"

@@ -60,4 +60,4 @@ test_a_misspelled_protocol_is_refused_before_anything_is_compared_or_stored() {
   [[ ! -e calls ]] || fail "ran: $(<calls)"
 }
 
-run_tests
+run_tests "$@"

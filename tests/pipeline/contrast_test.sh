@@ -71,4 +71,4 @@ test_makes_no_table_when_a_cell_fails() {
   [[ ! -e results/t/other/protocols.md ]] || fail "made a table with a hole"
 }
 
-run_tests
+run_tests "$@"

@@ -76,4 +76,4 @@ test_room_that_crashed_after_its_report_failed() {
     '1 passed, 1 failed, 0 skipped')"
 }
 
-run_tests
+run_tests "$@"

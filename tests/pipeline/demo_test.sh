@@ -16,4 +16,4 @@ test_the_demo_builds_what_it_runs_and_ends_with_one_table_and_two_sentences() {
   expect_equal "$(awk 'length > 80' $summary)" ""
 }
 
-run_tests
+run_tests "$@"

@@ -116,4 +116,4 @@ test_a_failed_install_fails() {
   expect_line "$(deps_as 0 2>&1 || true)" 'E: no network'
 }
 
-run_tests
+run_tests "$@"

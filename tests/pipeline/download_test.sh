@@ -136,4 +136,4 @@ test_what_is_no_file_is_refused() {
   expect_equal "$(ls "d/real/file 1.mat")" ""
 }
 
-run_tests
+run_tests "$@"

@@ -251,4 +251,4 @@ test_a_script_that_fails_leaves_no_picture_and_is_named() {
   expect_equal "$(find $drawn -mindepth 1 -printf '%f\n')" fig07-losses.csv
 }
 
-run_tests
+run_tests "$@"

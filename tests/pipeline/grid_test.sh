@@ -224,4 +224,4 @@ test_several_goals_go_to_one_make() {
   expect_equal "$(ran)" "1 diagnose, 1 generate, 1 ingest, 1 score, 1 split, 1 train"
 }
 
-run_tests
+run_tests "$@"

@@ -111,4 +111,4 @@ test_without_recordings_the_data_set_says_so_and_no_cell_does() {
   expect_equal "$(ran)" "60 diagnose, 20 generate, 20 score, 1 simulate, 10 split, 1 tabulate, 20 train"
 }
 
-run_tests
+run_tests "$@"

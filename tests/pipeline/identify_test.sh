@@ -34,4 +34,4 @@ test_says_what_it_needs() {
   expect_line "$(identify METHODS=smote 2>&1 || true)" 'METHODS must have one of piae-dt'
 }
 
-run_tests
+run_tests "$@"

@@ -200,4 +200,4 @@ test_the_citation_names_the_software_and_the_paper() {
   expect_no_line "$(<"$project/CITATION.cff")" '^ *(doi|journal|year):'
 }
 
-run_tests
+run_tests "$@"

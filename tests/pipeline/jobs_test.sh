@@ -193,4 +193,4 @@ test_what_stands_beside_status_and_cluster_stop_is_not_computed() {
   expect_equal "$(make --silent cluster-stop sweep BIN=fake RUN=t)" "no job of results/t is in the queue"
 }
 
-run_tests
+run_tests "$@"

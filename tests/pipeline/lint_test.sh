@@ -121,4 +121,4 @@ test_an_unknown_rule_is_refused() {
   expect_exit 2 pipeline/lint.sh spelling
 }
 
-run_tests
+run_tests "$@"

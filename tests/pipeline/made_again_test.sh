@@ -158,4 +158,4 @@ test_settings_of_the_same_values_in_other_words_change_nothing() {
   expect_equal "$(ran)" "8 diagnose, 4 generate, 4 score, 2 tabulate, 4 train"
 }
 
-run_tests
+run_tests "$@"

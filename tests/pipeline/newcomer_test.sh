@@ -167,4 +167,4 @@ test_a_defect_of_unknown_size() {
   expect_line "$(<messages)" 'C.h5: piae-dt needs defect_size_mm of class inner-1, .*; methods that do without: smote, '
 }
 
-run_tests
+run_tests "$@"

@@ -117,4 +117,4 @@ test_status_counts_the_cells_that_there_are() {
   expect_line "$(grid status DATASETS=zero 2>/dev/null)" "^all +3 +3 "
 }
 
-run_tests
+run_tests "$@"

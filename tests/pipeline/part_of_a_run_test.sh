@@ -140,4 +140,4 @@ test_seeds_that_are_only_begun_are_nothing_to_the_tables() {
   expect_line "$(<results/t/real/accuracy.csv)" "--seeds 0 --classifiers wdcnn --published"
 }
 
-run_tests
+run_tests "$@"

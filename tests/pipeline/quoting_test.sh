@@ -60,4 +60,4 @@ test_no_other_value_is_executed() {
   done
 }
 
-run_tests
+run_tests "$@"

@@ -97,4 +97,4 @@ test_no_reading_is_refused() {
   expect_line "$(readings 2>&1)" '\[readings\] of pipeline/protocol.toml names none'
 }
 
-run_tests
+run_tests "$@"

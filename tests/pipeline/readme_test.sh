@@ -37,4 +37,4 @@ test_the_shown_descriptions_have_the_keys_that_ingest_knows() {
   expect_exit 66 "$programs/ingest" --check --description rig-1200to900.toml --data-dir .
 }
 
-run_tests
+run_tests "$@"

@@ -128,4 +128,4 @@ store() {
   test_store
 }
 
-if [[ ${1:-} == store ]]; then store; else run_tests; fi
+if [[ ${1:-} == store ]]; then store; else run_tests "$@"; fi

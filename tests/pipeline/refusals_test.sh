@@ -107,4 +107,4 @@ test_libtorch_is_on_or_off() {
   expect_line "$(grid LIBTORCH=no 2>&1 || true)" "LIBTORCH: on or off, not 'no'"
 }
 
-run_tests
+run_tests "$@"

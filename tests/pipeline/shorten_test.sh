@@ -56,4 +56,4 @@ test_empty_groups_are_left_out_and_all_else_stays() {
 </g>'
 }
 
-run_tests
+run_tests "$@"

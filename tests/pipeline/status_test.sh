@@ -423,4 +423,4 @@ test_a_job_without_an_end_was_killed_only_when_slurm_says_that_it_is_gone() {
   expect_line "$(status)" '^  cells.0: out of memory \(log: '
 }
 
-run_tests
+run_tests "$@"

@@ -222,4 +222,4 @@ test_another_classifier_judges_anew() {
   [[ -e results/t/real/seed0/sweep@strike-twin/edges-known/1to1/diagnosis.h5 ]] || fail "no diagnosis by wdcnn"
 }
 
-run_tests
+run_tests "$@"

@@ -117,4 +117,4 @@ test_status_and_a_cluster_do_not_know_it() {
   expect_line "$(make --silent status BIN=fake RUN=t DATASETS="a b c" METHODS="none smote" RATIOS="100to1 1to1" SEEDS="0 1" 2>&1)" '.'
 }
 
-run_tests
+run_tests "$@"

@@ -92,4 +92,4 @@ test_a_classifier_that_fails_leaves_no_table() {
   [[ ! -e $here/seed1/smote/10to1/classifier.h5 ]] || fail "there is a classifier"
 }
 
-run_tests
+run_tests "$@"
