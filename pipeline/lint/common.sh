@@ -63,7 +63,7 @@ configure() {
   mkdir -p $configured
   exec 9>$configured/.lock
   flock 9
-  local options=(-S . -B "$configured" -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON) benches
+  local options=(-S . -B "$configured" -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON -DPIAE_UNITS=OFF) benches
   for has_libtorch in yes ''; do
     for benches in yes ''; do
       cmake "${options[@]}" "-DPIAE_LIBTORCH=${has_libtorch:-OFF}" "-DPIAE_BENCH=${benches:-OFF}" \
