@@ -1,7 +1,7 @@
 #!/bin/bash
 # Runs the tests that were built, and ends with the ten slowest, what was left out, and a line that counts.
 # usage: DATA_DIR=... tests/run.sh quick|all      from the project's folder
-# A quick test may take two minutes and a slow one 15; PIAE_TEST_PATIENCE=N multiplies both, for slow machines.
+# A quick test may take five minutes and a slow one 30; PIAE_TEST_PATIENCE=N multiplies both, for slow machines.
 set -uo pipefail
 
 case ${1:-} in
@@ -12,7 +12,7 @@ case ${1:-} in
     exit 2
     ;;
 esac
-declare -A seconds=([quick]=120 [slow]=900)
+declare -A seconds=([quick]=300 [slow]=1800)
 
 # Tests on real recordings look for them here, and skip themselves when it is not set.
 if [[ -d ${DATA_DIR:-} ]]; then
