@@ -6,6 +6,7 @@
 #include "libtorch/nets/torch.hpp"
 #include "libtorch/twin/losses.hpp"
 #include "libtorch/twin/networks.hpp"
+#include "libtorch/twin/random_tensor.hpp"
 #include "twin/recurrent_coder.hpp"
 
 namespace piae::libtorch {
@@ -14,12 +15,6 @@ namespace {
 using testing::HasSubstr;
 
 constexpr std::int64_t windows = 3;
-
-torch::Tensor random_tensor(Stream& stream, std::int64_t rows, std::int64_t columns) {
-  std::vector<double> values;
-  for (std::int64_t i = 0; i < rows * columns; ++i) values.push_back(stream.normal(0, 1));
-  return torch::tensor(values, torch::kFloat64).view({rows, columns});
-}
 
 torch::Tensor labels() {
   return torch::one_hot(torch::tensor({0, 1, 1}, torch::kInt64), 2).to(torch::kFloat64);

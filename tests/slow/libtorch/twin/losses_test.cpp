@@ -8,6 +8,7 @@
 
 #include "base/random.hpp"
 #include "libtorch/nets/torch.hpp"
+#include "libtorch/twin/random_tensor.hpp"
 #include "twin/example_physics.hpp"
 
 namespace piae::libtorch {
@@ -16,12 +17,6 @@ namespace {
 using twin::example_physics;
 
 const twin::Stencil central = twin::stencil_of(twin::Derivatives::central);
-
-torch::Tensor random_tensor(Stream& stream, std::int64_t rows, std::int64_t columns) {
-  std::vector<double> values;
-  for (std::int64_t i = 0; i < rows * columns; ++i) values.push_back(stream.normal(0, 1));
-  return torch::tensor(values, torch::kFloat64).view({rows, columns});
-}
 
 /// Largest difference between autograd and central differences, relative to the largest gradient.
 double gradient_error(const std::function<torch::Tensor(const torch::Tensor&)>& loss,
