@@ -1,6 +1,7 @@
 #!/bin/bash
-# No compilation unit of the last build costs more than four times the median, in seconds for each file of the library in
-# it. Such a unit includes or instantiates more than it needs, and everybody who builds waits for it.
+# Names the compilation units of the last build that cost more than four times the median, in seconds for each file of the
+# library in them. Such a unit may include or instantiate more than it needs, and everybody who builds waits for it. These
+# are notes, not findings, because a time depends on what else the machine did.
 # shellcheck source-path=SCRIPTDIR
 source "${0%/*}/common.sh"
 
@@ -32,6 +33,6 @@ awk -v at_least=8 '
       name = unit
       sub(/^CMakeFiles\/[^\/]*\.dir\/(Unity\/unity_)?/, "", name)
       sub(/(_cxx\.cxx)?\.o$/, "", name)
-      printf "CMakeLists.txt:1: unit %s takes %.1f s a file, the median %.1f s; include and instantiate less in it\n", name, cost[unit], median
+      printf "%s takes %.1f s a file, the median %.1f s; include and instantiate less in it\n", name, cost[unit], median
     }
-  }' <(files_of_units) "$log"
+  }' <(files_of_units) "$log" | while read -r note; do say "$note"; done

@@ -34,6 +34,7 @@ std::vector<AccuracyRow> rows_of_cells(const std::vector<run::Diagnosis>& cells)
     }
   }
   std::vector<AccuracyRow> rows;
+  rows.reserve(groups.size());
   for (const auto& group : groups) rows.push_back(accuracy_row("", group));
   return rows;
 }
@@ -92,7 +93,7 @@ std::string what_helps(const Compared& cells) {
 }
 
 std::string answer_at_the_same_speed(const Compared& cells) {
-  const std::string answer = what_helps(cells) + '.';
+  std::string answer = what_helps(cells) + '.';
   if (!cells.nearest) return answer;
   const bool no_need =
       cells.nearest->summary.mean >= cells.methods.front().summary.mean - points_of_no_need;
