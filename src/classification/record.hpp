@@ -20,7 +20,7 @@ void write(artefact::Writer& writer, const std::vector<Verdict>& verdicts,
 /// Throws artefact::Refusal for what write() cannot have written.
 void require_classification(const artefact::Reader& reader);
 
-/// What classification.h5 says about a recording.
+/// The verdict on one recording in classification.h5.
 struct Named {
   std::string recording;
   std::string fault;  ///< name of the class, or "unknown"

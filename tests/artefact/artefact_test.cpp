@@ -138,7 +138,7 @@ TEST_F(Artefact, NoFlippedByteIsSilentlyUsed) {
   const std::string digest = Reader(good, "").digest();
   const fs::path bad = folder_ / "bad.h5";
   std::size_t refused = 0;
-  for (std::size_t i = 0; i < bytes.size(); i += 29) {
+  for (std::size_t i = 0; i < bytes.size(); i += 7) {
     std::vector<std::byte> flipped = bytes;
     flipped[i] ^= std::byte{0x10};
     spill(bad, flipped);
@@ -151,7 +151,7 @@ TEST_F(Artefact, NoFlippedByteIsSilentlyUsed) {
       EXPECT_THAT(refusal.what(), HasSubstr("bad.h5")) << "byte " << i;
     }
   }
-  EXPECT_GT(refused, bytes.size() / 580);  // the rest is padding that holds no value
+  EXPECT_GT(refused, bytes.size() / 140);  // the rest is padding that holds no value
 }
 
 TEST_F(Artefact, AWrongChecksumIsRefusedThoughTheValuesAreRight) {
@@ -166,7 +166,7 @@ TEST_F(Artefact, AWrongChecksumIsRefusedThoughTheValuesAreRight) {
   EXPECT_THAT(refusal.what(), HasSubstr("/float: its checksum"));
 }
 
-/// What made an artefact is as protected as what it holds.
+/// The provenance is protected like the contents.
 TEST_F(Artefact, AlteredProvenanceIsRefused) {
   const fs::path altered = example("altered.h5");
   {
@@ -217,7 +217,7 @@ TEST_F(Artefact, RefusalsSayWhatAndWhere) {
 
 TEST_F(Artefact, ManyAreReadAsEachAlone) {
   std::vector<fs::path> files;
-  // More than a child reads. Links to a few, because writing one waits for the disk.
+  // More files than one child reads. Most are links, because writing a file waits for the disk.
   for (int i = 0; i < 600; ++i) {
     files.push_back(folder_ / (std::to_string(i) + ".h5"));
     if (i < 5 || i == 514) {
@@ -231,15 +231,19 @@ TEST_F(Artefact, ManyAreReadAsEachAlone) {
   Writer("another").save(files[515], {"tester", "", {}});
   Readers readers(files, "example");
   std::vector<RefusalReason> reasons;
-  std::size_t read = 0;
-  for (const fs::path& file : files) {
+  // Reading a file alone takes a process, so each linked file is read alone once.
+  std::vector<std::pair<std::string, std::vector<std::string>>> alone;
+  for (std::size_t i = 0; i < 5; ++i) {
+    const Reader reader(files[i], "example");
+    alone.emplace_back(reader.digest(), reader.strings("/provenance/options"));
+  }
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    const fs::path& file = files[i];
     try {
       const Reader reader = readers.next();
       EXPECT_EQ(reader.path(), file);
-      if (++read % 20 != 1) continue;  // reading one alone takes a process
-      const Reader alone(file, "example");
-      EXPECT_EQ(reader.digest(), alone.digest());
-      EXPECT_EQ(reader.strings("/provenance/options"), alone.strings("/provenance/options"));
+      EXPECT_EQ(reader.digest(), alone[i % 5].first);
+      EXPECT_EQ(reader.strings("/provenance/options"), alone[i % 5].second);
     } catch (const Refusal& refusal) {
       EXPECT_EQ(refusal.what(), std::string(refusal_of(file).what()));
       EXPECT_EQ(refusal.reason(), refusal_of(file).reason());
