@@ -10,7 +10,7 @@ set -euo pipefail
 libtorch=$1
 shift
 packages=(
-  g++ make cmake ninja-build pkgconf git              # to build; git also names the commit in artefacts
+  g++ make cmake ninja-build mold pkgconf git         # to build; git also names the commit in artefacts
   libeigen3-dev libhdf5-dev libmatio-dev libsoxr-dev  # linear algebra, artefacts, MATLAB files, resampling
   libcli11-dev libtomlplusplus-dev libspdlog-dev      # options, settings, log lines
   libboost-dev libboost-math-dev libssl-dev           # differential equations, statistics, sha256

@@ -4,11 +4,11 @@
 
 #include <cmath>
 #include <complex>
-#include <unsupported/Eigen/FFT>
 #include <vector>
 
 #include "base/error.hpp"
 #include "scoring/spectrum.hpp"
+#include "spectra/fft.hpp"
 
 namespace piae::diagnosis {
 
@@ -23,10 +23,8 @@ BandPowers band_powers(const signal::WindowSet& windows) {
   }
   const Index bins = length / 2;
   const Eigen::RowVectorXd taper = scoring::hann(length);
-  Eigen::FFT<double> fft;  // makes its plan once
-  fft.SetFlag(Eigen::FFT<double>::HalfSpectrum);
   std::vector<double> tapered(windows.length);
-  std::vector<std::complex<double>> spectrum;
+  std::vector<std::complex<double>> spectrum(windows.length / 2 + 1);
   Eigen::ArrayXd power(bins);
   BandPowers features(static_cast<Index>(windows.size()), number_of_bands);
   for (Index i = 0; i < features.rows(); ++i) {
@@ -35,7 +33,7 @@ BandPowers band_powers(const signal::WindowSet& windows) {
         Eigen::Map<const Eigen::RowVectorXf>(samples.data(), length).cast<double>();
     Eigen::Map<Eigen::RowVectorXd>(tapered.data(), length) =
         (window.array() - window.mean()) * taper.array();
-    fft.fwd(spectrum, tapered);
+    spectra::fft(tapered, spectrum);
     for (Index bin = 0; bin < bins; ++bin) {
       power[bin] = std::norm(spectrum[static_cast<std::size_t>(bin + 1)]);
     }

@@ -2,9 +2,9 @@
 
 #include <Eigen/Core>
 #include <complex>
-#include <unsupported/Eigen/FFT>
 
 #include "signal/amplitude.hpp"
+#include "spectra/fft.hpp"
 
 namespace piae::phase {
 
@@ -15,12 +15,12 @@ std::vector<float> autocorrelation(std::span<const float> window) {
   const Eigen::Map<const Eigen::VectorXf> values(window.data(), samples);
   // Eigen's own mean() would add in an order that depends on where the window lies in memory.
   padded.head(samples) = values.array() - static_cast<float>(signal::mean_of(window));
-  Eigen::FFT<float> fft;
-  Eigen::VectorXcf spectrum;
-  fft.fwd(spectrum, padded);
+  Eigen::VectorXcf spectrum(padded.size() / 2 + 1);
+  const std::span bins(spectrum.data(), spectrum.data() + spectrum.size());
+  spectra::fft({padded.data(), padded.data() + padded.size()}, bins);
   spectrum = spectrum.cwiseAbs2().cast<std::complex<float>>();
-  Eigen::VectorXf lags;
-  fft.inv(lags, spectrum);
+  Eigen::VectorXf lags(padded.size());
+  spectra::inverse_fft(bins, {lags.data(), lags.data() + lags.size()});
   std::vector<float> features(feature_lags);
   for (std::size_t i = 0; i < feature_lags; ++i) {
     features[i] = lags[static_cast<Eigen::Index>(i) + 1] / lags[0];

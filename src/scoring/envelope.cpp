@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "bearing/strikes.hpp"
-#include "scoring/planned_fft.hpp"
 #include "scoring/spectrum.hpp"
 #include "scoring/statistics.hpp"
+#include "spectra/fft.hpp"
 
 namespace piae::scoring {
 
@@ -73,16 +73,15 @@ double harmonic_db(const Spectrum& spectrum, int number, double line_hz) {
 }  // namespace
 
 Windows envelopes(const Windows& windows) {
-  Eigen::FFT<double>& fft = planned_fft();
   Windows result(windows.rows(), windows.cols());
   std::vector<Complex> samples(static_cast<std::size_t>(windows.cols()));
-  std::vector<Complex> spectrum;
+  std::vector<Complex> spectrum(samples.size());
   for (Index i = 0; i < windows.rows(); ++i) {
     Eigen::Map<Eigen::RowVectorXcd> row(samples.data(), windows.cols());
     row = (windows.row(i).array() - windows.row(i).mean()).cast<Complex>();
-    fft.fwd(spectrum, samples);
+    spectra::fft(samples, spectrum);
     make_analytic(spectrum);
-    fft.inv(samples, spectrum);
+    spectra::inverse_fft(spectrum, samples);
     // cwiseAbs would call hypot, which guards against overflow that cannot happen here and is
     // slower.
     result.row(i) = row.cwiseAbs2().cwiseSqrt();

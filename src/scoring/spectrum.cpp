@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "scoring/planned_fft.hpp"
+#include "spectra/fft.hpp"
 
 namespace piae::scoring {
 
@@ -39,14 +39,13 @@ Eigen::RowVectorXd hann(Index length) {
 Eigen::ArrayXd mean_power_spectrum(const Windows& windows, Index padding) {
   const Index bins = padding * windows.cols() / 2 + 1;
   const Eigen::RowVectorXd& taper = taper_of(windows.cols());
-  Eigen::FFT<double>& fft = planned_fft();
   Eigen::ArrayXd power = Eigen::ArrayXd::Zero(bins);
   std::vector<double> tapered(static_cast<std::size_t>(padding * windows.cols()));
-  std::vector<std::complex<double>> spectrum;
+  std::vector<std::complex<double>> spectrum(tapered.size() / 2 + 1);
   for (Index i = 0; i < windows.rows(); ++i) {
     Eigen::Map<Eigen::RowVectorXd>(tapered.data(), windows.cols()) =
         (windows.row(i).array() - windows.row(i).mean()) * taper.array();
-    fft.fwd(spectrum, tapered);
+    spectra::fft(tapered, spectrum);
     for (Index bin = 0; bin < bins; ++bin) {
       power[bin] += std::norm(spectrum[static_cast<std::size_t>(bin)]);
     }

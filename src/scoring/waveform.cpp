@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "scoring/planned_fft.hpp"
+#include "spectra/fft.hpp"
 
 namespace piae::scoring {
 
@@ -34,12 +34,10 @@ class BestShift {
         correlation_(static_cast<std::size_t>(length)) {}
 
   Index operator()(const double* generated, const double* real) {
-    const Index length = std::ssize(correlation_);
-    Eigen::FFT<double>& fft = planned_fft();
-    fft.fwd(spectrum_.data(), generated, length);
-    fft.fwd(reference_.data(), real, length);
+    spectra::fft({generated, correlation_.size()}, spectrum_);
+    spectra::fft({real, correlation_.size()}, reference_);
     for (std::size_t i = 0; i < spectrum_.size(); ++i) spectrum_[i] *= std::conj(reference_[i]);
-    fft.inv(correlation_.data(), spectrum_.data(), length);
+    spectra::inverse_fft(spectrum_, correlation_);
     return std::ranges::max_element(correlation_) - correlation_.begin();
   }
 

@@ -40,6 +40,8 @@ Eigen::RowVectorXd squared_envelope(const Eigen::ArrayXcd& whitened, const Eigen
   std::vector<std::complex<double>> spectrum(static_cast<std::size_t>(length));
   Eigen::Map<Eigen::ArrayXcd>(spectrum.data(), whitened.size()) = 2 * response * whitened;
   std::vector<std::complex<double>> analytic;
+  // Eigen's own: compiled here it has other last bits than spectra::inverse_fft, and stored results
+  // have these.
   Eigen::FFT<double>().inv(analytic, spectrum);
   return Eigen::Map<const Eigen::RowVectorXcd>(analytic.data(), length).cwiseAbs2();
 }

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <vector>
 
-#include "scoring/planned_fft.hpp"
+#include "spectra/fft.hpp"
 
 namespace piae::symptoms {
 
@@ -48,10 +48,8 @@ Eigen::ArrayXd smoothed(const Eigen::ArrayXd& values, Index width) {
 Eigen::ArrayXcd whitened_spectrum(const Eigen::RowVectorXd& window, double rate_hz) {
   std::vector<double> samples(static_cast<std::size_t>(window.size()));
   Eigen::Map<Eigen::RowVectorXd>(samples.data(), window.size()) = window.array() - window.mean();
-  std::vector<std::complex<double>> all;
-  scoring::planned_fft().fwd(all, samples);
-  const Eigen::ArrayXcd spectrum =
-      Eigen::Map<const Eigen::ArrayXcd>(all.data(), window.size() / 2 + 1);
+  Eigen::ArrayXcd spectrum(window.size() / 2 + 1);
+  spectra::fft(samples, {spectrum.data(), spectrum.data() + spectrum.size()});
   const auto bins = std::lround(smoothing_hz * static_cast<double>(window.size()) / rate_hz);
   const Index width = std::max<Index>(3, bins / 2 * 2 + 1);
   const Eigen::ArrayXd amplitude = smoothed(spectrum.abs2(), width).sqrt();

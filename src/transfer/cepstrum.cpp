@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <complex>
-#include <unsupported/Eigen/FFT>
-#include <vector>
+
+#include "spectra/fft.hpp"
 
 namespace piae::transfer {
 
@@ -15,24 +15,20 @@ using Eigen::Index;
 
 constexpr double fall_part = 0.3;
 
-Eigen::FFT<double> half_spectra() {
-  Eigen::FFT<double> fft;
-  fft.SetFlag(Eigen::FFT<double>::HalfSpectrum);
-  return fft;
-}
-
 ArrayXcd spectrum_of(const ArrayXd& samples) {
-  Eigen::VectorXcd spectrum;
-  half_spectra().fwd(spectrum, Eigen::VectorXd(samples));
-  return spectrum.array();
+  ArrayXcd spectrum(samples.size() / 2 + 1);
+  spectra::fft({samples.data(), samples.data() + samples.size()},
+               {spectrum.data(), spectrum.data() + spectrum.size()});
+  return spectrum;
 }
 
 }  // namespace
 
 ArrayXd samples_of(const ArrayXcd& spectrum) {
-  Eigen::VectorXd samples;
-  half_spectra().inv(samples, Eigen::VectorXcd(spectrum), 2 * (spectrum.size() - 1));
-  return samples.array();
+  ArrayXd samples(2 * (spectrum.size() - 1));
+  spectra::inverse_fft({spectrum.data(), spectrum.data() + spectrum.size()},
+                       {samples.data(), samples.data() + samples.size()});
+  return samples;
 }
 
 ArrayXd liftered(const ArrayXd& log_amplitude, double quefrency) {

@@ -36,9 +36,9 @@ Losses reconstruction_alone(const torch::Tensor& loss) {
   return {.reconstruction = loss, .differential = none, .twin = none, .total = loss};
 }
 
-class Backend final : public twin::TwinBackend {
+class TwinOnTorch final : public twin::TwinBackend {
  public:
-  Backend(twin::TwinTask task, const Stream& initial, torch::Device device)
+  TwinOnTorch(twin::TwinTask task, const Stream& initial, torch::Device device)
       : task_(std::move(task)),
         networks_(task_.variant, task_.shape, task_.options),
         stencil_(twin::stencil_of(task_.options.derivatives)),
@@ -188,7 +188,7 @@ twin::Engine twin_engine(Device compute_device) {
   const torch::Device device = prepare_device(compute_device);
   return {.train =
               [device](twin::TwinTask task, const Stream& initial) {
-                return std::make_unique<Backend>(std::move(task), initial, device);
+                return std::make_unique<TwinOnTorch>(std::move(task), initial, device);
               },
           .open =
               [device](const artefact::Reader& model, const twin::ModelDescription& description,

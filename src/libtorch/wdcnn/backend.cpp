@@ -24,10 +24,10 @@ torch::Tensor to_tensor(const diagnosis::LabelledWindows& set, torch::Device dev
   return windows.to(device);
 }
 
-class Backend final : public diagnosis::WdcnnBackend {
+class WdcnnOnTorch final : public diagnosis::WdcnnBackend {
  public:
-  Backend(const diagnosis::LabelledWindows& train, const diagnosis::WdcnnOptions& options,
-          const Stream& initial, torch::Device device)
+  WdcnnOnTorch(const diagnosis::LabelledWindows& train, const diagnosis::WdcnnOptions& options,
+               const Stream& initial, torch::Device device)
       : device_(device),
         learning_rate_(options.learning_rate),
         network_(static_cast<std::int64_t>(train.length), static_cast<std::int64_t>(train.classes),
@@ -114,7 +114,7 @@ diagnosis::MakeWdcnnBackend wdcnn_on(Device device) {
   return [device = prepare_device(device)](const diagnosis::LabelledWindows& train,
                                            const diagnosis::WdcnnOptions& options,
                                            const Stream& initial) {
-    return std::make_unique<Backend>(train, options, initial, device);
+    return std::make_unique<WdcnnOnTorch>(train, options, initial, device);
   };
 }
 

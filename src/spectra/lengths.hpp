@@ -1,0 +1,19 @@
+#pragma once
+
+#include <cstddef>
+#include <stdexcept>
+
+namespace piae::spectra {
+
+/// The length of a transform, whose other side has `bins` where it needs `expected`.
+inline std::ptrdiff_t length_of(std::size_t samples, std::size_t bins, std::size_t expected) {
+  if (samples == 0 || bins != expected)
+    throw std::logic_error("fft: samples and bins do not belong together");
+  return static_cast<std::ptrdiff_t>(samples);
+}
+
+inline std::ptrdiff_t real_length(std::size_t samples, std::size_t bins) {
+  return length_of(samples, bins, samples / 2 + 1);
+}
+
+}  // namespace piae::spectra
