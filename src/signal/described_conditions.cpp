@@ -16,7 +16,7 @@ bool has(const Names& names, const std::string& name) {
   return std::ranges::find(names, name) != names.end();
 }
 
-std::string listed(const Names& names) {
+std::string comma_separated(const Names& names) {
   std::string list;
   for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
   return list;
@@ -38,7 +38,7 @@ void require_named(const TomlTable& transfer, const std::string& key, const Name
   for (const std::string& name : list) {
     if (!has(named, name)) {
       transfer.refuse(key, "names '" + name + "', which is the condition of no record; there are " +
-                               listed(named));
+                               comma_separated(named));
     }
     if (std::ranges::count(list, name) > 1) transfer.refuse(key, "names '" + name + "' twice");
   }
@@ -107,7 +107,7 @@ void require_faults(const TomlTable& transfer, const DatasetInfo& info,
       return record.label == label && is_for(record, conditions, use);
     });
     if (there) return;
-    transfer.refuse(key, "is " + listed(names_of(conditions, use)) + ", but class " +
+    transfer.refuse(key, "is " + comma_separated(names_of(conditions, use)) + ", but class " +
                              info.class_of(label).name + " has no record there");
   };
   for (const Label label : info.fault_labels()) {

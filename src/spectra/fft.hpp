@@ -8,7 +8,7 @@ namespace piae::spectra {
 /// Discrete Fourier transforms, X(k) = sum over n of x(n) exp(-2 pi i k n / N); the inverse divides
 /// by N. Of N real samples the bins 0 to N/2 (rounded down) are given and taken: the others mirror
 /// them. Each thread keeps its plans, one for each length. All throw std::logic_error when the
-/// lengths do not fit, or are 0.
+/// lengths do not fit, or there are fewer than two samples.
 ///
 /// The transforms are Eigen's. Its header takes 8 s to compile, and what the compiler makes of it
 /// depends on which transforms a file asks for, down to the last bits of the results. So each kind

@@ -7,7 +7,7 @@ namespace piae::spectra {
 
 /// The length of a transform, whose other side has `bins` where it needs `expected`.
 inline std::ptrdiff_t length_of(std::size_t samples, std::size_t bins, std::size_t expected) {
-  if (samples == 0 || bins != expected)
+  if (samples < 2 || bins != expected)
     throw std::logic_error("fft: samples and bins do not belong together");
   return static_cast<std::ptrdiff_t>(samples);
 }

@@ -12,8 +12,8 @@
 #include "base/error.hpp"
 #include "base/random.hpp"
 #include "bearing/dynamics.hpp"
-#include "bearing/reference_dynamics.hpp"
 #include "bearing/variation.hpp"
+#include "support/reference_dynamics.hpp"
 
 namespace piae::bearing {
 namespace {

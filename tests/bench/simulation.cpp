@@ -8,9 +8,9 @@
 
 #include "base/random.hpp"
 #include "bearing/dynamics.hpp"
-#include "bearing/reference_dynamics.hpp"
 #include "bearing/variation.hpp"
 #include "bench/machine.hpp"
+#include "support/reference_dynamics.hpp"
 
 namespace {
 

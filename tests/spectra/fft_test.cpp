@@ -43,7 +43,7 @@ std::vector<Complex> by_definition(const std::vector<T>& values, double sign) {
 // Multiples of four, for which Eigen has a way of its own, other even lengths, odd ones, a prime,
 // one sample.
 class Fft : public testing::TestWithParam<std::size_t> {};
-INSTANTIATE_TEST_SUITE_P(Lengths, Fft, testing::Values(1, 2, 3, 4, 12, 15, 30, 97, 1024));
+INSTANTIATE_TEST_SUITE_P(Lengths, Fft, testing::Values(2, 3, 4, 12, 15, 30, 97, 1024));
 
 TEST_P(Fft, OfRealSamplesIsHalfOfTheDefinition) {
   const std::vector<double> samples = irregular<double>(GetParam());
@@ -92,8 +92,12 @@ TEST(FftLengths, ThatDoNotFitAreRefused) {
   std::vector<Complex> bins(4);
   EXPECT_THROW(fft(samples, bins), std::logic_error);
   EXPECT_THROW(inverse_fft(bins, samples), std::logic_error);
-  const std::vector<double> nothing;
-  EXPECT_THROW(fft(nothing, bins), std::logic_error);
+  for (const std::size_t too_few : {0U, 1U}) {
+    std::vector<double> none(too_few);
+    std::vector<Complex> bin(too_few / 2 + 1);
+    EXPECT_THROW(fft(none, bin), std::logic_error) << too_few;
+    EXPECT_THROW(inverse_fft(bin, none), std::logic_error) << too_few;
+  }
   const std::vector<Complex> fewer(3);
   EXPECT_THROW(fft(fewer, bins), std::logic_error);
 }

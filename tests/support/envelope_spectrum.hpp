@@ -5,15 +5,15 @@
 #include <complex>
 #include <cstddef>
 #include <numbers>
-#include <unsupported/Eigen/FFT>
 #include <vector>
+
+#include "spectra/fft.hpp"
 
 namespace piae::bearing {
 
 /// Amplitudes of a signal's Hilbert envelope by frequency, around the resonance of the working set
 /// (1 to 3 kHz). Padded to twice the length and with a Hann window: lines keep their height within
-/// 4
-/// %.
+/// 4 %.
 class EnvelopeSpectrum {
  public:
   EnvelopeSpectrum(const std::vector<double>& signal, double rate_hz)
@@ -30,9 +30,8 @@ class EnvelopeSpectrum {
       envelope[i] = (envelope[i] - mean) * (1 - std::cos(angle));
     }
     envelope.resize(2 * signal.size());
-    Eigen::FFT<double> fft;
-    std::vector<Complex> spectrum;
-    fft.fwd(spectrum, envelope);
+    std::vector<Complex> spectrum(envelope.size());
+    spectra::fft(envelope, spectrum);
     for (std::size_t i = 0; i < signal.size(); ++i) amplitudes_.push_back(std::abs(spectrum[i]));
   }
 
@@ -56,15 +55,15 @@ class EnvelopeSpectrum {
 
   /// The signal around the resonance with its negative frequencies taken away.
   static std::vector<Complex> analytic(const std::vector<double>& signal, double rate_hz) {
-    Eigen::FFT<double> fft;
-    std::vector<Complex> spectrum;
-    fft.fwd(spectrum, std::vector<Complex>(signal.begin(), signal.end()));
+    const std::vector<Complex> samples(signal.begin(), signal.end());
+    std::vector<Complex> spectrum(samples.size());
+    spectra::fft(samples, spectrum);
     for (std::size_t i = 0; i < spectrum.size(); ++i) {
       const double hz = static_cast<double>(i) * rate_hz / static_cast<double>(signal.size());
       if (hz < 1000 || hz > 3000) spectrum[i] = 0;  // all above rate / 2 are negative frequencies
     }
-    std::vector<Complex> result;
-    fft.inv(result, spectrum);
+    std::vector<Complex> result(spectrum.size());
+    spectra::inverse_fft(spectrum, result);
     return result;
   }
 

@@ -1,4 +1,4 @@
-#pragma once
+#include "support/reference_dynamics.hpp"
 
 #include <algorithm>
 #include <array>
@@ -8,14 +8,10 @@
 #include <cstdint>
 #include <numbers>
 #include <utility>
-#include <vector>
 
-#include "bearing/dynamics.hpp"
-
-/// Eq. 13 again, one course at a time: angles instead of rotations, every ball instead of those
-/// ahead of the load zone's begin, and Boost.odeint's Runge-Kutta. What bearing::simulate is
-/// compared with; it takes no look at its arguments.
 namespace piae::bearing::reference {
+
+namespace {
 
 struct Contact {
   double along = 0;
@@ -154,9 +150,11 @@ class SubSteps {
   boost::numeric::odeint::runge_kutta4<State> stepper_;
 };
 
-inline std::vector<double> simulate(const Geometry& geometry, const LocalDefect& defect,
-                                    const Motion& motion, const DynamicsOptions& options,
-                                    const Sampling& sampling) {
+}  // namespace
+
+std::vector<double> simulate(const Geometry& geometry, const LocalDefect& defect,
+                             const Motion& motion, const DynamicsOptions& options,
+                             const Sampling& sampling) {
   const BallPassage passage(geometry, defect, motion, options.clearance_um * 1e-6);
   const Equation equation{options, contact_stiffness(geometry, options.hertz)};
   const auto settling = static_cast<std::int64_t>(std::ceil(options.settling_s * sampling.rate_hz));
