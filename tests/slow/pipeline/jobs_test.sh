@@ -1,7 +1,7 @@
 #!/bin/bash
 # How `make cluster` divides a grid among jobs, which needs no Slurm. On a real one: tests/slow/cluster/.
 # shellcheck source-path=SCRIPTDIR
-source "${0%/*}/support.sh"
+source "${0%/*}/../../pipeline/support.sh"
 
 plan() { make --silent cluster-plan BIN=fake RUN=t "$@"; }
 # The words of a line of the plan, with one space between.

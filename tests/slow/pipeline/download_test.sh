@@ -1,7 +1,7 @@
 #!/bin/bash
 # `make data`, from an official site on this machine, which a curl in front of curl reaches without a network.
 # shellcheck source-path=SCRIPTDIR
-source "${0%/*}/support.sh"
+source "${0%/*}/../../pipeline/support.sh"
 
 # An official site with two recordings, and an `ingest --sources` that names them.
 site() {
