@@ -108,7 +108,7 @@ herr_t no_keeper_to_free(void*) { return 0; }
 
 std::vector<hsize_t> extent(const Shape& shape) { return {shape.begin(), shape.end()}; }
 
-std::size_t bytes_of(hid_t dataset) {
+std::size_t stored_bytes(hid_t dataset) {
   const Handle type(H5Dget_type(dataset), "dataset");
   std::size_t size = H5Tget_size(type);
   for (const std::size_t n : shape_of(dataset)) size *= n;
@@ -201,7 +201,7 @@ void write_numbers(hid_t file, const std::string& path, hid_t type, const void* 
       H5Dcreate2(file, path.c_str(), type, space, H5P_DEFAULT, creation, H5P_DEFAULT),
       path.c_str());
   if (std::ranges::find(dims, hsize_t{0}) != dims.end()) return;
-  write_chunk(dataset, {static_cast<const std::byte*>(data), bytes_of(dataset)}, path);
+  write_chunk(dataset, {static_cast<const std::byte*>(data), stored_bytes(dataset)}, path);
 }
 
 void write_strings(hid_t file, const std::string& path, const std::vector<std::string>& strings) {
@@ -235,7 +235,7 @@ std::optional<StoredValues> stored_values(hid_t dataset, std::span<const std::by
   hsize_t stored = 0;
   const herr_t found =
       H5Dget_chunk_info_by_coord(dataset, first.data(), &left_out_filters, &address, &stored);
-  const std::size_t size = bytes_of(dataset);
+  const std::size_t size = stored_bytes(dataset);
   StoredValues there{};
   if (found < 0 || address == HADDR_UNDEF || left_out_filters != 0 || size % 2 != 0 ||
       stored != size + sizeof there.fletcher32 || address > image.size() ||

@@ -22,7 +22,7 @@ void require_not_negative(double value, const std::string& what) {
   throw Error(Exit::bad_input, fmt::format("{} {}; it must be finite, 0 or more", what, value));
 }
 
-void validate(const DynamicsOptions& o) {
+void validate_dynamics(const DynamicsOptions& o) {
   require_positive(o.mass_kg, "mass in kg");
   require_positive(o.stiffness_n_per_m, "stiffness in N/m");
   require_not_negative(o.damping_ns_per_m, "damping in N s/m");
@@ -134,7 +134,7 @@ void simulate_onset_at_once(const Geometry& geometry, const LocalDefect& defect,
 std::vector<double> simulate_by(decltype(simulate_at_once)& at_once, const Geometry& geometry,
                                 const LocalDefect& defect, std::span<const Course> courses,
                                 const Sampling& sampling) {
-  for (const Course& course : courses) validate(course.options);
+  for (const Course& course : courses) validate_dynamics(course.options);
   require_same_times(courses);
   std::vector<double> accelerations(courses.size() * sampling.samples);
   for (std::size_t i = 0; i < courses.size(); i += courses_at_once) {

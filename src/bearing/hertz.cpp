@@ -57,7 +57,7 @@ double axis_ratio_for(double difference) {
   return (bracket.first + bracket.second) / 2;
 }
 
-void validate(const HertzOptions& o) {
+void validate_hertz(const HertzOptions& o) {
   if (!(o.youngs_modulus_pa > 0 && std::isfinite(o.youngs_modulus_pa))) {
     throw Error(Exit::bad_input, "Young's modulus must be positive and finite");
   }
@@ -99,7 +99,7 @@ double race_stiffness(const Curvature& c, const HertzOptions& o) {
 
 double contact_stiffness(const Geometry& g, const HertzOptions& options) {
   validate(g);
-  validate(options);
+  validate_hertz(options);
   const double inner = race_stiffness(inner_curvature(g, options), options);
   const double outer = race_stiffness(outer_curvature(g, options), options);
   const double give = std::pow(inner, -2.0 / 3) + std::pow(outer, -2.0 / 3);

@@ -14,7 +14,7 @@ namespace {
 
 using std::numbers::pi;
 
-void validate(const Motion& m) {
+void validate_motion(const Motion& m) {
   if (!(m.shaft_speed_rpm > 0 && std::isfinite(m.shaft_speed_rpm))) {
     throw Error(Exit::bad_input, fmt::format("shaft speed {} rpm; it must be positive and finite",
                                              m.shaft_speed_rpm));
@@ -70,7 +70,7 @@ LoadedBalls::LoadedBalls(const Geometry& geometry, const LocalDefect& defect,
     : kind_(defect.kind), ball_distance_rad_(2 * pi / geometry.balls) {
   bearing::validate(geometry);
   bearing::validate(geometry, defect);
-  std::ranges::for_each(motions, [](const Motion& m) { validate(m); });
+  std::ranges::for_each(motions, [](const Motion& m) { validate_motion(m); });
   for (int j = 0; 2 * j < geometry.balls; ++j) {
     ahead_.push_back({std::cos(j * ball_distance_rad_), std::sin(j * ball_distance_rad_)});
   }

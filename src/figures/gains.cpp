@@ -16,7 +16,7 @@ using report::AccuracyRow;
 
 std::string or_empty(std::optional<double> number) { return number ? digits(*number) : ""; }
 
-void add_row(Numbers& numbers, const AccuracyRow& row, const std::string& paper_dataset) {
+void add_gain(Numbers& numbers, const AccuracyRow& row, const std::string& paper_dataset) {
   const std::string ceiling = augment::is_ceiling(row.method) ? "1" : "0";
   const std::string generated = std::to_string(row.generated_per_class);
   for (std::size_t i = 0; i < row.values.size(); ++i) {
@@ -29,12 +29,12 @@ void add_row(Numbers& numbers, const AccuracyRow& row, const std::string& paper_
                interval[0], interval[1], or_empty(published), published ? paper_dataset : ""});
 }
 
-Numbers numbers_of(const std::vector<AccuracyRow>& rows, const std::string& what) {
+Numbers gain_numbers(const std::vector<AccuracyRow>& rows, const std::string& what) {
   Numbers numbers({"method", "ceiling", "ratio", "generated_per_class", "seed", what, "low", "high",
                    "published", "published_of"});
   for (const AccuracyRow& row : rows) {
     const auto beside = report::PaperReference(row.dataset).beside();
-    add_row(numbers, row, beside ? beside->paper.title : "");
+    add_gain(numbers, row, beside ? beside->paper.title : "");
   }
   return numbers;
 }
@@ -48,7 +48,7 @@ Numbers gains_of(const report::ClassifierRows& shown, Group group) {
            !augment::is_ceiling(row.method);
   });
   if (rows.empty()) throw LeftOut("the run has no method beside none that it shows");
-  return numbers_of(rows, "gain");
+  return gain_numbers(rows, "gain");
 }
 
 }  // namespace
@@ -67,7 +67,7 @@ Numbers accuracies(Source& /*source*/, const report::ClassifierRows& shown) {
     rows.push_back(*shown.bar);
     rows.back().method = shown.bar->classifier;
   }
-  return numbers_of(rows, "accuracy");
+  return gain_numbers(rows, "accuracy");
 }
 
 }  // namespace piae::figures

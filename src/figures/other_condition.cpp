@@ -100,8 +100,8 @@ std::int32_t shown_condition(const WindowSet& real, Label label) {
 }
 
 /// A set may be without windows of a class in a condition: few are known, and few may be generated.
-void add_row(std::vector<ConditionRow>& rows, const std::string& name, const WindowSet& set,
-             Label label, std::int32_t condition) {
+void add_condition(std::vector<ConditionRow>& rows, const std::string& name, const WindowSet& set,
+                   Label label, std::int32_t condition) {
   scoring::Windows windows = windows_in(condition, set, label);
   if (windows.rows() == 0) return;
   const signal::Condition& of_row = set.info.conditions[static_cast<std::size_t>(condition)];
@@ -113,13 +113,13 @@ std::vector<ConditionRow> rows_of_class(const ConditionSets& sets, Label label) 
   std::vector<ConditionRow> rows;
   for (const std::int32_t condition : sets.real.info.known_conditions()) {
     const std::string number = rows.empty() ? "" : "-" + std::to_string(rows.size() + 1);
-    add_row(rows, "known" + number, sets.known, label, condition);
+    add_condition(rows, "known" + number, sets.known, label, condition);
   }
   const std::int32_t tested = shown_condition(sets.real, label);
   for (const NamedWindows& each : sets.generated) {
-    add_row(rows, each.name, each.windows, label, tested);
+    add_condition(rows, each.name, each.windows, label, tested);
   }
-  add_row(rows, "real", sets.real, label, tested);
+  add_condition(rows, "real", sets.real, label, tested);
   return rows;
 }
 

@@ -61,7 +61,7 @@ void add_line(ViewRows& rows, const DatasetInfo& info, Defect defect, bool is_ow
   }
 }
 
-Numbers numbers_of(ViewRows rows, const DatasetInfo& info, Defect own) {
+Numbers view_numbers(ViewRows rows, const DatasetInfo& info, Defect own) {
   rows.waveforms();
   rows.spectra();
   rows.spectrograms();
@@ -84,7 +84,7 @@ std::vector<Picture> windows_by_class(Source& source) {
   for (const Label label : real.info.fault_labels()) {
     const signal::ClassInfo& of_class = real.info.class_of(label);
     const ViewRows rows(views_of_class(origins, pictures.size()), axes);
-    pictures.push_back({of_class.name, numbers_of(rows, real.info, of_class.defect)});
+    pictures.push_back({of_class.name, view_numbers(rows, real.info, of_class.defect)});
   }
   return pictures;
 }

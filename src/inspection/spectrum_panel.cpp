@@ -31,13 +31,13 @@ std::vector<double> decibels_of(const EnvelopeSpectrum& spectrum) {
   return decibels;
 }
 
-bool has_lines(const FaultLines& lines) { return lines.front().hz > 0; }
+bool lines_are_known(const FaultLines& lines) { return lines.front().hz > 0; }
 
 /// Each defect's names stand on a line of their own above the panel: the higher the frequency, the
 /// closer to it, so that no line crosses a name on its left.
 void draw_marks(Svg& svg, const FaultLines& lines, signal::Defect own, const Axis& x,
                 const Panel& panel) {
-  if (!has_lines(lines)) return;
+  if (!lines_are_known(lines)) return;
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const FaultLine& line = lines.at(i);
     const bool is_own = line.kind == own;
@@ -59,7 +59,7 @@ void draw_marks(Svg& svg, const FaultLines& lines, signal::Defect own, const Axi
 /// The third harmonic of the highest line, and a little more.
 double highest_shown_hz(const FaultLines& lines, double shaft_hz) {
   constexpr double shown_turns = 20;  // where there is no line
-  if (!has_lines(lines)) return shown_turns * shaft_hz;
+  if (!lines_are_known(lines)) return shown_turns * shaft_hz;
   return 3.5 * std::ranges::max(lines, {}, &FaultLine::hz).hz;
 }
 
@@ -73,7 +73,7 @@ void keep_shown_part(EnvelopeSpectrum& spectrum, const FaultLines& lines, double
 }
 
 void draw_line_legend(Svg& svg, const FaultLines& lines, Point at, const std::string& thick) {
-  if (!has_lines(lines)) return;
+  if (!lines_are_known(lines)) return;
   for (std::size_t i = 0; i < line_strokes.size(); ++i) {
     Stroke stroke = line_strokes.at(i);
     stroke.width = 2;

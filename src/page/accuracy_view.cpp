@@ -60,7 +60,7 @@ struct Sign {
   const char* looks;
 };
 
-Sign sign_of(report::Effect effect) {
+Sign effect_sign(report::Effect effect) {
   switch (effect) {
     case report::Effect::helps:
       return {"▲ ", "helps"};
@@ -73,7 +73,7 @@ Sign sign_of(report::Effect effect) {
 }
 
 Cell gain_cell(const AccuracyRow& row, const report::PaperReference& reference, std::size_t most) {
-  const Sign sign = sign_of(report::effect_of(row));
+  const Sign sign = effect_sign(report::effect_of(row));
   const std::string interval =
       row.summary.interval ? report::interval_label(row.summary, gain_style) : "";
   return {.content =

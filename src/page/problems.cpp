@@ -82,7 +82,7 @@ HoleGroup grown(GrowingGroup growing) {
   return group;
 }
 
-std::vector<HoleGroup> groups_of(const DatasetContents& dataset) {
+std::vector<HoleGroup> groups_of_dataset(const DatasetContents& dataset) {
   std::vector<GrowingGroup> groups;
   std::map<CommonOfHoles, std::size_t> places;
   for (const Hole& hole : dataset.holes) {
@@ -186,7 +186,7 @@ std::string word_of(HoleState state) {
 std::vector<HoleGroup> groups_of(const std::vector<DatasetContents>& datasets) {
   std::vector<HoleGroup> groups;
   for (const DatasetContents& dataset : datasets) {
-    std::ranges::move(groups_of(dataset), std::back_inserter(groups));
+    std::ranges::move(groups_of_dataset(dataset), std::back_inserter(groups));
   }
   std::ranges::stable_sort(groups, {}, &HoleGroup::state);
   return groups;

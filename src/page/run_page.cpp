@@ -69,7 +69,7 @@ std::string group_of(const StepLog& step) {
                                : step.stage;
 }
 
-std::vector<StepGroup> groups_of(const std::vector<StepLog>& steps) {
+std::vector<StepGroup> step_groups(const std::vector<StepLog>& steps) {
   std::vector<StepGroup> groups;
   for (const std::string& stage : stages_in_order(steps)) {
     for (const StepLog& step : steps) {
@@ -110,7 +110,7 @@ Table table_of_groups(const std::vector<StepLog>& steps) {
                           {"elapsed, mean", true},
                           {"elapsed, longest", true},
                           {"memory, most", true}}};
-  for (const StepGroup& group : groups_of(steps)) table.rows.push_back(row_of_group(group));
+  for (const StepGroup& group : step_groups(steps)) table.rows.push_back(row_of_group(group));
   table.below =
       "From the logs beside the artefacts: the lines “step: exit”, and “step: used”, which older "
       "runs lack. Memory is what one step held at most.";

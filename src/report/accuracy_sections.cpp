@@ -79,7 +79,7 @@ text::Table runs_table(const AccuracyRow& row, const AccuracyRow* bar,
 /// What of a row a table of means shows: its accuracy, or that by kind of defect.
 using Shown = const scoring::Summary& (*)(const AccuracyRow&);
 const scoring::Summary& by_class(const AccuracyRow& row) { return row.summary; }
-const scoring::Summary& by_kind(const AccuracyRow& row) { return *row.kind; }
+const scoring::Summary& kind_summary(const AccuracyRow& row) { return *row.kind; }
 
 void add_means(text::Table& table, const std::string& name, const Rows& own,
                const std::vector<RatioColumn>& columns, Shown shown) {
@@ -227,7 +227,7 @@ std::vector<Section> accuracy_sections(const ClassifierRows& of_classifier,
   if (tell_kinds(rows)) {
     sections.push_back(reference.none().of(
         {"accuracy-kinds", "Mean accuracy by kind of defect on " + dataset + ", percent",
-         kinds_note, means_table(rows, bar, by_kind)}));
+         kinds_note, means_table(rows, bar, kind_summary)}));
   }
   for (const AccuracyRow& row : rows_of(rows, augment::no_method)) {
     sections.push_back(reference.table(&PaperDataset::baseline_table)

@@ -45,7 +45,7 @@ struct Values {
   }
 };
 
-std::vector<std::string> methods_of(const std::vector<Identification>& all) {
+std::vector<std::string> identified_methods(const std::vector<Identification>& all) {
   std::vector<std::string> methods;
   for (const Identification& one : all) {
     if (std::ranges::find(methods, one.method) == methods.end()) methods.push_back(one.method);
@@ -61,9 +61,9 @@ void require_truth(const Identification& one) {
                           one.windows.info.name));
 }
 
-IdentifiabilityRow row_of(const std::vector<Identification>& all, const std::string& method,
-                          const Parameter& parameter, const std::string& class_name,
-                          std::optional<Label> label) {
+IdentifiabilityRow identifiability_row(const std::vector<Identification>& all,
+                                       const std::string& method, const Parameter& parameter,
+                                       const std::string& class_name, std::optional<Label> label) {
   std::vector<double> r2;
   std::vector<double> bias;
   std::vector<double> correlation2;
@@ -119,7 +119,7 @@ std::vector<scoring::ScatterRow> scatter_of(const std::vector<Identification>& a
 
 Section scatter_section(const std::vector<Identification>& all, const Parameter& parameter) {
   text::Table table({"method", "true from", "to", "windows", "inferred 10 %", "50 %", "90 %"}, 1);
-  for (const std::string& method : methods_of(all)) {
+  for (const std::string& method : identified_methods(all)) {
     std::string name = method;
     for (const scoring::ScatterRow& row : scatter_of(all, method, parameter)) {
       const auto in_unit = [&](double value) { return number_label(value / parameter.unit); };
@@ -138,7 +138,7 @@ Section scatter_section(const std::vector<Identification>& all, const Parameter&
 std::string models_label(const std::vector<Identification>& all) {
   std::map<std::string, std::string> by_method;
   std::set<std::string> labels;
-  for (const std::string& method : methods_of(all)) {
+  for (const std::string& method : identified_methods(all)) {
     std::vector<std::int64_t> seeds;
     for (const Identification& one : all) {
       if (one.method == method) seeds.push_back(one.seed);
@@ -149,7 +149,7 @@ std::string models_label(const std::vector<Identification>& all) {
   }
   if (labels.size() == 1) return *labels.begin();
   std::string label;
-  for (const std::string& method : methods_of(all)) {
+  for (const std::string& method : identified_methods(all)) {
     label += (label.empty() ? "" : ", ") + method + ": " + by_method[method];
   }
   return label;
@@ -172,12 +172,13 @@ run::Grid resolve(const IdentifiabilityOptions& options) {
 std::vector<IdentifiabilityRow> identifiability_rows(const std::vector<Identification>& all) {
   std::ranges::for_each(all, require_truth);
   std::vector<IdentifiabilityRow> rows;
-  for (const std::string& method : methods_of(all)) {
+  for (const std::string& method : identified_methods(all)) {
     for (const Parameter& parameter : parameters) {
-      rows.push_back(row_of(all, method, parameter, "all", std::nullopt));
+      rows.push_back(identifiability_row(all, method, parameter, "all", std::nullopt));
       const signal::DatasetInfo& info = all.front().windows.info;
       for (const Label label : info.fault_labels()) {
-        rows.push_back(row_of(all, method, parameter, info.class_of(label).name, label));
+        rows.push_back(
+            identifiability_row(all, method, parameter, info.class_of(label).name, label));
       }
     }
   }
@@ -202,7 +203,7 @@ std::string identifiability_csv(const std::string& dataset,
 std::string scatter_csv(const std::string& dataset, const std::vector<Identification>& all) {
   std::string text = text::csv_line({"dataset", "method", "parameter", "truth_low", "truth_high",
                                      "windows", "inferred_p10", "inferred_p50", "inferred_p90"});
-  for (const std::string& method : methods_of(all)) {
+  for (const std::string& method : identified_methods(all)) {
     for (const Parameter& parameter : parameters) {
       for (const scoring::ScatterRow& row : scatter_of(all, method, parameter)) {
         text += text::csv_line(

@@ -41,8 +41,8 @@ void require_of_cell(const artefact::Reader& reader, const diagnosis::KeptClassi
                                  combination.method, combination.ratio, seed));
 }
 
-void add(TrustSeries& series, const diagnosis::KeptClassifier& kept,
-         const diagnosis::Trust& trust) {
+void add_kept(TrustSeries& series, const diagnosis::KeptClassifier& kept,
+              const diagnosis::Trust& trust) {
   series.accuracy.push_back(100 * trust.accuracy);
   series.raw_calibration_error.push_back(100 * trust.raw_calibration_error);
   series.calibration_error.push_back(100 * trust.calibration_error);
@@ -73,7 +73,7 @@ TrustRow trust_row(const run::Layout& layout, const run::Grid& grid,
         "classifier");
     const diagnosis::KeptClassifier kept(reader);
     require_of_cell(reader, kept, grid, combination, seed);
-    add(series, kept, diagnosis::read_trust(reader, kept.info()));
+    add_kept(series, kept, diagnosis::read_trust(reader, kept.info()));
     for (const Label label : kept.info().fault_labels()) {
       names[label] = kept.info().class_of(label).name;
     }

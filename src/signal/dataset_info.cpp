@@ -79,7 +79,7 @@ std::vector<ClassInfo> read_classes(const artefact::Reader& reader) {
 }
 
 /// Refuses a bearing, defects or a list of classes that cannot be.
-void require_possible(const artefact::Reader& reader, const DatasetInfo& info) {
+void refuse_impossible(const artefact::Reader& reader, const DatasetInfo& info) {
   try {
     (void)info.healthy_label();
     if (info.has_bearing) bearing::validate(info.bearing);
@@ -205,7 +205,7 @@ DatasetInfo read_dataset_info(const artefact::Reader& reader) {
   if (info.has_bearing) info.bearing = read_bearing(reader);
   info.classes = read_classes(reader);
   info.conditions = read_conditions(reader);
-  require_possible(reader, info);
+  refuse_impossible(reader, info);
   return info;
 }
 

@@ -22,7 +22,7 @@ std::string comma_separated(const Names& names) {
   return list;
 }
 
-Names names_in(const std::vector<RecordSource>& records) {
+Names condition_names(const std::vector<RecordSource>& records) {
   Names names;
   for (const RecordSource& record : records) {
     if (!record.condition.empty() && !has(names, record.condition)) {
@@ -72,8 +72,8 @@ void read_transfer(TomlTable& transfer, std::vector<Condition>& conditions) {
 }
 
 /// Whether a record is of one of the conditions that have this use.
-bool is_for(const RecordSource& record, const std::vector<Condition>& conditions,
-            bool Condition::*use) {
+bool record_is_for(const RecordSource& record, const std::vector<Condition>& conditions,
+                   bool Condition::*use) {
   if (record.condition.empty()) return true;
   return (*std::ranges::find(conditions, record.condition, &Condition::name)).*use;
 }
@@ -104,7 +104,7 @@ void require_faults(const TomlTable& transfer, const DatasetInfo& info,
                     const std::vector<RecordSource>& records) {
   const auto require = [&](Label label, const std::string& key, bool Condition::*use) {
     const bool there = std::ranges::any_of(records, [&](const RecordSource& record) {
-      return record.label == label && is_for(record, conditions, use);
+      return record.label == label && record_is_for(record, conditions, use);
     });
     if (there) return;
     transfer.refuse(key, "is " + comma_separated(names_of(conditions, use)) + ", but class " +
@@ -178,7 +178,7 @@ std::string record_stem(const std::string& class_name, const std::string& condit
 std::vector<Condition> read_described_conditions(TomlTable& root, const DatasetInfo& info,
                                                  std::vector<RecordSource>& records) {
   std::vector<Condition> conditions;
-  for (const std::string& name : names_in(records)) conditions.push_back({.name = name});
+  for (const std::string& name : condition_names(records)) conditions.push_back({.name = name});
   if (auto transfer = root.optional_table("transfer")) {
     read_transfer(*transfer, conditions);
     require_a_condition_of_faults(*transfer, info, records);

@@ -26,7 +26,7 @@ std::string plain_name(TomlTable& table, const std::string& key) {
   return name;
 }
 
-bearing::Geometry read_bearing(TomlTable table) {
+bearing::Geometry described_bearing(TomlTable table) {
   bearing::Geometry bearing;
   bearing.balls = static_cast<int>(table.integer("balls", ranges::balls));
   bearing.ball_diameter_mm = table.number("ball_diameter_mm", ranges::length_mm);
@@ -40,7 +40,7 @@ bearing::Geometry read_bearing(TomlTable table) {
   return bearing;
 }
 
-Defect read_defect(TomlTable& table) {
+Defect described_defect(TomlTable& table) {
   try {
     return parse_defect(table.text("defect"));
   } catch (const Error& error) {
@@ -63,7 +63,7 @@ std::optional<double> read_size(TomlTable& table, Defect defect) {
 ClassInfo read_class(TomlTable& table) {
   ClassInfo info;
   info.name = plain_name(table, "name");
-  info.defect = read_defect(table);
+  info.defect = described_defect(table);
   info.defect_size_mm = read_size(table, info.defect).value_or(0);
   return info;
 }
@@ -126,7 +126,7 @@ void require_sha256(const TomlTable& record, const std::string& sum) {
   }
 }
 
-RecordSource read_record(TomlTable& table, const DatasetInfo& info) {
+RecordSource described_record(TomlTable& table, const DatasetInfo& info) {
   RecordSource record;
   record.label = label_of(info, table);
   record.file = read_file_name(table);
@@ -195,7 +195,7 @@ void set_mean_sizes(const std::vector<TomlTable>& classes, const std::vector<Rec
   }
 }
 
-void require_a_record_for_each_class(const fs::path& file, const Description& description) {
+void require_described_records(const fs::path& file, const Description& description) {
   for (const Label label : description.info.labels()) {
     if (std::ranges::count(description.records, label, &RecordSource::label) > 0) continue;
     throw Error(Exit::bad_input, file.string() + ": class " +
@@ -270,7 +270,7 @@ DatasetInfo read_info(TomlTable& root, std::vector<TomlTable>& classes) {
       root.optional_number("unit_m_per_s2", ranges::unit_m_per_s2).value_or(info.unit_m_per_s2);
   auto bearing = root.optional_table("bearing");
   info.has_bearing = bearing.has_value();
-  if (bearing) info.bearing = read_bearing(*bearing);
+  if (bearing) info.bearing = described_bearing(*bearing);
   for (TomlTable& table : classes) {
     const ClassInfo next = read_class(table);
     if (std::ranges::find(info.classes, next.name, &ClassInfo::name) != info.classes.end()) {
@@ -293,10 +293,10 @@ Description read_description(const fs::path& file) {
   description.info = read_info(root, classes);
   for (const TomlTable& table : classes) table.finish();
   for (TomlTable& table : root.tables("record")) {
-    description.records.push_back(read_record(table, description.info));
+    description.records.push_back(described_record(table, description.info));
   }
   const auto rate = root.optional_number("sample_rate_hz", ranges::sample_rate_hz);
-  require_a_record_for_each_class(file, description);
+  require_described_records(file, description);
   description.split = read_described_split(root);
   description.info.conditions =
       read_described_conditions(root, description.info, description.records);

@@ -16,8 +16,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-[[noreturn]] void refuse(const fs::path& file, const toml::node& node, const std::string& what,
-                         Exit exit = Exit::bad_input) {
+[[noreturn]] void refuse_node(const fs::path& file, const toml::node& node, const std::string& what,
+                              Exit exit = Exit::bad_input) {
   throw Error(exit, one_line(file.string() + ", line " + std::to_string(node.source().begin.line) +
                              ": like " + what));
 }
@@ -28,18 +28,19 @@ std::optional<fs::path> model_of(const fs::path& file, const toml::table& descri
   if (like == nullptr) return std::nullopt;
   const auto name = like->value<std::string>();
   if (!name || !ranges::is_plain_name(*name)) {
-    refuse(file, *like,
-           "must be the name of a description in the same folder, without its .toml; it " +
-               ranges::plain_name_rule);
+    refuse_node(file, *like,
+                "must be the name of a description in the same folder, without its .toml; it " +
+                    ranges::plain_name_rule);
   }
   if (!description.contains("name")) {
-    refuse(file, *like, "is there, but no name: a description that is like another has its own");
+    refuse_node(file, *like,
+                "is there, but no name: a description that is like another has its own");
   }
   const fs::path model = file.parent_path() / (*name + ".toml");
   std::error_code unreadable;
   if (!fs::exists(model, unreadable)) {
-    refuse(file, *like, "= '" + *name + "', but there is no " + model.string(),
-           Exit::input_missing);
+    refuse_node(file, *like, "= '" + *name + "', but there is no " + model.string(),
+                Exit::input_missing);
   }
   return model;
 }
@@ -64,9 +65,9 @@ toml::table read_after(const std::vector<fs::path>& before, const fs::path& file
   std::vector<fs::path> so_far = before;
   so_far.push_back(file);
   if (std::ranges::find(so_far, *model) != so_far.end()) {
-    refuse(file, *description.get("like"),
-           "goes in a circle: this description is like " + model->string() +
-               ", which is like this one");
+    refuse_node(file, *description.get("like"),
+                "goes in a circle: this description is like " + model->string() +
+                    ", which is like this one");
   }
   description.erase("like");
   toml::table rest = read_after(so_far, *model);

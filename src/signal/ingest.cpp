@@ -16,8 +16,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-[[noreturn]] void refuse(const fs::path& file, const RecordSource& source,
-                         const std::string& what) {
+[[noreturn]] void refuse_record(const fs::path& file, const RecordSource& source,
+                                const std::string& what) {
   throw Error(Exit::bad_input, file.string() + " (record " + source.name + "): " + what);
 }
 
@@ -36,25 +36,25 @@ void require_file(const fs::path& file, const RecordSource& source, const std::s
 std::string checked_sha256(const fs::path& file, const RecordSource& source) {
   std::string found = sha256_of_file(file);
   if (!source.sha256.empty() && source.sha256 != found) {
-    refuse(file, source,
-           "sha256 is " + found + ", expected " + source.sha256 +
-               "; the file is damaged or another one, fetch it again");
+    refuse_record(file, source,
+                  "sha256 is " + found + ", expected " + source.sha256 +
+                      "; the file is damaged or another one, fetch it again");
   }
   return found;
 }
 
 void require_usable(const fs::path& file, const RecordSource& source,
                     std::span<const double> signal) {
-  if (signal.empty()) refuse(file, source, source.variable + " holds no sample");
+  if (signal.empty()) refuse_record(file, source, source.variable + " holds no sample");
   const auto odd = std::ranges::find_if_not(
       signal, [](double x) { return std::isfinite(static_cast<float>(x)); });
   if (odd != signal.end()) {
-    refuse(file, source,
-           source.variable + " is NaN, infinite or beyond 32 bits at sample " +
-               std::to_string(odd - signal.begin()) + " (counted from 0)");
+    refuse_record(file, source,
+                  source.variable + " is NaN, infinite or beyond 32 bits at sample " +
+                      std::to_string(odd - signal.begin()) + " (counted from 0)");
   }
   const auto [low, high] = std::ranges::minmax(signal);
-  if (low == high) refuse(file, source, source.variable + " never changes: a dead channel");
+  if (low == high) refuse_record(file, source, source.variable + " never changes: a dead channel");
 }
 
 }  // namespace
@@ -68,7 +68,7 @@ void RecordReader::require_new(const fs::path& file, const RecordSource& source,
   const auto [place, is_new] = read_before_.emplace(digest, source);
   if (is_new) return;
   const RecordSource& twin = place->second;
-  refuse(
+  refuse_record(
       file, source,
       "holds the same samples as record " + twin.name + " (" + twin.file +
           (twin.label == source.label ? "); name each recording once" : "), under another class"));
@@ -91,12 +91,14 @@ Record RecordReader::resampled(const RecordSource& source, const RawRecord& raw)
   const double samples =
       static_cast<double>(raw.samples.size()) * info_.sample_rate_hz / source.sample_rate_hz;
   if (samples > most_samples) {
-    refuse(data_dir_ / source.file, source,
-           "would have more than 1e8 samples at the dataset's rate; look at both sample rates");
+    refuse_record(
+        data_dir_ / source.file, source,
+        "would have more than 1e8 samples at the dataset's rate; look at both sample rates");
   }
   std::vector<double> signal = resample(raw.samples, source.sample_rate_hz, info_.sample_rate_hz);
   if (signal.empty()) {
-    refuse(data_dir_ / source.file, source, "is shorter than one sample at the dataset's rate");
+    refuse_record(data_dir_ / source.file, source,
+                  "is shorter than one sample at the dataset's rate");
   }
   return {.name = source.name,
           .label = source.label,

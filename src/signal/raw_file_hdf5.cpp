@@ -42,7 +42,8 @@ herr_t note_datasets(hid_t group, const char* name, const H5L_info_t* link, void
   return result;
 }
 
-[[noreturn]] void refuse_missing(const fs::path& path, hid_t file, const std::string& wanted) {
+[[noreturn]] void refuse_missing_dataset(const fs::path& path, hid_t file,
+                                         const std::string& wanted) {
   Datasets datasets;
   hdf5::check(H5Literate(file, H5_INDEX_NAME, H5_ITER_INC, nullptr, note_datasets, &datasets),
               "list of datasets");
@@ -78,7 +79,7 @@ void require_own_values(const fs::path& path, hid_t dataset, const std::string& 
   }
 }
 
-std::size_t length_of(const fs::path& path, hid_t dataset, const std::string& what) {
+std::size_t dataset_length(const fs::path& path, hid_t dataset, const std::string& what) {
   require_own_values(path, dataset, what);
   const hdf5::Shape shape = hdf5::shape_of(dataset);
   return vector_length(path, what, shape.data(), shape.size());
@@ -98,10 +99,10 @@ hdf5::Handle opened(const fs::path& path) {
 
 std::vector<double> read_dataset(const fs::path& path, const std::string& name) {
   const hdf5::Handle file = opened(path);
-  if (!is_there(file, name) || !is_dataset(file, name)) refuse_missing(path, file, name);
+  if (!is_there(file, name) || !is_dataset(file, name)) refuse_missing_dataset(path, file, name);
   const hdf5::Handle dataset = hdf5::open_dataset(file, name);
   require_numbers(path, dataset, name);
-  std::vector<double> numbers(length_of(path, dataset, "dataset " + name));
+  std::vector<double> numbers(dataset_length(path, dataset, "dataset " + name));
   if (!numbers.empty()) {
     hdf5::check(H5Dread(dataset, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, numbers.data()),
                 name.c_str());
@@ -139,7 +140,7 @@ void require_own_vector(const fs::path& path, const std::string& variable) {
     if (H5Lexists(file, name.c_str(), H5P_DEFAULT) <= 0) return;
     if (!is_there(file, name)) refuse_raw_file(path, what + " is a link to elsewhere");
     if (!is_dataset(file, name)) return;
-    (void)length_of(path, hdf5::open_dataset(file, name), what);
+    (void)dataset_length(path, hdf5::open_dataset(file, name), what);
   });
 }
 

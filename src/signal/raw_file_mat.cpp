@@ -85,7 +85,7 @@ std::vector<std::string> names_in(const fs::path& path) {
   return names;
 }
 
-[[noreturn]] void refuse_missing(const fs::path& path, const std::string& wanted) {
+[[noreturn]] void refuse_missing_variable(const fs::path& path, const std::string& wanted) {
   const std::vector<std::string> names = names_in(path);
   if (std::ranges::find(names, wanted) != names.end()) {
     refuse_raw_file(path, "variable " + wanted + " is damaged or truncated");
@@ -101,13 +101,13 @@ std::size_t length_of(const fs::path& path, const matvar_t& variable) {
 
 template <class T>
 std::vector<double> convert(const fs::path& path, const matvar_t& variable, std::size_t count) {
-  if (variable.nbytes / sizeof(T) < count) refuse_missing(path, variable.name);
+  if (variable.nbytes / sizeof(T) < count) refuse_missing_variable(path, variable.name);
   const auto* first = static_cast<const T*>(variable.data);
   return {first, first + count};
 }
 
 std::vector<double> numbers_of(const fs::path& path, const matvar_t& variable, std::size_t count) {
-  if (variable.data == nullptr) refuse_missing(path, variable.name);
+  if (variable.data == nullptr) refuse_missing_variable(path, variable.name);
   switch (variable.class_type) {
     case MAT_C_DOUBLE:
       return convert<double>(path, variable, count);
@@ -140,10 +140,10 @@ std::vector<double> read_mat(const fs::path& path, const std::string& name) {
   if (require_readable(path) == MAT_FT_MAT73) require_own_vector(path, name);
   const File file = open(path);
   const Variable variable(Mat_VarReadInfo(file.get(), name.c_str()));
-  if (!variable) refuse_missing(path, name);
+  if (!variable) refuse_missing_variable(path, name);
   const std::size_t count = length_of(path, *variable);
   if (count == 0) return {};
-  if (Mat_VarReadDataAll(file.get(), variable.get()) != 0) refuse_missing(path, name);
+  if (Mat_VarReadDataAll(file.get(), variable.get()) != 0) refuse_missing_variable(path, name);
   return numbers_of(path, *variable, count);
 }
 

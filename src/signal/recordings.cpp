@@ -11,7 +11,7 @@ namespace {
 
 const std::string records_group = "/records";
 
-void write(artefact::Writer& writer, const Record& record, const DatasetInfo& info) {
+void write_record(artefact::Writer& writer, const Record& record, const DatasetInfo& info) {
   if (!ranges::is_plain_name(record.name)) {
     throw std::logic_error("'" + record.name + "' cannot name a record");
   }
@@ -102,7 +102,7 @@ bool Recordings::have_sizes() const {
 void write(artefact::Writer& writer, const Recordings& recordings) {
   write(writer, recordings.info);
   writer.group(records_group);
-  for (const Record& record : recordings.records) write(writer, record, recordings.info);
+  for (const Record& record : recordings.records) write_record(writer, record, recordings.info);
 }
 
 Recordings read_recordings(const artefact::Reader& reader) {

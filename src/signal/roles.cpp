@@ -58,7 +58,7 @@ std::string strange_condition(Role role, const WindowSet& windows) {
   return {};
 }
 
-Pieces in_time_order(const std::vector<RoleSet>& sets) {
+Pieces pieces_in_time_order(const std::vector<RoleSet>& sets) {
   Pieces pieces;
   for (const RoleSet& set : sets) {
     for (std::size_t i = 0; i < set.windows.size(); ++i) {
@@ -220,7 +220,7 @@ std::vector<std::string> check_roles(const std::vector<RoleSet>& sets) {
   }
   const auto length = static_cast<std::int64_t>(sets.front().windows.length);
   const Protocol protocol = sets.front().protocol;
-  for (const auto& entry : conflicts_in(in_time_order(sets), length, protocol)) {
+  for (const auto& entry : conflicts_in(pieces_in_time_order(sets), length, protocol)) {
     findings.push_back(line_of(entry, length));
   }
   return findings;

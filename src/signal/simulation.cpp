@@ -63,7 +63,8 @@ void read_table(TomlTable& table, Simulation& simulation) {
 }
 
 /// The conditions of a simulation, and what [transfer] says of them.
-std::vector<Condition> read_conditions(TomlTable& root, TomlTable& table, const DatasetInfo& info) {
+std::vector<Condition> described_conditions(TomlTable& root, TomlTable& table,
+                                            const DatasetInfo& info) {
   std::vector<RecordSource> records;
   for (TomlTable& condition : table.optional_tables("condition")) {
     RecordSource record;
@@ -108,7 +109,7 @@ std::string record_name(const Simulation& simulation, const Batch& batch, std::s
   return fmt::format("{}-{:0{}}", stem, number + 1, digits);
 }
 
-Stream stream_of(const Simulation& simulation, const Record& record) {
+Stream record_stream(const Simulation& simulation, const Record& record) {
   const std::string& class_name = simulation.info.class_of(record.label).name;
   return Stream(fmt::format("{}/seed{}/simulate/{}/{}", simulation.info.name, simulation.seed,
                             class_name, record.name));
@@ -129,7 +130,7 @@ Draw draw(const Simulation& simulation, const Batch& batch, std::size_t number) 
   record.condition = batch.condition;
   record.original_sample_rate_hz = info.sample_rate_hz;
   record.source = "simulated";
-  Stream stream = stream_of(simulation, record);
+  Stream stream = record_stream(simulation, record);
   bearing::DynamicsOptions& dynamics = draw.course.options;
   dynamics = bearing::draw_dynamics(stream, simulation.dynamics, simulation.variation);
   draw.course.motion = bearing::draw_motion(stream, info.class_of(batch.label).defect,
@@ -188,7 +189,7 @@ double noise_deviation(const Simulation& simulation, const Recordings& clean) {
 void add_noise(const Simulation& simulation, Recordings& recordings) {
   const double deviation = noise_deviation(simulation, recordings);
   for (Record& record : recordings.records) {
-    Stream noise = stream_of(simulation, record).child("noise");
+    Stream noise = record_stream(simulation, record).child("noise");
     for (double& x : record.signal) x += noise.normal(0, deviation);
   }
 }
@@ -209,7 +210,7 @@ Simulation read_simulation(const std::filesystem::path& file) {
   TomlTable table = root.table("simulation");
   for (const TomlTable& c : classes) c.finish();
   read_table(table, simulation);
-  simulation.info.conditions = read_conditions(root, table, simulation.info);
+  simulation.info.conditions = described_conditions(root, table, simulation.info);
   table.finish();
   (void)read_described_split(root);
   root.finish();

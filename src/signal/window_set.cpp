@@ -82,7 +82,7 @@ std::vector<double> read_each(const artefact::Reader& reader, const std::string&
   return values;
 }
 
-void read_conditions(const artefact::Reader& reader, WindowSet& windows) {
+void read_condition_of_windows(const artefact::Reader& reader, WindowSet& windows) {
   const std::string path = "/condition";
   if (!reader.has(path)) return;
   windows.condition = reader.numbers<std::int32_t>(path, {windows.size()}).values;
@@ -276,7 +276,7 @@ WindowSet read_window_set(const artefact::Reader& reader) {
   require_movement(reader, windows);
   if (reader.has("/record")) read_places(reader, windows);
   if (reader.has("/parameters")) read_parameters(reader, windows);
-  read_conditions(reader, windows);
+  read_condition_of_windows(reader, windows);
   windows.shaft_speed_rpm =
       read_each(reader, "/shaft_speed_rpm", windows.size(), ranges::shaft_speed_rpm);
   windows.defect_size_mm =

@@ -11,7 +11,7 @@ namespace {
 using Complex = std::complex<double>;
 using Plans = Eigen::FFT<double>;
 
-Plans& plans() {
+Plans& real_plans() {
   thread_local Plans plans(Plans::impl_type(), Plans::HalfSpectrum);
   return plans;
 }
@@ -20,12 +20,12 @@ Plans& plans() {
 
 void fft(std::span<const double> samples, std::span<Complex> half_spectrum) {
   const auto length = real_length(samples.size(), half_spectrum.size());
-  plans().fwd(half_spectrum.data(), samples.data(), length);
+  real_plans().fwd(half_spectrum.data(), samples.data(), length);
 }
 
 void inverse_fft(std::span<const Complex> half_spectrum, std::span<double> samples) {
   const auto length = real_length(samples.size(), half_spectrum.size());
-  plans().inv(samples.data(), half_spectrum.data(), length);
+  real_plans().inv(samples.data(), half_spectrum.data(), length);
 }
 
 }  // namespace piae::spectra

@@ -10,7 +10,7 @@ namespace {
 using Complex = std::complex<double>;
 using Plans = Eigen::FFT<double>;
 
-Plans& plans() {
+Plans& complex_plans() {
   thread_local Plans plans(Plans::impl_type(), Plans::HalfSpectrum);
   return plans;
 }
@@ -19,12 +19,12 @@ Plans& plans() {
 
 void fft(std::span<const Complex> samples, std::span<Complex> spectrum) {
   const auto length = length_of(samples.size(), spectrum.size(), samples.size());
-  plans().fwd(spectrum.data(), samples.data(), length);
+  complex_plans().fwd(spectrum.data(), samples.data(), length);
 }
 
 void inverse_fft(std::span<const Complex> spectrum, std::span<Complex> samples) {
   const auto length = length_of(samples.size(), spectrum.size(), samples.size());
-  plans().inv(samples.data(), spectrum.data(), length);
+  complex_plans().inv(samples.data(), spectrum.data(), length);
 }
 
 }  // namespace piae::spectra

@@ -10,7 +10,7 @@ namespace {
 using Complex = std::complex<float>;
 using Plans = Eigen::FFT<float>;
 
-Plans& plans() {
+Plans& single_plans() {
   thread_local Plans plans(Plans::impl_type(), Plans::HalfSpectrum);
   return plans;
 }
@@ -19,12 +19,12 @@ Plans& plans() {
 
 void fft(std::span<const float> samples, std::span<Complex> half_spectrum) {
   const auto length = real_length(samples.size(), half_spectrum.size());
-  plans().fwd(half_spectrum.data(), samples.data(), length);
+  single_plans().fwd(half_spectrum.data(), samples.data(), length);
 }
 
 void inverse_fft(std::span<const Complex> half_spectrum, std::span<float> samples) {
   const auto length = real_length(samples.size(), half_spectrum.size());
-  plans().inv(samples.data(), half_spectrum.data(), length);
+  single_plans().inv(samples.data(), half_spectrum.data(), length);
 }
 
 }  // namespace piae::spectra
