@@ -40,8 +40,7 @@ std::vector<Complex> by_definition(const std::vector<T>& values, double sign) {
   return sums;
 }
 
-// Multiples of four, for which Eigen has a way of its own, other even lengths, odd ones, a prime,
-// one sample.
+// Multiples of four, for which Eigen has a way of its own, other even lengths, odd ones, a prime.
 class Fft : public testing::TestWithParam<std::size_t> {};
 INSTANTIATE_TEST_SUITE_P(Lengths, Fft, testing::Values(2, 3, 4, 12, 15, 30, 97, 1024));
 
