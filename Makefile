@@ -295,8 +295,8 @@ test:
 	$(Q)DATA_DIR='$(DATA_DIR)' tests/run.sh quick
 
 test-all:
-	$(Q)pipeline/deps.sh $(LIBTORCH) programs tests readers cluster
-	$(Q)pipeline/build.sh $(ARCH) $(LIBTORCH) programs tests slow_tests
+	$(Q)pipeline/deps.sh $(LIBTORCH) programs tests benches readers cluster
+	$(Q)pipeline/build.sh $(ARCH) $(LIBTORCH) programs tests slow_tests benches
 	$(Q)DATA_DIR='$(DATA_DIR)' tests/run.sh all
 
 # The programs are found where they are installed, whatever stands in BIN.

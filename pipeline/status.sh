@@ -114,15 +114,13 @@ grep -vE "^[^ ]+ (features|$tables) " "$scratch/states" >"$scratch/counted" || t
 awk -v run="$run" -v counted="$counted" -f "${0%/*}/status.awk" \
   "$scratch/durations" "$scratch/counted" "$scratch/cells" | printable
 
-# Of a step that says nothing itself: it was killed by the kernel or with its job, or it crashed.
-why_without_a_word() { # stage, file, exit code
+# Of a step that says nothing itself, or only guesses why it was killed: what its job says, or else its exit code.
+why_it_ended() { # stage, file, exit code, guess
   local job
   job=$(job_ended "$1" "$2")
-  case $3 in
-    '') echo "$1: its job ended: $job" ;;
-    137) echo "$1: killed, ${job:-perhaps for want of memory} (exit code 137)" ;;
-    *) echo "$1: exit code $3" ;;
-  esac
+  [[ ! $3 || $job != "some steps failed" ]] || job=
+  [[ ! $job ]] || job="$1: its job ended: $job"
+  echo "${job:-${4:-$1: exit code $3}}"
 }
 
 # The steps in a state, each with the first or the last line of its log in which its program says something.
@@ -147,7 +145,8 @@ list() { # state, what comes behind the program's name, head or tail
     log=$folder/$stage.log
     line=${said[$log]-}
     [[ $line || $state != running ]] || line=$stage
-    [[ $line ]] || line=$(why_without_a_word "$stage" "$file" "$code")
+    [[ $line && $line != *": killed, perhaps for want of memory" ]] ||
+      line=$(why_it_ended "$stage" "$file" "$code" "$line")
     printf '  %s: %s (log: %s)\n' "${folder#"$run/"}" "$line" "$log"
   done <"$scratch/states"
 }

@@ -97,7 +97,7 @@ test_goals_ask_for_what_they_need() {
   expect_equal "$(asked build LIBTORCH=off ARCH=x86-64-v3)" "deps off programs,build x86-64-v3 off programs"
   expect_equal "$(asked test)" "deps on programs tests,build native on programs tests"
   expect_equal "$(asked test-all)" \
-    "deps on programs tests readers cluster,build native on programs tests slow_tests"
+    "deps on programs tests benches readers cluster,build native on programs tests slow_tests benches"
   expect_equal "$(asked package ARCH=x86-64 LIBTORCH=off)" "deps off programs package,build x86-64 off package"
   mkdir cmake
   printf '#!/bin/bash\necho "cmake [$DESTDIR] $*" >>asked\n' >cmake/cmake

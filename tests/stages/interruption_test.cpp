@@ -89,31 +89,9 @@ TEST_F(Interruption, OtherSignalsAreTakenLikeSigterm) {
   expect_finished_as_uncut();
 }
 
-/// step.sh sends a stage no signal that would end it once it has said that it has started.
-class ToldToStopAtOnce : public Interruption {
- protected:
-  void expect_checkpoint(const Arguments& arguments) const {
-    const Surroundings of_step{.environment = {{"OMP_NUM_THREADS", "1"}, {"PIAE_STEP", "1"}}};
-    for (int cut = 0; cut < 5; ++cut) {
-      Process train(tiny_.path(), "train", arguments, of_step);
-      train.wait_until_it_warns("step: started");
-      train.send(SIGUSR1);
-      const Outcome outcome = train.wait();
-      ASSERT_EQ(outcome.status, 75) << outcome.err;
-      EXPECT_NE(outcome.err.find("train: interrupted after epoch"), std::string::npos)
-          << outcome.err;
-    }
-  }
-};
-
-TEST_F(ToldToStopAtOnce, LeavesACheckpoint) {
-  expect_checkpoint(to("cut.h5"));
+TEST_F(Interruption, OfATrainingThatHasJustStartedLeavesACheckpoint) {
+  expect_checkpoints_at_once(tiny_, to("cut.h5"));
   expect_finished_as_uncut();
-}
-
-TEST_F(ToldToStopAtOnce, LeavesACheckpointWhileLibTorchStarts) {
-  SKIP_WITHOUT_LIBTORCH();
-  expect_checkpoint(with(to("torch.h5"), "--backend", "libtorch"));
 }
 
 TEST_F(Interruption, KilledTrainingLeavesNothingHalf) {

@@ -147,6 +147,20 @@ class Tiny {
   Folder folder_;
 };
 
+/// Stops a training as soon as it says that it has started, five times, and expects a checkpoint
+/// each time. step.sh sends a stage no signal that would end it once it has said so.
+inline void expect_checkpoints_at_once(const Tiny& tiny, const Arguments& arguments) {
+  const Surroundings of_step{.environment = {{"OMP_NUM_THREADS", "1"}, {"PIAE_STEP", "1"}}};
+  for (int cut = 0; cut < 5; ++cut) {
+    Process train(tiny.path(), "train", arguments, of_step);
+    train.wait_until_it_warns("step: started");
+    train.send(SIGUSR1);
+    const Outcome outcome = train.wait();
+    ASSERT_EQ(outcome.status, 75) << outcome.err;
+    EXPECT_NE(outcome.err.find("train: interrupted after epoch"), std::string::npos) << outcome.err;
+  }
+}
+
 inline void write_bytes(const fs::path& file, const std::string& bytes) {
   std::ofstream(file, std::ios::binary) << bytes;
 }

@@ -1,14 +1,17 @@
 #!/bin/bash
-# The demo with the built programs: what it answers, and the files that it names.
+# The demo as a newcomer has it: built from nothing, what it answers, and the files that it names.
 # shellcheck source-path=SCRIPTDIR
 source "${0%/*}/../../pipeline/support.sh"
 
-demo() { make demo BIN="$programs" "$@" 2>&1; }
+demo() { make demo "$@" 2>&1; }
 
-test_the_demo_ends_with_three_answers_and_two_files_to_open() {
+test_the_demo_builds_what_it_runs_and_ends_with_three_answers_and_two_files_to_open() {
   skip_where_nothing_draws
+  ln -s "$project"/{CMakeLists.txt,packaging,src,stages} .
   local output answers
   output=$(demo) || fail "$output"
+  expect_equal "$(ls build/bin)" "$(printf '%s\n' classify demo_answers diagnose figures generate report score settings \
+    simulate split tabulate train)"
   answers=$(sed -n '/^Three questions/,$p' <<<"$output")
   # The numbers may differ by processor, the words may not.
   expect_equal "$(sed -E 's/[0-9]+ %/N %/g; s/\([0-9]+ ->/(N ->/' <<<"$answers")" \
@@ -32,8 +35,8 @@ Open results/demo/report.html    tables and figures
 }
 
 test_the_demo_refuses_what_it_has_of_its_own() {
-  expect_line "$(demo METHODS=smote || true)" 'make demo: has METHODS of its own; .make all. takes any'
-  expect_line "$(demo cells || true)" 'make demo: give no other target with it'
+  expect_line "$(demo BIN="$programs" METHODS=smote || true)" 'make demo: has METHODS of its own; .make all. takes any'
+  expect_line "$(demo BIN="$programs" cells || true)" 'make demo: give no other target with it'
 }
 
 run_tests "$@"

@@ -423,4 +423,18 @@ test_a_job_without_an_end_was_killed_only_when_slurm_says_that_it_is_gone() {
   expect_line "$(status)" '^  cells.0: out of memory \(log: '
 }
 
+# A step may outlive its stage, and can then only guess. Its job knows.
+test_a_step_of_a_job_that_ran_out_of_memory_says_so_whatever_it_guessed() {
+  describe
+  local folder=results/t/real/seed0/smote guess='train: killed, perhaps for want of memory'
+  mkdir -p $folder
+  printf '%s\n' train 'step: begun at 1.0' "$guess" 'step: exit 137 after 1.0 s' >$folder/train.log
+  submitted all RUN=t DATASETS=real results=results/t
+  echo $folder/model.h5 >$jobs/cells.0
+  printf '%s\n' 'job: life begun at 1 on n1, 4 cores' 'job: life ended at 2, status 1: some steps failed' >$jobs/cells.0.log
+  expect_line "$(status)" "^  real/seed0/smote: $guess \\(log: "
+  echo 'slurmstepd: error: Detected 1 oom_kill event in StepId=5.0.' >>$jobs/cells.0.log
+  expect_line "$(status)" '^  real/seed0/smote: train: its job ended: out of memory \(log: '
+}
+
 run_tests "$@"

@@ -106,6 +106,14 @@ TEST(Backend, ModelsOfOneAreReadByTheOther) {
   }
 }
 
+TEST(Backend, StopsWithACheckpointWhileLibTorchStarts) {
+  SKIP_WITHOUT_LIBTORCH();
+  const Tiny tiny;
+  tiny.run_chain_before("train");
+  const Arguments arguments = with(step_of("train").arguments, "--epochs", "120");
+  expect_checkpoints_at_once(tiny, with(arguments, "--backend", "libtorch"));
+}
+
 TEST(Backend, ThatCannotBeIsNamedWithThoseThatCan) {
   const Tiny tiny;
   tiny.run_chain_before("train");
