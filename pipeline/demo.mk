@@ -27,7 +27,7 @@ demo: $(recording).svg same_speed other_speed
 no_fault:
 	$(grid) tables $(rule) DATASETS=$(no_fault) METHODS=none CLASSIFIERS=exclusion-rule SEEDS=0
 same_speed:
-	$(grid) tables DATASETS=simulated-small METHODS='none piae-dt shift'
+	$(grid) tables features DATASETS=simulated-small METHODS='none piae-dt shift'
 other_speed:
 	$(grid) tables DATASETS=$(slower) METHODS='none shift strike-twin' CLASSIFIERS=wdcnn-spectra
 
