@@ -91,15 +91,6 @@ test_a_dry_run_and_a_question_write_nothing() {
   grid -n cells results/t/real/records.h5 >/dev/null
   expect_exit 1 grid -q
   [[ ! -e results/t ]] || fail "there is $(find results/t)"
-  finished_grid
-  sed -i 's/epochs = 50/epochs = 60/' pipeline/protocol.toml
-  find results -printf '%p %T@ %s\n' >before
-  grid -n >/dev/null
-  grid -n SEEDS=0 METHODS="none smote" >/dev/null
-  expect_exit 1 make --silent -q cells BIN=fake RUN=t DATASETS=real METHODS=smote SEEDS=0
-  expect_equal "$(find results -printf '%p %T@ %s\n')" "$(<before)"
-  sed -i 's/epochs = 60/epochs = 50/' pipeline/protocol.toml
-  expect_exit 0 make --silent -q cells BIN=fake RUN=t DATASETS=real METHODS=smote RATIOS=10to1 SEEDS=0
 }
 
 test_libtorch_is_on_or_off() {

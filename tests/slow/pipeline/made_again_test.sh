@@ -17,6 +17,18 @@ test_dry_run_shows_the_graph_and_makes_nothing() {
   expect_equal "$(grid -n | grep -c pipeline/step.sh)" 0
 }
 
+test_to_ask_what_a_changed_setting_would_make_writes_nothing() {
+  finished_grid
+  sed -i 's/epochs = 50/epochs = 60/' pipeline/protocol.toml
+  find results -printf '%p %T@ %s\n' >before
+  grid -n >/dev/null
+  grid -n SEEDS=0 METHODS="none smote" >/dev/null
+  expect_exit 1 make --silent -q cells BIN=fake RUN=t DATASETS=real METHODS=smote SEEDS=0
+  expect_equal "$(find results -printf '%p %T@ %s\n')" "$(<before)"
+  sed -i 's/epochs = 60/epochs = 50/' pipeline/protocol.toml
+  expect_exit 0 make --silent -q cells BIN=fake RUN=t DATASETS=real METHODS=smote RATIOS=10to1 SEEDS=0
+}
+
 # make itself takes files that one step makes together for as old as they were.
 test_a_dry_run_shows_all_that_a_new_split_brings_back() {
   finished_grid
