@@ -60,6 +60,10 @@ TEST(Judge, TakesTheUnknownAndTheSilentForFaulty) {
   EXPECT_EQ(told(judged("uhs", 100)), "1.50 Normal? off; ");
 }
 
+TEST(Judge, TellsTheUnknownOfItsOwnWindowsAlone) {
+  EXPECT_EQ(told(judged("uuhhuh", 1)), "1.00 Normal? off; 2.00 Normal off; 3.00 Normal off; ");
+}
+
 TEST(Judge, CountsWhatItHeard) {
   Judge judge(rig(), Alarm(three_windows, 64), 1);
   const std::vector<float> faulty{0, 1, 0};

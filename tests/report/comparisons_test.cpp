@@ -53,6 +53,15 @@ TEST(Comparisons, CorrectNoMethodForACeiling) {
   EXPECT_THAT(text(rows), HasSubstr("|         0.0625 † |\n"));
 }
 
+/// At 1to1 there is shift alone, which would otherwise move its mean by 10 points.
+TEST(Comparisons, AverageOverTheRatiosThatBothHave) {
+  std::vector<AccuracyRow> rows = five_seeds();
+  rows.push_back(row_with("shift", "1to1", {99, 99, 99, 99, 99}));
+  EXPECT_THAT(csv(rows), HasSubstr("\ncwru,mean,shift,wdcnn,piae-dt,5,2.0000,-0.6340,4.6340,"));
+  EXPECT_THAT(csv(rows, "shift"),
+              HasSubstr("\ncwru,mean,piae-dt,wdcnn,shift,5,-2.0000,-4.6340,0.6340,"));
+}
+
 TEST(Comparisons, HaveAMethodABlockAndARatioARow) {
   EXPECT_THAT(text(five_seeds()), HasSubstr("## Accuracy minus that of piae-dt on cwru\n\n"));
   EXPECT_THAT(text(five_seeds()), HasSubstr("| method | ratio        |    difference |    95 % "

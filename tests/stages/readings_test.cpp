@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "stages/tiny.hpp"
 
 /// The tables of readings of the paper, from cells that the other stages have made.
@@ -59,6 +61,31 @@ TEST_F(ReadingsStage, TellsHowFarTheWeightsAreFromTheirStationaryPoint) {
        {std::pair("alpha", "L_DDL"), std::pair("beta", "L_DT"), std::pair("gamma", "L_Rec")}) {
     const double expected = 2 * value(weight) * value(loss);
     EXPECT_NEAR(value(std::string(weight) + "_of_stationary"), expected, 1e-5 * expected) << weight;
+  }
+}
+
+/// The number in a CSV file behind the first line that begins so, or NaN.
+double value_behind(const std::string& csv, const std::string& begin) {
+  const std::size_t line = csv.find('\n' + begin);
+  return line == std::string::npos ? NAN : std::stod(csv.substr(line + 1 + begin.size()));
+}
+
+/// `identify` compares the same model with the same truth.
+TEST_F(ReadingsStage, AgreeWithTheTruthAsIdentifySays) {
+  ASSERT_EQ(tiny_.run("readings", readings).status, 0);
+  fs::copy(tiny_ / "model.h5", tiny_ / "run/tiny/seed0/piae-dt/model.h5");
+  ASSERT_EQ(tiny_
+                .run("identify",
+                     {"--run", "run", "--dataset", "tiny", "--methods", "piae-dt", "--seeds", "0"})
+                .status,
+            0);
+  const std::string readings_csv = bytes_of(tiny_ / "run/tiny/readings.csv");
+  const std::string identify_csv = bytes_of(tiny_ / "run/tiny/identifiability.csv");
+  for (const std::string parameter : {"stiffness", "damping"}) {
+    const double expected = value_behind(identify_csv, "tiny,piae-dt," + parameter + ",all,1,");
+    EXPECT_NEAR(value_behind(readings_csv, "tiny,base," + parameter + "_r2,,1,"), expected,
+                1e-4 * std::abs(expected))
+        << readings_csv << identify_csv;
   }
 }
 

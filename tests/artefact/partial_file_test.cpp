@@ -1,0 +1,56 @@
+#include "artefact/partial_file.hpp"
+
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+
+#include <vector>
+
+#include "artefact/file.hpp"
+#include "support/folder.hpp"
+
+namespace piae::artefact {
+namespace {
+
+/// What was brought to the disk, and whether the file of that name was there at that moment.
+struct Synced {
+  ino_t inode;
+  bool has_its_name;
+};
+std::vector<Synced> synced;
+std::filesystem::path name_of_file;
+
+}  // namespace
+
+/// Takes the place of the C library's.
+extern "C" int fsync(int descriptor) {
+  struct stat status {};
+  if (::fstat(descriptor, &status) == 0) {
+    synced.push_back({status.st_ino, std::filesystem::exists(name_of_file)});
+  }
+  return static_cast<int>(::syscall(SYS_fsync, descriptor));
+}
+
+namespace {
+
+ino_t inode_of(const std::filesystem::path& path) {
+  struct stat status {};
+  return ::stat(path.c_str(), &status) == 0 ? status.st_ino : 0;
+}
+
+/// Else a power cut could leave an empty file under the name, or none.
+TEST(PartialFile, IsOnTheDiskBeforeItHasItsNameAndItsFolderAfterThat) {
+  const Folder folder;
+  name_of_file = folder.path() / "model.h5";
+  synced.clear();
+  write_file_atomically(name_of_file, std::as_bytes(std::span("model")));
+  ASSERT_EQ(synced.size(), 2U);
+  EXPECT_EQ(synced[0].inode, inode_of(name_of_file));
+  EXPECT_FALSE(synced[0].has_its_name);
+  EXPECT_EQ(synced[1].inode, inode_of(folder.path()));
+  EXPECT_TRUE(synced[1].has_its_name);
+}
+
+}  // namespace
+}  // namespace piae::artefact
