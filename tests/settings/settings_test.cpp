@@ -321,6 +321,25 @@ TEST(Protocol, TheProjectsOwnIsAccepted) {
       (void)read_protocol(std::filesystem::path(PIAE_SOURCE) / "pipeline/protocol.toml"));
 }
 
+/// The paper's eq. 13 stands for one bearing, whether a method or `simulate` computes with it.
+TEST(Protocol, TakesTheParametersOfTheSimulatedBearing) {
+  const fs::path pipeline = fs::path(PIAE_SOURCE) / "pipeline";
+  const toml::table protocol = toml::parse_file((pipeline / "protocol.toml").string());
+  const toml::table simulated = toml::parse_file((pipeline / "datasets/simulated.toml").string());
+  std::size_t compared = 0;
+  for (const auto& [key, value] : *protocol["train"]["dynamics"].as_table()) {
+    std::string there(key.str());
+    std::ranges::replace(there, '-', '_');
+    const auto expected = simulated["simulation"][there].value<double>();
+    ASSERT_TRUE(expected.has_value()) << there;
+    EXPECT_EQ(value.value<double>(), expected) << there;
+    ++compared;
+  }
+  EXPECT_EQ(compared, 9U);
+  EXPECT_EQ(protocol["train"]["strike-twin"]["mass-kg"].value<double>(),
+            protocol["train"]["dynamics"]["mass-kg"].value<double>());
+}
+
 TEST(Protocol, WhatNothingReadsIsRefusedWithItsLine) {
   EXPECT_THAT(
       Project("[split]\n[diagnoze]\n").refusal(),
