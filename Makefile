@@ -95,7 +95,7 @@ comma := ,
 $(call refuse_signs,RUN,: = % $(comma),it is the name of a folder under results/)
 
 ifneq (,$(filter demo,$(MAKECMDGOALS)))
-$(foreach name,$(filter DATASETS METHODS CLASSIFIERS,$(given)),$(error make demo: has $(name) of its own; \
+$(foreach name,$(filter DATASETS METHODS RATIOS CLASSIFIERS,$(given)),$(error make demo: has $(name) of its own; \
   `make all` takes any))
 endif
 

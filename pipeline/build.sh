@@ -17,7 +17,7 @@ case $* in
   package) folder=build/package ;;
   storm_inputs) folder=build/storm options=(-DPIAE_SANITIZE=ON) ;;
   # The demo needs no LibTorch, but leaves a build that has it as it is.
-  demo) ! grep -qs '^PIAE_LIBTORCH:BOOL=on$' build/CMakeCache.txt || libtorch=on ;;
+  demo) ! grep -qis '^PIAE_LIBTORCH:BOOL=on$' build/CMakeCache.txt || libtorch=on ;;
 esac
 mkdir -p "$folder"
 exec 9>build/.lock

@@ -31,10 +31,11 @@ same_speed:
 other_speed:
 	$(grid) tables DATASETS=$(slower) METHODS='none shift strike-twin' CLASSIFIERS=wdcnn-spectra
 
-# 4 s of a machine with a damaged outer race, one number a line.
+# 4 s of a machine with a damaged outer race, one number a line. Two makes at once write a file each.
 $(recording).txt: pipeline/datasets/$(no_fault).toml
-	$(Q)mkdir -p $(@D) && set -o pipefail && $(BIN)/simulate --description $< --stream outer --duration-s 4 --output - | \
-	  od --address-radix=n --output-duplicates --format=f4 --width=4 >$@.part && mv $@.part $@
+	$(Q)mkdir -p $(@D) && set -o pipefail && part=$@.$$$$ && \
+	  $(BIN)/simulate --description $< --stream outer --duration-s 4 --output - | \
+	  od --address-radix=n --output-duplicates --format=f4 --width=4 >$$part && mv $$part $@
 $(recording).svg: $(recording).txt no_fault
 	$(Q)$(BIN)/classify --classifier $(rule) --recording $< --variable 1 --sample-rate-hz 12000 --speed-rpm 1797 \
 	  --output $(recording).h5 --picture $@ >$(recording).log

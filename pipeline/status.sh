@@ -114,7 +114,7 @@ grep -vE "^[^ ]+ (features|$tables) " "$scratch/states" >"$scratch/counted" || t
 awk -v run="$run" -v counted="$counted" -f "${0%/*}/status.awk" \
   "$scratch/durations" "$scratch/counted" "$scratch/cells" | printable
 
-# Of a step that says nothing itself, or only guesses why it was killed: what its job says, or else its exit code.
+# Says why a step ended that logged no reason, or only a guess: the reason of its job, the guess, or the exit code.
 why_it_ended() { # stage, file, exit code, guess
   local job
   job=$(job_ended "$1" "$2")

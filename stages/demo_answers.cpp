@@ -28,7 +28,7 @@ int main(int argc, char** argv) {
   cli::Stage stage(
       "demo_answers",
       "Prints the three questions of `make demo` with their answers, from the cells of "
-      "its data sets and from what `classify` said about a recording.",
+      "its data sets and from what `classify` reported on a recording.",
       "demo_answers --run results/demo --same-speed simulated-small --other-speed "
       "simulated-small-slower --no-fault simulated-small-types-zero --diagnosis "
       "results/demo/recording.h5 --true-class outer");
@@ -42,13 +42,16 @@ int main(int argc, char** argv) {
   stage.options().add("--same-speed", same_speed, "Data set of the first question").required();
   stage.options().add("--other-speed", other_speed, "Data set of the second question").required();
   stage.options().add("--no-fault", no_fault, "Data set of the third question").required();
-  stage.input_file("--diagnosis", diagnosis, "classification of one recording, by `classify`");
+  stage.input_file("--diagnosis", diagnosis, "Classification of one recording, by `classify`");
   stage.options().add("--true-class", true_class, "Class of that recording").required();
 
   return stage.run(argc, argv, [&] {
     const auto named =
         classification::read_named(stage.open("diagnosis", diagnosis, "classification"));
-    if (named.size() != 1) throw Error(Exit::bad_input, "holds not one recording but several");
+    if (named.size() != 1) {
+      throw Error(Exit::bad_input, diagnosis.string() + ": holds " + std::to_string(named.size()) +
+                                       " recordings, not one; `make demo` makes it");
+    }
     std::cout << report::demo_answers(
         {.same_speed = diagnoses_of(run, same_speed),
          .other_speed = diagnoses_of(run, other_speed),

@@ -8,7 +8,7 @@
 
 namespace piae::report {
 
-/// What `classify` said about one recording.
+/// What `classify` reported on one recording.
 struct NamedRecording {
   std::string file;   ///< "recording.txt"
   std::string named;  ///< the class, or "unknown"

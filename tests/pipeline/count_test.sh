@@ -86,4 +86,12 @@ test_the_ten_slowest_of_all_reports_are_named_slowest_first() {
 $(printf '%8.1f  %s\n' 100.5 Slow 12.2 T12 11.2 T11 10.2 T10 9.2 T9 8.2 T8 7.2 T7 6.2 T6 5.2 T5 4.2 T4)"
 }
 
+test_a_patience_that_cannot_be_is_refused() {
+  local patience
+  for patience in 0 -1 1.5 much; do
+    expect_equal "$(PIAE_TEST_PATIENCE=$patience "$project/tests/run.sh" quick 2>&1 || echo "exit $?")" \
+      "PIAE_TEST_PATIENCE: a whole number from 1, not '$patience'"$'\n'"exit 2"
+  done
+}
+
 run_tests "$@"
