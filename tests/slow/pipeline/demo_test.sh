@@ -32,6 +32,12 @@ Open results/demo/report.html    tables and figures
 
   expect_equal "$(demo | sed -n '/^Three questions/,$p')" "$answers" # nothing is left to do
   expect_equal "$(demo | grep -cE ' (train|generate|diagnose|score) ')" 0
+
+  rm results/demo/recording* # two demos at once make them both
+  demo >other &
+  local other=$!
+  demo >/dev/null || fail "one of two demos at once failed"
+  wait $other || fail "$(<other)"
 }
 
 test_the_demo_refuses_what_it_has_of_its_own() {
