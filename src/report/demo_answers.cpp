@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <iterator>
 #include <optional>
 
 #include "augment/catalogue.hpp"
@@ -46,31 +47,23 @@ Error no_cells(const std::string& question) {
 /// The cells of one question by the classifier that the question is about.
 struct Compared {
   AccuracyRow alone;                   ///< known windows only
-  std::vector<AccuracyRow> methods;    ///< each with its most generated windows, the best first
+  std::vector<AccuracyRow> methods;    ///< with the most windows that any generated, the best first
   std::optional<AccuracyRow> nearest;  ///< known windows only, by the nearest neighbour
 };
 
 Compared compared(const std::vector<run::Diagnosis>& cells, const std::string& question) {
   const std::vector<ClassifierRows> blocks = by_classifier(rows_of_cells(cells));
-  Compared found;
-  bool has_alone = false;
-  for (const AccuracyRow& row : blocks.empty() ? std::vector<AccuracyRow>() : blocks.front().rows) {
-    if (row.method == augment::no_method) {
-      found.alone = row;
-      has_alone = true;
-      continue;
-    }
-    const auto same = std::ranges::find(found.methods, row.method, &AccuracyRow::method);
-    if (same == found.methods.end()) {
-      found.methods.push_back(row);
-    } else if (row.generated_per_class > same->generated_per_class) {
-      *same = row;
-    }
-  }
-  if (!has_alone || found.methods.empty()) throw no_cells(question);
+  if (blocks.empty()) throw no_cells(question);
+  const std::vector<AccuracyRow>& rows = blocks.front().rows;
+  const auto alone = std::ranges::find(rows, augment::no_method, &AccuracyRow::method);
+  const std::int64_t most =
+      std::ranges::max_element(rows, {}, &AccuracyRow::generated_per_class)->generated_per_class;
+  if (alone == rows.end() || most == 0) throw no_cells(question);
+  Compared found{.alone = *alone, .methods = {}, .nearest = blocks.front().bar};
+  std::ranges::copy_if(rows, std::back_inserter(found.methods),
+                       [&](const AccuracyRow& row) { return row.generated_per_class == most; });
   std::ranges::stable_sort(found.methods, std::ranges::greater(),
                            [](const AccuracyRow& row) { return row.summary.mean; });
-  found.nearest = blocks.front().bar;
   return found;
 }
 
