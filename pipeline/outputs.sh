@@ -43,12 +43,12 @@ note_what_is_there() {
   done
 }
 all_are_new() {
-  local i
+  local i is
   for i in "${!makes[@]}"; do
     missing_output=${makes[i]}
     # To open a file makes a network's file system look how it is now.
     { : <"$missing_output"; } 2>/dev/null || return
-    [[ ! ${was[i]} || $(identity "$missing_output") != "${was[i]}" ]] || return
+    [[ ! ${was[i]} ]] || { is=$(identity "$missing_output") && [[ $is != "${was[i]}" ]]; } || return
   done
   missing_output=
 }
@@ -58,11 +58,11 @@ made_anew() {
   local tries=0
   missing_output=
   if ((${#makes[@]} == 0)); then
-    [[ ! $SUBMIT ]] || grep -q '^step: used ' "$log"
+    [[ ! $SUBMIT ]] || log_has '^step: used '
     return
   fi
   until all_are_new; do
-    [[ $SUBMIT ]] && ((tries++ < 60)) && grep -q '^step: used ' "$log" || return
+    [[ $SUBMIT ]] && ((tries++ < 60)) && log_has '^step: used ' || return
     sleep 1
   done
 }
@@ -75,7 +75,7 @@ left_checkpoint() {
   ((${#makes[@]})) && ! all_are_new || return
   [[ $stopped ]] || checkpoint_was=$(identity "${makes[0]}.checkpoint")
   until checkpoint=$(identity "${makes[0]}.checkpoint") && [[ $checkpoint != "$checkpoint_was" ]]; do
-    ((tries++ < 5 * ${CHECKPOINT_WITHIN:-30})) && ! grep -q '^step: used ' "$log" && ! all_are_new || return
+    ((tries++ < 5 * ${CHECKPOINT_WITHIN:-30})) && ! log_has '^step: used ' && ! all_are_new || return
     sleep 0.2
   done
 }

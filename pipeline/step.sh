@@ -69,7 +69,14 @@ show_and_log() {
     echo "$fit" >&2
   done
 }
-has_started() { grep -qE '^step: (started|waited .* s)$' "$log"; }
+# Whoever signals all processes of a job at once, as Slurm does, would end a grep that looks into the log.
+log_has() { # extended regular expression, for a line
+  local line lines
+  mapfile -t lines <"$log"
+  for line in "${lines[@]}"; do [[ ! $line =~ $1 ]] || return 0; done
+  return 1
+}
+has_started() { log_has '^step: (started|waited .* s)$'; }
 
 cannot_write() {
   report "failed: cannot write $log" >&2
@@ -165,7 +172,7 @@ if ((status == 0)) && ! made_anew; then
   why="the stage ended as if all were well, but has not made ${missing_output:-anything}; was its node lost?"
 elif [[ $stopped ]] && ((status != 75)) && { ((status >= 128)) || ! has_started; }; then
   status=143
-elif ((status == 137)) || { ((status)) && grep -q 'oom.kill' "$log"; }; then
+elif ((status == 137)) || { ((status)) && log_has 'oom.kill'; }; then
   why="killed, perhaps for want of memory"
 fi
 [[ ! $why ]] || echo "$stage: $why" >>"$log"

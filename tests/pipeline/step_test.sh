@@ -310,9 +310,10 @@ STAGE
 launcher_that_gives_up() { # its exit code
   cat >launcher <<LAUNCHER
 #!/bin/bash
+rm -f printed
 "\$@" >/dev/null 2>printed &
 child=\$!
-until grep -qs started printed; do sleep 0.05; done
+until [[ -s printed ]]; do sleep 0.05; done
 cat printed >&2
 touch started
 trap 'kill -USR1 \$child; exit $1' USR1
@@ -323,7 +324,7 @@ LAUNCHER
 stop_step_of_launcher() { # the exit code that is wanted
   local model=results/t/real/seed0/model.h5
   rm -f started
-  SUBMIT=./launcher pipeline/step.sh results/t/real/seed0 own --output $model >/dev/null 2>messages &
+  PATH=${path_of_step:-$PATH} SUBMIT=./launcher pipeline/step.sh results/t/real/seed0 own --output $model >/dev/null 2>messages &
   wait_for started
   until grep -qs '^step: waited\|^step: started' results/t/real/seed0/own.log; do sleep 0.05; done
   kill -TERM $!
@@ -331,12 +332,16 @@ stop_step_of_launcher() { # the exit code that is wanted
   expect_line "$(tail -n 1 results/t/real/seed0/own.log)" "^step: exit $1 after"
 }
 
-test_a_stage_is_waited_for_when_its_launcher_gives_up() {
+saves_slowly() {
   own_stage <<'STAGE'
 trap 'sleep 1; echo saved >results/t/real/seed0/model.h5.checkpoint; exit 75' USR1
 echo "step: started" >&2
 while :; do sleep 0.05; done
 STAGE
+}
+
+test_a_stage_is_waited_for_when_its_launcher_gives_up() {
+  saves_slowly
   local code
   for code in 0 1 137; do
     rm -f results/t/real/seed0/model.h5.checkpoint
@@ -345,6 +350,18 @@ STAGE
     expect_equal "$(<results/t/real/seed0/model.h5.checkpoint)" saved
     expect_line "$(<messages)" 'interrupted after a checkpoint; the same command goes on'
   done
+}
+
+# Slurm signals all processes of a job at once, and what step.sh has just started to look into its log with is among them.
+test_a_stage_is_waited_for_when_all_processes_are_signalled() {
+  saves_slowly
+  mkdir path
+  # shellcheck disable=SC2016
+  printf '#!/bin/bash\nkill -TERM $$\n' >path/grep
+  chmod +x path/grep
+  launcher_that_gives_up 0
+  path_of_step=$PWD/path:$PATH stop_step_of_launcher 75
+  expect_equal "$(<results/t/real/seed0/model.h5.checkpoint)" saved
 }
 
 # A checkpoint of an earlier life tells nothing of this one.

@@ -1,7 +1,7 @@
 #!/bin/bash
 # Installing packages, with stand-ins for dpkg-query, apt-get and sudo that write down their calls.
 # shellcheck source-path=SCRIPTDIR disable=SC2016
-source "${0%/*}/support.sh"
+source "${0%/*}/../../pipeline/support.sh"
 
 command_that() { # name, body
   printf '#!/bin/bash\n%s\n' "$2" >"path/$1"
