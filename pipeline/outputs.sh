@@ -65,6 +65,7 @@ made_anew() {
     [[ $SUBMIT ]] && ((tries++ < 60)) && log_has '^step: used ' || return
     sleep 1
   done
+  return 0 # not what a sleep returned that was signalled together with this script
 }
 
 # True if the stage was interrupted and has left a checkpoint. Waits for it where the stage may still be running:
@@ -78,4 +79,5 @@ left_checkpoint() {
     ((tries++ < 5 * ${CHECKPOINT_WITHIN:-30})) && ! log_has '^step: used ' && ! all_are_new || return
     sleep 0.2
   done
+  return 0 # as above
 }

@@ -352,13 +352,15 @@ test_a_stage_is_waited_for_when_its_launcher_gives_up() {
   done
 }
 
-# Slurm signals all processes of a job at once, and what step.sh has just started to look into its log with is among them.
+# Slurm signals all processes of a job at once, and what step.sh has just started is among them.
 test_a_stage_is_waited_for_when_all_processes_are_signalled() {
   saves_slowly
   mkdir path
   # shellcheck disable=SC2016
   printf '#!/bin/bash\nkill -TERM $$\n' >path/grep
-  chmod +x path/grep
+  # shellcheck disable=SC2016
+  printf '#!/bin/bash\n%s "$@"\nkill -TERM $$\n' "$(command -v sleep)" >path/sleep
+  chmod +x path/*
   launcher_that_gives_up 0
   path_of_step=$PWD/path:$PATH stop_step_of_launcher 75
   expect_equal "$(<results/t/real/seed0/model.h5.checkpoint)" saved
