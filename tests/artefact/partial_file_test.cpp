@@ -13,7 +13,7 @@
 namespace piae::artefact {
 namespace {
 
-/// What was brought to the disk, and whether the file of that name was there at that moment.
+/// One call of fsync: its file, and whether the final name existed at that time.
 struct Synced {
   ino_t inode;
   bool has_its_name;
@@ -23,7 +23,7 @@ std::filesystem::path name_of_file;
 
 }  // namespace
 
-/// Takes the place of the C library's.
+/// Replaces the C library's and records the call.
 extern "C" int fsync(int descriptor) {
   struct stat status {};
   if (::fstat(descriptor, &status) == 0) {
