@@ -49,25 +49,24 @@ TEST_F(ReadingsStage, MakesTheTables) {
   }
 }
 
+/// Returns the number that follows `begin` at the start of a line, or NaN if no line begins so.
+double value_behind(const std::string& csv, const std::string& begin) {
+  const std::size_t line = csv.find('\n' + begin);
+  return line == std::string::npos ? NAN : std::stod(csv.substr(line + 1 + begin.size()));
+}
+
 /// What the table says of the weights and losses is what the model says.
 TEST_F(ReadingsStage, TellsHowFarTheWeightsAreFromTheirStationaryPoint) {
   ASSERT_EQ(tiny_.run("readings", readings).status, 0);
   const std::string csv = bytes_of(tiny_ / "run/tiny/readings.csv");
   const auto value = [&](const std::string& quantity) {
-    const std::string row = "\ntiny,base," + quantity + ",,1,";
-    return std::stod(csv.substr(csv.find(row) + row.size()));
+    return value_behind(csv, "tiny,base," + quantity + ",,1,");
   };
   for (const auto& [weight, loss] :
        {std::pair("alpha", "L_DDL"), std::pair("beta", "L_DT"), std::pair("gamma", "L_Rec")}) {
     const double expected = 2 * value(weight) * value(loss);
     EXPECT_NEAR(value(std::string(weight) + "_of_stationary"), expected, 1e-5 * expected) << weight;
   }
-}
-
-/// The number in a CSV file behind the first line that begins so, or NaN.
-double value_behind(const std::string& csv, const std::string& begin) {
-  const std::size_t line = csv.find('\n' + begin);
-  return line == std::string::npos ? NAN : std::stod(csv.substr(line + 1 + begin.size()));
 }
 
 /// `identify` compares the same model with the same truth.
