@@ -1,6 +1,6 @@
 #!/bin/bash
 # What steps take, from the logs of runs: seconds of processor time (the mean) and megabytes (the most), by
-# stage, data set, method, ratio, and classifier where that is not the paper's. It is what `make cluster` divides a grid by (jobs/plan.awk).
+# stage, data set, method, ratio and classifier. It is what `make cluster` divides a grid by (jobs/plan.awk).
 # usage: jobs/costs.sh results/RUN... >jobs/costs.csv
 set -euo pipefail
 export LC_ALL=C
@@ -22,7 +22,7 @@ find "$@" -name '*.log' -not -path '*/.jobs/*' -not -path '*/seed*/sweep/*' -not
       dataset = i ? place[i - 1] : place[depth - 1]
       method = i && i + 1 < depth ? place[i + 1] : ""
       ratio = i && i + 2 < depth ? place[i + 2] : ""
-      classifier = i && i + 3 < depth ? place[i + 3] : "" # one has no folder of its own
+      classifier = i && i + 3 < depth ? place[i + 3] : ""
       key = stage "," dataset "," method "," classifier "," ratio
       sum[key] += $2
       ++count[key]

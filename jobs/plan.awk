@@ -45,7 +45,7 @@ function unit_of(    unit, i, last) {
   return unit
 }
 
-# Another classifier than the paper's is like a stage of its own.
+# Each classifier is like a stage of its own.
 function stage_by(stage, classifier) { return classifier == "" ? stage : stage " by " classifier }
 
 function is_among(word, words) { return index(" " words " ", " " word " ") > 0 }
@@ -165,10 +165,9 @@ FILENAME == ARGV[1] {
     costly = stage
     # The training of the features is that of the diagnosis beside it.
     if (stage == "diagnose" || stage == "features") {
-      below = substr($1, length(unit) + 2) # RATIO or RATIO/CLASSIFIER
-      ratio = below
-      sub(/\/.*/, "", ratio)
-      costly = stage_by("diagnose", ratio == below ? "" : substr(below, length(ratio) + 2))
+      split(substr($1, length(unit) + 2), below, "/") # RATIO/CLASSIFIER
+      ratio = below[1]
+      costly = stage_by("diagnose", below[2])
     }
     key = look_up(costly, place[3], method, ratio)
     add_to_unit(unit, cost[key], $4)

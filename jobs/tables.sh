@@ -24,16 +24,15 @@ steps_of() { # goal, variables
 # Of a grid with holes the tables are made all the same, of all cells that are there: where one cell is asked
 # for that is, make finds the others by itself.
 tables_with_holes() { # data set
-  local file method ratio seed classifier own bar papers
-  bar=$(fact bar) papers=$(fact paper-classifier)
+  local file method ratio seed classifier cells bar
+  bar=$(fact bar)
   "${grid[@]}" "DATASETS=$1" --dry-run list-cells 2>/dev/null | sed -n 's/^cell //p' >"$scratch/cells"
   while IFS= read -r file; do
     [[ $file == */diagnosis.h5 && -f $file ]] || continue
     IFS=/ read -r _ _ _ seed method ratio classifier _ <<<"$file"
-    own=$seed/$method/$ratio
-    if [[ $classifier == diagnosis.h5 ]]; then classifier=$papers; else own+=/$classifier; fi
+    cells=$seed/$method/$ratio
     # The baseline has the bar beside it, whichever classifier is asked for.
-    ! grep -qE "^results/[^/]+/$1/($seed|$seed/$method|$own|$seed/$method/$ratio/$bar)"$'\t' "$scratch/steps" || continue
+    ! grep -qE "^results/[^/]+/$1/($seed|$seed/$method|$cells/$classifier|$cells/$bar)"$'\t' "$scratch/steps" || continue
     "${grid[@]}" "DATASETS=$1" "SEEDS=${seed#seed}" "METHODS=$method" "RATIOS=$ratio" "CLASSIFIERS=$classifier" \
       tables && return
   done <"$scratch/cells"

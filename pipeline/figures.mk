@@ -9,12 +9,11 @@ SHELL := /bin/bash
 MAKEFLAGS += --no-builtin-rules --no-print-directory
 Q := $(if $(V),,@)
 
-cells   = $(wildcard $(patsubst %,$(results)/$1/seed*/%,C.h5 D.h5 */model.h5 */E.h5 */score.h5 */*/diagnosis.h5 */*/features.h5))
-# What some figures show beside the cells of the grid by the paper's classifier: other classifiers and sweeps,
-# the truth, the run with the other split.
-beside  = $(wildcard $(patsubst %,$(results)/$1/%,seed*/sweep/*/model.h5 seed*/*/*/*/diagnosis.h5 \
+cells   = $(wildcard $(patsubst %,$(results)/$1/seed*/%,C.h5 D.h5 */model.h5 */E.h5 */score.h5 */*/*/diagnosis.h5 */*/*/features.h5))
+# What some figures show beside the cells of the grid: sweeps, the truth, the run with the other split.
+beside  = $(wildcard $(patsubst %,$(results)/$1/%,seed*/sweep/*/model.h5 seed*/sweep/*/*/*/diagnosis.h5 \
             seed*/sweep@*/*/*/*/diagnosis.h5 sweep@*.csv scatter.csv identifiability.csv) \
-            $(results)-blocked/$1/seed*/*/*/diagnosis.h5)
+            $(results)-blocked/$1/seed*/*/*/*/diagnosis.h5)
 shown   := $(foreach dataset,$(DATASETS),$(if $(call cells,$(dataset)),$(dataset)))
 folders := $(shown:%=$(results)/%)
 

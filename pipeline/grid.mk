@@ -1,10 +1,7 @@
 # The experiment as a graph: data set x seed x method x ratio x classifier.
 #
 #   records.h5 -> A B C D -> model.h5 -> E.h5 -> score.h5
-#                        \-------------------\-> <ratio>/diagnosis.h5 -> accuracy.csv, tables.md, ...
-#
-# The paper's classifier has its diagnosis there, each other one in a folder of its own below it:
-# <ratio>/<classifier>/diagnosis.h5.
+#                        \-------------------\-> <ratio>/<classifier>/diagnosis.h5 -> accuracy.csv, tables.md, ...
 #
 # A file under its final name is complete, since every stage writes beside it and renames; so a run
 # can be stopped at any moment, killed even, and the same command goes on where it was.
@@ -190,14 +187,15 @@ endef
 
 # Elapsed times are left out of what is stored (--reproducible), so that a cell computed again is
 # equal byte for byte; the log beside it has them.
-another   = $(filter-out $(paper_classifier),$1)
-diagnoses_of = $(patsubst %,$1/%$(addprefix /,$(call another,$3))/diagnosis.h5,$(call method_ratios,$2))
+diagnoses_of = $(patsubst %,$1/%/$3/diagnosis.h5,$(call method_ratios,$2))
+# diagnose takes the paper's classifier unless one is named.
+by_classifier = $(if $(filter-out $(paper_classifier),$1),--classifier $1 )
 define diagnosis_rule # seed, its folder, cell, classifier
 precious.$2 += $(call diagnoses_of,$2/$3,$3,$4)
-$(call diagnoses_of,$2/$3,$3,$4): $2/$3/%$(addprefix /,$(call another,$4))/diagnosis.h5: \
+$(call diagnoses_of,$2/$3,$3,$4): $2/$3/%/$4/diagnosis.h5: \
     $(call windows,$2) $(if $(filter $(baseline),$3),,$2/$3/E.h5) $(settings)/diagnose.toml
 	$$(step) diagnose $$(config) --test $2/A.h5 --normal $2/B.h5 --known $2/C.h5 \
-	  $(if $(filter $(baseline),$3),,--generated $2/$3/E.h5 )--ratio $$* $(if $(call another,$4),--classifier $4 )--seed $1 \
+	  $(if $(filter $(baseline),$3),,--generated $2/$3/E.h5 )--ratio $$* $(call by_classifier,$4)--seed $1 \
 	  --reproducible --output $$@
 endef
 
@@ -207,11 +205,11 @@ endef
 features_ratio = $(lastword $(filter $(call method_ratios,$1),$(call fact,ratio)))
 features_seed := $(firstword $(shell printf '%s\n' $(SEEDS) | sort -n))
 has_features   = $(filter $(paper_classifier),$(call classifiers_of,$1,$2))
-features       = $(foreach method,$(methods_of),$(if $(call has_features,$1,$(method)),$(results)/$1/seed$(features_seed)/$(method)/$(call features_ratio,$(method))/features.h5))
+features       = $(foreach method,$(methods_of),$(if $(call has_features,$1,$(method)),$(results)/$1/seed$(features_seed)/$(method)/$(call features_ratio,$(method))/$(paper_classifier)/features.h5))
 
 define features_rule # its folder, method, ratio
-precious.$1 += $1/$2/$3/features.h5
-$1/$2/$3/features.h5: $(call windows,$1) $(if $(filter $(baseline),$2),,$1/$2/E.h5) $(settings)/diagnose.toml
+precious.$1 += $1/$2/$3/$(paper_classifier)/features.h5
+$1/$2/$3/$(paper_classifier)/features.h5: $(call windows,$1) $(if $(filter $(baseline),$2),,$1/$2/E.h5) $(settings)/diagnose.toml
 	$(Q)STEP_LOG=features pipeline/step.sh $$(@D) diagnose $$(config) --test $1/A.h5 --normal $1/B.h5 --known $1/C.h5 \
 	  $(if $(filter $(baseline),$2),,--generated $1/$2/E.h5 )--ratio $3 --seed $(features_seed) --reproducible --keep-features --output $$@
 endef
@@ -223,9 +221,8 @@ diagnoses    = $(foreach folder,$(seed_folders),$(foreach method,$(methods_of),$
 cell_files   = $(call diagnoses,$1) $(call scores,$1)
 
 # ---- what the run holds besides what is asked for ----------------------------------------------
-other_classifiers = $(call another,$(call fact,classifier))
-held_cells = $(wildcard $1/seed*/*/score.h5 $1/seed*/*/*/diagnosis.h5 $(other_classifiers:%=$1/seed*/*/*/%/diagnosis.h5))
-held_classifiers = $(paper_classifier) $(foreach name,$(other_classifiers),$(if $(wildcard $1/seed*/*/*/$(name)/diagnosis.h5),$(name)))
+held_cells = $(wildcard $1/seed*/*/score.h5 $(patsubst %,$1/seed*/*/*/%/diagnosis.h5,$(call fact,classifier)))
+held_classifiers = $(or $(foreach name,$(call fact,classifier),$(if $(wildcard $1/seed*/*/*/$(name)/diagnosis.h5),$(name))),$(paper_classifier))
 # Folder of the data set, cells asked for.
 besides    = $(filter-out $2,$(call held_cells,$1))
 

@@ -2,7 +2,7 @@
 # is tried stands in [readings] of pipeline/protocol.toml, on seeds that no result is reported of.
 #
 #   A B C D -> readings/<name>/model.h5 -> E.h5 -> score.h5
-#                                      \----------\-> <ratio>/diagnosis.h5 -> readings.csv, .md, .svg
+#                                      \----------\-> <ratio>/<classifier>/diagnosis.h5 -> readings.csv, .md, .svg
 #
 # A reading has all settings of base but those that its name says otherwise, so that it stays what it is when
 # the settings of piae-dt change.
@@ -33,7 +33,7 @@ settings_names += $(DATASETS:%=readings.%)
 readings_tables = $(results)/$1/readings.csv $(results)/$1/readings.md
 readings_cells  = $(foreach folder,$(seed_folders),$(foreach reading,$(all_readings),\
                     $(folder)/$(call reading_folder,$(reading))/score.h5 \
-                    $(readings_ratios:%=$(folder)/$(call reading_folder,$(reading))/%/diagnosis.h5)))
+                    $(readings_ratios:%=$(folder)/$(call reading_folder,$(reading))/%/$(paper_classifier)/diagnosis.h5)))
 
 # The table is of the seeds and ratios that are asked for, so these are settings of it.
 readings_choice := --ratios $(readings_ratios) --seeds $(SEEDS)
@@ -51,7 +51,7 @@ endef
 
 define reading_rules # seed, its folder, reading
 $(call generator_rules,$1,$2,$(call reading_folder,$3),$(paper_method),$(call reading_train,$(call settings_of,$3)))
-$(call diagnosis_rule,$1,$2,$(call reading_folder,$3))
+$(call diagnosis_rule,$1,$2,$(call reading_folder,$3),$(paper_classifier))
 endef
 
 $(foreach dataset,$(DATASETS),\

@@ -8,9 +8,8 @@
 # The time of steps that all methods wait for has a line of its own. Times are those of one step after
 # the other.
 
-# place[1] data set, place[2] seed, place[3] method, place[4] ratio, place[5] another classifier than the paper's:
-# as many as the folder has. What is tried
-# beside the methods (sweep/depth-1/1to1) is together like one of them. A contrast has two runs.
+# place[1] data set, place[2] seed, place[3] method, place[4] ratio, place[5] classifier: as many as the folder has.
+# What is tried beside the methods (sweep/depth-1/1to1) is together like one of them. A contrast has two runs.
 function locate(folder,    other_run, tried) {
   other_run = index(folder, run "/") != 1
   sub("^[^/]*/[^/]*/", "", folder)
@@ -94,16 +93,12 @@ FILENAME == ARGV[2] {
 FILENAME == ARGV[3] {
   folder = $1
   sub("/[^/]*$", "", folder)
-  depth = locate(folder)
+  locate(folder)
   if ((place[1], shared) in unknown || (place[1], shared) in left) line_of(place[1] SUBSEP shared)
   name = line_of(place[1] SUBSEP place[3])
   result = ($1 ~ /\/score\.h5$/ && folder in score) ? score[folder] : "done"
-  own = folder
-  of_ratio = folder
-  if (depth == 5) sub("/[^/]*$", "", of_ratio)
   while (length(folder) > length(run)) {
-    # In the folder of a ratio is the diagnosis by the paper's classifier, for which no other waits.
-    if (folder in state && (folder != of_ratio || folder == own)) result = worst(result, state[folder])
+    if (folder in state) result = worst(result, state[folder])
     sub("/[^/]*$", "", folder)
   }
   cells[name]++

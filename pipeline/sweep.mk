@@ -2,7 +2,7 @@
 # hyper-parameters of the paper's method (Section 4.5.5 and Fig. 19), and what each part of another is worth.
 #
 #   A B C D -> sweep/<factor>-<value>/model.h5 -> E.h5 -> score.h5
-#                                           \----------\-> <ratio>/diagnosis.h5 -> sweep.csv, sweep.md
+#                                           \----------\-> <ratio>/<classifier>/diagnosis.h5 -> sweep.csv, sweep.md
 #
 # What is tried stands in [sweep] of the protocol, for the paper's method, and in [sweep.METHOD] for others,
 # which have the classifier that it names, and sweep@METHOD wherever the paper's has sweep. Those of METHODS
@@ -26,9 +26,8 @@ swept_of = $(strip $(foreach method,$(swept),$(if $(filter $(method)/$(call swee
 $(foreach dataset,$(DATASETS),$(if $(call swept_of,$(dataset)),,$(error make sweep: $(dataset): no fault window is known, and \
   none of $(swept) works there by the classifier of its sweep)))
 
-# Of a method: what its sweep is called, its classifier as a folder, points, cells.
+# Of a method: what its sweep is called, points, cells.
 sweep_name   = sweep$(addprefix @,$(filter-out $(paper_method),$1))
-sweep_below  = $(addprefix /,$(call another,$(call sweep_judge,$1)))
 sweep_centre = $(call fact,sweep-centre:$1)
 sweep_moved  = $(filter-out $(call sweep_centre,$1),$(call fact,sweep-point:$1))
 moved_cell   = $(call sweep_name,$1)/$(subst =,-,$2)
@@ -41,10 +40,10 @@ settings_names += $(foreach dataset,$(DATASETS),$(foreach method,$(call swept_of
 # Of a data set and a method.
 sweep_scores    = $(foreach folder,$(seed_folders),$(patsubst %,$(folder)/%/score.h5,$(call sweep_cells,$2)))
 sweep_diagnoses = $(foreach folder,$(seed_folders),$(foreach cell,$(call sweep_cells,$2),\
-                    $(sweep_ratios:%=$(folder)/$(cell)/%$(call sweep_below,$2)/diagnosis.h5)))
+                    $(sweep_ratios:%=$(folder)/$(cell)/%/$(call sweep_judge,$2)/diagnosis.h5)))
 sweep_tables    = $(addprefix $(results)/$1/$(call sweep_name,$2),.csv .md)
 # The table is of all that the run holds, as those of the grid are (pipeline/grid.mk). Folder of the data set, method.
-held_sweep      = $(foreach cells,$(call sweep_name,$2)/* $2,$(wildcard $1/seed*/$(cells)/*$(call sweep_below,$2)/diagnosis.h5))
+held_sweep      = $(foreach cells,$(call sweep_name,$2)/* $2,$(wildcard $1/seed*/$(cells)/*/$(call sweep_judge,$2)/diagnosis.h5))
 
 define find_swept_besides # data set, method, name of the sweep, folder of the data set
 besides.$3.$1  := $(filter-out $(call sweep_diagnoses,$1,$2),$(call held_sweep,$4,$2))

@@ -1,7 +1,7 @@
 # Classifiers that are kept, for `classify` and `monitor`, and how far they are to be believed. The grid keeps none
 # unasked: a cell's takes a megabyte, and five more trainings.
 #
-#   A.h5 B.h5 C.h5 E.h5 -> <ratio>/classifier.h5 -> trust.csv, trust.md
+#   A.h5 B.h5 C.h5 E.h5 -> <ratio>/<classifier>/classifier.h5 -> trust.csv, trust.md
 
 kept_of = $(patsubst %/diagnosis.h5,%/classifier.h5,$(call diagnoses,$1))
 trust_tables = $(addprefix $(results)/$1/,trust.csv trust.md)
@@ -12,10 +12,10 @@ $(foreach dataset,$(DATASETS),$(eval options.trust.$(dataset) := $(words $(call 
 
 define kept_rule # seed, its folder, cell, classifier
 precious.$2 += $(patsubst %/diagnosis.h5,%/classifier.h5,$(call diagnoses_of,$2/$3,$3,$4))
-$(patsubst %/diagnosis.h5,%/classifier.h5,$(call diagnoses_of,$2/$3,$3,$4)): $2/$3/%$(addprefix /,$(call another,$4))/classifier.h5: \
+$(patsubst %/diagnosis.h5,%/classifier.h5,$(call diagnoses_of,$2/$3,$3,$4)): $2/$3/%/$4/classifier.h5: \
     $(call windows,$2) $(if $(filter $(baseline),$3),,$2/$3/E.h5) $(settings)/diagnose.toml
 	$(Q)STEP_LOG=classifier pipeline/step.sh $$(@D) diagnose $$(config) --test $2/A.h5 --normal $2/B.h5 --known $2/C.h5 \
-	  $(if $(filter $(baseline),$3),,--generated $2/$3/E.h5 )--ratio $$* $(if $(call another,$4),--classifier $4 )--seed $1 --keep-classifier $$@ -- $$@
+	  $(if $(filter $(baseline),$3),,--generated $2/$3/E.h5 )--ratio $$* $(call by_classifier,$4)--seed $1 --keep-classifier $$@ -- $$@
 endef
 
 define trust_rule # data set

@@ -37,11 +37,11 @@ int main(int argc, char** argv) {
       "sweep",
       "Makes sweep.csv and sweep.md in RUN/DATASET from the diagnoses of a sweep, in which one "
       "setting of piae-dt at a time is moved (paper, Section 4.5.5 and Fig. 19). They lie in "
-      "seedK/sweep/FACTOR-VALUE/RATIO, those of --centre in seedK/piae-dt/RATIO. Of another "
-      "--method everything is called sweep@METHOD, and the tables say what each of its parts is "
-      "worth. The ratios and "
-      "seeds that are named must be there; the tables have all that the run holds. Lists may be "
-      "several values, or one with commas.",
+      "seedK/sweep/FACTOR-VALUE/RATIO/CLASSIFIER, those of --centre in "
+      "seedK/piae-dt/RATIO/CLASSIFIER. Of another --method everything is called sweep@METHOD, and "
+      "the tables say what each of its parts is worth. The ratios and seeds that are named must be "
+      "there; the tables have all that the run holds. Lists may be several values, or one with "
+      "commas.",
       "sweep --run results/try --dataset cwru --points batch=1 batch=5 --centre batch=5 "
       "--ratios 1to1 --seeds 0 1");
   (void)stage.choose_variant(argc, argv, "--method");

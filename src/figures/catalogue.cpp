@@ -33,7 +33,7 @@ constexpr Figure figures[] = {
          "data set that the key names. The ceiling learns from real windows instead of generated "
          "ones. Below zero a "
          "method does harm.",
-     .from = "seed*/<method>/<ratio>/diagnosis.h5, /predictions",
+     .from = "seed*/<method>/<ratio>/<classifier>/diagnosis.h5, /predictions",
      .accuracies = gains_of_methods},
     {.name = "fig18-gains-of-models",
      .paper = "Fig. 18",
@@ -41,7 +41,7 @@ constexpr Figure figures[] = {
      .caption =
          "As Fig. 15, of PIAE-DT (Model 1) and of what is left when one part of it is taken "
          "away or exchanged; with those that the paper's outlook names, where a run has them.",
-     .from = "seed*/<method>/<ratio>/diagnosis.h5, /predictions",
+     .from = "seed*/<method>/<ratio>/<classifier>/diagnosis.h5, /predictions",
      .accuracies = gains_of_models},
     {.name = "accuracies",
      .paper = "",
@@ -51,7 +51,7 @@ constexpr Figure figures[] = {
          "The dotted line is the accuracy without generated windows, the dash-dotted one that of "
          "the nearest neighbour without them; dashed is what "
          "the paper publishes of the data set that the key names.",
-     .from = "seed*/<method>/<ratio>/diagnosis.h5, /predictions",
+     .from = "seed*/<method>/<ratio>/<classifier>/diagnosis.h5, /predictions",
      .accuracies = accuracies},
     {.name = "paired-differences",
      .paper = "",
@@ -62,7 +62,7 @@ constexpr Figure figures[] = {
                 "interval. "
                 "p is of "
                 "Wilcoxon's test with Holm's correction over the methods of a panel.",
-     .from = "seed*/<method>/<ratio>/diagnosis.h5, /predictions",
+     .from = "seed*/<method>/<ratio>/<classifier>/diagnosis.h5, /predictions",
      .accuracies = paired_differences},
     {.name = "critical-difference",
      .paper = "",
@@ -71,7 +71,7 @@ constexpr Figure figures[] = {
          "Critical-difference diagram (Demsar 2006): average rank of each method among those of "
          "the same seed, 1 being the best. A bar joins methods that differ by less than the "
          "critical difference (CD): the test does not tell them apart at 0.05.",
-     .from = "seed*/<method>/<ratio>/diagnosis.h5, /predictions",
+     .from = "seed*/<method>/<ratio>/<classifier>/diagnosis.h5, /predictions",
      .accuracies = critical_differences},
     {.name = "confusion",
      .paper = "",
@@ -81,7 +81,7 @@ constexpr Figure figures[] = {
          "a "
          "row for each true class, in percent of its windows. Blue is right, orange wrong; shares "
          "below 5 % have no number.",
-     .from = "seed*/<method>/<last ratio>/diagnosis.h5, /labels and /predictions",
+     .from = "seed*/<method>/<last ratio>/wdcnn/diagnosis.h5, /labels and /predictions",
      .numbers = confusions},
     {.name = "missed-faults",
      .paper = "",
@@ -90,7 +90,7 @@ constexpr Figure figures[] = {
          "Test windows of each fault that were taken for healthy, and healthy ones that were taken "
          "for a fault, in percent, with the most generated windows. Dots are seeds, marks their "
          "mean; further left is better.",
-     .from = "seed*/<method>/<last ratio>/diagnosis.h5, /labels and /predictions",
+     .from = "seed*/<method>/<last ratio>/wdcnn/diagnosis.h5, /labels and /predictions",
      .numbers = missed_faults},
     {.name = "reliability",
      .paper = "",
@@ -100,7 +100,7 @@ constexpr Figure figures[] = {
          "score of the class that was named. Below the diagonal the classifier is surer than it "
          "may be. Grey bars are the share of the windows in each bin; ECE is the mean distance "
          "from the diagonal, weighted by them.",
-     .from = "seed*/<method>/<last ratio>/diagnosis.h5, /scores and /predictions",
+     .from = "seed*/<method>/<last ratio>/<classifier>/diagnosis.h5, /scores and /predictions",
      .accuracies = reliabilities},
     {.name = "refusal",
      .paper = "",
@@ -112,7 +112,7 @@ constexpr Figure figures[] = {
          "accuracy. A line that is level says that the scores do not tell right from wrong. The "
          "dashed line is the precision of confidence.csv. Shares are read off the test windows "
          "themselves: a user must choose the threshold before.",
-     .from = "seed*/<method>/<last ratio>/diagnosis.h5, /scores and /predictions",
+     .from = "seed*/<method>/<last ratio>/<classifier>/diagnosis.h5, /scores and /predictions",
      .accuracies = refusals},
     {.name = "protocols",
      .paper = "",
@@ -122,7 +122,8 @@ constexpr Figure figures[] = {
          "for training, beside that with a split without overlap. Dots are seeds, marks their "
          "mean, "
          "bars its 95 % interval.",
-     .from = "seed*/<method>/<ratio>/diagnosis.h5, /predictions, of the run and of RUN-blocked",
+     .from = "seed*/<method>/<ratio>/wdcnn/diagnosis.h5, /predictions, of the run and of "
+             "RUN-blocked",
      .numbers = protocols},
     {.name = "fig19-sweep",
      .paper = "Fig. 19",
@@ -130,7 +131,8 @@ constexpr Figure figures[] = {
      .caption = "Accuracy in percent where one setting is moved and all others stay. Dots are "
                 "seeds, marks "
                 "their mean, bars its 95 % interval; the shaded value is that of the grid.",
-     .from = "seed*/sweep/<setting>/<ratio>/diagnosis.h5, seed*/piae-dt/<ratio>/diagnosis.h5",
+     .from = "seed*/sweep/<setting>/<ratio>/wdcnn/diagnosis.h5, "
+             "seed*/piae-dt/<ratio>/wdcnn/diagnosis.h5",
      .numbers = sweeps},
     {.name = "worth-of-parts",
      .paper = "",
@@ -223,14 +225,14 @@ constexpr Figure figures[] = {
          "how wide groups are and how far apart says little. Trustworthiness is 1 where all "
          "neighbours on the map are neighbours in the layer, and about 0.5 by chance; KL is what "
          "the map loses, in nats.",
-     .from = "seed<first>/<method>/<ratio>/features.h5, /features/hidden",
+     .from = "seed<first>/<method>/<ratio>/wdcnn/features.h5, /features/hidden",
      .numbers = hidden_map},
     {.name = "fig21-tsne-output",
      .paper = "Fig. 21",
      .title = "Test windows as the classifier's output layer sees them",
      .caption = "As Fig. 20, by the features of the output layer, before the softmax: one for each "
                 "class.",
-     .from = "seed<first>/<method>/<ratio>/features.h5, /features/output",
+     .from = "seed<first>/<method>/<ratio>/wdcnn/features.h5, /features/output",
      .numbers = output_map},
     {.name = "fig07-losses",
      .paper = "Fig. 7",

@@ -32,10 +32,8 @@ Html line_of_cell(const std::string& looks, const std::string& text) {
 
 /// Which artefacts a mean was made from.
 std::string files_of(const AccuracyRow& row) {
-  const bool is_papers = row.classifier == scoring::paper_classifier;
-  return fmt::format("{}/seed{{{}}}/{}/{}/{}diagnosis.h5, attribute accuracy", row.dataset,
-                     fmt::join(row.seeds, ","), row.method, row.ratio,
-                     is_papers ? "" : row.classifier + "/");
+  return fmt::format("{}/seed{{{}}}/{}/{}/{}/diagnosis.h5, attribute accuracy", row.dataset,
+                     fmt::join(row.seeds, ","), row.method, row.ratio, row.classifier);
 }
 
 /// "3 of 10 seeds", where some of those that the grid has are missing.
@@ -137,11 +135,9 @@ Table accuracies_of(const DatasetContents& contents, const report::ClassifierRow
                                block.rows, block.bar, [&](const AccuracyRow& row) {
                                  return accuracy_cell(row, reference, contents.grid.seeds.size());
                                });
-  const std::string folder =
-      block.classifier == scoring::paper_classifier ? "" : block.classifier + "/";
   table.below = "A method’s numbers are the attribute accuracy of " + contents.name +
-                "/seed*/<method>/<ratio>/" + folder +
-                "diagnosis.h5; each is in the list of cells below." +
+                "/seed*/<method>/<ratio>/" + block.classifier +
+                "/diagnosis.h5; each is in the list of cells below." +
                 about_published(reference, block.classifier) + about_bar(block.bar);
   return table;
 }

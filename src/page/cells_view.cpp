@@ -153,8 +153,8 @@ Html cells_view(const std::vector<DatasetContents>& datasets) {
                    fmt::format(
                        "The means above were made from {} cells. A row for each would make this "
                        "page too large to send, so there is one for all seeds of a diagnosis. "
-                       "Each cell lies in DATASET/seedN/METHOD/: score.h5, and below RATIO/ "
-                       "diagnosis.h5, of which the program verify checks the digest.",
+                       "Each cell lies in DATASET/seedN/METHOD/: score.h5, and below it in "
+                       "RATIO/CLASSIFIER/ diagnosis.h5. The program verify checks their digests.",
                        count)) +
            in_details(combined_table(datasets), "Diagnoses by method, classifier and ratio");
   }

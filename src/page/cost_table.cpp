@@ -8,7 +8,6 @@
 #include "diagnosis/catalogue.hpp"
 #include "page/duration.hpp"
 #include "report/labels.hpp"
-#include "scoring/diagnosis_record.hpp"
 #include "scoring/ratios.hpp"
 
 namespace piae::page {
@@ -38,9 +37,9 @@ std::optional<StepPlace> place_of(const StepLog& step) {
   StepPlace place{.dataset = parts[0], .method = parts[2], .stage = step.stage};
   const bool is_generator = step.stage == "train" || step.stage == "generate";
   if (is_generator && parts.size() == 3) return place;
-  if (step.stage != "diagnose" || parts.size() < 4 || parts.size() > 5) return std::nullopt;
+  if (step.stage != "diagnose" || parts.size() != 5) return std::nullopt;
   place.ratio = parts[3];
-  place.classifier = parts.size() == 5 ? parts[4] : scoring::paper_classifier;
+  place.classifier = parts[4];
   return place;
 }
 

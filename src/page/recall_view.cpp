@@ -49,7 +49,7 @@ Html recall_view(const DatasetContents& contents) {
   }
   table.below =
       "From /confusion of " + contents.name + "/seed*/<method>/" +
-      (ratio.empty() ? "<ratio>" : ratio) +
+      (ratio.empty() ? "<ratio>" : ratio) + "/" + scoring::paper_classifier +
       "/diagnosis.h5, summed over seeds; none from its own ratio. Shaded where less than 80, 60, "
       "40 and 20 % are recognised. Missed faults: windows with a fault that are taken for healthy "
       "ones; false alarms: healthy windows that are taken for a fault.";

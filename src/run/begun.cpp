@@ -32,13 +32,12 @@ std::vector<std::string> ratios_begun(const Layout& layout,
   return ratios;
 }
 
-/// Whether a cell is there, or was begun. That of the paper's classifier has no folder of its own.
+/// True if a cell is there, or its step has started. A folder does not suffice: `make trust` keeps
+/// classifiers in it without a diagnosis.
 bool is_cell_begun(const Layout& layout, const std::string& method, const std::string& ratio,
                    std::int64_t seed, const std::string& classifier) {
   const fs::path cell = layout.diagnosis(method, ratio, seed, classifier);
-  const fs::path folder = cell.parent_path();
-  if (classifier != scoring::paper_classifier) return fs::is_directory(folder);
-  return fs::is_regular_file(cell) || fs::is_regular_file(folder / "diagnose.log");
+  return fs::is_regular_file(cell) || fs::is_regular_file(cell.parent_path() / "diagnose.log");
 }
 
 bool is_begun(const Layout& layout, const std::string& method, const std::string& classifier) {

@@ -5,7 +5,6 @@
 
 #include "augment/catalogue.hpp"
 #include "base/numbers.hpp"
-#include "diagnosis/catalogue.hpp"
 
 namespace piae::run {
 
@@ -38,9 +37,7 @@ std::optional<fs::path> Layout::unfinished_log(const fs::path& cell) {
   };
   const bool is_score = cell.filename() == "score.h5";
   const fs::path folder = cell.parent_path();
-  const bool is_of_another = diagnosis::find_classifier(folder.filename().string()) != nullptr;
-  const fs::path ratio = is_of_another ? folder.parent_path() : folder;
-  const fs::path method = is_score ? folder : ratio.parent_path();
+  const fs::path method = is_score ? folder : folder.parent_path().parent_path();
   const Step steps[] = {
       {method.parent_path(), "split.log", "D.h5"},
       {method, "train.log", "model.h5"},

@@ -33,14 +33,10 @@ class Layout {
   [[nodiscard]] std::filesystem::path score(const std::string& method, std::int64_t seed) const {
     return method_folder(method, seed) / "score.h5";
   }
-  /// That of the paper's classifier lies in the ratio's folder, those of others in folders of their
-  /// own below it.
   [[nodiscard]] std::filesystem::path diagnosis(
       const std::string& method, const std::string& ratio, std::int64_t seed,
       const std::string& classifier = scoring::paper_classifier) const {
-    const std::filesystem::path of_ratio = method_folder(method, seed) / ratio;
-    const bool is_papers = classifier == scoring::paper_classifier;
-    return (is_papers ? of_ratio : of_ratio / classifier) / "diagnosis.h5";
+    return method_folder(method, seed) / ratio / classifier / "diagnosis.h5";
   }
   /// The classifier itself, beside its diagnosis (pipeline/trust.mk).
   [[nodiscard]] std::filesystem::path kept_classifier(const std::string& method,
@@ -48,10 +44,10 @@ class Layout {
                                                       const std::string& classifier) const {
     return diagnosis(method, ratio, seed, classifier).replace_filename("classifier.h5");
   }
-  /// A diagnosis with the features of the test windows.
+  /// A diagnosis by the paper's classifier with the features of the test windows.
   [[nodiscard]] std::filesystem::path features(const std::string& method, const std::string& ratio,
                                                std::int64_t seed) const {
-    return method_folder(method, seed) / ratio / "features.h5";
+    return diagnosis(method, ratio, seed).replace_filename("features.h5");
   }
   [[nodiscard]] std::filesystem::path model(const std::string& method, std::int64_t seed) const {
     return method_folder(method, seed) / "model.h5";

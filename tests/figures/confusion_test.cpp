@@ -49,7 +49,7 @@ TEST_F(Confusion, NamesTheDiagnosisThatIsMissing) {
   add_two_seeds();
   std::filesystem::remove(layout_.diagnosis("vae", "2to1", 1));
   Source two = source("vae", "10to1 2to1");
-  EXPECT_ERROR(confusions(two), Exit::input_missing, "seed1/vae/2to1/diagnosis.h5");
+  EXPECT_ERROR(confusions(two), Exit::input_missing, "seed1/vae/2to1/wdcnn/diagnosis.h5");
 }
 
 TEST_F(Confusion, DoesNotSumWhatHasOtherClassesOrAnotherSplit) {
@@ -58,11 +58,11 @@ TEST_F(Confusion, DoesNotSumWhatHasOtherClassesOrAnotherSplit) {
   scoring::DiagnosisRecord other = told("vae", "2to1", 145, 1, {0, 1}, {0, 1});
   other.info.classes[1].name = "ball";
   add(other);
-  EXPECT_ERROR(confusions(two), Exit::bad_input, "seed1/vae/2to1/diagnosis.h5: its classes");
+  EXPECT_ERROR(confusions(two), Exit::bad_input, "seed1/vae/2to1/wdcnn/diagnosis.h5: its classes");
   other = told("vae", "2to1", 145, 1, {0, 1}, {0, 1});
   other.protocol = signal::Protocol::blocked;
   add(other);
-  EXPECT_ERROR(confusions(two), Exit::bad_input, "seed1/vae/2to1/diagnosis.h5: its classes");
+  EXPECT_ERROR(confusions(two), Exit::bad_input, "seed1/vae/2to1/wdcnn/diagnosis.h5: its classes");
 }
 
 }  // namespace

@@ -38,7 +38,7 @@ TEST_F(MissedFaults, HaveNoRowsOfAClassWithoutTestWindows) {
 TEST_F(MissedFaults, NameTheDiagnosisThatIsMissing) {
   add_two_seeds();
   Source three = source("vae", "2to1", "0 1 2");
-  EXPECT_ERROR(missed_faults(three), Exit::input_missing, "seed2/vae/2to1/diagnosis.h5");
+  EXPECT_ERROR(missed_faults(three), Exit::input_missing, "seed2/vae/2to1/wdcnn/diagnosis.h5");
 }
 
 }  // namespace

@@ -50,7 +50,7 @@ TEST_F(ReliabilityFigure, SaysNothingOfAnEmptyBin) {
 
 TEST_F(ReliabilityFigure, NamesTheDiagnosisThatIsMissing) {
   Source one = source("vae", "2to1", "0");
-  EXPECT_ERROR(numbers_of(one), Exit::input_missing, "seed0/vae/2to1/diagnosis.h5");
+  EXPECT_ERROR(numbers_of(one), Exit::input_missing, "seed0/vae/2to1/wdcnn/diagnosis.h5");
 }
 
 TEST_F(ReliabilityFigure, IsLeftOutForAClassifierThatDoesNotSayHowSureItIs) {

@@ -86,7 +86,7 @@ TEST_F(SweepFigure, NamesTheCellThatIsMissing) {
   add_sweep(1, 10);
   std::filesystem::remove(layout_.diagnosis("sweep/batch-10", "1to1", 1));
   Source two = swept("0 1");
-  EXPECT_ERROR(sweeps(two), Exit::input_missing, "seed1/sweep/batch-10/1to1/diagnosis.h5");
+  EXPECT_ERROR(sweeps(two), Exit::input_missing, "seed1/sweep/batch-10/1to1/wdcnn/diagnosis.h5");
   std::filesystem::remove(layout_.model("sweep/batch-2", 0));
   EXPECT_ERROR(sweeps(two), Exit::input_missing, "seed0/sweep/batch-2/model.h5");
 }

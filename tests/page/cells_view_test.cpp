@@ -24,7 +24,7 @@ std::vector<DatasetContents> with_cells(std::int64_t seeds) {
 
 TEST(CellsView, HasARowForEachCell) {
   const std::string view = cells_view(with_cells(3)).text();
-  EXPECT_THAT(view, HasSubstr("cwru/seed2/vae/2to1/diagnosis.h5"));
+  EXPECT_THAT(view, HasSubstr("cwru/seed2/vae/2to1/wdcnn/diagnosis.h5"));
   EXPECT_THAT(view, HasSubstr("Diagnoses: 6"));
 }
 

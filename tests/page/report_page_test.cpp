@@ -127,10 +127,10 @@ TEST_F(ReportPage, SaysWhichMethodToTake) {
 TEST_F(ReportPage, SaysWhichArtefactsANumberCameFrom) {
   add_all();
   const std::string html = page();
-  EXPECT_THAT(html,
-              HasSubstr("title=\"cwru/seed{0,1}/vae/2to1/diagnosis.h5, attribute accuracy\""));
-  EXPECT_THAT(html, HasSubstr("<a href=\"./cwru/seed1/vae/2to1/diagnosis.h5\">"
-                              "cwru/seed1/vae/2to1/diagnosis.h5</a>"));
+  EXPECT_THAT(
+      html, HasSubstr("title=\"cwru/seed{0,1}/vae/2to1/wdcnn/diagnosis.h5, attribute accuracy\""));
+  EXPECT_THAT(html, HasSubstr("<a href=\"./cwru/seed1/vae/2to1/wdcnn/diagnosis.h5\">"
+                              "cwru/seed1/vae/2to1/wdcnn/diagnosis.h5</a>"));
   const artefact::Reader reader(layout_.diagnosis("vae", "2to1", 1), "diagnosis");
   EXPECT_THAT(html, HasSubstr("<code>" + reader.digest().substr(0, 16) + "</code>"));
 }
@@ -213,11 +213,11 @@ TEST_F(ReportPage, WhatIsAskedForAndNotBegunIsMissing) {
 
 TEST_F(ReportPage, ADamagedCellIsRefusedByName) {
   add_all();
-  write("cwru/seed1/vae/2to1/diagnosis.h5", "no artefact");
+  write("cwru/seed1/vae/2to1/wdcnn/diagnosis.h5", "no artefact");
   const std::string html = page();
   EXPECT_THAT(html, HasSubstr("⚠ 1 of 8 cells is missing: 1 refused."));
   EXPECT_THAT(html, HasSubstr("✖ refused"));
-  EXPECT_THAT(html, HasSubstr("cwru/seed1/vae/2to1/diagnosis.h5: "));
+  EXPECT_THAT(html, HasSubstr("cwru/seed1/vae/2to1/wdcnn/diagnosis.h5: "));
 }
 
 TEST_F(ReportPage, TellsFailedFromInterruptedAndRunningSteps) {
@@ -260,7 +260,7 @@ TEST_F(ReportPage, NamesADataSetOfWhichNoTrainingWasDone) {
                             HasSubstr("vae; 50:1, 25:1, 10:1, 5:1, 2:1 and 1:1; seed 0"),
                             HasSubstr("hit-sm/seed0/C.h5: damaged")));
   write("hit-sm/identifiability.csv", "");
-  write("hit-sm/seed0/vae/2to1/diagnose.log", "command\nstep: begun at 1\n");
+  write("hit-sm/seed0/vae/2to1/wdcnn/diagnose.log", "command\nstep: begun at 1\n");
   EXPECT_THAT(page(), HasSubstr("2 of 10 cells are missing"));
 }
 
@@ -341,7 +341,8 @@ TEST_F(ReportPage, HoldsEachFigureWithAnAnchorItsCaptionAndItsNumbers) {
   EXPECT_THAT(html, HasSubstr(" width=\"960\" height=\"600\">"));
   EXPECT_THAT(html, HasSubstr("<a href=\"data:text/csv;charset=utf-8,method,gain%0Avae,27.5%0A\" "
                               "download=\"cwru-fig15-gains.csv\">CSV</a>"));
-  EXPECT_THAT(html, HasSubstr("From cwru/seed*/&lt;method&gt;/&lt;ratio&gt;/diagnosis.h5"));
+  EXPECT_THAT(html, HasSubstr("From cwru/seed*/&lt;method&gt;/&lt;ratio&gt;/"
+                              "&lt;classifier&gt;/diagnosis.h5"));
   EXPECT_THAT(html, HasSubstr("alt=\"Fig. 15: What generated windows gain, by ratio, on cwru. "));
 }
 

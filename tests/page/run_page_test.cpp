@@ -177,16 +177,17 @@ StepLog used(const std::string& file, double seconds, StepEnd end = StepEnd::don
 /// Of two seeds 40 and 60 s of training are 50, and 2 s of generating. Of the ratios that with the
 /// most windows counts; what is not done does not; and what a sweep took is no method's.
 TEST(RunPage, SumsWhatAMethodWithAClassifierTakesOfASeed) {
-  const std::string page = run_page(
-      {used("cwru/seed0/vae/train.log", 40), used("cwru/seed1/vae/train.log", 60),
-       used("cwru/seed0/vae/generate.log", 2),
-       used("cwru/seed1/vae/generate.log", 77, StepEnd::failed),
-       used("cwru/seed0/vae/10to1/diagnose.log", 5), used("cwru/seed0/vae/1to1/diagnose.log", 8),
-       used("cwru/seed0/vae/1to1/nearest/diagnose.log", 3),
-       used("cwru/seed0/sweep/batch-1/1to1/diagnose.log", 70),
-       used("cwru/seed0/none/100to1/diagnose.log", 6),
-       used("cwru/seed0/smote/1to1/diagnose.log", 7)},
-      {});
+  const std::string page =
+      run_page({used("cwru/seed0/vae/train.log", 40), used("cwru/seed1/vae/train.log", 60),
+                used("cwru/seed0/vae/generate.log", 2),
+                used("cwru/seed1/vae/generate.log", 77, StepEnd::failed),
+                used("cwru/seed0/vae/10to1/wdcnn/diagnose.log", 5),
+                used("cwru/seed0/vae/1to1/wdcnn/diagnose.log", 8),
+                used("cwru/seed0/vae/1to1/nearest/diagnose.log", 3),
+                used("cwru/seed0/sweep/batch-1/1to1/wdcnn/diagnose.log", 70),
+                used("cwru/seed0/none/100to1/wdcnn/diagnose.log", 6),
+                used("cwru/seed0/smote/1to1/wdcnn/diagnose.log", 7)},
+               {});
   const std::string unknown = "<td class=\"number\">–</td>";
   const auto row = [](const std::string& method, const std::string& classifier,
                       const std::string& ratio) {
@@ -214,7 +215,7 @@ TEST(RunPage, TakesNoTimeFromAStepThatWentOn) {
   second_half.went_on = true;
   const std::vector<StepLog> steps{second_half, used("cwru/seed1/vae/train.log", 60),
                                    used("cwru/seed0/vae/generate.log", 2),
-                                   used("cwru/seed0/vae/1to1/diagnose.log", 8)};
+                                   used("cwru/seed0/vae/1to1/wdcnn/diagnose.log", 8)};
   EXPECT_THAT(run_page(steps, {}), HasSubstr(shown_time(60) + shown_time(2) + shown_time(8)));
 }
 

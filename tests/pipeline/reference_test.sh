@@ -88,7 +88,7 @@ test_what_chance_does_not_explain_is_seen_on_any_machine() {
 
 test_cells_of_one_side_are_named() {
   made
-  rm results/tiny/tiny/seed1/smote/10to1/diagnosis.h5
+  rm results/tiny/tiny/seed1/smote/10to1/wdcnn/diagnosis.h5
   sed -i '/^piae-dt,,,.*,0,/d' $reference
   local output
   output=$(tiny check 2>&1 || true)

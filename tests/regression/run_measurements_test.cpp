@@ -149,11 +149,11 @@ TEST_F(RunMeasurements, WithACellThatCannotBeIsNotCompared) {
   scoring::DiagnosisRecord other = diagnosis("vae", "2to1", 145, 1, 9);
   other.protocol = signal::Protocol::blocked;
   add(other);
-  expect_refused("seed1/vae/2to1/diagnosis.h5: the split protocol is blocked");
+  expect_refused("seed1/vae/2to1/wdcnn/diagnosis.h5: the split protocol is blocked");
   save("diagnosis", diagnosis("ae", "2to1", 145, 1, 9), layout_.diagnosis("vae", "2to1", 1));
   expect_refused("the method is ae, here it must be vae");
   std::filesystem::resize_file(layout_.diagnosis("vae", "2to1", 1), 1000);
-  expect_refused("seed1/vae/2to1/diagnosis.h5");
+  expect_refused("seed1/vae/2to1/wdcnn/diagnosis.h5");
 }
 
 }  // namespace

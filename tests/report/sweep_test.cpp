@@ -134,7 +134,7 @@ TEST_F(SweepTables, LeaveOutWhatIsOutOfDate) {
   run::Results results;
   const auto rows = sweep_rows(
       layout_, resolve(options_of(points_, centre_, "1to1", "0")),
-      run::Held(layout_, {"seed1/sweep", "seed0/sweep/depth-4/2to1/diagnosis.h5"}), results);
+      run::Held(layout_, {"seed1/sweep", "seed0/sweep/depth-4/2to1/wdcnn/diagnosis.h5"}), results);
   for (const SweepRow& row : rows)
     EXPECT_THAT(row.accuracy.seeds, ElementsAre(0)) << row.point.value;
   EXPECT_EQ(rows.size(), 7U);

@@ -113,7 +113,7 @@ TEST_F(TrustTable, IsShownInTables) {
 
 TEST_F(TrustTable, NeedsTheClassifierOfEachCell) {
   EXPECT_ERROR(trust_rows(layout_, cells("wdcnn")), Exit::input_missing,
-               "seed0/none/100to1/classifier.h5");
+               "seed0/none/100to1/wdcnn/classifier.h5");
   keep("none", "wdcnn", 0, trust({0.9, 0.9, 0.9}), 1);
   EXPECT_ERROR(trust_rows(layout_, cells("wdcnn")), Exit::bad_input,
                "is nearest of cwru, none 100to1, seed 0; here it must be wdcnn of cwru");

@@ -70,9 +70,9 @@ class CellsOfClassifiers : public StoredRun {
   }
 };
 
-TEST_F(CellsOfClassifiers, LieInFoldersOfTheirOwnButForThePapers) {
+TEST_F(CellsOfClassifiers, LieInAFolderForEach) {
   EXPECT_EQ(layout_.diagnosis("vae", "10to1", 3),
-            layout_.folder() / "seed3/vae/10to1/diagnosis.h5");
+            layout_.folder() / "seed3/vae/10to1/wdcnn/diagnosis.h5");
   EXPECT_EQ(layout_.diagnosis("vae", "10to1", 3, "nearest"),
             layout_.folder() / "seed3/vae/10to1/nearest/diagnosis.h5");
 }
@@ -135,12 +135,21 @@ TEST_F(CellsOfClassifiers, ThatAreBegunAreThoseOfARunThatIsLookedAt) {
                           "vae 2to1 wdcnn-spectrum", "none 100to1 nearest"));
 }
 
+TEST_F(CellsOfClassifiers, AreNotBegunWhereTheClassifierAloneIsKept) {
+  add_all();
+  folder_.write("run/cwru/seed0/vae/2to1/wdcnn-spectrum/classifier.h5", "");
+  const GridOptions nothing_said{.dataset = dataset_, .methods = {}, .ratios = {}, .seeds = {}};
+  EXPECT_EQ(names_of(resolve_begun(layout_, nothing_said)).size(), 3U);
+  folder_.write("run/cwru/seed0/vae/2to1/wdcnn-spectrum/diagnose.log", "");
+  EXPECT_EQ(names_of(resolve_begun(layout_, nothing_said)).size(), 7U);
+}
+
 /// Where no fault is known, a run may have rules and symptom-net alone.
 TEST_F(CellsOfClassifiers, ThatAreBegunNeedNotBeOfThePapers) {
   add(by("symptom-net", diagnosis("vae", "2to1", 145, 1, 20)));
   const GridOptions nothing_said{.dataset = dataset_, .methods = {}, .ratios = {}, .seeds = {}};
   EXPECT_THAT(names_of(resolve_begun(layout_, nothing_said)), ElementsAre("vae 2to1 symptom-net"));
-  folder_.write("run/cwru/seed1/vae/2to1/diagnose.log", "");
+  folder_.write("run/cwru/seed1/vae/2to1/wdcnn/diagnose.log", "");
   EXPECT_THAT(names_of(resolve_begun(layout_, nothing_said)),
               ElementsAre("vae 2to1 wdcnn", "vae 2to1 symptom-net"));
 }

@@ -31,7 +31,8 @@ class Cells : public StoredRun {
 
 TEST_F(Cells, LieWhereTheGridKeepsThem) {
   const Layout layout("results/try", "cwru");
-  EXPECT_EQ(layout.diagnosis("vae", "10to1", 3), "results/try/cwru/seed3/vae/10to1/diagnosis.h5");
+  EXPECT_EQ(layout.diagnosis("vae", "10to1", 3),
+            "results/try/cwru/seed3/vae/10to1/wdcnn/diagnosis.h5");
   EXPECT_EQ(layout.score("vae", 3), "results/try/cwru/seed3/vae/score.h5");
   EXPECT_EQ(layout.accuracy_csv(), "results/try/cwru/accuracy.csv");
   EXPECT_EQ(layout.gains_csv(), "results/try/cwru/gains.csv");
@@ -70,13 +71,14 @@ TEST_F(Cells, AreNamedWhereTheyAreMissing) {
   std::filesystem::remove(layout_.diagnosis("vae", "2to1", 0));
   std::filesystem::remove(layout_.score("vae", 0));
   const Results results = collect(layout_, grid_);
-  EXPECT_THAT(results.problems,
-              ElementsAre(AllOf(StartsWith("method none, ratio 100to1, seed 1: "),
-                                HasSubstr("cwru/seed1/none/100to1/diagnosis.h5: No such file")),
-                          AllOf(StartsWith("method vae, ratio 2to1, seed 0: "),
-                                HasSubstr("cwru/seed0/vae/2to1/diagnosis.h5: No such file")),
-                          AllOf(StartsWith("method vae, seed 0: "),
-                                HasSubstr("cwru/seed0/vae/score.h5: No such file"))));
+  EXPECT_THAT(
+      results.problems,
+      ElementsAre(AllOf(StartsWith("method none, ratio 100to1, seed 1: "),
+                        HasSubstr("cwru/seed1/none/100to1/wdcnn/diagnosis.h5: No such file")),
+                  AllOf(StartsWith("method vae, ratio 2to1, seed 0: "),
+                        HasSubstr("cwru/seed0/vae/2to1/wdcnn/diagnosis.h5: No such file")),
+                  AllOf(StartsWith("method vae, seed 0: "),
+                        HasSubstr("cwru/seed0/vae/score.h5: No such file"))));
   EXPECT_EQ(results.exit, Exit::input_missing);
 }
 

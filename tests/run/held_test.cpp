@@ -122,7 +122,7 @@ TEST_F(HeldCells, ThatAreOutOfDateAreLeftOutByName) {
               ElementsAre("none 100to1 0", "none 100to1 1", "vae 10to1 1", "vae 2to1 1"));
   EXPECT_THAT(folder.left_out,
               ElementsAre(cell("vae", "10to1", 0), cell("vae", "2to1", 0), cell("vae", "", 0)));
-  const Results file = collected(part_, {"seed1/vae/2to1/diagnosis.h5"}).results;
+  const Results file = collected(part_, {"seed1/vae/2to1/wdcnn/diagnosis.h5"}).results;
   EXPECT_THAT(file.left_out, ElementsAre(cell("vae", "2to1", 1)));
   // A name is no beginning of another.
   EXPECT_THAT(collected(part_, {"seed1/va", "seed"}).results.left_out, IsEmpty());

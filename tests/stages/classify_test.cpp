@@ -396,7 +396,7 @@ class TrustStage : public KeepClassifier {
 };
 
 TEST_F(TrustStage, MakesTheTables) {
-  (void)keep("wdcnn", "run/tiny/seed0/none/100to1/classifier.h5");
+  (void)keep("wdcnn", "run/tiny/seed0/none/100to1/wdcnn/classifier.h5");
   const Arguments arguments = trust();
   (void)keep("nearest", "run/tiny/seed0/none/100to1/nearest/classifier.h5");
   const Outcome outcome = tiny_.run("trust", arguments);
@@ -411,7 +411,7 @@ TEST_F(TrustStage, MakesTheTables) {
 TEST_F(TrustStage, NamesWhatIsNotThere) {
   const std::set<std::string> before = tiny_.files();
   expect_refusal(tiny_.run("trust", trust()), "trust", 66,
-                 {"run/tiny/seed0/none/100to1/classifier.h5"});
+                 {"run/tiny/seed0/none/100to1/wdcnn/classifier.h5"});
   EXPECT_EQ(tiny_.files(), before);
 }
 

@@ -31,7 +31,7 @@ TEST_F(ContrastStage, SetsTwoRunsSideBySide) {
 }
 
 TEST_F(ContrastStage, NamesAMissingCellAndMakesNoTable) {
-  fs::remove(tiny_ / "other/tiny/seed0/piae-dt/50to1/diagnosis.h5");
+  fs::remove(tiny_ / "other/tiny/seed0/piae-dt/50to1/wdcnn/diagnosis.h5");
   const std::set<std::string> before = tiny_.files();
   const Outcome outcome = tiny_.run("contrast", contrast);
   EXPECT_EQ(outcome.status, 66);

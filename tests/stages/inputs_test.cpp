@@ -118,7 +118,7 @@ TEST(InputsOfTabulate, EveryMissingOrDamagedCellIsNamed) {
   const Tiny tiny;
   tiny.run_chain_before("tabulate");
   const std::string score = "run/tiny/seed0/piae-dt/score.h5";
-  const std::string diagnosis = "run/tiny/seed0/none/100to1/diagnosis.h5";
+  const std::string diagnosis = "run/tiny/seed0/none/100to1/wdcnn/diagnosis.h5";
   const std::string bytes = bytes_of(tiny / diagnosis);
   fs::remove(tiny / score);
   write_bytes(tiny / diagnosis, bytes.substr(0, bytes.size() / 2));

@@ -105,7 +105,7 @@ TEST_F(NothingKnown, RulesNeedNone) {
 
 TEST_F(NothingKnown, IsSaidInTheTables) {
   make_windows();
-  run_well("diagnose", of_oracle("diagnose", "run/tiny/seed0/oracle/50to1/diagnosis.h5"));
+  run_well("diagnose", of_oracle("diagnose", "run/tiny/seed0/oracle/50to1/wdcnn/diagnosis.h5"));
   Arguments tabulate{"--run",    "run",          "--dataset",
                      "tiny",     "--methods",    "none,oracle",
                      "--ratios", "100to1,50to1", "--seeds",

@@ -25,12 +25,12 @@ class ReadingsStage : public testing::Test {
   }
 
   void make_cell(const std::string& folder) const {
-    fs::create_directories(tiny_ / (folder + "/50to1"));
+    fs::create_directories(tiny_ / (folder + "/50to1/wdcnn"));
     fs::copy(tiny_ / "model.h5", tiny_ / (folder + "/model.h5"));
     fs::copy(tiny_ / "E.h5", tiny_ / (folder + "/E.h5"));
     fs::copy(tiny_ / "run/tiny/seed0/piae-dt/score.h5", tiny_ / (folder + "/score.h5"));
-    fs::copy(tiny_ / "run/tiny/seed0/piae-dt/50to1/diagnosis.h5",
-             tiny_ / (folder + "/50to1/diagnosis.h5"));
+    fs::copy(tiny_ / "run/tiny/seed0/piae-dt/50to1/wdcnn/diagnosis.h5",
+             tiny_ / (folder + "/50to1/wdcnn/diagnosis.h5"));
   }
 
   const Tiny tiny_;

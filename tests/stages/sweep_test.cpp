@@ -10,7 +10,7 @@ namespace {
 
 const Arguments sweep{"--run",    "run",     "--dataset", "tiny",  "--points", "batch=2", "batch=5",
                       "--centre", "batch=5", "--ratios",  "50to1", "--seeds",  "0"};
-const std::string cell = "run/tiny/seed0/sweep/batch-2/50to1/diagnosis.h5";
+const std::string cell = "run/tiny/seed0/sweep/batch-2/50to1/wdcnn/diagnosis.h5";
 
 /// The chain has the common point; this is the other one.
 void make_moved_cell(const Tiny& tiny) {

@@ -54,7 +54,7 @@ TEST(TablesOfAPart, NeedWhatIsAskedFor) {
   const auto of_the_whole = tables_of(tiny);
   const Outcome outcome = tiny.run("tabulate", asking_for("piae-dt", "10to1"));
   EXPECT_EQ(outcome.status, 66);
-  EXPECT_NE(outcome.err.find("run/tiny/seed0/piae-dt/10to1/diagnosis.h5"), std::string::npos)
+  EXPECT_NE(outcome.err.find("run/tiny/seed0/piae-dt/10to1/wdcnn/diagnosis.h5"), std::string::npos)
       << outcome.err;
   EXPECT_EQ(tables_of(tiny), of_the_whole);
 }
@@ -128,9 +128,10 @@ TEST(Tabulate, RefusesTestWindowsThatADiagnosisIsNotOf) {
   fs::copy(tiny / "other/A.h5", tiny / "run/tiny/seed0/A.h5");
   const Outcome outcome = tiny.run_step("tabulate");
   EXPECT_EQ(outcome.status, 65);
-  EXPECT_NE(outcome.err.find("run/tiny/seed0/none/100to1/diagnosis.h5: /labels are not those of "
-                             "A.h5 of this seed"),
-            std::string::npos)
+  EXPECT_NE(
+      outcome.err.find("run/tiny/seed0/none/100to1/wdcnn/diagnosis.h5: /labels are not those of "
+                       "A.h5 of this seed"),
+      std::string::npos)
       << outcome.err;
   EXPECT_EQ(tables_of(tiny), before);
 }

@@ -29,7 +29,7 @@ test_a_failed_cell_is_named_and_the_tables_are_of_the_others() {
   cluster cluster >/dev/null
   wait_for_line tables.log '^job: life ended .* status 1: some steps failed'
   expect_in_log tables.log '^missing: 3 files that the tables are made of'
-  expect_in_log tables.log '^  results/t/simulated-small/seed1/piae-dt/10to1/diagnosis.h5$'
+  expect_in_log tables.log '^  results/t/simulated-small/seed1/piae-dt/10to1/wdcnn/diagnosis.h5$'
   expect_line "$(<results/t/simulated-small/tables.md)" 'piae-dt'
   [[ -s results/t/report.html ]] || fail "there is no report"
   local output
@@ -130,7 +130,7 @@ test_another_question_takes_a_run_of_both_protocols() {
   expect_line "$(cluster cluster contrast METHODS=none SEEDS=0 RATIOS=100to1)" '^submitted as job .*records.*cells.*tables'
   wait_for_line tables.log '^job: life ended .* status 0: done'
   expect_line "$(<results/t/simulated-small/protocols.md)" none
-  [[ -e results/t-blocked/simulated-small/seed0/none/100to1/diagnosis.h5 ]] || fail "the other protocol was not computed"
+  [[ -e results/t-blocked/simulated-small/seed0/none/100to1/wdcnn/diagnosis.h5 ]] || fail "the other protocol was not computed"
   # What was submitted is known without saying it again.
   expect_line "$(make --silent status BIN=bin RUN=t)" '^all +4 +4 +0 +0 +0 '
   until_done

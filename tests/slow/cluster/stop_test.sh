@@ -56,8 +56,8 @@ test_a_life_that_makes_nothing_new_is_the_last() {
   local cells
   cells=$(id_of cells)
   # All that can be made, is.
-  wait_for results/t/simulated-small/seed1/none/100to1/diagnosis.h5
-  wait_for results/t/simulated-small/seed1/none/100to1/features.h5
+  wait_for results/t/simulated-small/seed1/none/100to1/wdcnn/diagnosis.h5
+  wait_for results/t/simulated-small/seed1/none/100to1/wdcnn/features.h5
   scancel --batch --signal=USR1 "${cells}_0"
   wait_for_line cells.0.log 'out of time, goes back'
   begin_again "${cells}_0"

@@ -66,7 +66,7 @@ test_leaves_out_what_is_out_of_date_on_either_side() {
 
 test_makes_no_table_when_a_cell_fails() {
   describe
-  echo "diagnose other/seed1/smote/10to1/diagnosis.h5" >broken
+  echo "diagnose other/seed1/smote/10to1/wdcnn/diagnosis.h5" >broken
   expect_exit 2 contrast DATASETS=other
   [[ ! -e results/t/other/protocols.md ]] || fail "made a table with a hole"
 }

@@ -124,8 +124,8 @@ test_what_comes_later_beside_the_cells_makes_new_numbers() {
   lay_out
   figures >/dev/null 2>&1
   local file loss=10
-  for file in t/made/seed0/sweep/batch-1/1to1/diagnosis.h5 t/made/seed0/sweep@vae/latent-1/1to1/nearest/diagnosis.h5 \
-    t/made/sweep@vae.csv t/made/scatter.csv t-blocked/made/seed0/none/100to1/diagnosis.h5; do
+  for file in t/made/seed0/sweep/batch-1/1to1/wdcnn/diagnosis.h5 t/made/seed0/sweep@vae/latent-1/1to1/nearest/diagnosis.h5 \
+    t/made/sweep@vae.csv t/made/scatter.csv t-blocked/made/seed0/none/100to1/wdcnn/diagnosis.h5; do
     losses $((++loss)) >numbers/fig07-losses.csv
     figures >/dev/null 2>&1
     grep -q ",$loss$" $drawn/fig07-losses.csv && fail "numbers are made again though there is nothing new"

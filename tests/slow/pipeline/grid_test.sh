@@ -33,10 +33,10 @@ test_gives_each_stage_its_files() {
   expect_equal "$(<$r/seed1/smote/score.h5)" \
     "score --config $s/score.toml --generated $r/seed1/smote/E.h5 --real $r/seed1/D.h5 --output $r/seed1/smote/score.h5"
   local windows="--test $r/seed1/A.h5 --normal $r/seed1/B.h5 --known $r/seed1/C.h5"
-  expect_equal "$(<$r/seed1/smote/10to1/diagnosis.h5)" \
-    "diagnose --config $s/diagnose.toml $windows --generated $r/seed1/smote/E.h5 --ratio 10to1 --seed 1 --reproducible --output $r/seed1/smote/10to1/diagnosis.h5"
-  expect_equal "$(<$r/seed1/none/100to1/diagnosis.h5)" \
-    "diagnose --config $s/diagnose.toml $windows --ratio 100to1 --seed 1 --reproducible --output $r/seed1/none/100to1/diagnosis.h5"
+  expect_equal "$(<$r/seed1/smote/10to1/wdcnn/diagnosis.h5)" \
+    "diagnose --config $s/diagnose.toml $windows --generated $r/seed1/smote/E.h5 --ratio 10to1 --seed 1 --reproducible --output $r/seed1/smote/10to1/wdcnn/diagnosis.h5"
+  expect_equal "$(<$r/seed1/none/100to1/wdcnn/diagnosis.h5)" \
+    "diagnose --config $s/diagnose.toml $windows --ratio 100to1 --seed 1 --reproducible --output $r/seed1/none/100to1/wdcnn/diagnosis.h5"
   expect_equal "$(<$r/accuracy.csv)" \
     "tabulate --config $s/tabulate.real.toml --run results/t --dataset real --methods none smote piae-dt --ratios 100to1 10to1 1to1 --seeds 0 1 --classifiers wdcnn --published results/published"
 }
@@ -61,13 +61,13 @@ test_features_are_kept_once_for_each_method() {
   features >/dev/null
   expect_equal "$(ran_with_features)" "3 features, 2 generate, 1 ingest, 1 split, 2 train"
   local r=results/t/real s=results/t/.settings
-  expect_equal "$(cd $r && echo seed*/*/*/features.h5)" \
-    "seed2/none/100to1/features.h5 seed2/oracle/1to1/features.h5 seed2/smote/1to1/features.h5"
+  expect_equal "$(cd $r && echo seed*/*/*/*/features.h5)" \
+    "seed2/none/100to1/wdcnn/features.h5 seed2/oracle/1to1/wdcnn/features.h5 seed2/smote/1to1/wdcnn/features.h5"
   local windows="--test $r/seed2/A.h5 --normal $r/seed2/B.h5 --known $r/seed2/C.h5"
-  expect_equal "$(<$r/seed2/smote/1to1/features.h5)" \
-    "diagnose --config $s/diagnose.toml $windows --generated $r/seed2/smote/E.h5 --ratio 1to1 --seed 2 --reproducible --keep-features --output $r/seed2/smote/1to1/features.h5"
-  expect_equal "$(<$r/seed2/none/100to1/features.h5)" \
-    "diagnose --config $s/diagnose.toml $windows --ratio 100to1 --seed 2 --reproducible --keep-features --output $r/seed2/none/100to1/features.h5"
+  expect_equal "$(<$r/seed2/smote/1to1/wdcnn/features.h5)" \
+    "diagnose --config $s/diagnose.toml $windows --generated $r/seed2/smote/E.h5 --ratio 1to1 --seed 2 --reproducible --keep-features --output $r/seed2/smote/1to1/wdcnn/features.h5"
+  expect_equal "$(<$r/seed2/none/100to1/wdcnn/features.h5)" \
+    "diagnose --config $s/diagnose.toml $windows --ratio 100to1 --seed 2 --reproducible --keep-features --output $r/seed2/none/100to1/wdcnn/features.h5"
   features >/dev/null
   expect_equal "$(ran_with_features)" ""
   sed -i 's/^epochs = 50/epochs = 60/' pipeline/protocol.toml
@@ -92,22 +92,21 @@ test_the_report_is_of_the_cells_that_were_asked_for() {
 
 test_features_and_diagnosis_have_logs_of_their_own() {
   finished_grid
-  local log=results/t/real/seed0/smote/1to1/diagnose.log
+  local log=results/t/real/seed0/smote/1to1/wdcnn/diagnose.log
   cp $log before
   features SEEDS="0 1" >/dev/null
   expect_equal "$(<$log)" "$(<before)"
-  expect_line "$(<results/t/real/seed0/smote/1to1/features.log)" "--keep-features"
+  expect_line "$(<results/t/real/seed0/smote/1to1/wdcnn/features.log)" "--keep-features"
 }
 
-# The paper's classifier stays where it was when there was no other.
-test_other_classifiers_have_folders_of_their_own() {
+test_each_classifier_has_a_folder() {
   describe
   grid DATASETS=real METHODS=smote RATIOS=10to1 SEEDS=0 CLASSIFIERS="wdcnn wdcnn-spectrum" >/dev/null
   expect_equal "$(ran_with_features)" "2 diagnose, 1 features, 1 generate, 1 ingest, 1 score, 1 split, 1 tabulate, 1 train"
   local r=results/t/real s=results/t/.settings
   local windows="--test $r/seed0/A.h5 --normal $r/seed0/B.h5 --known $r/seed0/C.h5 --generated $r/seed0/smote/E.h5"
-  expect_equal "$(<$r/seed0/smote/10to1/diagnosis.h5)" \
-    "diagnose --config $s/diagnose.toml $windows --ratio 10to1 --seed 0 --reproducible --output $r/seed0/smote/10to1/diagnosis.h5"
+  expect_equal "$(<$r/seed0/smote/10to1/wdcnn/diagnosis.h5)" \
+    "diagnose --config $s/diagnose.toml $windows --ratio 10to1 --seed 0 --reproducible --output $r/seed0/smote/10to1/wdcnn/diagnosis.h5"
   expect_equal "$(<$r/seed0/smote/10to1/wdcnn-spectrum/diagnosis.h5)" \
     "diagnose --config $s/diagnose.toml $windows --ratio 10to1 --classifier wdcnn-spectrum --seed 0 --reproducible --output $r/seed0/smote/10to1/wdcnn-spectrum/diagnosis.h5"
   [[ -f $r/seed0/smote/10to1/wdcnn-spectrum/diagnose.log ]] || fail "no log of its own"
@@ -132,7 +131,7 @@ test_what_another_classifier_needs_is_made_and_no_more() {
   describe
   grid DATASETS=real METHODS="none smote" SEEDS=0 CLASSIFIERS=wdcnn-envelope >/dev/null
   expect_equal "$(ran_with_features)" "4 diagnose, 1 generate, 1 ingest, 1 score, 1 split, 1 tabulate, 1 train"
-  [[ ! -e results/t/real/seed0/smote/10to1/diagnosis.h5 ]] || fail "the paper's classifier was asked, too"
+  [[ ! -e results/t/real/seed0/smote/10to1/wdcnn/diagnosis.h5 ]] || fail "the paper's classifier was asked, too"
 }
 
 test_tables_have_the_cells_of_other_classifiers_too() {
@@ -153,7 +152,7 @@ test_tables_have_the_cells_of_other_classifiers_too() {
   expect_equal "$(ran)" "2 diagnose, 1 tabulate"
   expect_line "$(<results/t/real/accuracy.csv)" ' --leave-out .*seed0/smote/10to1/wdcnn-spectrum/diagnosis.h5 '
   expect_line "$(<results/t/real/accuracy.csv)" ' --leave-out .*seed1/none/100to1/nearest/diagnosis.h5 '
-  expect_no_line "$(<results/t/real/accuracy.csv)" ' seed0/smote/10to1/diagnosis.h5 '
+  expect_no_line "$(<results/t/real/accuracy.csv)" ' seed0/smote/10to1/wdcnn/diagnosis.h5 '
 }
 
 cells_of() { make -n cells BIN=fake RUN=t DATASETS=real SEEDS=0 RATIOS="100to1 1to1" "$@" 2>&1; }
@@ -191,7 +190,7 @@ test_a_run_may_be_called_as_a_goal_is() {
   local run
   for run in sweep mysweep readings; do
     make --silent -f pipeline/grid.mk BIN=fake RUN=$run results=results/$run DATASETS=real METHODS=smote \
-      RATIOS=10to1 SEEDS=0 LIBTORCH=off PROTOCOL=random results/$run/real/seed0/smote/10to1/diagnosis.h5 >/dev/null
+      RATIOS=10to1 SEEDS=0 LIBTORCH=off PROTOCOL=random results/$run/real/seed0/smote/10to1/wdcnn/diagnosis.h5 >/dev/null
   done
 }
 

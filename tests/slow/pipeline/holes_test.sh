@@ -12,7 +12,7 @@ fussy_tabulate() {
 #!/bin/bash
 [[ -f $2 ]] || { echo "tabulate: $2 was not readable" >&2 && exit 66; }
 run=$4/$6 status=0 # --config FILE --run FOLDER --dataset NAME
-for file in "$run"/seed{0,1}/{none/100to1/diagnosis,{smote,piae-dt}/{score,10to1/diagnosis,1to1/diagnosis}}.h5; do
+for file in "$run"/seed{0,1}/{none/100to1/wdcnn/diagnosis,{smote,piae-dt}/{score,{10to1,1to1}/wdcnn/diagnosis}}.h5; do
   [[ -e $file ]] || { echo "tabulate: $file: missing" >&2 && status=66; }
 done
 ((status)) && exit $status
@@ -31,7 +31,7 @@ test_every_hole_is_named_and_the_other_cells_are_made() {
   expect_line "$output" "^real/seed1/smote +train: the reason$"
   expect_line "$output" "^real/seed1/smote +train +failed with exit code 65 after .*results/t/real/seed1/smote/train.log"
   expect_equal "$(sed -n 's/^real  *tabulate: \(.*\): missing/\1/p' <<<"$output")" \
-    "$(printf 'results/t/real/seed1/smote/%s.h5\n' score 10to1/diagnosis 1to1/diagnosis)"
+    "$(printf 'results/t/real/seed1/smote/%s.h5\n' score {10to1,1to1}/wdcnn/diagnosis)"
   expect_no_line "$output" "^made .* missing"
   expect_equal "$(ran)" "22 diagnose, 7 generate, 1 ingest, 7 score, 1 simulate, 4 split, 1 tabulate, 7 train"
   [[ ! -e results/t/real/accuracy.csv ]] || fail "there is a table with holes"
@@ -60,7 +60,7 @@ test_cells_that_could_not_be_made_again_are_holes() {
   grid -k >/dev/null 2>&1 || true
   local cell=results/t/real/seed1/smote
   expect_line "$(<results/t/real/accuracy.csv)" \
-    " --outdated $cell/10to1/diagnosis.h5 --outdated $cell/1to1/diagnosis.h5 --outdated $cell/score.h5 --config "
+    " --outdated $cell/10to1/wdcnn/diagnosis.h5 --outdated $cell/1to1/wdcnn/diagnosis.h5 --outdated $cell/score.h5 --config "
   expect_no_line "$(<results/t/made/accuracy.csv)" "outdated"
 }
 

@@ -18,7 +18,7 @@ step() { printf 'results/t/%s\t%s\t%s\tresults/t/%s/%s\n' "$1" "$2" "$3" "$1" "$
 costs() {
   printf '%s\n' stage,dataset,method,classifier,ratio,seconds,megabytes ingest,cwru,,,,1,200 split,cwru,,,,1,100 \
     train,cwru,long,,,300,400 train,cwru,short,,,100,100 generate,cwru,long,,,10,100 tabulate,cwru,,,,2,50 \
-    diagnose,cwru,long,,10to1,30,90 diagnose,cwru,long,nearest,10to1,1,40 >costs
+    diagnose,cwru,long,wdcnn,10to1,30,90 diagnose,cwru,long,nearest,10to1,1,40 >costs
 }
 
 test_the_papers_grid_takes_few_submissions_and_little_more_than_is_needed() {
@@ -139,31 +139,31 @@ test_what_asks_for_cuda_has_jobs_of_its_own() {
 test_costs_are_the_mean_seconds_and_the_most_memory_of_the_logs() {
   local folder
   for folder in seed0 seed1; do
-    mkdir -p "results/t/cwru/$folder/vae/1to1"
+    mkdir -p "results/t/cwru/$folder/vae/1to1/wdcnn"
     echo "step: used ${folder#seed}2.00 s of processor time and ${folder#seed}50 MB of memory" \
       >"results/t/cwru/$folder/vae/train.log"
     echo "step: exit 0 after 5.0 s" >>"results/t/cwru/$folder/vae/train.log"
   done
   echo "step: used 9 s of processor time and 9 MB of memory"$'\n'"step: exit 75 after 1 s" \
-    >results/t/cwru/seed0/vae/1to1/diagnose.log
+    >results/t/cwru/seed0/vae/1to1/wdcnn/diagnose.log
   expect_equal "$(jobs/costs.sh results/t)" $'stage,dataset,method,classifier,ratio,seconds,megabytes\ntrain,cwru,vae,,,7.00,150'
 }
 
 test_costs_tell_classifiers_apart() {
   local folder
-  for folder in 1to1 1to1/nearest; do
+  for folder in 1to1/wdcnn 1to1/nearest; do
     mkdir -p "results/t/cwru/seed0/vae/$folder"
     echo "step: used ${#folder}.00 s of processor time and 50 MB of memory"$'\n'"step: exit 0 after 5.0 s" \
       >"results/t/cwru/seed0/vae/$folder/diagnose.log"
   done
   expect_equal "$(jobs/costs.sh results/t | tail -n 2)" \
-    $'diagnose,cwru,vae,,1to1,4.00,50\ndiagnose,cwru,vae,nearest,1to1,12.00,50'
+    $'diagnose,cwru,vae,nearest,1to1,12.00,50\ndiagnose,cwru,vae,wdcnn,1to1,10.00,50'
 }
 
 # They wait for the same windows, so they are of one unit; the time of each is its own.
 test_classifiers_go_into_the_job_of_their_method() {
   costs
-  for folder in 10to1 10to1/nearest 10to1/svm; do step "cwru/seed0/long/$folder" diagnose '' diagnosis.h5; done >steps
+  for folder in 10to1/{wdcnn,nearest,svm}; do step "cwru/seed0/long/$folder" diagnose '' diagnosis.h5; done >steps
   local output
   output=$(divide steps 1 1)
   # 30 s, 1 s, and of what nobody has measured as long as the longest step takes.

@@ -33,19 +33,19 @@ cells_of() { # data set, variables
 
 test_without_rules_there_is_no_cell_of_none() {
   describe
-  expect_equal "$(cells_of zero)" "inventor/1to1/diagnosis.h5 inventor/score.h5 oracle/1to1/diagnosis.h5"
+  expect_equal "$(cells_of zero)" "inventor/1to1/wdcnn/diagnosis.h5 inventor/score.h5 oracle/1to1/wdcnn/diagnosis.h5"
   expect_equal "$(cells_of five METHODS="none smote")" \
-    "none/100to1/diagnosis.h5 none/100to1/nearest/diagnosis.h5 smote/1to1/diagnosis.h5 smote/score.h5"
+    "none/100to1/nearest/diagnosis.h5 none/100to1/wdcnn/diagnosis.h5 smote/1to1/wdcnn/diagnosis.h5 smote/score.h5"
   expect_equal "$(cells_of zero CLASSIFIERS="wdcnn nearest")" \
-    "inventor/1to1/diagnosis.h5 inventor/1to1/nearest/diagnosis.h5 inventor/score.h5 oracle/1to1/diagnosis.h5 oracle/1to1/nearest/diagnosis.h5"
+    "inventor/1to1/nearest/diagnosis.h5 inventor/1to1/wdcnn/diagnosis.h5 inventor/score.h5 oracle/1to1/nearest/diagnosis.h5 oracle/1to1/wdcnn/diagnosis.h5"
 }
 
 test_rules_are_run_with_none_alone() {
   describe
   expect_equal "$(cells_of zero CLASSIFIERS="wdcnn lines" METHODS="none inventor")" \
-    "inventor/1to1/diagnosis.h5 inventor/score.h5 none/100to1/lines/diagnosis.h5"
+    "inventor/1to1/wdcnn/diagnosis.h5 inventor/score.h5 none/100to1/lines/diagnosis.h5"
   expect_equal "$(cells_of five CLASSIFIERS="wdcnn lines" METHODS="none smote")" \
-    "none/100to1/diagnosis.h5 none/100to1/lines/diagnosis.h5 none/100to1/nearest/diagnosis.h5 smote/1to1/diagnosis.h5 smote/score.h5"
+    "none/100to1/lines/diagnosis.h5 none/100to1/nearest/diagnosis.h5 none/100to1/wdcnn/diagnosis.h5 smote/1to1/wdcnn/diagnosis.h5 smote/score.h5"
   expect_equal "$(cells_of five CLASSIFIERS=lines)" \
     "none/100to1/lines/diagnosis.h5 none/100to1/nearest/diagnosis.h5"
 }
@@ -73,11 +73,11 @@ train oracle
 generate inventor
 generate oracle
 score inventor
-diagnose inventor/1to1
-diagnose oracle/1to1
+diagnose inventor/1to1/wdcnn
+diagnose oracle/1to1/wdcnn
 diagnose none/100to1/lines
-features inventor/1to1
-features oracle/1to1
+features inventor/1to1/wdcnn
+features oracle/1to1/wdcnn
 tabulate zero
 STEPS
 )"

@@ -72,8 +72,8 @@ test_what_is_out_of_date_is_told_by_the_steps_that_would_make_it() {
   expect_equal "$(left_out real)" "seed0/piae-dt/score.h5 seed1/piae-dt/score.h5"
   sed -i 's/epochs = 50/epochs = 60/' pipeline/protocol.toml
   grid METHODS=none SEEDS=0 DATASETS=real >/dev/null
-  expect_line "$(left_out real)" "^seed0/piae-dt/10to1/diagnosis.h5 seed0/piae-dt/1to1/diagnosis.h5 seed0/piae-dt/score.h5 "
-  expect_line "$(left_out real)" " seed1/none/100to1/diagnosis.h5 "
+  expect_line "$(left_out real)" "^seed0/piae-dt/10to1/wdcnn/diagnosis.h5 seed0/piae-dt/1to1/wdcnn/diagnosis.h5 seed0/piae-dt/score.h5 "
+  expect_line "$(left_out real)" " seed1/none/100to1/wdcnn/diagnosis.h5 "
   expect_no_line "$(left_out real)" "seed0/none"
   sed -i 's/"#1"/"#2"/' pipeline/datasets/real.toml
   rm calls
@@ -119,7 +119,7 @@ test_cells_that_are_not_asked_for_go_with_the_model_that_is_made_again() {
   expect_equal "$(ran)" ""
   rm results/t/real/tables.md
   grid DATASETS=real RATIOS=100to1 METHODS=none SEEDS=0 >/dev/null
-  expect_equal "$(left_out real)" "seed0/smote/1to1/diagnosis.h5 seed1/smote"
+  expect_equal "$(left_out real)" "seed0/smote/1to1/wdcnn/diagnosis.h5 seed1/smote"
 }
 
 test_a_table_that_is_a_goal_is_of_all_that_the_run_holds() {

@@ -72,7 +72,7 @@ test_a_failed_step_is_named_with_its_reason_and_log() {
 # Classifiers wait for the same windows, and not for one another.
 test_a_failed_diagnosis_is_a_cell_of_its_classifier_alone() {
   describe
-  echo "diagnose real/seed1/smote/1to1/diagnosis.h5" >broken
+  echo "diagnose real/seed1/smote/1to1/wdcnn/diagnosis.h5" >broken
   cells -k CLASSIFIERS="wdcnn wdcnn-spectrum" || true
   # Per seed two scores and diagnoses at two ratios by two classifiers each.
   expect_equal "$(counts real smote CLASSIFIERS="wdcnn wdcnn-spectrum")" 'real smote 10 9 0 1 0 0 s'
@@ -184,15 +184,15 @@ test_the_time_left_is_that_of_steps_like_those_to_come() {
   local seed
   for seed in seed0 seed1; do
     took real/$seed split 5
-    took real/$seed/none/100to1 diagnose 7
+    took real/$seed/none/100to1/wdcnn diagnose 7
     took real/$seed/none/100to1/nearest diagnose 1
     took real/$seed/smote train 100
     took real/$seed/smote generate 10
     took real/$seed/smote score 1
-    took real/$seed/smote/10to1 diagnose 20
-    took real/$seed/smote/1to1 diagnose 40
+    took real/$seed/smote/10to1/wdcnn diagnose 20
+    took real/$seed/smote/1to1/wdcnn diagnose 40
   done
-  rm results/t/real/seed1/smote/1to1/diagnosis.h5
+  rm results/t/real/seed1/smote/1to1/wdcnn/diagnosis.h5
   expect_equal "$(counts real smote)" 'real smote 6 5 0 0 1 40 s'
   local output
   output=$(status SEEDS="0 1 2" | sed 's/  */ /g')
@@ -209,13 +209,13 @@ test_the_time_left_is_that_of_steps_like_those_to_come() {
 test_another_data_set_or_method_stands_in_where_nothing_is_known() {
   describe
   cells
-  took real/seed0/none/100to1 diagnose 10
-  took real/seed1/none/100to1 diagnose 30
+  took real/seed0/none/100to1/wdcnn diagnose 10
+  took real/seed1/none/100to1/wdcnn diagnose 30
   took real/seed0/none/100to1/nearest diagnose 3
   took real/seed1/none/100to1/nearest diagnose 3
   expect_equal "$(counts made none DATASETS=made)" 'made none 4 0 0 0 4 46 s'
-  took real/seed0/smote/1to1 diagnose 30
-  took real/seed1/smote/1to1 diagnose 30
+  took real/seed0/smote/1to1/wdcnn diagnose 30
+  took real/seed1/smote/1to1/wdcnn diagnose 30
   sed -i '/^step:/d' results/t/real/seed*/smote/train.log
   expect_line "$(status DATASETS=made)" '^made +smote .* 6 +1 min or more$'
 }
@@ -322,7 +322,7 @@ test_a_failed_reading_is_named() {
 test_a_contrast_is_of_both_protocols() {
   describe
   with_grid cells DATASETS=real >/dev/null 2>&1
-  echo "diagnose real/seed1/smote/10to1/diagnosis.h5" >broken
+  echo "diagnose real/seed1/smote/10to1/wdcnn/diagnosis.h5" >broken
   with_grid contrast DATASETS=real >/dev/null 2>&1 || true
   local output
   output=$(with_grid status DATASETS=real | sed 's/  */ /g')
@@ -333,7 +333,7 @@ test_a_contrast_is_of_both_protocols() {
   expect_line "$output" '^real, blocked +smote +6 +[0-9] +0 +1 '
   expect_line "$output" '^all +20 +[0-9]+ +0 +1 '
   expect_line "$output" \
-    '^  results/t-blocked/real/seed1/smote/10to1: diagnose: the reason \(log: results/t-blocked/real/seed1/smote/10to1/'
+    '^  results/t-blocked/real/seed1/smote/10to1/wdcnn: diagnose: the reason \(log: results/t-blocked/real/seed1/smote/10to1/wdcnn/'
   rm broken
   with_grid contrast DATASETS=real >/dev/null 2>&1
   output=$(with_grid status contrast DATASETS=real)
@@ -356,13 +356,13 @@ test_an_identification_is_of_models() {
 # They are no cell: the diagnosis beside them is.
 test_features_that_failed_are_named() {
   describe
-  echo "diagnose real/seed0/smote/1to1/features.h5" >broken
+  echo "diagnose real/seed0/smote/1to1/wdcnn/features.h5" >broken
   with_grid all DATASETS=real -k >/dev/null 2>&1 || true
   local output
   output=$(status)
   expect_line "$output" '^all +10 +10 +0 +0 +0 +0 s$'
   expect_equal "$(tail -n 2 <<<"$output")" \
-    $'failed\n  real/seed0/smote/1to1: diagnose: the reason (log: results/t/real/seed0/smote/1to1/features.log)'
+    $'failed\n  real/seed0/smote/1to1/wdcnn: diagnose: the reason (log: results/t/real/seed0/smote/1to1/wdcnn/features.log)'
   # They were not asked for by make cells.
   expect_no_line "$(status cells)" failed$
 }

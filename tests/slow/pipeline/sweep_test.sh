@@ -56,7 +56,7 @@ test_moves_one_setting() {
   expect_equal "$(<$c/model.h5)" \
     "train --config $s/train.piae-dt.toml --method piae-dt --loss-weights fixed --known $r/seed0/C.h5 --seed 0 --output $c/model.h5"
   expect_equal "$(<$c/E.h5)" "generate --config $s/generate.toml --model $c/model.h5 --seed 0 --output $c/E.h5"
-  expect_line "$(<$c/1to1/diagnosis.h5)" "--generated $c/E.h5 --ratio 1to1 --seed 0"
+  expect_line "$(<$c/1to1/wdcnn/diagnosis.h5)" "--generated $c/E.h5 --ratio 1to1 --seed 0"
   expect_no_line "$(<$r/seed0/piae-dt/model.h5)" "--batch|--depth|--loss-weights|--learning-rate"
 }
 
@@ -219,7 +219,7 @@ test_another_classifier_judges_anew() {
   sed -i 's/"wdcnn-spectra"/"wdcnn"/' pipeline/protocol.toml
   parts >/dev/null
   expect_equal "$(ran)" "3 diagnose, 1 sweep"
-  [[ -e results/t/real/seed0/sweep@strike-twin/edges-known/1to1/diagnosis.h5 ]] || fail "no diagnosis by wdcnn"
+  [[ -e results/t/real/seed0/sweep@strike-twin/edges-known/1to1/wdcnn/diagnosis.h5 ]] || fail "no diagnosis by wdcnn"
 }
 
 run_tests "$@"

@@ -87,7 +87,7 @@ test_is_of_the_protocol_that_is_asked_for() {
 
 test_makes_no_table_when_a_cell_fails() {
   describe
-  echo "diagnose b/seed1/smote/1to1/diagnosis.h5" >broken
+  echo "diagnose b/seed1/smote/1to1/wdcnn/diagnosis.h5" >broken
   expect_exit 2 transfer -k
   [[ ! -e results/t/transfer@first.md ]] || fail "made a table with a hole"
   [[ -e results/t/transfer@second.md ]] || fail "the other group has no table"

@@ -28,7 +28,7 @@ const std::vector<Consumer> consumers{
     {"E.h5", "score", "--generated"},
     {"model.h5", "generate", "--model"},
     {"run/tiny/seed0/piae-dt/score.h5", "tabulate", ""},
-    {"run/tiny/seed0/piae-dt/50to1/diagnosis.h5", "tabulate", ""},
+    {"run/tiny/seed0/piae-dt/50to1/wdcnn/diagnosis.h5", "tabulate", ""},
 };
 
 /// What tells two artefacts with different values apart. Reading checks that both digests are those

@@ -130,13 +130,13 @@ diagnose=(diagnose --test A.h5 --normal B.h5 --known C.h5 --generated E.h5 --rat
   --epochs 1 --reproducible)
 baseline=(diagnose --test A.h5 --normal B.h5 --known C.h5 --ratio 100to1 --seed 0 --epochs 1 --reproducible)
 stage score --generated E.h5 --real D.h5 --output $cell/piae-dt/score.h5
-stage "${baseline[@]}" --output $cell/none/100to1/diagnosis.h5
+stage "${baseline[@]}" --output $cell/none/100to1/wdcnn/diagnosis.h5
 stage "${baseline[@]}" --classifier nearest --output $cell/none/100to1/nearest/diagnosis.h5
-stage "${diagnose[@]}" --output $cell/piae-dt/50to1/diagnosis.h5
-stage "${diagnose[@]}" --keep-features --output $cell/piae-dt/50to1/features.h5
+stage "${diagnose[@]}" --output $cell/piae-dt/50to1/wdcnn/diagnosis.h5
+stage "${diagnose[@]}" --keep-features --output $cell/piae-dt/50to1/wdcnn/features.h5
 for file in A B C E; do consumer $file.h5 "${diagnose[@]}" --output out.h5; done
 for file in D E; do consumer $file.h5 score --generated E.h5 --real D.h5 --output out.h5; done
-for file in $cell/piae-dt/score.h5 $cell/piae-dt/50to1/diagnosis.h5 $cell/none/100to1/nearest/diagnosis.h5; do
+for file in $cell/piae-dt/score.h5 $cell/piae-dt/50to1/wdcnn/diagnosis.h5 $cell/none/100to1/nearest/diagnosis.h5; do
   consumer "$file" tabulate --run run --dataset tiny --methods none piae-dt --ratios 100to1 50to1 --seeds 0 \
     --published "$project/results/published"
 done
@@ -148,14 +148,13 @@ awk 'BEGIN { srand(1); for (i = 0; i < 4096; ++i) printf "%.6f\n", sin(i / 3) + 
 classify=(--recording classifier.h5.csv --variable 1 --sample-rate-hz 12000 --speed-rpm 1797)
 for classifier in wdcnn nearest exclusion-rule symptom-net; do
   kept=$cell/none/100to1/$classifier/classifier.h5
-  [[ $classifier != wdcnn ]] || kept=$cell/none/100to1/classifier.h5
   stage "${keep[@]}" --classifier $classifier --keep-classifier $kept
   consumer $kept classify --classifier $kept "${classify[@]}" --csv out.csv --picture out.svg --output out.h5
 done
-consumer $cell/none/100to1/classifier.h5 trust --run run --dataset tiny --methods none --ratios 100to1 --seeds 0 \
+consumer $cell/none/100to1/wdcnn/classifier.h5 trust --run run --dataset tiny --methods none --ratios 100to1 --seeds 0 \
   --classifiers wdcnn
 # (No stage reads it; verify does.)
-stage classify --classifier $cell/none/100to1/classifier.h5 "${classify[@]}" --output classification.h5
+stage classify --classifier $cell/none/100to1/wdcnn/classifier.h5 "${classify[@]}" --output classification.h5
 
 # A checkpoint is what a training leaves that is stopped.
 long=(--method vae --known C.h5 --seed 0 --epochs 400 --width 4 --output long.h5)
