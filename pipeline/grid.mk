@@ -116,6 +116,12 @@ $(if $(only_asking)$(published),,$(if $(shows_published),$(error results/publish
 
 include pipeline/left_out.mk
 
+# Since 0.1.0 every classifier has a folder (src/run/layout.cpp checks the same). Without this line make would compute
+# all diagnoses of an older run again.
+old_cell_of = $(firstword $(wildcard $(foreach cells,* sweep/* sweep@*/* readings/*,$1/seed*/$(cells)/*to1/diagnosis.h5)))
+$(foreach folder,$(DATASETS:%=$(results)/%),$(foreach cell,$(call old_cell_of,$(folder)),$(error $(folder): \
+  its cells are laid out as before 0.1.0 ($(cell:$(folder)/%=%)); pipeline/new_layout.sh $(results) moves them)))
+
 # ---- settings -----------------------------------------------------------------------------------
 # The names of the settings files, without .toml; which options that make gives count as settings, too.
 settings        := $(results)/.settings

@@ -4,14 +4,60 @@
 #include <system_error>
 
 #include "augment/catalogue.hpp"
+#include "base/error.hpp"
 #include "base/numbers.hpp"
+#include "scoring/ratios.hpp"
 
 namespace piae::run {
 
 namespace fs = std::filesystem;
 
+namespace {
+
+std::vector<fs::path> folders_in(const fs::path& folder) {
+  std::vector<fs::path> folders;
+  std::error_code no_folder;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, no_folder)) {
+    if (entry.is_directory()) folders.push_back(entry.path());
+  }
+  std::ranges::sort(folders);
+  return folders;
+}
+
+/// True if the folder holds sweeps or readings, which lie next to those of the methods.
+bool holds_trials(const fs::path& folder) {
+  const std::string name = folder.filename().string();
+  return name == "sweep" || name.starts_with("sweep@") || name == "readings";
+}
+
+/// Returns a diagnosis in the layout of before 0.1.0, in which those by the paper's classifier lay
+/// in the folder of their ratio. `folder` is the folder of a seed, or of its sweeps or readings.
+std::optional<fs::path> cell_of_before(const fs::path& folder) {
+  for (const fs::path& method : folders_in(folder)) {
+    for (const scoring::Ratio& ratio : scoring::all_ratios()) {
+      const fs::path cell = method / ratio.name / "diagnosis.h5";
+      if (fs::is_regular_file(cell)) return cell;
+    }
+    if (!holds_trials(method)) continue;
+    if (const auto cell = cell_of_before(method)) return cell;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
 std::string sweep_name(const std::string& method) {
   return method == augment::paper_method() ? "sweep" : "sweep@" + method;
+}
+
+Layout::Layout(const fs::path& run, const std::string& dataset) : folder_(run / dataset) {
+  for (const std::int64_t seed : seeds()) {
+    const auto cell = cell_of_before(seed_folder(seed));
+    if (!cell) continue;
+    throw Error(Exit::bad_input, folder_.string() + ": its cells are laid out as before 0.1.0 (" +
+                                     cell->lexically_relative(folder_).string() +
+                                     "); pipeline/new_layout.sh " + run.string() + " moves them");
+  }
 }
 
 std::vector<std::int64_t> Layout::seeds() const {

@@ -18,8 +18,10 @@ std::string sweep_name(const std::string& method);
 /// pipeline/ put the artefacts there.
 class Layout {
  public:
-  /// `run` is the run's folder, such as results/paper.
-  Layout(const std::filesystem::path& run, const std::string& dataset) : folder_(run / dataset) {}
+  /// `run` is the run's folder, such as results/paper. Throws Error(bad_input) if the folder has
+  /// cells in the layout of before 0.1.0: programs would report these as missing, and make would
+  /// compute them again.
+  Layout(const std::filesystem::path& run, const std::string& dataset);
 
   /// The same dataset in the run beside this one whose split is blocked (pipeline/contrast.mk).
   [[nodiscard]] Layout blocked() const {

@@ -1,0 +1,67 @@
+#!/bin/bash
+# Runs of before 0.1.0, in which the paper's classifier had no folder: make refuses them, and one command moves their files.
+# shellcheck source-path=SCRIPTDIR disable=SC2119
+source "${0%/*}/small_grid.sh"
+
+cells() { make --silent "$@" BIN=fake RUN=t DATASETS=real METHODS="none piae-dt" RATIOS="100to1 10to1" SEEDS=0; }
+new_layout() { pipeline/new_layout.sh "$@" 2>&1; }
+state() { find results/t -type f -printf '%P %T@\n' | sort; }
+
+# A run of today whose files are laid out as before.
+old_run() {
+  describe
+  printf '[sweep]\npoints = ["batch=1"]\n[readings]\nreadings = ["batches=class"]\n' >>pipeline/protocol.toml
+  cells all trust >/dev/null
+  local trial folder
+  for trial in sweep/batch-1 sweep@smote/neighbours-3 readings/base; do
+    mkdir -p "results/t/real/seed0/$trial"
+    cp -r results/t/real/seed0/piae-dt/10to1 "results/t/real/seed0/$trial"
+  done
+  touch results/t/real/seed0/piae-dt/10to1/wdcnn/diagnosis.h5.checkpoint
+  state >new
+  find results/t -type d -name wdcnn >folders
+  while read -r folder; do mv "$folder"/* "${folder%/*}" && rmdir "$folder"; done <folders
+  rm calls
+}
+
+test_make_refuses_such_a_run_in_one_line() {
+  old_run
+  state >before
+  local goal line='results/t/real: its cells are laid out as before 0.1.0 \(seed0/[^ ]*to1/diagnosis.h5\); pipeline/new_layout.sh results/t moves them'
+  for goal in cells all figures report sweep trust status; do
+    expect_exit 2 cells $goal
+    expect_line "$(cells $goal 2>&1 || true)" "$line"
+  done
+  [[ ! -e calls ]] || fail "ran: $(<calls)"
+  expect_equal "$(state)" "$(<before)"
+  # Trials alone are found, too.
+  rm -r results/t/real/seed0/{none,piae-dt,sweep,sweep@smote}
+  expect_line "$(cells cells 2>&1 || true)" '\(seed0/readings/base/10to1/diagnosis.h5\)'
+}
+
+test_one_command_moves_the_files_and_nothing_is_computed_again() {
+  old_run
+  expect_line "$(new_layout results/t)" '^results/t: [0-9]+ files moved$'
+  expect_equal "$(state)" "$(<new)"
+  expect_equal "$(new_layout results/t/)" 'results/t/: 0 files moved'
+  cells all trust >/dev/null
+  expect_equal "$(ran_with_features)" ""
+}
+
+test_what_is_not_a_run_is_refused_and_no_file_replaced() {
+  old_run
+  state >before
+  expect_exit 65 pipeline/new_layout.sh results/t results/published
+  expect_equal "$(new_layout results/t results/published)" \
+    'new_layout.sh: results/published: is not a run, since it has no folder DATASET/seedK; name one such as results/paper'
+  expect_exit 2 pipeline/new_layout.sh
+  expect_equal "$(state)" "$(<before)"
+  local cell=results/t/real/seed0/piae-dt/10to1
+  mkdir $cell/wdcnn
+  echo other >$cell/wdcnn/diagnosis.h5
+  expect_exit 65 pipeline/new_layout.sh results/t
+  expect_line "$(new_layout results/t)" "^new_layout.sh: $cell/diagnosis.h5: is in $cell/wdcnn, too; remove one of the two$"
+  expect_equal "$(<$cell/wdcnn/diagnosis.h5)" other
+}
+
+run_tests "$@"
