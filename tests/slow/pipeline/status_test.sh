@@ -14,7 +14,13 @@ with_grid() { # goal, variables
   make --silent "$1" BIN=fake RUN=t METHODS="none smote" RATIOS="100to1 10to1 1to1" SEEDS="0 1" "${@:2}"
 }
 status() { with_grid status DATASETS=real "$@"; }
-cells() { with_grid cells DATASETS=real "$@" >/dev/null 2>&1; }
+# Their logs say that steps took no time, whatever they did on this machine: the time left is tested by itself.
+cells() {
+  local code=0
+  with_grid cells DATASETS=real "$@" >/dev/null 2>&1 || code=$?
+  find results -name '*.log' -exec sed -i 's/^step: exit 0 after .*/step: exit 0 after 0.0 s/' {} +
+  return "$code"
+}
 
 # The words of a line of the table, with one space between.
 counts() { # data set, method
