@@ -3,6 +3,7 @@
 #include <spdlog/fmt/fmt.h>
 
 #include <iostream>
+#include <set>
 
 #include "base/error.hpp"
 #include "base/one_line.hpp"
@@ -114,6 +115,12 @@ int main(int argc, char** argv) {
     if (output.empty()) throw Error(Exit::usage, "--output is required (see ingest --help)");
     stage.note_input("description", file);
     const signal::Recordings recordings = read_raw_files(description, data_dir);
+    std::set<std::string> named;
+    for (const signal::Record& record : recordings.records) {
+      if (named.insert(record.source).second) {
+        stage.note_input("recording", record.source, record.source_sha256);
+      }
+    }
     artefact::Writer writer("records");
     write(writer, recordings);
     stage.save(writer, output);

@@ -83,7 +83,7 @@ void Writer::attribute(const std::string& object, const std::string& name,
   hdf5::write_attribute(file_.id(), object, name, value);
 }
 
-void Writer::save(const std::filesystem::path& path, const Provenance& provenance) {
+std::string Writer::save(const std::filesystem::path& path, const Provenance& provenance) {
   write_provenance(file_.id(), provenance);
   const Digests digests = digests_of(file_.id(), hdf5::object_paths(file_.id()), file_.image());
   hdf5::write_attribute(file_.id(), provenance_group, digest_attribute, digests.provenance);
@@ -95,6 +95,7 @@ void Writer::save(const std::filesystem::path& path, const Provenance& provenanc
                                   " MB, which no stage reads; take fewer or shorter records");
   }
   write_file_atomically(path, bytes);
+  return digests.content;
 }
 
 }  // namespace piae::artefact

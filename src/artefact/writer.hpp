@@ -48,9 +48,9 @@ class Writer {
   void attribute(const std::string& object, const std::string& name, std::int64_t value);
   void attribute(const std::string& object, const std::string& name, const std::string& value);
 
-  /// Adds provenance and digests, and writes the file as write_file_atomically() does. No other
-  /// call may follow.
-  void save(const std::filesystem::path& path, const Provenance& provenance);
+  /// Adds provenance and digests, writes the file as write_file_atomically() does, and returns the
+  /// content digest. No other call may follow.
+  std::string save(const std::filesystem::path& path, const Provenance& provenance);
 
  private:
   hdf5::MemoryFile file_;

@@ -37,6 +37,11 @@ Option& Option::type_name(const std::string& name) {
   return *this;
 }
 
+Option& Option::from_environment(const std::string& variable) {
+  option_->envname(variable);
+  return *this;
+}
+
 Options::Options(CLI::App& app, std::string group) : app_(&app), group_(std::move(group)) {}
 
 Options Options::in_group(const std::string& group) const { return Options(*app_, group); }

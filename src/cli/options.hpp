@@ -25,6 +25,8 @@ class Option {
   Option& check(const Check& check);
   /// What the help calls its value.
   Option& type_name(const std::string& name);
+  /// The variable of the environment that it is taken from where it is not given.
+  Option& from_environment(const std::string& variable);
 
  private:
   CLI::Option* option_;

@@ -20,4 +20,18 @@ std::string refusal_of(const std::function<void(const Options&)>& bind, const st
   return {};
 }
 
+std::map<std::string, std::string> defaults_of(const std::function<void(const Options&)>& bind) {
+  CLI::App app;
+  app.set_help_flag();
+  app.option_defaults()->always_capture_default();
+  bind(Options(app));
+  std::map<std::string, std::string> defaults;
+  for (const CLI::Option* option : app.get_options()) {
+    if (!option->get_lnames().empty()) {
+      defaults[option->get_lnames().front()] = option->get_default_str();
+    }
+  }
+  return defaults;
+}
+
 }  // namespace piae::cli

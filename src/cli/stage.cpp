@@ -11,6 +11,7 @@
 #include <iostream>
 #include <new>
 
+#include "artefact/journal.hpp"
 #include "base/error.hpp"
 #include "base/one_line.hpp"
 #include "base/sha256.hpp"
@@ -207,6 +208,11 @@ void Stage::note_input(const std::string& role, const std::filesystem::path& pat
   note_read(path);
 }
 
+void Stage::note_input(const std::string& role, const std::string& name,
+                       const std::string& digest) {
+  inputs_.push_back({role, name, digest});
+}
+
 void Stage::note_read(const std::filesystem::path& path) { read_paths_.push_back(path); }
 
 artefact::Provenance Stage::provenance() const { return {name_, resolved_options(), inputs_}; }
@@ -222,7 +228,9 @@ void Stage::require_no_input(const std::filesystem::path& path) const {
 
 void Stage::save(artefact::Writer& writer, const std::filesystem::path& path) const {
   require_no_input(path);
-  writer.save(path, provenance());
+  const std::string digest = writer.save(path, provenance());
+  const char* const run = std::getenv("PIAE_RUN");
+  if (run != nullptr) artefact::add_to_journal(run, path, digest, provenance());
 }
 
 std::string Stage::resolved_options() const {

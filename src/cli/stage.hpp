@@ -70,6 +70,9 @@ class Stage {
   /// sha256 of its bytes.
   void note_input(const std::string& role, const std::filesystem::path& path);
 
+  /// The same for a file of which the caller knows the digest, by the name that it has there.
+  void note_input(const std::string& role, const std::string& name, const std::string& digest);
+
   /// A file that is read and that provenance does not name, such as a recording, must not be
   /// replaced either.
   void note_read(const std::filesystem::path& path);
@@ -77,7 +80,8 @@ class Stage {
   /// Throws Error(usage) where the path is that of an input, which an output must not replace.
   void require_no_input(const std::filesystem::path& path) const;
 
-  /// Writes an artefact with its provenance, to a path for which require_no_input() holds.
+  /// Writes an artefact with its provenance, to a path for which require_no_input() holds. As a
+  /// step of a run (pipeline/step.sh) it adds a line to the run's journal.
   void save(artefact::Writer& writer, const std::filesystem::path& path) const;
 
   /// The program, all options but those of files with their values, and the inputs opened so far.

@@ -3,7 +3,6 @@
 #include <toml++/toml.h>
 
 #include <istream>
-#include <sstream>
 
 #include "base/error.hpp"
 #include "base/one_line.hpp"
@@ -13,23 +12,6 @@
 namespace piae::cli {
 
 namespace {
-
-std::string text_of(const toml::node& node) {
-  if (const auto* text = node.as_string()) return text->get();
-  std::ostringstream out;
-  out << toml::node_view<const toml::node>(node);
-  return out.str();
-}
-
-std::vector<std::string> values_of(const toml::node& node) {
-  std::vector<std::string> values;
-  if (const auto* array = node.as_array()) {
-    for (const toml::node& element : *array) values.push_back(text_of(element));
-  } else {
-    values.push_back(text_of(node));
-  }
-  return values;
-}
 
 /// What the stream holds, up to one byte more than parse_toml() takes.
 std::string beginning_of(std::istream& input) {

@@ -1,10 +1,19 @@
 #include "cli/toml_options.hpp"
 
+#include <sstream>
+
 #include "base/error.hpp"
 
 namespace piae::cli {
 
 namespace {
+
+std::string text_of(const toml::node& node) {
+  if (const auto* text = node.as_string()) return text->get();
+  std::ostringstream out;
+  out << toml::node_view<const toml::node>(node);
+  return out.str();
+}
 
 /// Takes the plain values of a table, and leaves the tables in it alone.
 void take_values(const toml::table& table, toml::table& options) {
@@ -40,6 +49,16 @@ toml::table options_of(const toml::table& file, const std::string& program,
   take_values(own != nullptr ? *own : file, options);
   if (own != nullptr) take_variant(*own, variant, options);
   return options;
+}
+
+std::vector<std::string> values_of(const toml::node& node) {
+  std::vector<std::string> values;
+  if (const auto* array = node.as_array()) {
+    for (const toml::node& element : *array) values.push_back(text_of(element));
+  } else {
+    values.push_back(text_of(node));
+  }
+  return values;
 }
 
 }  // namespace piae::cli

@@ -3,6 +3,7 @@
 #include <toml++/toml.h>
 
 #include <string>
+#include <vector>
 
 namespace piae::cli {
 
@@ -17,5 +18,9 @@ namespace piae::cli {
 /// table, or one that is itself like another.
 toml::table options_of(const toml::table& file, const std::string& program,
                        const std::string& variant);
+
+/// The values of an option in a TOML file, as a command line would give them: one, or those of a
+/// list.
+std::vector<std::string> values_of(const toml::node& node);
 
 }  // namespace piae::cli

@@ -30,7 +30,7 @@ struct TimedStep {
   double processor_s;
 };
 
-std::optional<StepPlace> place_of(const StepLog& step) {
+std::optional<StepPlace> place_of(const run::StepLog& step) {
   std::vector<std::string> parts;
   for (const auto& part : step.file.parent_path()) parts.push_back(part.string());
   if (parts.size() < 3 || !parts[1].starts_with("seed")) return std::nullopt;
@@ -43,11 +43,11 @@ std::optional<StepPlace> place_of(const StepLog& step) {
   return place;
 }
 
-std::vector<TimedStep> timed_steps(const std::vector<StepLog>& steps) {
+std::vector<TimedStep> timed_steps(const std::vector<run::StepLog>& steps) {
   std::vector<TimedStep> timed;
-  for (const StepLog& step : steps) {
+  for (const run::StepLog& step : steps) {
     const auto place = place_of(step);
-    const bool is_whole = step.end == StepEnd::done && !step.went_on;
+    const bool is_whole = step.end == run::StepEnd::done && !step.went_on;
     if (place && is_whole && step.processor_s) timed.push_back({*place, *step.processor_s});
   }
   return timed;
@@ -106,7 +106,7 @@ void add_costs(const std::vector<TimedStep>& steps, const std::string& dataset,
 
 }  // namespace
 
-std::optional<Table> cost_table(const std::vector<StepLog>& steps) {
+std::optional<Table> cost_table(const std::vector<run::StepLog>& steps) {
   const std::vector<TimedStep> timed = timed_steps(steps);
   std::vector<std::string> datasets;
   for (const TimedStep& step : timed) {

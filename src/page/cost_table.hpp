@@ -3,8 +3,8 @@
 #include <optional>
 #include <vector>
 
-#include "page/step_log.hpp"
 #include "page/table.hpp"
+#include "run/step_log.hpp"
 
 namespace piae::page {
 
@@ -12,6 +12,6 @@ namespace piae::page {
 /// and then to train the classifier and to ask it, with the most generated windows that the run has
 /// of this pair. The mean over the seeds whose logs are there and whose steps were done in one go.
 /// Empty where no diagnosis has left its log.
-std::optional<Table> cost_table(const std::vector<StepLog>& steps);
+std::optional<Table> cost_table(const std::vector<run::StepLog>& steps);
 
 }  // namespace piae::page

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string_view>
 
-#include "page/step_log.hpp"
+#include "run/step_log.hpp"
 
 namespace piae::page {
 
@@ -28,15 +28,15 @@ std::optional<fs::path> log_on_the_way(const run::Layout& layout, const fs::path
   return std::nullopt;
 }
 
-HoleState state_of(const StepLog& log) {
+HoleState state_of(const run::StepLog& log) {
   switch (log.end) {
-    case StepEnd::failed:
+    case run::StepEnd::failed:
       return HoleState::failed;
-    case StepEnd::interrupted:
+    case run::StepEnd::interrupted:
       return HoleState::interrupted;
-    case StepEnd::open:
+    case run::StepEnd::open:
       return HoleState::open;
-    case StepEnd::done:  // and then its file was removed
+    case run::StepEnd::done:  // and then its file was removed
       break;
   }
   return HoleState::not_begun;
@@ -92,7 +92,7 @@ Hole hole_of(const fs::path& run, const run::Layout& layout, const run::CellName
   }
   const std::optional<fs::path> path = log_on_the_way(layout, file);
   if (!path) return hole;
-  const StepLog log = read_step_log(*path);
+  const run::StepLog log = run::read_step_log(*path);
   hole.state = state_of(log);
   hole.stage = log.stage;
   hole.why = below_run(log.reason, run);

@@ -15,7 +15,7 @@ namespace piae::page {
 
 namespace {
 
-using Steps = std::vector<const StepLog*>;
+using Steps = std::vector<const run::StepLog*>;
 
 constexpr const char* unknown = "–";
 
@@ -36,14 +36,14 @@ Cell count_cell(std::size_t count) {
 
 double elapsed_of(const Steps& steps) {
   double sum = 0;
-  for (const StepLog* step : steps) sum += step->elapsed_s;
+  for (const run::StepLog* step : steps) sum += step->elapsed_s;
   return sum;
 }
 
 /// Of the steps that have it; empty where none has.
 std::optional<double> processor_time_of(const Steps& steps) {
   std::optional<double> sum;
-  for (const StepLog* step : steps) {
+  for (const run::StepLog* step : steps) {
     if (step->processor_s) sum = sum.value_or(0) + *step->processor_s;
   }
   return sum;
@@ -51,7 +51,7 @@ std::optional<double> processor_time_of(const Steps& steps) {
 
 std::optional<double> memory_of(const Steps& steps) {
   std::optional<double> most;
-  for (const StepLog* step : steps) {
+  for (const run::StepLog* step : steps) {
     if (step->memory_mb) most = std::max(most.value_or(0), *step->memory_mb);
   }
   return most;
@@ -64,15 +64,15 @@ struct StepGroup {
   Steps steps;
 };
 
-std::string group_of(const StepLog& step) {
+std::string group_of(const run::StepLog& step) {
   return step.stage == "train" ? "train " + step.file.parent_path().filename().string()
                                : step.stage;
 }
 
-std::vector<StepGroup> step_groups(const std::vector<StepLog>& steps) {
+std::vector<StepGroup> step_groups(const std::vector<run::StepLog>& steps) {
   std::vector<StepGroup> groups;
   for (const std::string& stage : stages_in_order(steps)) {
-    for (const StepLog& step : steps) {
+    for (const run::StepLog& step : steps) {
       if (step.stage != stage) continue;
       const std::string name = group_of(step);
       auto group = std::ranges::find(groups, name, &StepGroup::name);
@@ -85,10 +85,10 @@ std::vector<StepGroup> step_groups(const std::vector<StepLog>& steps) {
 
 Row row_of_group(const StepGroup& group) {
   const auto not_done = static_cast<std::size_t>(std::ranges::count_if(
-      group.steps, [](const StepLog* step) { return step->end != StepEnd::done; }));
+      group.steps, [](const run::StepLog* step) { return step->end != run::StepEnd::done; }));
   const double elapsed = elapsed_of(group.steps);
-  const StepLog* slowest = *std::ranges::max_element(
-      group.steps, {}, [](const StepLog* step) { return step->elapsed_s; });
+  const run::StepLog* slowest = *std::ranges::max_element(
+      group.steps, {}, [](const run::StepLog* step) { return step->elapsed_s; });
   return {.cells = {{.content = group.name},
                     count_cell(group.steps.size()),
                     count_cell(not_done),
@@ -100,7 +100,7 @@ Row row_of_group(const StepGroup& group) {
           .looks = not_done > 0 ? "bad" : ""};
 }
 
-Table table_of_groups(const std::vector<StepLog>& steps) {
+Table table_of_groups(const std::vector<run::StepLog>& steps) {
   Table table{.caption = "Time and memory by stage",
               .columns = {{"stage"},
                           {"steps", true},
@@ -117,16 +117,16 @@ Table table_of_groups(const std::vector<StepLog>& steps) {
   return table;
 }
 
-Row row_of_step(const StepLog& step) {
-  return {
-      .cells = {{.content = file_link(step.file)},
-                {.content = word_of(step.end)},
-                number_cell(*step.begun_s, moment_label(*step.begun_s)),
-                step.end == StepEnd::open ? Cell{.content = unknown} : time_cell(step.elapsed_s),
-                optional_time(step.processor_s),
-                memory_cell(step.memory_mb),
-                {.content = step.reason}},
-      .looks = step.end == StepEnd::done ? "" : "bad"};
+Row row_of_step(const run::StepLog& step) {
+  return {.cells = {{.content = file_link(step.file)},
+                    {.content = word_of(step.end)},
+                    number_cell(*step.begun_s, moment_label(*step.begun_s)),
+                    step.end == run::StepEnd::open ? Cell{.content = unknown}
+                                                   : time_cell(step.elapsed_s),
+                    optional_time(step.processor_s),
+                    memory_cell(step.memory_mb),
+                    {.content = step.reason}},
+          .looks = step.end == run::StepEnd::done ? "" : "bad"};
 }
 
 Table table_of_steps(const std::string& caption, const Steps& steps) {
@@ -138,20 +138,20 @@ Table table_of_steps(const std::string& caption, const Steps& steps) {
                           {"processor time", true},
                           {"memory", true},
                           {"reason"}}};
-  for (const StepLog* step : steps) table.rows.push_back(row_of_step(*step));
+  for (const run::StepLog* step : steps) table.rows.push_back(row_of_step(*step));
   return table;
 }
 
 Table slowest_steps(Steps steps) {
   constexpr std::size_t shown = 20;
   std::ranges::stable_sort(steps, std::ranges::greater(),
-                           [](const StepLog* step) { return step->elapsed_s; });
+                           [](const run::StepLog* step) { return step->elapsed_s; });
   steps.resize(std::min(steps.size(), shown));
   return table_of_steps("The slowest steps", steps);
 }
 
 /// The run as a whole, in a sentence or two.
-std::string in_short(const std::vector<StepLog>& steps, const Steps& all) {
+std::string in_short(const std::vector<run::StepLog>& steps, const Steps& all) {
   double wall_s = 0;
   const std::vector<Session> sessions = sessions_of(steps);
   for (const Session& session : sessions) wall_s += session.end_s - session.begin_s;
@@ -176,7 +176,7 @@ Html list_of_steps(const Steps& all) {
   }
   Steps open;
   std::ranges::copy_if(all, std::back_inserter(open),
-                       [](const StepLog* step) { return step->end != StepEnd::done; });
+                       [](const run::StepLog* step) { return step->end != run::StepEnd::done; });
   const std::size_t shown = std::min(open.size(), most_listed_steps);
   const std::string what = fmt::format(
       "{} steps are too many for a page: their logs lie beside what they made. {} are not done{}",
@@ -188,10 +188,10 @@ Html list_of_steps(const Steps& all) {
                                                      html(table_of_steps("Steps not done", open)));
 }
 
-Html content_of(const std::vector<StepLog>& steps) {
+Html content_of(const std::vector<run::StepLog>& steps) {
   if (steps.empty()) return element("p", "No step of this run has left a log.");
   Steps all;
-  for (const StepLog& step : steps) all.push_back(&step);
+  for (const run::StepLog& step : steps) all.push_back(&step);
   const std::optional<Table> costs = cost_table(steps);
   return element("p", {{"class", "verdict"}}, in_short(steps, all)) +
          element("h2", "When the steps ran") +
@@ -206,7 +206,7 @@ Html content_of(const std::vector<StepLog>& steps) {
 
 }  // namespace
 
-std::string run_page(const std::vector<StepLog>& steps, const Style& style) {
+std::string run_page(const std::vector<run::StepLog>& steps, const Style& style) {
   const Html header = element(
       "header", element("h1", "How it ran") +
                     element("p", Html("Times, and memory, of this very run. What it found: ") +

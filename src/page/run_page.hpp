@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "page/document.hpp"
-#include "page/step_log.hpp"
+#include "run/step_log.hpp"
 
 namespace piae::page {
 
@@ -15,6 +15,6 @@ inline constexpr std::size_t most_listed_steps = 5000;
 /// which steps were the slowest. Two runs of the same settings give different pages, which is why
 /// none of this stands in report.html. `steps` are ordered by begin. Of more than
 /// most_listed_steps, only those have a row of their own that are not done, as many as that.
-std::string run_page(const std::vector<StepLog>& steps, const Style& style);
+std::string run_page(const std::vector<run::StepLog>& steps, const Style& style);
 
 }  // namespace piae::page

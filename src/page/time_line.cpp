@@ -24,7 +24,7 @@ constexpr double narrowest_bar = 0.7;
 
 constexpr double pause_s = 600;
 
-double end_of_step(const StepLog& step) { return *step.begun_s + step.elapsed_s; }
+double end_of_step(const run::StepLog& step) { return *step.begun_s + step.elapsed_s; }
 
 /// Where moments lie in the picture.
 class Axis {
@@ -60,10 +60,10 @@ class Axis {
 std::string position(double number) { return fmt::format("{:.6g}", std::round(10 * number) / 10); }
 
 /// The lane of each step, counted from 0: the first one that is free.
-std::vector<std::size_t> lanes_of(const std::vector<const StepLog*>& steps) {
+std::vector<std::size_t> lanes_of(const std::vector<const run::StepLog*>& steps) {
   std::vector<double> free_at_s;
   std::vector<std::size_t> lanes;
-  for (const StepLog* step : steps) {
+  for (const run::StepLog* step : steps) {
     auto lane = std::ranges::find_if(free_at_s, [&](double end) { return end <= *step->begun_s; });
     if (lane == free_at_s.end()) lane = free_at_s.insert(free_at_s.end(), 0);
     *lane = end_of_step(*step);
@@ -75,7 +75,7 @@ std::vector<std::size_t> lanes_of(const std::vector<const StepLog*>& steps) {
 /// Steps that are drawn as one bar: of a lane, one after the other.
 struct Bar {
   std::size_t lane = 0;
-  const StepLog* first = nullptr;
+  const run::StepLog* first = nullptr;
   double end_s = 0;
   std::size_t steps = 1;
 };
@@ -83,18 +83,18 @@ struct Bar {
 /// A bar for each step. Where there are so many that most would lie on top of each other, those are
 /// one that follow each other in a lane, ended alike, and together are not wider than the eye tells
 /// apart.
-std::vector<Bar> bars_of(const std::vector<const StepLog*>& steps, const Axis& axis) {
+std::vector<Bar> bars_of(const std::vector<const run::StepLog*>& steps, const Axis& axis) {
   constexpr std::size_t many = 2000;
   constexpr double widest_together = 2;
   const std::vector<std::size_t> lanes = lanes_of(steps);
   std::vector<Bar> bars;
   std::vector<std::size_t> last_of_lane(std::ranges::max(lanes) + 1, steps.size());
   for (std::size_t i = 0; i < steps.size(); ++i) {
-    const StepLog& step = *steps[i];
+    const run::StepLog& step = *steps[i];
     std::size_t& last = last_of_lane[lanes[i]];
     const bool follows =
         steps.size() > many && last < bars.size() && bars[last].first->end == step.end &&
-        step.end != StepEnd::open &&
+        step.end != run::StepEnd::open &&
         axis.at(end_of_step(step)) - axis.at(*bars[last].first->begun_s) < widest_together;
     if (follows) {
       bars[last].end_s = end_of_step(step);
@@ -108,16 +108,17 @@ std::vector<Bar> bars_of(const std::vector<const StepLog*>& steps, const Axis& a
 }
 
 std::string title_of_bar(const Bar& bar) {
-  const StepLog& step = *bar.first;
+  const run::StepLog& step = *bar.first;
   std::string title = step.file.generic_string() + ", ";
   if (bar.steps > 1) title += fmt::format("and {} more, ", bar.steps - 1);
   title += word_of(step.end);
-  return step.end == StepEnd::open ? title
-                                   : title + " after " + duration_label(bar.end_s - *step.begun_s);
+  return step.end == run::StepEnd::open
+             ? title
+             : title + " after " + duration_label(bar.end_s - *step.begun_s);
 }
 
 Html html_of_bar(const Bar& bar, const Axis& axis, double y, double height) {
-  const StepLog& step = *bar.first;
+  const run::StepLog& step = *bar.first;
   return element(
       "rect",
       {{"class", "bar " + word_of(step.end)},
@@ -142,10 +143,10 @@ Html vertical(double x, double from, double to) {
                  Html());
 }
 
-Html row_of_stage(const std::string& stage, const std::vector<StepLog>& steps, const Axis& axis,
-                  double y) {
-  std::vector<const StepLog*> own;
-  for (const StepLog& step : steps) {
+Html row_of_stage(const std::string& stage, const std::vector<run::StepLog>& steps,
+                  const Axis& axis, double y) {
+  std::vector<const run::StepLog*> own;
+  for (const run::StepLog& step : steps) {
     if (step.stage == stage) own.push_back(&step);
   }
   const std::vector<Bar> bars = bars_of(own, axis);
@@ -186,23 +187,23 @@ Html ticks(const Axis& axis, double bottom) {
 
 }  // namespace
 
-std::string word_of(StepEnd end) {
+std::string word_of(run::StepEnd end) {
   switch (end) {
-    case StepEnd::done:
+    case run::StepEnd::done:
       return "done";
-    case StepEnd::interrupted:
+    case run::StepEnd::interrupted:
       return "interrupted";
-    case StepEnd::failed:
+    case run::StepEnd::failed:
       return "failed";
-    case StepEnd::open:
+    case run::StepEnd::open:
       break;
   }
   return "open";
 }
 
-std::vector<Session> sessions_of(const std::vector<StepLog>& steps) {
+std::vector<Session> sessions_of(const std::vector<run::StepLog>& steps) {
   std::vector<Session> sessions;
-  for (const StepLog& step : steps) {
+  for (const run::StepLog& step : steps) {
     if (sessions.empty() || *step.begun_s > sessions.back().end_s + pause_s) {
       sessions.push_back({*step.begun_s, *step.begun_s});
     }
@@ -211,9 +212,9 @@ std::vector<Session> sessions_of(const std::vector<StepLog>& steps) {
   return sessions;
 }
 
-std::vector<std::string> stages_in_order(const std::vector<StepLog>& steps) {
+std::vector<std::string> stages_in_order(const std::vector<run::StepLog>& steps) {
   std::set<std::string> left;
-  for (const StepLog& step : steps) left.insert(step.stage);
+  for (const run::StepLog& step : steps) left.insert(step.stage);
   std::vector<std::string> stages;
   for (const char* stage : {"ingest", "simulate", "split", "train", "generate", "score", "diagnose",
                             "tabulate", "figures"}) {
@@ -223,7 +224,7 @@ std::vector<std::string> stages_in_order(const std::vector<StepLog>& steps) {
   return stages;
 }
 
-Html time_line(const std::vector<StepLog>& steps) {
+Html time_line(const std::vector<run::StepLog>& steps) {
   const Axis axis(sessions_of(steps));
   const std::vector<std::string> stages = stages_in_order(steps);
   const double bottom = static_cast<double>(stages.size()) * (row_height + row_space);

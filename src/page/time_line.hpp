@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "page/html.hpp"
-#include "page/step_log.hpp"
+#include "run/step_log.hpp"
 
 namespace piae::page {
 
@@ -15,16 +15,16 @@ struct Session {
 
 /// The sessions of steps, which must be ordered by begin. A pause of ten minutes parts two of them:
 /// a run may go on days after it was interrupted.
-std::vector<Session> sessions_of(const std::vector<StepLog>& steps);
+std::vector<Session> sessions_of(const std::vector<run::StepLog>& steps);
 
 /// A picture with a row for each stage and a bar for each step; bars that overlap lie in lanes.
 /// Pauses between sessions are cut out. Steps are ordered by begin, and there is at least one.
-Html time_line(const std::vector<StepLog>& steps);
+Html time_line(const std::vector<run::StepLog>& steps);
 
 /// Stages in the order in which a run has them; others follow in alphabetical order.
-std::vector<std::string> stages_in_order(const std::vector<StepLog>& steps);
+std::vector<std::string> stages_in_order(const std::vector<run::StepLog>& steps);
 
 /// "done", "failed", ...
-std::string word_of(StepEnd end);
+std::string word_of(run::StepEnd end);
 
 }  // namespace piae::page

@@ -16,93 +16,14 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::Not;
 
-std::string log_text(double begun, const std::string& lines) {
-  return "build/bin/train --seed 0\nstep: begun at " + std::to_string(begun) + "\n" + lines;
-}
-
-StepLog step(const std::string& file, double begun, double elapsed, StepEnd end = StepEnd::done) {
+run::StepLog step(const std::string& file, double begun, double elapsed,
+                  run::StepEnd end = run::StepEnd::done) {
   const std::filesystem::path path = file;
   return {.file = path,
           .stage = path.stem().string(),
           .end = end,
           .begun_s = begun,
           .elapsed_s = elapsed};
-}
-
-TEST(StepLog, SaysWhatTheStepTook) {
-  const Folder folder;
-  const auto log = read_step_log(folder.write(
-      "train.log", log_text(1763800000.25,
-                            "trained vae on 45 windows: results/t/model.h5\nstep: used 11.93 s of "
-                            "processor time and 153 MB of memory\nstep: exit 0 after 12.3 s\n")));
-  EXPECT_EQ(log.stage, "train");
-  EXPECT_EQ(log.end, StepEnd::done);
-  EXPECT_THAT(log.begun_s, testing::Optional(DoubleNear(1763800000.25, 1e-6)));
-  EXPECT_EQ(log.elapsed_s, 12.3);
-  EXPECT_EQ(log.processor_s, 11.93);
-  EXPECT_EQ(log.memory_mb, 153);
-  EXPECT_EQ(log.reason, "");
-}
-
-TEST(StepLog, OfAnOlderRunHasNoProcessorTime) {
-  const Folder folder;
-  const auto log =
-      read_step_log(folder.write("score.log", log_text(1, "step: exit 0 after 0.6 s\n")));
-  EXPECT_EQ(log.end, StepEnd::done);
-  EXPECT_FALSE(log.processor_s.has_value());
-  EXPECT_FALSE(log.memory_mb.has_value());
-}
-
-TEST(StepLog, BeginsWhenItsPlaceInAQueueHasCome) {
-  const Folder folder;
-  const auto log = read_step_log(
-      folder.write("train.log", log_text(100, "step: waited 20.5 s\nstep: exit 0 after 0.6 s\n")));
-  EXPECT_THAT(log.begun_s, testing::Optional(DoubleNear(120.5, 1e-6)));
-  EXPECT_EQ(log.elapsed_s, 0.6);
-}
-
-TEST(StepLog, OfAFailedStepSaysWhy) {
-  const Folder folder;
-  const auto log = read_step_log(
-      folder.write("train.log", log_text(1,
-                                         "train  ###.  50 %\ntrain: diverged at epoch 3: lower "
-                                         "--learning-rate\nstep: exit 1 after 2.0 s\n")));
-  EXPECT_EQ(log.end, StepEnd::failed);
-  EXPECT_EQ(log.reason, "diverged at epoch 3: lower --learning-rate");
-}
-
-TEST(StepLog, SaysThatTheStepWentOnFromACheckpoint) {
-  const Folder folder;
-  const auto log = read_step_log(folder.write(
-      "train.log", log_text(1,
-                            "train: going on from model.h5.checkpoint after 3 epochs\ntrain: "
-                            "diverged at epoch 4\nstep: exit 1 after 2.0 s\n")));
-  EXPECT_TRUE(log.went_on);
-  EXPECT_EQ(log.reason, "diverged at epoch 4");
-  EXPECT_FALSE(read_step_log(folder.write("train.log", log_text(1, ""))).went_on);
-}
-
-TEST(StepLog, TellsStoppedStepsFromFailedOnes) {
-  const Folder folder;
-  const auto end_of = [&](const std::string& line) {
-    return read_step_log(folder.write("train.log", log_text(1, line))).end;
-  };
-  EXPECT_EQ(end_of("step: exit 75 after 2.0 s\n"), StepEnd::interrupted);
-  EXPECT_EQ(end_of("step: exit 143 after 2.0 s\n"), StepEnd::interrupted);
-  EXPECT_EQ(end_of("step: exit 138 after 2.0 s\n"), StepEnd::interrupted);
-  EXPECT_EQ(end_of("step: exit 139 after 2.0 s\n"), StepEnd::failed);
-  EXPECT_EQ(end_of(""), StepEnd::open);
-}
-
-TEST(StepLog, FindsAllOfARunInTheOrderInWhichTheyBegan) {
-  const Folder folder;
-  folder.write("cwru/seed0/split.log", log_text(20, "step: exit 0 after 1.0 s\n"));
-  folder.write("cwru/ingest.log", log_text(10, "step: exit 0 after 1.0 s\n"));
-  folder.write("cwru/other.log", "of another program\n");
-  const auto logs = read_step_logs(folder.path());
-  ASSERT_EQ(logs.size(), 2U);
-  EXPECT_EQ(logs[0].file, "cwru/ingest.log");
-  EXPECT_EQ(logs[1].file, "cwru/seed0/split.log");
 }
 
 TEST(Durations, AreInAUnitThatFits) {
@@ -140,9 +61,9 @@ TEST(TimeLine, StepsThatOverlapLieInLanes) {
 }
 
 TEST(RunPage, SumsTimeAndMemoryByStageAndMethod) {
-  std::vector<StepLog> steps{step("cwru/seed0/vae/train.log", 0, 60),
-                             step("cwru/seed1/vae/train.log", 60, 30),
-                             step("cwru/seed0/smote/train.log", 90, 2)};
+  std::vector<run::StepLog> steps{step("cwru/seed0/vae/train.log", 0, 60),
+                                  step("cwru/seed1/vae/train.log", 60, 30),
+                                  step("cwru/seed0/smote/train.log", 90, 2)};
   steps[0].processor_s = 58;
   steps[1].processor_s = 29;
   steps[1].memory_mb = 153.4;
@@ -168,8 +89,8 @@ std::string shown_time(double seconds) {
 }
 
 /// A step that used so much processor time, and took twice as long.
-StepLog used(const std::string& file, double seconds, StepEnd end = StepEnd::done) {
-  StepLog log = step(file, 0, 2 * seconds, end);
+run::StepLog used(const std::string& file, double seconds, run::StepEnd end = run::StepEnd::done) {
+  run::StepLog log = step(file, 0, 2 * seconds, end);
   log.processor_s = seconds;
   return log;
 }
@@ -180,7 +101,7 @@ TEST(RunPage, SumsWhatAMethodWithAClassifierTakesOfASeed) {
   const std::string page =
       run_page({used("cwru/seed0/vae/train.log", 40), used("cwru/seed1/vae/train.log", 60),
                 used("cwru/seed0/vae/generate.log", 2),
-                used("cwru/seed1/vae/generate.log", 77, StepEnd::failed),
+                used("cwru/seed1/vae/generate.log", 77, run::StepEnd::failed),
                 used("cwru/seed0/vae/10to1/wdcnn/diagnose.log", 5),
                 used("cwru/seed0/vae/1to1/wdcnn/diagnose.log", 8),
                 used("cwru/seed0/vae/1to1/nearest/diagnose.log", 3),
@@ -211,11 +132,11 @@ TEST(RunPage, SumsWhatAMethodWithAClassifierTakesOfASeed) {
 
 /// Its log has what it took since then alone.
 TEST(RunPage, TakesNoTimeFromAStepThatWentOn) {
-  StepLog second_half = used("cwru/seed0/vae/train.log", 30);
+  run::StepLog second_half = used("cwru/seed0/vae/train.log", 30);
   second_half.went_on = true;
-  const std::vector<StepLog> steps{second_half, used("cwru/seed1/vae/train.log", 60),
-                                   used("cwru/seed0/vae/generate.log", 2),
-                                   used("cwru/seed0/vae/1to1/wdcnn/diagnose.log", 8)};
+  const std::vector<run::StepLog> steps{second_half, used("cwru/seed1/vae/train.log", 60),
+                                        used("cwru/seed0/vae/generate.log", 2),
+                                        used("cwru/seed0/vae/1to1/wdcnn/diagnose.log", 8)};
   EXPECT_THAT(run_page(steps, {}), HasSubstr(shown_time(60) + shown_time(2) + shown_time(8)));
 }
 
@@ -226,7 +147,7 @@ TEST(RunPage, ShowsTheSlowestStepsFirst) {
 }
 
 TEST(RunPage, ShowsWhyAStepFailed) {
-  StepLog failed = step("cwru/seed0/vae/train.log", 0, 1, StepEnd::failed);
+  run::StepLog failed = step("cwru/seed0/vae/train.log", 0, 1, run::StepEnd::failed);
   failed.reason = "<b>diverged</b>";
   const std::string page = run_page({failed}, {});
   EXPECT_THAT(page, HasSubstr("<rect class=\"bar failed\""));
@@ -236,11 +157,11 @@ TEST(RunPage, ShowsWhyAStepFailed) {
 
 /// With a row and a bar each, a hundred thousand steps would be a page of 60 MB.
 TEST(RunPage, OfManyStepsListsThoseThatAreNotDone) {
-  std::vector<StepLog> steps;
+  std::vector<run::StepLog> steps;
   for (int i = 0; i < 100'000; ++i) {
     steps.push_back(step(fmt::format("cwru/seed{}/split.log", i), i, 1));
   }
-  steps[70'000].end = StepEnd::failed;
+  steps[70'000].end = run::StepEnd::failed;
   const std::string page = run_page(steps, {});
   EXPECT_LT(page.size(), 1'000'000U);
   EXPECT_THAT(page, HasSubstr("100000 steps are too many for a page: their logs lie beside what "

@@ -1,4 +1,4 @@
-#include "page/step_log.hpp"
+#include "run/step_log.hpp"
 
 #include <algorithm>
 #include <sstream>
@@ -7,8 +7,9 @@
 
 #include "artefact/file.hpp"
 #include "base/numbers.hpp"
+#include "base/one_line.hpp"
 
-namespace piae::page {
+namespace piae::run {
 
 namespace fs = std::filesystem;
 
@@ -39,7 +40,32 @@ StepEnd end_of(int exit_code) {
   return stopped ? StepEnd::interrupted : StepEnd::failed;
 }
 
-void read_line(const std::string& line, StepLog& log) {
+/// The program of a command, which may have another in front: "srun --mem=2G build/bin/train
+/// --config ...".
+std::string program_of(const std::string& command) {
+  std::string program;
+  std::istringstream words(command);
+  for (std::string word; words >> word;) {
+    const std::size_t slash = word.rfind('/');
+    const bool is_path = slash != std::string::npos && !word.starts_with('-');
+    if (is_path) return word.substr(slash + 1);
+    if (program.empty()) program = word;
+  }
+  return program;
+}
+
+/// What a program says of itself stands behind its name.
+void read_line_of(const std::string& program, const std::string& line, StepLog& log) {
+  if (line.starts_with(program + "  ")) log.last_progress = one_line(line);
+  const std::string name = program + ": ";
+  if (line.starts_with(name + "going on from ")) {  // nets/trainee.cpp
+    log.went_on = true;
+  } else if (log.reason.empty() && line.starts_with(name)) {
+    log.reason = one_line(line.substr(name.size()));
+  }
+}
+
+void read_line(const std::string& line, const std::string& program, StepLog& log) {
   if (const auto begun = number_between(line, "step: begun at ", "")) log.begun_s = begun;
   // Its place in a queue is no part of a step.
   if (const auto waited = number_between(line, "step: waited ", " s"); waited && log.begun_s) {
@@ -52,16 +78,12 @@ void read_line(const std::string& line, StepLog& log) {
     if (at != std::string::npos) log.memory_mb = number_between(line.substr(at), memory, " MB");
   }
   if (const auto code = between(line, "step: exit ", " after ")) {
-    log.end = end_of(number_in<int>(*code).value_or(1));
+    log.exit_code = number_in<int>(*code).value_or(1);
+    log.end = end_of(log.exit_code);
     const std::string before = "step: exit " + std::string(*code) + " after ";
     log.elapsed_s = number_between(line, before, " s").value_or(0);
   }
-  const std::string name = log.stage + ": ";
-  if (line.starts_with(name + "going on from ")) {  // nets/trainee.cpp
-    log.went_on = true;
-    return;
-  }
-  if (log.reason.empty() && line.starts_with(name)) log.reason = line.substr(name.size());
+  read_line_of(program, line, log);
 }
 
 }  // namespace
@@ -72,7 +94,12 @@ StepLog read_step_log(const fs::path& file) {
   StepLog log;
   log.file = file;
   log.stage = file.stem().string();
-  for (std::string line; std::getline(lines, line);) read_line(line, log);
+  std::string program;
+  for (std::string line; std::getline(lines, line);) {
+    if (program.empty()) program = program_of(line);
+    read_line(line, program, log);
+    if (program != log.stage) read_line_of(log.stage, line, log);
+  }
   if (log.end != StepEnd::failed) log.reason.clear();
   return log;
 }
@@ -90,4 +117,4 @@ std::vector<StepLog> read_step_logs(const fs::path& folder) {
   return logs;
 }
 
-}  // namespace piae::page
+}  // namespace piae::run

@@ -1,0 +1,102 @@
+#include "plan/asked.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <optional>
+
+#include "plan/words.hpp"
+
+namespace piae::plan {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::optional<std::string> if_given(const std::string& text) {
+  return text.empty() ? std::nullopt : std::optional(text);
+}
+
+/// The data sets that have a seed in the folder of a run.
+std::vector<std::string> held_in(const fs::path& run) {
+  std::vector<std::string> held;
+  std::error_code none;
+  for (const fs::directory_entry& dataset : fs::directory_iterator(run, none)) {
+    if (!dataset.is_directory(none)) continue;
+    for (const fs::directory_entry& entry : fs::directory_iterator(dataset.path(), none)) {
+      if (!entry.path().filename().string().starts_with("seed")) continue;
+      held.push_back(dataset.path().filename());
+      break;
+    }
+  }
+  std::ranges::sort(held);
+  return held;
+}
+
+}  // namespace
+
+void bind(const cli::Options& command, Asked& asked) {
+  command.add("--goals", asked.goals, "What is to be made: all, cells, ..., or files of a run")
+      .from_environment("GOALS");
+  command.add("--run", asked.run, "Folder under results/").from_environment("RUN");
+  command.add("--datasets", asked.datasets, "Data sets").from_environment("DATASETS");
+  command.add("--methods", asked.methods, "Methods; paper: the paper's")
+      .from_environment("METHODS");
+  command.add("--ratios", asked.ratios, "Windows known to generated").from_environment("RATIOS");
+  command.add("--classifiers", asked.classifiers, "Classifiers").from_environment("CLASSIFIERS");
+  command.add("--seeds", asked.seeds, "Independent repeats").from_environment("SEEDS");
+  command
+      .choose("--protocol", asked.protocol, signal::protocol_words(),
+              "The split: random (the paper) or blocked (no overlaps)")
+      .from_environment("PROTOCOL");
+  command.add("--data-dir", asked.data_dir, "Folder of the recordings")
+      .from_environment("DATA_DIR");
+}
+
+void bind(const cli::Options& command, PlanOptions& options) {
+  command.add("--pipeline", options.pipeline, "Folder with protocol.toml and datasets/");
+  command
+      .choose("--stretch", options.stretch,
+              {{"grid", Stretch::grid},
+               {"numbers", Stretch::numbers},
+               {"pictures", Stretch::pictures},
+               {"pages", Stretch::pages}},
+              "Part of a run, each planned when the one before is done")
+      .from_environment("STRETCH");
+  command
+      .flag("--with-holes", options.with_holes,
+            "Tables of the cells that are there, where others are missing")
+      .from_environment("WITH_HOLES");
+  command.flag("--looks", options.looks, "Write nothing, not even settings files and the journal");
+  command.add("--only", options.only,
+              "Only the files that this file names, a line each, and what they are made of");
+}
+
+Request Asked::request() const {
+  Request request;
+  if (!goals.empty()) {
+    request.goals = words_in(goals);
+  }
+  if (!run.empty()) request.run = run;
+  request.datasets = if_given(datasets);
+  request.methods = if_given(methods);
+  request.ratios = if_given(ratios);
+  request.classifiers = if_given(classifiers);
+  request.seeds = if_given(seeds);
+  request.protocol = protocol;
+  if (!data_dir.empty()) request.data_dir = data_dir;
+  const std::string suffix = protocol == signal::Protocol::blocked ? "-blocked" : "";
+  request.held = held_in("results/" + request.run + suffix);
+  return request;
+}
+
+Request narrowed(Request request, const std::string& step) {
+  // results/RUN/DATASET/seedK/...
+  const Words parts = fields_of(step, '/');
+  if (parts.size() < 4) return request;
+  request.datasets = parts[2];
+  const std::string& seed = parts[3];
+  if (seed.starts_with("seed")) request.seeds = seed.substr(4);
+  return request;
+}
+
+}  // namespace piae::plan

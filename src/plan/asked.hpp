@@ -1,0 +1,34 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cli/options.hpp"
+#include "plan/planned.hpp"
+#include "plan/request.hpp"
+
+namespace piae::plan {
+
+/// The words of a request as options, each of which is taken from the variable of make where it is
+/// not given: --methods from METHODS. What is empty is not given.
+struct Asked {
+  std::string goals;
+  std::string run;
+  std::string datasets;
+  std::string methods;
+  std::string ratios;
+  std::string classifiers;
+  std::string seeds;
+  signal::Protocol protocol = signal::Protocol::random;
+  std::string data_dir;
+
+  [[nodiscard]] Request request() const;
+};
+
+void bind(const cli::Options& command, Asked& asked);
+void bind(const cli::Options& command, PlanOptions& options);
+
+/// The request for one step alone, whose log has this name: of its data set and seed.
+Request narrowed(Request request, const std::string& step);
+
+}  // namespace piae::plan

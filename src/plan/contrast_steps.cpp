@@ -1,0 +1,122 @@
+#include "plan/contrast_steps.hpp"
+
+#include <algorithm>
+
+#include "plan/words.hpp"
+#include "scoring/diagnosis_record.hpp"
+
+namespace piae::plan {
+
+namespace {
+
+/// One side of a contrast: a data set of a run, and the cells by the paper's classifier in it.
+struct Side {
+  std::string folder;
+  TableCells cells;
+};
+
+class Contrasts {
+ public:
+  Contrasts(const Experiment& experiment, const Choice& choice, Graph& graph, Judge& judge,
+            Disk& disk)
+      : choice_(choice),
+        random_(experiment, choice, signal::Protocol::random, graph),
+        blocked_(experiment, choice, signal::Protocol::blocked, graph),
+        random_tables_(experiment, choice, random_, judge, disk),
+        blocked_tables_(experiment, choice, blocked_, judge, disk) {}
+
+  void of_protocols(const Part& part, Words& shown) {
+    add(side(random_, random_tables_, part), side(blocked_, blocked_tables_, part), part,
+        "protocols", "contrast", shown);
+  }
+  void of_rates(const Part& as_published, const Part& at_one_rate, Words& shown) {
+    add(side(random_, random_tables_, as_published), side(random_, random_tables_, at_one_rate),
+        as_published, "rates", "contrast@rates", shown);
+  }
+
+ private:
+  [[nodiscard]] Words methods_of(const Part& part) const {
+    Words methods;
+    for (const run::Combination& cell : part.cells) {
+      const bool is_new = std::ranges::count(methods, cell.method) == 0;
+      if (cell.classifier == scoring::paper_classifier && is_new) methods.push_back(cell.method);
+    }
+    return methods;
+  }
+
+  Side side(GridSteps& grid, TableSteps& tables, const Part& part) {
+    std::vector<StepId> asked;
+    for (const std::int64_t seed : choice_.seeds) {
+      for (const run::Combination& cell : part.cells) {
+        if (cell.classifier != scoring::paper_classifier) continue;
+        asked.push_back(grid.diagnosis(part.dataset, seed, variant_of(cell.method), cell.ratio,
+                                       cell.classifier));
+        if (run::has_score(cell.method)) {
+          grid.score(part.dataset, seed, variant_of(cell.method));
+        }
+      }
+    }
+    return {grid.folder() + '/' + part.dataset.name,
+            tables.with_held(part.dataset, asked, [](const HeldCell& cell) {
+              return cell.kind == HeldCell::Kind::diagnosis &&
+                     cell.variant.folder == cell.variant.method &&
+                     cell.classifier == scoring::paper_classifier;
+            })};
+  }
+
+  void add(const Side& with, const Side& without, const Part& part, const std::string& name,
+           const std::string& log, Words& shown) {
+    const std::string table = with.folder + '/' + name;
+    Step step{.stage = "contrast",
+              .folder = with.folder,
+              .log = log,
+              .words = {"--with", with.folder, "--without", without.folder},
+              .outputs = {table + ".md", table + ".csv", table + ".tex"},
+              .output_option = "output",
+              .place = {.dataset = part.dataset.name}};
+    append(step.words, {"--methods"});
+    append(step.words, methods_of(part));
+    append(step.words, {"--ratios"});
+    append(step.words, choice_.ratios);
+    append(step.words, {"--seeds"});
+    for (const std::int64_t seed : choice_.seeds) step.words.push_back(std::to_string(seed));
+    Words left_out = with.cells.left_out;
+    append(left_out, without.cells.left_out);
+    std::ranges::sort(left_out);
+    left_out.erase(std::unique(left_out.begin(), left_out.end()), left_out.end());
+    if (!left_out.empty()) {
+      step.words.emplace_back("--leave-out");
+      append(step.words, left_out);
+    }
+    Words files = with.cells.files;
+    append(files, without.cells.files);
+    shown.push_back(step.outputs.front());
+    random_tables_.add(std::move(step), "cells", files);
+  }
+
+  const Choice& choice_;
+  GridSteps random_;
+  GridSteps blocked_;
+  TableSteps random_tables_;
+  TableSteps blocked_tables_;
+};
+
+}  // namespace
+
+void add_contrasts(const Experiment& experiment, const Choice& choice, Graph& graph, Judge& judge,
+                   Disk& disk, Words& shown) {
+  Contrasts contrasts(experiment, choice, graph, judge, disk);
+  const auto part_of = [&](const std::string& dataset) {
+    const auto found = std::ranges::find_if(
+        choice.parts, [&](const Part& part) { return part.dataset.name == dataset; });
+    return found == choice.parts.end() ? nullptr : &*found;
+  };
+  for (const Part& part : choice.parts) contrasts.of_protocols(part, shown);
+  const Part* const as_published = part_of("cwru-as-published");
+  const Part* const at_one_rate = part_of("cwru");
+  if (as_published != nullptr && at_one_rate != nullptr) {
+    contrasts.of_rates(*as_published, *at_one_rate, shown);
+  }
+}
+
+}  // namespace piae::plan

@@ -1,0 +1,90 @@
+#include "plan/costs.hpp"
+
+#include <spdlog/fmt/fmt.h>
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "base/error.hpp"
+#include "base/numbers.hpp"
+#include "plan/words.hpp"
+#include "text/lines.hpp"
+
+namespace piae::plan {
+
+namespace {
+
+/// A step whose training is that of another one costs as much as that.
+std::string costly_stage(const std::string& stage) {
+  return stage == "features" ? "diagnose" : stage;
+}
+
+std::string key_of(const std::string& stage, const std::string& dataset, const std::string& method,
+                   const std::string& ratio) {
+  return stage + '|' + dataset + '|' + method + '|' + ratio;
+}
+
+/// Every classifier is like a stage of its own.
+std::string stage_by(const std::string& stage, const std::string& classifier) {
+  return classifier.empty() ? stage : stage + " by " + classifier;
+}
+
+/// Keys of what a step is like, the most alike first.
+std::array<std::string, 6> keys_of(const std::string& stage, const Place& place) {
+  const std::string by = stage_by(stage, place.classifier);
+  return {key_of(by, place.dataset, place.method, place.ratio),
+          key_of(by, "", place.method, place.ratio),
+          key_of(by, place.dataset, "", place.ratio),
+          key_of(by, "", "", place.ratio),
+          by,
+          ""};
+}
+
+}  // namespace
+
+void Costs::learn(const std::string& stage, const Place& place, const Cost& cost) {
+  for (const std::string& key : keys_of(stage, place)) {
+    Cost& most = known_[key];
+    most.seconds = std::max(most.seconds, cost.seconds);
+    most.megabytes = std::max(most.megabytes, cost.megabytes);
+  }
+}
+
+Costs Costs::read(const std::filesystem::path& file) {
+  Costs costs;
+  std::size_t number = 0;
+  for (const std::string& line : text::read_lines(file)) {
+    ++number;
+    if (line.empty() || line.starts_with('#') || line.starts_with("stage,")) continue;
+    const Words fields = fields_of(line, ',');
+    const auto seconds = fields.size() == 7 ? number_in<double>(fields[5]) : std::nullopt;
+    const auto megabytes = fields.size() == 7 ? number_in<double>(fields[6]) : std::nullopt;
+    if (!seconds || !megabytes) {
+      throw Error(Exit::bad_input,
+                  fmt::format("{}, line {}: must be stage,dataset,method,classifier,ratio,seconds,"
+                              "megabytes",
+                              file.string(), number));
+    }
+    costs.learn(
+        fields[0],
+        {.dataset = fields[1], .method = fields[2], .ratio = fields[4], .classifier = fields[3]},
+        {.seconds = *seconds, .megabytes = *megabytes});
+  }
+  return costs;
+}
+
+Costs::Estimate Costs::of(const Step& step) const {
+  const std::string stage = costly_stage(step.stage);
+  const auto keys = keys_of(stage, step.place);
+  const bool is_training = stage == "train";
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    if (is_training && (i == 2 || i == 3)) continue;  // methods have nothing in common
+    const auto found = known_.find(keys[i]);
+    if (found == known_.end()) continue;
+    return {found->second, i == 5 || (is_training && i > 1)};
+  }
+  return {{}, true};
+}
+
+}  // namespace piae::plan

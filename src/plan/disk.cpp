@@ -1,0 +1,173 @@
+#include "plan/disk.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <sstream>
+
+#include "artefact/digest.hpp"
+#include "artefact/reader.hpp"
+#include "base/error.hpp"
+#include "base/sha256.hpp"
+
+namespace piae::plan {
+
+namespace {
+
+using artefact::Made;
+
+/// The recordings that records.h5 says it was made of: programs of before did not name them as
+/// inputs.
+void add_recordings(const artefact::Reader& records, Made& made) {
+  const auto is_recording = [](const artefact::MadeFrom& from) {
+    return from.role.starts_with("recording ");
+  };
+  if (std::ranges::any_of(made.inputs, is_recording)) return;
+  for (const std::string& name : records.list("/records")) {
+    const std::string path = "/records/" + name;
+    const std::string sha256 = records.text(path, "source_sha256");
+    if (sha256.empty()) continue;
+    const std::string role = "recording " + records.text(path, "source");
+    if (std::ranges::count(made.inputs, role, &artefact::MadeFrom::role) == 0) {
+      made.inputs.push_back({role, artefact::short_digest(sha256)});
+    }
+  }
+}
+
+/// "known C.h5 efb1..."
+artefact::Provenance::Input parse_input(const std::string& line) {
+  const std::size_t role = line.find(' ');
+  const std::size_t digest = line.rfind(' ');
+  if (role == std::string::npos || digest <= role) return {.role = line, .file = {}, .digest = {}};
+  return {.role = line.substr(0, role),
+          .file = line.substr(role + 1, digest - role - 1),
+          .digest = line.substr(digest + 1)};
+}
+
+File described(const artefact::Reader& reader) {
+  artefact::Provenance provenance;
+  provenance.options = reader.strings(artefact::provenance_group + "/options").front();
+  for (const std::string& line : reader.strings(artefact::provenance_group + "/inputs")) {
+    provenance.inputs.push_back(parse_input(line));
+  }
+  File file{.digest = artefact::short_digest(reader.digest()),
+            .made = artefact::made_by(provenance),
+            .problem = {}};
+  if (reader.kind() == "records") add_recordings(reader, *file.made);
+  return file;
+}
+
+bool is_artefact(const std::string& file) { return file.ends_with(".h5"); }
+
+File read_artefact(const std::string& file) {
+  try {
+    return described(artefact::Reader(file, ""));
+  } catch (const Error& error) {
+    return {.digest = {}, .made = std::nullopt, .problem = error.what()};
+  }
+}
+
+}  // namespace
+
+RealDisk::RealDisk(const std::vector<std::string>& runs, bool may_write) : may_write_(may_write) {
+  for (const std::string& run : runs) {
+    journals_.emplace_back(run + '/', std::make_unique<artefact::Journal>(run));
+  }
+}
+
+RealDisk::~RealDisk() = default;
+
+artefact::Journal& RealDisk::journal_of(const std::string& file) {
+  for (auto& [prefix, journal] : journals_) {
+    if (file.starts_with(prefix)) return *journal;
+  }
+  return *journals_.front().second;  // of what lies outside: recordings, the paper's tables
+}
+
+const File* RealDisk::keep(const std::string& file, std::optional<File> found) {
+  const auto& kept = seen_.insert_or_assign(file, std::move(found)).first->second;
+  return kept ? &*kept : nullptr;
+}
+
+std::optional<File> RealDisk::known(const std::string& file, const artefact::Stat& stat) {
+  const artefact::SeenFile* const seen = journal_of(file).file(file);
+  if (seen == nullptr || seen->stat != stat) return std::nullopt;
+  return File{.digest = seen->digest, .made = seen->made, .problem = {}};
+}
+
+File RealDisk::read(const std::string& file, const artefact::Stat& stat) {
+  File found;
+  if (is_artefact(file)) {
+    found = read_artefact(file);
+  } else {
+    found.digest = artefact::short_digest(sha256_of_file(file));
+  }
+  if (found.problem.empty()) {
+    journal_of(file).note(file, artefact::SeenFile{stat, found.digest, found.made});
+  }
+  return found;
+}
+
+const File* RealDisk::find(const std::string& file) {
+  if (const auto found = seen_.find(file); found != seen_.end()) {
+    return found->second ? &*found->second : nullptr;
+  }
+  const auto stat = artefact::stat_of(file);
+  if (!stat) return keep(file, std::nullopt);
+  std::optional<File> found = known(file, *stat);
+  return keep(file, found ? std::move(found) : read(file, *stat));
+}
+
+void RealDisk::look_at(const std::vector<std::string>& files) {
+  std::vector<std::filesystem::path> unknown;
+  std::vector<artefact::Stat> stats;
+  for (const std::string& file : files) {
+    const auto stat = artefact::stat_of(file);
+    if (!is_artefact(file) || !stat || known(file, *stat)) continue;
+    unknown.emplace_back(file);
+    stats.push_back(*stat);
+  }
+  artefact::Readers readers(unknown, "");
+  for (std::size_t i = 0; i < unknown.size(); ++i) {
+    const std::string file = unknown[i].string();
+    try {
+      const File found = described(readers.next());
+      journal_of(file).note(file, artefact::SeenFile{stats[i], found.digest, found.made});
+      keep(file, found);
+    } catch (const Error& error) {
+      keep(file, File{.digest = {}, .made = std::nullopt, .problem = error.what()});
+    }
+  }
+}
+
+std::vector<std::string> RealDisk::files_below(const std::string& folder) {
+  std::vector<std::string> files;
+  std::error_code none;
+  auto entry = std::filesystem::recursive_directory_iterator(folder, none);
+  if (none) return files;
+  const std::string prefix = folder + '/';
+  for (; entry != std::filesystem::recursive_directory_iterator(); entry.increment(none)) {
+    const std::string path = entry->path().string();
+    if (entry->path().filename().string().starts_with('.')) {
+      if (entry->is_directory(none)) entry.disable_recursion_pending();
+      continue;
+    }
+    if (entry->is_regular_file(none)) files.push_back(path.substr(prefix.size()));
+  }
+  std::ranges::sort(files);
+  return files;
+}
+
+const artefact::DoneStep* RealDisk::done(const std::string& step) {
+  return journal_of(step).step(step);
+}
+
+void RealDisk::note(const std::string& step, artefact::DoneStep done) {
+  journal_of(step).note(step, std::move(done));
+}
+
+void RealDisk::save() {
+  if (!may_write_) return;
+  for (auto& [prefix, journal] : journals_) journal->save();
+}
+
+}  // namespace piae::plan

@@ -1,0 +1,248 @@
+#include "plan/due.hpp"
+
+#include <spdlog/fmt/fmt.h>
+
+#include <algorithm>
+#include <set>
+#include <string_view>
+#include <tuple>
+
+#include "base/numbers.hpp"
+#include "base/sha256.hpp"
+#include "plan/words.hpp"
+
+namespace piae::plan {
+
+namespace {
+
+using Values = std::map<std::string, std::string>;
+
+/// Reads lines such as: epochs = "200"
+Values parse_options(std::string_view text) {
+  Values values;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    const std::string_view line = text.substr(0, end);
+    text.remove_prefix(std::min(end + 1, text.size()));
+    const std::size_t equals = line.find(" = \"");
+    if (equals == std::string_view::npos || !line.ends_with('"')) continue;
+    const std::size_t begin = equals + 4;
+    if (begin >= line.size()) continue;
+    values[std::string(line.substr(0, equals))] = line.substr(begin, line.size() - 1 - begin);
+  }
+  return values;
+}
+
+Values wanted_by(const Step& step) {
+  Values wanted;
+  if (step.settings) {
+    wanted = step.settings->defaults;
+    for (const auto& [option, value] : step.settings->values) wanted[option] = value;
+  }
+  for (const auto& [option, value] : step.options) wanted[option] = value;
+  return wanted;
+}
+
+std::string default_of(const Step& step, const std::string& option) {
+  if (!step.settings) return {};
+  const auto found = step.settings->defaults.find(option);
+  return found == step.settings->defaults.end() ? std::string() : found->second;
+}
+
+std::string options_text(const Values& values) {
+  std::string text;
+  for (const auto& [option, value] : values) text += option + " = \"" + value + "\"\n";
+  return text;
+}
+
+/// Of many files in one role: their number and one digest.
+std::string digest_of_all(const std::vector<std::pair<std::string, std::string>>& files) {
+  Sha256 sum;
+  for (const auto& [name, digest] : files) sum.update(below_run(name) + ' ' + digest + '\n');
+  return fmt::format("{}-{}", files.size(), artefact::short_digest(sum.finish_hex()));
+}
+
+std::size_t count_in(const std::string& digest) {
+  return number_in<std::size_t>(digest.substr(0, digest.find('-'))).value_or(0);
+}
+
+std::string what_changed(const Input& input, const std::string& was, const std::string& is) {
+  if (input.files.size() > 1 || !input.is_option) {
+    if (input.role.starts_with("recording ")) return input.role + " has other contents";
+    const std::size_t before = count_in(was);
+    const std::size_t now = count_in(is);
+    if (before != now) return fmt::format("{} are {}, were {}", input.role, now, before);
+    return input.role + " have other contents";
+  }
+  return file_name(input.files.front()) + " has other contents";
+}
+
+}  // namespace
+
+std::string name_of(const Step& step) { return step.folder + '/' + step.log; }
+
+bool same_value(const std::string& left, const std::string& right) {
+  if (left == right) return true;
+  const auto a = number_in<double>(left);
+  const auto b = number_in<double>(right);
+  return a && b && *a == *b;
+}
+
+const Verdict& Judge::of(StepId id) {
+  if (const auto found = verdicts_.find(id); found != verdicts_.end()) return found->second;
+  for (const StepId needed : graph_.needs(id)) of(needed);
+  return verdicts_[id] = judge(id);
+}
+
+Verdict Judge::judge(StepId id) {
+  if (graph_.at(id).is_always_due) return {State::due, "it shows the run as it is", false};
+  const std::string missing = what_is_missing(graph_.at(id));
+  if (!missing.empty()) return {State::due, missing, true};
+  const std::string why = what_differs(id);
+  if (!why.empty()) return {State::due, why, false};
+  Verdict verdict;
+  for (const StepId needed : graph_.needs(id)) {
+    const Verdict& before = of(needed);
+    if (is_settled(needed)) continue;
+    const bool is_first = verdict.state == State::current;
+    if (is_first) verdict = {State::waits, "after " + name_of(graph_.at(needed)), true};
+    verdict.only_missing = verdict.only_missing && before.only_missing;
+  }
+  return verdict;
+}
+
+std::string Judge::what_is_missing(const Step& step) {
+  std::size_t missing = 0;
+  std::string first;
+  for (const std::string& output : step.outputs) {
+    if (disk_.find(output) != nullptr) continue;
+    if (missing++ == 0) first = file_name(output);
+  }
+  if (missing == 0) return {};
+  return missing == step.outputs.size() ? "missing" : first + " is missing";
+}
+
+std::string Judge::what_differs(StepId id) {
+  const Step& step = graph_.at(id);
+  return step.is_artefact ? in_artefacts(step) : in_record(step);
+}
+
+std::string Judge::in_artefacts(const Step& step) {
+  for (const std::string& output : step.outputs) {
+    const File& file = *disk_.find(output);
+    if (!file.made) return file.problem.empty() ? file_name(output) + " is damaged" : file.problem;
+    for (const std::string& why : {in_options(step, *file.made), in_inputs(step, *file.made)}) {
+      if (!why.empty()) return why;
+    }
+  }
+  return {};
+}
+
+std::string Judge::in_record(const Step& step) {
+  const artefact::DoneStep* const done = disk_.done(name_of(step));
+  if (done == nullptr) return "nothing says how it was made";
+  const Values was = parse_options(*done->made.options);
+  for (const auto& [option, value] : wanted_by(step)) {
+    const auto before = was.find(option);
+    if (before == was.end()) return fmt::format("setting {} is {}, was not set", option, value);
+    if (!same_value(before->second, value)) {
+      return fmt::format("setting {} is {}, was {}", option, value, before->second);
+    }
+  }
+  const Values wanted = wanted_by(step);
+  for (const auto& [option, value] : was) {
+    if (!wanted.contains(option)) {
+      return fmt::format("setting {} is not set, was {}", option, value);
+    }
+  }
+  for (const auto& [output, digest] : done->outputs) {
+    const File* const file = disk_.find(output);
+    if (file == nullptr) return file_name(output) + " is missing";
+    if (file->digest != digest) return file_name(output) + " was changed by somebody else";
+  }
+  return in_inputs(step, done->made);
+}
+
+std::string Judge::in_options(const Step& step, const artefact::Made& made) {
+  std::string own;
+  for (const auto& [option, value] : step.options) own += option + '=' + value + '\n';
+  const auto key = std::tuple(made.options.get(), step.settings.get(), own);
+  if (const auto found = compared_.find(key); found != compared_.end()) return found->second;
+  const Values was = parse_options(*made.options);
+  std::string why;
+  for (const auto& [option, value] : wanted_by(step)) {
+    const auto before = was.find(option);
+    // An option that the program has learned since then had its default.
+    const std::string old = before == was.end() ? default_of(step, option) : before->second;
+    if (same_value(old, value)) continue;
+    why = old.empty() ? fmt::format("setting {} is {}, was not set", option, value)
+                      : fmt::format("setting {} is {}, was {}", option, value, old);
+    break;
+  }
+  return compared_[key] = why;
+}
+
+std::string Judge::in_inputs(const Step& step, const artefact::Made& made) {
+  std::set<std::string> roles;
+  for (const Input& input : step.inputs) {
+    roles.insert(input.role);
+    const std::string why = in_input(input, made);
+    if (!why.empty()) return why;
+  }
+  for (const artefact::MadeFrom& from : made.inputs) {
+    const bool is_recording = from.role.starts_with("recording ");
+    if (!roles.contains(from.role) && !is_recording) {
+      return "it was made with --" + from.role + ", too";
+    }
+  }
+  return {};
+}
+
+std::string Judge::in_input(const Input& input, const artefact::Made& made) {
+  const auto was = std::ranges::find(made.inputs, input.role, &artefact::MadeFrom::role);
+  if (was == made.inputs.end()) {
+    return input.may_be_unrecorded ? "" : "it was made without " + input.role;
+  }
+  const std::string now = digest_now(input);
+  return now.empty() || now == was->digest ? "" : what_changed(input, was->digest, now);
+}
+
+bool Judge::is_settled(StepId id) {
+  const Verdict& verdict = of(id);
+  return verdict.state == State::current || (graph_.at(id).is_held && verdict.only_missing);
+}
+
+std::string Judge::digest_now(const Input& input) {
+  if (input.digest) return *input.digest;
+  if (input.is_option || input.role.starts_with("recording ")) {
+    const std::string& name = input.files.front();
+    const auto maker = graph_.maker_of(name);
+    if (maker && !is_settled(*maker)) return {};
+    const File* const file = disk_.find(name);
+    return file == nullptr ? std::string() : file->digest;
+  }
+  std::vector<std::pair<std::string, std::string>> all;
+  for (const std::string& name : input.files) {
+    const auto maker = graph_.maker_of(name);
+    if (maker && !is_settled(*maker)) return {};
+    const File* const file = disk_.find(name);
+    if (file != nullptr) all.emplace_back(name, file->digest);
+  }
+  std::ranges::sort(all);
+  return digest_of_all(all);
+}
+
+artefact::DoneStep Judge::made_now(StepId id) {
+  const Step& step = graph_.at(id);
+  artefact::DoneStep done;
+  done.made.options = std::make_shared<const std::string>(options_text(wanted_by(step)));
+  for (const Input& input : step.inputs)
+    done.made.inputs.push_back({input.role, digest_now(input)});
+  for (const std::string& output : step.outputs) {
+    const File* const file = disk_.find(output);
+    if (file != nullptr) done.outputs.push_back({output, file->digest});
+  }
+  return done;
+}
+
+}  // namespace piae::plan

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "plan/disk.hpp"
+#include "plan/step.hpp"
+
+namespace piae::plan {
+
+/// Whether a step is to be run.
+enum class State {
+  current,  ///< what it makes is there, made as it would be made now
+  due,      ///< it is to be run
+  waits,  ///< a step that it waits for is to be run; if that gives the same again, this one is not
+};
+
+struct Verdict {
+  State state = State::current;
+  std::string why = {};  ///< empty where it is current: "setting epochs is 100, was 200", "missing"
+  /// Whether nothing is wrong but that files are not there any more: what was made of them stays
+  /// true.
+  bool only_missing = false;
+};
+
+/// Decides which steps are to be run, and why. A step is due when
+///   - a file that it makes is missing, cannot be read, or was changed by somebody else,
+///   - the options that made it differ from those that it would be made with now,
+///   - an input has other contents than those that it was made from.
+/// Times of files decide nothing.
+class Judge {
+ public:
+  Judge(const Graph& graph, Disk& disk) : graph_(graph), disk_(disk) {}
+
+  const Verdict& of(StepId id);
+
+  /// How a step whose outputs do not say so is made now: for the journal.
+  artefact::DoneStep made_now(StepId id);
+
+ private:
+  Verdict judge(StepId id);
+  std::string what_is_missing(const Step& step);
+  std::string what_differs(StepId id);
+  std::string in_artefacts(const Step& step);
+  std::string in_record(const Step& step);
+  std::string in_options(const Step& step, const artefact::Made& made);
+  std::string in_inputs(const Step& step, const artefact::Made& made);
+  std::string in_input(const Input& input, const artefact::Made& made);
+  /// The digest of an input as it lies there now; empty where that cannot be known yet.
+  std::string digest_now(const Input& input);
+  /// Whether what a step makes is as good as it will be: a held one is never made again.
+  bool is_settled(StepId id);
+
+  const Graph& graph_;
+  Disk& disk_;
+  std::map<StepId, Verdict> verdicts_;
+  std::map<std::tuple<const std::string*, const Settings*, std::string>, std::string> compared_;
+};
+
+/// The name of a step in the journal.
+std::string name_of(const Step& step);
+
+/// Whether two values of an option are the same, as numbers where they are numbers.
+bool same_value(const std::string& left, const std::string& right);
+
+}  // namespace piae::plan

@@ -1,0 +1,73 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "plan/experiment.hpp"
+#include "plan/request.hpp"
+#include "plan/stage_settings.hpp"
+#include "plan/step.hpp"
+#include "settings/points.hpp"
+
+namespace piae::plan {
+
+/// What is trained in a seed: a method as the protocol has it, or with some settings moved, as a
+/// sweep and the readings do.
+struct Variant {
+  std::string folder;  ///< below that of the seed: "smote", "sweep/batch-1"
+  std::string method;
+  std::vector<settings::Point> moved = {};
+};
+
+/// The method as the protocol has it.
+Variant variant_of(const std::string& method);
+
+/// Puts the steps of the grid into a graph, each with all that it waits for, and each once:
+///
+///     records.h5 -> A B C D -> model.h5 -> E.h5 -> score.h5
+///                          \-------------------\-> RATIO/CLASSIFIER/diagnosis.h5
+class GridSteps {
+ public:
+  /// `folder` is the run's.
+  GridSteps(const Experiment& experiment, const Choice& choice, signal::Protocol protocol,
+            Graph& graph);
+
+  /// Whether steps added from now on are asked for; others stand in the graph for what the run
+  /// holds, and are not made.
+  void ask(bool is_asked) { is_asked_ = is_asked; }
+
+  StepId records(const Dataset& dataset);
+  StepId split(const Dataset& dataset, std::int64_t seed);
+  StepId model(const Dataset& dataset, std::int64_t seed, const Variant& variant);
+  StepId windows(const Dataset& dataset, std::int64_t seed, const Variant& variant);
+  StepId score(const Dataset& dataset, std::int64_t seed, const Variant& variant);
+  StepId diagnosis(const Dataset& dataset, std::int64_t seed, const Variant& variant,
+                   const std::string& ratio, const std::string& classifier);
+  /// What the paper's classifier makes of the test windows (Figs 20 and 21): its training once
+  /// more, with a log of its own.
+  StepId features(const Dataset& dataset, std::int64_t seed, const std::string& method,
+                  const std::string& ratio);
+  /// The classifier itself, for `classify` and `monitor`.
+  StepId classifier(const Dataset& dataset, std::int64_t seed, const std::string& method,
+                    const std::string& ratio, const std::string& classifier);
+
+  [[nodiscard]] const std::string& folder() const { return folder_; }
+  [[nodiscard]] StageSettings& settings() { return settings_; }
+  [[nodiscard]] Graph& graph() { return graph_; }
+
+ private:
+  Step of_classifier(const Dataset& dataset, std::int64_t seed, const Variant& variant,
+                     const std::string& ratio, const std::string& classifier);
+  [[nodiscard]] std::string seed_folder(const Dataset& dataset, std::int64_t seed) const;
+  StepId add(Step step);
+
+  const Choice& choice_;
+  signal::Protocol protocol_;
+  Graph& graph_;
+  std::string folder_;
+  StageSettings settings_;
+  bool is_asked_ = true;
+};
+
+}  // namespace piae::plan

@@ -1,0 +1,65 @@
+#include "plan/planned.hpp"
+
+#include <algorithm>
+#include <optional>
+
+#include "base/error.hpp"
+#include "run/layout.hpp"
+#include "run/step_log.hpp"
+#include "text/lines.hpp"
+
+namespace piae::plan {
+
+namespace {
+
+/// Whether an input was written after a step began, by the clock of the file system.
+bool changed_since(const Step& step, double begun_s) {
+  for (const Input& input : step.inputs) {
+    for (const std::string& file : input.files) {
+      const auto stat = artefact::stat_of(file);
+      if (stat && static_cast<double>(stat->changed) * 1e-9 > begun_s) return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+Planned::Planned(const Request& request, const PlanOptions& options)
+    : experiment_(read_experiment(options.pipeline)) {
+  Choice choice = choose(experiment_, request);
+  // A layout refuses cells that lie as before 0.1.0.
+  for (const Part& part : choice.parts) run::Layout(choice.folder(), part.dataset.name);
+  disk_ = std::make_unique<RealDisk>(
+      std::vector{choice.folder(), choice.folder_of(signal::Protocol::blocked)}, !options.looks);
+  const bool with_holes = options.with_holes && options.stretch == Stretch::grid;
+  plan_ = with_holes
+              ? plan_with_holes(experiment_, std::move(choice), *disk_)
+              : std::make_unique<Plan>(experiment_, std::move(choice), options.stretch, *disk_);
+  if (!options.only.empty()) plan_->keep_only(text::read_lines(options.only));
+}
+
+StepId Planned::step_named(const std::string& name) {
+  const auto& steps = plan_->graph().steps();
+  const auto found =
+      std::ranges::find_if(steps, [&](const Step& step) { return name_of(step) == name; });
+  if (found == steps.end()) throw Error(Exit::usage, "there is no step " + name);
+  return static_cast<StepId>(found - steps.begin());
+}
+
+bool Planned::is_due(const std::string& step) {
+  return plan_->judge().of(step_named(step)).state != State::current;
+}
+
+void Planned::note(const std::string& name) {
+  const StepId id = step_named(name);
+  const Step& step = plan_->graph().at(id);
+  std::error_code none;
+  if (std::filesystem::is_regular_file(log_of(step), none)) {
+    const run::StepLog log = run::read_step_log(log_of(step));
+    if (log.begun_s && changed_since(step, *log.begun_s)) return;
+  }
+  disk_->note(name, plan_->judge().made_now(id));
+}
+
+}  // namespace piae::plan

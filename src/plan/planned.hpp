@@ -1,0 +1,46 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "plan/disk.hpp"
+#include "plan/plan.hpp"
+
+namespace piae::plan {
+
+/// How a plan is to be made.
+struct PlanOptions {
+  std::filesystem::path pipeline = "pipeline";  ///< folder with protocol.toml and datasets/
+  Stretch stretch = Stretch::grid;
+  bool with_holes = false;  ///< tables of what there is, see plan_with_holes()
+  bool looks = false;       ///< nothing is written, not even the journal
+  std::string only =
+      {};  ///< a file that names the files which are asked for, a line each; may be empty
+};
+
+/// A plan of a run on the disk.
+class Planned {
+ public:
+  /// Throws as Plan does, and Error(bad_input) for a run whose cells lie as before 0.1.0.
+  Planned(const Request& request, const PlanOptions& options);
+
+  [[nodiscard]] Plan& plan() { return *plan_; }
+  /// Writes what was learned of the files into the run's journal.
+  void save() { disk_->save(); }
+  /// Whether the step of this name is to be run.
+  bool is_due(const std::string& step);
+  /// Notes in the journal how a step has made its files. It is not noted where what it read has
+  /// changed since it began.
+  void note(const std::string& step);
+
+ private:
+  StepId step_named(const std::string& name);
+
+  Experiment experiment_;
+  std::unique_ptr<RealDisk> disk_;
+  std::unique_ptr<Plan> plan_;
+};
+
+}  // namespace piae::plan

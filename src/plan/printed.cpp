@@ -1,0 +1,184 @@
+#include "plan/printed.hpp"
+
+#include <spdlog/fmt/fmt.h>
+#include <spdlog/fmt/ranges.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "plan/words.hpp"
+#include "text/lines.hpp"
+
+namespace piae::plan {
+
+namespace {
+
+/// What make calls a step: its first file, or its log.
+std::string target_of(const Step& step) {
+  return step.outputs.empty() ? name_of(step) : step.outputs.front();
+}
+
+bool is_plain(const std::string& word) {
+  return !word.empty() && word.find_first_not_of(
+                              "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
+                              "0123456789_-+=./,:@%^") == std::string::npos;
+}
+
+/// A word as the shell reads it. (Names with a quote or a dollar are refused before.)
+std::string quoted(const std::string& word) { return is_plain(word) ? word : '\'' + word + '\''; }
+
+std::string shell_line(const Words& words) {
+  std::string line;
+  for (const std::string& word : words) line += (line.empty() ? "" : " ") + quoted(word);
+  return line;
+}
+
+/// The lines of a rule's recipe, without the tab in front.
+Words recipe_of(const Step& step, State state) {
+  const std::string note = "$(BIN)/plan --note " + name_of(step);
+  Words words = command_of(step);
+  if (step.stage == "draw")
+    return {"pipeline/figures/draw.sh " + step.inputs.front().files.front(), note};
+  if (step.stage == "report") {
+    words.erase(std::ranges::find(words, "--"), words.end());
+    return {"$(BIN)/" + shell_line(words)};
+  }
+  std::string line;
+  if (step.log != step.stage) line += "STEP_LOG=" + step.log + ' ';
+  if (state == State::waits) line += "ONLY_IF_DUE=yes ";
+  line += "pipeline/step.sh " + step.folder + ' ' + shell_line(words);
+  return step.is_artefact ? Words{line} : Words{line, note};
+}
+
+std::string counted(const std::map<std::string, std::size_t>& counts) {
+  Words words;
+  for (const auto& [name, count] : counts) words.push_back(fmt::format("{} {}", count, name));
+  return fmt::format("{}", fmt::join(words, ", "));
+}
+
+}  // namespace
+
+std::string makefile_of(Plan& plan, bool quietly) {
+  const std::vector<StepId> ids = plan.to_run();
+  if (ids.empty()) return {};
+  const std::set<StepId> runs(ids.begin(), ids.end());
+  std::string names;
+  std::string rules;
+  for (const StepId id : ids) {
+    const Step& step = plan.graph().at(id);
+    const std::string target = target_of(step);
+    names += ' ' + target;
+    rules += target + ':';
+    for (const StepId needed : plan.graph().needs(id)) {
+      if (runs.contains(needed)) rules += ' ' + target_of(plan.graph().at(needed));
+    }
+    rules += '\n';
+    for (const std::string& line : recipe_of(step, plan.judge().of(id).state)) {
+      rules += (quietly ? "\t@" : "\t") + line + '\n';
+    }
+  }
+  return "# The steps of a run that are to be done. Written by build/bin/plan for one make.\n"
+         ".PHONY: steps" +
+         names + "\nsteps:" + names + '\n' + rules;
+}
+
+std::string why_of(Plan& plan) {
+  struct Group {
+    std::size_t count = 0;
+    std::string first;
+    std::string stage;
+    std::string why;
+  };
+  std::vector<Group> groups;
+  std::map<std::string, std::size_t> index;
+  std::map<std::string, std::size_t> waiting;
+  Words single;
+  std::map<std::string, Words> lines;
+  for (const StepId id : plan.to_run()) {
+    const Step& step = plan.graph().at(id);
+    const Verdict& verdict = plan.judge().of(id);
+    if (verdict.state == State::waits) {
+      ++waiting[step.log];
+      continue;
+    }
+    const std::string key = step.place.dataset + '\t' + step.log + '\t' + verdict.why;
+    const auto [found, is_new] = index.emplace(key, groups.size());
+    if (is_new) groups.push_back({0, below_run(step.folder), step.log, verdict.why});
+    ++groups[found->second].count;
+    lines[key].push_back(fmt::format("{} {}: {}", below_run(step.folder), step.log, verdict.why));
+  }
+  std::string text;
+  for (const auto& [key, of_key] : lines) {
+    const Group& group = groups[index[key]];
+    constexpr std::size_t few = 3;
+    if (of_key.size() <= few) {
+      for (const std::string& line : of_key) text += line + '\n';
+    } else {
+      text += fmt::format("{} {} and {} more: {}\n", group.first, group.stage, group.count - 1,
+                          group.why);
+    }
+  }
+  if (text.empty() && waiting.empty()) return "nothing is to be done\n";
+  if (!waiting.empty()) {
+    text += fmt::format("after these, where they give something else: {}\n", counted(waiting));
+  }
+  return text;
+}
+
+std::string summary_of(Plan& plan, const Costs& costs) {
+  std::map<std::string, std::size_t> counts;
+  double seconds = 0;
+  double megabytes = 0;
+  std::set<std::string> guessed;
+  const std::vector<StepId> ids = plan.to_run();
+  for (const StepId id : ids) {
+    const Step& step = plan.graph().at(id);
+    ++counts[step.stage];
+    const Costs::Estimate estimate = costs.of(step);
+    seconds += estimate.cost.seconds;
+    megabytes = std::max(megabytes, estimate.cost.megabytes);
+    if (estimate.is_guess) guessed.insert(step.stage + ' ' + step.place.method);
+  }
+  if (ids.empty()) return "nothing is to be done\n";
+  std::string text = fmt::format(
+      "{} steps: {}\n{} of processor time, at most {:.0f} MB of memory a step, by what steps took "
+      "elsewhere (jobs/costs.csv)\n",
+      ids.size(), counted(counts), duration(seconds), megabytes);
+  if (!guessed.empty()) {
+    text +=
+        fmt::format("no cost is known of: {}; the largest is taken\n", fmt::join(guessed, ", "));
+  }
+  return text;
+}
+
+std::string missing_of(Plan& plan) {
+  constexpr std::size_t most = 100;
+  Words files;
+  for (const StepId id : plan.missing()) {
+    const Step& step = plan.graph().at(id);
+    if (step.stage != "split" && step.stage != "generate") files.push_back(step.outputs.front());
+  }
+  if (files.empty()) return {};
+  std::string text = fmt::format("missing: {} files that the tables are made of\n", files.size());
+  for (std::size_t i = 0; i < std::min(files.size(), most); ++i) text += "  " + files[i] + '\n';
+  if (files.size() > most) text += "  ... (the first 100)\n";
+  return text;
+}
+
+std::string shown_of(const Plan& plan) {
+  std::string all;
+  for (const std::string& table : plan.shown()) {
+    for (const std::string& line : text::read_lines(table)) all += line + '\n';
+  }
+  if (plan.choice().has_goal("all")) {
+    all += "tables and artefacts:";
+    for (const Part& part : plan.choice().parts) {
+      all += ' ' + plan.choice().folder() + '/' + part.dataset.name + '/';
+    }
+    all += '\n';
+  }
+  return all;
+}
+
+}  // namespace piae::plan

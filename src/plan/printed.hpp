@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string>
+
+#include "plan/costs.hpp"
+#include "plan/plan.hpp"
+
+namespace piae::plan {
+
+/// The steps that are to be run as a makefile: a rule for each, of its name, the steps that it
+/// waits for, and its command. Names are no files to make, so what is due is run whatever its times
+/// are. Empty where nothing is to be run. `quietly` hides the commands, as make's @ does.
+std::string makefile_of(Plan& plan, bool quietly);
+
+/// What is to be run and why, for people: a line for each step, or for many with the same reason.
+std::string why_of(Plan& plan);
+
+/// How much there is to be run: steps, processor time, memory.
+std::string summary_of(Plan& plan, const Costs& costs);
+
+/// The files that are missing of those that tables are made of, the first hundred of them; empty
+/// where none is.
+std::string missing_of(Plan& plan);
+
+/// The tables that the goals end with.
+std::string shown_of(const Plan& plan);
+
+}  // namespace piae::plan

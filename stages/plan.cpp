@@ -1,0 +1,101 @@
+// Prints which steps of a run are to be done, and why: for make, for other programs, for people.
+
+#include <iostream>
+
+#include "cli/checks.hpp"
+#include "cli/stage.hpp"
+#include "plan/asked.hpp"
+#include "plan/cluster_jobs.hpp"
+#include "plan/planned.hpp"
+#include "plan/printed.hpp"
+#include "plan/settings_files.hpp"
+
+using namespace piae;
+namespace fs = std::filesystem;
+
+namespace {
+
+enum class Format { make, why, summary, missing, jobs, shown };
+
+/// How the steps are divided among jobs of a cluster, and the folder that gets their lists.
+struct JobOptions {
+  fs::path folder;
+  std::size_t cores = 4;
+  double minutes = 15;
+};
+
+std::string printed(plan::Plan& plan, Format format, bool quietly, const JobOptions& jobs) {
+  const auto costs = [] { return plan::Costs::read("jobs/costs.csv"); };
+  switch (format) {
+    case Format::make:
+      return makefile_of(plan, quietly);
+    case Format::summary:
+      return summary_of(plan, costs());
+    case Format::missing:
+      return missing_of(plan);
+    case Format::shown:
+      return shown_of(plan);
+    case Format::jobs: {
+      const auto kinds = divide(plan, costs(), jobs.cores, jobs.minutes);
+      write_jobs(kinds, jobs.folder);
+      return table_of(kinds);
+    }
+    default:
+      return why_of(plan);
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  cli::Stage stage("plan",
+                   "Prints which steps of a run are to be done, and why. A step is due when a file "
+                   "that it makes is missing or damaged, when the settings that made it differ "
+                   "from those of pipeline/, or when an input has other contents.",
+                   "plan --run try --datasets cwru --goals all");
+  plan::Asked asked;
+  plan::PlanOptions options;
+  JobOptions jobs;
+  Format format = Format::why;
+  std::string due;
+  std::string noted;
+  bool quietly = false;
+  bind(stage.options(), asked);
+  bind(stage.options(), options);
+  stage.options().choose(
+      "--format", format,
+      {{"why", Format::why},
+       {"make", Format::make},
+       {"summary", Format::summary},
+       {"missing", Format::missing},
+       {"jobs", Format::jobs},
+       {"shown", Format::shown}},
+      "why: a line for each step; make: a makefile; summary: how much; missing: the files that "
+      "tables lack; jobs: for a cluster; shown: the tables that the goals end with");
+  stage.options().flag("--quietly", quietly, "Of a makefile: hide the commands");
+  stage.output_file("--jobs-folder", jobs.folder, "Where the lists of jobs go").required(false);
+  stage.options().add("--cores", jobs.cores, "Of a job").check(cli::whole_number(1, 100000));
+  stage.options().add("--minutes", jobs.minutes, "That a job takes").check(cli::positive_number());
+  stage.options().add("--is-due", due, "Exit with 0 if this step is due, with 1 if it is not");
+  stage.options().add("--note", noted, "Note that this step has made its files as is asked now");
+
+  int result = 0;
+  const int exit = stage.run(argc, argv, [&] {
+    const plan::Request request = asked.request();
+    if (!due.empty()) {
+      result = plan::Planned(narrowed(request, due), options).is_due(due) ? 0 : 1;
+      return;
+    }
+    if (!noted.empty()) {
+      plan::Planned planned(narrowed(request, noted), options);
+      planned.note(noted);
+      return planned.save();
+    }
+    plan::Planned planned(request, options);
+    for (const std::string& notice : planned.plan().choice().notices) std::cerr << notice << '\n';
+    if (format == Format::make && !options.looks) write_settings(planned.plan());
+    std::cout << printed(planned.plan(), format, quietly, jobs);
+    planned.save();
+  });
+  return exit == 0 ? result : exit;
+}

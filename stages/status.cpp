@@ -1,0 +1,64 @@
+// Shows how far a run is.
+
+#include "plan/status.hpp"
+
+#include <algorithm>
+#include <fstream>
+#include <iostream>
+#include <sstream>
+
+#include "cli/stage.hpp"
+#include "plan/asked.hpp"
+#include "plan/submission.hpp"
+
+using namespace piae;
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Goals of which cells, or models, can be counted.
+void require_countable(const std::vector<std::string>& goals) {
+  const std::vector<std::string> countable{"all",   "cells",    "sweep",    "contrast",
+                                           "trust", "identify", "readings", "transfer"};
+  std::string all;
+  for (const std::string& goal : goals) all += (all.empty() ? "" : " ") + goal;
+  if (std::ranges::count(countable, all) > 0) return;
+  std::string list;
+  for (const std::string& goal : countable) list += (list.empty() ? "" : ", ") + goal;
+  throw Error(Exit::usage, "one of " + list + " at a time, not '" + all + "'");
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  cli::Stage stage(
+      "status",
+      "Shows how far a run is: the cells of every data set and method that are done, running, "
+      "failed and missing; an estimate of the time left; the steps that run and those that failed. "
+      "What settings of before have made counts as missing. Reads only; a run may go on meanwhile.",
+      "status --run try --datasets cwru --goals all");
+  plan::Asked asked;
+  fs::path pipeline = "pipeline";
+  fs::path jobs;
+  bind(stage.options(), asked);
+  stage.input_file("--pipeline", pipeline, "Folder with protocol.toml and datasets/")
+      .required(false);
+  stage.input_file("--jobs", jobs, "What jobs/ended.sh says of the run's jobs").required(false);
+
+  return stage.run(argc, argv, [&] {
+    std::istringstream nothing;
+    std::ifstream lines(jobs);
+    const plan::Submission submission =
+        plan::read_submission(jobs.empty() ? static_cast<std::istream&>(nothing) : lines);
+    plan::Request request = asked.request();
+    take_submission(submission, request, !asked.goals.empty());
+    require_countable(request.goals);
+    plan::PlanOptions look{.pipeline = pipeline, .looks = true};
+    plan::Planned planned(request, look);
+    plan::Plan& plan = planned.plan();
+    plan::RealLogs logs;
+    const auto states = step_states(plan, logs, ended_jobs(submission));
+    std::cout << status_table(plan, states, logs) << listed_steps(plan, states)
+              << listed_jobs(submission);
+  });
+}

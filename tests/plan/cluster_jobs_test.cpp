@@ -1,0 +1,106 @@
+#include "plan/cluster_jobs.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "plan/small_run.hpp"
+#include "support/errors.hpp"
+
+namespace piae::plan {
+namespace {
+
+using testing::Each;
+using testing::HasSubstr;
+using testing::SizeIs;
+
+/// One method costs 600 s a seed, another 60 s; all else nothing.
+Costs costs() {
+  Costs costs;
+  costs.learn("train", {.dataset = "real", .method = "piae-dt"},
+              {.seconds = 600, .megabytes = 200});
+  costs.learn("train", {.dataset = "real", .method = "smote"}, {.seconds = 60, .megabytes = 100});
+  for (const char* stage : {"ingest", "simulate", "split", "generate", "score", "diagnose by wdcnn",
+                            "diagnose by nearest", "tabulate"}) {
+    costs.learn(stage, {}, {.seconds = 0, .megabytes = 10});
+  }
+  return costs;
+}
+
+TEST(JobsOfACluster, AreOfMethodsAndSeedsThatTakeAboutTheSameTime) {
+  SmallRun run;
+  run.request.datasets = "real";
+  const auto kinds = divide(run.plan("tables"), costs(), 1, 10);
+  ASSERT_THAT(kinds, SizeIs(3));
+  EXPECT_EQ(kinds[0].name, "records");
+  EXPECT_THAT(kinds[0].files, SizeIs(1));
+  EXPECT_THAT(kinds[0].files.front(),
+              testing::ElementsAre("results/t/real/records.h5", "results/t/real/seed0/A.h5",
+                                   "results/t/real/seed1/A.h5"));
+  EXPECT_EQ(kinds[1].name, "cells");
+  EXPECT_THAT(kinds[1].files, SizeIs(3));  // 1320 s in jobs of 600 s
+  EXPECT_EQ(kinds[1].seconds, 1320);
+  // Twice the longest and five minutes, in steps of five: 600 s are 25 minutes.
+  EXPECT_EQ(kinds[1].minutes, 25);
+  EXPECT_EQ(kinds[1].megabytes, 500);
+  EXPECT_EQ(kinds[2].name, "tables");
+  EXPECT_EQ(kinds[2].steps, 1U);
+}
+
+TEST(JobsOfACluster, MakeEachFileOnce) {
+  SmallRun run;
+  const auto kinds = divide(run.plan("cells"), costs(), 4, 15);
+  std::vector<std::string> files;
+  for (const JobKind& kind : kinds) {
+    for (const auto& job : kind.files) files.insert(files.end(), job.begin(), job.end());
+  }
+  std::ranges::sort(files);
+  EXPECT_EQ(std::ranges::adjacent_find(files), files.end());
+  EXPECT_THAT(files, SizeIs(run.plan("cells").to_run().size()));
+}
+
+TEST(JobsOfACluster, OfAMethodThatAsksForAGpuAreOfTheirOwnKind) {
+  SmallRun run;
+  run.set("epochs = 200", "epochs = 200\ndevice = \"cuda\"");
+  const auto kinds = divide(run.plan("cells"), costs(), 4, 15);
+  ASSERT_THAT(kinds, SizeIs(4));
+  EXPECT_EQ(kinds[2].name, "cells-gpu");
+  for (const auto& job : kinds[2].files) EXPECT_THAT(job, Each(HasSubstr("/piae-dt/")));
+}
+
+TEST(JobsOfACluster, AreWrittenAsLists) {
+  const std::vector<JobKind> kinds{
+      {.name = "cells", .cores = 2, .minutes = 10, .megabytes = 300, .files = {{"a"}, {"b", "c"}}},
+      {.name = "tables", .minutes = 20, .megabytes = 800, .files = {{}}}};
+  const Folder folder;
+  write_jobs(kinds, folder.path());
+  EXPECT_EQ(bytes_of(folder / "jobs"), "cells\t2\t2\t10\t300\ntables\t1\t1\t20\t800\n");
+  EXPECT_EQ(bytes_of(folder / "cells.1"), "b\nc\n");
+  EXPECT_THAT(table_of(kinds), HasSubstr("cells           2      2     0:10 h     0.3 GB"));
+}
+
+TEST(CostsOfSteps, AreThoseOfWhatIsMostLikeThem) {
+  const Folder folder;
+  const auto file = folder.write(
+      "costs.csv",
+      "# of a machine\nstage,dataset,method,classifier,ratio,seconds,megabytes\n"
+      "train,cwru,vae,,,10,100\ntrain,cwru,smote,,,2,50\ndiagnose,cwru,none,wdcnn,100to1,3,80\n");
+  const Costs costs = Costs::read(file);
+  const auto seconds = [&](const Step& step) { return costs.of(step).cost.seconds; };
+  EXPECT_EQ(seconds({.stage = "train", .place = {.dataset = "hit-sm", .method = "smote"}}), 2);
+  const Step unknown{.stage = "train", .place = {.dataset = "cwru", .method = "magic"}};
+  EXPECT_EQ(seconds(unknown), 10);
+  EXPECT_TRUE(costs.of(unknown).is_guess);
+  EXPECT_EQ(
+      seconds({.stage = "diagnose",
+               .place = {.dataset = "x", .method = "y", .ratio = "1to1", .classifier = "wdcnn"}}),
+      3);
+}
+
+TEST(CostsOfSteps, AreRefusedWhereALineIsNone) {
+  const Folder folder;
+  const auto file = folder.write("costs.csv", "train,cwru,vae,,,much,100\n");
+  EXPECT_ERROR(Costs::read(file), Exit::bad_input, "costs.csv, line 1: must be ");
+}
+
+}  // namespace
+}  // namespace piae::plan

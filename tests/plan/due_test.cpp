@@ -1,0 +1,191 @@
+#include "plan/due.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "plan/small_run.hpp"
+
+namespace piae::plan {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Pair;
+using testing::UnorderedElementsAre;
+
+TEST(DueSteps, AreAllInANewRun) {
+  SmallRun run;
+  EXPECT_THAT(run.run(),
+              UnorderedElementsAre(Pair("ingest", 1), Pair("simulate", 1), Pair("split", 4),
+                                   Pair("train", 8), Pair("generate", 8), Pair("score", 8),
+                                   Pair("diagnose", 24), Pair("features", 6), Pair("tabulate", 2)));
+  EXPECT_THAT(run.run(), IsEmpty());
+}
+
+TEST(DueSteps, OfAMethodWhoseSettingChangedAreItsOwn) {
+  SmallRun run;
+  run.run();
+  run.set("neighbours = 4", "neighbours = 3");
+  EXPECT_EQ(run.why("real/seed0/smote/train"), "setting neighbours is 3, was 4");
+  EXPECT_EQ(run.why("real/seed0/smote/generate"), "after results/t/real/seed0/smote/train");
+  EXPECT_EQ(run.why("real/seed0/piae-dt/train"), "");
+  EXPECT_THAT(run.run(),
+              UnorderedElementsAre(Pair("train", 4), Pair("generate", 4), Pair("score", 4),
+                                   Pair("diagnose", 8), Pair("features", 2), Pair("tabulate", 2)));
+}
+
+TEST(DueSteps, TakeTheSameNumberInOtherWordsForTheSame) {
+  SmallRun run;
+  run.run();
+  run.set("epochs = 50", "epochs = 50.0  # as many");
+  EXPECT_THAT(run.run(), IsEmpty());
+}
+
+TEST(DueSteps, AreThoseOfASettingThatIsTakenAway) {
+  SmallRun run;
+  run.set("epochs = 200", "epochs = 123");
+  run.run();
+  run.set("epochs = 123\n", "");
+  run.set("epochs = 50\n", "");  // which is what the program takes anyway
+  EXPECT_EQ(run.why("real/seed0/piae-dt/train"), "setting epochs is 200, was 123");
+  EXPECT_EQ(run.why("real/seed0/none/100to1/wdcnn/diagnose"), "");
+}
+
+TEST(DueSteps, DoNotSpreadBeyondAStepThatGivesTheSame) {
+  SmallRun run;
+  run.run();
+  run.disk.files.erase("results/t/real/seed0/smote/model.h5");
+  EXPECT_EQ(run.why("real/seed0/smote/train"), "missing");
+  EXPECT_EQ(run.why("real/seed0/smote/10to1/wdcnn/diagnose"),
+            "after results/t/real/seed0/smote/generate");
+  EXPECT_THAT(run.run(), ElementsAre(Pair("train", 1)));
+}
+
+TEST(DueSteps, SpreadWhereAStepGivesSomethingElse) {
+  SmallRun run;
+  run.run();
+  run.disk.files.erase("results/t/real/seed0/smote/E.h5");
+  run.salt = "another machine";
+  EXPECT_THAT(run.run(),
+              UnorderedElementsAre(Pair("generate", 1), Pair("score", 1), Pair("diagnose", 2),
+                                   Pair("features", 1), Pair("tabulate", 1)));
+}
+
+TEST(DueSteps, FollowContentsAndNoTimes) {
+  SmallRun run;
+  run.run();
+  run.disk.files["results/t/real/seed0/smote/E.h5"].digest = "another";
+  EXPECT_EQ(run.why("real/seed0/smote/score"), "E.h5 has other contents");
+  EXPECT_EQ(run.why("real/seed0/smote/generate"), "");
+}
+
+TEST(DueSteps, AreThoseOfALostWindowFileAndAllThatNeedIt) {
+  SmallRun run;
+  run.run();
+  run.disk.files.erase("results/t/real/seed0/B.h5");
+  EXPECT_EQ(run.why("real/seed0/split"), "B.h5 is missing");
+  EXPECT_THAT(run.run(), ElementsAre(Pair("split", 1)));
+}
+
+TEST(DueSteps, AreThoseOfADamagedFile) {
+  SmallRun run;
+  run.run();
+  run.disk.files["results/t/real/seed0/smote/score.h5"] = {
+      .digest = {},
+      .made = std::nullopt,
+      .problem = "score.h5: damaged: the digest does not match"};
+  EXPECT_EQ(run.why("real/seed0/smote/score"), "score.h5: damaged: the digest does not match");
+}
+
+TEST(DueSteps, OfADescriptionAreThoseOfItsDataSet) {
+  SmallRun run;
+  run.run();
+  run.write("datasets/made.toml", "name = \"made\"\n[simulation]\nnoise = 0.2 # louder\n");
+  EXPECT_EQ(run.why("made/simulate"), "made.toml has other contents");
+  EXPECT_EQ(run.why("real/ingest"), "");
+}
+
+TEST(DueSteps, CompareRecordingsThatAreThere) {
+  SmallRun run;
+  run.run();
+  run.disk.files["data/1.mat"].digest = "another";
+  EXPECT_EQ(run.why("real/ingest"), "recording 1.mat has other contents");
+  run.disk.files.erase("data/1.mat");
+  EXPECT_EQ(run.why("real/ingest"), "");
+}
+
+TEST(DueSteps, OfARunWhoseRecordingsWereNotRecordedAreNone) {
+  SmallRun run;
+  run.run();
+  artefact::Made& made = *run.disk.files["results/t/real/records.h5"].made;
+  std::erase_if(made.inputs, [](const auto& from) { return from.role != "description"; });
+  EXPECT_EQ(run.why("real/ingest"), "");
+}
+
+TEST(DueTables, AreOfTheCellsThatTheyWereMadeOf) {
+  SmallRun run;
+  run.run();
+  run.disk.files.erase("results/t/real/accuracy.csv");
+  EXPECT_EQ(run.why("real/tabulate"), "accuracy.csv is missing");
+  EXPECT_THAT(run.run(), ElementsAre(Pair("tabulate", 1)));
+  run.disk.files["results/t/real/tables.md"].digest = "edited by hand";
+  EXPECT_EQ(run.why("real/tabulate"), "tables.md was changed by somebody else");
+  run.run();
+  run.disk.files["results/t/real/seed1/none/100to1/wdcnn/diagnosis.h5"].digest = "another";
+  EXPECT_EQ(run.why("real/tabulate"), "cells have other contents");
+  run.disk.steps.erase("results/t/real/tabulate");
+  EXPECT_EQ(run.why("real/tabulate"), "nothing says how it was made");
+}
+
+TEST(DueTables, CountTheirCells) {
+  SmallRun run;
+  run.run();
+  run.request.seeds = "0";
+  run.disk.files.erase("results/t/real/seed1/none/100to1/wdcnn/diagnosis.h5");
+  EXPECT_THAT(run.why("real/tabulate"), HasSubstr("cells are "));
+}
+
+TEST(DueTables, StayThoseOfTheWholeWhenAPartIsAsked) {
+  SmallRun run;
+  run.run();
+  run.request.seeds = "0";
+  run.request.methods = "none smote";
+  EXPECT_THAT(run.run(), IsEmpty());
+}
+
+TEST(DueTables, LeaveOutWhatIsOutOfDateAndNotAsked) {
+  SmallRun run;
+  run.run();
+  run.set("neighbours = 4", "neighbours = 3");
+  run.request.methods = "none piae-dt";
+  EXPECT_THAT(run.run(), ElementsAre(Pair("tabulate", 2)));
+  EXPECT_THAT(run.run(), IsEmpty());
+  Plan& plan = run.plan();
+  const auto words =
+      command_of(plan.graph().at(*plan.graph().maker_of("results/t/real/tables.md")));
+  const auto option = std::ranges::find(words, "--leave-out");
+  ASSERT_NE(option, words.end());
+  EXPECT_THAT(std::vector<std::string>(option + 1, option + 3),
+              ElementsAre("seed0/smote", "seed1/smote"));
+}
+
+TEST(DueTables, TakeWhatWasMadeOfFilesThatAreNoLongerThere) {
+  SmallRun run;
+  run.run();
+  run.disk.files.erase("results/t/real/seed0/smote/E.h5");
+  run.disk.files.erase("results/t/real/seed0/smote/model.h5");
+  run.request.methods = "none piae-dt";
+  EXPECT_THAT(run.run(), IsEmpty());
+}
+
+TEST(Values, AreTheSameAsNumbers) {
+  EXPECT_TRUE(same_value("5e-4", "0.0005"));
+  EXPECT_TRUE(same_value("0.00050000000000000001", "5e-4"));
+  EXPECT_FALSE(same_value("5", "6"));
+  EXPECT_FALSE(same_value("class", "all"));
+  EXPECT_FALSE(same_value("", "0"));
+}
+
+}  // namespace
+}  // namespace piae::plan

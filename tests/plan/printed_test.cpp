@@ -1,0 +1,82 @@
+#include "plan/printed.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "plan/small_run.hpp"
+
+namespace piae::plan {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+TEST(Makefiles, HaveARuleForEachStepThatIsToBeDone) {
+  SmallRun run;
+  run.request.datasets = "real";
+  run.request.methods = "smote";
+  run.request.ratios = "10to1";
+  run.request.seeds = "0";
+  const std::string text = makefile_of(run.plan("tables"), true);
+  EXPECT_THAT(text, HasSubstr("\nresults/t/real/seed0/smote/model.h5: results/t/real/seed0/A.h5\n"
+                              "\t@pipeline/step.sh results/t/real/seed0/smote train --config "
+                              "results/t/.settings/train.smote.toml --known "
+                              "results/t/real/seed0/C.h5 --method smote --seed 0 --output "
+                              "results/t/real/seed0/smote/model.h5\n"));
+  EXPECT_THAT(text, HasSubstr("\t@pipeline/step.sh results/t/real/seed0 split --config "
+                              "results/t/.settings/split.toml --records results/t/real/records.h5 "
+                              "--seed 0 --protocol random --output-dir results/t/real/seed0 -- "
+                              "results/t/real/seed0/A.h5 results/t/real/seed0/B.h5 "
+                              "results/t/real/seed0/C.h5 results/t/real/seed0/D.h5\n"));
+  EXPECT_THAT(text, HasSubstr("\t@$(BIN)/plan --note results/t/real/tabulate\n"));
+  EXPECT_THAT(text, HasSubstr(".PHONY: steps results/t/real/records.h5 "));
+}
+
+TEST(Makefiles, AreEmptyWhereNothingIsToBeDone) {
+  SmallRun run;
+  run.run();
+  EXPECT_EQ(makefile_of(run.plan(), true), "");
+}
+
+TEST(Makefiles, AskAgainWhetherAStepIsDueThatWaitsForAnother) {
+  SmallRun run;
+  run.run();
+  run.disk.files.erase("results/t/real/seed0/smote/model.h5");
+  const std::string text = makefile_of(run.plan(), false);
+  EXPECT_THAT(text, HasSubstr("\n\tpipeline/step.sh results/t/real/seed0/smote train "));
+  EXPECT_THAT(text,
+              HasSubstr("\n\tONLY_IF_DUE=yes pipeline/step.sh results/t/real/seed0/smote score "));
+  EXPECT_THAT(text, Not(HasSubstr("seed0/piae-dt")));
+}
+
+TEST(Makefiles, GiveAFolderOfRecordingsWithBlanksAsOneWord) {
+  SmallRun run;
+  run.request.data_dir = "my data";
+  EXPECT_THAT(makefile_of(run.plan("records"), true), HasSubstr(" --data-dir 'my data' "));
+}
+
+TEST(Reasons, OfFewStepsAreALineEach) {
+  SmallRun run;
+  run.run();
+  run.disk.files.erase("results/t/real/seed0/smote/model.h5");
+  EXPECT_EQ(
+      why_of(run.plan()),
+      "real/seed0/smote train: missing\n"
+      "after these, where they give something else: 2 diagnose, 1 features, 1 generate, 1 score, "
+      "1 tabulate\n");
+}
+
+TEST(Reasons, OfManyStepsAreOneLine) {
+  SmallRun run;
+  run.run();
+  run.set("epochs = 50", "epochs = 60");
+  EXPECT_THAT(
+      why_of(run.plan("cells")),
+      HasSubstr("real/seed0/none/100to1/wdcnn diagnose and 11 more: setting epochs is 60, was "
+                "50\n"));
+  run.run();
+  EXPECT_EQ(why_of(run.plan()), "nothing is to be done\n");
+}
+
+}  // namespace
+}  // namespace piae::plan

@@ -1,0 +1,124 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "base/sha256.hpp"
+#include "plan/plan.hpp"
+#include "support/folder.hpp"
+
+namespace piae::plan {
+
+/// A disk of values, on which steps are run by noting what they would make.
+class DiskOfValues : public Disk {
+ public:
+  const File* find(const std::string& file) override {
+    const auto found = files.find(file);
+    return found == files.end() ? nullptr : &found->second;
+  }
+  const artefact::DoneStep* done(const std::string& step) override {
+    const auto found = steps.find(step);
+    return found == steps.end() ? nullptr : &found->second;
+  }
+  std::vector<std::string> files_below(const std::string& folder) override {
+    std::vector<std::string> below;
+    const std::string prefix = folder + '/';
+    for (const auto& [name, file] : files) {
+      if (name.starts_with(prefix)) below.push_back(name.substr(prefix.size()));
+    }
+    return below;
+  }
+
+  std::map<std::string, File> files;
+  std::map<std::string, artefact::DoneStep> steps;
+};
+
+/// A project with two data sets and a run of it: "real" is measured, "made" is simulated.
+class SmallRun {
+ public:
+  SmallRun() {
+    write("datasets/real.toml", "name = \"real\"\n[[record]]\nfile = \"1.mat\"\nclass = \"a\"\n");
+    write("datasets/made.toml", "name = \"made\"\n[simulation]\nnoise = 0.1\n");
+    write("protocol.toml", protocol);
+    disk.files["results/published/table.csv"] = {.digest = "published", .made = {}, .problem = {}};
+    disk.files["pipeline/figures/style.gp"] = {.digest = "style", .made = {}, .problem = {}};
+    disk.files["data/1.mat"] = {.digest = "recording", .made = {}, .problem = {}};
+    request.run = "t";
+    request.datasets = "real made";
+    request.methods = "none smote piae-dt";
+    request.ratios = "100to1 10to1 1to1";
+    request.seeds = "0 1";
+  }
+
+  void write(const std::string& file, const std::string& text) { pipeline.write(file, text); }
+  void set(const std::string& old_words, const std::string& new_words) {
+    const std::size_t at = protocol.find(old_words);
+    ASSERT_NE(at, std::string::npos);
+    protocol.replace(at, old_words.size(), new_words);
+    write("protocol.toml", protocol);
+  }
+
+  /// A new plan for the goals.
+  Plan& plan(const std::string& goals = "all", Stretch stretch = Stretch::grid) {
+    Request asked = request;
+    asked.goals = {goals};
+    experiment = read_experiment(pipeline.path());
+    current = std::make_unique<Plan>(experiment, choose(experiment, asked), stretch, disk);
+    return *current;
+  }
+
+  /// Does the steps that are to be done, as make would; returns how many of each stage were run.
+  std::map<std::string, int> run(const std::string& goals = "all") {
+    std::map<std::string, int> ran;
+    Plan& to_do = plan(goals);
+    for (const StepId id : to_do.to_run()) {
+      const Step step = to_do.graph().at(id);
+      Judge judge(to_do.graph(), disk);
+      if (judge.of(id).state == State::current) continue;
+      ++ran[step.log];
+      make(to_do.graph(), id);
+    }
+    return ran;
+  }
+
+  /// Makes the files of one step, with contents that follow from its inputs and options.
+  void make(const Graph& graph, StepId id) {
+    const Step& step = graph.at(id);
+    Judge judge(graph, disk);
+    artefact::DoneStep done = judge.made_now(id);
+    done.outputs.clear();
+    std::string content = step.stage + *done.made.options;
+    for (const artefact::MadeFrom& from : done.made.inputs) content += from.role + from.digest;
+    for (const std::string& output : step.outputs) {
+      const std::string digest =
+          artefact::short_digest(Sha256().update(content + output + salt).finish_hex());
+      disk.files[output] = {.digest = digest, .made = {}, .problem = {}};
+      if (step.is_artefact) disk.files[output].made = done.made;
+      done.outputs.push_back({output, digest});
+    }
+    if (!step.is_artefact) disk.steps[name_of(step)] = done;
+  }
+
+  /// Why the step with this log is to be run; empty where it is not.
+  std::string why(const std::string& log, const std::string& goals = "all") {
+    Plan& asked = plan(goals);
+    for (const StepId id : asked.asked()) {
+      if (name_of(asked.graph().at(id)) == "results/t/" + log) return asked.judge().of(id).why;
+    }
+    return "there is no step " + log;
+  }
+
+  std::string protocol =
+      "[split]\nwindow = 1024\n[train]\n[train.smote]\nneighbours = 4\n[train.piae-dt]\n"
+      "epochs = 200\n[generate]\n[score]\n[diagnose]\nepochs = 50\n";
+  Folder pipeline;
+  DiskOfValues disk;
+  Request request;
+  Experiment experiment;
+  std::unique_ptr<Plan> current;
+  std::string salt;  ///< of contents: another one stands for another random stream
+};
+
+}  // namespace piae::plan
