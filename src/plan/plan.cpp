@@ -9,20 +9,24 @@
 #include "plan/grid_steps.hpp"
 #include "plan/look_steps.hpp"
 #include "plan/table_steps.hpp"
+#include "plan/words.hpp"
 
 namespace piae::plan {
 
 namespace {
 
-/// The goals that a file of a run belongs to.
+/// The goal that a file of a run belongs to.
 std::string goal_of_file(const std::string& file) {
-  const auto holds = [&](const char* part) { return file.find(part) != std::string::npos; };
-  if (holds("/sweep")) return "sweep";
-  if (holds("/readings")) return "readings";
-  if (holds("/classifier.h5") || holds("/trust.")) return "trust";
-  if (holds("/transfer")) return "transfer";
-  if (holds("/identifiability.") || holds("/scatter.csv")) return "identify";
-  if (holds("/protocols.") || holds("/rates.")) return "contrast";
+  const Words parts = fields_of(below_run(file), '/');  // DATASET, seedK, UNIT, ...
+  const std::string unit = parts.size() > 3 ? parts[2] : "";
+  const std::string name = file_name(file);
+  const auto begins = [&](const char* beginning) { return name.starts_with(beginning); };
+  if (unit == "sweep" || unit.starts_with("sweep@") || begins("sweep")) return "sweep";
+  if (unit == "readings" || begins("readings.")) return "readings";
+  if (name == "classifier.h5" || begins("trust.")) return "trust";
+  if (begins("transfer")) return "transfer";
+  if (begins("identifiability.") || begins("scatter.")) return "identify";
+  if (begins("protocols.") || begins("rates.")) return "contrast";
   return "all";
 }
 
