@@ -228,7 +228,7 @@ cell_files   = $(call diagnoses,$1) $(call scores,$1)
 
 # ---- what the run holds besides what is asked for ----------------------------------------------
 held_cells = $(wildcard $1/seed*/*/score.h5 $(patsubst %,$1/seed*/*/*/%/diagnosis.h5,$(call fact,classifier)))
-held_classifiers = $(or $(strip $(or $(foreach name,$(call fact,classifier),$(if $(wildcard $1/seed*/*/*/$(name)/diagnosis.h5),$(name))),$(paper_classifier))),$(paper_classifier))
+held_classifiers = $(or $(strip $(foreach name,$(call fact,classifier),$(if $(wildcard $1/seed*/*/*/$(name)/diagnosis.h5),$(name)))),$(paper_classifier))
 # Folder of the data set, cells asked for.
 besides    = $(filter-out $2,$(call held_cells,$1))
 
