@@ -117,28 +117,6 @@ const File* RealDisk::find(const std::string& file) {
   return keep(file, found ? std::move(found) : read(file, *stat));
 }
 
-void RealDisk::look_at(const std::vector<std::string>& files) {
-  std::vector<std::filesystem::path> unknown;
-  std::vector<artefact::Stat> stats;
-  for (const std::string& file : files) {
-    const auto stat = artefact::stat_of(file);
-    if (!is_artefact(file) || !stat || known(file, *stat)) continue;
-    unknown.emplace_back(file);
-    stats.push_back(*stat);
-  }
-  artefact::Readers readers(unknown, "");
-  for (std::size_t i = 0; i < unknown.size(); ++i) {
-    const std::string file = unknown[i].string();
-    try {
-      const File found = described(readers.next());
-      journal_of(file).note(file, artefact::SeenFile{stats[i], found.digest, found.made});
-      keep(file, found);
-    } catch (const Error& error) {
-      keep(file, File{.digest = {}, .made = std::nullopt, .problem = error.what()});
-    }
-  }
-}
-
 std::vector<std::string> RealDisk::files_below(const std::string& folder) {
   std::vector<std::string> files;
   std::error_code none;

@@ -45,8 +45,6 @@ class RealDisk : public Disk {
   const artefact::DoneStep* done(const std::string& step) override;
   std::vector<std::string> files_below(const std::string& folder) override;
 
-  /// Looks at many files at once, which is faster where their journal is lost.
-  void look_at(const std::vector<std::string>& files);
   void note(const std::string& step, artefact::DoneStep done);
   void save();
 

@@ -142,14 +142,14 @@ std::string Judge::in_record(const Step& step) {
   const artefact::DoneStep* const done = disk_.done(name_of(step));
   if (done == nullptr) return "nothing says how it was made";
   const Values was = parse_options(*done->made.options);
-  for (const auto& [option, value] : wanted_by(step)) {
+  const Values wanted = wanted_by(step);
+  for (const auto& [option, value] : wanted) {
     const auto before = was.find(option);
     if (before == was.end()) return fmt::format("setting {} is {}, was not set", option, value);
     if (!same_value(before->second, value)) {
       return fmt::format("setting {} is {}, was {}", option, value, before->second);
     }
   }
-  const Values wanted = wanted_by(step);
   for (const auto& [option, value] : was) {
     if (!wanted.contains(option)) {
       return fmt::format("setting {} is not set, was {}", option, value);
@@ -238,7 +238,13 @@ artefact::DoneStep Judge::made_now(StepId id) {
   done.made.options = std::make_shared<const std::string>(options_text(wanted_by(step)));
   for (const Input& input : step.inputs)
     done.made.inputs.push_back({input.role, digest_now(input)});
-  for (const std::string& output : step.outputs) {
+  std::vector<std::string> outputs = step.outputs;
+  if (!step.tables_folder.empty()) {
+    for (const std::string& name : disk_.files_below(step.tables_folder)) {
+      if (name.ends_with(".csv")) outputs.push_back(step.tables_folder + '/' + name);
+    }
+  }
+  for (const std::string& output : outputs) {
     const File* const file = disk_.find(output);
     if (file != nullptr) done.outputs.push_back({output, file->digest});
   }

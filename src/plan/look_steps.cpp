@@ -57,7 +57,7 @@ void LookSteps::numbers() {
               .inputs = {input_of_published(tables_.disk())},
               .words = {"--run", grid_.folder(), "--dataset", dataset.name},
               .place = {.dataset = dataset.name},
-              .output_pattern = folder + "/figures/*.csv"};
+              .tables_folder = folder + "/figures"};
     if (choice_.has_goal("figures")) append(step.words, must_be_there(part));
     if (!dataset.any_known && !choice_.has_goal("figures")) {
       append(step.words, {"--nothing-known", dataset.name});

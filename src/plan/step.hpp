@@ -67,9 +67,8 @@ struct Step {
   bool is_asked = true;     ///< whether it is to be made if it is due
   bool is_held = false;     ///< it stands here only for what the run holds, and is never made
   bool is_artefact = true;  ///< its outputs say themselves how they were made
-  /// Whether it makes all files with one ending in a folder, which nobody knows before:
-  /// "figures/*.csv".
-  std::string output_pattern = {};
+  /// The folder of which it makes all CSV files, where nobody knows their names before it has run.
+  std::string tables_folder = {};
   bool is_always_due = false;  ///< it shows how the run is at the time
 };
 

@@ -179,6 +179,27 @@ TEST(DueTables, TakeWhatWasMadeOfFilesThatAreNoLongerThere) {
   EXPECT_THAT(run.run(), IsEmpty());
 }
 
+TEST(DueNumbersOfFigures, AreThoseOfWhichATableIsLost) {
+  SmallRun run;
+  run.run();
+  const auto figures_step = [&](const Plan& plan) {
+    const std::vector<StepId> ids = plan.asked();
+    return *std::ranges::find_if(
+        ids, [&](StepId id) { return name_of(plan.graph().at(id)) == "results/t/real/figures"; });
+  };
+  Plan& first = run.plan("all", Stretch::numbers);
+  const StepId id = figures_step(first);
+  EXPECT_EQ(first.judge().of(id).why, "nothing says how it was made");
+  const std::string table = "results/t/real/figures/gains.csv";
+  run.disk.files[table] = {.digest = "1", .made = {}, .problem = {}};
+  run.disk.steps["results/t/real/figures"] = first.judge().made_now(id);
+  Plan& second = run.plan("all", Stretch::numbers);
+  EXPECT_EQ(second.judge().of(figures_step(second)).state, State::current);
+  run.disk.files.erase(table);
+  Plan& third = run.plan("all", Stretch::numbers);
+  EXPECT_EQ(third.judge().of(figures_step(third)).why, "gains.csv is missing");
+}
+
 TEST(Values, AreTheSameAsNumbers) {
   EXPECT_TRUE(same_value("5e-4", "0.0005"));
   EXPECT_TRUE(same_value("0.00050000000000000001", "5e-4"));
