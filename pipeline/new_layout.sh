@@ -16,7 +16,7 @@ for run; do
     refuse 65 "$run: is not a run, since it has no folder DATASET/seedK; name one such as results/paper"
 done
 
-# RUN/DATASET/seedK/METHOD/RATIO, and one folder more where sweeps and readings lie beside the methods.
+# RUN/DATASET/seedK/METHOD/RATIO, and one folder more for the cells of sweeps and readings.
 cells_of_before() { # run
   find -L "${1%/}/" -mindepth 5 -maxdepth 6 -type f -regextype posix-extended \
     -regex '.*/seed[0-9]+/([^/]+/){1,2}[0-9]+to1/(diagnosis\.h5|diagnose\.log|(features|classifier)\.(h5|log))(\.checkpoint)?' -print0

@@ -135,7 +135,8 @@ class Opened {
   int descriptor_;
 };
 
-/// Adds lines in one write. The line break in front ends what a killed program may have begun.
+/// Adds lines in one write. The line break in front ends a line that a killed program left
+/// unfinished.
 void append(const fs::path& journal, const std::string& lines) {
   const Opened opened(journal);
   if (opened.descriptor() < 0) return;

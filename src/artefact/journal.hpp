@@ -12,7 +12,7 @@
 
 namespace piae::artefact {
 
-/// What the file system says of a file. It changes when the file is written or replaced.
+/// Describes a file as the file system sees it. It changes when the file is written or replaced.
 struct Stat {
   std::uint64_t size = 0;  ///< bytes
   std::uint64_t inode = 0;
@@ -58,7 +58,7 @@ struct DoneStep {
   std::vector<MadeFrom> outputs;  ///< each file, relative to the run, with its digest
 };
 
-/// What is known of the files of a run without opening them: RUN/.journal. It is a cache. Removed,
+/// Remembers the files of a run, so that they need not be opened: RUN/.journal. A cache: removed,
 /// it comes back from the artefacts, and tables are made once more. Stages add a line for each
 /// artefact that they write, so that it need not be opened again; several processes may add lines
 /// at once. A line that is damaged is as if it were not there.

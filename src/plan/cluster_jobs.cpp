@@ -36,7 +36,7 @@ constexpr std::size_t most_jobs = 500;  // below MaxArraySize, which is 1001 whe
 /// Twice what was measured and five minutes, for slower processors, in steps of five minutes.
 double minutes_for(double seconds) { return 5 * std::ceil((2 * seconds + 300) / 300); }
 
-/// What the programs take, and make, the shells and the file buffers that count as ours.
+/// Adds to the memory of the programs that of make, the shells and the file buffers of the job.
 double megabytes_for(std::size_t many, double most) {
   return 100 * std::ceil((static_cast<double>(many) * most + 300) / 100);
 }

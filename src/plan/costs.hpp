@@ -9,13 +9,13 @@
 
 namespace piae::plan {
 
-/// What a step takes.
+/// Processor time and memory of a step.
 struct Cost {
   double seconds = 0;    ///< of processor time
   double megabytes = 0;  ///< of memory, the most at a time
 };
 
-/// What steps took elsewhere, by stage, data set, method, classifier and ratio.
+/// Costs of steps that were run elsewhere, by stage, data set, method, classifier and ratio.
 class Costs {
  public:
   /// Reads a table such as jobs/costs.csv: stage,dataset,method,classifier,ratio,seconds,megabytes.

@@ -17,7 +17,7 @@ struct File {
   std::string problem;                 ///< why an artefact cannot be read; else empty
 };
 
-/// What a plan has to know of the disk.
+/// Answers the questions that a plan has about the disk.
 class Disk {
  public:
   Disk() = default;

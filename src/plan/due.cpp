@@ -55,7 +55,7 @@ std::string options_text(const Values& values) {
   return text;
 }
 
-/// Of many files in one role: their number and one digest.
+/// Combines the digests of files in one role: their number and one digest.
 std::string digest_of_all(const std::vector<std::pair<std::string, std::string>>& files) {
   Sha256 sum;
   for (const auto& [name, digest] : files) sum.update(below_run(name) + ' ' + digest + '\n');

@@ -10,7 +10,7 @@
 
 namespace piae::plan {
 
-/// Whether a step is to be run.
+/// Says if a step is to be run.
 enum class State {
   current,  ///< what it makes is there, made as it would be made now
   due,      ///< it is to be run
@@ -20,7 +20,7 @@ enum class State {
 struct Verdict {
   State state = State::current;
   std::string why = {};  ///< empty where it is current: "setting epochs is 100, was 200", "missing"
-  /// Whether nothing is wrong but that files are not there any more: what was made of them stays
+  /// True if nothing is wrong except that files were removed: results made from them stay
   /// true.
   bool only_missing = false;
 };
@@ -50,7 +50,7 @@ class Judge {
   std::string in_input(const Input& input, const artefact::Made& made);
   /// The digest of an input as it lies there now; empty where that cannot be known yet.
   std::string digest_now(const Input& input);
-  /// Whether what a step makes is as good as it will be: a held one is never made again.
+  /// True if a step will not change its outputs any more: a held one is never made again.
   bool is_settled(StepId id);
 
   const Graph& graph_;
@@ -62,7 +62,7 @@ class Judge {
 /// The name of a step in the journal.
 std::string name_of(const Step& step);
 
-/// Whether two values of an option are the same, as numbers where they are numbers.
+/// Compares two values of an option, as numbers where they are numbers.
 bool same_value(const std::string& left, const std::string& right);
 
 }  // namespace piae::plan

@@ -18,7 +18,7 @@ struct Dataset {
   bool is_simulated = false;   ///< made by `simulate`, not read from recordings
   bool has_own_split = false;  ///< its description has a table [split]
   bool any_known = true;       ///< whether any fault window is known
-  /// What its description does not say of all faults, by increasing need.
+  /// Facts about faults that its description lacks, by increasing need.
   std::vector<augment::Needs> unsaid = {};
 };
 
@@ -40,7 +40,7 @@ struct Experiment {
 /// data set is used, not here. Throws as settings::read_protocol() does.
 Experiment read_experiment(const std::filesystem::path& pipeline);
 
-/// Whether a method is run on a data set: its description says what the method needs.
+/// True if the description of a data set says what the method needs.
 bool can_run(const augment::CatalogueEntry& method, const Dataset& dataset);
 
 }  // namespace piae::plan

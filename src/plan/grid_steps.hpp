@@ -12,7 +12,7 @@
 
 namespace piae::plan {
 
-/// What is trained in a seed: a method as the protocol has it, or with some settings moved, as a
+/// A method to be trained in a seed, as the protocol has it, or with some settings moved, as a
 /// sweep and the readings do.
 struct Variant {
   std::string folder;  ///< below that of the seed: "smote", "sweep/batch-1"
@@ -33,7 +33,7 @@ class GridSteps {
   GridSteps(const Experiment& experiment, const Choice& choice, signal::Protocol protocol,
             Graph& graph);
 
-  /// Whether steps added from now on are asked for; others stand in the graph for what the run
+  /// Sets if steps added from now on are asked for; others stand in the graph for what the run
   /// holds, and are not made.
   void ask(bool is_asked) { is_asked_ = is_asked; }
 
@@ -44,7 +44,7 @@ class GridSteps {
   StepId score(const Dataset& dataset, std::int64_t seed, const Variant& variant);
   StepId diagnosis(const Dataset& dataset, std::int64_t seed, const Variant& variant,
                    const std::string& ratio, const std::string& classifier);
-  /// What the paper's classifier makes of the test windows (Figs 20 and 21): its training once
+  /// Features of the test windows by the paper's classifier (Figs 20 and 21): its training once
   /// more, with a log of its own.
   StepId features(const Dataset& dataset, std::int64_t seed, const std::string& method,
                   const std::string& ratio);

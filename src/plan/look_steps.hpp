@@ -17,7 +17,7 @@ class LookSteps {
   /// The numbers of the figures, as CSV. Throws Error(input_missing) where a run is only looked at
   /// and holds nothing of what is asked for.
   void numbers();
-  /// What gnuplot draws of them.
+  /// The pictures that gnuplot draws of them.
   void pictures();
   /// report.html, report.md and run.html.
   void pages(const Experiment& experiment);

@@ -35,7 +35,7 @@ class Plan {
   [[nodiscard]] std::vector<StepId> asked() const;
   /// Those of them that are not current; where there are holes, tables alone.
   [[nodiscard]] std::vector<StepId> to_run();
-  /// Of these those that make artefacts.
+  /// The steps among them that make artefacts.
   [[nodiscard]] std::vector<StepId> missing();
   /// The tables to be shown when all is done.
   [[nodiscard]] const std::vector<std::string>& shown() const { return shown_; }
@@ -44,7 +44,7 @@ class Plan {
   void keep_only(const std::vector<std::string>& files);
 
  private:
-  /// Asks for these files and what they are made of, beside what is asked already.
+  /// Asks for these files and what they are made of, in addition to what is asked already.
   void ask_for(const std::vector<std::string>& files);
 
   Choice choice_;

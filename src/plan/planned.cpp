@@ -12,7 +12,7 @@ namespace piae::plan {
 
 namespace {
 
-/// Whether an input was written after a step began, by the clock of the file system.
+/// True if an input was written after a step began, by the clock of the file system.
 bool changed_since(const Step& step, double begun_s) {
   for (const Input& input : step.inputs) {
     for (const std::string& file : input.files) {

@@ -29,7 +29,7 @@ class Planned {
   [[nodiscard]] Plan& plan() { return *plan_; }
   /// Writes what was learned of the files into the run's journal.
   void save() { disk_->save(); }
-  /// Whether the step of this name is to be run.
+  /// True if the step of this name is to be run.
   bool is_due(const std::string& step);
   /// Notes in the journal how a step has made its files. It is not noted where what it read has
   /// changed since it began.

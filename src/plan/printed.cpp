@@ -14,7 +14,7 @@ namespace piae::plan {
 
 namespace {
 
-/// What make calls a step: its first file, or its log.
+/// Names a step for make: by its first file, or its log.
 std::string target_of(const Step& step) {
   return step.outputs.empty() ? name_of(step) : step.outputs.front();
 }

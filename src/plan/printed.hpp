@@ -12,7 +12,8 @@ namespace piae::plan {
 /// are. Empty where nothing is to be run. `quietly` hides the commands, as make's @ does.
 std::string makefile_of(Plan& plan, bool quietly);
 
-/// What is to be run and why, for people: a line for each step, or for many with the same reason.
+/// Lists the steps to be run and the reason, for people: a line for each step, or for many with the
+/// same reason.
 std::string why_of(Plan& plan);
 
 /// How much there is to be run: steps, processor time, memory.

@@ -126,7 +126,7 @@ OfTransfer defaults_of_transfer(const Experiment& experiment) {
   return defaults;
 }
 
-/// What is run where a list is not given.
+/// Chooses the lists that are not given.
 void choose_defaults(const Experiment& experiment, const Request& request, Choice& choice,
                      Words& datasets) {
   datasets = {"cwru"};
@@ -183,7 +183,7 @@ std::string run_name(const Request& request) {
   return name;
 }
 
-/// What descriptions must say so that methods can be run.
+/// Names what a description must say for a method to run.
 const char* in_words(augment::Needs need) {
   switch (need) {
     case augment::Needs::bearing:
@@ -211,8 +211,7 @@ std::string unsaid_line(const Dataset& dataset) {
                      fmt::join(unsaid, " and "));
 }
 
-/// Of methods that were named, each must be able to run; of others, those that are left out are
-/// noted.
+/// Requires that every method can run that was named; notes the others that are left out.
 Words able_methods(const Words& methods, const Dataset& dataset, bool named, Words& notices) {
   const Words able = that_can_run(methods, dataset);
   if (able.size() == methods.size()) return able;

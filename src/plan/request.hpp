@@ -11,7 +11,7 @@
 
 namespace piae::plan {
 
-/// What is asked of make, as it was typed. A list that is not given is chosen by the goals.
+/// A request to make, as it was typed. A list that is not given is chosen by the goals.
 struct Request {
   std::vector<std::string> goals = {"all"};  ///< names of goals, or files of a run
   std::string run = "paper";                 ///< folder under results/
@@ -37,7 +37,7 @@ struct Part {
   std::vector<std::string> methods;     ///< those that have a cell
 };
 
-/// What is asked for, with all that was left open chosen and all that cannot be refused.
+/// A request with every open choice made and checked.
 struct Choice {
   std::vector<std::string> goals;  ///< names
   std::vector<std::string> files;  ///< goals that are files
@@ -51,12 +51,12 @@ struct Choice {
   std::vector<std::int64_t> seeds;
   bool ratios_given = false;
   std::int64_t lowest_seed = 0;  ///< the one of which features are kept
-  /// Whether a run is only looked at: nothing is asked for but what `given` names.
+  /// True if a run is only looked at: nothing is asked for but what `given` names.
   bool only_looks = false;
   std::vector<std::string> given;  ///< --methods, --ratios, ... as they were given, for such a look
-  /// Whether tables are made of the cells that are there, where others are missing.
+  /// True if tables are made from the cells that exist, although others are missing.
   bool with_holes = false;
-  /// What is left out of what was asked for, and why: a line for each data set, for people.
+  /// Notices of what is left out, and why: a line for each data set, for people.
   std::vector<std::string> notices;
 
   [[nodiscard]] bool has_goal(const std::string& name) const;

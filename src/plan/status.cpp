@@ -15,7 +15,7 @@ namespace {
 
 const std::string shared = "records, split";
 
-/// What is counted in one line.
+/// The counts of one line.
 struct Row {
   std::string dataset;
   std::string unit;
@@ -26,7 +26,7 @@ struct Row {
   [[nodiscard]] std::size_t all() const { return cells[0] + cells[1] + cells[2] + cells[3]; }
 };
 
-/// What steps of a run have taken, by what they are like.
+/// Times of the steps of a run, by similarity.
 class Durations {
  public:
   Durations(Plan& plan, Logs& logs) {
@@ -71,7 +71,7 @@ class Durations {
   }
 
  public:
-  /// The line in which a step stands. What is tried beside the methods is together like one.
+  /// The line in which a step stands. All points of a sweep share a line, and so do all readings.
   static std::string unit_of(const Step& step) {
     const std::string& unit = step.place.unit;
     return unit.empty() ? shared : unit.substr(0, unit.find('/'));

@@ -22,12 +22,12 @@ struct Settings {
   std::vector<std::string> recordings = {};  ///< the raw files that a description names
 };
 
-/// What a step reads.
+/// An input of a step.
 struct Input {
   std::string role;                ///< the option that names it, "known"; else what it is, "cells"
   std::vector<std::string> files;  ///< one, unless `is_option` is false
   bool is_option = true;           ///< whether the command names the file, as --ROLE FILE
-  /// Of a file that a step writes for itself before it runs: what the file will hold.
+  /// The digest that the file will have, where it is written before the step runs.
   std::optional<std::string> digest = std::nullopt;
   /// Programs of before did not record this input: then it counts as unchanged.
   bool may_be_unrecorded = false;
@@ -72,7 +72,7 @@ struct Step {
   bool is_always_due = false;  ///< it shows how the run is at the time
 };
 
-/// What the log of a step is called in messages and lists: its folder and log, without the ending.
+/// The path of the log of a step.
 inline std::string log_of(const Step& step) { return step.folder + '/' + step.log + ".log"; }
 
 /// The steps of a run, each behind all that it waits for.

@@ -19,7 +19,7 @@ struct StepState {
   std::string said;   ///< of a failed step the reason, of a running one how far it is
 };
 
-/// What logs say of steps.
+/// Reads the logs of steps.
 class Logs {
  public:
   Logs() = default;
@@ -29,7 +29,7 @@ class Logs {
 
   /// Empty where there is no log.
   virtual std::optional<run::StepLog> read(const std::string& file) = 0;
-  /// Whether a process has the log locked, as long as its step runs.
+  /// True if a process has the log locked, which it does while its step runs.
   virtual bool is_locked(const std::string& file) = 0;
 };
 

@@ -10,7 +10,7 @@
 
 namespace piae::plan {
 
-/// What a run's last submission to Slurm was, and what has become of its jobs (jobs/ended.sh).
+/// The last submission of a run to Slurm, and the state of its jobs (jobs/ended.sh).
 struct Submission {
   std::filesystem::path
       folder;  ///< with the lists and logs of its jobs; empty where there was none

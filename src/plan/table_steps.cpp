@@ -209,7 +209,7 @@ Words TableSteps::selection(const Part& part) const {
   return words;
 }
 
-/// Of cells that are asked for, those that are there; and the names of one of them, which a table
+/// Drops the cells that are missing; gives the options that name one of the rest, which a table
 /// needs.
 std::vector<StepId> TableSteps::without_holes(std::vector<StepId> asked, Words& one_cell) {
   std::erase_if(asked, [&](StepId id) { return judge_.of(id).state != State::current; });

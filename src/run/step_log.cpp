@@ -54,7 +54,7 @@ std::string program_of(const std::string& command) {
   return program;
 }
 
-/// What a program says of itself stands behind its name.
+/// Takes what a program says, which stands after its name.
 void read_line_of(const std::string& program, const std::string& line, StepLog& log) {
   if (line.starts_with(program + "  ")) log.last_progress = one_line(line);
   const std::string name = program + ": ";

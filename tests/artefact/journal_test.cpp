@@ -75,7 +75,7 @@ TEST(JournalOfARun, LosesNothingButTheLineThatIsDamaged) {
     const Journal cut(run.folder.path());
     const SeenFile* const seen = cut.file(run.file);
     EXPECT_EQ(seen == nullptr ? std::string(32, 'd') : seen->digest, std::string(32, 'd')) << size;
-    // What is added behind a line that was cut off is read.
+    // Lines that are added after a line that was cut off are read.
     run.folder.write("E.h5", "windows");
     add_to_journal(run.folder.path(), run.folder / "E.h5", std::string(64, 'f'), provenance);
     const Journal more(run.folder.path());

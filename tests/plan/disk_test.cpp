@@ -28,7 +28,7 @@ class FilesOfARun : public testing::Test {
                  .options = "a = \"1\"\n",
                  .inputs = {{.role = "real", .file = "D.h5", .digest = std::string(64, 'd')}}});
   }
-  /// What a new process sees.
+  /// The file as a new process sees it.
   [[nodiscard]] std::optional<File> seen() const {
     RealDisk disk({folder_.path().string()}, true);
     const File* const file = disk.find(file_);
