@@ -51,7 +51,7 @@ std::string default_of(const Step& step, const std::string& option) {
 
 std::string options_text(const Values& values) {
   std::string text;
-  for (const auto& [option, value] : values) text += option + " = \"" + value + "\"\n";
+  for (const auto& [option, value] : values) text += fmt::format("{} = \"{}\"\n", option, value);
   return text;
 }
 
@@ -165,7 +165,7 @@ std::string Judge::in_record(const Step& step) {
 
 std::string Judge::in_options(const Step& step, const artefact::Made& made) {
   std::string own;
-  for (const auto& [option, value] : step.options) own += option + '=' + value + '\n';
+  for (const auto& [option, value] : step.options) own += fmt::format("{}={}\n", option, value);
   const auto key = std::tuple(made.options.get(), step.settings.get(), own);
   if (const auto found = compared_.find(key); found != compared_.end()) return found->second;
   const Values was = parse_options(*made.options);
@@ -186,7 +186,7 @@ std::string Judge::in_inputs(const Step& step, const artefact::Made& made) {
   std::set<std::string> roles;
   for (const Input& input : step.inputs) {
     roles.insert(input.role);
-    const std::string why = in_input(input, made);
+    std::string why = in_input(input, made);
     if (!why.empty()) return why;
   }
   for (const artefact::MadeFrom& from : made.inputs) {

@@ -1,5 +1,6 @@
 #include "plan/grid_steps.hpp"
 
+#include "artefact/journal.hpp"
 #include "augment/catalogue.hpp"
 #include "base/sha256.hpp"
 #include "scoring/diagnosis_record.hpp"

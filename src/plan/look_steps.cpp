@@ -42,14 +42,14 @@ void LookSteps::numbers() {
     const std::string folder = grid_.folder() + '/' + dataset.name;
     Words files;
     for (const std::string& file : tables_.disk().files_below(folder)) {
-      if (is_artefact_or_table(file)) files.push_back(folder + '/' + file);
+      if (is_artefact_or_table(file)) files.push_back(fmt::format("{}/{}", folder, file));
     }
     if (files.empty()) continue;
     any = true;
     const std::string blocked = choice_.folder_of(signal::Protocol::blocked) + '/' + dataset.name;
     if (choice_.protocol == signal::Protocol::random) {
       for (const std::string& file : tables_.disk().files_below(blocked)) {
-        if (file.ends_with("diagnosis.h5")) files.push_back(blocked + '/' + file);
+        if (file.ends_with("diagnosis.h5")) files.push_back(fmt::format("{}/{}", blocked, file));
       }
     }
     Step step{.stage = "figures",
@@ -79,7 +79,7 @@ void LookSteps::pictures() {
   for (const Part& part : choice_.parts) {
     const std::string folder = grid_.folder() + '/' + part.dataset.name + "/figures";
     for (const std::string& file : tables_.disk().files_below(folder)) {
-      if (file.ends_with(".csv")) tables_.add_picture(folder + '/' + file);
+      if (file.ends_with(".csv")) tables_.add_picture(fmt::format("{}/{}", folder, file));
     }
   }
 }

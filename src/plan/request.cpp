@@ -213,7 +213,7 @@ std::string unsaid_line(const Dataset& dataset) {
 
 /// Requires that every method can run that was named; notes the others that are left out.
 Words able_methods(const Words& methods, const Dataset& dataset, bool named, Words& notices) {
-  const Words able = that_can_run(methods, dataset);
+  Words able = that_can_run(methods, dataset);
   if (able.size() == methods.size()) return able;
   Words unable;
   std::ranges::copy_if(methods, std::back_inserter(unable),

@@ -205,10 +205,10 @@ std::string listed_steps(const Plan& plan, const std::map<StepId, StepState>& st
     for (const auto& [id, state] : states) {
       if (state.progress != progress) continue;
       const Step& step = plan.graph().at(id);
-      if (is_first) text += '\n' + heading + '\n';
+      if (is_first) text += fmt::format("\n{}\n", heading);
       is_first = false;
       std::string said = state.said.empty() ? step.stage : state.said;
-      if (progress == Progress::failed) said = step.stage + ": " + said;
+      if (progress == Progress::failed) said = fmt::format("{}: {}", step.stage, said);
       text += fmt::format("  {}: {} (log: {})\n", below_run(step.folder), said, log_of(step));
     }
   };

@@ -15,8 +15,7 @@ StepId Graph::add(Step step) {
     }
   }
   std::ranges::sort(needed);
-  const auto repeated = std::ranges::unique(needed);
-  needed.erase(repeated.begin(), repeated.end());
+  needed.erase(std::unique(needed.begin(), needed.end()), needed.end());
   needs_.push_back(std::move(needed));
   for (const std::string& output : step.outputs) makers_.emplace(output, id);
   steps_.push_back(std::move(step));

@@ -89,7 +89,7 @@ std::string listed_jobs(const Submission& submission) {
     const std::string kind = job.kind.substr(0, job.kind.find('.'));
     std::string state = lower(job.state);
     if (state == "pending" && job.reason != "None") state += " (" + job.reason + ")";
-    const std::string line = job.kind == "?" ? job.reason : kind + '\t' + state;
+    const std::string line = job.kind == "?" ? job.reason : fmt::format("{}\t{}", kind, state);
     if (counts[line]++ == 0) states.push_back(line);
   }
   for (const std::string& state : states) {

@@ -25,7 +25,7 @@ const Words table_names{"accuracy.csv", "gains.csv",     "quality.csv",    "comp
 
 Words in_folder(const std::string& folder, const Words& names) {
   Words files;
-  for (const std::string& name : names) files.push_back(folder + '/' + name);
+  for (const std::string& name : names) files.push_back(fmt::format("{}/{}", folder, name));
   return files;
 }
 
@@ -126,7 +126,7 @@ std::string TableSteps::name_of_left_out(const Dataset& dataset, const HeldCell&
     const Verdict& verdict = judge_.of(each);
     return verdict.state != State::current && !verdict.only_missing;
   };
-  const std::string seed = "seed" + std::to_string(cell.seed);
+  std::string seed = "seed" + std::to_string(cell.seed);
   if (is_old(grid_.split(dataset, cell.seed))) return seed;
   const bool generates = cell.variant.method != augment::no_method;
   if (generates && is_old(grid_.windows(dataset, cell.seed, cell.variant))) {
