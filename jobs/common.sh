@@ -6,6 +6,20 @@ die() {
   exit 1
 }
 
+# What is asked for stands in these variables, as the Makefile sets them.
+request='RUN DATASETS METHODS RATIOS CLASSIFIERS SEEDS PROTOCOL DATA_DIR BIN SUBMIT'
+
+# Sets them as they were when a submission was made, and GOALS.
+take_choice() { # folder of the submission
+  local name line
+  for name in $request; do export "$name="; done
+  {
+    read -r GOALS
+    while IFS= read -r line; do export "${line?}"; done
+  } <"$1/choice"
+  export GOALS
+}
+
 # Of NAME=VALUE words, the value of one.
 value_of() { # name, words...
   local word

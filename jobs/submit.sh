@@ -1,8 +1,8 @@
 #!/bin/bash
 # Submits what is still to be done of a run to Slurm, for `make cluster`; or only says what that would be.
-# usage: jobs/submit.sh [--plan] GOAL VARIABLE=VALUE...
-# Make's variables, and CORES, MINUTES, JOBS, GPU_PARTITION. Other options of sbatch come from its own
-# environment variables: SBATCH_PARTITION, SBATCH_ACCOUNT, ...
+# usage: jobs/submit.sh [--plan] CORES=N MINUTES=N JOBS=N [GPU_PARTITION=NAME]
+# What is to be computed stands in the environment, as the Makefile sets it: GOALS, RUN, DATASETS, ... Other options of
+# sbatch come from its own variables: SBATCH_PARTITION, SBATCH_ACCOUNT, ...
 set -euo pipefail
 
 usage() { sed -n '/^# usage: /,/^[^#]/s/^# //p' "$0"; }
@@ -22,22 +22,19 @@ cd "${0%/*}/.."
 # shellcheck source=jobs/common.sh
 source jobs/common.sh
 
-goal=$1
-shift
-choice=("$@")
-results=$(value_of results "$@")
+goal=${GOALS:-all}
+results=results/$RUN
+[[ ${PROTOCOL:-} != blocked ]] || results+=-blocked
+jobs_at_a_time=$(value_of JOBS "$@") gpu_partition=$(value_of GPU_PARTITION "$@")
 for name in CORES MINUTES JOBS; do
   value=$(value_of "$name" "$@")
   [[ $value =~ ^[1-9][0-9]{0,4}$ ]] || die "$name: a whole number from 1 up, not '$value'"
 done
-[[ $goal =~ ^(all|cells|sweep|contrast|identify|readings)$ ]] ||
-  die "one of all, cells, sweep, contrast, identify and readings at a time, not '$goal'"
-
 if [[ $only_plan ]]; then
   scratch=$(mktemp -d)
   trap 'rm -rf "$scratch"' EXIT
-  # What these programs cannot compute may be planned all the same.
-  jobs/plan.sh "$scratch" "$goal" "${choice[@]}" only_asking=yes
+  GOALS=$goal "$BIN/plan" --looks --format jobs --jobs-folder "$scratch" --cores "$(value_of CORES "$@")" \
+    --minutes "$(value_of MINUTES "$@")"
   exit
 fi
 
@@ -56,8 +53,12 @@ queue=$(jobs_in_queue "$results") || die "Slurm does not answer, see above; noth
 
 folder=$results/.jobs/$(date +%Y%m%dT%H%M%S)
 mkdir "$folder" || die "$folder is there already: try again in a second"
-jobs/plan.sh "$folder" "$goal" "${choice[@]}" | tee "$folder/plan.txt"
-printf '%s\n' "$goal" "${choice[@]}" >"$folder/choice"
+GOALS=$goal "$BIN/plan" --format jobs --jobs-folder "$folder" --cores "$(value_of CORES "$@")" \
+  --minutes "$(value_of MINUTES "$@")" | tee "$folder/plan.txt"
+{
+  echo "$goal"
+  for name in $request; do [[ ! ${!name:-} ]] || echo "$name=${!name}"; done
+} >"$folder/choice"
 
 # Two minutes before its time is up a job is told, so that trainings write their checkpoints; sooner where it
 # has less than four.
@@ -71,7 +72,7 @@ submitted=()
 submit() { # kind of job, number of them, cores, minutes, megabytes, further options of sbatch
   local kind=$1 options=() id
   if [[ $kind == cells* ]]; then
-    options+=("--array=0-$(($2 - 1))%$(value_of JOBS "${choice[@]}")" --output="$folder/$kind.%a.log")
+    options+=("--array=0-$(($2 - 1))%$jobs_at_a_time" --output="$folder/$kind.%a.log")
   else
     options+=(--output="$folder/$kind.log")
   fi
@@ -102,8 +103,7 @@ while IFS=$'\t' read -r kind number cores minutes megabytes _; do
   [[ $kind != tables ]] || after
   further=("${dependency[@]}")
   if [[ $kind == cells-gpu ]]; then
-    partition=$(value_of GPU_PARTITION "${choice[@]}")
-    further+=(--gres=gpu:1 ${partition:+"--partition=$partition"})
+    further+=(--gres=gpu:1 ${gpu_partition:+"--partition=$gpu_partition"})
   fi
   submit "$kind" "$number" "$cores" "$minutes" "$megabytes" "${further[@]}"
   [[ $kind != records ]] || after

@@ -4,7 +4,7 @@
 #   the rule of the third grid, a recording that it has not seen -> recording.svg
 #   all of them -> the answers
 #
-# Three seeds are enough because the margins are wide, so the words of the answers are the same on any processor.
+# Three seeds are enough because the margins are wide: the answers have the same words on any processor.
 
 SHELL := /bin/bash
 MAKEFLAGS += --no-builtin-rules --no-print-directory
@@ -14,22 +14,23 @@ slower    := simulated-small-slower
 no_fault  := simulated-small-types-zero
 rule      := $(results)/$(no_fault)/seed0/none/100to1/exclusion-rule/classifier.h5
 recording := $(results)/recording
-grid       = $(Q)+$(MAKE) $(if $(V),,--silent) --file=pipeline/grid.mk cells_given=
+grid       = $(Q)+GOALS='$1' DATASETS='$2' METHODS='$3' CLASSIFIERS='$4' $(if $5,SEEDS=$5) \
+  pipeline/run.sh '$(MAKE)'
 
 .PHONY: demo no_fault same_speed other_speed
 demo: $(recording).svg same_speed other_speed
-	$(grid) report DATASETS=simulated-small
+	$(call grid,report,simulated-small)
 	$(Q)$(BIN)/demo_answers --run $(results) --same-speed simulated-small --other-speed $(slower) \
 	  --no-fault $(no_fault) --diagnosis $(recording).h5 --true-class outer
 	@printf '%s\n' '' 'Open $(results)/report.html    tables and figures' \
 	  '     $(recording).svg  the diagnosis of recording.txt'
 
 no_fault:
-	$(grid) tables $(rule) DATASETS=$(no_fault) METHODS=none CLASSIFIERS=exclusion-rule SEEDS=0
+	$(call grid,tables $(rule),$(no_fault),none,exclusion-rule,0)
 same_speed:
-	$(grid) tables features DATASETS=simulated-small METHODS='none piae-dt shift'
+	$(call grid,tables features,simulated-small,none piae-dt shift)
 other_speed:
-	$(grid) tables DATASETS=$(slower) METHODS='none shift strike-twin' CLASSIFIERS=wdcnn-spectra
+	$(call grid,tables,$(slower),none shift strike-twin,wdcnn-spectra)
 
 # 4 s of a machine with a damaged outer race, one number a line. Two makes at once write a file each.
 $(recording).txt: pipeline/datasets/$(no_fault).toml
@@ -37,5 +38,5 @@ $(recording).txt: pipeline/datasets/$(no_fault).toml
 	  $(BIN)/simulate --description $< --stream outer --duration-s 4 --output - | \
 	  od --address-radix=n --output-duplicates --format=f4 --width=4 >$$part && mv $$part $@
 $(recording).svg: $(recording).txt no_fault
-	$(Q)$(BIN)/classify --classifier $(rule) --recording $< --variable 1 --sample-rate-hz 12000 --speed-rpm 1797 \
-	  --output $(recording).h5 --picture $@ >$(recording).log
+	$(Q)$(BIN)/classify --classifier $(rule) --recording $< --variable 1 --sample-rate-hz 12000 \
+	  --speed-rpm 1797 --output $(recording).h5 --picture $@ >$(recording).log

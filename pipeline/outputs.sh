@@ -4,31 +4,6 @@
 
 time_of() { stat --format=%.6Y "$1"; }
 
-# Two makes that start at once may both find a step to be done, such as reading the recordings. Who
-# comes second must not do it again: with it would be done again, next time, all that came of it. It
-# is done when this very stage with these options has ended well since make looked, and nothing that it
-# reads has changed since it began. SUBMIT and BIN may have been others.
-done_meanwhile() {
-  local begun file word after option='' command=
-  [[ -n ${ASKED_AT:-} && ${#makes[@]} -gt 0 ]] || return
-  read -r command <"$log"
-  [[ " $command" == *[\ /]"$stage ${options[*]}" ]] || return
-  [[ $(tail -n 1 "$log") == "step: exit 0 after "* && $(time_of "$log") > $ASKED_AT ]] || return
-  for file in "${makes[@]}"; do [[ -f $file ]] || return; done
-  begun=$(sed -n '2s/^step: begun at //p' "$log")
-  for word in "${options[@]}"; do
-    after=$option option=$word
-    [[ $after != --output-dir && " ${makes[*]} " != *" $word "* && -e $word ]] || continue
-    [[ ! $(changed_since "$begun" "$after" "$word") ]] || return
-  done
-}
-# Tables of a run do not name their cells, which are all those of a data set.
-changed_since() { # time, option, its value
-  local what=("$3" ! -type d)
-  [[ $2 != --run ]] || what=("$folder" -name '*.h5' ! -name features.h5)
-  find "${what[@]}" -newermt "@$1" -print -quit
-}
-
 # Whether a file has been made anew: a stage writes beside it and renames. A file that was not there needs no
 # looking at.
 identity() { stat --format='%i %y' "$1" 2>/dev/null; }

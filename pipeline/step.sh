@@ -15,8 +15,9 @@
 # usage: pipeline/step.sh results/RUN/DATASET/... STAGE OPTION... [-- FILE...]
 # The FILEs are what the stage makes, beside that which its --output says.
 # From the environment: BIN (folder of the programs), SUBMIT (a command to put before the stage),
-# ASKED_AT (when make began to look what is to be done; may be missing), STEP_LOG (what the log is called
-# where the stage has another step in the same folder; otherwise as the stage), CHECKPOINT_WITHIN (how many seconds
+# ASKED_AT (when the step was planned; may be missing), ONLY_IF_DUE (that it is due only if what it waits for has
+# come out otherwise than before), STEP_LOG (what the log is called where the stage has another step in the same
+# folder; otherwise as the stage), CHECKPOINT_WITHIN (how many seconds
 # to wait for the checkpoint of a stage whose launcher has given up; 30, as long as Slurm waits before it kills).
 set -u
 export LC_ALL=C    # numbers and times with a point
@@ -32,7 +33,10 @@ while (($#)); do
   shift
 done
 cell=${folder#results/*/}
-log=$folder/${STEP_LOG:-$stage}.log
+name=$folder/${STEP_LOG:-$stage}
+log=$name.log
+PIAE_RUN=${folder#results/}
+export PIAE_RUN=results/${PIAE_RUN%%/*} # its journal gets a line for each artefact
 # shellcheck source=pipeline/environment.sh
 source "${0%/*}/environment.sh"
 # A stage runs on one thread: make and the scheduler fill the cores. Only simulate, which everything
@@ -94,9 +98,14 @@ if (($? == 1)); then
   report "waits: another make is at this step" >&2
   flock 9
 fi
-if done_meanwhile; then
-  report "done meanwhile by another make"
-  exit 0
+# Another make may have done it since it was planned; or all that it waits for has come out as before.
+planned_before() { [[ -s $log && ${ASKED_AT:-} && $(time_of "$log") > $ASKED_AT ]]; }
+if [[ ${ONLY_IF_DUE:-} ]] || planned_before; then
+  "$BIN/plan" --is-due "$name" 2>/dev/null
+  if (($? == 1)); then
+    report "is as it was"
+    exit 0
+  fi
 fi
 command="${SUBMIT:+$SUBMIT }$BIN/$stage ${options[*]}"
 { echo "$command" >"$log" && echo "step: begun at $(time_of "$log")" >>"$log"; } 2>/dev/null || cannot_write

@@ -6,16 +6,18 @@
 #include "cli/stage.hpp"
 #include "plan/asked.hpp"
 #include "plan/cluster_jobs.hpp"
+#include "plan/goals.hpp"
 #include "plan/planned.hpp"
 #include "plan/printed.hpp"
 #include "plan/settings_files.hpp"
+#include "readings/ranking.hpp"
 
 using namespace piae;
 namespace fs = std::filesystem;
 
 namespace {
 
-enum class Format { make, why, summary, missing, jobs, shown };
+enum class Format { make, why, summary, missing, jobs, shown, costs };
 
 /// How the steps are divided among jobs of a cluster, and the folder that gets their lists.
 struct JobOptions {
@@ -23,6 +25,16 @@ struct JobOptions {
   std::size_t cores = 4;
   double minutes = 15;
 };
+
+/// The readings of all data sets that are asked for, where the goal is to compare readings.
+std::string ranked_readings(const plan::Plan& plan) {
+  std::vector<fs::path> tables;
+  if (!plan.choice().has_goal("readings")) return {};
+  for (const plan::Part& part : plan.choice().parts) {
+    tables.emplace_back(fs::path(plan.choice().folder()) / part.dataset.name / "readings.csv");
+  }
+  return readings::ranking(tables);
+}
 
 std::string printed(plan::Plan& plan, Format format, bool quietly, const JobOptions& jobs) {
   const auto costs = [] { return plan::Costs::read("jobs/costs.csv"); };
@@ -34,11 +46,15 @@ std::string printed(plan::Plan& plan, Format format, bool quietly, const JobOpti
     case Format::missing:
       return missing_of(plan);
     case Format::shown:
-      return shown_of(plan);
+      return shown_of(plan) + ranked_readings(plan);
+    case Format::costs: {
+      plan::RealLogs logs;
+      return measured_costs(plan, logs);
+    }
     case Format::jobs: {
       const auto kinds = divide(plan, costs(), jobs.cores, jobs.minutes);
       write_jobs(kinds, jobs.folder);
-      return table_of(kinds);
+      return table_of(kinds) + guessed_costs_of(plan, costs());
     }
     default:
       return why_of(plan);
@@ -69,9 +85,12 @@ int main(int argc, char** argv) {
        {"summary", Format::summary},
        {"missing", Format::missing},
        {"jobs", Format::jobs},
-       {"shown", Format::shown}},
+       {"shown", Format::shown},
+       {"costs", Format::costs}},
       "why: a line for each step; make: a makefile; summary: how much; missing: the files that "
-      "tables lack; jobs: for a cluster; shown: the tables that the goals end with");
+      "tables lack; jobs: for a cluster; shown: the tables that the goals end with; costs: what "
+      "steps took, "
+      "for jobs/costs.csv");
   stage.options().flag("--quietly", quietly, "Of a makefile: hide the commands");
   stage.output_file("--jobs-folder", jobs.folder, "Where the lists of jobs go").required(false);
   stage.options().add("--cores", jobs.cores, "Of a job").check(cli::whole_number(1, 100000));
@@ -93,6 +112,7 @@ int main(int argc, char** argv) {
     }
     plan::Planned planned(request, options);
     for (const std::string& notice : planned.plan().choice().notices) std::cerr << notice << '\n';
+    if (format == Format::jobs) require_one_that(&plan::Goal::is_submitted, request.goals);
     if (format == Format::make && !options.looks) write_settings(planned.plan());
     std::cout << printed(planned.plan(), format, quietly, jobs);
     planned.save();

@@ -2,33 +2,17 @@
 
 #include "plan/status.hpp"
 
-#include <algorithm>
 #include <fstream>
 #include <iostream>
 #include <sstream>
 
 #include "cli/stage.hpp"
 #include "plan/asked.hpp"
+#include "plan/goals.hpp"
 #include "plan/submission.hpp"
 
 using namespace piae;
 namespace fs = std::filesystem;
-
-namespace {
-
-/// Goals of which cells, or models, can be counted.
-void require_countable(const std::vector<std::string>& goals) {
-  const std::vector<std::string> countable{"all",   "cells",    "sweep",    "contrast",
-                                           "trust", "identify", "readings", "transfer"};
-  std::string all;
-  for (const std::string& goal : goals) all += (all.empty() ? "" : " ") + goal;
-  if (std::ranges::count(countable, all) > 0) return;
-  std::string list;
-  for (const std::string& goal : countable) list += (list.empty() ? "" : ", ") + goal;
-  throw Error(Exit::usage, "one of " + list + " at a time, not '" + all + "'");
-}
-
-}  // namespace
 
 int main(int argc, char** argv) {
   cli::Stage stage(
@@ -52,7 +36,7 @@ int main(int argc, char** argv) {
         plan::read_submission(jobs.empty() ? static_cast<std::istream&>(nothing) : lines);
     plan::Request request = asked.request();
     take_submission(submission, request, !asked.goals.empty());
-    require_countable(request.goals);
+    require_one_that(&plan::Goal::is_counted, request.goals);
     plan::PlanOptions look{.pipeline = pipeline, .looks = true};
     plan::Planned planned(request, look);
     plan::Plan& plan = planned.plan();

@@ -53,10 +53,6 @@ int main(int argc, char** argv) {
 
   std::vector<std::string> leave_out;
   run::bind_leave_out(stage.options(), leave_out);
-  std::vector<fs::path> outdated;
-  stage.options()
-      .add("--outdated", outdated, "Cells that make could not make again: refused by name")
-      .type_name("FILE");
 
   return stage.run(argc, argv, [&] {
     const run::Grid asked = run::resolve(options);
@@ -64,7 +60,6 @@ int main(int argc, char** argv) {
     const run::Layout layout(run_folder, asked.dataset);
     const run::Held held(layout, leave_out);
     auto [grid, results] = run::collect_held(layout, asked, held);
-    run::refuse_outdated(outdated, results);
     run::require_all(results);
     const std::string left_out = report::left_out_line(results);
     if (!left_out.empty()) spdlog::warn(left_out);

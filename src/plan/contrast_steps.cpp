@@ -17,21 +17,21 @@ struct Side {
 
 class Contrasts {
  public:
-  Contrasts(const Experiment& experiment, const Choice& choice, Graph& graph, Judge& judge,
-            Disk& disk)
-      : choice_(choice),
-        random_(experiment, choice, signal::Protocol::random, graph),
-        blocked_(experiment, choice, signal::Protocol::blocked, graph),
-        random_tables_(experiment, choice, random_, judge, disk),
-        blocked_tables_(experiment, choice, blocked_, judge, disk) {}
+  explicit Contrasts(TableSteps& tables)
+      : tables_(tables),
+        choice_(tables.choice()),
+        random_(tables.experiment(), choice_, signal::Protocol::random, tables.grid().graph()),
+        blocked_(tables.experiment(), choice_, signal::Protocol::blocked, tables.grid().graph()),
+        random_tables_(tables.experiment(), choice_, random_, tables.judge(), tables.disk()),
+        blocked_tables_(tables.experiment(), choice_, blocked_, tables.judge(), tables.disk()) {}
 
-  void of_protocols(const Part& part, Words& shown) {
+  void of_protocols(const Part& part) {
     add(side(random_, random_tables_, part), side(blocked_, blocked_tables_, part), part,
-        "protocols", "contrast", shown);
+        "protocols", "contrast");
   }
-  void of_rates(const Part& as_published, const Part& at_one_rate, Words& shown) {
+  void of_rates(const Part& as_published, const Part& at_one_rate) {
     add(side(random_, random_tables_, as_published), side(random_, random_tables_, at_one_rate),
-        as_published, "rates", "contrast@rates", shown);
+        as_published, "rates", "contrast@rates");
   }
 
  private:
@@ -65,7 +65,7 @@ class Contrasts {
   }
 
   void add(const Side& with, const Side& without, const Part& part, const std::string& name,
-           const std::string& log, Words& shown) {
+           const std::string& log) {
     const std::string table = with.folder + '/' + name;
     Step step{.stage = "contrast",
               .folder = with.folder,
@@ -90,10 +90,11 @@ class Contrasts {
     }
     Words files = with.cells.files;
     append(files, without.cells.files);
-    shown.push_back(step.outputs.front());
+    tables_.show(step.outputs.front());
     random_tables_.add(std::move(step), "cells", files);
   }
 
+  TableSteps& tables_;
   const Choice& choice_;
   GridSteps random_;
   GridSteps blocked_;
@@ -103,19 +104,19 @@ class Contrasts {
 
 }  // namespace
 
-void add_contrasts(const Experiment& experiment, const Choice& choice, Graph& graph, Judge& judge,
-                   Disk& disk, Words& shown) {
-  Contrasts contrasts(experiment, choice, graph, judge, disk);
+void add_contrasts(TableSteps& tables) {
+  Contrasts contrasts(tables);
+  const std::vector<Part>& parts = tables.choice().parts;
   const auto part_of = [&](const std::string& dataset) {
-    const auto found = std::ranges::find_if(
-        choice.parts, [&](const Part& part) { return part.dataset.name == dataset; });
-    return found == choice.parts.end() ? nullptr : &*found;
+    const auto found =
+        std::ranges::find_if(parts, [&](const Part& part) { return part.dataset.name == dataset; });
+    return found == parts.end() ? nullptr : &*found;
   };
-  for (const Part& part : choice.parts) contrasts.of_protocols(part, shown);
+  for (const Part& part : parts) contrasts.of_protocols(part);
   const Part* const as_published = part_of("cwru-as-published");
   const Part* const at_one_rate = part_of("cwru");
   if (as_published != nullptr && at_one_rate != nullptr) {
-    contrasts.of_rates(*as_published, *at_one_rate, shown);
+    contrasts.of_rates(*as_published, *at_one_rate);
   }
 }
 

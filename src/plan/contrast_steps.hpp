@@ -9,7 +9,6 @@ namespace piae::plan {
 ///
 ///     RUN and RUN-blocked      -> <dataset>/protocols.md      the overlap of windows in a random
 ///     split cwru-as-published, cwru  -> cwru-as-published/rates.md  the mixed sample rates
-void add_contrasts(const Experiment& experiment, const Choice& choice, Graph& graph, Judge& judge,
-                   Disk& disk, std::vector<std::string>& shown);
+void add_contrasts(TableSteps& tables);
 
 }  // namespace piae::plan

@@ -74,6 +74,33 @@ Costs Costs::read(const std::filesystem::path& file) {
   return costs;
 }
 
+std::string measured_costs(const Plan& plan, Logs& logs) {
+  struct Sum {
+    double seconds = 0;
+    double megabytes = 0;
+    std::size_t count = 0;
+  };
+  std::map<std::string, Sum> sums;
+  for (const Step& step : plan.graph().steps()) {
+    const Place& place = step.place;
+    const bool has_moved_setting = place.unit != place.method;
+    if (step.log == "features" || has_moved_setting) continue;
+    const auto log = logs.read(log_of(step));
+    if (!log || log->end != run::StepEnd::done || !log->processor_s) continue;
+    Sum& sum = sums[fmt::format("{},{},{},{},{}", step.stage, place.dataset, place.method,
+                                place.classifier, place.ratio)];
+    sum.seconds += *log->processor_s;
+    sum.megabytes = std::max(sum.megabytes, log->memory_mb.value_or(0));
+    ++sum.count;
+  }
+  std::string text = "stage,dataset,method,classifier,ratio,seconds,megabytes\n";
+  for (const auto& [key, sum] : sums) {
+    text += fmt::format("{},{:.2f},{:.0f}\n", key, sum.seconds / static_cast<double>(sum.count),
+                        sum.megabytes);
+  }
+  return text;
+}
+
 Costs::Estimate Costs::of(const Step& step) const {
   const std::string stage = costly_stage(step.stage);
   const auto keys = keys_of(stage, step.place);

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "plan/step.hpp"
+#include "plan/step_states.hpp"
 
 namespace piae::plan {
 
@@ -36,5 +36,10 @@ class Costs {
  private:
   std::map<std::string, Cost> known_;
 };
+
+/// What the steps of a plan took, by their logs, in the form of jobs/costs.csv: the mean of the
+/// seconds, the most memory. Steps with a setting moved take as long as their method, and are left
+/// out.
+std::string measured_costs(const Plan& plan, Logs& logs);
 
 }  // namespace piae::plan

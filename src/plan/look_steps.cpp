@@ -18,6 +18,20 @@ bool is_artefact_or_table(const std::string& file) {
          ends("identifiability.csv") || (file.starts_with("sweep") && ends(".csv"));
 }
 
+/// The options of a command line, each with its values.
+std::vector<std::pair<std::string, std::string>> options_in(const Words& words) {
+  std::vector<std::pair<std::string, std::string>> options;
+  for (const std::string& word : words) {
+    if (word.starts_with("--")) {
+      options.emplace_back(word.substr(2), "");
+    } else {
+      std::string& values = options.back().second;
+      values += (values.empty() ? "" : " ") + word;
+    }
+  }
+  return options;
+}
+
 }  // namespace
 
 Words LookSteps::left_out(const Dataset& dataset) {
@@ -58,7 +72,8 @@ void LookSteps::numbers() {
               .words = {"--run", grid_.folder(), "--dataset", dataset.name},
               .place = {.dataset = dataset.name},
               .tables_folder = folder + "/figures"};
-    if (choice_.has_goal("figures")) append(step.words, must_be_there(part));
+    // Pictures that lack a cell which must be there are removed: so what must be there counts.
+    if (choice_.has_goal("figures")) step.options = options_in(must_be_there(part));
     if (!dataset.any_known && !choice_.has_goal("figures")) {
       append(step.words, {"--nothing-known", dataset.name});
     }

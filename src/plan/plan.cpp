@@ -5,8 +5,7 @@
 #include <set>
 
 #include "base/error.hpp"
-#include "plan/contrast_steps.hpp"
-#include "plan/grid_steps.hpp"
+#include "plan/goals.hpp"
 #include "plan/look_steps.hpp"
 #include "plan/table_steps.hpp"
 #include "plan/words.hpp"
@@ -15,37 +14,10 @@ namespace piae::plan {
 
 namespace {
 
-/// The goal that a file of a run belongs to.
-std::string goal_of_file(const std::string& file) {
-  const Words parts = fields_of(below_run(file), '/');  // DATASET, seedK, UNIT, ...
-  const std::string unit = parts.size() > 3 ? parts[2] : "";
-  const std::string name = file_name(file);
-  const auto begins = [&](const char* beginning) { return name.starts_with(beginning); };
-  if (unit == "sweep" || unit.starts_with("sweep@") || begins("sweep")) return "sweep";
-  if (unit == "readings" || begins("readings.")) return "readings";
-  if (name == "classifier.h5" || begins("trust.")) return "trust";
-  if (begins("transfer")) return "transfer";
-  if (begins("identifiability.") || begins("scatter.")) return "identify";
-  if (begins("protocols.") || begins("rates.")) return "contrast";
-  return "all";
-}
-
-void add_goals(const Experiment& experiment, const Choice& choice,
-               const std::set<std::string>& goals, GridSteps& grid, TableSteps& tables,
-               Judge& judge, Disk& disk, std::vector<std::string>& shown) {
-  const auto has = [&](const char* goal) { return goals.contains(goal); };
-  if (has("records")) {
-    for (const Part& part : choice.parts) grid.records(part.dataset);
+void add_goals(const std::set<std::string>& names, TableSteps& tables) {
+  for (const Goal& goal : goals()) {
+    if (names.contains(goal.name) && goal.add != nullptr) goal.add(tables);
   }
-  if (has("cells") || has("all")) tables.cells();
-  if (has("features") || has("all")) tables.features();
-  if (has("sweep")) tables.sweep();
-  if (has("readings")) tables.readings();
-  if (has("identify")) tables.identify();
-  if (has("trust")) tables.trust();
-  if (has("transfer")) tables.transfer();
-  if (has("contrast")) add_contrasts(experiment, choice, grid.graph(), judge, disk, shown);
-  if (has("tables") || has("all")) tables.tables();
 }
 
 }  // namespace
@@ -56,14 +28,12 @@ Plan::Plan(const Experiment& experiment, Choice choice, Stretch stretch, Disk& d
     if (choice_.only_looks) return;
     GridSteps grid(experiment, choice_, choice_.protocol, graph_);
     TableSteps tables(experiment, choice_, grid, *judge_, disk);
-    add_goals(experiment, choice_, {choice_.goals.begin(), choice_.goals.end()}, grid, tables,
-              *judge_, disk, shown_);
-    shown_.insert(shown_.end(), tables.shown().begin(), tables.shown().end());
-    std::set<std::string> of_files;
-    for (const std::string& file : choice_.files) of_files.insert(goal_of_file(file));
+    add_goals({choice_.goals.begin(), choice_.goals.end()}, tables);
+    shown_ = tables.shown();
     const StepId first = graph_.steps().size();
-    std::vector<std::string> not_shown;
-    add_goals(experiment, choice_, of_files, grid, tables, *judge_, disk, not_shown);
+    std::set<std::string> of_files;
+    for (const std::string& file : choice_.files) of_files.insert(goal_of_file(file).name);
+    add_goals(of_files, tables);
     for (StepId id = first; id < graph_.steps().size(); ++id) graph_.at(id).is_asked = false;
     ask_for(choice_.files);
     return;

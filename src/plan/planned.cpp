@@ -30,8 +30,9 @@ Planned::Planned(const Request& request, const PlanOptions& options)
   Choice choice = choose(experiment_, request);
   // A layout refuses cells that lie as before 0.1.0.
   for (const Part& part : choice.parts) run::Layout(choice.folder(), part.dataset.name);
-  disk_ = std::make_unique<RealDisk>(
-      std::vector{choice.folder(), choice.folder_of(signal::Protocol::blocked)}, !options.looks);
+  disk_ = std::make_unique<RealDisk>(std::vector{choice.folder_of(signal::Protocol::random),
+                                                 choice.folder_of(signal::Protocol::blocked)},
+                                     !options.looks);
   const bool with_holes = options.with_holes && options.stretch == Stretch::grid;
   plan_ = with_holes
               ? plan_with_holes(experiment_, std::move(choice), *disk_)

@@ -84,17 +84,13 @@ std::string makefile_of(Plan& plan, bool quietly) {
 }
 
 std::string why_of(Plan& plan) {
-  struct Group {
-    std::size_t count = 0;
-    std::string first;
-    std::string stage;
+  struct Reason {
+    Words steps;
     std::string why;
   };
-  std::vector<Group> groups;
+  std::vector<Reason> reasons;
   std::map<std::string, std::size_t> index;
   std::map<std::string, std::size_t> waiting;
-  Words single;
-  std::map<std::string, Words> lines;
   for (const StepId id : plan.to_run()) {
     const Step& step = plan.graph().at(id);
     const Verdict& verdict = plan.judge().of(id);
@@ -103,21 +99,18 @@ std::string why_of(Plan& plan) {
       continue;
     }
     const std::string key = step.place.dataset + '\t' + step.log + '\t' + verdict.why;
-    const auto [found, is_new] = index.emplace(key, groups.size());
-    if (is_new) groups.push_back({0, below_run(step.folder), step.log, verdict.why});
-    ++groups[found->second].count;
-    lines[key].push_back(fmt::format("{} {}: {}", below_run(step.folder), step.log, verdict.why));
+    const auto [found, is_new] = index.emplace(key, reasons.size());
+    if (is_new) reasons.push_back({.steps = {}, .why = verdict.why});
+    reasons[found->second].steps.push_back(below_run(step.folder) + ' ' + step.log);
   }
+  constexpr std::size_t few = 3;
   std::string text;
-  for (const auto& [key, of_key] : lines) {
-    const Group& group = groups[index[key]];
-    constexpr std::size_t few = 3;
-    if (of_key.size() <= few) {
-      for (const std::string& line : of_key) text += line + '\n';
-    } else {
-      text += fmt::format("{} {} and {} more: {}\n", group.first, group.stage, group.count - 1,
-                          group.why);
+  for (const auto& [steps, why] : reasons) {
+    if (steps.size() > few) {
+      text += fmt::format("{} and {} more: {}\n", steps.front(), steps.size() - 1, why);
+      continue;
     }
+    for (const std::string& step : steps) text += fmt::format("{}: {}\n", step, why);
   }
   if (text.empty() && waiting.empty()) return "nothing is to be done\n";
   if (!waiting.empty()) {
@@ -126,11 +119,21 @@ std::string why_of(Plan& plan) {
   return text;
 }
 
+std::string guessed_costs_of(Plan& plan, const Costs& costs) {
+  std::set<std::string> guessed;
+  for (const StepId id : plan.to_run()) {
+    const Step& step = plan.graph().at(id);
+    if (costs.of(step).is_guess)
+      guessed.insert(fmt::format("{} {}", step.stage, step.place.method));
+  }
+  if (guessed.empty()) return {};
+  return fmt::format("no cost is known of: {}; the largest is taken\n", fmt::join(guessed, ", "));
+}
+
 std::string summary_of(Plan& plan, const Costs& costs) {
   std::map<std::string, std::size_t> counts;
   double seconds = 0;
   double megabytes = 0;
-  std::set<std::string> guessed;
   const std::vector<StepId> ids = plan.to_run();
   for (const StepId id : ids) {
     const Step& step = plan.graph().at(id);
@@ -138,18 +141,13 @@ std::string summary_of(Plan& plan, const Costs& costs) {
     const Costs::Estimate estimate = costs.of(step);
     seconds += estimate.cost.seconds;
     megabytes = std::max(megabytes, estimate.cost.megabytes);
-    if (estimate.is_guess) guessed.insert(step.stage + ' ' + step.place.method);
   }
   if (ids.empty()) return "nothing is to be done\n";
   std::string text = fmt::format(
       "{} steps: {}\n{} of processor time, at most {:.0f} MB of memory a step, by what steps took "
       "elsewhere (jobs/costs.csv)\n",
       ids.size(), counted(counts), duration(seconds), megabytes);
-  if (!guessed.empty()) {
-    text +=
-        fmt::format("no cost is known of: {}; the largest is taken\n", fmt::join(guessed, ", "));
-  }
-  return text;
+  return text + guessed_costs_of(plan, costs);
 }
 
 std::string missing_of(Plan& plan) {
@@ -171,13 +169,15 @@ std::string shown_of(const Plan& plan) {
   for (const std::string& table : plan.shown()) {
     for (const std::string& line : text::read_lines(table)) all += line + '\n';
   }
-  if (plan.choice().has_goal("all")) {
-    all += "tables and artefacts:";
+  const auto say_where = [&](const char* what, const char* below) {
+    all += what;
     for (const Part& part : plan.choice().parts) {
-      all += ' ' + plan.choice().folder() + '/' + part.dataset.name + '/';
+      all += fmt::format(" {}/{}/{}", plan.choice().folder(), part.dataset.name, below);
     }
     all += '\n';
-  }
+  };
+  if (plan.choice().has_goal("all")) say_where("tables and artefacts:", "");
+  if (plan.choice().has_goal("figures")) say_where("figures:", "figures/");
   return all;
 }
 

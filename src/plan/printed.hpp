@@ -19,6 +19,9 @@ std::string why_of(Plan& plan);
 /// How much there is to be run: steps, processor time, memory.
 std::string summary_of(Plan& plan, const Costs& costs);
 
+/// A line that names the steps to be run of which no cost is known; empty where there is none.
+std::string guessed_costs_of(Plan& plan, const Costs& costs);
+
 /// The files that are missing of those that tables are made of, the first hundred of them; empty
 /// where none is.
 std::string missing_of(Plan& plan);

@@ -11,6 +11,7 @@
 #include "base/error.hpp"
 #include "base/numbers.hpp"
 #include "diagnosis/catalogue.hpp"
+#include "plan/goals.hpp"
 #include "plan/words.hpp"
 #include "scoring/ratios.hpp"
 
@@ -318,10 +319,10 @@ Part part_of(const Dataset& dataset, const Words& methods, Choice& choice) {
 void choose_goals(const Request& request, Choice& choice) {
   for (const std::string& goal : request.goals) {
     const bool is_file = goal.find('/') != std::string::npos;
-    if (!is_file && !has(goal_names, goal)) {
+    if (!is_file && !has(goal_names(), goal)) {
       throw Error(Exit::usage, fmt::format("there is no goal '{}'; there are: {}, and files of "
                                            "results/",
-                                           goal, spaced(goal_names)));
+                                           goal, spaced(goal_names())));
     }
     (is_file ? choice.files : choice.goals).push_back(goal);
   }

@@ -25,11 +25,6 @@ struct Request {
   std::vector<std::string> held = {};  ///< the data sets of which the run holds anything
 };
 
-/// The goals that have steps of the grid. `figures` and `report` only look at what a run holds.
-inline const std::vector<std::string> goal_names{
-    "records", "cells",    "features", "tables",   "all",      "figures", "report",
-    "sweep",   "contrast", "identify", "readings", "transfer", "trust"};
-
 /// The cells of one data set that are asked for.
 struct Part {
   Dataset dataset;

@@ -27,7 +27,8 @@ void write_settings(Plan& plan) {
     for (const Settings* settings : {step.settings.get(), step.description.get()}) {
       if (settings == nullptr || !written.insert(settings).second) continue;
       const fs::path file = settings->file;
-      require_no_link(file.parent_path());
+      fs::path folder = file;
+      while (folder.filename() != ".settings") require_no_link(folder = folder.parent_path());
       text::save_if_changed({file, settings->text});
     }
   }

@@ -3,6 +3,7 @@
 #include <spdlog/fmt/fmt.h>
 #include <spdlog/fmt/ranges.h>
 
+#include <set>
 #include <sstream>
 
 #include "augment/catalogue.hpp"
@@ -11,7 +12,6 @@
 #include "cli/toml_options.hpp"
 #include "diagnosis/wdcnn_options.hpp"
 #include "scoring/diagnosis_record.hpp"
-#include "settings/raw_files.hpp"
 #include "signal/description_file.hpp"
 #include "signal/split.hpp"
 
@@ -34,6 +34,22 @@ std::map<std::string, std::string> plain_values(const toml::table& table) {
     values[std::string(key.str())] = fmt::format("{}", fmt::join(cli::values_of(node), ", "));
   }
   return values;
+}
+
+/// The files that the records of a description name, each once. `ingest` says what is wrong with a
+/// description.
+std::vector<std::string> recordings_of(const toml::table& description) {
+  std::set<std::string> files;
+  if (const toml::array* records = description["record"].as_array()) {
+    for (const toml::node& record : *records) {
+      const toml::table* table = record.as_table();
+      if (table == nullptr) continue;
+      const auto file = (*table)["file"].value<std::string>();
+      const bool is_name = file && file->find('\n') == std::string::npos;
+      if (is_name) files.insert(*file);
+    }
+  }
+  return {files.begin(), files.end()};
 }
 
 }  // namespace
@@ -108,7 +124,7 @@ std::shared_ptr<const Settings> StageSettings::description(const Dataset& datase
                     .text = settings_text(source.string(), values),
                     .values = {},
                     .defaults = {},
-                    .recordings = settings::raw_files_of(values)};
+                    .recordings = recordings_of(values)};
   return kept_[name] = std::make_shared<const Settings>(std::move(settings));
 }
 

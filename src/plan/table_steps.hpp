@@ -32,13 +32,18 @@ class TableSteps {
   void cells();
   void features();
   void tables();
-  void sweep();
-  void readings();
-  void identify();
-  void trust();
-  void transfer();
 
-  /// The tables that people look at when all is done.
+  [[nodiscard]] const Experiment& experiment() const { return experiment_; }
+  [[nodiscard]] const Choice& choice() const { return choice_; }
+  [[nodiscard]] GridSteps& grid() { return grid_; }
+  [[nodiscard]] Judge& judge() { return judge_; }
+  [[nodiscard]] Disk& disk() const { return disk_; }
+
+  /// The folder of a data set in the run.
+  [[nodiscard]] std::string folder_of(const Dataset& dataset) const;
+
+  /// Adds a table to those that people look at when all is done.
+  void show(const std::string& table) { shown_.push_back(table); }
   [[nodiscard]] const std::vector<std::string>& shown() const { return shown_; }
 
   /// Chooses cells of a data set.
@@ -50,9 +55,12 @@ class TableSteps {
 
   /// Adds a step that makes no artefacts, of these files in one role.
   void add(Step step, const std::string& role, const std::vector<std::string>& files);
-  [[nodiscard]] Disk& disk() const { return disk_; }
   /// Adds the picture that gnuplot draws of a table.
   void add_picture(const std::string& csv);
+  /// The ratios of a table of settings that are moved: those given, else `otherwise`. Throws
+  /// Error(usage) where nothing is generated at any of them.
+  [[nodiscard]] std::vector<std::string> moved_ratios(const std::vector<std::string>& otherwise,
+                                                      const std::string& goal) const;
   /// The options that name the cells asked for: of a data set, and of all.
   [[nodiscard]] std::vector<std::string> selection(const Part& part) const;
   [[nodiscard]] std::vector<std::string> whole_selection() const;
@@ -61,18 +69,9 @@ class TableSteps {
   std::vector<StepId> cells_of(const Part& part);
   void add_tables(const Part& part);
   std::vector<StepId> without_holes(std::vector<StepId> asked, std::vector<std::string>& one_cell);
-  void add_sweep(const Part& part, const settings::Sweep& sweep);
-  void add_readings(const Part& part);
-  void add_identify(const Part& part);
-  void add_trust(const Part& part);
-  void add_transfer(const settings::Group& group);
   const std::vector<HeldCell>& held(const Dataset& dataset);
   StepId step_of(const Dataset& dataset, const HeldCell& cell);
   std::string name_of_left_out(const Dataset& dataset, const HeldCell& cell, StepId id);
-  [[nodiscard]] std::string folder_of(const Dataset& dataset) const;
-  [[nodiscard]] std::vector<std::string> moved_ratios(const std::vector<std::string>& otherwise,
-                                                      const std::string& goal) const;
-  [[nodiscard]] std::vector<const Part*> parts_of(const settings::Group& group) const;
 
   const Experiment& experiment_;
   const Choice& choice_;
@@ -85,5 +84,8 @@ class TableSteps {
 
 /// The tables that the paper publishes. Throws Error(input_missing) where there are none.
 Input input_of_published(Disk& disk);
+
+/// The ratio at which nothing is generated.
+std::string nothing_generated();
 
 }  // namespace piae::plan

@@ -53,6 +53,18 @@ std::string below_run(const std::string& path) {
 
 std::string file_name(const std::string& path) { return path.substr(path.rfind('/') + 1); }
 
+Words texts_of(const std::vector<std::int64_t>& seeds) {
+  Words words;
+  for (const std::int64_t seed : seeds) words.push_back(std::to_string(seed));
+  return words;
+}
+
+Words in_folder(const std::string& folder, const Words& names) {
+  Words files;
+  for (const std::string& name : names) files.push_back(fmt::format("{}/{}", folder, name));
+  return files;
+}
+
 std::string duration(double seconds) {
   if (seconds < 59.5) return fmt::format("{:.0f} s", seconds);
   if (seconds < 3570) return fmt::format("{:.0f} min", seconds / 60);

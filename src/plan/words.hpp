@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,12 @@ std::string below_run(const std::string& path);
 
 /// The name of a file without its folders.
 std::string file_name(const std::string& path);
+
+/// The numbers of seeds.
+Words texts_of(const std::vector<std::int64_t>& seeds);
+
+/// Files of these names in one folder.
+Words in_folder(const std::string& folder, const Words& names);
 
 /// A time for people: "12 s", "4 min", "1 h 01 min".
 std::string duration(double seconds);

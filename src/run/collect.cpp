@@ -191,13 +191,6 @@ Results collect(const Layout& layout, const Grid& grid) {
   return results;
 }
 
-void refuse_outdated(const std::vector<fs::path>& files, Results& results) {
-  for (const fs::path& file : files) {
-    results.problems.push_back(file.string() + ": is out of date and could not be made again");
-    results.exit = Exit::bad_input;
-  }
-}
-
 void require_all(const Results& results) {
   if (results.problems.empty()) return;
   for (const std::string& problem : results.problems) spdlog::error(problem);

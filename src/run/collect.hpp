@@ -92,9 +92,6 @@ void collect_scores(const Layout& layout, const std::string& dataset,
 /// table must not average what does not belong together.
 Results collect(const Layout& layout, const Grid& grid);
 
-/// Adds a problem for each of these cells, which are older than what they were made from.
-void refuse_outdated(const std::vector<std::filesystem::path>& files, Results& results);
-
 /// Where there is any problem, logs a line for each and throws an Error that counts them: no table
 /// is written with a hole in it.
 void require_all(const Results& results);

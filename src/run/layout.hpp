@@ -10,7 +10,7 @@
 
 namespace piae::run {
 
-/// What a sweep of a method's settings is called, in folders and files (pipeline/sweep.mk): "sweep"
+/// What a sweep of a method's settings is called, in folders and files: "sweep"
 /// where the method is the paper's, "sweep@smote" where it is another.
 std::string sweep_name(const std::string& method);
 
@@ -23,7 +23,7 @@ class Layout {
   /// compute them again.
   Layout(const std::filesystem::path& run, const std::string& dataset);
 
-  /// The same dataset in the run beside this one whose split is blocked (pipeline/contrast.mk).
+  /// The same dataset in the run beside this one whose split is blocked.
   [[nodiscard]] Layout blocked() const {
     std::filesystem::path run = folder_.parent_path();
     return {run += "-blocked", folder_.filename()};
@@ -40,7 +40,7 @@ class Layout {
       const std::string& classifier = scoring::paper_classifier) const {
     return method_folder(method, seed) / ratio / classifier / "diagnosis.h5";
   }
-  /// The classifier itself, beside its diagnosis (pipeline/trust.mk).
+  /// The classifier itself, beside its diagnosis.
   [[nodiscard]] std::filesystem::path kept_classifier(const std::string& method,
                                                       const std::string& ratio, std::int64_t seed,
                                                       const std::string& classifier) const {
@@ -54,7 +54,7 @@ class Layout {
   [[nodiscard]] std::filesystem::path model(const std::string& method, std::int64_t seed) const {
     return method_folder(method, seed) / "model.h5";
   }
-  /// Where one setting of the paper's method at a time is moved (pipeline/sweep.mk).
+  /// Where one setting of the paper's method at a time is moved.
   [[nodiscard]] std::filesystem::path sweep_folder(std::int64_t seed) const {
     return seed_folder(seed) / "sweep";
   }

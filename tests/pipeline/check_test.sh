@@ -18,7 +18,7 @@ test_everything_is_compared_unless_a_part_is_given() {
   expect_equal "$(called check RUN=try)" \
     "--run results/try --reference results/reference --tolerance auto"
   expect_equal "$(called check RUN=try SEEDS="0 1" DATASETS="cwru hit-sm" METHODS=none RATIOS=100to1 TOLERANCE=exact)" \
-    "--run results/try --reference results/reference --datasets cwru hit-sm --methods none --seeds 0 1 --ratios 100to1 --tolerance exact"
+    "--run results/try --reference results/reference --datasets cwru hit-sm --methods none --ratios 100to1 --seeds 0 1 --tolerance exact"
 }
 
 test_the_run_is_a_name_or_a_folder() {

@@ -29,9 +29,9 @@ test_unknown_names_are_refused() {
 test_a_table_of_the_protocol_that_nothing_reads_is_refused() {
   describe
   echo '[diagnoze]' >>pipeline/protocol.toml
-  expect_line "$(grid 2>&1 || true)" "^settings: pipeline/protocol.toml, line 18: nothing reads the table \[diagnoze\]"
+  expect_line "$(grid 2>&1 || true)" "^plan: pipeline/protocol.toml, line 18: nothing reads the table \[diagnoze\]"
   sed -i 's/^\[diagnoze\]/[diagnose/' pipeline/protocol.toml
-  expect_line "$(grid 2>&1 || true)" "^settings: pipeline/protocol.toml, line 18: not valid TOML"
+  expect_line "$(grid 2>&1 || true)" "^plan: pipeline/protocol.toml, line 18: not valid TOML"
   [[ ! -e calls ]] || fail "ran: $(<calls)"
 }
 
@@ -75,12 +75,12 @@ test_programs_that_are_not_there_are_one_line() {
 test_a_dry_run_with_programs_of_before_says_that_they_would_be_built() {
   describe
   mkdir -p build/bin src
-  printf '#!/bin/bash\necho "settings: nothing reads the table [train.new]" >&2\nexit 65\n' >build/bin/settings
-  chmod +x build/bin/settings
-  touch -d '1 hour ago' build/bin/settings
+  printf '#!/bin/bash\necho "plan: nothing reads the table [train.new]" >&2\nexit 65\n' >build/bin/plan
+  chmod +x build/bin/plan
+  touch -d '1 hour ago' build/bin/plan
   touch src/new.cpp
   expect_line "$(make -n cells 2>&1)" "the programs must be built first: .make build."
-  touch build/bin/settings
+  touch build/bin/plan
   touch -d '1 hour ago' src/new.cpp src
   expect_line "$(make -n cells 2>&1 || true)" "nothing reads the table .train.new."
 }

@@ -1,7 +1,7 @@
 #!/bin/bash
 # One step of the grid: its line, its log, its exit code, and signals.
-# shellcheck source-path=SCRIPTDIR
-source "${0%/*}/support.sh"
+# shellcheck source-path=SCRIPTDIR disable=SC2119
+source "${0%/*}/small_grid.sh"
 
 export BIN=fake SUBMIT=
 
@@ -69,87 +69,40 @@ test_two_makes_do_not_run_one_step_at_once() {
   expect_no_line "$(<messages)" "only-one"
 }
 
-# Two makes have both found this step to be done; the other one comes first.
-test_what_another_make_has_done_meanwhile_is_not_done_again() {
-  # shellcheck disable=SC2016
-  own_stage <<<'echo once >>calls; echo made >"${!#}"'
-  touch input
-  local made=results/t/real/seed0/made.h5
-  run() { ASKED_AT=$asked_at step --input input --output $made >messages; }
-  local asked_at
-  asked_at=$(date +%s.%6N)
-  sleep 0.05
-  run
-  run
-  expect_line "$(<messages)" '^real/seed0 +own +done meanwhile by another make$'
-  expect_equal "$(wc -l <calls)" 1
-  # The same step, sent elsewhere.
-  SUBMIT="env" run
-  expect_equal "$(wc -l <calls)" 1
-  # Not, when it is another step, when what it names has changed, or when make has looked later.
-  ASKED_AT=$asked_at step --input input --more --output $made >/dev/null
-  expect_equal "$(wc -l <calls)" 2
-  run
-  touch input
-  run
-  expect_equal "$(wc -l <calls)" 4
-  sleep 0.05
-  asked_at=$(date +%s.%6N)
-  run
-  expect_equal "$(wc -l <calls)" 5
-  own_stage <<<'exit 1'
-  asked_at=0
-  touch input
-  expect_exit 1 run
-  expect_exit 1 run
+# Gives the command of a step once more, as a make that was planned before.
+again() { # its log
+  local words
+  read -ra words < <(command_of "$1")
+  pipeline/step.sh "results/t/${1%/*}" "${words[0]#fake/}" "${words[@]:1}"
 }
 
-# Not every stage calls what it makes its output: diagnose may keep a classifier.
-test_what_a_step_makes_by_another_option_is_nothing_that_it_reads() {
-  # shellcheck disable=SC2016
-  own_stage <<<'echo once >>calls; echo made >"${!#}"'
-  touch input
-  local made=results/t/real/seed0/classifier.h5 asked_at
-  run() { ASKED_AT=$asked_at step --input input --keep-classifier $made -- $made >messages; }
-  asked_at=$(date +%s.%6N)
-  sleep 0.05
-  run
-  run
-  expect_line "$(<messages)" '^real/seed0 +own +done meanwhile by another make$'
-  touch input
-  run
-  expect_equal "$(wc -l <calls)" 2
-}
-
-# Their commands do not name their cells.
-test_tables_that_another_make_has_made_meanwhile_are_not_made_again() {
-  # shellcheck disable=SC2016
-  own_stage <<<'echo once >>calls; echo made >results/t/real/table.csv'
-  local asked_at folder=results/t/real
-  asked_at=$(date +%s.%6N)
-  mkdir -p $folder/seed0/smote results/published
-  touch $folder/seed0/smote/score.h5
-  tables() {
-    ASKED_AT=$asked_at pipeline/step.sh $folder own --run results/t --published results/published \
-      -- $folder/table.csv
-  }
-  sleep 0.05
-  tables >/dev/null
-  expect_line "$(tables)" 'done meanwhile by another make$'
-  # What comes of another seed's features or data set is nothing to them; a cell is.
-  mkdir -p results/t/other
-  touch $folder/seed0/smote/features.h5 results/t/other/records.h5
-  tables >/dev/null
-  expect_equal "$(wc -l <calls)" 1
-  touch $folder/seed0/smote/score.h5
-  tables >/dev/null
-  expect_equal "$(wc -l <calls)" 2
-  touch results/published/accuracy.csv
-  tables >/dev/null
-  expect_equal "$(wc -l <calls)" 3
-  rm $folder/table.csv
-  tables >/dev/null
-  expect_equal "$(wc -l <calls)" 4
+# Another make has done it since it was planned, or all that it waits for has come out as before: plan says so.
+test_a_step_that_is_not_due_any_more_is_left_alone() {
+  describe
+  local log which=(RUN=t DATASETS=real METHODS="none smote" RATIOS="100to1 10to1" SEEDS=0)
+  make --silent all BIN=fake "${which[@]}" >/dev/null
+  rm calls
+  export "${which[@]}" GOALS=all
+  for log in ingest seed0/split seed0/smote/10to1/wdcnn/features tabulate; do
+    export STEP_LOG=${log##*/}
+    expect_line "$(ASKED_AT=1 again "real/$log")" " is as it was$"
+    expect_line "$(ONLY_IF_DUE=yes ASKED_AT=9999999999 again "real/$log")" " is as it was$"
+    expect_line "$(SUBMIT=env ONLY_IF_DUE=yes again "real/$log")" " is as it was$"
+  done
+  unset STEP_LOG
+  expect_equal "$(ran_with_features)" ""
+  # Planned later than the other make's, and by hand.
+  ASKED_AT=9999999999 again real/seed0/split >/dev/null
+  again real/seed0/split >/dev/null
+  expect_equal "$(ran)" "2 split"
+  # Another setting, a lost file, and what plan cannot say.
+  sed -i 's/^neighbours = 4/neighbours = 3/' pipeline/protocol.toml
+  ASKED_AT=1 again real/seed0/smote/train >/dev/null
+  rm results/t/real/tables.md
+  ONLY_IF_DUE=yes again real/tabulate >/dev/null
+  echo '[' >>pipeline/protocol.toml
+  ONLY_IF_DUE=yes again real/seed0/split >/dev/null
+  expect_equal "$(ran)" "1 split, 1 tabulate, 1 train"
 }
 
 # As with srun, which says 0 when its node is lost.

@@ -1,10 +1,11 @@
 # shellcheck shell=bash
 # Sourced by the tests of the Makefile, pipeline/ and jobs/: each of their functions named test_*
-# runs in a fresh copy of those, with stand-ins for the stage programs, without network or rights. The
-# program `settings`, which make asks what there is, is the real one: PIAE_BIN names its folder.
+# runs in a fresh copy of those, with stand-ins for the stage programs, without network or rights. The programs `plan`
+# and `status` are the real ones: PIAE_BIN names their folder, PIAE_STAND_IN the stand-in.
 
 project=$(realpath "${BASH_SOURCE[0]%/*}/../..")
 programs=$(realpath "${PIAE_BIN:-$project/build/bin}")
+stand_in=${PIAE_STAND_IN:-$project/build/tests/stand_in}
 unset MAKEFLAGS MFLAGS MAKELEVEL MAKEOVERRIDES OMP_NUM_THREADS OPENBLAS_NUM_THREADS DATA_DIR
 
 fail() {
@@ -42,50 +43,15 @@ wait_for() { # file
   done
 }
 
-# What a stage does to the files: copies of its options into its outputs, and a line in `calls`.
+# Programs that stand in for the stages (stand_in.cpp); `plan` and `status` are the real ones.
 stand_ins() {
   mkdir fake
-  cat >fake/stage <<'STAGE'
-#!/bin/bash
-stage=${0##*/} options="$*" outputs=()
-tables=(accuracy.csv gains.csv quality.csv comparisons.csv ranks.csv decisions.csv confidence.csv recommendation.csv tables.md tables.tex summary.txt)
-[[ $stage != sweep ]] || tables=(sweep.csv sweep.md)
-if [[ $stage == sweep && $options == *" --method "* ]]; then
-  method=${options#* --method }
-  tables=("${tables[@]/#sweep/sweep@${method%% *}}")
-fi
-[[ $stage != readings ]] || tables=(readings.csv readings.md)
-[[ $stage != trust ]] || tables=(trust.csv trust.md)
-[[ $stage != identify ]] || tables=(identifiability.csv scatter.csv identifiability.md)
-while (($#)); do
-  case $1 in
-    --output | --keep-classifier) outputs+=("$2") ;;
-    --output-dir) outputs+=("$2"/{A,B,C,D}.h5) ;;
-    --run) run=$2 ;;
-    --dataset) outputs+=("${tables[@]/#/$run/$2/}") ;;
-    --group) outputs+=("$run/transfer@$2".{csv,md} "$run/transfer-comparisons@$2.csv") ;;
-  esac
-  shift
-done
-cell=${outputs[0]#results/*/}
-if [[ -e broken && $(<broken) == "$stage $cell" ]]; then
-  echo "$stage: the reason" >&2
-  exit 65
-fi
-called=$stage
-[[ $options != *--keep-features* ]] || called=features
-[[ $options != *--keep-classifier* ]] || called=keep
-echo "$called ${cell%/*}" >>calls
-for output in "${outputs[@]}"; do echo "$stage $options" >"$output"; done
-echo "$stage: 1 thing done"
-STAGE
-  chmod +x fake/stage
   local stage
   for stage in ingest simulate split train generate score diagnose tabulate sweep contrast identify readings transfer \
     trust; do
-    ln -s stage "fake/$stage"
+    ln -s "$stand_in" "fake/$stage"
   done
-  ln -s "$programs/settings" fake/settings
+  ln -s "$programs/plan" "$programs/status" fake
   cat >fake/figures <<'STAGE'
 #!/bin/bash
 mkdir -p "$2/$4/figures" # --run FOLDER --dataset NAME
@@ -94,6 +60,9 @@ STAGE
   printf '#!/bin/bash\necho "report: $*" >>reports\n' >fake/report
   chmod +x fake/figures fake/report
 }
+
+# The command of the step with this log.
+command_of() { head -n 1 "results/t/$1.log"; }
 
 # The stages that ran since the last call, counted: "12 diagnose, 4 train".
 ran_with_features() {

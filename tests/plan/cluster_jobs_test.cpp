@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "plan/logs_of_values.hpp"
 #include "plan/small_run.hpp"
 #include "support/errors.hpp"
 
@@ -94,6 +95,27 @@ TEST(CostsOfSteps, AreThoseOfWhatIsMostLikeThem) {
       seconds({.stage = "diagnose",
                .place = {.dataset = "x", .method = "y", .ratio = "1to1", .classifier = "wdcnn"}}),
       3);
+}
+
+TEST(CostsOfSteps, AreTheMeanSecondsAndTheMostMemoryOfTheirLogs) {
+  SmallRun run;
+  run.request.datasets = "real";
+  run.request.methods = "none smote";
+  LogsOfValues logs;
+  const auto used = [&](const std::string& step, run::StepEnd end, double seconds, double memory) {
+    logs.logs["results/t/real/" + step + ".log"] = {
+        .end = end, .processor_s = seconds, .memory_mb = memory};
+  };
+  used("seed0/smote/train", run::StepEnd::done, 2, 10);
+  used("seed1/smote/train", run::StepEnd::done, 5, 150);
+  used("seed1/smote/1to1/wdcnn/diagnose", run::StepEnd::interrupted, 9, 9);
+  used("seed1/none/100to1/nearest/diagnose", run::StepEnd::done, 1, 20);
+  used("seed1/none/100to1/wdcnn/diagnose", run::StepEnd::done, 7, 20);
+  used("seed0/none/100to1/wdcnn/features", run::StepEnd::done, 100, 100);
+  EXPECT_EQ(measured_costs(run.plan("all"), logs),
+            "stage,dataset,method,classifier,ratio,seconds,megabytes\n"
+            "diagnose,real,none,nearest,100to1,1.00,20\n"
+            "diagnose,real,none,wdcnn,100to1,7.00,20\ntrain,real,smote,,,3.50,150\n");
 }
 
 TEST(CostsOfSteps, AreRefusedWhereALineIsNone) {

@@ -198,6 +198,14 @@ TEST(DueNumbersOfFigures, AreThoseOfWhichATableIsLost) {
   run.disk.files.erase(table);
   Plan& third = run.plan("all", Stretch::numbers);
   EXPECT_EQ(third.judge().of(figures_step(third)).why, "gains.csv is missing");
+  // A narrower look may have removed pictures, so a wider one makes the numbers again.
+  run.disk.files[table] = {.digest = "1", .made = {}, .problem = {}};
+  Plan& looking = run.plan("figures", Stretch::numbers);
+  EXPECT_EQ(looking.judge().of(figures_step(looking)).why,
+            "setting methods is none smote piae-dt, was not set");
+  run.disk.steps["results/t/real/figures"] = looking.judge().made_now(figures_step(looking));
+  Plan& whole = run.plan("all", Stretch::numbers);
+  EXPECT_THAT(whole.judge().of(figures_step(whole)).why, testing::HasSubstr(" is not set, was "));
 }
 
 TEST(Values, AreTheSameAsNumbers) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "base/error.hpp"
+#include "plan/asked.hpp"
 #include "plan/small_run.hpp"
 #include "plan/words.hpp"
 #include "support/errors.hpp"
@@ -235,6 +236,9 @@ TEST_F(StepsOfARun, OfATransferAreOfGroupsOfDataSets) {
             "pipeline/protocol.toml names for these METHODS");
   run_.request.classifiers = "wdcnn wdcnn-spectra";
   EXPECT_THAT(logs("transfer"), Contains("t/transfer@both"));
+  // Two data sets, each with none by two classifiers and nearest, and smote by two at one ratio.
+  EXPECT_THAT(counts("transfer"), Contains(testing::Pair("diagnose", 10)));
+  EXPECT_THAT(counts("transfer"), Not(Contains(testing::Key("score"))));
   Plan& plan = run_.plan("transfer");
   const auto table = plan.graph().maker_of("results/t/transfer@both.md");
   ASSERT_TRUE(table);
@@ -250,6 +254,67 @@ TEST_F(StepsOfARun, OfAContrastAreOfBothSplits) {
   EXPECT_THAT(command("protocols.md", "contrast"),
               HasSubstr("contrast --with results/t/real --without results/t-blocked/real --methods "
                         "smote --ratios 10to1 --seeds 0 --output results/t/real/protocols.md"));
+}
+
+TEST_F(StepsOfARun, OfAContrastLeaveOutWhatIsOutOfDateOnEitherSide) {
+  run_.request.methods = "none smote";
+  run_.request.ratios = "100to1 10to1";
+  run_.request.seeds = "0 1";
+  run_.run("contrast");
+  run_.request.methods = "none";
+  EXPECT_THAT(command("protocols.md", "contrast"), Not(HasSubstr("--leave-out")));
+  run_.disk.files["results/t-blocked/real/seed1/smote/E.h5"].digest = "other";
+  EXPECT_THAT(command("protocols.md", "contrast"),
+              HasSubstr(" --leave-out seed1/smote/10to1/wdcnn/diagnosis.h5 --output "));
+  EXPECT_THAT(run_.run("contrast"), ElementsAre(testing::Pair("contrast", 1)));
+}
+
+TEST_F(StepsOfARun, OfAContrastOfBothReadingsOfCwruCompareTheirRates) {
+  for (const std::string name : {"cwru", "cwru-as-published"}) {
+    run_.write("datasets/" + name + ".toml",
+               "name = \"" + name + "\"\n[[record]]\nfile = \"1.mat\"\nclass = \"a\"\n");
+  }
+  run_.request.methods = "smote";
+  run_.request.datasets = "cwru";
+  EXPECT_THAT(logs("contrast"), Not(Contains("t/cwru-as-published/contrast@rates")));
+  run_.request.datasets = "cwru cwru-as-published";
+  EXPECT_THAT(logs("contrast"), Contains("t/cwru-as-published/contrast@rates"));
+  // It needs both data sets, however little a question about one step is about.
+  EXPECT_EQ(narrowed(run_.request, "results/t/cwru-as-published/contrast@rates").datasets,
+            "cwru cwru-as-published");
+  EXPECT_EQ(narrowed(run_.request, "results/t/cwru/seed1/split").datasets, "cwru");
+  EXPECT_EQ(narrowed(run_.request, "results/t/cwru/seed1/split").seeds, "1");
+}
+
+TEST_F(StepsOfARun, OfASweepAreAgainOnlyThoseWhoseSettingsAreOthers) {
+  run_.request.ratios = std::nullopt;
+  run_.set("epochs = 200",
+           "epochs = 200\nbatch = 5\ndepth = 3\n[sweep]\npoints = [\"batch=1\", \"batch=5\", "
+           "\"depth=3\", \"depth=4\"]");
+  EXPECT_THAT(run_.run("sweep"), Contains(testing::Pair("train", 3)));
+  EXPECT_THAT(command("sweep.md", "sweep"), HasSubstr(" --centre batch=5 depth=3 "));
+  EXPECT_THAT(run_.run("sweep"), IsEmpty());
+  // The method as it is, the new point depth=3, and batch=1, which has the other depth.
+  run_.set("depth = 3", "depth = 4");
+  EXPECT_THAT(run_.run("sweep"), Contains(testing::Pair("train", 3)));
+  EXPECT_THAT(command("sweep.md", "sweep"), HasSubstr(" --centre batch=5 depth=4 "));
+  run_.set("batch = 5", "batch = 7");
+  EXPECT_THAT(command("sweep.md", "sweep"), HasSubstr(" --centre depth=4 "));
+}
+
+TEST_F(StepsOfARun, OfAnIdentificationLeaveOutModelsThatAreOutOfDate) {
+  run_.request.datasets = "made";
+  run_.set("[generate]", "[train.piae-dt-phase]\nepochs = 2\n[generate]");
+  run_.request.methods = "piae-dt piae-dt-phase";
+  run_.run("identify");
+  run_.request.methods = "piae-dt";
+  EXPECT_THAT(run_.run("identify"), IsEmpty());
+  run_.set("epochs = 2\n", "epochs = 3\n");
+  Plan& plan = run_.plan("identify");
+  const auto table = plan.graph().maker_of("results/t/made/identifiability.md");
+  ASSERT_TRUE(table);
+  EXPECT_THAT(spaced(command_of(plan.graph().at(*table))),
+              HasSubstr(" --leave-out seed0/piae-dt-phase --methods piae-dt --seeds 0 "));
 }
 
 TEST_F(StepsOfARun, OfSeveralGoalsAreThoseOfEach) {

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "plan/logs_of_values.hpp"
 #include "plan/small_run.hpp"
 #include "plan/submission.hpp"
 
@@ -11,24 +12,6 @@ namespace {
 
 using testing::HasSubstr;
 using testing::Not;
-
-/// Logs of values.
-class LogsOfValues : public Logs {
- public:
-  std::optional<run::StepLog> read(const std::string& file) override {
-    const auto found = logs.find(file);
-    return found == logs.end() ? std::nullopt : std::optional(found->second);
-  }
-  bool is_locked(const std::string& file) override { return file == locked; }
-
-  void took(const std::string& step, double seconds) {
-    logs["results/t/" + step + ".log"] = {
-        .file = step, .stage = step, .end = run::StepEnd::done, .elapsed_s = seconds};
-  }
-
-  std::map<std::string, run::StepLog> logs;
-  std::string locked;
-};
 
 /// A run of one data set, two methods and two seeds.
 class StatusOfARun : public testing::Test {

@@ -181,16 +181,5 @@ TEST_F(Cells, WithScoresThatDoNotBelongTogetherAreRefused) {
   expect_problem("the seed is 0, here it must be 1", Exit::bad_input);
 }
 
-TEST_F(Cells, ThatAreOutOfDateAreProblemsOfTheirOwn) {
-  add_all();
-  Results results = collect(layout_, grid_);
-  refuse_outdated({}, results);
-  EXPECT_EQ(results.exit, Exit::done);
-  refuse_outdated({"seed0/vae/score.h5", "seed1/vae/score.h5"}, results);
-  EXPECT_EQ(results.exit, Exit::bad_input);
-  EXPECT_THAT(results.problems, ElementsAre(StartsWith("seed0/vae/score.h5: is out of date"),
-                                            StartsWith("seed1/vae/score.h5: is out of date")));
-}
-
 }  // namespace
 }  // namespace piae::run

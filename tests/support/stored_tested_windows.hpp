@@ -11,10 +11,12 @@
 
 namespace piae {
 
-/// Stores of the test windows of a seed what decisions need of them, and no samples.
-inline void save_tested_windows(const run::Layout& layout, const std::string& dataset,
-                                std::int64_t seed, const std::vector<Label>& labels,
-                                const scoring::Places& places) {
+/// Stores of the test windows of a seed what decisions need of them, and no samples. Returns the
+/// digest of the file.
+inline std::string save_tested_windows(const run::Layout& layout, const std::string& dataset,
+                                       std::int64_t seed, const std::vector<Label>& labels,
+                                       const scoring::Places& places,
+                                       const artefact::Provenance& provenance = {"test", "", {}}) {
   artefact::Writer writer("windows");
   writer.attribute("/", "role", std::string("A"));
   writer.attribute("/", "dataset", dataset);
@@ -22,7 +24,7 @@ inline void save_tested_windows(const run::Layout& layout, const std::string& da
   writer.numbers("/labels", labels);
   writer.numbers("/record/index", places.record);
   writer.numbers("/first_sample", places.first_sample);
-  writer.save(layout.windows("A", seed), {"test", "", {}});
+  return writer.save(layout.windows("A", seed), provenance);
 }
 
 /// Windows that follow each other in one record.

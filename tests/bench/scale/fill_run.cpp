@@ -1,16 +1,22 @@
 // Does what the steps of a grid would do, in no time: writes their files, each of its kind and
 // small, and their logs. For scale.sh, which measures what make, status, tables, figures and report
-// make of them. usage: make -n ... | awk -f jobs/steps.awk | fill_run      in the project's folder
+// make of them. What they are, the plan says of the variables in the environment, as for `plan`.
+// usage: GOALS=cells RUN=... DATASETS=... SEEDS=... fill_run      in the project's folder
 
 #include <spdlog/fmt/fmt.h>
 
 #include <filesystem>
 #include <iostream>
-#include <sstream>
+#include <unordered_map>
 #include <vector>
 
 #include "artefact/writer.hpp"
+#include "base/error.hpp"
 #include "base/random.hpp"
+#include "cli/stage.hpp"
+#include "plan/asked.hpp"
+#include "plan/experiment.hpp"
+#include "plan/plan.hpp"
 #include "run/layout.hpp"
 #include "scoring/diagnosis_record.hpp"
 #include "scoring/quality_record.hpp"
@@ -31,28 +37,36 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t windows_per_class = 20;
 
-/// results/RUN/DATASET/seedN/METHOD/RATIO/CLASSIFIER, as far as the step has it.
-struct Place {
-  fs::path run;
-  std::string dataset;
-  std::int64_t seed = 0;
-  std::string method;
-  std::string ratio;
-  std::string classifier = scoring::paper_classifier;
+/// What has been made so far, for the steps that are made of it.
+class Filled : public plan::Disk {
+ public:
+  const plan::File* find(const std::string& file) override {
+    const auto found = files_.find(file);
+    return found == files_.end() ? nullptr : &found->second;
+  }
+  const artefact::DoneStep* done(const std::string& /*step*/) override { return nullptr; }
+  std::vector<std::string> files_below(const std::string& /*folder*/) override { return {}; }
+
+  void add(const std::string& file, const std::string& digest,
+           const artefact::Provenance& provenance) {
+    files_[file] = {.digest = artefact::short_digest(digest),
+                    .made = artefact::made_by(provenance),
+                    .problem = {}};
+  }
+
+ private:
+  std::unordered_map<std::string, plan::File> files_;
 };
 
-Place place_of(const fs::path& folder) {
-  std::vector<std::string> parts;
-  for (const fs::path& part : folder) parts.push_back(part.string());
-  Place place;
-  place.run = fs::path(parts.at(0)) / parts.at(1);
-  place.dataset = parts.at(2);
-  if (parts.size() > 3) place.seed = std::stoll(parts[3].substr(std::string("seed").size()));
-  if (parts.size() > 4) place.method = parts[4];
-  if (parts.size() > 5) place.ratio = parts[5];
-  if (parts.size() > 6) place.classifier = parts[6];
-  return place;
-}
+/// A step, and how its files say that they were made.
+struct Task {
+  const plan::Step& step;
+  artefact::Provenance provenance;
+  Filled& filled;
+
+  [[nodiscard]] const plan::Place& place() const { return step.place; }
+  [[nodiscard]] std::int64_t seed() const { return step.place.seed.value_or(0); }
+};
 
 std::vector<Label> labels_of_windows() {
   std::vector<Label> labels;
@@ -62,11 +76,12 @@ std::vector<Label> labels_of_windows() {
   return labels;
 }
 
-void save(artefact::Writer& writer, const fs::path& file, const std::string& stage) {
-  writer.save(file, {stage, "", {}});
+void save(artefact::Writer& writer, const Task& task, const std::string& file) {
+  task.filled.add(file, writer.save(file, task.provenance), task.provenance);
 }
 
-scoring::DiagnosisRecord diagnosis_of(const Place& place) {
+scoring::DiagnosisRecord diagnosis_of(const Task& task) {
+  const plan::Place& place = task.place();
   const scoring::Ratio& ratio = scoring::find_ratio(place.ratio);
   scoring::DiagnosisRecord record;
   record.info = three_classes(place.dataset);
@@ -75,12 +90,12 @@ scoring::DiagnosisRecord diagnosis_of(const Place& place) {
   record.ratio = place.ratio;
   record.generated_per_class = ratio.generated_per_class;
   record.true_ratio = 500.0 / (5.0 + static_cast<double>(ratio.generated_per_class));
-  record.seed = place.seed;
+  record.seed = task.seed();
   record.labels = labels_of_windows();
   // Some methods recognise more than others, and more at another ratio and seed.
   Stream of_method(place.method);
   const double share = of_method.uniform(0.5, 0.9);
-  Stream random(fmt::format("{}/{}/{}/{}", place.dataset, place.seed, place.method, place.ratio));
+  Stream random(fmt::format("{}/{}/{}/{}", place.dataset, task.seed(), place.method, place.ratio));
   for (const Label label : record.labels) {
     const bool right = random.uniform(0, 1) < share;
     record.predictions.push_back(right ? label : (label + 1) % 3);
@@ -93,12 +108,13 @@ scoring::DiagnosisRecord diagnosis_of(const Place& place) {
   return record;
 }
 
-scoring::QualityRecord quality_of(const Place& place) {
-  Stream random(fmt::format("{}/{}/{}", place.dataset, place.seed, place.method));
+scoring::QualityRecord quality_of(const Task& task) {
+  const plan::Place& place = task.place();
+  Stream random(fmt::format("{}/{}/{}", place.dataset, task.seed(), place.method));
   scoring::QualityRecord record;
   record.info = three_classes(place.dataset);
   record.method = place.method;
-  record.seed = place.seed;
+  record.seed = task.seed();
   for (const Label label : record.info.fault_labels()) {
     const double value = random.uniform(0.1, 1);
     record.classes.push_back({label, 9, value, 2 * value, value, value, value, value, value});
@@ -106,7 +122,7 @@ scoring::QualityRecord quality_of(const Place& place) {
   return record;
 }
 
-void save_model(const Place& place, const fs::path& file) {
+void save_model(const Task& task) {
   const std::vector<double> losses{0.3, 0.2, 0.1};
   twin::Curves curves;
   for (auto values : {&twin::Curves::reconstruction, &twin::Curves::differential,
@@ -115,76 +131,90 @@ void save_model(const Place& place, const fs::path& file) {
     curves.*values = losses;
   }
   artefact::Writer writer("model");
-  writer.attribute("/", "method", place.method);
-  writer.attribute("/", "seed", place.seed);
+  writer.attribute("/", "method", task.place().method);
+  writer.attribute("/", "seed", task.seed());
   curves.write(writer);
-  save(writer, file, "train");
+  save(writer, task, task.step.outputs.front());
 }
 
 /// What is only there or not for make, and for those who read it holds no window.
-void save_empty(const std::string& kind, const fs::path& file, const std::string& stage) {
+void save_empty(const std::string& kind, const Task& task, const std::string& file) {
   artefact::Writer writer(kind);
-  save(writer, file, stage);
+  if (kind == "records") writer.group("/records");
+  save(writer, task, file);
 }
 
-void save_windows(const Place& place) {
-  const run::Layout layout(place.run, place.dataset);
+void save_windows(const Task& task) {
+  const plan::Place& place = task.place();
+  const fs::path run = fs::path(task.step.folder).parent_path().parent_path();
+  const run::Layout layout(run, place.dataset);
   const std::vector<Label> labels = labels_of_windows();
-  save_tested_windows(layout, place.dataset, place.seed, labels, one_record(labels.size()));
-  for (const char* role : {"B", "C", "D"}) {
-    save_empty("windows", layout.windows(role, place.seed), "split");
+  const std::string digest = save_tested_windows(layout, place.dataset, task.seed(), labels,
+                                                 one_record(labels.size()), task.provenance);
+  for (const std::string& file : task.step.outputs) {
+    if (file.ends_with("/A.h5")) {
+      task.filled.add(file, digest, task.provenance);
+    } else {
+      save_empty("windows", task, file);
+    }
   }
 }
 
 template <class Record>
-void save_record(const std::string& kind, const Record& record, const fs::path& file,
-                 const std::string& stage) {
+void save_record(const std::string& kind, const Record& record, const Task& task) {
   artefact::Writer writer(kind);
   scoring::write(writer, record);
-  save(writer, file, stage);
+  save(writer, task, task.step.outputs.front());
 }
 
 /// The log that step.sh would leave. `count` steps have come before, one a second.
-void save_log(const fs::path& folder, const std::string& stage, std::size_t count) {
-  text::save_all({{folder / (stage + ".log"),
-                   fmt::format("build/bin/{0} --of {1}\n"
-                               "step: begun at {2}.000000\n"
-                               "step: started\n"
-                               "{0} something: {1}\n"
-                               "step: used 0.70 s of processor time and 100 MB of memory\n"
-                               "step: exit 0 after 0.8 s\n",
-                               stage, folder.string(), 1'700'000'000 + count)}});
+void save_log(const plan::Step& step, std::size_t count) {
+  text::save_all(
+      {{plan::log_of(step), fmt::format("build/bin/{0} --of {1}\n"
+                                        "step: begun at {2}.000000\n"
+                                        "step: started\n"
+                                        "{0} something: {1}\n"
+                                        "step: used 0.70 s of processor time and 100 MB of memory\n"
+                                        "step: exit 0 after 0.8 s\n",
+                                        step.stage, step.folder, 1'700'000'000 + count)}});
 }
 
-void do_step(const fs::path& folder, const std::string& stage, const fs::path& file) {
-  const Place place = place_of(folder);
-  if (stage == "simulate") save_empty("records", file, stage);
-  if (stage == "split") save_windows(place);
-  if (stage == "train") save_model(place, file);
-  if (stage == "generate") save_empty("windows", file, stage);
-  if (stage == "score") save_record("score", quality_of(place), file, stage);
-  if (stage == "diagnose") save_record("diagnosis", diagnosis_of(place), file, stage);
+void do_step(const Task& task) {
+  const std::string& stage = task.step.stage;
+  const std::string& file = task.step.outputs.front();
+  if (stage == "simulate") save_empty("records", task, file);
+  if (stage == "split") save_windows(task);
+  if (stage == "train") save_model(task);
+  if (stage == "generate") save_empty("windows", task, file);
+  if (stage == "score") save_record("score", quality_of(task), task);
+  if (stage == "diagnose") save_record("diagnosis", diagnosis_of(task), task);
 }
 
-int fill_run() {
+void fill_run(const plan::Request& request) {
+  Filled filled;
+  const plan::Experiment experiment = plan::read_experiment("pipeline");
+  plan::Plan plan(experiment, plan::choose(experiment, request), plan::Stretch::grid, filled);
   std::size_t count = 0;
-  for (std::string line; std::getline(std::cin, line);) {
-    std::istringstream fields(line);
-    std::string folder;
-    std::string stage;
-    std::string method;
-    std::string file;
-    std::getline(fields, folder, '\t');
-    std::getline(fields, stage, '\t');
-    std::getline(fields, method, '\t');
-    std::getline(fields, file, '\t');
-    do_step(folder, stage, file);
-    save_log(folder, stage, count++);
+  for (const plan::StepId id : plan.asked()) {
+    const plan::Step& step = plan.graph().at(id);
+    // A judge keeps what it has found, so each step needs its own.
+    const artefact::Made made = plan::Judge(plan.graph(), filled).made_now(id).made;
+    artefact::Provenance provenance{.program = step.stage, .options = *made.options, .inputs = {}};
+    for (const artefact::MadeFrom& from : made.inputs) {
+      provenance.inputs.push_back({from.role, from.role, from.digest});
+    }
+    do_step({step, std::move(provenance), filled});
+    save_log(step, count++);
   }
-  return 0;
 }
 
 }  // namespace
 }  // namespace piae
 
-int main() { return piae::fill_run(); }
+int main(int argc, char** argv) {
+  piae::cli::Stage stage("fill_run", "Writes what the steps of a grid would make.",
+                         "GOALS=cells RUN=try DATASETS=cwru fill_run");
+  piae::plan::Asked asked;
+  bind(stage.options(), asked);
+  return stage.run(argc, argv, [&] { piae::fill_run(asked.request()); });
+}

@@ -29,7 +29,7 @@ mkdir "$scratch/results" "$scratch/programs" "$scratch/nothing"
 cp -r results/published "$scratch/results"
 cd "$scratch"
 
-for stage in settings tabulate figures report; do ln -s "$programs/$stage" programs; done
+for program in plan status tabulate figures report; do ln -s "$programs/$program" programs; done
 # A stage that makes its files and no more, of which the cost of a step is what is left.
 cat >nothing/stage <<'STAGE'
 #!/bin/sh
@@ -45,7 +45,7 @@ echo "stage: nothing done"
 STAGE
 chmod +x nothing/stage
 for stage in simulate split train generate score diagnose; do ln -s stage "nothing/$stage"; done
-ln -s "$programs/settings" nothing
+ln -s "$programs/plan" nothing
 
 describe() { # data sets
   local name
@@ -54,12 +54,18 @@ describe() { # data sets
   done
 }
 
-# What the steps would make, by what make says of them. Settings come first: all else is made of them.
+# Prints how many steps of a goal are to be done, and writes the settings files.
+count_steps() { # goal, variables of make
+  env GOALS="$1" "${@:2}" programs/plan --format make | grep -c 'pipeline/step\.sh' || true
+}
+
+# Makes what the steps of the cells would make.
 fill() { # variables of make
-  make --dry-run tables "$@" >wanted
-  grep -oE "[^ ]+/settings --folder [^ ]+ --update '[^']+'" wanted | while read -r line; do eval "$line"; done
-  make --dry-run tables "$@" | awk -f jobs/steps.awk >steps
-  grep -vP '\ttabulate\t' steps | "$programs/fill_run"
+  env GOALS=cells "$@" "$programs/fill_run"
+  (($(count_steps cells "$@") == 0)) || {
+    echo "scale.sh: after fill_run plan would still run: $(env GOALS=cells "$@" programs/plan --looks)" >&2
+    exit 1
+  }
 }
 
 measure() { # name, command...
@@ -78,9 +84,10 @@ for size in "${sizes[@]}"; do
   mapfile -t datasets < <(seq -f 'scale%g' "${size%x*}")
   describe "${datasets[@]}"
   variables=(RUN="$size" DATASETS="${datasets[*]}" SEEDS="$(seq -s ' ' 0 $((${size#*x} - 1)))" BIN=programs)
+  count=$(count_steps tables "${variables[@]}")
   fill "${variables[@]}"
-  count=$(wc -l <steps)
-  measure 'parsing' make records "${variables[@]}"
+  rm -f "results/$size/.journal"
+  measure 'a copied run' make cells "${variables[@]}" # every artefact is read
   measure 'nothing to do' make cells "${variables[@]}"
   measure 'status' make status "${variables[@]}"
   measure 'tables' make -j"$cores" tables "${variables[@]}"
@@ -126,7 +133,7 @@ alone() { for ((i = 0; i < $1; ++i)); do nothing/stage --output made; done; }
 export -f alone
 variables=(RUN=steps DATASETS=scale1 SEEDS="0 1" BIN=nothing)
 make records "${variables[@]}" >/dev/null
-count=$(make --dry-run cells "${variables[@]}" | awk -f jobs/steps.awk | wc -l)
+count=$(count_steps cells "${variables[@]}")
 printf '\nbeside its stage a step takes %s ms of processor time (of %s steps that compute nothing)\n' \
   "$(awk "BEGIN { printf \"%.1f\", 1000 * ($(user_and_system make cells "${variables[@]}") - \
     $(user_and_system bash -c "alone $count")) / $count }")" "$count"

@@ -43,7 +43,7 @@ in_log() { grep -qE -- "$2" results/t/.jobs/*/"$1"; }
 # Artefacts and tables, without logs and what says when and where.
 bytes_of() {
   (cd "results/$1" && find . -name .jobs -prune -o -type f ! -name '*.log' ! -name 'run.html' ! -name 'report.*' \
-    ! -path '*/.settings/*' -exec sha256sum {} + | sort -k 2)
+    ! -name .journal ! -path '*/.settings/*' -exec sha256sum {} + | sort -k 2)
 }
 expect_as_alone() {
   alone "$@"

@@ -1,6 +1,6 @@
 #!/bin/bash
-# Lays out what CONTRIBUTING.md shows of a new data set, method, classifier, table, figure and stage, letter for letter:
-# its files, and copies of ours with the lines that it adds to them.
+# Lays out what CONTRIBUTING.md shows of a new data set, method, classifier, table, figure, stage
+# and goal, letter for letter: its files, and copies of ours with the lines that it adds to them.
 # usage: lay_out.sh PROJECT FOLDER
 set -euo pipefail
 
@@ -39,3 +39,4 @@ add_lines src/augment/catalogue.cpp '^};$'
 add_lines src/diagnosis/catalogue.cpp '^};$'
 add_lines src/report/tables.cpp '^  return sections;$'
 add_lines src/figures/catalogue.cpp '^};$'
+add_lines src/plan/goals.cpp '^ *{.name = "figures"},$'

@@ -10,7 +10,7 @@ test_the_demo_builds_what_it_runs_and_ends_with_three_answers_and_two_files_to_o
   ln -s "$project"/{CMakeLists.txt,packaging,src,stages} .
   local output answers
   output=$(demo) || fail "$output"
-  expect_equal "$(ls build/bin)" "$(printf '%s\n' classify demo_answers diagnose figures generate read_raw report score settings \
+  expect_equal "$(ls build/bin)" "$(printf '%s\n' classify demo_answers diagnose figures generate plan read_raw report score \
     simulate split tabulate train)"
   answers=$(sed -n '/^Three questions/,$p' <<<"$output")
   # The numbers may differ by processor, the words may not.

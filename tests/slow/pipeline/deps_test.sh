@@ -105,7 +105,7 @@ test_goals_ask_for_what_they_need() {
   expect_equal "$(PATH=$PWD/cmake:$PATH DESTDIR=/root asked install PREFIX=here)" \
     "deps on programs,build native on programs,cmake [/root] --install build --prefix $PWD/here --strip"
   expect_equal "$(asked deps)" "deps on programs tests benches figures"
-  ln -s "$programs/settings" build/bin
+  ln -s "$programs/plan" build/bin
   expect_equal "$(asked demo)" "deps off demo figures,build native off demo"
 }
 

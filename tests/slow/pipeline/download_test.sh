@@ -41,6 +41,14 @@ test_fetches_and_checks() {
   expect_line "$(data)" "real: 0 files fetched, 2 were there"
 }
 
+test_what_is_simulated_needs_no_recordings() {
+  site
+  printf '[simulation]\nnoise = 0.1\n' >pipeline/datasets/made.toml
+  printf 'name = "like-made"\nlike = "made"\n[split]\nwindow = 512\n' >pipeline/datasets/like-made.toml
+  make --silent data BIN=fake DATASETS="like-made real made" DATA_DIR=d METHODS=smote >output
+  expect_equal "$(grep -v ' from ' output)" "data: real: 2 files fetched, 0 were there"
+}
+
 test_goes_on_where_it_was_stopped() {
   site
   mkdir -p d/real

@@ -79,6 +79,18 @@ test_the_shown_method_plays_backwards() {
   expect_equal "$(first_window $cell/reverse/E.h5)" "$(first_window $cell/C.h5 | tac)"
 }
 
+test_the_shown_goal_runs_the_shown_stage() {
+  lay_out
+  describe_rig
+  sed -i 's/^grid_goals := /&counts /' Makefile
+  local which=(--silent counts BIN=bin RUN=new DATASETS=rig SEEDS="0 1" DATA_DIR=recordings)
+  make "${which[@]}" >messages 2>&1 || fail "$(<messages)"
+  expect_equal "$(<results/new/rig/seed1/counts.csv)" $'class,windows\nnone-1,0\ninner-1,5\nouter-1,5'
+  expect_equal "$(make "${which[@]}")" ""
+  rm results/new/rig/seed0/counts.csv
+  expect_equal "$(stages_of "$(make "${which[@]}")")" "count"
+}
+
 run_rig() {
   make --silent cells BIN=bin RUN=new DATASETS=rig METHODS=none RATIOS=100to1 SEEDS=0 CLASSIFIERS=nearest \
     DATA_DIR=recordings "$@"
@@ -104,12 +116,12 @@ test_a_recording_that_is_replaced_is_noticed() {
   expect_equal "$(stages_of "$(run_rig DATA_DIR=copies)")" "ingest split diagnose"
 }
 
-# Before there were files that say of which recordings the records are.
-test_records_of_an_older_project_are_compared_with_their_own_sums() {
+# They say themselves of which recordings they are.
+test_records_whose_journal_is_lost_are_compared_with_their_own_sums() {
   lay_out
   describe_rig
   run_rig >/dev/null
-  rm -r results/new/.settings/recordings
+  rm results/new/.journal
   expect_equal "$(run_rig)" ""
   record recordings/outer.csv 3
   expect_equal "$(stages_of "$(run_rig)")" "ingest split diagnose"
@@ -124,8 +136,8 @@ test_a_recording_that_cannot_be_read_leaves_the_step_due() {
   echo x >>recordings/outer.csv
   expect_line "$(run_rig 2>&1)" 'ingest: recordings/outer.csv, line 70001: '
   expect_line "$(run_rig 2>&1)" 'ingest: recordings/outer.csv, line 70001: '
-  cp good.csv recordings/outer.csv
-  expect_equal "$(stages_of "$(run_rig)")" "ingest split diagnose"
+  cp good.csv recordings/outer.csv # of which the records still are
+  expect_equal "$(run_rig)" ""
 }
 
 # A machine whose bearing is sound, and of which nothing is said: what needs no kinematics runs.

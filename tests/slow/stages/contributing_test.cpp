@@ -147,17 +147,22 @@ TEST(ShownFigure, HasTheRangeOfEachCell) {
 TEST(ShownStage, CountsTheWindowsOfEachClass) {
   const Tiny tiny;
   tiny.run_chain_before("train");
-  const Outcome counted = tiny.run(shown("count"), {"--windows", "C.h5"});
-  EXPECT_EQ(counted.out, "Normal 0, IR007 5, OR021 5, 10 in all: C.h5\n") << counted.err;
+  const Outcome counted = tiny.run(shown("count"), {"--windows", "C.h5", "--output", "counts.csv"});
+  EXPECT_EQ(counted.out, "count: 10 windows: counts.csv\n") << counted.err;
+  EXPECT_EQ(bytes_of(tiny / "counts.csv"), "class,windows\nNormal,0\nIR007,5\nOR021,5\n");
   EXPECT_THAT(tiny.run(shown("count"), {"--help"}).out, HasSubstr("count --windows seed0/C.h5"));
 }
 
 TEST(ShownStage, RefusesWhatItCannotCount) {
   const Tiny tiny;
   tiny.run_chain_before("split");
-  expect_refusal(tiny.run(shown("count"), {"--windows", "no.h5"}), "count", 66, {"no.h5"});
-  expect_refusal(tiny.run(shown("count"), {"--windows", "records.h5"}), "count", 65,
-                 {"records.h5", "windows"});
+  const auto refused = [&](const std::string& windows, int exit,
+                           const std::vector<std::string>& words) {
+    expect_refusal(tiny.run(shown("count"), {"--windows", windows, "--output", "c.csv"}), "count",
+                   exit, words);
+  };
+  refused("no.h5", 66, {"no.h5"});
+  refused("records.h5", 65, {"records.h5", "windows"});
   expect_refusal(tiny.run(shown("count"), {}), "count", 2, {"--windows"});
 }
 

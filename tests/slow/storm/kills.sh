@@ -1,5 +1,5 @@
 #!/bin/bash
-# Kills random processes of a small grid while it runs (make, pipeline/step.sh, stages; with kill -9, a third
+# Kills random processes of a small grid while it runs (make, plan, pipeline/*.sh, stages; with kill -9, a third
 # of the times after a SIGTERM that brings a training to its checkpoint), and gives the same command again.
 # When the grid is done, it must hold the bytes of an undisturbed one and nothing else; it is then begun anew,
 # until there were enough kills. No checkpoint may be damaged or forgotten.
@@ -36,7 +36,7 @@ miss() {
   missed=$((missed + 1))
 }
 
-# Processes of the run: make, step.sh and the stages, and nothing else, work in this folder.
+# Processes of the run: make, plan, scripts and stages, and nothing else, work in this folder.
 processes() {
   local link
   for link in /proc/[0-9]*/cwd; do
@@ -65,7 +65,7 @@ kill_one() {
   name=$(cat "/proc/$victim/comm" 2>/dev/null) || return 1
   # Neither this script's own helpers nor one that ends by itself is a process of the run.
   case $name in
-    make | step.sh | settings | simulate | split | train | generate | score | diagnose) ;;
+    make | run.sh | step.sh | plan | simulate | split | train | generate | score | diagnose) ;;
     *) return 1 ;;
   esac
   if [[ $name == train ]] && ((RANDOM % 3)); then
@@ -81,7 +81,9 @@ finish_round() {
   local difference
   "${grid[@]}" >"$folder/log" 2>&1 || miss "the command given again ends with $?: $(tail -n 3 "$folder/log")"
   wait_for_all
-  difference=$(diff -r --exclude='*.log' "$folder/one" "$run") || miss "not as undisturbed: ${difference:0:500}"
+  "${grid[@]}" -q >/dev/null 2>&1 || miss "there is still something to be done: $("${grid[@]}" -n 2>&1 | head -n 3)"
+  difference=$(diff -r --exclude='*.log' --exclude=.journal "$folder/one" "$run") ||
+    miss "not as undisturbed: ${difference:0:500}"
   difference=$(diff <(cd "$folder/one" && find . | sort) <(cd "$run" && find . | sort)) ||
     miss "other files than undisturbed: ${difference:0:500}"
   ! difference=$(grep -rE 'damaged|starts anew' "$run" --include='*.log') ||

@@ -1,0 +1,58 @@
+#!/bin/bash
+# Makes what is asked for, stretch by stretch: the grid with its tables, the numbers of figures, their pictures, the
+# pages. A stretch is planned when the one before is done; figures and pages show what there is, also where a cell
+# has failed. What is to be done decides build/bin/plan; make runs it.
+# usage: pipeline/run.sh MAKE      with GOALS, RUN, DATASETS, ... in the environment, as the Makefile sets them
+# shellcheck disable=SC2016 # commands that messages name stand in backquotes
+set -u
+
+make=$1 flags=${MAKEFLAGS:-} status=0 stopped=
+flags=${flags%% *}
+plan() { "$BIN/plan" "$@"; }
+
+# Under -n the programs are not built: then there is no plan to show.
+if [[ $flags == *n* ]]; then
+  if [[ ! -x $BIN/plan ]] || { ! plan --looks >/dev/null 2>&1 &&
+    [[ $(find src stages -newer "$BIN/plan" -print -quit 2>/dev/null) ]]; }; then
+    echo 'for the steps of the grid the programs must be built first: `make build`'
+    exit
+  fi
+fi
+
+scratch=$(mktemp) || exit
+trap 'rm -f "$scratch"' EXIT
+options=()
+[[ ${V:-} ]] || options+=(--quietly)
+[[ $flags != *[nq]* ]] || options+=(--looks)
+
+# A signal is passed on, and make waited for: stages may be writing checkpoints.
+run_make() { # further options
+  "$make" "$@" --no-builtin-rules --no-print-directory --file="$scratch" steps &
+  local child=$! signalled=1 code
+  trap 'stopped=yes signalled=1; kill -TERM "$child" 2>/dev/null' INT TERM HUP QUIT
+  while ((signalled)); do
+    signalled=0
+    wait "$child"
+    code=$?
+  done
+  return "$code"
+}
+
+for stretch in grid numbers pictures pages; do
+  export ASKED_AT=$EPOCHREALTIME STRETCH=$stretch
+  plan --format make "${options[@]}" >"$scratch" || exit
+  [[ -s $scratch ]] || continue
+  further=()
+  [[ $stretch == grid ]] || further=(--keep-going) # what cannot be shown holds up nothing else
+  run_make "${further[@]}" || status=$?
+  [[ ! $stopped ]] || exit "$status"
+  [[ $flags != *q* ]] || exit "$status"
+  if [[ $stretch == grid ]] && ((status)); then
+    plan --looks --format why >&2
+    echo 'not every step could be done, see above; `make status`, with the same variables, shows which failed and why' >&2
+  fi
+done
+if ((status == 0)) && [[ $flags != *[nq]* ]]; then
+  plan --looks --format shown --stretch grid
+fi
+exit "$status"

@@ -1,0 +1,101 @@
+#include "plan/goals.hpp"
+
+#include <spdlog/fmt/fmt.h>
+#include <spdlog/fmt/ranges.h>
+
+#include <algorithm>
+
+#include "base/error.hpp"
+#include "plan/contrast_steps.hpp"
+#include "plan/identify_steps.hpp"
+#include "plan/readings_steps.hpp"
+#include "plan/sweep_steps.hpp"
+#include "plan/transfer_steps.hpp"
+#include "plan/trust_steps.hpp"
+#include "plan/words.hpp"
+
+namespace piae::plan {
+
+namespace {
+
+void add_records(TableSteps& tables) {
+  for (const Part& part : tables.choice().parts) tables.grid().records(part.dataset);
+}
+void add_cells(TableSteps& tables) { tables.cells(); }
+void add_features(TableSteps& tables) { tables.features(); }
+void add_tables(TableSteps& tables) { tables.tables(); }
+void add_all(TableSteps& tables) {
+  tables.cells();
+  tables.features();
+  tables.tables();
+}
+
+}  // namespace
+
+const std::vector<Goal>& goals() {
+  // Cells come before tables, which leave out what nobody has asked for and is out of date.
+  static const std::vector<Goal> all{
+      {.name = "records", .add = add_records},
+      {.name = "cells", .add = add_cells, .is_counted = true, .is_submitted = true},
+      {.name = "features", .add = add_features},
+      {.name = "sweep",
+       .add = add_sweeps,
+       .is_counted = true,
+       .is_submitted = true,
+       .beginnings = {"sweep"}},
+      {.name = "readings",
+       .add = add_readings,
+       .is_counted = true,
+       .is_submitted = true,
+       .beginnings = {"readings"}},
+      {.name = "identify",
+       .add = add_identifications,
+       .is_counted = true,
+       .is_submitted = true,
+       .beginnings = {"identifiability.", "scatter."}},
+      {.name = "trust",
+       .add = add_trust,
+       .is_counted = true,
+       .beginnings = {"trust.", "classifier.h5"}},
+      {.name = "transfer", .add = add_transfers, .is_counted = true, .beginnings = {"transfer"}},
+      {.name = "contrast",
+       .add = add_contrasts,
+       .is_counted = true,
+       .is_submitted = true,
+       .beginnings = {"protocols.", "rates."}},
+      {.name = "tables", .add = add_tables},
+      {.name = "all", .add = add_all, .is_counted = true, .is_submitted = true},
+      {.name = "figures"},
+      {.name = "report"},
+  };
+  return all;
+}
+
+std::vector<std::string> goal_names() {
+  Words names;
+  for (const Goal& goal : goals()) names.push_back(goal.name);
+  return names;
+}
+
+const Goal& goal_of_file(const std::string& file) {
+  const Words parts = fields_of(below_run(file), '/');  // DATASET, seedK, UNIT, ...
+  const std::string unit = parts.size() > 3 ? parts[2] : "";
+  const auto begins_so = [&](const std::string& beginning) {
+    return unit.starts_with(beginning) || file_name(file).starts_with(beginning);
+  };
+  const auto found = std::ranges::find_if(
+      goals(), [&](const Goal& goal) { return std::ranges::any_of(goal.beginnings, begins_so); });
+  return found == goals().end() ? *std::ranges::find(goals(), "all", &Goal::name) : *found;
+}
+
+void require_one_that(bool Goal::*is_so, const std::vector<std::string>& names) {
+  Words able;
+  for (const Goal& goal : goals()) {
+    if (goal.*is_so) able.push_back(goal.name);
+  }
+  if (names.size() == 1 && has(able, names.front())) return;
+  throw Error(Exit::usage,
+              fmt::format("one of {} at a time, not '{}'", fmt::join(able, ", "), spaced(names)));
+}
+
+}  // namespace piae::plan

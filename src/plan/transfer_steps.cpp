@@ -1,0 +1,108 @@
+#include "plan/transfer_steps.hpp"
+
+#include <spdlog/fmt/fmt.h>
+#include <spdlog/fmt/ranges.h>
+
+#include <algorithm>
+#include <set>
+
+#include "base/error.hpp"
+#include "plan/words.hpp"
+#include "run/layout.hpp"
+#include "scoring/ratios.hpp"
+
+namespace piae::plan {
+
+namespace {
+
+std::vector<const Part*> parts_of(const TableSteps& tables, const settings::Group& group) {
+  std::vector<const Part*> parts;
+  for (const std::string& name : group.datasets) {
+    const auto found = std::ranges::find_if(
+        tables.choice().parts, [&](const Part& part) { return part.dataset.name == name; });
+    if (found != tables.choice().parts.end()) parts.push_back(&*found);
+  }
+  return parts;
+}
+
+void add_transfer(TableSteps& tables, const settings::Group& group) {
+  const std::string ratio = [&] {
+    std::string last;
+    for (const scoring::Ratio& each : scoring::all_ratios()) {
+      if (each.generated_per_class > 0 && has(tables.choice().ratios, each.name)) last = each.name;
+    }
+    return last;
+  }();
+  if (ratio.empty()) {
+    throw Error(Exit::usage, fmt::format("make transfer: RATIOS must have others than {}, at which "
+                                         "nothing is generated",
+                                         nothing_generated()));
+  }
+  std::set<std::string> lacks;
+  for (const Words& inputs : {group.inputs, group.kind_inputs}) {
+    for (const std::string& input : inputs) {
+      const std::size_t equals = input.find('=');
+      const bool is_needed = has(tables.choice().methods, input.substr(0, equals)) &&
+                             !has(tables.choice().classifiers, input.substr(equals + 1));
+      if (is_needed) lacks.insert(input.substr(equals + 1));
+    }
+  }
+  if (!lacks.empty()) {
+    throw Error(Exit::usage,
+                fmt::format("make transfer: CLASSIFIERS must have {}, which [transfer.{}] of "
+                            "pipeline/protocol.toml names for these METHODS",
+                            fmt::join(lacks, " "), group.name));
+  }
+  Words files;
+  for (const Part* part : parts_of(tables, group)) {
+    for (const std::int64_t seed : tables.choice().seeds) {
+      for (const run::Combination& cell : part->cells) {
+        if (cell.ratio != nothing_generated() && cell.ratio != ratio) continue;
+        const StepId id = tables.grid().diagnosis(part->dataset, seed, variant_of(cell.method),
+                                                  cell.ratio, cell.classifier);
+        files.push_back(tables.grid().graph().at(id).outputs.front());
+      }
+    }
+  }
+  const std::string name = "transfer@" + group.name;
+  Step step{.stage = "transfer",
+            .folder = tables.grid().folder(),
+            .log = name,
+            .settings = tables.grid().settings().of("transfer", group.name),
+            .options = {{"group", group.name},
+                        {"methods", spaced(tables.choice().methods)},
+                        {"ratio", ratio},
+                        {"classifiers", spaced(tables.choice().classifiers)},
+                        {"seeds", spaced(texts_of(tables.choice().seeds))}},
+            .words = {"--run", tables.grid().folder()},
+            .outputs = in_folder(
+                tables.grid().folder(),
+                {name + ".csv", "transfer-comparisons@" + group.name + ".csv", name + ".md"})};
+  tables.show(step.outputs.back());
+  tables.add(std::move(step), "cells", files);
+  tables.add_picture(tables.grid().folder() + '/' + name + ".csv");
+}
+
+}  // namespace
+
+void add_transfers(TableSteps& tables) {
+  bool any = false;
+  Words groups;
+  for (const settings::Group& group : tables.experiment().groups) {
+    Words there;
+    for (const std::string& dataset : group.datasets) {
+      if (tables.experiment().find(dataset) != nullptr) there.push_back(dataset);
+    }
+    groups.push_back(fmt::format("{} ({})", group.name, spaced(there)));
+    if (parts_of(tables, group).size() < there.size()) continue;
+    settings::require_datasets(tables.experiment().protocol, group.name,
+                               tables.experiment().pipeline);
+    add_transfer(tables, group);
+    any = true;
+  }
+  if (any) return;
+  throw Error(Exit::usage,
+              fmt::format("make transfer: DATASETS must have all of a group: {}", spaced(groups)));
+}
+
+}  // namespace piae::plan
