@@ -3,6 +3,8 @@
 // What is in its files follows from its options and inputs. It adds a line to the file `calls` for
 // each call.
 
+#include <spdlog/fmt/fmt.h>
+
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -126,7 +128,9 @@ artefact::Provenance provenance_of(const std::string& stage, const Options& opti
       values[option] = joined(words);
     }
   }
-  for (const auto& [option, text] : values) provenance.options += option + " = \"" + text + "\"\n";
+  for (const auto& [option, text] : values) {
+    provenance.options += fmt::format("{} = \"{}\"\n", option, text);
+  }
   return provenance;
 }
 
@@ -154,7 +158,7 @@ int run(const std::string& stage, const Words& words) {
   const std::string cell = cell_of(outputs.front());
   std::ifstream broken("broken");
   for (std::string line; std::getline(broken, line);) {
-    if (line != stage + ' ' + cell) continue;
+    if (line != fmt::format("{} {}", stage, cell)) continue;
     std::cerr << stage << ": the reason\n";
     return 65;
   }
