@@ -6,7 +6,7 @@ die() {
   exit 1
 }
 
-# What is asked for stands in these variables, as the Makefile sets them.
+# The variables of a request, as the Makefile exports them.
 request='RUN DATASETS METHODS RATIOS CLASSIFIERS SEEDS PROTOCOL DATA_DIR BIN SUBMIT'
 
 # Sets them as they were when a submission was made, and GOALS.

@@ -1,6 +1,6 @@
 #!/bin/bash
-# What has become of the last submission of a run: which jobs are in the queue, and which ended otherwise than well. Asks
-# Slurm once, and reads the jobs' logs, so that it knows for ever what Slurm forgets after some minutes.
+# Lists the jobs of the last submission of a run that are in the queue, and those that failed. Asks Slurm once, and
+# reads the logs of the jobs, because Slurm forgets a job after some minutes.
 # usage: jobs/ended.sh results/RUN
 # Prints lines with tabs between the words, for `status`: "submission FOLDER", "queue KIND STATE REASON" and
 # "ended JOB WHY"; nothing where nothing was submitted. Where Slurm does not answer, a log without an end may be that of

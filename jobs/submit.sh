@@ -1,8 +1,8 @@
 #!/bin/bash
 # Submits what is still to be done of a run to Slurm, for `make cluster`; or only says what that would be.
 # usage: jobs/submit.sh [--plan] CORES=N MINUTES=N JOBS=N [GPU_PARTITION=NAME]
-# What is to be computed stands in the environment, as the Makefile sets it: GOALS, RUN, DATASETS, ... Other options of
-# sbatch come from its own variables: SBATCH_PARTITION, SBATCH_ACCOUNT, ...
+# The Makefile exports the request: GOALS, RUN, DATASETS, ... sbatch takes other options from its own variables:
+# SBATCH_PARTITION, SBATCH_ACCOUNT, ...
 set -euo pipefail
 
 usage() { sed -n '/^# usage: /,/^[^#]/s/^# //p' "$0"; }

@@ -10,7 +10,7 @@ make=$1 flags=${MAKEFLAGS:-} status=0 stopped=
 flags=${flags%% *}
 plan() { "$BIN/plan" "$@"; }
 
-# Under -n the programs are not built: then there is no plan to show.
+# make -n does not build the programs, and without them there is no plan to show.
 if [[ $flags == *n* ]]; then
   if [[ ! -x $BIN/plan ]] || { ! plan --looks >/dev/null 2>&1 &&
     [[ $(find src stages -newer "$BIN/plan" -print -quit 2>/dev/null) ]]; }; then

@@ -74,20 +74,14 @@ class Contrasts {
               .outputs = {table + ".md", table + ".csv", table + ".tex"},
               .output_option = "output",
               .place = {.dataset = part.dataset.name}};
-    append(step.words, {"--methods"});
-    append(step.words, methods_of(part));
-    append(step.words, {"--ratios"});
-    append(step.words, choice_.ratios);
-    append(step.words, {"--seeds"});
-    for (const std::int64_t seed : choice_.seeds) step.words.push_back(std::to_string(seed));
+    append_option(step.words, "methods", methods_of(part));
+    append_option(step.words, "ratios", choice_.ratios);
+    append_option(step.words, "seeds", texts_of(choice_.seeds));
     Words left_out = with.cells.left_out;
     append(left_out, without.cells.left_out);
     std::ranges::sort(left_out);
     left_out.erase(std::unique(left_out.begin(), left_out.end()), left_out.end());
-    if (!left_out.empty()) {
-      step.words.emplace_back("--leave-out");
-      append(step.words, left_out);
-    }
+    append_option(step.words, "leave-out", left_out);
     Words files = with.cells.files;
     append(files, without.cells.files);
     tables_.show(step.outputs.front());

@@ -16,7 +16,6 @@ void add_identification(TableSteps& tables, const Part& part) {
   const Dataset& dataset = part.dataset;
   std::vector<StepId> asked;
   Words methods;
-  Words windows;
   for (const std::string& method : tables.choice().methods) {
     if (augment::find_entry(method)->infers) methods.push_back(method);
   }
