@@ -58,9 +58,9 @@ File described(const artefact::Reader& reader) {
 
 bool is_artefact(const std::string& file) { return file.ends_with(".h5"); }
 
-File read_artefact(const std::string& file) {
+File read_next(artefact::Readers& readers) {
   try {
-    return described(artefact::Reader(file, ""));
+    return described(readers.next());
   } catch (const Error& error) {
     return {.digest = {}, .made = std::nullopt, .problem = error.what()};
   }
@@ -94,27 +94,48 @@ std::optional<File> RealDisk::known(const std::string& file, const artefact::Sta
   return File{.digest = seen->digest, .made = seen->made, .problem = {}};
 }
 
-File RealDisk::read(const std::string& file, const artefact::Stat& stat) {
-  File found;
-  if (is_artefact(file)) {
-    found = read_artefact(file);
-  } else {
-    found.digest = artefact::short_digest(sha256_of_file(file));
+void RealDisk::note_read(const std::string& file, const artefact::Stat& stat, const File& found) {
+  if (!found.problem.empty()) return;
+  journal_of(file).note(file, artefact::SeenFile{stat, found.digest, found.made});
+}
+
+void RealDisk::read_ahead(const std::vector<std::string>& files) {
+  std::vector<std::pair<std::string, artefact::Stat>> unknown;
+  std::vector<std::filesystem::path> paths;
+  for (const std::string& file : files) {
+    if (!is_artefact(file) || seen_.contains(file)) continue;
+    const auto stat = artefact::stat_of(file);
+    std::optional<File> found = stat ? known(file, *stat) : std::nullopt;
+    if (stat && !found) {
+      unknown.emplace_back(file, *stat);
+      paths.emplace_back(file);
+    } else {
+      keep(file, std::move(found));
+    }
   }
-  if (found.problem.empty()) {
-    journal_of(file).note(file, artefact::SeenFile{stat, found.digest, found.made});
+  artefact::Readers readers(std::move(paths), "");
+  for (const auto& [file, stat] : unknown) {
+    File found = read_next(readers);
+    note_read(file, stat, found);
+    keep(file, std::move(found));
   }
-  return found;
 }
 
 const File* RealDisk::find(const std::string& file) {
+  if (is_artefact(file)) read_ahead({file});
   if (const auto found = seen_.find(file); found != seen_.end()) {
     return found->second ? &*found->second : nullptr;
   }
   const auto stat = artefact::stat_of(file);
   if (!stat) return keep(file, std::nullopt);
   std::optional<File> found = known(file, *stat);
-  return keep(file, found ? std::move(found) : read(file, *stat));
+  if (!found) {
+    found = File{.digest = artefact::short_digest(sha256_of_file(file)),
+                 .made = std::nullopt,
+                 .problem = {}};
+    note_read(file, *stat, *found);
+  }
+  return keep(file, std::move(found));
 }
 
 std::vector<std::string> RealDisk::files_below(const std::string& folder) {

@@ -94,6 +94,18 @@ const Verdict& Judge::of(StepId id) {
   return verdicts_[id] = judge(id);
 }
 
+void Judge::read_ahead(const std::vector<StepId>& ids) {
+  std::vector<bool> is_needed(graph_.steps().size());
+  for (const StepId id : ids) is_needed[id] = true;
+  std::vector<std::string> files;
+  for (StepId id = is_needed.size(); id-- > 0;) {
+    if (!is_needed[id] || verdicts_.contains(id)) continue;
+    for (const StepId needed : graph_.needs(id)) is_needed[needed] = true;
+    append(files, graph_.at(id).outputs);
+  }
+  disk_.read_ahead(files);
+}
+
 Verdict Judge::judge(StepId id) {
   if (graph_.at(id).is_always_due) return {State::due, "it shows the run as it is", false};
   const std::string missing = what_is_missing(graph_.at(id));

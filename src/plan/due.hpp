@@ -36,6 +36,9 @@ class Judge {
 
   const Verdict& of(StepId id);
 
+  /// Says for which steps of() will be asked, so that their files are read together.
+  void read_ahead(const std::vector<StepId>& ids);
+
   /// How a step whose outputs do not say so is made now: for the journal.
   artefact::DoneStep made_now(StepId id);
 

@@ -58,6 +58,7 @@ std::vector<StepId> Plan::asked() const {
 
 std::vector<StepId> Plan::to_run() {
   std::vector<StepId> ids = asked();
+  judge_->read_ahead(ids);
   std::erase_if(ids, [&](StepId id) {
     const bool is_cell = graph_.at(id).is_artefact;
     return (choice_.with_holes && is_cell) || judge_->of(id).state == State::current;
@@ -67,6 +68,7 @@ std::vector<StepId> Plan::to_run() {
 
 std::vector<StepId> Plan::missing() {
   std::vector<StepId> ids = asked();
+  judge_->read_ahead(ids);
   std::erase_if(ids, [&](StepId id) {
     return !graph_.at(id).is_artefact || judge_->of(id).state == State::current;
   });

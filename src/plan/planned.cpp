@@ -49,7 +49,9 @@ StepId Planned::step_named(const std::string& name) {
 }
 
 bool Planned::is_due(const std::string& step) {
-  return plan_->judge().of(step_named(step)).state != State::current;
+  const StepId id = step_named(step);
+  plan_->judge().read_ahead({id});
+  return plan_->judge().of(id).state != State::current;
 }
 
 void Planned::note(const std::string& name) {

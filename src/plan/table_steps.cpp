@@ -125,8 +125,24 @@ std::string TableSteps::name_of_left_out(const Dataset& dataset, const HeldCell&
   return grid_.graph().at(id).outputs.front().substr(folder_of(dataset).size() + 1);
 }
 
+/// The steps that made the chosen cells of those that the run holds.
+std::vector<std::pair<const HeldCell*, StepId>> TableSteps::held_steps(const Dataset& dataset,
+                                                                       const Chosen& chosen) {
+  std::vector<std::pair<const HeldCell*, StepId>> steps;
+  std::vector<StepId> ids;
+  for (const HeldCell& cell : held(dataset)) {
+    if (!chosen(cell)) continue;
+    ids.push_back(step_of(dataset, cell));
+    steps.emplace_back(&cell, ids.back());
+  }
+  judge_.read_ahead(ids);
+  return steps;
+}
+
 TableCells TableSteps::with_held(const Dataset& dataset, const std::vector<StepId>& asked,
                                  const Chosen& chosen, bool only_looks) {
+  grid_.ask(false);
+  const auto steps = held_steps(dataset, chosen);
   TableCells cells;
   std::set<std::string> taken;
   const auto take = [&](const std::string& file) {
@@ -135,17 +151,14 @@ TableCells TableSteps::with_held(const Dataset& dataset, const std::vector<StepI
   for (const StepId id : asked) take(grid_.graph().at(id).outputs.front());
   std::set<std::string> left_out;
   Words old;
-  grid_.ask(false);
-  for (const HeldCell& cell : held(dataset)) {
-    if (!chosen(cell)) continue;
-    const StepId id = step_of(dataset, cell);
+  for (const auto& [cell, id] : steps) {
     const std::string file = grid_.graph().at(id).outputs.front();
     if (taken.contains(file)) continue;
     const Verdict& verdict = judge_.of(id);
     if (verdict.state == State::current || verdict.only_missing) {
       take(file);
     } else {
-      left_out.insert(name_of_left_out(dataset, cell, id));
+      left_out.insert(name_of_left_out(dataset, *cell, id));
       old.push_back(file);
     }
   }
@@ -202,6 +215,7 @@ Words TableSteps::selection(const Part& part) const {
 /// Drops the cells that are missing; gives the options that name one of the rest, which a table
 /// needs.
 std::vector<StepId> TableSteps::without_holes(std::vector<StepId> asked, Words& one_cell) {
+  judge_.read_ahead(asked);
   std::erase_if(asked, [&](StepId id) { return judge_.of(id).state != State::current; });
   for (const StepId id : asked) {
     const Place& place = grid_.graph().at(id).place;

@@ -3,6 +3,7 @@
 #include <functional>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "plan/due.hpp"
@@ -70,6 +71,8 @@ class TableSteps {
   void add_tables(const Part& part);
   std::vector<StepId> without_holes(std::vector<StepId> asked, std::vector<std::string>& one_cell);
   const std::vector<HeldCell>& held(const Dataset& dataset);
+  std::vector<std::pair<const HeldCell*, StepId>> held_steps(const Dataset& dataset,
+                                                             const Chosen& chosen);
   StepId step_of(const Dataset& dataset, const HeldCell& cell);
   std::string name_of_left_out(const Dataset& dataset, const HeldCell& cell, StepId id);
 

@@ -83,6 +83,31 @@ TEST_F(FilesOfARun, SayWhatIsWrongWithThem) {
   EXPECT_THAT(seen()->problem, HasSubstr("not an HDF5 file"));
 }
 
+TEST_F(FilesOfARun, AreTheSameWhereManyAreReadTogether) {
+  std::vector<std::string> files{file_, (folder_ / "nowhere.h5").string()};
+  for (const std::string name : {"a", "b", "c"}) {
+    files.push_back((folder_ / (name + ".h5")).string());
+    std::filesystem::copy_file(file_, files.back());
+  }
+  std::string bytes = bytes_of(files[3]);
+  bytes[bytes.size() / 2] ^= 1;
+  std::ofstream(files[3], std::ios::binary) << bytes;
+
+  RealDisk disk({folder_.path().string()}, true);
+  disk.read_ahead(files);
+  disk.save();
+  EXPECT_EQ(disk.find(files[1]), nullptr);
+  EXPECT_THAT(disk.find(files[3])->problem, HasSubstr("b.h5: "));
+  const std::string digest = disk.find(file_)->digest;
+  const artefact::Journal journal(folder_.path());
+  EXPECT_EQ(journal.file(files[3]), nullptr);
+  for (const std::size_t good : {0, 2, 4}) {
+    EXPECT_EQ(disk.find(files[good])->digest, digest);
+    ASSERT_NE(journal.file(files[good]), nullptr);
+    EXPECT_EQ(journal.file(files[good])->digest, digest);
+  }
+}
+
 TEST_F(FilesOfARun, AreFoundBelowAFolderButForHiddenOnes) {
   folder_.write("a/b/c.csv", "1");
   folder_.write(".jobs/d", "1");

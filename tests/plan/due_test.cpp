@@ -179,6 +179,26 @@ TEST(DueTables, TakeWhatWasMadeOfFilesThatAreNoLongerThere) {
   EXPECT_THAT(run.run(), IsEmpty());
 }
 
+TEST(ArtefactsOfAPlan, AreReadTogether) {
+  for (const std::string goal :
+       {"all", "cells", "tables", "sweep", "contrast", "identify", "readings", "trust"}) {
+    for (const Stretch stretch : {Stretch::grid, Stretch::numbers, Stretch::pages}) {
+      SmallRun run;
+      run.request.ratios = std::nullopt;
+      run.set("epochs = 200",
+              "epochs = 200\nbatch = 5\n[sweep]\npoints = [\"batch=1\"]\n[readings]\n"
+              "base = [\"batch=5\"]\nreadings = [\"depth=4\"]");
+      run.run();
+      run.run(goal);
+      run.disk.expected.clear();
+      run.disk.read_alone.clear();
+      run.request.methods = "none piae-dt";  // smote's cells are only held
+      run.plan(goal, stretch).to_run();
+      EXPECT_THAT(run.disk.read_alone, IsEmpty()) << goal;
+    }
+  }
+}
+
 TEST(DueNumbersOfFigures, AreThoseOfWhichATableIsLost) {
   SmallRun run;
   run.run();

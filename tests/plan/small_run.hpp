@@ -2,6 +2,7 @@
 
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -14,7 +15,12 @@ namespace piae::plan {
 /// A disk of values, on which steps are run by noting what they would make.
 class DiskOfValues : public Disk {
  public:
+  void read_ahead(const std::vector<std::string>& names) override {
+    expected.insert(names.begin(), names.end());
+  }
   const File* find(const std::string& file) override {
+    const bool is_unexpected = file.ends_with(".h5") && !expected.contains(file);
+    if (is_unexpected) read_alone.insert(file);
     const auto found = files.find(file);
     return found == files.end() ? nullptr : &found->second;
   }
@@ -33,6 +39,8 @@ class DiskOfValues : public Disk {
 
   std::map<std::string, File> files;
   std::map<std::string, artefact::DoneStep> steps;
+  std::set<std::string> expected;    ///< artefacts that were to be read together
+  std::set<std::string> read_alone;  ///< the others that were asked for
 };
 
 /// A project with two data sets and a run of it: "real" is measured, "made" is simulated.
