@@ -9,6 +9,9 @@ die() {
 # The variables of a request, as the Makefile exports them.
 request='RUN DATASETS METHODS RATIOS CLASSIFIERS SEEDS PROTOCOL DATA_DIR BIN SUBMIT'
 
+# The folder of the run that is asked for.
+run_folder() { echo "results/$RUN$([[ ${PROTOCOL:-} != blocked ]] || echo -blocked)"; }
+
 # Sets them as they were when a submission was made, and GOALS.
 take_choice() { # folder of the submission
   local name line

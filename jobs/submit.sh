@@ -23,8 +23,7 @@ cd "${0%/*}/.."
 source jobs/common.sh
 
 goal=${GOALS:-all}
-results=results/$RUN
-[[ ${PROTOCOL:-} != blocked ]] || results+=-blocked
+results=$(run_folder)
 jobs_at_a_time=$(value_of JOBS "$@") gpu_partition=$(value_of GPU_PARTITION "$@")
 for name in CORES MINUTES JOBS; do
   value=$(value_of "$name" "$@")
@@ -54,7 +53,11 @@ queue=$(jobs_in_queue "$results") || die "Slurm does not answer, see above; noth
 folder=$results/.jobs/$(date +%Y%m%dT%H%M%S)
 mkdir "$folder" || die "$folder is there already: try again in a second"
 GOALS=$goal "$BIN/plan" --format jobs --jobs-folder "$folder" --cores "$(value_of CORES "$@")" \
-  --minutes "$(value_of MINUTES "$@")" | tee "$folder/plan.txt"
+  --minutes "$(value_of MINUTES "$@")" | tee "$folder/plan.txt" || {
+  status=$?
+  rm -r "$folder"
+  exit "$status"
+}
 {
   echo "$goal"
   for name in $request; do [[ ! ${!name:-} ]] || echo "$name=${!name}"; done

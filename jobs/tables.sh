@@ -16,7 +16,7 @@ spent() {
   mapfile -t folders < <(find "$folder" -maxdepth 1 \( -name records -o -name 'cells*' \) ! -name '*.log' \
     -exec cut -d / -f -2 {} + | sort -u)
   awk -f jobs/spent.awk -v submitted="$(stat --format=%Y "$folder/choice")" -v now="$(date +%s)" \
-    -v steps="$(find "${folders[@]:-results/$RUN}" -name .jobs -prune -o -name '*.log' -newer "$folder/choice" \
+    -v steps="$(find "${folders[@]:-$(run_folder)}" -name .jobs -prune -o -name '*.log' -newer "$folder/choice" \
       -exec grep -l '^step: exit 0 ' {} + | wc -l)" "$folder"/*.log
 }
 

@@ -118,31 +118,45 @@ std::string step_line(const std::string& name, const DoneStep& done) {
          "\t->" + text_of(done.outputs) + std::string(end_of_line);
 }
 
-/// A file that is open, and closed when this goes.
-class Opened {
+/// A journal that nobody else writes to while this lives.
+class Locked {
  public:
-  explicit Opened(const fs::path& file)
-      : descriptor_(
-            ::open(file.c_str(), O_WRONLY | O_APPEND | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666)) {}
-  Opened(const Opened&) = delete;
-  Opened& operator=(const Opened&) = delete;
-  ~Opened() {
-    if (descriptor_ >= 0) ::close(descriptor_);
+  explicit Locked(const fs::path& journal) {
+    // Who waited for the lock of a journal that was written anew meanwhile opens the new one.
+    do {
+      close();
+      descriptor_ =
+          ::open(journal.c_str(), O_WRONLY | O_APPEND | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666);
+    } while (descriptor_ >= 0 && ::flock(descriptor_, LOCK_EX) == 0 && is_replaced(journal));
   }
+  Locked(const Locked&) = delete;
+  Locked& operator=(const Locked&) = delete;
+  ~Locked() { close(); }
+
+  /// Below 0 where the journal cannot be written.
   [[nodiscard]] int descriptor() const { return descriptor_; }
 
  private:
-  int descriptor_;
+  [[nodiscard]] bool is_replaced(const fs::path& journal) const {
+    struct stat opened {};
+    struct stat named {};
+    return ::fstat(descriptor_, &opened) == 0 &&
+           (::lstat(journal.c_str(), &named) != 0 || named.st_ino != opened.st_ino);
+  }
+  void close() const {
+    if (descriptor_ >= 0) ::close(descriptor_);
+  }
+
+  int descriptor_ = -1;
 };
 
 /// Adds lines in one write. The line break in front ends a line that a killed program left
 /// unfinished.
 void append(const fs::path& journal, const std::string& lines) {
-  const Opened opened(journal);
-  if (opened.descriptor() < 0) return;
-  (void)::flock(opened.descriptor(), LOCK_EX);
+  const Locked locked(journal);
+  if (locked.descriptor() < 0) return;
   const std::string text = '\n' + lines;
-  (void)!::write(opened.descriptor(), text.data(), text.size());
+  (void)!::write(locked.descriptor(), text.data(), text.size());
 }
 
 }  // namespace
@@ -266,22 +280,26 @@ std::string Journal::whole_text() const {
 }
 
 void Journal::save() {
-  const fs::path file = run_ / ".journal";
+  if (!fs::is_directory(run_)) return;
+  if (!added_.empty()) append(run_ / ".journal", added_);
+  added_.clear();
   constexpr std::size_t small = 1 << 20;
   const std::size_t counting = files_.size() + steps_.size() + options_.size();
-  const bool has_many_old = read_bytes_ > small && 2 * read_lines_ > 3 * counting;
-  if (!fs::is_directory(run_)) return;
-  if (has_many_old) {
-    const std::string text = whole_text();
-    try {
-      write_file_atomically(file, std::as_bytes(std::span(text)));
-    } catch (const Error&) {
-      return;
-    }
-  } else if (!added_.empty()) {
-    append(file, added_);
+  if (read_bytes_ > small && 2 * read_lines_ > 3 * counting) write_anew();
+}
+
+/// Without the lines that later ones have replaced.
+void Journal::write_anew() const {
+  const fs::path file = run_ / ".journal";
+  const Locked locked(file);
+  if (locked.descriptor() < 0) return;
+  const std::string text = Journal(run_).whole_text();  // with what others have added since
+  if (text.empty()) return;
+  try {
+    write_file_atomically(file, std::as_bytes(std::span(text)));
+  } catch (const Error&) {
+    return;  // the old one stays
   }
-  added_.clear();
 }
 
 void add_to_journal(const fs::path& run, const fs::path& file, const std::string& digest,

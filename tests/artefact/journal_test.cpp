@@ -3,7 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <fstream>
+#include <thread>
 
 #include "support/folder.hpp"
 
@@ -100,6 +102,27 @@ TEST(JournalOfARun, StaysSmallHoweverOftenFilesAreMade) {
   journal.save();
   EXPECT_LT(std::filesystem::file_size(run.folder / ".journal"), before / 1000);
   EXPECT_NE(Journal(run.folder.path()).file(run.file), nullptr);
+}
+
+TEST(JournalOfARun, LosesNothingThatIsAddedWhileItIsWrittenAnew) {
+  const Folder folder;
+  Provenance large = provenance;
+  large.options = "a = \"" + std::string(100'000, 'x') + "\"\n";
+  constexpr int count = 400;
+  std::atomic<bool> is_done = false;
+  std::thread other([&] {
+    while (!is_done) Journal(folder.path()).save();
+  });
+  for (int i = 0; i < count; ++i) {
+    const auto file = folder.write("E" + std::to_string(i) + ".h5", "windows");
+    add_to_journal(folder.path(), file, std::string(64, 'd'), large);
+  }
+  is_done = true;
+  other.join();
+  const Journal journal(folder.path());
+  for (int i = 0; i < count; ++i) {
+    EXPECT_NE(journal.file((folder / ("E" + std::to_string(i) + ".h5")).string()), nullptr) << i;
+  }
 }
 
 TEST(LookOfAFile, ChangesWithIt) {

@@ -10,8 +10,10 @@
 namespace piae::plan {
 namespace {
 
+using testing::Contains;
 using testing::Each;
 using testing::HasSubstr;
+using testing::Not;
 using testing::SizeIs;
 
 /// One method costs 600 s a seed, another 60 s; all else nothing.
@@ -59,13 +61,84 @@ TEST(JobsOfACluster, MakeEachFileOnce) {
   EXPECT_THAT(files, SizeIs(run.plan("cells").to_run().size()));
 }
 
+TEST(JobsOfACluster, AreAtMostFiveHundred) {
+  SmallRun run;
+  run.request.datasets = "real";
+  run.request.methods = "piae-dt";
+  for (int seed = 2; seed <= 600; ++seed) *run.request.seeds += ' ' + std::to_string(seed);
+  const auto kinds = divide(run.plan("cells"), costs(), 1, 1);
+  EXPECT_EQ(kinds[1].name, "cells");
+  EXPECT_THAT(kinds[1].files, SizeIs(500));
+  EXPECT_EQ(kinds[1].seconds, 601 * 600);
+  EXPECT_EQ(kinds[1].minutes, 45);  // of two seeds, 1200 s
+}
+
+TEST(JobsOfACluster, BeginWithTheLongest) {
+  SmallRun run;
+  run.request.datasets = "real";
+  const auto kinds = divide(run.plan("cells"), costs(), 1, 10);
+  ASSERT_THAT(kinds[1].files, SizeIs(3));
+  EXPECT_THAT(kinds[1].files[0], Each(HasSubstr("/seed0/piae-dt/")));
+  EXPECT_THAT(kinds[1].files[1], Each(HasSubstr("/seed1/piae-dt/")));
+  EXPECT_THAT(kinds[1].files[2], Each(Not(HasSubstr("/piae-dt/"))));
+}
+
+TEST(JobsOfACluster, MakeAllOfAMethodInTheOrderInWhichItIsNeeded) {
+  SmallRun run;
+  run.request.datasets = "real";
+  run.request.methods = "smote";
+  run.request.ratios = "1to1";
+  run.request.seeds = "0";
+  run.request.classifiers = "nearest wdcnn-spectra";
+  const auto kinds = divide(run.plan("tables"), costs(), 4, 1);
+  ASSERT_THAT(kinds[1].files, SizeIs(1));
+  const std::string folder = "results/t/real/seed0/smote/";
+  const auto& files = kinds[1].files.front();
+  const auto place = [&](const std::string& file) {
+    const auto found = std::ranges::find(files, folder + file);
+    EXPECT_NE(found, files.end()) << file;
+    return found - files.begin();
+  };
+  EXPECT_LT(place("model.h5"), place("E.h5"));
+  for (const char* file :
+       {"score.h5", "1to1/nearest/diagnosis.h5", "1to1/wdcnn-spectra/diagnosis.h5"}) {
+    EXPECT_LT(place("E.h5"), place(file));
+  }
+}
+
+TEST(JobsOfACluster, TakeAsMuchMemoryAsTheLargestOfTheirSteps) {
+  SmallRun run;
+  Costs with_large_records = costs();
+  with_large_records.learn("ingest", {.dataset = "real"}, {.seconds = 0, .megabytes = 900});
+  const auto kinds = divide(run.plan("cells"), with_large_records, 2, 10);
+  EXPECT_EQ(kinds[0].megabytes, 2100);  // two at a time, and 300 MB
+  EXPECT_EQ(kinds[1].megabytes, 700);
+}
+
+TEST(JobsOfACluster, OfAMovedSettingTakeWhatItsMethodTakes) {
+  SmallRun run;
+  run.request.datasets = "real";
+  run.request.methods = "piae-dt";
+  run.request.ratios = "1to1";
+  run.request.seeds = "0";
+  run.set("epochs = 200", "epochs = 200\n[sweep]\npoints = [\"batch=1\"]");
+  const auto kinds = divide(run.plan("sweep"), costs(), 1, 10);
+  EXPECT_EQ(kinds[1].seconds, 1200);
+  ASSERT_THAT(kinds[1].files, SizeIs(2));  // the method as it is, and the point
+  EXPECT_THAT(kinds[1].files[1], Each(HasSubstr("/seed0/sweep/batch-1/")));
+}
+
 TEST(JobsOfACluster, OfAMethodThatAsksForAGpuAreOfTheirOwnKind) {
   SmallRun run;
   run.set("epochs = 200", "epochs = 200\ndevice = \"cuda\"");
   const auto kinds = divide(run.plan("cells"), costs(), 4, 15);
   ASSERT_THAT(kinds, SizeIs(4));
+  EXPECT_EQ(kinds[1].name, "cells");
+  for (const auto& job : kinds[1].files) EXPECT_THAT(job, Each(Not(HasSubstr("/piae-dt/"))));
   EXPECT_EQ(kinds[2].name, "cells-gpu");
   for (const auto& job : kinds[2].files) EXPECT_THAT(job, Each(HasSubstr("/piae-dt/")));
+  // What reads the model goes with it.
+  EXPECT_THAT(kinds[2].files.front(), Contains(HasSubstr("/diagnosis.h5")));
 }
 
 TEST(JobsOfACluster, AreWrittenAsLists) {

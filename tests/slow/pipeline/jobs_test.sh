@@ -26,13 +26,6 @@ test_the_papers_grid_takes_few_submissions_and_little_more_than_is_needed() {
   expect_line "$output" '^3 submissions, which ask for [0-9.]+ core-hours at most'
 }
 
-test_a_thousand_and_one_seeds_are_an_array_that_slurm_takes() {
-  local output
-  output=$(plan SEEDS="$(seq -s ' ' 0 1000)" METHODS="none smote" RATIOS="100to1 10to1" MINUTES=1 CORES=1)
-  expect_line "$output" '^cells +[1-4][0-9]{0,2} +1 ' # an array may have 1001 tasks, unless a site allows more
-  expect_line "$output" '^3 submissions'
-}
-
 test_other_questions_are_planned_too_and_planning_writes_nothing() {
   expect_line "$(make --silent cluster-plan sweep BIN=fake RUN=t SEEDS=0)" '^cells +[1-9] '
   expect_line "$(make --silent cluster-plan readings BIN=fake SEEDS=100)" '^cells +[1-9] '
