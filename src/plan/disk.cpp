@@ -68,19 +68,21 @@ File read_next(artefact::Readers& readers) {
 
 }  // namespace
 
-RealDisk::RealDisk(const std::vector<std::string>& runs, bool may_write) : may_write_(may_write) {
-  for (const std::string& run : runs) {
-    journals_.emplace_back(run + '/', std::make_unique<artefact::Journal>(run));
-  }
-}
+RealDisk::RealDisk(const std::vector<std::string>& runs, bool may_write)
+    : runs_(runs), journals_(runs.size()), may_write_(may_write) {}
 
 RealDisk::~RealDisk() = default;
 
 artefact::Journal& RealDisk::journal_of(const std::string& file) {
-  for (auto& [prefix, journal] : journals_) {
-    if (file.starts_with(prefix)) return *journal;
+  for (std::size_t run = 0; run < runs_.size(); ++run) {
+    if (file.starts_with(runs_[run] + '/')) return journal(run);
   }
-  return *journals_.front().second;  // of what lies outside: recordings, the paper's tables
+  return journal(0);  // of what lies outside: recordings, the paper's tables
+}
+
+artefact::Journal& RealDisk::journal(std::size_t run) {
+  if (!journals_[run]) journals_[run] = std::make_unique<artefact::Journal>(runs_[run]);
+  return *journals_[run];
 }
 
 const File* RealDisk::keep(const std::string& file, std::optional<File> found) {
@@ -122,9 +124,12 @@ void RealDisk::read_ahead(const std::vector<std::string>& files) {
 }
 
 const File* RealDisk::find(const std::string& file) {
-  if (is_artefact(file)) read_ahead({file});
   if (const auto found = seen_.find(file); found != seen_.end()) {
     return found->second ? &*found->second : nullptr;
+  }
+  if (is_artefact(file)) {
+    read_ahead({file});
+    return find(file);
   }
   const auto stat = artefact::stat_of(file);
   if (!stat) return keep(file, std::nullopt);
@@ -166,7 +171,9 @@ void RealDisk::note(const std::string& step, artefact::DoneStep done) {
 
 void RealDisk::save() {
   if (!may_write_) return;
-  for (auto& [prefix, journal] : journals_) journal->save();
+  for (const auto& journal : journals_) {
+    if (journal) journal->save();
+  }
 }
 
 }  // namespace piae::plan

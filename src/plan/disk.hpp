@@ -53,11 +53,13 @@ class RealDisk : public Disk {
 
  private:
   artefact::Journal& journal_of(const std::string& file);
+  artefact::Journal& journal(std::size_t run);
   const File* keep(const std::string& file, std::optional<File> found);
   std::optional<File> known(const std::string& file, const artefact::Stat& stat);
   void note_read(const std::string& file, const artefact::Stat& stat, const File& found);
 
-  std::vector<std::pair<std::string, std::unique_ptr<artefact::Journal>>> journals_;
+  std::vector<std::string> runs_;
+  std::vector<std::unique_ptr<artefact::Journal>> journals_;  ///< each read when it is needed
   std::unordered_map<std::string, std::optional<File>> seen_;
   bool may_write_;
 };

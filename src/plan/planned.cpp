@@ -23,13 +23,17 @@ bool changed_since(const Step& step, double begun_s) {
   return false;
 }
 
+/// A layout refuses cells that lie as before 0.1.0.
+void refuse_old_layout(const Choice& choice) {
+  for (const Part& part : choice.parts) run::Layout(choice.folder(), part.dataset.name);
+}
+
 }  // namespace
 
 Planned::Planned(const Request& request, const PlanOptions& options)
     : experiment_(read_experiment(options.pipeline)) {
   Choice choice = choose(experiment_, request);
-  // A layout refuses cells that lie as before 0.1.0.
-  for (const Part& part : choice.parts) run::Layout(choice.folder(), part.dataset.name);
+  if (options.stretch == Stretch::grid) refuse_old_layout(choice);
   disk_ = std::make_unique<RealDisk>(std::vector{choice.folder_of(signal::Protocol::random),
                                                  choice.folder_of(signal::Protocol::blocked)},
                                      !options.looks);
