@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "plan/experiment.hpp"
-#include "run/grid.hpp"
+#include "plan/parts.hpp"
 #include "signal/protocol.hpp"
 
 namespace piae::plan {
@@ -23,13 +23,6 @@ struct Request {
   signal::Protocol protocol = signal::Protocol::random;
   std::string data_dir = "data";       ///< folder of the recordings
   std::vector<std::string> held = {};  ///< the data sets of which the run holds anything
-};
-
-/// The cells of one data set that are asked for.
-struct Part {
-  Dataset dataset;
-  std::vector<run::Combination> cells;  ///< methods and classifiers in the order asked for
-  std::vector<std::string> methods;     ///< those that have a cell
 };
 
 /// A request with every open choice made and checked.

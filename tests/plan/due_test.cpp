@@ -193,7 +193,7 @@ TEST(ArtefactsOfAPlan, AreReadTogether) {
       run.disk.expected.clear();
       run.disk.read_alone.clear();
       run.request.methods = "none piae-dt";  // smote's cells are only held
-      run.plan(goal, stretch).to_run();
+      (void)run.plan(goal, stretch).to_run();
       EXPECT_THAT(run.disk.read_alone, IsEmpty()) << goal;
     }
   }

@@ -3,8 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "base/error.hpp"
-#include "plan/small_run.hpp"
+#include "plan/requests.hpp"
 
 namespace piae::plan {
 namespace {
@@ -13,28 +12,6 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::SizeIs;
-
-/// The line of the error that a request ends with.
-std::string refusal_of(const Experiment& experiment, const Request& request) {
-  try {
-    (void)choose(experiment, request);
-  } catch (const Error& error) {
-    EXPECT_EQ(error.exit(), Exit::usage);
-    return error.what();
-  }
-  return "not refused";
-}
-
-class Requests : public testing::Test {
- protected:
-  Requests() : experiment_(read_experiment(run_.pipeline.path())), request_(run_.request) {}
-
-  [[nodiscard]] std::string refusal() const { return refusal_of(experiment_, request_); }
-
-  SmallRun run_;
-  Experiment experiment_;
-  Request request_;
-};
 
 TEST_F(Requests, NameWhatThereIsOnly) {
   request_.datasets = "nowhere";
@@ -82,6 +59,11 @@ TEST_F(Requests, HaveARunThatCanBeAFolder) {
   EXPECT_EQ(choose(experiment_, request_).folder(), "results/try");
 }
 
+TEST_F(Requests, KnowThePapersMethodsByOneWord) {
+  request_.methods = "paper";
+  EXPECT_THAT(choose(experiment_, request_).methods, SizeIs(10));
+}
+
 TEST_F(Requests, HaveCells) {
   request_.methods = "none";
   request_.ratios = "1to1";
@@ -89,55 +71,6 @@ TEST_F(Requests, HaveCells) {
       refusal(),
       "no cells: METHODS=\"none\" RATIOS=\"1to1\"; none is run at 100to1 only, the others at all "
       "other ratios");
-}
-
-TEST_F(Requests, ChooseThePapersMethodsAndWhatWeRecommendByThemselves) {
-  request_.methods = std::nullopt;
-  request_.datasets = "real";
-  const Choice choice = choose(experiment_, request_);
-  EXPECT_THAT(choice.methods, SizeIs(12));
-  EXPECT_EQ(choice.methods.front(), "none");
-  request_.methods = "paper";
-  EXPECT_THAT(choose(experiment_, request_).methods, SizeIs(10));
-}
-
-TEST_F(Requests, GiveTheBaselineTheBarWhateverTheClassifiers) {
-  request_.classifiers = "wdcnn-spectrum";
-  const Choice choice = choose(experiment_, request_);
-  EXPECT_THAT(choice.parts.front().cells,
-              testing::Contains(run::Combination{"none", "100to1", "nearest"}));
-}
-
-TEST_F(Requests, LeaveOutWhatNeedsKnownWindowsWhereNoneIsKnown) {
-  run_.write("datasets/real.toml", "name = \"real\"\n[split]\nknown-per-class = 0\n");
-  experiment_ = read_experiment(run_.pipeline.path());
-  request_.methods = "none smote piae-dt-zero";
-  request_.ratios = std::nullopt;
-  request_.datasets = "real";
-  request_.classifiers = "exclusion-rule nearest";
-  const Choice choice = choose(experiment_, request_);
-  EXPECT_THAT(choice.notices,
-              ElementsAre("real: no fault window is known, so these are left out: smote"));
-  EXPECT_THAT(choice.parts.front().methods, ElementsAre("none", "piae-dt-zero"));
-  request_.methods = "smote";
-  request_.classifiers = "wdcnn";
-  EXPECT_THAT(refusal(), HasSubstr("real: nothing is left to be made; no fault window is known"));
-}
-
-TEST_F(Requests, RefuseAMethodThatADescriptionDoesNotSayEnoughFor) {
-  run_.write("datasets/real.toml",
-             "name = \"real\"\n[bearing]\n[[class]]\nname = \"a\"\ndefect = \"outer\"\n");
-  experiment_ = read_experiment(run_.pipeline.path());
-  request_.datasets = "real";
-  request_.methods = "none smote strike-twin";
-  EXPECT_EQ(
-      refusal(),
-      "METHODS: strike-twin cannot be run; the description of real does not say what they need: "
-      "defect_size_mm of every fault; choose METHODS=\"none smote\"");
-  request_.methods = std::nullopt;
-  const Choice choice = choose(experiment_, request_);
-  ASSERT_THAT(choice.notices, SizeIs(1));
-  EXPECT_THAT(choice.notices.front(), HasSubstr("left out: "));
 }
 
 TEST_F(Requests, ThatOnlyLookNeedNoCells) {

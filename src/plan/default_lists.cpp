@@ -1,0 +1,106 @@
+#include "plan/default_lists.hpp"
+
+#include <set>
+
+#include "augment/catalogue.hpp"
+#include "base/error.hpp"
+#include "diagnosis/catalogue.hpp"
+#include "plan/words.hpp"
+#include "scoring/diagnosis_record.hpp"
+#include "scoring/ratios.hpp"
+
+namespace piae::plan {
+
+namespace {
+
+bool is_the_papers(const augment::CatalogueEntry& method) {
+  using augment::Kind;
+  return method.kind == Kind::baseline || method.kind == Kind::published ||
+         method.kind == Kind::ablation;
+}
+
+Words default_methods() {
+  Words methods;
+  for (const augment::CatalogueEntry& entry : augment::catalogue()) {
+    if (is_the_papers(entry) || entry.recommended) methods.emplace_back(entry.name);
+  }
+  return methods;
+}
+
+Words names_of_ratios() {
+  Words names;
+  for (const scoring::Ratio& ratio : scoring::all_ratios()) names.emplace_back(ratio.name);
+  return names;
+}
+
+/// All groups, their methods by all inputs of a WDCNN and by the bar, with the most generated
+/// windows.
+Lists lists_of_transfer(const Experiment& experiment) {
+  if (experiment.groups.empty()) {
+    throw Error(Exit::usage,
+                "make transfer: [transfer] of pipeline/protocol.toml names no group of data sets");
+  }
+  Lists defaults;
+  std::set<std::string> methods;
+  std::set<std::string> datasets;
+  for (const settings::Group& group : experiment.groups) {
+    datasets.insert(group.datasets.begin(), group.datasets.end());
+    for (const std::string& input : group.inputs) methods.insert(input.substr(0, input.find('=')));
+  }
+  for (const Dataset& dataset : experiment.datasets) {
+    if (datasets.contains(dataset.name)) defaults.datasets.push_back(dataset.name);
+  }
+  for (const augment::CatalogueEntry& entry : augment::catalogue()) {
+    if (methods.contains(entry.name)) defaults.methods.emplace_back(entry.name);
+  }
+  for (const scoring::Ratio& ratio : scoring::all_ratios()) {
+    if (ratio.generated_per_class == 0) defaults.ratios.emplace_back(ratio.name);
+  }
+  defaults.ratios.emplace_back(scoring::all_ratios().back().name);
+  for (const diagnosis::Classifier& classifier : diagnosis::classifiers()) {
+    const bool is_wdcnn = classifier.represent != nullptr;
+    if (is_wdcnn || std::string(classifier.name) == diagnosis::bar_classifier) {
+      defaults.classifiers.emplace_back(classifier.name);
+    }
+  }
+  return defaults;
+}
+
+Lists lists_of_grid(const Words& goals) {
+  Lists lists{.datasets = {"cwru"},
+              .methods = default_methods(),
+              .ratios = names_of_ratios(),
+              .classifiers = {scoring::paper_classifier},
+              .seeds = {}};
+  if (goals == Words{"identify"}) {
+    lists.datasets = {"simulated"};
+    lists.methods = {"piae-dt", "piae-dt-phase"};
+  }
+  if (has(goals, "readings")) {
+    lists.datasets = {"cwru", "hit-sm", "simulated"};
+    lists.methods = {augment::paper_method()};
+  }
+  return lists;
+}
+
+}  // namespace
+
+Words methods_of_paper() {
+  Words methods;
+  for (const augment::CatalogueEntry& entry : augment::catalogue()) {
+    if (is_the_papers(entry)) methods.emplace_back(entry.name);
+  }
+  return methods;
+}
+
+Lists default_lists(const Experiment& experiment, const std::vector<std::string>& goals) {
+  Lists lists = has(goals, "transfer") ? lists_of_transfer(experiment) : lists_of_grid(goals);
+  if (has(goals, "readings")) {
+    lists.seeds = {100, 101, 102, 103, 104};  // choices are made on them
+  } else {
+    lists.seeds = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9};
+  }
+  return lists;
+}
+
+}  // namespace piae::plan

@@ -1,0 +1,62 @@
+#include "plan/default_lists.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "plan/small_run.hpp"
+#include "support/errors.hpp"
+
+namespace piae::plan {
+namespace {
+
+using testing::ElementsAre;
+using testing::SizeIs;
+
+class ListsThatNobodyGives : public testing::Test {
+ protected:
+  [[nodiscard]] Lists of(const std::vector<std::string>& goals) const {
+    return default_lists(read_experiment(run_.pipeline.path()), goals);
+  }
+
+  SmallRun run_;
+};
+
+TEST_F(ListsThatNobodyGives, AreThePapersGridWithWhatWeRecommend) {
+  const Lists lists = of({"all"});
+  EXPECT_THAT(lists.datasets, ElementsAre("cwru"));
+  EXPECT_THAT(lists.methods, SizeIs(12));
+  EXPECT_THAT(methods_of_paper(), SizeIs(10));
+  EXPECT_EQ(lists.methods.front(), "none");
+  EXPECT_THAT(lists.ratios,
+              ElementsAre("100to1", "50to1", "25to1", "10to1", "5to1", "2to1", "1to1"));
+  EXPECT_THAT(lists.classifiers, ElementsAre("wdcnn"));
+  EXPECT_THAT(lists.seeds, ElementsAre(0, 1, 2, 3, 4, 5, 6, 7, 8, 9));
+}
+
+TEST_F(ListsThatNobodyGives, OfReadingsHaveTheSeedsOfChoices) {
+  const Lists lists = of({"readings"});
+  EXPECT_THAT(lists.datasets, ElementsAre("cwru", "hit-sm", "simulated"));
+  EXPECT_THAT(lists.methods, ElementsAre("piae-dt"));
+  EXPECT_THAT(lists.seeds, ElementsAre(100, 101, 102, 103, 104));
+}
+
+TEST_F(ListsThatNobodyGives, OfAnIdentificationAreSimulated) {
+  EXPECT_THAT(of({"identify"}).datasets, ElementsAre("simulated"));
+  EXPECT_THAT(of({"identify"}).methods, ElementsAre("piae-dt", "piae-dt-phase"));
+  EXPECT_THAT(of({"identify", "all"}).datasets, ElementsAre("cwru"));
+}
+
+TEST_F(ListsThatNobodyGives, OfATransferAreThoseOfItsGroups) {
+  EXPECT_ERROR((void)of({"transfer"}), Exit::usage, "names no group of data sets");
+  run_.set("[diagnose]",
+           "[transfer.both]\ndatasets = [\"real\", \"made\"]\nagainst = \"smote\"\n"
+           "inputs = [\"smote=wdcnn-spectra\", \"none=wdcnn\"]\n[diagnose]");
+  const Lists lists = of({"transfer"});
+  EXPECT_THAT(lists.datasets, ElementsAre("made", "real"));
+  EXPECT_THAT(lists.methods, ElementsAre("none", "smote"));
+  EXPECT_THAT(lists.ratios, ElementsAre("100to1", "1to1"));
+  EXPECT_THAT(lists.classifiers, testing::Contains("nearest"));
+}
+
+}  // namespace
+}  // namespace piae::plan
