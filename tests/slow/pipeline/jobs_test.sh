@@ -95,6 +95,9 @@ test_wrong_numbers_and_goals_are_refused() {
   expect_line "$(plan CORES=0 2>&1 || true)" "CORES: a whole number from 1 up, not '0'"
   expect_exit 2 make cluster-plan sweep contrast BIN=fake
   expect_line "$(plan transfer 2>&1 || true)" "one of cells, .*, all at a time, not 'transfer'"
+  slurm
+  expect_exit 2 make cluster BIN=fake RUN=t METHODS=magic
+  expect_equal "$(find results/t/.jobs -mindepth 1 ! -name lock)" ""
 }
 
 # What stands beside them says only which question is meant.
