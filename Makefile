@@ -103,7 +103,11 @@ $(if $(filter cluster cluster-stop,$(MAKECMDGOALS)),$(if $(shell command -v sbat
 
 # The folder, as a shell completes it, will do: RUN=results/try/ is RUN=try.
 override RUN := $(patsubst results/%,%,$(RUN:/=))
+$(if $(RUN),,$(error RUN: is empty))
 results      := results/$(RUN)$(patsubst %,-%,$(filter blocked,$(PROTOCOL)))
+
+# The options of make that are letters.
+letters    := $(filter-out --%,$(firstword -$(MAKEFLAGS)))
 
 # Programs are built first, unless BIN= names a folder where they are, or the link bin of a folder that the
 # installed piae-dt has laid out (packaging/piae-dt). There are no sources then. `make -q` only asks.
@@ -118,7 +122,7 @@ else ifneq (,$(installed))
 BIN      := bin
 else
 BIN      := build/bin
-programs := $(if $(findstring q,$(firstword -$(MAKEFLAGS))),,build$(quickly:%=-%))
+programs := $(if $(findstring q,$(letters)),,build$(quickly:%=-%))
 endif
 
 # All goals of the grid, files of results/ among them, go to one plan.
@@ -139,7 +143,7 @@ help:
 # ---- the grid -----------------------------------------------------------------------------------
 .PHONY: $(asked)
 $(asked): $(or $(on_cluster),grid)
-ifneq (,$(on_cluster))
+ifeq (,$(findstring n,$(letters))$(findstring q,$(letters)))
 $(asked): ; @: # or make would say that there is nothing to be done
 endif
 
@@ -149,9 +153,9 @@ demo: | $(programs)
 	$(Q)+$(MAKE) --file=pipeline/demo.mk results='$(results)'
 
 why: | $(programs)
-	$(Q)$(BIN)/plan --looks
+	$(Q)$(BIN)/plan --looks --whole
 plan: | $(programs)
-	$(Q)$(BIN)/plan --looks --format summary
+	$(Q)$(BIN)/plan --looks --whole --format summary
 status:
 	$(Q)jobs/ended.sh '$(results)' | $(BIN)/status --jobs /dev/stdin
 

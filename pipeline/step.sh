@@ -102,7 +102,7 @@ fi
 planned_before() { [[ -s $log && ${ASKED_AT:-} && $(time_of "$log") > $ASKED_AT ]]; }
 if [[ ${ONLY_IF_DUE:-} ]] || planned_before; then
   "$BIN/plan" --is-due "$name" 2>/dev/null
-  if (($? == 1)); then
+  if (($? == 3)); then
     report "is as it was"
     exit 0
   fi

@@ -17,6 +17,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
+constexpr int not_due = 3;
+
 enum class Format { make, why, summary, missing, jobs, shown, costs };
 
 /// How the steps are divided among jobs of a cluster, and the folder that gets their lists.
@@ -61,6 +63,23 @@ std::string printed(plan::Plan& plan, Format format, bool quietly, const JobOpti
   }
 }
 
+/// The same of all stretches of a run. What figures and pages will be made of, nobody knows before
+/// the grid is done: so of them it is what can be said now.
+std::string printed_of_all(const plan::Request& request, plan::PlanOptions options, Format format) {
+  using plan::Stretch;
+  std::string text;
+  for (const Stretch stretch :
+       {Stretch::grid, Stretch::numbers, Stretch::pictures, Stretch::pages}) {
+    options.stretch = stretch;
+    plan::Planned planned(request, options);
+    if (stretch == Stretch::grid) {
+      for (const std::string& notice : planned.plan().choice().notices) std::cerr << notice << '\n';
+    }
+    text += printed(planned.plan(), format, false, {});
+  }
+  return text;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -76,6 +95,7 @@ int main(int argc, char** argv) {
   std::string due;
   std::string noted;
   bool quietly = false;
+  bool whole = false;
   bind(stage.options(), asked);
   bind(stage.options(), options);
   stage.options().choose(
@@ -91,24 +111,31 @@ int main(int argc, char** argv) {
       "tables lack; jobs: for a cluster; shown: the tables that the goals end with; costs: what "
       "steps took, "
       "for jobs/costs.csv");
+  stage.options().flag("--whole", whole,
+                       "Of a run from its grid to its pages; why and summary can be of all that");
   stage.options().flag("--quietly", quietly, "Of a makefile: hide the commands");
   stage.output_file("--jobs-folder", jobs.folder, "Where the lists of jobs go").required(false);
   stage.options().add("--cores", jobs.cores, "Of a job").check(cli::whole_number(1, 100000));
   stage.options().add("--minutes", jobs.minutes, "That a job takes").check(cli::positive_number());
-  stage.options().add("--is-due", due, "Exit with 0 if this step is due, with 1 if it is not");
+  stage.options().add("--is-due", due, "Exit with 0 if this step is due, with 3 if it is not");
   stage.options().add("--note", noted, "Note that this step has made its files as is asked now");
 
   int result = 0;
   const int exit = stage.run(argc, argv, [&] {
     const plan::Request request = asked.request();
     if (!due.empty()) {
-      result = plan::Planned(narrowed(request, due), options).is_due(due) ? 0 : 1;
+      result = plan::Planned(narrowed(request, due), options).is_due(due) ? 0 : not_due;
       return;
     }
     if (!noted.empty()) {
       plan::Planned planned(narrowed(request, noted), options);
       planned.note(noted);
       return planned.save();
+    }
+    if (whole) {
+      const std::string all = printed_of_all(request, options, format);
+      std::cout << (all.empty() ? "nothing is to be done\n" : all);
+      return;
     }
     plan::Planned planned(request, options);
     for (const std::string& notice : planned.plan().choice().notices) std::cerr << notice << '\n';

@@ -1,7 +1,10 @@
 #include "plan/contrast_steps.hpp"
 
+#include <spdlog/fmt/fmt.h>
+
 #include <algorithm>
 
+#include "base/error.hpp"
 #include "plan/words.hpp"
 #include "scoring/diagnosis_record.hpp"
 
@@ -106,6 +109,10 @@ void add_contrasts(TableSteps& tables) {
         std::ranges::find_if(parts, [&](const Part& part) { return part.dataset.name == dataset; });
     return found == parts.end() ? nullptr : &*found;
   };
+  if (!has(tables.choice().classifiers, scoring::paper_classifier)) {
+    throw Error(Exit::usage, fmt::format("make contrast: CLASSIFIERS must have {}, the paper's",
+                                         scoring::paper_classifier));
+  }
   for (const Part& part : parts) contrasts.of_protocols(part);
   const Part* const as_published = part_of("cwru-as-published");
   const Part* const at_one_rate = part_of("cwru");

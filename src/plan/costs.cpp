@@ -15,11 +15,6 @@ namespace piae::plan {
 
 namespace {
 
-/// A step whose training is that of another one costs as much as that.
-std::string costly_stage(const std::string& stage) {
-  return stage == "features" ? "diagnose" : stage;
-}
-
 std::string key_of(const std::string& stage, const std::string& dataset, const std::string& method,
                    const std::string& ratio) {
   return stage + '|' + dataset + '|' + method + '|' + ratio;
@@ -102,7 +97,7 @@ std::string measured_costs(const Plan& plan, Logs& logs) {
 }
 
 Costs::Estimate Costs::of(const Step& step) const {
-  const std::string stage = costly_stage(step.stage);
+  const std::string stage = step.stage;
   const auto keys = keys_of(stage, step.place);
   const bool is_training = stage == "train";
   for (std::size_t i = 0; i < keys.size(); ++i) {

@@ -107,9 +107,9 @@ void Judge::read_ahead(const std::vector<StepId>& ids) {
 }
 
 Verdict Judge::judge(StepId id) {
-  if (graph_.at(id).is_always_due) return {State::due, "it shows the run as it is", false};
   const std::string missing = what_is_missing(graph_.at(id));
   if (!missing.empty()) return {State::due, missing, true};
+  if (graph_.at(id).is_always_due) return {State::due, "it shows the run as it is", false};
   const std::string why = what_differs(id);
   if (!why.empty()) return {State::due, why, false};
   Verdict verdict;

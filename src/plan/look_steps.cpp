@@ -73,8 +73,10 @@ void LookSteps::numbers() {
               .place = {.dataset = dataset.name},
               .tables_folder = folder + "/figures"};
     // Pictures that lack a cell which must be there are removed: so what must be there counts.
-    if (choice_.has_goal("figures")) step.options = options_in(must_be_there(part));
-    if (!dataset.any_known && !choice_.has_goal("figures")) {
+    // Where all is made, there is all that can be.
+    const bool only_figures = choice_.has_goal("figures") && !choice_.has_goal("all");
+    if (only_figures) step.options = options_in(must_be_there(part));
+    if (!dataset.any_known && !only_figures) {
       append(step.words, {"--nothing-known", dataset.name});
     }
     const Words old = left_out(dataset);

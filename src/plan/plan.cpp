@@ -80,6 +80,13 @@ void Plan::keep_only(const std::vector<std::string>& files) {
   ask_for(files);
 }
 
+void Plan::keep_pages() {
+  for (const StepId id : asked()) {
+    Step& step = graph_.at(id);
+    if (step.is_always_due) step.is_asked = judge_->of(id).only_missing;
+  }
+}
+
 void Plan::ask_for(const std::vector<std::string>& files) {
   for (const std::string& file : files) {
     const auto maker = graph_.maker_of(file);

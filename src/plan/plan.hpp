@@ -42,6 +42,9 @@ class Plan {
   /// Restricts what is asked to these files and what they are made of. Throws Error(usage) for a
   /// file that no step makes.
   void keep_only(const std::vector<std::string>& files);
+  /// Asks for no page that is there: pages are written anew whenever a run is made, which is
+  /// nothing that it lacks.
+  void keep_pages();
 
  private:
   /// Asks for these files and what they are made of, in addition to what is asked already.

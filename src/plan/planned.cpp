@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "base/error.hpp"
+#include "base/sha256.hpp"
 #include "run/layout.hpp"
 #include "run/step_log.hpp"
 #include "text/lines.hpp"
@@ -12,12 +13,25 @@ namespace piae::plan {
 
 namespace {
 
-/// True if an input was written after a step began, by the clock of the file system.
+/// True if a file was written after a step began, by the clock of the file system.
+bool is_newer(const std::string& file, double begun_s) {
+  const auto stat = artefact::stat_of(file);
+  return stat && static_cast<double>(stat->changed) * 1e-9 > begun_s;
+}
+
+/// True if the step cannot have read these settings: their file holds others, or was written since.
+bool has_read_others(const Settings* settings, double begun_s) {
+  if (settings == nullptr) return false;
+  if (!artefact::stat_of(settings->file) || is_newer(settings->file, begun_s)) return true;
+  return sha256_of_file(settings->file) != Sha256().update(settings->text).finish_hex();
+}
+
+/// True if what a step read has changed since it began.
 bool changed_since(const Step& step, double begun_s) {
+  if (has_read_others(step.settings.get(), begun_s)) return true;
   for (const Input& input : step.inputs) {
     for (const std::string& file : input.files) {
-      const auto stat = artefact::stat_of(file);
-      if (stat && static_cast<double>(stat->changed) * 1e-9 > begun_s) return true;
+      if (is_newer(file, begun_s)) return true;
     }
   }
   return false;
@@ -42,6 +56,7 @@ Planned::Planned(const Request& request, const PlanOptions& options)
               ? plan_with_holes(experiment_, std::move(choice), *disk_)
               : std::make_unique<Plan>(experiment_, std::move(choice), options.stretch, *disk_);
   if (!options.only.empty()) plan_->keep_only(text::read_lines(options.only));
+  if (options.looks) plan_->keep_pages();
 }
 
 StepId Planned::step_named(const std::string& name) {

@@ -112,7 +112,6 @@ std::string why_of(Plan& plan) {
     }
     for (const std::string& step : steps) text += fmt::format("{}: {}\n", step, why);
   }
-  if (text.empty() && waiting.empty()) return "nothing is to be done\n";
   if (!waiting.empty()) {
     text += fmt::format("after these, where they give something else: {}\n", counted(waiting));
   }
@@ -123,8 +122,8 @@ std::string guessed_costs_of(Plan& plan, const Costs& costs) {
   std::set<std::string> guessed;
   for (const StepId id : plan.to_run()) {
     const Step& step = plan.graph().at(id);
-    if (costs.of(step).is_guess)
-      guessed.insert(fmt::format("{} {}", step.stage, step.place.method));
+    if (!costs.of(step).is_guess) continue;
+    guessed.insert(step.stage + (step.place.method.empty() ? "" : " ") + step.place.method);
   }
   if (guessed.empty()) return {};
   return fmt::format("no cost is known of: {}; the largest is taken\n", fmt::join(guessed, ", "));
@@ -142,7 +141,7 @@ std::string summary_of(Plan& plan, const Costs& costs) {
     seconds += estimate.cost.seconds;
     megabytes = std::max(megabytes, estimate.cost.megabytes);
   }
-  if (ids.empty()) return "nothing is to be done\n";
+  if (ids.empty()) return {};
   std::string text = fmt::format(
       "{} steps: {}\n{} of processor time, at most {:.0f} MB of memory a step, by what steps took "
       "elsewhere (jobs/costs.csv)\n",

@@ -13,10 +13,10 @@ namespace piae::plan {
 std::string makefile_of(Plan& plan, bool quietly);
 
 /// Lists the steps to be run and the reason, for people: a line for each step, or for many with the
-/// same reason.
+/// same reason; empty where there is none.
 std::string why_of(Plan& plan);
 
-/// How much there is to be run: steps, processor time, memory.
+/// How much there is to be run: steps, processor time, memory; empty where nothing is.
 std::string summary_of(Plan& plan, const Costs& costs);
 
 /// A line that names the steps to be run of which no cost is known; empty where there is none.

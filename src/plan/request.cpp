@@ -87,7 +87,8 @@ std::string run_name(const Request& request) {
   if (name.find('/') != std::string::npos) {
     refuse("RUN", fmt::format("the name of a folder under results/, not a path: '{}'", name));
   }
-  if (has({".", "..", "published", "reference"}, name)) {
+  const bool begins_badly = name.starts_with('.') || name.starts_with('-');
+  if (begins_badly || has({"published", "reference", "results"}, name)) {
     refuse("RUN", fmt::format("'{}' cannot be the name of a run", name));
   }
   return name;

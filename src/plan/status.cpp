@@ -84,6 +84,7 @@ class Durations {
 
 bool is_counted(const Plan& plan, const Step& step) {
   if (plan.choice().has_goal("identify")) return step.log == "train";
+  if (plan.choice().has_goal("trust") && step.log == "classifier") return true;
   return step.log == "score" || step.log == "diagnose";
 }
 

@@ -228,6 +228,33 @@ TEST(DueNumbersOfFigures, AreThoseOfWhichATableIsLost) {
   EXPECT_THAT(whole.judge().of(figures_step(whole)).why, testing::HasSubstr(" is not set, was "));
 }
 
+TEST(DueNumbersOfFigures, AreThoseOfAllWhereAllIsAskedForWithThem) {
+  SmallRun run;
+  run.run();
+  Plan& all = run.plan("all", Stretch::numbers);
+  const StepId id = all.asked().front();
+  const std::string name = name_of(all.graph().at(id));
+  run.disk.steps[name] = all.judge().made_now(id);
+  Plan& both = run.plan("all figures", Stretch::numbers);
+  EXPECT_EQ(both.judge().of(both.asked().front()).why, "");
+}
+
+TEST(Pages, ThatAreThereAreNothingThatARunLacks) {
+  SmallRun run;
+  run.run();
+  for (const char* page : {"report.html", "report.md", "run.html"}) {
+    run.disk.files[std::string("results/t/") + page] = {.digest = "1", .made = {}, .problem = {}};
+  }
+  EXPECT_EQ(run.plan("all", Stretch::pages).to_run().size(), 1U);
+  run.current->keep_pages();
+  EXPECT_THAT(run.current->to_run(), IsEmpty());
+  run.disk.files.erase("results/t/run.html");
+  Plan& lacks = run.plan("all", Stretch::pages);
+  lacks.keep_pages();
+  ASSERT_EQ(lacks.to_run().size(), 1U);
+  EXPECT_EQ(lacks.judge().of(lacks.to_run().front()).why, "run.html is missing");
+}
+
 TEST(Values, AreTheSameAsNumbers) {
   EXPECT_TRUE(same_value("5e-4", "0.0005"));
   EXPECT_TRUE(same_value("0.00050000000000000001", "5e-4"));

@@ -256,6 +256,11 @@ TEST_F(StepsOfARun, OfAContrastAreOfBothSplits) {
                         "smote --ratios 10to1 --seeds 0 --output results/t/real/protocols.md"));
 }
 
+TEST_F(StepsOfARun, OfAContrastAreByThePapersClassifier) {
+  run_.request.classifiers = "nearest";
+  EXPECT_EQ(refusal("contrast"), "make contrast: CLASSIFIERS must have wdcnn, the paper's");
+}
+
 TEST_F(StepsOfARun, OfAContrastLeaveOutWhatIsOutOfDateOnEitherSide) {
   run_.request.methods = "none smote";
   run_.request.ratios = "100to1 10to1";

@@ -53,6 +53,10 @@ TEST_F(Requests, HaveARunThatCanBeAFolder) {
   EXPECT_THAT(refusal(), HasSubstr("not a path: '../t'"));
   request_.run = "reference";
   EXPECT_EQ(refusal(), "RUN: 'reference' cannot be the name of a run");
+  for (const char* name : {"results", "-x", ".hidden", ".."}) {
+    request_.run = name;
+    EXPECT_EQ(refusal(), "RUN: '" + std::string(name) + "' cannot be the name of a run");
+  }
   request_.run = "two words";
   EXPECT_EQ(refusal(), "RUN: one word, the name of a folder under results/");
   request_.run = "results/try/";

@@ -8,6 +8,7 @@
 
 #include "base/sha256.hpp"
 #include "plan/plan.hpp"
+#include "plan/words.hpp"
 #include "support/folder.hpp"
 
 namespace piae::plan {
@@ -71,7 +72,7 @@ class SmallRun {
   /// A new plan for the goals.
   Plan& plan(const std::string& goals = "all", Stretch stretch = Stretch::grid) {
     Request asked = request;
-    asked.goals = {goals};
+    asked.goals = words_in(goals);
     experiment = read_experiment(pipeline.path());
     current = std::make_unique<Plan>(experiment, choose(experiment, asked), stretch, disk);
     return *current;

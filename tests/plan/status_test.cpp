@@ -123,6 +123,11 @@ TEST_F(StatusOfARun, OfAnIdentificationCountsModels) {
   EXPECT_THAT(text, HasSubstr("made piae-dt 2 0 0 0 2 "));
 }
 
+TEST_F(StatusOfARun, OfTrustCountsClassifiers) {
+  run_.request.ratios = "10to1";
+  EXPECT_THAT(status("trust"), HasSubstr("real smote 2 0 0 0 2 "));
+}
+
 TEST(Submissions, GiveTheirGoalAndListsWhereNoneIsGiven) {
   const Folder folder;
   folder.write("choice", "sweep\nRUN=t\nSEEDS=0 1\nMETHODS=piae-dt\n");
