@@ -12,7 +12,8 @@ plan() { "$BIN/plan" "$@"; }
 
 # make -n does not build the programs, and without them there is no plan to show.
 if [[ $flags == *n* ]]; then
-  if [[ ! -x $BIN/plan ]]; then
+  if [[ ! -x $BIN/plan ]] || { [[ $BIN == build/bin ]] && ! plan --looks >/dev/null 2>&1 &&
+    [[ $(find src stages -newer "$BIN/plan" -print -quit 2>/dev/null) ]]; }; then
     echo 'for the steps of the grid the programs must be built first: `make build`'
     exit
   fi
