@@ -106,7 +106,7 @@ override RUN := $(patsubst results/%,%,$(RUN:/=))
 $(if $(RUN),,$(error RUN: is empty))
 results      := results/$(RUN)$(patsubst %,-%,$(filter blocked,$(PROTOCOL)))
 
-# The options of make that are letters.
+# The one-letter options that make was called with, such as -nk.
 letters    := $(filter-out --%,$(firstword -$(MAKEFLAGS)))
 
 # Programs are built first, unless BIN= names a folder where they are, or the link bin of a folder that the

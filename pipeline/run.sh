@@ -10,7 +10,7 @@ make=$1 flags=${MAKEFLAGS:-} status=0 stopped=
 flags=${flags%% *}
 plan() { "$BIN/plan" "$@"; }
 
-# make -n does not build the programs, and without them there is no plan to show.
+# make -n does not build the programs, so they may be missing or too old to print a plan.
 if [[ $flags == *n* ]]; then
   if [[ ! -x $BIN/plan ]] || { [[ $BIN == build/bin ]] && ! plan --looks >/dev/null 2>&1 &&
     [[ $(find src stages -newer "$BIN/plan" -print -quit 2>/dev/null) ]]; }; then

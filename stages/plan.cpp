@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr int not_due = 3;
+constexpr int not_due = 3;  // exit code of --is-due; 1 would also mean that plan failed
 
 enum class Format { make, why, summary, missing, jobs, shown, costs };
 
@@ -63,8 +63,8 @@ std::string printed(plan::Plan& plan, Format format, bool quietly, const JobOpti
   }
 }
 
-/// The same of all stretches of a run. What figures and pages will be made of, nobody knows before
-/// the grid is done: so of them it is what can be said now.
+/// Prints all stretches of a run. Later ones are planned from the files that exist now, so their
+/// steps may change once the grid is complete.
 std::string printed_of_all(const plan::Request& request, plan::PlanOptions options, Format format) {
   using plan::Stretch;
   std::string text;

@@ -118,11 +118,12 @@ std::string step_line(const std::string& name, const DoneStep& done) {
          "\t->" + text_of(done.outputs) + std::string(end_of_line);
 }
 
-/// A journal that nobody else writes to while this lives.
+/// Opens a journal and keeps other writers out as long as it lives.
 class Locked {
  public:
   explicit Locked(const fs::path& journal) {
-    // Who waited for the lock of a journal that was written anew meanwhile opens the new one.
+    // Another process may have replaced the file during the wait: lines in the old one would be
+    // lost.
     do {
       close();
       descriptor_ =
@@ -133,7 +134,7 @@ class Locked {
   Locked& operator=(const Locked&) = delete;
   ~Locked() { close(); }
 
-  /// Below 0 where the journal cannot be written.
+  /// Negative if the journal cannot be written.
   [[nodiscard]] int descriptor() const { return descriptor_; }
 
  private:
@@ -285,16 +286,16 @@ void Journal::save() {
   added_.clear();
   constexpr std::size_t small = 1 << 20;
   const std::size_t counting = files_.size() + steps_.size() + options_.size();
-  if (read_bytes_ > small && 2 * read_lines_ > 3 * counting) write_anew();
+  if (read_bytes_ > small && 2 * read_lines_ > 3 * counting) compact();
 }
 
-/// Without the lines that later ones have replaced.
-void Journal::write_anew() const {
+/// Drops the lines that later ones replace.
+void Journal::compact() const {
   const fs::path file = run_ / ".journal";
   const Locked locked(file);
   if (locked.descriptor() < 0) return;
   const std::string text = Journal(run_).whole_text();  // with what others have added since
-  if (text.empty()) return;
+  if (text.empty()) return;                             // the file could not be read
   try {
     write_file_atomically(file, std::as_bytes(std::span(text)));
   } catch (const Error&) {

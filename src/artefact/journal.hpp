@@ -82,7 +82,7 @@ class Journal {
   [[nodiscard]] std::string name_of(const std::string& file) const;
   void take(std::string_view text);
   [[nodiscard]] std::string whole_text() const;
-  void write_anew() const;
+  void compact() const;
 
   std::filesystem::path run_;
   std::string prefix_;

@@ -19,7 +19,7 @@ bool is_newer(const std::string& file, double begun_s) {
   return stat && static_cast<double>(stat->changed) * 1e-9 > begun_s;
 }
 
-/// True if the step cannot have read these settings: their file holds others, or was written since.
+/// True if the step cannot have read these settings: their file differs, or was written later.
 bool has_read_others(const Settings* settings, double begun_s) {
   if (settings == nullptr) return false;
   if (!artefact::stat_of(settings->file) || is_newer(settings->file, begun_s)) return true;

@@ -104,7 +104,7 @@ TEST(JournalOfARun, StaysSmallHoweverOftenFilesAreMade) {
   EXPECT_NE(Journal(run.folder.path()).file(run.file), nullptr);
 }
 
-TEST(JournalOfARun, LosesNothingThatIsAddedWhileItIsWrittenAnew) {
+TEST(JournalOfARun, LosesNothingThatIsAddedWhileItIsCompacted) {
   const Folder folder;
   Provenance large = provenance;
   large.options = "a = \"" + std::string(100'000, 'x') + "\"\n";

@@ -85,10 +85,7 @@ TEST(JobsOfACluster, BeginWithTheLongest) {
 
 TEST(JobsOfACluster, MakeAllOfAMethodInTheOrderInWhichItIsNeeded) {
   SmallRun run;
-  run.request.datasets = "real";
-  run.request.methods = "smote";
-  run.request.ratios = "1to1";
-  run.request.seeds = "0";
+  run.narrow_to("smote", "1to1");
   run.request.classifiers = "nearest wdcnn-spectra";
   const auto kinds = divide(run.plan("tables"), costs(), 4, 1);
   ASSERT_THAT(kinds[1].files, SizeIs(1));
@@ -117,10 +114,7 @@ TEST(JobsOfACluster, TakeAsMuchMemoryAsTheLargestOfTheirSteps) {
 
 TEST(JobsOfACluster, OfAMovedSettingTakeWhatItsMethodTakes) {
   SmallRun run;
-  run.request.datasets = "real";
-  run.request.methods = "piae-dt";
-  run.request.ratios = "1to1";
-  run.request.seeds = "0";
+  run.narrow_to("piae-dt", "1to1");
   run.set("epochs = 200", "epochs = 200\n[sweep]\npoints = [\"batch=1\"]");
   const auto kinds = divide(run.plan("sweep"), costs(), 1, 10);
   EXPECT_EQ(kinds[1].seconds, 1200);

@@ -13,10 +13,7 @@ using testing::Not;
 
 TEST(Makefiles, HaveARuleForEachStepThatIsToBeDone) {
   SmallRun run;
-  run.request.datasets = "real";
-  run.request.methods = "smote";
-  run.request.ratios = "10to1";
-  run.request.seeds = "0";
+  run.narrow_to("smote", "10to1");
   const std::string text = makefile_of(run.plan("tables"), true);
   EXPECT_THAT(text, HasSubstr("\nresults/t/real/seed0/smote/model.h5: results/t/real/seed0/A.h5\n"
                               "\t@pipeline/step.sh results/t/real/seed0/smote train --config "

@@ -69,6 +69,14 @@ class SmallRun {
     write("protocol.toml", protocol);
   }
 
+  /// Narrows the request to seed 0 of the measured data set.
+  void narrow_to(const std::string& method, const std::string& ratio) {
+    request.datasets = "real";
+    request.methods = method;
+    request.ratios = ratio;
+    request.seeds = "0";
+  }
+
   /// A new plan for the goals.
   Plan& plan(const std::string& goals = "all", Stretch stretch = Stretch::grid) {
     Request asked = request;
