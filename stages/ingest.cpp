@@ -14,6 +14,7 @@
 #include "inspection/tables.hpp"
 #include "inspection/warnings.hpp"
 #include "signal/described_split.hpp"
+#include "signal/description_file.hpp"
 #include "text/file.hpp"
 
 namespace fs = std::filesystem;
@@ -21,9 +22,11 @@ using namespace piae;
 
 namespace {
 
-void print_sources(const signal::Description& description) {
+/// Prints nothing of a data set that is simulated: there is nothing to fetch.
+void print_sources(const fs::path& file) {
+  if (signal::read_description_file(file).contains("simulation")) return;
   const auto or_dash = [](const std::string& text) { return text.empty() ? "-" : text; };
-  for (const signal::RecordSource& source : description.records) {
+  for (const signal::RecordSource& source : signal::read_description(file).records) {
     std::cout << or_dash(source.sha256) << "  " << source.file << "  " << or_dash(source.url)
               << '\n';
   }
@@ -100,8 +103,8 @@ int main(int argc, char** argv) {
       .required(false);
 
   return stage.run(argc, argv, [&] {
+    if (sources) return print_sources(file);
     const signal::Description description = signal::read_description(file);
-    if (sources) return print_sources(description);
     stage.note_read(file);
     for (const signal::RecordSource& source : description.records) {
       stage.note_read(data_dir / source.file);
