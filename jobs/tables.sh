@@ -24,7 +24,7 @@ status=0
 missing=$("$BIN/plan" --looks --format missing) || status=$?
 if [[ $missing ]]; then
   printf '%s\n' "$missing" >&2
-  export WITH_HOLES=yes
+  export PIAE_WITH_HOLES=yes
   status=1
 fi
 [[ $GOALS == cells ]] || pipeline/run.sh make || status=$?

@@ -39,7 +39,7 @@ run_make() { # further options
 }
 
 for stretch in grid numbers pictures pages; do
-  export ASKED_AT=$EPOCHREALTIME STRETCH=$stretch
+  export ASKED_AT=$EPOCHREALTIME PIAE_STRETCH=$stretch
   plan --format make "${options[@]}" >"$scratch" || exit
   [[ -s $scratch ]] || continue
   further=()

@@ -139,7 +139,10 @@ int main(int argc, char** argv) {
     }
     plan::Planned planned(request, options);
     for (const std::string& notice : planned.plan().choice().notices) std::cerr << notice << '\n';
-    if (format == Format::jobs) require_one_that(&plan::Goal::is_submitted, request.goals);
+    if (format == Format::jobs) {
+      plan::require_one_that([](const plan::Goal& goal) { return goal.is_submitted; },
+                             request.goals);
+    }
     if (format == Format::make && !options.looks) write_settings(planned.plan());
     std::cout << printed(planned.plan(), format, quietly, jobs);
     planned.save();

@@ -36,7 +36,8 @@ int main(int argc, char** argv) {
         plan::read_submission(jobs.empty() ? static_cast<std::istream&>(nothing) : lines);
     plan::Request request = asked.request();
     take_submission(submission, request, !asked.goals.empty());
-    require_one_that(&plan::Goal::is_counted, request.goals);
+    plan::require_one_that([](const plan::Goal& goal) { return !goal.counts.empty(); },
+                           request.goals);
     plan::PlanOptions look{.pipeline = pipeline, .looks = true};
     plan::Planned planned(request, look);
     plan::Plan& plan = planned.plan();

@@ -108,9 +108,10 @@ std::string options_line(const std::string& hash, const std::string& options) {
 }
 
 std::string file_line(const std::string& name, const SeenFile& seen) {
-  std::string line = "file\t" + escaped(name) + '\t' + text_of(seen.stat) + '\t' + seen.digest;
-  if (seen.made) line += '\t' + hash_of(*seen.made->options) + text_of(seen.made->inputs);
-  return line + std::string(end_of_line);
+  const std::string line = escaped(name) + '\t' + text_of(seen.stat) + '\t' + seen.digest;
+  if (!seen.made) return "file\t" + line + std::string(end_of_line);
+  return "artefact\t" + line + '\t' + escaped(seen.belongs_in) + '\t' +
+         hash_of(*seen.made->options) + text_of(seen.made->inputs) + std::string(end_of_line);
 }
 
 std::string step_line(const std::string& name, const DoneStep& done) {
@@ -188,7 +189,13 @@ Made made_by(const Provenance& provenance) {
 
 Journal::Journal(fs::path run) : run_(std::move(run)), prefix_(run_.string() + '/') {
   const fs::path file = run_ / ".journal";
-  if (!fs::is_regular_file(file)) return;
+  std::error_code none;
+  const fs::file_status status = fs::symlink_status(file, none);
+  if (!fs::exists(status)) return;
+  if (!fs::is_regular_file(status)) {
+    throw Error(Exit::bad_input,
+                file.string() + ": is not a file; remove it, make writes it again");
+  }
   try {
     const Bytes bytes = read_file(file);
     read_bytes_ = bytes.size();
@@ -214,16 +221,18 @@ void Journal::take(std::string_view text) {
     const std::span<const std::string_view> all(fields);
     if (fields.size() == 3 && fields[0] == "options") {
       options_[std::string(fields[1])] = std::make_shared<const std::string>(unescaped(fields[2]));
-    } else if (fields.size() >= 4 && fields[0] == "file") {
+    } else if (fields.size() == 4 && fields[0] == "file") {
       const auto stat = parse_stat(fields[2]);
       if (!stat) continue;
-      SeenFile seen{.stat = *stat, .digest = std::string(fields[3]), .made = std::nullopt};
-      if (fields.size() > 4) {
-        const auto options = options_.find(std::string(fields[4]));
-        if (options == options_.end()) continue;
-        seen.made = Made{options->second, parse_pairs(all.subspan(5))};
-      }
-      files_[unescaped(fields[1])] = std::move(seen);
+      files_[unescaped(fields[1])] = {.stat = *stat, .digest = std::string(fields[3])};
+    } else if (fields.size() >= 6 && fields[0] == "artefact") {
+      const auto stat = parse_stat(fields[2]);
+      const auto options = options_.find(std::string(fields[5]));
+      if (!stat || options == options_.end()) continue;
+      files_[unescaped(fields[1])] = {.stat = *stat,
+                                      .digest = std::string(fields[3]),
+                                      .made = Made{options->second, parse_pairs(all.subspan(6))},
+                                      .belongs_in = unescaped(fields[4])};
     } else if (fields.size() >= 4 && fields[0] == "step") {
       const auto options = options_.find(std::string(fields[2]));
       const auto arrow = std::ranges::find(all, "->");
@@ -303,7 +312,7 @@ void Journal::compact() const {
   }
 }
 
-void add_to_journal(const fs::path& run, const fs::path& file, const std::string& digest,
+void add_to_journal(const fs::path& run, const fs::path& file, const Written& written,
                     const Provenance& provenance) {
   const auto stat = stat_of(file);
   if (!stat || !fs::is_directory(run)) return;
@@ -313,7 +322,10 @@ void add_to_journal(const fs::path& run, const fs::path& file, const std::string
   append(run / ".journal",
          options_line(hash_of(*made.options), *made.options) +
              file_line(path.starts_with(prefix) ? path.substr(prefix.size()) : path,
-                       {.stat = *stat, .digest = short_digest(digest), .made = made}));
+                       {.stat = *stat,
+                        .digest = short_digest(written.digest),
+                        .made = made,
+                        .belongs_in = written.belongs_in}));
 }
 
 }  // namespace piae::artefact

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "artefact/provenance.hpp"
+#include "artefact/writer.hpp"
 
 namespace piae::artefact {
 
@@ -49,7 +50,8 @@ Made made_by(const Provenance& provenance);
 struct SeenFile {
   Stat stat;
   std::string digest;
-  std::optional<Made> made;  ///< of an artefact
+  std::optional<Made> made = std::nullopt;  ///< of an artefact
+  std::string belongs_in = {};              ///< of an artefact, see belongs_in.hpp
 };
 
 /// How a step made files that do not say so themselves: tables, figures, pages.
@@ -64,7 +66,8 @@ struct DoneStep {
 /// at once. A line that is damaged is as if it were not there.
 class Journal {
  public:
-  /// Reads that of a run's folder; it need not be there.
+  /// Reads that of a run's folder; it need not be there. Throws Error(bad_input) where something
+  /// else has its place, such as a link: nothing could be remembered.
   explicit Journal(std::filesystem::path run);
 
   /// Null where nothing is known. `file` is a path as programs get it.
@@ -96,6 +99,6 @@ class Journal {
 
 /// Adds a line for an artefact that was just written. Where it cannot be written, nothing is lost.
 void add_to_journal(const std::filesystem::path& run, const std::filesystem::path& file,
-                    const std::string& digest, const Provenance& provenance);
+                    const Written& written, const Provenance& provenance);
 
 }  // namespace piae::artefact

@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "artefact/belongs_in.hpp"
 #include "artefact/digest.hpp"
 #include "artefact/file.hpp"
 #include "artefact/rehearsal.hpp"
@@ -220,6 +221,8 @@ void Reader::require_provenance() const {
   }
   for (const char* name : {"/options", "/inputs"}) (void)strings(provenance_group + name);
 }
+
+std::string Reader::belongs_in() const { return artefact::belongs_in(file_); }
 
 bool Reader::has(const std::string& object) const {
   for (std::size_t slash = object.find('/', 1); slash != std::string::npos;

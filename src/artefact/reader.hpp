@@ -59,6 +59,8 @@ class Reader {
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
   [[nodiscard]] const std::string& kind() const { return kind_; }
   [[nodiscard]] const std::string& digest() const { return digest_; }
+  /// The name of the file that it belongs in, see belongs_in.hpp.
+  [[nodiscard]] std::string belongs_in() const;
 
   [[nodiscard]] bool has(const std::string& object) const;
   [[nodiscard]] bool has_attribute(const std::string& object, const std::string& name) const;

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "artefact/belongs_in.hpp"
 #include "artefact/digest.hpp"
 #include "artefact/file.hpp"
 #include "base/error.hpp"
@@ -83,11 +84,12 @@ void Writer::attribute(const std::string& object, const std::string& name,
   hdf5::write_attribute(file_.id(), object, name, value);
 }
 
-std::string Writer::save(const std::filesystem::path& path, const Provenance& provenance) {
+Written Writer::save(const std::filesystem::path& path, const Provenance& provenance) {
   write_provenance(file_.id(), provenance);
   const Digests digests = digests_of(file_.id(), hdf5::object_paths(file_.id()), file_.image());
   hdf5::write_attribute(file_.id(), provenance_group, digest_attribute, digests.provenance);
   hdf5::write_attribute(file_.id(), "/", digest_attribute, digests.content);
+  Written written{.digest = digests.content, .belongs_in = belongs_in(file_.id())};
   const auto bytes = file_.close();
   if (bytes.size() > largest_artefact_bytes) {
     throw Error(Exit::failed, path.string() + ": would be larger than " +
@@ -95,7 +97,7 @@ std::string Writer::save(const std::filesystem::path& path, const Provenance& pr
                                   " MB, which no stage reads; take fewer or shorter records");
   }
   write_file_atomically(path, bytes);
-  return digests.content;
+  return written;
 }
 
 }  // namespace piae::artefact

@@ -18,6 +18,12 @@ inline constexpr std::int64_t schema_version = 1;
 /// some megabytes.
 inline constexpr std::uint64_t largest_artefact_bytes = 4'000'000'000;
 
+/// An artefact that was written.
+struct Written {
+  std::string digest;      ///< of its content
+  std::string belongs_in;  ///< the name of the file that it belongs in, see belongs_in.hpp
+};
+
 /// Builds an artefact in memory. save() then writes it, complete or not at all.
 ///
 ///     Writer writer("windows");
@@ -48,9 +54,9 @@ class Writer {
   void attribute(const std::string& object, const std::string& name, std::int64_t value);
   void attribute(const std::string& object, const std::string& name, const std::string& value);
 
-  /// Adds provenance and digests, writes the file as write_file_atomically() does, and returns the
-  /// content digest. No other call may follow.
-  std::string save(const std::filesystem::path& path, const Provenance& provenance);
+  /// Adds provenance and digests, and writes the file as write_file_atomically() does. No other
+  /// call may follow.
+  Written save(const std::filesystem::path& path, const Provenance& provenance);
 
  private:
   hdf5::MemoryFile file_;

@@ -228,9 +228,9 @@ void Stage::require_no_input(const std::filesystem::path& path) const {
 
 void Stage::save(artefact::Writer& writer, const std::filesystem::path& path) const {
   require_no_input(path);
-  const std::string digest = writer.save(path, provenance());
+  const artefact::Written written = writer.save(path, provenance());
   const char* const run = std::getenv("PIAE_RUN");
-  if (run != nullptr) artefact::add_to_journal(run, path, digest, provenance());
+  if (run != nullptr) artefact::add_to_journal(run, path, written, provenance());
 }
 
 std::string Stage::resolved_options() const {

@@ -61,11 +61,11 @@ void bind(const cli::Options& command, PlanOptions& options) {
                {"pictures", Stretch::pictures},
                {"pages", Stretch::pages}},
               "Part of a run, each planned when the one before is done")
-      .from_environment("STRETCH");
+      .from_environment("PIAE_STRETCH");
   command
       .flag("--with-holes", options.with_holes,
             "Tables of the cells that are there, where others are missing")
-      .from_environment("WITH_HOLES");
+      .from_environment("PIAE_WITH_HOLES");
   command.flag("--looks", options.looks, "Write nothing, not even settings files and the journal");
   command.add("--only", options.only,
               "Only the files that this file names, a line each, and what they are made of");

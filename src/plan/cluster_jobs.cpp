@@ -21,6 +21,11 @@ struct Unit {
   double megabytes = 0;
   bool needs_gpu = false;
   std::vector<std::string> files = {};
+
+  void take(const Cost& cost) {
+    seconds += cost.seconds;
+    megabytes = std::max(megabytes, cost.megabytes);
+  }
 };
 
 /// One job while it is filled.
@@ -105,45 +110,49 @@ JobKind kind_of(const std::string& name, std::vector<const Unit*> units, std::si
   return kind;
 }
 
+/// The one job of a unit. It gets `further_s` of time for what no step's cost tells.
+JobKind one_job(const Unit& unit, std::size_t steps, std::size_t cores, double further_s) {
+  return {.name = unit.name,
+          .cores = cores,
+          .minutes = minutes_for(unit.seconds + further_s),
+          .megabytes = megabytes_for(cores, unit.megabytes),
+          .steps = steps,
+          .seconds = unit.seconds,
+          .files = {unit.files}};
+}
+
 }  // namespace
 
 std::vector<JobKind> divide(Plan& plan, const Costs& costs, std::size_t cores, double minutes) {
-  JobKind records{.name = "records", .files = {{}}};
-  JobKind tables{.name = "tables", .files = {{}}};
-  double records_megabytes = 0;
-  double tables_megabytes = 500;
+  Unit records{.name = "records", .run = {}};
+  Unit tables{.name = "tables", .run = {}, .megabytes = 500};
+  std::size_t tables_steps = 0;
   std::vector<Unit> units;
   std::map<std::string, std::size_t> index;
   for (const StepId id : plan.to_run()) {
     const Step& step = plan.graph().at(id);
     const Cost cost = costs.of(step).cost;
     if (!step.is_artefact) {
-      ++tables.steps;
-      tables.seconds += cost.seconds;
-      tables_megabytes = std::max(tables_megabytes, cost.megabytes);
+      tables.take(cost);
+      ++tables_steps;
     } else if (step.place.unit.empty()) {
-      ++records.steps;
-      records.seconds += cost.seconds;
-      records_megabytes = std::max(records_megabytes, cost.megabytes);
-      records.files.front().push_back(step.outputs.front());
+      records.take(cost);
+      records.files.push_back(step.outputs.front());
     } else {
       const std::string name = fmt::format("{}/{}/seed{}/{}", run_of(step), step.place.dataset,
                                            *step.place.seed, step.place.unit);
       const auto [found, is_new] = index.emplace(name, units.size());
       if (is_new) units.push_back({.name = name, .run = run_of(step)});
       Unit& unit = units[found->second];
-      unit.seconds += cost.seconds;
-      unit.megabytes = std::max(unit.megabytes, cost.megabytes);
+      unit.take(cost);
       unit.needs_gpu = unit.needs_gpu || asks_for_gpu(step);
       unit.files.push_back(step.outputs.front());
     }
   }
   std::vector<JobKind> kinds;
-  if (records.steps > 0) {
-    records.cores = std::min(records.steps, cores);
-    records.minutes = minutes_for(records.seconds);
-    records.megabytes = megabytes_for(records.cores, records_megabytes);
-    kinds.push_back(std::move(records));
+  if (!records.files.empty()) {
+    const std::size_t steps = records.files.size();
+    kinds.push_back(one_job(records, steps, std::min(steps, cores), 0));
   }
   for (const bool on_gpu : {false, true}) {
     std::vector<const Unit*> of_kind;
@@ -154,9 +163,7 @@ std::vector<JobKind> divide(Plan& plan, const Costs& costs, std::size_t cores, d
       kinds.push_back(kind_of(on_gpu ? "cells-gpu" : "cells", of_kind, cores, minutes));
     }
   }
-  tables.minutes = minutes_for(tables.seconds + 300);
-  tables.megabytes = megabytes_for(1, tables_megabytes);
-  kinds.push_back(std::move(tables));
+  kinds.push_back(one_job(tables, tables_steps, 1, 300));
   return kinds;
 }
 

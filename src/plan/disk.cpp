@@ -51,7 +51,7 @@ File described(const artefact::Reader& reader) {
   }
   File file{.digest = artefact::short_digest(reader.digest()),
             .made = artefact::made_by(provenance),
-            .problem = {}};
+            .belongs_in = reader.belongs_in()};
   if (reader.kind() == "records") add_recordings(reader, *file.made);
   return file;
 }
@@ -62,7 +62,7 @@ File read_next(artefact::Readers& readers) {
   try {
     return described(readers.next());
   } catch (const Error& error) {
-    return {.digest = {}, .made = std::nullopt, .problem = error.what()};
+    return {.digest = {}, .problem = error.what()};
   }
 }
 
@@ -93,12 +93,12 @@ const File* RealDisk::keep(const std::string& file, std::optional<File> found) {
 std::optional<File> RealDisk::known(const std::string& file, const artefact::Stat& stat) {
   const artefact::SeenFile* const seen = journal_of(file).file(file);
   if (seen == nullptr || seen->stat != stat) return std::nullopt;
-  return File{.digest = seen->digest, .made = seen->made, .problem = {}};
+  return File{.digest = seen->digest, .made = seen->made, .belongs_in = seen->belongs_in};
 }
 
 void RealDisk::note_read(const std::string& file, const artefact::Stat& stat, const File& found) {
   if (!found.problem.empty()) return;
-  journal_of(file).note(file, artefact::SeenFile{stat, found.digest, found.made});
+  journal_of(file).note(file, artefact::SeenFile{stat, found.digest, found.made, found.belongs_in});
 }
 
 void RealDisk::read_ahead(const std::vector<std::string>& files) {
@@ -135,9 +135,7 @@ const File* RealDisk::find(const std::string& file) {
   if (!stat) return keep(file, std::nullopt);
   std::optional<File> found = known(file, *stat);
   if (!found) {
-    found = File{.digest = artefact::short_digest(sha256_of_file(file)),
-                 .made = std::nullopt,
-                 .problem = {}};
+    found = File{.digest = artefact::short_digest(sha256_of_file(file))};
     note_read(file, *stat, *found);
   }
   return keep(file, std::move(found));

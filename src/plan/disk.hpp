@@ -12,9 +12,11 @@ namespace piae::plan {
 
 /// A file as it lies on the disk.
 struct File {
-  std::string digest;                  ///< of an artefact its content digest, else the sha256
-  std::optional<artefact::Made> made;  ///< of an artefact
-  std::string problem;                 ///< why an artefact cannot be read; else empty
+  std::string digest;  ///< of an artefact its content digest, else the sha256
+  std::optional<artefact::Made> made = std::nullopt;  ///< of an artefact
+  std::string belongs_in =
+      {};                    ///< of an artefact: the name of its file, see artefact/belongs_in.hpp
+  std::string problem = {};  ///< why an artefact cannot be read; else empty
 };
 
 /// Answers the questions that a plan has about the disk.

@@ -43,6 +43,20 @@ Values wanted_by(const Step& step) {
   return wanted;
 }
 
+/// A value as people write it: 0.005 for 0.0050000000000000001.
+std::string shown(const std::string& value) {
+  const auto number = number_in<double>(value);
+  const std::string shortest = number ? fmt::format("{}", *number) : value;
+  return shortest.size() < value.size() ? shortest : value;
+}
+
+/// Why a setting makes a step due; `was` is empty where it was not set.
+std::string changed_setting(const std::string& option, const std::string& value,
+                            const std::string& was) {
+  if (was.empty()) return fmt::format("setting {} is {}, was not set", option, shown(value));
+  return fmt::format("setting {} is {}, was {}", option, shown(value), shown(was));
+}
+
 std::string default_of(const Step& step, const std::string& option) {
   if (!step.settings) return {};
   const auto found = step.settings->defaults.find(option);
@@ -143,6 +157,9 @@ std::string Judge::in_artefacts(const Step& step) {
   for (const std::string& output : step.outputs) {
     const File& file = *disk_.find(output);
     if (!file.made) return file.problem.empty() ? file_name(output) + " is damaged" : file.problem;
+    if (file.belongs_in != file_name(output)) {
+      return file_name(output) + " holds what belongs in " + file.belongs_in;
+    }
     for (const std::string& why : {in_options(step, *file.made), in_inputs(step, *file.made)}) {
       if (!why.empty()) return why;
     }
@@ -157,14 +174,12 @@ std::string Judge::in_record(const Step& step) {
   const Values wanted = wanted_by(step);
   for (const auto& [option, value] : wanted) {
     const auto before = was.find(option);
-    if (before == was.end()) return fmt::format("setting {} is {}, was not set", option, value);
-    if (!same_value(before->second, value)) {
-      return fmt::format("setting {} is {}, was {}", option, value, before->second);
-    }
+    if (before == was.end()) return changed_setting(option, value, "");
+    if (!same_value(before->second, value)) return changed_setting(option, value, before->second);
   }
   for (const auto& [option, value] : was) {
     if (!wanted.contains(option)) {
-      return fmt::format("setting {} is not set, was {}", option, value);
+      return fmt::format("setting {} is not set, was {}", option, shown(value));
     }
   }
   for (const auto& [output, digest] : done->outputs) {
@@ -187,8 +202,7 @@ std::string Judge::in_options(const Step& step, const artefact::Made& made) {
     // An option that the program has learned since then had its default.
     const std::string old = before == was.end() ? default_of(step, option) : before->second;
     if (same_value(old, value)) continue;
-    why = old.empty() ? fmt::format("setting {} is {}, was not set", option, value)
-                      : fmt::format("setting {} is {}, was {}", option, value, old);
+    why = changed_setting(option, value, old);
     break;
   }
   return compared_[key] = why;

@@ -33,40 +33,49 @@ void add_all(TableSteps& tables) {
 }  // namespace
 
 const std::vector<Goal>& goals() {
+  const Words scored{"score", "diagnose"};
   // Cells come before tables, which leave out what nobody has asked for and is out of date.
   static const std::vector<Goal> all{
       {.name = "records", .add = add_records},
-      {.name = "cells", .add = add_cells, .is_counted = true, .is_submitted = true},
+      {.name = "cells", .add = add_cells, .counts = scored, .is_submitted = true},
       {.name = "features", .add = add_features},
       {.name = "sweep",
        .add = add_sweeps,
-       .is_counted = true,
+       .counts = scored,
        .is_submitted = true,
        .beginnings = {"sweep"}},
       {.name = "readings",
        .add = add_readings,
-       .is_counted = true,
+       .counts = scored,
        .is_submitted = true,
        .beginnings = {"readings"}},
       {.name = "identify",
        .add = add_identifications,
-       .is_counted = true,
+       .counts = {"train"},
        .is_submitted = true,
        .beginnings = {"identifiability.", "scatter."}},
       {.name = "trust",
        .add = add_trust,
-       .is_counted = true,
+       .counts = {"score", "diagnose", "classifier"},
        .beginnings = {"trust.", "classifier.h5"}},
-      {.name = "transfer", .add = add_transfers, .is_counted = true, .beginnings = {"transfer"}},
+      {.name = "transfer", .add = add_transfers, .counts = scored, .beginnings = {"transfer"}},
       {.name = "contrast",
        .add = add_contrasts,
-       .is_counted = true,
+       .counts = scored,
        .is_submitted = true,
        .beginnings = {"protocols.", "rates."}},
       {.name = "tables", .add = add_tables},
-      {.name = "all", .add = add_all, .is_counted = true, .is_submitted = true},
-      {.name = "figures"},
-      {.name = "report"},
+      {.name = "all",
+       .add = add_all,
+       .counts = scored,
+       .is_submitted = true,
+       .draws = true,
+       .writes_pages = true},
+      {.name = "figures", .draws = true, .beginnings = {"figures"}},
+      {.name = "report",
+       .draws = true,
+       .writes_pages = true,
+       .beginnings = {"report.html", "report.md", "run.html"}},
   };
   return all;
 }
@@ -77,21 +86,26 @@ std::vector<std::string> goal_names() {
   return names;
 }
 
+const Goal& goal_named(const std::string& name) {
+  return *std::ranges::find(goals(), name, &Goal::name);
+}
+
 const Goal& goal_of_file(const std::string& file) {
-  const Words parts = fields_of(below_run(file), '/');  // DATASET, seedK, UNIT, ...
-  const std::string unit = parts.size() > 3 ? parts[2] : "";
+  const Words parts = fields_of(below_run(file), '/');  // DATASET, seedK, UNIT, ... or figures
+  const bool is_of_seed = parts.size() > 3;
+  const std::string folder = is_of_seed ? parts[2] : parts.size() > 2 ? parts[1] : "";
   const auto begins_so = [&](const std::string& beginning) {
-    return unit.starts_with(beginning) || file_name(file).starts_with(beginning);
+    return folder.starts_with(beginning) || parts.back().starts_with(beginning);
   };
   const auto found = std::ranges::find_if(
       goals(), [&](const Goal& goal) { return std::ranges::any_of(goal.beginnings, begins_so); });
-  return found == goals().end() ? *std::ranges::find(goals(), "all", &Goal::name) : *found;
+  return found == goals().end() ? goal_named("all") : *found;
 }
 
-void require_one_that(bool Goal::*is_so, const std::vector<std::string>& names) {
+void require_one_that(bool (*is_so)(const Goal&), const std::vector<std::string>& names) {
   Words able;
   for (const Goal& goal : goals()) {
-    if (goal.*is_so) able.push_back(goal.name);
+    if (is_so(goal)) able.push_back(goal.name);
   }
   if (names.size() == 1 && has(able, names.front())) return;
   throw Error(Exit::usage,

@@ -74,7 +74,8 @@ void LookSteps::numbers() {
               .tables_folder = folder + "/figures"};
     // Pictures that lack a cell which must be there are removed: so what must be there counts.
     // Where all is made, there is all that can be.
-    const bool only_figures = choice_.has_goal("figures") && !choice_.has_goal("all");
+    const bool only_figures =
+        choice_.has_goal("figures") && !choice_.has_goal("all") && !choice_.only_pictures;
     if (only_figures) step.options = options_in(must_be_there(part));
     if (!dataset.any_known && !only_figures) {
       append(step.words, {"--nothing-known", dataset.name});
@@ -118,13 +119,13 @@ void LookSteps::pages(const Experiment& experiment) {
       old.push_back(part.dataset.name + '/' + file);
     }
   }
-  if (!choice_.only_looks) append(step.words, {"--datasets"}), append(step.words, datasets);
+  if (!choice_.only_looks) append_option(step.words, "datasets", datasets);
   append(step.words, choice_.only_looks ? choice_.given : tables_.whole_selection());
   append(step.words, {"--published", "results/published"});
   for (const Dataset& dataset : experiment.datasets) {
     if (!dataset.any_known) append(step.words, {"--nothing-known", dataset.name});
   }
-  if (!old.empty()) append(step.words, {"--leave-out"}), append(step.words, old);
+  append_option(step.words, "leave-out", old);
   grid_.graph().add(std::move(step));
 }
 

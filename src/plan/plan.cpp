@@ -24,28 +24,32 @@ void add_goals(const std::set<std::string>& names, TableSteps& tables) {
 
 Plan::Plan(const Experiment& experiment, Choice choice, Stretch stretch, Disk& disk)
     : choice_(std::move(choice)), judge_(std::make_unique<Judge>(graph_, disk)) {
-  if (stretch == Stretch::grid) {
-    if (choice_.only_looks) return;
-    GridSteps grid(experiment, choice_, choice_.protocol, graph_);
-    TableSteps tables(experiment, choice_, grid, *judge_, disk);
-    add_goals({choice_.goals.begin(), choice_.goals.end()}, tables);
-    shown_ = tables.shown();
-    const StepId first = graph_.steps().size();
-    std::set<std::string> of_files;
-    for (const std::string& file : choice_.files) of_files.insert(goal_of_file(file).name);
-    add_goals(of_files, tables);
-    for (StepId id = first; id < graph_.steps().size(); ++id) graph_.at(id).is_asked = false;
-    ask_for(choice_.files);
-    return;
-  }
-  const bool draws = choice_.has_goal("all") || choice_.has_goal("figures");
-  const bool reports = choice_.has_goal("all") || choice_.has_goal("report");
   GridSteps grid(experiment, choice_, choice_.protocol, graph_);
   TableSteps tables(experiment, choice_, grid, *judge_, disk);
+  if (stretch == Stretch::grid) {
+    if (!choice_.only_looks) add_grid(tables);
+    return;
+  }
+  const auto any = [&](bool Goal::*does) {
+    return std::ranges::any_of(choice_.goals,
+                               [&](const std::string& name) { return goal_named(name).*does; });
+  };
   LookSteps looks(choice_, grid, tables);
-  if (stretch == Stretch::numbers && (draws || reports)) looks.numbers();
-  if (stretch == Stretch::pictures && (draws || reports)) looks.pictures();
-  if (stretch == Stretch::pages && reports) looks.pages(experiment);
+  if (stretch == Stretch::numbers && any(&Goal::draws)) looks.numbers();
+  if (stretch == Stretch::pictures && any(&Goal::draws)) looks.pictures();
+  if (stretch == Stretch::pictures && choice_.only_pictures) keep_only(*choice_.only_pictures);
+  if (stretch == Stretch::pages && any(&Goal::writes_pages)) looks.pages(experiment);
+}
+
+void Plan::add_grid(TableSteps& tables) {
+  add_goals({choice_.goals.begin(), choice_.goals.end()}, tables);
+  shown_ = tables.shown();
+  const StepId first = graph_.steps().size();
+  std::set<std::string> of_files;
+  for (const std::string& file : choice_.files) of_files.insert(goal_of_file(file).name);
+  add_goals(of_files, tables);
+  for (StepId id = first; id < graph_.steps().size(); ++id) graph_.at(id).is_asked = false;
+  ask_for(choice_.files);
 }
 
 std::vector<StepId> Plan::asked() const {

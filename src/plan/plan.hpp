@@ -21,6 +21,8 @@ enum class Stretch {
   pages,     ///< report.html and its like
 };
 
+class TableSteps;
+
 /// The steps for what is asked, and which of them are to be run.
 class Plan {
  public:
@@ -47,6 +49,7 @@ class Plan {
   void keep_pages();
 
  private:
+  void add_grid(TableSteps& tables);
   /// Asks for these files and what they are made of, in addition to what is asked already.
   void ask_for(const std::vector<std::string>& files);
 

@@ -3,6 +3,7 @@
 #include <spdlog/fmt/fmt.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <iterator>
 #include <set>
 
@@ -103,7 +104,22 @@ std::string run_name(const Request& request) {
                   scoring::all_ratios().front().name));
 }
 
+/// Takes figures and pages that are asked for by their files. Of figures only these are drawn then.
+void take_looks(const Words& files, Choice& choice) {
+  bool draws_all = std::ranges::any_of(
+      choice.goals, [](const std::string& name) { return goal_named(name).draws; });
+  Words pictures;
+  for (const std::string& file : files) {
+    const Goal& goal = goal_of_file(file);
+    draws_all = draws_all || goal.writes_pages;
+    if (!file.ends_with(".csv")) pictures.push_back(file);
+    if (!choice.has_goal(goal.name)) choice.goals.push_back(goal.name);
+  }
+  if (!files.empty() && !draws_all) choice.only_pictures = std::move(pictures);
+}
+
 void choose_goals(const Request& request, Choice& choice) {
+  Words looks;
   for (const std::string& goal : request.goals) {
     const bool is_file = goal.find('/') != std::string::npos;
     if (!is_file && !has(goal_names(), goal)) {
@@ -111,11 +127,17 @@ void choose_goals(const Request& request, Choice& choice) {
                                            "results/",
                                            goal, spaced(goal_names())));
     }
-    (is_file ? choice.files : choice.goals).push_back(goal);
+    if (!is_file) {
+      choice.goals.push_back(goal);
+      continue;
+    }
+    const std::string file = std::filesystem::path(goal).lexically_normal();
+    (goal_of_file(file).add != nullptr ? choice.files : looks).push_back(file);
   }
+  take_looks(looks, choice);
   choice.only_looks =
-      choice.files.empty() && std::ranges::all_of(choice.goals, [](const auto& goal) {
-        return goal == "figures" || goal == "report";
+      choice.files.empty() && std::ranges::all_of(choice.goals, [](const std::string& name) {
+        return goal_named(name).add == nullptr;
       });
 }
 

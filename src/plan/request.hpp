@@ -28,7 +28,9 @@ struct Request {
 /// A request with every open choice made and checked.
 struct Choice {
   std::vector<std::string> goals;  ///< names
-  std::vector<std::string> files;  ///< goals that are files
+  std::vector<std::string> files;  ///< files of the grid that are asked for
+  /// The pictures to be drawn, where they are asked for by their files; else all.
+  std::optional<std::vector<std::string>> only_pictures = std::nullopt;
   std::string run;
   signal::Protocol protocol = signal::Protocol::random;
   std::string data_dir;

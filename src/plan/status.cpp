@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "plan/goals.hpp"
 #include "plan/words.hpp"
 
 namespace piae::plan {
@@ -82,12 +83,6 @@ class Durations {
   std::map<std::string, Sum> taken_;
 };
 
-bool is_counted(const Plan& plan, const Step& step) {
-  if (plan.choice().has_goal("identify")) return step.log == "train";
-  if (plan.choice().has_goal("trust") && step.log == "classifier") return true;
-  return step.log == "score" || step.log == "diagnose";
-}
-
 /// The data set as a line names it: a contrast has two runs.
 std::string dataset_of(const Plan& plan, const Step& step) {
   const std::string blocked = plan.choice().folder_of(signal::Protocol::blocked) + '/';
@@ -155,9 +150,32 @@ Row sum_of(const std::vector<Row>& rows) {
   return sum;
 }
 
+/// The lines as a table; `counted` says what is counted: "cells". `running` steps run now.
+std::string status_lines(const std::vector<Row>& rows, const char* counted, std::size_t running) {
+  std::size_t dataset_width = std::string("data set").size();
+  std::size_t unit_width = std::string("method").size();
+  for (const Row& row : rows) {
+    dataset_width = std::max(dataset_width, row.dataset.size());
+    unit_width = std::max(unit_width, row.unit.size());
+  }
+  std::string text = fmt::format("{:<{}}  {:<{}}  {:>6}  {:>6}  {:>7}  {:>6}  {:>7}  time left\n",
+                                 "data set", dataset_width, "method", unit_width, counted, "done",
+                                 "running", "failed", "missing");
+  for (const Row& row : rows) text += line_of(row, dataset_width, unit_width);
+  const Row sum = sum_of(rows);
+  text += line_of(sum, dataset_width, unit_width);
+  if (running > 1) {
+    text += fmt::format("\n{} steps run at a time: {}{} left at this rate\n", running,
+                        duration(sum.seconds_left / static_cast<double>(running)),
+                        sum.any_unknown ? " or more" : "");
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string status_table(Plan& plan, const std::map<StepId, StepState>& states, Logs& logs) {
+  const Words& counts = goal_named(plan.choice().goals.front()).counts;
   const Durations durations(plan, logs);
   Worst worst(plan.graph(), states);
   Rows rows;
@@ -174,30 +192,12 @@ std::string status_table(Plan& plan, const std::map<StepId, StepState>& states, 
       row.any_unknown = row.any_unknown || !seconds;
       if (state->second.progress == Progress::running) ++running;
     }
-    if (is_counted(plan, step)) {
+    if (has(counts, step.log)) {
       Row& row = rows.of(dataset_of(plan, step), Durations::unit_of(step));
       ++row.cells[static_cast<std::size_t>(worst.of(id))];
     }
   }
-  std::size_t dataset_width = std::string("data set").size();
-  std::size_t unit_width = std::string("method").size();
-  for (const Row& row : rows.all()) {
-    dataset_width = std::max(dataset_width, row.dataset.size());
-    unit_width = std::max(unit_width, row.unit.size());
-  }
-  const char* const counted = plan.choice().has_goal("identify") ? "models" : "cells";
-  std::string text = fmt::format("{:<{}}  {:<{}}  {:>6}  {:>6}  {:>7}  {:>6}  {:>7}  time left\n",
-                                 "data set", dataset_width, "method", unit_width, counted, "done",
-                                 "running", "failed", "missing");
-  for (const Row& row : rows.all()) text += line_of(row, dataset_width, unit_width);
-  const Row sum = sum_of(rows.all());
-  text += line_of(sum, dataset_width, unit_width);
-  if (running > 1) {
-    text += fmt::format("\n{} steps run at a time: {}{} left at this rate\n", running,
-                        duration(sum.seconds_left / static_cast<double>(running)),
-                        sum.any_unknown ? " or more" : "");
-  }
-  return text;
+  return status_lines(rows.all(), has(counts, "train") ? "models" : "cells", running);
 }
 
 std::string listed_steps(const Plan& plan, const std::map<StepId, StepState>& states) {

@@ -14,21 +14,26 @@ namespace piae::plan {
 
 namespace {
 
-void add_sweep(TableSteps& tables, const Part& part, const settings::Sweep& sweep) {
-  const Dataset& dataset = part.dataset;
-  const Words ratios = tables.moved_ratios({"1to1"}, "sweep");
+/// The method as it is, and with each setting moved.
+std::vector<Variant> swept_variants(const settings::Sweep& sweep) {
   std::vector<Variant> variants{variant_of(sweep.method)};
-  std::set<std::string> folders{sweep.method};
   for (const std::string& point : sweep.points) {
     if (has(sweep.centre, point)) continue;
     variants.push_back({.folder = sweep_folder(sweep.method, point),
                         .method = sweep.method,
                         .moved = {*settings::parse_point(point)}});
-    folders.insert(variants.back().folder);
   }
+  return variants;
+}
+
+void add_sweep(TableSteps& tables, const Part& part, const settings::Sweep& sweep) {
+  const Dataset& dataset = part.dataset;
+  const Words ratios = tables.moved_ratios({"1to1"}, "sweep");
+  std::set<std::string> folders;
   std::vector<StepId> asked;
-  for (const std::int64_t seed : tables.choice().seeds) {
-    for (const Variant& variant : variants) {
+  for (const Variant& variant : swept_variants(sweep)) {
+    folders.insert(variant.folder);
+    for (const std::int64_t seed : tables.choice().seeds) {
       for (const std::string& ratio : ratios) {
         asked.push_back(tables.grid().diagnosis(dataset, seed, variant, ratio, sweep.classifier));
       }

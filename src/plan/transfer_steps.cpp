@@ -25,34 +25,38 @@ std::vector<const Part*> parts_of(const TableSteps& tables, const settings::Grou
   return parts;
 }
 
-void add_transfer(TableSteps& tables, const settings::Group& group) {
-  const std::string ratio = [&] {
-    std::string last;
-    for (const scoring::Ratio& each : scoring::all_ratios()) {
-      if (each.generated_per_class > 0 && has(tables.choice().ratios, each.name)) last = each.name;
-    }
-    return last;
-  }();
-  if (ratio.empty()) {
-    throw Error(Exit::usage, fmt::format("make transfer: RATIOS must have others than {}, at which "
-                                         "nothing is generated",
-                                         nothing_generated()));
+/// The ratio with the most generated windows among those that are asked for.
+std::string generating_ratio(const Choice& choice) {
+  std::string last;
+  for (const scoring::Ratio& each : scoring::all_ratios()) {
+    if (each.generated_per_class > 0 && has(choice.ratios, each.name)) last = each.name;
   }
+  if (!last.empty()) return last;
+  throw Error(Exit::usage, fmt::format("make transfer: RATIOS must have others than {}, at which "
+                                       "nothing is generated",
+                                       nothing_generated()));
+}
+
+/// Throws Error(usage) where an input of a group needs a classifier that is not asked for.
+void require_classifiers(const Choice& choice, const settings::Group& group) {
   std::set<std::string> lacks;
   for (const Words& inputs : {group.inputs, group.kind_inputs}) {
     for (const std::string& input : inputs) {
       const std::size_t equals = input.find('=');
-      const bool is_needed = has(tables.choice().methods, input.substr(0, equals)) &&
-                             !has(tables.choice().classifiers, input.substr(equals + 1));
+      const bool is_needed = has(choice.methods, input.substr(0, equals)) &&
+                             !has(choice.classifiers, input.substr(equals + 1));
       if (is_needed) lacks.insert(input.substr(equals + 1));
     }
   }
-  if (!lacks.empty()) {
-    throw Error(Exit::usage,
-                fmt::format("make transfer: CLASSIFIERS must have {}, which [transfer.{}] of "
-                            "pipeline/protocol.toml names for these METHODS",
-                            fmt::join(lacks, " "), group.name));
-  }
+  if (lacks.empty()) return;
+  throw Error(Exit::usage,
+              fmt::format("make transfer: CLASSIFIERS must have {}, which [transfer.{}] of "
+                          "pipeline/protocol.toml names for these METHODS",
+                          fmt::join(lacks, " "), group.name));
+}
+
+/// The cells of a group's data sets without generated windows, and with most of them.
+Words cells_of(TableSteps& tables, const settings::Group& group, const std::string& ratio) {
   Words files;
   for (const Part* part : parts_of(tables, group)) {
     for (const std::int64_t seed : tables.choice().seeds) {
@@ -64,6 +68,12 @@ void add_transfer(TableSteps& tables, const settings::Group& group) {
       }
     }
   }
+  return files;
+}
+
+void add_transfer(TableSteps& tables, const settings::Group& group) {
+  const std::string ratio = generating_ratio(tables.choice());
+  require_classifiers(tables.choice(), group);
   const std::string name = "transfer@" + group.name;
   Step step{.stage = "transfer",
             .folder = tables.grid().folder(),
@@ -79,7 +89,7 @@ void add_transfer(TableSteps& tables, const settings::Group& group) {
                 tables.grid().folder(),
                 {name + ".csv", "transfer-comparisons@" + group.name + ".csv", name + ".md"})};
   tables.show(step.outputs.back());
-  tables.add(std::move(step), "cells", files);
+  tables.add(std::move(step), "cells", cells_of(tables, group, ratio));
   tables.add_picture(tables.grid().folder() + '/' + name + ".csv");
 }
 

@@ -7,6 +7,7 @@
 #include <fstream>
 #include <thread>
 
+#include "base/error.hpp"
 #include "support/folder.hpp"
 
 namespace piae::artefact {
@@ -27,7 +28,7 @@ struct RunWithJournal {
 
   RunWithJournal() {
     folder.write("model.h5", "content");
-    add_to_journal(folder.path(), file, std::string(64, 'd'), provenance);
+    add_to_journal(folder.path(), file, {std::string(64, 'd'), "model.h5"}, provenance);
   }
 };
 
@@ -38,6 +39,7 @@ TEST(JournalOfARun, KeepsHowAnArtefactWasMade) {
   ASSERT_NE(seen, nullptr);
   EXPECT_EQ(seen->stat, *stat_of(run.file));
   EXPECT_EQ(seen->digest, std::string(32, 'd'));
+  EXPECT_EQ(seen->belongs_in, "model.h5");
   ASSERT_TRUE(seen->made);
   EXPECT_EQ(*seen->made->options, provenance.options);
   EXPECT_THAT(seen->made->inputs, ElementsAre(MadeFrom{"known", std::string(32, 'a')},
@@ -65,7 +67,7 @@ TEST(JournalOfARun, KeepsHowAStepMadeItsFiles) {
 TEST(JournalOfARun, TakesTheLastLine) {
   const RunWithJournal run;
   run.folder.write("model.h5", "another content");
-  add_to_journal(run.folder.path(), run.file, std::string(64, 'e'), provenance);
+  add_to_journal(run.folder.path(), run.file, {std::string(64, 'e'), "model.h5"}, provenance);
   EXPECT_EQ(Journal(run.folder.path()).file(run.file)->digest, std::string(32, 'e'));
 }
 
@@ -79,10 +81,25 @@ TEST(JournalOfARun, LosesNothingButTheLineThatIsDamaged) {
     EXPECT_EQ(seen == nullptr ? std::string(32, 'd') : seen->digest, std::string(32, 'd')) << size;
     // Lines that are added after a line that was cut off are read.
     run.folder.write("E.h5", "windows");
-    add_to_journal(run.folder.path(), run.folder / "E.h5", std::string(64, 'f'), provenance);
+    add_to_journal(run.folder.path(), run.folder / "E.h5", {std::string(64, 'f'), "E.h5"},
+                   provenance);
     const Journal more(run.folder.path());
     ASSERT_NE(more.file((run.folder / "E.h5").string()), nullptr) << size;
   }
+}
+
+TEST(JournalOfARun, IsRefusedWhereSomethingElseHasItsPlace) {
+  const Folder folder;
+  const std::filesystem::path place = folder.path() / ".journal";
+  const auto expect_refusal = [&] {
+    EXPECT_THROW(Journal{folder.path()}, Error);
+    std::filesystem::remove(place);
+  };
+  std::filesystem::create_directory(place);
+  expect_refusal();
+  std::filesystem::create_symlink("elsewhere", place);
+  expect_refusal();
+  EXPECT_NO_THROW(Journal{folder.path()});
 }
 
 TEST(JournalOfARun, MovesWithIt) {
@@ -95,7 +112,7 @@ TEST(JournalOfARun, MovesWithIt) {
 TEST(JournalOfARun, StaysSmallHoweverOftenFilesAreMade) {
   const RunWithJournal run;
   for (int i = 0; i < 12000; ++i) {
-    add_to_journal(run.folder.path(), run.file, std::string(64, 'd'), provenance);
+    add_to_journal(run.folder.path(), run.file, {std::string(64, 'd'), "model.h5"}, provenance);
   }
   const auto before = std::filesystem::file_size(run.folder / ".journal");
   Journal journal(run.folder.path());
@@ -115,7 +132,7 @@ TEST(JournalOfARun, LosesNothingThatIsAddedWhileItIsCompacted) {
   });
   for (int i = 0; i < count; ++i) {
     const auto file = folder.write("E" + std::to_string(i) + ".h5", "windows");
-    add_to_journal(folder.path(), file, std::string(64, 'd'), large);
+    add_to_journal(folder.path(), file, {std::string(64, 'd'), "E.h5"}, large);
   }
   is_done = true;
   other.join();

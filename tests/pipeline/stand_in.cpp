@@ -141,10 +141,12 @@ void write_artefact(const std::string& file, const std::string& stage, const std
   for (const auto& input : provenance.inputs) content += input.role + input.digest;
   writer.attribute("/", "command", command);
   writer.attribute("/", "content", Sha256().update(content).finish_hex());
+  if (kinds.at(stage) == "windows") writer.attribute("/", "role", fs::path(file).stem().string());
+  if (fs::path(file).stem() == "features") writer.group("/features");
   if (stage == "ingest" || stage == "simulate") writer.group("/records");
-  const std::string digest = writer.save(file, provenance);
+  const artefact::Written written = writer.save(file, provenance);
   const char* const run = std::getenv("PIAE_RUN");
-  if (run != nullptr) artefact::add_to_journal(run, file, digest, provenance);
+  if (run != nullptr) artefact::add_to_journal(run, file, written, provenance);
 }
 
 std::string cell_of(const std::string& file) {

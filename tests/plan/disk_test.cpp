@@ -47,9 +47,24 @@ TEST_F(FilesOfARun, SayHowTheyWereMade) {
   ASSERT_TRUE(file && file->made);
   EXPECT_EQ(*file->made->options, "a = \"1\"\n");
   EXPECT_THAT(file->made->inputs, ElementsAre(artefact::MadeFrom{"real", std::string(32, 'd')}));
+  EXPECT_EQ(file->belongs_in, "score.h5");
   EXPECT_EQ(file->problem, "");
   std::filesystem::remove(file_);
   EXPECT_FALSE(seen());
+}
+
+TEST_F(FilesOfARun, SayInWhichFileTheyBelong) {
+  const auto expect = [&](const std::string& name, artefact::Writer& writer) {
+    writer.save(file_, {});
+    EXPECT_EQ(seen()->belongs_in, name);  // as the file says it
+    EXPECT_EQ(seen()->belongs_in, name);  // as the journal does
+  };
+  artefact::Writer windows("windows");
+  windows.attribute("/", "role", std::string("C"));
+  expect("C.h5", windows);
+  artefact::Writer features("diagnosis");
+  features.group("/features");
+  expect("features.h5", features);
 }
 
 TEST_F(FilesOfARun, AreNotReadAgainWhereNothingHasTouchedThem) {

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
+
 #include "plan/small_run.hpp"
 
 namespace piae::plan {
@@ -92,10 +94,31 @@ TEST(DueSteps, AreThoseOfADamagedFile) {
   SmallRun run;
   run.run();
   run.disk.files["results/t/real/seed0/smote/score.h5"] = {
-      .digest = {},
-      .made = std::nullopt,
-      .problem = "score.h5: damaged: the digest does not match"};
+      .digest = {}, .problem = "score.h5: damaged: the digest does not match"};
   EXPECT_EQ(run.why("real/seed0/smote/score"), "score.h5: damaged: the digest does not match");
+}
+
+TEST(DueSteps, AreThoseOfAFileThatAnotherTookThePlaceOf) {
+  const std::vector<std::array<std::string, 3>> copies{
+      {"real/seed0/D.h5", "real/seed0/C.h5", "real/seed0/split"},
+      {"real/seed0/A.h5", "real/seed0/B.h5", "real/seed0/split"},
+      {"real/seed0/smote/1to1/wdcnn/diagnosis.h5", "real/seed0/smote/1to1/wdcnn/features.h5",
+       "real/seed0/smote/1to1/wdcnn/features"}};
+  for (const auto& [from, to, step] : copies) {
+    SmallRun run;
+    run.run();
+    run.disk.files["results/t/" + to] = run.disk.files.at("results/t/" + from);
+    EXPECT_EQ(run.why(step), file_name(to) + " holds what belongs in " + file_name(from));
+  }
+}
+
+TEST(DueSteps, SayNumbersAsPeopleWriteThem) {
+  SmallRun run;
+  run.set("epochs = 50\n", "epochs = 50\nlearning-rate = 0.005\n");
+  run.run();
+  run.set("0.005", "0.1");
+  EXPECT_EQ(run.why("real/seed0/smote/10to1/wdcnn/diagnose"),
+            "setting learning-rate is 0.1, was 0.005");
 }
 
 TEST(DueSteps, OfADescriptionAreThoseOfItsDataSet) {
@@ -211,7 +234,7 @@ TEST(DueNumbersOfFigures, AreThoseOfWhichATableIsLost) {
   const StepId id = figures_step(first);
   EXPECT_EQ(first.judge().of(id).why, "nothing says how it was made");
   const std::string table = "results/t/real/figures/gains.csv";
-  run.disk.files[table] = {.digest = "1", .made = {}, .problem = {}};
+  run.disk.files[table] = {.digest = "1"};
   run.disk.steps["results/t/real/figures"] = first.judge().made_now(id);
   Plan& second = run.plan("all", Stretch::numbers);
   EXPECT_EQ(second.judge().of(figures_step(second)).state, State::current);
@@ -219,7 +242,7 @@ TEST(DueNumbersOfFigures, AreThoseOfWhichATableIsLost) {
   Plan& third = run.plan("all", Stretch::numbers);
   EXPECT_EQ(third.judge().of(figures_step(third)).why, "gains.csv is missing");
   // A narrower look may have removed pictures, so a wider one makes the numbers again.
-  run.disk.files[table] = {.digest = "1", .made = {}, .problem = {}};
+  run.disk.files[table] = {.digest = "1"};
   Plan& looking = run.plan("figures", Stretch::numbers);
   EXPECT_EQ(looking.judge().of(figures_step(looking)).why,
             "setting methods is none smote piae-dt, was not set");
@@ -243,7 +266,7 @@ TEST(Pages, ThatAreThereAreNothingThatARunLacks) {
   SmallRun run;
   run.run();
   for (const char* page : {"report.html", "report.md", "run.html"}) {
-    run.disk.files[std::string("results/t/") + page] = {.digest = "1", .made = {}, .problem = {}};
+    run.disk.files[std::string("results/t/") + page] = {.digest = "1"};
   }
   EXPECT_EQ(run.plan("all", Stretch::pages).to_run().size(), 1U);
   run.current->keep_pages();

@@ -51,9 +51,9 @@ class SmallRun {
     write("datasets/real.toml", "name = \"real\"\n[[record]]\nfile = \"1.mat\"\nclass = \"a\"\n");
     write("datasets/made.toml", "name = \"made\"\n[simulation]\nnoise = 0.1\n");
     write("protocol.toml", protocol);
-    disk.files["results/published/table.csv"] = {.digest = "published", .made = {}, .problem = {}};
-    disk.files["pipeline/figures/style.gp"] = {.digest = "style", .made = {}, .problem = {}};
-    disk.files["data/1.mat"] = {.digest = "recording", .made = {}, .problem = {}};
+    disk.files["results/published/table.csv"] = {.digest = "published"};
+    disk.files["pipeline/figures/style.gp"] = {.digest = "style"};
+    disk.files["data/1.mat"] = {.digest = "recording"};
     request.run = "t";
     request.datasets = "real made";
     request.methods = "none smote piae-dt";
@@ -111,8 +111,11 @@ class SmallRun {
     for (const std::string& output : step.outputs) {
       const std::string digest =
           artefact::short_digest(Sha256().update(content + output + salt).finish_hex());
-      disk.files[output] = {.digest = digest, .made = {}, .problem = {}};
-      if (step.is_artefact) disk.files[output].made = done.made;
+      disk.files[output] = {.digest = digest};
+      if (step.is_artefact) {
+        disk.files[output].made = done.made;
+        disk.files[output].belongs_in = file_name(output);
+      }
       done.outputs.push_back({output, digest});
     }
     if (!step.is_artefact) disk.steps[name_of(step)] = done;

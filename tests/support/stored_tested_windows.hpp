@@ -11,12 +11,12 @@
 
 namespace piae {
 
-/// Stores of the test windows of a seed what decisions need of them, and no samples. Returns the
-/// digest of the file.
-inline std::string save_tested_windows(const run::Layout& layout, const std::string& dataset,
-                                       std::int64_t seed, const std::vector<Label>& labels,
-                                       const scoring::Places& places,
-                                       const artefact::Provenance& provenance = {"test", "", {}}) {
+/// Stores of the test windows of a seed what decisions need of them, and no samples.
+inline artefact::Written save_tested_windows(const run::Layout& layout, const std::string& dataset,
+                                             std::int64_t seed, const std::vector<Label>& labels,
+                                             const scoring::Places& places,
+                                             const artefact::Provenance& provenance = {
+                                                 "test", "", {}}) {
   artefact::Writer writer("windows");
   writer.attribute("/", "role", std::string("A"));
   writer.attribute("/", "dataset", dataset);

@@ -48,11 +48,11 @@ class Filled : public plan::Disk {
   const artefact::DoneStep* done(const std::string& /*step*/) override { return nullptr; }
   std::vector<std::string> files_below(const std::string& /*folder*/) override { return {}; }
 
-  void add(const std::string& file, const std::string& digest,
+  void add(const std::string& file, const artefact::Written& written,
            const artefact::Provenance& provenance) {
-    files_[file] = {.digest = artefact::short_digest(digest),
+    files_[file] = {.digest = artefact::short_digest(written.digest),
                     .made = artefact::made_by(provenance),
-                    .problem = {}};
+                    .belongs_in = written.belongs_in};
   }
 
  private:
@@ -106,6 +106,9 @@ scoring::DiagnosisRecord diagnosis_of(const Task& task) {
   }
   record.loss = {1};
   record.train_accuracy = {1};
+  if (task.step.log == "features") {
+    record.features = {.hidden = record.scores, .output = record.scores};
+  }
   return record;
 }
 
@@ -142,6 +145,7 @@ void save_model(const Task& task) {
 void save_empty(const std::string& kind, const Task& task, const std::string& file) {
   artefact::Writer writer(kind);
   if (kind == "records") writer.group("/records");
+  if (kind == "windows") writer.attribute("/", "role", fs::path(file).stem().string());
   save(writer, task, file);
 }
 
@@ -150,11 +154,11 @@ void save_windows(const Task& task) {
   const fs::path run = fs::path(task.step.folder).parent_path().parent_path();
   const run::Layout layout(run, place.dataset);
   const std::vector<Label> labels = labels_of_windows();
-  const std::string digest = save_tested_windows(layout, place.dataset, task.seed(), labels,
-                                                 one_record(labels.size()), task.provenance);
+  const artefact::Written written = save_tested_windows(layout, place.dataset, task.seed(), labels,
+                                                        one_record(labels.size()), task.provenance);
   for (const std::string& file : task.step.outputs) {
     if (file.ends_with("/A.h5")) {
-      task.filled.add(file, digest, task.provenance);
+      task.filled.add(file, written, task.provenance);
     } else {
       save_empty("windows", task, file);
     }

@@ -1,0 +1,74 @@
+#include "plan/plan.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "base/error.hpp"
+#include "plan/small_run.hpp"
+
+namespace piae::plan {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+/// A finished small run with two tables of figures.
+class FilesThatAreAskedFor : public testing::Test {
+ protected:
+  FilesThatAreAskedFor() {
+    run_.run();
+    run_.disk.files["results/t/real/figures/gains.csv"] = {.digest = "1"};
+    run_.disk.files["results/t/real/figures/scatter.csv"] = {.digest = "2"};
+  }
+
+  /// The names of the steps of a stretch.
+  [[nodiscard]] std::vector<std::string> steps_of(const std::string& files, Stretch stretch) {
+    const Plan& plan = run_.plan(files, stretch);
+    std::vector<std::string> names;
+    for (const StepId id : plan.asked()) names.push_back(below_run(name_of(plan.graph().at(id))));
+    return names;
+  }
+
+  SmallRun run_;
+};
+
+TEST_F(FilesThatAreAskedFor, MayBePictures) {
+  const std::string picture = "results/t/real/figures/gains.svg";
+  EXPECT_THAT(steps_of(picture, Stretch::grid), IsEmpty());
+  EXPECT_THAT(steps_of(picture, Stretch::numbers), ElementsAre("real/figures", "made/figures"));
+  EXPECT_THAT(steps_of(picture, Stretch::pictures), ElementsAre("real/figures/gains"));
+  EXPECT_THAT(steps_of(picture, Stretch::pages), IsEmpty());
+  EXPECT_THAT(steps_of(picture + " figures", Stretch::pictures),
+              ElementsAre("real/figures/gains", "real/figures/scatter"));
+  EXPECT_THAT(steps_of("results/t/real/figures/gains.csv", Stretch::pictures), IsEmpty());
+}
+
+TEST_F(FilesThatAreAskedFor, MayBePages) {
+  const std::string page = "results/t/report.html";
+  EXPECT_THAT(steps_of(page, Stretch::grid), IsEmpty());
+  EXPECT_THAT(steps_of(page, Stretch::pictures),
+              ElementsAre("real/figures/gains", "real/figures/scatter"));
+  EXPECT_THAT(steps_of(page, Stretch::pages), ElementsAre("report"));
+}
+
+TEST_F(FilesThatAreAskedFor, MayBeWrittenInOtherWords) {
+  EXPECT_THAT(steps_of("results/t//real/./records.h5", Stretch::grid), ElementsAre("real/ingest"));
+}
+
+TEST_F(FilesThatAreAskedFor, AreRefusedWhereNoStepMakesThem) {
+  const std::vector<std::pair<std::string, Stretch>> unknown{
+      {"results/t/real/other.h5", Stretch::grid},
+      {"results/t/report.docx", Stretch::grid},
+      {"results/t/real/figures/other.svg", Stretch::pictures}};
+  for (const auto& [file, stretch] : unknown) {
+    try {
+      (void)run_.plan(file, stretch);
+      ADD_FAILURE() << file;
+    } catch (const Error& error) {
+      EXPECT_EQ(error.what(), file + ": no step makes it, with these variables");
+    }
+  }
+}
+
+}  // namespace
+}  // namespace piae::plan
