@@ -136,14 +136,16 @@ artefact::Provenance provenance_of(const std::string& stage, const Options& opti
 
 void write_artefact(const std::string& file, const std::string& stage, const std::string& command,
                     const artefact::Provenance& provenance) {
-  artefact::Writer writer(kinds.at(stage));
+  const std::string stem = fs::path(file).stem();
+  const std::string kind = stem == "classifier" ? stem : kinds.at(stage);
+  artefact::Writer writer(kind);
   std::string content = command + provenance.options;
   for (const auto& input : provenance.inputs) content += input.role + input.digest;
   writer.attribute("/", "command", command);
   writer.attribute("/", "content", Sha256().update(content).finish_hex());
-  if (kinds.at(stage) == "windows") writer.attribute("/", "role", fs::path(file).stem().string());
-  if (fs::path(file).stem() == "features") writer.group("/features");
-  if (stage == "ingest" || stage == "simulate") writer.group("/records");
+  if (kind == "windows") writer.attribute("/", "role", stem);
+  if (kind == "records") writer.group("/records");
+  if (stem == "features") writer.group("/features");
   const artefact::Written written = writer.save(file, provenance);
   const char* const run = std::getenv("PIAE_RUN");
   if (run != nullptr) artefact::add_to_journal(run, file, written, provenance);
