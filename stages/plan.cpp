@@ -124,13 +124,13 @@ int main(int argc, char** argv) {
   const int exit = stage.run(argc, argv, [&] {
     const plan::Request request = asked.request();
     if (!due.empty()) {
-      result = plan::Planned(narrowed(request, due), options).is_due(due) ? 0 : not_due;
+      result = planned_for(request, options, due)->is_due(due) ? 0 : not_due;
       return;
     }
     if (!noted.empty()) {
-      plan::Planned planned(narrowed(request, noted), options);
-      planned.note(noted);
-      return planned.save();
+      const auto planned = planned_for(request, options, noted);
+      planned->note(noted);
+      return planned->save();
     }
     if (whole) {
       const std::string all = printed_of_all(request, options, format);

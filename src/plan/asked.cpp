@@ -89,15 +89,4 @@ Request Asked::request() const {
   return request;
 }
 
-Request narrowed(Request request, const std::string& step) {
-  // results/RUN/DATASET/seedK/...
-  const Words parts = fields_of(step, '/');
-  if (parts.size() < 4) return request;
-  if (parts[3] == "contrast@rates") return request;  // compares two data sets
-  request.datasets = parts[2];
-  const std::string& seed = parts[3];
-  if (seed.starts_with("seed")) request.seeds = seed.substr(4);
-  return request;
-}
-
 }  // namespace piae::plan

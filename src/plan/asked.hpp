@@ -28,7 +28,4 @@ struct Asked {
 void bind(const cli::Options& command, Asked& asked);
 void bind(const cli::Options& command, PlanOptions& options);
 
-/// The request for one step alone, whose log has this name: of its data set and seed.
-Request narrowed(Request request, const std::string& step);
-
 }  // namespace piae::plan

@@ -5,6 +5,7 @@
 
 #include "base/error.hpp"
 #include "base/sha256.hpp"
+#include "plan/words.hpp"
 #include "run/layout.hpp"
 #include "run/step_log.hpp"
 #include "text/lines.hpp"
@@ -59,6 +60,10 @@ Planned::Planned(const Request& request, const PlanOptions& options)
   if (options.looks) plan_->keep_pages();
 }
 
+bool Planned::has(const std::string& step) const {
+  return std::ranges::count(plan_->graph().steps(), step, name_of) > 0;
+}
+
 StepId Planned::step_named(const std::string& name) {
   const auto& steps = plan_->graph().steps();
   const auto found =
@@ -82,6 +87,28 @@ void Planned::note(const std::string& name) {
     if (log.begun_s && changed_since(step, *log.begun_s)) return;
   }
   disk_->note(name, plan_->judge().made_now(id));
+}
+
+Request narrowed(Request request, const std::string& step) {
+  // results/RUN/DATASET/seedK/...
+  const Words parts = fields_of(step, '/');
+  if (parts.size() < 4) return request;
+  if (parts[3] == "contrast@rates") return request;  // compares two data sets
+  request.datasets = parts[2];
+  const std::string& seed = parts[3];
+  if (seed.starts_with("seed")) request.seeds = seed.substr(4);
+  return request;
+}
+
+std::unique_ptr<Planned> planned_for(const Request& request, const PlanOptions& options,
+                                     const std::string& step) {
+  try {
+    auto planned = std::make_unique<Planned>(narrowed(request, step), options);
+    if (planned->has(step)) return planned;
+  } catch (const Error& error) {
+    if (error.exit() != Exit::usage) throw;  // another goal needs more than one data set
+  }
+  return std::make_unique<Planned>(request, options);
 }
 
 }  // namespace piae::plan

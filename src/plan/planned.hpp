@@ -29,6 +29,7 @@ class Planned {
   [[nodiscard]] Plan& plan() { return *plan_; }
   /// Writes what was learned of the files into the run's journal.
   void save() { disk_->save(); }
+  [[nodiscard]] bool has(const std::string& step) const;
   /// True if the step of this name is to be run.
   bool is_due(const std::string& step);
   /// Notes in the journal how a step has made its files. It is not noted where what it read has
@@ -42,5 +43,13 @@ class Planned {
   std::unique_ptr<RealDisk> disk_;
   std::unique_ptr<Plan> plan_;
 };
+
+/// The request for one step alone, whose log has this name: of its data set and seed.
+Request narrowed(Request request, const std::string& step);
+
+/// A plan in which this step stands: of its data set and seed alone where that can be planned,
+/// which is fast; else of all that is asked for. Throws as Planned does.
+std::unique_ptr<Planned> planned_for(const Request& request, const PlanOptions& options,
+                                     const std::string& step);
 
 }  // namespace piae::plan

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "base/error.hpp"
-#include "plan/asked.hpp"
+#include "plan/planned.hpp"
 #include "plan/small_run.hpp"
 #include "plan/words.hpp"
 #include "support/errors.hpp"

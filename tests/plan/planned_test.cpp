@@ -55,9 +55,9 @@ class TableOnTheDisk : public testing::Test {
   }
   /// Notes how the table was made, and says if that was remembered.
   bool notes() {
-    Planned planned(request_, {});
-    planned.note(table_step);
-    planned.save();
+    const auto planned = planned_for(request_, {}, table_step);
+    planned->note(table_step);
+    planned->save();
     return artefact::Journal("results/t").step(table_step) != nullptr;
   }
 
@@ -67,6 +67,19 @@ class TableOnTheDisk : public testing::Test {
 };
 
 TEST_F(TableOnTheDisk, IsNotedByTheSettingsThatItWasMadeWith) { EXPECT_TRUE(notes()); }
+
+TEST_F(TableOnTheDisk, IsNotedBesideGoalsThatNeedMoreThanItsDataSet) {
+  folder_.write("pipeline/datasets/other.toml", "name = \"other\"\n[simulation]\nnoise = 0.1\n");
+  set("[transfer.both]\ndatasets = [\"made\", \"other\"]\nagainst = \"smote\"\n"
+      "inputs = [\"smote=wdcnn\"]\n");
+  request_.goals = {"transfer", "tables"};
+  request_.datasets = "made other";
+  write_settings(Planned(request_, {}).plan());
+  begin();
+  EXPECT_TRUE(notes());
+  const std::string cell = "results/t/other/seed0/smote/10to1/wdcnn/diagnose";
+  EXPECT_TRUE(planned_for(request_, {}, cell)->is_due(cell));
+}
 
 TEST_F(TableOnTheDisk, IsNotNotedWhereItsSettingsChangedMeanwhile) {
   set("against = \"none\"\n");
