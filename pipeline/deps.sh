@@ -11,7 +11,8 @@ libtorch=$1
 shift
 packages=(
   g++ make cmake ninja-build mold pkgconf git         # to build; git also names the commit in artefacts
-  libeigen3-dev libhdf5-dev libmatio-dev libsoxr-dev  # linear algebra, artefacts, MATLAB files, resampling
+  libeigen3-dev libhdf5-dev libsoxr-dev               # linear algebra, artefacts, resampling
+  libmatio-dev zlib1g-dev libsndfile1-dev             # recordings: MATLAB files, sound
   libcli11-dev libtomlplusplus-dev libspdlog-dev      # options, settings, log lines
   libboost-dev libboost-math-dev libssl-dev           # differential equations, statistics, sha256
   curl ca-certificates                                # make data

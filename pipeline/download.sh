@@ -28,7 +28,7 @@ require_inside() { # file, sha256
   done
 }
 
-# No recording is larger (src/signal/raw_limits.hpp): curl goes by what the site says, the shell by what comes
+# No recording is larger (src/raw/limits.hpp): curl goes by what the site says, the shell by what comes
 # and ends it by SIGXFSZ, which is 25. What comes by less than 1 kB/s for 20 s never comes.
 largest_bytes=4000000000
 too_large=63 # what curl says then

@@ -122,7 +122,9 @@ int main(int argc, char** argv) {
   fs::path picture;
   std::size_t step = 0;
   stage.input_file("--classifier", classifier_file, "classifier.h5 made by diagnose");
-  stage.input_file("--recording", sources.lone.file, "one recording: .mat, .csv, .txt or .h5")
+  stage
+      .input_file("--recording", sources.lone.file,
+                  "one recording: text, MATLAB, HDF5, NumPy or sound")
       .required(false);
   stage.options().add(
       "--variable", sources.lone.variable,

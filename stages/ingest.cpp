@@ -79,12 +79,12 @@ void check_files(const signal::Description& description, const fs::path& folder,
 }  // namespace
 
 int main(int argc, char** argv) {
-  cli::Stage stage(
-      "ingest",
-      "Reads the raw recordings of a dataset (.mat, .csv, .txt, .h5), checks them, brings "
-      "them to one sample rate and writes them as one artefact.",
-      "ingest --description pipeline/datasets/cwru.toml --data-dir data --output "
-      "records.h5");
+  cli::Stage stage("ingest",
+                   "Reads the raw recordings of a dataset (text, MATLAB, HDF5, NumPy, sound), "
+                   "checks them, brings "
+                   "them to one sample rate and writes them as one artefact.",
+                   "ingest --description pipeline/datasets/cwru.toml --data-dir data --output "
+                   "records.h5");
   fs::path file;
   fs::path data_dir = "data";
   fs::path output;

@@ -8,8 +8,8 @@
 #include "base/error.hpp"
 #include "base/one_line.hpp"
 #include "diagnosis/fitting_signal.hpp"
+#include "raw/file.hpp"
 #include "signal/amplitude.hpp"
-#include "signal/raw_file.hpp"
 #include "signal/resample.hpp"
 
 namespace piae::classification {
@@ -31,7 +31,7 @@ void require_finite_samples(const std::vector<double>& samples, const std::strin
 Recording read_lone_file(const LoneFile& lone, const signal::DatasetInfo& trained) {
   const std::string what = lone.file.string();
   diagnosis::require_fitting_signal(trained, lone.sample_rate_hz, lone.shaft_speed_rpm, what);
-  const std::vector<double> samples = signal::read_raw_file(lone.file, lone.variable);
+  const std::vector<double> samples = raw::read(lone.file, lone.variable, lone.sample_rate_hz);
   require_finite_samples(samples, what);
   return {.name = one_line(lone.file.filename().string()),
           .shaft_speed_rpm = lone.shaft_speed_rpm,

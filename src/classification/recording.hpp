@@ -28,7 +28,7 @@ struct Recording {
   std::vector<double> signal;
 };
 
-/// Throws Error as signal::read_raw_file() does; Error(bad_input) for a sample that is not finite,
+/// Throws Error as raw::read() does; Error(bad_input) for a sample that is not finite,
 /// and as diagnosis::require_fitting_signal() does.
 Recording read_lone_file(const LoneFile& lone, const signal::DatasetInfo& trained);
 

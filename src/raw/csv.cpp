@@ -1,27 +1,30 @@
 #include <optional>
 #include <string_view>
 
-#include "signal/csv_fields.hpp"
-#include "signal/csv_layout.hpp"
-#include "signal/raw_file.hpp"
-#include "signal/raw_text.hpp"
+#include "raw/csv_fields.hpp"
+#include "raw/csv_layout.hpp"
+#include "raw/file.hpp"
+#include "raw/text.hpp"
 
-namespace piae::signal {
+namespace piae::raw {
 
 namespace {
 
 namespace fs = std::filesystem;
 
-/// The field of the column in a line, which must have as many as all.
+/// The field of the column in a line, which must have as many as all, and may end with a separator.
 std::string_view field_of(const fs::path& file, std::size_t number, std::string_view line,
                           const CsvLayout& layout) {
   std::string_view found;
+  std::string_view last;
   std::size_t count = 0;
   for (std::optional rest = line; rest; ++count) {
     const std::string_view field = take_field(rest, layout.separator);
     if (count == layout.column) found = field;
+    last = field;
   }
-  if (count != layout.fields) {
+  const bool ends_with_separator = count == layout.fields + 1 && last.empty();
+  if (count != layout.fields && !ends_with_separator) {
     refuse_csv_line(file, number,
                     "has " + std::to_string(count) + " fields, the lines before " +
                         std::to_string(layout.fields));
@@ -55,10 +58,13 @@ bool is_torn_decimal(std::string_view field, std::string_view line) {
   return (is_negative && field == "0") || is_padded;
 }
 
+/// Of one moment: a recording has fewer channels.
+constexpr std::size_t largest_row = 100;
+
 }  // namespace
 
 std::vector<double> read_csv(const fs::path& file, const std::string& column) {
-  const std::string text = read_raw_text(file);
+  const std::string text = read_text(file);
   const CsvLayout layout = csv_layout(file, text, column);
   std::string_view rest = layout.numbers;
   std::vector<double> numbers;
@@ -75,7 +81,8 @@ std::vector<double> read_csv(const fs::path& file, const std::string& column) {
                           ", and a line before has the other decimal sign; write all with a "
                           "decimal point, and no sign between thousands");
     }
-    if (layout.separator == ',' && layout.fields % 2 == 0 && is_torn_decimal(field, all)) {
+    const bool may_be_torn = layout.separator == ',' && layout.fields % 2 == 0 && !layout.has_name;
+    if (may_be_torn && is_torn_decimal(field, all)) {
       refuse_csv_line(file, line,
                       holds() +
                           ": numbers with a decimal comma, it seems, and commas between the "
@@ -83,7 +90,12 @@ std::vector<double> read_csv(const fs::path& file, const std::string& column) {
     }
     numbers.push_back(*number);
   }
+  if (numbers.size() == 1 && layout.fields > largest_row) {
+    refuse_csv_line(file, layout.first_line,
+                    "is the only one and has " + std::to_string(layout.fields) +
+                        " fields: a row is expected to be one moment; write a number a line");
+  }
   return numbers;
 }
 
-}  // namespace piae::signal
+}  // namespace piae::raw

@@ -1,11 +1,11 @@
-#include "signal/csv_fields.hpp"
+#include "raw/csv_fields.hpp"
 
 #include <algorithm>
 #include <array>
 
 #include "base/numbers.hpp"
 
-namespace piae::signal {
+namespace piae::raw {
 
 namespace {
 
@@ -23,6 +23,8 @@ bool is_numbers_apart(std::string_view text) {
 }  // namespace
 
 std::optional<double> number_in_field(std::string_view field, char separator) {
+  const bool has_plus = field.size() > 1 && field.front() == '+' && field[1] != '-';
+  if (has_plus) field.remove_prefix(1);
   const auto number = number_in<double>(field);
   const std::size_t comma = field.find(',');
   if (number || separator == ',' || comma == std::string_view::npos) return number;
@@ -35,7 +37,7 @@ std::optional<double> number_in_field(std::string_view field, char separator) {
 }
 
 char separator_of(std::string_view line) {
-  for (const char candidate : {';', '\t'}) {
+  for (const char candidate : {';', '\t', '|'}) {
     if (line.find(candidate) != std::string_view::npos) return candidate;
   }
   if (line.find(',') != std::string_view::npos) {
@@ -51,4 +53,4 @@ char separator_of(std::string_view line) {
   return apart ? ' ' : ',';
 }
 
-}  // namespace piae::signal
+}  // namespace piae::raw

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string_view>
 
-namespace piae::signal {
+namespace piae::raw {
 
 inline constexpr const char* blanks = " \t";
 
@@ -16,14 +16,23 @@ inline std::string_view trimmed(std::string_view text, const char* what) {
   return text.substr(first, text.find_last_not_of(what) - first + 1);
 }
 
-/// Takes the next line off a text, without its LF or CRLF. What follows the last line end is no
-/// line if it is empty.
+/// Takes the next line off a text, without its LF, CRLF or CRCRLF. What follows the last line end
+/// is no line if it is empty.
 inline std::string_view take_line(std::string_view& text) {
   const std::size_t end = std::min(text.find('\n'), text.size());
   std::string_view line = text.substr(0, end);
   text.remove_prefix(std::min(end + 1, text.size()));
-  if (line.ends_with('\r')) line.remove_suffix(1);
+  while (line.ends_with('\r')) line.remove_suffix(1);
   return line;
+}
+
+/// The end of a field: the next separator that stands in no quotes. A quote opens a field only at
+/// its beginning.
+inline std::size_t end_of_field(std::string_view line, char separator) {
+  const std::size_t first = line.find_first_not_of(blanks);
+  const bool is_quoted = first != std::string_view::npos && line[first] == '"';
+  const std::size_t closing = is_quoted ? line.find('"', first + 1) : std::string_view::npos;
+  return line.find(separator, closing == std::string_view::npos ? 0 : closing);
 }
 
 /// Takes the next field off a line, without the blanks and quotes around it; the line is empty once
@@ -38,16 +47,16 @@ inline std::string_view take_field(std::optional<std::string_view>& line, char s
     return trimmed(rest.substr(0, end), around);
   }
   const std::string_view rest = *line;
-  const std::size_t end = rest.find(separator);
+  const std::size_t end = end_of_field(rest, separator);
   line = end == std::string_view::npos ? std::nullopt : std::optional(rest.substr(end + 1));
   return trimmed(rest.substr(0, end), around);
 }
 
-/// A number with a decimal point or, where commas do not separate the fields, a decimal comma. None
-/// for any other text.
+/// A number with a decimal point or, where commas do not separate the fields, a decimal comma; a
+/// plus may stand before it. None for any other text.
 std::optional<double> number_in_field(std::string_view field, char separator);
 
-/// What separates the fields of a line: a semicolon, a tab, a comma or blanks.
+/// What separates the fields of a line: a semicolon, a tab, a bar, a comma or blanks.
 char separator_of(std::string_view line);
 
-}  // namespace piae::signal
+}  // namespace piae::raw

@@ -1,14 +1,14 @@
-#include "signal/csv_layout.hpp"
+#include "raw/csv_layout.hpp"
 
 #include <algorithm>
 #include <optional>
 #include <vector>
 
 #include "base/numbers.hpp"
-#include "signal/csv_fields.hpp"
-#include "signal/raw_file.hpp"
+#include "raw/csv_fields.hpp"
+#include "raw/file.hpp"
 
-namespace piae::signal {
+namespace piae::raw {
 
 namespace {
 
@@ -22,6 +22,25 @@ bool is_name(std::string_view text) {
   return std::ranges::any_of(text, [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || static_cast<unsigned char>(c) > 127;
   });
+}
+
+/// "24.02.2024 10:00:00", "2024-02-24", "10:00:00"
+bool is_date_or_time(std::string_view text) {
+  const auto count = [&](std::string_view signs) {
+    return std::ranges::count_if(text, [&](char c) { return signs.find(c) != signs.npos; });
+  };
+  const auto digits = count("0123456789");
+  const auto others = count(".:/- ");
+  return digits >= 5 && digits + others == static_cast<std::ptrdiff_t>(text.size()) &&
+         (count(":/") >= 1 || count(".") == 2 || count("-") == 2);
+}
+
+/// The digits behind the decimal sign of a number without exponent; nothing where it has none.
+std::optional<std::size_t> decimals_of(std::string_view number) {
+  const std::size_t sign = number.find_first_of(".,");
+  const bool has_exponent = number.find_first_of("eE") != std::string_view::npos;
+  if (sign == std::string_view::npos || has_exponent) return std::nullopt;
+  return number.size() - sign - 1;
 }
 
 /// The fields of a line, of which recordings have a few.
@@ -86,7 +105,18 @@ class Search {
                                   std::size_t column) const {
     if (line.is_comment) return false;
     const auto found = fields(line, separator);
-    return found.size() == count && number_in_field(found[column], separator);
+    const bool ends_with_separator = found.size() == count + 1 && found.back().empty();
+    return (found.size() == count || ends_with_separator) &&
+           number_in_field(found[column], separator);
+  }
+
+  [[nodiscard]] bool is_named_above(const Line& line, char separator, std::size_t count,
+                                    std::size_t column) const {
+    return std::ranges::any_of(lines_, [&](const Line& above) {
+      if (above.number >= line.number) return false;
+      const auto found = fields(above, separator);
+      return found.size() == count && is_name(found[column]);
+    });
   }
 
   [[nodiscard]] CsvLayout layout_from(const Line& line, char separator, std::size_t count,
@@ -94,6 +124,7 @@ class Search {
     return {.separator = separator,
             .fields = count,
             .column = column,
+            .has_name = is_named_above(line, separator, count, column),
             .first_line = line.number,
             .numbers = line.from_here};
   }
@@ -104,7 +135,8 @@ class Search {
     const auto found = fields(line, separator);
     const std::string_view field = found.size() == count ? found[column] : line.text;
     const bool is_named_number = number_in_field(field, separator) && is_name(line.text);
-    if (is_name(field) || is_named_number) return;
+    const bool says_nothing = field.empty() && is_name(line.text);
+    if (is_name(field) || is_named_number || says_nothing || is_date_or_time(field)) return;
     refuse_csv_line(file_, line.number,
                     "column " + column_ + " holds " + csv_field_in_quotes(field) +
                         ", neither a number nor a name");
@@ -121,10 +153,45 @@ class Search {
       const bool is_alone =
           i + 1 < lines_.size() && !holds_number(lines_[i + 1], separator, count, column);
       if (is_alone && (has_text_before(i) || is_name(lines_[i].text))) continue;
+      if (is_no_row_of_the_table(lines_[i], separator)) continue;
       for (std::size_t j = 0; j < i; ++j) require_text(lines_[j], separator, count, column);
+      require_no_whole_numbers_above(i, separator, count, column);
       return layout_from(lines_[i], separator, count, column);
     }
     return header_alone(column);
+  }
+
+  /// True of a line with words, such as "Sample rate,12000", whose numbers stand otherwise than in
+  /// the last line looked at.
+  [[nodiscard]] bool is_no_row_of_the_table(const Line& line, char separator) const {
+    if (!is_name(line.text)) return false;
+    const auto is_number = [&](std::string_view field) {
+      return number_in_field(field, separator).has_value();
+    };
+    return !std::ranges::equal(fields(line, separator), fields(lines_.back(), separator), {},
+                               is_number, is_number);
+  }
+
+  /// Refuses whole numbers above numbers that all have as many decimals: what an instrument writes
+  /// before its samples, such as the rate and how many there are.
+  void require_no_whole_numbers_above(std::size_t first, char separator, std::size_t count,
+                                      std::size_t column) const {
+    constexpr std::size_t most = 10;    // such numbers
+    constexpr std::size_t enough = 10;  // samples that show how they are written
+    std::vector<std::optional<std::size_t>> decimals;
+    for (std::size_t i = first; i < lines_.size(); ++i) {
+      if (!holds_number(lines_[i], separator, count, column)) return;
+      decimals.push_back(decimals_of(fields(lines_[i], separator)[column]));
+    }
+    const auto samples = std::ranges::find_if(decimals, [](auto d) { return d.has_value(); });
+    const auto whole = static_cast<std::size_t>(samples - decimals.begin());
+    if (whole == 0 || whole > most || decimals.size() < whole + enough) return;
+    if (std::any_of(samples, decimals.end(), [&](auto d) { return d != *samples; })) return;
+    refuse_csv_line(file_, lines_[first].number,
+                    "column " + column_ + " holds " +
+                        csv_field_in_quotes(fields(lines_[first], separator)[column]) +
+                        ", a whole number above numbers with " + std::to_string(**samples) +
+                        " decimals: no sample, it seems; remove what stands above the table");
   }
 
   [[nodiscard]] bool has_text_before(std::size_t end) const {
@@ -176,7 +243,7 @@ class Search {
   std::optional<CsvLayout> find_by_name() {
     std::optional<CsvLayout> without_numbers;
     for (std::size_t i = 0; i < lines_.size(); ++i) {
-      for (const char separator : {';', '\t', ',', ' '}) {
+      for (const char separator : {';', '\t', '|', ',', ' '}) {
         const auto header = fields(lines_[i], separator);
         const auto times = std::ranges::count(header, std::string_view(column_));
         if (times > 1) refuse_csv_line(file_, lines_[i].number, "has several columns " + column_);
@@ -244,7 +311,7 @@ class Search {
 }  // namespace
 
 void refuse_csv_line(const fs::path& file, std::size_t line, const std::string& what) {
-  refuse_raw_file(file.string() + ", line " + std::to_string(line), what);
+  refuse_file(file.string() + ", line " + std::to_string(line), what);
 }
 
 std::string csv_field_in_quotes(std::string_view field) {
@@ -257,4 +324,4 @@ CsvLayout csv_layout(const fs::path& file, std::string_view text, const std::str
   return Search(file, text, column).run();
 }
 
-}  // namespace piae::signal
+}  // namespace piae::raw

@@ -5,13 +5,14 @@
 #include <string>
 #include <string_view>
 
-namespace piae::signal {
+namespace piae::raw {
 
 /// Where the numbers of one column stand in a text of columns.
 struct CsvLayout {
   char separator = ',';
   std::size_t fields = 0;      ///< of each line
   std::size_t column = 0;      ///< counted from 0
+  bool has_name = false;       ///< a header above it has as many fields, and a name for the column
   std::size_t first_line = 1;  ///< that holds numbers, counted from 1
   std::string_view numbers;    ///< the text from that line on
 };
@@ -29,4 +30,4 @@ CsvLayout csv_layout(const std::filesystem::path& file, std::string_view text,
                                   const std::string& what);
 std::string csv_field_in_quotes(std::string_view field);
 
-}  // namespace piae::signal
+}  // namespace piae::raw

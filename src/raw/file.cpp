@@ -1,31 +1,32 @@
-#include "signal/raw_file.hpp"
+#include "raw/file.hpp"
+
+#include <spdlog/fmt/fmt.h>
 
 #include <algorithm>
-#include <cctype>
+#include <cmath>
 
 #include "base/error.hpp"
 #include "base/one_line.hpp"
+#include "raw/format.hpp"
 
-namespace piae::signal {
+namespace piae::raw {
 
-namespace {
-
-/// In lower case, as loggers write .CSV and .MAT, too.
-std::string extension_of(const std::filesystem::path& file) {
-  std::string extension = file.extension().string();
-  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return extension;
-}
-
-}  // namespace
-
-std::vector<double> read_here(const std::filesystem::path& file, const std::string& variable) {
-  const std::string extension = extension_of(file);
-  if (extension == ".mat") return read_mat(file, variable);
-  if (extension == ".csv" || extension == ".txt") return read_csv(file, variable);
-  if (extension == ".h5" || extension == ".hdf5") return read_hdf5(file, variable);
-  refuse_raw_file(file, "unknown format '" + file.extension().string() +
-                            "'; known are .mat, .csv, .txt, .h5 and .hdf5");
+std::vector<double> read_here(const std::filesystem::path& file, const std::string& variable,
+                              std::optional<double> sample_rate_hz) {
+  const Signal signal = reader_of(file)(file, variable);
+  const double own_hz = signal.sample_rate_hz.value_or(0);
+  const bool differs =
+      sample_rate_hz && own_hz > 0 && std::abs(own_hz / *sample_rate_hz - 1) > 1e-3;
+  if (differs) {
+    refuse_file(file, fmt::format("is sampled at {:g} Hz, by what it says itself, not at {:g} Hz: "
+                                  "correct its sample_rate_hz",
+                                  own_hz, *sample_rate_hz));
+  }
+  if (signal.samples.size() == 1) {
+    refuse_file(file, fmt::format("{} holds one number, {:g}: no recording", variable,
+                                  signal.samples.front()));
+  }
+  return signal.samples;
 }
 
 std::string listed(const std::vector<std::string>& names) {
@@ -39,8 +40,8 @@ std::string listed(const std::vector<std::string>& names) {
   return list.empty() ? "none" : list;
 }
 
-void refuse_raw_file(const std::filesystem::path& where, const std::string& what) {
+void refuse_file(const std::filesystem::path& where, const std::string& what) {
   throw Error(Exit::bad_input, one_line(where.string() + ": " + what));
 }
 
-}  // namespace piae::signal
+}  // namespace piae::raw

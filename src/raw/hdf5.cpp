@@ -1,12 +1,16 @@
-#include <algorithm>
-#include <new>
-
 #include "artefact/hdf5.hpp"
-#include "base/error.hpp"
-#include "signal/raw_file.hpp"
-#include "signal/raw_limits.hpp"
 
-namespace piae::signal {
+#include <algorithm>
+#include <memory>
+#include <new>
+#include <optional>
+#include <string_view>
+
+#include "base/error.hpp"
+#include "raw/file.hpp"
+#include "raw/node.hpp"
+
+namespace piae::raw {
 
 namespace {
 
@@ -48,66 +52,238 @@ herr_t note_datasets(hid_t group, const char* name, const H5L_info_t* link, void
   hdf5::check(H5Literate(file, H5_INDEX_NAME, H5_ITER_INC, nullptr, note_datasets, &datasets),
               "list of datasets");
   std::ranges::sort(datasets.names);
-  refuse_raw_file(path, "has no dataset " + wanted + "; it has " + listed(datasets.names));
+  refuse_file(path, "has no dataset " + wanted + "; it has " + listed(datasets.names));
 }
 
-/// Whether all of a path is there, and none of it a link to elsewhere.
-bool is_there(hid_t file, const std::string& name) {
+/// Where the links of a path lead.
+enum class Place { here, nowhere, elsewhere };
+
+/// Follows the links of a path within the file and replaces it by one without soft links.
+Place resolve(hid_t file, std::string& path) {
+  constexpr int most_links = 16;
+  int links = 0;
   for (std::size_t end = 0; end != std::string::npos;) {
     const std::size_t begin = end + 1;
-    end = name.find('/', begin);
-    const std::string part = name.substr(begin, end - begin);
-    if (part.empty() || part == ".") return false;
+    end = path.find('/', begin);
+    const std::string part = path.substr(begin, end - begin);
+    if (part.empty() || part == "." || part == "..") return Place::nowhere;
+    const std::string until = path.substr(0, end);
     H5L_info_t link{};
-    const std::string path = name.substr(0, end);
-    if (H5Lexists(file, path.c_str(), H5P_DEFAULT) <= 0) return false;
-    hdf5::check(H5Lget_info(file, path.c_str(), &link, H5P_DEFAULT), path.c_str());
-    if (link.type != H5L_TYPE_HARD) return false;
+    if (H5Lexists(file, until.c_str(), H5P_DEFAULT) <= 0) return Place::nowhere;
+    hdf5::check(H5Lget_info(file, until.c_str(), &link, H5P_DEFAULT), until.c_str());
+    if (link.type == H5L_TYPE_HARD) continue;
+    if (link.type != H5L_TYPE_SOFT || ++links > most_links) return Place::elsewhere;
+    std::string target(link.u.val_size, '\0');
+    hdf5::check(H5Lget_val(file, until.c_str(), target.data(), target.size(), H5P_DEFAULT),
+                until.c_str());
+    target.resize(target.find('\0') == std::string::npos ? target.size() : target.find('\0'));
+    if (!target.starts_with('/')) target.insert(0, path, 0, begin);
+    if (end != std::string::npos) target.append(path, end);
+    path = std::move(target);
+    end = 0;  // the target may be a link itself
   }
-  return true;
+  return Place::here;
 }
 
-bool is_dataset(hid_t file, const std::string& path) {
-  const hdf5::Handle object(H5Oopen(file, path.c_str(), H5P_DEFAULT), path.c_str());
-  return H5Iget_type(object) == H5I_DATASET;
+hdf5::Handle opened_object(hid_t file, const std::string& path) {
+  return {H5Oopen(file, path.c_str(), H5P_DEFAULT), path.c_str()};
 }
 
-void require_own_values(const fs::path& path, hid_t dataset, const std::string& what) {
-  const hdf5::Handle creation(H5Dget_create_plist(dataset), what.c_str());
-  if (H5Pget_layout(creation) == H5D_VIRTUAL || H5Pget_external_count(creation) != 0) {
-    refuse_raw_file(path, what + " has its values in another file");
+/// The text of an attribute, as far as there is any: other writers than MATLAB pad it with nulls,
+/// or leave it out.
+std::string text_attribute(hid_t object, const char* name) {
+  if (H5Aexists(object, name) <= 0) return "";
+  const hdf5::Handle attribute(H5Aopen(object, name, H5P_DEFAULT), name);
+  const hdf5::Handle type(H5Aget_type(attribute), name);
+  if (H5Tget_class(type) != H5T_STRING || !hdf5::holds_one_value(attribute)) return "";
+  if (H5Tis_variable_str(type) > 0) {
+    char* value = nullptr;
+    hdf5::check(H5Aread(attribute, type, &value), name);
+    std::string text = value == nullptr ? "" : value;
+    H5free_memory(value);
+    return text;
   }
+  std::string text(H5Tget_size(type), '\0');
+  hdf5::check(H5Aread(attribute, type, text.data()), name);
+  return text.substr(0, text.find_last_not_of(std::string_view("\0 ", 2)) + 1);
 }
 
-std::size_t dataset_length(const fs::path& path, hid_t dataset, const std::string& what) {
-  require_own_values(path, dataset, what);
-  const hdf5::Shape shape = hdf5::shape_of(dataset);
-  return vector_length(path, what, shape.data(), shape.size());
-}
+/// A group or dataset of an HDF5 file, which may be one of MATLAB, version 7.3: there a structure
+/// is a group, and a cell array, or a field of an array of structures, a dataset of references.
+class Hdf5Node : public Node {
+ public:
+  Hdf5Node(const fs::path& file, hdf5::Handle object, bool is_matlab)
+      : file_(file), object_(std::move(object)), is_matlab_(is_matlab) {}
 
-void require_numbers(const fs::path& path, hid_t dataset, const std::string& name) {
-  const hdf5::Handle type(H5Dget_type(dataset), name.c_str());
-  const H5T_class_t kind = H5Tget_class(type);
-  if (kind != H5T_FLOAT && kind != H5T_INTEGER) {
-    refuse_raw_file(path, "dataset " + name + " does not hold numbers");
+  [[nodiscard]] Kind kind() const override {
+    const std::string of_matlab = matlab_class();
+    if (is_matlab_ && H5Aexists(object_, "MATLAB_object_decode") > 0) return Kind::other;
+    if (is_matlab_ && H5Aexists(object_, "MATLAB_sparse") > 0) return Kind::other;
+    if (is_group()) return Kind::structure;
+    if (!is_dataset()) return Kind::other;
+    if (of_matlab == "char") return Kind::text;
+    switch (type_class()) {
+      case H5T_INTEGER:
+      case H5T_FLOAT:
+        return Kind::numbers;
+      case H5T_STRING:
+        return Kind::text;
+      case H5T_REFERENCE:
+        return is_matlab_ ? Kind::cell : Kind::other;
+      default:
+        return Kind::other;
+    }
   }
-}
+
+  [[nodiscard]] std::string what() const override {
+    if (is_matlab_ && H5Aexists(object_, "MATLAB_sparse") > 0) {
+      return "a sparse matrix; export full(...) of it";
+    }
+    if (is_matlab_ && H5Aexists(object_, "MATLAB_object_decode") > 0) {
+      return "a " + matlab_class() +
+             " of MATLAB; export its values: x = T.Var1; save('x.mat', 'x')";
+    }
+    const bool is_compound = is_dataset() && type_class() == H5T_COMPOUND;
+    if (is_compound && is_matlab_) return "of complex numbers; export real(...) of it";
+    return is_compound ? "a table of records; export one column of it as a dataset"
+                       : "neither numbers nor text";
+  }
+
+  [[nodiscard]] Shape shape() const override {
+    if (is_group()) {
+      const std::vector<std::string> names = fields();
+      if (names.empty()) return {1};
+      const auto first = child(names.front());
+      return first->holds_elements() ? first->shape() : Shape{1};
+    }
+    if (is_matlab_ && H5Aexists(object_, "MATLAB_empty") > 0) return {0};
+    Shape shape = hdf5::shape_of(object_);
+    if (is_matlab_) std::ranges::reverse(shape);
+    return shape;
+  }
+
+  [[nodiscard]] std::vector<std::string> fields() const override {
+    std::vector<std::string> names;
+    const auto note = [](hid_t, const char* name, const H5L_info_t* link, void* out) -> herr_t {
+      if (link->type == H5L_TYPE_HARD && name[0] != '#') {
+        static_cast<std::vector<std::string>*>(out)->emplace_back(name);
+      }
+      return 0;
+    };
+    hdf5::check(H5Literate(object_, H5_INDEX_NAME, H5_ITER_INC, nullptr, note, &names), "fields");
+    return names;
+  }
+
+  [[nodiscard]] std::unique_ptr<Node> field(const std::string& name,
+                                            std::size_t element) const override {
+    auto of_all = child(name);
+    return of_all->holds_elements() ? of_all->element(element) : std::move(of_all);
+  }
+
+  [[nodiscard]] std::unique_ptr<Node> element(std::size_t element) const override {
+    std::vector<hobj_ref_t> references(possible_count(here("array"), shape()));
+    if (element >= references.size()) return nullptr;
+    hdf5::check(H5Dread(object_, H5T_STD_REF_OBJ, H5S_ALL, H5S_ALL, H5P_DEFAULT, references.data()),
+                "references");
+    return std::make_unique<Hdf5Node>(
+        file_,
+        hdf5::Handle(H5Rdereference2(object_, H5P_DEFAULT, H5R_OBJECT, &references[element]),
+                     "reference"),
+        is_matlab_);
+  }
+
+  [[nodiscard]] std::string text() const override {
+    if (type_class() == H5T_STRING) return "";
+    std::string text;
+    for (const double character : numbers()) text += static_cast<char>(character);
+    return text;
+  }
+
+  [[nodiscard]] std::vector<double> numbers() const override {
+    const hdf5::Handle creation(H5Dget_create_plist(object_), "dataset");
+    if (H5Pget_layout(creation) == H5D_VIRTUAL || H5Pget_external_count(creation) != 0) {
+      refuse_file(file_, "dataset " + here("").name + " has its values in another file");
+    }
+    std::vector<double> numbers(possible_count(here("dataset"), shape()));
+    if (!numbers.empty()) {
+      hdf5::check(
+          H5Dread(object_, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, numbers.data()),
+          "values");
+    }
+    return numbers;
+  }
+  [[nodiscard]] bool is_column_major() const override { return is_matlab_; }
+
+ private:
+  /// Where it stands in the file.
+  [[nodiscard]] Where here(const char* noun) const {
+    const auto size =
+        static_cast<std::size_t>(std::max<ssize_t>(H5Iget_name(object_, nullptr, 0), 0));
+    std::string name(size + 1, '\0');
+    H5Iget_name(object_, name.data(), name.size());
+    name.resize(size);
+    return {.file = file_, .noun = noun, .name = name};
+  }
+  [[nodiscard]] bool is_group() const { return H5Iget_type(object_) == H5I_GROUP; }
+  [[nodiscard]] bool is_dataset() const { return H5Iget_type(object_) == H5I_DATASET; }
+  [[nodiscard]] std::string matlab_class() const {
+    return is_matlab_ ? text_attribute(object_, "MATLAB_class") : "";
+  }
+  [[nodiscard]] H5T_class_t type_class() const {
+    const hdf5::Handle type(H5Dget_type(object_), "type");
+    return H5Tget_class(type);
+  }
+  /// True of a field that has a value for each element of an array of structures.
+  [[nodiscard]] bool holds_elements() const {
+    return is_dataset() && type_class() == H5T_REFERENCE && matlab_class() != "cell";
+  }
+  [[nodiscard]] std::unique_ptr<Hdf5Node> child(const std::string& name) const {
+    return std::make_unique<Hdf5Node>(file_, opened_object(object_, name), is_matlab_);
+  }
+
+  const fs::path& file_;
+  hdf5::Handle object_;
+  bool is_matlab_;
+};
 
 hdf5::Handle opened(const fs::path& path) {
   return {H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), "open"};
 }
 
-std::vector<double> read_dataset(const fs::path& path, const std::string& name) {
+/// The object at a path; nothing where there is none. Throws where the path leads to another file.
+std::optional<hdf5::Handle> object_at(const fs::path& path, hid_t file, std::string name) {
+  const std::string asked = name;
+  const Place place = resolve(file, name);
+  if (place == Place::elsewhere) refuse_file(path, asked + " is a link to another file");
+  if (place == Place::nowhere) return std::nullopt;
+  return opened_object(file, name);
+}
+
+std::vector<double> read_dataset(const fs::path& path, const std::string& wanted) {
   const hdf5::Handle file = opened(path);
-  if (!is_there(file, name) || !is_dataset(file, name)) refuse_missing_dataset(path, file, name);
-  const hdf5::Handle dataset = hdf5::open_dataset(file, name);
-  require_numbers(path, dataset, name);
-  std::vector<double> numbers(dataset_length(path, dataset, "dataset " + name));
-  if (!numbers.empty()) {
-    hdf5::check(H5Dread(dataset, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, numbers.data()),
-                name.c_str());
+  std::string name = wanted;
+  std::optional<MatrixLine> line;
+  auto object = object_at(path, file, name);
+  if (!object && (line = take_matrix_line(name))) object = object_at(path, file, name);
+  if (!object || H5Iget_type(*object) != H5I_DATASET) refuse_missing_dataset(path, file, wanted);
+  return vector_in({.file = path, .noun = "dataset", .name = name},
+                   Hdf5Node(path, std::move(*object), false), line);
+}
+
+std::vector<double> read_variable(const fs::path& path, const std::string& wanted) {
+  const hdf5::Handle file = opened(path);
+  VariablePath steps{.steps = {{.name = wanted}}};
+  auto object = object_at(path, file, "/" + wanted);
+  if (!object) {
+    if (const auto parsed = parse_variable(wanted)) steps = *parsed;
+    object = object_at(path, file, "/" + steps.steps.front().name);
   }
-  return numbers;
+  if (!object) {
+    const Hdf5Node root(path, opened_object(file, "/"), true);
+    refuse_file(
+        path, "has no variable " + steps.steps.front().name + "; it has " + listed(root.fields()));
+  }
+  return vector_at(path, std::make_unique<Hdf5Node>(path, std::move(*object), true), steps);
 }
 
 /// HDF5's own errors name no file.
@@ -120,8 +296,7 @@ auto naming(const fs::path& file, const Action& action) {
   } catch (const std::bad_alloc&) {
     throw;
   } catch (const std::exception& error) {
-    refuse_raw_file(file,
-                    std::string("truncated, damaged or not an HDF5 file (") + error.what() + ")");
+    refuse_file(file, std::string("truncated, damaged or not an HDF5 file (") + error.what() + ")");
   }
 }
 
@@ -132,16 +307,8 @@ std::vector<double> read_hdf5(const fs::path& file, const std::string& dataset) 
   return naming(file, [&] { return read_dataset(file, absolute); });
 }
 
-void require_own_vector(const fs::path& path, const std::string& variable) {
-  naming(path, [&] {
-    const std::string name = "/" + variable;
-    const std::string what = "variable " + variable;
-    const hdf5::Handle file = opened(path);
-    if (H5Lexists(file, name.c_str(), H5P_DEFAULT) <= 0) return;
-    if (!is_there(file, name)) refuse_raw_file(path, what + " is a link to elsewhere");
-    if (!is_dataset(file, name)) return;
-    (void)dataset_length(path, hdf5::open_dataset(file, name), what);
-  });
+std::vector<double> read_mat73(const fs::path& file, const std::string& variable) {
+  return naming(file, [&] { return read_variable(file, variable); });
 }
 
-}  // namespace piae::signal
+}  // namespace piae::raw

@@ -1,17 +1,17 @@
-#include "signal/raw_limits.hpp"
+#include "raw/limits.hpp"
 
 #include <sys/resource.h>
 
 #include <algorithm>
-#include <span>
+#include <csignal>
 #include <string>
 #include <system_error>
 
 #include "base/address_space.hpp"
 #include "base/error.hpp"
-#include "signal/raw_file.hpp"
+#include "raw/file.hpp"
 
-namespace piae::signal {
+namespace piae::raw {
 
 namespace fs = std::filesystem;
 
@@ -33,14 +33,14 @@ void limit(int resource, std::uint64_t most, std::uint64_t beyond = 0) {
 
 }  // namespace
 
-RawLimits raw_limits(const fs::path& file) {
+Limits limits_of(const fs::path& file) {
   std::error_code missing;
-  RawLimits limits;
+  Limits limits;
   limits.file_bytes = fs::file_size(file, missing);
   if (missing) throw Error(Exit::input_missing, file.string() + ": " + missing.message());
-  if (limits.file_bytes > largest_raw_bytes) {
-    refuse_raw_file(file, "is larger than " + std::to_string(largest_raw_bytes / mb) +
-                              " MB; split it into several records");
+  if (limits.file_bytes > largest_bytes) {
+    refuse_file(file, "is larger than " + std::to_string(largest_bytes / mb) +
+                          " MB; split it into several records");
   }
   const std::uint64_t samples = most_sample_bytes(limits.file_bytes);
   limits.most_samples = samples / sizeof(double);
@@ -51,30 +51,26 @@ RawLimits raw_limits(const fs::path& file) {
   return limits;
 }
 
-void keep_to(const RawLimits& limits) {
+void keep_to(const Limits& limits) {
   limit(RLIMIT_AS, mapped_bytes() + limits.memory_bytes);
   limit(RLIMIT_CPU, limits.processor_seconds, 1);  // a signal that says so comes first
   limit(RLIMIT_CORE, 0);
-  limit(RLIMIT_FSIZE, 0);
 }
 
-std::size_t vector_length(const fs::path& file, const std::string& name,
-                          const std::size_t* dimensions, std::size_t rank) {
-  std::size_t longest = 1;
-  bool is_vector = true;
-  for (const std::size_t extent : std::span(dimensions, rank)) {
-    if (extent == 0) return 0;
-    is_vector = is_vector && (extent == 1 || longest == 1);
-    longest = std::max(longest, extent);
-  }
-  if (!is_vector) refuse_raw_file(file, name + " is not a vector");
-  const std::uint64_t most = raw_limits(file).most_samples;
-  if (longest > most) {
-    refuse_raw_file(file, name + " is said to have " + std::to_string(longest) +
-                              " values, more than the " + std::to_string(most) +
-                              " that a file of this size can hold: it is damaged");
-  }
-  return longest;
+WritesNoFile::WritesNoFile() {
+  rlimit value{};
+  ::getrlimit(RLIMIT_FSIZE, &value);
+  most_before_ = value.rlim_cur;
+  value.rlim_cur = 0;
+  ::setrlimit(RLIMIT_FSIZE, &value);
+  ::signal(SIGXFSZ, SIG_IGN);  // which would end the process
 }
 
-}  // namespace piae::signal
+WritesNoFile::~WritesNoFile() {
+  rlimit value{};
+  ::getrlimit(RLIMIT_FSIZE, &value);
+  value.rlim_cur = most_before_;
+  ::setrlimit(RLIMIT_FSIZE, &value);
+}
+
+}  // namespace piae::raw

@@ -4,14 +4,14 @@
 #include <cstdint>
 #include <filesystem>
 
-namespace piae::signal {
+namespace piae::raw {
 
 /// The most bytes of a raw file. Version 5 of MATLAB's files ends at 2 GB.
-inline constexpr std::uint64_t largest_raw_bytes = 4'000'000'000;
+inline constexpr std::uint64_t largest_bytes = 4'000'000'000;
 
 /// What reading one raw file may take. All of it follows from the file's size, since what a file
 /// says of itself may be wrong.
-struct RawLimits {
+struct Limits {
   std::uint64_t file_bytes = 0;
   std::uint64_t most_samples = 0;  ///< that it can hold, however well it is compressed
   std::uint64_t memory_bytes = 0;
@@ -21,15 +21,22 @@ struct RawLimits {
 
 /// Throws Error(input_missing) where there is no such file, and Error(bad_input) where it is larger
 /// than any that is read.
-RawLimits raw_limits(const std::filesystem::path& file);
+Limits limits_of(const std::filesystem::path& file);
 
-/// Has this process end, or its requests for memory fail, where it takes more; and lets it write no
-/// file at all.
-void keep_to(const RawLimits& limits);
+/// Has this process end, or its requests for memory fail, where it takes more.
+void keep_to(const Limits& limits);
 
-/// The number of values in an array of these dimensions. Throws Error(bad_input) with the file and
-/// the array's name where it is no vector, or has more of them than the file can hold.
-std::size_t vector_length(const std::filesystem::path& file, const std::string& name,
-                          const std::size_t* dimensions, std::size_t rank);
+/// Lets this process write to no file as long as it lives: such a write fails. What it prints
+/// afterwards may go to a file.
+class WritesNoFile {
+ public:
+  WritesNoFile();
+  WritesNoFile(const WritesNoFile&) = delete;
+  WritesNoFile& operator=(const WritesNoFile&) = delete;
+  ~WritesNoFile();
 
-}  // namespace piae::signal
+ private:
+  std::uint64_t most_before_;
+};
+
+}  // namespace piae::raw

@@ -7,14 +7,18 @@
 
 #include "artefact/file.hpp"
 #include "base/error.hpp"
-#include "signal/raw_file.hpp"
-#include "signal/raw_limits.hpp"
+#include "raw/file.hpp"
+#include "raw/mat_elements.hpp"
+#include "raw/node.hpp"
 
-namespace piae::signal {
+namespace piae::raw {
 
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr const char* what_objects_are =
+    "an object of MATLAB, such as a table; export its values: x = T.Var1; save('x.mat', 'x')";
 
 struct Close {
   void operator()(mat_t* file) const { Mat_Close(file); }
@@ -23,46 +27,22 @@ struct Close {
 using File = std::unique_ptr<mat_t, Close>;
 using Variable = std::unique_ptr<matvar_t, Close>;
 
-std::uint32_t number_at(std::span<const std::byte> bytes, std::size_t at, bool big_endian) {
-  std::uint32_t number = 0;
-  for (std::size_t i = 0; i < 4; ++i) {
-    number = number << 8U | std::to_integer<std::uint32_t>(bytes[at + (big_endian ? i : 3 - i)]);
-  }
-  return number;
+[[noreturn]] void refuse_unreadable(const fs::path& path) {
+  refuse_file(path, "truncated, damaged or not a MATLAB file of version 5 or 7.3");
 }
 
-/// How a file of either version begins: text, and then the version and "MI" or "IM", for the order
-/// of bytes. libmatio is given no other file: it takes those of version 4 at their word.
-constexpr std::size_t header_size = 128;
-
-bool is_big_endian(std::span<const std::byte> bytes) { return bytes[126] == std::byte{'M'}; }
-
-int version_of(std::span<const std::byte> bytes) {
-  if (bytes.size() < header_size) return 0;
-  const auto at = [&](std::size_t i) { return std::to_integer<int>(bytes[i]); };
-  if (at(126) == 'M' && at(127) == 'I') return at(124) * 256 + at(125);
-  if (at(126) == 'I' && at(127) == 'M') return at(125) * 256 + at(124);
-  return 0;
-}
-
-/// Whether a file of version 5 is complete. libmatio does not say when it is truncated, but fills
-/// up the missing values. Such a file is a header of 128 bytes and then one element after another,
-/// each with its type and size (4 bytes each) and its content.
-bool is_whole_v5(std::span<const std::byte> bytes) {
-  const bool big_endian = is_big_endian(bytes);
-  std::size_t at = header_size;
-  while (at + 8 <= bytes.size()) at += 8 + number_at(bytes, at + 4, big_endian);
-  return at == bytes.size();
-}
-
-/// Refuses what cannot be read, before libmatio sees it.
-mat_ft require_readable(const fs::path& path) {
-  const Bytes bytes = artefact::read_file(path);
-  const int version = version_of(bytes);
+/// The version of a file that libmatio may be given.
+mat_ft readable_version(const fs::path& path, std::span<const std::byte> bytes) {
+  const int version = mat_version(bytes);
   if (version == MAT_FT_MAT73 || (version == MAT_FT_MAT5 && is_whole_v5(bytes))) {
     return static_cast<mat_ft>(version);
   }
-  refuse_raw_file(path, "truncated, damaged or not a MATLAB file of version 5 or 7.3");
+  refuse_unreadable(path);
+}
+
+void require_intact(const fs::path& path, std::span<const std::byte> bytes) {
+  if (is_intact_v5(bytes)) return;
+  refuse_file(path, "damaged: the checksum of what it has compressed does not match");
 }
 
 /// The message is a `char*` in matio 1.5.23 (Debian 12), and a `const char*` in 1.5.28 (Debian 13).
@@ -72,7 +52,7 @@ void print_nothing(int /*level*/, Char* /*message*/) {}
 File open(const fs::path& path) {
   Mat_LogInitFunc("", print_nothing);
   File file(Mat_Open(path.c_str(), MAT_ACC_RDONLY));
-  if (!file) refuse_raw_file(path, "truncated, damaged or not a MATLAB file of version 5 or 7.3");
+  if (!file) refuse_unreadable(path);
   return file;
 }
 
@@ -88,63 +68,154 @@ std::vector<std::string> names_in(const fs::path& path) {
 [[noreturn]] void refuse_missing_variable(const fs::path& path, const std::string& wanted) {
   const std::vector<std::string> names = names_in(path);
   if (std::ranges::find(names, wanted) != names.end()) {
-    refuse_raw_file(path, "variable " + wanted + " is damaged or truncated");
+    refuse_file(path, "variable " + wanted + " is damaged or truncated");
   }
-  refuse_raw_file(path, "has no variable " + wanted + "; it has " + listed(names));
-}
-
-std::size_t length_of(const fs::path& path, const matvar_t& variable) {
-  const std::string name = std::string("variable ") + variable.name;
-  if (variable.isComplex != 0) refuse_raw_file(path, name + " is not a real vector");
-  return vector_length(path, name, variable.dims, static_cast<std::size_t>(variable.rank));
+  refuse_file(path, "has no variable " + wanted + "; it has " + listed(names));
 }
 
 template <class T>
-std::vector<double> convert(const fs::path& path, const matvar_t& variable, std::size_t count) {
-  if (variable.nbytes / sizeof(T) < count) refuse_missing_variable(path, variable.name);
+std::vector<double> converted(const matvar_t& variable, std::size_t count) {
+  if (variable.nbytes / sizeof(T) < count) return {};
   const auto* first = static_cast<const T*>(variable.data);
   return {first, first + count};
 }
 
-std::vector<double> numbers_of(const fs::path& path, const matvar_t& variable, std::size_t count) {
-  if (variable.data == nullptr) refuse_missing_variable(path, variable.name);
+/// Empty where there are fewer than `count`.
+std::vector<double> numbers_of(const matvar_t& variable, std::size_t count) {
+  if (variable.data == nullptr) return {};
   switch (variable.class_type) {
     case MAT_C_DOUBLE:
-      return convert<double>(path, variable, count);
+      return converted<double>(variable, count);
     case MAT_C_SINGLE:
-      return convert<float>(path, variable, count);
+      return converted<float>(variable, count);
     case MAT_C_INT8:
-      return convert<std::int8_t>(path, variable, count);
+      return converted<std::int8_t>(variable, count);
     case MAT_C_UINT8:
-      return convert<std::uint8_t>(path, variable, count);
+      return converted<std::uint8_t>(variable, count);
     case MAT_C_INT16:
-      return convert<std::int16_t>(path, variable, count);
+      return converted<std::int16_t>(variable, count);
     case MAT_C_UINT16:
-      return convert<std::uint16_t>(path, variable, count);
+      return converted<std::uint16_t>(variable, count);
     case MAT_C_INT32:
-      return convert<std::int32_t>(path, variable, count);
+      return converted<std::int32_t>(variable, count);
     case MAT_C_UINT32:
-      return convert<std::uint32_t>(path, variable, count);
+      return converted<std::uint32_t>(variable, count);
     case MAT_C_INT64:
-      return convert<std::int64_t>(path, variable, count);
-    case MAT_C_UINT64:
-      return convert<std::uint64_t>(path, variable, count);
+      return converted<std::int64_t>(variable, count);
     default:
-      refuse_raw_file(path, std::string("variable ") + variable.name + " does not hold numbers");
+      return converted<std::uint64_t>(variable, count);
   }
+}
+
+/// A variable of a file of version 5, or a part of one.
+class Mat5Node : public Node {
+ public:
+  Mat5Node(const fs::path& file, std::shared_ptr<matvar_t> variable)
+      : file_(file), variable_(std::move(variable)) {}
+
+  [[nodiscard]] Kind kind() const override {
+    const matio_classes type = variable_->class_type;
+    if (type >= MAT_C_DOUBLE && type <= MAT_C_UINT64) {
+      return variable_->isComplex != 0 ? Kind::other : Kind::numbers;
+    }
+    if (type == MAT_C_EMPTY) return Kind::numbers;
+    if (type == MAT_C_CHAR) return Kind::text;
+    if (type == MAT_C_STRUCT) return Kind::structure;
+    return type == MAT_C_CELL ? Kind::cell : Kind::other;
+  }
+
+  [[nodiscard]] std::string what() const override {
+    if (variable_->class_type == MAT_C_SPARSE) return "a sparse matrix; export full(...) of it";
+    if (variable_->class_type == MAT_C_FUNCTION) return "a function";
+    if (variable_->isComplex != 0) return "of complex numbers; export real(...) of it";
+    return what_objects_are;
+  }
+
+  [[nodiscard]] Shape shape() const override {
+    return {variable_->dims, variable_->dims + variable_->rank};
+  }
+
+  [[nodiscard]] std::vector<std::string> fields() const override {
+    char* const* const names = Mat_VarGetStructFieldnames(variable_.get());
+    if (names == nullptr) return {};
+    return {names, names + Mat_VarGetNumberOfFields(variable_.get())};
+  }
+
+  [[nodiscard]] std::unique_ptr<Node> field(const std::string& name,
+                                            std::size_t element) const override {
+    return part(Mat_VarGetStructFieldByName(variable_.get(), name.c_str(), element));
+  }
+  [[nodiscard]] std::unique_ptr<Node> element(std::size_t element) const override {
+    return part(Mat_VarGetCell(variable_.get(), static_cast<int>(element)));
+  }
+
+  [[nodiscard]] std::string text() const override {
+    if (variable_->data == nullptr) return "";
+    const std::size_t size = Mat_SizeOf(variable_->data_type);
+    const auto* const bytes = static_cast<const char*>(variable_->data);
+    std::string text;
+    for (std::size_t i = 0; size > 0 && i + size <= variable_->nbytes; i += size) text += bytes[i];
+    return text;
+  }
+
+  [[nodiscard]] std::vector<double> numbers() const override {
+    std::size_t count = 1;
+    for (const std::size_t extent : shape()) count *= extent;
+    std::vector<double> numbers = numbers_of(*variable_, count);
+    if (numbers.size() < count) refuse_file(file_, "a variable is damaged or truncated");
+    return numbers;
+  }
+  [[nodiscard]] bool is_column_major() const override { return true; }
+
+ private:
+  /// Shares the whole variable, which the part belongs to.
+  std::unique_ptr<Node> part(matvar_t* variable) const {
+    if (variable == nullptr) return nullptr;
+    return std::make_unique<Mat5Node>(file_, std::shared_ptr<matvar_t>(variable_, variable));
+  }
+
+  const fs::path& file_;
+  std::shared_ptr<matvar_t> variable_;
+};
+
+bool has_parts(const matvar_t& variable) {
+  return variable.class_type == MAT_C_STRUCT || variable.class_type == MAT_C_CELL;
+}
+
+std::vector<double> read_v5(const fs::path& path, std::span<const std::byte> bytes,
+                            const VariablePath& wanted) {
+  const std::string& name = wanted.steps.front().name;
+  const File file = open(path);
+  Variable variable(Mat_VarReadInfo(file.get(), name.c_str()));
+  if (!variable) {
+    require_intact(path, bytes);
+    refuse_missing_variable(path, name);
+  }
+  const bool is_array =
+      variable->class_type >= MAT_C_DOUBLE && variable->class_type <= MAT_C_UINT64;
+  if (is_array) {
+    (void)possible_count({.file = path, .noun = "variable", .name = name},
+                         {variable->dims, variable->dims + variable->rank});
+  }
+  require_intact(path, bytes);
+  if (has_parts(*variable)) {
+    variable.reset(Mat_VarRead(file.get(), name.c_str()));
+    if (!variable) refuse_missing_variable(path, name);
+  } else if (is_array && Mat_VarReadDataAll(file.get(), variable.get()) != 0) {
+    refuse_missing_variable(path, name);
+  }
+  const std::shared_ptr<matvar_t> whole(std::move(variable));
+  return vector_at(path, std::make_unique<Mat5Node>(path, whole), wanted);
 }
 
 }  // namespace
 
 std::vector<double> read_mat(const fs::path& path, const std::string& name) {
-  if (require_readable(path) == MAT_FT_MAT73) require_own_vector(path, name);
-  const File file = open(path);
-  const Variable variable(Mat_VarReadInfo(file.get(), name.c_str()));
-  if (!variable) refuse_missing_variable(path, name);
-  const std::size_t count = length_of(path, *variable);
-  if (count == 0) return {};
-  if (Mat_VarReadDataAll(file.get(), variable.get()) != 0) refuse_missing_variable(path, name);
-  return numbers_of(path, *variable, count);
+  const Bytes bytes = artefact::read_file(path);
+  if (readable_version(path, bytes) == MAT_FT_MAT73) return read_mat73(path, name);
+  const auto wanted = parse_variable(name);
+  if (!wanted) refuse_file(path, "has no variable " + name + "; it has " + listed(names_in(path)));
+  return read_v5(path, bytes, *wanted);
 }
 
-}  // namespace piae::signal
+}  // namespace piae::raw

@@ -1,24 +1,19 @@
-#include "signal/mat_elements.hpp"
+#include "raw/mat_elements.hpp"
 
 #include <zlib.h>
 
 #include <array>
+#include <cstdint>
 
-namespace piae::signal {
+#include "raw/bytes.hpp"
+
+namespace piae::raw {
 
 namespace {
 
 constexpr std::uint32_t compressed = 15;  // miCOMPRESSED
 
 bool is_big_endian(std::span<const std::byte> bytes) { return bytes[126] == std::byte{'M'}; }
-
-std::uint32_t number_at(std::span<const std::byte> bytes, std::size_t at, bool big_endian) {
-  std::uint32_t number = 0;
-  for (std::size_t i = 0; i < 4; ++i) {
-    number = number << 8U | std::to_integer<std::uint32_t>(bytes[at + (big_endian ? i : 3 - i)]);
-  }
-  return number;
-}
 
 /// Unpacks a zlib stream, keeps nothing of it, and says if its checksum is right.
 bool is_intact_stream(std::span<const std::byte> packed) {
@@ -66,4 +61,4 @@ bool is_intact_v5(std::span<const std::byte> bytes) {
   return true;
 }
 
-}  // namespace piae::signal
+}  // namespace piae::raw

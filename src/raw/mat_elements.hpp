@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <span>
 
-namespace piae::signal {
+namespace piae::raw {
 
 /// How a MATLAB file of version 5 or 7.3 begins: text, and then the version and "MI" or "IM", for
 /// the order of bytes. libmatio is given no other file: it takes those of version 4 at their word.
@@ -23,4 +23,4 @@ bool is_whole_v5(std::span<const std::byte> bytes);
 /// a flipped bit would give other numbers.
 bool is_intact_v5(std::span<const std::byte> bytes);
 
-}  // namespace piae::signal
+}  // namespace piae::raw

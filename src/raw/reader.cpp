@@ -1,5 +1,6 @@
 #include <fcntl.h>
 #include <poll.h>
+#include <spdlog/fmt/fmt.h>
 #include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -12,10 +13,10 @@
 #include <system_error>
 
 #include "base/error.hpp"
-#include "signal/raw_file.hpp"
-#include "signal/raw_limits.hpp"
+#include "raw/file.hpp"
+#include "raw/limits.hpp"
 
-namespace piae::signal {
+namespace piae::raw {
 
 namespace {
 
@@ -79,11 +80,16 @@ class Output {
 /// One run of read_raw. It is killed where nobody waits for it to the end.
 class Reader {
  public:
-  Reader(const fs::path& file, const std::string& variable, const RawLimits& limits)
+  Reader(const fs::path& file, const std::string& variable, std::optional<double> sample_rate_hz,
+         const Limits& limits)
       : file_(file), limits_(limits), out_(limits.most_samples * sizeof(double)) {
     program_ = (fs::read_symlink("/proc/self/exe").parent_path() / "read_raw").string();
-    std::array<std::string, 3> words{program_, "--file=" + file.string(), "--variable=" + variable};
-    const std::array<char*, 4> argv{words[0].data(), words[1].data(), words[2].data(), nullptr};
+    std::vector<std::string> words{program_, "--file=" + file.string(), "--variable=" + variable};
+    if (sample_rate_hz) words.push_back(fmt::format("--sample-rate={}", *sample_rate_hz));
+    std::vector<char*> argv;
+    argv.reserve(words.size() + 1);
+    for (std::string& word : words) argv.push_back(word.data());
+    argv.push_back(nullptr);
     const pid_t parent = ::getpid();
     pid_ = ::fork();
     if (pid_ == 0) become(argv, parent);
@@ -112,7 +118,7 @@ class Reader {
   }
 
  private:
-  [[noreturn]] void become(const std::array<char*, 4>& argv, pid_t parent) const {
+  [[noreturn]] void become(const std::vector<char*>& argv, pid_t parent) const {
     ::prctl(PR_SET_PDEATHSIG, SIGKILL);
     const bool ready = ::getppid() == parent && ::dup2(out_.pipe.to_write(), STDOUT_FILENO) >= 0 &&
                        ::dup2(err_.pipe.to_write(), STDERR_FILENO) >= 0;
@@ -144,7 +150,7 @@ class Reader {
   }
 
   [[noreturn]] void refuse(const std::string& what) const {
-    refuse_raw_file(file_, "cannot be read: " + what + "; the file is damaged, get it again");
+    refuse_file(file_, "cannot be read: " + what + "; the file is damaged, get it again");
   }
   [[noreturn]] void refuse_for_time() const {
     refuse("its reader took longer than " + std::to_string(limits_.wall_seconds) +
@@ -177,7 +183,7 @@ class Reader {
   }
 
   fs::path file_;
-  RawLimits limits_;
+  Limits limits_;
   std::string program_;
   Output out_;
   Output err_{1 << 16};
@@ -186,8 +192,9 @@ class Reader {
 
 }  // namespace
 
-std::vector<double> read_raw_file(const fs::path& file, const std::string& variable) {
-  return Reader(file, variable, raw_limits(file)).numbers();
+std::vector<double> read(const fs::path& file, const std::string& variable,
+                         std::optional<double> sample_rate_hz) {
+  return Reader(file, variable, sample_rate_hz, limits_of(file)).numbers();
 }
 
-}  // namespace piae::signal
+}  // namespace piae::raw

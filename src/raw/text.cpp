@@ -1,4 +1,4 @@
-#include "signal/raw_text.hpp"
+#include "raw/text.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "artefact/file.hpp"
-#include "signal/raw_file.hpp"
-#include "signal/raw_limits.hpp"
+#include "raw/file.hpp"
+#include "raw/limits.hpp"
 
-namespace piae::signal {
+namespace piae::raw {
 
 namespace {
 
@@ -61,22 +61,50 @@ std::string from_utf16(std::string_view bytes, bool low_byte_first) {
   return text;
 }
 
-}  // namespace
+/// Drops what editors and loggers of before leave at the end: nulls, Ctrl-Z, lines of blanks.
+void drop_empty_end(std::string& text) {
+  const std::string what("\0\x1a", 2);
+  while (!text.empty()) {
+    if (what.find(text.back()) != std::string::npos) {
+      text.pop_back();
+      continue;
+    }
+    const std::size_t line = text.find_last_of('\n');
+    const std::size_t begin = line == std::string::npos ? 0 : line + 1;
+    const bool is_blank = text.find_first_not_of(" \t\r", begin) == std::string::npos;
+    if (!is_blank || begin == 0) return;
+    text.resize(begin - 1);
+  }
+}
 
-std::string read_raw_text(const std::filesystem::path& file) {
-  const Bytes bytes = artefact::read_file(file, largest_raw_bytes);
-  std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+/// Line ends of the old Macintosh, which are returns alone.
+void mend_line_ends(std::string& text) {
+  if (text.find('\n') == std::string::npos) std::ranges::replace(text, '\r', '\n');
+}
+
+std::string in_utf8(const std::filesystem::path& file, std::string_view text) {
   if (text.starts_with("\xFF\xFE")) return from_utf16(text.substr(2), true);
   if (text.starts_with("\xFE\xFF")) return from_utf16(text.substr(2), false);
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
-  // Every other byte of a number in UTF-16 is 0, which no text in UTF-8 has.
+  // Every other byte of a number in UTF-16 is 0, which no text in UTF-8 has but at its end.
   constexpr std::size_t enough = 64;
-  if (std::ranges::count(text.substr(0, enough), '\0') > 2) {
-    refuse_raw_file(file,
-                    "is no text in UTF-8: it may be UTF-16 without a byte order mark; save it "
-                    "as UTF-8");
+  const std::string_view begin = text.substr(0, text.find_last_not_of('\0') + 1).substr(0, enough);
+  if (std::ranges::count(begin, '\0') > 2) {
+    refuse_file(file,
+                "is no text in UTF-8: it may be UTF-16 without a byte order mark; save it "
+                "as UTF-8");
   }
   return std::string(text);
 }
 
-}  // namespace piae::signal
+}  // namespace
+
+std::string read_text(const std::filesystem::path& file) {
+  const Bytes bytes = artefact::read_file(file, largest_bytes);
+  std::string text = in_utf8(file, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+  drop_empty_end(text);
+  mend_line_ends(text);
+  return text;
+}
+
+}  // namespace piae::raw

@@ -6,8 +6,8 @@
 
 #include "base/error.hpp"
 #include "base/sha256.hpp"
-#include "signal/raw_file.hpp"
-#include "signal/raw_limits.hpp"
+#include "raw/file.hpp"
+#include "raw/limits.hpp"
 #include "signal/resample.hpp"
 
 namespace piae::signal {
@@ -77,10 +77,10 @@ void RecordReader::require_new(const fs::path& file, const RecordSource& source,
 RawRecord RecordReader::read_raw(const RecordSource& source) {
   const fs::path file = data_dir_ / source.file;
   require_file(file, source, info_.name);
-  (void)raw_limits(file);  // which refuses what is too large, before all of that is hashed
+  (void)raw::limits_of(file);  // which refuses what is too large, before all of that is hashed
   RawRecord raw;
   raw.sha256 = checked_sha256(file, source);
-  raw.samples = read_raw_file(file, source.variable);
+  raw.samples = raw::read(file, source.variable, source.sample_rate_hz);
   require_usable(file, source, raw.samples);
   require_new(file, source, raw.samples);
   return raw;

@@ -13,7 +13,7 @@
 #include "diagnosis/learn.hpp"
 #include "diagnosis/one_core_backend.hpp"
 #include "diagnosis/training_set.hpp"
-#include "signal/raw_file.hpp"
+#include "raw/file.hpp"
 
 namespace piae::classification {
 namespace {
@@ -89,7 +89,7 @@ void read_recording(benchmark::State& state) {
   writer.numbers("/x", noise(windows_in_file * length));
   writer.save(file, {});
   const double start = bench::processor_seconds();
-  while (state.KeepRunning()) benchmark::DoNotOptimize(signal::read_here(file, "/x"));
+  while (state.KeepRunning()) benchmark::DoNotOptimize(raw::read_here(file, "/x"));
   reading_s = (bench::processor_seconds() - start) / static_cast<double>(state.iterations()) /
               windows_in_file;
   state.counters["windows/s"] = 1 / reading_s;

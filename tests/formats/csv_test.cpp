@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "formats/exported_windows.hpp"
-#include "signal/raw_file.hpp"
+#include "raw/file.hpp"
 #include "support/folder.hpp"
 
 namespace piae::formats {
@@ -34,7 +34,7 @@ TEST(ExportedCsv, IsReadByTheReaderOfRecordingsToTheLastBit) {
   const signal::WindowSet windows = four_windows();
   const auto file = folder.write("E.csv", csv(exported_windows()));
   for (std::size_t t = 0; t < 2; ++t) {
-    const std::vector<double> column = signal::read_csv(file, "x" + std::to_string(t));
+    const std::vector<double> column = raw::read_csv(file, "x" + std::to_string(t));
     ASSERT_EQ(column.size(), 4U);
     for (std::size_t i = 0; i < 4; ++i) {
       const auto read = static_cast<float>(column[i]);

@@ -8,7 +8,7 @@
 #include <memory>
 
 #include "formats/exported_windows.hpp"
-#include "signal/raw_file.hpp"
+#include "raw/file.hpp"
 #include "support/folder.hpp"
 
 namespace piae::formats {
@@ -74,9 +74,9 @@ TEST_F(ExportedMat, HoldsNumbersAndListsAndTexts) {
 }
 
 TEST_F(ExportedMat, IsReadByTheReaderOfRecordings) {
-  EXPECT_THAT(signal::read_mat(file, "start_angle_rad"), ElementsAre(0, 1.5, 6.25, 3));
+  EXPECT_THAT(raw::read_mat(file, "start_angle_rad"), ElementsAre(0, 1.5, 6.25, 3));
   const auto one = folder.write("one.mat", mat(select(four_windows(), {"IR"}, 1)));
-  EXPECT_THAT(signal::read_mat(one, "windows"), ElementsAre(0.1F, -2));
+  EXPECT_THAT(raw::read_mat(one, "windows"), ElementsAre(0.1F, -2));
 }
 
 }  // namespace

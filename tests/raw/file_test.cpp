@@ -1,4 +1,4 @@
-#include "signal/raw_file.hpp"
+#include "raw/file.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@
 #include "support/errors.hpp"
 #include "support/folder.hpp"
 
-namespace piae::signal {
+namespace piae::raw {
 namespace {
 
 namespace fs = std::filesystem;
@@ -24,9 +24,9 @@ using testing::IsEmpty;
 TEST(Csv, ReadsAColumnByNumberOrName) {
   const Folder folder;
   const fs::path file = folder.write("a.csv", "time,acc\n0,1.5\n1,-2e-3\n2,3\n");
-  EXPECT_THAT(read_raw_file(file, "acc"), ElementsAre(1.5, -0.002, 3));
-  EXPECT_THAT(read_raw_file(file, "2"), ElementsAre(1.5, -0.002, 3));
-  EXPECT_THAT(read_raw_file(file, "time"), ElementsAre(0, 1, 2));
+  EXPECT_THAT(read(file, "acc"), ElementsAre(1.5, -0.002, 3));
+  EXPECT_THAT(read(file, "2"), ElementsAre(1.5, -0.002, 3));
+  EXPECT_THAT(read(file, "time"), ElementsAre(0, 1, 2));
 }
 
 TEST(Csv, NeedsNeitherHeaderNorLastLineEnd) {
@@ -124,8 +124,8 @@ TEST(Csv, TakesDecimalCommasWhereTheyDoNotSeparate) {
 
 TEST(Csv, MayBeATextFileOrInCapitals) {
   const Folder folder;
-  EXPECT_THAT(read_raw_file(folder.write("a.txt", "0 1\n1 2\n"), "2"), ElementsAre(1, 2));
-  EXPECT_THAT(read_raw_file(folder.write("A.CSV", "0,1\n1,2\n"), "2"), ElementsAre(1, 2));
+  EXPECT_THAT(read(folder.write("a.txt", "0 1\n1 2\n"), "2"), ElementsAre(1, 2));
+  EXPECT_THAT(read(folder.write("A.CSV", "0,1\n1,2\n"), "2"), ElementsAre(1, 2));
 }
 
 std::string utf16(const std::string& text, bool low_byte_first) {
@@ -154,11 +154,11 @@ TEST(Csv, MayBeUtf16WithAByteOrderMark) {
 // Lines and fields that are kept one by one take many times the bytes of the file.
 TEST(Csv, TakesNoMoreMemoryThanItsSizeAllows) {
   const Folder folder;
-  const std::string lines = "1\n" + std::string(30'000'000, '\n');
-  EXPECT_ERROR((void)read_raw_file(folder.write("lines.csv", lines), "1"), Exit::bad_input,
+  const std::string lines = "1\n" + std::string(30'000'000, '\n') + "2\n";
+  EXPECT_ERROR((void)read(folder.write("lines.csv", lines), "1"), Exit::bad_input,
                "line 2: column 1 holds ''");
   const std::string fields(30'000'000, ',');
-  EXPECT_ERROR((void)read_raw_file(folder.write("fields.csv", fields), "1"), Exit::bad_input,
+  EXPECT_ERROR((void)read(folder.write("fields.csv", fields), "1"), Exit::bad_input,
                "line 1: has more than 10000 columns");
 }
 
@@ -200,10 +200,10 @@ TEST_P(Mat, ReadsRealVectorsOfAnyNumberType) {
                                    {"row", MAT_C_DOUBLE, MAT_T_DOUBLE, {1, 3}, doubles.data()},
                                    {"single", MAT_C_SINGLE, MAT_T_SINGLE, {2, 1}, floats.data()},
                                    {"int16", MAT_C_INT16, MAT_T_INT16, {2, 1}, shorts.data()}});
-  EXPECT_EQ(read_raw_file(file, "column"), doubles);
-  EXPECT_EQ(read_raw_file(file, "row"), doubles);
-  EXPECT_THAT(read_raw_file(file, "single"), ElementsAre(0.5, 1));
-  EXPECT_THAT(read_raw_file(file, "int16"), ElementsAre(-32768, 7));
+  EXPECT_EQ(read(file, "column"), doubles);
+  EXPECT_EQ(read(file, "row"), doubles);
+  EXPECT_THAT(read(file, "single"), ElementsAre(0.5, 1));
+  EXPECT_THAT(read(file, "int16"), ElementsAre(-32768, 7));
 }
 
 TEST_P(Mat, NamesTheVariablesThatAFileHas) {
@@ -252,6 +252,23 @@ TEST(MatFile, ThatIsCutAnywhereIsRefused) {
   }
 }
 
+TEST(MatFile, WhoseCompressedContentIsDamagedIsRefused) {
+  const Folder folder;
+  std::vector<double> noise(3000);
+  for (std::size_t i = 0; i < noise.size(); ++i) noise[i] = std::sin(static_cast<double>(i * i));
+  const fs::path file =
+      write_mat(folder / "a.mat", MAT_FT_MAT5,
+                {{"x", MAT_C_DOUBLE, MAT_T_DOUBLE, {3000, 1}, noise.data()}}, MAT_COMPRESSION_ZLIB);
+  const std::string whole = bytes_of(file);
+  constexpr std::size_t header = 128 + 8;  // of the file, of the element
+  for (std::size_t at = header; at < whole.size(); at += 97) {
+    std::string damaged = whole;
+    damaged[at] = static_cast<char>(damaged[at] ^ 1 << at % 8);
+    folder.write("b.mat", damaged);
+    EXPECT_ERROR(read_mat(folder / "b.mat", "x"), Exit::bad_input, "damaged");
+  }
+}
+
 TEST(MatFile, ThatIsNoMatFileIsRefused) {
   const Folder folder;
   EXPECT_ERROR(read_mat(folder.write("a.mat", "<html>404</html>"), "x"), Exit::bad_input,
@@ -289,21 +306,21 @@ fs::path write_hdf5(const fs::path& path) {
 TEST(Hdf5, ReadsFloatsAndIntegersOfAnyByteOrder) {
   const Folder folder;
   const fs::path file = write_hdf5(folder / "a.h5");
-  EXPECT_THAT(read_raw_file(file, "/raw/acc"), ElementsAre(0.5, 1, 2, 3));
-  EXPECT_THAT(read_raw_file(file, "raw/acc"), ElementsAre(0.5, 1, 2, 3));
-  EXPECT_THAT(read_raw_file(file, "column"), ElementsAre(0.5, 1, 2, 3));
+  EXPECT_THAT(read(file, "/raw/acc"), ElementsAre(0.5, 1, 2, 3));
+  EXPECT_THAT(read(file, "raw/acc"), ElementsAre(0.5, 1, 2, 3));
+  EXPECT_THAT(read(file, "column"), ElementsAre(0.5, 1, 2, 3));
   // The bytes of -7 and 8 as this machine has them, read as big-endian numbers.
-  EXPECT_THAT(read_raw_file(file, "counts"), ElementsAre(-100663297, 134217728));
+  EXPECT_THAT(read(file, "counts"), ElementsAre(-100663297, 134217728));
 }
 
 TEST(Hdf5, RefusesWhatIsNotAVectorOfNumbers) {
   const Folder folder;
   const fs::path file = write_hdf5(folder / "a.hdf5");
-  EXPECT_ERROR(read_raw_file(file, "acc"), Exit::bad_input,
+  EXPECT_ERROR(read(file, "acc"), Exit::bad_input,
                "has no dataset /acc; it has /column, /counts, /raw/acc, /raw/matrix, /text");
-  EXPECT_ERROR(read_raw_file(file, "raw"), Exit::bad_input, "has no dataset /raw");
-  EXPECT_ERROR(read_raw_file(file, "raw/matrix"), Exit::bad_input, "is not a vector");
-  EXPECT_ERROR(read_raw_file(file, "text"), Exit::bad_input, "does not hold numbers");
+  EXPECT_ERROR(read(file, "raw"), Exit::bad_input, "has no dataset /raw");
+  EXPECT_ERROR(read(file, "raw/matrix"), Exit::bad_input, "is not a vector");
+  EXPECT_ERROR(read(file, "text"), Exit::bad_input, "does not hold numbers");
 }
 
 TEST(Hdf5, RefusesATruncatedFile) {
@@ -313,11 +330,11 @@ TEST(Hdf5, RefusesATruncatedFile) {
   EXPECT_ERROR(read_hdf5(file, "raw/acc"), Exit::bad_input, "a.h5: truncated, damaged or not");
 }
 
-TEST(RawFile, OfAnUnknownFormatIsRefused) {
+TEST(RawFile, WithASingleNumberIsNoRecording) {
   const Folder folder;
-  EXPECT_ERROR(read_raw_file(folder.write("a.wav", "RIFF"), "x"), Exit::bad_input,
-               "unknown format '.wav'");
+  EXPECT_ERROR(read(folder.write("a.csv", "rpm\n1772\n"), "rpm"), Exit::bad_input,
+               "rpm holds one number, 1772: no recording");
 }
 
 }  // namespace
-}  // namespace piae::signal
+}  // namespace piae::raw

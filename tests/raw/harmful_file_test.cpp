@@ -4,14 +4,14 @@
 
 #include <chrono>
 
-#include "signal/raw_file.hpp"
+#include "raw/file.hpp"
 #include "support/errors.hpp"
 #include "support/folder.hpp"
 #include "support/harmful_files.hpp"
 
 /// Raw files that were made to do harm, read as ingest does it. Whatever they say of themselves,
 /// reading them takes neither much memory nor time, and ends in one line that names them.
-namespace piae::signal {
+namespace piae::raw {
 namespace {
 
 namespace fs = std::filesystem;
@@ -19,8 +19,8 @@ namespace fs = std::filesystem;
 void expect_refused(const fs::path& file, const std::string& why) {
   SCOPED_TRACE(file);
   const auto began = std::chrono::steady_clock::now();
-  EXPECT_ERROR(read_raw_file(file, "x"), Exit::bad_input, file.string() + ": ");
-  EXPECT_ERROR(read_raw_file(file, "x"), Exit::bad_input, why);
+  EXPECT_ERROR(read(file, "x"), Exit::bad_input, file.string() + ": ");
+  EXPECT_ERROR(read(file, "x"), Exit::bad_input, why);
   EXPECT_LT(std::chrono::steady_clock::now() - began, std::chrono::seconds(20));
   for (const auto who : {RUSAGE_SELF, RUSAGE_CHILDREN}) {
     rusage used{};
@@ -57,7 +57,7 @@ TEST(HarmfulRawFile, ThatIsLargerThanAnyIsNotRead) {
 TEST(HarmfulRawFile, MayBePackedWell) {
   const Folder folder;
   const fs::path packed = folder.write("packed.mat", harmful::bomb_v5(100'000));
-  EXPECT_EQ(read_raw_file(packed, "x"), std::vector<double>(100'000, 0.0));
+  EXPECT_EQ(read(packed, "x"), std::vector<double>(100'000, 0.0));
 }
 
 TEST(HarmfulRawFile, WithManyNestedGroupsIsLookedThroughAtOnce) {
@@ -73,7 +73,7 @@ TEST(HarmfulRawFile, DoesNotBringInOtherFiles) {
     other.dataset("x", H5T_NATIVE_DOUBLE, 20, H5P_DEFAULT);
   }
   harmful::write_external_link(folder / "link.h5", folder / "other.h5");
-  expect_refused(folder / "link.h5", "has no dataset /x; it has none");
+  expect_refused(folder / "link.h5", "/x is a link to another file");
   folder.write("secret", std::string(100, 's'));
   harmful::write_external_values(folder / "values.h5", folder / "secret", 100);
   expect_refused(folder / "values.h5", "has its values in another file");
@@ -102,7 +102,7 @@ std::string packed_hdf5(const fs::path& path) {
 TEST(HarmfulRawFile, ThatCrashesItsReaderIsRefused) {
   const Folder folder;
   std::string bytes = packed_hdf5(folder / "a.h5");
-  EXPECT_EQ(read_raw_file(folder / "a.h5", "x"), std::vector<double>(50, 1.5));
+  EXPECT_EQ(read(folder / "a.h5", "x"), std::vector<double>(50, 1.5));
   const std::size_t size_of_a_double = bytes.find(std::string("\x11\x20\x3f\0\x08\0\0\0", 8));
   ASSERT_NE(size_of_a_double, std::string::npos);
   bytes.replace(size_of_a_double + 5, 2, "\xff\xff");
@@ -117,7 +117,7 @@ TEST(HarmfulRawFile, ThatIsDamagedAnywhereIsGoodOrRefused) {
     std::string damaged = whole;
     damaged.replace(i * whole.size() / changes, 4, "\xff\xff\xff\xff");
     const fs::path file = folder.write("a.h5", damaged);
-    const auto error = error_of([&] { (void)read_raw_file(file, "x"); });
+    const auto error = error_of([&] { (void)read(file, "x"); });
     if (!error) continue;
     EXPECT_EQ(error->exit(), Exit::bad_input) << error->what();
     EXPECT_TRUE(std::string(error->what()).starts_with(file.string())) << error->what();
@@ -126,4 +126,4 @@ TEST(HarmfulRawFile, ThatIsDamagedAnywhereIsGoodOrRefused) {
 }
 
 }  // namespace
-}  // namespace piae::signal
+}  // namespace piae::raw

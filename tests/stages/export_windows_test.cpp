@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <cstring>
 
-#include "signal/raw_file.hpp"
+#include "raw/file.hpp"
 #include "signal/window_set.hpp"
 #include "stages/tiny.hpp"
 
@@ -90,15 +90,14 @@ TEST_F(Export, WritesTheSameBytesTwice) {
 TEST_F(Export, IsReadByTheReaderOfRecordings) {
   export_all();
   for (const std::size_t t : {0U, 1U, 1023U}) {
-    const std::vector<double> column =
-        signal::read_raw_file(tiny / "E.csv", "x" + std::to_string(t));
+    const std::vector<double> column = raw::read(tiny / "E.csv", "x" + std::to_string(t));
     ASSERT_EQ(column.size(), windows.size());
     for (std::size_t i = 0; i < column.size(); ++i) {
       EXPECT_EQ(static_cast<float>(column[i]), windows.window(i)[t]);
     }
   }
   ASSERT_EQ(exported("one.mat", {"--class", "OR021", "--count", "1"}).status, 0);
-  const std::vector<double> one = signal::read_raw_file(tiny / "one.mat", "windows");
+  const std::vector<double> one = raw::read(tiny / "one.mat", "windows");
   ASSERT_EQ(one.size(), 1024U);
   for (std::size_t t = 0; t < 1024; ++t) EXPECT_EQ(one[t], double{windows.window(7)[t]});
 }

@@ -7,11 +7,11 @@
 
 #include "classification/verdict.hpp"
 #include "diagnosis/fitting_signal.hpp"
+#include "raw/file.hpp"
 #include "report/published.hpp"
 #include "settings/protocol.hpp"
 #include "settings/sweeps.hpp"
 #include "signal/description.hpp"
-#include "signal/raw_file.hpp"
 #include "signal/simulation.hpp"
 #include "storm/files.hpp"
 #include "storm/program.hpp"
@@ -24,13 +24,13 @@ namespace {
 namespace fs = std::filesystem;
 
 void read_mat(const fs::path& file) {
-  (void)signal::read_mat(file, "x");
-  (void)signal::read_mat(file, "n");
+  (void)raw::read_mat(file, "x");
+  (void)raw::read_mat(file, "n");
 }
 
-void read_csv(const fs::path& file) { (void)signal::read_csv(file, "1"); }
+void read_csv(const fs::path& file) { (void)raw::read_csv(file, "1"); }
 
-void read_hdf5(const fs::path& file) { (void)signal::read_hdf5(file, "/x"); }
+void read_hdf5(const fs::path& file) { (void)raw::read_hdf5(file, "/x"); }
 
 void read_description(const fs::path& file) { (void)signal::read_description(file); }
 

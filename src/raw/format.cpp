@@ -1,0 +1,119 @@
+#include "raw/format.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <fstream>
+#include <string_view>
+
+#include "raw/file.hpp"
+#include "raw/npy.hpp"
+#include "raw/sound.hpp"
+
+namespace piae::raw {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What a file of a format begins with, and what reads it; null where it is only recognised.
+struct Mark {
+  std::string_view bytes;
+  std::size_t at;
+  Read read;
+  const char* instead = "";  ///< what it is, and what to do
+};
+
+/// Of a format that does not say its sample rate.
+template <auto read_samples>
+Signal unrated(const fs::path& file, const std::string& variable) {
+  return {.samples = read_samples(file, variable)};
+}
+
+const std::array marks{
+    Mark{"MATLAB 5.0 MAT-file", 0, unrated<read_mat>},
+    Mark{"MATLAB 7.3 MAT-file", 0, unrated<read_mat>},
+    Mark{"\x89HDF\r\n\x1a\n", 0, unrated<read_hdf5>},
+    Mark{"\x93NUMPY", 0, unrated<read_npy>},
+    Mark{"RIFF", 0, read_sound},
+    Mark{"RF64", 0, read_sound},
+    Mark{"AIFF", 8, read_sound},
+    Mark{"AIFC", 8, read_sound},
+    Mark{"fLaC", 0, read_sound},
+    Mark{"riff\x2e\x91\xcf\x11", 0, read_sound},  // W64
+    Mark{"\x1f\x8b", 0, nullptr, "is packed by gzip: unpack it (gunzip)"},
+    Mark{"BZh", 0, nullptr, "is packed by bzip2: unpack it (bunzip2)"},
+    Mark{"\xfd"
+         "7zXZ",
+         0, nullptr, "is packed by xz: unpack it (unxz)"},
+    Mark{"7z\xbc\xaf", 0, nullptr, "is a 7z archive: unpack it"},
+    Mark{"Rar!", 0, nullptr, "is a RAR archive: unpack it"},
+    Mark{std::string_view("PK\x03\x04\x14\0\6\0", 8), 0, nullptr,
+         "is an Excel workbook: save the sheet as CSV (File, Save as, CSV UTF-8)"},
+    Mark{"mimetypeapplication/vnd.oasis.opendocument.spreadsheet", 30, nullptr,
+         "is an OpenDocument spreadsheet: save the sheet as CSV (File, Save as, Text CSV)"},
+    Mark{"PK\x03\x04", 0, nullptr,
+         "is a zip archive or an Excel workbook: unpack it (unzip), or save the sheet as CSV"},
+    Mark{"\xd0\xcf\x11\xe0", 0, nullptr,
+         "is an Excel workbook of before 2007: save the sheet as CSV (File, Save as, CSV)"},
+    Mark{"%PDF", 0, nullptr, "is a PDF document, not a recording"},
+};
+
+/// Extensions of formats that say in their first bytes what they are.
+constexpr std::array marked_extensions{".mat", ".h5",  ".hdf5", ".npy", ".wav",
+                                       ".w64", ".aif", ".aiff", ".flac"};
+
+/// In lower case, as loggers write .CSV and .MAT, too.
+std::string extension_of(const fs::path& file) {
+  std::string extension = file.extension().string();
+  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return extension;
+}
+
+std::string beginning_of(const fs::path& file) {
+  std::string bytes(512, '\0');
+  std::ifstream in(file, std::ios::binary);
+  in.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  bytes.resize(static_cast<std::size_t>(in.gcount()));
+  return bytes;
+}
+
+/// True of a file of MATLAB, version 4: a matrix of numbers, whose header is five numbers of 4
+/// bytes: type, rows, columns, imaginary or not, length of the name.
+bool is_mat4(std::string_view bytes) {
+  if (bytes.size() < 20) return false;
+  const auto number = [&](std::size_t i) {
+    return static_cast<unsigned char>(bytes[4 * i]) |
+           static_cast<unsigned char>(bytes[4 * i + 1]) << 8 |
+           static_cast<unsigned char>(bytes[4 * i + 2]) << 16;
+  };
+  return bytes[3] == '\0' && number(0) < 5000 && number(3) < 2 && number(4) > 0 && number(4) < 64 &&
+         number(1) > 0 && number(2) > 0 && bytes.find('\0') != std::string_view::npos;
+}
+
+}  // namespace
+
+Read reader_of(const fs::path& file) {
+  const std::string bytes = beginning_of(file);
+  for (const Mark& mark : marks) {
+    if (bytes.size() < mark.at ||
+        !std::string_view(bytes).substr(mark.at).starts_with(mark.bytes)) {
+      continue;
+    }
+    if (mark.read == nullptr) refuse_file(file, mark.instead);
+    return mark.read;
+  }
+  const std::string extension = extension_of(file);
+  if (std::ranges::count(marked_extensions, extension) == 0) return unrated<read_csv>;
+  if (extension != ".mat") {
+    refuse_file(file,
+                "truncated, damaged or not what '" + extension + "' says: it does not begin so");
+  }
+  if (is_mat4(bytes)) {
+    refuse_file(
+        file, "is of MATLAB, version 4: save it as version 5 (save -v7 FILE, or savemat of SciPy)");
+  }
+  return unrated<read_mat>;  // which says what is wrong
+}
+
+}  // namespace piae::raw

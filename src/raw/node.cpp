@@ -1,0 +1,133 @@
+#include "raw/node.hpp"
+
+#include <spdlog/fmt/fmt.h>
+
+#include <algorithm>
+
+#include "raw/file.hpp"
+
+namespace piae::raw {
+
+namespace {
+
+using Kind = Node::Kind;
+
+/// The number of elements of an array of structures or of a cell array.
+std::size_t elements_in(const Node& node) {
+  std::size_t count = 1;
+  for (const std::size_t extent : node.shape()) count *= extent;
+  return count;
+}
+
+/// What the elements of an array of structures are called, where they have a field Name.
+std::string element_names(const Where& where, const Node& node) {
+  constexpr std::size_t most = 10;
+  std::vector<std::string> names;
+  const std::vector<std::string> fields = node.fields();
+  if (std::ranges::find(fields, "Name") == fields.end()) return "";
+  for (std::size_t i = 0; i < std::min(elements_in(node), most); ++i) {
+    const auto field = node.field("Name", i);
+    if (field && field->kind() == Kind::text) {
+      names.push_back(fmt::format("{}[Name={}]", where.name, field->text()));
+    }
+  }
+  return names.empty() ? "" : ", or " + listed(names);
+}
+
+[[noreturn]] void refuse_structure(const Where& where, const Node& node) {
+  const std::vector<std::string> fields = node.fields();
+  refuse(where, fmt::format("is a structure with the fields {}; name one of them: {}.{}",
+                            listed(fields), where.name, fields.empty() ? "FIELD" : fields.front()));
+}
+
+/// Refuses what is no array of numbers.
+[[noreturn]] void refuse_kind(const Where& where, const Node& node) {
+  const std::size_t count = elements_in(node);
+  if (node.kind() == Kind::text) refuse(where, "does not hold numbers, but text");
+  if (node.kind() == Kind::cell) {
+    refuse(where, fmt::format("is a cell array of {}; name one of them: {}(1)", count, where.name));
+  }
+  if (node.kind() == Kind::structure && count == 1) refuse_structure(where, node);
+  if (node.kind() == Kind::structure) {
+    refuse(where, fmt::format("is an array of {} structures; name one of them: {}(1){}", count,
+                              where.name, element_names(where, node)));
+  }
+  refuse(where, "is " + node.what());
+}
+
+bool names_element(const PathStep& step) { return step.number > 0 || !step.key.empty(); }
+
+std::string brackets_of(const PathStep& step) {
+  if (step.number > 0) return fmt::format("({})", step.number);
+  return step.key.empty() ? "" : fmt::format("[{}={}]", step.key, step.value);
+}
+
+void require_field(const Where& where, const Node& node, const std::string& name) {
+  const std::vector<std::string> fields = node.fields();
+  if (std::ranges::find(fields, name) != fields.end()) return;
+  refuse(where, fmt::format("has no field {}; it has {}", name, listed(fields)));
+}
+
+/// The element of an array of structures whose field `key` holds the text, counted from 0.
+std::size_t element_called(const Where& where, const Node& node, const PathStep& step) {
+  if (node.kind() != Kind::structure) refuse_kind(where, node);
+  require_field(where, node, step.key);
+  for (std::size_t i = 0; i < elements_in(node); ++i) {
+    const auto field = node.field(step.key, i);
+    if (field && field->kind() == Kind::text && field->text() == step.value) return i;
+  }
+  refuse(where, fmt::format("has no element whose {} is {}{}", step.key, step.value,
+                            element_names(where, node)));
+}
+
+/// The element of an array of structures or of a cell array that a step names, counted from 0.
+std::size_t element_of(const Where& where, const Node& node, const PathStep& step) {
+  if (node.kind() != Kind::structure && node.kind() != Kind::cell) {
+    refuse(where, "is neither a structure nor a cell array");
+  }
+  if (!step.key.empty()) return element_called(where, node, step);
+  const std::size_t count = elements_in(node);
+  if (step.number > count) refuse(where, fmt::format("has {} elements, no {}", count, step.number));
+  if (step.number == 0 && count != 1) refuse_kind(where, node);
+  return step.number == 0 ? 0 : step.number - 1;
+}
+
+}  // namespace
+
+std::vector<double> vector_in(const Where& where, const Node& node,
+                              const std::optional<MatrixLine>& line) {
+  if (node.kind() != Kind::numbers) refuse_kind(where, node);
+  return vector_of(where,
+                   {.shape = node.shape(),
+                    .is_column_major = node.is_column_major(),
+                    .numbers = [&] { return node.numbers(); }},
+                   line);
+}
+
+std::vector<double> vector_at(const std::filesystem::path& file, std::unique_ptr<Node> node,
+                              const VariablePath& path) {
+  Where where{.file = file, .noun = "variable", .name = path.steps.front().name};
+  for (std::size_t i = 0; i < path.steps.size(); ++i) {
+    const PathStep& step = path.steps[i];
+    const bool is_last = i + 1 == path.steps.size();
+    if (is_last && !names_element(step)) break;
+    std::size_t element = element_of(where, *node, step);
+    where.name += brackets_of(step);
+    if (node->kind() == Kind::cell) {
+      node = node->element(element);
+      element = 0;
+      if (!node) refuse(where, "is empty");
+      if (is_last) break;
+    }
+    if (is_last) refuse_structure(where, *node);
+    if (node->kind() != Kind::structure) refuse_kind(where, *node);
+    const std::string& next = path.steps[i + 1].name;
+    require_field(where, *node, next);
+    node = node->field(next, element);
+    where.name += '.' + next;
+    if (!node) refuse(where, "is empty");
+  }
+  return vector_in(where, *node, path.line);
+}
+
+}  // namespace piae::raw

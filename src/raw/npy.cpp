@@ -1,0 +1,172 @@
+#include "raw/npy.hpp"
+
+#include <spdlog/fmt/fmt.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+#include <optional>
+#include <string_view>
+
+#include "artefact/file.hpp"
+#include "base/numbers.hpp"
+#include "raw/array.hpp"
+#include "raw/file.hpp"
+#include "raw/limits.hpp"
+
+namespace piae::raw {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What the header says: {'descr': '<f8', 'fortran_order': False, 'shape': (3, 24000), }
+struct Header {
+  char byte_order = '<';
+  std::string type;  ///< "f8"
+  bool is_fortran = false;
+  Shape shape;
+  std::size_t size = 0;  ///< of all before the values
+};
+
+[[noreturn]] void refuse_header(const fs::path& file) {
+  refuse_file(file, "truncated, damaged or not a file of NumPy: its header cannot be read");
+}
+
+/// What stands behind a key, up to the sign that ends it.
+std::string_view value_of(std::string_view header, std::string_view key, std::string_view ends) {
+  const std::size_t at = header.find(key);
+  if (at == std::string_view::npos) return {};
+  const std::size_t begin = header.find_first_not_of(" :", at + key.size());
+  if (begin == std::string_view::npos) return {};
+  return header.substr(begin, header.find_first_of(ends, begin + 1) - begin);
+}
+
+std::optional<Shape> parse_shape(std::string_view text) {
+  Shape shape;
+  if (!text.starts_with('(')) return std::nullopt;
+  text.remove_prefix(1);
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find(','), text.size());
+    std::string_view extent = text.substr(0, end);
+    text.remove_prefix(std::min(end + 1, text.size()));
+    while (extent.starts_with(' ')) extent.remove_prefix(1);
+    if (extent.empty()) continue;
+    const auto number = number_in<std::size_t>(extent);
+    if (!number) return std::nullopt;
+    shape.push_back(*number);
+  }
+  return shape;
+}
+
+Header header_of(const fs::path& file, std::string_view bytes) {
+  constexpr std::size_t before = 10;  // the mark, the version, the length of the header
+  if (bytes.size() < before + 2) refuse_header(file);
+  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(bytes[i]); };
+  const bool is_first_version = byte(6) == 1;
+  const std::size_t begin = is_first_version ? before : before + 2;
+  std::size_t length = byte(8) | byte(9) << 8U;
+  if (!is_first_version)
+    length |= static_cast<std::size_t>(byte(10)) << 16U | static_cast<std::size_t>(byte(11)) << 24U;
+  if (begin + length > bytes.size()) refuse_header(file);
+  const std::string_view text = bytes.substr(begin, length);
+  const std::string_view type = value_of(text, "'descr'", "',");
+  const auto shape = parse_shape(value_of(text, "'shape'", ")"));
+  const std::string_view order = value_of(text, "'fortran_order'", ",}");
+  if (!shape || (order != "True" && order != "False")) refuse_header(file);
+  if (type.size() < 3 || type[0] != '\'') {
+    refuse_file(file, "is a record array of NumPy; save one field of it");
+  }
+  return {.byte_order = type[1],
+          .type = std::string(type.substr(2)),
+          .is_fortran = order == "True",
+          .shape = *shape,
+          .size = begin + length};
+}
+
+template <class T>
+double number_from(const char* bytes, bool is_swapped) {
+  std::array<char, sizeof(T)> own{};
+  std::memcpy(own.data(), bytes, sizeof(T));
+  if (is_swapped) std::ranges::reverse(own);
+  return static_cast<double>(std::bit_cast<T>(own));
+}
+
+/// IEEE 754, binary16.
+double half_from(const char* bytes, bool is_swapped) {
+  const auto bits = static_cast<std::uint16_t>(number_from<std::uint16_t>(bytes, is_swapped));
+  const int exponent = bits >> 10U & 0x1F;
+  const double fraction = bits & 0x3FFU;
+  const double sign = (bits & 0x8000U) != 0 ? -1 : 1;
+  if (exponent == 0x1F) {
+    return fraction == 0 ? sign * std::numeric_limits<double>::infinity()
+                         : std::numeric_limits<double>::quiet_NaN();
+  }
+  if (exponent == 0) return sign * std::ldexp(fraction, -24);
+  return sign * std::ldexp(1 + fraction / 1024, exponent - 15);
+}
+
+using Convert = double (*)(const char* bytes, bool is_swapped);
+struct Type {
+  const char* name;
+  std::size_t size;
+  Convert convert;
+};
+constexpr std::array types{Type{"f8", 8, number_from<double>},
+                           Type{"f4", 4, number_from<float>},
+                           Type{"f2", 2, half_from},
+                           Type{"i1", 1, number_from<std::int8_t>},
+                           Type{"u1", 1, number_from<std::uint8_t>},
+                           Type{"i2", 2, number_from<std::int16_t>},
+                           Type{"u2", 2, number_from<std::uint16_t>},
+                           Type{"i4", 4, number_from<std::int32_t>},
+                           Type{"u4", 4, number_from<std::uint32_t>},
+                           Type{"i8", 8, number_from<std::int64_t>},
+                           Type{"u8", 8, number_from<std::uint64_t>}};
+
+std::vector<double> numbers_in(std::string_view values, const Type& type, bool is_swapped) {
+  std::vector<double> numbers(values.size() / type.size);
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    numbers[i] = type.convert(values.data() + i * type.size, is_swapped);
+  }
+  return numbers;
+}
+
+}  // namespace
+
+std::vector<double> read_npy(const fs::path& file, const std::string& variable) {
+  const Bytes content = artefact::read_file(file, largest_bytes);
+  const std::string_view bytes(reinterpret_cast<const char*>(content.data()), content.size());
+  const Header header = header_of(file, bytes);
+  const auto type = std::ranges::find(types, header.type, &Type::name);
+  if (type == types.end()) {
+    refuse_file(file, fmt::format("holds '{}' of NumPy, no real numbers", header.type));
+  }
+  std::string name = variable;
+  const auto line = take_matrix_line(name);
+  if (!name.empty() && (line || name != "1")) {
+    refuse_file(file, fmt::format("has no variable {}: it holds one array; the variable is 1, or a "
+                                  "row or column of a matrix, (1,:)",
+                                  variable));
+  }
+  const Where where{.file = file, .noun = "array", .name = ""};
+  const std::size_t count = possible_count(where, header.shape);
+  const std::string_view values = bytes.substr(header.size);
+  if (values.size() != count * type->size) {
+    refuse_file(file, fmt::format("truncated or damaged: {} bytes of values, {} expected",
+                                  values.size(), count * type->size));
+  }
+  const char foreign = std::endian::native == std::endian::little ? '>' : '<';
+  return vector_of(
+      where,
+      {.shape = header.shape,
+       .is_column_major = header.is_fortran,
+       .numbers = [&] { return numbers_in(values, *type, header.byte_order == foreign); }},
+      line);
+}
+
+}  // namespace piae::raw

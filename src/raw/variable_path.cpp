@@ -1,0 +1,82 @@
+#include "raw/variable_path.hpp"
+
+#include <string_view>
+
+#include "base/numbers.hpp"
+
+namespace piae::raw {
+
+namespace {
+
+/// What stands in brackets at the end of a text, which loses it; empty where it does not end so.
+std::optional<std::string> take_brackets(std::string& text, char open, char close) {
+  const std::size_t begin = text.find(open);
+  if (begin == std::string::npos || text.back() != close) return std::nullopt;
+  std::string inside = text.substr(begin + 1, text.size() - begin - 2);
+  text.resize(begin);
+  return inside;
+}
+
+std::optional<PathStep> parse_step(std::string text) {
+  PathStep step;
+  if (const auto condition = take_brackets(text, '[', ']')) {
+    const std::size_t equals = condition->find('=');
+    if (equals == std::string::npos || equals == 0) return std::nullopt;
+    step.key = condition->substr(0, equals);
+    step.value = condition->substr(equals + 1);
+  }
+  for (const auto& [open, close] : {std::pair{'(', ')'}, std::pair{'{', '}'}}) {
+    const auto number = take_brackets(text, open, close);
+    if (!number) continue;
+    step.number = number_in<std::size_t>(*number).value_or(0);
+    if (step.number == 0 || !step.key.empty()) return std::nullopt;
+  }
+  if (text.empty() || text.find_first_of("[](){}=") != std::string::npos) return std::nullopt;
+  step.name = std::move(text);
+  return step;
+}
+
+/// The parts between points that stand in no brackets.
+std::vector<std::string> parts_of(const std::string& text) {
+  std::vector<std::string> parts{""};
+  bool in_brackets = false;
+  for (const char c : text) {
+    if (c == '[') in_brackets = true;
+    if (c == ']') in_brackets = false;
+    if (c == '.' && !in_brackets) {
+      parts.emplace_back();
+    } else {
+      parts.back() += c;
+    }
+  }
+  return parts;
+}
+
+}  // namespace
+
+std::optional<MatrixLine> take_matrix_line(std::string& text) {
+  const std::size_t begin = text.rfind('(');
+  if (begin == std::string::npos || !text.ends_with(')')) return std::nullopt;
+  const std::string inside = text.substr(begin + 1, text.size() - begin - 2);
+  const bool is_row = inside.ends_with(",:");
+  if (!is_row && !inside.starts_with(":,")) return std::nullopt;
+  const auto number =
+      number_in<std::size_t>(is_row ? std::string_view(inside).substr(0, inside.size() - 2)
+                                    : std::string_view(inside).substr(2));
+  if (!number || *number == 0) return std::nullopt;
+  text.resize(begin);
+  return MatrixLine{is_row, *number};
+}
+
+std::optional<VariablePath> parse_variable(const std::string& text) {
+  std::string rest = text;
+  VariablePath path{.steps = {}, .line = take_matrix_line(rest)};
+  for (const std::string& part : parts_of(rest)) {
+    auto step = parse_step(part);
+    if (!step) return std::nullopt;
+    path.steps.push_back(std::move(*step));
+  }
+  return path;
+}
+
+}  // namespace piae::raw

@@ -1,0 +1,154 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <hdf5.h>
+#include <matio.h>
+
+#include "raw/file.hpp"
+#include "support/errors.hpp"
+#include "support/folder.hpp"
+
+/// Variables inside structures, cell arrays and matrices.
+namespace piae::raw {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::ElementsAre;
+
+const std::vector<double> first{1.5, -2, 3};
+const std::vector<double> second{4, 5, 6};
+
+matvar_t* vector(const char* name, const std::vector<double>& values) {
+  std::size_t dims[]{1, values.size()};
+  return Mat_VarCreate(name, MAT_C_DOUBLE, MAT_T_DOUBLE, 2, dims,
+                       const_cast<double*>(values.data()), 0);
+}
+
+matvar_t* text(const char* name, const std::string& words) {
+  std::size_t dims[]{1, words.size()};
+  return Mat_VarCreate(name, MAT_C_CHAR, MAT_T_UTF8, 2, dims, const_cast<char*>(words.data()), 0);
+}
+
+/// Paderborn's layout, K.Y(2).Data; a structure b.gs, a cell array c, a matrix data of 2 x 3.
+fs::path write_nested(const fs::path& path, mat_ft version) {
+  mat_t* const file = Mat_CreateVer(path.c_str(), nullptr, version);
+  std::size_t one[]{1, 1};
+  std::size_t two[]{1, 2};
+  const char* fields_of_b[]{"gs", "rate"};
+  matvar_t* const b = Mat_VarCreateStruct("b", 2, one, fields_of_b, 2);
+  Mat_VarSetStructFieldByName(b, "gs", 0, vector("gs", first));
+  Mat_VarSetStructFieldByName(b, "rate", 0, text("rate", "12 kHz"));
+  const char* fields_of_y[]{"Name", "Data"};
+  matvar_t* const y = Mat_VarCreateStruct("Y", 2, two, fields_of_y, 2);
+  Mat_VarSetStructFieldByName(y, "Name", 0, text("Name", "force"));
+  Mat_VarSetStructFieldByName(y, "Data", 0, vector("Data", first));
+  Mat_VarSetStructFieldByName(y, "Name", 1, text("Name", "vibration_1"));
+  Mat_VarSetStructFieldByName(y, "Data", 1, vector("Data", second));
+  const char* fields_of_k[]{"Y"};
+  matvar_t* const k = Mat_VarCreateStruct("K", 2, one, fields_of_k, 1);
+  Mat_VarSetStructFieldByName(k, "Y", 0, y);
+  matvar_t* cells[]{vector("", first), vector("", second)};
+  matvar_t* const c = Mat_VarCreate("c", MAT_C_CELL, MAT_T_CELL, 2, two, cells, 0);
+  const std::vector<double> six{1, 2, 3, 4, 5, 6};
+  std::size_t matrix[]{2, 3};
+  matvar_t* const data = Mat_VarCreate("data", MAT_C_DOUBLE, MAT_T_DOUBLE, 2, matrix,
+                                       const_cast<double*>(six.data()), 0);
+  for (matvar_t* const variable : {b, k, c, data}) {
+    EXPECT_EQ(Mat_VarWrite(file, variable, MAT_COMPRESSION_ZLIB), 0);
+    Mat_VarFree(variable);
+  }
+  Mat_Close(file);
+  return path;
+}
+
+class Nested : public testing::TestWithParam<mat_ft> {
+ protected:
+  [[nodiscard]] std::vector<double> at(const std::string& variable) const {
+    return read_mat(file_, variable);
+  }
+  void expect_refused(const std::string& variable, const std::string& why) const {
+    EXPECT_ERROR(at(variable), Exit::bad_input, "a.mat: " + why);
+  }
+
+  Folder folder_;
+  fs::path file_ = write_nested(folder_ / "a.mat", GetParam());
+};
+
+TEST_P(Nested, VariablesAreRead) {
+  EXPECT_EQ(at("b.gs"), first);
+  EXPECT_EQ(at("K.Y(2).Data"), second);
+  EXPECT_EQ(at("K.Y[Name=vibration_1].Data"), second);
+  EXPECT_EQ(at("K.Y[Name=force].Data"), first);
+  EXPECT_EQ(at("c{2}"), second);
+  EXPECT_EQ(at("c(1)"), first);
+}
+
+TEST_P(Nested, RowsAndColumnsAreRead) {  // MATLAB's order: 1 and 2 are the first column
+  EXPECT_THAT(at("data(2,:)"), ElementsAre(2, 4, 6));
+  EXPECT_THAT(at("data(:,3)"), ElementsAre(5, 6));
+  EXPECT_THAT(at("b.gs(1,:)"), ElementsAre(1.5, -2, 3));
+}
+
+TEST_P(Nested, VariablesThatAreNotReadSayWhatTheyAre) {
+  expect_refused("b", "variable b is a structure with the fields gs, rate; name one of them: b.gs");
+  expect_refused("b.rate", "variable b.rate does not hold numbers, but text");
+  expect_refused("b.g", "variable b has no field g; it has gs, rate");
+  expect_refused("b.gs.x", "variable b.gs is neither a structure nor a cell array");
+  expect_refused("K.Y",
+                 "variable K.Y is an array of 2 structures; name one of them: K.Y(1), or "
+                 "K.Y[Name=force], K.Y[Name=vibration_1]");
+  expect_refused("K.Y.Data", "variable K.Y is an array of 2 structures");
+  expect_refused("K.Y(3).Data", "variable K.Y has 2 elements, no 3");
+  expect_refused("K.Y(2)", "variable K.Y(2) is a structure with the fields ");
+  expect_refused("K.Y[Name=x].Data", "variable K.Y has no element whose Name is x, or K.Y[Name=");
+  expect_refused("c", "variable c is a cell array of 2; name one of them: c(1)");
+  expect_refused(
+      "data", "variable data is not a vector, but a matrix of 2 x 3; name a row of it: data(1,:)");
+  expect_refused("data(3,:)", "variable data has 2 rows, no 3");
+  expect_refused("nothing.gs", "has no variable nothing; it has ");
+}
+
+INSTANTIATE_TEST_SUITE_P(Versions, Nested, testing::Values(MAT_FT_MAT5, MAT_FT_MAT73),
+                         [](const auto& info) { return info.param == MAT_FT_MAT5 ? "v5" : "v73"; });
+
+/// A file of HDF5 with a dataset of 2 x 3 and links to it.
+fs::path write_links(const fs::path& path) {
+  const hid_t file = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
+  const hsize_t extents[]{2, 3};
+  const std::vector<float> six{1, 2, 3, 4, 5, 6};
+  const hid_t space = H5Screate_simple(2, extents, nullptr);
+  const hid_t group = H5Gcreate2(file, "sensor", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
+  const hid_t set =
+      H5Dcreate2(group, "accel", H5T_IEEE_F32LE, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
+  EXPECT_GE(H5Dwrite(set, H5T_NATIVE_FLOAT, H5S_ALL, H5S_ALL, H5P_DEFAULT, six.data()), 0);
+  H5Lcreate_soft("/sensor/accel", file, "link", H5P_DEFAULT, H5P_DEFAULT);
+  H5Lcreate_soft("sensor", file, "group", H5P_DEFAULT, H5P_DEFAULT);
+  H5Lcreate_soft("/round", file, "round", H5P_DEFAULT, H5P_DEFAULT);
+  H5Lcreate_soft("/nowhere", file, "broken", H5P_DEFAULT, H5P_DEFAULT);
+  for (const auto& [id, close] : std::vector<std::pair<hid_t, herr_t (*)(hid_t)>>{
+           {set, H5Dclose}, {group, H5Gclose}, {space, H5Sclose}, {file, H5Fclose}}) {
+    close(id);
+  }
+  return path;
+}
+
+TEST(Hdf5, ReadsARowOrColumnAsPythonCountsThemButFrom1) {
+  const Folder folder;
+  const fs::path file = write_links(folder / "a.h5");
+  EXPECT_THAT(read_hdf5(file, "sensor/accel(2,:)"), ElementsAre(4, 5, 6));
+  EXPECT_THAT(read_hdf5(file, "/sensor/accel(:,1)"), ElementsAre(1, 4));
+  EXPECT_ERROR(read_hdf5(file, "sensor/accel"), Exit::bad_input,
+               "dataset /sensor/accel is not a vector, but a matrix of 2 x 3; name a row of it: "
+               "/sensor/accel(1,:)");
+}
+
+TEST(Hdf5, FollowsSoftLinksWithinTheFile) {
+  const Folder folder;
+  const fs::path file = write_links(folder / "a.h5");
+  EXPECT_THAT(read_hdf5(file, "link(1,:)"), ElementsAre(1, 2, 3));
+  EXPECT_THAT(read_hdf5(file, "group/accel(1,:)"), ElementsAre(1, 2, 3));
+  EXPECT_ERROR(read_hdf5(file, "round"), Exit::bad_input, "a.h5: ");
+  EXPECT_ERROR(read_hdf5(file, "broken"), Exit::bad_input, "a.h5: has no dataset /broken");
+}
+
+}  // namespace
+}  // namespace piae::raw

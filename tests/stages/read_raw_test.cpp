@@ -1,0 +1,84 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <cstring>
+#include <tuple>
+
+#include "stages/program.hpp"
+#include "support/folder.hpp"
+
+/// Where read_raw may be told to write: to files, pipes, what is closed, what is full.
+namespace piae::stages {
+namespace {
+
+using testing::HasSubstr;
+
+/// A place for an output, as bash writes it, with % for the output's name.
+struct Place {
+  const char* name;
+  const char* before;  ///< a line that makes it
+  const char* redirection;
+  bool keeps;  ///< what is written there arrives in the file %
+};
+
+void PrintTo(const Place& place, std::ostream* out) { *out << place.name; }
+
+constexpr std::array places{
+    Place{"file", "", ">%", true}, Place{"pipe", "mkfifo pipe-%; cat pipe-% >% &", ">pipe-%", true},
+    Place{"closed", "", ">&-", false}, Place{"full", "", ">/dev/full", false}};
+
+std::string of_output(std::string text, const std::string& name) {
+  for (std::size_t at = 0; (at = text.find('%', at)) != std::string::npos;)
+    text.replace(at, 1, name);
+  return text;
+}
+
+class OutputsOfReadRaw : public testing::TestWithParam<std::tuple<Place, Place>> {
+ protected:
+  /// The exit code of read_raw for a column of numbers.csv.
+  [[nodiscard]] int read(const std::string& column) const {
+    const auto& [out, err] = GetParam();
+    folder_.write("numbers.csv", "1.5\n-2\n0.25\n");
+    folder_.write("out", "");
+    folder_.write("err", "");
+    folder_.write("script", "cd " + folder_.path().string() + '\n' + of_output(out.before, "out") +
+                                '\n' + of_output(err.before, "err") + '\n' + PIAE_BIN +
+                                "/read_raw --file numbers.csv --variable " + column + " 1" +
+                                of_output(out.redirection, "out") + " 2" +
+                                of_output(err.redirection, "err") +
+                                "\ncode=$?\nwait\nexit $code\n");
+    const int status = std::system(("bash " + (folder_ / "script").string()).c_str());
+    return WEXITSTATUS(status);
+  }
+  [[nodiscard]] std::string said() const { return bytes_of(folder_ / "err"); }
+
+  Folder folder_;
+};
+
+TEST_P(OutputsOfReadRaw, GetTheNumbersOrSayWhyNot) {
+  const auto& [out, err] = GetParam();
+  EXPECT_EQ(read("1"), out.keeps ? 0 : 1);
+  if (out.keeps) {
+    const std::string bytes = bytes_of(folder_ / "out");
+    std::array<double, 3> numbers{};
+    ASSERT_EQ(bytes.size(), sizeof numbers);
+    std::memcpy(numbers.data(), bytes.data(), bytes.size());
+    EXPECT_THAT(numbers, testing::ElementsAre(1.5, -2, 0.25));
+    EXPECT_EQ(said(), "");
+  } else if (err.keeps) {
+    EXPECT_THAT(said(), HasSubstr("read_raw: standard output: "));
+  }
+}
+
+TEST_P(OutputsOfReadRaw, AreToldOfAFaultInTheFile) {
+  const auto& [out, err] = GetParam();
+  EXPECT_EQ(read("7"), 65);
+  if (err.keeps) EXPECT_THAT(said(), HasSubstr("read_raw: numbers.csv, line 1: has no column 7"));
+}
+
+INSTANTIATE_TEST_SUITE_P(Places, OutputsOfReadRaw,
+                         testing::Combine(testing::ValuesIn(places), testing::ValuesIn(places)));
+
+}  // namespace
+}  // namespace piae::stages
