@@ -13,7 +13,7 @@ namespace piae::raw {
 
 using Shape = std::vector<std::size_t>;
 
-/// What an error names.
+/// Names a variable in an error.
 struct Where {
   const std::filesystem::path& file;
   const char* noun;  ///< "variable", "dataset"

@@ -35,7 +35,7 @@ std::string_view field_of(const fs::path& file, std::size_t number, std::string_
 /// Which sign a column has before its decimals. Both in one column are a sign of thousands.
 class DecimalSign {
  public:
-  /// Whether the field goes together with those before.
+  /// True if the field goes together with those before.
   bool fits(std::string_view field) {
     comma_ = comma_ || field.find(',') != std::string_view::npos;
     point_ = point_ || field.find('.') != std::string_view::npos;
@@ -58,7 +58,7 @@ bool is_torn_decimal(std::string_view field, std::string_view line) {
   return (is_negative && field == "0") || is_padded;
 }
 
-/// Of one moment: a recording has fewer channels.
+/// The most fields of one moment: a recording has fewer channels.
 constexpr std::size_t largest_row = 100;
 
 }  // namespace

@@ -9,7 +9,7 @@ namespace piae::raw {
 
 namespace {
 
-/// Whether a text is several numbers with blanks between them, as a field between two commas is
+/// True if a text is several numbers with blanks between them, as a field between two commas is
 /// where blanks are what separates.
 bool is_numbers_apart(std::string_view text) {
   text = trimmed(text, blanks);

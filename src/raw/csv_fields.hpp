@@ -56,7 +56,7 @@ inline std::string_view take_field(std::optional<std::string_view>& line, char s
 /// plus may stand before it. None for any other text.
 std::optional<double> number_in_field(std::string_view field, char separator);
 
-/// What separates the fields of a line: a semicolon, a tab, a bar, a comma or blanks.
+/// Finds the separator of a line's fields: a semicolon, a tab, a bar, a comma or blanks.
 char separator_of(std::string_view line);
 
 }  // namespace piae::raw

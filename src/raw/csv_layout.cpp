@@ -14,10 +14,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What stands before the numbers ends within so many lines.
+/// The numbers begin within so many lines.
 constexpr std::size_t most_lines_before = 200;
 
-/// What names columns has letters. A damaged number has none, or is one of a few that do.
+/// Tells names of columns by their letters. A damaged number has none, or is one of a few that do.
 bool is_name(std::string_view text) {
   return std::ranges::any_of(text, [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || static_cast<unsigned char>(c) > 127;
@@ -100,7 +100,7 @@ class Search {
     return fields_of(file_, line.number, line.text, separator);
   }
 
-  /// Whether the numbers of the column may begin here.
+  /// True if the numbers of the column may begin here.
   [[nodiscard]] bool holds_number(const Line& line, char separator, std::size_t count,
                                   std::size_t column) const {
     if (line.is_comment) return false;
@@ -210,7 +210,7 @@ class Search {
     return after(static_cast<std::size_t>(first - lines_.begin()), separator, count, column);
   }
 
-  /// What follows a header, but for a line of units.
+  /// Starts below a header, and below its line of units.
   [[nodiscard]] CsvLayout after(std::size_t header, char separator, std::size_t count,
                                 std::size_t column) const {
     std::size_t next = header + 1;

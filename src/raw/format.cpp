@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What a file of a format begins with, and what reads it; null where it is only recognised.
+/// Tells a format by bytes at one place, and names its reader; null where it is only recognised.
 struct Mark {
   std::string_view bytes;
   std::size_t at;
@@ -24,7 +24,7 @@ struct Mark {
   const char* instead = "";  ///< what it is, and what to do
 };
 
-/// Of a format that does not say its sample rate.
+/// Reads a format that does not say its sample rate.
 template <auto read_samples>
 Signal unrated(const fs::path& file, const std::string& variable) {
   return {.samples = read_samples(file, variable)};

@@ -9,8 +9,8 @@ namespace piae::raw {
 /// The most bytes of a raw file. Version 5 of MATLAB's files ends at 2 GB.
 inline constexpr std::uint64_t largest_bytes = 4'000'000'000;
 
-/// What reading one raw file may take. All of it follows from the file's size, since what a file
-/// says of itself may be wrong.
+/// Limits of what reading one raw file may take. All of it follows from the file's size, since what
+/// a file says of itself may be wrong.
 struct Limits {
   std::uint64_t file_bytes = 0;
   std::uint64_t most_samples = 0;  ///< that it can hold, however well it is compressed

@@ -19,7 +19,7 @@ std::size_t elements_in(const Node& node) {
   return count;
 }
 
-/// What the elements of an array of structures are called, where they have a field Name.
+/// Lists the elements of an array of structures by their field Name, where they have one.
 std::string element_names(const Where& where, const Node& node) {
   constexpr std::size_t most = 10;
   std::vector<std::string> names;

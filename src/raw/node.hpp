@@ -23,7 +23,7 @@ class Node {
   virtual ~Node() = default;
 
   [[nodiscard]] virtual Kind kind() const = 0;
-  /// What a node of another kind is, and how its numbers can be exported.
+  /// Says what a node of another kind is, and how its numbers can be exported.
   [[nodiscard]] virtual std::string what() const = 0;
   /// Its extents; those of a structure are of the array whose elements have the same fields.
   [[nodiscard]] virtual Shape shape() const = 0;

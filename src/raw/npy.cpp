@@ -24,7 +24,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What the header says: {'descr': '<f8', 'fortran_order': False, 'shape': (3, 24000), }
+/// Describes the array, as the header does: {'descr': '<f8', 'fortran_order': False, 'shape': (3,
+/// 24000), }
 struct Header {
   char byte_order = '<';
   std::string type;  ///< "f8"
@@ -37,7 +38,7 @@ struct Header {
   refuse_file(file, "truncated, damaged or not a file of NumPy: its header cannot be read");
 }
 
-/// What stands behind a key, up to the sign that ends it.
+/// Finds the text behind a key, up to the sign that ends it.
 std::string_view value_of(std::string_view header, std::string_view key, std::string_view ends) {
   const std::size_t at = header.find(key);
   if (at == std::string_view::npos) return {};

@@ -53,7 +53,7 @@ class Pipe {
   std::array<int, 2> ends_{-1, -1};
 };
 
-/// What the program writes to one of its outputs, up to a number of bytes. What it writes beyond is
+/// Keeps what the program writes to one of its outputs, up to a number of bytes. The rest is
 /// not kept.
 class Output {
  public:

@@ -5,7 +5,7 @@
 
 namespace piae::raw {
 
-/// What a file holds of one signal.
+/// One signal of a file.
 struct Signal {
   std::vector<double> samples;
   std::optional<double> sample_rate_hz = std::nullopt;  ///< where the file says it

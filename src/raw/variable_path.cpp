@@ -8,7 +8,7 @@ namespace piae::raw {
 
 namespace {
 
-/// What stands in brackets at the end of a text, which loses it; empty where it does not end so.
+/// Takes what stands in brackets from the end of a text; empty where it does not end so.
 std::optional<std::string> take_brackets(std::string& text, char open, char close) {
   const std::size_t begin = text.find(open);
   if (begin == std::string::npos || text.back() != close) return std::nullopt;

@@ -170,7 +170,7 @@ else
 fi
 
 # ---- what is read before there are artefacts ----------------------------------------------------
-mkdir -p "$folder"/inputs/{mat,csv,hdf5,description,simulation,protocol,published,artefact}
+mkdir -p "$folder"/inputs/{mat,csv,hdf5,sound,npy,description,simulation,protocol,published,artefact}
 cd "$folder/inputs"
 "$bin/storm_raw" .
 {
@@ -178,6 +178,17 @@ cd "$folder/inputs"
   awk 'BEGIN { for (i = 0; i < 60; ++i) printf "%.6f,%d\n", sin(i), i }'
 } >csv/comma.csv
 awk 'BEGIN { for (i = 0; i < 40; ++i) printf "%d;%.3e;text\r\n", i, cos(i) }' >csv/semicolon.csv
+samples() { head -c 480 "$1" | tail -c 240; } # of 16 bits, any will do
+npy="{'descr': '<i2', 'fortran_order': False, 'shape': (120,), }"
+{
+  printf '\x93NUMPY\x01\x00\x76\x00%-117s\n' "$npy"
+  samples csv/semicolon.csv
+} >npy/vector.npy
+{
+  printf 'RIFF\x14\x01\x00\x00WAVEfmt \x10\x00\x00\x00\x01\x00\x01\x00'
+  printf '\xE0\x2E\x00\x00\xC0\x5D\x00\x00\x02\x00\x10\x00data\xF0\x00\x00\x00'
+  samples csv/semicolon.csv
+} >sound/pcm.wav
 printf '\xEF\xBB\xBF"x"\t"y"\n1\t2\n3\t4\n' >csv/tabs.csv
 
 record() { # class, file, variable

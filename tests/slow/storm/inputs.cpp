@@ -213,7 +213,10 @@ bool died_in_libraries(const std::string& report) {
   for (std::string line; std::getline(lines, line);) {
     if (line.find("    #") != 0) continue;
     const auto has = [&](const char* word) { return line.find(word) != std::string::npos; };
-    if (has("libhdf5") || has("libmatio") || has("libz.so")) return true;
+    if (has("libhdf5") || has("libmatio") || has("libz.so") || has("libsndfile") ||
+        has("libFLAC")) {
+      return true;
+    }
     if (!has("libsanitizer") && !has("libasan") && !has("libubsan") && !has("libc.so") &&
         !has("libstdc++") && !has("sysdeps")) {
       return false;

@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <vector>
 
 #include "classification/verdict.hpp"
 #include "diagnosis/fitting_signal.hpp"
 #include "raw/file.hpp"
+#include "raw/npy.hpp"
+#include "raw/sound.hpp"
 #include "report/published.hpp"
 #include "settings/protocol.hpp"
 #include "settings/sweeps.hpp"
@@ -31,6 +34,10 @@ void read_mat(const fs::path& file) {
 void read_csv(const fs::path& file) { (void)raw::read_csv(file, "1"); }
 
 void read_hdf5(const fs::path& file) { (void)raw::read_hdf5(file, "/x"); }
+
+void read_sound(const fs::path& file) { (void)raw::read_sound(file, "1"); }
+
+void read_npy(const fs::path& file) { (void)raw::read_npy(file, "1"); }
 
 void read_description(const fs::path& file) { (void)signal::read_description(file); }
 
@@ -82,10 +89,12 @@ void read_artefact(const fs::path& file) {
   if (is_classifier(file)) ask_classifier(file);
 }
 
-constexpr std::array<Target, 8> all{{
+constexpr std::array<Target, 10> all{{
     {"mat", read_mat, true},
     {"csv", read_csv, false},
     {"hdf5", read_hdf5, true},
+    {"sound", read_sound, true},
+    {"npy", read_npy, false},
     {"description", read_description, false},
     {"simulation", read_simulation, false},
     {"protocol", read_protocol, false},
@@ -142,7 +151,9 @@ std::string failure_of_programs(const Target& target, const fs::path& file,
     fs::remove(folder / "out.h5");
     return failure_of(made, name, false);
   }
-  const std::string variable = std::string(target.name) == "mat" ? "x" : "/x";
+  const std::map<std::string, std::string> variables{{"mat", "x"}, {"hdf5", "/x"}};
+  const auto found = variables.find(target.name);
+  const std::string variable = found == variables.end() ? "1" : found->second;
   write_bytes(folder / "storm.toml", description_of(name, variable));
   const Outcome read = run(folder, {program("ingest"), "--description", "storm.toml", "--data-dir",
                                     ".", "--output", "out.h5"});
