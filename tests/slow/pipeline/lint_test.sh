@@ -95,8 +95,8 @@ test_a_room_without_a_row_and_a_row_without_a_folder_are_found() {
 test_a_helper_with_the_name_of_another_files_function_is_found() {
   copy_of_project
   expect_clean names
-  printf '%s\n' 'namespace {' 'int listed(int all) { return all; }' '}  // namespace' >>src/signal/split.cpp
-  expect_finding "^src/signal/split.cpp:[0-9]+: the helper 'listed' has the name of a function in src/raw/file" names
+  printf '%s\n' 'namespace {' 'int listed(int all) { return all; }' '}  // namespace' >>src/raw/csv.cpp
+  expect_finding "^src/raw/csv.cpp:[0-9]+: the helper 'listed' has the name of a function in src/raw/file" names
 }
 
 test_a_header_that_does_not_compile_alone_is_found() {
