@@ -67,6 +67,7 @@ constexpr double recorded_rpm = 1797;
 /// Two windows that look like nothing.
 std::vector<double> recorded_samples() {
   std::vector<double> samples;
+  samples.reserve(2048);
   for (int i = 0; i < 2048; ++i) samples.push_back(std::sin(i / 3.0) + i % 7);
   return samples;
 }
@@ -132,7 +133,7 @@ std::string failure_of_programs(const Target& target, const fs::path& file,
   const std::string name = file.filename();
   const auto program = [&](const char* stage) { return (fs::absolute(programs) / stage).string(); };
   if (std::string(target.name) == "artefact") {
-    const std::string failure = failure_of(run(folder, {program("verify"), name}), name, true);
+    std::string failure = failure_of(run(folder, {program("verify"), name}), name, true);
     if (failure.empty() && is_classifier(file)) {
       std::string recording;
       for (const double sample : recorded_samples()) recording += std::to_string(sample) + '\n';
