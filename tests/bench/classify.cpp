@@ -109,7 +109,8 @@ void classify(benchmark::State& state, const std::string& name) {
     benchmark::DoNotOptimize(classifier.answer(windows));
   }
   const double window_s = (bench::processor_seconds() - start) /
-                          static_cast<double>(state.iterations()) / (windows_in_file / 10);
+                          static_cast<double>(state.iterations()) /
+                          (static_cast<double>(windows_in_file) / 10);
   state.counters["windows/s"] = 1 / window_s;
   state.counters["times_reading"] = window_s / reading_s;
 }
