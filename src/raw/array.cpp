@@ -13,18 +13,6 @@ namespace piae::raw {
 
 namespace {
 
-std::size_t product(const Shape& shape) {
-  if (std::ranges::count(shape, 0) > 0) return 0;
-  std::size_t count = 1;
-  for (const std::size_t extent : shape) {
-    if (count > std::numeric_limits<std::size_t>::max() / extent) {
-      return std::numeric_limits<std::size_t>::max();
-    }
-    count *= extent;
-  }
-  return count;
-}
-
 std::vector<double> line_of(const std::vector<double>& numbers, const MatrixLine& line,
                             const Shape& matrix, bool is_column_major) {
   const std::size_t rows = matrix[0];
@@ -54,12 +42,24 @@ void require_vector(const Where& where, const Shape& shape) {
 
 }  // namespace
 
+std::size_t count_of(const Shape& shape) {
+  if (std::ranges::count(shape, 0) > 0) return 0;
+  std::size_t count = 1;
+  for (const std::size_t extent : shape) {
+    if (count > std::numeric_limits<std::size_t>::max() / extent) {
+      return std::numeric_limits<std::size_t>::max();
+    }
+    count *= extent;
+  }
+  return count;
+}
+
 void refuse(const Where& where, const std::string& what) {
   refuse_file(where.file, fmt::format("{} {} {}", where.noun, where.name, what));
 }
 
 std::size_t possible_count(const Where& where, const Shape& shape) {
-  const std::size_t count = product(shape);
+  const std::size_t count = count_of(shape);
   const std::uint64_t most = limits_of(where.file).most_samples;
   if (count > most) {
     refuse(where, fmt::format("is said to have {} values, more than the {} that a file of this "

@@ -30,6 +30,9 @@ struct Array {
 /// Throws Error(bad_input) with "FILE: variable K.Y <what>".
 [[noreturn]] void refuse(const Where& where, const std::string& what);
 
+/// The product of the extents; the largest number where it is larger.
+std::size_t count_of(const Shape& shape);
+
 /// The number of values in an array of these extents. Throws Error(bad_input) where they are more
 /// than the file can hold (limits.hpp).
 std::size_t possible_count(const Where& where, const Shape& shape);

@@ -31,10 +31,11 @@ std::vector<double> read_here(const std::filesystem::path& file, const std::stri
 
 /// The formats one by one, in this process, whatever the extension.
 std::vector<double> read_mat(const std::filesystem::path& file, const std::string& variable);
-/// Fields are separated by semicolons, tabs, commas or blanks, numbers have a decimal point or,
-/// where commas do not separate, a decimal comma. Before them there may be comments, text and a
+/// Fields are separated by semicolons, tabs, bars, commas or blanks, numbers have a decimal point
+/// or, where commas do not separate, a decimal comma. Before them there may be comments, text and a
 /// header (csv_layout.hpp); from there on every line has as many fields, of which there are 10 000
-/// at most, and a number in the column. The text is UTF-8, or UTF-16 with a byte order mark.
+/// at most, and perhaps a separator at its end, and a number in the column. The text is UTF-8, or
+/// UTF-16 with a byte order mark.
 std::vector<double> read_csv(const std::filesystem::path& file, const std::string& column);
 /// A path of groups and a dataset; of a matrix with a row or column, "accel(2,:)", as h5dump counts
 /// them but from 1. Soft links are followed within the file; nothing is read from elsewhere.

@@ -31,6 +31,16 @@ void limit(int resource, std::uint64_t most, std::uint64_t beyond = 0) {
   ::setrlimit(static_cast<__rlimit_resource_t>(resource), &value);
 }
 
+/// Limits the bytes of a file that this process writes, and returns the limit of before.
+std::uint64_t limit_files(std::uint64_t most) {
+  rlimit value{};
+  ::getrlimit(RLIMIT_FSIZE, &value);
+  const std::uint64_t before = value.rlim_cur;
+  value.rlim_cur = most;
+  ::setrlimit(RLIMIT_FSIZE, &value);
+  return before;
+}
+
 }  // namespace
 
 Limits limits_of(const fs::path& file) {
@@ -57,20 +67,10 @@ void keep_to(const Limits& limits) {
   limit(RLIMIT_CORE, 0);
 }
 
-WritesNoFile::WritesNoFile() {
-  rlimit value{};
-  ::getrlimit(RLIMIT_FSIZE, &value);
-  most_before_ = value.rlim_cur;
-  value.rlim_cur = 0;
-  ::setrlimit(RLIMIT_FSIZE, &value);
+WritesNoFile::WritesNoFile() : most_before_(limit_files(0)) {
   ::signal(SIGXFSZ, SIG_IGN);  // which would end the process
 }
 
-WritesNoFile::~WritesNoFile() {
-  rlimit value{};
-  ::getrlimit(RLIMIT_FSIZE, &value);
-  value.rlim_cur = most_before_;
-  ::setrlimit(RLIMIT_FSIZE, &value);
-}
+WritesNoFile::~WritesNoFile() { limit_files(most_before_); }
 
 }  // namespace piae::raw

@@ -36,7 +36,7 @@ class WritesNoFile {
   ~WritesNoFile();
 
  private:
-  std::uint64_t most_before_;
+  std::uint64_t most_before_;  ///< bytes of a file
 };
 
 }  // namespace piae::raw

@@ -159,8 +159,7 @@ class Mat5Node : public Node {
   }
 
   [[nodiscard]] std::vector<double> numbers() const override {
-    std::size_t count = 1;
-    for (const std::size_t extent : shape()) count *= extent;
+    const std::size_t count = count_of(shape());
     std::vector<double> numbers = numbers_of(*variable_, count);
     if (numbers.size() < count) refuse_file(file_, "a variable is damaged or truncated");
     return numbers;

@@ -12,20 +12,13 @@ namespace {
 
 using Kind = Node::Kind;
 
-/// The number of elements of an array of structures or of a cell array.
-std::size_t elements_in(const Node& node) {
-  std::size_t count = 1;
-  for (const std::size_t extent : node.shape()) count *= extent;
-  return count;
-}
-
 /// Lists the elements of an array of structures by their field Name, where they have one.
 std::string element_names(const Where& where, const Node& node) {
   constexpr std::size_t most = 10;
   std::vector<std::string> names;
   const std::vector<std::string> fields = node.fields();
   if (std::ranges::find(fields, "Name") == fields.end()) return "";
-  for (std::size_t i = 0; i < std::min(elements_in(node), most); ++i) {
+  for (std::size_t i = 0; i < std::min(count_of(node.shape()), most); ++i) {
     const auto field = node.field("Name", i);
     if (field && field->kind() == Kind::text) {
       names.push_back(fmt::format("{}[Name={}]", where.name, field->text()));
@@ -42,7 +35,7 @@ std::string element_names(const Where& where, const Node& node) {
 
 /// Refuses what is no array of numbers.
 [[noreturn]] void refuse_kind(const Where& where, const Node& node) {
-  const std::size_t count = elements_in(node);
+  const std::size_t count = count_of(node.shape());
   if (node.kind() == Kind::text) refuse(where, "does not hold numbers, but text");
   if (node.kind() == Kind::cell) {
     refuse(where, fmt::format("is a cell array of {}; name one of them: {}(1)", count, where.name));
@@ -72,7 +65,7 @@ void require_field(const Where& where, const Node& node, const std::string& name
 std::size_t element_called(const Where& where, const Node& node, const PathStep& step) {
   if (node.kind() != Kind::structure) refuse_kind(where, node);
   require_field(where, node, step.key);
-  for (std::size_t i = 0; i < elements_in(node); ++i) {
+  for (std::size_t i = 0; i < count_of(node.shape()); ++i) {
     const auto field = node.field(step.key, i);
     if (field && field->kind() == Kind::text && field->text() == step.value) return i;
   }
@@ -86,7 +79,7 @@ std::size_t element_of(const Where& where, const Node& node, const PathStep& ste
     refuse(where, "is neither a structure nor a cell array");
   }
   if (!step.key.empty()) return element_called(where, node, step);
-  const std::size_t count = elements_in(node);
+  const std::size_t count = count_of(node.shape());
   if (step.number > count) refuse(where, fmt::format("has {} elements, no {}", count, step.number));
   if (step.number == 0 && count != 1) refuse_kind(where, node);
   return step.number == 0 ? 0 : step.number - 1;
