@@ -61,7 +61,7 @@ fetch() { # file, sha256, url
 }
 
 for dataset in "$@"; do
-  sources=$("$BIN/ingest" --sources --description "pipeline/datasets/$dataset.toml" |
+  sources=$("$BIN/ingest" --sources --description "pipeline/datasets/$dataset.toml" --data-dir "$data_dir" |
     awk '!seen[$0]++')
   [[ $sources ]] || continue
   there=0 fetched=0 missing=()

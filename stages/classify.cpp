@@ -67,9 +67,12 @@ std::vector<classification::Recording> read_described(cli::Stage& stage, const S
     const bool asked = sources.records.empty() ||
                        std::ranges::find(sources.records, source.name) != sources.records.end();
     if (!asked) continue;
-    stage.note_input("recording", sources.data_dir / source.file);
-    recordings.push_back(
-        classification::recording_of(reader.read(source), description.info, trained));
+    const signal::Record record = reader.read(source);
+    for (const signal::SourceFile& file : record.files) {
+      stage.note_read(sources.data_dir / file.name);
+      stage.note_input("recording", file.name, file.sha256);
+    }
+    recordings.push_back(classification::recording_of(record, description.info, trained));
   }
   return recordings;
 }

@@ -15,6 +15,7 @@
 #include "inspection/warnings.hpp"
 #include "signal/described_split.hpp"
 #include "signal/description_file.hpp"
+#include "signal/record_files.hpp"
 #include "text/file.hpp"
 
 namespace fs = std::filesystem;
@@ -22,13 +23,18 @@ using namespace piae;
 
 namespace {
 
-/// Prints nothing of a data set that is simulated: there is nothing to fetch.
-void print_sources(const fs::path& file) {
+/// Prints the files that are there, and what each record names beyond them. Prints nothing of a
+/// data set that is simulated: there is nothing to fetch.
+void print_sources(const fs::path& file, const fs::path& folder) {
   if (signal::read_description_file(file).contains("simulation")) return;
   const auto or_dash = [](const std::string& text) { return text.empty() ? "-" : text; };
   for (const signal::RecordSource& source : signal::read_description(file).records) {
-    std::cout << or_dash(source.sha256) << "  " << source.file << "  " << or_dash(source.url)
-              << '\n';
+    std::vector<std::string> names = signal::files_of(source.files, folder);
+    if (names.empty()) names = source.files;
+    const std::string sha256 = names.size() == 1 ? source.sha256 : "";
+    for (const std::string& name : names) {
+      std::cout << or_dash(sha256) << "  " << name << "  " << or_dash(source.url) << '\n';
+    }
   }
 }
 
@@ -103,11 +109,13 @@ int main(int argc, char** argv) {
       .required(false);
 
   return stage.run(argc, argv, [&] {
-    if (sources) return print_sources(file);
+    if (sources) return print_sources(file, data_dir);
     const signal::Description description = signal::read_description(file);
     stage.note_read(file);
     for (const signal::RecordSource& source : description.records) {
-      stage.note_read(data_dir / source.file);
+      for (const std::string& name : signal::files_of(source.files, data_dir)) {
+        stage.note_read(data_dir / name);
+      }
     }
     stage.require_no_input(check ? picture : output);
     if (check) {
@@ -120,8 +128,10 @@ int main(int argc, char** argv) {
     const signal::Recordings recordings = read_raw_files(description, data_dir);
     std::set<std::string> named;
     for (const signal::Record& record : recordings.records) {
-      if (named.insert(record.source).second) {
-        stage.note_input("recording", record.source, record.source_sha256);
+      for (const signal::SourceFile& recording : record.files) {
+        if (named.insert(recording.name).second) {
+          stage.note_input("recording", recording.name, recording.sha256);
+        }
       }
     }
     artefact::Writer writer("records");

@@ -1,9 +1,10 @@
-// Reads one variable of a raw recording for ingest, which runs it for each file: where the
-// library that reads it crashes or takes too much, only this program ends.
+// Reads one variable of raw recordings for ingest, which runs it for each record: where a library
+// that reads them crashes or takes too much, only this program ends.
 
 #include <unistd.h>
 
 #include <cerrno>
+#include <fstream>
 #include <span>
 #include <system_error>
 
@@ -25,6 +26,15 @@ void print(std::span<const std::byte> bytes) {
   }
 }
 
+/// Reads names that each end with a zero byte, as `find -print0` writes them.
+std::vector<fs::path> names_in(const fs::path& list) {
+  std::ifstream in(list);
+  std::vector<fs::path> names;
+  for (std::string name; std::getline(in, name, '\0');) names.emplace_back(name);
+  if (names.empty()) throw Error(Exit::bad_input, list.string() + ": names no file");
+  return names;
+}
+
 std::vector<double> read_without_writing(const fs::path& file, const std::string& variable,
                                          std::optional<double> sample_rate_hz) {
   const raw::WritesNoFile reading;
@@ -35,23 +45,35 @@ std::vector<double> read_without_writing(const fs::path& file, const std::string
 
 int main(int argc, char** argv) {
   cli::Stage stage("read_raw",
-                   "Reads one variable of a raw recording and writes its numbers "
+                   "Reads one variable of raw recordings and writes its numbers "
                    "to standard output, in double precision as this machine stores it. Only what "
-                   "the file's size allows is taken of memory and time. ingest runs it.",
+                   "the file's size allows is taken of memory and time. ingest runs it with a list "
+                   "of files; it writes the number of samples of each in front of them then.",
                    "read_raw --file data/cwru/97.mat --variable X097_DE_time | od -t f8 | head");
   fs::path file;
+  fs::path list;
   std::string variable;
   double sample_rate_hz = 0;
-  stage.input_file("--file", file, "Raw recording");
+  stage.input_file("--file", file, "Raw recording").required(false);
+  stage.input_file("--list", list, "File that names recordings, each name ended by a zero byte")
+      .required(false);
   stage.options().add("--variable", variable, "Variable, dataset, column or channel").required();
   stage.options()
       .add("--sample-rate", sample_rate_hz, "Hz; refuse a file that says another one itself")
       .check(cli::non_negative_number());
 
   return stage.run(argc, argv, [&] {
-    raw::keep_to(raw::limits_of(file));
-    const std::vector<double> numbers = read_without_writing(
-        file, variable, sample_rate_hz > 0 ? std::optional(sample_rate_hz) : std::nullopt);
-    print(std::as_bytes(std::span(numbers)));
+    if (file.empty() == list.empty()) {
+      throw Error(Exit::usage, "give --file or --list (see read_raw --help)");
+    }
+    const std::vector<fs::path> files = list.empty() ? std::vector{file} : names_in(list);
+    const auto rate_hz = sample_rate_hz > 0 ? std::optional(sample_rate_hz) : std::nullopt;
+    raw::keep_to(raw::limits_of(files));
+    for (const fs::path& one : files) {
+      const std::vector<double> samples = read_without_writing(one, variable, rate_hz);
+      const auto count = static_cast<double>(samples.size());
+      if (!list.empty()) print(std::as_bytes(std::span(&count, 1)));
+      print(std::as_bytes(std::span(samples)));
+    }
   });
 }

@@ -61,7 +61,7 @@ void draw_wave(Svg& svg, const RecordCheck& record, const DatasetInfo& info, dou
 }
 
 std::string row_title(const RecordCheck& record, signal::Defect own) {
-  std::string title = fmt::format("{} ({})", record.source.name, record.source.file);
+  std::string title = fmt::format("{} ({})", record.source.name, record.source.file_text());
   if (own == signal::Defect::none) return title + ", healthy";
   if (!bearing::is_struck(own)) return title + ", no fault of the bearing";
   const FaultLine& line = line_of(record.lines, own);

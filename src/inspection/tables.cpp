@@ -53,7 +53,7 @@ text::Table recordings_table(const signal::Description& description, const Datas
                     2);
   for (const RecordCheck& record : check.records) {
     const signal::RecordSource& source = record.source;
-    Row row{shortened(source.name, widest_name), shortened(source.file, file_width)};
+    Row row{shortened(source.name, widest_name), shortened(source.file_text(), file_width)};
     if (!record.problem.empty()) {
       row.emplace_back("no data");
     } else {

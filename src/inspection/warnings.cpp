@@ -261,7 +261,7 @@ std::string shared_oddity(const std::vector<const RecordCheck*>& odd, std::size_
 }  // namespace
 
 std::string place_of(const RecordSource& source) {
-  return fmt::format("{} ({}, variable {})", source.name, source.file, source.variable);
+  return fmt::format("{} ({}, variable {})", source.name, source.file_text(), source.variable);
 }
 
 std::vector<std::string> line_warnings(const DatasetInfo& info,

@@ -1,9 +1,13 @@
 #include "plan/grid_steps.hpp"
 
+#include <algorithm>
+#include <iterator>
+
 #include "artefact/journal.hpp"
 #include "augment/catalogue.hpp"
 #include "base/sha256.hpp"
 #include "scoring/diagnosis_record.hpp"
+#include "signal/record_files.hpp"
 
 namespace piae::plan {
 
@@ -11,6 +15,20 @@ namespace {
 
 Input input(const std::string& role, const std::string& file) {
   return {.role = role, .files = {file}};
+}
+
+/// Gives the files that a name or pattern of a description stands for.
+std::vector<Input> recordings_of(const std::string& described, const std::string& data_dir) {
+  std::vector<Input> inputs;
+  for (const std::string& name : signal::files_of({described}, data_dir)) {
+    inputs.push_back({.role = "recording " + name,
+                      .files = {data_dir + '/' + name},
+                      .is_option = false,
+                      // One more file that a pattern matches is another recording.
+                      .may_be_unrecorded = !signal::is_pattern(described),
+                      .may_be_absent = true});
+  }
+  return inputs;
 }
 
 bool generates(const std::string& method) { return method != augment::no_method; }
@@ -53,12 +71,9 @@ StepId GridSteps::records(const Dataset& dataset) {
   step.description = description;
   if (!dataset.is_simulated) {
     step.words = {"--data-dir", choice_.data_dir};
-    for (const std::string& name : description->recordings) {
-      step.inputs.push_back({.role = "recording " + name,
-                             .files = {choice_.data_dir + '/' + name},
-                             .is_option = false,
-                             .may_be_unrecorded = true,
-                             .may_be_absent = true});
+    for (const std::string& described : description->recordings) {
+      std::ranges::move(recordings_of(described, choice_.data_dir),
+                        std::back_inserter(step.inputs));
     }
   }
   return add(std::move(step));

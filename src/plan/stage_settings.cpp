@@ -36,17 +36,22 @@ std::map<std::string, std::string> plain_values(const toml::table& table) {
   return values;
 }
 
-/// The files that the records of a description name, each once. `ingest` says what is wrong with a
-/// description.
+/// Adds the file, or the list of files, of a record.
+void add_files(const toml::table& record, std::set<std::string>& files) {
+  const toml::node* const node = record.get("file");
+  if (node == nullptr) return;
+  for (const std::string& file : cli::values_of(*node)) {
+    if (file.find('\n') == std::string::npos) files.insert(file);
+  }
+}
+
+/// Returns the files and patterns that the records of a description name, each once. `ingest` says
+/// what is wrong with a description.
 std::vector<std::string> recordings_of(const toml::table& description) {
   std::set<std::string> files;
   if (const toml::array* records = description["record"].as_array()) {
     for (const toml::node& record : *records) {
-      const toml::table* table = record.as_table();
-      if (table == nullptr) continue;
-      const auto file = (*table)["file"].value<std::string>();
-      const bool is_name = file && file->find('\n') == std::string::npos;
-      if (is_name) files.insert(*file);
+      if (record.is_table()) add_files(*record.as_table(), files);
     }
   }
   return {files.begin(), files.end()};

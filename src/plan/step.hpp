@@ -19,7 +19,7 @@ struct Settings {
   std::map<std::string, std::string> values = {};
   std::map<std::string, std::string> defaults =
       {};                                    ///< what the program takes where nothing is set
-  std::vector<std::string> recordings = {};  ///< the raw files that a description names
+  std::vector<std::string> recordings = {};  ///< raw files, and patterns, that a description names
 };
 
 /// An input of a step.

@@ -25,6 +25,11 @@ namespace piae::raw {
 std::vector<double> read(const std::filesystem::path& file, const std::string& variable,
                          std::optional<double> sample_rate_hz = std::nullopt);
 
+/// The same of several files, in their order, by one run of that program.
+std::vector<std::vector<double>> read_all(const std::vector<std::filesystem::path>& files,
+                                          const std::string& variable,
+                                          std::optional<double> sample_rate_hz = std::nullopt);
+
 /// The same in this process: what that program does.
 std::vector<double> read_here(const std::filesystem::path& file, const std::string& variable,
                               std::optional<double> sample_rate_hz = std::nullopt);

@@ -43,21 +43,25 @@ std::uint64_t limit_files(std::uint64_t most) {
 
 }  // namespace
 
-Limits limits_of(const fs::path& file) {
-  std::error_code missing;
+Limits limits_of(const std::vector<fs::path>& files) {
   Limits limits;
-  limits.file_bytes = fs::file_size(file, missing);
-  if (missing) throw Error(Exit::input_missing, file.string() + ": " + missing.message());
-  if (limits.file_bytes > largest_bytes) {
-    refuse_file(file, "is larger than " + std::to_string(largest_bytes / mb) +
-                          " MB; split it into several records");
+  for (const fs::path& file : files) {
+    std::error_code missing;
+    const std::uint64_t bytes = fs::file_size(file, missing);
+    if (missing) throw Error(Exit::input_missing, file.string() + ": " + missing.message());
+    limits.file_bytes += bytes;
+    if (limits.file_bytes > largest_bytes) {
+      refuse_file(file, std::string(files.size() > 1 ? "and the files before it are" : "is") +
+                            " larger than " + std::to_string(largest_bytes / mb) +
+                            " MB; split it into several records");
+    }
+    const std::uint64_t samples = most_sample_bytes(bytes);
+    limits.most_samples += samples / sizeof(double);
+    // The file, what a library makes of it, and the samples.
+    limits.memory_bytes = std::max(limits.memory_bytes, 64 * mb + 2 * bytes + 2 * samples);
   }
-  const std::uint64_t samples = most_sample_bytes(limits.file_bytes);
-  limits.most_samples = samples / sizeof(double);
-  // The file, what a library makes of it, and the samples.
-  limits.memory_bytes = 64 * mb + 2 * limits.file_bytes + 2 * samples;
-  limits.processor_seconds = 5 + limits.file_bytes / (10 * mb);
-  limits.wall_seconds = 15 + limits.file_bytes / mb;
+  limits.processor_seconds = 5 + limits.file_bytes / (10 * mb) + files.size() / 1000;
+  limits.wall_seconds = 15 + limits.file_bytes / mb + files.size() / 100;
   return limits;
 }
 

@@ -3,25 +3,27 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <vector>
 
 namespace piae::raw {
 
 /// The most bytes of a raw file. Version 5 of MATLAB's files ends at 2 GB.
 inline constexpr std::uint64_t largest_bytes = 4'000'000'000;
 
-/// Limits of what reading one raw file may take. All of it follows from the file's size, since what
-/// a file says of itself may be wrong.
+/// Limits of what reading raw files one by one may take. All of it follows from their sizes, since
+/// what a file says of itself may be wrong.
 struct Limits {
-  std::uint64_t file_bytes = 0;
-  std::uint64_t most_samples = 0;  ///< that it can hold, however well it is compressed
+  std::uint64_t file_bytes = 0;    ///< of all
+  std::uint64_t most_samples = 0;  ///< that all can hold, however well they are compressed
   std::uint64_t memory_bytes = 0;
   std::uint64_t processor_seconds = 0;
   std::uint64_t wall_seconds = 0;  ///< more, as a machine or a disk may be busy
 };
 
-/// Throws Error(input_missing) where there is no such file, and Error(bad_input) where it is larger
-/// than any that is read.
-Limits limits_of(const std::filesystem::path& file);
+/// Throws Error(input_missing) where there is no such file, and Error(bad_input) where one, or all
+/// together, are larger than largest_bytes.
+Limits limits_of(const std::vector<std::filesystem::path>& files);
+inline Limits limits_of(const std::filesystem::path& file) { return limits_of(std::vector{file}); }
 
 /// Has this process end, or its requests for memory fail, where it takes more.
 void keep_to(const Limits& limits);

@@ -1,6 +1,7 @@
 #include <fcntl.h>
 #include <poll.h>
 #include <spdlog/fmt/fmt.h>
+#include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -10,9 +11,12 @@
 #include <chrono>
 #include <csignal>
 #include <cstring>
+#include <span>
+#include <string_view>
 #include <system_error>
 
 #include "base/error.hpp"
+#include "base/write_all.hpp"
 #include "raw/file.hpp"
 #include "raw/limits.hpp"
 
@@ -77,14 +81,42 @@ class Output {
   std::uint64_t most_;
 };
 
+/// A file in memory that holds names, each ended by a zero byte, to be read from its beginning.
+class Names {
+ public:
+  explicit Names(const std::vector<fs::path>& names)
+      : descriptor_(::memfd_create("names", MFD_CLOEXEC)) {
+    std::string text;
+    for (const fs::path& name : names) text += name.string() + '\0';
+    const auto bytes = std::as_bytes(std::span(text));
+    if (descriptor_ < 0 || !write_all(descriptor_, bytes) ||
+        ::lseek(descriptor_, 0, SEEK_SET) < 0) {
+      throw Error(Exit::failed, "names of files: " + std::generic_category().message(errno));
+    }
+  }
+  Names(const Names&) = delete;
+  Names& operator=(const Names&) = delete;
+  ~Names() {
+    if (descriptor_ >= 0) ::close(descriptor_);
+  }
+
+  [[nodiscard]] int to_read() const { return descriptor_; }
+
+ private:
+  int descriptor_;
+};
+
 /// One run of read_raw. It is killed where nobody waits for it to the end.
 class Reader {
  public:
-  Reader(const fs::path& file, const std::string& variable, std::optional<double> sample_rate_hz,
-         const Limits& limits)
-      : file_(file), limits_(limits), out_(limits.most_samples * sizeof(double)) {
+  Reader(const std::vector<fs::path>& files, const std::string& variable,
+         std::optional<double> sample_rate_hz, const Limits& limits)
+      : files_(files),
+        limits_(limits),
+        names_(files),
+        out_((limits.most_samples + files.size()) * sizeof(double)) {
     program_ = (fs::read_symlink("/proc/self/exe").parent_path() / "read_raw").string();
-    std::vector<std::string> words{program_, "--file=" + file.string(), "--variable=" + variable};
+    std::vector<std::string> words{program_, "--list=/dev/stdin", "--variable=" + variable};
     if (sample_rate_hz) words.push_back(fmt::format("--sample-rate={}", *sample_rate_hz));
     std::vector<char*> argv;
     argv.reserve(words.size() + 1);
@@ -105,22 +137,43 @@ class Reader {
     if (pid_ > 0) (void)wait_after(SIGKILL);
   }
 
-  std::vector<double> numbers() {
+  /// Returns the samples of each file.
+  std::vector<std::vector<double>> samples() {
     if (!listen()) refuse_for_time();
     const int status = wait_after(0);
     if (WIFSIGNALED(status)) refuse_signal(WTERMSIG(status));
     if (WEXITSTATUS(status) != 0) refuse_as_it_does(WEXITSTATUS(status));
-    std::vector<double> numbers(out_.bytes.size() / sizeof(double));
-    if (!numbers.empty()) {
-      std::memcpy(numbers.data(), out_.bytes.data(), numbers.size() * sizeof(double));
-    }
-    return numbers;
+    std::vector<std::vector<double>> all = samples_so_far();
+    if (all.size() != files_.size()) refuse("its reader wrote less than it read");
+    return all;
   }
 
  private:
+  /// Takes the numbers apart into files, of which each has its count of samples in front. The last
+  /// one may be cut off, and is left out then.
+  [[nodiscard]] std::vector<std::vector<double>> samples_so_far() const {
+    std::vector<std::vector<double>> all;
+    std::string_view rest = out_.bytes;
+    while (rest.size() >= sizeof(double)) {
+      double count = 0;
+      std::memcpy(&count, rest.data(), sizeof(double));
+      rest.remove_prefix(sizeof(double));
+      if (!(count >= 0 && count <= static_cast<double>(rest.size() / sizeof(double)))) break;
+      std::vector<double>& samples = all.emplace_back(static_cast<std::size_t>(count));
+      const std::size_t bytes = samples.size() * sizeof(double);
+      if (bytes > 0) std::memcpy(samples.data(), rest.data(), bytes);
+      rest.remove_prefix(bytes);
+    }
+    return all;
+  }
+  /// Returns the file that was being read when the program ended.
+  [[nodiscard]] const fs::path& current_file() const {
+    return files_[std::min(samples_so_far().size(), files_.size() - 1)];
+  }
   [[noreturn]] void become(const std::vector<char*>& argv, pid_t parent) const {
     ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-    const bool ready = ::getppid() == parent && ::dup2(out_.pipe.to_write(), STDOUT_FILENO) >= 0 &&
+    const bool ready = ::getppid() == parent && ::dup2(names_.to_read(), STDIN_FILENO) >= 0 &&
+                       ::dup2(out_.pipe.to_write(), STDOUT_FILENO) >= 0 &&
                        ::dup2(err_.pipe.to_write(), STDERR_FILENO) >= 0;
     if (ready) ::execv(argv.front(), argv.data());
     ::_exit(cannot_be_run);
@@ -150,7 +203,7 @@ class Reader {
   }
 
   [[noreturn]] void refuse(const std::string& what) const {
-    refuse_file(file_, "cannot be read: " + what + "; the file is damaged, get it again");
+    refuse_file(current_file(), "cannot be read: " + what + "; the file is damaged, get it again");
   }
   [[noreturn]] void refuse_for_time() const {
     refuse("its reader took longer than " + std::to_string(limits_.wall_seconds) +
@@ -182,8 +235,9 @@ class Reader {
     throw Error(static_cast<Exit>(status), line);
   }
 
-  fs::path file_;
+  std::vector<fs::path> files_;
   Limits limits_;
+  Names names_;
   std::string program_;
   Output out_;
   Output err_{1 << 16};
@@ -192,9 +246,15 @@ class Reader {
 
 }  // namespace
 
+std::vector<std::vector<double>> read_all(const std::vector<fs::path>& files,
+                                          const std::string& variable,
+                                          std::optional<double> sample_rate_hz) {
+  return Reader(files, variable, sample_rate_hz, limits_of(files)).samples();
+}
+
 std::vector<double> read(const fs::path& file, const std::string& variable,
                          std::optional<double> sample_rate_hz) {
-  return Reader(file, variable, sample_rate_hz, limits_of(file)).numbers();
+  return read_all(std::vector{file}, variable, sample_rate_hz).front();
 }
 
 }  // namespace piae::raw

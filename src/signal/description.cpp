@@ -8,9 +8,12 @@
 #include "base/error.hpp"
 #include "bearing/defect.hpp"
 #include "bearing/kinematics.hpp"
+#include "bearing/orders.hpp"
 #include "signal/described_conditions.hpp"
 #include "signal/described_split.hpp"
+#include "signal/meant_key.hpp"
 #include "signal/ranges.hpp"
+#include "signal/record_files.hpp"
 
 namespace piae::signal {
 
@@ -26,7 +29,27 @@ std::string plain_name(TomlTable& table, const std::string& key) {
   return name;
 }
 
+bearing::Geometry bearing_by_orders(TomlTable& table) {
+  bearing::Orders orders;
+  orders.bpfo = table.number("bpfo", ranges::fault_order);
+  orders.bpfi = table.number("bpfi", ranges::fault_order);
+  orders.bsf = table.optional_number("bsf", ranges::fault_order);
+  orders.ftf = table.optional_number("ftf", ranges::fault_order);
+  try {
+    return bearing::geometry_of(orders);
+  } catch (const Error& error) {
+    table.refuse("bpfo", std::string("and the other orders are refused: ") + error.what());
+  }
+}
+
+bool is_by_orders(const TomlTable& bearing) { return bearing.has("bpfo") || bearing.has("bpfi"); }
+
 bearing::Geometry described_bearing(TomlTable table) {
+  if (is_by_orders(table)) {
+    const bearing::Geometry bearing = bearing_by_orders(table);
+    table.finish();
+    return bearing;
+  }
   bearing::Geometry bearing;
   bearing.balls = static_cast<int>(table.integer("balls", ranges::balls));
   bearing.ball_diameter_mm = table.number("ball_diameter_mm", ranges::length_mm);
@@ -41,16 +64,20 @@ bearing::Geometry described_bearing(TomlTable table) {
 }
 
 Defect described_defect(TomlTable& table) {
+  const std::string word = table.text("defect");
   try {
-    return parse_defect(table.text("defect"));
+    return parse_defect(word);
   } catch (const Error& error) {
-    const bool ours = std::string_view(error.what()).starts_with("unknown defect");
-    if (!ours) throw;
-    table.refuse("defect", std::string("holds an ") + error.what());
+    const std::string meant = meant_defect(word);
+    table.refuse("defect", std::string("holds an ") + error.what() +
+                               (meant.empty() ? "" : "; '" + meant + "' is meant"));
   }
 }
 
-/// Of a class, or of a record of such a class.
+constexpr const char* no_dimensions =
+    "needs a bearing with dimensions, and [bearing] gives its orders alone: leave it out";
+
+/// Reads that of a class, or of a record of such a class.
 std::optional<double> read_size(TomlTable& table, Defect defect) {
   const auto size = table.optional_number("defect_size_mm", ranges::defect_size_mm);
   if (size && !bearing::is_struck(defect)) {
@@ -84,9 +111,8 @@ Label label_of(const DatasetInfo& info, TomlTable& record) {
   return static_cast<Label>(found - info.classes.begin());
 }
 
-/// Where `make data` writes what it downloads, too: so never outside the data folder.
-std::string read_file_name(TomlTable& record) {
-  std::string name = record.text("file");
+/// Refuses a file outside the data folder, since `make data` writes what it downloads there.
+void require_file_name(const TomlTable& record, const std::string& name) {
   const fs::path path(name);
   if (path.is_absolute() || std::ranges::find(path, fs::path("..")) != path.end()) {
     record.refuse("file", "must be a path below the data folder");
@@ -95,7 +121,12 @@ std::string read_file_name(TomlTable& record) {
     record.refuse("file", "must end with the name of a file");
   }
   if (name.front() == '-') record.refuse("file", "must not begin with '-'");
-  return name;
+}
+
+std::vector<std::string> read_file_names(TomlTable& record) {
+  std::vector<std::string> names = record.text_or_texts("file");
+  for (const std::string& name : names) require_file_name(record, name);
+  return names;
 }
 
 /// It becomes an argument of the program that reads the file, which has no room for everything.
@@ -109,8 +140,11 @@ std::string read_variable(TomlTable& record) {
 }
 
 /// An address that `make data` may give to a program: of the web, and nothing else.
-std::string read_url(TomlTable& record) {
+std::string read_url(TomlTable& record, const std::vector<std::string>& files) {
   std::string url = record.optional_text("url");
+  if (!url.empty() && (files.size() > 1 || is_pattern(files.front()))) {
+    record.refuse("url", "is of one file, and this record has several");
+  }
   const bool of_the_web = url.starts_with("https://") || url.starts_with("http://");
   const bool one_word = url.find(' ') == std::string::npos;
   if (!url.empty() && !(of_the_web && one_word)) {
@@ -129,7 +163,7 @@ void require_sha256(const TomlTable& record, const std::string& sum) {
 RecordSource described_record(TomlTable& table, const DatasetInfo& info) {
   RecordSource record;
   record.label = label_of(info, table);
-  record.file = read_file_name(table);
+  record.files = read_file_names(table);
   record.variable = read_variable(table);
   record.sample_rate_hz = table.number("sample_rate_hz", ranges::described_rate_hz);
   record.shaft_speed_rpm = table.optional_number("shaft_speed_rpm", ranges::shaft_speed_rpm)
@@ -138,9 +172,11 @@ RecordSource described_record(TomlTable& table, const DatasetInfo& info) {
   const ClassInfo& c = info.class_of(record.label);
   record.defect_size_mm = read_size(table, c.defect);
   if (record.defect_size_mm) require_possible_defect(info, c, *record.defect_size_mm, table);
+  record.unit_m_per_s2 = table.optional_number("unit_m_per_s2", ranges::unit_m_per_s2);
+  record.offset = table.optional_number("offset", ranges::acceleration).value_or(0);
   record.sha256 = table.optional_text("sha256");
   require_sha256(table, record.sha256);
-  record.url = read_url(table);
+  record.url = read_url(table, record.files);
   table.finish();
   return record;
 }
@@ -215,8 +251,8 @@ void require_different_names(const fs::path& file, const std::vector<RecordSourc
 double common_rate(const TomlTable& root, const std::vector<RecordSource>& records) {
   for (const RecordSource& record : records) {
     if (record.sample_rate_hz != records.front().sample_rate_hz) {
-      root.refuse("sample_rate_hz", "is missing, and the records " + records.front().file +
-                                        " and " + record.file +
+      root.refuse("sample_rate_hz", "is missing, and the records " + records.front().file_text() +
+                                        " and " + record.file_text() +
                                         " have different rates: say to which all are resampled");
     }
   }
@@ -224,6 +260,12 @@ double common_rate(const TomlTable& root, const std::vector<RecordSource>& recor
 }
 
 }  // namespace
+
+std::string RecordSource::file_text() const {
+  std::string text;
+  for (const std::string& file : files) text += (text.empty() ? "" : ", ") + file;
+  return text;
+}
 
 void require_possible(const DatasetInfo& info, const TomlTable& root,
                       const std::vector<TomlTable>& classes) {
@@ -239,6 +281,10 @@ void require_possible(const DatasetInfo& info, const TomlTable& root,
       root.refuse("bearing",
                   "is missing: it decides the rhythm of class " + c.name +
                       "; a fault that is in no raceway and no ball has defect = \"other\"");
+    }
+    const bool has_dimensions = !root.plain()["bearing"]["bpfo"];
+    if (!has_dimensions && classes[i].has("defect_size_mm")) {
+      classes[i].refuse("defect_size_mm", no_dimensions);
     }
     const bool is_of_unknown_size =
         is_struck && c.defect_size_mm == 0 && !classes[i].has("defect_size_mm");
@@ -294,6 +340,9 @@ Description read_description(const fs::path& file) {
   for (const TomlTable& table : classes) table.finish();
   for (TomlTable& table : root.tables("record")) {
     description.records.push_back(described_record(table, description.info));
+    const bool has_dimensions = !root.plain()["bearing"]["bpfo"];
+    if (!has_dimensions && table.has("defect_size_mm"))
+      table.refuse("defect_size_mm", no_dimensions);
   }
   const auto rate = root.optional_number("sample_rate_hz", ranges::sample_rate_hz);
   require_described_records(file, description);

@@ -18,14 +18,22 @@ struct RecordSource {
   /// "IR007-02".
   std::string name;
   Label label = 0;
-  std::string file;      ///< below DATA_DIR; the extension says the format (raw_file.hpp)
+  /// Below DATA_DIR: names, or patterns that stand for many (record_files.hpp). Of several files
+  /// each is a stretch of the recording, and no window crosses from one into the next.
+  std::vector<std::string> files;
   std::string variable;  ///< of a .mat; column of a .csv or .txt; dataset of an .h5
   double sample_rate_hz = 0;
   double shaft_speed_rpm = 0;
-  std::string sha256;  ///< of the file, 64 hexadecimal digits; empty where it is not checked
+  std::string sha256;  ///< 64 hexadecimal digits (sha256_of()); empty where it is not checked
   std::string url;     ///< where the file can be downloaded; empty where it cannot
   std::string condition = {};                 ///< empty where it belongs to every one
   std::optional<double> defect_size_mm = {};  ///< its own, where the class holds several
+  /// Acceleration of one unit of the files; the dataset's where it has none of its own.
+  std::optional<double> unit_m_per_s2 = {};
+  double offset = 0;  ///< the files' number for no acceleration
+
+  /// Gives the names and patterns in one line.
+  [[nodiscard]] std::string file_text() const;
 };
 
 /// Settings of the stage split by their names, such as "windows-per-class".
@@ -46,13 +54,15 @@ using SplitSettings = std::map<std::string, std::size_t>;
 ///     defect_size_mm = 0.1778     # optional, along the raceway; not for "none" and "other"
 ///     [[record]]                  # one or more for each class
 ///     class = "IR007"
-///     file = "cwru/105.mat"
+///     file = "cwru/105.mat"       # or a list of files, or a pattern: "run/acc_*.csv"
 ///     variable = "X105_DE_time"
 ///     sample_rate_hz = 12000
 ///     shaft_speed_rpm = 1797      # optional, the dataset's otherwise
 ///     condition = "0 HP"          # optional: the state of the machine, in any words
 ///     defect_size_mm = 0.1778     # optional, the class's otherwise; a class of whose records each
 ///                                 # has its own needs none
+///     unit_m_per_s2 = 0.01        # optional, the dataset's otherwise; with
+///     offset = 2048               # the number that stands for no acceleration, as in counts
 ///     sha256 = "..."              # optional
 ///     url = "https://..."         # optional
 ///     [transfer]                  # optional: faults known in one condition, tested in another

@@ -1,6 +1,7 @@
 #include "signal/description_file.hpp"
 
 #include <algorithm>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -8,6 +9,7 @@
 #include "base/error.hpp"
 #include "base/one_line.hpp"
 #include "cli/toml_file.hpp"
+#include "signal/bearing_table.hpp"
 #include "signal/ranges.hpp"
 
 namespace piae::signal {
@@ -19,7 +21,7 @@ namespace {
 [[noreturn]] void refuse_node(const fs::path& file, const toml::node& node, const std::string& what,
                               Exit exit = Exit::bad_input) {
   throw Error(exit, one_line(file.string() + ", line " + std::to_string(node.source().begin.line) +
-                             ": like " + what));
+                             ": " + what));
 }
 
 /// The file that a description is like, where it is like one.
@@ -28,18 +30,19 @@ std::optional<fs::path> model_of(const fs::path& file, const toml::table& descri
   if (like == nullptr) return std::nullopt;
   const auto name = like->value<std::string>();
   if (!name || !ranges::is_plain_name(*name)) {
-    refuse_node(file, *like,
-                "must be the name of a description in the same folder, without its .toml; it " +
-                    ranges::plain_name_rule);
+    refuse_node(
+        file, *like,
+        "like must be the name of a description in the same folder, without its .toml; it " +
+            ranges::plain_name_rule);
   }
   if (!description.contains("name")) {
     refuse_node(file, *like,
-                "is there, but no name: a description that is like another has its own");
+                "like is there, but no name: a description that is like another has its own");
   }
   const fs::path model = file.parent_path() / (*name + ".toml");
   std::error_code unreadable;
   if (!fs::exists(model, unreadable)) {
-    refuse_node(file, *like, "= '" + *name + "', but there is no " + model.string(),
+    refuse_node(file, *like, "like = '" + *name + "', but there is no " + model.string(),
                 Exit::input_missing);
   }
   return model;
@@ -66,7 +69,7 @@ toml::table read_after(const std::vector<fs::path>& before, const fs::path& file
   so_far.push_back(file);
   if (std::ranges::find(so_far, *model) != so_far.end()) {
     refuse_node(file, *description.get("like"),
-                "goes in a circle: this description is like " + model->string() +
+                "like goes in a circle: this description is like " + model->string() +
                     ", which is like this one");
   }
   description.erase("like");
@@ -75,8 +78,34 @@ toml::table read_after(const std::vector<fs::path>& before, const fs::path& file
   return description;
 }
 
+/// Puts what the table of bearings has for a designation in its place.
+void complete_bearing(const fs::path& file, toml::table& description) {
+  toml::table* const bearing = description["bearing"].as_table();
+  const toml::node* const node = bearing != nullptr ? bearing->get("designation") : nullptr;
+  if (node == nullptr) return;
+  const auto designation = node->value<std::string>();
+  if (!designation) refuse_node(file, *node, "bearing.designation must be a text in quotes");
+  try {
+    const fs::path table = (file.parent_path() / ".." / "bearings.csv").lexically_normal();
+    for (const auto& [key, value] : bearing_called(*designation, table)) {
+      if (key == "balls") {
+        bearing->insert(key, static_cast<std::int64_t>(value));
+      } else {
+        bearing->insert(key, value);
+      }
+    }
+  } catch (const Error& error) {
+    refuse_node(file, *node, std::string("bearing.designation ") + error.what(), error.exit());
+  }
+  bearing->erase("designation");
+}
+
 }  // namespace
 
-toml::table read_description_file(const fs::path& file) { return read_after({}, file); }
+toml::table read_description_file(const fs::path& file) {
+  toml::table description = read_after({}, file);
+  complete_bearing(file, description);
+  return description;
+}
 
 }  // namespace piae::signal

@@ -8,6 +8,7 @@
 #include "base/sha256.hpp"
 #include "raw/file.hpp"
 #include "raw/limits.hpp"
+#include "signal/record_files.hpp"
 #include "signal/resample.hpp"
 
 namespace piae::signal {
@@ -24,37 +25,41 @@ namespace fs = std::filesystem;
 void require_file(const fs::path& file, const RecordSource& source, const std::string& dataset) {
   std::error_code ignored;
   if (fs::is_regular_file(file, ignored)) return;
-  const std::string what =
-      fs::exists(fs::symlink_status(file, ignored)) ? "is not a file" : "no such file";
+  const bool is_there = fs::exists(fs::symlink_status(file, ignored));
+  const std::string none =
+      is_pattern(file.filename().string()) ? "matches no file" : "no such file";
   throw Error(Exit::input_missing,
-              file.string() + ": " + what + "; record " + source.name + " of dataset " + dataset +
-                  " needs it: run `make data`, or name the folder that holds " + source.file +
-                  " by DATA_DIR= (--data-dir)");
+              file.string() + ": " + (is_there ? "is not a file" : none) + "; record " +
+                  source.name + " of dataset " + dataset +
+                  " needs it: run `make data`, or name the folder that holds " +
+                  source.file_text() + " by DATA_DIR= (--data-dir)");
 }
 
-/// The file's sha256, which must be the declared one where there is one.
-std::string checked_sha256(const fs::path& file, const RecordSource& source) {
-  std::string found = sha256_of_file(file);
-  if (!source.sha256.empty() && source.sha256 != found) {
-    refuse_record(file, source,
-                  "sha256 is " + found + ", expected " + source.sha256 +
-                      "; the file is damaged or another one, fetch it again");
-  }
-  return found;
+void require_sha256(const fs::path& file, const RecordSource& source,
+                    const std::vector<SourceFile>& files) {
+  const std::string found = sha256_of(files);
+  if (source.sha256.empty() || source.sha256 == found) return;
+  refuse_record(file, source,
+                "sha256 is " + found + ", expected " + source.sha256 +
+                    "; the file is damaged or another one, fetch it again");
 }
 
-void require_usable(const fs::path& file, const RecordSource& source,
+void require_finite(const fs::path& file, const RecordSource& source,
                     std::span<const double> signal) {
   if (signal.empty()) refuse_record(file, source, source.variable + " holds no sample");
   const auto odd = std::ranges::find_if_not(
       signal, [](double x) { return std::isfinite(static_cast<float>(x)); });
-  if (odd != signal.end()) {
-    refuse_record(file, source,
-                  source.variable + " is NaN, infinite or beyond 32 bits at sample " +
-                      std::to_string(odd - signal.begin()) + " (counted from 0)");
-  }
-  const auto [low, high] = std::ranges::minmax(signal);
-  if (low == high) refuse_record(file, source, source.variable + " never changes: a dead channel");
+  if (odd == signal.end()) return;
+  refuse_record(file, source,
+                source.variable + " is NaN, infinite or beyond 32 bits at sample " +
+                    std::to_string(odd - signal.begin()) + " (counted from 0)");
+}
+
+/// Brings samples of a record's file to the unit of the dataset.
+void scale(std::span<double> samples, const RecordSource& source, double unit_m_per_s2) {
+  if (!source.unit_m_per_s2 && source.offset == 0) return;
+  const double factor = source.unit_m_per_s2.value_or(unit_m_per_s2) / unit_m_per_s2;
+  for (double& sample : samples) sample = (sample - source.offset) * factor;
 }
 
 }  // namespace
@@ -62,54 +67,82 @@ void require_usable(const fs::path& file, const RecordSource& source,
 RecordReader::RecordReader(const Description& description, fs::path data_dir)
     : info_(description.info), data_dir_(std::move(data_dir)) {}
 
-void RecordReader::require_new(const fs::path& file, const RecordSource& source,
-                               std::span<const double> signal) {
+std::vector<std::string> RecordReader::require_files(const RecordSource& source) const {
+  std::vector<std::string> names = files_of(source.files, data_dir_);
+  for (const std::string& name : names) require_file(data_dir_ / name, source, info_.name);
+  if (names.empty()) require_file(data_dir_ / source.files.front(), source, info_.name);
+  return names;
+}
+
+void RecordReader::require_new(const RecordSource& source, std::span<const double> signal) {
   const std::string digest = Sha256().update(std::as_bytes(signal)).finish();
   const auto [place, is_new] = read_before_.emplace(digest, source);
   if (is_new) return;
   const RecordSource& twin = place->second;
   refuse_record(
-      file, source,
-      "holds the same samples as record " + twin.name + " (" + twin.file +
+      data_dir_ / source.file_text(), source,
+      "holds the same samples as record " + twin.name + " (" + twin.file_text() +
           (twin.label == source.label ? "); name each recording once" : "), under another class"));
 }
 
 RawRecord RecordReader::read_raw(const RecordSource& source) {
-  const fs::path file = data_dir_ / source.file;
-  require_file(file, source, info_.name);
-  (void)raw::limits_of(file);  // which refuses what is too large, before all of that is hashed
+  const fs::path all = data_dir_ / source.file_text();
   RawRecord raw;
-  raw.sha256 = checked_sha256(file, source);
-  raw.samples = raw::read(file, source.variable, source.sample_rate_hz);
-  require_usable(file, source, raw.samples);
-  require_new(file, source, raw.samples);
+  std::vector<fs::path> paths;
+  for (const std::string& name : require_files(source)) {
+    raw.files.push_back({.name = name, .sha256 = {}});
+    paths.push_back(data_dir_ / name);
+  }
+  (void)raw::limits_of(paths);  // which refuses what is too large, before all of that is hashed
+  for (SourceFile& file : raw.files) file.sha256 = sha256_of_file(data_dir_ / file.name);
+  require_sha256(all, source, raw.files);
+  const auto samples = raw::read_all(paths, source.variable, source.sample_rate_hz);
+  for (std::size_t i = 0; i < paths.size(); ++i) {
+    require_finite(paths[i], source, samples[i]);
+    raw.pieces.push_back(samples[i].size());
+    raw.samples.insert(raw.samples.end(), samples[i].begin(), samples[i].end());
+  }
+  const auto [low, high] = std::ranges::minmax(raw.samples);
+  if (low == high) refuse_record(all, source, source.variable + " never changes: a dead channel");
+  require_new(source, raw.samples);
   return raw;
 }
 
 Record RecordReader::resampled(const RecordSource& source, const RawRecord& raw) const {
   constexpr double most_samples = 1e8;
+  const fs::path all = data_dir_ / source.file_text();
   const double samples =
       static_cast<double>(raw.samples.size()) * info_.sample_rate_hz / source.sample_rate_hz;
   if (samples > most_samples) {
     refuse_record(
-        data_dir_ / source.file, source,
+        all, source,
         "would have more than 1e8 samples at the dataset's rate; look at both sample rates");
   }
-  std::vector<double> signal = resample(raw.samples, source.sample_rate_hz, info_.sample_rate_hz);
-  if (signal.empty()) {
-    refuse_record(data_dir_ / source.file, source,
-                  "is shorter than one sample at the dataset's rate");
+  Record record{.name = source.name,
+                .label = source.label,
+                .original_sample_rate_hz = source.sample_rate_hz,
+                .shaft_speed_rpm = source.shaft_speed_rpm,
+                .source = source.file_text(),
+                .source_sha256 = sha256_of(raw.files),
+                .signal = {},
+                .parameters = std::nullopt,
+                .condition = info_.condition_called(source.condition),
+                .defect_size_mm = source.defect_size_mm,
+                .pieces = {},
+                .files = raw.files};
+  std::span<const double> rest = raw.samples;
+  for (const std::size_t length : raw.pieces) {
+    std::vector<double> piece =
+        resample(rest.first(length), source.sample_rate_hz, info_.sample_rate_hz);
+    rest = rest.subspan(length);
+    if (piece.empty()) {
+      refuse_record(all, source, "is shorter than one sample at the dataset's rate");
+    }
+    scale(piece, source, info_.unit_m_per_s2);
+    record.pieces.push_back(piece.size());
+    record.signal.insert(record.signal.end(), piece.begin(), piece.end());
   }
-  return {.name = source.name,
-          .label = source.label,
-          .original_sample_rate_hz = source.sample_rate_hz,
-          .shaft_speed_rpm = source.shaft_speed_rpm,
-          .source = source.file,
-          .source_sha256 = raw.sha256,
-          .signal = std::move(signal),
-          .parameters = std::nullopt,
-          .condition = info_.condition_called(source.condition),
-          .defect_size_mm = source.defect_size_mm};
+  return record;
 }
 
 Recordings ingest(const Description& description, const fs::path& data_dir,

@@ -12,10 +12,11 @@
 
 namespace piae::signal {
 
-/// The samples of a raw file as they stand there.
+/// The samples of a record as they stand in its files.
 struct RawRecord {
-  std::vector<double> samples;
-  std::string sha256;  ///< of the file
+  std::vector<double> samples;      ///< of all files, one behind the other
+  std::vector<std::size_t> pieces;  ///< samples of each file
+  std::vector<SourceFile> files;
 };
 
 /// Reads the raw files of a dataset below `data_dir` one by one, checks them, and brings each
@@ -26,7 +27,7 @@ class RecordReader {
 
   /// Throws Error(input_missing) for a file that is not there, and Error(bad_input), with the file
   /// and the record, for
-  ///   - a file whose sha256 is not the declared one, or that cannot be read (raw_file.hpp),
+  ///   - a file whose sha256 is not the declared one, or that cannot be read (raw/file.hpp),
   ///   - a signal that is empty, has a NaN or infinite sample (with its index), or never changes,
   ///   - the same samples as a record that was read before, under one label or two.
   Record read(const RecordSource& source) { return resampled(source, read_raw(source)); }
@@ -36,8 +37,8 @@ class RecordReader {
   [[nodiscard]] Record resampled(const RecordSource& source, const RawRecord& raw) const;
 
  private:
-  void require_new(const std::filesystem::path& file, const RecordSource& source,
-                   std::span<const double> signal);
+  [[nodiscard]] std::vector<std::string> require_files(const RecordSource& source) const;
+  void require_new(const RecordSource& source, std::span<const double> signal);
 
   DatasetInfo info_;
   std::filesystem::path data_dir_;

@@ -15,6 +15,7 @@ inline constexpr Range sample_rate_hz{.low = 1, .high = 1e7, .unit = " Hz"};
 /// more.
 inline constexpr Range described_rate_hz{.low = 1e-3, .high = 1e10, .unit = " Hz"};
 inline constexpr Range shaft_speed_rpm{.low = 1e-2, .high = 1e6, .unit = " rpm"};
+inline constexpr Range fault_order{.low = 1e-3, .high = 1e3};
 inline constexpr Range unit_m_per_s2{.low = 1e-9, .high = 1e9, .unit = " m/s^2"};
 /// Of a sample in either direction: its square is still far from what a double can hold.
 inline constexpr Range acceleration{.low = -1e30, .high = 1e30};

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "base/sha256.hpp"
 #include "signal/ranges.hpp"
 
 namespace piae::signal {
@@ -10,6 +11,7 @@ namespace piae::signal {
 namespace {
 
 const std::string records_group = "/records";
+const std::string pieces_group = "/pieces";
 
 void write_record(artefact::Writer& writer, const Record& record, const DatasetInfo& info) {
   if (!ranges::is_plain_name(record.name)) {
@@ -33,6 +35,35 @@ void write_record(artefact::Writer& writer, const Record& record, const DatasetI
   }
 }
 
+void write_pieces(artefact::Writer& writer, const std::vector<Record>& records) {
+  const auto is_of_several = [](const Record& record) { return record.pieces.size() > 1; };
+  if (std::ranges::none_of(records, is_of_several)) return;
+  writer.group(pieces_group);
+  for (const Record& record : records) {
+    if (!is_of_several(record)) continue;
+    const std::vector<std::int64_t> lengths(record.pieces.begin(), record.pieces.end());
+    writer.numbers(pieces_group + "/" + record.name, lengths);
+  }
+}
+
+/// Reads the lengths of the pieces of a record; none where it is of one piece.
+std::vector<std::size_t> read_pieces(const artefact::Reader& reader, const std::string& name,
+                                     std::size_t samples) {
+  const std::string path = pieces_group + "/" + name;
+  if (!reader.has(pieces_group) || !reader.has(path)) return {};
+  std::vector<std::size_t> pieces;
+  std::size_t left = samples;
+  for (const std::int64_t length : reader.numbers<std::int64_t>(path, {0}).values) {
+    if (length < 1 || static_cast<std::size_t>(length) > left) {
+      reader.refuse(path, "holds lengths of pieces that are not those of the record");
+    }
+    pieces.push_back(static_cast<std::size_t>(length));
+    left -= pieces.back();
+  }
+  if (left != 0) reader.refuse(path, "holds lengths of pieces that are not those of the record");
+  return pieces;
+}
+
 std::int32_t read_condition(const artefact::Reader& reader, const std::string& path,
                             const DatasetInfo& info) {
   if (!reader.has_attribute(path, "condition")) return every_condition;
@@ -53,6 +84,7 @@ Record read_record(const artefact::Reader& reader, const std::string& name,
   record.signal = reader.numbers<double>(path, {0}).values;
   if (record.signal.empty()) reader.refuse(path, "holds no sample");
   reader.require_all(path, record.signal, ranges::acceleration);
+  record.pieces = read_pieces(reader, name, record.signal.size());
   const std::int64_t label = reader.integer(path, "label");
   if (label < 0 || label >= static_cast<std::int64_t>(classes)) {
     reader.refuse(path, "has label " + std::to_string(label) + ", but there are " +
@@ -91,6 +123,17 @@ void require_a_record_for_each_class(const artefact::Reader& reader, const Recor
 
 }  // namespace
 
+std::string sha256_of(const std::vector<SourceFile>& files) {
+  if (files.size() == 1) return files.front().sha256;
+  Sha256 sum;
+  for (const SourceFile& file : files) sum.update(file.sha256 + "  " + file.name + '\n');
+  return sum.finish_hex();
+}
+
+std::vector<std::size_t> Record::piece_lengths() const {
+  return pieces.empty() ? std::vector{signal.size()} : pieces;
+}
+
 bool Recordings::have_parameters() const {
   return std::ranges::all_of(records, [](const Record& r) { return r.parameters.has_value(); });
 }
@@ -103,6 +146,7 @@ void write(artefact::Writer& writer, const Recordings& recordings) {
   write(writer, recordings.info);
   writer.group(records_group);
   for (const Record& record : recordings.records) write_record(writer, record, recordings.info);
+  write_pieces(writer, recordings.records);
 }
 
 Recordings read_recordings(const artefact::Reader& reader) {

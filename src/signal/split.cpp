@@ -16,7 +16,7 @@ namespace piae::signal {
 
 namespace {
 
-/// Where a window is cut.
+/// A place where a window is cut.
 struct Place {
   std::size_t record;  ///< index into Recordings::records
   std::size_t first_sample;
@@ -61,21 +61,27 @@ std::vector<RecordPlace> places_of(const Recordings& recordings) {
   return places;
 }
 
+/// Gives the samples of each stretch that no window leaves: a record, or a piece of one.
 std::vector<std::size_t> lengths_of(const Recordings& recordings,
                                     const std::vector<std::size_t>& indices) {
   std::vector<std::size_t> lengths;
-  lengths.reserve(indices.size());
-  for (const std::size_t i : indices) lengths.push_back(recordings.records[i].signal.size());
+  for (const std::size_t i : indices) {
+    std::ranges::copy(recordings.records[i].piece_lengths(), std::back_inserter(lengths));
+  }
   return lengths;
 }
 
-/// Where the windows of a source start, in time order, record by record.
+/// Gives the places where the windows of a source start, in time order, record by record.
 std::vector<Place> places_of(const Recordings& recordings, const std::vector<std::size_t>& records,
                              const WindowGrid& grid, std::size_t stride) {
   std::vector<Place> places;
   for (const std::size_t i : records) {
-    const std::size_t count = windows_in(recordings.records[i].signal.size(), grid.window, stride);
-    for (std::size_t k = 0; k < count; ++k) places.push_back({i, k * stride});
+    std::size_t first = 0;
+    for (const std::size_t length : recordings.records[i].piece_lengths()) {
+      const std::size_t count = windows_in(length, grid.window, stride);
+      for (std::size_t k = 0; k < count; ++k) places.push_back({i, first + k * stride});
+      first += length;
+    }
   }
   return places;
 }

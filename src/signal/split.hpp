@@ -67,8 +67,8 @@ struct Split {
 };
 
 /// Cuts every class at the largest stride up to max_stride at which its records together give
-/// windows_per_class windows, and deals these out. A record of n samples gives
-/// floor((n - window) / stride) + 1 windows. Protocols:
+/// windows_per_class windows, and deals these out. A record of n samples, or a piece of one that
+/// has pieces, gives floor((n - window) / stride) + 1 windows. Protocols:
 ///   random   The paper's: the windows of the class are dealt out in a random order. Where the
 ///            stride is below the window length, windows of different roles overlap.
 ///   blocked  The windows of the class are dealt out in time order, beginning at a random one and

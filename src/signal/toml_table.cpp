@@ -7,6 +7,7 @@
 #include "base/error.hpp"
 #include "base/one_line.hpp"
 #include "signal/description_file.hpp"
+#include "signal/meant_key.hpp"
 
 namespace piae::signal {
 
@@ -27,16 +28,30 @@ TomlTable::TomlTable(const std::filesystem::path& file)
 const toml::node& TomlTable::node(const std::string& key) {
   asked_.insert(key);
   const toml::node* node = table_->get(key);
-  if (node == nullptr) refuse(key, "is missing");
+  if (node == nullptr) refuse(key, "is missing" + given_for(key));
   return *node;
+}
+
+std::string TomlTable::given_for(const std::string& missing) const {
+  for (const auto& [key, node] : *table_) {
+    const std::string given(key.str());
+    if (asked_.contains(given)) continue;
+    const std::string meant = meant_key(given, {missing});
+    if (!meant.empty()) return "; " + given + " stands there: " + meant;
+  }
+  return {};
 }
 
 std::string TomlTable::text(const std::string& key) {
   const auto* text = node(key).as_string();
   if (text == nullptr) refuse(key, "must be a text in quotes");
-  if (text->get().empty()) refuse(key, "is empty");
-  if (has_control_characters(text->get())) refuse(key, "holds a control character");
-  return text->get();
+  return checked(key, text->get());
+}
+
+std::string TomlTable::checked(const std::string& key, const std::string& text) const {
+  if (text.empty()) refuse(key, "is empty");
+  if (has_control_characters(text)) refuse(key, "holds a control character");
+  return text;
 }
 
 std::string TomlTable::optional_text(const std::string& key) {
@@ -57,8 +72,14 @@ std::vector<std::string> TomlTable::texts(const std::string& key) {
     refuse(key, "must be a list of one or more texts in quotes");
   }
   std::vector<std::string> texts;
-  for (const toml::node& element : *array) texts.push_back(element.as_string()->get());
+  for (const toml::node& element : *array) {
+    texts.push_back(checked(key, element.as_string()->get()));
+  }
   return texts;
+}
+
+std::vector<std::string> TomlTable::text_or_texts(const std::string& key) {
+  return node(key).is_array() ? texts(key) : std::vector{text(key)};
 }
 
 std::vector<std::string> TomlTable::optional_texts(const std::string& key) {
@@ -109,7 +130,9 @@ std::vector<TomlTable> TomlTable::optional_tables(const std::string& key) {
 void TomlTable::finish() const {
   for (const auto& [key, node] : *table_) {
     const std::string name(key.str());
-    if (!asked_.contains(name)) refuse(name, "is unknown; known keys are " + keys_of(asked_));
+    if (asked_.contains(name)) continue;
+    const std::string meant = meant_key(name, asked_);
+    refuse(name, "is unknown; " + (meant.empty() ? "known keys are " + keys_of(asked_) : meant));
   }
 }
 

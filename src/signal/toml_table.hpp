@@ -35,7 +35,8 @@ class TomlTable {
   std::optional<double> optional_number(const std::string& key, const Range& range);
   std::int64_t integer(const std::string& key, const Range& range);
 
-  std::vector<std::string> texts(const std::string& key);  ///< at least one
+  std::vector<std::string> texts(const std::string& key);          ///< at least one
+  std::vector<std::string> text_or_texts(const std::string& key);  ///< a text is a list of one
   std::vector<std::string> optional_texts(const std::string& key);
 
   TomlTable table(const std::string& key);                          ///< [key]
@@ -61,6 +62,9 @@ class TomlTable {
       : file_(std::move(file)), table_(table), name_(std::move(name)) {}
 
   const toml::node& node(const std::string& key);
+  /// Says which key of the table seems to stand for a missing one; empty where none does.
+  [[nodiscard]] std::string given_for(const std::string& missing) const;
+  [[nodiscard]] std::string checked(const std::string& key, const std::string& text) const;
 
   std::shared_ptr<const File> file_;
   const toml::table* table_;

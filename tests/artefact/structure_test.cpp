@@ -64,6 +64,23 @@ TEST_F(Structure, IsGoodAsAStageWroteIt) {
   EXPECT_EQ(Reader(file_, "example").integer("/", "seed"), 3);
 }
 
+/// Attributes beyond the eighth move into a heap, which has a list of its free space.
+TEST_F(Structure, DamageInABlockThatNoValueNeedsIsRefused) {
+  Writer writer("example");
+  writer.numbers("/values", std::vector<double>{1, 2, 3});
+  for (int i = 0; i < 12; ++i) writer.attribute("/", "a" + std::to_string(i), std::int64_t{i});
+  writer.save(file_, {"tester", "", {}});
+  const std::string good = bytes_of(file_);
+  for (const char* block : {"FSHD", "FRHP", "FHDB", "BTHD", "BTLF"}) {
+    std::string damaged = good;
+    const std::size_t at = damaged.find(block);
+    ASSERT_NE(at, std::string::npos) << block;
+    damaged[at + 8] ^= 1;
+    folder_.write("a.h5", damaged);
+    EXPECT_THROW(Reader(file_, ""), Refusal) << block;
+  }
+}
+
 TEST_F(Structure, ArraysAreNoAttributes) {
   expect_refused([](hid_t file) { make_array(file, "seed", H5T_STD_I64LE, 7000); },
                  "an array of values at /, attribute seed");

@@ -41,7 +41,8 @@ TEST(CheckTables, FitIntoAHundredColumnsWhateverTheNames) {
   for (auto& c : found.description.info.classes) c.name += long_name;
   for (RecordCheck& record : found.check.records) {
     record.source.name += long_name + "-01";
-    record.source.file = long_name + "/größer-als-Kästchen-erlauben/" + record.source.file;
+    record.source.files = {long_name + "/größer-als-Kästchen-erlauben/" +
+                           record.source.file_text()};
     record.source.sample_rate_hz = 51200.5;
     record.level = Level{1.234e-5, 12345.67, 123.45};
   }

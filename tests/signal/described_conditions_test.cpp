@@ -111,7 +111,7 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"test = [\"1200 rpm\"]", "test = []", "transfer.test must be a list of one"},
         Refused{"test = [\"1200 rpm\"]", "test = \"1200 rpm\"", "transfer.test must be a list"},
         Refused{"test = [\"1200 rpm\"]", "", "transfer.test is missing"},
-        Refused{"# end", "tested = 1", "transfer.tested is unknown; known keys are healthy"},
+        Refused{"# end", "tested = 1", "transfer.tested is unknown; test is meant"},
         Refused{"# end", "healthy = [\"0 HP\"]", "transfer.healthy names '0 HP'"},
         Refused{"class = \"cracked\"\ncondition = \"900 rpm\"",
                 "class = \"cracked\"\ncondition = \"1200 rpm\"",
@@ -165,7 +165,7 @@ TEST(DescribedConditions, ARecordOfNoneMayHaveASpeedOfItsOwn) {
   const std::string text = replaced(two_speeds, "condition = \"1200 rpm\"\nshaft_speed_rpm = 1200",
                                     "shaft_speed_rpm = 1200");
   const Description description = read_description(folder.write("rig.toml", text));
-  const auto healthy = std::ranges::find(description.records, "b.csv", &RecordSource::file);
+  const auto healthy = std::ranges::find(description.records, "b.csv", &RecordSource::file_text);
   ASSERT_NE(healthy, description.records.end());
   EXPECT_EQ(healthy->condition, "");
   EXPECT_EQ(healthy->shaft_speed_rpm, 1200);

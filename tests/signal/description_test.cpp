@@ -107,7 +107,7 @@ TEST(Description, NamesRecordsAfterTheirClassAndSortsThem) {
   const Folder folder;
   const Description d = read_description(folder.write("rig.toml", good));
   std::vector<std::string> names;
-  for (const RecordSource& r : d.records) names.push_back(r.name + "=" + r.file);
+  for (const RecordSource& r : d.records) names.push_back(r.name + "=" + r.file_text());
   EXPECT_THAT(names, ElementsAre("cracked-01=rig/b.csv", "cracked-02=rig/c.csv", "ok=rig/a.mat"));
   EXPECT_EQ(d.records[0].label, 1);
   EXPECT_EQ(d.records[0].sample_rate_hz, 16000);
@@ -121,6 +121,56 @@ TEST(Description, KeepsTheUnit) {
   const Folder folder;
   const std::string text = replaced(good, "[bearing]", "unit_m_per_s2 = 9.80665\n[bearing]");
   EXPECT_EQ(read_description(folder.write("rig.toml", text)).info.unit_m_per_s2, 9.80665);
+}
+
+TEST(Description, ARecordMayHaveAUnitOfItsOwn) {
+  const Folder folder;
+  const std::string text = replaced(good, "file = \"rig/a.mat\"",
+                                    "file = \"rig/a.mat\"\nunit_m_per_s2 = 0.01\noffset = 2048");
+  const Description d = read_description(folder.write("rig.toml", text));
+  EXPECT_EQ(d.records[2].unit_m_per_s2, 0.01);
+  EXPECT_EQ(d.records[2].offset, 2048);
+  EXPECT_EQ(d.records[0].unit_m_per_s2, std::nullopt);
+  EXPECT_EQ(d.records[0].offset, 0);
+}
+
+TEST(Description, ARecordMayHaveManyFiles) {
+  const Folder folder;
+  const std::string text =
+      replaced(good, "file = \"rig/b.csv\"", "file = [\"rig/b.csv\", \"rig/b_*.csv\"]");
+  const Description d = read_description(folder.write("rig.toml", text));
+  EXPECT_THAT(d.records[0].files, ElementsAre("rig/b.csv", "rig/b_*.csv"));
+  EXPECT_EQ(d.records[0].file_text(), "rig/b.csv, rig/b_*.csv");
+  EXPECT_THAT(d.records[2].files, ElementsAre("rig/a.mat"));
+}
+
+/// The orders that CWRU's page prints of its drive end.
+std::string described_by_orders(const std::string& orders) {
+  std::string text = replaced(good, "defect_size_mm = 0.5\n", "");
+  return text.replace(text.find(bearing_table), bearing_table.size(), "[bearing]\n" + orders);
+}
+
+TEST(Description, OrdersAloneWillDoWhereNoSizeIsKnown) {
+  const Folder folder;
+  const std::string orders = "bpfo = 3.5848\nbpfi = 5.4152\nbsf = 2.357\n";
+  const Description d = read_description(folder.write("rig.toml", described_by_orders(orders)));
+  EXPECT_TRUE(d.info.has_bearing);
+  EXPECT_EQ(d.info.bearing.balls, 9);
+  EXPECT_NEAR(d.info.bearing.ball_diameter_mm / d.info.bearing.pitch_diameter_mm, 0.2034, 1e-3);
+  EXPECT_EQ(d.info.classes[1].defect_size_mm, 0);
+  const auto refused = [&](const std::string& text, const std::string& why) {
+    EXPECT_ERROR(read_description(folder.write("b.toml", text)), Exit::bad_input, why);
+  };
+  refused(described_by_orders("bpfo = 3.5\nbpfi = 5.9\n"),
+          "bearing.bpfo and the other orders are refused: bpfo + bpfi is 9.4");
+  refused(described_by_orders("bpfo = 3.5\n"), "bearing.bpfi is missing");
+  refused(described_by_orders(orders + "balls = 9\n"), "bearing.balls is unknown");
+  refused(replaced(described_by_orders(orders), "defect = \"outer\"",
+                   "defect = \"outer\"\ndefect_size_mm = 0.5"),
+          "class.defect_size_mm needs a bearing with dimensions");
+  refused(replaced(described_by_orders(orders), "file = \"rig/b.csv\"",
+                   "file = \"rig/b.csv\"\ndefect_size_mm = 0.5"),
+          "record.defect_size_mm needs a bearing with dimensions");
 }
 
 TEST(Description, DerivesTheRacewaysThatAreNotGiven) {
@@ -176,7 +226,7 @@ INSTANTIATE_TEST_SUITE_P(
         Damage{"= 8000", "= 0", "line 2: sample_rate_hz must be from 1 to 1e+07 Hz"},
         Damage{"= 8000", "= 1e300", "line 2: sample_rate_hz must be from 1 to 1e+07 Hz"},
         Damage{"= \"rig\"", "= \"a\\nb\"", "line 1: name holds a control character"},
-        Damage{"sample_rate_hz", "rate", "line 2: rate is unknown; known keys are bearing, class"},
+        Damage{"sample_rate_hz", "rate", "line 2: rate is unknown; sample_rate_hz is meant"},
         Damage{"sample_rate_hz = 8000\n", "", "rig/b.csv and rig/a.mat have different rates"},
         Damage{"shaft_speed_rpm = 900", "", "shaft_speed_rpm is missing"},
         Damage{"balls = 8", "balls = 8.5", "line 6: bearing.balls must be a whole number"},
@@ -186,7 +236,23 @@ INSTANTIATE_TEST_SUITE_P(
         Damage{"defect_size_mm = 0.5", "defect_size_mm = 50",
                "class.defect_size_mm is refused: defect size 50"},
         Damage{"= 15", "= 90", "bearing.contact_angle_deg must be from 0 to 89.999 degrees"},
-        Damage{"= \"none\"", "= \"cage\"", "class.defect holds an unknown defect 'cage'"},
+        Damage{"= \"none\"", "= \"gear\"",
+               "class.defect holds an unknown defect 'gear'; known are none, outer, inner, roller "
+               "and other"},
+        Damage{"= \"outer\"", "= \"ball\"",
+               "'ball'; known are none, outer, inner, roller and other; 'roller' is meant"},
+        Damage{"shaft_speed_rpm = 900", "shaft_speed_hz = 15",
+               "shaft_speed_rpm is missing; shaft_speed_hz stands there: shaft_speed_rpm is meant, "
+               "60 times as much"},
+        Damage{"variable = \"x\"", "column = 2",
+               "record.variable is missing; column stands there: variable is meant"},
+        Damage{"variable = \"x\"", "variable = \"x\"\ncomment = \"new\"",
+               "record.comment is unknown; known keys are class, defect_size_mm"},
+        Damage{"file = \"rig/a.mat\"", "file = [\"rig/a.mat\", \"../b.mat\"]",
+               "record.file must be a path below"},
+        Damage{"file = \"rig/a.mat\"", "file = []", "record.file must be a list of one or more"},
+        Damage{"file = \"rig/a.mat\"", "file = \"rig/*.mat\"",
+               "record.url is of one file, and this record has several"},
         Damage{"= \"none\"", "= \"none\"\ndefect_size_mm = 1", "class.defect_size_mm makes no"},
         Damage{"= \"none\"", "= \"inner\"\ndefect_size_mm = 1", "no class has defect 'none'"},
         Damage{"name = \"cracked\"", "name = \"ok\"", "class.name 'ok' is given twice"},

@@ -17,8 +17,8 @@ Description description_in(const Folder& folder) {
   d.info.name = "rig";
   d.info.sample_rate_hz = 1000;
   d.info.classes = {{"ok", Defect::none, 0}, {"bad", Defect::outer, 1}};
-  d.records = {{"bad", 1, "rig/b.csv", "1", 1000, 600, "", ""},
-               {"ok", 0, "rig/a.csv", "1", 1000, 600, "", ""}};
+  d.records = {{"bad", 1, {"rig/b.csv"}, "1", 1000, 600, "", ""},
+               {"ok", 0, {"rig/a.csv"}, "1", 1000, 600, "", ""}};
   return d;
 }
 
@@ -47,6 +47,79 @@ TEST(Ingest, BringsRecordsToTheRateOfTheDataset) {
   EXPECT_EQ(r.records[0].signal.size(), 2U);
   EXPECT_EQ(r.records[0].original_sample_rate_hz, 2000);
   EXPECT_EQ(r.records[1].signal.size(), 4U);
+}
+
+TEST(Ingest, ScalesARecordThatHasItsOwnUnit) {
+  const Folder folder;
+  Description d = description_in(folder);
+  d.info.unit_m_per_s2 = 2;
+  d.records[0].unit_m_per_s2 = 0.5;
+  d.records[0].offset = 4;
+  const Recordings r = ingest(d, folder.path());
+  EXPECT_EQ(r.records[0].signal, (std::vector<double>{0.25, 0.5, 0.75, 1}));  // (x - 4) / 4
+  EXPECT_EQ(r.records[1].signal, (std::vector<double>{1, 2, 3, 4}));
+}
+
+/// Three files of one record, at twice the rate of the dataset.
+Description many_files_in(const Folder& folder) {
+  Description d = description_in(folder);
+  folder.write("run/acc_10.csv", "7\n9\n7\n9\n7\n9\n");
+  folder.write("run/acc_2.csv", "1\n3\n1\n3\n");
+  folder.write("run/acc_1.csv", "5\n6\n5\n6\n5\n6\n5\n6\n");
+  d.records[0].files = {"run/acc_*.csv"};
+  d.records[0].sample_rate_hz = 2000;
+  return d;
+}
+
+TEST(Ingest, ReadsManyFilesAsOneRecordInTheOrderOfTheirNumbers) {
+  const Folder folder;
+  const Description d = many_files_in(folder);
+  const Record record = ingest(d, folder.path()).records[0];
+  EXPECT_EQ(record.pieces, (std::vector<std::size_t>{4, 2, 3}));
+  ASSERT_EQ(record.signal.size(), 9U);
+  EXPECT_EQ(record.source, "run/acc_*.csv");
+  ASSERT_EQ(record.files.size(), 3U);
+  EXPECT_EQ(record.files[0].name, "run/acc_1.csv");
+  EXPECT_EQ(record.files[2].name, "run/acc_10.csv");
+  EXPECT_EQ(record.files[2].sha256, sha256_of_file(folder / "run/acc_10.csv"));
+  // Each file is resampled by itself: no sample of one is in the next.
+  Description alone = d;
+  alone.records[0].files = {"run/acc_10.csv"};
+  const std::vector<double> last = ingest(alone, folder.path()).records[0].signal;
+  EXPECT_EQ(std::vector<double>(record.signal.begin() + 6, record.signal.end()), last);
+}
+
+/// What `sha256sum run/acc_1.csv run/acc_2.csv run/acc_10.csv | sha256sum` prints.
+TEST(Ingest, TheSumOfManyFilesIsThatOfTheirList) {
+  const Folder folder;
+  Description d = many_files_in(folder);
+  std::string list;
+  for (const char* name : {"run/acc_1.csv", "run/acc_2.csv", "run/acc_10.csv"}) {
+    list += sha256_of_file(folder / name) + "  " + name + '\n';
+  }
+  d.records[0].sha256 = sha256_of_file(folder.write("list", list));
+  EXPECT_EQ(ingest(d, folder.path()).records[0].source_sha256, d.records[0].sha256);
+  folder.write("run/acc_2.csv", "1\n3\n1\n4\n");
+  EXPECT_ERROR(ingest(d, folder.path()), Exit::bad_input, "run/acc_*.csv (record bad): sha256 is ");
+}
+
+TEST(Ingest, NamesTheFileOfManyThatIsWrong) {
+  const Folder folder;
+  Description d = many_files_in(folder);
+  folder.write("run/acc_2.csv", "1\n3\nnan\n");
+  EXPECT_ERROR(ingest(d, folder.path()), Exit::bad_input,
+               "run/acc_2.csv (record bad): 1 is NaN, infinite or beyond 32 bits at sample 2");
+  folder.write("run/acc_2.csv", "1\n3\nx\n");
+  EXPECT_ERROR(ingest(d, folder.path()), Exit::bad_input, "run/acc_2.csv, line 3: ");
+  folder.write("run/acc_2.csv", "");
+  EXPECT_ERROR(ingest(d, folder.path()), Exit::bad_input,
+               "acc_2.csv (record bad): 1 holds no sample");
+  d.records[0].files = {"run/acc_1.csv", "run/acc_3.csv"};
+  EXPECT_ERROR(ingest(d, folder.path()), Exit::input_missing,
+               "run/acc_3.csv: no such file; record bad");
+  d.records[0].files = {"run/b*.csv"};
+  EXPECT_ERROR(ingest(d, folder.path()), Exit::input_missing,
+               "run/b*.csv: matches no file; record bad");
 }
 
 TEST(Ingest, MissingFileSaysWhatWouldHelp) {

@@ -30,7 +30,7 @@ fs::path data_dir_with(const Description& description) {
   const char* folder = std::getenv("DATA_DIR");
   if (folder == nullptr || *folder == '\0') return {};
   for (const RecordSource& source : description.records) {
-    if (!fs::exists(fs::path(folder) / source.file)) return {};
+    if (!fs::exists(fs::path(folder) / source.file_text())) return {};
   }
   return folder;
 }
@@ -68,7 +68,7 @@ TEST(RealDescriptions, DifferBetweenCwruAndAsPublishedInTheRateOf97Alone) {
   const Description right = description_of("cwru");
   const Description published = description_of("cwru-as-published");
   for (std::size_t i = 0; i < right.records.size(); ++i) {
-    const bool is_97 = right.records[i].file == "cwru/97.mat";
+    const bool is_97 = right.records[i].file_text() == "cwru/97.mat";
     EXPECT_EQ(right.records[i].sha256, published.records[i].sha256);
     EXPECT_EQ(right.records[i].sample_rate_hz, is_97 ? 48000 : 12000);
     EXPECT_EQ(published.records[i].sample_rate_hz, 12000);

@@ -49,6 +49,24 @@ TEST(Recordings, ComeBackFromTheirFile) {
   EXPECT_EQ(out.records[3].parameters->damping_ns_per_m, 500);
 }
 
+TEST(Recordings, ComeBackWithTheirPieces) {
+  const Folder folder;
+  Recordings in = counting_recordings(10);
+  in.records[2].pieces = {3, 7};
+  in.records[3].pieces = {10};
+  const Recordings out = load(save(folder, in));
+  EXPECT_EQ(out.records[2].pieces, (std::vector<std::size_t>{3, 7}));
+  EXPECT_EQ(out.records[2].piece_lengths(), (std::vector<std::size_t>{3, 7}));
+  EXPECT_EQ(out.records[3].pieces, std::vector<std::size_t>{});  // of one: it is the record
+  EXPECT_EQ(out.records[3].piece_lengths(), std::vector<std::size_t>{10});
+  for (const std::vector<std::size_t>& wrong :
+       {std::vector<std::size_t>{3, 6}, {3, 8}, {0, 10}, {11, 1}}) {
+    in.records[2].pieces = wrong;
+    EXPECT_ERROR(load(save(folder, in)), Exit::bad_input,
+                 "/pieces/N holds lengths of pieces that are not those of the record");
+  }
+}
+
 TEST(Recordings, ComeBackWithTheirConditionsAndSizes) {
   const Folder folder;
   Recordings in = counting_transfer(10);

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <set>
 
 #include "signal/counting.hpp"
@@ -53,6 +55,37 @@ TEST_P(Protocols, DealOutThePapersNumbers) {
     EXPECT_EQ(s.sets[C].count_of(label), healthy ? 0U : 5U);
     EXPECT_EQ(s.sets[D].count_of(label), healthy ? 0U : 495U);
   }
+}
+
+/// Pieces of 2500, 700 and 3000 samples in turn: the second ones hold no window.
+TEST_P(Protocols, LetNoWindowCrossFromOnePieceIntoTheNext) {
+  Recordings recordings = counting_recordings(80000);
+  for (Record& record : recordings.records) {
+    std::size_t left = record.signal.size();
+    for (std::size_t i = 0; left > 0; ++i) {
+      record.pieces.push_back(std::min(left, std::array<std::size_t, 3>{2500, 700, 3000}[i % 3]));
+      left -= record.pieces.back();
+    }
+  }
+  const SplitOptions options = options_of(GetParam());
+  const Split s = split(recordings, options);
+  std::size_t windows = 0;
+  for (const WindowSet& set : s.sets) {
+    for (std::size_t i = 0; i < set.size(); ++i, ++windows) {
+      const auto first = static_cast<std::size_t>(set.first_sample[i]);
+      std::size_t begin = 0;
+      for (const std::size_t length :
+           recordings.records[static_cast<std::size_t>(set.record[i])].pieces) {
+        if (first < begin + length) {
+          EXPECT_LE(first + set.length, begin + length);
+          break;
+        }
+        begin += length;
+      }
+    }
+  }
+  EXPECT_EQ(windows, 1800U);
+  EXPECT_THAT(check_roles(role_sets(s, options)), IsEmpty());
 }
 
 /// C is there, of the same data set and records, and everybody else has what they have.

@@ -1,0 +1,185 @@
+#include "signal/bearing_table.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+#include <fstream>
+#include <span>
+#include <vector>
+
+#include "base/error.hpp"
+#include "base/numbers.hpp"
+#include "bearing/kinematics.hpp"
+#include "bearing/orders.hpp"
+
+namespace piae::signal {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Words = std::vector<std::string>;
+using Keys = std::map<std::string, double>;
+
+constexpr std::array geometry_keys{"balls", "ball_diameter_mm", "pitch_diameter_mm",
+                                   "contact_angle_deg"};
+constexpr std::array order_keys{"bpfo", "bpfi", "bsf", "ftf"};
+constexpr const char* header =
+    "designation,balls,ball_diameter_mm,pitch_diameter_mm,contact_angle_deg,bpfo,bpfi,bsf,ftf,"
+    "source";
+
+struct Row {
+  std::string designation;
+  Keys keys;
+};
+
+/// Splits "SKF 6205-2RS" into SKF, 6205 and 2RS.
+Words words_of(const std::string& designation) {
+  Words words(1);
+  for (const char c : designation) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (std::isalnum(byte)) {
+      words.back() += static_cast<char>(std::toupper(byte));
+    } else if (!words.back().empty()) {
+      words.emplace_back();
+    }
+  }
+  if (words.back().empty()) words.pop_back();
+  return words;
+}
+
+std::string joined(std::span<const std::string> words) {
+  std::string text;
+  for (const std::string& word : words) text += word;
+  return text;
+}
+
+/// Returns whether words of the row that follow one another are the one that is asked for.
+bool holds_words(const Words& row, const std::string& asked) {
+  for (std::size_t first = 0; first < row.size(); ++first) {
+    for (std::size_t count = 1; first + count <= row.size(); ++count) {
+      if (joined(std::span(row).subspan(first, count)) == asked) return true;
+    }
+  }
+  return false;
+}
+
+std::vector<std::string> fields_of(const std::string& line) {
+  std::vector<std::string> fields(1);
+  for (const char c : line) {
+    if (c == ',') {
+      fields.emplace_back();
+    } else {
+      fields.back() += c;
+    }
+  }
+  return fields;
+}
+
+/// Adds the numbers of those keys that a row has.
+void add_keys(std::span<const char* const> names, std::span<const std::string> fields,
+              const std::string& place, Keys& keys) {
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (fields[i].empty()) continue;
+    const auto number = number_in<double>(fields[i]);
+    if (!number) throw Error(Exit::bad_input, place + ": '" + fields[i] + "' is not a number");
+    keys[names[i]] = *number;
+  }
+}
+
+std::vector<Row> rows_of(const fs::path& table) {
+  std::ifstream in(table);
+  std::string line;
+  if (!std::getline(in, line)) {
+    throw Error(Exit::input_missing, table.string() + ": the table of bearings cannot be read");
+  }
+  if (line != header) {
+    throw Error(Exit::bad_input, table.string() + ", line 1: is not '" + header + "'");
+  }
+  std::vector<Row> rows;
+  for (std::size_t number = 2; std::getline(in, line); ++number) {
+    const std::string place = table.string() + ", line " + std::to_string(number);
+    const std::vector<std::string> fields = fields_of(line);
+    if (fields.size() != 10) {
+      throw Error(Exit::bad_input, place + ": has " + std::to_string(fields.size()) +
+                                       " fields, not 10; a source has no commas");
+    }
+    const std::span rest(fields);
+    Row row{.designation = fields.front(), .keys = {}};
+    add_keys(geometry_keys, rest.subspan(1, 4), place, row.keys);
+    if (row.keys.empty()) add_keys(order_keys, rest.subspan(5, 4), place, row.keys);
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+/// Gives BPFO and BPFI of one turn a second.
+std::array<double, 2> lines_of(const Keys& keys) {
+  if (keys.contains("bpfo")) return {keys.at("bpfo"), keys.at("bpfi")};
+  bearing::Geometry geometry;
+  geometry.balls = static_cast<int>(keys.at("balls"));
+  geometry.ball_diameter_mm = keys.at("ball_diameter_mm");
+  geometry.pitch_diameter_mm = keys.at("pitch_diameter_mm");
+  geometry.contact_angle_deg = keys.at("contact_angle_deg");
+  const auto f = bearing::fault_frequencies(geometry, 60);
+  return {f.bpfo_hz, f.bpfi_hz};
+}
+
+bool have_the_same_lines(const Row& a, const Row& b) {
+  const auto one = lines_of(a.keys);
+  const auto other = lines_of(b.keys);
+  return std::abs(one[0] / other[0] - 1) < 0.01 && std::abs(one[1] / other[1] - 1) < 0.01;
+}
+
+std::string names_of(const std::vector<Row>& rows) {
+  std::string names;
+  for (const Row& row : rows) names += (names.empty() ? "" : ", ") + row.designation;
+  return names;
+}
+
+/// Gives the rows whose whole designation is asked for; where none is so, those that hold its
+/// words.
+std::vector<Row> rows_called(const std::string& asked, const std::vector<Row>& rows) {
+  std::vector<Row> whole;
+  std::vector<Row> part;
+  for (const Row& row : rows) {
+    const Words words = words_of(row.designation);
+    if (joined(words) == asked) whole.push_back(row);
+    if (holds_words(words, asked)) part.push_back(row);
+  }
+  return whole.empty() ? part : whole;
+}
+
+/// Gives the rows that share a word with what was asked for, as a help.
+std::vector<Row> rows_like(const Words& asked, const std::vector<Row>& rows) {
+  std::vector<Row> like;
+  for (const Row& row : rows) {
+    const Words words = words_of(row.designation);
+    if (std::ranges::find_first_of(words, asked) != words.end()) like.push_back(row);
+  }
+  return like;
+}
+
+}  // namespace
+
+Keys bearing_called(const std::string& designation, const fs::path& table) {
+  const std::vector<Row> rows = rows_of(table);
+  const Words words = words_of(designation);
+  const std::vector<Row> found = rows_called(joined(words), rows);
+  if (found.empty()) {
+    const std::string like = names_of(rows_like(words, rows));
+    throw Error(Exit::bad_input,
+                "'" + designation + "' has no row in " + table.string() +
+                    (like.empty() ? "" : "; it has " + like) +
+                    "; give balls, ball_diameter_mm, pitch_diameter_mm and contact_angle_deg, or "
+                    "bpfo and bpfi, from a data sheet");
+  }
+  for (const Row& row : found) {
+    if (have_the_same_lines(row, found.front())) continue;
+    throw Error(Exit::bad_input, "'" + designation + "' may be one of " + names_of(found) +
+                                     ", whose fault lines differ: name one of them");
+  }
+  return found.front().keys;
+}
+
+}  // namespace piae::signal

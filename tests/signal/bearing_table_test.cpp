@@ -1,0 +1,136 @@
+#include "signal/bearing_table.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "bearing/kinematics.hpp"
+#include "bearing/orders.hpp"
+#include "support/errors.hpp"
+#include "support/folder.hpp"
+
+namespace piae::signal {
+namespace {
+
+using testing::ElementsAre;
+using testing::Pair;
+
+const std::string table_head =
+    "designation,balls,ball_diameter_mm,pitch_diameter_mm,contact_angle_deg,bpfo,bpfi,bsf,ftf,"
+    "source\n";
+const std::string some_rows = table_head +
+                         "SKF 6205-2RS JEM,9,7.94,39.04,0,3.5848,5.4152,2.357,0.39828,a page\n"
+                         "KG 6205,9,7.938,39,0,,,,,a paper\n"
+                         "FAG NU2205,13,7.5,38.5,0,,,,,another\n"
+                         "MB ER-16K,9,7.9375,38.5064,0,,,,,a readme\n"
+                         "NTN 6201,,,,,2.55,4.45,,,orders alone\n"
+                         "NTN 6201 wide,,,,,3.1,4.9,2.0,0.38,others\n";
+
+TEST(BearingTable, GivesAGeometryByTheWholeDesignation) {
+  const Folder folder;
+  const auto table = folder.write("bearings.csv", some_rows);
+  EXPECT_THAT(bearing_called("MB ER-16K", table),
+              ElementsAre(Pair("ball_diameter_mm", 7.9375), Pair("balls", 9),
+                          Pair("contact_angle_deg", 0), Pair("pitch_diameter_mm", 38.5064)));
+  EXPECT_EQ(bearing_called("kg6205", table).at("pitch_diameter_mm"), 39);
+}
+
+TEST(BearingTable, GivesItBySomeOfItsWords) {
+  const Folder folder;
+  const auto table = folder.write("bearings.csv", some_rows);
+  EXPECT_EQ(bearing_called("6205-2RS", table).at("pitch_diameter_mm"), 39.04);
+  EXPECT_EQ(bearing_called("SKF 6205", table).at("pitch_diameter_mm"), 39.04);
+  EXPECT_EQ(bearing_called("ER16K", table).at("balls"), 9);
+  EXPECT_EQ(bearing_called("6205", table).at("pitch_diameter_mm"), 39.04);  // the first of two
+}
+
+TEST(BearingTable, GivesOrdersWhereThereIsNoGeometry) {
+  const Folder folder;
+  EXPECT_THAT(bearing_called("NTN 6201", folder.write("bearings.csv", some_rows)),
+              ElementsAre(Pair("bpfi", 4.45), Pair("bpfo", 2.55)));
+}
+
+TEST(BearingTable, SaysWhatItHasInstead) {
+  const Folder folder;
+  const auto table = folder.write("bearings.csv", some_rows);
+  const auto refused = [&](const std::string& designation, const std::string& why) {
+    EXPECT_ERROR(bearing_called(designation, table), Exit::bad_input, why);
+  };
+  refused("NSK 6205", "'NSK 6205' has no row in " + table.string() +
+                          "; it has SKF 6205-2RS JEM, KG 6205; give balls, ball_diameter_mm");
+  refused("6311", "'6311' has no row in " + table.string() + "; give balls");
+  refused("620", "'620' has no row");  // no part of a word will do
+  refused("6201", "'6201' may be one of NTN 6201, NTN 6201 wide, whose fault lines differ");
+}
+
+TEST(BearingTable, IsRefusedWhereItIsDamaged) {
+  const Folder folder;
+  const auto with = [&](const std::string& text) {
+    return bearing_called("6205", folder.write("bearings.csv", text));
+  };
+  EXPECT_ERROR(with("designation,balls\n6205,9\n"), Exit::bad_input,
+               "bearings.csv, line 1: is not ");
+  EXPECT_ERROR(with(table_head + "6205,9,7.94,39,0,,,,,a page, b\n"), Exit::bad_input,
+               "bearings.csv, line 2: has 11 fields");
+  EXPECT_ERROR(with(table_head + "6205,nine,7.94,39,0,,,,,a page\n"), Exit::bad_input,
+               "bearings.csv, line 2: 'nine' is not a number");
+  EXPECT_ERROR(bearing_called("6205", folder / "none.csv"), Exit::input_missing, "none.csv: ");
+}
+
+/// The rows of the project's own table, by an independent reading of it.
+std::vector<std::vector<std::string>> own_rows() {
+  std::istringstream in(bytes_of(std::filesystem::path(PIAE_SOURCE) / "pipeline/bearings.csv"));
+  std::vector<std::vector<std::string>> rows;
+  for (std::string line; std::getline(in, line);) {
+    auto& fields = rows.emplace_back();
+    std::istringstream of_line(line + ',');
+    for (std::string field; std::getline(of_line, field, ',');) fields.push_back(field);
+  }
+  rows.erase(rows.begin());
+  return rows;
+}
+
+TEST(OwnBearings, CanEachBeUsedAndHaveASource) {
+  const std::filesystem::path table = std::filesystem::path(PIAE_SOURCE) / "pipeline/bearings.csv";
+  const auto rows = own_rows();
+  EXPECT_GE(rows.size(), 40U);
+  for (const auto& row : rows) {
+    ASSERT_EQ(row.size(), 10U) << row[0];
+    EXPECT_GT(row[9].size(), 20U) << row[0];
+    const auto keys = bearing_called(row[0], table);
+    if (keys.contains("bpfo")) {
+      const auto bsf = keys.find("bsf");
+      bearing::Orders orders{.bpfo = keys.at("bpfo"), .bpfi = keys.at("bpfi")};
+      if (bsf != keys.end()) orders.bsf = bsf->second;
+      EXPECT_NO_THROW(bearing::validate(bearing::geometry_of(orders))) << row[0];
+    } else {
+      EXPECT_EQ(keys.at("pitch_diameter_mm"), std::stod(row[3])) << row[0];
+    }
+  }
+}
+
+/// Harris' formulae, at one turn a second.
+TEST(OwnBearings, HaveTheOrdersThatWerePublished) {
+  std::size_t compared = 0;
+  for (const auto& row : own_rows()) {
+    if (row[1].empty()) continue;
+    const double n = std::stod(row[1]);
+    const double d = std::stod(row[2]);
+    const double pitch = std::stod(row[3]);
+    const double gamma = d / pitch * std::cos(std::stod(row[4]) * std::numbers::pi / 180);
+    const std::array expected{n / 2 * (1 - gamma), n / 2 * (1 + gamma),
+                              pitch / (2 * d) * (1 - gamma * gamma), (1 - gamma) / 2};
+    for (std::size_t i = 0; i < expected.size(); ++i) {
+      if (row[5 + i].empty()) continue;
+      EXPECT_NEAR(std::stod(row[5 + i]), expected.at(i), 0.01 * expected.at(i)) << row[0];
+      ++compared;
+    }
+  }
+  EXPECT_GE(compared, 20U);
+}
+
+}  // namespace
+}  // namespace piae::signal

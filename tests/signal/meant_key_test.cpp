@@ -1,0 +1,56 @@
+#include "signal/meant_key.hpp"
+
+#include <gtest/gtest.h>
+
+namespace piae::signal {
+namespace {
+
+const std::set<std::string> of_a_record{
+    "class",  "condition",       "defect_size_mm", "file", "sample_rate_hz",
+    "sha256", "shaft_speed_rpm", "unit_m_per_s2",  "url",  "variable"};
+const std::set<std::string> of_a_bearing{"balls", "ball_diameter_mm", "pitch_diameter_mm",
+                                         "contact_angle_deg", "designation"};
+
+TEST(MeantKey, IsInAnotherUnit) {
+  EXPECT_EQ(meant_key("shaft_speed_hz", of_a_record), "shaft_speed_rpm is meant, 60 times as much");
+  EXPECT_EQ(meant_key("sample_rate_khz", of_a_record),
+            "sample_rate_hz is meant, 1000 times as much");
+  EXPECT_EQ(meant_key("defect_size_mil", of_a_record),
+            "defect_size_mm is meant, 0.0254 times as much");
+  EXPECT_EQ(meant_key("ball_diameter_in", of_a_bearing),
+            "ball_diameter_mm is meant, 25.4 times as much");
+  EXPECT_EQ(meant_key("contact_angle_rad", of_a_bearing),
+            "contact_angle_deg is meant, 57.2958 times as much");
+}
+
+TEST(MeantKey, LacksItsUnit) {
+  EXPECT_EQ(meant_key("sample_rate", of_a_record), "sample_rate_hz is meant");
+  EXPECT_EQ(meant_key("contact_angle", of_a_bearing), "contact_angle_deg is meant");
+}
+
+TEST(MeantKey, IsAnotherWord) {
+  EXPECT_EQ(meant_key("column", of_a_record), "variable is meant");
+  EXPECT_EQ(meant_key("Channel", of_a_record), "variable is meant");
+  EXPECT_EQ(meant_key("fs", of_a_record), "sample_rate_hz is meant");
+  EXPECT_EQ(meant_key("rolling-elements", of_a_bearing), "balls is meant");
+  EXPECT_EQ(meant_key("column", of_a_bearing), "");  // which has no variable
+}
+
+TEST(MeantKey, DiffersByALetterOrTwo) {
+  EXPECT_EQ(meant_key("varaible", of_a_record), "variable is meant");
+  EXPECT_EQ(meant_key("shaft_speeds_rpm", of_a_record), "shaft_speed_rpm is meant");
+  EXPECT_EQ(meant_key("ur", of_a_record), "");  // too short to say
+  EXPECT_EQ(meant_key("comment", of_a_record), "");
+}
+
+TEST(MeantDefect, IsAnotherWord) {
+  EXPECT_EQ(meant_defect("ball"), "roller");
+  EXPECT_EQ(meant_defect("Inner_Race"), "inner");
+  EXPECT_EQ(meant_defect("OR"), "outer");
+  EXPECT_EQ(meant_defect("normal"), "none");
+  EXPECT_EQ(meant_defect("cage"), "other");
+  EXPECT_EQ(meant_defect("gear"), "");
+}
+
+}  // namespace
+}  // namespace piae::signal
