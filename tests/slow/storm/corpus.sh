@@ -170,7 +170,7 @@ else
 fi
 
 # ---- what is read before there are artefacts ----------------------------------------------------
-mkdir -p "$folder"/inputs/{mat,csv,hdf5,sound,npy,description,simulation,protocol,published,artefact}
+mkdir -p "$folder"/inputs/{mat,csv,hdf5,sound,npy,tdms,description,simulation,protocol,published,artefact}
 cd "$folder/inputs"
 "$bin/storm_raw" .
 {
