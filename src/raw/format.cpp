@@ -10,6 +10,7 @@
 #include "raw/npy.hpp"
 #include "raw/sound.hpp"
 #include "raw/tdms.hpp"
+#include "raw/uff.hpp"
 
 namespace piae::raw {
 
@@ -63,8 +64,8 @@ const std::array marks{
 };
 
 /// Extensions of formats that say in their first bytes what they are.
-constexpr std::array marked_extensions{".mat", ".h5",  ".hdf5", ".npy",  ".wav",
-                                       ".w64", ".aif", ".aiff", ".flac", ".tdms"};
+constexpr std::array marked_extensions{".mat", ".h5",   ".hdf5", ".npy",  ".wav", ".w64",
+                                       ".aif", ".aiff", ".flac", ".tdms", ".uff", ".unv"};
 
 /// In lower case, as loggers write .CSV and .MAT, too.
 std::string extension_of(const fs::path& file) {
@@ -106,6 +107,7 @@ Read reader_of(const fs::path& file) {
     if (mark.read == nullptr) refuse_file(file, mark.instead);
     return mark.read;
   }
+  if (is_uff(bytes)) return read_uff;
   const std::string extension = extension_of(file);
   if (std::ranges::count(marked_extensions, extension) == 0) return unrated<read_csv>;
   if (extension != ".mat") {

@@ -12,6 +12,7 @@
 #include "raw/npy.hpp"
 #include "raw/sound.hpp"
 #include "raw/tdms.hpp"
+#include "raw/uff.hpp"
 #include "report/published.hpp"
 #include "settings/protocol.hpp"
 #include "settings/sweeps.hpp"
@@ -42,6 +43,8 @@ void read_tdms(const fs::path& file) {
   (void)raw::read_tdms(file, "rig/n");
   (void)raw::read_tdms(file, "2");
 }
+
+void read_uff(const fs::path& file) { (void)raw::read_uff(file, "2"); }
 
 void read_npy(const fs::path& file) { (void)raw::read_npy(file, "1"); }
 
@@ -96,13 +99,14 @@ void read_artefact(const fs::path& file) {
   if (is_classifier(file)) ask_classifier(file);
 }
 
-constexpr std::array<Target, 11> all{{
+constexpr std::array<Target, 12> all{{
     {"mat", read_mat, true},
     {"csv", read_csv, false},
     {"hdf5", read_hdf5, true},
     {"sound", read_sound, true},
     {"npy", read_npy, false},
     {"tdms", read_tdms, false},
+    {"uff", read_uff, false},
     {"description", read_description, false},
     {"simulation", read_simulation, false},
     {"protocol", read_protocol, false},
