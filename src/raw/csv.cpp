@@ -32,21 +32,6 @@ std::string_view field_of(const fs::path& file, std::size_t number, std::string_
   return found;
 }
 
-/// Which sign a column has before its decimals. Both in one column are a sign of thousands.
-class DecimalSign {
- public:
-  /// True if the field goes together with those before.
-  bool fits(std::string_view field) {
-    comma_ = comma_ || field.find(',') != std::string_view::npos;
-    point_ = point_ || field.find('.') != std::string_view::npos;
-    return !(comma_ && point_);
-  }
-
- private:
-  bool comma_ = false;
-  bool point_ = false;
-};
-
 /// "05" and "-0" are no whole numbers as a program writes them, but what commas leave of 1,05 and
 /// -0,5, unless another field of the line has a decimal point.
 bool is_torn_decimal(std::string_view field, std::string_view line) {

@@ -56,6 +56,25 @@ inline std::string_view take_field(std::optional<std::string_view>& line, char s
 /// plus may stand before it. None for any other text.
 std::optional<double> number_in_field(std::string_view field, char separator);
 
+/// Which sign a column has before its decimals. Both in one column are a sign of thousands.
+class DecimalSign {
+ public:
+  DecimalSign() = default;
+  /// The sign that a file says that it has, "." or ",".
+  explicit DecimalSign(std::string_view said) : comma_(said == ","), point_(said == ".") {}
+
+  /// True if the field goes together with those before.
+  bool fits(std::string_view field) {
+    comma_ = comma_ || field.find(',') != std::string_view::npos;
+    point_ = point_ || field.find('.') != std::string_view::npos;
+    return !(comma_ && point_);
+  }
+
+ private:
+  bool comma_ = false;
+  bool point_ = false;
+};
+
 /// Finds the separator of a line's fields: a semicolon, a tab, a bar, a comma or blanks.
 char separator_of(std::string_view line);
 

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "raw/file.hpp"
+#include "raw/lvm.hpp"
 #include "raw/npy.hpp"
 #include "raw/sound.hpp"
 #include "raw/tdms.hpp"
@@ -43,6 +44,7 @@ const std::array marks{
     Mark{"AIFC", 8, read_sound},
     Mark{"fLaC", 0, read_sound},
     Mark{"riff\x2e\x91\xcf\x11", 0, read_sound},  // W64
+    Mark{"LabVIEW Measurement", 0, read_lvm},
     Mark{"TDSm", 0, read_tdms},
     Mark{"TDSh", 0, nullptr, "is the index of a TDMS file: name the file that ends in .tdms"},
     Mark{"\x1f\x8b", 0, nullptr, "is packed by gzip: unpack it (gunzip)"},

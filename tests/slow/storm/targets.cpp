@@ -9,6 +9,7 @@
 #include "classification/verdict.hpp"
 #include "diagnosis/fitting_signal.hpp"
 #include "raw/file.hpp"
+#include "raw/lvm.hpp"
 #include "raw/npy.hpp"
 #include "raw/sound.hpp"
 #include "raw/tdms.hpp"
@@ -45,6 +46,11 @@ void read_tdms(const fs::path& file) {
 }
 
 void read_uff(const fs::path& file) { (void)raw::read_uff(file, "2"); }
+
+void read_lvm(const fs::path& file) {
+  (void)raw::read_lvm(file, "1");
+  (void)raw::read_lvm(file, "y");
+}
 
 void read_npy(const fs::path& file) { (void)raw::read_npy(file, "1"); }
 
@@ -99,7 +105,7 @@ void read_artefact(const fs::path& file) {
   if (is_classifier(file)) ask_classifier(file);
 }
 
-constexpr std::array<Target, 12> all{{
+constexpr std::array<Target, 13> all{{
     {"mat", read_mat, true},
     {"csv", read_csv, false},
     {"hdf5", read_hdf5, true},
@@ -107,6 +113,7 @@ constexpr std::array<Target, 12> all{{
     {"npy", read_npy, false},
     {"tdms", read_tdms, false},
     {"uff", read_uff, false},
+    {"lvm", read_lvm, false},
     {"description", read_description, false},
     {"simulation", read_simulation, false},
     {"protocol", read_protocol, false},
