@@ -16,6 +16,20 @@ inline std::string_view trimmed(std::string_view text, const char* what) {
   return text.substr(first, text.find_last_not_of(what) - first + 1);
 }
 
+/// Tells text, such as names of columns, by its letters. A damaged number has none, or is one of a
+/// few that do.
+inline bool holds_letters(std::string_view text) {
+  return std::ranges::any_of(text, [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || static_cast<unsigned char>(c) > 127;
+  });
+}
+
+/// True of a line that begins with # or %.
+inline bool is_csv_comment(std::string_view line) {
+  const std::string_view text = trimmed(line, blanks);
+  return text.starts_with('#') || text.starts_with('%');
+}
+
 /// Takes the next line off a text, without its LF, CRLF or CRCRLF. What follows the last line end
 /// is no line if it is empty.
 inline std::string_view take_line(std::string_view& text) {

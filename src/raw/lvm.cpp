@@ -106,7 +106,7 @@ class LvmReader {
     if (found) return *found;
     if (std::ranges::any_of(names, has_control_characters)) {
       refuse_line(
-          fmt::format("has no channel {}: it is not in UTF-8, so name the channel by its "
+          fmt::format("has no channel {}; it is not in UTF-8, so name the channel by its "
                       "number, 1 to {}",
                       wanted, channels));
     }

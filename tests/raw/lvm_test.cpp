@@ -139,7 +139,7 @@ TEST_F(Lvm, ThatIsNotInUtf8IsReadByNumber) {
   EXPECT_THAT(samples(text, "1"), ElementsAre(1, 3, 5));
   EXPECT_THAT(samples(text, "force"), ElementsAre(2, 4, 6));
   expect_refused(text, "Schwingstärke",
-                 ", line 22: has no channel Schwingstärke: it is not in UTF-8, so name the channel "
+                 ", line 22: has no channel Schwingstärke; it is not in UTF-8, so name the channel "
                  "by its number, 1 to 2");
 }
 
