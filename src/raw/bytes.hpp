@@ -1,18 +1,27 @@
 #pragma once
 
+#include <algorithm>
+#include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 
 namespace piae::raw {
 
-/// A whole number of 4 bytes among those of a file.
-inline std::uint32_t number_at(std::span<const std::byte> bytes, std::size_t at, bool big_endian) {
-  std::uint32_t number = 0;
-  for (std::size_t i = 0; i < 4; ++i) {
-    number = number << 8U | std::to_integer<std::uint32_t>(bytes[at + (big_endian ? i : 3 - i)]);
-  }
-  return number;
+/// Reads a number of type T at a place among the bytes of a file, which must hold all of it.
+template <class T = std::uint32_t>
+T number_at(std::span<const std::byte> bytes, std::size_t at, bool big_endian) {
+  std::array<std::byte, sizeof(T)> own{};
+  std::ranges::copy(bytes.subspan(at, sizeof(T)), own.begin());
+  if (big_endian != (std::endian::native == std::endian::big)) std::ranges::reverse(own);
+  return std::bit_cast<T>(own);
+}
+
+/// The same as a double, for tables of number types.
+template <class T>
+double double_at(std::span<const std::byte> bytes, std::size_t at, bool big_endian) {
+  return static_cast<double>(number_at<T>(bytes, at, big_endian));
 }
 
 }  // namespace piae::raw

@@ -1,3 +1,5 @@
+#include <spdlog/fmt/fmt.h>
+
 #include <optional>
 #include <string_view>
 
@@ -12,6 +14,26 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// True of a line that is blank, a comment or text, as it stands where another table begins.
+bool holds_no_number(std::string_view line, char separator) {
+  if (trimmed(line, blanks).empty() || is_csv_comment(line)) return true;
+  for (std::optional rest = line; rest;) {
+    if (number_in_field(take_field(rest, separator), separator)) return false;
+  }
+  return holds_letters(line);
+}
+
+/// Refuses a line where numbers end and another table may begin.
+void require_same_table(const fs::path& file, std::size_t number, std::string_view line,
+                        const CsvLayout& layout) {
+  if (number == layout.first_line || !holds_no_number(line, layout.separator)) return;
+  const std::string_view text = trimmed(line, blanks);
+  refuse_csv_line(file, number,
+                  (text.empty() ? "is blank" : "holds " + csv_field_in_quotes(text)) +
+                      " between the numbers; where another table begins here, save that in a file "
+                      "of its own");
+}
+
 /// The field of the column in a line, which must have as many as all, and may end with a separator.
 std::string_view field_of(const fs::path& file, std::size_t number, std::string_view line,
                           const CsvLayout& layout) {
@@ -25,27 +47,13 @@ std::string_view field_of(const fs::path& file, std::size_t number, std::string_
   }
   const bool ends_with_separator = count == layout.fields + 1 && last.empty();
   if (count != layout.fields && !ends_with_separator) {
+    require_same_table(file, number, line, layout);
     refuse_csv_line(file, number,
                     "has " + std::to_string(count) + " fields, the lines before " +
                         std::to_string(layout.fields));
   }
   return found;
 }
-
-/// Which sign a column has before its decimals. Both in one column are a sign of thousands.
-class DecimalSign {
- public:
-  /// True if the field goes together with those before.
-  bool fits(std::string_view field) {
-    comma_ = comma_ || field.find(',') != std::string_view::npos;
-    point_ = point_ || field.find('.') != std::string_view::npos;
-    return !(comma_ && point_);
-  }
-
- private:
-  bool comma_ = false;
-  bool point_ = false;
-};
 
 /// "05" and "-0" are no whole numbers as a program writes them, but what commas leave of 1,05 and
 /// -0,5, unless another field of the line has a decimal point.
@@ -56,6 +64,19 @@ bool is_torn_decimal(std::string_view field, std::string_view line) {
   const bool is_padded = field.size() > 1 && field.front() == '0' &&
                          field.find_first_not_of("0123456789") == std::string_view::npos;
   return (is_negative && field == "0") || is_padded;
+}
+
+/// True if a number with a sign stands where only decimals would, were commas decimal ones: behind
+/// every other comma.
+bool has_signs_behind_commas(std::string_view text) {
+  while (!text.empty()) {
+    std::size_t index = 0;
+    for (std::optional rest = take_line(text); rest; ++index) {
+      const std::string_view field = take_field(rest, ',');
+      if (index % 2 == 1 && (field.starts_with('-') || field.starts_with('+'))) return true;
+    }
+  }
+  return false;
 }
 
 /// The most fields of one moment: a recording has fewer channels.
@@ -69,24 +90,31 @@ std::vector<double> read_csv(const fs::path& file, const std::string& column) {
   std::string_view rest = layout.numbers;
   std::vector<double> numbers;
   DecimalSign sign;
+  bool may_be_torn = layout.separator == ',' && layout.fields % 2 == 0 && !layout.has_name;
   for (std::size_t line = layout.first_line; !rest.empty(); ++line) {
     const std::string_view all = take_line(rest);
     const std::string_view field = field_of(file, line, all, layout);
     const auto number = number_in_field(field, layout.separator);
-    const auto holds = [&] { return "column " + column + " holds " + csv_field_in_quotes(field); };
-    if (!number) refuse_csv_line(file, line, holds() + ", not a number");
-    if (layout.separator != ',' && !sign.fits(field)) {
+    const auto refuse = [&](const char* why) {
       refuse_csv_line(file, line,
-                      holds() +
-                          ", and a line before has the other decimal sign; write all with a "
-                          "decimal point, and no sign between thousands");
+                      fmt::format("column {} holds {}{}", column, csv_field_in_quotes(field), why));
+    };
+    if (!number) {
+      require_same_table(file, line, all, layout);
+      refuse(", not a number");
     }
-    const bool may_be_torn = layout.separator == ',' && layout.fields % 2 == 0 && !layout.has_name;
+    if (layout.separator != ',' && !sign.fits(field)) {
+      refuse(
+          ", and a line before has the other decimal sign; write all with a decimal point, and "
+          "no sign between thousands");
+    }
     if (may_be_torn && is_torn_decimal(field, all)) {
-      refuse_csv_line(file, line,
-                      holds() +
-                          ": numbers with a decimal comma, it seems, and commas between the "
-                          "fields; write decimal points, or separate the fields by semicolons");
+      may_be_torn = !has_signs_behind_commas(layout.numbers);
+      if (may_be_torn) {
+        refuse(
+            ": numbers with a decimal comma, it seems, and commas between the fields; write "
+            "decimal points, or separate the fields by semicolons");
+      }
     }
     numbers.push_back(*number);
   }

@@ -16,6 +16,20 @@ inline std::string_view trimmed(std::string_view text, const char* what) {
   return text.substr(first, text.find_last_not_of(what) - first + 1);
 }
 
+/// Tells text, such as names of columns, by its letters. A damaged number has none, or is one of a
+/// few that do.
+inline bool holds_letters(std::string_view text) {
+  return std::ranges::any_of(text, [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || static_cast<unsigned char>(c) > 127;
+  });
+}
+
+/// True of a line that begins with # or %.
+inline bool is_csv_comment(std::string_view line) {
+  const std::string_view text = trimmed(line, blanks);
+  return text.starts_with('#') || text.starts_with('%');
+}
+
 /// Takes the next line off a text, without its LF, CRLF or CRCRLF. What follows the last line end
 /// is no line if it is empty.
 inline std::string_view take_line(std::string_view& text) {
@@ -55,6 +69,25 @@ inline std::string_view take_field(std::optional<std::string_view>& line, char s
 /// A number with a decimal point or, where commas do not separate the fields, a decimal comma; a
 /// plus may stand before it. None for any other text.
 std::optional<double> number_in_field(std::string_view field, char separator);
+
+/// Which sign a column has before its decimals. Both in one column are a sign of thousands.
+class DecimalSign {
+ public:
+  DecimalSign() = default;
+  /// The sign that a file says that it has, "." or ",".
+  explicit DecimalSign(std::string_view said) : comma_(said == ","), point_(said == ".") {}
+
+  /// True if the field goes together with those before.
+  bool fits(std::string_view field) {
+    comma_ = comma_ || field.find(',') != std::string_view::npos;
+    point_ = point_ || field.find('.') != std::string_view::npos;
+    return !(comma_ && point_);
+  }
+
+ private:
+  bool comma_ = false;
+  bool point_ = false;
+};
 
 /// Finds the separator of a line's fields: a semicolon, a tab, a bar, a comma or blanks.
 char separator_of(std::string_view line);

@@ -1,10 +1,13 @@
 #include "raw/csv_layout.hpp"
 
+#include <spdlog/fmt/fmt.h>
+
 #include <algorithm>
 #include <optional>
 #include <vector>
 
 #include "base/numbers.hpp"
+#include "base/one_line.hpp"
 #include "raw/csv_fields.hpp"
 #include "raw/file.hpp"
 
@@ -16,13 +19,6 @@ namespace fs = std::filesystem;
 
 /// The numbers begin within so many lines.
 constexpr std::size_t most_lines_before = 200;
-
-/// Tells names of columns by their letters. A damaged number has none, or is one of a few that do.
-bool is_name(std::string_view text) {
-  return std::ranges::any_of(text, [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || static_cast<unsigned char>(c) > 127;
-  });
-}
 
 /// "24.02.2024 10:00:00", "2024-02-24", "10:00:00"
 bool is_date_or_time(std::string_view text) {
@@ -70,11 +66,10 @@ std::vector<Line> lines_at_beginning(std::string_view text) {
   for (std::size_t number = 1; number <= most_lines_before && !text.empty(); ++number) {
     Line line{.number = number, .is_comment = false, .text = {}, .from_here = text};
     line.text = take_line(text);
-    const std::size_t first = line.text.find_first_not_of(" \t");
-    if (first == std::string_view::npos) continue;
-    line.is_comment = line.text[first] == '#' || line.text[first] == '%';
+    if (trimmed(line.text, blanks).empty()) continue;
+    line.is_comment = is_csv_comment(line.text);
     if (line.is_comment) {
-      const std::size_t words = line.text.find_first_not_of("#% \t", first);
+      const std::size_t words = line.text.find_first_not_of("#% \t");
       line.text.remove_prefix(std::min(words, line.text.size()));
     }
     lines.push_back(line);
@@ -115,7 +110,7 @@ class Search {
     return std::ranges::any_of(lines_, [&](const Line& above) {
       if (above.number >= line.number) return false;
       const auto found = fields(above, separator);
-      return found.size() == count && is_name(found[column]);
+      return found.size() == count && holds_letters(found[column]);
     });
   }
 
@@ -134,9 +129,9 @@ class Search {
     if (line.is_comment) return;
     const auto found = fields(line, separator);
     const std::string_view field = found.size() == count ? found[column] : line.text;
-    const bool is_named_number = number_in_field(field, separator) && is_name(line.text);
-    const bool says_nothing = field.empty() && is_name(line.text);
-    if (is_name(field) || is_named_number || says_nothing || is_date_or_time(field)) return;
+    const bool is_named_number = number_in_field(field, separator) && holds_letters(line.text);
+    const bool says_nothing = field.empty() && holds_letters(line.text);
+    if (holds_letters(field) || is_named_number || says_nothing || is_date_or_time(field)) return;
     refuse_csv_line(file_, line.number,
                     "column " + column_ + " holds " + csv_field_in_quotes(field) +
                         ", neither a number nor a name");
@@ -152,7 +147,7 @@ class Search {
       // A single number among the words of an instrument is followed by something else.
       const bool is_alone =
           i + 1 < lines_.size() && !holds_number(lines_[i + 1], separator, count, column);
-      if (is_alone && (has_text_before(i) || is_name(lines_[i].text))) continue;
+      if (is_alone && (has_text_before(i) || holds_letters(lines_[i].text))) continue;
       if (is_no_row_of_the_table(lines_[i], separator)) continue;
       for (std::size_t j = 0; j < i; ++j) require_text(lines_[j], separator, count, column);
       require_no_whole_numbers_above(i, separator, count, column);
@@ -164,7 +159,7 @@ class Search {
   /// True of a line with words, such as "Sample rate,12000", whose numbers stand otherwise than in
   /// the last line looked at.
   [[nodiscard]] bool is_no_row_of_the_table(const Line& line, char separator) const {
-    if (!is_name(line.text)) return false;
+    if (!holds_letters(line.text)) return false;
     const auto is_number = [&](std::string_view field) {
       return number_in_field(field, separator).has_value();
     };
@@ -241,7 +236,7 @@ class Search {
   /// tabs. So all that may separate is tried. Where the name stands in several lines, that is the
   /// header which has numbers below it.
   std::optional<CsvLayout> find_by_name() {
-    std::optional<CsvLayout> without_numbers;
+    std::optional<std::pair<std::size_t, CsvLayout>> without_numbers;  // and its header
     for (std::size_t i = 0; i < lines_.size(); ++i) {
       for (const char separator : {';', '\t', '|', ',', ' '}) {
         const auto header = fields(lines_[i], separator);
@@ -250,12 +245,46 @@ class Search {
         if (times == 0) continue;
         const auto place = std::ranges::find(header, std::string_view(column_));
         const auto column = static_cast<std::size_t>(place - header.begin());
-        const CsvLayout found = below(i, separator, header.size(), column);
-        if (has_numbers(found)) return found;
-        if (!without_numbers && !lines_[i].is_comment) without_numbers = found;
+        // Separators at the end of a header name no column.
+        const auto named = std::ranges::find_if(header.rbegin(), header.rend(),
+                                                [](auto name) { return !name.empty(); });
+        for (const auto count : {header.size(), header.size() - (named - header.rbegin())}) {
+          const CsvLayout found = below(i, separator, count, column);
+          if (has_numbers(found)) return found;
+          if (!without_numbers && !lines_[i].is_comment) without_numbers = {i, found};
+        }
       }
     }
-    return without_numbers;
+    if (!without_numbers) return std::nullopt;
+    require_as_many_fields(without_numbers->first, without_numbers->second.fields);
+    return without_numbers->second;
+  }
+
+  /// Refuses a header that has fewer or more names than the lines below it have numbers: nobody
+  /// knows which column is the one that it names.
+  void require_as_many_fields(std::size_t header, std::size_t names) const {
+    for (std::size_t i = header + 1; i < lines_.size(); ++i) {
+      const std::size_t count = numbers_in(lines_[i]);
+      if (count == 0) continue;
+      if (count == names) return;
+      refuse_csv_line(
+          file_, lines_[header].number,
+          fmt::format("is a header of {} name{} above lines of {} number{}; name the "
+                      "column by its number, 1 to {}",
+                      names, names == 1 ? "" : "s", count, count == 1 ? "" : "s", count));
+    }
+  }
+
+  /// How many numbers a line has, and nothing else; 0 for any other line.
+  [[nodiscard]] std::size_t numbers_in(const Line& line) const {
+    if (line.is_comment) return 0;
+    const char separator = separator_of(line.text);
+    auto found = fields(line, separator);
+    if (found.size() > 1 && found.back().empty()) found.pop_back();
+    const bool is_row = std::ranges::all_of(found, [&](std::string_view field) {
+      return number_in_field(field, separator).has_value();
+    });
+    return is_row ? found.size() : 0;
   }
 
   [[nodiscard]] CsvLayout below(std::size_t header, char separator, std::size_t count,
@@ -280,16 +309,8 @@ class Search {
     const Line* header = &lines_.front();
     std::size_t count = 0;
     for (const Line& line : lines_) {
-      const char separator = separator_of(line.text);
-      const auto found = fields(line, separator);
-      const bool numbers =
-          !line.is_comment && std::ranges::all_of(found, [&](std::string_view field) {
-            return number_in_field(field, separator).has_value();
-          });
-      if (numbers) {
-        count = found.size();
-        break;
-      }
+      count = numbers_in(line);
+      if (count > 0) break;
       header = &line;
     }
     const auto names = fields(*header, separator_of(header->text));
@@ -297,6 +318,12 @@ class Search {
     if (column_.find_first_not_of("0123456789") == std::string::npos) {
       refuse_csv_line(file_, header->number,
                       "has no column " + column_ + "; columns are 1 to " + std::to_string(count));
+    }
+    if (std::ranges::any_of(names, has_control_characters)) {
+      refuse_csv_line(file_, header->number,
+                      fmt::format("has no column {}; it is not in UTF-8, so name the column by its "
+                                  "number, 1 to {}",
+                                  column_, count));
     }
     refuse_csv_line(
         file_, header->number,

@@ -13,6 +13,9 @@ namespace piae::raw {
 ///   HDF5                 `variable` is the path of a dataset of integers or floats
 ///   NumPy                `variable` is 1, or a row or column of a matrix (npy.hpp)
 ///   WAV, AIFF, FLAC      `variable` is a channel, counted from 1 (sound.hpp)
+///   TDMS                 `variable` is a channel: "group/channel", or its number (tdms.hpp)
+///   UFF 58               `variable` is a time record: its number, or its first ID line (uff.hpp)
+///   LabVIEW (.lvm)       `variable` is a channel: its number, or its name (lvm.hpp)
 ///   text                 `variable` is a column: its number, counted from 1, or its name
 /// Throws Error(bad_input) in one line with the file: what is wrong, and, where the variable is not
 /// in the file, what the file has instead; also where the file says another sample rate than the

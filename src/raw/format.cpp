@@ -7,8 +7,11 @@
 #include <string_view>
 
 #include "raw/file.hpp"
+#include "raw/lvm.hpp"
 #include "raw/npy.hpp"
 #include "raw/sound.hpp"
+#include "raw/tdms.hpp"
+#include "raw/uff.hpp"
 
 namespace piae::raw {
 
@@ -41,6 +44,9 @@ const std::array marks{
     Mark{"AIFC", 8, read_sound},
     Mark{"fLaC", 0, read_sound},
     Mark{"riff\x2e\x91\xcf\x11", 0, read_sound},  // W64
+    Mark{"LabVIEW Measurement", 0, read_lvm},
+    Mark{"TDSm", 0, read_tdms},
+    Mark{"TDSh", 0, nullptr, "is the index of a TDMS file: name the file that ends in .tdms"},
     Mark{"\x1f\x8b", 0, nullptr, "is packed by gzip: unpack it (gunzip)"},
     Mark{"BZh", 0, nullptr, "is packed by bzip2: unpack it (bunzip2)"},
     Mark{"\xfd"
@@ -60,8 +66,8 @@ const std::array marks{
 };
 
 /// Extensions of formats that say in their first bytes what they are.
-constexpr std::array marked_extensions{".mat", ".h5",  ".hdf5", ".npy", ".wav",
-                                       ".w64", ".aif", ".aiff", ".flac"};
+constexpr std::array marked_extensions{".mat", ".h5",   ".hdf5", ".npy",  ".wav", ".w64",
+                                       ".aif", ".aiff", ".flac", ".tdms", ".uff", ".unv"};
 
 /// In lower case, as loggers write .CSV and .MAT, too.
 std::string extension_of(const fs::path& file) {
@@ -103,6 +109,7 @@ Read reader_of(const fs::path& file) {
     if (mark.read == nullptr) refuse_file(file, mark.instead);
     return mark.read;
   }
+  if (is_uff(bytes)) return read_uff;
   const std::string extension = extension_of(file);
   if (std::ranges::count(marked_extensions, extension) == 0) return unrated<read_csv>;
   if (extension != ".mat") {

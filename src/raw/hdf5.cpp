@@ -8,6 +8,7 @@
 
 #include "base/error.hpp"
 #include "raw/file.hpp"
+#include "raw/hdf5_chunks.hpp"
 #include "raw/node.hpp"
 
 namespace piae::raw {
@@ -206,6 +207,7 @@ class Hdf5Node : public Node {
     }
     std::vector<double> numbers(possible_count(here("dataset"), shape()));
     if (!numbers.empty()) {
+      require_written(here("dataset"), object_);
       hdf5::check(
           H5Dread(object_, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, numbers.data()),
           "values");

@@ -4,17 +4,17 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <cstdint>
-#include <cstring>
 #include <limits>
 #include <optional>
+#include <span>
 #include <string_view>
 
 #include "artefact/file.hpp"
 #include "base/numbers.hpp"
 #include "raw/array.hpp"
+#include "raw/bytes.hpp"
 #include "raw/file.hpp"
 #include "raw/limits.hpp"
 
@@ -89,17 +89,9 @@ Header header_of(const fs::path& file, std::string_view bytes) {
           .size = begin + length};
 }
 
-template <class T>
-double number_from(const char* bytes, bool is_swapped) {
-  std::array<char, sizeof(T)> own{};
-  std::memcpy(own.data(), bytes, sizeof(T));
-  if (is_swapped) std::ranges::reverse(own);
-  return static_cast<double>(std::bit_cast<T>(own));
-}
-
 /// IEEE 754, binary16.
-double half_from(const char* bytes, bool is_swapped) {
-  const auto bits = static_cast<std::uint16_t>(number_from<std::uint16_t>(bytes, is_swapped));
+double half_at(std::span<const std::byte> bytes, std::size_t at, bool big_endian) {
+  const auto bits = number_at<std::uint16_t>(bytes, at, big_endian);
   const int exponent = bits >> 10U & 0x1F;
   const double fraction = bits & 0x3FFU;
   const double sign = (bits & 0x8000U) != 0 ? -1 : 1;
@@ -111,28 +103,29 @@ double half_from(const char* bytes, bool is_swapped) {
   return sign * std::ldexp(1 + fraction / 1024, exponent - 15);
 }
 
-using Convert = double (*)(const char* bytes, bool is_swapped);
+using Convert = double (*)(std::span<const std::byte> bytes, std::size_t at, bool big_endian);
 struct Type {
   const char* name;
   std::size_t size;
   Convert convert;
 };
-constexpr std::array types{Type{"f8", 8, number_from<double>},
-                           Type{"f4", 4, number_from<float>},
-                           Type{"f2", 2, half_from},
-                           Type{"i1", 1, number_from<std::int8_t>},
-                           Type{"u1", 1, number_from<std::uint8_t>},
-                           Type{"i2", 2, number_from<std::int16_t>},
-                           Type{"u2", 2, number_from<std::uint16_t>},
-                           Type{"i4", 4, number_from<std::int32_t>},
-                           Type{"u4", 4, number_from<std::uint32_t>},
-                           Type{"i8", 8, number_from<std::int64_t>},
-                           Type{"u8", 8, number_from<std::uint64_t>}};
+constexpr std::array types{Type{"f8", 8, double_at<double>},
+                           Type{"f4", 4, double_at<float>},
+                           Type{"f2", 2, half_at},
+                           Type{"i1", 1, double_at<std::int8_t>},
+                           Type{"u1", 1, double_at<std::uint8_t>},
+                           Type{"i2", 2, double_at<std::int16_t>},
+                           Type{"u2", 2, double_at<std::uint16_t>},
+                           Type{"i4", 4, double_at<std::int32_t>},
+                           Type{"u4", 4, double_at<std::uint32_t>},
+                           Type{"i8", 8, double_at<std::int64_t>},
+                           Type{"u8", 8, double_at<std::uint64_t>}};
 
-std::vector<double> numbers_in(std::string_view values, const Type& type, bool is_swapped) {
+std::vector<double> numbers_in(std::span<const std::byte> values, const Type& type,
+                               bool big_endian) {
   std::vector<double> numbers(values.size() / type.size);
   for (std::size_t i = 0; i < numbers.size(); ++i) {
-    numbers[i] = type.convert(values.data() + i * type.size, is_swapped);
+    numbers[i] = type.convert(values, i * type.size, big_endian);
   }
   return numbers;
 }
@@ -156,18 +149,16 @@ std::vector<double> read_npy(const fs::path& file, const std::string& variable) 
   }
   const Where where{.file = file, .noun = "array", .name = ""};
   const std::size_t count = possible_count(where, header.shape);
-  const std::string_view values = bytes.substr(header.size);
+  const auto values = std::span<const std::byte>(content).subspan(header.size);
   if (values.size() != count * type->size) {
     refuse_file(file, fmt::format("truncated or damaged: {} bytes of values, {} expected",
                                   values.size(), count * type->size));
   }
-  const char foreign = std::endian::native == std::endian::little ? '>' : '<';
-  return vector_of(
-      where,
-      {.shape = header.shape,
-       .is_column_major = header.is_fortran,
-       .numbers = [&] { return numbers_in(values, *type, header.byte_order == foreign); }},
-      line);
+  return vector_of(where,
+                   {.shape = header.shape,
+                    .is_column_major = header.is_fortran,
+                    .numbers = [&] { return numbers_in(values, *type, header.byte_order == '>'); }},
+                   line);
 }
 
 }  // namespace piae::raw

@@ -19,7 +19,8 @@ class InstrumentText : public testing::Test {
   }
   void expect_refused(const std::string& text, const std::string& column,
                       const std::string& why) const {
-    EXPECT_ERROR(read_here(folder_.write("a.txt", text), column), Exit::bad_input, "a.txt" + why);
+    EXPECT_ERROR(read_here(folder_.write("a.txt", text), column), Exit::bad_input, why);
+    EXPECT_ERROR(read_here(folder_ / "a.txt", column), Exit::bad_input, "a.txt, line ");
   }
 
   Folder folder_;
@@ -48,7 +49,9 @@ TEST_F(InstrumentText, MayEndItsLinesInAnyWay) {
 TEST_F(InstrumentText, MayHaveASeparatorAtTheEndOfItsLines) {
   expect_read("t,x\n0,-0.5,\n1,1.25,\n2,2,\n", "x");
   expect_read("t;x\n0;-0.5;\n1;1.25;\n2;2;\n", "2");
-  expect_refused("t,x\n0,-0.5,7\n", "x", ", line 2: has 3 fields, the lines before 2");
+  expect_refused("t,x\n1,2\n0,-0.5,7\n", "x", ", line 3: has 3 fields, the lines before 2");
+  // Those of a header name no column.
+  expect_read("t,x,,\n0,-0.5\n1,1.25\n2,2\n", "x");
 }
 
 TEST_F(InstrumentText, MayBeSeparatedByBars) {
@@ -85,6 +88,60 @@ TEST_F(InstrumentText, OfWholeNumbersMayHaveLeadingZerosBelowAHeader) {
               ElementsAre(1, 0, 2053));
   expect_refused("0,5\n1,05\n", "2",
                  ", line 2: column 2 holds '05'");  // 0.5 and 1.05, or four numbers
+}
+
+TEST_F(InstrumentText, MayBeWholeNumbersWithSignsAndNoHeader) {
+  // Were commas decimal ones, no sign could stand behind one.
+  EXPECT_THAT(read_here(folder_.write("a.csv", "1,-0\n-0,2\n07,-3\n"), "1"), ElementsAre(1, 0, 7));
+  EXPECT_THAT(read_here(folder_.write("a.csv", "007\n-0\n0100\n"), "1"), ElementsAre(7, 0, 100));
+  EXPECT_THAT(read_here(folder_.write("a.csv", "0;007\n1;-0\n"), "2"), ElementsAre(7, 0));
+  expect_refused("-0,5\n1,2\n", "1", ", line 1: column 1 holds '-0': numbers with a decimal comma");
+}
+
+TEST_F(InstrumentText, OfTwoTablesIsRefusedWhereTheSecondOneBegins) {
+  const std::string table = "t,x\n0,-0.5\n1,1.25\n";
+  const std::string another = " between the numbers; where another table begins here, save that in";
+  expect_refused(table + table, "x", ", line 4: holds 't,x'" + another);
+  expect_refused(table + table, "2", ", line 4: holds 't,x'" + another);
+  expect_refused(table + "t,x,force\n0,1,2\n", "x", ", line 4: holds 't,x,force'" + another);
+  expect_refused(table + "\n" + table, "x", ", line 4: is blank" + another);
+  expect_refused(table + "# restarted\n2,3\n", "2", ", line 4: holds '# restarted'" + another);
+  expect_refused(table + "Run 2\n2,3\n", "2", ", line 4: holds 'Run 2'" + another);
+  expect_refused("0.5\n1.5\nx\n2.5\n", "1", ", line 3: holds 'x'" + another);
+}
+
+/// Latin-1, and GBK, whose characters may end with the byte of a bar.
+TEST_F(InstrumentText, ThatIsNotInUtf8IsReadByNumber) {
+  const std::string rows = "0,-0.5\n1,1.25\n2,2\n";
+  const std::string latin1 = "Zeit [s],Beschl. [m/s\xb2]\n" + rows;
+  const std::string gbk = "\xca\xb1\xbc\xe4,\xbc\xd3\x95\x7c\xb6\xc8\n" + rows;
+  expect_read(latin1, "2");
+  expect_read(gbk, "2");
+  expect_read(
+      "Pr\xfc"
+      "fstand 3\n" +
+          latin1,
+      "2");
+  expect_read(
+      "# \xb1"
+      "5 g\nt,x\n" +
+          rows,
+      "x");
+  const std::string why = "; it is not in UTF-8, so name the column by its number, 1 to 2";
+  expect_refused(latin1, "Beschl. [m/s²]", ", line 1: has no column Beschl. [m/s²]" + why);
+  expect_refused(gbk, "加速度", ", line 1: has no column 加速度" + why);
+  EXPECT_THAT(read_here(folder_.write("a.txt", latin1), "Zeit [s]"), ElementsAre(0, 1, 2));
+}
+
+TEST_F(InstrumentText, WhoseHeaderHasOtherFieldsThanItsRowsIsReadByNumber) {
+  const std::string rows = "0,-0.5\n1,1.25\n2,2\n";
+  for (const char* header : {"x\n", "t,x,force\n", "t x [g]\n"}) {
+    expect_read(header + rows, "2");
+    expect_refused(header + rows, "x", " above lines of 2 numbers; name the column by its number");
+  }
+  expect_read("t x\n1 0 -0.5\n2 1 1.25\n3 2 2\n", "3");  // as R writes the names of rows
+  expect_refused("t x\n1 0 -0.5\n2 1 1.25\n", "x", ", line 1: is a header of 2 names above lines");
+  expect_read(",x\n" + rows, "x");  // as pandas writes the number of a row
 }
 
 TEST_F(InstrumentText, OfOneRowIsRefused) {

@@ -170,7 +170,7 @@ else
 fi
 
 # ---- what is read before there are artefacts ----------------------------------------------------
-mkdir -p "$folder"/inputs/{mat,csv,hdf5,sound,npy,description,simulation,protocol,published,artefact}
+mkdir -p "$folder"/inputs/{mat,csv,hdf5,sound,npy,tdms,uff,lvm,description,simulation,protocol,published,artefact}
 cd "$folder/inputs"
 "$bin/storm_raw" .
 {
@@ -189,6 +189,40 @@ npy="{'descr': '<i2', 'fortran_order': False, 'shape': (120,), }"
   printf '\xE0\x2E\x00\x00\xC0\x5D\x00\x00\x02\x00\x10\x00data\xF0\x00\x00\x00'
   samples csv/semicolon.csv
 } >sound/pcm.wav
+function58() { # binary or not, ordinate type
+  printf '    -1\n    58%s\nBearing 1\nNONE\nNONE\nNONE\nNONE\n' "$1"
+  printf '    1         0    0         0 NONE               0   0 NONE               0   0\n'
+  printf '%10d       120         1  0.00000E+00  8.33333E-05  0.00000E+00\n' "$2"
+  printf '%10d    0    0    0 NONE                 NONE                \n' 17 12 0 0
+}
+for _ in 1 2; do
+  function58 '' 2
+  awk 'BEGIN { for (i = 1; i <= 120; ++i) printf "%13.5E%s", sin(i), i % 6 ? "" : "\n" }'
+  echo '    -1'
+done >uff/text.uff
+for _ in 1 2; do
+  function58 'b     1     2          11         480     0     0           0           0' 2
+  samples csv/semicolon.csv
+  samples csv/semicolon.csv
+  printf '\n    -1\n'
+done >uff/binary.uff
+lvm() { # headings of segments, columns of times, names, samples
+  printf 'LabVIEW Measurement\t\nSeparator\tTab\nDecimal_Separator\t.\nMulti_Headings\t%s\n' "$1"
+  printf 'X_Columns\t%s\n***End_of_Header***\t\n\t\nChannels\t2\t\t\nSamples\t%b\t\n' "$2" "$4"
+  printf 'X_Dimension\tTime\tTime\t\nDelta_X\t0.0001\t0.0001\t\n***End_of_Header***\t\t\nX_Value\t%b\tComment\n' "$3"
+}
+{
+  lvm No One 'x\ty' '10\t5'
+  awk 'BEGIN { for (i = 0; i < 60; ++i) printf "%.4f\t%.6f\t%s\n", i / 1e4, sin(i), i % 10 < 5 ? i : "" }'
+} >lvm/one.lvm
+{
+  lvm Yes No 'x\ty' '60\t60'
+  awk 'BEGIN { for (i = 0; i < 60; ++i) printf "\t%.6f\t%d\n", sin(i), i }'
+} >lvm/no.lvm
+{
+  lvm Yes Multi 'x\tX_Value\ty' '60\t\t60'
+  awk 'BEGIN { for (i = 0; i < 60; ++i) printf "%.4f\t%.6f\t%.4f\t%d\n", i / 1e4, sin(i), i / 1e4, i }'
+} >lvm/multi.lvm
 printf '\xEF\xBB\xBF"x"\t"y"\n1\t2\n3\t4\n' >csv/tabs.csv
 
 record() { # class, file, variable

@@ -1,4 +1,5 @@
-// Writes one small recording in each format of MATLAB and HDF5, into mat/ and hdf5/ below a folder.
+// Writes small recordings in the binary formats of MATLAB, HDF5 and TDMS into mat/, hdf5/ and tdms/
+// below a folder.
 
 #include <hdf5.h>
 #include <matio.h>
@@ -6,11 +7,14 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <fstream>
 #include <iostream>
 #include <memory>
 #include <stdexcept>
 #include <string>
 #include <vector>
+
+#include "support/tdms_writer.hpp"
 
 namespace fs = std::filesystem;
 
@@ -98,6 +102,28 @@ void write_hdf5(const fs::path& path, bool new_format, bool compressed) {
   H5Pclose(access);
 }
 
+/// Two segments with a scaled channel of 16 bits and one of double precision.
+void write_tdms(const fs::path& path, bool is_big, std::uint32_t layout, std::uint64_t size) {
+  const piae::tdms::Writer write(is_big);
+  const std::vector<std::string> objects{
+      write.object("/", write.no_values(), {write.property("name", std::string("run"))}),
+      write.object("/'rig'", write.no_values()),
+      write.object(
+          "/'rig'/'n'", write.index(piae::tdms::int16, samples),
+          {write.property("wf_increment", 1 / 12000.0), write.property("NI_Number_Of_Scales", 1U),
+           write.property("NI_Scale[0]_Scale_Type", std::string("Linear")),
+           write.property("NI_Scale[0]_Linear_Slope", 0.5),
+           write.property("NI_Scale[0]_Linear_Y_Intercept", 1.0)}),
+      write.object("/'rig'/'x'", write.index(piae::tdms::dbl, samples))};
+  std::string counts;
+  for (std::size_t i = 0; i < samples; ++i)
+    counts += write.number(static_cast<std::int16_t>(i * 7));
+  const std::string raw = counts + write.numbers(signal());
+  std::ofstream(path, std::ios::binary)
+      << write.segment(piae::tdms::new_values | layout, objects, raw)
+      << write.segment(piae::tdms::raw_data | layout, {}, raw, size);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -106,6 +132,7 @@ int main(int argc, char** argv) {
   try {
     fs::create_directories(folder / "mat");
     fs::create_directories(folder / "hdf5");
+    fs::create_directories(folder / "tdms");
     write_mat(folder / "mat/refused-v4.mat", MAT_FT_MAT4, MAT_COMPRESSION_NONE);
     write_mat(folder / "mat/v5.mat", MAT_FT_MAT5, MAT_COMPRESSION_NONE);
     write_mat(folder / "mat/v5-compressed.mat", MAT_FT_MAT5, MAT_COMPRESSION_ZLIB);
@@ -113,6 +140,9 @@ int main(int argc, char** argv) {
     write_hdf5(folder / "hdf5/old.h5", false, false);
     write_hdf5(folder / "hdf5/new.h5", true, false);
     write_hdf5(folder / "hdf5/compressed.h5", false, true);
+    write_tdms(folder / "tdms/contiguous.tdms", false, 0, 0);
+    write_tdms(folder / "tdms/interleaved.tdms", true, piae::tdms::interleaved, 0);
+    write_tdms(folder / "tdms/crashed.tdms", false, 0, piae::tdms::crashed);
   } catch (const std::exception& error) {
     std::cerr << "storm_raw: " << error.what() << '\n';
     return 1;

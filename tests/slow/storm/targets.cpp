@@ -9,8 +9,11 @@
 #include "classification/verdict.hpp"
 #include "diagnosis/fitting_signal.hpp"
 #include "raw/file.hpp"
+#include "raw/lvm.hpp"
 #include "raw/npy.hpp"
 #include "raw/sound.hpp"
+#include "raw/tdms.hpp"
+#include "raw/uff.hpp"
 #include "report/published.hpp"
 #include "settings/protocol.hpp"
 #include "settings/sweeps.hpp"
@@ -36,6 +39,18 @@ void read_csv(const fs::path& file) { (void)raw::read_csv(file, "1"); }
 void read_hdf5(const fs::path& file) { (void)raw::read_hdf5(file, "/x"); }
 
 void read_sound(const fs::path& file) { (void)raw::read_sound(file, "1"); }
+
+void read_tdms(const fs::path& file) {
+  (void)raw::read_tdms(file, "rig/n");
+  (void)raw::read_tdms(file, "2");
+}
+
+void read_uff(const fs::path& file) { (void)raw::read_uff(file, "2"); }
+
+void read_lvm(const fs::path& file) {
+  (void)raw::read_lvm(file, "1");
+  (void)raw::read_lvm(file, "y");
+}
 
 void read_npy(const fs::path& file) { (void)raw::read_npy(file, "1"); }
 
@@ -90,12 +105,15 @@ void read_artefact(const fs::path& file) {
   if (is_classifier(file)) ask_classifier(file);
 }
 
-constexpr std::array<Target, 10> all{{
+constexpr std::array<Target, 13> all{{
     {"mat", read_mat, true},
     {"csv", read_csv, false},
     {"hdf5", read_hdf5, true},
     {"sound", read_sound, true},
     {"npy", read_npy, false},
+    {"tdms", read_tdms, false},
+    {"uff", read_uff, false},
+    {"lvm", read_lvm, false},
     {"description", read_description, false},
     {"simulation", read_simulation, false},
     {"protocol", read_protocol, false},

@@ -1,0 +1,101 @@
+#include "raw/hdf5_chunks.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+#include "artefact/hdf5.hpp"
+
+namespace piae::raw {
+
+namespace {
+
+namespace hdf5 = artefact::hdf5;
+
+using Extents = std::vector<hsize_t>;
+
+[[noreturn]] void refuse_unwritten(const Where& where) {
+  refuse(where,
+         "has values that were never written, or is damaged: copy the part that holds samples to a "
+         "dataset of its own");
+}
+
+struct Filters {
+  /// Those that a writer may leave out for a chunk, since packing may make it larger; bit i stands
+  /// for filter i.
+  unsigned optional = 0;
+  bool have_checksum = false;
+};
+
+Filters filters_of(hid_t creation) {
+  Filters filters;
+  for (int i = 0; i < H5Pget_nfilters(creation); ++i) {
+    unsigned flags = 0;
+    std::size_t values = 0;
+    const H5Z_filter_t filter = H5Pget_filter2(creation, static_cast<unsigned>(i), &flags, &values,
+                                               nullptr, 0, nullptr, nullptr);
+    filters.have_checksum = filters.have_checksum || filter == H5Z_FILTER_FLETCHER32;
+    if (filter != H5Z_FILTER_SHUFFLE && filter != H5Z_FILTER_FLETCHER32) {
+      filters.optional |= 1U << static_cast<unsigned>(i);
+    }
+  }
+  return filters;
+}
+
+/// Bytes of a chunk that has not been packed.
+hsize_t unpacked_bytes(hid_t dataset, const Filters& filters, const Extents& chunk) {
+  const hdf5::Handle type(H5Dget_type(dataset), "type");
+  hsize_t bytes = H5Tget_size(type);
+  for (const hsize_t extent : chunk) bytes *= extent;
+  return filters.have_checksum ? bytes + 4 : bytes;
+}
+
+/// Moves to the next chunk; false behind the last one.
+bool advance(Extents& place, const Extents& chunk, const Extents& extents) {
+  for (std::size_t i = place.size(); i-- > 0;) {
+    place[i] += chunk[i];
+    if (place[i] < extents[i]) return true;
+    place[i] = 0;
+  }
+  return false;
+}
+
+void require_chunks(const Where& where, hid_t dataset, hid_t creation) {
+  const hdf5::Handle space(H5Dget_space(dataset), "extents");
+  const int rank = H5Sget_simple_extent_ndims(space);
+  if (rank < 1) return;
+  Extents extents(static_cast<std::size_t>(rank));
+  Extents chunk(extents.size());
+  H5Sget_simple_extent_dims(space, extents.data(), nullptr);
+  if (H5Pget_chunk(creation, rank, chunk.data()) != rank || std::ranges::count(chunk, 0) > 0 ||
+      std::ranges::count(extents, 0) > 0) {
+    return;
+  }
+  const Filters filters = filters_of(creation);
+  const hsize_t unpacked = unpacked_bytes(dataset, filters, chunk);
+  Extents place(extents.size(), 0);
+  do {
+    unsigned left_out = 0;
+    haddr_t address = HADDR_UNDEF;
+    hsize_t bytes = 0;
+    hdf5::check(H5Dget_chunk_info_by_coord(dataset, place.data(), &left_out, &address, &bytes),
+                "chunks");
+    if (address == HADDR_UNDEF) refuse_unwritten(where);
+    if (left_out == 0) continue;
+    const bool may_be = (left_out & ~filters.optional) == 0 && bytes == unpacked;
+    if (!may_be) refuse(where, "is damaged: a chunk of it is said not to be filtered");
+  } while (advance(place, chunk, extents));
+}
+
+}  // namespace
+
+void require_written(const Where& where, hid_t dataset) {
+  const hdf5::Handle creation(H5Dget_create_plist(dataset), "dataset");
+  const H5D_layout_t layout = H5Pget_layout(creation);
+  if (layout == H5D_CHUNKED) return require_chunks(where, dataset, creation);
+  H5D_space_status_t status = H5D_SPACE_STATUS_ERROR;
+  hdf5::check(H5Dget_space_status(dataset, &status), "values");
+  if (status == H5D_SPACE_STATUS_NOT_ALLOCATED) refuse_unwritten(where);
+}
+
+}  // namespace piae::raw

@@ -1,0 +1,210 @@
+#include "raw/lvm.hpp"
+
+#include <spdlog/fmt/fmt.h>
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "base/numbers.hpp"
+#include "base/one_line.hpp"
+#include "raw/csv_fields.hpp"
+#include "raw/csv_layout.hpp"
+#include "raw/file.hpp"
+#include "raw/text.hpp"
+
+namespace piae::raw {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Fields = std::vector<std::string_view>;
+
+constexpr std::string_view end_of_header = "***End_of_Header***";
+
+class LvmReader {
+ public:
+  LvmReader(const fs::path& file, std::string_view text) : file_(file), rest_(text) {}
+
+  Signal run(const std::string& wanted) {
+    read_header();  // of the file
+    const bool has_times_for_each = entry("X_Columns", 1) == "Multi";
+    step_ = has_times_for_each ? 2 : 1;
+    sign_ = DecimalSign(entry("Decimal_Separator", 1));
+    has_one_heading_ = entry("Multi_Headings", 1) != "Yes";
+    read_header();  // of the segment
+    names_ = fields(take());
+    if (names_.front() != "X_Value") refuse_line("does not name the channels");
+    const auto channels = number_in<std::size_t>(entry("Channels", 1)).value_or(0);
+    if (channels == 0 || column(channels - 1) >= names_.size()) {
+      refuse_line(fmt::format("does not name the {} channels of its header", channels));
+    }
+    channel_ = channel(wanted, channels);
+    return {.samples = samples(channels), .sample_rate_hz = rate_hz()};
+  }
+
+ private:
+  [[noreturn]] void refuse_line(const std::string& what) const {
+    refuse_csv_line(file_, line_, what);
+  }
+
+  std::string_view take() {
+    if (rest_.empty()) refuse_file(file_, "truncated or damaged: it ends within its header");
+    ++line_;
+    return take_line(rest_);
+  }
+
+  [[nodiscard]] Fields fields(std::string_view line) const {
+    Fields found;
+    for (std::optional rest = line; rest;) found.push_back(take_field(rest, separator_));
+    return found;
+  }
+
+  static bool is_blank(const Fields& fields) {
+    return std::ranges::all_of(fields, [](std::string_view field) { return field.empty(); });
+  }
+
+  /// Reads entries up to the end of a header.
+  void read_header() {
+    constexpr std::string_view key = "Separator";  // which stands behind it itself
+    for (;;) {
+      const std::string_view line = take();
+      if (line.starts_with(end_of_header)) return;
+      if (line.starts_with("***Start_Special***")) skip_special_block();
+      if (line.starts_with(key) && line.size() > key.size()) separator_ = line[key.size()];
+      Fields found = fields(line);
+      entries_.try_emplace(std::string(found.front()), std::move(found));
+    }
+  }
+
+  void skip_special_block() {
+    while (!take().starts_with("***End_Special***")) continue;
+  }
+
+  /// A field of an entry; nothing where there is none.
+  [[nodiscard]] std::string_view entry(const std::string& key, std::size_t column) const {
+    const auto found = entries_.find(key);
+    if (found == entries_.end() || column >= found->second.size()) return {};
+    return found->second[column];
+  }
+
+  /// Where the values of a channel, and what a header says of it, stand in a line.
+  [[nodiscard]] std::size_t column(std::size_t channel) const { return 1 + step_ * channel; }
+
+  [[nodiscard]] std::size_t channel(const std::string& wanted, std::size_t channels) const {
+    std::vector<std::string> names;
+    std::optional<std::size_t> found;
+    for (std::size_t i = 0; i < channels; ++i) {
+      names.emplace_back(names_[column(i)]);
+      if (number_in<std::size_t>(wanted) == i + 1) return i;
+      if (names.back() != wanted) continue;
+      if (found) refuse_line("has several channels " + wanted + "; name one by its number");
+      found = i;
+    }
+    if (found) return *found;
+    if (std::ranges::any_of(names, has_control_characters)) {
+      refuse_line(
+          fmt::format("has no channel {}; it is not in UTF-8, so name the channel by its "
+                      "number, 1 to {}",
+                      wanted, channels));
+    }
+    refuse_line("has no channel " + wanted + "; it has " + listed(names));
+  }
+
+  [[nodiscard]] std::optional<double> rate_hz() const {
+    const auto dimension = entry("X_Dimension", column(channel_));
+    if (!dimension.empty() && dimension != "Time") {
+      refuse_file(file_, fmt::format("channel {} is not sampled over Time, but over {}",
+                                     names_[column(channel_)], dimension));
+    }
+    const auto step = number_in_field(entry("Delta_X", column(channel_)), separator_);
+    return step && *step > 0 ? std::optional(1 / *step) : std::nullopt;
+  }
+
+  /// The values of a channel in each packet, as its header says.
+  [[nodiscard]] std::size_t count_in_packet(std::size_t channel) const {
+    const std::string_view field = entry("Samples", column(channel));
+    const auto count = number_in<std::size_t>(field);
+    if (!count) {
+      refuse_line(fmt::format("ends a header that has {} samples of channel {}",
+                              csv_field_in_quotes(field), channel + 1));
+    }
+    return *count;
+  }
+
+  /// Packets follow each other without a mark. Where a channel is slower than others, it has values
+  /// in the first rows of each packet, and nothing in the others.
+  std::vector<double> samples(std::size_t channels) {
+    std::size_t packet = 0;
+    for (std::size_t i = 0; i < channels; ++i) packet = std::max(packet, count_in_packet(i));
+    const std::size_t count = count_in_packet(channel_);
+    std::vector<double> samples;
+    std::size_t rows = 0;
+    for (; !rest_.empty(); ++rows) {
+      const Fields row = fields(take());
+      require_row(row);
+      if (rows == packet && !has_one_heading_) {
+        refuse_line(fmt::format("is a row more than the {} of its header", packet));
+      }
+      const bool has_value = packet > 0 && rows % packet < count;
+      const auto value = value_in(row, has_value);
+      if (value) samples.push_back(*value);
+    }
+    if (rows < packet) {
+      refuse_file(file_,
+                  fmt::format("truncated: it has {} rows, its header says {}", rows, packet));
+    }
+    return samples;
+  }
+
+  void require_row(const Fields& row) const {
+    if (is_blank(row) || row.front().starts_with("***") || row.front() == "Channels") {
+      refuse_line(
+          "ends the first segment, and another one follows, with a header of its own: time may be "
+          "missing between them; save a file a segment, or one header only");
+    }
+    const bool ends_with_separator = row.size() == names_.size() + 1 && row.back().empty();
+    if (row.size() > names_.size() && !ends_with_separator) {
+      refuse_line(
+          fmt::format("has {} fields, the names of its columns are {}", row.size(), names_.size()));
+    }
+  }
+
+  std::optional<double> value_in(const Fields& row, bool has_value) {
+    const std::size_t place = column(channel_);
+    const std::string_view field = place < row.size() ? row[place] : std::string_view{};
+    if (!has_value && field.empty()) return std::nullopt;
+    const auto holds = [&] {
+      return fmt::format("channel {} holds {}", names_[place], csv_field_in_quotes(field));
+    };
+    if (!has_value) refuse_line(holds() + ", where its header says that it has no value");
+    const auto value = number_in_field(field, separator_);
+    if (!value) refuse_line(holds() + ", not a number");
+    if (separator_ != ',' && !sign_.fits(field)) {
+      refuse_line(holds() + ", whose decimal sign is not that of the file");
+    }
+    return value;
+  }
+
+  const fs::path& file_;
+  std::string_view rest_;
+  std::size_t line_ = 0;
+  char separator_ = '\t';
+  std::map<std::string, Fields> entries_;  ///< of both headers
+  std::size_t step_ = 1;                   ///< from the column of a channel to that of the next
+  DecimalSign sign_;
+  bool has_one_heading_ = true;
+  Fields names_;  ///< of the columns
+  std::size_t channel_ = 0;
+};
+
+}  // namespace
+
+Signal read_lvm(const fs::path& file, const std::string& channel) {
+  const std::string text = read_text(file);
+  return LvmReader(file, text).run(channel);
+}
+
+}  // namespace piae::raw

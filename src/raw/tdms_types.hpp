@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace piae::raw {
+
+/// A type of values in a TDMS file (NI's enumeration tdsDataType).
+struct TdmsType {
+  std::uint32_t id;
+  std::size_t size;  ///< bytes of a value; 0 where it varies, as that of text
+  const char* name;
+  /// Reads a value; null where it is no real number.
+  double (*read)(std::span<const std::byte> bytes, std::size_t at, bool big_endian);
+};
+
+inline constexpr std::uint32_t tdms_text = 0x20;
+
+/// Null for a type that is not known.
+const TdmsType* tdms_type(std::uint32_t id);
+
+}  // namespace piae::raw

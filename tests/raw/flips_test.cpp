@@ -1,0 +1,218 @@
+#include <gtest/gtest.h>
+#include <hdf5.h>
+#include <matio.h>
+
+#include <cmath>
+#include <random>
+#include <set>
+
+#include "raw/file.hpp"
+#include "support/errors.hpp"
+#include "support/folder.hpp"
+
+/// One flipped bit where a checksum of the format covers it: the file is refused, or read to the
+/// same numbers.
+namespace piae::raw {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t flipped_length = 3000;
+
+/// Noise in steps of 1/64, which deflate makes shorter.
+std::vector<double> flipped_signal() {
+  std::vector<double> values(flipped_length);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    values[i] = std::round(64 * std::sin(static_cast<double>(i * i))) / 64;
+  }
+  return values;
+}
+
+/// Bytes of a file, from `begin` to before `end`.
+struct Range {
+  std::size_t begin;
+  std::size_t end;
+};
+
+struct Filters {
+  bool shuffle = false;
+  bool deflate = false;
+  bool fletcher32 = false;
+};
+
+/// Writes the signal into x of an HDF5 file, in five chunks.
+void write_filtered(const fs::path& path, const Filters& filters, bool is_matlab) {
+  const hid_t creation_of_file = H5Pcreate(H5P_FILE_CREATE);
+  if (is_matlab) H5Pset_userblock(creation_of_file, 512);
+  const hid_t file = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation_of_file, H5P_DEFAULT);
+  const hsize_t extents[]{1, flipped_length};
+  const hsize_t chunk[]{1, flipped_length / 5};
+  const hid_t creation = H5Pcreate(H5P_DATASET_CREATE);
+  H5Pset_chunk(creation, 2, chunk);
+  if (filters.shuffle) H5Pset_shuffle(creation);
+  if (filters.deflate) H5Pset_deflate(creation, 3);
+  if (filters.fletcher32) H5Pset_fletcher32(creation);
+  const hid_t space = H5Screate_simple(2, extents, nullptr);
+  const hid_t set =
+      H5Dcreate2(file, "x", H5T_IEEE_F64LE, space, H5P_DEFAULT, creation, H5P_DEFAULT);
+  EXPECT_GE(
+      H5Dwrite(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, flipped_signal().data()), 0);
+  H5Dclose(set);
+  H5Sclose(space);
+  H5Pclose(creation);
+  H5Fclose(file);
+  H5Pclose(creation_of_file);
+}
+
+/// Where the bytes of the chunks of x stand in the file.
+std::vector<Range> chunks_of(const fs::path& path) {
+  const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
+  const hid_t set = H5Dopen2(file, "x", H5P_DEFAULT);
+  const std::string bytes = bytes_of(path);
+  std::vector<Range> chunks;
+  for (hsize_t begin = 0; begin < flipped_length; begin += flipped_length / 5) {
+    const hsize_t place[]{0, begin};
+    hsize_t size = 0;
+    std::uint32_t mask = 0;
+    EXPECT_GE(H5Dget_chunk_storage_size(set, place, &size), 0);
+    std::string chunk(size, '\0');
+    EXPECT_GE(H5Dread_chunk(set, H5P_DEFAULT, place, &mask, chunk.data()), 0);
+    const std::size_t at = bytes.find(chunk);
+    EXPECT_NE(at, std::string::npos);
+    chunks.push_back({at, at + size});
+  }
+  H5Dclose(set);
+  H5Fclose(file);
+  return chunks;
+}
+
+/// A file with the signal in x, and where in it a checksum covers the bytes.
+struct Covered {
+  std::string bytes;
+  std::vector<Range> ranges;
+};
+
+Covered filtered(const Folder& folder, const Filters& filters, bool is_matlab) {
+  const fs::path path = folder / "filtered";
+  write_filtered(path, filters, is_matlab);
+  Covered file{.bytes = bytes_of(path), .ranges = chunks_of(path)};
+  if (is_matlab) {  // as MATLAB writes the block before HDF5's bytes
+    std::string header = "MATLAB 7.3 MAT-file, Platform: GLNXA64";
+    header.resize(124, ' ');
+    file.bytes.replace(0, 128, header + std::string("\x00\x02IM", 4));
+  }
+  return file;
+}
+
+/// Flips one bit at each of some random places.
+void expect_no_other_numbers(const Folder& folder, const Covered& whole) {
+  const std::vector<double> signal = flipped_signal();
+  EXPECT_EQ(read_here(folder.write("whole", whole.bytes), "x"), signal);
+  std::mt19937_64 random(20261127);
+  std::size_t refused = 0;
+  constexpr std::size_t flips = 100;
+  for (std::size_t i = 0; i < flips; ++i) {
+    const Range range = whole.ranges[random() % whole.ranges.size()];
+    const std::size_t at = range.begin + random() % (range.end - range.begin);
+    std::string bytes = whole.bytes;
+    bytes[at] = static_cast<char>(bytes[at] ^ 1 << random() % 8);
+    folder.write("damaged", bytes);
+    std::vector<double> read;
+    const auto error = error_of([&] { read = read_here(folder / "damaged", "x"); });
+    refused += error ? 1 : 0;
+    if (error) {
+      EXPECT_EQ(error->exit(), Exit::bad_input) << error->what();
+      EXPECT_TRUE(std::string(error->what()).starts_with((folder / "damaged").string()));
+    } else {
+      EXPECT_EQ(read, signal) << "byte " << at;
+    }
+  }
+  // Deflate leaves some bits unused at the end of a block.
+  EXPECT_GT(refused, flips * 9 / 10);
+}
+
+TEST(Flips, InFilteredValuesOfHdf5GiveNoOtherNumbers) {
+  const Folder folder;
+  for (const bool is_matlab : {false, true}) {
+    for (const Filters& filters : {Filters{.deflate = true}, Filters{.fletcher32 = true},
+                                   Filters{.shuffle = true, .deflate = true},
+                                   Filters{.shuffle = true, .deflate = true, .fletcher32 = true}}) {
+      SCOPED_TRACE(is_matlab);
+      expect_no_other_numbers(folder, filtered(folder, filters, is_matlab));
+    }
+  }
+}
+
+/// The index of chunks has no checksum in HDF5's old format: 8 bytes of size and mask of filters,
+/// and the place of the chunk in the dataset, of which these are the keys (HDF5 file format,
+/// III.A.1).
+std::set<std::size_t> keys_of_chunks(const Covered& file) {
+  std::set<std::size_t> keys;
+  for (const Range& range : file.ranges) {
+    const auto size = static_cast<std::uint32_t>(range.end - range.begin);
+    std::string key(8, '\0');
+    for (std::size_t i = 0; i < 4; ++i) key[i] = static_cast<char>(size >> (8 * i));
+    const std::string first_place(8, '\0');  // of the only row
+    for (std::size_t at = file.bytes.find(key + first_place); at != std::string::npos;
+         at = file.bytes.find(key + first_place, at + 1)) {
+      keys.insert(at);
+    }
+  }
+  return keys;
+}
+
+TEST(Flips, InTheIndexOfChunksOfHdf5GiveNoOtherNumbers) {
+  const Folder folder;
+  for (const Filters& filters :
+       {Filters{.deflate = true}, Filters{.shuffle = true, .deflate = true},
+        Filters{.shuffle = true, .fletcher32 = true}, Filters{.fletcher32 = true}}) {
+    const Covered whole = filtered(folder, filters, false);
+    const std::set<std::size_t> keys = keys_of_chunks(whole);
+    ASSERT_EQ(keys.size(), 5U);
+    const std::vector<double> signal = flipped_signal();
+    for (const std::size_t key : keys) {
+      for (const std::size_t byte :
+           {std::size_t{0}, std::size_t{1}, std::size_t{4}, std::size_t{17}}) {
+        for (int bit = 0; bit < 8; bit += byte == 4 ? 1 : 3) {
+          std::string bytes = whole.bytes;
+          bytes[key + byte] = static_cast<char>(bytes[key + byte] ^ 1 << bit);
+          folder.write("damaged", bytes);
+          std::vector<double> read;
+          const auto error = error_of([&] { read = read_here(folder / "damaged", "x"); });
+          EXPECT_TRUE(error || read == signal) << "byte " << byte << " of a key, bit " << bit;
+        }
+      }
+    }
+  }
+}
+
+TEST(Hdf5, ThatWasNeverWrittenToItsEndIsRefused) {
+  const Folder folder;
+  const hid_t file = H5Fcreate((folder / "a.h5").c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
+  const hsize_t extent = 100;
+  const hsize_t chunk = 25;
+  const hsize_t none = 0;
+  const hsize_t written = 60;
+  const hid_t space = H5Screate_simple(1, &extent, nullptr);
+  const hid_t creation = H5Pcreate(H5P_DATASET_CREATE);
+  H5Pset_chunk(creation, 1, &chunk);
+  const hid_t set =
+      H5Dcreate2(file, "x", H5T_IEEE_F64LE, space, H5P_DEFAULT, creation, H5P_DEFAULT);
+  const hid_t all =
+      H5Dcreate2(file, "none", H5T_IEEE_F64LE, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
+  const hid_t part = H5Screate_simple(1, &written, nullptr);
+  H5Sselect_hyperslab(space, H5S_SELECT_SET, &none, nullptr, &written, nullptr);
+  const std::vector<double> values(written, 1.5);
+  EXPECT_GE(H5Dwrite(set, H5T_NATIVE_DOUBLE, part, space, H5P_DEFAULT, values.data()), 0);
+  for (const hid_t id : {set, all}) H5Dclose(id);
+  for (const hid_t id : {space, part}) H5Sclose(id);
+  H5Pclose(creation);
+  H5Fclose(file);
+  for (const char* name : {"x", "none"}) {
+    EXPECT_ERROR(read_here(folder / "a.h5", name), Exit::bad_input,
+                 std::string("a.h5: dataset /") + name + " has values that were never written");
+  }
+}
+
+}  // namespace
+}  // namespace piae::raw

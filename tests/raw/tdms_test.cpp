@@ -1,0 +1,267 @@
+#include "raw/tdms.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "raw/file.hpp"
+#include "support/errors.hpp"
+#include "support/folder.hpp"
+#include "support/tdms_writer.hpp"
+
+namespace piae::raw {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::DoubleEq;
+using testing::ElementsAre;
+using Doubles = std::vector<double>;
+using Shorts = std::vector<std::int16_t>;
+
+/// A file whose channels rig/acc (double) and rig/tacho (16 bits) have three values each.
+std::string two_channels(const tdms::Writer& write, bool is_interleaved) {
+  const std::vector<std::string> objects{
+      write.object("/", write.no_values(), {write.property("name", std::string("run 7"))}),
+      write.object("/'rig'", write.no_values()),
+      write.object("/'rig'/'acc'", write.index(tdms::dbl, 3),
+                   {write.property("unit_string", std::string("g")),
+                    write.property("wf_increment", 1 / 12000.0)}),
+      write.object("/'rig'/'tacho'", write.index(tdms::int16, 3))};
+  if (!is_interleaved) {
+    return write.segment(tdms::new_values, objects,
+                         write.numbers(Doubles{1.5, -2, 3e-9}) + write.numbers(Shorts{-7, 8, 9}));
+  }
+  std::string rows;
+  for (const auto& [acc, tacho] : {std::pair{1.5, -7}, std::pair{-2.0, 8}, std::pair{3e-9, 9}}) {
+    rows += write.number(acc) + write.number(static_cast<std::int16_t>(tacho));
+  }
+  return write.segment(tdms::new_values | tdms::interleaved, objects, rows);
+}
+
+class Tdms : public testing::Test {
+ protected:
+  [[nodiscard]] fs::path written(const std::string& bytes) const {
+    return folder_.write("a.tdms", bytes);
+  }
+  [[nodiscard]] std::vector<double> samples(const std::string& bytes,
+                                            const std::string& channel) const {
+    return read_here(written(bytes), channel);
+  }
+  void expect_refused(const std::string& bytes, const std::string& channel,
+                      const std::string& why) const {
+    EXPECT_ERROR(samples(bytes, channel), Exit::bad_input, "a.tdms: " + why);
+  }
+
+  Folder folder_;
+  tdms::Writer write_;
+};
+
+TEST_F(Tdms, HasChannelsByPathOrNumberInEitherByteOrderAndLayout) {
+  for (const bool is_big : {false, true}) {
+    for (const bool is_interleaved : {false, true}) {
+      SCOPED_TRACE(is_big ? "big-endian" : "little-endian");
+      const std::string bytes = two_channels(tdms::Writer(is_big), is_interleaved);
+      EXPECT_THAT(samples(bytes, "rig/acc"), ElementsAre(1.5, -2, 3e-9));
+      EXPECT_THAT(samples(bytes, "1"), ElementsAre(1.5, -2, 3e-9));
+      EXPECT_THAT(samples(bytes, "rig/tacho"), ElementsAre(-7, 8, 9));
+      EXPECT_THAT(samples(bytes, "2"), ElementsAre(-7, 8, 9));
+    }
+  }
+}
+
+TEST_F(Tdms, ThatHasNoSuchChannelListsThem) {
+  const std::string bytes = two_channels(write_, false);
+  for (const char* wanted : {"3", "0", "acc", "rig", ""}) {
+    expect_refused(bytes, wanted,
+                   std::string("has no channel ") + wanted + "; it has rig/acc, rig/tacho");
+  }
+}
+
+TEST_F(Tdms, SaysItsRate) {
+  const fs::path file = written(two_channels(write_, false));
+  EXPECT_THAT(read_tdms(file, "rig/acc").sample_rate_hz.value_or(0), DoubleEq(12000));
+  EXPECT_EQ(read_tdms(file, "rig/tacho").sample_rate_hz, std::nullopt);
+  EXPECT_EQ(read_here(file, "rig/acc", 12000).size(), 3U);
+  EXPECT_ERROR(read_here(file, "rig/acc", 25600), Exit::bad_input,
+               "is sampled at 12000 Hz, by what it says itself, not at 25600 Hz");
+}
+
+TEST_F(Tdms, HasNumbersOfAnyType) {
+  const auto read_as = [&](std::uint32_t type, const auto& values) {
+    return samples(write_.segment(tdms::new_values,
+                                  {write_.object("/'a'/'b'", write_.index(type, values.size()))},
+                                  write_.numbers(values)),
+                   "1");
+  };
+  EXPECT_THAT(read_as(tdms::int8, std::vector<std::int8_t>{-128, 127}), ElementsAre(-128, 127));
+  EXPECT_THAT(read_as(tdms::uint8, std::vector<std::uint8_t>{0, 255}), ElementsAre(0, 255));
+  EXPECT_THAT(read_as(tdms::int16, Shorts{-32768, 7}), ElementsAre(-32768, 7));
+  EXPECT_THAT(read_as(tdms::uint16, std::vector<std::uint16_t>{7, 65535}), ElementsAre(7, 65535));
+  EXPECT_THAT(read_as(tdms::int32, std::vector<std::int32_t>{-8388608, 8388607}),
+              ElementsAre(-8388608, 8388607));
+  EXPECT_THAT(read_as(tdms::uint32, std::vector<std::uint32_t>{1, 4294967295}),
+              ElementsAre(1, 4294967295));
+  EXPECT_THAT(read_as(tdms::int64, std::vector<std::int64_t>{-5, 1LL << 40}),
+              ElementsAre(-5, 1099511627776));
+  EXPECT_THAT(read_as(tdms::uint64, std::vector<std::uint64_t>{5, 1ULL << 40}),
+              ElementsAre(5, 1099511627776));
+  EXPECT_THAT(read_as(tdms::single, std::vector<float>{0.5F, -1}), ElementsAre(0.5, -1));
+}
+
+TEST_F(Tdms, MayHaveManySegmentsWhoseMetadataSayOnlyWhatChanged) {
+  const auto shorts = [&](const Shorts& values) { return write_.numbers(values); };
+  const std::string a = "/'g'/'a'";
+  const std::string b = "/'g'/'b'";
+  std::string bytes = write_.segment(tdms::new_values,
+                                     {write_.object(a, write_.index(tdms::int16, 2)),
+                                      write_.object(b, write_.index(tdms::int16, 1))},
+                                     shorts({1, 2, -1, 3, 4, -2}));  // two chunks
+  bytes += write_.segment(tdms::raw_data, {}, shorts({5, 6, -3}));   // all as before
+  bytes += write_.segment(tdms::raw_data | tdms::metadata,  // b has two values from here on
+                          {write_.object(b, write_.index(tdms::int16, 2))}, shorts({7, 8, -4, -5}));
+  bytes += write_.segment(tdms::raw_data | tdms::metadata,  // a none
+                          {write_.object(a, write_.no_values())}, shorts({-6, -7}));
+  bytes +=
+      write_.segment(tdms::new_values, {write_.object(a, write_.as_before())}, shorts({9, 10}));
+  bytes += write_.segment(
+      tdms::metadata,  // no values at all
+      {write_.object(a, write_.as_before(), {write_.property("wf_increment", 0.001)})}, "");
+  EXPECT_THAT(samples(bytes, "g/a"), ElementsAre(1, 2, 3, 4, 5, 6, 7, 8, 9, 10));
+  EXPECT_THAT(samples(bytes, "g/b"), ElementsAre(-1, -2, -3, -4, -5, -6, -7));
+  EXPECT_EQ(read_tdms(written(bytes), "g/a").sample_rate_hz, 1000);
+}
+
+TEST_F(Tdms, HasOtherThingsBetweenItsNumbers) {
+  const std::string labels = write_.number(std::uint32_t{1}) + write_.number(std::uint32_t{4}) +
+                             "abcd";  // ends of two texts, and their letters
+  const std::string bytes =
+      write_.segment(tdms::new_values,
+                     {write_.object("/'it''s'/'label'", write_.index_of_text(2, labels.size())),
+                      write_.object("/'it''s'/'when'", write_.index(tdms::time_stamp, 1)),
+                      write_.object("/'it''s'/'a/b'", write_.index(tdms::dbl, 2))},
+                     labels + std::string(16, '\x7f') + write_.numbers(Doubles{4, 5}));
+  EXPECT_THAT(samples(bytes, "it's/a/b"), ElementsAre(4, 5));
+  expect_refused(bytes, "1", "channel it's/label does not hold numbers, but text");
+  expect_refused(bytes, "2", "channel it's/when does not hold numbers, but time stamps");
+}
+
+TEST_F(Tdms, IsScaledAsItSays) {
+  const auto scaled = [&](const std::vector<std::string>& properties) {
+    return write_.segment(tdms::new_values,
+                          {write_.object("/'g'/'a'", write_.index(tdms::int16, 3), properties)},
+                          write_.numbers(Shorts{-2, 0, 4}));
+  };
+  const auto words = [&](const std::string& name, const std::string& value) {
+    return write_.property(name, value);
+  };
+  const auto count = [&](const std::string& name, std::uint32_t value) {
+    return write_.property(name, value);
+  };
+  std::vector<std::string> linear{count("NI_Number_Of_Scales", 1),
+                                  words("NI_Scaling_Status", "unscaled"),
+                                  words("NI_Scale[0]_Scale_Type", "Linear"),
+                                  write_.property("NI_Scale[0]_Linear_Slope", 0.5),
+                                  write_.property("NI_Scale[0]_Linear_Y_Intercept", 10.0),
+                                  count("NI_Scale[0]_Linear_Input_Source", 0xFFFFFFFF)};
+  EXPECT_THAT(samples(scaled(linear), "1"), ElementsAre(9, 10, 12));
+  std::vector<std::string> both = linear;  // 1 + 2 y + y^2 of y = 10 + x / 2
+  both[0] = count("NI_Number_Of_Scales", 2);
+  both.push_back(words("NI_Scale[1]_Scale_Type", "Polynomial"));
+  both.push_back(count("NI_Scale[1]_Polynomial_Coefficients_Size", 3));
+  for (const char* power : {"0", "1", "2"}) {
+    both.push_back(
+        write_.property(std::string("NI_Scale[1]_Polynomial_Coefficients[") + power + "]",
+                        *power == '1' ? 2.0 : 1.0));
+  }
+  both.push_back(count("NI_Scale[1]_Polynomial_Input_Source", 0));
+  EXPECT_THAT(samples(scaled(both), "1"), ElementsAre(100, 121, 169));
+  linear[1] = words("NI_Scaling_Status", "scaled");
+  EXPECT_THAT(samples(scaled(linear), "1"), ElementsAre(-2, 0, 4));
+  expect_refused(scaled({words("NI_Scale[0]_Scale_Type", "Thermocouple")}), "1",
+                 "channel g/a has a scale of the type 'Thermocouple', which is not read");
+  expect_refused(scaled({words("NI_Scale[0]_Scale_Type", "Linear")}), "1",
+                 "channel g/a is damaged: its scale has no NI_Scale[0]_Linear_Y_Intercept");
+  both.back() = count("NI_Scale[1]_Polynomial_Input_Source", 1);
+  expect_refused(scaled(both), "1", "channel g/a is damaged: its scales refer to none");
+}
+
+TEST_F(Tdms, WhoseWriterCrashedIsReadUpToItsLastWholeChunk) {
+  const auto numbers = [&](const Doubles& values) { return write_.numbers(values); };
+  const std::vector<std::string> objects{write_.object("/'g'/'a'", write_.index(tdms::dbl, 2)),
+                                         write_.object("/'g'/'b'", write_.index(tdms::dbl, 1))};
+  const std::string whole = write_.segment(tdms::new_values, objects, numbers({1, 2, -1}));
+  const std::string last =
+      write_.segment(tdms::new_values, objects, numbers({3, 4, -2, 5, 6, -3}), tdms::crashed);
+  EXPECT_THAT(samples(whole + last, "g/a"), ElementsAre(1, 2, 3, 4, 5, 6));
+  const std::string cut = (whole + last).substr(0, whole.size() + last.size() - 5);
+  EXPECT_THAT(samples(cut, "g/a"), ElementsAre(1, 2, 3, 4));
+  EXPECT_THAT(samples(cut, "g/b"), ElementsAre(-1, -2));
+  // In its metadata: nothing of that segment is there.
+  EXPECT_THAT(samples(whole + last.substr(0, 60), "g/a"), ElementsAre(1, 2));
+  // One channel loses no whole sample.
+  const std::string alone =
+      write_.segment(tdms::new_values, {write_.object("/'g'/'a'", write_.index(tdms::dbl, 1000))},
+                     numbers({1, 2, 3}), tdms::crashed);
+  EXPECT_THAT(samples(alone.substr(0, alone.size() - 1), "g/a"), ElementsAre(1, 2));
+  const std::string rows =
+      write_.segment(tdms::new_values | tdms::interleaved,
+                     {write_.object("/'g'/'a'", write_.index(tdms::dbl, 1000)),
+                      write_.object("/'g'/'b'", write_.index(tdms::dbl, 1000))},
+                     numbers({1, -1, 2, -2, 3}), tdms::crashed);
+  EXPECT_THAT(samples(rows, "g/b"), ElementsAre(-1, -2));
+}
+
+TEST_F(Tdms, ThatIsShorterThanItSaysIsRefused) {
+  const std::string one = two_channels(write_, false);
+  const std::string bytes = one + one;
+  for (std::size_t size = 1; size < bytes.size(); size += 3) {
+    if (size == one.size() || size < 4) continue;
+    SCOPED_TRACE(size);
+    expect_refused(bytes.substr(0, size), "rig/acc", "truncated or damaged: its segment at byte ");
+  }
+  expect_refused(bytes.substr(0, bytes.size() - 1), "1",
+                 "truncated or damaged: its segment at byte " + std::to_string(one.size()) +
+                     " is said to have " + std::to_string(one.size() - 28) + " bytes, and " +
+                     std::to_string(one.size() - 29) + " are there");
+  expect_refused(one + "x", "1", "truncated or damaged: its segment at byte");
+}
+
+TEST_F(Tdms, WhoseMetadataAreImpossibleIsRefused) {
+  const auto with = [&](const std::string& object, const std::string& raw = "12345678") {
+    return write_.segment(tdms::new_values, {object}, raw);
+  };
+  const std::string path = "/'g'/'a'";
+  const std::uint64_t huge = 1ULL << 62U;
+  expect_refused(with(write_.object(path, write_.as_before())), "1", "damaged: an object is said");
+  expect_refused(with(write_.object(path, write_.index(77, 1))), "1", "damaged: an object has");
+  expect_refused(with(write_.object("g/a", write_.index(tdms::dbl, 1))), "1",
+                 "damaged: an object has a path");
+  expect_refused(with(write_.object(path, write_.index(tdms::dbl, 1)), "1234567"), "1",
+                 "truncated or damaged: its segment at byte 0 has 7 bytes of values");
+  expect_refused(with(write_.words(path)), "1", "damaged: its metadata end too early");
+  expect_refused(with(write_.object(path, write_.no_values())), "1",
+                 "truncated or damaged: its segment at byte 0 has 8 bytes of values");
+  const std::string two = write_.segment(tdms::new_values,
+                                         {write_.object(path, write_.index(tdms::dbl, huge)),
+                                          write_.object("/'g'/'b'", write_.index(tdms::dbl, huge))},
+                                         "12345678");
+  expect_refused(two, "1", "truncated or damaged: its segment at byte 0 has 8 bytes of values");
+  expect_refused(
+      write_.segment(tdms::metadata, {write_.object(path, write_.index(tdms::dbl, 1))}, "12345678"),
+      "1", "truncated or damaged: its segment at byte 0 has more bytes");
+}
+
+TEST_F(Tdms, OfDaqmxIsRefusedByName) {
+  const std::string scaler = write_.number(std::uint32_t{0x1269}) + std::string(30, '\1');
+  for (const std::uint32_t contents : {tdms::new_values | tdms::daqmx, tdms::new_values}) {
+    expect_refused(write_.segment(contents, {write_.object("/'g'/'a'", scaler)}, "1234"), "1",
+                   "holds raw data of NI-DAQmx, which are not read: open it in DIAdem");
+  }
+}
+
+TEST_F(Tdms, HasAnIndexThatIsNoRecording) {
+  EXPECT_ERROR(read_here(folder_.write("a.tdms_index", "TDSh" + std::string(24, '\0')), "1"),
+               Exit::bad_input, "is the index of a TDMS file: name the file that ends in .tdms");
+}
+
+}  // namespace
+}  // namespace piae::raw
