@@ -31,14 +31,23 @@ void look_at_signal(RecordCheck& found, const std::vector<double>& signal,
   keep_shown_part(found.envelope, found.lines, found.source.shaft_speed_rpm / 60);
 }
 
+void look_for_flaws(RecordCheck& found, std::span<const double> samples) {
+  found.goes_one_way = goes_one_way(samples);
+  found.clipped = clipped_peaks(samples);
+  found.held = held_values(samples);
+  found.few_values = few_values(samples);
+  found.cut_tops = cut_tops(samples);
+  found.lone = lone_samples(samples);
+  found.repeats = repeats(samples);
+}
+
 void look_at_record(RecordCheck& found, const Description& description,
-                    signal::RecordReader& reader) {
+                    const std::filesystem::path& data_dir, signal::RecordReader& reader) {
   const signal::RawRecord raw = reader.read_raw(found.source);
   const signal::DatasetInfo& info = description.info;
   found.file_samples = raw.samples.size();
-  found.goes_one_way = goes_one_way(raw.samples);
-  found.clipped = clipped_peaks(raw.samples);
-  found.held = held_values(raw.samples);
+  look_for_flaws(found, raw.samples);
+  found.dropouts = dropouts_of(data_dir / found.source.file_text(), found.source.variable);
   if (found.length_s() > longest_record_s) {
     constexpr double most = 1e15;  // beyond any record, but a number that counts samples
     found.samples =
@@ -118,7 +127,7 @@ DatasetCheck check(const Description& description, const std::filesystem::path& 
     RecordCheck found;
     found.source = source;
     try {
-      look_at_record(found, description, reader);
+      look_at_record(found, description, data_dir, reader);
     } catch (const Error& error) {
       found.problem = error.what();
       note_exit(check, error.exit());

@@ -9,7 +9,11 @@
 #include "base/error.hpp"
 #include "inspection/fault_lines.hpp"
 #include "inspection/level.hpp"
+#include "inspection/lone_samples.hpp"
 #include "inspection/raw_flaws.hpp"
+#include "inspection/repeats.hpp"
+#include "inspection/time_column.hpp"
+#include "inspection/value_counts.hpp"
 #include "signal/description.hpp"
 #include "signal/ingest.hpp"
 
@@ -30,6 +34,11 @@ struct RecordCheck {
   bool goes_one_way = false;
   Stretches clipped;
   Stretches held;
+  std::optional<std::size_t> few_values;  ///< where the record takes so few that it is useless
+  CutTops cut_tops;
+  LoneSamples lone;
+  Repeats repeats;
+  Dropouts dropouts;
   /// In the unit of the source, at the dataset's rate. None for a record beyond longest_record_s,
   /// which then has no lines either.
   std::optional<Level> level;

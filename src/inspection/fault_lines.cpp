@@ -35,6 +35,7 @@ constexpr double largest_lobe = 0.25;
 constexpr double chance_of_noise = 1e-3;  // that white noise alone passes for a line
 constexpr int fewest_harmonics = 2;
 constexpr double largest_share_elsewhere = 0.05;
+constexpr double largest_factor = 1.5;  // at twice its place a line would meet its own harmonics
 constexpr double step_between_places = 0.02;  // of the logarithm of a frequency
 
 /// The longest length up to this one whose Fourier transform is fast: with no prime factor
@@ -90,6 +91,12 @@ double mean_of(const Decibels& decibels) {
   return std::accumulate(decibels.begin(), decibels.end(), 0.0) / harmonics;
 }
 
+/// The three harmonics of one frequency.
+struct Place {
+  double hz = 0;
+  Decibels decibels{};
+};
+
 /// Measures lines of a spectrum.
 class Ruler {
  public:
@@ -103,11 +110,11 @@ class Ruler {
   }
 
   /// The three harmonics of the one frequency within the tolerance at which their mean is highest.
-  [[nodiscard]] Decibels best(double line_hz) const {
+  [[nodiscard]] Place best(double line_hz) const {
     std::array<double, harmonics> floors{};
     for (int n = 1; n <= harmonics; ++n) floors.at(n - 1) = floor_of(n, line_hz);
-    Decibels best{};
-    best.fill(-std::numeric_limits<double>::infinity());
+    Place best;
+    best.decibels.fill(-std::numeric_limits<double>::infinity());
     const double step_hz = spectrum_->bin_hz / harmonics;
     const auto last = std::lround(tolerance * line_hz / step_hz);
     for (long i = -last; i <= last; ++i) {
@@ -117,7 +124,7 @@ class Ruler {
         const double power = std::max(spectrum_->power[bin(n * hz)], spectrum_->rounding);
         here.at(n - 1) = 10 * std::log10(power / floors.at(n - 1));
       }
-      if (mean_of(here) > mean_of(best)) best = here;
+      if (mean_of(here) > mean_of(best.decibels)) best = {hz, here};
     }
     return best;
   }
@@ -161,9 +168,23 @@ std::vector<double> elsewhere_db(const Ruler& ruler, const FaultLines& lines) {
     const double hz = lowest_hz * std::exp(static_cast<double>(i) * step_between_places);
     const bool related =
         std::ranges::any_of(lines, [&](const FaultLine& line) { return are_related(hz, line.hz); });
-    if (!related && ruler.can_measure(hz)) decibels.push_back(mean_of(ruler.best(hz)));
+    if (!related && ruler.can_measure(hz)) decibels.push_back(mean_of(ruler.best(hz).decibels));
   }
   return decibels;
+}
+
+/// See FaultLine::farthest_factor. Places are as far apart as each of them reaches.
+double farthest_factor(const Ruler& ruler, double line_hz) {
+  Place farthest;
+  farthest.decibels.fill(-std::numeric_limits<double>::infinity());
+  const auto last = std::lround(std::log(largest_factor) / (2 * tolerance));
+  for (long i = -last; i <= last; ++i) {
+    const double hz = line_hz * std::exp(2 * tolerance * static_cast<double>(i));
+    if (!ruler.can_measure(hz)) continue;
+    const Place place = ruler.best(hz);
+    if (mean_of(place.decibels) > mean_of(farthest.decibels)) farthest = place;
+  }
+  return farthest.hz / line_hz;
 }
 
 }  // namespace
@@ -217,12 +238,13 @@ FaultLines fault_lines(const EnvelopeSpectrum& spectrum, const signal::DatasetIn
   const std::vector<double> elsewhere = elsewhere_db(ruler, lines);
   for (FaultLine& line : lines) {
     if (elsewhere.empty() || !ruler.can_measure(line.hz)) continue;
-    const Decibels decibels = ruler.best(line.hz);
+    const Decibels decibels = ruler.best(line.hz).decibels;
     const double db = mean_of(decibels);
     const double places = 2 * tolerance * harmonics * line.hz / spectrum.resolution_hz;
     const auto as_far = std::ranges::count_if(elsewhere, [&](double other) { return other >= db; });
     line.db = db;
     line.noise_db = noise_line_db(spectrum.averages, places);
+    line.farthest_factor = farthest_factor(ruler, line.hz);
     line.share_elsewhere = static_cast<double>(as_far) / static_cast<double>(elsewhere.size());
     line.harmonics_above_noise = static_cast<int>(
         std::ranges::count_if(decibels, [&](double harmonic) { return harmonic > line.noise_db; }));

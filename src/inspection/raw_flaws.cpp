@@ -32,18 +32,6 @@ std::vector<Run> runs_of(std::span<const double> samples) {
   return runs;
 }
 
-/// The smallest distance of two values: the resolution of the converter.
-double quantum_of(std::span<const double> samples) {
-  std::vector<double> values(samples.begin(), samples.end());
-  std::ranges::sort(values);
-  double quantum = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 1; i < values.size(); ++i) {
-    const double step = values[i] - values[i - 1];
-    if (step > 0) quantum = std::min(quantum, step);
-  }
-  return quantum;
-}
-
 /// Whether the run is entered or left by a step that the top of no smooth signal makes.
 bool is_abrupt(std::span<const double> samples, const Run& run, double quantum) {
   const auto m = static_cast<double>(run.length);
@@ -81,6 +69,17 @@ bool goes_one_way(std::span<const double> samples) {
     if (samples[i] < samples[i - 1]) ++down;
   }
   return up + down >= fewest_steps && std::min(up, down) * steps_to_one_back <= up + down;
+}
+
+double quantum_of(std::span<const double> samples) {
+  std::vector<double> values(samples.begin(), samples.end());
+  std::ranges::sort(values);
+  double quantum = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 1; i < values.size(); ++i) {
+    const double step = values[i] - values[i - 1];
+    if (step > 0) quantum = std::min(quantum, step);
+  }
+  return quantum;
 }
 
 Stretches clipped_peaks(std::span<const double> samples) {

@@ -22,6 +22,9 @@ struct Stretches {
 /// noise goes one way in one of 20! cases.
 bool goes_one_way(std::span<const double> samples);
 
+/// The smallest distance of two values: the resolution of the converter.
+double quantum_of(std::span<const double> samples);
+
 /// Peaks that are cut off at the highest or lowest value of the record. A parabola, which every
 /// smooth peak is, that is rounded to m equal samples has left them by at most ((m + 1) / (m -
 /// 1))^2 quanta one sample later, and rounding adds one. A stretch that is left or entered by more

@@ -15,13 +15,16 @@ namespace piae::inspection {
 std::vector<std::string> warnings_of(const signal::Description& description,
                                      const DatasetCheck& check);
 
+/// What is odd about the samples of one record: a time instead of a vibration, clipped peaks, few
+/// distinct values, stretches of one value, samples that stand alone, stretches that repeat, and
+/// missing samples.
+std::vector<std::string> sample_warnings(const RecordCheck& record);
+
 /// What is odd about fault lines alone: a record that does not show the line of its class, or shows
 /// that of another defect farther, and a healthy record that shows one. Where three quarters of the
-/// faulty records do not, that alone is said, once.
+/// faulty records do not, that alone is said, once; and the factor, where their lines are off by
+/// the same one.
 std::vector<std::string> line_warnings(const signal::DatasetInfo& info,
                                        const std::vector<RecordCheck>& records);
-
-/// "IR007 (cwru/105.mat, variable X105_DE_time)".
-std::string place_of(const signal::RecordSource& source);
 
 }  // namespace piae::inspection

@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <vector>
 
+#include "base/random.hpp"
 #include "support/folder.hpp"
 
 namespace piae::inspection {
@@ -95,6 +97,36 @@ TEST(Check, LooksForFlawsInTheFilesOwnSamples) {
   EXPECT_EQ(found.records[0].samples, 3000U);
   EXPECT_EQ(found.records[0].length_s(), 3);
   EXPECT_GT(found.records[0].clipped.count, 0U);
+}
+
+/// Noise that is cut at 2, with a spike, whose last quarter repeats its first, and whose times
+/// jump.
+TEST(Check, KeepsEachFlawOfASignal) {
+  const Folder folder;
+  write_signal(folder, "ok1.csv", 1324, 1);
+  write_signal(folder, "ok2.csv", 1324, 2);
+  Stream random("flaws");
+  std::vector<double> samples;
+  for (int i = 0; i < 4000; ++i) samples.push_back(std::min(random.normal(0, 1), 2.0));
+  samples[1500] = -900;
+  std::copy_n(samples.begin(), 1000, samples.begin() + 3000);
+  std::string text;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const double t = static_cast<double>(i < 2000 ? i : i + 7) / 1000;
+    text += std::to_string(t) + ',' + std::to_string(samples[i]) + '\n';
+  }
+  folder.write("bad.csv", text);
+  Description d = description();
+  d.records[0].variable = "2";
+  const RecordCheck found = check(d, folder.path()).records[0];
+  EXPECT_EQ(found.cut_tops.highest, 2);
+  EXPECT_EQ(found.cut_tops.on_highest, static_cast<std::size_t>(std::ranges::count(samples, 2.0)));
+  EXPECT_EQ(found.lone.farthest, 1500U);
+  EXPECT_EQ(found.repeats.first, 3000U);
+  EXPECT_EQ(found.repeats.longest, 1000U);
+  EXPECT_EQ(found.dropouts.missing, 7U);
+  EXPECT_EQ(found.dropouts.longest_after, 1999U);
+  EXPECT_EQ(found.few_values, std::nullopt);
 }
 
 /// At 1 Hz these are 47 minutes, and at half of that more than an hour: 5642 s.

@@ -92,6 +92,18 @@ TEST(FaultLines, DoNotStandOutWhereTheSpeedIsWrong) {
   }
 }
 
+/// Where they are says by how much the speed is wrong, as far as lines of 3/2 and 2/3 go.
+TEST(FaultLines, AreFarthestWhereTheyAre) {
+  for (const Defect kind : kinds) {
+    const Samples samples = struck_recording(rate_hz, 6, hz_of(kind), "struck");
+    for (const double declared : {0.75, 0.9, 0.95, 1.0, 1.05, 1.2, 1.4}) {
+      const FaultLine line = line_of(lines_of(samples, rate_hz, declared * rpm), kind);
+      EXPECT_NEAR(line.farthest_factor * declared, 1, 0.005) << line_name(kind) << ' ' << declared;
+    }
+  }
+  EXPECT_EQ(line_of(lines_of({}), Defect::inner).farthest_factor, 0);
+}
+
 /// The third harmonic of BPFO lies within 1 % of the second of BPFI.
 TEST(FaultLines, CountOneHarmonicOfSomethingElseForLittle) {
   const FaultLine inner = line_of(

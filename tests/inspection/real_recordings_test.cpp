@@ -13,6 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using testing::AllOf;
+using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::UnorderedElementsAre;
 
@@ -22,7 +23,7 @@ const fs::path descriptions =
 /// The warnings of a data set; nothing where its recordings are not there.
 std::optional<std::vector<std::string>> warnings_of(const std::string& dataset) {
   const char* folder = std::getenv("DATA_DIR");
-  if (folder == nullptr || !fs::exists(fs::path(folder) / dataset)) return std::nullopt;
+  if (folder == nullptr) return std::nullopt;
   const auto description = signal::read_description(descriptions / (dataset + ".toml"));
   const DatasetCheck found = check(description, folder);
   if (found.exit != Exit::done) return std::nullopt;
@@ -39,11 +40,30 @@ TEST(RealRecordings, OfCwruHaveThreeFaultsThatDoNotShowTheirLinesBest) {
                                               about("OR014 (", "BPFO")));
 }
 
-TEST(RealRecordings, OfHitSmHaveAHealthyOneThatShowsALine) {
+/// The scale of their amplitude differs from file to file.
+TEST(RealRecordings, OfHitSmHaveAHealthyOneThatShowsALineAndAScaleOfItsOwn) {
   const auto warnings = warnings_of("hit-sm");
   if (!warnings) GTEST_SKIP() << "DATA_DIR does not have the recordings";
-  EXPECT_THAT(*warnings, UnorderedElementsAre(AllOf(HasSubstr("Normal ("), HasSubstr("BPFI"),
-                                                    HasSubstr("healthy, but"))));
+  EXPECT_THAT(*warnings,
+              UnorderedElementsAre(
+                  AllOf(HasSubstr("Normal ("), HasSubstr("BPFI"), HasSubstr("healthy, but")),
+                  AllOf(HasSubstr("IR2 ("), HasSubstr("526 times that of the healthy records"),
+                        HasSubstr("(the same holds for IR5, IR8, OR2, OR5, OR8)"))));
+}
+
+/// 13 and 9 samples of 262144 lie on 9.999, the end of a range of 10 V, and nothing else of 32
+/// records is cut, repeats, or stands alone.
+TEST(RealRecordings, OfUestcAreCutAtTheEndOfTheirRangeInTwo) {
+  auto warnings = warnings_of("uestc-speeds");
+  if (!warnings) GTEST_SKIP() << "DATA_DIR does not have the recordings";
+  std::erase_if(*warnings, [](const std::string& line) {
+    return line.find("the line of its class") != std::string::npos ||
+           line.find("healthy, but") != std::string::npos;
+  });
+  EXPECT_THAT(*warnings,
+              ElementsAre(AllOf(HasSubstr("I_1400_1.mat"), HasSubstr("clipped: 13 samples"),
+                                HasSubstr("(9.999)")),
+                          AllOf(HasSubstr("I_1400_2.mat"), HasSubstr("clipped: 9 samples"))));
 }
 
 }  // namespace

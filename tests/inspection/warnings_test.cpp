@@ -64,6 +64,7 @@ TEST(Warnings, NameRacewaysThatAreBoreAndOutsideDiameter) {
 TEST(Warnings, NameTheRateThatLeavesNoTurnInAWindow) {
   Found found;
   found.description.info.sample_rate_hz = 48000;
+  for (RecordCheck& record : found.check.records) record.source.sample_rate_hz = 48000;
   for (auto& source : found.description.records) source.shaft_speed_rpm = 1797;
   found.description.records[1].shaft_speed_rpm = 1200;
   expect_one(found,
@@ -121,6 +122,82 @@ TEST(Warnings, NameClippedSamples) {
                      "6 samples on -4.99 from sample 4711"});
 }
 
+TEST(Warnings, NamePeaksThatAreCutToOneSample) {
+  Found found;
+  found.check.records[2].cut_tops = {1200, 0, 4.99, -3.2};
+  expect_one(found, {"inner (inner.csv, variable 2): clipped: 1200 samples, 1 % of the record, lie "
+                     "exactly on the highest value (4.99), more"});
+  found.check.records[2].cut_tops = {700, 500, 4.99, -5};
+  expect_one(found, {"1200 samples", "on the highest value (4.99) or the lowest (-5), more"});
+  found.check.records[2].clipped = {7, 31, 6, 4711, -4.99};
+  expect_one(found, {"clipped: 31 samples in 7 stretches"});
+}
+
+/// Nothing else is asked of it.
+TEST(Warnings, NameFewDistinctValues) {
+  Found found;
+  RecordCheck& record = found.check.records[1];
+  record.few_values = 4;
+  record.cut_tops = {1200, 0, 4.99, -3.2};
+  record.level->rms = 1e-4;
+  Found::set(found.line(1, 0), 0);
+  expect_one(found, {"outer (outer.csv, variable 2): takes 4 distinct values only: a dead sensor"});
+}
+
+TEST(Warnings, NameSamplesThatStandAlone) {
+  Found found;
+  found.check.records[0].lone = {1, 1000, 300, 1.0725};
+  expect_one(found, {"ok (ok.csv, variable 2): sample 1000 (300) stands alone",
+                     "farther than 1.07 ", "a spike"});
+  found.check.records[0].lone = {3, 1000, 300, 1.0725};
+  expect_one(found, {"sample 1000 (300) and 2 more stand alone"});
+}
+
+/// 3000 of 120000 samples.
+TEST(Warnings, NameStretchesThatRepeat) {
+  Found found;
+  found.check.records[0].repeats = {1, 3000, 3000, 60000, 512};
+  expect_one(found, {"ok (ok.csv, variable 2): samples 60000 to 62999 repeat samples 512 to 3511 "
+                     "exactly, 2.5 % of the record",
+                     "PROTOCOL=blocked"});
+  found.check.records[0].repeats = {2, 3600, 3000, 60000, 512};
+  expect_one(found, {"exactly (the longest of 2 such stretches), 3 % of"});
+}
+
+TEST(Warnings, NameSamplesThatAreMissing) {
+  Found found;
+  found.check.records[0].dropouts = {1, 1, 1, 4710};
+  expect_one(found, {"ok (ok.csv, variable 2): the times in column 1 jump 1 time: 1 sample is "
+                     "missing, the longest gap, of 1, follows sample 4710"});
+  found.check.records[0].dropouts = {3, 50, 40, 4710};
+  expect_one(found, {"jump 3 times: 50 samples are missing, the longest gap, of 40,"});
+}
+
+TEST(Warnings, NameARecordOfALowerRateThanTheDataSet) {
+  Found found;
+  found.check.records[1].source.sample_rate_hz = 600;
+  expect_one(found, {"outer (outer.csv, variable 2): sample_rate_hz = 600 is below the data set's "
+                     "12000: nothing above 300 Hz exists"});
+  for (RecordCheck& record : found.check.records) record.source.sample_rate_hz = 6000;
+  expect_one(found, {"ok (ok.csv, variable 2): sample_rate_hz = 6000", "to 6000 or less",
+                     "(the same holds for outer, inner, ball)"});
+}
+
+/// Of 1, as all others have.
+TEST(Warnings, NameALevelThatNoFaultHas) {
+  Found found;
+  found.check.records[1].level->rms = 99;
+  found.check.records[2].level->rms = 0.0101;
+  EXPECT_THAT(warnings_of(found), IsEmpty());
+  found.check.records[1].level->rms = 5600;
+  expect_one(found, {"outer (outer.csv, variable 2): its RMS, 5600, is 5600 times that of the "
+                     "healthy records, 1, ",
+                     "unit or scale"});
+  found.check.records[1].level->rms = 1;
+  found.check.records[2].level->rms = 0.0019;
+  expect_one(found, {"inner (inner.csv, variable 2): its RMS, 0.0019, is 0.0019 times"});
+}
+
 /// 1200 of 120000 samples at 12 kHz.
 TEST(Warnings, NameStretchesOfOneValue) {
   Found found;
@@ -166,6 +243,45 @@ TEST(Warnings, NameSpeedAndRateWhereNearlyAllFaultsDoNotShowTheirLines) {
   found.line(2, 1).stands_out = false;
   found.line(3, 2).stands_out = false;
   expect_one(found, {"only 0 of 3 faulty records", "(not outer, inner, ball)", "shaft_speed_rpm"});
+}
+
+/// Three of three records of three kinds, within 2 %: by chance in one of 400.
+TEST(Warnings, NameTheFactorByWhichAllLinesAreOff) {
+  Found found;
+  const std::vector<double> factors{0.95, 0.948, 0.956};
+  const auto move = [&](std::size_t i, double factor) {
+    const Label label = static_cast<Label>(i + 1);
+    FaultLine& line = found.line(label, i);
+    Found::set(line, 1);
+    line.farthest_factor = factor;
+  };
+  const std::vector<std::size_t> own{0, 1, 2};  // outer, inner, ball
+  for (const std::size_t i : own) move(i, factors[i]);
+  expect_one(found, {"3 of 3 faulty records show the line of their class at 0.95 times its place "
+                     "(outer, inner, ball)",
+                     "for outer, shaft_speed_rpm = 1707 in place of 1797",
+                     "sample_rate_hz = 1.263e+04 in place of 12000"});
+  move(2, 1.3);  // two of three may agree by chance
+  EXPECT_THAT(warnings_of(found), ElementsAre(HasSubstr("only 0 of 3 faulty records")));
+  move(2, 0.95);
+  found.line(3, 2).stands_out = true;  // at its own place
+  EXPECT_THAT(warnings_of(found), Not(Contains(HasSubstr("times its place"))));
+  for (const std::size_t i : own) move(i, 1.01);  // within what slip explains
+  EXPECT_THAT(warnings_of(found), ElementsAre(HasSubstr("only 0 of 3 faulty records")));
+}
+
+/// It may be a line of the shaft, which is at one frequency.
+TEST(Warnings, NameNoFactorThatOneKindOfFaultAloneHas) {
+  Found found;
+  for (const Label label : {1, 2, 3}) {
+    found.check.records[index_of(label)].source.label = 1;
+    FaultLine& line = found.line(label, 0);
+    Found::set(line, 1);
+    Found::set(found.line(label, 1), 1);
+    Found::set(found.line(label, 2), 1);
+    line.farthest_factor = 0.84;
+  }
+  EXPECT_THAT(warnings_of(found), ElementsAre(HasSubstr("only 0 of 3 faulty records")));
 }
 
 TEST(Warnings, NameAHealthyRecordThatShowsALine) {

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <cmath>
 #include <sstream>
 
 #include "bearing/kinematics.hpp"
@@ -176,6 +177,71 @@ TEST_F(IngestCheck, WarnsOfClippedSamples) {
   for (double& x : samples) x = std::clamp(x, -0.4, 0.4);
   write("OR021", samples);
   expect_one_warning({"OR021 (OR021.csv, variable acceleration): clipped", "0.4"});
+}
+
+/// Noise passes the limit for a single sample at a time.
+TEST_F(IngestCheck, WarnsOfPeaksThatAreCutToOneSample) {
+  std::vector<double> samples = good_samples("Normal");
+  for (double& x : samples) x = std::clamp(x, -0.3, 0.3);
+  for (std::size_t i = 1; i < samples.size(); ++i) {
+    if (std::abs(samples[i]) == 0.3 && std::abs(samples[i - 1]) == 0.3) samples[i] = 0.1;
+  }
+  write("Normal", samples);
+  expect_one_warning({"Normal (Normal.csv, variable acceleration): clipped", "(0.3)", "(-0.3)"});
+}
+
+TEST_F(IngestCheck, WarnsOfADeadSensor) {
+  std::vector<double> samples = good_samples("OR021");
+  for (double& x : samples) x = std::clamp(std::round(x / 0.1), -2.0, 1.0);
+  write("OR021", samples);
+  expect_one_warning({"OR021 (OR021.csv, variable acceleration): takes 4 distinct values only"});
+}
+
+TEST_F(IngestCheck, WarnsOfAHalfThatRepeatsTheOther) {
+  std::vector<double> samples = good_samples("IR007");
+  std::copy_n(samples.begin(), 36000, samples.begin() + 36000);
+  write("IR007", samples);
+  expect_one_warning(
+      {"IR007 (IR007.csv, variable acceleration): samples 36000 to 71999 repeat "
+       "samples 0 to 35999 exactly, 50 % of the record",
+       "PROTOCOL=blocked"});
+}
+
+TEST_F(IngestCheck, WarnsOfASpike) {
+  std::vector<double> samples = good_samples("Normal");
+  samples[1000] = 300;
+  write("Normal", samples);
+  expect_one_warning(
+      {"Normal (Normal.csv, variable acceleration): sample 1000 (300) stands alone"});
+}
+
+TEST_F(IngestCheck, WarnsOfCounts) {
+  std::vector<double> samples = good_samples("OR021");
+  for (double& x : samples) x = std::round(x * 3e4);
+  write("OR021", samples);
+  expect_one_warning({"OR021 (OR021.csv, variable acceleration): its RMS, ", "unit or scale"});
+}
+
+TEST_F(IngestCheck, WarnsOfARecordOfALowerRate) {
+  describe(replaced(good_description,
+                    "OR021.csv\"\nvariable = \"acceleration\"\nsample_rate_hz = 12000",
+                    "OR021.csv\"\nvariable = \"acceleration\"\nsample_rate_hz = 6000"));
+  const std::vector<std::string> warnings = warnings_in(run().out);
+  ASSERT_FALSE(warnings.empty());
+  EXPECT_THAT(warnings.front(), HasSubstr("OR021 (OR021.csv, variable acceleration): "
+                                          "sample_rate_hz = 6000 is below the data set's 12000: "
+                                          "nothing above 3000 Hz"));
+}
+
+TEST_F(IngestCheck, WarnsOfMissingSamples) {
+  const std::string text = csv_of(good_samples("Normal"));
+  const std::size_t from = text.find("\n2.000000,");
+  const std::size_t to = text.find("\n2.100000,");
+  folder_.write("data/Normal.csv", text.substr(0, from) + text.substr(to));
+  expect_one_warning(
+      {"Normal (Normal.csv, variable acceleration): the times in column 1 jump 1 "
+       "time: 1200 samples are missing",
+       "follows sample 23999"});
 }
 
 TEST_F(IngestCheck, WarnsOfStretchesOfZeros) {

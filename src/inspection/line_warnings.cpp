@@ -1,0 +1,129 @@
+#include <spdlog/fmt/fmt.h>
+
+#include <algorithm>
+
+#include "inspection/common_factor.hpp"
+#include "inspection/plausibility.hpp"
+#include "inspection/warning_text.hpp"
+#include "inspection/warnings.hpp"
+
+namespace piae::inspection {
+
+namespace {
+
+using signal::DatasetInfo;
+using Lines = std::vector<std::string>;
+
+/// "BPFI (162.2 Hz, 25.4 dB)".
+std::string shown_line(const FaultLine& line) {
+  return fmt::format("{} ({:.1f} Hz, {:.1f} dB)", line_name(line.kind), line.hz, *line.db);
+}
+
+/// Why a line does not count as one.
+std::string reason(const FaultLine& line) {
+  if (*line.db <= line.noise_db) return fmt::format("noise alone reaches {:.1f}", line.noise_db);
+  if (line.harmonics_above_noise < 2) return "only one of its harmonics does";
+  return fmt::format("{:.0f} % of the places where no fault has a line do as well",
+                     100 * line.share_elsewhere);
+}
+
+bool has_lines(const RecordCheck& record) {
+  return record.problem.empty() && !record.goes_one_way && !record.few_values &&
+         !looks_like_hz(record.source.shaft_speed_rpm);
+}
+
+/// What is odd about the lines of a faulty record; empty where it shows its own.
+std::string oddity_of_fault(const RecordCheck& record, signal::Defect defect) {
+  const FaultLine& own = line_of(record.lines, defect);
+  if (!own.db) return {};
+  const FaultLine* first = farthest(record.lines);
+  if (first == &own) return {};
+  std::string line = fmt::format("{}: ", place_of(record.source));
+  if (own.stands_out) {
+    line += fmt::format("{} stands out farther than {}, the line of its class", shown_line(*first),
+                        shown_line(own));
+  } else {
+    line += fmt::format("{}, the line of its class, does not stand out: {}", shown_line(own),
+                        reason(own));
+    if (first != nullptr) line += fmt::format("; {} does", shown_line(*first));
+  }
+  return line + "; label, speed or rate may be wrong, or the fault stays hidden, as some do";
+}
+
+/// The weakest of the lines that records of faulty classes show of this kind, as a measure.
+std::string measure_of(const DatasetInfo& info, const std::vector<RecordCheck>& records,
+                       signal::Defect kind) {
+  std::optional<double> weakest;
+  for (const RecordCheck& record : records) {
+    if (info.class_of(record.source.label).defect != kind || !has_lines(record)) continue;
+    const FaultLine& line = line_of(record.lines, kind);
+    if (line.db && (!weakest || *line.db < *weakest)) weakest = line.db;
+  }
+  return weakest ? fmt::format(", the weakest record of such a fault {:.1f}", *weakest) : "";
+}
+
+void add_healthy_lines(const DatasetInfo& info, const std::vector<RecordCheck>& records,
+                       Lines& lines) {
+  for (const RecordCheck& record : records) {
+    const bool healthy = info.class_of(record.source.label).defect == signal::Defect::none;
+    if (!healthy || !has_lines(record)) continue;
+    const FaultLine* first = farthest(record.lines);
+    if (first == nullptr) continue;
+    lines.push_back(fmt::format(
+        "{}: healthy, but {} stands out: noise alone reaches {:.1f}{}; the label may be wrong, or "
+        "the bearing not quite sound",
+        place_of(record.source), shown_line(*first), first->noise_db,
+        measure_of(info, records, first->kind)));
+  }
+}
+
+/// Where nearly all faulty records do not show their line, they share the reason.
+std::string shared_oddity(const std::vector<const RecordCheck*>& odd, std::size_t asked) {
+  return fmt::format(
+      "only {} of {} faulty records show the line of their class best (not {}): shaft_speed_rpm, "
+      "sample_rate_hz or [bearing] may be wrong, or the labels",
+      asked - odd.size(), asked, names_of(odd));
+}
+
+/// Where lines are off by one factor, the speed or the rate is wrong by it.
+std::string shared_factor(const CommonFactor& common, std::size_t asked) {
+  const signal::RecordSource& first = common.records.front()->source;
+  return fmt::format(
+      "{} of {} faulty records show the line of their class at {:.3g} times its place ({}): for "
+      "{}, "
+      "shaft_speed_rpm = {:.4g} in place of {:g} would fit, or sample_rate_hz = {:.4g} in place of "
+      "{:g}",
+      common.records.size(), asked, common.factor, names_of(common.records), first.name,
+      first.shaft_speed_rpm * common.factor, first.shaft_speed_rpm,
+      first.sample_rate_hz / common.factor, first.sample_rate_hz);
+}
+
+}  // namespace
+
+std::vector<std::string> line_warnings(const DatasetInfo& info,
+                                       const std::vector<RecordCheck>& records) {
+  Lines lines;
+  std::vector<const RecordCheck*> asked;
+  std::vector<const RecordCheck*> odd;
+  for (const RecordCheck& record : records) {
+    const signal::Defect defect = info.class_of(record.source.label).defect;
+    if (!bearing::is_struck(defect) || !has_lines(record)) continue;
+    if (!line_of(record.lines, defect).db) continue;
+    asked.push_back(&record);
+    std::string oddity = oddity_of_fault(record, defect);
+    if (oddity.empty()) continue;
+    odd.push_back(&record);
+    lines.push_back(std::move(oddity));
+  }
+  if (const auto common = common_factor(info, asked)) {
+    return {shared_factor(*common, asked.size())};
+  }
+  constexpr std::size_t few = 2;
+  if (odd.size() > few && 4 * odd.size() >= 3 * asked.size()) {
+    return {shared_oddity(odd, asked.size())};
+  }
+  add_healthy_lines(info, records, lines);
+  return lines;
+}
+
+}  // namespace piae::inspection

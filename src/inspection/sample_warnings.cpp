@@ -1,0 +1,113 @@
+#include <spdlog/fmt/fmt.h>
+
+#include "inspection/warning_text.hpp"
+#include "inspection/warnings.hpp"
+
+namespace piae::inspection {
+
+namespace {
+
+using Lines = std::vector<std::string>;
+
+double percent(std::size_t part, std::size_t whole) {
+  return 100 * static_cast<double>(part) / static_cast<double>(whole);
+}
+
+/// Where both kinds of flat top are found, the stretches say more.
+void add_clipped(const RecordCheck& record, const std::string& place, Lines& lines) {
+  const Stretches& clipped = record.clipped;
+  if (clipped.count > 0) {
+    lines.push_back(fmt::format(
+        "{}: clipped: {} samples in {} stretches lie flat on the highest or lowest value (the "
+        "longest, {} samples on {:g} from sample {}): the impacts that show a fault are cut off",
+        place, clipped.samples, clipped.count, clipped.longest, clipped.value,
+        clipped.longest_first));
+    return;
+  }
+  const CutTops& cut = record.cut_tops;
+  if (cut.samples() == 0) return;
+  std::string values;
+  if (cut.on_highest > 0) values = fmt::format("the highest value ({:g})", cut.highest);
+  if (cut.on_lowest > 0) {
+    values += fmt::format("{}the lowest ({:g})", values.empty() ? "" : " or ", cut.lowest);
+  }
+  lines.push_back(fmt::format(
+      "{}: clipped: {} samples, {:.2g} % of the record, lie exactly on {}, more than any peak "
+      "leaves there that is not cut: the impacts that show a fault are cut off",
+      place, cut.samples(), percent(cut.samples(), record.file_samples), values));
+}
+
+void add_held(const RecordCheck& record, const std::string& place, Lines& lines) {
+  const Stretches& held = record.held;
+  if (held.count == 0) return;
+  lines.push_back(fmt::format(
+      "{}: stands still at {:g} for {} samples ({:.3g} s) from sample {}; {} such stretch{}, "
+      "{:.2g} % of the record: windows from there show no vibration",
+      place, held.value, held.longest,
+      static_cast<double>(held.longest) / record.source.sample_rate_hz, held.longest_first,
+      held.count, held.count == 1 ? "" : "es", percent(held.samples, record.file_samples)));
+}
+
+void add_lone(const RecordCheck& record, const std::string& place, Lines& lines) {
+  const LoneSamples& lone = record.lone;
+  if (lone.count == 0) return;
+  const std::string more =
+      lone.count == 1 ? " stands" : fmt::format(" and {} more stand", lone.count - 1);
+  lines.push_back(fmt::format(
+      "{}: sample {} ({:g}){} alone: the neighbours are ordinary, and no other sample is farther "
+      "than {:.3g} from the mean: a spike of converter or cable, which sets the level of its "
+      "window; "
+      "replace it by the mean of its neighbours",
+      place, lone.farthest, lone.value, more, lone.others));
+}
+
+void add_repeats(const RecordCheck& record, const std::string& place, Lines& lines) {
+  const Repeats& found = record.repeats;
+  if (found.count == 0) return;
+  const std::string more =
+      found.count == 1 ? "" : fmt::format(" (the longest of {} such stretches)", found.count);
+  lines.push_back(fmt::format(
+      "{}: samples {} to {} repeat samples {} to {} exactly{}, {:.2g} % of the record: test "
+      "windows "
+      "then equal training windows, with PROTOCOL=blocked, too; cut the file there",
+      place, found.first, found.first + found.longest - 1, found.original,
+      found.original + found.longest - 1, more, percent(found.samples, record.file_samples)));
+}
+
+void add_dropouts(const RecordCheck& record, const std::string& place, Lines& lines) {
+  const Dropouts& found = record.dropouts;
+  if (found.gaps == 0) return;
+  lines.push_back(fmt::format(
+      "{}: the times in column 1 jump {} time{}: {} sample{} missing, the longest gap, of {}, "
+      "follows "
+      "sample {}: a window across a gap is not one stretch of signal; cut the file there",
+      place, found.gaps, found.gaps == 1 ? "" : "s", found.missing,
+      found.missing == 1 ? " is" : "s are", found.longest, found.longest_after));
+}
+
+}  // namespace
+
+std::vector<std::string> sample_warnings(const RecordCheck& record) {
+  const std::string place = place_of(record.source);
+  if (record.goes_one_way) {
+    return {place +
+            ": the samples only rise or only fall: a time or a counter, no acceleration; name "
+            "another variable"};
+  }
+  if (record.few_values) {
+    return {
+        fmt::format("{}: takes {} distinct values only: a dead sensor, or a gain so low that "
+                    "rounding hides the "
+                    "vibration",
+                    place, *record.few_values)};
+  }
+  Lines lines;
+  add_clipped(record, place, lines);
+  add_held(record, place, lines);
+  add_lone(record, place, lines);
+  add_repeats(record, place, lines);
+  add_dropouts(record, place, lines);
+  return lines;
+}
+
+}  // namespace piae::inspection

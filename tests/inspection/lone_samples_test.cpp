@@ -1,0 +1,89 @@
+#include "inspection/lone_samples.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "support/made_recordings.hpp"
+
+namespace piae::inspection {
+namespace {
+
+using std::numbers::pi;
+using Samples = std::vector<double>;
+
+Samples ringing(double strikes_hz = 107, const std::string& name = "impacts") {
+  return struck_recording(12000, 2, strikes_hz, name);
+}
+
+TEST(LoneSamples, ASpikeIsFoundWithWhatItStandsOutOf) {
+  Samples samples = ringing(0);
+  samples[1000] = 300;
+  samples[2000] = -0.55;  // the farthest of the others: noise of 0.1 reaches 0.45
+  const LoneSamples found = lone_samples(samples);
+  EXPECT_EQ(found.count, 1U);
+  EXPECT_EQ(found.farthest, 1000U);
+  EXPECT_EQ(found.value, 300);
+  EXPECT_NEAR(found.others, 0.55 + 300.0 / 24000, 0.002);
+}
+
+TEST(LoneSamples, SeveralSpikesAreCountedAndTheFarthestIsPlaced) {
+  Samples samples = ringing();
+  const double between = 60;  // samples after an impact, of 112, where its ringing has decayed
+  for (const int impact : {10, 50, 90}) {
+    const auto at = static_cast<std::size_t>(std::lround(impact * 12000 / 107.0 + between));
+    samples[at] = impact == 50 ? -9 : 7;
+  }
+  const LoneSamples found = lone_samples(samples);
+  EXPECT_EQ(found.count, 3U);
+  EXPECT_EQ(found.value, -9);
+}
+
+TEST(LoneSamples, ASpikeAtAnEndOrOnADriftIsFound) {
+  Samples samples = ringing(0);
+  samples.front() = 40;
+  EXPECT_EQ(lone_samples(samples).farthest, 0U);
+  EXPECT_EQ(lone_samples(samples).count, 1U);
+  for (std::size_t i = 0; i < samples.size(); ++i) samples[i] += 0.001 * static_cast<double>(i);
+  samples.back() = 100;
+  EXPECT_EQ(lone_samples(samples).farthest, samples.size() - 1);
+}
+
+TEST(LoneSamples, AreNotFoundInNoise) {
+  for (int record = 0; record < 20; ++record) {
+    const Samples noise = ringing(0, "noise/" + std::to_string(record));
+    EXPECT_EQ(lone_samples(noise).count, 0U) << record;
+    Samples coarse = noise;
+    for (double& x : coarse) x = std::round(x / 0.1);
+    EXPECT_EQ(lone_samples(coarse).count, 0U) << record;
+  }
+}
+
+TEST(LoneSamples, AreNotTheImpactsOfAFault) {
+  for (const double strikes_hz : {1.0, 11.0, 107.0}) {
+    EXPECT_EQ(lone_samples(ringing(strikes_hz)).count, 0U) << strikes_hz;
+  }
+}
+
+/// A single impact, far out of the noise, through the sharpest filter that recorders have.
+TEST(LoneSamples, AreNotASingleImpactThatAFilterSharpened) {
+  for (const double shift : {0.0, 0.2, 0.5}) {
+    Samples samples = ringing(0);
+    for (int k = -200; k <= 200; ++k) {
+      const double t = k + shift;
+      const double pulse = t == 0 ? 1 : std::sin(0.9 * pi * t) / (0.9 * pi * t);
+      samples[static_cast<std::size_t>(12000 + k)] += 50 * pulse;
+    }
+    EXPECT_EQ(lone_samples(samples).count, 0U) << shift;
+  }
+}
+
+TEST(LoneSamples, OfAShortRecordAreNone) {
+  EXPECT_EQ(lone_samples(Samples{0, 0, 9, 0, 0}).count, 0U);
+  EXPECT_EQ(lone_samples({}).count, 0U);
+}
+
+}  // namespace
+}  // namespace piae::inspection
