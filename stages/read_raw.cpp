@@ -3,6 +3,7 @@
 
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
 #include <fstream>
 #include <span>
@@ -35,10 +36,10 @@ std::vector<fs::path> names_in(const fs::path& list) {
   return names;
 }
 
-std::vector<double> read_without_writing(const fs::path& file, const std::string& variable,
-                                         std::optional<double> sample_rate_hz) {
+raw::Signal read_without_writing(const fs::path& file, const std::string& variable,
+                                 std::optional<double> sample_rate_hz) {
   const raw::WritesNoFile reading;
-  return raw::read_here(file, variable, sample_rate_hz);
+  return raw::signal_here(file, variable, sample_rate_hz);
 }
 
 }  // namespace
@@ -48,7 +49,8 @@ int main(int argc, char** argv) {
                    "Reads one variable of raw recordings and writes its numbers "
                    "to standard output, in double precision as this machine stores it. Only what "
                    "the file's size allows is taken of memory and time. ingest runs it with a list "
-                   "of files; it writes the number of samples of each in front of them then.",
+                   "of files; it writes the numbers of samples and of columns of each in front of "
+                   "them then.",
                    "read_raw --file data/cwru/97.mat --variable X097_DE_time | od -t f8 | head");
   fs::path file;
   fs::path list;
@@ -70,10 +72,11 @@ int main(int argc, char** argv) {
     const auto rate_hz = sample_rate_hz > 0 ? std::optional(sample_rate_hz) : std::nullopt;
     raw::keep_to(raw::limits_of(files));
     for (const fs::path& one : files) {
-      const std::vector<double> samples = read_without_writing(one, variable, rate_hz);
-      const auto count = static_cast<double>(samples.size());
-      if (!list.empty()) print(std::as_bytes(std::span(&count, 1)));
-      print(std::as_bytes(std::span(samples)));
+      const raw::Signal signal = read_without_writing(one, variable, rate_hz);
+      const std::array counts{static_cast<double>(signal.samples.size()),
+                              static_cast<double>(signal.columns)};
+      if (!list.empty()) print(std::as_bytes(std::span(counts)));
+      print(std::as_bytes(std::span(signal.samples)));
     }
   });
 }

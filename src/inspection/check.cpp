@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "inspection/plausibility.hpp"
 #include "inspection/spectrum_panel.hpp"
@@ -19,12 +20,15 @@ void note_exit(DatasetCheck& check, Exit exit) {
   if (check.exit != Exit::bad_input) check.exit = exit;
 }
 
-void look_at_signal(RecordCheck& found, const std::vector<double>& signal,
+void look_at_signal(RecordCheck& found, const signal::Record& record,
                     const signal::DatasetInfo& info) {
+  const std::vector<double>& signal = record.signal;
   const double rate_hz = info.sample_rate_hz;
   found.samples = signal.size();
+  found.pieces = record.piece_lengths();
   if (std::ranges::min(signal) < std::ranges::max(signal)) found.level = level_of(signal);
-  found.envelope = envelope_spectrum(signal, rate_hz, found.source.shaft_speed_rpm / 60);
+  found.envelope =
+      envelope_spectrum(signal, rate_hz, found.source.shaft_speed_rpm / 60, found.pieces);
   found.lines = fault_lines(found.envelope, info, found.source.shaft_speed_rpm);
   const auto shown = std::min(signal.size(), static_cast<std::size_t>(shown_s * rate_hz));
   found.beginning.assign(signal.begin(), signal.begin() + static_cast<std::ptrdiff_t>(shown));
@@ -47,14 +51,21 @@ void look_at_record(RecordCheck& found, const Description& description,
   const signal::DatasetInfo& info = description.info;
   found.file_samples = raw.samples.size();
   look_for_flaws(found, raw.samples);
-  found.dropouts = dropouts_of(data_dir / found.source.file_text(), found.source.variable);
+  std::vector<std::filesystem::path> paths;
+  for (std::size_t i = 0; i < raw.files.size(); ++i) {
+    const std::string& name = raw.files[i].name;
+    found.files.push_back({.name = name, .samples = raw.pieces[i], .columns = raw.columns[i]});
+    paths.push_back(data_dir / name);
+  }
+  found.dropouts = dropouts_of(paths, found.source.variable);
   if (found.length_s() > longest_record_s) {
     constexpr double most = 1e15;  // beyond any record, but a number that counts samples
     found.samples =
         static_cast<std::size_t>(std::min(most, found.length_s() * info.sample_rate_hz));
+    found.pieces = {found.samples};
     found.lines = fault_lines({}, info, found.source.shaft_speed_rpm);
   } else {
-    look_at_signal(found, reader.resampled(found.source, raw).signal, info);
+    look_at_signal(found, reader.resampled(found.source, raw), info);
   }
 }
 
@@ -81,7 +92,9 @@ void look_at_source(const signal::Source& source, const DatasetCheck& check,
                     const signal::SplitOptions& split, const std::string& name,
                     ClassCheck& result) {
   std::vector<std::size_t> lengths;
-  for (const std::size_t i : source.records) lengths.push_back(check.records[i].samples);
+  for (const std::size_t i : source.records) {
+    std::ranges::copy(check.records[i].pieces, std::back_inserter(lengths));
+  }
   const std::size_t stride = signal::largest_stride(name, lengths,
                                                     {.window = split.window,
                                                      .max_stride = split.max_stride,
@@ -118,6 +131,12 @@ ClassCheck check_class(const Description& description, const DatasetCheck& check
 }
 
 }  // namespace
+
+double RecordCheck::longest_piece_s() const {
+  if (files.empty()) return length_s();
+  const std::size_t most = std::ranges::max(files, {}, &FileCheck::samples).samples;
+  return static_cast<double>(most) / source.sample_rate_hz;
+}
 
 DatasetCheck check(const Description& description, const std::filesystem::path& data_dir,
                    const signal::RecordsDone& done) {

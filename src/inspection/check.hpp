@@ -26,11 +26,20 @@ inline constexpr double longest_record_s = 3600;
 /// How much of a record the picture shows.
 inline constexpr double shown_s = 0.2;
 
+/// One of the files of a record.
+struct FileCheck {
+  std::string name;
+  std::size_t samples = 0;  ///< as it has them
+  std::size_t columns = 0;  ///< of a text file; else 0
+};
+
 /// What was found of one record. A record that cannot be read has a problem, and no numbers.
 struct RecordCheck {
   signal::RecordSource source;
-  std::size_t file_samples = 0;  ///< as the file has them
-  std::size_t samples = 0;       ///< at the dataset's sample rate
+  std::size_t file_samples = 0;     ///< as the file has them
+  std::size_t samples = 0;          ///< at the dataset's sample rate
+  std::vector<std::size_t> pieces;  ///< those of each file, at the dataset's sample rate
+  std::vector<FileCheck> files;     ///< in the order of their samples
   bool goes_one_way = false;
   Stretches clipped;
   Stretches held;
@@ -50,6 +59,8 @@ struct RecordCheck {
   [[nodiscard]] double length_s() const {
     return static_cast<double>(file_samples) / source.sample_rate_hz;
   }
+  /// Gives the time in one piece, at most.
+  [[nodiscard]] double longest_piece_s() const;
 };
 
 /// What a split with its default options would find of one class: the largest stride that gives all

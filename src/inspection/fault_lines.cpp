@@ -50,18 +50,45 @@ std::size_t fast_length(std::size_t most) {
   }
 }
 
-/// Segments that overlap by half, spread over the record where there would be too many.
-Windows segments_of(std::span<const double> signal, std::size_t length) {
+using Pieces = std::vector<std::span<const double>>;
+
+/// Adds segments of a piece that overlap by half, spread over it where there would be too many.
+void add_segments(std::span<const double> piece, std::size_t length, std::size_t most,
+                  Pieces& segments) {
   const std::size_t half = std::max<std::size_t>(1, length / 2);
-  const std::size_t rest = signal.size() - length;
-  const std::size_t count = std::min(most_segments, rest / half + 1);
-  Windows segments(count, length);
+  const std::size_t rest = piece.size() - length;
+  const std::size_t count = std::min(most, rest / half + 1);
   for (std::size_t i = 0; i < count; ++i) {
-    const std::size_t first = i * std::max(half, rest / most_segments);
+    segments.push_back(piece.subspan(i * std::max(half, rest / most), length));
+  }
+}
+
+/// Gives segments of all pieces that are long enough, or of as many of them as there may be
+/// segments. No segment crosses from one piece into the next.
+Windows segments_of(Pieces pieces, std::size_t length) {
+  std::erase_if(pieces, [&](const auto& piece) { return piece.size() < length; });
+  const std::size_t step = std::max<std::size_t>(1, pieces.size() / most_segments);
+  const std::size_t most = std::max<std::size_t>(1, most_segments / pieces.size());
+  Pieces found;
+  for (std::size_t i = 0; i < pieces.size(); i += step) {
+    add_segments(pieces[i], length, most, found);
+  }
+  Windows segments(found.size(), length);
+  for (std::size_t i = 0; i < found.size(); ++i) {
     segments.row(static_cast<Eigen::Index>(i)) =
-        Eigen::Map<const Eigen::RowVectorXd>(signal.data() + first, segments.cols());
+        Eigen::Map<const Eigen::RowVectorXd>(found[i].data(), segments.cols());
   }
   return segments;
+}
+
+/// Gives the most samples of a segment: at least four shall fit, of several pieces one in each of
+/// four.
+double longest_segment(const Pieces& pieces) {
+  const std::size_t longest =
+      std::ranges::max(pieces, {}, [](const auto& piece) { return piece.size(); }).size();
+  const auto as_long =
+      std::ranges::count_if(pieces, [&](const auto& piece) { return piece.size() == longest; });
+  return (as_long >= 4 ? 1 : largest_part) * static_cast<double>(longest);
 }
 
 /// Two Hann windows that overlap by half correlate by 1/6, their powers by the square of that.
@@ -189,14 +216,19 @@ double farthest_factor(const Ruler& ruler, double line_hz) {
 
 }  // namespace
 
-EnvelopeSpectrum envelope_spectrum(std::span<const double> signal, double rate_hz,
-                                   double shaft_hz) {
-  const double samples = std::min(turns_in_a_segment * rate_hz / shaft_hz,
-                                  largest_part * static_cast<double>(signal.size()));
+EnvelopeSpectrum envelope_spectrum(std::span<const double> signal, double rate_hz, double shaft_hz,
+                                   std::span<const std::size_t> piece_lengths) {
+  Pieces pieces;
+  for (const std::size_t length : piece_lengths) {
+    pieces.push_back(signal.first(length));
+    signal = signal.subspan(length);
+  }
+  if (pieces.empty()) pieces.push_back(signal);
+  const double samples = std::min(turns_in_a_segment * rate_hz / shaft_hz, longest_segment(pieces));
   EnvelopeSpectrum spectrum;
   if (samples < shortest_segment) return spectrum;
   const std::size_t length = fast_length(static_cast<std::size_t>(samples));
-  const Windows segments = segments_of(signal, length);
+  const Windows segments = segments_of(std::move(pieces), length);
   const Eigen::ArrayXd power = scoring::mean_power_spectrum(scoring::envelopes(segments), padding);
   const auto n = static_cast<double>(length);
   constexpr double rounding_power = 1e-20;  // of the segments' power

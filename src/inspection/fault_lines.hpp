@@ -21,8 +21,10 @@ struct EnvelopeSpectrum {
   double rounding = 0;       ///< a power below this is rounding alone
 };
 
-/// Empty where the record is shorter than ten samples a segment.
-EnvelopeSpectrum envelope_spectrum(std::span<const double> signal, double rate_hz, double shaft_hz);
+/// Empty where the record is shorter than ten samples a segment. Of a record in pieces, whose
+/// lengths are given, each segment lies within one, and may be a whole one.
+EnvelopeSpectrum envelope_spectrum(std::span<const double> signal, double rate_hz, double shaft_hz,
+                                   std::span<const std::size_t> piece_lengths = {});
 
 /// How far a defect's line stands out of an envelope spectrum.
 struct FaultLine {

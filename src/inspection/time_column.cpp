@@ -5,7 +5,6 @@
 #include <cmath>
 #include <fstream>
 #include <string_view>
-#include <vector>
 
 #include "base/error.hpp"
 #include "raw/file.hpp"
@@ -59,14 +58,26 @@ Dropouts dropouts_in(std::span<const double> times) {
   return found;
 }
 
-Dropouts dropouts_of(const std::filesystem::path& file, const std::string& variable) {
+Dropouts dropouts_of(const std::vector<std::filesystem::path>& files, const std::string& variable) {
   const std::string first_column = "1";
-  if (variable == first_column || !may_be_text(file)) return {};
+  if (variable == first_column || !may_be_text(files.front())) return {};
+  Dropouts all;
   try {
-    return dropouts_in(raw::read(file, first_column));
+    std::size_t samples = 0;  // in the files before
+    for (const raw::Signal& times : raw::read_all(files, first_column)) {
+      const Dropouts found = dropouts_in(times.samples);
+      all.gaps += found.gaps;
+      all.missing += found.missing;
+      if (found.longest > all.longest) {
+        all.longest = found.longest;
+        all.longest_after = samples + found.longest_after;
+      }
+      samples += times.samples.size();
+    }
   } catch (const Error&) {
     return {};  // such as a column of dates: the signal itself was read
   }
+  return all;
 }
 
 }  // namespace piae::inspection

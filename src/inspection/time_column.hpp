@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace piae::inspection {
 
@@ -20,8 +21,9 @@ struct Dropouts {
 /// printed too coarsely to tell.
 Dropouts dropouts_in(std::span<const double> times);
 
-/// The same of the first column of a text file, if another one is the signal's. Nothing where the
-/// file is not text, or its first column does not hold numbers.
-Dropouts dropouts_of(const std::filesystem::path& file, const std::string& variable);
+/// The same of the first column of the text files of a record, if another one is the signal's; what
+/// lies between two files is not looked at. Nothing where the first file is not text, or a first
+/// column does not hold numbers.
+Dropouts dropouts_of(const std::vector<std::filesystem::path>& files, const std::string& variable);
 
 }  // namespace piae::inspection

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "inspection/file_warnings.hpp"
 #include "inspection/plausibility.hpp"
 #include "inspection/warning_text.hpp"
 #include "scoring/statistics.hpp"
@@ -103,11 +104,13 @@ std::string too_long(const RecordCheck& record) {
 }
 
 std::string too_short(const RecordCheck& record) {
+  const double piece_s = record.longest_piece_s();
   return fmt::format(
-      "{} are {:.3g} s, {:.2g} turns of the shaft: fewer than {:g} show no rhythm; is the rate too "
+      "{} are {:.3g} s{}, {:.2g} turns of the shaft: fewer than {:g} show no rhythm; is the rate "
+      "too "
       "high?",
-      length_at_rate(record), record.length_s(),
-      turns_in(record.length_s(), record.source.shaft_speed_rpm), fewest_turns);
+      length_at_rate(record), piece_s, record.files.size() > 1 ? " a file" : "",
+      turns_in(piece_s, record.source.shaft_speed_rpm), fewest_turns);
 }
 
 void add_lengths(const std::vector<RecordCheck>& records, Lines& lines) {
@@ -117,7 +120,7 @@ void add_lengths(const std::vector<RecordCheck>& records, Lines& lines) {
     if (!record.problem.empty()) continue;
     const double rpm = record.source.shaft_speed_rpm;
     if (record.length_s() > longest_record_s) long_ones.push_back(&record);
-    if (turns_in(record.length_s(), rpm) < fewest_turns && !looks_like_hz(rpm)) {
+    if (turns_in(record.longest_piece_s(), rpm) < fewest_turns && !looks_like_hz(rpm)) {
       short_ones.push_back(&record);
     }
   }
@@ -196,6 +199,7 @@ std::vector<std::string> warnings_of(const Description& description, const Datas
   add_rate(description, lines);
   add_lengths(check.records, lines);
   add_low_rates(description.info, check.records, lines);
+  for (const RecordCheck& record : check.records) add_odd_files(record, lines);
   for (const RecordCheck& record : check.records) {
     if (record.problem.empty())
       std::ranges::move(sample_warnings(record), std::back_inserter(lines));

@@ -84,7 +84,7 @@ constexpr std::size_t largest_row = 100;
 
 }  // namespace
 
-std::vector<double> read_csv(const fs::path& file, const std::string& column) {
+Signal read_table(const fs::path& file, const std::string& column) {
   const std::string text = read_text(file);
   const CsvLayout layout = csv_layout(file, text, column);
   std::string_view rest = layout.numbers;
@@ -123,7 +123,11 @@ std::vector<double> read_csv(const fs::path& file, const std::string& column) {
                     "is the only one and has " + std::to_string(layout.fields) +
                         " fields: a row is expected to be one moment; write a number a line");
   }
-  return numbers;
+  return {.samples = std::move(numbers), .columns = layout.fields};
+}
+
+std::vector<double> read_csv(const fs::path& file, const std::string& column) {
+  return read_table(file, column).samples;
 }
 
 }  // namespace piae::raw

@@ -11,9 +11,9 @@
 
 namespace piae::raw {
 
-std::vector<double> read_here(const std::filesystem::path& file, const std::string& variable,
-                              std::optional<double> sample_rate_hz) {
-  const Signal signal = reader_of(file)(file, variable);
+Signal signal_here(const std::filesystem::path& file, const std::string& variable,
+                   std::optional<double> sample_rate_hz) {
+  Signal signal = reader_of(file)(file, variable);
   const double own_hz = signal.sample_rate_hz.value_or(0);
   const bool differs =
       sample_rate_hz && own_hz > 0 && std::abs(own_hz / *sample_rate_hz - 1) > 1e-3;
@@ -26,7 +26,12 @@ std::vector<double> read_here(const std::filesystem::path& file, const std::stri
     refuse_file(file, fmt::format("{} holds one number, {:g}: no recording", variable,
                                   signal.samples.front()));
   }
-  return signal.samples;
+  return signal;
+}
+
+std::vector<double> read_here(const std::filesystem::path& file, const std::string& variable,
+                              std::optional<double> sample_rate_hz) {
+  return signal_here(file, variable, sample_rate_hz).samples;
 }
 
 std::string listed(const std::vector<std::string>& names) {

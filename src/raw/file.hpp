@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "raw/signal.hpp"
+
 namespace piae::raw {
 
 /// Reads one signal of a raw recording. Its first bytes say its format (format.hpp):
@@ -28,12 +30,15 @@ namespace piae::raw {
 std::vector<double> read(const std::filesystem::path& file, const std::string& variable,
                          std::optional<double> sample_rate_hz = std::nullopt);
 
-/// The same of several files, in their order, by one run of that program.
-std::vector<std::vector<double>> read_all(const std::vector<std::filesystem::path>& files,
-                                          const std::string& variable,
-                                          std::optional<double> sample_rate_hz = std::nullopt);
+/// The same of several files, in their order, by one run of that program. Without the sample rates.
+std::vector<Signal> read_all(const std::vector<std::filesystem::path>& files,
+                             const std::string& variable,
+                             std::optional<double> sample_rate_hz = std::nullopt);
 
-/// The same in this process: what that program does.
+/// The same of one file in this process: what that program does.
+Signal signal_here(const std::filesystem::path& file, const std::string& variable,
+                   std::optional<double> sample_rate_hz = std::nullopt);
+/// Its samples alone.
 std::vector<double> read_here(const std::filesystem::path& file, const std::string& variable,
                               std::optional<double> sample_rate_hz = std::nullopt);
 
@@ -45,6 +50,8 @@ std::vector<double> read_mat(const std::filesystem::path& file, const std::strin
 /// at most, and perhaps a separator at its end, and a number in the column. The text is UTF-8, or
 /// UTF-16 with a byte order mark.
 std::vector<double> read_csv(const std::filesystem::path& file, const std::string& column);
+/// The same with the number of columns.
+Signal read_table(const std::filesystem::path& file, const std::string& column);
 /// A path of groups and a dataset; of a matrix with a row or column, "accel(2,:)", as h5dump counts
 /// them but from 1. Soft links are followed within the file; nothing is read from elsewhere.
 std::vector<double> read_hdf5(const std::filesystem::path& file, const std::string& dataset);

@@ -111,7 +111,7 @@ Read reader_of(const fs::path& file) {
   }
   if (is_uff(bytes)) return read_uff;
   const std::string extension = extension_of(file);
-  if (std::ranges::count(marked_extensions, extension) == 0) return unrated<read_csv>;
+  if (std::ranges::count(marked_extensions, extension) == 0) return read_table;
   if (extension != ".mat") {
     refuse_file(file,
                 "truncated, damaged or not what '" + extension + "' says: it does not begin so");

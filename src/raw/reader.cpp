@@ -114,7 +114,7 @@ class Reader {
       : files_(files),
         limits_(limits),
         names_(files),
-        out_((limits.most_samples + files.size()) * sizeof(double)) {
+        out_((limits.most_samples + 2 * files.size()) * sizeof(double)) {
     program_ = (fs::read_symlink("/proc/self/exe").parent_path() / "read_raw").string();
     std::vector<std::string> words{program_, "--list=/dev/stdin", "--variable=" + variable};
     if (sample_rate_hz) words.push_back(fmt::format("--sample-rate={}", *sample_rate_hz));
@@ -137,38 +137,40 @@ class Reader {
     if (pid_ > 0) (void)wait_after(SIGKILL);
   }
 
-  /// Returns the samples of each file.
-  std::vector<std::vector<double>> samples() {
+  std::vector<Signal> signals() {
     if (!listen()) refuse_for_time();
     const int status = wait_after(0);
     if (WIFSIGNALED(status)) refuse_signal(WTERMSIG(status));
     if (WEXITSTATUS(status) != 0) refuse_as_it_does(WEXITSTATUS(status));
-    std::vector<std::vector<double>> all = samples_so_far();
+    std::vector<Signal> all = signals_so_far();
     if (all.size() != files_.size()) refuse("its reader wrote less than it read");
     return all;
   }
 
  private:
-  /// Takes the numbers apart into files, of which each has its count of samples in front. The last
-  /// one may be cut off, and is left out then.
-  [[nodiscard]] std::vector<std::vector<double>> samples_so_far() const {
-    std::vector<std::vector<double>> all;
+  /// Takes the numbers apart into files, of which each has its counts of samples and of columns in
+  /// front. The last one may be cut off, and is left out then.
+  [[nodiscard]] std::vector<Signal> signals_so_far() const {
+    std::vector<Signal> all;
     std::string_view rest = out_.bytes;
-    while (rest.size() >= sizeof(double)) {
-      double count = 0;
-      std::memcpy(&count, rest.data(), sizeof(double));
-      rest.remove_prefix(sizeof(double));
-      if (!(count >= 0 && count <= static_cast<double>(rest.size() / sizeof(double)))) break;
-      std::vector<double>& samples = all.emplace_back(static_cast<std::size_t>(count));
-      const std::size_t bytes = samples.size() * sizeof(double);
-      if (bytes > 0) std::memcpy(samples.data(), rest.data(), bytes);
+    std::array<double, 2> counts{};
+    while (rest.size() >= sizeof counts) {
+      std::memcpy(counts.data(), rest.data(), sizeof counts);
+      rest.remove_prefix(sizeof counts);
+      const double most = static_cast<double>(rest.size() / sizeof(double));
+      if (!(counts[0] >= 0 && counts[0] <= most)) break;
+      Signal& signal = all.emplace_back();
+      signal.columns = static_cast<std::size_t>(counts[1]);
+      signal.samples.resize(static_cast<std::size_t>(counts[0]));
+      const std::size_t bytes = signal.samples.size() * sizeof(double);
+      if (bytes > 0) std::memcpy(signal.samples.data(), rest.data(), bytes);
       rest.remove_prefix(bytes);
     }
     return all;
   }
   /// Returns the file that was being read when the program ended.
   [[nodiscard]] const fs::path& current_file() const {
-    return files_[std::min(samples_so_far().size(), files_.size() - 1)];
+    return files_[std::min(signals_so_far().size(), files_.size() - 1)];
   }
   [[noreturn]] void become(const std::vector<char*>& argv, pid_t parent) const {
     ::prctl(PR_SET_PDEATHSIG, SIGKILL);
@@ -246,15 +248,14 @@ class Reader {
 
 }  // namespace
 
-std::vector<std::vector<double>> read_all(const std::vector<fs::path>& files,
-                                          const std::string& variable,
-                                          std::optional<double> sample_rate_hz) {
-  return Reader(files, variable, sample_rate_hz, limits_of(files)).samples();
+std::vector<Signal> read_all(const std::vector<fs::path>& files, const std::string& variable,
+                             std::optional<double> sample_rate_hz) {
+  return Reader(files, variable, sample_rate_hz, limits_of(files)).signals();
 }
 
 std::vector<double> read(const fs::path& file, const std::string& variable,
                          std::optional<double> sample_rate_hz) {
-  return read_all(std::vector{file}, variable, sample_rate_hz).front();
+  return read_all(std::vector{file}, variable, sample_rate_hz).front().samples;
 }
 
 }  // namespace piae::raw

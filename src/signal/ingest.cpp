@@ -96,11 +96,14 @@ RawRecord RecordReader::read_raw(const RecordSource& source) {
   (void)raw::limits_of(paths);  // which refuses what is too large, before all of that is hashed
   for (SourceFile& file : raw.files) file.sha256 = sha256_of_file(data_dir_ / file.name);
   require_sha256(all, source, raw.files);
-  const auto samples = raw::read_all(paths, source.variable, source.sample_rate_hz);
+  const std::vector<raw::Signal> signals =
+      raw::read_all(paths, source.variable, source.sample_rate_hz);
   for (std::size_t i = 0; i < paths.size(); ++i) {
-    require_finite(paths[i], source, samples[i]);
-    raw.pieces.push_back(samples[i].size());
-    raw.samples.insert(raw.samples.end(), samples[i].begin(), samples[i].end());
+    const std::vector<double>& samples = signals[i].samples;
+    require_finite(paths[i], source, samples);
+    raw.pieces.push_back(samples.size());
+    raw.columns.push_back(signals[i].columns);
+    raw.samples.insert(raw.samples.end(), samples.begin(), samples.end());
   }
   const auto [low, high] = std::ranges::minmax(raw.samples);
   if (low == high) refuse_record(all, source, source.variable + " never changes: a dead channel");

@@ -14,8 +14,9 @@ namespace piae::signal {
 
 /// The samples of a record as they stand in its files.
 struct RawRecord {
-  std::vector<double> samples;      ///< of all files, one behind the other
-  std::vector<std::size_t> pieces;  ///< samples of each file
+  std::vector<double> samples;       ///< of all files, one behind the other
+  std::vector<std::size_t> pieces;   ///< samples of each file
+  std::vector<std::size_t> columns;  ///< of each file, where it is text; else 0
   std::vector<SourceFile> files;
 };
 

@@ -58,17 +58,18 @@ TEST(Dropouts, OfAFileAreThoseOfItsFirstColumn) {
     text += std::to_string(t) + ',' + std::to_string(std::sin(1e4 * t)) + '\n';
   }
   const auto file = folder.write("run.csv", text);
-  EXPECT_EQ(dropouts_of(file, "acceleration").missing, 40U);
-  EXPECT_EQ(dropouts_of(file, "2").longest_after, 999U);
-  EXPECT_EQ(dropouts_of(file, "1").gaps, 0U) << "that is the signal";
+  EXPECT_EQ(dropouts_of({file}, "acceleration").missing, 40U);
+  EXPECT_EQ(dropouts_of({file}, "2").longest_after, 999U);
+  EXPECT_EQ(dropouts_of({file}, "1").gaps, 0U) << "that is the signal";
 }
 
 TEST(Dropouts, OfOtherFilesAreNone) {
   const Folder folder;
   EXPECT_EQ(
-      dropouts_of(folder.write("dates.csv", "date,x\n2024-02-24,1\n2024-02-25,2\n"), "x").gaps, 0U);
-  EXPECT_EQ(dropouts_of(folder.write("zeros.bin", std::string(100, '\0')), "2").gaps, 0U);
-  EXPECT_EQ(dropouts_of(folder.path() / "nowhere.csv", "2").gaps, 0U);
+      dropouts_of({folder.write("dates.csv", "date,x\n2024-02-24,1\n2024-02-25,2\n")}, "x").gaps,
+      0U);
+  EXPECT_EQ(dropouts_of({folder.write("zeros.bin", std::string(100, '\0'))}, "2").gaps, 0U);
+  EXPECT_EQ(dropouts_of({folder.path() / "nowhere.csv"}, "2").gaps, 0U);
 }
 
 }  // namespace

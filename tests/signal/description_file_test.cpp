@@ -49,6 +49,27 @@ TEST(DescriptionFile, AModelMayBeLikeAnotherOne) {
   EXPECT_EQ(c["third"].value<int>(), 3);
 }
 
+TEST(DescriptionFile, TakesABearingByItsDesignation) {
+  const Folder folder;
+  folder.write("bearings.csv",
+               "designation,balls,ball_diameter_mm,pitch_diameter_mm,contact_angle_deg,bpfo,bpfi,"
+               "bsf,ftf,source\nSKF 6205,9,7.94,39,0,,,,,the paper\n");
+  const auto described = [&](const std::string& bearing) {
+    return read_description_file(
+        folder.write("datasets/a.toml", "name = \"a\"\n[bearing]\n" + bearing));
+  };
+  const toml::table own = described("designation = \"skf6205\"\nball_diameter_mm = 8\n");
+  EXPECT_EQ(own["bearing"]["balls"].value<int>(), 9);
+  EXPECT_EQ(own["bearing"]["ball_diameter_mm"].value<double>(), 8);  // what is said here goes first
+  EXPECT_EQ(own["bearing"]["pitch_diameter_mm"].value<double>(), 39);
+  EXPECT_FALSE(own["bearing"].as_table()->contains("designation"));
+  EXPECT_ERROR(described("designation = \"6311\"\n"), Exit::bad_input,
+               "a.toml, line 3: bearing.designation '6311' has no row in " +
+                   (folder / "bearings.csv").string());
+  EXPECT_ERROR(described("designation = 6205\n"), Exit::bad_input,
+               "line 3: bearing.designation must be a text in quotes");
+}
+
 TEST(DescriptionFile, AnErrorNamesTheFileInWhichItStands) {
   const Folder folder;
   const auto model = folder.write("rig.toml", two_speeds + "colour = 1\n");
