@@ -81,9 +81,10 @@ void require_chunks(const Where& where, hid_t dataset, hid_t creation) {
     hdf5::check(H5Dget_chunk_info_by_coord(dataset, place.data(), &left_out, &address, &bytes),
                 "chunks");
     if (address == HADDR_UNDEF) refuse_unwritten(where);
-    if (left_out == 0) continue;
-    const bool may_be = (left_out & ~filters.optional) == 0 && bytes == unpacked;
-    if (!may_be) refuse(where, "is damaged: a chunk of it is said not to be filtered");
+    const bool is_packed = (filters.optional & ~left_out) != 0;
+    if ((left_out & ~filters.optional) != 0 || (!is_packed && bytes != unpacked)) {
+      refuse(where, "is damaged: a chunk of it is not stored as the dataset says");
+    }
   } while (advance(place, chunk, extents));
 }
 

@@ -252,23 +252,6 @@ TEST(MatFile, ThatIsCutAnywhereIsRefused) {
   }
 }
 
-TEST(MatFile, WhoseCompressedContentIsDamagedIsRefused) {
-  const Folder folder;
-  std::vector<double> noise(3000);
-  for (std::size_t i = 0; i < noise.size(); ++i) noise[i] = std::sin(static_cast<double>(i * i));
-  const fs::path file =
-      write_mat(folder / "a.mat", MAT_FT_MAT5,
-                {{"x", MAT_C_DOUBLE, MAT_T_DOUBLE, {3000, 1}, noise.data()}}, MAT_COMPRESSION_ZLIB);
-  const std::string whole = bytes_of(file);
-  constexpr std::size_t header = 128 + 8;  // of the file, of the element
-  for (std::size_t at = header; at < whole.size(); at += 97) {
-    std::string damaged = whole;
-    damaged[at] = static_cast<char>(damaged[at] ^ 1 << at % 8);
-    folder.write("b.mat", damaged);
-    EXPECT_ERROR(read_mat(folder / "b.mat", "x"), Exit::bad_input, "damaged");
-  }
-}
-
 TEST(MatFile, ThatIsNoMatFileIsRefused) {
   const Folder folder;
   EXPECT_ERROR(read_mat(folder.write("a.mat", "<html>404</html>"), "x"), Exit::bad_input,

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 #include <hdf5.h>
 #include <matio.h>
+#include <sndfile.h>
 
 #include <cmath>
 #include <random>
@@ -19,11 +20,11 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t flipped_length = 3000;
 
-/// Noise in steps of 1/64, which deflate makes shorter.
+/// Noise in steps of 1/64, which deflate makes shorter and 16 bits can hold.
 std::vector<double> flipped_signal() {
   std::vector<double> values(flipped_length);
   for (std::size_t i = 0; i < values.size(); ++i) {
-    values[i] = std::round(64 * std::sin(static_cast<double>(i * i))) / 64;
+    values[i] = std::round(63 * std::sin(static_cast<double>(i * i))) / 64;
   }
   return values;
 }
@@ -86,16 +87,17 @@ std::vector<Range> chunks_of(const fs::path& path) {
   return chunks;
 }
 
-/// A file with the signal in x, and where in it a checksum covers the bytes.
+/// A file with the signal, and where in it a checksum covers the bytes.
 struct Covered {
   std::string bytes;
   std::vector<Range> ranges;
+  std::string variable = "x";
 };
 
 Covered filtered(const Folder& folder, const Filters& filters, bool is_matlab) {
   const fs::path path = folder / "filtered";
   write_filtered(path, filters, is_matlab);
-  Covered file{.bytes = bytes_of(path), .ranges = chunks_of(path)};
+  Covered file{.bytes = bytes_of(path), .ranges = chunks_of(path), .variable = "x"};
   if (is_matlab) {  // as MATLAB writes the block before HDF5's bytes
     std::string header = "MATLAB 7.3 MAT-file, Platform: GLNXA64";
     header.resize(124, ' ');
@@ -104,40 +106,83 @@ Covered filtered(const Folder& folder, const Filters& filters, bool is_matlab) {
   return file;
 }
 
+/// MATLAB v5, whose variables are zlib streams behind the file's header and their own.
+Covered packed_mat(const Folder& folder) {
+  const fs::path path = folder / "packed.mat";
+  std::vector<double> signal = flipped_signal();
+  std::size_t extents[]{flipped_length, 1};
+  mat_t* const file = Mat_CreateVer(path.c_str(), nullptr, MAT_FT_MAT5);
+  matvar_t* const x = Mat_VarCreate("x", MAT_C_DOUBLE, MAT_T_DOUBLE, 2, extents, signal.data(), 0);
+  EXPECT_EQ(Mat_VarWrite(file, x, MAT_COMPRESSION_ZLIB), 0);
+  Mat_VarFree(x);
+  Mat_Close(file);
+  const std::string bytes = bytes_of(path);
+  return {.bytes = bytes, .ranges = {{128 + 8, bytes.size()}}, .variable = "x"};
+}
+
+/// FLAC, whose frames stand behind blocks of metadata: each a byte of type, whose high bit marks
+/// the last one, and three of length (RFC 9639).
+Covered flac(const Folder& folder) {
+  const fs::path path = folder / "a.flac";
+  SF_INFO info{};
+  info.samplerate = 12000;
+  info.channels = 1;
+  info.format = SF_FORMAT_FLAC | SF_FORMAT_PCM_16;
+  SNDFILE* const sound = sf_open(path.c_str(), SFM_WRITE, &info);
+  std::vector<short> samples;
+  for (const double x : flipped_signal()) samples.push_back(static_cast<short>(32768 * x));
+  EXPECT_EQ(sf_writef_short(sound, samples.data(), flipped_length), flipped_length);
+  sf_close(sound);
+  const std::string bytes = bytes_of(path);
+  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(bytes.at(i)); };
+  std::size_t at = 4;
+  for (bool is_last = false; !is_last;) {
+    is_last = byte(at) >= 0x80;
+    at += 4 + (byte(at + 1) << 16U | byte(at + 2) << 8U | byte(at + 3));
+  }
+  return {.bytes = bytes, .ranges = {{at, bytes.size()}}, .variable = "1"};
+}
+
+/// The file with one bit flipped is refused, or read to the same numbers. True if it is refused.
+bool is_refused_or_same(const Folder& folder, const Covered& whole, std::size_t at, int bit) {
+  std::string bytes = whole.bytes;
+  bytes[at] = static_cast<char>(bytes[at] ^ 1 << bit);
+  const fs::path file = folder.write("damaged", bytes);
+  std::vector<double> read;
+  const auto error = error_of([&] { read = read_here(file, whole.variable); });
+  EXPECT_TRUE(error || read == flipped_signal()) << "byte " << at << ", bit " << bit;
+  if (!error) return false;
+  EXPECT_EQ(error->exit(), Exit::bad_input) << error->what();
+  EXPECT_TRUE(std::string(error->what()).starts_with(file.string())) << error->what();
+  return true;
+}
+
 /// Flips one bit at each of some random places.
 void expect_no_other_numbers(const Folder& folder, const Covered& whole) {
-  const std::vector<double> signal = flipped_signal();
-  EXPECT_EQ(read_here(folder.write("whole", whole.bytes), "x"), signal);
+  EXPECT_EQ(read_here(folder.write("whole", whole.bytes), whole.variable), flipped_signal());
   std::mt19937_64 random(20261127);
-  std::size_t refused = 0;
   constexpr std::size_t flips = 100;
+  std::size_t refused = 0;
   for (std::size_t i = 0; i < flips; ++i) {
     const Range range = whole.ranges[random() % whole.ranges.size()];
     const std::size_t at = range.begin + random() % (range.end - range.begin);
-    std::string bytes = whole.bytes;
-    bytes[at] = static_cast<char>(bytes[at] ^ 1 << random() % 8);
-    folder.write("damaged", bytes);
-    std::vector<double> read;
-    const auto error = error_of([&] { read = read_here(folder / "damaged", "x"); });
-    refused += error ? 1 : 0;
-    if (error) {
-      EXPECT_EQ(error->exit(), Exit::bad_input) << error->what();
-      EXPECT_TRUE(std::string(error->what()).starts_with((folder / "damaged").string()));
-    } else {
-      EXPECT_EQ(read, signal) << "byte " << at;
-    }
+    const int bit = static_cast<int>(random() % 8);
+    refused += is_refused_or_same(folder, whole, at, bit) ? 1 : 0;
   }
   // Deflate leaves some bits unused at the end of a block.
   EXPECT_GT(refused, flips * 9 / 10);
 }
 
-TEST(Flips, InFilteredValuesOfHdf5GiveNoOtherNumbers) {
+TEST(Flips, WhereAChecksumCoversThemGiveNoOtherNumbers) {
   const Folder folder;
+  expect_no_other_numbers(folder, packed_mat(folder));
+  expect_no_other_numbers(folder, flac(folder));
   for (const bool is_matlab : {false, true}) {
     for (const Filters& filters : {Filters{.deflate = true}, Filters{.fletcher32 = true},
                                    Filters{.shuffle = true, .deflate = true},
                                    Filters{.shuffle = true, .deflate = true, .fletcher32 = true}}) {
-      SCOPED_TRACE(is_matlab);
+      SCOPED_TRACE(testing::Message() << (is_matlab ? "MATLAB, " : "HDF5, ") << "filters "
+                                      << filters.shuffle << filters.deflate << filters.fletcher32);
       expect_no_other_numbers(folder, filtered(folder, filters, is_matlab));
     }
   }
@@ -169,17 +214,12 @@ TEST(Flips, InTheIndexOfChunksOfHdf5GiveNoOtherNumbers) {
     const Covered whole = filtered(folder, filters, false);
     const std::set<std::size_t> keys = keys_of_chunks(whole);
     ASSERT_EQ(keys.size(), 5U);
-    const std::vector<double> signal = flipped_signal();
+    SCOPED_TRACE(testing::Message()
+                 << "filters " << filters.shuffle << filters.deflate << filters.fletcher32);
     for (const std::size_t key : keys) {
-      for (const std::size_t byte :
-           {std::size_t{0}, std::size_t{1}, std::size_t{4}, std::size_t{17}}) {
-        for (int bit = 0; bit < 8; bit += byte == 4 ? 1 : 3) {
-          std::string bytes = whole.bytes;
-          bytes[key + byte] = static_cast<char>(bytes[key + byte] ^ 1 << bit);
-          folder.write("damaged", bytes);
-          std::vector<double> read;
-          const auto error = error_of([&] { read = read_here(folder / "damaged", "x"); });
-          EXPECT_TRUE(error || read == signal) << "byte " << byte << " of a key, bit " << bit;
+      for (int bit = 0; bit < 8; ++bit) {
+        for (const std::size_t byte : {0, 1, 4, 17}) {
+          is_refused_or_same(folder, whole, key + byte, bit);
         }
       }
     }
