@@ -32,7 +32,8 @@ void bind(const cli::Options& command, MonitorOptions& options) {
   constexpr Range every_s{.low = 0, .high = 1e9, .unit = " s"};
   command.choose("--format", options.format, sample_format_words(),
                  "samples of the stream: floats or integers of so many bits, in the byte order of "
-                 "this machine and without a header, or text, one number a line");
+                 "this machine (be: big-endian) and without a header; wav of one channel; or text, "
+                 "one number a line");
   command.add("--sample-rate-hz", options.sample_rate_hz, "samples of the stream in a second")
       .required()
       .check(cli::within(signal::ranges::sample_rate_hz));
@@ -60,7 +61,7 @@ Monitor::Monitor(const signal::DatasetInfo& info, std::size_t length, Answer ans
       answer_(std::move(answer)),
       rate_hz_(options.sample_rate_hz),
       speed_rpm_(options.speed_rpm),
-      decoder_(options.format, stream),
+      decoder_(options.format, stream, options.sample_rate_hz),
       resampler_(rate_hz_, info.sample_rate_hz),
       cutter_(length, options.stride == 0 ? length : options.stride),
       judge_(info,

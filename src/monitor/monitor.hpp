@@ -39,8 +39,8 @@ class Monitor {
 
   using Say = std::function<void(const Decision&)>;
 
-  /// The bytes that come next. Samples that are not finite, or beyond 1e36, are a gap: no window
-  /// spans it.
+  /// The bytes that come next. Samples that are not finite, or beyond 1e36, and lines of text that
+  /// are not a number are a gap: no window spans it. Throws as SampleDecoder::add.
   void add(std::span<const std::byte> bytes, const Say& say);
   /// What comes next does not follow what came before.
   void skip();
@@ -53,9 +53,11 @@ class Monitor {
   [[nodiscard]] double signal_s() const;
   [[nodiscard]] double rate_hz() const { return rate_hz_; }
   [[nodiscard]] double window_s() const;
-  [[nodiscard]] std::uint64_t samples_not_finite() const { return not_finite_; }
-  /// Bytes of a sample that has not come whole.
-  [[nodiscard]] std::size_t begun_bytes() const { return decoder_.waiting(); }
+  /// Without lines of text that are not a number.
+  [[nodiscard]] std::uint64_t samples_not_finite() const {
+    return not_finite_ - decoder_.text().garbled();
+  }
+  [[nodiscard]] const SampleDecoder& decoder() const { return decoder_; }
 
  private:
   void take(std::span<const double> samples, const Say& say);

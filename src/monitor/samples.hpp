@@ -4,44 +4,60 @@
 #include <cstdint>
 #include <span>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "cli/options.hpp"
+#include "monitor/text_samples.hpp"
+#include "monitor/wav_stream.hpp"
 
 namespace piae::monitor {
 
-/// How a stream holds its samples. Binary ones are in the byte order of this machine and stand one
-/// behind the other; text is one number a line.
-enum class SampleFormat { f32, f64, i16, i32, text };
+/// How a stream holds its samples. Binary ones are in the byte order of this machine, those called
+/// "be" with the highest byte first, and stand one behind the other; WAV has a header; text is one
+/// number a line.
+enum class SampleFormat { f32, f64, f32be, f64be, i16, i32, wav, text };
 
 std::vector<cli::Word<SampleFormat>> sample_format_words();
 
 /// Makes numbers of the bytes of a stream, which come in pieces that may end within a sample.
 class SampleDecoder {
  public:
-  /// `name` is the stream's, for messages.
-  SampleDecoder(SampleFormat format, std::string name) : format_(format), name_(std::move(name)) {}
+  /// `name` is the stream's, for messages, and `sample_rate_hz` what a WAV header must say.
+  SampleDecoder(SampleFormat format, const std::string& name, double sample_rate_hz)
+      : format_(format), text_(name), wav_(name, sample_rate_hz) {}
 
-  /// Appends the samples of what came until now. Throws Error(bad_input) for a line that is not a
-  /// number; empty lines are passed over.
+  /// Appends the samples of what came until now. A line of text that is not a number is NaN. Throws
+  /// as WavStream::next.
   void add(std::span<const std::byte> bytes, std::vector<double>& samples);
   /// When no more bytes will come: a last line of text need not end.
   void finish(std::vector<double>& samples);
+  void restart();
+
   /// Bytes of a sample that has not come whole.
-  [[nodiscard]] std::size_t waiting() const { return begun_.size(); }
-  void restart() { begun_.clear(); }
+  [[nodiscard]] std::size_t waiting() const { return waiting_.size() + text_.waiting(); }
+  [[nodiscard]] const TextSamples& text() const { return text_; }
+  [[nodiscard]] const WavStream& wav() const { return wav_; }
+  /// The format that the bytes rather look like, where this one makes odd numbers of them: "f32be"
+  /// for f32, "wav" for a stream that begins like one. Empty where there is none.
+  [[nodiscard]] std::string likelier_format() const;
 
  private:
-  template <class T>
-  void add_binary(std::span<const std::byte> bytes, std::vector<double>& samples);
-  void add_text(std::span<const std::byte> bytes, std::vector<double>& samples);
-  void end_line(std::vector<double>& samples);
+  template <class T, bool swapped>
+  void add_floats(std::span<const std::byte> bytes, std::vector<double>& samples);
+  void add_wav(std::span<const std::byte> bytes, std::vector<double>& samples);
+  template <std::size_t size, class Read>
+  void add_binary(std::span<const std::byte> bytes, const Read& read);
 
   SampleFormat format_;
-  std::string name_;
-  std::string begun_;
-  std::uint64_t line_ = 0;
+  TextSamples text_;
+  WavStream wav_;
+  std::string waiting_;
+  std::string beginning_;  ///< of the stream: 4 bytes
+
+  // Floats of the magnitudes that vibration has, read as they are and with their bytes swapped:
+  std::uint64_t floats_ = 0;
+  std::uint64_t plausible_ = 0;
+  std::uint64_t plausible_swapped_ = 0;
 };
 
 }  // namespace piae::monitor

@@ -5,6 +5,7 @@
 
 #include <chrono>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "base/error.hpp"
@@ -62,17 +63,59 @@ std::string counted(std::uint64_t n, const std::string& one) {
   return fmt::format("{} {}{}", n, one, n == 1 ? "" : "s");
 }
 
-std::string lost(const Monitor& monitor, std::size_t breaks) {
+/// "; is it --format f32be?", where samples are not finite because they are of another format.
+std::string other_format(const Monitor& monitor) {
+  const std::string likelier = monitor.decoder().likelier_format();
+  if (monitor.samples_not_finite() == 0 || likelier.empty()) return "";
+  return fmt::format("; is it --format {}?", likelier);
+}
+
+/// `ended`: the stream did, so what it promised will not come any more.
+std::string lost(const Monitor& monitor, std::size_t breaks, bool ended) {
   std::string text;
   const auto add = [&](const std::string& what) { text += (text.empty() ? "" : ", ") + what; };
+  const SampleDecoder& decoder = monitor.decoder();
   if (breaks > 0) add("the file began anew " + counted(breaks, "time"));
   if (monitor.samples_not_finite() > 0) {
     add(counted(monitor.samples_not_finite(), "sample") + " not finite or beyond 1e36");
   }
-  if (monitor.begun_bytes() > 0)
-    add(counted(monitor.begun_bytes(), "byte") + " of an unfinished sample");
-  return text.empty() ? "nothing lost" : "lost: " + text;
+  if (decoder.text().garbled() > 0) {
+    add(counted(decoder.text().garbled(), "line") + " not a number");
+  }
+  if (decoder.waiting() > 0) add(counted(decoder.waiting(), "byte") + " of an unfinished sample");
+  if (ended && decoder.wav().missing() > 0) {
+    add(counted(decoder.wav().missing(), "byte") + " that the WAV header promises");
+  }
+  if (text.empty()) return "nothing lost";
+  return "lost: " + text + other_format(monitor);
 }
+
+/// Reports the first gap of a kind as it comes, since a stream may go on for days.
+class Gaps {
+ public:
+  explicit Gaps(const Monitor& monitor) : monitor_(&monitor) {}
+
+  void samples_came() {
+    constexpr double windows_to_wait = 10;
+    const bool has_windows = monitor_->judge().windows() > 0;
+    const bool has_waited = monitor_->signal_s() > windows_to_wait * monitor_->window_s();
+    if (!has_windows && !has_waited) return;
+    const TextSamples& text = monitor_->decoder().text();
+    if (text.garbled() > 0 && !std::exchange(told_of_lines_, true)) {
+      spdlog::warn("{}; such lines are gaps", text.first_garbled());
+    }
+    if (has_windows || monitor_->samples_not_finite() == 0) return;
+    if (!std::exchange(told_of_samples_, true)) {
+      spdlog::warn("after {:.1f} s of signal, non-finite samples broke every window{}",
+                   monitor_->signal_s(), other_format(*monitor_));
+    }
+  }
+
+ private:
+  const Monitor* monitor_;
+  bool told_of_lines_ = false;
+  bool told_of_samples_ = false;
+};
 
 std::string heard(const Monitor& monitor, const std::string& until) {
   return fmt::format("{} in {:.1f} s of signal until {}: {}; ",
@@ -82,6 +125,15 @@ std::string heard(const Monitor& monitor, const std::string& until) {
 
 void require_windows(const Monitor& monitor, const Input& input) {
   if (monitor.judge().windows() > 0) return;
+  const TextSamples& text = monitor.decoder().text();
+  if (text.garbled() > 0) throw Error(Exit::bad_input, text.first_garbled());
+  if (monitor.samples_not_finite() > 0) {
+    const std::string other = other_format(monitor);
+    throw Error(Exit::bad_input,
+                fmt::format("{}: non-finite samples broke every window ({} of {}){}", input.name(),
+                            monitor.samples_not_finite(), counted(monitor.samples(), "sample"),
+                            other.empty() ? "; is --format right?" : other));
+  }
   throw Error(Exit::bad_input, fmt::format("{}: ended after {}, {:.3g} s; a window takes {:.3g} s",
                                            input.name(), counted(monitor.samples(), "sample"),
                                            monitor.signal_s(), monitor.window_s()));
@@ -108,6 +160,7 @@ std::string watch(Input& input, Monitor& monitor, const signal::DatasetInfo& inf
     lines.clear();
   };
   Punctuality punctuality(monitor.rate_hz(), options);
+  Gaps gaps(monitor);
   std::size_t breaks = 0;
   bool ended = false;
   while (!ended && !stopped()) {
@@ -116,6 +169,7 @@ std::string watch(Input& input, Monitor& monitor, const signal::DatasetInfo& inf
       case Input::Event::bytes:
         monitor.add(piece.bytes, say);
         punctuality.samples_came(monitor.samples(), monitor.signal_s());
+        gaps.samples_came();
         break;
       case Input::Event::none:
         punctuality.nothing_came(monitor.signal_s());
@@ -137,7 +191,7 @@ std::string watch(Input& input, Monitor& monitor, const signal::DatasetInfo& inf
   monitor.finish(say);
   write_lines();
   if (ended) require_windows(monitor, input);
-  return heard(monitor, ended ? "its end" : "it was told to stop") + lost(monitor, breaks) +
+  return heard(monitor, ended ? "its end" : "it was told to stop") + lost(monitor, breaks, ended) +
          punctuality.summary();
 }
 

@@ -141,6 +141,24 @@ TEST(Monitor, NoWindowSpansSamplesTooLargeForIt) {
   }
 }
 
+/// A line is a sample's time, whatever it says.
+TEST(Monitor, NoWindowSpansALineThatIsNotANumber) {
+  std::string text = "time\n";
+  for (int i = 1; i < 450; ++i) {
+    text += i == 130 ? "4.2.3\n" : i == 131 ? "nan\n" : i % 2 == 0 ? "+1.5\n" : "-1.75\n";
+  }
+  MonitorOptions options = options_at(1000);
+  options.format = SampleFormat::text;
+  Monitor monitor(rig(), window_length, by_mean, options, "raw");
+  std::vector<Decision> decisions;
+  monitor.add(std::as_bytes(std::span(text)), [&](const Decision& d) { decisions.push_back(d); });
+  EXPECT_EQ(told(decisions),
+            "0.10 Normal off; 0.23 Normal off; 0.33 Normal off; 0.43 Normal off; ");
+  EXPECT_EQ(monitor.samples(), 450U);
+  EXPECT_EQ(monitor.samples_not_finite(), 1U);
+  EXPECT_EQ(monitor.decoder().text().garbled(), 2U);
+}
+
 TEST(Monitor, NoWindowSpansABreak) {
   std::vector<float> signal;
   append_wave(signal, -1, 150);
@@ -148,9 +166,9 @@ TEST(Monitor, NoWindowSpansABreak) {
   std::vector<Decision> decisions;
   const auto say = [&](const Decision& d) { decisions.push_back(d); };
   monitor.add(std::as_bytes(std::span(signal)).first(599), say);
-  EXPECT_EQ(monitor.begun_bytes(), 3U);
+  EXPECT_EQ(monitor.decoder().waiting(), 3U);
   monitor.skip();
-  EXPECT_EQ(monitor.begun_bytes(), 0U);
+  EXPECT_EQ(monitor.decoder().waiting(), 0U);
   monitor.add(std::as_bytes(std::span(signal)), say);
   EXPECT_EQ(told(decisions), "0.10 Normal off; 0.24 Normal off; ");
 }

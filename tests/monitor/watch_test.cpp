@@ -2,9 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "base/random.hpp"
 #include "monitor/judged.hpp"
 #include "support/errors.hpp"
 #include "support/folder.hpp"
@@ -28,21 +30,31 @@ struct Watched {
   std::string summary;
 };
 
-/// Windows of 100 of these samples, at 1000 Hz, and so many bytes more.
-Watched watched(const std::vector<float>& samples, std::size_t more_bytes = 0,
-                const WatchOptions& options = {}, bool stopped = false) {
+/// Windows of 100 samples at 1000 Hz, in these bytes.
+Watched watched_bytes(const std::string& bytes, SampleFormat format = SampleFormat::f32,
+                      const WatchOptions& options = {}, bool stopped = false) {
   const Folder folder;
-  std::string bytes(reinterpret_cast<const char*>(samples.data()), samples.size() * sizeof(float));
-  Input input(folder.write("raw.f32", bytes + std::string(more_bytes, '\0')), false);
+  Input input(folder.write("raw.f32", bytes), false);
   MonitorOptions of_stream;
   of_stream.sample_rate_hz = 1000;
   of_stream.speed_rpm = 1500;
-  Monitor monitor(rig(), 100, all_healthy, of_stream, input.name());
+  of_stream.format = format;
+  Monitor monitor(rig(), 100, all_healthy, of_stream, "raw.f32");
   Watched watched;
   watched.summary = watch(
       input, monitor, rig(), options, [=] { return stopped; },
       [&](const std::string& text) { watched.lines += text; });
   return watched;
+}
+
+std::string bytes_of_floats(const std::vector<float>& samples) {
+  return {reinterpret_cast<const char*>(samples.data()), samples.size() * sizeof(float)};
+}
+
+Watched watched(const std::vector<float>& samples, std::size_t more_bytes = 0,
+                const WatchOptions& options = {}, bool stopped = false) {
+  return watched_bytes(bytes_of_floats(samples) + std::string(more_bytes, '\0'), SampleFormat::f32,
+                       options, stopped);
 }
 
 std::vector<float> ramp(std::size_t samples) {
@@ -65,6 +77,54 @@ TEST(Watch, SaysWhatWasLost) {
   EXPECT_EQ(watched(samples, 3).summary,
             "2 windows in 0.2 s of signal until its end: 0 alarms; lost: 1 sample not finite or "
             "beyond 1e36, 3 bytes of an unfinished sample");
+}
+
+/// 3 s of noise whose bytes stand in the other order: about 1 sample in 30 is not finite or too
+/// large.
+TEST(Watch, NamesTheFormatWhereSamplesAreNotFinite) {
+  Stream random("other order");
+  std::vector<float> samples(3000);
+  for (float& x : samples) x = static_cast<float>(random.normal(0, 0.1));
+  std::string bytes = bytes_of_floats(samples);
+  for (std::size_t i = 0; i < bytes.size(); i += 4) {
+    std::reverse(bytes.begin() + static_cast<std::ptrdiff_t>(i),
+                 bytes.begin() + static_cast<std::ptrdiff_t>(i + 4));
+  }
+  const std::string summary = watched_bytes(bytes).summary;  // one window in 20 is whole by chance
+  EXPECT_TRUE(summary.ends_with(" not finite or beyond 1e36; is it --format f32be?")) << summary;
+  EXPECT_EQ(watched_bytes(bytes, SampleFormat::f32be).summary,
+            "30 windows in 3.0 s of signal until its end: 0 alarms; nothing lost");
+}
+
+TEST(Watch, NonFiniteSamplesThatBreakEveryWindowAreAnError) {
+  std::vector<float> samples = ramp(300);
+  for (const std::size_t i : {50, 149, 248}) {
+    samples[i] = std::numeric_limits<float>::infinity();
+  }
+  EXPECT_ERROR(watched(samples), Exit::bad_input,
+               "raw.f32: non-finite samples broke every window (3 of 300 samples); is --format "
+               "right?");
+}
+
+TEST(Watch, CountsLinesThatAreNotANumber) {
+  std::string text = "a header\n";
+  for (int i = 0; i < 250; ++i) text += i == 120 ? "1.2x\n" : std::to_string(i % 9) + "\n";
+  EXPECT_EQ(watched_bytes(text, SampleFormat::text).summary,
+            "2 windows in 0.3 s of signal until its end: 0 alarms; lost: 2 lines not a number");
+  EXPECT_ERROR(watched_bytes("time,x\n0,1\n", SampleFormat::text), Exit::bad_input,
+               "raw.f32, line 1: 'time,x' is not a number");
+}
+
+TEST(Watch, CountsWhatAWavHeaderPromises) {
+  const std::string header(
+      "RIFF\0\0\0\0WAVEfmt \x10\0\0\0\x01\0\x01\0\xE8\x03\0\0\xD0\x07\0\0\x02"
+      "\0\x10\0data\x90\x01\0\0",
+      44);  // 400 bytes at 1000 Hz
+  std::string samples;
+  for (int i = 0; i < 150; ++i) samples += std::string{static_cast<char>(i), '\1'};
+  EXPECT_EQ(watched_bytes(header + samples, SampleFormat::wav).summary,
+            "1 window in 0.1 s of signal until its end: 0 alarms; lost: 100 bytes that the WAV "
+            "header promises");
 }
 
 TEST(Watch, SaysThatNothingWasLateWhereAsked) {

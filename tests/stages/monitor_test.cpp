@@ -61,6 +61,22 @@ class Monitored : public testing::Test {
     return std::stod(lines.substr(line + 11));
   }
 
+  /// Floats with their bytes the other way round.
+  static std::string swapped(std::string floats) {
+    for (std::size_t i = 0; i + 4 <= floats.size(); i += 4) {
+      std::swap(floats[i], floats[i + 3]);
+      std::swap(floats[i + 1], floats[i + 2]);
+    }
+    return floats;
+  }
+  /// One channel of floats at 12 kHz (0x2EE0), of unknown length.
+  static std::string wav_header_of_a_pipe() {
+    return {
+        "RIFF\xFF\xFF\xFF\xFFWAVEfmt \x10\0\0\0\x03\0\x01\0\xE0\x2E\0\0\x80\xBB\0\0\x04\0\x20\0"
+        "data\xFF\xFF\xFF\xFF",
+        44};
+  }
+
   Tiny tiny_;
 };
 
@@ -170,9 +186,44 @@ TEST_F(Monitored, OtherFormatsSayTheSame) {
   }
   write_bytes(tiny_ / "raw.txt", text);
   write_bytes(tiny_ / "raw.f64", doubles);
+  write_bytes(tiny_ / "raw.f32be", swapped(bytes));
+  write_bytes(tiny_ / "raw.wav", wav_header_of_a_pipe() + bytes);
   const std::string said = monitor({"--input", "raw.f32"}).out;
   EXPECT_EQ(monitor({"--input", "raw.txt", "--format", "text"}).out, said);
   EXPECT_EQ(monitor({"--input", "raw.f64", "--format", "f64"}).out, said);
+  EXPECT_EQ(monitor({"--input", "raw.f32be", "--format", "f32be"}).out, said);
+  Surroundings piped;
+  piped.input = tiny_ / "raw.wav";
+  const Outcome wav = monitor({"--format", "wav"}, piped);
+  EXPECT_EQ(wav.out, said);
+  EXPECT_THAT(wav.err, HasSubstr("nothing lost"));
+  expect_refusal(monitor({"--format", "wav", "--sample-rate-hz", "24000"}, piped), "monitor", 65,
+                 {"standard input", "12000 Hz", "--sample-rate-hz 24000"});
+  expect_refusal(monitor({"--input", "raw.f32", "--format", "wav"}), "monitor", 65,
+                 {"raw.f32", "does not begin as WAV does"});
+}
+
+TEST_F(Monitored, AnotherByteOrderIsNamed) {
+  simulate("Normal", 3, 0, "raw.f32");
+  write_bytes(tiny_ / "raw.f32be", swapped(bytes_of(tiny_ / "raw.f32")));
+  const Outcome outcome = monitor({"--input", "raw.f32be"});
+  EXPECT_EQ(outcome.status, 65);
+  EXPECT_EQ(outcome.out, "");
+  EXPECT_THAT(outcome.err,
+              HasSubstr("monitor: raw.f32be: non-finite samples broke every window ("));
+  EXPECT_THAT(outcome.err, HasSubstr("of 36000 samples); is it --format f32be?\n"));
+}
+
+TEST_F(Monitored, AGarbledLineIsAGap) {
+  std::string text;
+  for (int i = 0; i < 4000; ++i) text += i == 1500 ? "12.3.4\n" : fmt::format("{:+d}\n", i % 7);
+  write_bytes(tiny_ / "raw.txt", text);
+  const Outcome outcome = monitor({"--input", "raw.txt", "--format", "text", "--every-s", "0"});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_THAT(outcome.err, HasSubstr("raw.txt, line 1501: '12.3.4' is not a number; a line of "
+                                     "--format text holds one sample; such lines are gaps"));
+  EXPECT_THAT(outcome.err, HasSubstr("3 windows in 0.3 s of signal until its end"));
+  EXPECT_THAT(outcome.err, HasSubstr("lost: 1 line not a number"));
 }
 
 TEST_F(Monitored, AStreamThatCannotFitIsRefused) {
