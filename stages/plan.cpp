@@ -2,6 +2,7 @@
 
 #include <iostream>
 
+#include "base/error.hpp"
 #include "cli/checks.hpp"
 #include "cli/stage.hpp"
 #include "plan/asked.hpp"
@@ -109,8 +110,7 @@ int main(int argc, char** argv) {
        {"costs", Format::costs}},
       "why: a line for each step; make: a makefile; summary: how much; missing: the files that "
       "tables lack; jobs: for a cluster; shown: the tables that the goals end with; costs: what "
-      "steps took, "
-      "for jobs/costs.csv");
+      "steps took, for jobs/costs.csv");
   stage.options().flag("--whole", whole,
                        "Of a run from its grid to its pages; why and summary can be of all that");
   stage.options().flag("--quietly", quietly, "Of a makefile: hide the commands");
@@ -133,6 +133,9 @@ int main(int argc, char** argv) {
       return planned->save();
     }
     if (whole) {
+      if (format != Format::why && format != Format::summary) {
+        throw Error(Exit::usage, "--whole goes with --format why or summary (see plan --help)");
+      }
       const std::string all = printed_of_all(request, options, format);
       std::cout << (all.empty() ? "nothing is to be done\n" : all);
       return;

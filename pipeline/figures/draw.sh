@@ -16,6 +16,8 @@ name=$(basename "$csv" .csv)
 scripts=$(dirname "$0")
 script=$scripts/${name%@*}.gp
 part=$([[ $name != *@* ]] || echo "${name##*@}")
+# A drawing that was killed leaves its folder.
+find "$(dirname "$csv")" -maxdepth 1 -name '.drawing.*' -mmin +60 -exec rm -rf {} +
 partial=$(mktemp -d "$(dirname "$csv")/.drawing.XXXXXX")
 trap 'rm -rf "$partial"' EXIT
 

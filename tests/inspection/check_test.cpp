@@ -21,9 +21,9 @@ Description description() {
   d.info.name = "rig";
   d.info.sample_rate_hz = 1000;
   d.info.classes = {{"ok", Defect::none, 0}, {"bad", Defect::outer, 1}};
-  d.records = {{"bad", 1, "bad.csv", "1", 1000, 600, "", ""},
-               {"ok-01", 0, "ok1.csv", "1", 1000, 600, "", ""},
-               {"ok-02", 0, "ok2.csv", "1", 1000, 600, "", ""}};
+  d.records = {{"bad", 1, {"bad.csv"}, "1", 1000, 600, "", ""},
+               {"ok-01", 0, {"ok1.csv"}, "1", 1000, 600, "", ""},
+               {"ok-02", 0, {"ok2.csv"}, "1", 1000, 600, "", ""}};
   return d;
 }
 
@@ -70,7 +70,7 @@ TEST(Check, OfATransferCountsEachConditionByItself) {
   write_signal(folder, "ok2.csv", 1400, 2);
   Description d = description();
   d.info.conditions = {{.name = "a", .known = false}, {.name = "b", .test = false}};
-  d.records.push_back({"bad-02", 1, "bad2.csv", "1", 1000, 600, "", "", "b"});
+  d.records.push_back({"bad-02", 1, {"bad2.csv"}, "1", 1000, 600, "", "", "b"});
   for (RecordSource& record : d.records) {
     if (record.condition.empty()) record.condition = record.name == "ok-02" ? "b" : "a";
   }

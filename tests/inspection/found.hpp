@@ -22,7 +22,7 @@ struct Found {
                                 {"ball", Defect::roller, 0.5}};
     for (const Label label : description.info.labels()) {
       const std::string& name = description.info.class_of(label).name;
-      description.records.push_back({name, label, name + ".csv", "2", 12000, 1797, "", ""});
+      description.records.push_back({name, label, {name + ".csv"}, "2", 12000, 1797, "", ""});
       RecordCheck record;
       record.source = description.records.back();
       record.file_samples = 120000;

@@ -129,6 +129,28 @@ TEST(DueSteps, OfADescriptionAreThoseOfItsDataSet) {
   EXPECT_EQ(run.why("real/ingest"), "");
 }
 
+TEST(DueSteps, CompareAllRecordingsThatAPatternMatches) {
+  const Folder folder;
+  SmallRun run;
+  run.request.data_dir = folder.path().string();
+  run.write("datasets/real.toml",
+            "name = \"real\"\n[[record]]\nclass = \"a\"\nfile = [\"1.mat\", \"run/*.csv\"]\n");
+  const auto record = [&](const std::string& name, const std::string& digest) {
+    run.disk.files[folder.write(name, "").string()].digest = digest;
+  };
+  record("1.mat", "first");
+  record("run/2.csv", "second");
+  run.run();
+  EXPECT_EQ(run.why("real/ingest"), "");
+  record("run/2.csv", "another");
+  EXPECT_EQ(run.why("real/ingest"), "recording run/2.csv has other contents");
+  record("run/2.csv", "second");
+  record("run/10.csv", "third");
+  EXPECT_EQ(run.why("real/ingest"), "it was made without recording run/10.csv");
+  std::filesystem::remove_all(folder / "run");  // recordings need not be kept
+  EXPECT_EQ(run.why("real/ingest"), "");
+}
+
 TEST(DueSteps, CompareRecordingsThatAreThere) {
   SmallRun run;
   run.run();

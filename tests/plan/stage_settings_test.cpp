@@ -64,12 +64,12 @@ TEST(SettingsOfAStage, HoldADescriptionWithWhatItTakesFromAnother) {
   const Project project("");
   project.folder.write("datasets/a.toml",
                        "name = \"a\"\nrate = 3\n[[record]]\nfile = \"2.mat\"\n[[record]]\nfile = "
-                       "\"1.mat\"\n[[record]]\nfile = \"2.mat\"\n");
+                       "\"1.mat\"\n[[record]]\nfile = [\"2.mat\", \"x_*.csv\"]\n");
   project.folder.write("datasets/b.toml", "name = \"b\"\nlike = \"a\"\nrate = 4\n");
   const Experiment experiment = read_experiment(project.folder.path());
   const auto settings = StageSettings(experiment, "run").description(*experiment.find("b"));
   EXPECT_THAT(settings->text, HasSubstr("name = 'b'\nrate = 4\n"));
-  EXPECT_THAT(settings->recordings, ElementsAre("1.mat", "2.mat"));
+  EXPECT_THAT(settings->recordings, ElementsAre("1.mat", "2.mat", "x_*.csv"));
 }
 
 TEST(SettingsOfAStage, AreReadFromTheirFileAsFromTheProtocol) {
