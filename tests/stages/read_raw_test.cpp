@@ -74,7 +74,9 @@ TEST_P(OutputsOfReadRaw, GetTheNumbersOrSayWhyNot) {
 TEST_P(OutputsOfReadRaw, AreToldOfAFaultInTheFile) {
   const auto& [out, err] = GetParam();
   EXPECT_EQ(read("7"), 65);
-  if (err.keeps) EXPECT_THAT(said(), HasSubstr("read_raw: numbers.csv, line 1: has no column 7"));
+  if (err.keeps) {
+    EXPECT_THAT(said(), HasSubstr("read_raw: numbers.csv, line 1: has no column 7"));
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Places, OutputsOfReadRaw,
