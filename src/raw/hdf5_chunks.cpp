@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "artefact/hdf5.hpp"
+#include "raw/limits.hpp"
 
 namespace piae::raw {
 
@@ -60,6 +62,29 @@ bool advance(Extents& place, const Extents& chunk, const Extents& extents) {
   return false;
 }
 
+struct Stored {
+  std::uint32_t left_out = 0;  ///< mask of filters
+  hsize_t bytes = 0;
+};
+
+/// Looks a chunk up as reading its values does. HDF5's functions that only inform about chunks do
+/// not: they go through the whole index, and find a chunk that reading does not.
+Stored stored_chunk(const Where& where, hid_t dataset, const Extents& place,
+                    std::vector<std::byte>& buffer) {
+  Stored stored;
+  if (H5Dget_chunk_storage_size(dataset, place.data(), &stored.bytes) < 0 || stored.bytes == 0) {
+    refuse_unwritten(where);
+  }
+  if (stored.bytes > limits_of(where.file).file_bytes) {
+    refuse(where, "is damaged: a chunk of it is larger than the file");
+  }
+  buffer.resize(std::max<std::size_t>(buffer.size(), stored.bytes));
+  if (H5Dread_chunk(dataset, H5P_DEFAULT, place.data(), &stored.left_out, buffer.data()) < 0) {
+    refuse_unwritten(where);
+  }
+  return stored;
+}
+
 void require_chunks(const Where& where, hid_t dataset, hid_t creation) {
   const hdf5::Handle space(H5Dget_space(dataset), "extents");
   const int rank = H5Sget_simple_extent_ndims(space);
@@ -73,16 +98,13 @@ void require_chunks(const Where& where, hid_t dataset, hid_t creation) {
   }
   const Filters filters = filters_of(creation);
   const hsize_t unpacked = unpacked_bytes(dataset, filters, chunk);
+  std::vector<std::byte> stored;
   Extents place(extents.size(), 0);
   do {
-    unsigned left_out = 0;
-    haddr_t address = HADDR_UNDEF;
-    hsize_t bytes = 0;
-    hdf5::check(H5Dget_chunk_info_by_coord(dataset, place.data(), &left_out, &address, &bytes),
-                "chunks");
-    if (address == HADDR_UNDEF) refuse_unwritten(where);
-    const bool is_packed = (filters.optional & ~left_out) != 0;
-    if ((left_out & ~filters.optional) != 0 || (!is_packed && bytes != unpacked)) {
+    const Stored chunk_there = stored_chunk(where, dataset, place, stored);
+    const bool is_packed = (filters.optional & ~chunk_there.left_out) != 0;
+    if ((chunk_there.left_out & ~filters.optional) != 0 ||
+        (!is_packed && chunk_there.bytes != unpacked)) {
       refuse(where, "is damaged: a chunk of it is not stored as the dataset says");
     }
   } while (advance(place, chunk, extents));

@@ -12,6 +12,7 @@
 #include "base/numbers.hpp"
 #include "raw/bytes.hpp"
 #include "raw/file.hpp"
+#include "raw/flac_sum.hpp"
 #include "raw/limits.hpp"
 
 namespace piae::raw {
@@ -76,6 +77,9 @@ Signal read_sound(const fs::path& file, const std::string& channel) {
   if (got != info.frames || sf_error(sound.get()) != SF_ERR_NO_ERROR) {
     refuse_file(file,
                 fmt::format("truncated or damaged: {} of {} samples can be read", got, count));
+  }
+  if ((info.format & SF_FORMAT_TYPEMASK) == SF_FORMAT_FLAC) {
+    require_flac_sum(file, sound.get(), info);
   }
   Signal signal{.samples = std::vector<double>(count), .sample_rate_hz = info.samplerate};
   for (std::size_t i = 0; i < count; ++i) signal.samples[i] = all[i * channels + index];
