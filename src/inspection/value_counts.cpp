@@ -64,6 +64,7 @@ struct Evidence {
 
 Evidence evidence_at(const std::vector<NearbyValue>& levels, double quantum) {
   std::vector<double> visits;
+  visits.reserve(levels.size());
   for (const NearbyValue& level : levels) visits.push_back(static_cast<double>(level.visits));
   const double all = std::accumulate(visits.begin(), visits.end(), 0.0);
   const double repeats = scoring::median({visits.begin() + 1, visits.end()});

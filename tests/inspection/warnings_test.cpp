@@ -186,8 +186,8 @@ TEST(Warnings, NameARecordOfALowerRateThanTheDataSet) {
 /// Of 1, as all others have.
 TEST(Warnings, NameALevelThatNoFaultHas) {
   Found found;
-  found.check.records[1].level->rms = 99;
-  found.check.records[2].level->rms = 0.0101;
+  found.check.records[1].level->rms = 199;
+  found.check.records[2].level->rms = 0.0051;
   EXPECT_THAT(warnings_of(found), IsEmpty());
   found.check.records[1].level->rms = 5600;
   expect_one(found, {"outer (outer.csv, variable 2): its RMS, 5600, is 5600 times that of the "
