@@ -20,7 +20,7 @@ struct Dropouts {
 /// printed too coarsely to tell.
 Dropouts dropouts_in(std::span<const double> times);
 
-/// The same of the first column of a text file, if another one is the signal's. Nothing where the
+/// Looks at the first column of a text file, if another one is the signal's. Nothing where the
 /// file is not text, or its first column does not hold numbers.
 Dropouts dropouts_of(const std::filesystem::path& file, const std::string& variable);
 
