@@ -38,8 +38,8 @@ struct FaultLine {
   double noise_db = 0;            ///< what white noise alone exceeds in one record of a thousand
   int harmonics_above_noise = 0;  ///< of the three, those above noise_db
   double share_elsewhere = 0;  ///< of the places where no fault has a line: as far out as this one
-  /// Where from 2/3 to 3/2 of `hz` the three harmonics stand out farthest, over `hz`: 1 but for
-  /// slip where the line is at its place. 0 where nothing was measured.
+  /// Frequency from 2/3 to 3/2 of `hz` at which the three harmonics stand out farthest, over `hz`:
+  /// 1, but for slip, if the line is at its place. 0 if nothing was measured.
   double farthest_factor = 0;
   /// Farther than noise alone, with two of the three harmonics at least, and farther than 95 % of
   /// the other places of this spectrum, which hold the lines of shaft, motor and mains.

@@ -32,7 +32,7 @@ bool has_lines(const RecordCheck& record) {
          !looks_like_hz(record.source.shaft_speed_rpm);
 }
 
-/// What is odd about the lines of a faulty record; empty where it shows its own.
+/// Returns what is odd about the lines of a faulty record; empty if it shows its own.
 std::string oddity_of_fault(const RecordCheck& record, signal::Defect defect) {
   const FaultLine& own = line_of(record.lines, defect);
   if (!own.db) return {};
@@ -77,7 +77,7 @@ void add_healthy_lines(const DatasetInfo& info, const std::vector<RecordCheck>& 
   }
 }
 
-/// Where nearly all faulty records do not show their line, they share the reason.
+/// Reports that nearly all faulty records miss their line, since they share the reason.
 std::string shared_oddity(const std::vector<const RecordCheck*>& odd, std::size_t asked) {
   return fmt::format(
       "only {} of {} faulty records show the line of their class best (not {}): shaft_speed_rpm, "
@@ -85,7 +85,7 @@ std::string shared_oddity(const std::vector<const RecordCheck*>& odd, std::size_
       asked - odd.size(), asked, names_of(odd));
 }
 
-/// Where lines are off by one factor, the speed or the rate is wrong by it.
+/// Reports lines that are off by one factor: the speed or the rate is wrong by it.
 std::string shared_factor(const CommonFactor& common, std::size_t asked) {
   const signal::RecordSource& first = common.records.front()->source;
   return fmt::format(

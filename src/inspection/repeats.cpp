@@ -38,7 +38,7 @@ class RollingHash {
   std::uint64_t hash_ = 0;
 };
 
-/// How often the signal goes over from rising to falling, or back.
+/// Counts how often the signal goes over from rising to falling, or back.
 std::size_t turns_of(std::span<const double> samples) {
   std::size_t turns = 0;
   int direction = 0;

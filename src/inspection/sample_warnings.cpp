@@ -13,7 +13,7 @@ double percent(std::size_t part, std::size_t whole) {
   return 100 * static_cast<double>(part) / static_cast<double>(whole);
 }
 
-/// Where both kinds of flat top are found, the stretches say more.
+/// Names stretches if there are any: they say more than single samples.
 void add_clipped(const RecordCheck& record, const std::string& place, Lines& lines) {
   const Stretches& clipped = record.clipped;
   if (clipped.count > 0) {

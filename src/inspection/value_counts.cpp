@@ -56,7 +56,7 @@ double evidence_of(double count, double n, double share) {
   return n * (found * std::log(found / share) + others);
 }
 
-/// What both tests have at one end of the values.
+/// Results of both tests at one end of the values, as negative logarithms of chance.
 struct Evidence {
   double by_levels = 0;
   double by_distance = 0;

@@ -15,9 +15,9 @@ namespace piae::inspection {
 std::vector<std::string> warnings_of(const signal::Description& description,
                                      const DatasetCheck& check);
 
-/// What is odd about the samples of one record: a time instead of a vibration, clipped peaks, few
-/// distinct values, stretches of one value, samples that stand alone, stretches that repeat, and
-/// missing samples.
+/// Returns what is odd about the samples of one record: a time instead of a vibration, clipped
+/// peaks, few distinct values, stretches of one value, samples that stand alone, stretches that
+/// repeat, and missing samples.
 std::vector<std::string> sample_warnings(const RecordCheck& record);
 
 /// What is odd about fault lines alone: a record that does not show the line of its class, or shows

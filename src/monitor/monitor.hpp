@@ -53,7 +53,7 @@ class Monitor {
   [[nodiscard]] double signal_s() const;
   [[nodiscard]] double rate_hz() const { return rate_hz_; }
   [[nodiscard]] double window_s() const;
-  /// Without lines of text that are not a number.
+  /// Counts samples that are a gap, without lines of text that are not a number.
   [[nodiscard]] std::uint64_t samples_not_finite() const {
     return not_finite_ - decoder_.text().garbled();
   }

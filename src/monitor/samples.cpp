@@ -32,7 +32,7 @@ std::int32_t value_of_24_bits(const void* from) {
   return value / 256;
 }
 
-/// Whether a vibration has samples of this size, in any unit. Of random bytes a third do.
+/// True if a vibration has samples of this size, in any unit. A third of random bytes do.
 bool is_plausible(double x) {
   constexpr double least = 1e-12;
   constexpr double most = 1e12;

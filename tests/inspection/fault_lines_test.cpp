@@ -92,7 +92,7 @@ TEST(FaultLines, DoNotStandOutWhereTheSpeedIsWrong) {
   }
 }
 
-/// Where they are says by how much the speed is wrong, as far as lines of 3/2 and 2/3 go.
+/// Places say by how much the speed is wrong, from 2/3 to 3/2.
 TEST(FaultLines, AreFarthestWhereTheyAre) {
   for (const Defect kind : kinds) {
     const Samples samples = struck_recording(rate_hz, 6, hz_of(kind), "struck");

@@ -68,7 +68,7 @@ TEST(FewValues, AreNotThoseOfAWorkingConverterOrAShortRecord) {
   EXPECT_EQ(few_values(short_record), std::nullopt);
 }
 
-/// As in a converter that overflows: each peak is one sample long.
+/// White noise has peaks of one sample.
 TEST(CutTops, OfSingleSamplesAreCounted) {
   const Samples whole = noise(1, "white");
   const Samples cut = clamped(whole, -3, 2.5);

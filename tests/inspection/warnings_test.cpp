@@ -133,7 +133,7 @@ TEST(Warnings, NamePeaksThatAreCutToOneSample) {
   expect_one(found, {"clipped: 31 samples in 7 stretches"});
 }
 
-/// Nothing else is asked of it.
+/// Lines and levels follow from the dead sensor, and are not reported.
 TEST(Warnings, NameFewDistinctValues) {
   Found found;
   RecordCheck& record = found.check.records[1];
@@ -183,7 +183,7 @@ TEST(Warnings, NameARecordOfALowerRateThanTheDataSet) {
                      "(the same holds for outer, inner, ball)"});
 }
 
-/// Of 1, as all others have.
+/// All other records have an RMS of 1.
 TEST(Warnings, NameALevelThatNoFaultHas) {
   Found found;
   found.check.records[1].level->rms = 199;
@@ -270,7 +270,7 @@ TEST(Warnings, NameTheFactorByWhichAllLinesAreOff) {
   EXPECT_THAT(warnings_of(found), ElementsAre(HasSubstr("only 0 of 3 faulty records")));
 }
 
-/// It may be a line of the shaft, which is at one frequency.
+/// A line of the shaft is at one frequency, whatever the fault.
 TEST(Warnings, NameNoFactorThatOneKindOfFaultAloneHas) {
   Found found;
   for (const Label label : {1, 2, 3}) {

@@ -36,7 +36,7 @@ Numbers decoded(SampleFormat format, const std::string& bytes, std::size_t piece
   return samples;
 }
 
-/// Each group of `size` bytes, the last first.
+/// Reverses each group of `size` bytes.
 std::string swapped(std::string bytes, std::size_t size) {
   for (auto at = bytes.begin(); at != bytes.end(); at += static_cast<std::ptrdiff_t>(size)) {
     std::reverse(at, at + static_cast<std::ptrdiff_t>(size));
@@ -89,7 +89,7 @@ TEST(Samples, ALineThatIsNoNumberIsAGap) {
             "raw, line 3: '3,4' is not a number; a line of --format text holds one sample");
 }
 
-/// It takes no more memory than others.
+/// Memory does not grow with the length of a line.
 TEST(Samples, ALongLineIsAGap) {
   SampleDecoder decoder(SampleFormat::text, "raw", rate_hz);
   Numbers samples;
@@ -103,7 +103,7 @@ TEST(Samples, ALongLineIsAGap) {
   EXPECT_NE(decoder.text().first_garbled().find("1...' is not a number"), std::string::npos);
 }
 
-/// Vibration in one byte order is no vibration in the other.
+/// Bytes in the wrong order make numbers of all magnitudes.
 TEST(Samples, TellTheByteOrderThatTheyLookLike) {
   std::vector<float> narrow;
   std::vector<double> wide;

@@ -31,7 +31,7 @@ std::string format_of(unsigned kind, unsigned bits, unsigned channels = 1,
          le(bits, 2);
 }
 
-/// The same where the kind is in an extension, as of samples of more than 16 bits.
+/// Puts the kind into an extension, as sox does for more than 16 bits.
 std::string extensible_of(unsigned kind, unsigned bits) {
   const std::string rest("\0\0\0\0\x10\0\x80\0\0\xAA\0\x38\x9B\x71", 14);
   return format_of(0xFFFE, bits) + le(22, 2) + le(bits, 2) + le(4, 4) + le(kind, 2) + rest;
@@ -83,7 +83,7 @@ TEST(WavStream, OtherChunksAreSkipped) {
   }
 }
 
-/// As recorders write into a pipe, whose end they do not know.
+/// Recorders that write into a pipe do not know its end.
 TEST(WavStream, SamplesOfUnknownLengthGoOnToTheEnd) {
   std::string samples;
   for (int i = 0; i < 5000; ++i) samples += le(0x4000, 2);
