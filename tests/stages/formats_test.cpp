@@ -17,10 +17,10 @@
 namespace piae::stages {
 namespace {
 
-constexpr double rate_hz = 12000;
+constexpr double sampled_hz = 12000;
 
 std::vector<double> recording(double strikes_hz, double seconds, const std::string& name) {
-  return struck_recording(rate_hz, seconds, strikes_hz, "formats/" + name);
+  return struck_recording(sampled_hz, seconds, strikes_hz, "formats/" + name);
 }
 
 /// A channel of NI's recorders, which say the time from one sample to the next.
@@ -29,7 +29,7 @@ std::string tdms(const std::vector<double>& samples) {
   const std::vector<std::string> objects{
       write.object("/", write.no_values()), write.object("/'rig'", write.no_values()),
       write.object("/'rig'/'acc'", write.index(tdms::dbl, samples.size()),
-                   {write.property("wf_increment", 1 / rate_hz)})};
+                   {write.property("wf_increment", 1 / sampled_hz)})};
   return write.segment(tdms::new_values, objects, write.numbers(samples));
 }
 
@@ -45,7 +45,7 @@ std::string wav(const std::vector<double>& samples) {
   for (const double x : samples) {
     data += little(std::bit_cast<std::uint32_t>(static_cast<float>(x)), 4);
   }
-  const auto rate = static_cast<std::uint32_t>(rate_hz);
+  const auto rate = static_cast<std::uint32_t>(sampled_hz);
   const std::string chunks = "WAVEfmt " + little(16, 4) + little(3, 2) + little(1, 2) +
                              little(rate, 4) + little(4 * rate, 4) + little(4, 2) + little(32, 2) +
                              "data" + little(static_cast<std::uint32_t>(data.size()), 4) + data;
@@ -85,8 +85,8 @@ void write_paderborn(const fs::path& file, const std::vector<double>& samples) {
 std::string text(const std::vector<double>& samples) {
   std::string lines = "time,acceleration\n";
   for (std::size_t i = 0; i < samples.size(); ++i) {
-    lines +=
-        std::to_string(static_cast<double>(i) / rate_hz) + ',' + std::to_string(samples[i]) + '\n';
+    lines += std::to_string(static_cast<double>(i) / sampled_hz) + ',' +
+             std::to_string(samples[i]) + '\n';
   }
   return lines;
 }
