@@ -19,7 +19,7 @@ constexpr double order_tolerance = 0.01;
 
 bool agree(double a, double b) { return std::abs(a - b) <= order_tolerance * std::abs(b); }
 
-int balls_of(const Orders& orders) {
+int number_of_balls(const Orders& orders) {
   const double sum = orders.bpfo + orders.bpfi;
   const double balls = std::round(sum);
   if (balls < 3 || !agree(sum, balls)) {
@@ -59,7 +59,7 @@ Geometry geometry_of(const Orders& orders) {
     refuse_orders(fmt::format("bpfo is {:g} and bpfi {:g}; 0 < bpfo < bpfi holds for every bearing",
                               orders.bpfo, orders.bpfi));
   }
-  const int balls = balls_of(orders);
+  const int balls = number_of_balls(orders);
   require_cage(orders, balls);
   const double gamma = (orders.bpfi - orders.bpfo) / (orders.bpfi + orders.bpfo);
   const double ratio = ball_to_pitch(orders, gamma);

@@ -21,9 +21,9 @@ struct Dropouts {
 /// printed too coarsely to tell.
 Dropouts dropouts_in(std::span<const double> times);
 
-/// Finds the same in the first column of the text files of a record, if another one is the signal's;
-/// what lies between two files is not looked at. Nothing where the first file is not text, or a
-/// first column does not hold numbers.
+/// Finds the same in the first column of the text files of a record, if another one is the
+/// signal's; what lies between two files is not looked at. Nothing where the first file is not
+/// text, or a first column does not hold numbers.
 Dropouts dropouts_of(const std::vector<std::filesystem::path>& files, const std::string& variable);
 
 }  // namespace piae::inspection

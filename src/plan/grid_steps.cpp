@@ -18,7 +18,7 @@ Input input(const std::string& role, const std::string& file) {
 }
 
 /// Gives the files that a name or pattern of a description stands for.
-std::vector<Input> recordings_of(const std::string& described, const std::string& data_dir) {
+std::vector<Input> inputs_of_recordings(const std::string& described, const std::string& data_dir) {
   std::vector<Input> inputs;
   for (const std::string& name : signal::files_of({described}, data_dir)) {
     inputs.push_back({.role = "recording " + name,
@@ -72,7 +72,7 @@ StepId GridSteps::records(const Dataset& dataset) {
   if (!dataset.is_simulated) {
     step.words = {"--data-dir", choice_.data_dir};
     for (const std::string& described : description->recordings) {
-      std::ranges::move(recordings_of(described, choice_.data_dir),
+      std::ranges::move(inputs_of_recordings(described, choice_.data_dir),
                         std::back_inserter(step.inputs));
     }
   }

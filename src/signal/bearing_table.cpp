@@ -48,7 +48,7 @@ Words words_of(const std::string& designation) {
   return words;
 }
 
-std::string joined(std::span<const std::string> words) {
+std::string joined_words(std::span<const std::string> words) {
   std::string text;
   for (const std::string& word : words) text += word;
   return text;
@@ -58,7 +58,7 @@ std::string joined(std::span<const std::string> words) {
 bool holds_words(const Words& row, const std::string& asked) {
   for (std::size_t first = 0; first < row.size(); ++first) {
     for (std::size_t count = 1; first + count <= row.size(); ++count) {
-      if (joined(std::span(row).subspan(first, count)) == asked) return true;
+      if (joined_words(std::span(row).subspan(first, count)) == asked) return true;
     }
   }
   return false;
@@ -131,7 +131,7 @@ bool have_the_same_lines(const Row& a, const Row& b) {
   return std::abs(one[0] / other[0] - 1) < 0.01 && std::abs(one[1] / other[1] - 1) < 0.01;
 }
 
-std::string names_of(const std::vector<Row>& rows) {
+std::string designations_of(const std::vector<Row>& rows) {
   std::string names;
   for (const Row& row : rows) names += (names.empty() ? "" : ", ") + row.designation;
   return names;
@@ -144,7 +144,7 @@ std::vector<Row> rows_called(const std::string& asked, const std::vector<Row>& r
   std::vector<Row> part;
   for (const Row& row : rows) {
     const Words words = words_of(row.designation);
-    if (joined(words) == asked) whole.push_back(row);
+    if (joined_words(words) == asked) whole.push_back(row);
     if (holds_words(words, asked)) part.push_back(row);
   }
   return whole.empty() ? part : whole;
@@ -165,9 +165,9 @@ std::vector<Row> rows_like(const Words& asked, const std::vector<Row>& rows) {
 Keys bearing_called(const std::string& designation, const fs::path& table) {
   const std::vector<Row> rows = rows_of(table);
   const Words words = words_of(designation);
-  const std::vector<Row> found = rows_called(joined(words), rows);
+  const std::vector<Row> found = rows_called(joined_words(words), rows);
   if (found.empty()) {
-    const std::string like = names_of(rows_like(words, rows));
+    const std::string like = designations_of(rows_like(words, rows));
     throw Error(Exit::bad_input,
                 "'" + designation + "' has no row in " + table.string() +
                     (like.empty() ? "" : "; it has " + like) +
@@ -176,7 +176,7 @@ Keys bearing_called(const std::string& designation, const fs::path& table) {
   }
   for (const Row& row : found) {
     if (have_the_same_lines(row, found.front())) continue;
-    throw Error(Exit::bad_input, "'" + designation + "' may be one of " + names_of(found) +
+    throw Error(Exit::bad_input, "'" + designation + "' may be one of " + designations_of(found) +
                                      ", whose fault lines differ: name one of them");
   }
   return found.front().keys;

@@ -35,8 +35,8 @@ void require_file(const fs::path& file, const RecordSource& source, const std::s
                   source.file_text() + " by DATA_DIR= (--data-dir)");
 }
 
-void require_sha256(const fs::path& file, const RecordSource& source,
-                    const std::vector<SourceFile>& files) {
+void require_expected_sha256(const fs::path& file, const RecordSource& source,
+                             const std::vector<SourceFile>& files) {
   const std::string found = sha256_of(files);
   if (source.sha256.empty() || source.sha256 == found) return;
   refuse_record(file, source,
@@ -95,7 +95,7 @@ RawRecord RecordReader::read_raw(const RecordSource& source) {
   }
   (void)raw::limits_of(paths);  // which refuses what is too large, before all of that is hashed
   for (SourceFile& file : raw.files) file.sha256 = sha256_of_file(data_dir_ / file.name);
-  require_sha256(all, source, raw.files);
+  require_expected_sha256(all, source, raw.files);
   const std::vector<raw::Signal> signals =
       raw::read_all(paths, source.variable, source.sample_rate_hz);
   for (std::size_t i = 0; i < paths.size(); ++i) {

@@ -22,12 +22,12 @@ const std::string table_head =
     "designation,balls,ball_diameter_mm,pitch_diameter_mm,contact_angle_deg,bpfo,bpfi,bsf,ftf,"
     "source\n";
 const std::string some_rows = table_head +
-                         "SKF 6205-2RS JEM,9,7.94,39.04,0,3.5848,5.4152,2.357,0.39828,a page\n"
-                         "KG 6205,9,7.938,39,0,,,,,a paper\n"
-                         "FAG NU2205,13,7.5,38.5,0,,,,,another\n"
-                         "MB ER-16K,9,7.9375,38.5064,0,,,,,a readme\n"
-                         "NTN 6201,,,,,2.55,4.45,,,orders alone\n"
-                         "NTN 6201 wide,,,,,3.1,4.9,2.0,0.38,others\n";
+                              "SKF 6205-2RS JEM,9,7.94,39.04,0,3.5848,5.4152,2.357,0.39828,a page\n"
+                              "KG 6205,9,7.938,39,0,,,,,a paper\n"
+                              "FAG NU2205,13,7.5,38.5,0,,,,,another\n"
+                              "MB ER-16K,9,7.9375,38.5064,0,,,,,a readme\n"
+                              "NTN 6201,,,,,2.55,4.45,,,orders alone\n"
+                              "NTN 6201 wide,,,,,3.1,4.9,2.0,0.38,others\n";
 
 TEST(BearingTable, GivesAGeometryByTheWholeDesignation) {
   const Folder folder;
