@@ -24,7 +24,6 @@ void look_at_signal(RecordCheck& found, const signal::Record& record,
                     const signal::DatasetInfo& info) {
   const std::vector<double>& signal = record.signal;
   const double rate_hz = info.sample_rate_hz;
-  found.samples = signal.size();
   found.pieces = record.piece_lengths();
   if (std::ranges::min(signal) < std::ranges::max(signal)) found.level = level_of(signal);
   found.envelope =
@@ -60,9 +59,8 @@ void look_at_record(RecordCheck& found, const Description& description,
   found.dropouts = dropouts_of(paths, found.source.variable);
   if (found.length_s() > longest_record_s) {
     constexpr double most = 1e15;  // beyond any record, but a number that counts samples
-    found.samples =
-        static_cast<std::size_t>(std::min(most, found.length_s() * info.sample_rate_hz));
-    found.pieces = {found.samples};
+    found.pieces = {
+        static_cast<std::size_t>(std::min(most, found.length_s() * info.sample_rate_hz))};
     found.lines = fault_lines({}, info, found.source.shaft_speed_rpm);
   } else {
     look_at_signal(found, reader.resampled(found.source, raw), info);

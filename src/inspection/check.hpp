@@ -23,6 +23,9 @@ namespace piae::inspection {
 /// the dataset's rate, since a rate in kHz would make it a thousand times longer than it is.
 inline constexpr double longest_record_s = 3600;
 
+/// Fewer turns of the shaft in one piece show no rhythm.
+inline constexpr double fewest_turns = 10;
+
 /// How much of a record the picture shows.
 inline constexpr double shown_s = 0.2;
 
@@ -36,10 +39,10 @@ struct FileCheck {
 /// What was found of one record. A record that cannot be read has a problem, and no numbers.
 struct RecordCheck {
   signal::RecordSource source;
-  std::size_t file_samples = 0;     ///< as the file has them
-  std::size_t samples = 0;          ///< at the dataset's sample rate
-  std::vector<std::size_t> pieces;  ///< those of each file, at the dataset's sample rate
-  std::vector<FileCheck> files;     ///< in the order of their samples
+  std::size_t file_samples = 0;  ///< as the file has them
+  /// Samples of each file at the dataset's sample rate.
+  std::vector<std::size_t> pieces;
+  std::vector<FileCheck> files;  ///< in the order of their samples
   bool goes_one_way = false;
   Stretches clipped;
   Stretches held;
@@ -61,6 +64,8 @@ struct RecordCheck {
   }
   /// Gives the time in one piece, at most.
   [[nodiscard]] double longest_piece_s() const;
+  /// Gives the turns of the shaft in that time.
+  [[nodiscard]] double turns() const { return longest_piece_s() * source.shaft_speed_rpm / 60; }
 };
 
 /// What a split with its default options would find of one class: the largest stride that gives all

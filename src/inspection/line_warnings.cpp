@@ -29,7 +29,7 @@ std::string reason(const FaultLine& line) {
 
 bool has_lines(const RecordCheck& record) {
   return record.problem.empty() && !record.goes_one_way && !record.few_values &&
-         !looks_like_hz(record.source.shaft_speed_rpm);
+         !looks_like_hz(record.source.shaft_speed_rpm) && record.turns() >= fewest_turns;
 }
 
 /// Returns what is odd about the lines of a faulty record; empty if it shows its own.

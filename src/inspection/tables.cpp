@@ -44,6 +44,20 @@ bool fits(const std::string& table) {
   });
 }
 
+/// Gives the windows that fit side by side, none of them in two files.
+std::size_t windows_in(const RecordCheck& record, std::size_t window) {
+  std::size_t windows = 0;
+  for (const std::size_t length : record.pieces) windows += length / window;
+  return windows;
+}
+
+/// Gives the names of the files, at most so wide, and how many they are.
+std::string files_of(const RecordCheck& record, std::size_t width) {
+  const std::size_t count = record.files.size();
+  return shortened(record.source.file_text(), width) +
+         (count > 1 ? fmt::format(" ({} files)", count) : "");
+}
+
 text::Table recordings_table(const signal::Description& description, const DatasetCheck& check,
                              std::size_t file_width) {
   const DatasetInfo& info = description.info;
@@ -53,14 +67,14 @@ text::Table recordings_table(const signal::Description& description, const Datas
                     2);
   for (const RecordCheck& record : check.records) {
     const signal::RecordSource& source = record.source;
-    Row row{shortened(source.name, widest_name), shortened(source.file_text(), file_width)};
+    Row row{shortened(source.name, widest_name), files_of(record, file_width)};
     if (!record.problem.empty()) {
       row.emplace_back("no data");
     } else {
       row.insert(
           row.end(),
           {fmt::format("{:.6g}", source.sample_rate_hz), fmt::format("{:.6g}", info.sample_rate_hz),
-           fmt::format("{:.3f}", record.length_s()), std::to_string(record.samples / window)});
+           fmt::format("{:.3f}", record.length_s()), std::to_string(windows_in(record, window))});
     }
     if (record.level) {
       row.insert(row.end(), {fmt::format("{:.4g}", record.level->rms),

@@ -20,7 +20,6 @@ using signal::Description;
 using signal::RecordSource;
 using Lines = std::vector<std::string>;
 
-constexpr double fewest_turns = 10;           // of a record; fewer show no rhythm
 constexpr std::size_t sensible_stride = 100;  // the paper's own data need no less
 
 double turns_in(double seconds, double shaft_speed_rpm) { return seconds * shaft_speed_rpm / 60; }
@@ -109,8 +108,8 @@ std::string too_short(const RecordCheck& record) {
       "{} are {:.3g} s{}, {:.2g} turns of the shaft: fewer than {:g} show no rhythm; is the rate "
       "too "
       "high?",
-      length_at_rate(record), piece_s, record.files.size() > 1 ? " a file" : "",
-      turns_in(piece_s, record.source.shaft_speed_rpm), fewest_turns);
+      length_at_rate(record), piece_s, record.files.size() > 1 ? " a file" : "", record.turns(),
+      fewest_turns);
 }
 
 void add_lengths(const std::vector<RecordCheck>& records, Lines& lines) {
@@ -120,7 +119,7 @@ void add_lengths(const std::vector<RecordCheck>& records, Lines& lines) {
     if (!record.problem.empty()) continue;
     const double rpm = record.source.shaft_speed_rpm;
     if (record.length_s() > longest_record_s) long_ones.push_back(&record);
-    if (turns_in(record.longest_piece_s(), rpm) < fewest_turns && !looks_like_hz(rpm)) {
+    if (record.turns() < fewest_turns && !looks_like_hz(rpm)) {
       short_ones.push_back(&record);
     }
   }

@@ -47,7 +47,7 @@ TEST(Check, FindsSamplesLevelsAndStrides) {
   const DatasetCheck found = check(d, folder.path());
   EXPECT_EQ(found.exit, Exit::done);
   ASSERT_EQ(found.records.size(), 3U);
-  EXPECT_EQ(found.records[0].samples, 2821U);
+  EXPECT_EQ(found.records[0].pieces, std::vector<std::size_t>{2821});
   EXPECT_EQ(found.records[0].file_samples, 2821U);
   ASSERT_TRUE(found.records[0].level && found.records[2].level);
   EXPECT_NEAR(found.records[0].level->rms, 3, 1e-5);
@@ -94,7 +94,7 @@ TEST(Check, LooksForFlawsInTheFilesOwnSamples) {
   d.records[0].sample_rate_hz = 2000;
   const DatasetCheck found = check(d, folder.path());
   EXPECT_EQ(found.records[0].file_samples, 6000U);
-  EXPECT_EQ(found.records[0].samples, 3000U);
+  EXPECT_EQ(found.records[0].pieces, std::vector<std::size_t>{3000});
   EXPECT_EQ(found.records[0].length_s(), 3);
   EXPECT_GT(found.records[0].clipped.count, 0U);
 }
@@ -140,7 +140,7 @@ TEST(Check, DoesNotBlowUpARecordOfMoreThanAnHour) {
   const DatasetCheck found = check(d, folder.path());
   EXPECT_EQ(found.exit, Exit::done);
   EXPECT_FALSE(found.records[0].level);
-  EXPECT_EQ(found.records[0].samples, 5642000U);
+  EXPECT_EQ(found.records[0].pieces, std::vector<std::size_t>{5642000});
   EXPECT_GT(found.records[0].lines.front().hz, 0);
   EXPECT_FALSE(found.records[0].lines.front().db);
 }

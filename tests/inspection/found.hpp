@@ -26,7 +26,7 @@ struct Found {
       RecordCheck record;
       record.source = description.records.back();
       record.file_samples = 120000;
-      record.samples = 120000;
+      record.pieces = {120000};
       record.level = Level{1, 3, 4};
       record.lines = fault_lines({}, description.info, 1797);
       for (FaultLine& line : record.lines) {

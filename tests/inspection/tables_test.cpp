@@ -54,6 +54,18 @@ TEST(CheckTables, FitIntoAHundredColumnsWhateverTheNames) {
   EXPECT_THAT(text, HasSubstr("RMS units"));
 }
 
+/// 2560 samples hold two windows of 1024 side by side, and 1000 none.
+TEST(CheckTables, CountFilesAndTheWindowsWithinThem) {
+  Found found;
+  RecordCheck& record = found.check.records[0];
+  record.source.files = {"acc_*.csv"};
+  record.files = {{"acc_1.csv", 2560, 6}, {"acc_2.csv", 1000, 6}, {"acc_3.csv", 2560, 6}};
+  record.pieces = {2560, 1000, 2560};
+  record.file_samples = 6120;
+  EXPECT_THAT(tables_of(found.description, found.check),
+              ContainsRegex("ok +acc_\\*.csv \\(3 files\\) +12000  12000   0.510        4 "));
+}
+
 TEST(CheckTables, HaveADashForWhatIsNotKnown) {
   Found found;
   found.check.records[0].problem = "ok.csv: no such file";
