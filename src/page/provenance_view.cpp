@@ -1,6 +1,8 @@
 #include "page/provenance_view.hpp"
 
+#include <algorithm>
 #include <map>
+#include <span>
 
 #include "page/table.hpp"
 #include "page/words.hpp"
@@ -34,6 +36,9 @@ Html table_of_builds(const Builds& builds) {
   return html(table);
 }
 
+/// Records of thousands of files would fill the page.
+constexpr std::size_t most_files = 100;
+
 Html table_of_records(const std::vector<DatasetContents>& datasets) {
   Table table{.caption = "What it was made from", .columns = {{"data set"}, {"file"}, {"SHA-256"}}};
   for (const DatasetContents& dataset : datasets) {
@@ -41,10 +46,17 @@ Html table_of_records(const std::vector<DatasetContents>& datasets) {
     table.rows.push_back({.cells = {{.content = dataset.name},
                                     {.content = "records.h5 (digest of its content)"},
                                     {.content = element("code", dataset.records_digest)}}});
-    for (const RecordInput& input : dataset.records) {
+    const std::size_t shown = std::min(dataset.records.size(), most_files);
+    for (const RecordInput& input : std::span(dataset.records).first(shown)) {
       table.rows.push_back({.cells = {{.content = dataset.name},
                                       {.content = input.file},
                                       {.content = element("code", input.digest)}}});
+    }
+    if (shown < dataset.records.size()) {
+      table.rows.push_back(
+          {.cells = {{.content = dataset.name},
+                     {.content = counted(dataset.records.size() - shown, "more file")},
+                     {.content = "in records.h5"}}});
     }
   }
   if (table.rows.empty()) return {};
