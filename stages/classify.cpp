@@ -127,7 +127,7 @@ int main(int argc, char** argv) {
   stage.input_file("--classifier", classifier_file, "classifier.h5 made by diagnose");
   stage
       .input_file("--recording", sources.lone.file,
-                  "one recording: text, MATLAB, HDF5, NumPy or sound")
+                  "one recording: text, MATLAB, HDF5, NumPy, TDMS, UFF, LabVIEW or sound")
       .required(false);
   stage.options().add(
       "--variable", sources.lone.variable,

@@ -86,7 +86,8 @@ void check_files(const signal::Description& description, const fs::path& folder,
 
 int main(int argc, char** argv) {
   cli::Stage stage("ingest",
-                   "Reads the raw recordings of a dataset (text, MATLAB, HDF5, NumPy, sound), "
+                   "Reads the raw recordings of a dataset (text, MATLAB, HDF5, NumPy, TDMS, UFF, "
+                   "LabVIEW, sound), "
                    "checks them, brings "
                    "them to one sample rate and writes them as one artefact.",
                    "ingest --description pipeline/datasets/cwru.toml --data-dir data --output "

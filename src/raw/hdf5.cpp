@@ -9,6 +9,7 @@
 #include "base/error.hpp"
 #include "raw/file.hpp"
 #include "raw/hdf5_chunks.hpp"
+#include "raw/hdf5_types.hpp"
 #include "raw/node.hpp"
 
 namespace piae::raw {
@@ -207,6 +208,7 @@ class Hdf5Node : public Node {
     }
     std::vector<double> numbers(possible_count(here("dataset"), shape()));
     if (!numbers.empty()) {
+      require_standard_type();
       require_written(here("dataset"), object_);
       hdf5::check(
           H5Dread(object_, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, numbers.data()),
@@ -217,6 +219,12 @@ class Hdf5Node : public Node {
   [[nodiscard]] bool is_column_major() const override { return is_matlab_; }
 
  private:
+  void require_standard_type() const {
+    const hdf5::Handle type(H5Dget_type(object_), "type");
+    if (is_standard_number(type)) return;
+    refuse(here("dataset"),
+           "has numbers of an unusual type, or is damaged; write it as floats of 32 or 64 bits");
+  }
   /// Where it stands in the file.
   [[nodiscard]] Where here(const char* noun) const {
     const auto size =

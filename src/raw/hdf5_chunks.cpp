@@ -99,6 +99,7 @@ void require_chunks(const Where& where, hid_t dataset, hid_t creation) {
   const Filters filters = filters_of(creation);
   const hsize_t unpacked = unpacked_bytes(dataset, filters, chunk);
   std::vector<std::byte> stored;
+  hsize_t sum = 0;
   Extents place(extents.size(), 0);
   do {
     const Stored chunk_there = stored_chunk(where, dataset, place, stored);
@@ -107,7 +108,11 @@ void require_chunks(const Where& where, hid_t dataset, hid_t creation) {
         (!is_packed && chunk_there.bytes != unpacked)) {
       refuse(where, "is damaged: a chunk of it is not stored as the dataset says");
     }
+    sum += chunk_there.bytes;
   } while (advance(place, chunk, extents));
+  if (sum != H5Dget_storage_size(dataset)) {
+    refuse(where, "is damaged: its chunks are others than those of its extents and filters");
+  }
 }
 
 }  // namespace

@@ -3,9 +3,12 @@
 #include <sndfile.h>
 #include <spdlog/fmt/fmt.h>
 
+#include <algorithm>
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string_view>
 
 #include "artefact/file.hpp"
@@ -25,27 +28,69 @@ struct CloseSound {
   void operator()(SNDFILE* file) const { sf_close(file); }
 };
 
-/// Refuses a file of chunks (RIFF, FORM) whose samples are fewer than it says: libsndfile would
-/// take those that are there.
+/// A format of chunks, each with its name and size before its content.
+struct ChunkFormat {
+  std::string_view mark;  ///< at the beginning of the file
+  std::size_t first;      ///< where the first chunk begins
+  std::size_t head;       ///< bytes of name and size
+  std::size_t alignment;
+  bool is_big_endian = false;
+};
+constexpr std::array chunk_formats{ChunkFormat{"RIFF", 12, 8, 2}, ChunkFormat{"RF64", 12, 8, 2},
+                                   ChunkFormat{"riff", 40, 24, 8},  // W64
+                                   ChunkFormat{"FORM", 12, 8, 2, true}};
+
+constexpr std::uint64_t not_said = 0xFFFFFFFF;
+
+/// Bytes of the content of a chunk. In W64 the size counts its head, too.
+std::uint64_t content_bytes(std::span<const std::byte> file, std::size_t at,
+                            const ChunkFormat& format) {
+  constexpr std::size_t short_head = 8;
+  if (format.head == short_head) return number_at(file, at + 4, format.is_big_endian);
+  const auto size = number_at<std::uint64_t>(file, at + 16, false);
+  return size - std::min<std::uint64_t>(size, format.head);
+}
+
+/// True if the file has the size that its beginning says. Some recorders never write that.
+bool has_said_size(std::span<const std::byte> file, const ChunkFormat& format) {
+  constexpr std::size_t before = 8;  // which are not counted
+  if (format.head != before) return number_at<std::uint64_t>(file, 16, false) == file.size();
+  return number_at(file, 4, format.is_big_endian) + before == file.size();
+}
+
+/// Refuses a file of chunks whose samples are fewer or more than it says: libsndfile would take
+/// those that are there, or as many as the chunk says.
 void require_whole(const fs::path& file) {
   const Bytes content = artefact::read_file(file, largest_bytes);
   const std::string_view bytes(reinterpret_cast<const char*>(content.data()), content.size());
-  const bool is_form = bytes.starts_with("FORM");
-  if (!is_form && !bytes.starts_with("RIFF")) return;
-  for (std::size_t at = 12; at + 8 <= bytes.size();) {
+  const auto* const format = std::ranges::find_if(
+      chunk_formats, [&](const ChunkFormat& one) { return bytes.starts_with(one.mark); });
+  if (format == chunk_formats.end()) return;
+  std::uint64_t long_size = not_said;  // of the samples, in RF64
+  bool has_passed_samples = false;
+  std::size_t at = format->first;
+  while (at + format->head <= bytes.size()) {
     const std::string_view name = bytes.substr(at, 4);
-    const std::size_t size = number_at(content, at + 4, is_form);
+    std::uint64_t size = content_bytes(content, at, *format);
     const bool has_samples = name == "data" || name == "SSND";
-    if (has_samples && (size == 0 || size == 0xFFFFFFFF)) {
+    if (has_samples && size == not_said) size = long_size;
+    if (has_samples && (size == 0 || size == not_said)) {
       refuse_file(file,
                   "does not say how long it is, as where a recorder was switched off: "
                   "sox --ignore-length IN OUT writes one that does");
     }
-    if (at + 8 + size > bytes.size()) break;
-    if (has_samples) return;
-    at += 8 + size + size % 2;
+    if (size > bytes.size() - at - format->head) break;
+    has_passed_samples = has_passed_samples || has_samples;
+    constexpr std::size_t long_size_at = 8;
+    if (name == "ds64" && size >= 2 * long_size_at) {
+      long_size = number_at<std::uint64_t>(content, at + format->head + long_size_at, false);
+    }
+    at += format->head + (size + format->alignment - 1) / format->alignment * format->alignment;
   }
-  refuse_file(file, "truncated or damaged: it is shorter than it says");
+  if (!has_passed_samples) refuse_file(file, "truncated or damaged: it is shorter than it says");
+  if (at < bytes.size() && has_said_size(content, *format)) {
+    refuse_file(file, "damaged: its samples end otherwise than it says");
+  }
 }
 
 std::size_t channel_in(const fs::path& file, const std::string& channel, int channels) {

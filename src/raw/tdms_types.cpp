@@ -10,6 +10,7 @@ namespace piae::raw {
 namespace {
 
 constexpr std::array tdms_types{
+    TdmsType{0x00, 0, "nothing", nullptr},
     TdmsType{0x01, 1, "int8", double_at<std::int8_t>},
     TdmsType{0x02, 2, "int16", double_at<std::int16_t>},
     TdmsType{0x03, 4, "int32", double_at<std::int32_t>},

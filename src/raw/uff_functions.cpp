@@ -28,7 +28,7 @@ class UffScan {
   UffScan(const fs::path& file, std::string_view text) : file_(file), rest_(text) {}
 
   std::vector<UffFunction> run() {
-    while (!trimmed(rest_, " \t\r\n").empty()) {
+    while (!trimmed(rest_, " \t\r\n\x1a").empty()) {
       const std::string_view line = take();
       if (trimmed(line, blanks).empty()) continue;
       if (!is_mark(line)) refuse_here("no data set begins here");

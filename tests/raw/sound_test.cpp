@@ -106,7 +106,8 @@ TEST(Sound, HasChannelsThatAreNumbers) {
 
 TEST(Sound, ThatIsCutIsRefused) {
   const Folder folder;
-  for (const int format : {SF_FORMAT_WAV, SF_FORMAT_AIFF, SF_FORMAT_FLAC}) {
+  for (const int format :
+       {SF_FORMAT_WAV, SF_FORMAT_AIFF, SF_FORMAT_FLAC, SF_FORMAT_W64, SF_FORMAT_RF64}) {
     const fs::path file = written(folder / "a", format);
     const auto whole = fs::file_size(file);
     SCOPED_TRACE(format);
@@ -115,6 +116,27 @@ TEST(Sound, ThatIsCutIsRefused) {
       EXPECT_ERROR(read_here(file, "1"), Exit::bad_input, file.string());
     }
   }
+}
+
+/// One flipped bit in the size of the samples, which no checksum covers.
+TEST(Sound, ThatEndsOtherwiseThanItSaysIsRefused) {
+  const Folder folder;
+  std::string bytes = wav();
+  const std::size_t size = bytes.find("data") + 4;
+  for (const int bit : {3, 4, 9, 12}) {
+    std::string damaged = bytes;
+    const std::size_t at = size + static_cast<std::size_t>(bit) / 8;
+    damaged[at] = static_cast<char>(damaged[at] ^ 1 << bit % 8);
+    EXPECT_ERROR(read_here(folder.write("a.wav", damaged), "1"), Exit::bad_input, "damaged: it");
+  }
+  // Other chunks may follow.
+  const std::string more = "LIST" + little(4, 4) + "INFO";
+  std::string longer = bytes + more;
+  longer.replace(4, 4, little(static_cast<std::uint32_t>(longer.size() - 8), 4));
+  expect_samples(read_here(folder.write("a.wav", longer), "1"), 1);
+  // Whoever writes no size of the file may write anything at its end.
+  longer = bytes + "xx";
+  expect_samples(read_here(folder.write("a.wav", longer), "1"), 1);
 }
 
 TEST(Sound, WhoseLengthWasNeverWrittenIsRefusedWithAWayOut) {
