@@ -38,10 +38,12 @@ run_make() { # further options
   return "$code"
 }
 
-for stretch in grid numbers pictures pages; do
-  export ASKED_AT=$EPOCHREALTIME PIAE_STRETCH=$stretch
-  plan --format make "${options[@]}" >"$scratch" || exit
-  [[ -s $scratch ]] || continue
+next=grid
+while [[ $next ]]; do
+  export ASKED_AT=$EPOCHREALTIME
+  plan --format make --stretch "$next" "${options[@]}" >"$scratch" || exit
+  read -r _ stretch next <"$scratch" || break # "# numbers pictures": what is to be done first, and what follows
+  export PIAE_STRETCH=$stretch
   further=()
   [[ $stretch == grid ]] || further=(--keep-going) # what cannot be shown holds up nothing else
   run_make "${further[@]}" || status=$?

@@ -1,5 +1,6 @@
 // Prints which steps of a run are to be done, and why: for make, for other programs, for people.
 
+#include <algorithm>
 #include <iostream>
 
 #include "base/error.hpp"
@@ -39,11 +40,9 @@ std::string ranked_readings(const plan::Plan& plan) {
   return readings::ranking(tables);
 }
 
-std::string printed(plan::Plan& plan, Format format, bool quietly, const JobOptions& jobs) {
+std::string printed(plan::Plan& plan, Format format, const JobOptions& jobs) {
   const auto costs = [] { return plan::Costs::read("jobs/costs.csv"); };
   switch (format) {
-    case Format::make:
-      return makefile_of(plan, quietly);
     case Format::summary:
       return summary_of(plan, costs());
     case Format::missing:
@@ -66,19 +65,32 @@ std::string printed(plan::Plan& plan, Format format, bool quietly, const JobOpti
 
 /// Prints all stretches of a run. Later ones are planned from the files that exist now, so their
 /// steps may change once the grid is complete.
-std::string printed_of_all(const plan::Request& request, plan::PlanOptions options, Format format) {
-  using plan::Stretch;
+std::string printed_of_all(plan::Planned& planned, Format format) {
   std::string text;
-  for (const Stretch stretch :
-       {Stretch::grid, Stretch::numbers, Stretch::pictures, Stretch::pages}) {
-    options.stretch = stretch;
-    plan::Planned planned(request, options);
-    if (stretch == Stretch::grid) {
-      for (const std::string& notice : planned.plan().choice().notices) std::cerr << notice << '\n';
-    }
-    text += printed(planned.plan(), format, false, {});
+  for (const plan::Stretch stretch : plan::stretches) {
+    planned.go_to(stretch);
+    text += printed(planned.plan(), format, {});
   }
   return text;
+}
+
+/// Gives the makefile of the first stretch, from the one asked for on, in which something is to be
+/// done, and above it a line with its name and that of the stretch behind it: "# numbers pictures".
+/// Empty where nothing is to be done. Files that are asked for alone belong to one stretch. Unless
+/// the plan only looks, the settings that its steps read are written.
+std::string next_makefile(plan::Planned& planned, const plan::PlanOptions& options, bool quietly) {
+  for (const auto* stretch = std::ranges::find(plan::stretches, options.stretch);
+       stretch != plan::stretches.end(); ++stretch) {
+    planned.go_to(*stretch);
+    if (!options.looks) write_settings(planned.plan());
+    const std::string steps = makefile_of(planned.plan(), quietly);
+    if (steps.empty() && !options.only.empty()) break;
+    if (steps.empty()) continue;
+    const bool is_last = stretch + 1 == plan::stretches.end();
+    const std::string behind = is_last ? "" : std::string(" ") + to_string(stretch[1]);
+    return std::string("# ") + to_string(*stretch) + behind + '\n' + steps;
+  }
+  return {};
 }
 
 }  // namespace
@@ -132,22 +144,22 @@ int main(int argc, char** argv) {
       planned->note(noted);
       return planned->save();
     }
-    if (whole) {
-      if (format != Format::why && format != Format::summary) {
-        throw Error(Exit::usage, "--whole goes with --format why or summary (see plan --help)");
-      }
-      const std::string all = printed_of_all(request, options, format);
-      std::cout << (all.empty() ? "nothing is to be done\n" : all);
-      return;
+    if (whole && format != Format::why && format != Format::summary) {
+      throw Error(Exit::usage, "--whole goes with --format why or summary (see plan --help)");
     }
     plan::Planned planned(request, options);
     for (const std::string& notice : planned.plan().choice().notices) std::cerr << notice << '\n';
+    if (whole) {
+      const std::string all = printed_of_all(planned, format);
+      std::cout << (all.empty() ? "nothing is to be done\n" : all);
+      return;
+    }
     if (format == Format::jobs) {
       plan::require_one_that([](const plan::Goal& goal) { return goal.is_submitted; },
                              request.goals);
     }
-    if (format == Format::make && !options.looks) write_settings(planned.plan());
-    std::cout << printed(planned.plan(), format, quietly, jobs);
+    std::cout << (format == Format::make ? next_makefile(planned, options, quietly)
+                                         : printed(planned.plan(), format, jobs));
     planned.save();
   });
   return exit == 0 ? result : exit;

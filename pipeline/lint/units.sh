@@ -1,39 +1,42 @@
 #!/bin/bash
-# Names the compilation units of the last build that cost more than four times the median, in seconds for each file of the
-# library in them. Such a unit may include or instantiate more than it needs, and everybody who builds waits for it. These
-# are notes, not findings, because a time depends on what else the machine did.
+# Names the compilation units of the last build that cost more than four times the median: of those that hold several
+# files in seconds a file, and of those of one file in seconds. Such a unit may include or instantiate more than it
+# needs, and everybody who builds waits for it. These are notes, not findings, because a time depends on what else the
+# machine did.
 # shellcheck source-path=SCRIPTDIR
 source "${0%/*}/common.sh"
 
 log=build/.ninja_log
 [[ -f $log ]] || skip "as nothing was built with ninja; \`make build\` does"
 
-# Each unit of several files and how many it has. A file that is compiled alone pays for all its headers, so its time says
-# nothing.
+# Each unit of several files, and how many it has. Any other object is of one file.
 files_of_units() {
   local unit
-  for unit in build/CMakeFiles/piae*.dir/Unity/*.cxx; do
-    [[ ! -f $unit ]] || echo "${unit#build/}.o $(grep -c '^#include' "$unit")"
+  find build -path '*/Unity/*.cxx' | while read -r unit; do
+    echo "${unit#build/}.o $(grep -c '^#include' "$unit")"
   done
 }
 
 # A unit that takes less than 8 s is not worth a change.
 awk -v at_least=8 '
   FNR == NR { files[$1] = $2; next }
-  $4 in files { seconds[$4] = ($2 - $1) / 1000 }
-  END {
-    for (unit in seconds) {
-      cost[unit] = seconds[unit] / files[unit]
-      sorted[++units] = cost[unit]
-    }
-    for (i = 2; i <= units; ++i)
+  $4 ~ /\.o$/ { seconds[$4] = ($2 - $1) / 1000 }
+  function median_of(shared,    unit, sorted, n, i, j, kept) {
+    for (unit in cost) if ((unit in files) == shared) sorted[++n] = cost[unit]
+    for (i = 2; i <= n; ++i)
       for (j = i; j > 1 && sorted[j] < sorted[j - 1]; --j) { kept = sorted[j]; sorted[j] = sorted[j - 1]; sorted[j - 1] = kept }
-    median = sorted[int((units + 1) / 2)]
+    return sorted[int((n + 1) / 2)]
+  }
+  END {
+    for (unit in seconds) cost[unit] = seconds[unit] / (unit in files ? files[unit] : 1)
+    median[0] = median_of(0)
+    median[1] = median_of(1)
     for (unit in cost) {
-      if (cost[unit] <= 4 * median || seconds[unit] < at_least) continue
+      shared = unit in files
+      if (cost[unit] <= 4 * median[shared] || seconds[unit] < at_least) continue
       name = unit
-      sub(/.*\/unity_/, "", name)
-      sub(/_cxx\.cxx\.o$/, "", name)
-      printf "%s takes %.1f s a file, the median %.1f s; include and instantiate less in it\n", name, cost[unit], median
+      sub(/.*\.dir\//, "", name)
+      printf "%s takes %.1f s%s, the median %.1f s; include and instantiate less in it\n", \
+        name, cost[unit], shared ? " a file" : "", median[shared]
     }
   }' <(files_of_units) "$log" | while read -r note; do say "$note"; done

@@ -54,13 +54,12 @@ void bind(const cli::Options& command, Asked& asked) {
 
 void bind(const cli::Options& command, PlanOptions& options) {
   command.add("--pipeline", options.pipeline, "Folder with protocol.toml and datasets/");
+  std::vector<cli::Word<Stretch>> words;
+  for (const Stretch stretch : stretches) words.push_back({to_string(stretch), stretch});
   command
-      .choose("--stretch", options.stretch,
-              {{"grid", Stretch::grid},
-               {"numbers", Stretch::numbers},
-               {"pictures", Stretch::pictures},
-               {"pages", Stretch::pages}},
-              "Part of a run, each planned when the one before is done")
+      .choose("--stretch", options.stretch, words,
+              "Part of a run, each planned when the one before is done; a makefile is that of the "
+              "first one, from here on, in which something is to be done")
       .from_environment("PIAE_STRETCH");
   command
       .flag("--with-holes", options.with_holes,

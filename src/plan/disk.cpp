@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <sstream>
+#include <fstream>
+#include <iterator>
 
 #include "artefact/digest.hpp"
 #include "artefact/reader.hpp"
@@ -157,6 +158,11 @@ std::vector<std::string> RealDisk::files_below(const std::string& folder) {
   }
   std::ranges::sort(files);
   return files;
+}
+
+std::string RealDisk::text_of(const std::string& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
 }
 
 const artefact::DoneStep* RealDisk::done(const std::string& step) {

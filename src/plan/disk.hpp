@@ -36,6 +36,8 @@ class Disk {
   /// The regular files below a folder, relative to it, in alphabetical order; none where there is
   /// no folder. What is hidden is left out.
   virtual std::vector<std::string> files_below(const std::string& folder) = 0;
+  /// The text of a small file; empty where there is none.
+  virtual std::string text_of(const std::string& file) = 0;
 };
 
 /// The disk itself, with the journals of runs: a file that looks as it did is not read again.
@@ -49,6 +51,7 @@ class RealDisk : public Disk {
   const File* find(const std::string& file) override;
   const artefact::DoneStep* done(const std::string& step) override;
   std::vector<std::string> files_below(const std::string& folder) override;
+  std::string text_of(const std::string& file) override;
 
   void note(const std::string& step, artefact::DoneStep done);
   void save();

@@ -9,6 +9,7 @@
 
 #include "base/numbers.hpp"
 #include "base/sha256.hpp"
+#include "plan/changed_description.hpp"
 #include "plan/words.hpp"
 
 namespace piae::plan {
@@ -213,6 +214,7 @@ std::string Judge::in_inputs(const Step& step, const artefact::Made& made) {
   for (const Input& input : step.inputs) {
     roles.insert(input.role);
     std::string why = in_input(input, made);
+    if (!why.empty() && input.role == "description") why = in_description(step, input, made, why);
     if (!why.empty()) return why;
   }
   for (const artefact::MadeFrom& from : made.inputs) {
@@ -231,6 +233,18 @@ std::string Judge::in_input(const Input& input, const artefact::Made& made) {
   }
   const std::string now = digest_now(input);
   return now.empty() || now == was->digest ? "" : what_changed(input, was->digest, now);
+}
+
+std::string Judge::in_description(const Step& step, const Input& input, const artefact::Made& made,
+                                  const std::string& otherwise) {
+  const auto made_from = std::ranges::find(made.inputs, input.role, &artefact::MadeFrom::role);
+  if (made_from == made.inputs.end() || !step.description) return otherwise;
+  const std::string& file = input.files.front();
+  const std::string was = disk_.text_of(file);
+  const bool is_what_made_it =
+      artefact::short_digest(Sha256().update(was).finish_hex()) == made_from->digest;
+  const std::string change = is_what_made_it ? changed_key(was, step.description->text) : "";
+  return change.empty() ? otherwise : file_name(file) + ": " + change;
 }
 
 bool Judge::is_settled(StepId id) {

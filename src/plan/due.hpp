@@ -51,6 +51,9 @@ class Judge {
   std::string in_options(const Step& step, const artefact::Made& made);
   std::string in_inputs(const Step& step, const artefact::Made& made);
   std::string in_input(const Input& input, const artefact::Made& made);
+  /// Names the key of a description that has changed, where its former text is still there.
+  std::string in_description(const Step& step, const Input& input, const artefact::Made& made,
+                             const std::string& otherwise);
   /// The digest of an input as it lies there now; empty where that cannot be known yet.
   std::string digest_now(const Input& input);
   /// True if a step will not change its outputs any more: a held one is never made again.

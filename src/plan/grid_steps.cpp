@@ -1,5 +1,7 @@
 #include "plan/grid_steps.hpp"
 
+#include <spdlog/fmt/fmt.h>
+
 #include <algorithm>
 #include <iterator>
 
@@ -22,7 +24,7 @@ std::vector<Input> inputs_of_recordings(const std::string& described, const std:
   std::vector<Input> inputs;
   for (const std::string& name : signal::files_of({described}, data_dir)) {
     inputs.push_back({.role = "recording " + name,
-                      .files = {data_dir + '/' + name},
+                      .files = {fmt::format("{}/{}", data_dir, name)},
                       .is_option = false,
                       // One more file that a pattern matches is another recording.
                       .may_be_unrecorded = !signal::is_pattern(described),

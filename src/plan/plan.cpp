@@ -22,6 +22,11 @@ void add_goals(const std::set<std::string>& names, TableSteps& tables) {
 
 }  // namespace
 
+const char* to_string(Stretch stretch) {
+  constexpr std::array<const char*, stretches.size()> words{"grid", "numbers", "pictures", "pages"};
+  return words.at(static_cast<std::size_t>(stretch));
+}
+
 Plan::Plan(const Experiment& experiment, Choice choice, Stretch stretch, Disk& disk)
     : choice_(std::move(choice)), judge_(std::make_unique<Judge>(graph_, disk)) {
   GridSteps grid(experiment, choice_, choice_.protocol, graph_);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <memory>
 #include <string>
 #include <vector>
@@ -20,6 +21,9 @@ enum class Stretch {
   pictures,  ///< of the numbers that there are
   pages,     ///< report.html and its like
 };
+inline constexpr std::array stretches{Stretch::grid, Stretch::numbers, Stretch::pictures,
+                                      Stretch::pages};
+const char* to_string(Stretch stretch);
 
 class TableSteps;
 

@@ -46,18 +46,28 @@ void refuse_old_layout(const Choice& choice) {
 }  // namespace
 
 Planned::Planned(const Request& request, const PlanOptions& options)
-    : experiment_(read_experiment(options.pipeline)) {
+    : experiment_(read_experiment(options.pipeline)), options_(options) {
   Choice choice = choose(experiment_, request);
   if (options.stretch == Stretch::grid) refuse_old_layout(choice);
   disk_ = std::make_unique<RealDisk>(std::vector{choice.folder_of(signal::Protocol::random),
                                                  choice.folder_of(signal::Protocol::blocked)},
                                      !options.looks);
-  const bool with_holes = options.with_holes && options.stretch == Stretch::grid;
+  make_plan(std::move(choice));
+}
+
+void Planned::make_plan(Choice choice) {
+  const bool with_holes = options_.with_holes && options_.stretch == Stretch::grid;
   plan_ = with_holes
               ? plan_with_holes(experiment_, std::move(choice), *disk_)
-              : std::make_unique<Plan>(experiment_, std::move(choice), options.stretch, *disk_);
-  if (!options.only.empty()) plan_->keep_only(text::read_lines(options.only));
-  if (options.looks) plan_->keep_pages();
+              : std::make_unique<Plan>(experiment_, std::move(choice), options_.stretch, *disk_);
+  if (!options_.only.empty()) plan_->keep_only(text::read_lines(options_.only));
+  if (options_.looks) plan_->keep_pages();
+}
+
+void Planned::go_to(Stretch stretch) {
+  if (stretch == options_.stretch) return;
+  options_.stretch = stretch;
+  make_plan(plan_->choice());
 }
 
 bool Planned::has(const std::string& step) const {

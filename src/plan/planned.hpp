@@ -27,6 +27,8 @@ class Planned {
   Planned(const Request& request, const PlanOptions& options);
 
   [[nodiscard]] Plan& plan() { return *plan_; }
+  /// Plans another stretch of the same request, with what is known of the files already.
+  void go_to(Stretch stretch);
   /// Writes what was learned of the files into the run's journal.
   void save() { disk_->save(); }
   [[nodiscard]] bool has(const std::string& step) const;
@@ -38,8 +40,10 @@ class Planned {
 
  private:
   StepId step_named(const std::string& name);
+  void make_plan(Choice choice);
 
   Experiment experiment_;
+  PlanOptions options_;
   std::unique_ptr<RealDisk> disk_;
   std::unique_ptr<Plan> plan_;
 };

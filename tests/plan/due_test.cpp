@@ -6,6 +6,7 @@
 #include <array>
 
 #include "plan/small_run.hpp"
+#include "plan/stage_settings.hpp"
 
 namespace piae::plan {
 namespace {
@@ -127,6 +128,18 @@ TEST(DueSteps, OfADescriptionAreThoseOfItsDataSet) {
   run.write("datasets/made.toml", "name = \"made\"\n[simulation]\nnoise = 0.2 # louder\n");
   EXPECT_EQ(run.why("made/simulate"), "made.toml has other contents");
   EXPECT_EQ(run.why("real/ingest"), "");
+}
+
+TEST(DueSteps, OfADescriptionNameTheKeyWhereItsFormerTextIsThere) {
+  SmallRun run;
+  run.run();
+  const std::string file = "results/t/.settings/datasets/made.toml";
+  run.disk.texts[file] =
+      StageSettings(run.experiment, "results/t").description(*run.experiment.find("made"))->text;
+  run.write("datasets/made.toml", "name = \"made\"\n[simulation]\nnoise = 0.2 # louder\n");
+  EXPECT_EQ(run.why("made/simulate"), "made.toml: simulation.noise is 0.2, was 0.1");
+  run.disk.texts[file] += "another = 1\n";  // not the text that made it
+  EXPECT_EQ(run.why("made/simulate"), "made.toml has other contents");
 }
 
 TEST(DueSteps, CompareAllRecordingsThatAPatternMatches) {

@@ -38,7 +38,10 @@ class DiskOfValues : public Disk {
     return below;
   }
 
+  std::string text_of(const std::string& file) override { return texts[file]; }
+
   std::map<std::string, File> files;
+  std::map<std::string, std::string> texts;
   std::map<std::string, artefact::DoneStep> steps;
   std::set<std::string> expected;    ///< artefacts that were to be read together
   std::set<std::string> read_alone;  ///< the others that were asked for

@@ -47,6 +47,7 @@ class Filled : public plan::Disk {
   }
   const artefact::DoneStep* done(const std::string& /*step*/) override { return nullptr; }
   std::vector<std::string> files_below(const std::string& /*folder*/) override { return {}; }
+  std::string text_of(const std::string& /*file*/) override { return {}; }
 
   void add(const std::string& file, const artefact::Written& written,
            const artefact::Provenance& provenance) {

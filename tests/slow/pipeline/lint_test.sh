@@ -49,6 +49,23 @@ test_an_unquoted_shell_variable_is_found() {
   expect_finding '^jobs/careless.sh:2: Double quote' shell jobs
 }
 
+# Lines of .ninja_log: begin and end in ms, a time, the output.
+test_units_that_cost_four_times_the_median_are_named() {
+  copy_of_project
+  local unity=build/CMakeFiles/piae.dir/Unity stages=CMakeFiles/stage
+  mkdir -p $unity
+  for unit in base nets text; do printf '#include "a"\n#include "b"\n' >$unity/unity_$unit.cxx; done
+  {
+    printf '0\t6000\t0\t%s\n' "${unity#build/}"/unity_{base,nets}.cxx.o $stages/{split,score,train}.cpp.o
+    printf '0\t25000\t0\t%s\n' "${unity#build/}/unity_text.cxx.o" $stages/verify.cpp.o
+    printf '0\t7000\t0\t%s\n' lib/libpiae.a
+  } >build/.ninja_log
+  expect_clean units
+  expect_line "$found" '^lint: units: Unity/unity_text.cxx.o takes 12.5 s a file, the median 3.0 s; '
+  expect_line "$found" '^lint: units: .*stage/verify.cpp.o takes 25.0 s, the median 6.0 s; '
+  (($(grep -c 'the median' <<<"$found") == 2)) || fail "$found"
+}
+
 test_white_space_at_the_end_of_a_line_is_found() {
   copy_of_project
   expect_clean spaces
