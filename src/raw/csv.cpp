@@ -100,7 +100,9 @@ Signal read_table(const fs::path& file, const std::string& column) {
                       fmt::format("column {} holds {}{}", column, csv_field_in_quotes(field), why));
     };
     if (!number) {
-      require_same_table(file, line, all, layout);
+      // A single word in a single column may be one that is garbled, unless it is the column's
+      // name.
+      if (layout.fields > 1 || field == column) require_same_table(file, line, all, layout);
       refuse(", not a number");
     }
     if (layout.separator != ',' && !sign.fits(field)) {

@@ -156,7 +156,7 @@ TEST(Csv, TakesNoMoreMemoryThanItsSizeAllows) {
   const Folder folder;
   const std::string lines = "1\n" + std::string(30'000'000, '\n') + "2\n";
   EXPECT_ERROR((void)read(folder.write("lines.csv", lines), "1"), Exit::bad_input,
-               "line 2: is blank between the numbers");
+               "line 2: column 1 holds ''");
   const std::string fields(30'000'000, ',');
   EXPECT_ERROR((void)read(folder.write("fields.csv", fields), "1"), Exit::bad_input,
                "line 1: has more than 10000 columns");

@@ -107,7 +107,8 @@ TEST_F(InstrumentText, OfTwoTablesIsRefusedWhereTheSecondOneBegins) {
   expect_refused(table + "\n" + table, "x", ", line 4: is blank" + another);
   expect_refused(table + "# restarted\n2,3\n", "2", ", line 4: holds '# restarted'" + another);
   expect_refused(table + "Run 2\n2,3\n", "2", ", line 4: holds 'Run 2'" + another);
-  expect_refused("0.5\n1.5\nx\n2.5\n", "1", ", line 3: holds 'x'" + another);
+  expect_refused("x\n0.5\nx\n2.5\n", "x", ", line 3: holds 'x'" + another);
+  expect_refused("0.5\n1.5\nx\n2.5\n", "1", ", line 3: column 1 holds 'x', not a number");
 }
 
 /// Latin-1, and GBK, whose characters may end with the byte of a bar.
