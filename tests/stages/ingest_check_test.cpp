@@ -168,10 +168,8 @@ TEST_F(IngestCheck, AMessageHasOnePlace) {
   const Outcome outcome =
       stages::run(folder_.path(), "ingest",
                   {"--description", "rig.toml", "--data-dir", "data", "--output", "records.h5"});
-  EXPECT_EQ(
-      outcome.err,
-      "ingest: data/IR007.csv, line 3: holds 'x' between the numbers; where another table begins "
-      "here, save that in a file of its own\n");
+  EXPECT_EQ(outcome.err,
+            "ingest: data/IR007.csv, line 3: column acceleration holds 'x', not a number\n");
 }
 
 TEST_F(IngestCheck, WarnsOfClippedSamples) {
