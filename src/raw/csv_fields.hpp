@@ -70,11 +70,12 @@ inline std::string_view take_field(std::optional<std::string_view>& line, char s
 /// plus may stand before it. None for any other text.
 std::optional<double> number_in_field(std::string_view field, char separator);
 
-/// Which sign a column has before its decimals. Both in one column are a sign of thousands.
+/// Remembers which sign a column has before its decimals. Both in one column are a sign of
+/// thousands.
 class DecimalSign {
  public:
   DecimalSign() = default;
-  /// The sign that a file says that it has, "." or ",".
+  /// Starts with the sign that the file declares, "." or ","; with none otherwise.
   explicit DecimalSign(std::string_view said) : comma_(said == ","), point_(said == ".") {}
 
   /// True if the field goes together with those before.

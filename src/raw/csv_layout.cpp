@@ -245,7 +245,7 @@ class Search {
         if (times == 0) continue;
         const auto place = std::ranges::find(header, std::string_view(column_));
         const auto column = static_cast<std::size_t>(place - header.begin());
-        // Separators at the end of a header name no column.
+        // Separators at the end of a header do not name a column.
         const auto named = std::ranges::find_if(header.rbegin(), header.rend(),
                                                 [](auto name) { return !name.empty(); });
         for (const auto count : {header.size(), header.size() - (named - header.rbegin())}) {
@@ -260,8 +260,8 @@ class Search {
     return without_numbers->second;
   }
 
-  /// Refuses a header that has fewer or more names than the lines below it have numbers: nobody
-  /// knows which column is the one that it names.
+  /// Refuses a header with fewer or more names than the lines below it have numbers: its names
+  /// cannot be assigned to columns.
   void require_as_many_fields(std::size_t header, std::size_t names) const {
     for (std::size_t i = header + 1; i < lines_.size(); ++i) {
       const std::size_t count = numbers_in(lines_[i]);
@@ -275,7 +275,7 @@ class Search {
     }
   }
 
-  /// How many numbers a line has, and nothing else; 0 for any other line.
+  /// Counts the numbers of a line that holds nothing else; returns 0 for any other line.
   [[nodiscard]] std::size_t numbers_in(const Line& line) const {
     if (line.is_comment) return 0;
     const char separator = separator_of(line.text);

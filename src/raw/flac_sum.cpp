@@ -16,9 +16,9 @@ namespace {
 
 constexpr std::size_t sum_bytes = 16;
 
-/// What stands at the beginning of a file (RFC 9639, 8.2).
+/// The header block STREAMINFO (RFC 9639, 8.2), as far as it is needed.
 struct StreamInfo {
-  int bits = 0;  ///< of a sample
+  int bits = 0;  ///< per sample
   std::array<unsigned char, sum_bytes> sum{};
 };
 

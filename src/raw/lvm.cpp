@@ -192,11 +192,11 @@ class LvmReader {
   std::string_view rest_;
   std::size_t line_ = 0;
   char separator_ = '\t';
-  std::map<std::string, Fields> entries_;  ///< of both headers
+  std::map<std::string, Fields> entries_;  ///< lines of both headers, by their first field
   std::size_t step_ = 1;                   ///< from the column of a channel to that of the next
   DecimalSign sign_;
   bool has_one_heading_ = true;
-  Fields names_;  ///< of the columns
+  Fields names_;  ///< names of the columns
   std::size_t channel_ = 0;
 };
 

@@ -7,7 +7,7 @@
 
 namespace piae::raw {
 
-/// What NI's scales make of a raw value.
+/// Converts a raw value by NI's scales.
 using TdmsScales = std::function<double(double)>;
 
 /// The scales of a channel, which its properties NI_Scale[n]_... describe: each takes the raw value

@@ -25,7 +25,7 @@ constexpr std::uint32_t toc_interleaved = 1U << 5U;
 constexpr std::uint32_t toc_big_endian = 1U << 6U;
 constexpr std::uint32_t toc_daqmx_data = 1U << 7U;
 
-// What may stand in place of the length of an object's index.
+// Marks that stand in place of the length of an object's index.
 constexpr std::uint32_t no_values = 0xFFFFFFFF;
 constexpr std::uint32_t same_as_before = 0;
 
@@ -71,7 +71,7 @@ std::optional<std::string> take_name(std::string_view& path) {
   return std::nullopt;
 }
 
-/// Reads the metadata of a segment one by one.
+/// Takes numbers and texts off the metadata of a segment.
 class Metadata {
  public:
   Metadata(const fs::path& file, std::span<const std::byte> bytes, std::size_t begin,
@@ -296,10 +296,10 @@ class Walk {
   std::span<const std::byte> bytes_;
   std::vector<TdmsObject> objects_;
   std::map<std::string, std::size_t> object_by_path_;
-  std::vector<std::optional<TdmsValues>> last_values_;  ///< of each object
+  std::vector<std::optional<TdmsValues>> last_values_;  ///< latest index of each object
   std::vector<Listed> list_;
   std::map<std::size_t, std::size_t> place_in_list_;  ///< by object
-  std::vector<TdmsValues> values_;                    ///< of the segment that is visited
+  std::vector<TdmsValues> values_;                    ///< layout of the segment that is visited
 };
 
 }  // namespace

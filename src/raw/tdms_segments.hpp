@@ -29,13 +29,13 @@ struct TdmsObject {
 struct TdmsValues {
   std::size_t object = 0;   ///< its index among the objects
   std::uint32_t type = 0;   ///< NI's number
-  std::uint64_t count = 0;  ///< of values
-  std::uint64_t bytes = 0;  ///< of all of them
+  std::uint64_t count = 0;  ///< number of values
+  std::uint64_t bytes = 0;  ///< size of all of them
 };
 
 struct TdmsSegment {
   std::span<const TdmsValues> values = {};  ///< in the order of a chunk
-  std::size_t begin = 0;                    ///< of the raw data in the file
+  std::size_t begin = 0;                    ///< start of the raw data in the file
   std::size_t chunks = 0;
   std::size_t chunk_bytes = 0;
   bool is_big_endian = false;
@@ -46,7 +46,7 @@ struct TdmsSegment {
 /// Goes through a file and shows each segment to `visit`. Returns the objects in the order of their
 /// first mention. A last segment that says that its writer never finished it (LabVIEW crashed) ends
 /// with its last whole chunk. Throws Error(bad_input) for a file that is shorter than it says or
-/// damaged, and for raw data of NI-DAQmx, which only their own scales make numbers of.
+/// damaged, and for raw data of NI-DAQmx, whose layout is another.
 std::vector<TdmsObject> walk_tdms(const std::filesystem::path& file,
                                   std::span<const std::byte> bytes,
                                   const std::function<void(const TdmsSegment&)>& visit);

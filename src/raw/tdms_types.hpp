@@ -11,7 +11,7 @@ struct TdmsType {
   std::uint32_t id;
   std::size_t size;  ///< bytes of a value; 0 where it varies, as that of text
   const char* name;
-  /// Reads a value; null where it is no real number.
+  /// Reads a value; null where the type does not hold real numbers.
   double (*read)(std::span<const std::byte> bytes, std::size_t at, bool big_endian);
 };
 

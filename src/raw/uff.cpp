@@ -45,7 +45,7 @@ constexpr std::array function_names{"a function of an unknown kind",
                                     "a probability density function",
                                     "a spectrum"};
 
-/// Refuses what is no time record with even spacing.
+/// Refuses a function that is not a time record with even spacing.
 void require_time_record(const Where& where, const UffFunction& function) {
   const auto type = static_cast<std::size_t>(function.function_type);
   if (function.function_type != general && function.function_type != time_response) {
@@ -55,7 +55,7 @@ void require_time_record(const Where& where, const UffFunction& function) {
                                                        : fmt::format("of function type {}", type)));
   }
   if (function.abscissa_type != unknown_abscissa && function.abscissa_type != time_abscissa) {
-    refuse(where, fmt::format("is no function of time, but of the abscissa type {}",
+    refuse(where, fmt::format("is not a function of time: its abscissa has the type {}",
                               function.abscissa_type));
   }
   if (function.ordinate_type != single_real && function.ordinate_type != double_real) {

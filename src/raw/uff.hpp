@@ -13,8 +13,8 @@ bool is_uff(std::string_view beginning);
 
 /// Reads a time record of a universal file: a data set 58, text or binary (58b). `variable` is its
 /// number among those of type 58, counted from 1, or its first ID line. The increment of its
-/// abscissa gives the sample rate. Throws Error(bad_input) for what is no time record with even
-/// spacing, such as a spectrum, and where there are not as many values as it says.
+/// abscissa gives the sample rate. Throws Error(bad_input) for anything but a time record with
+/// even spacing, such as a spectrum, and where there are not as many values as it says.
 Signal read_uff(const std::filesystem::path& file, const std::string& variable);
 
 }  // namespace piae::raw

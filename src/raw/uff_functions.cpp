@@ -18,7 +18,7 @@ bool is_mark(std::string_view line) {
   return line.starts_with("    -1") && trimmed(line.substr(6), blanks).empty();
 }
 
-/// What stands in some columns of a line, without blanks.
+/// Returns some columns of a line, without the blanks around.
 std::string_view columns(std::string_view line, std::size_t begin, std::size_t width) {
   return trimmed(line.substr(std::min(begin, line.size())).substr(0, width), blanks);
 }

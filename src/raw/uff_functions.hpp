@@ -13,14 +13,14 @@ struct UffFunction {
   std::string name;       ///< its first ID line
   int function_type = 0;  ///< 1 for a time response
   int ordinate_type = 0;  ///< 2, 4: single, double; 5, 6: the same, complex
-  std::size_t count = 0;  ///< of values, or of pairs
+  std::size_t count = 0;  ///< number of values, or of pairs
   bool is_even = true;    ///< false where each value has its abscissa before it
-  double increment = 0;   ///< of the abscissa
+  double increment = 0;   ///< step of the abscissa
   int abscissa_type = 0;  ///< 17 for time
   bool is_binary = false;
   bool is_big_endian = false;
   std::string_view values = {};  ///< its lines or bytes
-  std::size_t first_line = 0;    ///< of those lines, where no binary data set stands before them
+  std::size_t first_line = 0;    ///< number of the first, where no binary data set stands before
 };
 
 /// Finds the data sets 58 in the text of a file. Throws Error(bad_input) where a data set has no

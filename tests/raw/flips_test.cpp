@@ -225,7 +225,8 @@ TEST(Flips, InTheIndexOfChunksOfHdf5GiveNoOtherNumbers) {
   }
 }
 
-/// Neither have the messages of a dataset's type and filters (HDF5 file format, IV.A.2.d and l).
+/// Flips bits in the messages of a dataset's type and filters, which have no checksum either (HDF5
+/// file format, IV.A.2.d and l).
 TEST(Flips, InTheTypeAndTheFiltersOfHdf5GiveNoOtherNumbers) {
   const Folder folder;
   const Covered whole = filtered(folder, {.deflate = true}, false);
@@ -236,7 +237,7 @@ TEST(Flips, InTheTypeAndTheFiltersOfHdf5GiveNoOtherNumbers) {
   std::vector<std::size_t> places{name - 24, name - 8};  // type of the message, of the filter
   for (std::size_t i = 2; i < 20; ++i) places.push_back(type + i);
   for (const std::size_t at : places) {
-    // libhdf5 1.10 may crash or leak, which only the process apart takes.
+    // Read in a process apart, because libhdf5 1.10 may crash or leak.
     for (int bit = 0; bit < 8; ++bit) is_refused_or_same(folder, whole, at, bit, read);
   }
 }

@@ -50,7 +50,7 @@ TEST_F(InstrumentText, MayHaveASeparatorAtTheEndOfItsLines) {
   expect_read("t,x\n0,-0.5,\n1,1.25,\n2,2,\n", "x");
   expect_read("t;x\n0;-0.5;\n1;1.25;\n2;2;\n", "2");
   expect_refused("t,x\n1,2\n0,-0.5,7\n", "x", ", line 3: has 3 fields, the lines before 2");
-  // Those of a header name no column.
+  // Separators at the end of a header do not name a column.
   expect_read("t,x,,\n0,-0.5\n1,1.25\n2,2\n", "x");
 }
 

@@ -134,7 +134,7 @@ TEST(Sound, ThatEndsOtherwiseThanItSaysIsRefused) {
   std::string longer = bytes + more;
   longer.replace(4, 4, little(static_cast<std::uint32_t>(longer.size() - 8), 4));
   expect_samples(read_here(folder.write("a.wav", longer), "1"), 1);
-  // Whoever writes no size of the file may write anything at its end.
+  // A file whose header has another size may end with anything.
   longer = bytes + "xx";
   expect_samples(read_here(folder.write("a.wav", longer), "1"), 1);
 }

@@ -197,7 +197,7 @@ TEST_F(Tdms, WhoseWriterCrashedIsReadUpToItsLastWholeChunk) {
   EXPECT_THAT(samples(cut, "g/b"), ElementsAre(-1, -2));
   // In its metadata: nothing of that segment is there.
   EXPECT_THAT(samples(whole + last.substr(0, 60), "g/a"), ElementsAre(1, 2));
-  // One channel loses no whole sample.
+  // A single channel keeps each whole sample.
   const std::string alone =
       write_.segment(tdms::new_values, {write_.object("/'g'/'a'", write_.index(tdms::dbl, 1000))},
                      numbers({1, 2, 3}), tdms::crashed);

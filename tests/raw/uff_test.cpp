@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 using testing::DoubleNear;
 using testing::ElementsAre;
 
-/// What a data set 58 says of itself, record by record (SDRC, "Universal Dataset Number 58").
+/// Header fields of a data set 58, record by record (SDRC, "Universal Dataset Number 58").
 struct UffHeader {
   std::string name = "Bearing 1";
   int function = 1;  ///< a time response
@@ -137,7 +137,7 @@ TEST_F(Uff, ThatHoldsNoTimeRecordSaysWhatItIs) {
   expect_refused(text_set({.function = 9}, three_singles),
                  "data set 1 is a power spectral density");
   expect_refused(text_set({.function = 25}, three_singles), "data set 1 is of function type 25");
-  expect_refused(text_set({.abscissa = 18}, three_singles), "data set 1 is no function of time");
+  expect_refused(text_set({.abscissa = 18}, three_singles), "data set 1 is not a function of time");
   expect_refused(text_set({.ordinate = 5}, three_singles), "data set 1 holds complex numbers");
   expect_refused(text_set({.even = 0}, three_singles), "data set 1 has uneven spacing");
 }
