@@ -12,9 +12,9 @@
 
 namespace piae::monitor {
 
-/// How a stream holds its samples. Binary ones are in the byte order of this machine, those called
-/// "be" with the highest byte first, and stand one behind the other; WAV has a header; text is one
-/// number a line.
+/// The form in which a stream holds its samples. Binary ones are in the byte order of this machine,
+/// those called "be" with the highest byte first, and stand one behind the other; WAV has a header;
+/// text is one number a line.
 enum class SampleFormat { f32, f64, f32be, f64be, i16, i32, wav, text };
 
 std::vector<cli::Word<SampleFormat>> sample_format_words();

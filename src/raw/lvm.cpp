@@ -90,7 +90,7 @@ class LvmReader {
     return found->second[column];
   }
 
-  /// Where the values of a channel, and what a header says of it, stand in a line.
+  /// The places in a line of the values of a channel and of what a header says of it.
   [[nodiscard]] std::size_t column(std::size_t channel) const { return 1 + step_ * channel; }
 
   [[nodiscard]] std::size_t channel(const std::string& wanted, std::size_t channels) const {

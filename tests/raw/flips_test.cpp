@@ -65,7 +65,7 @@ void write_filtered(const fs::path& path, const Filters& filters, bool is_matlab
   H5Pclose(creation_of_file);
 }
 
-/// Where the bytes of the chunks of x stand in the file.
+/// Gives the places of the bytes of the chunks of x in the file.
 std::vector<Range> chunks_of(const fs::path& path) {
   const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
   const hid_t set = H5Dopen2(file, "x", H5P_DEFAULT);

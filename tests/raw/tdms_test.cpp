@@ -195,7 +195,7 @@ TEST_F(Tdms, WhoseWriterCrashedIsReadUpToItsLastWholeChunk) {
   const std::string cut = (whole + last).substr(0, whole.size() + last.size() - 5);
   EXPECT_THAT(samples(cut, "g/a"), ElementsAre(1, 2, 3, 4));
   EXPECT_THAT(samples(cut, "g/b"), ElementsAre(-1, -2));
-  // In its metadata: nothing of that segment is there.
+  // Cut in its metadata: nothing of that segment is there.
   EXPECT_THAT(samples(whole + last.substr(0, 60), "g/a"), ElementsAre(1, 2));
   // A single channel keeps each whole sample.
   const std::string alone =

@@ -89,7 +89,7 @@ TEST_F(Uff, HasTextInFieldsOfAFixedWidth) {
   for (const char* field : {"  1.500000000000E+00", " -2.000000000000D+00", "  3.00000000000E-009"})
     wide += field;
   EXPECT_THAT(samples(text_set({.ordinate = 4}, wide + "\n")), ElementsAre(1.5, -2, 3e-9));
-  // In fields of another width, and without blanks between, several lines, blanks at their ends and
+  // Fields of another width, and without blanks between, several lines, blanks at their ends and
   // CRLF.
   const std::string full = "-1.50000E+000-2.00000E+000 3.00000E-009\r\n  4.00000E+00          \r\n";
   EXPECT_THAT(samples(text_set({}, "   1.500E+00  -2.000E+00   3.000E-09\n")),

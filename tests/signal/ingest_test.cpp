@@ -89,7 +89,7 @@ TEST(Ingest, ReadsManyFilesAsOneRecordInTheOrderOfTheirNumbers) {
   EXPECT_EQ(std::vector<double>(record.signal.begin() + 6, record.signal.end()), last);
 }
 
-/// What `sha256sum run/acc_1.csv run/acc_2.csv run/acc_10.csv | sha256sum` prints.
+/// Compares with what `sha256sum run/acc_1.csv run/acc_2.csv run/acc_10.csv | sha256sum` prints.
 TEST(Ingest, TheSumOfManyFilesIsThatOfTheirList) {
   const Folder folder;
   Description d = many_files_in(folder);

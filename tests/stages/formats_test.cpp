@@ -58,7 +58,7 @@ matvar_t* vector_called(const char* name, const std::vector<double>& values) {
                        const_cast<double*>(values.data()), 0);
 }
 
-/// As the data center of Paderborn stores its recordings: N09.Y(2).Data is the vibration.
+/// Writes a file as the data center of Paderborn does: N09.Y(2).Data is the vibration.
 void write_paderborn(const fs::path& file, const std::vector<double>& samples) {
   std::size_t one[]{1, 1};
   std::size_t two[]{1, 2};
