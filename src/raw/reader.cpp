@@ -57,6 +57,12 @@ class Pipe {
   std::array<int, 2> ends_{-1, -1};
 };
 
+/// Has the program that follows find an open file under this number; false where that fails. One
+/// that has the number already, as this process was started with it closed, is kept open.
+bool is_put(int file, int number) {
+  return file == number ? ::fcntl(file, F_SETFD, 0) == 0 : ::dup2(file, number) >= 0;
+}
+
 /// Keeps what the program writes to one of its outputs, up to a number of bytes. The rest is
 /// not kept.
 class Output {
@@ -174,9 +180,9 @@ class Reader {
   }
   [[noreturn]] void become(const std::vector<char*>& argv, pid_t parent) const {
     ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-    const bool ready = ::getppid() == parent && ::dup2(names_.to_read(), STDIN_FILENO) >= 0 &&
-                       ::dup2(out_.pipe.to_write(), STDOUT_FILENO) >= 0 &&
-                       ::dup2(err_.pipe.to_write(), STDERR_FILENO) >= 0;
+    const bool ready = ::getppid() == parent && is_put(names_.to_read(), STDIN_FILENO) &&
+                       is_put(out_.pipe.to_write(), STDOUT_FILENO) &&
+                       is_put(err_.pipe.to_write(), STDERR_FILENO);
     if (ready) ::execv(argv.front(), argv.data());
     ::_exit(cannot_be_run);
   }

@@ -163,6 +163,16 @@ TEST_F(IngestCheck, GoesByTheDescriptionsOwnSplit) {
 }
 
 /// A file that the description names is not blamed on the description, too.
+/// Files that it opens then get the numbers of what is closed.
+TEST_F(IngestCheck, ReadsRecordingsWhereInputAndOutputAreClosed) {
+  for (const std::string closed : {"<&-", "<&- >&-", "<&- >&- 2>&-", ">&- 2>&-"}) {
+    const std::string command = "cd " + folder_.path().string() + " && " + PIAE_BIN +
+                                "/ingest --description rig.toml --data-dir data --output r.h5 " +
+                                closed;
+    EXPECT_EQ(std::system(command.c_str()), 0) << closed;
+  }
+}
+
 TEST_F(IngestCheck, AMessageHasOnePlace) {
   folder_.write("data/IR007.csv", "acceleration\n1\nx\n");
   const Outcome outcome =
