@@ -188,7 +188,7 @@ checkpointing_stage() {
   own_stage <<'STAGE'
 trap 'echo saved >checkpoint; exit 75' TERM
 touch started
-while :; do sleep 0.05; done
+for _ in {1..600}; do sleep 0.05; done # 30 s, where nobody ends it
 STAGE
 }
 
@@ -240,7 +240,7 @@ test_a_stage_on_a_cluster_is_stopped_by_usr1() {
 trap 'echo saved >checkpoint; exit 75' USR1
 echo "step: started" >&2
 touch started
-while :; do sleep 0.05; done
+for _ in {1..600}; do sleep 0.05; done # 30 s, where nobody ends it
 STAGE
   local signal code
   for signal in TERM INT HUP QUIT; do
@@ -270,7 +270,7 @@ until [[ -s printed ]]; do sleep 0.05; done
 cat printed >&2
 touch started
 trap 'kill -USR1 \$child; exit $1' USR1
-while :; do sleep 0.05; done
+for _ in {1..600}; do sleep 0.05; done # 30 s, where nobody ends it
 LAUNCHER
   chmod +x launcher
 }
@@ -289,7 +289,7 @@ saves_slowly() {
   own_stage <<'STAGE'
 trap 'sleep 1; echo saved >results/t/real/seed0/model.h5.checkpoint; exit 75' USR1
 echo "step: started" >&2
-while :; do sleep 0.05; done
+for _ in {1..600}; do sleep 0.05; done # 30 s, where nobody ends it
 STAGE
 }
 
@@ -327,7 +327,7 @@ test_a_stage_that_is_killed_before_its_checkpoint_has_not_been_interrupted() {
   own_stage <<'STAGE'
 trap 'kill -KILL $$' USR1
 echo "step: started" >&2
-while :; do sleep 0.05; done
+for _ in {1..600}; do sleep 0.05; done
 STAGE
   launcher_that_gives_up 137
   CHECKPOINT_WITHIN=1 stop_step_of_launcher 143
