@@ -17,7 +17,8 @@ std::string names_of(const std::vector<const RecordCheck*>& records) {
 }
 
 void add_for_each(std::vector<const RecordCheck*> records,
-                  const std::function<std::string(const RecordCheck&)>& text, Lines& lines) {
+                  const std::function<std::string(const RecordCheck&)>& text,
+                  std::vector<std::string>& lines) {
   constexpr std::size_t few = 3;
   if (records.size() > few) {
     const std::string first = text(*records.front());

@@ -55,6 +55,7 @@ void bind(const cli::Options& command, Asked& asked) {
 void bind(const cli::Options& command, PlanOptions& options) {
   command.add("--pipeline", options.pipeline, "Folder with protocol.toml and datasets/");
   std::vector<cli::Word<Stretch>> words;
+  words.reserve(stretches.size());
   for (const Stretch stretch : stretches) words.push_back({to_string(stretch), stretch});
   command
       .choose("--stretch", options.stretch, words,
