@@ -163,8 +163,8 @@ class Reader {
     while (rest.size() >= sizeof counts) {
       std::memcpy(counts.data(), rest.data(), sizeof counts);
       rest.remove_prefix(sizeof counts);
-      const double most = static_cast<double>(rest.size() / sizeof(double));
-      if (!(counts[0] >= 0 && counts[0] <= most)) break;
+      const std::size_t most = rest.size() / sizeof(double);
+      if (!(counts[0] >= 0 && counts[0] <= static_cast<double>(most))) break;
       Signal& signal = all.emplace_back();
       signal.columns = static_cast<std::size_t>(counts[1]);
       signal.samples.resize(static_cast<std::size_t>(counts[0]));
