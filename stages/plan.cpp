@@ -1,5 +1,7 @@
 // Prints which steps of a run are to be done, and why: for make, for other programs, for people.
 
+#include <spdlog/fmt/fmt.h>
+
 #include <algorithm>
 #include <iostream>
 
@@ -87,8 +89,8 @@ std::string next_makefile(plan::Planned& planned, const plan::PlanOptions& optio
     if (steps.empty() && !options.only.empty()) break;
     if (steps.empty()) continue;
     const bool is_last = stretch + 1 == plan::stretches.end();
-    const std::string behind = is_last ? "" : std::string(" ") + to_string(stretch[1]);
-    return std::string("# ") + to_string(*stretch) + behind + '\n' + steps;
+    return fmt::format("# {}{}{}\n{}", to_string(*stretch), is_last ? "" : " ",
+                       is_last ? "" : to_string(stretch[1]), steps);
   }
   return {};
 }

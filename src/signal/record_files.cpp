@@ -59,6 +59,7 @@ std::vector<std::string> matching(const std::string& pattern, const fs::path& ro
   std::erase_if(paths,
                 [&](const fs::path& path) { return !fs::is_regular_file(root / path, none); });
   std::vector<std::string> files;
+  files.reserve(paths.size());
   for (const fs::path& path : paths) files.push_back(path.string());
   std::ranges::sort(files, naturally_less);
   return files;

@@ -1,5 +1,7 @@
 #include "signal/toml_table.hpp"
 
+#include <spdlog/fmt/fmt.h>
+
 #include <algorithm>
 #include <cmath>
 #include <sstream>
@@ -37,7 +39,7 @@ std::string TomlTable::given_for(const std::string& missing) const {
     const std::string given(key.str());
     if (asked_.contains(given)) continue;
     const std::string meant = meant_key(given, {missing});
-    if (!meant.empty()) return "; " + given + " stands there: " + meant;
+    if (!meant.empty()) return fmt::format("; {} stands there: {}", given, meant);
   }
   return {};
 }
