@@ -39,10 +39,11 @@ run_make() { # further options
 }
 
 next=grid
-while [[ $next ]]; do
+while :; do
   export ASKED_AT=$EPOCHREALTIME
   plan --format make --stretch "$next" "${options[@]}" >"$scratch" || exit
-  read -r _ stretch next <"$scratch" || break # "# numbers pictures": what is to be done first, and what follows
+  read -r _ stretch next <"$scratch" # "# numbers pictures": what is to be done first, and what follows
+  [[ $stretch != shown ]] || break
   export PIAE_STRETCH=$stretch
   further=()
   [[ $stretch == grid ]] || further=(--keep-going) # what cannot be shown holds up nothing else
@@ -54,7 +55,5 @@ while [[ $next ]]; do
     echo 'not every step could be done, see above; `make status`, with the same variables, shows which failed and why' >&2
   fi
 done
-if ((status == 0)) && [[ $flags != *[nq]* ]]; then
-  plan --looks --format shown --stretch grid
-fi
+((status)) || [[ $flags == *[nq]* ]] || tail --lines=+2 "$scratch"
 exit "$status"

@@ -23,7 +23,7 @@ namespace {
 
 constexpr int not_due = 3;  // exit code of --is-due; 1 would also mean that plan failed
 
-enum class Format { make, why, summary, missing, jobs, shown, costs };
+enum class Format { make, why, summary, missing, jobs, costs };
 
 /// How the steps are divided among jobs of a cluster, and the folder that gets their lists.
 struct JobOptions {
@@ -32,12 +32,13 @@ struct JobOptions {
   double minutes = 15;
 };
 
-/// The readings of all data sets that are asked for, where the goal is to compare readings.
+/// The readings of all data sets that could be compared, where that is the goal.
 std::string ranked_readings(const plan::Plan& plan) {
   std::vector<fs::path> tables;
   if (!plan.choice().has_goal("readings")) return {};
   for (const plan::Part& part : plan.choice().parts) {
-    tables.emplace_back(fs::path(plan.choice().folder()) / part.dataset.name / "readings.csv");
+    const auto table = fs::path(plan.choice().folder()) / part.dataset.name / "readings.csv";
+    if (fs::exists(table)) tables.push_back(table);
   }
   return readings::ranking(tables);
 }
@@ -49,8 +50,6 @@ std::string printed(plan::Plan& plan, Format format, const JobOptions& jobs) {
       return summary_of(plan, costs());
     case Format::missing:
       return missing_of(plan);
-    case Format::shown:
-      return shown_of(plan) + ranked_readings(plan);
     case Format::costs: {
       plan::RealLogs logs;
       return measured_costs(plan, logs);
@@ -78,21 +77,22 @@ std::string printed_of_all(plan::Planned& planned, Format format) {
 
 /// Gives the makefile of the first stretch, from the one asked for on, in which something is to be
 /// done, and above it a line with its name and that of the stretch behind it: "# numbers pictures".
-/// Empty where nothing is to be done. Files that are asked for alone belong to one stretch. Unless
-/// the plan only looks, the settings that its steps read are written.
+/// Where nothing is to be done, gives "# shown" and the tables that the goals end with. Files that
+/// are asked for alone belong to one stretch. Unless the plan only looks, the settings that its
+/// steps read are written.
 std::string next_makefile(plan::Planned& planned, const plan::PlanOptions& options, bool quietly) {
   for (const auto* stretch = std::ranges::find(plan::stretches, options.stretch);
-       stretch != plan::stretches.end(); ++stretch) {
+       *stretch != plan::Stretch::shown; ++stretch) {
+    if (!has_steps_in(*stretch, planned.plan().choice())) continue;
     planned.go_to(*stretch);
     if (!options.looks) write_settings(planned.plan());
     const std::string steps = makefile_of(planned.plan(), quietly);
-    if (steps.empty() && !options.only.empty()) break;
+    if (steps.empty() && !options.only.empty()) return {};
     if (steps.empty()) continue;
-    const bool is_last = stretch + 1 == plan::stretches.end();
-    return fmt::format("# {}{}{}\n{}", to_string(*stretch), is_last ? "" : " ",
-                       is_last ? "" : to_string(stretch[1]), steps);
+    return fmt::format("# {} {}\n{}", to_string(*stretch), to_string(stretch[1]), steps);
   }
-  return {};
+  planned.go_to(plan::Stretch::grid);
+  return "# shown\n" + shown_of(planned.plan()) + ranked_readings(planned.plan());
 }
 
 }  // namespace
@@ -120,11 +120,9 @@ int main(int argc, char** argv) {
        {"summary", Format::summary},
        {"missing", Format::missing},
        {"jobs", Format::jobs},
-       {"shown", Format::shown},
        {"costs", Format::costs}},
       "why: a line for each step; make: a makefile; summary: how much; missing: the files that "
-      "tables lack; jobs: for a cluster; shown: the tables that the goals end with; costs: what "
-      "steps took, for jobs/costs.csv");
+      "tables lack; jobs: for a cluster; costs: what steps took, for jobs/costs.csv");
   stage.options().flag("--whole", whole,
                        "Of a run from its grid to its pages; why and summary can be of all that");
   stage.options().flag("--quietly", quietly, "Of a makefile: hide the commands");

@@ -39,6 +39,7 @@ std::string escaped(std::string_view text) {
 }
 
 std::string unescaped(std::string_view line) {
+  if (line.find('\\') == std::string_view::npos) return std::string(line);
   std::string text;
   for (std::size_t i = 0; i < line.size(); ++i) {
     if (line[i] != '\\' || i + 1 == line.size()) {

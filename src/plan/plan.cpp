@@ -23,8 +23,27 @@ void add_goals(const std::set<std::string>& names, TableSteps& tables) {
 }  // namespace
 
 const char* to_string(Stretch stretch) {
-  constexpr std::array<const char*, stretches.size()> words{"grid", "numbers", "pictures", "pages"};
+  constexpr std::array<const char*, stretches.size()> words{"grid", "numbers", "pictures", "pages",
+                                                            "shown"};
   return words.at(static_cast<std::size_t>(stretch));
+}
+
+bool has_steps_in(Stretch stretch, const Choice& choice) {
+  const auto any = [&](bool Goal::*does) {
+    return std::ranges::any_of(choice.goals,
+                               [&](const std::string& name) { return goal_named(name).*does; });
+  };
+  switch (stretch) {
+    case Stretch::grid:
+      return true;
+    case Stretch::numbers:
+    case Stretch::pictures:
+      return any(&Goal::draws);
+    case Stretch::pages:
+      return any(&Goal::writes_pages);
+    default:
+      return false;
+  }
 }
 
 Plan::Plan(const Experiment& experiment, Choice choice, Stretch stretch, Disk& disk)
@@ -35,15 +54,12 @@ Plan::Plan(const Experiment& experiment, Choice choice, Stretch stretch, Disk& d
     if (!choice_.only_looks) add_grid(tables);
     return;
   }
-  const auto any = [&](bool Goal::*does) {
-    return std::ranges::any_of(choice_.goals,
-                               [&](const std::string& name) { return goal_named(name).*does; });
-  };
+  if (!has_steps_in(stretch, choice_)) return;
   LookSteps looks(choice_, grid, tables);
-  if (stretch == Stretch::numbers && any(&Goal::draws)) looks.numbers();
-  if (stretch == Stretch::pictures && any(&Goal::draws)) looks.pictures();
+  if (stretch == Stretch::numbers) looks.numbers();
+  if (stretch == Stretch::pictures) looks.pictures();
   if (stretch == Stretch::pictures && choice_.only_pictures) keep_only(*choice_.only_pictures);
-  if (stretch == Stretch::pages && any(&Goal::writes_pages)) looks.pages(experiment);
+  if (stretch == Stretch::pages) looks.pages(experiment);
 }
 
 void Plan::add_grid(TableSteps& tables) {

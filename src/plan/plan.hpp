@@ -20,10 +20,13 @@ enum class Stretch {
   numbers,   ///< of figures, of what the run holds
   pictures,  ///< of the numbers that there are
   pages,     ///< report.html and its like
+  shown,     ///< nothing more to be done: what was asked for is shown
 };
 inline constexpr std::array stretches{Stretch::grid, Stretch::numbers, Stretch::pictures,
-                                      Stretch::pages};
+                                      Stretch::pages, Stretch::shown};
 const char* to_string(Stretch stretch);
+/// False where the goals have no step in a stretch, as `cells` has none behind the grid.
+bool has_steps_in(Stretch stretch, const Choice& choice);
 
 class TableSteps;
 

@@ -38,8 +38,10 @@ bool changed_since(const Step& step, double begun_s) {
   return false;
 }
 
-/// A layout refuses cells that lie as before 0.1.0.
+/// Refuses cells that lie as before 0.1.0. A run with a journal was planned since then, so its
+/// files need not be looked through.
 void refuse_old_layout(const Choice& choice) {
+  if (artefact::stat_of(choice.folder() + "/.journal")) return;
   for (const Part& part : choice.parts) run::Layout(choice.folder(), part.dataset.name);
 }
 

@@ -4,6 +4,7 @@
 #include <spdlog/fmt/ranges.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <map>
 #include <set>
 
@@ -166,6 +167,7 @@ std::string missing_of(Plan& plan) {
 std::string shown_of(const Plan& plan) {
   std::string all;
   for (const std::string& table : plan.shown()) {
+    if (!std::filesystem::exists(table)) continue;
     for (const std::string& line : text::read_lines(table)) all += line + '\n';
   }
   const auto say_where = [&](const char* what, const char* below) {

@@ -26,7 +26,7 @@ std::string guessed_costs_of(Plan& plan, const Costs& costs);
 /// where none is.
 std::string missing_of(Plan& plan);
 
-/// The tables that the goals end with.
+/// The tables that the goals end with, those that could be made.
 std::string shown_of(const Plan& plan);
 
 }  // namespace piae::plan

@@ -5,7 +5,7 @@ source "${0%/*}/small_grid.sh"
 
 cells() { make --silent "$@" BIN=fake RUN=t DATASETS=real METHODS="none piae-dt" RATIOS="100to1 10to1" SEEDS=0; }
 new_layout() { pipeline/new_layout.sh "$@" 2>&1; }
-state() { find results/t -type f -printf '%P %T@\n' | sort; }
+state() { find results/t -type f ! -name .journal -printf '%P %T@\n' | sort; }
 
 # A run of today whose files are laid out as before.
 old_run() {
@@ -21,7 +21,7 @@ old_run() {
   state >new
   find results/t -type d -name wdcnn >folders
   while read -r folder; do mv "$folder"/* "${folder%/*}" && rmdir "$folder"; done <folders
-  rm calls
+  rm calls results/t/.journal # there was none before 0.1.0
 }
 
 test_make_refuses_such_a_run_in_one_line() {
@@ -39,13 +39,13 @@ test_make_refuses_such_a_run_in_one_line() {
   expect_line "$(cells cells 2>&1 || true)" '\(seed0/readings/base/10to1/diagnosis.h5\)'
 }
 
-test_one_command_moves_the_files_and_nothing_is_computed_again() {
+test_one_command_moves_the_files_and_no_cell_is_computed_again() {
   old_run
   expect_line "$(new_layout results/t)" '^results/t: [0-9]+ files moved$'
   expect_equal "$(state)" "$(<new)"
   expect_equal "$(new_layout results/t/)" 'results/t/: 0 files moved'
   cells all trust >/dev/null
-  expect_equal "$(ran_with_features)" ""
+  expect_equal "$(ran_with_features)" "1 tabulate, 1 trust" # nothing says how their tables were made
 }
 
 test_what_is_not_a_run_is_refused_and_no_file_replaced() {

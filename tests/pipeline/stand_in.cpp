@@ -134,6 +134,13 @@ artefact::Provenance provenance_of(const std::string& stage, const Options& opti
   return provenance;
 }
 
+/// A table that plan reads is as its stage would write it.
+std::string table_text(const std::string& file, const std::string& command) {
+  if (fs::path(file).filename() != "readings.csv") return command + '\n';
+  return "dataset,reading,quantity,ratio,seeds,mean,std\n"
+         "real,base,accuracy,1to1,1,50,0\nreal,batches=class,accuracy,1to1,1,60,0\n";
+}
+
 void write_artefact(const std::string& file, const std::string& stage, const std::string& command,
                     const artefact::Provenance& provenance) {
   const std::string stem = fs::path(file).stem();
@@ -180,7 +187,7 @@ int run(const std::string& stage, const Words& words) {
     if (is_artefact) {
       write_artefact(output, stage, command, provenance);
     } else {
-      std::ofstream(output) << command + '\n';
+      std::ofstream(output) << table_text(output, command);
     }
   }
   std::cout << stage << ": 1 thing done\n";

@@ -51,6 +51,21 @@ TEST_F(FilesThatAreAskedFor, MayBePages) {
   EXPECT_THAT(steps_of(page, Stretch::pages), ElementsAre("report"));
 }
 
+TEST_F(FilesThatAreAskedFor, MakeStretchesNeeded) {
+  const auto needed = [&](const std::string& goals) {
+    std::vector<Stretch> needed;
+    for (const Stretch stretch : stretches) {
+      if (has_steps_in(stretch, run_.plan(goals, Stretch::grid).choice()))
+        needed.push_back(stretch);
+    }
+    return needed;
+  };
+  EXPECT_THAT(needed("cells tables"), ElementsAre(Stretch::grid));
+  EXPECT_THAT(needed("figures"), ElementsAre(Stretch::grid, Stretch::numbers, Stretch::pictures));
+  EXPECT_THAT(needed("results/t/report.html"),
+              ElementsAre(Stretch::grid, Stretch::numbers, Stretch::pictures, Stretch::pages));
+}
+
 TEST_F(FilesThatAreAskedFor, MayBeWrittenInOtherWords) {
   EXPECT_THAT(steps_of("results/t//real/./records.h5", Stretch::grid), ElementsAre("real/ingest"));
 }

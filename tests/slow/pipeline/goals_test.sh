@@ -101,6 +101,8 @@ test_readings_are_ranked_drawn_and_have_seeds_and_a_run_of_their_own() {
     "$(echo results/readings/real/seed10{0,1,2,3,4})"
   expect_equal "$(twice readings DATASETS=real SEEDS=100)" \
     "6 diagnose, 3 generate, 1 ingest, 1 readings, 3 score, 1 split, 3 train"
+  expect_equal "$(tail -n 2 shown)" " 60.00  batches=class
+ 50.00  base"
   expect_equal "$(cd results/t/real/seed100/readings && echo *)" "base batches-class batches-class+space-class"
   [[ -e results/t/real/readings.svg ]] || fail "no picture"
 }
