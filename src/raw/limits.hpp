@@ -20,7 +20,7 @@ struct Limits {
   std::uint64_t wall_seconds = 0;  ///< more, as a machine or a disk may be busy
 };
 
-/// Throws Error(input_missing) where there is no such file, and Error(bad_input) where one, or all
+/// Throws Error(input_missing) for a file that is missing, and Error(bad_input) where one, or all
 /// together, are larger than largest_bytes.
 Limits limits_of(const std::vector<std::filesystem::path>& files);
 inline Limits limits_of(const std::filesystem::path& file) { return limits_of(std::vector{file}); }

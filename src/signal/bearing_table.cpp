@@ -4,14 +4,12 @@
 #include <array>
 #include <cctype>
 #include <cmath>
-#include <fstream>
 #include <span>
 #include <vector>
 
 #include "base/error.hpp"
-#include "base/numbers.hpp"
 #include "bearing/kinematics.hpp"
-#include "bearing/orders.hpp"
+#include "text/csv.hpp"
 
 namespace piae::signal {
 
@@ -24,9 +22,16 @@ using Keys = std::map<std::string, double>;
 constexpr std::array geometry_keys{"balls", "ball_diameter_mm", "pitch_diameter_mm",
                                    "contact_angle_deg"};
 constexpr std::array order_keys{"bpfo", "bpfi", "bsf", "ftf"};
-constexpr const char* header =
-    "designation,balls,ball_diameter_mm,pitch_diameter_mm,contact_angle_deg,bpfo,bpfi,bsf,ftf,"
-    "source";
+const Words header{"designation",
+                   "balls",
+                   "ball_diameter_mm",
+                   "pitch_diameter_mm",
+                   "contact_angle_deg",
+                   "bpfo",
+                   "bpfi",
+                   "bsf",
+                   "ftf",
+                   "source"};
 
 struct Row {
   std::string designation;
@@ -64,50 +69,33 @@ bool holds_words(const Words& row, const std::string& asked) {
   return false;
 }
 
-std::vector<std::string> fields_of(const std::string& line) {
-  std::vector<std::string> fields(1);
-  for (const char c : line) {
-    if (c == ',') {
-      fields.emplace_back();
-    } else {
-      fields.back() += c;
-    }
-  }
-  return fields;
-}
-
-/// Adds the numbers of those keys that a row has.
-void add_keys(std::span<const char* const> names, std::span<const std::string> fields,
-              const std::string& place, Keys& keys) {
+/// Gives the numbers of those keys that a row has, from field `first` on.
+Keys keys_of(const text::CsvLine& line, std::span<const char* const> names, std::size_t first) {
+  Keys keys;
   for (std::size_t i = 0; i < names.size(); ++i) {
-    if (fields[i].empty()) continue;
-    const auto number = number_in<double>(fields[i]);
-    if (!number) throw Error(Exit::bad_input, place + ": '" + fields[i] + "' is not a number");
+    const std::string& field = line.fields[first + i];
+    if (field.empty()) continue;
+    const auto number = line.number(first + i);
+    if (!number) line.refuse("'" + field + "' is not a number");
     keys[names[i]] = *number;
   }
+  return keys;
 }
 
 std::vector<Row> rows_of(const fs::path& table) {
-  std::ifstream in(table);
-  std::string line;
-  if (!std::getline(in, line)) {
-    throw Error(Exit::input_missing, table.string() + ": the table of bearings cannot be read");
+  if (!fs::exists(table)) {
+    throw Error(Exit::input_missing,
+                table.string() +
+                    ": there is no table of bearings; a description with a "
+                    "designation stands in a folder next to it, as pipeline/datasets does");
   }
-  if (line != header) {
-    throw Error(Exit::bad_input, table.string() + ", line 1: is not '" + header + "'");
-  }
+  const std::vector<text::CsvLine> lines = text::read_csv(table);
+  if (lines.front().fields != header)
+    lines.front().refuse("is not the header of a table of bearings");
   std::vector<Row> rows;
-  for (std::size_t number = 2; std::getline(in, line); ++number) {
-    const std::string place = table.string() + ", line " + std::to_string(number);
-    const std::vector<std::string> fields = fields_of(line);
-    if (fields.size() != 10) {
-      throw Error(Exit::bad_input, place + ": has " + std::to_string(fields.size()) +
-                                       " fields, not 10; a source has no commas");
-    }
-    const std::span rest(fields);
-    Row row{.designation = fields.front(), .keys = {}};
-    add_keys(geometry_keys, rest.subspan(1, 4), place, row.keys);
-    if (row.keys.empty()) add_keys(order_keys, rest.subspan(5, 4), place, row.keys);
+  for (const text::CsvLine& line : std::span(lines).subspan(1)) {
+    Row row{.designation = line.fields.front(), .keys = keys_of(line, geometry_keys, 1)};
+    if (row.keys.empty()) row.keys = keys_of(line, order_keys, 1 + geometry_keys.size());
     rows.push_back(std::move(row));
   }
   return rows;

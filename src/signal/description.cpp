@@ -74,8 +74,14 @@ Defect described_defect(TomlTable& table) {
   }
 }
 
-constexpr const char* no_dimensions =
-    "needs a bearing with dimensions, and [bearing] gives its orders alone: leave it out";
+/// A size means something in a bearing with dimensions alone. `table` is a class or a record.
+void refuse_size_without_dimensions(const TomlTable& root, const TomlTable& table) {
+  const bool has_dimensions = !root.plain()["bearing"]["bpfo"];
+  if (has_dimensions || !table.has("defect_size_mm")) return;
+  table.refuse(
+      "defect_size_mm",
+      "needs a bearing with dimensions, and [bearing] gives its orders alone: leave it out");
+}
 
 /// Reads that of a class, or of a record of such a class.
 std::optional<double> read_size(TomlTable& table, Defect defect) {
@@ -282,10 +288,7 @@ void require_possible(const DatasetInfo& info, const TomlTable& root,
                   "is missing: it decides the rhythm of class " + c.name +
                       "; a fault that is in no raceway and no ball has defect = \"other\"");
     }
-    const bool has_dimensions = !root.plain()["bearing"]["bpfo"];
-    if (!has_dimensions && classes[i].has("defect_size_mm")) {
-      classes[i].refuse("defect_size_mm", no_dimensions);
-    }
+    refuse_size_without_dimensions(root, classes[i]);
     const bool is_of_unknown_size =
         is_struck && c.defect_size_mm == 0 && !classes[i].has("defect_size_mm");
     if (!is_of_unknown_size) require_possible_defect(info, c, c.defect_size_mm, classes[i]);
@@ -340,9 +343,7 @@ Description read_description(const fs::path& file) {
   for (const TomlTable& table : classes) table.finish();
   for (TomlTable& table : root.tables("record")) {
     description.records.push_back(described_record(table, description.info));
-    const bool has_dimensions = !root.plain()["bearing"]["bpfo"];
-    if (!has_dimensions && table.has("defect_size_mm"))
-      table.refuse("defect_size_mm", no_dimensions);
+    refuse_size_without_dimensions(root, table);
   }
   const auto rate = root.optional_number("sample_rate_hz", ranges::sample_rate_hz);
   require_described_records(file, description);

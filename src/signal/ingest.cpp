@@ -62,6 +62,12 @@ void scale(std::span<double> samples, const RecordSource& source, double unit_m_
   for (double& sample : samples) sample = (sample - source.offset) * factor;
 }
 
+std::size_t samples_in(const std::vector<raw::Signal>& signals) {
+  std::size_t count = 0;
+  for (const raw::Signal& signal : signals) count += signal.samples.size();
+  return count;
+}
+
 }  // namespace
 
 RecordReader::RecordReader(const Description& description, fs::path data_dir)
@@ -96,10 +102,11 @@ RawRecord RecordReader::read_raw(const RecordSource& source) {
   (void)raw::limits_of(paths);  // which refuses what is too large, before all of that is hashed
   for (SourceFile& file : raw.files) file.sha256 = sha256_of_file(data_dir_ / file.name);
   require_expected_sha256(all, source, raw.files);
-  const std::vector<raw::Signal> signals =
-      raw::read_all(paths, source.variable, source.sample_rate_hz);
+  std::vector<raw::Signal> signals = raw::read_all(paths, source.variable, source.sample_rate_hz);
+  raw.samples.reserve(samples_in(signals));
   for (std::size_t i = 0; i < paths.size(); ++i) {
-    const std::vector<double>& samples = signals[i].samples;
+    // Each file's samples are freed here, since a record may be as large as the memory allows.
+    const std::vector<double> samples = std::move(signals[i].samples);
     require_finite(paths[i], source, samples);
     raw.pieces.push_back(samples.size());
     raw.columns.push_back(signals[i].columns);
@@ -133,6 +140,7 @@ Record RecordReader::resampled(const RecordSource& source, const RawRecord& raw)
                 .defect_size_mm = source.defect_size_mm,
                 .pieces = {},
                 .files = raw.files};
+  record.signal.reserve(static_cast<std::size_t>(samples) + raw.pieces.size());
   std::span<const double> rest = raw.samples;
   for (const std::size_t length : raw.pieces) {
     std::vector<double> piece =

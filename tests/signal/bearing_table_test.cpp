@@ -72,7 +72,7 @@ TEST(BearingTable, IsRefusedWhereItIsDamaged) {
     return bearing_called("6205", folder.write("bearings.csv", text));
   };
   EXPECT_ERROR(with("designation,balls\n6205,9\n"), Exit::bad_input,
-               "bearings.csv, line 1: is not ");
+               "bearings.csv, line 1: is not the header");
   EXPECT_ERROR(with(table_head + "6205,9,7.94,39,0,,,,,a page, b\n"), Exit::bad_input,
                "bearings.csv, line 2: has 11 fields");
   EXPECT_ERROR(with(table_head + "6205,nine,7.94,39,0,,,,,a page\n"), Exit::bad_input,
