@@ -70,7 +70,7 @@ bool holds_words(const Words& row, const std::string& asked) {
 }
 
 /// Gives the numbers of those keys that a row has, from field `first` on.
-Keys keys_of(const text::CsvLine& line, std::span<const char* const> names, std::size_t first) {
+Keys numbers_at(const text::CsvLine& line, std::span<const char* const> names, std::size_t first) {
   Keys keys;
   for (std::size_t i = 0; i < names.size(); ++i) {
     const std::string& field = line.fields[first + i];
@@ -94,8 +94,8 @@ std::vector<Row> rows_of(const fs::path& table) {
     lines.front().refuse("is not the header of a table of bearings");
   std::vector<Row> rows;
   for (const text::CsvLine& line : std::span(lines).subspan(1)) {
-    Row row{.designation = line.fields.front(), .keys = keys_of(line, geometry_keys, 1)};
-    if (row.keys.empty()) row.keys = keys_of(line, order_keys, 1 + geometry_keys.size());
+    Row row{.designation = line.fields.front(), .keys = numbers_at(line, geometry_keys, 1)};
+    if (row.keys.empty()) row.keys = numbers_at(line, order_keys, 1 + geometry_keys.size());
     rows.push_back(std::move(row));
   }
   return rows;

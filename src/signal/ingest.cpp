@@ -62,7 +62,7 @@ void scale(std::span<double> samples, const RecordSource& source, double unit_m_
   for (double& sample : samples) sample = (sample - source.offset) * factor;
 }
 
-std::size_t samples_in(const std::vector<raw::Signal>& signals) {
+std::size_t total_samples(const std::vector<raw::Signal>& signals) {
   std::size_t count = 0;
   for (const raw::Signal& signal : signals) count += signal.samples.size();
   return count;
@@ -103,7 +103,7 @@ RawRecord RecordReader::read_raw(const RecordSource& source) {
   for (SourceFile& file : raw.files) file.sha256 = sha256_of_file(data_dir_ / file.name);
   require_expected_sha256(all, source, raw.files);
   std::vector<raw::Signal> signals = raw::read_all(paths, source.variable, source.sample_rate_hz);
-  raw.samples.reserve(samples_in(signals));
+  raw.samples.reserve(total_samples(signals));
   for (std::size_t i = 0; i < paths.size(); ++i) {
     // Each file's samples are freed here, since a record may be as large as the memory allows.
     const std::vector<double> samples = std::move(signals[i].samples);
