@@ -1,8 +1,5 @@
 // Applies a kept classifier to recordings.
 
-#include <spdlog/fmt/fmt.h>
-
-#include <algorithm>
 #include <iostream>
 #include <vector>
 
@@ -38,73 +35,8 @@ void require_one_source(const Sources& sources) {
   const bool complete = sources.lone.sample_rate_hz > 0 && sources.lone.shaft_speed_rpm > 0 &&
                         !sources.lone.variable.empty();
   if (!sources.lone.file.empty() && !complete) {
-    throw Error(Exit::usage,
-                "--recording needs --variable, --sample-rate-hz and --speed-rpm beside it");
+    throw Error(Exit::usage, "--recording needs --variable, --sample-rate-hz and --speed-rpm");
   }
-}
-
-/// The names of records must be those of the description.
-void require_described(const Sources& sources, const signal::Description& description) {
-  for (const std::string& name : sources.records) {
-    if (std::ranges::find(description.records, name, &signal::RecordSource::name) !=
-        description.records.end()) {
-      continue;
-    }
-    std::string there;
-    for (const auto& record : description.records) there += " " + record.name;
-    throw Error(Exit::usage, fmt::format("--record: {} has no record '{}'; there are{}",
-                                         sources.description.string(), name, there));
-  }
-}
-
-std::vector<classification::Recording> read_described(cli::Stage& stage, const Sources& sources,
-                                                      const signal::DatasetInfo& trained) {
-  const signal::Description description = signal::read_description(sources.description);
-  require_described(sources, description);
-  signal::RecordReader reader(description, sources.data_dir);
-  std::vector<classification::Recording> recordings;
-  for (const signal::RecordSource& source : description.records) {
-    const bool asked = sources.records.empty() ||
-                       std::ranges::find(sources.records, source.name) != sources.records.end();
-    if (!asked) continue;
-    const signal::Record record = reader.read(source);
-    for (const signal::SourceFile& file : record.files) {
-      stage.note_read(sources.data_dir / file.name);
-      stage.note_input("recording", file.name, file.sha256);
-    }
-    recordings.push_back(classification::recording_of(record, description.info, trained));
-  }
-  return recordings;
-}
-
-/// What the classifier is, and how far it may be believed.
-std::string said_of(const diagnosis::KeptClassifier& kept, const diagnosis::Trust& trust) {
-  const diagnosis::ClassifierOrigin& origin = kept.origin();
-  return fmt::format(
-      "by {} of {}, trained on {} windows ({} {}, seed {})\n"
-      "of windows that it was not trained on it named {:.1f} % rightly;\nthe probabilities {}\n{}",
-      kept.classifier().name, kept.info().name, origin.training_windows, origin.method,
-      origin.ratio, origin.seed, 100 * trust.accuracy,
-      kept.calibration().windows > 0
-          ? fmt::format("were off by {:.1f} points in the mean", 100 * trust.calibration_error)
-          : "are uncalibrated: no known windows could be left out to find a temperature",
-      kept.strangeness() ? ""
-                         : "it cannot tell what is unknown: no fault was known as it is tested\n");
-}
-
-/// What --output, --csv and --picture name must be no input, and not be the same.
-void require_outputs(const cli::Stage& stage, std::vector<fs::path> paths) {
-  std::erase(paths, fs::path());
-  for (fs::path& path : paths) {
-    stage.require_no_input(path);
-    path = fs::absolute(path).lexically_normal();
-  }
-  std::ranges::sort(paths);
-  const auto twice = std::ranges::adjacent_find(paths);
-  if (twice == paths.end()) return;
-  throw Error(Exit::usage, fmt::format("{}: is named by two of --output, --csv and --picture; "
-                                       "choose another name for one",
-                                       twice->string()));
 }
 
 }  // namespace
@@ -168,9 +100,14 @@ int main(int argc, char** argv) {
       recordings.push_back(classification::read_lone_file(sources.lone, info));
     } else {
       stage.note_input("description", sources.description);
-      recordings = read_described(stage, sources, info);
+      recordings = classification::read_described(
+          sources.description, sources.data_dir, sources.records, info,
+          [&](const signal::SourceFile& recording) {
+            stage.note_read(sources.data_dir / recording.name);
+            stage.note_input("recording", recording.name, recording.sha256);
+          });
     }
-    require_outputs(stage, {output, csv, picture});
+    stage.require_free({output, csv, picture});
     std::vector<classification::Verdict> verdicts;
     cli::Progress progress("classify", "recordings", recordings.size());
     for (classification::Recording& recording : recordings) {
@@ -190,6 +127,6 @@ int main(int argc, char** argv) {
       classification::write(writer, verdicts, kept, reader.digest());
       stage.save(writer, output);
     }
-    std::cout << classification::table_of(verdicts, info) << said_of(kept, trust);
+    std::cout << classification::table_of(verdicts, info) << classification::origin_of(kept, trust);
   });
 }

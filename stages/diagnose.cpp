@@ -8,14 +8,10 @@
 #include "cli/progress.hpp"
 #include "cli/run_options.hpp"
 #include "cli/stage.hpp"
-#include "diagnosis/inputs.hpp"
-#include "diagnosis/keep.hpp"
-#include "diagnosis/learn.hpp"
+#include "diagnosis/catalogue.hpp"
+#include "diagnosis/diagnosis.hpp"
 #include "diagnosis/one_core_backend.hpp"
-#include "diagnosis/training_set.hpp"
 #include "diagnosis/trust.hpp"
-#include "scoring/diagnosis_record.hpp"
-#include "scoring/ratios.hpp"
 #include "seam/libtorch.hpp"
 
 using namespace piae;
@@ -23,106 +19,10 @@ namespace fs = std::filesystem;
 
 namespace {
 
-scoring::DiagnosisRecord make_record(const diagnosis::Inputs& inputs, const std::string& classifier,
-                                     const scoring::Ratio& ratio, std::int64_t seed,
-                                     const diagnosis::Training& training,
-                                     diagnosis::WdcnnOutputs outputs, bool keep_features) {
-  scoring::DiagnosisRecord record;
-  record.info = inputs.test.info;
-  record.method = inputs.method;
-  record.classifier = classifier;
-  record.ratio = ratio.name;
-  record.generated_per_class = ratio.generated_per_class;
-  const auto fault_classes = static_cast<std::int64_t>(record.info.classes.size()) - 1;
-  record.true_ratio = scoring::true_ratio(
-      static_cast<std::int64_t>(inputs.normal.size()),
-      static_cast<std::int64_t>(inputs.known.size()) / fault_classes, ratio.generated_per_class);
-  record.any_known = inputs.known.size() > 0;
-  record.seed = seed;
-  record.protocol = inputs.protocol;
-  record.labels = inputs.test.labels;
-  record.predictions = diagnosis::most_likely(outputs.scores, record.info.classes.size());
-  record.scores = std::move(outputs.scores);
-  record.loss = training.loss;
-  record.train_accuracy = training.train_accuracy;
-  if (keep_features) {
-    record.features = {.hidden = std::move(outputs.hidden), .output = std::move(outputs.logits)};
-  }
-  return record;
-}
-
-/// What a classifier made of how many windows.
-std::string basis_of(const diagnosis::Classifier& classifier, const diagnosis::Inputs& inputs,
-                     std::size_t training_windows) {
-  if (classifier.rule) return fmt::format("against {} healthy ones", inputs.normal.size());
-  return fmt::format("{} {}", classifier.trains() ? "after training on" : "by the nearest of",
-                     training_windows);
-}
-
-/// What was done, and how well: the last line of the stage.
-std::string said_of(const scoring::DiagnosisRecord& record, const std::string& basis,
-                    std::optional<double> rate) {
-  const std::string by =
-      record.classifier == scoring::paper_classifier ? "" : fmt::format(", {}", record.classifier);
-  return fmt::format("diagnosed {} windows {} ({} {}{}, seed {}): accuracy {:.2f} %{}",
-                     record.labels.size(), basis, record.method, record.ratio, by, record.seed,
-                     100 * record.accuracy(),
-                     rate ? fmt::format(", {:.0f} windows/s in training", *rate) : "");
-}
-
 diagnosis::MakeWdcnnBackend choose_backend(const Compute& compute, char** argv) {
   if (!needs_libtorch(compute)) return diagnosis::make_one_core_backend;
   seam::continue_with_libtorch(argv);
   return seam::back_ends()->wdcnn(compute.device);
-}
-
-/// Shows how far the epochs of several trainings are, one after the other.
-class Epochs {
- public:
-  explicit Epochs(std::int64_t in_all)
-      : progress_("diagnose", "epochs", static_cast<std::size_t>(in_all)) {}
-
-  diagnosis::EpochDone counter() {
-    return [this](std::int64_t /*done*/, double loss) {
-      progress_.update(++done_, fmt::format("loss {:.3g}", loss));
-    };
-  }
-
- private:
-  cli::Progress progress_;
-  std::size_t done_ = 0;
-};
-
-/// What is wrong with options that do not go with a classifier.
-void require_fitting_options(const diagnosis::Classifier& classifier, bool keep_features,
-                             const fs::path& generated_file) {
-  if (keep_features && !classifier.trains()) {
-    throw Error(Exit::usage, fmt::format("--keep-features: {} has no layers; leave it out, or "
-                                         "choose another --classifier",
-                                         classifier.name));
-  }
-  if (classifier.rule && !generated_file.empty()) {
-    throw Error(Exit::usage, fmt::format("--generated: {} is a rule, which learns from healthy "
-                                         "windows alone; leave the option out, and choose "
-                                         "--ratio {}",
-                                         classifier.name, scoring::all_ratios().front().name));
-  }
-}
-
-/// Writes the classifier, and what its answers on the test windows are worth.
-void save_classifier(const cli::Stage& stage, diagnosis::KeptClassifier& kept,
-                     const signal::WindowSet& test, const fs::path& file) {
-  const diagnosis::Trust trust = diagnosis::trust_in(kept, test);
-  artefact::Writer writer("classifier");
-  kept.write(writer);
-  diagnosis::write(writer, trust);
-  stage.save(writer, file);
-  std::cout << fmt::format(
-      "kept {} with temperature {:.2f} by {} windows left out: calibration error {:.1f} % of the "
-      "test windows, {:.1f} % of them called unknown: {} ({:.1f} MB)\n",
-      kept.classifier().name, kept.calibration().temperature, kept.calibration().windows,
-      100 * trust.calibration_error, 100 * trust.called_unknown, file.string(),
-      static_cast<double>(fs::file_size(file)) / 1e6);
 }
 
 }  // namespace
@@ -182,13 +82,12 @@ int main(int argc, char** argv) {
 
   return stage.run(argc, argv, [&] {
     const diagnosis::Classifier& classifier = diagnosis::the_classifier(classifier_name);
-    require_fitting_options(classifier, keep_features, generated_file);
     if (output.empty() && classifier_file.empty()) {
       throw Error(Exit::usage, "--output is required, or --keep-classifier");
     }
+    const scoring::Ratio& ratio = scoring::find_ratio(ratio_name);
     const diagnosis::MakeWdcnnBackend make_backend =
         classifier.represent != nullptr ? choose_backend(run.compute, argv) : nullptr;
-    const scoring::Ratio& ratio = scoring::find_ratio(ratio_name);
     std::optional<artefact::Reader> generated;
     const artefact::Reader test = stage.open("test", test_file, "windows");
     const artefact::Reader normal = stage.open("normal", normal_file, "windows");
@@ -196,57 +95,40 @@ int main(int argc, char** argv) {
     if (!generated_file.empty()) {
       generated.emplace(stage.open("generated", generated_file, "windows"));
     }
-    const diagnosis::Inputs inputs =
-        diagnosis::read_inputs(test, normal, known, generated ? &*generated : nullptr);
-    const signal::WindowSet training = diagnosis::compose_training_set(
-        inputs.normal, inputs.known, inputs.generated ? &*inputs.generated : nullptr,
-        ratio.generated_per_class);
-    diagnosis::require_faults(training, classifier, known_file.string());
-    diagnosis::require_fitting_test_set(inputs.test, training);
-
-    const Stream stream(
-        fmt::format("{}/seed{}/diagnose/{}", training.info.name, run.seed, ratio.name));
-    const diagnosis::Lessons lessons{.normal = inputs.normal,
-                                     .known = inputs.known,
-                                     .generated = inputs.generated ? &*inputs.generated : nullptr,
-                                     .generated_per_class = ratio.generated_per_class};
-    const std::int64_t epochs = diagnosis::epochs_of(classifier, options);
-    Epochs shown(epochs * (classifier_file.empty()
-                               ? 1
-                               : 1 + diagnosis::trainings_to_keep(training, lessons)));
-    diagnosis::Learned learned = diagnosis::learn(classifier, inputs.normal, training, options,
-                                                  stream, make_backend, shown.counter());
-
+    diagnosis::Diagnosis diagnosis(
+        {.classifier = classifier,
+         .ratio = ratio,
+         .seed = run.seed,
+         .options = options,
+         .make_backend = make_backend,
+         .keep_features = keep_features},
+        diagnosis::read_inputs(test, normal, known, generated ? &*generated : nullptr),
+        known_file.string());
+    cli::Progress progress("diagnose", "epochs", diagnosis.epochs(!classifier_file.empty()));
+    std::size_t done = 0;
+    const auto epoch_done = [&](std::int64_t /*of_one*/, double loss) {
+      progress.update(++done, fmt::format("loss {:.3g}", loss));
+    };
+    diagnosis.learn(epoch_done);
     if (!output.empty()) {
-      scoring::DiagnosisRecord record =
-          make_record(inputs, classifier_name, ratio, run.seed, learned.training,
-                      learned.trained->outputs(inputs.test, "--test"), keep_features);
-      std::optional<double> rate;
-      if (classifier.trains()) {
-        rate = static_cast<double>(epochs) * static_cast<double>(training.size()) /
-               learned.training.seconds;
-      }
-      if (!reproducible) record.train_windows_per_second = rate;
+      scoring::DiagnosisRecord record = diagnosis.record();
+      const std::string summary = diagnosis.summary_of(record);
+      if (reproducible) record.train_windows_per_second.reset();
       artefact::Writer writer("diagnosis");
       scoring::write(writer, record);
       stage.save(writer, output);
-      std::cout << fmt::format("{}: {}\n",
-                               said_of(record, basis_of(classifier, inputs, training.size()), rate),
-                               output.string());
+      std::cout << summary << ": " << output.string() << '\n';
     }
     if (!classifier_file.empty()) {
-      diagnosis::KeptClassifier kept =
-          diagnosis::keep(classifier, std::move(learned.trained), training, lessons,
-                          {.options = options,
-                           .stream = stream,
-                           .make_backend = make_backend,
-                           .epoch_done = shown.counter()},
-                          {.method = inputs.method,
-                           .ratio = ratio.name,
-                           .generated_per_class = ratio.generated_per_class,
-                           .seed = run.seed,
-                           .protocol = inputs.protocol});
-      save_classifier(stage, kept, inputs.test, classifier_file);
+      diagnosis::KeptClassifier kept = diagnosis.keep(epoch_done);
+      const diagnosis::Trust trust = diagnosis::trust_in(kept, diagnosis.inputs().test);
+      artefact::Writer writer("classifier");
+      kept.write(writer);
+      diagnosis::write(writer, trust);
+      stage.save(writer, classifier_file);
+      std::cout << "kept " << diagnosis::summary_of(kept, trust) << ": " << classifier_file.string()
+                << fmt::format(" ({:.1f} MB)\n",
+                               static_cast<double>(fs::file_size(classifier_file)) / 1e6);
     }
   });
 }

@@ -1,3 +1,5 @@
+// Reads raw recordings, checks them, and writes them as one artefact.
+
 #include "signal/ingest.hpp"
 
 #include <spdlog/fmt/fmt.h>
@@ -5,8 +7,6 @@
 #include <iostream>
 #include <set>
 
-#include "base/error.hpp"
-#include "base/one_line.hpp"
 #include "cli/progress.hpp"
 #include "cli/stage.hpp"
 #include "inspection/check.hpp"
@@ -14,7 +14,6 @@
 #include "inspection/tables.hpp"
 #include "inspection/warnings.hpp"
 #include "signal/described_split.hpp"
-#include "signal/description_file.hpp"
 #include "signal/record_files.hpp"
 #include "text/file.hpp"
 
@@ -23,43 +22,9 @@ using namespace piae;
 
 namespace {
 
-/// Prints the files that are there, and what each record names beyond them. Prints nothing of a
-/// data set that is simulated: there is nothing to fetch.
-void print_sources(const fs::path& file, const fs::path& folder) {
-  if (signal::read_description_file(file).contains("simulation")) return;
-  const auto or_dash = [](const std::string& text) { return text.empty() ? "-" : text; };
-  for (const signal::RecordSource& source : signal::read_description(file).records) {
-    std::vector<std::string> names = signal::files_of(source.files, folder);
-    if (names.empty()) names = source.files;
-    const std::string sha256 = names.size() == 1 ? source.sha256 : "";
-    for (const std::string& name : names) {
-      std::cout << or_dash(sha256) << "  " << name << "  " << or_dash(source.url) << '\n';
-    }
-  }
-}
-
 signal::Recordings read_raw_files(const signal::Description& description, const fs::path& folder) {
   cli::Progress progress("ingest", "records", description.records.size());
   return signal::ingest(description, folder, [&](std::size_t done) { progress.update(done); });
-}
-
-void print_problems(const inspection::DatasetCheck& check) {
-  for (const auto& record : check.records) {
-    if (!record.problem.empty()) std::cout << one_line(record.problem) << '\n';
-  }
-  for (const auto& c : check.classes) {
-    if (!c.problem.empty()) std::cout << one_line(c.problem) << '\n';
-  }
-}
-
-/// Refuses settings of the stage split that leave no window for a role, before all is read.
-void require_sensible_split(const fs::path& file, const signal::Description& description) {
-  try {
-    require_sensible(split_options_of(description));
-  } catch (const Error& error) {
-    throw Error(Exit::bad_input,
-                file.string() + ": " + error.what() + "; set those in its [split]");
-  }
 }
 
 /// Prints what was found as tables, and then each warning and each problem in a line of its own.
@@ -73,7 +38,7 @@ void check_files(const signal::Description& description, const fs::path& folder,
   const std::vector<std::string> warnings = inspection::warnings_of(description, check);
   std::cout << inspection::tables_of(description, check) << '\n';
   for (const std::string& warning : warnings) std::cout << "warning: " << warning << '\n';
-  print_problems(check);
+  for (const std::string& problem : inspection::problems_of(check)) std::cout << problem << '\n';
   if (!picture.empty()) text::save_all({{picture, inspection::picture_of(info, check)}});
   if (check.exit != Exit::done) {
     throw Error(check.exit, "dataset " + info.name + " cannot be used as it is, see above");
@@ -110,7 +75,10 @@ int main(int argc, char** argv) {
       .required(false);
 
   return stage.run(argc, argv, [&] {
-    if (sources) return print_sources(file, data_dir);
+    if (sources) {
+      std::cout << signal::list_of_sources(file, data_dir);
+      return;
+    }
     const signal::Description description = signal::read_description(file);
     stage.note_read(file);
     for (const signal::RecordSource& source : description.records) {
@@ -120,7 +88,7 @@ int main(int argc, char** argv) {
     }
     stage.require_no_input(check ? picture : output);
     if (check) {
-      require_sensible_split(file, description);
+      signal::require_sensible_split(description, file);
       return check_files(description, data_dir, picture);
     }
     if (!picture.empty()) throw Error(Exit::usage, "--picture needs --check (see ingest --help)");
@@ -138,9 +106,8 @@ int main(int argc, char** argv) {
     artefact::Writer writer("records");
     write(writer, recordings);
     stage.save(writer, output);
-    std::size_t samples = 0;
-    for (const signal::Record& record : recordings.records) samples += record.signal.size();
     std::cout << fmt::format("ingest: {} records, {} samples at {:g} Hz\n",
-                             recordings.records.size(), samples, recordings.info.sample_rate_hz);
+                             recordings.records.size(), recordings.samples(),
+                             recordings.info.sample_rate_hz);
   });
 }

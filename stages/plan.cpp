@@ -1,8 +1,5 @@
 // Prints which steps of a run are to be done, and why: for make, for other programs, for people.
 
-#include <spdlog/fmt/fmt.h>
-
-#include <algorithm>
 #include <iostream>
 
 #include "base/error.hpp"
@@ -13,8 +10,6 @@
 #include "plan/goals.hpp"
 #include "plan/planned.hpp"
 #include "plan/printed.hpp"
-#include "plan/settings_files.hpp"
-#include "readings/ranking.hpp"
 
 using namespace piae;
 namespace fs = std::filesystem;
@@ -31,17 +26,6 @@ struct JobOptions {
   std::size_t cores = 4;
   double minutes = 15;
 };
-
-/// The readings of all data sets that could be compared, where that is the goal.
-std::string ranked_readings(const plan::Plan& plan) {
-  std::vector<fs::path> tables;
-  if (!plan.choice().has_goal("readings")) return {};
-  for (const plan::Part& part : plan.choice().parts) {
-    const auto table = fs::path(plan.choice().folder()) / part.dataset.name / "readings.csv";
-    if (fs::exists(table)) tables.push_back(table);
-  }
-  return readings::ranking(tables);
-}
 
 std::string printed(plan::Plan& plan, Format format, const JobOptions& jobs) {
   const auto costs = [] { return plan::Costs::read("jobs/costs.csv"); };
@@ -73,26 +57,6 @@ std::string printed_of_all(plan::Planned& planned, Format format) {
     text += printed(planned.plan(), format, {});
   }
   return text;
-}
-
-/// Gives the makefile of the first stretch, from the one asked for on, in which something is to be
-/// done, and above it a line with its name and that of the stretch behind it: "# numbers pictures".
-/// Where nothing is to be done, gives "# shown" and the tables that the goals end with. Files that
-/// are asked for alone belong to one stretch. Unless the plan only looks, the settings that its
-/// steps read are written.
-std::string next_makefile(plan::Planned& planned, const plan::PlanOptions& options, bool quietly) {
-  for (const auto* stretch = std::ranges::find(plan::stretches, options.stretch);
-       *stretch != plan::Stretch::shown; ++stretch) {
-    if (!has_steps_in(*stretch, planned.plan().choice())) continue;
-    planned.go_to(*stretch);
-    if (!options.looks) write_settings(planned.plan());
-    const std::string steps = makefile_of(planned.plan(), quietly);
-    if (steps.empty() && !options.only.empty()) return {};
-    if (steps.empty()) continue;
-    return fmt::format("# {} {}\n{}", to_string(*stretch), to_string(stretch[1]), steps);
-  }
-  planned.go_to(plan::Stretch::grid);
-  return "# shown\n" + shown_of(planned.plan()) + ranked_readings(planned.plan());
 }
 
 }  // namespace
@@ -158,7 +122,7 @@ int main(int argc, char** argv) {
       plan::require_one_that([](const plan::Goal& goal) { return goal.is_submitted; },
                              request.goals);
     }
-    std::cout << (format == Format::make ? next_makefile(planned, options, quietly)
+    std::cout << (format == Format::make ? next_makefile(planned, quietly)
                                          : printed(planned.plan(), format, jobs));
     planned.save();
   });

@@ -15,22 +15,6 @@
 using namespace piae;
 namespace fs = std::filesystem;
 
-namespace {
-
-/// Reads other windows than the known ones. Requires them to come from the same split, which is
-/// proved by where each window was cut.
-signal::WindowSet read_beside(const artefact::Reader& other, signal::Role role,
-                              const artefact::Reader& known) {
-  signal::require_role(other, role);
-  const std::vector<signal::RoleSet> roles{signal::read_role_set(known),
-                                           signal::read_role_set(other)};
-  signal::require_one_split(roles);
-  signal::require_belonging(other, role, roles.back().windows);
-  return roles.back().windows;
-}
-
-}  // namespace
-
 int main(int argc, char** argv) {
   cli::Stage stage(
       "train",
@@ -90,11 +74,12 @@ int main(int argc, char** argv) {
                                       known_file.string());
     augment::require_known_windows(*augment::find_entry(name), windows, known_file.string());
     if (method->learns_from() == augment::LearnsFrom::real) {
-      windows = read_beside(stage.open("real", real_file, "windows"), signal::Role::hidden, reader);
+      windows = signal::read_of_one_split(stage.open("real", real_file, "windows"),
+                                          signal::Role::hidden, reader);
     }
     if (!healthy_file.empty()) {
-      method->hear(read_beside(stage.open("healthy", healthy_file, "windows"),
-                               signal::Role::healthy, reader));
+      method->hear(signal::read_of_one_split(stage.open("healthy", healthy_file, "windows"),
+                                             signal::Role::healthy, reader));
     }
     const Stream stream(fmt::format("{}/seed{}/train/{}", windows.info.name, run.seed, name));
 

@@ -10,6 +10,7 @@
 #include "diagnosis/fitting_signal.hpp"
 #include "raw/file.hpp"
 #include "signal/amplitude.hpp"
+#include "signal/ingest.hpp"
 #include "signal/resample.hpp"
 
 namespace piae::classification {
@@ -24,6 +25,20 @@ void require_finite_samples(const std::vector<double>& samples, const std::strin
               fmt::format("{}: sample {} (counted from 0) is NaN, infinite or beyond 32 bits; cut "
                           "the recording before it",
                           what, odd - samples.begin()));
+}
+
+void require_records(const signal::Description& description, const std::vector<std::string>& names,
+                     const std::string& file) {
+  for (const std::string& name : names) {
+    if (std::ranges::find(description.records, name, &signal::RecordSource::name) !=
+        description.records.end()) {
+      continue;
+    }
+    std::string there;
+    for (const auto& record : description.records) there += " " + record.name;
+    throw Error(Exit::usage,
+                fmt::format("--record: {} has no record '{}'; there are{}", file, name, there));
+  }
 }
 
 }  // namespace
@@ -48,6 +63,24 @@ Recording recording_of(const signal::Record& record, const signal::DatasetInfo& 
       .shaft_speed_rpm = record.shaft_speed_rpm,
       .said = described.class_of(record.label).name,
       .signal = signal::resample(record.signal, described.sample_rate_hz, trained.sample_rate_hz)};
+}
+
+std::vector<Recording> read_described(const std::filesystem::path& file,
+                                      const std::filesystem::path& data_dir,
+                                      const std::vector<std::string>& names,
+                                      const signal::DatasetInfo& trained,
+                                      const std::function<void(const signal::SourceFile&)>& note) {
+  const signal::Description description = signal::read_description(file);
+  require_records(description, names, file.string());
+  signal::RecordReader reader(description, data_dir);
+  std::vector<Recording> recordings;
+  for (const signal::RecordSource& source : description.records) {
+    if (!names.empty() && std::ranges::find(names, source.name) == names.end()) continue;
+    const signal::Record record = reader.read(source);
+    std::ranges::for_each(record.files, note);
+    recordings.push_back(recording_of(record, description.info, trained));
+  }
+  return recordings;
 }
 
 signal::WindowSet windows_of(const Recording& recording, const signal::DatasetInfo& trained,

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -35,6 +36,15 @@ Recording read_lone_file(const LoneFile& lone, const signal::DatasetInfo& traine
 /// A record of a data set. Throws Error as diagnosis::require_fitting_signal() does.
 Recording recording_of(const signal::Record& record, const signal::DatasetInfo& described,
                        const signal::DatasetInfo& trained);
+
+/// The records of a description, those of these names, or all where none is named. Gives the files
+/// of each to `note`, to be named in provenance. Throws Error(usage) for a name that no record has,
+/// and as signal::RecordReader and recording_of() do.
+std::vector<Recording> read_described(const std::filesystem::path& description,
+                                      const std::filesystem::path& data_dir,
+                                      const std::vector<std::string>& names,
+                                      const signal::DatasetInfo& trained,
+                                      const std::function<void(const signal::SourceFile&)>& note);
 
 /// The windows of a recording, `step` samples from the start of one to that of the next. Throws
 /// Error(bad_input) for a recording shorter than a window, and for a stretch in which nothing

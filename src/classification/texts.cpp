@@ -104,6 +104,20 @@ std::string table_of(const std::vector<Verdict>& verdicts, const DatasetInfo& in
   return table;
 }
 
+std::string origin_of(const diagnosis::KeptClassifier& kept, const diagnosis::Trust& trust) {
+  const diagnosis::ClassifierOrigin& origin = kept.origin();
+  return fmt::format(
+      "by {} of {}, trained on {} windows ({} {}, seed {})\n"
+      "of windows that it was not trained on it named {:.1f} % rightly;\nthe probabilities {}\n{}",
+      kept.classifier().name, kept.info().name, origin.training_windows, origin.method,
+      origin.ratio, origin.seed, 100 * trust.accuracy,
+      kept.calibration().windows > 0
+          ? fmt::format("were off by {:.1f} points in the mean", 100 * trust.calibration_error)
+          : "are uncalibrated: no known windows could be left out to find a temperature",
+      kept.strangeness() ? ""
+                         : "it cannot tell what is unknown: no fault was known as it is tested\n");
+}
+
 std::string csv_of(const std::vector<Verdict>& verdicts, const DatasetInfo& info) {
   std::vector<std::string> header{"recording",   "start_s",     "class",
                                   "probability", "strangeness", "unknown"};

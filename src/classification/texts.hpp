@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "classification/verdict.hpp"
+#include "diagnosis/trust.hpp"
 
 namespace piae::classification {
 
@@ -13,6 +14,9 @@ namespace piae::classification {
 /// description says what a recording is, that stands beside. Of names that are too long for the
 /// width their ends are shown.
 std::string table_of(const std::vector<Verdict>& verdicts, const signal::DatasetInfo& info);
+
+/// The classifier, what it was trained on, and how far it may be believed: four lines.
+std::string origin_of(const diagnosis::KeptClassifier& kept, const diagnosis::Trust& trust);
 
 /// A line for each window: recording, start_s, class, probability, strangeness, unknown (0 or 1),
 /// and the probability of every class.

@@ -226,6 +226,19 @@ void Stage::require_no_input(const std::filesystem::path& path) const {
   }
 }
 
+void Stage::require_free(std::vector<std::filesystem::path> outputs) const {
+  std::erase(outputs, std::filesystem::path());
+  for (std::filesystem::path& path : outputs) {
+    require_no_input(path);
+    path = std::filesystem::absolute(path).lexically_normal();
+  }
+  std::ranges::sort(outputs);
+  const auto twice = std::ranges::adjacent_find(outputs);
+  if (twice == outputs.end()) return;
+  throw Error(Exit::usage,
+              twice->string() + ": is named by two options; choose another name for one");
+}
+
 void Stage::save(artefact::Writer& writer, const std::filesystem::path& path) const {
   require_no_input(path);
   const artefact::Written written = writer.save(path, provenance());

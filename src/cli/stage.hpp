@@ -80,6 +80,10 @@ class Stage {
   /// Throws Error(usage) where the path is that of an input, which an output must not replace.
   void require_no_input(const std::filesystem::path& path) const;
 
+  /// The same of several outputs, of which those that are not wanted are empty paths; Error(usage)
+  /// also where two of them are one file.
+  void require_free(std::vector<std::filesystem::path> outputs) const;
+
   /// Writes an artefact with its provenance, to a path for which require_no_input() holds. As a
   /// step of a run (pipeline/step.sh) it adds a line to the run's journal.
   void save(artefact::Writer& writer, const std::filesystem::path& path) const;

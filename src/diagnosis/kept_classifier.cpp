@@ -121,7 +121,7 @@ void KeptClassifier::write(artefact::Writer& writer) const {
   if (strangeness_) strangeness_->write(writer, reference);
 }
 
-WdcnnOutputs KeptClassifier::uncalibrated(const signal::WindowSet& windows) {
+Outputs KeptClassifier::uncalibrated(const signal::WindowSet& windows) {
   return trained_->outputs(windows, "windows to classify");
 }
 

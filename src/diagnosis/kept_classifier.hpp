@@ -63,7 +63,7 @@ class KeptClassifier {
   /// Trained::outputs() does.
   Answers answer(const signal::WindowSet& windows);
   /// The same without a temperature.
-  WdcnnOutputs uncalibrated(const signal::WindowSet& windows);
+  Outputs uncalibrated(const signal::WindowSet& windows);
 
   [[nodiscard]] const signal::DatasetInfo& info() const { return info_; }
   [[nodiscard]] std::size_t length() const { return length_; }

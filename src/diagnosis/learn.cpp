@@ -3,10 +3,41 @@
 #include <string>
 #include <utility>
 
+#include "base/range.hpp"
 #include "diagnosis/wdcnn.hpp"
+#include "diagnosis/wdcnn_evaluation.hpp"
+#include "diagnosis/wdcnn_layers.hpp"
 #include "scoring/diagnosis_record.hpp"
 
 namespace piae::diagnosis {
+
+namespace {
+
+constexpr const char* input_length = "input_length";
+constexpr Range possible_length{.low = WdcnnLayers::shortest_window, .high = 1e6};
+
+/// A trained WDCNN with what it is shown of a window.
+class WdcnnOfWindows final : public Trained {
+ public:
+  /// `length` is that of what it is shown.
+  WdcnnOfWindows(std::unique_ptr<Wdcnn> network, std::size_t length, Represent represent)
+      : network_(std::move(network)), length_(length), represent_(represent) {}
+
+  Outputs outputs(const signal::WindowSet& windows, const std::string& what) override {
+    return ask_wdcnn(*network_, length_, represent_(windows, what));
+  }
+  void write(artefact::Writer& writer) const override {
+    diagnosis::write(writer, learned, network_->weights());
+    writer.attribute(learned, input_length, static_cast<std::int64_t>(length_));
+  }
+
+ private:
+  std::unique_ptr<Wdcnn> network_;
+  std::size_t length_;
+  Represent represent_;
+};
+
+}  // namespace
 
 Learned learn(const Classifier& classifier, const signal::WindowSet& normal,
               const signal::WindowSet& training, const WdcnnOptions& options, const Stream& stream,
@@ -26,7 +57,11 @@ Learned learn(const Classifier& classifier, const signal::WindowSet& normal,
 std::unique_ptr<Trained> read_learned(const Classifier& classifier, const artefact::Reader& reader,
                                       const signal::DatasetInfo& info, std::size_t length) {
   if (classifier.read != nullptr) return classifier.read(reader, info, length);
-  return std::make_unique<WdcnnOfWindows>(reader, info, classifier.represent);
+  const std::int64_t shown = reader.integer(learned, input_length, possible_length);
+  return std::make_unique<WdcnnOfWindows>(
+      wdcnn_of(read_wdcnn_weights(reader, learned, shown,
+                                  static_cast<std::int64_t>(info.classes.size()))),
+      static_cast<std::size_t>(shown), classifier.represent);
 }
 
 std::int64_t epochs_of(const Classifier& classifier, const WdcnnOptions& options) {

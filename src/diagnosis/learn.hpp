@@ -3,7 +3,7 @@
 #include <memory>
 
 #include "diagnosis/catalogue.hpp"
-#include "diagnosis/trained.hpp"
+#include "diagnosis/classifier.hpp"
 #include "diagnosis/wdcnn_backend.hpp"
 #include "signal/window_set.hpp"
 

@@ -33,8 +33,7 @@ LeftOut ask_left_out(const WindowSet& training, const Folds& folds, const TrainF
     const WindowSet asked =
         chosen_of(training, [&](std::size_t i) { return folds.asked[i] == fold; });
     if (asked.size() == 0) continue;
-    const WdcnnOutputs outputs =
-        train(normal, kept, fold)->outputs(asked, "a window that was left out");
+    const Outputs outputs = train(normal, kept, fold)->outputs(asked, "a window that was left out");
     all.logits.insert(all.logits.end(), outputs.logits.begin(), outputs.logits.end());
     all.labels.insert(all.labels.end(), asked.labels.begin(), asked.labels.end());
   }

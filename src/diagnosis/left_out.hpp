@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "base/label.hpp"
+#include "diagnosis/classifier.hpp"
 #include "diagnosis/folds.hpp"
-#include "diagnosis/trained.hpp"
 #include "signal/window_set.hpp"
 
 namespace piae::diagnosis {

@@ -89,10 +89,10 @@ TrainedRule::TrainedRule(const signal::WindowSet& normal, Rule rule)
 TrainedRule::TrainedRule(const artefact::Reader& reader, const DatasetInfo& info, Rule rule)
     : rule_(rule), baselines_(symptoms::Baselines::read(reader, learned, info.sample_rate_hz)) {}
 
-WdcnnOutputs TrainedRule::outputs(const signal::WindowSet& windows, const std::string& what) {
+Outputs TrainedRule::outputs(const signal::WindowSet& windows, const std::string& what) {
   const std::vector<symptoms::Measures> asked = symptoms::measure(windows, what);
   const std::size_t classes = windows.info.classes.size();
-  WdcnnOutputs all;
+  Outputs all;
   all.scores.resize(windows.size() * classes);
   for (std::size_t i = 0; i < windows.size(); ++i) {
     const symptoms::Baseline& baseline = baselines_.at(windows.speed_rpm(i));

@@ -1,10 +1,11 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <vector>
 
 #include "artefact/reader.hpp"
-#include "diagnosis/trained.hpp"
+#include "diagnosis/classifier.hpp"
 #include "signal/window_set.hpp"
 #include "symptoms/baseline.hpp"
 #include "symptoms/line_heights.hpp"
@@ -46,12 +47,39 @@ class TrainedRule final : public Trained {
   TrainedRule(const artefact::Reader& reader, const signal::DatasetInfo& info, Rule rule);
 
   /// Logits are the evidence.
-  WdcnnOutputs outputs(const signal::WindowSet& windows, const std::string& what) override;
+  Outputs outputs(const signal::WindowSet& windows, const std::string& what) override;
   void write(artefact::Writer& writer) const override;
 
  private:
   Rule rule_;
   symptoms::Baselines baselines_;
 };
+
+template <Rule rule>
+Learned learn_rule(const signal::WindowSet& normal, const signal::WindowSet& /*training*/,
+                   const Stream& /*stream*/, const EpochDone& /*epoch_done*/) {
+  return {.trained = std::make_unique<TrainedRule>(normal, rule), .training = {}};
+}
+
+template <Rule rule>
+std::unique_ptr<Trained> read_rule(const artefact::Reader& reader, const signal::DatasetInfo& info,
+                                   std::size_t /*length*/) {
+  return std::make_unique<TrainedRule>(reader, info, rule);
+}
+
+inline constexpr Classifier envelope_rule{
+    .name = "envelope-rule",
+    .what = "fault lines against healthy windows, without any training",
+    .input = "the envelope spectrum over orders of the shaft",
+    .rule = true,
+    .learn = learn_rule<Rule::envelope>,
+    .read = read_rule<Rule::envelope>};
+inline constexpr Classifier exclusion_rule{
+    .name = "exclusion-rule",
+    .what = "the same; and a change without a line is a ball",
+    .input = "the envelope spectrum over orders of the shaft and the log power in 48 bands",
+    .rule = true,
+    .learn = learn_rule<Rule::exclusion>,
+    .read = read_rule<Rule::exclusion>};
 
 }  // namespace piae::diagnosis

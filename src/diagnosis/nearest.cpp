@@ -32,7 +32,7 @@ Nearest::Nearest(const artefact::Reader& reader, const signal::DatasetInfo& info
       labels_(read_labels(reader, learned, info)),
       training_(read_bands(reader, learned, labels_.size())) {}
 
-WdcnnOutputs Nearest::outputs(const signal::WindowSet& windows, const std::string& what) {
+Outputs Nearest::outputs(const signal::WindowSet& windows, const std::string& what) {
   if (windows.length != length_) {
     throw Error(Exit::bad_input,
                 fmt::format("{}: windows of {} samples, but those that are compared with have {}; "
@@ -40,7 +40,7 @@ WdcnnOutputs Nearest::outputs(const signal::WindowSet& windows, const std::strin
                             what, windows.length, length_));
   }
   const BandPowers asked = band_powers(windows);
-  WdcnnOutputs all;
+  Outputs all;
   all.scores.assign(windows.size() * classes_, 0);
   all.logits.assign(windows.size() * classes_, farthest_logit);
   for (Index begin = 0; begin < asked.rows(); begin += Neighbours::at_a_time) {
@@ -53,7 +53,7 @@ WdcnnOutputs Nearest::outputs(const signal::WindowSet& windows, const std::strin
   return all;
 }
 
-void Nearest::answer(const Eigen::VectorXd& squares, std::size_t window, WdcnnOutputs& all) const {
+void Nearest::answer(const Eigen::VectorXd& squares, std::size_t window, Outputs& all) const {
   float* const logits = all.logits.data() + window * classes_;
   Index nearest = 0;
   squares.minCoeff(&nearest);
@@ -67,6 +67,16 @@ void Nearest::answer(const Eigen::VectorXd& squares, std::size_t window, WdcnnOu
 
 void Nearest::write(artefact::Writer& writer) const {
   write_bands(writer, learned, training_.known(), labels_);
+}
+
+Learned learn_nearest(const signal::WindowSet& /*normal*/, const signal::WindowSet& training,
+                      const Stream& /*stream*/, const EpochDone& /*epoch_done*/) {
+  return {.trained = std::make_unique<Nearest>(training), .training = {}};
+}
+
+std::unique_ptr<Trained> read_nearest(const artefact::Reader& reader,
+                                      const signal::DatasetInfo& info, std::size_t length) {
+  return std::make_unique<Nearest>(reader, info, length);
 }
 
 }  // namespace piae::diagnosis

@@ -1,9 +1,10 @@
 #pragma once
 
+#include <memory>
 #include <vector>
 
+#include "diagnosis/classifier.hpp"
 #include "diagnosis/neighbours.hpp"
-#include "diagnosis/trained.hpp"
 
 namespace piae::diagnosis {
 
@@ -21,17 +22,29 @@ class Nearest final : public Trained {
   explicit Nearest(const artefact::Reader& reader, const signal::DatasetInfo& info,
                    std::size_t length);
 
-  WdcnnOutputs outputs(const signal::WindowSet& windows, const std::string& what) override;
+  Outputs outputs(const signal::WindowSet& windows, const std::string& what) override;
   void write(artefact::Writer& writer) const override;
 
  private:
   /// What one window, by its squared distances to the training windows, is answered.
-  void answer(const Eigen::VectorXd& squares, std::size_t window, WdcnnOutputs& all) const;
+  void answer(const Eigen::VectorXd& squares, std::size_t window, Outputs& all) const;
 
   std::size_t length_;
   std::size_t classes_;
   std::vector<Label> labels_;  ///< of the training windows
   Neighbours training_;
 };
+
+Learned learn_nearest(const signal::WindowSet& normal, const signal::WindowSet& training,
+                      const Stream& stream, const EpochDone& epoch_done);
+std::unique_ptr<Trained> read_nearest(const artefact::Reader& reader,
+                                      const signal::DatasetInfo& info, std::size_t length);
+
+inline constexpr Classifier nearest{
+    .name = "nearest",
+    .what = "the nearest known or generated window, without any training",
+    .input = "the log power in 128 bands",
+    .learn = learn_nearest,
+    .read = read_nearest};
 
 }  // namespace piae::diagnosis

@@ -56,7 +56,7 @@ class OneCoreBackend final : public WdcnnBackend {
 
   BatchOutcome finish_epoch() override { return sums_; }
 
-  WdcnnOutputs outputs(const LabelledWindows& windows) override {
+  Outputs outputs(const LabelledWindows& windows) override {
     return outputs_of(network_, most_windows_, windows);
   }
 

@@ -71,9 +71,9 @@ Training SymptomNet::train(const Stream& stream, const EpochDone& epoch_done) {
   return training;
 }
 
-WdcnnOutputs SymptomNet::outputs(const signal::WindowSet& windows, const std::string& what) {
+Outputs SymptomNet::outputs(const signal::WindowSet& windows, const std::string& what) {
   const SymptomRows rows = scale_.rows_of(windows, what);
-  WdcnnOutputs all;
+  Outputs all;
   for (Index i = 0; i < rows.rows(); ++i) {
     const SymptomNetwork::Outputs outputs = network_.outputs(rows.row(i));
     std::vector<float> logits(outputs.logits.data(), outputs.logits.data() + classes_);
@@ -98,6 +98,11 @@ Learned train_symptom_net(const signal::WindowSet& normal, const signal::WindowS
       SymptomScale(normal, training), std::ssize(training.info.classes), stream.child("initial"));
   Training course = net->train(stream, epoch_done);
   return {.trained = std::move(net), .training = std::move(course)};
+}
+
+std::unique_ptr<Trained> read_symptom_net(const artefact::Reader& reader,
+                                          const signal::DatasetInfo& info, std::size_t /*length*/) {
+  return std::make_unique<SymptomNet>(reader, info);
 }
 
 }  // namespace piae::diagnosis

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <memory>
+
 #include "base/random.hpp"
+#include "diagnosis/classifier.hpp"
 #include "diagnosis/symptom_inputs.hpp"
 #include "diagnosis/symptom_network.hpp"
-#include "diagnosis/trained.hpp"
 #include "signal/window_set.hpp"
 
 namespace piae::diagnosis {
@@ -31,7 +33,7 @@ class SymptomNet final : public Trained {
   /// its children "noise" and "dropout".
   Training train(const Stream& stream, const EpochDone& epoch_done);
 
-  WdcnnOutputs outputs(const signal::WindowSet& windows, const std::string& what) override;
+  Outputs outputs(const signal::WindowSet& windows, const std::string& what) override;
   void write(artefact::Writer& writer) const override;
 
  private:
@@ -47,5 +49,15 @@ class SymptomNet final : public Trained {
 /// SymptomScale does.
 Learned train_symptom_net(const signal::WindowSet& normal, const signal::WindowSet& training,
                           const Stream& stream, const EpochDone& epoch_done = {});
+std::unique_ptr<Trained> read_symptom_net(const artefact::Reader& reader,
+                                          const signal::DatasetInfo& info, std::size_t length);
+
+inline constexpr Classifier symptom_net{
+    .name = "symptom-net",
+    .what = "a small network on symptoms",
+    .input = "17 symptoms: fault lines, kurtosis, rise of bands, novelty",
+    .learn = train_symptom_net,
+    .read = read_symptom_net,
+    .own_epochs = SymptomTraining::epochs};
 
 }  // namespace piae::diagnosis

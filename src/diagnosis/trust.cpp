@@ -1,5 +1,7 @@
 #include "diagnosis/trust.hpp"
 
+#include <spdlog/fmt/fmt.h>
+
 #include <algorithm>
 #include <vector>
 
@@ -53,6 +55,14 @@ Trust trust_in(KeptClassifier& kept, const signal::WindowSet& test) {
     trust.untrained.emplace(label, untrained(*kept.strangeness(), test, label));
   }
   return trust;
+}
+
+std::string summary_of(const KeptClassifier& kept, const Trust& trust) {
+  return fmt::format(
+      "{} with temperature {:.2f} by {} windows left out: calibration error {:.1f} % of the test "
+      "windows, {:.1f} % of them called unknown",
+      kept.classifier().name, kept.calibration().temperature, kept.calibration().windows,
+      100 * trust.calibration_error, 100 * trust.called_unknown);
 }
 
 void write(artefact::Writer& writer, const Trust& trust) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <string>
 
 #include "artefact/writer.hpp"
 #include "diagnosis/kept_classifier.hpp"
@@ -26,6 +27,9 @@ struct Trust {
 
 /// By windows of each class.
 Trust trust_in(KeptClassifier& kept, const signal::WindowSet& test);
+
+/// One line: how sure it may be of windows that it has not seen.
+std::string summary_of(const KeptClassifier& kept, const Trust& trust);
 
 /// In the artefact: /trust with the first four as attributes, and /trust/untrained_class,
 /// /trust/untrained_auroc, /trust/untrained_called_unknown.

@@ -61,7 +61,7 @@ TrainedWdcnn train_wdcnn(LabelledWindows train, const WdcnnOptions& options, con
   return {.network = std::move(backend), .training = std::move(training)};
 }
 
-WdcnnOutputs ask_wdcnn(Wdcnn& network, std::size_t length, const LabelledWindows& windows) {
+Outputs ask_wdcnn(Wdcnn& network, std::size_t length, const LabelledWindows& windows) {
   if (windows.size() == 0) {
     throw Error(Exit::bad_input, "WDCNN: no test window; give at least 1");
   }
@@ -70,7 +70,7 @@ WdcnnOutputs ask_wdcnn(Wdcnn& network, std::size_t length, const LabelledWindows
                                      " samples, test windows of " + std::to_string(windows.length) +
                                      "; both must be the same");
   }
-  WdcnnOutputs outputs = network.outputs(windows);
+  Outputs outputs = network.outputs(windows);
   if (!std::ranges::all_of(outputs.scores, [](float score) { return std::isfinite(score); })) {
     throw Error(Exit::failed,
                 "WDCNN: what it makes of a window is not finite, so its training has diverged; "

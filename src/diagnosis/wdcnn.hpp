@@ -4,8 +4,8 @@
 #include <memory>
 
 #include "base/random.hpp"
+#include "diagnosis/classifier.hpp"
 #include "diagnosis/standardise.hpp"
-#include "diagnosis/trained.hpp"
 #include "diagnosis/wdcnn_backend.hpp"
 #include "diagnosis/wdcnn_options.hpp"
 
@@ -29,6 +29,6 @@ TrainedWdcnn train_wdcnn(LabelledWindows train, const WdcnnOptions& options, con
 /// What a network for windows of `length` samples, or bands of spectra, makes of others. Throws
 /// Error(bad_input) for no window, or windows of another length; Error(failed) where a score is not
 /// finite, as after a training that has diverged.
-WdcnnOutputs ask_wdcnn(Wdcnn& network, std::size_t length, const LabelledWindows& windows);
+Outputs ask_wdcnn(Wdcnn& network, std::size_t length, const LabelledWindows& windows);
 
 }  // namespace piae::diagnosis

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/random.hpp"
+#include "diagnosis/classifier.hpp"
 #include "diagnosis/cross_entropy.hpp"
 #include "diagnosis/standardise.hpp"
 #include "diagnosis/wdcnn_options.hpp"
@@ -15,20 +16,13 @@
 
 namespace piae::diagnosis {
 
-/// What a network makes of n windows.
-struct WdcnnOutputs {
-  std::vector<float> hidden;  ///< row-major [n, WdcnnLayers::hidden]: the dense layer after ReLU
-  std::vector<float> logits;  ///< row-major [n, classes]: the output layer
-  std::vector<float> scores;  ///< row-major [n, classes]: the softmax of the logits
-};
-
 /// A WDCNN that can be asked.
 class Wdcnn {
  public:
   virtual ~Wdcnn() = default;
 
   /// What the network makes of each window. Batch normalisation uses its running statistics.
-  virtual WdcnnOutputs outputs(const LabelledWindows& windows) = 0;
+  virtual Outputs outputs(const LabelledWindows& windows) = 0;
   [[nodiscard]] virtual WdcnnWeights weights() const = 0;
 };
 

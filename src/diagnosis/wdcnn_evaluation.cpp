@@ -20,7 +20,7 @@ class TrainedNetwork final : public Wdcnn {
     network_.set(weights);
   }
 
-  WdcnnOutputs outputs(const LabelledWindows& windows) override {
+  Outputs outputs(const LabelledWindows& windows) override {
     return outputs_of(network_, evaluation_batch, windows);
   }
   [[nodiscard]] WdcnnWeights weights() const override { return network_.weights(); }
@@ -31,10 +31,10 @@ class TrainedNetwork final : public Wdcnn {
 
 }  // namespace
 
-WdcnnOutputs outputs_of(WdcnnNetwork<float>& network, std::int64_t batch,
-                        const LabelledWindows& windows) {
+Outputs outputs_of(WdcnnNetwork<float>& network, std::int64_t batch,
+                   const LabelledWindows& windows) {
   const std::size_t classes = windows.classes;
-  WdcnnOutputs all;
+  Outputs all;
   all.scores.resize(windows.size() * classes);
   std::vector<const float*> pointers;
   for (std::size_t begin = 0; begin < windows.size(); begin += pointers.size()) {

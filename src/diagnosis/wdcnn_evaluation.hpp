@@ -9,8 +9,8 @@
 namespace piae::diagnosis {
 
 /// What our network for one core makes of windows, `batch` of them at a time.
-WdcnnOutputs outputs_of(WdcnnNetwork<float>& network, std::int64_t batch,
-                        const LabelledWindows& windows);
+Outputs outputs_of(WdcnnNetwork<float>& network, std::int64_t batch,
+                   const LabelledWindows& windows);
 
 /// A trained network on one core, without what only a training needs.
 std::unique_ptr<Wdcnn> wdcnn_of(const WdcnnWeights& weights);

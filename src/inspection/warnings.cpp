@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "base/one_line.hpp"
 #include "inspection/file_warnings.hpp"
 #include "inspection/plausibility.hpp"
 #include "inspection/warning_text.hpp"
@@ -207,6 +208,17 @@ std::vector<std::string> warnings_of(const Description& description, const Datas
   add_levels(description.info, check.records, lines);
   for (const ClassCheck& found : check.classes) add_stride(description, found, lines);
   std::ranges::move(line_warnings(description.info, check.records), std::back_inserter(lines));
+  return lines;
+}
+
+std::vector<std::string> problems_of(const DatasetCheck& check) {
+  Lines lines;
+  for (const RecordCheck& record : check.records) {
+    if (!record.problem.empty()) lines.push_back(one_line(record.problem));
+  }
+  for (const ClassCheck& each : check.classes) {
+    if (!each.problem.empty()) lines.push_back(one_line(each.problem));
+  }
   return lines;
 }
 

@@ -15,6 +15,9 @@ namespace piae::inspection {
 std::vector<std::string> warnings_of(const signal::Description& description,
                                      const DatasetCheck& check);
 
+/// The problems of records and classes, one line each: they keep the grid from running.
+std::vector<std::string> problems_of(const DatasetCheck& check);
+
 /// Returns what is odd about the samples of one record: a time instead of a vibration, clipped
 /// peaks, few distinct values, stretches of one value, samples that stand alone, stretches that
 /// repeat, and missing samples.

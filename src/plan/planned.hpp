@@ -27,6 +27,7 @@ class Planned {
   Planned(const Request& request, const PlanOptions& options);
 
   [[nodiscard]] Plan& plan() { return *plan_; }
+  [[nodiscard]] const PlanOptions& options() const { return options_; }
   /// Plans another stretch of the same request, with what is known of the files already.
   void go_to(Stretch stretch);
   /// Writes what was learned of the files into the run's journal.

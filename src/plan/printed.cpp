@@ -8,7 +8,9 @@
 #include <map>
 #include <set>
 
+#include "plan/settings_files.hpp"
 #include "plan/words.hpp"
+#include "readings/ranking.hpp"
 #include "text/lines.hpp"
 
 namespace piae::plan {
@@ -56,6 +58,37 @@ std::string counted(const std::map<std::string, std::size_t>& counts) {
   Words words;
   for (const auto& [name, count] : counts) words.push_back(fmt::format("{} {}", count, name));
   return fmt::format("{}", fmt::join(words, ", "));
+}
+
+/// The readings of all data sets that could be compared, where that is the goal.
+std::string ranked_readings(const Plan& plan) {
+  std::vector<std::filesystem::path> tables;
+  if (!plan.choice().has_goal("readings")) return {};
+  for (const Part& part : plan.choice().parts) {
+    const auto table =
+        std::filesystem::path(plan.choice().folder()) / part.dataset.name / "readings.csv";
+    if (std::filesystem::exists(table)) tables.push_back(table);
+  }
+  return readings::ranking(tables);
+}
+
+/// The tables that the goals end with, those that could be made.
+std::string shown_of(const Plan& plan) {
+  std::string all;
+  for (const std::string& table : plan.shown()) {
+    if (!std::filesystem::exists(table)) continue;
+    for (const std::string& line : text::read_lines(table)) all += line + '\n';
+  }
+  const auto say_where = [&](const char* what, const char* below) {
+    all += what;
+    for (const Part& part : plan.choice().parts) {
+      all += fmt::format(" {}/{}/{}", plan.choice().folder(), part.dataset.name, below);
+    }
+    all += '\n';
+  };
+  if (plan.choice().has_goal("all")) say_where("tables and artefacts:", "");
+  if (plan.choice().has_goal("figures")) say_where("figures:", "figures/");
+  return all;
 }
 
 }  // namespace
@@ -164,22 +197,20 @@ std::string missing_of(Plan& plan) {
   return text;
 }
 
-std::string shown_of(const Plan& plan) {
-  std::string all;
-  for (const std::string& table : plan.shown()) {
-    if (!std::filesystem::exists(table)) continue;
-    for (const std::string& line : text::read_lines(table)) all += line + '\n';
+std::string next_makefile(Planned& planned, bool quietly) {
+  const PlanOptions options = planned.options();
+  for (const auto* stretch = std::ranges::find(stretches, options.stretch);
+       *stretch != Stretch::shown; ++stretch) {
+    if (!has_steps_in(*stretch, planned.plan().choice())) continue;
+    planned.go_to(*stretch);
+    if (!options.looks) write_settings(planned.plan());
+    const std::string steps = makefile_of(planned.plan(), quietly);
+    if (steps.empty() && !options.only.empty()) return {};
+    if (steps.empty()) continue;
+    return fmt::format("# {} {}\n{}", to_string(*stretch), to_string(stretch[1]), steps);
   }
-  const auto say_where = [&](const char* what, const char* below) {
-    all += what;
-    for (const Part& part : plan.choice().parts) {
-      all += fmt::format(" {}/{}/{}", plan.choice().folder(), part.dataset.name, below);
-    }
-    all += '\n';
-  };
-  if (plan.choice().has_goal("all")) say_where("tables and artefacts:", "");
-  if (plan.choice().has_goal("figures")) say_where("figures:", "figures/");
-  return all;
+  planned.go_to(Stretch::grid);
+  return "# shown\n" + shown_of(planned.plan()) + ranked_readings(planned.plan());
 }
 
 }  // namespace piae::plan

@@ -4,6 +4,7 @@
 
 #include "plan/costs.hpp"
 #include "plan/plan.hpp"
+#include "plan/planned.hpp"
 
 namespace piae::plan {
 
@@ -26,7 +27,11 @@ std::string guessed_costs_of(Plan& plan, const Costs& costs);
 /// where none is.
 std::string missing_of(Plan& plan);
 
-/// The tables that the goals end with, those that could be made.
-std::string shown_of(const Plan& plan);
+/// Gives the makefile of the first stretch, from the one asked for on, in which something is to be
+/// done, and above it a line with its name and that of the stretch behind it: "# numbers pictures".
+/// Where nothing is to be done, gives "# shown" and the tables that the goals end with. Files that
+/// are asked for alone belong to one stretch. Unless the plan only looks, the settings that its
+/// steps read are written.
+std::string next_makefile(Planned& planned, bool quietly);
 
 }  // namespace piae::plan

@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "base/error.hpp"
+
 namespace piae::signal {
 
 SplitSettings read_described_split(TomlTable& root) {
@@ -32,6 +34,15 @@ SplitOptions split_options_of(const Description& description) {
   SplitOptions options;
   for (const auto& [name, value] : description.split) set(options, name, value);
   return options;
+}
+
+void require_sensible_split(const Description& description, const std::filesystem::path& file) {
+  try {
+    require_sensible(split_options_of(description));
+  } catch (const Error& error) {
+    throw Error(Exit::bad_input,
+                file.string() + ": " + error.what() + "; set those in its [split]");
+  }
 }
 
 }  // namespace piae::signal

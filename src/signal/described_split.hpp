@@ -1,5 +1,7 @@
 #pragma once
 
+#include <filesystem>
+
 #include "signal/description.hpp"
 #include "signal/split.hpp"
 #include "signal/toml_table.hpp"
@@ -13,5 +15,8 @@ SplitSettings read_described_split(TomlTable& root);
 
 /// The options of that stage with these settings in the place of the built-in ones.
 SplitOptions split_options_of(const Description& description);
+
+/// Throws Error(bad_input) for settings that leave no window for a role; `file` is the description.
+void require_sensible_split(const Description& description, const std::filesystem::path& file);
 
 }  // namespace piae::signal

@@ -11,6 +11,7 @@
 #include "bearing/orders.hpp"
 #include "signal/described_conditions.hpp"
 #include "signal/described_split.hpp"
+#include "signal/description_file.hpp"
 #include "signal/meant_key.hpp"
 #include "signal/ranges.hpp"
 #include "signal/record_files.hpp"
@@ -361,6 +362,21 @@ Description read_description(const fs::path& file) {
   std::ranges::sort(description.records, {}, &RecordSource::name);
   require_different_names(file, description.records);
   return description;
+}
+
+std::string list_of_sources(const fs::path& description, const fs::path& folder) {
+  std::string list;
+  if (read_description_file(description).contains("simulation")) return list;
+  const auto or_dash = [](const std::string& text) { return text.empty() ? "-" : text; };
+  for (const RecordSource& source : read_description(description).records) {
+    std::vector<std::string> names = files_of(source.files, folder);
+    if (names.empty()) names = source.files;
+    const std::string sha256 = names.size() == 1 ? source.sha256 : "";
+    for (const std::string& name : names) {
+      list += or_dash(sha256) + "  " + name + "  " + or_dash(source.url) + '\n';
+    }
+  }
+  return list;
 }
 
 }  // namespace piae::signal

@@ -84,6 +84,12 @@ struct Description {
 /// no such file.
 Description read_description(const std::filesystem::path& file);
 
+/// Lists the raw files of a description, a line "SHA256  FILE  URL" each, with "-" for what it does
+/// not say: those in `folder`, and what it names beyond them. Empty for a data set that is
+/// simulated.
+std::string list_of_sources(const std::filesystem::path& description,
+                            const std::filesystem::path& folder);
+
 /// Reads the part that every description has: name, shaft_speed_rpm, unit_m_per_s2, [bearing] and
 /// the given [[class]] tables, of which those without a defect_size_mm get 0. The caller reads
 /// sample_rate_hz and whatever else there may be, and then calls require_possible(), and finish()

@@ -142,6 +142,12 @@ bool Recordings::have_sizes() const {
   return std::ranges::any_of(records, [](const Record& r) { return r.defect_size_mm.has_value(); });
 }
 
+std::size_t Recordings::samples() const {
+  std::size_t samples = 0;
+  for (const Record& record : records) samples += record.signal.size();
+  return samples;
+}
+
 void write(artefact::Writer& writer, const Recordings& recordings) {
   write(writer, recordings.info);
   writer.group(records_group);

@@ -57,6 +57,8 @@ struct Recordings {
   /// Whether all of them have true parameters; whether one has a size of its own.
   [[nodiscard]] bool have_parameters() const;
   [[nodiscard]] bool have_sizes() const;
+  /// Of all records.
+  [[nodiscard]] std::size_t samples() const;
 };
 
 void write(artefact::Writer& writer, const Recordings& recordings);

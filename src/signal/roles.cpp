@@ -231,4 +231,13 @@ void require_one_split(const std::vector<RoleSet>& sets) {
   if (!findings.empty()) throw Error(Exit::bad_input, findings.front());
 }
 
+WindowSet read_of_one_split(const artefact::Reader& other, Role role,
+                            const artefact::Reader& known) {
+  require_role(other, role);
+  const std::vector<RoleSet> roles{read_role_set(known), read_role_set(other)};
+  require_one_split(roles);
+  require_belonging(other, role, roles.back().windows);
+  return roles.back().windows;
+}
+
 }  // namespace piae::signal

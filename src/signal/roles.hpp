@@ -73,6 +73,11 @@ std::vector<std::string> check_roles(const std::vector<RoleSet>& sets);
 /// Throws Error(bad_input) with the first line of check_roles(), where there is one.
 void require_one_split(const std::vector<RoleSet>& sets);
 
+/// Reads the windows of a role. Throws artefact::Refusal where they are not of the split of the
+/// known windows, which is proved by where each window was cut.
+WindowSet read_of_one_split(const artefact::Reader& other, Role role,
+                            const artefact::Reader& known);
+
 /// Which known windows (C) a model was trained on. The model and the windows that it makes both
 /// carry this. A generator that has seen the C of another split may have seen windows that are A or
 /// D in this one, so what it makes must not be tried here.

@@ -15,14 +15,13 @@ namespace piae::classification {
 /// named with the logit ln 8 against 0, so with the probability 0.8 at the temperature 1.
 class ByFirstSample final : public diagnosis::Trained {
  public:
-  diagnosis::WdcnnOutputs outputs(const signal::WindowSet& windows,
-                                  const std::string& what) override;
+  diagnosis::Outputs outputs(const signal::WindowSet& windows, const std::string& what) override;
   void write(artefact::Writer& /*writer*/) const override {}
 };
 
-inline diagnosis::WdcnnOutputs ByFirstSample::outputs(const signal::WindowSet& windows,
-                                                      const std::string& /*what*/) {
-  diagnosis::WdcnnOutputs outputs;
+inline diagnosis::Outputs ByFirstSample::outputs(const signal::WindowSet& windows,
+                                                 const std::string& /*what*/) {
+  diagnosis::Outputs outputs;
   for (std::size_t i = 0; i < windows.size(); ++i) {
     const float first = windows.window(i)[0];
     const Label named = first == 1 || first == 2 ? static_cast<Label>(first) : 0;

@@ -91,8 +91,8 @@ TEST_F(Keep, EveryClassifierComesBackWithTheSameAnswers) {
     KeptClassifier after(reader);
     EXPECT_EQ(after.classifier().name, classifier.name);
     EXPECT_EQ(reader.text("/", "input"), classifier.input);
-    const WdcnnOutputs was = before.uncalibrated(asked_);
-    const WdcnnOutputs is = after.uncalibrated(asked_);
+    const Outputs was = before.uncalibrated(asked_);
+    const Outputs is = after.uncalibrated(asked_);
     const Answers answered = before.answer(asked_);
     const Answers answers = after.answer(asked_);
     if (classifier.represent != nullptr) {

@@ -23,8 +23,8 @@ std::set<float> first_samples_of(const WindowSet& set) {
 class Listening final : public Trained {
  public:
   explicit Listening(std::set<float>& asked) : asked_(asked) {}
-  WdcnnOutputs outputs(const WindowSet& windows, const std::string& /*what*/) override {
-    WdcnnOutputs outputs;
+  Outputs outputs(const WindowSet& windows, const std::string& /*what*/) override {
+    Outputs outputs;
     for (std::size_t i = 0; i < windows.size(); ++i) {
       asked_.insert(windows.window(i)[0]);
       outputs.logits.insert(outputs.logits.end(), 3, windows.window(i)[0]);

@@ -58,8 +58,7 @@ TEST(Evidence, OfAKindWithoutAClassDoesNotCount) {
   EXPECT_EQ(named(three_classes(), {{1, 50, 2}, 0.5}, Rule::envelope), "Normal");
 }
 
-WdcnnOutputs asked_by_rule(const signal::WindowSet& normal, const signal::WindowSet& test,
-                           Rule rule) {
+Outputs asked_by_rule(const signal::WindowSet& normal, const signal::WindowSet& test, Rule rule) {
   return TrainedRule(normal, rule).outputs(test, "--test");
 }
 
@@ -86,7 +85,7 @@ TEST_F(Rules, NameTheKindThatIsStruck) {
 }
 
 TEST_F(Rules, ScoreByTheSoftmaxOfTheEvidence) {
-  const WdcnnOutputs answer = asked_by_rule(normal_, test_, Rule::envelope);
+  const Outputs answer = asked_by_rule(normal_, test_, Rule::envelope);
   const std::vector<Label> named = most_likely(answer.scores, 3);
   ASSERT_EQ(answer.scores.size(), 90U);
   for (std::size_t i = 0; i < 30; ++i) {

@@ -56,7 +56,7 @@ TEST(Nearest, OfSilentWindowsIsFinite) {
 // The distance of a window to itself is nothing, and to the nearest of another class d.
 TEST(Nearest, ScoresTheNamedClassAloneAndHasHalfSquaredDistancesForLogits) {
   const signal::WindowSet training = ringing("training", 2);
-  const WdcnnOutputs outputs = Nearest(training).outputs(training, "");
+  const Outputs outputs = Nearest(training).outputs(training, "");
   const BandPowers bands = band_powers(training);
   EXPECT_EQ(std::vector<float>(outputs.scores.begin(), outputs.scores.begin() + 3),
             (std::vector<float>{1, 0, 0}));
@@ -69,7 +69,7 @@ TEST(Nearest, ScoresTheNamedClassAloneAndHasHalfSquaredDistancesForLogits) {
 TEST(Nearest, IsNoNearerToAClassWithoutAWindow) {
   signal::WindowSet training = ringing("training", 1);
   training.labels[2] = 0;
-  const WdcnnOutputs outputs = Nearest(training).outputs(training, "");
+  const Outputs outputs = Nearest(training).outputs(training, "");
   EXPECT_LT(outputs.logits[2], -1e5);
 }
 

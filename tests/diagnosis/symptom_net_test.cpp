@@ -22,7 +22,7 @@ class SymptomNetOfToys : public testing::Test {
   [[nodiscard]] Learned trained(const std::string& stream) const {
     return train_symptom_net(normal_, training_, Stream(stream));
   }
-  [[nodiscard]] WdcnnOutputs outputs_of(const Learned& learned) const {
+  [[nodiscard]] Outputs outputs_of(const Learned& learned) const {
     return learned.trained->outputs(test_, "--test");
   }
   signal::WindowSet normal_ = no_struck_windows();
@@ -32,7 +32,7 @@ class SymptomNetOfToys : public testing::Test {
 
 TEST_F(SymptomNetOfToys, LearnsToNameWhatIsStruck) {
   const Learned learned = trained("toy");
-  const WdcnnOutputs outputs = outputs_of(learned);
+  const Outputs outputs = outputs_of(learned);
   const std::vector<Label> named = most_likely(outputs.scores, 3);
   EXPECT_EQ(named, test_.labels);
   const Training& training = learned.training;

@@ -10,7 +10,7 @@ namespace piae::diagnosis {
 /// A training of WDCNN, and what the network makes of other windows.
 struct WdcnnResult {
   Training training;
-  WdcnnOutputs outputs;
+  Outputs outputs;
   std::vector<Label> predictions;
 };
 
@@ -20,7 +20,7 @@ inline WdcnnResult train_and_test(LabelledWindows train, const LabelledWindows& 
                                   const EpochDone& epoch_done = {}) {
   const std::size_t length = train.length;
   TrainedWdcnn trained = train_wdcnn(std::move(train), options, stream, make_backend, epoch_done);
-  WdcnnOutputs outputs = ask_wdcnn(*trained.network, length, test);
+  Outputs outputs = ask_wdcnn(*trained.network, length, test);
   std::vector<Label> predictions = most_likely(outputs.scores, test.classes);
   return {std::move(trained.training), std::move(outputs), std::move(predictions)};
 }

@@ -61,7 +61,7 @@ TEST_P(WdcnnTraining, LearnsTones) {
 /// exp(a) / exp(b) of two logits is the ratio of their scores.
 TEST_P(WdcnnTraining, KeepsWhatItsLayersMakeOfEachTestWindow) {
   const LabelledWindows test = tones(35, "test");  // 105 windows: more than are tried at a time
-  const WdcnnOutputs outputs =
+  const Outputs outputs =
       train_and_test(tones(5, "train"), test, short_training(), Stream("layers"), backend())
           .outputs;
   ASSERT_EQ(outputs.hidden.size(), 105U * 100);

@@ -19,8 +19,8 @@ using signal::WindowSet;
 class Told final : public Trained {
  public:
   explicit Told(std::vector<float> logits) : logits_(std::move(logits)) {}
-  WdcnnOutputs outputs(const WindowSet& windows, const std::string& /*what*/) override {
-    WdcnnOutputs outputs;
+  Outputs outputs(const WindowSet& windows, const std::string& /*what*/) override {
+    Outputs outputs;
     outputs.logits = logits_;
     for (std::size_t i = 0; i < windows.size(); ++i) {
       double sum = 0;

@@ -54,8 +54,8 @@ TEST_F(StoredWeights, ComeBackAsTheyWereUnderTheNamesOfTheirLayers) {
 TEST_F(StoredWeights, MakeTheSameOfWindowsAsTheNetworkThatLearned) {
   const TrainedWdcnn learned = little_trained();
   const LabelledWindows asked = tones(25, "asked");  // 75: more than are tried at a time
-  const WdcnnOutputs before = learned.network->outputs(asked);
-  const WdcnnOutputs after = wdcnn_of(learned.network->weights())->outputs(asked);
+  const Outputs before = learned.network->outputs(asked);
+  const Outputs after = wdcnn_of(learned.network->weights())->outputs(asked);
   EXPECT_EQ(after.scores, before.scores);
   EXPECT_EQ(after.logits, before.logits);
   EXPECT_EQ(after.hidden, before.hidden);

@@ -266,7 +266,7 @@ TEST_F(Classify, NeedsOneRecordingOrADescription) {
   expect_refused(with(classify(), "--description", "mine.toml"), 2, {words});
   for (const std::string option : {"--variable", "--speed-rpm", "--sample-rate-hz"}) {
     expect_refused(without(classify(), option), 2,
-                   {"--recording needs --variable, --sample-rate-hz and --speed-rpm beside it"});
+                   {"--recording needs --variable, --sample-rate-hz and --speed-rpm"});
   }
 }
 
@@ -292,7 +292,7 @@ TEST_F(Classify, ReplacesNoInputAndWritesNoFileTwice) {
   const std::string recording = sha256_of_file(tiny_ / "recording.csv");
   expect_usage({"--picture", "recording.csv"}, "recording.csv: is an input");
   expect_usage({"--csv", "classifier.h5"}, "classifier.h5: is an input");
-  expect_usage({"--csv", "out", "--output", "./out"}, "out: is named by two of");
+  expect_usage({"--csv", "out", "--output", "./out"}, "out: is named by two options");
   EXPECT_EQ(sha256_of_file(tiny_ / "recording.csv"), recording);
 }
 

@@ -66,7 +66,7 @@ class WdcnnOnTorch final : public diagnosis::WdcnnBackend {
     return {.loss = loss_sum_.item<double>(), .correct = correct_.item<std::int64_t>()};
   }
 
-  diagnosis::WdcnnOutputs outputs(const diagnosis::LabelledWindows& windows) override {
+  diagnosis::Outputs outputs(const diagnosis::LabelledWindows& windows) override {
     const torch::NoGradGuard no_grad;
     std::vector<torch::Tensor> hidden;
     std::vector<torch::Tensor> logits;

@@ -116,8 +116,8 @@ TEST_F(OnCuda, WdcnnMakesTheSameOfEachWindow) {
   const auto outputs = [&](const MakeWdcnnBackend& backend) {
     return train_and_test(tones(11, "train"), test, options, Stream("same"), backend).outputs;
   };
-  const WdcnnOutputs ours = outputs(make_one_core_backend);
-  const WdcnnOutputs theirs = outputs(libtorch::wdcnn_on(Device::cuda));
+  const Outputs ours = outputs(make_one_core_backend);
+  const Outputs theirs = outputs(libtorch::wdcnn_on(Device::cuda));
   expect_near(ours.hidden, theirs.hidden, 1e-4);
   expect_near(ours.logits, theirs.logits, 1e-4);
 }

@@ -43,8 +43,8 @@ TEST(WdcnnBackends, MakeTheSameOfEachWindow) {
       ASSERT_NEAR(ours[i], theirs[i], 1e-4 * (1 + std::abs(theirs[i]))) << i;
     }
   };
-  const WdcnnOutputs one_core = run(make_one_core_backend);
-  const WdcnnOutputs theirs = run(libtorch::wdcnn_on(Device::cpu));
+  const Outputs one_core = run(make_one_core_backend);
+  const Outputs theirs = run(libtorch::wdcnn_on(Device::cpu));
   expect_near(one_core.hidden, theirs.hidden);
   expect_near(one_core.logits, theirs.logits);
 }

@@ -2,7 +2,9 @@
 
 #include <string>
 
+#include "diagnosis/classifier.hpp"
 #include "diagnosis/standardise.hpp"
+#include "scoring/diagnosis_record.hpp"
 #include "signal/window_set.hpp"
 
 namespace piae::diagnosis {
@@ -23,5 +25,23 @@ LabelledWindows log_envelope_spectra(const signal::WindowSet& windows, const std
 
 /// Both side by side, the log_spectrum() first, each with half of the inputs and scaled by itself.
 LabelledWindows both_log_spectra(const signal::WindowSet& windows, const std::string& what);
+
+inline constexpr Classifier wdcnn{.name = scoring::paper_classifier,
+                                  .what = "the paper's network",
+                                  .input = "the waveform",
+                                  .represent = standardise};
+inline constexpr Classifier wdcnn_spectrum{.name = "wdcnn-spectrum",
+                                           .what = "the same network on spectra",
+                                           .input = "the log amplitude spectrum",
+                                           .represent = log_spectra};
+inline constexpr Classifier wdcnn_envelope{.name = "wdcnn-envelope",
+                                           .what = "the same network on envelope spectra",
+                                           .input = "the log envelope spectrum",
+                                           .represent = log_envelope_spectra};
+inline constexpr Classifier wdcnn_spectra{
+    .name = "wdcnn-spectra",
+    .what = "the same network on both spectra side by side",
+    .input = "the log amplitude spectrum and the log envelope spectrum",
+    .represent = both_log_spectra};
 
 }  // namespace piae::diagnosis

@@ -1,4 +1,4 @@
-#include "diagnosis/spectral_inputs.hpp"
+#include "diagnosis/wdcnn_inputs.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "diagnosis/spectral_inputs.hpp"
+#include "diagnosis/wdcnn_inputs.hpp"
 
 #include <Eigen/Core>
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include "diagnosis/trained.hpp"
+#include "diagnosis/classifier.hpp"
 
 #include <gtest/gtest.h>
 
