@@ -41,8 +41,8 @@ mat_ft readable_version(const fs::path& path, std::span<const std::byte> bytes) 
 }
 
 void require_intact(const fs::path& path, std::span<const std::byte> bytes) {
-  if (is_intact_v5(bytes)) return;
-  refuse_file(path, "damaged: the checksum of what it has compressed does not match");
+  const std::string flaw = flaw_of_v5(bytes);
+  if (!flaw.empty()) refuse_file(path, "is damaged: " + flaw + "; get it again");
 }
 
 /// The message is a `char*` in matio 1.5.23 (Debian 12), and a `const char*` in 1.5.28 (Debian 13).

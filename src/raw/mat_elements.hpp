@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string>
 
 namespace piae::raw {
 
@@ -18,9 +19,13 @@ int mat_version(std::span<const std::byte> bytes);
 /// truncated, but fills up the missing values.
 bool is_whole_v5(std::span<const std::byte> bytes);
 
-/// True if every compressed element of a whole file of version 5 holds what was packed, by the
-/// checksum at the end of its stream (Adler-32, RFC 1950). libmatio stops before that checksum, so
-/// a flipped bit would give other numbers.
-bool is_intact_v5(std::span<const std::byte> bytes);
+/// Says how a whole file of version 5 is damaged; empty where it is not. libmatio would read it:
+///   - a compressed element does not hold what was packed, by the checksum at the end of its stream
+///     (Adler-32, RFC 1950), before which libmatio stops;
+///   - an array has more or fewer values than its dimensions say, or of a type that its class does
+///     not store: libmatio goes by the dimensions and takes bytes of what follows;
+///   - a part of a structure or cell array goes beyond its end.
+/// (MAT-File Format, MathWorks: level 5, "MAT-File Format".)
+std::string flaw_of_v5(std::span<const std::byte> bytes);
 
 }  // namespace piae::raw

@@ -58,6 +58,42 @@ bool has_said_size(std::span<const std::byte> file, const ChunkFormat& format) {
   return number_at(file, 4, format.is_big_endian) + before == file.size();
 }
 
+/// A sound's own description of its samples. WAV and W64 say the size of a frame twice, AIFF the
+/// number of frames, so that a description that is damaged contradicts itself.
+struct Frames {
+  std::uint64_t bytes = 0;  ///< of all frames; 0 where it is not said
+  std::uint64_t frame = 1;  ///< bytes of one
+  bool is_consistent = true;
+};
+
+/// Reads the chunk `fmt` of WAV and W64 (WAVEFORMATEX), of plain integers and floats.
+Frames wav_frames(std::span<const std::byte> content) {
+  constexpr std::array<std::uint16_t, 3> plain{1, 3, 0xFFFE};
+  if (content.size() < 16) return {.is_consistent = false};
+  const auto field = [&](std::size_t at) { return number_at<std::uint16_t>(content, at, false); };
+  if (std::ranges::find(plain, field(0)) == plain.end()) return {};
+  const std::uint64_t channels = field(2);
+  const std::uint64_t frame = field(12);
+  const std::uint64_t bits = field(14);
+  const bool is_padded = bits == 24 && frame == 4 * channels;
+  return {.frame = std::max<std::uint64_t>(frame, 1),
+          .is_consistent = is_padded || frame == channels * ((bits + 7) / 8)};
+}
+
+/// Reads the chunk `COMM` of AIFF.
+Frames aiff_frames(std::span<const std::byte> content) {
+  if (content.size() < 8) return {.is_consistent = false};
+  const std::uint64_t channels = number_at<std::uint16_t>(content, 0, true);
+  const std::uint64_t count = number_at(content, 2, true);
+  const std::uint64_t bits = number_at<std::uint16_t>(content, 6, true);
+  return {.bytes = count * channels * ((bits + 7) / 8)};
+}
+
+/// True if so many bytes of samples are whole frames, and all of them.
+bool holds(const Frames& said, std::uint64_t bytes) {
+  return said.is_consistent && bytes % said.frame == 0 && (said.bytes == 0 || said.bytes == bytes);
+}
+
 /// Refuses a file of chunks whose samples are fewer or more than it says: libsndfile would take
 /// those that are there, or as many as the chunk says.
 void require_whole(const fs::path& file) {
@@ -68,6 +104,7 @@ void require_whole(const fs::path& file) {
   if (format == chunk_formats.end()) return;
   std::uint64_t long_size = not_said;  // of the samples, in RF64
   bool has_passed_samples = false;
+  Frames said;
   std::size_t at = format->first;
   while (at + format->head <= bytes.size()) {
     const std::string_view name = bytes.substr(at, 4);
@@ -81,6 +118,14 @@ void require_whole(const fs::path& file) {
     }
     if (size > bytes.size() - at - format->head) break;
     has_passed_samples = has_passed_samples || has_samples;
+    const std::span content_of_chunk = std::span(content).subspan(at + format->head, size);
+    if (name == "fmt ") said = wav_frames(content_of_chunk);
+    if (name == "COMM" && bytes.substr(8, 4) == "AIFF") said = aiff_frames(content_of_chunk);
+    constexpr std::uint64_t before_frames = 8;  // offset and block size of AIFF
+    if (has_samples && !holds(said, name == "SSND" ? size - before_frames : size)) {
+      refuse_file(file,
+                  "damaged: what it says of channels, bits and length does not fit its samples");
+    }
     constexpr std::size_t long_size_at = 8;
     if (name == "ds64" && size >= 2 * long_size_at) {
       long_size = number_at<std::uint64_t>(content, at + format->head + long_size_at, false);

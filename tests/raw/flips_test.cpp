@@ -106,34 +106,43 @@ Covered filtered(const Folder& folder, const Filters& filters, bool is_matlab) {
   return file;
 }
 
-/// MATLAB v5, whose variables are zlib streams behind the file's header and their own.
-Covered packed_mat(const Folder& folder) {
-  const fs::path path = folder / "packed.mat";
+std::string mat5_bytes(const Folder& folder, matio_compression compression) {
+  const fs::path path = folder / "x.mat";
   std::vector<double> signal = flipped_signal();
   std::size_t extents[]{flipped_length, 1};
   mat_t* const file = Mat_CreateVer(path.c_str(), nullptr, MAT_FT_MAT5);
   matvar_t* const x = Mat_VarCreate("x", MAT_C_DOUBLE, MAT_T_DOUBLE, 2, extents, signal.data(), 0);
-  EXPECT_EQ(Mat_VarWrite(file, x, MAT_COMPRESSION_ZLIB), 0);
+  EXPECT_EQ(Mat_VarWrite(file, x, compression), 0);
   Mat_VarFree(x);
   Mat_Close(file);
-  const std::string bytes = bytes_of(path);
+  return bytes_of(path);
+}
+
+/// MATLAB v5, whose variables are zlib streams behind the file's header and their own.
+Covered packed_mat(const Folder& folder) {
+  const std::string bytes = mat5_bytes(folder, MAT_COMPRESSION_ZLIB);
   return {.bytes = bytes, .ranges = {{128 + 8, bytes.size()}}, .variable = "x"};
 }
 
-/// FLAC: its frames have sums of their own, and all samples one in the header, STREAMINFO (RFC
-/// 9639).
-Covered flac(const Folder& folder) {
-  const fs::path path = folder / "a.flac";
+/// The signal as 16 bits in one channel.
+std::string sound_bytes(const Folder& folder, int format) {
+  const fs::path path = folder / "sound";
   SF_INFO info{};
   info.samplerate = 12000;
   info.channels = 1;
-  info.format = SF_FORMAT_FLAC | SF_FORMAT_PCM_16;
+  info.format = format | SF_FORMAT_PCM_16;
   SNDFILE* const sound = sf_open(path.c_str(), SFM_WRITE, &info);
   std::vector<short> samples;
   for (const double x : flipped_signal()) samples.push_back(static_cast<short>(32768 * x));
   EXPECT_EQ(sf_writef_short(sound, samples.data(), flipped_length), flipped_length);
   sf_close(sound);
-  const std::string bytes = bytes_of(path);
+  return bytes_of(path);
+}
+
+/// FLAC: its frames have sums of their own, and all samples one in the header, STREAMINFO (RFC
+/// 9639).
+Covered flac(const Folder& folder) {
+  const std::string bytes = sound_bytes(folder, SF_FORMAT_FLAC);
   constexpr std::size_t number_of_samples = 21;
   constexpr std::size_t after_sum = 42;
   const std::size_t frames = bytes.find("\xff\xf8", after_sum);
@@ -186,6 +195,40 @@ TEST(Flips, WhereAChecksumCoversThemGiveNoOtherNumbers) {
       expect_no_other_numbers(folder, filtered(folder, filters, is_matlab));
     }
   }
+}
+
+/// Flips every bit in front of the samples, which no checksum covers: what is said there twice
+/// must agree. Bits that say nothing of the samples, such as of a name, may be flipped.
+void expect_contradictions_are_seen(const Folder& folder, const Covered& whole,
+                                    std::size_t at_least) {
+  EXPECT_EQ(read_here(folder.write("whole", whole.bytes), whole.variable), flipped_signal());
+  std::size_t refused = 0;
+  for (const Range& range : whole.ranges) {
+    for (std::size_t at = range.begin; at < range.end; ++at) {
+      for (int bit = 0; bit < 8; ++bit) {
+        refused += is_refused_or_same(folder, whole, at, bit) ? 1 : 0;
+      }
+    }
+  }
+  EXPECT_GE(refused, at_least);
+}
+
+TEST(Flips, InFrontOfTheSamplesOfMatlabV5AreSeen) {
+  const Folder folder;
+  const std::string bytes = mat5_bytes(folder, MAT_COMPRESSION_NONE);
+  const std::size_t samples = bytes.size() - flipped_length * sizeof(double);
+  expect_contradictions_are_seen(folder, {.bytes = bytes, .ranges = {{128, samples}}}, 300);
+}
+
+TEST(Flips, InWhatSoundSaysOfItsFramesAreSeen) {
+  const Folder folder;
+  const std::string wav = sound_bytes(folder, SF_FORMAT_WAV);  // channels; frame and bits; size
+  expect_contradictions_are_seen(
+      folder, {.bytes = wav, .ranges = {{22, 24}, {32, 36}, {40, 44}}, .variable = "1"}, 80);
+  const std::string aiff = sound_bytes(folder, SF_FORMAT_AIFF);
+  const std::size_t said = aiff.find("COMM") + 8;  // channels, frames and bits
+  expect_contradictions_are_seen(
+      folder, {.bytes = aiff, .ranges = {{said, said + 8}}, .variable = "1"}, 56);
 }
 
 /// Finds the keys of the index of chunks, which has no checksum in HDF5's old format: 8 bytes of
