@@ -11,12 +11,15 @@
 #include "base/sha256.hpp"
 #include "plan/changed_description.hpp"
 #include "plan/words.hpp"
+#include "signal/record_files.hpp"
 
 namespace piae::plan {
 
 namespace {
 
 using Values = std::map<std::string, std::string>;
+
+const std::string a_recording = "recording ";  // and its name: the role of an input
 
 /// Reads lines such as: epochs = "200"
 Values parse_options(std::string_view text) {
@@ -83,13 +86,27 @@ std::size_t count_in(const std::string& digest) {
 
 std::string what_changed(const Input& input, const std::string& was, const std::string& is) {
   if (input.files.size() > 1 || !input.is_option) {
-    if (input.role.starts_with("recording ")) return input.role + " has other contents";
+    if (input.role.starts_with(a_recording)) return input.role + " has other contents";
     const std::size_t before = count_in(was);
     const std::size_t now = count_in(is);
     if (before != now) return fmt::format("{} are {}, were {}", input.role, now, before);
     return input.role + " have other contents";
   }
   return file_name(input.files.front()) + " has other contents";
+}
+
+/// True if a recording is gone while others that match its pattern are there. Recordings need not
+/// be kept, but the rest of a record is another record.
+bool is_gone(const std::string& role, const Step& step) {
+  if (!step.description) return false;
+  const std::string name = role.substr(a_recording.size());
+  return std::ranges::any_of(step.description->recordings, [&](const std::string& pattern) {
+    if (!signal::is_pattern(pattern) || !signal::matches(pattern, name)) return false;
+    return std::ranges::any_of(step.inputs, [&](const Input& input) {
+      return input.role.starts_with(a_recording) &&
+             signal::matches(pattern, input.role.substr(a_recording.size()));
+    });
+  });
 }
 
 }  // namespace
@@ -130,7 +147,7 @@ Verdict Judge::judge(StepId id) {
   Verdict verdict;
   for (const StepId needed : graph_.needs(id)) {
     const Verdict& before = of(needed);
-    if (is_settled(needed)) continue;
+    if (!waits_for(graph_.at(id), needed)) continue;
     const bool is_first = verdict.state == State::current;
     if (is_first) verdict = {State::waits, "after " + name_of(graph_.at(needed)), true};
     verdict.only_missing = verdict.only_missing && before.only_missing;
@@ -213,25 +230,24 @@ std::string Judge::in_inputs(const Step& step, const artefact::Made& made) {
   std::set<std::string> roles;
   for (const Input& input : step.inputs) {
     roles.insert(input.role);
-    std::string why = in_input(input, made);
+    std::string why = in_input(step, input, made);
     if (!why.empty() && input.role == "description") why = in_description(step, input, made, why);
     if (!why.empty()) return why;
   }
   for (const artefact::MadeFrom& from : made.inputs) {
-    const bool is_recording = from.role.starts_with("recording ");
-    if (!roles.contains(from.role) && !is_recording) {
-      return "it was made with --" + from.role + ", too";
-    }
+    if (roles.contains(from.role)) continue;
+    if (!from.role.starts_with(a_recording)) return "it was made with --" + from.role + ", too";
+    if (is_gone(from.role, step)) return from.role + " is gone";
   }
   return {};
 }
 
-std::string Judge::in_input(const Input& input, const artefact::Made& made) {
+std::string Judge::in_input(const Step& step, const Input& input, const artefact::Made& made) {
   const auto was = std::ranges::find(made.inputs, input.role, &artefact::MadeFrom::role);
   if (was == made.inputs.end()) {
     return input.may_be_unrecorded ? "" : "it was made without " + input.role;
   }
-  const std::string now = digest_now(input);
+  const std::string now = digest_now(step, input);
   return now.empty() || now == was->digest ? "" : what_changed(input, was->digest, now);
 }
 
@@ -247,24 +263,28 @@ std::string Judge::in_description(const Step& step, const Input& input, const ar
   return change.empty() ? otherwise : file_name(file) + ": " + change;
 }
 
+bool Judge::waits_for(const Step& step, StepId needed) {
+  return !is_settled(needed) && (step.is_held || !graph_.at(needed).is_held);
+}
+
 bool Judge::is_settled(StepId id) {
   const Verdict& verdict = of(id);
   return verdict.state == State::current || (graph_.at(id).is_held && verdict.only_missing);
 }
 
-std::string Judge::digest_now(const Input& input) {
+std::string Judge::digest_now(const Step& step, const Input& input) {
   if (input.digest) return *input.digest;
-  if (input.is_option || input.role.starts_with("recording ")) {
+  if (input.is_option || input.role.starts_with(a_recording)) {
     const std::string& name = input.files.front();
     const auto maker = graph_.maker_of(name);
-    if (maker && !is_settled(*maker)) return {};
+    if (maker && waits_for(step, *maker)) return {};
     const File* const file = disk_.find(name);
     return file == nullptr ? std::string() : file->digest;
   }
   std::vector<std::pair<std::string, std::string>> all;
   for (const std::string& name : input.files) {
     const auto maker = graph_.maker_of(name);
-    if (maker && !is_settled(*maker)) return {};
+    if (maker && waits_for(step, *maker)) return {};
     const File* const file = disk_.find(name);
     if (file != nullptr) all.emplace_back(name, file->digest);
   }
@@ -277,7 +297,7 @@ artefact::DoneStep Judge::made_now(StepId id) {
   artefact::DoneStep done;
   done.made.options = std::make_shared<const std::string>(options_text(wanted_by(step)));
   for (const Input& input : step.inputs)
-    done.made.inputs.push_back({input.role, digest_now(input)});
+    done.made.inputs.push_back({input.role, digest_now(step, input)});
   std::vector<std::string> outputs = step.outputs;
   if (!step.tables_folder.empty()) {
     for (const std::string& name : disk_.files_below(step.tables_folder)) {

@@ -50,13 +50,15 @@ class Judge {
   std::string in_record(const Step& step);
   std::string in_options(const Step& step, const artefact::Made& made);
   std::string in_inputs(const Step& step, const artefact::Made& made);
-  std::string in_input(const Input& input, const artefact::Made& made);
+  std::string in_input(const Step& step, const Input& input, const artefact::Made& made);
   /// Names the key of a description that has changed, where its former text is still there.
   std::string in_description(const Step& step, const Input& input, const artefact::Made& made,
                              const std::string& otherwise);
   /// The digest of an input as it lies there now; empty where that cannot be known yet.
-  std::string digest_now(const Input& input);
-  /// True if a step will not change its outputs any more: a held one is never made again.
+  std::string digest_now(const Step& step, const Input& input);
+  /// True if a step that `step` needs may still change its outputs. One that the run only holds is
+  /// not made, so what is asked for takes it as it is.
+  bool waits_for(const Step& step, StepId needed);
   bool is_settled(StepId id);
 
   const Graph& graph_;

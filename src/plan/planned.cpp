@@ -1,6 +1,7 @@
 #include "plan/planned.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <optional>
 
 #include "base/error.hpp"
@@ -12,27 +13,40 @@
 
 namespace piae::plan {
 
+bool lies_in(const Times& times, double changed_s) {
+  return changed_s > times.begun_s && changed_s <= times.now_s;
+}
+
 namespace {
 
-/// True if a file was written after a step began, by the clock of the file system.
-bool is_newer(const std::string& file, double begun_s) {
+/// The time by the clock of the file system, which has just written the log, or by ours.
+double now_s(const std::string& log) {
+  const auto written = artefact::stat_of(log);
+  const std::chrono::duration<double> ours = std::chrono::system_clock::now().time_since_epoch();
+  return written ? std::max(ours.count(), static_cast<double>(written->changed) * 1e-9)
+                 : ours.count();
+}
+
+/// True if a file was written since a step began.
+bool is_newer(const std::string& file, const Times& times) {
   const auto stat = artefact::stat_of(file);
-  return stat && static_cast<double>(stat->changed) * 1e-9 > begun_s;
+  return stat && lies_in(times, static_cast<double>(stat->changed) * 1e-9);
 }
 
 /// True if the step cannot have read these settings: their file differs, or was written later.
-bool has_read_others(const Settings* settings, double begun_s) {
+bool has_read_others(const Settings* settings, const Times& times) {
   if (settings == nullptr) return false;
-  if (!artefact::stat_of(settings->file) || is_newer(settings->file, begun_s)) return true;
+  if (!artefact::stat_of(settings->file) || is_newer(settings->file, times)) return true;
   return sha256_of_file(settings->file) != Sha256().update(settings->text).finish_hex();
 }
 
 /// True if what a step read has changed since it began.
 bool changed_since(const Step& step, double begun_s) {
-  if (has_read_others(step.settings.get(), begun_s)) return true;
+  const Times times{.begun_s = begun_s, .now_s = now_s(log_of(step))};
+  if (has_read_others(step.settings.get(), times)) return true;
   for (const Input& input : step.inputs) {
     for (const std::string& file : input.files) {
-      if (is_newer(file, begun_s)) return true;
+      if (is_newer(file, times)) return true;
     }
   }
   return false;

@@ -49,6 +49,16 @@ class Planned {
   std::unique_ptr<Plan> plan_;
 };
 
+/// When a step began, and the time now, in seconds since 1970.
+struct Times {
+  double begun_s = 0;
+  double now_s = 0;
+};
+
+/// True if a file that changed at that time may have been read before it did. A time to come is of
+/// a clock that has been set back since.
+bool lies_in(const Times& times, double changed_s);
+
 /// The request for one step alone, whose log has this name: of its data set and seed.
 Request narrowed(Request request, const std::string& step);
 

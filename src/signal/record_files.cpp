@@ -22,13 +22,6 @@ std::string_view take_number(std::string_view& text) {
   return number;
 }
 
-/// Returns whether one name of a path matches. A bracket in the pattern is a bracket.
-bool matches(const std::string& pattern, const std::string& name) {
-  std::string escaped;
-  for (const char c : pattern) escaped += c == '[' ? "[[]" : std::string(1, c);
-  return ::fnmatch(escaped.c_str(), name.c_str(), FNM_NOESCAPE | FNM_PERIOD) == 0;
-}
-
 std::vector<fs::path> matching_in(const fs::path& root, const fs::path& folder,
                                   const std::string& pattern) {
   std::vector<fs::path> found;
@@ -66,6 +59,12 @@ std::vector<std::string> matching(const std::string& pattern, const fs::path& ro
 }
 
 }  // namespace
+
+bool matches(const std::string& pattern, const std::string& path) {
+  std::string escaped;
+  for (const char c : pattern) escaped += c == '[' ? "[[]" : std::string(1, c);
+  return ::fnmatch(escaped.c_str(), path.c_str(), FNM_NOESCAPE | FNM_PATHNAME | FNM_PERIOD) == 0;
+}
 
 bool is_pattern(std::string_view name) {
   return name.find_first_of("*?") != std::string_view::npos;

@@ -11,6 +11,9 @@ namespace piae::signal {
 /// `?` is one, neither a slash, and neither the dot that hides a file.
 bool is_pattern(std::string_view name);
 
+/// True if a path matches a pattern, folder by folder. A bracket in the pattern is a bracket.
+bool matches(const std::string& pattern, const std::string& path);
+
 /// Orders names as people count: "acc_2.csv" before "acc_10.csv". Digits that stand together are
 /// one number.
 bool naturally_less(std::string_view left, std::string_view right);

@@ -160,6 +160,9 @@ TEST(DueSteps, CompareAllRecordingsThatAPatternMatches) {
   record("run/2.csv", "second");
   record("run/10.csv", "third");
   EXPECT_EQ(run.why("real/ingest"), "it was made without recording run/10.csv");
+  run.run();
+  std::filesystem::remove(folder / "run/2.csv");
+  EXPECT_EQ(run.why("real/ingest"), "recording run/2.csv is gone");
   std::filesystem::remove_all(folder / "run");  // recordings need not be kept
   EXPECT_EQ(run.why("real/ingest"), "");
 }
@@ -284,6 +287,20 @@ TEST(DueNumbersOfFigures, AreThoseOfWhichATableIsLost) {
   run.disk.steps["results/t/real/figures"] = looking.judge().made_now(figures_step(looking));
   Plan& whole = run.plan("all", Stretch::numbers);
   EXPECT_THAT(whole.judge().of(figures_step(whole)).why, testing::HasSubstr(" is not set, was "));
+}
+
+TEST(DueNumbersOfFigures, DoNotWaitForCellsThatAreLeftOut) {
+  SmallRun run;
+  run.run();
+  run.disk.files["results/t/real/seed0/smote/E.h5"].digest = "another";
+  run.request.methods = "none piae-dt";  // so that what smote has made is only held
+  Plan& first = run.plan("all", Stretch::numbers);
+  const StepId id = first.asked().front();
+  EXPECT_EQ(first.judge().of(id).state, State::due);
+  run.disk.files["results/t/real/figures/gains.csv"] = {.digest = "1"};
+  run.disk.steps[name_of(first.graph().at(id))] = first.judge().made_now(id);
+  Plan& second = run.plan("all", Stretch::numbers);
+  EXPECT_EQ(second.judge().of(second.asked().front()).why, "");
 }
 
 TEST(DueNumbersOfFigures, AreThoseOfAllWhereAllIsAskedForWithThem) {

@@ -95,5 +95,12 @@ TEST_F(TableOnTheDisk, IsNotNotedWhereAnotherMakeWroteTheSettingsMeanwhile) {
   EXPECT_TRUE(notes());
 }
 
+TEST(FilesThatAStepRead, HaveChangedSinceItBegan) {
+  const Times times{.begun_s = 100, .now_s = 200};
+  EXPECT_FALSE(lies_in(times, 99));
+  EXPECT_TRUE(lies_in(times, 150));
+  EXPECT_FALSE(lies_in(times, 3700));  // the clock was set back by an hour
+}
+
 }  // namespace
 }  // namespace piae::plan
