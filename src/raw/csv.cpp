@@ -3,6 +3,7 @@
 #include <optional>
 #include <string_view>
 
+#include "raw/csv_doubts.hpp"
 #include "raw/csv_fields.hpp"
 #include "raw/csv_layout.hpp"
 #include "raw/file.hpp"
@@ -34,15 +35,17 @@ void require_same_table(const fs::path& file, std::size_t number, std::string_vi
                       "of its own");
 }
 
-/// The field of the column in a line, which must have as many as all, and may end with a separator.
-std::string_view field_of(const fs::path& file, std::size_t number, std::string_view line,
-                          const CsvLayout& layout) {
-  std::string_view found;
+/// Takes those of a line, which must have as many fields as all, and may end with a separator.
+CsvRow fields_of_line(const fs::path& file, std::size_t number, std::string_view line,
+                      const CsvLayout& layout) {
+  CsvRow found;
   std::string_view last;
   std::size_t count = 0;
   for (std::optional rest = line; rest; ++count) {
     const std::string_view field = take_field(rest, layout.separator);
-    if (count == layout.column) found = field;
+    if (count == 0) found.first = field;
+    if (count == layout.column) found.asked = field;
+    if (count == (layout.column ^ 1)) found.partner = field;
     last = field;
   }
   const bool ends_with_separator = count == layout.fields + 1 && last.empty();
@@ -90,10 +93,12 @@ Signal read_table(const fs::path& file, const std::string& column) {
   std::string_view rest = layout.numbers;
   std::vector<double> numbers;
   DecimalSign sign;
+  CsvDoubts doubts(file, layout);
   bool may_be_torn = layout.separator == ',' && layout.fields % 2 == 0 && !layout.has_name;
   for (std::size_t line = layout.first_line; !rest.empty(); ++line) {
     const std::string_view all = take_line(rest);
-    const std::string_view field = field_of(file, line, all, layout);
+    const CsvRow fields = fields_of_line(file, line, all, layout);
+    const std::string_view field = fields.asked;
     const auto number = number_in_field(field, layout.separator);
     const auto refuse = [&](const char* why) {
       refuse_csv_line(file, line,
@@ -110,7 +115,8 @@ Signal read_table(const fs::path& file, const std::string& column) {
           ", and a line before has the other decimal sign; write all with a decimal point, and "
           "no sign between thousands");
     }
-    if (may_be_torn && is_torn_decimal(field, all)) {
+    doubts.look_at(line, fields, all);
+    if (may_be_torn && (is_torn_decimal(field, all) || is_torn_decimal(fields.partner, all))) {
       may_be_torn = !has_signs_behind_commas(layout.numbers);
       if (may_be_torn) {
         refuse(
@@ -120,6 +126,7 @@ Signal read_table(const fs::path& file, const std::string& column) {
     }
     numbers.push_back(*number);
   }
+  if (!numbers.empty()) doubts.require_none();
   if (numbers.size() == 1 && layout.fields > largest_row) {
     refuse_csv_line(file, layout.first_line,
                     "is the only one and has " + std::to_string(layout.fields) +

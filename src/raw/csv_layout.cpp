@@ -31,12 +31,22 @@ bool is_date_or_time(std::string_view text) {
          (count(":/") >= 1 || count(".") == 2 || count("-") == 2);
 }
 
-/// The digits behind the decimal sign of a number without exponent; nothing where it has none.
-std::optional<std::size_t> decimals_of(std::string_view number) {
-  const std::size_t sign = number.find_first_of(".,");
-  const bool has_exponent = number.find_first_of("eE") != std::string_view::npos;
-  if (sign == std::string_view::npos || has_exponent) return std::nullopt;
-  return number.size() - sign - 1;
+/// How a number is written.
+struct Form {
+  bool has_decimals = false;
+  std::size_t decimals = 0;  ///< digits behind the decimal sign
+  bool has_exponent = false;
+
+  bool operator==(const Form&) const = default;
+};
+
+Form form_of(std::string_view number) {
+  const std::size_t exponent = std::min(number.find_first_of("eE"), number.size());
+  const std::size_t sign = number.substr(0, exponent).find_first_of(".,");
+  if (sign == std::string_view::npos) return {.has_exponent = exponent < number.size()};
+  return {.has_decimals = true,
+          .decimals = exponent - sign - 1,
+          .has_exponent = exponent < number.size()};
 }
 
 /// The fields of a line, of which recordings have a few.
@@ -86,8 +96,9 @@ class Search {
     if (lines_.empty()) return {};
     const bool by_number = column_.find_first_not_of("0123456789") == std::string::npos;
     const std::optional<CsvLayout> found = by_number ? find_by_number() : find_by_name();
-    if (found) return *found;
-    refuse_column();
+    if (!found) refuse_column();
+    require_no_other_numbers_above(*found);
+    return *found;
   }
 
  private:
@@ -150,7 +161,6 @@ class Search {
       if (is_alone && (has_text_before(i) || holds_letters(lines_[i].text))) continue;
       if (is_no_row_of_the_table(lines_[i], separator)) continue;
       for (std::size_t j = 0; j < i; ++j) require_text(lines_[j], separator, count, column);
-      require_no_whole_numbers_above(i, separator, count, column);
       return layout_from(lines_[i], separator, count, column);
     }
     return header_alone(column);
@@ -167,26 +177,44 @@ class Search {
                                is_number, is_number);
   }
 
-  /// Refuses whole numbers above numbers that all have as many decimals: what an instrument writes
-  /// before its samples, such as the rate and how many there are.
-  void require_no_whole_numbers_above(std::size_t first, char separator, std::size_t count,
-                                      std::size_t column) const {
+  /// Refuses numbers above the samples that are written otherwise than all of these: what an
+  /// instrument or a program writes before them, such as the rate, a sensitivity, or the number of
+  /// a column. Of times the first may be a plain 0.
+  void require_no_other_numbers_above(const CsvLayout& found) const {
     constexpr std::size_t most = 10;    // such numbers
     constexpr std::size_t enough = 10;  // samples that show how they are written
-    std::vector<std::optional<std::size_t>> decimals;
-    for (std::size_t i = first; i < lines_.size(); ++i) {
-      if (!holds_number(lines_[i], separator, count, column)) return;
-      decimals.push_back(decimals_of(fields(lines_[i], separator)[column]));
+    std::vector<std::string_view> column;
+    for (const Line& line : lines_) {
+      if (line.number < found.first_line) continue;
+      if (!holds_number(line, found.separator, found.fields, found.column)) return;
+      column.push_back(fields(line, found.separator)[found.column]);
     }
-    const auto samples = std::ranges::find_if(decimals, [](auto d) { return d.has_value(); });
-    const auto whole = static_cast<std::size_t>(samples - decimals.begin());
-    if (whole == 0 || whole > most || decimals.size() < whole + enough) return;
-    if (std::any_of(samples, decimals.end(), [&](auto d) { return d != *samples; })) return;
-    refuse_csv_line(file_, lines_[first].number,
-                    "column " + column_ + " holds " +
-                        csv_field_in_quotes(fields(lines_[first], separator)[column]) +
-                        ", a whole number above numbers with " + std::to_string(**samples) +
-                        " decimals: no sample, it seems; remove what stands above the table");
+    if (column.size() <= enough || rises(column, found.separator)) return;
+    const Form last = form_of(column.back());
+    const auto first_where = [&](const auto& is_sample) {
+      const auto other = std::find_if_not(column.rbegin(), column.rend(), is_sample);
+      return static_cast<std::size_t>(column.rend() - other);
+    };
+    const std::size_t alike = first_where([&](auto number) { return form_of(number) == last; });
+    const std::size_t broken = first_where(
+        [](auto number) { return form_of(number).has_decimals || form_of(number).has_exponent; });
+    const bool are_whole =
+        std::none_of(column.begin(), column.begin() + static_cast<std::ptrdiff_t>(broken),
+                     [](auto number) { return form_of(number).has_decimals; });
+    for (const auto& [above, counts] :
+         {std::pair(alike, last.has_decimals), std::pair(broken, are_whole)}) {
+      if (!counts || above == 0 || above > most || column.size() < above + enough) continue;
+      refuse_csv_line(file_, found.first_line,
+                      "column " + column_ + " holds " + csv_field_in_quotes(column.front()) +
+                          ", written otherwise than the numbers below, such as " +
+                          csv_field_in_quotes(column.back()) +
+                          ": no sample, it seems; remove what stands above the table");
+    }
+  }
+
+  static bool rises(const std::vector<std::string_view>& column, char separator) {
+    return std::ranges::is_sorted(
+        column, {}, [&](std::string_view number) { return number_in_field(number, separator); });
   }
 
   [[nodiscard]] bool has_text_before(std::size_t end) const {

@@ -1,6 +1,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cmath>
+#include <cstdio>
+
 #include "raw/file.hpp"
 #include "support/errors.hpp"
 #include "support/folder.hpp"
@@ -78,9 +82,65 @@ TEST_F(InstrumentText, HasNoSamplesAboveItsTable) {
   std::string decimals;
   for (int i = 0; i < 12; ++i) decimals += "0.25\n";
   expect_refused("2\n12000\n24000\n" + decimals, "1",
-                 ", line 1: column 1 holds '2', a whole number above numbers with 2 decimals");
-  // Where numbers are written as short as they go, a whole one is a sample.
-  EXPECT_EQ(read_here(folder_.write("a.txt", "0\n0.125\n" + decimals), "1").size(), 14U);
+                 ", line 1: column 1 holds '2', written otherwise than the numbers below");
+  // Where numbers are written as short as they go, as others show, a whole one is a sample.
+  EXPECT_EQ(read_here(folder_.write("a.txt", "0\n0.125\n" + decimals + "1\n"), "1").size(), 15U);
+}
+
+/// Twenty samples of several digits, one in a line behind `before`; the form is that of printf.
+std::string samples(const std::string& before = "", const char* form = "%.6f") {
+  std::string text;
+  for (int i = 0; i < 20; ++i) {
+    std::array<char, 40> number{};
+    (void)std::snprintf(number.data(), number.size(), form, std::sin(1.0 + i));
+    text += before + number.data() + '\n';
+  }
+  return text;
+}
+
+TEST_F(InstrumentText, HasNoNumberAboveItsTableThatIsWrittenOtherwise) {
+  const std::string why = ", written otherwise than the numbers below, such as '";
+  expect_refused("0\n" + samples("", "%.15g"), "1", "line 1: column 1 holds '0'" + why);  // pandas
+  expect_refused("1.0\n" + samples(), "1", "line 1: column 1 holds '1.0'" + why);
+  expect_refused("12000.0\n" + samples(), "1", why);
+  expect_refused("1.2E+04\n" + samples("", "%.6E"), "1", why);
+  expect_refused("acc\ng\n9.81\n" + samples(), "acc", "line 3: column acc holds '9.81'" + why);
+  // Times begin with a plain 0; samples that are written in many ways may be anything.
+  std::string times = "t,x\n0,0.5\n";
+  for (int i = 1; i < 20; ++i) times += std::to_string(0.001 * i) + ",0.5\n";
+  EXPECT_EQ(read_here(folder_.write("a.txt", times), "t").size(), 20U);
+  EXPECT_EQ(read_here(folder_.write("a.txt", samples("", "%.3g") + "1\n" + samples()), "1").size(),
+            41U);
+}
+
+TEST_F(InstrumentText, HasNoLineOfWordsAmongItsNumbers) {
+  const std::string why = "', where other lines have a number: it is not of the table, it seems";
+  const std::string table = samples("0.1,");
+  expect_refused("t,x\n" + table + "Sample rate,12000\n" + table, "x",
+                 "line 22: begins with 'Sample rate" + why);
+  expect_refused("t,x\n" + table + "Max,3.2\n", "x", "line 22: begins with 'Max" + why);
+  expect_refused("time;acc\ns;9.810000\n" + samples("0.1;"), "acc", "line 2: begins with 's" + why);
+  expect_refused("Start 2026-11-27 12:00:00,100.500000\n" + samples("12:00:00.1,"), "2",
+                 "line 1: begins with 'Start 2026-11-27 12:00:00" + why);
+  // Names of lines, and numbers that are missing, are of a table.
+  EXPECT_EQ(read_here(folder_.write("a.txt", samples("n,")), "2").size(), 20U);
+  EXPECT_EQ(read_here(folder_.write("a.txt", table + "nan,0.5\n" + table), "2").size(), 41U);
+}
+
+TEST_F(InstrumentText, HasNoCommaThatMayStandBeforeThousands) {
+  expect_refused("t;x\n0.1;5,121\n0.2;5,122\n", "x",
+                 "line 2: holds '5,121' and '0.1': both decimal signs");
+  expect_refused(
+      "x\n2,401\n-1,233\n4,379\n", "x",
+      "line 2: holds '2,401', and all like it may have decimals or thousands behind the comma");
+  expect_refused("2 037\n3 465\n1 002\n", "1", "line 1: has blanks between thousands, it seems");
+  expect_refused("5,114567\n5,024567\n", "1", "numbers with a decimal comma, it seems");
+  expect_refused("0,000000,0,345584\n0,000100,0,445584\n", "1",
+                 "numbers with a decimal comma, it seems");
+  // One of them shows which it is.
+  EXPECT_THAT(read_here(folder_.write("a.txt", "x\n2,401\n0,250\n"), "x"),
+              ElementsAre(2.401, 0.25));
+  EXPECT_THAT(read_here(folder_.write("a.txt", "2 437\n3 465\n"), "1"), ElementsAre(2, 3));
 }
 
 TEST_F(InstrumentText, OfWholeNumbersMayHaveLeadingZerosBelowAHeader) {
