@@ -59,6 +59,12 @@ std::string joined_words(std::span<const std::string> words) {
   return text;
 }
 
+/// A maker or a suffix, such as SKF, C3 or 2RS, does not name a bearing: that needs a number.
+bool has_number(const std::string& asked) {
+  const auto is_digit = [](unsigned char c) { return std::isdigit(c) != 0; };
+  return std::ranges::count_if(asked, is_digit) >= 2;
+}
+
 /// Returns whether words of the row that follow one another are the one that is asked for.
 bool holds_words(const Words& row, const std::string& asked) {
   for (std::size_t first = 0; first < row.size(); ++first) {
@@ -133,7 +139,7 @@ std::vector<Row> rows_called(const std::string& asked, const std::vector<Row>& r
   for (const Row& row : rows) {
     const Words words = words_of(row.designation);
     if (joined_words(words) == asked) whole.push_back(row);
-    if (holds_words(words, asked)) part.push_back(row);
+    if (has_number(asked) && holds_words(words, asked)) part.push_back(row);
   }
   return whole.empty() ? part : whole;
 }

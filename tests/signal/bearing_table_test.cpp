@@ -61,6 +61,9 @@ TEST(BearingTable, SaysWhatItHasInstead) {
   };
   refused("NSK 6205", "'NSK 6205' has no row in " + table.string() +
                           "; it has SKF 6205-2RS JEM, KG 6205; give balls, ball_diameter_mm");
+  for (const std::string part : {"JEM", "2RS", "SKF"}) {
+    refused(part, "'" + part + "' has no row in " + table.string() + "; it has SKF 6205-2RS JEM");
+  }
   refused("6311", "'6311' has no row in " + table.string() + "; give balls");
   refused("620", "'620' has no row");  // no part of a word will do
   refused("6201", "'6201' may be one of NTN 6201, NTN 6201 wide, whose fault lines differ");
