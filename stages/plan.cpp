@@ -112,7 +112,9 @@ int main(int argc, char** argv) {
       throw Error(Exit::usage, "--whole goes with --format why or summary (see plan --help)");
     }
     plan::Planned planned(request, options);
-    for (const std::string& notice : planned.plan().choice().notices) std::cerr << notice << '\n';
+    if (options.stretch == plan::Stretch::grid) {  // which comes first: said once
+      for (const std::string& notice : planned.plan().choice().notices) std::cerr << notice << '\n';
+    }
     if (whole) {
       const std::string all = printed_of_all(planned, format);
       std::cout << (all.empty() ? "nothing is to be done\n" : all);

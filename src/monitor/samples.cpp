@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstring>
 
+#include "base/error.hpp"
+
 namespace piae::monitor {
 
 namespace {
@@ -99,8 +101,9 @@ void SampleDecoder::add_wav(std::span<const std::byte> bytes, std::vector<double
 }
 
 void SampleDecoder::add(std::span<const std::byte> bytes, std::vector<double>& samples) {
-  const std::size_t more = std::min<std::size_t>(4 - beginning_.size(), bytes.size());
+  const std::size_t more = std::min<std::size_t>(shown_bytes - beginning_.size(), bytes.size());
   beginning_.append(reinterpret_cast<const char*>(bytes.data()), more);
+  if (more > 0) require_binary();
   const auto add_whole = [&]<class T>(T) {
     add_binary<sizeof(T)>(bytes, [&](const void* from) {
       samples.push_back(static_cast<double>(value_at<T>(from)));
@@ -126,6 +129,17 @@ void SampleDecoder::add(std::span<const std::byte> bytes, std::vector<double>& s
   }
 }
 
+void SampleDecoder::require_binary() const {
+  if (format_ == SampleFormat::text || format_ == SampleFormat::wav) return;
+  // Samples in binary form would hardly all have such bytes.
+  const bool is_text =
+      beginning_.find_first_not_of("0123456789+-.,;eE \t\r\n") == std::string::npos;
+  if (beginning_.size() < shown_bytes || !is_text) return;
+  throw Error(Exit::bad_input, name_ +
+                                   ": begins like text, not like samples in binary form; is it "
+                                   "--format text?");
+}
+
 void SampleDecoder::finish(std::vector<double>& samples) { text_.finish(samples); }
 
 void SampleDecoder::restart() {
@@ -140,7 +154,7 @@ std::string SampleDecoder::likelier_format() const {
   constexpr double too_few = 0.9;
   const auto all = static_cast<double>(floats_);
   if (floats_ == 0 || static_cast<double>(plausible_) > too_few * all) return "";
-  if (beginning_ == "RIFF" && format_ != SampleFormat::wav) return "wav";
+  if (beginning_.starts_with("RIFF") && format_ != SampleFormat::wav) return "wav";
   if (static_cast<double>(plausible_swapped_) < nearly_all * all) return "";
   switch (format_) {
     case SampleFormat::f32:

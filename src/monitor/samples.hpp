@@ -24,10 +24,10 @@ class SampleDecoder {
  public:
   /// `name` is the stream's, for messages, and `sample_rate_hz` what a WAV header must say.
   SampleDecoder(SampleFormat format, const std::string& name, double sample_rate_hz)
-      : format_(format), text_(name), wav_(name, sample_rate_hz) {}
+      : format_(format), name_(name), text_(name), wav_(name, sample_rate_hz) {}
 
   /// Appends the samples of what came until now. A line of text that is not a number is NaN. Throws
-  /// as WavStream::next.
+  /// as WavStream::next, and Error(bad_input) for text where the format is a binary one.
   void add(std::span<const std::byte> bytes, std::vector<double>& samples);
   /// When no more bytes will come: a last line of text need not end.
   void finish(std::vector<double>& samples);
@@ -48,11 +48,16 @@ class SampleDecoder {
   template <std::size_t size, class Read>
   void add_binary(std::span<const std::byte> bytes, const Read& read);
 
+  void require_binary() const;
+
+  static constexpr std::size_t shown_bytes = 32;
+
   SampleFormat format_;
+  std::string name_;
   TextSamples text_;
   WavStream wav_;
   std::string waiting_;
-  std::string beginning_;  ///< of the stream: 4 bytes
+  std::string beginning_;  ///< of the stream: shown_bytes
 
   // Floats of the magnitudes that vibration has, read as they are and with their bytes swapped:
   std::uint64_t floats_ = 0;

@@ -6,7 +6,9 @@
 #include <cmath>
 #include <cstring>
 
+#include "base/error.hpp"
 #include "base/random.hpp"
+#include "support/errors.hpp"
 
 namespace piae::monitor {
 namespace {
@@ -104,6 +106,19 @@ TEST(Samples, ALongLineIsAGap) {
 }
 
 /// Bytes in the wrong order make numbers of all magnitudes.
+TEST(Samples, ThatAreTextAreNotReadAsBinary) {
+  const std::string text = "0.0125\n-0.25\n+1.5e-3\n0.125\n-0.0625\n";
+  for (const SampleFormat format : {SampleFormat::f32, SampleFormat::f64, SampleFormat::f32be,
+                                    SampleFormat::i16, SampleFormat::i32}) {
+    SampleDecoder decoder(format, "pump", 12000);
+    std::vector<double> samples;
+    const auto bytes = std::as_bytes(std::span(text));
+    decoder.add(bytes.first(10), samples);
+    EXPECT_ERROR(decoder.add(bytes.subspan(10), samples), Exit::bad_input,
+                 "pump: begins like text, not like samples in binary form; is it --format text?");
+  }
+}
+
 TEST(Samples, TellTheByteOrderThatTheyLookLike) {
   std::vector<float> narrow;
   std::vector<double> wide;
