@@ -48,15 +48,22 @@ std::string printed(plan::Plan& plan, Format format, const JobOptions& jobs) {
   }
 }
 
-/// Prints all stretches of a run. Later ones are planned from the files that exist now, so their
-/// steps may change once the grid is complete.
+/// Prints the first stretch of a run in which something is to be done, and names those behind it:
+/// their steps follow from the files that there will be.
 std::string printed_of_all(plan::Planned& planned, Format format) {
   std::string text;
+  std::string later;
   for (const plan::Stretch stretch : plan::stretches) {
+    if (!has_steps_in(stretch, planned.plan().choice())) continue;
+    if (!text.empty()) {
+      later += (later.empty() ? "" : ", ") + std::string(to_string(stretch));
+      continue;
+    }
     planned.go_to(stretch);
-    text += printed(planned.plan(), format, {});
+    text = printed(planned.plan(), format, {});
   }
-  return text;
+  if (later.empty()) return text;
+  return text + "then, of what there will be: " + later + '\n';
 }
 
 }  // namespace
