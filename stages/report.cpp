@@ -45,7 +45,7 @@ int main(int argc, char** argv) {
   bind(stage.options(), asked);
   stage.input_file("--run", run_folder, "Folder of the run, such as results/try");
   stage.input_file("--published", published_folder, "Folder of the paper's tables as CSV");
-  stage.input_file("--pipeline", pipeline, "Folder with protocol.toml and datasets/")
+  stage.input_file("--pipeline", pipeline, "No longer read: settings are shown as they are")
       .required(false);
   stage.input_file("--style", style_folder, "Folder with style.css and script.js").required(false);
 
@@ -53,7 +53,7 @@ int main(int argc, char** argv) {
     require_folder(run_folder);
     const page::Style style = page::read_style(style_folder);
     const report::Published published(published_folder);
-    const page::ReportContents contents = page::read_report(run_folder, asked, published, pipeline);
+    const page::ReportContents contents = page::read_report(run_folder, asked, published);
     const std::string html = report_page(contents, style);
     text::save_if_changed({run_folder / "report.html", html});
     text::save_if_changed({run_folder / "report.md", report_text(contents)});

@@ -3,9 +3,9 @@
 #include <cstdint>
 #include <string_view>
 
-#include "artefact/file.hpp"
 #include "base/error.hpp"
 #include "base/sha256.hpp"
+#include "text/file.hpp"
 
 namespace piae::page {
 
@@ -37,8 +37,7 @@ std::string source_hash(const std::string& text) {
 /// Browsers take the end of a line for a line feed, however it is written, before they compare the
 /// hash of a script.
 std::string read_inlined(const fs::path& file, const std::string& element) {
-  const Bytes bytes = artefact::read_file(file);
-  std::string text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  std::string text = text::read_file(file);
   std::erase(text, '\r');
   if (text.find("</" + element) != std::string::npos) {
     throw Error(Exit::bad_input, file.string() + ": holds '</" + element +

@@ -4,22 +4,16 @@
 #include <map>
 #include <sstream>
 
-#include "artefact/file.hpp"
 #include "figures/catalogue.hpp"
-#include "page/compact_svg.hpp"
 #include "page/hole.hpp"
 #include "page/links.hpp"
+#include "text/file.hpp"
 
 namespace piae::page {
 
 namespace fs = std::filesystem;
 
 namespace {
-
-std::string text_of_file(const fs::path& file) {
-  const Bytes bytes = artefact::read_file(file);
-  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
-}
 
 /// The files of a figure with this ending: NAME.svg, or NAME@PART.svg for each part.
 std::vector<fs::path> files_of_figure(const fs::path& folder, const std::string& name,
@@ -47,14 +41,14 @@ Picture read_picture(const fs::path& run, const fs::path& svg) {
   const std::string stem = svg.stem().string();
   const std::size_t at = stem.find('@');
   Picture picture{.part = at == std::string::npos ? "" : stem.substr(at + 1)};
-  const std::string text = text_of_file(svg);
+  const std::string text = text::read_file(svg);
   picture.svg = {.file = svg.lexically_relative(run),
-                 .address = data_address("image/svg+xml", compact_svg(text))};
+                 .address = data_address("image/svg+xml", text)};
   read_size(text, picture);
   const fs::path csv = fs::path(svg).replace_extension(".csv");
   if (fs::exists(csv)) {
     picture.csv = {.file = csv.lexically_relative(run),
-                   .address = data_address("text/csv", text_of_file(csv))};
+                   .address = data_address("text/csv", text::read_file(csv))};
   }
   const fs::path pdf = fs::path(svg).replace_extension(".pdf");
   if (fs::exists(pdf)) picture.pdf = pdf.lexically_relative(run);
@@ -71,7 +65,7 @@ struct Reason {
 std::map<std::string, Reason> reasons_in_log(const fs::path& run, const fs::path& log) {
   std::map<std::string, Reason> reasons;
   if (!fs::exists(log)) return reasons;
-  std::istringstream lines(text_of_file(log));
+  std::istringstream lines(text::read_file(log));
   for (std::string line; std::getline(lines, line);) {
     const auto take = [&](const std::string& before, const std::string& after, bool is_left_out) {
       const std::size_t said = line.find(after);

@@ -14,6 +14,7 @@
 #include "page/recall_view.hpp"
 #include "page/recommendation_view.hpp"
 #include "page/words.hpp"
+#include "report/gaps.hpp"
 #include "report/labels.hpp"
 #include "scoring/ratios.hpp"
 
@@ -120,6 +121,34 @@ Html results_and_figures(const Datasets& datasets, const Figures& figures) {
   return all;
 }
 
+std::vector<text::File> read_settings(const std::filesystem::path& run) {
+  std::vector<text::File> files;
+  const std::filesystem::path folder = run / ".settings";
+  std::error_code none_there;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder, none_there)) {
+    if (entry.path().extension() != ".toml") continue;
+    files.push_back(
+        {.path = entry.path().lexically_relative(folder), .text = text::read_file(entry.path())});
+  }
+  std::ranges::sort(files, {}, &text::File::path);
+  return files;
+}
+
+Html settings_view(const std::vector<text::File>& files) {
+  if (files.empty()) {
+    return element("p", "This run has no settings files: its steps were run by hand.");
+  }
+  Html all = element("p",
+                     "The settings files of the run (.settings/), with which its steps were run. "
+                     "The comments of pipeline/protocol.toml and pipeline/datasets/ give the "
+                     "source of each value.");
+  for (const text::File& file : files) {
+    all += element("details",
+                   element("summary", file.path.generic_string()) + element("pre", file.text));
+  }
+  return all;
+}
+
 Html rest_of(const ReportContents& contents) {
   Html recall;
   Html decisions;
@@ -193,7 +222,7 @@ std::vector<std::pair<std::string, std::string>> facts_of(const Datasets& datase
        "accuracy is that on test windows."},
       {counted(methods.size(), "method"), report::listed(methods)},
       {"Ratios", report::listed(ratio_labels(datasets))},
-      {"Seeds", ranges_label(seeds)},
+      {"Seeds", report::seed_list(seeds)},
       {"Split", protocols.empty() ? "not known yet" : report::listed(protocols)},
       {"Cells", counted_cells(diagnoses, scores)}};
   const auto classifiers = all_of<std::string>(datasets, classifiers_in_grid);
@@ -205,15 +234,14 @@ std::vector<std::pair<std::string, std::string>> facts_of(const Datasets& datase
 }
 
 ReportContents read_report(const std::filesystem::path& run, const AskedCells& asked,
-                           const report::Published& published,
-                           const std::filesystem::path& pipeline) {
+                           const report::Published& published) {
   ReportContents contents;
   for (const std::string& name : datasets_of(run, asked)) {
     const run::Grid grid = grid_of(run::Layout(run, name), name, asked);
     contents.datasets.push_back(read_dataset(run, grid, asked.left_out_of(name), published));
     contents.figures.push_back(read_figures(run, name));
   }
-  contents.settings = read_settings(run, pipeline);
+  contents.settings = read_settings(run);
   return contents;
 }
 

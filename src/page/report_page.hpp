@@ -6,7 +6,7 @@
 #include "page/contents.hpp"
 #include "page/document.hpp"
 #include "page/pictures.hpp"
-#include "page/settings_view.hpp"
+#include "text/file.hpp"
 
 namespace piae::page {
 
@@ -14,18 +14,16 @@ namespace piae::page {
 struct ReportContents {
   std::vector<DatasetContents> datasets;
   std::vector<std::vector<FigureContents>> figures;  ///< of each data set
-  std::vector<Setting> settings = {};
+  std::vector<text::File> settings = {};             ///< of RUN/.settings, paths below it, by name
 };
 
-/// Reads what the folder of a run holds; what is missing is part of it. `pipeline` is the folder
-/// with protocol.toml and datasets/. Throws Error as datasets_of(), grid_of() and read_settings()
-/// do.
+/// Reads what the folder of a run holds; missing cells are listed. Throws Error as datasets_of()
+/// and grid_of() do.
 ReportContents read_report(const std::filesystem::path& run, const AskedCells& asked,
-                           const report::Published& published,
-                           const std::filesystem::path& pipeline);
+                           const report::Published& published);
 
-/// A page can be sent by mail.
-inline constexpr std::size_t most_bytes_of_report = 5'000'000;
+/// Most mail servers still accept a page of this size.
+inline constexpr std::size_t most_bytes_of_report = 15'000'000;
 
 /// report.html. The same cells and figures give the same bytes in any folder, however often the run
 /// was interrupted: there is no time, no host and no folder in it. It is not longer than

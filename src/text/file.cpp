@@ -1,12 +1,16 @@
 #include "text/file.hpp"
 
-#include <algorithm>
 #include <span>
 
 #include "artefact/file.hpp"
 #include "base/error.hpp"
 
 namespace piae::text {
+
+std::string read_file(const std::filesystem::path& file) {
+  const Bytes bytes = artefact::read_file(file);
+  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
 
 void save_all(const std::vector<File>& files) {
   std::size_t done = 0;
@@ -21,12 +25,8 @@ void save_all(const std::vector<File>& files) {
 }
 
 void save_if_changed(const File& file) {
-  const auto text = std::as_bytes(std::span(file.text));
-  if (std::filesystem::exists(file.path) &&
-      std::ranges::equal(artefact::read_file(file.path), text)) {
-    return;
-  }
-  artefact::write_file_atomically(file.path, text);
+  if (std::filesystem::exists(file.path) && read_file(file.path) == file.text) return;
+  artefact::write_file_atomically(file.path, std::as_bytes(std::span(file.text)));
 }
 
 }  // namespace piae::text

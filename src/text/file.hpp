@@ -12,6 +12,9 @@ struct File {
   std::string text;
 };
 
+/// Returns the bytes of a file. Throws Error as artefact::read_file() does.
+std::string read_file(const std::filesystem::path& file);
+
 /// Writes all files, each as artefact::write_file_atomically() does. Where one cannot be written,
 /// those written before it are removed, so that tables of two runs never stand side by side, and
 /// Error(failed) is thrown.
