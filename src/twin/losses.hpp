@@ -1,6 +1,8 @@
 #pragma once
 
 #include <array>
+#include <cmath>
+#include <cstddef>
 #include <span>
 
 #include "base/label.hpp"
@@ -74,5 +76,36 @@ template <class T>
 LossOf<T> twin_loss(const RowArray<T>& k_and_c, const BatchMotion<T>& motion,
                     std::span<const Label> labels, const Physics& physics,
                     const LossReading& reading = {});
+
+/// One number for each loss of eq. 23, in this order: L_DDL (alpha), L_DT (beta), L_Rec (gamma).
+template <class T>
+using PerLoss = std::array<T, 3>;
+
+/// Returns L_total, eq. 23: alpha L_DDL + beta L_DT + gamma L_Rec - (ln alpha + ln beta + ln gamma)
+/// / 2, by the logarithms of the weights. It is least where alpha = 1 / (2 L_DDL), and so on.
+/// Without `has_logarithms` the last term is left out; weights that are learned by that form only
+/// shrink. Numbers may be LibTorch's tensors, which differentiate it.
+template <class Loss, class Log>
+Loss total_loss(const PerLoss<Loss>& losses, const PerLoss<Log>& log_weights,
+                bool has_logarithms = true) {
+  using std::exp;
+  Loss total = exp(log_weights[0]) * losses[0] + exp(log_weights[1]) * losses[1] +
+               exp(log_weights[2]) * losses[2];
+  if (!has_logarithms) return total;
+  for (const Log& log_weight : log_weights) total = total - 0.5 * log_weight;
+  return total;
+}
+
+/// Returns the derivatives of total_loss() by the logarithms of the weights.
+inline PerLoss<float> total_loss_by_log_weights(const PerLoss<double>& losses,
+                                                const PerLoss<float>& log_weights,
+                                                bool has_logarithms = true) {
+  const double logarithm = has_logarithms ? 0.5 : 0;
+  PerLoss<float> gradient{};
+  for (std::size_t i = 0; i < gradient.size(); ++i) {
+    gradient[i] = static_cast<float>(std::exp(log_weights[i]) * losses[i] - logarithm);
+  }
+  return gradient;
+}
 
 }  // namespace piae::twin

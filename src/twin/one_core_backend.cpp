@@ -133,16 +133,17 @@ class OneCoreBackend final : public TwinBackend {
     return {.alpha = std::exp(alpha), .beta = std::exp(beta), .gamma = std::exp(gamma)};
   }
 
+  static PerLoss<double> per_loss(const BatchLosses& losses) {
+    return {losses.differential, losses.twin, losses.reconstruction};
+  }
+
   [[nodiscard]] BatchLosses losses_of(const Batch& batch) const {
-    const Weights w = weights();
     BatchLosses losses{.reconstruction = batch.reconstruction.value,
                        .differential = batch.differential.value,
                        .twin = batch.twin.value};
-    losses.total =
-        w.alpha * losses.differential + w.beta * losses.twin + w.gamma * losses.reconstruction;
-    if (task_.variant.physics && have_logarithms(task_.options.loss_weights)) {
-      for (const float log_weight : log_weights()) losses.total -= 0.5 * log_weight;
-    }
+    losses.total = task_.variant.physics ? total_loss(per_loss(losses), log_weights(),
+                                                      have_logarithms(task_.options.loss_weights))
+                                         : losses.reconstruction;
     return losses;
   }
 
@@ -170,7 +171,7 @@ class OneCoreBackend final : public TwinBackend {
                     double rate_of_weights) {
     const std::int64_t rows = batch.size();
     const Weights w = weights();
-    std::array<float, 3> by_log_weights{};
+    PerLoss<float> by_log_weights{};
     Array by_a = w.gamma * batch.reconstruction.by_acceleration;
     Array by_k_and_c = Array::Zero(rows, 2);
     if (task_.variant.physics) {
@@ -181,7 +182,10 @@ class OneCoreBackend final : public TwinBackend {
       by_a += w.alpha * batch.differential.by_acceleration + w.beta * batch.twin.by_acceleration +
               differentiate_module(rows, 1);
       by_k_and_c = w.beta * batch.twin.by_k_and_c;
-      by_log_weights = gradient_by_log_weights(w, losses);
+      if (are_learned(task_.options.loss_weights)) {
+        by_log_weights = total_loss_by_log_weights(per_loss(losses), log_weights(),
+                                                   have_logarithms(task_.options.loss_weights));
+      }
     }
     put(by_a, *networks_.decoder, 0);
     differentiate_coder(rows, 1, by_k_and_c, batch.k_and_c);
@@ -196,16 +200,6 @@ class OneCoreBackend final : public TwinBackend {
     nets::take(of_weights, parameters_->data(Kept::value) + log_weights_, by_log_weights.data(),
                parameters_->data(Kept::first_moment) + log_weights_,
                parameters_->data(Kept::second_moment) + log_weights_, by_log_weights.size());
-  }
-
-  [[nodiscard]] std::array<float, 3> gradient_by_log_weights(const Weights& w,
-                                                             const BatchLosses& losses) const {
-    if (!are_learned(task_.options.loss_weights)) return {};
-    // The derivative of eq. 23's terms -1/2 ln alpha, -1/2 ln beta and -1/2 ln gamma.
-    const double held = have_logarithms(task_.options.loss_weights) ? 0.5 : 0;
-    return {static_cast<float>(w.alpha * losses.differential - held),
-            static_cast<float>(w.beta * losses.twin - held),
-            static_cast<float>(w.gamma * losses.reconstruction - held)};
   }
 
   /// Propagates the module's signals back; returns the gradient of the last one by the acceleration

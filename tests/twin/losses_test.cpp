@@ -329,5 +329,31 @@ TEST(TwinLoss, StaysFiniteWithItsGradientWhereThereIsNoStiffness) {
   EXPECT_TRUE(loss.by_k_and_c.isFinite().all());
 }
 
+constexpr PerLoss<double> losses_of_a_batch{0.3, 0.05, 2.0};
+
+TEST(TotalLoss, IsTheWeightedLossesAndTheLogarithmsOfTheWeights) {
+  const PerLoss<double> log_weights{std::log(2.0), std::log(0.5), std::log(0.25)};
+  const double weighted = 2 * 0.3 + 0.5 * 0.05 + 0.25 * 2;
+  EXPECT_NEAR(total_loss(losses_of_a_batch, log_weights, false), weighted, 1e-12);
+  // ln 2 + ln 1/2 + ln 1/4 = -2 ln 2.
+  EXPECT_NEAR(total_loss(losses_of_a_batch, log_weights), weighted + std::log(2.0), 1e-12);
+}
+
+TEST(TotalLoss, ItsDerivativesAreThoseOfTheClosedForm) {
+  // By ln alpha: alpha L - 1/2.
+  const PerLoss<float> at_one = total_loss_by_log_weights(losses_of_a_batch, {0, 0, 0});
+  EXPECT_FLOAT_EQ(at_one[0], -0.2F);
+  EXPECT_FLOAT_EQ(at_one[1], -0.45F);
+  EXPECT_FLOAT_EQ(at_one[2], 1.5F);
+  EXPECT_FLOAT_EQ(total_loss_by_log_weights(losses_of_a_batch, {0, 0, 0}, false)[2], 2.0F);
+}
+
+TEST(TotalLoss, IsStationaryAtOneOverTwiceEachLoss) {
+  const PerLoss<float> log_weights{-std::log(2 * 0.3F), -std::log(2 * 0.05F), -std::log(2 * 2.0F)};
+  for (const float slope : total_loss_by_log_weights(losses_of_a_batch, log_weights)) {
+    EXPECT_NEAR(slope, 0, 1e-6);
+  }
+}
+
 }  // namespace
 }  // namespace piae::twin

@@ -9,6 +9,7 @@
 #include "libtorch/twin/losses.hpp"
 #include "libtorch/twin/model.hpp"
 #include "libtorch/twin/networks.hpp"
+#include "twin/losses.hpp"
 #include "twin/specs.hpp"
 
 namespace piae::libtorch {
@@ -134,9 +135,10 @@ class TwinOnTorch final : public twin::TwinBackend {
   [[nodiscard]] torch::Tensor total_of(const Losses& losses) const {
     const twin::LossWeights kind = task_.options.loss_weights;
     const torch::Tensor& learned = parameters_[twin::log_weights_name];
-    return (twin::have_logarithms(kind) ? total_loss : weighted_loss)(
-        losses.differential, losses.twin, losses.reconstruction,
-        twin::are_learned(kind) ? learned : learned.detach());
+    const torch::Tensor weights = twin::are_learned(kind) ? learned : learned.detach();
+    return twin::total_loss<torch::Tensor, torch::Tensor>(
+        {losses.differential, losses.twin, losses.reconstruction},
+        {weights[0], weights[1], weights[2]}, twin::have_logarithms(kind));
   }
 
   /// Eq. 24: each network follows the gradient of its own loss by its own parameters.

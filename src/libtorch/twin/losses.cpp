@@ -167,15 +167,4 @@ torch::Tensor twin_loss(const torch::Tensor& k_and_c, const torch::Tensor& a, co
                   reading.squares);
 }
 
-torch::Tensor weighted_loss(const torch::Tensor& differential, const torch::Tensor& twin,
-                            const torch::Tensor& reconstruction, const torch::Tensor& log_weights) {
-  const torch::Tensor losses = torch::stack({differential, twin, reconstruction});
-  return (log_weights.exp() * losses).sum();
-}
-
-torch::Tensor total_loss(const torch::Tensor& differential, const torch::Tensor& twin,
-                         const torch::Tensor& reconstruction, const torch::Tensor& log_weights) {
-  return weighted_loss(differential, twin, reconstruction, log_weights) - 0.5 * log_weights.sum();
-}
-
 }  // namespace piae::libtorch

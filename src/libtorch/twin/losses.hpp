@@ -46,14 +46,4 @@ torch::Tensor twin_loss(const torch::Tensor& k_and_c, const torch::Tensor& a, co
                         const BatchPhysics& batch, const twin::Physics& physics,
                         const twin::LossReading& reading = {});
 
-/// alpha L_DDL + beta L_DT + gamma L_Rec for log_weights = (ln alpha, ln beta, ln gamma): eq. 23
-/// without its logarithms. Weights that are learned by it only shrink towards zero.
-torch::Tensor weighted_loss(const torch::Tensor& differential, const torch::Tensor& twin,
-                            const torch::Tensor& reconstruction, const torch::Tensor& log_weights);
-
-/// L_total, eq. 23. It is stationary in the weights where alpha = 1 / (2 L_DDL), beta = 1 / (2
-/// L_DT) and gamma = 1 / (2 L_Rec).
-torch::Tensor total_loss(const torch::Tensor& differential, const torch::Tensor& twin,
-                         const torch::Tensor& reconstruction, const torch::Tensor& log_weights);
-
 }  // namespace piae::libtorch
