@@ -19,10 +19,6 @@ namespace piae::plan {
 
 namespace {
 
-const Words table_names{"accuracy.csv", "gains.csv",     "quality.csv",    "comparisons.csv",
-                        "ranks.csv",    "decisions.csv", "confidence.csv", "recommendation.csv",
-                        "tables.md",    "tables.tex",    "summary.txt"};
-
 /// The ratio at which a method has the most generated windows, among these.
 std::string last_ratio(const std::string& method, const Words& ratios) {
   std::string last;
@@ -246,7 +242,7 @@ void TableSteps::add_tables(const Part& part) {
             .settings = grid_.settings().of("tabulate"),
             .inputs = {input_of_published(disk_)},
             .words = {"--run", grid_.folder(), "--dataset", dataset.name},
-            .outputs = in_folder(folder_of(dataset), table_names),
+            .outputs = in_folder(folder_of(dataset), run::table_names),
             .place = {.dataset = dataset.name}};
   append(step.words, selected);
   if (choice_.with_holes && !dataset.any_known) {

@@ -14,6 +14,12 @@ namespace piae::run {
 /// where the method is the paper's, "sweep@smote" where it is another.
 std::string sweep_name(const std::string& method);
 
+/// The files that `tabulate` writes for a dataset.
+inline const std::vector<std::string> table_names{
+    "accuracy.csv", "gains.csv",     "quality.csv",    "comparisons.csv",
+    "ranks.csv",    "decisions.csv", "confidence.csv", "recommendation.csv",
+    "tables.md",    "tables.tex",    "summary.txt"};
+
 /// Where the folder of a run has the artefacts and the tables of one dataset. The make rules in
 /// pipeline/ put the artefacts there.
 class Layout {

@@ -22,6 +22,7 @@
 #include "cli/toml_file.hpp"
 #include "cli/toml_options.hpp"
 #include "plan/stage_settings.hpp"
+#include "run/layout.hpp"
 
 namespace {
 
@@ -33,9 +34,6 @@ using Options = std::map<std::string, Words>;
 const std::map<std::string, std::string> kinds{
     {"ingest", "records"},   {"simulate", "records"}, {"split", "windows"},     {"train", "model"},
     {"generate", "windows"}, {"score", "score"},      {"diagnose", "diagnosis"}};
-const Words table_names{"accuracy.csv", "gains.csv",     "quality.csv",    "comparisons.csv",
-                        "ranks.csv",    "decisions.csv", "confidence.csv", "recommendation.csv",
-                        "tables.md",    "tables.tex",    "summary.txt"};
 const Words of_files{"config",   "output", "output-dir", "keep-classifier",
                      "data-dir", "run",    "pipeline"};
 
@@ -80,7 +78,7 @@ Words outputs_of(const std::string& stage, const Options& options) {
     const std::string to = value(options, "output-dir") + '/';
     return {to + "A.h5", to + "B.h5", to + "C.h5", to + "D.h5"};
   }
-  if (stage == "tabulate") return in_folder(table_names);
+  if (stage == "tabulate") return in_folder(piae::run::table_names);
   if (stage == "sweep") {
     const std::string method = value(options, "method");
     const std::string name = method.empty() ? "sweep" : "sweep@" + method;
@@ -198,7 +196,7 @@ int run(const std::string& stage, const Words& words) {
 
 int main(int argc, char** argv) {
   try {
-    return run(fs::path(argv[0]).filename(), Words(argv + 1, argv + argc));
+    return ::run(fs::path(argv[0]).filename(), Words(argv + 1, argv + argc));
   } catch (const Error& error) {
     std::cerr << fs::path(argv[0]).filename().string() << ": " << error.what() << '\n';
     return static_cast<int>(error.exit());
