@@ -251,8 +251,7 @@ std::vector<std::string> method_names() {
 std::unique_ptr<Method> make_method(const std::string& name) {
   const CatalogueEntry* const entry = find_entry(name);
   if (entry != nullptr && entry->make != nullptr) return entry->make();
-  std::string known;
-  for (const std::string& each : method_names()) known += (known.empty() ? "" : ", ") + each;
+  const std::string known = fmt::format("{}", fmt::join(method_names(), ", "));
   throw Error(Exit::usage, name.empty()
                                ? "--method is missing; known are " + known
                                : "--method: unknown method '" + name + "'; known are " + known);

@@ -1,6 +1,7 @@
 #include "cli/stage.hpp"
 
 #include <malloc.h>
+#include <spdlog/fmt/ranges.h>
 #include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
 
@@ -253,10 +254,7 @@ std::string Stage::resolved_options() const {
     if (asks || option->get_lnames().empty() || option->get_group() == files_group) continue;
     std::string value = option->get_default_str();
     if (option->count() > 0) {
-      value.clear();
-      for (const std::string& result : option->reduced_results()) {
-        value += (value.empty() ? "" : ", ") + result;
-      }
+      value = fmt::format("{}", fmt::join(option->reduced_results(), ", "));
     }
     if (value == option->get_default_str() &&
         std::ranges::count(recorded_unless_default_, option->get_lnames().front()) > 0) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/comma_list.hpp"
 #include "base/error.hpp"
 #include "diagnosis/line_rules.hpp"
 #include "diagnosis/symptom_net.hpp"
@@ -28,11 +29,8 @@ const Classifier* find_classifier(const std::string& name) {
 const Classifier& the_classifier(const std::string& name) {
   const Classifier* const found = find_classifier(name);
   if (found != nullptr) return *found;
-  std::string known;
-  for (const Classifier& each : known_classifiers) {
-    known += std::string(known.empty() ? "" : ", ") + each.name;
-  }
-  throw Error(Exit::usage, "unknown classifier '" + name + "'; known are " + known);
+  throw Error(Exit::usage, "unknown classifier '" + name + "'; known are " +
+                               comma_list(known_classifiers, &Classifier::name));
 }
 
 std::vector<std::string> rules() {
@@ -44,11 +42,9 @@ std::vector<std::string> rules() {
 }
 
 std::string list_of_classifiers() {
-  std::string list;
-  for (const Classifier& each : known_classifiers) {
-    list += std::string(list.empty() ? "" : ", ") + each.name + " (" + each.what + ")";
-  }
-  return list;
+  return comma_list(known_classifiers, [](const Classifier& each) {
+    return std::string(each.name) + " (" + each.what + ")";
+  });
 }
 
 }  // namespace piae::diagnosis

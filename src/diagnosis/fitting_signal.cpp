@@ -1,6 +1,7 @@
 #include "diagnosis/fitting_signal.hpp"
 
 #include <spdlog/fmt/fmt.h>
+#include <spdlog/fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -39,8 +40,7 @@ void require_fitting_signal(const signal::DatasetInfo& trained, double sample_ra
     return std::abs(shaft_speed_rpm / rpm - 1) <= speed_tolerance;
   };
   if (std::ranges::any_of(speeds, is_near)) return;
-  std::string all;
-  for (const double rpm : speeds) all += fmt::format("{}{:g}", all.empty() ? "" : ", ", rpm);
+  const std::string all = fmt::format("{:g}", fmt::join(speeds, ", "));
   throw Error(Exit::bad_input,
               fmt::format("{}: is of {:g} rpm, but the classifier was trained at {} rpm and judges "
                           "up to {:g} % beside that; train one for this speed (docs/strike-twin.md "

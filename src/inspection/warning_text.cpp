@@ -2,6 +2,8 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include "base/comma_list.hpp"
+
 namespace piae::inspection {
 
 std::string place_of(const signal::RecordSource& source) {
@@ -9,11 +11,7 @@ std::string place_of(const signal::RecordSource& source) {
 }
 
 std::string names_of(const std::vector<const RecordCheck*>& records) {
-  std::string list;
-  for (const RecordCheck* record : records) {
-    list += (list.empty() ? "" : ", ") + record->source.name;
-  }
-  return list;
+  return comma_list(records, [](const RecordCheck* record) { return record->source.name; });
 }
 
 void add_for_each(std::vector<const RecordCheck*> records,

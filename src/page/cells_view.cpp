@@ -7,6 +7,7 @@
 #include "page/links.hpp"
 #include "page/table.hpp"
 #include "page/words.hpp"
+#include "report/gaps.hpp"
 #include "run/layout.hpp"
 #include "scoring/quality_record.hpp"
 #include "scoring/ratios.hpp"
@@ -125,7 +126,7 @@ Table combined_table(const std::vector<DatasetContents>& datasets) {
                                                 std::to_string(cells.seeds.size())),
                                     number_cell(low, fmt::format("{:.2f}", low)),
                                     number_cell(high, fmt::format("{:.2f}", high)),
-                                    {.content = ranges_label(cells.seeds)}}});
+                                    {.content = report::seed_list(cells.seeds)}}});
   }
   return table;
 }

@@ -1,12 +1,14 @@
 #include "page/problems.hpp"
 
 #include <spdlog/fmt/fmt.h>
+#include <spdlog/fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
 #include <iterator>
 #include <map>
 #include <set>
+#include <span>
 #include <tuple>
 #include <utility>
 
@@ -130,10 +132,8 @@ std::string and_others(std::size_t count) {
 }
 
 Html reasons_of(const HoleGroup& group) {
-  std::string text;
-  for (std::size_t i = 0; i < std::min(most_shown, group.reasons.size()); ++i) {
-    text += (text.empty() ? "" : "; ") + group.reasons[i];
-  }
+  const std::span shown(group.reasons.data(), std::min(most_shown, group.reasons.size()));
+  std::string text = fmt::format("{}", fmt::join(shown, "; "));
   if (text.empty() && !group.stage.empty()) text = group.stage + " is not done";
   return text + and_others(group.reasons.size());
 }
@@ -197,7 +197,7 @@ std::string cells_label(const HoleGroup& group) {
   for (const std::string& ratio : group.ratios) ratios.push_back(report::short_ratio_label(ratio));
   std::string text = report::listed(group.methods);
   if (!ratios.empty()) text += "; " + report::listed(ratios);
-  return text + "; seed" + (group.seeds.size() == 1 ? " " : "s ") + ranges_label(group.seeds);
+  return text + "; seed" + (group.seeds.size() == 1 ? " " : "s ") + report::seed_list(group.seeds);
 }
 
 std::string completeness(const std::vector<DatasetContents>& datasets) {

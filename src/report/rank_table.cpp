@@ -1,6 +1,7 @@
 #include "report/rank_table.hpp"
 
 #include <spdlog/fmt/fmt.h>
+#include <spdlog/fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -93,8 +94,7 @@ std::string tests_note(const RankTable& table) {
 
 std::string left_out_note(const RankTable& table) {
   if (table.left_out.empty() && table.has_every_seed) return "";
-  std::string names;
-  for (const std::string& method : table.left_out) names += (names.empty() ? "" : ", ") + method;
+  const std::string names = fmt::format("{}", fmt::join(table.left_out, ", "));
   return " Ranks are of the cells that all of these methods have" +
          (names.empty() ? "" : "; left out, since they have too few: " + names) + ".";
 }

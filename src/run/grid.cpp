@@ -1,5 +1,7 @@
 #include "run/grid.hpp"
 
+#include <spdlog/fmt/ranges.h>
+
 #include <algorithm>
 #include <iterator>
 #include <optional>
@@ -36,12 +38,6 @@ std::vector<std::string> classifiers_of(const GridOptions& options) {
   return names;
 }
 
-std::string joined(const std::vector<std::string>& words) {
-  std::string list;
-  for (const std::string& word : words) list += (list.empty() ? "" : ", ") + word;
-  return list;
-}
-
 /// Adds those that the grid does not have yet.
 void add_cells(const std::vector<std::string>& methods, const std::vector<std::string>& ratios,
                const std::string& classifier, bool nothing_known, Grid& grid) {
@@ -61,12 +57,13 @@ void add_cells(const std::vector<std::string>& methods, const std::vector<std::s
   const std::string of_all =
       "none of these methods, ratios and classifiers go together: 'none' exists at 100to1 only, "
       "every other method at every other ratio only, and rules are asked of 'none' alone";
-  throw Error(Exit::usage, nothing_known
-                               ? of_all +
-                                     "; where no fault window is known, there are 'none' by "
-                                     "rules, and methods that need none: " +
-                                     joined(augment::methods_without_known())
-                               : of_all);
+  throw Error(
+      Exit::usage,
+      nothing_known
+          ? fmt::format("{}; where no fault window is known, there are 'none' by rules, and "
+                        "methods that need none: {}",
+                        of_all, fmt::join(augment::methods_without_known(), ", "))
+          : of_all);
 }
 
 /// Of these methods the baseline, if it is among them.

@@ -1,8 +1,10 @@
 #include "scoring/ratios.hpp"
 
+#include <algorithm>
 #include <array>
 #include <string>
 
+#include "base/comma_list.hpp"
 #include "base/error.hpp"
 
 namespace piae::scoring {
@@ -22,21 +24,16 @@ constexpr std::array<Ratio, 7> table_5{{{"100to1", 0},
 std::span<const Ratio> all_ratios() { return table_5; }
 
 std::string list_of_ratios() {
-  std::string list;
-  for (const Ratio& ratio : table_5) {
-    list += std::string(list.empty() ? "" : ", ") + ratio.name + " (" +
-            std::to_string(ratio.generated_per_class) + ")";
-  }
-  return list;
+  return comma_list(table_5, [](const Ratio& ratio) {
+    return std::string(ratio.name) + " (" + std::to_string(ratio.generated_per_class) + ")";
+  });
 }
 
 const Ratio& find_ratio(const std::string& name) {
-  std::string known;
-  for (const Ratio& ratio : table_5) {
-    if (name == ratio.name) return ratio;
-    known += std::string(known.empty() ? "" : ", ") + ratio.name;
-  }
-  throw Error(Exit::usage, "unknown ratio '" + name + "'; known are " + known);
+  const auto found = std::ranges::find(table_5, name, &Ratio::name);
+  if (found != std::end(table_5)) return *found;
+  throw Error(Exit::usage,
+              "unknown ratio '" + name + "'; known are " + comma_list(table_5, &Ratio::name));
 }
 
 std::optional<double> true_ratio(std::int64_t normal_windows, std::int64_t known_per_class,

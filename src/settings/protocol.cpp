@@ -1,5 +1,7 @@
 #include "settings/protocol.hpp"
 
+#include <spdlog/fmt/ranges.h>
+
 #include <algorithm>
 
 #include "augment/catalogue.hpp"
@@ -21,16 +23,11 @@ const std::vector<std::string> stages = {"split",    "train",    "generate", "sc
                                          "diagnose", "tabulate", "sweep",    "identify",
                                          "readings", "transfer", "trust"};
 
-std::string listed(const std::vector<std::string>& words) {
-  std::string list;
-  for (const std::string& word : words) list += (list.empty() ? "" : ", ") + word;
-  return list;
-}
-
 std::string nothing_reads(const std::string& path, const std::string& name,
                           const std::vector<std::string>& known) {
-  return "nothing reads the table [" + path + name + "]" +
-         (known.empty() ? "" : "; there are " + path + listed(known));
+  const std::string text = "nothing reads the table [" + path + name + "]";
+  if (known.empty()) return text;
+  return fmt::format("{}; there are {}{}", text, path, fmt::join(known, ", "));
 }
 
 /// Refuses the tables in `parent` that are not among `known`. `path` is what their names begin

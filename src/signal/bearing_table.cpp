@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "base/comma_list.hpp"
 #include "base/error.hpp"
 #include "bearing/kinematics.hpp"
 #include "text/csv.hpp"
@@ -126,9 +127,7 @@ bool have_the_same_lines(const Row& a, const Row& b) {
 }
 
 std::string designations_of(const std::vector<Row>& rows) {
-  std::string names;
-  for (const Row& row : rows) names += (names.empty() ? "" : ", ") + row.designation;
-  return names;
+  return comma_list(rows, &Row::designation);
 }
 
 /// Gives the rows whose whole designation is asked for; where none is so, those that hold its

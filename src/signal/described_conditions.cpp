@@ -1,6 +1,7 @@
 #include "signal/described_conditions.hpp"
 
 #include <spdlog/fmt/fmt.h>
+#include <spdlog/fmt/ranges.h>
 
 #include <algorithm>
 #include <numeric>
@@ -17,9 +18,7 @@ bool has(const Names& names, const std::string& name) {
 }
 
 std::string comma_separated(const Names& names) {
-  std::string list;
-  for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
-  return list;
+  return fmt::format("{}", fmt::join(names, ", "));
 }
 
 Names condition_names(const std::vector<RecordSource>& records) {

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "base/comma_list.hpp"
 #include "base/error.hpp"
 
 namespace piae::signal {
@@ -13,8 +14,7 @@ SplitSettings read_described_split(TomlTable& root) {
   auto table = root.optional_table("split");
   if (!table) return settings;
   const std::vector<SplitSetting> known = split_settings();
-  std::string list;
-  for (const SplitSetting& each : known) list += (list.empty() ? "" : ", ") + each.name;
+  const std::string list = comma_list(known, &SplitSetting::name);
   for (const auto& [key, node] : table->plain()) {
     const std::string name(key.str());
     const auto setting = std::ranges::find(known, name, &SplitSetting::name);

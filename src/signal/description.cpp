@@ -1,5 +1,7 @@
 #include "signal/description.hpp"
 
+#include <spdlog/fmt/ranges.h>
+
 #include <algorithm>
 #include <map>
 #include <numeric>
@@ -268,11 +270,7 @@ double common_rate(const TomlTable& root, const std::vector<RecordSource>& recor
 
 }  // namespace
 
-std::string RecordSource::file_text() const {
-  std::string text;
-  for (const std::string& file : files) text += (text.empty() ? "" : ", ") + file;
-  return text;
-}
+std::string RecordSource::file_text() const { return fmt::format("{}", fmt::join(files, ", ")); }
 
 void require_possible(const DatasetInfo& info, const TomlTable& root,
                       const std::vector<TomlTable>& classes) {

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <span>
 
+#include "base/comma_list.hpp"
 #include "base/error.hpp"
 #include "base/range.hpp"
 #include "bearing/kinematics.hpp"
@@ -41,10 +42,8 @@ double turned_by(double angle_rad, double by_rad) {
 const ClassInfo& class_called(const DatasetInfo& info, const std::string& name) {
   const auto found = std::ranges::find(info.classes, name, &ClassInfo::name);
   if (found != info.classes.end()) return *found;
-  std::string names;
-  for (const ClassInfo& c : info.classes) names += (names.empty() ? "" : ", ") + c.name;
-  throw Error(Exit::usage,
-              fmt::format("--stream {}: {} has no such class; it has {}", name, info.name, names));
+  throw Error(Exit::usage, fmt::format("--stream {}: {} has no such class; it has {}", name,
+                                       info.name, comma_list(info.classes, &ClassInfo::name)));
 }
 
 std::uint64_t samples_in(double time_s, double rate_hz) {

@@ -1,6 +1,7 @@
 #include "signal/toml_table.hpp"
 
 #include <spdlog/fmt/fmt.h>
+#include <spdlog/fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -12,16 +13,6 @@
 #include "signal/meant_key.hpp"
 
 namespace piae::signal {
-
-namespace {
-
-std::string keys_of(const std::set<std::string>& keys) {
-  std::string list;
-  for (const std::string& key : keys) list += (list.empty() ? "" : ", ") + key;
-  return list;
-}
-
-}  // namespace
 
 TomlTable::TomlTable(const std::filesystem::path& file)
     : file_(std::make_shared<File>(File{file.string(), read_description_file(file)})),
@@ -134,7 +125,9 @@ void TomlTable::finish() const {
     const std::string name(key.str());
     if (asked_.contains(name)) continue;
     const std::string meant = meant_key(name, asked_);
-    refuse(name, "is unknown; " + (meant.empty() ? "known keys are " + keys_of(asked_) : meant));
+    refuse(name, meant.empty()
+                     ? fmt::format("is unknown; known keys are {}", fmt::join(asked_, ", "))
+                     : "is unknown; " + meant);
   }
 }
 
