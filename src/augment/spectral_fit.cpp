@@ -10,7 +10,7 @@
 #include "augment/line_minimum.hpp"
 #include "base/error.hpp"
 #include "base/parallel.hpp"
-#include "scoring/spectrum.hpp"
+#include "spectra/power.hpp"
 
 namespace piae::augment {
 
@@ -34,8 +34,8 @@ constexpr double lowest_log_noise = -16;
 constexpr double highest_log_noise = 5;
 
 /// The power in the bins 1 .. length / 2. Bin 0, which holds the mean, is left out.
-ArrayXd power_of(const scoring::Windows& windows) {
-  return scoring::mean_power_spectrum(windows).tail(windows.cols() / 2);
+ArrayXd power_of(const spectra::Windows& windows) {
+  return spectra::mean_power_spectrum(windows).tail(windows.cols() / 2);
 }
 
 /// How many samples the half overlapping windows of this length take together.
@@ -65,7 +65,7 @@ ArrayXd smoothed(const ArrayXd& power, double bin_hz) {
 
 /// The smoothed spectrum of a signal of samples_of(length) samples, scaled to mean 1.
 ArrayXd spectrum_of(std::span<const double> signal, Index length, double sample_rate_hz) {
-  scoring::Windows windows(segments, length);
+  spectra::Windows windows(segments, length);
   for (Index i = 0; i < segments; ++i) {
     windows.row(i) = Eigen::Map<const Eigen::RowVectorXd>(&signal[i * (length / 2)], length);
   }
@@ -189,7 +189,7 @@ class SpectralFit::Search {
   static constexpr double Point::*legs[] = {&Point::log_k, &Point::log_c, &Point::log_k,
                                             &Point::log_c};
 
-  static scoring::Windows row(Window window) {
+  static spectra::Windows row(Window window) {
     return Eigen::Map<const Eigen::RowVectorXf>(window.data(), static_cast<Index>(window.size()))
         .cast<double>();
   }

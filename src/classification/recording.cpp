@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/error.hpp"
+#include "base/numbers.hpp"
 #include "base/one_line.hpp"
 #include "diagnosis/fitting_signal.hpp"
 #include "raw/file.hpp"
@@ -18,13 +19,12 @@ namespace piae::classification {
 namespace {
 
 void require_finite_samples(const std::vector<double>& samples, const std::string& what) {
-  const auto odd = std::ranges::find_if_not(
-      samples, [](double x) { return std::isfinite(static_cast<float>(x)); });
-  if (odd == samples.end()) return;
+  const std::optional<std::size_t> beyond = first_beyond_32_bits(samples);
+  if (!beyond) return;
   throw Error(Exit::bad_input,
               fmt::format("{}: sample {} (counted from 0) is NaN, infinite or beyond 32 bits; cut "
                           "the recording before it",
-                          what, odd - samples.begin()));
+                          what, *beyond));
 }
 
 void require_records(const signal::Description& description, const std::vector<std::string>& names,

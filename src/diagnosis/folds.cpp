@@ -6,6 +6,7 @@
 
 #include "base/error.hpp"
 #include "diagnosis/training_set.hpp"
+#include "spectra/left_out.hpp"
 #include "symptoms/baseline.hpp"
 
 namespace piae::diagnosis {
@@ -91,7 +92,8 @@ std::vector<std::int32_t> blocks_of_time(const WindowSet& normal) {
   const std::vector<std::size_t> order = signal::in_time_order(normal);
   std::vector<std::int32_t> folds(order.size());
   for (std::size_t place = 0; place < order.size(); ++place) {
-    folds[order[place]] = static_cast<std::int32_t>(place * number_of_folds / order.size());
+    folds[order[place]] =
+        static_cast<std::int32_t>(spectra::block_of(place, order.size(), number_of_folds));
   }
   return folds;
 }

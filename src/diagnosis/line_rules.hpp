@@ -8,7 +8,7 @@
 #include "diagnosis/classifier.hpp"
 #include "signal/window_set.hpp"
 #include "symptoms/baseline.hpp"
-#include "symptoms/line_heights.hpp"
+#include "symptoms/measures.hpp"
 
 namespace piae::diagnosis {
 

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "scoring/spectrum.hpp"
+#include "spectra/power.hpp"
 
 namespace piae::diagnosis {
 
@@ -16,8 +16,13 @@ Eigen::ArrayXd log_spectrum(const scoring::Windows& window, Eigen::Index least_b
   Eigen::Index padding = 1;
   while (padding * length / 2 < least_bands) ++padding;
   const Eigen::ArrayXd power =
-      scoring::mean_power_spectrum(window, padding).tail(padding * length / 2);
+      spectra::mean_power_spectrum(window, padding).tail(padding * length / 2);
   return (4 / static_cast<double>(length) * power.sqrt()).max(floor).log();
+}
+
+Eigen::ArrayXd log_envelope_spectrum(const scoring::Windows& window, Eigen::Index least_bands,
+                                     double floor) {
+  return log_spectrum(spectra::envelopes(window), least_bands, floor);
 }
 
 }  // namespace piae::diagnosis

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "diagnosis/stored_bands.hpp"
+#include "spectra/left_out.hpp"
 
 namespace piae::diagnosis {
 
@@ -14,6 +15,7 @@ namespace {
 
 using Eigen::Index;
 
+constexpr double margin = 1;
 constexpr double least_threshold = 1e-6;  // where all reference windows are the same
 constexpr Range possible_threshold{.low = least_threshold, .high = 1e6};
 
@@ -27,7 +29,7 @@ Strangeness::Strangeness(BandPowers bands, std::vector<Label> labels,
     : labels_(std::move(labels)),
       groups_(std::move(groups)),
       reference_(std::move(bands)),
-      threshold_(std::max(largest_left_out(), least_threshold)) {}
+      threshold_(spectra::left_out_threshold(largest_left_out(), margin, least_threshold)) {}
 
 double Strangeness::largest_left_out() const {
   double largest = 0;

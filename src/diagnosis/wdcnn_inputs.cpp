@@ -6,7 +6,6 @@
 #include <span>
 #include <vector>
 
-#include "diagnosis/log_envelope_spectrum.hpp"
 #include "diagnosis/log_spectrum.hpp"
 #include "diagnosis/wdcnn_layers.hpp"
 

@@ -7,9 +7,7 @@
 #include <vector>
 
 #include "bearing/kinematics.hpp"
-#include "scoring/envelope.hpp"
-#include "scoring/spectrogram.hpp"
-#include "scoring/spectrum.hpp"
+#include "spectra/power.hpp"
 
 namespace piae::figures {
 
@@ -93,16 +91,16 @@ WindowView view_of(const scoring::Windows& windows, const ViewAxes& axes) {
 WindowView view_of(const scoring::Windows& windows, Index shown, const ViewAxes& axes) {
   const Eigen::RowVectorXd samples = windows.row(shown);
   const Index length = windows.cols();
-  const Eigen::ArrayXd spectrum = scoring::mean_power_spectrum(windows);
+  const Eigen::ArrayXd spectrum = spectra::mean_power_spectrum(windows);
   const Eigen::ArrayXd envelope =
-      scoring::mean_power_spectrum(scoring::envelopes(windows), axes.envelope_padding());
+      spectra::mean_power_spectrum(spectra::envelopes(windows), axes.envelope_padding());
   return {.low = axes.samples().lowest(samples.transpose()),
           .high = axes.samples().highest(samples.transpose()),
           .spectrum_db = level_db(axes.bins().highest(spectrum.tail(length / 2)), length),
           .envelope_db = level_db(
               axes.envelope_bins().highest(envelope.segment(1, axes.envelope_count())), length),
           .spectrogram_db =
-              level_db(scoring::spectrogram(samples, ViewAxes::segment), ViewAxes::segment)};
+              level_db(spectra::spectrogram(samples, ViewAxes::segment), ViewAxes::segment)};
 }
 
 }  // namespace piae::figures

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scoring/statistics.hpp"
+#include "spectra/floors.hpp"
 
 namespace piae::inspection {
 
@@ -54,7 +54,7 @@ std::optional<CommonFactor> common_factor(const signal::DatasetInfo& info,
   if (one_kind) return std::nullopt;
   std::vector<double> factors;
   for (const RecordCheck* record : most.records) factors.push_back(factor_of(record));
-  most.factor = scoring::median(std::move(factors));
+  most.factor = spectra::median(std::move(factors));
   if (std::abs(std::log(most.factor)) <= agreement) return std::nullopt;
   return most;
 }

@@ -4,34 +4,26 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <numeric>
 #include <stdexcept>
 
 #include "bearing/strikes.hpp"
 #include "scoring/distributions.hpp"
-#include "scoring/envelope.hpp"
-#include "scoring/spectrum.hpp"
-#include "scoring/statistics.hpp"
 
 namespace piae::inspection {
 
 namespace {
 
-using scoring::Windows;
 using signal::Defect;
+using spectra::CommonLine;
+using spectra::EnvelopeSpectrum;
+using spectra::line_harmonics;
+using spectra::line_tolerance;
+using spectra::Windows;
 
 constexpr double turns_in_a_segment = 16;
 constexpr double largest_part = 0.4;        // of the record that a segment may take: four fit
 constexpr std::size_t most_segments = 200;  // a longer record is looked at here and there
 constexpr std::size_t shortest_segment = 10;
-constexpr Eigen::Index padding = 4;
-
-constexpr int harmonics = 3;
-constexpr double tolerance = 0.02;  // usual slip, and a speed that is not quite the nominal one
-constexpr double lobe_bins = 2;     // half of the main lobe of Hann's window, before padding
-// The lobe of the third harmonic may take this part of the way to the next one.
-constexpr double largest_lobe = 0.25;
-
 constexpr double chance_of_noise = 1e-3;  // that white noise alone passes for a line
 constexpr int fewest_harmonics = 2;
 constexpr double largest_share_elsewhere = 0.05;
@@ -105,88 +97,24 @@ double independent_averages(double segments) {
 double noise_line_db(double averages, double places) {
   const double a = averages;
   const double variance = 1 / a + 1 / (2 * a * a) + 1 / (6 * a * a * a);
-  const double deviation_db = 10 / std::numbers::ln10 * std::sqrt(variance / harmonics);
+  const double deviation_db = 10 / std::numbers::ln10 * std::sqrt(variance / line_harmonics);
   constexpr double as_good_as_normal = 1e9;  // degrees of freedom
   return deviation_db * scoring::student_t_exceeded_with(chance_of_noise / std::max(1.0, places),
                                                          as_good_as_normal);
 }
 
-/// One number for each harmonic.
-using Decibels = std::array<double, harmonics>;
-
-double mean_of(const Decibels& decibels) {
-  return std::accumulate(decibels.begin(), decibels.end(), 0.0) / harmonics;
-}
-
-/// The three harmonics of one frequency.
-struct Place {
-  double hz = 0;
-  Decibels decibels{};
-};
-
-/// Measures lines of a spectrum.
-class Ruler {
- public:
-  explicit Ruler(const EnvelopeSpectrum& spectrum) : spectrum_(&spectrum) {}
-
-  /// Whether the lines can be told from what lies beside them.
-  [[nodiscard]] bool can_measure(double line_hz) const {
-    const double last_hz = (harmonics + 0.5) * line_hz;
-    return spectrum_->bin_hz > 0 && lobe_hz(harmonics, line_hz) <= largest_lobe * line_hz &&
-           bin(last_hz) < spectrum_->power.size();
-  }
-
-  /// The three harmonics of the one frequency within the tolerance at which their mean is highest.
-  [[nodiscard]] Place best(double line_hz) const {
-    std::array<double, harmonics> floors{};
-    for (int n = 1; n <= harmonics; ++n) floors.at(n - 1) = floor_of(n, line_hz);
-    Place best;
-    best.decibels.fill(-std::numeric_limits<double>::infinity());
-    const double step_hz = spectrum_->bin_hz / harmonics;
-    const auto last = std::lround(tolerance * line_hz / step_hz);
-    for (long i = -last; i <= last; ++i) {
-      const double hz = line_hz + static_cast<double>(i) * step_hz;
-      Decibels here{};
-      for (int n = 1; n <= harmonics; ++n) {
-        const double power = std::max(spectrum_->power[bin(n * hz)], spectrum_->rounding);
-        here.at(n - 1) = 10 * std::log10(power / floors.at(n - 1));
-      }
-      if (mean_of(here) > mean_of(best.decibels)) best = {hz, here};
-    }
-    return best;
-  }
-
- private:
-  [[nodiscard]] std::size_t bin(double hz) const {
-    return static_cast<std::size_t>(std::lround(hz / spectrum_->bin_hz));
-  }
-  [[nodiscard]] double lobe_hz(int number, double line_hz) const {
-    return tolerance * number * line_hz + lobe_bins * spectrum_->resolution_hz;
-  }
-  [[nodiscard]] double floor_of(int number, double line_hz) const {
-    const double hz = number * line_hz;
-    std::vector<double> beside;
-    for (std::size_t i = bin(hz - line_hz / 2); i <= bin(hz + line_hz / 2); ++i) {
-      const double distance_hz = std::abs(static_cast<double>(i) * spectrum_->bin_hz - hz);
-      if (distance_hz > lobe_hz(number, line_hz)) beside.push_back(spectrum_->power[i]);
-    }
-    return std::max(scoring::median(std::move(beside)), spectrum_->rounding);
-  }
-
-  const EnvelopeSpectrum* spectrum_;
-};
-
 /// Whether lines at the one place would count lines of the other as their own.
 bool are_related(double hz, double other_hz) {
   constexpr std::array ratios{1.0 / 3, 1.0 / 2, 2.0 / 3, 1.0, 3.0 / 2, 2.0, 3.0};
   return std::ranges::any_of(ratios, [&](double ratio) {
-    return std::abs(std::log(hz / (ratio * other_hz))) < 2 * tolerance + step_between_places / 4;
+    return std::abs(std::log(hz / (ratio * other_hz))) <
+           2 * line_tolerance + step_between_places / 4;
   });
 }
 
 /// How far lines stand out at places between half the lowest and twice the highest fault line that
 /// no fault of this bearing has to do with.
-std::vector<double> elsewhere_db(const Ruler& ruler, const FaultLines& lines) {
+std::vector<double> elsewhere_db(const EnvelopeSpectrum& spectrum, const FaultLines& lines) {
   const auto [low, high] = std::ranges::minmax(lines, {}, &FaultLine::hz);
   std::vector<double> decibels;
   const double lowest_hz = low.hz / 2;
@@ -195,21 +123,22 @@ std::vector<double> elsewhere_db(const Ruler& ruler, const FaultLines& lines) {
     const double hz = lowest_hz * std::exp(static_cast<double>(i) * step_between_places);
     const bool related =
         std::ranges::any_of(lines, [&](const FaultLine& line) { return are_related(hz, line.hz); });
-    if (!related && ruler.can_measure(hz)) decibels.push_back(mean_of(ruler.best(hz).decibels));
+    if (related || !spectra::can_measure_common_line(spectrum, hz)) continue;
+    decibels.push_back(spectra::common_line(spectrum, hz).mean_db());
   }
   return decibels;
 }
 
 /// See FaultLine::farthest_factor. Places are as far apart as each of them reaches.
-double farthest_factor(const Ruler& ruler, double line_hz) {
-  Place farthest;
+double farthest_factor(const EnvelopeSpectrum& spectrum, double line_hz) {
+  CommonLine farthest;
   farthest.decibels.fill(-std::numeric_limits<double>::infinity());
-  const auto last = std::lround(std::log(largest_factor) / (2 * tolerance));
+  const auto last = std::lround(std::log(largest_factor) / (2 * line_tolerance));
   for (long i = -last; i <= last; ++i) {
-    const double hz = line_hz * std::exp(2 * tolerance * static_cast<double>(i));
-    if (!ruler.can_measure(hz)) continue;
-    const Place place = ruler.best(hz);
-    if (mean_of(place.decibels) > mean_of(farthest.decibels)) farthest = place;
+    const double hz = line_hz * std::exp(2 * line_tolerance * static_cast<double>(i));
+    if (!spectra::can_measure_common_line(spectrum, hz)) continue;
+    const CommonLine line = spectra::common_line(spectrum, hz);
+    if (line.mean_db() > farthest.mean_db()) farthest = line;
   }
   return farthest.hz / line_hz;
 }
@@ -229,16 +158,8 @@ EnvelopeSpectrum envelope_spectrum(std::span<const double> signal, double rate_h
   if (samples < shortest_segment) return spectrum;
   const std::size_t length = fast_length(static_cast<std::size_t>(samples));
   const Windows segments = segments_of(std::move(pieces), length);
-  const Eigen::ArrayXd power = scoring::mean_power_spectrum(scoring::envelopes(segments), padding);
-  const auto n = static_cast<double>(length);
-  constexpr double rounding_power = 1e-20;  // of the segments' power
-  spectrum.power.assign(power.begin(), power.end());
-  spectrum.bin_hz = rate_hz / (padding * n);
-  spectrum.resolution_hz = rate_hz / n;
-  spectrum.averages = independent_averages(static_cast<double>(segments.rows()));
-  spectrum.rounding =
-      rounding_power * segments.squaredNorm() / static_cast<double>(segments.size()) * n * n +
-      std::numeric_limits<double>::min();
+  spectrum = spectra::envelope_spectrum(segments, rate_hz);
+  spectrum.averages = independent_averages(spectrum.averages);
   return spectrum;
 }
 
@@ -266,20 +187,19 @@ FaultLines fault_lines(const EnvelopeSpectrum& spectrum, const signal::DatasetIn
     lines.at(i).kind = kinds.at(i);
     lines.at(i).hz = bearing::strike_frequency_hz(info.bearing, kinds.at(i), shaft_speed_rpm);
   }
-  const Ruler ruler(spectrum);
-  const std::vector<double> elsewhere = elsewhere_db(ruler, lines);
+  const std::vector<double> elsewhere = elsewhere_db(spectrum, lines);
   for (FaultLine& line : lines) {
-    if (elsewhere.empty() || !ruler.can_measure(line.hz)) continue;
-    const Decibels decibels = ruler.best(line.hz).decibels;
-    const double db = mean_of(decibels);
-    const double places = 2 * tolerance * harmonics * line.hz / spectrum.resolution_hz;
+    if (elsewhere.empty() || !spectra::can_measure_common_line(spectrum, line.hz)) continue;
+    const CommonLine found = spectra::common_line(spectrum, line.hz);
+    const double db = found.mean_db();
+    const double places = 2 * line_tolerance * line_harmonics * line.hz / spectrum.resolution_hz;
     const auto as_far = std::ranges::count_if(elsewhere, [&](double other) { return other >= db; });
     line.db = db;
     line.noise_db = noise_line_db(spectrum.averages, places);
-    line.farthest_factor = farthest_factor(ruler, line.hz);
+    line.farthest_factor = farthest_factor(spectrum, line.hz);
     line.share_elsewhere = static_cast<double>(as_far) / static_cast<double>(elsewhere.size());
-    line.harmonics_above_noise = static_cast<int>(
-        std::ranges::count_if(decibels, [&](double harmonic) { return harmonic > line.noise_db; }));
+    line.harmonics_above_noise = static_cast<int>(std::ranges::count_if(
+        found.decibels, [&](double harmonic) { return harmonic > line.noise_db; }));
     line.stands_out = db > line.noise_db && line.harmonics_above_noise >= fewest_harmonics &&
                       line.share_elsewhere < largest_share_elsewhere;
   }

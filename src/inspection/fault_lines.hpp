@@ -7,22 +7,16 @@
 #include <vector>
 
 #include "signal/dataset_info.hpp"
+#include "spectra/lines.hpp"
 
 namespace piae::inspection {
 
-/// The envelope spectrum of a record: mean power over segments of 16 turns of the shaft (less where
-/// the record is short, so that there are at least four), which overlap by half, each demodulated
-/// as scoring::envelopes does, tapered by Hann's window and padded to four times its length.
-struct EnvelopeSpectrum {
-  std::vector<double> power;  ///< by bin, from 0 Hz on
-  double bin_hz = 0;
-  double resolution_hz = 0;  ///< one over the length of a segment
-  double averages = 0;       ///< as many independent segments would scatter as little (Welch 1967)
-  double rounding = 0;       ///< a power below this is rounding alone
-};
+using spectra::EnvelopeSpectrum;
 
-/// Empty where the record is shorter than ten samples a segment. Of a record in pieces, whose
-/// lengths are given, each segment lies within one, and may be a whole one.
+/// Returns the envelope spectrum of a record: mean power over segments of 16 turns of the shaft
+/// (less where the record is short, so that there are at least four), which overlap by half. Empty
+/// where the record is shorter than ten samples a segment. Of a record in pieces, whose lengths are
+/// given, each segment lies within one, and may be a whole one.
 EnvelopeSpectrum envelope_spectrum(std::span<const double> signal, double rate_hz, double shaft_hz,
                                    std::span<const std::size_t> piece_lengths = {});
 
@@ -30,10 +24,8 @@ EnvelopeSpectrum envelope_spectrum(std::span<const double> signal, double rate_h
 struct FaultLine {
   signal::Defect kind = signal::Defect::none;
   double hz = 0;  ///< where it should be: at the record's speed, without slip
-  /// The mean over the line and its second and third harmonic of 10 log10(line / floor). All three
-  /// belong to one frequency within 2 % of `hz`, the one that gives the most; so a line of
-  /// something else near one of them counts for little. The floor is the median power half way to
-  /// the next harmonics. None where the record is too short for the line, or the rate too low.
+  /// spectra::common_line().mean_db(). None where the record is too short for the line, or the rate
+  /// too low.
   std::optional<double> db;
   double noise_db = 0;            ///< what white noise alone exceeds in one record of a thousand
   int harmonics_above_noise = 0;  ///< of the three, those above noise_db

@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include "scoring/statistics.hpp"
+#include "spectra/floors.hpp"
 
 namespace piae::inspection {
 
@@ -22,7 +22,7 @@ const std::array<Stroke, 3> line_strokes{Stroke{"#0072B2", 1, ""}, Stroke{"#D55E
 
 /// In dB over the median, by bin, and nothing below the paper's edge.
 std::vector<double> decibels_of(const EnvelopeSpectrum& spectrum) {
-  const double floor = std::max(scoring::median(spectrum.power), spectrum.rounding);
+  const double floor = std::max(spectra::median(spectrum.power), spectrum.rounding);
   std::vector<double> decibels;
   for (const double power : spectrum.power) {
     decibels.push_back(

@@ -8,7 +8,7 @@
 
 #include "base/error.hpp"
 #include "raw/file.hpp"
-#include "scoring/statistics.hpp"
+#include "spectra/floors.hpp"
 
 namespace piae::inspection {
 
@@ -35,7 +35,7 @@ Dropouts dropouts_in(std::span<const double> times) {
   std::vector<double> steps;
   for (std::size_t i = 1; i < times.size(); ++i) steps.push_back(times[i] - times[i - 1]);
   if (std::ranges::any_of(steps, [](double step) { return step <= 0; })) return {};
-  const double median = scoring::median(steps);
+  const double median = spectra::median(steps);
   double sum = 0;
   double regular = 0;
   for (const double step : steps) {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "inspection/raw_flaws.hpp"
-#include "scoring/statistics.hpp"
+#include "spectra/floors.hpp"
 
 namespace piae::inspection {
 
@@ -67,7 +67,7 @@ Evidence evidence_at(const std::vector<NearbyValue>& levels, double quantum) {
   visits.reserve(levels.size());
   for (const NearbyValue& level : levels) visits.push_back(static_cast<double>(level.visits));
   const double all = std::accumulate(visits.begin(), visits.end(), 0.0);
-  const double repeats = scoring::median({visits.begin() + 1, visits.end()});
+  const double repeats = spectra::median({visits.begin() + 1, visits.end()});
   const double width = levels.back().distance + quantum;
   const double loosest = 1 / std::sqrt(static_cast<double>(levels.size()));
   return {evidence_of(visits.front(), all, loosest),

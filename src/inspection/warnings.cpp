@@ -9,8 +9,8 @@
 #include "inspection/file_warnings.hpp"
 #include "inspection/plausibility.hpp"
 #include "inspection/warning_text.hpp"
-#include "scoring/statistics.hpp"
 #include "signal/described_split.hpp"
+#include "spectra/floors.hpp"
 
 namespace piae::inspection {
 
@@ -159,7 +159,7 @@ void add_levels(const DatasetInfo& info, const std::vector<RecordCheck>& records
     if (is_healthy && record.level && !record.goes_one_way) healthy.push_back(record.level->rms);
   }
   if (healthy.empty()) return;
-  const double usual = scoring::median(healthy);
+  const double usual = spectra::median(healthy);
   std::vector<const RecordCheck*> odd;
   for (const RecordCheck& record : records) {
     if (!record.level || record.goes_one_way || record.few_values) continue;

@@ -13,7 +13,7 @@
 #include "monitor/judge.hpp"
 #include "monitor/samples.hpp"
 #include "monitor/window_cutter.hpp"
-#include "signal/stream_resampler.hpp"
+#include "signal/resample.hpp"
 
 namespace piae::monitor {
 

@@ -8,7 +8,7 @@
 
 #include "base/error.hpp"
 #include "nets/divergence.hpp"
-#include "scoring/statistics.hpp"
+#include "spectra/floors.hpp"
 #include "twin/physics.hpp"
 
 namespace piae::phase {
@@ -131,8 +131,8 @@ std::vector<Bounds> InferenceTraining::bounds_around_known() {
     }
     if (k.empty()) continue;
     Bounds& own = bounds[index_of(label)];
-    narrow(own.low.k, own.high.k, scoring::median(k), prior_factor_k);
-    narrow(own.low.c, own.high.c, scoring::median(c), prior_factor_c);
+    narrow(own.low.k, own.high.k, spectra::median(k), prior_factor_k);
+    narrow(own.low.c, own.high.c, spectra::median(c), prior_factor_c);
   }
   return bounds;
 }

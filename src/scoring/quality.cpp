@@ -8,10 +8,9 @@
 
 #include "base/error.hpp"
 #include "bearing/strikes.hpp"
-#include "scoring/envelope.hpp"
 #include "scoring/mmd.hpp"
-#include "scoring/spectrum.hpp"
 #include "scoring/waveform.hpp"
+#include "spectra/lines.hpp"
 
 namespace piae::scoring {
 
@@ -97,9 +96,10 @@ double line_db_of(const signal::WindowSet& set, Label label, const Windows& wind
   for (const auto& [speed_rpm, rows] : by_speed) {
     const double line_hz =
         bearing::strike_frequency_hz(info.bearing, info.class_of(label).defect, speed_rpm);
-    const Windows at_speed = windows(rows, Eigen::all);
+    const spectra::EnvelopeSpectrum spectrum =
+        spectra::envelope_spectrum(windows(rows, Eigen::all), info.sample_rate_hz);
     const double part = static_cast<double>(rows.size()) / static_cast<double>(windows.rows());
-    sum += part * fault_line_db(at_speed, line_hz, info.sample_rate_hz);
+    sum += part * spectra::free_harmonics_db(spectrum, line_hz);
   }
   return sum;
 }

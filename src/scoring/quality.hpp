@@ -16,8 +16,8 @@ struct ClassQuality {
   double rmse = 0;                      ///< eq. 28, in the unit of the recordings
   double aligned_rmse = 0;              ///< in the unit of the recordings, see scoring/waveform.hpp
   double amplitude_ratio = 0;           ///< RMS, generated to real
-  double spectral_distance_db = 0;      ///< see scoring/spectrum.hpp
-  double fault_line_db = 0;             ///< of the generated windows, see scoring/envelope.hpp
+  double spectral_distance_db = 0;      ///< see scoring/waveform.hpp
+  double fault_line_db = 0;             ///< of the generated windows, see spectra/lines.hpp
   double fault_line_difference_db = 0;  ///< generated minus real
 };
 

@@ -35,12 +35,6 @@ Summary summarise(std::span<const double> values) {
   return summary;
 }
 
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 double share_between_classes(std::span<const double> values, std::span<const Label> labels) {
   struct Sum {
     double sum = 0;

@@ -28,10 +28,6 @@ struct Summary {
 /// Throws std::logic_error when there is no value.
 Summary summarise(std::span<const double> values);
 
-/// The value in the middle; of an even number of values the upper of the two in the middle. There
-/// must be at least one value.
-double median(std::vector<double> values);
-
 /// The part of the variance of values that lies between the classes they are of (eta squared): 0
 /// where all classes have the same mean, 1 where no class has a spread of its own. n values that do
 /// not depend on their g classes have (g - 1) / (n - 1) of it on average.

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "spectra/fft.hpp"
+#include "spectra/power.hpp"
 
 namespace piae::scoring {
 
@@ -14,6 +15,8 @@ namespace {
 
 using Eigen::Index;
 using Complex = std::complex<double>;
+
+constexpr double floor_to_mean = 1e-10;  // of powers, as a part of the real spectrum's mean
 
 void require_pairs(const Windows& generated, const Windows& real) {
   if (generated.rows() != real.rows() || generated.cols() != real.cols() || real.size() == 0) {
@@ -71,6 +74,19 @@ double amplitude_ratio(const Windows& generated, const Windows& real) {
   require_pairs(generated, real);
   if (real.squaredNorm() == 0) throw std::logic_error("the real windows are silent");
   return std::sqrt(generated.squaredNorm() / real.squaredNorm());
+}
+
+double spectral_distance_db(const Windows& generated, const Windows& real) {
+  if (generated.cols() != real.cols() || real.cols() < 2) {
+    throw std::logic_error("spectra are compared of windows of equal length, 2 or more");
+  }
+  const Index bins = real.cols() / 2;  // without the first: the mean is gone
+  const Eigen::ArrayXd reference = spectra::mean_power_spectrum(real).tail(bins);
+  const double floor = floor_to_mean * reference.mean();
+  if (!(floor > 0)) throw std::logic_error("the real windows are silent");
+  const Eigen::ArrayXd power = spectra::mean_power_spectrum(generated).tail(bins);
+  const Eigen::ArrayXd decibels = 10 * (power.max(floor) / reference.max(floor)).log10();
+  return std::sqrt(decibels.square().mean());
 }
 
 }  // namespace piae::scoring

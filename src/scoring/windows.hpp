@@ -1,14 +1,13 @@
 #pragma once
 
-#include <Eigen/Core>
 #include <cstddef>
 
 #include "signal/window_set.hpp"
+#include "spectra/power.hpp"
 
 namespace piae::scoring {
 
-/// Windows of one class, a row for each: [n, length], in the unit of the recordings.
-using Windows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+using spectra::Windows;
 
 /// The first `count` windows of a class, in the order in which they are stored. Throws
 /// std::logic_error when there are fewer.

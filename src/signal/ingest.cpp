@@ -5,6 +5,7 @@
 #include <span>
 
 #include "base/error.hpp"
+#include "base/numbers.hpp"
 #include "base/sha256.hpp"
 #include "raw/file.hpp"
 #include "raw/limits.hpp"
@@ -47,12 +48,11 @@ void require_expected_sha256(const fs::path& file, const RecordSource& source,
 void require_finite(const fs::path& file, const RecordSource& source,
                     std::span<const double> signal) {
   if (signal.empty()) refuse_record(file, source, source.variable + " holds no sample");
-  const auto odd = std::ranges::find_if_not(
-      signal, [](double x) { return std::isfinite(static_cast<float>(x)); });
-  if (odd == signal.end()) return;
+  const std::optional<std::size_t> beyond = first_beyond_32_bits(signal);
+  if (!beyond) return;
   refuse_record(file, source,
                 source.variable + " is NaN, infinite or beyond 32 bits at sample " +
-                    std::to_string(odd - signal.begin()) + " (counted from 0)");
+                    std::to_string(*beyond) + " (counted from 0)");
 }
 
 /// Brings samples of a record's file to the unit of the dataset.

@@ -9,8 +9,7 @@
 
 #include "base/error.hpp"
 #include "signal/ranges.hpp"
-#include "symptoms/band_levels.hpp"
-#include "symptoms/bands.hpp"
+#include "spectra/bands.hpp"
 
 namespace piae::symptoms {
 
@@ -131,9 +130,9 @@ Baselines Baselines::read(const artefact::Reader& reader, const std::string& gro
   }
   const auto lines = reader.numbers<double>(group + "/lines", {n, number_of_kinds}).values;
   const auto shapes =
-      reader.numbers<double>(group + "/shape_db", {n, std::size_t{spectral_shape_bands}});
+      reader.numbers<double>(group + "/shape_db", {n, std::size_t{spectra::spectral_shape_bands}});
   const auto levels =
-      reader.numbers<double>(group + "/levels_db", {n, narrow_bands(rate_hz).size()});
+      reader.numbers<double>(group + "/levels_db", {n, spectra::narrow_bands(rate_hz).size()});
   const auto row_of = [](const artefact::Array<double>& rows, std::size_t i) {
     const auto columns = static_cast<Eigen::Index>(rows.shape[1]);
     return Eigen::Map<const Eigen::ArrayXd>(rows.values.data() + i * rows.shape[1], columns);

@@ -9,9 +9,10 @@
 #include "base/error.hpp"
 #include "base/parallel.hpp"
 #include "bearing/kinematics.hpp"
+#include "bearing/strikes.hpp"
 #include "signal/amplitude.hpp"
-#include "symptoms/band_levels.hpp"
-#include "symptoms/bands.hpp"
+#include "spectra/bands.hpp"
+#include "spectra/lines.hpp"
 
 namespace piae::symptoms {
 
@@ -26,6 +27,11 @@ constexpr double longest_window = 1e9;  // in samples: more are not to be had
 
 [[noreturn]] void refuse(const std::string& what, const std::string& why) {
   throw Error(Exit::bad_input, what + ": " + why);
+}
+
+/// The order that a spectrum must reach for all harmonics of these lines, with slip.
+double last_order(const Orders& orders) {
+  return most_harmonics * (1 + spectra::largest_slip) * *std::ranges::max_element(orders);
 }
 
 double smallest_gap(Orders orders) {
@@ -66,7 +72,7 @@ void require_lines_shown(const signal::WindowSet& windows, double speed_rpm, con
 
 void require_measurable(const signal::WindowSet& windows, const Orders& orders,
                         const std::string& what) {
-  if (narrow_bands(windows.info.sample_rate_hz).empty()) {
+  if (spectra::narrow_bands(windows.info.sample_rate_hz).empty()) {
     refuse(what, fmt::format("a sample rate of {:g} Hz is too low for envelope analysis, which "
                              "needs 1800 Hz or more",
                              windows.info.sample_rate_hz));
@@ -84,24 +90,35 @@ double log_kurtosis(const Eigen::RowVectorXd& window) {
   return std::log(squares.square().mean() / (squares.mean() * squares.mean()));
 }
 
-Measures measure_one(const Eigen::RowVectorXd& window, const FilterBank& bank, double shaft_hz,
-                     const Orders& orders) {
-  const OrderSpectrum spectrum = order_spectrum(window, bank, shaft_hz, last_order(orders));
+Measures measure_one(const Eigen::RowVectorXd& window, const spectra::FilterBank& bank,
+                     double shaft_hz, const Orders& orders) {
+  const spectra::OrderSpectrum spectrum =
+      spectra::order_spectrum(window, bank, shaft_hz, last_order(orders));
   Measures measures;
   for (std::size_t kind = 0; kind < number_of_kinds; ++kind) {
-    measures.lines.at(kind) = line_height(spectrum, orders.at(kind), most_harmonics, lowest_line);
+    measures.lines.at(kind) =
+        spectra::common_slip_height(spectrum, orders.at(kind), most_harmonics, lowest_line);
     for (int n = 1; n <= most_harmonics; ++n) {
       measures.heights.at(kind).at(n - 1) =
-          line_height(spectrum, orders.at(kind), n, lowest_height);
+          spectra::common_slip_height(spectrum, orders.at(kind), n, lowest_height);
     }
   }
   measures.log_kurtosis = log_kurtosis(window);
-  measures.shape_db = spectral_shape_db(window);
-  measures.levels_db = band_levels_db(window, bank);
+  measures.shape_db = spectra::spectral_shape_db(window);
+  measures.levels_db = spectra::band_levels_db(window, bank);
   return measures;
 }
 
 }  // namespace
+
+std::array<double, number_of_kinds> line_orders(const bearing::Geometry& geometry) {
+  constexpr double one_turn_a_second_rpm = 60;
+  std::array<double, number_of_kinds> orders{};
+  std::ranges::transform(kinds, orders.begin(), [&](bearing::Defect kind) {
+    return bearing::strike_frequency_hz(geometry, kind, one_turn_a_second_rpm);
+  });
+  return orders;
+}
 
 std::vector<Measures> measure(const signal::WindowSet& windows, const std::string& what) {
   if (!windows.info.has_bearing) {
@@ -114,8 +131,8 @@ std::vector<Measures> measure(const signal::WindowSet& windows, const std::strin
   bearing::validate(windows.info.bearing);
   const Orders orders = line_orders(windows.info.bearing);
   require_measurable(windows, orders, what);
-  const FilterBank bank =
-      filter_bank(windows.info.sample_rate_hz, static_cast<Eigen::Index>(windows.length));
+  const spectra::FilterBank bank =
+      spectra::filter_bank(windows.info.sample_rate_hz, static_cast<Eigen::Index>(windows.length));
   std::vector<Measures> all(windows.size());
   parallel_for(windows.size(), [&](std::size_t i) {
     const auto samples = windows.window(i);

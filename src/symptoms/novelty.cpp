@@ -4,6 +4,8 @@
 #include <cmath>
 #include <vector>
 
+#include "spectra/left_out.hpp"
+
 namespace piae::symptoms {
 
 namespace {
@@ -19,7 +21,7 @@ constexpr double least_deviation_db = 1e-6;  // where all healthy windows are th
 Eigen::ArrayXXd without_block(const Eigen::ArrayXXd& rows, Index block) {
   std::vector<Index> others;
   for (Index i = 0; i < rows.rows(); ++i) {
-    if (i * blocks / rows.rows() != block) others.push_back(i);
+    if (spectra::block_of(i, rows.rows(), blocks) != block) others.push_back(i);
   }
   return rows(others, Eigen::all);
 }
@@ -42,12 +44,12 @@ Novelty::Novelty(const Eigen::ArrayXXd& healthy)
   for (Index block = 0; block < blocks; ++block) {
     const Likeness others = likeness(without_block(healthy, block));
     for (Index i = 0; i < healthy.rows(); ++i) {
-      if (i * blocks / healthy.rows() == block) {
+      if (spectra::block_of(i, healthy.rows(), blocks) == block) {
         of_healthy_[i] = others.distance(healthy.row(i).transpose());
       }
     }
   }
-  threshold_ = std::max(margin * of_healthy_.maxCoeff(), least_deviation_db);
+  threshold_ = spectra::left_out_threshold(of_healthy_.maxCoeff(), margin, least_deviation_db);
   of_healthy_ /= threshold_;
 }
 

@@ -5,8 +5,8 @@
 namespace piae::symptoms {
 
 /// How much the spectrum of a window differs from those of healthy windows. With s the shape of its
-/// spectrum (band_levels.hpp), m and v mean and variance of that over the healthy windows, band by
-/// band, and d the mean over the bands of the root of v,
+/// spectrum (spectra/bands.hpp), m and v mean and variance of that over the healthy windows, band
+/// by band, and d the mean over the bands of the root of v,
 ///
 ///     distance = root of the mean over the bands of (s - m)^2 / (v + (d / 2)^2).
 ///

@@ -5,7 +5,7 @@
 #include <map>
 #include <tuple>
 
-#include "scoring/spectrum.hpp"
+#include "spectra/power.hpp"
 
 namespace piae::transfer {
 
@@ -17,11 +17,11 @@ constexpr Index steps = 4;    ///< from the first piece to the last, a quarter o
 constexpr Index padding = 4;  ///< from half a window to a frame of two
 
 /// Pieces of half a window, a row for each.
-scoring::Windows pieces_of(const signal::WindowSet& known, const std::vector<std::size_t>& own) {
+spectra::Windows pieces_of(const signal::WindowSet& known, const std::vector<std::size_t>& own) {
   const auto length = static_cast<Index>((known.length + 1) / 2);
   const Index step = (static_cast<Index>(known.length) - length) / steps;
   const Index in_a_window = steps + 1;
-  scoring::Windows pieces(static_cast<Index>(own.size()) * in_a_window, length);
+  spectra::Windows pieces(static_cast<Index>(own.size()) * in_a_window, length);
   Index row = 0;
   for (const std::size_t i : own) {
     const Eigen::Map<const Eigen::RowVectorXf> window(known.window(i).data(),
@@ -58,7 +58,7 @@ bool tests_other_bearings(const signal::WindowSet& known) {
 
 Eigen::ArrayXd log_amplitude(const signal::WindowSet& known, const KnownBearing& bearing) {
   const Eigen::ArrayXd power =
-      scoring::mean_power_spectrum(pieces_of(known, bearing.windows), padding);
+      spectra::mean_power_spectrum(pieces_of(known, bearing.windows), padding);
   const double silence = std::numeric_limits<double>::min();
   return (power + silence).log() / 2;
 }

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scoring/envelope.hpp"
+#include "spectra/power.hpp"
 
 namespace piae::transfer {
 
@@ -33,8 +33,8 @@ ArrayXd averaged(const ArrayXd& values, Index width) {
 
 ArrayXd envelope_of(std::span<const double> window, double period) {
   const auto length = static_cast<Index>(window.size());
-  const scoring::Windows row = Eigen::Map<const Eigen::RowVectorXd>(window.data(), length);
-  const ArrayXd envelope = scoring::envelopes(row).row(0).transpose().array();
+  const spectra::Windows row = Eigen::Map<const Eigen::RowVectorXd>(window.data(), length);
+  const ArrayXd envelope = spectra::envelopes(row).row(0).transpose().array();
   return averaged(envelope, std::max<Index>(1, std::lround(averaged_part * period)));
 }
 

@@ -8,7 +8,6 @@
 #include <span>
 
 #include "base/random.hpp"
-#include "diagnosis/log_envelope_spectrum.hpp"
 #include "diagnosis/log_spectrum.hpp"
 #include "diagnosis/sets.hpp"
 #include "diagnosis/wdcnn_layers.hpp"

@@ -11,6 +11,7 @@
 #include "bearing/strikes.hpp"
 #include "scoring/mmd.hpp"
 #include "scoring/sets.hpp"
+#include "support/fault_windows.hpp"
 #include "support/three_classes.hpp"
 
 namespace piae::scoring {
@@ -168,6 +169,29 @@ TEST(QualityByClass, RefusesRealWindowsThatAreNoReference) {
   refused({{1, 2, 3, 4}}, "class IR: one real window is no reference");
   refused({{1, 2, 3, 4.1F}, {1, 2, 3, 4.1F}, {1, 2, 3, 4.1F}}, "all real windows are the same");
   refused({{0, 0, 0, 0}, {5, 5, 5, 5}}, "class IR: the real windows are silent");
+}
+
+signal::WindowSet set_of(int label, const Windows& windows) {
+  signal::WindowSet set;
+  set.info = cwru_like();
+  for (Eigen::Index i = 0; i < windows.rows(); ++i) {
+    const Eigen::RowVectorXf row = windows.row(i).cast<float>();
+    add(set, label, {row.data(), row.data() + row.size()});
+  }
+  return set;
+}
+
+double difference_db(const signal::WindowSet& generated, const signal::WindowSet& real) {
+  return quality_by_class(generated, real).front().fault_line_difference_db;
+}
+
+TEST(FaultLine, IsJudgedAgainstRealWindowsOfTheClass) {
+  const signal::WindowSet real = set_of(3, fault_windows(3, 20));
+  EXPECT_EQ(difference_db(real, real), 0);
+  EXPECT_GT(quality_by_class(real, real).front().fault_line_db, 6);
+  const Windows white = noise(20, 1024, "white");
+  EXPECT_LT(difference_db(set_of(3, white), real), -6);
+  EXPECT_LT(difference_db(set_of(3, fault_windows(1, 20)), real), -6);
 }
 
 }  // namespace

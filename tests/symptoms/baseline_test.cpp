@@ -5,11 +5,10 @@
 #include <cmath>
 
 #include "base/random.hpp"
+#include "spectra/bands.hpp"
 #include "support/errors.hpp"
 #include "support/folder.hpp"
 #include "support/three_classes.hpp"
-#include "symptoms/band_levels.hpp"
-#include "symptoms/bands.hpp"
 
 namespace piae::symptoms {
 namespace {
@@ -121,8 +120,8 @@ Healthy with_all_bands(const std::vector<double>& speeds_rpm) {
   };
   for (Measures& measures : healthy.measures) {
     for (double& line : measures.lines) line = stream.normal(0, 1);
-    measures.shape_db = random_bands(spectral_shape_bands);
-    measures.levels_db = random_bands(narrow_bands(12000).size());
+    measures.shape_db = random_bands(spectra::spectral_shape_bands);
+    measures.levels_db = random_bands(spectra::narrow_bands(12000).size());
   }
   return healthy;
 }

@@ -4,12 +4,20 @@
 
 #include <algorithm>
 
+#include "support/computed_window.hpp"
 #include "support/errors.hpp"
 #include "support/struck_windows.hpp"
-#include "symptoms/computed_window.hpp"
 
 namespace piae::symptoms {
 namespace {
+
+// n/2 (1 + d/D), D/d (1 - (d/D)^2), n/2 (1 - d/D) with n = 9, d = 7.94 and D = 39.
+TEST(LineOrders, AreThoseOfA6205) {
+  const auto orders = line_orders({});
+  EXPECT_NEAR(orders[0], 5.416154, 1e-6);
+  EXPECT_NEAR(orders[1], 4.708249, 1e-6);
+  EXPECT_NEAR(orders[2], 3.583846, 1e-6);
+}
 
 signal::WindowSet computed_set() {
   signal::WindowSet set = no_struck_windows(2048);

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <set>
 
-#include "scoring/spectrum.hpp"
+#include "spectra/power.hpp"
 #include "support/errors.hpp"
 #include "transfer/carried.hpp"
 #include "transfer/cepstrum.hpp"
@@ -81,7 +81,7 @@ TEST(Carrier, MovesTheMinimaOfTheEdgesAndLeavesTheResonances) {
   const signal::WindowSet known = one_machine();
   const std::vector<Edges> edges = true_edges(known);
   const Carrier carrier(known, edges, {});
-  scoring::Windows windows(100, 1024);
+  spectra::Windows windows(100, 1024);
   for (Eigen::Index i = 0; i < 100; ++i) {
     const std::vector<double> window = carried(carrier, known, 4, static_cast<std::size_t>(i));
     windows.row(i) = Eigen::Map<const Eigen::RowVectorXd>(window.data(), 1024);
@@ -90,7 +90,7 @@ TEST(Carrier, MovesTheMinimaOfTheEdgesAndLeavesTheResonances) {
   // The lines of the rhythm lie closer than any quefrency of the edges.
   const double period = period_s(known, 19, 600) * 12000;
   const Eigen::ArrayXd seen =
-      liftered(scoring::mean_power_spectrum(windows, 2).log() / 2, 0.8 * period) -
+      liftered(spectra::mean_power_spectrum(windows, 2).log() / 2, 0.8 * period) -
       three_resonances(1025, 12000);
   const Edges tested = edges_at(known, 19, lag_shares[3], 600);
   const Edges before = edges_at(known, 19, lag_shares[3], 1200);
@@ -259,12 +259,12 @@ TEST(Carrier, NeedsHealthyWindowsOfTheTestedConditionForTheirBackground) {
   options.background_from = BackgroundFrom::struck;
   const Carrier without(known, edges, options);
   const auto at_line = [&](const Carrier& from) {
-    scoring::Windows windows(50, 1024);
+    spectra::Windows windows(50, 1024);
     for (Eigen::Index i = 0; i < 50; ++i) {
       const std::vector<double> window = carried(from, known, 4, static_cast<std::size_t>(i));
       windows.row(i) = Eigen::Map<const Eigen::RowVectorXd>(window.data(), 1024);
     }
-    const Eigen::ArrayXd power = scoring::mean_power_spectrum(windows);
+    const Eigen::ArrayXd power = spectra::mean_power_spectrum(windows);
     return power[256] / power.sum();
   };
   // Half of the power on average, of which Hann's window leaves two thirds in the bin itself.

@@ -1,11 +1,11 @@
-#include "symptoms/order_spectrum.hpp"
+#include "spectra/order_spectrum.hpp"
 
 #include <gtest/gtest.h>
 
+#include "support/computed_window.hpp"
 #include "support/struck_windows.hpp"
-#include "symptoms/computed_window.hpp"
 
-namespace piae::symptoms {
+namespace piae::spectra {
 namespace {
 
 /// Of a window at 12 kHz, up to the fourth harmonic of a 6205's highest line.
@@ -63,4 +63,4 @@ TEST(OrderSpectrum, GoesStraightFromOneClippedHeightToTheNext) {
 }
 
 }  // namespace
-}  // namespace piae::symptoms
+}  // namespace piae::spectra

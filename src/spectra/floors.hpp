@@ -1,8 +1,18 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <vector>
 
-namespace piae::symptoms {
+namespace piae::spectra {
+
+/// The value in the middle; of an even number of values the upper of the two in the middle. There
+/// must be at least one value.
+double median(std::vector<double> values);
+
+/// The median of each number and of those near it, `width` in all, an odd number. Beyond either end
+/// the array goes on as its mirror image, the last number twice. It must hold at least `width` / 2
+/// numbers.
+Eigen::ArrayXd running_median(const Eigen::ArrayXd& values, Eigen::Index width);
 
 /// How wide the power is smoothed by which a window is whitened: wide against the lines of a shaft,
 /// narrow against a resonance.
@@ -20,4 +30,4 @@ Eigen::ArrayXd smoothed(const Eigen::ArrayXd& values, Eigen::Index width);
 /// loudest amplitude are divided by that instead.
 Eigen::ArrayXcd whitened_spectrum(const Eigen::RowVectorXd& window, double rate_hz);
 
-}  // namespace piae::symptoms
+}  // namespace piae::spectra

@@ -1,21 +1,32 @@
-#include "symptoms/whitening.hpp"
+#include "spectra/floors.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <complex>
 #include <limits>
 #include <numbers>
-#include <vector>
 
 #include "spectra/fft.hpp"
 
-namespace piae::symptoms {
+namespace piae::spectra {
 
 namespace {
 
 using Eigen::Index;
 
 constexpr double quietest = 1e-9;  // of the loudest amplitude: what is less is rounding
+
+/// Puts a number in the place of another one, and moves those between so that all stay in order.
+void replace(std::vector<double>& sorted, double old, double with) {
+  const auto from = std::ranges::lower_bound(sorted, old);
+  const auto to = std::ranges::lower_bound(sorted, with);
+  if (from < to) {
+    *std::move(from + 1, to, from) = with;
+  } else {
+    std::move_backward(to, from, from + 1);
+    *to = with;
+  }
+}
 
 /// Hann's window without the zeros at its ends, with the sum 1.
 Eigen::ArrayXd hann_weights(Index width) {
@@ -37,6 +48,26 @@ Eigen::ArrayXd mirrored(const Eigen::ArrayXd& values, Index half) {
 
 }  // namespace
 
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+Eigen::ArrayXd running_median(const Eigen::ArrayXd& values, Eigen::Index width) {
+  const Eigen::Index half = width / 2;
+  Eigen::ArrayXd longer(values.size() + 2 * half);
+  longer << values.head(half).reverse(), values, values.tail(half).reverse();
+  Eigen::ArrayXd medians(values.size());
+  std::vector<double> sorted(longer.begin(), longer.begin() + width);
+  std::ranges::sort(sorted);
+  for (Eigen::Index i = 0; i < medians.size(); ++i) {
+    medians[i] = sorted[static_cast<std::size_t>(half)];
+    if (i + 1 < medians.size()) replace(sorted, longer[i], longer[i + width]);
+  }
+  return medians;
+}
+
 Eigen::ArrayXd smoothed(const Eigen::ArrayXd& values, Index width) {
   const Eigen::ArrayXd weights = hann_weights(width);
   const Eigen::ArrayXd longer = mirrored(values, width / 2);
@@ -49,7 +80,7 @@ Eigen::ArrayXcd whitened_spectrum(const Eigen::RowVectorXd& window, double rate_
   std::vector<double> samples(static_cast<std::size_t>(window.size()));
   Eigen::Map<Eigen::RowVectorXd>(samples.data(), window.size()) = window.array() - window.mean();
   Eigen::ArrayXcd spectrum(window.size() / 2 + 1);
-  spectra::fft(samples, {spectrum.data(), spectrum.data() + spectrum.size()});
+  fft(samples, {spectrum.data(), spectrum.data() + spectrum.size()});
   const auto bins = std::lround(smoothing_hz * static_cast<double>(window.size()) / rate_hz);
   const Index width = std::max<Index>(3, bins / 2 * 2 + 1);
   const Eigen::ArrayXd amplitude = smoothed(spectrum.abs2(), width).sqrt();
@@ -57,4 +88,4 @@ Eigen::ArrayXcd whitened_spectrum(const Eigen::RowVectorXd& window, double rate_
   return spectrum / amplitude.max(floor);
 }
 
-}  // namespace piae::symptoms
+}  // namespace piae::spectra

@@ -2,9 +2,9 @@
 
 #include <Eigen/Core>
 
-#include "symptoms/bands.hpp"
+#include "spectra/bands.hpp"
 
-namespace piae::symptoms {
+namespace piae::spectra {
 
 /// How far an envelope spectrum stands above its floor, as the decimal logarithm of a ratio of
 /// powers, at orders: multiples of the shaft's frequency, every `step` from `first` on. In orders
@@ -21,7 +21,7 @@ struct OrderSpectrum {
 };
 
 /// The order spectrum of one window, up to an order of at least `last`. The bank is one for windows
-/// of this length. With X the window's whitened spectrum (whitening.hpp) and G a band (bands.hpp),
+/// of this length. With X the window's whitened spectrum (floors.hpp) and G a band (bands.hpp),
 ///
 ///     e = |analytic signal of G X|^2,  S = |FFT(Hann (e - mean e))|^2, padded to twice the length,
 ///     L = log10(S / floor + 1e-3),     R = mean of L over all bands.
@@ -38,4 +38,4 @@ struct OrderSpectrum {
 OrderSpectrum order_spectrum(const Eigen::RowVectorXd& window, const FilterBank& bank,
                              double shaft_hz, double last);
 
-}  // namespace piae::symptoms
+}  // namespace piae::spectra

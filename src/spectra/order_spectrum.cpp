@@ -1,4 +1,4 @@
-#include "symptoms/order_spectrum.hpp"
+#include "spectra/order_spectrum.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,11 +8,10 @@
 #include <unsupported/Eigen/FFT>
 #include <vector>
 
-#include "scoring/spectrum.hpp"
-#include "symptoms/running_median.hpp"
-#include "symptoms/whitening.hpp"
+#include "spectra/floors.hpp"
+#include "spectra/power.hpp"
 
-namespace piae::symptoms {
+namespace piae::spectra {
 
 namespace {
 
@@ -88,8 +87,8 @@ OrderSpectrum order_spectrum(const Eigen::RowVectorXd& window, const FilterBank&
       static_cast<Index>(std::ceil((last - OrderSpectrum::first) / OrderSpectrum::step)) + 2;
   OrderSpectrum spectrum{Eigen::ArrayXd::Zero(orders)};
   for (const Eigen::ArrayXd& response : bank.responses) {
-    const scoring::Windows envelope = squared_envelope(whitened, response, length);
-    const Eigen::ArrayXd power = scoring::mean_power_spectrum(envelope, padding).head(used);
+    const Windows envelope = squared_envelope(whitened, response, length);
+    const Eigen::ArrayXd power = mean_power_spectrum(envelope, padding).head(used);
     const Eigen::ArrayXd heights = above_floor(power, floor_bins);
     for (Index i = 0; i < orders; ++i) {
       const double order = OrderSpectrum::first + static_cast<double>(i) * OrderSpectrum::step;
@@ -100,4 +99,4 @@ OrderSpectrum order_spectrum(const Eigen::RowVectorXd& window, const FilterBank&
   return spectrum;
 }
 
-}  // namespace piae::symptoms
+}  // namespace piae::spectra

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <vector>
 
-namespace piae::symptoms {
+namespace piae {
 
 /// A window of 2048 samples at 12 kHz that any program can make: noise by Knuth's linear
 /// congruential generator (MMIX, from 1), and 3 kHz struck at 1.004 times a 6205's BPFO at 1800
@@ -31,4 +31,4 @@ inline std::vector<float> computed_window() {
   return window;
 }
 
-}  // namespace piae::symptoms
+}  // namespace piae

@@ -1,0 +1,93 @@
+#include "spectra/power.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+namespace piae::spectra {
+namespace {
+
+/// 3 cos with 4 cycles in 32 samples, from `first` on; silence before.
+Eigen::RowVectorXd tone_from(Eigen::Index first) {
+  Eigen::RowVectorXd window = Eigen::RowVectorXd::Zero(128);
+  for (Eigen::Index i = first; i < window.size(); ++i) {
+    window[i] = 3 * std::cos(2 * std::numbers::pi * static_cast<double>(i) / 8);
+  }
+  return window;
+}
+
+/// Hann's window spreads a tone A cos over three bins of height A N / 8, A N / 4, A N / 8.
+TEST(Spectrogram, OfAToneHasItsLinesAtAllTimes) {
+  const Eigen::ArrayXXd power = spectrogram(tone_from(0), 32);
+  ASSERT_EQ(power.rows(), 7);  // from samples 0, 16, ..., 96
+  ASSERT_EQ(power.cols(), 17);
+  for (Eigen::Index time = 0; time < 7; ++time) {
+    for (Eigen::Index bin = 0; bin < 17; ++bin) {
+      const double expected = bin == 4 ? 24.0 * 24 : bin == 3 || bin == 5 ? 12.0 * 12 : 0;
+      EXPECT_NEAR(power(time, bin), expected, 1e-9) << time << " " << bin;
+    }
+  }
+}
+
+TEST(Spectrogram, ShowsWhenAToneBegins) {
+  const Eigen::ArrayXXd power = spectrogram(tone_from(64), 32);
+  for (Eigen::Index time = 0; time < 3; ++time) EXPECT_EQ(power(time, 4), 0) << time;
+  EXPECT_GT(power(3, 4), 100);  // its second half sounds
+  for (Eigen::Index time = 4; time < 7; ++time) EXPECT_NEAR(power(time, 4), 576, 1e-9) << time;
+}
+
+TEST(Spectrogram, LeavesOutWhatDoesNotFillASegment) {
+  EXPECT_EQ(spectrogram(tone_from(0).head(127), 32).rows(), 6);
+}
+
+TEST(Spectrogram, OfImpossibleSegmentsCannotBe) {
+  EXPECT_THROW(spectrogram(tone_from(0), 0), std::logic_error);
+  EXPECT_THROW(spectrogram(tone_from(0), 31), std::logic_error);
+  EXPECT_THROW(spectrogram(tone_from(0), 130), std::logic_error);
+}
+
+Windows tone(Eigen::Index length, double amplitude, int cycles, double phase) {
+  Windows window(1, length);
+  for (Eigen::Index i = 0; i < length; ++i) {
+    window(0, i) = amplitude * std::cos(2 * std::numbers::pi * cycles * static_cast<double>(i) /
+                                            static_cast<double>(length) +
+                                        phase);
+  }
+  return window;
+}
+
+/// Hann's window spreads a tone A cos over three bins of height A N / 8, A N / 4, A N / 8.
+TEST(Spectrum, OfAToneIsThreeLinesOfTheWindow) {
+  const Eigen::ArrayXd power = mean_power_spectrum(tone(64, 3, 8, 0.7));
+  ASSERT_EQ(power.size(), 33);
+  for (Eigen::Index bin = 0; bin < 33; ++bin) {
+    const double expected = bin == 8 ? 48.0 * 48 : bin == 7 || bin == 9 ? 24.0 * 24 : 0;
+    EXPECT_NEAR(power[bin], expected, 1e-9) << bin;
+  }
+}
+
+TEST(Spectrum, IsTheMeanOverWindowsAndSeesNoOffset) {
+  Windows windows(2, 64);
+  windows << tone(64, 3, 8, 0.7), tone(64, 3, 8, 0.7) * 0;
+  windows.array() += 100;
+  EXPECT_NEAR(mean_power_spectrum(windows)[8], 48.0 * 48 / 2, 1e-8);
+  EXPECT_NEAR(mean_power_spectrum(windows)[1], 0, 1e-8);
+}
+
+/// A carrier of whole cycles: A (1 + m cos) is its envelope, whatever the window's offset.
+TEST(Envelope, OfAModulatedCarrierIsItsModulation) {
+  constexpr Eigen::Index n = 1024;
+  constexpr double cycle = 2 * std::numbers::pi / 1024;
+  Windows window(1, n);
+  Eigen::RowVectorXd modulation(n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    modulation[i] = 2 * (1 + 0.5 * std::cos(10 * cycle * static_cast<double>(i)));
+    window(0, i) = 5 + modulation[i] * std::cos(200 * cycle * static_cast<double>(i) + 0.3);
+  }
+  EXPECT_LT((envelopes(window).row(0) - modulation).cwiseAbs().maxCoeff(), 1e-10);
+}
+
+}  // namespace
+}  // namespace piae::spectra
