@@ -49,16 +49,14 @@ signal::WindowSet Oracle::generate(const artefact::Reader& model, std::size_t co
                                    const Stream& stream, const Compute& /*compute*/) {
   const signal::WindowSet real = read_learned(model, signal::Role::hidden);
   const auto order = shuffled_classes(real, count, stream);
-  std::vector<double> speeds_rpm;
   const auto take = [&](Label label, std::size_t index, Stream& /*random*/) {
     const std::size_t i = order[index_of(label)][index];
-    if (!real.shaft_speed_rpm.empty()) speeds_rpm.push_back(real.shaft_speed_rpm[i]);
     const auto window = real.window(i);
-    return std::vector<float>(window.begin(), window.end());
+    signal::MadeWindow taken(std::vector<float>(window.begin(), window.end()));
+    if (!real.shaft_speed_rpm.empty()) taken.shaft_speed_rpm = real.shaft_speed_rpm[i];
+    return taken;
   };
-  signal::WindowSet taken = signal::make_windows(real.info, real.length, count, stream, take);
-  taken.shaft_speed_rpm = std::move(speeds_rpm);
-  return taken;
+  return signal::make_windows(real.info, real.length, count, stream, take);
 }
 
 }  // namespace piae::augment

@@ -13,7 +13,7 @@ namespace piae::augment {
 class PiaeDtZero final : public Method {
  public:
   void hear(const signal::WindowSet& healthy) override { healthy_ = healthy; }
-  void bind(const cli::Options& command) override { zero::bind(command, prior_); }
+  void bind(const cli::Options& command) override { zero::table_of(prior_).bind(command); }
   void train(const signal::WindowSet& known, const Stream& stream, const Compute& compute,
              const nets::Checkpoint& checkpoint, artefact::Writer& model) override;
   signal::WindowSet generate(const artefact::Reader& model, std::size_t count, const Stream& stream,

@@ -1,9 +1,20 @@
 #pragma once
 
+#include <span>
+#include <vector>
+
 #include "augment/method.hpp"
-#include "transfer/equaliser.hpp"
+#include "impacts/path.hpp"
 
 namespace piae::augment {
+
+/// A window played `factor` times as fast: sample t is the window at start + factor t, to less than
+/// one sample. Everything in it moves with the speed, the resonances too, which in a machine stay.
+/// It continues with its beginning where it ends, as with the method `shift`, and is resampled by
+/// signal/resample.hpp, so that playing fast folds nothing over. The result is as long as the
+/// window. `factor` must be positive and `start` within the window; a factor of 1 shifts it
+/// circularly.
+std::vector<double> played(std::span<const float> window, std::size_t start, double factor);
 
 /// The methods `resample` and `randomise`. They are controls where the tested condition has another
 /// speed than the known one: they know both speeds and nothing of bearings. Window i of a class is
@@ -25,8 +36,10 @@ class Playback final : public Method {
                              const Compute& compute) override;
 
  private:
+  cli::StoredOptions table();
+
   Speed speed_;
-  transfer::EqualiserOptions equaliser_;
+  impacts::EqualiserOptions equaliser_;
 };
 
 }  // namespace piae::augment

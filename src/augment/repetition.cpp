@@ -20,22 +20,19 @@ void Repetition::train(const signal::WindowSet& known, const Stream& /*stream*/,
 signal::WindowSet Repetition::generate(const artefact::Reader& model, std::size_t count,
                                        const Stream& stream, const Compute& /*compute*/) {
   const signal::WindowSet known = read_learned(model, signal::Role::known);
-  std::vector<signal::Parents> parents;
   const auto make = [&](Label label, std::size_t index, Stream& random) {
     const std::vector<std::size_t> own = known.indices_of(label);
     const std::size_t parent = own[index % own.size()];
     const auto window = known.window(parent);
-    parents.push_back(signal::parents_of({parent}));
-    std::vector<float> samples(window.begin(), window.end());
+    signal::MadeWindow made(std::vector<float>(window.begin(), window.end()));
+    made.parents = signal::parents_of({parent});
     if (shift_ == Shift::circular) {
-      const auto first = static_cast<std::ptrdiff_t>(random.below(samples.size()));
-      std::rotate(samples.begin(), samples.begin() + first, samples.end());
+      const auto first = static_cast<std::ptrdiff_t>(random.below(made.samples.size()));
+      std::rotate(made.samples.begin(), made.samples.begin() + first, made.samples.end());
     }
-    return samples;
+    return made;
   };
-  signal::WindowSet made = signal::make_windows(known.info, known.length, count, stream, make);
-  made.parents = std::move(parents);
-  return made;
+  return signal::make_windows(known.info, known.length, count, stream, make);
 }
 
 }  // namespace piae::augment

@@ -80,18 +80,17 @@ signal::WindowSet Smote::generate(const artefact::Reader& model, std::size_t cou
   const Range neighbours{.low = 1, .high = static_cast<double>(fewest_windows(known)) - 1};
   const std::vector<Neighbourhood> all =
       neighbourhoods(known, static_cast<int>(model.integer("/", "neighbours", neighbours)));
-  std::vector<signal::Parents> parents;
   const auto make = [&](Label label, std::size_t index, Stream& random) {
     const Neighbourhood& own = all[index_of(label)];
     const std::size_t base = index % own.windows.size();
     const std::vector<std::size_t>& near = own.neighbours[base];
     const std::size_t neighbour = near[random.below(near.size())];
-    parents.push_back(signal::parents_of({own.indices[base], own.indices[neighbour]}));
-    return interpolate(own.windows[base], own.windows[neighbour], random.uniform(0, 1));
+    signal::MadeWindow made =
+        interpolate(own.windows[base], own.windows[neighbour], random.uniform(0, 1));
+    made.parents = signal::parents_of({own.indices[base], own.indices[neighbour]});
+    return made;
   };
-  signal::WindowSet made = signal::make_windows(known.info, known.length, count, stream, make);
-  made.parents = std::move(parents);
-  return made;
+  return signal::make_windows(known.info, known.length, count, stream, make);
 }
 
 }  // namespace piae::augment

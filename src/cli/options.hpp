@@ -69,14 +69,15 @@ class Options {
     const auto take = [&value, words](std::size_t i) { value = words[i].value; };
     return choose_word(name, texts, now, take, help);
   }
+  /// The same for words whose values the caller has: `take` gets the place of the word that was
+  /// given.
+  Option choose_word(const std::string& name, const std::vector<std::string>& words,
+                     const std::string& now, const std::function<void(std::size_t)>& take,
+                     const std::string& help) const;
   /// An option without a value. `value` becomes true when it is given.
   Option flag(const std::string& name, bool& value, const std::string& help) const;
 
  private:
-  Option choose_word(const std::string& name, const std::vector<std::string>& words,
-                     const std::string& now, const std::function<void(std::size_t)>& take,
-                     const std::string& help) const;
-
   CLI::App* app_;
   std::string group_;
 };

@@ -4,6 +4,15 @@
 
 namespace piae::signal {
 
+namespace {
+
+template <class Value>
+void append(const std::optional<Value>& value, std::vector<Value>& all) {
+  if (value) all.push_back(*value);
+}
+
+}  // namespace
+
 WindowSet make_windows(const DatasetInfo& info, std::size_t length, std::size_t count,
                        const Stream& stream, const MakeWindow& make) {
   WindowSet windows;
@@ -13,9 +22,14 @@ WindowSet make_windows(const DatasetInfo& info, std::size_t length, std::size_t 
     const Stream own = stream.child(info.class_of(label).name);
     for (std::size_t i = 0; i < count; ++i) {
       Stream random = own.child(std::to_string(i));
-      const std::vector<float> window = make(label, i, random);
-      windows.samples.insert(windows.samples.end(), window.begin(), window.end());
+      const MadeWindow window = make(label, i, random);
+      windows.samples.insert(windows.samples.end(), window.samples.begin(), window.samples.end());
       windows.labels.push_back(label);
+      append(window.strikes_s, windows.strikes_s);
+      append(window.parameters, windows.parameters);
+      append(window.condition, windows.condition);
+      append(window.shaft_speed_rpm, windows.shaft_speed_rpm);
+      append(window.parents, windows.parents);
     }
   }
   return windows;

@@ -3,61 +3,57 @@
 #include <vector>
 
 #include "base/random.hpp"
-#include "signal/window_set.hpp"
+#include "impacts/edges.hpp"
+#include "impacts/times.hpp"
 #include "transfer/comb.hpp"
-#include "transfer/edges.hpp"
+#include "transfer/cutting.hpp"
 #include "transfer/healthy.hpp"
 #include "transfer/journey.hpp"
 #include "transfer/options.hpp"
 #include "transfer/path.hpp"
-#include "transfer/rhythm.hpp"
-#include "transfer/strike_train.hpp"
 #include "transfer/structure.hpp"
 
 namespace piae::transfer {
 
-/// A window that was made, and when its defect is struck, in s from its first sample.
-struct Carried {
-  std::vector<float> samples;
-  std::vector<double> strikes_s;
-  std::size_t goes_on_in = 0;  ///< the known window in which it ends; mostly that of its journey
-};
-
 /// Carries known fault windows to the tested condition. What belongs to the structure stays where
 /// it is in Hz; what belongs to the shaft moves with its speed. A window is put together from
-///   - how the machine answers one blow (structure.hpp), by a random transfer path (path.hpp);
-///   - strikes at the period that follows from the geometry, as strong as in the known window, or
-///     as in a load zone where another bearing is tested (strengths.hpp);
-///   - both edges of the defect (edges.hpp), whose lag is the known one by the ratio of the
+///   - the response of the machine to one impact (structure.hpp), by a random transfer path
+///     (path.hpp);
+///   - impacts at the period that follows from the geometry, as strong as in the known window, or
+///     as in a load zone if another bearing is tested (strengths.hpp);
+///   - both edges of the defect (impacts/edges.hpp), whose lag is the known one by the ratio of the
 ///     passages, with a small deviation;
 ///   - a background that is not struck.
 /// Its mean square is that of the known window. With --response cut, the known window itself is
 /// taken instead: its spectrum is divided by the known E(f) and multiplied by the tested one, and
-/// what follows each strike is set to the new rhythm (rhythm.hpp).
-/// Where defects of the tested condition have sizes that are not known, one is drawn, uniform in
-/// its logarithm, between the smallest known of the class and the largest, and some way beyond.
-/// Where nothing moves, since the known bearing is tested at the known speed, the known window is
-/// turned round, and at a random moment goes on in one of its bearing, in the same rhythm and as
-/// loud as it is (turning.hpp): there is nothing that could be better known.
+/// what follows each impact is set to the new rate (cutting.hpp).
+/// If defects of the tested condition have unknown sizes, one is drawn, uniform in its logarithm,
+/// between the smallest known of the class and the largest, and some way beyond.
+/// If nothing moves, because the known bearing is tested at the known speed, the known window is
+/// circularly shifted, and at a random moment continues in one of its bearing, at the same rate and
+/// level (turning.hpp): no model could know more.
 class Carrier {
  public:
   /// `edges` are those of each known window. Both must outlive this. `healthy` is for
   /// --background-from healthy alone: throws Error(usage) where that lacks a tested condition.
-  Carrier(const signal::WindowSet& known, const std::vector<Edges>& edges,
+  Carrier(const signal::WindowSet& known, const std::vector<impacts::Edges>& edges,
           const CarryOptions& options, std::vector<HealthySpectrum> healthy = {});
 
-  /// One window, as long as the known ones.
-  [[nodiscard]] Carried carry(const Journey& journey, Stream& random) const;
-
-  /// The k and c of the strongest resonance with which the bearing of a known window answers.
-  [[nodiscard]] const signal::DynamicParameters& ring(std::size_t known) const {
-    return rings_[known];
-  }
+  /// One window, as long as the known ones. It knows its impacts, its condition, the known windows
+  /// in which it begins and ends, and the k and c of the strongest resonance of its bearing.
+  [[nodiscard]] signal::MadeWindow carry(const Journey& journey, Stream& random) const;
 
  private:
+  struct KnownWindow {
+    std::vector<std::size_t> alike;  ///< all known windows of its bearing
+    signal::DynamicParameters ring;  ///< of its bearing
+    Comb comb;
+    std::vector<double> strengths;  ///< of its impacts
+  };
   /// What is drawn for one window.
   struct Draw {
-    Rhythm rhythm;  ///< in the tested condition
+    impacts::ImpactRate rate;  ///< in the tested condition, in s
+    impacts::Edges edges;      ///< in the tested condition
     Path path;
   };
 
@@ -65,27 +61,21 @@ class Carrier {
   [[nodiscard]] Draw draw(const Journey& journey, Stream& random) const;
   [[nodiscard]] double draw_size_mm(std::size_t known, Stream& random) const;
   [[nodiscard]] Strengths strengths_from() const;
-  [[nodiscard]] std::vector<double> draw_strengths(const Journey& journey, const Rhythm& rhythm,
-                                                   double frame_s, Stream& random) const;
-  [[nodiscard]] Eigen::ArrayXd answer(const Journey& journey, Stream& random) const;
-  [[nodiscard]] Eigen::ArrayXd background(const Journey& journey, const Eigen::ArrayXd& answer,
+  [[nodiscard]] std::vector<double> draw_strengths(const Journey& journey, double period_s,
+                                                   std::size_t count, Stream& random) const;
+  [[nodiscard]] Eigen::ArrayXd response(const Journey& journey, Stream& random) const;
+  [[nodiscard]] Eigen::ArrayXd background(const Journey& journey, const Eigen::ArrayXd& response,
                                           const Draw& draw, Stream& random) const;
-  [[nodiscard]] Carried put_together(const Journey& journey, Stream& random) const;
-  [[nodiscard]] Carried cut_and_set(const Journey& journey, Stream& random) const;
-  [[nodiscard]] Carried turn(std::size_t known, Stream& random) const;
-  [[nodiscard]] Carried as_loud_as_known(std::size_t known, StruckWindow window) const;
-  [[nodiscard]] Carried carried(const StruckWindow& window, std::size_t goes_on_in) const;
+  [[nodiscard]] StruckWindow put_together(const Journey& journey, Stream& random) const;
+  [[nodiscard]] StruckWindow cut_and_set(const Journey& journey, Stream& random) const;
+  void match_level(std::size_t known, std::vector<double>& samples) const;
 
   const signal::WindowSet& known_;
-  const std::vector<Edges>& edges_;
+  const std::vector<impacts::Edges>& edges_;
   CarryOptions options_;
   Structure structure_;
   std::vector<HealthySpectrum> healthy_;
-  std::vector<std::vector<std::size_t>> of_bearing_;  ///< for each known window all of its bearing
-  std::vector<Comb> combs_;                           ///< of each known window
-  std::vector<std::vector<double>>
-      strengths_;  ///< of each known window, where they are taken from there
-  std::vector<signal::DynamicParameters> rings_;  ///< of each known window, by its bearing
+  std::vector<KnownWindow> windows_;
 };
 
 }  // namespace piae::transfer

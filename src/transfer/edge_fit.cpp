@@ -39,7 +39,7 @@ std::vector<Place> grid() {
   return places;
 }
 
-Edges edges_at(const Place& place, double passage_s) {
+impacts::Edges edges_at(const Place& place, double passage_s) {
   return {.lag_s = place.share * passage_s, .exit = place.exit, .spread = place.spread};
 }
 
@@ -91,7 +91,7 @@ Trial trial_of(const SeenBearing& bearing, const Band& band, const std::vector<P
   const Index bins = band.last - band.first + 1;
   MatrixXd explained(bins, static_cast<Index>(places.size()));
   for (Index j = 0; j < explained.cols(); ++j) {
-    const Edges edges = edges_at(places[static_cast<std::size_t>(j)], bearing.passage_s);
+    const impacts::Edges edges = edges_at(places[static_cast<std::size_t>(j)], bearing.passage_s);
     for (Index i = 0; i < bins; ++i) {
       const double hz = static_cast<double>(band.first + i) * band.bin_hz;
       explained(i, j) = std::log(edges.amplitude(hz));
@@ -112,8 +112,8 @@ VectorXd structure_beside(const std::vector<Trial>& trials, std::size_t own) {
 
 }  // namespace
 
-std::vector<Edges> fit_edges(const std::vector<SeenBearing>& bearings, const Band& band,
-                             const EdgePrior& prior) {
+std::vector<impacts::Edges> fit_edges(const std::vector<SeenBearing>& bearings, const Band& band,
+                                      const EdgePrior& prior) {
   const std::vector<Place> places = grid();
   const ArrayXd unlikely = prior.weight * surprise(places, prior);
   const Detrend detrend(band.last - band.first + 1);
@@ -135,7 +135,7 @@ std::vector<Edges> fit_edges(const std::vector<SeenBearing>& bearings, const Ban
       trials[b].best = best;
     }
   }
-  std::vector<Edges> found;
+  std::vector<impacts::Edges> found;
   for (std::size_t b = 0; b < trials.size(); ++b) {
     found.push_back(
         edges_at(places[static_cast<std::size_t>(trials[b].best)], bearings[b].passage_s));

@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "transfer/edges.hpp"
+#include "impacts/edges.hpp"
 
 namespace piae::transfer {
 
@@ -37,7 +37,7 @@ struct EdgePrior {
 /// spread are searched on a grid, bearing by bearing, with S as the mean of what the others leave,
 /// until nothing changes. A bearing whose lag leaves no minimum within the band, or that has no
 /// other beside it, gets what the prior says. Edges are in the order of the bearings.
-std::vector<Edges> fit_edges(const std::vector<SeenBearing>& bearings, const Band& band,
-                             const EdgePrior& prior);
+std::vector<impacts::Edges> fit_edges(const std::vector<SeenBearing>& bearings, const Band& band,
+                                      const EdgePrior& prior);
 
 }  // namespace piae::transfer

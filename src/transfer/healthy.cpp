@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "transfer/bearings.hpp"
-#include "transfer/ranges.hpp"
+#include "impacts/ranges.hpp"
+#include "impacts/response.hpp"
 
 namespace piae::transfer {
 
@@ -12,24 +12,14 @@ namespace {
 const std::string conditions_path = "/healthy/condition";
 const std::string spectra_path = "/healthy/log_amplitude";
 
-KnownBearing heard_in(const signal::WindowSet& healthy, std::int32_t condition) {
-  KnownBearing machine;
-  for (std::size_t i = 0; i < healthy.size(); ++i) {
-    const bool in_every =
-        healthy.condition.empty() || healthy.condition[i] == signal::every_condition;
-    if (in_every || healthy.condition[i] == condition) machine.windows.push_back(i);
-  }
-  return machine;
-}
-
 }  // namespace
 
 std::vector<HealthySpectrum> healthy_spectra(const signal::WindowSet& healthy) {
   std::vector<HealthySpectrum> spectra;
   for (const std::int32_t condition : healthy.info.tested_conditions()) {
-    const KnownBearing machine = heard_in(healthy, condition);
-    if (machine.windows.empty()) continue;
-    const Eigen::ArrayXd seen = log_amplitude(healthy, machine);
+    const std::vector<std::size_t> windows = impacts::windows_in(healthy, condition);
+    if (windows.empty()) continue;
+    const Eigen::ArrayXd seen = impacts::log_amplitude(healthy, windows);
     spectra.push_back({.condition = condition, .log_amplitude = seen - seen.mean()});
   }
   return spectra;
@@ -61,7 +51,7 @@ std::vector<HealthySpectrum> read_healthy_spectra(const artefact::Reader& reader
   const std::size_t bins = known.length + known.length % 2 + 1;
   const std::vector<double> numbers =
       reader.numbers<double>(spectra_path, {conditions.size(), bins}).values;
-  reader.require_all(spectra_path, numbers, ranges::log_amplitude);
+  reader.require_all(spectra_path, numbers, impacts::ranges::log_amplitude);
   const std::vector<std::int32_t> tested = known.info.tested_conditions();
   std::vector<HealthySpectrum> spectra;
   for (std::size_t i = 0; i < conditions.size(); ++i) {

@@ -10,23 +10,22 @@
 
 namespace piae::transfer {
 
-/// What is heard of a healthy machine in a tested condition.
+/// Spectrum of the healthy machine in a tested condition.
 struct HealthySpectrum {
   std::int32_t condition = signal::every_condition;
-  Eigen::ArrayXd log_amplitude;  ///< as of bearings.hpp, with the mean 0
+  Eigen::ArrayXd log_amplitude;  ///< of impacts/response.hpp, with the mean 0
 };
 
-/// Of healthy windows B: one for each tested condition that they have. Those that belong to every
-/// condition count in each.
+/// Spectra of healthy windows B, one for each tested condition that they have.
 std::vector<HealthySpectrum> healthy_spectra(const signal::WindowSet& healthy);
 
-/// That of a condition; null where there is none.
+/// The spectrum of a condition; null if there is none.
 const HealthySpectrum* find_spectrum(const std::vector<HealthySpectrum>& spectra,
                                      std::int32_t condition);
 
 /// In the artefact: /healthy/condition int32 [m] and /healthy/log_amplitude float64 [m, bins].
 void write(artefact::Writer& writer, const std::vector<HealthySpectrum>& spectra);
-/// None where there are none. Throws artefact::Refusal for another number of bins, and for
+/// Empty if the model has none. Throws artefact::Refusal for another number of bins, and for
 /// conditions that no data set has.
 std::vector<HealthySpectrum> read_healthy_spectra(const artefact::Reader& reader,
                                                   const signal::WindowSet& known);

@@ -16,15 +16,14 @@ Journey journey_of(const signal::WindowSet& known, Label label, std::size_t inde
   return journey;
 }
 
-void arrive(const signal::WindowSet& known, std::size_t count, signal::WindowSet& made) {
-  if (known.info.conditions.empty()) return;
-  for (const Label label : known.info.fault_labels()) {
-    for (std::size_t i = 0; i < count; ++i) {
-      const Journey journey = journey_of(known, label, i);
-      made.condition.push_back(journey.condition);
-      made.shaft_speed_rpm.push_back(journey.to_rpm);
-    }
-  }
+signal::MadeWindow arrived(const signal::WindowSet& known, const Journey& journey,
+                           const std::vector<double>& samples) {
+  signal::MadeWindow made(std::vector<float>(samples.begin(), samples.end()));
+  made.parents = signal::parents_of({journey.known});
+  if (known.info.conditions.empty()) return made;
+  made.condition = journey.condition;
+  made.shaft_speed_rpm = journey.to_rpm;
+  return made;
 }
 
 }  // namespace piae::transfer

@@ -3,12 +3,12 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "signal/window_set.hpp"
+#include "signal/made_windows.hpp"
 
 namespace piae::transfer {
 
-/// From which known window a window is made, and for which tested condition. Known windows take
-/// turns, and with each round of them the tested conditions do.
+/// The known window from which a window is made, and the tested condition for which. Known windows
+/// take turns, and with each round of them the tested conditions do.
 struct Journey {
   std::size_t known = 0;                             ///< index of the known window in its set
   double from_rpm = 0;                               ///< the speed of the shaft in it
@@ -19,10 +19,12 @@ struct Journey {
 };
 
 /// The journey of window `index` of a class. Without conditions, it leads to the speed at which it
-/// began. The class must have a known window.
+/// started. The class must have a known window.
 Journey journey_of(const signal::WindowSet& known, Label label, std::size_t index);
 
-/// Says of made windows, `count` of each class with a defect, in which condition they are.
-void arrive(const signal::WindowSet& known, std::size_t count, signal::WindowSet& made);
+/// A made window that has its tested condition and speed, if the data set has conditions, and the
+/// known window as its parent.
+signal::MadeWindow arrived(const signal::WindowSet& known, const Journey& journey,
+                           const std::vector<double>& samples);
 
 }  // namespace piae::transfer

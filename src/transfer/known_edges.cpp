@@ -2,8 +2,9 @@
 
 #include <cmath>
 
-#include "transfer/bearings.hpp"
-#include "transfer/kinematics.hpp"
+#include "impacts/ranges.hpp"
+#include "impacts/response.hpp"
+#include "transfer/known_bearings.hpp"
 
 namespace piae::transfer {
 
@@ -14,7 +15,7 @@ constexpr double band_to = 0.91;
 
 SeenBearing seen(const signal::WindowSet& known, const KnownBearing& bearing) {
   return {
-      .log_amplitude = log_amplitude(known, bearing),
+      .log_amplitude = impacts::log_amplitude(known, bearing.windows),
       .passage_s = passage_s(known, bearing.windows.front(), bearing.size_mm, bearing.speed_rpm)};
 }
 
@@ -25,17 +26,47 @@ Band band_of(const signal::WindowSet& known) {
           .last = std::lround(band_to * bins)};
 }
 
+struct StoredPart {
+  const char* path;
+  double impacts::Edges::*value;
+  Range range;
+};
+
+constexpr StoredPart stored_parts[] = {
+    {"/edges/lag_s", &impacts::Edges::lag_s, impacts::ranges::lag_s},
+    {"/edges/exit", &impacts::Edges::exit, impacts::ranges::exit},
+    {"/edges/spread", &impacts::Edges::spread, impacts::ranges::spread}};
+
 }  // namespace
 
-std::vector<Edges> edges_of_known(const signal::WindowSet& known, const EdgePrior& prior) {
+std::vector<impacts::Edges> edges_of_known(const signal::WindowSet& known, const EdgePrior& prior) {
   const std::vector<KnownBearing> bearings = bearings_of(known);
   std::vector<SeenBearing> all;
   all.reserve(bearings.size());
   for (const KnownBearing& bearing : bearings) all.push_back(seen(known, bearing));
-  const std::vector<Edges> found = fit_edges(all, band_of(known), prior);
-  std::vector<Edges> edges(known.size());
+  const std::vector<impacts::Edges> found = fit_edges(all, band_of(known), prior);
+  std::vector<impacts::Edges> edges(known.size());
   for (std::size_t b = 0; b < bearings.size(); ++b) {
     for (const std::size_t i : bearings[b].windows) edges[i] = found[b];
+  }
+  return edges;
+}
+
+void write(artefact::Writer& writer, const std::vector<impacts::Edges>& edges) {
+  for (const StoredPart& part : stored_parts) {
+    std::vector<double> values;
+    values.reserve(edges.size());
+    for (const impacts::Edges& one : edges) values.push_back(one.*part.value);
+    writer.numbers(part.path, values);
+  }
+}
+
+std::vector<impacts::Edges> read_edges(const artefact::Reader& reader, std::size_t windows) {
+  std::vector<impacts::Edges> edges(windows);
+  for (const StoredPart& part : stored_parts) {
+    const std::vector<double> values = reader.numbers<double>(part.path, {windows}).values;
+    reader.require_all(part.path, values, part.range);
+    for (std::size_t i = 0; i < windows; ++i) edges[i].*part.value = values[i];
   }
   return edges;
 }

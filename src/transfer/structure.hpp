@@ -3,14 +3,14 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "impacts/edges.hpp"
 #include "signal/window_set.hpp"
-#include "transfer/edges.hpp"
 
 namespace piae::transfer {
 
-/// How the machine answers one blow, as the logarithm of the amplitude at the bins 0 .. length of a
-/// frame of two windows, with the mean 0: the spectra of the known windows without the edges of
-/// their defects, and without the lines of their rhythm.
+/// Response of the machine to one impact: the logarithm of its amplitude at the bins 0 .. length of
+/// a frame of two windows, with the mean 0: the spectra of the known windows without the edges of
+/// their defects, and without the lines of the impact rate.
 struct Structure {
   Eigen::ArrayXd common;  ///< the mean over all bearings
   std::vector<Eigen::ArrayXd>
@@ -18,6 +18,6 @@ struct Structure {
 };
 
 /// `edges` are those of each known window.
-Structure structure_of(const signal::WindowSet& known, const std::vector<Edges>& edges);
+Structure structure_of(const signal::WindowSet& known, const std::vector<impacts::Edges>& edges);
 
 }  // namespace piae::transfer

@@ -28,24 +28,24 @@ std::size_t loudest_stretch(std::span<const double> window, std::size_t length) 
   return loudest;
 }
 
-/// The strikes of a window that passes so through two rhythms. The part of the period goes on at
-/// the change, so none is there twice and none is missing.
-std::vector<double> strikes_of(const signal::Passage& passage, double first_period,
+/// Appends a place for each period from `next` to `end`. Returns the first place beyond.
+double append_regular(double next, double end, double period, std::vector<double>& places) {
+  for (; next < end; next += period) places.push_back(next);
+  return next;
+}
+
+/// The impacts of a window that passes so from one rate to another. The part of the period
+/// continues at the change, so no impact is there twice and none is missing.
+std::vector<double> impacts_of(const signal::Passage& passage, double first_period,
                                double second_period, std::size_t length) {
-  std::vector<double> strikes;
+  std::vector<double> impacts;
   const auto change = static_cast<double>(passage.change);
   const double since = std::fmod(static_cast<double>(passage.start), first_period);
-  double next = since > 0 ? first_period - since : 0;
-  while (next < change) {
-    strikes.push_back(next);
-    next += first_period;
-  }
-  next = change + (next - change) / first_period * second_period;
-  while (next < static_cast<double>(length)) {
-    strikes.push_back(next);
-    next += second_period;
-  }
-  return strikes;
+  const double first = since > 0 ? first_period - since : 0;
+  const double next = append_regular(first, change, first_period, impacts);
+  append_regular(change + (next - change) / first_period * second_period,
+                 static_cast<double>(length), second_period, impacts);
+  return impacts;
 }
 
 }  // namespace
@@ -72,7 +72,7 @@ StruckWindow turned(const Turning& first, const Turning& second, std::size_t len
   StruckWindow window;
   window.samples = signal::splice(waveform(first), waveform(second), passage, length);
   if (first.has_rhythm && second.has_rhythm) {
-    window.strikes = strikes_of(passage, first.cycle.period(), second.cycle.period(), length);
+    window.strikes = impacts_of(passage, first.cycle.period(), second.cycle.period(), length);
   }
   return window;
 }

@@ -7,7 +7,7 @@
 #include "base/random.hpp"
 #include "signal/cycle.hpp"
 #include "transfer/comb.hpp"
-#include "transfer/rhythm.hpp"
+#include "transfer/cutting.hpp"
 
 namespace piae::transfer {
 

@@ -4,6 +4,7 @@
 #include <boost/math/distributions/normal.hpp>
 #include <cmath>
 
+#include "impacts/strengths.hpp"
 #include "zero/draws.hpp"
 
 namespace piae::zero {
@@ -34,47 +35,46 @@ std::vector<double> wandering(std::size_t count, double correlation, Stream& ran
 
 }  // namespace
 
-void alternate_races(const Prior& prior, Stream& random, std::vector<transfer::Strike>& strikes) {
+void alternate_races(const Prior& prior, Stream& random, std::vector<impacts::Impact>& impacts) {
   const double weaker = evenly(random, prior.other_race, 1);
-  for (std::size_t i = random.below(2); i < strikes.size(); i += 2) strikes[i].strength *= weaker;
+  impacts::weaken_every_second(weaker, random.below(2), impacts);
 }
 
-void turn_between_passes(const Rhythm& rhythm, double cage_hz, const Prior& prior, Stream& random,
-                         std::vector<transfer::Strike>& strikes) {
+void turn_between_passes(double period_s, double cage_hz, const Prior& prior, Stream& random,
+                         std::vector<impacts::Impact>& impacts) {
   const double probability = random.uniform(0, 1) * prior.new_phase;
   const double began = random.uniform(0, 1);
   double turn = 0;
   double offset_s = 0;
-  for (transfer::Strike& strike : strikes) {
-    const double now = std::floor(strike.time_s * cage_hz + began);
-    if (now > turn && happens(random, probability)) {
-      offset_s = rhythm.period_s * evenly(random, -half_a_period, half_a_period);
+  for (impacts::Impact& impact : impacts) {
+    const double now = std::floor(impact.time_s * cage_hz + began);
+    if (now > turn && bernoulli(random, probability)) {
+      offset_s = period_s * evenly(random, -half_a_period, half_a_period);
     }
     turn = now;
-    strike.time_s += offset_s;
+    impact.time_s += offset_s;
   }
 }
 
 void scatter_in_time(double frame_s, const Prior& prior, Stream& random,
-                     std::vector<transfer::Strike>& strikes) {
+                     std::vector<impacts::Impact>& impacts) {
   const double share = random.uniform(0, 1) * prior.random_strikes;
-  for (transfer::Strike& strike : strikes) {
-    if (happens(random, share)) strike.time_s = random.uniform(0, frame_s);
+  for (impacts::Impact& impact : impacts) {
+    if (bernoulli(random, share)) impact.time_s = random.uniform(0, frame_s);
   }
 }
 
-void leave_track(const Rhythm& rhythm, double cage_hz, double frame_s, const Prior& prior,
-                 Stream& random, std::vector<transfer::Strike>& strikes) {
+void leave_track(double period_s, double cage_hz, double frame_s, const Prior& prior,
+                 Stream& random, std::vector<impacts::Impact>& impacts) {
   const double memory_s = log_evenly(random, least_memory, longest_memory) / cage_hz;
   const double share = evenly(random, prior.least_on_track, 1);
   if (share <= 0 || share >= 1) return;
-  const auto steps = static_cast<std::size_t>(std::ceil(frame_s / rhythm.period_s)) + 1;
-  const std::vector<double> axis = wandering(steps, std::exp(-rhythm.period_s / memory_s), random);
+  const auto steps = static_cast<std::size_t>(std::ceil(frame_s / period_s)) + 1;
+  const std::vector<double> axis = wandering(steps, std::exp(-period_s / memory_s), random);
   const double threshold = exceeded_by(share);
-  for (transfer::Strike& strike : strikes) {
-    const double step =
-        std::clamp(strike.time_s / rhythm.period_s, 0.0, static_cast<double>(steps - 1));
-    if (axis[static_cast<std::size_t>(step)] <= threshold) strike.strength *= off_track;
+  for (impacts::Impact& impact : impacts) {
+    const double step = std::clamp(impact.time_s / period_s, 0.0, static_cast<double>(steps - 1));
+    if (axis[static_cast<std::size_t>(step)] <= threshold) impact.strength *= off_track;
   }
 }
 

@@ -13,7 +13,7 @@ double log_evenly(Stream& random, double low, double high) {
   return low == high ? low : std::exp(std::lerp(std::log(low), std::log(high), part));
 }
 
-bool happens(Stream& random, double probability) { return random.uniform(0, 1) < probability; }
+bool bernoulli(Stream& random, double probability) { return random.uniform(0, 1) < probability; }
 
 double sign(Stream& random) { return random.below(2) == 0 ? 1 : -1; }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "bearing/strikes.hpp"
 #include "zero/draws.hpp"
@@ -13,17 +14,38 @@ namespace {
 using Eigen::ArrayXd;
 using Eigen::Index;
 
+/// The largest jitter / the least.
+constexpr double jitter_span = 7;
 /// Parts of a ball's diameter, and of a passage.
 constexpr double largest_part = 0.5;
 constexpr double least_passage = 0.8;
-/// Of a lag, from strike to strike: standard deviation / lag.
+/// From impact to impact: standard deviation / lag.
 constexpr double lag_deviation = 0.05;
-/// Energy of a floor / that of a blow, the root.
+/// Energy of a floor / that of an impact, the root.
 constexpr double smoothest = 0.14;
 constexpr double roughest = 2.8;
 constexpr Index shortest_floor = 2;  // samples
 
 }  // namespace
+
+impacts::ImpactRate draw_rate(const Scene& scene, double slip, const Prior& prior, Stream& random) {
+  const double jitter = scene.defect == bearing::Defect::roller ? prior.ball_jitter : prior.jitter;
+  return {.period = 1 / (scene.strike_hz * (1 + slip)),
+          .jitter = log_evenly(random, jitter / jitter_span, jitter)};
+}
+
+impacts::Load draw_load(bearing::Defect defect, const bearing::Speeds& speeds, const Prior& prior,
+                        Stream& random) {
+  const double half_turn = std::numbers::pi;
+  const double widest = defect == bearing::Defect::outer ? prior.outer_angle_rad : half_turn;
+  const double extent = log_evenly(random, prior.least_extent, prior.largest_extent);
+  const double angle_rad = evenly(random, -widest, widest);
+  impacts::Load load = impacts::load_on(defect, speeds, random.uniform(0, 1) * prior.rotating);
+  load.extent = prior.load_zone == Switch::off ? 0 : extent;
+  load.angle_rad = angle_rad;
+  load.shaft_angle_rad = random.uniform(0, 2 * half_turn);
+  return load;
+}
 
 double largest_size_mm(const bearing::Geometry& geometry, const Prior& prior) {
   return std::min(prior.largest_size_mm, largest_part * geometry.ball_diameter_mm);
@@ -39,24 +61,24 @@ double draw_lag_s(const Scene& scene, const bearing::Geometry& geometry, const P
 }
 
 void add_second_edges(double lag_s, const Prior& prior, Stream& random,
-                      std::vector<transfer::Strike>& strikes) {
+                      std::vector<impacts::Impact>& impacts) {
   const double exit = evenly(random, prior.least_exit, 1);
-  for (transfer::Strike& strike : strikes) {
-    strike.lag_s = lag_s * (1 + random.normal(0, lag_deviation));
-    strike.exit = exit;
+  for (impacts::Impact& impact : impacts) {
+    impact.lag_s = lag_s * (1 + random.normal(0, lag_deviation));
+    impact.exit = exit;
   }
 }
 
-ArrayXd draw_rough_floor(const std::vector<transfer::Strike>& strikes, double lag_s, Index samples,
+ArrayXd draw_rough_floor(const std::vector<impacts::Impact>& impacts, double lag_s, Index samples,
                          double rate_hz, Stream& random) {
   ArrayXd floor = ArrayXd::Zero(samples);
   const Index length = std::max(shortest_floor, static_cast<Index>(lag_s * rate_hz));
   const double roughness =
       log_evenly(random, smoothest, roughest) / std::sqrt(static_cast<double>(length));
-  for (const transfer::Strike& strike : strikes) {
-    const auto first = static_cast<Index>(strike.time_s * rate_hz);
+  for (const impacts::Impact& impact : impacts) {
+    const auto first = static_cast<Index>(impact.time_s * rate_hz);
     const Index end = std::min(samples, first + length);
-    for (Index i = first; i < end; ++i) floor[i] += random.normal(0, strike.strength * roughness);
+    for (Index i = first; i < end; ++i) floor[i] += random.normal(0, impact.strength * roughness);
   }
   return floor;
 }

@@ -5,39 +5,22 @@
 #include <numbers>
 
 #include "bearing/kinematics.hpp"
-#include "transfer/strike_train.hpp"
+#include "impacts/ranges.hpp"
+#include "impacts/times.hpp"
 #include "zero/background.hpp"
 #include "zero/draws.hpp"
-#include "zero/ranges.hpp"
-#include "zero/settings.hpp"
 
 namespace piae::zero {
+
+namespace ranges = impacts::ranges;
 
 namespace {
 
 using Eigen::ArrayXd;
 using Eigen::Index;
 
-const std::string impulses_group = "/impulses";
 /// A resonance is over after so many of its time constants: it has 1/1000 of its amplitude.
 constexpr double time_constants = 7;
-
-constexpr Setting<ImpulseOptions> impulse_settings[] = {
-    {"resonance-from", &ImpulseOptions::lowest_part, ranges::frequency_part,
-     "lowest resonance / half the sampling rate"},
-    {"resonance-to", &ImpulseOptions::highest_part, ranges::frequency_part,
-     "highest resonance / half the sampling rate"},
-    {"damping-ratio-from", &ImpulseOptions::least_damping, ranges::damping_ratio,
-     "least damping ratio of a resonance"},
-    {"damping-ratio-to", &ImpulseOptions::largest_damping, ranges::damping_ratio,
-     "largest damping ratio of a resonance"},
-    {"modulation", &ImpulseOptions::modulation, ranges::part,
-     "of the impulses by shaft (inner race) or cage (ball): largest depth"},
-    {"level-from-db", &ImpulseOptions::least_level_db, ranges::level_db,
-     "impulses over the healthy window: least, dB"},
-    {"level-to-db", &ImpulseOptions::largest_level_db, ranges::level_db,
-     "impulses over the healthy window: largest, dB"},
-};
 
 /// How fast the amplitude of impulses comes and goes.
 double modulation_hz(const Machine& machine, const Scene& scene) {
@@ -64,26 +47,28 @@ struct Decay {
 
 }  // namespace
 
-void bind(const cli::Options& command, ImpulseOptions& options) {
-  bind<ImpulseOptions>(command, options, impulse_settings);
+cli::StoredOptions table_of(ImpulseOptions& o) {
+  cli::StoredOptions table;
+  table.in("/impulses");
+  table.add("resonance-from", o.lowest_part, ranges::frequency_part,
+            "lowest resonance / half the sampling rate");
+  table.add("resonance-to", o.highest_part, ranges::frequency_part,
+            "highest resonance / half the sampling rate");
+  table.add("damping-ratio-from", o.least_damping, ranges::damping_ratio,
+            "least damping ratio of a resonance");
+  table.add("damping-ratio-to", o.largest_damping, ranges::damping_ratio,
+            "largest damping ratio of a resonance");
+  table.add("modulation", o.modulation, ranges::part,
+            "of the impulses by shaft (inner race) or cage (ball): largest depth");
+  table.add("level-from-db", o.least_level_db, ranges::level_db,
+            "impulses over the healthy window: least, dB");
+  table.add("level-to-db", o.largest_level_db, ranges::level_db,
+            "impulses over the healthy window: largest, dB");
+  return table;
 }
 
-void require_order(const ImpulseOptions& options) {
-  require_order<ImpulseOptions>(options, impulse_settings);
-}
-
-void write(artefact::Writer& writer, const ImpulseOptions& options) {
-  write<ImpulseOptions>(writer, impulses_group, options, impulse_settings);
-}
-
-ImpulseOptions read_impulse_options(const artefact::Reader& reader) {
-  ImpulseOptions options;
-  read<ImpulseOptions>(reader, impulses_group, options, impulse_settings);
-  return options;
-}
-
-Made add_impulses(const Machine& machine, const ImpulseOptions& options, const Scene& scene,
-                  const Stream& random) {
+signal::MadeWindow add_impulses(const Machine& machine, const ImpulseOptions& options,
+                                const Scene& scene, const Stream& random) {
   Stream draw = random.child("impulses");
   const double turn = 2 * std::numbers::pi;
   const double rad_per_sample =
@@ -98,7 +83,7 @@ Made add_impulses(const Machine& machine, const ImpulseOptions& options, const S
 
   const double period = rate_hz / scene.strike_hz;
   const double first = draw.uniform(0, period);
-  // What was struck before the window still rings in it.
+  // Impulses before the window still ring in it.
   const double before = std::ceil(time_constants / decay.per_sample / period);
   const auto count = static_cast<std::size_t>(
       std::ceil((static_cast<double>(machine.length()) - first) / period) + before);
@@ -114,9 +99,10 @@ Made add_impulses(const Machine& machine, const ImpulseOptions& options, const S
   }
   const double power = struck.square().mean();
   if (power > 0) struck *= std::pow(10, level_db / 20) / std::sqrt(power);
-  return {.samples = as_loud_as(scene.healthy, struck + draw_background(scene.healthy, 0, draw)),
-          .strikes_s = transfer::times_within(places, machine.length(), rate_hz),
-          .ring = {}};
+  signal::MadeWindow made =
+      at_level_of(scene.healthy, struck + draw_background(scene.healthy, 0, draw));
+  made.strikes_s = impacts::times_within(places, machine.length(), rate_hz);
+  return made;
 }
 
 }  // namespace piae::zero

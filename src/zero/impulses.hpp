@@ -1,9 +1,7 @@
 #pragma once
 
-#include "artefact/reader.hpp"
-#include "artefact/writer.hpp"
-#include "cli/options.hpp"
-#include "zero/made.hpp"
+#include "cli/stored_options.hpp"
+#include "zero/machine.hpp"
 
 namespace piae::zero {
 
@@ -18,15 +16,8 @@ struct ImpulseOptions {
   double largest_level_db = 10;
 };
 
-void bind(const cli::Options& command, ImpulseOptions& options);
-
-/// Throws Error(usage) for a range that ends before it begins.
-void require_order(const ImpulseOptions& options);
-
-/// In the artefact: attributes of the group /impulses. Throws artefact::Refusal also for a range
-/// that ends before it begins.
-void write(artefact::Writer& writer, const ImpulseOptions& options);
-ImpulseOptions read_impulse_options(const artefact::Reader& reader);
+/// All of it, in the group /impulses of a model.
+cli::StoredOptions table_of(ImpulseOptions& options);
 
 /// The common recipe for faults that are not known (McFadden and Smith 1984, of whom papers on
 /// synthetic faults take it): impulses without slip or jitter at BPFO, BPFI or 2 BSF, each of which
@@ -35,7 +26,7 @@ ImpulseOptions read_impulse_options(const artefact::Reader& reader);
 /// added to a healthy window. Their amplitude comes and goes once a turn of the shaft where the
 /// inner race is damaged, and of the cage where a ball is. All is uniform but the damping ratio,
 /// which is log-uniform.
-Made add_impulses(const Machine& machine, const ImpulseOptions& options, const Scene& scene,
-                  const Stream& random);
+signal::MadeWindow add_impulses(const Machine& machine, const ImpulseOptions& options,
+                                const Scene& scene, const Stream& random);
 
 }  // namespace piae::zero

@@ -7,30 +7,23 @@
 
 #include "base/error.hpp"
 #include "bearing/strikes.hpp"
+#include "impacts/response.hpp"
+#include "impacts/times.hpp"
 #include "signal/ranges.hpp"
-#include "transfer/bearings.hpp"
-#include "transfer/cepstrum.hpp"
 
 namespace piae::zero {
 
 namespace {
 
-constexpr double least_samples = 2;  // between strikes
 /// Speeds of a machine under other loads differ by as much, in parts.
 constexpr double same_speed = 0.05;
 /// In samples: what changes faster along the spectrum are lines of the shaft and of gears, which no
 /// blow excites.
 constexpr double colour_quefrency = 256;
 
-/// Those of a condition, and those of every one: of these, none that has another speed than the
-/// nearest.
-std::vector<std::size_t> windows_in(const signal::WindowSet& healthy, std::int32_t condition) {
-  std::vector<std::size_t> windows;
-  for (std::size_t i = 0; i < healthy.size(); ++i) {
-    const bool in_every =
-        healthy.condition.empty() || healthy.condition[i] == signal::every_condition;
-    if (in_every || healthy.condition[i] == condition) windows.push_back(i);
-  }
+/// Leaves out windows of a condition whose speed is not the nearest.
+std::vector<std::size_t> windows_near(const signal::WindowSet& healthy, std::int32_t condition) {
+  std::vector<std::size_t> windows = impacts::windows_in(healthy, condition);
   if (windows.empty() || condition == signal::every_condition) return windows;
   const double rpm = healthy.info.speed_rpm(condition);
   const auto away = [&](std::size_t i) { return std::abs(healthy.speed_rpm(i) - rpm); };
@@ -47,14 +40,9 @@ std::string called(const signal::WindowSet& healthy, std::int32_t condition) {
 
 void require_strikes(const signal::WindowSet& healthy, Label label, double rpm) {
   const signal::DatasetInfo& info = healthy.info;
+  impacts::require_rate(info, label, rpm);
   const signal::ClassInfo& c = info.class_of(label);
   const double strike_hz = bearing::strike_frequency_hz(info.bearing, c.defect, rpm);
-  if (strike_hz * least_samples > info.sample_rate_hz) {
-    throw Error(Exit::bad_input,
-                fmt::format("class {} is struck {:g} times a second at {:g} rpm, which windows at "
-                            "{:g} Hz do not show: they need a higher sampling rate",
-                            c.name, strike_hz, rpm, info.sample_rate_hz));
-  }
   const double samples = std::ceil(info.sample_rate_hz / strike_hz);
   if (static_cast<double>(healthy.length) >= samples) return;
   throw Error(Exit::bad_input,
@@ -80,7 +68,7 @@ Machine::Machine(const signal::WindowSet& healthy) : healthy_(healthy) {
   bearing::validate(healthy.info.bearing);
   for (std::size_t i = 0; i < healthy.size(); ++i) require_speed(healthy, i);
   for (const std::int32_t condition : healthy.info.tested_conditions()) {
-    std::vector<std::size_t> windows = windows_in(healthy, condition);
+    std::vector<std::size_t> windows = windows_near(healthy, condition);
     if (windows.empty()) {
       throw Error(Exit::bad_input, called(healthy, condition) +
                                        ": what no fault is known of is made from those of B");
@@ -92,10 +80,9 @@ Machine::Machine(const signal::WindowSet& healthy) : healthy_(healthy) {
 std::size_t Machine::sound_of(std::vector<std::size_t> windows) {
   const auto known = std::ranges::find(sounds_, windows, &Sound::windows);
   if (known != sounds_.end()) return static_cast<std::size_t>(known - sounds_.begin());
-  const Eigen::ArrayXd seen = transfer::log_amplitude(
-      healthy_, {.label = 0, .speed_rpm = 0, .size_mm = 0, .windows = windows});
+  const Eigen::ArrayXd seen = impacts::log_amplitude(healthy_, windows);
   sounds_.push_back({.windows = std::move(windows),
-                     .log_amplitude = transfer::liftered(seen - seen.mean(), colour_quefrency)});
+                     .log_amplitude = impacts::liftered(seen - seen.mean(), colour_quefrency)});
   return sounds_.size() - 1;
 }
 
@@ -114,6 +101,20 @@ Scene Machine::draw_scene(Label label, std::size_t index, Stream& random) const 
 
 const Eigen::ArrayXd& Machine::log_amplitude(std::int32_t condition) const {
   return sounds_[std::ranges::find(heard_, condition, &Heard::condition)->sound].log_amplitude;
+}
+
+signal::WindowSet make_windows(const Machine& machine, std::size_t count, const Stream& stream,
+                               const Make& make) {
+  const auto make_one = [&](Label label, std::size_t index, Stream& random) {
+    const Scene scene = machine.draw_scene(label, index, random);
+    signal::MadeWindow made = make(scene, random);
+    if (!machine.info().conditions.empty()) {
+      made.condition = scene.condition;
+      made.shaft_speed_rpm = scene.shaft_speed_rpm;
+    }
+    return made;
+  };
+  return signal::make_windows(machine.info(), machine.length(), count, stream, make_one);
 }
 
 }  // namespace piae::zero

@@ -2,12 +2,13 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
 #include "base/random.hpp"
 #include "bearing/kinematics.hpp"
-#include "signal/window_set.hpp"
+#include "signal/made_windows.hpp"
 
 namespace piae::zero {
 
@@ -36,7 +37,7 @@ class Machine {
 
   /// How a healthy machine sounds in a condition: the logarithm of its amplitude at the bins of a
   /// frame of two windows (of one sample more, where their length is odd), with the mean 0, without
-  /// its lines (cepstrum.hpp).
+  /// its lines (impacts/response.hpp).
   [[nodiscard]] const Eigen::ArrayXd& log_amplitude(std::int32_t condition) const;
 
   [[nodiscard]] const signal::DatasetInfo& info() const { return healthy_.info; }
@@ -60,5 +61,13 @@ class Machine {
   std::vector<Sound> sounds_;
   std::vector<Heard> heard_;
 };
+
+/// Makes one window of a scene. It draws from children of the stream.
+using Make = std::function<signal::MadeWindow(const Scene& scene, const Stream& random)>;
+
+/// Makes `count` windows of each class with a defect, as signal::make_windows does. If the data set
+/// has conditions, each window has the tested one and the speed of the shaft in it.
+signal::WindowSet make_windows(const Machine& machine, std::size_t count, const Stream& stream,
+                               const Make& make);
 
 }  // namespace piae::zero

@@ -5,16 +5,13 @@
 #include <complex>
 #include <numbers>
 
-#include "transfer/cepstrum.hpp"
-#include "transfer/filter.hpp"
-#include "transfer/strike_train.hpp"
+#include "impacts/response.hpp"
+#include "impacts/strengths.hpp"
+#include "impacts/synthesis.hpp"
 #include "zero/background.hpp"
 #include "zero/ball.hpp"
 #include "zero/draws.hpp"
 #include "zero/impacts.hpp"
-#include "zero/load.hpp"
-#include "zero/nuisances.hpp"
-#include "zero/rhythm.hpp"
 #include "zero/structure.hpp"
 
 namespace piae::zero {
@@ -24,45 +21,30 @@ namespace {
 using Eigen::ArrayXcd;
 using Eigen::ArrayXd;
 using Eigen::Index;
-using Strikes = std::vector<transfer::Strike>;
+using Impacts = std::vector<impacts::Impact>;
 
-/// Of stray knocks over the background, dB.
+/// Level of stray knocks over the background, dB.
 constexpr double quietest_knocks_db = -15;
 constexpr double loudest_knocks_db = 5;
 
 double amplitude_of(double db) { return std::pow(10, db / 20); }
 
-/// A frame of two windows that is struck so, by a structure of this response.
-ArrayXd struck_frame(const Strikes& strikes, const ArrayXcd& response, double rate_hz) {
-  const Index bins = response.size();
-  return transfer::samples_of(
-      response * transfer::excitation(strikes, bins, rate_hz / 2 / static_cast<double>(bins - 1)));
-}
-
-/// The last `length` samples, with the mean square 1, or nothing where nothing is.
-ArrayXd window_of(const ArrayXd& frame, std::size_t length) {
-  const ArrayXd window = frame.tail(static_cast<Index>(length));
-  const double power = window.square().mean();
-  return power > 0 ? ArrayXd(window / std::sqrt(power)) : window;
-}
-
-/// When strikes of a frame are in its last `length` samples, in s from the first of those.
-std::vector<double> times_in_window(const Strikes& strikes, Index frame, std::size_t length,
+/// Times of the impacts in the last `length` samples of a frame, in s from the first of those.
+std::vector<double> times_in_window(const Impacts& impacts, Index frame, std::size_t length,
                                     double rate_hz) {
   std::vector<double> samples;
-  samples.reserve(strikes.size());
-  const double begins = static_cast<double>(frame) - static_cast<double>(length);
-  for (const transfer::Strike& strike : strikes)
-    samples.push_back(strike.time_s * rate_hz - begins);
-  return transfer::times_within(samples, length, rate_hz);
+  samples.reserve(impacts.size());
+  const double first = static_cast<double>(frame) - static_cast<double>(length);
+  for (const impacts::Impact& impact : impacts) samples.push_back(impact.time_s * rate_hz - first);
+  return impacts::times_within(samples, length, rate_hz);
 }
 
-/// Those of a frame that are heard, in the order of their times.
-void keep_heard(double frame_s, Strikes& strikes) {
-  std::erase_if(strikes, [&](const transfer::Strike& strike) {
-    return strike.strength <= 0 || strike.time_s < 0 || strike.time_s >= frame_s;
+/// Leaves the impacts within a frame that have a strength, in the order of their times.
+void keep_within(double frame_s, Impacts& impacts) {
+  std::erase_if(impacts, [&](const impacts::Impact& impact) {
+    return impact.strength <= 0 || impact.time_s < 0 || impact.time_s >= frame_s;
   });
-  std::ranges::sort(strikes, {}, &transfer::Strike::time_s);
+  std::ranges::sort(impacts, {}, &impacts::Impact::time_s);
 }
 
 }  // namespace
@@ -79,81 +61,85 @@ Twin::Twin(const Machine& machine, const Prior& prior)
   }
 }
 
-Strikes Twin::draw_strikes(const Scene& scene, const Stream& random) const {
+Impacts Twin::draw_impacts(const Scene& scene, const Stream& random) const {
   Stream when = random.child("rhythm");
   Stream strength = random.child("load");
-  const Rhythm rhythm = draw_rhythm(scene, prior_, when);
-  // Slip is of the cage, and counts what is lost.
+  const double slip = evenly(when, -prior_.slip, prior_.slip);
+  const impacts::ImpactRate rate = draw_rate(scene, slip, prior_, when);
+  // bearing::speeds() counts the part of the speed that is lost.
   const bearing::Speeds speeds =
-      bearing::speeds(machine_.info().bearing, scene.shaft_speed_rpm, -rhythm.slip);
+      bearing::speeds(machine_.info().bearing, scene.shaft_speed_rpm, -slip);
   const double cage_hz = speeds.cage / (2 * std::numbers::pi);
   const bool of_ball = scene.defect == bearing::Defect::roller;
-  Strikes strikes = regular_strikes(rhythm, frame_s_, when);
+  Impacts impacts = impacts::draw_impacts(when, rate, frame_s_);
   if (of_ball) {
     Stream races = random.child("races");
     Stream phase = random.child("phase");
     Stream moments = random.child("moments");
-    alternate_races(prior_, races, strikes);
-    turn_between_passes(rhythm, cage_hz, prior_, phase, strikes);
-    scatter_in_time(frame_s_, prior_, moments, strikes);
+    alternate_races(prior_, races, impacts);
+    turn_between_passes(rate.period, cage_hz, prior_, phase, impacts);
+    scatter_in_time(frame_s_, prior_, moments, impacts);
   }
-  apply_load(draw_load(scene.defect, speeds, prior_, strength), prior_, strength, strikes);
+  const impacts::Load load = draw_load(scene.defect, speeds, prior_, strength);
+  const double scatter = strength.uniform(0, 1) * prior_.strength_scatter;
+  impacts::apply_load(load, scatter, strength, impacts);
   if (of_ball) {
     Stream track = random.child("track");
-    leave_track(rhythm, cage_hz, frame_s_, prior_, track, strikes);
+    leave_track(rate.period, cage_hz, frame_s_, prior_, track, impacts);
   }
-  keep_heard(frame_s_, strikes);
-  return strikes;
+  keep_within(frame_s_, impacts);
+  return impacts;
 }
 
 Twin::Struck Twin::strike(const Scene& scene, const ArrayXcd& response,
                           const Stream& random) const {
   const double rate_hz = machine_.info().sample_rate_hz;
-  Strikes strikes = draw_strikes(scene, random);
+  Impacts impacts = draw_impacts(scene, random);
   Stream edges = random.child("edges");
   Stream floor = random.child("floor");
   const double lag_s = draw_lag_s(scene, machine_.info().bearing, prior_, edges);
-  if (prior_.edges == Switch::on) add_second_edges(lag_s, prior_, edges, strikes);
-  ArrayXd frame = struck_frame(strikes, response, rate_hz);
-  if (happens(floor, prior_.roughness)) {
-    ArrayXd rough = draw_rough_floor(strikes, lag_s, frame.size(), rate_hz, floor);
-    transfer::filter({rough.data(), static_cast<std::size_t>(rough.size())},
-                     {response.data(), static_cast<std::size_t>(response.size())});
+  if (prior_.edges == Switch::on) add_second_edges(lag_s, prior_, edges, impacts);
+  ArrayXd frame = impacts::struck_frame(impacts, response, rate_hz);
+  if (bernoulli(floor, prior_.roughness)) {
+    ArrayXd rough = draw_rough_floor(impacts, lag_s, frame.size(), rate_hz, floor);
+    impacts::filter({rough.data(), static_cast<std::size_t>(rough.size())},
+                    {response.data(), static_cast<std::size_t>(response.size())});
     frame += rough;
   }
-  return {.window = window_of(frame, machine_.length()),
-          .strikes_s = times_in_window(strikes, frame.size(), machine_.length(), rate_hz)};
+  return {.window = impacts::window_of(frame, machine_.length()),
+          .strikes_s = times_in_window(impacts, frame.size(), machine_.length(), rate_hz)};
 }
 
 ArrayXd Twin::background(const Scene& scene, const ArrayXcd& response, const Stream& random) const {
   Stream under = random.child("background");
   Stream knocking = random.child("knocks");
   ArrayXd healthy = draw_background(scene.healthy, prior_.background_db, under);
-  const Strikes knocks = draw_stray_knocks(frame_s_, prior_, knocking);
+  const Impacts knocks = draw_stray_knocks(frame_s_, prior_, knocking);
   if (knocks.empty()) return healthy;
   const double level = amplitude_of(evenly(knocking, quietest_knocks_db, loudest_knocks_db));
-  const ArrayXd heard =
-      healthy + level * window_of(struck_frame(knocks, response, machine_.info().sample_rate_hz),
-                                  machine_.length());
-  return heard / std::sqrt(heard.square().mean());
+  const ArrayXd knocked = impacts::window_of(
+      impacts::struck_frame(knocks, response, machine_.info().sample_rate_hz), machine_.length());
+  const ArrayXd both = healthy + level * knocked;
+  return both / std::sqrt(both.square().mean());
 }
 
-Made Twin::make(const Scene& scene, const Stream& random) const {
+signal::MadeWindow Twin::make(const Scene& scene, const Stream& random) const {
   const double rate_hz = machine_.info().sample_rate_hz;
   Stream structure = random.child("structure");
   Stream loud = random.child("level");
   Stream modulating = random.child("modulation");
-  const std::vector<Resonance> resonances = draw_resonances(prior_, rate_hz, structure);
-  const ArrayXcd response = transfer::minimum_phase(draw_log_answer(
+  const auto resonances = draw_resonances(prior_, rate_hz, structure);
+  const ArrayXcd response = impacts::minimum_phase(draw_log_response(
       resonances, machine_.log_amplitude(scene.condition), rate_hz, prior_, structure));
   Struck struck = strike(scene, response, random);
   const double level = amplitude_of(evenly(loud, prior_.least_level_db, prior_.largest_level_db));
   const ArrayXd window = (level * struck.window + background(scene, response, random)) *
                          draw_modulation(scene, machine_.info().bearing, machine_.length(), rate_hz,
                                          prior_, modulating);
-  return {.samples = as_loud_as(scene.healthy, window),
-          .strikes_s = std::move(struck.strikes_s),
-          .ring = ring_of(resonances, prior_.mass_kg)};
+  signal::MadeWindow made = at_level_of(scene.healthy, window);
+  made.strikes_s = std::move(struck.strikes_s);
+  made.parameters = impacts::ring_of(resonances, prior_.mass_kg);
+  return made;
 }
 
 }  // namespace piae::zero

@@ -3,22 +3,21 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "transfer/excitation.hpp"
-#include "zero/made.hpp"
+#include "impacts/times.hpp"
+#include "zero/machine.hpp"
 #include "zero/prior.hpp"
 
 namespace piae::zero {
 
 /// Makes fault windows of which none is known, from a prior of faults and healthy windows alone
 /// (docs/piae-dt-zero.md). Drawn for each window, independent of each other:
-///   - a structure that answers a blow (structure.hpp);
-///   - when the defect is struck (rhythm.hpp), how strongly (load.hpp), and what a ball does beside
-///     that (ball.hpp);
-///   - both edges and floor of the defect (impacts.hpp);
-///   - a healthy window as the background (background.hpp), knocks that have no rhythm, and rates
-///     that modulate everything whatever is damaged (nuisances.hpp);
-///   - how loud what is struck is over the background.
-/// A window is the second half of a frame of two, so that what was struck before still rings in it.
+///   - the response of a structure to an impact (structure.hpp);
+///   - times and strengths of impacts, and both edges and floor of the defect (impacts.hpp), with
+///     the disorder of a ball (ball.hpp);
+///   - a healthy window as the background, knocks without a rate, and rates that modulate
+///     everything whatever is damaged (background.hpp);
+///   - the level of the impacts over the background.
+/// A window is the second half of a frame of two, so that earlier impacts still ring in it.
 /// Each part draws from a stream of its own: without one of them, the others stay as they are.
 class Twin {
  public:
@@ -26,17 +25,17 @@ class Twin {
   /// size cannot be in its bearing.
   Twin(const Machine& machine, const Prior& prior);
 
-  [[nodiscard]] Made make(const Scene& scene, const Stream& random) const;
+  [[nodiscard]] signal::MadeWindow make(const Scene& scene, const Stream& random) const;
 
  private:
-  /// What is struck, with the mean square 1.
+  /// The window of the impacts alone, with the mean square 1.
   struct Struck {
     Eigen::ArrayXd window;
     std::vector<double> strikes_s;
   };
 
-  [[nodiscard]] std::vector<transfer::Strike> draw_strikes(const Scene& scene,
-                                                           const Stream& random) const;
+  [[nodiscard]] std::vector<impacts::Impact> draw_impacts(const Scene& scene,
+                                                          const Stream& random) const;
 
   [[nodiscard]] Struck strike(const Scene& scene, const Eigen::ArrayXcd& response,
                               const Stream& random) const;

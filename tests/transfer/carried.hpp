@@ -6,11 +6,11 @@
 #include <string>
 #include <vector>
 
+#include "impacts/response.hpp"
+#include "impacts/synthesis.hpp"
 #include "signal/window_set.hpp"
 #include "support/three_classes.hpp"
-#include "transfer/kinematics.hpp"
-#include "transfer/strike_train.hpp"
-#include "transfer/synthesis.hpp"
+#include "transfer/known_bearings.hpp"
 
 namespace piae::transfer {
 
@@ -29,27 +29,30 @@ inline Eigen::ArrayXd three_resonances(Eigen::Index bins, double rate_hz) {
 }
 
 /// The edges of windows that are struck at this speed: the lag is `share` of the passage.
-inline Edges edges_at(const signal::WindowSet& windows, std::size_t i, double share, double rpm) {
+inline impacts::Edges edges_at(const signal::WindowSet& windows, std::size_t i, double share,
+                               double rpm) {
   return {
       .lag_s = share * passage_s(windows, i, windows.size_mm(i), rpm), .exit = 0.6, .spread = 0.02};
 }
 
 constexpr double lag_shares[] = {0.85, 0.95, 0.9, 0.8};
 
-/// A window of 1024 samples of this structure, struck from a random moment on at the rhythm of the
+/// A window of 1024 samples of this structure, struck from a random moment on at the rate of the
 /// window `i`, with strengths that come again and again.
 inline Eigen::ArrayXd struck_like(const signal::WindowSet& windows, std::size_t i,
                                   std::span<const double> strengths, double rms) {
   Stream random("window " + std::to_string(i));
   const double rate_hz = windows.info.sample_rate_hz;
-  const Path path{.log_gain = Eigen::ArrayXd::Zero(1025), .phase = Eigen::ArrayXd::Zero(1025)};
-  const Rhythm rhythm{.period_s = period_s(windows, i, 1200),
-                      .jitter = 0.005,
-                      .edges = edges_at(windows, i, lag_shares[i / 5], 1200)};
-  std::vector<double> all(most_strikes(rhythm, 2048 / rate_hz));
-  for (std::size_t j = 0; j < all.size(); ++j) all[j] = strengths[j % strengths.size()];
-  return rms * struck_window(three_resonances(1025, rate_hz), path,
-                             draw_strikes(random, rhythm, all, 2048 / rate_hz), rate_hz);
+  const impacts::Edges edges = edges_at(windows, i, lag_shares[i / 5], 1200);
+  const auto all = impacts::draw_impacts(
+      random, {.period = period_s(windows, i, 1200), .jitter = 0.005}, 2048 / rate_hz,
+      [&](std::size_t j) {
+        return impacts::Impact{.strength = strengths[j % strengths.size()],
+                               .lag_s = edges.lag_s * (1 + random.normal(0, edges.spread)),
+                               .exit = edges.exit};
+      });
+  const Eigen::ArrayXcd response = impacts::minimum_phase(three_resonances(1025, rate_hz));
+  return rms * impacts::window_of(impacts::struck_frame(all, response, rate_hz), 1024);
 }
 
 /// One machine with four bearings, small and large defects of inner and outer race, five windows

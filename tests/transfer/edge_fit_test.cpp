@@ -14,7 +14,7 @@ constexpr Band band{.bin_hz = 12000.0 / 1024, .first = 10, .last = 465};
 
 /// What a structure with resonances of its own shows of a bearing with such edges, its windows'
 /// scatter and its own colour on top.
-SeenBearing seen(const Edges& edges, double passage_s, double colour, Stream& random) {
+SeenBearing seen(const impacts::Edges& edges, double passage_s, double colour, Stream& random) {
   SeenBearing bearing;
   bearing.passage_s = passage_s;
   bearing.log_amplitude.resize(513);
@@ -40,7 +40,7 @@ TEST(EdgeFit, TellsTheEdgesOfBearingsFromTheStructureThatTheyShare) {
     bearings.push_back(seen({.lag_s = shares[b] * passages_s[b], .exit = exits[b], .spread = 0.015},
                             passages_s[b], b - 1.5, random));
   }
-  const std::vector<Edges> edges = fit_edges(bearings, band, {});
+  const std::vector<impacts::Edges> edges = fit_edges(bearings, band, {});
   for (std::size_t b = 0; b < 4; ++b) {
     EXPECT_NEAR(edges[b].lag_s / passages_s[b], shares[b], 0.021) << b;
     EXPECT_NEAR(edges[b].exit, exits[b], 0.16) << b;
@@ -50,7 +50,7 @@ TEST(EdgeFit, TellsTheEdgesOfBearingsFromTheStructureThatTheyShare) {
 TEST(EdgeFit, OfOneBearingAloneIsThePrior) {
   Stream random("bearing");
   const SeenBearing bearing = seen({.lag_s = 0.8e-3, .exit = 0.8}, 1e-3, 0, random);
-  const std::vector<Edges> edges = fit_edges({bearing}, band, {});
+  const std::vector<impacts::Edges> edges = fit_edges({bearing}, band, {});
   EXPECT_NEAR(edges[0].lag_s, 0.9e-3, 1e-9);
   EXPECT_NEAR(edges[0].exit, 0.65, 1e-12);  // the place of the grid that is nearest to 0.6
 }
@@ -61,7 +61,7 @@ TEST(EdgeFit, OfLagsThatLeaveNoMinimumIsAlmostThePrior) {
   for (int b = 0; b < 4; ++b) {
     bearings.push_back(seen({.lag_s = 0.9 * 20e-6, .exit = 0.6}, 20e-6, b, random));
   }
-  for (const Edges& edges : fit_edges(bearings, band, {})) {
+  for (const impacts::Edges& edges : fit_edges(bearings, band, {})) {
     EXPECT_NEAR(edges.lag_s, 0.9 * 20e-6, 0.16 * 20e-6);
   }
 }

@@ -15,9 +15,7 @@ TEST(Journey, WithoutConditionsLeadsToWhereItBegan) {
     EXPECT_EQ(journey.condition, signal::every_condition);
     EXPECT_EQ(journey.speed_ratio(), 1);
   }
-  signal::WindowSet made = known;
-  arrive(known, 5, made);
-  EXPECT_TRUE(made.condition.empty());
+  EXPECT_FALSE(arrived(known, journey_of(known, 2, 0), {}).condition);
 }
 
 /// Faults known at 1200 and 1000 rpm, tested at 900 and 600.
@@ -46,11 +44,11 @@ TEST(Journey, TakesKnownWindowsInTurnAndTestedConditionsRoundByRound) {
 
 TEST(Journey, MadeWindowsSayWhereTheyArrived) {
   const signal::WindowSet known = known_at_two_speeds();
-  signal::WindowSet made;
-  arrive(known, 6, made);
-  EXPECT_EQ(made.condition, (std::vector<std::int32_t>{2, 2, 2, 2, 2, 3, 2, 2, 2, 2, 2, 3}));
-  EXPECT_EQ(made.shaft_speed_rpm[4], 900);
-  EXPECT_EQ(made.shaft_speed_rpm[5], 600);
+  const signal::MadeWindow made = arrived(known, journey_of(known, 1, 6), {1, 2});
+  EXPECT_EQ(made.samples, (std::vector<float>{1, 2}));
+  EXPECT_EQ(made.condition, 3);
+  EXPECT_EQ(made.shaft_speed_rpm, 600);
+  EXPECT_EQ(made.parents, signal::parents_of({1}));
 }
 
 }  // namespace

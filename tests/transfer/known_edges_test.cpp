@@ -2,7 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "transfer/bearings.hpp"
+#include "support/checkpoints.hpp"
+#include "support/errors.hpp"
 #include "transfer/carried.hpp"
 
 namespace piae::transfer {
@@ -10,7 +11,7 @@ namespace {
 
 TEST(KnownEdges, AreFoundInWindowsOfOneMachine) {
   const signal::WindowSet known = one_machine();
-  const std::vector<Edges> edges = edges_of_known(known, {});
+  const std::vector<impacts::Edges> edges = edges_of_known(known, {});
   ASSERT_EQ(edges.size(), known.size());
   for (std::size_t i = 0; i < known.size(); ++i) {
     const double share = edges[i].lag_s / passage_s(known, i, known.size_mm(i), 1200);
@@ -20,18 +21,23 @@ TEST(KnownEdges, AreFoundInWindowsOfOneMachine) {
   }
 }
 
-TEST(Bearings, AreTheWindowsOfOneClassSpeedAndSize) {
-  signal::WindowSet known = one_machine();
-  known.shaft_speed_rpm[3] = 900;
-  known.defect_size_mm.assign(20, 1.0);
-  known.defect_size_mm[7] = 0.5;
-  const std::vector<KnownBearing> bearings = bearings_of(known);
-  ASSERT_EQ(bearings.size(), 6U);
-  EXPECT_EQ(bearings[0].windows, (std::vector<std::size_t>{3}));
-  EXPECT_EQ(bearings[0].speed_rpm, 900);
-  EXPECT_EQ(bearings[1].windows, (std::vector<std::size_t>{0, 1, 2, 4}));
-  EXPECT_EQ(bearings[2].windows, (std::vector<std::size_t>{7}));
-  EXPECT_EQ(bearings[2].size_mm, 0.5);
+TEST(StoredEdges, AreReadAsTheyWereWrittenAndRefusedWhereTheyCannotBe) {
+  const auto stored = [](const std::vector<impacts::Edges>& edges) {
+    artefact::Writer writer("model");
+    write(writer, edges);
+    const std::filesystem::path path = scratch_file("edges.h5");
+    writer.save(path, {});
+    return artefact::Reader(path, "model");
+  };
+  const std::vector<impacts::Edges> edges{{.lag_s = 1e-3, .exit = 0.5, .spread = 0.02},
+                                          {.lag_s = 2e-3, .exit = 0.25, .spread = 0}};
+  const std::vector<impacts::Edges> read = read_edges(stored(edges), 2);
+  EXPECT_EQ(read[1].lag_s, 2e-3);
+  EXPECT_EQ(read[1].exit, 0.25);
+  EXPECT_EQ(read[0].spread, 0.02);
+  EXPECT_ERROR(read_edges(stored(edges), 3), Exit::bad_input, "/edges/lag_s");
+  EXPECT_ERROR(read_edges(stored({{.lag_s = -1}}), 1), Exit::bad_input, "/edges/lag_s");
+  EXPECT_ERROR(read_edges(stored({{.lag_s = 1e-3, .exit = 2}}), 1), Exit::bad_input, "/edges/exit");
 }
 
 }  // namespace

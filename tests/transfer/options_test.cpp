@@ -5,7 +5,6 @@
 #include "support/checkpoints.hpp"
 #include "support/command_line.hpp"
 #include "support/errors.hpp"
-#include "transfer/stored_edges.hpp"
 
 namespace piae::transfer {
 namespace {
@@ -20,10 +19,11 @@ TEST(CarryOptions, AreReadAsTheyWereWritten) {
       "--load-zone-from 0.3 --load-zone-to 0.6 --rotating-load 0.4 --strength-scatter 0.7",
       [&](const cli::Options& command) { bind(command, options); });
   artefact::Writer writer("model");
-  write(writer, options);
+  table_of(options).write(writer);
   const std::filesystem::path path = scratch_file("options.h5");
   writer.save(path, {});
-  const CarryOptions read = read_carry_options(artefact::Reader(path, "model"));
+  CarryOptions read;
+  table_of(read).read(artefact::Reader(path, "model"));
   EXPECT_EQ(read.response, Response::cut);
   EXPECT_EQ(read.edges, Set::known);
   EXPECT_EQ(read.rhythm, Set::known);
@@ -46,33 +46,16 @@ TEST(CarryOptions, AreReadAsTheyWereWritten) {
   EXPECT_EQ(read.equaliser.knots, 5);
 }
 
-TEST(CarryOptions, OfAWordThatNoOneKnowsAreRefused) {
+TEST(CarryOptions, OfALoadZoneThatEndsBeforeItBeginsAreRefused) {
+  CarryOptions options;
+  options.strengths = {.least_extent = 0.8, .largest_extent = 0.4};
+  EXPECT_ERROR(require_sense(options, {}, {}), Exit::usage,
+               "--load-zone-from is above --load-zone-to");
   artefact::Writer writer("model");
-  writer.group("/carry");
-  writer.attribute("/carry", "response", std::string("loud"));
-  const std::filesystem::path path = scratch_file("loud.h5");
-  writer.save(path, {});
-  EXPECT_ERROR(read_carry_options(artefact::Reader(path, "model")), Exit::bad_input,
-               "attribute response is loud, must be minimum-phase or ring or cut");
-}
-
-TEST(StoredEdges, AreReadAsTheyWereWrittenAndRefusedWhereTheyCannotBe) {
-  const auto stored = [](const std::vector<Edges>& edges) {
-    artefact::Writer writer("model");
-    write(writer, edges);
-    const std::filesystem::path path = scratch_file("edges.h5");
-    writer.save(path, {});
-    return artefact::Reader(path, "model");
-  };
-  const std::vector<Edges> edges{{.lag_s = 1e-3, .exit = 0.5, .spread = 0.02},
-                                 {.lag_s = 2e-3, .exit = 0.25, .spread = 0}};
-  const std::vector<Edges> read = read_edges(stored(edges), 2);
-  EXPECT_EQ(read[1].lag_s, 2e-3);
-  EXPECT_EQ(read[1].exit, 0.25);
-  EXPECT_EQ(read[0].spread, 0.02);
-  EXPECT_ERROR(read_edges(stored(edges), 3), Exit::bad_input, "/edges/lag_s");
-  EXPECT_ERROR(read_edges(stored({{.lag_s = -1}}), 1), Exit::bad_input, "/edges/lag_s");
-  EXPECT_ERROR(read_edges(stored({{.lag_s = 1e-3, .exit = 2}}), 1), Exit::bad_input, "/edges/exit");
+  table_of(options).write(writer);
+  writer.save(scratch_file("zone.h5"), {});
+  EXPECT_ERROR(table_of(options).read({scratch_file("zone.h5"), "model"}), Exit::bad_input,
+               "/strengths, attribute least_extent is above largest_extent");
 }
 
 }  // namespace

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "impacts/response.hpp"
+
 namespace piae::transfer {
 namespace {
 
@@ -68,6 +70,16 @@ TEST(Path, OfAnotherBearingDiffersByItsOwnDeviation) {
   // A standard deviation of 400 is right to 1 / sqrt(800); here within three times that.
   EXPECT_NEAR(spread_db(false), 1, 0.11);
   EXPECT_NEAR(spread_db(true), 10, 1.1);
+}
+
+TEST(Path, ThatDelaysMovesTheImpulse) {
+  const Eigen::ArrayXd flat = Eigen::ArrayXd::Zero(path_bins);
+  // 10 samples: pi at half the sampling rate for each.
+  const Path late{.log_gain = flat,
+                  .phase = -10 * Eigen::ArrayXd::LinSpaced(path_bins, 0, std::numbers::pi)};
+  Eigen::Index place = 0;
+  impacts::samples_of(response_behind(late, flat)).abs().maxCoeff(&place);
+  EXPECT_EQ(place, 10);
 }
 
 }  // namespace

@@ -11,7 +11,7 @@ double root_mean_square(const Eigen::ArrayXd& values) { return std::sqrt(values.
 
 TEST(Structure, IsWhatTheBearingsOfOneMachineHaveInCommon) {
   const signal::WindowSet known = one_machine();
-  std::vector<Edges> edges;
+  std::vector<impacts::Edges> edges;
   for (std::size_t i = 0; i < known.size(); ++i) {
     edges.push_back(edges_at(known, i, lag_shares[i / 5], 1200));
   }

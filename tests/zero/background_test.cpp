@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <complex>
+#include <numbers>
 
 #include "zero/healthy.hpp"
 
@@ -38,12 +40,63 @@ TEST(Background, HasTheMeanSquareOneAlsoThroughAPath) {
   EXPECT_GT((made - draw_background(healthy.window(3), 0, again)).square().mean(), 0.01);
 }
 
-TEST(Background, LendsAWindowItsLoudness) {
+TEST(Background, LendsAWindowItsLevel) {
   const signal::WindowSet healthy = healthy_windows();
   const Eigen::ArrayXd ramp = Eigen::ArrayXd::LinSpaced(1024, 3, 700);
-  const std::vector<float> made = as_loud_as(healthy.window(4), ramp);
+  const std::vector<float> made = at_level_of(healthy.window(4), ramp);
   EXPECT_NEAR(deviation_of(made), deviation_of(healthy.window(4)), 1e-4);
-  for (const float x : as_loud_as(healthy.window(4), Eigen::ArrayXd::Zero(1024))) EXPECT_EQ(x, 0);
+  for (const float x : at_level_of(healthy.window(4), Eigen::ArrayXd::Zero(1024))) EXPECT_EQ(x, 0);
+}
+
+TEST(Background, ModulatesAtTheRatesOfTheBearing) {
+  const signal::WindowSet healthy = healthy_windows();
+  const Scene scene = scene_of(healthy, bearing::Defect::outer);
+  Prior exact;
+  exact.slip = 0;
+  constexpr std::size_t samples = 12000;  // a second
+  int present_at_shaft = 0;
+  for (int i = 0; i < 200; ++i) {
+    Stream random("modulation " + std::to_string(i));
+    const Eigen::ArrayXd factor = draw_modulation(scene, {}, samples, 12000, exact, random);
+    EXPECT_GE(factor.minCoeff(), 0);
+    std::complex<double> at_shaft = 0;
+    for (std::size_t t = 0; t < samples; ++t) {
+      at_shaft += factor[static_cast<Eigen::Index>(t)] *
+                  std::polar(1.0, -2 * std::numbers::pi * 30 * static_cast<double>(t) / 12000);
+    }
+    const double depth = 2 * std::abs(at_shaft) / samples;
+    EXPECT_LT(depth, 0.31);
+    present_at_shaft += depth > 0.025 ? 1 : 0;
+  }
+  EXPECT_NEAR(present_at_shaft, 140, 26);  // 0.7 of 200, four standard deviations of 6.5
+}
+
+TEST(Background, ModulatesNothingWithDepthZero) {
+  const signal::WindowSet healthy = healthy_windows();
+  Stream random("none");
+  const Eigen::ArrayXd factor = draw_modulation(scene_of(healthy, bearing::Defect::inner), {}, 64,
+                                                12000, {.modulation = 0}, random);
+  EXPECT_TRUE(factor.isOnes(0));
+}
+
+TEST(Background, KnocksWithTheirProbabilityThreeTimesOnAverage) {
+  int windows = 0;
+  double knocks = 0;
+  double up = 0;
+  for (int i = 0; i < 3000; ++i) {
+    Stream random("knocks " + std::to_string(i));
+    const auto drawn = draw_stray_knocks(2, {.stray_knocks = 0.3}, random);
+    windows += drawn.empty() ? 0 : 1;
+    knocks += static_cast<double>(drawn.size());
+    for (const auto& knock : drawn) {
+      up += knock.strength > 0 ? 1 : 0;
+      EXPECT_GE(knock.time_s, 0);
+      EXPECT_LT(knock.time_s, 2);
+    }
+  }
+  EXPECT_NEAR(windows, 900, 100);
+  EXPECT_NEAR(knocks / windows, 3, 0.2);
+  EXPECT_NEAR(up / knocks, 0.5, 0.04);
 }
 
 }  // namespace

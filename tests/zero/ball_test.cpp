@@ -9,9 +9,9 @@
 namespace piae::zero {
 namespace {
 
-using Train = std::vector<transfer::Strike>;
+using Train = std::vector<impacts::Impact>;
 
-const Rhythm every_10_ms{.period_s = 0.01, .slip = 0, .jitter = 0};
+constexpr double every_10_ms = 0.01;  // period in s
 constexpr double ball_cage_hz = 12;
 
 Train train_of(std::size_t count) {

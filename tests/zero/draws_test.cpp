@@ -36,10 +36,10 @@ TEST(Draws, AreEvenInTheLogarithm) {
 TEST(Draws, HappenWithTheirProbability) {
   Stream random("chance");
   int happened = 0;
-  for (int i = 0; i < many_draws; ++i) happened += happens(random, 0.3) ? 1 : 0;
+  for (int i = 0; i < many_draws; ++i) happened += bernoulli(random, 0.3) ? 1 : 0;
   EXPECT_NEAR(happened, 0.3 * many_draws, 260);  // four standard deviations of 65
-  EXPECT_FALSE(happens(random, 0));
-  EXPECT_TRUE(happens(random, 1));
+  EXPECT_FALSE(bernoulli(random, 0));
+  EXPECT_TRUE(bernoulli(random, 1));
 }
 
 TEST(Draws, OfPoissonHaveTheMeanAsTheirVariance) {

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "impacts/synthesis.hpp"
+#include "zero/draws.hpp"
 #include "zero/healthy.hpp"
 
 namespace piae::zero {
@@ -39,7 +41,7 @@ TEST(Impacts, AreOfDefectsThatABallDoesNotRollOutOf) {
 }
 
 TEST(Impacts, StrikeTheSecondEdgeTheOtherWay) {
-  std::vector<transfer::Strike> strikes(2000);
+  std::vector<impacts::Impact> strikes(2000);
   Stream random("exit");
   add_second_edges(0.002, {.least_exit = 0.2}, random, strikes);
   double sum = 0;
@@ -54,11 +56,11 @@ TEST(Impacts, StrikeTheSecondEdgeTheOtherWay) {
   EXPECT_NEAR(sum / 2000, 0.002, 1e-5);
   EXPECT_NEAR(std::sqrt(squares / 2000 - std::pow(sum / 2000, 2)), 1e-4, 6e-6);
   // Excitation takes the sign: 1 - exit exp(-2 pi i f lag), which is 1 - exit at 0 Hz.
-  EXPECT_NEAR(transfer::excitation({strikes[0]}, 2, 100)[0].real(), 1 - strikes[0].exit, 1e-12);
+  EXPECT_NEAR(impacts::excitation({strikes[0]}, 2, 100)[0].real(), 1 - strikes[0].exit, 1e-12);
 }
 
 TEST(Impacts, HaveARoughFloorAsLongAsTheBallIsOnIt) {
-  std::vector<transfer::Strike> strikes{{.time_s = 0.01, .strength = 1}};
+  std::vector<impacts::Impact> strikes{{.time_s = 0.01, .strength = 1}};
   double energies = 0;
   double expected = 0;
   for (int i = 0; i < 300; ++i) {
@@ -82,6 +84,67 @@ TEST(Impacts, HaveAFloorThatEndsWithTheFrame) {
       draw_rough_floor({{.time_s = 0.0845, .strength = 1}}, 0.02, 1024, 12000, random);
   EXPECT_EQ(floor.size(), 1024);
   EXPECT_NE(floor[1023], 0);
+}
+
+TEST(Rate, HasItsMeanAtTheOrderOfTheDefectAndStaysWithinTheSlip) {
+  const signal::WindowSet healthy = healthy_windows();
+  // A 6205 at 30 turns a second: 4.5 (1 + 7.94 / 39) on the inner race, (1 - ...) on the outer one,
+  // and 39 / 7.94 (1 - (7.94 / 39)^2) on a ball.
+  const double ratio = 7.94 / 39;
+  const std::pair<bearing::Defect, double> orders[] = {
+      {bearing::Defect::inner, 4.5 * (1 + ratio)},
+      {bearing::Defect::outer, 4.5 * (1 - ratio)},
+      {bearing::Defect::roller, (1 - ratio * ratio) / ratio}};
+  for (const auto& [defect, order] : orders) {
+    const Scene scene = scene_of(healthy, defect);
+    double sum = 0;
+    double widest = 0;
+    for (int i = 0; i < 1000; ++i) {
+      Stream random("slip " + std::to_string(i));
+      const double slip = evenly(random, -0.012, 0.012);
+      const double rate = 1 / draw_rate(scene, slip, {}, random).period / 30;
+      sum += rate;
+      widest = std::max(widest, std::abs(rate / order - 1));
+    }
+    EXPECT_NEAR(sum / 1000, order, 0.001 * order);
+    EXPECT_LE(widest, 0.012 + 1e-12);
+    EXPECT_GT(widest, 0.0115);
+  }
+}
+
+TEST(Rate, OfABallIsLessRegular) {
+  const signal::WindowSet healthy = healthy_windows();
+  for (int i = 0; i < 100; ++i) {
+    Stream random("jitter " + std::to_string(i));
+    const double race = draw_rate(scene_of(healthy, bearing::Defect::outer), 0, {}, random).jitter;
+    EXPECT_GE(race, 0.015 / 7 - 1e-12);
+    EXPECT_LE(race, 0.015);
+    Stream again("jitter " + std::to_string(i));
+    const double ball = draw_rate(scene_of(healthy, bearing::Defect::roller), 0, {}, again).jitter;
+    EXPECT_NEAR(ball, 2 * race, 1e-12);
+  }
+}
+
+TEST(LoadOfADefect, IsDrawnWithinThePrior) {
+  const bearing::Speeds speeds = bearing::speeds({}, 1800);
+  const auto widest = [&](bearing::Defect defect) {
+    double angle_rad = 0;
+    for (int i = 0; i < 300; ++i) {
+      Stream random("load " + std::to_string(i));
+      const impacts::Load load = draw_load(defect, speeds, {.rotating = 0.5}, random);
+      EXPECT_GE(load.extent, 0.3);
+      EXPECT_LE(load.extent, 1.5);
+      EXPECT_LE(load.rotating, defect == bearing::Defect::inner ? 0 : 0.5);
+      angle_rad = std::max(angle_rad, std::abs(load.angle_rad));
+    }
+    return angle_rad;
+  };
+  EXPECT_LE(widest(bearing::Defect::outer), 0.6);
+  EXPECT_GT(widest(bearing::Defect::outer), 0.58);
+  EXPECT_GT(widest(bearing::Defect::inner), 3.1);
+  Stream random("none");
+  EXPECT_EQ(draw_load(bearing::Defect::inner, speeds, {.load_zone = Switch::off}, random).extent,
+            0);
 }
 
 }  // namespace

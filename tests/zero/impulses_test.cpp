@@ -15,14 +15,14 @@ namespace {
 TEST(Impulses, ComeAtTheKinematicRateAndNothingElse) {
   const signal::WindowSet healthy = healthy_windows(4096);
   const Machine machine(healthy);
-  const Made made =
+  const signal::MadeWindow made =
       add_impulses(machine, {}, scene_of(healthy, bearing::Defect::outer), Stream("window"));
   const double period_s = 1 / (30 * 4.5 * (1 - 7.94 / 39));
-  ASSERT_NEAR(static_cast<double>(made.strikes_s.size()), 4096 / 12000.0 / period_s, 1);
-  for (std::size_t i = 1; i < made.strikes_s.size(); ++i) {
-    EXPECT_NEAR(made.strikes_s[i] - made.strikes_s[i - 1], period_s, 1e-9);
+  ASSERT_NEAR(static_cast<double>(made.strikes_s->size()), 4096 / 12000.0 / period_s, 1);
+  for (std::size_t i = 1; i < made.strikes_s->size(); ++i) {
+    EXPECT_NEAR(made.strikes_s->at(i) - made.strikes_s->at(i - 1), period_s, 1e-9);
   }
-  EXPECT_FALSE(made.ring);
+  EXPECT_FALSE(made.parameters);
 }
 
 /// The energy at a frequency in a window / all.
@@ -54,7 +54,7 @@ TEST(Impulses, ExciteOneDampedResonanceAtTheDrawnLevel) {
                             .least_level_db = 20,
                             .largest_level_db = 20};
   const Scene scene = scene_of(healthy, bearing::Defect::inner);
-  const Made made = add_impulses(machine, loud, scene, Stream("window"));
+  const signal::MadeWindow made = add_impulses(machine, loud, scene, Stream("window"));
   // Half of the power is within the half-power width of 2 zeta f = 80 Hz; within 10 of them, 0.94.
   EXPECT_GT(share_at(made.samples, 1600, 2400), 0.88);
   EXPECT_NEAR(deviation_of(made.samples) / deviation_of(scene.healthy), 1, 1e-5);

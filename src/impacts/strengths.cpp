@@ -1,0 +1,38 @@
+#include "impacts/strengths.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace piae::impacts {
+
+double load_share(double angle_rad, double extent) {
+  return std::pow(std::max(0.0, 1 - (1 - std::cos(angle_rad)) / (2 * extent)), 1.5);
+}
+
+double Load::at(double time_s) const {
+  const double stays = extent > 0 ? load_share(angle_rad + rad_per_s * time_s, extent) : 1;
+  return stays * (1 + rotating * std::cos(shaft_angle_rad + shaft_rad_per_s * time_s));
+}
+
+Load load_on(bearing::Defect defect, const bearing::Speeds& speeds, double rotating) {
+  Load load{.rotating = rotating, .shaft_rad_per_s = speeds.shaft};
+  if (defect == bearing::Defect::inner) {
+    load.rad_per_s = speeds.shaft;
+    load.rotating = 0;
+  } else if (defect == bearing::Defect::roller) {
+    load.rad_per_s = speeds.cage;
+  }
+  return load;
+}
+
+void apply_load(const Load& load, double scatter, Stream& random, std::vector<Impact>& impacts) {
+  for (Impact& impact : impacts) {
+    impact.strength *= load.at(impact.time_s) * std::exp(random.normal(0, scatter));
+  }
+}
+
+void weaken_every_second(double factor, std::size_t first, std::vector<Impact>& impacts) {
+  for (std::size_t i = first; i < impacts.size(); i += 2) impacts[i].strength *= factor;
+}
+
+}  // namespace piae::impacts

@@ -1,0 +1,61 @@
+#include "transfer/known_bearings.hpp"
+
+#include <algorithm>
+#include <map>
+#include <tuple>
+
+#include "bearing/strikes.hpp"
+#include "impacts/times.hpp"
+
+namespace piae::transfer {
+
+namespace {
+
+const signal::ClassInfo& class_of(const signal::WindowSet& known, std::size_t i) {
+  return known.info.class_of(known.labels[i]);
+}
+
+}  // namespace
+
+std::vector<KnownBearing> bearings_of(const signal::WindowSet& known) {
+  std::map<std::tuple<Label, double, double>, std::vector<std::size_t>> windows;
+  for (std::size_t i = 0; i < known.size(); ++i) {
+    windows[{known.labels[i], known.speed_rpm(i), known.size_mm(i)}].push_back(i);
+  }
+  std::vector<KnownBearing> bearings;
+  for (auto& [what, own] : windows) {
+    const auto [label, speed_rpm, size_mm] = what;
+    bearings.push_back(
+        {.label = label, .speed_rpm = speed_rpm, .size_mm = size_mm, .windows = std::move(own)});
+  }
+  return bearings;
+}
+
+bool tests_other_bearings(const signal::WindowSet& known) {
+  return !known.defect_size_mm.empty() &&
+         std::ranges::any_of(known.info.conditions, [](const auto& condition) {
+           return condition.test && !condition.known;
+         });
+}
+
+double period_s(const signal::WindowSet& known, std::size_t i, double rpm) {
+  return 1 / bearing::strike_frequency_hz(known.info.bearing, class_of(known, i).defect, rpm);
+}
+
+double passage_s(const signal::WindowSet& known, std::size_t i, double size_mm, double rpm) {
+  return bearing::passage_s(known.info.bearing,
+                            {.kind = class_of(known, i).defect, .size_mm = size_mm}, rpm);
+}
+
+void require_rate(const signal::WindowSet& known) {
+  const signal::DatasetInfo& info = known.info;
+  for (std::size_t i = 0; i < known.size(); ++i) {
+    impacts::require_rate(info, known.labels[i], known.speed_rpm(i));
+    if (info.conditions.empty()) continue;
+    for (const std::int32_t tested : info.tested_conditions()) {
+      impacts::require_rate(info, known.labels[i], info.speed_rpm(tested));
+    }
+  }
+}
+
+}  // namespace piae::transfer
