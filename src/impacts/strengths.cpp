@@ -3,10 +3,23 @@
 #include <algorithm>
 #include <cmath>
 
+#include "impacts/ranges.hpp"
+
 namespace piae::impacts {
 
 double load_share(double angle_rad, double extent) {
   return std::pow(std::max(0.0, 1 - (1 - std::cos(angle_rad)) / (2 * extent)), 1.5);
+}
+
+void add_to(cli::StoredOptions& table, LoadOptions& o, const std::array<const char*, 4>& stored) {
+  table.add("load-zone-from", o.least_extent, ranges::extent,
+            "least extent of the load zone: 0.5 is half a turn, less with clearance", stored[0]);
+  table.add("load-zone-to", o.largest_extent, ranges::extent,
+            "largest extent of the load zone: more than 0.5 with preload", stored[1]);
+  table.add("rotating-load", o.rotating, ranges::part,
+            "load that turns with the shaft / load that stays: largest part", stored[2]);
+  table.add("strength-scatter", o.scatter, ranges::scatter,
+            "of the logarithm of a strike's strength: largest standard deviation", stored[3]);
 }
 
 double Load::at(double time_s) const {

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "base/random.hpp"
 #include "bearing/defect.hpp"
 #include "bearing/kinematics.hpp"
+#include "cli/stored_options.hpp"
 #include "impacts/times.hpp"
 
 namespace piae::impacts {
@@ -15,6 +17,19 @@ namespace piae::impacts {
 /// An extent of 0.5 loads the balls of half a turn, as without clearance. Clearance makes it
 /// smaller, preload larger. From 1 on every ball carries some load. It must be positive.
 double load_share(double angle_rad, double extent);
+
+/// Ranges from which a load is drawn.
+struct LoadOptions {
+  double least_extent = 0;  ///< of the load zone
+  double largest_extent = 0;
+  double rotating = 0;  ///< load that turns with the shaft / load that stays: the largest
+  double scatter = 0;   ///< of an impact's logarithm: largest standard deviation
+};
+
+/// Adds --load-zone-from, --load-zone-to, --rotating-load and --strength-scatter. `stored` names
+/// their attributes, if they are not named as the options.
+void add_to(cli::StoredOptions& table, LoadOptions& options,
+            const std::array<const char*, 4>& stored = {"", "", "", ""});
 
 /// Load on the ball that meets a defect.
 struct Load {

@@ -104,7 +104,7 @@ std::vector<double> Carrier::draw_strengths(const Journey& journey, double perio
   }
   return load_zone_strengths(known_.info.class_of(known_.labels[journey.known]).defect,
                              bearing::speeds(known_.info.bearing, journey.to_rpm), period_s, count,
-                             options_.strengths, random);
+                             options_.strengths.load, random);
 }
 
 ArrayXd Carrier::response(const Journey& journey, Stream& random) const {

@@ -18,23 +18,6 @@ const std::vector<cli::Word<BackgroundFrom>> background_words{{"struck", Backgro
 const std::vector<cli::Word<Strengths>> strength_words{
     {"known", Strengths::known}, {"load-zone", Strengths::load_zone}, {"alike", Strengths::alike}};
 
-void add_strengths(cli::StoredOptions& table, StrengthOptions& o) {
-  table.in("/strengths");
-  table.add("strengths", o.from, strength_words,
-            "how strong strikes are: as in a known window (of another bearing: as in a load zone), "
-            "as in a load zone, or all alike",
-            "from");
-  table.add("load-zone-from", o.least_extent, ranges::extent,
-            "least extent of the load zone: 0.5 is half a turn, less with clearance",
-            "least_extent");
-  table.add("load-zone-to", o.largest_extent, ranges::extent,
-            "largest extent of the load zone: more than 0.5 with preload", "largest_extent");
-  table.add("rotating-load", o.rotating, ranges::part,
-            "load that turns with the shaft / load that stays: largest part", "rotating");
-  table.add("strength-scatter", o.scatter, ranges::scatter,
-            "of the logarithm of a strike's strength: largest standard deviation", "scatter");
-}
-
 void bind_prior(const cli::Options& command, EdgePrior& o) {
   const auto add = [&](const char* name, double& value, const cli::Check& check, const char* help) {
     command.add(name, value, help).check(check);
@@ -80,7 +63,13 @@ cli::StoredOptions table_of(CarryOptions& o) {
             "and this");
   table.add("size-factor", o.size_factor, ranges::size_factor,
             "a defect of unknown size is up to so many times as large or small as those known");
-  add_strengths(table, o.strengths);
+  table.in("/strengths");
+  table.add("strengths", o.strengths.from, strength_words,
+            "how strong strikes are: as in a known window (of another bearing: as in a load zone), "
+            "as in a load zone, or all alike",
+            "from");
+  impacts::add_to(table, o.strengths.load,
+                  {"least_extent", "largest_extent", "rotating", "scatter"});
   impacts::add_to(table, o.equaliser);
   table.in("/carry");
   table.add("other-bearing-db", o.other_bearing_db, ranges::spread_db,

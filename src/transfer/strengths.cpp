@@ -4,13 +4,11 @@
 #include <cmath>
 #include <numbers>
 
-#include "impacts/strengths.hpp"
-
 namespace piae::transfer {
 
 std::vector<double> load_zone_strengths(bearing::Defect kind, const bearing::Speeds& speeds,
                                         double period_s, std::size_t count,
-                                        const StrengthOptions& options, Stream& random) {
+                                        const impacts::LoadOptions& options, Stream& random) {
   const double extent =
       std::lerp(options.least_extent, options.largest_extent, random.uniform(0, 1));
   const double scatter = random.uniform(0, 1) * options.scatter;

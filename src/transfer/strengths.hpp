@@ -5,8 +5,7 @@
 #include <vector>
 
 #include "base/random.hpp"
-#include "bearing/defect.hpp"
-#include "bearing/kinematics.hpp"
+#include "impacts/strengths.hpp"
 
 namespace piae::transfer {
 
@@ -16,10 +15,7 @@ enum class Strengths { known, load_zone, alike };
 
 struct StrengthOptions {
   Strengths from = Strengths::known;
-  double least_extent = 0.2;  ///< of the load zone, drawn for each window
-  double largest_extent = 1;
-  double rotating = 0;  ///< load that turns with the shaft / load that stays: the largest
-  double scatter = 0;   ///< of an impact's logarithm: largest standard deviation
+  impacts::LoadOptions load{.least_extent = 0.2, .largest_extent = 1};
 };
 
 /// The strengths of `count` impacts, `period_s` apart. A defect of the outer race is in the middle
@@ -28,7 +24,7 @@ struct StrengthOptions {
 /// impacts are uniform within the options. At least one strength is positive.
 std::vector<double> load_zone_strengths(bearing::Defect kind, const bearing::Speeds& speeds,
                                         double period_s, std::size_t count,
-                                        const StrengthOptions& options, Stream& random);
+                                        const impacts::LoadOptions& options, Stream& random);
 
 /// `count` strengths in the order of those given, from a random one on, again and again. There must
 /// be one.

@@ -38,9 +38,9 @@ impacts::Load draw_load(bearing::Defect defect, const bearing::Speeds& speeds, c
                         Stream& random) {
   const double half_turn = std::numbers::pi;
   const double widest = defect == bearing::Defect::outer ? prior.outer_angle_rad : half_turn;
-  const double extent = log_evenly(random, prior.least_extent, prior.largest_extent);
+  const double extent = log_evenly(random, prior.load.least_extent, prior.load.largest_extent);
   const double angle_rad = evenly(random, -widest, widest);
-  impacts::Load load = impacts::load_on(defect, speeds, random.uniform(0, 1) * prior.rotating);
+  impacts::Load load = impacts::load_on(defect, speeds, random.uniform(0, 1) * prior.load.rotating);
   load.extent = prior.load_zone == Switch::off ? 0 : extent;
   load.angle_rad = angle_rad;
   load.shaft_angle_rad = random.uniform(0, 2 * half_turn);

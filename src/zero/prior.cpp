@@ -22,16 +22,9 @@ cli::StoredOptions table_of(Prior& o) {
   table.add("jitter", o.jitter, ranges::jitter,
             "of a strike on a race: largest standard deviation / period");
   table.add("ball-jitter", o.ball_jitter, ranges::jitter, "the same of a ball's defect");
-  table.add("load-zone-from", o.least_extent, ranges::extent,
-            "least extent of the load zone: 0.5 is half a turn, less with clearance");
-  table.add("load-zone-to", o.largest_extent, ranges::extent,
-            "largest extent of the load zone: more than 0.5 with preload");
+  impacts::add_to(table, o.load);
   table.add("outer-angle-rad", o.outer_angle_rad, ranges::angle_rad,
             "of an outer race's defect from the direction of the load: largest, rad");
-  table.add("rotating-load", o.rotating, ranges::part,
-            "load that turns with the shaft / load that stays: largest part");
-  table.add("strength-scatter", o.strength_scatter, ranges::scatter,
-            "of the logarithm of a strike's strength: largest standard deviation");
   table.add("both-races", o.other_race, ranges::part,
             "of a ball: strength on the race that is heard less / on the other: least; 1: alike");
   table.add("ball-phase", o.new_phase, ranges::part,

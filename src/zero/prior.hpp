@@ -1,6 +1,7 @@
 #pragma once
 
 #include "cli/stored_options.hpp"
+#include "impacts/strengths.hpp"
 
 namespace piae::zero {
 
@@ -16,11 +17,9 @@ struct Prior {
 
   // Strengths of impacts (impacts.hpp).
   Switch load_zone = Switch::on;
-  double least_extent = 0.3;  ///< of the load zone (impacts/strengths.hpp)
-  double largest_extent = 1.5;
-  double outer_angle_rad = 0.6;   ///< of an outer race's defect from the load: the largest
-  double rotating = 0.6;          ///< load that turns with the shaft / load that stays: the largest
-  double strength_scatter = 0.6;  ///< of an impact's logarithm: largest standard deviation
+  impacts::LoadOptions load{
+      .least_extent = 0.3, .largest_extent = 1.5, .rotating = 0.6, .scatter = 0.6};
+  double outer_angle_rad = 0.6;  ///< of an outer race's defect from the load: the largest
 
   // Disorder of a ball (ball.hpp).
   double other_race = 0.2;    ///< strength on the weaker race / on the other: the least; 1: alike

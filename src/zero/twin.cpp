@@ -81,7 +81,7 @@ Impacts Twin::draw_impacts(const Scene& scene, const Stream& random) const {
     scatter_in_time(frame_s_, prior_, moments, impacts);
   }
   const impacts::Load load = draw_load(scene.defect, speeds, prior_, strength);
-  const double scatter = strength.uniform(0, 1) * prior_.strength_scatter;
+  const double scatter = strength.uniform(0, 1) * prior_.load.scatter;
   impacts::apply_load(load, scatter, strength, impacts);
   if (of_ball) {
     Stream track = random.child("track");

@@ -28,10 +28,10 @@ TEST(CarryOptions, AreReadAsTheyWereWritten) {
   EXPECT_EQ(read.edges, Set::known);
   EXPECT_EQ(read.rhythm, Set::known);
   EXPECT_EQ(read.strengths.from, Strengths::alike);
-  EXPECT_EQ(read.strengths.least_extent, 0.3);
-  EXPECT_EQ(read.strengths.largest_extent, 0.6);
-  EXPECT_EQ(read.strengths.rotating, 0.4);
-  EXPECT_EQ(read.strengths.scatter, 0.7);
+  EXPECT_EQ(read.strengths.load.least_extent, 0.3);
+  EXPECT_EQ(read.strengths.load.largest_extent, 0.6);
+  EXPECT_EQ(read.strengths.load.rotating, 0.4);
+  EXPECT_EQ(read.strengths.load.scatter, 0.7);
   EXPECT_EQ(read.background_from, BackgroundFrom::healthy);
   EXPECT_EQ(read.other_bearing_db, 7);
   EXPECT_EQ(read.mass_kg, 2);
@@ -48,7 +48,7 @@ TEST(CarryOptions, AreReadAsTheyWereWritten) {
 
 TEST(CarryOptions, OfALoadZoneThatEndsBeforeItBeginsAreRefused) {
   CarryOptions options;
-  options.strengths = {.least_extent = 0.8, .largest_extent = 0.4};
+  options.strengths.load = {.least_extent = 0.8, .largest_extent = 0.4};
   EXPECT_ERROR(require_sense(options, {}, {}), Exit::usage,
                "--load-zone-from is above --load-zone-to");
   artefact::Writer writer("model");

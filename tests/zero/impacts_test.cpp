@@ -127,11 +127,13 @@ TEST(Rate, OfABallIsLessRegular) {
 
 TEST(LoadOfADefect, IsDrawnWithinThePrior) {
   const bearing::Speeds speeds = bearing::speeds({}, 1800);
+  Prior prior;
+  prior.load.rotating = 0.5;
   const auto widest = [&](bearing::Defect defect) {
     double angle_rad = 0;
     for (int i = 0; i < 300; ++i) {
       Stream random("load " + std::to_string(i));
-      const impacts::Load load = draw_load(defect, speeds, {.rotating = 0.5}, random);
+      const impacts::Load load = draw_load(defect, speeds, prior, random);
       EXPECT_GE(load.extent, 0.3);
       EXPECT_LE(load.extent, 1.5);
       EXPECT_LE(load.rotating, defect == bearing::Defect::inner ? 0 : 0.5);

@@ -22,8 +22,8 @@ Prior plain() {
   prior.jitter = 0;
   prior.ball_jitter = 0;
   prior.load_zone = Switch::off;
-  prior.rotating = 0;
-  prior.strength_scatter = 0;
+  prior.load.rotating = 0;
+  prior.load.scatter = 0;
   prior.other_race = 1;
   prior.new_phase = 0;
   prior.random_strikes = 0;
@@ -56,8 +56,8 @@ TEST(ZeroTwin, SlipsWithItsCage) {
   Prior prior = plain();
   prior.slip = 0.2;
   prior.load_zone = Switch::on;
-  prior.least_extent = 0.3;
-  prior.largest_extent = 0.3;
+  prior.load.least_extent = 0.3;
+  prior.load.largest_extent = 0.3;
   double fastest_s = 1;
   double slowest_s = 0;
   for (int i = 0; i < 8; ++i) {
