@@ -4,8 +4,8 @@
 #include <limits>
 #include <stdexcept>
 
-#include "scoring/spectrum.hpp"
 #include "spectra/fft.hpp"
+#include "spectra/power.hpp"
 
 namespace piae::impacts {
 
@@ -20,11 +20,11 @@ constexpr Index steps = 4;    ///< from the first piece to the last, a quarter o
 constexpr Index padding = 4;  ///< from half a window to a frame of two
 
 /// Pieces of half a window, a row for each.
-scoring::Windows pieces_of(const signal::WindowSet& windows, std::span<const std::size_t> own) {
+spectra::Windows pieces_of(const signal::WindowSet& windows, std::span<const std::size_t> own) {
   const auto length = static_cast<Index>((windows.length + 1) / 2);
   const Index step = (static_cast<Index>(windows.length) - length) / steps;
   const Index in_a_window = steps + 1;
-  scoring::Windows pieces(static_cast<Index>(own.size()) * in_a_window, length);
+  spectra::Windows pieces(static_cast<Index>(own.size()) * in_a_window, length);
   Index row = 0;
   for (const std::size_t i : own) {
     const Eigen::Map<const Eigen::RowVectorXf> window(windows.window(i).data(),
@@ -92,7 +92,7 @@ std::vector<std::size_t> windows_in(const signal::WindowSet& windows, std::int32
 }
 
 ArrayXd log_amplitude(const signal::WindowSet& windows, std::span<const std::size_t> own) {
-  const ArrayXd power = scoring::mean_power_spectrum(pieces_of(windows, own), padding);
+  const ArrayXd power = spectra::mean_power_spectrum(pieces_of(windows, own), padding);
   const double silence = std::numeric_limits<double>::min();
   return (power + silence).log() / 2;
 }

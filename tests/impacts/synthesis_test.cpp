@@ -6,7 +6,7 @@
 #include <complex>
 #include <numbers>
 
-#include "scoring/spectrum.hpp"
+#include "spectra/power.hpp"
 
 namespace piae::impacts {
 namespace {
@@ -41,7 +41,7 @@ TEST(Synthesis, TheBackgroundHasTheColourOfTheStructureAndTheEdges) {
   const Edges edges{.lag_s = 1e-3, .exit = 0.8, .spread = 0};
   ArrayXd answer(frame_bins);
   for (Eigen::Index i = 0; i < frame_bins; ++i) answer[i] = i < 512 ? 0 : std::log(0.1);
-  scoring::Windows windows(400, 1024);
+  spectra::Windows windows(400, 1024);
   for (Eigen::Index i = 0; i < windows.rows(); ++i) {
     Stream random("background " + std::to_string(i));
     const ArrayXd window = noise_window(answer, edges, frame_rate_hz, random);
@@ -49,7 +49,7 @@ TEST(Synthesis, TheBackgroundHasTheColourOfTheStructureAndTheEdges) {
     windows.row(i) = window.transpose().matrix();
   }
   // A bin of 400 windows is right to 5 %: minima of the edges lie at whole multiples of 1 kHz.
-  const ArrayXd power = scoring::mean_power_spectrum(windows);
+  const ArrayXd power = spectra::mean_power_spectrum(windows);
   const auto at = [&](double hz) { return power[std::lround(hz / frame_rate_hz * 1024)]; };
   EXPECT_NEAR(std::sqrt(at(1500) / at(2500)), 1, 0.2);
   EXPECT_NEAR(std::sqrt(at(2000) / at(2500)), 0.2 / 1.8, 0.05);
