@@ -25,7 +25,7 @@ const std::vector<std::string> stages = {"split",    "train",    "generate", "sc
 
 std::string nothing_reads(const std::string& path, const std::string& name,
                           const std::vector<std::string>& known) {
-  const std::string text = "nothing reads the table [" + path + name + "]";
+  std::string text = "nothing reads the table [" + path + name + "]";
   if (known.empty()) return text;
   return fmt::format("{}; there are {}{}", text, path, fmt::join(known, ", "));
 }
