@@ -155,7 +155,7 @@ std::string left_out_line(const run::Results& results) {
   Sayings sayings;
   for (const std::string& method : methods) say(sayings, method, seeds_label(seeds[method]));
   if (sayings.empty()) return "";
-  return "left out, since they are damaged, or of other settings or inputs (`make why`): cells "
+  return "left out, since they are damaged, or of other settings or inputs: cells "
          "of " +
          joined(sayings);
 }

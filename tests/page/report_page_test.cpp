@@ -339,7 +339,8 @@ TEST_F(ReportPage, ShowsNothingOfWhatIsOutOfDateButItsName) {
   add_all();
   const AskedCells asked{.leave_out = {"cwru/seed0/vae", "cwru/seed1/vae"}};
   for (const std::string& shown : {page(asked), text(asked)}) {
-    EXPECT_THAT(shown, HasSubstr("left out, since settings or inputs have changed"));
+    EXPECT_THAT(shown,
+                HasSubstr("left out, since they are damaged, or of other settings or inputs"));
     EXPECT_THAT(shown, Not(HasSubstr("90.0")));  // the mean of vae at 2to1
   }
   EXPECT_THAT(text(asked), HasSubstr("All 2 diagnoses"));

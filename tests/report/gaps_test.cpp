@@ -103,7 +103,7 @@ TEST_F(Gaps, NameWhatWasLeftOut) {
   results_.left_out = {
       {"smote", "10to1", 3}, {"smote", "1to1", 3}, {"vae", "", 3}, {"vae", "1to1", 4}};
   EXPECT_EQ(left_out_line(results_),
-            "left out, since they are damaged, or of other settings or inputs (`make why`): cells "
+            "left out, since they are damaged, or of other settings or inputs: cells "
             "of smote: "
             "seed 3; vae: seeds 3, 4");
   EXPECT_THAT(paragraphs().back(),

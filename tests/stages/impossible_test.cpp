@@ -254,7 +254,7 @@ TEST_F(Impossible, ModelsOfTheTwinThatIsStruck) {
            [](hid_t file) { replace_attribute(file, "/strengths", "from", "cake"); },
            "known or load-zone or alike"},
           {"a load zone that ends before it begins", attribute("/strengths", "least_extent", 2.0),
-           "least extent is above the largest"},
+           "least_extent is above largest_extent"},
           {"more load that turns than stays", attribute("/strengths", "rotating", 1.5), "rotating"},
           {"no mass", attribute("/carry", "mass_kg", 0.0), "mass_kg"},
           {"healthy windows louder than any number", first_number("/healthy/log_amplitude", 1e6),
