@@ -40,13 +40,10 @@ int main(int argc, char** argv) {
   page::AskedCells asked;
   fs::path run_folder;
   fs::path published_folder;
-  fs::path pipeline = "pipeline";
   fs::path style_folder = "pipeline/report";
   bind(stage.options(), asked);
   stage.input_file("--run", run_folder, "Folder of the run, such as results/try");
   stage.input_file("--published", published_folder, "Folder of the paper's tables as CSV");
-  stage.input_file("--pipeline", pipeline, "No longer read: settings are shown as they are")
-      .required(false);
   stage.input_file("--style", style_folder, "Folder with style.css and script.js").required(false);
 
   return stage.run(argc, argv, [&] {

@@ -83,9 +83,8 @@ TEST(FiguresOfNothing, AreAnError) {
 }
 
 Arguments report_of(const Arguments& asked) {
-  const std::string pipeline = std::string(PIAE_SOURCE) + "/pipeline";
-  Arguments arguments{"--run",      "run",    "--published", published,
-                      "--pipeline", pipeline, "--style",     pipeline + "/report"};
+  Arguments arguments{"--run",   "run",     "--published",
+                      published, "--style", std::string(PIAE_SOURCE) + "/pipeline/report"};
   arguments.insert(arguments.end(), asked.begin(), asked.end());
   return arguments;
 }

@@ -121,8 +121,7 @@ TEST_F(NothingKnown, IsSaidInTheTables) {
                        std::string(PIAE_SOURCE) + "/results/published"});
   run_well("report",
            {"--run", "run", "--published", std::string(PIAE_SOURCE) + "/results/published",
-            "--style", std::string(PIAE_SOURCE) + "/pipeline/report", "--pipeline",
-            std::string(PIAE_SOURCE) + "/pipeline"});
+            "--style", std::string(PIAE_SOURCE) + "/pipeline/report"});
   EXPECT_NE(bytes_of(tiny_ / "run/report.md").find("No fault window was known."),
             std::string::npos);
 }
