@@ -23,7 +23,7 @@ void add_to(cli::StoredOptions& table, EqualiserOptions& options);
 Eigen::ArrayXd along_knots(std::span<const double> knots, Eigen::Index bins);
 
 /// Gain of a random smooth transfer path at `bins` frequencies from 0 Hz to half the sampling rate:
-/// normal in dB at the knots, a straight line in dB between them. 1 is no change.
+/// normal in dB at the knots, a straight line in dB between them. 1 changes nothing.
 Eigen::ArrayXd draw_gains(Stream& random, Eigen::Index bins, const EqualiserOptions& options);
 
 /// Multiplies the spectrum of a window by gains, as filter() of response.hpp does, without changing

@@ -14,7 +14,7 @@
 namespace piae::plan {
 
 bool lies_in(const Times& times, double changed_s) {
-  return changed_s > times.begun_s && changed_s <= times.now_s;
+  return changed_s > times.started_s && changed_s <= times.now_s;
 }
 
 namespace {
@@ -41,8 +41,8 @@ bool has_read_others(const Settings* settings, const Times& times) {
 }
 
 /// True if what a step read has changed since it began.
-bool changed_since(const Step& step, double begun_s) {
-  const Times times{.begun_s = begun_s, .now_s = now_s(log_of(step))};
+bool changed_since(const Step& step, double started_s) {
+  const Times times{.started_s = started_s, .now_s = now_s(log_of(step))};
   if (has_read_others(step.settings.get(), times)) return true;
   for (const Input& input : step.inputs) {
     for (const std::string& file : input.files) {

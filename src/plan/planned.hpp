@@ -49,9 +49,9 @@ class Planned {
   std::unique_ptr<Plan> plan_;
 };
 
-/// When a step began, and the time now, in seconds since 1970.
+/// When a step started, and the time now, in seconds since 1970.
 struct Times {
-  double begun_s = 0;
+  double started_s = 0;
   double now_s = 0;
 };
 

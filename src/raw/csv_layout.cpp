@@ -31,7 +31,7 @@ bool is_date_or_time(std::string_view text) {
          (count(":/") >= 1 || count(".") == 2 || count("-") == 2);
 }
 
-/// How a number is written.
+/// The form in which a number is written.
 struct Form {
   bool has_decimals = false;
   std::size_t decimals = 0;  ///< digits behind the decimal sign

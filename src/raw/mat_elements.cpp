@@ -43,7 +43,7 @@ class Content {
       count -= some.size();
     }
   }
-  /// How many bytes were taken.
+  /// The number of bytes that were taken.
   [[nodiscard]] std::uint64_t at() const { return at_; }
   /// Throws unless this is the end.
   virtual void finish() = 0;
@@ -219,7 +219,7 @@ class Variables {
     return names.size / name_length;
   }
 
-  /// What else there is, such as text, sparse matrices and objects, is passed over.
+  /// Passes over everything else, such as text, sparse matrices and objects.
   void matrix(const Tag& whole, int depth) {
     if (whole.type != mi_matrix || depth > deepest) throw bad_structure;
     if (whole.size == 0) return;  // an empty part

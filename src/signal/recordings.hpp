@@ -57,7 +57,7 @@ struct Recordings {
   /// Whether all of them have true parameters; whether one has a size of its own.
   [[nodiscard]] bool have_parameters() const;
   [[nodiscard]] bool have_sizes() const;
-  /// Of all records.
+  /// The samples of all records together.
   [[nodiscard]] std::size_t samples() const;
 };
 

@@ -96,7 +96,7 @@ TEST_F(TableOnTheDisk, IsNotNotedWhereAnotherMakeWroteTheSettingsMeanwhile) {
 }
 
 TEST(FilesThatAStepRead, HaveChangedSinceItBegan) {
-  const Times times{.begun_s = 100, .now_s = 200};
+  const Times times{.started_s = 100, .now_s = 200};
   EXPECT_FALSE(lies_in(times, 99));
   EXPECT_TRUE(lies_in(times, 150));
   EXPECT_FALSE(lies_in(times, 3700));  // the clock was set back by an hour
