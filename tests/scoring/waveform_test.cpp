@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "scoring/sets.hpp"
+#include "support/tone.hpp"
 
 namespace piae::scoring {
 namespace {
@@ -71,16 +72,6 @@ TEST(Waveform, RefusesWhatIsNotInPairs) {
     EXPECT_THROW(amplitude_ratio(two, other), std::logic_error);
   }
   EXPECT_THROW(rmse(Windows(0, 8), Windows(0, 8)), std::logic_error);
-}
-
-Windows tone(Eigen::Index length, double amplitude, int cycles, double phase) {
-  Windows window(1, length);
-  for (Eigen::Index i = 0; i < length; ++i) {
-    window(0, i) = amplitude * std::cos(2 * std::numbers::pi * cycles * static_cast<double>(i) /
-                                            static_cast<double>(length) +
-                                        phase);
-  }
-  return window;
 }
 
 TEST(SpectralDistance, OfTenTimesTheAmplitudeIsTwentyDecibels) {

@@ -6,6 +6,8 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "support/tone.hpp"
+
 namespace piae::spectra {
 namespace {
 
@@ -46,16 +48,6 @@ TEST(Spectrogram, OfImpossibleSegmentsCannotBe) {
   EXPECT_THROW(spectrogram(tone_from(0), 0), std::logic_error);
   EXPECT_THROW(spectrogram(tone_from(0), 31), std::logic_error);
   EXPECT_THROW(spectrogram(tone_from(0), 130), std::logic_error);
-}
-
-Windows tone(Eigen::Index length, double amplitude, int cycles, double phase) {
-  Windows window(1, length);
-  for (Eigen::Index i = 0; i < length; ++i) {
-    window(0, i) = amplitude * std::cos(2 * std::numbers::pi * cycles * static_cast<double>(i) /
-                                            static_cast<double>(length) +
-                                        phase);
-  }
-  return window;
 }
 
 /// Hann's window spreads a tone A cos over three bins of height A N / 8, A N / 4, A N / 8.
