@@ -22,11 +22,6 @@ using namespace piae;
 
 namespace {
 
-signal::Recordings read_raw_files(const signal::Description& description, const fs::path& folder) {
-  cli::Progress progress("ingest", "records", description.records.size());
-  return signal::ingest(description, folder, [&](std::size_t done) { progress.update(done); });
-}
-
 /// Prints what was found as tables, and then each warning and each problem in a line of its own.
 /// Draws the picture, too, where its file is named.
 void check_files(const signal::Description& description, const fs::path& folder,
@@ -94,20 +89,25 @@ int main(int argc, char** argv) {
     if (!picture.empty()) throw Error(Exit::usage, "--picture needs --check (see ingest --help)");
     if (output.empty()) throw Error(Exit::usage, "--output is required (see ingest --help)");
     stage.note_input("description", file);
-    const signal::Recordings recordings = read_raw_files(description, data_dir);
+    artefact::Writer writer("records");
+    signal::RecordingsWriter recordings(writer, description.info);
+    cli::Progress progress("ingest", "records", description.records.size());
     std::set<std::string> named;
-    for (const signal::Record& record : recordings.records) {
+    std::size_t records = 0;
+    std::size_t samples = 0;
+    signal::ingest(description, data_dir, [&](const signal::Record& record) {
+      recordings.add(record);
+      samples += record.signal.size();
+      progress.update(++records);
       for (const signal::SourceFile& recording : record.files) {
         if (named.insert(recording.name).second) {
           stage.note_input("recording", recording.name, recording.sha256);
         }
       }
-    }
-    artefact::Writer writer("records");
-    write(writer, recordings);
+    });
+    recordings.finish();
     stage.save(writer, output);
-    std::cout << fmt::format("ingest: {} records, {} samples at {:g} Hz\n",
-                             recordings.records.size(), recordings.samples(),
-                             recordings.info.sample_rate_hz);
+    std::cout << fmt::format("ingest: {} records, {} samples at {:g} Hz\n", records, samples,
+                             description.info.sample_rate_hz);
   });
 }

@@ -3,7 +3,6 @@
 
 #include <unistd.h>
 
-#include <array>
 #include <cerrno>
 #include <fstream>
 #include <span>
@@ -45,13 +44,13 @@ raw::Signal read_without_writing(const fs::path& file, const std::string& variab
 }  // namespace
 
 int main(int argc, char** argv) {
-  cli::Stage stage("read_raw",
-                   "Reads one variable of raw recordings and writes its numbers "
-                   "to standard output, in double precision as this machine stores it. Only what "
-                   "the file's size allows is taken of memory and time. ingest runs it with a list "
-                   "of files; it writes the numbers of samples and of columns of each in front of "
-                   "them then.",
-                   "read_raw --file data/cwru/97.mat --variable X097_DE_time | od -t f8 | head");
+  cli::Stage stage(
+      "read_raw",
+      "Reads one variable of raw recordings and writes its numbers "
+      "to standard output, in double precision as this machine stores it. Only what "
+      "the file's size allows is taken of memory and time. ingest runs it with a list "
+      "of files; the numbers of each then follow their count and more that ingest needs.",
+      "read_raw --file data/cwru/97.mat --variable X097_DE_time | od -t f8 | head");
   fs::path file;
   fs::path list;
   std::string variable;
@@ -73,9 +72,8 @@ int main(int argc, char** argv) {
     raw::keep_to(raw::limits_of(files));
     for (const fs::path& one : files) {
       const raw::Signal signal = read_without_writing(one, variable, rate_hz);
-      const std::array counts{static_cast<double>(signal.samples.size()),
-                              static_cast<double>(signal.columns)};
-      if (!list.empty()) print(std::as_bytes(std::span(counts)));
+      const raw::Piece piece{.samples = signal.samples.size(), .columns = signal.columns};
+      if (!list.empty()) print(std::as_bytes(std::span(&piece, 1)));
       print(std::as_bytes(std::span(signal.samples)));
     }
   });

@@ -46,14 +46,15 @@ void look_for_flaws(RecordCheck& found, std::span<const double> samples) {
 
 void look_at_record(RecordCheck& found, const Description& description,
                     const std::filesystem::path& data_dir, signal::RecordReader& reader) {
-  const signal::RawRecord raw = reader.read_raw(found.source);
+  signal::RawRecord raw = reader.read_raw(found.source);
   const signal::DatasetInfo& info = description.info;
   found.file_samples = raw.samples.size();
   look_for_flaws(found, raw.samples);
   std::vector<std::filesystem::path> paths;
   for (std::size_t i = 0; i < raw.files.size(); ++i) {
     const std::string& name = raw.files[i].name;
-    found.files.push_back({.name = name, .samples = raw.pieces[i], .columns = raw.columns[i]});
+    found.files.push_back(
+        {.name = name, .samples = raw.pieces[i].samples, .columns = raw.pieces[i].columns});
     paths.push_back(data_dir / name);
   }
   found.dropouts = dropouts_of(paths, found.source.variable);
@@ -63,7 +64,7 @@ void look_at_record(RecordCheck& found, const Description& description,
         static_cast<std::size_t>(std::min(most, found.length_s() * info.sample_rate_hz))};
     found.lines = fault_lines({}, info, found.source.shaft_speed_rpm);
   } else {
-    look_at_signal(found, reader.resampled(found.source, raw), info);
+    look_at_signal(found, reader.resampled(found.source, std::move(raw)), info);
   }
 }
 

@@ -64,15 +64,19 @@ Dropouts dropouts_of(const std::vector<std::filesystem::path>& files, const std:
   Dropouts all;
   try {
     std::size_t samples = 0;  // in the files before
-    for (const raw::Signal& times : raw::read_all(files, first_column)) {
-      const Dropouts found = dropouts_in(times.samples);
+    raw::Signals signals = raw::read_all(files, first_column);
+    std::span<const double> rest = signals.samples;
+    for (const raw::Piece& piece : signals.pieces) {
+      const auto times = rest.first(piece.samples);
+      rest = rest.subspan(piece.samples);
+      const Dropouts found = dropouts_in(times);
       all.gaps += found.gaps;
       all.missing += found.missing;
       if (found.longest > all.longest) {
         all.longest = found.longest;
         all.longest_after = samples + found.longest_after;
       }
-      samples += times.samples.size();
+      samples += times.size();
     }
   } catch (const Error&) {
     return {};  // such as a column of dates: the signal itself was read

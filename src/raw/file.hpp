@@ -30,10 +30,9 @@ namespace piae::raw {
 std::vector<double> read(const std::filesystem::path& file, const std::string& variable,
                          std::optional<double> sample_rate_hz = std::nullopt);
 
-/// The same of several files, in their order, by one run of that program. Without the sample rates.
-std::vector<Signal> read_all(const std::vector<std::filesystem::path>& files,
-                             const std::string& variable,
-                             std::optional<double> sample_rate_hz = std::nullopt);
+/// The same of several files, in their order, by one run of that program.
+Signals read_all(const std::vector<std::filesystem::path>& files, const std::string& variable,
+                 std::optional<double> sample_rate_hz = std::nullopt);
 
 /// The same of one file in this process: what that program does.
 Signal signal_here(const std::filesystem::path& file, const std::string& variable,

@@ -6,6 +6,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <chrono>
@@ -63,28 +64,81 @@ bool is_put(int file, int number) {
   return file == number ? ::fcntl(file, F_SETFD, 0) == 0 : ::dup2(file, number) >= 0;
 }
 
-/// Keeps what the program writes to one of its outputs, up to a number of bytes. The rest is
-/// not kept.
+/// One output of the program.
 class Output {
  public:
-  explicit Output(std::uint64_t most) : most_(most) {}
-
   Pipe pipe;
-  std::string bytes;
   bool ended = false;
 
-  void take() {
-    std::array<char, 1 << 16> buffer{};
-    const ssize_t got = ::read(pipe.to_read(), buffer.data(), buffer.size());
-    if (got < 0 && errno == EINTR) return;
+  /// Returns what came, up to a number of bytes, until the next call.
+  std::span<const std::byte> take() {
+    const ssize_t got = ::read(pipe.to_read(), buffer_.data(), buffer_.size());
+    if (got < 0 && errno == EINTR) return {};
     ended = got <= 0;
-    if (got > 0 && bytes.size() + static_cast<std::size_t>(got) <= most_) {
-      bytes.append(buffer.data(), static_cast<std::size_t>(got));
-    }
+    return std::span(buffer_).first(ended ? 0 : static_cast<std::size_t>(got));
   }
 
  private:
-  std::uint64_t most_;
+  std::array<std::byte, 1 << 16> buffer_{};
+};
+
+/// Takes apart what read_raw writes of several files: of each a Piece, and then its samples.
+class Incoming {
+ public:
+  Incoming(std::size_t files, std::uint64_t most_samples)
+      : files_(files), most_samples_(most_samples) {}
+
+  void add(std::span<const std::byte> bytes) {
+    while (!bytes.empty() && !is_broken_) {
+      if (left_ == 0) {
+        head_ += take(bytes, sizeof(Piece) - head_.size());
+        if (head_.size() == sizeof(Piece)) begin_piece();
+        continue;
+      }
+      const std::span to = std::as_writable_bytes(std::span(all_.samples)).last(left_);
+      const std::string_view some = take(bytes, left_);
+      std::memcpy(to.data(), some.data(), some.size());
+      left_ -= some.size();
+    }
+  }
+  /// The files that have come as a whole.
+  [[nodiscard]] std::size_t whole() const { return all_.pieces.size() - (left_ > 0 ? 1 : 0); }
+  [[nodiscard]] Signals take_all() { return std::move(all_); }
+
+ private:
+  static std::string_view take(std::span<const std::byte>& bytes, std::size_t most) {
+    const auto some = bytes.first(std::min(most, bytes.size()));
+    bytes = bytes.subspan(some.size());
+    return {reinterpret_cast<const char*>(some.data()), some.size()};
+  }
+  void begin_piece() {
+    Piece piece;
+    std::memcpy(&piece, head_.data(), sizeof piece);
+    head_.clear();
+    const std::size_t before = all_.samples.size();
+    is_broken_ = piece.samples > most_samples_ - before || all_.pieces.size() == files_;
+    if (is_broken_) return;
+    all_.pieces.push_back(piece);
+    make_room(before + piece.samples);
+    all_.samples.resize(before + piece.samples);
+    left_ = piece.samples * sizeof(double);
+  }
+  /// Reserves for all files what those so far had on average. Growing as vectors do would take
+  /// twice the memory of the samples for a moment.
+  void make_room(std::size_t samples) {
+    if (samples <= all_.samples.capacity()) return;
+    const double each = static_cast<double>(samples) / static_cast<double>(all_.pieces.size());
+    const double alike = 1.01 * each * static_cast<double>(files_);
+    const auto most = static_cast<double>(most_samples_);
+    all_.samples.reserve(std::max(samples, static_cast<std::size_t>(std::min(alike, most))));
+  }
+
+  std::size_t files_;
+  std::uint64_t most_samples_;
+  Signals all_;
+  std::string head_;      ///< of the next piece, as far as it came
+  std::size_t left_ = 0;  ///< bytes of the last piece that have not come
+  bool is_broken_ = false;
 };
 
 /// A file in memory that holds names, each ended by a zero byte, to be read from its beginning.
@@ -120,7 +174,7 @@ class Reader {
       : files_(files),
         limits_(limits),
         names_(files),
-        out_((limits.most_samples + 2 * files.size()) * sizeof(double)) {
+        incoming_(files.size(), limits.most_samples) {
     program_ = (fs::read_symlink("/proc/self/exe").parent_path() / "read_raw").string();
     std::vector<std::string> words{program_, "--list=/dev/stdin", "--variable=" + variable};
     if (sample_rate_hz) words.push_back(fmt::format("--sample-rate={}", *sample_rate_hz));
@@ -143,40 +197,19 @@ class Reader {
     if (pid_ > 0) (void)wait_after(SIGKILL);
   }
 
-  std::vector<Signal> signals() {
+  Signals signals() {
     if (!listen()) refuse_for_time();
     const int status = wait_after(0);
     if (WIFSIGNALED(status)) refuse_signal(WTERMSIG(status));
     if (WEXITSTATUS(status) != 0) refuse_as_it_does(WEXITSTATUS(status));
-    std::vector<Signal> all = signals_so_far();
-    if (all.size() != files_.size()) refuse("its reader wrote less than it read");
-    return all;
+    if (incoming_.whole() != files_.size()) refuse("its reader wrote less than it read");
+    return incoming_.take_all();
   }
 
  private:
-  /// Takes the numbers apart into files, of which each has its counts of samples and of columns in
-  /// front. The last one may be cut off, and is left out then.
-  [[nodiscard]] std::vector<Signal> signals_so_far() const {
-    std::vector<Signal> all;
-    std::string_view rest = out_.bytes;
-    std::array<double, 2> counts{};
-    while (rest.size() >= sizeof counts) {
-      std::memcpy(counts.data(), rest.data(), sizeof counts);
-      rest.remove_prefix(sizeof counts);
-      const std::size_t most = rest.size() / sizeof(double);
-      if (!(counts[0] >= 0 && counts[0] <= static_cast<double>(most))) break;
-      Signal& signal = all.emplace_back();
-      signal.columns = static_cast<std::size_t>(counts[1]);
-      signal.samples.resize(static_cast<std::size_t>(counts[0]));
-      const std::size_t bytes = signal.samples.size() * sizeof(double);
-      if (bytes > 0) std::memcpy(signal.samples.data(), rest.data(), bytes);
-      rest.remove_prefix(bytes);
-    }
-    return all;
-  }
   /// Returns the file that was being read when the program ended.
   [[nodiscard]] const fs::path& current_file() const {
-    return files_[std::min(signals_so_far().size(), files_.size() - 1)];
+    return files_[std::min(incoming_.whole(), files_.size() - 1)];
   }
   [[noreturn]] void become(const std::vector<char*>& argv, pid_t parent) const {
     ::prctl(PR_SET_PDEATHSIG, SIGKILL);
@@ -196,10 +229,16 @@ class Reader {
       std::array<pollfd, 2> ready{pollfd{out_.ended ? -1 : out_.pipe.to_read(), POLLIN, 0},
                                   pollfd{err_.ended ? -1 : err_.pipe.to_read(), POLLIN, 0}};
       if (::poll(ready.data(), ready.size(), static_cast<int>(left.count())) <= 0) continue;
-      if (ready[0].revents != 0) out_.take();
-      if (ready[1].revents != 0) err_.take();
+      if (ready[0].revents != 0) incoming_.add(out_.take());
+      if (ready[1].revents != 0) note_error(err_.take());
     }
     return true;
+  }
+
+  void note_error(std::span<const std::byte> bytes) {
+    constexpr std::size_t most = 1 << 16;
+    error_.append(reinterpret_cast<const char*>(bytes.data()),
+                  std::min(bytes.size(), most - error_.size()));
   }
 
   int wait_after(int signal) {
@@ -232,10 +271,10 @@ class Reader {
           program_ + ": cannot be run; it must stand beside the other programs (`make build`)");
     }
     const std::string mark = "read_raw: ";
-    const std::size_t begin = err_.bytes.find(mark);
+    const std::size_t begin = error_.find(mark);
     if (begin == std::string::npos) refuse("its reader ended with " + std::to_string(status));
-    const std::size_t end = std::min(err_.bytes.find('\n', begin), err_.bytes.size());
-    const std::string line = err_.bytes.substr(begin + mark.size(), end - begin - mark.size());
+    const std::size_t end = std::min(error_.find('\n', begin), error_.size());
+    const std::string line = error_.substr(begin + mark.size(), end - begin - mark.size());
     if (status == static_cast<int>(Exit::failed)) {
       refuse("its reader failed with " + std::to_string(limits_.memory_bytes / 1'000'000) +
              " MB of memory (" + line + ")");
@@ -248,20 +287,22 @@ class Reader {
   Names names_;
   std::string program_;
   Output out_;
-  Output err_{1 << 16};
+  Output err_;
+  Incoming incoming_;
+  std::string error_;  ///< what it wrote to its standard error
   pid_t pid_ = -1;
 };
 
 }  // namespace
 
-std::vector<Signal> read_all(const std::vector<fs::path>& files, const std::string& variable,
-                             std::optional<double> sample_rate_hz) {
+Signals read_all(const std::vector<fs::path>& files, const std::string& variable,
+                 std::optional<double> sample_rate_hz) {
   return Reader(files, variable, sample_rate_hz, limits_of(files)).signals();
 }
 
 std::vector<double> read(const fs::path& file, const std::string& variable,
                          std::optional<double> sample_rate_hz) {
-  return read_all(std::vector{file}, variable, sample_rate_hz).front().samples;
+  return read_all(std::vector{file}, variable, sample_rate_hz).samples;
 }
 
 }  // namespace piae::raw

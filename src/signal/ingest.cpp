@@ -62,12 +62,6 @@ void scale(std::span<double> samples, const RecordSource& source, double unit_m_
   for (double& sample : samples) sample = (sample - source.offset) * factor;
 }
 
-std::size_t total_samples(const std::vector<raw::Signal>& signals) {
-  std::size_t count = 0;
-  for (const raw::Signal& signal : signals) count += signal.samples.size();
-  return count;
-}
-
 }  // namespace
 
 RecordReader::RecordReader(const Description& description, fs::path data_dir)
@@ -102,23 +96,22 @@ RawRecord RecordReader::read_raw(const RecordSource& source) {
   (void)raw::limits_of(paths);  // which refuses what is too large, before all of that is hashed
   for (SourceFile& file : raw.files) file.sha256 = sha256_of_file(data_dir_ / file.name);
   require_expected_sha256(all, source, raw.files);
-  std::vector<raw::Signal> signals = raw::read_all(paths, source.variable, source.sample_rate_hz);
-  raw.samples.reserve(total_samples(signals));
+  raw::Signals signals = raw::read_all(paths, source.variable, source.sample_rate_hz);
+  std::span<const double> rest = signals.samples;
   for (std::size_t i = 0; i < paths.size(); ++i) {
-    // Each file's samples are freed here, since a record may be as large as the memory allows.
-    const std::vector<double> samples = std::move(signals[i].samples);
-    require_finite(paths[i], source, samples);
-    raw.pieces.push_back(samples.size());
-    raw.columns.push_back(signals[i].columns);
-    raw.samples.insert(raw.samples.end(), samples.begin(), samples.end());
+    const std::size_t count = signals.pieces[i].samples;
+    require_finite(paths[i], source, rest.first(count));
+    rest = rest.subspan(count);
   }
+  raw.samples = std::move(signals.samples);
+  raw.pieces = std::move(signals.pieces);
   const auto [low, high] = std::ranges::minmax(raw.samples);
   if (low == high) refuse_record(all, source, source.variable + " never changes: a dead channel");
   require_new(source, raw.samples);
   return raw;
 }
 
-Record RecordReader::resampled(const RecordSource& source, const RawRecord& raw) const {
+Record RecordReader::resampled(const RecordSource& source, RawRecord raw) const {
   constexpr double most_samples = 1e8;
   const fs::path all = data_dir_ / source.file_text();
   const double samples =
@@ -139,32 +132,37 @@ Record RecordReader::resampled(const RecordSource& source, const RawRecord& raw)
                 .condition = info_.condition_called(source.condition),
                 .defect_size_mm = source.defect_size_mm,
                 .pieces = {},
-                .files = raw.files};
-  record.signal.reserve(static_cast<std::size_t>(samples) + raw.pieces.size());
-  std::span<const double> rest = raw.samples;
-  for (const std::size_t length : raw.pieces) {
-    std::vector<double> piece =
-        resample(rest.first(length), source.sample_rate_hz, info_.sample_rate_hz);
-    rest = rest.subspan(length);
-    if (piece.empty()) {
-      refuse_record(all, source, "is shorter than one sample at the dataset's rate");
-    }
-    scale(piece, source, info_.unit_m_per_s2);
-    record.pieces.push_back(piece.size());
-    record.signal.insert(record.signal.end(), piece.begin(), piece.end());
+                .files = std::move(raw.files)};
+  if (source.sample_rate_hz == info_.sample_rate_hz) {
+    for (const raw::Piece& piece : raw.pieces) record.pieces.push_back(piece.samples);
+    record.signal = std::move(raw.samples);
+  } else {
+    resample_pieces(source, raw, record);
   }
+  scale(record.signal, source, info_.unit_m_per_s2);
   return record;
 }
 
-Recordings ingest(const Description& description, const fs::path& data_dir,
-                  const RecordsDone& done) {
-  Recordings recordings{description.info, {}};
-  RecordReader reader(description, data_dir);
-  for (const RecordSource& source : description.records) {
-    recordings.records.push_back(reader.read(source));
-    if (done) done(recordings.records.size());
+void RecordReader::resample_pieces(const RecordSource& source, const RawRecord& raw,
+                                   Record& record) const {
+  std::span<const double> rest = raw.samples;
+  for (const raw::Piece& piece : raw.pieces) {
+    const std::vector<double> samples =
+        resample(rest.first(piece.samples), source.sample_rate_hz, info_.sample_rate_hz);
+    rest = rest.subspan(piece.samples);
+    if (samples.empty()) {
+      refuse_record(data_dir_ / source.file_text(), source,
+                    "is shorter than one sample at the dataset's rate");
+    }
+    record.pieces.push_back(samples.size());
+    record.signal.insert(record.signal.end(), samples.begin(), samples.end());
   }
-  return recordings;
+}
+
+void ingest(const Description& description, const fs::path& data_dir,
+            const std::function<void(const Record&)>& take) {
+  RecordReader reader(description, data_dir);
+  for (const RecordSource& source : description.records) take(reader.read(source));
 }
 
 }  // namespace piae::signal

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "raw/signal.hpp"
 #include "signal/description.hpp"
 #include "signal/recordings.hpp"
 
@@ -14,9 +15,8 @@ namespace piae::signal {
 
 /// The samples of a record as they stand in its files.
 struct RawRecord {
-  std::vector<double> samples;       ///< of all files, one behind the other
-  std::vector<std::size_t> pieces;   ///< samples of each file
-  std::vector<std::size_t> columns;  ///< of each file, where it is text; else 0
+  std::vector<double> samples;     ///< of all files, one behind the other
+  std::vector<raw::Piece> pieces;  ///< of each file
   std::vector<SourceFile> files;
 };
 
@@ -33,13 +33,14 @@ class RecordReader {
   ///   - the same samples as a record that was read before, under one label or two.
   Record read(const RecordSource& source) { return resampled(source, read_raw(source)); }
 
-  /// The two halves of read(), for who wants to look at the samples before they are resampled.
+  /// The two halves of read(), which allow a look at the samples before they are resampled.
   RawRecord read_raw(const RecordSource& source);
-  [[nodiscard]] Record resampled(const RecordSource& source, const RawRecord& raw) const;
+  [[nodiscard]] Record resampled(const RecordSource& source, RawRecord raw) const;
 
  private:
   [[nodiscard]] std::vector<std::string> require_files(const RecordSource& source) const;
   void require_new(const RecordSource& source, std::span<const double> signal);
+  void resample_pieces(const RecordSource& source, const RawRecord& raw, Record& record) const;
 
   DatasetInfo info_;
   std::filesystem::path data_dir_;
@@ -49,8 +50,9 @@ class RecordReader {
 /// Called after each record that was read, with how many are done.
 using RecordsDone = std::function<void(std::size_t)>;
 
-/// Reads all records of a dataset. Throws RecordReader's error at the first that cannot be read.
-Recordings ingest(const Description& description, const std::filesystem::path& data_dir,
-                  const RecordsDone& done = {});
+/// Reads all records of a dataset and passes them on one by one: together they may be larger than
+/// the memory. Throws RecordReader's error at the first that cannot be read.
+void ingest(const Description& description, const std::filesystem::path& data_dir,
+            const std::function<void(const Record&)>& take);
 
 }  // namespace piae::signal

@@ -35,17 +35,6 @@ void write_record(artefact::Writer& writer, const Record& record, const DatasetI
   }
 }
 
-void write_pieces(artefact::Writer& writer, const std::vector<Record>& records) {
-  const auto is_of_several = [](const Record& record) { return record.pieces.size() > 1; };
-  if (std::ranges::none_of(records, is_of_several)) return;
-  writer.group(pieces_group);
-  for (const Record& record : records) {
-    if (!is_of_several(record)) continue;
-    const std::vector<std::int64_t> lengths(record.pieces.begin(), record.pieces.end());
-    writer.numbers(pieces_group + "/" + record.name, lengths);
-  }
-}
-
 /// Reads the lengths of the pieces of a record; none where it is of one piece.
 std::vector<std::size_t> read_pieces(const artefact::Reader& reader, const std::string& name,
                                      std::size_t samples) {
@@ -148,11 +137,30 @@ std::size_t Recordings::samples() const {
   return samples;
 }
 
+RecordingsWriter::RecordingsWriter(artefact::Writer& writer, const DatasetInfo& info)
+    : writer_(writer), info_(info) {
+  write(writer_, info_);
+  writer_.group(records_group);
+}
+
+void RecordingsWriter::add(const Record& record) {
+  write_record(writer_, record, info_);
+  if (record.pieces.size() > 1) pieces_.emplace_back(record.name, record.pieces);
+}
+
+void RecordingsWriter::finish() {
+  if (pieces_.empty()) return;
+  writer_.group(pieces_group);
+  for (const auto& [name, pieces] : pieces_) {
+    const std::vector<std::int64_t> lengths(pieces.begin(), pieces.end());
+    writer_.numbers(pieces_group + "/" + name, lengths);
+  }
+}
+
 void write(artefact::Writer& writer, const Recordings& recordings) {
-  write(writer, recordings.info);
-  writer.group(records_group);
-  for (const Record& record : recordings.records) write_record(writer, record, recordings.info);
-  write_pieces(writer, recordings.records);
+  RecordingsWriter all(writer, recordings.info);
+  for (const Record& record : recordings.records) all.add(record);
+  all.finish();
 }
 
 Recordings read_recordings(const artefact::Reader& reader) {

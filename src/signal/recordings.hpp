@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "signal/dataset_info.hpp"
@@ -59,6 +60,21 @@ struct Recordings {
   [[nodiscard]] bool have_sizes() const;
   /// The samples of all records together.
   [[nodiscard]] std::size_t samples() const;
+};
+
+/// Writes recordings one by one, so that one at a time needs to be in memory.
+class RecordingsWriter {
+ public:
+  /// `writer` and `info` must outlive it.
+  RecordingsWriter(artefact::Writer& writer, const DatasetInfo& info);
+  void add(const Record& record);
+  /// Writes what stands behind all records.
+  void finish();
+
+ private:
+  artefact::Writer& writer_;
+  const DatasetInfo& info_;
+  std::vector<std::pair<std::string, std::vector<std::size_t>>> pieces_;  ///< of several, by name
 };
 
 void write(artefact::Writer& writer, const Recordings& recordings);

@@ -10,21 +10,21 @@ namespace piae::raw {
 namespace {
 
 using testing::ElementsAre;
-using testing::IsEmpty;
 
 TEST(ReadAll, GivesSamplesAndColumnsOfEachFileInTheirOrder) {
   const Folder folder;
-  const std::vector<Signal> signals =
+  const Signals signals =
       read_all({folder.write("b.csv", "0.5,1\n1.5,2\n"), folder.write("a.csv", "7\n8\n9\n"),
                 folder.write("empty.csv", ""), folder.write("odd\nname .csv", "3\n4\n")},
                "1");
-  ASSERT_EQ(signals.size(), 4U);
-  EXPECT_THAT(signals[0].samples, ElementsAre(0.5, 1.5));
-  EXPECT_EQ(signals[0].columns, 2U);
-  EXPECT_THAT(signals[1].samples, ElementsAre(7, 8, 9));
-  EXPECT_EQ(signals[1].columns, 1U);
-  EXPECT_THAT(signals[2].samples, IsEmpty());
-  EXPECT_THAT(signals[3].samples, ElementsAre(3, 4));
+  EXPECT_THAT(signals.samples, ElementsAre(0.5, 1.5, 7, 8, 9, 3, 4));
+  ASSERT_EQ(signals.pieces.size(), 4U);
+  EXPECT_EQ(signals.pieces[0].samples, 2U);
+  EXPECT_EQ(signals.pieces[0].columns, 2U);
+  EXPECT_EQ(signals.pieces[1].samples, 3U);
+  EXPECT_EQ(signals.pieces[1].columns, 1U);
+  EXPECT_EQ(signals.pieces[2].samples, 0U);
+  EXPECT_EQ(signals.pieces[3].samples, 2U);
 }
 
 TEST(ReadAll, ReadsMoreThanAPipeHolds) {
@@ -32,12 +32,30 @@ TEST(ReadAll, ReadsMoreThanAPipeHolds) {
   std::string text;
   for (int i = 0; i < 20000; ++i) text += std::to_string(i) + '\n';
   const auto file = folder.write("a.csv", text);
-  const std::vector<Signal> signals = read_all(std::vector(50, file), "1");
-  ASSERT_EQ(signals.size(), 50U);
-  for (const Signal& signal : signals) {
-    ASSERT_EQ(signal.samples.size(), 20000U);
-    EXPECT_EQ(signal.samples[19999], 19999);
+  const Signals signals = read_all(std::vector(50, file), "1");
+  ASSERT_EQ(signals.pieces.size(), 50U);
+  ASSERT_EQ(signals.samples.size(), 50U * 20000);
+  for (std::size_t i = 0; i < 50; ++i) EXPECT_EQ(signals.samples[i * 20000 + 19999], 19999);
+}
+
+TEST(ReadAll, ReadsFilesOfOtherLengthsThanTheFirstOnes) {
+  const Folder folder;
+  std::vector<std::filesystem::path> files;
+  for (int i = 1; i <= 40; ++i) {
+    std::string text;
+    for (int j = 0; j < 40 * (i % 7) + i; ++j) text += std::to_string(100 * i + j) + '\n';
+    files.push_back(folder.write(std::to_string(i) + ".csv", text + "0.5\n0.25\n"));
   }
+  const Signals signals = read_all(files, "1");
+  std::size_t at = 0;
+  for (std::size_t i = 1; i <= 40; ++i) {
+    const std::size_t count = 40 * (i % 7) + i + 2;
+    ASSERT_EQ(signals.pieces[i - 1].samples, count);
+    EXPECT_EQ(signals.samples[at], 100. * static_cast<double>(i));
+    at += count;
+    EXPECT_EQ(signals.samples[at - 1], 0.25);
+  }
+  EXPECT_EQ(signals.samples.size(), at);
 }
 
 TEST(ReadAll, NamesTheFileThatCannotBeRead) {
