@@ -1,4 +1,5 @@
 #include <matio.h>
+#include <spdlog/fmt/fmt.h>
 
 #include <algorithm>
 #include <cstdint>
@@ -63,6 +64,17 @@ std::vector<std::string> names_in(const fs::path& path) {
     if (variable->name != nullptr) names.emplace_back(variable->name);
   }
   return names;
+}
+
+/// Refuses a file with several variables of a name: libmatio takes the first one, MATLAB and SciPy
+/// the last one.
+void require_no_other(const fs::path& path, const std::string& name) {
+  const auto count = std::ranges::count(names_in(path), name);
+  if (count < 2) return;
+  refuse_file(path,
+              fmt::format("has {} variables {}, of which programs take the first or the last; "
+                          "save it with a name for each",
+                          count, name));
 }
 
 [[noreturn]] void refuse_missing_variable(const fs::path& path, const std::string& wanted) {
@@ -197,6 +209,7 @@ std::vector<double> read_v5(const fs::path& path, std::span<const std::byte> byt
                          {variable->dims, variable->dims + variable->rank});
   }
   require_intact(path, bytes);
+  require_no_other(path, name);
   if (has_parts(*variable)) {
     variable.reset(Mat_VarRead(file.get(), name.c_str()));
     if (!variable) refuse_missing_variable(path, name);

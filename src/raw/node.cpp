@@ -38,7 +38,8 @@ std::string element_names(const Where& where, const Node& node) {
   const std::size_t count = count_of(node.shape());
   if (node.kind() == Kind::text) refuse(where, "does not hold numbers, but text");
   if (node.kind() == Kind::cell) {
-    refuse(where, fmt::format("is a cell array of {}; name one of them: {}(1)", count, where.name));
+    refuse(where,
+           fmt::format("is a cell array of {}; name one of them: {}{{1}}", count, where.name));
   }
   if (node.kind() == Kind::structure && count == 1) refuse_structure(where, node);
   if (node.kind() == Kind::structure) {
@@ -57,7 +58,13 @@ std::string brackets_of(const PathStep& step) {
 
 void require_field(const Where& where, const Node& node, const std::string& name) {
   const std::vector<std::string> fields = node.fields();
-  if (std::ranges::find(fields, name) != fields.end()) return;
+  const auto count = std::ranges::count(fields, name);
+  if (count == 1) return;
+  if (count > 1) {
+    refuse(where, fmt::format("has {} fields {}, of which programs take one or another; save it "
+                              "with a name for each",
+                              count, name));
+  }
   refuse(where, fmt::format("has no field {}; it has {}", name, listed(fields)));
 }
 
@@ -65,9 +72,18 @@ void require_field(const Where& where, const Node& node, const std::string& name
 std::size_t element_called(const Where& where, const Node& node, const PathStep& step) {
   if (node.kind() != Kind::structure) refuse_kind(where, node);
   require_field(where, node, step.key);
+  std::vector<std::size_t> found;
   for (std::size_t i = 0; i < count_of(node.shape()); ++i) {
     const auto field = node.field(step.key, i);
-    if (field && field->kind() == Kind::text && field->text() == step.value) return i;
+    if (field && field->kind() == Kind::text && field->text() == step.value) found.push_back(i);
+  }
+  if (found.size() == 1) return found.front();
+  if (found.size() > 1) {
+    std::vector<std::string> elements;
+    elements.reserve(found.size());
+    for (const std::size_t i : found) elements.push_back(fmt::format("{}({})", where.name, i + 1));
+    refuse(where, fmt::format("has {} elements whose {} is {}: {}; name one of these", found.size(),
+                              step.key, step.value, listed(elements)));
   }
   refuse(where, fmt::format("has no element whose {} is {}{}", step.key, step.value,
                             element_names(where, node)));

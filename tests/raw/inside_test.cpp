@@ -100,7 +100,7 @@ TEST_P(Nested, VariablesThatAreNotReadSayWhatTheyAre) {
   expect_refused("K.Y(3).Data", "variable K.Y has 2 elements, no 3");
   expect_refused("K.Y(2)", "variable K.Y(2) is a structure with the fields ");
   expect_refused("K.Y[Name=x].Data", "variable K.Y has no element whose Name is x, or K.Y[Name=");
-  expect_refused("c", "variable c is a cell array of 2; name one of them: c(1)");
+  expect_refused("c", "variable c is a cell array of 2; name one of them: c{1}");
   expect_refused(
       "data", "variable data is not a vector, but a matrix of 2 x 3; name a row of it: data(1,:)");
   expect_refused("data(3,:)", "variable data has 2 rows, no 3");
@@ -109,6 +109,73 @@ TEST_P(Nested, VariablesThatAreNotReadSayWhatTheyAre) {
 
 INSTANTIATE_TEST_SUITE_P(Versions, Nested, testing::Values(MAT_FT_MAT5, MAT_FT_MAT73),
                          [](const auto& info) { return info.param == MAT_FT_MAT5 ? "v5" : "v73"; });
+
+/// An array of four structures, two of which have the same Name.
+fs::path write_namesakes(const fs::path& path, mat_ft version) {
+  mat_t* const file = Mat_CreateVer(path.c_str(), nullptr, version);
+  std::size_t four[]{1, 4};
+  const char* fields[]{"Name", "Data"};
+  matvar_t* const y = Mat_VarCreateStruct("Y", 2, four, fields, 2);
+  for (std::size_t i = 0; i < 4; ++i) {
+    Mat_VarSetStructFieldByName(
+        y, "Name", i, text("Name", i % 2 == 1 ? "vibration" : "speed" + std::to_string(i)));
+    Mat_VarSetStructFieldByName(y, "Data", i, vector("Data", i == 3 ? second : first));
+  }
+  EXPECT_EQ(Mat_VarWrite(file, y, MAT_COMPRESSION_NONE), 0);
+  Mat_VarFree(y);
+  Mat_Close(file);
+  return path;
+}
+
+TEST(Namesakes, AmongElementsAreRefusedWithTheirNumbers) {
+  const Folder folder;
+  for (const mat_ft version : {MAT_FT_MAT5, MAT_FT_MAT73}) {
+    const fs::path file = write_namesakes(folder / "a.mat", version);
+    EXPECT_ERROR(read_mat(file, "Y[Name=vibration].Data"), Exit::bad_input,
+                 "a.mat: variable Y has 2 elements whose Name is vibration: Y(2), Y(4); name one "
+                 "of these");
+    EXPECT_EQ(read_mat(file, "Y(4).Data"), second);
+    EXPECT_EQ(read_mat(file, "Y[Name=speed2].Data"), first);
+  }
+}
+
+TEST(Namesakes, AmongVariablesAreRefused) {
+  const Folder folder;
+  for (const auto compression : {MAT_COMPRESSION_NONE, MAT_COMPRESSION_ZLIB}) {
+    std::string bytes;
+    for (const auto& [name, values] :
+         {std::pair("x", first), std::pair("y", first), std::pair("x", second)}) {
+      mat_t* const file = Mat_CreateVer((folder / "one.mat").c_str(), nullptr, MAT_FT_MAT5);
+      matvar_t* const variable = vector(name, values);
+      EXPECT_EQ(Mat_VarWrite(file, variable, compression), 0);
+      Mat_VarFree(variable);
+      Mat_Close(file);
+      const std::string one = bytes_of(folder / "one.mat");
+      constexpr std::size_t header = 128;
+      bytes += bytes.empty() ? one : one.substr(header);
+    }
+    const fs::path file = folder.write("a.mat", bytes);
+    EXPECT_ERROR(read_mat(file, "x"), Exit::bad_input, "a.mat: has 2 variables x, of which");
+    EXPECT_EQ(read_mat(file, "y"), first);
+  }
+}
+
+TEST(Namesakes, AmongFieldsAreRefused) {
+  const Folder folder;
+  mat_t* const file = Mat_CreateVer((folder / "a.mat").c_str(), nullptr, MAT_FT_MAT5);
+  std::size_t one[]{1, 1};
+  const char* fields[]{"x", "y", "x"};
+  matvar_t* const b = Mat_VarCreateStruct("b", 2, one, fields, 3);
+  for (std::size_t i = 0; i < 3; ++i) {
+    Mat_VarSetStructFieldByIndex(b, i, 0, vector(fields[i], i < 2 ? first : second));
+  }
+  EXPECT_EQ(Mat_VarWrite(file, b, MAT_COMPRESSION_NONE), 0);
+  Mat_VarFree(b);
+  Mat_Close(file);
+  EXPECT_ERROR(read_mat(folder / "a.mat", "b.x"), Exit::bad_input,
+               "a.mat: variable b has 2 fields x, of which");
+  EXPECT_EQ(read_mat(folder / "a.mat", "b.y"), first);
+}
 
 /// A file of HDF5 with a dataset of 2 x 3 and links to it.
 fs::path write_links(const fs::path& path) {
