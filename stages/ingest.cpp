@@ -2,6 +2,7 @@
 
 #include "signal/ingest.hpp"
 
+#include <malloc.h>
 #include <spdlog/fmt/fmt.h>
 
 #include <iostream>
@@ -89,6 +90,8 @@ int main(int argc, char** argv) {
     if (!picture.empty()) throw Error(Exit::usage, "--picture needs --check (see ingest --help)");
     if (output.empty()) throw Error(Exit::usage, "--output is required (see ingest --help)");
     stage.note_input("description", file);
+    // Gives the memory of each record back when it is written, instead of keeping it for later.
+    ::mallopt(M_MMAP_THRESHOLD, 1 << 20);
     artefact::Writer writer("records");
     signal::RecordingsWriter recordings(writer, description.info);
     cli::Progress progress("ingest", "records", description.records.size());

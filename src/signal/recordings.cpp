@@ -1,5 +1,7 @@
 #include "signal/recordings.hpp"
 
+#include <spdlog/fmt/fmt.h>
+
 #include <algorithm>
 #include <stdexcept>
 
@@ -153,7 +155,7 @@ void RecordingsWriter::finish() {
   writer_.group(pieces_group);
   for (const auto& [name, pieces] : pieces_) {
     const std::vector<std::int64_t> lengths(pieces.begin(), pieces.end());
-    writer_.numbers(pieces_group + "/" + name, lengths);
+    writer_.numbers(fmt::format("{}/{}", pieces_group, name), lengths);
   }
 }
 
