@@ -72,7 +72,8 @@ int main(int argc, char** argv) {
     raw::keep_to(raw::limits_of(files));
     for (const fs::path& one : files) {
       const raw::Signal signal = read_without_writing(one, variable, rate_hz);
-      const raw::Piece piece{.samples = signal.samples.size(), .columns = signal.columns};
+      const raw::Piece piece{
+          .samples = signal.samples.size(), .columns = signal.columns, .times = signal.times};
       if (!list.empty()) print(std::as_bytes(std::span(&piece, 1)));
       print(std::as_bytes(std::span(signal.samples)));
     }

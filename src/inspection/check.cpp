@@ -45,19 +45,18 @@ void look_for_flaws(RecordCheck& found, std::span<const double> samples) {
 }
 
 void look_at_record(RecordCheck& found, const Description& description,
-                    const std::filesystem::path& data_dir, signal::RecordReader& reader) {
+                    signal::RecordReader& reader) {
   signal::RawRecord raw = reader.read_raw(found.source);
   const signal::DatasetInfo& info = description.info;
   found.file_samples = raw.samples.size();
   look_for_flaws(found, raw.samples);
-  std::vector<std::filesystem::path> paths;
   for (std::size_t i = 0; i < raw.files.size(); ++i) {
-    const std::string& name = raw.files[i].name;
-    found.files.push_back(
-        {.name = name, .samples = raw.pieces[i].samples, .columns = raw.pieces[i].columns});
-    paths.push_back(data_dir / name);
+    const raw::Piece& piece = raw.pieces[i];
+    found.files.push_back({.name = raw.files[i].name,
+                           .samples = piece.samples,
+                           .columns = piece.columns,
+                           .times = piece.times});
   }
-  found.dropouts = dropouts_of(paths, found.source.variable);
   if (found.length_s() > longest_record_s) {
     constexpr double most = 1e15;  // beyond any record, but a number that counts samples
     found.pieces = {
@@ -145,7 +144,7 @@ DatasetCheck check(const Description& description, const std::filesystem::path& 
     RecordCheck found;
     found.source = source;
     try {
-      look_at_record(found, description, data_dir, reader);
+      look_at_record(found, description, reader);
     } catch (const Error& error) {
       found.problem = error.what();
       note_exit(check, error.exit());

@@ -12,7 +12,6 @@
 #include "inspection/lone_samples.hpp"
 #include "inspection/raw_flaws.hpp"
 #include "inspection/repeats.hpp"
-#include "inspection/time_column.hpp"
 #include "inspection/value_counts.hpp"
 #include "signal/description.hpp"
 #include "signal/ingest.hpp"
@@ -34,6 +33,7 @@ struct FileCheck {
   std::string name;
   std::size_t samples = 0;  ///< as it has them
   std::size_t columns = 0;  ///< of a text file; else 0
+  raw::Times times = {};    ///< of a text file
 };
 
 /// What was found of one record. A record that cannot be read has a problem, and no numbers.
@@ -50,7 +50,6 @@ struct RecordCheck {
   CutTops cut_tops;
   LoneSamples lone;
   Repeats repeats;
-  Dropouts dropouts;
   /// In the unit of the source, at the dataset's rate. None for a record beyond longest_record_s,
   /// which then has no lines either.
   std::optional<Level> level;

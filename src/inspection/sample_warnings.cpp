@@ -1,7 +1,12 @@
 #include <spdlog/fmt/fmt.h>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+
 #include "inspection/warning_text.hpp"
 #include "inspection/warnings.hpp"
+#include "raw/times.hpp"
 
 namespace piae::inspection {
 
@@ -74,15 +79,65 @@ void add_repeats(const RecordCheck& record, const std::string& place, Lines& lin
       found.original + found.longest - 1, more, percent(found.samples, record.file_samples)));
 }
 
+std::string times_text(std::size_t count) {
+  return count == 1 ? "1 time" : fmt::format("{} times", count);
+}
+
+/// Adds a line on samples that are missing in the files of a record.
 void add_dropouts(const RecordCheck& record, const std::string& place, Lines& lines) {
-  const Dropouts& found = record.dropouts;
+  raw::Times found;
+  std::size_t before = 0;  // samples of the files before
+  for (const FileCheck& file : record.files) {
+    const raw::Times times =
+        raw::are_rounded(file.times, record.source.sample_rate_hz) ? raw::Times{} : file.times;
+    found.gaps += times.gaps;
+    found.missing += times.missing;
+    if (times.longest > found.longest) {
+      found.column = times.column;
+      found.longest = times.longest;
+      found.longest_after = before + times.longest_after;
+    }
+    before += file.samples;
+  }
   if (found.gaps == 0) return;
   lines.push_back(fmt::format(
-      "{}: the times in column 1 jump {} time{}: {} sample{} missing, the longest gap, of {}, "
-      "follows "
+      "{}: the times in column {} jump {}: {} sample{} missing, the longest gap, of {}, follows "
       "sample {}: a window across a gap is not one stretch of signal; cut the file there",
-      place, found.gaps, found.gaps == 1 ? "" : "s", found.missing,
+      place, found.column, times_text(found.gaps), found.missing,
       found.missing == 1 ? " is" : "s are", found.longest, found.longest_after));
+}
+
+/// Adds a line where times go back: several recordings stand one behind the other.
+void add_steps_back(const RecordCheck& record, const std::string& place, Lines& lines) {
+  const auto file = std::ranges::find_if(
+      record.files, [](const FileCheck& one) { return one.times.steps_back > 0; });
+  if (file == record.files.end()) return;
+  lines.push_back(fmt::format(
+      "{}: the times in column {}{} go back {}, first after sample {}: several recordings seem to "
+      "stand one behind the other; cut the file there",
+      place, file->times.column, record.files.size() > 1 ? " of " + file->name : "",
+      times_text(file->times.steps_back), file->times.first_back_after));
+}
+
+/// Adds a line where times are of another rate than the description says. Where the file says their
+/// unit, and they are even, it has been refused.
+void add_other_rate(const RecordCheck& record, const std::string& place, Lines& lines) {
+  const double stated_hz = record.source.sample_rate_hz;
+  for (const FileCheck& file : record.files) {
+    const raw::Times& times = file.times;
+    const auto other = raw::contradicting_rate(times, stated_hz);
+    if (!other) continue;
+    constexpr std::array units{"s", "ms", "us", "ns"};
+    const auto unit = static_cast<std::size_t>(std::lround(-std::log10(other->unit_s) / 3));
+    lines.push_back(fmt::format(
+        "{}: the times in column {}{} step by {:.5g}, {} {:.5g} Hz in {}, but sample_rate_hz = "
+        "{:g}: "
+        "all fault frequencies are then off by that factor; correct one of them",
+        place, times.column, record.files.size() > 1 ? " of " + file.name : "",
+        times.step > 0 ? times.step : times.mean_step,
+        times.unit_s > 0 ? "which is" : "which would be", other->hz, units.at(unit), stated_hz));
+    return;
+  }
 }
 
 }  // namespace
@@ -107,6 +162,8 @@ std::vector<std::string> sample_warnings(const RecordCheck& record) {
   add_lone(record, place, lines);
   add_repeats(record, place, lines);
   add_dropouts(record, place, lines);
+  add_steps_back(record, place, lines);
+  add_other_rate(record, place, lines);
   return lines;
 }
 

@@ -8,6 +8,7 @@
 #include "raw/csv_layout.hpp"
 #include "raw/file.hpp"
 #include "raw/text.hpp"
+#include "raw/times.hpp"
 
 namespace piae::raw {
 
@@ -46,6 +47,7 @@ CsvRow fields_of_line(const fs::path& file, std::size_t number, std::string_view
     if (count == 0) found.first = field;
     if (count == layout.column) found.asked = field;
     if (count == (layout.column ^ 1)) found.partner = field;
+    if (count + 1 == layout.times.column) found.time = field;
     last = field;
   }
   const bool ends_with_separator = count == layout.fields + 1 && last.empty();
@@ -92,6 +94,7 @@ Signal read_table(const fs::path& file, const std::string& column) {
   const CsvLayout layout = csv_layout(file, text, column);
   std::string_view rest = layout.numbers;
   std::vector<double> numbers;
+  std::vector<double> times;
   DecimalSign sign;
   CsvDoubts doubts(file, layout);
   bool may_be_torn = layout.separator == ',' && layout.fields % 2 == 0 && !layout.has_name;
@@ -125,6 +128,8 @@ Signal read_table(const fs::path& file, const std::string& column) {
       }
     }
     numbers.push_back(*number);
+    const auto time = number_in_field(fields.time, layout.separator);
+    if (time) times.push_back(*time);
   }
   if (!numbers.empty()) doubts.require_none();
   if (numbers.size() == 1 && layout.fields > largest_row) {
@@ -132,7 +137,9 @@ Signal read_table(const fs::path& file, const std::string& column) {
                     "is the only one and has " + std::to_string(layout.fields) +
                         " fields: a row is expected to be one moment; write a number a line");
   }
-  return {.samples = std::move(numbers), .columns = layout.fields};
+  Signal signal{.samples = std::move(numbers), .columns = layout.fields};
+  if (times.size() == signal.samples.size()) signal.times = times_in(times, layout.times);
+  return signal;
 }
 
 std::vector<double> read_csv(const fs::path& file, const std::string& column) {

@@ -13,6 +13,7 @@ struct CsvRow {
   std::string_view asked;
   std::string_view first;    ///< of the line
   std::string_view partner;  ///< with which it may be one number, cut at its decimal comma
+  std::string_view time;     ///< that of the column of times
 };
 
 /// Looks for signs that a column is not what it seems, line by line: numbers with sign between

@@ -10,6 +10,7 @@
 #include "base/one_line.hpp"
 #include "raw/csv_fields.hpp"
 #include "raw/file.hpp"
+#include "raw/times.hpp"
 
 namespace piae::raw {
 
@@ -95,9 +96,10 @@ class Search {
   CsvLayout run() {
     if (lines_.empty()) return {};
     const bool by_number = column_.find_first_not_of("0123456789") == std::string::npos;
-    const std::optional<CsvLayout> found = by_number ? find_by_number() : find_by_name();
+    std::optional<CsvLayout> found = by_number ? find_by_number() : find_by_name();
     if (!found) refuse_column();
     require_no_other_numbers_above(*found);
+    found->times = times_in(*found);
     return *found;
   }
 
@@ -175,6 +177,30 @@ class Search {
     };
     return !std::ranges::equal(fields(line, separator), fields(lines_.back(), separator), {},
                                is_number, is_number);
+  }
+
+  /// Finds the column of times: the one whose name or unit says so, else the first one.
+  [[nodiscard]] Times times_in(const CsvLayout& found) const {
+    const auto first = std::ranges::find(lines_, found.first_line, &Line::number);
+    Times unnamed;
+    if (first == lines_.end()) return unnamed;
+    for (std::size_t column = 0; column < found.fields; ++column) {
+      if (column == found.column || !holds_number(*first, found.separator, found.fields, column)) {
+        continue;
+      }
+      Times times{.column = column + 1};
+      for (auto line = lines_.begin(); line != first; ++line) {
+        auto names = fields(*line, found.separator);
+        if (names.size() != found.fields) names = fields(*line, separator_of(line->text));
+        if (names.size() != found.fields) continue;
+        const TimeName name = time_name(names[column]);
+        times.is_named = times.is_named || name.is_time;
+        if (name.unit_s > 0) times.unit_s = name.unit_s;
+      }
+      if (times.is_named) return times;
+      if (column == 0) unnamed = times;
+    }
+    return unnamed;
   }
 
   /// Refuses numbers above the samples that are written otherwise than all of these: what an

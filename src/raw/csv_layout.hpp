@@ -5,6 +5,8 @@
 #include <string>
 #include <string_view>
 
+#include "raw/signal.hpp"
+
 namespace piae::raw {
 
 /// Where the numbers of one column stand in a text of columns.
@@ -15,6 +17,7 @@ struct CsvLayout {
   bool has_name = false;       ///< a header above it has as many fields, and a name for the column
   std::size_t first_line = 1;  ///< that holds numbers, counted from 1
   std::string_view numbers;    ///< the text from that line on
+  Times times = {};            ///< the column of times, if there may be one, and its name
 };
 
 /// Finds a column by its number, counted from 1, or by its name in the header. Before the numbers

@@ -8,8 +8,25 @@
 #include "base/error.hpp"
 #include "base/one_line.hpp"
 #include "raw/format.hpp"
+#include "raw/times.hpp"
 
 namespace piae::raw {
+
+namespace {
+
+/// Refuses times whose unit the file says, and whose even steps are of another rate.
+void require_agreeing_times(const std::filesystem::path& file, const Times& times,
+                            double sample_rate_hz) {
+  if (times.unit_s == 0 || times.step == 0) return;
+  const auto other = contradicting_rate(times, sample_rate_hz);
+  if (!other) return;
+  refuse_file(file,
+              fmt::format("is sampled at {:.5g} Hz, by the times in column {}, which step by "
+                          "{:.5g} s, not at {:g} Hz: correct its sample_rate_hz",
+                          other->hz, times.column, times.step * times.unit_s, sample_rate_hz));
+}
+
+}  // namespace
 
 Signal signal_here(const std::filesystem::path& file, const std::string& variable,
                    std::optional<double> sample_rate_hz) {
@@ -22,6 +39,7 @@ Signal signal_here(const std::filesystem::path& file, const std::string& variabl
                                   "correct its sample_rate_hz",
                                   own_hz, *sample_rate_hz));
   }
+  if (sample_rate_hz) require_agreeing_times(file, signal.times, *sample_rate_hz);
   if (signal.samples.size() == 1) {
     refuse_file(file, fmt::format("{} holds one number, {:g}: no recording", variable,
                                   signal.samples.front()));

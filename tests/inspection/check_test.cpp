@@ -124,8 +124,8 @@ TEST(Check, KeepsEachFlawOfASignal) {
   EXPECT_EQ(found.lone.farthest, 1500U);
   EXPECT_EQ(found.repeats.first, 3000U);
   EXPECT_EQ(found.repeats.longest, 1000U);
-  EXPECT_EQ(found.dropouts.missing, 7U);
-  EXPECT_EQ(found.dropouts.longest_after, 1999U);
+  EXPECT_EQ(found.files.at(0).times.missing, 7U);
+  EXPECT_EQ(found.files.at(0).times.longest_after, 1999U);
   EXPECT_EQ(found.few_values, std::nullopt);
 }
 

@@ -176,11 +176,32 @@ TEST(Warnings, NameStretchesThatRepeat) {
 
 TEST(Warnings, NameSamplesThatAreMissing) {
   Found found;
-  found.check.records[0].dropouts = {1, 1, 1, 4710};
+  raw::Times times{.column = 1, .gaps = 1, .missing = 1, .longest = 1, .longest_after = 4710};
+  found.check.records[0].files = {{.name = "ok.csv", .samples = 120000, .times = times}};
   expect_one(found, {"ok (ok.csv, variable 2): the times in column 1 jump 1 time: 1 sample is "
                      "missing, the longest gap, of 1, follows sample 4710"});
-  found.check.records[0].dropouts = {3, 50, 40, 4710};
-  expect_one(found, {"jump 3 times: 50 samples are missing, the longest gap, of 40,"});
+  times = {.column = 2, .gaps = 3, .missing = 50, .longest = 40, .longest_after = 4710};
+  found.check.records[0].files[0].times = times;
+  expect_one(found, {"column 2 jump 3 times: 50 samples are missing, the longest gap, of 40,"});
+}
+
+TEST(Warnings, NameTimesThatGoBack) {
+  Found found;
+  const raw::Times times{.column = 1, .steps_back = 2, .first_back_after = 59999};
+  found.check.records[0].files = {{.name = "ok.csv", .samples = 120000, .times = times}};
+  expect_one(found, {"ok (ok.csv, variable 2): the times in column 1 go back 2 times, first after "
+                     "sample 59999: several recordings"});
+}
+
+TEST(Warnings, NameTimesOfAnotherRate) {
+  Found found;
+  raw::Times times{.column = 1, .is_named = true, .step = 1. / 20000, .mean_step = 1. / 20000};
+  found.check.records[0].files = {{.name = "ok.csv", .samples = 120000, .times = times}};
+  expect_one(found, {"ok (ok.csv, variable 2): the times in column 1 step by 5e-05, which "
+                     "would be 20000 Hz in s, but sample_rate_hz = 12000"});
+  times.step = times.mean_step = 1000. / 20000;
+  found.check.records[0].files[0].times = times;
+  expect_one(found, {"step by 0.05, which would be 20000 Hz in ms, but"});
 }
 
 TEST(Warnings, NameARecordOfALowerRateThanTheDataSet) {
