@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
+#include <string_view>
 
 #include "base/error.hpp"
 
@@ -41,6 +42,64 @@ bool is_plausible(double x) {
   return x == 0 || (std::abs(x) >= least && std::abs(x) <= most);
 }
 
+template <class T, bool swapped = false>
+std::vector<double> values_in(std::string_view bytes) {
+  std::vector<double> values;
+  for (; bytes.size() >= sizeof(T); bytes.remove_prefix(sizeof(T))) {
+    values.push_back(static_cast<double>(value_at<T, swapped>(bytes.data())));
+  }
+  return values;
+}
+
+double share_of_plausible(const std::vector<double>& values) {
+  const auto count = std::ranges::count_if(values, is_plausible);
+  return values.empty() ? 0 : static_cast<double>(count) / static_cast<double>(values.size());
+}
+
+/// Recordings in whole numbers rarely come near their range, while three quarters of random ones
+/// are beyond a quarter of it.
+double share_of_small(const std::vector<double>& values, double range) {
+  const auto count =
+      std::ranges::count_if(values, [&](double x) { return std::abs(x) < range / 4; });
+  const bool varies = !values.empty() && std::ranges::min(values) < std::ranges::max(values);
+  return varies ? static_cast<double>(count) / static_cast<double>(values.size()) : 0;
+}
+
+/// True if every other number is 0, as of doubles with few digits that are read as floats.
+bool has_zeros_in_turn(const std::vector<double>& values) {
+  std::size_t even = 0;
+  std::size_t odd = 0;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (values[i] == 0) ++(i % 2 == 0 ? even : odd);
+  }
+  const auto [few, many] = std::minmax(even, odd);
+  return many > 10 && many >= values.size() / 2 && few < many / 2;
+}
+
+/// The part of the samples that vibration may have, were the bytes in this format.
+double share_that_fits(SampleFormat format, std::string_view bytes) {
+  switch (format) {
+    case SampleFormat::f32:
+    case SampleFormat::f32be: {
+      const auto values =
+          format == SampleFormat::f32 ? values_in<float>(bytes) : values_in<float, true>(bytes);
+      return has_zeros_in_turn(values) ? 0 : share_of_plausible(values);
+    }
+    case SampleFormat::f64:
+      return share_of_plausible(values_in<double>(bytes));
+    case SampleFormat::f64be:
+      return share_of_plausible(values_in<double, true>(bytes));
+    case SampleFormat::i16:
+      return share_of_small(values_in<std::int16_t>(bytes), std::ldexp(1, 15));
+    case SampleFormat::i32:
+      return share_of_small(values_in<std::int32_t>(bytes), std::ldexp(1, 31));
+    case SampleFormat::wav:
+    case SampleFormat::text:
+      return 0;
+  }
+  return 0;
+}
+
 }  // namespace
 
 std::vector<cli::Word<SampleFormat>> sample_format_words() {
@@ -68,13 +127,9 @@ void SampleDecoder::add_binary(std::span<const std::byte> bytes, const Read& rea
 }
 
 template <class T, bool swapped>
-void SampleDecoder::add_floats(std::span<const std::byte> bytes, std::vector<double>& samples) {
+void SampleDecoder::add_values(std::span<const std::byte> bytes, std::vector<double>& samples) {
   add_binary<sizeof(T)>(bytes, [&](const void* from) {
-    const auto value = static_cast<double>(value_at<T, swapped>(from));
-    ++floats_;
-    plausible_ += is_plausible(value) ? 1 : 0;
-    plausible_swapped_ += is_plausible(static_cast<double>(value_at<T, !swapped>(from))) ? 1 : 0;
-    samples.push_back(value);
+    samples.push_back(static_cast<double>(value_at<T, swapped>(from)));
   });
 }
 
@@ -87,9 +142,9 @@ void SampleDecoder::add_wav(std::span<const std::byte> bytes, std::vector<double
     const unsigned bits = wav_.coding().bits;
     if (part.empty()) return;
     if (wav_.coding().is_float && bits == 32) {
-      add_floats<float, false>(part, samples);
+      add_values<float>(part, samples);
     } else if (wav_.coding().is_float) {
-      add_floats<double, false>(part, samples);
+      add_values<double>(part, samples);
     } else if (bits == 16) {
       add_binary<2>(part, [&](const void* from) { whole(value_at<std::int16_t>(from), bits); });
     } else if (bits == 24) {
@@ -104,24 +159,20 @@ void SampleDecoder::add(std::span<const std::byte> bytes, std::vector<double>& s
   const std::size_t more = std::min<std::size_t>(shown_bytes - beginning_.size(), bytes.size());
   beginning_.append(reinterpret_cast<const char*>(bytes.data()), more);
   if (more > 0) require_binary();
-  const auto add_whole = [&]<class T>(T) {
-    add_binary<sizeof(T)>(bytes, [&](const void* from) {
-      samples.push_back(static_cast<double>(value_at<T>(from)));
-    });
-  };
+  note_recent(bytes);
   switch (format_) {
     case SampleFormat::f32:
-      return add_floats<float, false>(bytes, samples);
+      return add_values<float>(bytes, samples);
     case SampleFormat::f64:
-      return add_floats<double, false>(bytes, samples);
+      return add_values<double>(bytes, samples);
     case SampleFormat::f32be:
-      return add_floats<float, true>(bytes, samples);
+      return add_values<float, true>(bytes, samples);
     case SampleFormat::f64be:
-      return add_floats<double, true>(bytes, samples);
+      return add_values<double, true>(bytes, samples);
     case SampleFormat::i16:
-      return add_whole(std::int16_t{});
+      return add_values<std::int16_t>(bytes, samples);
     case SampleFormat::i32:
-      return add_whole(std::int32_t{});
+      return add_values<std::int32_t>(bytes, samples);
     case SampleFormat::wav:
       return add_wav(bytes, samples);
     case SampleFormat::text:
@@ -129,7 +180,25 @@ void SampleDecoder::add(std::span<const std::byte> bytes, std::vector<double>& s
   }
 }
 
+/// Keeps the last bytes of the stream, from a place on at which samples of any size begin.
+void SampleDecoder::note_recent(std::span<const std::byte> bytes) {
+  constexpr std::size_t enough = 1 << 16;
+  for (; !bytes.empty();) {
+    if (recent_.size() == 2 * enough) recent_.erase(0, enough);
+    const auto some = bytes.first(std::min(bytes.size(), 2 * enough - recent_.size()));
+    recent_.append(reinterpret_cast<const char*>(some.data()), some.size());
+    bytes = bytes.subspan(some.size());
+  }
+}
+
 void SampleDecoder::require_binary() const {
+  if (beginning_.starts_with("\x93NUMPY")) {
+    throw Error(Exit::bad_input,
+                name_ +
+                    ": begins as a file of NumPy does; pipe its samples alone in: python3 -c "
+                    "\"import numpy, sys; sys.stdout.buffer.write(numpy.load('FILE').astype('<f4')."
+                    "tobytes())\"");
+  }
   if (format_ == SampleFormat::text || format_ == SampleFormat::wav) return;
   // Samples in binary form would hardly all have such bytes.
   const bool is_text =
@@ -145,6 +214,7 @@ void SampleDecoder::finish(std::vector<double>& samples) { text_.finish(samples)
 void SampleDecoder::restart() {
   waiting_.clear();
   beginning_.clear();
+  recent_.clear();
   text_.restart();
   wav_.restart();
 }
@@ -152,22 +222,13 @@ void SampleDecoder::restart() {
 std::string SampleDecoder::likelier_format() const {
   constexpr double nearly_all = 0.99;
   constexpr double too_few = 0.9;
-  const auto all = static_cast<double>(floats_);
-  if (floats_ == 0 || static_cast<double>(plausible_) > too_few * all) return "";
-  if (beginning_.starts_with("RIFF") && format_ != SampleFormat::wav) return "wav";
-  if (static_cast<double>(plausible_swapped_) < nearly_all * all) return "";
-  switch (format_) {
-    case SampleFormat::f32:
-      return "f32be";
-    case SampleFormat::f64:
-      return "f64be";
-    case SampleFormat::f32be:
-      return "f32";
-    case SampleFormat::f64be:
-      return "f64";
-    default:
-      return "";
+  if (format_ == SampleFormat::text || format_ == SampleFormat::wav) return "";
+  if (beginning_.starts_with("RIFF")) return "wav";
+  if (share_that_fits(format_, recent_) > too_few) return "";
+  for (const auto& [name, format] : sample_format_words()) {
+    if (share_that_fits(format, recent_) >= nearly_all) return name;
   }
+  return "";
 }
 
 }  // namespace piae::monitor

@@ -27,7 +27,8 @@ class SampleDecoder {
       : format_(format), name_(name), text_(name), wav_(name, sample_rate_hz) {}
 
   /// Appends the samples of what came until now. A line of text that is not a number is NaN. Throws
-  /// as WavStream::next, and Error(bad_input) for text where the format is a binary one.
+  /// as WavStream::next, and Error(bad_input) for text where the format is a binary one,
+  /// and for a file of NumPy.
   void add(std::span<const std::byte> bytes, std::vector<double>& samples);
   /// When no more bytes will come: a last line of text need not end.
   void finish(std::vector<double>& samples);
@@ -37,17 +38,18 @@ class SampleDecoder {
   [[nodiscard]] std::size_t waiting() const { return waiting_.size() + text_.waiting(); }
   [[nodiscard]] const TextSamples& text() const { return text_; }
   [[nodiscard]] const WavStream& wav() const { return wav_; }
-  /// The format that the bytes rather look like, where this one makes odd numbers of them: "f32be"
-  /// for f32, "wav" for a stream that begins like one. Empty where there is none.
+  /// The format that the last bytes rather look like, where this one makes odd numbers of them:
+  /// "f32be" for f32, "wav" for a stream that begins like one. Empty where there is none.
   [[nodiscard]] std::string likelier_format() const;
 
  private:
-  template <class T, bool swapped>
-  void add_floats(std::span<const std::byte> bytes, std::vector<double>& samples);
+  template <class T, bool swapped = false>
+  void add_values(std::span<const std::byte> bytes, std::vector<double>& samples);
   void add_wav(std::span<const std::byte> bytes, std::vector<double>& samples);
   template <std::size_t size, class Read>
   void add_binary(std::span<const std::byte> bytes, const Read& read);
 
+  void note_recent(std::span<const std::byte> bytes);
   void require_binary() const;
 
   static constexpr std::size_t shown_bytes = 32;
@@ -58,11 +60,7 @@ class SampleDecoder {
   WavStream wav_;
   std::string waiting_;
   std::string beginning_;  ///< of the stream: shown_bytes
-
-  // Floats of the magnitudes that vibration has, read as they are and with their bytes swapped:
-  std::uint64_t floats_ = 0;
-  std::uint64_t plausible_ = 0;
-  std::uint64_t plausible_swapped_ = 0;
+  std::string recent_;     ///< the last bytes of the stream
 };
 
 }  // namespace piae::monitor

@@ -63,11 +63,10 @@ std::string counted(std::uint64_t n, const std::string& one) {
   return fmt::format("{} {}{}", n, one, n == 1 ? "" : "s");
 }
 
-/// "; is it --format f32be?", where samples are not finite because they are of another format.
+/// "; is it --format f32be?", where the samples look as if they were of another format.
 std::string other_format(const Monitor& monitor) {
   const std::string likelier = monitor.decoder().likelier_format();
-  if (monitor.samples_not_finite() == 0 || likelier.empty()) return "";
-  return fmt::format("; is it --format {}?", likelier);
+  return likelier.empty() ? "" : fmt::format("; is it --format {}?", likelier);
 }
 
 /// `ended`: the stream did, so what it promised will not come any more.
@@ -86,8 +85,7 @@ std::string lost(const Monitor& monitor, std::size_t breaks, bool ended) {
   if (ended && decoder.wav().missing() > 0) {
     add(counted(decoder.wav().missing(), "byte") + " that the WAV header promises");
   }
-  if (text.empty()) return "nothing lost";
-  return "lost: " + text + other_format(monitor);
+  return (text.empty() ? "nothing lost" : "lost: " + text) + other_format(monitor);
 }
 
 /// Reports the first gap of a kind as it comes, since a stream may go on for days.
@@ -104,6 +102,10 @@ class Gaps {
     if (text.garbled() > 0 && !std::exchange(told_of_lines_, true)) {
       spdlog::warn("{}; such lines are gaps", text.first_garbled());
     }
+    if (has_windows && !std::exchange(told_of_format_, true)) {
+      const std::string other = other_format(*monitor_);
+      if (!other.empty()) spdlog::warn("the samples have odd sizes{}", other);
+    }
     if (has_windows || monitor_->samples_not_finite() == 0) return;
     if (!std::exchange(told_of_samples_, true)) {
       spdlog::warn("after {:.1f} s of signal, non-finite samples broke every window{}",
@@ -114,6 +116,7 @@ class Gaps {
  private:
   const Monitor* monitor_;
   bool told_of_lines_ = false;
+  bool told_of_format_ = false;
   bool told_of_samples_ = false;
 };
 

@@ -119,6 +119,62 @@ TEST(Samples, ThatAreTextAreNotReadAsBinary) {
   }
 }
 
+/// Samples of each format read as each other one, as an owner would who forgets --format.
+TEST(Samples, TellTheFormatThatTheyLookLike) {
+  std::vector<float> f32;
+  std::vector<double> f64;
+  std::vector<double> of_f32;
+  std::vector<double> whole;
+  std::vector<std::int16_t> i16;
+  std::vector<std::int32_t> i32;
+  Stream random("formats");
+  for (int i = 0; i < 4000; ++i) {
+    const double x = random.normal(0, 1);
+    f32.push_back(static_cast<float>(x));
+    f64.push_back(x);
+    of_f32.push_back(f32.back());
+    i16.push_back(static_cast<std::int16_t>(std::lround(1000 * x)));
+    i32.push_back(static_cast<std::int32_t>(std::lround(1e6 * x)));
+    whole.push_back(i16.back());
+  }
+  using Format = SampleFormat;
+  const std::vector<std::tuple<std::string, std::string, std::vector<Format>>> cases{
+      {"f32", as_bytes_of(f32), {Format::f32be, Format::f64be, Format::i16}},
+      {"f64", as_bytes_of(f64), {Format::f32, Format::f32be, Format::f64be, Format::i16}},
+      {"f64", as_bytes_of(of_f32), {Format::f32, Format::f32be, Format::f64be}},
+      {"f64", as_bytes_of(whole), {Format::f32}},
+      {"i16", as_bytes_of(i16), {Format::f32, Format::f64, Format::f32be}},
+      {"i32", as_bytes_of(i32), {Format::f32, Format::f64, Format::i16}}};
+  for (const auto& [right, bytes, wrong_ones] : cases) {
+    for (const auto& [name, format] : sample_format_words()) {
+      if (format == Format::text || format == Format::wav) continue;
+      SampleDecoder decoder(format, "raw", rate_hz);
+      Numbers samples;
+      add(decoder, bytes, samples);
+      const bool is_wrong = std::ranges::find(wrong_ones, format) != wrong_ones.end();
+      if (!is_wrong && name != right) continue;
+      EXPECT_EQ(decoder.likelier_format(), is_wrong ? right : "") << right << " read as " << name;
+    }
+  }
+}
+
+TEST(Samples, AreNotTakenFromAFileOfNumPy) {
+  for (const auto format : {SampleFormat::f32, SampleFormat::f64, SampleFormat::text}) {
+    SampleDecoder decoder(format, "pump", rate_hz);
+    Numbers samples;
+    EXPECT_ERROR(add(decoder, "\x93NUMPY\x01" + std::string(100, 'x'), samples), Exit::bad_input,
+                 "pump: begins as a file of NumPy does; pipe its samples alone in: python3 -c");
+  }
+}
+
+TEST(Samples, OfATextHaveNoGapsWhereALineIsBlank) {
+  SampleDecoder decoder(SampleFormat::text, "pump", rate_hz);
+  Numbers samples;
+  add(decoder, "1\n\n2\r\n \t\r\n3\n" + std::string(300, ' ') + "\n4\n", samples);
+  EXPECT_EQ(samples, (Numbers{1, 2, 3, 4}));
+  EXPECT_EQ(decoder.text().garbled(), 0U);
+}
+
 TEST(Samples, TellTheByteOrderThatTheyLookLike) {
   std::vector<float> narrow;
   std::vector<double> wide;
@@ -141,7 +197,7 @@ TEST(Samples, TellTheByteOrderThatTheyLookLike) {
   EXPECT_EQ(likelier(SampleFormat::f64be, f64), "f64");
   EXPECT_EQ(likelier(SampleFormat::f32, f32), "");
   EXPECT_EQ(likelier(SampleFormat::f64be, swapped(f64, 8)), "");
-  EXPECT_EQ(likelier(SampleFormat::i16, f32), "");
+  EXPECT_EQ(likelier(SampleFormat::i16, f32), "f32");
   EXPECT_EQ(likelier(SampleFormat::f32, "RIFF" + std::string(400, '\xFF')), "wav");
   EXPECT_EQ(likelier(SampleFormat::f32, std::string(400, '\xFF')), "") << "NaN either way";
 }
