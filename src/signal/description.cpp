@@ -3,6 +3,7 @@
 #include <spdlog/fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <numeric>
 #include <string_view>
@@ -32,12 +33,30 @@ std::string plain_name(TomlTable& table, const std::string& key) {
   return name;
 }
 
-bearing::Geometry bearing_by_orders(TomlTable& table) {
+/// Refuses frequencies in Hz where orders are expected: divided by the shaft's they belong to a
+/// usual bearing. An ftf below 0.5 says that they are orders, as a large bearing has them.
+void require_orders(const TomlTable& table, const bearing::Orders& orders, double shaft_hz) {
+  constexpr double most_balls = 40;
+  constexpr double tolerance = 0.01;
+  const double sum = orders.bpfo + orders.bpfi;
+  const double balls = std::round(sum / shaft_hz);
+  const bool is_usual =
+      balls >= 3 && balls <= most_balls && std::abs(sum / shaft_hz - balls) <= tolerance * balls;
+  if (sum <= most_balls || !is_usual || (orders.ftf && *orders.ftf < 0.5)) return;
+  table.refuse("bpfo", fmt::format("= {:g} and bpfi = {:g} seem to be Hz; orders are multiples of "
+                                   "the shaft's frequency, {:.5g} Hz: write {:.4g} and {:.4g}, or "
+                                   "give ftf where they are orders",
+                                   orders.bpfo, orders.bpfi, shaft_hz, orders.bpfo / shaft_hz,
+                                   orders.bpfi / shaft_hz));
+}
+
+bearing::Geometry bearing_by_orders(TomlTable& table, double shaft_hz) {
   bearing::Orders orders;
   orders.bpfo = table.number("bpfo", ranges::fault_order);
   orders.bpfi = table.number("bpfi", ranges::fault_order);
   orders.bsf = table.optional_number("bsf", ranges::fault_order);
   orders.ftf = table.optional_number("ftf", ranges::fault_order);
+  require_orders(table, orders, shaft_hz);
   try {
     return bearing::geometry_of(orders);
   } catch (const Error& error) {
@@ -47,9 +66,9 @@ bearing::Geometry bearing_by_orders(TomlTable& table) {
 
 bool is_by_orders(const TomlTable& bearing) { return bearing.has("bpfo") || bearing.has("bpfi"); }
 
-bearing::Geometry described_bearing(TomlTable table) {
+bearing::Geometry described_bearing(TomlTable table, double shaft_hz) {
   if (is_by_orders(table)) {
-    const bearing::Geometry bearing = bearing_by_orders(table);
+    const bearing::Geometry bearing = bearing_by_orders(table, shaft_hz);
     table.finish();
     return bearing;
   }
@@ -318,7 +337,7 @@ DatasetInfo read_info(TomlTable& root, std::vector<TomlTable>& classes) {
       root.optional_number("unit_m_per_s2", ranges::unit_m_per_s2).value_or(info.unit_m_per_s2);
   auto bearing = root.optional_table("bearing");
   info.has_bearing = bearing.has_value();
-  if (bearing) info.bearing = described_bearing(*bearing);
+  if (bearing) info.bearing = described_bearing(*bearing, info.shaft_speed_rpm / 60);
   for (TomlTable& table : classes) {
     const ClassInfo next = read_class(table);
     if (std::ranges::find(info.classes, next.name, &ClassInfo::name) != info.classes.end()) {

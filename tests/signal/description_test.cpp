@@ -150,6 +150,28 @@ std::string described_by_orders(const std::string& orders) {
   return text.replace(text.find(bearing_table), bearing_table.size(), "[bearing]\n" + orders);
 }
 
+/// CWRU's lines at 1797 rpm, 29.95 Hz.
+TEST(Description, FrequenciesInHzAreNoOrders) {
+  const Folder folder;
+  const auto at = [](const std::string& rpm, const std::string& orders) {
+    return replaced(described_by_orders(orders), "shaft_speed_rpm = 900",
+                    "shaft_speed_rpm = " + rpm);
+  };
+  const std::string why =
+      "bearing.bpfo = 107.3 and bpfi = 162.2 seem to be Hz; orders are multiples of the shaft's "
+      "frequency, 29.95 Hz: write 3.583 and 5.416, or give ftf where they are orders";
+  for (const char* more : {"", "bsf = 70.6\nftf = 11.93\n"}) {
+    const std::string text = at("1797", std::string("bpfo = 107.3\nbpfi = 162.2\n") + more);
+    EXPECT_ERROR(read_description(folder.write("rig.toml", text)), Exit::bad_input, why);
+  }
+  // A slewing bearing has as many balls.
+  const std::string many = "bpfo = 49\nbpfi = 51\n";
+  EXPECT_ERROR(read_description(folder.write("rig.toml", at("600", many))), Exit::bad_input,
+               "seem to be Hz");
+  const auto file = folder.write("rig.toml", at("600", many + "ftf = 0.49\n"));
+  EXPECT_EQ(read_description(file).info.bearing.balls, 100);
+}
+
 TEST(Description, OrdersAloneWillDoWhereNoSizeIsKnown) {
   const Folder folder;
   const std::string orders = "bpfo = 3.5848\nbpfi = 5.4152\nbsf = 2.357\n";
