@@ -150,6 +150,11 @@ class Walk {
 
   [[nodiscard]] LeadIn lead_in_at(std::size_t begin) const {
     const std::size_t left = bytes_.size() - begin;
+    if (left < lead_in_bytes && begin > 0) {
+      refuse_segment(begin, fmt::format("ends within its first {} bytes; where the writer crashed, "
+                                        "`truncate -s {} FILE` leaves what is whole",
+                                        lead_in_bytes, begin));
+    }
     if (left < lead_in_bytes || number_at(bytes_, begin, true) != 0x5444536D) {  // "TDSm"
       refuse_segment(begin, "does not begin as one does");
     }

@@ -222,7 +222,14 @@ TEST_F(Tdms, ThatIsShorterThanItSaysIsRefused) {
                  "truncated or damaged: its segment at byte " + std::to_string(one.size()) +
                      " is said to have " + std::to_string(one.size() - 28) + " bytes, and " +
                      std::to_string(one.size() - 29) + " are there");
-  expect_refused(one + "x", "1", "truncated or damaged: its segment at byte");
+  const std::string second = std::to_string(one.size());
+  for (const std::string& cut : {one + "x", one + one.substr(0, 27)}) {
+    expect_refused(cut, "1",
+                   "truncated or damaged: its segment at byte " + second +
+                       " ends within its first 28 bytes; where the writer crashed, "
+                       "`truncate -s " +
+                       second + " FILE` leaves what is whole");
+  }
 }
 
 TEST_F(Tdms, WhoseMetadataAreImpossibleIsRefused) {
