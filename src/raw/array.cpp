@@ -55,7 +55,8 @@ std::size_t count_of(const Shape& shape) {
 }
 
 void refuse(const Where& where, const std::string& what) {
-  refuse_file(where.file, fmt::format("{} {} {}", where.noun, where.name, what));
+  const std::string name = where.name.empty() ? "" : " " + where.name;
+  refuse_file(where.file, fmt::format("{}{} {}", where.noun, name, what));
 }
 
 std::size_t possible_count(const Where& where, const Shape& shape) {

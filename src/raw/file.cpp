@@ -40,6 +40,7 @@ Signal signal_here(const std::filesystem::path& file, const std::string& variabl
                                   own_hz, *sample_rate_hz));
   }
   if (sample_rate_hz) require_agreeing_times(file, signal.times, *sample_rate_hz);
+  if (signal.samples.empty()) refuse_file(file, variable + " holds no sample");
   if (signal.samples.size() == 1) {
     refuse_file(file, fmt::format("{} holds one number, {:g}: no recording", variable,
                                   signal.samples.front()));

@@ -21,8 +21,8 @@ namespace piae::raw {
 ///   text                 `variable` is a column: its number, counted from 1, or its name
 /// Throws Error(bad_input) in one line with the file: what is wrong, and, where the variable is not
 /// in the file, what the file has instead; also where the file says another sample rate than the
-/// one given, or the variable holds a single number. NaN and infinite samples are returned as they
-/// are.
+/// one given, or the variable holds a single number or none. NaN and infinite samples are returned
+/// as they are.
 ///
 /// The program `read_raw`, which stands beside the one that runs, reads it within the limits of
 /// limits.hpp. A damaged file can make the libraries that read it crash, or take all memory: then

@@ -33,6 +33,19 @@ Signal unrated(const fs::path& file, const std::string& variable) {
   return {.samples = read_samples(file, variable)};
 }
 
+constexpr const char* other_sound =
+    "is sound in a format that is not read: sox FILE OUT.wav writes one that is";
+constexpr const char* lossy_sound =
+    "is sound that was compressed with loss, which changes vibration: record WAV or FLAC";
+constexpr const char* measurement_data_format =
+    "is an MDF file (ASAM): export the channel as CSV (asammdf: MDF(FILE).export('csv'))";
+constexpr const char* table_of_columns =
+    "is a table in Parquet or Arrow: save it as CSV (pandas: read_parquet(FILE).to_csv(OUT))";
+constexpr const char* pickled =
+    "is pickled by Python: save the array by np.save('x.npy', a), or as CSV";
+constexpr const char* marked_up = "is XML or HTML, no table of numbers: export the samples as CSV";
+constexpr const char* json = "is JSON: write the samples as CSV, a row a sample";
+
 const std::array marks{
     Mark{"MATLAB 5.0 MAT-file", 0, unrated<read_mat>},
     Mark{"MATLAB 7.3 MAT-file", 0, unrated<read_mat>},
@@ -59,10 +72,35 @@ const std::array marks{
     Mark{"mimetypeapplication/vnd.oasis.opendocument.spreadsheet", 30, nullptr,
          "is an OpenDocument spreadsheet: save the sheet as CSV (File, Save as, Text CSV)"},
     Mark{"PK\x03\x04", 0, nullptr,
-         "is a zip archive or an Excel workbook: unpack it (unzip), or save the sheet as CSV"},
+         "is a zip archive (.zip, .npz) or an Excel workbook: unpack it (unzip), or save the sheet "
+         "as CSV"},
     Mark{"\xd0\xcf\x11\xe0", 0, nullptr,
          "is an Excel workbook of before 2007: save the sheet as CSV (File, Save as, CSV)"},
     Mark{"%PDF", 0, nullptr, "is a PDF document, not a recording"},
+    Mark{".snd", 0, nullptr, other_sound},  // Sun's .au
+    Mark{"caff", 0, nullptr, other_sound},
+    Mark{"ID3", 0, nullptr, lossy_sound},
+    Mark{"\xff\xfb", 0, nullptr, lossy_sound},  // MP3
+    Mark{"\xff\xf3", 0, nullptr, lossy_sound},
+    Mark{"\xff\xe3", 0, nullptr, lossy_sound},
+    Mark{"\xff\xf1", 0, nullptr, lossy_sound},  // AAC
+    Mark{"ftyp", 4, nullptr, lossy_sound},      // MP4, .m4a, .3gp
+    Mark{"OggS", 0, nullptr, lossy_sound},
+    Mark{"#!AMR", 0, nullptr, lossy_sound},
+    Mark{"\x30\x26\xb2\x75", 0, nullptr, lossy_sound},  // WMA
+    Mark{"MDF     ", 0, nullptr, measurement_data_format},
+    Mark{"UnFinMF ", 0, nullptr, measurement_data_format},
+    Mark{"PAR1", 0, nullptr, table_of_columns},
+    Mark{"ARROW1", 0, nullptr, table_of_columns},
+    Mark{"SQLite format 3", 0, nullptr, "is a database of SQLite: export the samples as CSV"},
+    Mark{"\x80\x03", 0, nullptr, pickled},
+    Mark{"\x80\x04", 0, nullptr, pickled},
+    Mark{"\x80\x05", 0, nullptr, pickled},
+    Mark{"<?xml", 0, nullptr, marked_up},
+    Mark{"<html", 0, nullptr, marked_up},
+    Mark{"<!DOCTYPE", 0, nullptr, marked_up},
+    Mark{"{\"", 0, nullptr, json},
+    Mark{"[{", 0, nullptr, json},
 };
 
 /// Extensions of formats that say in their first bytes what they are.

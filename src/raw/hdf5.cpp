@@ -1,6 +1,9 @@
 #include "artefact/hdf5.hpp"
 
+#include <spdlog/fmt/fmt.h>
+
 #include <algorithm>
+#include <array>
 #include <memory>
 #include <new>
 #include <optional>
@@ -11,6 +14,7 @@
 #include "raw/hdf5_chunks.hpp"
 #include "raw/hdf5_types.hpp"
 #include "raw/node.hpp"
+#include "raw/variable_path.hpp"
 
 namespace piae::raw {
 
@@ -54,7 +58,8 @@ herr_t note_datasets(hid_t group, const char* name, const H5L_info_t* link, void
   hdf5::check(H5Literate(file, H5_INDEX_NAME, H5_ITER_INC, nullptr, note_datasets, &datasets),
               "list of datasets");
   std::ranges::sort(datasets.names);
-  refuse_file(path, "has no dataset " + wanted + "; it has " + listed(datasets.names));
+  refuse_file(path, "has no dataset " + wanted + "; it has " + listed(datasets.names) +
+                        hint_at_parts(wanted));
 }
 
 /// Where the links of a path lead.
@@ -147,6 +152,8 @@ class Hdf5Node : public Node {
     }
     const bool is_compound = is_dataset() && type_class() == H5T_COMPOUND;
     if (is_compound && is_matlab_) return "of complex numbers; export real(...) of it";
+    if (is_compound && is_complex()) return "of complex numbers; write the real part of it";
+    if (is_dataset() && type_class() == H5T_ENUM) return "of names or truth values; write numbers";
     return is_compound ? "a table of records; export one column of it as a dataset"
                        : "neither numbers nor text";
   }
@@ -204,8 +211,11 @@ class Hdf5Node : public Node {
   [[nodiscard]] std::vector<double> numbers() const override {
     const hdf5::Handle creation(H5Dget_create_plist(object_), "dataset");
     if (H5Pget_layout(creation) == H5D_VIRTUAL || H5Pget_external_count(creation) != 0) {
-      refuse_file(file_, "dataset " + here("").name + " has its values in another file");
+      refuse(here("dataset"),
+             "is virtual or external: its values stand in other files or datasets; name the file "
+             "that holds them, or write them out (h5py: out['x'] = file['x'][:])");
     }
+    require_known_filters(creation);
     std::vector<double> numbers(possible_count(here("dataset"), shape()));
     if (!numbers.empty()) {
       require_standard_type();
@@ -219,6 +229,29 @@ class Hdf5Node : public Node {
   [[nodiscard]] bool is_column_major() const override { return is_matlab_; }
 
  private:
+  /// Refuses values that are packed by a filter this library has no decoder for.
+  void require_known_filters(hid_t creation) const {
+    for (int i = 0; i < H5Pget_nfilters(creation); ++i) {
+      std::size_t parameters = 0;
+      unsigned flags = 0;
+      unsigned config = 0;
+      std::array<char, 64> name{};
+      const H5Z_filter_t filter =
+          H5Pget_filter2(creation, static_cast<unsigned>(i), &flags, &parameters, nullptr,
+                         name.size() - 1, name.data(), &config);
+      if (filter < 0 || H5Zfilter_avail(filter) > 0) continue;
+      refuse(here("dataset"),
+             fmt::format("is packed by the filter {} ({}), which is not read; write it by gzip "
+                         "(h5py: create_dataset(..., compression='gzip'))",
+                         filter, name.data()));
+    }
+  }
+  /// True of the pair that h5py makes of a complex number.
+  [[nodiscard]] bool is_complex() const {
+    const hdf5::Handle type(H5Dget_type(object_), "type");
+    return H5Tget_nmembers(type) == 2 && H5Tget_member_index(type, "r") >= 0 &&
+           H5Tget_member_index(type, "i") >= 0;
+  }
   void require_standard_type() const {
     const hdf5::Handle type(H5Dget_type(object_), "type");
     if (is_standard_number(type)) return;
@@ -290,8 +323,9 @@ std::vector<double> read_variable(const fs::path& path, const std::string& wante
   }
   if (!object) {
     const Hdf5Node root(path, opened_object(file, "/"), true);
-    refuse_file(
-        path, "has no variable " + steps.steps.front().name + "; it has " + listed(root.fields()));
+    const std::string& name = steps.steps.front().name;
+    refuse_file(path, "has no variable " + name + "; it has " + listed(root.fields()) +
+                          hint_at_parts(name));
   }
   return vector_at(path, std::make_unique<Hdf5Node>(path, std::move(*object), true), steps);
 }

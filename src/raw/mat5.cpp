@@ -226,7 +226,10 @@ std::vector<double> read_mat(const fs::path& path, const std::string& name) {
   const Bytes bytes = artefact::read_file(path);
   if (readable_version(path, bytes) == MAT_FT_MAT73) return read_mat73(path, name);
   const auto wanted = parse_variable(name);
-  if (!wanted) refuse_file(path, "has no variable " + name + "; it has " + listed(names_in(path)));
+  if (!wanted) {
+    refuse_file(path, "has no variable " + name + "; it has " + listed(names_in(path)) +
+                          hint_at_parts(name));
+  }
   return read_v5(path, bytes, *wanted);
 }
 

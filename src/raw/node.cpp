@@ -1,6 +1,7 @@
 #include "raw/node.hpp"
 
 #include <spdlog/fmt/fmt.h>
+#include <spdlog/fmt/ranges.h>
 
 #include <algorithm>
 
@@ -51,8 +52,12 @@ std::string element_names(const Where& where, const Node& node) {
 
 bool names_element(const PathStep& step) { return step.number > 0 || !step.key.empty(); }
 
-std::string brackets_of(const PathStep& step) {
-  if (step.number > 0) return fmt::format("({})", step.number);
+std::string brackets_of(const PathStep& step, Kind kind) {
+  if (step.number > 0) {
+    const std::string number = step.column == 0 ? fmt::format("{}", step.number)
+                                                : fmt::format("{},{}", step.number, step.column);
+    return kind == Kind::cell ? "{" + number + "}" : "(" + number + ")";
+  }
   return step.key.empty() ? "" : fmt::format("[{}={}]", step.key, step.value);
 }
 
@@ -89,13 +94,29 @@ std::size_t element_called(const Where& where, const Node& node, const PathStep&
                             element_names(where, node)));
 }
 
+/// The element in a row and a column, counted from 0 down the columns, as MATLAB stores them.
+std::size_t element_at(const Where& where, const Shape& shape, const PathStep& step) {
+  if (shape.size() != 2 || step.number > shape[0] || step.column > shape[1]) {
+    refuse(where, fmt::format("is an array of {}, which has no element ({},{})",
+                              fmt::join(shape, " x "), step.number, step.column));
+  }
+  return step.number - 1 + (step.column - 1) * shape[0];
+}
+
 /// The element of an array of structures or of a cell array that a step names, counted from 0.
 std::size_t element_of(const Where& where, const Node& node, const PathStep& step) {
+  if (node.kind() == Kind::numbers && step.number > 0) {
+    refuse(where,
+           fmt::format("holds numbers, of which {} is one; name a row, {}(1,:), or a column, "
+                       "{}(:,1), of a matrix, or all of a vector, {}",
+                       brackets_of(step, node.kind()), where.name, where.name, where.name));
+  }
   if (node.kind() != Kind::structure && node.kind() != Kind::cell) {
     refuse(where, "is neither a structure nor a cell array");
   }
   if (!step.key.empty()) return element_called(where, node, step);
   const std::size_t count = count_of(node.shape());
+  if (step.column > 0) return element_at(where, node.shape(), step);
   if (step.number > count) refuse(where, fmt::format("has {} elements, no {}", count, step.number));
   if (step.number == 0 && count != 1) refuse_kind(where, node);
   return step.number == 0 ? 0 : step.number - 1;
@@ -121,7 +142,7 @@ std::vector<double> vector_at(const std::filesystem::path& file, std::unique_ptr
     const bool is_last = i + 1 == path.steps.size();
     if (is_last && !names_element(step)) break;
     std::size_t element = element_of(where, *node, step);
-    where.name += brackets_of(step);
+    where.name += brackets_of(step, node->kind());
     if (node->kind() == Kind::cell) {
       node = node->element(element);
       element = 0;

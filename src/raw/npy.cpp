@@ -80,7 +80,11 @@ Header header_of(const fs::path& file, std::string_view bytes) {
   const std::string_view order = value_of(text, "'fortran_order'", ",}");
   if (!shape || (order != "True" && order != "False")) refuse_header(file);
   if (type.size() < 3 || type[0] != '\'') {
-    refuse_file(file, "is a record array of NumPy; save one field of it");
+    const std::size_t name = text.find("[('");
+    const std::string_view field = name == text.npos ? "" : text.substr(name + 3);
+    refuse_file(file, fmt::format("is a record array of NumPy; save one field of it: "
+                                  "np.save('x.npy', a['{}'])",
+                                  field.empty() ? "FIELD" : field.substr(0, field.find('\''))));
   }
   return {.byte_order = type[1],
           .type = std::string(type.substr(2)),
@@ -121,6 +125,26 @@ constexpr std::array types{Type{"f8", 8, double_at<double>},
                            Type{"i8", 8, double_at<std::int64_t>},
                            Type{"u8", 8, double_at<std::uint64_t>}};
 
+/// Names a type that is not read.
+const char* words_for(std::string_view type) {
+  switch (type.front()) {
+    case 'c':
+      return "complex numbers";
+    case 'b':
+      return "truth values";
+    case 'O':
+      return "Python objects";
+    case 'U':
+    case 'S':
+      return "text";
+    case 'M':
+    case 'm':
+      return "times";
+    default:
+      return "a type of values";
+  }
+}
+
 std::vector<double> numbers_in(std::span<const std::byte> values, const Type& type,
                                bool big_endian) {
   std::vector<double> numbers(values.size() / type.size);
@@ -138,7 +162,11 @@ std::vector<double> read_npy(const fs::path& file, const std::string& variable) 
   const Header header = header_of(file, bytes);
   const auto type = std::ranges::find(types, header.type, &Type::name);
   if (type == types.end()) {
-    refuse_file(file, fmt::format("holds '{}' of NumPy, no real numbers", header.type));
+    const bool is_complex = header.type.starts_with('c');
+    refuse_file(file, fmt::format("holds {}, '{}' of NumPy, which is not read; save {}",
+                                  words_for(header.type), header.type,
+                                  is_complex ? "its real part: np.save('x.npy', a.real)"
+                                             : "numbers: np.save('x.npy', a.astype('f8'))"));
   }
   std::string name = variable;
   const auto line = take_matrix_line(name);

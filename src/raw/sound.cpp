@@ -157,6 +157,11 @@ Signal read_sound(const fs::path& file, const std::string& channel) {
   const std::size_t index = channel_in(file, channel, info.channels);
   const auto channels = static_cast<std::size_t>(info.channels);
   const auto count = static_cast<std::size_t>(info.frames);
+  if (info.frames == SF_COUNT_MAX) {
+    refuse_file(file,
+                "does not say how long it is, as where it was streamed: flac -d FILE writes a WAV "
+                "file that does");
+  }
   if (count > limits_of(file).most_samples / channels) {
     refuse_file(file, fmt::format("is said to have {} samples, more than a file of its size can "
                                   "hold: it is damaged",

@@ -1,6 +1,7 @@
 #include "raw/text.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <string_view>
@@ -82,17 +83,34 @@ void mend_line_ends(std::string& text) {
   if (text.find('\n') == std::string::npos) std::ranges::replace(text, '\r', '\n');
 }
 
+/// True of text whose every other byte is 0, as those of numbers and Latin letters in UTF-16 are.
+bool is_utf16(std::string_view text) {
+  std::array<std::size_t, 2> zeros{};
+  std::size_t letters = 0;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == '\0') ++zeros.at(i % 2);
+    if (text[i] >= '\t' && text[i] < '\x7f') ++letters;
+  }
+  const std::size_t half = text.size() / 2;
+  return half > 1 && std::ranges::min(zeros) == 0 && std::ranges::max(zeros) + 1 >= half &&
+         letters >= half;
+}
+
+bool is_in_no_text(char c) { return c >= '\0' && c < ' ' && (c < '\b' || c > '\r') && c != '\x1a'; }
+
 std::string in_utf8(const std::filesystem::path& file, std::string_view text) {
   if (text.starts_with("\xFF\xFE")) return from_utf16(text.substr(2), true);
   if (text.starts_with("\xFE\xFF")) return from_utf16(text.substr(2), false);
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
-  // Every other byte of a number in UTF-16 is 0, which no text in UTF-8 has but at its end.
   constexpr std::size_t enough = 64;
   const std::string_view begin = text.substr(0, text.find_last_not_of('\0') + 1).substr(0, enough);
-  if (std::ranges::count(begin, '\0') > 2) {
+  if (is_utf16(begin)) {
+    refuse_file(file, "seems to be UTF-16 without a byte order mark; save it as UTF-8");
+  }
+  if (std::ranges::count_if(begin, is_in_no_text) > 2) {
     refuse_file(file,
-                "is no text in UTF-8: it may be UTF-16 without a byte order mark; save it "
-                "as UTF-8");
+                "is binary, in no format that is read; export it as text, WAV or HDF5, or, where "
+                "it is samples alone: np.save('x.npy', np.fromfile(FILE, dtype='<f4'))");
   }
   return std::string(text);
 }

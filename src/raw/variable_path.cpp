@@ -28,8 +28,13 @@ std::optional<PathStep> parse_step(std::string text) {
   for (const auto& [open, close] : {std::pair{'(', ')'}, std::pair{'{', '}'}}) {
     const auto number = take_brackets(text, open, close);
     if (!number) continue;
-    step.number = number_in<std::size_t>(*number).value_or(0);
+    const std::string_view inside = *number;
+    const std::size_t comma = inside.find(',');
+    step.number = number_in<std::size_t>(inside.substr(0, comma)).value_or(0);
     if (step.number == 0 || !step.key.empty()) return std::nullopt;
+    if (comma == std::string_view::npos) continue;
+    step.column = number_in<std::size_t>(inside.substr(comma + 1)).value_or(0);
+    if (step.column == 0) return std::nullopt;
   }
   if (text.empty() || text.find_first_of("[](){}=") != std::string::npos) return std::nullopt;
   step.name = std::move(text);
@@ -66,6 +71,13 @@ std::optional<MatrixLine> take_matrix_line(std::string& text) {
   if (!number || *number == 0) return std::nullopt;
   text.resize(begin);
   return MatrixLine{is_row, *number};
+}
+
+std::string hint_at_parts(const std::string& name) {
+  if (name.find_first_of("([{") == std::string::npos) return "";
+  return "; a row is written data(1,:), a column data(:,1), an element c{1} or s(1).x, each "
+         "counted "
+         "from 1";
 }
 
 std::optional<VariablePath> parse_variable(const std::string& text) {

@@ -148,7 +148,7 @@ TEST(Csv, MayBeUtf16WithAByteOrderMark) {
                               utf16("\n", true).insert(0, 1, '\0') + utf16("1\n", true);
   EXPECT_THAT(read_csv(folder.write("c.csv", squared), "m/s²"), ElementsAre(1));
   EXPECT_ERROR((void)read_csv(folder.write("d.csv", utf16(text, true)), "a"), Exit::bad_input,
-               "may be UTF-16 without a byte order mark; save it as UTF-8");
+               "seems to be UTF-16 without a byte order mark; save it as UTF-8");
 }
 
 // Lines and fields that are kept one by one take many times the bytes of the file.

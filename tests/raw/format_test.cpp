@@ -3,6 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <cstdint>
+
 #include "raw/file.hpp"
 #include "support/errors.hpp"
 #include "support/folder.hpp"
@@ -24,9 +27,22 @@ TEST(Formats, ThatAreNotReadAreNamedWithAWayOut) {
   const std::vector<std::pair<std::string, std::string>> files{
       {std::string("PK\x03\x04\x14\x00\x06\x00rest", 12),
        "is an Excel workbook: save the sheet as CSV"},
-      {std::string("PK\x03\x04\x00\x00rest", 10), "is a zip archive or an Excel workbook"},
+      {std::string("PK\x03\x04\x00\x00rest", 10),
+       "is a zip archive (.zip, .npz) or an Excel workbook"},
       {"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1", "is an Excel workbook of before 2007"},
       {"\x1f\x8b\x08rest", "is packed by gzip: unpack it (gunzip)"},
+      {".snd" + std::string(40, '\0'), "is sound in a format that is not read: sox FILE OUT.wav"},
+      {"ID3\x03" + std::string(40, '\0'), "is sound that was compressed with loss"},
+      {"\xff\xfb\x90\x64" + std::string(40, '\0'), "is sound that was compressed with loss"},
+      {std::string("\0\0\0\x20", 4) + "ftypM4A rest", "is sound that was compressed with loss"},
+      {"OggSrest", "is sound that was compressed with loss"},
+      {"MDF     4.10    ", "is an MDF file (ASAM): export the channel as CSV"},
+      {"PAR1rest", "is a table in Parquet or Arrow: save it as CSV"},
+      {"SQLite format 3", "is a database of SQLite: export the samples as CSV"},
+      {"\x80\x04\x95rest", "is pickled by Python: save the array by np.save"},
+      {"<?xml version=\"1.0\"?>\n<a>1</a>\n", "is XML or HTML"},
+      {"{\"t\":0,\"x\":0.5}\n", "is JSON: write the samples as CSV"},
+      {"[{\"t\":0,\"x\":0.5}]\n", "is JSON: write the samples as CSV"},
       {"PK\x03\x04" + std::string(26, 'x') +
            "mimetypeapplication/vnd.oasis.opendocument.spreadsheet",
        "is an OpenDocument spreadsheet: save the sheet as CSV"}};
@@ -36,6 +52,37 @@ TEST(Formats, ThatAreNotReadAreNamedWithAWayOut) {
   const std::string mat4("\0\0\0\0\x03\0\0\0\x01\0\0\0\0\0\0\0\x02\0\0\0x\0", 22);
   EXPECT_ERROR(read_here(folder.write("a.mat", mat4 + std::string(24, '\0')), "x"), Exit::bad_input,
                "is of MATLAB, version 4: save it as version 5");
+}
+
+/// Samples in binary form without a header, and text in UTF-16 without its mark.
+TEST(Formats, WithoutAMarkAreToldFromText) {
+  const Folder folder;
+  std::string floats;
+  std::string shorts;
+  std::string wide;
+  for (int i = 0; i < 100; ++i) {
+    const auto x = static_cast<float>(std::sin(i));
+    const auto n = static_cast<std::int16_t>(20 * std::sin(i));
+    floats.append(reinterpret_cast<const char*>(&x), sizeof x);
+    shorts.append(reinterpret_cast<const char*>(&n), sizeof n);
+    for (const char c : std::to_string(x) + '\n') wide += {c, '\0'};
+  }
+  for (const std::string& bytes : {floats, shorts}) {
+    EXPECT_ERROR(read_here(folder.write("a.dat", bytes), "1"), Exit::bad_input,
+                 "a.dat: is binary, in no format that is read; export it as text");
+  }
+  EXPECT_ERROR(read_here(folder.write("a.txt", wide), "1"), Exit::bad_input,
+               "a.txt: seems to be UTF-16 without a byte order mark");
+}
+
+TEST(Formats, WithoutASampleAreRefused) {
+  const Folder folder;
+  for (const char* text : {"", "\n", "x\n", "t,x\n", "# comment\n", "\xEF\xBB\xBF"}) {
+    EXPECT_ERROR(read_here(folder.write("a.csv", text), "1"), Exit::bad_input,
+                 "a.csv: 1 holds no sample");
+  }
+  EXPECT_ERROR(read_here(folder.write("a.csv", "t,x\n"), "x"), Exit::bad_input,
+               "a.csv: x holds no sample");
 }
 
 TEST(Formats, ThatTheNameSaysMustBeThere) {

@@ -76,7 +76,7 @@ TEST(HarmfulRawFile, DoesNotBringInOtherFiles) {
   expect_refused(folder / "link.h5", "/x is a link to another file");
   folder.write("secret", std::string(100, 's'));
   harmful::write_external_values(folder / "values.h5", folder / "secret", 100);
-  expect_refused(folder / "values.h5", "has its values in another file");
+  expect_refused(folder / "values.h5", "is virtual or external: its values stand in other files");
 }
 
 /// x is 50 numbers long, and packed.

@@ -104,6 +104,15 @@ TEST_P(Nested, VariablesThatAreNotReadSayWhatTheyAre) {
   expect_refused(
       "data", "variable data is not a vector, but a matrix of 2 x 3; name a row of it: data(1,:)");
   expect_refused("data(3,:)", "variable data has 2 rows, no 3");
+  expect_refused("data(2,3)",
+                 "variable data holds numbers, of which (2,3) is one; name a row, data(1,:), or a "
+                 "column, data(:,1)");
+  for (const char* variable : {"data(0,:)", "data[0,:]", "data(1:2,:)", "c{0}"}) {
+    expect_refused(variable, std::string("has no variable ") + variable + "; it has ");
+    EXPECT_ERROR(at(variable), Exit::bad_input,
+                 "; a row is written data(1,:), a column data(:,1), an element c{1} or "
+                 "s(1).x, each counted from 1");
+  }
   expect_refused("nothing.gs", "has no variable nothing; it has ");
 }
 
@@ -125,6 +134,42 @@ fs::path write_namesakes(const fs::path& path, mat_ft version) {
   Mat_VarFree(y);
   Mat_Close(file);
   return path;
+}
+
+/// Cells and structures in rows and columns, which MATLAB stores down the columns.
+TEST(Elements, AreNamedByRowAndColumnToo) {
+  const Folder folder;
+  for (const mat_ft version : {MAT_FT_MAT5, MAT_FT_MAT73}) {
+    mat_t* const file = Mat_CreateVer((folder / "a.mat").c_str(), nullptr, version);
+    std::size_t dims[]{2, 3};
+    const char* fields[]{"d"};
+    matvar_t* const sa = Mat_VarCreateStruct("sa", 2, dims, fields, 1);
+    std::vector<matvar_t*> cells;
+    for (std::size_t i = 0; i < 6; ++i) {
+      const double number = static_cast<double>(i) + 1;
+      Mat_VarSetStructFieldByName(sa, "d", i, vector("d", {number, -number}));
+      cells.push_back(vector("", {number, -number}));
+    }
+    matvar_t* const c = Mat_VarCreate("c", MAT_C_CELL, MAT_T_CELL, 2, dims, cells.data(), 0);
+    for (matvar_t* const variable : {sa, c}) {
+      EXPECT_EQ(Mat_VarWrite(file, variable, MAT_COMPRESSION_NONE), 0);
+      Mat_VarFree(variable);
+    }
+    Mat_Close(file);
+    const auto at = [&](const std::string& variable) {
+      return read_mat(folder / "a.mat", variable);
+    };
+    EXPECT_THAT(at("sa(2,1).d"), ElementsAre(2, -2));
+    EXPECT_THAT(at("sa(1,3).d"), ElementsAre(5, -5));
+    EXPECT_THAT(at("sa(5).d"), ElementsAre(5, -5));
+    EXPECT_THAT(at("c{2,3}"), ElementsAre(6, -6));
+    EXPECT_THAT(at("c(1,2)"), ElementsAre(3, -3));
+    EXPECT_ERROR(at("sa(3,1).d"), Exit::bad_input,
+                 "variable sa is an array of 2 x 3, which has no element (3,1)");
+    EXPECT_ERROR(at("sa(2,3)"), Exit::bad_input,
+                 "variable sa(2,3) is a structure with the fields d; name one of them: sa(2,3).d");
+    EXPECT_ERROR(at("c{1,2}.x"), Exit::bad_input, "variable c{1,2} ");
+  }
 }
 
 TEST(Namesakes, AmongElementsAreRefusedWithTheirNumbers) {

@@ -66,9 +66,10 @@ TEST(Npy, ThatHoldsNoNumbersOrIsDamagedIsRefused) {
   const auto expect_refused = [&](const std::string& bytes, const std::string& why) {
     EXPECT_ERROR(read_here(folder.write("a.npy", bytes), "1"), Exit::bad_input, why);
   };
-  expect_refused(npy<double>("<c16", "False", "(1,)", {1, 2}),
-                 "holds 'c16' of NumPy, no real numbers");
-  expect_refused(npy<double>("|O", "False", "(1,)", {1}), "holds 'O' of NumPy");
+  expect_refused(
+      npy<double>("<c16", "False", "(1,)", {1, 2}),
+      "holds complex numbers, 'c16' of NumPy, which is not read; save its real part: np.save(");
+  expect_refused(npy<double>("|O", "False", "(1,)", {1}), "holds Python objects, 'O' of NumPy");
   const std::string whole = npy<double>("<f8", "False", "(3,)", {1, 2, 3});
   expect_refused(whole.substr(0, whole.size() - 1),
                  "truncated or damaged: 23 bytes of values, 24 expected");

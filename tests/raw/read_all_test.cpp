@@ -15,16 +15,15 @@ TEST(ReadAll, GivesSamplesAndColumnsOfEachFileInTheirOrder) {
   const Folder folder;
   const Signals signals =
       read_all({folder.write("b.csv", "0.5,1\n1.5,2\n"), folder.write("a.csv", "7\n8\n9\n"),
-                folder.write("empty.csv", ""), folder.write("odd\nname .csv", "3\n4\n")},
+                folder.write("odd\nname .csv", "3\n4\n")},
                "1");
   EXPECT_THAT(signals.samples, ElementsAre(0.5, 1.5, 7, 8, 9, 3, 4));
-  ASSERT_EQ(signals.pieces.size(), 4U);
+  ASSERT_EQ(signals.pieces.size(), 3U);
   EXPECT_EQ(signals.pieces[0].samples, 2U);
   EXPECT_EQ(signals.pieces[0].columns, 2U);
   EXPECT_EQ(signals.pieces[1].samples, 3U);
   EXPECT_EQ(signals.pieces[1].columns, 1U);
-  EXPECT_EQ(signals.pieces[2].samples, 0U);
-  EXPECT_EQ(signals.pieces[3].samples, 2U);
+  EXPECT_EQ(signals.pieces[2].samples, 2U);
 }
 
 TEST(ReadAll, ReadsMoreThanAPipeHolds) {
@@ -63,6 +62,8 @@ TEST(ReadAll, NamesTheFileThatCannotBeRead) {
   const auto good = folder.write("good.csv", "1\n2\n");
   EXPECT_ERROR(read_all({good, folder.write("bad.csv", "1\nx\n"), good}, "1"), Exit::bad_input,
                (folder / "bad.csv").string() + ", line 2: ");
+  EXPECT_ERROR(read_all({good, folder.write("empty.csv", ""), good}, "1"), Exit::bad_input,
+               (folder / "empty.csv").string() + ": 1 holds no sample");
   EXPECT_ERROR(read_all({good, folder / "none.csv"}, "1"), Exit::input_missing,
                (folder / "none.csv").string() + ": ");
   const auto large = folder.write("large.csv", "1\n");

@@ -116,8 +116,7 @@ TEST(Ingest, NamesTheFileOfManyThatIsWrong) {
   folder.write("run/acc_2.csv", "1\n3\nx\n");
   EXPECT_ERROR(ingest(d, folder.path()), Exit::bad_input, "run/acc_2.csv, line 3: ");
   folder.write("run/acc_2.csv", "");
-  EXPECT_ERROR(ingest(d, folder.path()), Exit::bad_input,
-               "acc_2.csv (record bad): 1 holds no sample");
+  EXPECT_ERROR(ingest(d, folder.path()), Exit::bad_input, "acc_2.csv: 1 holds no sample");
   d.records[0].files = {"run/acc_1.csv", "run/acc_3.csv"};
   EXPECT_ERROR(ingest(d, folder.path()), Exit::input_missing,
                "run/acc_3.csv: no such file; record bad");
@@ -155,7 +154,7 @@ TEST(Ingest, RefusesUnusableSignals) {
                "(record ok): 1 is NaN, infinite or beyond 32 bits at sample 2");
   EXPECT_ERROR(with("1\n-inf\n3\n"), Exit::bad_input, "beyond 32 bits at sample 1");
   EXPECT_ERROR(with("1\n2\n1e39\n"), Exit::bad_input, "beyond 32 bits at sample 2");
-  EXPECT_ERROR(with(""), Exit::bad_input, "(record ok): 1 holds no sample");
+  EXPECT_ERROR(with(""), Exit::bad_input, "a.csv: 1 holds no sample");
   EXPECT_ERROR(with("2\n2\n2\n"), Exit::bad_input, "never changes");
 }
 
