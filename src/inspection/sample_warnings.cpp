@@ -1,8 +1,6 @@
 #include <spdlog/fmt/fmt.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 
 #include "inspection/warning_text.hpp"
 #include "inspection/warnings.hpp"
@@ -119,6 +117,18 @@ void add_steps_back(const RecordCheck& record, const std::string& place, Lines& 
       times_text(file->times.steps_back), file->times.first_back_after));
 }
 
+/// Adds a line where times step unevenly.
+void add_uneven(const RecordCheck& record, const std::string& place, Lines& lines) {
+  const auto file =
+      std::ranges::find_if(record.files, [](const FileCheck& one) { return one.times.is_uneven; });
+  if (file == record.files.end()) return;
+  lines.push_back(fmt::format(
+      "{}: the times in column {}{} step unevenly, by {:.3g} in the mean: spectra of such samples "
+      "are wrong; record at a steady rate, or interpolate to one",
+      place, file->times.column, record.files.size() > 1 ? " of " + file->name : "",
+      file->times.mean_step));
+}
+
 /// Adds a line where times are of another rate than the description says. Where the file says their
 /// unit, and they are even, it has been refused.
 void add_other_rate(const RecordCheck& record, const std::string& place, Lines& lines) {
@@ -127,15 +137,14 @@ void add_other_rate(const RecordCheck& record, const std::string& place, Lines& 
     const raw::Times& times = file.times;
     const auto other = raw::contradicting_rate(times, stated_hz);
     if (!other) continue;
-    constexpr std::array units{"s", "ms", "us", "ns"};
-    const auto unit = static_cast<std::size_t>(std::lround(-std::log10(other->unit_s) / 3));
     lines.push_back(fmt::format(
         "{}: the times in column {}{} step by {:.5g}, {} {:.5g} Hz in {}, but sample_rate_hz = "
         "{:g}: "
         "all fault frequencies are then off by that factor; correct one of them",
         place, times.column, record.files.size() > 1 ? " of " + file.name : "",
         times.step > 0 ? times.step : times.mean_step,
-        times.unit_s > 0 ? "which is" : "which would be", other->hz, units.at(unit), stated_hz));
+        times.unit_s > 0 ? "which is" : "which would be", other->hz, raw::unit_name(other->unit_s),
+        stated_hz));
     return;
   }
 }
@@ -163,6 +172,7 @@ std::vector<std::string> sample_warnings(const RecordCheck& record) {
   add_repeats(record, place, lines);
   add_dropouts(record, place, lines);
   add_steps_back(record, place, lines);
+  add_uneven(record, place, lines);
   add_other_rate(record, place, lines);
   return lines;
 }

@@ -57,7 +57,10 @@ std::vector<std::string_view> fields_of(const fs::path& file, std::size_t number
   std::vector<std::string_view> fields;
   for (std::optional rest = line; rest;) {
     if (fields.size() == most) {
-      refuse_csv_line(file, number, "has more than " + std::to_string(most) + " columns");
+      refuse_csv_line(file, number,
+                      "has more than " + std::to_string(most) +
+                          " columns: a row is expected to be one moment; write a "
+                          "number a line");
     }
     fields.push_back(take_field(rest, separator));
   }

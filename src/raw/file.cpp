@@ -22,7 +22,8 @@ void require_agreeing_times(const std::filesystem::path& file, const Times& time
   if (!other) return;
   refuse_file(file,
               fmt::format("is sampled at {:.5g} Hz, by the times in column {}, which step by "
-                          "{:.5g} s, not at {:g} Hz: correct its sample_rate_hz",
+                          "{:.5g} s, not at {:g} Hz: correct its sample_rate_hz, or the "
+                          "unit that the column names",
                           other->hz, times.column, times.step * times.unit_s, sample_rate_hz));
 }
 

@@ -14,6 +14,7 @@ struct Times {
   bool is_named = false;               ///< a name says that the column holds times
   std::uint64_t samples = 0;           ///< numbers in the column
   double step = 0;                     ///< the usual one, in the unit of the file; 0: uneven
+  bool is_uneven = false;              ///< the steps scatter more than rounding does
   double mean_step = 0;                ///< of all that do not go back
   std::uint64_t gaps = 0;              ///< places where samples were dropped
   std::uint64_t missing = 0;           ///< samples, in all of them

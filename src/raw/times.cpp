@@ -4,6 +4,8 @@
 #include <array>
 #include <cctype>
 #include <cmath>
+#include <cstdint>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -102,7 +104,20 @@ void look_for_gaps(const std::vector<double>& steps, Times& times) {
   }
 }
 
-constexpr std::array likely_units_s{1., 1e-3, 1e-6, 1e-9};
+/// True if steps take many values, as no rounding of even ones gives.
+bool are_scattered(const std::vector<double>& steps, double mean) {
+  constexpr std::size_t many = 20;
+  constexpr double parts = 50;  // of the mean step
+  std::set<std::int64_t> values;
+  for (const double step : steps) {
+    const double part = step / mean * parts;
+    if (part >= 0 && part < 10 * parts) values.insert(static_cast<std::int64_t>(part));
+    if (values.size() > many) return true;
+  }
+  return false;
+}
+
+constexpr std::array likely_units_s{1., 1e-3, 1e-6, 1e-9, 86400.};
 
 bool agree(double step, double unit_s, double rate_hz, double within = 0.01) {
   return step > 0 && std::abs(step * unit_s * rate_hz - 1) <= within;
@@ -123,6 +138,11 @@ TimeName time_name(std::string_view name) {
   const std::size_t last = text.find_last_of("/_ ,:");
   if (is_time && last != std::string_view::npos) unit_s = unit_called(text.substr(last + 1));
   return {is_time, unit_s};
+}
+
+std::string_view unit_name(double unit_s) {
+  constexpr std::array names{"s", "ms", "us", "ns"};
+  return names.at(static_cast<std::size_t>(std::lround(-std::log10(unit_s) / 3)));
 }
 
 Times times_in(std::span<const double> numbers, Times times) {
@@ -147,6 +167,7 @@ Times times_in(std::span<const double> numbers, Times times) {
     look_for_gaps(steps, times);
     return times;
   }
+  times.is_uneven = times.is_named && are_scattered(steps, times.mean_step);
   std::erase_if(steps, [](double step) { return step <= 0; });
   const bool tells =
       times.is_named && !steps.empty() && risen >= fewest_coarse_steps * std::ranges::min(steps);
@@ -163,6 +184,8 @@ std::optional<TimesRate> contradicting_rate(const Times& times, double sample_ra
     // Dropped samples change the mean, and rounding the usual step.
     if (agree(times.step, unit_s, sample_rate_hz) || agree(times.mean_step, unit_s, sample_rate_hz))
       return std::nullopt;
+    constexpr double longest_s = 1;
+    if (unit_s > longest_s) continue;  // days are taken where they agree alone
     const double hz = 1 / (step * unit_s);
     const auto distance = [&](double rate_hz) {
       return std::abs(std::log(rate_hz / sample_rate_hz));

@@ -193,6 +193,14 @@ TEST(Warnings, NameTimesThatGoBack) {
                      "sample 59999: several recordings"});
 }
 
+TEST(Warnings, NameUnevenTimes) {
+  Found found;
+  const raw::Times times{.column = 1, .is_named = true, .is_uneven = true, .mean_step = 1. / 12000};
+  found.check.records[0].files = {{.name = "ok.csv", .samples = 120000, .times = times}};
+  expect_one(found, {"ok (ok.csv, variable 2): the times in column 1 step unevenly, by 8.33e-05 in "
+                     "the mean: spectra of such samples are wrong"});
+}
+
 TEST(Warnings, NameTimesOfAnotherRate) {
   Found found;
   raw::Times times{.column = 1, .is_named = true, .step = 1. / 20000, .mean_step = 1. / 20000};

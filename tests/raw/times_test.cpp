@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/random.hpp"
 #include "raw/file.hpp"
 #include "support/errors.hpp"
 #include "support/folder.hpp"
@@ -147,6 +148,31 @@ TEST(Times, ThatAreRoundedContradictNoRate) {
     }
   }
   EXPECT_TRUE(contradicting_rate(named(times_without(0, 0, 1e-3), 1), 25600));
+}
+
+TEST(Times, AreUnevenWhereTheyScatterMoreThanRoundingDoes) {
+  Stream random("steps");
+  Numbers uneven;
+  double t = 0;
+  for (int i = 0; i < 5000; ++i) uneven.push_back(t += random.uniform(0.2, 1.8) / 12000);
+  EXPECT_TRUE(named(uneven).is_uneven);
+  EXPECT_FALSE(unnamed(uneven).is_uneven);
+  EXPECT_TRUE(contradicting_rate(named(uneven, 1), 48000));
+  EXPECT_FALSE(contradicting_rate(named(uneven, 1), 12000));
+  for (const double rate_hz : {25600., 12000., 952., 400.}) {
+    for (const double resolution_s : {1e-6, 1e-5, 1e-4, 1e-3}) {
+      EXPECT_FALSE(named(times_without(0, 0, resolution_s, rate_hz)).is_uneven)
+          << rate_hz << " " << resolution_s;
+    }
+  }
+}
+
+/// As a spreadsheet stores a date.
+TEST(Times, MayBeDays) {
+  Numbers days = times_without(0, 0, 1e-5);
+  for (double& time : days) time = 45000.5 + time / 86400;
+  EXPECT_FALSE(contradicting_rate(named(days), 12000));
+  EXPECT_TRUE(contradicting_rate(named(days), 25600));
 }
 
 TEST(Times, ThatMayCountSamplesContradictNoRate) {
