@@ -115,6 +115,28 @@ void require_chunks(const Where& where, hid_t dataset, hid_t creation) {
   }
 }
 
+/// Refuses values in one piece that are more or fewer than the extents say, or go beyond the end of
+/// the file as its first bytes state it: HDF5 would fill in zeros, or read other bytes.
+void require_whole_piece(const Where& where, hid_t dataset) {
+  const hdf5::Handle space(H5Dget_space(dataset), "extents");
+  const hdf5::Handle type(H5Dget_type(dataset), "type");
+  const auto values = static_cast<hsize_t>(H5Sget_simple_extent_npoints(space));
+  if (values * H5Tget_size(type) != H5Dget_storage_size(dataset)) {
+    refuse(where, "is damaged: it is not stored as its extents and type say");
+  }
+  const hdf5::Handle file(H5Iget_file_id(dataset), "file");
+  const hdf5::Handle creation(H5Fget_create_plist(file), "file");
+  haddr_t end = 0;
+  hsize_t user_block = 0;
+  hdf5::check(H5Fget_eoa(file, &end), "end of the file");
+  hdf5::check(H5Pget_userblock(creation, &user_block), "beginning of the file");
+  const haddr_t at = H5Dget_offset(dataset);
+  const hsize_t bytes = H5Dget_storage_size(dataset);
+  end += user_block;
+  if (at == HADDR_UNDEF || (at <= end && bytes <= end - at)) return;
+  refuse(where, "is damaged: its values go beyond the end that the file states");
+}
+
 }  // namespace
 
 void require_written(const Where& where, hid_t dataset) {
@@ -124,6 +146,7 @@ void require_written(const Where& where, hid_t dataset) {
   H5D_space_status_t status = H5D_SPACE_STATUS_ERROR;
   hdf5::check(H5Dget_space_status(dataset, &status), "values");
   if (status == H5D_SPACE_STATUS_NOT_ALLOCATED) refuse_unwritten(where);
+  if (layout == H5D_CONTIGUOUS) require_whole_piece(where, dataset);
 }
 
 }  // namespace piae::raw

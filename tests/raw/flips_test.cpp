@@ -296,6 +296,44 @@ TEST(Flips, InTheExtentsOfHdf5CannotHideChunks) {
                "dataset /x is damaged: its chunks are others than those of its extents");
 }
 
+/// Flips bits of what the old format says of a file and of a dataset without filters: the base and
+/// the end of the file (HDF5 file format, II.A), and the extents (IV.A.2.b).
+TEST(Flips, InTheEndAndTheExtentsOfHdf5GiveNoOtherNumbers) {
+  const Folder folder;
+  const hid_t file = H5Fcreate((folder / "a.h5").c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
+  const hsize_t extent = 3000;
+  std::vector<double> values(extent);
+  for (std::size_t i = 0; i < values.size(); ++i) values[i] = 1 + static_cast<double>(i);
+  const hid_t space = H5Screate_simple(1, &extent, nullptr);
+  const hid_t set =
+      H5Dcreate2(file, "x", H5T_IEEE_F64LE, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
+  EXPECT_GE(H5Dwrite(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), 0);
+  H5Dclose(set);
+  H5Sclose(space);
+  H5Fclose(file);
+  const std::string whole = bytes_of(folder / "a.h5");
+  ASSERT_EQ(whole[8], 0) << "version of the superblock";
+  std::vector<std::size_t> places;
+  for (std::size_t at = 24; at < 48; ++at) places.push_back(at);
+  const std::size_t extents = whole.find(std::string("\xb8\x0b\0\0\0\0\0\0", 8));
+  ASSERT_NE(extents, std::string::npos);
+  for (std::size_t i = 0; i < 8; ++i) places.push_back(extents + i);
+  std::size_t same = 0;
+  for (const std::size_t at : places) {
+    for (int bit = 0; bit < 8; ++bit) {
+      std::string bytes = whole;
+      bytes[at] = static_cast<char>(bytes[at] ^ 1 << bit);
+      try {
+        EXPECT_EQ(read_here(folder.write("b.h5", bytes), "x"), values) << at << " " << bit;
+        ++same;
+      } catch (const Error& error) {
+        EXPECT_EQ(error.exit(), Exit::bad_input);
+      }
+    }
+  }
+  EXPECT_LT(same, 8 * places.size() / 2);
+}
+
 TEST(Hdf5, HasHalfFloatsButNoTypesThatNobodyHas) {
   const Folder folder;
   const hid_t half = H5Tcopy(H5T_IEEE_F32LE);
