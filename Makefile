@@ -157,7 +157,7 @@ why: | $(programs)
 plan: | $(programs)
 	$(Q)$(BIN)/plan --looks --whole --format summary
 status:
-	$(Q)jobs/ended.sh '$(results)' | $(BIN)/status --jobs /dev/stdin
+	$(Q)jobs/queue.sh '$(results)' | $(BIN)/status --queue /dev/stdin
 
 cluster_choice = $(foreach name,CORES MINUTES JOBS GPU_PARTITION,'$(name)=$($(name))')
 cluster: | $(programs)

@@ -10,7 +10,7 @@
 
 namespace piae::plan {
 
-/// The last submission of a run to Slurm, and the state of its jobs (jobs/ended.sh).
+/// The last submission of a run to Slurm, and the state of its jobs.
 struct Submission {
   std::filesystem::path
       folder;  ///< with the lists and logs of its jobs; empty where there was none
@@ -31,8 +31,10 @@ struct Submission {
   std::vector<Ended> ended;
 };
 
-/// Reads the lines of jobs/ended.sh, with tabs between the words: "submission FOLDER", "queue KIND
-/// STATE REASON", "ended JOB WHY"; and what the submission was from its folder.
+/// Reads the lines of jobs/queue.sh, with tabs between the words: "submission FOLDER", "queue KIND
+/// STATE REASON"; and from the folder the request and the logs of the jobs, since Slurm forgets a
+/// job after some minutes. Where Slurm does not answer, a log without an end may be that of a job
+/// that runs: it is not among those that ended.
 Submission read_submission(std::istream& lines);
 
 /// Takes the goal of the submission where none is asked for, and where it is that goal, the lists
@@ -44,5 +46,9 @@ EndedJobs ended_jobs(const Submission& submission);
 /// The jobs in the queue by their kinds, those that ended otherwise than well, and what was spent;
 /// empty where there is nothing to say.
 std::string listed_jobs(const Submission& submission);
+
+/// Says what the jobs of the submission in this folder spent until now (spent_by). Steps are
+/// counted by their logs.
+std::string spent_by_submission(const std::filesystem::path& folder);
 
 }  // namespace piae::plan
