@@ -8,7 +8,8 @@ SHELL := /bin/bash
 MAKEFLAGS += --no-builtin-rules --no-print-directory
 
 # ---- what is run: each can be given on the command line -----------------------------------------
-RUN      := paper
+# Choices are made in a run of their own.
+RUN      := $(if $(filter readings,$(MAKECMDGOALS)),readings,paper)
 # Where these are not given, the goal says which they are: `make help`.
 DATASETS :=
 METHODS  :=
@@ -38,11 +39,6 @@ looking    := cluster-plan status why plan
 elsewhere  := cluster cluster-stop $(looking) help
 on_cluster := $(filter $(elsewhere),$(MAKECMDGOALS))
 goals      := $(filter-out $(elsewhere),$(MAKECMDGOALS))
-
-# Choices are made in a run of their own.
-ifneq (,$(filter readings,$(MAKECMDGOALS)))
-RUN      := readings
-endif
 
 # ---- what was given -----------------------------------------------------------------------------
 variables := RUN DATASETS METHODS RATIOS CLASSIFIERS SEEDS PROTOCOL DATA_DIR ARCH LIBTORCH BIN SUBMIT \

@@ -33,7 +33,8 @@ while (($#)); do
   shift
 done
 cell=${folder#results/*/}
-name=$folder/${STEP_LOG:-$stage}
+step=${STEP_LOG:-$stage}
+name=$folder/$step
 log=$name.log
 PIAE_RUN=${folder#results/}
 export PIAE_RUN=results/${PIAE_RUN%%/*} # its journal gets a line for each artefact
@@ -51,7 +52,7 @@ now() { now=$((${EPOCHREALTIME/./} / 1000)); } # ms
 seconds() { seconds=$(($1 / 1000)).$(($1 % 1000 / 100)); } # of ms
 # What comes in hundreds of lines is cut where a terminal ends; the log has it whole.
 fit() { ((${#1} <= 100)) && fit=$1 || fit=${1:0:97}...; }
-report() { printf '%-32s %-8s %s\n' "$cell" "$stage" "$1"; }
+report() { printf '%-32s %-10s %s\n' "$cell" "$step" "$1"; }
 
 show_and_log() {
   local waited=
@@ -188,7 +189,7 @@ fi
 echo "step: exit $status after $seconds s" >>"$log"
 case $status in
   0)
-    printf -v line '%-32s %-8s %8s s  %s' "$cell" "$stage" "$seconds" "$summary"
+    printf -v line '%-32s %-10s %8s s  %s' "$cell" "$step" "$seconds" "$summary"
     fit "$line"
     echo "$fit"
     ;;

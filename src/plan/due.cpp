@@ -54,9 +54,11 @@ std::string shown(const std::string& value) {
   return shortest.size() < value.size() ? shortest : value;
 }
 
-/// Why a setting makes a step due; `was` is empty where it was not set.
+/// Why a setting makes a step due; empty where it is, or was, not set.
 std::string changed_setting(const std::string& option, const std::string& value,
                             const std::string& was) {
+  if (option == "leave-out") return "other cells are left out, since they are out of date";
+  if (value.empty()) return fmt::format("setting {} is not set, was {}", option, shown(was));
   if (was.empty()) return fmt::format("setting {} is {}, was not set", option, shown(value));
   return fmt::format("setting {} is {}, was {}", option, shown(value), shown(was));
 }
@@ -196,9 +198,7 @@ std::string Judge::in_record(const Step& step) {
     if (!same_value(before->second, value)) return changed_setting(option, value, before->second);
   }
   for (const auto& [option, value] : was) {
-    if (!wanted.contains(option)) {
-      return fmt::format("setting {} is not set, was {}", option, shown(value));
-    }
+    if (!wanted.contains(option)) return changed_setting(option, "", value);
   }
   for (const auto& [output, digest] : done->outputs) {
     const File* const file = disk_.find(output);

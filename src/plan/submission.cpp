@@ -43,6 +43,7 @@ std::vector<JobLog> job_logs_in(const fs::path& folder) {
     if (entry.path().extension() == ".log") files.insert(entry.path());
   }
   std::vector<JobLog> logs;
+  logs.reserve(files.size());
   for (const fs::path& file : files) {
     logs.push_back(read_job_log(file.stem().string(), lines_of(file)));
   }

@@ -39,6 +39,14 @@ test_its_line_gives_the_result_in_100_columns() {
   expect_equal "$(grep -c "$long" results/t/real/seed0/own.log)" 3
 }
 
+# A classifier's scores and its description are steps of their own, both by `diagnose`.
+test_its_line_names_the_step() {
+  own_stage <<<'echo "own: the reason" >&2; exit 66'
+  expect_line "$(STEP_LOG=features step 2>&1 || true)" '^real/seed0 +features +failed with exit code 66'
+  own_stage <<<'echo "made: 3 windows: results/t/real/seed0/A.h5"'
+  expect_line "$(STEP_LOG=features step)" '^real/seed0 +features +[0-9]+\.[0-9] s  3 windows$'
+}
+
 test_passes_arguments_and_keeps_a_log() {
   own_stage <<<'printf "<%s>\n" "$@"; echo warned >&2'
   expect_equal "$(step --a 'two words' 2>&1 >/dev/null)" "$(printf '%-32s warned' real/seed0)"
