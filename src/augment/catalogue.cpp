@@ -240,6 +240,11 @@ void require_described_faults(const CatalogueEntry& entry, const signal::Dataset
                           file, entry.name, lacking, info.name, fmt::join(others, ", ")));
 }
 
+std::string counted_faults(const signal::WindowSet& known) {
+  if (known.size() == 0) return "no fault window";
+  return fmt::format("{} windows of {} fault classes", known.size(), known.info.classes.size() - 1);
+}
+
 std::vector<std::string> method_names() {
   std::vector<std::string> names;
   for (const CatalogueEntry& entry : entries) {

@@ -84,6 +84,9 @@ void require_known_windows(const CatalogueEntry& entry, const signal::WindowSet&
 void require_described_faults(const CatalogueEntry& entry, const signal::DatasetInfo& info,
                               const std::string& file);
 
+/// "12 windows of 3 fault classes", or "no fault window".
+std::string counted_faults(const signal::WindowSet& known);
+
 /// Makes the method of that name. Throws Error(usage), which lists the known names, for any other.
 std::unique_ptr<Method> make_method(const std::string& name);
 

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "artefact/writer.hpp"
 #include "base/random.hpp"
 #include "diagnosis/classifier.hpp"
 #include "diagnosis/folds.hpp"
@@ -40,18 +41,21 @@ class Diagnosis {
   /// Throws as diagnosis::learn() does.
   void learn(const EpochDone& epoch_done = {});
 
-  /// The answers to the windows of A, and the course of the training.
-  [[nodiscard]] scoring::DiagnosisRecord record();
-  /// One line of a record: how well it named how many windows.
-  [[nodiscard]] std::string summary_of(const scoring::DiagnosisRecord& record) const;
+  /// Writes diagnosis.h5: the answers to the windows of A, and the course of the training. Returns
+  /// one line: how well it named how many windows. `reproducible` leaves out the speed of the
+  /// training, which differs from run to run.
+  [[nodiscard]] std::string write(artefact::Writer& writer, bool reproducible);
 
-  /// Makes the classifier ready to be kept (keep.hpp); record() comes before. It learns anew
-  /// without each fold that is left out.
-  [[nodiscard]] KeptClassifier keep(const EpochDone& epoch_done = {});
-
-  [[nodiscard]] const Inputs& inputs() const { return inputs_; }
+  /// Writes classifier.h5: what has learned, and by A how far it is to be believed (trust.hpp).
+  /// Returns one line about that. It learns again without each fold that is left out (keep.hpp);
+  /// nothing else can be called afterwards.
+  [[nodiscard]] std::string write_classifier(artefact::Writer& writer,
+                                             const EpochDone& epoch_done = {});
 
  private:
+  [[nodiscard]] scoring::DiagnosisRecord record();
+  [[nodiscard]] std::string summary_of(const scoring::DiagnosisRecord& record) const;
+  [[nodiscard]] KeptClassifier keep(const EpochDone& epoch_done);
   [[nodiscard]] Lessons lessons() const;
   [[nodiscard]] std::optional<double> windows_per_second() const;
 

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <string>
 
 #include "artefact/reader.hpp"
+#include "cli/stage.hpp"
 #include "signal/protocol.hpp"
 #include "signal/window_set.hpp"
 
@@ -26,5 +28,17 @@ struct Inputs {
 /// then have seen windows that A tests with.
 Inputs read_inputs(const artefact::Reader& test, const artefact::Reader& normal,
                    const artefact::Reader& known, const artefact::Reader* generated);
+
+/// The files of these windows.
+struct InputFiles {
+  std::filesystem::path test;
+  std::filesystem::path normal;
+  std::filesystem::path known;
+  std::filesystem::path generated;  ///< empty where there is no E
+};
+
+void bind(cli::Stage& stage, InputFiles& files);
+/// Throws as above, and for a file that is no set of windows.
+Inputs read_inputs(cli::Stage& stage, const InputFiles& files);
 
 }  // namespace piae::diagnosis

@@ -8,6 +8,8 @@
 #include <map>
 #include <set>
 
+#include "base/error.hpp"
+#include "plan/cluster_jobs.hpp"
 #include "plan/settings_files.hpp"
 #include "plan/words.hpp"
 #include "readings/ranking.hpp"
@@ -211,6 +213,46 @@ std::string next_makefile(Planned& planned, bool quietly) {
   }
   planned.go_to(Stretch::grid);
   return "# shown\n" + shown_of(planned.plan()) + ranked_readings(planned.plan());
+}
+
+std::string printed(Plan& plan, Format format, const JobOptions& jobs) {
+  const auto costs = [] { return Costs::read("jobs/costs.csv"); };
+  switch (format) {
+    case Format::summary:
+      return summary_of(plan, costs());
+    case Format::missing:
+      return missing_of(plan);
+    case Format::costs: {
+      RealLogs logs;
+      return measured_costs(plan, logs);
+    }
+    case Format::jobs: {
+      const auto kinds = divide(plan, costs(), jobs.cores, jobs.minutes);
+      write_jobs(kinds, jobs.folder);
+      return table_of(kinds) + guessed_costs_of(plan, costs());
+    }
+    default:
+      return why_of(plan);
+  }
+}
+
+std::string printed_whole(Planned& planned, Format format) {
+  if (format != Format::why && format != Format::summary) {
+    throw Error(Exit::usage, "--whole goes with --format why or summary (see plan --help)");
+  }
+  std::string text;
+  std::string later;
+  for (const Stretch stretch : stretches) {
+    if (!has_steps_in(stretch, planned.plan().choice())) continue;
+    if (!text.empty()) {
+      later += (later.empty() ? "" : ", ") + std::string(to_string(stretch));
+      continue;
+    }
+    planned.go_to(stretch);
+    text = printed(planned.plan(), format, {});
+  }
+  if (text.empty()) return "nothing is to be done\n";
+  return later.empty() ? text : text + "then, of what there will be: " + later + '\n';
 }
 
 }  // namespace piae::plan

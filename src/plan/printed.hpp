@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <filesystem>
 #include <string>
 
 #include "plan/costs.hpp"
@@ -7,6 +9,16 @@
 #include "plan/planned.hpp"
 
 namespace piae::plan {
+
+/// The ways to print a plan.
+enum class Format { make, why, summary, missing, jobs, costs };
+
+/// How the steps are divided among jobs of a cluster, and the folder that gets their lists.
+struct JobOptions {
+  std::filesystem::path folder;
+  std::size_t cores = 4;
+  double minutes = 15;
+};
 
 /// The steps that are to be run as a makefile: a rule for each, of its name, the steps that it
 /// waits for, and its command. Names are no files to make, so what is due is run whatever its times
@@ -33,5 +45,13 @@ std::string missing_of(Plan& plan);
 /// are asked for alone belong to one stretch. Unless the plan only looks, the settings that its
 /// steps read are written.
 std::string next_makefile(Planned& planned, bool quietly);
+
+/// Prints a plan in a format other than make.
+std::string printed(Plan& plan, Format format, const JobOptions& jobs);
+
+/// Prints the first stretch of a run in which something is to be done, and names those behind it:
+/// their steps follow from the files that there will be. Throws Error(usage) for formats other than
+/// why and summary.
+std::string printed_whole(Planned& planned, Format format);
 
 }  // namespace piae::plan

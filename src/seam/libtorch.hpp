@@ -36,4 +36,8 @@ F back_end(F BackEnds::*which) {
 /// program, as after a build with LIBTORCH=off.
 void continue_with_libtorch(char** argv);
 
+/// The back end of a WDCNN: ours, or LibTorch's where that is asked for. Continues with LibTorch,
+/// and throws, as above.
+diagnosis::MakeWdcnnBackend wdcnn_backend(const Compute& compute, char** argv);
+
 }  // namespace piae::seam

@@ -7,6 +7,7 @@
 
 #include "augment/methods.hpp"
 #include "support/errors.hpp"
+#include "support/three_classes.hpp"
 
 namespace piae::augment {
 namespace {
@@ -111,6 +112,15 @@ TEST(Catalogue, SaysWhatWorksWithoutKnownWindows) {
 TEST(Catalogue, NamesAllMethodsToWhoeverAsksForAnother) {
   EXPECT_ERROR(make_method("another"), Exit::usage, "unknown method 'another'; known are dynamics");
   EXPECT_ERROR(make_method(no_method), Exit::usage, "known are dynamics");
+}
+
+TEST(Catalogue, CountsTheFaultsThatAMethodLearnsFrom) {
+  signal::WindowSet windows;
+  windows.info = three_classes();
+  windows.labels = {1, 2, 2};
+  EXPECT_EQ(counted_faults(windows), "3 windows of 2 fault classes");
+  windows.labels.clear();
+  EXPECT_EQ(counted_faults(windows), "no fault window");
 }
 
 TEST(Catalogue, AMethodIsRefusedWhereADescriptionDoesNotSayWhatItNeeds) {
