@@ -25,9 +25,10 @@ options=()
 [[ ${V:-} ]] || options+=(--quietly)
 [[ $flags != *[nq]* ]] || options+=(--looks)
 
-# A signal is passed on, and make waited for: stages may be writing checkpoints.
+# Passes signals on and waits for make, because stages may be writing checkpoints. Should this script be killed, make ends as
+# well: else the make that called it would wait for its job slots.
 run_make() { # further options
-  "$make" "$@" --no-builtin-rules --no-print-directory --file="$scratch" steps &
+  setpriv --pdeathsig TERM "$make" "$@" --no-builtin-rules --no-print-directory --file="$scratch" steps &
   local child=$! signalled=1 code
   trap 'stopped=yes signalled=1; kill -TERM "$child" 2>/dev/null' INT TERM HUP QUIT
   while ((signalled)); do

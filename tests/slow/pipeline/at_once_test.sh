@@ -78,4 +78,24 @@ test_tables_are_made_while_cells_are() {
   done
 }
 
+# Else make would wait for the make that the script started, and that one for a job slot which the first has taken back.
+test_a_script_that_is_killed_takes_its_make_with_it() {
+  echo 'name = "real"' >pipeline/datasets/real.toml
+  printf '#!/bin/bash\ntrap "exit 75" TERM\necho $$ >>started\nwhile :; do sleep 0.1; done\n' >endless
+  chmod +x endless
+  rm fake/simulate fake/ingest
+  ln -s ../endless fake/simulate
+  ln -s ../endless fake/ingest
+  cells SEEDS=0 -j2 >messages 2>&1 &
+  local make=$! tries=0
+  wait_for started
+  pkill -KILL --parent "$(pgrep --parent "$make")"
+  while kill -0 "$make" 2>/dev/null; do
+    ((++tries < 400)) || fail "make still waits"
+    sleep 0.05
+  done
+  expect_exit 2 wait "$make"
+  expect_equal "$(ps -o pid= -p "$(paste -sd, started)")" ""
+}
+
 run_tests "$@"
