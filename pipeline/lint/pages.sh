@@ -1,0 +1,15 @@
+#!/bin/bash
+# Pages link to what exists, show targets that make has, and stay short enough to be read: a limit for each page and
+# one for all together. Code does not count as words.
+# shellcheck source-path=SCRIPTDIR
+source "${0%/*}/common.sh"
+
+pages() { files_matching '\.md$' "$@" | grep -vE '^results/(reference|published)/'; }
+targets=$(sed -nE 's/^make ([a-z-]+) .*/\1/p' pipeline/help.txt | sort -u | tr '\n' ' ')
+files=$(git ls-files --cached --others --exclude-standard | tr '\n' '|')
+
+mapfile -t all < <(pages)
+# The headings of all pages are read first: a link may lead to any.
+findings=$(awk -v targets="$targets" -v files="|$files" -f pipeline/lint/pages.awk "${all[@]}" "${all[@]}")
+(($#)) && findings=$(grep -F -f <(pages "$@" | sed 's/$/:/') <<<"$findings" || true)
+[[ ! $findings ]] || printf '%s\n' "$findings"
