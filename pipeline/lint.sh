@@ -7,7 +7,7 @@
 set -uo pipefail
 cd "$(dirname "$0")/.." || exit 2
 
-rules=(format shell spaces pages torch rooms names units headers tidy) # the quick ones first
+rules=(format shell spaces pages english torch rooms names units headers tidy) # the quick ones first
 if (($#)); then
   [[ " ${rules[*]} " == *" $1 "* ]] || {
     echo "lint: there is no rule '$1'; the rules are ${rules[*]}" >&2

@@ -5,7 +5,9 @@
 source "${0%/*}/common.sh"
 
 pages() { files_matching '\.md$' "$@" | grep -vE '^results/(reference|published)/'; }
-targets=$(sed -nE 's/^make ([a-z-]+) .*/\1/p' pipeline/help.txt | sort -u | tr '\n' ' ')
+# Those of `make help`, and the goal that CONTRIBUTING.md adds as an example.
+targets=$(sed -nE 's/^make ([a-z-]+) .*/\1/p; s/.*\.name = "([a-z-]+)", \.add.*/\1/p' pipeline/help.txt CONTRIBUTING.md |
+  sort -u | tr '\n' ' ')
 files=$(git ls-files --cached --others --exclude-standard | tr '\n' '|')
 
 mapfile -t all < <(pages)
