@@ -14,7 +14,7 @@ namespace {
 
 double number_of(const std::string& text) { return number_in<double>(text).value_or(0); }
 
-/// Takes a line of jobs/job.sbatch: a life that starts, or one that ends.
+/// Reads a line of jobs/job.sbatch: the start or the end of a life.
 void read_life(const std::string& line, JobLog& log) {
   static const std::regex started("job: life begun at (\\d+) on .*, (\\d+) cores");
   static const std::regex ended("job: life ended at (\\d+), used ([\\d.]+) s, status (\\d+): (.*)");
@@ -33,7 +33,7 @@ void read_life(const std::string& line, JobLog& log) {
   }
 }
 
-/// Takes what Slurm says of a job that it ends.
+/// Reads Slurm's message about a job that it ends.
 void read_words_of_slurm(const std::string& line, JobLog& log) {
   static const std::regex memory("oom.kill|out of memory|exceeded (job )?memory limit",
                                  std::regex::icase);
@@ -47,7 +47,7 @@ void read_words_of_slurm(const std::string& line, JobLog& log) {
   if (log.why == "killed" && std::regex_search(line, cancelled)) log.why = "cancelled";
 }
 
-/// Seconds from `start_s` to the end of the last life in which none ran.
+/// Returns the seconds between `start_s` and the end of the last life in which no job ran.
 double idle_seconds(std::vector<JobLife> lives, double start_s) {
   std::ranges::sort(lives, {}, &JobLife::start_s);
   double idle_s = 0;

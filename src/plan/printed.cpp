@@ -19,7 +19,7 @@ namespace piae::plan {
 
 namespace {
 
-/// Names a step for make: by its first file, or its log.
+/// Returns the name of a step for make: its first file, or its log.
 std::string target_of(const Step& step) {
   return step.outputs.empty() ? name_of(step) : step.outputs.front();
 }
@@ -30,7 +30,7 @@ bool is_plain(const std::string& word) {
                               "0123456789_-+=./,:@%^") == std::string::npos;
 }
 
-/// A word as the shell reads it. (Names with a quote or a dollar are refused before.)
+/// Quotes a word for the shell. Names with a quote or a dollar sign are refused earlier.
 std::string quoted(const std::string& word) { return is_plain(word) ? word : '\'' + word + '\''; }
 
 std::string shell_line(const Words& words) {
@@ -39,7 +39,7 @@ std::string shell_line(const Words& words) {
   return line;
 }
 
-/// The lines of a rule's recipe, without the tab in front.
+/// Returns the lines of a rule's recipe, without the leading tab.
 Words recipe_of(const Step& step, State state) {
   const std::string note = "$(BIN)/plan --note " + name_of(step);
   Words words = command_of(step);
@@ -62,7 +62,8 @@ std::string counted(const std::map<std::string, std::size_t>& counts) {
   return fmt::format("{}", fmt::join(words, ", "));
 }
 
-/// The readings of all data sets that could be compared, where that is the goal.
+/// Ranks the interpretations of all comparable data sets, if that is the goal; else returns an
+/// empty text.
 std::string ranked_readings(const Plan& plan) {
   std::vector<std::filesystem::path> tables;
   if (!plan.choice().has_goal("readings")) return {};

@@ -50,7 +50,7 @@ std::vector<JobLog> job_logs_in(const fs::path& folder) {
   return logs;
 }
 
-/// The jobs that are not in the queue and ended other than well.
+/// Returns the jobs that failed and are not in the queue again.
 std::vector<Submission::Ended> ended_of(const Submission& submission) {
   const auto queued = [&](const std::string& kind) {
     return std::ranges::count(submission.queue, kind, &Submission::Queued::kind) > 0;
@@ -64,7 +64,7 @@ std::vector<Submission::Ended> ended_of(const Submission& submission) {
   return ended;
 }
 
-/// The folders of the runs that the lists of jobs name: results/try, results/try-blocked.
+/// Returns the folders of the runs in the lists of jobs: results/try, results/try-blocked.
 std::set<fs::path> runs_of(const fs::path& submission) {
   std::set<fs::path> runs;
   for (const fs::directory_entry& list : fs::directory_iterator(submission)) {

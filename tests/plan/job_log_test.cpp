@@ -28,7 +28,7 @@ TEST(JobLog, SaysWhyAJobEnded) {
   EXPECT_EQ(why_of({of_memory}), "out of memory");
   EXPECT_EQ(why_of({"slurmstepd: Exceeded job memory limit"}), "out of memory");
   EXPECT_EQ(why_of({of_memory, of_time}), "out of memory");
-  // A life that follows starts from nothing.
+  // The next life starts from scratch.
   EXPECT_EQ(why_of({of_time, "job: life begun at 300 on n1, 4 cores", in_time}), "");
 }
 
@@ -47,13 +47,13 @@ TEST(JobLog, HasTheLivesOfAJob) {
 }
 
 TEST(JobLog, SaysWhatJobsSpent) {
-  // 3600 s on 2 cores, of which 1.5 hours were used; 900 s on 4 cores; the tables for 60 s on one.
+  // 3600 s on 2 cores, 1.5 core-hours used; 900 s on 4 cores; the tables for 60 s on one core.
   const std::vector<JobLog> jobs{
       {"cells.0", {{1100, 2, 4700, 5400}}, ""},
       {"cells.1", {{1400, 4, std::nullopt, 0}, {3800, 4, 4700, 0}}, ""},
       {"tables", {{4900, 1, std::nullopt, 0}}, "killed"},
   };
-  // Idle: 100 s until the first starts, 200 s until the tables do.
+  // Idle: 100 s before the first job starts, 200 s before the tables start.
   EXPECT_EQ(spent_by(jobs, 1000, 4960, 7),
             "spent: 7 steps in 3 jobs; 1.50 core-hours used of 3.02 allocated (50 %); 66 min from "
             "submission to end, of which 5 min in the queue alone\n"

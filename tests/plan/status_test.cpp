@@ -21,7 +21,7 @@ class StatusOfARun : public testing::Test {
     run_.request.methods = "none smote";
   }
 
-  /// The table with one blank between its words, and what is listed below it.
+  /// Returns the table, with one blank between words, and the list below it.
   std::string status(const std::string& goals = "cells") {
     Plan& plan = run_.plan(goals);
     const auto states = step_states(plan, logs_, jobs_);
