@@ -35,7 +35,7 @@ class Judge {
 
   const Verdict& of(StepId id);
 
-  /// Says for which steps of() will be asked, so that their files are read together.
+  /// Announces the steps that of() will be called for, so that their files are read together.
   void read_ahead(const std::vector<StepId>& ids);
 
   /// Returns how a step is made now, for the journal, if its outputs do not record it.

@@ -75,7 +75,7 @@ std::string ranked_readings(const Plan& plan) {
   return readings::ranking(tables);
 }
 
-/// The tables that the goals end with, those that could be made.
+/// Returns the text of the tables that the goals end with, if they exist.
 std::string shown_of(const Plan& plan) {
   std::string all;
   for (const std::string& table : plan.shown()) {
