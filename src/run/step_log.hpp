@@ -7,7 +7,7 @@
 
 namespace piae::run {
 
-/// How a step of a run ended.
+/// End of a step of a run.
 enum class StepEnd {
   done,
   interrupted,  ///< stopped by a signal: the same command continues from its checkpoint

@@ -28,7 +28,7 @@ std::string sweep_table(const std::string& method) {
   return method == augment::paper_method() ? "sweep" : "sweep." + method;
 }
 
-/// A table of a sweep holds nothing but its points and, where it is not the paper's, its
+/// Refuses keys of a sweep's table other than its points and, except for the paper's method, its
 /// classifier.
 void require_sweep_keys(const std::filesystem::path& file, const toml::table& table,
                         const std::string& name, bool has_classifier) {
