@@ -9,10 +9,10 @@ namespace piae::cli {
 
 /// Returns the options that `program` reads from a TOML file, flat: key = value.
 ///
-/// In a file with tables, such as pipeline/protocol.toml, a program reads its own table, [train],
-/// overridden by the table of the chosen variant, [train.piae-dt]. In a file without that table it
-/// reads the top level, so a file for one program does not need tables. A variant that is `like`
-/// another, like = "piae-dt", overrides the other's table.
+/// If a file has tables, such as pipeline/protocol.toml, a program reads its own table, [train],
+/// overridden by the table of the chosen variant, [train.piae-dt]. If the file lacks that table,
+/// the program reads the top level, so a file for one program does not need tables. A variant that
+/// is `like` another, like = "piae-dt", overrides the other's table.
 ///
 /// `variant` may be empty or have no table. Throws Error(usage) if `like` does not name a table, or
 /// names one that is itself `like` another.

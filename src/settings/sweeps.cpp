@@ -41,7 +41,7 @@ void require_sweep_keys(const std::filesystem::path& file, const toml::table& ta
   if (has_classifier && !table.contains("points")) refuse(file, table, name + " has no points");
 }
 
-/// Every point is an option of the method, with a value that it takes.
+/// Requires that every point is an option of the method, with a valid value.
 void require_options(const std::filesystem::path& file, const toml::array& points,
                      const std::string& list, const std::string& method) {
   for (const toml::node& node : points) {
