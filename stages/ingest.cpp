@@ -27,8 +27,8 @@ signal::Recordings read_raw_files(const signal::Description& description, const 
   return signal::ingest(description, folder, [&](std::size_t done) { progress.update(done); });
 }
 
-/// Prints what was found as tables, and then each warning and each problem in a line of its own.
-/// Draws the picture, too, where its file is named.
+/// Prints the findings as tables, then each warning and each problem in a line of its own. Draws
+/// the picture if its file is named.
 void check_files(const signal::Description& description, const fs::path& folder,
                  const fs::path& picture) {
   cli::Progress progress("check", "records", description.records.size());

@@ -1,4 +1,4 @@
-// Prints which steps of a run are to be done, and why: for make, for other programs, for people.
+// Prints which steps of a run are due, and why: for make, other programs and people.
 
 #include <iostream>
 
@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr int not_due = 3;  // exit code of --is-due; 1 would also mean that plan failed
+constexpr int not_due = 3;  // exit code of --is-due; 1 would be the same as a failure of plan
 
 }  // namespace
 
@@ -66,7 +66,7 @@ int main(int argc, char** argv) {
       return planned->save();
     }
     plan::Planned planned(request, options);
-    if (options.stretch == plan::Stretch::grid) {  // which comes first: said once
+    if (options.stretch == plan::Stretch::grid) {  // the first stretch: print notices once
       for (const std::string& notice : planned.plan().choice().notices) std::cerr << notice << '\n';
     }
     if (whole) {

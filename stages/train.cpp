@@ -1,4 +1,4 @@
-// Learns a method for making fault windows from the known fault windows of a split.
+// Trains a method on the known fault windows of a split, to generate fault windows.
 
 #include <spdlog/fmt/fmt.h>
 

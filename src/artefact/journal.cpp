@@ -124,8 +124,8 @@ std::string step_line(const std::string& name, const DoneStep& done) {
 class Locked {
  public:
   explicit Locked(const fs::path& journal) {
-    // Another process may have replaced the file during the wait: lines in the old one would be
-    // lost.
+    // Another process may have replaced the file during the wait. Lines written to the old file
+    // would be lost.
     do {
       close();
       descriptor_ =

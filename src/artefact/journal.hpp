@@ -98,7 +98,8 @@ class Journal {
   std::size_t read_lines_ = 0;
 };
 
-/// Adds a line for an artefact that was just written. Where it cannot be written, nothing is lost.
+/// Adds a line for an artefact that was just written. A failure is harmless: the file is then read
+/// again.
 void add_to_journal(const std::filesystem::path& run, const std::filesystem::path& file,
                     const Written& written, const Provenance& provenance);
 
