@@ -1,6 +1,6 @@
 #!/bin/bash
-# Names the last submission of a run and lists its jobs that are in the queue, for `status`, with tabs between the
-# words: "submission FOLDER", "queue KIND STATE REASON". Prints nothing where nothing was submitted.
+# Prints the last submission of a run and its queued jobs, for `status`, separated by tabs: "submission FOLDER", "queue
+# KIND STATE REASON". Prints nothing if nothing was submitted.
 # usage: jobs/queue.sh results/RUN
 set -euo pipefail
 # shellcheck source=jobs/common.sh

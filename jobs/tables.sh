@@ -1,6 +1,6 @@
 #!/bin/bash
-# Makes the tables of a run after its jobs, from what there is: nothing of the grid is computed here. What is missing
-# is named. Prints at the end what was spent. Exits with 1 if anything is missing.
+# Makes the tables of a run after its jobs from what exists, without computing anything of the grid. Names what is
+# missing, and finally prints what was spent. Exits with 1 if anything is missing.
 # usage: jobs/tables.sh FOLDER      FOLDER is that of jobs/submit.sh
 set -uo pipefail
 # shellcheck source=jobs/common.sh

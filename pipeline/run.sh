@@ -1,9 +1,9 @@
 #!/bin/bash
-# Makes what is asked for, stretch by stretch: the grid with its tables, the numbers of figures, their pictures, the
-# pages. A stretch is planned when the one before is done; figures and pages show what there is, also where a cell
-# has failed. What is to be done decides build/bin/plan; make runs it.
+# Makes the request stretch by stretch: the grid with its tables, the numbers of figures, their pictures, the pages.
+# Each stretch is planned after the previous one; figures and pages show what exists, even after failed cells.
+# build/bin/plan decides what is to be done; make runs it.
 # usage: pipeline/run.sh MAKE      with GOALS, RUN, DATASETS, ... in the environment, as the Makefile sets them
-# shellcheck disable=SC2016 # commands that messages name stand in backquotes
+# messages have commands in backquotes
 set -u
 
 make=$1 flags=${MAKEFLAGS:-} status=0 stopped=
@@ -25,8 +25,8 @@ options=()
 [[ ${V:-} ]] || options+=(--quietly)
 [[ $flags != *[nq]* ]] || options+=(--looks)
 
-# Passes signals on and waits for make, because stages may be writing checkpoints. Should this script be killed, make ends as
-# well: else the make that called it would wait for its job slots.
+# Pass signals on and wait for make: stages may be writing checkpoints. If this script is killed, make must end, too:
+# otherwise the make that called it waits for its job slots.
 run_make() { # further options
   setpriv --pdeathsig TERM "$make" "$@" --no-builtin-rules --no-print-directory --file="$scratch" steps &
   local child=$! signalled=1 code

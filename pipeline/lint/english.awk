@@ -16,7 +16,7 @@ FILENAME == "-" { look(substr($0, 2), file, ++line); next }
 FNR == 1 { fenced = 0 }
 { look($0, FILENAME, FNR) }
 
-# The comment of a line, or the line of a page; empty where there is none.
+# Returns the comment of a line, or the line of a page; empty if there is none.
 function text_of(row, file) {
   if (file ~ /\.md$/) {
     if (row ~ /^ *```/) fenced = !fenced

@@ -1,6 +1,6 @@
 #!/bin/bash
-# Comments and pages are written as docs/glossary.md and CONTRIBUTING.md ask, as far as patterns can tell: in the lines
-# that a change adds, or in all of the files that are named, or with LINT=all in all files.
+# Checks that comments and pages follow docs/glossary.md and CONTRIBUTING.md, as far as patterns can: in the lines that
+# a change adds, in all of the named files, or with LINT=all in all files.
 # shellcheck source-path=SCRIPTDIR
 source "${0%/*}/common.sh"
 

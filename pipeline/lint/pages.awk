@@ -1,5 +1,5 @@
-# Finds broken links, unknown targets of make and pages that are too long. Every page is named twice: in the first pass the
-# headings are collected.
+# Finds broken links, unknown targets of make and pages that are too long. Every page is given twice: the first pass
+# collects the headings.
 # usage: awk -v targets="all cells ..." -v files="|a|b|" -f pages.awk PAGE... PAGE...
 
 BEGIN {
@@ -11,7 +11,7 @@ BEGIN {
 
 function finding(what) { printf "%s:%d: %s\n", FILENAME, FNR, what }
 
-# A heading as a link names it.
+# Returns the anchor of a heading in links.
 function anchor_of(heading) {
   heading = tolower(heading)
   gsub(/[^a-z0-9 _-]/, "", heading)
@@ -21,7 +21,7 @@ function anchor_of(heading) {
 
 function folder_of(file) { return match(file, /.*\//) ? substr(file, 1, RLENGTH) : "" }
 
-# a/b/../c is a/c.
+# Resolves a/b/../c to a/c.
 function resolved(path) {
   while (match(path, /(^|\/)[^\/.][^\/]*\/\.\.\//)) {
     path = substr(path, 1, RSTART - 1 + (substr(path, RSTART, 1) == "/")) substr(path, RSTART + RLENGTH)

@@ -1,6 +1,6 @@
 # usage: awk -v folders="base cli ..." -f rooms.awk CONTRIBUTING.md FILE...
-# A row of the table holds one or more rooms in backticks in its first column; those of a row do not
-# know each other.
+# A row of the table holds one or more rooms in backticks in its first column. Rooms of one row must not include each
+# other.
 
 function finding(what, right) { printf "%s:%d: %s; %s\n", FILENAME, FNR, what, right }
 
