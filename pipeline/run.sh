@@ -3,7 +3,7 @@
 # Each stretch is planned after the previous one; figures and pages show what exists, even after failed cells.
 # build/bin/plan decides what is to be done; make runs it.
 # usage: pipeline/run.sh MAKE      with GOALS, RUN, DATASETS, ... in the environment, as the Makefile sets them
-# messages have commands in backquotes
+# shellcheck disable=SC2016 # messages have commands in backquotes
 set -u
 
 make=$1 flags=${MAKEFLAGS:-} status=0 stopped=

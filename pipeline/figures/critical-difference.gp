@@ -9,13 +9,13 @@ methods   = words(words_method)
 left_half = (methods + 1) / 2
 is(kind)  = strcol(1) eq ratio && strcol(2) eq kind
 
-# In pixels below the axis: the bars in one block, the names below it, the best of either side at its top.
+# In pixels below the axis: the bars in one block, the names below it, the best of each side at the top.
 bars = 0
 stats data using (bars = strcol(2) eq "alike" && $4 > bars ? int($4) : bars, 0) nooutput
 bar_y(n)  = 8 + (bars > 6 ? 48.0 / bars : 8) * (n - 1)
 name_y(n) = bar_y(bars) + 18 + 17 * (n <= left_half ? n - 1 : methods - n + 0.5)  # no two at one height
 
-# In pixels: beside the axis there is room for the longest name of either side.
+# In pixels: room for the longest name at each side of the axis.
 longest_left = 0; longest_right = 0
 stats data using (letters = strlen(strcol(3)), is_left = $4 <= left_half, \
   longest_left  = is_left && letters > longest_left ? letters : longest_left, \

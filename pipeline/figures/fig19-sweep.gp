@@ -1,4 +1,5 @@
-# Fig. 19: factor,place,value,centre,ratio,seed,accuracy,low,high. A panel a factor; the grid's own value is shaded.
+# Fig. 19: factor,place,value,centre,ratio,seed,accuracy,low,high. One panel for each factor; the grid's own value is
+# shaded.
 # height: 60 + panels(words(words_factor), 2) * 270
 count   = words(words_factor)
 columns = count < 2 ? 1 : 2

@@ -4,7 +4,7 @@
 source "${0%/*}/common.sh"
 
 command -v shellcheck >/dev/null || skip "as shellcheck is not installed"
-# shellcheck exits with 1 after findings, and with higher codes if it could not check.
+# It exits with 1 after findings, and with higher codes if it could not check.
 files_matching '\.(sh|sbatch)$|^(\.ci/run|packaging/piae-dt)$' "$@" |
   { xargs --no-run-if-empty shellcheck --external-sources --format=gcc || (($? == 123)); } |
   sed -E 's/^([^:]+:[0-9]+):[0-9]+: [a-z]+: /\1: /'
