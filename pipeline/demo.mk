@@ -1,8 +1,8 @@
 # `make demo`: three questions about a simulated machine, each a small grid in results/demo/.
 #
 #   three grids -> tables, figures, report.html
-#  the rule of the third grid, a new recording -> recording.svg
-#  all three -> the answers
+#   the rule of the third grid, a new recording -> recording.svg
+#   all three -> the answers
 #
 # Three seeds suffice because the margins are wide: the words of the answers are the same on any processor.
 

@@ -3,19 +3,19 @@
 # without munge their ports are open to everybody who reaches them. To be sourced; the sourcing script is restarted in
 # the namespace. Starts within a second, also as an ordinary user.
 #
-#  slurm_up, slurm_down           start it in $slurm_folder, a new one; end all of it; the script's exit does so,
+#   slurm_up, slurm_down           start it in $slurm_folder, a new one; end all of it; the script's exit does so,
 #                                  too
 #   wait_for_job STATE [JOB]       until a job, or any, is in that state (RUNNING, PENDING, COMPLETED, ...)
 #   wait_for_nodes                 until all nodes are idle
-#  kill_node NODE, start_node NODE    kill its slurmd, stepd and programs by SIGKILL, as in a power failure; start a
+#   kill_node NODE, start_node NODE    kill its slurmd, stepd and programs by SIGKILL, as in a power failure; start a
 #                                 new slurmd
-#  lose_node NODE                 kill_node, and inform slurmctld at once
-#  end_time JOB                   let the time limit of a running job expire, within 30 s
-#  restart_ctld                   kill -9, and a new one that continues from the saved state
-#  begin_again JOB                start a requeued job without the two minutes that it would wait
+#   lose_node NODE                 kill_node, and inform slurmctld at once
+#   end_time JOB                   let the time limit of a running job expire, within 30 s
+#   restart_ctld                   kill -9, and a new one that continues from the saved state
+#   begin_again JOB                start a requeued job without the two minutes that it would wait
 #   slurmd_of NODE                 process id of its slurmd
-#  running PROGRAM, no_jobs       process ids of a program's file; true if the queue is empty
-#  until_true WHAT COMMAND...     waits up to two minutes; on failure reports what it waited for
+#   running PROGRAM, no_jobs       process ids of a program's file; true if the queue is empty
+#   until_true WHAT COMMAND...     waits up to two minutes; on failure reports what it waited for
 #
 # Facts about this Slurm:
 # - Everything that runs in the namespace belongs to the test, so it is ended by process id. A stepd is not a child of
@@ -235,7 +235,7 @@ begins_again() {
     { scontrol update JobId="$1" StartTime=now && false; }
 }
 
-# As after a SlurmdTimeout of slurmctld.
+# Same effect as a SlurmdTimeout of slurmctld.
 lose_node() { # node
   kill_node "$1"
   scontrol update NodeName="$1" State=DOWN Reason=lost

@@ -2,7 +2,7 @@
 # A storm over a run on a real Slurm: first each kind of event once, then random ones. After each event the run must
 # finish, by itself or by the same command, with the bytes of `make -j2` and without losing a checkpoint. Prints a line
 # for each event.
-# usage: tests/slow/storm/cluster.sh [EVENTS [SEED]]      20 and 0; exit 77 where there is no Slurm
+# usage: tests/slow/storm/cluster.sh [EVENTS [SEED]]      20 and 0; exit 77 without Slurm
 # shellcheck source-path=SCRIPTDIR
 source "${0%/*}/../cluster/slurm.sh"
 source "${0%/*}/../../pipeline/support.sh"

@@ -3,10 +3,10 @@
 # anything was not handled as SECURITY.md promises. Failures are kept with the bytes to repeat them. An interrupted
 # storm continues when it is requested again.
 #   kills     kill -9 to random processes of a small grid, and the same command again
-#  flips     one flipped bit in an artefact
-#  meanings  an artefact with other contents and correct digests
-#  inputs    damaged inputs of every reader in process, with the sanitizers if built so
-#  cluster   accidents on a real Slurm (tests/slow/storm/cluster.sh), if one is installed
+#   flips     one flipped bit in an artefact
+#   meanings  an artefact with other contents and correct digests
+#   inputs    damaged inputs of every reader in process, with the sanitizers if built so
+#   cluster   accidents on a real Slurm (tests/slow/storm/cluster.sh), if one is installed
 # usage: tests/slow/storm/storm.sh FOLDER BIN INPUTS_BIN least|short|full [SEED]
 #        tests/slow/storm/storm.sh FOLDER BIN INPUTS_BIN PART COUNT [SEED]
 # FOLDER holds the state and the findings; BIN the programs; INPUTS_BIN those with the sanitizers.
