@@ -7,7 +7,7 @@ endif
 SHELL := /bin/bash
 MAKEFLAGS += --no-builtin-rules --no-print-directory
 
-# ---- what is run: each can be given on the command line -----------------------------------------
+# ---- the request: each variable can be given on the command line --------------------------------
 # Choices are made in a run of their own.
 RUN      := $(if $(filter readings,$(MAKECMDGOALS)),readings,paper)
 # Defaults of these depend on the goal: `make help`.
@@ -40,7 +40,7 @@ elsewhere  := cluster cluster-stop $(looking) help
 on_cluster := $(filter $(elsewhere),$(MAKECMDGOALS))
 goals      := $(filter-out $(elsewhere),$(MAKECMDGOALS))
 
-# ---- what was given -----------------------------------------------------------------------------
+# ---- checks of the given variables --------------------------------------------------------------
 variables := RUN DATASETS METHODS RATIOS CLASSIFIERS SEEDS PROTOCOL DATA_DIR ARCH LIBTORCH BIN SUBMIT \
              TOLERANCE LINT STORM V PREFIX DESTDIR CORES MINUTES JOBS GPU_PARTITION
 given     := $(foreach name,$(.VARIABLES),$(if $(filter command,$(firstword $(origin $(name)))),$(name)))

@@ -66,7 +66,7 @@ ended_well() {
   if [[ $job ]]; then in_state COMPLETED "$job"; else wait "$make"; fi
 }
 
-# ---- the events: each starts the run, and happens to it --------------------------------------------------
+# ---- the events: each starts the run and disturbs it -----------------------------------------------------
 some_time() { sleep "$((RANDOM % 2)).$((RANDOM % 10))"; }
 one_of() { shuf --head-count=1 --random-source=<(yes $RANDOM); }
 stages=("$programs"/{train,generate,score,diagnose,tabulate})
@@ -146,7 +146,7 @@ requeue() {
   begin_again "$job"
 }
 
-# ---- what has become of it --------------------------------------------------------------------------------
+# ---- the outcome ------------------------------------------------------------------------------------------
 # A training that ended with 75 has reported a checkpoint of its own: then the prepared one does not count.
 lost_checkpoint() {
   local seed folder

@@ -169,7 +169,7 @@ else
   rm -f long.h5
 fi
 
-# ---- what is read before there are artefacts ----------------------------------------------------
+# ---- inputs other than artefacts ----------------------------------------------------------------
 mkdir -p "$folder"/inputs/{mat,csv,hdf5,sound,npy,tdms,uff,lvm,description,simulation,protocol,published,artefact}
 cd "$folder/inputs"
 "$bin/storm_raw" .
