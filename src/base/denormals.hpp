@@ -7,7 +7,7 @@
 namespace piae {
 
 /// While an object lives, its thread treats denormal numbers (below 1e-38 in single precision) as
-/// zero, both inputs and results. Operations on them take a hundred times as long. Has no effect on
+/// zero, both inputs and results. Operations on them take a hundred times as long. Does nothing on
 /// processors without SSE.
 class DenormalsAreZero {
  public:

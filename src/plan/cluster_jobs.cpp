@@ -79,7 +79,7 @@ std::vector<Load> fill(const std::vector<const Unit*>& units, std::size_t cores,
   return loads;
 }
 
-/// Returns all jobs of one kind, over all runs.
+/// Divides units among jobs of one kind, separately for each run.
 JobKind kind_of(const std::string& name, std::vector<const Unit*> units, std::size_t cores,
                 double minutes) {
   std::ranges::sort(units, [](const Unit* left, const Unit* right) {

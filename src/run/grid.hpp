@@ -68,7 +68,8 @@ bool go_together(const std::string& method, const scoring::Ratio& ratio);
 /// This rule is defined only here.
 ///
 /// A rule (diagnosis/catalogue.hpp) has cells with `none` only. Without known faults, `none` has no
-/// training windows for other classifiers, and only methods that need no known window have cells.
+/// training windows for other classifiers, so only methods that work without known windows have
+/// cells.
 bool go_together(const augment::CatalogueEntry& method, const diagnosis::Classifier& classifier,
                  bool nothing_known);
 /// Takes names. A method that is not in the catalogue counts as one that needs known windows.
