@@ -96,7 +96,7 @@ undo() {
   die "$1; nothing is left in the queue"
 }
 
-after() { # makes `dependency` one on all jobs submitted so far
+after() { # sets `dependency` to wait for all jobs submitted so far
   local IFS=:
   dependency=()
   ((${#submitted[@]} == 0)) || dependency=("--dependency=afterany:${submitted[*]}")

@@ -21,7 +21,7 @@ case $* in
 esac
 mkdir -p "$folder"
 exec 9>build/.lock
-flock 9 # two makes at once, as on a cluster, build once
+flock 9 # two simultaneous makes, as on a cluster, build once
 
 # Memory for compiling a file with LibTorch's headers, in kB.
 per_job=1200000

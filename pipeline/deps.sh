@@ -22,7 +22,7 @@ packages=(
 [[ " $* " != *" figures "* ]] || packages+=(gnuplot-nox qpdf fonts-dejavu-core)
 # The tests of `export_windows` read its files with other programs.
 [[ " $* " != *" readers "* ]] || packages+=(python3-numpy python3-scipy octave)
-[[ " $* " != *" package "* ]] || packages+=(dpkg-dev file) # which libraries, of which packages, a program needs
+[[ " $* " != *" package "* ]] || packages+=(dpkg-dev file) # to find the libraries and packages that a program needs
 # The tests on a real Slurm start it themselves, in a network namespace.
 [[ " $* " != *" cluster "* ]] || packages+=(slurm-wlm iproute2)
 # Lint uses only the version of clang's tools in Debian 12.

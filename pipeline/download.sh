@@ -30,7 +30,7 @@ require_inside() { # file, sha256
 # Largest size of a recording (src/raw/limits.hpp). curl checks the size that the site announces; the shell checks the
 # received bytes and ends curl with SIGXFSZ, which is 25. A transfer below 1 kB/s for 20 s is given up.
 largest_bytes=4000000000
-too_large=63 # what curl says then
+too_large=63 # curl's exit code for it
 download() { # file, url
   { ulimit -f $((largest_bytes / 1024)) || :; } 2>/dev/null
   exec curl --fail --location --silent --show-error --retry 3 --connect-timeout 20 \
@@ -46,7 +46,7 @@ fetch() { # file, sha256, url
     echo "data: $file from $url"
     message=$(download "$part" "$url" 2>&1) || status=$?
     if ((status == too_large || status == 128 + 25)); then
-      rm -f "$part" # it is nothing to go on with
+      rm -f "$part" # useless for resuming
       message="more than $largest_bytes bytes"
     fi
     ((status == 0)) ||

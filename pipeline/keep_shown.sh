@@ -14,7 +14,7 @@ for table in "$run"/*/*.md "$run"/transfer*@*.{md,csv,svg}; do
 done
 for figures in "$run"/*/figures; do
   kept=$folder/${figures#"$run"/}
-  rm -rf "$kept" # with figures that the run no longer has
+  rm -rf "$kept" # including figures that the run no longer has
   mkdir -p "$kept"
   cp "$figures"/*.csv "$figures"/*.svg "$kept"
   printf 'kept %s\n' "$kept"

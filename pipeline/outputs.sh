@@ -41,7 +41,7 @@ made_anew() {
     [[ $SUBMIT ]] && ((tries++ < 60)) && log_has '^step: used ' || return
     sleep 1
   done
-  return 0 # not what a sleep returned that was signalled together with this script
+  return 0 # a sleep that was signalled together with this script returns another code
 }
 
 # True if the stage was interrupted and left a checkpoint. Waits for the checkpoint while the stage may still be
@@ -55,5 +55,5 @@ left_checkpoint() {
     ((tries++ < 5 * ${CHECKPOINT_WITHIN:-30})) && ! log_has '^step: used ' && ! all_are_new || return
     sleep 0.2
   done
-  return 0 # as above
+  return 0 # see made_anew
 }

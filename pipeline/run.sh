@@ -43,11 +43,11 @@ next=grid
 while :; do
   export ASKED_AT=$EPOCHREALTIME
   plan --format make --stretch "$next" "${options[@]}" >"$scratch" || exit
-  read -r _ stretch next <"$scratch" # "# numbers pictures": what is to be done first, and what follows
+  read -r _ stretch next <"$scratch" # "# numbers pictures": the stretch to do, and the next one
   [[ $stretch != shown ]] || break
   export PIAE_STRETCH=$stretch
   further=()
-  [[ $stretch == grid ]] || further=(--keep-going) # what cannot be shown holds up nothing else
+  [[ $stretch == grid ]] || further=(--keep-going) # one failed figure must not stop the others
   run_make "${further[@]}" || status=$?
   [[ ! $stopped ]] || exit "$status"
   [[ $flags != *q* ]] || exit "$status"

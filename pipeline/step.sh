@@ -18,8 +18,8 @@
 # if the stage has another step in the same folder; default: the stage), CHECKPOINT_WITHIN (seconds to wait for the
 # checkpoint of a stage whose launcher has given up; default 30, as long as Slurm waits before it kills).
 set -u
-export LC_ALL=C    # numbers and times with a point
-export PIAE_STEP=1 # the stage says on standard error that it has started, and what it used
+export LC_ALL=C    # decimal points in numbers and times
+export PIAE_STEP=1 # the stage reports its start and its usage on standard error
 
 folder=$1 stage=$2
 shift 2
@@ -54,7 +54,7 @@ report() { printf '%-32s %-10s %s\n' "$cell" "$step" "$1"; }
 
 show_and_log() {
   local waited=
-  trap '' INT TERM HUP QUIT # it ends when the stage does
+  trap '' INT TERM HUP QUIT # ends with the stage
   while IFS= read -r line; do
     # If a command precedes the stage, its job may have waited in a queue.
     if [[ $line == "step: started" && ! $waited ]]; then
@@ -88,7 +88,7 @@ cannot_write() {
 
 [[ -d $folder ]] || mkdir -p "$folder" 2>/dev/null || cannot_write
 [[ ! -L $log ]] || cannot_write           # a link may have been planted
-[[ ! -e $log || -f $log ]] || cannot_write # a pipe would be waited for
+[[ ! -e $log || -f $log ]] || cannot_write # a pipe would block
 { exec 9>>"$log"; } 2>/dev/null || cannot_write
 # The stage inherits the lock, because it keeps running if this script alone is killed. Status 1 means that another
 # process has the lock; any other failure that the file system lacks locks, and the step runs without one.

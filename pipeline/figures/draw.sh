@@ -3,7 +3,7 @@
 # name of the figure, or the part of it before the last "@".
 # usage: pipeline/figures/draw.sh FOLDER/NAME.csv
 set -euo pipefail
-export TZ=UTC LC_ALL=C.UTF-8 # the same bytes wherever it is drawn
+export TZ=UTC LC_ALL=C.UTF-8 # the same bytes everywhere
 
 for program in gnuplot qpdf; do
   command -v $program >/dev/null || {

@@ -27,7 +27,7 @@ do for [i = 1:words(words_method)] {
   m = word(words_method, i)
   left   = ((i - 1) % columns) * 1.0 / columns
   bottom = 10.0 / height + block_height * (rows - 1 - (i - 1) / columns)
-  set autoscale  # stats would look no further than the ranges of the block before
+  set autoscale  # otherwise stats is restricted to the ranges of the previous block
   stats data using (is("bin") ? $8 : NaN) name "bins" nooutput
   stats data using (strcol(1) eq m && strcol(2) ne "bin" ? k(4) : NaN) name "k_low" nooutput
   stats data using (is("k-bin") ? k(6) : is("true") ? k(4) : NaN) name "k_high" nooutput

@@ -39,7 +39,7 @@ stats rows_of("envelope") using 3 name "last_line" nooutput
 lines  = "BPFO BPFI 2BSF"
 own    = ""
 others = ""
-is(kind) = strcol(1) eq kind # of the few rows of which there may be none
+is(kind) = strcol(1) eq kind # for rows that may be missing
 stats data using (is("own-line") ? (own = strcol(2), 0) : 0) nooutput
 do for [line in lines] { if (line ne own) { others = others." ".line } }
 is_line(name)   = strcol(2) eq name && (is("line") || is("own-line"))

@@ -21,7 +21,7 @@ do for [i = 1:count] {
   eval panel_at(i)
   set title factor noenhanced
   set xtics () scale 0 font font_11 noenhanced
-  values = 0; centre = 0; numbers = 1  # else words, which no line joins
+  values = 0; centre = 0; numbers = 1  # otherwise words, which lines do not connect
   stats data using (strcol(1) eq factor ? \
     (values = $2 > values ? int($2) : values, centre = $4 == 1 ? int($2) : centre, 0) : 0) nooutput
   do for [v = 1:values] {

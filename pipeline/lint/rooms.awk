@@ -38,7 +38,7 @@ FNR == 1 {
   other = parts[1]
   if (other == room || !(room in row)) next
   if (!(other in row) && /</) next # a library's
-  if (!(other in row) && index(" " folders, " " other " ")) next # said above, once
+  if (!(other in row) && index(" " folders, " " other " ")) next # reported above, once
   includes = "includes \"" quoted[2] "\""
   if (!(other in row))
     finding(includes ", which names no room of CONTRIBUTING.md", "write it from the room on, \"" room "/...\"")

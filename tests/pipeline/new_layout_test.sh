@@ -22,7 +22,7 @@ old_run() {
   state >new
   find results/t -type d -name wdcnn >folders
   while read -r folder; do mv "$folder"/* "${folder%/*}" && rmdir "$folder"; done <folders
-  rm calls results/t/.journal # there was none before 0.1.0
+  rm calls results/t/.journal # did not exist before 0.1.0
 }
 
 test_make_refuses_such_a_run_in_one_line() {
@@ -46,7 +46,7 @@ test_one_command_moves_the_files_and_no_cell_is_computed_again() {
   expect_equal "$(state)" "$(<new)"
   expect_equal "$(new_layout results/t/)" 'results/t/: 0 files moved'
   cells all trust >/dev/null
-  expect_equal "$(ran_with_features)" "1 tabulate, 1 trust" # nothing says how their tables were made
+  expect_equal "$(ran_with_features)" "1 tabulate, 1 trust" # nothing records how their tables were made
 }
 
 test_what_is_not_a_run_is_refused_and_no_file_replaced() {

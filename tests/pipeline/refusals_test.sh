@@ -55,7 +55,7 @@ test_published_tables_that_were_removed_are_missed_at_the_start() {
   expect_exit 2 grid
   expect_line "$(grid 2>&1 || true)" 'results/published holds no table: .*git checkout results/published'
   expect_equal "$(ran)" ""
-  make --silent cells BIN=fake RUN=t DATASETS=real METHODS=none RATIOS=100to1 SEEDS=0 >/dev/null # needs none
+  make --silent cells BIN=fake RUN=t DATASETS=real METHODS=none RATIOS=100to1 SEEDS=0 >/dev/null # does not need them
   expect_equal "$(ran)" "2 diagnose, 1 ingest, 1 split"
 }
 

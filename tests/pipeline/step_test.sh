@@ -282,7 +282,7 @@ for _ in {1..600}; do sleep 0.05; done # 30 s, where nobody ends it
 LAUNCHER
   chmod +x launcher
 }
-stop_step_of_launcher() { # the exit code that is wanted
+stop_step_of_launcher() { # expected exit code
   local model=results/t/real/seed0/model.h5
   rm -f started
   PATH=${path_of_step:-$PATH} SUBMIT=./launcher pipeline/step.sh results/t/real/seed0 own --output $model >/dev/null 2>messages &

@@ -207,7 +207,7 @@ restart_ctld() {
 }
 
 # Waits up to two minutes: Slurm's own actions take up to half a minute.
-until_true() { # what is waited for, command...
+until_true() { # description, command...
   local began=$SECONDS
   until "${@:2}" >/dev/null 2>&1; do
     sleep 0.1

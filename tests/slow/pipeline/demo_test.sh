@@ -33,7 +33,7 @@ Open results/demo/report.html    tables and figures
   expect_equal "$(demo | sed -n '/^Three questions/,$p')" "$answers" # nothing is left to do
   expect_equal "$(demo | grep -cE ' (train|generate|diagnose|score) ')" 0
 
-  rm results/demo/recording* # two demos at once make them both
+  rm results/demo/recording* # two simultaneous demos both make them
   demo >other &
   local other=$!
   demo >/dev/null || fail "one of two demos at once failed"

@@ -23,7 +23,7 @@ machine() {
 }
 
 # Sets EUID, which deps.sh reads, so that the test needs neither root nor a user namespace.
-deps_as() { # 0 or another id; LIBTORCH and targets, which are on and all unless given
+deps_as() { # 0 or another id; LIBTORCH and targets, by default on and all
   local id=$1
   shift
   (($#)) || set -- on programs tests benches

@@ -62,7 +62,7 @@ test_the_same_numbers_give_the_same_bytes_at_any_time_in_any_language() {
   local first
   first=$(pictures)
   rm $drawn/*.svg $drawn/*.pdf
-  sleep 1.1 # a PDF would hold the second at which it was drawn
+  sleep 1.1 # a PDF would record the second of drawing
   TZ=America/New_York LC_ALL=C.UTF-8 figures >/dev/null 2>&1
   expect_equal "$(pictures)" "$first"
 }

@@ -156,7 +156,7 @@ test_what_cannot_be_is_refused_before_any_cell() {
     "protocol.toml, line 18: transfer.first.datasets holds 'other', and there is no pipeline/datasets/other.toml"
   expect_exit 2 ask transfer DATASETS=real
   expect_equal "$(ran)" ""
-  ask cells DATASETS=real METHODS=none RATIOS=100to1 SEEDS=0 >/dev/null # all else goes on
+  ask cells DATASETS=real METHODS=none RATIOS=100to1 SEEDS=0 >/dev/null # everything else still runs
 }
 
 run_tests "$@"

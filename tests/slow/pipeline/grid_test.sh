@@ -13,7 +13,7 @@ test_makes_every_cell_once_and_then_nothing() {
   expect_line "$output" "^tabulate --config results/t/.settings/tabulate.toml --run results/t --dataset made " # its summary
   expect_equal "$(tr -s ' ' <reports | sed 's/ $//')" \
     "report: --run results/t --datasets real made --methods none smote piae-dt --ratios 100to1 10to1 1to1 --seeds 0 1 --classifiers wdcnn --published results/published"
-  find results pipeline fake/ -exec touch {} + # times say nothing
+  find results pipeline fake/ -exec touch {} + # file times do not count
   grid >/dev/null
   expect_equal "$(ran)" ""
   expect_exit 0 make --silent -q cells BIN=fake RUN=t DATASETS=real METHODS=smote SEEDS=0 RATIOS=1to1

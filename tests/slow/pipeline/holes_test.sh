@@ -32,7 +32,7 @@ test_holes_are_named_also_when_make_stops_at_the_first() {
   expect_line "$output" "^real/seed0/smote score and 3 more: missing$"
   rm broken
   expect_exit 0 grid
-  expect_equal "$(awk '{ print $2 }' calls | grep -c smote)" 22 # none of them twice
+  expect_equal "$(awk '{ print $2 }' calls | grep -c smote)" 22 # none twice
 }
 
 # 10 seeds of 14 cells are too many names to print.

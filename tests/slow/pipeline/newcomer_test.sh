@@ -17,7 +17,7 @@ lay_out() {
 }
 
 # Writes a recording: an impact every 80 samples, with ringing at a level that increases from class to class, and noise.
-record() { # file, loudness
+record() { # file, level
   awk -v loudness="$2" 'BEGIN {
     srand(loudness + 1)
     for (i = 0; i < 70000; ++i) {
@@ -136,7 +136,7 @@ test_a_recording_that_cannot_be_read_leaves_the_step_due() {
   echo x >>recordings/outer.csv
   expect_line "$(run_rig 2>&1)" 'ingest: recordings/outer.csv, line 70001: '
   expect_line "$(run_rig 2>&1)" 'ingest: recordings/outer.csv, line 70001: '
-  cp good.csv recordings/outer.csv # of which the records still are
+  cp good.csv recordings/outer.csv # the recording that the records were made from
   expect_equal "$(run_rig)" ""
 }
 

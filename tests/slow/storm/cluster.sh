@@ -86,7 +86,7 @@ hit_srun() { # signal
     [[ ! $process ]] || ! kill "-$1" "$process" || return 0
   done
 }
-a_running_job() { # what squeue is to say of it; sets `running_job`, and fails where there is none any more
+a_running_job() { # format for squeue; sets `running_job`; fails if none is left
   until has_ended && too_late=yes; do
     running_job=$(squeue --noheader --states=RUNNING --format="$1" | one_of)
     [[ ! $running_job ]] || return 0
@@ -133,7 +133,7 @@ slurmd_killed() {
 slurmctld_restarted() {
   start_steps ''
   wait_until_it_trains
-  sleep 3 # what was submitted later, a slurmctld that is killed has forgotten
+  sleep 3 # a killed slurmctld forgets submissions of the last 3 s
   restart_ctld
 }
 requeue() {
@@ -142,7 +142,7 @@ requeue() {
   some_time
   scontrol requeue "$job" || return 0
   until_true "job $job waits" in_state PENDING "$job" || return
-  ! lost_checkpoint || lost=yes # before the job's second life writes the logs anew
+  ! lost_checkpoint || lost=yes # before the job's second life overwrites the logs
   begin_again "$job"
 }
 
@@ -176,7 +176,7 @@ finish() { # sets `happened`
 }
 
 failures=0
-event() { # number, kind; fails where the run was over before it
+event() { # number, kind; fails if the run ended before it
   local began=$SECONDS happened="DID NOT END" lost='' too_late='' result=same
   lay_out_event
   "$2" 2>>events.log

@@ -117,7 +117,7 @@ train smote
 train oversample
 train shift
 train oracle --real D.h5
-for method in piae-dt-phase smote; do # their windows say start angles and parents
+for method in piae-dt-phase smote; do # their windows record start angles and parents
   stage generate --model $method.model.h5 --count 5 --seed 0 --output $method.E.h5
   consumer $method.E.h5 score --generated $method.E.h5 --real D.h5 --output out.h5
   consumer $method.E.h5 export_windows --windows $method.E.h5 --output out.mat
@@ -178,7 +178,7 @@ cd "$folder/inputs"
   awk 'BEGIN { for (i = 0; i < 60; ++i) printf "%.6f,%d\n", sin(i), i }'
 } >csv/comma.csv
 awk 'BEGIN { for (i = 0; i < 40; ++i) printf "%d;%.3e;text\r\n", i, cos(i) }' >csv/semicolon.csv
-samples() { head -c 480 "$1" | tail -c 240; } # of 16 bits, any will do
+samples() { head -c 480 "$1" | tail -c 240; } # any 16-bit samples
 npy="{'descr': '<i2', 'fortran_order': False, 'shape': (120,), }"
 {
   printf '\x93NUMPY\x01\x00\x76\x00%-117s\n' "$npy"
