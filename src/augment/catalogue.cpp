@@ -205,7 +205,7 @@ void require_known_windows(const CatalogueEntry& entry, const signal::WindowSet&
 
 namespace {
 
-/// What of a class such a method lacks; empty where it lacks nothing.
+/// Returns the missing fact about a class that such a method needs; empty if nothing is missing.
 std::string lack(Needs needs, const signal::DatasetInfo& info, const signal::ClassInfo& c) {
   const bool is_struck = bearing::is_struck(c.defect);
   if (needs >= Needs::bearing && !info.has_bearing) return "[bearing], its geometry";
