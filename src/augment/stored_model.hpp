@@ -20,7 +20,7 @@ signal::WindowSet generate_with(Method& method, const artefact::Reader& model, s
                                 const Stream& stream, const Compute& compute);
 
 /// Reads the windows that a model stores, C or, for a ceiling, D. Throws artefact::Refusal if a
-/// class lacks windows or has windows it should not have; Error if there are no known windows and
+/// class lacks windows or has windows it should not have; Error if no window is known and
 /// the method learns from them.
 signal::WindowSet read_learned(const artefact::Reader& model, signal::Role role);
 
