@@ -58,7 +58,7 @@ TEST(Catalogue, SaysWhichMethodsInferStiffnessAndDamping) {
   const artefact::Reader model(scratch_file("empty.h5"), "model");
   for (const CatalogueEntry& entry : catalogue()) {
     if (entry.make == nullptr) continue;
-    // Those that can infer find other faults with an empty model.
+    // Methods that can infer fail differently, on the empty model.
     std::string refusal;
     try {
       (void)entry.make()->infer(model, known_windows(), {});
@@ -70,8 +70,8 @@ TEST(Catalogue, SaysWhichMethodsInferStiffnessAndDamping) {
   }
 }
 
-/// Only what goes by epochs asks whether it is to stop. The windows are longer than a turn of the
-/// shaft, which piae-dt-phase needs.
+/// Only training by epochs checks for interruption. The windows are longer than a turn of the
+/// shaft, as piae-dt-phase needs.
 TEST(Catalogue, SaysWhichMethodsAreTrainedInEpochs) {
   nets::Checkpoint stopped = checkpoint_at("cut");
   stopped.interrupted = [] { return true; };
