@@ -11,7 +11,7 @@
 namespace piae::diagnosis {
 namespace {
 
-/// The windows of these classes, `of_each` of them.
+/// Returns `of_each` windows of each of these classes.
 signal::WindowSet tones_of(std::vector<Label> labels, std::size_t of_each,
                            const std::string& stream) {
   const LabelledWindows all = tones(of_each, stream);
