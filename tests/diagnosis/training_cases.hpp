@@ -60,7 +60,7 @@ TEST_P(WdcnnTraining, LearnsTones) {
 
 /// The ratio of two scores is exp(a) / exp(b) of their logits.
 TEST_P(WdcnnTraining, KeepsWhatItsLayersMakeOfEachTestWindow) {
-  const LabelledWindows test = tones(35, "test");  // 105 windows: more than are tried at a time
+  const LabelledWindows test = tones(35, "test");  // 105 windows: more than one batch
   const Outputs outputs =
       train_and_test(tones(5, "train"), test, short_training(), Stream("layers"), backend())
           .outputs;
