@@ -19,7 +19,7 @@ Eigen::ArrayXXd drifting() {
   return shapes;
 }
 
-// The numbers are numpy's, of the same equation (np.mean, np.var and np.std over all rows, and over
+// Computed with numpy from the same equation (np.mean, np.var and np.std over all rows, and over
 // those of three blocks of four).
 TEST(Novelty, IsTheDistanceByTheLargestOfHealthyWindowsThatWereLeftOut) {
   const Novelty novelty(drifting());
