@@ -62,7 +62,7 @@ TEST_F(WindowsByClass, ShowsRealAndGeneratedWindowsInMetresPerSecondSquared) {
   EXPECT_THAT(inner.header(), testing::ElementsAre("panel", "what", "x", "y", "real", "vae"));
   const auto highest = inner.where({{"panel", "waveform"}, {"what", "high"}});
   ASSERT_EQ(highest.size(), 128U);
-  EXPECT_EQ(inner.where({{"panel", "unit"}}).at(0).at("what"), "m/s2");  // brought to it from g
+  EXPECT_EQ(inner.where({{"panel", "unit"}}).at(0).at("what"), "m/s2");  // converted from g
   EXPECT_EQ(highest[7].at("real"), "10");
   EXPECT_EQ(highest[7].at("vae"), "1");
   const CsvRows outer(pictures[1].numbers);
