@@ -68,7 +68,7 @@ class KeptClassifier {
   [[nodiscard]] const Classifier& classifier() const { return *classifier_; }
   [[nodiscard]] const Calibration& calibration() const { return calibration_; }
   [[nodiscard]] const ClassifierOrigin& origin() const { return origin_; }
-  /// Empty if no fault was known in the tested condition; then novelty is unavailable.
+  /// Returns the novelty; empty if no fault was known in the tested condition.
   [[nodiscard]] const std::optional<Strangeness>& strangeness() const { return strangeness_; }
 
  private:

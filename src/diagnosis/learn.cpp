@@ -19,7 +19,7 @@ constexpr Range possible_length{.low = WdcnnLayers::shortest_window, .high = 1e6
 /// A trained WDCNN with the function that makes its input.
 class WdcnnOfWindows final : public Trained {
  public:
-  /// `length` is the length of the network's input.
+  /// Takes a network; `length` is the length of its input.
   WdcnnOfWindows(std::unique_ptr<Wdcnn> network, std::size_t length, Represent represent)
       : network_(std::move(network)), length_(length), represent_(represent) {}
 

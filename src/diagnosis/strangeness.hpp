@@ -20,7 +20,7 @@ inline constexpr double strangest_known = 1;
 /// healthy windows by five blocks of time, so that overlapping windows do not vouch for each other.
 class Strangeness {
  public:
-  /// `reference` holds healthy and fault windows; windows of one group in `groups` are left out
+  /// Takes healthy and fault windows as `reference`; windows of one group in `groups` are left out
   /// together. Throws Error(bad_input) for windows shorter than 256 samples; std::logic_error if
   /// all windows are of one group.
   Strangeness(const signal::WindowSet& reference, std::vector<std::int32_t> groups);

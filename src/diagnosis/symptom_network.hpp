@@ -24,7 +24,8 @@ class SymptomNetwork {
   static constexpr std::int64_t hidden = 48;
   static constexpr double dropout = 0.2;  ///< of the hidden layer, in training (Srivastava 2014)
 
-  /// For batches of up to `most_rows`; initial values come from the stream (nets/parameters.hpp).
+  /// Makes a network for batches of up to `most_rows`; initial values come from the stream
+  /// (nets/parameters.hpp).
   SymptomNetwork(std::int64_t classes, std::int64_t most_rows, const Stream& initial);
 
   /// Output for a batch.

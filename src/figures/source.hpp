@@ -27,8 +27,8 @@ void require_whole(const run::Results& results);
 /// others.
 class Source {
  public:
-  /// `leave_out` lists stale files, as for run::Held. Throws Error(input_missing) if no cell is
-  /// requested and none exists.
+  /// Opens a run; `leave_out` lists stale files, as for run::Held. Throws Error(input_missing) if
+  /// no cell is requested and none exists.
   Source(run::Layout layout, run::Grid asked, report::Published published,
          const std::vector<std::string>& leave_out = {});
 

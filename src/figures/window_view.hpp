@@ -12,8 +12,8 @@ namespace piae::figures {
 /// so each axis has about a hundred points.
 class ViewAxes {
  public:
-  /// For windows of `length` samples, with the shaft at the tested speed, or no faster than
-  /// `fastest_rpm`.
+  /// Makes the axes for windows of `length` samples, with the shaft at the tested speed, or no
+  /// faster than `fastest_rpm`.
   ViewAxes(const signal::DatasetInfo& info, Eigen::Index length)
       : ViewAxes(info, length, info.tested_speed_rpm()) {}
   ViewAxes(const signal::DatasetInfo& info, Eigen::Index length, double fastest_rpm);

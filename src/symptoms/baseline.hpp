@@ -18,7 +18,7 @@ namespace piae::symptoms {
 /// Common properties of the healthy windows of one speed.
 class Baseline {
  public:
-  /// `healthy` are at least 4 windows in order of time.
+  /// Takes at least 4 healthy windows in order of time.
   explicit Baseline(const std::vector<const Measures*>& healthy);
 
   /// Returns the height of each fault type's line above the healthy mean, in healthy standard

@@ -14,7 +14,7 @@
 namespace piae::augment {
 namespace {
 
-/// Two windows of each fault; only their RMS matters.
+/// Returns two windows of each fault; only their RMS matters.
 signal::WindowSet three_faults(std::size_t length) {
   signal::WindowSet windows;
   windows.info.name = "example";

@@ -11,7 +11,8 @@ namespace {
 
 constexpr std::size_t played_length = 1024;
 
-/// A tone of 100 periods in each of the two fault classes, known at 1200 rpm and tested at 900.
+/// Returns a tone of 100 periods in each of the two fault classes, known at 1200 rpm and tested at
+/// 900.
 signal::WindowSet tones() {
   signal::WindowSet known;
   known.info = known_windows().info;

@@ -8,7 +8,7 @@ namespace {
 
 using Samples = std::vector<float>;
 
-/// Two known windows of class IR and one of class OR; all circular shifts differ.
+/// Returns two known windows of class IR and one of class OR; all circular shifts differ.
 signal::WindowSet three_windows() {
   signal::WindowSet known;
   known.info = known_windows().info;

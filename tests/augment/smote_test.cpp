@@ -7,9 +7,9 @@
 namespace piae::augment {
 namespace {
 
-/// Class IR: (0, 0), (2, 0), (0, 3), (4, 3), the windows of interpolation_test.cpp. Class OR lies
-/// between them, so that neighbours across classes would show. A third sample, the same in all
-/// windows, prevents constant windows.
+/// Returns class IR: (0, 0), (2, 0), (0, 3), (4, 3), the windows of interpolation_test.cpp. Class
+/// OR lies between them, so that neighbours across classes would show. A third sample, the same in
+/// all windows, prevents constant windows.
 signal::WindowSet four_of_a_class() {
   signal::WindowSet known;
   known.info = known_windows().info;

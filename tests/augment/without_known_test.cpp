@@ -13,7 +13,7 @@ namespace {
 
 const std::vector<std::string> methods{"piae-dt-zero", "healthy-plus-impulses"};
 
-/// C without windows: only the split's description of the machine.
+/// Returns C without windows, only with the split's description of the machine.
 signal::WindowSet no_known_window() {
   signal::WindowSet none = known_windows();
   none.samples.clear();

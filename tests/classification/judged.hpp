@@ -35,7 +35,7 @@ inline diagnosis::Outputs ByFirstSample::outputs(const signal::WindowSet& window
 
 inline constexpr std::size_t judged_length = 1024;
 
-/// Ten windows of noise, which the toy classifier knows.
+/// Returns ten windows of noise, which the toy classifier knows.
 inline signal::WindowSet known_to_toys() {
   Stream stream("toys");
   signal::WindowSet reference = no_struck_windows(judged_length);
@@ -54,8 +54,8 @@ inline diagnosis::KeptClassifier classifier_of_toys() {
           {}};
 }
 
-/// A recording of consecutive windows: known ones, which begin with 0, 1 or 2; or for -1 a tone,
-/// which is unknown.
+/// Returns a recording of consecutive windows: known ones, which begin with 0, 1 or 2; or for -1 a
+/// tone, which is unknown.
 inline Recording recording_of_windows(const std::string& name, const std::vector<int>& windows,
                                       const std::string& said = "") {
   const signal::WindowSet known = known_to_toys();

@@ -12,7 +12,7 @@ namespace {
 
 using testing::ElementsAre;
 
-/// A recording with all samples different.
+/// Returns a recording with all samples different.
 Recording counting_recording(std::size_t samples) {
   Recording recording{.name = "a.csv", .shaft_speed_rpm = 1790, .said = "", .signal = {}};
   for (std::size_t i = 0; i < samples; ++i) recording.signal.push_back(static_cast<double>(i));

@@ -11,7 +11,7 @@
 namespace piae::diagnosis {
 namespace {
 
-/// Classes in another order than the fault types.
+/// Returns classes in another order than the fault types.
 signal::DatasetInfo four_kinds() {
   signal::DatasetInfo info = three_classes();
   info.classes = {{"outer", signal::Defect::outer, 0.2},

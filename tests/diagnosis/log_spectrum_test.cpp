@@ -75,7 +75,7 @@ TEST(RootMeanSquare, IsAboutTheMean) {
   EXPECT_NEAR(root_mean_square(sine(1024, 100, 3)), 3 / std::numbers::sqrt2, 1e-12);
 }
 
-/// A carrier of 200 cycles and amplitude 2 in 1024 samples, modulated at 12 cycles.
+/// Returns a carrier of 200 cycles and amplitude 2 in 1024 samples, modulated at 12 cycles.
 scoring::Windows modulated(double depth) {
   constexpr double cycle = 2 * std::numbers::pi / 1024;
   scoring::Windows window(1, 1024);

@@ -52,7 +52,8 @@ class TrustByHand : public testing::Test {
     }
     test_.labels.push_back(2);
   }
-  /// The first six windows have high scores, four of them correct; the others have lower scores.
+  /// Returns a classifier that gives the first six windows high scores, four of them correctly; the
+  /// others have lower scores.
   [[nodiscard]] KeptClassifier kept(double temperature) const {
     const auto sure = static_cast<float>(std::log(18.0));
     const auto less_sure = static_cast<float>(std::log(2.0));

@@ -16,7 +16,7 @@
 namespace piae::diagnosis {
 namespace {
 
-/// Two windows of noise, of classes 2 and 0; the second has 50 times the gain.
+/// Returns two windows of noise, of classes 2 and 0; the second has 50 times the gain.
 signal::WindowSet two_of_noise(std::size_t length) {
   Stream stream("spectral inputs");
   signal::WindowSet set = empty_set(length);

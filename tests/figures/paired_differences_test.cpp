@@ -8,7 +8,8 @@ namespace {
 
 class PairedDifferences : public StoredSource {
  protected:
-  /// Against piae-dt with 75 percent, vae has 5, 10 and 15 points more, and none 15 less.
+  /// Adds three seeds: against piae-dt with 75 percent, vae has 5, 10 and 15 points more, and none
+  /// 15 less.
   void add_three_seeds() const {
     for (const int seed : {0, 1, 2}) {
       add(diagnosis("none", "100to1", 0, seed, 12));

@@ -16,7 +16,7 @@ class SweepFigure : public StoredSource {
     save("diagnosis", diagnosis("piae-dt", "1to1", 495, seed, right),
          layout_.diagnosis(folder, "1to1", seed));
   }
-  /// Tries batches of 2 and 10, a learning rate, and other loss weights.
+  /// Adds a sweep with batches of 2 and 10, a learning rate, and other loss weights.
   void add_sweep(int seed, int right) const {
     const std::string rate = "learning-rate = \"0.00050000000000000001\"\n";
     const std::string weights = "loss-weights = \"adaptive\"\n";

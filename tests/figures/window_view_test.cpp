@@ -14,7 +14,7 @@ namespace {
 constexpr Eigen::Index length = 1024;
 constexpr double rate_hz = 12000;
 
-/// A tone of 3000 Hz, optionally modulated at 140.625 Hz. Both lie on bins.
+/// Returns a tone of 3000 Hz, optionally modulated at 140.625 Hz. Both lie on bins.
 scoring::Windows tone(double amplitude, double swing = 0) {
   scoring::Windows window(1, length);
   for (Eigen::Index i = 0; i < length; ++i) {

@@ -15,7 +15,7 @@
 namespace piae::figures {
 namespace {
 
-/// One window of each fault class, in g: tones of 3000 Hz with these amplitudes.
+/// Returns one window of each fault class, in g: tones of 3000 Hz with these amplitudes.
 signal::WindowSet tones(double of_inner, double of_outer) {
   signal::WindowSet set;
   set.info = three_classes("cwru");

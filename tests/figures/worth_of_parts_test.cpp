@@ -20,8 +20,8 @@ class WorthOfParts : public StoredSource {
     save("diagnosis", by("nearest", diagnosis("strike-twin", "1to1", 495, seed, right)),
          layout_.diagnosis(folder, "1to1", seed, "nearest"));
   }
-  /// The method classifies `right` windows correctly, four fewer without tilt, ten fewer with known
-  /// edges.
+  /// Adds a seed: the method classifies `right` windows correctly, four fewer without tilt, ten
+  /// fewer with known edges.
   void add_seed(int seed, int right) const {
     add_cell("strike-twin", seed, right);
     add_cell("sweep@strike-twin/tilt-0", seed, right - 4);

@@ -7,7 +7,7 @@
 namespace piae::scoring {
 namespace {
 
-/// Two windows of class 1, predicted as 1 with a score of 0.8 and as 2 with 0.6.
+/// Returns two windows of class 1, predicted as 1 with a score of 0.8 and as 2 with 0.6.
 DiagnosisRecord two_windows() {
   DiagnosisRecord record;
   record.info = three_classes();

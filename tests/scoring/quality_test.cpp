@@ -26,7 +26,7 @@ signal::WindowSet empty_set() {
   return set;
 }
 
-/// Class IR holds two windows, class OR three.
+/// Returns two windows of class IR and three of class OR.
 signal::WindowSet real_set() {
   signal::WindowSet set = empty_set();
   add(set, 1, {1, 0, 0, 0});
@@ -101,7 +101,7 @@ TEST(QualityByClass, TakesTheBandwidthFromAllRealWindowsOfTheClass) {
   EXPECT_NEAR(classes[1].mmd, 2 * (5 - kernels), 1e-12);
 }
 
-/// Windows of 4096 samples, alternately at 600 and 1200 rpm: a carrier modulated at BPFO.
+/// Returns windows of 4096 samples, alternately at 600 and 1200 rpm: a carrier modulated at BPFO.
 signal::WindowSet of_two_speeds(double faster_by) {
   signal::WindowSet set = empty_set();
   set.length = 4096;

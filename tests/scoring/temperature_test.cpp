@@ -40,7 +40,7 @@ struct Said {
   [[nodiscard]] double temperature() const { return best_temperature(logits, labels, 2); }
 };
 
-/// Three of four predictions are correct in both classes.
+/// Returns windows of which three of four are predicted correctly in both classes.
 Said right_three_times_of_four(int quarters, double logit) {
   Said said;
   for (const Label named : {0, 1}) {

@@ -24,7 +24,7 @@ class KeepClassifier : public testing::Test {
  protected:
   void SetUp() override { tiny_.run_chain_before("diagnose"); }
 
-  /// Arguments without generated windows and without an output.
+  /// Returns arguments without generated windows and without an output.
   static Arguments diagnose(const std::string& classifier = "wdcnn") {
     return {"--test", "A.h5",   "--normal", "B.h5",     "--known", "C.h5",         "--ratio",
             "100to1", "--seed", "0",        "--epochs", "2",       "--classifier", classifier};

@@ -38,7 +38,7 @@ Change first_number(const std::string& path, T value) {
   };
 }
 
-/// Each number is possible, but together they keep eq. 13 busy for minutes.
+/// Sets numbers that are possible each, but together they keep eq. 13 busy for minutes.
 void thousand_balls(hid_t file) {
   change_balls(file, 1000);
   replace_attribute(file, "/", "sample_rate_hz", 1000.0);

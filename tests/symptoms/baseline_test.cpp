@@ -13,7 +13,7 @@
 namespace piae::symptoms {
 namespace {
 
-/// Example measures: every line has this height, with a matching spectrum.
+/// Returns measures in which every line has this height, with a matching spectrum.
 Measures measures_of(double height) {
   Measures measures;
   measures.lines.fill(height);
@@ -109,7 +109,7 @@ TEST(Baselines, AreOfTheHealthyWindowsAlone) {
   EXPECT_NEAR(baselines.at(1800).rise_db(measures_of(5.5))[0], 1, 1e-12);
 }
 
-/// Healthy windows with random numbers in all bands.
+/// Returns healthy windows with random numbers in all bands.
 Healthy with_all_bands(const std::vector<double>& speeds_rpm) {
   Healthy healthy(speeds_rpm);
   Stream stream("bands");
