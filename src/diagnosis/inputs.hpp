@@ -23,8 +23,8 @@ struct Inputs {
 };
 
 /// Reads the windows; `generated` is null without E. Throws Error(bad_input) if a file has another
-/// role than its option requires, if A, B and C are not of one split or share a window
-/// (signal/roles.hpp), and if E was learned from other known windows than C, because its generator
+/// role than its option requires, or if A, B and C are not of one split or share a window
+/// (signal/roles.hpp). Throws also if E was learned from other known windows than C: its generator
 /// may then have seen test windows of A.
 Inputs read_inputs(const artefact::Reader& test, const artefact::Reader& normal,
                    const artefact::Reader& known, const artefact::Reader* generated);

@@ -14,8 +14,8 @@ namespace piae::diagnosis {
 /// every fault class of E, in this order. Each window has its shaft speed. If E has none, it is the
 /// common speed of B, C and all conditions (symptoms/baseline.hpp), or NaN if these differ.
 /// `generated` is null without E. Throws Error(usage) if E is missing though needed, or given
-/// though unused; Error(bad_input) if the sets differ in dataset or window length, if B or C lacks
-/// a class or holds a class it must not have, and if E has too few windows of a class.
+/// though unused. Throws Error(bad_input) if the sets differ in dataset or window length, if B or C
+/// lacks a class or has a wrong one, and if E has too few windows of a class.
 signal::WindowSet compose_training_set(const signal::WindowSet& normal,
                                        const signal::WindowSet& known,
                                        const signal::WindowSet* generated,

@@ -15,10 +15,10 @@ std::vector<float> tempered(std::span<const float> logits, std::size_t classes, 
 /// Returns the temperature with the least mean negative log-likelihood of these n labels. All
 /// classes have equal weight, whatever their number of windows. The temperature is found by Brent's
 /// method over its logarithm, between 1/50 and 50, and is above 1 for an overconfident classifier.
-/// Targets are not the labels themselves but, as in Platt (1999, "Probabilistic outputs for support
-/// vector machines", Section 2.2), the probability (n + 1) / (n + 2) of each label, with the rest
-/// for the other classes: even without mistakes so far, the next prediction may be wrong. Throws
-/// std::logic_error without labels.
+/// The target of each label is the probability (n + 1) / (n + 2), with the rest for the other
+/// classes, because even without mistakes so far the next prediction may be wrong (Platt 1999,
+/// "Probabilistic outputs for support vector machines", Section 2.2). Throws std::logic_error
+/// without labels.
 double best_temperature(std::span<const float> logits, std::span<const Label> labels,
                         std::size_t classes);
 

@@ -4,9 +4,9 @@
 
 namespace piae::symptoms {
 
-/// Difference of a window's spectrum from those of healthy windows. With s the shape of its
+/// Difference of a window's spectrum from those of healthy windows. Let s be the shape of its
 /// spectrum (spectra/bands.hpp), m and v the mean and variance of s over the healthy windows, band
-/// by band, and d the mean over the bands of the root of v,
+/// by band, and d the mean over the bands of the root of v. Then
 ///
 ///     distance = root of the mean over the bands of (s - m)^2 / (v + (d / 2)^2).
 ///

@@ -26,8 +26,8 @@ class RefusalFigure : public ToldWindows {
   }
 };
 
-/// At two windows 2 and 1 are correct, at four 3 and 1. The last two have the same score, so three
-/// windows count 2.5 and 1 correct ones.
+/// At two windows 2 and 1 are correct, at four 3 and 1. The last two windows have the same score,
+/// so three windows count 2.5 and 1 correct ones.
 TEST_F(RefusalFigure, IsTheMeanOverTheSeedsAtEachPercent) {
   add_seed("vae", "2to1", 145, 0, {true, true, true, false});
   add_seed("vae", "2to1", 145, 1, {true, false, false, false});
