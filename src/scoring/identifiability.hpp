@@ -8,7 +8,7 @@ namespace piae::scoring {
 /// Agreement of inferred values of a parameter with the true ones.
 struct Agreement {
   double r2 = 0;  ///< 1 - sum (inferred - true)^2 / sum (true - mean)^2: 1 is perfect, 0 no better
-                  ///< than always naming the true mean, below 0 worse than that
+                  ///< than predicting the true mean, below 0 worse than that
   double bias = 0;          ///< mean of inferred - true, divided by the mean of the true values
   double correlation2 = 0;  ///< square of Pearson's correlation: the R^2 after the best linear
                             ///< calibration, for which one must know the truth
