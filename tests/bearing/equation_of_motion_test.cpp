@@ -13,7 +13,7 @@ namespace {
 
 constexpr double sampled_hz = 12000;
 
-/// The same number for every course.
+/// Returns the same number for every course.
 PerCourse all(double x) { return PerCourse{} + x; }
 
 EquationOfMotion equation(double mass_kg, double damping_ns_per_m, double stiffness_n_per_m,
@@ -22,7 +22,7 @@ EquationOfMotion equation(double mass_kg, double damping_ns_per_m, double stiffn
           all(load_n)};
 }
 
-// --- Eq. 13 without contact: a damped oscillator, released 1 um beside its equilibrium. ---
+// --- Eq. 13 without contact: a damped oscillator, released 1 um away from its equilibrium. ---
 
 constexpr double mass_kg = 1.3;
 constexpr double damping_ns_per_m = 700;
@@ -58,7 +58,7 @@ Solution oscillation(State& state, double start_s, std::size_t samples, double m
                start_s, {sampled_hz, samples}, sub_steps(sampled_hz, max_sub_step_s));
 }
 
-/// Relative, over 200 samples.
+/// Returns the relative error over 200 samples.
 double oscillator_error(double max_sub_step_s) {
   State state = released();
   const Solution solution = oscillation(state, 0, 200, max_sub_step_s);
@@ -94,7 +94,7 @@ TEST(Solve, LeavesTheLastStateBehind) {
 TEST(Solve, CountsTheSaneSamplesOfEachCourse) {
   LoadedBalls balls = any_balls();
   EquationOfMotion e = equation(mass_kg, damping_ns_per_m, stiffness_n_per_m, 0, load_n);
-  e.damping_ns_per_m[0] = 1e7;  // over the mass 8e6 per second: steps of 2 us cannot follow
+  e.damping_ns_per_m[0] = 1e7;  // over the mass 8e6 per second: steps of 2 us are too long
   State state = released();
   const Solution solution =
       solve(e, balls, state, 0, {sampled_hz, 200}, sub_steps(sampled_hz, 2e-6));
