@@ -64,7 +64,7 @@ double Carrier::draw_size_mm(std::size_t known, Stream& random) const {
     largest = std::max(largest, known_.size_mm(i));
   }
   const double factor = options_.size_factor;
-  // Both may be the same, and a uniform draw needs two.
+  // Both bounds may be equal, so lerp is used: a uniform draw needs two different ones.
   return std::exp(
       std::lerp(std::log(least / factor), std::log(largest * factor), random.uniform(0, 1)));
 }
@@ -167,7 +167,7 @@ StruckWindow Carrier::cut_and_set(const Journey& journey, Stream& random) const 
   std::vector<double> samples = samples_of_window(known_, journey.known);
   impacts::filter(samples, gains);
   const std::vector<Cut> responses = cut_responses(samples, windows_[journey.known].comb);
-  // A window in which no response is whole has no rate that could be changed.
+  // A window without a whole response has no rate that could be changed.
   if (options_.rhythm == Set::known || responses.empty()) {
     const Turning turning = turning_of(samples, windows_[journey.known].comb);
     return turned(turning, turning, known_.length, random);
