@@ -34,7 +34,7 @@ struct OrderSpectrum {
 /// The power of noise has an exponential distribution, whose median is its mean times ln 2. So the
 /// floor is the running median / ln 2, over 1.6 orders or nine bins, whichever is more. Noise alone
 /// has R about -0.25 everywhere, the mean of the logarithm of that distribution. A line of ten
-/// times the floor has R = 1. There are no lines above the width of a band (1200 Hz, or less near
+/// times the floor has R = 1. Lines do not occur above the width of a band (1200 Hz, or less near
 /// half the sample rate): for a fast shaft the higher harmonics are low, in healthy and faulty
 /// windows alike.
 OrderSpectrum order_spectrum(const Eigen::RowVectorXd& window, const FilterBank& bank,

@@ -26,7 +26,7 @@ Eigen::ArrayXXd spectrogram(const Eigen::Ref<const Eigen::RowVectorXd>& window,
                             Eigen::Index segment);
 
 /// Returns the Hilbert envelope of each window: the magnitude of its analytic signal, after its
-/// mean is removed. Demodulates the whole band, so that there is no band to choose. This is
+/// mean is removed. Demodulates the whole band, so no band has to be chosen. This is
 /// envelope analysis of the raw signal, the first method of Smith and Randall (2015). The envelope
 /// is not squared: in a squared envelope a single strong impact would hide the others.
 Windows envelopes(const Windows& windows);
