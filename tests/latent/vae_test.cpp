@@ -46,8 +46,7 @@ TEST(Vae, HasTheClosedFormOfTheDivergenceAddedOverNumbersAndAveragedOverWindows)
   task.labels = {0, 0};
   const auto backend = backend_of(task);
   const float log_variance = 2 * std::log(0.4F);
-  // Of the four outputs mean 0, mean 1, log variance 0 and log variance 1, only mean 0 depends on
-  // x.
+  // The outputs are mean 0, mean 1, log variance 0 and log variance 1; only mean 0 depends on x.
   backend->set_values(
       std::vector<float>{0, 0, 0, 0, 3, 0, 0, 0, 0, 0, 0, 0, 0, 0.7F, log_variance, 0});
   Stream noise("noise");
