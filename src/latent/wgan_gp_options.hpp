@@ -16,9 +16,8 @@ struct WganGpOptions {
       .depth = 3,             // like PIAE-DT
       .width = 256,           // like PIAE-DT
   };
-  int critic_steps =
-      5;  ///< steps of the critic per step of the generator; Gulrajani et al., Algorithm 1
-  double penalty = 10;  ///< lambda, weight of the gradient penalty; Gulrajani et al., Algorithm 1
+  int critic_steps = 5;  ///< per step of the generator; Gulrajani et al., Algorithm 1
+  double penalty = 10;   ///< lambda, weight of the gradient penalty; Gulrajani et al., Algorithm 1
 };
 
 void bind(const cli::Options& command, WganGpOptions& options);

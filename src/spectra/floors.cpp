@@ -14,8 +14,7 @@ namespace {
 
 using Eigen::Index;
 
-constexpr double quietest =
-    1e-9;  // fraction of the largest amplitude; anything smaller is rounding
+constexpr double quietest = 1e-9;  // fraction of the largest amplitude: rounding
 
 /// Replaces one number in a sorted array by another, and keeps the array sorted.
 void replace(std::vector<double>& sorted, double old, double with) {

@@ -21,8 +21,7 @@ constexpr double rounding_power = 1e-20;
 
 constexpr int slip_steps = 12;  // steps in either direction
 constexpr double slip_step = largest_slip / slip_steps;
-constexpr double highest =
-    2.5;  // a line this far above the floor is clear; more height adds no information
+constexpr double highest = 2.5;  // clips heights: a line this far up is clear
 
 std::size_t bin_at(const EnvelopeSpectrum& spectrum, double hz) {
   return static_cast<std::size_t>(std::lround(hz / spectrum.bin_hz));

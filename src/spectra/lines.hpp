@@ -29,9 +29,8 @@ struct EnvelopeSpectrum {
   std::vector<double> power;  ///< by bin, from 0 Hz
   double bin_hz = 0;
   double resolution_hz = 0;  ///< one over the length of a window
-  double averages =
-      0;  ///< equivalent number of independent windows: the scatter is the same (Welch 1967)
-  double rounding = 0;  ///< a power below this is rounding alone
+  double averages = 0;       ///< number of independent windows with the same scatter (Welch 1967)
+  double rounding = 0;       ///< a power below this is rounding alone
 };
 
 /// Returns the envelope spectrum of independent windows. Throws std::logic_error if `windows` is

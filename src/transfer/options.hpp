@@ -24,9 +24,8 @@ struct CarryOptions {
   Set edges = Set::tested;   ///< the lag between both edges of the defect
   Set rhythm = Set::tested;  ///< the time between impacts
   StrengthOptions strengths;
-  double own_structure =
-      1;  ///< least part kept of the difference between a bearing's structure and the mean
-  double background = 0;  ///< largest fraction of the power that impacts do not excite
+  double own_structure = 1;  ///< least part kept of a bearing's deviation from the mean structure
+  double background = 0;     ///< largest fraction of the power that impacts do not excite
   BackgroundFrom background_from = BackgroundFrom::struck;
   double dispersion_ms = 0;  ///< standard deviation of the random path's group delay
   double jitter = 0;         ///< standard deviation of an impact's time / period

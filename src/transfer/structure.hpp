@@ -12,9 +12,8 @@ namespace piae::transfer {
 /// a frame of two windows, with the mean 0. It is the spectrum of the known windows without the
 /// edges of their defects and without the lines of the impact rate.
 struct Structure {
-  Eigen::ArrayXd common;  ///< the mean over all bearings
-  std::vector<Eigen::ArrayXd>
-      own;  ///< of each known window, by its bearing: the deviation from `common`
+  Eigen::ArrayXd common;            ///< the mean over all bearings
+  std::vector<Eigen::ArrayXd> own;  ///< of each known window: its bearing minus `common`
 };
 
 /// `edges` are those of each known window.

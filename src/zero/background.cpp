@@ -28,8 +28,7 @@ constexpr double present = 0.7;
 constexpr double least_depth = 0.1;  // fraction of the largest depth
 constexpr int harmonics = 3;
 constexpr double more_knocks = 2;
-constexpr double knock_scatter =
-    0.7;  // standard deviation of the logarithm of an impact's strength
+constexpr double knock_scatter = 0.7;  // standard deviation of a strength's logarithm
 
 /// Adds amplitude cos(2 pi hz t + phase), by rotating a phasor from sample to sample.
 void add_cosine(double amplitude, double hz, double rate_hz, double phase, ArrayXd& sum) {

@@ -79,8 +79,7 @@ TEST(Simulate, AnglesHoldAtTheFirstSample) {
   advanced.defect_angle_rad += s.shaft * later / rate_hz;
   const auto part = simulate({}, defect, advanced, {}, {rate_hz, 2000});
   const std::vector<double> rest(whole.begin() + later, whole.end());
-  EXPECT_LT(relative_error(part, rest),
-            0.01);  // what is left of the initial transient after settling
+  EXPECT_LT(relative_error(part, rest), 0.01);  // rest of the initial transient
 }
 
 TEST(Simulate, ADefectThatAppearsIsFeltFromTheFirstStrikeOn) {
@@ -97,8 +96,7 @@ TEST(Simulate, ADefectThatAppearsIsFeltFromTheFirstStrikeOn) {
     return std::vector<double>(begin, begin + static_cast<std::ptrdiff_t>(count));
   };
   EXPECT_LT(relative_error(from(onset, 0, 80), from(healthy, 0, 80)), 1e-6);
-  EXPECT_GT(relative_error(from(always, 0, 80), from(healthy, 0, 80)),
-            1);  // the previous impact still rings
+  EXPECT_GT(relative_error(from(always, 0, 80), from(healthy, 0, 80)), 1);  // still rings
   EXPECT_GT(rms(from(onset, 80, 100)), 100 * rms(from(healthy, 80, 100)));
   EXPECT_LT(relative_error(from(onset, 1200, 1200), from(always, 1200, 1200)), 1e-6);
 }

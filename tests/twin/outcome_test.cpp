@@ -43,8 +43,7 @@ TEST(Outcome, IsRefusedWhereALossOrWeightLacksAnEpoch) {
     EXPECT_TRUE(is_refused(curves));
   }
   EXPECT_TRUE(is_refused(Curves()));
-  EXPECT_FALSE(
-      is_refused(two_epochs()));  // only its space is missing, and read_outcome() reads it later
+  EXPECT_FALSE(is_refused(two_epochs()));  // only its space is missing
 }
 
 }  // namespace

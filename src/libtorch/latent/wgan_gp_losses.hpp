@@ -18,8 +18,7 @@ torch::Tensor gradient_penalty(const ParameterSet& parameters, const torch::Tens
 /// The two parts of the critic's loss (latent/wgan_gp.hpp).
 struct CriticLosses {
   torch::Tensor wasserstein;  ///< mean score of the known minus that of the generated windows
-  torch::Tensor
-      penalty;  ///< gradient_penalty at points on the lines between known and generated windows
+  torch::Tensor penalty;      ///< gradient_penalty on the lines between these windows
 };
 
 /// Returns the losses for known and generated windows; row i of both has the same class. `share`
