@@ -46,7 +46,6 @@ struct Course {
 /// samples] row by row, each averaged over its sampling interval (Solution). Each course starts at
 /// static equilibrium, a settling time before the first sample. The angles of its motion hold at
 /// the first sample.
-/// at the first sample.
 ///
 /// Uses one thread and no random numbers. Solving courses_at_once courses takes the time of one, so
 /// give each thread that many. The result of a course does not depend on the others, bit for bit.

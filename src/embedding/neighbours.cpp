@@ -39,7 +39,7 @@ Eigen::ArrayXd neighbour_probabilities(const Eigen::ArrayXd& squared_distances, 
   double high = 200;
   const double wanted = std::log(perplexity);
   constexpr double tolerance = 1e-8;
-  constexpr int most_halvings = 60;  // stops if no beta gives the wanted entropy
+  constexpr int most_halvings = 60;  // limit if no beta gives the wanted entropy
   for (int halving = 0;; ++halving) {
     const double middle = (low + high) / 2;
     GaussianWeights found(beyond, std::exp(middle));

@@ -54,7 +54,7 @@ class DenseBackend : public LatentBackend {
   LatentTask task_;
   std::vector<nets::ParameterSpec> specs_;
   std::shared_ptr<nets::Parameters<float>> parameters_;
-  std::int64_t largest_batch_;  ///< in windows
+  std::int64_t largest_batch_;  ///< number of windows
   Chain generator_;
 };
 

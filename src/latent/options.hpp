@@ -8,7 +8,7 @@ namespace piae::latent {
 struct LatentOptions {
   int epochs = 0;            ///< passes over the known windows
   int batch = 0;             ///< windows in a step
-  double learning_rate = 0;  ///< of Adam, constant
+  double learning_rate = 0;  ///< rate of Adam, constant
   int latent = 0;            ///< Gaussian numbers from which a window is made
   int depth = 0;             ///< dense layers of each network
   int width = 0;             ///< units of a hidden layer

@@ -39,7 +39,7 @@ struct GatesBackward {
   Rows<const T> gates;     ///< [rows, 4 units], from open_gates()
   Rows<const T> before;    ///< [rows, units]: h
   Rows<const T> by_state;  ///< [rows, units]: the direct gradient of the loss by h'
-  Rows<T> carried;     ///< [rows, units]: its gradient by h' through later frames; replaced by the
+  Rows<T> carried;     ///< [rows, units]: the gradient by h' through later frames; replaced by the
                        ///< part of the gradient by h that does not pass through W_h
   Rows<T> by_x;        ///< [rows, 3 units] gets the gradient by x
   Rows<T> by_product;  ///< [rows, 3 units] gets the gradient by W_h h, which is also that by b_h

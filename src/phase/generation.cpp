@@ -85,8 +85,8 @@ class Decoder {
 
   twin::ModelDescription description_;
   std::unique_ptr<twin::StoredTwin> networks_;
-  std::vector<twin::TwinPoint> points_;  // of the known windows
-  std::vector<Label> labels_;            // of the known windows
+  std::vector<twin::TwinPoint> points_;  // states of the known windows
+  std::vector<Label> labels_;            // classes of the known windows
   int bins_;
   StateScale scale_;
 };

@@ -78,8 +78,8 @@ class Inference {
   std::vector<nets::ParameterSpec> specs_;
   std::shared_ptr<nets::Parameters<float>> parameters_;
   nets::DenseChain<float> network_;
-  std::int64_t steps_ = 0;      ///< of Adam
-  std::vector<Bounds> bounds_;  ///< of each class
+  std::int64_t steps_ = 0;      ///< Adam's steps so far
+  std::vector<Bounds> bounds_;  ///< one per class
   Row feature_mean_;            ///< [feature_lags]
   Row feature_spread_;          ///< [feature_lags]
 };

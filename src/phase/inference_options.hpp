@@ -11,10 +11,10 @@ struct InferenceOptions {
   double damping_from_ns_per_m = 100;   ///< for the first round
   double damping_to_ns_per_m = 5000;    ///< for the first round
   int simulations = 3000;               ///< windows of each class in the last round
-  int epochs = 40;                      ///< of each round
+  int epochs = 40;                      ///< epochs per round
   int batch = 64;                       ///< windows in a step
   int width = 256;                      ///< units of a hidden layer
-  double learning_rate = 1e-3;          ///< of Adam at the start; falls to 0 along a cosine
+  double learning_rate = 1e-3;          ///< Adam's initial rate; falls to 0 along a cosine
   double snr_to_db = 30;  ///< noise is drawn from 0 dB (as strong as the signal) to this
 };
 

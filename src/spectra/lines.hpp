@@ -51,7 +51,7 @@ double free_harmonics_db(const EnvelopeSpectrum& spectrum, double line_hz);
 /// Three harmonics of one frequency.
 struct CommonLine {
   double hz = 0;
-  std::array<double, line_harmonics> decibels{};  ///< of each harmonic, 10 log10(line / floor)
+  std::array<double, line_harmonics> decibels{};  ///< 10 log10(line / floor) of each harmonic
 
   [[nodiscard]] double mean_db() const;
 };

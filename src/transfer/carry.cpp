@@ -160,7 +160,7 @@ StruckWindow Carrier::cut_and_set(const Journey& journey, Stream& random) const 
   std::vector<std::complex<double>> gains(known_.length / 2 + 1);
   for (std::size_t i = 0; i < gains.size(); ++i) {
     const double hz = static_cast<double>(i) * rate_hz / static_cast<double>(known_.length);
-    const auto bin = static_cast<Index>(2 * i);  // of a frame of two windows
+    const auto bin = static_cast<Index>(2 * i);  // bin of a frame of two windows
     gains[i] = drawn.edges.gain(hz) / edges_[journey.known].gain(hz) *
                std::polar(std::exp(drawn.path.log_gain[bin]), drawn.path.phase[bin]);
   }

@@ -54,8 +54,8 @@ class Carrier {
   };
   /// Values that are drawn for one window.
   struct Draw {
-    impacts::ImpactRate rate;  ///< in the tested condition, in s
-    impacts::Edges edges;      ///< in the tested condition
+    impacts::ImpactRate rate;  ///< for the tested condition, in s
+    impacts::Edges edges;      ///< for the tested condition
     Path path;
   };
 

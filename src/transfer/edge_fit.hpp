@@ -27,7 +27,7 @@ struct EdgePrior {
   double share_deviation = 0.08;
   double exit = 0.6;
   double exit_deviation = 0.25;
-  double weight = 0.02;  ///< of a squared standard deviation / of the relative squared error
+  double weight = 0.02;  ///< weight of squared deviations against the relative squared error
 };
 
 /// Separates the edges of each bearing from the structure, which all bearings share. The model is

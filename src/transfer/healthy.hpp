@@ -13,7 +13,7 @@ namespace piae::transfer {
 /// Spectrum of the healthy machine in a tested condition.
 struct HealthySpectrum {
   std::int32_t condition = signal::every_condition;
-  Eigen::ArrayXd log_amplitude;  ///< of impacts/response.hpp, with the mean 0
+  Eigen::ArrayXd log_amplitude;  ///< by impacts/response.hpp, with the mean 0
 };
 
 /// Returns the spectra of healthy windows B, one for each tested condition that has such windows.

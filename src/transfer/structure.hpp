@@ -13,7 +13,7 @@ namespace piae::transfer {
 /// edges of their defects and without the lines of the impact rate.
 struct Structure {
   Eigen::ArrayXd common;            ///< the mean over all bearings
-  std::vector<Eigen::ArrayXd> own;  ///< of each known window: its bearing minus `common`
+  std::vector<Eigen::ArrayXd> own;  ///< for each known window: its bearing minus `common`
 };
 
 /// `edges` are those of each known window.

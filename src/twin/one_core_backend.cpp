@@ -242,7 +242,7 @@ class OneCoreBackend final : public TwinBackend {
   std::unique_ptr<Coder> coder_;
   std::vector<nets::ParameterSpec> specs_;
   std::shared_ptr<Parameters> parameters_;
-  std::int64_t largest_batch_;  ///< in windows
+  std::int64_t largest_batch_;  ///< number of windows
   Networks networks_;
   Stencil stencil_;
   LossReading reading_;

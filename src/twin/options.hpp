@@ -112,7 +112,7 @@ struct TwinOptions {
   ContactReading contact = ContactReading::expected;
   SpaceOf space = SpaceOf::all_classes;
   LossWeights loss_weights = LossWeights::adaptive;
-  double weight_learning_rate = 5e-4;  ///< of ln alpha, ln beta and ln gamma; also decays
+  double weight_learning_rate = 5e-4;  ///< for ln alpha, ln beta and ln gamma; also decays
   Keep keep = Keep::best;  ///< open: the paper trains both and does not specify which one generates
   double mass_kg = 1.0;    ///< M of eq. 22; open, working set of the project's notes
   double load_n = 1000.0;  ///< W of eq. 22; open, working set

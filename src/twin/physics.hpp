@@ -39,8 +39,8 @@ struct Physics {
   double omega_0 = 0;            ///< rad/s
   double step = 0;               ///< omega_0 / sample rate: dimensionless time between samples
   double damping = 0;            ///< 1e2 N s/m / (M * omega_0)
-  std::vector<Contact> contact;  ///< of each class, eq. 11
-  std::vector<double> acceleration_m_s2;  ///< a_ref of each class
+  std::vector<Contact> contact;  ///< one per class, eq. 11
+  std::vector<double> acceleration_m_s2;  ///< a_ref, one per class
 };
 
 /// `acceleration` is the RMS of each class's windows in the recordings' unit, info.unit_m_per_s2.

@@ -75,7 +75,7 @@ class ClassSpaces {
 
  private:
   TwinSpace all_;
-  std::vector<Label> labels_;  ///< of the known windows; empty if all classes share one space
+  std::vector<Label> labels_;  ///< one per known window; empty if all classes share one space
 };
 
 }  // namespace piae::twin

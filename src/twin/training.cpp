@@ -210,7 +210,7 @@ class Training final : public TwinTraining {
 
   Stream stream_;
   ModelDescription model_;
-  std::vector<Label> labels_;  // of the known windows
+  std::vector<Label> labels_;  // classes of the known windows
   bool has_physics_;
   std::unique_ptr<TwinBackend> backend_;
   std::vector<float> best_;  // values of all parameters after the best epoch

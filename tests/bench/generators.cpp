@@ -11,7 +11,6 @@
 // Layers on frames use a weight at each frame, so arithmetic limits them. "of_limit" is the least
 // time of our step (its products at the speed of a large one, its bytes at that of a copy),
 // relative to the measured time.
-// at that of a copy, to the time that it takes.
 
 #include <benchmark/benchmark.h>
 
@@ -74,7 +73,7 @@ constexpr double convolved_frames = 64 * 16 * 32;
 constexpr double blocks = 2 * (4 * 32 * 32 + 2 * 32 * 128);
 constexpr double attended = 2 * 2 * 32 * 32 * 32;  // scores and sums of values
 constexpr double attended_frames = 32 * 32 * 32;
-constexpr double first_layer = (2 + classes) * 64 * 32;  // of the temporal decoder
+constexpr double first_layer = (2 + classes) * 64 * 32;  // temporal decoder
 
 /// Adds forward, parameter and backward passes (backward not to the windows, and twice through the
 /// decoder in Stage 1, which is every other epoch).

@@ -13,7 +13,7 @@ namespace {
 
 using Eigen::ArrayXd;
 
-constexpr Eigen::Index frame_bins = 1025;  // of a frame of 2048 samples
+constexpr Eigen::Index frame_bins = 1025;  // bins of a frame of 2048 samples
 constexpr double frame_rate_hz = 12000;
 
 ArrayXd struck_window(const std::vector<Impact>& impacts) {

@@ -242,7 +242,7 @@ TEST(Carrier, JoinsKnownWindowsOfABearingWhereNothingMoves) {
     EXPECT_LT(*sources.rbegin(), 8);
     joined += sources.size() == 2;
   }
-  EXPECT_GT(joined, 10U);  // of 36, of which 24 on average continue in another window
+  EXPECT_GT(joined, 10U);  // 36 windows, of which 24 on average continue in another window
 }
 
 TEST(Carrier, NeedsHealthyWindowsOfTheTestedConditionForTheirBackground) {

@@ -298,7 +298,7 @@ TEST(TwinLoss, APassageIsAForceOnTheRing) {
   physics.contact[0] = {.outside_m = 2e-6, .inside_m = 1, .at_rest = 0, .passing = {0, 0.25, 1, 0}};
   constexpr double k = 1.5;
   const double s_0 = static_equilibrium_m(k * stiffness_scale_n_per_m, physics.contact[0], physics);
-  const double force = physics.load_n - k * stiffness_scale_n_per_m * s_0;  // of the contact
+  const double force = physics.load_n - k * stiffness_scale_n_per_m * s_0;  // force of the contact
   ASSERT_GT(force, 0);
   Array k_and_c(1, 2);
   k_and_c << k, 5.0;
