@@ -94,8 +94,8 @@ double level_beside_db(const signal::MadeWindow& made, const Scene& scene) {
           .cast<double>();
   const double forwards = std::abs((window * healthy).mean());
   const double backwards = std::abs((window * healthy.reverse()).mean());
-  const double heard = std::pow(std::max(forwards, backwards), 2) /
-                       healthy.square().mean();  // fraction of the power
+  const double heard =
+      std::pow(std::max(forwards, backwards), 2) / healthy.square().mean();  // power ratio
   return 10 * std::log10((window.square().mean() - heard) / heard);
 }
 
