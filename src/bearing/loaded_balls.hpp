@@ -85,7 +85,7 @@ class LoadedBalls {
 
   Direction entered_{};      ///< the angle of the ball that entered last
   Direction from_defect_{};  ///< the angle from the defect to the ball that entered last
-  Direction strike_{};       ///< twice the spin angle less pi: 0 when the defect faces a race
+  Direction strike_{};       ///< twice the spin angle minus pi: 0 when the defect faces a race
   // Rotation of these three directions in one advance():
   Direction entered_step_{};
   Direction from_defect_step_{};

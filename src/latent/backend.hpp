@@ -43,7 +43,7 @@ class LatentBackend {
   [[nodiscard]] virtual std::vector<float> values() const = 0;
   virtual void set_values(std::span<const float> values) = 0;
 
-  /// The state of Adam, as one or two nets::AdamState below /adam.
+  /// Write and read the state of Adam, as one or two nets::AdamState below /adam.
   virtual void write_adam(artefact::Writer& writer) const = 0;
   virtual void read_adam(const artefact::Reader& reader) = 0;
 };

@@ -64,7 +64,7 @@ class Inference {
   /// bounds or scales are not positive.
   void write(artefact::Writer& writer) const;
   void read(const artefact::Reader& reader);
-  /// The state of Adam, as nets::AdamState in /inference/adam.
+  /// Write and read the state of Adam, as nets::AdamState in /inference/adam.
   void write_adam(artefact::Writer& writer) const;
   void read_adam(const artefact::Reader& reader);
 

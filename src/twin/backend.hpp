@@ -86,7 +86,8 @@ class TwinBackend {
   /// task if the variant has no encoder.
   [[nodiscard]] virtual std::vector<TwinPoint> states() = 0;
 
-  /// The state of Adam, as nets::AdamState in <group>/networks and <group>/loss_weights.
+  /// Write and read the state of Adam, as nets::AdamState in <group>/networks and
+  /// <group>/loss_weights.
   virtual void write_adam(artefact::Writer& writer, const std::string& group) const = 0;
   virtual void read_adam(const artefact::Reader& reader, const std::string& group) = 0;
 };

@@ -166,7 +166,7 @@ class OneCoreBackend final : public TwinBackend {
     for (Network* network : trained()) network->take(adam, clipping(network->squared_norm()));
   }
 
-  /// Eq. 25.
+  /// Eq. 25: all networks and the loss weights follow the total.
   void step_stage_2(const Batch& batch, const BatchLosses& losses, const nets::AdamStep& adam,
                     double rate_of_weights) {
     const std::int64_t rows = batch.size();

@@ -30,8 +30,8 @@ constexpr double stiffness_n_per_m = 2e8;
 constexpr double load_n = 1500;
 constexpr double released_m = 1e-6;
 
-/// s' of s = W / K + released e^(-z t) (cos(w t) + z / w sin(w t)), with z = C / 2M, w^2 = K/M -
-/// z^2.
+/// Returns s' of s = W / K + released e^(-z t) (cos(w t) + z / w sin(w t)), with z = C / 2M, w^2 =
+/// K/M - z^2.
 double oscillator_velocity(double time_s) {
   const double z = damping_ns_per_m / (2 * mass_kg);
   const double k = stiffness_n_per_m / mass_kg;
@@ -105,7 +105,7 @@ TEST(Solve, CountsTheSaneSamplesOfEachCourse) {
 // --- The equation itself ---
 
 TEST(EquationOfMotion, SumsTheForcesOfTheBalls) {
-  // Compressions of 4 um (along 1), 1 um (along 1/2: 4 um less 2 um clearance, less 1 um) and none.
+  // Compressions: 4 um (along 1), 1 um (along 1/2: 4 um minus 2 um clearance minus 1 um) and none.
   const std::vector<BallContact> balls{
       {all(1), all(4e-6)}, {all(0.5), all(3e-6)}, {all(0.25), all(2e-6)}};
   const double contact = 1e10 * (8e-9 + 0.5 * 1e-9);  // 4e-6^1.5 = 8e-9, 1e-6^1.5 = 1e-9

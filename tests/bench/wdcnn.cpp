@@ -80,7 +80,7 @@ BENCHMARK(sgemm_1024)->MeasureProcessCPUTime()->Unit(benchmark::kMillisecond);
 /// Windows per second with LibTorch, which is measured before our own back end.
 double libtorch_rate = 0;
 
-/// Returns windows a second.
+/// Returns windows per second.
 double train(benchmark::State& state, const MakeWdcnnBackend& make_backend) {
   const LabelledWindows train = noise(windows);
   WdcnnOptions options;

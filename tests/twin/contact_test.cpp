@@ -12,7 +12,7 @@ namespace {
 
 using bearing::Defect;
 
-/// The 6205 of the paper's Table 1 at 1797 rpm.
+/// Returns the 6205 of the paper's Table 1 at 1797 rpm.
 signal::DatasetInfo paper_bearing() {
   signal::DatasetInfo info;
   info.sample_rate_hz = 12000;

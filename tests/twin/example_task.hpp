@@ -19,7 +19,7 @@ struct TaskOf {
   bool other_readings = false;  ///< interpretations other than the default
 };
 
-/// Training on known_windows().
+/// Returns a task that trains on known_windows().
 inline TwinTask task_of(const TaskOf& c) {
   const signal::WindowSet known = known_windows();
   const std::vector<double> scale = signal::rms_by_class(known);

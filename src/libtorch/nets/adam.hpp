@@ -22,7 +22,7 @@ class Adam {
 
   void step(double learning_rate);
 
-  /// The state, as nets::AdamState in `group`.
+  /// Write and read the state, as nets::AdamState in `group`.
   void write(artefact::Writer& writer, const std::string& group) const;
   void read(const artefact::Reader& reader, const std::string& group);
 
