@@ -73,7 +73,7 @@ void DotProductAttention<T>::backward(const SignalBatch& batch, const T* x, cons
       const auto given = as_matrix(attention, length, held_length_).leftCols(length);
       const auto by_given = by_y.middleCols(h * head_, head_);
       by_x.middleCols(2 * width + h * head_, head_).noalias() = given.transpose() * by_given;
-      // The gradient of softmax: each row minus its mean weighted by the softmax, times the
+      // Softmax backward: each row's gradient minus its mean weighted by the softmax, times
       // softmax.
       by_attention_.noalias() = by_given * values.transpose();
       for (std::int64_t i = 0; i < length; ++i) {
