@@ -94,8 +94,7 @@ void run_epochs(Trainee& trainee, const Checkpoint& checkpoint) {
   for (std::size_t epoch = first; epoch < trainee.epochs(); ++epoch) {
     const std::string note = trainee.run_epoch(epoch);
     if (progress) progress->update(epoch + 1, note);
-    // After a resume, the first epoch may recompute what the state does not hold, so time it
-    // separately.
+    // Start timing after the first resumed epoch, which may recompute what the state does not hold.
     if (!progress) begin(epoch + 1);
     if (checkpoint.interrupted()) {
       save(trainee, checkpoint, epoch + 1);
