@@ -1,5 +1,5 @@
-# The front door: `make help` says what there is. The program `plan` (src/plan) knows what a run consists of
-# and what of it is due; make runs what that prints (pipeline/run.sh).
+# The front door: `make help` lists everything. The program `plan` (src/plan) knows the steps of a run and which of them
+# are due; make runs what it prints (pipeline/run.sh).
 
 ifneq ($(firstword $(sort 4.3 $(MAKE_VERSION))),4.3)
 $(error GNU make 4.3 or later is needed, this is $(MAKE_VERSION))
@@ -7,9 +7,10 @@ endif
 SHELL := /bin/bash
 MAKEFLAGS += --no-builtin-rules --no-print-directory
 
-# ---- what is run: each can be given on the command line -----------------------------------------
-RUN      := paper
-# Where these are not given, the goal says which they are: `make help`.
+# ---- the request: each variable can be given on the command line --------------------------------
+# Choices are made in a run of their own.
+RUN      := $(if $(filter readings,$(MAKECMDGOALS)),readings,paper)
+# Defaults of these depend on the goal: `make help`.
 DATASETS :=
 METHODS  :=
 RATIOS   :=
@@ -26,31 +27,26 @@ STORM    := full
 PREFIX   := /usr/local
 DESTDIR  ?=
 V        :=
-# On a cluster: cores of a job, how long it is to take, how many run at a time.
+# On a cluster: cores of a job, its approximate minutes, jobs at a time.
 CORES    := 4
 MINUTES  := 15
 JOBS     := 16
 GPU_PARTITION :=
 quickly  :=
 
-# `make cluster sweep` is the goal sweep, computed elsewhere; `make status sweep` and `make why sweep` look.
+# `make cluster sweep` computes the goal sweep elsewhere; `make status sweep` and `make why sweep` only look.
 looking    := cluster-plan status why plan
 elsewhere  := cluster cluster-stop $(looking) help
 on_cluster := $(filter $(elsewhere),$(MAKECMDGOALS))
 goals      := $(filter-out $(elsewhere),$(MAKECMDGOALS))
 
-# Choices are made in a run of their own.
-ifneq (,$(filter readings,$(MAKECMDGOALS)))
-RUN      := readings
-endif
-
-# ---- what was given -----------------------------------------------------------------------------
+# ---- checks of the given variables --------------------------------------------------------------
 variables := RUN DATASETS METHODS RATIOS CLASSIFIERS SEEDS PROTOCOL DATA_DIR ARCH LIBTORCH BIN SUBMIT \
              TOLERANCE LINT STORM V PREFIX DESTDIR CORES MINUTES JOBS GPU_PARTITION
 given     := $(foreach name,$(.VARIABLES),$(if $(filter command,$(firstword $(origin $(name)))),$(name)))
 
-# Values are text, and make and the shell are given no other. (What a value holds is looked at before make
-# would read it as one of its own expressions.) The recordings' folder may be called nearly anything.
+# Values must be plain text for make and the shell. They are checked before make would expand them as expressions. The
+# folder of the recordings may have almost any name.
 define line_break
 
 
@@ -67,12 +63,12 @@ $(foreach name,$(filter-out DATA_DIR SUBMIT,$(variables)),\
   $(call refuse_signs,$(name),$(of_code),it is a plain word or a list of them))
 $(foreach name,$(filter RUN DATASETS METHODS RATIOS CLASSIFIERS SEEDS,$(given)),\
   $(if $(strip $($(name))),,$(error $(name): is empty)))
-# make reads these as its own where a file has them in its name.
+# make would interpret these characters in a file name.
 comma := ,
 $(call refuse_signs,RUN,: = % $(comma),it is the name of a folder under results/)
 
-# The demo has grids of its own (pipeline/demo.mk), and uses all cores unless -j says otherwise. It builds
-# only the programs that it runs, and does not need LibTorch.
+# The demo has grids of its own (pipeline/demo.mk), and uses all cores unless -j is given. It builds only the programs
+# that it runs, and does not need LibTorch.
 ifneq (,$(filter demo,$(MAKECMDGOALS)))
 $(foreach name,$(filter DATASETS METHODS RATIOS CLASSIFIERS,$(given)),\
   $(error make demo: has $(name) of its own; `make all` takes any))
@@ -85,7 +81,7 @@ quickly  := demo
 MAKEFLAGS += -j$(shell env -u OMP_NUM_THREADS nproc)
 endif
 
-# A name that is nearly one of ours: in the other case, or the beginning of one, or one with more to it.
+# Suggests a variable that is almost the given name: in the other case, or with fewer or more letters.
 upper_case = $(shell printf %s '$1' | tr a-z A-Z)
 like_it    = $(foreach name,$(variables),$(if $(filter $1%,$(name))$(filter $(name)%,$1),$(name)))
 meant      = $(firstword $(call like_it,$(call upper_case,$1)))
@@ -101,16 +97,16 @@ $(if $(filter-out all,$(LINT)),$(error LINT: all, or not given, not '$(LINT)'))
 $(if $(filter cluster cluster-stop,$(MAKECMDGOALS)),$(if $(shell command -v sbatch),,$(error there is no \
   sbatch here, so no Slurm to submit to; `make all` computes here, `make cluster-plan` shows the jobs)))
 
-# The folder, as a shell completes it, will do: RUN=results/try/ is RUN=try.
+# Accepts a folder as a shell completes it: RUN=results/try/ is RUN=try.
 override RUN := $(patsubst results/%,%,$(RUN:/=))
 $(if $(RUN),,$(error RUN: is empty))
 results      := results/$(RUN)$(patsubst %,-%,$(filter blocked,$(PROTOCOL)))
 
-# The one-letter options that make was called with, such as -nk.
+# The one-letter options of this make, such as -nk.
 letters    := $(filter-out --%,$(firstword -$(MAKEFLAGS)))
 
-# Programs are built first, unless BIN= names a folder where they are, or the link bin of a folder that the
-# installed piae-dt has laid out (packaging/piae-dt). There are no sources then. `make -q` only asks.
+# Builds the programs first, unless BIN= names their folder or the installed piae-dt has linked them as bin
+# (packaging/piae-dt). An installation does not have the sources. `make -q` does not build.
 installed  := $(wildcard bin/plan)
 of_sources := build build-demo deps install package test test-all storm lint bench bench-scale reference clean
 $(if $(installed),$(foreach goal,$(filter $(of_sources),$(goals)),\
@@ -125,10 +121,10 @@ BIN      := build/bin
 programs := $(if $(findstring q,$(letters)),,build$(quickly:%=-%))
 endif
 
-# All goals of the grid, files of results/ among them, go to one plan.
+# One plan covers all goals of the grid, including files of results/.
 grid_goals := records cells features tables all figures report sweep contrast identify readings transfer trust
 asked := $(filter $(grid_goals) results/%,$(goals))
-# Programs take what is asked for from the environment, so that no value is read by make or a shell.
+# Programs take the request from the environment, so that neither make nor a shell interprets a value.
 GOALS := $(asked)
 export GOALS RUN DATASETS METHODS RATIOS CLASSIFIERS SEEDS PROTOCOL DATA_DIR BIN SUBMIT V
 Q := $(if $(V),,@)
@@ -157,7 +153,7 @@ why: | $(programs)
 plan: | $(programs)
 	$(Q)$(BIN)/plan --looks --whole --format summary
 status:
-	$(Q)jobs/ended.sh '$(results)' | $(BIN)/status --jobs /dev/stdin
+	$(Q)jobs/queue.sh '$(results)' | $(BIN)/status --queue /dev/stdin
 
 cluster_choice = $(foreach name,CORES MINUTES JOBS GPU_PARTITION,'$(name)=$($(name))')
 cluster: | $(programs)
@@ -167,7 +163,7 @@ cluster-plan: | $(programs)
 cluster-stop:
 	$(Q)jobs/stop.sh '$(results)'
 
-# Only the variables that are given narrow down what is compared or stored.
+# Only the given variables select what is compared or stored.
 lower_case = $(shell printf %s '$1' | tr A-Z a-z)
 part       = $(foreach name,DATASETS METHODS RATIOS CLASSIFIERS SEEDS,\
                $(if $(filter $(name),$(given)),--$(call lower_case,$(name)) $($(name))))
@@ -182,7 +178,7 @@ data: | $(programs)
 	$(Q)pipeline/download.sh '$(DATA_DIR)' $(or $(DATASETS),cwru)
 
 # ---- building -----------------------------------------------------------------------------------
-# What is to be built, of `programs tests benches` or `demo`: packages for that are installed first.
+# Builds `programs tests benches` or `demo`, after installing the packages for them.
 draws      = $(filter demo all figures report transfer,$(or $(goals),$(on_cluster:%=all)))
 build_them = pipeline/deps.sh $(LIBTORCH) $1 $(if $(draws),figures) && \
   pipeline/build.sh $(ARCH) $(LIBTORCH) $1
@@ -212,13 +208,13 @@ test-all:
 	$(Q)pipeline/build.sh $(ARCH) $(LIBTORCH) programs tests slow_tests benches
 	$(Q)DATA_DIR='$(DATA_DIR)' tests/run.sh all
 
-# The programs are found where they are installed, whatever stands in BIN.
+# Installed programs are found in their folder, whatever BIN is.
 install:
 	$(Q)$(call build_them,programs)
 	$(Q)DESTDIR='$(DESTDIR)' cmake --install build --prefix '$(abspath $(PREFIX))' --strip >build/install.log
 	@echo 'installed: $(DESTDIR)$(abspath $(PREFIX))/bin/piae-dt'
 
-# A package is for any processor of the last ten years, unless ARCH= says for which.
+# A package runs on any processor of the last ten years, unless ARCH= is given.
 ifneq (,$(filter package,$(goals)))
 ifeq (native,$(ARCH))
 ARCH := $(or $(patsubst %,x86-64-v3,$(filter x86_64,$(shell uname -m))),native)
@@ -230,7 +226,7 @@ package:
 	$(Q)pipeline/build.sh $(ARCH) $(LIBTORCH) package
 	@ls build/package/*.deb
 
-# The programs as they are used, and the readers once more under the sanitizers.
+# Builds the programs as users have them, and the readers with the sanitizers, too.
 storm:
 	$(Q)pipeline/deps.sh $(LIBTORCH) programs tests
 	$(Q)pipeline/build.sh $(ARCH) $(LIBTORCH) programs storm_parts

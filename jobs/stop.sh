@@ -1,6 +1,6 @@
 #!/bin/bash
-# Stops the jobs of a run, for `make cluster-stop`: what waits leaves the queue, and what runs is told to end,
-# trainings with a checkpoint. Waits until it has.
+# Stops the jobs of a run, for `make cluster-stop`: removes waiting jobs from the queue and ends running ones, trainings
+# with a checkpoint. Waits until all have ended.
 # usage: jobs/stop.sh results/RUN
 set -euo pipefail
 cd "${0%/*}/.."
@@ -14,7 +14,7 @@ if [[ ! $queue ]]; then
   exit
 fi
 read -ra jobs < <(job_ids <<<"$queue")
-# The last first: the tables, which would otherwise begin when there is nothing left to wait for.
+# Last job first: otherwise the tables would start when nothing is left to wait for.
 scancel "${jobs[@]}" || die "not all of it could be stopped; the jobs are those of" \
   "$(job_users <<<"$queue")"
 for _ in {1..60}; do

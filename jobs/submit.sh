@@ -1,5 +1,5 @@
 #!/bin/bash
-# Submits what is still to be done of a run to Slurm, for `make cluster`; or only says what that would be.
+# Submits the remaining steps of a run to Slurm, for `make cluster`; or only prints them.
 # usage: jobs/submit.sh [--plan] CORES=N MINUTES=N JOBS=N [GPU_PARTITION=NAME]
 # The Makefile exports the request: GOALS, RUN, DATASETS, ... sbatch takes other options from its own variables:
 # SBATCH_PARTITION, SBATCH_ACCOUNT, ...
@@ -37,11 +37,11 @@ if [[ $only_plan ]]; then
   exit
 fi
 
-# Where others may write, a link may have been planted, and a pipe would be waited for.
+# If others can write there, a link may have been planted, and a pipe would block.
 lock=$results/.jobs/lock
 [[ ! -L $results/.jobs && ! -L $lock && (! -e $lock || -f $lock) ]] ||
   die "$results/.jobs or its lock is a link, or no file; remove it; nothing is submitted"
-# A job whose log cannot be written ends without a word, so this is tried first.
+# A job that cannot write its log ends without a message, so try it first.
 { mkdir -p "$results/.jobs" && exec 9>>"$lock"; } 2>/dev/null ||
   die "$results/.jobs cannot be written, where the logs of the jobs are to be; nothing is submitted"
 flock --nonblock 9 || die "another \`make cluster\` is submitting this run; nothing is submitted"
@@ -63,12 +63,12 @@ GOALS=$goal "$BIN/plan" --format jobs --jobs-folder "$folder" --cores "$(value_o
   for name in $request; do [[ ! ${!name:-} ]] || echo "$name=${!name}"; done
 } >"$folder/choice"
 
-# Two minutes before its time is up a job is told, so that trainings write their checkpoints; sooner where it
-# has less than four.
+# Slurm signals a job two minutes before its time limit, so that trainings write checkpoints; after half the time if the
+# limit is below four minutes.
 limit_s=$(seconds_of "${SBATCH_TIMELIMIT:-60}") ||
   die "SBATCH_TIMELIMIT: minutes, minutes:seconds, hours:minutes:seconds or days-hours, not '$SBATCH_TIMELIMIT'"
 told_s=$((limit_s < 240 ? limit_s / 2 : 120))
-# Where this is called from a job of an array, ours are none of its tasks.
+# If a job of an array calls this script, the new jobs must not become its tasks.
 unset "${!SLURM_ARRAY_@}" SBATCH_ARRAY_INX
 
 submitted=()
@@ -79,7 +79,7 @@ submit() { # kind of job, number of them, cores, minutes, megabytes, further opt
   else
     options+=(--output="$folder/$kind.log")
   fi
-  # What sbatch's own environment says goes before what was measured.
+  # sbatch's own environment overrides the estimates.
   [[ ${SBATCH_TIMELIMIT:-} ]] || options+=(--time="$4")
   [[ ${SBATCH_MEM_PER_NODE:-}${SBATCH_MEM_PER_CPU:-} ]] || options+=(--mem="$5M")
   id=$(sbatch --parsable --job-name="$(job_name "$results" "$kind")" --chdir="$PWD" --nodes=1 --ntasks=1 \
@@ -89,14 +89,14 @@ submit() { # kind of job, number of them, cores, minutes, megabytes, further opt
   submitted+=("$id")
   printf '%s\t%s\n' "$kind" "$id" >>"$folder/submitted"
 }
-# All or nothing.
+# Cancels everything that was submitted.
 undo() {
   ((${#submitted[@]} == 0)) || scancel "${submitted[@]}"
   rm -f "$folder/submitted"
   die "$1; nothing is left in the queue"
 }
 
-after() { # makes `dependency` one on all jobs submitted so far
+after() { # sets `dependency` to wait for all jobs submitted so far
   local IFS=:
   dependency=()
   ((${#submitted[@]} == 0)) || dependency=("--dependency=afterany:${submitted[*]}")

@@ -1,10 +1,10 @@
 # `make demo`: three questions about a simulated machine, each a small grid in results/demo/.
 #
 #   three grids -> tables, figures, report.html
-#   the rule of the third grid, a recording that it has not seen -> recording.svg
-#   all of them -> the answers
+#   the rule of the third grid, a new recording -> recording.svg
+#   all three -> the answers
 #
-# Three seeds are enough because the margins are wide: the answers have the same words on any processor.
+# Three seeds suffice because the margins are wide: the words of the answers are the same on any processor.
 
 SHELL := /bin/bash
 MAKEFLAGS += --no-builtin-rules --no-print-directory
@@ -32,7 +32,8 @@ same_speed:
 other_speed:
 	$(call grid,tables,$(slower),none shift strike-twin,wdcnn-spectra)
 
-# 4 s of a machine with a damaged outer race, one number a line. Two makes at once write a file each.
+# 4 s of a machine with a damaged outer race, one number a line. Each of two simultaneous makes writes a file of its
+# own.
 $(recording).txt: pipeline/datasets/$(no_fault).toml
 	$(Q)mkdir -p $(@D) && set -o pipefail && part=$@.$$$$ && \
 	  $(BIN)/simulate --description $< --stream outer --duration-s 4 --output - | \

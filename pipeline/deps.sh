@@ -1,10 +1,9 @@
 #!/bin/bash
-# Installs by apt what the project needs and the machine lacks: as root, or with sudo. Where neither
-# is possible it prints the line for somebody who may, and exits with 2. When nothing is missing it
-# does nothing, and needs no network.
+# Installs missing packages by apt, as root or with sudo. If neither is possible, prints the command for an
+# administrator and exits with 2. If nothing is missing, does nothing and does not need a network.
 # usage: pipeline/deps.sh LIBTORCH TARGET...      (LIBTORCH: on or off)
-# TARGETs are `programs`, `tests`, `benches`, `figures`, `readers`, `cluster`, `lint` and `package`: what one of
-# them needs beyond the programs comes for it alone.
+# TARGETs are `programs`, `tests`, `benches`, `figures`, `readers`, `cluster`, `lint` and `package`. The packages that
+# only one of them needs are installed for that target only.
 set -euo pipefail
 
 libtorch=$1
@@ -21,12 +20,12 @@ packages=(
 [[ " $* " != *" tests "* ]] || packages+=(libgtest-dev libgmock-dev hdf5-tools gnuplot-nox qpdf fonts-dejavu-core)
 [[ " $* " != *" benches "* ]] || packages+=(libbenchmark-dev time)
 [[ " $* " != *" figures "* ]] || packages+=(gnuplot-nox qpdf fonts-dejavu-core)
-# The tests of `export_windows` have others read what it writes.
+# The tests of `export_windows` read its files with other programs.
 [[ " $* " != *" readers "* ]] || packages+=(python3-numpy python3-scipy octave)
-[[ " $* " != *" package "* ]] || packages+=(dpkg-dev file) # which libraries, of which packages, a program needs
+[[ " $* " != *" package "* ]] || packages+=(dpkg-dev file) # to find the libraries and packages that a program needs
 # The tests on a real Slurm start it themselves, in a network namespace.
 [[ " $* " != *" cluster "* ]] || packages+=(slurm-wlm iproute2)
-# Lint asks clang's tools of one version alone, that of Debian 12.
+# Lint uses only the version of clang's tools in Debian 12.
 if [[ " $* " == *" lint "* ]]; then
   packages+=(shellcheck)
   ! grep -qs '^VERSION_ID="12"' /etc/os-release || packages+=(clang-format clang-tidy libc++-dev libomp-dev)
@@ -44,7 +43,7 @@ for package in "${packages[@]}"; do
 done
 ((${#missing[@]})) || exit 0
 
-# A fresh machine may be installing its own updates; apt waits for that.
+# A fresh machine may be installing its own updates; apt waits for them.
 apt="env DEBIAN_FRONTEND=noninteractive apt-get --option DPkg::Lock::Timeout=300"
 packages_to_install="--yes --no-install-recommends ${missing[*]}"
 if ((EUID == 0)); then
@@ -58,7 +57,7 @@ else
 fi
 
 echo "deps: installing ${missing[*]}"
-# On a terminal apt shows how far it is; a log needs none of its hundreds of lines.
+# Show apt's progress on a terminal only; a log would get hundreds of lines.
 quiet=--quiet=2
 show=/dev/null
 [[ -t 1 ]] && quiet='' show=/dev/stdout

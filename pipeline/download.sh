@@ -1,7 +1,6 @@
 #!/bin/bash
-# Fetches the recordings of data sets from their official addresses, as their descriptions give
-# them, checks their sha256 sums, and goes on where it was stopped.
-# Data sets that are simulated need none.
+# Downloads the recordings of data sets from the official addresses in their descriptions, checks their sha256 sums, and
+# resumes after an interruption. Simulated data sets do not have recordings.
 # usage: pipeline/download.sh DATA_DIR DATASET...      (BIN in the environment: folder of the programs)
 set -euo pipefail
 
@@ -17,7 +16,7 @@ give_up() { # file, sha256, what happened
   exit 1
 }
 
-# What others have put there must not lead the download to elsewhere.
+# A link planted in the folder must not redirect the download.
 require_inside() { # file, sha256
   [[ $(realpath -m "${1%/*}")/ == "$(realpath -m "$data_dir")"/* ]] ||
     give_up "$1" "$2" "its folder is a link out of $data_dir, and nothing is downloaded to there"
@@ -28,10 +27,10 @@ require_inside() { # file, sha256
   done
 }
 
-# No recording is larger (src/raw/limits.hpp): curl goes by what the site says, the shell by what comes
-# and ends it by SIGXFSZ, which is 25. What comes by less than 1 kB/s for 20 s never comes.
+# Largest size of a recording (src/raw/limits.hpp). curl checks the size that the site announces; the shell checks the
+# received bytes and ends curl with SIGXFSZ, which is 25. A transfer below 1 kB/s for 20 s is given up.
 largest_bytes=4000000000
-too_large=63 # what curl says then
+too_large=63 # curl's exit code for it
 download() { # file, url
   { ulimit -f $((largest_bytes / 1024)) || :; } 2>/dev/null
   exec curl --fail --location --silent --show-error --retry 3 --connect-timeout 20 \
@@ -47,7 +46,7 @@ fetch() { # file, sha256, url
     echo "data: $file from $url"
     message=$(download "$part" "$url" 2>&1) || status=$?
     if ((status == too_large || status == 128 + 25)); then
-      rm -f "$part" # it is nothing to go on with
+      rm -f "$part" # useless for resuming
       message="more than $largest_bytes bytes"
     fi
     ((status == 0)) ||
@@ -65,7 +64,7 @@ for dataset in "$@"; do
     awk '!seen[$0]++')
   [[ $sources ]] || continue
   there=0 fetched=0 missing=()
-  # "sha256  file  url", two spaces between; "-" for a sum or an address that there is not.
+  # "sha256  file  url", separated by two spaces; "-" for a missing sum or address.
   while read -r line; do
     sum=${line%%  *} url=${line##*  } file=${line#*  }
     file=$data_dir/${file%  *}

@@ -1,7 +1,6 @@
 #!/bin/bash
-# Copies what people look at from a run to where its reference is kept: FOLDER/<dataset>/*.md, of the
-# figures the numbers and pictures, FOLDER/<dataset>/figures/*.csv and *.svg, and what is of several data sets,
-# FOLDER/transfer*@<group>.md, .csv and .svg.
+# Copies the tables and figures of a run to its reference: FOLDER/<dataset>/*.md, FOLDER/<dataset>/figures/*.csv and
+# *.svg, and for several data sets FOLDER/transfer*@<group>.md, .csv and .svg.
 # usage: pipeline/keep_shown.sh results/RUN FOLDER
 set -euo pipefail
 shopt -s nullglob
@@ -15,7 +14,7 @@ for table in "$run"/*/*.md "$run"/transfer*@*.{md,csv,svg}; do
 done
 for figures in "$run"/*/figures; do
   kept=$folder/${figures#"$run"/}
-  rm -rf "$kept" # with figures that the run no longer has
+  rm -rf "$kept" # including figures that the run no longer has
   mkdir -p "$kept"
   cp "$figures"/*.csv "$figures"/*.svg "$kept"
   printf 'kept %s\n' "$kept"

@@ -1,13 +1,13 @@
 #!/bin/bash
-# Checks the rules that a machine can keep (CONTRIBUTING.md, "Style" and "Rooms"). Prints one line for
-# each finding, "file:line: what; what would be right", and at the end how many each rule has found.
-# Exits with 1 if anything was found, with 2 if a rule could not be checked.
+# Checks the rules that a machine can check (CONTRIBUTING.md, "Style" and "Rooms"). Prints one line for each finding,
+# "file:line: what; what would be right", and finally the number of findings of each rule. Exits with 1 after findings,
+# with 2 if a rule could not be checked.
 # usage: [LINT=all] pipeline/lint.sh [RULE [FILE or FOLDER...]]
-# Without LINT=all the two slow rules look at what changed: tidy, and headers in src/libtorch.
+# Without LINT=all the two slow rules check only what changed: tidy, and headers in src/libtorch.
 set -uo pipefail
 cd "$(dirname "$0")/.." || exit 2
 
-rules=(format shell spaces torch rooms names units headers tidy) # the quick ones first
+rules=(format shell spaces pages english torch rooms names units headers tidy) # the quick ones first
 if (($#)); then
   [[ " ${rules[*]} " == *" $1 "* ]] || {
     echo "lint: there is no rule '$1'; the rules are ${rules[*]}" >&2

@@ -1,7 +1,7 @@
 #!/bin/bash
-# Moves the cells of a run of before 0.1.0 to where they are now. The paper's classifier, wdcnn, had its files in the
+# Moves the cells of a run from before 0.1.0 to the present layout. The paper's classifier, wdcnn, had its files in the
 # folder of the ratio; now it has a folder there, as all others: 10to1/diagnosis.h5 becomes 10to1/wdcnn/diagnosis.h5.
-# Moving keeps the times of files, so make does not compute them again. A second call changes nothing.
+# Moving keeps file times, so make does not recompute the cells. A second call changes nothing.
 # usage: pipeline/new_layout.sh results/RUN...
 set -euo pipefail
 
@@ -16,7 +16,7 @@ for run; do
     refuse 65 "$run: is not a run, since it has no folder DATASET/seedK; name one such as results/paper"
 done
 
-# RUN/DATASET/seedK/METHOD/RATIO, and one folder more for the cells of sweeps and readings.
+# Lists RUN/DATASET/seedK/METHOD/RATIO, and one folder deeper for the cells of sweeps and interpretations.
 cells_of_before() { # run
   find -L "${1%/}/" -mindepth 5 -maxdepth 6 -type f -regextype posix-extended \
     -regex '.*/seed[0-9]+/([^/]+/){1,2}[0-9]+to1/(diagnosis\.h5|diagnose\.log|(features|classifier)\.(h5|log))(\.checkpoint)?' -print0

@@ -1,11 +1,11 @@
 # shellcheck shell=bash
 # shellcheck disable=SC2154 # step.sh sets what it reads
-# What a step makes, and whether it has; to be sourced by step.sh, whose variables it reads.
+# Outputs of a step and checks of them; to be sourced by step.sh, whose variables it reads.
 
 time_of() { stat --format=%.6Y "$1"; }
 
-# Whether a file has been made anew: a stage writes beside it and renames. A file that was not there needs no
-# looking at.
+# Identifies a version of a file, to detect that a stage has remade it: stages write a new file and rename it. Files
+# that did not exist before are not checked.
 identity() { stat --format='%i %y' "$1" 2>/dev/null; }
 note_what_is_there() {
   was=()
@@ -21,14 +21,15 @@ all_are_new() {
   local i is
   for i in "${!makes[@]}"; do
     missing_output=${makes[i]}
-    # To open a file makes a network's file system look how it is now.
+    # Opening a file refreshes the view of a network file system.
     { : <"$missing_output"; } 2>/dev/null || return
     [[ ! ${was[i]} ]] || { is=$(identity "$missing_output") && [[ $is != "${was[i]}" ]]; } || return
   done
   missing_output=
 }
-# A stage that has ended by itself has said what it used. Then a file that another node has made may come
-# into sight late. The numbers of figures that are as they were are left as they are: there it says enough.
+# True if the stage has made its outputs. A stage that has ended by itself has reported its usage; outputs written on
+# another node may then appear late. Unchanged numbers of figures are not rewritten, so for steps without outputs that
+# report is enough.
 made_anew() {
   local tries=0
   missing_output=
@@ -40,12 +41,12 @@ made_anew() {
     [[ $SUBMIT ]] && ((tries++ < 60)) && log_has '^step: used ' || return
     sleep 1
   done
-  return 0 # not what a sleep returned that was signalled together with this script
+  return 0 # a sleep that was signalled together with this script returns another code
 }
 
-# True if the stage was interrupted and has left a checkpoint. Waits for it where the stage may still be running:
-# a stage that has ended by itself has reported what it used. Of a step that was not told to stop, only a
-# checkpoint written from now on counts; an earlier one does not tell a lost node from an interrupted stage.
+# True if the stage was interrupted and left a checkpoint. Waits for the checkpoint while the stage may still be
+# running: a stage that has ended by itself has reported its usage. If the step was not told to stop, only a checkpoint
+# written from now on counts, because an earlier one does not distinguish a lost node from an interrupted stage.
 left_checkpoint() {
   local checkpoint tries=0
   ((${#makes[@]})) && ! all_are_new || return
@@ -54,5 +55,5 @@ left_checkpoint() {
     ((tries++ < 5 * ${CHECKPOINT_WITHIN:-30})) && ! log_has '^step: used ' && ! all_are_new || return
     sleep 0.2
   done
-  return 0 # as above
+  return 0 # see made_anew
 }

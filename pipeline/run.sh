@@ -1,9 +1,9 @@
 #!/bin/bash
-# Makes what is asked for, stretch by stretch: the grid with its tables, the numbers of figures, their pictures, the
-# pages. A stretch is planned when the one before is done; figures and pages show what there is, also where a cell
-# has failed. What is to be done decides build/bin/plan; make runs it.
+# Makes the request stretch by stretch: the grid with its tables, the numbers of figures, their pictures, the pages.
+# Each stretch is planned after the previous one; figures and pages show what exists, even after failed cells.
+# build/bin/plan decides what is to be done; make runs it.
 # usage: pipeline/run.sh MAKE      with GOALS, RUN, DATASETS, ... in the environment, as the Makefile sets them
-# shellcheck disable=SC2016 # commands that messages name stand in backquotes
+# shellcheck disable=SC2016 # messages have commands in backquotes
 set -u
 
 make=$1 flags=${MAKEFLAGS:-} status=0 stopped=
@@ -25,9 +25,10 @@ options=()
 [[ ${V:-} ]] || options+=(--quietly)
 [[ $flags != *[nq]* ]] || options+=(--looks)
 
-# A signal is passed on, and make waited for: stages may be writing checkpoints.
+# Pass signals on and wait for make: stages may be writing checkpoints. If this script is killed, make must end, too:
+# otherwise the make that called it waits for its job slots.
 run_make() { # further options
-  "$make" "$@" --no-builtin-rules --no-print-directory --file="$scratch" steps &
+  setpriv --pdeathsig TERM "$make" "$@" --no-builtin-rules --no-print-directory --file="$scratch" steps &
   local child=$! signalled=1 code
   trap 'stopped=yes signalled=1; kill -TERM "$child" 2>/dev/null' INT TERM HUP QUIT
   while ((signalled)); do
@@ -42,11 +43,11 @@ next=grid
 while :; do
   export ASKED_AT=$EPOCHREALTIME
   plan --format make --stretch "$next" "${options[@]}" >"$scratch" || exit
-  read -r _ stretch next <"$scratch" # "# numbers pictures": what is to be done first, and what follows
+  read -r _ stretch next <"$scratch" # "# numbers pictures": the stretch to do, and the next one
   [[ $stretch != shown ]] || break
   export PIAE_STRETCH=$stretch
   further=()
-  [[ $stretch == grid ]] || further=(--keep-going) # what cannot be shown holds up nothing else
+  [[ $stretch == grid ]] || further=(--keep-going) # one failed figure must not stop the others
   run_make "${further[@]}" || status=$?
   [[ ! $stopped ]] || exit "$status"
   [[ $flags != *q* ]] || exit "$status"

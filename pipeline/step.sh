@@ -1,27 +1,25 @@
 #!/bin/bash
-# Runs one stage for one folder of a run: a log beside what it makes, warnings and errors on
-# standard error, one line when it is done. Whatever it prints begins with the cell it belongs to.
+# Runs one stage for one folder of a run. Writes a log next to its files, warnings and errors to standard error, and one
+# line when it is done. All output starts with the cell.
 #
-# The log is locked while the step runs. Its second line says when it began, by the clock of the file
-# system, and its last ones how long it has waited for its turn, where it has, what the stage used, unless
-# it was killed, and how it ended:
-#   step: begun at 1763800000.123456
-#   step: waited 20.1 s
-#   step: used 11.93 s of processor time and 153 MB of memory
-#   step: exit 65 after 12.3 s
-# Locked and without the last line, a step is running; not locked and without it, it was killed. `make
-# status` and `make report` read this.
+# The log is locked while the step runs. Its second line has the start time, by the clock of the file system. Its last
+# lines have the time spent in a queue, if any, the resources used, unless the stage was killed, and the end:
+#   `step: begun at 1763800000.123456`
+#   `step: waited 20.1 s`
+#   `step: used 11.93 s of processor time and 153 MB of memory`
+#   `step: exit 65 after 12.3 s`
+# A locked log without the last line belongs to a running step; an unlocked one to a killed step. `make status` and
+# `make report` read this.
 #
 # usage: pipeline/step.sh results/RUN/DATASET/... STAGE OPTION... [-- FILE...]
-# The FILEs are what the stage makes, beside that which its --output says.
-# From the environment: BIN (folder of the programs), SUBMIT (a command to put before the stage),
-# ASKED_AT (when the step was planned; may be missing), ONLY_IF_DUE (that it is due only if what it waits for has
-# come out otherwise than before), STEP_LOG (what the log is called where the stage has another step in the same
-# folder; otherwise as the stage), CHECKPOINT_WITHIN (how many seconds
-# to wait for the checkpoint of a stage whose launcher has given up; 30, as long as Slurm waits before it kills).
+# The FILEs are outputs of the stage in addition to its --output.
+# Environment: BIN (folder of the programs), SUBMIT (a command to put before the stage), ASKED_AT (when the step was
+# planned; optional), ONLY_IF_DUE (run only if a step that it needs has changed its outputs), STEP_LOG (name of the log
+# if the stage has another step in the same folder; default: the stage), CHECKPOINT_WITHIN (seconds to wait for the
+# checkpoint of a stage whose launcher has given up; default 30, as long as Slurm waits before it kills).
 set -u
-export LC_ALL=C    # numbers and times with a point
-export PIAE_STEP=1 # the stage says on standard error that it has started, and what it used
+export LC_ALL=C    # decimal points in numbers and times
+export PIAE_STEP=1 # the stage reports its start and its usage on standard error
 
 folder=$1 stage=$2
 shift 2
@@ -33,31 +31,32 @@ while (($#)); do
   shift
 done
 cell=${folder#results/*/}
-name=$folder/${STEP_LOG:-$stage}
+step=${STEP_LOG:-$stage}
+name=$folder/$step
 log=$name.log
 PIAE_RUN=${folder#results/}
 export PIAE_RUN=results/${PIAE_RUN%%/*} # its journal gets a line for each artefact
 # shellcheck source=pipeline/environment.sh
 source "${0%/*}/environment.sh"
-# A stage runs on one thread: make and the scheduler fill the cores. Only simulate, which everything
-# else waits for, takes what there is.
+# A stage runs on one thread, since make and the scheduler fill the cores. Only simulate, for which everything else
+# waits, uses all cores.
 [[ $stage == simulate ]] || export OMP_NUM_THREADS=1
 # shellcheck source=pipeline/outputs.sh
 source "${0%/*}/outputs.sh"
 
-# A grid has thousands of steps: no process is started here for what bash does itself. So these leave what they
-# find in a variable of their name.
+# Avoid subprocesses, since a grid has thousands of steps: each helper returns its result in the variable of the same
+# name.
 now() { now=$((${EPOCHREALTIME/./} / 1000)); } # ms
 seconds() { seconds=$(($1 / 1000)).$(($1 % 1000 / 100)); } # of ms
-# What comes in hundreds of lines is cut where a terminal ends; the log has it whole.
+# Cuts a line at the width of a terminal, since a run prints hundreds of them; the log has it whole.
 fit() { ((${#1} <= 100)) && fit=$1 || fit=${1:0:97}...; }
-report() { printf '%-32s %-8s %s\n' "$cell" "$stage" "$1"; }
+report() { printf '%-32s %-10s %s\n' "$cell" "$step" "$1"; }
 
 show_and_log() {
   local waited=
-  trap '' INT TERM HUP QUIT # it ends when the stage does
+  trap '' INT TERM HUP QUIT # ends with the stage
   while IFS= read -r line; do
-    # Where a command stands before the stage, its job may have waited in a queue.
+    # If a command precedes the stage, its job may have waited in a queue.
     if [[ $line == "step: started" && ! $waited ]]; then
       now
       waited=$((now - submitted))
@@ -67,13 +66,13 @@ show_and_log() {
     printf '%s\n' "$line" >>"$log"
     [[ $line != "step: "* ]] || continue
     printf -v line '%-32s %s' "$cell" "$line"
-    # How far a stage is, is cut; a warning or an error never.
+    # Progress is cut; warnings and errors are not.
     fit=$line
     [[ $line != *" $stage  "[#.]* ]] || fit "$line"
     echo "$fit" >&2
   done
 }
-# Whoever signals all processes of a job at once, as Slurm does, would end a grep that looks into the log.
+# No grep here: a signal to all processes of the job, as Slurm sends it, would end it.
 log_has() { # extended regular expression, for a line
   local line lines
   mapfile -t lines <"$log"
@@ -89,16 +88,16 @@ cannot_write() {
 
 [[ -d $folder ]] || mkdir -p "$folder" 2>/dev/null || cannot_write
 [[ ! -L $log ]] || cannot_write           # a link may have been planted
-[[ ! -e $log || -f $log ]] || cannot_write # a pipe would be waited for
+[[ ! -e $log || -f $log ]] || cannot_write # a pipe would block
 { exec 9>>"$log"; } 2>/dev/null || cannot_write
-# The stage inherits the lock: should this script be killed alone, its stage is still running. Status
-# code 1 says that another has it; any other that this file system has no locks, and we go without.
+# The stage inherits the lock, because it keeps running if this script alone is killed. Status 1 means that another
+# process has the lock; any other failure that the file system lacks locks, and the step runs without one.
 flock --timeout 1 9 2>/dev/null
 if (($? == 1)); then
   report "waits: another make is at this step" >&2
   flock 9
 fi
-# Another make may have done it since it was planned; or all that it waits for has come out as before.
+# Another make may have finished this step since it was planned, or its inputs may have come out unchanged.
 planned_before() { [[ -s $log && ${ASKED_AT:-} && $(time_of "$log") > $ASKED_AT ]]; }
 if [[ ${ONLY_IF_DUE:-} ]] || planned_before; then
   "$BIN/plan" --is-due "$name" 2>/dev/null
@@ -115,19 +114,19 @@ now
 submitted=$now
 exec 3> >(show_and_log)
 reader=$!
-# In a process group of its own where a command stands before the stage: Ctrl-C, which a terminal sends to
-# all, shall reach it by way of us alone.
+# If a command precedes the stage, it gets a process group of its own, so that Ctrl-C, which a terminal sends to the
+# whole group, reaches it only through this script.
 [[ ! $SUBMIT ]] || set -m
-# SUBMIT is a command with its options: its words are meant to be split.
+# SUBMIT is a command with options, so its words must be split.
 # shellcheck disable=SC2086
 $SUBMIT "$BIN/$stage" "${options[@]}" >>"$log" 2>&3 3>&- &
 child=$!
 set +m
 exec 3>&-
 
-# A signal is passed on, and the stage waited for: it may be writing a checkpoint. srun passes USR1 on, and
-# kills the stage at once for any other. Before the stage has started USR1 is for nobody: TERM then takes it
-# out of the queue.
+# Pass a signal on and wait for the stage, which may be writing a checkpoint. srun passes USR1 on, and kills the stage
+# at once for any other signal. Before the stage has started, USR1 has no effect, so TERM takes the job out of the
+# queue.
 # shellcheck disable=SC2317 # the trap calls it
 stop_it() {
   stopped=yes signalled=1
@@ -149,8 +148,8 @@ wait "$reader"
 now
 elapsed=$((now - submitted))
 mapfile -t lines <"$log"
-# The stage's last line says what it did; a warning or how far it was, which begin with the stage's name, may
-# come behind it.
+# The stage's last line is its summary. A warning or a line of progress, which starts with the stage's name, may follow
+# it.
 waited=0 last='' summary=''
 for line in "${lines[@]:2}"; do
   if [[ $line == "step: "* ]]; then
@@ -161,20 +160,19 @@ for line in "${lines[@]:2}"; do
   [[ $line == "$stage: "* || $line == "$stage  "* ]] || summary=$line
 done
 seconds $((elapsed - 10#$waited))
-# Which stage, for which cell and in which file, stands before it already; where it gives a result after a
-# colon, that is enough.
+# Stage, cell and file are already in the line, so drop them. Of a summary with a colon keep only the part after it.
 summary=${summary:-$last}
 summary=${summary#"$stage: "}
 summary=${summary%%": $folder/"*}
 summary=${summary#*: }
 
 # srun gives up a few seconds after a requeue of its job. Then it returns 0 or 1, although the stage may still be
-# writing its checkpoint, or has ended with 75 already. So the checkpoint decides, and not how srun ended.
+# writing its checkpoint, or has already ended with 75. So the checkpoint counts, not srun's exit code.
 if [[ $SUBMIT ]] && has_started && { ((status == 0)) || [[ $stopped ]]; } && ((status != 75)) && left_checkpoint; then
   status=75
 fi
 
-# That a step is done, its files say: srun of Slurm 22 returns 0 when its node is lost.
+# The outputs decide if a step is done: srun of Slurm 22 returns 0 when its node is lost.
 why=
 if ((status == 0)) && ! made_anew; then
   status=$((${#stopped} ? 143 : 1))
@@ -188,7 +186,7 @@ fi
 echo "step: exit $status after $seconds s" >>"$log"
 case $status in
   0)
-    printf -v line '%-32s %-8s %8s s  %s' "$cell" "$stage" "$seconds" "$summary"
+    printf -v line '%-32s %-10s %8s s  %s' "$cell" "$step" "$seconds" "$summary"
     fit "$line"
     echo "$fit"
     ;;

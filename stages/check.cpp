@@ -28,7 +28,7 @@ void store(const std::vector<regression::Measurements>& run, const fs::path& fol
   }
 }
 
-/// Adds each dataset that only the reference has, without values, so that its cells are found to be
+/// Adds each dataset that only the reference has, without values, so that its cells count as
 /// missing.
 void add_missing(std::vector<regression::Measurements>& run, const fs::path& folder,
                  const run::Selection& selection) {
@@ -41,8 +41,8 @@ void add_missing(std::vector<regression::Measurements>& run, const fs::path& fol
   }
 }
 
-/// Prints how the run deviates from the reference, and says whether that is acceptable. No
-/// tolerance stands for the one that fits what both were made with.
+/// Prints the deviations of the run from the reference. Returns true if they are acceptable.
+/// Without a given tolerance, chooses the one that fits the settings of both.
 bool check_dataset(const regression::Measurements& run, const fs::path& folder,
                    const run::Selection& selection,
                    std::optional<regression::Tolerance> tolerance) {

@@ -20,12 +20,12 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// What the recordings are: one file by itself, or those of a description.
+/// Recordings to classify: a single file, or those of a description.
 struct Sources {
   classification::LoneFile lone;
   fs::path description;
   fs::path data_dir = "data";
-  std::vector<std::string> records;  ///< of the description; all where none is named
+  std::vector<std::string> records;  ///< of the description; all if empty
 };
 
 void require_one_source(const Sources& sources) {

@@ -1,4 +1,4 @@
-// Sets two runs side by side that differ in one condition.
+// Compares two runs that differ in one condition.
 
 #include "report/contrast.hpp"
 

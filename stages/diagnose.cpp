@@ -3,29 +3,16 @@
 #include <spdlog/fmt/fmt.h>
 
 #include <iostream>
-#include <optional>
 
 #include "cli/progress.hpp"
 #include "cli/run_options.hpp"
 #include "cli/stage.hpp"
 #include "diagnosis/catalogue.hpp"
 #include "diagnosis/diagnosis.hpp"
-#include "diagnosis/one_core_backend.hpp"
-#include "diagnosis/trust.hpp"
 #include "seam/libtorch.hpp"
 
 using namespace piae;
 namespace fs = std::filesystem;
-
-namespace {
-
-diagnosis::MakeWdcnnBackend choose_backend(const Compute& compute, char** argv) {
-  if (!needs_libtorch(compute)) return diagnosis::make_one_core_backend;
-  seam::continue_with_libtorch(argv);
-  return seam::back_ends()->wdcnn(compute.device);
-}
-
-}  // namespace
 
 int main(int argc, char** argv) {
   cli::Stage stage(
@@ -45,17 +32,10 @@ int main(int argc, char** argv) {
   cli::RunOptions run;
   bool reproducible = false;
   bool keep_features = false;
-  fs::path test_file;
-  fs::path normal_file;
-  fs::path known_file;
-  fs::path generated_file;
+  diagnosis::InputFiles files;
   fs::path output;
   fs::path classifier_file;
-  stage.input_file("--test", test_file, "A.h5 made by split");
-  stage.input_file("--normal", normal_file, "B.h5 made by split");
-  stage.input_file("--known", known_file, "C.h5 made by split");
-  stage.input_file("--generated", generated_file, "E.h5 made by generate; not with 100to1")
-      .required(false);
+  bind(stage, files);
   stage.output_file("--output", output, "diagnosis.h5, predictions and training curves")
       .required(false);
   stage
@@ -87,23 +67,14 @@ int main(int argc, char** argv) {
     }
     const scoring::Ratio& ratio = scoring::find_ratio(ratio_name);
     const diagnosis::MakeWdcnnBackend make_backend =
-        classifier.represent != nullptr ? choose_backend(run.compute, argv) : nullptr;
-    std::optional<artefact::Reader> generated;
-    const artefact::Reader test = stage.open("test", test_file, "windows");
-    const artefact::Reader normal = stage.open("normal", normal_file, "windows");
-    const artefact::Reader known = stage.open("known", known_file, "windows");
-    if (!generated_file.empty()) {
-      generated.emplace(stage.open("generated", generated_file, "windows"));
-    }
-    diagnosis::Diagnosis diagnosis(
-        {.classifier = classifier,
-         .ratio = ratio,
-         .seed = run.seed,
-         .options = options,
-         .make_backend = make_backend,
-         .keep_features = keep_features},
-        diagnosis::read_inputs(test, normal, known, generated ? &*generated : nullptr),
-        known_file.string());
+        classifier.represent != nullptr ? seam::wdcnn_backend(run.compute, argv) : nullptr;
+    diagnosis::Diagnosis diagnosis({.classifier = classifier,
+                                    .ratio = ratio,
+                                    .seed = run.seed,
+                                    .options = options,
+                                    .make_backend = make_backend,
+                                    .keep_features = keep_features},
+                                   diagnosis::read_inputs(stage, files), files.known.string());
     cli::Progress progress("diagnose", "epochs", diagnosis.epochs(!classifier_file.empty()));
     std::size_t done = 0;
     const auto epoch_done = [&](std::int64_t /*of_one*/, double loss) {
@@ -111,23 +82,16 @@ int main(int argc, char** argv) {
     };
     diagnosis.learn(epoch_done);
     if (!output.empty()) {
-      scoring::DiagnosisRecord record = diagnosis.record();
-      const std::string summary = diagnosis.summary_of(record);
-      if (reproducible) record.train_windows_per_second.reset();
       artefact::Writer writer("diagnosis");
-      scoring::write(writer, record);
+      const std::string summary = diagnosis.write(writer, reproducible);
       stage.save(writer, output);
       std::cout << summary << ": " << output.string() << '\n';
     }
     if (!classifier_file.empty()) {
-      diagnosis::KeptClassifier kept = diagnosis.keep(epoch_done);
-      const diagnosis::Trust trust = diagnosis::trust_in(kept, diagnosis.inputs().test);
       artefact::Writer writer("classifier");
-      kept.write(writer);
-      diagnosis::write(writer, trust);
+      const std::string summary = diagnosis.write_classifier(writer, epoch_done);
       stage.save(writer, classifier_file);
-      std::cout << "kept " << diagnosis::summary_of(kept, trust) << ": " << classifier_file.string()
-                << fmt::format(" ({:.1f} MB)\n",
+      std::cout << fmt::format("kept {}: {} ({:.1f} MB)\n", summary, classifier_file.string(),
                                static_cast<double>(fs::file_size(classifier_file)) / 1e6);
     }
   });

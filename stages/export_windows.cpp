@@ -1,4 +1,4 @@
-// Writes windows in the formats of other programs. Shells have a command `export` of their own.
+// Writes windows in the formats of other programs. Not named `export`, which is a shell command.
 
 #include <spdlog/fmt/fmt.h>
 

@@ -26,7 +26,8 @@ bool save(figures::Source& source, const figures::Figure& figure) {
   } catch (const figures::LeftOut& reason) {
     std::cout << fmt::format("left out {}: {}\n", figure.name, reason.what());
   } catch (const Error& error) {
-    if (error.exit() == Exit::failed) throw;  // such as a full disk: no other figure can be written
+    if (error.exit() == Exit::failed)
+      throw;  // such as a full disk: then the other figures cannot be written, either
     spdlog::warn("{} is not drawn: {}", figure.name, error.what());
     if (was_drawn) spdlog::warn("the picture that there was of {} is removed", figure.name);
   }

@@ -23,8 +23,8 @@ using namespace piae;
 
 namespace {
 
-/// Prints what was found as tables, and then each warning and each problem in a line of its own.
-/// Draws the picture, too, where its file is named.
+/// Prints the findings as tables, then each warning and each problem in a line of its own. Draws
+/// the picture if its file is named.
 void check_files(const signal::Description& description, const fs::path& folder,
                  const fs::path& picture) {
   cli::Progress progress("check", "records", description.records.size());

@@ -1,4 +1,4 @@
-// Judges a stream of raw samples by a kept classifier, and raises an alarm.
+// Classifies a stream of raw samples with a kept classifier, and raises an alarm.
 
 #include <spdlog/spdlog.h>
 #include <unistd.h>

@@ -1,12 +1,10 @@
-// Prints which steps of a run are to be done, and why: for make, for other programs, for people.
+// Prints which steps of a run are due, and why: for make, other programs and people.
 
 #include <iostream>
 
-#include "base/error.hpp"
 #include "cli/checks.hpp"
 #include "cli/stage.hpp"
 #include "plan/asked.hpp"
-#include "plan/cluster_jobs.hpp"
 #include "plan/goals.hpp"
 #include "plan/planned.hpp"
 #include "plan/printed.hpp"
@@ -16,55 +14,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr int not_due = 3;  // exit code of --is-due; 1 would also mean that plan failed
-
-enum class Format { make, why, summary, missing, jobs, costs };
-
-/// How the steps are divided among jobs of a cluster, and the folder that gets their lists.
-struct JobOptions {
-  fs::path folder;
-  std::size_t cores = 4;
-  double minutes = 15;
-};
-
-std::string printed(plan::Plan& plan, Format format, const JobOptions& jobs) {
-  const auto costs = [] { return plan::Costs::read("jobs/costs.csv"); };
-  switch (format) {
-    case Format::summary:
-      return summary_of(plan, costs());
-    case Format::missing:
-      return missing_of(plan);
-    case Format::costs: {
-      plan::RealLogs logs;
-      return measured_costs(plan, logs);
-    }
-    case Format::jobs: {
-      const auto kinds = divide(plan, costs(), jobs.cores, jobs.minutes);
-      write_jobs(kinds, jobs.folder);
-      return table_of(kinds) + guessed_costs_of(plan, costs());
-    }
-    default:
-      return why_of(plan);
-  }
-}
-
-/// Prints the first stretch of a run in which something is to be done, and names those behind it:
-/// their steps follow from the files that there will be.
-std::string printed_of_all(plan::Planned& planned, Format format) {
-  std::string text;
-  std::string later;
-  for (const plan::Stretch stretch : plan::stretches) {
-    if (!has_steps_in(stretch, planned.plan().choice())) continue;
-    if (!text.empty()) {
-      later += (later.empty() ? "" : ", ") + std::string(to_string(stretch));
-      continue;
-    }
-    planned.go_to(stretch);
-    text = printed(planned.plan(), format, {});
-  }
-  if (later.empty()) return text;
-  return text + "then, of what there will be: " + later + '\n';
-}
+constexpr int not_due = 3;  // exit code of --is-due; 1 would be the same as a failure of plan
 
 }  // namespace
 
@@ -76,8 +26,8 @@ int main(int argc, char** argv) {
                    "plan --run try --datasets cwru --goals all");
   plan::Asked asked;
   plan::PlanOptions options;
-  JobOptions jobs;
-  Format format = Format::why;
+  plan::JobOptions jobs;
+  plan::Format format = plan::Format::why;
   std::string due;
   std::string noted;
   bool quietly = false;
@@ -86,12 +36,12 @@ int main(int argc, char** argv) {
   bind(stage.options(), options);
   stage.options().choose(
       "--format", format,
-      {{"why", Format::why},
-       {"make", Format::make},
-       {"summary", Format::summary},
-       {"missing", Format::missing},
-       {"jobs", Format::jobs},
-       {"costs", Format::costs}},
+      {{"why", plan::Format::why},
+       {"make", plan::Format::make},
+       {"summary", plan::Format::summary},
+       {"missing", plan::Format::missing},
+       {"jobs", plan::Format::jobs},
+       {"costs", plan::Format::costs}},
       "why: a line for each step; make: a makefile; summary: how much; missing: the files that "
       "tables lack; jobs: for a cluster; costs: what steps took, for jobs/costs.csv");
   stage.options().flag("--whole", whole,
@@ -115,24 +65,20 @@ int main(int argc, char** argv) {
       planned->note(noted);
       return planned->save();
     }
-    if (whole && format != Format::why && format != Format::summary) {
-      throw Error(Exit::usage, "--whole goes with --format why or summary (see plan --help)");
-    }
     plan::Planned planned(request, options);
-    if (options.stretch == plan::Stretch::grid) {  // which comes first: said once
+    if (options.stretch == plan::Stretch::grid) {  // the first stretch: print notices once
       for (const std::string& notice : planned.plan().choice().notices) std::cerr << notice << '\n';
     }
     if (whole) {
-      const std::string all = printed_of_all(planned, format);
-      std::cout << (all.empty() ? "nothing is to be done\n" : all);
+      std::cout << printed_whole(planned, format);
       return;
     }
-    if (format == Format::jobs) {
+    if (format == plan::Format::jobs) {
       plan::require_one_that([](const plan::Goal& goal) { return goal.is_submitted; },
                              request.goals);
     }
-    std::cout << (format == Format::make ? next_makefile(planned, quietly)
-                                         : printed(planned.plan(), format, jobs));
+    std::cout << (format == plan::Format::make ? next_makefile(planned, quietly)
+                                               : printed(planned.plan(), format, jobs));
     planned.save();
   });
   return exit == 0 ? result : exit;

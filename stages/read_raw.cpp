@@ -1,5 +1,5 @@
-// Reads one variable of raw recordings for ingest, which runs it for each record: where a library
-// that reads them crashes or takes too much, only this program ends.
+// Reads one variable of raw recordings. ingest starts it for each record, so that a crash or a lack
+// of memory in a library ends only this program.
 
 #include <unistd.h>
 

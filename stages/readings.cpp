@@ -1,4 +1,4 @@
-// Makes the tables of the readings of the paper from their cells.
+// Makes the tables of the interpretations of the paper from their cells.
 
 #include <spdlog/fmt/fmt.h>
 

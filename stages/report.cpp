@@ -1,4 +1,4 @@
-// Makes the pages of a run, to be looked at.
+// Makes the pages that show a run.
 
 #include <spdlog/fmt/fmt.h>
 

@@ -19,7 +19,7 @@ std::int64_t windows_of(const scoring::QualityRecord& record) {
   return windows;
 }
 
-/// What the fault line says nothing of.
+/// Names the classes without a fault line.
 std::string without_line(const scoring::QualityRecord& record) {
   std::string names;
   for (const scoring::ClassQuality& quality : record.classes) {

@@ -1,4 +1,4 @@
-// Simulates the records of a data set, or the signal of one machine that runs on and on.
+// Simulates the records of a data set, or an endless signal of one machine.
 
 #include <spdlog/fmt/fmt.h>
 #include <spdlog/spdlog.h>
@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Writes the samples of a machine as they come.
+/// Writes the samples of a machine while they are simulated.
 void stream_to(const fs::path& output, const signal::Simulation& simulation,
                const std::string& class_name, const signal::MachineOptions& options) {
   signal::Machine machine(simulation, class_name, options);

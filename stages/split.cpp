@@ -18,7 +18,7 @@ void print_summary(const signal::Split& split, const signal::SplitOptions& optio
   if (options.known_per_class == 0) {
     std::cout << "no fault window is known (known-per-class = 0), so C.h5 holds none\n";
   }
-  // The counts come first, since make shows only what fits a terminal.
+  // Counts come first, because make cuts the line at the width of the terminal.
   std::cout << "split:";
   for (const signal::Role role : signal::split_roles) {
     std::cout << ' ' << to_string(role) << ' ' << split.of(role).size();
@@ -59,7 +59,7 @@ int main(int argc, char** argv) {
         done.push_back(file);
       }
     } catch (const Error&) {
-      // Some roles of this split beside those of another, or none, would be taken for a whole one.
+      // An incomplete split would look whole next to roles of another split, or alone.
       for (const fs::path& file : done) artefact::remove_file(file);
       throw;
     }

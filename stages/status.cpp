@@ -1,4 +1,4 @@
-// Shows how far a run is.
+// Shows the progress of a run.
 
 #include "plan/status.hpp"
 
@@ -23,17 +23,24 @@ int main(int argc, char** argv) {
       "status --run try --datasets cwru --goals all");
   plan::Asked asked;
   fs::path pipeline = "pipeline";
-  fs::path jobs;
+  fs::path queue;
+  fs::path submission_folder;
   bind(stage.options(), asked);
   stage.input_file("--pipeline", pipeline, "Folder with protocol.toml and datasets/")
       .required(false);
-  stage.input_file("--jobs", jobs, "What jobs/ended.sh says of the run's jobs").required(false);
+  stage.input_file("--queue", queue, "What jobs/queue.sh says of the run's jobs").required(false);
+  stage.input_file("--spent", submission_folder, "Say only what the jobs of this submission spent")
+      .required(false);
 
   return stage.run(argc, argv, [&] {
+    if (!submission_folder.empty()) {
+      std::cout << plan::spent_by_submission(submission_folder);
+      return;
+    }
     std::istringstream nothing;
-    std::ifstream lines(jobs);
+    std::ifstream lines(queue);
     const plan::Submission submission =
-        plan::read_submission(jobs.empty() ? static_cast<std::istream&>(nothing) : lines);
+        plan::read_submission(queue.empty() ? static_cast<std::istream&>(nothing) : lines);
     plan::Request request = asked.request();
     take_submission(submission, request, !asked.goals.empty());
     plan::require_one_that([](const plan::Goal& goal) { return !goal.counts.empty(); },

@@ -1,4 +1,4 @@
-// Makes the table of a sweep from its diagnoses: of hyper-parameters, or of what parts are worth.
+// Makes the table of a sweep from its diagnoses: of hyper-parameters, or of the effect of parts.
 
 #include "report/sweep.hpp"
 
@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Both tables of a sweep: that for programs, and that for people.
+/// Both tables of a sweep: for programs, and for people.
 struct Tables {
   std::string csv;
   report::Document document;

@@ -1,4 +1,4 @@
-// Learns a method for making fault windows from the known fault windows of a split.
+// Trains a method on the known fault windows of a split, to generate fault windows.
 
 #include <spdlog/fmt/fmt.h>
 
@@ -37,25 +37,21 @@ int main(int argc, char** argv) {
   stage.output_file("--output", model_file,
                     "the model; FILE.checkpoint stands beside it meanwhile");
   std::unique_ptr<augment::Method> method;
-  if (!name.empty()) {
-    try {
-      method = augment::make_method(name);
-      method->bind(stage.options().in_group(name));
-      if (method->learns_from() == augment::LearnsFrom::real) {
-        stage.input_file("--real", real_file,
-                         "D.h5 of the same split, which only a ceiling learns from");
-      }
-      const augment::CatalogueEntry& entry = *augment::find_entry(name);
-      if (entry.hears) {
-        stage
-            .input_file("--healthy", healthy_file,
-                        entry.without_known
-                            ? "B.h5 of the same split: the healthy windows that faults are made of"
-                            : "B.h5 of the same split, for --background-from healthy")
-            .required(entry.without_known);
-      }
-    } catch (const Error&) {
-      // run() meets the same error again, and reports it.
+  const augment::CatalogueEntry* const entry = augment::find_entry(name);
+  if (entry != nullptr && entry->make != nullptr) {
+    method = augment::make_method(name);
+    method->bind(stage.options().in_group(name));
+    if (method->learns_from() == augment::LearnsFrom::real) {
+      stage.input_file("--real", real_file,
+                       "D.h5 of the same split, which only a ceiling learns from");
+    }
+    if (entry->hears) {
+      stage
+          .input_file("--healthy", healthy_file,
+                      entry->without_known
+                          ? "B.h5 of the same split: the healthy windows that faults are made of"
+                          : "B.h5 of the same split, for --background-from healthy")
+          .required(entry->without_known);
     }
   }
 
@@ -70,9 +66,8 @@ int main(int argc, char** argv) {
     signal::require_role(reader, signal::Role::known);
     signal::WindowSet windows = signal::read_window_set(reader);
     signal::require_belonging(reader, signal::Role::known, windows);
-    augment::require_described_faults(*augment::find_entry(name), windows.info,
-                                      known_file.string());
-    augment::require_known_windows(*augment::find_entry(name), windows, known_file.string());
+    augment::require_described_faults(*entry, windows.info, known_file.string());
+    augment::require_known_windows(*entry, windows, known_file.string());
     if (method->learns_from() == augment::LearnsFrom::real) {
       windows = signal::read_of_one_split(stage.open("real", real_file, "windows"),
                                           signal::Role::hidden, reader);
@@ -83,12 +78,11 @@ int main(int argc, char** argv) {
     }
     const Stream stream(fmt::format("{}/seed{}/train/{}", windows.info.name, run.seed, name));
 
-    nets::Checkpoint checkpoint;
-    checkpoint.path = model_file.string() + ".checkpoint";
+    const nets::Checkpoint checkpoint{.path = model_file.string() + ".checkpoint",
+                                      .provenance = stage.provenance(),
+                                      .interrupted = cli::interrupted};
     artefact::require_replaceable(model_file);
     artefact::require_replaceable(checkpoint.path);
-    checkpoint.provenance = stage.provenance();
-    checkpoint.interrupted = cli::interrupted;
     artefact::Writer model("model");
     model.attribute("/", "method", name);
     model.attribute("/", "seed", run.seed);
@@ -96,10 +90,7 @@ int main(int argc, char** argv) {
     method->train(windows, stream, run.compute, checkpoint, model);
     stage.save(model, model_file);
     artefact::remove_file(checkpoint.path);
-    const std::string source = windows.size() > 0
-                                   ? fmt::format("{} windows of {} fault classes", windows.size(),
-                                                 windows.info.classes.size() - 1)
-                                   : std::string("no fault window");
-    std::cout << fmt::format("trained {} on {}: {}\n", name, source, model_file.string());
+    std::cout << fmt::format("trained {} on {}: {}\n", name, augment::counted_faults(windows),
+                             model_file.string());
   });
 }

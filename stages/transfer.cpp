@@ -1,4 +1,4 @@
-// Says what each method is worth in the mean over data sets that test faults in other conditions.
+// Reports the mean effect of each method over data sets that test faults in other conditions.
 
 #include <spdlog/fmt/fmt.h>
 

@@ -1,4 +1,4 @@
-// How far kept classifiers are to be believed: the tables of `make trust`.
+// Measures how far kept classifiers can be trusted: the tables of `make trust`.
 
 #include <spdlog/fmt/fmt.h>
 

@@ -1,6 +1,5 @@
-// Checks artefacts: prints nothing and exits with 0 when all are good, otherwise prints a line for
-// each thing that is wrong. What an artefact of each kind must hold stands in
-// src/verification/verify.cpp; a new kind of artefact is added there.
+// Checks artefacts: prints a line for each problem. Prints nothing and exits with 0 if all are
+// good. src/verification/verify.cpp defines the checks of each kind; add new kinds there.
 
 #include "verification/verify.hpp"
 

@@ -1,8 +1,8 @@
 # Accuracy of all methods by ratio.
 set title "Accuracy".by_whom
 set ylabel "percent"
-# What is measured without any generated window is a line across all ratios, dotted differently for each:
-# `none`, and another classifier that stands beside it, whose name is in the place of a method's.
+# Results without any generated window are lines across all ratios, each with its own dots: `none`, and another
+# classifier for comparison, whose name replaces a method's.
 others = ""
 do for [m in words_method] {
   without = 0

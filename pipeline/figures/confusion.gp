@@ -1,5 +1,5 @@
-# Confusion matrices: method,ceiling,ratio,truth,predicted,windows,percent. A panel a method; blue is right, orange
-# wrong, and shares from 5 % on are written in their cells.
+# Confusion matrices: method,ceiling,ratio,truth,predicted,windows,percent. One panel for each method; blue is correct,
+# orange wrong, and cells show shares from 5 % on.
 # height: 146 + panels(words(words_method), 4) * 236
 load scripts.'/method_rows.gp'
 count   = words(words_method)
@@ -10,7 +10,7 @@ edge_left = 40 + 6 * longest; edge_right = 12; edge_top = 62; edge_bottom = 84; 
 load scripts.'/panel_grid.gp'
 classes     = words(words_predicted)
 x_of(class) = place(class, words_predicted)
-# A colour mixed with white; `shift` picks one of its three parts.
+# Mixes a colour with white; `shift` selects one of its three components.
 part(c, shift, t)  = int(255 - t * (255 - ((c >> shift) & 255))) << shift
 mixed(c, t)        = part(c, 16, t) + part(c, 8, t) + part(c, 0, t)
 fill(percent)      = mixed(strcol(4) eq strcol(5) ? colour(1) : colour(2), percent / 100.0)

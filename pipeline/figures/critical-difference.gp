@@ -9,13 +9,13 @@ methods   = words(words_method)
 left_half = (methods + 1) / 2
 is(kind)  = strcol(1) eq ratio && strcol(2) eq kind
 
-# In pixels below the axis: the bars in one block, the names below it, the best of either side at its top.
+# In pixels below the axis: the bars in one block, the names below it, the best of each side at the top.
 bars = 0
 stats data using (bars = strcol(2) eq "alike" && $4 > bars ? int($4) : bars, 0) nooutput
 bar_y(n)  = 8 + (bars > 6 ? 48.0 / bars : 8) * (n - 1)
-name_y(n) = bar_y(bars) + 18 + 17 * (n <= left_half ? n - 1 : methods - n + 0.5)  # no two at one height
+name_y(n) = bar_y(bars) + 18 + 17 * (n <= left_half ? n - 1 : methods - n + 0.5)  # all at different heights
 
-# In pixels: beside the axis there is room for the longest name of either side.
+# In pixels: room for the longest name at each side of the axis.
 longest_left = 0; longest_right = 0
 stats data using (letters = strlen(strcol(3)), is_left = $4 <= left_half, \
   longest_left  = is_left && letters > longest_left ? letters : longest_left, \
@@ -24,7 +24,7 @@ room(letters) = 22 + 6.8 * letters
 rank_width    = (panel_width - room(longest_left) - room(longest_right)) / (methods - 1)
 ranks(pixels) = pixels / rank_width
 side(n)       = n <= left_half ? 1 - ranks(11) : methods + ranks(11)
-each          = rank_width < (methods < 10 ? 9 : 16) ? 2 : 1  # second rank has its number, or each one
+each          = rank_width < (methods < 10 ? 9 : 16) ? 2 : 1  # numbers every second rank, or each one
 
 set label 1 "Average rank among the methods of the same seed; 1 is the best".by_whom
 unset border

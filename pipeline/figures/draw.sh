@@ -1,9 +1,9 @@
 #!/bin/bash
-# Draws one figure: NAME.csv becomes NAME.svg and NAME.pdf beside it, by pipeline/figures/SCRIPT.gp. The
-# script is the one that is called like the figure, or like the beginning of its name before the last "@".
+# Draws one figure: turns NAME.csv into NAME.svg and NAME.pdf next to it, by pipeline/figures/SCRIPT.gp. SCRIPT is the
+# name of the figure, or the part of it before the last "@".
 # usage: pipeline/figures/draw.sh FOLDER/NAME.csv
 set -euo pipefail
-export TZ=UTC LC_ALL=C.UTF-8 # the same bytes wherever it is drawn
+export TZ=UTC LC_ALL=C.UTF-8 # the same bytes everywhere
 
 for program in gnuplot qpdf; do
   command -v $program >/dev/null || {
@@ -16,13 +16,13 @@ name=$(basename "$csv" .csv)
 scripts=$(dirname "$0")
 script=$scripts/${name%@*}.gp
 part=$([[ $name != *@* ]] || echo "${name##*@}")
-# A drawing that was killed leaves its folder.
+# A killed drawing leaves its folder.
 find "$(dirname "$csv")" -maxdepth 1 -name '.drawing.*' -mmin +60 -exec rm -rf {} +
 partial=$(mktemp -d "$(dirname "$csv")/.drawing.XXXXXX")
 trap 'rm -rf "$partial"' EXIT
 
-# The distinct words of each column that holds words, in their order, as gnuplot's string variables. Ratios stand
-# from 100to1 to 1to1, and what is none behind them: not every method has every ratio.
+# Collects the distinct words of each column of words, in order, for gnuplot's string variables. Ratios are sorted from
+# 100to1 to 1to1, then everything else: not every method has every ratio.
 words=$(awk -F, '
   function by_ratio(list,    word, n, i, j, moved) {
     n = split(list, word, " ")
@@ -39,12 +39,12 @@ words=$(awk -F, '
   { for (i = 1; i <= columns; ++i) if ($i != "" && !((i, $i) in seen)) {
       seen[i, $i]; all[i] = all[i] (all[i] == "" ? "" : " ") $i
       if ($i !~ /^[-+]?[0-9]*\.?[0-9]+([eE][-+]?[0-9]+)?$/) wordy[i] } }
-  # Seeds are words though they are digits, and so are the names of classes, which may be.
+  # Seeds are words although they are digits; so are names of classes, which may be digits.
   END { for (i = 1; i <= columns; ++i) if (i in wordy || column[i] ~ /^(seed|class|truth|predicted)$/)
           printf "words_%s = \"%s\"\n", column[i], column[i] == "ratio" ? by_ratio(all[i]) : all[i] }' "$csv")
 
 # A script with a line "# rows by: COLUMN" finds the rows of each word of that column in a file of their own,
-# rows_of(word). A figure of many curves would else take most of its time to look for each one's rows.
+# rows_of(word). Otherwise a figure of many curves would spend most of its time on searching rows.
 rows_by=$(sed -nE 's/^# rows by: (.+)$/\1/p' "$script")
 [[ -z $rows_by ]] || awk -F, -v by="$rows_by" -v folder="$partial" '
   NR == 1 { for (i = 1; i <= NF; ++i) if ($i == by) column = i; header = $0; next }
@@ -52,8 +52,8 @@ rows_by=$(sed -nE 's/^# rows by: (.+)$/\1/p' "$script")
     if (!(file in begun)) { print header >file; begun[file] }
     print >file }' "$csv"
 
-# A script that needs another height than 600 says so in a line "# height: EXPRESSION", which may ask how many
-# words there are. The script finds it as `height`.
+# A script with another height than 600 has a line "# height: EXPRESSION", which may count words. The script gets it as
+# `height`.
 height=$(sed -nE 's/^# height: (.+)$/\1/p' "$script")
 height=$(gnuplot - <<<"$words
 load '$scripts/style.gp'
@@ -64,8 +64,8 @@ for format in svg pdf; do
     svg) terminal="svg size 960,$height dynamic font 'DejaVu Sans,13' linewidth 1.2 background rgb 'white'" ;;
     pdf) terminal="pdfcairo size 20cm,$(awk "BEGIN { print $height / 48 }")cm font 'DejaVu Sans,9' linewidth 1.2" ;;
   esac
-  # A series without a point, such as published values where there are none, is no cause for a word, nor are
-  # values that are all the same.
+  # Hide gnuplot's warnings about series without points, such as missing published values, and about values that are all
+  # equal.
   gnuplot -e "data = '$csv'; scripts = '$scripts'; format = '$format'; height = $height; part = '$part'; rows_of(word) = '$partial/'.word.'.csv'" - <<<"$words
 set terminal $terminal
 set output '$partial/$format'
@@ -73,8 +73,8 @@ load scripts.'/style.gp'
 load '$script'
 unset output" 2> >(grep -vE 'Skipping data file with no valid points|empty [xy] range|^$' >&2)
 done
-# The same numbers give the same bytes: a PDF holds the time at which it was drawn, in Debian 13 where it is
-# compressed. It is replaced by one of the same length.
+# The same numbers must give the same bytes, but a PDF holds its time of drawing, on Debian 13 in compressed form.
+# Replace it by a time of the same length.
 qpdf --object-streams=disable --static-id "$partial/pdf" "$partial/plain"
 LC_ALL=C sed -i -E '/\/CreationDate \(D:/ s/D:[0-9]{14}/D:20000101000000/' "$partial/plain"
 mv -T "$partial/plain" "${csv%.csv}.pdf"

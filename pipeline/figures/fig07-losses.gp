@@ -1,4 +1,4 @@
-# Fig. 7: seed,stage,epoch,curve,value. A panel a loss; Stage 1 and Stage 2 each with its own line.
+# Fig. 7: seed,stage,epoch,curve,value. One panel for each loss; Stage 1 and Stage 2 have lines of their own.
 # rows by: curve
 stage_name(s) = s == 1 ? "Stage 1: each network its own loss" : "Stage 2: all the total loss"
 line_of(seed, s) = seed eq "mean" ? s : 1

@@ -1,4 +1,5 @@
-# Fig. 8: seed,stage,epoch,curve,value. One panel, a colour a weight; the seed "stationary" is where eq. 23 is least.
+# Fig. 8: seed,stage,epoch,curve,value. One panel, one colour for each weight; the seed "stationary" marks the minimum
+# of eq. 23.
 # rows by: curve
 set xlabel "epoch"
 set ylabel "weight of eq. 23, logarithmic"

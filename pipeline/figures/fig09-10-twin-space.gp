@@ -1,5 +1,5 @@
-# Figs 9 and 10: method,kind,class,k_n_per_m,c_ns_per_m,k_to_n_per_m,c_to_ns_per_m,windows. Each method has a
-# joint histogram, its marginals above and beside it, and the windows on it.
+# Figs 9 and 10: method,kind,class,k_n_per_m,c_ns_per_m,k_to_n_per_m,c_to_ns_per_m,windows. Each method has a joint
+# histogram with its windows, and marginals above and next to it.
 # height: 40 + panels(words(words_method), 2) * (words(words_method) < 3 ? 530 : 357)
 columns   = words(words_method) < 2 ? 1 : 2
 rows      = panels(words(words_method), columns)
@@ -9,13 +9,13 @@ is_bin(kind) = is(kind) && $8 > 0
 mid(a, b) = (a + b) / 2.0
 shade(n)  = int(225 - 110.0 * n / bins_max) * 0x10101
 k(column_number) = column(column_number) / 1e8
-# Between tics, so that there are two to five of them and none is written over its neighbour.
+# Distance of ticks: gives two to five of them, so that their labels do not overlap.
 power_of_ten(span) = 10 ** floor(log10(span / 2))
 tic(span) = span <= 0 ? 1 : span / 2 / power_of_ten(span) < 2 ? power_of_ten(span) : \
   span / 2 / power_of_ten(span) < 5 ? 2 * power_of_ten(span) : 5 * power_of_ten(span)
 
-# The blocks of the methods stand between the heading and a margin below. Two places within a block: the joint
-# histogram, and the marginals above and beside it.
+# The blocks of the methods are between the heading and a margin at the bottom. A block has the joint histogram, and the
+# marginals above and next to it.
 block_height = (1 - 40.0 / height) / rows
 low_x = 0.17; high_x = 0.76; low_y = 0.17; high_y = 0.72
 place_x(part) = left + part / columns
@@ -27,7 +27,7 @@ do for [i = 1:words(words_method)] {
   m = word(words_method, i)
   left   = ((i - 1) % columns) * 1.0 / columns
   bottom = 10.0 / height + block_height * (rows - 1 - (i - 1) / columns)
-  set autoscale  # stats would look no further than the ranges of the block before
+  set autoscale  # otherwise stats is restricted to the ranges of the previous block
   stats data using (is("bin") ? $8 : NaN) name "bins" nooutput
   stats data using (strcol(1) eq m && strcol(2) ne "bin" ? k(4) : NaN) name "k_low" nooutput
   stats data using (is("k-bin") ? k(6) : is("true") ? k(4) : NaN) name "k_high" nooutput
@@ -45,7 +45,7 @@ do for [i = 1:words(words_method)] {
   set xtics tic(k_high_max - k_low_min)
   set xlabel "k, 10^8 N/m"
   set ylabel "c, N s/m" offset 1,0
-  # Narrower than it would be, or three entries took two lines: gnuplot counts the width of the first block.
+  # Reduced width, otherwise three entries would take two lines: gnuplot counts the width of the first block.
   if (i == 1) { set key at screen 0.98, 1 - 6.0 / height right top horizontal width -4 } else { unset key }
   if (simulated) {
     plot data using (is_bin("bin") ? mid(k(4), k(6)) : NaN):(mid($5, $7)):(k(4)):(k(6)):5:7:(shade($8)) \

@@ -1,6 +1,6 @@
-# Figs 11 and 12, one fault class: panel,what,x,y,real, and a column for each method. Each of the four panels
-# is one axis, on which real windows and those of each method stand in rows. A value is drawn at the middle
-# of its row, plus its part of the row's height.
+# Figs 11 and 12, one fault class: panel,what,x,y,real, and one column for each method. Each of the four panels is one
+# axis with a row for the real windows and for each method. A value is drawn at the middle of its row, plus its share of
+# the row's height.
 # height: 860
 # rows by: panel
 part = data[strstrt(data, "@") + 1:strlen(data) - 4]
@@ -15,7 +15,7 @@ of(i)     = column(4 + i)
 middle(i) = rows - i + 0.5
 within_row(part) = part < -0.5 ? -0.5 : part > 0.5 ? 0.5 : part
 
-# All rows of a panel have the scale of the real windows; what goes beyond it ends at the edge of its row.
+# All rows of a panel have the scale of the real windows; larger values are cut at the edge of their row.
 two_digits(x) = (unit = 10 ** (floor(log10(x)) - 1), unit * ceil(x / unit))
 stats rows_of("waveform") using (abs(of(1))) name "real" nooutput
 loudest = two_digits(1.2 * real_max)
@@ -35,11 +35,11 @@ stats rows_of("waveform") using 3 name "time" nooutput
 stats rows_of("spectrum") using 3 name "frequency" nooutput
 stats rows_of("envelope") using 3 name "last_line" nooutput
 
-# A row of names above the rows of windows for each kind of fault line; `own` is that of this class.
+# Above the windows is a row of names for each type of fault line; `own` is the line of this class.
 lines  = "BPFO BPFI 2BSF"
 own    = ""
 others = ""
-is(kind) = strcol(1) eq kind # of the few rows of which there may be none
+is(kind) = strcol(1) eq kind # for rows that may be missing
 stats data using (is("own-line") ? (own = strcol(2), 0) : 0) nooutput
 do for [line in lines] { if (line ne own) { others = others." ".line } }
 is_line(name)   = strcol(2) eq name && (is("line") || is("own-line"))
@@ -64,7 +64,7 @@ set multiplot
 set border 1
 unset grid
 set ytics () scale 0
-# A name that is longer than the margin goes on in a second line, after the last of its hyphens that fits.
+# Breaks a name that is longer than the margin after the last hyphen that fits.
 do for [i = 1:rows] {
   name = word(names, i)
   fits = strlen(name) <= 14 ? strlen(name) : 0

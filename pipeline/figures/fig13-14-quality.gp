@@ -1,4 +1,4 @@
-# Figs 13 and 14, and what does not reward silence.
+# Figs 13 and 14, with metrics that do not reward silence.
 # height: 1300
 # rows by: metric
 heading = "Generated windows of the methods beside real ones, by class"

@@ -1,4 +1,4 @@
-# Figs 16 and 17, and what does not reward silence.
+# Figs 16 and 17, with metrics that do not reward silence.
 # height: 1300
 # rows by: metric
 load scripts.'/models.gp'

@@ -1,4 +1,4 @@
-# Fig. 18: what the windows of the paper's models, and of those of its outlook, gain over none.
+# Fig. 18: gain of windows from the paper's models, and from those of its outlook, over none.
 load scripts.'/models.gp'
 set title "Gain of ".models." over no generated windows".by_whom
 set ylabel "points of accuracy"

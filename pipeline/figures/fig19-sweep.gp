@@ -1,4 +1,5 @@
-# Fig. 19: factor,place,value,centre,ratio,seed,accuracy,low,high. A panel a factor; the grid's own value is shaded.
+# Fig. 19: factor,place,value,centre,ratio,seed,accuracy,low,high. One panel for each factor; the grid's own value is
+# shaded.
 # height: 60 + panels(words(words_factor), 2) * 270
 count   = words(words_factor)
 columns = count < 2 ? 1 : 2
@@ -20,7 +21,7 @@ do for [i = 1:count] {
   eval panel_at(i)
   set title factor noenhanced
   set xtics () scale 0 font font_11 noenhanced
-  values = 0; centre = 0; numbers = 1  # else words, which no line joins
+  values = 0; centre = 0; numbers = 1  # otherwise words, which lines do not connect
   stats data using (strcol(1) eq factor ? \
     (values = $2 > values ? int($2) : values, centre = $4 == 1 ? int($2) : centre, 0) : 0) nooutput
   do for [v = 1:values] {

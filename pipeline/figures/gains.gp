@@ -1,6 +1,7 @@
 # Gains or accuracies by ratio: method,ceiling,ratio,generated_per_class,seed,VALUE,low,high,published,published_of.
-# Loaded by scripts that have set a title and drawn what the values are measured against. Methods stand side by side at each ratio; what the paper
-# publishes of a method is dashed, with a plus at each ratio, in its colour. Single seeds stand to the right of their mean.
+# Loaded by scripts that have set a title and drawn the baseline. Methods are next to each other at each ratio. The
+# paper's results of a method are dashed in its colour, with a plus at each ratio. Single seeds are at the right of
+# their mean.
 set key outside right center
 set xlabel "healthy windows to those of each fault (generated windows of each fault)" offset 0,-0.7
 set xtics () scale 0
@@ -20,7 +21,7 @@ do for [method in words_method] {
   if (values > 0) { published = published." ".method }
   if (of_ceiling > 0) { ceilings = ceilings." ".method }
 }
-# No other method has the ratio of `none`.
+# Only `none` has this ratio.
 shift(method) = method eq "none" ? 0 : (place(method, words_method) - (methods + 1) / 2.0) * 0.8 / methods
 x(method)     = place(strcol(3), words_ratio) + shift(method)
 seed_x(method) = strcol(1) eq method && strcol(5) ne "mean" ? x(method) + 0.24 / methods : NaN
@@ -29,7 +30,7 @@ tint(method)   = place(method, ceilings) ? ceiling_colour : colour(place(method,
 symbol(method) = mark(place(method, words_method))
 named(method)  = place(method, ceilings) ? method." (ceiling)" : method
 set xrange [0.5:words(words_ratio) + 0.5]
-# Of recordings for which others stand in, the paper's name is said.
+# Names the paper's recordings if other recordings stand in for them.
 of_whom = exists("words_published_of") ? " of ".words_published_of : ""
 plot for [m in words_method] data using (seed_x(m)):6 \
        with points pointtype 7 pointsize 0.3 linecolor rgb (0x40 << 24) + tint(m), \

@@ -1,5 +1,6 @@
-# (k, c) inferred against true: method,parameter,truth_low,truth_high,windows,inferred_p10,inferred_p50,
-# inferred_p90,r2. A column a method, a row a parameter.
+# Inferred (k, c) against true ones:
+# method,parameter,truth_low,truth_high,windows,inferred_p10,inferred_p50,inferred_p90,r2. One column for each method,
+# one row for each parameter.
 # height: 700
 columns = words(words_method)
 count   = 2 * columns

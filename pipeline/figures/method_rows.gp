@@ -1,6 +1,6 @@
-# Loaded by scripts that show each method for itself. Column 1 of their data is the method, column 2 whether that
-# is a ceiling. Where methods are rows, the first at the top: for each panel `names = 1` (or 0, for bare rows), then
-# load name_rows.gp.
+# Loaded by scripts that show each method separately. Column 1 of their data is the method, column 2 is true for a
+# ceiling. Scripts with a row for each method, the first at the top, set `names = 1` (or 0, for bare rows) and load
+# name_rows.gp for each panel.
 ceilings = ""
 stats data using ($2 == 1 && !place(strcol(1), ceilings) ? (ceilings = ceilings." ".strcol(1), 1) : 0) nooutput
 named(method) = place(method, ceilings) ? method." (ceiling)" : method

@@ -1,5 +1,5 @@
-# Missed faults and false alarms: method,ceiling,ratio,kind,class,seed,percent. A panel for all faults, for each
-# fault class, and for the healthy one; a row a method.
+# Missed faults and false alarms: method,ceiling,ratio,kind,class,seed,percent. One panel for all faults, for each fault
+# class, and for the healthy one; one row for each method.
 # height: 76 + panels(words(words_class) + 2, 4) * (words(words_method) * 17 + 36)
 load scripts.'/method_rows.gp'
 count   = words(words_class) + 2

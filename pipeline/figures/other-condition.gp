@@ -1,8 +1,8 @@
-# One fault class in another condition: panel,what,x,y, and a column for each set of windows: those known in one
-# condition or several, what methods made of them, and the real ones of the tested condition. Each of the three
-# panels is one axis, on which the sets stand in rows, the known ones apart from those below. A value is drawn at
-# the middle of its row, plus its part of the row's height.
-# The words of `what` are the names of the rows, low, high, and the name of the line.
+# One fault class in another condition: panel,what,x,y, and one column for each set of windows: those known in one or
+# several conditions, those that methods made of them, and the real ones of the tested condition. Each of the three
+# panels is one axis with a row for each set; the known ones are apart at the top. A value is drawn at the middle of its
+# row, plus its share of the row's height. The words of `what` are the names of the rows, low, high, and the name of the
+# line.
 # height: 190 + 112 * (words(words_what) - 3)
 part = data[strstrt(data, "@") + 1:strlen(data) - 4]
 stats data using 0 nooutput
@@ -28,7 +28,7 @@ do for [i = 1:rows] {
 stats data using (is("line") ? (line = strcol(2), 0) : NaN) nooutput
 line = line eq "2BSF" ? "2·BSF" : line
 
-# Real and known windows set the scales of a panel; what goes beyond them ends at the edge of its row.
+# Real and known windows set the scales of a panel; larger values are cut at the edge of their row.
 larger(a, b)  = a > b ? a : b
 smaller(a, b) = a < b ? a : b
 next_five(x)  = 5 * ceil(x / 5 + 0.2)
@@ -43,7 +43,7 @@ height_1 = 50
 eval range_of("envelope")
 top_2    = next_five(highest)
 height_2 = smaller(40, next_five(top_2 - lowest))
-# Above a waveform is room for a bar.
+# Leave room for a bar above a waveform.
 wave(i) = middle(i) - 0.05 + 0.9 * within_row(of(i) / loudest / 2)
 level(i, top, height) = middle(i) + within_row(0.5 - (top - of(i)) / height)
 stats data using (is("waveform") ? $3 : NaN) name "time" nooutput
@@ -126,7 +126,7 @@ eval panel_at(n)
 set xrange [0:last_line_max]
 set xlabel "frequency, Hz"
 line_at(i) = is("line") ? of(i) : NaN
-# As many lines are numbered as there is room for.
+# Number as many lines as fit.
 distance    = first_line_max / last_line_max * (right(n) - left(n)) * 960  # in pixels
 numbered(k) = (int(k) - 1) % ceil(26 / distance) == 0
 plot for [i = 1:rows] data using (line_at(i)):(middle(i) - 0.5):(0):(1) \

@@ -1,5 +1,5 @@
-# Each method minus another, paired by seed: method,ceiling,ratio,against,seed,difference,low,high,p,p_holm,
-# least_p. A panel a ratio and one for the mean of the ratios, a row a method.
+# Each method minus another, paired by seed: method,ceiling,ratio,against,seed,difference,low,high,p,p_holm,least_p. One
+# panel for each ratio and one for their mean; one row for each method.
 # height: 106 + panels(words(words_ratio), 4) * (words(words_method) * 18 + 36)
 load scripts.'/method_rows.gp'
 count   = words(words_ratio)
@@ -8,12 +8,12 @@ edge_left = name_width; edge_right = 14; edge_top = 62; edge_bottom = 80; gap_x 
 load scripts.'/panel_grid.gp'
 seeds    = words(words_seed) - 1
 tint(ceiling) = ceiling == 1 ? ceiling_colour : colour(1)
-# A label that asks for the number of an empty field is not drawn, so p comes as text.
+# gnuplot omits a label that uses an empty field as a number, so p is a text.
 is_small(p) = p ne "" && real(p) < 0.05
 p_text(p) = p eq "" ? " " : real(p) < 0.001 ? "<0.001" : sprintf("%.2g", real(p))
 is(seed)  = strcol(3) eq ratio && (strcol(5) eq "mean") == (seed eq "mean")
 
-# One scale for all panels, with room for p at its right.
+# One scale for all panels, with room for p at the right.
 stats data using (valid(7) ? $7 : $6) name "low" nooutput
 stats data using (valid(8) ? $8 : $6) name "high" nooutput
 least = low_min < 0 ? low_min : 0

@@ -1,5 +1,5 @@
-# Random beside blocked splits: method,ceiling,ratio,protocol,seed,accuracy,low,high. A panel a ratio, a row a method;
-# `none`, which generates nothing, stands in every panel.
+# Random and blocked splits: method,ceiling,ratio,protocol,seed,accuracy,low,high. One panel for each ratio, one row for
+# each method; `none`, which generates nothing, is in every panel.
 # height: 116 + panels(words(words_ratio) - (words(words_ratio) > 1 && strstrt(words_ratio, "100to1") > 0), 4) * (words(words_method) * 18 + 36)
 load scripts.'/method_rows.gp'
 shown = ""

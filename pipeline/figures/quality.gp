@@ -1,5 +1,5 @@
-# Quality of generated windows: metric,class,method,seed,value. A panel a metric, a class at each tick, the
-# methods side by side. Loaded by scripts that have set `heading`, and have the rows by metric.
+# Quality of generated windows: metric,class,method,seed,value. One panel for each metric, one tick for each class,
+# methods next to each other. Loaded by scripts that have set `heading`, and have rows by metric.
 set key noautotitle
 unset key
 set xtics () rotate by 35 right
@@ -12,13 +12,13 @@ seed_x(method)  = strcol(3) eq method && strcol(4) ne "mean" ? x(method) : NaN
 mean_x(method)  = strcol(3) eq method && strcol(4) eq "mean" ? x(method) : NaN
 tint(method)    = colour(place(method, words_method))
 symbol(method)  = mark(place(method, words_method))
-# Where a window like the real ones would lie; of MMD and RMSE only that small is good.
+# Value of a window like the real ones; MMD and RMSE are good if small.
 ideal(metric)   = metric eq "amplitude_ratio" ? 1 : 0
 in_words(m) = m eq "mmd" ? "MMD²" : m eq "rmse" ? "RMSE (unit of the recordings)" : \
   m eq "aligned_rmse" ? "RMSE at the best shift" : m eq "amplitude_ratio" ? "RMS, generated to real" : \
   m eq "spectral_distance_db" ? "log-spectral distance, dB" : m eq "fault_line_db" ? "fault lines, dB" : \
   m eq "fault_line_difference_db" ? "fault lines, generated minus real, dB" : m
-# What can only be positive, and is good where it is small, begins at 0, so that the ideal is in the panel.
+# Metrics that are positive, and good if small, start at 0, so that the panel shows the ideal.
 from_zero(metric) = metric eq "mmd" || metric eq "spectral_distance_db"
 is_rmse(metric)   = metric eq "rmse" || metric eq "aligned_rmse"
 set multiplot layout panels(words(words_metric) + 1, 2), 2 title heading

@@ -1,4 +1,5 @@
-# Draws a table, readings.csv of `make readings`: dataset,reading,quantity,ratio,seeds,mean,std. A row a reading, a panel a quantity.
+# Draws readings.csv of `make readings`: dataset,reading,quantity,ratio,seeds,mean,std. One row for each interpretation,
+# one panel for each quantity.
 # height: 112 + words(words_reading) * 17
 all_panels = ""
 do for [ratio in words_ratio] { all_panels = all_panels." accuracy@".ratio }
@@ -26,9 +27,9 @@ edge_left = name_width; edge_right = 14; edge_top = 62; edge_bottom = 50; gap_x 
 load scripts.'/panel_grid.gp'
 own_row(down) = place(strcol(2), readings) + down
 is(panel)     = strcol(3) eq names(panel) && strcol(4) eq ratio_of(panel) && strcol(2) ne "published"
-# A bad R² has no bound. What is worse than the least that is shown stands at the edge, as a triangle.
+# A bad R² can be any negative number. Values below the least shown one are triangles at the edge.
 least_r2 = -25
-# gnuplot leaves out a point that names an empty field as $7, also where it is not looked at; so by a variable.
+# gnuplot omits a point whose expression has an empty field as $7, even in a branch not taken; so use a variable.
 of_spread = 7
 shown(panel, value) = is_r2(panel) && value < least_r2 ? least_r2 : value
 far(panel, value)   = is_r2(panel) && value < least_r2

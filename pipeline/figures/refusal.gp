@@ -1,5 +1,5 @@
-# Precision by the share of the windows that is answered: method,ceiling,ratio,answered,precision. A line a method;
-# what has the ratio of `none` and is not `none` is another classifier that stands beside it, a line without marks.
+# Precision by the share of answered windows: method,ceiling,ratio,answered,precision. One line for each method. Methods
+# at the ratio of `none` other than `none` are classifiers for comparison: lines without marks.
 load scripts.'/method_rows.gp'
 set title "Right answers where only the surest windows are answered".by_whom.", at ".colon(word(words_ratio, words(words_ratio)))
 set xlabel "test windows that are answered, percent"
@@ -8,7 +8,7 @@ set key outside right center
 stats data using 5 nooutput
 beside = ""
 stats data using (strcol(3) eq "100to1" && strcol(1) ne "none" ? (beside = strcol(1), 0) : 0) name "bar" nooutput
-# Always with the precision that is wanted, and room above what is perfect.
+# Always show the target precision, and room above 100 %.
 lowest = STATS_min < 94 ? STATS_min : 94
 set xrange [0:100]
 set yrange [lowest - 0.02 * (100 - lowest):100 + 0.01 * (100 - lowest)]
@@ -19,7 +19,7 @@ do for [m in words_method] { if (m ne beside) { methods = methods." ".m } }
 order(m) = place(m, words_method)
 tint(m)  = m eq beside ? 0x555555 : place(m, ceilings) ? ceiling_colour : colour(order(m))
 line(m)  = m eq beside ? 4 : order(m) > 8 ? 2 : 1
-# A mark at every tenth point, at other ones for each method, so that lines that lie on each other are told apart.
+# Marks every tenth point, shifted for each method, to distinguish lines that coincide.
 is_marked(m) = strcol(1) eq m && (int($4) + 3 * order(m)) % 10 == 0
 plot for [m in words_method] data using (strcol(1) eq m ? $4 : NaN):5 \
        with lines dashtype line(m) linewidth 1.3 linecolor rgb tint(m), \

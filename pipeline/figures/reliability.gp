@@ -1,5 +1,5 @@
-# Reliability diagrams: method,ceiling,ratio,kind,score_from,score_to,windows,share,mean_score,accuracy,gap. A panel a
-# method: accuracy by score, the share of the windows in each bin as grey bars, and the calibration error.
+# Reliability diagrams: method,ceiling,ratio,kind,score_from,score_to,windows,share,mean_score,accuracy,gap. One panel
+# for each method: accuracy by score, the share of windows in each bin as grey bars, and the calibration error.
 # height: 130 + panels(words(words_method), 4) * 216
 load scripts.'/method_rows.gp'
 count   = words(words_method)

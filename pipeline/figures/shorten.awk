@@ -1,9 +1,9 @@
-# Shortens gnuplot's SVG to a third, with the same picture to a twentieth of a pixel: a page holds many.
-# Points of lines come after each other by their distance, in tenths of a pixel; marks of one kind that
-# follow each other become one path that has such a mark at each point; empty groups are left out.
+# Shortens gnuplot's SVG to a third, with the same picture to a twentieth of a pixel, since a page holds many. Points of
+# lines become relative, in tenths of a pixel. Successive marks of one kind become one path with a mark at each point.
+# Empty groups are dropped.
 # usage: awk -f shorten.awk FILE.svg
 
-# 12.3 as "12.3", -0.3 as "-.3"; a minus needs no space before it.
+# Formats 12.3 as "12.3", -0.3 as "-.3"; a minus does not need a space before it.
 function number(n,    text) {
   text = n / 10 ""
   sub(/^0\./, ".", text)
@@ -16,7 +16,7 @@ function tenths(text) {
 function spaced(n) {
   return (n < 0 ? "" : " ") number(n)
 }
-# The next point of a path; `command` is M or L.
+# Adds the next point of a path; `command` is M or L.
 function point(command, x, y,    text) {
   if (command == "M") text = "M" number(x) spaced(y)
   else text = (command == last_command ? spaced(x - last_x) : "l" number(x - last_x)) spaced(y - last_y)
@@ -38,7 +38,7 @@ function show(line) {
 
 function end_marks(    id) {
   if (marks == "") return
-  # The same kind has the same name in every picture: a page may hold several.
+  # A kind has the same name in every picture, since a page may hold several pictures.
   id = mark
   gsub(/[^A-Za-z0-9]+/, "-", id)
   if (!(id in defined)) show("<marker id='" id "' overflow='visible' markerUnits='userSpaceOnUse'>" mark "</marker>")
@@ -47,7 +47,7 @@ function end_marks(    id) {
   marks = ""
 }
 
-# A mark, such as <use xlink:href='#gpPt6' transform='translate(54.01,9.50) scale(2.25)' color='rgb(0, 1, 2)'/>
+# Parses a mark such as <use xlink:href='#gpPt6' transform='translate(54.01,9.50) scale(2.25)' color='rgb(0, 1, 2)'/>
 /^[ \t]*<use xlink:href='#gpPt[0-9]+' transform='translate\([-0-9.]+,[-0-9.]+\) scale\([0-9.]+\)' [^>]*\/>$/ {
   split($0, part, "'")
   split(part[4], place, /[(),]/)

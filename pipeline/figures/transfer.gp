@@ -1,13 +1,14 @@
-# Draws a table, transfer@GROUP.csv of `make transfer`: dataset,speed_ratio,method,role,classifier,recorded,best,ratio,
-# seed,accuracy,std,ci95_low,ci95_high,... At the left each data set, by the tested speed where that changes; at the
-# right the mean over them. A colour and a mark a method, by the input that is recorded for it.
+# Draws transfer@GROUP.csv of `make transfer`:
+# dataset,speed_ratio,method,role,classifier,recorded,best,ratio,seed,accuracy,std,ci95_low,ci95_high,... Each data set
+# at the left, by tested speed if the speed changes; their mean at the right. One colour and mark for each method, at
+# its recorded input.
 # height: 540
 edge_left = 64; edge_right = 14; edge_top = 72; edge_bottom = 96; gap_x = 0; gap_y = 0
 count = 1; columns = 1
 load scripts.'/panel_grid.gp'
 right_of_sets = 570.0; left_of_mean = 592.0; right_of_mean = 722.0
 
-# Methods: first the one that the others are subtracted from, then those that have an input recorded; a ceiling apart.
+# Methods: first the one that is subtracted from the others, then those with a recorded input; ceilings apart.
 methods = ""; ceilings = ""; bars = ""; against = ""
 do for [wanted in "against method ceiling bar"] {
   do for [m in words_method] {
@@ -30,7 +31,7 @@ do for [m in methods] {
 }
 entry(m) = m.", ".word(shown_as, place(m, methods))
 
-# Data sets, without what all their names begin with. The last word is their mean.
+# Names of data sets without their common beginning. The last word is their mean.
 sets  = words(words_dataset) - 1
 name(i) = word(words_dataset, i)
 common = strlen(name(1))
@@ -38,10 +39,10 @@ do for [i = 1:sets] {
   while (common > 0 && (strlen(name(i)) < common || substr(name(i), 1, common) ne substr(name(1), 1, common))) { common = common - 1 }
 }
 while (common > 0 && substr(name(1), common, common) ne "-") { common = common - 1 }
-# Beside each other a few have room for the whole.
+# A few data sets have room for their whole names.
 short(i) = sets > 1 && (by_speed || sets > 4) ? substr(name(i), common + 1, strlen(name(i))) : name(i)
 
-# Where a data set stands: at the logarithm of its speed ratio, or one beside the other where the speed does not change.
+# Place of a data set: the logarithm of its speed ratio, or in sequence if the speed does not change.
 array ratios[sets]
 do for [i = 1:sets] {
   stats data using (strcol(1) eq name(i) && valid(2) ? $2 : NaN) name "ratio" nooutput
@@ -57,7 +58,7 @@ do for [i = 1:sets] { do for [j = 1:sets] {
 } }
 least = spot(1); most = spot(1)
 do for [i = 1:sets] { least = spot(i) < least ? spot(i) : least; most = spot(i) > most ? spot(i) : most }
-# Methods stand side by side, and their seeds beside them.
+# Methods are next to each other, each followed by its seeds.
 pitch(wide)  = 0.75 * wide / (many > 5 ? many : 5)
 off(m, wide) = (place(m, methods) - (many + 1) / 2.0) * pitch(wide)
 
@@ -91,13 +92,13 @@ set multiplot
 eval margins(edge_left / 960.0, right_of_sets / 960, 1 - 1.0 * edge_top / height, 1.0 * edge_bottom / height)
 set xrange [least - 0.6 * nearest_gap:most + 0.6 * nearest_gap]
 set xtics () scale 0 font font_12
-# Names of neighbours that are near stand at two heights.
+# Write names of close neighbours at two heights.
 crowded = by_speed && nearest_gap < 0.25 * (most - least)
 before(i) = int(sum [j = 1:sets] (spot(j) < spot(i)))
 lower(i)  = crowded && before(i) % 2 == 1 ? "\n" : ""
 do for [i = 1:sets] { set xtics add ((by_speed ? sprintf("%.3g\n%s%s", ratios[i], lower(i), short(i)) : short(i)) spot(i)) }
 set key off
-# Lines join what has an order; else each data set has a line of its own.
+# Connect data sets only if they have an order; else each has a separate line.
 joined(names) = by_speed ? names : ""
 apart(names)  = by_speed ? "" : names
 plot for [m in joined(ceilings)] data using (of(m) && is_mean(9) ? plain(1) : NaN):10 smooth unique \

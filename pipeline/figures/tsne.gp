@@ -1,19 +1,19 @@
-# Maps of test windows: method,class,x,y,trustworthiness,kl. A panel a method, a colour and a mark a class;
-# the axes of a map have neither unit nor meaning. Loaded by scripts that have set `heading`.
+# Maps of test windows: method,class,x,y,trustworthiness,kl. One panel for each method, one colour and mark for each
+# class; the axes of a map have neither unit nor meaning. Loaded by scripts that have set `heading`.
 methods = words(words_method)
 columns = methods < 5 ? panels(methods, 2) : 5
 rows    = panels(methods, columns)
-# The row of a method's two numbers has neither class nor place, so it is not drawn.
+# The row with a method's two numbers lacks class and place, so it is not drawn.
 class_number(name) = name eq "" ? 1 : place(name, words_class)
-# The ninth colour is the first one again, darker.
+# The ninth colour is a darker version of the first.
 tint(i)   = i > 8 ? (colour(i) >> 1) & 0x7F7F7F : colour(i)
 left(n)   = 0.01 + 0.98 * ((n - 1) % columns) / columns
 # Heading and key take 113 pixels, the two lines above each panel 46.
 maps      = (height - 113.0) / height
 bottom(n) = 60.0 / height + maps * (1 - ((n - 1) / columns + 1.0) / rows)
-# The rows of one method, and the names of the columns, so that gnuplot need not read all each time.
+# Selects the rows of one method and the header, so that gnuplot does not read all rows each time.
 rows_of(method) = sprintf("< awk -F, 'NR == 1 || $1 == \"%s\"' '%s'", method, data)
-# Marks let others through, as those of the last class would hide all where classes mix.
+# Marks are transparent. Otherwise the last class would hide the others where classes mix.
 see_through = 0x60 << 24
 
 set multiplot
@@ -43,7 +43,7 @@ do for [n = 1:methods] {
   unset label 1
   set autoscale
 }
-# The key of all panels, below them.
+# Key of all panels, below them.
 unset title
 unset border
 set size nosquare

@@ -1,5 +1,5 @@
-# What each part of a method is worth: setting,instead_of,ratio,classifier,seed,difference,low,high,whole. A panel a
-# ratio, a row a setting.
+# Effect of each part of a method: setting,instead_of,ratio,classifier,seed,difference,low,high,whole. One panel for
+# each ratio, one row for each setting.
 # height: 110 + panels(words(words_ratio), 3) * (words(words_setting) * 20 + 40)
 count   = words(words_ratio)
 columns = count < 3 ? count : 3
@@ -18,15 +18,15 @@ edge_left = name_width; edge_right = 14; edge_top = 78; edge_bottom = 72; gap_x 
 load scripts.'/panel_grid.gp'
 own_row(down) = place(strcol(1), words_setting) + down
 is(seed)      = strcol(3) eq ratio && (strcol(5) eq "mean") == (seed eq "mean")
-# gnuplot leaves out a point that names an empty field as $7, also where it is not looked at; so by a variable.
+# gnuplot omits a point whose expression has an empty field as $7, even in a branch not taken; so use a variable.
 of_low = 7; of_high = 8
 low(difference)  = valid(7) ? column(of_low) : difference
 high(difference) = valid(8) ? column(of_high) : difference
-# Where the interval holds zero, or there is none, the seeds do not tell what the part is worth.
+# If the interval includes zero or is missing, the seeds do not show an effect of the part.
 unsure = 0x777777
 tint(mean) = valid(7) && column(of_low) * column(of_high) > 0 ? colour(1) : unsure
 
-# One scale for all panels, with room for the mean as a number at its right.
+# One scale for all panels, with room for the mean as a number at the right.
 stats data using (low($6)) name "low" nooutput
 stats data using (high($6)) name "high" nooutput
 least = low_min < 0 ? low_min : 0

@@ -1,6 +1,6 @@
 # shellcheck shell=bash disable=SC2034
-# Sourced by the rules. Each is a script that prints its findings, one a line, and exits with 0 when it
-# has looked at everything, with 77 when it was skipped (and says why), with anything else when it failed.
+# Sourced by the rules. Each rule is a script that prints its findings, one a line. It exits with 0 when everything was
+# checked, with 77 when it was skipped (with the reason), and with any other code when it failed.
 set -euo pipefail
 rule=$(basename "$0" .sh)
 cores=$(env -u OMP_NUM_THREADS nproc)
@@ -12,15 +12,14 @@ skip() {
   exit 77
 }
 
-# Files whose name matches: of those that git tracks, and new ones that it does not ignore.
+# Lists files whose name matches: tracked by git, or new and not ignored.
 files_matching() { # extended regular expression, [file or folder...]
   git ls-files --cached --others --exclude-standard -- "${@:2}" | sort -u |
     while read -r file; do [[ ! -f $file ]] || echo "$file"; done | { grep -E "$1" || true; }
 }
 
-# The commit that a change is measured from: where the branch left origin/main. On main itself, as in
-# continuous integration, and where there is no origin, the commit before. None in a clone that is one
-# commit deep.
+# Prints the commit that a change is measured from: the point where the branch left origin/main; on main itself, as in
+# continuous integration, or without origin, the commit before. Prints nothing in a clone of depth one.
 commit_before_change() {
   local head before
   head=$(git rev-parse --quiet --verify HEAD) || return 0
@@ -29,8 +28,8 @@ commit_before_change() {
   echo "$before"
 }
 
-# What a rule that takes long looks at: the files that are named; else with LINT=all every file; else
-# what changed since that commit, committed or not.
+# Lists the files for a slow rule: the named ones; with LINT=all every file; else the files that changed since that
+# commit, committed or not.
 files_to_check() { # extended regular expression, [file or folder...]
   local before
   before=$(commit_before_change)
@@ -42,7 +41,7 @@ files_to_check() { # extended regular expression, [file or folder...]
   fi
 }
 
-# The one version of clang's tools that we ask: others format, and warn of, different things.
+# The required version of clang's tools: other versions format and warn differently.
 clang_version=$(sed -nE 's/^# For clang-format ([0-9]+).*/\1/p' .clang-format)
 
 clang_tool() { # format or tidy
@@ -56,8 +55,8 @@ clang_tool() { # format or tidy
   skip "as it needs clang-$1 $clang_version, which Debian 12 has; what would be found by others differs"
 }
 
-# A folder that is configured and never built: it knows how each file is compiled. Clang can neither
-# read GCC's precompiled headers nor does it know GCC's flag for products of complex numbers.
+# A folder that is configured but never built, to know how each file is compiled. Clang can neither read GCC's
+# precompiled headers nor understand GCC's flag for complex products.
 configured=build/lint
 configure() {
   mkdir -p $configured
@@ -79,7 +78,7 @@ configure() {
   flock --unlock 9
 }
 
-# A line for each file that is compiled: its name, a tab, the command.
+# Prints a line for each compiled file: its name, a tab, the command.
 compile_commands() {
   awk -v root="$PWD/" '
     /^ *"command": "/ { sub(/^ *"command": "/, ""); sub(/",?$/, ""); command = $0 }

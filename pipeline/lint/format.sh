@@ -1,5 +1,5 @@
 #!/bin/bash
-# C++ files are as clang-format leaves them.
+# C++ files must be formatted by clang-format.
 # shellcheck source-path=SCRIPTDIR
 source "${0%/*}/common.sh"
 

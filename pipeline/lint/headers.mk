@@ -1,5 +1,5 @@
-# Compiles each of HEADERS alone, without writing code. STAMPS/<header>.ok says that it went well; where
-# it is missing, <header>.log says what did not.
+# Compiles each of HEADERS alone, without writing code. STAMPS/<header>.ok records success; else <header>.log has the
+# errors.
 
 stamps := $(HEADERS:%=$(STAMPS)/%.ok)
 .PHONY: all

@@ -1,7 +1,7 @@
 #!/bin/bash
-# Every header of the library compiles alone, so that whoever includes it need not know what it needs.
-# What has compiled, and has not changed since, is not compiled again. One with LibTorch takes as long as
-# ten others, so of those only what changed is compiled, unless LINT=all.
+# Every header of the library must compile alone, so that files can include it without knowing its needs. Headers that
+# have compiled and not changed since are skipped. A header with LibTorch takes as long as ten others, so only changed
+# ones are compiled, unless LINT=all.
 # shellcheck source-path=SCRIPTDIR
 source "${0%/*}/common.sh"
 
@@ -22,7 +22,7 @@ make --file=pipeline/lint/headers.mk --jobs="$cores" --silent STAMPS=$stamps HEA
 
 for header in "${headers[@]}"; do
   [[ ! -e $stamps/$header.ok ]] || continue
-  # The first error, which may be in a header that this one includes.
+  # Report the first error, which may be in a header that this one includes.
   error=$(grep -m1 -E 'error:' "$stamps/$header.log" | sed 's,^\./,,')
   [[ $error == "$header":* ]] || error="$header:1:1: error: $error"
   sed -E 's/^([^:]+:[0-9]+):[0-9]+: (fatal )?error: (.*)/\1: does not compile alone: \3; include what it uses/' <<<"$error"

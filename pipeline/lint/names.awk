@@ -1,5 +1,5 @@
 # usage: awk -f names.awk FILE...
-# Functions begin in the first column, as clang-format leaves them.
+# Functions start in the first column, as clang-format formats them.
 
 FNR == 1 {
   split(FILENAME, parts, "/")

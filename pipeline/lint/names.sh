@@ -1,7 +1,6 @@
 #!/bin/bash
-# A helper, in the anonymous namespace of a file, has a name that no other file of its room gives a function. The compiler
-# takes the files of a room together: a helper of the same name would be an overload, and could be called in place of the
-# function that is meant.
+# A helper in the anonymous namespace of a file must have a name that is unique among the functions of its room. The
+# compiler joins the files of a room: a helper of the same name would be an overload and could be called by mistake.
 # shellcheck source-path=SCRIPTDIR
 source "${0%/*}/common.sh"
 

@@ -1,6 +1,6 @@
 # usage: awk -v folders="base cli ..." -f rooms.awk CONTRIBUTING.md FILE...
-# A row of the table holds one or more rooms in backticks in its first column; those of a row do not
-# know each other.
+# A row of the table holds one or more rooms in backticks in its first column. Rooms of one row must not include each
+# other.
 
 function finding(what, right) { printf "%s:%d: %s; %s\n", FILENAME, FNR, what, right }
 
@@ -38,7 +38,7 @@ FNR == 1 {
   other = parts[1]
   if (other == room || !(room in row)) next
   if (!(other in row) && /</) next # a library's
-  if (!(other in row) && index(" " folders, " " other " ")) next # said above, once
+  if (!(other in row) && index(" " folders, " " other " ")) next # reported above, once
   includes = "includes \"" quoted[2] "\""
   if (!(other in row))
     finding(includes ", which names no room of CONTRIBUTING.md", "write it from the room on, \"" room "/...\"")

@@ -1,6 +1,5 @@
 #!/bin/bash
-# A room includes only rooms that stand below it in the table of CONTRIBUTING.md, "Rooms", and every
-# room stands there.
+# A room may include only rooms below it in the table of CONTRIBUTING.md, "Rooms", and every room must be in the table.
 # shellcheck source-path=SCRIPTDIR
 source "${0%/*}/common.sh"
 

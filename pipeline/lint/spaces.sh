@@ -1,5 +1,5 @@
 #!/bin/bash
-# No line ends with spaces, and only what make reads has tabs.
+# Lines must not end with spaces, and only files of make may have tabs.
 # shellcheck source-path=SCRIPTDIR
 source "${0%/*}/common.sh"
 

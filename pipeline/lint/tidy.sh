@@ -1,6 +1,6 @@
 #!/bin/bash
-# clang-tidy finds nothing (.clang-tidy says what it looks for) in what changed; with LINT=all in all
-# files. A file takes 5 to 40 s, so what does not fit into three minutes is left to LINT=all.
+# clang-tidy must find nothing (.clang-tidy lists its checks) in what changed; with LINT=all in all files. A file takes
+# 5 to 40 s, so files that do not fit into three minutes are left to LINT=all.
 # shellcheck source-path=SCRIPTDIR
 source "${0%/*}/common.sh"
 
@@ -10,8 +10,8 @@ results=$configured/tidy
 rm -rf $results
 mkdir -p $results
 
-# For a header the source of the same name, from which clang-tidy looks into it; where there is none, the
-# first beside it that includes it, whose include folders are the right ones; or else the header itself.
+# Prints the sources to check for a header: the source of the same name, which includes it; else the first file next to
+# it that includes it, since it has the right include folders; else the header itself.
 sources_of() {
   local file user
   while read -r file; do
@@ -24,8 +24,8 @@ sources_of() {
   done
 }
 
-# Of the files on standard input those that are compiled here, each with what clang-tidy needs beside: with
-# Debian 12's clang LibTorch's headers compile with LLVM's C++ library alone, and others with GCC's alone.
+# Selects the compiled files on standard input, with the additional options for clang-tidy: with Debian 12's clang,
+# LibTorch's headers compile only with LLVM's C++ library, and other files only with GCC's.
 checks() {
   awk -F'\t' -v has_libtorch="$has_libtorch" '
     FNR == NR { command[$1] = $2; next }
@@ -44,7 +44,7 @@ check() { # number, file, [argument]
     return
   fi
   "$program" -quiet -p "$configured" "${@:3}" "$2" >"$results/$1.out" 2>"$results/$1.err" ||
-    # It says what it found as errors; without any it could not look.
+    # Findings are errors; without one, clang-tidy itself failed.
     grep -q ' error: ' "$results/$1.out" || echo "$2:1: clang-tidy failed: $(head -n 1 "$results/$1.err")"
 }
 
@@ -64,5 +64,5 @@ printf '%s\n' "${files[@]}" | nl -w1 -s' ' | xargs -P "$cores" -L 1 bash -c 'che
 
 left_out=$(find $results -name '*.left_out' | wc -l)
 ((left_out == 0)) || say "$left_out of ${#files[@]} files did not fit into three minutes; LINT=all looks at all"
-# A finding in a header comes once for each file that includes it.
+# A finding in a header appears once for each file that includes the header.
 cat $results/*.out | sed "s,^$PWD/,," | sed -nE 's/^([^: ]+:[0-9]+):[0-9]+: (error|warning): /\1: /p' | sort -u

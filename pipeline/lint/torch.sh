@@ -1,5 +1,5 @@
 #!/bin/bash
-# LibTorch's headers are included in its room alone, in that room's tests and in the benchmarks.
+# Only the room of LibTorch, its tests and the benchmarks may include LibTorch's headers.
 # shellcheck source-path=SCRIPTDIR
 source "${0%/*}/common.sh"
 

@@ -1,15 +1,14 @@
 #!/bin/bash
-# Names the compilation units of the last build that cost more than four times the median: of those that hold several
-# files in seconds a file, and of those of one file in seconds. Such a unit may include or instantiate more than it
-# needs, and everybody who builds waits for it. These are notes, not findings, because a time depends on what else the
-# machine did.
+# Names the compilation units of the last build that cost more than four times the median, in seconds a file for units
+# of several files, and in seconds for units of one file. Such a unit may include or instantiate more than it needs,
+# which slows every build. These are notes, not findings, because times depend on the load of the machine.
 # shellcheck source-path=SCRIPTDIR
 source "${0%/*}/common.sh"
 
 log=build/.ninja_log
 [[ -f $log ]] || skip "as nothing was built with ninja; \`make build\` does"
 
-# Each unit of several files, and how many it has. Any other object is of one file.
+# Lists the units of several files with their number of files. All other objects have one file.
 files_of_units() {
   local unit
   find build -path '*/Unity/*.cxx' | while read -r unit; do
@@ -17,7 +16,7 @@ files_of_units() {
   done
 }
 
-# A unit that takes less than 8 s is not worth a change.
+# Units below 8 s are not worth a change.
 awk -v at_least=8 '
   FNR == NR { files[$1] = $2; next }
   $4 ~ /\.o$/ { seconds[$4] = ($2 - $1) / 1000 }

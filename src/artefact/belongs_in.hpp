@@ -6,9 +6,8 @@
 
 namespace piae::artefact {
 
-/// The name of the file in a run that an artefact belongs in: that of the role of windows, "C.h5";
-/// features.h5 for a diagnosis that keeps them; else that of its kind, "model.h5". `file` is an
-/// artefact.
+/// Returns the name that an artefact has in a run: the role of windows, "C.h5"; features.h5 for a
+/// diagnosis that keeps features; else its kind, "model.h5". `file` must be an artefact.
 std::string belongs_in(hid_t file);
 
 }  // namespace piae::artefact

@@ -21,7 +21,7 @@ std::string type_name(hid_t type) {
          (H5Tget_class(type) == H5T_INTEGER ? std::to_string(H5Tget_sign(type)) : "-");
 }
 
-/// Each field ends in a zero byte, so that different lists of fields never give the same bytes.
+/// A zero byte ends each field, so that different lists of fields never give the same bytes.
 void add_field(Sha256& sha, const std::string& field) {
   sha.update(field).update(std::string_view("\0", 1));
 }

@@ -9,26 +9,26 @@
 
 namespace piae::artefact {
 
-/// The group that says how an artefact was made. The content digest leaves it out.
+/// Group that records how an artefact was made. The content digest excludes it.
 inline const std::string provenance_group = "/provenance";
 
 struct Digests {
-  /// Of everything but the provenance and the digests themselves.
+  /// Covers everything but the provenance and the digests themselves.
   std::string content;
-  /// Of what stands in the provenance group, and nothing else.
+  /// Covers only the provenance group.
   std::string provenance;
 };
 
-/// SHA-256 over the path, type, shape and values of every dataset and attribute of the file, in
-/// alphabetical order. They do not depend on how HDF5 arranges the file. `paths` are those of all
-/// its objects (hdf5::object_paths). Where `image` has the bytes of the file, values are digested
-/// there, after their checksums were found right; else HDF5 reads them. Throws std::runtime_error
-/// naming the dataset that cannot be read.
+/// Returns SHA-256 over the path, type, shape and values of every dataset and attribute, in
+/// alphabetical order. The result does not depend on the layout that HDF5 chose. `paths` lists all
+/// objects of the file (hdf5::object_paths). If `image` holds the bytes of the file, values are
+/// read there after their checksums were verified; else by HDF5. Throws std::runtime_error naming a
+/// dataset that cannot be read.
 Digests digests_of(hid_t file, const std::vector<std::string>& paths,
                    std::span<const std::byte> image = {});
 
-/// The name of the attribute that holds a digest. The content digest is an attribute of the root,
-/// the digest of the provenance one of the group /provenance.
+/// Attribute that holds a digest: the content digest at the root, the digest of the provenance at
+/// the group /provenance.
 inline const std::string digest_attribute = "digest";
 
 }  // namespace piae::artefact

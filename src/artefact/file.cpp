@@ -19,7 +19,7 @@ namespace {
 
 std::string reason() { return std::generic_category().message(errno); }
 
-/// A POSIX file descriptor that is closed when it goes out of scope.
+/// Owns a POSIX file descriptor and closes it.
 class Descriptor {
  public:
   explicit Descriptor(int fd) : fd_(fd) {}
@@ -35,7 +35,7 @@ class Descriptor {
   int fd_;
 };
 
-/// Brings a folder to the disk. Only then will a rename in it outlive a power cut.
+/// Syncs a folder to the disk. Otherwise a power cut may undo a rename in it.
 void sync_folder(const fs::path& folder) {
   const Descriptor descriptor(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   if (descriptor.get() >= 0) ::fsync(descriptor.get());
@@ -77,7 +77,7 @@ void write_file_atomically(const fs::path& path, std::span<const std::byte> byte
     throw Error(Exit::failed, folder.string() + ": cannot make this folder: " +
                                   no_folder.message() + "; choose another output");
   }
-  // Where a file grows beyond `ulimit -f`, write() shall fail instead of the program being killed.
+  // Makes write() fail beyond `ulimit -f`, instead of the system killing the program.
   std::signal(SIGXFSZ, SIG_IGN);
   const auto fail = [&](const std::string& what) {
     throw Error(Exit::failed, path.string() + ": " + what + ": " + reason() +

@@ -10,26 +10,24 @@
 
 namespace piae::artefact {
 
-/// All bytes of a file. Throws Error(input_missing) where it cannot be read, or is no file: a pipe
-/// is not waited for. Throws Error(bad_input), before anything is read, where it has more than
-/// `most` bytes: a file may say that it is huge and take no room on the disk.
+/// Returns all bytes of a file. Throws Error(input_missing) if it cannot be read or is not a
+/// regular file; a pipe would block. Throws Error(bad_input), before reading, if it has more than
+/// `most` bytes: a sparse file can claim any size.
 Bytes read_file(const std::filesystem::path& path,
                 std::uint64_t most = std::numeric_limits<std::int64_t>::max());
 
-/// What stands where a file is to be written must be a file itself: a link may have been planted.
-/// Throws Error(failed) where it is not, and Error(usage) for a path that ends with no name. Who
-/// computes for long asks before.
+/// Throws Error(failed) if something other than a regular file has this path, such as a planted
+/// link, and Error(usage) if the path does not end with a name. Call this before a long
+/// computation.
 void require_replaceable(const std::filesystem::path& path);
 
-/// Writes a file so that it is always complete: until all is written the old content stands there.
-/// The bytes are written to a file beside it (partial_file.hpp) and synced to the disk, then that
-/// file is renamed. Missing parent folders are made. Throws Error(failed) when the folder cannot be
-/// written, the disk is full, or a link or something else that is no file stands there; nothing is
-/// left of the partial file then.
+/// Writes a file atomically: the old content remains until the new content is complete. Writes the
+/// bytes to a file next to it (partial_file.hpp), syncs and renames it. Makes missing parent
+/// folders. Throws Error(failed) if the folder cannot be written, the disk is full, or the path is
+/// a link or not a regular file; then the partial file is removed.
 void write_file_atomically(const std::filesystem::path& path, std::span<const std::byte> bytes);
 
-/// Removes a file, and the partial files that killed programs may have left of it. There may be
-/// none.
+/// Removes a file, if it exists, and the partial files that killed programs have left of it.
 void remove_file(const std::filesystem::path& path);
 
 }  // namespace piae::artefact

@@ -10,10 +10,10 @@ namespace {
 
 constexpr std::uint64_t modulus = 65535;
 
-/// The sum over this many words, each times its place counted from the end, fits into 32 bits.
+/// For this many words, the sum of each word times its place from the end fits into 32 bits.
 constexpr std::size_t words_at_once = 256;
 
-/// HDF5 adds 65535 to nothing but where all words are zero, so 0 and 65535 are told apart.
+/// HDF5 reduces the sum to 1..65535 and gives 0 only if all words are zero.
 std::uint32_t folded(std::uint64_t sum) {
   return sum == 0 ? 0 : static_cast<std::uint32_t>((sum - 1) % modulus + 1);
 }
@@ -34,13 +34,13 @@ std::uint32_t fletcher32(std::span<const std::byte> bytes) {
       block += words[i];
       weighted += words[i] * (static_cast<std::uint32_t>(words_at_once) - i);
     }
-    // A block that is filled up with zeros at its end has counted each word too often.
+    // The zero padding of the last block has counted each word too often.
     const std::uint64_t exact = weighted - std::uint64_t{words_at_once - count} * block;
     sum_of_sums = folded(sum_of_sums + count * sum + exact);
     sum = folded(sum + block);
     bytes = bytes.subspan(2 * count);
   }
-  // Words are read the other way round above, which is 256 times as much modulo 65535.
+  // Words are read byte-swapped above, which multiplies the sums by 256 modulo 65535.
   return folded(256 * sum_of_sums) << 16U | folded(256 * sum);
 }
 

@@ -15,7 +15,7 @@ namespace piae::artefact::hdf5 {
 
 namespace {
 
-// HDF5 would print its errors by itself. Here the exception carries the reason instead.
+// HDF5 would print its errors. Here the exception carries the reason instead.
 [[maybe_unused]] const bool quiet = H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr) >= 0;
 
 herr_t keep_deepest(unsigned /*depth*/, const H5E_error2_t* error, void* reason) {
@@ -34,7 +34,7 @@ std::string reason_from_hdf5() {
 
 Handle property_list(hid_t type) { return {H5Pcreate(type), "property list"}; }
 
-/// Makes the groups that lead to `path`. HDF5 could make them by itself, but with timestamps.
+/// Makes the groups that lead to `path`. HDF5 would add timestamps to them.
 void make_parents(hid_t file, const std::string& path) {
   const Handle creation = property_list(H5P_GROUP_CREATE);
   check(H5Pset_obj_track_times(creation, 0), path.c_str());
@@ -55,17 +55,17 @@ Handle fixed_string_type(std::size_t length) {
   return type;
 }
 
-/// By how many bytes a file in memory grows at a time.
+/// Growth of a file in memory, in bytes.
 constexpr std::size_t growth = 4096;
 
-/// Where a superblock of HDF5 1.8 and later holds the address at which the file ends. What follows
-/// in memory is room to grow and is not written to the disk: every byte there belongs to the file,
-/// so that a lost one is noticed.
+/// Offset of the end address in a superblock of HDF5 1.8 and later. Memory beyond that address is
+/// spare and is not written to the disk, so that every byte on the disk belongs to the file and a
+/// lost byte is noticed.
 constexpr std::size_t end_address_at = 28;
 
-/// Keeps the bytes of a file in memory when HDF5 closes the file and would free them.
+/// Keeps the bytes of a file in memory, which HDF5 would free when it closes the file.
 struct ImageKeeper {
-  bool wanted = false;  ///< while MemoryFile::close() runs
+  bool wanted = false;  ///< true during MemoryFile::close()
   Bytes image;
 };
 
@@ -95,7 +95,7 @@ herr_t release_image(void* image, H5FD_file_image_op_t operation, void*) {
   return 0;
 }
 
-/// Reading needs no copy of the image: whenever HDF5 asks for memory, it gets the image itself.
+/// Avoids a copy for reading: every request of HDF5 for memory gets the image itself.
 void* given_image(size_t, H5FD_file_image_op_t, void* image) { return image; }
 
 void* image_in_place(void* to, const void*, size_t, H5FD_file_image_op_t, void*) { return to; }
@@ -115,8 +115,8 @@ std::size_t stored_bytes(hid_t dataset) {
   return size;
 }
 
-/// Writes all values of a dataset, its one chunk. HDF5 would copy them twice more, and compute the
-/// checksum word by word.
+/// Writes all values of a dataset as its single chunk. HDF5 would copy them twice more, and compute
+/// the checksum word by word.
 void write_chunk(hid_t dataset, std::span<const std::byte> values, const std::string& path) {
   const std::uint32_t checksum = fletcher32(values);
   Bytes chunk(values.size() + sizeof checksum);
@@ -127,9 +127,9 @@ void write_chunk(hid_t dataset, std::span<const std::byte> values, const std::st
         path.c_str());
 }
 
-/// A name that no other file of this process has. HDF5 would take two files in memory with the same
-/// name for one file, and read the one that was opened first. No file on the disk can have it
-/// either, since HDF5 looks for one in the working folder.
+/// Returns a name that is unique in this process. HDF5 treats two files in memory with the same
+/// name as one file, and reads the first. A file on the disk cannot have this name either, which
+/// matters because HDF5 looks in the working folder.
 std::string new_name() {
   static std::atomic<std::uint64_t> count = 0;
   return "/dev/null/artefact-" + std::to_string(++count);
@@ -165,7 +165,7 @@ Bytes MemoryFile::close() {
 }
 
 std::span<const std::byte> MemoryFile::image() const {
-  // Chunks are written at once. Flushing what is not would change where HDF5 puts it in the file.
+  // Chunks are written immediately. Flushing the rest would change its place in the file.
   void* handle = nullptr;
   check(H5Fget_vfd_handle(file_, H5P_DEFAULT, &handle), "file in memory");
   hsize_t size = 0;
@@ -174,7 +174,7 @@ std::span<const std::byte> MemoryFile::image() const {
 }
 
 Handle open_image(std::span<const std::byte> image) {
-  // HDF5 is not const-correct here; a file that is open for reading is not written to.
+  // HDF5 is not const-correct here; it does not write to a file that is open for reading.
   auto* const bytes = const_cast<std::byte*>(image.data());
   H5FD_file_image_callbacks_t callbacks{given_image, image_in_place,    nullptr, leave_image,
                                         same_keeper, no_keeper_to_free, bytes};

@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::string_view end_of_line = "\t.\n";  // tells a line that was cut off
+constexpr std::string_view end_of_line = "\t.\n";  // missing in a line that was cut off
 
 std::string escaped(std::string_view text) {
   std::string line;
@@ -83,7 +83,7 @@ std::string text_of(const Stat& stat) {
          std::to_string(stat.written) + ' ' + std::to_string(stat.changed);
 }
 
-/// Pairs that stand as "role=digest" in fields of their own.
+/// Formats pairs as fields "role=digest".
 std::string text_of(const std::vector<MadeFrom>& pairs) {
   std::string text;
   for (const MadeFrom& pair : pairs) text += '\t' + escaped(pair.role) + '=' + pair.digest;
@@ -120,12 +120,12 @@ std::string step_line(const std::string& name, const DoneStep& done) {
          "\t->" + text_of(done.outputs) + std::string(end_of_line);
 }
 
-/// Opens a journal and keeps other writers out as long as it lives.
+/// Opens a journal and locks it against other writers for its lifetime.
 class Locked {
  public:
   explicit Locked(const fs::path& journal) {
-    // Another process may have replaced the file during the wait: lines in the old one would be
-    // lost.
+    // Another process may have replaced the file during the wait. Lines written to the old file
+    // would be lost.
     do {
       close();
       descriptor_ =
@@ -136,7 +136,7 @@ class Locked {
   Locked& operator=(const Locked&) = delete;
   ~Locked() { close(); }
 
-  /// Negative if the journal cannot be written.
+  /// Returns a negative number if the journal cannot be written.
   [[nodiscard]] int descriptor() const { return descriptor_; }
 
  private:
@@ -153,8 +153,8 @@ class Locked {
   int descriptor_ = -1;
 };
 
-/// Adds lines in one write. The line break in front ends a line that a killed program left
-/// unfinished.
+/// Adds lines in one write. The leading line break ends an unfinished line that a killed program
+/// left.
 void append(const fs::path& journal, const std::string& lines) {
   const Locked locked(journal);
   if (locked.descriptor() < 0) return;
@@ -299,17 +299,17 @@ void Journal::save() {
   if (read_bytes_ > small && 2 * read_lines_ > 3 * counting) compact();
 }
 
-/// Drops the lines that later ones replace.
+/// Drops lines that later lines have replaced.
 void Journal::compact() const {
   const fs::path file = run_ / ".journal";
   const Locked locked(file);
   if (locked.descriptor() < 0) return;
-  const std::string text = Journal(run_).whole_text();  // with what others have added since
+  const std::string text = Journal(run_).whole_text();  // includes what others have added since
   if (text.empty()) return;                             // the file could not be read
   try {
     write_file_atomically(file, std::as_bytes(std::span(text)));
   } catch (const Error&) {
-    return;  // the old one stays
+    return;  // the old file remains
   }
 }
 

@@ -13,72 +13,73 @@
 
 namespace piae::artefact {
 
-/// Describes a file as the file system sees it. It changes when the file is written or replaced.
+/// Status of a file in the file system. It changes when the file is written or replaced.
 struct Stat {
   std::uint64_t size = 0;  ///< bytes
   std::uint64_t inode = 0;
-  std::int64_t written = 0;  ///< time of its content, ns since 1970
-  std::int64_t changed = 0;  ///< time of its status, ns since 1970
+  std::int64_t written = 0;  ///< modification time, ns since 1970
+  std::int64_t changed = 0;  ///< status change time, ns since 1970
 
   bool operator==(const Stat&) const = default;
 };
 
-/// Empty where there is no such file, or something that is no file.
+/// Returns an empty value if the file does not exist or is not a regular file.
 std::optional<Stat> stat_of(const std::filesystem::path& file);
 
-/// An input by its role, and the beginning of its digest.
+/// An input by its role and the beginning of its digest.
 struct MadeFrom {
-  std::string role;  ///< "known"; of several inputs in one role with the name, "recording 105.mat"
+  std::string
+      role;  ///< "known"; with the file name if a role has several inputs, "recording 105.mat"
   std::string digest;
 
   bool operator==(const MadeFrom&) const = default;
 };
 
-/// How something was made: the options of the program as TOML lines, and what it read.
+/// Record of how something was made: the options of the program as TOML lines, and its inputs.
 struct Made {
   std::shared_ptr<const std::string> options;
   std::vector<MadeFrom> inputs;
 };
 
-/// The beginning of a digest, 128 bits as 32 hexadecimal digits: enough to tell contents apart.
+/// Returns the first 128 bits of a digest, 32 hexadecimal digits: enough to distinguish contents.
 std::string short_digest(const std::string& digest);
 
-/// The same as provenance says it.
+/// Returns the same record from provenance.
 Made made_by(const Provenance& provenance);
 
-/// A file as it was when it was read last.
+/// Status and contents of a file when it was last read.
 struct SeenFile {
   Stat stat;
   std::string digest;
-  std::optional<Made> made = std::nullopt;  ///< of an artefact
-  std::string belongs_in = {};              ///< of an artefact, see belongs_in.hpp
+  std::optional<Made> made = std::nullopt;  ///< artefacts only
+  std::string belongs_in = {};              ///< artefacts only, see belongs_in.hpp
 };
 
-/// How a step made files that do not say so themselves: tables, figures, pages.
+/// Record of how a step made files that do not record it themselves: tables, figures, pages.
 struct DoneStep {
   Made made;
-  std::vector<MadeFrom> outputs;  ///< each file, relative to the run, with its digest
+  std::vector<MadeFrom> outputs;  ///< files, relative to the run, with their digests
 };
 
-/// Remembers the files of a run, so that they need not be opened: RUN/.journal. A cache: removed,
-/// it comes back from the artefacts, and tables are made once more. Stages add a line for each
-/// artefact that they write, so that it need not be opened again; several processes may add lines
-/// at once. A line that is damaged is as if it were not there.
+/// Cache of what is known about the files of a run, so that they are not opened again:
+/// RUN/.journal. If it is removed, artefacts fill it again and tables are remade. Stages add a line
+/// for each artefact that they write. Several processes may add lines at once. Damaged lines are
+/// ignored.
 class Journal {
  public:
-  /// Reads that of a run's folder; it need not be there. Throws Error(bad_input) where something
-  /// else has its place, such as a link: nothing could be remembered.
+  /// Reads the journal in the folder of a run, if it exists. Throws Error(bad_input) if its path is
+  /// not a regular file, such as a link, since it could then not be written.
   explicit Journal(std::filesystem::path run);
 
-  /// Null where nothing is known. `file` is a path as programs get it.
+  /// Returns null if nothing is known. `file` is a path as programs get it.
   [[nodiscard]] const SeenFile* file(const std::string& file) const;
   [[nodiscard]] const DoneStep* step(const std::string& name) const;
 
   void note(const std::string& file, SeenFile seen);
   void note(const std::string& step, DoneStep done);
 
-  /// Adds to the file what was noted since it was read; where many of its lines have been replaced
-  /// by later ones, writes it anew. Where it cannot be written, it is left as it is.
+  /// Appends what was noted since the journal was read. Rewrites the file if later lines have
+  /// replaced many of its lines. Leaves the file as it is if it cannot be written.
   void save();
 
  private:
@@ -97,7 +98,8 @@ class Journal {
   std::size_t read_lines_ = 0;
 };
 
-/// Adds a line for an artefact that was just written. Where it cannot be written, nothing is lost.
+/// Adds a line for an artefact that was just written. A failure is harmless: the file is then read
+/// again.
 void add_to_journal(const std::filesystem::path& run, const std::filesystem::path& file,
                     const Written& written, const Provenance& provenance);
 

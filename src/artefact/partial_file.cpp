@@ -43,8 +43,8 @@ bool is_linked_file(int descriptor) {
   return ::fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode) && status.st_nlink > 0;
 }
 
-/// Who writes a partial file has it locked. It is locked here until it is gone, so that nobody
-/// begins to write it meanwhile. Where the file system has no locks nobody can tell, and it stays.
+/// Removes a partial file unless its writer has it locked. The lock is held until the file is
+/// removed, so that a writer cannot start meanwhile. On a file system without locks the file stays.
 void remove_unless_written(const fs::path& partial) {
   const int descriptor = ::open(partial.c_str(), O_RDWR | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
   if (descriptor < 0) return;
@@ -58,7 +58,7 @@ void remove_unless_written(const fs::path& partial) {
 
 PartialFile::PartialFile(const fs::path& target) : target_(target) {
   remove_left_overs(target);
-  // Another writer may take it for a left-over, as long as it is not locked: then for another one.
+  // Before it is locked, another process may remove it as a left-over. Then try another name.
   do {
     make();
   } while (is_open() && !is_linked_file(descriptor_));
@@ -89,7 +89,7 @@ bool PartialFile::put_in_place() {
 
 void remove_left_overs(const fs::path& target) {
   const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
-  std::error_code unreadable;  // a folder that only lets files be made in it
+  std::error_code unreadable;  // a folder may permit only creating files
   for (fs::directory_iterator entry(folder, unreadable), end; !unreadable && entry != end;
        entry.increment(unreadable)) {
     if (is_partial_of(entry->path().filename().string(), target)) {

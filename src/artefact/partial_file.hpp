@@ -6,10 +6,10 @@
 
 namespace piae::artefact {
 
-/// A file beside `target` that takes its place once it is complete: "<target>.partial-" and 16
-/// digits that nobody can know before, so that nobody can plant a link there. It is locked while it
-/// is written: that tells it from what a killed program has left. It is removed unless it was put
-/// in place. What fails says so by false, and by errno.
+/// A file next to `target` that replaces it when it is complete: "<target>.partial-" and 16 random
+/// digits, so that a link cannot be planted there. It is locked while it is written, which
+/// distinguishes it from files of killed programs. It is removed unless it was put in place.
+/// Functions return false on failure, with the reason in errno.
 class PartialFile {
  public:
   explicit PartialFile(const std::filesystem::path& target);
@@ -18,7 +18,7 @@ class PartialFile {
   ~PartialFile();
 
   [[nodiscard]] bool is_open() const { return descriptor_ >= 0; }
-  /// Writes the bytes, and brings them to the disk.
+  /// Writes the bytes and syncs them to the disk.
   [[nodiscard]] bool write(std::span<const std::byte> bytes) const;
   [[nodiscard]] bool put_in_place();
 
@@ -30,8 +30,8 @@ class PartialFile {
   int descriptor_ = -1;
 };
 
-/// Removes the partial files of `target` that killed programs have left. Those that are being
-/// written stay, and so does whatever is no file of ours.
+/// Removes the partial files of `target` that killed programs have left. Keeps files that are being
+/// written, and all other files.
 void remove_left_overs(const std::filesystem::path& target);
 
 }  // namespace piae::artefact

@@ -14,7 +14,7 @@ namespace piae::artefact {
 
 namespace {
 
-/// What /proc/cpuinfo says of the first processor.
+/// Returns what /proc/cpuinfo records about the first processor.
 std::map<std::string, std::string> processor() {
   std::map<std::string, std::string> values;
   std::ifstream in("/proc/cpuinfo");
@@ -28,8 +28,8 @@ std::map<std::string, std::string> processor() {
   return values;
 }
 
-/// Family, model and instruction set are added to the name, because virtual machines hide the name
-/// and some of the instructions, and libraries choose their code by the latter.
+/// Returns the name of the processor with family, model and instruction set: virtual machines hide
+/// the name and some instructions, and libraries choose their code by the instructions.
 std::string processor_model() {
   std::map<std::string, std::string> values = processor();
   if (!values.contains("model name")) return "unknown processor";

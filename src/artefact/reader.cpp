@@ -25,8 +25,8 @@ using hdf5::Handle;
 
 const std::string remedy = "; make it again with the stage that wrote it";
 
-/// The numbers that stand in these bytes. A part at a time, which is still in the cache when
-/// numbers are put over the zeros that a vector has to begin with.
+/// Copies numbers from bytes, in parts that stay in the cache: a vector zeroes its elements before
+/// they are overwritten.
 template <hdf5::Number T>
 std::vector<T> values_in(std::span<const std::byte> bytes) {
   constexpr std::size_t at_once = 4096;
@@ -100,7 +100,7 @@ std::string stored_kind(const fs::path& path, hid_t file) {
     std::string kind = hdf5::read_string_attribute(file, "/", "kind");
     if (!has_control_characters(kind)) return kind;
   } catch (const std::exception&) {
-    // It is no artefact in either case.
+    // not an artefact either
   }
   throw Refusal(Exit::bad_input, RefusalReason::wrong_kind, path.string() + foreign);
 }
@@ -118,7 +118,7 @@ std::int64_t stored_schema(const fs::path& path, hid_t file) {
   return schema;
 }
 
-/// Everything that is to be known of a file before anything is read of it.
+/// Checks everything that must be true of a file before its contents are used.
 void require_artefact(const fs::path& path, std::span<const std::byte> image,
                       const std::string& kind) {
   const Handle file = open_checked(path, image);
@@ -139,15 +139,15 @@ void require_artefact(const fs::path& path, std::span<const std::byte> image,
 
 Rehearsal rehearsal_of(const fs::path& path, std::span<const std::byte> image,
                        const std::string& kind) {
-  // Children begin as copies of this process: OpenSSL is started here, not in each of them.
+  // Starts OpenSSL here, once, instead of in each child: children are copies of this process.
   [[maybe_unused]] static const Sha256 started;
   return {.size = image.size(),
           .otherwise = path.string() + ": damaged: it cannot be read without harm" + remedy,
           .read = [&path, image, &kind] { require_artefact(path, image, kind); }};
 }
 
-/// The bytes of a file which has been found to be a whole artefact, by a process that could come to
-/// harm over it.
+/// Returns the bytes of a file after a child process, which the file could harm, has found it to be
+/// a whole artefact.
 Bytes rehearsed(const fs::path& path, const std::string& kind) {
   Bytes image = bytes_of(path);
   const Rehearsal file = rehearsal_of(path, image, kind);
@@ -185,8 +185,8 @@ Reader Readers::next() {
 
 void Readers::check_some(std::size_t first) {
   constexpr std::size_t most_files = 512;
-  constexpr std::size_t most_bytes = 32'000'000;  // but one file of any size
-  // Where the system gives no process, none of them has been checked: they are not kept.
+  constexpr std::size_t most_bytes = 32'000'000;  // or one file of any size
+  // If a process cannot be started, none of these files has been checked: keep none.
   checked_.clear();
   first_ = first;
   std::vector<Checked> some;
@@ -318,7 +318,7 @@ void Reader::require_finite() const {
     if (H5Iget_type(object) != H5I_DATASET) continue;
     const hdf5::Shape any(hdf5::shape_of(object).size(), 0);
     const Handle type(H5Dget_type(object), path.c_str());
-    // Reading refuses what is not finite.
+    // reading refuses values that are not finite
     if (H5Tequal(type, hdf5::stored_type<float>()) > 0) (void)numbers<float>(path, any);
     if (H5Tequal(type, hdf5::stored_type<double>()) > 0) (void)numbers<double>(path, any);
   }

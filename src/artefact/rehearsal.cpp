@@ -22,10 +22,10 @@ namespace piae::artefact {
 
 namespace {
 
-/// What the child says of a file when it has found nothing wrong. Anything else begins with the
-/// number of a reason; silence means that the child died.
+/// Answer of the child for a good file. Other answers start with the number of a reason; a missing
+/// answer means that the child died.
 constexpr std::string_view good = "good";
-/// Ends what it says of each file.
+/// Ends the answer for each file.
 constexpr char end_of_answer = '\0';
 
 void limit(int resource, rlim_t most) {
@@ -35,23 +35,23 @@ void limit(int resource, rlim_t most) {
   ::setrlimit(static_cast<__rlimit_resource>(resource), &now);
 }
 
-/// The address space with which a good file of this size can be read: what is mapped already, some
-/// for HDF5, and more than the three times its size that it takes.
+/// Returns the address space that suffices to read a good file of this size: present mappings, some
+/// for HDF5, and more than the three times its size that reading takes.
 std::size_t enough_for(std::size_t size) {
   constexpr std::size_t some = std::size_t{64} << 20U;
   return mapped_bytes() + some + 4 * size;
 }
 
-/// The child may take as much address space, and a second for each 20 MB or 50 files.
+/// Limits the child's address space, and its processor time to a second for each 20 MB or 50 files.
 void limit_by_size(std::size_t size, std::size_t files) {
-#ifndef __SANITIZE_ADDRESS__  // which needs memory to say what it has found, and has a limit itself
+#ifndef __SANITIZE_ADDRESS__  // needs memory to report its findings, and has a limit itself
   limit(RLIMIT_AS, enough_for(size));
 #endif
   limit(RLIMIT_CPU, 2 + files / 50 + size / (std::size_t{20} << 20U));
   limit(RLIMIT_CORE, 0);
 }
 
-/// Whether this process itself may not take what a good file of this size may need.
+/// True if this process itself has a limit below the needs of a good file of this size.
 bool is_short_of_memory(std::size_t size) {
   rlimit now{};
   return ::getrlimit(RLIMIT_AS, &now) == 0 && now.rlim_cur < enough_for(size);
@@ -63,7 +63,7 @@ std::size_t size_of(std::span<const Rehearsal> files) {
   return size;
 }
 
-/// Who cannot be heard has died, as far as the parent knows.
+/// Sends an answer. A failure counts as the child's death.
 void say(int to, std::string text) {
   text += end_of_answer;
   (void)write_all(to, std::as_bytes(std::span(text)));
@@ -89,22 +89,21 @@ void read_and_say(int to, const std::function<void()>& read) {
   }
 }
 
-/// The child's whole life. It ends without running what the program does at its end, and at the
-/// first file of which there is nothing to say.
+/// Runs the child. It ends without the program's exit handlers, and after the first bad file.
 [[noreturn]] void be_the_child(int to, std::span<const Rehearsal> files) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-  // A handler that the program has for these is no business of the child.
+  // the program's handlers must not run in the child
   for (const int signal : {SIGSEGV, SIGBUS, SIGABRT, SIGFPE, SIGXCPU}) ::signal(signal, SIG_DFL);
   limit_by_size(size_of(files), files.size());
   try {
     for (const Rehearsal& file : files) read_and_say(to, file.read);
   } catch (...) {
-    // Silence says it.
+    // a missing answer reports the failure
   }
   ::_exit(0);
 }
 
-/// What the child has said, which was not that all is good.
+/// Parses an answer of the child other than `good`.
 Objection objection_in(const std::string& heard, const std::string& otherwise) {
   const std::size_t space = heard.find(' ');
   if (space == std::string::npos || heard.find_first_not_of("0123456789") != space) {
@@ -118,7 +117,7 @@ Objection objection_in(const std::string& heard, const std::string& otherwise) {
                                 what + ": " + std::generic_category().message(errno));
 }
 
-/// What a child has said of the first of the files, as far as it came.
+/// Returns the child's answers, for the files that it reached.
 std::vector<std::string> answers_of_child(std::span<const Rehearsal> files) {
   std::array<int, 2> pipe{};
   if (::pipe2(pipe.data(), O_CLOEXEC) != 0) fail("pipe");

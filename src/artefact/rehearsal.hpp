@@ -11,34 +11,34 @@
 
 namespace piae::artefact {
 
-/// What a rehearsal found wrong: a reason and a line.
+/// Objection of a rehearsal to a file: a reason and an error line.
 struct Objection {
   RefusalReason reason;
   std::string line;
 };
 
-/// Does in a child process what is about to be done with the bytes of a file, and returns what is
-/// wrong with them; nothing when all is good. HDF5 trusts what it reads: a damaged or a made-up
-/// file can end the process that opens it, write beyond its memory, or never end. All of that then
-/// happens to the child, which has memory and time by the file's size and is killed beyond.
+/// Runs `read` on the bytes of a file in a child process first, and returns its objection; empty if
+/// the file is good. HDF5 trusts what it reads: a damaged or forged file can crash the process,
+/// write out of bounds, or never end. Then only the child is harmed: it has limits of memory and
+/// time by the size of the file, and is killed beyond them.
 ///
-/// `read` throws Refusal for what it objects to. Whatever else becomes of the child is an objection
-/// too, with the reason `damaged` and the line `otherwise`. The child is a copy of this process
-/// with one thread, so `read` must start no other. Throws std::bad_alloc where the objection may be
-/// that this process was given less memory than a good file of this size takes.
+/// `read` throws Refusal for its objections. Any other end of the child is an objection with the
+/// reason `damaged` and the line `otherwise`. The child is a copy of this process with one thread,
+/// so `read` must not start threads. Throws std::bad_alloc if the objection may only mean that this
+/// process has less memory than a good file of this size needs.
 std::optional<Objection> rehearse(std::size_t size, const std::string& otherwise,
                                   const std::function<void()>& read);
 
-/// The arguments of rehearse() for one file.
+/// Arguments of rehearse() for one file.
 struct Rehearsal {
   std::size_t size;
   std::string otherwise;
   std::function<void()> read;
 };
 
-/// The same for each of many files. To start a child takes longer than to read a small file, so one
-/// goes on to the next; where a file ends it, that one is rehearsed alone and another child goes on
-/// behind it.
+/// Rehearses many files. Starting a child takes longer than reading a small file, so one child
+/// reads them in turn. A file that ends the child is rehearsed again alone, and another child
+/// continues after it.
 std::vector<std::optional<Objection>> rehearse_all(std::span<const Rehearsal> files);
 
 }  // namespace piae::artefact

@@ -15,8 +15,8 @@ namespace {
 using hdf5::check;
 using hdf5::Handle;
 
-/// Far more than any stage writes. A file of a few kB could otherwise keep its reader busy for
-/// minutes.
+/// Far more than any stage writes. Without a limit, a file of a few kB could keep its reader busy
+/// for minutes.
 constexpr std::size_t most_objects = 100'000;
 constexpr int deepest = 16;
 
@@ -29,7 +29,7 @@ struct Link {
   H5L_type_t type;
 };
 
-/// A name that stands for the one link it belongs to, and can be shown in a line.
+/// True if a name is a single component of a path and can be shown in a line.
 bool is_plain(const std::string& name) {
   return !name.empty() && name != "." && name != ".." && name.find('/') == std::string::npos &&
          !has_control_characters(name);
@@ -70,8 +70,8 @@ class Walk {
 
   void visit(hid_t object, const std::string& path, int depth) {
     H5O_info_t info;
-    // Counting the bytes of its metadata reads blocks that no value needs, such as the list of free
-    // space in a heap of attributes, and with them their checksums.
+    // Counting the bytes of metadata also reads blocks that no value needs, such as the free list
+    // of an attribute heap, and so verifies their checksums.
     check(H5Oget_info2(object, &info, H5O_INFO_ALL), path.c_str());
     note(info, path, depth);
     if (info.num_attrs > 0) visit_attributes(object, path);
@@ -88,7 +88,7 @@ class Walk {
     }
   }
 
-  /// Of all objects but the root, in alphabetical order.
+  /// Returns the paths of all objects but the root, in alphabetical order.
   std::vector<std::string> paths() && {
     std::ranges::sort(paths_);
     return std::move(paths_);
@@ -97,7 +97,7 @@ class Walk {
  private:
   void note(const H5O_info_t& info, const std::string& path, int depth) {
     if (depth > deepest) refuse("a group too deep", path);
-    // The count of links in an object says what it likes, so addresses are remembered too.
+    // A forged link count can be wrong, so addresses are compared, too.
     const bool is_new = addresses_.insert(info.addr).second;
     if (!is_new || (depth > 0 && info.rc > 1)) refuse("a second link to one object", path);
     if (addresses_.size() > most_objects) refuse("more objects than any stage writes", path);
@@ -130,7 +130,7 @@ class Walk {
     take(type, count, path);
   }
 
-  /// As Writer stores datasets: in one piece, and not compressed or elsewhere.
+  /// Requires the layout that Writer uses: one piece, not compressed, not in other files.
   static void require_our_layout(hid_t dataset, const hdf5::Shape& shape, const std::string& path) {
     const Handle creation(H5Dget_create_plist(dataset), path.c_str());
     const H5D_layout_t layout = H5Pget_layout(creation);
@@ -156,7 +156,7 @@ class Walk {
     }
   }
 
-  /// Notes values of one dataset or attribute. All of them together fit into the file.
+  /// Counts the bytes of one dataset or attribute. All values together must fit into the file.
   void take(hid_t type, std::size_t count, const std::string& where) {
     if (H5Tcommitted(type) > 0) refuse("a named type", where);
     if (!is_number(type) && !is_string(type)) refuse("values of this type", where);

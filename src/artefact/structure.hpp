@@ -8,14 +8,14 @@
 
 namespace piae::artefact {
 
-/// Throws std::runtime_error, which says what and where, for a file that holds anything but what
+/// Throws std::runtime_error, naming the problem and the place, unless a file contains only what
 /// Writer writes: groups and datasets in one tree of plain hard links, numbers and fixed-length
-/// strings, one value an attribute, and together no more bytes than the file has. Nothing can then
-/// lead out of the file, be found in two places, or be larger than what was read of it.
+/// strings, one value an attribute, and in total no more bytes than the file has. Then nothing can
+/// refer to other files, appear twice, or be larger than what was read.
 ///
-/// The paths of all objects, which are in the digest, then say all links that there are: a link
-/// more or less is an object more or less. They are returned as hdf5::object_paths would. `size` is
-/// that of the file in bytes.
+/// Returns the paths of all objects, as hdf5::object_paths would. They are part of the digest and
+/// define all links, because an additional link would be an additional object. `size` is the size
+/// of the file in bytes.
 std::vector<std::string> require_our_structure(hid_t file, std::size_t size);
 
 }  // namespace piae::artefact

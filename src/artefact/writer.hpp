@@ -11,20 +11,20 @@
 
 namespace piae::artefact {
 
-/// Version of the layout of all artefacts. A reader refuses any other.
+/// Version of the layout of all artefacts. Readers refuse any other version.
 inline constexpr std::int64_t schema_version = 1;
 
-/// The most bytes of an artefact, which is read as a whole. Those of the paper's data sets have
-/// some megabytes.
+/// Largest size of an artefact in bytes. Artefacts are read whole; those of the paper's data sets
+/// have some megabytes.
 inline constexpr std::uint64_t largest_artefact_bytes = 4'000'000'000;
 
 /// An artefact that was written.
 struct Written {
-  std::string digest;      ///< of its content
-  std::string belongs_in;  ///< the name of the file that it belongs in, see belongs_in.hpp
+  std::string digest;      ///< content digest
+  std::string belongs_in;  ///< name of the file in a run, see belongs_in.hpp
 };
 
-/// Builds an artefact in memory. save() then writes it, complete or not at all.
+/// Builds an artefact in memory. save() writes the whole file or nothing.
 ///
 ///     Writer writer("windows");
 ///     writer.numbers("/windows", samples, {n, 1024});
@@ -34,9 +34,9 @@ class Writer {
  public:
   explicit Writer(const std::string& kind);
 
-  /// Row-major numbers (float, double, int32 or int64). Throws std::logic_error when the number of
-  /// values does not fit the shape, and Error(failed) when one of them is NaN or infinite: no
-  /// stage writes such a number, whatever went wrong before it.
+  /// Writes row-major numbers (float, double, int32 or int64). Throws std::logic_error if the
+  /// number of values differs from the shape, and Error(failed) for NaN or infinity, which a stage
+  /// must never write.
   template <hdf5::Number T>
   void numbers(const std::string& path, std::span<const T> values, const hdf5::Shape& shape);
   template <hdf5::Number T>
@@ -54,8 +54,8 @@ class Writer {
   void attribute(const std::string& object, const std::string& name, std::int64_t value);
   void attribute(const std::string& object, const std::string& name, const std::string& value);
 
-  /// Adds provenance and digests, and writes the file as write_file_atomically() does. No other
-  /// call may follow.
+  /// Adds provenance and digests, and writes the file as write_file_atomically() does. Must be the
+  /// last call.
   Written save(const std::filesystem::path& path, const Provenance& provenance);
 
  private:

@@ -10,11 +10,11 @@
 
 namespace piae::augment {
 
-/// The networks of twins by what is asked for. Throws as Backends::chosen() does.
+/// Returns the engine for a twin's networks of the requested back end and device. Throws as
+/// Backends::chosen() does.
 twin::Engine twin_engine(const Compute& compute);
 
-/// Makes windows with a stored VAE or WGAN-GP (latent/generator.hpp) by the back end that is asked
-/// for.
+/// Makes windows with a stored VAE or WGAN-GP (latent/generator.hpp) on the requested back end.
 signal::WindowSet generate_from_latent(const artefact::Reader& model, std::size_t count,
                                        const Stream& stream, const Compute& compute);
 

@@ -205,7 +205,7 @@ void require_known_windows(const CatalogueEntry& entry, const signal::WindowSet&
 
 namespace {
 
-/// What of a class such a method lacks; empty where it lacks nothing.
+/// Returns the missing fact about a class that such a method needs; empty if nothing is missing.
 std::string lack(Needs needs, const signal::DatasetInfo& info, const signal::ClassInfo& c) {
   const bool is_struck = bearing::is_struck(c.defect);
   if (needs >= Needs::bearing && !info.has_bearing) return "[bearing], its geometry";
@@ -238,6 +238,11 @@ void require_described_faults(const CatalogueEntry& entry, const signal::Dataset
               fmt::format("{}: {} needs {}, which the description of {} does not say; methods that "
                           "do without: {}",
                           file, entry.name, lacking, info.name, fmt::join(others, ", ")));
+}
+
+std::string counted_faults(const signal::WindowSet& known) {
+  if (known.size() == 0) return "no fault window";
+  return fmt::format("{} windows of {} fault classes", known.size(), known.info.classes.size() - 1);
 }
 
 std::vector<std::string> method_names() {

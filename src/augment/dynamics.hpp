@@ -6,10 +6,9 @@
 
 namespace piae::augment {
 
-/// The method `dynamics` (paper, Section 4.5.3): it solves eq. 13 with stiffness and damping from
-/// the literature, each window with a small deviation of its own. Of the known windows it uses
-/// nothing but their RMS. Throws Error(usage) for options with which the load cannot close the
-/// clearance.
+/// Method `dynamics` (paper, Section 4.5.3): solves eq. 13 with stiffness and damping from the
+/// literature. Each window deviates slightly from these values. Only the RMS of the known windows
+/// is used. Throws Error(usage) if the options give a load that cannot close the clearance.
 class Dynamics final : public Method {
  public:
   void bind(const cli::Options& command) override;

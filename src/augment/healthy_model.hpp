@@ -7,9 +7,9 @@
 
 namespace piae::augment {
 
-/// The healthy windows that a method has heard, which is all that its model stores of windows:
-/// read_learned(model, Role::healthy) reads them. Throws Error(usage) where it has heard none, and
-/// Error(bad_input) where they are as long as those of C are not.
+/// Returns the healthy windows that a method was given. Its model stores no other windows;
+/// read_learned(model, Role::healthy) reads them. Throws Error(usage) if there are none, and
+/// Error(bad_input) if their length differs from that of C.
 const signal::WindowSet& require_heard(const std::optional<signal::WindowSet>& healthy,
                                        const signal::WindowSet& known);
 

@@ -9,7 +9,7 @@ void HealthyPlusImpulses::train(const signal::WindowSet& known, const Stream& /*
                                 artefact::Writer& model) {
   zero::table_of(options_).require_order();
   const signal::WindowSet& healthy = require_heard(healthy_, known);
-  (void)zero::Machine(healthy);  // refuses what cannot be
+  (void)zero::Machine(healthy);  // throws if the windows do not allow a model
   signal::write(model, healthy);
   zero::table_of(options_).write(model);
 }

@@ -7,8 +7,8 @@
 
 namespace piae::augment {
 
-/// The method `healthy-plus-impulses`, the common recipe where no fault window is known
-/// (zero/impulses.hpp): what piae-dt-zero must beat to be worth anything.
+/// Method `healthy-plus-impulses`, the usual recipe if no fault window is known
+/// (zero/impulses.hpp). It is the control that piae-dt-zero must beat.
 class HealthyPlusImpulses final : public Method {
  public:
   void hear(const signal::WindowSet& healthy) override { healthy_ = healthy; }

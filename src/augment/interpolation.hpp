@@ -8,13 +8,14 @@ namespace piae::augment {
 
 using Window = std::span<const float>;
 
-/// For each window, the indices of the k other windows that are nearest by Euclidean distance, the
-/// nearest first. Of two that are equally near, the earlier comes first. Throws std::logic_error
-/// when k is not below the number of windows or the lengths differ.
+/// Returns for each window the indices of the k other windows nearest by Euclidean distance,
+/// nearest first. At equal distances the earlier window comes first. Throws std::logic_error if k
+/// is not below the number of windows or the lengths differ.
 std::vector<std::vector<std::size_t>> nearest_neighbours(const std::vector<Window>& windows,
                                                          std::size_t k);
 
-/// base + gap (neighbour - base): a point on the line between two windows, for gap in [0, 1].
+/// Returns base + gap (neighbour - base), a point on the line between two windows, for gap in [0,
+/// 1].
 std::vector<float> interpolate(Window base, Window neighbour, double gap);
 
 }  // namespace piae::augment

@@ -44,7 +44,7 @@ void LineMinimum::bracket(const Point& newest) {
 }
 
 void LineMinimum::choose_next() {
-  constexpr double golden = 0.3819660F;  // as precise as Boost has it
+  constexpr double golden = 0.3819660F;  // rounded to float, as in Boost
   const auto [x, fx] = best_;
   const auto [w, fw] = second_;
   const auto [v, fv] = third_;

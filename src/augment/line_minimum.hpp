@@ -4,21 +4,21 @@
 
 namespace piae::augment {
 
-/// Where a function of one variable is least, by Brent's method (1973) as Boost has it
-/// (brent_find_minima), but asked the other way round: it says where it wants to know the function,
-/// and is told. So searches can go on side by side, whose functions are computed together.
+/// Finds the minimum of a function of one variable by Brent's method (1973), as in Boost
+/// (brent_find_minima). The caller computes the function: next() returns where, take() receives the
+/// value. So many searches can run at once and have their functions computed together.
 class LineMinimum {
  public:
-  /// Between `low` and `high`, to about 2^-bits of the variable, with at most `most_values` values
-  /// after the first.
+  /// Searches between `low` and `high`, to about 2^-bits of the variable, with at most
+  /// `most_values` values after the first.
   LineMinimum(double low, double high, int bits, int most_values);
 
   [[nodiscard]] bool done() const { return done_; }
-  /// Where it wants to know the function next, unless it is done.
+  /// Returns the point at which the next value is needed; undefined if done().
   [[nodiscard]] double next() const { return next_; }
-  /// Tells it the function at next().
+  /// Receives the function's value at next().
   void take(double value);
-  /// Where the function was least so far.
+  /// Returns the point with the least value so far.
   [[nodiscard]] double best() const { return best_.at; }
 
  private:
@@ -36,8 +36,8 @@ class LineMinimum {
   Point best_;
   Point second_;
   Point third_;
-  double step_ = 0;         ///< the last one
-  double step_before_ = 0;  ///< and the one before that
+  double step_ = 0;         ///< the last step
+  double step_before_ = 0;  ///< the step before the last
   double next_;
   bool begun_ = false;
   bool done_ = false;

@@ -7,7 +7,7 @@
 namespace piae::augment {
 
 bool Method::needs_libtorch(const Compute& compute) const {
-  (void)piae::needs_libtorch(compute);  // throws where back end and device do not go together
+  (void)piae::needs_libtorch(compute);  // throws if back end and device do not match
   return false;
 }
 

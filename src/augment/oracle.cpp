@@ -13,7 +13,7 @@ namespace piae::augment {
 
 namespace {
 
-/// For each class, the indices of its windows in random order; none for the healthy class.
+/// Returns for each class the indices of its windows in random order; empty for the healthy class.
 std::vector<std::vector<std::size_t>> shuffled_classes(const signal::WindowSet& real,
                                                        std::size_t count, const Stream& stream) {
   std::vector<std::vector<std::size_t>> all(real.info.classes.size());

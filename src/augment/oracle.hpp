@@ -5,10 +5,10 @@
 
 namespace piae::augment {
 
-/// `oracle`, which is a ceiling and not a method: it gives real windows in the place of generated
-/// ones, as if the faults had been recorded for long enough. They are the windows D, which no
-/// method may see. Those of a class come in random order, because a blocked split has them in order
-/// of time. No window comes twice; asking for more than there are throws Error(usage).
+/// `oracle`, a ceiling and not a method: returns real windows instead of generated ones, as if the
+/// faults had been recorded for long enough. They are the windows D, which no method may use. They
+/// are shuffled within a class, because a blocked split stores them in order of time. No window is
+/// repeated; a `count` above their number throws Error(usage).
 class Oracle final : public Method {
  public:
   [[nodiscard]] LearnsFrom learns_from() const override { return LearnsFrom::real; }

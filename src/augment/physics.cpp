@@ -17,7 +17,7 @@ namespace {
 using twin::damping_scale_ns_per_m;
 using twin::stiffness_scale_n_per_m;
 
-/// The fits to all known windows. An epoch fits those of one class with a defect.
+/// Fits all known windows. Each epoch fits the windows of one fault class.
 class Fitting final : public nets::Trainee {
  public:
   Fitting(const signal::WindowSet& known, const signal::WindowSimulation& simulation,
@@ -65,7 +65,7 @@ class Fitting final : public nets::Trainee {
   signal::WindowSet known_;
   signal::WindowSimulation simulation_;
   FitOptions options_;
-  std::vector<Label> labels_;            // of the classes with a defect
+  std::vector<Label> labels_;            // fault classes
   std::vector<twin::TwinPoint> points_;  // fitted so far
 };
 

@@ -7,19 +7,19 @@
 
 namespace piae::augment {
 
-/// The settings of the method `physics`.
+/// Settings of the method `physics`.
 struct PhysicsOptions {
   signal::SimulationOptions simulation;
   FitOptions fit;
-  int space_bins = 10;  ///< of the histogram, for k and for c, as for PIAE-DT; open in the paper
+  int space_bins = 10;  ///< histogram bins of k and of c, as for PIAE-DT; open in the paper
 };
 
 void bind(const cli::Options& command, PhysicsOptions& options);
 
-/// The method `physics`, Model 3 of the ablation (paper, Section 4.5.4): PIAE-DT without its
+/// Method `physics`, Model 3 of the ablation (paper, Section 4.5.4): PIAE-DT without its
 /// auto-encoder. Stiffness and damping are fitted to each known window by eq. 13 itself
 /// (SpectralFit). Their joint histogram over all of C is the digital twin space (eqs 14 and 15).
-/// Windows are solutions of eq. 13 with points drawn from it.
+/// Windows are solutions of eq. 13 with points drawn from this space.
 class Physics final : public Method {
  public:
   void bind(const cli::Options& command) override;

@@ -7,9 +7,8 @@
 
 namespace piae::augment {
 
-/// The method `piae-dt`, which is the paper's (src/twin), and those of its ablations that differ in
-/// one of the twin's parts. All have the same options, even those that an ablation does not use, so
-/// that they can share their settings.
+/// The paper's method `piae-dt` (src/twin), and its ablations that differ in one part of the twin.
+/// All have the same options, even if an ablation ignores some, so that they can share settings.
 class PiaeDt final : public Method {
  public:
   explicit PiaeDt(const twin::TwinVariant& variant) : variant_(variant) {}

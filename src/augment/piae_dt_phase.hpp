@@ -6,9 +6,9 @@
 
 namespace piae::augment {
 
-/// The method `piae-dt-phase`: PIAE-DT with the start angle in its twin space (src/phase). The back
-/// end and the device that are asked for compute its decoder. The inference of (k, c) is always
-/// computed by our own back end on the CPU.
+/// Method `piae-dt-phase`: PIAE-DT with the start angle in its twin space (src/phase). The
+/// requested back end and device compute its decoder. Our own back end always infers (k, c), on the
+/// CPU.
 class PiaeDtPhase final : public Method {
  public:
   [[nodiscard]] bool needs_libtorch(const Compute& compute) const override;

@@ -7,9 +7,9 @@
 
 namespace piae::augment {
 
-/// The method `piae-dt-zero`, which makes fault windows where no fault window is known:
-/// docs/piae-dt-zero.md. Of the known windows it takes what they say of the machine, and none need
-/// be there; of healthy windows B, what the machine sounds like. The rest is a prior.
+/// Method `piae-dt-zero`, which makes fault windows without known ones (docs/piae-dt-zero.md). It
+/// uses C's description of the machine, even if C is empty, and healthy windows B as background. A
+/// prior gives the rest.
 class PiaeDtZero final : public Method {
  public:
   void hear(const signal::WindowSet& healthy) override { healthy_ = healthy; }

@@ -12,7 +12,7 @@ namespace piae::augment {
 
 namespace {
 
-/// The resampler fades in and out over some hundred samples, of the slower side.
+/// Fade of the resampler at each end: a few hundred samples at the lower rate.
 constexpr double fade_samples = 512;
 
 }  // namespace

@@ -8,21 +8,20 @@
 
 namespace piae::augment {
 
-/// A window played `factor` times as fast: sample t is the window at start + factor t, to less than
-/// one sample. Everything in it moves with the speed, the resonances too, which in a machine stay.
-/// It continues with its beginning where it ends, as with the method `shift`, and is resampled by
-/// signal/resample.hpp, so that playing fast folds nothing over. The result is as long as the
-/// window. `factor` must be positive and `start` within the window; a factor of 1 shifts it
-/// circularly.
+/// Returns a window played `factor` times as fast: sample t is the window at start + factor t, to
+/// less than one sample. All frequencies move with the speed, resonances too, although a machine's
+/// resonances do not. The window is continued periodically, as in `shift`, and resampled by
+/// signal/resample.hpp, so that fast playback does not alias. The result has the window's length.
+/// `factor` must be positive and `start` inside the window; factor 1 is a circular shift.
 std::vector<double> played(std::span<const float> window, std::size_t start, double factor);
 
-/// The methods `resample` and `randomise`. They are controls where the tested condition has another
-/// speed than the known one: they know both speeds and nothing of bearings. Window i of a class is
-/// its known window i mod n, turned round by a random number of samples as with `shift`, and
-/// played at another speed. `resample` plays it at the tested speed: the rhythm of the strikes is
-/// then right, the resonances are not. `randomise` plays it by a factor drawn between 1 and the
-/// ratio of the speeds (uniform in its logarithm) and gives it a random transfer path: a classifier
-/// may learn from that to rely on neither. In one condition, `resample` is `shift`.
+/// Methods `resample` and `randomise`, the controls if the tested speed differs from the known one.
+/// They know both speeds and nothing of bearings. Window i of a class is its known window i mod n,
+/// circularly shifted by a random number of samples as in `shift`, and played at another speed.
+/// `resample` plays it at the tested speed: this makes the impact rate right and the resonances
+/// wrong. `randomise` draws a factor between 1 and the ratio of the speeds (uniform in its
+/// logarithm) and adds a random transfer path, so that a classifier learns to rely on neither.
+/// Within one condition, `resample` equals `shift`.
 class Playback final : public Method {
  public:
   enum class Speed { tested, random };

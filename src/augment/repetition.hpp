@@ -5,11 +5,11 @@
 
 namespace piae::augment {
 
-/// The methods `oversample` and `shift`, which repeat the known windows. They are controls: a
-/// method that learns to make new windows must beat them to be worth anything. Window i of a class
-/// is its known window i mod n. `oversample` leaves it as it is. `shift` shifts it circularly by a
-/// number of samples drawn uniformly from {0, ..., length - 1}: then it starts at any angle of the
-/// shaft, as real windows do, but has a seam where its end meets its beginning.
+/// Methods `oversample` and `shift`, which repeat the known windows. They are controls: a method
+/// that trains a generator must beat them. Window i of a class is its known window i mod n.
+/// `oversample` copies it. `shift` shifts it circularly by a number of samples drawn uniformly from
+/// {0, ..., length - 1}. Then the window starts at any shaft angle, as real windows do, but has a
+/// seam where its end meets its beginning.
 class Repetition final : public Method {
  public:
   enum class Shift { none, circular };

@@ -15,9 +15,9 @@ namespace piae::augment {
 
 namespace {
 
-/// The known windows of one class, and for each the indices of those nearest to it.
+/// Known windows of one class, and for each the indices of its nearest neighbours.
 struct Neighbourhood {
-  std::vector<std::size_t> indices;  ///< of the windows, among all known ones
+  std::vector<std::size_t> indices;  ///< index of each window among all known windows
   std::vector<Window> windows;
   std::vector<std::vector<std::size_t>> neighbours;
 };
@@ -30,8 +30,8 @@ void require_neighbours(const signal::ClassInfo& c, std::size_t n, int k) {
                                        c.name, n, n == 1 ? "" : "s", remedy));
 }
 
-/// The neighbourhood of each class. That of the healthy class, of which nothing is generated, is
-/// empty.
+/// Returns the neighbourhood of each class. The healthy class gets an empty one, because it is not
+/// generated.
 std::vector<Neighbourhood> neighbourhoods(const signal::WindowSet& known, int k) {
   std::vector<Neighbourhood> all;
   for (Label label = 0; index_of(label) < known.info.classes.size(); ++label) {
@@ -46,7 +46,7 @@ std::vector<Neighbourhood> neighbourhoods(const signal::WindowSet& known, int k)
   return all;
 }
 
-/// Of the class with a defect that has the fewest windows.
+/// Returns the number of windows of the smallest fault class.
 std::size_t fewest_windows(const signal::WindowSet& known) {
   std::size_t fewest = known.size();
   for (const Label label : known.info.fault_labels()) {
@@ -69,7 +69,7 @@ void Smote::bind(const cli::Options& command) { augment::bind(command, options_)
 void Smote::train(const signal::WindowSet& known, const Stream& /*stream*/,
                   const Compute& /*compute*/, const nets::Checkpoint& /*checkpoint*/,
                   artefact::Writer& model) {
-  neighbourhoods(known, options_.neighbours);  // throws here already what generate() would throw
+  neighbourhoods(known, options_.neighbours);  // throws early what generate() would throw
   signal::write(model, known);
   model.attribute("/", "neighbours", std::int64_t{options_.neighbours});
 }

@@ -5,20 +5,20 @@
 
 namespace piae::augment {
 
-/// The settings of SMOTE.
+/// Settings of SMOTE.
 struct SmoteOptions {
   int neighbours =
-      4;  ///< k. Chawla et al. take 5, but of five known windows each has only 4 others
+      4;  ///< k; Chawla et al. take 5, but with five known windows each has only 4 others
 };
 
 void bind(const cli::Options& command, SmoteOptions& options);
 
-/// The method `smote` (Chawla et al. 2002, "SMOTE: synthetic minority over-sampling technique"): a
-/// generated window lies on the line from a known window of its class to one of the k known windows
-/// of the class that are nearest to it, at a place drawn uniformly. As in the paper by Chawla et
-/// al., each known window is the starting point equally often. All samples of a window use one gap,
-/// as their text says (a point on the line); their listing draws one for each sample instead.
-/// The model holds the known windows. Throws Error(usage) for k above n - 1.
+/// Method `smote` (Chawla et al. 2002, "SMOTE: synthetic minority over-sampling technique"). A
+/// generated window lies on the line from a known window to one of its k nearest known windows of
+/// the same class, at a uniformly drawn place. As in Chawla et al., each known window is the
+/// starting point equally often. All samples of a window use one gap, as in their text (a point on
+/// the line); their listing draws one gap for each sample. The model holds the known windows.
+/// Throws Error(usage) for k above n - 1.
 class Smote final : public Method {
  public:
   void bind(const cli::Options& command) override;

@@ -19,29 +19,28 @@ namespace {
 using Eigen::ArrayXd;
 using Eigen::Index;
 
-/// The longest sub-step of the solution of eq. 13 for the fit. It is coarse: its error is 2 %,
-/// which no spectrum resolves.
+/// Longest sub-step of the solution of eq. 13 for the fit. Its error of 2 % is below the resolution
+/// of the spectra.
 constexpr double sub_step_s = 8e-6;
-/// How many half overlapping windows have their spectra averaged. Together they last for more than
+/// Number of half overlapping windows whose spectra are averaged. Together they cover more than
 /// four turns of the cage of a 6205.
 constexpr Index segments = 7;
-/// Half the width of the smoothing, which blurs the lines of a fault into one resonance. With 60
-/// Hz, the parameters of simulated windows were found less well.
+/// Half the width of the smoothing, which blurs the lines of a fault into one resonance. A width of
+/// 60 Hz fitted simulated windows less accurately.
 constexpr double smoothing_hz = 120;
-/// The bounds of the ratio of noise to signal power, as natural logarithms: from no noise to
-/// nothing but noise.
+/// Bounds of the noise to signal power ratio, as natural logarithms: from no noise to only noise.
 constexpr double lowest_log_noise = -16;
 constexpr double highest_log_noise = 5;
 
-/// The power in the bins 1 .. length / 2. Bin 0, which holds the mean, is left out.
+/// Returns the power in the bins 1 .. length / 2. Bin 0 holds the mean and is left out.
 ArrayXd power_of(const spectra::Windows& windows) {
   return spectra::mean_power_spectrum(windows).tail(windows.cols() / 2);
 }
 
-/// How many samples the half overlapping windows of this length take together.
+/// Returns the number of samples that the half overlapping windows of this length cover.
 Index samples_of(Index length) { return length + (segments - 1) * (length / 2); }
 
-/// The power averaged over neighbouring bins, with Hann's weights.
+/// Returns the power averaged over neighbouring bins with Hann weights.
 ArrayXd smoothed(const ArrayXd& power, double bin_hz) {
   const auto reach = static_cast<Index>(std::ceil(smoothing_hz / bin_hz));
   ArrayXd weights(reach + 1);  // by the distance in bins
@@ -63,7 +62,7 @@ ArrayXd smoothed(const ArrayXd& power, double bin_hz) {
   return result;
 }
 
-/// The smoothed spectrum of a signal of samples_of(length) samples, scaled to mean 1.
+/// Returns the smoothed spectrum of a signal of samples_of(length) samples, scaled to mean 1.
 ArrayXd spectrum_of(std::span<const double> signal, Index length, double sample_rate_hz) {
   spectra::Windows windows(segments, length);
   for (Index i = 0; i < segments; ++i) {
@@ -73,14 +72,14 @@ ArrayXd spectrum_of(std::span<const double> signal, Index length, double sample_
   return power / power.mean();
 }
 
-/// Whittle's negative logarithmic likelihood per bin, at the scale at which it is least: a = mean
-/// of P / (S + r).
+/// Returns Whittle's negative log-likelihood per bin, minimised over the scale a = mean of P / (S +
+/// r).
 double deviance(const ArrayXd& power, const ArrayXd& spectrum, double log_noise) {
   const ArrayXd model = spectrum + std::exp(log_noise);
   return model.log().mean() + std::log((power / model).mean());
 }
 
-/// The same at the noise r at which it is least. `spectrum` has mean 1.
+/// Returns the deviance minimised over the noise r. `spectrum` has mean 1.
 double deviance(const ArrayXd& power, const ArrayXd& spectrum) {
   LineMinimum line(lowest_log_noise, highest_log_noise, 8, 15);
   while (!line.done()) line.take(deviance(power, spectrum, line.next()));
@@ -164,8 +163,8 @@ SpectralFit::Point SpectralFit::best_of_grid(const ArrayXd& power) const {
   return grid_[static_cast<std::size_t>(std::ranges::min_element(deviances) - deviances.begin())];
 }
 
-/// The search for one window's best point, which begins at the best one of the grid. It goes along
-/// one coordinate after the other, and says at which point it needs the spectrum next.
+/// Searches one window's best point, starting at the best grid point, along one coordinate after
+/// the other. next() returns the point at which the search needs the spectrum.
 class SpectralFit::Search {
  public:
   Search(const SpectralFit& fit, Window window)
@@ -194,7 +193,7 @@ class SpectralFit::Search {
         .cast<double>();
   }
   // The variable counts grid steps from the point, because Brent's tolerance is relative to the
-  // variable: for a log k near 18 it would be wider than the grid.
+  // variable: for a log k near 18 the tolerance would exceed the grid.
   static LineMinimum new_line() { return {-1, 1, 6, 8}; }
   [[nodiscard]] Point moved(double steps) const {
     double Point::*const coordinate = legs[leg_];
@@ -206,7 +205,7 @@ class SpectralFit::Search {
 
   const SpectralFit* fit_;
   ArrayXd power_;
-  Point point_;  ///< where the leg began
+  Point point_;  ///< start of the current leg
   std::size_t leg_ = 0;
   LineMinimum line_ = new_line();
 };

@@ -11,51 +11,51 @@
 
 namespace piae::augment {
 
-/// Among which values stiffness and damping are looked for. The paper gives no bounds. The largest
-/// stiffness is given by physics: unless k * clearance < W, no ball is ever touched.
+/// Search ranges of stiffness and damping. The paper gives no bounds. Physics gives the largest
+/// stiffness: unless k * clearance < W, no ball is ever touched.
 struct FitOptions {
   double stiffness_from_n_per_m = 2e7;  ///< below, the balls alone hold the ring: k has no effect
   double damping_from_ns_per_m = 100;   ///< about 0.5 % of critical for M = 1 kg, k = 1e8 N/m
   double damping_to_ns_per_m = 5000;    ///< about 25 %: a burst dies out within one oscillation
-  int stiffness_grid = 24;              ///< values of the grid between the bounds, in equal ratios
+  int stiffness_grid = 24;              ///< grid values between the bounds, in equal ratios
   int damping_grid = 10;                ///< the same for damping
 };
 
 void bind(const cli::Options& command, FitOptions& options);
 
-/// Fits (k, c) to a window by eq. 13 itself: it finds eq. 14's argmax of p(k, c | x) with a flat
-/// prior in log k and log c. The angle of the shaft at which a window starts is unknown, so only
-/// the window's periodogram P is compared, by Whittle's likelihood (1953): the mean over the bins
-/// of log M + P / M. Here M = a (S + r), where S is the smoothed mean spectrum of a long solution
-/// of eq. 13 and r is white noise. The scale a (the path to the sensor is unknown) and the noise r
-/// are set to their best values for each (k, c). The search goes over a grid first and then on by
-/// Brent's method, one coordinate after the other.
+/// Fits (k, c) to a window by eq. 13 itself: finds the argmax of p(k, c
+///  x) of eq. 14 with a flat prior in log k and log c. The shaft angle at the window's start is
+///  unknown, so only the window's periodogram P is compared, by Whittle's likelihood (1953): the
+///  mean over the bins of log M + P / M. Here M = a (S + r), where S is the smoothed mean spectrum
+///  of a long solution of eq. 13 and r is white noise. The scale a (the path to the sensor is
+///  unknown) and the noise r take their best values for each (k, c). The search covers a grid
+///  first, then continues by Brent's method, one coordinate after the other.
 ///
-/// How well it finds known values was measured on 576 simulated windows of 1024 samples (7 and 21
-/// mil defects, k from 5e7 to 3.5e8 N/m, c from 250 to 1500 N s/m, random angles and slip, without
-/// noise and with noise 10 dB below the signal):
+/// Accuracy, measured on 576 simulated windows of 1024 samples (7 and 21 mil defects, k from 5e7 to
+/// 3.5e8 N/m, c from 250 to 1500 N s/m, random angles and slip, without noise and with noise 10 dB
+/// below the signal):
 ///   - k: within 1 % in the median, 9 of 10 within 7 %, at worst 34 %. At 5e7 N/m, where the balls
-///     hold the ring as much as k does, within 6 % in the median and 9 of 10 within 9 %.
+///     carry the ring as much as k does, within 6 % in the median and 9 of 10 within 9 %.
 ///   - c of race defects: within 7 to 17 % in the median, 9 of 10 within a factor of 1.7, at worst
 ///     within 5.
-///   - c of roller defects, which may hardly strike in a window: within a factor of 1.2 to 1.5 in
-///     the median, 9 of 10 within 3, at worst within 14.
+///   - c of roller defects, which may cause almost no impacts in a window: within a factor of 1.2
+///     to 1.5 in the median, 9 of 10 within 3, at worst within 14.
 class SpectralFit {
  public:
   /// Solves eq. 13 over the grid for the defect of a class, in parallel by OpenMP. Throws
-  /// Error(usage) when the bounds leave nothing between them.
+  /// Error(usage) if a lower bound is not below its upper bound.
   SpectralFit(const signal::WindowSimulation& simulation, Label label, const FitOptions& options);
 
   using Window = std::span<const float>;
-  /// Fits windows, each of the length that the simulation has. Beyond the grid, as many searches go
-  /// on side by side as eq. 13 is solved at once (bearing::courses_at_once). What a window gives
-  /// does not depend on the others, bit for bit.
+  /// Fits windows of the simulation's length. After the grid, bearing::courses_at_once searches run
+  /// together, because eq. 13 is solved for that many at once. The result of a window does not
+  /// depend on the others, bit for bit.
   [[nodiscard]] std::vector<signal::DynamicParameters> fit(
       const std::vector<Window>& windows) const;
 
  private:
   class Search;
-  /// The coordinates of the search, in which equal steps are equal ratios.
+  /// Coordinates of the search; equal steps are equal ratios.
   struct Point {
     double log_k = 0;
     double log_c = 0;

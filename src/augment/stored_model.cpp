@@ -21,13 +21,13 @@ const CatalogueEntry& entry_of(const artefact::Reader& model) {
   return *entry;
 }
 
-/// No training has left a model of faults that its method could not be told of.
+/// Throws if the model's faults lack facts that its method needs; no training writes such a model.
 void require_described(const artefact::Reader& model) {
   require_described_faults(entry_of(model), signal::read_dataset_info(model),
                            model.path().string());
 }
 
-/// What a model holds for those who look at it later.
+/// Reads the parts of a model that generate() does not use, such as curves.
 void require_record_of_training(const artefact::Reader& model) {
   model.require_finite();
   if (model.has("/curves/reconstruction")) twin::Curves().read(model);
@@ -35,7 +35,8 @@ void require_record_of_training(const artefact::Reader& model) {
   if (model.has("/inference")) (void)phase::read_inference(model);
 }
 
-/// Where eq. 13 has no solution, the numbers of the model are to blame.
+/// Generates windows. If eq. 13 has no solution, the model's numbers are wrong, so the model is
+/// refused.
 signal::WindowSet generated_by(Method& method, const artefact::Reader& model, std::size_t count,
                                const Stream& stream, const Compute& compute) {
   try {

@@ -10,23 +10,23 @@
 
 namespace piae::augment {
 
-/// The method that made a model. Throws artefact::Refusal for a name that no method has.
+/// Returns the method that made a model. Throws artefact::Refusal for an unknown name.
 std::unique_ptr<Method> method_of(const artefact::Reader& model);
 
-/// What method.generate() makes of the model. Throws artefact::Refusal also for curves and the like
-/// that no training has, and where it makes samples that are not finite, as it does of weights that
-/// no training leaves.
+/// Returns the windows of method.generate(). Throws artefact::Refusal if the curves and other
+/// records of the training are impossible, or the samples are not finite, as weights no training
+/// leaves would make them.
 signal::WindowSet generate_with(Method& method, const artefact::Reader& model, std::size_t count,
                                 const Stream& stream, const Compute& compute);
 
-/// The windows that a model stores because its method needs no more: C or, of a ceiling, D. Throws
-/// artefact::Refusal where a class has none that should, or has some that should not; Error where
-/// there are no known windows and the method learns from those.
+/// Reads the windows that a model stores, C or, for a ceiling, D. Throws artefact::Refusal if a
+/// class lacks windows or has windows it should not have; Error if no window is known and
+/// the method learns from them.
 signal::WindowSet read_learned(const artefact::Reader& model, signal::Role role);
 
-/// Reads all that a stage would read of a model, by what the stages read it with, and makes a
-/// window of each class with it. Throws Error for what they would refuse. Of a method that only
-/// LibTorch can compute, the weights are not looked at.
+/// Reads all that any stage reads from a model, with the same functions, and makes a window of each
+/// class. Throws Error if a stage would refuse the model. Weights that only LibTorch can use are
+/// not checked.
 void require_usable(const artefact::Reader& model);
 
 }  // namespace piae::augment

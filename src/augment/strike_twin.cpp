@@ -10,7 +10,7 @@ namespace piae::augment {
 
 namespace {
 
-/// Throws artefact::Refusal for a model that needs healthy windows and has none.
+/// Reads the healthy spectra. Throws artefact::Refusal if the model needs them and has none.
 std::vector<transfer::HealthySpectrum> read_background(const artefact::Reader& model,
                                                        const signal::WindowSet& known,
                                                        const transfer::CarryOptions& options) {

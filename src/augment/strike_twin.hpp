@@ -8,9 +8,9 @@
 
 namespace piae::augment {
 
-/// The method `strike-twin`, which makes fault windows of a condition in which no fault is known:
-/// docs/strike-twin.md. The structure answers as in the known windows; when it is struck, how often
-/// and for how long, follows from the bearing's geometry and the tested speed.
+/// Method `strike-twin`, which makes fault windows of a condition in which no fault is known
+/// (docs/strike-twin.md). The structure's response is that of the known windows. The bearing's
+/// geometry and the tested speed give the times, rate and durations of the impacts.
 class StrikeTwin final : public Method {
  public:
   void hear(const signal::WindowSet& healthy) override;

@@ -6,8 +6,8 @@
 
 namespace piae::augment {
 
-/// The settings of the VAE. The paper says no more than its name; where each value comes from
-/// stands in pipeline/protocol.toml, [train.vae].
+/// Settings of the VAE. The paper gives only its name; pipeline/protocol.toml, [train.vae], lists
+/// the source of each value.
 inline constexpr latent::LatentOptions vae_defaults{
     .epochs = 200,          // the paper's own networks, Table 4
     .batch = 5,             // Table 4
@@ -17,7 +17,7 @@ inline constexpr latent::LatentOptions vae_defaults{
     .width = 256,           // as PIAE-DT
 };
 
-/// The method `vae`: a conditional VAE on the known windows (Kingma and Welling 2014; the class is
+/// Method `vae`: a conditional VAE on the known windows (Kingma and Welling 2014; the class is
 /// given as in Sohn et al. 2015). The network after the last epoch generates.
 class Vae final : public Method {
  public:

@@ -7,7 +7,7 @@
 
 namespace piae {
 
-/// The bytes of address space that this process has already, on top of which a limit allows more.
+/// Returns the bytes of address space that this process has mapped, to which a limit is added.
 inline std::size_t mapped_bytes() {
   std::size_t pages = 0;
   std::ifstream("/proc/self/statm") >> pages;

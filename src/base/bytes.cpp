@@ -15,7 +15,7 @@ void expect_much(void* begin, std::size_t bytes) {
   const std::uintptr_t first = (from + large_page - 1) / large_page * large_page;
   const std::uintptr_t last = (from + bytes) / large_page * large_page;
   if (first >= last) return;
-  // Where there are no large pages all stays as it is.
+  // no effect on a system without large pages
   ::madvise(static_cast<std::byte*>(begin) + (first - from), last - first, MADV_HUGEPAGE);
 }
 

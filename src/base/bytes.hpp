@@ -5,17 +5,17 @@
 
 namespace piae {
 
-/// Says that much memory is about to be filled, so that the system hands it out in large pages
-/// where it has them. Handing it out page by page takes longer than what is done with the bytes.
+/// Asks the system for large pages for memory that is about to be filled. With small pages, the
+/// page faults take longer than the work on the bytes.
 void expect_much(void* begin, std::size_t bytes);
 
-/// Bytes of a file. Unlike a vector's they are not set to zero before they are read.
+/// Bytes of a file. Unlike a vector's, they are not zeroed before they are read.
 class Bytes {
  public:
   Bytes() = default;
   /// Throws std::bad_alloc.
   explicit Bytes(std::size_t size);
-  /// Takes what malloc() gave.
+  /// Takes ownership of memory from malloc().
   Bytes(void* allocated, std::size_t size)
       : bytes_(static_cast<std::byte*>(allocated)), size_(size) {}
 
@@ -26,7 +26,7 @@ class Bytes {
   [[nodiscard]] std::byte* end() { return data() + size_; }
   [[nodiscard]] const std::byte* begin() const { return data(); }
   [[nodiscard]] const std::byte* end() const { return data() + size_; }
-  /// Leaves the first `size` of them.
+  /// Keeps the first `size` bytes.
   void shorten(std::size_t size) { size_ = size; }
 
  private:

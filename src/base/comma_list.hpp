@@ -5,9 +5,8 @@
 
 namespace piae {
 
-/// Returns what `text_of` gives of each element, with commas between: comma_list(rows, &Row::name)
-/// is "vae, smote". Lists of plain strings are joined by fmt::join. (clang-tidy 14 cannot read
-/// std::views.)
+/// Joins the results of `text_of` for all elements with commas: comma_list(rows, &Row::name)
+/// returns "vae, smote". Use fmt::join for plain strings. (clang-tidy 14 cannot parse std::views.)
 template <class Range, class TextOf>
 std::string comma_list(const Range& range, const TextOf& text_of) {
   std::string list;

@@ -4,14 +4,14 @@
 
 namespace piae {
 
-/// What computes neural networks: the option `--backend`.
+/// Back end of the neural networks: the option `--backend`.
 enum class Backend {
-  automatic,  ///< our own on the cpu, LibTorch on cuda
-  native,     ///< our own, on one core
+  automatic,  ///< native on the cpu, LibTorch on cuda
+  native,     ///< this project's own, on one core
   libtorch,   ///< LibTorch, on the cpu or on cuda
 };
 
-/// What they are computed on: the option `--device`.
+/// Device of the neural networks: the option `--device`.
 enum class Device { cpu, cuda };
 
 struct Compute {
@@ -19,17 +19,17 @@ struct Compute {
   Device device = Device::cpu;
 };
 
-/// Whether LibTorch must compute networks. Throws Error(usage) where our own back end is asked for
-/// and cannot.
+/// True if LibTorch must compute the networks. Throws Error(usage) if the native back end is
+/// requested for a device that it does not support.
 bool needs_libtorch(const Compute& compute);
 
-/// The same thing by each back end. LibTorch's is null in a program that is not linked with it.
+/// One implementation by each back end. LibTorch's is null in a program that is not linked with it.
 template <class F>
 struct Backends {
   F native;
   F libtorch;
 
-  /// Throws Error(failed) for LibTorch's in a program that is not linked with it.
+  /// Throws Error(failed) if LibTorch is chosen in a program that is not linked with it.
   [[nodiscard]] F chosen(const Compute& compute) const {
     if (!needs_libtorch(compute)) return native;
     if (libtorch == nullptr) throw Error(Exit::failed, "this program is not linked with LibTorch");

@@ -6,9 +6,9 @@
 
 namespace piae {
 
-/// While one lives, its thread takes numbers that are smaller than any normal one (1e-38 in single
-/// precision) for zero, those that it reads and those that it computes. A processor takes a hundred
-/// times as long for an operation on them. Processors without SSE keep them.
+/// While an object lives, its thread treats denormal numbers (below 1e-38 in single precision) as
+/// zero, both inputs and results. Operations on them take a hundred times as long. Does nothing on
+/// processors without SSE.
 class DenormalsAreZero {
  public:
 #if defined(__SSE__)

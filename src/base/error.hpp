@@ -5,8 +5,8 @@
 
 namespace piae {
 
-/// Exit codes of every program. Only `verify` exits with something else: the bit-or of the reasons
-/// for which it refuses files (artefact::RefusalReason).
+/// Exit codes of every program. `verify` alone uses others: the bit-or of its reasons to refuse
+/// files (artefact::RefusalReason).
 enum class Exit : int {
   done = 0,
   failed = 1,
@@ -16,8 +16,8 @@ enum class Exit : int {
   interrupted = 75,  // stopped after a checkpoint: run the same command again
 };
 
-/// Something cannot be done. The message is the one line that the user sees: what, where, and what
-/// would work.
+/// Thrown if something cannot be done. The message is the one line that the user sees: what, where,
+/// and what would work.
 class Error : public std::runtime_error {
  public:
   Error(Exit exit, const std::string& line) : std::runtime_error(line), exit_(exit) {}

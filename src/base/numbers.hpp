@@ -11,8 +11,8 @@
 
 namespace piae {
 
-/// Reads a text that is one number and nothing else, written as in the C locale. Empty for any
-/// other text, and for a number that T cannot hold.
+/// Parses a text that is a single number in the C locale. Returns an empty value for any other
+/// text, and for a number that T cannot hold.
 template <class T>
 std::optional<T> number_in(std::string_view text) {
   T value{};
@@ -22,8 +22,8 @@ std::optional<T> number_in(std::string_view text) {
   return value;
 }
 
-/// Returns the place of the first sample that is NaN, infinite or beyond 32 bits; empty if there is
-/// none.
+/// Returns the index of the first sample that is NaN, infinite or beyond 32 bits; empty if all
+/// samples are valid.
 inline std::optional<std::size_t> first_beyond_32_bits(std::span<const double> samples) {
   const auto beyond = std::ranges::find_if_not(
       samples, [](double x) { return std::isfinite(static_cast<float>(x)); });

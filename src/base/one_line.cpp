@@ -9,7 +9,8 @@ namespace {
 
 constexpr std::size_t most_bytes = 1000;
 
-/// The character that a text begins with. What is no UTF-8 is one byte that is not plain.
+/// First character of a text. A byte that is not valid UTF-8 counts as one character that is not
+/// plain.
 struct Character {
   std::size_t bytes;
   bool is_plain;
@@ -27,7 +28,7 @@ bool is_plain(std::uint32_t code) {
   return is_character && !is_command && !turns_lines && !breaks_lines;
 }
 
-/// How many bytes the first one of a character says that there are; 0 for one that begins none.
+/// Returns the length of a character in bytes by its first byte; 0 if no character starts with it.
 std::size_t length_by(std::uint32_t first) {
   if (first < 0x80) return 1;
   if (first < 0xc0) return 0;
@@ -49,7 +50,7 @@ Character first_of(std::string_view text) {
     if ((byte(i) & 0xc0U) != 0x80) return bad;
     code = code << 6U | (byte(i) & 0x3fU);
   }
-  // A shorter way to write the same character is the only right one.
+  // UTF-8 permits only the shortest form of a character.
   return code < least.at(length) ? bad : Character{length, is_plain(code)};
 }
 

@@ -5,14 +5,14 @@
 
 namespace piae {
 
-/// Whether a text has line breaks or other characters that are not printed but obeyed: by a
-/// terminal (U+0000 to U+001F, U+007F to U+009F) or by whoever sets lines (U+2028, and the marks
-/// that turn them round). What is no UTF-8 counts as such, since nobody knows what is made of it.
+/// True if a text has line breaks or other characters that control a terminal (U+0000 to U+001F,
+/// U+007F to U+009F) or the layout (U+2028, and marks that reverse the direction). Invalid UTF-8
+/// counts, too, since its effect is unknown.
 bool has_control_characters(std::string_view text);
 
-/// The text with '?' in place of each of them, and "..." in place of what comes behind its first
-/// thousand bytes: what a file holds must not break the one line of an error, make it endless, or
-/// reach a terminal as a command.
+/// Replaces each of these characters by '?', and everything after the first thousand bytes by
+/// "...". Contents of a file must not break the single line of an error, make it endless, or send
+/// commands to a terminal.
 std::string one_line(std::string_view text);
 
 }  // namespace piae

@@ -14,7 +14,7 @@ void parallel_for(std::size_t count, const std::function<void(std::size_t)>& bod
   for (std::int64_t i = 0; i < end; ++i) {
     try {
       body(static_cast<std::size_t>(i));
-    } catch (...) {  // must not leave the parallel loop
+    } catch (...) {  // exceptions must not leave the parallel loop
       failures[static_cast<std::size_t>(i)] = std::current_exception();
     }
   }

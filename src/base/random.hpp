@@ -8,15 +8,14 @@
 
 namespace piae {
 
-/// A random stream that is derived from its name alone, such as "cwru/seed3/split/IR007": the same
-/// name gives the same numbers whatever ran before it, beside it, or with how many threads.
-/// Boost.Random is used because its distributions are the same on every platform; those of the
-/// standard library are not.
+/// A random stream that depends on its name only, such as "cwru/seed3/split/IR007": a name gives
+/// the same numbers for any order of work and any number of threads. Boost.Random has the same
+/// distributions on every platform; the standard library does not.
 class Stream {
  public:
   explicit Stream(std::string name);
 
-  /// The stream called "<this name>/<name>". What is drawn from one does not change the other.
+  /// Returns the stream "<this name>/<name>". Drawing from one stream does not change the other.
   [[nodiscard]] Stream child(std::string_view name) const;
   [[nodiscard]] const std::string& name() const { return name_; }
 

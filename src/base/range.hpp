@@ -4,16 +4,16 @@
 
 namespace piae {
 
-/// What a number may be: from `low` to `high`, both included. A NaN is in no range. The ranges of a
-/// room stand in one table (signal/ranges.hpp and the like), by which its descriptions, its writers
-/// and its readers go alike.
+/// Permitted values of a number, from `low` to `high`, both included; NaN is never permitted. Each
+/// room keeps its ranges in one table (such as signal/ranges.hpp), which its descriptions, writers
+/// and readers share.
 struct Range {
   double low;
   double high;
-  const char* unit = "";  ///< with a space before it
+  const char* unit = "";  ///< starts with a space
 
   [[nodiscard]] constexpr bool holds(double value) const { return value >= low && value <= high; }
-  /// "must be from 1 to 1e+07 Hz".
+  /// Returns a text such as "must be from 1 to 1e+07 Hz".
   [[nodiscard]] std::string rule() const;
 };
 

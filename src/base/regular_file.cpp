@@ -20,7 +20,7 @@ namespace {
 
 std::string reason_of_the_system() { return std::generic_category().message(errno); }
 
-/// A pipe without a writer would be waited for.
+/// Opens without blocking: a pipe without a writer would block forever.
 int open_at_once(const std::filesystem::path& path) {
   const int descriptor = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
   if (descriptor < 0) refuse(path, reason_of_the_system());

@@ -6,20 +6,21 @@
 
 namespace piae {
 
-/// A file that is open to be read. What is none, but a folder, a device or a pipe, might never end,
-/// or never begin: nobody waits for it.
+/// A regular file, open for reading. Refuses directories, devices and pipes, because reading them
+/// may block or never end.
 class RegularFile {
  public:
-  /// Throws Error(input_missing) where there is no such file, or it cannot be read or is none.
+  /// Throws Error(input_missing) if the file does not exist, cannot be read or is not a regular
+  /// file.
   explicit RegularFile(const std::filesystem::path& path);
   RegularFile(const RegularFile&) = delete;
   RegularFile& operator=(const RegularFile&) = delete;
   ~RegularFile();
 
-  /// In bytes, when it was opened.
+  /// Returns the size at opening, in bytes.
   [[nodiscard]] std::size_t size() const { return size_; }
-  /// Reads what comes next, until the buffer is full or the file ends. Returns how much it was.
-  /// Throws Error(input_missing).
+  /// Reads until the buffer is full or the file ends. Returns the number of bytes. Throws
+  /// Error(input_missing).
   [[nodiscard]] std::size_t read(std::span<std::byte> buffer) const;
 
  private:

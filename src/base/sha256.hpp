@@ -9,15 +9,15 @@
 
 namespace piae {
 
-/// SHA-256 (FIPS 180-4, by OpenSSL) of all bytes given to update(), in their order.
+/// SHA-256 (FIPS 180-4, by OpenSSL) of all bytes passed to update(), in order.
 class Sha256 {
  public:
   Sha256();
   Sha256& update(std::span<const std::byte> bytes);
   Sha256& update(std::string_view text);
-  /// The 32 bytes of the digest. The object cannot be used afterwards.
+  /// Returns the digest in 32 bytes. The object cannot be used afterwards.
   std::string finish();
-  /// The digest as 64 lower-case hexadecimal digits. The object cannot be used afterwards.
+  /// Returns the digest in 64 lower-case hexadecimal digits. The object cannot be used afterwards.
   std::string finish_hex();
 
  private:
@@ -27,8 +27,8 @@ class Sha256 {
   std::unique_ptr<void, Free> context_;
 };
 
-/// Hexadecimal SHA-256 of a file's bytes. Throws Error(input_missing) where it cannot be read, or
-/// is no file.
+/// Returns the hexadecimal SHA-256 of a file. Throws Error(input_missing) if it is not a regular
+/// file or cannot be read.
 std::string sha256_of_file(const std::filesystem::path& path);
 
 }  // namespace piae

@@ -13,7 +13,7 @@
 namespace piae {
 
 // The processor's vector registers, by GCC's vector extension: arithmetic and comparisons work
-// element by element. Which registers there are is known from -march.
+// element by element. -march decides which registers exist.
 
 #if defined(__AVX512F__)
 inline constexpr std::size_t vector_bytes = 64;
@@ -33,7 +33,7 @@ struct VectorOf {
 template <class T>
 using Vector = typename VectorOf<T>::type;
 
-/// How many numbers a vector holds.
+/// Count of numbers in a vector.
 template <class T>
 inline constexpr std::int64_t lanes = vector_bytes / sizeof(T);
 
@@ -49,12 +49,12 @@ void store(T* to, Vector<T> vector) {
   std::memcpy(to, &vector, sizeof vector);
 }
 
-/// Fast only in a file that is compiled with -fno-math-errno (see CMakeLists.txt); elsewhere the
-/// compiler may call a function for each number.
+/// Returns the square roots. Fast only in files compiled with -fno-math-errno (see CMakeLists.txt);
+/// elsewhere the compiler may call a function for each number.
 template <class T>
 Vector<T> square_root(Vector<T> x) {
 #if defined(__AVX512F__)
-  // GCC takes the root of either half and puts them together in memory, and waits for that.
+  // GCC would compute two halves, join them in memory and wait for the result.
   if constexpr (std::is_same_v<T, float>) return _mm512_sqrt_ps(x);
 #endif
   T roots[lanes<T>];
@@ -64,10 +64,10 @@ Vector<T> square_root(Vector<T> x) {
 }
 
 #if defined(__AVX512F__)
-/// positive_root() three times as fast as the processor's own instruction and with the same
-/// rounding. The estimate of 1 / sqrt(x) is refined twice by
-/// Goldschmidt's method, side by side with that of sqrt(x), until both are exact but for the last
-/// bits. What sqrt(x) then leaves of x, which a fused multiplication gives exactly, corrects it.
+/// Computes positive_root() three times as fast as the processor's instruction, with the same
+/// rounding. Two rounds of Goldschmidt's method refine the estimates of 1 / sqrt(x) and sqrt(x)
+/// together, until only the last bits are wrong. The exact remainder of x, by a fused
+/// multiplication, then corrects the root.
 inline Vector<double> root_by_estimate(Vector<double> x) {
   const Vector<double> half = Vector<double>{} + 0.5;
   const __mmask8 positive = _mm512_cmp_pd_mask(x, Vector<double>{}, _CMP_GT_OQ);
@@ -84,8 +84,8 @@ inline Vector<double> root_by_estimate(Vector<double> x) {
 }
 #endif
 
-/// The square roots of finite numbers; 0 for those that are not positive. What it makes of infinity
-/// and NaN depends on the processor.
+/// Returns the square roots of finite numbers; 0 for numbers that are not positive. Results for
+/// infinity and NaN depend on the processor.
 inline Vector<double> positive_root(Vector<double> x) {
 #if defined(__AVX512F__)
   return root_by_estimate(x);
@@ -94,7 +94,7 @@ inline Vector<double> positive_root(Vector<double> x) {
 #endif
 }
 
-/// Whether any number of a vector is above zero.
+/// True if any number of a vector is above zero.
 inline bool any_positive(Vector<double> x) {
 #if defined(__AVX512F__)
   return _mm512_cmp_pd_mask(x, Vector<double>{}, _CMP_GT_OQ) != 0;
@@ -107,12 +107,12 @@ inline bool any_positive(Vector<double> x) {
 #endif
 }
 
-/// Rows of numbers are filled up with zeros to a multiple of this. So they consist of whole vectors
-/// on every processor, and have the same layout on all of them.
+/// Rows of numbers are padded with zeros to a multiple of this length. So they consist of whole
+/// vectors, and have the same layout on every processor.
 inline constexpr std::int64_t row_granule = 16;
 static_assert(row_granule % lanes<float> == 0 && row_granule % lanes<double> == 0);
 
-/// The length of a row of n numbers once it is filled up.
+/// Returns the padded length of a row of n numbers.
 constexpr std::int64_t whole_rows(std::int64_t n) {
   return (n + row_granule - 1) / row_granule * row_granule;
 }

@@ -8,7 +8,7 @@
 
 namespace piae {
 
-/// Writes all of the bytes to an open file or pipe. Where that fails, false, and errno says why.
+/// Writes all bytes to an open file or pipe. Returns false on failure, with the reason in errno.
 [[nodiscard]] inline bool write_all(int descriptor, std::span<const std::byte> bytes) {
   while (!bytes.empty()) {
     const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());

@@ -13,7 +13,7 @@ namespace {
 
 using std::numbers::pi;
 
-/// The diameter of the race or ball that has the defect, eq. 8.
+/// Returns the diameter of the race or ball that has the defect (eq. 8).
 double diameter_mm(const Geometry& g, Defect kind) {
   switch (kind) {
     case Defect::outer:

@@ -37,7 +37,7 @@ void validate_dynamics(const DynamicsOptions& o) {
                           o.load_n, lift));
 }
 
-/// Throws unless all courses divide time in the same way.
+/// Throws unless all courses have the same settling time and the same longest sub-step.
 void require_same_times(std::span<const Course> courses) {
   const auto differ = [](const Course& a, const Course& b) {
     return a.options.settling_s != b.options.settling_s ||
@@ -48,7 +48,7 @@ void require_same_times(std::span<const Course> courses) {
   }
 }
 
-/// The equations of courses_at_once or fewer courses. The last course fills the lanes that are
+/// Returns the equations of up to courses_at_once courses. The last course fills the lanes that are
 /// left.
 EquationOfMotion equation_of(const Geometry& geometry, std::span<const Course> courses) {
   EquationOfMotion equation{};
@@ -74,7 +74,8 @@ LoadedBalls balls_of(const Geometry& geometry, const LocalDefect& defect,
   return {geometry, defect, motions, clearances_m};
 }
 
-/// Writes the courses' samples after settling, row by row. Throws where a course diverged.
+/// Writes the courses' samples after settling, row by row. Throws Error(failed) if a course
+/// diverged.
 void write_rows(const Solution& solution, std::size_t settling, std::size_t courses,
                 const Sampling& sampling, double step_s, double* rows) {
   const std::size_t samples = solution.acceleration.size();
@@ -92,7 +93,7 @@ void write_rows(const Solution& solution, std::size_t settling, std::size_t cour
   }
 }
 
-/// simulate() for courses_at_once or fewer courses.
+/// simulate() for at most courses_at_once courses.
 void simulate_at_once(const Geometry& geometry, const LocalDefect& defect,
                       std::span<const Course> courses, const Sampling& sampling, double* rows) {
   const DynamicsOptions& times = courses.front().options;
@@ -109,7 +110,7 @@ void simulate_at_once(const Geometry& geometry, const LocalDefect& defect,
   write_rows(solution, settling, courses.size(), sampling, steps.step_s, rows);
 }
 
-/// simulate_onset() for courses_at_once or fewer courses.
+/// simulate_onset() for at most courses_at_once courses.
 void simulate_onset_at_once(const Geometry& geometry, const LocalDefect& defect,
                             std::span<const Course> courses, const Sampling& sampling,
                             double* rows) {
@@ -130,7 +131,7 @@ void simulate_onset_at_once(const Geometry& geometry, const LocalDefect& defect,
   write_rows(after, 0, courses.size(), sampling, steps.step_s, rows);
 }
 
-/// All courses, as many at once as there are lanes.
+/// Simulates all courses, courses_at_once at a time.
 std::vector<double> simulate_by(decltype(simulate_at_once)& at_once, const Geometry& geometry,
                                 const LocalDefect& defect, std::span<const Course> courses,
                                 const Sampling& sampling) {

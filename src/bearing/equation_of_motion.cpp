@@ -6,21 +6,21 @@ namespace piae::bearing {
 
 namespace {
 
-/// How far a ball is compressed; below zero where it does not touch.
+/// Returns the compression of a ball; negative if the ball does not touch.
 PerCourse compression_m(PerCourse displacement, const BallContact& ball) {
   return displacement * ball.along - ball.delta_m;
 }
 
-/// The change of a state per second.
+/// The change of a state per second: velocity and acceleration.
 using Rate = State;
 
 State after(const State& state, const Rate& rate, double time_s) {
   return {state.displacement + time_s * rate.displacement, state.velocity + time_s * rate.velocity};
 }
 
-/// One sub-step by Runge and Kutta's method, during which the balls advance twice. Where the balls
-/// are does not depend on the state, so the processor can compute it while it waits for the square
-/// roots of the rate before.
+/// One sub-step of the Runge-Kutta method, during which the balls advance twice. The balls'
+/// positions do not depend on the state, so the processor computes them while it waits for the
+/// square roots of the previous rate.
 State stepped(const EquationOfMotion& equation, const PerCourse& inverse_mass, const State& state,
               LoadedBalls& balls, double step_s) {
   const auto rate = [&](const State& at) {
@@ -39,8 +39,8 @@ State stepped(const EquationOfMotion& equation, const PerCourse& inverse_mass, c
   return after(state, sum, step_s / 6);
 }
 
-/// -1 in the lanes of courses that make sense: a displacement of less than 1 m and a finite
-/// velocity. 0 in the others.
+/// Returns -1 in the lanes of plausible courses (displacement below 1 m, finite velocity), 0 in the
+/// others.
 Vector<std::int64_t> sane(const State& state) {
   constexpr double largest = std::numeric_limits<double>::max();
   return (state.displacement < 1) & (state.displacement > -1) & (state.velocity <= largest) &
@@ -53,7 +53,7 @@ PerCourse EquationOfMotion::force_n(const State& state, std::span<const BallCont
   PerCourse contact{};
   for (const BallContact& ball : balls) {
     const PerCourse compression = compression_m(state.displacement, ball);
-    // A ball that touches in no course would add nothing, after a root that takes long.
+    // Skip a ball that touches in no course: it would add 0 and cost a slow square root.
     if (!any_positive(compression)) continue;
     contact += compression * positive_root(compression) * ball.along;
   }
@@ -63,10 +63,10 @@ PerCourse EquationOfMotion::force_n(const State& state, std::span<const BallCont
 
 PerCourse static_equilibrium_m(const EquationOfMotion& e, std::span<const BallContact> balls) {
   // The force that carries the load is a convex and increasing function of s, so Newton's method
-  // comes down to the root from any larger s. It starts where the spring alone would carry the
-  // load, which is the root when there is no contact. 50 steps are more than enough: far above the
-  // root, where the balls carry most of the load, each takes a third of s away, and near the root
-  // each doubles the number of exact digits.
+  // converges to the root from any larger s. The start is the s at which the spring alone would
+  // carry the load, which is the root without contact. 50 steps are more than enough. Far
+  // above the root, where the balls carry most of the load, each step removes a third of s. Near
+  // the root, each step doubles the number of exact digits.
   PerCourse s = e.load_n / e.stiffness_n_per_m;
   for (int i = 0; i < 50; ++i) {
     PerCourse slope = e.stiffness_n_per_m;
@@ -87,7 +87,7 @@ Solution solve(const EquationOfMotion& equation, LoadedBalls& balls, State& stat
   solution.acceleration.reserve(sampling.samples);
   auto still_sane = Vector<std::int64_t>{} - 1;
   for (std::size_t i = 0; i < sampling.samples; ++i) {
-    // Sets the balls anew at every sample, because their rotations accumulate rounding errors.
+    // Recompute the positions at every sample, because rotations accumulate rounding errors.
     balls.set(start_s + static_cast<double>(i) / sampling.rate_hz);
     const PerCourse velocity = state.velocity;
     for (std::size_t step = 0; step < sub_steps.count; ++step) {

@@ -18,8 +18,8 @@ namespace {
 
 using std::numbers::pi;
 
-/// The curvature, where `along` is the part of it in the running direction: +2 g / (1 - g) on the
-/// inner race and -2 g / (1 + g) on the outer one, with g = d cos(alpha) / D.
+/// Returns the curvature. `along` is its part in the running direction: +2 g / (1 - g) on the inner
+/// race and -2 g / (1 + g) on the outer race, with g = d cos(alpha) / D.
 Curvature curvature(double along, const Geometry& g, const HertzOptions& options) {
   const double across = 1 / options.groove_ratio;
   const double sum = 4 - across + along;
@@ -31,8 +31,8 @@ double pitch_ratio(const Geometry& g) {
 }
 
 struct Ellipse {
-  double first;   // the complete elliptic integral of the first kind, Harris's F
-  double second;  // that of the second kind, E
+  double first;   // complete elliptic integral of the first kind, Harris's F
+  double second;  // complete elliptic integral of the second kind, E
 };
 
 Ellipse integrals(double axis_ratio) {
@@ -47,8 +47,8 @@ double difference_of(double axis_ratio) {
 }
 
 double axis_ratio_for(double difference) {
-  constexpr double round = 1 + 1e-6;  // nearer to 1, the difference is lost in rounding
-  constexpr double longest = 1e6;     // this is a groove that fits the ball to within 1e-11
+  constexpr double round = 1 + 1e-6;  // closer to 1, rounding destroys the difference
+  constexpr double longest = 1e6;     // a groove that fits the ball to within 1e-11
   if (difference <= difference_of(round)) return round;
   std::uintmax_t iterations = 200;
   const auto bracket = boost::math::tools::toms748_solve(

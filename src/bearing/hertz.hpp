@@ -4,8 +4,8 @@
 
 namespace piae::bearing {
 
-/// Material and groove, which Table 1 of the paper does not give. The defaults are bearing steel
-/// and the usual groove of Harris, "Rolling Bearing Analysis", ch. 2 and 6.
+/// Material and groove, which the paper's Table 1 does not give. The defaults are bearing steel and
+/// the usual groove of Harris, "Rolling Bearing Analysis", ch. 2 and 6.
 struct HertzOptions {
   double youngs_modulus_pa = 207e9;  ///< E
   double poissons_ratio = 0.3;       ///< nu
@@ -21,17 +21,17 @@ struct Curvature {
 Curvature inner_curvature(const Geometry& geometry, const HertzOptions& options = {});
 Curvature outer_curvature(const Geometry& geometry, const HertzOptions& options = {});
 
-/// delta*, the dimensionless contact deformation (Harris, eqs 6.25 to 6.31). The axis ratio kappa
-/// of the contact ellipse solves F(rho) = ((kappa^2 + 1) E - 2 F) / ((kappa^2 - 1) E), where F and
-/// E are the complete elliptic integrals of parameter 1 - 1 / kappa^2. The difference must be in
-/// [0, 1).
+/// Returns delta*, the dimensionless contact deformation (Harris, eqs 6.25 to 6.31). The axis ratio
+/// kappa of the contact ellipse solves F(rho) = ((kappa^2 + 1) E - 2 F) / ((kappa^2 - 1) E), where
+/// F and E are the complete elliptic integrals of parameter 1 - 1 / kappa^2. The difference must be
+/// in [0, 1).
 double contact_deformation(double curvature_difference);
 
-/// Eq. 12: the force of one ball on one race divided by deformation^1.5, in N/m^1.5.
+/// Eq. 12: returns the force of one ball on one race divided by deformation^1.5, in N/m^1.5.
 double race_stiffness(const Curvature& curvature, const HertzOptions& options = {});
 
-/// K_b of eq. 12: the same for a ball between both races, whose two contacts are in series, in
-/// N/m^1.5. Throws Error(bad_input) for an impossible geometry or material.
+/// Returns K_b of eq. 12, in N/m^1.5: the stiffness of a ball between both races, whose two
+/// contacts are in series. Throws Error(bad_input) for an impossible geometry or material.
 double contact_stiffness(const Geometry& geometry, const HertzOptions& options = {});
 
 }  // namespace piae::bearing

@@ -21,7 +21,7 @@ void require(bool holds, const std::string& what) {
 
 void validate(const Geometry& g) {
   require(g.balls >= 3, fmt::format("{} balls; 3 or more are needed", g.balls));
-  // Written so that a NaN fails too.
+  // These comparisons also fail for a NaN.
   require(g.ball_diameter_mm > 0 && std::isfinite(g.pitch_diameter_mm),
           "diameters must be positive and finite");
   require(g.ball_diameter_mm < g.pitch_diameter_mm * std::sin(pi / g.balls),

@@ -32,8 +32,8 @@ void set_lane_of(Direction& direction, std::size_t lane, double angle_rad) {
   direction.sine[lane] = std::sin(angle_rad);
 }
 
-/// A direction turned by an angle. `by` holds the angle's cosine and sine, as vectors or as one
-/// number for all courses.
+/// Returns a direction rotated by an angle. `by` holds the angle's cosine and sine, as vectors or
+/// as one number for all courses.
 template <class By>
 Direction turned(const Direction& direction, const By& by) {
   return {direction.cosine * by.cosine - direction.sine * by.sine,
@@ -111,8 +111,8 @@ void LoadedBalls::set_lane(std::size_t lane, double time_s) {
   const Motion& motion = motions_[lane];
   const Speeds& speeds = speeds_[lane];
   const double cage = motion.cage_angle_rad + speeds.cage * time_s;
-  // The load zone begins at -pi / 2. The ball that entered last is less than the distance of two
-  // balls ahead of that.
+  // The load zone begins at -pi / 2. The ball that entered last is less than one ball spacing past
+  // its beginning.
   const double from_begin = cage + pi / 2;
   const double balls_ahead = std::floor(from_begin / ball_distance_rad_);
   const double entered = from_begin - balls_ahead * ball_distance_rad_ - pi / 2;

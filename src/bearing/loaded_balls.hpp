@@ -12,12 +12,12 @@
 
 namespace piae::bearing {
 
-/// One number for each of the courses that are solved side by side: each course has a lane of the
+/// One number for each course that is solved at the same time: each course has a lane of the
 /// processor's vectors. Arithmetic is lane by lane, so courses do not affect each other.
 using PerCourse = Vector<double>;
 inline constexpr std::size_t courses_at_once = lanes<double>;
 
-/// A ball on the loaded side. The inner ring's displacement s compresses it by s * along - delta.
+/// A ball in the load zone. The inner ring's displacement s compresses it by s * along - delta.
 struct BallContact {
   PerCourse along;    ///< cos(psi_j) of its angle from the load direction; 0 outside the load zone
   PerCourse delta_m;  ///< eq. 11: the clearance, plus the defect's depth while the ball is in it
@@ -30,33 +30,35 @@ struct Direction {
 };
 
 /// The balls that can carry load, from eqs 5 to 11. Outside the load zone (cos(psi_j) <= 0) a ball
-/// carries none. So only the balls of half a turn are followed, beginning where the load zone
-/// begins: the ball that entered the zone last and those ahead of it. In a bearing with a roller
-/// defect, the first ball has the defect.
+/// does not carry load. So this class follows only the balls of half a turn: the ball that entered
+/// the zone last and those ahead of it. In a bearing with a roller defect, the first ball has the
+/// defect.
 class LoadedBalls {
  public:
-  /// Takes from 1 to courses_at_once motions and as many clearances in m. The last of them fills
-  /// the lanes that are left. Throws Error(bad_input) for an impossible geometry, defect or motion.
+  /// Takes 1 to courses_at_once motions and the same number of clearances in m. The last motion and
+  /// clearance fill the lanes that are left. Throws Error(bad_input) for an impossible geometry,
+  /// defect or motion.
   LoadedBalls(const Geometry& geometry, const LocalDefect& defect, std::span<const Motion> motions,
               std::span<const double> clearances_m);
 
-  /// Moves the balls to where they are at this time, exactly: by cosines and sines of their angles.
+  /// Moves the balls to their positions at this time, exactly: by cosines and sines of their
+  /// angles.
   void set(double time_s);
 
-  /// Sets the time by which advance() goes on. Throws Error(bad_input) for a step in which more
-  /// than one ball might enter the load zone.
+  /// Sets the time step of advance(). Throws Error(bad_input) for a step in which more than one
+  /// ball might enter the load zone.
   void set_step(double step_s);
 
   /// Moves the balls on by one step, by rotations instead of cosines and sines. Each rotation
-  /// rounds by 1e-16, so set() must be called now and then.
+  /// rounds by 1e-16, so call set() regularly.
   void advance();
 
-  /// The balls as they are now; the one that entered the load zone last comes first. Without
-  /// meaning before the first set().
+  /// Returns the current balls; the ball that entered the load zone last comes first. Undefined
+  /// before the first set().
   [[nodiscard]] std::span<const BallContact> contacts() const { return contacts_; }
 
  private:
-  /// The angle of a ball ahead of the one that entered last, which is the same in all courses.
+  /// Angle from the ball that entered last to a ball ahead of it; the same in all courses.
   struct Ahead {
     double cosine;
     double sine;
@@ -74,16 +76,17 @@ class LoadedBalls {
   PerCourse clearance_m_{};
   PerCourse clearance_in_defect_m_{};
 
-  // Eq. 9 is decided by cosines: two directions are less than an angle apart when the cosine of
-  // their difference is above that of the angle. For a roller defect, "the defect" is the ball that
-  // has it.
-  double cosine_in_defect_;    ///< of the largest angle between ball and defect at which they meet
-  double cosine_facing_race_;  ///< of twice the half angle on a ball; below -1 for a race
+  // Cosines decide eq. 9: two directions are less than an angle apart if the cosine of their
+  // difference exceeds the cosine of that angle. For a roller defect, "the defect" means the ball
+  // that has it.
+  double cosine_in_defect_;  ///< cosine of the largest angle between ball and defect at which they
+                             ///< meet
+  double cosine_facing_race_;  ///< cosine of twice the half angle on a ball; below -1 for a race
 
   Direction entered_{};      ///< the angle of the ball that entered last
-  Direction from_defect_{};  ///< the angle from the defect to that ball
-  Direction strike_{};       ///< twice the spin angle less pi: 0 when the defect faces a race
-  // By how much these three turn in one advance():
+  Direction from_defect_{};  ///< the angle from the defect to the ball that entered last
+  Direction strike_{};       ///< twice the spin angle minus pi: 0 when the defect faces a race
+  // Rotation of these three directions in one advance():
   Direction entered_step_{};
   Direction from_defect_step_{};
   Direction strike_step_{};

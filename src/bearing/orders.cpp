@@ -12,7 +12,7 @@ namespace piae::bearing {
 
 namespace {
 
-/// The part by which printed orders may differ from those of a geometry: makers round them.
+/// Relative tolerance between printed orders and those of a geometry, because makers round them.
 constexpr double order_tolerance = 0.01;
 
 [[noreturn]] void refuse_orders(const std::string& what) { throw Error(Exit::bad_input, what); }
@@ -39,7 +39,7 @@ void require_cage(const Orders& orders, int balls) {
   }
 }
 
-/// Gives d / D. It is at least gamma, since a cosine is at most 1.
+/// Returns d / D, which is at least gamma, since a cosine is at most 1.
 double ball_to_pitch(const Orders& orders, double gamma) {
   if (!orders.bsf) return gamma;
   const double ratio = (1 - gamma * gamma) / (2 * *orders.bsf);

@@ -5,14 +5,14 @@
 
 namespace piae::bearing {
 
-/// How often a local defect is struck, in Hz, at this speed of the shaft and without slip: BPFO,
-/// BPFI, or 2 BSF for a roller, whose defect strikes both races in each turn (the real ball faults
-/// of CWRU have no line at the odd multiples of BSF). 0 for a healthy bearing.
+/// Returns the impact rate of a local defect, in Hz, at this shaft speed and without slip: BPFO,
+/// BPFI, or 2 BSF for a roller, whose defect hits both races in each turn (the real ball faults of
+/// CWRU do not have a line at the odd multiples of BSF). Returns 0 for a healthy bearing.
 double strike_frequency_hz(const Geometry& geometry, Defect kind, double shaft_speed_rpm);
 
-/// How long a strike lasts, in s: the time between both edges of the defect, which is the angle of
-/// eq. 8 by the speed at which the balls pass the race (or, of a roller, at which it spins). It is
-/// inversely proportional to the shaft's speed. 0 for a healthy bearing.
+/// Returns the time between the impacts at the two edges of the defect, in s: the angle of eq. 8
+/// divided by the speed at which the balls pass the race (for a roller, by its spin). The time is
+/// inversely proportional to the shaft speed. Returns 0 for a healthy bearing.
 double passage_s(const Geometry& geometry, const LocalDefect& defect, double shaft_speed_rpm);
 
 }  // namespace piae::bearing

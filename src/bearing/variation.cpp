@@ -7,7 +7,7 @@ namespace piae::bearing {
 
 namespace {
 
-/// Normal deviations are cut off at so many standard deviations.
+/// Normal deviations are cut off at this number of standard deviations.
 constexpr double cut_at = 1 / spread_limit;
 
 double draw(Stream& stream, double mean, double spread) {

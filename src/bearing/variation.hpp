@@ -5,25 +5,25 @@
 
 namespace piae::bearing {
 
-/// How the records of one bearing differ from each other. Stiffness, damping and shaft speed are
-/// normal about their means, with these relative standard deviations, and cut off at 3 of them. A
-/// spread below 1/3 keeps them positive. The paper leaves all this open: the spreads are the
-/// project's choice, and a slip of cage and balls of up to 1 % is usual.
+/// Variation between the records of one bearing. Stiffness, damping and shaft speed are normal
+/// about their means, with these relative standard deviations, cut off at 3 of them. A spread below
+/// 1/3 keeps the values positive. The paper leaves this open: the spreads are the project's choice,
+/// and a slip of cage and balls of up to 1 % is usual.
 struct Variation {
   double stiffness_spread = 0.1;  ///< standard deviation of K / its mean
   double damping_spread = 0.2;    ///< standard deviation of C / its mean
   double speed_spread = 0.001;    ///< standard deviation of the shaft speed / its mean
-  double slip_max = 0.01;         ///< slip is uniform from 0 to this; below 1
+  double slip_max = 0.01;         ///< slip is uniform from 0 to this value; below 1
 };
 
 /// Every spread must be below this.
 inline constexpr double spread_limit = 1.0 / 3;
 
-/// The largest stiffness that can be drawn times the clearance, in N. The load must exceed it, or
-/// there may be windows in which no ball is ever touched.
+/// Returns the largest stiffness that can be drawn times the clearance, in N. The load must exceed
+/// it; otherwise there may be windows in which no ball carries load.
 double largest_lift_n(const DynamicsOptions& mean, const Variation& variation);
 
-/// Draws stiffness and damping; everything else is as in `mean`.
+/// Draws stiffness and damping; copies everything else from `mean`.
 DynamicsOptions draw_dynamics(Stream& stream, const DynamicsOptions& mean,
                               const Variation& variation);
 

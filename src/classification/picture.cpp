@@ -22,7 +22,7 @@ using signal::DatasetInfo;
 
 constexpr double page_width = 1080;
 constexpr double top = 64;        // title and legend
-constexpr double panel_top = 58;  // in a row: its title, and the names of the lines
+constexpr double panel_top = 58;  // in a row: its title and the names of the lines
 constexpr double least_panel_height = 96;
 constexpr double class_height = 12;
 constexpr double below_panel = 34;
@@ -33,7 +33,8 @@ constexpr double spectrum_width = 530;
 
 constexpr const char* unknown_colour = "#999999";
 constexpr const char* healthy_colour = "#009E73";
-// From half sure to sure; a fault is red, healthy green, so that a glance tells them apart.
+// From half certain to certain. Faults are red, healthy windows green, so that a glance separates
+// them.
 constexpr std::array fault_colours{"#f4c7a5", "#ee9f6b", "#e0702f", "#D55E00"};
 
 std::string colour_of(bool healthy, double probability) {

@@ -7,10 +7,10 @@
 
 namespace piae::classification {
 
-/// The recordings as a drawing (SVG), a row for each. On the left the time line: which class each
-/// window is named, a row a class, and unknown ones at the bottom; the darker, the surer. On the
-/// right the evidence: the envelope spectrum with the fault lines of the bearing, those of the
-/// named fault thick. Windows are `length` samples long.
+/// Draws the recordings (SVG), a row for each. The left side is the time line: the predicted class
+/// of each window, one row per class and unknown windows at the bottom; darker is more certain. The
+/// right side is the evidence: the envelope spectrum with the fault lines of the bearing, those of
+/// the predicted fault thick. Windows are `length` samples long.
 std::string picture_of(const std::vector<Verdict>& verdicts, const signal::DatasetInfo& info,
                        std::size_t length);
 

@@ -9,18 +9,17 @@
 
 namespace piae::classification {
 
-/// The content of classification.h5 (kind "classification"): what DatasetInfo writes, as attributes
-/// of the root the `classifier` and its digest; a row for each recording in /recordings/name,
-/// /label, /probability, /share, /share_unknown and /unknown (0 or 1); a row for each window in
-/// /windows/recording (index), /start_s, /label, /probabilities float32 [n, classes] and
-/// /strangeness.
+/// Writes classification.h5 (kind "classification"): what DatasetInfo writes; the root attributes
+/// `classifier` and its digest; a row for each recording in /recordings/name, /label, /probability,
+/// /share, /share_unknown and /unknown (0 or 1); a row for each window in /windows/recording
+/// (index), /start_s, /label, /probabilities float32 [n, classes] and /strangeness.
 void write(artefact::Writer& writer, const std::vector<Verdict>& verdicts,
            const diagnosis::KeptClassifier& classifier, const std::string& classifier_digest);
 
-/// Throws artefact::Refusal for what write() cannot have written.
+/// Throws artefact::Refusal for content that write() cannot have written.
 void require_classification(const artefact::Reader& reader);
 
-/// The verdict on one recording in classification.h5.
+/// Verdict on one recording in classification.h5.
 struct Named {
   std::string recording;
   std::string fault;  ///< name of the class, or "unknown"

@@ -20,7 +20,7 @@ constexpr std::size_t shortest_name = 4;
 
 bool begins_character(char byte) { return (byte & 0xC0) != 0x80; }
 
-/// The end of a name says which recording it is, where several begin alike.
+/// Cuts the beginning off long names, because names that start alike differ at the end.
 std::string shortened(const std::string& name, std::size_t longest) {
   auto characters = static_cast<std::size_t>(std::ranges::count_if(name, begins_character));
   if (characters <= longest) return name;
@@ -48,13 +48,14 @@ std::size_t widest_line_of(const std::string& text) {
 
 std::string percent(double share) { return fmt::format("{:.0f} %", 100 * share); }
 
-/// "BPFI +12.3 dB".
+/// Returns text such as "BPFI +12.3 dB".
 std::string words_of(const inspection::FaultLine& line) {
   return fmt::format("{} {:+.1f} dB", inspection::line_name(line.kind), line.db.value_or(0));
 }
 
-/// The line of the named fault, or else the one that stands out farthest. Where the former is faint
-/// and another stands out, both: a network has seen something that an analyst would not.
+/// Returns the line of the predicted fault, or for other classes the most prominent line. If the
+/// fault's own line is faint and another stands out, returns both: an analyst would have decided
+/// differently.
 std::string evidence_of(const Verdict& verdict, const DatasetInfo& info) {
   if (!info.has_bearing) return "no bearing known";
   const signal::Defect named = info.class_of(verdict.label).defect;
@@ -69,7 +70,7 @@ std::string evidence_of(const Verdict& verdict, const DatasetInfo& info) {
   return fmt::format("{}, not {}", words_of(*farthest), inspection::line_name(own.kind));
 }
 
-/// The table with names of that many characters at most.
+/// Returns the table with names of at most `longest` characters.
 std::string table_with_names(const std::vector<Verdict>& verdicts, const DatasetInfo& info,
                              std::size_t longest) {
   const bool any_said = std::ranges::any_of(

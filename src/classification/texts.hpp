@@ -8,18 +8,17 @@
 
 namespace piae::classification {
 
-/// A table for a terminal, at most 80 columns wide: a row for each recording, with the class that
-/// is named (or "unknown"), its probability, which share of the windows name it and which are
-/// unknown, and how far the line of that fault stands out of the envelope spectrum. Where a
-/// description says what a recording is, that stands beside. Of names that are too long for the
-/// width their ends are shown.
+/// Returns a table for a terminal, at most 80 columns wide, with a row for each recording: the
+/// predicted class (or "unknown"), its probability, the shares of windows that agree and that are
+/// unknown, and the height of the fault's line in the envelope spectrum. If descriptions give
+/// classes, they get a column. Names that are too long lose their beginning.
 std::string table_of(const std::vector<Verdict>& verdicts, const signal::DatasetInfo& info);
 
-/// The classifier, what it was trained on, and how far it may be believed: four lines.
+/// Returns four lines: the classifier, its training set, and its trust.
 std::string origin_of(const diagnosis::KeptClassifier& kept, const diagnosis::Trust& trust);
 
-/// A line for each window: recording, start_s, class, probability, strangeness, unknown (0 or 1),
-/// and the probability of every class.
+/// Returns a line for each window: recording, start_s, class, probability, novelty (column
+/// `strangeness`), unknown (0 or 1), and the probability of every class.
 std::string csv_of(const std::vector<Verdict>& verdicts, const signal::DatasetInfo& info);
 
 }  // namespace piae::classification

@@ -10,7 +10,7 @@ namespace piae::classification {
 
 namespace {
 
-/// [classes] the mean probabilities over the windows that are known, or over all.
+/// Returns [classes] the mean probabilities over the known windows, or over all if all are unknown.
 Eigen::VectorXd mean_probabilities(const Verdict& verdict, std::size_t classes) {
   const bool all = verdict.share_unknown == 1;
   Eigen::VectorXd sum = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(classes));

@@ -11,23 +11,23 @@
 
 namespace piae::classification {
 
-/// What a classifier says of a recording, and what speaks for it.
+/// A classifier's verdict on a recording, and the evidence for it.
 struct Verdict {
   Recording recording;
-  std::vector<double> start_s;  ///< [n] of each window
-  diagnosis::Answers answers;   ///< of each window
-  bool tells_unknown = true;    ///< else nothing can be unknown (KeptClassifier::strangeness())
-  /// Of the whole recording: more than half of its windows look like nothing that was trained.
+  std::vector<double> start_s;  ///< [n] start of each window
+  diagnosis::Answers answers;   ///< for each window
+  bool tells_unknown = true;    ///< false if novelty is unavailable (KeptClassifier::strangeness())
+  /// True if more than half of the windows resemble nothing in the training set.
   bool unknown = false;
-  /// The class with the greatest probability in the mean over the windows (of those that are known,
-  /// unless none is), and that mean. Windows of one recording are alike, so their probabilities are
-  /// not multiplied.
+  /// The class with the greatest mean probability over the known windows (over all if none is
+  /// known), and this mean. Probabilities are not multiplied, because windows of one recording are
+  /// alike.
   Label label = 0;
   double probability = 0;
-  double share = 0;          ///< of the windows that name this class
-  double share_unknown = 0;  ///< of the windows
-  // The evidence, of the whole recording:
-  inspection::EnvelopeSpectrum envelope;  ///< as far as a picture shows it
+  double share = 0;          ///< of the windows predicted as this class
+  double share_unknown = 0;  ///< of the unknown windows
+  // Evidence from the whole recording:
+  inspection::EnvelopeSpectrum envelope;  ///< the part that a picture shows
   inspection::FaultLines lines;
 
   [[nodiscard]] bool is_unknown(std::size_t window) const {

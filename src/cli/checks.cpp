@@ -45,7 +45,7 @@ Check within(const Range& range) {
 }
 
 Check natural_number() {
-  constexpr double most = 1e15;  // beyond, a double does not hold every whole number
+  constexpr double most = 1e15;  // above this, a double cannot hold every whole number
   return number("NATURAL", "a whole number from 0 to 10^15",
                 [](double x) { return x >= 0 && x <= most && is_whole(x); });
 }

@@ -13,7 +13,7 @@ volatile std::sig_atomic_t caught = 0;
 
 void remember(int /*signal*/) { caught = 1; }
 
-/// Lets the signals come, or has them wait. Across exec both stay as they are, and handlers do not.
+/// Blocks or unblocks the signals. exec keeps blocked signals and their mask, but not handlers.
 void mask(int how) {
   sigset_t signals;
   sigemptyset(&signals);

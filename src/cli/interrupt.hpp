@@ -2,13 +2,14 @@
 
 namespace piae::cli {
 
-/// After this call SIGTERM, SIGINT, SIGUSR1 and SIGHUP no longer end the program. They make
-/// interrupted() true, so that the program can write a checkpoint before it ends. USR1 is what srun
-/// passes on. HUP stays without effect where nohup has made it so. A stage of the grid
-/// calls it before Stage::run(), which says that it has started: from then on it is told to stop.
+/// Stops SIGTERM, SIGINT, SIGUSR1 and SIGHUP from ending the program. They make interrupted() true
+/// instead, so that the program can write a checkpoint first. srun passes USR1 on. HUP stays
+/// ignored under nohup. A stage of the grid calls this before Stage::run(), which reports its
+/// start: from then on it may receive signals.
 void catch_interrupts();
-/// Before the program is replaced by another, which calls catch_interrupts() too: a signal that has
-/// come, or comes until then, is kept for that one.
+/// Blocks these signals before the program is replaced by another one, which calls
+/// catch_interrupts(), too. Signals that have arrived, or arrive until then, are delivered to the
+/// new program.
 void hold_interrupts();
 [[nodiscard]] bool interrupted();
 

@@ -11,7 +11,7 @@ namespace piae::cli {
 
 namespace {
 
-/// The help shows no default for a list.
+/// The help does not show defaults of lists.
 template <class T>
 void leave_out_default(CLI::Option& /*option*/, const T& /*value*/) {}
 template <class T>

@@ -22,7 +22,7 @@ std::string bar(double part) {
   return std::string(filled, '#') + std::string(bar_width - filled, '.');
 }
 
-/// Where each part takes as long: 0, 1, ..., all.
+/// Returns efforts of equal parts: 0, 1, ..., total.
 std::vector<double> alike(std::size_t total) {
   std::vector<double> efforts(total + 1);
   std::iota(efforts.begin(), efforts.end(), 0.0);

@@ -7,9 +7,9 @@
 
 namespace piae::cli {
 
-/// The options that all stages with neural networks share.
+/// Options of all stages with neural networks.
 struct RunOptions {
-  std::int64_t seed = 0;  ///< the repeat; part of the names of random streams; must be given
+  std::int64_t seed = 0;  ///< number of the repeat, part of the names of random streams; required
   Compute compute;
 };
 

@@ -25,8 +25,8 @@ namespace {
 
 const std::string files_group = "Files";
 
-/// Matrices of some MB come and go, each time at the cost of a system call for every page of them.
-/// What is freed stays with the program, up to this much; it ends soon.
+/// Keeps up to 256 MB of freed memory. Matrices of some MB come and go, and each new page would
+/// cost a system call.
 void keep_freed_memory() {
   ::mallopt(M_MMAP_THRESHOLD, 32 << 20);
   ::mallopt(M_TRIM_THRESHOLD, 256 << 20);
@@ -38,18 +38,18 @@ void log_to_stderr(const std::string& name) {
   spdlog::set_pattern("%n: %v");
 }
 
-/// CLI11 ends some of its messages with a second line, which is left out.
+/// Drops the second line that some messages of CLI11 have.
 std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
 
-/// What is wrong with a file of options, each of which CLI11 calls an INI file.
+/// Describes the problem in a file of options. CLI11 calls every such file an INI file.
 std::string about_config(const std::string& file, const std::string& text) {
   const std::string theirs = "INI was not able to parse ";
   if (text.starts_with(theirs)) return file + ": unknown option " + text.substr(theirs.size());
   return file + (text.starts_with("line ") ? ", " : ": ") + text;
 }
 
-/// Whether a line begins with the name of a file, such as a recording that a description names, or
-/// with that of the stream which monitor calls so.
+/// True if a line begins with the name of a file, such as a recording of a description, or with
+/// that of the stream, as monitor names it.
 bool names_its_file(const std::string& line) {
   if (line.starts_with("standard input: ") || line.starts_with("standard input, line "))
     return true;
@@ -60,7 +60,7 @@ bool names_its_file(const std::string& line) {
   });
 }
 
-/// A pipe would be waited for.
+/// Refuses a pipe, because reading it may block.
 std::string require_file(const std::string& path) {
   std::error_code ignored;
   const auto there = std::filesystem::status(path, ignored);
@@ -77,8 +77,8 @@ int fail(const std::string& name, Exit exit, const std::string& line) {
   return static_cast<int>(exit);
 }
 
-/// A step of a run (pipeline/step.sh) asks its stage to say when it has started, which may be long
-/// after it was sent to a cluster, and what it has used, whether it is done or failed.
+/// Reports the start and the resources used if this stage is a step of a run (pipeline/step.sh). On
+/// a cluster it may start long after it was submitted.
 class UsageForStep {
  public:
   UsageForStep() {
@@ -88,7 +88,7 @@ class UsageForStep {
   UsageForStep& operator=(const UsageForStep&) = delete;
   ~UsageForStep() {
     if (!asked_for()) return;
-    std::cout.flush();  // the line of the stage stands before it
+    std::cout.flush();  // the stage's own line comes first
     std::cerr << usage_line() + '\n';
   }
 

@@ -14,8 +14,8 @@
 
 namespace piae::cli {
 
-/// What all stage programs share: help with an example, options from the command line and from a
-/// TOML file, provenance, one line for an error, and exit codes.
+/// Shared parts of all stage programs: help with an example, options from the command line and a
+/// TOML file, provenance, one-line errors, and exit codes.
 ///
 ///     int main(int argc, char** argv) {
 ///       cli::Stage stage("split", "Cuts records into windows ...", "split --records ...");
@@ -35,66 +35,66 @@ class Stage {
 
   ~Stage();
 
-  /// Where the program's own options are added.
+  /// Returns the object to which the program's own options are added.
   [[nodiscard]] Options options() { return Options(*app_); }
 
-  /// A required option that names a file or folder. Such options are not part of the recorded
-  /// settings: the same settings in another folder are the same settings.
+  /// Adds a required option that names a file or folder. Such options are not recorded as settings:
+  /// the settings do not depend on the folder.
   Option input_file(const std::string& option, std::filesystem::path& path,
                     const std::string& help);
   Option output_file(const std::string& option, std::filesystem::path& path,
                      const std::string& help);
-  /// A flag that says only whether files are written. It is not part of the recorded settings
-  /// either.
+  /// Adds a flag that only decides if files are written, and is not recorded as a setting.
   Option file_flag(const std::string& option, bool& value, const std::string& help);
 
-  /// Leaves an option out of the recorded settings while it has its default. It came after files
-  /// were promised to be the same to the last byte, and they are where it is not given.
+  /// Records an option only if its value is not the default. For options that were added after
+  /// files were promised to stay identical to the last byte.
   void record_unless_default(const std::string& option);
 
-  /// Reads the value of one option before the other options are added, because which ones there are
-  /// depends on it: `--method` decides which options `train` has. It is read from the command line
-  /// or the TOML file, and is also the name of the table in the TOML file that holds the options of
-  /// this variant. Empty where it is not given, or where the command line cannot be parsed; run()
-  /// then reports why.
+  /// Reads the value of one option before the other options are added, because they depend on it:
+  /// `--method` decides which options `train` has. The value comes from the command line or the
+  /// TOML file. It also names the table of the TOML file with the options of this variant. Returns
+  /// an empty text if the option is not given or the command line is invalid, which run() then
+  /// reports.
   std::string choose_variant(int argc, char** argv, const std::string& option);
 
-  /// Parses, runs the body, and turns errors into one line on standard error and an exit code.
+  /// Parses the command line and runs the body. Turns errors into one line on standard error and an
+  /// exit code.
   int run(int argc, char** argv, const std::function<void()>& body);
 
-  /// Opens an artefact, which must be of this kind. Whatever is saved later names it as an input,
-  /// in this role.
+  /// Opens an artefact of this kind. Artefacts saved later record it as an input in this role.
   artefact::Reader open(const std::string& role, const std::filesystem::path& path,
                         const std::string& kind);
-  /// Makes whatever is saved later name this file, which is not an artefact, as an input, with the
-  /// sha256 of its bytes.
+  /// Records a file that is not an artefact as an input of artefacts saved later, with the sha256
+  /// of its bytes.
   void note_input(const std::string& role, const std::filesystem::path& path);
 
-  /// The same for a file of which the caller knows the digest, by the name that it has there.
+  /// Records a file with a known digest and the given name.
   void note_input(const std::string& role, const std::string& name, const std::string& digest);
 
-  /// A file that is read and that provenance does not name, such as a recording, must not be
-  /// replaced either.
+  /// Protects a file from being replaced by an output although provenance does not record it, such
+  /// as a recording.
   void note_read(const std::filesystem::path& path);
 
-  /// Throws Error(usage) where the path is that of an input, which an output must not replace.
+  /// Throws Error(usage) if the path is that of an input, which an output must not replace.
   void require_no_input(const std::filesystem::path& path) const;
 
-  /// The same of several outputs, of which those that are not wanted are empty paths; Error(usage)
-  /// also where two of them are one file.
+  /// Checks several outputs. Empty paths stand for outputs that are not written. Throws
+  /// Error(usage) also if two of them are the same file.
   void require_free(std::vector<std::filesystem::path> outputs) const;
 
-  /// Writes an artefact with its provenance, to a path for which require_no_input() holds. As a
-  /// step of a run (pipeline/step.sh) it adds a line to the run's journal.
+  /// Writes an artefact with its provenance. require_no_input() must have accepted the path. A step
+  /// of a run (pipeline/step.sh) also adds a line to the journal of the run.
   void save(artefact::Writer& writer, const std::filesystem::path& path) const;
 
-  /// The program, all options but those of files with their values, and the inputs opened so far.
+  /// Returns the program, all options except files, with their values, and the inputs opened so
+  /// far.
   [[nodiscard]] artefact::Provenance provenance() const;
 
  private:
   [[nodiscard]] std::string resolved_options() const;
-  /// The line of an error. What is wrong with the content of the inputs is found by rooms that know
-  /// no files, so their names are put before it.
+  /// Returns the error line. Rooms that check the content of inputs do not know their files, so the
+  /// names are prepended here.
   [[nodiscard]] std::string with_input_names(const Error& error) const;
 
   std::string name_;
@@ -102,7 +102,7 @@ class Stage {
   std::vector<std::string> recorded_unless_default_;
   std::vector<artefact::Provenance::Input> inputs_;
   std::vector<std::filesystem::path> input_paths_;
-  std::vector<std::filesystem::path> read_paths_;  ///< those and the others that are read
+  std::vector<std::filesystem::path> read_paths_;  ///< inputs and all other files that are read
 };
 
 }  // namespace piae::cli

@@ -10,13 +10,12 @@
 
 namespace piae::cli {
 
-/// A table of options that an artefact stores, too. One row says what command line, artefact and
-/// checks need. If a name holds "-from", the next row is the end of that range. The attribute has
-/// the name of the option, with '_' for '-', unless `stored` is given. The values must outlive the
-/// table.
+/// A table of options that an artefact stores, too. One row defines option, attribute and check. A
+/// name with "-from" makes the next row the end of that range. The attribute has the name of the
+/// option, with '_' for '-', unless `stored` is given. The values must outlive the table.
 class StoredOptions {
  public:
-  /// The rows that follow are stored in this group of the artefact.
+  /// Stores the rows that follow in this group of the artefact.
   void in(const std::string& group) { group_ = group; }
   void add(const std::string& name, double& value, const Range& range, const std::string& help,
            const std::string& stored = "") {
@@ -41,28 +40,28 @@ class StoredOptions {
 
   /// Adds an option for each row.
   void bind(const Options& command) const;
-  /// Throws Error(usage) for a range whose end is below its beginning.
+  /// Throws Error(usage) if the end of a range is below its beginning.
   void require_order() const;
   void write(artefact::Writer& writer) const;
-  /// Throws artefact::Refusal for a value that the option would not take, and for a range whose
-  /// end is below its beginning.
+  /// Throws artefact::Refusal for a value that the option would reject, and for a range whose end
+  /// is below its beginning.
   void read(const artefact::Reader& reader) const;
 
  private:
-  /// Exactly one of `number`, `whole` and `words` is there.
+  /// Exactly one of `number`, `whole` and `words` is set.
   struct Row {
     std::string name, group, attribute, help;
     Range range;
     double* number = nullptr;
     int* whole = nullptr;
     std::vector<std::string> words = {};
-    std::function<std::size_t()> place = {};     ///< of the value among the words
+    std::function<std::size_t()> place = {};     ///< index of the value among the words
     std::function<void(std::size_t)> take = {};  ///< sets the value to a word
   };
 
   Row& add_row(const std::string& name, const std::string& help, const std::string& stored,
                const Range& range);
-  /// The first range whose end is below its beginning; null if there is none.
+  /// Returns the first range whose end is below its beginning; null if all are in order.
   [[nodiscard]] const Row* first_reversed() const;
 
   std::string group_;

@@ -20,7 +20,7 @@ std::string_view without_blanks(std::string_view text) {
 }
 
 std::string in_quotes(std::string_view text) {
-  // Between single quotes a backslash stands for itself.
+  // Single quotes keep backslashes as they are.
   const char quote = text.find('\\') == std::string_view::npos ? '"' : '\'';
   return quote + std::string(text) + quote;
 }
@@ -38,7 +38,7 @@ bool has(std::string_view text, std::string_view part) {
   return text.find(part) != std::string_view::npos;
 }
 
-/// 1,5 as 1.5; empty for what is no number with a decimal comma.
+/// Returns 1,5 as 1.5; empty if the value is not a number with a decimal comma.
 std::string with_decimal_point(std::string_view value) {
   std::string number(value);
   if (std::ranges::count(number, ',') != 1) return {};
@@ -46,7 +46,7 @@ std::string with_decimal_point(std::string_view value) {
   return number_in<double>(number) ? number : std::string();
 }
 
-/// Of the elements of a list the first that is no value; else empty.
+/// Returns the first element of a list that is not a value; empty if all are.
 std::string_view bad_element(std::string_view list) {
   if (!list.starts_with('[') || !list.ends_with(']')) return {};
   std::string_view rest = list.substr(1, list.size() - 2);
@@ -91,7 +91,7 @@ std::string advice_on_value(std::string_view value) {
   return "is a text without quotes; write " + in_quotes(value);
 }
 
-/// A line up to its comment. A # in quotes begins none.
+/// Returns a line without its comment. A # in quotes does not start a comment.
 std::string_view without_comment(std::string_view line) {
   char quote = 0;
   for (std::size_t i = 0; i < line.size(); ++i) {

@@ -13,7 +13,7 @@ namespace piae::cli {
 
 namespace {
 
-/// What the stream holds, up to one byte more than parse_toml() takes.
+/// Returns the contents of the stream, at most one byte more than parse_toml() accepts.
 std::string beginning_of(std::istream& input) {
   std::string text(most_toml_bytes + 1, '\0');
   input.read(text.data(), static_cast<std::streamsize>(text.size()));

@@ -6,8 +6,8 @@
 
 namespace piae::cli {
 
-/// Lets CLI11 read a program's options from a TOML file: keys are the long option names. Which
-/// tables it reads: toml_options.hpp. An option given on the command line wins over the file.
+/// Lets CLI11 read a program's options from a TOML file, whose keys are the long option names.
+/// toml_options.hpp defines the tables. The command line overrides the file.
 class TomlConfig : public CLI::Config {
  public:
   TomlConfig(std::string program, std::string variant)

@@ -6,9 +6,8 @@
 
 namespace piae::cli {
 
-/// A TOML file as a whole, each node with the file's name as source().path. Throws Error(bad_input)
-/// with the file, the line and what is wrong there; Error(input_missing) when there is no such
-/// file.
+/// Parses a TOML file. Each node has the name of the file as source().path. Throws Error(bad_input)
+/// with the file, the line and the problem, and Error(input_missing) if the file does not exist.
 toml::table parse_toml_file(const std::filesystem::path& file);
 
 }  // namespace piae::cli

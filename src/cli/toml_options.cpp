@@ -15,14 +15,14 @@ std::string text_of(const toml::node& node) {
   return out.str();
 }
 
-/// Takes the plain values of a table, and leaves the tables in it alone.
+/// Takes the plain values of a table, without its tables.
 void take_values(const toml::table& table, toml::table& options) {
   for (const auto& [key, node] : table) {
     if (!node.is_table() && !node.is_array_of_tables()) options.insert_or_assign(key, node);
   }
 }
 
-/// The values of a variant's table, on top of those of the one that it is `like`.
+/// Takes the values of a variant's table, on top of those of the table that it is `like`.
 void take_variant(const toml::table& program, const std::string& variant, toml::table& options) {
   const toml::table* own = program[variant].as_table();
   if (own == nullptr) return;

@@ -8,8 +8,8 @@ namespace piae::cli {
 
 namespace {
 
-/// Each dot of a key is a table in a table, and the parser calls itself for each: with a hundred
-/// thousand of them it crashes. It counts brackets by itself.
+/// The parser recurses for each dot of a key and crashes at a hundred thousand of them. It limits
+/// the depth of brackets itself.
 constexpr std::ptrdiff_t most_dots = 100;
 
 void require_shallow(std::string_view text) {
@@ -23,7 +23,7 @@ void require_shallow(std::string_view text) {
   }
 }
 
-/// A line by its number, counted from 1.
+/// Returns a line by its number, counted from 1.
 std::string_view line_of(std::string_view text, std::size_t number) {
   for (; number > 1 && !text.empty(); --number) {
     text.remove_prefix(std::min(text.find('\n'), text.size() - 1) + 1);

@@ -9,10 +9,10 @@
 
 namespace piae::cli {
 
-/// The most bytes of a file of settings, or of a description.
+/// Largest size of a file of settings or a description, in bytes.
 inline constexpr std::size_t most_toml_bytes = 1'000'000;
 
-/// A text that is no TOML, or none that is read here: what is wrong, and in which line.
+/// Thrown for a text that is not valid TOML or is not accepted here: the problem and its line.
 class NotToml : public std::runtime_error {
  public:
   NotToml(std::size_t line, const std::string& what) : std::runtime_error(what), line_(line) {}
@@ -22,9 +22,8 @@ class NotToml : public std::runtime_error {
   std::size_t line_;
 };
 
-/// Parses a TOML text. Throws NotToml, also where it is so large, or its tables are nested so
-/// deeply, that the parser would take all memory for it. `source` is where it stands: each node
-/// keeps it as source().path.
+/// Parses a TOML text. Throws NotToml, also if the text is so large or so deeply nested that the
+/// parser would run out of memory. Each node keeps `source` as source().path.
 toml::table parse_toml(std::string_view text, std::string_view source = {});
 
 }  // namespace piae::cli

@@ -31,7 +31,7 @@ BandPowers band_powers(const signal::WindowSet& windows) {
     const spectra::Windows window =
         Eigen::Map<const Eigen::RowVectorXf>(samples.data(), length).cast<double>();
     const Eigen::ArrayXd power = spectra::mean_power_spectrum(window).tail(bins);
-    const double floor = 1e-12 * power.mean() + 1e-300;  // silence is far away, not infinitely far
+    const double floor = 1e-12 * power.mean() + 1e-300;  // keeps silent bands far away, but finite
     features.row(i) = spectra::band_means(power, edges).unaryExpr([&](double mean) {
       return std::log(mean + floor);
     });

@@ -9,8 +9,8 @@ namespace piae::diagnosis {
 
 namespace {
 
-/// The sum of f(row) over the rows [0, n). It is taken in four parts, which is more precise, and no
-/// addition has to wait for the one before it.
+/// Returns the sum of f(row) over the rows [0, n). Four partial sums are more precise, and no
+/// addition waits for the previous one.
 template <class T, class Function>
 Vector<T> sum_over(std::int64_t n, const Function& f) {
   Vector<T> sums[4] = {};
@@ -22,7 +22,7 @@ Vector<T> sum_over(std::int64_t n, const Function& f) {
   return (sums[0] + sums[1]) + (sums[2] + sums[3]);
 }
 
-/// The normalisation of as many channels of a layer as a vector holds.
+/// Normalisation of as many channels of a layer as a vector holds.
 template <class T>
 struct Channels {
   Channels(const Normalisation<T>& n, std::int64_t first)
@@ -39,9 +39,9 @@ struct Channels {
   Vector<T> offset;
 };
 
-/// Calls f(from, to) for each row of y [pooled_length, windows, channels]. `to` is where the row
-/// begins in y, `from` where the first row of x begins that is pooled into it. The second one,
-/// where there is one, lies one time further on.
+/// Calls f(from, to) for each row of y [pooled_length, windows, channels]. `to` is the row's start
+/// in y; `from` is the start in x of the first row pooled into it. A second row, if any, lies one
+/// time later.
 template <class Function>
 void for_each_pool(const PooledShape& shape, const Function& f) {
   const std::int64_t time = shape.windows * shape.channels;
@@ -52,15 +52,15 @@ void for_each_pool(const PooledShape& shape, const Function& f) {
   }
 }
 
-/// Whether the first of two values is the maximum. A NaN counts as the maximum, so that none is
+/// True if the first of two values is the maximum. NaN counts as the maximum, so that no NaN is
 /// lost.
 template <class T>
 auto first_is_maximum(const Vector<T>& first, const Vector<T>& second) {
   return (first >= second) | (first != first);
 }
 
-/// The one or two values of x that were pooled into one value of y, and the gradients by what they
-/// are after normalisation.
+/// The one or two values of x that were pooled into one value of y, and the gradients with respect
+/// to their normalised values.
 template <class T, int pooling>
 struct PoolGradient {
   PoolGradient(const Channels<T>& channels, const T* x, std::int64_t time, const T* y_gradient) {
@@ -108,7 +108,7 @@ void pool_backward(const PooledShape& shape, const T* x, const Normalisation<T>&
   for (std::int64_t c = 0; c < shape.channels; c += lanes<T>) {
     const Channels<T> channels(n, c);
     Vector<T> sum = {};
-    Vector<T> sum_of_products = {};  // of the gradient and x less its mean
+    Vector<T> sum_of_products = {};  // gradient times (x less its mean)
     for_each_pool(shape, [&](std::int64_t from, std::int64_t to) {
       const Pool pool(channels, x + from + c, time, y_gradient + to + c);
       for (int i = 0; i < pooling; ++i) {
@@ -116,7 +116,7 @@ void pool_backward(const PooledShape& shape, const T* x, const Normalisation<T>&
         sum_of_products += pool.gradient[i] * (pool.value[i] - channels.mean);
       }
     });
-    sum_of_products *= channels.inverse_deviation;  // of the gradient and normalised x
+    sum_of_products *= channels.inverse_deviation;  // gradient times normalised x
     store(shift_gradient + c, sum);
     store(scale_gradient + c, sum_of_products);
 

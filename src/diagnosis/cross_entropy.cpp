@@ -7,7 +7,7 @@ namespace piae::diagnosis {
 
 namespace {
 
-/// Writes exp(logit - greatest) into `scores` for each logit; returns the sum of these.
+/// Writes exp(logit - greatest) into `scores` for each logit; returns the sum.
 template <class T>
 T exponentials(std::int64_t classes, const T* logits, T greatest, T* scores) {
   T sum = 0;

@@ -8,6 +8,7 @@
 #include "diagnosis/keep.hpp"
 #include "diagnosis/learn.hpp"
 #include "diagnosis/training_set.hpp"
+#include "diagnosis/trust.hpp"
 
 namespace piae::diagnosis {
 
@@ -114,6 +115,21 @@ std::string Diagnosis::summary_of(const scoring::DiagnosisRecord& record) const 
                      record.labels.size(), basis, record.method, record.ratio, by, record.seed,
                      100 * record.accuracy(),
                      rate ? fmt::format(", {:.0f} windows/s in training", *rate) : "");
+}
+
+std::string Diagnosis::write(artefact::Writer& writer, bool reproducible) {
+  scoring::DiagnosisRecord of_test = record();
+  if (reproducible) of_test.train_windows_per_second.reset();
+  scoring::write(writer, of_test);
+  return summary_of(of_test);
+}
+
+std::string Diagnosis::write_classifier(artefact::Writer& writer, const EpochDone& epoch_done) {
+  KeptClassifier kept = keep(epoch_done);
+  const Trust trust = trust_in(kept, inputs_.test);
+  kept.write(writer);
+  diagnosis::write(writer, trust);
+  return diagnosis::summary_of(kept, trust);
 }
 
 KeptClassifier Diagnosis::keep(const EpochDone& epoch_done) {

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "artefact/writer.hpp"
 #include "base/random.hpp"
 #include "diagnosis/classifier.hpp"
 #include "diagnosis/folds.hpp"
@@ -15,43 +16,46 @@
 
 namespace piae::diagnosis {
 
-/// The classifier of one cell of the grid, and how it learns.
+/// The classifier of one grid cell, and its training settings.
 struct Task {
   const Classifier& classifier;
   const scoring::Ratio& ratio;
-  std::int64_t seed = 0;  ///< names the random stream, with data set and ratio
+  std::int64_t seed = 0;  ///< part of the random stream's name, with data set and ratio
   WdcnnOptions options = {};
-  MakeWdcnnBackend make_backend = {};  ///< of a WDCNN
-  bool keep_features = false;          ///< whether record() has the last layers' answers
+  MakeWdcnnBackend make_backend = {};  ///< for a WDCNN
+  bool keep_features = false;          ///< true if record() includes the output of the last layers
 };
 
-/// One cell of the grid: a classifier learns from B, C and the windows of E that the ratio asks
-/// for, and is tried on A (paper, Section 4.3.2).
+/// One cell of the grid: trains a classifier on B, C and the ratio's number of windows of E, and
+/// tests it on A (paper, Section 4.3.2).
 class Diagnosis {
  public:
   /// Throws as compose_training_set(), require_faults() and require_fitting_test_set() do, where
-  /// `known_file` names C; Error(usage) for features of a classifier without layers, and for
-  /// generated windows and a rule.
+  /// `known_file` names C. Throws Error(usage) if features of a classifier without layers are
+  /// requested, and for a rule with generated windows.
   Diagnosis(Task task, Inputs inputs, const std::string& known_file);
 
-  /// The epochs of learn(), and of keep() where the classifier is to be kept.
+  /// Returns the epochs of learn(), plus those of keep() if the classifier is to be kept.
   [[nodiscard]] std::size_t epochs(bool is_kept) const;
 
   /// Throws as diagnosis::learn() does.
   void learn(const EpochDone& epoch_done = {});
 
-  /// The answers to the windows of A, and the course of the training.
-  [[nodiscard]] scoring::DiagnosisRecord record();
-  /// One line of a record: how well it named how many windows.
-  [[nodiscard]] std::string summary_of(const scoring::DiagnosisRecord& record) const;
+  /// Writes diagnosis.h5: the predictions for the windows of A, and the course of the training.
+  /// Returns one line: the accuracy and the number of windows. `reproducible` leaves out the
+  /// training speed, which differs between runs.
+  [[nodiscard]] std::string write(artefact::Writer& writer, bool reproducible);
 
-  /// Makes the classifier ready to be kept (keep.hpp); record() comes before. It learns anew
-  /// without each fold that is left out.
-  [[nodiscard]] KeptClassifier keep(const EpochDone& epoch_done = {});
-
-  [[nodiscard]] const Inputs& inputs() const { return inputs_; }
+  /// Writes classifier.h5: the trained classifier and its trust, measured on A (trust.hpp). Returns
+  /// one line about the trust. Retrains without each left-out fold (keep.hpp); call no other member
+  /// afterwards.
+  [[nodiscard]] std::string write_classifier(artefact::Writer& writer,
+                                             const EpochDone& epoch_done = {});
 
  private:
+  [[nodiscard]] scoring::DiagnosisRecord record();
+  [[nodiscard]] std::string summary_of(const scoring::DiagnosisRecord& record) const;
+  [[nodiscard]] KeptClassifier keep(const EpochDone& epoch_done);
   [[nodiscard]] Lessons lessons() const;
   [[nodiscard]] std::optional<double> windows_per_second() const;
 

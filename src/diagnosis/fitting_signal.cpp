@@ -13,7 +13,7 @@ namespace piae::diagnosis {
 
 namespace {
 
-/// Of the conditions in which faults were known or tested.
+/// Returns the speeds of the conditions in which faults were known or tested.
 std::set<double> trained_speeds_rpm(const signal::DatasetInfo& trained) {
   std::set<double> speeds;
   for (const std::int32_t condition : trained.known_conditions()) {

@@ -17,7 +17,7 @@ using signal::WindowSet;
 
 constexpr auto number_of_folds = static_cast<std::size_t>(Folds::count);
 
-/// [n] the windows of each class in turn.
+/// Returns [n] the fold of each window; the windows of each class are dealt out in turn.
 std::vector<std::int32_t> dealt_out(const WindowSet& windows) {
   std::vector<std::int32_t> folds(windows.size());
   for (const Label label : windows.info.labels()) {
@@ -66,7 +66,8 @@ void add_generated(Folds& folds, const WindowSet& generated, std::size_t per_cla
   }
 }
 
-/// Whether each class has windows to train on, whatever fold is left out, and is asked about.
+/// True if each class has windows to train on, whichever fold is left out, and has windows to
+/// predict.
 bool is_possible(const WindowSet& training, const Folds& folds) {
   const std::size_t classes = training.info.classes.size();
   const Label healthy = training.info.healthy_label();

@@ -7,39 +7,39 @@
 
 namespace piae::diagnosis {
 
-/// What a training set is made of (training_set.hpp).
+/// Parts of a training set (training_set.hpp).
 struct Lessons {
   const signal::WindowSet& normal;     ///< B
   const signal::WindowSet& known;      ///< C
-  const signal::WindowSet* generated;  ///< E; null where there is none
+  const signal::WindowSet* generated;  ///< E; null if there is none
   std::int64_t generated_per_class = 0;
 };
 
-/// How a training set is cut so that windows can be left out of a training, and a classifier be
-/// asked about windows that it has not seen, without taking any from those that are tested.
+/// Folds of a training set: windows are left out of a training, so that the classifier can be
+/// tested on windows it has not seen, without using any test window.
 struct Folds {
   static constexpr std::int32_t count = 5;
   static constexpr std::int32_t none = -1;
 
-  /// [n] of each training window: in which fold it is left out and asked about; none for one that
-  /// is never asked about. Healthy windows are cut into blocks of the time, and the known ones of a
-  /// class are dealt out in turn. A generated one is asked about only where no window is known,
-  /// dealt out in turn, too.
+  /// [n] for each training window: the fold that leaves it out and predicts it; `none` for a window
+  /// that is never predicted. Healthy windows are cut into blocks of time; the known windows of a
+  /// class are dealt out in turn. Generated windows are predicted only if no fault window is known;
+  /// they are dealt out in turn, too.
   std::vector<std::int32_t> asked;
-  /// [n][count] in which folds it must not be trained on: its own, and of a generated window those
-  /// of its parents, which it might give away. One that does not say its parents is trained on in
-  /// all.
+  /// [n][count] folds that must not train on this window: its own fold, and for a generated window
+  /// the folds of its parents, because it resembles them. Without recorded parents, it is in all
+  /// trainings.
   std::vector<std::vector<bool>> left_out;
 
-  /// Whether every class is left in each training, so that a classifier can learn it, and of
-  /// healthy windows as many as others can be compared with (symptoms/baseline.hpp).
+  /// True if each training still has windows of every class, and enough healthy windows for a
+  /// comparison (symptoms/baseline.hpp).
   bool possible = false;
 };
 
-/// [n] the block of the time that each healthy window is in, of `count` of equal size.
+/// Returns [n] the block of time of each healthy window; all `count` blocks have equal size.
 std::vector<std::int32_t> blocks_of_time(const signal::WindowSet& normal);
 
-/// Of the training set that compose_training_set() makes of these.
+/// Returns the folds of the training set that compose_training_set() makes of `lessons`.
 Folds folds_of(const signal::WindowSet& training, const Lessons& lessons);
 
 }  // namespace piae::diagnosis

@@ -33,4 +33,21 @@ Inputs read_inputs(const artefact::Reader& test, const artefact::Reader& normal,
   return inputs;
 }
 
+void bind(cli::Stage& stage, InputFiles& files) {
+  stage.input_file("--test", files.test, "A.h5 made by split");
+  stage.input_file("--normal", files.normal, "B.h5 made by split");
+  stage.input_file("--known", files.known, "C.h5 made by split");
+  stage.input_file("--generated", files.generated, "E.h5 made by generate; not with 100to1")
+      .required(false);
+}
+
+Inputs read_inputs(cli::Stage& stage, const InputFiles& files) {
+  const artefact::Reader test = stage.open("test", files.test, "windows");
+  const artefact::Reader normal = stage.open("normal", files.normal, "windows");
+  const artefact::Reader known = stage.open("known", files.known, "windows");
+  if (files.generated.empty()) return read_inputs(test, normal, known, nullptr);
+  const artefact::Reader generated = stage.open("generated", files.generated, "windows");
+  return read_inputs(test, normal, known, &generated);
+}
+
 }  // namespace piae::diagnosis

@@ -31,7 +31,7 @@ Calibration calibrated(const Classifier& classifier, const WindowSet& training,
           .windows = std::ssize(left_out.labels)};
 }
 
-/// Whether the known windows show faults as they are in what is tested.
+/// True if faults are known in exactly the tested conditions.
 bool known_where_tested(const WindowSet& known) {
   return known.size() > 0 && known.info.known_conditions() == known.info.tested_conditions();
 }

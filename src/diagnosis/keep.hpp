@@ -10,23 +10,23 @@
 
 namespace piae::diagnosis {
 
-/// How classifiers of the same kind are trained once more, without what is left out.
+/// Settings for retraining a classifier without the left-out windows.
 struct Relearn {
   const WdcnnOptions& options;
-  const Stream& stream;  ///< that of the classifier; fold k draws from its child "left-out<k>"
+  const Stream& stream;  ///< stream of the classifier; fold k draws from its child "left-out<k>"
   const MakeWdcnnBackend& make_backend;
-  EpochDone epoch_done;  ///< of each of these trainings
+  EpochDone epoch_done;  ///< called after each epoch of these trainings
 };
 
-/// How often keep() trains a classifier of that kind again: once for each fold, or never where none
-/// can be left out.
+/// Returns how often keep() retrains the classifier: once for each fold, or 0 if folds are not
+/// possible.
 std::int64_t trainings_to_keep(const signal::WindowSet& training, const Lessons& lessons);
 
-/// Makes a trained classifier ready to be kept. Its temperature is the best one for windows that
-/// were left out of trainings of their own (folds.hpp); where these cannot be, as where a class has
-/// one known window alone, it is 1. Strangeness has for reference the real windows of the training
-/// set. There is none where no fault is known in the tested condition: then a real fault is as
-/// strange as any other.
+/// Prepares a trained classifier for keeping. Its temperature is the best one for windows that were
+/// left out of trainings of their own (folds.hpp). If folds are not possible, for example because a
+/// class has only one known window, the temperature is 1. The real windows of the training set are
+/// the reference of the novelty. If no fault is known in the tested condition, novelty is
+/// unavailable, because every real fault would be novel.
 KeptClassifier keep(const Classifier& classifier, std::unique_ptr<Trained> trained,
                     const signal::WindowSet& training, const Lessons& lessons,
                     const Relearn& relearn, ClassifierOrigin origin);

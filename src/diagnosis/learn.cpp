@@ -16,10 +16,10 @@ namespace {
 constexpr const char* input_length = "input_length";
 constexpr Range possible_length{.low = WdcnnLayers::shortest_window, .high = 1e6};
 
-/// A trained WDCNN with what it is shown of a window.
+/// A trained WDCNN with the function that makes its input.
 class WdcnnOfWindows final : public Trained {
  public:
-  /// `length` is that of what it is shown.
+  /// Takes a network; `length` is the length of its input.
   WdcnnOfWindows(std::unique_ptr<Wdcnn> network, std::size_t length, Represent represent)
       : network_(std::move(network)), length_(length), represent_(represent) {}
 
@@ -43,7 +43,8 @@ Learned learn(const Classifier& classifier, const signal::WindowSet& normal,
               const signal::WindowSet& training, const WdcnnOptions& options, const Stream& stream,
               const MakeWdcnnBackend& make_backend, const EpochDone& epoch_done) {
   const std::string name = classifier.name;
-  // Of the paper's classifier the name is what it was when there was no other.
+  // Keep the original stream name of the paper's classifier so that stored results stay
+  // reproducible.
   const Stream own = name == scoring::paper_classifier ? stream : stream.child(name);
   if (classifier.learn != nullptr) return classifier.learn(normal, training, own, epoch_done);
   LabelledWindows shown = classifier.represent(training, "training set");

@@ -6,7 +6,7 @@ namespace {
 
 using signal::WindowSet;
 
-/// The windows for which this holds, by their index.
+/// Returns the windows whose index satisfies `is_chosen`.
 template <class Chosen>
 WindowSet chosen_of(const WindowSet& all, const Chosen& is_chosen) {
   WindowSet chosen;

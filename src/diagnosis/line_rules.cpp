@@ -22,7 +22,7 @@ std::size_t place_among_kinds(Defect kind) {
                                   symptoms::kinds.begin());
 }
 
-/// The class that exclusion names.
+/// Returns the class that rule `exclusion` predicts.
 Label excluded(const DatasetInfo& info, const std::vector<float>& evidence) {
   const std::vector<Label> faults = info.fault_labels();
   const auto ball = std::ranges::find(faults, Defect::roller,

@@ -12,41 +12,42 @@
 
 namespace piae::diagnosis {
 
-// Two rules that name the kind of a defect from healthy windows alone: no fault window is known,
-// and none is generated. They do by machine what an analyst does by hand.
+// Two rules that find the fault type from healthy windows alone, without known or generated fault
+// windows. They automate what an analyst does by hand.
 
-/// What one window shows against healthy windows of its speed (symptoms/baseline.hpp).
+/// Comparison of one window with healthy windows of its speed (symptoms/baseline.hpp).
 struct Findings {
-  /// By how many standard deviations the line of each kind stands above the healthy mean.
+  /// Height of each fault type's line above the healthy mean, in standard deviations.
   std::array<double, symptoms::number_of_kinds> excesses{};
-  double novelty = 0;  ///< by its threshold: more than 1 is new
+  double novelty = 0;  ///< divided by its threshold: more than 1 is new
 };
 
 enum class Rule {
-  /// The line that stands out most names the kind, if by more than 5 deviations; else the window is
-  /// healthy. The height is a maximum over slips, so for healthy windows it has about Gumbel's
-  /// distribution, which exceeds its mean by 5 deviations with the chance 0.09 %.
+  /// The highest line gives the fault type, if it exceeds 5 deviations; otherwise the window is
+  /// healthy. The height is a maximum over slips, so for healthy windows it has about a Gumbel
+  /// distribution, which exceeds its mean by 5 deviations with probability 0.09 %.
   envelope,
-  /// The same; but a window that is new and shows no line is a ball defect, where the task has a
-  /// class of these, else the kind whose line stands out most. A ball spins freely, so its defect
-  /// now strikes the races and now does not, and is the one that rarely shows its line; Smith and
-  /// Randall (2015) found so in most of CWRU's records of ball defects.
+  /// Like `envelope`, but a new window without a line is a ball defect if the task has such a
+  /// class, otherwise the fault type with the highest line. A ball spins freely, so its defect
+  /// meets the races only now and then, and rarely shows its line; Smith and Randall (2015) found
+  /// this in most of CWRU's records of ball defects.
   exclusion
 };
 
-/// The evidence for each class of a data set, in deviations; the greatest names the class. That for
-/// a kind is its excess, that for healthy 5, and that for what exclusion names 5 times the novelty.
+/// Returns the evidence for each class of a data set, in deviations; the greatest gives the class.
+/// The evidence is the excess for a fault type, 5 for healthy, and 5 times the novelty for the
+/// class that rule `exclusion` predicts.
 std::vector<float> evidence(const signal::DatasetInfo& info, const Findings& findings, Rule rule);
 
-/// A rule with the healthy windows that it compares others with.
+/// A rule with its healthy reference windows.
 class TrainedRule final : public Trained {
  public:
-  /// Throws Error(bad_input) where a data set has several classes of one kind of defect, between
-  /// which a line does not tell, and as symptoms::measure() and symptoms::Baselines do.
+  /// Throws Error(bad_input) if several classes have the same fault type, because a line cannot
+  /// tell them apart, and as symptoms::measure() and symptoms::Baselines do.
   TrainedRule(const signal::WindowSet& normal, Rule rule);
   TrainedRule(const artefact::Reader& reader, const signal::DatasetInfo& info, Rule rule);
 
-  /// Logits are the evidence.
+  /// Returns the evidence as logits.
   Outputs outputs(const signal::WindowSet& windows, const std::string& what) override;
   void write(artefact::Writer& writer) const override;
 

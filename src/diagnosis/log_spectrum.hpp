@@ -6,26 +6,29 @@
 
 namespace piae::diagnosis {
 
-/// What stands below this part of a window's root mean square is raised to it: a silent band is far
-/// away, but not infinitely far.
+/// Least amplitude as a part of the window's RMS; smaller ones are raised to it, so that a silent
+/// band is far away, but finite.
 inline constexpr double amplitude_floor = 1e-5;
 
-/// The root mean square of a window about its mean, in the unit of the recordings.
+/// Returns the root mean square of a window about its mean, in the unit of the recordings.
 double root_mean_square(const scoring::Windows& window);
 
-/// The logarithm (natural) of the amplitude spectrum of one window, a row of N samples. The
-/// window's mean is removed; it is tapered by Hann's window and padded with zeros to the least
-/// multiple of its length that gives at least `least_bands` bands (spectra/power.hpp). The bands
-/// are the frequencies i / (padding * N) of the sample rate, i = 1 .. padding * N / 2; frequency 0
-/// is no vibration. A band is scaled such that a sine of amplitude a has ln(a) at its frequency:
-/// its amplitude is |X| * 4 / N, since Hann's window has the mean 1/2 and half of a sine's
-/// amplitude lies at the negative frequency (Harris 1978). Amplitudes below `floor`, in the unit of
-/// the recordings and above 0, are raised to it.
+/// Returns the natural logarithm of the amplitude spectrum of one window, a row of N samples. The
+/// window's mean is removed; the window is tapered by Hann's window and padded with zeros to the
+/// least multiple of its length that gives at least `least_bands` bands (spectra/power.hpp). The
+/// bands are the frequencies i / (padding * N) of the sample rate, i = 1 .. padding * N / 2;
+/// frequency 0 is not a vibration. A sine of amplitude a gives ln(a) at its frequency: the
+/// amplitude is
+/// X
+///  * 4 / N, since Hann's window has the mean 1/2 and half of a sine's amplitude lies at the
+///  negative frequency (Harris 1978). Amplitudes below `floor`, in the unit of the recordings and
+///  above 0, are raised to it.
 Eigen::ArrayXd log_spectrum(const scoring::Windows& window, Eigen::Index least_bands, double floor);
 
-/// The log_spectrum() of the Hilbert envelope of one window, a row of N samples, over the whole
-/// band (spectra/power.hpp; Smith and Randall 2015, method 1). A carrier of amplitude a that is
-/// modulated as 1 + m cos(2 pi f t) has ln(a m) at f. Amplitudes below `floor` are raised to it.
+/// Returns the log_spectrum() of the Hilbert envelope of one window, a row of N samples, over the
+/// whole band (spectra/power.hpp; Smith and Randall 2015, method 1). A carrier of amplitude a with
+/// the modulation 1 + m cos(2 pi f t) gives ln(a m) at f. Amplitudes below `floor` are raised to
+/// it.
 Eigen::ArrayXd log_envelope_spectrum(const scoring::Windows& window, Eigen::Index least_bands,
                                      double floor);
 

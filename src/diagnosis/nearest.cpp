@@ -14,7 +14,7 @@ namespace {
 
 using Eigen::Index;
 
-/// For a class of which there is no window. Not infinite, since what is stored is finite.
+/// Logit of a class without windows. It is finite because stored numbers must be finite.
 constexpr float farthest_logit = -1e6F;
 
 }  // namespace

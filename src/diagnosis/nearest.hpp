@@ -8,13 +8,14 @@
 
 namespace piae::diagnosis {
 
-/// The class of a window by its nearest neighbour among the training windows: no training, and the
-/// bar that a generator must clear to be worth its name. Windows are compared by their band powers.
-/// Of equal distances the first training window counts.
+/// Classifies a window by its nearest neighbour among the training windows. It is not trained
+/// and is the baseline that a generator must beat. Windows are compared by their band powers. At
+/// equal distances the first training window counts.
 ///
-/// Scores are 1 for the named class and 0 for the others, since a neighbour does not say how sure
-/// it is. Logits are minus half the squared distance to the nearest window of each class, as of
-/// Gaussian kernels of unit width about the training windows; a class without one has the least.
+/// Scores are 1 for the predicted class and 0 for the others, because a neighbour gives no
+/// certainty. Logits are minus half the squared distance to the nearest window of each class, as
+/// for Gaussian kernels of unit width about the training windows; a class without windows has the
+/// least logit.
 class Nearest final : public Trained {
  public:
   /// Throws Error(bad_input) for windows shorter than 256 samples.
@@ -26,7 +27,7 @@ class Nearest final : public Trained {
   void write(artefact::Writer& writer) const override;
 
  private:
-  /// What one window, by its squared distances to the training windows, is answered.
+  /// Adds the output for one window, given its squared distances to the training windows.
   void answer(const Eigen::VectorXd& squares, std::size_t window, Outputs& all) const;
 
   std::size_t length_;

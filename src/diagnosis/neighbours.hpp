@@ -6,15 +6,15 @@
 
 namespace piae::diagnosis {
 
-/// Windows among which the nearest is looked for, by their band powers.
+/// Searches the nearest among known windows, by band powers.
 class Neighbours {
  public:
-  /// As many windows are asked about together as their distances fit into the caches.
+  /// Number of windows per matrix product; their distances fit into the caches.
   static constexpr Eigen::Index at_a_time = 64;
 
   explicit Neighbours(BandPowers known) : known_(std::move(known)), squares_(squares_of(known_)) {}
 
-  /// [known, asked] the squared distance of each of the known windows to each of those asked about.
+  /// Returns [known, asked] the squared distance of each known window to each window of `asked`.
   [[nodiscard]] Eigen::MatrixXd squared_distances(const BandPowers& asked) const;
 
   [[nodiscard]] const BandPowers& known() const { return known_; }

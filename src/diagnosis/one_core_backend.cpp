@@ -68,8 +68,8 @@ class OneCoreBackend final : public WdcnnBackend {
   std::int64_t most_windows_;  ///< in a batch
   Network network_;
   nets::Adam<float> adam_;
-  // The training windows in the order of the epoch:
-  std::vector<const float*> windows_;  ///< each points into train_
+  // Training windows in the order of the epoch:
+  std::vector<const float*> windows_;  ///< pointers into train_
   std::vector<Label> labels_;
   BatchOutcome sums_;
 };

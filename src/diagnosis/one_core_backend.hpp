@@ -6,7 +6,7 @@
 
 namespace piae::diagnosis {
 
-/// Our own back end, for one core and in single precision (wdcnn_network.hpp).
+/// Makes our own back end, for one core in single precision (wdcnn_network.hpp).
 std::unique_ptr<WdcnnBackend> make_one_core_backend(LabelledWindows train,
                                                     const WdcnnOptions& options,
                                                     const Stream& initial);

@@ -10,9 +10,9 @@
 
 namespace piae::diagnosis {
 
-/// Windows as a classifier sees them.
+/// Windows as a classifier's input.
 struct LabelledWindows {
-  std::size_t length = 0;      ///< samples in a window, or bands of its spectra
+  std::size_t length = 0;      ///< samples of a window, or bands of its spectra
   std::size_t classes = 0;     ///< labels are in {0, ..., classes - 1}
   std::vector<float> samples;  ///< row-major [n, length]
   std::vector<Label> labels;   ///< [n]
@@ -20,16 +20,16 @@ struct LabelledWindows {
   [[nodiscard]] std::size_t size() const { return labels.size(); }
 };
 
-/// Subtracts from values, of which at least two differ, their mean and divides them by their
-/// standard deviation (the root of the mean of their squares). Writes as many to `to`.
+/// Writes `values`, less their mean and divided by their standard deviation (the root of the mean
+/// of their squares), to `to`. At least two values must differ.
 void standardise(std::span<const float> values, float* to);
 
-/// Throws Error(bad_input) for a window all of whose samples are the same. `what` names the set in
-/// the error, such as "--test".
+/// Throws Error(bad_input) for a window whose samples are all the same. `what` names the set in the
+/// error, such as "--test".
 void require_varying(const signal::WindowSet& windows, const std::string& what);
 
-/// Subtracts from each window its mean and divides it by its standard deviation (the root of the
-/// mean of its squares), so that gain and offset of a recording do not give its class away. `what`
+/// Subtracts the mean from each window and divides it by its standard deviation (the root of the
+/// mean of its squares), so that gain and offset of a recording do not reveal its class. `what`
 /// names the set in errors, such as "--test". Throws Error(bad_input) for a constant window.
 LabelledWindows standardise(const signal::WindowSet& windows, const std::string& what);
 

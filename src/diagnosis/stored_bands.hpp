@@ -11,11 +11,12 @@
 
 namespace piae::diagnosis {
 
-/// Band powers of windows and their labels, as <group>/bands float64 [n, 128] and <group>/labels.
+/// Writes band powers of windows and their labels, as <group>/bands float64 [n, 128] and
+/// <group>/labels.
 void write_bands(artefact::Writer& writer, const std::string& group, const BandPowers& bands,
                  const std::vector<Label>& labels);
 
-/// Throws artefact::Refusal for no label, or one that no class has.
+/// Throws artefact::Refusal if labels are missing, or a label has no class.
 std::vector<Label> read_labels(const artefact::Reader& reader, const std::string& group,
                                const signal::DatasetInfo& info);
 /// Throws artefact::Refusal for another shape.

@@ -16,7 +16,7 @@ namespace {
 using Eigen::Index;
 
 constexpr double margin = 1;
-constexpr double least_threshold = 1e-6;  // where all reference windows are the same
+constexpr double least_threshold = 1e-6;  // if all reference windows are the same
 constexpr Range possible_threshold{.low = least_threshold, .high = 1e6};
 
 }  // namespace

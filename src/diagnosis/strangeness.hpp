@@ -11,27 +11,27 @@
 
 namespace piae::diagnosis {
 
-/// A window that is stranger than this looks like nothing that was trained.
+/// Novelty above which a window resembles nothing in the training set.
 inline constexpr double strangest_known = 1;
 
-/// Whether a window looks like anything that was trained: its distance to the nearest reference
-/// window by band powers (Neighbours), by a threshold. The threshold is the largest distance that a
-/// reference window has to the others when what is close to it in time is left out: each known
-/// fault window alone, and the healthy ones by five blocks of the time, so that windows that
-/// overlap do not vouch for each other.
+/// Novelty of a window: its distance to the nearest reference window by band powers (Neighbours),
+/// divided by a threshold. The threshold is the largest distance of a reference window to
+/// the others, without those close to it in time: each known fault window is left out alone,
+/// healthy windows by five blocks of time, so that overlapping windows do not vouch for each other.
 class Strangeness {
  public:
-  /// `reference` are healthy windows and those of faults, of which `groups` says what is left out
-  /// together. Throws Error(bad_input) for windows shorter than 256 samples; std::logic_error where
-  /// all are of one group.
+  /// Takes healthy and fault windows as `reference`; windows of one group in `groups` are left out
+  /// together. Throws Error(bad_input) for windows shorter than 256 samples; std::logic_error if
+  /// all windows are of one group.
   Strangeness(const signal::WindowSet& reference, std::vector<std::int32_t> groups);
 
-  /// [n] of each window; more than 1 looks like nothing that was trained.
+  /// Returns [n] the novelty of each window; more than 1 resembles nothing in the training set.
   [[nodiscard]] std::vector<double> of(const signal::WindowSet& windows) const;
-  /// The same if the class had not been trained: without its windows, and a threshold of the rest.
+  /// Returns the novelty as if the class had not been trained: without its windows, with a new
+  /// threshold.
   [[nodiscard]] Strangeness without(Label label) const;
 
-  /// As <group>/bands, <group>/labels, <group>/groups and the attribute `threshold`.
+  /// Writes <group>/bands, <group>/labels, <group>/groups and the attribute `threshold`.
   void write(artefact::Writer& writer, const std::string& group) const;
   Strangeness(const artefact::Reader& reader, const std::string& group,
               const signal::DatasetInfo& info);

@@ -13,8 +13,8 @@ namespace {
 using Eigen::Index;
 using symptoms::Measures;
 
-constexpr double farthest = 4;            // of a symptom, in standard deviations
-constexpr double least_deviation = 1e-6;  // where all training windows are the same
+constexpr double farthest = 4;            // limit of a symptom, in standard deviations
+constexpr double least_deviation = 1e-6;  // if all training windows are the same
 
 signal::WindowSet fault_windows(const signal::WindowSet& training) {
   const Label healthy = training.info.healthy_label();
@@ -41,7 +41,7 @@ auto row(const symptoms::Symptoms& symptoms) {
   return Eigen::Map<const Eigen::RowVectorXd>(symptoms.data(), std::ssize(symptoms));
 }
 
-/// The symptoms of windows, of which `novelty` says how new window i is against its baseline.
+/// Returns the symptoms of windows; `novelty` gives the novelty of window i against its baseline.
 template <class NoveltyOf>
 SymptomRows symptom_rows(const signal::WindowSet& windows, const std::vector<Measures>& measures,
                          symptoms::Baselines& baselines, const NoveltyOf& novelty) {

@@ -19,7 +19,7 @@ double learning_rate_in(std::int64_t epoch) {
   return SymptomTraining::learning_rate * (1 + std::cos(std::numbers::pi * done)) / 2;
 }
 
-/// The chosen rows, each symptom moved a little at random.
+/// Returns the chosen rows with a little random noise on each symptom.
 SymptomRows noisy(const SymptomRows& all, std::span<const std::size_t> chosen, Stream& noise) {
   SymptomRows rows(chosen.size(), SymptomRows::ColsAtCompileTime);
   for (Index i = 0; i < rows.rows(); ++i) {

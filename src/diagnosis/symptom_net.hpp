@@ -10,8 +10,8 @@
 
 namespace piae::diagnosis {
 
-/// How symptom-net is trained. It is small, and its inputs are few and of one scale, so that these
-/// hardly matter: dropout and noise are worth half a point on hit-sm, weight decay nothing.
+/// Training settings of symptom-net. They matter little, because the network is small and its few
+/// inputs share one scale: dropout and noise gain half a point on hit-sm, weight decay nothing.
 struct SymptomTraining {
   static constexpr std::int64_t epochs = 60;
   static constexpr std::int64_t batch = 64;
@@ -29,8 +29,8 @@ class SymptomNet final : public Trained {
         network_(classes, SymptomTraining::batch, initial) {}
   SymptomNet(const artefact::Reader& reader, const signal::DatasetInfo& info);
 
-  /// Order, noise and dropout of epoch e, counted from 1, come from stream.child("epoch<e>") and
-  /// its children "noise" and "dropout".
+  /// Trains. Order, noise and dropout of epoch e, counted from 1, come from
+  /// stream.child("epoch<e>") and its children "noise" and "dropout".
   Training train(const Stream& stream, const EpochDone& epoch_done);
 
   Outputs outputs(const signal::WindowSet& windows, const std::string& what) override;
@@ -44,9 +44,9 @@ class SymptomNet final : public Trained {
   SymptomNetwork network_;
 };
 
-/// Trains it on the symptoms (symptom_inputs.hpp) of B and of all fault windows in `training`. It
-/// is that of the last epoch. Initial values come from stream.child("initial"). Throws as
-/// SymptomScale does.
+/// Trains a network on the symptoms (symptom_inputs.hpp) of B and of all fault windows in
+/// `training`, and returns the network of the last epoch. Initial values come from
+/// stream.child("initial"). Throws as SymptomScale does.
 Learned train_symptom_net(const signal::WindowSet& normal, const signal::WindowSet& training,
                           const Stream& stream, const EpochDone& epoch_done = {});
 std::unique_ptr<Trained> read_symptom_net(const artefact::Reader& reader,

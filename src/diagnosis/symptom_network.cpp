@@ -17,7 +17,7 @@ std::vector<nets::ParameterSpec> both_layers(std::int64_t classes) {
   return specs;
 }
 
-/// 0 for a unit that is dropped, and more than 1 for one that is not.
+/// Returns 0 for dropped units, and a factor above 1 for the others.
 nets::RowArray<double> drawn_dropout(std::int64_t rows, Stream& dropped) {
   nets::RowArray<double> factors(rows, SymptomNetwork::hidden);
   for (double& factor : factors.reshaped<Eigen::RowMajor>()) {

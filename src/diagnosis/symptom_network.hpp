@@ -17,31 +17,32 @@
 
 namespace piae::diagnosis {
 
-/// The network symptom-net: 17 symptoms, a hidden layer of 48 with ReLU, the classes. Trained by
-/// Adam on the cross-entropy.
+/// The network symptom-net: 17 symptoms, a hidden layer of 48 with ReLU, the classes. Adam trains
+/// it on the cross-entropy.
 class SymptomNetwork {
  public:
   static constexpr std::int64_t hidden = 48;
   static constexpr double dropout = 0.2;  ///< of the hidden layer, in training (Srivastava 2014)
 
-  /// For batches of up to `most_rows`; initial values come from the stream (nets/parameters.hpp).
+  /// Makes a network for batches of up to `most_rows`; initial values come from the stream
+  /// (nets/parameters.hpp).
   SymptomNetwork(std::int64_t classes, std::int64_t most_rows, const Stream& initial);
 
-  /// What it makes of a batch.
+  /// Output for a batch.
   struct Outputs {
     nets::RowArray<double> hidden;  ///< [rows, 48] after ReLU
     nets::RowArray<double> logits;  ///< [rows, classes]
   };
   Outputs outputs(const SymptomRows& batch);
 
-  /// One step of Adam by a batch. Which hidden units are dropped is drawn from the stream; the
-  /// others are scaled up, so that their sum stays as it is on average.
+  /// Makes one step of Adam on a batch. The stream draws which hidden units are dropped; the others
+  /// are scaled up, so that their sum stays the same on average.
   BatchOutcome step(const SymptomRows& batch, std::span<const Label> labels, double learning_rate,
                     Stream& dropped);
 
-  /// Its parameters as <group>/hidden/0/weight and so on, in single precision.
+  /// Writes the parameters as <group>/hidden/0/weight and so on, in single precision.
   void write(artefact::Writer& writer, const std::string& group) const;
-  /// Throws artefact::Refusal where one is missing or has another shape.
+  /// Throws artefact::Refusal if a parameter is missing or has another shape.
   void read(const artefact::Reader& reader, const std::string& group);
 
  private:

@@ -17,12 +17,12 @@ struct TimeRange {
   [[nodiscard]] std::int64_t size() const { return end - begin; }
 };
 
-/// The indices i in [0, n) for which first + i is in [0, length).
+/// Returns the indices i in [0, n) for which first + i is in [0, length).
 TimeRange inside(std::int64_t first, std::int64_t n, std::int64_t length) {
   return {std::max(std::int64_t{0}, -first), std::min(n, length - first)};
 }
 
-/// How the times of one batch are summed, tap by tap, into those of another.
+/// Shapes for summing the times of one batch, tap by tap, into those of another.
 struct Taps {
   std::int64_t width;
   std::int64_t padding;
@@ -32,9 +32,9 @@ struct Taps {
   std::int64_t to_channels;
 };
 
-/// to[t] = sum over taps k of from[t - padding + k] weight[k], for the taps at which `from` has a
-/// time. Neighbouring times for which these are the same taps are computed as one matrix product;
-/// that is all times but the first and last few.
+/// Computes to[t] = sum over taps k of from[t - padding + k] weight[k], for the taps at which
+/// `from` has a time. Neighbouring times with the same taps are computed as one matrix product;
+/// these are all times but the first and last few.
 template <class T>
 void apply(const Taps& taps, std::int64_t windows, const T* from, const T* weight, T* to) {
   for (std::int64_t begin = 0; begin < taps.to_length;) {
@@ -63,8 +63,7 @@ void apply(const Taps& taps, std::int64_t windows, const T* from, const T* weigh
   }
 }
 
-/// Transposes a matrix, one square after the other, so that what is read and written stays in the
-/// fastest cache.
+/// Transposes a matrix in square blocks, so that all accesses stay in the fastest cache.
 template <class T>
 void transpose(std::int64_t rows, std::int64_t columns, const T* from, T* to) {
   for (std::int64_t r0 = 0; r0 < rows; r0 += row_granule) {
@@ -110,7 +109,7 @@ void weight_gradient(const TimeConvolution& shape, std::int64_t windows, const T
 template <class T>
 void input_gradient(const TimeConvolution& shape, std::int64_t windows, const T* weight,
                     const T* output_gradient, T* transposed, T* gradient) {
-  // This is a convolution from output to input, with the taps in reverse order.
+  // The gradient is a convolution from output to input, with the taps in reverse order.
   for (std::int64_t tap = 0; tap < shape.width; ++tap) {
     transpose(shape.inputs, shape.outputs, weight + tap * shape.inputs * shape.outputs,
               transposed + (shape.width - 1 - tap) * shape.inputs * shape.outputs);

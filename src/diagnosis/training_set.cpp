@@ -21,7 +21,7 @@ namespace {
 
 using signal::WindowSet;
 
-/// Says what is wrong with a set, and which option named its file.
+/// Throws Error(bad_input) with the problem of a set and the option that named its file.
 [[noreturn]] void refuse(const std::string& option, const std::string& what) {
   throw Error(Exit::bad_input, option + ": " + what);
 }
@@ -59,7 +59,7 @@ void require_windows_of_class(const WindowSet& set, const std::string& option, L
                                "made for this option");
 }
 
-/// Refuses a set that lacks a class which belongs there, or has one that does not.
+/// Throws if a set lacks a class that it needs, or has one that it must not have.
 void require_classes(const WindowSet& set, const std::string& option, bool healthy, bool faults) {
   const Label healthy_label = set.info.healthy_label();
   for (Label label = 0; index_of(label) < set.info.classes.size(); ++label) {
@@ -76,8 +76,8 @@ void require_enough(const WindowSet& generated, Label label, std::size_t needed)
                             std::to_string(needed) + " or more, or choose another --ratio");
 }
 
-/// The speed of the shaft in a generated window that does not say it, where B and C have one alone:
-/// its middle. Else NaN.
+/// Returns the shaft speed of a generated window without a recorded speed: the middle of the speeds
+/// of B and C if these are the same; otherwise NaN.
 double unsaid_speed_rpm(const signal::DatasetInfo& info, std::vector<double> speeds) {
   std::ranges::transform(info.conditions, std::back_inserter(speeds),
                          &signal::Condition::shaft_speed_rpm);
@@ -86,7 +86,7 @@ double unsaid_speed_rpm(const signal::DatasetInfo& info, std::vector<double> spe
                                                    : std::numeric_limits<double>::quiet_NaN();
 }
 
-/// The speed of the shaft in each of these windows.
+/// Appends the shaft speed of each window.
 void append_speeds(std::vector<double>& speeds, const WindowSet& windows) {
   for (std::size_t i = 0; i < windows.size(); ++i) speeds.push_back(windows.speed_rpm(i));
 }

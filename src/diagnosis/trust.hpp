@@ -8,34 +8,35 @@
 
 namespace piae::diagnosis {
 
-/// How far a kept classifier is to be believed, by windows that it was not trained on, A.
+/// Trust in a kept classifier, measured on windows A, which it was not trained on.
 struct Trust {
   double accuracy = 0;  ///< in [0, 1]
-  /// Expected calibration error (scoring/calibration.hpp) of its scores as they are, and by the
+  /// Expected calibration error (scoring/calibration.hpp) of its raw scores, and after the
   /// temperature; in [0, 1].
   double raw_calibration_error = 0;
   double calibration_error = 0;
-  double called_unknown = 0;  ///< share of these windows, all of which were trained, in [0, 1]
-  /// If a class of fault had not been trained: how well strangeness tells its windows from those of
-  /// the other classes (scoring/auroc.hpp), and which share of them is called unknown.
+  double called_unknown = 0;  ///< share of test windows called unknown, in [0, 1]; all were trained
+  /// Results for a fault class as if it had not been trained: how well novelty separates its
+  /// windows from those of the other classes (scoring/auroc.hpp), and the share of them called
+  /// unknown.
   struct Untrained {
     double auroc = 0;
     double called_unknown = 0;
   };
-  std::map<Label, Untrained> untrained;  ///< empty where it cannot be told what is strange
+  std::map<Label, Untrained> untrained;  ///< empty if novelty is unavailable
 };
 
-/// By windows of each class.
+/// Measures the trust on the windows of each class.
 Trust trust_in(KeptClassifier& kept, const signal::WindowSet& test);
 
-/// One line: how sure it may be of windows that it has not seen.
+/// Returns one line: how certain the classifier may be about new windows.
 std::string summary_of(const KeptClassifier& kept, const Trust& trust);
 
-/// In the artefact: /trust with the first four as attributes, and /trust/untrained_class,
+/// Writes /trust with the first four as attributes, and /trust/untrained_class,
 /// /trust/untrained_auroc, /trust/untrained_called_unknown.
 void write(artefact::Writer& writer, const Trust& trust);
-/// Of a classifier of that data set. Throws artefact::Refusal for shares that cannot be, and where
-/// not each class of fault is named once.
+/// Reads the trust in a classifier of that data set. Throws artefact::Refusal for impossible
+/// shares, and unless each fault class occurs once.
 Trust read_trust(const artefact::Reader& reader, const signal::DatasetInfo& info);
 
 }  // namespace piae::diagnosis

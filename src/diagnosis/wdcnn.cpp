@@ -27,7 +27,7 @@ void require_trainable(const LabelledWindows& train) {
   }
 }
 
-/// `epoch` is counted from 1.
+/// Runs one epoch; `epoch` is counted from 1.
 void run_epoch(WdcnnBackend& backend, std::size_t windows, std::int64_t epoch,
                const WdcnnOptions& options, const Stream& stream, Training& training) {
   backend.begin_epoch(stream.child("epoch" + std::to_string(epoch)).permutation(windows));

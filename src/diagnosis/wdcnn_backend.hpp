@@ -16,27 +16,26 @@
 
 namespace piae::diagnosis {
 
-/// A WDCNN that can be asked.
+/// A WDCNN that computes outputs.
 class Wdcnn {
  public:
   virtual ~Wdcnn() = default;
 
-  /// What the network makes of each window. Batch normalisation uses its running statistics.
+  /// Returns the output for each window. Batch normalisation uses its running statistics.
   virtual Outputs outputs(const LabelledWindows& windows) = 0;
   [[nodiscard]] virtual WdcnnWeights weights() const = 0;
 };
 
-/// A back end: it computes WDCNN on one training set, with its gradients and the steps of Adam.
-/// Which windows make a batch, and when the training ends, is decided in wdcnn.cpp, for every back
-/// end alike.
+/// A back end: computes WDCNN on one training set, with its gradients and the steps of Adam.
+/// wdcnn.cpp decides the batches and the end of the training, equally for every back end.
 class WdcnnBackend : public Wdcnn {
  public:
-  /// Begins an epoch over the training windows in this order.
+  /// Starts an epoch over the training windows in this order.
   virtual void begin_epoch(std::span<const std::size_t> order) = 0;
-  /// One update of the parameters by the windows [begin, end) of that order, of which there must be
-  /// at least 2.
+  /// Updates the parameters once by the windows [begin, end) of that order, at least 2.
   virtual void step(std::int64_t begin, std::int64_t end) = 0;
-  /// What all batches since begin_epoch() gave together, each at the parameters before its update.
+  /// Returns the sum over all batches since begin_epoch(), each at the parameters before its
+  /// update.
   virtual BatchOutcome finish_epoch() = 0;
 };
 

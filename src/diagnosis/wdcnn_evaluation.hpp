@@ -8,11 +8,11 @@
 
 namespace piae::diagnosis {
 
-/// What our network for one core makes of windows, `batch` of them at a time.
+/// Returns the output of our one-core network for windows, `batch` of them at a time.
 Outputs outputs_of(WdcnnNetwork<float>& network, std::int64_t batch,
                    const LabelledWindows& windows);
 
-/// A trained network on one core, without what only a training needs.
+/// Makes a trained network on one core, without the memory that only a training needs.
 std::unique_ptr<Wdcnn> wdcnn_of(const WdcnnWeights& weights);
 
 }  // namespace piae::diagnosis

@@ -20,12 +20,12 @@ void append_standardised(std::vector<float>& samples, const Eigen::ArrayXd& spec
   const Eigen::ArrayXf bands = spectrum.cast<float>();
   const auto begin = static_cast<std::ptrdiff_t>(samples.size());
   samples.resize(samples.size() + static_cast<std::size_t>(bands.size()));
-  if (bands.minCoeff() == bands.maxCoeff()) return;  // it stays at zero
+  if (bands.minCoeff() == bands.maxCoeff()) return;  // stays zero
   standardise(std::span(bands.data(), static_cast<std::size_t>(bands.size())),
               samples.data() + begin);
 }
 
-/// These spectra of each window one behind the other, all with the same number of bands.
+/// Returns the given spectra of each window one after another, all with the same number of bands.
 LabelledWindows represent(const signal::WindowSet& windows, const std::string& what,
                           std::initializer_list<Spectrum> spectra) {
   require_varying(windows, what);

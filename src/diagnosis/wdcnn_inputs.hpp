@@ -9,21 +9,21 @@
 
 namespace piae::diagnosis {
 
-// Windows as WDCNN sees them where it is shown spectra. The floor of their logarithms is
-// amplitude_floor of each window's root mean square. Each spectrum is freed of its mean over the
-// bands and scaled to unit standard deviation, so that the gain of a recording does not give its
-// class away; one that is the same in all bands is all zeros. There are at least as many inputs as
-// a window has samples, and never fewer than the network needs: 1024 for windows of up to 1024
-// samples that divide it. `what` names the set in errors. All throw Error(bad_input) for a constant
-// window, as standardise() does.
+// Spectra of windows as the input of WDCNN. The floor of their logarithms is amplitude_floor times
+// each window's root mean square. Each spectrum is scaled to mean 0 over the bands and unit
+// standard deviation, so that the gain of a recording does not reveal its class; a constant
+// spectrum becomes all zeros. There are at least as many inputs as a window has samples, and at
+// least as many as the network needs: 1024 for windows of up to 1024 samples that divide it. `what`
+// names the set in errors. All throw Error(bad_input) for a constant window, as standardise() does.
 
-/// The log_spectrum() of each window.
+/// Returns the log_spectrum() of each window.
 LabelledWindows log_spectra(const signal::WindowSet& windows, const std::string& what);
 
-/// The log_envelope_spectrum() of each window.
+/// Returns the log_envelope_spectrum() of each window.
 LabelledWindows log_envelope_spectra(const signal::WindowSet& windows, const std::string& what);
 
-/// Both side by side, the log_spectrum() first, each with half of the inputs and scaled by itself.
+/// Returns both side by side, the log_spectrum() first, each with half of the inputs and scaled
+/// separately.
 LabelledWindows both_log_spectra(const signal::WindowSet& windows, const std::string& what);
 
 inline constexpr Classifier wdcnn{.name = scoring::paper_classifier,

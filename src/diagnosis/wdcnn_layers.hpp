@@ -6,14 +6,14 @@
 
 namespace piae::diagnosis {
 
-/// A convolution along time. It has no bias, because the batch normalisation that follows it would
-/// subtract any constant again.
+/// A convolution along time. It has no bias, because the batch normalisation after it would remove
+/// any constant.
 struct Convolution {
   std::int64_t inputs;   ///< channels
   std::int64_t outputs;  ///< channels
   std::int64_t width;    ///< samples
   std::int64_t stride;   ///< samples
-  std::int64_t padding;  ///< zeros at either end
+  std::int64_t padding;  ///< zeros at each end
 
   [[nodiscard]] constexpr std::int64_t output_length(std::int64_t length) const {
     return length + 2 * padding < width ? 0 : (length + 2 * padding - width) / stride + 1;
@@ -36,16 +36,16 @@ struct WdcnnLayers {
   /// The shortest window that leaves one sample after the last pooling.
   static constexpr std::int64_t shortest_window = 1024;
 
-  /// How many values reach the dense layer for a window of `length` samples: 64 for 1024 samples,
-  /// 192 for 2048 (the length in Zhang et al.), 0 for a window that is too short.
+  /// Returns the number of values that reach the dense layer for a window of `length` samples: 64
+  /// for 1024 samples, 192 for 2048 (the length in Zhang et al.), 0 for a window that is too short.
   [[nodiscard]] static constexpr std::int64_t features(std::int64_t length) {
     for (const Convolution& c : convolutions) length = c.output_length(length) / pooling;
     return length * convolutions.back().outputs;
   }
 };
 
-/// The constants of batch normalisation, which is that of PyTorch: the variance of a batch is
-/// biased where it normalises the batch, and unbiased where it enters the running statistics.
+/// Constants of batch normalisation, as in PyTorch: the biased variance of a batch normalises the
+/// batch, and the unbiased one enters the running statistics.
 struct BatchNormalisation {
   static constexpr double epsilon = 1e-5;
   static constexpr double momentum = 0.1;  ///< weight of the newest batch in the running statistics

@@ -8,8 +8,8 @@ namespace piae::diagnosis {
 
 namespace {
 
-/// The inputs of one tap: the channels of the layer before. The dense layer reads these at several
-/// times; each time is a tap.
+/// Returns the inputs of one tap: the channels of the previous layer. The dense layer reads these
+/// at several times; each time is a tap.
 std::int64_t inputs_of(const nets::ParameterSpec& spec) {
   if (spec.shape.size() == 1) return 1;
   return spec.name == "dense/weight" ? WdcnnLayers::convolutions.back().outputs : spec.shape[1];
@@ -24,8 +24,8 @@ std::vector<WdcnnParameter> wdcnn_layout(std::int64_t length, std::int64_t class
     const std::int64_t outputs = spec.shape[0];
     const std::int64_t inputs = inputs_of(spec);
     const std::int64_t taps = spec.size() / (outputs * inputs);
-    // The first convolution has one input, of which it reads several samples at a time as channels
-    // (wdcnn_network.cpp). So this one is not filled up.
+    // The first convolution has one input and reads several samples at a time as channels
+    // (wdcnn_network.cpp), so it is not padded.
     const std::int64_t held_inputs = inputs == 1 ? 1 : whole_rows(inputs);
     layout.push_back({.spec = spec,
                       .begin = begin,

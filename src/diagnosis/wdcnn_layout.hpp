@@ -8,22 +8,22 @@
 
 namespace piae::diagnosis {
 
-/// Where a parameter of WDCNN (wdcnn_parameters.hpp) lies in the one array in which our own back
-/// end holds them all. It lies there as [tap, input, output], with inputs and outputs filled up to
-/// whole vectors by zeros. These zeros stay zero, and so do their gradients.
+/// Place of a parameter of WDCNN (wdcnn_parameters.hpp) in the single array of our own back end. It
+/// is stored as [tap, input, output], with inputs and outputs padded to whole vectors by zeros.
+/// These zeros and their gradients stay zero.
 struct WdcnnParameter {
   nets::ParameterSpec spec;  ///< its shape is [outputs, inputs * taps], or [outputs] for a vector
   std::int64_t begin;        ///< index of its first number in the array
   std::int64_t outputs;
   std::int64_t inputs;        ///< 1 for a vector
   std::int64_t taps;          ///< 1 for a vector
-  std::int64_t held_inputs;   ///< inputs with the zeros that fill them up
-  std::int64_t held_outputs;  ///< outputs with the zeros that fill them up
+  std::int64_t held_inputs;   ///< inputs with padding
+  std::int64_t held_outputs;  ///< outputs with padding
 
   [[nodiscard]] std::int64_t held_size() const { return taps * held_inputs * held_outputs; }
 
-  /// Calls f(i, j) for each number of the parameter: i is its place in the order of the spec, j its
-  /// place in the array.
+  /// Calls f(i, j) for each number of the parameter: i is its index in the order of the spec, j its
+  /// index in the array.
   template <class Function>
   void for_each(const Function& f) const {
     std::int64_t i = 0;
@@ -37,7 +37,7 @@ struct WdcnnParameter {
   }
 };
 
-/// The layout of all parameters, in the order of wdcnn_parameters(length, classes).
+/// Returns the layout of all parameters, in the order of wdcnn_parameters(length, classes).
 std::vector<WdcnnParameter> wdcnn_layout(std::int64_t length, std::int64_t classes);
 
 }  // namespace piae::diagnosis

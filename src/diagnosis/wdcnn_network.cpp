@@ -11,8 +11,8 @@ namespace piae::diagnosis {
 
 namespace {
 
-/// The first convolution has a stride, which is also the number of samples that are read as
-/// channels of one time (time_convolution.hpp).
+/// The stride of the first convolution is also the number of samples that become the channels of
+/// one time (time_convolution.hpp).
 constexpr Convolution first = WdcnnLayers::convolutions.front();
 constexpr std::int64_t first_channels = first.stride * first.inputs;
 static_assert(first.width % first.stride == 0 && first_channels % row_granule == 0);
@@ -26,8 +26,8 @@ TimeConvolution first_convolution(std::int64_t length) {
           .input_length = first.output_length(length) + taps - 1};
 }
 
-/// All layers with batch normalisation, the convolutions and the dense layer, for windows of
-/// `length` samples.
+/// Returns all layers with batch normalisation, the convolutions and the dense layer, for windows
+/// of `length` samples.
 std::vector<TimeConvolution> normalised_layers(std::int64_t length) {
   std::vector<TimeConvolution> layers{first_convolution(length)};
   for (std::size_t i = 1; i < WdcnnLayers::convolutions.size(); ++i) {
@@ -91,7 +91,7 @@ void WdcnnNetwork<T>::make_layers() {
   for (std::size_t i = 0; i < convolutions.size(); ++i) {
     const std::string name = layer_name(i);
     const Numbers zeros = Numbers::Zero(convolutions[i].outputs);
-    // A class with a base can have no designated initialisers.
+    // A class with a base cannot have designated initialisers.
     layers_.push_back({make_layer(convolutions[i], name),
                        /*pooling=*/name == "dense" ? 1 : WdcnnLayers::pooling,
                        /*scale=*/begin_of(name + "/scale"), /*shift=*/begin_of(name + "/shift"),

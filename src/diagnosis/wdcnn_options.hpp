@@ -6,11 +6,11 @@
 
 namespace piae::diagnosis {
 
-/// The settings of a training of WDCNN. The literature gives none of these values; they were
-/// calibrated on seeds 100 to 104 (pipeline/protocol.toml, [diagnose]).
+/// Training settings of WDCNN. The literature gives none of these values; they were calibrated on
+/// seeds 100 to 104 (pipeline/protocol.toml, [diagnose]).
 struct WdcnnOptions {
   std::int64_t epochs = 50;     ///< passes over the training set
-  std::int64_t batch = 32;      ///< windows a step
+  std::int64_t batch = 32;      ///< windows per step
   double learning_rate = 5e-3;  ///< of Adam, constant
 };
 

@@ -6,7 +6,7 @@ namespace piae::diagnosis {
 
 namespace {
 
-/// Adds the weight of a layer, and scale and shift of the batch normalisation that follows it.
+/// Adds the weight of a layer, and scale and shift of its batch normalisation.
 void add_normalised_layer(std::vector<nets::ParameterSpec>& specs, const std::string& name,
                           const std::vector<std::int64_t>& shape, std::int64_t fan_in) {
   specs.push_back({.name = name + "/weight",

@@ -11,11 +11,11 @@ using Eigen::Index;
 
 namespace {
 
-/// Gaussian weights of points, not yet divided by their sum.
+/// Gaussian weights of points, before division by their sum.
 struct GaussianWeights {
   Eigen::ArrayXd weights;
   double sum;
-  double entropy;  ///< of the weights divided by their sum, natural logarithm
+  double entropy;  ///< entropy of the weights divided by their sum, natural logarithm
 
   GaussianWeights(const Eigen::ArrayXd& squared_distances, double beta)
       : weights((-beta * squared_distances).exp()),
@@ -26,19 +26,20 @@ struct GaussianWeights {
 }  // namespace
 
 Eigen::ArrayXd neighbour_probabilities(const Eigen::ArrayXd& squared_distances, double perplexity) {
-  // Distances from the nearest leave the probabilities as they are, and its weight is 1: so the sum
-  // of the weights is never 0. In units of the largest, beta is between limits that hold for all.
+  // Subtracting the smallest distance does not change the probabilities. The nearest point then has
+  // weight 1, so the sum of the weights is never 0. Dividing by the largest distance bounds beta
+  // for all inputs.
   Eigen::ArrayXd beyond = squared_distances - squared_distances.minCoeff();
   const double largest = beyond.maxCoeff();
   if (largest > 0) beyond /= largest;
 
-  // At beta = 1 no weight is below 1/e, so the entropy is at least ln(n) - 1, which is more than
-  // that of n/3. At the upper limit only what is as near as the nearest has any weight.
+  // At beta = 1 no weight is below 1/e, so the entropy is at least ln(n) - 1, which exceeds that of
+  // n/3. At the upper limit only points as near as the nearest have any weight.
   double low = 0;
   double high = 200;
   const double wanted = std::log(perplexity);
   constexpr double tolerance = 1e-8;
-  constexpr int most_halvings = 60;  // where the wanted entropy does not exist
+  constexpr int most_halvings = 60;  // limit if no beta gives the wanted entropy
   for (int halving = 0;; ++halving) {
     const double middle = (low + high) / 2;
     GaussianWeights found(beyond, std::exp(middle));
@@ -51,7 +52,7 @@ Eigen::ArrayXd neighbour_probabilities(const Eigen::ArrayXd& squared_distances, 
 
 Eigen::MatrixXd pair_probabilities(const Eigen::MatrixXd& squared_distances, double perplexity) {
   const Index n = squared_distances.rows();
-  Eigen::MatrixXd of_neighbours(n, n);  // column i: of the neighbours of point i
+  Eigen::MatrixXd of_neighbours(n, n);  // column i: neighbour probabilities of point i
   parallel_for(static_cast<std::size_t>(n), [&](std::size_t point) {
     const auto i = static_cast<Index>(point);
     const Index after = n - 1 - i;

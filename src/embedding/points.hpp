@@ -4,14 +4,15 @@
 
 namespace piae::embedding {
 
-/// Points, a row for each: [N, D]. The coordinates have any unit that all of them share.
+/// Points, one per row: [N, D]. All coordinates share one unit.
 using Points = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-/// Points of a plane: [N, 2]. All x stand in a row, and all y, as what computes with them needs it.
+/// Points of a plane: [N, 2]. All x are contiguous, and so are all y, because the arithmetic uses
+/// vectors.
 using Plane = Eigen::ArrayX2d;
 
-/// The squared Euclidean distances of all pairs of points: [N, N], symmetric to the last bit. They
-/// are sums of squared differences, so equal points are exactly 0 apart.
+/// Returns the squared Euclidean distances of all pairs of points: [N, N], symmetric to the last
+/// bit. Sums squared differences, so equal points are exactly 0 apart.
 Eigen::MatrixXd squared_distances(const Points& points);
 
 }  // namespace piae::embedding

@@ -15,11 +15,11 @@ namespace {
 constexpr double start_deviation = 1e-4;
 constexpr double noise_deviation = 1e-6;
 
-/// Components with less of the first one's variance are what rounding leaves of coordinates that
-/// were once in single precision.
+/// A component with less than this fraction of the first one's variance is rounding noise of
+/// coordinates that were once in single precision.
 constexpr double least_variance = 1e-12;
 
-/// Of the two signs that an eigenvector can have, the one with which its largest entry is positive.
+/// Returns the eigenvector with the sign that makes its largest entry positive.
 Eigen::VectorXd with_fixed_sign(const Eigen::VectorXd& direction) {
   Index largest = 0;
   direction.cwiseAbs().maxCoeff(&largest);

@@ -16,8 +16,8 @@ using Eigen::Index;
 
 namespace {
 
-/// The squared distances from point i of all others; that from itself is infinite, so that it comes
-/// last.
+/// Returns the squared distances of all points from point i. The distance of i itself is infinite,
+/// so that it comes last.
 Eigen::ArrayXd from_point(const Eigen::MatrixXd& squared_distances, Index i) {
   Eigen::ArrayXd distances = squared_distances.col(i);
   distances[i] = std::numeric_limits<double>::infinity();
@@ -33,7 +33,7 @@ std::vector<Index> nearest(const Eigen::ArrayXd& distances, Index count) {
   return order;
 }
 
-/// The rank of j by distance, from 1.
+/// Returns the rank of j by distance, from 1.
 Index rank_among(const Eigen::ArrayXd& distances, Index j) {
   const Index after = distances.size() - 1 - j;
   return 1 + (distances.head(j) <= distances[j]).count() +

@@ -34,15 +34,15 @@ void check_tsne(const Points& points, const TsneOptions& options) {
   }
 }
 
-/// N / exaggeration, as Belkina et al. have it, for a gradient without our factor 4. scikit-learn
-/// takes no less than 50, with which less than some hundred points jump to and fro while they are
-/// exaggerated: 90 normally distributed ones end at a divergence of 0.96 instead of 0.79.
+/// Returns N / exaggeration as in Belkina et al., for a gradient without our factor 4. scikit-learn
+/// uses at least 50, with which fewer than about a hundred points oscillate while they are
+/// exaggerated: 90 normally distributed points end at a divergence of 0.96 instead of 0.79.
 double learning_rate(Index n, double exaggeration) {
   return static_cast<double>(n) / exaggeration / 4;
 }
 
-/// Gains are the factors of Jacobs (1988), one for each coordinate: they grow while it goes on in
-/// one direction, and shrink while it goes to and fro.
+/// Gains are the factors of Jacobs (1988), one per coordinate. A gain grows while the coordinate
+/// keeps its direction and shrinks while it alternates.
 void descend(Plane& places, const KlGradient& gradient_at, const TsneOptions& options) {
   const double rate = learning_rate(places.rows(), options.exaggeration);
   Plane step = Plane::Zero(places.rows(), 2);
@@ -58,7 +58,7 @@ void descend(Plane& places, const KlGradient& gradient_at, const TsneOptions& op
   }
 }
 
-/// The rows of points by their first coordinate, then by the second, and so on.
+/// Returns the rows of points, sorted by the first coordinate, then by the second, and so on.
 std::vector<Index> sorted_rows(const Points& points) {
   std::vector<Index> rows(static_cast<std::size_t>(points.rows()));
   std::iota(rows.begin(), rows.end(), Index{0});
@@ -72,7 +72,7 @@ std::vector<Index> sorted_rows(const Points& points) {
 
 TsneMap tsne(const Points& points, const TsneOptions& options) {
   check_tsne(points, options);
-  // In another order sums would round otherwise, and the descent end in another minimum.
+  // Another order would round the sums differently and could lead to another minimum.
   const std::vector<Index> order = sorted_rows(points);
   const Points sorted = points(order, Eigen::all);
   const Eigen::MatrixXd probabilities =

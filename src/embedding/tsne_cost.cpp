@@ -13,25 +13,24 @@ using Eigen::Index;
 
 namespace {
 
-/// Pairs that a thread takes at once, a third of a millisecond's work. A step of less is not shared
-/// out: where other programs keep a core busy, a thread waits longer than that for the last one.
+/// Pairs that a thread takes at once, a third of a millisecond of work. A smaller step runs on one
+/// thread: on a busy machine, waiting for the slowest thread costs more than the step.
 constexpr Index pairs_at_once = 1 << 20;
 
-/// Where the points stand that fill up the last vector of a row: so far away that they do not
-/// count, but near enough that their squared weights are ordinary numbers, which are faster than
-/// denormal ones.
+/// Position of the points that fill up the last vector of a row. They are far enough away to have
+/// no effect, but near enough that their squared weights are not denormal numbers, which are slow.
 constexpr float far_away = 1e9F;
 
-/// Probabilities below this count as 0. In a product with weights they would become denormal, and
-/// all of them together are less than what single precision rounds away.
+/// Probabilities below this count as 0. Their products with weights would be denormal, and their
+/// sum is below the rounding of single precision.
 constexpr double least_probability = 1e-20;
 
-/// What all points do to point i. The attraction is sum p_ij w_ij (y_i - y_j), the repulsion sum
-/// w_ij^2 (y_i - y_j), still to be divided by the sum of all weights.
+/// Effect of all points on point i. The attraction is sum p_ij w_ij (y_i - y_j); the repulsion is
+/// sum w_ij^2 (y_i - y_j), to be divided by the sum of all weights.
 struct Pull {
   double attraction[2];
   double repulsion[2];
-  double weights;  ///< sum w_ij, with the 1 of i = j
+  double weights;  ///< sum w_ij, including the 1 of i = j
 };
 
 double sum_of_lanes(Vector<float> vector) {
@@ -42,7 +41,7 @@ double sum_of_lanes(Vector<float> vector) {
   return sum;
 }
 
-/// `count` is a multiple of the lanes of a vector.
+/// `count` must be a multiple of the lanes of a vector.
 Pull pull_on(float at_x, float at_y, const float* p, const float* x, const float* y, Index count) {
   Vector<float> attraction_x{};
   Vector<float> attraction_y{};

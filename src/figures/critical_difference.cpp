@@ -9,13 +9,13 @@ namespace piae::figures {
 
 namespace {
 
-/// Methods that the test does not tell apart, as places in their order from the best.
+/// Methods that the test cannot distinguish, as places in their order from the best.
 struct Alike {
   std::size_t first = 0;
   std::size_t last = 0;
 };
 
-/// Those that are not part of a larger group. `ranks` ascend.
+/// Returns the groups that are not part of a larger group. `ranks` ascend.
 std::vector<Alike> groups_within(const std::vector<double>& ranks, double difference) {
   std::vector<Alike> groups;
   for (std::size_t first = 0; first < ranks.size(); ++first) {

@@ -27,19 +27,19 @@ constexpr NamedCurve weights[] = {{"alpha", &twin::Curves::alpha},
                                   {"beta", &twin::Curves::beta},
                                   {"gamma", &twin::Curves::gamma}};
 
-/// The loss that belongs to each weight.
+/// Loss that belongs to each weight.
 constexpr NamedCurve weighted_losses[] = {{"alpha", &twin::Curves::differential},
                                           {"beta", &twin::Curves::twin},
                                           {"gamma", &twin::Curves::reconstruction}};
 
-/// The training of one seed.
+/// Training of one seed.
 struct SeedCurves {
   std::string seed;
-  std::size_t epochs_in_a_row = 1;  ///< in the same stage
+  std::size_t epochs_in_a_row = 1;  ///< of the same stage
   twin::Curves curves;
 };
 
-/// Only the options of `train`, which the model holds as TOML, say how long a stage lasts.
+/// Returns the length of a stage. The model stores it only in the options of `train`, as TOML.
 std::size_t stage_epochs_of(const artefact::Reader& model) {
   const std::string options = model.strings("/provenance/options").at(0);
   const auto given = toml::parse(options)["stage-epochs"].value<std::string>();
@@ -61,7 +61,7 @@ std::vector<SeedCurves> curves_of_all_seeds(Source& source) {
   return all;
 }
 
-/// The mean over the seeds, as far as the shortest training goes.
+/// Returns the mean over the seeds, up to the end of the shortest training.
 std::vector<double> mean_curve(const std::vector<SeedCurves>& seeds, const NamedCurve& curve) {
   std::vector<double> mean = seeds.front().curves.*curve.values;
   for (const SeedCurves& seed : std::span(seeds).subspan(1)) {
@@ -94,7 +94,7 @@ Numbers all_curves(const std::vector<SeedCurves>& seeds, std::span<const NamedCu
   return numbers;
 }
 
-/// Where eq. 23 is least for the mean loss of each epoch, 1 / (2 L).
+/// Adds the minimum of eq. 23 for the mean loss L of each epoch, 1 / (2 L).
 void add_stationary_weights(Numbers& numbers, const std::vector<SeedCurves>& seeds) {
   SeedCurves stationary{
       .seed = "stationary", .epochs_in_a_row = seeds.front().epochs_in_a_row, .curves = {}};

@@ -27,8 +27,8 @@ struct Map {
   double kl = 0;
 };
 
-/// Of each method the cell whose features are kept. Where they are kept of several, that is the
-/// last one: ratios are in the order of Table 5, in which more and more windows are generated.
+/// Returns for each method the cell with stored features. If there are several, it is the last one,
+/// because ratios are in the order of Table 5, with ever more generated windows.
 std::vector<run::Combination> cells_with_features(const Source& source) {
   std::vector<run::Combination> cells;
   const auto is_kept = [&](const run::Combination& cell) {

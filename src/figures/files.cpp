@@ -15,8 +15,8 @@ bool is_picture_of(const Figure& figure, const std::string& name) {
   return name == figure.name || name.starts_with(std::string(figure.name) + "@");
 }
 
-/// Of the paper's classifier, where the run has it, the picture must be made; of others those that
-/// can be.
+/// Makes a picture for each classifier. Only the paper's classifier, if the run has it, must
+/// succeed.
 std::vector<text::File> files_by_classifier(Source& source, const Figure& figure) {
   std::vector<text::File> files;
   for (const report::ClassifierRows& block : source.accuracies()) {
@@ -47,7 +47,7 @@ std::vector<text::File> csv_files_of(Source& source, const Figure& figure) {
   return files;
 }
 
-/// All pictures of a figure but those in these files.
+/// Removes all stored pictures of a figure except these files.
 void remove_others(const run::Layout& layout, const Figure& figure,
                    const std::vector<text::File>& files) {
   for (const std::string& name : stored_pictures(layout, figure)) {

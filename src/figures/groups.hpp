@@ -7,16 +7,16 @@
 
 namespace piae::figures {
 
-/// Methods that are drawn in the same figure, as the paper's tables have them side by side.
+/// Methods drawn in the same figure, grouped as in the paper's tables.
 enum class Group {
-  methods,  ///< those that Tables 8 and 9 compare: all but the ablations
-  models,   ///< the paper's five models (Tables 10 and 11), and the ablations of its outlook
+  methods,  ///< methods of Tables 8 and 9: all but the ablations
+  models,   ///< the paper's five models (Tables 10 and 11) and the ablations of its outlook
 };
 
-/// Those of them that are of a group, in their order. Throws LeftOut where none is.
+/// Returns the methods of a group, in their order. Throws LeftOut if there are none.
 std::vector<std::string> methods_among(const std::vector<std::string>& all, Group group);
 
-/// The same of all methods of a grid.
+/// Returns the methods of a group in a grid. Throws LeftOut if there are none.
 std::vector<std::string> methods_in(const run::Grid& grid, Group group);
 
 }  // namespace piae::figures

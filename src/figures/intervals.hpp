@@ -7,7 +7,7 @@
 
 namespace piae::figures {
 
-/// The ends of the 95 % interval of a mean as two fields, which are empty where tables show none
+/// Returns the ends of the 95 % interval of a mean as two fields, empty if tables show none
 /// (report/bounded_summary.hpp).
 std::vector<std::string> shown_interval(const scoring::Summary& summary);
 

@@ -6,7 +6,7 @@
 
 namespace piae::figures {
 
-/// What the lines of a defect in an envelope spectrum are called: "BPFO", "BPFI" or "2BSF".
+/// Returns the name of a defect's lines in an envelope spectrum: "BPFO", "BPFI" or "2BSF".
 std::string line_name(signal::Defect defect);
 
 }  // namespace piae::figures

@@ -8,7 +8,7 @@ namespace piae::figures {
 
 namespace {
 
-/// Of the windows of some classes those that were taken for what they must not be.
+/// Windows of some classes, and those predicted on the wrong side of healthy and faulty.
 struct Alarms {
   std::int64_t wrong = 0;
   std::int64_t windows = 0;
@@ -18,8 +18,7 @@ struct Alarms {
   }
 };
 
-/// The faults of these classes that were taken for healthy, or the healthy windows taken for a
-/// fault.
+/// Counts faults of these classes predicted as healthy, or healthy windows predicted as a fault.
 Alarms wrong_alarms(const scoring::DiagnosisRecord& record, const std::vector<Label>& labels) {
   const Label healthy = record.info.healthy_label();
   Alarms alarms;

@@ -8,7 +8,8 @@ namespace piae::figures {
 
 namespace {
 
-/// For each method its last ratio: those of a method stand together, in the order of Table 5.
+/// Returns the last cell of each method; the ratios of a method stand together, in the order of
+/// Table 5.
 std::vector<run::Combination> last_cells(const run::Grid& grid) {
   std::vector<run::Combination> cells;
   for (const run::Combination& cell : grid.combinations) {

@@ -7,22 +7,21 @@
 
 namespace piae::figures {
 
-/// What the classifiers of one method said of the test windows, where most windows were generated.
+/// Diagnoses of one method at its ratio with the most generated windows.
 struct MethodDiagnoses {
-  run::Combination cell;  ///< the method, and of its ratios the one with the most generated windows
+  run::Combination cell;  ///< the method, at its ratio with the most generated windows
   std::vector<scoring::DiagnosisRecord> seeds;
 
   [[nodiscard]] const signal::DatasetInfo& info() const { return seeds.front().info; }
-  /// Of the windows of all seeds together.
+  /// Returns the sum over the windows of all seeds.
   [[nodiscard]] scoring::Confusion confusion() const;
-  /// The first fields of a row: the method, 1 for a ceiling or else 0, and the ratio.
+  /// Returns the first fields of a row: the method, 1 for a ceiling or else 0, and the ratio.
   [[nodiscard]] std::vector<std::string> fields() const;
 };
 
-/// Those of each method, in the order of the grid; `none`, which has but one ratio, is among them.
-/// Throws LeftOut where there is no cell at all, Error for one that is missing or refused, and
-/// Error(bad_input) for one that has other classes, or comes from another kind of split, than those
-/// before it.
+/// Returns the diagnoses of each method, in the order of the grid, including `none`, which has only
+/// one ratio. Throws LeftOut without any cell, Error for a missing or refused cell, and
+/// Error(bad_input) for a cell whose classes or protocol differ from those before.
 std::vector<MethodDiagnoses> diagnoses_with_most_windows(const Source& source);
 
 }  // namespace piae::figures

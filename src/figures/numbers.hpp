@@ -6,8 +6,7 @@
 
 namespace piae::figures {
 
-/// The numbers behind a figure, as its CSV file has them: one line a point, with words that say
-/// what the point belongs to.
+/// Numbers of a figure, as in its CSV file: one line per point, with words that describe the point.
 class Numbers {
  public:
   explicit Numbers(const std::vector<std::string>& header);
@@ -21,9 +20,9 @@ class Numbers {
   std::string csv_;
 };
 
-/// A number with six significant digits, which is more than a picture can show.
+/// Returns a number with six significant digits, more than a picture can show.
 std::string digits(double number);
-/// With four, where there are many points.
+/// Returns four significant digits, for figures with many points.
 std::string few_digits(double number);
 
 }  // namespace piae::figures

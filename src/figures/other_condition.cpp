@@ -18,7 +18,7 @@ using Eigen::Index;
 using signal::DatasetInfo;
 using signal::WindowSet;
 
-/// The method that knows nothing, neither of bearings nor of conditions.
+/// The method that uses neither bearings nor conditions.
 const std::string knows_nothing = "shift";
 
 constexpr int most_harmonics = 12;
@@ -28,7 +28,7 @@ struct NamedWindows {
   WindowSet windows;
 };
 
-/// Whatever the pictures are made of.
+/// All windows behind the pictures.
 struct ConditionSets {
   WindowSet known;
   WindowSet real;
@@ -38,12 +38,12 @@ struct ConditionSets {
 /// Windows of one class and one condition.
 struct ConditionRow {
   std::string name;
-  std::string condition;  ///< its name; empty where windows do not know theirs
+  std::string condition;  ///< its name; empty if windows do not record it
   double rpm = 0;
   scoring::Windows windows;
 };
 
-/// What knows nothing comes first, then the other controls; what is to be better lies next to the
+/// Orders the rows: `shift` first, then the other controls. The remaining methods are next to the
 /// real windows.
 int place_among_rows(const NamedWindows& generated) {
   if (generated.name == knows_nothing) return 0;
@@ -77,7 +77,7 @@ double fastest_rpm(const DatasetInfo& info) {
   return fastest;
 }
 
-/// The windows of a class in a condition; all of them where windows do not know theirs.
+/// Returns the windows of a class in a condition; all of them if windows do not record theirs.
 scoring::Windows windows_in(std::int32_t condition, const WindowSet& set, Label label) {
   const std::vector<std::size_t> own = set.indices_of(label);
   std::vector<Index> in_condition;
@@ -89,8 +89,8 @@ scoring::Windows windows_in(std::int32_t condition, const WindowSet& set, Label 
   return scoring::windows_of(set, label, own.size())(in_condition, Eigen::all);
 }
 
-/// Of the tested conditions in which there are real windows of the class, the one whose speed is
-/// farthest from the known ones.
+/// Returns the tested condition with real windows of the class whose speed is farthest from the
+/// known one.
 std::int32_t shown_condition(const WindowSet& real, Label label) {
   std::vector<std::int32_t> tested = real.info.tested_conditions();
   std::erase_if(tested, [&](std::int32_t i) { return windows_in(i, real, label).rows() == 0; });
@@ -99,7 +99,8 @@ std::int32_t shown_condition(const WindowSet& real, Label label) {
   });
 }
 
-/// A set may be without windows of a class in a condition: few are known, and few may be generated.
+/// Adds a row, unless the set has no windows of the class in this condition, because few are known
+/// or generated.
 void add_condition(std::vector<ConditionRow>& rows, const std::string& name, const WindowSet& set,
                    Label label, std::int32_t condition) {
   scoring::Windows windows = windows_in(condition, set, label);
@@ -123,7 +124,7 @@ std::vector<ConditionRow> rows_of_class(const ConditionSets& sets, Label label) 
   return rows;
 }
 
-/// Each window without its mean, and with an RMS of 1.
+/// Returns each window without its mean and with an RMS of 1.
 scoring::Windows standardised(const scoring::Windows& windows) {
   scoring::Windows result = windows.colwise() - windows.rowwise().mean();
   const double root_of_length = std::sqrt(static_cast<double>(windows.cols()));
@@ -140,7 +141,7 @@ std::vector<NamedView> views_of_rows(const std::vector<ConditionRow>& rows, cons
   return views;
 }
 
-/// The lines of a defect in each row, up to the end of the axis.
+/// Adds the lines of a defect in each row, up to the end of the axis.
 void add_lines_of_rows(ViewRows& numbers, const std::vector<ConditionRow>& rows,
                        const DatasetInfo& info, signal::Defect defect, double last_hz) {
   if (!bearing::is_struck(defect)) return;

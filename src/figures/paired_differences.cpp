@@ -13,7 +13,7 @@ namespace {
 
 using report::PairedRow;
 
-/// A method compared with another at one ratio. Its rows have these fields first.
+/// A method compared with another at one ratio; its rows start with these fields.
 struct Comparison {
   PairedRow paired;
   std::vector<std::string> fields;

@@ -6,9 +6,9 @@
 
 namespace piae::figures {
 
-/// One picture of a figure that has several. Its files are FIGURE@PART.csv, .svg and .pdf.
+/// A picture of a figure that has several. Its files are FIGURE@PART.csv, .svg and .pdf.
 struct Picture {
-  std::string part;  ///< what it shows, such as a class
+  std::string part;  ///< content, such as a class
   Numbers numbers;
 };
 

@@ -9,7 +9,7 @@ namespace piae::figures {
 
 namespace {
 
-/// The accuracies of one run at the cells that both have.
+/// Returns the accuracies of one run for the cells that both runs have.
 std::vector<report::AccuracyRow> rows_of_side(const run::Layout& side, const run::Layout& other,
                                               const std::string& dataset) {
   const run::Grid nothing_asked{.dataset = dataset, .scored = {}, .combinations = {}, .seeds = {}};
@@ -19,7 +19,7 @@ std::vector<report::AccuracyRow> rows_of_side(const run::Layout& side, const run
   return report::accuracy_rows(grid, results, report::Published());
 }
 
-/// The split of a run, of which one cell tells.
+/// Returns the protocol of a run, read from one cell.
 std::string protocol_of(const run::Layout& side, const report::AccuracyRow& row) {
   const artefact::Reader cell(side.diagnosis(row.method, row.ratio, row.seeds.front()),
                               "diagnosis");

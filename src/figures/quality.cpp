@@ -51,7 +51,7 @@ Numbers quality_of(Source& source, const std::vector<std::string>& methods) {
   for (const Metric& metric : scoring::all_metrics()) {
     for (const std::string& method : methods) {
       const std::vector<QualityRecord> records = records_of(source.qualities(), method);
-      if (records.empty()) continue;  // neither `none` nor a ceiling has a score
+      if (records.empty()) continue;  // `none` and ceilings have no score
       for (const ClassQuality& quality : records.front().classes) {
         add_class(numbers, metric, quality.label, records);
       }

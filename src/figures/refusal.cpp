@@ -11,7 +11,8 @@ namespace piae::figures {
 
 namespace {
 
-/// The mean over the seeds of a row at each of so many equal parts of the windows, in percent.
+/// Returns the mean precision over the seeds of a row for each of `steps` equal parts of the
+/// windows, in percent.
 std::vector<double> mean_precisions(const Source& source, const report::AccuracyRow& row,
                                     std::size_t steps) {
   std::vector<double> mean(steps);

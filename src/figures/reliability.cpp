@@ -12,7 +12,7 @@ namespace piae::figures {
 
 namespace {
 
-/// Of the windows of all seeds.
+/// Returns the judgements of the windows of all seeds.
 std::vector<scoring::Judgement> pooled_judgements(const Source& source,
                                                   const report::AccuracyRow& row) {
   std::vector<scoring::Judgement> all;

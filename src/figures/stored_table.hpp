@@ -8,16 +8,16 @@
 
 namespace piae::figures {
 
-/// A table of a run, a CSV file that another stage wrote, with its columns found by their names.
+/// A table of a run, a CSV file that another stage wrote, with its columns found by name.
 class StoredTable {
  public:
   /// Throws as text::read_csv does.
   explicit StoredTable(const std::filesystem::path& path)
       : path_(path), lines_(text::read_csv(path)) {}
 
-  /// Those below the header.
+  /// Returns the number of rows below the header.
   [[nodiscard]] std::size_t rows() const { return lines_.size() - 1; }
-  /// Throws Error(bad_input) where there is no such column.
+  /// Throws Error(bad_input) without such a column.
   [[nodiscard]] const std::string& at(std::size_t row, const std::string& column) const;
 
  private:

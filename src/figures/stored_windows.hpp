@@ -10,16 +10,17 @@
 
 namespace piae::figures {
 
-/// The windows of a file. Throws artefact::Refusal where they have another role, or hold what that
-/// role may not.
+/// Reads the windows of a file. Throws artefact::Refusal if they have another role, or hold data
+/// that this role may not have.
 signal::WindowSet read_windows(const std::filesystem::path& file, signal::Role role);
 
-/// The same. Throws Error(bad_input), too, where they are not of the dataset of `real`, which is D.
+/// Reads windows as read_windows() does. Also throws Error(bad_input) unless they are of the
+/// dataset of `real`, which is D.
 signal::WindowSet read_windows_beside(const signal::WindowSet& real,
                                       const std::filesystem::path& file, signal::Role role);
 
-/// The windows that a method generated (E), of the shown seed; nothing where the run has none and
-/// needs none.
+/// Reads the windows that a method generated (E), of the shown seed; empty if the run neither has
+/// nor needs them.
 std::optional<signal::WindowSet> read_generated(const Source& source, const std::string& method,
                                                 const signal::WindowSet& real);
 

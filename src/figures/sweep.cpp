@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 
 using report::SweepPoint;
 
-/// What lies in the folders of a sweep, over the seeds that have one.
+/// Content of the folders of a sweep, over the seeds that have one.
 struct Tried {
   std::vector<std::int64_t> seeds;
   std::set<std::string> cells;  ///< "sweep/batch-1", below the folder of a seed
@@ -47,7 +47,8 @@ bool are_the_same(const std::string& one, const std::string& other) {
   return one == other || (number && number == number_in<double>(other));
 }
 
-/// The setting that the folder of a model is named for: its options have it, with that value.
+/// Returns the setting that names the folder of a model: the model's options hold it, with that
+/// value.
 SweepPoint point_of(const artefact::Reader& model, const std::string& cell) {
   const std::string name = cell.substr(cell.find('/') + 1);
   for (const auto& [key, node] : options_of_training(model)) {
@@ -62,7 +63,7 @@ SweepPoint point_of(const artefact::Reader& model, const std::string& cell) {
                "has no setting '" + name + "', for which its folder is named");
 }
 
-/// Factors in the order of Fig. 19, then others; their values ascending, words after numbers.
+/// Orders factors as in Fig. 19, then others; values ascend, words after numbers.
 auto order_of(const SweepPoint& point) {
   constexpr std::array paper{"batch", "depth", "loss-weights", "learning-rate"};
   const auto number = number_in<double>(point.value);
@@ -90,7 +91,7 @@ std::vector<SweepPoint> points_of(const Source& source, const Tried& tried) {
   return points;
 }
 
-/// The ratios at which the sweep has begun.
+/// Returns the ratios at which the sweep has started.
 std::vector<std::string> ratios_of(const run::Layout& layout, const Tried& tried) {
   std::vector<std::string> ratios;
   for (const scoring::Ratio& ratio : scoring::all_ratios()) {
@@ -105,7 +106,7 @@ std::vector<std::string> ratios_of(const run::Layout& layout, const Tried& tried
   return ratios;
 }
 
-/// The accuracies at one point and ratio by seed, in percent.
+/// Returns the accuracies at one point and ratio by seed, in percent.
 std::vector<double> accuracies_of(const Source& source, const std::vector<std::int64_t>& seeds,
                                   const SweepPoint& point, const std::string& ratio) {
   run::Results results;

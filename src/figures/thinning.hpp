@@ -4,17 +4,17 @@
 
 namespace piae::figures {
 
-/// More numbers than a picture can show, in groups of neighbours, of which the extremes are kept.
+/// Reduces more numbers than a picture can show to the extremes of groups of neighbours.
 class Thinning {
  public:
-  /// Cuts `numbers` numbers, of which there must be one, into at most `most` groups. All are of the
-  /// same size, but that the last one may be smaller.
+  /// Cuts `numbers` numbers, at least one, into at most `most` groups of equal size; the last group
+  /// may be smaller.
   Thinning(Eigen::Index numbers, Eigen::Index most);
 
   [[nodiscard]] Eigen::Index groups() const { return (numbers_ + of_each_ - 1) / of_each_; }
-  /// The index of a group's middle, which may lie between two numbers.
+  /// Returns the index of a group's middle, which may lie between two numbers.
   [[nodiscard]] double middle(Eigen::Index group) const;
-  /// The highest number of each group: [groups]. There must be as many values as numbers.
+  /// Returns the highest number of each group, [groups]. There must be as many values as numbers.
   [[nodiscard]] Eigen::ArrayXd highest(const Eigen::Ref<const Eigen::ArrayXd>& values) const;
   [[nodiscard]] Eigen::ArrayXd lowest(const Eigen::Ref<const Eigen::ArrayXd>& values) const;
 

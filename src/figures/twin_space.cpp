@@ -11,14 +11,14 @@ namespace piae::figures {
 
 namespace {
 
-/// More generated windows of a class would hide the known ones.
+/// Largest number of generated windows of a class; more would hide the known ones.
 constexpr std::size_t shown_of_a_class = 50;
 
 class SpaceRows {
  public:
   explicit SpaceRows(std::string method) : method_(std::move(method)) {}
 
-  /// The joint histogram, then its marginals, whose bins reach over all values of the other
+  /// Adds the joint histogram, then its marginals, whose bins cover all values of the other
   /// parameter.
   void bins(const twin::TwinSpace& space) {
     const std::vector<double>& k = space.k_edges();

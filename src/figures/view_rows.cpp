@@ -43,7 +43,7 @@ void ViewRows::spectra() {
 
 void ViewRows::spectrograms() {
   const Eigen::ArrayXXd& shape = first().spectrogram_db;
-  // The mean is taken away, so nothing is at 0 Hz.
+  // The mean is removed, so 0 Hz is empty.
   for (Index time = 0; time < shape.rows(); ++time) {
     for (Index bin = 1; bin < shape.cols(); ++bin) {
       values("spectrogram", "", few_digits(axes_.spectrogram_ms(time)),

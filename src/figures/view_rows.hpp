@@ -9,27 +9,26 @@
 
 namespace piae::figures {
 
-/// A set of windows by its name, and what is shown of it.
+/// Views of a named set of windows.
 struct NamedView {
   std::string name;
   WindowView view;
 };
 
-/// The numbers of a picture that shows several sets of windows along the same axes. Columns:
-/// panel,what,x,y, and one for each set. What x, y and the values of the sets are depends on the
-/// panel.
+/// Numbers of a picture that shows several sets of windows along the same axes. Columns:
+/// panel,what,x,y, and one for each set. The meaning of x, y and the values depends on the panel.
 class ViewRows {
  public:
-  /// There must be a set.
+  /// Needs at least one set.
   ViewRows(std::vector<NamedView> sets, const ViewAxes& axes);
 
-  /// waveform: ms; the lowest or the highest of some samples, as `what` says.
+  /// Adds waveform: ms; the lowest or the highest of some samples, according to `what`.
   void waveforms();
-  /// spectrum and envelope: Hz; mean amplitude in dB.
+  /// Adds spectrum and envelope: Hz; mean amplitude in dB.
   void spectra();
-  /// spectrogram: ms and Hz; amplitude of the window shown in dB.
+  /// Adds spectrogram: ms and Hz; amplitude of the shown window in dB.
   void spectrograms();
-  /// Anything else, with a value for each set, or none.
+  /// Adds any other row, with a value for each set, or none.
   void row(const std::string& panel, const std::string& what, const std::string& x,
            const std::string& y, const std::vector<std::string>& of_sets);
   void row(const std::string& panel, const std::string& what, const std::string& x,

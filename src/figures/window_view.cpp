@@ -19,15 +19,15 @@ constexpr Index most_points = 128;  // of a curve
 constexpr Index most_padding = 16;
 constexpr double silence = 1e-20;  // as power
 
-/// The frequency at which the envelope spectrum ends.
+/// Returns the frequency at which the envelope spectrum ends.
 double last_line_hz(const signal::DatasetInfo& info, double fastest_rpm) {
-  constexpr double shown_turns = 20;  // where no line says what is to be seen
+  constexpr double shown_turns = 20;  // used without fault lines
   if (!info.has_bearing) return shown_turns * fastest_rpm / 60;
   const auto f = bearing::fault_frequencies(info.bearing, fastest_rpm);
   return ViewAxes::harmonics * std::max({f.bpfo_hz, f.bpfi_hz, 2 * f.bsf_hz}) + 2 * f.shaft_hz;
 }
 
-/// As many zeros that the lines of slow shafts have enough points, too.
+/// Returns a zero padding that gives enough points for the lines of slow shafts, too.
 Index padding_for(double last_hz, double bin_hz) {
   Index padding = 2;
   while (padding < most_padding &&
@@ -37,7 +37,7 @@ Index padding_for(double last_hz, double bin_hz) {
   return padding;
 }
 
-/// Of powers that Hann's window was used for, the level of the sine that would have it.
+/// Converts powers under Hann's window to the level of a sine with the same power.
 Eigen::ArrayXXd level_db(const Eigen::ArrayXXd& power, Index length) {
   const double of_unit_sine = static_cast<double>(length * length) / 16;
   return 10 * (power / of_unit_sine).max(silence).log10();
@@ -75,7 +75,8 @@ double ViewAxes::spectrogram_hz(Index bin) const {
 
 Index typical_window(const scoring::Windows& windows) {
   if (windows.rows() == 0) throw std::logic_error("no windows have none that is typical");
-  // A name of its own: within the expression all means would be computed once more for each row.
+  // A variable of its own, because within the expression all means would be recomputed for each
+  // row.
   const Eigen::VectorXd means = windows.rowwise().mean();
   const Eigen::ArrayXd squares = (windows.colwise() - means).rowwise().squaredNorm();
   std::vector<Index> by_loudness(static_cast<std::size_t>(windows.rows()));

@@ -15,7 +15,7 @@ using signal::DatasetInfo;
 using signal::Defect;
 using signal::WindowSet;
 
-/// Where windows come from, and what is shown of each fault class.
+/// Source of some windows, and their views for each fault class.
 struct Origin {
   std::string name;
   std::vector<WindowView> views;

@@ -12,7 +12,7 @@ namespace piae::figures {
 
 namespace {
 
-/// What a table is of. Nothing is asked for: all counts that the run holds.
+/// Returns the sweep of a table. It requests nothing, so all cells of the run count.
 report::Sweep sweep_of(const std::string& dataset, const StoredTable& table) {
   report::Sweep sweep{.method = table.at(0, "method"),
                       .classifier = table.at(0, "classifier"),
@@ -30,7 +30,7 @@ report::Sweep sweep_of(const std::string& dataset, const StoredTable& table) {
   return sweep;
 }
 
-/// The mean accuracy of the method itself at the seeds of a difference.
+/// Returns the mean accuracy of the unchanged method at the seeds of a difference.
 double whole_of(const std::vector<report::PartRow>& rows, const report::PairedRow& difference) {
   const auto whole = std::ranges::find_if(rows, [&](const report::PartRow& row) {
     return row.moved.point.factor.empty() && row.moved.accuracy.ratio == difference.ratio;
@@ -40,7 +40,7 @@ double whole_of(const std::vector<report::PartRow>& rows, const report::PairedRo
   return sum / static_cast<double>(difference.seeds.size());
 }
 
-/// The row of each seed, and that of their mean. `fields` are those before the seed.
+/// Adds a row for each seed, and one for their mean. `fields` precede the seed.
 void add_difference(Numbers& numbers, const std::vector<std::string>& fields,
                     const report::PairedRow& difference, double whole) {
   const auto add = [&](const std::string& seed, double value, const std::string& low,

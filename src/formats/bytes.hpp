@@ -10,7 +10,7 @@
 
 namespace piae::formats {
 
-/// The bytes of a file, put together from its beginning; numbers lowest byte first.
+/// Builds the bytes of a file from its beginning; numbers are little-endian.
 class Bytes {
  public:
   void text(std::string_view text) { bytes_ += text; }
@@ -21,7 +21,7 @@ class Bytes {
   }
   void number(float value) { number(std::bit_cast<std::uint32_t>(value)); }
   void number(double value) { number(std::bit_cast<std::uint64_t>(value)); }
-  /// Zeros until the size is a multiple of `unit`.
+  /// Adds zeros until the size is a multiple of `unit`.
   void pad(std::size_t unit) { bytes_.resize((bytes_.size() + unit - 1) / unit * unit); }
 
   [[nodiscard]] std::size_t size() const { return bytes_.size(); }

@@ -18,7 +18,7 @@ std::string digits(T value) {
   return {text.data(), end};
 }
 
-/// Whole numbers as such: 100000 and not 1e+05.
+/// Writes whole numbers without exponent: 100000, not 1e+05.
 std::string number_text(double value) {
   constexpr double exact = 1e15;
   const bool whole = std::abs(value) < exact && value == std::floor(value);

@@ -6,11 +6,11 @@
 
 namespace piae::formats {
 
-/// A line a window: what is known of it, and then its samples as x0, x1, ..., each by the fewest
-/// digits from which the same float is read. Several values in a field stand with spaces between.
+/// Returns a line for each window: its facts, then its samples as x0, x1, ..., each with the fewest
+/// digits that give the same float. Spaces separate several values in a field.
 std::string csv(const Exported& exported);
 
-/// The same without the samples, for formats that hold nothing else.
+/// Returns the same lines without samples, for formats that hold only samples.
 std::string labels_csv(const Exported& exported);
 
 }  // namespace piae::formats

@@ -18,7 +18,7 @@ std::vector<std::string> class_names(const signal::DatasetInfo& info) {
   return names;
 }
 
-/// Which classes are named; all where none is.
+/// Returns which classes are named; all if `classes` is empty.
 std::vector<bool> wanted_of(const signal::DatasetInfo& info,
                             const std::vector<std::string>& classes) {
   const std::vector<std::string> names = class_names(info);
@@ -35,7 +35,7 @@ std::vector<bool> wanted_of(const signal::DatasetInfo& info,
   return wanted;
 }
 
-/// A value of each window, by a function of its index.
+/// Returns function(i) for each window i.
 template <class Values, class Function>
 Values of_each(const WindowSet& windows, const Function& function) {
   Values values;
@@ -51,7 +51,7 @@ std::string condition_name(const WindowSet& windows, std::size_t i) {
              : windows.info.conditions[static_cast<std::size_t>(condition)].name;
 }
 
-/// What a generator may know of each window, and no recording says.
+/// Adds facts that only generated windows have.
 void add_generated(const WindowSet& windows, std::vector<Fact>& facts) {
   if (!windows.parameters.empty()) {
     facts.push_back({"k_n_per_m", of_each<Numbers>(windows, [&](std::size_t i) {

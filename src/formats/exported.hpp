@@ -9,17 +9,17 @@
 
 namespace piae::formats {
 
-/// Windows that leave the project, and what the artefact says of all of them.
+/// Exported windows, with facts that hold for all of them.
 struct Exported {
   signal::WindowSet windows;
-  std::vector<std::size_t> rows;  ///< [n] where each window stands in the artefact, from 0
+  std::vector<std::size_t> rows;  ///< [n] index of each window in the artefact, from 0
   std::string role;               ///< "A" to "E"
-  std::string method;             ///< that made them, of E; else empty
+  std::string method;             ///< method that made them, for E; else empty
 };
 
-/// The first `count` windows of each of these classes, in the order of the artefact: of all classes
-/// where none is named, and all windows where `count` is 0. Throws Error(usage) for a class that
-/// the windows do not have, and Error(bad_input) where no window is left.
+/// Selects the first `count` windows of each of these classes, in the order of the artefact: of all
+/// classes if none is named, and all windows if `count` is 0. Throws Error(usage) for a class that
+/// the windows do not have, and Error(bad_input) if no window remains.
 Exported select(const signal::WindowSet& windows, const std::vector<std::string>& classes,
                 std::size_t count);
 
@@ -27,20 +27,21 @@ using Texts = std::vector<std::string>;
 using Numbers = std::vector<double>;
 using Lists = std::vector<std::vector<double>>;
 
-/// Something that is known of windows, by the name that it has in every format: "class_name".
+/// A fact about windows, under its name in every format: "class_name".
 struct Fact {
   std::string name;
   std::variant<Texts, Numbers, Lists> values;
 };
 
-/// What is known beside the samples. Indices count from 0, as in the artefacts.
+/// Facts in addition to the samples. Indices count from 0, as in the artefacts.
 struct Facts {
-  std::vector<Fact> of_all;   ///< one value, which holds for all windows
+  std::vector<Fact> of_all;   ///< one value for all windows
   std::vector<Fact> of_each;  ///< a value for each window
 };
 
-/// Of all: data set, role, method, sampling rate, unit. Of each: where it stands, its class, and
-/// what WindowSet says of it where it does: record, condition, speed, (k, c), parents and so on.
+/// Returns for all windows: data set, role, method, sampling rate, unit. For each window: its
+/// index, its class, and what WindowSet records, such as record, condition, speed, (k, c) and
+/// parents.
 Facts facts_of(const Exported& exported);
 
 }  // namespace piae::formats

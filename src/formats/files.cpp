@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 struct Format {
   const char* ending;
   std::string (*write)(const Exported& exported);
-  bool samples_alone;  ///< so that the rest needs a file of its own
+  bool samples_alone;  ///< true if the facts need a file of their own
 };
 
 std::string npy_of(const Exported& exported) { return npy(exported.windows); }

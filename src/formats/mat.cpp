@@ -9,8 +9,8 @@ namespace piae::formats {
 
 namespace {
 
-/// Types of elements (mi...) and classes of arrays (mx...), as MATLAB's description of the format
-/// numbers them.
+/// Types of elements (mi...) and classes of arrays (mx...), with the numbers of MATLAB's format
+/// description.
 enum Element : std::uint32_t {
   element_int8 = 1,
   element_uint16 = 4,
@@ -27,11 +27,11 @@ enum ArrayClass : std::uint32_t {
   array_single = 7
 };
 
-constexpr std::size_t unit = 8;                // every element begins at a multiple of it
-constexpr std::size_t room_for_header = 1024;  // more than any array begins with
+constexpr std::size_t unit = 8;                // alignment of every element
+constexpr std::size_t room_for_header = 1024;  // more than the header of any array
 constexpr std::size_t largest_variable = std::numeric_limits<std::int32_t>::max();
 
-/// An element: its type, its size, its content, and zeros up to the next one.
+/// Writes an element: its type, its size, its content, and zeros up to the next element.
 void put(Bytes& bytes, Element type, const std::string& content) {
   bytes.number(static_cast<std::uint32_t>(type));
   bytes.number(static_cast<std::uint32_t>(content.size()));
@@ -46,7 +46,7 @@ std::string content_of(const Values& values) {
   return bytes.take();
 }
 
-/// What every array begins with.
+/// Returns the beginning of an array.
 Bytes begin_array(ArrayClass type, std::size_t rows, std::size_t columns, const std::string& name) {
   Bytes bytes;
   put(bytes, element_uint32, content_of(std::vector<std::uint32_t>{type, 0}));
@@ -72,7 +72,7 @@ std::string number_array(const std::string& name, const Numbers& values, std::si
   return bytes.take();
 }
 
-/// A column of cells, each made by a function of its index.
+/// Returns a column of cells; make(index) makes each cell.
 template <class MakeCell>
 std::string cell_array(const std::string& name, std::size_t cells, const MakeCell& make) {
   Bytes bytes = begin_array(array_cell, cells, 1, name);
@@ -101,7 +101,7 @@ std::string single_value(const Fact& fact) {
   return number_array(fact.name, std::get<Numbers>(fact.values), 1, 1);
 }
 
-/// Column after column, as MATLAB keeps a matrix.
+/// Writes column after column, as MATLAB stores a matrix.
 std::string window_array(const signal::WindowSet& windows) {
   Bytes bytes = begin_array(array_single, windows.size(), windows.length, "windows");
   Bytes samples;
@@ -121,7 +121,7 @@ std::string header() {
   Bytes bytes;
   bytes.text(text);
   bytes.number(std::uint16_t{0x0100});  // version
-  bytes.text("IM");                     // lowest byte first
+  bytes.text("IM");                     // little-endian
   return bytes.take();
 }
 

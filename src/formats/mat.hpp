@@ -6,11 +6,10 @@
 
 namespace piae::formats {
 
-/// A MATLAB file of version 5: the samples as the single matrix `windows`, [n, length], and a
-/// variable for each fact: a text or a number where it is of all windows, else a column; a cell
-/// array where values are texts or lists. Written here and not by libmatio, which writes to a path
-/// alone and puts the date into its files. Throws Error(usage) for what is too large for the
-/// format.
+/// Returns a MATLAB file of version 5: the samples as the single matrix `windows`, [n, length], and
+/// a variable for each fact: a text or a number if it holds for all windows, else a column; a cell
+/// array for texts or lists. libmatio is not used, because it only writes to a path and puts the
+/// date into its files. Throws Error(usage) for data that is too large for the format.
 std::string mat(const Exported& exported);
 
 }  // namespace piae::formats

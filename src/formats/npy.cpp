@@ -9,7 +9,7 @@ namespace piae::formats {
 namespace {
 
 constexpr std::string_view magic = "\x93NUMPY\x01";
-/// The samples begin at a multiple of it.
+/// Alignment of the samples.
 constexpr std::size_t alignment = 64;
 
 }  // namespace
@@ -22,7 +22,7 @@ std::string npy(const signal::WindowSet& windows) {
   words += '\n';
   Bytes bytes;
   bytes.text(magic);
-  bytes.number(std::uint8_t{0});  // of version 1.0
+  bytes.number(std::uint8_t{0});  // version 1.0
   bytes.number(static_cast<std::uint16_t>(words.size()));
   bytes.text(words);
   for (const float x : windows.samples) bytes.number(x);

@@ -6,7 +6,7 @@
 
 namespace piae::formats {
 
-/// A file of NumPy (format 1.0): the samples as float32 [n, length].
+/// Returns a NumPy file (format 1.0): the samples as float32 [n, length].
 std::string npy(const signal::WindowSet& windows);
 
 }  // namespace piae::formats

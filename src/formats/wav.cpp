@@ -14,7 +14,7 @@ namespace {
 constexpr std::uint16_t ieee_float = 3;
 constexpr std::uint32_t sample_bytes = sizeof(float);
 
-/// A chunk: its name, its size, its content, which has an even size.
+/// Writes a chunk: its name, its size, and its content, padded to an even size.
 void put_chunk(Bytes& bytes, std::string_view name, const std::string& content) {
   bytes.text(name);
   bytes.number(static_cast<std::uint32_t>(content.size()));
@@ -28,10 +28,10 @@ std::string format_chunk(double sample_rate_hz) {
   bytes.number(ieee_float);
   bytes.number(std::uint16_t{1});  // channels
   bytes.number(rate_hz);
-  bytes.number(rate_hz * sample_bytes);  // in a second
+  bytes.number(rate_hz * sample_bytes);  // bytes per second
   bytes.number(static_cast<std::uint16_t>(sample_bytes));
   bytes.number(static_cast<std::uint16_t>(8 * sample_bytes));
-  bytes.number(std::uint16_t{0});  // nothing more
+  bytes.number(std::uint16_t{0});  // no extension
   return bytes.take();
 }
 
@@ -41,7 +41,7 @@ std::string count_chunk(std::size_t samples) {
   return bytes.take();
 }
 
-/// A marker at the first sample of each window.
+/// Returns a marker at the first sample of each window.
 std::string cue_chunk(const signal::WindowSet& windows) {
   Bytes bytes;
   bytes.number(static_cast<std::uint32_t>(windows.size()));
@@ -57,7 +57,7 @@ std::string cue_chunk(const signal::WindowSet& windows) {
   return bytes.take();
 }
 
-/// What the markers say.
+/// Returns the texts of the markers.
 std::string label_chunk(const Exported& exported) {
   const signal::WindowSet& windows = exported.windows;
   Bytes bytes;
@@ -83,7 +83,7 @@ std::string sample_chunk(const signal::WindowSet& windows) {
 
 std::string wav(const Exported& exported) {
   const signal::WindowSet& windows = exported.windows;
-  constexpr std::size_t largest_marker = 256;  // with what it says
+  constexpr std::size_t largest_marker = 256;  // with its text
   const std::size_t most_bytes =
       windows.samples.size() * sample_bytes + windows.size() * largest_marker;
   if (most_bytes > std::numeric_limits<std::uint32_t>::max()) {

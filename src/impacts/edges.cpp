@@ -9,7 +9,7 @@ namespace {
 
 double angle_of(const Edges& edges, double hz) { return 2 * std::numbers::pi * hz * edges.lag_s; }
 
-/// exit g(f).
+/// Returns exit g(f).
 double mean_exit(const Edges& edges, double hz) {
   return edges.exit * std::exp(-std::pow(angle_of(edges, hz) * edges.spread, 2) / 2);
 }

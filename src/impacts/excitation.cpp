@@ -8,7 +8,8 @@ namespace piae::impacts {
 
 namespace {
 
-/// Adds one impulse. Its phase turns by the same angle from bin to bin, so no bin needs a sine.
+/// Adds one impulse. Rotates its phase by the same angle from bin to bin, which avoids a sine per
+/// bin.
 void add_impulse(double strength, double time_s, double bin_hz, Eigen::ArrayXcd& spectrum) {
   const std::complex<double> turn = std::polar(1.0, -2 * std::numbers::pi * bin_hz * time_s);
   std::complex<double> impulse = strength;

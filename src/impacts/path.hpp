@@ -9,25 +9,26 @@
 
 namespace piae::impacts {
 
-/// How much a random transfer path differs from the known one.
+/// Deviation of a random transfer path from the known one.
 struct EqualiserOptions {
   double spread_db = 0;  ///< standard deviation of the gain at a knot
-  int knots = 8;         ///< from 0 Hz to half the sampling rate, at equal distances
+  int knots = 8;         ///< equally spaced from 0 Hz to half the sampling rate
 };
 
-/// Adds --equaliser-db and --equaliser-knots, which are the attributes spread_db and knots of the
+/// Adds --equaliser-db and --equaliser-knots, stored as the attributes spread_db and knots of the
 /// group /equaliser.
 void add_to(cli::StoredOptions& table, EqualiserOptions& options);
 
-/// Straight lines between values at knots, which lie from the first of `bins` to the last.
+/// Interpolates linearly between values at knots, which lie from the first of `bins` to the last.
 Eigen::ArrayXd along_knots(std::span<const double> knots, Eigen::Index bins);
 
-/// Gain of a random smooth transfer path at `bins` frequencies from 0 Hz to half the sampling rate:
-/// normal in dB at the knots, a straight line in dB between them. 1 changes nothing.
+/// Returns the gain of a random smooth transfer path at `bins` frequencies from 0 Hz to half the
+/// sampling rate: normal in dB at the knots, linear in dB between them. A gain of 1 changes
+/// nothing.
 Eigen::ArrayXd draw_gains(Stream& random, Eigen::Index bins, const EqualiserOptions& options);
 
-/// Multiplies the spectrum of a window by gains, as filter() of response.hpp does, without changing
-/// phases or the RMS. Throws std::logic_error for another number of gains.
+/// Multiplies the spectrum of a window by gains, like filter() of response.hpp, and keeps phases
+/// and RMS. Throws std::logic_error if the number of gains is wrong.
 void equalise(std::span<double> window, const Eigen::ArrayXd& gains);
 
 }  // namespace piae::impacts

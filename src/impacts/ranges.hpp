@@ -17,7 +17,7 @@ inline constexpr Range tilt{.low = 0, .high = 10};
 inline constexpr Range size_factor{.low = 1, .high = 100};
 inline constexpr Range size_mm{.low = 1e-3, .high = 1e3, .unit = " mm"};
 inline constexpr Range damping_ratio{.low = 1e-4, .high = 0.7};
-/// Shares of half the sampling rate.
+/// Fractions of half the sampling rate.
 inline constexpr Range frequency_part{.low = 1e-3, .high = 1};
 inline constexpr Range resonances{.low = 1, .high = 100};
 inline constexpr Range spread_db{.low = 0, .high = 60, .unit = " dB"};

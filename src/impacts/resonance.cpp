@@ -12,10 +12,10 @@ namespace {
 using Eigen::ArrayXd;
 using Eigen::Index;
 
-/// Part of half the sampling rate below which no resonance is looked for.
+/// Fraction of half the sampling rate below which no resonance is searched.
 constexpr double lowest_resonance = 0.03;
 
-/// How many bins from the top, in steps of `step`, the power first is less than half.
+/// Returns the number of bins from the top, in steps of `step`, until the power is below half.
 double bins_to_half_power(const ArrayXd& log_response, Index top, Index step) {
   const double half = log_response[top] - std::numbers::ln2 / 2;
   Index i = top;

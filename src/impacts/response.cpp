@@ -16,10 +16,10 @@ using Eigen::ArrayXd;
 using Eigen::Index;
 
 constexpr double fall_part = 0.3;
-constexpr Index steps = 4;    ///< from the first piece to the last, a quarter of a piece each
-constexpr Index padding = 4;  ///< from half a window to a frame of two
+constexpr Index steps = 4;    ///< steps of a quarter of a piece, from the first piece to the last
+constexpr Index padding = 4;  ///< from half a window to a frame of two windows
 
-/// Pieces of half a window, a row for each.
+/// Returns pieces of half a window, one per row.
 spectra::Windows pieces_of(const signal::WindowSet& windows, std::span<const std::size_t> own) {
   const auto length = static_cast<Index>((windows.length + 1) / 2);
   const Index step = (static_cast<Index>(windows.length) - length) / steps;

@@ -12,7 +12,7 @@ namespace piae::impacts {
 
 namespace {
 
-/// Part of a period: two balls are never nearer to each other.
+/// Fraction of a period: the least distance of two balls.
 constexpr double nearest_ball = 0.5;
 
 constexpr double least_samples = 2;

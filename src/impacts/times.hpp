@@ -18,32 +18,33 @@ struct Impact {
   double exit = 0;      ///< strength at the second edge / at the first
 };
 
-/// How regularly impacts follow each other.
+/// Regularity of successive impacts.
 struct ImpactRate {
   double period = 0;  ///< in s or in samples
-  double jitter = 0;  ///< of the time to the next impact: standard deviation / period
+  double jitter = 0;  ///< standard deviation of the time to the next impact / period
 };
 
 /// Throws Error(bad_input) if impacts of a class come more often than every two samples at this
-/// speed of the shaft: windows cannot show such a rate.
+/// shaft speed, because windows cannot show such a rate.
 void require_rate(const signal::DatasetInfo& info, Label label, double rpm);
 
-/// Calls `visit` with the time of each impact from `first` until `end`. Deviations add up, because
-/// balls that slip do not return to their places. `visit` draws before the next period does.
+/// Calls `visit` with the time of each impact from `first` until `end`. Deviations accumulate,
+/// because balls that slip do not return to their places. `visit` draws before the next period is
+/// drawn.
 void for_each_impact(Stream& random, const ImpactRate& rate, double first, double end,
                      const std::function<void(double time)>& visit);
 
-/// The largest number of impacts in a frame.
+/// Returns the largest number of impacts in a frame.
 std::size_t most_impacts(const ImpactRate& rate, double frame_s);
 
-/// Impacts from a random moment of the first period until the end of a frame. `draw` makes impact
-/// i, except its time; without it, each has the strength 1 and no second edge.
+/// Returns impacts from a random moment of the first period until the end of a frame. `draw` makes
+/// impact i, except its time; without `draw`, each impact has the strength 1 and no second edge.
 std::vector<Impact> draw_impacts(
     Stream& random, const ImpactRate& rate, double frame_s,
     const std::function<Impact(std::size_t i)>& draw = [](std::size_t) { return Impact{}; });
 
-/// Times in s of the impacts that lie within a window. `samples` are their places in it. A time
-/// that rounds to the end of the window is left out.
+/// Returns the times in s of the impacts that lie within a window. `samples` are their positions in
+/// the window. Leaves out a time that rounds to the end of the window.
 std::vector<double> times_within(std::span<const double> samples, std::size_t length,
                                  double rate_hz);
 

@@ -17,7 +17,7 @@
 
 namespace piae::latent {
 
-/// What a latent generator is trained on: n windows of N samples.
+/// Training data of a latent generator: n windows of N samples.
 struct LatentTask {
   LatentGenerator generator;
   LatentOptions options;
@@ -25,25 +25,25 @@ struct LatentTask {
   std::vector<Label> labels;   ///< [n]
 };
 
-/// A back end: it computes a latent generator and the network that is trained beside it, their
-/// gradients and the steps of Adam. There is our own, for one core, and LibTorch's. Which windows
-/// make a batch, and when a training ends, is decided in LatentTraining, for every back end alike.
+/// A back end: computes a latent generator and the second network of its training, their gradients
+/// and the steps of Adam. There are two: our own, for one core, and LibTorch's. LatentTraining
+/// chooses the batches and ends the training, for every back end alike.
 class LatentBackend {
  public:
   virtual ~LatentBackend() = default;
 
-  /// One step by the known windows with these indices; it is step number `index`, from 0, of the
-  /// whole training. Returns its losses at the parameters before the step. Every back end draws the
-  /// same numbers from `noise` in the same order.
+  /// Takes one step on the known windows with these indices. `index` is the step number within the
+  /// whole training, from 0. Returns the losses at the parameters before the step. Every back end
+  /// draws the same numbers from `noise` in the same order.
   virtual std::vector<double> step(std::size_t index, std::span<const std::size_t> windows,
                                    Stream& noise) = 0;
 
   [[nodiscard]] virtual const std::vector<nets::ParameterSpec>& specs() const = 0;
-  /// All parameters in the order of the specs.
+  /// Returns all parameters in the order of the specs.
   [[nodiscard]] virtual std::vector<float> values() const = 0;
   virtual void set_values(std::span<const float> values) = 0;
 
-  /// The state of Adam, as one or two nets::AdamState below /adam.
+  /// Write and read the state of Adam, as one or two nets::AdamState below /adam.
   virtual void write_adam(artefact::Writer& writer) const = 0;
   virtual void read_adam(const artefact::Reader& reader) = 0;
 };

@@ -13,8 +13,8 @@
 
 namespace piae::latent {
 
-/// The base of our own back ends of the VAE and the WGAN-GP, which run on one core. It owns the
-/// task, the parameters and the generator.
+/// Base of our own back ends of the VAE and the WGAN-GP, which run on one core. Owns the task, the
+/// parameters and the generator.
 class DenseBackend : public LatentBackend {
  public:
   [[nodiscard]] const std::vector<nets::ParameterSpec>& specs() const override { return specs_; }
@@ -38,22 +38,23 @@ class DenseBackend : public LatentBackend {
     [[nodiscard]] std::int64_t size() const { return windows.rows(); }
   };
 
-  /// `specs` are the parameters of the generator and of the network that is trained beside it.
+  /// `specs` are the parameters of the generator and of the second network.
   DenseBackend(LatentTask task, std::vector<nets::ParameterSpec> specs, const Stream& initial);
 
   [[nodiscard]] Batch batch_of(std::span<const std::size_t> windows) const;
   /// Draws z from N(0, 1) for each window of a batch, [n, latent].
   [[nodiscard]] Array draw_z(const Batch& batch, Stream& noise) const;
-  /// The windows [n, N] that the generator makes of z [n, latent] and the classes of the batch.
+  /// Returns the windows [n, N] that the generator makes from z [n, latent] and the classes of the
+  /// batch.
   Array generate(const Array& z, const Batch& batch);
-  /// Fills the input of a chain, from row `first` on, with `rows` and, behind each, the one-hot
+  /// Fills the input of a chain, from row `first` on, with `rows`, each followed by the one-hot
   /// label of its window.
   void feed(Chain& chain, const Array& rows, const Batch& batch, std::int64_t first = 0) const;
 
   LatentTask task_;
   std::vector<nets::ParameterSpec> specs_;
   std::shared_ptr<nets::Parameters<float>> parameters_;
-  std::int64_t largest_batch_;  ///< in windows
+  std::int64_t largest_batch_;  ///< number of windows
   Chain generator_;
 };
 

@@ -4,7 +4,7 @@ namespace piae::latent {
 
 namespace {
 
-/// The parameters of the generator and of a network that reads windows with their classes.
+/// Returns the parameters of the generator and of a network whose inputs are windows with classes.
 std::vector<nets::ParameterSpec> with_reader(const LatentGenerator& generator,
                                              const std::string& name, std::int64_t outputs) {
   std::vector<nets::ParameterSpec> specs = generator_specs(generator);

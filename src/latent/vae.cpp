@@ -18,7 +18,7 @@ class DenseVae final : public DenseBackend {
       : DenseBackend(std::move(task), specs, initial),
         encoder_(parameters_, encoder_name, largest_batch_) {}
 
-  /// Follows the gradient of both losses together, which is written by hand.
+  /// Follows the hand-written gradient of the sum of both losses.
   std::vector<double> step(std::size_t /*index*/, std::span<const std::size_t> windows,
                            Stream& noise) override {
     const Batch batch = batch_of(windows);

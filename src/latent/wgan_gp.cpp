@@ -38,7 +38,7 @@ class DenseWganGp final : public DenseBackend {
   }
 
  private:
-  /// The critic reads n known windows, n generated ones and n between them in one batch of 3 n.
+  /// Trains on one batch of 3 n windows: n known ones, n generated ones and n between them.
   std::vector<double> step_critic(const Batch& batch, Stream& noise) {
     const std::int64_t n = batch.size();
     const Array generated = generate(draw_z(batch, noise), batch);
@@ -47,8 +47,8 @@ class DenseWganGp final : public DenseBackend {
     feed(critic_, between(generated, batch.windows, noise), batch, 2 * n);
     const Array scores = nets::copied(critic_.forward(3 * n), 3 * n, 1);
 
-    // The gradient of known and generated windows is that of -wasserstein. The penalty needs the
-    // gradient of the score by the window, so windows between the two start from a gradient of 1.
+    // For known and generated windows, the gradient is that of -wasserstein. The penalty needs the
+    // gradient of the score by the window, so the windows between start from a gradient of 1.
     const auto share = 1 / static_cast<float>(n);
     for (std::int64_t i = 0; i < 3 * n; ++i) {
       *critic_.output_gradient().row(i) = i < n ? -share : i < 2 * n ? share : 1;
@@ -61,7 +61,7 @@ class DenseWganGp final : public DenseBackend {
             penalty};
   }
 
-  /// Windows at random places on the lines from generated to known windows.
+  /// Returns windows at random positions on the lines from generated to known windows.
   [[nodiscard]] static Array between(const Array& generated, const Array& known, Stream& noise) {
     Array windows(known.rows(), known.cols());
     for (std::int64_t i = 0; i < known.rows(); ++i) {
@@ -74,9 +74,9 @@ class DenseWganGp final : public DenseBackend {
   /// Prepares the critic for a step that also follows the penalty; returns the penalty. The penalty
   /// is a function of the slopes g, the gradients of the critic's score by the windows between. g
   /// is linear in each weight: g = W_1^T m_1 W_2^T m_2 ..., where m_i is 1 for the units of layer i
-  /// that gave more than zero and 0 for the others. So the gradient of the penalty by a weight is
-  /// that of a layer whose input is the derivative of the penalty by g, taken through the layers
-  /// below it (DenseChain::forward_derivative). Biases have no part in g.
+  /// with a positive output and 0 for the others. So the gradient of the penalty by a weight is
+  /// that of a layer whose input is the derivative of the penalty by g, propagated through the
+  /// layers below (DenseChain::forward_derivative). Biases do not affect g.
   double follow_penalty(const Array& slopes, const Batch& batch) {
     const std::int64_t n = batch.size();
     double penalty = 0;

@@ -1,4 +1,4 @@
-// This is linked into the programs that have LibTorch.
+// Linked into programs with LibTorch.
 
 #include "libtorch/latent/backends.hpp"
 #include "libtorch/twin/backend.hpp"

@@ -15,8 +15,8 @@ AdamStep::AdamStep(std::int64_t t, double learning_rate, double beta1, double be
 template <class T>
 void take(const AdamStep& step, T* values, const T* gradients, T* first_moment, T* second_moment,
           std::size_t size) {
-  // The first moment of a weight that no gradient reaches any more fades away, and stays denormal
-  // for the rest of the training. A step that small moves no weight.
+  // If a weight no longer gets a gradient, its first moment decays and stays denormal for the rest
+  // of the training. Steps that small do not move the weight.
   const DenormalsAreZero guard;
   const AdamUpdate<T> update(step);
   for (std::size_t i = 0; i < size; ++i) {

@@ -9,15 +9,15 @@
 
 namespace piae::nets {
 
-/// The constants of Adam that Kingma and Ba (2015) recommend.
+/// Constants of Adam that Kingma and Ba (2015) recommend.
 struct AdamConstants {
   static constexpr double beta1 = 0.9;
   static constexpr double beta2 = 0.999;
   static constexpr double epsilon = 1e-8;
 };
 
-/// The numbers that all parameters share in step t = 1, 2, ... of Adam (Kingma and Ba 2015,
-/// Algorithm 1).
+/// Numbers that all parameters share in step t = 1, 2, ... of Adam (Kingma and Ba 2015, Algorithm
+/// 1).
 struct AdamStep {
   AdamStep(std::int64_t t, double learning_rate, double beta1 = AdamConstants::beta1,
            double beta2 = AdamConstants::beta2);
@@ -29,8 +29,7 @@ struct AdamStep {
 };
 
 /// One step of Adam for one parameter, or for a vector of them, computed in T. Fast only in files
-/// that are compiled with -fno-math-errno (CMakeLists.txt), because otherwise the square root must
-/// set errno.
+/// compiled with -fno-math-errno (CMakeLists.txt): otherwise the square root must set errno.
 template <class T>
 class AdamUpdate {
  public:
@@ -63,19 +62,19 @@ class AdamUpdate {
   T correction_;
 };
 
-/// One step of Adam for `size` parameters in a row. It goes through the four arrays once, because
-/// the training of a small network waits for memory and not for arithmetic.
+/// Takes one step of Adam for `size` contiguous parameters. Passes over the four arrays once,
+/// because the training of a small network waits for memory, not for arithmetic.
 template <class T>
 void take(const AdamStep& step, T* values, const T* gradients, T* first_moment, T* second_moment,
           std::size_t size);
 
-/// Adam with its moments and its count of steps, for parameters that lie in one array.
+/// Adam with its moments and its step count, for parameters in one array.
 template <class T>
 class Adam {
  public:
   explicit Adam(std::size_t size) : first_moment_(size), second_moment_(size) {}
 
-  /// One step. Both arrays hold as many numbers as the constructor was told.
+  /// Takes one step. Both arrays have the size given to the constructor.
   void step(T* values, const T* gradients, double learning_rate);
 
  private:

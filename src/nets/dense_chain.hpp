@@ -13,15 +13,14 @@
 namespace piae::nets {
 
 /// A chain of dense layers with ReLU between them. Batches are small and weights are large, so a
-/// step waits for memory. The gradient of a weight is therefore never stored: it is a sum of as
-/// many outer products as the batch has rows, and it is formed where it is used
-/// (dense_kernels.hpp).
+/// step waits for memory. Therefore the gradient of a weight is never stored: it is a sum of outer
+/// products, one per row of the batch, and is computed where it is used (dense_kernels.hpp).
 template <class T>
 class DenseChain final : public Network<T> {
  public:
-  /// A chain over the parameters <name>/0/weight, <name>/0/bias, <name>/1/weight, ..., for batches
-  /// of up to `most_rows` rows. Several chains may share one set of parameters. Throws
-  /// std::logic_error when no parameter has such a name; later calls throw it for more rows.
+  /// Makes a chain over the parameters <name>/0/weight, <name>/0/bias, <name>/1/weight, ..., for
+  /// batches of up to `most_rows` rows. Several chains may share one set of parameters. Throws
+  /// std::logic_error if no parameter has such a name; later calls throw it for more rows.
   DenseChain(std::shared_ptr<Parameters<T>> parameters, const std::string& name,
              std::int64_t most_rows);
 
@@ -32,35 +31,35 @@ class DenseChain final : public Network<T> {
   Rows<T> output_gradient() override { return output_gradient_of(layers_.back()); }
   Rows<const T> backward(std::int64_t rows, std::int64_t signals, RowRange by_input) override;
 
-  /// backward() for one signal and then take() with a scale of 1, where no norm of all gradients is
-  /// needed in between, in one pass over the weights. The gradients by the input are those for the
-  /// rows of the last forward(), if they are wanted.
+  /// Does backward() for one signal and then take() with a scale of 1, in one pass over the
+  /// weights. Use it if the norm of the gradients is not needed in between. Returns the gradients
+  /// by the input for the rows of the last forward(), if `by_input` is true.
   Rows<const T> backward_and_take(const AdamStep& step, bool by_input);
 
-  /// The forward pass that the derivative of a gradient by the input needs, as a gradient penalty
-  /// has it. For the rows [first, first + rows), it takes what input() now holds through the
-  /// layers without their biases, and only through units that gave more than zero in the last
-  /// forward(). The results replace the inputs of the layers that forward() left there.
+  /// Runs the forward pass for the derivative of a gradient by the input, as a gradient penalty
+  /// needs it. Propagates the rows [first, first + rows) of input() through the layers without
+  /// their biases, and only through units with a positive output in the last forward(). The results
+  /// replace the layer inputs that forward() stored.
   void forward_derivative(std::int64_t first, std::int64_t rows);
 
-  /// Over how many of the first rows the gradients of weights and of biases are summed.
+  /// Number of first rows over which the gradients of weights and of biases are summed.
   struct Summed {
     std::int64_t of_weights;
     std::int64_t of_biases;
   };
-  /// The squared Euclidean norm of the gradients of all weights and biases together.
+  /// Returns the squared Euclidean norm of the gradients of all weights and biases together.
   [[nodiscard]] double squared_norm(const Summed& rows) const;
   [[nodiscard]] double squared_norm() const override { return squared_norm(batch()); }
-  /// One step of Adam by the gradients times `scale`.
+  /// Takes one step of Adam with the gradients times `scale`.
   void take(const AdamStep& step, double scale, const Summed& rows);
   void take(const AdamStep& step, double scale) override { take(step, scale, batch()); }
 
  private:
-  using Numbers = Eigen::ArrayX<T>;  // begins at the boundary of a vector register
+  using Numbers = Eigen::ArrayX<T>;  // starts at the boundary of a vector register
   struct Layer {
     LayerSize size;
-    std::int64_t weight;  ///< where the weight begins in the array of all parameters
-    std::int64_t bias;    ///< where the bias begins there
+    std::int64_t weight;  ///< start of the weight in the array of all parameters
+    std::int64_t bias;    ///< start of the bias in the same array
     std::int64_t held_outputs;
     Numbers input;            ///< [most_rows, held inputs]
     Numbers output_gradient;  ///< [most_rows, held outputs]
@@ -80,23 +79,23 @@ class DenseChain final : public Network<T> {
   [[nodiscard]] const T* values(std::int64_t begin) const {
     return parameters_->data(Kept::value) + begin;
   }
-  /// The rows of the first signal.
+  /// Returns the rows of the first signal.
   [[nodiscard]] Summed batch() const { return {.of_weights = rows_, .of_biases = rows_}; }
   [[nodiscard]] TrainedWeight<T> trained(std::int64_t begin);
   void require_room_for(std::int64_t rows) const;
-  /// From the gradients by the input of layer i, which stand in the layer before, to those by what
-  /// that layer gave before its ReLU.
+  /// Converts gradients by the input of layer i, which are stored in the layer before, to gradients
+  /// by that layer's output before its ReLU.
   void pass_relu_back(std::size_t i, std::int64_t rows, std::int64_t signals);
   void take_bias(const Layer& layer, const AdamStep& step, double scale, std::int64_t rows);
   [[nodiscard]] std::vector<T> bias_gradient(const Layer& layer, std::int64_t rows) const;
 
   std::shared_ptr<Parameters<T>> parameters_;
   std::int64_t most_rows_;
-  std::int64_t rows_ = 0;  ///< of the last forward()
+  std::int64_t rows_ = 0;  ///< rows of the last forward()
   std::vector<Layer> layers_;
-  Numbers output_;          ///< [most_rows, held outputs] of the last layer
-  Numbers input_gradient_;  ///< [most_rows, held inputs] of the first layer
-  std::vector<T> no_bias_;  ///< zeros, in the place of a bias
+  Numbers output_;          ///< output of the last layer, [most_rows, held outputs]
+  Numbers input_gradient_;  ///< input gradient of the first layer, [most_rows, held inputs]
+  std::vector<T> no_bias_;  ///< zeros, instead of a bias
 };
 
 extern template class DenseChain<float>;

@@ -11,14 +11,14 @@ namespace piae::nets {
 
 namespace {
 
-/// How many rows of the batch one pass over a weight serves, and how many rows of the weight are
-/// read side by side. Both are as large as the number of vector registers allows.
+/// Number of batch rows per pass over a weight, and number of weight rows that are read at the same
+/// time. Both are as large as the number of vector registers allows.
 constexpr int most_rows = 6;
 constexpr int side_by_side = vector_registers >= 32 ? 4 : 2;
-/// How many vectors of a weight take a step of Adam side by side.
+/// Number of vectors of a weight that take a step of Adam at the same time.
 constexpr int adam_vectors = 4;
 
-/// The sum of the numbers in a vector: its halves are added until one number is left.
+/// Returns the sum of the numbers in a vector: adds halves until one number is left.
 template <class T>
 T sum_of(Vector<T> vector) {
   T numbers[lanes<T>];
@@ -31,16 +31,16 @@ T sum_of(Vector<T> vector) {
   return numbers[0];
 }
 
-/// Cuts the rows from `row` on into blocks and calls f.template operator()<n>(begin) for each block
-/// of n rows. Blocks have `block` rows as long as so many are left; the last ones have fewer.
+/// Splits the rows from `row` on into blocks and calls f.template operator()<n>(begin) for each
+/// block of n rows. Blocks have `block` rows; the last ones have fewer.
 template <int block = most_rows, class F>
 void in_blocks(std::int64_t rows, const F& f, std::int64_t row = 0) {
   for (; rows - row >= block; row += block) f.template operator()<block>(row);
   if constexpr (block > 1) in_blocks<block - 1>(rows, f, row);
 }
 
-/// `outputs` numbers of y for each of `rows` rows of x. The loops are unrolled so that GCC keeps
-/// the sums in registers.
+/// Computes `outputs` numbers of y for each of `rows` rows of x. The loops are unrolled so that GCC
+/// keeps the sums in registers.
 template <class T, int rows, int outputs>
 void dot_products(std::int64_t inputs, const T* weight, const T* bias, Rows<const T> x, T* y,
                   std::int64_t y_stride) {
@@ -78,7 +78,7 @@ void propagate_rows(const LayerSize& size, const T* weight, const T* bias, Rows<
   }
 }
 
-/// dx += dy W for the first `outputs` columns of dy and as many rows of the weight W.
+/// dx += dy W for the first `outputs` columns of dy and the same number of rows of the weight W.
 template <class T, int rows, int outputs>
 void add_weight_rows(std::int64_t inputs, const T* weight, const T* dy, std::int64_t dy_stride,
                      Rows<T> dx) {
@@ -101,13 +101,14 @@ void add_weight_rows(std::int64_t inputs, const T* weight, const T* dy, std::int
   }
 }
 
-/// Outputs of a layer, which are rows of its weight.
+/// Range of a layer's outputs, which are rows of its weight.
 struct OutputRange {
   std::int64_t begin;
   std::int64_t end;
 };
 
-/// Calls passed(outputs) for the rows of the weight that it has read, while they are in the cache.
+/// Calls passed(outputs) for each group of weight rows right after reading it, while it is in the
+/// cache.
 template <class T, int rows, class F>
 void propagate_rows_back(const LayerSize& size, const T* weight, Rows<const T> dy, Rows<T> dx,
                          const F& passed) {
@@ -124,8 +125,8 @@ void propagate_rows_back(const LayerSize& size, const T* weight, Rows<const T> d
   }
 }
 
-/// One step of Adam for so many vectors of a row of a weight. Their gradient is the sum of the
-/// rows of x, each times its factor.
+/// Takes one step of Adam for `vectors` vectors of a row of a weight. Their gradient is the sum of
+/// the rows of x, each times its factor.
 template <class T, int vectors>
 void take_vectors(const AdamUpdate<T>& update, const std::vector<T>& factors, Rows<const T> x,
                   const TrainedWeight<T>& w) {
@@ -153,12 +154,13 @@ TrainedWeight<T> from(const TrainedWeight<T>& weight, std::int64_t begin) {
   return {weight.values + begin, weight.first_moment + begin, weight.second_moment + begin};
 }
 
-/// take() for some rows of the weight; `factors` are as many as the batch has rows, for any use.
+/// take() for some rows of the weight; `factors` is scratch space with one number per row of the
+/// batch.
 template <class T>
 void take_rows(const AdamUpdate<T>& update, T scale, const LayerSize& size, OutputRange outputs,
                Rows<const T> dy, Rows<const T> x, const TrainedWeight<T>& weight,
                std::vector<T>& factors) {
-  const DenormalsAreZero guard;  // as in adam.cpp
+  const DenormalsAreZero guard;  // see adam.cpp
   for (std::int64_t j = outputs.begin; j < outputs.end; ++j) {
     for (std::size_t r = 0; r < factors.size(); ++r) {
       factors[r] = scale * dy.row(static_cast<std::int64_t>(r))[j];
@@ -171,8 +173,8 @@ void take_rows(const AdamUpdate<T>& update, T scale, const LayerSize& size, Outp
   }
 }
 
-/// The products of one row with `rows` others, each summed from its first number to its last.
-/// Side by side, because each addition waits for the one before.
+/// Computes the products of one row with `rows` others, each summed from its first number to its
+/// last. Sums several rows at the same time, because each addition waits for the previous one.
 template <class T, int rows>
 void dot_row(std::int64_t count, const T* row, Rows<const T> others, double* products) {
   double sums[rows] = {};
@@ -184,7 +186,7 @@ void dot_row(std::int64_t count, const T* row, Rows<const T> others, double* pro
   std::copy_n(sums, rows, products);
 }
 
-/// The products of row r of x with the rows 0 to r.
+/// Computes the products of row r of x with the rows 0 to r.
 template <class T>
 void dot_with_earlier(std::int64_t count, Rows<const T> x, std::int64_t r, double* products) {
   in_blocks(r + 1, [&]<int block>(std::int64_t first) {

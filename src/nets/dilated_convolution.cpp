@@ -52,7 +52,7 @@ template <class T>
 void DilatedConvolution<T>::scatter(const T* read, T* x) const {
   const std::int64_t length = this->input().length;
   const std::int64_t inputs = this->input().width;
-  const std::int64_t middle = taps_.kernel / 2;  // at offset 0
+  const std::int64_t middle = taps_.kernel / 2;  // offset 0
   for (std::int64_t at = 0; at < length; ++at, x += inputs) {
     std::copy_n(read + (at * taps_.kernel + middle) * inputs, inputs, x);
     for (std::int64_t k = 0; k < taps_.kernel; ++k) {

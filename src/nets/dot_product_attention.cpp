@@ -9,8 +9,8 @@ namespace piae::nets {
 
 namespace {
 
-/// Each row becomes the softmax of itself times `factor`. The largest number is taken off first, so
-/// that no exponential overflows.
+/// Replaces each row by the softmax of `factor` times the row. Subtracts the largest number first,
+/// so that no exponential overflows.
 template <class T>
 void softmax_rows(Eigen::Ref<RowMatrix<T>> scores, T factor) {
   for (std::int64_t i = 0; i < scores.rows(); ++i) {
@@ -73,7 +73,8 @@ void DotProductAttention<T>::backward(const SignalBatch& batch, const T* x, cons
       const auto given = as_matrix(attention, length, held_length_).leftCols(length);
       const auto by_given = by_y.middleCols(h * head_, head_);
       by_x.middleCols(2 * width + h * head_, head_).noalias() = given.transpose() * by_given;
-      // Of softmax: each row's gradient about its mean, weighted by what softmax gave.
+      // Softmax backward: each row's gradient minus its mean weighted by the softmax, times
+      // softmax.
       by_attention_.noalias() = by_given * values.transpose();
       for (std::int64_t i = 0; i < length; ++i) {
         auto row = by_attention_.row(i).array();

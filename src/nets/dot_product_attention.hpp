@@ -8,8 +8,8 @@
 namespace piae::nets {
 
 /// Scaled dot-product attention with several heads (Vaswani et al. 2017, eq. 1) within each window.
-/// A position brings queries, keys and values side by side, [3 * width], each head's part of them
-/// side by side too: y = softmax(Q K^T / sqrt(width / heads)) V, head by head. It has no
+/// The input of a position is queries, keys and values, [3 * width], each divided into the parts of
+/// the heads. Computes y = softmax(Q K^T / sqrt(width / heads)) V for each head. It has no
 /// parameters; the projections before and after it are dense layers.
 template <class T>
 class DotProductAttention final : public SequenceLayer<T> {
@@ -22,13 +22,13 @@ class DotProductAttention final : public SequenceLayer<T> {
 
  private:
   std::int64_t heads_;
-  std::int64_t head_;  ///< numbers of a head
-  /// Of a row of attention, which begins at the boundary of a vector register: where it does
-  /// decides in which order Eigen sums it, and that must not depend on the window's place.
+  std::int64_t head_;  ///< width of a head
+  /// Length of a padded row of attention. Each row starts at the boundary of a vector register: the
+  /// start decides Eigen's order of summation, which must not depend on the window's position.
   std::int64_t held_length_;
   T factor_;                    ///< 1 / sqrt(head_)
   Eigen::ArrayX<T> attention_;  ///< [windows, heads, length, held length]
-  RowMatrix<T> by_attention_;   ///< of one window and head
+  RowMatrix<T> by_attention_;   ///< for one window and head
 };
 
 extern template class DotProductAttention<float>;

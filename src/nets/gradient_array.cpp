@@ -34,7 +34,7 @@ TrainedParameter<T> GradientArray<T>::find(const std::string& name) {
 
 template <class T>
 double GradientArray<T>::squared_norm() const {
-  // In single precision only so far as a sum of this many keeps its digits.
+  // Single precision suffices for partial sums of this size.
   constexpr std::int64_t together = 4096;
   double sum = 0;
   for (std::int64_t i = 0; i < gradients_.size(); i += together) {

@@ -10,8 +10,8 @@
 
 namespace piae::nets {
 
-/// A parameter where it lies: `rows` rows of `columns` numbers, filled up with zeros to
-/// `held_columns`, and its gradient in the same layout.
+/// View of a parameter: `rows` rows of `columns` numbers, padded with zeros to `held_columns`, and
+/// its gradient in the same layout.
 template <class T>
 struct TrainedParameter {
   const T* values;
@@ -21,30 +21,30 @@ struct TrainedParameter {
   std::int64_t held_columns;
 };
 
-/// The gradients of one network's parameters, in one array that lies as the parameters do, so that
-/// the norm of all of them and Adam each go once over contiguous memory.
+/// The gradients of one network's parameters, in one array with the parameters' layout. So the norm
+/// of all gradients and Adam each make one pass over contiguous memory.
 template <class T>
 class GradientArray {
  public:
-  /// For the parameters whose names begin with `network` and a slash. These must follow each other
-  /// in the specs. Throws std::logic_error where none has such a name, or where they do not.
+  /// Takes the parameters whose names begin with `network` and a slash. Throws std::logic_error if
+  /// none has such a name, or if they are not consecutive in the specs.
   GradientArray(std::shared_ptr<Parameters<T>> parameters, std::string network);
 
-  /// The parameter <network>/<name>. Throws std::logic_error where there is none.
+  /// Returns the parameter <network>/<name>. Throws std::logic_error if it does not exist.
   [[nodiscard]] TrainedParameter<T> find(const std::string& name);
-  /// What it was made from, in the same way.
+  /// Returns the spec of that parameter, under the same conditions.
   [[nodiscard]] const ParameterSpec& spec(const std::string& name) const {
     return parameters_->find(network_ + "/" + name).spec;
   }
 
   [[nodiscard]] double squared_norm() const;
-  /// One step of Adam by the gradients times `scale`.
+  /// Takes one step of Adam with the gradients times `scale`.
   void take(const AdamStep& step, double scale);
 
  private:
   std::shared_ptr<Parameters<T>> parameters_;
   std::string network_;
-  std::int64_t begin_ = 0;  ///< in the arrays of the parameters
+  std::int64_t begin_ = 0;  ///< index in the arrays of the parameters
   Eigen::ArrayX<T> gradients_;
 };
 

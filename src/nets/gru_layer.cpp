@@ -47,7 +47,7 @@ void GruLayer<T>::forward(std::int64_t windows, const T* x, T* y) {
   room_for(windows * 3 * units(), product_);
   room_for(windows * length() * 4 * units(), gates_);
   room_for(windows * length() * units(), before_);
-  product_.setZero();  // of the state at rest
+  product_.setZero();  // the initial state is 0
   for (std::int64_t w = 0; w < windows; ++w) {
     std::fill_n(at(before_.data(), 0, units()).row(w), units(), T{0});
   }
@@ -107,7 +107,7 @@ void GruLayer<T>::backward(const SignalBatch& batch, const T* x, const T* dy, T*
   state_weight_.differentiate(all, {before_.data(), units()}, {by_product_.data(), width});
   differentiate_bias(state_bias_, all, width, std::as_const(by_product_).data());
 
-  if (this->input().length < length()) {  // the gradients by one input are those of all positions
+  if (this->input().length < length()) {  // gradients by a shared input are sums over all positions
     for (std::int64_t w = 0; w < batch.all(); ++w) {
       const T* const from = by_x_.data() + w * length() * width;
       as_matrix(by_x_.data() + w * width, 1, width) =

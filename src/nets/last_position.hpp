@@ -6,7 +6,7 @@
 
 namespace piae::nets {
 
-/// The last position alone: [length, width] -> [1, width].
+/// Returns only the last position: [length, width] -> [1, width].
 template <class T>
 class LastPosition final : public SequenceLayer<T> {
  public:

@@ -9,15 +9,15 @@
 
 namespace piae::nets {
 
-/// <name>/scale, which begins at 1, and <name>/shift, which begins at 0, [width] each.
+/// Returns <name>/scale, which starts at 1, and <name>/shift, which starts at 0, [width] each.
 std::vector<ParameterSpec> layer_normalisation_specs(const std::string& name, std::int64_t width);
 
-/// Layer normalisation (Ba, Kiros and Hinton 2016), at each position by itself: its numbers about
+/// Layer normalisation (Ba, Kiros and Hinton 2016), separately at each position: the numbers minus
 /// their mean, divided by their standard deviation, times the scale, plus the shift.
 template <class T>
 class LayerNormalisation final : public SequenceLayer<T> {
  public:
-  static constexpr double epsilon = 1e-5;  ///< is added to the variance; as LibTorch's
+  static constexpr double epsilon = 1e-5;  ///< added to the variance, as in LibTorch
 
   /// The width must be whole rows.
   LayerNormalisation(GradientArray<T>& parameters, const std::string& name, std::int64_t length);

@@ -8,17 +8,17 @@ namespace piae::nets {
 
 namespace {
 
-/// How many vectors of a row of C are summed at a time.
+/// Number of vectors of a row of C that are summed at the same time.
 constexpr int widest_tile = vector_registers / 8;
 
-/// How many rows of C are summed at a time: as many as the registers hold beside a row of B and a
-/// number of A. More than 8 do not help.
+/// Returns the number of rows of C that are summed at the same time: as many as fit into the
+/// registers next to a row of B and a number of A. More than 8 do not help.
 constexpr int tile_rows(int vectors) {
   return std::min(8, (vector_registers - vectors - 1) / vectors);
 }
 
-/// One tile of C, `rows` rows by `vectors` vectors; a, b and c point to where it begins. The loops
-/// are unrolled so that GCC keeps the sums in registers.
+/// Computes one tile of C, `rows` rows by `vectors` vectors; a, b and c point to its start. The
+/// loops are unrolled so that GCC keeps the sums in registers.
 template <class T, int rows, int vectors>
 void multiply_tile(const MatrixProduct<T>& p, const T* a, const T* b, T* c) {
   Vector<T> sums[rows * vectors];
@@ -51,9 +51,9 @@ void multiply_tile(const MatrixProduct<T>& p, const T* a, const T* b, T* c) {
   }
 }
 
-/// All rows from `row` on of the tiles that begin at `column`: tiles of `rows` rows as long as so
-/// many are left; the last one has fewer, because B is read once for each tile, and a batch of a
-/// step has few rows.
+/// Computes all rows from `row` on of the tiles that start at `column`, in tiles of `rows` rows and
+/// smaller ones at the end. Every tile reads B once, and a batch has few rows, so tiles are as tall
+/// as possible.
 template <class T, int vectors, int rows = tile_rows(vectors)>
 void multiply_rows(const MatrixProduct<T>& p, std::int64_t column, std::int64_t row = 0) {
   for (; row + rows <= p.rows; row += rows) {
@@ -63,8 +63,8 @@ void multiply_rows(const MatrixProduct<T>& p, std::int64_t column, std::int64_t 
   if constexpr (rows > 1) multiply_rows<T, vectors, rows - 1>(p, column, row);
 }
 
-/// All rows of the tiles of `vectors` vectors that fit from `column` on. Returns the column after
-/// them.
+/// Computes all rows of the tiles of `vectors` vectors that fit from `column` on. Returns the next
+/// column.
 template <class T, int vectors>
 std::int64_t multiply_columns(const MatrixProduct<T>& p, std::int64_t column) {
   constexpr std::int64_t width = vectors * lanes<T>;

@@ -10,8 +10,8 @@ namespace piae::nets {
 
 namespace {
 
-/// Calls f(held, flat) for each row of a parameter. `held` is where the row begins in the arrays of
-/// Parameters::data(), `flat` where it begins among the parameter's own numbers without filling.
+/// Calls f(held, flat) for each row of a parameter. `held` is the start of the row in the arrays of
+/// Parameters::data(), `flat` its start among the parameter's own numbers without padding.
 template <class Parameter, class F>
 void for_each_row(const Parameter& parameter, const F& f) {
   for (std::int64_t row = 0; row < parameter.rows; ++row) {

@@ -14,24 +14,24 @@
 
 namespace piae::nets {
 
-/// The parameters of dense networks with the moments that Adam keeps of them. Each row of a weight
-/// [outputs, inputs], and each bias, is filled up with zeros to whole vectors; these zeros stay
-/// zero. copy(), read() and write() deal in float32 in the order of the specs, without the filling.
+/// Parameters of dense networks with their moments in Adam. Each row of a weight [outputs, inputs],
+/// and each bias, is padded with zeros to whole vectors; the padding stays zero. copy(), read() and
+/// write() use float32 in the order of the specs, without the padding.
 template <class T>
 class Parameters {
  public:
-  /// Initial values come from the stream as initial_values() says; moments are zero.
+  /// Initial values come from the stream, by initial_values(); moments are zero.
   Parameters(std::vector<ParameterSpec> specs, const Stream& stream);
 
-  /// One parameter, and where it lies in each of the arrays of data().
+  /// One parameter, and its position in each of the arrays of data().
   struct Parameter {
     ParameterSpec spec;
     std::int64_t begin;         ///< index of its first number
     std::int64_t rows;          ///< 1 for a bias
     std::int64_t columns;       ///< numbers in a row
-    std::int64_t held_columns;  ///< from the beginning of one row to that of the next
+    std::int64_t held_columns;  ///< distance from one row to the next
   };
-  /// Throws std::logic_error when there is no parameter of that name.
+  /// Throws std::logic_error if no parameter has that name.
   [[nodiscard]] const Parameter& find(const std::string& name) const;
   [[nodiscard]] const std::vector<Parameter>& parameters() const { return parameters_; }
 
@@ -40,14 +40,15 @@ class Parameters {
   [[nodiscard]] T* data(Kept kept) { return numbers(kept).data(); }
   [[nodiscard]] const T* data(Kept kept) const { return numbers(kept).data(); }
 
-  /// The numbers of the parameters whose names begin with `prefix`, one parameter after another.
+  /// Return the numbers of the parameters whose names begin with `prefix`, one parameter after
+  /// another.
   void copy(Kept kept, std::span<float> to, const std::string& prefix = "") const;
   [[nodiscard]] std::vector<float> read(Kept kept, const std::string& prefix = "") const;
-  /// Sets what read() with the same arguments gives.
+  /// Sets the numbers that read() returns for the same arguments.
   void write(Kept kept, std::span<const float> all, const std::string& prefix = "");
 
  private:
-  using Numbers = Eigen::ArrayX<T>;  // begins at the boundary of a vector register
+  using Numbers = Eigen::ArrayX<T>;  // starts at the boundary of a vector register
   Numbers& numbers(Kept kept) { return kept_[static_cast<std::size_t>(kept)]; }
   [[nodiscard]] const Numbers& numbers(Kept kept) const {
     return kept_[static_cast<std::size_t>(kept)];
@@ -57,8 +58,8 @@ class Parameters {
   std::array<Numbers, 3> kept_;
 };
 
-/// Writes the moments of the parameters whose names begin with `prefix`, and how many steps Adam
-/// took, as an AdamState (stored_parameters.hpp).
+/// Writes the moments of the parameters whose names begin with `prefix`, and Adam's step count, as
+/// an AdamState (stored_parameters.hpp).
 void write_moments(artefact::Writer& writer, const std::string& group,
                    const Parameters<float>& parameters, const std::string& prefix,
                    std::int64_t steps);

@@ -4,7 +4,7 @@
 
 namespace piae::nets {
 
-/// The same at each position: [1, width] -> [length, width].
+/// Repeats one position: [1, width] -> [length, width].
 template <class T>
 class PositionCopy final : public SequenceLayer<T> {
  public:

@@ -9,15 +9,15 @@
 
 namespace piae::nets {
 
-/// Whether a dense layer has a bias.
+/// Selects whether a dense layer has a bias.
 enum class Bias { there, absent };
 
-/// <name>/weight [outputs, inputs] of a dense layer without a bias.
+/// Returns <name>/weight [outputs, inputs] of a dense layer without a bias.
 ParameterSpec unbiased_dense_spec(const std::string& name, std::int64_t inputs,
                                   std::int64_t outputs);
 
-/// The dense layer <name>/weight [outputs, inputs] and <name>/bias [outputs] (dense_specs()), at
-/// each position by itself: y_t = W x_t + b.
+/// The dense layer <name>/weight [outputs, inputs] and <name>/bias [outputs] (dense_specs()),
+/// separately at each position: y_t = W x_t + b.
 template <class T>
 class PositionDense final : public SequenceLayer<T> {
  public:

@@ -4,7 +4,7 @@
 
 namespace piae::nets {
 
-/// The mean over all positions: [length, width] -> [1, width].
+/// Averages all positions: [length, width] -> [1, width].
 template <class T>
 class PositionMean final : public SequenceLayer<T> {
  public:

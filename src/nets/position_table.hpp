@@ -8,13 +8,13 @@
 
 namespace piae::nets {
 
-/// <name> [length, width]. A position is given as if a dense layer were told it as a one-hot
-/// vector, of which one number alone is not 0; so it starts as the weight of a unit with one input.
+/// Returns <name> [length, width]. The table acts like a dense layer on the one-hot vector of the
+/// position, in which only one number is not 0. So its initial bound is that of a unit with one
+/// input.
 std::vector<ParameterSpec> position_table_specs(const std::string& name,
                                                 const SequenceShape& shape);
 
-/// Adds to each position numbers of its own, which are learned (Gehring et al. 2017): y_t = x_t +
-/// p_t.
+/// Adds learned numbers to each position (Gehring et al. 2017): y_t = x_t + p_t.
 template <class T>
 class PositionTable final : public SequenceLayer<T> {
  public:

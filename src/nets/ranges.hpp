@@ -2,8 +2,8 @@
 
 #include "base/range.hpp"
 
-/// What the sizes of a stored network may be. That its parameters have these shapes, reading them
-/// shows; nothing may be made by a size before that.
+/// Permitted sizes of a stored network. Do not allocate by these sizes before reading the
+/// parameters, whose shapes confirm them.
 namespace piae::nets::ranges {
 
 inline constexpr Range depth{.low = 1, .high = 32, .unit = " layers"};

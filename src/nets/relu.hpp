@@ -4,7 +4,7 @@
 
 namespace piae::nets {
 
-/// max(x, 0) of each number.
+/// Computes max(x, 0) of each number.
 template <class T>
 class Relu final : public SequenceLayer<T> {
  public:

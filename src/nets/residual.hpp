@@ -7,7 +7,7 @@
 
 namespace piae::nets {
 
-/// What goes in, and what a layer makes of it, added: y = x + F(x) (He et al. 2016).
+/// Adds the input to a layer's output: y = x + F(x) (He et al. 2016).
 template <class T>
 class Residual final : public SequenceLayer<T> {
  public:

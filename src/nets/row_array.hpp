@@ -11,11 +11,11 @@
 
 namespace piae::nets {
 
-/// The numbers of a batch: one row for each window, without gaps between rows.
+/// The numbers of a batch: one row per window, without gaps between rows.
 template <class T>
 using RowArray = Eigen::Array<T, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-/// A copy of the first `columns` numbers of each of the first `rows` rows.
+/// Returns a copy of the first `columns` numbers of each of the first `rows` rows.
 template <class T>
 RowArray<T> copied(Rows<const T> from, std::int64_t rows, std::int64_t columns) {
   RowArray<T> to(rows, columns);
@@ -23,7 +23,7 @@ RowArray<T> copied(Rows<const T> from, std::int64_t rows, std::int64_t columns) 
   return to;
 }
 
-/// Copies an array into rows that are held elsewhere, from a column on.
+/// Copies an array into rows that are held elsewhere, starting at a column.
 template <class T>
 void put(const RowArray<T>& from, Rows<T> to, std::int64_t column = 0) {
   for (std::int64_t i = 0; i < from.rows(); ++i) {
@@ -31,7 +31,7 @@ void put(const RowArray<T>& from, Rows<T> to, std::int64_t column = 0) {
   }
 }
 
-/// The chosen rows of `all`, which holds [n, columns] numbers.
+/// Returns the selected rows of `all`, which holds [n, columns] numbers.
 template <class T>
 RowArray<T> gathered(std::span<const T> all, std::int64_t columns,
                      std::span<const std::size_t> rows) {
@@ -43,7 +43,8 @@ RowArray<T> gathered(std::span<const T> all, std::int64_t columns,
   return some;
 }
 
-/// Writes a label as a one-hot vector: `classes` numbers, all 0 but that of the label, which is 1.
+/// Writes a label as a one-hot vector: `classes` numbers, all 0 except that of the label, which is
+/// 1.
 template <class T>
 void put_one_hot(Label label, std::int64_t classes, T* to) {
   std::fill_n(to, classes, T{0});

@@ -4,8 +4,8 @@
 
 namespace piae::nets {
 
-/// A view of rows of numbers; row i begins at data + i * stride. Zeros fill each row up to whole
-/// vectors (base/vector.hpp), so the stride is a multiple of a vector too.
+/// A view of rows of numbers; row i starts at data + i * stride. Zeros pad each row to whole
+/// vectors (base/vector.hpp), so the stride is a multiple of a vector.
 template <class T>
 struct Rows {
   T* data;
@@ -16,7 +16,7 @@ struct Rows {
   operator Rows<const T>() const { return {data, stride}; }
 };
 
-/// Some rows, one below the other.
+/// A range of consecutive rows.
 struct RowRange {
   std::int64_t begin;
   std::int64_t count;

@@ -6,7 +6,8 @@ namespace piae::nets {
 
 namespace {
 
-/// What goes into the first layer, and what comes out of the last.
+/// Returns the input shape of the first layer and the output shape of the last. Throws
+/// std::logic_error if layers do not fit.
 template <class T>
 std::pair<SequenceShape, SequenceShape> ends_of(
     const std::vector<std::unique_ptr<SequenceLayer<T>>>& layers) {

@@ -10,15 +10,15 @@
 
 namespace piae::nets {
 
-/// Layers one after another, each of which is given what the one before it gives. Where two shapes
-/// differ, they are of one size: a sequence is then read as one of other positions, such as a
-/// window as frames.
+/// A chain of layers: each layer's input is the previous layer's output. Neighbouring shapes may
+/// differ if their sizes are equal: the sequence is then reinterpreted with other positions, such
+/// as a window as frames.
 template <class T>
 class SequenceChain final : public SequenceLayer<T> {
  public:
   using Layers = std::vector<std::unique_ptr<SequenceLayer<T>>>;
 
-  /// Throws std::logic_error where two neighbours do not fit, or where there is no layer.
+  /// Throws std::logic_error if two neighbours do not fit or `layers` is empty.
   explicit SequenceChain(Layers layers);
 
   void forward(std::int64_t windows, const T* x, T* y) override;
@@ -26,11 +26,11 @@ class SequenceChain final : public SequenceLayer<T> {
 
  private:
   Layers layers_;
-  std::vector<Eigen::ArrayX<T>> between_;  ///< what each layer but the last gave
-  Eigen::ArrayX<T> gradients_[2];          ///< by turns
+  std::vector<Eigen::ArrayX<T>> between_;  ///< output of each layer except the last
+  Eigen::ArrayX<T> gradients_[2];          ///< used alternately
 };
 
-/// Layers that are made where they are listed: layers<T>(a, b, ...).
+/// Makes a list of layers: layers<T>(a, b, ...).
 template <class T, class... Layer>
 typename SequenceChain<T>::Layers layers(std::unique_ptr<Layer>... each) {
   typename SequenceChain<T>::Layers all;

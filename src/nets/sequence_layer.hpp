@@ -6,9 +6,9 @@
 
 namespace piae::nets {
 
-/// Numbers that follow each other in time: `length` positions with `width` numbers each, position
-/// by position. Widths are whole rows (base/vector.hpp), and zeros fill up what is narrower, but
-/// where a layer says that it takes or gives others.
+/// Shape of a sequence in time: `length` positions with `width` numbers each, stored position by
+/// position. Widths are whole rows (base/vector.hpp), padded with zeros. Layers that accept or
+/// return other widths document them.
 struct SequenceShape {
   std::int64_t length;
   std::int64_t width;
@@ -17,18 +17,18 @@ struct SequenceShape {
   bool operator==(const SequenceShape&) const = default;
 };
 
-/// How many windows a batch has, and the gradients of how many losses go back through them.
+/// The number of windows of a batch, and the number of losses whose gradients are propagated back.
 struct SignalBatch {
   std::int64_t windows;
   std::int64_t signals;
 
-  /// Windows in which the gradients are held: those of each signal, one below the other.
+  /// Returns the number of windows that hold gradients: those of each signal, one after the other.
   [[nodiscard]] std::int64_t all() const { return windows * signals; }
 };
 
-/// A layer of a network on sequences. It keeps what backward() needs of its last forward(), but for
-/// its input, which is given to both. Arrays hold the sequences of all windows, one after the
-/// other.
+/// A layer of a network on sequences. It keeps the results of its last forward() that backward()
+/// needs, except the input, which both functions receive. Arrays hold the sequences of all windows,
+/// one after the other.
 template <class T>
 class SequenceLayer {
  public:
@@ -46,9 +46,9 @@ class SequenceLayer {
   /// x [windows, input] -> y [windows, output].
   virtual void forward(std::int64_t windows, const T* x, T* y) = 0;
 
-  /// From the gradients dy [signals, windows, output] to those by the input, dx [signals, windows,
-  /// input], which is null where nobody asks. x [windows, input] is that of the last forward(). The
-  /// gradients of the layer's parameters become those of the first signal.
+  /// Computes the gradients by the input, dx [signals, windows, input], from the gradients dy
+  /// [signals, windows, output]. dx is null if they are not needed. x [windows, input] is that of
+  /// the last forward(). The gradients of the layer's parameters become those of the first signal.
   virtual void backward(const SignalBatch& batch, const T* x, const T* dy, T* dx) = 0;
 
  private:
@@ -56,11 +56,11 @@ class SequenceLayer {
   SequenceShape output_;
 };
 
-/// One position a row.
+/// A matrix with one position per row.
 template <class T>
 using RowMatrix = Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-/// A view of rows of numbers without gaps.
+/// Returns a view of rows of numbers without gaps.
 template <class T>
 Eigen::Map<const RowMatrix<T>> as_matrix(const T* data, std::int64_t rows, std::int64_t columns) {
   return {data, rows, columns};
@@ -70,8 +70,8 @@ Eigen::Map<RowMatrix<T>> as_matrix(T* data, std::int64_t rows, std::int64_t colu
   return {data, rows, columns};
 }
 
-/// The beginning of an array that has room for `size` numbers afterwards. What it held is lost
-/// where it had not.
+/// Returns the start of an array, enlarged to `size` numbers if necessary. Enlarging discards the
+/// contents.
 template <class T>
 T* room_for(std::int64_t size, Eigen::ArrayX<T>& numbers) {
   if (numbers.size() < size) numbers.resize(size);

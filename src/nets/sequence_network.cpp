@@ -33,7 +33,8 @@ Rows<const T> SequenceNetwork<T>::backward(std::int64_t rows, std::int64_t signa
                                            RowRange by_input) {
   require_room_for(signals * rows);
   const std::int64_t stride = layers_->input().size();
-  // The parameters follow the first signal, and nobody sees those below the rows asked for.
+  // Skip unused signals: the parameters follow the first signal, and later ones matter only up to
+  // the last requested row.
   const std::int64_t followed =
       by_input.count > 0 ? (by_input.begin + by_input.count - 1) / rows + 1 : 1;
   T* const to = by_input.count > 0 ? room_for(followed * rows * stride, input_gradient_) : nullptr;

@@ -10,13 +10,13 @@
 
 namespace piae::nets {
 
-/// A network of layers on sequences. Its weights are few and are used at each position, so a step
-/// computes more than it waits for memory, and the gradients are stored.
+/// A network of layers on sequences. It has few weights and uses them at each position, so
+/// arithmetic dominates a step, and the gradients are stored.
 template <class T>
 class SequenceNetwork final : public Network<T> {
  public:
-  /// For batches of up to `most_rows` rows. `layers` hold parameters of `parameters`. Later calls
-  /// throw std::logic_error for more rows.
+  /// Makes a network for batches of up to `most_rows` rows. `layers` use parameters of
+  /// `parameters`. Later calls throw std::logic_error for more rows.
   SequenceNetwork(std::unique_ptr<GradientArray<T>> parameters,
                   std::unique_ptr<SequenceLayer<T>> layers, std::int64_t most_rows);
 

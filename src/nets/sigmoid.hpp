@@ -9,24 +9,25 @@
 
 namespace piae::nets {
 
-// Logistic function and hyperbolic tangent of a vector of numbers. Those of the C library take one
-// number at a time, and many times as long. What these give is wrong by a few units in the last
-// place, near zero too; a NaN stays one. No number that they compute with is denormal, but the
-// square that tanh takes of what is below 1e-19.
+// Logistic function and hyperbolic tangent of a vector of numbers. The C library's functions take
+// one number at a time and are many times slower. The error is a few units in the last place, also
+// near zero. A NaN stays a NaN. Intermediate results are not denormal, except the square in tanh of
+// numbers below 1e-19.
 
 namespace detail {
 
-/// What the exponential function needs to know of float and double.
+/// Constants of the exponential function for float and double.
 template <class T>
 struct ExponentialOf;
 template <>
 struct ExponentialOf<float> {
   using Bits = std::int32_t;
   static constexpr int mantissa_bits = 23;
-  static constexpr int degree = 7;        ///< of the polynomial, whose error is 5e-9
+  static constexpr int degree = 7;        ///< degree of the polynomial, whose error is 5e-9
   static constexpr float largest = 87;    ///< e^87 and e^-87 are normal numbers
   static constexpr float saturated = 10;  ///< from here on tanh is 1
-  // ln 2 as a sum; the first part has so few digits that its product with an exponent is exact.
+  // ln 2 as a sum of two parts. The first has so few digits that its product with an exponent is
+  // exact.
   static constexpr float ln2 = 0.693359375F;
   static constexpr float rest_of_ln2 = -2.12194440e-4F;
 };
@@ -41,7 +42,7 @@ struct ExponentialOf<double> {
   static constexpr double rest_of_ln2 = 1.90821492927058770002e-10;
 };
 
-/// 1 / n! for n = 0, 1, ..., degree.
+/// Returns 1 / n! for n = 0, 1, ..., degree.
 template <class T, int degree>
 constexpr std::array<T, degree + 1> taylor_of_exponential() {
   std::array<T, degree + 1> coefficients{};
@@ -56,18 +57,18 @@ constexpr std::array<T, degree + 1> taylor_of_exponential() {
 /// e^x as power * (1 + rest), where the rest is between -0.3 and 0.42.
 template <class T>
 struct Exponential {
-  Vector<T> power;  ///< of 2
+  Vector<T> power;  ///< a power of 2
   Vector<T> rest;
 };
 
-/// For |x| <= ExponentialOf<T>::largest.
+/// Requires |x| <= ExponentialOf<T>::largest.
 template <class T>
 Exponential<T> exponential(Vector<T> x) {
   using Of = ExponentialOf<T>;
   using Bits = typename Of::Bits;
   constexpr auto coefficients = taylor_of_exponential<T, Of::degree>();
-  // A number this large has no digits behind the point, so that what is added to it is rounded; its
-  // last bits are then the rounded number.
+  // A number this large has no fractional digits, so adding it rounds the other summand. The last
+  // bits of the sum are then the rounded number.
   constexpr T rounder = static_cast<T>(Bits{3} << (Of::mantissa_bits - 1));
   constexpr T one_over_ln2 = static_cast<T>(1.44269504088896340736);
   const Vector<T> rounded = x * one_over_ln2 + rounder;
@@ -85,7 +86,7 @@ Exponential<T> exponential(Vector<T> x) {
 
 }  // namespace detail
 
-/// 1 / (1 + e^-x).
+/// Returns 1 / (1 + e^-x).
 template <class T>
 Vector<T> sigmoid(Vector<T> x) {
   constexpr T largest = detail::ExponentialOf<T>::largest;
@@ -95,7 +96,7 @@ Vector<T> sigmoid(Vector<T> x) {
   return T{1} / (T{1} + e.power + e.power * e.rest);
 }
 
-/// (e^2x - 1) / (e^2x + 1), where e^2x - 1 keeps its digits near zero.
+/// Returns (e^2x - 1) / (e^2x + 1), where e^2x - 1 keeps its digits near zero.
 template <class T>
 Vector<T> tanh(Vector<T> x) {
   constexpr T saturated = detail::ExponentialOf<T>::saturated;

@@ -11,7 +11,7 @@ namespace piae::nets {
 
 namespace {
 
-/// The shapes of input and output.
+/// Returns the shapes of input and output.
 template <class T>
 std::pair<SequenceShape, SequenceShape> sides_of(GradientArray<T>& parameters,
                                                  const std::string& name, ConvolutionKind kind,
@@ -89,8 +89,8 @@ Rows<const T> StridedConvolution<T>::pad_fine(std::int64_t windows, const T* fin
   return padded;
 }
 
-// The numbers under the kernel lie in memory one after the other, and those of neighbouring
-// positions overlap, so that each of these is a product of matrices.
+// The numbers under the kernel are contiguous, and those of neighbouring positions overlap. So each
+// function below is a product of matrices.
 
 template <class T>
 void StridedConvolution<T>::make_coarse(std::int64_t windows, Rows<const T> padded_fine,
@@ -111,8 +111,8 @@ void StridedConvolution<T>::make_coarse(std::int64_t windows, Rows<const T> padd
 
 template <class T>
 void StridedConvolution<T>::make_fine(std::int64_t windows, const T* coarse_side, T* fine_side) {
-  // `stride` fine positions, counted from the first one of the zeros, are one row of the product:
-  // the second half of the kernel reaches them from one coarse position, the first half from the
+  // A row of the product is `stride` fine positions, counted from the first position of padding.
+  // The second half of the kernel reaches them from one coarse position, the first half from the
   // next.
   const std::int64_t columns = stride() * fine().width;
   const std::int64_t held_columns = whole_rows(columns);

@@ -17,7 +17,8 @@ namespace {
 
 const std::string checkpoint_kind = "checkpoint";
 
-/// A digest of all that must be the same for a continued training to equal an uninterrupted one.
+/// Returns a digest of everything that must be equal so that a continued training equals an
+/// uninterrupted one.
 std::string identity_of(const artefact::Provenance& provenance) {
   Sha256 sha;
   sha.update(artefact::build_version()).update(artefact::build_libraries());
@@ -34,9 +35,8 @@ void save(const Trainee& trainee, const Checkpoint& checkpoint, std::size_t epoc
   writer.save(checkpoint.path, checkpoint.provenance);
 }
 
-/// How many epochs the checkpoint saves; none when there is none that these inputs, options and
-/// this build left. One that does not fit or is damaged is no error: the training starts anew, with
-/// a warning.
+/// Returns the number of epochs in the checkpoint. Returns 0, with a warning, if the checkpoint is
+/// of other inputs, options or another build: the training then starts from the beginning.
 std::size_t epochs_saved(const artefact::Reader& reader, const Trainee& trainee,
                          const Checkpoint& checkpoint) {
   if (reader.text("/", "identity") != identity_of(checkpoint.provenance)) {
@@ -58,9 +58,9 @@ std::optional<artefact::Reader> open_checkpoint(const Checkpoint& checkpoint) {
   }
 }
 
-/// Restores the state that the checkpoint holds; returns how many epochs need not be run again. A
-/// whole checkpoint of this training whose state cannot be is an error: no stage writes one, and
-/// part of it may have been taken over.
+/// Restores the state of the checkpoint; returns the number of finished epochs. Throws if a
+/// complete checkpoint of this training holds an impossible state: no stage writes one, and part of
+/// it may already have been restored.
 std::size_t resume(Trainee& trainee, const Checkpoint& checkpoint) {
   const std::optional<artefact::Reader> reader = open_checkpoint(checkpoint);
   if (!reader) return 0;
@@ -71,7 +71,7 @@ std::size_t resume(Trainee& trainee, const Checkpoint& checkpoint) {
   return done;
 }
 
-/// What all epochs before each one have taken, and at the end all of them.
+/// Returns the effort of all epochs before each one, and finally the total effort.
 std::vector<double> efforts_of(const Trainee& trainee) {
   std::vector<double> efforts{0};
   for (std::size_t epoch = 0; epoch < trainee.epochs(); ++epoch) {
@@ -94,7 +94,7 @@ void run_epochs(Trainee& trainee, const Checkpoint& checkpoint) {
   for (std::size_t epoch = first; epoch < trainee.epochs(); ++epoch) {
     const std::string note = trainee.run_epoch(epoch);
     if (progress) progress->update(epoch + 1, note);
-    // The first epoch of a training that goes on may make again what its state does not hold.
+    // Start timing after the first resumed epoch, which may recompute what the state does not hold.
     if (!progress) begin(epoch + 1);
     if (checkpoint.interrupted()) {
       save(trainee, checkpoint, epoch + 1);

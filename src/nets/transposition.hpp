@@ -6,8 +6,8 @@
 
 namespace piae::nets {
 
-/// Each sequence transposed, [length, width] -> [width, length]: convolutions have their channels
-/// side by side, while the dense layer beside them has one channel after the other.
+/// Transposes each sequence, [length, width] -> [width, length]: a convolution stores all channels
+/// of a position together, while the neighbouring dense layer stores one channel after the other.
 template <class T>
 class Transposition final : public SequenceLayer<T> {
  public:
@@ -24,7 +24,7 @@ class Transposition final : public SequenceLayer<T> {
   }
 
  private:
-  /// Square by square, so that neither side is left for long.
+  /// Copies square by square, so that reads and writes both stay in the cache.
   static void transpose(const SequenceShape& shape, const T* all_from, T* all_to,
                         std::int64_t window) {
     constexpr std::int64_t square = 16;

@@ -16,7 +16,7 @@ WeightProducts<T>::WeightProducts(const TrainedParameter<T>& weight)
 
 template <class T>
 void WeightProducts<T>::renew() {
-  // So many rows side by side, so that whole lines of memory are written.
+  // Process this many rows at a time, so that whole cache lines are written.
   for (std::int64_t first = 0; first < weight_.rows; first += row_granule) {
     const std::int64_t some = std::min(row_granule, weight_.rows - first);
     const T* const from = weight_.values + first * weight_.held_columns;

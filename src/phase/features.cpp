@@ -10,10 +10,10 @@ namespace piae::phase {
 
 std::vector<float> autocorrelation(std::span<const float> window) {
   const auto samples = static_cast<Eigen::Index>(window.size());
-  // The transform is cyclic: without zeros behind the window, its end would meet its beginning.
+  // The transform is circular: without zero padding, the window's end would meet its beginning.
   Eigen::VectorXf padded = Eigen::VectorXf::Zero(samples + static_cast<Eigen::Index>(feature_lags));
   const Eigen::Map<const Eigen::VectorXf> values(window.data(), samples);
-  // Eigen's own mean() would add in an order that depends on where the window lies in memory.
+  // Do not use Eigen's mean(): its order of addition depends on the window's memory address.
   padded.head(samples) = values.array() - static_cast<float>(signal::mean_of(window));
   Eigen::VectorXcf spectrum(padded.size() / 2 + 1);
   const std::span bins(spectrum.data(), spectrum.data() + spectrum.size());

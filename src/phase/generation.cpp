@@ -13,7 +13,7 @@ namespace piae::phase {
 
 namespace {
 
-/// The classes of the known windows that these points were inferred of.
+/// Returns the classes of the known windows from which these points were inferred.
 std::vector<Label> read_labels(const artefact::Reader& model,
                                const std::vector<twin::TwinPoint>& points) {
   const std::string path = "/phase/labels";
@@ -47,8 +47,8 @@ class Decoder {
     return cycle_of_class(info(), label, length());
   }
 
-  /// The twin space of one class. Each class has its own, because the state of an inner race says
-  /// nothing about a ball.
+  /// Returns the twin space of one class. Each class has its own, because the state of an inner
+  /// race contains no information about a ball.
   [[nodiscard]] twin::TwinSpace space_of(Label label) const {
     return twin::space_of_class(points_, labels_, label, bins_);
   }
@@ -73,7 +73,7 @@ class Decoder {
   }
 
  private:
-  /// What the decoder is given: all first states, then all second ones.
+  /// Returns the decoder's inputs: all first states, then all second states.
   [[nodiscard]] std::vector<twin::TwinPoint> inputs(const std::vector<Draw>& draws,
                                                     Label label) const {
     std::vector<twin::TwinPoint> points;
@@ -85,8 +85,8 @@ class Decoder {
 
   twin::ModelDescription description_;
   std::unique_ptr<twin::StoredTwin> networks_;
-  std::vector<twin::TwinPoint> points_;  // of the known windows
-  std::vector<Label> labels_;            // of the known windows
+  std::vector<twin::TwinPoint> points_;  // states of the known windows
+  std::vector<Label> labels_;            // classes of the known windows
   int bins_;
   StateScale scale_;
 };

@@ -21,7 +21,7 @@ constexpr int depth = 3;  // dense layers
 constexpr auto lags = static_cast<std::int64_t>(feature_lags);
 constexpr float least_spread = 1e-6F;
 
-/// The mean and the standard deviation of a logarithm that is uniform between those of two values.
+/// Mean and standard deviation of a logarithm that is uniform between those of two values.
 struct LogScale {
   LogScale(double low, double high)
       : centre((std::log(low) + std::log(high)) / 2),

@@ -19,53 +19,52 @@
 
 namespace piae::phase {
 
-/// The least and the largest (k~, c~) among which that of a window is looked for.
+/// The least and the largest (k~, c~) that can be inferred for a window.
 struct Bounds {
   twin::TwinPoint low;
   twin::TwinPoint high;
 };
 
-/// The encoder of piae-dt-phase: it infers (k~, c~) of a window whose class is known. A dense
-/// network takes the window's autocorrelation (features.hpp), on which the start angle has no
-/// influence, and the one-hot label, and gives log k~ and log c~. It learns this from solutions of
-/// eq. 13 with known (k, c) (inference_training.hpp), which is amortised inference as in Cranmer,
-/// Brehmer and Louppe 2020.
+/// The encoder of piae-dt-phase: infers (k~, c~) of a window whose class is known. A dense network
+/// maps the window's autocorrelation (features.hpp), which does not depend on the start angle, and
+/// the one-hot label to log k~ and log c~. It learns from solutions of eq. 13 with known (k, c)
+/// (inference_training.hpp): amortised inference as in Cranmer, Brehmer and Louppe 2020.
 class Inference {
  public:
-  /// The group of a model, or of a checkpoint, that holds it; and its parameters.
+  /// The group of a model or checkpoint that holds the inference, and its parameters.
   static const std::string group;
   static std::vector<nets::ParameterSpec> specs_of(std::int64_t classes, int width);
 
   /// Learns and infers in batches of up to `batch` windows. Initial values come from the stream.
   Inference(std::int64_t classes, int width, int batch, const Stream& stream);
 
-  /// One point for each window. Throws Error(bad_input) for windows that are constant or not longer
-  /// than feature_lags.
+  /// Returns one point for each window. Throws Error(bad_input) if a window is constant or not
+  /// longer than feature_lags.
   [[nodiscard]] std::vector<twin::TwinPoint> infer(const signal::WindowSet& windows);
 
-  /// The features of windows, [n, feature_lags]. Throws as infer() does.
+  /// Returns the features of windows, [n, feature_lags]. Throws like infer().
   [[nodiscard]] static nets::RowArray<float> features_of(const signal::WindowSet& windows);
 
-  /// What the network should give for these points, [n, 2]: log k~ and log c~, standardised as if
+  /// Returns the target outputs for these points, [n, 2]: log k~ and log c~, standardised as if
   /// they were uniform between the bounds of the window's class.
   [[nodiscard]] nets::RowArray<float> targets_of(const std::vector<twin::TwinPoint>& points,
                                                  const std::vector<Label>& labels) const;
 
-  /// One step of Adam by a batch; returns the mean squared error before the step.
+  /// Takes one step of Adam on a batch; returns the mean squared error before the step.
   double learn(const nets::RowArray<float>& features, std::span<const Label> labels,
                const nets::RowArray<float>& targets, double learning_rate);
 
-  /// Sets the scales of what goes in and comes out: from now on the points of each class lie
-  /// between its `bounds`, and features have the mean and the standard deviation of `features`.
+  /// Sets the scales of inputs and outputs. The points of each class then lie between its `bounds`,
+  /// and features have the mean and the standard deviation of `features`.
   void set_scale(const std::vector<Bounds>& bounds, const nets::RowArray<float>& features);
 
   [[nodiscard]] const std::vector<Bounds>& bounds() const { return bounds_; }
 
-  /// Weights and scales, below /inference. Reading throws artefact::Refusal for other sizes, and
-  /// for bounds or scales that are not positive.
+  /// Weights and scales, below /inference. Reading throws artefact::Refusal if sizes differ, or if
+  /// bounds or scales are not positive.
   void write(artefact::Writer& writer) const;
   void read(const artefact::Reader& reader);
-  /// The state of Adam, as nets::AdamState in /inference/adam.
+  /// Write and read the state of Adam, as nets::AdamState in /inference/adam.
   void write_adam(artefact::Writer& writer) const;
   void read_adam(const artefact::Reader& reader);
 
@@ -79,8 +78,8 @@ class Inference {
   std::vector<nets::ParameterSpec> specs_;
   std::shared_ptr<nets::Parameters<float>> parameters_;
   nets::DenseChain<float> network_;
-  std::int64_t steps_ = 0;      ///< of Adam
-  std::vector<Bounds> bounds_;  ///< of each class
+  std::int64_t steps_ = 0;      ///< Adam's steps so far
+  std::vector<Bounds> bounds_;  ///< one per class
   Row feature_mean_;            ///< [feature_lags]
   Row feature_spread_;          ///< [feature_lags]
 };

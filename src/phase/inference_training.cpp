@@ -19,20 +19,20 @@ using twin::damping_scale_ns_per_m;
 using twin::stiffness_scale_n_per_m;
 
 constexpr std::size_t rounds = 2;
-/// The first round has so many times fewer windows than the last: it only has to find the
+/// The first round has this factor fewer windows than the last, because it only has to find the
 /// neighbourhood of the known (k, c).
 constexpr int fewer_in_first_round = 3;
-/// How many realisations of the noise the epochs use in turn. More do not teach better.
+/// Number of noise realisations that the epochs use in turn. More do not improve the result.
 constexpr std::size_t noise_realisations = 4;
-/// In the second round, (k, c) is drawn from the class's median divided by these factors to the
-/// median times them.
+/// The second round draws (k, c) between the class's median divided by these factors and the median
+/// times them.
 constexpr double prior_factor_k = 1.5;
 constexpr double prior_factor_c = 2;
-/// What it takes to simulate a lesson, as features with all noise, measured in what it takes to
-/// learn from it once. Only for the time left.
+/// Cost of simulating a lesson, with features for all noise realisations, relative to learning from
+/// it once. Used only to estimate the remaining time.
 constexpr double effort_of_a_simulation = 40;
 /// The longest sub-step of the solution of eq. 13. It is coarse: its error is 1 % of the waveform,
-/// which is below the noise that is added.
+/// which is below the added noise.
 constexpr double sub_step_s = 6e-6;
 
 std::vector<twin::TwinPoint> points_of(const signal::WindowSet& windows) {
@@ -47,8 +47,8 @@ double draw_log(Stream& stream, double low, double high) {
   return std::exp(stream.uniform(std::log(low), std::log(high)));
 }
 
-/// Narrows the bounds to centre / factor and centre * factor, as far as these lie between the
-/// bounds. A centre outside the bounds is first moved to the nearer one.
+/// Narrows the bounds to centre / factor and centre * factor, where these lie between the bounds. A
+/// centre outside the bounds is first moved to the nearer bound.
 void narrow(double& low, double& high, double centre, double factor) {
   centre = std::clamp(centre, low, high);
   low = std::max(low, centre / factor);

@@ -14,22 +14,22 @@
 namespace piae::phase {
 
 /// Trains an Inference on windows that solve eq. 13 for random (k, c), start angles, speeds and
-/// slips, with white measurement noise of random strength. There are two rounds. In the first, (k,
-/// c) is drawn from everywhere between the bounds of the options. In the second, which has more
-/// windows, it is drawn only from around what the first round infers of the known windows of each
-/// class (truncated sequential estimation, Deistler, Goncalves and Macke 2022).
+/// slips, with white measurement noise of random strength. There are two rounds. The first draws
+/// (k, c) from the full range of the options. The second, which has more windows, draws it only
+/// from the neighbourhood of what the first round infers from the known windows of each class
+/// (truncated sequential estimation, Deistler, Goncalves and Macke 2022).
 class InferenceTraining final : public nets::Trainee {
  public:
-  /// Throws Error(usage) when the options leave nothing between the bounds, and Error(bad_input)
-  /// when the known windows of a class are constant.
+  /// Throws Error(usage) if the options leave nothing between the bounds, and Error(bad_input) if
+  /// known windows of a class are constant.
   InferenceTraining(const signal::WindowSet& known, const signal::SimulationOptions& simulation,
                     const InferenceOptions& options, const Stream& stream);
 
   [[nodiscard]] std::size_t epochs() const override;
-  /// Of one epoch, in lessons that are learned from once. Most of it is in the first epoch of a
-  /// round, which makes the lessons.
+  /// Returns the cost of one epoch, in units of learning from one lesson once. The first epoch of a
+  /// round costs most, because it makes the lessons.
   [[nodiscard]] double effort(std::size_t epoch) const override;
-  /// Throws Error(failed) when the loss is no longer finite.
+  /// Throws Error(failed) if the loss is not finite.
   std::string run_epoch(std::size_t epoch) override;
   void write_state(artefact::Writer& writer) const override;
   void read_state(const artefact::Reader& reader) override;
@@ -40,7 +40,7 @@ class InferenceTraining final : public nets::Trainee {
  private:
   /// The simulated windows of a round, as features with noise.
   struct Lessons {
-    std::vector<nets::RowArray<float>> features;  ///< one array for each realisation of the noise
+    std::vector<nets::RowArray<float>> features;  ///< one array per noise realisation
     std::vector<Label> labels;
     std::vector<twin::TwinPoint> points;
   };

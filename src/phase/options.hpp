@@ -6,10 +6,10 @@
 
 namespace piae::phase {
 
-/// The settings of piae-dt-phase: those of the twin, whose mass, load and clearance also serve the
-/// simulations that the inference learns from, and those of the inference.
+/// Settings of piae-dt-phase: those of the twin and those of the inference. The twin's mass, load
+/// and clearance also apply to the simulations from which the inference learns.
 struct PhaseOptions {
-  /// Its decoder learns in batches of all classes, with which its settings were calibrated.
+  /// The decoder learns in batches of all classes, because its settings were calibrated with these.
   twin::TwinOptions twin{.batches = twin::Batches::mixed};
   InferenceOptions inference;
 };

@@ -9,24 +9,24 @@
 
 namespace piae::phase {
 
-/// Scales (k~, c~) for the decoder. Within a class they differ by some percent, but from class to
-/// class by an order of magnitude. So the decoder is given log k~ and log c~ less their mean over
-/// the known windows of the class and divided by their standard deviation there.
+/// Scales (k~, c~) for the decoder. They vary by some percent within a class, but by an order of
+/// magnitude between classes. So the decoder receives log k~ and log c~ minus their mean over the
+/// known windows of the class, divided by their standard deviation.
 class StateScale {
  public:
-  /// `points` are the (k~, c~) of the known windows, `labels` the classes of these.
+  /// `points` are the (k~, c~) of the known windows, `labels` their classes.
   StateScale(const std::vector<twin::TwinPoint>& points, std::span<const Label> labels,
              std::size_t classes);
 
-  /// What the decoder is given in the place of a point of this class.
+  /// Returns the decoder's input for a point of this class.
   [[nodiscard]] twin::TwinPoint standardised(const twin::TwinPoint& point, Label label) const;
   [[nodiscard]] std::vector<twin::TwinPoint> standardised(
       const std::vector<twin::TwinPoint>& points, std::span<const Label> labels) const;
 
  private:
   struct Class {
-    twin::TwinPoint mean;    ///< of log k~ and log c~
-    twin::TwinPoint spread;  ///< their standard deviations; 1 where all points are equal
+    twin::TwinPoint mean;    ///< mean of log k~ and log c~
+    twin::TwinPoint spread;  ///< their standard deviations; 1 if all points are equal
   };
   std::vector<Class> classes_;
 };

@@ -9,12 +9,12 @@
 
 namespace piae::phase {
 
-/// The inference of a stored model. Throws artefact::Refusal for what no training has written.
+/// Returns the inference of a stored model. Throws artefact::Refusal if no training has written it.
 std::unique_ptr<Inference> read_inference(const artefact::Reader& model);
 
-/// The stiffness (N/m) and damping (N s/m) that a stored model of piae-dt-phase infers of each
-/// window (inference.hpp). Throws Error(bad_input) as Inference::infer does, and for windows of
-/// another number of classes than the model's.
+/// Returns the stiffness (N/m) and damping (N s/m) that a stored model of piae-dt-phase infers for
+/// each window (inference.hpp). Throws Error(bad_input) like Inference::infer, and if the number of
+/// classes differs from the model's.
 std::vector<signal::DynamicParameters> infer(const artefact::Reader& model,
                                              const signal::WindowSet& windows);
 

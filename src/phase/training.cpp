@@ -15,11 +15,12 @@ namespace piae::phase {
 
 namespace {
 
-/// What an epoch of the decoder takes for each known window, in lessons of the inference that are
-/// learned from once; measured, and only for the time left.
+/// Cost of a decoder epoch per known window, in units of learning from one lesson of the inference
+/// once. The value was measured; it only serves to estimate the remaining time.
 constexpr double effort_of_a_window = 30;
 
-/// The known windows, turned so that all of a class start at one angle, and where each started.
+/// The known windows, circularly shifted so that all of a class start at one angle, and their
+/// original starts.
 struct Turned {
   signal::WindowSet windows;
   std::vector<std::int64_t> starts;  ///< in samples of the class's cycle

@@ -16,7 +16,7 @@ std::optional<std::string> if_given(const std::string& text) {
   return text.empty() ? std::nullopt : std::optional(text);
 }
 
-/// The data sets that have a seed in the folder of a run.
+/// Returns the data sets that have a seed in the folder of a run.
 std::vector<std::string> held_in(const fs::path& run) {
   std::vector<std::string> held;
   std::error_code none;

@@ -9,8 +9,8 @@
 
 namespace piae::plan {
 
-/// The words of a request as options, each of which is taken from the variable of make where it is
-/// not given: --methods from METHODS. What is empty is not given.
+/// The words of a request as options. An option that is not given takes its value from a variable
+/// of make: --methods from METHODS. An empty value counts as not given.
 struct Asked {
   std::string goals;
   std::string run;

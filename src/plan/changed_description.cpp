@@ -29,7 +29,7 @@ std::string value_text(const toml::node* node) {
   return text.str();
 }
 
-/// Gives the names of the keys of both, each once.
+/// Returns the keys of both tables, each once.
 std::set<std::string> keys_of_both(const toml::table& was, const toml::table& is) {
   std::set<std::string> keys;
   for (const auto& [key, node] : was) keys.emplace(key.str());
@@ -47,7 +47,7 @@ std::string changed_in(const std::string& before, const toml::table& was, const 
   return {};
 }
 
-/// Compares lists of tables entry by entry, which people count from 1.
+/// Compares two lists of tables entry by entry. Entries are counted from 1.
 std::string changed_in(const std::string& name, const toml::array& was, const toml::array& is) {
   for (std::size_t i = 0; i < std::min(was.size(), is.size()); ++i) {
     std::string change =

@@ -13,7 +13,7 @@ namespace piae::plan {
 
 namespace {
 
-/// The steps of one method of one seed.
+/// The steps of one method and one seed.
 struct Unit {
   std::string name;
   std::string run;
@@ -28,20 +28,21 @@ struct Unit {
   }
 };
 
-/// One job while it is filled.
+/// A job that is being filled.
 struct Load {
   double seconds = 0;
-  double longest = 0;  ///< unit, s
+  double longest = 0;  ///< of the longest unit, s
   std::size_t steps = 0;
   std::vector<std::string> files = {};
 };
 
-constexpr std::size_t most_jobs = 500;  // below MaxArraySize, which is 1001 where nobody has set it
+constexpr std::size_t most_jobs = 500;  // below Slurm's default MaxArraySize of 1001
 
-/// Twice what was measured and five minutes, for slower processors, in steps of five minutes.
+/// Returns twice the measured time plus five minutes, for slower processors, rounded up to five
+/// minutes.
 double minutes_for(double seconds) { return 5 * std::ceil((2 * seconds + 300) / 300); }
 
-/// Adds to the memory of the programs that of make, the shells and the file buffers of the job.
+/// Returns the memory of `many` programs, plus 300 MB for make, the shells and the file buffers.
 double megabytes_for(std::size_t many, double most) {
   return 100 * std::ceil((static_cast<double>(many) * most + 300) / 100);
 }
@@ -63,7 +64,7 @@ std::size_t jobs_for(double seconds, std::size_t units, std::size_t cores, doubl
   return std::max<std::size_t>(1, std::min({wanted, units, most_jobs}));
 }
 
-/// The units of one run, the longest first, each to the job that has least to do.
+/// Distributes the units of one run, longest first: each goes to the job with the least work.
 std::vector<Load> fill(const std::vector<const Unit*>& units, std::size_t cores, double minutes) {
   double seconds = 0;
   for (const Unit* unit : units) seconds += unit->seconds;
@@ -78,7 +79,7 @@ std::vector<Load> fill(const std::vector<const Unit*>& units, std::size_t cores,
   return loads;
 }
 
-/// All jobs of one kind, of whichever runs.
+/// Divides units among jobs of one kind, separately for each run.
 JobKind kind_of(const std::string& name, std::vector<const Unit*> units, std::size_t cores,
                 double minutes) {
   std::ranges::sort(units, [](const Unit* left, const Unit* right) {
@@ -110,7 +111,7 @@ JobKind kind_of(const std::string& name, std::vector<const Unit*> units, std::si
   return kind;
 }
 
-/// The one job of a unit. It gets `further_s` of time for what no step's cost tells.
+/// Makes a single job for a unit, with `further_s` seconds for work that step costs do not cover.
 JobKind one_job(const Unit& unit, std::size_t steps, std::size_t cores, double further_s) {
   return {.name = unit.name,
           .cores = cores,

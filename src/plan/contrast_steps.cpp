@@ -12,7 +12,7 @@ namespace piae::plan {
 
 namespace {
 
-/// One side of a contrast: a data set of a run, and the cells by the paper's classifier in it.
+/// One side of a contrast: a data set of a run, and its cells by the paper's classifier.
 struct Side {
   std::string folder;
   TableCells cells;

@@ -4,8 +4,8 @@
 
 namespace piae::plan {
 
-/// Puts the tables into a graph that set two runs side by side which differ in one condition, and
-/// the cells of both:
+/// Adds the tables that compare two runs, which differ in one condition, and the cells of both
+/// runs:
 ///
 ///     RUN and RUN-blocked      -> <dataset>/protocols.md      the overlap of windows in a random
 ///     split cwru-as-published, cwru  -> cwru-as-published/rates.md  the mixed sample rates

@@ -20,12 +20,12 @@ std::string key_of(const std::string& stage, const std::string& dataset, const s
   return stage + '|' + dataset + '|' + method + '|' + ratio;
 }
 
-/// Every classifier is like a stage of its own.
+/// Names a stage and its classifier. Each classifier counts as a stage of its own.
 std::string stage_by(const std::string& stage, const std::string& classifier) {
   return classifier.empty() ? stage : stage + " by " + classifier;
 }
 
-/// Keys of what a step is like, the most alike first.
+/// Returns the keys under which the costs of a step are stored, the most specific first.
 std::array<std::string, 6> keys_of(const std::string& stage, const Place& place) {
   const std::string by = stage_by(stage, place.classifier);
   return {key_of(by, place.dataset, place.method, place.ratio),
@@ -101,7 +101,7 @@ Costs::Estimate Costs::of(const Step& step) const {
   const auto keys = keys_of(stage, step.place);
   const bool is_training = stage == "train";
   for (std::size_t i = 0; i < keys.size(); ++i) {
-    if (is_training && (i == 2 || i == 3)) continue;  // methods have nothing in common
+    if (is_training && (i == 2 || i == 3)) continue;  // methods train differently
     const auto found = known_.find(keys[i]);
     if (found == known_.end()) continue;
     return {found->second, i == 5 || (is_training && i > 1)};

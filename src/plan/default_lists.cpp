@@ -33,8 +33,8 @@ Words names_of_ratios() {
   return names;
 }
 
-/// All groups, their methods by all inputs of a WDCNN and by the bar, with the most generated
-/// windows.
+/// Returns all groups, and their methods with all inputs of a WDCNN and with the baseline, at the
+/// ratio with the most generated windows.
 Lists lists_of_transfer(const Experiment& experiment) {
   if (experiment.groups.empty()) {
     throw Error(Exit::usage,
@@ -96,7 +96,7 @@ Words methods_of_paper() {
 Lists default_lists(const Experiment& experiment, const std::vector<std::string>& goals) {
   Lists lists = has(goals, "transfer") ? lists_of_transfer(experiment) : lists_of_grid(goals);
   if (has(goals, "readings")) {
-    lists.seeds = {100, 101, 102, 103, 104};  // choices are made on them
+    lists.seeds = {100, 101, 102, 103, 104};  // choices are made on these seeds
   } else {
     lists.seeds = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9};
   }

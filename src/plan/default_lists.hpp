@@ -8,7 +8,7 @@
 
 namespace piae::plan {
 
-/// The lists that a request may give.
+/// The lists that a request can give.
 struct Lists {
   std::vector<std::string> datasets;
   std::vector<std::string> methods;
@@ -17,11 +17,11 @@ struct Lists {
   std::vector<std::int64_t> seeds;
 };
 
-/// The lists that goals have where nothing is given. Throws Error(usage) where a goal needs groups
-/// of data sets and pipeline/protocol.toml names none.
+/// Returns the default lists of the goals. Throws Error(usage) if a goal needs groups of data sets
+/// and pipeline/protocol.toml defines none.
 Lists default_lists(const Experiment& experiment, const std::vector<std::string>& goals);
 
-/// The methods that the word `paper` stands for.
+/// Returns the methods that the word `paper` stands for.
 std::vector<std::string> methods_of_paper();
 
 }  // namespace piae::plan

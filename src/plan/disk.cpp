@@ -16,8 +16,7 @@ namespace {
 
 using artefact::Made;
 
-/// The recordings that records.h5 says it was made of: programs of before did not name them as
-/// inputs.
+/// Adds the recordings that records.h5 lists: older programs did not record them as inputs.
 void add_recordings(const artefact::Reader& records, Made& made) {
   const auto is_recording = [](const artefact::MadeFrom& from) {
     return from.role.starts_with("recording ");
@@ -34,7 +33,7 @@ void add_recordings(const artefact::Reader& records, Made& made) {
   }
 }
 
-/// "known C.h5 efb1..."
+/// Parses a line such as "known C.h5 efb1...".
 artefact::Provenance::Input parse_input(const std::string& line) {
   const std::size_t role = line.find(' ');
   const std::size_t digest = line.rfind(' ');
@@ -78,7 +77,7 @@ artefact::Journal& RealDisk::journal_of(const std::string& file) {
   for (std::size_t run = 0; run < runs_.size(); ++run) {
     if (file.starts_with(runs_[run] + '/')) return journal(run);
   }
-  return journal(0);  // of what lies outside: recordings, the paper's tables
+  return journal(0);  // for files outside: recordings, the paper's tables
 }
 
 artefact::Journal& RealDisk::journal(std::size_t run) {

@@ -10,16 +10,16 @@
 
 namespace piae::plan {
 
-/// A file as it lies on the disk.
+/// A file on the disk.
 struct File {
-  std::string digest;  ///< of an artefact its content digest, else the sha256
-  std::optional<artefact::Made> made = std::nullopt;  ///< of an artefact
+  std::string digest;  ///< content digest of an artefact; sha256 of any other file
+  std::optional<artefact::Made> made = std::nullopt;  ///< artefacts only
   std::string belongs_in =
-      {};                    ///< of an artefact: the name of its file, see artefact/belongs_in.hpp
+      {};  ///< artefacts only: the expected file name, see artefact/belongs_in.hpp
   std::string problem = {};  ///< why an artefact cannot be read; else empty
 };
 
-/// Answers the questions that a plan has about the disk.
+/// The plan's view of the disk.
 class Disk {
  public:
   Disk() = default;
@@ -27,23 +27,23 @@ class Disk {
   Disk& operator=(const Disk&) = delete;
   virtual ~Disk() = default;
 
-  /// Says which files find() will be asked for: many artefacts are read faster together.
+  /// Announces the files that find() will look up: reading many artefacts together is faster.
   virtual void read_ahead(const std::vector<std::string>& files) = 0;
-  /// Null where there is no such file.
+  /// Returns null if the file does not exist.
   virtual const File* find(const std::string& file) = 0;
-  /// How a step made its outputs, where these do not say so themselves; null where nobody knows.
+  /// Returns how a step made its outputs, if they do not record it themselves; null if unknown.
   virtual const artefact::DoneStep* done(const std::string& step) = 0;
-  /// The regular files below a folder, relative to it, in alphabetical order; none where there is
-  /// no folder. What is hidden is left out.
+  /// Lists the regular files below a folder, relative to it, in alphabetical order, without hidden
+  /// ones. Returns an empty list if the folder does not exist.
   virtual std::vector<std::string> files_below(const std::string& folder) = 0;
-  /// The text of a small file; empty where there is none.
+  /// Returns the text of a small file; an empty text if it does not exist.
   virtual std::string text_of(const std::string& file) = 0;
 };
 
-/// The disk itself, with the journals of runs: a file that looks as it did is not read again.
+/// The real disk, with the journals of runs: an unchanged file is not read again.
 class RealDisk : public Disk {
  public:
-  /// `runs` are folders such as results/try. With `may_write` the journals keep what was seen.
+  /// `runs` are folders such as results/try. With `may_write` the journals are saved.
   explicit RealDisk(const std::vector<std::string>& runs, bool may_write);
   ~RealDisk() override;
 
@@ -64,7 +64,7 @@ class RealDisk : public Disk {
   void note_read(const std::string& file, const artefact::Stat& stat, const File& found);
 
   std::vector<std::string> runs_;
-  std::vector<std::unique_ptr<artefact::Journal>> journals_;  ///< each read when it is needed
+  std::vector<std::unique_ptr<artefact::Journal>> journals_;  ///< each read at first use
   std::unordered_map<std::string, std::optional<File>> seen_;
   bool may_write_;
 };

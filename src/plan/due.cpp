@@ -19,9 +19,9 @@ namespace {
 
 using Values = std::map<std::string, std::string>;
 
-const std::string a_recording = "recording ";  // and its name: the role of an input
+const std::string a_recording = "recording ";  // role of an input, followed by its name
 
-/// Reads lines such as: epochs = "200"
+/// Parses lines such as: epochs = "200"
 Values parse_options(std::string_view text) {
   Values values;
   while (!text.empty()) {
@@ -47,16 +47,18 @@ Values wanted_by(const Step& step) {
   return wanted;
 }
 
-/// A value as people write it: 0.005 for 0.0050000000000000001.
+/// Returns a value as people write it: 0.005 for 0.0050000000000000001.
 std::string shown(const std::string& value) {
   const auto number = number_in<double>(value);
   const std::string shortest = number ? fmt::format("{}", *number) : value;
   return shortest.size() < value.size() ? shortest : value;
 }
 
-/// Why a setting makes a step due; `was` is empty where it was not set.
+/// Returns why a setting makes a step due. An empty text stands for a setting that is not set.
 std::string changed_setting(const std::string& option, const std::string& value,
                             const std::string& was) {
+  if (option == "leave-out") return "other cells are left out, since they are out of date";
+  if (value.empty()) return fmt::format("setting {} is not set, was {}", option, shown(was));
   if (was.empty()) return fmt::format("setting {} is {}, was not set", option, shown(value));
   return fmt::format("setting {} is {}, was {}", option, shown(value), shown(was));
 }
@@ -73,7 +75,7 @@ std::string options_text(const Values& values) {
   return text;
 }
 
-/// Combines the digests of files in one role: their number and one digest.
+/// Combines the digests of files in one role into their number and one digest.
 std::string digest_of_all(const std::vector<std::pair<std::string, std::string>>& files) {
   Sha256 sum;
   for (const auto& [name, digest] : files) sum.update(below_run(name) + ' ' + digest + '\n');
@@ -95,8 +97,8 @@ std::string what_changed(const Input& input, const std::string& was, const std::
   return file_name(input.files.front()) + " has other contents";
 }
 
-/// True if a recording is gone while others that match its pattern are there. Recordings need not
-/// be kept, but the rest of a record is another record.
+/// True if a recording is gone while others that match its pattern exist. Raw recordings may be
+/// deleted, but only together: a record of fewer files is another record.
 bool is_gone(const std::string& role, const Step& step) {
   if (!step.description) return false;
   const std::string name = role.substr(a_recording.size());
@@ -196,9 +198,7 @@ std::string Judge::in_record(const Step& step) {
     if (!same_value(before->second, value)) return changed_setting(option, value, before->second);
   }
   for (const auto& [option, value] : was) {
-    if (!wanted.contains(option)) {
-      return fmt::format("setting {} is not set, was {}", option, shown(value));
-    }
+    if (!wanted.contains(option)) return changed_setting(option, "", value);
   }
   for (const auto& [output, digest] : done->outputs) {
     const File* const file = disk_.find(output);
@@ -217,7 +217,7 @@ std::string Judge::in_options(const Step& step, const artefact::Made& made) {
   std::string why;
   for (const auto& [option, value] : wanted_by(step)) {
     const auto before = was.find(option);
-    // An option that the program has learned since then had its default.
+    // An option that the program did not have then had its default value.
     const std::string old = before == was.end() ? default_of(step, option) : before->second;
     if (same_value(old, value)) continue;
     why = changed_setting(option, value, old);

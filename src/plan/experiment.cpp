@@ -14,7 +14,7 @@ using augment::Needs;
 
 namespace {
 
-/// The tables of a list of tables; none where it is no such list.
+/// Returns the tables of a list of tables; an empty list if the key holds anything else.
 std::vector<const toml::table*> tables_of(const toml::table& description, const char* key) {
   std::vector<const toml::table*> tables;
   if (const toml::array* list = description[key].as_array()) {
@@ -49,7 +49,7 @@ std::vector<Needs> unsaid_in(const toml::table& description) {
   return unsaid;
 }
 
-/// Whether `split`, with the settings of the protocol and the description, makes known windows.
+/// True if `split`, with the settings of the protocol and the description, makes known windows.
 bool makes_known(const toml::table& protocol, const toml::table& description) {
   const auto own = description["split"][signal::known_per_class];
   const auto count = (own ? own : protocol["split"][signal::known_per_class]).value<std::int64_t>();

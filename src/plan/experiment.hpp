@@ -12,17 +12,17 @@
 
 namespace piae::plan {
 
-/// A data set that has a description in pipeline/datasets/.
+/// A data set with a description in pipeline/datasets/.
 struct Dataset {
   std::string name;
-  bool is_simulated = false;   ///< made by `simulate`, not read from recordings
+  bool is_simulated = false;   ///< made by `simulate`, not from recordings
   bool has_own_split = false;  ///< its description has a table [split]
-  bool any_known = true;       ///< whether any fault window is known
-  /// Facts about faults that its description lacks, by increasing need.
+  bool any_known = true;       ///< true if any fault window is known
+  /// Facts about faults that the description lacks, by increasing need.
   std::vector<augment::Needs> unsaid = {};
 };
 
-/// The experiment as pipeline/ describes it: what there is to choose from.
+/// The experiment that pipeline/ describes: everything that can be requested.
 struct Experiment {
   std::filesystem::path pipeline;  ///< folder with protocol.toml and datasets/
   toml::table protocol;
@@ -32,15 +32,15 @@ struct Experiment {
   std::vector<std::string> readings_base;  ///< "batches=all"
   std::vector<settings::Group> groups;
 
-  /// Null where there is none of that name.
+  /// Returns null if no data set has this name.
   [[nodiscard]] const Dataset* find(const std::string& dataset) const;
 };
 
-/// Reads protocol.toml and all descriptions. A description that cannot be read is refused when its
-/// data set is used, not here. Throws as settings::read_protocol() does.
+/// Reads protocol.toml and all descriptions. An unreadable description is refused later, when its
+/// data set is used. Throws as settings::read_protocol() does.
 Experiment read_experiment(const std::filesystem::path& pipeline);
 
-/// True if the description of a data set says what the method needs.
+/// True if the description of a data set contains what the method needs.
 bool can_run(const augment::CatalogueEntry& method, const Dataset& dataset);
 
 }  // namespace piae::plan

@@ -34,7 +34,7 @@ void add_all(TableSteps& tables) {
 
 const std::vector<Goal>& goals() {
   const Words scored{"score", "diagnose"};
-  // Cells come before tables, which leave out what nobody has asked for and is out of date.
+  // Cells come before tables, because tables leave out cells that are stale and not requested.
   static const std::vector<Goal> all{
       {.name = "records", .add = add_records},
       {.name = "cells", .add = add_cells, .counts = scored, .is_submitted = true},

@@ -19,14 +19,14 @@ Input input(const std::string& role, const std::string& file) {
   return {.role = role, .files = {file}};
 }
 
-/// Gives the files that a name or pattern of a description stands for.
+/// Returns the files that match a name or pattern of a description.
 std::vector<Input> inputs_of_recordings(const std::string& described, const std::string& data_dir) {
   std::vector<Input> inputs;
   for (const std::string& name : signal::files_of({described}, data_dir)) {
     inputs.push_back({.role = "recording " + name,
                       .files = {fmt::format("{}/{}", data_dir, name)},
                       .is_option = false,
-                      // One more file that a pattern matches is another recording.
+                      // An additional file that matches a pattern is an additional recording.
                       .may_be_unrecorded = !signal::is_pattern(described),
                       .may_be_absent = true});
   }

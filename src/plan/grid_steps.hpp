@@ -12,29 +12,29 @@
 
 namespace piae::plan {
 
-/// A method to be trained in a seed, as the protocol has it, or with some settings moved, as a
-/// sweep and the readings do.
+/// A method to be trained for a seed: with the settings of the protocol, or with some settings
+/// moved by a sweep or an interpretation.
 struct Variant {
-  std::string folder;  ///< below that of the seed: "smote", "sweep/batch-1"
+  std::string folder;  ///< below the seed's folder: "smote", "sweep/batch-1"
   std::string method;
   std::vector<settings::Point> moved = {};
 };
 
-/// The method as the protocol has it.
+/// Returns the method with the settings of the protocol.
 Variant variant_of(const std::string& method);
 
-/// Puts the steps of the grid into a graph, each with all that it waits for, and each once:
+/// Adds the steps of the grid to a graph, each once and together with all that it needs:
 ///
 ///     records.h5 -> A B C D -> model.h5 -> E.h5 -> score.h5
 ///                          \-------------------\-> RATIO/CLASSIFIER/diagnosis.h5
 class GridSteps {
  public:
-  /// `folder` is the run's.
+  /// `folder` is the folder of the run.
   GridSteps(const Experiment& experiment, const Choice& choice, signal::Protocol protocol,
             Graph& graph);
 
-  /// Sets if steps added from now on are asked for; others stand in the graph for what the run
-  /// holds, and are not made.
+  /// Sets if steps added from now on are requested. Other steps represent what the run holds, and
+  /// are not made.
   void ask(bool is_asked) { is_asked_ = is_asked; }
 
   StepId records(const Dataset& dataset);
@@ -44,11 +44,11 @@ class GridSteps {
   StepId score(const Dataset& dataset, std::int64_t seed, const Variant& variant);
   StepId diagnosis(const Dataset& dataset, std::int64_t seed, const Variant& variant,
                    const std::string& ratio, const std::string& classifier);
-  /// Features of the test windows by the paper's classifier (Figs 20 and 21): its training once
-  /// more, with a log of its own.
+  /// Features of the test windows by the paper's classifier (Figs 20 and 21), which is trained
+  /// again with a log of its own.
   StepId features(const Dataset& dataset, std::int64_t seed, const std::string& method,
                   const std::string& ratio);
-  /// The classifier itself, for `classify` and `monitor`.
+  /// The trained classifier, for `classify` and `monitor`.
   StepId classifier(const Dataset& dataset, std::int64_t seed, const std::string& method,
                     const std::string& ratio, const std::string& classifier);
 

@@ -29,7 +29,7 @@ std::string with_dash(std::string point) {
   return point;
 }
 
-/// All variants that there can be, by their folders.
+/// Returns all possible variants by their folders.
 std::map<std::string, Variant> variants_of(const Experiment& experiment) {
   std::map<std::string, Variant> variants;
   const auto add = [&](Variant variant) { variants.emplace(variant.folder, variant); };

@@ -4,8 +4,8 @@
 
 namespace piae::plan {
 
-/// Puts the tables into a graph that compare the (k, c) of the twin with the true ones, and the
-/// models that they are of. Throws Error(usage) where no data set that is asked for is simulated.
+/// Adds the tables that compare the twin's (k, c) with the true ones, and the models behind them.
+/// Throws Error(usage) if none of the requested data sets is simulated.
 ///
 ///     <dataset>/identifiability.{csv,md}, scatter.csv
 void add_identifications(TableSteps& tables);

@@ -18,7 +18,7 @@ bool is_artefact_or_table(const std::string& file) {
          ends("identifiability.csv") || (file.starts_with("sweep") && ends(".csv"));
 }
 
-/// The options of a command line, each with its values.
+/// Returns the options of a command line, each with its values.
 std::vector<std::pair<std::string, std::string>> options_in(const Words& words) {
   std::vector<std::pair<std::string, std::string>> options;
   for (const std::string& word : words) {
@@ -72,8 +72,8 @@ void LookSteps::numbers() {
               .words = {"--run", grid_.folder(), "--dataset", dataset.name},
               .place = {.dataset = dataset.name},
               .tables_folder = folder + "/figures"};
-    // Pictures that lack a cell which must be there are removed: so what must be there counts.
-    // Where all is made, there is all that can be.
+    // Figures that lack a mandatory cell are removed, so the list of mandatory cells is an option.
+    // With the goal `all` every possible cell exists.
     const bool only_figures =
         choice_.has_goal("figures") && !choice_.has_goal("all") && !choice_.only_pictures;
     if (only_figures) step.options = options_in(must_be_there(part));

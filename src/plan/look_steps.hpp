@@ -7,19 +7,18 @@
 
 namespace piae::plan {
 
-/// Puts the steps into a graph that show what a run holds, whatever that is: nothing of the grid is
-/// made for them.
+/// Adds the steps that show what a run holds. They never cause a step of the grid to run.
 class LookSteps {
  public:
   LookSteps(const Choice& choice, GridSteps& grid, TableSteps& tables)
       : choice_(choice), grid_(grid), tables_(tables) {}
 
-  /// The numbers of the figures, as CSV. Throws Error(input_missing) where a run is only looked at
-  /// and holds nothing of what is asked for.
+  /// Adds the numbers of the figures, as CSV. Throws Error(input_missing) if a run is only viewed
+  /// and holds nothing that was requested.
   void numbers();
-  /// The pictures that gnuplot draws of them.
+  /// Adds the pictures that gnuplot draws from these numbers.
   void pictures();
-  /// report.html, report.md and run.html.
+  /// Adds report.html, report.md and run.html.
   void pages(const Experiment& experiment);
 
  private:

@@ -16,7 +16,7 @@ namespace piae::plan {
 
 namespace {
 
-/// Names what a description must say for a method to run.
+/// Names the keys that a description needs for a method to run.
 const char* in_words(augment::Needs need) {
   switch (need) {
     case augment::Needs::bearing:
@@ -44,7 +44,7 @@ std::string unsaid_line(const Dataset& dataset) {
                      fmt::join(unsaid, " and "));
 }
 
-/// Requires that every method can run that was named; notes the others that are left out.
+/// Requires that every named method can run. Leaves out the others, with a notice.
 Words able_methods(const Words& methods, const Dataset& dataset, bool named, Words& notices) {
   Words able = that_can_run(methods, dataset);
   if (able.size() == methods.size()) return able;
@@ -69,7 +69,7 @@ bool any_together(const std::string& name, const Words& methods, const Words& cl
   });
 }
 
-/// Says which methods and classifiers have no cells in a data set, and why; empty where all have.
+/// Names the methods and classifiers without cells in a data set, and why; empty if there are none.
 std::string left_out_line(const Words& methods, const Words& classifiers, const Dataset& dataset) {
   Words not_here;
   Words nowhere;

@@ -8,27 +8,27 @@
 
 namespace piae::plan {
 
-/// The cells of one data set that are asked for.
+/// The requested cells of one data set.
 struct Part {
   Dataset dataset;
-  std::vector<run::Combination> cells;  ///< methods and classifiers in the order asked for
-  std::vector<std::string> methods;     ///< those that have a cell
+  std::vector<run::Combination> cells;  ///< in the requested order of methods and classifiers
+  std::vector<std::string> methods;     ///< methods that have a cell
 };
 
-/// What is asked for of every data set.
+/// The request for every data set.
 struct AskedOfAll {
   std::vector<std::string> methods;
   std::vector<std::string> ratios;
   std::vector<std::string> classifiers;
-  bool methods_are_named = false;  ///< each must be possible
+  bool methods_are_named = false;  ///< every method must be possible
 };
 
-/// The cells of what is asked for that a data set can have. Adds to the notices, for people, what
-/// is left out and why. Throws Error(usage) where nothing is left, or for a method that was named
-/// and cannot be run with what the description says.
+/// Returns the requested cells that a data set can have. Adds to `notices` what is left out, and
+/// why. Throws Error(usage) if nothing is left, or if a named method needs more than the
+/// description contains.
 Part part_of(const Dataset& dataset, const AskedOfAll& asked, std::vector<std::string>& notices);
 
-/// The methods of these that have cells at any of these ratios.
+/// Returns the methods that have cells at any of these ratios.
 std::vector<std::string> with_ratios(const std::vector<std::string>& methods,
                                      const std::vector<std::string>& ratios);
 

@@ -13,51 +13,51 @@
 
 namespace piae::plan {
 
-/// Parts of a run, each planned when the one before is done. A later one takes what is there, and
-/// is made also where an earlier one failed.
+/// Parts of a run. Each is planned when the previous one is finished. A later part uses what
+/// exists, so it is made even if an earlier part failed.
 enum class Stretch {
-  grid,      ///< cells, and the tables of which no cell is missing
-  numbers,   ///< of figures, of what the run holds
-  pictures,  ///< of the numbers that there are
-  pages,     ///< report.html and its like
-  shown,     ///< nothing more to be done: what was asked for is shown
+  grid,      ///< cells, and tables without a missing cell
+  numbers,   ///< of the figures, from what the run holds
+  pictures,  ///< drawn from these numbers
+  pages,     ///< report.html and the other pages
+  shown,     ///< nothing left to do: the requested tables are shown
 };
 inline constexpr std::array stretches{Stretch::grid, Stretch::numbers, Stretch::pictures,
                                       Stretch::pages, Stretch::shown};
 const char* to_string(Stretch stretch);
-/// False where the goals have no step in a stretch, as `cells` has none behind the grid.
+/// False if the goals have no step in a stretch: `cells` has none after the grid.
 bool has_steps_in(Stretch stretch, const Choice& choice);
 
 class TableSteps;
 
-/// The steps for what is asked, and which of them are to be run.
+/// The steps of a request, and which of them are to be run.
 class Plan {
  public:
-  /// `disk` must live as long as the plan. Throws as choose() does, and Error(usage) for a goal
-  /// that cannot be made with what is asked for.
+  /// `disk` must outlive the plan. Throws as choose() does, and Error(usage) for a goal that cannot
+  /// be made from what is requested.
   Plan(const Experiment& experiment, Choice choice, Stretch stretch, Disk& disk);
 
   [[nodiscard]] const Choice& choice() const { return choice_; }
   [[nodiscard]] const Graph& graph() const { return graph_; }
   [[nodiscard]] Judge& judge() { return *judge_; }
-  /// The steps that are asked for, each behind all that it waits for.
+  /// Returns the requested steps, each after all steps that it needs.
   [[nodiscard]] std::vector<StepId> asked() const;
-  /// Those of them that are not current; where there are holes, tables alone.
+  /// Returns the requested steps that are not current; if cells are missing, tables only.
   [[nodiscard]] std::vector<StepId> to_run();
-  /// The steps among them that make artefacts.
+  /// Returns the steps of to_run() that make artefacts.
   [[nodiscard]] std::vector<StepId> missing();
-  /// The tables to be shown when all is done.
+  /// Returns the tables to be shown at the end.
   [[nodiscard]] const std::vector<std::string>& shown() const { return shown_; }
-  /// Restricts what is asked to these files and what they are made of. Throws Error(usage) for a
-  /// file that no step makes.
+  /// Restricts the request to these files and everything that they are made from. Throws
+  /// Error(usage) for a file that no step makes.
   void keep_only(const std::vector<std::string>& files);
-  /// Asks for no page that is there: pages are written anew whenever a run is made, which is
-  /// nothing that it lacks.
+  /// Does not request existing pages. Pages are rewritten on every make of a run, so an older page
+  /// is not a gap in it.
   void keep_pages();
 
  private:
   void add_grid(TableSteps& tables);
-  /// Asks for these files and what they are made of, in addition to what is asked already.
+  /// Adds these files, and everything that they are made from, to the request.
   void ask_for(const std::vector<std::string>& files);
 
   Choice choice_;
@@ -66,9 +66,8 @@ class Plan {
   std::vector<std::string> shown_;
 };
 
-/// The same where cells are missing: the tables of the grid are of the cells that are there, other
-/// tables of the seeds of which nothing is missing. Nothing of the grid is made. Throws
-/// Error(input_missing) where there is no such seed.
+/// Plans with missing cells: tables of the grid use the existing cells, other tables use the
+/// complete seeds. No step of the grid runs. Throws Error(input_missing) if no seed is complete.
 std::unique_ptr<Plan> plan_with_holes(const Experiment& experiment, Choice choice, Disk& disk);
 
 }  // namespace piae::plan

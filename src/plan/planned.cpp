@@ -19,7 +19,8 @@ bool lies_in(const Times& times, double changed_s) {
 
 namespace {
 
-/// The time by the clock of the file system, which has just written the log, or by ours.
+/// Returns the present time. A log just written shows the file system's clock, which may be ahead
+/// of ours.
 double now_s(const std::string& log) {
   const auto written = artefact::stat_of(log);
   const std::chrono::duration<double> ours = std::chrono::system_clock::now().time_since_epoch();
@@ -27,7 +28,7 @@ double now_s(const std::string& log) {
                  : ours.count();
 }
 
-/// True if a file was written since a step began.
+/// True if a file was written after a step started.
 bool is_newer(const std::string& file, const Times& times) {
   const auto stat = artefact::stat_of(file);
   return stat && lies_in(times, static_cast<double>(stat->changed) * 1e-9);
@@ -40,7 +41,7 @@ bool has_read_others(const Settings* settings, const Times& times) {
   return sha256_of_file(settings->file) != Sha256().update(settings->text).finish_hex();
 }
 
-/// True if what a step read has changed since it began.
+/// True if an input or a setting of the step has changed since the step started.
 bool changed_since(const Step& step, double started_s) {
   const Times times{.started_s = started_s, .now_s = now_s(log_of(step))};
   if (has_read_others(step.settings.get(), times)) return true;
@@ -52,8 +53,8 @@ bool changed_since(const Step& step, double started_s) {
   return false;
 }
 
-/// Refuses cells that lie as before 0.1.0. A run with a journal was planned since then, so its
-/// files need not be looked through.
+/// Refuses cells in the folder layout from before 0.1.0. A run with a journal is newer, so its
+/// files are not checked.
 void refuse_old_layout(const Choice& choice) {
   if (artefact::stat_of(choice.folder() + "/.journal")) return;
   for (const Part& part : choice.parts) run::Layout(choice.folder(), part.dataset.name);
@@ -132,7 +133,7 @@ std::unique_ptr<Planned> planned_for(const Request& request, const PlanOptions& 
     auto planned = std::make_unique<Planned>(narrowed(request, step), options);
     if (planned->has(step)) return planned;
   } catch (const Error& error) {
-    if (error.exit() != Exit::usage) throw;  // another goal needs more than one data set
+    if (error.exit() != Exit::usage) throw;  // another goal needs several data sets
   }
   return std::make_unique<Planned>(request, options);
 }

@@ -8,6 +8,8 @@
 #include <map>
 #include <set>
 
+#include "base/error.hpp"
+#include "plan/cluster_jobs.hpp"
 #include "plan/settings_files.hpp"
 #include "plan/words.hpp"
 #include "readings/ranking.hpp"
@@ -17,7 +19,7 @@ namespace piae::plan {
 
 namespace {
 
-/// Names a step for make: by its first file, or its log.
+/// Returns the name of a step for make: its first file, or its log.
 std::string target_of(const Step& step) {
   return step.outputs.empty() ? name_of(step) : step.outputs.front();
 }
@@ -28,7 +30,7 @@ bool is_plain(const std::string& word) {
                               "0123456789_-+=./,:@%^") == std::string::npos;
 }
 
-/// A word as the shell reads it. (Names with a quote or a dollar are refused before.)
+/// Quotes a word for the shell. Names with a quote or a dollar sign are refused earlier.
 std::string quoted(const std::string& word) { return is_plain(word) ? word : '\'' + word + '\''; }
 
 std::string shell_line(const Words& words) {
@@ -37,7 +39,7 @@ std::string shell_line(const Words& words) {
   return line;
 }
 
-/// The lines of a rule's recipe, without the tab in front.
+/// Returns the lines of a rule's recipe, without the leading tab.
 Words recipe_of(const Step& step, State state) {
   const std::string note = "$(BIN)/plan --note " + name_of(step);
   Words words = command_of(step);
@@ -60,7 +62,8 @@ std::string counted(const std::map<std::string, std::size_t>& counts) {
   return fmt::format("{}", fmt::join(words, ", "));
 }
 
-/// The readings of all data sets that could be compared, where that is the goal.
+/// Ranks the interpretations of all comparable data sets, if that is the goal; else returns an
+/// empty text.
 std::string ranked_readings(const Plan& plan) {
   std::vector<std::filesystem::path> tables;
   if (!plan.choice().has_goal("readings")) return {};
@@ -72,7 +75,7 @@ std::string ranked_readings(const Plan& plan) {
   return readings::ranking(tables);
 }
 
-/// The tables that the goals end with, those that could be made.
+/// Returns the text of the tables that the goals end with, if they exist.
 std::string shown_of(const Plan& plan) {
   std::string all;
   for (const std::string& table : plan.shown()) {
@@ -211,6 +214,46 @@ std::string next_makefile(Planned& planned, bool quietly) {
   }
   planned.go_to(Stretch::grid);
   return "# shown\n" + shown_of(planned.plan()) + ranked_readings(planned.plan());
+}
+
+std::string printed(Plan& plan, Format format, const JobOptions& jobs) {
+  const auto costs = [] { return Costs::read("jobs/costs.csv"); };
+  switch (format) {
+    case Format::summary:
+      return summary_of(plan, costs());
+    case Format::missing:
+      return missing_of(plan);
+    case Format::costs: {
+      RealLogs logs;
+      return measured_costs(plan, logs);
+    }
+    case Format::jobs: {
+      const auto kinds = divide(plan, costs(), jobs.cores, jobs.minutes);
+      write_jobs(kinds, jobs.folder);
+      return table_of(kinds) + guessed_costs_of(plan, costs());
+    }
+    default:
+      return why_of(plan);
+  }
+}
+
+std::string printed_whole(Planned& planned, Format format) {
+  if (format != Format::why && format != Format::summary) {
+    throw Error(Exit::usage, "--whole goes with --format why or summary (see plan --help)");
+  }
+  std::string text;
+  std::string later;
+  for (const Stretch stretch : stretches) {
+    if (!has_steps_in(stretch, planned.plan().choice())) continue;
+    if (!text.empty()) {
+      later += (later.empty() ? "" : ", ") + std::string(to_string(stretch));
+      continue;
+    }
+    planned.go_to(stretch);
+    text = printed(planned.plan(), format, {});
+  }
+  if (text.empty()) return "nothing is to be done\n";
+  return later.empty() ? text : text + "then, of what there will be: " + later + '\n';
 }
 
 }  // namespace piae::plan

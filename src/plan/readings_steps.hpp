@@ -4,8 +4,8 @@
 
 namespace piae::plan {
 
-/// Puts the table of [readings] into a graph, and its cells: the paper's method with the settings
-/// of the base, but for those that a reading names.
+/// Adds the table of [readings] and its cells: the paper's method with the settings of the base,
+/// except for those that an interpretation changes.
 ///
 ///     <dataset>/seedK/readings/batches-class/..., <dataset>/readings.{csv,md,svg,pdf}
 void add_readings(TableSteps& tables);

@@ -104,7 +104,7 @@ std::string run_name(const Request& request) {
                   scoring::all_ratios().front().name));
 }
 
-/// Takes figures and pages that are asked for by their files. Of figures only these are drawn then.
+/// Handles figures and pages that are requested as files. Then only the named figures are drawn.
 void take_looks(const Words& files, Choice& choice) {
   bool draws_all = std::ranges::any_of(
       choice.goals, [](const std::string& name) { return goal_named(name).draws; });
@@ -141,7 +141,7 @@ void choose_goals(const Request& request, Choice& choice) {
       });
 }
 
-/// Takes the lists that are given in the place of the defaults.
+/// Takes the given lists instead of the defaults.
 void take_given(const Request& request, Choice& choice) {
   const auto note = [&](const std::string& option, const Words& words) {
     choice.given.push_back("--" + option);

@@ -11,7 +11,7 @@
 
 namespace piae::plan {
 
-/// A request to make, as it was typed. A list that is not given is chosen by the goals.
+/// A request to make, as typed. Lists that are not given follow from the goals.
 struct Request {
   std::vector<std::string> goals = {"all"};  ///< names of goals, or files of a run
   std::string run = "paper";                 ///< folder under results/
@@ -22,14 +22,14 @@ struct Request {
   std::optional<std::string> seeds = std::nullopt;
   signal::Protocol protocol = signal::Protocol::random;
   std::string data_dir = "data";       ///< folder of the recordings
-  std::vector<std::string> held = {};  ///< the data sets of which the run holds anything
+  std::vector<std::string> held = {};  ///< data sets of which the run holds cells
 };
 
-/// A request with every open choice made and checked.
+/// A checked request without open choices.
 struct Choice {
   std::vector<std::string> goals;  ///< names
-  std::vector<std::string> files;  ///< files of the grid that are asked for
-  /// The pictures to be drawn, where they are asked for by their files; else all.
+  std::vector<std::string> files;  ///< requested files of the grid
+  /// Pictures to be drawn, if they are requested as files; else all.
   std::optional<std::vector<std::string>> only_pictures = std::nullopt;
   std::string run;
   signal::Protocol protocol = signal::Protocol::random;
@@ -40,24 +40,25 @@ struct Choice {
   std::vector<std::string> classifiers;
   std::vector<std::int64_t> seeds;
   bool ratios_given = false;
-  std::int64_t lowest_seed = 0;  ///< the one of which features are kept
-  /// True if a run is only looked at: nothing is asked for but what `given` names.
+  std::int64_t lowest_seed = 0;  ///< features are kept for this seed
+  /// True if a run is only viewed: then only the cells that `given` names are mandatory.
   bool only_looks = false;
-  std::vector<std::string> given;  ///< --methods, --ratios, ... as they were given, for such a look
-  /// True if tables are made from the cells that exist, although others are missing.
+  std::vector<std::string>
+      given;  ///< --methods, --ratios, ... as given, for a run that is only viewed
+  /// True if tables are made from the existing cells although others are missing.
   bool with_holes = false;
-  /// Notices of what is left out, and why: a line for each data set, for people.
+  /// Lines that name what is left out, and why: one for each data set, for people.
   std::vector<std::string> notices;
 
   [[nodiscard]] bool has_goal(const std::string& name) const;
-  /// The run's folder, such as results/try or results/try-blocked.
+  /// Returns the folder of the run, such as results/try or results/try-blocked.
   [[nodiscard]] std::string folder() const { return folder_of(protocol); }
   [[nodiscard]] std::string folder_of(signal::Protocol of) const;
 };
 
-/// Throws Error(usage) with the name of the variable, such as METHODS, for a word that is unknown,
-/// missing or there twice, for a run that cannot have this name, and for goals that have no cells
-/// with what is asked for.
+/// Checks a request and completes it. Throws Error(usage), with the name of the variable, such as
+/// METHODS, for a word that is unknown, missing or repeated; for an impossible name of a run; and
+/// for goals without cells.
 Choice choose(const Experiment& experiment, const Request& request);
 
 }  // namespace piae::plan

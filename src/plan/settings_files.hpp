@@ -4,8 +4,8 @@
 
 namespace piae::plan {
 
-/// Writes the files by which the steps that are to be run read their settings, each unless it holds
-/// that already. Throws Error(failed) where one cannot be written, or a folder of them is a link.
+/// Writes the settings files of the steps to be run, except files that are up to date. Throws
+/// Error(failed) if a file cannot be written, or its folder is a link.
 void write_settings(Plan& plan);
 
 }  // namespace piae::plan

@@ -45,8 +45,8 @@ void add_files(const toml::table& record, std::set<std::string>& files) {
   }
 }
 
-/// Returns the files and patterns that the records of a description name, each once. `ingest` says
-/// what is wrong with a description.
+/// Returns the files and patterns that the records of a description name, each once. Skips invalid
+/// entries, which `ingest` reports.
 std::vector<std::string> recordings_of(const toml::table& description) {
   std::set<std::string> files;
   if (const toml::array* records = description["record"].as_array()) {

@@ -9,20 +9,22 @@
 
 namespace piae::plan {
 
-/// Resolves what pipeline/ says of each stage. The settings of a stage go into small files of the
-/// run, results/RUN/.settings, which the stage reads by --config: so what is compared is what is
-/// used. A file holds values alone, in alphabetical order, so neither comments nor spacing count.
+/// Resolves the settings of each stage in pipeline/. The settings go into small files of the run,
+/// results/RUN/.settings, which the stage reads by --config. So the plan compares exactly what a
+/// stage uses. A file holds values only, in alphabetical order, so comments and spacing do not
+/// count.
 class StageSettings {
  public:
-  /// `folder` is the run's folder.
+  /// `folder` is the folder of the run.
   StageSettings(const Experiment& experiment, std::string folder);
 
-  /// The settings of a stage, of its variant NAME where there is a table [STAGE.NAME].
+  /// Returns the settings of a stage, with those of [STAGE.NAME] for the variant NAME if that table
+  /// exists.
   std::shared_ptr<const Settings> of(const std::string& stage, const std::string& variant = "");
-  /// [split] of the description on top of that of the protocol.
+  /// Returns the settings of [split]: those of the protocol, overridden by the description's.
   std::shared_ptr<const Settings> of_split(const Dataset& dataset);
-  /// The description of a data set, completed by the one that it is like. Throws as
-  /// signal::read_description_file() does.
+  /// Returns the description of a data set, completed from the description that it is `like`.
+  /// Throws as signal::read_description_file() does.
   std::shared_ptr<const Settings> description(const Dataset& dataset);
 
  private:
@@ -35,8 +37,8 @@ class StageSettings {
   std::map<std::string, std::shared_ptr<const Settings>> kept_;
 };
 
-/// The options of a stage that stages record, with what its program takes where nothing is set.
-/// Empty for a stage that records none.
+/// Returns the recorded options of a stage with the defaults of its program. Empty for a stage that
+/// records no options.
 std::map<std::string, std::string> defaults_of_stage(const std::string& stage,
                                                      const std::string& variant);
 

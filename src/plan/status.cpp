@@ -16,7 +16,7 @@ namespace {
 
 const std::string shared = "records, split";
 
-/// The counts of one line.
+/// Counts of one line of the table.
 struct Row {
   std::string dataset;
   std::string unit;
@@ -27,12 +27,12 @@ struct Row {
   [[nodiscard]] std::size_t all() const { return cells[0] + cells[1] + cells[2] + cells[3]; }
 };
 
-/// Times of the steps of a run, by similarity.
+/// Durations of the steps of a run, by similarity.
 class Durations {
  public:
   Durations(Plan& plan, Logs& logs) {
-    constexpr std::size_t enough = 20;  // to know their mean
-    // Steps that nobody asks for, which the run holds, tell as much as the others.
+    constexpr std::size_t enough = 20;  // for a reliable mean
+    // Steps that the run holds without a request count, too.
     for (StepId id = 0; id < plan.graph().steps().size(); ++id) {
       const Step& step = plan.graph().at(id);
       if (!step.is_artefact || plan.judge().of(id).state != State::current) continue;
@@ -46,8 +46,8 @@ class Durations {
     }
   }
 
-  /// Empty where nothing like it has run. Methods have nothing in common, but to diagnose or score
-  /// takes equally long for all of them.
+  /// Returns the expected seconds of a step; empty if no similar step has run. Methods train and
+  /// generate differently, but diagnosing and scoring take the same time for all methods.
   [[nodiscard]] std::optional<double> of(const Step& step) const {
     const bool is_of_method = step.stage == "train" || step.stage == "generate";
     const auto keys = keys_of(step);
@@ -73,7 +73,7 @@ class Durations {
   }
 
  public:
-  /// The line in which a step stands. All points of a sweep share a line, and so do all readings.
+  /// Returns the line of a step. All points of a sweep share a line, and so do all interpretations.
   static std::string unit_of(const Step& step) {
     const std::string& unit = step.place.unit;
     return unit.empty() ? shared : unit.substr(0, unit.find('/'));
@@ -83,7 +83,7 @@ class Durations {
   std::map<std::string, Sum> taken_;
 };
 
-/// The data set as a line names it: a contrast has two runs.
+/// Names the data set in a line: a contrast has two runs.
 std::string dataset_of(const Plan& plan, const Step& step) {
   const std::string blocked = plan.choice().folder_of(signal::Protocol::blocked) + '/';
   const bool is_other =
@@ -91,7 +91,7 @@ std::string dataset_of(const Plan& plan, const Step& step) {
   return step.place.dataset + (is_other ? ", blocked" : "");
 }
 
-/// The worst progress of a step and of all that it waits for.
+/// Finds the worst progress of a step and of all steps that it needs.
 class Worst {
  public:
   Worst(const Graph& graph, const std::map<StepId, StepState>& states)
@@ -150,7 +150,8 @@ Row sum_of(const std::vector<Row>& rows) {
   return sum;
 }
 
-/// The lines as a table; `counted` says what is counted: "cells". `running` steps run now.
+/// Formats the lines as a table. `counted` names the unit, such as "cells"; `running` is the number
+/// of running steps.
 std::string status_lines(const std::vector<Row>& rows, const char* counted, std::size_t running) {
   std::size_t dataset_width = std::string("data set").size();
   std::size_t unit_width = std::string("method").size();

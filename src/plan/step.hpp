@@ -11,35 +11,34 @@
 
 namespace piae::plan {
 
-/// The options of a stage that stand in pipeline/, and the file by which a step reads them.
+/// Options of a stage from pipeline/, and the file from which a step reads them.
 struct Settings {
   std::string file = {};  ///< results/RUN/.settings/train.smote.toml
-  std::string text = {};  ///< what it is to hold
-  /// Options without dashes, with their values as text: "learning-rate", "5e-4".
+  std::string text = {};  ///< contents that the file should have
+  /// Options without dashes and their values as text: "learning-rate", "5e-4".
   std::map<std::string, std::string> values = {};
-  std::map<std::string, std::string> defaults =
-      {};                                    ///< what the program takes where nothing is set
-  std::vector<std::string> recordings = {};  ///< raw files, and patterns, that a description names
+  std::map<std::string, std::string> defaults = {};  ///< the program's defaults
+  std::vector<std::string> recordings = {};  ///< raw files and patterns that a description names
 };
 
 /// An input of a step.
 struct Input {
-  std::string role;                ///< the option that names it, "known"; else what it is, "cells"
-  std::vector<std::string> files;  ///< one, unless `is_option` is false
-  bool is_option = true;           ///< whether the command names the file, as --ROLE FILE
-  /// The digest that the file will have, where it is written before the step runs.
+  std::string role;                ///< option that names it, "known"; else its contents, "cells"
+  std::vector<std::string> files;  ///< one file if `is_option`
+  bool is_option = true;           ///< true if the command names the file, as --ROLE FILE
+  /// Digest that the file will have, if it is written before the step runs.
   std::optional<std::string> digest = std::nullopt;
-  /// Programs of before did not record this input: then it counts as unchanged.
+  /// Older programs did not record this input: then it counts as unchanged.
   bool may_be_unrecorded = false;
-  /// A file that is not there has not changed: recordings need not be kept.
+  /// A missing file counts as unchanged: recordings may be deleted.
   bool may_be_absent = false;
 };
 
-/// The place of a step in the grid, by which its cost is known. What does not apply is empty.
+/// Place of a step in the grid, the key of its cost. Fields that do not apply are empty.
 struct Place {
   std::string dataset = {};
   std::optional<std::int64_t> seed = {};
-  std::string unit = {};  ///< folder below that of the seed: "smote", "sweep/batch-1"
+  std::string unit = {};  ///< below the seed's folder: "smote", "sweep/batch-1"
   std::string method = {};
   std::string ratio = {};
   std::string classifier = {};
@@ -50,32 +49,33 @@ using StepId = std::size_t;
 /// One call of a stage.
 struct Step {
   std::string stage = {};   ///< "train"
-  std::string folder = {};  ///< where its log lies: results/RUN/DATASET/...
+  std::string folder = {};  ///< of its log: results/RUN/DATASET/...
   std::string log =
-      {};  ///< name of the log, "train"; another than the stage's where a folder has two
-  std::shared_ptr<const Settings> settings = {};     ///< null where the stage reads none
-  std::shared_ptr<const Settings> description = {};  ///< of a data set, where the stage reads one
+      {};  ///< name of the log, "train"; differs from the stage if a folder has two such steps
+  std::shared_ptr<const Settings> settings = {};  ///< null if the stage reads none
+  std::shared_ptr<const Settings> description =
+      {};  ///< description of a data set; null if the stage reads none
   std::vector<Input> inputs = {};
-  /// Options of the command that count as settings, without dashes: "seed", "3". A value of several
-  /// words is several values.
+  /// Options of the command that count as settings, without dashes: "seed", "3". Several words
+  /// stand for several values.
   std::vector<std::pair<std::string, std::string>> options = {};
-  /// Further words of the command, which change nothing of what is made.
+  /// Further words of the command, without effect on the outputs.
   std::vector<std::string> words = {};
   std::vector<std::string> outputs = {};
-  std::string output_option = {};  ///< "output" where the command names the first output
+  std::string output_option = {};  ///< "output" if an option names the first output
   Place place = {};
-  bool is_asked = true;     ///< whether it is to be made if it is due
-  bool is_held = false;     ///< it stands here only for what the run holds, and is never made
-  bool is_artefact = true;  ///< its outputs say themselves how they were made
-  /// The folder of which it makes all CSV files, where nobody knows their names before it has run.
+  bool is_asked = true;     ///< true if it is made when it is due
+  bool is_held = false;     ///< true if it represents files that the run holds; never made
+  bool is_artefact = true;  ///< true if the outputs record how they were made
+  /// Folder whose CSV files are all outputs, because their names are unknown before the run.
   std::string tables_folder = {};
-  bool is_always_due = false;  ///< it shows how the run is at the time
+  bool is_always_due = false;  ///< true if it shows the present state of the run
 };
 
-/// The path of the log of a step.
+/// Returns the path of the log of a step.
 inline std::string log_of(const Step& step) { return step.folder + '/' + step.log + ".log"; }
 
-/// The steps of a run, each behind all that it waits for.
+/// The steps of a run, each after all steps that it needs.
 class Graph {
  public:
   StepId add(Step step);
@@ -83,9 +83,9 @@ class Graph {
   [[nodiscard]] const std::vector<Step>& steps() const { return steps_; }
   [[nodiscard]] Step& at(StepId id) { return steps_.at(id); }
   [[nodiscard]] const Step& at(StepId id) const { return steps_.at(id); }
-  /// The step that makes a file.
+  /// Returns the step that makes a file.
   [[nodiscard]] std::optional<StepId> maker_of(const std::string& file) const;
-  /// The steps that this one waits for, each once, ascending.
+  /// Returns the steps that this one needs, each once, ascending.
   [[nodiscard]] const std::vector<StepId>& needs(StepId id) const { return needs_.at(id); }
 
  private:
@@ -94,8 +94,8 @@ class Graph {
   std::unordered_map<std::string, StepId> makers_;
 };
 
-/// The words of the command: stage, options, and behind `--` the files that it makes, where no
-/// option names them.
+/// Returns the words of the command: the stage, the options, and after `--` the outputs that no
+/// option names.
 std::vector<std::string> command_of(const Step& step);
 
 }  // namespace piae::plan

@@ -13,9 +13,10 @@ namespace piae::plan {
 
 namespace {
 
-const std::string guess = "killed, perhaps for want of memory";  // pipeline/step.sh
+const std::string guess = "killed, perhaps for want of memory";  // text in pipeline/step.sh
 
-/// Why the job ended that was to run a step; empty where it did not, or nobody knows.
+/// Returns why the job that was to run a step ended; empty if it did not end or the reason is
+/// unknown.
 std::string job_ended(const Step& step, const EndedJobs& jobs) {
   if (!step.is_artefact) return jobs.of_tables;
   for (const std::string& output : step.outputs) {
@@ -25,8 +26,8 @@ std::string job_ended(const Step& step, const EndedJobs& jobs) {
   return {};
 }
 
-/// The reason of a failed step: what it said itself, unless that was only a guess; that of its job;
-/// its exit code.
+/// Returns why a step failed: its own reason unless that was only a guess; else the reason of its
+/// job; else its exit code.
 std::string reason_of(const run::StepLog& log, const std::string& job) {
   const bool only_guessed = log.reason.ends_with(guess);
   if (!log.reason.empty() && !only_guessed) return log.reason;
@@ -48,7 +49,7 @@ StepState state_of(const Step& step, Logs& logs, const EndedJobs& jobs) {
       if (!job.empty()) return {Progress::failed, 0, reason_of(*log, job)};
       return {};
     default:
-      return {};  // of older settings, or stopped
+      return {};  // of older settings, or interrupted
   }
 }
 

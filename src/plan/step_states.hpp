@@ -10,13 +10,13 @@
 
 namespace piae::plan {
 
-/// How far a step is that is not current, the worst last.
+/// Progress of a step that is not current, the worst last.
 enum class Progress { done, missing, running, failed };
 
 struct StepState {
   Progress progress = Progress::missing;
-  int exit_code = 0;  ///< of a failed step; 0 where it ended together with its job
-  std::string said;   ///< of a failed step the reason, of a running one how far it is
+  int exit_code = 0;  ///< of a failed step; 0 if it ended together with its job
+  std::string said;   ///< reason of a failed step, progress of a running one
 };
 
 /// Reads the logs of steps.
@@ -27,9 +27,9 @@ class Logs {
   Logs& operator=(const Logs&) = delete;
   virtual ~Logs() = default;
 
-  /// Empty where there is no log.
+  /// Returns an empty value if the log does not exist.
   virtual std::optional<run::StepLog> read(const std::string& file) = 0;
-  /// True if a process has the log locked, which it does while its step runs.
+  /// True if a process has locked the log, as every running step does.
   virtual bool is_locked(const std::string& file) = 0;
 };
 
@@ -39,14 +39,14 @@ class RealLogs : public Logs {
   bool is_locked(const std::string& file) override;
 };
 
-/// Jobs of a cluster that have ended otherwise than well: why, by the file that each was to make,
-/// and of the job that makes the tables.
+/// Reasons of the cluster jobs that failed, by the files that each was to make, and the reason of
+/// the job that makes the tables.
 struct EndedJobs {
   std::map<std::string, std::string> by_file;
   std::string of_tables;
 };
 
-/// The states of the steps that are asked for and not current.
+/// Returns the states of the requested steps that are not current.
 std::map<StepId, StepState> step_states(Plan& plan, Logs& logs, const EndedJobs& jobs);
 
 }  // namespace piae::plan

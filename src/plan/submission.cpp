@@ -3,12 +3,16 @@
 #include <spdlog/fmt/fmt.h>
 
 #include <algorithm>
+#include <chrono>
 #include <map>
 #include <optional>
+#include <set>
 
 #include "base/error.hpp"
 #include "base/one_line.hpp"
+#include "plan/job_log.hpp"
 #include "plan/words.hpp"
+#include "run/step_log.hpp"
 #include "text/lines.hpp"
 
 namespace piae::plan {
@@ -33,6 +37,52 @@ std::string lower(std::string text) {
   return text;
 }
 
+std::vector<JobLog> job_logs_in(const fs::path& folder) {
+  std::set<fs::path> files;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+    if (entry.path().extension() == ".log") files.insert(entry.path());
+  }
+  std::vector<JobLog> logs;
+  logs.reserve(files.size());
+  for (const fs::path& file : files) {
+    logs.push_back(read_job_log(file.stem().string(), lines_of(file)));
+  }
+  return logs;
+}
+
+/// Returns the jobs that failed and are not in the queue again.
+std::vector<Submission::Ended> ended_of(const Submission& submission) {
+  const auto queued = [&](const std::string& kind) {
+    return std::ranges::count(submission.queue, kind, &Submission::Queued::kind) > 0;
+  };
+  const bool queue_is_known = !queued("?");
+  std::vector<Submission::Ended> ended;
+  for (const JobLog& log : job_logs_in(submission.folder)) {
+    if (log.why.empty() || queued(log.job)) continue;
+    if (log.why != "killed" || queue_is_known) ended.push_back({log.job, log.why});
+  }
+  return ended;
+}
+
+/// Returns the folders of the runs in the lists of jobs: results/try, results/try-blocked.
+std::set<fs::path> runs_of(const fs::path& submission) {
+  std::set<fs::path> runs;
+  for (const fs::directory_entry& list : fs::directory_iterator(submission)) {
+    const std::string name = list.path().filename().string();
+    if (name != "records" && !name.starts_with("cells")) continue;
+    if (list.path().extension() == ".log") continue;
+    for (const fs::path file : lines_of(list.path())) {
+      auto part = file.begin();
+      if (std::distance(part, file.end()) > 2) runs.insert(*part / *std::next(part));
+    }
+  }
+  return runs;
+}
+
+double seconds_since_1970(std::chrono::system_clock::time_point time) {
+  return std::chrono::duration<double>(time.time_since_epoch()).count();
+}
+
 }  // namespace
 
 Submission read_submission(std::istream& lines) {
@@ -43,9 +93,9 @@ Submission read_submission(std::istream& lines) {
     fields.resize(4);
     if (fields[0] == "submission") submission.folder = fields[1];
     if (fields[0] == "queue") submission.queue.push_back({fields[1], fields[2], fields[3]});
-    if (fields[0] == "ended") submission.ended.push_back({fields[1], fields[2]});
   }
-  if (submission.folder.empty()) return submission;
+  if (!fs::is_directory(submission.folder)) return submission;
+  submission.ended = ended_of(submission);
   std::vector<std::string> choice = lines_of(submission.folder / "choice");
   for (std::string& word : choice) word = one_line(word);
   if (choice.empty()) return submission;
@@ -107,6 +157,25 @@ std::string listed_jobs(const Submission& submission) {
     if (line.starts_with("spent: ")) text += one_line(line) + '\n';
   }
   return text;
+}
+
+std::string spent_by_submission(const fs::path& folder) {
+  if (!fs::is_regular_file(folder / "choice")) {
+    throw Error(Exit::input_missing, folder.string() +
+                                         ": is not the folder of a submission, such " +
+                                         "as results/try/.jobs/20261127T120000");
+  }
+  const double submitted_s =
+      seconds_since_1970(std::chrono::file_clock::to_sys(fs::last_write_time(folder / "choice")));
+  std::size_t steps = 0;
+  for (const fs::path& run : runs_of(folder)) {
+    steps += static_cast<std::size_t>(
+        std::ranges::count_if(run::read_step_logs(run), [&](const run::StepLog& log) {
+          return *log.begun_s > submitted_s && log.end == run::StepEnd::done;
+        }));
+  }
+  return spent_by(job_logs_in(folder), submitted_s,
+                  seconds_since_1970(std::chrono::system_clock::now()), steps);
 }
 
 }  // namespace piae::plan

@@ -10,15 +10,14 @@
 
 namespace piae::plan {
 
-/// The last submission of a run to Slurm, and the state of its jobs (jobs/ended.sh).
+/// The last submission of a run to Slurm, and the state of its jobs.
 struct Submission {
-  std::filesystem::path
-      folder;  ///< with the lists and logs of its jobs; empty where there was none
+  std::filesystem::path folder;  ///< of the lists and logs of its jobs; empty before any submission
   std::string goal;
   std::vector<std::string> variables;  ///< "SEEDS=0 1"
 
   struct Queued {
-    std::string kind;   ///< "cells.3", or "?" where Slurm does not answer
+    std::string kind;   ///< "cells.3", or "?" if Slurm does not answer
     std::string state;  ///< "PENDING"
     std::string reason;
   };
@@ -31,18 +30,24 @@ struct Submission {
   std::vector<Ended> ended;
 };
 
-/// Reads the lines of jobs/ended.sh, with tabs between the words: "submission FOLDER", "queue KIND
-/// STATE REASON", "ended JOB WHY"; and what the submission was from its folder.
+/// Reads the tab-separated lines of jobs/queue.sh: "submission FOLDER", "queue KIND STATE REASON".
+/// Reads the request and the logs of the jobs from the folder, because Slurm forgets a job after
+/// some minutes. If Slurm does not answer, a job without an end in its log may still run, so it
+/// does not count as ended.
 Submission read_submission(std::istream& lines);
 
-/// Takes the goal of the submission where none is asked for, and where it is that goal, the lists
-/// that are not given.
+/// Completes a request from the submission: its goal if none is given; if the goal is the same, its
+/// lists, too, unless they are given.
 void take_submission(const Submission& submission, Request& request, bool any_goal_given);
 
 EndedJobs ended_jobs(const Submission& submission);
 
-/// The jobs in the queue by their kinds, those that ended otherwise than well, and what was spent;
-/// empty where there is nothing to say.
+/// Lists the jobs in the queue by kind, the failed jobs, and what was spent; empty if there are
+/// none.
 std::string listed_jobs(const Submission& submission);
+
+/// Returns what the jobs of the submission in this folder have spent so far (see spent_by). Counts
+/// steps by their logs.
+std::string spent_by_submission(const std::filesystem::path& folder);
 
 }  // namespace piae::plan

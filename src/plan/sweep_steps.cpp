@@ -14,7 +14,7 @@ namespace piae::plan {
 
 namespace {
 
-/// The method as it is, and with each setting moved.
+/// Returns the method as it is, and with each setting moved.
 std::vector<Variant> swept_variants(const settings::Sweep& sweep) {
   std::vector<Variant> variants{variant_of(sweep.method)};
   for (const std::string& point : sweep.points) {

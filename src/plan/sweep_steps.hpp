@@ -4,8 +4,8 @@
 
 namespace piae::plan {
 
-/// Puts the tables of [sweep] into a graph, and their cells: each point moves one setting of a
-/// method. The points that the method has anyway are its cells of the grid.
+/// Adds the tables of [sweep] and their cells: each point moves one setting of a method. Points at
+/// the method's own settings are its cells of the grid.
 ///
 ///     <dataset>/seedK/sweep/batch-1/..., <dataset>/sweep.{csv,md}; sweep@METHOD of other methods
 void add_sweeps(TableSteps& tables);

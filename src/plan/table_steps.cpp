@@ -19,7 +19,7 @@ namespace piae::plan {
 
 namespace {
 
-/// The ratio at which a method has the most generated windows, among these.
+/// Returns the ratio, among these, at which a method has the most generated windows.
 std::string last_ratio(const std::string& method, const Words& ratios) {
   std::string last;
   for (const scoring::Ratio& ratio : scoring::all_ratios()) {
@@ -28,7 +28,7 @@ std::string last_ratio(const std::string& method, const Words& ratios) {
   return last;
 }
 
-/// The tables that the paper publishes.
+/// Returns the tables that the paper publishes.
 Words published(Disk& disk) {
   Words files;
   for (const std::string& name : disk.files_below("results/published")) {
@@ -104,8 +104,8 @@ StepId TableSteps::step_of(const Dataset& dataset, const HeldCell& cell) {
   }
 }
 
-/// The topmost folder of which all is out of date, below that of the data set; or the file. A model
-/// that is out of date takes all of its method with it.
+/// Returns the topmost folder, below the data set's, in which everything is stale; else the file. A
+/// stale model makes everything of its method stale.
 std::string TableSteps::name_of_left_out(const Dataset& dataset, const HeldCell& cell, StepId id) {
   const auto is_old = [&](StepId each) {
     const Verdict& verdict = judge_.of(each);
@@ -121,7 +121,7 @@ std::string TableSteps::name_of_left_out(const Dataset& dataset, const HeldCell&
   return grid_.graph().at(id).outputs.front().substr(folder_of(dataset).size() + 1);
 }
 
-/// The steps that made the chosen cells of those that the run holds.
+/// Returns the chosen cells that the run holds, with the steps that made them.
 std::vector<std::pair<const HeldCell*, StepId>> TableSteps::held_steps(const Dataset& dataset,
                                                                        const Chosen& chosen) {
   std::vector<std::pair<const HeldCell*, StepId>> steps;
@@ -174,7 +174,7 @@ void TableSteps::add(Step step, const std::string& role, const Words& files) {
   grid_.graph().add(std::move(step));
 }
 
-/// The picture that gnuplot draws of a table.
+/// Adds the picture that gnuplot draws of a table.
 void TableSteps::add_picture(const std::string& csv) {
   const std::string name = csv.substr(0, csv.size() - std::string(".csv").size());
   Words scripts;
@@ -208,8 +208,8 @@ Words TableSteps::selection(const Part& part) const {
   return words;
 }
 
-/// Drops the cells that are missing; gives the options that name one of the rest, which a table
-/// needs.
+/// Drops the missing cells. Puts into `one_cell` the options that name one of the others, which a
+/// table needs.
 std::vector<StepId> TableSteps::without_holes(std::vector<StepId> asked, Words& one_cell) {
   judge_.read_ahead(asked);
   std::erase_if(asked, [&](StepId id) { return judge_.of(id).state != State::current; });
@@ -258,7 +258,7 @@ void TableSteps::tables() {
   for (const Part& part : choice_.parts) add_tables(part);
 }
 
-/// The ratios of a table of settings that are moved: those given, else `otherwise`.
+/// Returns the ratios of a table of moved settings: the given ones, else `otherwise`.
 Words TableSteps::moved_ratios(const Words& otherwise, const std::string& goal) const {
   Words ratios;
   for (const std::string& ratio : choice_.ratios_given ? choice_.ratios : otherwise) {

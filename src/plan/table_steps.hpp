@@ -14,22 +14,23 @@
 
 namespace piae::plan {
 
-/// The cells of one data set of a run that a table is made of.
+/// The cells of one data set of a run behind a table.
 struct TableCells {
-  std::vector<std::string> files;     ///< asked for, or there and up to date
-  std::vector<std::string> left_out;  ///< there but out of date: files, or folders with all in them
+  std::vector<std::string> files;  ///< requested, or present and current
+  std::vector<std::string>
+      left_out;  ///< present but stale: files, or folders if everything in them is stale
 };
 
-/// Puts the steps of tables into a graph, and the cells that they are made of. Tables are of all
-/// cells that a run holds, so that a part that is asked for never takes the place of the whole; of
-/// cells that nobody asks for, those that are out of date are left out.
+/// Adds the steps of tables and the cells behind them. A table covers all cells that a run holds,
+/// so that a request for a part never replaces the whole table. Stale cells that are not requested
+/// are left out.
 class TableSteps {
  public:
   TableSteps(const Experiment& experiment, const Choice& choice, GridSteps& grid, Judge& judge,
              Disk& disk)
       : experiment_(experiment), choice_(choice), grid_(grid), judge_(judge), disk_(disk) {}
 
-  /// The cells of the grid; without their tables.
+  /// Adds the cells of the grid, without their tables.
   void cells();
   void features();
   void tables();
@@ -40,29 +41,29 @@ class TableSteps {
   [[nodiscard]] Judge& judge() { return judge_; }
   [[nodiscard]] Disk& disk() const { return disk_; }
 
-  /// The folder of a data set in the run.
+  /// Returns the folder of a data set in the run.
   [[nodiscard]] std::string folder_of(const Dataset& dataset) const;
 
-  /// Adds a table to those that people look at when all is done.
+  /// Adds a table to those that are shown at the end.
   void show(const std::string& table) { shown_.push_back(table); }
   [[nodiscard]] const std::vector<std::string>& shown() const { return shown_; }
 
   /// Chooses cells of a data set.
   using Chosen = std::function<bool(const HeldCell&)>;
-  /// The cells that are asked for, and all other chosen ones that the run holds. With `only_looks`,
-  /// where all of them are out of date, they are at least of one kind, and all are taken.
+  /// Returns the requested cells, and all other chosen cells that the run holds. With `only_looks`,
+  /// stale cells are taken if all of them are stale, since they then belong together.
   TableCells with_held(const Dataset& dataset, const std::vector<StepId>& asked,
                        const Chosen& chosen, bool only_looks = false);
 
-  /// Adds a step that makes no artefacts, of these files in one role.
+  /// Adds a step that makes no artefacts, with these files as inputs in one role.
   void add(Step step, const std::string& role, const std::vector<std::string>& files);
   /// Adds the picture that gnuplot draws of a table.
   void add_picture(const std::string& csv);
-  /// The ratios of a table of settings that are moved: those given, else `otherwise`. Throws
-  /// Error(usage) where nothing is generated at any of them.
+  /// Returns the ratios of a table of moved settings: the given ones, else `otherwise`. Throws
+  /// Error(usage) if none of them has generated windows.
   [[nodiscard]] std::vector<std::string> moved_ratios(const std::vector<std::string>& otherwise,
                                                       const std::string& goal) const;
-  /// The options that name the cells asked for: of a data set, and of all.
+  /// Return the options that select the requested cells: of a data set, and of all.
   [[nodiscard]] std::vector<std::string> selection(const Part& part) const;
   [[nodiscard]] std::vector<std::string> whole_selection() const;
 
@@ -85,10 +86,10 @@ class TableSteps {
   std::map<std::string, std::vector<HeldCell>> held_;  ///< by data set
 };
 
-/// The tables that the paper publishes. Throws Error(input_missing) where there are none.
+/// Returns the tables that the paper publishes. Throws Error(input_missing) if there are none.
 Input input_of_published(Disk& disk);
 
-/// The ratio at which nothing is generated.
+/// Returns the name of the ratio without generated windows.
 std::string nothing_generated();
 
 }  // namespace piae::plan

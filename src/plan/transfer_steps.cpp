@@ -25,7 +25,7 @@ std::vector<const Part*> parts_of(const TableSteps& tables, const settings::Grou
   return parts;
 }
 
-/// The ratio with the most generated windows among those that are asked for.
+/// Returns the requested ratio with the most generated windows.
 std::string generating_ratio(const Choice& choice) {
   std::string last;
   for (const scoring::Ratio& each : scoring::all_ratios()) {
@@ -37,7 +37,7 @@ std::string generating_ratio(const Choice& choice) {
                                        nothing_generated()));
 }
 
-/// Throws Error(usage) where an input of a group needs a classifier that is not asked for.
+/// Throws Error(usage) if an input of a group needs a classifier that is not requested.
 void require_classifiers(const Choice& choice, const settings::Group& group) {
   std::set<std::string> lacks;
   for (const Words& inputs : {group.inputs, group.kind_inputs}) {
@@ -55,7 +55,7 @@ void require_classifiers(const Choice& choice, const settings::Group& group) {
                           fmt::join(lacks, " "), group.name));
 }
 
-/// The cells of a group's data sets without generated windows, and with most of them.
+/// Returns the cells of a group's data sets without generated windows, and with most of them.
 Words cells_of(TableSteps& tables, const settings::Group& group, const std::string& ratio) {
   Words files;
   for (const Part* part : parts_of(tables, group)) {

@@ -4,8 +4,8 @@
 
 namespace piae::plan {
 
-/// Puts the tables of the groups of [transfer] into a graph, means over data sets that test another
-/// speed or size, and their cells: those at the ratio with the most generated windows.
+/// Adds the tables of the groups of [transfer], means over data sets that test another speed or
+/// size, and their cells: those at the ratio with the most generated windows.
 ///
 ///     RUN/transfer@GROUP.{csv,md,svg,pdf}, transfer-comparisons@GROUP.csv
 void add_transfers(TableSteps& tables);

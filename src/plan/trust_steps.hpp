@@ -4,8 +4,8 @@
 
 namespace piae::plan {
 
-/// Puts the steps into a graph that keep the classifiers of all cells, and the table that says how
-/// far to believe them.
+/// Adds the steps that keep the classifiers of all cells, and the table that measures how far they
+/// can be trusted.
 ///
 ///     <dataset>/seedK/METHOD/RATIO/CLASSIFIER/classifier.h5, <dataset>/trust.{csv,md}
 void add_trust(TableSteps& tables);

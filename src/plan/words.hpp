@@ -13,31 +13,31 @@ bool has(const Words& words, const std::string& word);
 
 void append(Words& words, const Words& more);
 
-/// Appends --option and its values; nothing where there are none.
+/// Appends --option and its values; appends nothing without values.
 void append_option(Words& words, const std::string& option, const Words& values);
 
-/// The words with blanks between them.
+/// Joins the words with blanks.
 std::string spaced(const Words& words);
 
-/// The words of a text; blanks, commas and line breaks stand between them.
+/// Splits a text into words at blanks, commas and line breaks.
 Words words_in(const std::string& text);
 
-/// The parts of a line between separators.
+/// Splits a line at a separator.
 Words fields_of(const std::string& line, char separator);
 
-/// A path without results/RUN/ in front.
+/// Returns a path without the leading results/RUN/.
 std::string below_run(const std::string& path);
 
-/// The name of a file without its folders.
+/// Returns the name of a file without its folders.
 std::string file_name(const std::string& path);
 
-/// The numbers of seeds.
+/// Returns the seeds as texts.
 Words texts_of(const std::vector<std::int64_t>& seeds);
 
-/// Files of these names in one folder.
+/// Returns the paths of files with these names in one folder.
 Words in_folder(const std::string& folder, const Words& names);
 
-/// A time for people: "12 s", "4 min", "1 h 01 min".
+/// Formats a time for people: "12 s", "4 min", "1 h 01 min".
 std::string duration(double seconds);
 
 }  // namespace piae::plan

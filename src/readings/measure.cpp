@@ -23,7 +23,7 @@ namespace {
 
 using All = std::vector<Measured>;
 
-/// The windows of a cell, and the model that made some of them.
+/// Windows of a cell, and the model that made some of them.
 class Cell {
  public:
   Cell(const run::Layout& layout, const std::string& folder, std::int64_t seed)
@@ -87,7 +87,8 @@ void add_loss(const std::string& loss, const std::string& weight, const twin::We
   all.push_back({weight + "_of_stationary", "", at_end.of_stationary()});
 }
 
-/// Mean, the standard deviation as a part of it, and how much of the variance is between classes.
+/// Adds the mean, the standard deviation divided by the mean, and the share of the variance between
+/// classes.
 void add_spread(const std::string& quantity, const std::vector<double>& values,
                 const std::vector<Label>& labels, All& all) {
   const scoring::Summary summary = scoring::summarise(values);
@@ -123,7 +124,7 @@ void add_outcome(const Cell& cell, const artefact::Reader& model, All& all) {
   add_spread("damping", damping, labels, all);
 }
 
-/// Where the truth is known.
+/// Adds the agreement with the true parameters, if they are known.
 void add_agreement(const Cell& cell, const artefact::Reader& model, All& all) {
   const artefact::Reader real = cell.windows("D");
   const signal::WindowSet windows = signal::read_window_set(real);

@@ -8,17 +8,16 @@
 
 namespace piae::readings {
 
-/// One number of one reading at one seed.
+/// One number of one interpretation at one seed.
 struct Measured {
   std::string quantity;
-  std::string ratio;  ///< empty where it does not depend on the ratio
+  std::string ratio;  ///< empty if the quantity does not depend on it
   double value = 0;
 };
 
-/// What a reading's cells of one seed show. By quantity:
-///   accuracy, nearest        percent of the test windows that WDCNN, and that the nearest
-///   neighbour
-///                            by spectra (diagnosis/nearest.hpp), names rightly; at each ratio
+/// Measures the cells of an interpretation at one seed. Quantities:
+///   accuracy, nearest        percent of the test windows that WDCNN, and the nearest neighbour by
+///                            spectra (diagnosis/nearest.hpp), classifies correctly; at each ratio
 ///   <metric of score.h5>     mean over the classes
 ///   L_DDL, L_DT, L_Rec       means of the last epoch
 ///   alpha, beta, gamma       their weights (eq. 23) after it
@@ -27,13 +26,12 @@ struct Measured {
 ///   low_damping              percent of the known windows with less than 10 N s/m, the least that
 ///                            the paper names (3.3.1)
 ///   stiffness, damping       mean over the known windows, N/m and N s/m
-///   stiffness_spread, damping_spread   standard deviation over the known windows, divided by that
+///   stiffness_spread, damping_spread   standard deviation over the known windows, divided by the
 ///                            mean
-///   stiffness_between_classes, damping_between_classes   the part of the variance that lies
-///                            between the classes (scoring/statistics.hpp)
-///   stiffness_r2, stiffness_bias, damping_r2, damping_bias   against the true ones of D, where
-///   they
-///                            are known (scoring/identifiability.hpp)
+///   stiffness_between_classes, damping_between_classes   share of the variance that lies between
+///                            the classes (scoring/statistics.hpp)
+///   stiffness_r2, stiffness_bias, damping_r2, damping_bias   against the true ones of D, if known
+///                            (scoring/identifiability.hpp)
 /// Throws artefact::Refusal for files that are missing, damaged or of other cells.
 std::vector<Measured> measure(const run::Layout& layout, const Readings& readings,
                               const Reading& reading, std::int64_t seed);

@@ -33,7 +33,7 @@ Settings settings_in(const std::string& reading) {
 
 std::string factor_of(const std::string& setting) { return setting.substr(0, setting.find('=')); }
 
-/// The settings in alphabetical order, so that each set of them has one name.
+/// Returns the settings in alphabetical order, so that each set has one name.
 std::string name_of(Settings settings) {
   std::ranges::sort(settings);
   return fmt::format("{}", fmt::join(settings, "+"));
@@ -57,7 +57,7 @@ std::vector<Tried> read_accuracies(const std::vector<std::filesystem::path>& tab
   return all;
 }
 
-/// What to try next: the best reading with one more setting.
+/// Suggests what to try next: the best interpretation with one more setting.
 std::vector<std::string> next_to(const Tried& best, const std::vector<Tried>& all) {
   const Settings own = settings_in(best.reading);
   std::set<std::string> names;

@@ -9,18 +9,20 @@
 
 namespace piae::readings {
 
-/// One way to read the paper where its words leave a choice: settings of the paper's method that
-/// differ from those of [readings] base in pipeline/protocol.toml.
+/// One interpretation of the paper at points that it leaves open: settings of the paper's method
+/// that differ from [readings] base in pipeline/protocol.toml.
 struct Reading {
-  std::string name;  ///< "batches=class+space=class"; "base" where nothing differs
+  std::string name;  ///< "batches=class+space=class"; "base" without differences
 
-  /// The folder of its cells below that of each seed: "readings/batches-class+space-class".
+  /// Returns the folder of its cells below the folder of each seed:
+  /// "readings/batches-class+space-class".
   [[nodiscard]] std::string folder() const;
 };
 
 struct ReadingsOptions {
   std::string dataset;
-  std::vector<std::string> base;  ///< "batches=mixed": what a reading has unless it says otherwise
+  std::vector<std::string>
+      base;  ///< "batches=mixed": settings that an interpretation keeps unless it changes them
   std::vector<std::string> readings;
   std::vector<std::string> ratios;
   std::vector<std::string> seeds;
@@ -34,8 +36,8 @@ struct Readings {
   std::vector<Reading> readings;  ///< base is the first
 };
 
-/// Throws Error(usage) as run::resolve() does, and for a reading that is not SETTING=VALUE, or
-/// several of these joined by +.
+/// Throws Error(usage) as run::resolve() does, and for an interpretation that is not SETTING=VALUE,
+/// or several of these joined by +.
 Readings resolve(const ReadingsOptions& options);
 
 }  // namespace piae::readings

@@ -20,13 +20,13 @@ using text::Table;
 
 const std::string as_published = "published";
 
-/// A column of a table: the quantity, how it is headed, and how its numbers are written.
+/// A column of a table: heading, quantity and number format.
 struct Column {
   std::string heading;
   std::string quantity;
   std::string ratio = {};
   int decimals = 2;
-  double unit = 1;  ///< what the number is divided by
+  double unit = 1;  ///< divisor of the numbers
 };
 
 const Row* find(const std::vector<Row>& rows, const std::string& reading, const Column& column) {

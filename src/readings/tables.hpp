@@ -10,7 +10,7 @@
 
 namespace piae::readings {
 
-/// One quantity of one reading over the seeds.
+/// One quantity of one interpretation over the seeds.
 struct Row {
   std::string reading;
   std::string quantity;
@@ -18,18 +18,18 @@ struct Row {
   scoring::Summary summary;
 };
 
-/// `by_seed` are what measure() gave for the seeds of one reading.
+/// `by_seed` holds the results of measure() for the seeds of one interpretation.
 std::vector<Row> rows_of(const Reading& reading, const std::vector<std::vector<Measured>>& by_seed);
 
-/// The accuracies that the paper publishes of its method, as those of a reading called "published".
-/// Empty for a data set that the paper does not have.
+/// Returns the paper's accuracies of its method, as an interpretation named "published". Empty for
+/// a data set that the paper does not use.
 std::vector<Row> published_rows(const run::Grid& grid, const report::Published& published);
 
-/// readings.csv: dataset,reading,quantity,ratio,seeds,mean,std; `seeds` is how many there are.
+/// Returns readings.csv: dataset,reading,quantity,ratio,seeds,mean,std. `seeds` is their number.
 std::string csv(const std::string& dataset, const std::vector<Row>& rows);
 
-/// The same for people: accuracy, the quality of windows, losses and their weights, the twin's
-/// states.
+/// Returns the tables for people: accuracy, quality of windows, losses and their weights, the
+/// twin's states.
 report::Document document(const Readings& readings, const std::vector<Row>& rows);
 
 }  // namespace piae::readings

@@ -14,11 +14,13 @@ namespace piae::regression {
 
 namespace {
 
-constexpr double sigmas = 3;          // standard errors that are allowed for many seeds
-constexpr double last_places = 4;     // units in the last place by which the same number may differ
-constexpr double enough_degrees = 8;  // of freedom, for a quantity to speak for itself
+constexpr double sigmas = 3;  // allowed standard errors for many seeds
+constexpr double last_places =
+    4;  // allowed difference of equal numbers, in units in the last place
+constexpr double enough_degrees =
+    8;  // degrees of freedom at which a quantity uses its own scatter only
 
-/// What a row is of.
+/// Identifies a row.
 struct Key {
   std::string method;
   std::string classifier;
@@ -29,7 +31,8 @@ struct Key {
   [[nodiscard]] std::tuple<std::string, std::string, std::string, std::string> order() const {
     return {method, classifier, ratio, quantity};
   }
-  /// Rows of the same kind scatter alike: a nearest neighbour less than a network that is trained.
+  /// Returns the kind of a row. Rows of one kind scatter alike: a nearest neighbour scatters less
+  /// than a trained network.
   [[nodiscard]] std::pair<std::string, std::string> kind() const { return {quantity, classifier}; }
 };
 
@@ -57,8 +60,8 @@ bool same(double a, double b) {
   return std::abs(a - b) <= last_places * unit;
 }
 
-/// How much seeds scatter about their mean. The variance is the sum of squares divided by the
-/// degrees of freedom, so that those of several groups of seeds can be added.
+/// Scatter of seeds about their mean. The variance is the sum of squares divided by the degrees of
+/// freedom, so that groups of seeds can be added.
 struct Scatter {
   double squares = 0;
   double degrees = 0;
@@ -83,7 +86,7 @@ double allowed_standard_errors(double degrees) {
   return scoring::student_t_exceeded_with(scoring::normal_above(sigmas), degrees);
 }
 
-/// Run and reference, with their scatter for each row and for each kind of rows.
+/// Run and reference with the scatter of each row and of each kind of rows.
 class Sides {
  public:
   Sides(const Measurements& reference, const Measurements& run)
@@ -96,7 +99,7 @@ class Sides {
     }
   }
 
-  /// The row for these seeds. Whether it is within the tolerance is not yet said.
+  /// Returns the row for these seeds, without deciding if it is within the tolerance.
   [[nodiscard]] DeviationRow row(const Key& key, const std::vector<std::int64_t>& seeds) const {
     DeviationRow row;
     row.method = key.method;
@@ -146,8 +149,8 @@ bool within(const DeviationRow& row, Tolerance tolerance) {
   return std::abs(row.difference()) <= row.allowed * *row.standard_error;
 }
 
-/// The cells of one side that the other lacks, wholly or in part: a line for each method, ratio and
-/// classifier, with the seeds.
+/// Lists the cells of one side that the other side lacks, wholly or in part: a line for each
+/// method, ratio and classifier, with the seeds.
 std::vector<std::string> cells_without(const Measurements& side, const Measurements& other,
                                        const run::Selection& selection) {
   const Series there = series_of(other);

@@ -10,62 +10,59 @@
 
 namespace piae::regression {
 
-/// How near a run must come to its reference.
+/// Required agreement of a run with its reference.
 enum class Tolerance {
-  /// The number of every seed is the same, to 4 units in the last place. This can be asked where
-  /// processor, threads, compiler and libraries are the same.
+  /// Every seed has the same number, to 4 units in the last place. Possible only with the same
+  /// processor, threads, compiler and libraries.
   exact,
-  /// The means over the seeds differ by no more than chance explains. On another machine no more
-  /// can
-  /// be asked, because training magnifies a difference in the last digit into another result that
-  /// is
-  /// equally good.
+  /// The means over the seeds differ by no more than chance explains. Other machines cannot agree
+  /// better, because training amplifies a difference in the last digit to a different, equally good
+  /// result.
   spread
 };
 
-/// exact where both sides were made with the same settings, and with these alone; else spread.
+/// Returns exact if both sides were made with the same single set of settings; else spread.
 Tolerance tolerance_for(const Measurements& reference, const Measurements& run);
 
-/// A quantity of one method, classifier and ratio, over the seeds that both run and reference have.
+/// A quantity of one method, classifier and ratio, over the seeds that run and reference share.
 struct DeviationRow {
   std::string method;
   std::string classifier;
   std::string ratio;
   std::string quantity;
   std::size_t seeds = 0;
-  /// Those whose numbers are not the same to 4 units in the last place.
+  /// Number of seeds whose numbers differ by more than 4 units in the last place.
   std::size_t moved_seeds = 0;
   double reference = 0;  ///< mean over the seeds
   double run = 0;        ///< mean over the seeds
-  /// Standard error of the difference of the two means. Empty where there is one seed alone, which
-  /// does not say how much seeds scatter.
+  /// Standard error of the difference of the two means. Empty with a single seed, which does not
+  /// show any scatter.
   std::optional<double> standard_error;
-  /// How many standard errors the difference may have: as many as chance alone exceeds once in 370
-  /// comparisons, which is 3 for many seeds and more for few (Student's t).
+  /// Allowed difference in standard errors. Chance exceeds it once in 370 comparisons: 3 for many
+  /// seeds, more for few (Student's t).
   double allowed = 0;
-  bool within = true;  ///< whether the difference is within the tolerance
+  bool within = true;  ///< true if the difference is within the tolerance
 
   [[nodiscard]] double difference() const { return run - reference; }
-  /// The difference in standard errors; infinite where there is a difference and no scatter.
+  /// Returns the difference in standard errors; infinite for a difference without scatter.
   [[nodiscard]] std::optional<double> standard_errors() const;
 };
 
-/// How a run deviates from its reference on one dataset.
+/// Deviations of a run from its reference on one dataset.
 struct Deviations {
   std::vector<DeviationRow> rows;    ///< in the order of the reference
-  std::vector<std::string> missing;  ///< cells of the reference alone: "smote 10to1, seed 2"
-  std::vector<std::string> not_in_reference;  ///< cells of the run alone
+  std::vector<std::string> missing;  ///< cells in the reference only: "smote 10to1, seed 2"
+  std::vector<std::string> not_in_reference;  ///< cells in the run only
 
-  /// Whether both have the same cells, and all rows are within the tolerance.
+  /// True if both have the same cells and all rows are within the tolerance.
   [[nodiscard]] bool acceptable() const;
 };
 
-/// Compares the selected cells of one dataset; the same seeds on both sides. How much a quantity
-/// scatters comes from all of its seeds, of run and of reference, each about the mean of its side.
-/// With less than 8 degrees of freedom (five seeds on both sides have 8) that is too uncertain:
-/// then the larger of two variances is taken, its own and that of all rows of the same quantity and
-/// classifier together, with the degrees of freedom of the latter. Throws std::logic_error for two
-/// datasets or protocols.
+/// Compares the selected cells of one dataset over the seeds on both sides. The scatter of a
+/// quantity comes from all its seeds, of run and reference, each about the mean of its side. Below
+/// 8 degrees of freedom (five seeds on both sides have 8) this is too uncertain. Then the larger of
+/// two variances is used, its own and that of all rows of the same quantity and classifier, with
+/// the degrees of freedom of the latter. Throws std::logic_error if dataset or protocol differ.
 Deviations find_deviations(const Measurements& reference, const Measurements& run,
                            const run::Selection& selection, Tolerance tolerance);
 

@@ -6,8 +6,8 @@
 
 namespace piae::regression {
 
-/// What people read: with what both sides were made and by which tolerance they were compared, a
-/// table of what moved, the cells that one side lacks, and a line that counts.
+/// Returns a text for people: the settings of both sides and the tolerance, a table of the moved
+/// rows, the cells that one side lacks, and a line of counts.
 std::string deviations_text(const Measurements& reference, const Measurements& run,
                             Tolerance tolerance, const Deviations& deviations);
 

@@ -43,7 +43,7 @@ void read_comments(const fs::path& path, Measurements& measurements) {
 Measured measured(const text::CsvLine& line) {
   const auto seed = line.number(4);
   const auto value = line.number(5);
-  constexpr double most = 1e15;  // beyond, a double does not hold every whole number
+  constexpr double most = 1e15;  // above this, a double cannot hold every whole number
   if (!seed || *seed < 0 || *seed > most || std::trunc(*seed) != *seed) {
     line.refuse("'" + line.fields[4] + "' is not a seed");
   }
@@ -69,7 +69,7 @@ std::vector<std::string> reference_datasets(const fs::path& folder, signal::Prot
   if (!fs::is_directory(below)) return names;
   for (const auto& entry : fs::directory_iterator(below)) {
     const std::string name = entry.path().stem().string();
-    // Tables of several data sets lie beside, with a name that no data set can have.
+    // Tables of several data sets are in the same folder. A data set cannot have such a name.
     if (entry.path().extension() == ".csv" && signal::ranges::is_plain_name(name)) {
       names.push_back(name);
     }

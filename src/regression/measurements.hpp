@@ -10,19 +10,19 @@
 
 namespace piae::regression {
 
-/// One number that a cell of a run gives.
+/// One number from a cell of a run.
 struct Measured {
   std::string method;
-  std::string classifier;  ///< of a diagnosis; a score has none, and this is empty
-  std::string ratio;       ///< the same
+  std::string classifier;  ///< of a diagnosis; empty for a score
+  std::string ratio;       ///< of a diagnosis; empty for a score
   std::string quantity;    ///< "accuracy" or "kind_accuracy", in [0, 1], or the name of a metric
                            ///< (scoring/quality.hpp)
   std::int64_t seed = 0;
-  double value = 0;  ///< of a metric: its mean over the fault classes
+  double value = 0;  ///< mean over the fault classes for a metric
 };
 
-/// All numbers of a run on one dataset, and what they were made with. There are several versions or
-/// settings where the cells come from several builds or machines.
+/// All numbers of a run on one dataset, and the settings that made them. There are several versions
+/// or settings if the cells come from several builds or machines.
 struct Measurements {
   std::string dataset;
   signal::Protocol protocol = signal::Protocol::random;  ///< of the splits
@@ -31,21 +31,21 @@ struct Measurements {
   std::set<std::string> settings = {};  ///< processor, threads, compiler and libraries, in one text
 };
 
-/// The file that holds the reference for a dataset and protocol: FOLDER/PROTOCOL/DATASET.csv.
+/// Returns the reference file of a dataset and protocol: FOLDER/PROTOCOL/DATASET.csv.
 std::filesystem::path reference_file(const std::filesystem::path& folder, signal::Protocol protocol,
                                      const std::string& dataset);
 
-/// The datasets for which a folder has a reference, in alphabetical order.
+/// Lists the datasets with a reference in a folder, in alphabetical order.
 std::vector<std::string> reference_datasets(const std::filesystem::path& folder,
                                             signal::Protocol protocol);
 
-/// What a reference file holds: comments that say what it was made with, then
-/// method,classifier,ratio,quantity,seed,value with as many digits as it takes to read the same
-/// number back.
+/// Returns the contents of a reference file: comments that record the settings, then
+/// method,classifier,ratio,quantity,seed,value. Values have enough digits to read the same number
+/// back.
 std::string reference_csv(const Measurements& measurements);
 
-/// Throws Error(input_missing) when there is none, with the command that makes one, and
-/// Error(bad_input) with the line for anything that reference_csv() does not write.
+/// Reads a reference file. Throws Error(input_missing) if it does not exist, with the command that
+/// makes it, and Error(bad_input), with the line, for anything that reference_csv() does not write.
 Measurements read_reference(const std::filesystem::path& folder, signal::Protocol protocol,
                             const std::string& dataset);
 

@@ -18,8 +18,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The names of the folders in a folder, in alphabetical order. Hidden ones are left out, since
-/// they hold no results. None where there is no such folder.
+/// Returns the names of the folders in a folder, in alphabetical order, without hidden ones, which
+/// do not hold results. Empty if the folder does not exist.
 std::vector<std::string> folders_in(const fs::path& folder) {
   std::vector<std::string> names;
   if (!fs::is_directory(folder)) return names;
@@ -31,7 +31,7 @@ std::vector<std::string> folders_in(const fs::path& folder) {
   return names;
 }
 
-/// 3 for a folder named "seed3"; empty for a folder that is not of a seed.
+/// Returns 3 for a folder named "seed3"; an empty value for other folders.
 std::optional<std::int64_t> seed_of(const std::string& folder) {
   const std::string prefix = "seed";
   const std::string digits = folder.starts_with(prefix) ? folder.substr(prefix.size()) : "";
@@ -42,11 +42,12 @@ std::optional<std::int64_t> seed_of(const std::string& folder) {
 /// The dataset of a run that is being read.
 struct DatasetOfRun {
   run::Layout layout;
-  std::optional<signal::Protocol> protocol;  ///< of all cells of the run; unknown before the first
+  std::optional<signal::Protocol>
+      protocol;  ///< of all cells of the run; empty before the first cell
   Measurements measurements;
 };
 
-/// Notes what a cell was made with, and refuses one with another protocol than those before it.
+/// Records what a cell was made with. Refuses a cell with another protocol than those before it.
 void note_origin(const artefact::Reader& reader, signal::Protocol protocol, DatasetOfRun& of_run) {
   if (!of_run.protocol) of_run.protocol = protocol;
   if (*of_run.protocol != protocol) {
@@ -97,7 +98,7 @@ void add_score(const std::string& method, std::int64_t seed, DatasetOfRun& of_ru
   }
 }
 
-/// All diagnoses that there can be of a method.
+/// Returns all possible diagnoses of a method.
 std::vector<run::Combination> cells_of(const std::string& method) {
   std::vector<run::Combination> cells;
   for (const scoring::Ratio& ratio : scoring::all_ratios()) {
@@ -124,8 +125,8 @@ void add_seed(const fs::path& folder, std::int64_t seed, const run::Selection& s
   }
 }
 
-/// The order of the values: classifiers as in their catalogue, ratios as in Table 5, scores after
-/// them.
+/// Returns the sort key of the values: classifiers as in their catalogue, ratios as in Table 5,
+/// then scores.
 auto order_of(const Measured& each) {
   const auto ratio = std::ranges::find(scoring::all_ratios(), each.ratio, &scoring::Ratio::name);
   const auto classifier =

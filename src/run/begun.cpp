@@ -32,8 +32,8 @@ std::vector<std::string> ratios_begun(const Layout& layout,
   return ratios;
 }
 
-/// True if a cell is there, or its step has started. A folder does not suffice: `make trust` keeps
-/// classifiers in it without a diagnosis.
+/// True if the cell exists or its step has started. Its folder alone does not count: `make trust`
+/// keeps classifiers there without a diagnosis.
 bool is_cell_begun(const Layout& layout, const std::string& method, const std::string& ratio,
                    std::int64_t seed, const std::string& classifier) {
   const fs::path cell = layout.diagnosis(method, ratio, seed, classifier);
@@ -48,8 +48,8 @@ bool is_begun(const Layout& layout, const std::string& method, const std::string
   });
 }
 
-/// All that a method has begun, the paper's even so where no other is. Empty where there is no
-/// other. The bar of the baseline does not count for itself, since it is asked for with any other.
+/// Returns the classifiers with started cells. The cell of `none` by bar_classifier does not count,
+/// because naming any classifier adds it. Returns an empty list if no classifier was ever named.
 std::vector<std::string> classifiers_begun(const Layout& layout,
                                            const std::vector<std::string>& methods) {
   std::vector<std::string> begun;

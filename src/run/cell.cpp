@@ -25,7 +25,7 @@ std::optional<double> speed_ratio_of(const signal::DatasetInfo& info) {
   return info.tested_speed_rpm() / info.known_speed_rpm();
 }
 
-/// The names of those of these conditions.
+/// Returns the names of the conditions that have this role.
 std::vector<std::string> names_of(const signal::DatasetInfo& info, bool signal::Condition::*role) {
   std::vector<std::string> names;
   if (!signal::is_transfer(info.conditions)) return names;
@@ -35,7 +35,7 @@ std::vector<std::string> names_of(const signal::DatasetInfo& info, bool signal::
   return names;
 }
 
-/// That labels differ is how a diagnosis shows that it is of another split.
+/// Labels that differ from the test windows' show that the diagnosis belongs to another split.
 std::vector<scoring::DecisionRates> decisions_of(const artefact::Reader& reader,
                                                  const scoring::DiagnosisRecord& record,
                                                  const TestedWindows* tested) {

@@ -34,7 +34,7 @@ std::string class_names(const scoring::QualityRecord& record) {
   return names;
 }
 
-/// Refuses a cell that was made under other conditions than those read before it.
+/// Refuses a cell that was made under other conditions than the cells before it.
 void require_like_the_others(const artefact::Reader& reader, const Diagnosis& cell,
                              const std::vector<Diagnosis>& others) {
   if (others.empty()) return;
@@ -43,7 +43,8 @@ void require_like_the_others(const artefact::Reader& reader, const Diagnosis& ce
   require_same(reader, "the number of known windows", known_label(cell),
                known_label(others.front()));
   require_same(reader, "the list of classes", class_names(cell), class_names(others.front()));
-  // The last is the nearest: cells come by ratio, and there may be thousands of seeds.
+  // Search backwards, where the match is near: cells are sorted by ratio, with perhaps thousands of
+  // seeds.
   const auto same_ratio = std::find_if(others.rbegin(), others.rend(), [&](const Diagnosis& each) {
     return each.ratio == cell.ratio;
   });
@@ -80,7 +81,7 @@ void add_quality(const artefact::Reader& reader, const std::string& dataset,
   qualities.push_back(std::move(record));
 }
 
-/// A file to be read, the cell that it holds in words, and what is done with it.
+/// A file to be read, its cell in words, and the function that takes it.
 struct Wanted {
   std::string name;
   fs::path path;
@@ -94,7 +95,7 @@ std::string problem_of(const Wanted& file, const Error& error) {
   return problem + "; a step on the way to it failed or is not done, see " + log->string();
 }
 
-/// Reads files of one kind in turn, or adds to the results what is wrong with them.
+/// Reads files of one kind in turn. Adds their problems to the results.
 void read_all(const std::vector<Wanted>& files, const std::string& kind, Results& results) {
   std::vector<fs::path> paths;
   paths.reserve(files.size());

@@ -14,7 +14,7 @@
 
 namespace piae::run {
 
-/// A cell by its name. The ratio is empty for a score.
+/// Names a cell. The ratio of a score is empty.
 struct CellName {
   std::string method;
   std::string ratio;
@@ -24,76 +24,75 @@ struct CellName {
   bool operator==(const CellName&) const = default;
 };
 
-/// The cells of a grid that could be read, and what is wrong with the others.
+/// Cells of a grid that were read, and the problems of the others.
 struct Results {
   std::vector<Diagnosis> diagnoses;               ///< by combination, then seed
   std::vector<scoring::QualityRecord> qualities;  ///< by method, then seed
-  std::vector<CellName> left_out;     ///< cells that are there but out of date (run/held.hpp)
+  std::vector<CellName> left_out;                 ///< stale cells that exist (run/held.hpp)
   std::vector<std::string> problems;  ///< one line for each missing or refused file, with its cell
-  /// What a program that needs all cells exits with: bad_input if any file is refused, else
+  /// Exit code of a program that needs all cells: bad_input if any file is refused, else
   /// input_missing if any is missing.
   Exit exit = Exit::done;
 };
 
-/// Is shown each cell that becomes part of the results, with the artefact that it was read from, in
-/// the order of the results: for what tables do not need of artefacts. A cell is refused with the
-/// artefact::Refusal that this throws.
+/// Callback, called for each accepted cell with its artefact, in the order of the results, to read
+/// what tables do not need. Refuses the cell by throwing artefact::Refusal.
 using SeenCell = std::function<void(const artefact::Reader&)>;
 
-/// The diagnoses of one method and ratio over the seeds: those of the grid, or those of a sweep
-/// with one setting of the method moved.
+/// Diagnoses of one method and ratio over the seeds: cells of the grid, or of a sweep with one
+/// setting of the method moved.
 struct Series {
   std::string name;    ///< in words: "method piae-dt", "batch 1"
   std::string folder;  ///< below the folder of each seed: "piae-dt", "sweep/batch-1"
   Combination combination;
 };
 
-/// The series of the grid itself.
+/// Returns the series of the grid itself.
 Series series_of(const Combination& combination);
 
-/// Adds the test windows (A) of these seeds, or what is wrong with them to the results.
+/// Adds the test windows (A) of these seeds, or their problems, to the results.
 void collect_tested_windows(const Layout& layout, const std::string& dataset,
                             const std::vector<std::int64_t>& seeds, TestedWindowsBySeed& windows,
                             Results& results);
 
-/// A series, and the seeds at which it is read.
+/// A series, and the seeds that it has.
 struct SeriesOfSeeds {
   Series series;
   std::vector<std::int64_t> seeds;
 };
 
-/// Adds the diagnoses of these series to the results, or what is wrong with them. Those of seeds
-/// whose test windows are known have decisions. Many series in one call take less than one at a
-/// time (artefact::Readers).
+/// Adds the diagnoses of these series, or their problems, to the results. They have decisions if
+/// the test windows of their seed are known. One call for many series is faster than one for each
+/// (artefact::Readers).
 void collect_diagnoses(const Layout& layout, const std::string& dataset,
                        const std::vector<SeriesOfSeeds>& all, Results& results,
                        const TestedWindowsBySeed& tested = {}, const SeenCell& seen = {});
 
-/// The series of a grid, each at all of its seeds.
+/// Returns the series of a grid, each at all of its seeds.
 std::vector<SeriesOfSeeds> series_of(const Grid& grid);
 
-/// The diagnoses of one combination, by seed.
+/// Returns the diagnoses of one combination, by seed.
 std::vector<Diagnosis> diagnoses_of(const Results& results, const Combination& combination);
 
-/// A method, and the seeds at which its scores are read.
+/// A method, and the seeds of its scores.
 struct MethodOfSeeds {
   std::string method;
   std::vector<std::int64_t> seeds;
 };
 
-/// The same for scores.
+/// Adds scores, as collect_diagnoses() adds diagnoses.
 void collect_scores(const Layout& layout, const std::string& dataset,
                     const std::vector<MethodOfSeeds>& all, Results& results,
                     const SeenCell& seen = {});
 
-/// Reads every cell of a grid, and goes on after one that cannot be read. A file is also refused
-/// when it holds another cell than its place says, and when it was made under other conditions than
-/// the files before it (split protocol, numbers of windows at the same ratio, classes), since a
-/// table must not average what does not belong together.
+/// Reads every cell of a grid, and continues after a cell that cannot be read. Also refuses a file
+/// that holds another cell than its place requires, and a file made under other conditions than
+/// those before it (split protocol, numbers of windows at the same ratio, classes): a table must
+/// not average such cells.
 Results collect(const Layout& layout, const Grid& grid);
 
-/// Where there is any problem, logs a line for each and throws an Error that counts them: no table
-/// is written with a hole in it.
+/// Logs a line for each problem and throws an Error with their number, so that a table never has a
+/// missing cell.
 void require_all(const Results& results);
 
 }  // namespace piae::run

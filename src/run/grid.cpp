@@ -38,7 +38,7 @@ std::vector<std::string> classifiers_of(const GridOptions& options) {
   return names;
 }
 
-/// Adds those that the grid does not have yet.
+/// Adds the cells that the grid does not have yet.
 void add_cells(const std::vector<std::string>& methods, const std::vector<std::string>& ratios,
                const std::string& classifier, bool nothing_known, Grid& grid) {
   for (const std::string& method : methods) {
@@ -66,7 +66,7 @@ void add_cells(const std::vector<std::string>& methods, const std::vector<std::s
           : of_all);
 }
 
-/// Of these methods the baseline, if it is among them.
+/// Returns the baseline if it is among the methods; else an empty list.
 std::vector<std::string> without_generating(std::vector<std::string> methods) {
   std::erase_if(methods, [](const std::string& method) { return method != augment::no_method; });
   return methods;

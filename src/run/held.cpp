@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The methods of the catalogue in its order, then those asked for that it does not have.
+/// Returns the methods of the catalogue, in its order, then requested ones that it lacks.
 std::vector<std::string> methods_in_order(const Grid& asked) {
   std::vector<std::string> methods;
   const auto add = [&](const std::string& method) {
@@ -30,7 +30,7 @@ bool is_asked(const Grid& asked, const Combination& cell) {
   return std::ranges::count(asked.combinations, cell) > 0;
 }
 
-/// Calls f for each combination that there can be: by classifier, then method, then ratio.
+/// Calls f for each possible combination: by classifier, then method, then ratio.
 template <class F>
 void for_each_combination(const Grid& asked, Classifiers which, const F& f) {
   for (const diagnosis::Classifier& classifier : diagnosis::classifiers()) {
@@ -44,11 +44,11 @@ void for_each_combination(const Grid& asked, Classifiers which, const F& f) {
   }
 }
 
-/// Whether the test windows (A) of the cells' seeds are read, too, where the folder holds them.
+/// Selects if the test windows (A) of the seeds are read, too, if they exist.
 enum class Tested { read, left };
 
-/// Finds the cells of one file name over the seeds, those that tables are made of, and then reads
-/// them all.
+/// Collects cells with one file name over the seeds, the requested and the held ones, and then
+/// reads them all.
 class CellsOfSeeds {
  public:
   CellsOfSeeds(const Layout& layout, const Grid& asked, const Held& held, Tested tested,

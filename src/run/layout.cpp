@@ -24,14 +24,14 @@ std::vector<fs::path> folders_in(const fs::path& folder) {
   return folders;
 }
 
-/// True if the folder holds sweeps or readings, which lie next to those of the methods.
+/// True if the folder holds sweeps or interpretations, which lie next to the methods' folders.
 bool holds_trials(const fs::path& folder) {
   const std::string name = folder.filename().string();
   return name == "sweep" || name.starts_with("sweep@") || name == "readings";
 }
 
-/// Returns a diagnosis in the layout of before 0.1.0, in which those by the paper's classifier lay
-/// in the folder of their ratio. `folder` is the folder of a seed, or of its sweeps or readings.
+/// Returns a diagnosis in the layout from before 0.1.0, where the paper's classifier had its cells
+/// in the folder of the ratio. `folder` belongs to a seed, or to its sweeps or interpretations.
 std::optional<fs::path> cell_of_before(const fs::path& folder) {
   for (const fs::path& method : folders_in(folder)) {
     for (const scoring::Ratio& ratio : scoring::all_ratios()) {

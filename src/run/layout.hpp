@@ -10,32 +10,32 @@
 
 namespace piae::run {
 
-/// What a sweep of a method's settings is called, in folders and files: "sweep"
-/// where the method is the paper's, "sweep@smote" where it is another.
+/// Names a sweep of a method's settings in folders and files: "sweep" for the paper's method,
+/// "sweep@smote" for another one.
 std::string sweep_name(const std::string& method);
 
-/// The files that `tabulate` writes for a dataset.
+/// Files that `tabulate` writes for a dataset.
 inline const std::vector<std::string> table_names{
     "accuracy.csv", "gains.csv",     "quality.csv",    "comparisons.csv",
     "ranks.csv",    "decisions.csv", "confidence.csv", "recommendation.csv",
     "tables.md",    "tables.tex",    "summary.txt"};
 
-/// Where the folder of a run has the artefacts and the tables of one dataset. The make rules in
-/// pipeline/ put the artefacts there.
+/// Paths of one dataset's artefacts and tables in the folder of a run. The make rules in pipeline/
+/// use the same paths.
 class Layout {
  public:
-  /// `run` is the run's folder, such as results/paper. Throws Error(bad_input) if the folder has
-  /// cells in the layout of before 0.1.0: programs would report these as missing, and make would
-  /// compute them again.
+  /// `run` is the folder of the run, such as results/paper. Throws Error(bad_input) if it has cells
+  /// in the layout from before 0.1.0: programs would report them as missing, and make would
+  /// recompute them.
   Layout(const std::filesystem::path& run, const std::string& dataset);
 
-  /// The same dataset in the run beside this one whose split is blocked.
+  /// Returns the same dataset in the run next to this one with a blocked split.
   [[nodiscard]] Layout blocked() const {
     std::filesystem::path run = folder_.parent_path();
     return {run += "-blocked", folder_.filename()};
   }
   [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
-  /// The seeds that have a folder, ascending.
+  /// Returns the seeds that have a folder, ascending.
   [[nodiscard]] std::vector<std::int64_t> seeds() const;
 
   [[nodiscard]] std::filesystem::path score(const std::string& method, std::int64_t seed) const {
@@ -46,7 +46,7 @@ class Layout {
       const std::string& classifier = scoring::paper_classifier) const {
     return method_folder(method, seed) / ratio / classifier / "diagnosis.h5";
   }
-  /// The classifier itself, beside its diagnosis.
+  /// The classifier itself, next to its diagnosis.
   [[nodiscard]] std::filesystem::path kept_classifier(const std::string& method,
                                                       const std::string& ratio, std::int64_t seed,
                                                       const std::string& classifier) const {
@@ -60,11 +60,11 @@ class Layout {
   [[nodiscard]] std::filesystem::path model(const std::string& method, std::int64_t seed) const {
     return method_folder(method, seed) / "model.h5";
   }
-  /// Where one setting of the paper's method at a time is moved.
+  /// The folder of the sweep of the paper's method.
   [[nodiscard]] std::filesystem::path sweep_folder(std::int64_t seed) const {
     return seed_folder(seed) / "sweep";
   }
-  /// The windows of one role of the split: "A", "B", "C" or "D".
+  /// Windows of one role of the split: "A", "B", "C" or "D".
   [[nodiscard]] std::filesystem::path windows(const std::string& role, std::int64_t seed) const {
     return seed_folder(seed) / (role + ".h5");
   }
@@ -115,9 +115,9 @@ class Layout {
     return folder_ / "identifiability.md";
   }
 
-  /// Where to look for the reason that a diagnosis or score is missing: the log of the first step
-  /// on the way to it that has begun and left no result. Empty where there is no such step. `cell`
-  /// is a path that diagnosis() or score() gave.
+  /// Returns the log that explains a missing diagnosis or score: the log of the first step towards
+  /// it that started without leaving a result. Returns an empty value if every step is finished or
+  /// not started. `cell` is a path from diagnosis() or score().
   [[nodiscard]] static std::optional<std::filesystem::path> unfinished_log(
       const std::filesystem::path& cell);
 

@@ -18,9 +18,9 @@ struct Selection {
   std::vector<std::string> classifiers = {};
 
   [[nodiscard]] bool has_dataset(const std::string& dataset) const;
-  /// Whether a cell is selected. Ratio and classifier are empty for a score; scores are selected
-  /// where any ratio with generated windows is, whatever the classifiers. Throws Error(usage) for a
-  /// selected ratio that does not exist.
+  /// True if a cell is selected. Ratio and classifier of a score are empty; a score is selected if
+  /// any ratio with generated windows is, for every classifier. Throws Error(usage) if a selected
+  /// ratio does not exist.
   [[nodiscard]] bool has(const Combination& cell, std::int64_t seed) const;
 };
 

@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// What stands in a line between two texts; empty where the line is another.
+/// Returns the text of a line between two texts; empty if the line does not match.
 std::optional<std::string_view> between(std::string_view line, std::string_view before,
                                         std::string_view after) {
   if (!line.starts_with(before)) return std::nullopt;
@@ -40,7 +40,7 @@ StepEnd end_of(int exit_code) {
   return stopped ? StepEnd::interrupted : StepEnd::failed;
 }
 
-/// The program of a command, which may have another in front: "srun --mem=2G build/bin/train
+/// Returns the program of a command, which may follow a launcher: "srun --mem=2G build/bin/train
 /// --config ...".
 std::string program_of(const std::string& command) {
   std::string program;
@@ -54,7 +54,7 @@ std::string program_of(const std::string& command) {
   return program;
 }
 
-/// Takes what a program says, which stands after its name.
+/// Reads a line that a program wrote, after its name.
 void read_line_of(const std::string& program, const std::string& line, StepLog& log) {
   if (line.starts_with(program + "  ")) log.last_progress = one_line(line);
   const std::string name = program + ": ";
@@ -67,7 +67,7 @@ void read_line_of(const std::string& program, const std::string& line, StepLog& 
 
 void read_line(const std::string& line, const std::string& program, StepLog& log) {
   if (const auto begun = number_between(line, "step: begun at ", "")) log.begun_s = begun;
-  // Its place in a queue is no part of a step.
+  // Waiting in a queue does not count as run time.
   if (const auto waited = number_between(line, "step: waited ", " s"); waited && log.begun_s) {
     *log.begun_s += *waited;
   }

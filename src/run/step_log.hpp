@@ -7,36 +7,34 @@
 
 namespace piae::run {
 
-/// How a step of a run ended.
+/// End of a step of a run.
 enum class StepEnd {
   done,
-  interrupted,  ///< stopped by a signal: the same command goes on from there
+  interrupted,  ///< stopped by a signal: the same command continues from its checkpoint
   failed,
-  open,  ///< it is running, or was killed
+  open,  ///< running, or killed
 };
 
-/// What the log beside an artefact says of the step that made it, or should have
-/// (pipeline/step.sh).
+/// Contents of the log next to an artefact (pipeline/step.sh) about the step that makes it.
 struct StepLog {
   std::filesystem::path file = {};
   std::string stage = {};  ///< "train"
   StepEnd end = StepEnd::open;
   std::optional<double> begun_s = {};  ///< seconds since 1970
-  double elapsed_s = 0;                ///< 0 while it is not ended
-  bool went_on = false;                ///< from a checkpoint: what it took before is not in the log
-  std::optional<double> processor_s =
-      {};                                ///< of all its threads; logs of older runs do not have it
-  std::optional<double> memory_mb = {};  ///< the most that it held at a time, in 10^6 bytes
-  std::string reason = {};               ///< of a failed step: its error line, without its name
-  int exit_code = 0;                     ///< 0 while it is not ended
-  std::string last_progress = {};        ///< "train  ####....   40 %": how far it has said to be
+  double elapsed_s = 0;                ///< 0 until it ends
+  bool went_on = false;  ///< continued from a checkpoint: earlier time is not in the log
+  std::optional<double> processor_s = {};  ///< of all threads; missing in logs of older runs
+  std::optional<double> memory_mb = {};    ///< peak, in 10^6 bytes
+  std::string reason = {};         ///< error line of a failed step, without the program's name
+  int exit_code = 0;               ///< 0 until it ends
+  std::string last_progress = {};  ///< last reported progress: "train  ####....   40 %"
 };
 
-/// Throws Error(input_missing) for a file that cannot be read.
+/// Throws Error(input_missing) if the file cannot be read.
 StepLog read_step_log(const std::filesystem::path& file);
 
-/// Those of a folder and all below it, by begin, then name. Files are named relative to the folder.
-/// A log that holds no step is left out.
+/// Reads the logs of a folder and all folders below it, sorted by start, then name. Files are named
+/// relative to the folder. Skips logs without a step.
 std::vector<StepLog> read_step_logs(const std::filesystem::path& folder);
 
 }  // namespace piae::run

@@ -11,17 +11,17 @@
 
 namespace piae::run {
 
-/// What decisions need of the test windows of a seed (A.h5), which diagnoses do not say.
+/// Facts about the test windows of a seed (A.h5) that decisions need and diagnoses do not store.
 struct TestedWindows {
   std::vector<Label> labels;  ///< [n]
   scoring::Places places;     ///< [n]
 };
 
-/// Those of a run, by seed; a seed of which they are not known is missing.
+/// Test windows of a run by seed; seeds without known test windows are absent.
 using TestedWindowsBySeed = std::map<std::int64_t, TestedWindows>;
 
-/// Reads them without the samples. Throws artefact::Refusal where the file is not of this dataset
-/// and seed, is no set of test windows, or where a window has no place.
+/// Reads the test windows without their samples. Throws artefact::Refusal if the file belongs to
+/// another dataset or seed, is not a set of test windows, or has a window without a place.
 TestedWindows read_tested_windows(const artefact::Reader& reader, const std::string& dataset,
                                   std::int64_t seed);
 

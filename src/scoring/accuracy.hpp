@@ -9,8 +9,8 @@
 
 namespace piae::scoring {
 
-/// How often windows of each class were taken for each other class: a row for each true class, a
-/// column for each predicted one.
+/// Counts how often windows of each class were predicted as each class: a row for each true class,
+/// a column for each predicted one.
 struct Confusion {
   std::size_t classes = 0;           ///< C
   std::vector<std::int64_t> counts;  ///< row-major [C, C]
@@ -21,20 +21,20 @@ struct Confusion {
   bool operator==(const Confusion&) const = default;
 };
 
-/// Adds the counts of another to a sum, which may be empty as yet. Both are of the same classes.
+/// Adds `confusion` to `sum`, which may be empty. Both have the same classes.
 void add(Confusion& sum, const Confusion& confusion);
 
-/// labels and predictions are [n], each in {0, ..., classes - 1}. Throws std::logic_error when they
-/// differ in length, and when one of them is no class.
+/// Counts labels and predictions, [n] each, with values in {0, ..., classes - 1}. Throws
+/// std::logic_error if their lengths differ or a value is not a class.
 Confusion confusion_matrix(std::span<const Label> labels, std::span<const Label> predictions,
                            std::size_t classes);
 
-/// Share of windows that were recognised, in [0, 1] (paper, eq. 29). Throws std::logic_error when
-/// there is not one window.
+/// Returns the share of windows classified correctly, in [0, 1] (paper, eq. 29). Throws
+/// std::logic_error without windows.
 double accuracy(const Confusion& confusion);
 
-/// The mean over the classes of the share of their windows that were recognised, in [0, 1]; a class
-/// without a window does not count. Throws std::logic_error when there is not one window.
+/// Returns the mean over the classes of the share of their windows classified correctly, in [0, 1];
+/// a class without windows does not count. Throws std::logic_error without windows.
 double balanced_accuracy(const Confusion& confusion);
 
 }  // namespace piae::scoring

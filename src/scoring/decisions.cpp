@@ -12,7 +12,7 @@ namespace piae::scoring {
 
 namespace {
 
-/// The rates over groups of so many windows; none where a class has no group.
+/// Returns the rates over groups of `windows` windows; nothing if a class has no group.
 std::optional<DecisionRates> rates_over(std::size_t windows, std::span<const Label> labels,
                                         std::span<const float> scores, std::size_t classes,
                                         const Places& places) {

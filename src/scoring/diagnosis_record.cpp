@@ -18,7 +18,7 @@ constexpr Range no_window{.low = 0, .high = 0};
 constexpr Range true_ratios{.low = 0, .high = 1e9};
 constexpr Range windows_per_second{.low = 0, .high = 1e12};
 constexpr Range cross_entropy{.low = 0, .high = 1e30};
-/// With room for rounding.
+/// Allows for rounding.
 constexpr Range share{.low = -1e-6, .high = 1 + 1e-6};
 
 std::vector<Label> read_labels(const artefact::Reader& reader, const std::string& path,
@@ -83,14 +83,16 @@ void write(artefact::Writer& writer, const DiagnosisRecord& record) {
   }
   signal::write(writer, record.info);
   writer.attribute("/", "method", record.method);
-  // Diagnoses by the paper's classifier are what they were when there was no other.
+  // The paper's classifier is not named, so that its artefacts stay the same as before others
+  // existed.
   if (record.classifier != paper_classifier) {
     writer.attribute("/", "classifier", record.classifier);
   }
   writer.attribute("/", "ratio", record.ratio);
   writer.attribute("/", "generated_per_class", record.generated_per_class);
   if (record.true_ratio) writer.attribute("/", "true_ratio", *record.true_ratio);
-  // Diagnoses by known fault windows are what they were when there were always some.
+  // `known_per_class` is written only without known fault windows, so that older artefacts stay
+  // valid.
   if (!record.any_known) writer.attribute("/", known_per_class, std::int64_t{0});
   writer.attribute("/", "seed", record.seed);
   writer.attribute("/", "protocol", to_string(record.protocol));

@@ -13,57 +13,57 @@
 
 namespace piae::scoring {
 
-/// The paper's classifier, WDCNN on the waveform. diagnosis/catalogue.hpp has the others.
+/// The paper's classifier, WDCNN on the waveform. diagnosis/catalogue.hpp lists the others.
 inline constexpr const char* paper_classifier = "wdcnn";
 
-/// What a classifier makes of the n test windows, before it decides.
+/// Output of a classifier's last layers for the n test windows.
 struct Features {
   std::vector<float> hidden;  ///< row-major [n, width of the last hidden layer]
-  std::vector<float> output;  ///< row-major [n, C]: the output layer, whose softmax are the scores
+  /// row-major [n, C]: the output layer, before the softmax that gives the scores
+  std::vector<float> output;
 };
 
 /// The content of diagnosis.h5 (kind "diagnosis"): one classifier, trained once or not at all, and
-/// what it said of the test windows A.
+/// its predictions for the test windows A.
 struct DiagnosisRecord {
   signal::DatasetInfo info;
-  std::string method;  ///< which generated the windows; "none" where there are none
-  std::string classifier = paper_classifier;  ///< as the grid names it
-  std::string ratio;                          ///< as the grid names it, "2to1" (scoring/ratios.hpp)
-  std::int64_t generated_per_class = 0;       ///< windows of each fault class
-  /// healthy windows to those of one fault class: 3.33 for "2to1"; nothing where there are none
+  std::string method;  ///< method that generated the windows; "none" without generated windows
+  std::string classifier = paper_classifier;  ///< name in the grid
+  std::string ratio;                          ///< name in the grid, "2to1" (scoring/ratios.hpp)
+  std::int64_t generated_per_class = 0;       ///< per fault class
+  /// healthy windows to those of one fault class: 3.33 for "2to1"; empty without fault windows
   std::optional<double> true_ratio;
-  bool any_known = true;  ///< whether fault windows were known
+  bool any_known = true;  ///< true if fault windows were known
   std::int64_t seed = 0;
   signal::Protocol protocol = signal::Protocol::random;  ///< of the split
   std::vector<Label> labels;                             ///< [n] true classes of the windows of A
   std::vector<Label> predictions;                        ///< [n]
-  /// row-major [n, C]: softmax, or 1 for the class that is named where nothing is said of the
-  /// others
+  /// row-major [n, C]: softmax, or 1 for the predicted class if the classifier gives no scores
   std::vector<float> scores;
-  std::vector<double> loss;            ///< [epochs] mean training loss; none where nothing trains
+  std::vector<double> loss;            ///< [epochs] mean training loss; empty without training
   std::vector<double> train_accuracy;  ///< [epochs] in [0, 1]
-  /// Training throughput. It is left out where a run must give the same bytes each time, because
-  /// elapsed time differs from run to run.
+  /// Training throughput. It is left out if a run must reproduce the same bytes, because elapsed
+  /// time differs between runs.
   std::optional<double> train_windows_per_second;
-  std::optional<Features> features;  ///< where they are kept
+  std::optional<Features> features;  ///< if kept
 
   [[nodiscard]] Confusion confusion() const {
     return confusion_matrix(labels, predictions, info.classes.size());
   }
-  /// In [0, 1], eq. 29.
+  /// Returns the accuracy in [0, 1], eq. 29.
   [[nodiscard]] double accuracy() const { return scoring::accuracy(confusion()); }
 };
 
-/// In the artefact: attributes of the root, those of DatasetInfo and `method`, `ratio`,
-/// `generated_per_class`, `true_ratio` where there were fault windows, `known_per_class` (0) where
-/// none was known, `seed`, `protocol`, `accuracy`, `classifier` unless it is the paper's, and where
-/// measured `train_windows_per_second`; datasets /labels, /predictions int32
-/// [n], /confusion int64 [C, C], /scores float32 [n, C], /curves/loss, /curves/train_accuracy
-/// float64 [epochs], and where they are kept /features/hidden, /features/output float32 [n, width].
-/// Throws std::logic_error when the lengths do not fit each other.
+/// Writes the root attributes of DatasetInfo and `method`, `ratio`, `generated_per_class`,
+/// `true_ratio` if there were fault windows, `known_per_class` (0) if no fault window was known,
+/// `seed`, `protocol`, `accuracy`, `classifier` unless it is the paper's, and
+/// `train_windows_per_second` if measured; the datasets /labels, /predictions int32 [n], /confusion
+/// int64 [C, C], /scores float32 [n, C], /curves/loss, /curves/train_accuracy float64 [epochs];
+/// and, if features are kept, /features/hidden, /features/output float32 [n, width]. Throws
+/// std::logic_error if the lengths do not match.
 void write(artefact::Writer& writer, const DiagnosisRecord& record);
-/// Throws artefact::Refusal for labels that no class has, for shapes that do not fit each other,
-/// and for a confusion matrix or an accuracy that the predictions do not give.
+/// Throws artefact::Refusal for labels without a class, for shapes that do not match, and if the
+/// confusion matrix or the accuracy contradicts the predictions.
 DiagnosisRecord read_diagnosis(const artefact::Reader& reader);
 
 }  // namespace piae::scoring

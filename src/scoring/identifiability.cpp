@@ -13,7 +13,7 @@ double mean_of(std::span<const double> values) {
   return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
-/// The sum over i of (a[i] - mean of a) (b[i] - mean of b).
+/// Returns the sum over i of (a[i] - mean of a) (b[i] - mean of b).
 double co_deviation(std::span<const double> a, std::span<const double> b) {
   const double mean_a = mean_of(a);
   const double mean_b = mean_of(b);
@@ -22,7 +22,7 @@ double co_deviation(std::span<const double> a, std::span<const double> b) {
   return sum;
 }
 
-/// A quantile of values in ascending order, linear between neighbours.
+/// Returns a quantile of values in ascending order, linear between neighbours.
 double quantile(const std::vector<double>& values, double share) {
   const double place = share * static_cast<double>(values.size() - 1);
   const auto below = static_cast<std::size_t>(place);

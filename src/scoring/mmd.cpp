@@ -10,11 +10,15 @@ namespace {
 
 using Eigen::Index;
 
-constexpr Index block_rows = 64;  // a block of distances stays in the cache
+constexpr Index block_rows = 64;  // a block of distances fits into the cache
 
-/// The sum of f(squared distances) over all pairs of rows. The squared distance of x and y is
-/// |x|^2 + |y|^2 - 2 x.y, and one matrix product gives all x.y for a block of rows. The sums of the
-/// blocks are added in the order of the blocks, so that threads do not change the result.
+/// Returns the sum of f(squared distances) over all pairs of rows. The squared distance of x and y
+/// is
+/// x
+/// ^2 +
+/// y
+/// ^2 - 2 x.y; one matrix product gives all x.y of a block of rows. The sums of the blocks are
+/// added in order, so that threads do not change the result.
 template <class F>
 double sum_over_pairs(const Windows& x, const Windows& y, const F& f) {
   const Eigen::ArrayXd x_norms = x.rowwise().squaredNorm();
@@ -35,8 +39,8 @@ double sum_over_pairs(const Windows& x, const Windows& y, const F& f) {
   return sum;
 }
 
-/// The sum of the five kernels over all pairs. It takes one exponential: each kernel is the square
-/// of the next wider one.
+/// Returns the sum of the five kernels over all pairs. One exponential suffices, because each
+/// kernel is the square of the next wider one.
 double sum_of_kernels(const Windows& x, const Windows& y, double bandwidth) {
   return sum_over_pairs(x, y, [bandwidth](const auto& distances) {
     Eigen::ArrayXXd kernel = (distances * (-1.0 / (16.0 * bandwidth))).exp();

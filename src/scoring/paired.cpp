@@ -11,11 +11,11 @@ namespace piae::scoring {
 
 namespace {
 
-/// Twice a rank, which is a whole number even where several values share a rank that ends in .5.
+/// Returns twice a rank, a whole number even if several values share a rank that ends in .5.
 std::size_t doubled(double rank) { return static_cast<std::size_t>(std::lround(2 * rank)); }
 
-/// The probability of each possible sum of the doubled ranks of the positive differences, when each
-/// difference is positive or negative with equal chance.
+/// Returns the probability of each possible sum of the doubled ranks of the positive differences,
+/// if each difference is positive or negative with equal probability.
 std::vector<double> distribution_of_sum(const std::vector<double>& ranks) {
   std::vector<double> probability{1};
   for (const double rank : ranks) {
@@ -63,7 +63,7 @@ PairedDifference paired_difference(std::span<const double> a, std::span<const do
   for (std::size_t i = 0; i < a.size(); ++i) {
     const double size = std::max(std::abs(a[i]), std::abs(b[i]));
     const double difference = a[i] - b[i];
-    // A difference that is rounding alone counts as none.
+    // A difference within rounding counts as zero.
     differences.push_back(std::abs(difference) > 1e-9 * size ? difference : 0);
   }
   PairedDifference result;

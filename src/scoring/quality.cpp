@@ -46,8 +46,8 @@ constexpr std::array<Metric, 7> metrics{{
      false, 1, true},
 }};
 
-// A squared distance that is a smaller part of the windows' mean square than this is rounding
-// alone: distances are differences of squares.
+// Largest squared distance, as a part of the windows' mean square, that counts as rounding:
+// distances are differences of squares.
 constexpr double rounding = 1e-12;
 
 [[noreturn]] void refuse(const std::string& line) { throw Error(Exit::bad_input, line); }
@@ -69,7 +69,7 @@ void require_comparable(const signal::WindowSet& generated, const signal::Window
   if (real.size() == 0) refuse("there are no real windows to compare with");
 }
 
-/// Refuses real windows of a class that nothing can be compared with.
+/// Throws if the real windows of a class do not allow a comparison.
 void require_reference(const std::string& name, const Windows& real, double squared_distance) {
   const Eigen::VectorXd means = real.rowwise().mean();
   if ((real.colwise() - means).isZero(0)) refuse("class " + name + ": the real windows are silent");
@@ -79,9 +79,8 @@ void require_reference(const std::string& name, const Windows& real, double squa
   }
 }
 
-/// How far the fault's line stands out in these windows, the first of their class. Each is looked
-/// at where the speed of its own shaft has the line; those of a method that knows no speed, at the
-/// tested one.
+/// Returns the height of the fault's line in these windows, the first of their class. The line of
+/// each window is at its own shaft speed, or at the tested speed if the method records no speeds.
 double line_db_of(const signal::WindowSet& set, Label label, const Windows& windows) {
   const signal::DatasetInfo& info = set.info;
   if (!has_line(info, label)) return 0;

@@ -8,10 +8,10 @@
 
 namespace piae::scoring {
 
-/// How good the generated windows of one class are, compared with the real ones of D.
+/// Quality of the generated windows of one class, compared with the real ones of D.
 struct ClassQuality {
   Label label = 0;
-  std::int64_t windows = 0;             ///< compared of each kind: the smaller of both counts
+  std::int64_t windows = 0;             ///< compared in each set: the smaller of both counts
   double mmd = 0;                       ///< MMD^2, no unit, see scoring/mmd.hpp
   double rmse = 0;                      ///< eq. 28, in the unit of the recordings
   double aligned_rmse = 0;              ///< in the unit of the recordings, see scoring/waveform.hpp
@@ -21,28 +21,27 @@ struct ClassQuality {
   double fault_line_difference_db = 0;  ///< generated minus real
 };
 
-/// One of the numbers of ClassQuality, with what files and tables say of it.
+/// One of the numbers of ClassQuality, with its descriptions.
 struct Metric {
   const char* name;  ///< in files
   double ClassQuality::*value;
   const char* title;    ///< in tables
-  const char* meaning;  ///< how to read it, in sentences
-  bool in_paper;        ///< whether the paper draws it (Figs 13, 14, 16 and 17, without numbers)
-  int decimals = 4;     ///< the most that tables show
-  bool is_of_line = false;  ///< whether it is of a fault line, and 0 for a class without one
+  const char* meaning;  ///< how to interpret it, in sentences
+  bool in_paper;        ///< true if the paper draws it (Figs 13, 14, 16 and 17, without numbers)
+  int decimals = 4;     ///< largest number of decimals in tables
+  bool is_of_line = false;  ///< true for a metric of the fault line; 0 for a class without line
 };
 
-/// Whether the defect of a class has a fault line: whether it is one of the bearing.
+/// True if a class has a fault line, because its defect is one of the bearing.
 bool has_line(const signal::DatasetInfo& info, Label label);
 
 std::span<const Metric> all_metrics();
 
-/// Compares generated windows with real ones, class by class. Of each class the first n windows of
-/// both sets are compared, in the order in which they are stored, where n is the smaller count. The
-/// bandwidth of the MMD comes from all real windows of the class. Throws Error(bad_input) when the
-/// two sets are not of the same dataset and window length, when a class is in one set only, and
-/// when the real windows of a class are nothing to compare with: fewer than two, all the same, or
-/// constant.
+/// Compares generated windows with real ones, class by class. The first n windows of each class of
+/// both sets are compared, in their stored order, where n is the smaller count. The bandwidth of
+/// the MMD comes from all real windows of the class. Throws Error(bad_input) if the sets differ in
+/// dataset or window length, if a class is in one set only, and if the real windows of a class do
+/// not allow a comparison: fewer than two, all the same, or constant.
 std::vector<ClassQuality> quality_by_class(const signal::WindowSet& generated,
                                            const signal::WindowSet& real);
 

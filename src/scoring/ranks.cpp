@@ -14,14 +14,14 @@ namespace {
 
 constexpr double level = 0.05;
 
-/// The probability that `count` standard normal variables lie within `range` of each other. It is
-/// an integral over the smallest of them, z: all others then lie between z and z + range.
+/// Returns the probability that `count` standard normal variables lie within `range` of each other.
+/// It integrates over the smallest of them, z: all others then lie between z and z + range.
 double range_probability(std::size_t count, double range) {
   const auto density = [&](double z) {
     const double others = normal_below(z + range) - normal_below(z);
     return normal_density(z) * std::pow(others, static_cast<double>(count - 1));
   };
-  constexpr double end = 9;  // beyond, less than 1e-18 of the probability is left
+  constexpr double end = 9;  // less than 1e-18 of the probability lies beyond
   return static_cast<double>(count) * boost::math::quadrature::trapezoidal(density, -end, end);
 }
 
@@ -31,14 +31,14 @@ std::vector<double> ranks_of_the_best_first(const std::vector<double>& values) {
   return ranks(negated);
 }
 
-/// Iman and Davenport's F for average ranks of k methods over n blocks, and its p.
+/// Returns the p of Iman and Davenport's F for average ranks of k methods over n blocks.
 double p_of_friedman(const std::vector<double>& average, double n) {
   const auto k = static_cast<double>(average.size());
   double squares = 0;
   for (const double rank : average) squares += rank * rank;
   const double chi_squared = 12 * n / (k * (k + 1)) * (squares - k * (k + 1) * (k + 1) / 4);
   const double rest = n * (k - 1) - chi_squared;
-  // Where all blocks rank all methods alike, F is infinite. Then p is the chance that all other
+  // If all blocks rank all methods alike, F is infinite. Then p is the probability that all other
   // blocks have the order of the first.
   if (rest <= 1e-9 * chi_squared) return std::pow(std::tgamma(k + 1), 1 - n);
   const double f = std::max(0.0, (n - 1) * chi_squared / rest);
@@ -59,7 +59,7 @@ std::vector<double> ranks(std::span<const double> values) {
     while (end < order.size() && values[order[end]] - values[order[end - 1]] <= 1e-9 * largest) {
       ++end;
     }
-    // The places are first + 1 to end.
+    // The ranks are first + 1 to end.
     for (std::size_t i = first; i < end; ++i) {
       ranks[order[i]] = static_cast<double>(first + 1 + end) / 2;
     }

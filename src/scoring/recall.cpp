@@ -6,7 +6,7 @@ namespace {
 
 bool is_healthy(const signal::ClassInfo& info) { return info.defect == signal::Defect::none; }
 
-/// Of the windows that are healthy, or are not, those that were taken for the other.
+/// Counts the healthy windows predicted as faulty, or the faulty ones predicted as healthy.
 Share mistaken(const Confusion& confusion, std::span<const signal::ClassInfo> classes,
                bool truly_healthy) {
   Share share;

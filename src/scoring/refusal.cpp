@@ -8,13 +8,13 @@ namespace piae::scoring {
 
 namespace {
 
-/// How many windows are answered from some threshold on, and how many of them rightly.
+/// Number of windows with a prediction at some threshold, and of correct ones among them.
 struct Answered {
   std::size_t count = 0;
   std::size_t right = 0;
 };
 
-/// That for each score that any window has, from the largest on.
+/// Returns the counts for each score that any window has, from the largest on.
 std::vector<Answered> by_threshold(std::span<const Judgement> judgements) {
   if (judgements.empty()) throw std::logic_error("the refusals of no prediction");
   std::vector<Judgement> sorted(judgements.begin(), judgements.end());

@@ -8,22 +8,21 @@
 
 namespace piae::scoring {
 
-// A classifier with a reject option: windows whose largest score is too small get no answer
-// (Geifman and El-Yaniv 2017, "Selective classification for deep neural networks": the share that
-// is answered is the coverage there, and one minus the precision the selective risk). All that is
-// read off the windows that are answered, so it says how well the scores rank them, and not what a
-// user would get who has to choose the threshold before.
+// A classifier with a reject option: windows whose largest score is too small get no prediction
+// (Geifman and El-Yaniv 2017, "Selective classification for deep neural networks": the share with a
+// prediction is their coverage, and one minus the precision their selective risk). All thresholds
+// are chosen on the tested windows themselves. So the results show how well the scores rank
+// windows, not what a user achieves who must choose the threshold in advance.
 
-/// The largest share of the windows that may be answered so that at least `precision_percent` of a
-/// hundred answers are right, where those with the least score are refused first; in [0, 1]. 1
-/// where nothing need be refused, 0 where no threshold does it. Windows of one score are answered
-/// together or not at all. Throws std::logic_error where there is no judgement.
+/// Returns the largest share of the windows that may get a prediction so that at least
+/// `precision_percent` of a hundred predictions are correct; windows with the least score are
+/// refused first. In [0, 1]: 1 if no window must be refused, 0 if no threshold suffices. Windows of
+/// one score are treated alike. Throws std::logic_error without judgements.
 double answerable_share(std::span<const Judgement> judgements, std::size_t precision_percent);
 
-/// The share of right ones among the answered, in [0, 1], where 1, 2, ..., `steps` of `steps` equal
-/// parts of the windows are answered, those with the largest score first. Of windows with the same
-/// score that are answered in part, as many count as right as would on average. Throws
-/// std::logic_error where there is no judgement or no step.
+/// Returns the share of correct predictions, in [0, 1], when 1, 2, ..., `steps` of `steps` equal
+/// parts of the windows get a prediction, largest score first. If a part ends within windows of the
+/// same score, their average precision counts. Throws std::logic_error without judgements or steps.
 std::vector<double> precision_by_share(std::span<const Judgement> judgements, std::size_t steps);
 
 }  // namespace piae::scoring

@@ -12,7 +12,7 @@ namespace piae::scoring {
 
 namespace {
 
-constexpr double tail = 0.025;  // the probability on either side of a 95 % interval
+constexpr double tail = 0.025;  // probability on each side of a 95 % interval
 
 double sample_deviation(std::span<const double> values, double mean) {
   double sum = 0;

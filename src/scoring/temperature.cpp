@@ -12,8 +12,8 @@ namespace {
 constexpr double farthest_temperature = 50;
 constexpr int precision_bits = 20;
 
-/// The mean of -ln of what softmax at that temperature says of each class, weighted by its chance:
-/// `rest` shared by all but the true one.
+/// Returns the mean of -ln of the softmax probability of each class at that temperature, weighted
+/// by the target probability: 1 - `rest` for the true class, the others share `rest`.
 double surprise(std::span<const float> logits, Label label, double rest, double temperature) {
   const double greatest = std::ranges::max(logits);
   double sum = 0;

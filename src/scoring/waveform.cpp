@@ -16,7 +16,7 @@ namespace {
 using Eigen::Index;
 using Complex = std::complex<double>;
 
-constexpr double floor_to_mean = 1e-10;  // of powers, as a part of the real spectrum's mean
+constexpr double floor_to_mean = 1e-10;  // floor of powers, as a part of the real spectrum's mean
 
 void require_pairs(const Windows& generated, const Windows& real) {
   if (generated.rows() != real.rows() || generated.cols() != real.cols() || real.size() == 0) {
@@ -28,7 +28,7 @@ double root_mean_square(const Eigen::Ref<const Eigen::RowVectorXd>& difference) 
   return std::sqrt(difference.squaredNorm() / static_cast<double>(difference.size()));
 }
 
-/// Finds the s that makes sum_n real(n) generated(n + s) largest, indices modulo the length.
+/// Finds the s that maximises sum_n real(n) generated(n + s), indices modulo the length.
 class BestShift {
  public:
   explicit BestShift(Index length)
@@ -80,7 +80,7 @@ double spectral_distance_db(const Windows& generated, const Windows& real) {
   if (generated.cols() != real.cols() || real.cols() < 2) {
     throw std::logic_error("spectra are compared of windows of equal length, 2 or more");
   }
-  const Index bins = real.cols() / 2;  // without the first: the mean is gone
+  const Index bins = real.cols() / 2;  // without the first: the mean is removed
   const Eigen::ArrayXd reference = spectra::mean_power_spectrum(real).tail(bins);
   const double floor = floor_to_mean * reference.mean();
   if (!(floor > 0)) throw std::logic_error("the real windows are silent");

@@ -9,8 +9,8 @@ namespace piae::scoring {
 
 using spectra::Windows;
 
-/// The first `count` windows of a class, in the order in which they are stored. Throws
-/// std::logic_error when there are fewer.
+/// Returns the first `count` windows of a class, in their stored order. Throws std::logic_error if
+/// there are fewer.
 Windows windows_of(const signal::WindowSet& set, Label label, std::size_t count);
 
 }  // namespace piae::scoring

@@ -1,4 +1,4 @@
-// This is linked into the programs that do without LibTorch.
+// Linked into programs without LibTorch.
 
 #include "seam/libtorch.hpp"
 

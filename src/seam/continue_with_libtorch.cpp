@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "base/error.hpp"
+#include "diagnosis/one_core_backend.hpp"
 #include "seam/libtorch.hpp"
 
 namespace piae::seam {
@@ -21,6 +22,12 @@ void continue_with_libtorch(char** argv) {
   }
   execv(other.c_str(), argv);
   throw Error(Exit::failed, other.string() + ": cannot be started (" + std::strerror(errno) + ")");
+}
+
+diagnosis::MakeWdcnnBackend wdcnn_backend(const Compute& compute, char** argv) {
+  if (!needs_libtorch(compute)) return diagnosis::make_one_core_backend;
+  continue_with_libtorch(argv);
+  return back_ends()->wdcnn(compute.device);
 }
 
 }  // namespace piae::seam

@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::array<std::string_view, 4> keys{"datasets", "against", "inputs", "kind-inputs"};
 
-/// A list that must be there, of words each of which stands there once.
+/// Refuses a list that is missing, empty or has a repeated word.
 void require_list(const std::filesystem::path& file, const toml::table& group,
                   const std::string& path, const std::string& key) {
   const std::string name = path + '.' + key;
@@ -44,7 +44,7 @@ std::string method_of_input(const std::filesystem::path& file, const toml::node&
   }
 }
 
-/// The methods that have an input.
+/// Requires valid inputs. Returns the methods that have an input.
 std::set<std::string> require_inputs(const std::filesystem::path& file, const toml::table& group,
                                      const std::string& path, const std::string& key) {
   require_list(file, group, path, key);
@@ -59,8 +59,8 @@ std::set<std::string> require_inputs(const std::filesystem::path& file, const to
   return methods;
 }
 
-/// The inputs for telling classes and, where there are such, those for telling kinds, which must be
-/// of the same methods.
+/// Requires inputs for telling classes and, if the table has them, inputs for telling fault types,
+/// which must name the same methods.
 void require_both_inputs(const std::filesystem::path& file, const toml::table& group,
                          const std::string& path) {
   const std::set<std::string> methods = require_inputs(file, group, path, "inputs");

@@ -8,14 +8,14 @@
 
 namespace piae::settings {
 
-/// Throws Error(bad_input) with the file, the line of the node, and what is wrong there.
+/// Throws Error(bad_input) with the file, the line of the node, and the problem.
 [[noreturn]] void refuse(const std::filesystem::path& file, const toml::node& node,
                          const std::string& what);
 
-/// "sweep.points holds 'batch' twice".
+/// Returns a message such as "sweep.points holds 'batch' twice".
 std::string holds(const std::string& list, const std::string& word, const std::string& what);
 
-/// The words of a list; none where there is no such list. What is no word is an empty one.
+/// Returns the words of a list; empty if the list does not exist. Other values become empty words.
 std::vector<std::string> words_in(const toml::table& table, const std::string& list);
 
 }  // namespace piae::settings

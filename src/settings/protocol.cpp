@@ -17,8 +17,8 @@ namespace piae::settings {
 
 namespace {
 
-/// The stages that read settings. `train` has a table for each method as well, `transfer` one for
-/// each group of data sets.
+/// Stages that read settings. `train` may have a table for each method, `transfer` one for each
+/// group of data sets.
 const std::vector<std::string> stages = {"split",    "train",    "generate", "score",
                                          "diagnose", "tabulate", "sweep",    "identify",
                                          "readings", "transfer", "trust"};
@@ -30,8 +30,7 @@ std::string nothing_reads(const std::string& path, const std::string& name,
   return fmt::format("{}; there are {}{}", text, path, fmt::join(known, ", "));
 }
 
-/// Refuses the tables in `parent` that are not among `known`. `path` is what their names begin
-/// with.
+/// Refuses tables in `parent` that are not among `known`. `path` is the beginning of their names.
 void require_known_tables(const std::filesystem::path& file, const toml::table& parent,
                           const std::string& path, const std::vector<std::string>& known) {
   for (const auto& [key, node] : parent) {
@@ -43,7 +42,7 @@ void require_known_tables(const std::filesystem::path& file, const toml::table& 
   }
 }
 
-/// Refuses a table of a method that is like one that is not there, or like one that is itself like
+/// Refuses a method's table that is `like` a missing table, or `like` one that is itself `like`
 /// another.
 void require_likeness(const std::filesystem::path& file, const toml::table& protocol,
                       const std::string& method, const toml::node& node) {
@@ -54,7 +53,7 @@ void require_likeness(const std::filesystem::path& file, const toml::table& prot
   }
 }
 
-/// The tables of methods in [train], none of which has a table itself.
+/// Checks the tables of methods in [train], which must not contain tables.
 void require_methods(const std::filesystem::path& file, const toml::table& protocol,
                      const toml::table& train) {
   for (const auto& [key, node] : train) {
@@ -65,7 +64,7 @@ void require_methods(const std::filesystem::path& file, const toml::table& proto
   }
 }
 
-/// The methods that may have tables of their own in that of a stage.
+/// Returns the methods that may have a table of their own in the table of a stage.
 std::vector<std::string> methods_with_tables(const std::string& stage) {
   if (stage == "train") return augment::method_names();
   if (stage == "sweep") return others_that_are_swept();

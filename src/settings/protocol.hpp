@@ -8,19 +8,19 @@
 
 namespace piae::settings {
 
-/// Every setting of the experiment that is not a choice of the command line: a table for each
-/// stage, [train.METHOD] on top of [train] for one method. A stage would not notice a table whose
-/// name is mistyped and would run with what its program has built in, so anything else is refused.
+/// Reads every setting of the experiment that is not chosen on the command line: one table for each
+/// stage; [train.METHOD] overrides [train] for one method. Refuses unknown tables and keys: a stage
+/// would ignore a mistyped table and run with its program's defaults.
 ///
-/// Throws Error(bad_input) with the file and the line for what is not TOML, for a key outside all
-/// tables, for a table that nothing reads, for one that is like none, for points of a sweep that
-/// the method's options do not take, for a classifier where there is none of that name, and for a
-/// group of data sets with a method or classifier that there is not;
-/// Error(input_missing) when there is no such file.
+/// Throws Error(bad_input), with the file and the line, for invalid TOML, a key outside all tables,
+/// an unknown table, a `like` that names no table, a point of a sweep that the method's options
+/// reject, an unknown classifier, and a group of data sets with an unknown method or classifier.
+/// Throws Error(input_missing) if the file does not exist.
 toml::table read_protocol(const std::filesystem::path& file);
 
-/// What `make readings` tries: each is one setting of the paper's method, or several joined by +,
-/// such as "batches=class+space=class", that differ from base_of_readings().
+/// Returns the interpretations that `make readings` tries. Each is one setting of the paper's
+/// method, or several joined by +, such as "batches=class+space=class", that differ from
+/// base_of_readings().
 std::vector<std::string> readings(const toml::table& protocol);
 std::vector<std::string> base_of_readings(const toml::table& protocol);
 

@@ -28,7 +28,7 @@ std::string sweep_table(const std::string& method) {
   return method == augment::paper_method() ? "sweep" : "sweep." + method;
 }
 
-/// A table of a sweep holds nothing but its points and, where it is not the paper's, its
+/// Refuses keys of a sweep's table other than its points and, except for the paper's method, its
 /// classifier.
 void require_sweep_keys(const std::filesystem::path& file, const toml::table& table,
                         const std::string& name, bool has_classifier) {
@@ -41,7 +41,7 @@ void require_sweep_keys(const std::filesystem::path& file, const toml::table& ta
   if (has_classifier && !table.contains("points")) refuse(file, table, name + " has no points");
 }
 
-/// Every point is an option of the method, with a value that it takes.
+/// Requires that every point is an option of the method, with a valid value.
 void require_options(const std::filesystem::path& file, const toml::array& points,
                      const std::string& list, const std::string& method) {
   for (const toml::node& node : points) {

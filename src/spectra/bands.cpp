@@ -21,12 +21,12 @@ constexpr double width_hz = 1200;
 constexpr double step_hz = 600;
 constexpr double edge_hz = 100;
 
-constexpr double edge = 1.0 / 60;  // of half the sample rate, left out at both ends
-// Parts of a window's power, to which what is less is raised: far away, not infinitely far.
+constexpr double edge = 1.0 / 60;  // fraction of half the sample rate that is left out at both ends
+// Fractions of a window's power that are added as a floor, so that no level is -infinity.
 constexpr double quietest_band = 1e-12;
 constexpr double quietest_level = 1e-9;
 
-/// The first bin at or above a band's lower edge.
+/// Returns the first bin at or above a band's lower edge.
 Index first_bin(Index band, Index length) {
   const double share = edge + (1 - 2 * edge) * static_cast<double>(band) / spectral_shape_bands;
   return static_cast<Index>(std::ceil(share * static_cast<double>(length) / 2 - 1e-9));

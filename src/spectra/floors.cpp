@@ -14,9 +14,9 @@ namespace {
 
 using Eigen::Index;
 
-constexpr double quietest = 1e-9;  // of the loudest amplitude: what is less is rounding
+constexpr double quietest = 1e-9;  // fraction of the largest amplitude: rounding
 
-/// Puts a number in the place of another one, and moves those between so that all stay in order.
+/// Replaces one number in a sorted array by another, and keeps the array sorted.
 void replace(std::vector<double>& sorted, double old, double with) {
   const auto from = std::ranges::lower_bound(sorted, old);
   const auto to = std::ranges::lower_bound(sorted, with);
@@ -28,7 +28,7 @@ void replace(std::vector<double>& sorted, double old, double with) {
   }
 }
 
-/// Hann's window without the zeros at its ends, with the sum 1.
+/// Returns Hann's window without the zeros at its ends, normalised to the sum 1.
 Eigen::ArrayXd hann_weights(Index width) {
   Eigen::ArrayXd weights(width);
   for (Index i = 0; i < width; ++i) {
@@ -38,7 +38,7 @@ Eigen::ArrayXd hann_weights(Index width) {
   return weights / weights.sum();
 }
 
-/// `half` more numbers at both ends, the mirror image there.
+/// Returns the values with `half` mirrored numbers added at both ends.
 Eigen::ArrayXd mirrored(const Eigen::ArrayXd& values, Index half) {
   const Index n = values.size();
   Eigen::ArrayXd longer(n + 2 * half);

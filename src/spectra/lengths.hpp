@@ -5,7 +5,8 @@
 
 namespace piae::spectra {
 
-/// The length of a transform, whose other side has `bins` where it needs `expected`.
+/// Returns the length of a transform. Throws std::logic_error if the other side has `bins` bins
+/// instead of `expected`.
 inline std::ptrdiff_t length_of(std::size_t samples, std::size_t bins, std::size_t expected) {
   if (samples < 2 || bins != expected)
     throw std::logic_error("fft: samples and bins do not belong together");

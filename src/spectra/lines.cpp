@@ -14,26 +14,26 @@ namespace {
 
 constexpr Eigen::Index padding = 4;
 constexpr double lobe_bins = 2;  // half of the main lobe of Hann's window, before padding
-// The lobe of the third harmonic may take this part of the way to the next one.
+// The lobe of the third harmonic may reach this fraction of the distance to the next harmonic.
 constexpr double largest_lobe = 0.25;
-// A power that is a smaller part of the windows' power than this is rounding alone.
+// Fraction of the windows' power below which a power is rounding alone.
 constexpr double rounding_power = 1e-20;
 
-constexpr int slip_steps = 12;  // either way
+constexpr int slip_steps = 12;  // steps in either direction
 constexpr double slip_step = largest_slip / slip_steps;
-constexpr double highest = 2.5;  // how far above is more than clear says nothing
+constexpr double highest = 2.5;  // clips heights: a line this far up is clear
 
 std::size_t bin_at(const EnvelopeSpectrum& spectrum, double hz) {
   return static_cast<std::size_t>(std::lround(hz / spectrum.bin_hz));
 }
 
-/// Returns half the width of a harmonic. It may lie anywhere within the tolerance and is as wide as
-/// the main lobe of Hann's window; the floor begins outside of both.
+/// Returns half the width of a harmonic. The harmonic may lie anywhere within the tolerance and is
+/// as wide as the main lobe of Hann's window. The floor begins outside of both.
 double lobe_hz(const EnvelopeSpectrum& spectrum, int number, double line_hz) {
   return line_tolerance * (number * line_hz) + lobe_bins * spectrum.resolution_hz;
 }
 
-/// Returns the powers next to a harmonic, half way to the next ones.
+/// Returns the powers on both sides of a harmonic, half way to the next harmonics.
 std::vector<double> powers_next_to(const EnvelopeSpectrum& spectrum, int number, double line_hz) {
   const double hz = number * line_hz;
   const double lobe = lobe_hz(spectrum, number, line_hz);

@@ -20,33 +20,32 @@ using Eigen::Index;
 constexpr Index padding = 2;
 constexpr double floor_orders = 1.6;
 constexpr Index least_floor_bins = 9;
-// Above its width a band has no envelope but what rounding leaves at the bins, and leakage between
-// them. A floor of at least this part of the mean power keeps that from looking like lines.
+// Beyond a band's width its envelope holds only rounding errors at the bins and leakage between
+// them. A floor of at least this fraction of the mean power keeps these from looking like lines.
 constexpr double least_floor = 1e-4;
-constexpr double least_ratio = 1e-3;  // a silent place is far below the floor, not infinitely far
+constexpr double least_ratio = 1e-3;  // keeps the logarithm of a silent place finite
 
-/// The number at a place between two of an array, on the straight line between them; beyond the end
-/// the last one.
+/// Interpolates linearly between two numbers of an array; returns the last number beyond the end.
 double between(const Eigen::ArrayXd& values, double place) {
   const double inside = std::min(place, static_cast<double>(values.size() - 1));
   const Index before = std::min(static_cast<Index>(inside), values.size() - 2);
   return std::lerp(values[before], values[before + 1], inside - static_cast<double>(before));
 }
 
-/// The squared envelope of what a band lets through of a whitened half spectrum.
+/// Returns the squared envelope of a band of a whitened half spectrum.
 Eigen::RowVectorXd squared_envelope(const Eigen::ArrayXcd& whitened, const Eigen::ArrayXd& response,
                                     Index length) {
   std::vector<std::complex<double>> spectrum(static_cast<std::size_t>(length));
   Eigen::Map<Eigen::ArrayXcd>(spectrum.data(), whitened.size()) = 2 * response * whitened;
   std::vector<std::complex<double>> analytic;
-  // Eigen's own: compiled here it has other last bits than spectra::inverse_fft, and stored results
-  // have these.
+  // Use Eigen's transform directly: compiled here, its last bits differ from those of
+  // spectra::inverse_fft, and stored results depend on them.
   Eigen::FFT<double>().inv(analytic, spectrum);
   return Eigen::Map<const Eigen::RowVectorXcd>(analytic.data(), length).cwiseAbs2();
 }
 
-/// How far the bins of an envelope spectrum stand above the floor, which is sought among the bins
-/// that would be there without padding.
+/// Returns how far the bins of an envelope spectrum stand above the floor. The floor is estimated
+/// from the bins that exist without padding.
 Eigen::ArrayXd above_floor(const Eigen::ArrayXd& power, Index floor_bins) {
   const Index coarse = (power.size() - 1) / padding + 1;
   const Eigen::ArrayXd unpadded = Eigen::Map<const Eigen::ArrayXd, 0, Eigen::InnerStride<>>(

@@ -17,7 +17,8 @@ namespace {
 using Eigen::Index;
 using Complex = std::complex<double>;
 
-/// Hann's window, made once for each length and thread: windows often come one by one.
+/// Returns Hann's window, computed once per length and thread because windows often come one by
+/// one.
 const Eigen::RowVectorXd& taper_of(Index length) {
   thread_local std::map<Index, Eigen::RowVectorXd> tapers;
   Eigen::RowVectorXd& taper = tapers[length];
@@ -85,8 +86,8 @@ Windows envelopes(const Windows& windows) {
     fft(samples, spectrum);
     make_analytic(spectrum);
     inverse_fft(spectrum, samples);
-    // cwiseAbs would call hypot, which guards against overflow that cannot happen here and is
-    // slower.
+    // cwiseAbs would call hypot, which is slower because it guards against an overflow that cannot
+    // happen here.
     result.row(i) = row.cwiseAbs2().cwiseSqrt();
   }
   return result;

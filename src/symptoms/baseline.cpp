@@ -16,11 +16,11 @@ namespace piae::symptoms {
 namespace {
 
 constexpr double equal_speeds = 0.02;
-constexpr double least_deviation = 1e-6;  // where all healthy windows are the same
+constexpr double least_deviation = 1e-6;  // if all healthy windows are the same
 
 using Row = Eigen::ArrayXd Measures::*;
 
-/// A row for each window.
+/// Returns a row for each window.
 Eigen::ArrayXXd rows_of(const std::vector<const Measures*>& windows, Row row) {
   Eigen::ArrayXXd rows(windows.size(), (windows.front()->*row).size());
   for (std::size_t i = 0; i < windows.size(); ++i) {

@@ -23,13 +23,13 @@ using Orders = std::array<double, number_of_kinds>;
 constexpr double bins_apart = 2;
 constexpr double lowest_line = -1;
 constexpr double lowest_height = -0.5;
-constexpr double longest_window = 1e9;  // in samples: more are not to be had
+constexpr double longest_window = 1e9;  // in samples, more than any recording
 
 [[noreturn]] void refuse(const std::string& what, const std::string& why) {
   throw Error(Exit::bad_input, what + ": " + why);
 }
 
-/// The order that a spectrum must reach for all harmonics of these lines, with slip.
+/// Returns the order that a spectrum must reach for all harmonics of these lines, with slip.
 double last_order(const Orders& orders) {
   return most_harmonics * (1 + spectra::largest_slip) * *std::ranges::max_element(orders);
 }
@@ -41,7 +41,7 @@ double smallest_gap(Orders orders) {
   return gap;
 }
 
-/// Refuses a speed at which windows cannot show the lines.
+/// Throws if the windows cannot show the lines at this speed.
 void require_lines_shown(const signal::WindowSet& windows, double speed_rpm, const Orders& orders,
                          const std::string& what) {
   if (!(speed_rpm > 0)) {

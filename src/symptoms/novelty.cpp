@@ -14,10 +14,10 @@ using Eigen::Index;
 
 constexpr Index blocks = 4;
 constexpr double margin = 1.2;
-constexpr double common_share = 0.5;         // of the mean deviation, to each band's own
-constexpr double least_deviation_db = 1e-6;  // where all healthy windows are the same
+constexpr double common_share = 0.5;         // of the mean deviation, added to each band's own
+constexpr double least_deviation_db = 1e-6;  // if all healthy windows are the same
 
-/// The rows that are not of a block.
+/// Returns the rows outside a block.
 Eigen::ArrayXXd without_block(const Eigen::ArrayXXd& rows, Index block) {
   std::vector<Index> others;
   for (Index i = 0; i < rows.rows(); ++i) {

@@ -10,18 +10,18 @@ namespace piae::symptoms {
 
 inline constexpr std::size_t number_of_symptoms = number_of_kinds * most_harmonics + 5;
 
-/// What a window shows of a fault, in numbers that mean the same on every machine: they are
-/// relative to the window's own floor or to healthy windows of the machine.
+/// Symptoms of a fault in a window. They mean the same on every machine, because they are relative
+/// to the window's own floor or to healthy windows of the machine.
 ///   - 12: the heights of the lines, inner, ball, outer, each over 1, 2, 3 and 4 harmonics
 ///     (McFadden and Smith 1984; measures.hpp);
-///   - the logarithm of the kurtosis, high for single blows (Antoni 2006);
+///   - the logarithm of the kurtosis, high for single impacts (Antoni 2006);
 ///   - the largest rise of a band's level above that of healthy windows and the mean of the three
 ///     largest, in dB, clipped to -3 .. 20, and the smallest, clipped to -20 .. 3;
-///   - ln of the novelty (novelty.hpp), of which more than 6 times the threshold says nothing more.
+///   - ln of the novelty (novelty.hpp), limited to 6 times the threshold.
 using Symptoms = std::array<double, number_of_symptoms>;
 
-/// `novelty` is that of the window by the threshold: baseline.novelty().of(...), or, of a healthy
-/// window that is itself in the baseline, that when it is left out.
+/// Returns the symptoms. `novelty` is relative to the threshold: baseline.novelty().of(...), or
+/// Baselines::left_out() for a healthy window that is in the baseline.
 Symptoms symptoms_of(const Measures& window, const Baseline& baseline, double novelty);
 
 }  // namespace piae::symptoms

@@ -8,25 +8,25 @@
 
 namespace piae::text {
 
-/// One line of comma-separated values (RFC 4180, but ended by a line feed alone): a field with a
-/// comma, a quote or a line feed in it is quoted.
+/// Returns one line of comma-separated values (RFC 4180, but ended by a line feed alone). Quotes
+/// fields that contain a comma, a quote or a line feed.
 std::string csv_line(const std::vector<std::string>& fields);
 
-/// A line of a CSV file, and where it stands.
+/// A line of a CSV file and its place.
 struct CsvLine {
   std::string place;  ///< "table6-7-baseline.csv, line 3"
   std::vector<std::string> fields;
 
-  /// Throws Error(bad_input) with the place.
+  /// Throws Error(bad_input), naming the place.
   [[noreturn]] void refuse(const std::string& what) const;
-  /// Field i as a number; empty where it is not a finite one.
+  /// Returns field i as a number; empty if it is not a finite number.
   [[nodiscard]] std::optional<double> number(std::size_t i) const;
 };
 
-/// Reads all lines of a file but comments (#) and empty lines. The first is the header. Quotes in
-/// fields are not understood. Throws Error(input_missing) for a file that cannot be read, and
-/// Error(bad_input) for a file without a line below the header and for a line that has more or
-/// fewer fields than the header.
+/// Reads all lines of a file except comments (#) and empty lines. The first one is the header. Does
+/// not support quoted fields. Throws Error(input_missing) if the file cannot be read, and
+/// Error(bad_input) if no line follows the header or a line differs from it in the number of
+/// fields.
 std::vector<CsvLine> read_csv(const std::filesystem::path& path);
 
 }  // namespace piae::text

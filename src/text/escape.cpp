@@ -8,8 +8,8 @@ namespace piae::text {
 
 namespace {
 
-/// A bracket is put into braces because a row that begins with one would be read as an option of
-/// the line break before it.
+/// Brackets get braces because LaTeX reads a bracket at the start of a row as an option of the
+/// preceding line break.
 constexpr std::pair<std::string_view, std::string_view> latex_words[] = {
     {"\\", "\\textbackslash{}"},
     {"{", "\\{"},
@@ -33,8 +33,8 @@ constexpr std::pair<std::string_view, std::string_view> latex_words[] = {
     {"‡", "$\\ddagger$"},
 };
 
-/// Whether character i is the sign of a number. The number must stand at the beginning of the text,
-/// or after a space or a bracket.
+/// True if character i is the sign of a number at the start of the text, or after a space or
+/// bracket.
 bool is_sign(const std::string& text, std::size_t i) {
   const bool begins = i == 0 || text[i - 1] == ' ' || text[i - 1] == '[';
   return begins && (text[i] == '+' || text[i] == '-') && i + 1 < text.size() &&

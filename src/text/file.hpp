@@ -6,7 +6,7 @@
 
 namespace piae::text {
 
-/// A text and the file that it will be written to.
+/// A text and the path to write it to.
 struct File {
   std::filesystem::path path;
   std::string text;
@@ -15,13 +15,11 @@ struct File {
 /// Returns the bytes of a file. Throws Error as artefact::read_file() does.
 std::string read_file(const std::filesystem::path& file);
 
-/// Writes all files, each as artefact::write_file_atomically() does. Where one cannot be written,
-/// those written before it are removed, so that tables of two runs never stand side by side, and
-/// Error(failed) is thrown.
+/// Writes all files, each as artefact::write_file_atomically() does. If one fails, removes those
+/// written before, so that tables of two runs are never mixed, and throws Error(failed).
 void save_all(const std::vector<File>& files);
 
-/// Writes a file unless it holds that very text already, so that whatever make draws from it is not
-/// drawn again.
+/// Writes a file unless its text is unchanged, so that make does not redraw its pictures.
 void save_if_changed(const File& file);
 
 }  // namespace piae::text

@@ -6,8 +6,8 @@
 
 namespace piae::text {
 
-/// The lines of a file, without their ends. Throws Error(input_missing) where it cannot be read, or
-/// is no file.
+/// Returns the lines of a file without line ends. Throws Error(input_missing) if it is not a
+/// regular file or cannot be read.
 std::vector<std::string> read_lines(const std::filesystem::path& file);
 
 }  // namespace piae::text

@@ -9,13 +9,13 @@ namespace piae::text {
 
 namespace {
 
-/// How many characters a text has on the screen: the bytes of UTF-8 that begin one.
+/// Returns the number of characters on the screen: the UTF-8 bytes that start a character.
 std::size_t width_of(const std::string& text) {
   return static_cast<std::size_t>(
       std::ranges::count_if(text, [](char c) { return (c & 0xC0) != 0x80; }));
 }
 
-/// For each column the width of its widest cell.
+/// Returns the width of the widest cell of each column.
 std::vector<std::size_t> widths_of(const std::vector<std::vector<std::string>>& rows) {
   std::vector<std::size_t> widths(rows.front().size(), 0);
   for (const auto& cells : rows) {
@@ -25,7 +25,7 @@ std::vector<std::size_t> widths_of(const std::vector<std::vector<std::string>>& 
   return widths;
 }
 
-/// How wide a line of these columns is in Markdown, with the bars and spaces between them.
+/// Returns the width of a Markdown line of these columns, with bars and spaces.
 std::size_t width_in_markdown(const std::vector<std::size_t>& columns,
                               const std::vector<std::size_t>& width) {
   std::size_t sum = 1;
@@ -84,7 +84,8 @@ std::string Table::markdown(std::size_t widest) const {
   return text;
 }
 
-/// The columns of numbers in so many groups of nearly equal count, each after those of words.
+/// Divides the columns of numbers into groups of almost equal size, each after the columns of
+/// words.
 std::vector<Table::Columns> Table::columns_in_groups(std::size_t groups) const {
   const std::size_t numbers = rows_.front().size() - left_columns_;
   std::vector<Columns> all;

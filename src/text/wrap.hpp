@@ -5,8 +5,8 @@
 
 namespace piae::text {
 
-/// Breaks a paragraph between words into lines of at most `widest` bytes, each with a line break. A
-/// longer word has a line of its own. Every line starts with `indent` spaces.
+/// Breaks a paragraph into lines of at most `widest` bytes between words, each with a line break. A
+/// longer word gets a line of its own. Every line starts with `indent` spaces.
 std::string wrap(const std::string& paragraph, std::size_t widest, std::size_t indent = 0);
 
 }  // namespace piae::text

@@ -64,7 +64,7 @@ double Carrier::draw_size_mm(std::size_t known, Stream& random) const {
     largest = std::max(largest, known_.size_mm(i));
   }
   const double factor = options_.size_factor;
-  // Both may be the same, and a uniform draw needs two.
+  // Both bounds may be equal, so lerp is used: a uniform draw needs two different ones.
   return std::exp(
       std::lerp(std::log(least / factor), std::log(largest * factor), random.uniform(0, 1)));
 }
@@ -160,14 +160,14 @@ StruckWindow Carrier::cut_and_set(const Journey& journey, Stream& random) const 
   std::vector<std::complex<double>> gains(known_.length / 2 + 1);
   for (std::size_t i = 0; i < gains.size(); ++i) {
     const double hz = static_cast<double>(i) * rate_hz / static_cast<double>(known_.length);
-    const auto bin = static_cast<Index>(2 * i);  // of a frame of two windows
+    const auto bin = static_cast<Index>(2 * i);  // bin of a frame of two windows
     gains[i] = drawn.edges.gain(hz) / edges_[journey.known].gain(hz) *
                std::polar(std::exp(drawn.path.log_gain[bin]), drawn.path.phase[bin]);
   }
   std::vector<double> samples = samples_of_window(known_, journey.known);
   impacts::filter(samples, gains);
   const std::vector<Cut> responses = cut_responses(samples, windows_[journey.known].comb);
-  // A window in which no response is whole has no rate that could be changed.
+  // A window without a whole response has no rate that could be changed.
   if (options_.rhythm == Set::known || responses.empty()) {
     const Turning turning = turning_of(samples, windows_[journey.known].comb);
     return turned(turning, turning, known_.length, random);

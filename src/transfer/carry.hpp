@@ -15,45 +15,47 @@
 
 namespace piae::transfer {
 
-/// Carries known fault windows to the tested condition. What belongs to the structure stays where
-/// it is in Hz; what belongs to the shaft moves with its speed. A window is put together from
-///   - the response of the machine to one impact (structure.hpp), by a random transfer path
-///     (path.hpp);
-///   - impacts at the period that follows from the geometry, as strong as in the known window, or
-///     as in a load zone if another bearing is tested (strengths.hpp);
-///   - both edges of the defect (impacts/edges.hpp), whose lag is the known one by the ratio of the
-///     passages, with a small deviation;
-///   - a background that is not struck.
+/// Carries known fault windows to the tested condition. The structure's part of a spectrum is fixed
+/// in Hz; the shaft's part moves with the speed. A window consists of
+///  - the response of the machine to one impact (structure.hpp), through a random transfer path
+/// (path.hpp);
+///  - impacts at the period that follows from the geometry, with the strengths of the known window,
+/// or with those of a load zone if another bearing is tested (strengths.hpp);
+///  - both edges of the defect (impacts/edges.hpp); their lag is the known one times the ratio of
+/// the passages, with a small deviation;
+///  - a background that impacts do not excite.
 /// Its mean square is that of the known window. With --response cut, the known window itself is
-/// taken instead: its spectrum is divided by the known E(f) and multiplied by the tested one, and
-/// what follows each impact is set to the new rate (cutting.hpp).
-/// If defects of the tested condition have unknown sizes, one is drawn, uniform in its logarithm,
-/// between the smallest known of the class and the largest, and some way beyond.
+/// used instead: its spectrum is divided by the known E(f) and multiplied by the tested one, and
+/// the response to each impact is moved to the new rate (cutting.hpp).
+/// If defects of the tested condition have unknown sizes, a size is drawn, log-uniform, between the
+/// smallest and the largest known size of the class, extended by a factor.
 /// If nothing moves, because the known bearing is tested at the known speed, the known window is
-/// circularly shifted, and at a random moment continues in one of its bearing, at the same rate and
-/// level (turning.hpp): no model could know more.
+/// circularly shifted. At a random moment it continues in another window of its bearing, at the
+/// same rate and level (turning.hpp). A model could not add information here.
 class Carrier {
  public:
-  /// `edges` are those of each known window. Both must outlive this. `healthy` is for
-  /// --background-from healthy alone: throws Error(usage) where that lacks a tested condition.
+  /// `edges` are those of each known window. Both must outlive this. `healthy` is only for
+  /// --background-from healthy. Throws Error(usage) if that option is set and `healthy` lacks a
+  /// tested condition.
   Carrier(const signal::WindowSet& known, const std::vector<impacts::Edges>& edges,
           const CarryOptions& options, std::vector<HealthySpectrum> healthy = {});
 
-  /// One window, as long as the known ones. It knows its impacts, its condition, the known windows
-  /// in which it begins and ends, and the k and c of the strongest resonance of its bearing.
+  /// Returns one window, as long as the known ones. It records its impacts, its condition, the
+  /// known windows in which it begins and ends, and the k and c of the strongest resonance of its
+  /// bearing.
   [[nodiscard]] signal::MadeWindow carry(const Journey& journey, Stream& random) const;
 
  private:
   struct KnownWindow {
     std::vector<std::size_t> alike;  ///< all known windows of its bearing
-    signal::DynamicParameters ring;  ///< of its bearing
+    signal::DynamicParameters ring;  ///< strongest resonance of its bearing
     Comb comb;
-    std::vector<double> strengths;  ///< of its impacts
+    std::vector<double> strengths;  ///< strengths of its impacts
   };
-  /// What is drawn for one window.
+  /// Values that are drawn for one window.
   struct Draw {
-    impacts::ImpactRate rate;  ///< in the tested condition, in s
-    impacts::Edges edges;      ///< in the tested condition
+    impacts::ImpactRate rate;  ///< for the tested condition, in s
+    impacts::Edges edges;      ///< for the tested condition
     Path path;
   };
 

@@ -17,7 +17,7 @@ constexpr int periods_tried = 13;
 constexpr double places_in_a_period = 100;
 constexpr double averaged_part = 1.0 / 14;
 
-/// The moving average over `width` samples around each; beyond the ends there is nothing.
+/// Returns the moving average over `width` samples around each; values beyond the ends count as 0.
 ArrayXd averaged(const ArrayXd& values, Index width) {
   ArrayXd sums(values.size() + 1);
   sums[0] = 0;

@@ -8,14 +8,14 @@ namespace piae::transfer {
 
 namespace {
 
-/// Parts of a period.
+/// Fractions of a period.
 constexpr double lead_part = 0.12;
 constexpr double tail_part = 0.35;
 constexpr double fade_part = 0.25;
-/// Samples over which one tail takes over from another.
+/// Samples over which one tail fades into another.
 constexpr std::size_t longest_blend = 12;
 
-/// The last part of one of the responses, either way up.
+/// Returns the last part of a random response, with random sign.
 Cut draw_tail(const std::vector<Cut>& responses, Stream& random) {
   const Cut& whole = responses[random.below(responses.size())];
   const auto length = std::max<std::size_t>(
@@ -25,7 +25,7 @@ Cut draw_tail(const std::vector<Cut>& responses, Stream& random) {
   return tail;
 }
 
-/// Appends a tail. Both are independent, so their powers blend.
+/// Appends a tail. Response and tail are independent, so their powers blend.
 void append_blended(Cut& response, const Cut& tail) {
   const std::size_t blend = std::min({longest_blend, tail.size() / 2, response.size()});
   const std::size_t begin = response.size() - blend;
@@ -42,7 +42,7 @@ Cut continued(Cut response, std::size_t length, const std::vector<Cut>& response
   return response;
 }
 
-/// Fades the part that overlaps the next response to nothing, in a straight line.
+/// Fades the part that overlaps the next response linearly to 0.
 void fade_out(Cut& response, std::size_t overlap) {
   const auto longest = static_cast<std::size_t>(fade_part * static_cast<double>(response.size()));
   const std::size_t length = std::min(longest, overlap);

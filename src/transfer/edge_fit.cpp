@@ -19,7 +19,7 @@ constexpr double least_share = 0.7;
 constexpr double largest_share = 1.15;
 constexpr double share_step = 0.01;
 
-/// One place of the grid.
+/// One point of the grid.
 struct Place {
   double share;
   double exit;
@@ -43,7 +43,7 @@ impacts::Edges edges_at(const Place& place, double passage_s) {
   return {.lag_s = place.share * passage_s, .exit = place.exit, .spread = place.spread};
 }
 
-/// How far a place is from the prior, in squared standard deviations.
+/// Returns the distance of each place from the prior, in squared standard deviations.
 ArrayXd surprise(const std::vector<Place>& places, const EdgePrior& prior) {
   ArrayXd all(static_cast<Index>(places.size()));
   for (Index i = 0; i < all.size(); ++i) {
@@ -54,7 +54,7 @@ ArrayXd surprise(const std::vector<Place>& places, const EdgePrior& prior) {
   return all;
 }
 
-/// What a curve over the band is without its smooth part.
+/// Removes the smooth part of curves over the band.
 class Detrend {
  public:
   explicit Detrend(Index bins) {
@@ -77,10 +77,10 @@ class Detrend {
   MatrixXd smooth_;  ///< orthonormal
 };
 
-/// What is tried for one bearing.
+/// Candidates for one bearing.
 struct Trial {
   VectorXd seen;       ///< log|Y|, without its smooth part
-  MatrixXd explained;  ///< log|E| at every place of the grid, by column, without its smooth part
+  MatrixXd explained;  ///< log|E| at every point of the grid, by column, without its smooth part
   Index best = 0;
 
   [[nodiscard]] VectorXd left() const { return seen - explained.col(best); }
@@ -101,7 +101,7 @@ Trial trial_of(const SeenBearing& bearing, const Band& band, const std::vector<P
           .explained = detrend(explained)};
 }
 
-/// The mean of what the bearings beside this one leave unexplained.
+/// Returns the mean of what all other bearings leave unexplained.
 VectorXd structure_beside(const std::vector<Trial>& trials, std::size_t own) {
   VectorXd sum = VectorXd::Zero(trials[own].seen.size());
   for (std::size_t i = 0; i < trials.size(); ++i) {

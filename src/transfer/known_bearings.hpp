@@ -15,22 +15,22 @@ struct KnownBearing {
   std::vector<std::size_t> windows;  ///< indices in their set, ascending
 };
 
-/// By class, then by speed, then by size.
+/// Returns the known bearings by class, then by speed, then by size.
 std::vector<KnownBearing> bearings_of(const signal::WindowSet& known);
 
-/// True if bearings are tested that are not known: if the records of a class hold several sizes,
-/// each is of a bearing of its own, and a condition in which none is known has others.
+/// True if the tested bearings are not the known ones: windows have sizes of their own (each size
+/// is a separate bearing), and a tested condition is not known.
 bool tests_other_bearings(const signal::WindowSet& known);
 
-/// The time from impact to impact in known window i, if the shaft turned at this speed.
+/// Returns the time between impacts of known window i's defect at this shaft speed.
 double period_s(const signal::WindowSet& known, std::size_t i, double rpm);
 
-/// How long a ball would be over a defect of this size (bearing/strikes.hpp) in known window i, if
-/// the shaft turned at this speed.
+/// Returns the time that a ball takes to pass a defect of this size (bearing/strikes.hpp) in known
+/// window i, at this shaft speed.
 double passage_s(const signal::WindowSet& known, std::size_t i, double size_mm, double rpm);
 
 /// Throws Error(bad_input) if impacts of a known defect come more often than every two samples, at
-/// its own speed or at a tested one: windows cannot show such a rate.
+/// its own or a tested speed, because windows cannot show such a rate.
 void require_rate(const signal::WindowSet& known);
 
 }  // namespace piae::transfer

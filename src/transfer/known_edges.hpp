@@ -9,15 +9,15 @@
 
 namespace piae::transfer {
 
-/// The edges of the defect in each known window, in the order of the windows. Windows of one class,
-/// speed and size are of one bearing. Its spectrum is Welch's, of pieces of half a window that
-/// overlap by three quarters; the band reaches from 2 % of half the sampling rate to the 91 % that
-/// resampling leaves.
+/// Returns the edges of the defect in each known window, in the order of the windows. Windows of
+/// one class, speed and size belong to one bearing. Its spectrum is Welch's, over pieces of half a
+/// window that overlap by three quarters. The band reaches from 2 % to 91 % of half the sampling
+/// rate, the part that resampling leaves.
 std::vector<impacts::Edges> edges_of_known(const signal::WindowSet& known, const EdgePrior& prior);
 
-/// In the artefact, of each known window: /edges/lag_s, /edges/exit and /edges/spread, float64 [n].
+/// Writes /edges/lag_s, /edges/exit and /edges/spread of each known window, float64 [n].
 void write(artefact::Writer& writer, const std::vector<impacts::Edges>& edges);
-/// Throws artefact::Refusal for another number of windows, and for edges that cannot be.
+/// Throws artefact::Refusal if the number of windows is wrong or if edges are impossible.
 std::vector<impacts::Edges> read_edges(const artefact::Reader& reader, std::size_t windows);
 
 }  // namespace piae::transfer

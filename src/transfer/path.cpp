@@ -16,8 +16,8 @@ using Eigen::ArrayXcd;
 using Eigen::ArrayXd;
 using Eigen::Index;
 
-/// Parts of half the sampling rate: where the tilt of a spectrum begins, and where it changes
-/// nothing.
+/// Fractions of half the sampling rate: where the tilt of a spectrum begins, and where its gain is
+/// 1.
 constexpr double tilt_from = 0.05;
 constexpr double tilt_about = 1.0 / 6;
 

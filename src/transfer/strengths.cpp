@@ -24,7 +24,7 @@ std::vector<double> load_zone_strengths(bearing::Defect kind, const bearing::Spe
   std::vector<double> strengths;
   strengths.reserve(count);
   for (const impacts::Impact& impact : impacts) strengths.push_back(impact.strength);
-  // The defect may pass outside the load zone during all of a short window, which would be silent.
+  // The defect may stay outside the load zone during a short window, which would then be silent.
   if (std::ranges::max(strengths) <= 0) std::ranges::fill(strengths, 1.0);
   return strengths;
 }

@@ -12,10 +12,11 @@ namespace {
 using Eigen::ArrayXd;
 using Eigen::Index;
 
-/// Of the time between strikes: so long may the structure ring, as far as it can be seen.
+/// Fraction of the time between impacts for which the structure may ring; longer ringing is not
+/// observable.
 constexpr double seen_part = 0.8;
 
-/// Where E is almost 0, the spectrum shows noise rather than the structure.
+/// Least divisor: at smaller E the spectrum shows noise instead of the structure.
 constexpr double least_gain = 0.1;
 
 ArrayXd without_edges(ArrayXd log_amplitude, const impacts::Edges& edges, double bin_hz) {

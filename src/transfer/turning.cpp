@@ -13,7 +13,7 @@ signal::Waveform<double> waveform(const Turning& turning) {
   return {.samples = turning.samples, .cycle = turning.cycle};
 }
 
-/// The first sample of the stretch of `length` samples that has the most power.
+/// Returns the first sample of the stretch of `length` samples with the most power.
 std::size_t loudest_stretch(std::span<const double> window, std::size_t length) {
   double power = 0;
   for (std::size_t i = 0; i < length; ++i) power += window[i] * window[i];
@@ -28,14 +28,14 @@ std::size_t loudest_stretch(std::span<const double> window, std::size_t length) 
   return loudest;
 }
 
-/// Appends a place for each period from `next` to `end`. Returns the first place beyond.
+/// Appends a position for each period from `next` to `end`. Returns the first position beyond.
 double append_regular(double next, double end, double period, std::vector<double>& places) {
   for (; next < end; next += period) places.push_back(next);
   return next;
 }
 
-/// The impacts of a window that passes so from one rate to another. The part of the period
-/// continues at the change, so no impact is there twice and none is missing.
+/// Returns the impacts of a window that passes from one rate to another. The phase within the
+/// period continues at the change, so no impact is doubled or missing.
 std::vector<double> impacts_of(const signal::Passage& passage, double first_period,
                                double second_period, std::size_t length) {
   std::vector<double> impacts;

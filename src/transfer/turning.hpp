@@ -11,20 +11,20 @@
 
 namespace piae::transfer {
 
-/// A window as a cycle without end.
+/// A window as an endless cycle.
 struct Turning {
-  std::vector<double> samples;  ///< from a strike on
+  std::vector<double> samples;  ///< starting at an impact
   signal::Cycle cycle;
-  bool has_rhythm = true;  ///< false where not one whole period fits into the window
+  bool has_rhythm = true;  ///< false if not one whole period fits into the window
 };
 
-/// A window of which as many whole strikes as fit are a cycle: those of the loudest stretch of it.
-/// Where not one fits, the window is its own cycle, and has a seam.
+/// Makes a cycle of as many whole periods between impacts as fit, from the stretch of the window
+/// with the most power. If not one fits, the whole window is the cycle, which has a seam.
 Turning turning_of(std::span<const double> window, const Comb& comb);
 
-/// A window of `length` samples that begins anywhere in the first and from a random moment on goes
-/// on in the second, at the same part of the period between strikes, to half a sample
-/// (signal/passage.hpp). Where one has no rhythm, nothing is known of strikes.
+/// Returns a window of `length` samples that starts at a random place of the first cycle. At a
+/// random moment it continues in the second, at the same phase of the period between impacts, to
+/// half a sample (signal/passage.hpp). The impacts are empty if either cycle has no impact rate.
 StruckWindow turned(const Turning& first, const Turning& second, std::size_t length,
                     Stream& random);
 

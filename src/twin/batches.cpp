@@ -19,7 +19,7 @@ std::vector<Indices> cut(const Indices& order, std::size_t size) {
   return batches;
 }
 
-/// Windows of one class, and whether they are all that there are of it.
+/// Windows of one class; `is_whole` is true if they are all windows of the class.
 struct Piece {
   Indices windows;
   bool is_whole = false;
@@ -38,7 +38,7 @@ std::vector<Piece> pieces_by_class(const std::vector<Label>& labels, const Indic
   return pieces;
 }
 
-/// The pieces in random order. Whole classes share a batch as long as it holds them.
+/// Joins the pieces in random order. Whole classes share a batch as long as they fit.
 std::vector<Indices> joined(const std::vector<Piece>& pieces, std::size_t size, Stream& shuffle) {
   std::vector<Indices> batches;
   bool last_is_whole = false;

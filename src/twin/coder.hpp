@@ -13,9 +13,8 @@
 
 namespace piae::twin {
 
-/// The layers of encoder and decoder, which the ablations of paper 4.5.4, and those that its
-/// outlook names, exchange for others. Their parameters are net/encoder/... and net/decoder/...
-/// (specs.hpp).
+/// The layers of encoder and decoder, which the ablations of paper 4.5.4 and those of its outlook
+/// replace. Their parameters are net/encoder/... and net/decoder/... (specs.hpp).
 class Coder {
  public:
   using Network = nets::Network<float>;
@@ -25,17 +24,17 @@ class Coder {
 
   [[nodiscard]] virtual std::vector<nets::ParameterSpec> specs() const = 0;
 
-  /// Windows [batch, N] -> [batch, 2], of which softplus makes (k~, c~); for up to `most_rows`
-  /// rows.
+  /// Returns the encoder: windows [batch, N] -> [batch, 2], for up to `most_rows` rows. The caller
+  /// converts the output to (k~, c~) by softplus or exp.
   [[nodiscard]] virtual std::unique_ptr<Network> encoder(
       const std::shared_ptr<Parameters>& parameters, std::int64_t most_rows) const = 0;
 
-  /// (k~, c~, one-hot label) [batch, 2 + classes] -> acceleration [batch, N].
+  /// Returns the decoder: (k~, c~, one-hot label) [batch, 2 + classes] -> acceleration [batch, N].
   [[nodiscard]] virtual std::unique_ptr<Network> decoder(
       const std::shared_ptr<Parameters>& parameters, std::int64_t most_rows) const = 0;
 };
 
-/// Throws Error(usage) for a length of window or a depth that a coder of this kind cannot have.
+/// Throws Error(usage) if a coder of this kind does not support the window length or the depth.
 std::unique_ptr<Coder> make_coder(CoderKind kind, const NetworkShape& shape,
                                   const TwinOptions& options);
 

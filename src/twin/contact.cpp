@@ -14,7 +14,7 @@ namespace {
 using bearing::Defect;
 using std::numbers::pi;
 
-/// Where the balls and the defect of a class are, from angle 0 at time 0 (eqs 5 to 9).
+/// Positions of the balls and the defect of a class, from angle 0 at time 0 (eqs 5 to 9).
 class Passage {
  public:
   Passage(const signal::DatasetInfo& info, const bearing::LocalDefect& defect)
@@ -23,7 +23,7 @@ class Passage {
         half_angle_(bearing::half_angle_rad(info.bearing, defect)),
         speeds_(bearing::speeds(info.bearing, info.known_speed_rpm())) {}
 
-  /// Eq. 9: whether a ball is in the defect.
+  /// Eq. 9: true if a ball is in the defect.
   [[nodiscard]] bool is_on(double time_s) const {
     if (kind_ == Defect::roller) return bearing::faces_a_race(speeds_.spin * time_s, half_angle_);
     const double defect_rad = kind_ == Defect::inner ? speeds_.shaft * time_s : 0;
@@ -34,7 +34,7 @@ class Passage {
     return false;
   }
 
-  /// The part of the time that a ball is in the defect.
+  /// Returns the fraction of the time during which a ball is in the defect.
   [[nodiscard]] double share() const {
     return (kind_ == Defect::roller ? 2 : balls_) * half_angle_ / pi;
   }
@@ -46,8 +46,9 @@ class Passage {
   bearing::Speeds speeds_;
 };
 
-/// The part of each sample's time that a ball is in the defect. A small defect is crossed in little
-/// more than a sample, so that instants alone would miss crossings.
+/// Returns, for each sample, the fraction of its time during which a ball is in the defect. A ball
+/// crosses a small defect in little more than a sample, so sampling single instants would miss
+/// crossings.
 std::vector<double> shares_of_samples(const Passage& passage, std::int64_t samples,
                                       double sample_rate_hz) {
   constexpr int instants = 32;

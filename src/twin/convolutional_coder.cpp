@@ -16,14 +16,14 @@ namespace {
 
 using Specs = std::vector<nets::ParameterSpec>;
 
-/// The parameters of a layer each of whose outputs is computed from `inputs_of_one` inputs.
+/// Returns the parameters of a layer with `inputs_of_one` inputs per output.
 Specs layer_specs(const std::string& name, const std::vector<std::int64_t>& shape,
                   std::int64_t outputs, std::int64_t inputs_of_one) {
   const double bound = 1 / std::sqrt(static_cast<double>(inputs_of_one));
   return {{name + "/weight", shape, bound}, {name + "/bias", {outputs}, bound}};
 }
 
-/// Of a convolution, behind that of its network.
+/// Returns the name of a convolution within its network.
 std::string own_name(std::int64_t i) { return "conv" + std::to_string(i); }
 
 }  // namespace
@@ -60,7 +60,7 @@ std::vector<nets::ParameterSpec> ConvolutionalCoder::specs() const {
   for (std::int64_t i = 0; i < convolutions_; ++i) {
     const std::int64_t inputs = channels_after(convolutions_ - i);
     const std::int64_t outputs = channels_after(convolutions_ - i - 1);
-    // The kernels of neighbouring inputs lie `stride` apart, so kernel / stride of them reach each
+    // The kernels of neighbouring inputs are `stride` apart, so kernel / stride of them reach each
     // sample.
     append(specs, layer_specs(convolution_name(decoder_name, i), {inputs, outputs, kernel}, outputs,
                               inputs * kernel / stride));

@@ -9,9 +9,9 @@ namespace {
 
 using Column = std::vector<double> Curves::*;
 
-/// A squared discrepancy of equal windows may come out a rounding below 0.
+/// The squared discrepancy of equal windows may be slightly below 0 because of rounding.
 constexpr Range loss{.low = -1e-6, .high = 1e300};
-/// The logarithms of eq. 23 may be of any sign.
+/// The logarithms in eq. 23 may have any sign.
 constexpr Range total{.low = -1e300, .high = 1e300};
 constexpr Range weight{.low = 0, .high = 1e300};
 

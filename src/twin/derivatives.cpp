@@ -7,7 +7,7 @@ namespace piae::twin {
 
 namespace {
 
-/// The Kaiser window at `position` from -1 to 1.
+/// Returns the Kaiser window at `position` from -1 to 1.
 double kaiser(double position, double beta) {
   return std::cyl_bessel_i(0.0, beta * std::sqrt(1 - position * position)) /
          std::cyl_bessel_i(0.0, beta);
@@ -24,7 +24,7 @@ Stencil spectral() {
     stencil.first.push_back(n == 0 ? 0 : -window * sign / distance);
     stencil.second.push_back(n == 0 ? 0 : -2 * window * sign / (distance * distance));
   }
-  // A constant has no second derivative.
+  // The second derivative of a constant is 0, so the taps must sum to 0.
   stencil.second[reach] = -std::accumulate(stencil.second.begin(), stencil.second.end(), 0.0);
   return stencil;
 }

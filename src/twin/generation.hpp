@@ -11,10 +11,9 @@
 namespace piae::twin {
 
 /// Eqs 15 and 26: draws `count` points of the digital twin space for each class with a defect and
-/// decodes them with the class's label. Returns the windows in the recordings' unit, each with the
-/// (k, c) that it came from. Window i of a class draws from the stream's child "<class>/<i>", so
-/// that the first n windows are the same however many are asked for.
-/// Throws artefact::Refusal for a model of another variant.
+/// decodes them with the class's label. Returns the windows in the recordings' unit, each with its
+/// (k, c). Window i of a class draws from the stream's child "<class>/<i>", so the first n windows
+/// do not depend on `count`. Throws artefact::Refusal if the model is of another variant.
 signal::WindowSet generate(const artefact::Reader& model, const TwinVariant& variant,
                            std::size_t count, const Stream& stream, const Engine& engine);
 

@@ -9,9 +9,9 @@
 
 namespace piae::twin {
 
-/// The stiffness (N/m) and damping (N s/m) that the encoder of a stored model (eq. 16) infers of
-/// each window. Windows are scaled by their class, as those of the training were.
-/// Throws Error(bad_input) for windows of another length or of other classes than the model's.
+/// Returns the stiffness (N/m) and damping (N s/m) that the encoder of a stored model (eq. 16)
+/// infers from each window. Scales windows by their class, like those of the training. Throws
+/// Error(bad_input) if the window length or the number of classes differs from the model's.
 std::vector<signal::DynamicParameters> infer(const artefact::Reader& model,
                                              const TwinVariant& variant,
                                              const signal::WindowSet& windows,

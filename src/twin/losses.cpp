@@ -9,7 +9,7 @@ namespace {
 
 using Eigen::Index;
 
-/// The squared distances of all rows of z to each other, [n, n].
+/// Returns the squared distances of all pairs of rows of z, [n, n].
 template <class T>
 Eigen::ArrayXXd squared_distances(const RowArray<T>& z) {
   Eigen::ArrayXXd distances = Eigen::ArrayXXd::Zero(z.rows(), z.rows());
@@ -22,7 +22,7 @@ Eigen::ArrayXXd squared_distances(const RowArray<T>& z) {
   return distances;
 }
 
-/// Adds to a loss the squares of an error [batch, samples] and returns their gradient by it.
+/// Adds the squares of an error [batch, samples] to a loss and returns the gradient by the error.
 template <class T>
 RowArray<T> add_squares(const RowArray<T>& error, Squares squares, double& loss) {
   const double per_window = squares == Squares::sum ? static_cast<double>(error.cols()) : 1;
@@ -30,7 +30,8 @@ RowArray<T> add_squares(const RowArray<T>& error, Squares squares, double& loss)
   return error * static_cast<T>(per_window * 2.0 / static_cast<double>(error.size()));
 }
 
-/// Adds the MMD of two batches as it is read, and its gradients to those that are there.
+/// Adds the MMD of two batches, by the interpretation `mmd`, to a loss, and its gradients to by_x
+/// and by_y.
 template <class T>
 void add_mmd(const RowArray<T>& x, const RowArray<T>& y, RowArray<T>* by_x, RowArray<T>& by_y,
              Mmd mmd, double& loss) {
@@ -49,7 +50,8 @@ void add_mmd(const RowArray<T>& x, const RowArray<T>& y, RowArray<T>* by_x, RowA
   by_y += slope * squared_by_y;
 }
 
-/// The derivative of signals [batch, N] at the samples that the taps reach, [batch, N - 2 reach].
+/// Returns the derivative of signals [batch, N] at the samples that the taps reach, [batch, N - 2
+/// reach].
 template <class T>
 RowArray<T> derivative(const RowArray<T>& signals, const std::vector<double>& taps,
                        double per_tap) {
@@ -62,7 +64,7 @@ RowArray<T> derivative(const RowArray<T>& signals, const std::vector<double>& ta
   return sum * static_cast<T>(per_tap);
 }
 
-/// The gradient by the signals [batch, N] of what derivative() made of them.
+/// Returns the gradient by the signals [batch, N] from the gradient by the output of derivative().
 template <class T>
 RowArray<T> by_signals(RowArray<T> by_derivative, const std::vector<double>& taps, double per_tap) {
   const auto last = static_cast<Index>(taps.size()) - 1;
@@ -75,8 +77,8 @@ RowArray<T> by_signals(RowArray<T> by_derivative, const std::vector<double>& tap
   return sum;
 }
 
-/// How far the static equilibrium is beyond the delta outside and inside the defect, in m, the
-/// force there, and the derivative of the equilibrium by k~.
+/// The static equilibrium minus the delta outside and inside the defect, in m; the force there; the
+/// derivative of the equilibrium by k~.
 struct Rest {
   double outside_m = 0;
   double inside_m = 0;
@@ -127,8 +129,8 @@ double add_batch_mmd(const RowArray<T>& x, const RowArray<T>& y, RowArray<T>* by
   }
   if (mean > mmd_least_bandwidth) by_distance += by_bandwidth / (4 * pairs);
 
-  // The distance of z_i and z_j stands in the matrix twice, at (i, j) and at (j, i), and its
-  // derivative has a factor of 2: hence 4.
+  // The matrix contains the distance of z_i and z_j twice, at (i, j) and (j, i), and its derivative
+  // has a factor of 2: hence 4.
   const Eigen::ArrayXXd pull = 4 * by_distance;
   const Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic> mixing =
       (Eigen::MatrixXd(pull.rowwise().sum().matrix().asDiagonal()) - pull.matrix())

@@ -15,14 +15,14 @@ namespace piae::twin {
 
 using nets::RowArray;
 
-/// The kernels of batch_mmd: the factors on its bandwidth, and the smallest bandwidth allowed.
+/// Kernels of the MMD: the factors on its bandwidth, and the smallest bandwidth.
 inline constexpr std::array<double, 5> mmd_kernel_factors{1, 2, 4, 8, 16};
 inline constexpr double mmd_least_bandwidth = 1e-12;
-/// Below this squared MMD its root is flat, where its slope would have no bound.
+/// Below this squared MMD its root is constant, because its slope would be unbounded.
 inline constexpr double mmd_least_squared = 1e-12;
 
-/// A loss, and its gradients by the quantities that it is computed from. A gradient is empty where
-/// the loss does not depend on the quantity.
+/// A loss, and its gradients by its inputs. A gradient is empty if the loss does not depend on the
+/// input.
 template <class T>
 struct LossOf {
   double value = 0;
@@ -32,24 +32,24 @@ struct LossOf {
   RowArray<T> by_k_and_c;       ///< [batch, 2]
 };
 
-/// The biased squared maximum mean discrepancy between two batches x [n, N] and y [m, N]: five
-/// Gaussian kernels exp(-d^2 / b) are summed, with b = mean squared distance within the pooled
+/// Returns the biased squared maximum mean discrepancy between two batches x [n, N] and y [m, N]:
+/// the sum of five Gaussian kernels exp(-d^2 / b), with b = mean squared distance within the pooled
 /// batch / 4 * {1, 2, 4, 8, 16} (the convention of the field, after Gretton et al. 2012). Adds its
-/// gradients, also through b, to `by_x` (unless that is null) and `by_y`.
+/// gradients, also through b, to `by_x` (unless it is null) and `by_y`.
 template <class T>
 double add_batch_mmd(const RowArray<T>& x, const RowArray<T>& y, RowArray<T>* by_x,
                      RowArray<T>& by_y);
 
-/// How the norms and the MMD of eqs 20 to 22 are read. `squares` also says whether what eq. 22
-/// leaves over is averaged over the samples of a window, or summed.
+/// Interpretation of the norms and the MMD of eqs 20 to 22. `squares` also selects whether the
+/// residual of eq. 22 is averaged or summed over the samples of a window.
 struct LossReading {
   Squares squares = Squares::mean;
   Mmd mmd = Mmd::squared;
   Residual residual = Residual::squared;
 };
 
-/// L_Rec, eq. 20: the squared error of the decoded acceleration a for the windows x, plus their
-/// MMD; both are [batch, N].
+/// L_Rec, eq. 20: returns the squared error of the decoded acceleration a for the windows x, plus
+/// their MMD; both are [batch, N].
 template <class T>
 LossOf<T> reconstruction_loss(const RowArray<T>& x, const RowArray<T>& a,
                               const LossReading& reading = {});
@@ -62,16 +62,15 @@ struct BatchMotion {
   RowArray<T> acceleration;
 };
 
-/// L_DDL, eq. 21: the second derivative of the displacement and the first of the velocity against
-/// the acceleration, as squares and as MMD, at the samples that the stencil reaches. `step` is the
-/// dimensionless time between two samples.
+/// L_DDL, eq. 21: compares the second derivative of the displacement and the first derivative of
+/// the velocity with the acceleration, by squares and by MMD, at the samples that the stencil
+/// reaches. `step` is the dimensionless time between two samples.
 template <class T>
 LossOf<T> differential_loss(const BatchMotion<T>& motion, double step, const Stencil& stencil,
                             const LossReading& reading = {});
 
-/// L_DT, eq. 22: the square, or the absolute value, of the dimensionless equation of motion
-/// (physics.hpp), for (k~, c~) [batch, 2]. The gradient by k~ also goes through the static
-/// equilibrium.
+/// L_DT, eq. 22: returns the square or the absolute value of the dimensionless equation of motion
+/// (physics.hpp), for (k~, c~) [batch, 2]. The gradient by k~ includes the static equilibrium.
 template <class T>
 LossOf<T> twin_loss(const RowArray<T>& k_and_c, const BatchMotion<T>& motion,
                     std::span<const Label> labels, const Physics& physics,
@@ -82,9 +81,9 @@ template <class T>
 using PerLoss = std::array<T, 3>;
 
 /// Returns L_total, eq. 23: alpha L_DDL + beta L_DT + gamma L_Rec - (ln alpha + ln beta + ln gamma)
-/// / 2, by the logarithms of the weights. It is least where alpha = 1 / (2 L_DDL), and so on.
-/// Without `has_logarithms` the last term is left out; weights that are learned by that form only
-/// shrink. Numbers may be LibTorch's tensors, which differentiate it.
+/// / 2, from the logarithms of the weights. Its minimum is at alpha = 1 / (2 L_DDL), and so on.
+/// Without `has_logarithms` the last term is omitted; weights learned by that form only shrink.
+/// Numbers may be LibTorch's tensors, which differentiate it.
 template <class Loss, class Log>
 Loss total_loss(const PerLoss<Loss>& losses, const PerLoss<Log>& log_weights,
                 bool has_logarithms = true) {

@@ -16,7 +16,7 @@ Keep read_keep(const artefact::Reader& reader) {
   reader.refuse("keep", "is '" + word + "'; known are best and final");
 }
 
-/// Models that do not say it are older than the choice.
+/// Models without this attribute are older than the option and use softplus.
 Positive read_positive(const artefact::Reader& reader) {
   if (!reader.has_attribute("/", "positive")) return Positive::softplus;
   const std::string word = reader.text("/", "positive");

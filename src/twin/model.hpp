@@ -11,17 +11,17 @@
 
 namespace piae::twin {
 
-/// What a model says about itself besides its weights.
+/// Description of a model, without its weights.
 struct ModelDescription {
   signal::DatasetInfo info;
   NetworkShape shape;
-  TwinOptions options;               ///< of these, only depth, width, keep and positive are stored
+  TwinOptions options;               ///< only depth, width, keep and positive are stored
   std::vector<double> acceleration;  ///< a_ref of each class, in the recordings' unit
 };
 
 void write(artefact::Writer& writer, const ModelDescription& description);
-/// Throws artefact::Refusal for sizes and amplitudes that cannot be, and for an unknown word of
-/// keep.
+/// Throws artefact::Refusal if sizes or amplitudes are impossible, or if the word of keep is
+/// unknown.
 ModelDescription read_model_description(const artefact::Reader& reader);
 
 }  // namespace piae::twin

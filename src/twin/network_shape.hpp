@@ -4,10 +4,10 @@
 
 namespace piae::twin {
 
-/// The sizes that all networks of a twin share.
+/// Sizes that all networks of a twin share.
 struct NetworkShape {
-  std::int64_t samples = 0;  ///< N, in a window
-  std::int64_t classes = 0;  ///< in the dataset; a label is given as a one-hot vector of these
+  std::int64_t samples = 0;  ///< N, samples of a window
+  std::int64_t classes = 0;  ///< classes of the dataset; a label is a one-hot vector of this length
 };
 
 }  // namespace piae::twin

@@ -11,7 +11,7 @@ namespace {
 
 using Eigen::Index;
 
-/// ln(1 + e^x). As in LibTorch, it is the identity beyond 20, where the two agree in float.
+/// Returns ln(1 + e^x). As in LibTorch, it is the identity above 20, where both agree in float.
 float softplus(float x) { return x > 20 ? x : std::log1p(std::exp(x)); }
 
 }  // namespace
@@ -38,7 +38,7 @@ RowArray<float> Networks::encode(const RowArray<float>& windows) {
 }
 
 RowArray<float> slope_at(const RowArray<float>& k_and_c, Positive positive) {
-  // Of softplus 1 - exp(-k~), computed so that a small k~ loses no digits.
+  // The slope of softplus is 1 - exp(-k~); expm1 keeps all digits of a small k~.
   return positive == Positive::softplus ? RowArray<float>(-(-k_and_c).expm1()) : k_and_c;
 }
 
@@ -58,7 +58,7 @@ BatchMotion<float> Networks::move(const RowArray<float>& acceleration) {
     float* const row = module->input().row(i);
     std::copy_n(acceleration.row(i).data(), shape.samples, row);
     Eigen::Map<Eigen::ArrayXf>(row + shape.samples, shape.samples) =
-        Eigen::ArrayXf::LinSpaced(shape.samples, 0, 1);  // the times of the samples
+        Eigen::ArrayXf::LinSpaced(shape.samples, 0, 1);  // times of the samples
   }
   const nets::Rows<const float> moved = module->forward(rows);
   const nets::Rows<const float> velocity{moved.data + shape.samples, moved.stride};

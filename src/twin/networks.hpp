@@ -16,11 +16,11 @@
 
 namespace piae::twin {
 
-/// Encoder, decoder and physics-informed module for one core. Those that a variant does not have
+/// Encoder, decoder and physics-informed module for one core. Networks that a variant does not have
 /// are null. The module is a chain of dense layers in every variant.
 struct Networks {
-  /// For batches of up to `most_windows` windows. Decoder and module have room for two signals of
-  /// such a batch (nets::Network::backward).
+  /// Makes networks for batches of up to `most_windows` windows. Decoder and module have room for
+  /// two signals of such a batch (nets::Network::backward).
   Networks(const std::shared_ptr<nets::Parameters<float>>& parameters, const TwinVariant& variant,
            const Coder& coder, const NetworkShape& shape, Positive positive,
            std::int64_t most_windows);
@@ -39,14 +39,14 @@ struct Networks {
   std::unique_ptr<nets::Network<float>> module;
 };
 
-/// The slope of what makes (k~, c~) positive (eq. 16), at the places where it gave these values.
+/// Returns the slope of the function that makes (k~, c~) positive (eq. 16), from its output values.
 RowArray<float> slope_at(const RowArray<float>& k_and_c, Positive positive);
 
-/// Points as an array [n, 2], and back.
+/// Converts points to an array [n, 2], and back.
 RowArray<float> as_rows(std::span<const TwinPoint> points);
 std::vector<TwinPoint> as_points(const RowArray<float>& rows);
 
-/// Eq. 16 for any number of windows [n, N], of which `batch` are encoded at a time.
+/// Eq. 16 for any number of windows [n, N], encoded `batch` at a time.
 std::vector<TwinPoint> encode_all(Networks& networks, std::span<const float> windows,
                                   std::int64_t batch);
 

@@ -18,7 +18,7 @@ using Network = nets::Network<float>;
 using Parameters = nets::Parameters<float>;
 using Kept = Parameters::Kept;
 
-/// The known windows of a step, and what the networks made of them.
+/// The known windows of a step, and the networks' outputs and losses for them.
 struct Batch {
   Array windows;  ///< [batch, N]
   std::vector<Label> labels;
@@ -30,7 +30,7 @@ struct Batch {
   [[nodiscard]] std::int64_t size() const { return windows.rows(); }
 };
 
-/// The points of these windows.
+/// Returns the points of these windows.
 std::vector<TwinPoint> chosen(const std::vector<TwinPoint>& points,
                               std::span<const std::size_t> windows) {
   std::vector<TwinPoint> chosen;
@@ -38,12 +38,12 @@ std::vector<TwinPoint> chosen(const std::vector<TwinPoint>& points,
   return chosen;
 }
 
-/// Copies a gradient into a network's output gradient, from a row and a column on.
+/// Copies a gradient into a network's output gradient, starting at a row and a column.
 void put(const Array& gradient, Network& network, std::int64_t row, std::int64_t column = 0) {
   nets::put(gradient, network.output_gradient().from(row), column);
 }
 
-/// The rows of the last of several signals (nets::Network::backward).
+/// Returns the rows of the last of several signals (nets::Network::backward).
 nets::RowRange last_signal(std::int64_t rows, std::int64_t signals) {
   return {.begin = (signals - 1) * rows, .count = rows};
 }
@@ -147,9 +147,9 @@ class OneCoreBackend final : public TwinBackend {
     return losses;
   }
 
-  /// Eq. 24. The module follows L_DDL and the decoder follows L_Rec, while the encoder follows
-  /// L_DT, which reaches it through the module and the decoder. So two signals go back through the
-  /// module (L_DDL and L_DT) and two through the decoder (L_Rec and L_DT).
+  /// Eq. 24. The module follows L_DDL, the decoder L_Rec, and the encoder L_DT, which reaches it
+  /// through the module and the decoder. So two signals go back through the module (L_DDL and L_DT)
+  /// and two through the decoder (L_Rec and L_DT).
   void step_stage_1(const Batch& batch, const nets::AdamStep& adam) {
     const std::int64_t rows = batch.size();
     put(batch.reconstruction.by_acceleration, *networks_.decoder, 0);
@@ -166,7 +166,7 @@ class OneCoreBackend final : public TwinBackend {
     for (Network* network : trained()) network->take(adam, clipping(network->squared_norm()));
   }
 
-  /// Eq. 25.
+  /// Eq. 25: all networks and the loss weights follow the total.
   void step_stage_2(const Batch& batch, const BatchLosses& losses, const nets::AdamStep& adam,
                     double rate_of_weights) {
     const std::int64_t rows = batch.size();
@@ -202,16 +202,16 @@ class OneCoreBackend final : public TwinBackend {
                parameters_->data(Kept::second_moment) + log_weights_, by_log_weights.size());
   }
 
-  /// Propagates the module's signals back; returns the gradient of the last one by the acceleration
-  /// that the module was given.
+  /// Propagates the module's signals back; returns the gradient of the last signal by the module's
+  /// input acceleration.
   Array differentiate_module(std::int64_t rows, std::int64_t signals) {
     return nets::copied<float>(
         networks_.module->backward(rows, signals, last_signal(rows, signals)), rows,
         task_.shape.samples);
   }
 
-  /// Propagates the decoder's signals back, and through the encoder, where there is one, the sum of
-  /// the last of them and `by_k_and_c`.
+  /// Propagates the decoder's signals back. If there is an encoder, propagates the sum of the last
+  /// signal and `by_k_and_c` back through it.
   void differentiate_coder(std::int64_t rows, std::int64_t signals, const Array& by_k_and_c,
                            const Array& k_and_c) {
     if (!task_.variant.encoder) {
@@ -233,7 +233,7 @@ class OneCoreBackend final : public TwinBackend {
     return networks;
   }
 
-  /// The factor that brings gradients of this squared norm down to the largest norm allowed.
+  /// Returns the factor that limits gradients of this squared norm to the largest permitted norm.
   [[nodiscard]] double clipping(double squares) const {
     return std::min(1.0, task_.options.max_gradient_norm / std::sqrt(squares));
   }
@@ -242,13 +242,13 @@ class OneCoreBackend final : public TwinBackend {
   std::unique_ptr<Coder> coder_;
   std::vector<nets::ParameterSpec> specs_;
   std::shared_ptr<Parameters> parameters_;
-  std::int64_t largest_batch_;  ///< in windows
+  std::int64_t largest_batch_;  ///< number of windows
   Networks networks_;
   Stencil stencil_;
   LossReading reading_;
-  std::int64_t log_weights_;       ///< where they begin among the parameters
-  std::int64_t steps_ = 0;         ///< of Adam for the networks
-  std::int64_t weight_steps_ = 0;  ///< of Adam for the weights of the losses
+  std::int64_t log_weights_;       ///< their start among the parameters
+  std::int64_t steps_ = 0;         ///< steps of Adam for the networks
+  std::int64_t weight_steps_ = 0;  ///< steps of Adam for the loss weights
 };
 
 }  // namespace

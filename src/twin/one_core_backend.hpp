@@ -4,7 +4,7 @@
 
 namespace piae::twin {
 
-/// Our own back end. It runs on one core and has its gradients written by hand (losses.hpp,
+/// Returns our own engine, which runs on one core and has hand-written gradients (losses.hpp,
 /// nets/network.hpp). The device is always the CPU (base/compute.hpp refuses others).
 Engine one_core_engine(Device device);
 

@@ -42,7 +42,8 @@ class OneCoreModel final : public StoredTwin {
   Networks networks_;
 };
 
-/// Where no coder has the sizes of a model, the model is to blame, and not who asks for it.
+/// Returns the coder of a model. If no coder supports its sizes, the error must name the model, not
+/// the caller's options.
 std::unique_ptr<Coder> coder_of(const artefact::Reader& model, const ModelDescription& description,
                                 const TwinVariant& variant) {
   try {

@@ -6,8 +6,8 @@
 
 namespace piae::twin {
 
-/// Opens a stored model with our own networks (networks.hpp). Throws artefact::Refusal for a model
-/// of another variant.
+/// Opens a stored model with our own networks (networks.hpp). Throws artefact::Refusal if the model
+/// is of another variant.
 std::unique_ptr<StoredTwin> open_one_core_model(const artefact::Reader& model,
                                                 const ModelDescription& description,
                                                 const TwinVariant& variant);

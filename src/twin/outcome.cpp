@@ -12,7 +12,7 @@ WeightedLoss last_of(const std::vector<double>& losses, const std::vector<double
   return {.loss = losses.back(), .weight = weights.back()};
 }
 
-/// The three losses, of curves that have an epoch.
+/// Returns the three losses of curves with at least one epoch.
 Outcome ends_of(const Curves& curves) {
   return {.differential = last_of(curves.differential, curves.alpha),
           .twin = last_of(curves.twin, curves.beta),

@@ -12,13 +12,13 @@ namespace piae::twin {
 /// A loss of eq. 23 at the end of a training, and its weight.
 struct WeightedLoss {
   double loss = 0;    ///< mean over the batches of the last epoch
-  double weight = 0;  ///< after it
-  /// 1 at the stationary point of eq. 23, where the weight is 1 / (2 loss).
+  double weight = 0;  ///< after the last epoch
+  /// Returns the weight relative to the stationary point of eq. 23, 1 / (2 loss); 1 at that point.
   [[nodiscard]] double of_stationary() const { return 2 * weight * loss; }
   [[nodiscard]] double stationary() const { return 1 / (2 * loss); }
 };
 
-/// What came of the training of a twin with the physics-informed module.
+/// Outcome of training a twin with the physics-informed module.
 struct Outcome {
   WeightedLoss differential;       ///< L_DDL and alpha
   WeightedLoss twin;               ///< L_DT and beta
@@ -27,14 +27,15 @@ struct Outcome {
   std::int64_t open_contacts = 0;  ///< known windows whose contact is open at rest
 };
 
-/// Adds to a model that has its curves and its space how many known windows have an open contact,
-/// and the stationary points of the last epoch's weights.
+/// Adds to a model with curves and space the number of known windows with an open contact, and the
+/// stationary points of the last epoch's weights.
 void write_outcome(artefact::Writer& writer, const Curves& curves, std::int64_t open_contacts);
 
-/// Whether a model has such an outcome: not where it is older, or has no physics-informed module.
+/// True if a model has an outcome. Older models and those without the physics-informed module do
+/// not.
 bool has_outcome(const artefact::Reader& model);
 
-/// Throws artefact::Refusal for a model without it: older ones, and those without the module.
+/// Throws artefact::Refusal if the model does not have an outcome.
 Outcome read_outcome(const artefact::Reader& model);
 
 }  // namespace piae::twin

@@ -28,9 +28,9 @@ Physics make_physics(const signal::DatasetInfo& info, const std::vector<double>&
 double static_equilibrium_m(double stiffness_n_per_m, const Contact& contact,
                             const Physics& physics) {
   const double w = contact.at_rest;
-  // Neither the spring nor the contact carries more than the load, so s_0 is at most the smaller of
+  // Neither the spring nor the contact carries more than the load. So s_0 is at most the smaller of
   // the displacements at which one of them alone would carry it. The encoder may infer a stiffness
-  // of 0, at which the spring's is infinite.
+  // of 0, for which the spring's displacement is infinite.
   const double contact_alone =
       contact.inside_m + std::pow(physics.load_n / physics.contact_n_per_m15, 2.0 / 3.0);
   double s = std::min(physics.load_n / stiffness_n_per_m, contact_alone);

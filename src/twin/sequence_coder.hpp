@@ -19,8 +19,8 @@ template <class T>
 using Layers = typename nets::SequenceChain<T>::Layers;
 
 /// A coder whose networks are chains of layers on sequences. `Own` derives from SequenceCoder<Own>
-/// and has encoder_layers<T>(parameters) and decoder_layers<T>(parameters) in float and in double,
-/// for parameters whose names begin behind that of the network.
+/// and has encoder_layers<T>(parameters) and decoder_layers<T>(parameters), for float and double.
+/// They name parameters relative to their network.
 template <class Own>
 class SequenceCoder : public Coder {
  public:
@@ -33,7 +33,7 @@ class SequenceCoder : public Coder {
     return make_decoder<float>(parameters, most_rows);
   }
 
-  /// The same in float and in double.
+  /// encoder() and decoder() in float and in double.
   template <class T>
   [[nodiscard]] std::unique_ptr<nets::Network<T>> make_encoder(
       const std::shared_ptr<nets::Parameters<T>>& all, std::int64_t most_rows) const {
@@ -62,15 +62,15 @@ class SequenceCoder : public Coder {
   }
 };
 
-/// `depth` less the dense layer at (k, c). Throws Error(usage) where none is left; `layers` says
-/// what: "recurrent layer".
+/// Returns `depth` minus the dense layer at (k, c). Throws Error(usage) if nothing is left;
+/// `layers` names the layers in the message: "recurrent layer".
 std::int64_t layers_beside_dense(int depth, const std::string& layers);
 
-/// Of how many frames of `frame` samples a window consists. Throws Error(usage) where that is no
-/// whole number; `handled` says what is done with frames: "read in turn".
+/// Returns the number of frames of `frame` samples in a window. Throws Error(usage) if it is not
+/// whole; `handled` describes the use of frames in the message: "read in turn".
 std::int64_t frames_of(std::int64_t samples, std::int64_t frame, const std::string& handled);
 
-// Each coder's layers are made in its own file.
+// Each coder instantiates its layers in its own file.
 #define PIAE_INSTANTIATE_SEQUENCE_CODER(Own)                                       \
   template Layers<float> Own::encoder_layers(nets::GradientArray<float>&) const;   \
   template Layers<double> Own::encoder_layers(nets::GradientArray<double>&) const; \

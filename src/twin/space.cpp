@@ -94,7 +94,7 @@ TwinPoint TwinSpace::sample(Stream& stream) const {
   const std::size_t row = bin / (c_edges_.size() - 1);
   const std::size_t column = bin % (c_edges_.size() - 1);
   const auto within = [&](double low, double high) {
-    return low < high ? stream.uniform(low, high) : low;  // all known windows may have one value
+    return low < high ? stream.uniform(low, high) : low;  // all known windows may be equal
   };
   const double k = within(k_edges_[row], k_edges_[row + 1]);
   return {k, within(c_edges_[column], c_edges_[column + 1])};

@@ -11,16 +11,16 @@
 
 namespace piae::twin {
 
-/// Where a model has its digital twin space.
+/// Group of a model that holds its digital twin space.
 inline const std::string space_group = "/twin_space";
 
-/// One point of the digital twin space: k~ and c~ of eq. 19, without units.
+/// One point of the digital twin space: k~ and c~ of eq. 19, dimensionless.
 struct TwinPoint {
   double k = 0;
   double c = 0;
 };
 
-/// Points as a dataset [n, 2] of that name, and back.
+/// Writes points as a dataset [n, 2] of that name, and reads them.
 void write_points(artefact::Writer& writer, const std::string& name,
                   const std::vector<TwinPoint>& points);
 std::vector<TwinPoint> read_points(const artefact::Reader& reader, const std::string& name);
@@ -29,16 +29,16 @@ std::vector<TwinPoint> read_points(const artefact::Reader& reader, const std::st
 /// over all known windows, used as a probability distribution.
 class TwinSpace {
  public:
-  /// Bins of equal width between the smallest and the largest value of each parameter.
+  /// Makes bins of equal width between the smallest and the largest value of each parameter.
   TwinSpace(const std::vector<TwinPoint>& points, int bins);
-  /// Reads what write() wrote. Throws artefact::Refusal for what is no histogram.
+  /// Reads the output of write(). Throws artefact::Refusal if it is not a histogram.
   explicit TwinSpace(const artefact::Reader& reader);
 
-  /// Draws a bin by its frequency, then a point that is uniform within the bin.
+  /// Draws a bin by its frequency, then a uniform point within the bin.
   [[nodiscard]] TwinPoint sample(Stream& stream) const;
 
-  /// As /twin_space/points [n, 2], k_edges and c_edges [bins + 1], and counts [bins, bins] (k by
-  /// c).
+  /// Writes /twin_space/points [n, 2], k_edges and c_edges [bins + 1], and counts [bins, bins] (k
+  /// by c).
   void write(artefact::Writer& writer) const;
 
   [[nodiscard]] const std::vector<TwinPoint>& points() const { return points_; }
@@ -53,28 +53,29 @@ class TwinSpace {
   std::vector<std::int64_t> counts_;
 };
 
-/// The space of one class: the histogram of its own windows (paper 3.4: "for each fault type").
+/// Returns the space of one class: the histogram of its own windows (paper 3.4: "for each fault
+/// type").
 TwinSpace space_of_class(const std::vector<TwinPoint>& points, const std::vector<Label>& labels,
                          Label label, int bins);
 
-/// Throws artefact::Refusal unless all labels are those of classes of the model's data set, and
-/// each class with a defect has one of them: a class is drawn from its own windows.
+/// Throws artefact::Refusal unless all labels belong to classes of the model's data set and each
+/// class with a defect has a label: a class is drawn from its own windows.
 void require_points_of_faults(const artefact::Reader& model, const std::string& path,
                               const std::vector<Label>& labels);
 
-/// Says in a model that each class is drawn from its own windows, which have these labels.
+/// Records in a model that each class is drawn from its own windows, which have these labels.
 void write_labels_of_space(artefact::Writer& writer, const std::vector<Label>& labels);
 
-/// Where a model draws the points of each class from: SpaceOf.
+/// The source of each class's points in a model: SpaceOf.
 class ClassSpaces {
  public:
-  /// Throws artefact::Refusal for what is no histogram.
+  /// Throws artefact::Refusal if the model does not hold a histogram.
   explicit ClassSpaces(const artefact::Reader& model);
   [[nodiscard]] TwinSpace of(Label label) const;
 
  private:
   TwinSpace all_;
-  std::vector<Label> labels_;  ///< of the known windows; none where all classes have one space
+  std::vector<Label> labels_;  ///< one per known window; empty if all classes share one space
 };
 
 }  // namespace piae::twin

@@ -15,11 +15,11 @@ namespace {
 
 using nets::GradientArray;
 
-constexpr std::int64_t most_blocks = 9;  // of which the last has a dilation of 65 536
+constexpr std::int64_t most_blocks = 9;  // the last has a dilation of 65 536
 
 std::string block_name(std::int64_t i) { return fmt::format("block{}", i); }
 
-/// F of a residual block.
+/// Returns F of a residual block.
 template <class T>
 std::unique_ptr<nets::SequenceLayer<T>> temporal_branch(GradientArray<T>& parameters,
                                                         const std::string& name,

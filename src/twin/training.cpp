@@ -23,7 +23,7 @@ namespace piae::twin {
 
 namespace {
 
-/// What the windows of each class are divided by, in the recordings' unit.
+/// Returns the divisor of the windows of each class, in the recordings' unit.
 std::vector<double> unit_by_class(const signal::WindowSet& known, Unit unit) {
   switch (unit) {
     case Unit::rms:
@@ -56,10 +56,10 @@ TwinTask make_task(const signal::WindowSet& known, const ModelDescription& model
       .states = states};
 }
 
-/// A loss below it counts as this, so that a weight of 1 / (2 L) stays a number.
+/// Lower bound of a loss, so that a weight of 1 / (2 L) stays finite.
 constexpr double least_loss = 1e-9;
 
-/// The losses summed over the batches of an epoch.
+/// Sums of the losses over the batches of an epoch.
 struct EpochSums {
   BatchLosses losses;
   int batches = 0;
@@ -166,7 +166,7 @@ class Training final : public TwinTraining {
     return values;
   }
 
-  /// Puts the weights where eq. 23 is least for the mean losses of an epoch.
+  /// Sets the weights to the minimum of eq. 23 for the mean losses of an epoch.
   void weigh_as_stationary(const EpochSums& sums) {
     std::vector<float> all = values();
     const auto log_weight = [&](double sum) {
@@ -197,8 +197,8 @@ class Training final : public TwinTraining {
     curves_.alpha.push_back(std::exp(log_alpha));
     curves_.beta.push_back(std::exp(log_beta));
     curves_.gamma.push_back(std::exp(log_gamma));
-    // The weights of the losses change, so the totals of two epochs cannot be compared. The plain
-    // sum of the losses can.
+    // The loss weights change, so the totals of two epochs cannot be compared. The plain sum of the
+    // losses can.
     const double loss = (losses.reconstruction + losses.differential + losses.twin) / n;
     nets::require_finite(loss, "training", epoch + 1, {.value = model_.options.learning_rate});
     if (loss < best_loss_) {
@@ -210,7 +210,7 @@ class Training final : public TwinTraining {
 
   Stream stream_;
   ModelDescription model_;
-  std::vector<Label> labels_;  // of the known windows
+  std::vector<Label> labels_;  // classes of the known windows
   bool has_physics_;
   std::unique_ptr<TwinBackend> backend_;
   std::vector<float> best_;  // values of all parameters after the best epoch

@@ -60,7 +60,7 @@ std::unique_ptr<nets::SequenceLayer<T>> dense_branch(GradientArray<T>& parameter
       dense("/output")));
 }
 
-/// The positions, the blocks, and the normalisation after the last.
+/// Adds the positions, the blocks, and the final normalisation.
 template <class T>
 void add_transformer_blocks(Layers<T>& layers, GradientArray<T>& parameters, std::int64_t tokens,
                             std::int64_t blocks) {

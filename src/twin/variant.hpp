@@ -2,19 +2,19 @@
 
 namespace piae::twin {
 
-/// The kind of layers that encoder and decoder are made of.
+/// Layer type of encoder and decoder.
 enum class CoderKind { dense, convolutional, recurrent, temporal, transformer };
 
-/// What a variant of PIAE-DT is made of. An ablation (paper 4.5.4) differs from PIAE-DT in one of
-/// these parts; everything else, settings included, is the same.
+/// Parts of a variant of PIAE-DT. An ablation (paper 4.5.4) differs from PIAE-DT in one of these
+/// parts; everything else, including settings, is the same.
 struct TwinVariant {
   CoderKind coder = CoderKind::dense;
-  /// Whether there is the physics-informed module. Without it there is neither L_DDL nor L_DT, and
-  /// encoder and decoder follow L_Rec (eq. 20) alone. What they then call k~ and c~, and store as
-  /// such, are two positive numbers without a physical meaning.
+  /// True with the physics-informed module. Without it there is neither L_DDL nor L_DT, and encoder
+  /// and decoder follow only L_Rec (eq. 20). The stored k~ and c~ are then two positive numbers
+  /// without physical meaning.
   bool physics = true;
-  /// Whether there is the encoder. Without it the (k~, c~) of the known windows must be given,
-  /// since something else inferred them (phase/).
+  /// True with the encoder. Without it the (k~, c~) of the known windows must be given, because
+  /// they are inferred elsewhere (phase/).
   bool encoder = true;
 };
 

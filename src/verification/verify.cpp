@@ -22,7 +22,7 @@ namespace {
 using artefact::Reader;
 using artefact::RefusalReason;
 
-/// The roles of each split among the files, by its dataset, protocol and seed.
+/// Windows of each split among the files, by dataset, protocol and seed.
 using Splits = std::map<std::string, std::vector<signal::RoleSet>>;
 
 void check_records(const Reader& reader, Splits& /*splits*/) {
@@ -41,7 +41,7 @@ void check_windows(const Reader& reader, Splits& splits) {
   signal::require_belonging(reader, role, set.windows);
   const std::string split =
       set.windows.info.name + " " + to_string(set.protocol) + " " + std::to_string(set.seed);
-  set.windows.samples.clear();  // check_roles() needs only where the windows were cut
+  set.windows.samples.clear();  // check_roles() needs only the places of the windows
   splits[split].push_back(std::move(set));
 }
 
@@ -66,16 +66,16 @@ void check_classification(const Reader& reader, Splits& /*splits*/) {
 
 void check_model(const Reader& reader, Splits& /*splits*/) { augment::require_usable(reader); }
 
-/// What a checkpoint holds is known to the training that left it, which reads no other.
+/// Checks nothing: only the training that left a checkpoint knows its contents.
 void check_nothing_more(const Reader& /*reader*/, Splits& /*splits*/) {}
 
-/// A kind of artefact, and the check of what an artefact of this kind must hold.
+/// A kind of artefact, and the check of its contents.
 struct Kind {
   const char* name;
   void (*check)(const Reader& reader, Splits& splits);
 };
 
-/// A new kind of artefact is added here, with its check.
+/// Add a new kind of artefact here, with its check.
 constexpr Kind kinds[] = {
     {"records", check_records},       {"windows", check_windows},
     {"model", check_model},           {"score", check_score},
@@ -96,7 +96,7 @@ void check_content(const Reader& reader, Splits& splits) {
   } catch (const artefact::Refusal&) {
     throw;
   } catch (const std::bad_alloc&) {
-    throw;  // it says nothing of the file
+    throw;  // not the file's fault
   } catch (const std::exception& error) {
     throw artefact::Refusal(Exit::bad_input, RefusalReason::bad_content,
                             reader.path().string() + ": " + error.what());

@@ -8,20 +8,21 @@
 
 namespace piae::verification {
 
-/// One thing that is wrong, in one line that names the file.
+/// One problem, in one line that names the file.
 struct Finding {
   artefact::RefusalReason reason;
   std::string line;
 };
 
-/// Checks artefacts of any kind: that each can be read, is undamaged, of a known kind and schema,
-/// finite, and holds what its kind must hold; and that no window has two roles in a split. Files
-/// are of one split when dataset, protocol and seed are the same. Returns nothing when all is good.
+/// Checks artefacts of any kind: each can be read, is undamaged, finite, of a known kind and
+/// schema, and holds what its kind requires; and no window has two roles in a split. Files with the
+/// same dataset, protocol and seed belong to one split. Returns an empty list if everything is
+/// good.
 ///
-/// The kinds that there are stand in verify.cpp.
+/// verify.cpp lists the kinds.
 std::vector<Finding> verify(const std::vector<std::filesystem::path>& files);
 
-/// The exit code of the program `verify`: the bit-or of the reasons, 0 where there is none.
+/// Returns the exit code of the program `verify`: the bit-or of the reasons; 0 without findings.
 int exit_code_of(const std::vector<Finding>& findings);
 
 }  // namespace piae::verification

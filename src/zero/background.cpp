@@ -25,12 +25,12 @@ ArrayXd about_its_mean(std::span<const float> window) {
 double rms(const ArrayXd& window) { return std::sqrt(window.square().mean()); }
 
 constexpr double present = 0.7;
-constexpr double least_depth = 0.1;  // / the largest
+constexpr double least_depth = 0.1;  // fraction of the largest depth
 constexpr int harmonics = 3;
 constexpr double more_knocks = 2;
-constexpr double knock_scatter = 0.7;  // standard deviation of the logarithm
+constexpr double knock_scatter = 0.7;  // standard deviation of a strength's logarithm
 
-/// Adds amplitude cos(2 pi hz t + phase). From sample to sample the phase turns by one angle.
+/// Adds amplitude cos(2 pi hz t + phase), by rotating a phasor from sample to sample.
 void add_cosine(double amplitude, double hz, double rate_hz, double phase, ArrayXd& sum) {
   const std::complex<double> turn = std::polar(1.0, 2 * std::numbers::pi * hz / rate_hz);
   std::complex<double> now = std::polar(amplitude, phase);

@@ -12,16 +12,16 @@ namespace piae::zero {
 namespace {
 
 constexpr double half_a_period = 0.5;
-/// In turns of the cage.
+/// Unit: turns of the cage.
 constexpr double least_memory = 0.5;
 constexpr double longest_memory = 20;
 
-/// What a standard normal number is above with this probability, which is below 1.
+/// Returns the number that a standard normal variable exceeds with this probability (below 1).
 double exceeded_by(double share) {
   return boost::math::quantile(boost::math::complement(boost::math::normal(), share));
 }
 
-/// `count` numbers, standard normal each, with this correlation from one to the next.
+/// Returns `count` standard normal numbers with this correlation from one to the next.
 std::vector<double> wandering(std::size_t count, double correlation, Stream& random) {
   std::vector<double> numbers(count);
   const double fresh = std::sqrt(1 - correlation * correlation);

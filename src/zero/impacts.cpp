@@ -14,14 +14,14 @@ namespace {
 using Eigen::ArrayXd;
 using Eigen::Index;
 
-/// The largest jitter / the least.
+/// Ratio of the largest jitter to the least.
 constexpr double jitter_span = 7;
-/// Parts of a ball's diameter, and of a passage.
+/// Fractions of a ball's diameter and of a passage.
 constexpr double largest_part = 0.5;
 constexpr double least_passage = 0.8;
-/// From impact to impact: standard deviation / lag.
+/// Variation from impact to impact: standard deviation / lag.
 constexpr double lag_deviation = 0.05;
-/// Energy of a floor / that of an impact, the root.
+/// Root of the ratio of a rough floor's energy to an impact's energy.
 constexpr double smoothest = 0.14;
 constexpr double roughest = 2.8;
 constexpr Index shortest_floor = 2;  // samples

@@ -19,10 +19,10 @@ namespace {
 using Eigen::ArrayXd;
 using Eigen::Index;
 
-/// A resonance is over after so many of its time constants: it has 1/1000 of its amplitude.
+/// A resonance ends after this number of time constants, at 1/1000 of its amplitude.
 constexpr double time_constants = 7;
 
-/// How fast the amplitude of impulses comes and goes.
+/// Returns the rate at which the amplitude of impulses varies.
 double modulation_hz(const Machine& machine, const Scene& scene) {
   const bearing::FaultFrequencies rates =
       bearing::fault_frequencies(machine.info().bearing, scene.shaft_speed_rpm);

@@ -15,13 +15,13 @@ namespace piae::zero {
 
 namespace {
 
-/// Speeds of a machine under other loads differ by as much, in parts.
+/// Relative tolerance of the speeds of a machine under different loads.
 constexpr double same_speed = 0.05;
-/// In samples: what changes faster along the spectrum are lines of the shaft and of gears, which no
-/// blow excites.
+/// Unit: samples. Faster changes along the spectrum are lines of the shaft and of gears, which
+/// impacts do not excite.
 constexpr double colour_quefrency = 256;
 
-/// Leaves out windows of a condition whose speed is not the nearest.
+/// Returns the windows of a condition whose speed is nearest to the condition's.
 std::vector<std::size_t> windows_near(const signal::WindowSet& healthy, std::int32_t condition) {
   std::vector<std::size_t> windows = impacts::windows_in(healthy, condition);
   if (windows.empty() || condition == signal::every_condition) return windows;

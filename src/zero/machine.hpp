@@ -12,44 +12,43 @@
 
 namespace piae::zero {
 
-/// Where a window is made: which defect, and on which healthy window of the machine.
+/// Context of a window to make: the defect, and a healthy window of the machine.
 struct Scene {
   bearing::Defect defect = bearing::Defect::outer;
-  std::int32_t condition = signal::every_condition;  ///< the tested one
-  double shaft_speed_rpm = 0;                        ///< that of the healthy window
+  std::int32_t condition = signal::every_condition;  ///< the tested condition
+  double shaft_speed_rpm = 0;                        ///< speed of the healthy window
   double strike_hz = 0;                              ///< BPFO, BPFI or 2 BSF at that speed
   std::span<const float> healthy;
 };
 
-/// A machine of which no fault is known: its bearing, and healthy windows B in the tested
-/// conditions.
+/// A machine without known faults: its bearing, and healthy windows B in the tested conditions.
 class Machine {
  public:
-  /// `healthy` must outlive this. Throws Error (bad_input) where a tested condition has no healthy
-  /// window, where the bearing cannot be or its speed is not known, and where a defect is struck
-  /// more often than every two samples, or less often than once in a window.
+  /// `healthy` must outlive this. Throws Error(bad_input) if a tested condition does not have a
+  /// healthy window, if the bearing is impossible or its speed unknown, or if a defect's impacts
+  /// come more often than every two samples or less often than once per window.
   explicit Machine(const signal::WindowSet& healthy);
 
-  /// Window `index` of a class: in one tested condition after the other, on any healthy window of
-  /// that. Of windows that belong to every condition, those are taken whose speed is nearest to the
-  /// condition's.
+  /// Returns the scene of window `index` of a class. Tested conditions alternate; the healthy
+  /// window is a random one of the condition. Of the windows that belong to every condition, only
+  /// those nearest to the condition's speed are used.
   [[nodiscard]] Scene draw_scene(Label label, std::size_t index, Stream& random) const;
 
-  /// How a healthy machine sounds in a condition: the logarithm of its amplitude at the bins of a
-  /// frame of two windows (of one sample more, where their length is odd), with the mean 0, without
-  /// its lines (impacts/response.hpp).
+  /// Returns the spectrum of a healthy machine in a condition: the logarithm of its amplitude at
+  /// the bins of a frame of two windows (one sample longer per window if their length is odd). Its
+  /// mean is 0 and its lines are removed (impacts/response.hpp).
   [[nodiscard]] const Eigen::ArrayXd& log_amplitude(std::int32_t condition) const;
 
   [[nodiscard]] const signal::DatasetInfo& info() const { return healthy_.info; }
   [[nodiscard]] std::size_t length() const { return healthy_.length; }
 
  private:
-  /// Healthy windows that are heard alike.
+  /// Healthy windows that share a spectrum.
   struct Sound {
     std::vector<std::size_t> windows;
     Eigen::ArrayXd log_amplitude;
   };
-  /// A tested condition, and which of the sounds it has.
+  /// A tested condition and the index of its spectrum.
   struct Heard {
     std::int32_t condition;
     std::size_t sound;
@@ -62,11 +61,11 @@ class Machine {
   std::vector<Heard> heard_;
 };
 
-/// Makes one window of a scene. It draws from children of the stream.
+/// Makes one window of a scene. Draws from children of the stream.
 using Make = std::function<signal::MadeWindow(const Scene& scene, const Stream& random)>;
 
-/// Makes `count` windows of each class with a defect, as signal::make_windows does. If the data set
-/// has conditions, each window has the tested one and the speed of the shaft in it.
+/// Makes `count` windows of each class with a defect, like signal::make_windows. If the data set
+/// has conditions, each window has the tested condition and the shaft speed of its healthy window.
 signal::WindowSet make_windows(const Machine& machine, std::size_t count, const Stream& stream,
                                const Make& make);
 

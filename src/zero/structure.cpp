@@ -14,9 +14,10 @@ namespace {
 using Eigen::ArrayXd;
 
 constexpr std::size_t fewest = 2;
-/// What a structure passes on between its resonances / the RMS of their amplitude.
+/// Gain of a structure between its resonances / the RMS of their amplitude.
 constexpr double between_resonances = 0.05;
-/// Of the largest amplitude: a minimum phase needs some at every frequency.
+/// Fraction of the largest amplitude; a minimum phase needs a positive amplitude at every
+/// frequency.
 constexpr double least_amplitude = 1e-4;
 
 }  // namespace

@@ -23,13 +23,14 @@ using Eigen::ArrayXd;
 using Eigen::Index;
 using Impacts = std::vector<impacts::Impact>;
 
-/// Level of stray knocks over the background, dB.
+/// Level of stray impacts over the background, dB.
 constexpr double quietest_knocks_db = -15;
 constexpr double loudest_knocks_db = 5;
 
 double amplitude_of(double db) { return std::pow(10, db / 20); }
 
-/// Times of the impacts in the last `length` samples of a frame, in s from the first of those.
+/// Returns the times of the impacts in the last `length` samples of a frame, in s from the first of
+/// those samples.
 std::vector<double> times_in_window(const Impacts& impacts, Index frame, std::size_t length,
                                     double rate_hz) {
   std::vector<double> samples;
@@ -39,7 +40,7 @@ std::vector<double> times_in_window(const Impacts& impacts, Index frame, std::si
   return impacts::times_within(samples, length, rate_hz);
 }
 
-/// Leaves the impacts within a frame that have a strength, in the order of their times.
+/// Keeps the impacts inside a frame with a positive strength, and sorts them by time.
 void keep_within(double frame_s, Impacts& impacts) {
   std::erase_if(impacts, [&](const impacts::Impact& impact) {
     return impact.strength <= 0 || impact.time_s < 0 || impact.time_s >= frame_s;
@@ -66,7 +67,7 @@ Impacts Twin::draw_impacts(const Scene& scene, const Stream& random) const {
   Stream strength = random.child("load");
   const double slip = evenly(when, -prior_.slip, prior_.slip);
   const impacts::ImpactRate rate = draw_rate(scene, slip, prior_, when);
-  // bearing::speeds() counts the part of the speed that is lost.
+  // bearing::speeds() takes the fraction of the speed that is lost.
   const bearing::Speeds speeds =
       bearing::speeds(machine_.info().bearing, scene.shaft_speed_rpm, -slip);
   const double cage_hz = speeds.cage / (2 * std::numbers::pi);

@@ -9,20 +9,20 @@
 
 namespace piae::zero {
 
-/// Makes fault windows of which none is known, from a prior of faults and healthy windows alone
-/// (docs/piae-dt-zero.md). Drawn for each window, independent of each other:
-///   - the response of a structure to an impact (structure.hpp);
-///   - times and strengths of impacts, and both edges and floor of the defect (impacts.hpp), with
-///     the disorder of a ball (ball.hpp);
-///   - a healthy window as the background, knocks without a rate, and rates that modulate
-///     everything whatever is damaged (background.hpp);
-///   - the level of the impacts over the background.
-/// A window is the second half of a frame of two, so that earlier impacts still ring in it.
-/// Each part draws from a stream of its own: without one of them, the others stay as they are.
+/// Makes fault windows without any fault recording, from a prior of faults and from healthy windows
+/// (docs/piae-dt-zero.md). Draws for each window, independently:
+///  - the response of a structure to an impact (structure.hpp);
+///  - times and strengths of impacts, and both edges and floor of the defect (impacts.hpp), with
+/// the disorder of a ball (ball.hpp);
+///  - a healthy window as the background, stray impacts, and a modulation that does not depend on
+/// the fault (background.hpp);
+///  - the level of the impacts over the background.
+/// A window is the second half of a frame of two windows, so that earlier impacts still ring in it.
+/// Each part has its own stream: switching one part off does not change the others.
 class Twin {
  public:
-  /// The machine must outlive this. Throws Error(bad_input) where a defect of the prior's largest
-  /// size cannot be in its bearing.
+  /// The machine must outlive this. Throws Error(bad_input) if a defect of the prior's largest size
+  /// does not fit into its bearing.
   Twin(const Machine& machine, const Prior& prior);
 
   [[nodiscard]] signal::MadeWindow make(const Scene& scene, const Stream& random) const;

@@ -35,7 +35,7 @@ class Artefact : public testing::Test {
   }
   void TearDown() override { fs::remove_all(folder_); }
 
-  /// An artefact with one dataset of every type, a list of strings and attributes.
+  /// Writes an artefact with one dataset of every type, a list of strings and attributes.
   fs::path example(const std::string& name, const std::string& options = "a = \"1\"\n") const {
     Writer writer("example");
     writer.numbers("/float", std::vector<float>{1.5F, -2.0F, 0.25F, 4.0F, 5.0F, 6.0F}, {2, 3});
@@ -73,7 +73,7 @@ void spill(const fs::path& path, const std::vector<std::byte>& bytes) {
              static_cast<std::streamsize>(bytes.size()));
 }
 
-/// Changes the first of the numbers in /float of an example.
+/// Changes the first number in /float of an example.
 void damage(const fs::path& path) {
   std::vector<std::byte> bytes = slurp(path);
   const std::vector<float> values{1.5F, -2.0F, 0.25F};
@@ -131,7 +131,7 @@ TEST_F(Artefact, DigestDependsOnEveryValueNameAndShape) {
   EXPECT_EQ(digests.size(), 5U);
 }
 
-// The promise itself: whatever byte changes, no changed value is ever read.
+// The promise itself: for any changed byte, a changed value is never read.
 TEST_F(Artefact, NoFlippedByteIsSilentlyUsed) {
   const fs::path good = example("good.h5");
   const std::vector<std::byte> bytes = slurp(good);
@@ -151,7 +151,7 @@ TEST_F(Artefact, NoFlippedByteIsSilentlyUsed) {
       EXPECT_THAT(refusal.what(), HasSubstr("bad.h5")) << "byte " << i;
     }
   }
-  EXPECT_GT(refused, bytes.size() / 140);  // the rest is padding that holds no value
+  EXPECT_GT(refused, bytes.size() / 140);  // the rest is unused padding
 }
 
 TEST_F(Artefact, AWrongChecksumIsRefusedThoughTheValuesAreRight) {
@@ -166,7 +166,7 @@ TEST_F(Artefact, AWrongChecksumIsRefusedThoughTheValuesAreRight) {
   EXPECT_THAT(refusal.what(), HasSubstr("/float: its checksum"));
 }
 
-/// The provenance is protected like the contents.
+/// Provenance is protected like the contents.
 TEST_F(Artefact, AlteredProvenanceIsRefused) {
   const fs::path altered = example("altered.h5");
   {
@@ -206,12 +206,12 @@ TEST_F(Artefact, RefusalsSayWhatAndWhere) {
   EXPECT_EQ(refusal_of(foreign).reason(), RefusalReason::wrong_kind);
 
   const Reader reader(example("b.h5"), "example");
-  EXPECT_THROW((void)reader.numbers<double>("/float", {0, 0}), Refusal);  // another type
-  EXPECT_THROW((void)reader.numbers<float>("/float", {6}), Refusal);      // another rank
-  EXPECT_THROW((void)reader.numbers<float>("/float", {3, 2}), Refusal);   // another shape
+  EXPECT_THROW((void)reader.numbers<double>("/float", {0, 0}), Refusal);  // wrong type
+  EXPECT_THROW((void)reader.numbers<float>("/float", {6}), Refusal);      // wrong rank
+  EXPECT_THROW((void)reader.numbers<float>("/float", {3, 2}), Refusal);   // wrong shape
   EXPECT_THROW((void)reader.numbers<float>("/no", {0}), Refusal);
   EXPECT_THROW((void)reader.strings("/float"), Refusal);
-  EXPECT_THROW((void)reader.real("/", "seed"), Refusal);  // an integer
+  EXPECT_THROW((void)reader.real("/", "seed"), Refusal);  // is an integer
   EXPECT_THROW((void)reader.text("/", "no"), Refusal);
 }
 
@@ -231,7 +231,7 @@ TEST_F(Artefact, ManyAreReadAsEachAlone) {
   Writer("another").save(files[515], {"tester", "", {}});
   Readers readers(files, "example");
   std::vector<RefusalReason> reasons;
-  // Reading a file alone takes a process, so each linked file is read alone once.
+  // Reading a file alone takes a process, so the linked files are read alone only once each.
   std::vector<std::pair<std::string, std::vector<std::string>>> alone;
   for (std::size_t i = 0; i < 5; ++i) {
     const Reader reader(files[i], "example");
@@ -255,7 +255,7 @@ TEST_F(Artefact, ManyAreReadAsEachAlone) {
   EXPECT_THROW((void)readers.next(), std::logic_error);
 }
 
-/// So that one more file can be opened and no pipe, as long as it lives.
+/// Permits opening one more file for its lifetime, but not a pipe.
 class NoPipe {
  public:
   NoPipe() {
@@ -303,7 +303,7 @@ TEST_F(Artefact, FailedWritesLeaveNothing) {
     EXPECT_EQ(error.exit(), Exit::failed);
     EXPECT_THAT(error.what(), HasSubstr("file"));
   }
-  fs::create_directories(folder_ / "a.h5");  // a folder stands where the artefact should
+  fs::create_directories(folder_ / "a.h5");  // a folder where the artefact should be
   const std::byte byte{1};
   EXPECT_THROW(write_file_atomically(folder_ / "a.h5", {&byte, 1}), Error);
   EXPECT_FALSE(fs::exists(folder_ / "a.h5.partial"));

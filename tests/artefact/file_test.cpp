@@ -34,7 +34,7 @@ std::set<std::string> names_in(const Folder& folder) {
   return names;
 }
 
-/// Runs an action in a process of its own, and returns its exit status, or 128 and the signal.
+/// Runs an action in a child process. Returns its exit status, or 128 plus the signal.
 int status_of_child(const std::function<void()>& action) {
   const pid_t child = ::fork();
   if (child == 0) {
@@ -145,7 +145,7 @@ TEST(ReadFile, DoesNotWaitForAPipe) {
   EXPECT_EQ(status, static_cast<int>(Exit::input_missing));
 }
 
-// A sparse file says to have gigabytes, and has not one on the disk.
+// A sparse file claims gigabytes that are not on the disk.
 TEST(ReadFile, TakesNothingOfWhatIsTooLarge) {
   const Folder folder;
   write_text(folder / "a", "1234");

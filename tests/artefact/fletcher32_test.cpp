@@ -9,7 +9,7 @@
 namespace piae::artefact {
 namespace {
 
-/// As HDF5 adds the words up (H5_checksum_fletcher32).
+/// Adds up the words as HDF5 does (H5_checksum_fletcher32).
 std::uint32_t word_by_word(const std::vector<std::byte>& bytes) {
   std::uint32_t sum = 0;
   std::uint32_t sum_of_sums = 0;

@@ -21,7 +21,7 @@ const Provenance provenance{
     .inputs = {{.role = "known", .file = "C.h5", .digest = std::string(64, 'a')},
                {.role = "recording", .file = "1 2.mat", .digest = std::string(64, 'b')}}};
 
-/// A run with one file, which the journal knows.
+/// A run with one file that the journal knows.
 struct RunWithJournal {
   Folder folder;
   std::string file = (folder / "model.h5").string();
@@ -79,7 +79,7 @@ TEST(JournalOfARun, LosesNothingButTheLineThatIsDamaged) {
     const Journal cut(run.folder.path());
     const SeenFile* const seen = cut.file(run.file);
     EXPECT_EQ(seen == nullptr ? std::string(32, 'd') : seen->digest, std::string(32, 'd')) << size;
-    // Lines that are added after a line that was cut off are read.
+    // lines after a cut-off line are read
     run.folder.write("E.h5", "windows");
     add_to_journal(run.folder.path(), run.folder / "E.h5", {std::string(64, 'f'), "E.h5"},
                    provenance);

@@ -16,7 +16,7 @@ fs::path numbered(std::int64_t number) {
   return fs::path(testing::TempDir()) / ("open_files_" + std::to_string(number) + ".h5");
 }
 
-// HDF5 takes two files in memory of one name for the same file.
+// HDF5 treats two files in memory with the same name as one file.
 TEST(OpenFiles, ReadersThatLiveTogetherReadTheirOwnFiles) {
   for (const std::int64_t number : {1, 2}) {
     Writer writer("model");
@@ -40,7 +40,7 @@ TEST(OpenFiles, WritersThatLiveTogetherWriteTheirOwnFiles) {
   EXPECT_EQ(Reader(numbered(2), "model").integer("/", "number"), 2);
 }
 
-// HDF5 looks in the working folder for a file of the name of one in memory, and opens it.
+// HDF5 looks in the working folder for a file with the name of one in memory, and opens it.
 TEST(OpenFiles, AreNotLookedForInTheWorkingFolder) {
   Writer writer("model");
   writer.attribute("/", "number", std::int64_t{1});
@@ -49,7 +49,7 @@ TEST(OpenFiles, AreNotLookedForInTheWorkingFolder) {
   const fs::path folder = fs::path(testing::TempDir()) / "open_files";
   fs::create_directories(folder);
   for (int i = 1; i < 100; ++i) {
-    // Whoever opens it waits for a writer that never comes.
+    // Opening it blocks, since a writer never comes.
     ASSERT_EQ(::mkfifo((folder / ("artefact-" + std::to_string(i))).c_str(), 0600), 0);
   }
   fs::current_path(folder);

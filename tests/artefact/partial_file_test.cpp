@@ -23,7 +23,7 @@ std::filesystem::path name_of_file;
 
 }  // namespace
 
-/// Replaces the C library's and records the call.
+/// Replaces the C library's fsync and records the call.
 extern "C" int fsync(int descriptor) {
   struct stat status {};
   if (::fstat(descriptor, &status) == 0) {
@@ -39,7 +39,7 @@ ino_t inode_of(const std::filesystem::path& path) {
   return ::stat(path.c_str(), &status) == 0 ? status.st_ino : 0;
 }
 
-/// Else a power cut could leave an empty file under the name, or none.
+/// Otherwise a power cut could leave an empty file with the final name, or none.
 TEST(PartialFile, IsOnTheDiskBeforeItHasItsNameAndItsFolderAfterThat) {
   const Folder folder;
   name_of_file = folder.path() / "model.h5";

@@ -44,10 +44,10 @@ TEST(Rehearsal, SurvivesWhateverBecomesOfTheChild) {
   expect_harm([] { ::raise(SIGKILL); });
   expect_harm([] { std::abort(); });
   expect_harm([] { throw std::runtime_error("odd"); });
-  expect_harm([] { ::_exit(0); });  // without having found it good
+  expect_harm([] { ::_exit(0); });  // ends before an answer
 }
 
-/// What is said of three files, of which the second does this.
+/// Rehearses three files, of which the second does `read`.
 std::vector<std::optional<Objection>> rehearsed_among_others(const std::function<void()>& read) {
   const std::vector<Rehearsal> files{
       {1000, "first", [] {}},
@@ -86,7 +86,7 @@ TEST(Rehearsal, GivesTheChildMemoryAndTimeByTheFilesSize) {
   });
 }
 
-// A shell's `ulimit -v`: a good file is not damaged because memory is short.
+// A shell's `ulimit -v` must not make good files look damaged.
 TEST(Rehearsal, DoesNotBlameTheFileWhereMemoryIsShort) {
   rlimit before{};
   ASSERT_EQ(::getrlimit(RLIMIT_AS, &before), 0);
@@ -105,7 +105,7 @@ TEST(Rehearsal, LeavesNothingBehind) {
   EXPECT_EQ(errno, ECHILD);
 }
 
-// A shell may have its children ignore this signal: the system then keeps no status of theirs.
+// A shell may let its children ignore this signal: the system then does not keep their status.
 TEST(Rehearsal, NeedsNoStatusOfTheChild) {
   const auto before = ::signal(SIGCHLD, SIG_IGN);
   EXPECT_FALSE(rehearsed([] {}));

@@ -8,7 +8,7 @@
 #include "stages/doctor.hpp"
 #include "support/folder.hpp"
 
-/// HDF5 files that no stage writes. Their digests are right.
+/// Tests of HDF5 files that no stage writes, but with correct digests.
 namespace piae::artefact {
 namespace {
 
@@ -42,7 +42,7 @@ class Structure : public testing::Test {
   std::filesystem::path file_ = folder_ / "a.h5";
 };
 
-/// Puts an array in the place of an attribute's one value.
+/// Replaces an attribute's single value by an array.
 void make_array(hid_t file, const std::string& name, hid_t type, std::size_t count) {
   if (H5Aexists(file, name.c_str()) > 0) check(H5Adelete(file, name.c_str()), name.c_str());
   const hsize_t extent = count;
@@ -64,7 +64,7 @@ TEST_F(Structure, IsGoodAsAStageWroteIt) {
   EXPECT_EQ(Reader(file_, "example").integer("/", "seed"), 3);
 }
 
-/// Attributes beyond the eighth move into a heap, which has a list of its free space.
+/// Attributes beyond the eighth go to a heap, which has a list of its free space.
 TEST_F(Structure, DamageInABlockThatNoValueNeedsIsRefused) {
   Writer writer("example");
   writer.numbers("/values", std::vector<double>{1, 2, 3});

@@ -7,6 +7,7 @@
 
 #include "augment/methods.hpp"
 #include "support/errors.hpp"
+#include "support/three_classes.hpp"
 
 namespace piae::augment {
 namespace {
@@ -57,7 +58,7 @@ TEST(Catalogue, SaysWhichMethodsInferStiffnessAndDamping) {
   const artefact::Reader model(scratch_file("empty.h5"), "model");
   for (const CatalogueEntry& entry : catalogue()) {
     if (entry.make == nullptr) continue;
-    // Those that can infer find other faults with an empty model.
+    // Methods that can infer fail differently, on the empty model.
     std::string refusal;
     try {
       (void)entry.make()->infer(model, known_windows(), {});
@@ -69,8 +70,8 @@ TEST(Catalogue, SaysWhichMethodsInferStiffnessAndDamping) {
   }
 }
 
-/// Only what goes by epochs asks whether it is to stop. The windows are longer than a turn of the
-/// shaft, which piae-dt-phase needs.
+/// Only training by epochs checks for interruption. The windows are longer than a turn of the
+/// shaft, as piae-dt-phase needs.
 TEST(Catalogue, SaysWhichMethodsAreTrainedInEpochs) {
   nets::Checkpoint stopped = checkpoint_at("cut");
   stopped.interrupted = [] { return true; };
@@ -111,6 +112,15 @@ TEST(Catalogue, SaysWhatWorksWithoutKnownWindows) {
 TEST(Catalogue, NamesAllMethodsToWhoeverAsksForAnother) {
   EXPECT_ERROR(make_method("another"), Exit::usage, "unknown method 'another'; known are dynamics");
   EXPECT_ERROR(make_method(no_method), Exit::usage, "known are dynamics");
+}
+
+TEST(Catalogue, CountsTheFaultsThatAMethodLearnsFrom) {
+  signal::WindowSet windows;
+  windows.info = three_classes();
+  windows.labels = {1, 2, 2};
+  EXPECT_EQ(counted_faults(windows), "3 windows of 2 fault classes");
+  windows.labels.clear();
+  EXPECT_EQ(counted_faults(windows), "no fault window");
 }
 
 TEST(Catalogue, AMethodIsRefusedWhereADescriptionDoesNotSayWhatItNeeds) {

@@ -14,7 +14,7 @@
 namespace piae::augment {
 namespace {
 
-/// Two windows of each fault, of no more use than their RMS.
+/// Returns two windows of each fault; only their RMS matters.
 signal::WindowSet three_faults(std::size_t length) {
   signal::WindowSet windows;
   windows.info.name = "example";
@@ -58,7 +58,7 @@ TEST(Dynamics, WindowsHaveTheMeanZeroAndTheRmsOfTheirClass) {
   }
 }
 
-/// Of each class's line and the distance to half way to its side lines, in Hz.
+/// A class's line and the distance half way to its side lines, in Hz.
 struct Line {
   double hz, reach_hz;
 };
@@ -69,9 +69,9 @@ std::vector<Line> lines(double slip) {
       {}, {f.bpfi_hz, f.shaft_hz / 2}, {2 * f.bsf_hz, f.cage_hz / 2}, {f.bpfo_hz, f.bpfo_hz / 4}};
 }
 
-/// The line stands out of what lies between it and its side lines (envelope_test.cpp). It lies
-/// between that of pure rolling and that of 1 % slip, which lowers BPFO and BSF and raises BPFI,
-/// give or take 0.4 % for the speed (3 deviations of 0.1 %) and the bins.
+/// The line stands out between its side lines (envelope_test.cpp). It lies between pure rolling and
+/// 1 % slip, which lowers BPFO and BSF and raises BPFI, with 0.4 % tolerance for the speed (3
+/// deviations of 0.1 %) and the bins.
 TEST(Dynamics, EnvelopeShowsTheFaultFrequencyOfTheClass) {
   constexpr std::size_t length = 32768;
   const signal::WindowSet windows = generate("dynamics", model(three_faults(length)), 2);

@@ -14,7 +14,7 @@
 namespace piae::augment {
 namespace {
 
-/// What is true of every method that infers stiffness and damping.
+/// Tests for every method that infers stiffness and damping.
 class Inferring : public testing::TestWithParam<std::string> {
  protected:
   static std::string options() {
@@ -28,7 +28,7 @@ class Inferring : public testing::TestWithParam<std::string> {
   const artefact::Reader reader_{model_, "model"};
 };
 
-// The twin space in the model was made from the windows C by the training itself.
+// The training itself computed the twin space in the model from the windows C.
 TEST_P(Inferring, GivesForTheKnownWindowsThePointsOfTheTwinSpace) {
   const auto inferred = make_method(GetParam())->infer(reader_, known_, {});
   const std::vector<twin::TwinPoint> points = twin::TwinSpace(reader_).points();

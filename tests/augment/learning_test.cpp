@@ -1,4 +1,4 @@
-// That the trained generators come nearer to the known windows.
+// Trained generators approach the known windows.
 
 #include <limits>
 
@@ -10,14 +10,15 @@ namespace {
 double squared_distance(std::span<const float> known, std::span<const float> generated) {
   double sum = 0;
   for (std::size_t t = 0; t < known.size(); ++t) {
-    const double offset = 0.5;  // of known_windows(), which the generators leave out
+    const double offset = 0.5;  // of known_windows(); generators omit it
     const double difference = known[t] - offset - generated[t];
     sum += difference * difference;
   }
   return sum;
 }
 
-/// Mean over generated windows of the squared distance to the nearest known one of the class.
+/// Returns the mean over generated windows of the squared distance to the nearest known window of
+/// the class.
 double distance_to_known(const std::string& method, const std::string& options) {
   const signal::WindowSet known = known_windows();
   const auto model = train(method, options, known, checkpoint_at("checkpoint"), "model.h5");

@@ -9,7 +9,7 @@
 namespace piae::augment {
 namespace {
 
-/// Where both ask for the function, one after the other, and what both find.
+/// Expects that both evaluate the function at the same points, in order, and find the same minimum.
 template <class F>
 void expect_as_boost(const F& f, int bits, int most_values) {
   std::vector<double> by_boost;
@@ -38,7 +38,7 @@ TEST(LineMinimum, LooksWhereBoostLooks) {
     expect_as_boost([](double x) { return std::abs(x - 1.9); }, 8, most_values);
     expect_as_boost([](double x) { return std::sin(7 * x) + x; }, 10, most_values);
     expect_as_boost([](double /*x*/) { return 1.0; }, 6, most_values);
-    // Its third value is at the vertex, from which the next step would be zero.
+    // The third point is the vertex, from which the next step would be zero.
     expect_as_boost([](double x) { return (x - 1.5) * (x - 1.5); }, 12, most_values);
   }
 }

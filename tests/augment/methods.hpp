@@ -12,21 +12,22 @@
 
 namespace piae::augment {
 
-/// The method with its options as the command line of `train` would set them.
+/// Returns the method with options set as on the command line of `train`.
 inline std::unique_ptr<Method> method_with(const std::string& name, const std::string& options) {
   std::unique_ptr<Method> method = make_method(name);
   cli::parse(options, [&](const cli::Options& command) { method->bind(command); });
   return method;
 }
 
-/// The same windows as healthy ones, of a shaft so fast that each defect is struck in 64 samples.
+/// Returns the windows as healthy ones, at a shaft speed that gives impacts of each defect within
+/// 64 samples.
 inline signal::WindowSet as_healthy(signal::WindowSet windows) {
   windows.info.shaft_speed_rpm = 3600;
   windows.labels.assign(windows.size(), windows.info.healthy_label());
   return windows;
 }
 
-/// Trains on the known windows and returns the stored model. What needs no known ones hears the
+/// Trains on the known windows and returns the stored model. Methods without known windows get the
 /// same windows as healthy ones.
 inline std::filesystem::path train(const std::string& method, const std::string& options,
                                    const signal::WindowSet& known,

@@ -1,4 +1,4 @@
-// What every method that generates from the known windows owes the grid.
+// Requirements of the grid for every method that generates from known windows.
 
 #include "augment/methods.hpp"
 
@@ -26,7 +26,7 @@ const Case strike_twin{"strike-twin", "--equaliser-db 3 --background 0.2"};
 const Case piae_dt_zero{"piae-dt-zero", "--resonances 3"};
 const Case healthy_plus_impulses{"healthy-plus-impulses", ""};
 const Case vae{"vae", "--epochs 4 --width 8 --latent 3 --batch 4"};
-// Three batches an epoch: the generator's steps fall on other batches in each.
+// Three batches per epoch: the generator's steps fall on other batches in each.
 const Case wgan_gp{"wgan-gp", "--epochs 4 --width 8 --latent 3 --batch 4 --critic-steps 2"};
 
 std::string name_of(const testing::TestParamInfo<Case>& info) {
@@ -59,7 +59,7 @@ TEST_P(GeneratingMethod, MakesWindowsOfEveryFaultClassInOrder) {
   EXPECT_EQ(windows.length, 64U);
   EXPECT_EQ(windows.samples.size(), 6U * 64U);
   EXPECT_EQ(windows.info.classes[2].name, "OR");
-  EXPECT_TRUE(windows.record.empty());  // they were not cut from any recording
+  EXPECT_TRUE(windows.record.empty());  // not cut from any recording
 }
 
 TEST_P(GeneratingMethod, SaysKnownWindowsOfTheSameClassAsParentsOrNone) {
@@ -115,7 +115,7 @@ TEST_P(GeneratingMethod, KeepsTheUnitOfTheRecordings) {
   }
 }
 
-/// Those with epochs.
+/// Methods trained in epochs.
 class TrainedMethod : public testing::TestWithParam<Case> {};
 INSTANTIATE_TEST_SUITE_P(Augment, TrainedMethod, testing::Values(vae, wgan_gp), name_of);
 

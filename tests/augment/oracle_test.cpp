@@ -6,7 +6,7 @@
 namespace piae::augment {
 namespace {
 
-/// 30 real windows of each fault class in order of time: each begins with its own number.
+/// Makes 30 real windows of each fault class in order of time; each begins with its own number.
 signal::WindowSet numbered_windows() {
   signal::WindowSet real;
   real.info = known_windows().info;
@@ -49,7 +49,7 @@ TEST(Oracle, TakesEachWindowOnceAndOfItsOwnClass) {
   EXPECT_TRUE(all.record.empty());
 }
 
-/// A blocked D is in order of time: its first windows alone would be one stretch of the record.
+/// A blocked D is in order of time, so its first windows are one stretch of the record.
 TEST(Oracle, TakesThemFromAllOverTheRecord) {
   std::vector<int> first = numbers_of(generate("oracle", model(), 5), 1);
   std::ranges::sort(first);
@@ -63,7 +63,7 @@ TEST(Oracle, TakesTheSameFirstWindowsWhateverTheCount) {
   EXPECT_EQ(many, few);
 }
 
-/// Some classifiers measure a window at the speed of its own shaft.
+/// Some classifiers measure a window at its own shaft speed.
 TEST(Oracle, SaysAtWhichSpeedEachWindowWasRecorded) {
   signal::WindowSet real = numbered_windows();
   for (std::size_t i = 0; i < real.size(); ++i) {

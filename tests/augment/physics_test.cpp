@@ -29,7 +29,7 @@ signal::WindowSimulation simulation_of(const signal::ClassInfo& fault) {
   return simulation;
 }
 
-/// Windows at random angles, speeds and slips with the true (k, c), of RMS 1, plus white noise.
+/// Makes windows at random angles, speeds and slips with the true (k, c), RMS 1, plus white noise.
 signal::WindowSet windows_of(const Truth& truth, std::size_t count, double noise_rms) {
   signal::WindowSet windows = signal::simulate_windows(
       simulation_of(truth.fault), count, Stream("truth"), [&](std::size_t, Stream&) {
@@ -43,8 +43,8 @@ signal::WindowSet windows_of(const Truth& truth, std::size_t count, double noise
 
 class Recovery : public testing::TestWithParam<Truth> {
  protected:
-  /// Stiffness is found within 5 %, damping within a factor of 1.5. Of race defects: what a window
-  /// says about the damping of a faulty roller is less (augment/spectral_fit.hpp).
+  /// Expects stiffness within 5 % and damping within a factor of 1.5, for race defects. The damping
+  /// of a faulty roller is harder to infer (augment/spectral_fit.hpp).
   static void expect_found(double noise_rms) {
     const Truth truth = GetParam();
     const FitOptions coarse{.stiffness_from_n_per_m = 7e7,
@@ -75,7 +75,7 @@ INSTANTIATE_TEST_SUITE_P(Truths, Recovery,
                            return info.param.fault.name + std::to_string(info.index);
                          });
 
-/// A window's scale is not known to eq. 13, and its offset is no vibration.
+/// Eq. 13 does not know a window's scale, and an offset is not a vibration.
 TEST(SpectralFit, DoesNotDependOnScaleAndOffset) {
   const Truth truth{{"OR", signal::Defect::outer, 0.5334}, 2e8, 800};
   const SpectralFit fit(simulation_of(truth.fault), 1, {.stiffness_grid = 6, .damping_grid = 3});
@@ -89,7 +89,7 @@ TEST(SpectralFit, DoesNotDependOnScaleAndOffset) {
 }
 
 TEST(SpectralFit, StaysBelowTheStiffnessThatLosesContact) {
-  // Noise above the highest resonance there can be: 1e8 N/m is the bound for 200 N and 2 um.
+  // Noise above the highest possible resonance: 1e8 N/m is the bound for 200 N and 2 um.
   signal::WindowSimulation simulation = simulation_of({"OR", signal::Defect::outer, 0.5334});
   simulation.options.dynamics.load_n = 200;
   const SpectralFit fit(simulation, 1, {.stiffness_grid = 4, .damping_grid = 3});

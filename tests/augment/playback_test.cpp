@@ -11,7 +11,8 @@ namespace {
 
 constexpr std::size_t played_length = 1024;
 
-/// A tone at 100 periods in each of the two fault classes, known at 1200 rpm and tested at 900.
+/// Returns a tone of 100 periods in each of the two fault classes, known at 1200 rpm and tested at
+/// 900.
 signal::WindowSet tones() {
   signal::WindowSet known;
   known.info = known_windows().info;
@@ -31,7 +32,7 @@ signal::WindowSet tones() {
   return known;
 }
 
-/// Periods in a window: half its sign changes.
+/// Returns the periods in a window: half its sign changes.
 double periods(std::span<const float> window) {
   int changes = 0;
   for (std::size_t t = 1; t < window.size(); ++t) changes += window[t - 1] * window[t] < 0 ? 1 : 0;
@@ -65,7 +66,7 @@ TEST(Randomise, PlaysThemAtSpeedsBetween) {
     EXPECT_LT(own, 102) << i;
     sum += own;
   }
-  // Uniform in the logarithm, from 75 to 100: 25 / log(4 / 3) = 86.9 in the mean, with a standard
+  // Uniform in the logarithm, from 75 to 100: the mean is 25 / log(4 / 3) = 86.9, with a standard
   // deviation of 7.2 / sqrt(400) = 0.36.
   EXPECT_NEAR(sum / static_cast<double>(windows.size()), 86.9, 1.3);
 }
@@ -81,7 +82,7 @@ TEST(Randomise, GivesEachWindowAPathOfItsOwn) {
     const signal::WindowSet windows = generate("randomise", model, 60);
     double sum = 0;
     for (std::size_t i = 0; i < windows.size(); ++i) {
-      // Steepness against level: how strong the upper tone is beside the lower.
+      // Steepness over level measures the strength of the upper tone relative to the lower.
       double steps = 0;
       double level = 0;
       const auto window = windows.window(i);
@@ -96,7 +97,7 @@ TEST(Randomise, GivesEachWindowAPathOfItsOwn) {
   EXPECT_GT(spread_of("--equaliser-db 12"), 1.2 * spread_of("--equaliser-db 0"));
 }
 
-/// `turns` periods of a sine, which ends where it begins.
+/// Returns `turns` periods of a sine, which ends where it begins.
 std::vector<float> sine_of(int turns, std::size_t length) {
   std::vector<float> window(length);
   for (std::size_t t = 0; t < length; ++t) {
@@ -106,7 +107,7 @@ std::vector<float> sine_of(int turns, std::size_t length) {
   return window;
 }
 
-/// The sine of that many radians a sample that fits best, as a phasor: sin is 1, cos is i.
+/// Returns the best fitting sine of `radians_per_sample` as a phasor: sin is 1, cos is i.
 std::complex<double> phasor(const std::vector<double>& samples, double radians_per_sample) {
   std::complex<double> sum;
   for (std::size_t t = 0; t < samples.size(); ++t) {

@@ -8,7 +8,7 @@ namespace {
 
 using Samples = std::vector<float>;
 
-/// Two known windows of class IR and one of class OR, all of whose shifts differ.
+/// Returns two known windows of class IR and one of class OR; all circular shifts differ.
 signal::WindowSet three_windows() {
   signal::WindowSet known;
   known.info = known_windows().info;
@@ -63,7 +63,7 @@ TEST(Shift, TurnsTheKnownWindowsRoundByWhatTheirRandomNumbersSay) {
 
 TEST(Shift, MakesEveryShiftEquallyOften) {
   const signal::WindowSet windows = windows_of("shift", 400);
-  std::map<float, int> firsts;  // of class OR, which has one known window
+  std::map<float, int> firsts;  // for class OR, which has one known window
   for (std::size_t i = 400; i < 800; ++i) ++firsts[windows.window(i)[0]];
   ASSERT_EQ(firsts.size(), 4U);
   for (const auto& [first, times] : firsts) {

@@ -7,9 +7,9 @@
 namespace piae::augment {
 namespace {
 
-/// Class IR: (0, 0), (2, 0), (0, 3), (4, 3), the windows of interpolation_test.cpp; class OR lies
-/// between them, so that neighbours across classes would show. A third sample, the same in all, has
-/// every window move.
+/// Returns class IR: (0, 0), (2, 0), (0, 3), (4, 3), the windows of interpolation_test.cpp. Class
+/// OR lies between them, so that neighbours across classes would show. A third sample, the same in
+/// all windows, prevents constant windows.
 signal::WindowSet four_of_a_class() {
   signal::WindowSet known;
   known.info = known_windows().info;
@@ -25,8 +25,8 @@ std::filesystem::path model_with(int neighbours) {
                checkpoint_at("checkpoint"), "model.h5");
 }
 
-/// Where between base (0) and neighbour (1) a window lies, from the coordinate that differs most;
-/// fails the test when it is not on that line.
+/// Returns the position of a window between base (0) and neighbour (1), from the coordinate that
+/// differs most; fails the test if the window is not on that line.
 double place_between(Window base, Window neighbour, Window window) {
   const std::size_t t = std::abs(neighbour[0] - base[0]) > std::abs(neighbour[1] - base[1]) ? 0 : 1;
   const double gap = (window[t] - base[t]) / (neighbour[t] - base[t]);
@@ -37,8 +37,8 @@ double place_between(Window base, Window neighbour, Window window) {
 }
 
 TEST(Smote, WithOneNeighbourIsTheLineToTheNearest) {
-  // Of the hand-worked table: (0,0) -> (2,0), (2,0) -> (0,0), (0,3) -> (0,0), (4,3) -> (2,0). The
-  // known windows take turns to be the base.
+  // From the table by hand: (0,0) -> (2,0), (2,0) -> (0,0), (0,3) -> (0,0), (4,3) -> (2,0). The
+  // known windows take turns as the base.
   const std::size_t nearest[] = {1, 0, 0, 1};
   const signal::WindowSet known = four_of_a_class();
   const signal::WindowSet windows = generate("smote", model_with(1), 400);
@@ -57,7 +57,7 @@ TEST(Smote, WithOneNeighbourIsTheLineToTheNearest) {
 }
 
 TEST(Smote, DrawsEveryNeighbourAndNoOther) {
-  // Two nearest of (0, 0) are (2, 0) and (0, 3): windows lie on one axis or the other.
+  // The two nearest of (0, 0) are (2, 0) and (0, 3): windows lie on one axis or the other.
   const signal::WindowSet windows = generate("smote", model_with(2), 400);
   int along_first = 0;
   for (std::size_t i = 0; i < 400; i += 4) {
@@ -73,7 +73,7 @@ TEST(Smote, DrawsEveryNeighbourAndNoOther) {
 TEST(Smote, IsExactlyWhatItsRandomNumbersSay) {
   const signal::WindowSet known = four_of_a_class();
   const signal::WindowSet windows = generate("smote", model_with(3), 6);
-  // Window 5 of class IR: base (2, 0), whose neighbours by distance are (0,0), (0,3), (4,3).
+  // Window 5 of class IR: base (2, 0), with neighbours by distance (0,0), (0,3), (4,3).
   Stream random("generate/IR/5");
   const float neighbours[3][2] = {{0, 0}, {0, 3}, {4, 3}};
   const float* neighbour = neighbours[random.below(3)];

@@ -1,4 +1,4 @@
-// Methods that make faults of which no window is known.
+// Methods that make faults without known fault windows.
 
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@ namespace {
 
 const std::vector<std::string> methods{"piae-dt-zero", "healthy-plus-impulses"};
 
-/// C without a window: what a split says of the machine alone.
+/// Returns C without windows, only with the split's description of the machine.
 signal::WindowSet no_known_window() {
   signal::WindowSet none = known_windows();
   none.samples.clear();

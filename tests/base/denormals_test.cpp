@@ -14,7 +14,7 @@ TEST(DenormalsAreZero, TakesThemForZeroWhileItLives) {
 #if !defined(__SSE__)
   GTEST_SKIP() << "this processor keeps them";
 #endif
-  // Looked at afterwards, because the guard takes a denormal number for zero in a comparison, too.
+  // Compared later, because the guard also treats denormal numbers as zero in comparisons.
   volatile float computed = 1;
   volatile float read = 1;
   volatile float normal = 0;

@@ -32,12 +32,12 @@ TEST(OneLine, HasNothingThatTurnsOrBreaksLines) {
 
 TEST(OneLine, HasNothingThatIsNoUtf8) {
   for (const std::string bytes : {
-           "\x9B",                              // begins nothing
+           "\x9B",                              // not a first byte
            "\xC2", "\xE2\x80", "\xF0\x9F\x94",  // cut
-           "\xC2z", "\xE2\x80z",                // goes on with something else
-           "\xC0\x8A", "\xC1\x9F", "\xE0\x80\x8A", "\xF0\x80\x80\x8A",  // longer than it must be
-           "\xED\xA0\x80",                                              // half of a pair
-           "\xF4\x90\x80\x80", "\xF8\x88\x80\x80\x80", "\xFF",          // beyond the last
+           "\xC2z", "\xE2\x80z",                // continued by another character
+           "\xC0\x8A", "\xC1\x9F", "\xE0\x80\x8A", "\xF0\x80\x80\x8A",  // not the shortest form
+           "\xED\xA0\x80",                                              // half of a surrogate pair
+           "\xF4\x90\x80\x80", "\xF8\x88\x80\x80\x80", "\xFF",          // above U+10FFFF
        }) {
     EXPECT_TRUE(has_control_characters(bytes)) << testing::PrintToString(bytes);
     const std::string line = one_line(bytes);

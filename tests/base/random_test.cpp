@@ -25,8 +25,8 @@ TEST(Stream, AChildDoesNotDependOnWhatItsParentDrew) {
   EXPECT_EQ(Stream("parent/x").uniform(0, 1), before);
 }
 
-// SHA-256("abc") begins with ba7816bf8f01cfea; this pins the derivation for good: a change would
-// silently change every result.
+// SHA-256("abc") starts with ba7816bf8f01cfea. This test fixes the derivation forever: a change
+// would silently change every result.
 TEST(Stream, SeedsTheMersenneTwisterWithTheFirstEightBytesOfTheNamesDigest) {
   Stream stream("abc");
   boost::random::mt19937_64 engine(0xba7816bf8f01cfeaULL);

@@ -10,7 +10,7 @@
 namespace piae {
 namespace {
 
-/// Compares as many roots as a vector holds with those of the standard library, bit for bit.
+/// Compares one vector of roots with those of the standard library, bit for bit.
 void expect_roots(const std::array<double, lanes<double>>& numbers) {
   std::array<double, lanes<double>> roots{};
   store<double>(roots.data(), positive_root(load(numbers.data())));

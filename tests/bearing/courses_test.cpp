@@ -1,4 +1,4 @@
-// Courses side by side: against the reference, and each as if it were alone.
+// Courses solved at the same time: compared with the reference, and with each course solved alone.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -20,7 +20,7 @@ namespace {
 
 constexpr Sampling sampling{12000, 1200};
 
-/// That differ in all in which courses can.
+/// Returns courses that differ in everything in which courses may differ.
 std::vector<Course> varied_courses(std::size_t count, Defect kind) {
   const Variation wide{
       .stiffness_spread = 0.2, .damping_spread = 0.3, .speed_spread = 0.2, .slip_max = 0.05};
@@ -43,8 +43,8 @@ std::vector<double> row(const std::vector<double>& rows, std::size_t i) {
   return {begin, begin + static_cast<std::ptrdiff_t>(sampling.samples)};
 }
 
-/// Within 1e-9 of the RMS, and the rounding of the forces: a healthy bearing's vibration is only a
-/// hundred thousandth of load over mass.
+/// Expects agreement within 1e-9 of the RMS plus the rounding of the forces: a healthy bearing's
+/// vibration is only a hundred thousandth of load over mass.
 void expect_reference(const std::vector<double>& x, const Geometry& geometry,
                       const LocalDefect& defect, const Course& course) {
   const DynamicsOptions& options = course.options;
@@ -113,7 +113,7 @@ INSTANTIATE_TEST_SUITE_P(Kinds, Courses,
                          testing::Values(Defect::none, Defect::outer, Defect::inner,
                                          Defect::roller));
 
-/// At -90 and 90 degrees a ball carries nothing, whatever its cosine is rounded to.
+/// A ball at -90 or 90 degrees carries nothing, however its cosine is rounded.
 TEST(Courses, MayStartWhereABallEnters) {
   constexpr double right_angle = std::numbers::pi / 2;
   for (const double cage : {-right_angle, right_angle, 3 * right_angle, -5 * right_angle}) {
@@ -147,7 +147,7 @@ TEST(Courses, OneThatDivergesIsAnErrorWhereverItStands) {
   EXPECT_EQ(message_of(calm, Exit::failed), "no error");
 }
 
-/// 30 ms of settling are 360 samples; the first of them is already lost.
+/// 30 ms of settling are 360 samples; the course diverges in the first of them.
 TEST(Courses, DivergenceNamesItsTimeAndTheSubStep) {
   std::vector<Course> courses = varied_courses(2, Defect::outer);
   courses[1].options.damping_ns_per_m = 1e9;

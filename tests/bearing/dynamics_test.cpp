@@ -37,7 +37,7 @@ TEST(SubSteps, AreAsFewAsTheLongestStepAllows) {
 
 TEST(Simulate, HealthyBearingStaysNearEquilibrium) {
   const auto acceleration = simulate({}, {}, running, {}, {rate_hz, 12000});
-  // Less than a hundred thousandth of the load over the mass, but not silent: balls pass.
+  // Less than a hundred thousandth of the load over the mass, but not 0, because balls pass.
   EXPECT_LT(rms(acceleration), 0.05);
   EXPECT_GT(rms(acceleration), 0.001);
 }
@@ -65,7 +65,7 @@ TEST(Simulate, SubStepsOfTwoMicrosecondsAreFineEnough) {
   };
   const double default_error = error(DynamicsOptions{}.max_sub_step_s);
   EXPECT_LT(default_error, 0.02);
-  EXPECT_LT(error(0.25e-6), default_error / 3);  // first order: 8 where the jumps fall alike
+  EXPECT_LT(error(0.25e-6), default_error / 3);  // first order: 8 if the jumps fall alike
   EXPECT_GT(error(16e-6), default_error * 3);
 }
 
@@ -79,7 +79,7 @@ TEST(Simulate, AnglesHoldAtTheFirstSample) {
   advanced.defect_angle_rad += s.shaft * later / rate_hz;
   const auto part = simulate({}, defect, advanced, {}, {rate_hz, 2000});
   const std::vector<double> rest(whole.begin() + later, whole.end());
-  EXPECT_LT(relative_error(part, rest), 0.01);  // what is left of the start after settling
+  EXPECT_LT(relative_error(part, rest), 0.01);  // rest of the initial transient
 }
 
 TEST(Simulate, ADefectThatAppearsIsFeltFromTheFirstStrikeOn) {
@@ -96,7 +96,7 @@ TEST(Simulate, ADefectThatAppearsIsFeltFromTheFirstStrikeOn) {
     return std::vector<double>(begin, begin + static_cast<std::ptrdiff_t>(count));
   };
   EXPECT_LT(relative_error(from(onset, 0, 80), from(healthy, 0, 80)), 1e-6);
-  EXPECT_GT(relative_error(from(always, 0, 80), from(healthy, 0, 80)), 1);  // it still rings
+  EXPECT_GT(relative_error(from(always, 0, 80), from(healthy, 0, 80)), 1);  // still rings
   EXPECT_GT(rms(from(onset, 80, 100)), 100 * rms(from(healthy, 80, 100)));
   EXPECT_LT(relative_error(from(onset, 1200, 1200), from(always, 1200, 1200)), 1e-6);
 }

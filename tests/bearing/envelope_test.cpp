@@ -1,4 +1,4 @@
-// The proof of the whole model: the lines that a vibration analyst looks for.
+// Proof of the whole model: the lines in the spectrum that a vibration analyst looks for.
 #include <gtest/gtest.h>
 
 #include "bearing/dynamics.hpp"
@@ -26,11 +26,11 @@ class Envelope : public testing::TestWithParam<Case> {
   }
 };
 
-/// So damped that one burst has died out before the next: their lines do not interfere, and of a
-/// line and its side lines the line itself is the highest.
+/// Damping that lets each burst die out before the next: bursts do not interfere, and the line
+/// itself is higher than its side lines.
 constexpr DynamicsOptions short_bursts{.damping_ns_per_m = 2500};
 
-/// `line_hz` stands ten times above what lies between it and its side lines.
+/// Expects `line_hz` to be ten times above the floor between the line and its side lines.
 void expect_line(const EnvelopeSpectrum& s, double line_hz, double side_hz) {
   const double low_hz = line_hz - side_hz / 2;
   const double high_hz = line_hz + side_hz / 2;
@@ -45,8 +45,8 @@ TEST_P(Envelope, OfAnOuterDefectIsHighestAtBpfo) {
   expect_line(s, bpfo_hz, bpfo_hz / 2);
 }
 
-/// An inner defect goes through the load zone once in a turn of the shaft, which leaves shaft
-/// harmonics below half of BPFI, and side lines.
+/// An inner defect passes the load zone once per shaft turn, which leaves shaft harmonics below
+/// half of BPFI, and side lines.
 TEST_P(Envelope, OfAnInnerDefectIsHighestAtBpfi) {
   const double bpfi_hz = frequencies().bpfi_hz;
   const EnvelopeSpectrum s = spectrum(Defect::inner, short_bursts);
@@ -61,7 +61,7 @@ TEST_P(Envelope, OfAnInnerDefectHasBpfiAndShaftSideLines) {
   expect_line(s, f.bpfi_hz + f.shaft_hz, f.shaft_hz);
 }
 
-/// A faulty ball goes through the load zone once in a turn of the cage.
+/// A faulty ball passes the load zone once per cage turn.
 TEST_P(Envelope, OfARollerDefectIsHighestAtTwiceBsf) {
   const double strikes_hz = 2 * frequencies().bsf_hz;
   const EnvelopeSpectrum s = spectrum(Defect::roller, short_bursts);

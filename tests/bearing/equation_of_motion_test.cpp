@@ -13,7 +13,7 @@ namespace {
 
 constexpr double sampled_hz = 12000;
 
-/// The same number for every course.
+/// Returns the same number for every course.
 PerCourse all(double x) { return PerCourse{} + x; }
 
 EquationOfMotion equation(double mass_kg, double damping_ns_per_m, double stiffness_n_per_m,
@@ -22,7 +22,7 @@ EquationOfMotion equation(double mass_kg, double damping_ns_per_m, double stiffn
           all(load_n)};
 }
 
-// --- Eq. 13 without contact: a damped oscillator, released 1 um beside its equilibrium. ---
+// --- Eq. 13 without contact: a damped oscillator, released 1 um away from its equilibrium. ---
 
 constexpr double mass_kg = 1.3;
 constexpr double damping_ns_per_m = 700;
@@ -30,8 +30,8 @@ constexpr double stiffness_n_per_m = 2e8;
 constexpr double load_n = 1500;
 constexpr double released_m = 1e-6;
 
-/// s' of s = W / K + released e^(-z t) (cos(w t) + z / w sin(w t)), with z = C / 2M, w^2 = K/M -
-/// z^2.
+/// Returns s' of s = W / K + released e^(-z t) (cos(w t) + z / w sin(w t)), with z = C / 2M, w^2 =
+/// K/M - z^2.
 double oscillator_velocity(double time_s) {
   const double z = damping_ns_per_m / (2 * mass_kg);
   const double k = stiffness_n_per_m / mass_kg;
@@ -58,7 +58,7 @@ Solution oscillation(State& state, double start_s, std::size_t samples, double m
                start_s, {sampled_hz, samples}, sub_steps(sampled_hz, max_sub_step_s));
 }
 
-/// Relative, over 200 samples.
+/// Returns the relative error over 200 samples.
 double oscillator_error(double max_sub_step_s) {
   State state = released();
   const Solution solution = oscillation(state, 0, 200, max_sub_step_s);
@@ -94,7 +94,7 @@ TEST(Solve, LeavesTheLastStateBehind) {
 TEST(Solve, CountsTheSaneSamplesOfEachCourse) {
   LoadedBalls balls = any_balls();
   EquationOfMotion e = equation(mass_kg, damping_ns_per_m, stiffness_n_per_m, 0, load_n);
-  e.damping_ns_per_m[0] = 1e7;  // over the mass 8e6 per second: steps of 2 us cannot follow
+  e.damping_ns_per_m[0] = 1e7;  // over the mass 8e6 per second: steps of 2 us are too long
   State state = released();
   const Solution solution =
       solve(e, balls, state, 0, {sampled_hz, 200}, sub_steps(sampled_hz, 2e-6));
@@ -105,7 +105,7 @@ TEST(Solve, CountsTheSaneSamplesOfEachCourse) {
 // --- The equation itself ---
 
 TEST(EquationOfMotion, SumsTheForcesOfTheBalls) {
-  // Compressions of 4 um (along 1), 1 um (along 1/2: 4 um less 2 um clearance, less 1 um) and none.
+  // Compressions: 4 um (along 1), 1 um (along 1/2: 4 um minus 2 um clearance minus 1 um) and none.
   const std::vector<BallContact> balls{
       {all(1), all(4e-6)}, {all(0.5), all(3e-6)}, {all(0.25), all(2e-6)}};
   const double contact = 1e10 * (8e-9 + 0.5 * 1e-9);  // 4e-6^1.5 = 8e-9, 1e-6^1.5 = 1e-9

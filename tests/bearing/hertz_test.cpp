@@ -45,7 +45,7 @@ INSTANTIATE_TEST_SUITE_P(Rows, HarrisTable,
                                          Row{0.97290, 0.4960}, Row{0.983797, 0.4352}));
 
 TEST(Hertz, SphereOnPlaneIsTheTextbookFormula) {
-  // F = (4/3) E* sqrt(R) delta^1.5 with E* = E / (2 (1 - nu^2)), both bodies being of steel.
+  // F = (4/3) E* sqrt(R) delta^1.5 with E* = E / (2 (1 - nu^2)), for two bodies of steel.
   const double radius = 0.01;
   const HertzOptions steel;
   const double expected = 4.0 / 3 * steel.youngs_modulus_pa / 2 /

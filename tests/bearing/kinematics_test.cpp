@@ -17,7 +17,7 @@ struct Expected {
 
 class Skf6205 : public testing::TestWithParam<Expected> {};
 
-/// The bearing maker's frequencies.
+/// Compares with the frequencies that the maker prints.
 TEST_P(Skf6205, HasItsFaultFrequencies) {
   const Expected& e = GetParam();
   const FaultFrequencies f = fault_frequencies({}, e.rpm);
@@ -56,7 +56,8 @@ TEST(Kinematics, SlipTakesItsShareOfCageAndSpin) {
 
 TEST(Kinematics, SpinningBallRollsWithoutSlipOnTheFixedOuterRace) {
   const Speeds s = speeds({}, 1797);
-  // The ball's centre moves at cage speed on the pitch circle; its surface turns against it.
+  // The ball's centre moves at cage speed on the pitch circle; its surface moves backwards against
+  // it.
   EXPECT_NEAR(s.cage * 46.94 / 2, (s.spin * 7.94 / 2), 1e-9);
 }
 

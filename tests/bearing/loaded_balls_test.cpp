@@ -23,7 +23,7 @@ LoadedBalls balls_of(const LocalDefect& defect, const Motion& motion) {
   return {{}, defect, std::span(&motion, 1), std::span(&clearance_m, 1)};
 }
 
-/// A ball that can carry load, of the first course.
+/// A ball of the first course that can carry load.
 struct Ball {
   double along;
   double delta_m;
@@ -43,8 +43,8 @@ std::vector<Ball> contacts(const LocalDefect& defect, const Motion& motion, doub
   return loaded(balls);
 }
 
-/// How often a loaded ball enters the defect within a second, by rotations of 10 us that are set
-/// anew every 10 ms.
+/// Returns the number of times that a loaded ball enters the defect within a second. Uses rotations
+/// of 10 us and resets the positions every 10 ms.
 int entries(const LocalDefect& defect, const Motion& motion) {
   LoadedBalls balls = balls_of(defect, motion);
   balls.set_step(1e-5);
@@ -91,7 +91,7 @@ TEST(LoadedBalls, BallSinksIntoTheDefectByItsDepth) {
 }
 
 TEST(LoadedBalls, OnlyTheBallThatMeetsTheDefectSinks) {
-  // The defect of the outer race sits 40 degrees behind the load, where the ninth ball is.
+  // The defect of the outer race is 40 degrees behind the load, where the ninth ball is.
   const auto balls = contacts({Defect::outer, 0.5334},
                               {.shaft_speed_rpm = 1797, .defect_angle_rad = -40 * pi / 180}, 0);
   for (const Ball& ball : balls) {
@@ -105,13 +105,14 @@ TEST(LoadedBalls, CountsOfPassesAreTheFaultFrequencies) {
   const Motion motion{.shaft_speed_rpm = 1797, .cage_angle_rad = 0.3, .defect_angle_rad = 0};
   const FaultFrequencies f = fault_frequencies({}, 1797);
   EXPECT_NEAR(entries({Defect::outer, 0.5334}, motion), f.bpfo_hz, 1);
-  // Inner race and ball carry their defect through the loaded half, so half the passes count.
+  // Inner race and ball carry their defect out of the load zone for half a turn, so half of the
+  // passes count.
   EXPECT_NEAR(entries({Defect::inner, 0.5334}, motion), f.bpfi_hz / 2, 2);
   EXPECT_NEAR(entries({Defect::roller, 0.5334}, motion), f.bsf_hz, 2);
   EXPECT_EQ(entries({}, motion), 0);
 }
 
-/// Balls that enter the load zone within a turn and a half, seen by rotations and by angles.
+/// Balls that enter the load zone within a turn and a half: rotations agree with angles.
 TEST(LoadedBalls, RotationsGoWhereAnglesGo) {
   for (const int count : {3, 4, 8, 9, 20}) {
     Geometry geometry;

@@ -8,7 +8,7 @@
 namespace piae::bearing {
 namespace {
 
-/// Compares with what is printed, at one turn a second.
+/// Compares with the printed orders, at one turn a second.
 void expect_orders(const Geometry& geometry, const Orders& printed) {
   const FaultFrequencies f = fault_frequencies(geometry, 60);
   EXPECT_NEAR(f.bpfo_hz, printed.bpfo, 0.01 * printed.bpfo);
@@ -17,7 +17,8 @@ void expect_orders(const Geometry& geometry, const Orders& printed) {
   if (printed.ftf) EXPECT_NEAR(f.cage_hz, *printed.ftf, 0.01 * *printed.ftf);
 }
 
-/// The drive end of CWRU, as its page prints it; its rolling element is twice the spin.
+/// The drive end of CWRU, as its page prints it. The printed rolling-element order is twice the
+/// spin.
 TEST(Orders, OfADeepGrooveBearingGiveItsProportions) {
   const Orders cwru{.bpfo = 3.5848, .bpfi = 5.4152, .bsf = 4.7135 / 2, .ftf = 0.39828};
   const Geometry g = geometry_of(cwru);

@@ -7,7 +7,7 @@
 namespace piae::bearing {
 namespace {
 
-/// The bearing maker's frequencies of the SKF 6205 at 1797 rpm.
+/// Compares with the maker's frequencies of the SKF 6205 at 1797 rpm.
 TEST(Strikes, ComeAtTheFrequencyOfTheirDefect) {
   EXPECT_NEAR(strike_frequency_hz({}, Defect::outer, 1797), 107.34, 0.005);
   EXPECT_NEAR(strike_frequency_hz({}, Defect::inner, 1797), 162.21, 0.005);
@@ -15,13 +15,13 @@ TEST(Strikes, ComeAtTheFrequencyOfTheirDefect) {
   EXPECT_EQ(strike_frequency_hz({}, Defect::none, 1797), 0);
 }
 
-/// A ball's centre moves past the outer race at half the speed of the inner one: (1797 / 60) pi
+/// A ball's centre moves past the outer race at half the speed of the inner race: (1797 / 60) pi
 /// 31.06 mm / 2 = 1461 mm/s on the pitch circle of 39 mm, which is 1759 mm/s at the outer raceway.
 TEST(Strikes, LastAsLongAsABallNeedsFromEdgeToEdge) {
   const double rolling_mm_per_s = 1797 / 60.0 * std::numbers::pi * 31.06 / 2;
   EXPECT_NEAR(passage_s({}, {Defect::outer, 0.5}, 1797), 0.5 / (rolling_mm_per_s * 46.94 / 39.0),
               1e-8);
-  // Past the inner race it loses what the race itself moves on.
+  // Past the inner race the ball is slower, because the race itself moves on.
   const double inner_race_mm_per_s = 1797 / 60.0 * std::numbers::pi * 31.06;
   EXPECT_NEAR(passage_s({}, {Defect::inner, 0.5}, 1797),
               0.5 / (inner_race_mm_per_s - rolling_mm_per_s * 31.06 / 39.0), 2e-8);

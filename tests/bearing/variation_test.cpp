@@ -85,7 +85,7 @@ TEST(Variation, WithoutSpreadDrawsTheMeans) {
   EXPECT_EQ(motion.slip, 0);
 }
 
-/// 1e8 N/m and three times 10 % of it, times 2 um.
+/// 1e8 N/m plus three times 10 % of it, times 2 um.
 TEST(Variation, LargestLiftIsThatOfTheStiffestDraw) {
   EXPECT_NEAR(largest_lift_n({}, {.stiffness_spread = 0.1}), 260, 1e-9);
 }

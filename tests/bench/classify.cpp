@@ -1,6 +1,6 @@
-// A kept classifier on a recording: windows of 1024 samples a second on one core, WDCNN on the
-// waveform and on spectra, beside what it takes to read the same recording from a file. Rates are
-// by the processor's time, so that other programs on the machine count little.
+// Times a kept classifier on a recording: windows of 1024 samples per second on one core, WDCNN on
+// the waveform and on spectra, compared with reading the same recording from a file. Rates use
+// processor time, so that other programs on the machine have little effect.
 
 #include <benchmark/benchmark.h>
 
@@ -61,8 +61,8 @@ signal::WindowSet noise_windows(std::size_t healthy, std::size_t of_each_fault) 
   return windows;
 }
 
-/// As the paper's task leaves it: 500 healthy windows, and 5 of each of nine faults. What it has
-/// learned does not matter here.
+/// Returns a classifier for the paper's task: 500 healthy windows, and 5 of each of nine faults.
+/// Its accuracy does not matter here.
 diagnosis::KeptClassifier kept(const std::string& name) {
   const diagnosis::Classifier& classifier = diagnosis::the_classifier(name);
   const signal::WindowSet normal = noise_windows(500, 0);
@@ -80,7 +80,7 @@ diagnosis::KeptClassifier kept(const std::string& name) {
       {.method = "none", .ratio = "100to1", .training_digest = ""});
 }
 
-/// Seconds of reading a window from a file, measured before the classifiers.
+/// Seconds to read a window from a file, measured before the classifiers.
 double reading_s = 0;
 
 void read_recording(benchmark::State& state) {

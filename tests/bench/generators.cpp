@@ -1,16 +1,16 @@
-// Training of the methods on networks as on CWRU, 45 known windows of 1024 samples in batches of 5,
-// at their default sizes: LibTorch's eager operations (with our Adam in one pass) and, after it,
-// our own back end. Rates are by the processor's time.
+// Times the training of the network methods as on CWRU, 45 known windows of 1024 samples in batches
+// of 5, at their default sizes: first LibTorch's eager operations (with our Adam in one pass), then
+// our own back end. Rates use processor time.
 //
-// What a step must move at least: a weight is read forward and backward, 4 bytes each, and read and
-// written by Adam with its two moments, 24 bytes. "of_copy" is what our step moves a second of what
-// a copy of an array as large as the weights moves in the same run. Of these 32 bytes 20 are read,
-// and reading is what a core waits for: "of_reading" is what the step reads a second of what a core
-// reads that does nothing else with an array as large as weights and moments together.
+// Memory traffic limits dense layers. Each weight is read forward and backward, 4 bytes each, and
+// read and written by Adam with its two moments, 24 bytes. "of_copy" is the memory traffic of our
+// step per second, relative to copying an array as large as the weights in the same run. 20 of the
+// 32 bytes are reads, and a core waits for reads. "of_reading" is the read rate of the step,
+// relative to a core that only reads an array as large as weights and moments together.
 //
-// Layers on frames use a weight at each of them, and compute more than they move. "of_limit"
-// is the time that our step takes at least, its products at the speed of a large one and its bytes
-// at that of a copy, to the time that it takes.
+// Layers on frames use a weight at each frame, so arithmetic limits them. "of_limit" is the least
+// time of our step (its products at the speed of a large one, its bytes at that of a copy),
+// relative to the measured time.
 
 #include <benchmark/benchmark.h>
 
@@ -26,17 +26,17 @@ namespace piae::augment {
 namespace {
 
 constexpr double batch = 5;
-constexpr int epochs = 100;  // over which the start is spread
+constexpr int epochs = 100;  // spreads the startup cost
 
 struct Subject {
   const char* method;
-  double weights;            ///< of all its networks
-  double bytes_of_step;      ///< in the mean
-  double read_by_step;       ///< of these
-  double flops_of_step = 0;  ///< in the mean, of products; 0 where memory is the limit
+  double weights;            ///< weights of all its networks
+  double bytes_of_step;      ///< mean bytes that a step moves
+  double read_by_step;       ///< mean bytes that a step reads
+  double flops_of_step = 0;  ///< mean operations of its products; 0 if memory is the limit
 };
 
-/// Weights of a dense chain of depth 3 and width 256.
+/// Returns the number of weights of a dense chain of depth 3 and width 256.
 constexpr double chain(double inputs, double outputs) { return 256 * (inputs + 256 + outputs); }
 constexpr double classes = 10;
 constexpr double coder = chain(1024, 2) + chain(2 + classes, 1024);
@@ -45,38 +45,38 @@ constexpr double twin = coder + module;
 constexpr double vae = chain(1024 + classes, 20) + chain(10 + classes, 1024);
 constexpr double critic = chain(1024 + classes, 1);
 constexpr double generator = chain(20 + classes, 1024);
-constexpr double taught = 4 + 4 + 24;  // bytes of a weight: forward, backward, Adam
+constexpr double taught = 4 + 4 + 24;  // bytes per weight: forward, backward, Adam
 // Two convolutions, 8 samples wide, of 1 to 16 to 32 channels, a dense layer, and their mirror
 // image. Their products, 20 million operations a step, take longer than their bytes, but little
-// beside those of the module.
+// compared with those of the module.
 constexpr double convolutional =
     chain(2048, 2048) + 2 * 8 * (1 * 16 + 16 * 32) + 2048 * (2 + 2 + classes);
 
-// Of a window in piae-dt-rnn: multiplications of its layers of 96 units over 32 frames (at the
-// first one the state is zero).
+// Multiplications per window in piae-dt-rnn: its layers of 96 units over 32 frames (at the first
+// frame the state is zero).
 constexpr double gates = 3 * 96;
 constexpr double layer(double inputs, double input_frames) {
   return gates * (inputs * input_frames + 96 * 31);
 }
 constexpr double encoder = layer(32, 32) + layer(96, 32) + 96 * 2;
 constexpr double decoder = layer(2 + classes, 1) + layer(96, 32) + 96 * 32 * 32;
-// Of a step, forward, for the parameters, and back: not to the windows, and through the decoder
-// twice in Stage 1, which is every other epoch.
+// Operations per step: forward, for the parameters, and back (not to the windows, and twice through
+// the decoder in Stage 1, which is every other epoch).
 constexpr double products = 2 * batch * (3 * encoder - gates * 32 * 32 + 3.5 * decoder);
 constexpr double recurrent_weights = gates * (32 + 2 + classes + 6 * 96) + 96 * (2 + 32);
 
-// Multiplications of a window and weights of each layer, in piae-dt-tcn (64 frames of 16 samples,
-// 32 channels, two blocks of two convolutions with 3 taps) and in piae-dt-transformer (32 frames of
+// Multiplications per window and weights of each layer, in piae-dt-tcn (64 frames of 16 samples, 32
+// channels, two blocks of two convolutions with 3 taps) and in piae-dt-transformer (32 frames of
 // 32, two blocks of attention and dense layers of 128).
 constexpr double convolutions = 4 * 3 * 32 * 32;
 constexpr double convolved_frames = 64 * 16 * 32;
 constexpr double blocks = 2 * (4 * 32 * 32 + 2 * 32 * 128);
 constexpr double attended = 2 * 2 * 32 * 32 * 32;  // scores and sums of values
 constexpr double attended_frames = 32 * 32 * 32;
-constexpr double first_layer = (2 + classes) * 64 * 32;  // of the temporal decoder
+constexpr double first_layer = (2 + classes) * 64 * 32;  // temporal decoder
 
-/// Forward, for the parameters, and back: not to the windows, and through the decoder twice in
-/// Stage 1, which is every other epoch.
+/// Adds forward, parameter and backward passes (backward not to the windows, and twice through the
+/// decoder in Stage 1, which is every other epoch).
 constexpr double passes(double encoder, double encoder_frames, double decoder) {
   return 3 * encoder + 2 * encoder_frames + 3.5 * decoder;
 }
@@ -88,7 +88,7 @@ constexpr double transformer =
 constexpr double transformer_weights = 2 * blocks + 4 * 32 * 32;
 
 constexpr double read = 4 + 4 + 12;
-// What goes back and learns in one pass is read once less.
+// Backward pass and learning in one pass save one read.
 constexpr double taught_in_passing = taught - 4;
 constexpr double read_in_passing = read - 4;
 
@@ -109,13 +109,13 @@ const Subject subjects[] = {
      read* critic + 4 * generator + (read_in_passing * generator + 8 * critic) / 5},
 };
 
-/// Windows a second by the processor's time.
+/// Returns windows per second of processor time.
 double train(benchmark::State& state, const Subject& subject, Backend backend) {
   const signal::WindowSet known = bench::known_windows();
   const std::unique_ptr<Method> method = make_method(subject.method);
   cli::parse("--epochs " + std::to_string(epochs),
              [&](const cli::Options& command) { method->bind(command); });
-  nets::Checkpoint never;  // no file is there, and these epochs do not take an hour
+  nets::Checkpoint never;  // no file exists, and these epochs take less than an hour
   never.path = "bench-generators.checkpoint";
   never.interval_s = 3600;
   never.interrupted = [] { return false; };
@@ -131,14 +131,15 @@ double train(benchmark::State& state, const Subject& subject, Backend backend) {
   return rate;
 }
 
-/// By method.
+/// Rates by method.
 std::map<std::string, double> libtorch_rates;
 
 void by_libtorch(benchmark::State& state, const Subject& subject) {
   libtorch_rates[subject.method] = train(state, subject, Backend::libtorch);
 }
 
-/// Operations a second of OpenBLAS on a product that fits it: what the core can do at most, nearly.
+/// Returns the operations per second of OpenBLAS on a product that suits it: almost the core's
+/// maximum.
 double large_product_flops_per_s() {
   constexpr std::int64_t n = 1024;
   constexpr int rounds = 20;

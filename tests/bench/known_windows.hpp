@@ -5,7 +5,7 @@
 
 namespace piae::bench {
 
-/// As C of CWRU: 45 known windows of 1024 samples, 9 fault classes.
+/// Returns windows like C of CWRU: 45 known windows of 1024 samples, 9 fault classes.
 inline signal::WindowSet known_windows() {
   signal::WindowSet set;
   set.info.name = "bench";

@@ -11,15 +11,15 @@
 
 #include "base/vector.hpp"
 
-/// What this core can do at most, measured in the run that compares itself with it.
+/// Limits of this core, measured in the run that is compared with them.
 namespace piae::bench {
 
-/// Time that this process has computed for: other programs on the machine count little in it, but
-/// all of its own threads, of which `make bench` allows one.
+/// Returns the processor time of this process in s. Other programs on the machine have little
+/// effect on it. It includes all threads of the process, of which `make bench` allows one.
 inline double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
-/// How often a second this core does `round`, which changes vectors that do not depend on each
-/// other: what keeps it from more is the number of its units.
+/// Returns the number of `round` calls per second. `round` changes independent vectors, so the
+/// number of the core's units is the limit.
 template <class T, std::size_t chains, class Round>
 double rounds_per_s(const Round& round) {
   constexpr int rounds = 2'000'000;
@@ -31,7 +31,7 @@ double rounds_per_s(const Round& round) {
   return rounds / taken;
 }
 
-/// Additions and multiplications a second, fused.
+/// Returns fused additions and multiplications per second.
 template <class T>
 double peak_flops_per_s() {
   constexpr std::size_t chains = 12;
@@ -41,7 +41,7 @@ double peak_flops_per_s() {
   return 2.0 * chains * lanes<T> * rounds_per_s<T, chains>(round);
 }
 
-/// Bytes read and written a second where an array of this size is copied to another.
+/// Returns bytes read and written per second when an array of this size is copied.
 inline double copied_bytes_per_s(std::size_t size) {
   std::vector<char> from(size, 1);
   std::vector<char> to(size, 2);
@@ -56,8 +56,8 @@ inline double copied_bytes_per_s(std::size_t size) {
   return 2.0 * rounds * static_cast<double>(size) / (processor_seconds() - start);
 }
 
-/// Bytes read a second from an array of this size. Writing back what was read costs nothing more
-/// where the array is larger than the core's own cache.
+/// Returns bytes read per second from an array of this size. Writing the array back costs nothing
+/// more if it is larger than the core's own cache.
 inline double read_bytes_per_s(std::size_t size) {
   const std::vector<float> from(size / sizeof(float), 1);
   constexpr double total = 4e9;

@@ -1,5 +1,5 @@
-// MMD of 495 generated against 495 real windows of 1024 samples, as `score` computes it for a
-// class, and how near that comes to a large matrix product and to the core's peak.
+// Times the MMD of 495 generated and 495 real windows of 1024 samples, as `score` computes it for a
+// class. Compares it with a large matrix product and with the core's peak.
 
 #include "scoring/mmd.hpp"
 
@@ -28,10 +28,10 @@ void count_flops(benchmark::State& state, double flops_per_s) {
   state.counters["of_peak"] = flops_per_s / peak;
 }
 
-/// Floating point operations a second of the last matrix product that was timed.
+/// Floating point operations per second of the last matrix product timed.
 double product_flops_per_s = 0;
 
-/// Eigen's, with operands that fit it.
+/// Times Eigen's product, with operands that suit it.
 void dgemm_1024(benchmark::State& state) {
   constexpr Eigen::Index n = 1024;
   const Eigen::MatrixXd a = Eigen::MatrixXd::Random(n, n);
@@ -48,7 +48,7 @@ void dgemm_1024(benchmark::State& state) {
 }
 BENCHMARK(dgemm_1024)->MeasureProcessCPUTime()->Unit(benchmark::kMillisecond);
 
-/// The three matrix products (x x', y y', x y') are what is counted, not the kernels' exponentials.
+/// Counts only the three matrix products (x x', y y', x y'), not the kernels' exponentials.
 void mmd_of_a_class(benchmark::State& state) {
   const Windows x = noise("bench/mmd/x");
   const Windows y = noise("bench/mmd/y");

@@ -1,4 +1,4 @@
-// Eq. 13, by bearing::simulate and by the scalar reference that tests compare it with.
+// Times eq. 13 by bearing::simulate and by the scalar reference of the tests.
 #include <benchmark/benchmark.h>
 
 #include <array>
@@ -19,17 +19,17 @@ using namespace piae::bearing;
 constexpr Sampling window{12000, 1024};
 constexpr DynamicsOptions options;
 
-/// Floating point operations of one course in one sub-step, counted in loaded_balls.cpp and
-/// equation_of_motion.cpp: an addition, multiplication, comparison or square root is one, a choice
-/// none. The reference is credited with as many, whatever it takes for the same result.
+/// Returns the floating point operations of one course in one sub-step, counted in loaded_balls.cpp
+/// and equation_of_motion.cpp. An addition, multiplication, comparison or square root counts as
+/// one, a selection as zero. The reference is credited with the same number, whatever it needs.
 double flops_of_sub_step(int balls) {
-  const int ahead = (balls + 1) / 2;          // balls that are looked at
-  const int rotation = 6;                     // of a direction
-  const int turn = 5 * rotation + 2;          // three by the step, two by a ball that may enter
-  const int position = 2 * (3 + 1);           // of a ball: its cosine, and that from the defect
-  const int contact = 3 + 5;                  // compression, if there is any; x sqrt(x) along, sum
+  const int ahead = (balls + 1) / 2;  // balls that are followed
+  const int rotation = 6;             // operations to rotate a direction
+  const int turn = 5 * rotation + 2;  // three by the step, two by a ball that may enter
+  const int position = 2 * (3 + 1);   // per ball: its cosine, and the cosine from the defect
+  const int contact = 3 + 5;          // compression, if positive; x sqrt(x) along, sum
   const int stage = ahead * contact + 6 + 1;  // the other forces, over the mass
-  const int states = 3 * 4 + 2 * 5 + 4;       // of the later stages, the rates' mean, the last one
+  const int states = 3 * 4 + 2 * 5 + 4;       // later stages, mean of the rates, last state
   return 2 * (turn + 1 + ahead * position) + 4 * stage + states;
 }
 
@@ -38,13 +38,13 @@ double sub_steps_of_window() {
   return samples * static_cast<double>(sub_steps(window.rate_hz, options.max_sub_step_s).count);
 }
 
-/// Each ball that is looked at, in each of the four stages. Those that touch in no course are
-/// counted too, though their roots are left out.
+/// Counts each ball that is followed, in each of the four stages. Includes balls that touch in no
+/// course, although their roots are skipped.
 int roots_of_sub_step(int balls) { return 4 * ((balls + 1) / 2); }
 
-/// Square roots of doubles a second.
+/// Returns the square roots of doubles per second.
 double peak_roots_per_s() {
-  constexpr std::size_t chains = 12;  // a root waits long for the one before
+  constexpr std::size_t chains = 12;  // a root has a long latency
   const auto round = [](std::array<PerCourse, chains>& x) {
     for (PerCourse& chain : x) chain = piae::positive_root(chain) + 1;
   };
@@ -66,10 +66,10 @@ LocalDefect defect_of(const benchmark::State& state) {
   return {kind, kind == Defect::none ? 0 : 0.1778};
 }
 
-/// Times `solve`, which solves so many windows, and returns windows a second. "of_flops" and
-/// "of_roots" are what it does of the additions and multiplications, and of the square roots, that
-/// the core could do if it did nothing else, measured in the same run: the larger one is how near
-/// this comes to the machine's limit.
+/// Times `solve`, which solves `windows` windows, and returns windows per second. "of_flops" and
+/// "of_roots" are its additions and multiplications, and its square roots, relative to a core that
+/// does nothing else, measured in the same run. The larger one tells how close this is to the
+/// machine's limit.
 template <class Solve>
 double measure(benchmark::State& state, std::size_t windows, const Solve& solve) {
   static const double peak_flops = piae::bench::peak_flops_per_s<double>();
@@ -87,7 +87,7 @@ double measure(benchmark::State& state, std::size_t windows, const Solve& solve)
   return windows_per_s;
 }
 
-/// Windows a second of the scalar reference, which is measured first, by the kind of defect.
+/// Windows per second of the scalar reference, which is measured first, by fault type.
 std::map<std::int64_t, double> reference_rates;
 
 void compare_with_reference(benchmark::State& state, double windows_per_s) {
@@ -96,7 +96,7 @@ void compare_with_reference(benchmark::State& state, double windows_per_s) {
   state.counters["times_reference"] = windows_per_s / reference->second;
 }
 
-/// As many windows as are solved at once.
+/// Solves as many windows as fit at once.
 void solve_side_by_side(benchmark::State& state) {
   const LocalDefect defect = defect_of(state);
   const std::vector<Course> courses = drawn_courses(defect.kind);
@@ -104,7 +104,7 @@ void solve_side_by_side(benchmark::State& state) {
       state, measure(state, courses.size(), [&] { return simulate({}, defect, courses, window); }));
 }
 
-/// One window, which takes the time of as many.
+/// Solves one window, which takes the time of a full set of lanes.
 void solve_alone(benchmark::State& state) {
   const LocalDefect defect = defect_of(state);
   const Course course = drawn_courses(defect.kind).front();

@@ -1,5 +1,5 @@
-// t-SNE of as many points as CWRU has test windows, with the features of WDCNN's hidden layer, and
-// its parts; a pair is one point as another one feels it, once in each step.
+// Times t-SNE and its parts with as many points as CWRU has test windows and the features of
+// WDCNN's hidden layer. A pair is the effect of one point on another, once in each step.
 
 #include "embedding/tsne.hpp"
 
@@ -19,7 +19,7 @@ constexpr Eigen::Index count = 1000;
 constexpr Eigen::Index features = 100;
 constexpr Eigen::Index classes = 10;
 
-/// Ten clouds, 5 standard deviations from the middle.
+/// Returns ten clouds, 5 standard deviations from the middle.
 Points clouds() {
   piae::Stream stream("bench/tsne");
   Points points(count, features);
@@ -42,7 +42,7 @@ void pair_probabilities_1000_points(benchmark::State& state) {
 }
 BENCHMARK(pair_probabilities_1000_points)->MeasureProcessCPUTime()->Unit(benchmark::kMillisecond);
 
-/// Divisions a second that this core does at most, which are what a step has most of.
+/// Returns the most divisions per second of this core; a step consists mostly of divisions.
 double peak_divisions_per_s() {
   constexpr std::size_t chains = 12;
   const auto round = [](std::array<piae::Vector<float>, chains>& x) {

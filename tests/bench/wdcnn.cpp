@@ -1,7 +1,7 @@
-// WDCNN's training, batch 32, 545 windows (500 healthy and nine classes of 5): our back end for one
-// core against LibTorch's (with our Adam in one pass), and its arithmetic against that of a large
-// matrix product. Rates are by the processor's time, so that other programs on the machine count
-// little.
+// Times WDCNN's training, batch 32, 545 windows (500 healthy and nine classes of 5). Compares our
+// back end for one core with LibTorch's (with our Adam in one pass), and its arithmetic with a
+// large matrix product. Rates use processor time, so that other programs on the machine have little
+// effect.
 
 #include "diagnosis/wdcnn.hpp"
 
@@ -34,7 +34,7 @@ LabelledWindows noise(std::size_t n) {
   return set;
 }
 
-/// Places of a convolution's taps on samples of a window, not on its padding.
+/// Returns the number of taps of a convolution that lie on samples of a window, not on its padding.
 double taps(const Convolution& c, std::int64_t samples) {
   double count = 0;
   for (std::int64_t i = 0; i < c.output_length(samples); ++i) {
@@ -45,9 +45,9 @@ double taps(const Convolution& c, std::int64_t samples) {
   return count;
 }
 
-/// Additions and multiplications that training on a window needs: a product of matrices forward,
-/// one for the weight's gradient, and one for the input's but in the first layer. All else, such as
-/// batch normalisation and Adam, is left out.
+/// Returns the additions and multiplications of training on a window: a matrix product forward, one
+/// for the weight's gradient, and one for the input's gradient, except in the first layer. Ignores
+/// everything else, such as batch normalisation and Adam.
 double operations_per_window() {
   double sum = 0;
   std::int64_t at = length;
@@ -60,10 +60,10 @@ double operations_per_window() {
          6. * WdcnnLayers::hidden * static_cast<double>(WdcnnLayers::features(length) + classes);
 }
 
-/// Floating point operations a second of the last matrix product that was timed.
+/// Floating point operations per second of the last matrix product timed.
 double product_flops_per_s = 0;
 
-/// What the core can do at most, nearly: OpenBLAS on a product that fits it.
+/// Times OpenBLAS on a product that suits it: almost the core's maximum.
 void sgemm_1024(benchmark::State& state) {
   constexpr std::int64_t n = 1024;
   const torch::Tensor a = torch::rand({n, n});
@@ -77,14 +77,14 @@ void sgemm_1024(benchmark::State& state) {
 }
 BENCHMARK(sgemm_1024)->MeasureProcessCPUTime()->Unit(benchmark::kMillisecond);
 
-/// Windows a second with LibTorch, which is measured before our own back end.
+/// Windows per second with LibTorch, which is measured before our own back end.
 double libtorch_rate = 0;
 
-/// Returns windows a second.
+/// Returns windows per second.
 double train(benchmark::State& state, const MakeWdcnnBackend& make_backend) {
   const LabelledWindows train = noise(windows);
   WdcnnOptions options;
-  options.epochs = 10;  // over which the start is spread
+  options.epochs = 10;  // spreads the startup cost
   options.batch = 32;
   const double start = bench::processor_seconds();
   while (state.KeepRunning()) {

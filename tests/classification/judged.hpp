@@ -11,8 +11,8 @@
 
 namespace piae::classification {
 
-/// Names windows by their first sample: 1 and 2 are these classes, all else is healthy. A class is
-/// named with the logit ln 8 against 0, so with the probability 0.8 at the temperature 1.
+/// Predicts windows by their first sample: 1 and 2 are these classes, all others healthy. The
+/// predicted class has the logit ln 8 against 0, so the probability 0.8 at temperature 1.
 class ByFirstSample final : public diagnosis::Trained {
  public:
   diagnosis::Outputs outputs(const signal::WindowSet& windows, const std::string& what) override;
@@ -35,7 +35,7 @@ inline diagnosis::Outputs ByFirstSample::outputs(const signal::WindowSet& window
 
 inline constexpr std::size_t judged_length = 1024;
 
-/// Ten windows of noise, which the classifier of toys knows.
+/// Returns ten windows of noise, which the toy classifier knows.
 inline signal::WindowSet known_to_toys() {
   Stream stream("toys");
   signal::WindowSet reference = no_struck_windows(judged_length);
@@ -54,8 +54,8 @@ inline diagnosis::KeptClassifier classifier_of_toys() {
           {}};
 }
 
-/// A recording of windows one after the other: those that are known, which begin with 0, 1 or 2; or
-/// for -1 a tone, which is not.
+/// Returns a recording of consecutive windows: known ones, which begin with 0, 1 or 2; or for -1 a
+/// tone, which is unknown.
 inline Recording recording_of_windows(const std::string& name, const std::vector<int>& windows,
                                       const std::string& said = "") {
   const signal::WindowSet known = known_to_toys();

@@ -13,7 +13,7 @@ namespace {
 
 using testing::HasSubstr;
 
-/// How often a text is in another.
+/// Counts a word in a text.
 std::size_t times(const std::string& text, const std::string& word) {
   std::size_t count = 0;
   for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) {
@@ -26,7 +26,7 @@ std::string drawn(const std::vector<Verdict>& verdicts) {
   return picture_of(verdicts, three_classes(), judged_length);
 }
 
-/// Rectangles of a colour, of which one is drawn for each window.
+/// Counts rectangles of a colour; each window has one.
 std::size_t bars(const std::string& picture, const std::string& colour) {
   return times(picture, "fill=\"" + colour + "\"");
 }
@@ -38,7 +38,8 @@ TEST(ClassificationPicture, HasATimeLineWithABarForEachWindow) {
     EXPECT_GE(times(picture, ">" + name + "<"), 1U) << name;
   }
   EXPECT_EQ(bars(picture, "#009E73"), 1U);  // healthy
-  EXPECT_EQ(bars(picture, "#e0702f"), 2U);  // 0.8: in the third quarter from half sure to sure
+  // 0.8: in the third quarter from half certain to certain
+  EXPECT_EQ(bars(picture, "#e0702f"), 2U);
   EXPECT_EQ(bars(picture, "#999999"), 1U);  // unknown
   EXPECT_TRUE(picture.ends_with("</svg>\n"));
 }
@@ -49,7 +50,7 @@ TEST(ClassificationPicture, SaysWhatIsUnknown) {
                                  "trained<"));
 }
 
-// The legend and each row name the lines; those of the named fault are thick.
+// The legend and each row name the lines; those of the predicted fault are thick.
 TEST(ClassificationPicture, ShowsTheEnvelopeSpectrumWithTheLinesOfTheNamedFault) {
   Recording recording{.name = "struck",
                       .shaft_speed_rpm = 1800,

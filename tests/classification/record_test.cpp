@@ -27,7 +27,7 @@ class ClassificationRecord : public testing::Test {
   [[nodiscard]] std::vector<T> numbers(const std::string& path) const {
     return reader().numbers<T>(path, {0}).values;
   }
-  /// What is in it is refused where the first number of a dataset is another.
+  /// Expects a refusal if the first number of a dataset changes.
   template <artefact::hdf5::Number T>
   void expect_refused(const std::string& path, T first) const {
     write_again();

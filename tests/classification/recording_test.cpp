@@ -12,7 +12,7 @@ namespace {
 
 using testing::ElementsAre;
 
-/// So many samples, of which none is that before it.
+/// Returns a recording with all samples different.
 Recording counting_recording(std::size_t samples) {
   Recording recording{.name = "a.csv", .shaft_speed_rpm = 1790, .said = "", .signal = {}};
   for (std::size_t i = 0; i < samples; ++i) recording.signal.push_back(static_cast<double>(i));
@@ -83,7 +83,7 @@ TEST_F(LoneFiles, HaveSamplesThatAreNumbers) {
   }
 }
 
-// It comes into tables, pictures and artefacts.
+// The name is shown in tables, pictures and artefacts.
 TEST_F(LoneFiles, HaveNamesThatNoTerminalObeys) {
   EXPECT_EQ(read("a\x1B[2J.csv", "1\n2\n").name, "a?[2J.csv");
 }

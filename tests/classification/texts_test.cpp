@@ -31,7 +31,7 @@ std::vector<std::size_t> widths_of_lines(const std::string& text) {
   return widths;
 }
 
-/// With a line of this height, and as many windows.
+/// Sets the height of the inner race line.
 Verdict with_line(Verdict verdict, double db, bool stands_out) {
   for (inspection::FaultLine& line : verdict.lines) {
     line.db = 1;
@@ -58,7 +58,7 @@ TEST(ClassificationTable, SaysWhatSpeaksForIt) {
   const auto row = [](const Verdict& verdict) { return table_of({verdict}, three_classes()); };
   EXPECT_THAT(row(with_line(judged("a", {1}), 2, false)), HasSubstr("BPFI +2.0 dB, faint"));
   EXPECT_THAT(row(with_line(judged("a", {0}), 2, false)), HasSubstr("no fault line"));
-  // What is named healthy, or unknown, has a line that should not be there.
+  // Healthy and unknown recordings show a line that should not be there.
   EXPECT_THAT(row(with_line(judged("a", {0}), 9, true)), HasSubstr("BPFI +9.0 dB "));
   EXPECT_THAT(row(with_line(judged("a", {-1}), 9, true)), HasSubstr("BPFI +9.0 dB "));
   EXPECT_THAT(row(judged("a", {1})), HasSubstr("too short for lines"));
@@ -91,12 +91,12 @@ TEST(ClassificationTable, FitsATerminalHoweverLongNamesAre) {
   }
 }
 
-// Of 80 columns the others take 59.
+// The other columns take 59 of the 80 characters.
 TEST(ClassificationTable, ShowsTheEndsOfLongNames) {
   const std::string table =
       table_of({judged("a-long-name-of-a-recording-07.csv", {1})}, three_classes());
   EXPECT_THAT(table, HasSubstr("\n..-a-recording-07.csv  IR "));
-  // Characters are not cut in two, and one of two bytes is one.
+  // Characters are not cut in two, and a two-byte character counts as one.
   std::string umlauts;
   for (int i = 0; i < 30; ++i) umlauts += "\xC3\xA4";
   const std::string cut = lines_of(table_of({judged(umlauts, {1})}, three_classes()))[1];

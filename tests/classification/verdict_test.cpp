@@ -10,7 +10,7 @@ namespace {
 
 using testing::ElementsAre;
 
-// Two windows of three say class 1: (0.8 + 0.8 + 0.1) / 3 against (0.1 + 0.1 + 0.8) / 3.
+// Two of three windows are class 1: (0.8 + 0.8 + 0.1) / 3 against (0.1 + 0.1 + 0.8) / 3.
 TEST(Verdict, IsTheClassOfTheGreatestMeanProbability) {
   const Verdict verdict = judged("a", {1, 0, 1});
   EXPECT_EQ(verdict.label, 1);
@@ -24,13 +24,13 @@ TEST(Verdict, IsTheClassOfTheGreatestMeanProbability) {
   EXPECT_EQ(verdict.recording.name, "a");
 }
 
-// A tone looks like nothing that was trained: what it is named does not count.
+// A tone resembles nothing in the training set, so its class does not count.
 TEST(Verdict, IsOfTheWindowsThatAreKnown) {
   const Verdict verdict = judged("a", {-1, 2, 2, -1});
   EXPECT_TRUE(verdict.is_unknown(0));
   EXPECT_FALSE(verdict.is_unknown(1));
   EXPECT_EQ(verdict.share_unknown, 0.5);
-  EXPECT_FALSE(verdict.unknown);  // half of it, no more
+  EXPECT_FALSE(verdict.unknown);  // exactly half
   EXPECT_EQ(verdict.label, 2);
   EXPECT_NEAR(verdict.probability, 0.8, 1e-6);
 }
@@ -42,7 +42,7 @@ TEST(Verdict, IsUnknownWhereMoreThanHalfIs) {
   const Verdict all = judged("b", {-1, -1});
   EXPECT_TRUE(all.unknown);
   EXPECT_EQ(all.share_unknown, 1);
-  EXPECT_EQ(all.label, 0);  // what its windows would be named
+  EXPECT_EQ(all.label, 0);  // the class of the unknown windows
   EXPECT_NEAR(all.probability, 0.8, 1e-6);
 }
 
@@ -53,7 +53,7 @@ TEST(Verdict, HasAWindowEachStep) {
   EXPECT_DOUBLE_EQ(verdict.start_s[3], 900 / 12000.0);
 }
 
-// n/2 (1 - d/D) of 30 Hz, as CWRU's bearing has it.
+// n/2 (1 - d/D) at 30 Hz, for CWRU's bearing.
 TEST(Verdict, HasTheLinesOfTheSpeedOfTheRecording) {
   Recording recording = recording_of_windows("a", std::vector<int>(20, 0));
   recording.shaft_speed_rpm = 900;
@@ -62,7 +62,7 @@ TEST(Verdict, HasTheLinesOfTheSpeedOfTheRecording) {
   EXPECT_NEAR(inspection::line_of(verdict.lines, signal::Defect::outer).hz,
               strikes_of_classes_hz[2] / 2, 1e-9);
   EXPECT_FALSE(verdict.envelope.power.empty());
-  // As far as a picture shows it: 3.5 times the highest line.
+  // The shown part: 3.5 times the highest line.
   EXPECT_NEAR(static_cast<double>(verdict.envelope.power.size()) * verdict.envelope.bin_hz,
               3.5 * strikes_of_classes_hz[1] / 2, verdict.envelope.bin_hz);
 }

@@ -7,10 +7,10 @@ namespace {
 
 TEST(Progress, TheRestTakesAsLongAsAsMuchHasTaken) {
   EXPECT_EQ(seconds_left(0, 20, 100, 5), 20);
-  // A run that goes on at 40 has taken 5 s from there.
+  // A run that continues at 40 has taken 5 s from there.
   EXPECT_EQ(seconds_left(40, 60, 100, 5), 10);
   EXPECT_EQ(seconds_left(0, 100, 100, 5), 0);
-  EXPECT_EQ(seconds_left(40, 40, 100, 5), 0);  // nothing is known yet
+  EXPECT_EQ(seconds_left(40, 40, 100, 5), 0);  // the rate is unknown yet
 }
 
 }  // namespace

@@ -9,7 +9,7 @@ using testing::HasSubstr;
 
 enum class Shape { round, flat };
 
-/// What is wrong with a setting of a program that has a number and a word.
+/// Returns why a program with a number and a word rejects a setting.
 std::string refusal(const std::string& name, const std::string& value) {
   double size = 1;
   Shape shape = Shape::round;

@@ -40,7 +40,7 @@ TEST(TomlAdvice, IsNotGivenWhereTheValueIsRight) {
   EXPECT_EQ(toml_advice("name = \"a # b\""), "");
   EXPECT_EQ(toml_advice("balls = 9"), "");
   EXPECT_EQ(toml_advice("[bearing"), "");
-  EXPECT_EQ(toml_advice("balls = 09"), "");  // the parser says it better
+  EXPECT_EQ(toml_advice("balls = 09"), "");  // the parser's own message is better
   EXPECT_EQ(toml_advice(""), "");
 }
 

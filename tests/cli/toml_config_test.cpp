@@ -8,7 +8,7 @@
 namespace piae::cli {
 namespace {
 
-/// What an app with --epochs, --rate and --names ends up with.
+/// Values of an app with --epochs, --rate and --names after parsing.
 struct Parsed {
   int epochs = 1;
   double rate = 0.5;

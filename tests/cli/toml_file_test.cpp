@@ -35,7 +35,7 @@ TEST(TomlFile, ThatNestsTablesWithoutEndIsRefused) {
   refused("[" + repeated("a.", 200'000) + "a]\n");
   refused("a = " + repeated("[", 200'000));
   refused("a = " + repeated("{a = ", 190'000));
-  // As deep as it may be.
+  // the deepest permitted nesting
   const std::string most = repeated("a.", 100) + "a";
   EXPECT_NO_THROW((void)parse_toml_file(
       folder.write("a.toml", "[" + most + "]\n" + most + " = [\n{" + most + " = 1}]\n")));

@@ -11,7 +11,7 @@
 namespace piae::cli {
 namespace {
 
-/// Seconds and megabytes.
+/// Returns seconds and megabytes.
 std::pair<double, double> used_now() {
   const std::string line = usage_line();
   std::smatch numbers;

@@ -19,7 +19,7 @@ signal::WindowSet one_window(const std::vector<float>& samples) {
   return set;
 }
 
-// Of 512 bins above the offset four make a band: the 102nd is in the 26th band.
+// Four of the 512 bins above the offset make a band: the 102nd bin is in the 26th band.
 TEST(BandPowers, OfAToneAreHighestWhereItIs) {
   std::vector<float> tone;
   for (int t = 0; t < 1024; ++t) {
@@ -33,8 +33,8 @@ TEST(BandPowers, OfAToneAreHighestWhereItIs) {
   EXPECT_EQ(highest, 25);
 }
 
-// The spectrum of an impulse is flat; what its mean leaves through Hann's window is in the first
-// bins alone, so all other bands are the same, and so far above the mean as the first is below.
+// The spectrum of an impulse is flat. Its removed mean changes only the first bins under Hann's
+// window, so all other bands are the same, as far above the mean as the first is below.
 TEST(BandPowers, OfAnImpulseAreFlatAndWithoutTheirMean) {
   std::vector<float> impulse(1024);
   impulse[300] = 5;

@@ -15,7 +15,7 @@ TEST(BatchBounds, CoverAllWindows) {
 
 TEST(BatchBounds, NoBatchIsOneWindow) {
   EXPECT_EQ(batch_bounds(97, 32), (Bounds{0, 32, 64, 97}));
-  EXPECT_EQ(batch_bounds(545, 32).size(), 18U);  // 500 + 45 windows: 17 batches, the last of 33
+  EXPECT_EQ(batch_bounds(545, 32).size(), 18U);  // 500 + 45 windows: the last of 17 batches has 33
   EXPECT_EQ(batch_bounds(2, 2), (Bounds{0, 2}));
   EXPECT_EQ(batch_bounds(3, 2), (Bounds{0, 3}));
 }

@@ -18,7 +18,7 @@ TEST(Classifiers, AreThePapersFirstAndTheBarAmongThem) {
   EXPECT_NE(find_classifier(bar_classifier), nullptr);
 }
 
-// Names are folders beside those of ratios, words of make, and lines of tables.
+// Names are folders next to those of ratios, words of make, and lines of tables.
 TEST(Classifiers, HaveNamesOfTheirOwnAndSayWhatTheyAre) {
   std::set<std::string> names;
   for (const scoring::Ratio& ratio : scoring::all_ratios()) names.insert(ratio.name);

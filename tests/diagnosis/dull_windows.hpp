@@ -5,7 +5,7 @@
 
 namespace piae::diagnosis {
 
-/// Adds a window of noise with a spectrum of its own: x[t] = n[t] + dull n[t - 1].
+/// Adds a window of noise with its own spectrum: x[t] = n[t] + dull n[t - 1].
 inline void add_dull(signal::WindowSet& set, Label label, double dull, Stream& stream) {
   double last = 0;
   for (std::size_t t = 0; t < set.length; ++t) {

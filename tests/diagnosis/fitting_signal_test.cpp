@@ -29,7 +29,7 @@ TEST(FittingSignal, IsWithinFivePercentOfTheSpeed) {
                "a.csv: is of 900 rpm");
 }
 
-// Faults known at 900 rpm and generated for 1200; at 600 rpm healthy windows alone are known.
+// Faults are known at 900 rpm and generated for 1200; at 600 rpm only healthy windows are known.
 TEST(FittingSignal, IsNearOneOfTheSpeedsOfFaults) {
   signal::DatasetInfo info = three_classes();
   info.conditions = {{.name = "fast", .shaft_speed_rpm = 1200, .known = false},

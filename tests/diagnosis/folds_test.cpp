@@ -33,7 +33,7 @@ class FoldsOfToys : public testing::Test {
                      .generated = generated,
                      .generated_per_class = per_class});
   }
-  /// In which folds a training window is not trained on.
+  /// Returns the folds that do not train on a window.
   static std::vector<std::size_t> left_out_in(const Folds& folds, std::size_t window) {
     std::vector<std::size_t> in;
     for (std::size_t fold = 0; fold < 5; ++fold) {
@@ -58,7 +58,7 @@ TEST_F(FoldsOfToys, CutHealthyWindowsByTimeAndDealOutTheKnownOnes) {
   }
 }
 
-// Two recordings: the second begins where the first ends, whatever the order of the windows.
+// Two recordings: the second begins when the first ends, whatever the order of the windows.
 TEST_F(FoldsOfToys, BlocksAreOfTheTimeNotOfTheOrder) {
   normal_.record_names = {"a", "b"};
   normal_.record = {1, 1, 1, 1, 1, 0, 0, 0, 0, 0};
@@ -72,8 +72,8 @@ TEST_F(FoldsOfToys, BlocksDifferByOneWindowAtMost) {
   EXPECT_THAT(blocks_of_time(seven), ElementsAre(0, 0, 1, 2, 2, 3, 4));
 }
 
-// E's windows stand alternately, and of each class the first three are trained on: those made
-// of these known windows.
+// Classes alternate in E, and the first three windows of each are trained on; these were made of
+// the following known windows.
 TEST_F(FoldsOfToys, NoWindowIsAskedAboutWhereOneMadeOfItIsTrainedOn) {
   generated_.parents = {{7, 8}, {0}, {9, 7}, {5, 6}, {12}, {3, 1}, {8}, {2}};
   const Folds cut = folds(true);
@@ -87,10 +87,10 @@ TEST_F(FoldsOfToys, NoWindowIsAskedAboutWhereOneMadeOfItIsTrainedOn) {
       EXPECT_TRUE(cut.left_out[23 + i][static_cast<std::size_t>(fold)]) << i;
     }
   }
-  EXPECT_THAT(left_out_in(cut, 23), ElementsAre(0));     // of known 0
-  EXPECT_THAT(left_out_in(cut, 24), ElementsAre(0, 1));  // of 5 and 6
-  EXPECT_THAT(left_out_in(cut, 27), ElementsAre(0, 2));  // of 9 and 7, class 2
-  EXPECT_THAT(left_out_in(cut, 28), ElementsAre(0));     // of 12, the sixth of class 2
+  EXPECT_THAT(left_out_in(cut, 23), ElementsAre(0));     // parent: known 0
+  EXPECT_THAT(left_out_in(cut, 24), ElementsAre(0, 1));  // parents: 5 and 6
+  EXPECT_THAT(left_out_in(cut, 27), ElementsAre(0, 2));  // parents: 9 and 7, class 2
+  EXPECT_THAT(left_out_in(cut, 28), ElementsAre(0));     // parent: 12, the sixth of class 2
   EXPECT_TRUE(cut.possible);
 }
 
@@ -114,7 +114,7 @@ TEST_F(FoldsOfToys, AreNotPossibleWhereAClassHasOneWindowAlone) {
   add(known_, 1, 5, 200);
   add(known_, 2, 1, 300);
   EXPECT_FALSE(folds().possible);
-  EXPECT_TRUE(folds(true).possible);  // a generated one is left, of which no parent is said
+  EXPECT_TRUE(folds(true).possible);  // one generated window without parents remains
 }
 
 TEST_F(FoldsOfToys, AreNotPossibleWhereNoFaultIsThere) {

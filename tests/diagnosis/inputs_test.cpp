@@ -16,19 +16,20 @@ namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 
-/// What differs between the files of the tests.
+/// Differences between the files of the tests.
 struct File {
   std::string role;
   std::int64_t seed = 0;
   std::string protocol = "random";
   std::string records_digest = "abc";
   std::int64_t first_sample = 0;
-  std::string known_digest;  ///< of E: of the C it was learned from; empty for that of c below
+  /// for E: digest of the C it was learned from; empty for that of `c` below
+  std::string known_digest;
 };
 
 artefact::Reader written(const File& file);
 
-/// The C that all tests use, and the digest that E carries when it was learned from it.
+/// The C of all tests; E carries its digest if it was learned from it.
 const File c{"C", 3, "random", "abc", 20, ""};
 
 artefact::Reader written(const File& file) {

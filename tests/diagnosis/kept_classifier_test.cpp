@@ -21,7 +21,7 @@ namespace {
 
 using signal::WindowSet;
 
-/// What keep() needs, of windows that are struck as a bearing is.
+/// Inputs of keep(): windows with the impacts of a bearing.
 class Keep : public testing::Test {
  protected:
   Keep() {
@@ -63,7 +63,7 @@ class Keep : public testing::Test {
     classifier.write(writer);
     return stored(writer, folder_);
   }
-  /// How many windows strangeness refers to.
+  /// Returns the number of reference windows of the novelty.
   [[nodiscard]] std::size_t reference_of(const KeptClassifier& classifier) const {
     return written(classifier).numbers<Label>("/reference/labels", {0}).values.size();
   }
@@ -82,7 +82,7 @@ void expect_almost(const std::vector<float>& all, const std::vector<float>& expe
   for (std::size_t i = 0; i < all.size(); ++i) EXPECT_NEAR(all[i], expected[i], tolerance) << i;
 }
 
-// Whatever is added to the catalogue is kept, too.
+// New classifiers of the catalogue must be storable, too.
 TEST_F(Keep, EveryClassifierComesBackWithTheSameAnswers) {
   for (const Classifier& classifier : classifiers()) {
     SCOPED_TRACE(classifier.name);
@@ -134,7 +134,7 @@ TEST_F(Keep, TheDigestIsThatOfTheTrainingWindows) {
   EXPECT_NE(kept("nearest").origin().training_digest, digest);
 }
 
-// exp of the logits by the temperature, by hand.
+// The expected values are exp(logits / temperature), by hand.
 TEST_F(Keep, ProbabilitiesAreThoseOfTheTemperature) {
   KeptClassifier classifier = kept("envelope-rule");
   const double temperature = classifier.calibration().temperature;
@@ -151,8 +151,7 @@ TEST_F(Keep, ProbabilitiesAreThoseOfTheTemperature) {
   EXPECT_EQ(answers.labels, asked_.labels);
 }
 
-// Each fold trains once more, on random numbers of its own; the classifier that is kept is not one
-// of these.
+// Each fold trains its own classifier with its own random numbers; none of these is kept.
 TEST_F(Keep, TrainsOnceMoreForEachFold) {
   std::int64_t epochs = 0;
   const KeptClassifier classifier =
@@ -171,7 +170,7 @@ TEST_F(Keep, WhereNothingCanBeLeftOutTheTemperatureIsOne) {
   EXPECT_EQ(trainings_to_keep(training(), lessons()), 0);
 }
 
-// With nine healthy windows a rule can be made, but none where two of them are left out.
+// Nine healthy windows suffice for a rule, but not after two of them are left out.
 TEST_F(Keep, WhereTooFewHealthyWindowsWouldBeLeftTheTemperatureIsOne) {
   normal_ = no_struck_windows();
   Stream stream("nine");
@@ -207,7 +206,7 @@ TEST_F(Keep, WhereFaultsAreKnownElsewhereNothingIsStrange) {
   EXPECT_FALSE(kept("nearest", 5).strangeness());
 }
 
-// Only what it says is wrong: no damage would tell.
+// These files are whole; only their content is wrong.
 TEST_F(Keep, OneThatCannotBeAskedIsRefused) {
   const std::string file = folder_ / "stored.h5";
   const auto expect_refused = [&](const std::string& name, const std::string& what,
@@ -223,7 +222,7 @@ TEST_F(Keep, OneThatCannotBeAskedIsRefused) {
   for (const std::string name : {"wdcnn", "wdcnn-spectrum"}) {
     expect_refused(name, "cannot be asked about a window: WDCNN: ", length(2048));
   }
-  // Half a turn of the shaft does not tell the lines apart, nor do 255 samples 128 bands.
+  // Half a turn of the shaft cannot separate the lines, and 255 samples do not give 128 bands.
   expect_refused("envelope-rule", "cannot be asked about a window: ", length(200));
   expect_refused("nearest", "cannot be asked about a window: windows of 255 samples", length(255));
   const auto weights = [](const std::string& path) {

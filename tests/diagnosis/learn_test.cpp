@@ -14,7 +14,7 @@
 namespace piae::diagnosis {
 namespace {
 
-/// The windows of tones() as recordings give them.
+/// Returns the windows of tones() as a recorded set.
 signal::WindowSet recorded_tones(std::size_t per_class, const std::string& stream_name) {
   const LabelledWindows tones_of_classes = tones(per_class, stream_name);
   signal::WindowSet set = empty_set(tones_of_classes.length);
@@ -39,7 +39,7 @@ class Learn : public testing::Test {
         .outputs.scores;
   }
 
-  const signal::WindowSet normal_ = empty_set(1024);  // of which these know nothing
+  const signal::WindowSet normal_ = empty_set(1024);  // unused by these classifiers
   const signal::WindowSet training_ = recorded_tones(10, "training");
   const signal::WindowSet test_ = recorded_tones(5, "test");
 };

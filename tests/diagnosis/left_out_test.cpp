@@ -12,14 +12,14 @@ namespace {
 
 using signal::WindowSet;
 
-/// The first samples, by which the windows of toys are told apart.
+/// Returns the first samples, which identify the toy windows.
 std::set<float> first_samples_of(const WindowSet& set) {
   std::set<float> firsts;
   for (std::size_t i = 0; i < set.size(); ++i) firsts.insert(set.window(i)[0]);
   return firsts;
 }
 
-/// Remembers what it was asked about, and answers with the first sample for each class.
+/// Records the windows it gets, and returns the first sample as the logit of each class.
 class Listening final : public Trained {
  public:
   explicit Listening(std::set<float>& asked) : asked_(asked) {}
@@ -48,7 +48,7 @@ TEST(LeftOut, IsAskedAboutOnceByOneThatWasNotTrainedOnIt) {
     folds.left_out.emplace_back(5);
     if (fold != Folds::none) folds.left_out.back()[static_cast<std::size_t>(fold)] = true;
   }
-  folds.left_out[5][1] = true;  // made of what is asked there
+  folds.left_out[5][1] = true;  // made of a window predicted there
   std::vector<std::set<float>> trained(5);
   std::vector<std::set<float>> asked(5);
   const LeftOut all = ask_left_out(
@@ -67,7 +67,7 @@ TEST(LeftOut, IsAskedAboutOnceByOneThatWasNotTrainedOnIt) {
   EXPECT_EQ(trained[1], (Firsts{100, 200, 201}));
   EXPECT_EQ(asked[4], (Firsts{201}));
   EXPECT_EQ(trained[4], (Firsts{100, 101, 102, 200, 300}));
-  EXPECT_TRUE(trained[2].empty());  // nothing is asked there
+  EXPECT_TRUE(trained[2].empty());  // nothing to predict there
   EXPECT_THAT(all.labels, testing::ElementsAre(0, 1, 0, 0, 1));
   EXPECT_THAT(all.logits, testing::ElementsAre(100, 100, 100, 200, 200, 200, 101, 101, 101, 102,
                                                102, 102, 201, 201, 201));

@@ -11,7 +11,7 @@
 namespace piae::diagnosis {
 namespace {
 
-/// Classes in another order than that of the kinds.
+/// Returns classes in another order than the fault types.
 signal::DatasetInfo four_kinds() {
   signal::DatasetInfo info = three_classes();
   info.classes = {{"outer", signal::Defect::outer, 0.2},
@@ -49,11 +49,11 @@ TEST(Evidence, OfWhatIsNewWithoutALineIsABallByExclusionAlone) {
   const Findings findings{.excesses = {1, 2, 4}, .novelty = 1.5};
   EXPECT_EQ(named(four_kinds(), findings, Rule::envelope), "Normal");
   EXPECT_EQ(evidence(four_kinds(), findings, Rule::exclusion), (std::vector<float>{4, 5, 7.5, 1}));
-  // Without a class of ball defects it is the kind whose line stands out most.
+  // Without a class of ball defects, the highest line gives the fault type.
   EXPECT_EQ(evidence(three_classes(), findings, Rule::exclusion), (std::vector<float>{5, 1, 7.5}));
 }
 
-// A line of a kind of which the task has no class names nothing.
+// A line without a class does not count.
 TEST(Evidence, OfAKindWithoutAClassDoesNotCount) {
   EXPECT_EQ(named(three_classes(), {{1, 50, 2}, 0.5}, Rule::envelope), "Normal");
 }
@@ -102,7 +102,7 @@ TEST_F(Rules, DoNotCareHowLoudAWindowIs) {
   EXPECT_EQ(named_by_rule(normal_, test_, Rule::exclusion), test_.labels);
 }
 
-/// Noise of which what is above a quarter of the rate is quieter: x[t] = n[t] + 0.5 n[t - 1].
+/// Reduces the noise above a quarter of the sample rate: x[t] = n[t] + 0.5 n[t - 1].
 void make_duller(signal::WindowSet& set) {
   for (std::size_t i = set.samples.size() - 1; i > 0; --i) set.samples[i] += set.samples[i - 1] / 2;
 }
@@ -118,7 +118,7 @@ TEST_F(Rules, OfExclusionSeeAChangeWithoutALine) {
 }
 
 TEST_F(Rules, CompareWindowsOfOneSpeed) {
-  // At another speed healthy windows are duller: what is new at one speed is not at the other.
+  // At another speed healthy windows are duller: what is new at one speed is not new at the other.
   Stream stream("speeds");
   signal::WindowSet dull = no_struck_windows();
   add_struck(dull, 0, 50, stream);

@@ -21,15 +21,14 @@ scoring::Windows sine(Index length, double cycles, double amplitude) {
   return window;
 }
 
-// The bands are half a cycle a window apart, and the first is half a cycle: 100 cycles are band
-// 199.
+// Bands are half a cycle per window apart, starting at half a cycle: 100 cycles are band 199.
 TEST(LogSpectrum, OfASineIsItsAmplitudeAtItsFrequency) {
   const Eigen::ArrayXd bands = log_spectrum(sine(1024, 100, 0.25), 1024, 1e-9);
   ASSERT_EQ(bands.size(), 1024);
   Index highest = 0;
   EXPECT_NEAR(bands.maxCoeff(&highest), std::log(0.25), 1e-9);
   EXPECT_EQ(highest, 199);
-  // Hann's window: half of the amplitude one cycle beside the line, nothing two cycles beside it.
+  // Hann's window: half of the amplitude one cycle from the line, nothing two cycles from it.
   EXPECT_NEAR(bands[201], std::log(0.125), 1e-9);
   EXPECT_NEAR(bands[203], std::log(1e-9), 1e-9);
 }
@@ -39,14 +38,14 @@ TEST(LogSpectrum, HasAsManyBandsAsAskedForOrMore) {
   EXPECT_EQ(log_spectrum(sine(512, 100, 1), 1024, 1e-9).size(), 1024);
   EXPECT_EQ(log_spectrum(sine(8192, 100, 1), 8192, 1e-9).size(), 8192);
   EXPECT_EQ(log_spectrum(sine(1000, 100, 1), 1024, 1e-9).size(), 1500);
-  // Without padding a band is a cycle a window.
+  // Without padding a band is one cycle per window.
   Index highest = 0;
   EXPECT_NEAR(log_spectrum(sine(1024, 100, 1), 512, 1e-9).maxCoeff(&highest), 0, 1e-9);
   EXPECT_EQ(highest, 99);
 }
 
-// Parseval: the powers of all frequencies, negative ones and 0 among them, are the energy of the
-// tapered window times the length of the transform.
+// Parseval: the sum of the powers of all frequencies, negative ones and 0 included, is the energy
+// of the tapered window times the length of the transform.
 TEST(LogSpectrum, HoldsTheEnergyOfTheTaperedWindow) {
   constexpr Index length = 1024;
   Stream stream("parseval");
@@ -76,7 +75,7 @@ TEST(RootMeanSquare, IsAboutTheMean) {
   EXPECT_NEAR(root_mean_square(sine(1024, 100, 3)), 3 / std::numbers::sqrt2, 1e-12);
 }
 
-/// A carrier of 200 cycles and amplitude 2 in 1024 samples, modulated at 12 cycles.
+/// Returns a carrier of 200 cycles and amplitude 2 in 1024 samples, modulated at 12 cycles.
 scoring::Windows modulated(double depth) {
   constexpr double cycle = 2 * std::numbers::pi / 1024;
   scoring::Windows window(1, 1024);
@@ -88,7 +87,7 @@ scoring::Windows modulated(double depth) {
   return window;
 }
 
-// The carrier has no line; that of its modulation is as high as it swings.
+// The carrier has no line; the line of its modulation has the modulation's amplitude.
 TEST(LogEnvelopeSpectrum, OfAModulatedCarrierIsItsModulation) {
   const Eigen::ArrayXd bands = log_envelope_spectrum(modulated(0.3), 1024, 1e-6);
   ASSERT_EQ(bands.size(), 1024);

@@ -12,7 +12,7 @@
 namespace piae::diagnosis {
 namespace {
 
-/// Windows that ring at a frequency of their class, each at an angle and a level of its own.
+/// Makes windows that ring at a frequency of their class, each with its own angle and level.
 signal::WindowSet ringing(const std::string& stream_name, int of_each, std::size_t length = 1024) {
   Stream stream(stream_name);
   signal::WindowSet windows;
@@ -53,7 +53,7 @@ TEST(Nearest, OfSilentWindowsIsFinite) {
   EXPECT_EQ(named_by(ringing("training", 2), silent).size(), 3U);
 }
 
-// The distance of a window to itself is nothing, and to the nearest of another class d.
+// The distance of a window to itself is 0; that to the nearest of another class is d.
 TEST(Nearest, ScoresTheNamedClassAloneAndHasHalfSquaredDistancesForLogits) {
   const signal::WindowSet training = ringing("training", 2);
   const Outputs outputs = Nearest(training).outputs(training, "");

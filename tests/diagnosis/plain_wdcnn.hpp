@@ -1,6 +1,6 @@
 #pragma once
 
-// WDCNN in plain loops, worded as the paper words it: what every implementation of it must give.
+// WDCNN in plain loops, as described in the paper: the reference for every implementation.
 
 #include <algorithm>
 #include <cmath>
@@ -34,7 +34,8 @@ inline Channels convolved(const Channels& input, const std::vector<double>& weig
   return output;
 }
 
-/// Normalises each channel by given or, without any, by its own mean and biased variance.
+/// Normalises each channel by the given mean and variance, or by its own (biased) if none are
+/// given.
 inline void normalise(Batch& batch, const std::vector<double>& scale,
                       const std::vector<double>& shift, const std::vector<double>& mean,
                       const std::vector<double>& variance) {
@@ -94,7 +95,7 @@ inline Batch dense(const Batch& batch, const std::vector<double>& weight, std::s
   return result;
 }
 
-/// The numbers of a network, each list in the order of its shape.
+/// Numbers of a network, each list in the order of its shape.
 struct Network {
   std::function<std::vector<double>(const std::string& name)> parameter;
   /// Running statistics of batch normalisation i.
@@ -102,8 +103,8 @@ struct Network {
   std::function<std::vector<double>(std::size_t i)> variance;
 };
 
-/// Logits [n, classes] of windows: convolution, normalisation, ReLU, pooling. Normalised by the
-/// batch itself or, where `running`, by the running statistics.
+/// Returns logits [n, classes] of windows: convolution, normalisation, ReLU, pooling. Uses the
+/// running statistics if `running`, otherwise those of the batch.
 inline std::vector<double> logits(const Network& network,
                                   const std::vector<std::vector<double>>& windows,
                                   std::size_t classes, bool running) {
@@ -157,7 +158,8 @@ inline Statistics statistics(const std::vector<double>& values) {
   return result;
 }
 
-/// Of each of the 16 channels behind the first convolution, over all windows and times.
+/// Returns the statistics of each of the 16 channels after the first convolution, over all windows
+/// and times.
 inline std::vector<Statistics> first_convolution_statistics(
     const std::vector<double>& weight, const std::vector<std::vector<double>>& windows) {
   std::vector<std::vector<double>> values(16);

@@ -14,7 +14,7 @@
 
 namespace piae::diagnosis {
 
-/// Windows of noise with labels drawn at random, as a network for one core takes them.
+/// Windows of noise with random labels, in the form that a network for one core takes.
 struct RandomBatch {
   std::int64_t length;
   std::vector<float> samples;
@@ -34,7 +34,8 @@ inline RandomBatch random_batch(std::int64_t n, std::int64_t length, std::int64_
   return batch;
 }
 
-/// A parameter's numbers, or its gradient's, in the order of its shape, out of the flat vector.
+/// Returns the numbers of a parameter or of its gradient from the flat vector, in the order of its
+/// shape.
 template <class T>
 std::vector<double> unfolded(const WdcnnParameter& parameter, std::span<const T> flat) {
   std::vector<double> result(static_cast<std::size_t>(parameter.spec.size()));

@@ -19,7 +19,7 @@ inline signal::WindowSet empty_set(std::size_t length) {
   return set;
 }
 
-/// Adds windows that can be told apart: the i-th of a label holds first + i, and label at the end.
+/// Adds distinguishable windows: the i-th of a label holds first + i, and the label at the end.
 inline void add(signal::WindowSet& set, int label, std::size_t count, float first) {
   for (std::size_t i = 0; i < count; ++i) {
     set.samples.insert(set.samples.end(), set.length, static_cast<float>(label));
@@ -28,8 +28,8 @@ inline void add(signal::WindowSet& set, int label, std::size_t count, float firs
   }
 }
 
-/// Windows of 1024 samples whose class is their frequency, with any phase and some noise: what a
-/// classifier of vibrations must be able to learn.
+/// Makes windows of 1024 samples whose frequency is their class, with random phase and some noise:
+/// any classifier of vibrations must be able to learn them.
 inline LabelledWindows tones(std::size_t per_class, const std::string& stream_name) {
   Stream stream(stream_name);
   LabelledWindows set;

@@ -8,7 +8,7 @@
 
 namespace piae::diagnosis {
 
-/// What was written, as it is read again.
+/// Stores what was written and opens it for reading.
 inline artefact::Reader stored(artefact::Writer& writer, const Folder& folder,
                                const std::string& name = "stored.h5") {
   writer.save(folder / name, {"test", "", {}});

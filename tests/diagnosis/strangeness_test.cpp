@@ -22,7 +22,7 @@ double distance(const BandPowers& a, Eigen::Index i, const BandPowers& b, Eigen:
   return std::sqrt((a.row(i) - b.row(j)).squaredNorm());
 }
 
-/// Four healthy windows in two blocks of the time, and two faults; windows to be asked about.
+/// Four healthy windows in two blocks of time, two faults, and windows to predict.
 class StrangenessOfToys : public testing::Test {
  protected:
   StrangenessOfToys() {
@@ -32,10 +32,10 @@ class StrangenessOfToys : public testing::Test {
     add_dull(reference_, 2, -0.9, stream);
     for (const double dull : {0.0, 0.9, -0.5, 0.3}) add_dull(asked_, 0, dull, stream);
     const WindowSet four = asked_;
-    for (int i = 0; i < 70; ++i) asked_.append(four, 3);  // more than are looked at together
+    for (int i = 0; i < 70; ++i) asked_.append(four, 3);  // more than one batch
   }
 
-  /// The distance of a window to the nearest of the reference whose label is not this one.
+  /// Returns the distance of a window to the nearest reference window whose label is not `but`.
   [[nodiscard]] double nearest(const BandPowers& windows, Eigen::Index i, Label but) const {
     const BandPowers bands = band_powers(reference_);
     double least = std::numeric_limits<double>::infinity();
@@ -86,7 +86,7 @@ TEST_F(StrangenessOfToys, WithoutAClassIsThatOfTheOthers) {
   expect_by_hand(strangeness.without(2), 2);
 }
 
-// What is close in time does not vouch: a window and its copy in the same block.
+// Neighbours in time do not vouch for each other: a window and its copy in the same block.
 TEST_F(StrangenessOfToys, LeavesOutWhatIsCloseInTime) {
   WindowSet reference = empty_set(1024);
   reference.append(reference_, 0);
@@ -100,7 +100,7 @@ TEST_F(StrangenessOfToys, LeavesOutWhatIsCloseInTime) {
   const double to_nearest = std::min(distance(band_powers(asked), 0, bands, 0),
                                      distance(band_powers(asked), 0, bands, 2));
   EXPECT_NEAR(Strangeness(reference, {0, 0, 1, 1}).of(asked)[0], to_nearest / between, 1e-9);
-  // Had each copy vouched for the other, the threshold would be nothing.
+  // If each copy vouched for the other, the threshold would be almost 0.
   EXPECT_GT(Strangeness(reference, {0, 1, 2, 3}).of(asked)[0], 1e4);
 }
 

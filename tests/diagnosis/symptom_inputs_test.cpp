@@ -11,7 +11,7 @@
 namespace piae::diagnosis {
 namespace {
 
-/// The rows of a scale, and those of windows that are tested.
+/// Rows of a scale, and rows of tested windows.
 struct ScaledRows {
   ScaledRows(const signal::WindowSet& normal, const signal::WindowSet& all,
              const signal::WindowSet& tested)
@@ -49,8 +49,8 @@ TEST_F(SymptomRowsOf, AreStandardisedByTheTrainingWindowsAndClipped) {
   }
 }
 
-// The largest novelty of a healthy window is 1 / 1.2 when its block is left out. It would be less
-// against a baseline that holds the window itself.
+// The largest novelty of a healthy window is 1 / 1.2 if its block is left out. Against a baseline
+// that holds the window itself it would be less.
 TEST_F(SymptomRowsOf, HaveOfHealthyWindowsTheNoveltyOfABlockThatIsLeftOut) {
   const ScaledRows inputs(normal_, training_, normal_);
   const Eigen::Index novelty = inputs.training.cols() - 1;
@@ -63,8 +63,8 @@ TEST_F(SymptomRowsOf, HaveOfHealthyWindowsTheNoveltyOfABlockThatIsLeftOut) {
             1e-12);
 }
 
-/// Sets of a split whose healthy windows were heard at these two speeds, and the others at the
-/// first of them, which is not that of the data set.
+/// Sets of a split whose healthy windows have these two speeds, and the others the first of them,
+/// which is not that of the data set.
 class SymptomRowsAtSpeeds : public testing::Test {
  protected:
   SymptomRowsAtSpeeds() {
@@ -80,8 +80,8 @@ class SymptomRowsAtSpeeds : public testing::Test {
     normal_.shaft_speed_rpm.assign(10, rpm);
     normal_.shaft_speed_rpm.insert(normal_.shaft_speed_rpm.end(), 10, other_rpm);
   }
-  /// Whether windows have the rows in the training that they have when they are tested, where
-  /// each is measured at its own speed. They are the training's from `first` on.
+  /// Expects that windows have the same rows in training as in testing, where each is measured at
+  /// its own speed. They start at row `first` of the training.
   void expect_as_tested(const signal::WindowSet& windows, Eigen::Index first) {
     const ScaledRows inputs(normal_, compose_training_set(normal_, known_, &generated_, 5),
                             windows);

@@ -15,7 +15,7 @@ class SymptomNetOfToys : public testing::Test {
     Stream stream("net");
     add_struck(normal_, 0, 40, stream);
     training_ = normal_;
-    // The strikes it learns from are louder, as those of another machine might be.
+    // Impacts in training have a higher level, as those of another machine might.
     for (const Label label : {1, 2}) add_struck(training_, label, 20, stream, 14);
     for (const Label label : {0, 1, 2}) add_struck(test_, label, 20, stream, 9);
   }

@@ -10,8 +10,8 @@
 namespace piae::diagnosis {
 namespace {
 
-/// Points of which the class says whether the first two numbers have the same sign: no line parts
-/// these classes, so the hidden layer has to learn, too.
+/// Points whose class depends on whether the first two numbers have the same sign. No line
+/// separates these classes, so the hidden layer must learn, too.
 struct Quadrants {
   Quadrants(const std::string& name, Eigen::Index count) : rows(count, 17) {
     Stream stream(name);

@@ -7,7 +7,7 @@
 
 namespace piae::diagnosis {
 
-/// A training of WDCNN, and what the network makes of other windows.
+/// A training of WDCNN, and the network's output for other windows.
 struct WdcnnResult {
   Training training;
   Outputs outputs;

@@ -1,7 +1,7 @@
 #pragma once
 
-// What is true of the training of WDCNN whatever computes it. The test of each back end includes
-// these cases and instantiates them with its own.
+// Tests of WDCNN's training for every back end. The test of each back end includes these cases and
+// instantiates them with its own.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -33,7 +33,7 @@ inline double share_equal(const std::vector<std::int32_t>& a, const std::vector<
   return equal / static_cast<double>(a.size());
 }
 
-/// A name for the test, and the back end.
+/// Name of the test, and its back end.
 struct TrainedBy {
   const char* name;
   MakeWdcnnBackend backend;
@@ -58,9 +58,9 @@ TEST_P(WdcnnTraining, LearnsTones) {
   EXPECT_GT(result.training.seconds, 0);
 }
 
-/// exp(a) / exp(b) of two logits is the ratio of their scores.
+/// The ratio of two scores is exp(a) / exp(b) of their logits.
 TEST_P(WdcnnTraining, KeepsWhatItsLayersMakeOfEachTestWindow) {
-  const LabelledWindows test = tones(35, "test");  // 105 windows: more than are tried at a time
+  const LabelledWindows test = tones(35, "test");  // 105 windows: more than one batch
   const Outputs outputs =
       train_and_test(tones(5, "train"), test, short_training(), Stream("layers"), backend())
           .outputs;
@@ -81,7 +81,7 @@ TEST_P(WdcnnTraining, KeepsWhatItsLayersMakeOfEachTestWindow) {
 }
 
 TEST_P(WdcnnTraining, ScoresAreProbabilitiesAndPredictionsTheirMaximum) {
-  const LabelledWindows test = tones(35, "test");  // 105 windows: more than are tried at a time
+  const LabelledWindows test = tones(35, "test");  // 105 windows: more than one batch
   const WdcnnResult result =
       train_and_test(tones(5, "train"), test, short_training(), Stream("scores"), backend());
   ASSERT_EQ(result.predictions.size(), 105U);
@@ -96,7 +96,7 @@ TEST_P(WdcnnTraining, ScoresAreProbabilitiesAndPredictionsTheirMaximum) {
 }
 
 TEST_P(WdcnnTraining, StartsFromTheLossOfAGuess) {
-  // A step so small that nothing is learnt: cross-entropy stays near that of chance, ln 3.
+  // The step is too small to learn anything: cross-entropy stays near chance, ln 3.
   WdcnnOptions options = short_training(1);
   options.learning_rate = 1e-12;
   const WdcnnResult result =
@@ -105,7 +105,7 @@ TEST_P(WdcnnTraining, StartsFromTheLossOfAGuess) {
 }
 
 TEST_P(WdcnnTraining, GivesTheSameBitsForTheSameStream) {
-  const LabelledWindows train = tones(11, "train");  // 33 windows: the last batch is of 9
+  const LabelledWindows train = tones(11, "train");  // 33 windows: the last batch has 9
   const LabelledWindows test = tones(4, "test");
   const auto run = [&](const char* name) {
     return train_and_test(train, test, short_training(), Stream(name), backend());

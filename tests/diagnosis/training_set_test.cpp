@@ -94,17 +94,17 @@ TEST_F(TrainingSet, TakesOneSpeedForThatOfGeneratedWindowsThatAreSilent) {
     const WindowSet set = compose_training_set(normal, known, &generated, 1);
     return set.speed_rpm(set.size() - 1);
   };
-  EXPECT_EQ(speed_of_generated(), 1800);  // of the data set, where no window says another
+  EXPECT_EQ(speed_of_generated(), 1800);  // speed of the data set, if windows record none
   normal.shaft_speed_rpm.assign(6, 900);
   known.shaft_speed_rpm.assign(4, 900);
   normal.info.conditions = {{.name = "900 rpm", .shaft_speed_rpm = 900}};
   EXPECT_EQ(speed_of_generated(), 900);
-  // A machine does not turn equally fast in all records: 2 % are one speed.
+  // A machine's speed varies slightly between records: 2 % count as one speed.
   known.shaft_speed_rpm = {900, 902, 910, 905};
   EXPECT_EQ(speed_of_generated(), 905);
   known.shaft_speed_rpm = {900, 902, 925, 905};
   EXPECT_TRUE(std::isnan(speed_of_generated()));
-  // What is tested at another speed may be generated for that.
+  // A window tested at another speed may have been generated for that speed.
   known.shaft_speed_rpm.assign(4, 900);
   normal.info.conditions.push_back({.name = "600 rpm", .shaft_speed_rpm = 600});
   EXPECT_TRUE(std::isnan(speed_of_generated()));

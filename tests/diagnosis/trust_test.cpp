@@ -15,7 +15,7 @@ namespace {
 
 using signal::WindowSet;
 
-/// Says of windows what it was told to say, whatever they are.
+/// Returns the given logits for any windows.
 class Told final : public Trained {
  public:
   explicit Told(std::vector<float> logits) : logits_(std::move(logits)) {}
@@ -47,12 +47,13 @@ class TrustByHand : public testing::Test {
     for (const Label label : {0, 1, 2, 0, 1, 2, 1, 2}) {
       add_dull(test_, label, label == 0 ? 0.05 : label == 1 ? 0.85 : -0.85, stream);
     }
-    for (int t = 0; t < 1024; ++t) {  // a tone, which looks like none of them
+    for (int t = 0; t < 1024; ++t) {  // a tone, unlike all of them
       test_.samples.push_back(static_cast<float>(std::sin(0.5 * t) + stream.normal(0, 0.01)));
     }
     test_.labels.push_back(2);
   }
-  /// The first six windows are named surely, four of them rightly; the others less surely.
+  /// Returns a classifier that gives the first six windows high scores, four of them correctly; the
+  /// others have lower scores.
   [[nodiscard]] KeptClassifier kept(double temperature) const {
     const auto sure = static_cast<float>(std::log(18.0));
     const auto less_sure = static_cast<float>(std::log(2.0));
@@ -78,8 +79,8 @@ class TrustByHand : public testing::Test {
   WindowSet test_ = empty_set(1024);
 };
 
-// exp(ln 18) = 18 against 1 and 1 is 0.9, of four right of six; 2 against 1 and 1 is 0.5, of one
-// right of three. By the temperature ln 18 / ln 4 the first are 4 against 1 and 1.
+// exp(ln 18) = 18 against 1 and 1 is 0.9, with four of six correct; 2 against 1 and 1 is 0.5, with
+// one of three correct. The temperature ln 18 / ln 4 makes the first 4 against 1 and 1.
 TEST_F(TrustByHand, IsHowOftenItIsRightAndHowMuchItErrsWhereItSaysSo) {
   const double temperature = std::log(18.0) / std::log(4.0);
   KeptClassifier classifier = kept(temperature);
@@ -99,7 +100,7 @@ TEST_F(TrustByHand, CountsWhatIsCalledUnknown) {
   EXPECT_DOUBLE_EQ(trust_in(classifier, test_).called_unknown, static_cast<double>(count) / 9);
 }
 
-// Pair by pair: windows of the class that is left out against all others.
+// Compares pairs: windows of the left-out class against all others.
 TEST_F(TrustByHand, TellsAClassThatWasNotTrainedFromTheOthers) {
   KeptClassifier classifier = kept(1);
   const Trust trust = trust_in(classifier, test_);
@@ -122,7 +123,7 @@ TEST_F(TrustByHand, TellsAClassThatWasNotTrainedFromTheOthers) {
     EXPECT_DOUBLE_EQ(trust.untrained.at(label).called_unknown,
                      unknown / static_cast<double>(test_.count_of(label)));
   }
-  // Of class 1 the tone alone, one of six others, is stranger; it is of class 2 itself.
+  // Only one of the six other windows is more novel than class 1: the tone, which is of class 2.
   EXPECT_NEAR(trust.untrained.at(1).auroc, 5.0 / 6, 1e-12);
   EXPECT_EQ(trust.untrained.at(2).auroc, 1);
 }
@@ -164,7 +165,7 @@ TEST_F(StoredTrust, IsOfSharesAlone) {
                "/trust/untrained_auroc");
 }
 
-// One that stands for a class that there is not, or for healthy windows, was written by no stage.
+// Entries for classes that do not exist, or for healthy windows, are never written.
 TEST_F(StoredTrust, IsOfEachClassOfFaultOnce) {
   for (const Label label : {-1, 0, 3}) {
     Trust other = trust_;

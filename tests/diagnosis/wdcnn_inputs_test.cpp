@@ -16,7 +16,7 @@
 namespace piae::diagnosis {
 namespace {
 
-/// Two windows of noise, of the classes 2 and 0; the second has 50 times the gain.
+/// Returns two windows of noise, of classes 2 and 0; the second has 50 times the gain.
 signal::WindowSet two_of_noise(std::size_t length) {
   Stream stream("spectral inputs");
   signal::WindowSet set = empty_set(length);
@@ -36,8 +36,7 @@ scoring::Windows row_of(const signal::WindowSet& set, std::size_t i) {
       .cast<double>();
 }
 
-/// Whether the inputs are the bands but for offset and scale, which must be those of a mean of 0
-/// and a standard deviation of 1.
+/// Expects the inputs to be the bands, scaled to mean 0 and standard deviation 1.
 void expect_standardised(std::span<const float> inputs, const Eigen::ArrayXd& bands) {
   ASSERT_EQ(inputs.size(), static_cast<std::size_t>(bands.size()));
   const double mean = bands.mean();
@@ -109,7 +108,7 @@ TEST(SpectralInputs, OfASilentBandAreFiniteAndDoNotDependOnTheGain) {
       ASSERT_NEAR(seen[i], seen[1024 + i], 1e-3) << i;
     }
   }
-  // A steady tone has no envelope spectrum: nothing stands out of it.
+  // A steady tone has a flat envelope spectrum.
   EXPECT_THAT(log_envelope_spectra(set, "--test").samples, testing::Each(0));
 }
 

@@ -24,7 +24,7 @@ RandomBatch batch_of(std::int64_t n, std::int64_t length = 1024,
   return random_batch(n, length, classes, name);
 }
 
-/// Scales and shifts of batch normalisation are other than 1 and 0, so that they count; some scales
+/// Scales and shifts of batch normalisation differ from 1 and 0, so that they matter; some scales
 /// are negative.
 template <class T>
 WdcnnNetwork<T> example_network(std::int64_t length = 1024) {
@@ -64,7 +64,7 @@ std::vector<std::vector<double>> rows_of(const RandomBatch& batch) {
   return rows;
 }
 
-/// Without what fills vectors up.
+/// Returns the numbers without the vectors' padding.
 std::vector<double> channels(std::span<const double> held, std::size_t count) {
   return {held.begin(), held.begin() + static_cast<std::ptrdiff_t>(count)};
 }
@@ -81,12 +81,12 @@ std::vector<double> by_plain_loops(WdcnnNetwork<double>& network, const RandomBa
 }
 
 TEST(WdcnnNetwork, GivesTheLogitsOfPlainLoops) {
-  for (const std::int64_t length : {1024, 1040}) {  // 1040: a time is left over in pooling
+  for (const std::int64_t length : {1024, 1040}) {  // 1040: pooling ignores the last time
     WdcnnNetwork<double> network = example_network<double>(length);
     const RandomBatch batch = batch_of(3, length);
     expect_near(logits(network, batch, true), by_plain_loops(network, batch, false), 1e-12,
                 "training");
-    // The pass above has moved the running statistics away from 0 and 1.
+    // The training pass has moved the running statistics away from 0 and 1.
     expect_near(logits(network, batch, false), by_plain_loops(network, batch, true), 1e-12,
                 "evaluation");
   }

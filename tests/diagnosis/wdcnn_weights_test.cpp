@@ -12,7 +12,7 @@
 namespace piae::diagnosis {
 namespace {
 
-/// One that has learned a little.
+/// Returns a network with a short training.
 TrainedWdcnn little_trained() {
   return train_wdcnn(tones(6, "weights"), {.epochs = 2, .batch = 8, .learning_rate = 1e-3},
                      Stream("weights"), make_one_core_backend);
@@ -42,7 +42,7 @@ TEST_F(StoredWeights, ComeBackAsTheyWereUnderTheNamesOfTheirLayers) {
   EXPECT_EQ(read.parameters, weights.parameters);
   EXPECT_EQ(read.running_means, weights.running_means);
   EXPECT_EQ(read.running_variances, weights.running_variances);
-  // What batch normalisation starts from: if it had learned nothing, this test would not see it.
+  // The running statistics differ from their initial values; otherwise this test would see nothing.
   EXPECT_NE(read.running_means[5], std::vector<float>(100, 0));
   EXPECT_NE(read.running_variances[0], std::vector<float>(16, 1));
   for (const std::string name :
@@ -53,7 +53,7 @@ TEST_F(StoredWeights, ComeBackAsTheyWereUnderTheNamesOfTheirLayers) {
 
 TEST_F(StoredWeights, MakeTheSameOfWindowsAsTheNetworkThatLearned) {
   const TrainedWdcnn learned = little_trained();
-  const LabelledWindows asked = tones(25, "asked");  // 75: more than are tried at a time
+  const LabelledWindows asked = tones(25, "asked");  // 75: more than one batch
   const Outputs before = learned.network->outputs(asked);
   const Outputs after = wdcnn_of(learned.network->weights())->outputs(asked);
   EXPECT_EQ(after.scores, before.scores);

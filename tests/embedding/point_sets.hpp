@@ -9,7 +9,7 @@
 
 namespace piae::embedding {
 
-/// Normally distributed points around 0.
+/// Returns normally distributed points around 0.
 inline Points cloud(Eigen::Index count, Eigen::Index dimensions, const std::string& name) {
   Stream stream(name);
   Points points(count, dimensions);
@@ -17,8 +17,8 @@ inline Points cloud(Eigen::Index count, Eigen::Index dimensions, const std::stri
   return points;
 }
 
-/// Three clouds in turn: row i belongs to cloud i % 3. Their centres are `distance` standard
-/// deviations from 0, along the first three coordinates.
+/// Returns three interleaved clouds: row i belongs to cloud i % 3. Their centres are `distance`
+/// standard deviations from 0, along the first three coordinates.
 inline Points three_clouds(Eigen::Index count, Eigen::Index dimensions, double distance,
                            const std::string& name) {
   Points points = cloud(count, dimensions, name);
@@ -26,7 +26,7 @@ inline Points three_clouds(Eigen::Index count, Eigen::Index dimensions, double d
   return points;
 }
 
-/// The threads of OpenMP while it lives.
+/// Sets the number of OpenMP threads during its lifetime.
 class Threads {
  public:
   explicit Threads(int count) : before_(omp_get_max_threads()) { omp_set_num_threads(count); }

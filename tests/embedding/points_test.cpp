@@ -19,7 +19,7 @@ TEST(SquaredDistances, AreSumsOfSquaredDifferences) {
   EXPECT_EQ(distances, distances.transpose());
 }
 
-/// A product of matrices would leave what rounding makes of 1e16 - 1e16.
+/// Computing distances by a matrix product would leave the rounding error of 1e16 - 1e16.
 TEST(SquaredDistances, OfEqualPointsFarFromZeroAreZero) {
   const Points points = Points::Constant(3, 5, 1e8 / 3);
   EXPECT_TRUE(squared_distances(points).isZero(0));

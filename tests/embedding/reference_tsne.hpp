@@ -6,8 +6,8 @@
 
 #include "embedding/points.hpp"
 
-/// t-SNE's cost by plain loops over its equations, as something to compare with: nothing is shared
-/// with src/embedding but the type of the points.
+/// Reference for t-SNE's cost: plain loops over its equations. Shares nothing with src/embedding
+/// but the type of the points.
 namespace piae::embedding::reference {
 
 using Table = std::vector<std::vector<double>>;
@@ -24,7 +24,7 @@ inline double perplexity_of(const std::vector<double>& probabilities) {
   return std::pow(2.0, bits);
 }
 
-/// Eq. 1, with a bandwidth for all others but i.
+/// Eq. 1, with one bandwidth for all points but i.
 inline std::vector<double> neighbours_of(const Points& points, Eigen::Index i, double sigma) {
   std::vector<double> p(static_cast<std::size_t>(points.rows()));
   double sum = 0;
@@ -37,7 +37,7 @@ inline std::vector<double> neighbours_of(const Points& points, Eigen::Index i, d
   return p;
 }
 
-/// p_ij of Section 3.1, the bandwidths by bisection.
+/// Returns p_ij of Section 3.1; finds the bandwidths by bisection.
 inline Table pair_probabilities(const Points& points, double perplexity) {
   const auto n = static_cast<std::size_t>(points.rows());
   Table conditional(n);

@@ -1,4 +1,4 @@
-// The divergence that our t-SNE reaches, beside that of R's package Rtsne, where it is installed
+// Compares the divergence that our t-SNE reaches with that of R's package Rtsne, if it is installed
 // (apt-get install r-cran-rtsne).
 
 #include <gtest/gtest.h>
@@ -16,8 +16,9 @@ namespace {
 
 bool succeeds(const std::string& command) { return std::system(command.c_str()) == 0; }
 
-/// Both exact, and with as many steps. R starts from its own principal components, at our scale:
-/// chance starts end in worse minima. It prints the cost of the last step with all digits.
+/// Both programs are exact and take equally many steps. R starts from its own principal components,
+/// at our scale, because random starts end in worse minima. R prints the cost of the last step with
+/// all digits.
 const std::string script = R"(
 points <- as.matrix(read.csv("points.csv", header = FALSE))
 start <- prcomp(points)$x[, 1:2]

@@ -14,7 +14,7 @@ double deviation(const Eigen::ArrayXd& values) {
 }
 
 /// Points on a known ellipse in space: axes of 10 and 2 along (3, 4, 0) / 5 and (0, 0, -1), about
-/// (100, 200, 300). Their deviations are those over sqrt(2), whose ratio is 5.
+/// (100, 200, 300). Their standard deviations are the axes over sqrt(2), whose ratio is 5.
 TEST(FirstPlaces, AreTheFirstTwoPrincipalComponents) {
   constexpr Eigen::Index n = 40;
   Points points(n, 3);
@@ -23,7 +23,7 @@ TEST(FirstPlaces, AreTheFirstTwoPrincipalComponents) {
     const double angle = 2 * M_PI * static_cast<double>(i) / n;
     points.row(i) << 100 + 6 * std::cos(angle), 200 + 8 * std::cos(angle),
         300 - 2 * std::sin(angle);
-    // The largest loading of the second component is made positive, so it points along (0, 0, 1).
+    // The largest loading of the second component must be positive, so it points along (0, 0, 1).
     expected.row(i) << 1e-4 * std::sqrt(2) * std::cos(angle),
         -1e-4 * std::sqrt(2) * std::sin(angle) / 5;
   }

@@ -22,7 +22,8 @@ Points on_a_line(std::initializer_list<double> values) {
   return points;
 }
 
-/// 1 + how many others are nearer to i than j, or as near with a smaller index.
+/// Returns 1 plus the number of points that are nearer to i than j, or equally near with a smaller
+/// index.
 Index rank_of(const Points& points, Index i, Index j) {
   Index rank = 1;
   const double distance = reference::squared_distance(points, i, j);
@@ -52,16 +53,16 @@ TEST(Trustworthiness, OfTheIdentityIsOne) {
   EXPECT_EQ(trustworthiness(points, -3 * points, 5), 1);
 }
 
-/// The map puts c, at 3, between a and b. With k = 1 the nearest on the map, and its rank among the
-/// points, is c for a (after b: 2), c for b (after a: 2), a for c (after d, b and e: 4), e for d
-/// (1), and d for e (1). So it is 1 - 2 (1 + 1 + 3) / (5 * 1 * (10 - 3 - 1)) = 1 - 10 / 30.
+/// The map puts c, at 3, between a and b. With k = 1, the nearest on the map and its rank among the
+/// points is: c for a (after b: 2), c for b (after a: 2), a for c (after d, b and e: 4), e for d
+/// (1), d for e (1). So the value is 1 - 2 (1 + 1 + 3) / (5 * 1 * (10 - 3 - 1)) = 1 - 10 / 30.
 TEST(Trustworthiness, EqualsTheHandWorkedValue) {
   const Points points = on_a_line({0, 1, 3, 4.5, 5.5});
   const Points map = on_a_line({0, 1, 0.4, 4.5, 5.5});
   EXPECT_NEAR(trustworthiness(points, map, 1), 1 - 10.0 / 30, 1e-15);
 }
 
-/// The only neighbour of each on the map is d, d, a and a: the one that is farthest from it.
+/// The nearest neighbours on the map are d, d, a and a: for each point, the farthest one.
 TEST(Trustworthiness, IsZeroWhereEachNeighbourIsTheFarthest) {
   const Points points = on_a_line({0, 0.1, 10, 10.1});
   const Points map = on_a_line({0, 2.5, -1.5, 1});
@@ -77,7 +78,7 @@ TEST(Trustworthiness, IsThatOfTheDefinition) {
   EXPECT_EQ(trustworthiness(points, map), trustworthiness(points, map, 12));
 }
 
-/// On a grid of whole numbers most distances come more than once.
+/// On a grid of whole numbers most distances occur more than once.
 TEST(Trustworthiness, TakesTheSmallerIndexOfEquallyNearPoints) {
   Points points(36, 2);
   for (Index i = 0; i < 36; ++i) {

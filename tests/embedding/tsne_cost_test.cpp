@@ -10,7 +10,7 @@
 namespace piae::embedding {
 namespace {
 
-constexpr Eigen::Index count = 75;  // not a multiple of a vector's length, nor of a block's
+constexpr Eigen::Index count = 75;  // not a multiple of the length of a vector or of a block
 constexpr double perplexity = 12;
 
 struct TsneCost : testing::Test {
@@ -26,7 +26,7 @@ TEST_F(TsneCost, IsThatOfTheDefinition) {
   }
 }
 
-/// The cost is that of the reference, so what is compared shares nothing.
+/// The differences use the cost of the reference, so both sides are independent.
 TEST_F(TsneCost, HasTheGradientThatItsDifferencesShow) {
   const KlGradient gradient_at(probabilities);
   for (const double size : {0.01, 1.0, 10.0}) {
@@ -43,8 +43,7 @@ TEST_F(TsneCost, HasTheGradientThatItsDifferencesShow) {
   }
 }
 
-/// The probabilities stand in the gradient once, as they are: exaggeration adds (e - 1) times what
-/// they do.
+/// The gradient is linear in the probabilities: exaggeration e adds (e - 1) times the attraction.
 TEST_F(TsneCost, IsExaggeratedByMoreAttraction) {
   const KlGradient gradient_at(probabilities);
   const Plane map = cloud(count, 2, "map");
@@ -54,7 +53,7 @@ TEST_F(TsneCost, IsExaggeratedByMoreAttraction) {
   EXPECT_TRUE(exaggerated.isApprox(12 * attraction + repulsion, 1e-12));
 }
 
-/// Four points so far apart that what rounding leaves of 1 + w counts most.
+/// Four points so far apart that the rounding of 1 + w dominates.
 TEST_F(TsneCost, HasTheGradientOfFewPointsFarApart) {
   const Eigen::MatrixXd equal =
       (Eigen::MatrixXd::Ones(4, 4) - Eigen::MatrixXd::Identity(4, 4)) / 12;
@@ -69,7 +68,7 @@ TEST_F(TsneCost, HasTheGradientOfFewPointsFarApart) {
   }
 }
 
-/// So many that a step is shared out.
+/// Enough points that a step runs on several threads.
 TEST_F(TsneCost, AndItsGradientDoNotDependOnTheNumberOfThreads) {
   const Points many = cloud(1100, 5, "many");
   const Plane map = cloud(1100, 2, "map");

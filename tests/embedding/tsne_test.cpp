@@ -27,7 +27,7 @@ TEST(Tsne, ReportsTheDivergenceOfItsMap) {
   EXPECT_NEAR(map.kl_divergence, expected, 1e-8);
 }
 
-/// At a place where nothing is left to gain, the reference rises in every direction.
+/// At the minimum, the reference cost rises in every direction.
 TEST(Tsne, EndsWhereTheCostIsLeast) {
   const Points points = three_clouds(60, 8, 4, "points");
   TsneMap map = tsne(points, {.perplexity = 10, .iterations = 2000});
@@ -43,7 +43,7 @@ TEST(Tsne, EndsWhereTheCostIsLeast) {
   }
 }
 
-/// Every point is nearer to all of its own cloud than to any of another.
+/// Each point is nearer to all points of its own cloud than to any of another cloud.
 TEST(Tsne, KeepsSeparateCloudsSeparate) {
   const Points points = three_clouds(150, 20, 30, "points");
   const TsneMap map = tsne(points, {.perplexity = 30});
@@ -63,7 +63,7 @@ TEST(Tsne, KeepsSeparateCloudsSeparate) {
   EXPECT_GT(trustworthiness(points, map.points), 0.9);
 }
 
-/// A sheet that is rolled up in space has a map that is as good as the sheet.
+/// A rolled-up sheet has a map as good as that of the flat sheet.
 TEST(Tsne, UnrollsASheet) {
   Stream stream("sheet");
   Points points(300, 3);
@@ -118,7 +118,7 @@ TEST(Tsne, TakesNoNoticeOfAConstantCoordinate) {
   EXPECT_TRUE(with.points.isApprox(without.points, 1e-3));
 }
 
-/// All pairs are equally probable, and near each other they are so on the map: nothing is lost.
+/// All pairs are equally probable, and all are near each other on the map: no information is lost.
 TEST(Tsne, OfPointsThatAreAllEqualLosesNothing) {
   const TsneMap map = tsne(Points::Constant(50, 4, 3.5), {.perplexity = 10});
   EXPECT_TRUE(map.points.allFinite());

@@ -20,8 +20,7 @@ TEST(Catalogue, HasAScriptForEachFigure) {
   }
 }
 
-/// What other scripts load, or what draws a table and no figure of a run, says so in its first
-/// lines.
+/// True if the first lines of a script state that others load it, or that it draws a table.
 bool is_no_figure(const fs::path& script) {
   std::ifstream file(script);
   std::string text(300, ' ');

@@ -38,7 +38,7 @@ TEST_F(Confusion, HasNoRowsOfAClassWithoutTestWindows) {
   EXPECT_THAT(confusions(one).csv(), Not(HasSubstr(",OR,Normal")));
 }
 
-/// A picture of no cells cannot be drawn.
+/// A picture without cells cannot be drawn.
 TEST_F(Confusion, IsLeftOutWithoutACellByThePapersClassifier) {
   add(by("nearest", diagnosis("none", "100to1", 0, 0, 12)));
   Source one{layout_, {.dataset = "cwru", .scored = {}, .combinations = {}, .seeds = {}}, {}};

@@ -11,7 +11,7 @@ using testing::Not;
 
 class CriticalDifference : public StoredSource {
  protected:
-  /// In every seed shift is the best, then comes piae-dt, then none.
+  /// Adds seeds in which shift is the best, then piae-dt, then none.
   void add_seeds(int seeds) const {
     for (int seed = 0; seed < seeds; ++seed) {
       add(diagnosis("none", "100to1", 0, seed, 10));
@@ -26,8 +26,8 @@ class CriticalDifference : public StoredSource {
   }
 };
 
-/// By hand: five times the same order of three is p = 1 / 6^4; the difference is 2.3437 sqrt(12 /
-/// 30).
+/// By hand: the same order of three, five times, gives p = 1 / 6^4; the difference is 2.3437
+/// sqrt(12 / 30).
 TEST_F(CriticalDifference, HasTheMethodsBestFirstAndTheTest) {
   add_seeds(5);
   const Numbers numbers = numbers_of("0 1 2 3 4");
@@ -40,7 +40,7 @@ TEST_F(CriticalDifference, HasTheMethodsBestFirstAndTheTest) {
   EXPECT_EQ(field(numbers, "10to1,method,none", 8).substr(0, 6), "1.4822");
 }
 
-/// Neighbours are one rank apart, the ends two: more than 1.48.
+/// Neighbours are one rank apart, the ends two, more than 1.48.
 TEST_F(CriticalDifference, JoinsWhatIsNotFartherApart) {
   add_seeds(5);
   const Numbers numbers = numbers_of("0 1 2 3 4");
@@ -51,7 +51,7 @@ TEST_F(CriticalDifference, JoinsWhatIsNotFartherApart) {
   EXPECT_EQ(field(numbers, "10to1,alike,,3", 4), "no row");
 }
 
-/// Two seeds: the difference is 2.34, more than there is between the ends.
+/// Two seeds: the difference is 2.34, more than the distance between the ends.
 TEST_F(CriticalDifference, HasOneBarWhereAllAreAlike) {
   add_seeds(2);
   const Numbers numbers = numbers_of("0 1");

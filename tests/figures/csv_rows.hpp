@@ -10,7 +10,7 @@
 
 namespace piae::figures {
 
-/// The rows of a figure's CSV, each by the names of its columns.
+/// Rows of a figure's CSV, with fields by column name.
 class CsvRows {
  public:
   using Row = std::map<std::string, std::string>;
@@ -29,7 +29,7 @@ class CsvRows {
 
   [[nodiscard]] const std::vector<std::string>& header() const { return header_; }
 
-  /// The rows with these values.
+  /// Returns the rows with these values.
   [[nodiscard]] std::vector<Row> where(const Row& wanted) const {
     std::vector<Row> found;
     for (const Row& row : rows_) {

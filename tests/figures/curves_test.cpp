@@ -9,8 +9,7 @@ namespace {
 
 class CurvesOfAModel : public StoredSource {
  protected:
-  /// Four epochs, of which the first and third are of Stage 1, or with `stage_epochs` 2 the first
-  /// two.
+  /// Adds four epochs; the first and third are of Stage 1, or with `stage_epochs` 2 the first two.
   void add_model(int seed, double loss, const std::string& stage_epochs) const {
     const std::vector<double> falling{4 * loss, 3 * loss, 2 * loss, loss};
     const std::vector<double> ones(4, 1);
@@ -42,7 +41,7 @@ TEST_F(CurvesOfAModel, AreFollowedByTheirMeanOverTheSeeds) {
   EXPECT_EQ(field(weight_curves(both), "mean,1,3,alpha", 4), "3");
 }
 
-/// L_Rec falls from 4 to 1, or from 8 to 2: 6 and 1.5 as means.
+/// L_Rec falls from 4 to 1, or from 8 to 2; the means are 6 and 1.5.
 TEST_F(CurvesOfAModel, OfTheWeightsHaveTheirStationaryPointBeside) {
   add_model(0, 1, "1");
   add_model(1, 2, "1");

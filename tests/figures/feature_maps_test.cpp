@@ -14,7 +14,8 @@
 namespace piae::figures {
 namespace {
 
-/// Of 20 windows, 10 of class OR lie around 0 and, between them, 10 of class IR around 50.
+/// Returns features of 20 windows: 10 of class OR around 0, alternating with 10 of class IR around
+/// 50.
 scoring::Features two_clouds() {
   scoring::Features features;
   for (int i = 0; i < 20; ++i) {

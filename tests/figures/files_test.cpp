@@ -65,13 +65,13 @@ TEST_F(FigureFiles, OfAccuraciesAreOneForEachClassifier) {
   EXPECT_THAT(save_pictures(two, figure_), ElementsAre(file("fig"), file("fig@wdcnn-envelope")));
   EXPECT_EQ(bytes_of(file("fig")), "value\n62.5\n");
   EXPECT_EQ(bytes_of(file("fig@wdcnn-envelope")), "value\n90\n");
-  // What a classifier lacks is left out of its picture alone.
+  // Data that a classifier lacks affects only its own picture.
   figure_.accuracies = of_paper_alone;
   EXPECT_THAT(save_pictures(two, figure_), ElementsAre(file("fig")));
   EXPECT_THAT(stored_pictures(layout_, figure_), ElementsAre("fig"));
 }
 
-/// Where no fault is known, a run may have rules and symptom-net alone.
+/// If no fault is known, a run may have only rules and symptom-net.
 TEST_F(FigureFiles, OfAccuraciesDoNotNeedThePapersClassifier) {
   for (const int seed : {0, 1}) add(by("symptom-net", diagnosis("vae", "10to1", 45, seed, 18)));
   figure_.accuracies = first_mean;

@@ -58,7 +58,7 @@ TEST_F(Gains, OfTheModelsNeedAnAblation) {
   EXPECT_ERROR(gains_of_models(all, all.accuracies().front()), Exit::input_missing, "ablation");
 }
 
-// Numbers without a row could not be drawn.
+// Numbers without rows cannot be drawn.
 TEST_F(Gains, OfTheMethodsNeedOneThatIsNoAblation) {
   add_baseline();
   for (const int seed : {0, 1}) add(diagnosis("ae", "10to1", 45, seed, 15));
@@ -82,7 +82,7 @@ TEST_F(Gains, AccuraciesHaveTheBaselineToo) {
   EXPECT_EQ(field(rows, "vae,0,10to1,45,mean", 5), "75");
 }
 
-// The line that a method must exceed to be needed, by the name of its classifier.
+// The baseline that a method must exceed, with the name of its classifier.
 TEST_F(Gains, AccuraciesHaveTheBarWhereItIsKnown) {
   add_all();
   for (const int seed : {0, 1}) add(by("nearest", diagnosis("none", "100to1", 0, seed, 19)));

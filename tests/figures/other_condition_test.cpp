@@ -15,7 +15,7 @@
 namespace piae::figures {
 namespace {
 
-/// A window that is a tone on a bin of 1024 samples, or of 512 at 12 kHz.
+/// A window with a tone on a bin of 1024 samples, or of 512 at 12 kHz.
 struct ToneWindow {
   Label label = 1;
   int condition = signal::every_condition;
@@ -23,7 +23,7 @@ struct ToneWindow {
   int bin = 256;
 };
 
-/// Faults of a 6205 are known at 1800 rpm; tested at 1200 rpm, and in some tests elsewhere, too.
+/// Faults of a 6205, known at 1800 rpm and tested at 1200 rpm; some tests add other conditions.
 class OtherCondition : public StoredRun {
  protected:
   OtherCondition() {
@@ -62,7 +62,7 @@ class OtherCondition : public StoredRun {
   void save_generated(const std::string& method, const std::vector<ToneWindow>& tones) const {
     save(tones, "E", layout_.generated_windows(method, 0));
   }
-  /// A window of each class in a condition.
+  /// Returns a window of each class in a condition.
   static std::vector<ToneWindow> of_both(int condition, double amplitude = 1) {
     return {{1, condition, amplitude}, {2, condition, amplitude}};
   }
@@ -112,8 +112,8 @@ TEST_F(OtherCondition, SaysTheSpeedAndTheConditionOfEachRow) {
   EXPECT_EQ(of_row("real"), "1200, 1200 rpm");
 }
 
-/// 9 balls of 7.94 mm on 39 mm, which is 0.2036 of it: at 30 turns a second BPFI is 9 * 15 * 1.2036
-/// = 162.5 Hz, and BPFO 9 * 15 * 0.7964 = 107.5 Hz; at 20 turns 108.3 and 71.68 Hz.
+/// 9 balls of 7.94 mm on 39 mm, a ratio of 0.2036: at 30 turns per second BPFI is 9 * 15 * 1.2036 =
+/// 162.5 Hz, and BPFO 9 * 15 * 0.7964 = 107.5 Hz; at 20 turns 108.3 and 71.68 Hz.
 TEST_F(OtherCondition, HasTheLinesOfTheClassAtTheSpeedOfEachRow) {
   save_all();
   const std::vector<Picture> both = pictures();
@@ -132,7 +132,7 @@ TEST_F(OtherCondition, HasTheLinesOfTheClassAtTheSpeedOfEachRow) {
   EXPECT_EQ(outer[0].at("real"), "71.68");
 }
 
-/// The axis ends two turns of the faster shaft behind its third BPFI, at 547 Hz.
+/// The axis ends at 547 Hz, two turns of the faster shaft above its third BPFI.
 TEST_F(OtherCondition, HasTheLinesAsFarAsTheAxisReaches) {
   save_all();
   const CsvRows rows(pictures()[0].numbers);
@@ -150,12 +150,12 @@ TEST_F(OtherCondition, ShowsWindowsOfAnyScaleByTheirOwnRms) {
   const auto spectrum = rows.where({{"panel", "spectrum"}, {"x", "2982"}});  // bins 253 to 256
   ASSERT_EQ(spectrum.size(), 1U);
   for (const std::string name : {"known", "strike-twin", "real"}) {
-    EXPECT_EQ(highest[7].at(name), "1.414");  // of a tone with an RMS of 1
+    EXPECT_EQ(highest[7].at(name), "1.414");  // for a tone with an RMS of 1
     EXPECT_EQ(spectrum[0].at(name), "3.0");
   }
 }
 
-/// Two tones that stand in one window each have half their power in the mean: 3 dB less.
+/// Two tones, each in one window, each have half their power in the mean: 3 dB less.
 TEST_F(OtherCondition, GivesEachWindowTheSameWeightInASpectrum) {
   save_all();
   save_real({{1, 1, 1000, 256}, {1, 1, 0.001, 128}, {2, 1}});
@@ -181,7 +181,7 @@ TEST_F(OtherCondition, HasARowForEachConditionInWhichTheClassIsKnown) {
   EXPECT_EQ(outer.where({{"panel", "row"}, {"what", "known"}}).at(0).at("y"), "600 rpm");
 }
 
-/// At 600 rpm BPFI is 54.16 Hz. What is of 1200 rpm has other tones.
+/// At 600 rpm BPFI is 54.16 Hz. Windows of 1200 rpm have other tones.
 TEST_F(OtherCondition, ShowsTheTestedConditionThatIsFarthestFromTheKnownOnes) {
   info_.conditions.push_back(
       {.name = "600 rpm", .shaft_speed_rpm = 600, .known = false, .test = true});
@@ -195,7 +195,7 @@ TEST_F(OtherCondition, ShowsTheTestedConditionThatIsFarthestFromTheKnownOnes) {
   const auto tone = inner.where({{"panel", "spectrum"}, {"x", "2982"}}).at(0);
   EXPECT_EQ(tone.at("real"), "3.0");
   EXPECT_EQ(tone.at("strike-twin"), "3.0");
-  // Of a class that was not recorded there, another one is shown.
+  // A class without windows there is shown in another condition.
   const CsvRows outer(both[1].numbers);
   EXPECT_EQ(outer.where({{"panel", "row"}, {"what", "real"}}).at(0).at("y"), "1200 rpm");
 }

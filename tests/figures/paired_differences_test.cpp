@@ -8,7 +8,8 @@ namespace {
 
 class PairedDifferences : public StoredSource {
  protected:
-  /// Against piae-dt with 75 percent, vae has 5, 10 and 15 points more, none 15 less.
+  /// Adds three seeds: against piae-dt with 75 percent, vae has 5, 10 and 15 points more, and none
+  /// 15 less.
   void add_three_seeds() const {
     for (const int seed : {0, 1, 2}) {
       add(diagnosis("none", "100to1", 0, seed, 12));
@@ -31,8 +32,8 @@ TEST_F(PairedDifferences, AreThoseOfTheSameSeedWithTheirInterval) {
   EXPECT_EQ(field(numbers, "vae,0,10to1,piae-dt,mean", 7), "22.4207");
 }
 
-/// Three differences of the same sign: p is 2 / 2^3, which no three seeds can make smaller, and
-/// Holm doubles the smaller one of two.
+/// Three differences of the same sign: p is 2 / 2^3, the least for three seeds, and Holm doubles
+/// the smaller one of two.
 TEST_F(PairedDifferences, HaveAPAndTheLeastThatSoManySeedsCanGive) {
   add_three_seeds();
   Source three = source("none vae piae-dt", "100to1 10to1", "0 1 2");

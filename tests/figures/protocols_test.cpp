@@ -11,7 +11,7 @@ using testing::Not;
 
 class Protocols : public StoredSource {
  protected:
-  /// A cell of vae in the run beside, with 60 percent at 10to1.
+  /// Adds a cell of vae to the blocked run, with 60 percent at 10to1.
   void add_blocked(int seed, signal::Protocol protocol = signal::Protocol::blocked) const {
     scoring::DiagnosisRecord record = diagnosis("vae", "10to1", 45, seed, 12);
     record.protocol = protocol;

@@ -8,7 +8,7 @@ namespace {
 
 class RefusalFigure : public ToldWindows {
  protected:
-  /// Four windows by falling score, the last two with the same.
+  /// Adds four windows by falling score, the last two with the same.
   void add_seed(const std::string& method, const std::string& ratio, int generated, int seed,
                 const std::vector<bool>& right) const {
     std::vector<Label> predictions;
@@ -26,8 +26,8 @@ class RefusalFigure : public ToldWindows {
   }
 };
 
-/// Of the first two windows all and half are right; then, in the mean, half of each window more; of
-/// all four 3 and 1.
+/// At two windows 2 and 1 are correct, at four 3 and 1. The last two windows have the same score,
+/// so three windows count 2.5 and 1 correct ones.
 TEST_F(RefusalFigure, IsTheMeanOverTheSeedsAtEachPercent) {
   add_seed("vae", "2to1", 145, 0, {true, true, true, false});
   add_seed("vae", "2to1", 145, 1, {true, false, false, false});
@@ -37,7 +37,7 @@ TEST_F(RefusalFigure, IsTheMeanOverTheSeedsAtEachPercent) {
   EXPECT_EQ(field(numbers, "vae,0,2to1,1", 4), "100");
   EXPECT_EQ(field(numbers, "vae,0,2to1,25", 4), "100");
   EXPECT_EQ(field(numbers, "vae,0,2to1,50", 4), "75");
-  EXPECT_EQ(field(numbers, "vae,0,2to1,75", 4), "58.3333");  // of 2.5/3 and 1/3
+  EXPECT_EQ(field(numbers, "vae,0,2to1,75", 4), "58.3333");  // mean of 2.5/3 and 1/3
   EXPECT_EQ(field(numbers, "vae,0,2to1,100", 4), "50");
   EXPECT_EQ(numbers.csv().find("10to1"), std::string::npos);
 }

@@ -8,7 +8,7 @@ namespace {
 
 class ReliabilityFigure : public ToldWindows {
  protected:
-  /// Two windows, of which one is told with a score of 0.95, the other with 0.55.
+  /// Adds two windows, predicted with scores of 0.95 and 0.55.
   void add_seed(int seed, bool first_is_right, bool second_is_right) const {
     scoring::DiagnosisRecord record =
         told("vae", "2to1", 145, seed, {1, 2}, {first_is_right ? 1 : 2, second_is_right ? 2 : 1});
@@ -22,7 +22,7 @@ class ReliabilityFigure : public ToldWindows {
   }
 };
 
-/// Of both seeds together half of each bin is right: 0.95 and 0.55 are off by 45 and 5 points.
+/// Over both seeds half of each bin is correct: 0.95 and 0.55 are off by 45 and 5 points.
 TEST_F(ReliabilityFigure, PoolsTheSeeds) {
   add_seed(0, true, false);
   add_seed(1, false, true);

@@ -11,7 +11,7 @@
 
 namespace piae::figures {
 
-/// A stored run as the source of figures, and a look at the CSV that they give.
+/// A stored run as the source of figures, with access to their CSV.
 class StoredSource : public StoredRun {
  protected:
   [[nodiscard]] Source source(const std::string& methods, const std::string& ratios,
@@ -19,7 +19,8 @@ class StoredSource : public StoredRun {
     return {layout_, grid(methods, ratios, seeds), {}};
   }
 
-  /// The last field of the one row that begins with these fields; "no row" where there is none.
+  /// Returns field `column` of the only row that begins with these fields; "no row" if there is
+  /// none.
   static std::string field(const Numbers& numbers, const std::string& beginning,
                            std::size_t column) {
     std::istringstream lines(numbers.csv());

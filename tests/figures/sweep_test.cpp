@@ -8,14 +8,15 @@ namespace {
 
 class SweepFigure : public StoredSource {
  protected:
-  /// A model of piae-dt, whose options say this, and its diagnosis with `right` of 20 windows told.
+  /// Adds a model of piae-dt with these options, and its diagnosis with `right` of 20 windows
+  /// correct.
   void add_cell(const std::string& folder, const std::string& options, int seed, int right) const {
     artefact::Writer model("model");
     model.save(layout_.model(folder, seed), {"train", options, {}});
     save("diagnosis", diagnosis("piae-dt", "1to1", 495, seed, right),
          layout_.diagnosis(folder, "1to1", seed));
   }
-  /// Batches of 2 and 10 are tried, a learning rate, and weights that are learned otherwise.
+  /// Adds a sweep with batches of 2 and 10, a learning rate, and other loss weights.
   void add_sweep(int seed, int right) const {
     const std::string rate = "learning-rate = \"0.00050000000000000001\"\n";
     const std::string weights = "loss-weights = \"adaptive\"\n";
@@ -65,7 +66,7 @@ TEST_F(SweepFigure, HasMeanAndIntervalOverTheSeedsThatHaveASweep) {
   EXPECT_EQ(field(numbers, "batch,3,10,0,1to1,3", 6), "no row");
 }
 
-/// Such a folder is left from a time when the grid had another value.
+/// Such a folder remains from a time when the grid had another value.
 TEST_F(SweepFigure, HasTheValueOfTheGridOnce) {
   add_sweep(0, 10);
   add_cell("sweep/batch-5", "batch = \"5\"\n", 0, 3);

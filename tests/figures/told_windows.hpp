@@ -7,7 +7,7 @@
 
 namespace piae::figures {
 
-/// Diagnoses of a few test windows, of which the true classes and those that were told are given.
+/// Diagnoses of a few test windows with given true and predicted classes.
 class ToldWindows : public StoredSource {
  protected:
   [[nodiscard]] scoring::DiagnosisRecord told(const std::string& method, const std::string& ratio,
@@ -20,9 +20,9 @@ class ToldWindows : public StoredSource {
     record.scores.assign(3 * labels.size(), 0);
     return record;
   }
-  /// Of vae at 2to1: in both seeds together one of four healthy windows is taken for IR, and one of
-  /// four IR windows for healthy; in seed 0 one of two OR windows is taken for IR. At 10to1 all is
-  /// wrong.
+  /// Adds vae at 2to1: over both seeds one of four healthy windows is predicted as IR, and one of
+  /// four IR windows as healthy; in seed 0 one of two OR windows is predicted as IR. At 10to1 all
+  /// predictions are wrong.
   void add_two_seeds() const {
     const std::vector<Label> truth{0, 0, 1, 1, 2, 2};
     add(told("vae", "2to1", 145, 0, truth, {0, 0, 1, 0, 2, 1}));

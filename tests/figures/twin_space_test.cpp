@@ -9,7 +9,8 @@ namespace {
 
 class TwinSpaceFigure : public StoredSource {
  protected:
-  /// Two known windows at (1, 2) and (3, 6) without units, and one generated window of each class.
+  /// Adds two known windows at (1, 2) and (3, 6) without units, and one generated window of each
+  /// class.
   void add_model(bool simulated) const {
     artefact::Writer model("model");
     write(model, three_classes("cwru"));

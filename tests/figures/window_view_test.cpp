@@ -14,7 +14,7 @@ namespace {
 constexpr Eigen::Index length = 1024;
 constexpr double rate_hz = 12000;
 
-/// A tone of 3000 Hz, whose amplitude may swing at 140.625 Hz. Both lie on bins.
+/// Returns a tone of 3000 Hz, optionally modulated at 140.625 Hz. Both lie on bins.
 scoring::Windows tone(double amplitude, double swing = 0) {
   scoring::Windows window(1, length);
   for (Eigen::Index i = 0; i < length; ++i) {
@@ -98,7 +98,7 @@ TEST(WindowView, ShowsTheEnvelopeAsFarAsTheThirdHarmonicsAndTheirSidebands) {
   EXPECT_NEAR(last_hz, 3 * 162.44 + 2 * 30, rate_hz / length);
 }
 
-/// BPFI is 324.97 Hz there.
+/// BPFI is 324.97 Hz at 3600 rpm.
 TEST(WindowView, ShowsTheEnvelopeAsFarAsTheLinesOfAFasterShaftThanTheTestedOne) {
   const ViewAxes faster(three_classes(), length, 3600);
   const WindowView view = view_of(tone(1), faster);

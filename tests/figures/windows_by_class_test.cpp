@@ -15,7 +15,7 @@
 namespace piae::figures {
 namespace {
 
-/// One window of each fault class, in g: tones of 3000 Hz with these amplitudes.
+/// Returns one window of each fault class, in g: tones of 3000 Hz with these amplitudes.
 signal::WindowSet tones(double of_inner, double of_outer) {
   signal::WindowSet set;
   set.info = three_classes("cwru");
@@ -62,7 +62,7 @@ TEST_F(WindowsByClass, ShowsRealAndGeneratedWindowsInMetresPerSecondSquared) {
   EXPECT_THAT(inner.header(), testing::ElementsAre("panel", "what", "x", "y", "real", "vae"));
   const auto highest = inner.where({{"panel", "waveform"}, {"what", "high"}});
   ASSERT_EQ(highest.size(), 128U);
-  EXPECT_EQ(inner.where({{"panel", "unit"}}).at(0).at("what"), "m/s2");  // brought to it from g
+  EXPECT_EQ(inner.where({{"panel", "unit"}}).at(0).at("what"), "m/s2");  // converted from g
   EXPECT_EQ(highest[7].at("real"), "10");
   EXPECT_EQ(highest[7].at("vae"), "1");
   const CsvRows outer(pictures[1].numbers);

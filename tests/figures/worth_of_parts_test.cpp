@@ -11,8 +11,8 @@ namespace {
 
 class WorthOfParts : public StoredSource {
  protected:
-  /// A cell of strike-twin by `nearest`, `right` of 20 windows told, and a model whose options are
-  /// those of the method itself.
+  /// Adds a cell of strike-twin by `nearest`, `right` of 20 windows correct, and a model with the
+  /// options of the method itself.
   void add_cell(const std::string& folder, int seed, int right) const {
     artefact::Writer model("model");
     model.save(layout_.model(folder, seed),
@@ -20,13 +20,14 @@ class WorthOfParts : public StoredSource {
     save("diagnosis", by("nearest", diagnosis("strike-twin", "1to1", 495, seed, right)),
          layout_.diagnosis(folder, "1to1", seed, "nearest"));
   }
-  /// The method tells `right` windows, four less without tilt, ten less with its edges known.
+  /// Adds a seed: the method classifies `right` windows correctly, four fewer without tilt, ten
+  /// fewer with known edges.
   void add_seed(int seed, int right) const {
     add_cell("strike-twin", seed, right);
     add_cell("sweep@strike-twin/tilt-0", seed, right - 4);
     add_cell("sweep@strike-twin/edges-known", seed, right - 10 + seed);
   }
-  /// The table that the stage `sweep` writes.
+  /// Writes the table of the stage `sweep`.
   void add_table(const std::string& seeds) const {
     const report::Sweep sweep = resolve(report::SweepOptions{.dataset = "cwru",
                                                              .points = {"tilt=0 edges=known"},
@@ -40,12 +41,12 @@ class WorthOfParts : public StoredSource {
     std::ofstream(layout_.sweep_csv("strike-twin"))
         << report::parts_csv(sweep, report::part_rows(rows));
   }
-  /// The run as it is looked at; it has no cell by the paper's classifier.
+  /// Returns the run without requested cells; it has none by the paper's classifier.
   [[nodiscard]] Source looked_at() const {
     const run::Grid nothing{.dataset = "cwru", .scored = {}, .combinations = {}, .seeds = {}};
     return {layout_, nothing, {}};
   }
-  /// The one picture of the run.
+  /// Returns the numbers of the only picture.
   [[nodiscard]] Numbers numbers() const {
     Source all = looked_at();
     const std::vector<Picture> pictures = worth_of_parts(all);
@@ -55,7 +56,7 @@ class WorthOfParts : public StoredSource {
   }
 };
 
-/// Differences of -50, -45 and -40 points have the deviation 5; Student's t of two degrees of
+/// Differences of -50, -45 and -40 points have the deviation 5; Student's t with two degrees of
 /// freedom is 4.30265.
 TEST_F(WorthOfParts, IsTheDifferenceToTheMethodOfEachSeed) {
   for (const int seed : {0, 1, 2}) add_seed(seed, 16 + seed);
@@ -69,7 +70,7 @@ TEST_F(WorthOfParts, IsTheDifferenceToTheMethodOfEachSeed) {
   EXPECT_EQ(field(all, "edges=known,tested,1to1,nearest,mean", 8), "85");
 }
 
-/// The order is that of the protocol, and so of the table; here it is not the alphabet's.
+/// The order is that of the protocol, and so of the table; it is not alphabetical here.
 TEST_F(WorthOfParts, HasThePointsOfTheTableInItsOrderAndAllSeedsOfTheRun) {
   add_seed(0, 16);
   add_table("0");

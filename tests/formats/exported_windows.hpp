@@ -4,8 +4,8 @@
 
 namespace piae::formats {
 
-/// Four generated windows of two samples, two of each class with a defect, with all that a window
-/// may say. A third class is healthy.
+/// Returns four generated windows of two samples, two of each fault class, with all facts that
+/// windows may have. A third class is healthy.
 inline signal::WindowSet four_windows() {
   signal::WindowSet windows;
   windows.info.name = "rig";

@@ -22,7 +22,7 @@ struct CloseMat {
 };
 using Variable = std::unique_ptr<matvar_t, CloseMat>;
 
-/// What libmatio, which others wrote, reads of a variable.
+/// Reads a variable with libmatio, an independent implementation.
 Variable read_variable(const std::filesystem::path& path, const char* name) {
   const std::unique_ptr<mat_t, CloseMat> file(Mat_Open(path.c_str(), MAT_ACC_RDONLY));
   EXPECT_NE(file, nullptr);

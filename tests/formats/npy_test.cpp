@@ -13,7 +13,7 @@ TEST(Npy, IsAHeaderAndTheSamples) {
   const std::string file = npy(four_windows());
   const std::string words = "{'descr': '<f4', 'fortran_order': False, 'shape': (4, 2), }";
   const std::string begin("\x93NUMPY\x01\x00", 8);
-  ASSERT_EQ(file.size(), 128 + 8 * sizeof(float));  // the samples begin at a multiple of 64
+  ASSERT_EQ(file.size(), 128 + 8 * sizeof(float));  // samples start at a multiple of 64
   EXPECT_EQ(file.substr(0, 8), begin);
   EXPECT_EQ(static_cast<int>(file[8]) + 256 * static_cast<int>(file[9]), 128 - 10);
   EXPECT_EQ(file.substr(10, words.size()), words);

@@ -19,7 +19,7 @@ std::uint32_t number_at(const std::string& bytes, std::size_t at, std::size_t si
   return number;
 }
 
-/// The chunks from a place on, each by its name, in their order.
+/// Returns the chunks from a position on, each with its name, in order.
 std::vector<std::pair<std::string, std::string>> chunks_of(const std::string& bytes,
                                                            std::size_t at) {
   std::vector<std::pair<std::string, std::string>> chunks;

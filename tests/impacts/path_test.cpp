@@ -15,7 +15,7 @@ double rms(const std::vector<double>& samples) {
   return std::sqrt(sum / static_cast<double>(samples.size()));
 }
 
-/// Two tones of amplitude 1, at bins 8 and 16 of 64 samples.
+/// Returns two tones of amplitude 1, at bins 8 and 16 of 64 samples.
 std::vector<double> two_tones() {
   std::vector<double> samples(64);
   for (std::size_t t = 0; t < samples.size(); ++t) {

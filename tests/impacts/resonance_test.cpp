@@ -16,7 +16,7 @@ double hz_of(const signal::DynamicParameters& ring, double mass_kg) {
 }
 
 TEST(Ring, RisesToItsResonanceAndIsFlatBeyond) {
-  // 1e8 N/m and 1 kg: 1591.5 Hz. There |A| = w^2 / (w c) = w / c; far above it is 1 / M.
+  // 1e8 N/m and 1 kg: 1591.5 Hz. At resonance |A| = w^2 / (w c) = w / c; far above it is 1 / M.
   const signal::DynamicParameters ring{1e8, 500};
   const Eigen::ArrayXd response = ring_response(ring, 1, ring_bins, ring_rate_hz);
   EXPECT_NEAR(response.mean(), 0, 1e-12);
@@ -37,7 +37,7 @@ TEST(Ring, IsFoundAgainByItsTopAndItsWidth) {
     const signal::DynamicParameters found =
         strongest_ring(ring_response(truth, 2, ring_bins, ring_rate_hz), 2, ring_rate_hz);
     EXPECT_NEAR(hz_of(found, 2) / hz, 1, 0.02) << hz;
-    // The width at half power is 10 % of 400 Hz: 7 bins, of which up to two are rounded up.
+    // The half-power width is 10 % of 400 Hz: 7 bins, of which up to two are rounding.
     EXPECT_NEAR(found.damping_ns_per_m / truth.damping_ns_per_m, 1, 0.35) << hz;
   }
 }
@@ -65,7 +65,7 @@ TEST(Resonance, RespondsAsTheRingOfEq13WithItsKAndC) {
   for (Eigen::Index i = 1; i < 513; ++i) {
     ASSERT_NEAR(std::log(ours[i]) - response[i], apart, 1e-9) << i;
   }
-  // At the natural frequency it is as high as it says, 2 zeta / |2 i zeta| times the height.
+  // At the natural frequency the amplitude equals `height`: 2 zeta / |2 i zeta| times the height.
   EXPECT_NEAR(amplitude(one, 13, 12000)[4], 3, 1e-9);
 }
 

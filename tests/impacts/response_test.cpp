@@ -17,7 +17,7 @@ using Eigen::Index;
 
 constexpr Index response_bins = 513;
 
-/// 1 / (1 - 2 r cos(w) z^-1 + r^2 z^-2): two poles within the unit circle, so of minimum phase.
+/// 1 / (1 - 2 r cos(w) z^-1 + r^2 z^-2): two poles within the unit circle, so the phase is minimum.
 ArrayXcd two_poles() {
   ArrayXcd response(response_bins);
   for (Index i = 0; i < response_bins; ++i) {
@@ -50,7 +50,7 @@ TEST(Response, LifteringLeavesSlowChangesAndTakesFastOnes) {
   };
   const ArrayXd both = ripple(20) + ripple(100);
   EXPECT_NEAR((liftered(both, 80) - ripple(20)).abs().maxCoeff(), 0, 1e-9);
-  // In the middle of the fall, from 56 to 80 samples, half of it is left.
+  // Half of the ripple is left in the middle of the fall-off, which runs from 56 to 80 samples.
   EXPECT_NEAR((liftered(ripple(68), 80) - ripple(68) / 2).abs().maxCoeff(), 0, 1e-9);
 }
 

@@ -36,7 +36,7 @@ const bearing::Speeds speeds_of_6205 = bearing::speeds({}, 1800);
 TEST(LoadOnADefect, OfTheInnerRaceComesAndGoesWithTheShaft) {
   Load load = load_on(bearing::Defect::inner, speeds_of_6205, 0.5);
   load.extent = 0.5;
-  // Half a turn is loaded, and 30 turns are a second. The mean of q over a turn is
+  // Half a turn is loaded, and the shaft makes 30 turns a second. The mean of q over a turn is
   // Beta(1.25, 0.5) / (2 pi) = 0.2782.
   double sum = 0;
   int loaded = 0;
@@ -61,7 +61,7 @@ TEST(LoadOnADefect, OfTheOuterRaceIsModulatedByALoadThatTurns) {
 TEST(LoadOnADefect, OfABallTurnsWithTheCage) {
   Load load = load_on(bearing::Defect::roller, speeds_of_6205, 0);
   load.extent = 0.5;
-  // The cage of a 6205 makes (1 - 7.94 / 39) / 2 turns in one of the shaft.
+  // The cage of a 6205 makes (1 - 7.94 / 39) / 2 turns per shaft turn.
   const double cage_s = 1 / (30 * (1 - 7.94 / 39) / 2);
   for (int i = 0; i < 50; ++i) {
     EXPECT_NEAR(load.at(0.001 * i), load.at(0.001 * i + cage_s), 1e-9);

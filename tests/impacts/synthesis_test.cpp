@@ -13,7 +13,7 @@ namespace {
 
 using Eigen::ArrayXd;
 
-constexpr Eigen::Index frame_bins = 1025;  // of a frame of 2048 samples
+constexpr Eigen::Index frame_bins = 1025;  // bins of a frame of 2048 samples
 constexpr double frame_rate_hz = 12000;
 
 ArrayXd struck_window(const std::vector<Impact>& impacts) {
@@ -22,8 +22,8 @@ ArrayXd struck_window(const std::vector<Impact>& impacts) {
 }
 
 TEST(Synthesis, AStructureThatDoesNotRingShowsTheImpactsThemselves) {
-  // Impulses 300 samples into the window and 24 later, of opposite sign; one before the window is
-  // not in it.
+  // Impulses of opposite sign, 300 samples into the window and 24 later. The impulse before the
+  // window is not in it.
   const ArrayXd window = struck_window({{.time_s = 500 / frame_rate_hz},
                                         {.time_s = (1024 + 300) / frame_rate_hz,
                                          .strength = 2,
@@ -48,7 +48,7 @@ TEST(Synthesis, TheBackgroundHasTheColourOfTheStructureAndTheEdges) {
     EXPECT_NEAR(window.square().mean(), 1, 1e-12);
     windows.row(i) = window.transpose().matrix();
   }
-  // A bin of 400 windows is right to 5 %: minima of the edges lie at whole multiples of 1 kHz.
+  // A bin over 400 windows is accurate to 5 %: minima of the edges lie at whole multiples of 1 kHz.
   const ArrayXd power = spectra::mean_power_spectrum(windows);
   const auto at = [&](double hz) { return power[std::lround(hz / frame_rate_hz * 1024)]; };
   EXPECT_NEAR(std::sqrt(at(1500) / at(2500)), 1, 0.2);

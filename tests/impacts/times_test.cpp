@@ -27,7 +27,7 @@ TEST(Times, WithoutJitterComeOncePerPeriodToTheEndOfTheFrame) {
 TEST(Times, LieWithinTheWindowInSeconds) {
   const std::vector<double> samples{-0.5, 0, 512, std::nextafter(1024.0, 0.0), 1024, 1030};
   const std::vector<double> times_s = times_within(samples, 1024, 12000);
-  // The fourth is within the window, but its time rounds to the end.
+  // The fourth position is within the window, but its time rounds to the end.
   ASSERT_EQ(samples[3] / 12000, 1024 / 12000.0);
   ASSERT_EQ(times_s.size(), 2U);
   EXPECT_EQ(times_s[0], 0);
@@ -37,7 +37,7 @@ TEST(Times, LieWithinTheWindowInSeconds) {
 TEST(Times, HaveTheMeanRateAndDeviationsThatAddUp) {
   Stream random("impacts");
   const auto impacts = draw_impacts(random, {.period = 0.01, .jitter = 0.02}, 100);
-  // 10^4 periods, whose sum has a standard deviation of 0.02 sqrt(10^4) = 2 of them.
+  // 10^4 periods; the standard deviation of their sum is 0.02 sqrt(10^4) = 2 periods.
   EXPECT_NEAR(static_cast<double>(impacts.size()), 10000, 8);
   double squares = 0;
   for (std::size_t i = 1; i < impacts.size(); ++i) {

@@ -6,7 +6,7 @@
 
 namespace piae::latent {
 
-/// Six windows of noise, of the classes in turn, for networks of three layers.
+/// Returns six windows of noise, with alternating classes, for networks of three layers.
 inline LatentTask example_task(std::int64_t samples, std::size_t classes, std::int64_t latent,
                                int width = 9) {
   LatentTask task;

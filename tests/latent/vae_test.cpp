@@ -1,4 +1,4 @@
-// The VAE for one core: losses of a network worked by hand, and gradients by finite differences.
+// The VAE for one core: losses of a hand-worked network, and gradients by finite differences.
 
 #include "latent/vae.hpp"
 
@@ -46,7 +46,7 @@ TEST(Vae, HasTheClosedFormOfTheDivergenceAddedOverNumbersAndAveragedOverWindows)
   task.labels = {0, 0};
   const auto backend = backend_of(task);
   const float log_variance = 2 * std::log(0.4F);
-  // Of the four outputs mean 0, mean 1, log variance 0, log variance 1 only mean 0 follows x.
+  // The outputs are mean 0, mean 1, log variance 0 and log variance 1; only mean 0 depends on x.
   backend->set_values(
       std::vector<float>{0, 0, 0, 0, 3, 0, 0, 0, 0, 0, 0, 0, 0, 0.7F, log_variance, 0});
   Stream noise("noise");
@@ -71,7 +71,7 @@ TEST(Vae, FollowsTheGradientOfItsLosses) {
   backend->step(0, batch, noise);
   std::vector<float> gradient = first_moments(
       [&](artefact::Writer& writer) { backend->write_adam(writer); }, "/adam/networks");
-  for (float& g : gradient) g *= 10;  // of 1 - beta1 = 0.1
+  for (float& g : gradient) g *= 10;  // 1 - beta1 = 0.1
   expect_gradient_of(gradient, start, loss);
 }
 

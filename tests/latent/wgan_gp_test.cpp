@@ -1,4 +1,4 @@
-// The WGAN-GP for one core: linear networks worked by hand, and gradients by finite differences.
+// The WGAN-GP for one core: hand-worked linear networks, and gradients by finite differences.
 
 #include "latent/wgan_gp.hpp"
 
@@ -26,7 +26,7 @@ std::vector<float> moments(const LatentBackend& backend, const std::string& adam
                        "/adam/" + adam);
 }
 
-/// Windows (1, 0, 0) of class 0 and (0, 0, 1) of class 1, and single layers.
+/// Returns windows (1, 0, 0) of class 0 and (0, 0, 1) of class 1, and single layers.
 LatentTask linear_task() {
   LatentTask task = example_task(3, 2, 1);
   task.generator.size.depth = 1;
@@ -35,8 +35,8 @@ LatentTask linear_task() {
   return task;
 }
 
-/// A generator that gives (0, 1, 0) whatever z and class; a critic with the weights (2, -3, 6) of
-/// norm 7 on the samples, 7 and -5 on the classes, and bias 0.5.
+/// A generator that returns (0, 1, 0) for every z and class; a critic with the weights (2, -3, 6)
+/// of norm 7 on the samples, 7 and -5 on the classes, and bias 0.5.
 const std::vector<float> linear_values{0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 2, -3, 6, 7, -5, 0.5F};
 const std::vector<std::size_t> both{0, 1};
 
@@ -51,7 +51,8 @@ TEST(WganGp, HasTheLossesOfALinearCriticWorkedByHand) {
   EXPECT_NEAR(losses[1], 36, 1e-5);  // (7 - 1)^2
 }
 
-// Of -wasserstein + 10 (|w| - 1)^2 by w: generated minus known in the mean, and 20 (1 - 1/|w|) w.
+// The gradient of -wasserstein + 10 (|w| - 1)^2 by w: mean generated minus mean known, plus 20 (1 -
+// 1/|w|) w.
 TEST(WganGp, CriticFollowsTheClosedFormWhereItIsLinear) {
   const LatentTask task = linear_task();
   const auto backend = backend_of(task, never_the_generator);
@@ -77,8 +78,8 @@ TEST(WganGp, StaysFiniteWhereTheScoreIsFlat) {
   EXPECT_TRUE(std::ranges::all_of(backend->values(), [](float x) { return std::isfinite(x); }));
 }
 
-// The mean score of windows W z + V class + b rises by the critic's weights w, which have taken
-// their own step before, for each bias.
+// The derivative of the mean score of windows W z + V class + b by each bias is the critic's weight
+// w. The critic has taken its own step before.
 TEST(WganGp, GeneratorFollowsTheCriticWhereItIsLinear) {
   const LatentTask task = linear_task();
   const auto backend = backend_of(task, always_the_generator);
@@ -91,7 +92,7 @@ TEST(WganGp, GeneratorFollowsTheCriticWhereItIsLinear) {
   for (std::size_t sample = 0; sample < 3; ++sample) {
     const float weight = values[values.size() - 6 + sample];
     EXPECT_NEAR(gradient[9 + sample], -(1 - wgan_gp_beta1) * weight, 1e-6);
-    // By the weight of each class: half of the windows have it.
+    // The derivative by the weight of each class: half of the windows have that class.
     EXPECT_NEAR(gradient[3 * sample + 1], -(1 - wgan_gp_beta1) * weight / 2, 1e-6);
     EXPECT_NEAR(gradient[3 * sample + 2], -(1 - wgan_gp_beta1) * weight / 2, 1e-6);
   }

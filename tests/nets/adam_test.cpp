@@ -35,7 +35,7 @@ TYPED_TEST(AdamOf, OneParameterTakesTheThreeStepsWorkedByHand) {
   EXPECT_NEAR(value, third, tolerance);
 }
 
-// More parameters than fill the vectors of any processor, each with a gradient of its own.
+// More parameters than fill the vectors of any processor, each with its own gradient.
 TYPED_TEST(AdamOf, EveryParameterOfManyTakesItsOwnSteps) {
   constexpr std::size_t size = 77;
   std::vector<TypeParam> together(size, 1);
@@ -67,7 +67,7 @@ TYPED_TEST(AdamOf, AParameterWithoutAGradientStaysWhereItIs) {
   EXPECT_EQ(value, 3);
 }
 
-// In the first step the corrections leave g / |g| of the gradient g, whatever the constants.
+// The corrections of the first step reduce a gradient g to g / |g|, for all constants.
 TYPED_TEST(AdamOf, TheFirstStepIsAsLongAsTheLearningRate) {
   for (const double beta1 : {0.5, 0.9}) {
     TypeParam value = 0;
@@ -81,8 +81,8 @@ TYPED_TEST(AdamOf, TheFirstStepIsAsLongAsTheLearningRate) {
   }
 }
 
-// A denormal number, which costs a hundred times as much, would stay: nine tenths of the smallest
-// few round to themselves.
+// A moment must not stay denormal, which is a hundred times slower: nine tenths of the smallest
+// denormal numbers round to themselves.
 TYPED_TEST(AdamOf, AMomentFadesToZero) {
 #if !defined(__SSE__)
   GTEST_SKIP() << "this processor keeps denormal numbers";

@@ -1,4 +1,4 @@
-// The chain's gradients, written by hand, against finite differences in double precision.
+// Compares the chain's hand-written gradients with finite differences in double precision.
 
 #include "nets/dense_chain.hpp"
 
@@ -21,7 +21,7 @@ using Chain = DenseChain<double>;
 using Kept = Parameters<double>::Kept;
 using Array = RowArray<double>;
 
-constexpr std::int64_t inputs = 5;  // no whole vector
+constexpr std::int64_t inputs = 5;  // not a whole vector
 constexpr std::int64_t outputs = 3;
 constexpr std::int64_t width = 7;
 
@@ -43,13 +43,13 @@ struct Example {
     put(x, chain.input());
     return copied(chain.forward(x.rows()), x.rows(), outputs);
   }
-  /// The gradient of sum(y * slope) by the input, for the y of the last forward().
+  /// Returns the gradient of sum(y * slope) by the input, for the y of the last forward().
   Array backward(const Array& slope) {
     put(slope, chain.output_gradient());
     return copied(chain.backward(slope.rows(), 1, {0, slope.rows()}), slope.rows(), inputs);
   }
 
-  /// Calls f with each number of the parameters, and its place in their array.
+  /// Calls f with each number of the parameters and its index in their array.
   void for_each_value(const std::function<void(double&, std::int64_t)>& f) {
     for (const auto& p : parameters->parameters()) {
       for (std::int64_t i = 0; i < p.rows; ++i) {
@@ -61,8 +61,8 @@ struct Example {
     }
   }
 
-  /// The gradient that the chain would follow: Adam's first moment after its first step is a tenth
-  /// of it. The values stay as they are.
+  /// Returns the gradient that the chain would follow: Adam's first moment after its first step is
+  /// a tenth of it. The values do not change.
   std::vector<double> gradient(const Chain::Summed& rows) {
     const std::vector<float> before = parameters->read(Kept::value);
     chain.take(AdamStep(1, 0), 1, rows);
@@ -72,7 +72,7 @@ struct Example {
     });
     return all;
   }
-  /// Central differences of a function of the parameters.
+  /// Returns central differences of a function of the parameters.
   std::vector<double> differences(const std::function<double()>& f) {
     std::vector<double> all;
     for_each_value(
@@ -144,12 +144,12 @@ TEST_P(DenseChains, HaveTheGradientsOfFiniteDifferences) {
   expect_near(example.gradient({rows, rows}), expected);
 }
 
-// Fewer rows than a block of the kernels, a whole one, and several.
+// Fewer rows than a block of the kernels, one whole block, and several.
 INSTANTIATE_TEST_SUITE_P(Nets, DenseChains,
                          testing::Combine(testing::Values(1, 2, 3, 4),
                                           testing::Values(1, 2, 3, 4, 5, 6, 7, 12, 23)));
 
-/// All that is kept of the parameters.
+/// Returns the values and both moments of all parameters.
 std::vector<float> all_kept(const Example& example) {
   std::vector<float> all;
   for (const Kept kept : {Kept::value, Kept::first_moment, Kept::second_moment}) {
@@ -159,7 +159,7 @@ std::vector<float> all_kept(const Example& example) {
   return all;
 }
 
-/// 5 rows go back and learn in one pass over a weight, 20 in two.
+/// 5 rows need one pass over a weight for going back and learning, 20 rows need two.
 TEST_P(DenseChains, GoBackAndLearnInOnePassAsInTwo) {
   const auto [depth, rows] = GetParam();
   for (const bool by_input : {true, false}) {
@@ -198,11 +198,11 @@ TEST(DenseChain, PropagatesTwoSignalsOfOneBatchAtOnce) {
   const Array by_x = copied(both.chain.backward(rows, 2, {rows, rows}), rows, inputs);
   EXPECT_LT((by_x - expected).abs().maxCoeff(), 1e-12);
   const std::vector<double> gradient = both.gradient({rows, rows});
-  // Weights follow the first signal alone.
+  // Weights follow only the first signal.
   expect_near(gradient, both.differences([&] { return (both.forward(x) * first).sum(); }));
 }
 
-// A function of the gradient by the input, as a gradient penalty is: half of its square, summed.
+// A function of the gradient by the input, like a gradient penalty: half of its square, summed.
 TEST(DenseChain, DifferentiatesAFunctionOfItsGradientByTheInput) {
   constexpr std::int64_t rows = 4;
   for (const int depth : {1, 2, 3, 4}) {
@@ -242,7 +242,7 @@ TEST(DenseChain, RefusesANameThatNoParameterHas) {
   EXPECT_THROW(Chain(example.parameters, "another", 4), std::logic_error);
 }
 
-// Rows are filled up to whole vectors, in values and in Adam's moments.
+// Rows are padded to whole vectors, in values and in Adam's moments.
 TEST(DenseChain, WhatFillsRowsUpStaysZero) {
   Example example;
   const Array x = random_array("x", 5, inputs);
@@ -263,7 +263,7 @@ TEST(DenseChain, WhatFillsRowsUpStaysZero) {
   }
 }
 
-// As in adam_test.cpp.
+// See adam_test.cpp.
 TEST(DenseChain, MomentsOfAnInputThatIsZeroFromThenOnFadeToZero) {
 #if !defined(__SSE__)
   GTEST_SKIP() << "this processor keeps denormal numbers";
@@ -271,7 +271,7 @@ TEST(DenseChain, MomentsOfAnInputThatIsZeroFromThenOnFadeToZero) {
   Example example(1);
   Array x = random_array("x", 2, inputs);
   const Array slope = random_array("slope", 2, outputs);
-  const double& moment = *example.parameters->data(Kept::first_moment);  // of input 0
+  const double& moment = *example.parameters->data(Kept::first_moment);  // moment of input 0
   for (int t = 1; t < 9000; ++t) {
     example.forward(x);
     example.backward(slope);

@@ -18,7 +18,7 @@ LayerExample convolution(std::int64_t length, const DilatedTaps& taps, std::int6
       dilated_convolution_specs("net/conv", inputs, outputs, taps.kernel));
 }
 
-/// Only the first channel has weights, 1, 10 and 100 for the taps, and a bias of 0.5.
+/// Only the first channel has weights: 1, 10 and 100 for the taps, and a bias of 0.5.
 TEST(DilatedConvolution, ReadsPositionsOnBothSidesItsDilationApartAndZerosBeyondTheEnds) {
   LayerExample example = convolution(5, {.kernel = 3, .dilation = 2});
   std::vector<float> values(16 * 3 * 16 + 16);
@@ -38,7 +38,7 @@ TEST(DilatedConvolution, ReadsPositionsOnBothSidesItsDilationApartAndZerosBeyond
 }
 
 TEST(DilatedConvolution, HasTheGradientsOfFiniteDifferences) {
-  for (const std::int64_t dilation : {1, 2, 7}) {  // the last beyond both ends
+  for (const std::int64_t dilation : {1, 2, 7}) {  // the last reaches beyond both ends
     LayerExample example = convolution(6, {.kernel = 3, .dilation = dilation});
     expect_gradients_of_differences(example, 2);
   }

@@ -17,9 +17,9 @@ LayerExample attention(std::int64_t length, std::int64_t width, std::int64_t hea
   });
 }
 
-// Two positions, two heads of 8. In the first head the query of position 0 is 4 along number 0, and
-// the keys are 0 and 1 there: scores 0 and 4 / sqrt(8). In the second head nothing is asked for, so
-// that both positions count alike.
+// Two positions, two heads of 8. In the first head, the query of position 0 is 4 along number 0,
+// and the keys are 0 and 1 there: scores 0 and 4 / sqrt(8). In the second head all queries are 0,
+// so both positions have equal weight.
 TEST(DotProductAttention, WeighsValuesByTheSoftmaxOfItsScoresHeadByHead) {
   LayerExample example = attention(2, 16, 2);
   std::vector<double> x(2 * 48);
@@ -32,7 +32,7 @@ TEST(DotProductAttention, WeighsValuesByTheSoftmaxOfItsScoresHeadByHead) {
   const std::vector<double> y = example.forward(x, 1);
   const double second = std::exp(std::sqrt(2.0)) / (1 + std::exp(std::sqrt(2.0)));
   EXPECT_NEAR(y[0], 2 + 4 * second, 1e-12);
-  EXPECT_NEAR(y[16], 4, 1e-12);  // position 1 asks for nothing
+  EXPECT_NEAR(y[16], 4, 1e-12);  // the query of position 1 is 0
   EXPECT_NEAR(y[8], 2, 1e-12);
   EXPECT_NEAR(y[16 + 8], 2, 1e-12);
 }

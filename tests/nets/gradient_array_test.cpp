@@ -38,7 +38,7 @@ TEST(GradientArray, NeedsParametersThatStandTogether) {
   EXPECT_THROW((void)gradients.find("dense"), std::logic_error);
 }
 
-// Adam's first step moves a parameter by the learning rate against its gradient, whatever the size.
+// Adam's first step moves a parameter by the learning rate against its gradient, whatever its size.
 TEST(GradientArray, TakesAStepOfAdamForItsNetworkAlone) {
   const auto parameters = two_networks();
   const std::vector<float> before = parameters->read(Kept::value);
@@ -49,7 +49,7 @@ TEST(GradientArray, TakesAStepOfAdamForItsNetworkAlone) {
   gradients.take(AdamStep(1, 0.5), 0.1);
   const std::vector<float> after = parameters->read(Kept::value);
   for (std::size_t i = 0; i < after.size(); ++i) {
-    const double moved = i == 9 ? -0.5 : i == 10 ? 0.5 : 0;  // behind 6 weights and 3 biases of a
+    const double moved = i == 9 ? -0.5 : i == 10 ? 0.5 : 0;  // after 6 weights and 3 biases of a
     EXPECT_NEAR(after[i] - before[i], moved, 1e-6) << i;
   }
   EXPECT_NEAR(parameters->data(Kept::first_moment)[parameters->find("ab/dense/weight").begin],

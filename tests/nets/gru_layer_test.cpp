@@ -42,7 +42,7 @@ TEST(GruLayer, ReadsItsPositionsInTurn) {
   set("state_weight", gru_units + 1, 1, -0.4);     // z
   set("state_weight", 2 * gru_units + 1, 1, 1.5);  // n
   set("input_bias", 0, 2 * gru_units + 1, 0.1);    // n
-  set("state_bias", 0, 2 * gru_units + 1, 0.2);    // n, within r's reach
+  set("state_bias", 0, 2 * gru_units + 1, 0.2);    // n, scaled by r
   std::vector<double> x(2 * 16);
   x[0] = 0.8;
   x[16] = -0.6;

@@ -1,6 +1,6 @@
 #pragma once
 
-// A layer's gradients, written by hand, against finite differences in double precision.
+// Compares a layer's hand-written gradients with finite differences in double precision.
 
 #include <gtest/gtest.h>
 
@@ -24,7 +24,7 @@ inline std::vector<double> random_numbers(const std::string& name, std::int64_t 
   return numbers;
 }
 
-/// A layer whose parameters are net/..., if it has any.
+/// A layer whose parameters, if it has any, are net/...
 struct LayerExample {
   using Make = std::function<std::unique_ptr<SequenceLayer<double>>(GradientArray<double>&)>;
 
@@ -34,7 +34,7 @@ struct LayerExample {
         gradients(parameters, "net"),
         layer(make(gradients)) {}
 
-  /// A set of parameters has at least one.
+  /// Adds a parameter to empty specs, because a set of parameters needs at least one.
   static std::vector<ParameterSpec> with_one(std::vector<ParameterSpec> specs) {
     if (specs.empty()) specs.push_back({.name = "net/none", .shape = {1}});
     return specs;
@@ -55,8 +55,8 @@ inline void expect_near(double mine, double expected, double largest, const std:
   EXPECT_NEAR(mine, expected, 1e-8 * (1 + largest)) << where;
 }
 
-/// Of sum(y * slope) for two slopes, the signals: the gradients by the input of both, and those of
-/// the parameters by the first alone.
+/// Checks the gradients of sum(y * slope) for two slopes, the signals: those by the input for both,
+/// and those of the parameters for the first only.
 inline void expect_gradients_of_differences(LayerExample& example, std::int64_t windows) {
   SequenceLayer<double>& layer = *example.layer;
   std::vector<double> x = random_numbers("x", windows * layer.input().size());
@@ -90,7 +90,7 @@ inline void expect_gradients_of_differences(LayerExample& example, std::int64_t 
     for (std::int64_t i = 0; i < parameter.rows * parameter.held_columns; ++i) {
       const std::string where = parameter.spec.name + ' ' + std::to_string(i);
       if (i % parameter.held_columns >= parameter.columns) {
-        EXPECT_EQ(trained.gradient[i], 0) << where;  // fills up the row
+        EXPECT_EQ(trained.gradient[i], 0) << where;  // padding of the row
         continue;
       }
       const double slope = central_difference(values[i], 1e-5, [&] { return value(0); });
@@ -99,8 +99,7 @@ inline void expect_gradients_of_differences(LayerExample& example, std::int64_t 
   }
 }
 
-/// What an earlier batch left behind, which had more windows, changes neither what a layer gives
-/// nor its gradients.
+/// An earlier, larger batch must change neither the output of a layer nor its gradients.
 inline void expect_that_batches_leave_nothing_behind(const LayerExample::Make& make,
                                                      const std::vector<ParameterSpec>& specs) {
   constexpr std::int64_t windows = 2;
@@ -130,7 +129,7 @@ inline void expect_that_batches_leave_nothing_behind(const LayerExample::Make& m
   EXPECT_EQ(outcome(true), outcome(false));
 }
 
-/// A layer that has no parameters, made of a shape.
+/// Returns a layer without parameters, made from a shape.
 template <class Layer>
 LayerExample example_of_shape(const SequenceShape& shape) {
   return LayerExample([&](GradientArray<double>&) { return std::make_unique<Layer>(shape); });

@@ -17,8 +17,8 @@ std::vector<double> drawn_numbers(std::int64_t n, const char* name) {
   return numbers;
 }
 
-/// Against the definition, number by number; C begins as something else, with gaps between rows
-/// that must stay.
+/// Compares with the definition, number by number. C starts with other numbers; the gaps between
+/// its rows must not change.
 void expect_equals_definition(MatrixProduct<double> p) {
   for (const std::int64_t gap : {0, 5}) {
     for (const bool add : {false, true}) {
@@ -87,7 +87,7 @@ TEST(MatrixProduct, EqualsTheDefinitionForTransposedAndOverlappingMatricesInBloc
   expect_equals_definition(product);  // overlapping
   product.a_block = 90;
   product.b_block = 96;
-  for (const std::int64_t blocks : {3, 0}) {  // of no blocks, 0
+  for (const std::int64_t blocks : {3, 0}) {  // no blocks give 0
     product.blocks = blocks;
     expect_equals_definition(product);
   }

@@ -11,7 +11,7 @@ namespace {
 
 using Flat = Parameters<float>;
 
-/// Widths that fill whole vectors and such that do not.
+/// Returns specs with widths that fill whole vectors and widths that do not.
 std::vector<ParameterSpec> example_specs() {
   std::vector<ParameterSpec> specs = dense_chain_specs("a", 21, 3, {2, 32});
   specs.push_back({"b/weights", {3}});

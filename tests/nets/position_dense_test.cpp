@@ -25,7 +25,7 @@ TEST(PositionDense, IsADenseLayerAtEachPosition) {
   const std::vector<double> y = example.forward(x, 1);
   EXPECT_EQ(y[0], 2 * 3 - 1 + 0.5);
   EXPECT_EQ(y[16], 2 * -1 + 0.5);
-  EXPECT_EQ(y[1], 0);  // fills up the row
+  EXPECT_EQ(y[1], 0);  // padding of the row
 }
 
 TEST(PositionDense, HasTheGradientsOfFiniteDifferences) {
@@ -43,7 +43,7 @@ TEST(PositionDense, HasNoBiasWhereNoneIsAskedFor) {
   expect_gradients_of_differences(example, 3);
 }
 
-// The numbers that fill up the input are zeros.
+// The padding of the input is zero.
 TEST(PositionDense, OfNarrowRowsHasGradientsWithoutTheFilling) {
   LayerExample example = dense_at_positions(3, 2, 1);
   std::vector<double> x(2 * 16);

@@ -13,7 +13,8 @@
 namespace piae::nets {
 namespace {
 
-// One row of 48 numbers becomes three positions of 16, which are read by turns of dense layers.
+// One row of 48 numbers becomes three positions of 16 numbers, the input of two further dense
+// layers.
 TEST(SequenceChain, HasTheGradientsOfFiniteDifferencesThroughOtherShapes) {
   std::vector<ParameterSpec> specs = dense_specs("net/all", 16, 48);
   append(specs, dense_specs("net/each", 16, 16));

@@ -41,7 +41,7 @@ TEST(SequenceNetwork, GivesBackTheGradientsOfTheRowsThatAreAskedFor) {
   slopes << 1, 2, 10, 20;
   put(slopes, unit.network->output_gradient());
   Array by_input(2, 2);
-  by_input << 4, -2, 20, -10;  // of the last row of the first signal and the first of the second
+  by_input << 4, -2, 20, -10;  // last row of the first signal, first row of the second
   EXPECT_TRUE((copied(unit.network->backward(2, 2, {1, 2}), 2, 2) == by_input).all());
   // W follows 1 x_0 + 2 x_1 = (1, 9), b follows 3.
   EXPECT_DOUBLE_EQ(unit.network->squared_norm(), 1 + 81 + 9);

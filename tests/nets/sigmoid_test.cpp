@@ -1,4 +1,4 @@
-// Vector functions against the C library's in long double.
+// Compares the vector functions with the C library's in long double.
 
 #include "nets/sigmoid.hpp"
 
@@ -26,12 +26,12 @@ class GateFunctions : public testing::Test {
   }
   static T at(const Mine& mine, T x) { return first_of(mine(Vector<T>{} + x)); }
 
-  /// The largest relative error between -limit and limit, in units of the last place of 1.
+  /// Returns the largest relative error between -limit and limit, in units of the last place of 1.
   static long double largest_error(const Mine& mine, const Exact& exact, double limit) {
     long double largest = 0;
     for (int i = -200'000; i <= 200'000; ++i) {
       const double fraction = i / 200'000.0;
-      // Dense about zero, where relative errors are hard to keep small.
+      // Dense around zero, where relative errors are hard to keep small.
       const T x = static_cast<T>(limit * fraction * fraction * fraction);
       if (x == 0) continue;
       const long double expected = exact(x);
@@ -67,7 +67,7 @@ TYPED_TEST(GateFunctions, HaveTheirLimitsFarFromZero) {
   EXPECT_EQ(Of::at(&Of::tangent, 0), 0);
 }
 
-// A training that diverges is found by the NaN in its loss.
+// The NaN in the loss reveals a training that diverges.
 TYPED_TEST(GateFunctions, KeepANaN) {
   using Of = GateFunctions<TypeParam>;
   constexpr TypeParam nan = std::numeric_limits<TypeParam>::quiet_NaN();

@@ -9,8 +9,8 @@
 namespace piae::nets {
 namespace {
 
-/// 3 and 8 fine channels, and one as of a recording: rows of the product that makes the fine side
-/// are filled up, or whole.
+/// 3 and 8 fine channels, and one, as in a recording. So rows of the product that makes the fine
+/// side are padded or whole.
 struct StridedShape {
   std::int64_t fine_channels;
   std::int64_t coarse_channels;
@@ -72,8 +72,8 @@ TEST_P(StridedConvolutions, EqualTheDefinition) {
   }
 }
 
-// The transposed map A' of a linear map A: y . A x = A' y . x for any x and y. The biases are
-// taken off as what is made of zeros.
+// The transposed map A' of a linear map A: y . A x = A' y . x for any x and y. The output for zeros
+// gives the biases, which are subtracted.
 TEST_P(StridedConvolutions, AreTransposed) {
   const auto without_bias = [](const LayerExample& example, const std::vector<double>& x) {
     std::vector<double> y = example.forward(x, windows);
@@ -130,10 +130,10 @@ TEST(StridedConvolution, RefusesWhatIsNone) {
         {{"net/conv/weight", std::move(weight)}, {"net/conv/bias", {outputs}}});
   };
   EXPECT_NO_THROW(layer_of({16, 1, 8}, 8));
-  EXPECT_THROW(layer_of({16, 1, 8}, 10), std::logic_error);  // no multiple of 4
-  EXPECT_THROW(layer_of({16, 1, 6}, 9), std::logic_error);   // of an odd stride
+  EXPECT_THROW(layer_of({16, 1, 8}, 10), std::logic_error);  // not a multiple of 4
+  EXPECT_THROW(layer_of({16, 1, 6}, 9), std::logic_error);   // odd stride
   EXPECT_THROW(layer_of({16, 1, 9}, 8), std::logic_error);
-  EXPECT_THROW(layer_of({10, 1, 8}, 8), std::logic_error);  // no whole vectors of channels
+  EXPECT_THROW(layer_of({10, 1, 8}, 8), std::logic_error);  // channels that are not whole vectors
   EXPECT_THROW(layer_of({16, 8}, 8), std::logic_error);
 }
 

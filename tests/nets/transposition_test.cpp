@@ -7,7 +7,7 @@
 namespace piae::nets {
 namespace {
 
-// A length that squares of 16 do not fill, and two windows.
+// A length that is not a multiple of the squares' 16, and two windows.
 TEST(Transposition, PutsOneChannelAfterTheOther) {
   LayerExample example = example_of_shape<Transposition<double>>({.length = 19, .width = 32});
   EXPECT_EQ(example.layer->output(), (SequenceShape{.length = 32, .width = 19}));

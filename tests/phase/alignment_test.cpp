@@ -43,11 +43,11 @@ TEST(Align, FindsTheStartsOfNoisyCopies) {
   }
 }
 
-/// Distance of two angles on the circle.
+/// Returns the distance of two angles on the circle.
 double apart(double a, double b) { return std::abs(std::remainder(a - b, 2 * std::numbers::pi)); }
 
-/// How far the inferred strike angles of 60 simulated windows lie from the true ones, in ascending
-/// order, in rad. Stiffness, damping, speed, slip and all angles differ from window to window.
+/// Returns the errors of the inferred impact angles of 60 simulated windows, in ascending order, in
+/// rad. Stiffness, damping, speed, slip and all angles vary from window to window.
 std::vector<double> angle_errors(signal::Defect defect) {
   signal::DatasetInfo info = bearing_info();
   constexpr Label label = 1;
@@ -76,9 +76,9 @@ std::vector<double> angle_errors(signal::Defect defect) {
   return errors;
 }
 
-// The phase head on simulated windows, 10 dB above the noise, for each kind of defect. An angle
-// that told nothing would be off by pi / 2 in the median; one sample is 0.056 rad of an outer
-// race's strikes, 0.085 of an inner's, 0.074 of a ball's.
+// Tests the alignment on simulated windows, 10 dB above the noise, for each fault type. A random
+// angle would have a median error of pi / 2. One sample is 0.056 rad of an outer race's impacts,
+// 0.085 of an inner race's, 0.074 of a ball's.
 TEST(Align, InfersTheStrikeAnglesOfWindowsThatSlipAndDiffer) {
   for (const auto defect : {signal::Defect::outer, signal::Defect::inner, signal::Defect::roller}) {
     const std::vector<double> errors = angle_errors(defect);

@@ -20,7 +20,7 @@ TEST(ClassCycle, StrikesComeAtTheFaultFrequency) {
   EXPECT_THROW(strike_frequency_hz(info, 0), Error);
 }
 
-// A strike every 12000 / 107.34 = 111.79 samples: 8 in 894.4, 9 would leave only 18 of 1024.
+// One impact every 12000 / 107.34 = 111.79 samples: 8 fit in 894.4, 9 would leave only 18 of 1024.
 TEST(ClassCycle, IsThatOfTheFaultFrequency) {
   const signal::Cycle cycle = cycle_of_class(bearing_info(), 2, 1024);
   EXPECT_EQ(cycle.strikes, 8U);

@@ -9,7 +9,7 @@
 namespace piae::phase {
 namespace {
 
-// By its definition, sum over t of x(t) x(t + lag), about the mean and without wrapping round.
+// The definition: sum over t of x(t) x(t + lag), about the mean and without wrapping.
 TEST(Autocorrelation, EqualsItsDefinition) {
   Stream stream("window");
   std::vector<float> window(600);
@@ -30,8 +30,8 @@ TEST(Autocorrelation, EqualsItsDefinition) {
   }
 }
 
-// exp(-a t) cos(w t) for t >= 0 has the autocorrelation exp(-a lag) cos(w lag) for a much smaller
-// than w: what the inference reads stiffness and damping from.
+// exp(-a t) cos(w t) for t >= 0 has the autocorrelation exp(-a lag) cos(w lag) if a is much smaller
+// than w. The inference gets stiffness and damping from this form.
 TEST(Autocorrelation, OfARingingIsTheRinging) {
   constexpr double decay = 0.02;
   constexpr double pitch = 0.9;

@@ -42,7 +42,8 @@ fs::path train(const nets::Checkpoint& checkpoint, const std::string& name) {
   return path;
 }
 
-// Within the first round, at its end, within the second, at its end, within the twin's training.
+// Cuts within the first round, at its end, within the second, at its end, and within the twin's
+// training.
 TEST(PhaseTraining, CutAnywhereAndContinuedEqualsAnUncutOne) {
   const std::string uncut = bytes_of(train(checkpoint_at("uncut.ckpt"), "uncut.h5"));
   for (const int cut : {1, 3, 5, 6, 8}) {
@@ -55,15 +56,15 @@ TEST(PhaseTraining, CutAnywhereAndContinuedEqualsAnUncutOne) {
   }
 }
 
-/// Two classes; 4 simulations of each in the first round, 12 in the second; 10 known windows. The
-/// time left goes by this, so each part must count what it works through.
+/// Two classes, with 4 simulations each in the first round and 12 in the second; 10 known windows.
+/// The estimate of the remaining time uses the effort, so each part must count its own work.
 TEST(PhaseTraining, EffortIsThatOfWhatAnEpochWorksThrough) {
   const auto training = make_phase_training(simulated_windows(5, "known"), quick_options(),
                                             Stream("test"), twin::one_core_engine(Device::cpu));
   ASSERT_EQ(training->epochs(), 10U);
   EXPECT_EQ(training->effort(1), 8);
   EXPECT_EQ(training->effort(4), 24);
-  // The first epochs of the rounds simulate: in all as many times what learning from it takes.
+  // The first epochs of the rounds also simulate, which costs a fixed multiple of learning once.
   EXPECT_GT(training->effort(0), 10 * training->effort(1));
   EXPECT_EQ(training->effort(3) / training->effort(4), training->effort(0) / training->effort(1));
   EXPECT_EQ(training->effort(6), training->effort(9));
@@ -79,20 +80,20 @@ TEST(PhaseGeneration, FirstWindowsDoNotDependOnTheirNumber) {
   ASSERT_EQ(few.size(), 4U);
   ASSERT_EQ(many.size(), 14U);
   for (std::size_t i = 0; i < few.length; ++i) {
-    // A matrix product of more rows may round otherwise.
+    // A matrix product with more rows may round differently.
     ASSERT_NEAR(few.window(1)[i], many.window(1)[i], 1e-3) << i;
     ASSERT_NEAR(few.window(2)[i], many.window(7)[i], 1e-3) << i;
   }
 }
 
-// Window 1 of a class draws its two states, and then where it starts on the cycle, from its own
-// child of the stream.
+// Window 1 of a class draws its two states and its start on the cycle from its own child of the
+// stream.
 TEST(PhaseGeneration, SaysAtWhichAngleEachWindowStarts) {
   const artefact::Reader model(train(checkpoint_at("said.ckpt"), "said.h5"), "model");
   const signal::WindowSet windows =
       generate(model, 40, Stream("generate"), twin::one_core_engine(Device::cpu));
   ASSERT_EQ(windows.start_angle_rad.size(), windows.size());
-  EXPECT_TRUE(windows.parents.empty());  // states are drawn, and belong to no one window
+  EXPECT_TRUE(windows.parents.empty());  // states are drawn and do not belong to one window
   for (const Label label : {1, 2}) {
     const signal::Cycle cycle = cycle_of_class(bearing_info(), label, 1024);
     const double step_rad = 2 * std::numbers::pi * static_cast<double>(cycle.strikes) /
@@ -102,8 +103,8 @@ TEST(PhaseGeneration, SaysAtWhichAngleEachWindowStarts) {
       const double angle = windows.start_angle_rad[i];
       EXPECT_GE(angle, 0);
       EXPECT_LT(angle, 2 * std::numbers::pi);
-      // A sample of the cycle lies at a whole number of steps, less whole turns: for some turn
-      // there is one.
+      // A sample of the cycle lies at a whole number of steps, modulo whole turns: some turn must
+      // fit.
       double nearest = 1;
       for (std::size_t turn = 0; turn < cycle.strikes; ++turn) {
         const double steps = (angle + 2 * std::numbers::pi * static_cast<double>(turn)) / step_rad;
@@ -112,12 +113,12 @@ TEST(PhaseGeneration, SaysAtWhichAngleEachWindowStarts) {
       EXPECT_LT(nearest, 1e-6);
       largest = std::max(largest, angle);
     }
-    EXPECT_GT(largest, std::numbers::pi);  // of 40 uniform ones all are below in 1 of 10^12 cases
+    EXPECT_GT(largest, std::numbers::pi);  // 40 uniform angles are all below pi in 1 of 10^12 cases
   }
 }
 
-// Through a trained decoder: a start j samples later is the same window j samples earlier, bit for
-// bit, before the change of state and after it; a whole cycle later, it is the same window.
+// Uses a trained decoder. A start j samples later gives the same window j samples earlier, bit for
+// bit, before and after the change of state. A start one cycle later gives the same window.
 TEST(PhaseGeneration, AnotherStartAngleShiftsWhatTheDecoderGives) {
   const artefact::Reader model(train(checkpoint_at("angle.ckpt"), "angle.h5"), "model");
   constexpr Label outer = 2;

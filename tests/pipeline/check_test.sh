@@ -1,10 +1,10 @@
 #!/bin/bash
-# What `make check` and `make reference` compare. The comparison itself: reference_test.sh and
+# Arguments of `make check` and `make reference`. Tests of the comparison itself: reference_test.sh and
 # tests/regression/.
 # shellcheck source-path=SCRIPTDIR
 source "${0%/*}/support.sh"
 
-# A stage that only says how it was called, and fails when it is told to.
+# Makes a stage that only prints its arguments, and fails on request.
 check_stage() {
   # shellcheck disable=SC2016
   printf '#!/bin/bash\necho "$*"\n[[ ! -e moved ]]\n' >fake/check

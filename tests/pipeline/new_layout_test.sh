@@ -1,5 +1,6 @@
 #!/bin/bash
-# Runs of before 0.1.0, in which the paper's classifier had no folder: make refuses them, and one command moves their files.
+# Runs from before 0.1.0, in which the paper's classifier did not have a folder: make refuses them, and one command
+# moves their files.
 # shellcheck source-path=SCRIPTDIR disable=SC2119
 source "${0%/*}/small_grid.sh"
 
@@ -7,7 +8,7 @@ cells() { make --silent "$@" BIN=fake RUN=t DATASETS=real METHODS="none piae-dt"
 new_layout() { pipeline/new_layout.sh "$@" 2>&1; }
 state() { find results/t -type f ! -name .journal -printf '%P %T@\n' | sort; }
 
-# A run of today whose files are laid out as before.
+# Makes a present run and moves its files to the old layout.
 old_run() {
   describe
   printf '[sweep]\npoints = ["batch=1"]\n[readings]\nreadings = ["batches=class"]\n' >>pipeline/protocol.toml
@@ -21,7 +22,7 @@ old_run() {
   state >new
   find results/t -type d -name wdcnn >folders
   while read -r folder; do mv "$folder"/* "${folder%/*}" && rmdir "$folder"; done <folders
-  rm calls results/t/.journal # there was none before 0.1.0
+  rm calls results/t/.journal # did not exist before 0.1.0
 }
 
 test_make_refuses_such_a_run_in_one_line() {
@@ -34,7 +35,7 @@ test_make_refuses_such_a_run_in_one_line() {
   done
   [[ ! -e calls ]] || fail "ran: $(<calls)"
   expect_equal "$(state)" "$(<before)"
-  # Trials alone are found, too.
+  # Trials without other cells are found, too.
   rm -r results/t/real/seed0/{none,piae-dt,sweep,sweep@smote}
   expect_line "$(cells cells 2>&1 || true)" '\(seed0/readings/base/10to1/diagnosis.h5\)'
 }
@@ -45,7 +46,7 @@ test_one_command_moves_the_files_and_no_cell_is_computed_again() {
   expect_equal "$(state)" "$(<new)"
   expect_equal "$(new_layout results/t/)" 'results/t/: 0 files moved'
   cells all trust >/dev/null
-  expect_equal "$(ran_with_features)" "1 tabulate, 1 trust" # nothing says how their tables were made
+  expect_equal "$(ran_with_features)" "1 tabulate, 1 trust" # nothing records how their tables were made
 }
 
 test_what_is_not_a_run_is_refused_and_no_file_replaced() {

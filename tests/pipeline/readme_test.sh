@@ -1,10 +1,9 @@
 #!/bin/bash
-# What the README and the page on own recordings show can be typed as it stands there: with the built
-# programs.
+# Commands in the README and on the page about own recordings can be typed as shown, with the built programs.
 # shellcheck source-path=SCRIPTDIR
 source "${0%/*}/support.sh"
 
-# The first block of commands in a section of a page.
+# Prints the first block of commands in a section of a page.
 commands_of() { # page, title of the section
   awk -v title="## $2" '/^## / { inside = ($0 == title) }
     inside && /^    / { print substr($0, 5); found = 1; next }
@@ -20,14 +19,14 @@ test_the_chain_of_one_stage_by_hand_runs_and_its_files_are_good() {
   expect_line "$(<messages)" '^diagnosed 700 windows'
 }
 
-# The n-th description that the page shows. "..." stands for what only the reader knows.
+# Prints the n-th description on the page. "..." stands for values that only the reader knows.
 shown_description() {
   # shellcheck disable=SC2016
   awk -v n="$1" '/^```toml/ { inside = ++shown == n; next } /^```/ { inside = 0 } inside' "$project/pipeline/datasets/README.md" |
     sed '/= "\(https:\/\/\)\?\.\.\."/d'
 }
 
-# Nothing is wrong with them but that the recordings are not there.
+# Their only error is that the recordings are missing.
 test_the_shown_descriptions_have_the_keys_that_ingest_knows() {
   shown_description 1 >rig.toml
   expect_line "$(<rig.toml)" '^name = "rig"'

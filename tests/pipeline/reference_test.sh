@@ -1,9 +1,8 @@
 #!/bin/bash
-# The regression check on a tiny grid, with the built programs: the numbers are still those that are
-# stored in tests/reference. On the processor and with the libraries that made them they must be the
-# same, elsewhere within their spread.
+# The regression check on a tiny grid, with the built programs: numbers must still be those of tests/reference. They
+# must be equal on the same processor and libraries, and within their spread elsewhere.
 #
-# After a change that is meant to change numbers:
+# After an intended change of numbers:
 #   PIAE_BIN=build/bin tests/pipeline/reference_test.sh store
 # shellcheck source-path=SCRIPTDIR
 source "${0%/*}/support.sh"
@@ -11,7 +10,7 @@ source "${0%/*}/support.sh"
 grid=$(mktemp -d)
 trap 'rm -r "$grid"' EXIT
 
-# In a folder with the front door alone.
+# Makes a folder with only the front door.
 lay_out() {
   rm -r pipeline/datasets
   mkdir -p pipeline/datasets
@@ -22,7 +21,7 @@ tiny() {
   make --silent "$@" "BIN=$programs" RUN=tiny
 }
 
-# The grid is made once, by the first test that needs it.
+# Makes the grid once, for the first test that needs it.
 made() {
   lay_out
   if [[ ! -d $grid/tiny ]]; then
@@ -36,12 +35,12 @@ made() {
 }
 
 reference=results/reference/random/tiny.csv
-# Numbers of the reference moved by so much: lines that fit a pattern, summand.
+# Adds a number to values of the reference: pattern of the lines, summand.
 move() {
   awk -F, -v OFS=, -v pattern="$1" -v by="$2" '$0 ~ pattern { $6 += by } { print }' $reference >moved
   mv moved $reference
 }
-# As if the reference came from another machine.
+# Makes the reference look as if it came from another machine.
 from_elsewhere() { sed -i 's/^# computed with: .*/# computed with: another machine/' $reference; }
 
 test_numbers_are_as_stored() {
@@ -123,7 +122,7 @@ test_a_data_set_that_the_run_lacks_is_a_failure() {
 store() {
   mkdir "$grid/here"
   enter "$grid/here"
-  # A test by its name, since a failure is reported with its line in a test.
+  # Runs it as a named test, because failures are reported with their line in a test.
   test_store() { made && tiny reference && cp $reference "$project/tests/reference/random"; }
   test_store
 }

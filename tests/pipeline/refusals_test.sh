@@ -1,5 +1,5 @@
 #!/bin/bash
-# What make refuses before anything runs, and what only asks and writes nothing.
+# Requests that make refuses before anything runs, and goals that only show and write nothing.
 # shellcheck source-path=SCRIPTDIR disable=SC2119
 source "${0%/*}/small_grid.sh"
 
@@ -25,7 +25,7 @@ test_unknown_names_are_refused() {
   expect_equal "$(ls)" "$(printf '%s\n' Makefile fake jobs pipeline results)"
 }
 
-# Else a stage would run with what its program has built in.
+# Otherwise a stage would run with its program's defaults.
 test_a_table_of_the_protocol_that_nothing_reads_is_refused() {
   describe
   echo '[diagnoze]' >>pipeline/protocol.toml
@@ -48,14 +48,14 @@ test_unknown_variables_are_refused_with_the_right_name() {
   [[ ! -e results/t ]] || fail "something ran"
 }
 
-# What a run would lack at its very end is missed before its first step.
+# Files needed at the very end of a run must be reported missing before its first step.
 test_published_tables_that_were_removed_are_missed_at_the_start() {
   describe
   rm -r results
   expect_exit 2 grid
   expect_line "$(grid 2>&1 || true)" 'results/published holds no table: .*git checkout results/published'
   expect_equal "$(ran)" ""
-  make --silent cells BIN=fake RUN=t DATASETS=real METHODS=none RATIOS=100to1 SEEDS=0 >/dev/null # needs none
+  make --silent cells BIN=fake RUN=t DATASETS=real METHODS=none RATIOS=100to1 SEEDS=0 >/dev/null # does not need them
   expect_equal "$(ran)" "2 diagnose, 1 ingest, 1 split"
 }
 
@@ -71,7 +71,7 @@ test_programs_that_are_not_there_are_one_line() {
   expect_exit 0 make -n cells
 }
 
-# Programs of before do not know what the sources and pipeline/ have learned since.
+# Older programs do not know later changes of the sources and of pipeline/.
 test_a_dry_run_with_programs_of_before_says_that_they_would_be_built() {
   describe
   mkdir -p build/bin src

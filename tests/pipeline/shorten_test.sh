@@ -1,5 +1,5 @@
 #!/bin/bash
-# pipeline/figures/shorten.awk: gnuplot's SVG becomes shorter, and shows the same.
+# pipeline/figures/shorten.awk: gnuplot's SVG becomes shorter but looks the same.
 # shellcheck source-path=SCRIPTDIR
 source "${0%/*}/support.sh"
 

@@ -1,9 +1,9 @@
 # shellcheck shell=bash source-path=SCRIPTDIR disable=SC2119,SC2120
-# A grid of two data sets, for the tests that source this; with all of support.sh. Its functions mostly
-# go without the arguments that they may have, which shellcheck (SC2119) would take for a slip.
+# A grid of two data sets, for tests that source this; includes all of support.sh. Its functions are mostly called
+# without their optional arguments, which shellcheck (SC2119) would report.
 source "${BASH_SOURCE[0]%/*}/support.sh"
 
-# Two data sets, so that what belongs to one of them can be told apart.
+# Uses two data sets, to distinguish what belongs to one of them.
 describe() {
   rm -f pipeline/datasets/*
   printf 'name = "real"\nsha256 = "#1" # a comment\n' >pipeline/datasets/real.toml

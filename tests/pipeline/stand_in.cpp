@@ -1,7 +1,6 @@
-// Stands in for the stages of a run, for the tests of make and of scripts: takes any options, and
-// writes what the stage of its name would, small, with the provenance that the stage would give it.
-// What is in its files follows from its options and inputs. It adds a line to the file `calls` for
-// each call.
+// Stands in for the stages of a run in tests of make and scripts. Takes any options, and writes
+// small versions of the stage's files with its provenance. Their contents depend on options and
+// inputs. Adds a line to the file `calls` for each call.
 
 #include <spdlog/fmt/fmt.h>
 
@@ -66,7 +65,7 @@ std::string value(const Options& options, const std::string& option) {
   return found == options.end() ? "" : joined(found->second);
 }
 
-/// What the stage makes, artefacts or tables.
+/// Returns the files that the stage makes, artefacts or tables.
 Words outputs_of(const std::string& stage, const Options& options) {
   const std::string folder = value(options, "run") + '/' + value(options, "dataset") + '/';
   const auto in_folder = [&](const Words& names) {
@@ -132,7 +131,7 @@ artefact::Provenance provenance_of(const std::string& stage, const Options& opti
   return provenance;
 }
 
-/// A table that plan reads is as its stage would write it.
+/// Returns the text of a table; a table that plan reads has the columns of its stage.
 std::string table_text(const std::string& file, const std::string& command) {
   if (fs::path(file).filename() != "readings.csv") return command + '\n';
   return "dataset,reading,quantity,ratio,seeds,mean,std\n"

@@ -5,7 +5,7 @@ source "${0%/*}/small_grid.sh"
 
 export BIN=fake SUBMIT=
 
-# A stage called `own` that does what the test says.
+# Makes a stage called `own` from the script on standard input.
 own_stage() {
   { echo '#!/bin/bash' && cat; } >fake/own
   chmod +x fake/own
@@ -19,7 +19,7 @@ test_says_in_one_line_what_was_done() {
   expect_equal "$(step | wc -l)" 1
 }
 
-# What goes to standard error takes another way into the log, and may come last.
+# Standard error reaches the log another way and may come last.
 test_its_line_is_what_was_done_and_not_a_warning_nor_how_far_it_was() {
   own_stage <<<'echo "made 3 windows"; sleep 0.2; echo "own  ####   99 %" >&2; echo "own: one of them is silent" >&2'
   expect_line "$(step 2>/dev/null)" '^real/seed0 +own +[0-9]+\.[0-9] s  made 3 windows$'
@@ -37,6 +37,14 @@ test_its_line_gives_the_result_in_100_columns() {
   expect_equal "$(awk '/###/ { print length }' messages)" 100
   expect_line "$(<messages)" "own: ${long% }"
   expect_equal "$(grep -c "$long" results/t/real/seed0/own.log)" 3
+}
+
+# A classifier's scores and its description are separate steps, both by `diagnose`.
+test_its_line_names_the_step() {
+  own_stage <<<'echo "own: the reason" >&2; exit 66'
+  expect_line "$(STEP_LOG=features step 2>&1 || true)" '^real/seed0 +features +failed with exit code 66'
+  own_stage <<<'echo "made: 3 windows: results/t/real/seed0/A.h5"'
+  expect_line "$(STEP_LOG=features step)" '^real/seed0 +features +[0-9]+\.[0-9] s  3 windows$'
 }
 
 test_passes_arguments_and_keeps_a_log() {
@@ -69,14 +77,14 @@ test_two_makes_do_not_run_one_step_at_once() {
   expect_no_line "$(<messages)" "only-one"
 }
 
-# Gives the command of a step once more, as a make that was planned before.
+# Runs the command of a step again, as a make with an older plan would.
 again() { # its log
   local words
   read -ra words < <(command_of "$1")
   pipeline/step.sh "results/t/${1%/*}" "${words[0]#fake/}" "${words[@]:1}"
 }
 
-# Another make has done it since it was planned, or all that it waits for has come out as before: plan says so.
+# Another make has finished the step since it was planned, or its inputs are unchanged: plan reports this.
 test_a_step_that_is_not_due_any_more_is_left_alone() {
   describe
   local log which=(RUN=t DATASETS=real METHODS="none smote" RATIOS="100to1 10to1" SEEDS=0)
@@ -91,11 +99,11 @@ test_a_step_that_is_not_due_any_more_is_left_alone() {
   done
   unset STEP_LOG
   expect_equal "$(ran_with_features)" ""
-  # Planned later than the other make's, and by hand.
+  # planned after the other make's run, and by hand
   ASKED_AT=9999999999 again real/seed0/split >/dev/null
   again real/seed0/split >/dev/null
   expect_equal "$(ran)" "2 split"
-  # Another setting, a lost file, and what plan cannot say.
+  # another setting, a lost file, and a case that plan cannot decide
   sed -i 's/^neighbours = 4/neighbours = 3/' pipeline/protocol.toml
   ASKED_AT=1 again real/seed0/smote/train >/dev/null
   rm results/t/real/tables.md
@@ -105,7 +113,7 @@ test_a_step_that_is_not_due_any_more_is_left_alone() {
   expect_equal "$(ran)" "1 split, 1 tabulate, 1 train"
 }
 
-# As with srun, which says 0 when its node is lost.
+# srun returns 0 when its node is lost.
 test_a_step_that_has_not_made_its_files_anew_has_failed() {
   local made=results/t/real/seed0
   own_stage <<<'exit 0'
@@ -118,7 +126,7 @@ test_a_step_that_has_not_made_its_files_anew_has_failed() {
   expect_line "$(tail -n 1 $made/own.log)" '^step: exit 1 after'
   own_stage <<<'echo old >new; mv new results/t/real/seed0/E.h5'
   expect_exit 0 step --output $made/E.h5
-  # All of several, and none of them is an option of the stage.
+  # All of several files are required; none of them is an option of the stage.
   own_stage <<<'echo "$*" >results/t/real/seed0/A.h5'
   expect_exit 1 step --output-dir $made -- $made/A.h5 $made/B.h5
   expect_equal "$(<$made/A.h5)" "--output-dir $made"
@@ -126,7 +134,7 @@ test_a_step_that_has_not_made_its_files_anew_has_failed() {
   expect_exit 0 step --output-dir $made -- $made/A.h5 $made/B.h5
 }
 
-# Numbers of figures that are as they were are left alone: there nothing is made anew.
+# Unchanged numbers of figures are not rewritten: such a step does not remake any file.
 test_a_step_elsewhere_that_names_no_files_has_said_what_it_used() {
   own_stage <<<'exit 0'
   expect_exit 0 step
@@ -163,19 +171,19 @@ test_submit_goes_before_the_stage() {
   expect_line "$(<results/t/real/seed0/own.log)" '^env MARK=1 nice -n 1 fake/own'
 }
 
-# A login shell's variables would change the bytes of what is made.
+# A login shell's variables would change the bytes of outputs.
 test_stages_get_one_thread_whatever_the_login_shell_says() {
   # shellcheck disable=SC2016
   own_stage <<<'echo "threads $OMP_NUM_THREADS $OPENBLAS_NUM_THREADS ${OMP_SCHEDULE-unset} ${GLIBC_TUNABLES//[^=]/}"'
   expect_line "$(step)" 'threads 1 1 unset ===$'
   expect_line "$(OMP_NUM_THREADS=3 OPENBLAS_NUM_THREADS=3 OMP_SCHEDULE=dynamic GLIBC_TUNABLES=a=1 step)" \
     'threads 1 1 unset ===$'
-  # Only simulate takes all the cores that there are.
+  # only simulate uses all cores
   mv fake/own fake/simulate
   expect_line "$(OMP_NUM_THREADS=3 pipeline/step.sh results/t/real simulate)" 'threads  1 unset ===$'
 }
 
-# (Which devices a job may use, its scheduler says.)
+# (The scheduler decides which devices a job may use.)
 test_stages_do_not_see_what_the_login_shell_says_to_libtorch() {
   # shellcheck disable=SC2016
   own_stage <<<'env | grep -cE "^(ATEN|DNNL|ONEDNN|TORCH|CUBLAS|NVIDIA_TF32)" || echo "devices $CUDA_VISIBLE_DEVICES"'
@@ -183,7 +191,7 @@ test_stages_do_not_see_what_the_login_shell_says_to_libtorch() {
     CUBLAS_WORKSPACE_CONFIG=:16:8 NVIDIA_TF32_OVERRIDE=1 CUDA_VISIBLE_DEVICES=7 step)" 'devices 7$'
 }
 
-# A stage that answers SIGTERM with a checkpoint and 75, as train does.
+# Makes a stage that answers SIGTERM with a checkpoint and 75, as train does.
 checkpointing_stage() {
   own_stage <<'STAGE'
 trap 'echo saved >checkpoint; exit 75' TERM
@@ -197,7 +205,7 @@ test_a_signal_reaches_the_stage_which_is_waited_for() {
   local signal code
   for signal in TERM INT HUP; do
     rm -f checkpoint started
-    # Job control, because a background job without it ignores SIGINT.
+    # job control, because a background job without it ignores SIGINT
     set -m
     pipeline/step.sh results/t/real/seed0 own >/dev/null 2>messages &
     set +m
@@ -210,8 +218,8 @@ test_a_signal_reaches_the_stage_which_is_waited_for() {
   done
 }
 
-# A queue that passes USR1 on to what it runs, and with any other signal kills it, as srun does; but while
-# there is a file `busy` all it can do is to wait.
+# Makes a queue that passes USR1 on to its command and kills it on any other signal, as srun does. While a file `busy`
+# exists it only waits.
 queue() {
   cat >queue <<'QUEUE'
 #!/bin/bash
@@ -250,7 +258,7 @@ STAGE
     set +m
     wait_for started
     until grep -qsE '^step: (started|waited)' results/t/real/seed0/own.log; do sleep 0.05; done
-    # To the whole group, as a terminal does.
+    # to the whole group, as a terminal does
     kill -$signal -- -$!
     code=0
     wait $! || code=$?
@@ -258,8 +266,8 @@ STAGE
   done
 }
 
-# A launcher that ends when it is signalled, as srun does some seconds after its job was requeued: it does not
-# wait for its stage, passes on no more of what the stage prints, and does not know the stage's exit code.
+# Makes a launcher that ends when it is signalled, as srun does some seconds after a requeue of its job: it does not
+# wait for its stage, passes on no further output, and does not know the stage's exit code.
 launcher_that_gives_up() { # its exit code
   cat >launcher <<LAUNCHER
 #!/bin/bash
@@ -274,7 +282,7 @@ for _ in {1..600}; do sleep 0.05; done # 30 s, where nobody ends it
 LAUNCHER
   chmod +x launcher
 }
-stop_step_of_launcher() { # the exit code that is wanted
+stop_step_of_launcher() { # expected exit code
   local model=results/t/real/seed0/model.h5
   rm -f started
   PATH=${path_of_step:-$PATH} SUBMIT=./launcher pipeline/step.sh results/t/real/seed0 own --output $model >/dev/null 2>messages &
@@ -305,7 +313,7 @@ test_a_stage_is_waited_for_when_its_launcher_gives_up() {
   done
 }
 
-# Slurm signals all processes of a job at once, and what step.sh has just started is among them.
+# Slurm signals all processes of a job at once, including those that step.sh has just started.
 test_a_stage_is_waited_for_when_all_processes_are_signalled() {
   saves_slowly
   mkdir path
@@ -319,7 +327,7 @@ test_a_stage_is_waited_for_when_all_processes_are_signalled() {
   expect_equal "$(<results/t/real/seed0/model.h5.checkpoint)" saved
 }
 
-# A checkpoint of an earlier life tells nothing of this one.
+# An earlier checkpoint is not evidence for this life.
 test_a_stage_that_is_killed_before_its_checkpoint_has_not_been_interrupted() {
   mkdir -p results/t/real/seed0
   echo old >results/t/real/seed0/model.h5.checkpoint

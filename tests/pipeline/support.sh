@@ -1,7 +1,7 @@
 # shellcheck shell=bash
-# Sourced by the tests of the Makefile, pipeline/ and jobs/: each of their functions named test_*
-# runs in a fresh copy of those, with stand-ins for the stage programs, without network or rights. The programs `plan`
-# and `status` are the real ones: PIAE_BIN names their folder, PIAE_STAND_IN the stand-in.
+# Sourced by the tests of the Makefile, pipeline/ and jobs/: each of their functions named test_* runs in a fresh copy
+# of these, with stand-ins for the stage programs, without network or rights. Only the programs `plan` and `status` are
+# real: PIAE_BIN names their folder, PIAE_STAND_IN the stand-in.
 
 project=$(realpath "${BASH_SOURCE[0]%/*}/../..")
 programs=$(realpath "${PIAE_BIN:-$project/build/bin}")
@@ -24,13 +24,13 @@ expect_exit() { # code, command...
   ((code == $1)) || fail "expected exit code $1, got $code from: ${*:2}"
 }
 
-# For a test that lacks a program that others have.
+# Skips a test if a program is missing.
 skip() {
   echo "$1" >"$skipped_because"
   exit 77
 }
 
-# Figures are drawn by both (pipeline/figures/draw.sh).
+# figures need both (pipeline/figures/draw.sh)
 skip_where_nothing_draws() {
   { command -v gnuplot && command -v qpdf; } >/dev/null || skip "gnuplot or qpdf is not installed"
 }
@@ -43,7 +43,7 @@ wait_for() { # file
   done
 }
 
-# Programs that stand in for the stages (stand_in.cpp); `plan` and `status` are the real ones.
+# Makes programs that stand in for the stages (stand_in.cpp); only `plan` and `status` are real.
 stand_ins() {
   mkdir fake
   local stage
@@ -61,22 +61,22 @@ STAGE
   chmod +x fake/figures fake/report
 }
 
-# The command of the step with this log.
+# Prints the command of the step with this log.
 command_of() { head -n 1 "results/t/$1.log"; }
 
-# The stages that ran since the last call, counted: "12 diagnose, 4 train".
+# Counts the stages that ran since the last call: "12 diagnose, 4 train".
 ran_with_features() {
   [[ -e calls ]] || return 0
   awk '{ n[$1]++ } END { for (stage in n) print n[stage], stage }' calls | sort -k2 | paste -sd, | sed 's/,/, /g'
   rm calls
 }
-# The same without the trainings whose features are kept.
+# The same without trainings that keep features.
 ran() {
   [[ ! -e calls ]] || sed -i '/^features /d' calls
   ran_with_features
 }
 
-# Goes into a folder with all that a run needs, and with stand-ins.
+# Enters a folder with everything that a run needs, and with stand-ins.
 enter() { # folder
   cp -r "$project"/{Makefile,jobs,pipeline} "$1"
   cd "$1" || exit
@@ -85,7 +85,7 @@ enter() { # folder
   stand_ins
 }
 
-# All tests of the script, or only those named.
+# Runs all tests of the script, or only the named ones.
 run_tests() { # names
   local test tests=("$@") failures=0 code began skipped_because
   skipped_because=$(mktemp)
@@ -111,7 +111,7 @@ run_tests() { # names
     rm -rf "$folder"
   done
   if ((failures == 0)) && [[ -s $skipped_because ]]; then
-    # As Google Test says it, so that count.awk finds the reason.
+    # Google Test's format, so that count.awk finds the reason.
     echo "${0##*/}: Skipped"
     cat "$skipped_because"
     failures=77

@@ -16,7 +16,7 @@ using testing::HasSubstr;
 using testing::Not;
 using testing::SizeIs;
 
-/// One method costs 600 s a seed, another 60 s; all else nothing.
+/// One method costs 600 s a seed, another 60 s; everything else is free.
 Costs costs() {
   Costs costs;
   costs.learn("train", {.dataset = "real", .method = "piae-dt"},
@@ -42,7 +42,7 @@ TEST(JobsOfACluster, AreOfMethodsAndSeedsThatTakeAboutTheSameTime) {
   EXPECT_EQ(kinds[1].name, "cells");
   EXPECT_THAT(kinds[1].files, SizeIs(3));  // 1320 s in jobs of 600 s
   EXPECT_EQ(kinds[1].seconds, 1320);
-  // Twice the longest and five minutes, in steps of five: 600 s are 25 minutes.
+  // Twice the longest plus five minutes, rounded up to five minutes: 600 s give 25 minutes.
   EXPECT_EQ(kinds[1].minutes, 25);
   EXPECT_EQ(kinds[1].megabytes, 500);
   EXPECT_EQ(kinds[2].name, "tables");
@@ -70,7 +70,7 @@ TEST(JobsOfACluster, AreAtMostFiveHundred) {
   EXPECT_EQ(kinds[1].name, "cells");
   EXPECT_THAT(kinds[1].files, SizeIs(500));
   EXPECT_EQ(kinds[1].seconds, 601 * 600);
-  EXPECT_EQ(kinds[1].minutes, 45);  // of two seeds, 1200 s
+  EXPECT_EQ(kinds[1].minutes, 45);  // two seeds, 1200 s
 }
 
 TEST(JobsOfACluster, BeginWithTheLongest) {
@@ -131,7 +131,7 @@ TEST(JobsOfACluster, OfAMethodThatAsksForAGpuAreOfTheirOwnKind) {
   for (const auto& job : kinds[1].files) EXPECT_THAT(job, Each(Not(HasSubstr("/piae-dt/"))));
   EXPECT_EQ(kinds[2].name, "cells-gpu");
   for (const auto& job : kinds[2].files) EXPECT_THAT(job, Each(HasSubstr("/piae-dt/")));
-  // What reads the model goes with it.
+  // Steps that read the model go with it.
   EXPECT_THAT(kinds[2].files.front(), Contains(HasSubstr("/diagnosis.h5")));
 }
 

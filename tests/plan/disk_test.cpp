@@ -15,7 +15,7 @@ using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-/// A run's folder with one artefact.
+/// The folder of a run with one artefact.
 class FilesOfARun : public testing::Test {
  protected:
   FilesOfARun() { write(1); }
@@ -28,7 +28,7 @@ class FilesOfARun : public testing::Test {
                  .options = "a = \"1\"\n",
                  .inputs = {{.role = "real", .file = "D.h5", .digest = std::string(64, 'd')}}});
   }
-  /// The file as a new process sees it.
+  /// Returns the file as a new process sees it.
   [[nodiscard]] std::optional<File> seen() const {
     RealDisk disk({folder_.path().string()}, true);
     const File* const file = disk.find(file_);
@@ -56,8 +56,8 @@ TEST_F(FilesOfARun, SayHowTheyWereMade) {
 TEST_F(FilesOfARun, SayInWhichFileTheyBelong) {
   const auto expect = [&](const std::string& name, artefact::Writer& writer) {
     writer.save(file_, {});
-    EXPECT_EQ(seen()->belongs_in, name);  // as the file says it
-    EXPECT_EQ(seen()->belongs_in, name);  // as the journal does
+    EXPECT_EQ(seen()->belongs_in, name);  // read from the file
+    EXPECT_EQ(seen()->belongs_in, name);  // read from the journal
   };
   artefact::Writer windows("windows");
   windows.attribute("/", "role", std::string("C"));
@@ -69,7 +69,7 @@ TEST_F(FilesOfARun, SayInWhichFileTheyBelong) {
 
 TEST_F(FilesOfARun, AreNotReadAgainWhereNothingHasTouchedThem) {
   const auto before = seen();
-  // A digest that the file does not have shows who has said it.
+  // A digest that the file does not have shows that the journal was used.
   std::string text = bytes_of(journal());
   text.replace(text.find(before->digest), before->digest.size(), std::string(32, 'x'));
   std::ofstream(journal()) << text;

@@ -50,7 +50,7 @@ TEST(DueSteps, AreThoseOfASettingThatIsTakenAway) {
   run.set("epochs = 200", "epochs = 123");
   run.run();
   run.set("epochs = 123\n", "");
-  run.set("epochs = 50\n", "");  // which is what the program takes anyway
+  run.set("epochs = 50\n", "");  // the program's default
   EXPECT_EQ(run.why("real/seed0/piae-dt/train"), "setting epochs is 200, was 123");
   EXPECT_EQ(run.why("real/seed0/none/100to1/wdcnn/diagnose"), "");
 }
@@ -163,7 +163,7 @@ TEST(DueSteps, CompareAllRecordingsThatAPatternMatches) {
   run.run();
   std::filesystem::remove(folder / "run/2.csv");
   EXPECT_EQ(run.why("real/ingest"), "recording run/2.csv is gone");
-  std::filesystem::remove_all(folder / "run");  // recordings need not be kept
+  std::filesystem::remove_all(folder / "run");  // recordings may be deleted
   EXPECT_EQ(run.why("real/ingest"), "");
 }
 
@@ -253,7 +253,7 @@ TEST(ArtefactsOfAPlan, AreReadTogether) {
       run.run(goal);
       run.disk.expected.clear();
       run.disk.read_alone.clear();
-      run.request.methods = "none piae-dt";  // smote's cells are only held
+      run.request.methods = "none piae-dt";  // smote's cells are held only
       (void)run.plan(goal, stretch).to_run();
       EXPECT_THAT(run.disk.read_alone, IsEmpty()) << goal;
     }
@@ -279,7 +279,7 @@ TEST(DueNumbersOfFigures, AreThoseOfWhichATableIsLost) {
   run.disk.files.erase(table);
   Plan& third = run.plan("all", Stretch::numbers);
   EXPECT_EQ(third.judge().of(figures_step(third)).why, "gains.csv is missing");
-  // A narrower look may have removed pictures, so a wider one makes the numbers again.
+  // A narrower look may have removed pictures, so a wider one rewrites the numbers.
   run.disk.files[table] = {.digest = "1"};
   Plan& looking = run.plan("figures", Stretch::numbers);
   EXPECT_EQ(looking.judge().of(figures_step(looking)).why,
@@ -292,8 +292,9 @@ TEST(DueNumbersOfFigures, AreThoseOfWhichATableIsLost) {
 TEST(DueNumbersOfFigures, DoNotWaitForCellsThatAreLeftOut) {
   SmallRun run;
   run.run();
-  run.disk.files["results/t/real/seed0/smote/E.h5"].digest = "another";
-  run.request.methods = "none piae-dt";  // so that what smote has made is only held
+  std::string& windows = run.disk.files["results/t/real/seed0/smote/E.h5"].digest;
+  const std::string before = std::exchange(windows, "another");
+  run.request.methods = "none piae-dt";  // so that smote's files are held only
   Plan& first = run.plan("all", Stretch::numbers);
   const StepId id = first.asked().front();
   EXPECT_EQ(first.judge().of(id).state, State::due);
@@ -301,6 +302,10 @@ TEST(DueNumbersOfFigures, DoNotWaitForCellsThatAreLeftOut) {
   run.disk.steps[name_of(first.graph().at(id))] = first.judge().made_now(id);
   Plan& second = run.plan("all", Stretch::numbers);
   EXPECT_EQ(second.judge().of(second.asked().front()).why, "");
+  windows = before;
+  Plan& third = run.plan("all", Stretch::numbers);
+  EXPECT_EQ(third.judge().of(third.asked().front()).why,
+            "other cells are left out, since they are out of date");
 }
 
 TEST(DueNumbersOfFigures, AreThoseOfAllWhereAllIsAskedForWithThem) {

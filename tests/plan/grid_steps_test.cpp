@@ -27,13 +27,13 @@ class StepsOfARun : public testing::Test {
     run_.request.seeds = "0";
   }
 
-  /// The command of the step that makes a file of results/t/real/.
+  /// Returns the command of the step that makes a file of results/t/real/.
   std::string command(const std::string& file, const std::string& goals = "all") {
     Plan& plan = run_.plan(goals);
     const auto maker = plan.graph().maker_of("results/t/real/" + file);
     return maker ? spaced(command_of(plan.graph().at(*maker))) : "nothing makes it";
   }
-  /// The logs of the steps that are asked for, below results/.
+  /// Returns the logs of the requested steps, below results/.
   Words logs(const std::string& goals) {
     Plan& plan = run_.plan(goals);
     Words logs;
@@ -42,7 +42,7 @@ class StepsOfARun : public testing::Test {
     }
     return logs;
   }
-  /// How many steps of each log are asked for.
+  /// Returns the number of requested steps for each name of a log.
   std::map<std::string, int> counts(const std::string& goals) {
     std::map<std::string, int> counts;
     for (const std::string& log : logs(goals)) ++counts[file_name(log)];
@@ -236,7 +236,8 @@ TEST_F(StepsOfARun, OfATransferAreOfGroupsOfDataSets) {
             "pipeline/protocol.toml names for these METHODS");
   run_.request.classifiers = "wdcnn wdcnn-spectra";
   EXPECT_THAT(logs("transfer"), Contains("t/transfer@both"));
-  // Two data sets, each with none by two classifiers and nearest, and smote by two at one ratio.
+  // Two data sets, each with `none` by two classifiers and nearest, and `smote` by two at one
+  // ratio.
   EXPECT_THAT(counts("transfer"), Contains(testing::Pair("diagnose", 10)));
   EXPECT_THAT(counts("transfer"), Not(Contains(testing::Key("score"))));
   Plan& plan = run_.plan("transfer");
@@ -284,7 +285,7 @@ TEST_F(StepsOfARun, OfAContrastOfBothReadingsOfCwruCompareTheirRates) {
   EXPECT_THAT(logs("contrast"), Not(Contains("t/cwru-as-published/contrast@rates")));
   run_.request.datasets = "cwru cwru-as-published";
   EXPECT_THAT(logs("contrast"), Contains("t/cwru-as-published/contrast@rates"));
-  // It needs both data sets, however little a question about one step is about.
+  // It needs both data sets, even for a question about this single step.
   EXPECT_EQ(narrowed(run_.request, "results/t/cwru-as-published/contrast@rates").datasets,
             "cwru cwru-as-published");
   EXPECT_EQ(narrowed(run_.request, "results/t/cwru/seed1/split").datasets, "cwru");

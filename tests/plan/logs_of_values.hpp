@@ -8,7 +8,7 @@
 
 namespace piae::plan {
 
-/// Logs of values.
+/// Logs that a test defines by values.
 class LogsOfValues : public Logs {
  public:
   std::optional<run::StepLog> read(const std::string& file) override {

@@ -21,7 +21,7 @@ class FilesThatAreAskedFor : public testing::Test {
     run_.disk.files["results/t/real/figures/scatter.csv"] = {.digest = "2"};
   }
 
-  /// The names of the steps of a stretch.
+  /// Returns the names of the steps of a stretch.
   [[nodiscard]] std::vector<std::string> steps_of(const std::string& files, Stretch stretch) {
     const Plan& plan = run_.plan(files, stretch);
     std::vector<std::string> names;

@@ -19,7 +19,7 @@ const char* const protocol =
     "[diagnose]\nepochs = 50\n[tabulate]\n";
 const std::string table_step = "results/t/made/tabulate";
 
-/// A project on the disk, in which this process works, with the files of its table.
+/// A project on the disk, the working folder of this process, with the files of its table.
 class TableOnTheDisk : public testing::Test {
  protected:
   TableOnTheDisk() : before_(fs::current_path()) {
@@ -46,14 +46,14 @@ class TableOnTheDisk : public testing::Test {
   void set(const std::string& of_tabulate) {
     folder_.write("pipeline/protocol.toml", protocol + of_tabulate);
   }
-  /// Writes the log of a step that begins now.
+  /// Writes the log of a step that starts now.
   void begin() {
     const auto now =
         std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch());
     folder_.write(table_step + ".log", "build/bin/tabulate\nstep: begun at " +
                                            std::to_string(now.count() + 0.05) + "\n");
   }
-  /// Notes how the table was made, and says if that was remembered.
+  /// Records how the table was made. True if the journal has kept it.
   bool notes() {
     const auto planned = planned_for(request_, {}, table_step);
     planned->note(table_step);
@@ -91,7 +91,7 @@ TEST_F(TableOnTheDisk, IsNotNotedWhereAnotherMakeWroteTheSettingsMeanwhile) {
   ::usleep(100'000);
   write_settings(Planned(request_, {}).plan());
   EXPECT_FALSE(notes());
-  begin();  // made again
+  begin();  // remade
   EXPECT_TRUE(notes());
 }
 

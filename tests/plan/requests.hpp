@@ -15,7 +15,7 @@ class Requests : public testing::Test {
  protected:
   Requests() : experiment_(read_experiment(run_.pipeline.path())), request_(run_.request) {}
 
-  /// The line of the error that the request ends with.
+  /// Returns the error line of the request.
   [[nodiscard]] std::string refusal() const {
     try {
       (void)choose(experiment_, request_);

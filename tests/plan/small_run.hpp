@@ -13,7 +13,7 @@
 
 namespace piae::plan {
 
-/// A disk of values, on which steps are run by noting what they would make.
+/// A disk in memory. Running a step records the files that it would make.
 class DiskOfValues : public Disk {
  public:
   void read_ahead(const std::vector<std::string>& names) override {
@@ -43,8 +43,8 @@ class DiskOfValues : public Disk {
   std::map<std::string, File> files;
   std::map<std::string, std::string> texts;
   std::map<std::string, artefact::DoneStep> steps;
-  std::set<std::string> expected;    ///< artefacts that were to be read together
-  std::set<std::string> read_alone;  ///< the others that were asked for
+  std::set<std::string> expected;    ///< artefacts announced by read_ahead()
+  std::set<std::string> read_alone;  ///< other artefacts that find() was called for
 };
 
 /// A project with two data sets and a run of it: "real" is measured, "made" is simulated.
@@ -80,7 +80,7 @@ class SmallRun {
     request.seeds = "0";
   }
 
-  /// A new plan for the goals.
+  /// Makes a new plan for the goals.
   Plan& plan(const std::string& goals = "all", Stretch stretch = Stretch::grid) {
     Request asked = request;
     asked.goals = words_in(goals);
@@ -89,7 +89,7 @@ class SmallRun {
     return *current;
   }
 
-  /// Does the steps that are to be done, as make would; returns how many of each stage were run.
+  /// Runs the steps to be run, as make would. Returns the number of runs of each stage.
   std::map<std::string, int> run(const std::string& goals = "all") {
     std::map<std::string, int> ran;
     Plan& to_do = plan(goals);
@@ -103,7 +103,7 @@ class SmallRun {
     return ran;
   }
 
-  /// Makes the files of one step, with contents that follow from its inputs and options.
+  /// Makes the files of one step. Their contents depend on its inputs and options.
   void make(const Graph& graph, StepId id) {
     const Step& step = graph.at(id);
     Judge judge(graph, disk);
@@ -124,7 +124,7 @@ class SmallRun {
     if (!step.is_artefact) disk.steps[name_of(step)] = done;
   }
 
-  /// Why the step with this log is to be run; empty where it is not.
+  /// Returns why the step with this log is to be run; empty if it is not.
   std::string why(const std::string& log, const std::string& goals = "all") {
     Plan& asked = plan(goals);
     for (const StepId id : asked.asked()) {
@@ -141,7 +141,7 @@ class SmallRun {
   Request request;
   Experiment experiment;
   std::unique_ptr<Plan> current;
-  std::string salt;  ///< of contents: another one stands for another random stream
+  std::string salt;  ///< added to the contents: another salt stands for another random stream
 };
 
 }  // namespace piae::plan

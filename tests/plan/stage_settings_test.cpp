@@ -23,13 +23,13 @@ using testing::HasSubstr;
 /// The project's own pipeline/.
 std::filesystem::path own_pipeline() { return std::filesystem::path(PIAE_SOURCE) / "pipeline"; }
 
-/// pipeline/ of a project.
+/// The folder pipeline/ of a project.
 struct Project {
   Folder folder;
 
   explicit Project(const std::string& protocol) { folder.write("protocol.toml", protocol); }
 
-  /// What a settings file holds, without the line that says what it is made from.
+  /// Returns the contents of a settings file without the line that names its source.
   [[nodiscard]] std::string values_of(const std::string& stage,
                                       const std::string& variant = "") const {
     const Experiment experiment = read_experiment(folder.path());

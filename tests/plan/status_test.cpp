@@ -21,7 +21,7 @@ class StatusOfARun : public testing::Test {
     run_.request.methods = "none smote";
   }
 
-  /// The table with one blank between its words, and what is listed below it.
+  /// Returns the table, with one blank between words, and the list below it.
   std::string status(const std::string& goals = "cells") {
     Plan& plan = run_.plan(goals);
     const auto states = step_states(plan, logs_, jobs_);
@@ -132,11 +132,13 @@ TEST(Submissions, GiveTheirGoalAndListsWhereNoneIsGiven) {
   const Folder folder;
   folder.write("choice", "sweep\nRUN=t\nSEEDS=0 1\nMETHODS=piae-dt\n");
   folder.write("cells.0", "results/t/a.h5\nresults/t/b.h5\n");
-  folder.write("tables.log", "spent: 3 steps\n");
+  folder.write("cells.0.log", "job: life ended at 1, used 1 s, status 1: out of time\x1b[2J\n");
+  folder.write("cells.1.log", "job: life begun at 1 on n1, 4 cores\n");
+  folder.write("tables.log", "job: life begun at 1 on n1, 4 cores\nspent: 3 steps\n");
   std::istringstream lines(
       "submission\t" + folder.path().string() +
       "\nqueue\tcells.1\tPENDING\tResources\nqueue\tcells.2\tPENDING\tResources\n"
-      "queue\ttables\tRUNNING\tNone\nended\tcells.0\tout of time\x1b[2J\n");
+      "queue\ttables\tRUNNING\tNone\n");
   const Submission submission = read_submission(lines);
   Request request;
   request.seeds = "7";
@@ -153,6 +155,40 @@ TEST(Submissions, GiveTheirGoalAndListsWhereNoneIsGiven) {
   other.goals = {"cells"};
   take_submission(submission, other, true);
   EXPECT_EQ(other.methods, std::nullopt);
+}
+
+TEST(Submissions, TellKilledJobsOnlyWhereTheQueueIsKnown) {
+  const Folder folder;
+  folder.write("choice", "all\n");
+  folder.write("cells.0.log", "job: life begun at 1 on n1, 4 cores\n");
+  folder.write("cells.1.log", "job: life begun at 1 on n1, 4 cores\nDUE TO TIME LIMIT\n");
+  const std::string named = "submission\t" + folder.path().string() + '\n';
+  const auto ended = [&](const std::string& queue) {
+    std::istringstream lines(named + queue);
+    std::string jobs;
+    for (const auto& job : read_submission(lines).ended) jobs += job.job + ": " + job.why + "; ";
+    return jobs;
+  };
+  EXPECT_EQ(ended(""), "cells.0: killed; cells.1: out of time; ");
+  EXPECT_EQ(ended("queue\tcells.0\tRUNNING\tNone\n"), "cells.1: out of time; ");
+  EXPECT_EQ(ended("queue\t?\t?\tno answer\n"), "cells.1: out of time; ");
+}
+
+TEST(Submissions, SayWhatTheyHaveSpent) {
+  const Folder folder;
+  const fs::path submission = folder.path() / "results/t/.jobs/1";
+  fs::create_directories(submission);
+  const auto write = [&](const std::string& name, const std::string& text) {
+    folder.write("results/t/" + name, text);
+  };
+  write(".jobs/1/choice", "all\n");
+  const std::string cell = (folder.path() / "results/t/real/seed0/A.h5").string();
+  write(".jobs/1/cells.0", cell + '\n');
+  write("old.log", "train\nstep: begun at 1.0\nstep: exit 0 after 1.0 s\n");
+  write("new.log", "train\nstep: begun at 99999999999.0\nstep: exit 0 after 1.0 s\n");
+  write("failed.log", "train\nstep: begun at 99999999999.0\nstep: exit 65 after 1.0 s\n");
+  EXPECT_THAT(spent_by_submission(submission), StartsWith("spent: 1 steps in 0 jobs; "));
+  EXPECT_THROW(spent_by_submission(folder.path()), Error);
 }
 
 }  // namespace

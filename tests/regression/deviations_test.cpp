@@ -15,7 +15,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-/// Accuracies of one method at 10to1, of seeds 0, 1, ...
+/// Adds accuracies of one method at 10to1, for seeds 0, 1, ...
 void add(Measurements& side, const std::string& method, const std::vector<double>& values) {
   for (std::size_t seed = 0; seed < values.size(); ++seed) {
     side.values.push_back(
@@ -39,7 +39,7 @@ DeviationRow only_row(const std::vector<double>& reference, const std::vector<do
   return deviations.rows.front();
 }
 
-/// `steps` representable numbers above `value`.
+/// Returns the number `steps` representable numbers above `value`.
 double above(double value, int steps) {
   for (int i = 0; i < steps; ++i) value = std::nextafter(value, 1e9);
   return value;
@@ -80,8 +80,8 @@ TEST(Deviations, EndsAtAsManyStandardErrorsAsChanceMayExplain) {
   EXPECT_FALSE(shifted_by(-4.29).within);
 }
 
-/// Of few seeds. Squares of `vae`: none (2 degrees of freedom); of `ae`: 2 + 2 (2). Together
-/// variance 4 / 4 = 1, that of `ae` alone 2. 6.62: the same table.
+/// Few seeds. Squares of `vae`: none (2 degrees of freedom); of `ae`: 2 + 2 (2). Variance together
+/// 4 / 4 = 1, of `ae` alone 2. 6.62: the same table.
 TEST(Deviations, OfFewSeedsBorrowsTheSpreadOfTheOtherRows) {
   Measurements reference = side({10, 10});
   Measurements run = side({11, 11});
@@ -126,7 +126,7 @@ TEST(Deviations, IsExactToFourUnitsInTheLastPlace) {
   EXPECT_TRUE(only_row({0.5, 0.7}, {above(0.5, 5), 0.7}, Tolerance::spread).within);
 }
 
-/// The means agree, and yet not one seed does.
+/// The means agree, but the seeds do not.
 TEST(Deviations, IsExactSeedBySeed) {
   EXPECT_FALSE(only_row({0.5, 0.7}, {0.7, 0.5}, Tolerance::exact).within);
 }
@@ -157,8 +157,7 @@ TEST(Deviations, NamesCellsOfOneSideOnly) {
       find_deviations(reference, run, {{}, {"vae"}, {}, {0}}, Tolerance::exact).acceptable());
 }
 
-// A classifier that is not trained scatters less: that must not narrow what is allowed of one that
-// is.
+// An untrained classifier scatters less. This must not narrow the tolerance for a trained one.
 TEST(Deviations, AreJudgedByTheScatterOfTheirOwnClassifier) {
   const auto with_nearest = [](std::vector<double> values) {
     Measurements both = side({0.60, 0.64, 0.66});

@@ -58,7 +58,7 @@ TEST_F(Stored, ReferenceComesBackToTheLastDigit) {
     EXPECT_EQ(back.values[i].seed, written.values[i].seed);
     EXPECT_EQ(back.values[i].value, written.values[i].value);
   }
-  // What is of several data sets lies beside their references (pipeline/keep_shown.sh).
+  // Tables of several data sets are next to their references (pipeline/keep_shown.sh).
   folder_.write("random/transfer@speeds.csv", "group,method\n");
   EXPECT_THAT(reference_datasets(folder_.path(), signal::Protocol::random), ElementsAre("cwru"));
   EXPECT_THAT(reference_datasets(folder_.path(), signal::Protocol::blocked), IsEmpty());

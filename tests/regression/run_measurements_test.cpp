@@ -19,8 +19,8 @@ using testing::HasSubstr;
 
 using RunMeasurements = StoredRun;
 
-/// The run of support/stored_run.hpp; of two classes the metrics' means are (0.5 + 1e-7) / 2 and so
-/// on.
+/// Reads the run of support/stored_run.hpp. It has two classes: the metrics' means are (0.5 + 1e-7)
+/// / 2 and so on.
 TEST_F(RunMeasurements, IsReadWithWhatMadeIt) {
   add_all();
   const std::vector<Measurements> datasets = read_run(folder_.path() / "run", {});
@@ -87,7 +87,7 @@ TEST_F(RunMeasurements, IsReadAsFarAsItIsSelected) {
   }
 }
 
-/// Counts how often each of some files is opened from now on, by asking the kernel.
+/// Counts how often each of some files is opened from now on, by inotify.
 class OpenCounter {
  public:
   explicit OpenCounter(const std::vector<std::filesystem::path>& files)
@@ -105,7 +105,7 @@ class OpenCounter {
   [[nodiscard]] std::map<std::filesystem::path, int> counts() const {
     std::map<std::filesystem::path, int> counts;
     for (const auto& [watch, name] : names_) counts[name] = 0;
-    // A file of its own that is watched has events without a name, all of the same size.
+    // Events of a watched file have no name, so all have the same size.
     std::array<inotify_event, 64> events{};
     for (ssize_t bytes = 0; (bytes = ::read(descriptor_, events.data(), sizeof events)) > 0;) {
       for (std::size_t i = 0; i < static_cast<std::size_t>(bytes) / sizeof events[0]; ++i) {

@@ -9,7 +9,7 @@
 #include "support/errors.hpp"
 #include "support/stored_run.hpp"
 
-/// The classifier as an axis of the grid.
+/// Tests the classifier as an axis of the grid.
 namespace piae::run {
 namespace {
 
@@ -17,7 +17,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-/// "vae 10to1 nearest": each cell of a grid but for the seed.
+/// Names each cell of a grid without the seed: "vae 10to1 nearest".
 std::vector<std::string> names_of(const Grid& grid) {
   std::vector<std::string> names;
   for (const Combination& cell : grid.combinations) {
@@ -123,7 +123,7 @@ TEST_F(CellsOfClassifiers, ThatAreBegunAreThoseOfARunThatIsLookedAt) {
   add_all();
   const GridOptions nothing_said{.dataset = dataset_, .methods = {}, .ratios = {}, .seeds = {}};
   EXPECT_EQ(names_of(resolve_begun(layout_, nothing_said)).size(), 3U);
-  // The bar of the baseline alone does not ask for that of others.
+  // The baseline's own cell does not add such cells to other methods.
   add_bar();
   EXPECT_THAT(
       names_of(resolve_begun(layout_, nothing_said)),
@@ -144,7 +144,7 @@ TEST_F(CellsOfClassifiers, AreNotBegunWhereTheClassifierAloneIsKept) {
   EXPECT_EQ(names_of(resolve_begun(layout_, nothing_said)).size(), 7U);
 }
 
-/// Where no fault is known, a run may have rules and symptom-net alone.
+/// Without known faults a run may have only rules and symptom-net.
 TEST_F(CellsOfClassifiers, ThatAreBegunNeedNotBeOfThePapers) {
   add(by("symptom-net", diagnosis("vae", "2to1", 145, 1, 20)));
   const GridOptions nothing_said{.dataset = dataset_, .methods = {}, .ratios = {}, .seeds = {}};

@@ -50,7 +50,7 @@ TEST_F(Cells, AreAllThere) {
   EXPECT_EQ(results.qualities.size(), 2U);
 }
 
-/// 900 rpm tested, 1200 known: 0.75. Where nothing is tested in another condition there is none.
+/// 900 rpm tested, 1200 known: 0.75. Empty if every fault is tested in its known condition.
 TEST_F(Cells, SayByWhatTheTestedSpeedDiffersFromTheKnownOne) {
   scoring::DiagnosisRecord record = diagnosis("none", "100to1", 0, 0, 12);
   const auto speed_ratio = [&] {
@@ -100,7 +100,7 @@ TEST_F(Cells, AreMissingForTheFirstStepThatLeftNoResult) {
   const auto diagnosis = layout_.diagnosis("vae", "2to1", 0);
   const auto method = score.parent_path();
   EXPECT_EQ(Layout::unfinished_log(score), std::nullopt);
-  touch(method / "score.log");  // says nothing about the diagnosis
+  touch(method / "score.log");  // unrelated to the diagnosis
   EXPECT_EQ(Layout::unfinished_log(diagnosis), std::nullopt);
   expect_missing(score, method / "score.log");
   touch(diagnosis.parent_path() / "diagnose.log");

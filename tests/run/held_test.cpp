@@ -18,7 +18,7 @@ class HeldCells : public StoredRun {
   [[nodiscard]] Collected collected(const Grid& asked, const Strings& leave_out = {}) const {
     return collect_held(layout_, asked, Held(layout_, leave_out));
   }
-  /// "vae 2to1 0": each diagnosis that was read.
+  /// Names each diagnosis that was read: "vae 2to1 0".
   [[nodiscard]] static Strings names(const Results& results) {
     Strings names;
     for (const Diagnosis& cell : results.diagnoses) {
@@ -124,17 +124,17 @@ TEST_F(HeldCells, ThatAreOutOfDateAreLeftOutByName) {
               ElementsAre(cell("vae", "10to1", 0), cell("vae", "2to1", 0), cell("vae", "", 0)));
   const Results file = collected(part_, {"seed1/vae/2to1/wdcnn/diagnosis.h5"}).results;
   EXPECT_THAT(file.left_out, ElementsAre(cell("vae", "2to1", 1)));
-  // A name is no beginning of another.
+  // A prefix of a name does not match.
   EXPECT_THAT(collected(part_, {"seed1/va", "seed"}).results.left_out, IsEmpty());
 }
 
-/// A report asks for all that the run has begun.
+/// A report requests everything that the run has started.
 TEST_F(HeldCells, ThatAreAskedForAreLeftOutAsWell) {
   add_all();
   const Results results = collected(grid_, {"seed0", "seed1/vae"}).results;
   EXPECT_THAT(names(results), ElementsAre("none 100to1 1"));
   EXPECT_THAT(results.problems, IsEmpty());
-  EXPECT_EQ(results.left_out.size(), 7U);  // none and twice vae, twice vae, two scores
+  EXPECT_EQ(results.left_out.size(), 7U);  // none and twice vae; twice vae; two scores
 }
 
 TEST_F(HeldCells, OfSeedsThatAreAllLeftOutLeaveNoTrace) {

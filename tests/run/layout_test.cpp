@@ -30,7 +30,7 @@ TEST_F(LayoutOfBefore, IsRefused) {
 
 TEST_F(LayoutOfBefore, IsThatOfDiagnosesInTheFolderOfARatio) {
   add_all();
-  folder_.write("run/cwru/seed0/vae/2to1/diagnose.log", "");  // says nothing, and may stay
+  folder_.write("run/cwru/seed0/vae/2to1/diagnose.log", "");  // allowed: not a cell
   folder_.write("run/cwru/seed0/vae/diagnosis.h5", "");
   folder_.write("run/cwru/seed0/vae/best/diagnosis.h5", "");
   folder_.write("run/cwru/other/vae/2to1/diagnosis.h5", "");

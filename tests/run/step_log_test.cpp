@@ -90,7 +90,7 @@ TEST(StepLogs, FindsAllOfARunInTheOrderInWhichTheyBegan) {
   EXPECT_EQ(logs[1].file, "cwru/seed0/split.log");
 }
 
-/// The log may be called otherwise than the program, which may have another command in front.
+/// A log may have another name than its program, and the command may start with a launcher.
 TEST(StepLogs, NameTheProgramByItsCommand) {
   const Folder folder;
   const auto log = read_step_log(folder.write(
@@ -103,7 +103,7 @@ TEST(StepLogs, NameTheProgramByItsCommand) {
   EXPECT_EQ(log.exit_code, 66);
 }
 
-/// A terminal obeys them, and anybody may have written the log.
+/// A terminal would obey control characters, and anybody may have written the log.
 TEST(StepLogs, GiveNoControlCharactersOn) {
   const Folder folder;
   const auto log = read_step_log(

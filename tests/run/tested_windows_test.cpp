@@ -38,8 +38,8 @@ TEST_F(TestedWindowsOfARun, OfAnotherPlaceAreRefused) {
                Exit::bad_input, "/record/index");
 }
 
-/// 20 windows of class 1 in one record, of which the first twelve are recognised, with scores that
-/// say so: of two decisions over ten windows one is right, and there is none over 60.
+/// 20 windows of class 1 in one record. The first twelve are recognised, with matching scores: one
+/// of two decisions over ten windows is right, and a decision over 60 windows does not exist.
 TEST_F(TestedWindowsOfARun, GiveDecisions) {
   scoring::DiagnosisRecord record = diagnosis("none", "100to1", 0, 0, 12);
   for (std::size_t i = 0; i < 20; ++i) record.scores[3 * i + index_of(record.predictions[i])] = 1;

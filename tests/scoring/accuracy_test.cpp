@@ -33,7 +33,7 @@ TEST(Confusion, RefusesWhatDoesNotFit) {
   EXPECT_THROW(confusion_matrix(two, std::vector<std::int32_t>{-1, 0}, 2), std::logic_error);
 }
 
-/// Three of four of one class, none of one of another; the third has no window.
+/// Three of four correct in one class, none in another; the third has no windows.
 TEST(BalancedAccuracy, IsTheMeanOverTheClassesThatHaveWindows) {
   const Confusion confusion =
       confusion_matrix(std::vector<Label>{0, 0, 0, 0, 2}, std::vector<Label>{0, 0, 0, 1, 0}, 3);

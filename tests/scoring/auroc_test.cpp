@@ -8,13 +8,14 @@
 namespace piae::scoring {
 namespace {
 
-// Of the six pairs (negative, positive) the positive is greater in five, and less in one: (3, 2).
+// The positive value is greater in five of the six pairs (negative, positive), and less in one:
+// (3, 2).
 TEST(Auroc, IsTheShareOfPairsThatThePositiveWins) {
   EXPECT_DOUBLE_EQ(auroc(std::vector{1.0, 3.0}, std::vector{2.0, 4.0, 5.0}), 5.0 / 6);
   EXPECT_DOUBLE_EQ(auroc(std::vector{3.0, 1.0}, std::vector{5.0, 2.0, 4.0}), 5.0 / 6);
 }
 
-// Of the six pairs two are equal and three are won.
+// Two of the six pairs are equal; in three the positive value is greater.
 TEST(Auroc, CountsEqualOnesHalf) {
   EXPECT_DOUBLE_EQ(auroc(std::vector{1.0, 2.0, 2.0}, std::vector{2.0, 3.0}), (1 + 2 * 0.5 + 3) / 6);
   EXPECT_DOUBLE_EQ(auroc(std::vector{7.0, 7.0}, std::vector{7.0}), 0.5);

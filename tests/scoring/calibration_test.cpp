@@ -7,8 +7,8 @@
 namespace piae::scoring {
 namespace {
 
-/// By hand, in four bins: two predictions up to 0.5, of which one is right; three above 0.75, of
-/// which two are; none between.
+/// By hand, in four bins: two predictions up to 0.5, one of them correct; three above 0.75, two of
+/// them correct; none between.
 const std::vector<Judgement> five{{0.4, true}, {0.5, false}, {0.8, true}, {0.9, true}, {1, false}};
 
 TEST(Reliability, PutsEachScoreIntoTheBinThatEndsAtItOrAboveIt) {

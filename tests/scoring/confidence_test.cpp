@@ -7,7 +7,7 @@
 namespace piae::scoring {
 namespace {
 
-/// Two windows of class 1, told as 1 with a score of 0.8 and as 2 with one of 0.6.
+/// Returns two windows of class 1, predicted as 1 with a score of 0.8 and as 2 with 0.6.
 DiagnosisRecord two_windows() {
   DiagnosisRecord record;
   record.info = three_classes();
@@ -26,7 +26,7 @@ TEST(Judgements, AreTheLargestScoresAndWhetherTheNamedClassIsRight) {
   EXPECT_FALSE(judgements[1].right);
 }
 
-/// Each in a bin of its own, off by 0.2 and by 0.6; the surer half is right.
+/// Each is alone in its bin, off by 0.2 and by 0.6; the more certain half is correct.
 TEST(Confidence, IsTheCalibrationErrorAndWhatMayBeAnswered) {
   const Confidence confidence = confidence_of(two_windows());
   EXPECT_NEAR(confidence.calibration_error, (0.2 + 0.6) / 2, 1e-7);

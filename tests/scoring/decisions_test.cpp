@@ -11,8 +11,8 @@ using testing::IsEmpty;
 
 using Groups = std::vector<std::vector<std::size_t>>;
 
-/// Seven windows of two records, not in time order: of record 4 those of class 1 lie at 0, 10, 20
-/// and 30, one of class 0 at 15, and of record 2 two of class 1.
+/// Seven windows of two records, not in time order. In record 4, class 1 has windows at 0, 10, 20
+/// and 30, class 0 one at 15; record 2 has two of class 1.
 const std::vector<Label> labels{1, 1, 0, 1, 1, 1, 1};
 const Places places{.record = {4, 4, 4, 2, 4, 4, 2}, .first_sample = {30, 0, 15, 5, 20, 10, 500}};
 
@@ -29,7 +29,7 @@ TEST(ConsecutiveGroups, OfOneWindowAreAllWindows) {
   EXPECT_EQ(consecutive_groups(labels, places, 1), (Groups{{2}, {3}, {6}, {1}, {5}, {4}, {0}}));
 }
 
-/// A class in two conditions is in two records: one group may not reach from one into the other.
+/// A class in two conditions is in two records; a group must not span both.
 TEST(ConsecutiveGroups, AreOfOneConditionEvenWhereSamplesWouldFollow) {
   const Places two{.record = {0, 1, 0, 1}, .first_sample = {0, 20, 10, 30}};
   EXPECT_EQ(consecutive_groups(std::vector<Label>{1, 1, 1, 1}, two, 2), (Groups{{0, 2}, {1, 3}}));
@@ -42,7 +42,7 @@ TEST(ConsecutiveGroups, NeedAPlaceForEachLabelAndAWindow) {
   EXPECT_THROW(consecutive_groups(labels, places, 0), std::logic_error);
 }
 
-/// Two windows are for class 0 by a little, one for class 2 by much: 0.9, 0.6 and 1.5.
+/// Two windows favour class 0 slightly, one favours class 2 strongly: 0.9, 0.6 and 1.5.
 TEST(Decide, NamesTheClassWithTheLargestSum) {
   const std::vector<float> scores{0.4F, 0.3F, 0.3F, 0.4F, 0.3F, 0.3F, 0.1F, 0, 0.9F};
   EXPECT_EQ(decide(scores, 3, std::vector<std::size_t>{0, 1, 2}), 2);
@@ -56,9 +56,9 @@ TEST(Decide, IsTheVoteWhereNothingIsSaidOfOtherClassesAndOfEqualOnesTheFirst) {
   EXPECT_EQ(decide(votes, 3, std::vector<std::size_t>{0, 1}), 1);
 }
 
-/// Class 0 has 30 windows of one record and class 1 has 10 of another, in time order. The first six
-/// of class 0 are wrong, and so is one decision of three. Class 1 has three wrong ones of ten, and
-/// its one decision is right.
+/// Class 0 has 30 windows of one record, class 1 has 10 of another, in time order. The first six of
+/// class 0 are wrong, which makes one decision of three wrong. Class 1 has three wrong ones of ten,
+/// and its one decision is correct.
 TEST(DecisionRates, AreAccuraciesOfTheDecisionsPlainAndBalanced) {
   std::vector<Label> truth(40, 0);
   Places where;

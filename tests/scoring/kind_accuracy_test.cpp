@@ -10,13 +10,13 @@ namespace {
 
 using signal::Defect;
 
-/// Two sizes of an inner race's defect, one of a ball's.
+/// Two sizes of an inner race defect, one of a ball defect.
 const std::vector<signal::ClassInfo> two_sizes{{"Normal", Defect::none, 0},
                                                {"IR007", Defect::inner, 0.2},
                                                {"IR021", Defect::inner, 0.5},
                                                {"B007", Defect::roller, 0.2}};
 
-// Of 20 windows 10 are named rightly, 4 are taken for the other size, and 6 for another kind.
+// Of 20 windows 10 are classified correctly, 4 as the other size, and 6 as another fault type.
 TEST(KindAccuracy, TakesOneSizeOfADefectForAnother) {
   const Confusion confusion{4,
                             {5, 0, 0, 0,  //

@@ -25,9 +25,9 @@ TEST(MeanSquaredDistance, NeedsTwoWindows) {
   EXPECT_THROW(mean_squared_distance(column({1})), std::logic_error);
 }
 
-/// Squared distances: within {0, 2} and within {1, 3} 0 and 4; between them 1, 9, 1, 1. With b = 4
-/// the five kernels add up to 5, 4.554440, 3.575121 and 2.623489 at 0, 1, 4 and 9, and
-/// (2 (2 * 5 + 2 * 3.575121) - 2 (3 * 4.554440 + 2.623489)) / 4 = 0.431716.
+/// Squared distances: 0 and 4 within {0, 2} and within {1, 3}; 1, 9, 1, 1 between them. With b = 4
+/// the five kernels add up to 5, 4.554440, 3.575121 and 2.623489 at 0, 1, 4 and 9, and (2 (2 * 5 +
+/// 2 * 3.575121) - 2 (3 * 4.554440 + 2.623489)) / 4 = 0.431716.
 TEST(Mmd, EqualsTheHandWorkedValue) {
   EXPECT_NEAR(mmd_squared(column({0, 2}), column({1, 3}), 16), 0.431715631975, 1e-11);
 }
@@ -37,7 +37,7 @@ TEST(Mmd, OfASetWithItselfIsZero) {
   EXPECT_NEAR(mmd_squared(x, x, mean_squared_distance(x)), 0, 1e-12);
 }
 
-/// Sets so far apart that no kernel reaches across: only pairs of a window with itself count.
+/// The sets are so far apart that all kernels vanish: only pairs of a window with itself count.
 TEST(Mmd, OfPointsFarFromEverythingIsTenOverN) {
   const Windows x = column({0, 1e6, 2e6, 3e6});
   const Windows y = column({5e5, 15e5, 25e5, 35e5});
@@ -52,7 +52,7 @@ double kernel(const Eigen::RowVectorXd& difference, double bandwidth) {
   return sum;
 }
 
-/// More rows than one block has, and not a multiple.
+/// More rows than a block has, and not a multiple.
 TEST(Mmd, OfManyWindowsIsTheDoubleSumOfItsDefinition) {
   const Windows x = noise(150, 20, "x");
   const Windows y = noise(150, 20, "y") * 1.5;

@@ -14,7 +14,7 @@ using testing::ElementsAre;
 using testing::IsEmpty;
 using Values = std::vector<double>;
 
-/// Two-sided p from all 2^n choices of signs, for ranks worked by hand.
+/// Returns the two-sided p from all 2^n choices of signs, for ranks worked by hand.
 double p_by_counting(const Values& ranks, double smaller) {
   const double all = std::accumulate(ranks.begin(), ranks.end(), 0.0);
   const auto choices = std::size_t{1} << ranks.size();
@@ -30,8 +30,8 @@ double p_by_counting(const Values& ranks, double smaller) {
 }
 
 /// Hollander & Wolfe 1973, pages 29 f.: Hamilton's depression scale before and after. The negative
-/// differences have the ranks 2 and 3, so that the statistic is 40 of 45; ten of the 512 subsets of
-/// {1, ..., 9} sum to 5 or less.
+/// differences have the ranks 2 and 3, so the statistic is 40 of 45; ten of the 512 subsets of {1,
+/// ..., 9} sum to 5 or less.
 TEST(SignedRanks, AreThoseOfHollanderAndWolfe) {
   const Values before{1.83, 0.50, 1.62, 2.48, 1.68, 1.88, 1.55, 3.06, 1.30};
   const Values after{0.878, 0.647, 0.598, 2.05, 1.06, 1.29, 1.06, 3.14, 1.29};
@@ -41,9 +41,9 @@ TEST(SignedRanks, AreThoseOfHollanderAndWolfe) {
   EXPECT_NEAR(c.difference.mean, 3.887 / 9, 1e-12);
 }
 
-/// Demsar 2006, Table 2: differences of C4.5 with and without a parameter on 14 data sets. Without
-/// the two of zero, whose ranks he splits, all others rank two lower than there: the negative ones
-/// are 7 and 3.5 - 2.
+/// Demsar 2006, Table 2: differences of C4.5 with and without a parameter on 14 data sets. He
+/// splits the ranks of the two zero differences. Without these two, all others rank two lower: the
+/// negative ones are 7 and 3.5 - 2.
 TEST(SignedRanks, LeaveOutDifferencesOfZero) {
   const Values differences{0.005, -0.008, 0.017, 0.033, 0.006, -0.005, 0.007,
                            0.000, 0.063,  0.000, 0.022, 0.047, 0.009,  0.021};
@@ -54,7 +54,7 @@ TEST(SignedRanks, LeaveOutDifferencesOfZero) {
   EXPECT_NEAR(test.p, p_by_counting({1.5, 5, 7, 10, 3, 1.5, 4, 12, 9, 11, 6, 8}, 6.5), 1e-12);
 }
 
-/// The worked example of many textbooks, with equal differences and one of zero: W = 27 - 18.
+/// A textbook example, with equal differences and one of zero: W = 27 - 18.
 TEST(SignedRanks, ShareTheRanksOfEqualDifferences) {
   const Values differences{15, -7, 5, 20, 0, -9, 17, -12, 5, -10};
   const SignedRanks test = signed_ranks(differences);
@@ -64,9 +64,8 @@ TEST(SignedRanks, ShareTheRanksOfEqualDifferences) {
   EXPECT_NEAR(test.p, p_by_counting({7, 3, 1.5, 9, 4, 8, 6, 1.5, 5}, 18), 1e-12);
 }
 
-/// Of a published table of critical values (two-sided, 0.05): n = 6: 0, 8: 3, 10: 8, 12: 13. The
-/// value itself is significant and the next larger is not. Sums of {1, ..., n} hit each T by these
-/// negative ranks.
+/// Published critical values (two-sided, 0.05): n = 6: 0, 8: 3, 10: 8, 12: 13. The value itself is
+/// significant and the next larger one is not. These negative ranks of {1, ..., n} sum to T.
 TEST(SignedRanks, HaveTheCriticalValuesOfTheTables) {
   struct Case {
     int n;
@@ -135,7 +134,8 @@ TEST(PairedDifference, CannotBeMoreCertainThanItsPairsAllow) {
   EXPECT_EQ(signed_ranks(Values{1, 2, 3, 4, 5}).p, smallest_p(5));
 }
 
-/// By hand: 0.005 * 4, 0.01 * 3, 0.03 * 2, and 0.04 * 1, which must not be below the one before.
+/// By hand: 0.005 * 4, 0.01 * 3, 0.03 * 2, and 0.04 * 1, which must not be below the previous
+/// value.
 TEST(Holm, CorrectsFromTheSmallestPDownwards) {
   EXPECT_THAT(holm(Values{0.01, 0.04, 0.03, 0.005}),
               ElementsAre(DoubleNear(0.03, 1e-12), DoubleNear(0.06, 1e-12), DoubleNear(0.06, 1e-12),

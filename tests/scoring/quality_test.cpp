@@ -26,7 +26,7 @@ signal::WindowSet empty_set() {
   return set;
 }
 
-/// Class IR holds two windows, class OR three.
+/// Returns two windows of class IR and three of class OR.
 signal::WindowSet real_set() {
   signal::WindowSet set = empty_set();
   add(set, 1, {1, 0, 0, 0});
@@ -95,13 +95,13 @@ TEST(QualityByClass, TakesTheBandwidthFromAllRealWindowsOfTheClass) {
   add(generated, 1, {1, 0, 0, 0});
   add(generated, 2, {0, 0, 0, 1});
   const auto classes = quality_by_class(generated, real_set());
-  // One pair 4 apart; the three real windows lie 8 from each other.
+  // One pair has distance 4; the three real windows have distance 8 from each other.
   double kernels = 0;
   for (const double m : {1, 2, 4, 8, 16}) kernels += std::exp(-4 / (8.0 / 4 * m));
   EXPECT_NEAR(classes[1].mmd, 2 * (5 - kernels), 1e-12);
 }
 
-/// Windows of 4096 samples at 600 and 1200 rpm in turn: a carrier that is modulated at BPFO.
+/// Returns windows of 4096 samples, alternately at 600 and 1200 rpm: a carrier modulated at BPFO.
 signal::WindowSet of_two_speeds(double faster_by) {
   signal::WindowSet set = empty_set();
   set.length = 4096;
@@ -134,7 +134,7 @@ TEST(QualityByClass, LooksForTheFaultsLineWhereTheShaftOfEachWindowHasIt) {
   const auto own = quality_by_class(real, real);
   EXPECT_GT(own[0].fault_line_db, 20);
   EXPECT_EQ(own[0].fault_line_difference_db, 0);
-  // At the mean of both speeds there is no line of either.
+  // The mean of both speeds has neither line.
   EXPECT_LT(quality_by_class(of_two_speeds(1.25), real)[0].fault_line_db, 10);
 }
 

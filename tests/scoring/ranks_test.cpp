@@ -17,15 +17,15 @@ TEST(Ranks, AreOfTheSmallestFirstAndSharedByEqualValues) {
   EXPECT_THAT(ranks(std::vector<double>{}), IsEmpty());
 }
 
-/// 0.3 - 0.2 and 0.2 - 0.1 are not the same in binary.
+/// 0.3 - 0.2 and 0.2 - 0.1 differ in binary.
 TEST(Ranks, TakeWhatDiffersByRoundingForEqual) {
   ASSERT_NE(0.3 - 0.2, 0.2 - 0.1);
   EXPECT_THAT(ranks(std::vector<double>{0.3 - 0.2, 2, 0.2 - 0.1}), ElementsAre(1.5, 3, 1.5));
   EXPECT_THAT(ranks(std::vector<double>{0.5, 0.5001}), ElementsAre(1, 2));
 }
 
-/// Demsar 2006, Table 6: AUC of four variants of C4.5 on 14 data sets; one that is given there as
-/// 0.975 twice with different ranks has a digit more here. Average ranks, F = 3.69 and critical
+/// Demsar 2006, Table 6: AUC of four variants of C4.5 on 14 data sets; a value printed as 0.975
+/// twice with different ranks has one more digit here. Average ranks, F = 3.69 and critical
 /// difference 1.25 as on his pages 12 and 13; p from an F table: F(3, 39) is 2.85 at 0.05 and 4.33
 /// at 0.01.
 TEST(AverageRanks, IsThatOfTheWorkedExample) {
@@ -52,7 +52,7 @@ TEST(AverageRanks, IsThatOfTheWorkedExample) {
   EXPECT_NEAR(*c.critical_difference, 1.25, 5e-3);
   EXPECT_GT(*c.p, 0.01);
   EXPECT_LT(*c.p, 0.05);
-  // F = 3.69 and (3, 39) degrees of freedom, by numerical integration of the density.
+  // F = 3.69 with (3, 39) degrees of freedom, by numerical integration of the density.
   EXPECT_NEAR(*c.p, 0.0198, 3e-4);
 }
 

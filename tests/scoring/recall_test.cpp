@@ -20,7 +20,7 @@ TEST(Recall, IsTheShareOfAClassThatIsRecognised) {
   EXPECT_EQ(recall_of({2, {1, 1, 0, 0}}, 1).of, 0);
 }
 
-/// One fault that is taken for another is no missed fault.
+/// A fault predicted as another fault is not missed.
 TEST(Recall, OfHealthyAndFaultyTellsMissedFaultsFromFalseAlarms) {
   const auto classes = three_classes("cwru").classes;
   const Share missed = missed_faults(example, classes);

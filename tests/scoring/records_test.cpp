@@ -107,7 +107,7 @@ TEST_F(Records, DiagnosisWithoutKnownFaultsSaysSo) {
   EXPECT_EQ(read_diagnosis(generated).true_ratio, record.true_ratio);
 }
 
-/// There is no ratio to the windows of a fault where there are none, and one to all others.
+/// The ratio to the windows of a fault exists only if there are some.
 TEST_F(Records, DiagnosisHasATrueRatioUnlessThereIsNoFaultWindow) {
   DiagnosisRecord record = diagnosis();
   record.any_known = false;
@@ -122,7 +122,7 @@ TEST_F(Records, DiagnosisHasATrueRatioUnlessThereIsNoFaultWindow) {
   EXPECT_ERROR(read_diagnosis(stored("diagnosis", record)), Exit::bad_input, "true_ratio");
 }
 
-// Files of the paper's classifier are what they were before there was another.
+// Files of the paper's classifier stay the same as before others existed.
 TEST_F(Records, DiagnosisNamesItsClassifierUnlessItIsThePapers) {
   DiagnosisRecord record = diagnosis();
   const Reader papers = stored("diagnosis", record);
@@ -166,7 +166,7 @@ TEST_F(Records, FeaturesAreOfEachWindow) {
   EXPECT_THROW(stored("diagnosis", record), std::logic_error);
 }
 
-/// Content that the digests vouch for, but that no diagnosis can have.
+/// Content with correct digests that a diagnosis cannot have.
 class WrongDiagnosis : public Records {
  protected:
   void SetUp() override {

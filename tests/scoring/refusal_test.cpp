@@ -10,7 +10,7 @@ namespace {
 using testing::DoubleNear;
 using testing::Pointwise;
 
-/// Right, right, wrong, right, wrong by falling score.
+/// Correct, correct, wrong, correct, wrong by falling score.
 const std::vector<Judgement> five_answers{
     {0.5, false}, {0.9, true}, {0.6, true}, {0.8, true}, {0.7, false}};
 
@@ -35,7 +35,7 @@ TEST(AnswerableShare, OfEqualScoresIsAllOrNone) {
   EXPECT_EQ(answerable_share(votes, 95), 0);
 }
 
-/// The surest has company that is wrong: no threshold lies between them.
+/// The highest score includes a wrong prediction: no threshold separates the two.
 TEST(AnswerableShare, DoesNotPartWindowsOfOneScore) {
   EXPECT_EQ(answerable_share(std::vector<Judgement>{{0.9, true}, {0.9, false}, {0.1, false}}, 95),
             0);
@@ -50,7 +50,7 @@ TEST(PrecisionByShare, FollowsTheScoresFromTheSurestOn) {
               Pointwise(DoubleNear(1e-12), {1.0, 1.0, 2 / 3.0, 3 / 4.0, 3 / 5.0}));
 }
 
-/// Of 1.25, 2.5, 3.75 and 5 windows: 1.25, 2, 2.75 and 3 are right.
+/// Of 1.25, 2.5, 3.75 and 5 windows, 1.25, 2, 2.75 and 3 are correct.
 TEST(PrecisionByShare, CountsPartsOfAWindow) {
   EXPECT_THAT(precision_by_share(five_answers, 4),
               Pointwise(DoubleNear(1e-12), {1.0, 2 / 2.5, 2.75 / 3.75, 3 / 5.0}));

@@ -10,7 +10,7 @@
 
 namespace piae::scoring {
 
-/// Windows of normally distributed samples.
+/// Returns windows of normally distributed samples.
 inline Windows noise(std::size_t count, std::size_t length, const std::string& name) {
   Stream stream(name);
   Windows windows(count, length);

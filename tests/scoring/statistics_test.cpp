@@ -21,7 +21,7 @@ TEST(Summary, OfTheFiveRunsOfTable6IsThatWorkedByHand) {
   EXPECT_NEAR(summary.interval->high, 62.02 + half, 1e-6);
 }
 
-/// The half-width of n values with standard deviation 1 is t / sqrt(n), and t is in every table.
+/// The half-width of n values with standard deviation 1 is t / sqrt(n); t is tabulated.
 TEST(Summary, IntervalHasStudentsQuantiles) {
   const std::vector<std::pair<std::size_t, double>> table{{2, 12.7062}, {3, 4.3027},  {4, 3.1824},
                                                           {6, 2.5706},  {10, 2.2622}, {30, 2.0452}};
@@ -52,7 +52,7 @@ TEST(Summary, OfEqualValuesIsAPoint) {
 
 TEST(Summary, NeedsAValue) { EXPECT_THROW(summarise({}), std::logic_error); }
 
-/// Two classes of two: means 2 and 6 about 4, so between them 4 * 4 of 4 * 4 + 4 * 1.
+/// Two classes of two: means 2 and 6 about 4, so 4 * 4 of 4 * 4 + 4 * 1 is between them.
 TEST(ShareBetweenClasses, IsTheOneWorkedByHand) {
   const std::vector<double> values{1, 7, 3, 5};
   const std::vector<Label> labels{0, 1, 0, 1};

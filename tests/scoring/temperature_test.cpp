@@ -10,7 +10,7 @@ namespace piae::scoring {
 namespace {
 
 TEST(Tempered, IsTheSoftmaxOfLogitsByTheTemperature) {
-  // exp(ln 9 / 2) = 3, and the second row is further up by a hundred.
+  // exp(ln 9 / 2) = 3; the second row has an offset of 100.
   const auto nine = static_cast<float>(std::log(9.0));
   const std::vector<float> logits{nine, 0, 0, 100, 100 + nine, 100};
   const std::vector<float> expected{0.6F, 0.2F, 0.2F, 0.2F, 0.6F, 0.2F};
@@ -24,7 +24,7 @@ TEST(Tempered, OfLogitsFarApartIsFinite) {
   EXPECT_EQ(sure, (std::vector<float>{1, 0, 0}));
 }
 
-/// Windows of two classes of which a classifier says 3 to 1 for the one it names.
+/// Windows of two classes with the classifier's logits.
 struct Said {
   std::vector<float> logits;
   std::vector<Label> labels;
@@ -40,7 +40,7 @@ struct Said {
   [[nodiscard]] double temperature() const { return best_temperature(logits, labels, 2); }
 };
 
-/// Three of four are right, whichever class is named.
+/// Returns windows of which three of four are predicted correctly in both classes.
 Said right_three_times_of_four(int quarters, double logit) {
   Said said;
   for (const Label named : {0, 1}) {
@@ -50,8 +50,8 @@ Said right_three_times_of_four(int quarters, double logit) {
   return said;
 }
 
-// The logit of 3 to 1 is ln 3; one that is so many times larger wants that temperature. The chance
-// (n + 1) / (n + 2) hardly counts with 80 000 windows.
+// The logit of 3 to 1 is ln 3; a logit `factor` times larger needs that temperature. With 80 000
+// windows the probability (n + 1) / (n + 2) hardly matters.
 TEST(BestTemperature, IsTheFactorByWhichLogitsAreTooLarge) {
   for (const double factor : {0.25, 1.0, 2.0, 10.0}) {
     const Said said = right_three_times_of_four(10000, factor * std::log(3.0));
@@ -59,8 +59,8 @@ TEST(BestTemperature, IsTheFactorByWhichLogitsAreTooLarge) {
   }
 }
 
-// Of n windows, all right, the mean is least where the softmax says (n + 1) / (n + 2) of each: the
-// logit by the temperature is ln(n + 1).
+// If all n windows are correct, the mean is least for a softmax of (n + 1) / (n + 2): the logit
+// divided by the temperature is ln(n + 1).
 TEST(BestTemperature, OfWindowsThatAreAllRightIsBoundByTheirNumber) {
   for (const int each : {4, 50}) {
     Said said;
@@ -70,7 +70,7 @@ TEST(BestTemperature, OfWindowsThatAreAllRightIsBoundByTheirNumber) {
   }
 }
 
-// Class 0 is right three times of four, class 1 always: each class has half the weight, however
+// Class 0 is correct three times of four, class 1 always: each class has half the weight, however
 // many windows it has.
 TEST(BestTemperature, GivesEachClassTheSameWeight) {
   const auto with_so_many_of_class_1 = [](int count) {
@@ -80,12 +80,12 @@ TEST(BestTemperature, GivesEachClassTheSameWeight) {
     said.add(count, 1, 1, 2);
     return said.temperature();
   };
-  // Right with the weight 7/8: ln 7 = 2 / T.
+  // Correct with weight 7/8: ln 7 = 2 / T.
   EXPECT_NEAR(with_so_many_of_class_1(40000), 2 / std::log(7.0), 1e-3);
   EXPECT_NEAR(with_so_many_of_class_1(400), with_so_many_of_class_1(40000), 1e-3);
 }
 
-// Wrong logits want to be forgotten, and sure ones to be surer than can be told.
+// Wrong logits need an infinite temperature, and underconfident ones a temperature near 0.
 TEST(BestTemperature, StaysBetweenAFiftiethAndFifty) {
   Said wrong;
   wrong.add(10, 0, 1, 5);

@@ -50,7 +50,7 @@ TEST(AlignedRmse, IsTheSmallestOverAllShifts) {
   EXPECT_EQ(aligned_rmse(generated, real), smallest);
 }
 
-/// A shift can turn a sine into its negative, but nothing else can.
+/// A shift can change a sine into its negative; a pulse has no such shift.
 TEST(AlignedRmse, DoesNotTurnWindowsUpsideDown) {
   Windows real = Windows::Zero(1, 8);
   real(0, 3) = 1;
@@ -81,7 +81,7 @@ TEST(SpectralDistance, OfTenTimesTheAmplitudeIsTwentyDecibels) {
   EXPECT_EQ(spectral_distance_db(real, real), 0);
 }
 
-/// Of 32 bins, those three where the tone is are 10 dB apart.
+/// The tone's three of 32 bins differ by 10 dB.
 TEST(SpectralDistance, IsTheRootMeanSquareOverBins) {
   const Windows real = tone(64, 1, 8, 0) + tone(64, 1, 20, 0);
   const Windows generated = tone(64, std::sqrt(10.0), 8, 2) + tone(64, 1, 20, 1);
@@ -93,8 +93,8 @@ TEST(SpectralDistance, DoesNotSeeAShift) {
   EXPECT_NEAR(spectral_distance_db(tone(64, 1, 8, 1.3), real), 0, 1e-6);
 }
 
-/// A pulse in the middle has the same power P in all bins but the first, whose mean is removed:
-/// with the mean power as reference silence is 100 dB down, save for the dip that removal leaves in
+/// A pulse in the middle has the same power P in all bins but the first, whose mean is removed.
+/// Relative to the mean power, silence is at -100 dB, except for the dip that the removal leaves in
 /// bin 1.
 TEST(SpectralDistance, OfSilenceIsFarButFinite) {
   Windows real = Windows::Zero(1, 1024);

@@ -23,13 +23,13 @@ using testing::Not;
 
 namespace fs = std::filesystem;
 
-/// pipeline/ of a project.
+/// The folder pipeline/ of a project.
 struct Project {
   Folder folder;
 
   explicit Project(const std::string& protocol) { folder.write("protocol.toml", protocol); }
 
-  /// The reason for which its protocol is refused.
+  /// Returns why its protocol is refused.
   [[nodiscard]] std::string refusal() const {
     try {
       (void)read_protocol(folder / "protocol.toml");
@@ -46,7 +46,7 @@ TEST(Protocol, TheProjectsOwnIsAccepted) {
       (void)read_protocol(std::filesystem::path(PIAE_SOURCE) / "pipeline/protocol.toml"));
 }
 
-/// The paper's eq. 13 stands for one bearing, whether a method or `simulate` computes with it.
+/// The paper's eq. 13 describes one bearing, so methods and `simulate` must use the same values.
 TEST(Protocol, TakesTheParametersOfTheSimulatedBearing) {
   const fs::path pipeline = fs::path(PIAE_SOURCE) / "pipeline";
   const toml::table protocol = toml::parse_file((pipeline / "protocol.toml").string());
@@ -92,7 +92,7 @@ TEST(Protocol, WhatNothingReadsIsRefusedWithItsLine) {
               HasSubstr("line 2: readings.readings holds 'a=b+c=d+a=e', which sets a twice"));
 }
 
-/// A group of data sets as it should be, on the first three lines.
+/// A valid group of data sets, on the first three lines.
 const std::string group_a =
     "[transfer.a]\ndatasets = [\"x\"]\nagainst = \"smote\"\ninputs = [\"none=wdcnn\"]\n";
 
@@ -139,7 +139,7 @@ TEST(Protocol, AGroupThatIsNoneIsRefusedWithItsLine) {
               HasSubstr("line 5: nothing reads the table [transfer.a.inner]"));
 }
 
-/// Who takes a description away can still run all else.
+/// Everything else still runs after a description was removed.
 TEST(Protocol, AGroupOfAnUnknownDatasetIsRefusedWhereItIsAskedFor) {
   const Project project(group_a);
   const toml::table protocol = read_protocol(project.folder / "protocol.toml");

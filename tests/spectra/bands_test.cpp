@@ -19,7 +19,7 @@ TEST(NarrowBands, AreNineUpTo6300HzOrAsManyAsTheRateHolds) {
   EXPECT_EQ(bands.back().low_hz, 5100);
   EXPECT_EQ(bands.back().high_hz, 6300);
   EXPECT_EQ(narrow_bands(51200).size(), 9U);
-  EXPECT_EQ(narrow_bands(6000).size(), 4U);  // with middles at 900, 1500, 2100 and 2700 Hz
+  EXPECT_EQ(narrow_bands(6000).size(), 4U);  // centred on 900, 1500, 2100 and 2700 Hz
   EXPECT_EQ(narrow_bands(1800).size(), 1U);
   EXPECT_TRUE(narrow_bands(1799).empty());
 }
@@ -102,7 +102,7 @@ TEST(BandLevels, AreThoseOfNumpy) {
   EXPECT_NEAR(levels[8], -14.71241, 2e-5);
 }
 
-// 2400 Hz lies in the middle of one band and at the edges of none.
+// 2700 Hz lies in the middle of one band and at the edges of others.
 TEST(BandLevels, OfASineAreZeroWhereItLiesWithin) {
   const Eigen::ArrayXd levels =
       band_levels_db(sine(4096, 2700.0 / 12000), filter_bank(12000, 4096));

@@ -14,7 +14,7 @@ namespace {
 
 using Complex = std::complex<double>;
 
-/// Numbers without a pattern that a transform would meet.
+/// Returns numbers without a pattern that a transform could exploit.
 template <class T>
 std::vector<T> irregular(std::size_t count) {
   std::vector<T> numbers(count);
@@ -25,7 +25,8 @@ std::vector<T> irregular(std::size_t count) {
   return numbers;
 }
 
-/// The definition, a sum for each bin; sign -1 for the transform, 1 for its inverse without 1/N.
+/// Computes the transform by its definition, a sum per bin. The sign is -1 for the transform and 1
+/// for its inverse without 1/N.
 template <class T>
 std::vector<Complex> by_definition(const std::vector<T>& values, double sign) {
   const auto length = static_cast<double>(values.size());
@@ -40,7 +41,7 @@ std::vector<Complex> by_definition(const std::vector<T>& values, double sign) {
   return sums;
 }
 
-// Multiples of four, for which Eigen has a way of its own, other even lengths, odd ones, a prime.
+// Multiples of four, which Eigen treats specially; other even lengths; odd lengths; a prime.
 class Fft : public testing::TestWithParam<std::size_t> {};
 INSTANTIATE_TEST_SUITE_P(Lengths, Fft, testing::Values(2, 3, 4, 12, 15, 30, 97, 1024));
 

@@ -7,7 +7,7 @@
 namespace piae::spectra {
 namespace {
 
-// Over three numbers of 5 | 5 1 4 2 3 | 3, and over five of 1 5 | 5 1 4 2 3 | 3 2.
+// Medians over three numbers of 5 | 5 1 4 2 3 | 3, and over five of 1 5 | 5 1 4 2 3 | 3 2.
 TEST(RunningMedian, GoesOnAsAMirrorBeyondTheEnds) {
   Eigen::ArrayXd values(5);
   values << 5, 1, 4, 2, 3;
@@ -19,8 +19,8 @@ TEST(RunningMedian, GoesOnAsAMirrorBeyondTheEnds) {
   EXPECT_TRUE((running_median(values, 5) == of_five).all());
 }
 
-// Hann's weights over three numbers are 1/4, 1/2, 1/4; beyond the ends lie the second number and
-// the last but one.
+// Hann's weights over three numbers are 1/4, 1/2, 1/4. The mirror repeats the second number before
+// the first and the last but one after the last.
 TEST(Smoothed, IsAWeightedMeanWithMirrorsAtTheEnds) {
   const Eigen::ArrayXd means = smoothed(Eigen::Array4d(0, 4, 0, 8), 3);
   EXPECT_NEAR(means[0], 2, 1e-12);
@@ -29,7 +29,7 @@ TEST(Smoothed, IsAWeightedMeanWithMirrorsAtTheEnds) {
   EXPECT_NEAR(means[3], 4, 1e-12);
 }
 
-/// Noise through a resonance at a quarter of the rate: x[t] = n[t] - 0.9 x[t - 2].
+/// Returns noise with a resonance at a quarter of the rate: x[t] = n[t] - 0.9 x[t - 2].
 Eigen::RowVectorXd ringing_noise() {
   Stream stream("noise");
   Eigen::RowVectorXd window(4096);

@@ -31,9 +31,10 @@ double line_db(const Windows& windows, Defect defect) {
   return line_db(windows, bearing::strike_frequency_hz({}, defect, 1797));
 }
 
-/// Modulated by cos of depth m at 9, 18 and 27 cycles and by noise: cos of depth a and any phase at
-/// each of 1 ... 40 cycles. Hann's window makes (m N / 4)^2 of a line and, as its squares have the
-/// mean 3 / 8, N^2 (a^2 / 4) 3 / 8 of the noise. Their sum over the latter is 1 + 2 m^2 / (3 a^2).
+/// The envelope is modulated by cosines of depth m at 9, 18 and 27 cycles and by noise: cosines of
+/// depth a and random phase at each of 1 ... 40 cycles. With Hann's window, whose squares have the
+/// mean 3 / 8, a line has the power (m N / 4)^2 and the noise N^2 (a^2 / 4) 3 / 8. Their sum over
+/// the noise is 1 + 2 m^2 / (3 a^2).
 TEST(FreeHarmonics, OfAKnownModulationHasItsClosedForm) {
   constexpr double m = 0.1;
   constexpr double a = 0.02;
@@ -62,8 +63,8 @@ TEST(FreeHarmonics, OfAKnownModulationHasItsClosedForm) {
   EXPECT_NEAR(line_db(windows, 9 * bin_hz * 1.01), expected, 0.3) << "speed";
 }
 
-/// An inner race's defect passes the load zone once a turn of the shaft: its line has neighbours 30
-/// Hz away, which 1024 samples hardly separate, and 4096 do.
+/// An inner race's defect passes the load zone once per shaft turn. So its line has side lines 30
+/// Hz away, which 1024 samples hardly resolve; 4096 do.
 TEST(FreeHarmonics, OfSimulatedFaultsIsTheirOwn) {
   for (const int label : {1, 2, 3}) {
     const Windows windows = fault_windows(label, 12, 4096);
@@ -102,7 +103,7 @@ TEST(FreeHarmonics, OfNoWindowsIsRefused) {
   EXPECT_THROW((void)line_db(Windows(0, length), 100.0), std::logic_error);
 }
 
-/// A spectrum that is `height` within 0.1 of each multiple of an order, and -0.7 elsewhere.
+/// Returns a spectrum of `height` within 0.1 of each multiple of an order, and of -0.7 elsewhere.
 OrderSpectrum comb(double order, double height) {
   OrderSpectrum spectrum{Eigen::ArrayXd(460)};
   for (Eigen::Index i = 0; i < spectrum.heights.size(); ++i) {
@@ -119,14 +120,14 @@ TEST(CommonSlip, FindsALineThatSlipsByUpTo12InAThousand) {
   }
 }
 
-// A line that slips by 5 % is sought 3.8 % too near to 0 at best, which is 0.19 for the first
+// For a line that slips by 5 %, the search ends 3.8 % too close to 0: 0.19 orders off for the first
 // harmonic and more for the others.
 TEST(CommonSlip, DoesNotFindOneThatSlipsFarther) {
   EXPECT_NEAR(common_slip_height(comb(5 * 1.05, 2), 5, 4, -1), -0.7, 1e-9);
   EXPECT_NEAR(common_slip_height(comb(5 * 0.95, 2), 5, 1, -1), -0.7, 1e-9);
 }
 
-// Without a common slip all four harmonics would be found, each at one of its own.
+// With separate slips all four harmonics would be found.
 TEST(CommonSlip, TakesOneSlipForAllHarmonics) {
   OrderSpectrum spectrum = comb(5, -0.7);
   const auto raise = [&](double order) {

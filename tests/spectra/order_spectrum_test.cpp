@@ -8,7 +8,8 @@
 namespace piae::spectra {
 namespace {
 
-/// Of a window at 12 kHz, up to the fourth harmonic of a 6205's highest line.
+/// Returns the order spectrum of a window at 12 kHz, up to the fourth harmonic of a 6205's highest
+/// line.
 OrderSpectrum spectrum_of(const std::vector<float>& window, double shaft_hz) {
   const auto length = std::ssize(window);
   return order_spectrum(Eigen::Map<const Eigen::RowVectorXf>(window.data(), length).cast<double>(),
@@ -27,8 +28,8 @@ TEST(OrderSpectrum, IsThatOfNumpy) {
   EXPECT_NEAR(height(21.2), -0.579987, 2e-6);
 }
 
-// The power of noise over its mean has an exponential distribution, the mean of whose logarithm is
-// Euler's constant below 0: -0.5772 / ln 10 = -0.2507.
+// The power of noise over its mean has an exponential distribution. The mean of its logarithm is
+// minus Euler's constant: -0.5772 / ln 10 = -0.2507.
 TEST(OrderSpectrum, OfNoiseIsAQuarterBelowItsFloor) {
   Stream stream("noise");
   double sum = 0;

@@ -11,7 +11,7 @@
 namespace piae::spectra {
 namespace {
 
-/// 3 cos with 4 cycles in 32 samples, from `first` on; silence before.
+/// Returns 3 cos with 4 cycles in 32 samples from `first` on, and 0 before.
 Eigen::RowVectorXd tone_from(Eigen::Index first) {
   Eigen::RowVectorXd window = Eigen::RowVectorXd::Zero(128);
   for (Eigen::Index i = first; i < window.size(); ++i) {
@@ -36,7 +36,7 @@ TEST(Spectrogram, OfAToneHasItsLinesAtAllTimes) {
 TEST(Spectrogram, ShowsWhenAToneBegins) {
   const Eigen::ArrayXXd power = spectrogram(tone_from(64), 32);
   for (Eigen::Index time = 0; time < 3; ++time) EXPECT_EQ(power(time, 4), 0) << time;
-  EXPECT_GT(power(3, 4), 100);  // its second half sounds
+  EXPECT_GT(power(3, 4), 100);  // the tone fills its second half
   for (Eigen::Index time = 4; time < 7; ++time) EXPECT_NEAR(power(time, 4), 576, 1e-9) << time;
 }
 
@@ -68,7 +68,7 @@ TEST(Spectrum, IsTheMeanOverWindowsAndSeesNoOffset) {
   EXPECT_NEAR(mean_power_spectrum(windows)[1], 0, 1e-8);
 }
 
-/// A carrier of whole cycles: A (1 + m cos) is its envelope, whatever the window's offset.
+/// A carrier of whole cycles: its envelope is A (1 + m cos), whatever the window's offset.
 TEST(Envelope, OfAModulatedCarrierIsItsModulation) {
   constexpr Eigen::Index n = 1024;
   constexpr double cycle = 2 * std::numbers::pi / 1024;

@@ -8,7 +8,7 @@ namespace {
 
 using artefact::Reader;
 
-/// The same commands in another folder make the same bytes.
+/// Expects the same bytes from the same commands in another folder.
 void expect_same_bytes_elsewhere(const Tiny& tiny) {
   const fs::path other = tiny / "a longer path" / "with spaces";
   fs::create_directories(other);
@@ -36,7 +36,8 @@ TEST(Chain, LeadsFromASimulationToTheTablesWithTheSameBytesInEveryFolder) {
   EXPECT_EQ(verified.status, 0);
   EXPECT_EQ(verified.out + verified.err, "");
 
-  // 40 windows of each of 3 classes: 10 for A; B is the rest of the healthy, C 5 of each faulty.
+  // 40 windows of each of 3 classes: A gets 10 of each; B the rest of the healthy ones, C 5 of each
+  // fault class.
   const std::map<std::string, std::size_t> windows{
       {"A", 30}, {"B", 30}, {"C", 10}, {"D", 50}, {"E", 10}};
   for (const auto& [role, count] : windows) {
@@ -62,8 +63,8 @@ TEST(Chain, LeadsFromASimulationToTheTablesWithTheSameBytesInEveryFolder) {
   expect_same_bytes_elsewhere(tiny);
 }
 
-/// The fixture of the other tests of this program (tests/CMakeLists.txt): runs the chain once, in
-/// the folder that PIAE_TINY_CHAIN names.
+/// Fixture of the other tests of this program (tests/CMakeLists.txt): runs the chain once, in the
+/// folder PIAE_TINY_CHAIN.
 TEST(TinyChain, IsMade) {
   const char* folder = std::getenv("PIAE_TINY_CHAIN");
   if (folder == nullptr) GTEST_SKIP() << "PIAE_TINY_CHAIN is not set";

@@ -31,7 +31,7 @@ TEST_F(CheckStage, StoresARunAndFindsItTheSame) {
   EXPECT_NE(same.out.find("compared 9 quantities of tiny: 0 moved, 0 outside the tolerance\n"),
             std::string::npos)
       << same.out;
-  // What another build has made is judged by its spread, and of one seed there is none.
+  // Values of another build are judged by their spread, which a single seed does not have.
   std::string text = bytes_of(tiny_ / "reference/random/tiny.csv");
   const std::string mark = "computed with: ";
   text.insert(text.find(mark) + mark.size(), "another machine, ");

@@ -12,7 +12,7 @@
 #include "stages/doctor.hpp"
 #include "stages/tiny.hpp"
 
-/// The classifiers of `diagnose`, as a user asks for them.
+/// Classifiers of `diagnose`, requested as users do.
 namespace piae::stages {
 namespace {
 
@@ -63,7 +63,7 @@ TEST_F(Classifiers, AreEachTriedOnTheTestWindows) {
   EXPECT_EQ(verified.status, 0) << verified.err;
 }
 
-// Files that were made when there was no other are those of today, to the last byte.
+// Files from before other classifiers existed equal those of today, to the last byte.
 TEST_F(Classifiers, ThePapersIsTheDefaultAndIsNotNamedInItsFile) {
   (void)run_well(diagnose_by("wdcnn"));
   (void)run_well(with(step_of("diagnose").arguments, "--output", "default.h5"));

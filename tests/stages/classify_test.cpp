@@ -14,7 +14,7 @@
 #include "stages/doctor.hpp"
 #include "stages/tiny.hpp"
 
-/// A classifier that is kept, and applied to recordings.
+/// Keeps a classifier and applies it to recordings.
 namespace piae::stages {
 namespace {
 
@@ -24,7 +24,7 @@ class KeepClassifier : public testing::Test {
  protected:
   void SetUp() override { tiny_.run_chain_before("diagnose"); }
 
-  /// Without generated windows, and without an output yet.
+  /// Returns arguments without generated windows and without an output.
   static Arguments diagnose(const std::string& classifier = "wdcnn") {
     return {"--test", "A.h5",   "--normal", "B.h5",     "--known", "C.h5",         "--ratio",
             "100to1", "--seed", "0",        "--epochs", "2",       "--classifier", classifier};
@@ -36,7 +36,7 @@ class KeepClassifier : public testing::Test {
     EXPECT_EQ(outcome.status, 0) << outcome.err;
     return outcome;
   }
-  /// A recording as others write them, one number a line.
+  /// Returns a recording as CSV, one number per line.
   [[nodiscard]] std::string csv_of(std::span<const float> samples) const {
     std::ostringstream text;
     text.precision(9);
@@ -62,7 +62,7 @@ TEST_F(KeepClassifier, SaysWhatItIsWorthAndIsGoodByVerify) {
   EXPECT_EQ(tiny_.left_overs(), std::set<std::string>{});
 }
 
-// The diagnosis is that of a run that keeps nothing, to the last byte.
+// The diagnosis equals that of a run that keeps nothing, to the last byte.
 TEST_F(KeepClassifier, ChangesNothingInTheDiagnosis) {
   const Arguments alone = with(diagnose(), "--output", "alone.h5");
   ASSERT_EQ(tiny_.run("diagnose", alone).status, 0);
@@ -91,7 +91,7 @@ TEST_F(KeepClassifier, NeedsOneOfTheOutputs) {
                  {"--output is required, or --keep-classifier"});
 }
 
-// Asked about A again, each says what its diagnosis says.
+// Applied to A again, each predicts what its diagnosis predicted.
 TEST_F(KeepClassifier, EveryClassifierIsKeptAndNamesWhatItsDiagnosisNames) {
   for (const diagnosis::Classifier& each : diagnosis::classifiers()) {
     const std::string name = each.name;
@@ -131,7 +131,7 @@ TEST_F(KeepClassifier, OfGeneratedWindowsSaysOfWhichMethod) {
   EXPECT_EQ(kept.origin().seed, 3);
 }
 
-/// With a classifier, and the windows of A that it was not trained on as recordings.
+/// Provides a classifier, and windows of A, which it was not trained on, as recordings.
 class Classify : public KeepClassifier {
  protected:
   void SetUp() override {
@@ -153,7 +153,7 @@ class Classify : public KeepClassifier {
     arguments.erase(found, found + 2);
     return arguments;
   }
-  /// A description of recordings of the tiny machine, in the unit that the classifier knows.
+  /// Writes a description of recordings of the tiny machine, in the classifier's unit.
   void describe(const std::string& speed = "1797") const {
     const signal::Recordings recordings =
         signal::read_recordings(artefact::Reader(tiny_ / "records.h5", "records"));
@@ -176,7 +176,7 @@ TEST_F(Classify, NamesWhatTheDiagnosisNamedOfEachTestWindow) {
   ASSERT_EQ(tiny_.run("diagnose", with(diagnose(), "--output", "diagnosis.h5")).status, 0);
   const scoring::DiagnosisRecord record =
       scoring::read_diagnosis({tiny_ / "diagnosis.h5", "diagnosis"});
-  // All of A as one recording, one window after the other.
+  // All of A as one recording of consecutive windows.
   tiny_.write("recording.csv", csv_of(test_.samples));
   const Outcome outcome = tiny_.run("classify", with(classify(), "--output", "out.h5"));
   ASSERT_EQ(outcome.status, 0) << outcome.err;
@@ -214,7 +214,7 @@ TEST_F(Classify, WritesAllThatIsAskedFor) {
     EXPECT_THAT(outcome.out, HasSubstr("\n" + name + " "));
   }
   EXPECT_EQ(tiny_.run("verify", {"out.h5"}).status, 0);
-  // 0.5 s are 6000 samples: two windows of 2048 a record, and the header.
+  // 0.5 s are 6000 samples: two windows of 2048 for each record, and the header.
   const std::string csv = bytes_of(tiny_ / "out.csv");
   const auto windows = 6 * static_cast<std::ptrdiff_t>(6000 / test_.length);
   EXPECT_EQ(std::ranges::count(csv, '\n'), 1 + windows);
@@ -222,7 +222,7 @@ TEST_F(Classify, WritesAllThatIsAskedFor) {
                                        "p_Normal,p_IR007,p_OR021\n"));
   const std::string picture = bytes_of(tiny_ / "out.svg");
   EXPECT_THAT(picture, HasSubstr(">IR007-02 (said to be IR007): "));
-  // As XML, by another program.
+  // Parse it as XML with an independent program.
   const std::string check = "python3 -c 'import sys, xml.dom.minidom as d; d.parse(sys.argv[1])' ";
   if (std::system("python3 -c '' 2>/dev/null") == 0) {
     EXPECT_EQ(std::system((check + (tiny_ / "out.svg").string()).c_str()), 0);
@@ -242,7 +242,7 @@ TEST_F(Classify, OfADescriptionTakesTheRecordsThatAreNamed) {
   EXPECT_THAT(outcome.out, testing::Not(HasSubstr("Normal-01 ")));
   Arguments other = arguments;
   other.back() = "IR007-03";
-  // It is said before the recordings are read.
+  // The error comes before the recordings are read.
   fs::remove(tiny_ / "data/OR021-01.csv");
   expect_refused(other, 2, {"--record: mine.toml has no record 'IR007-03'; there are", "OR021-02"});
 }
@@ -326,7 +326,7 @@ TEST_F(Classify, RefusesWhatIsNoClassifier) {
   expect_refused(with(classify(), "--classifier", "damaged.h5"), 65, {"damaged.h5"});
 }
 
-// With good digests, but in it what no stage writes: verify and classify find it.
+// Digests are correct, but no stage writes such content: verify and classify find it.
 TEST_F(Classify, RefusesAClassifierThatCannotBe) {
   const std::string good = bytes_of(tiny_ / "classifier.h5");
   const auto expect_found = [&](const std::function<void(hid_t)>& change, const std::string& word) {
@@ -386,7 +386,7 @@ TEST_F(Classify, ADamagedFileIsRefusedOrChangesNoValue) {
   }
 }
 
-/// The tables of what is kept.
+/// Tables of kept classifiers.
 class TrustStage : public KeepClassifier {
  protected:
   static Arguments trust() {

@@ -61,7 +61,7 @@ TEST(Config, CommandLineWins) {
   expect_same_bytes(tiny / "A.h5", tiny / "configured/A.h5");
 }
 
-/// The text of options.toml is refused with these words, and nothing is written.
+/// Expects that options.toml with this text is refused with these words, and nothing is written.
 void expect_text_refused(const std::string& text, std::vector<std::string> words) {
   SCOPED_TRACE(text);
   const Tiny tiny;
@@ -96,7 +96,7 @@ TEST(Config, MissingFileIsAMissingInput) {
 }
 
 TEST(Config, TheProtocolOfTheProjectIsUnderstoodByEveryStage) {
-  // Up to the first missing input: by then all options have been read.
+  // Run up to the first missing input: by then all options have been read.
   const Tiny tiny;
   const std::string protocol = std::string(PIAE_SOURCE) + "/pipeline/protocol.toml";
   for (const std::string stage : {"split", "train", "generate", "score", "diagnose", "tabulate"}) {

@@ -2,7 +2,7 @@
 
 #include "stages/tiny.hpp"
 
-/// Two runs side by side, from cells that the other stages have made.
+/// Two runs side by side, from cells of the other stages.
 namespace piae::stages {
 namespace {
 

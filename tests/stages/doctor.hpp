@@ -18,8 +18,8 @@ inline void replace_attribute(hid_t file, const std::string& object, const std::
   artefact::hdf5::write_attribute(file, object, name, value);
 }
 
-/// Changes an artefact in place and makes its digests right again, as no stage would: so that only
-/// what it says is wrong, not its bytes.
+/// Changes an artefact in place and corrects its digests, so that only its content is wrong, not
+/// its bytes.
 inline void doctor(const std::string& file, const std::function<void(hid_t)>& change) {
   const artefact::hdf5::Handle open(H5Fopen(file.c_str(), H5F_ACC_RDWR, H5P_DEFAULT), "open");
   change(open);
@@ -42,7 +42,7 @@ inline void replace_strings(hid_t file, const std::string& path,
   artefact::hdf5::write_strings(file, path, values);
 }
 
-/// Overwrites all numbers of a dataset, after `change` has seen them.
+/// Overwrites a dataset with the numbers that `change` makes of its own.
 template <artefact::hdf5::Number T>
 void change_numbers(hid_t file, const std::string& path,
                     const std::function<void(std::vector<T>&)>& change) {
@@ -57,7 +57,7 @@ void change_numbers(hid_t file, const std::string& path,
   check(H5Dwrite(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), path.c_str());
 }
 
-/// As many balls, in a bearing that has room for them.
+/// Sets the number of balls, in a bearing with enough room.
 inline void change_balls(hid_t file, std::int64_t balls) {
   replace_attribute(file, "/bearing", "balls", balls);
   replace_attribute(file, "/bearing", "ball_diameter_mm", 0.1);

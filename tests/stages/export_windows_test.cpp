@@ -1,4 +1,4 @@
-// Windows in the formats of other programs, read back by those.
+// Windows in the formats of other programs, read back by these programs.
 
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@ namespace {
 
 bool shell_succeeds(const std::string& command) { return std::system(command.c_str()) == 0; }
 
-/// A python3 that has these modules: that of PATH or that of the system. Empty where none has.
+/// Returns a python3 with these modules, from PATH or the system; empty if neither has them.
 std::string python_with(const std::string& modules) {
   for (const std::string python : {"python3", "/usr/bin/python3"}) {
     if (shell_succeeds(python + " -c 'import " + modules + "' > /dev/null 2>&1")) return python;
@@ -22,7 +22,7 @@ std::string python_with(const std::string& modules) {
   return {};
 }
 
-/// The chain up to E, and E once more by smote, whose windows have parents.
+/// The chain up to E, and another E by smote, whose windows have parents.
 struct Export : testing::Test {
   void SetUp() override {
     tiny.run_chain_before("score");
@@ -34,7 +34,7 @@ struct Export : testing::Test {
     made("generate",
          {"--model", "smote.h5", "--count", "7", "--seed", "0", "--output", "generated.h5"});
     windows = signal::read_window_set(artefact::Reader(tiny / "generated.h5", "windows"));
-    // What programs compare with: the samples, row by row.
+    // Samples for comparison by the other programs, row by row.
     std::string samples(windows.samples.size() * sizeof(float), '\0');
     std::memcpy(samples.data(), windows.samples.data(), samples.size());
     tiny.write("expected.f32", samples);

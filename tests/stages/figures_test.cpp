@@ -2,7 +2,7 @@
 
 #include "stages/tiny.hpp"
 
-/// The numbers of figures, as the program writes them, and the report of the same run.
+/// Numbers of figures as the program writes them, and the report of the same run.
 namespace piae::stages {
 namespace {
 
@@ -17,7 +17,7 @@ Arguments figures_of(const Arguments& asked) {
   return arguments;
 }
 
-/// What lies where the rules of make put it, as a run has it.
+/// Provides the files of a run where make puts them.
 class FinishedRun : public testing::Test {
  protected:
   FinishedRun() {
@@ -62,7 +62,7 @@ TEST_F(Figures, FailByNameWhereTheirCellsAreMissing) {
   EXPECT_THAT(outcome.err, HasSubstr("fig13-14-quality is not drawn: "));
   EXPECT_THAT(outcome.err, HasSubstr("run/tiny/seed0/piae-dt/score.h5: "));
   EXPECT_THAT(outcome.out, HasSubstr("wrote fig15-gains.csv\n"));
-  // Nothing shows what is no longer there.
+  // Figures whose data is missing are removed.
   EXPECT_FALSE(fs::exists(tiny / "run/tiny/figures/fig13-14-quality.csv"));
 }
 

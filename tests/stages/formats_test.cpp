@@ -23,7 +23,7 @@ std::vector<double> recording(double strikes_hz, double seconds, const std::stri
   return struck_recording(sampled_hz, seconds, strikes_hz, "formats/" + name);
 }
 
-/// A channel of NI's recorders, which say the time from one sample to the next.
+/// Returns a channel of NI's recorders, with the time between samples.
 std::string tdms(const std::vector<double>& samples) {
   const tdms::Writer write;
   const std::vector<std::string> objects{
@@ -39,7 +39,7 @@ std::string little(std::uint32_t number, int bytes) {
   return text;
 }
 
-/// A WAV file of one channel of 32-bit floats (format tag 3).
+/// Returns a WAV file of one channel of 32-bit floats (format tag 3).
 std::string wav(const std::vector<double>& samples) {
   std::string data;
   for (const double x : samples) {
@@ -58,7 +58,7 @@ matvar_t* vector_called(const char* name, const std::vector<double>& values) {
                        const_cast<double*>(values.data()), 0);
 }
 
-/// Writes a file as the data center of Paderborn does: N09.Y(2).Data is the vibration.
+/// Writes a file like the Paderborn data center: N09.Y(2).Data is the vibration.
 void write_paderborn(const fs::path& file, const std::vector<double>& samples) {
   std::size_t one[]{1, 1};
   std::size_t two[]{1, 2};

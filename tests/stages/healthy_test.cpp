@@ -3,7 +3,7 @@
 #include "artefact/reader.hpp"
 #include "stages/tiny.hpp"
 
-/// Healthy windows B, of which strike-twin learns what the machine itself sounds like.
+/// Healthy windows B, from which strike-twin learns the machine's background.
 namespace piae::stages {
 namespace {
 

@@ -2,7 +2,7 @@
 
 #include "stages/tiny.hpp"
 
-/// (k, c) of a model against the truth, from what the other stages have made.
+/// (k, c) of a model against the truth, from artefacts of the other stages.
 namespace piae::stages {
 namespace {
 

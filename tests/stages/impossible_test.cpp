@@ -8,14 +8,14 @@
 #include "stages/tiny.hpp"
 #include "verification/verify.hpp"
 
-/// Artefacts that say what cannot be, under good digests: verify and the stages that read them
+/// Artefacts with impossible content and correct digests: verify and the stages that read them
 /// refuse them alike, in one line that names the file.
 namespace piae::stages {
 namespace {
 
 using Change = std::function<void(hid_t)>;
 
-/// What is changed, and a word of the refusal.
+/// A change, and a word of the refusal.
 struct Case {
   const char* what;
   Change change;
@@ -38,7 +38,7 @@ Change first_number(const std::string& path, T value) {
   };
 }
 
-/// Each number can be; together they keep eq. 13 busy for minutes.
+/// Sets numbers that are possible each, but together they keep eq. 13 busy for minutes.
 void thousand_balls(hid_t file) {
   change_balls(file, 1000);
   replace_attribute(file, "/", "sample_rate_hz", 1000.0);
@@ -54,7 +54,7 @@ Change without(const std::string& object, const std::string& name) {
   };
 }
 
-/// Of what every artefact says of how it was made, which tables and pages show.
+/// Returns cases for the provenance of every artefact, which tables and pages show.
 const std::vector<Case>& cases_of_provenance() {
   static const std::vector<Case> cases{
       {"cpu with a terminal's orders",
@@ -71,7 +71,7 @@ const std::vector<Case>& cases_of_provenance() {
   return cases;
 }
 
-/// Of what every artefact says of its data set.
+/// Returns cases for the data set description of every artefact.
 const std::vector<Case>& cases_of_all() {
   static const std::vector<Case> cases{
       {"rate NaN", attribute("/", "sample_rate_hz", nan), "sample_rate_hz"},
@@ -115,9 +115,9 @@ class Impossible : public testing::Test {
  protected:
   void SetUp() override { tiny_.run_chain_before("score"); }
 
-  /// `arguments` have the stage read the file "bad.h5". Every case is verified in process. The
-  /// stage and the program `verify` read what the library reads, so one case of each group shows
-  /// how both end.
+  /// Expects that `arguments`, which make the stage read "bad.h5", are refused. Every case is
+  /// verified in process. The stage and the program `verify` use the same library functions, so one
+  /// case of each group shows how both end.
   void expect_refused(const std::string& good, const std::vector<Case>& cases,
                       const std::string& stage, const Arguments& arguments) const {
     const fs::path bad = tiny_ / "bad.h5";
@@ -143,7 +143,7 @@ class Impossible : public testing::Test {
     EXPECT_TRUE(is_one_line(verified.out)) << verified.out;
     EXPECT_NE(verified.out.find("bad.h5"), std::string::npos) << verified.out;
   }
-  /// The same for a model of a method, of which a window is to be made.
+  /// Expects the same for a model of a method, from which a window is requested.
   void expect_model_refused(const std::string& method, const Arguments& options,
                             const std::vector<Case>& cases) const {
     Arguments arguments{"--method", method, "--known", "C.h5", "--seed", "0", "--output", "m.h5"};
@@ -335,7 +335,7 @@ TEST_F(Impossible, ModelsOfOtherMethods) {
                        });
 }
 
-/// Names that others print, and put into tables.
+/// Names that programs print and put into tables.
 TEST_F(Impossible, NamesOfMethodsAndRatios) {
   const auto text = [](const std::string& name, const std::string& value) {
     return Change([=](hid_t file) { replace_attribute(file, "/", name, value); });
@@ -352,7 +352,7 @@ TEST_F(Impossible, NamesOfMethodsAndRatios) {
   expect_refused("E.h5", methods, "diagnose", diagnose);
 }
 
-/// What rooms that know no files find wrong with windows.
+/// Refusals of windows by rooms that do not know file names.
 TEST_F(Impossible, RefusalsNameTheFiles) {
   doctor(tiny_ / "D.h5", [](hid_t file) {
     change_numbers<float>(file, "/windows", [](auto& values) { std::ranges::fill(values, 0.0F); });

@@ -1,4 +1,4 @@
-// `ingest --check` on good recordings, and on each mistake that it is there to find.
+// `ingest --check` on good recordings, and on each mistake that it should find.
 
 #include <gmock/gmock.h>
 
@@ -31,7 +31,7 @@ std::string record_of(const std::string& name) {
          ".csv\"\nvariable = \"acceleration\"\nsample_rate_hz = 12000\n";
 }
 
-/// CWRU's bearing at 1797 rpm: healthy, with an inner and with an outer defect.
+/// CWRU's bearing at 1797 rpm: healthy, with an inner and an outer race defect.
 const std::string good_description = described_bearing("rig") + described_normal + described_ir007 +
                                      described_or021 + record_of("Normal") + record_of("IR007") +
                                      record_of("OR021");
@@ -42,7 +42,7 @@ std::vector<double> good_samples(const std::string& name) {
   return struck_recording(rate_hz, seconds, strikes_hz, "ingest --check/" + name);
 }
 
-/// A column of times and one of samples.
+/// Returns a column of times and one of samples.
 std::string csv_of(const std::vector<double>& samples) {
   std::string text = "time,acceleration\n";
   for (std::size_t i = 0; i < samples.size(); ++i) {
@@ -68,7 +68,7 @@ class IngestCheck : public testing::Test {
     return stages::run(folder_.path(), "ingest", arguments);
   }
 
-  /// Exactly one warning, which holds all these words; and as the exit code says, nothing is wrong.
+  /// Expects exactly one warning, with all these words, and exit code 0.
   void expect_one_warning(const std::vector<std::string>& words) const {
     const Outcome outcome = run();
     EXPECT_EQ(outcome.status, 0) << outcome.err;
@@ -119,7 +119,7 @@ TEST_F(IngestCheck, WarnsOfARateInKHz) {
   expect_one_warning({"IR007 (IR007.csv", "sample_rate_hz = 0.012", "hours"});
 }
 
-/// The class is then too short for its windows, which is an error as ever; the warning says why.
+/// The class is then too short for its windows, which is an error; the warning explains why.
 TEST_F(IngestCheck, WarnsOfARateThatIsTooHigh) {
   describe(replaced(good_description,
                     "IR007.csv\"\nvariable = \"acceleration\"\nsample_rate_hz = 12",
@@ -139,7 +139,7 @@ TEST_F(IngestCheck, WarnsOfSmallStrides) {
   expect_one_warning({"class OR021", "start every 38", "96.3 %", "PROTOCOL=random"});
 }
 
-/// 1.3 s give no 600 windows, but 150 at a sensible stride.
+/// 1.3 s are too short for 600 windows, but give 150 at a sensible stride.
 TEST_F(IngestCheck, GoesByTheDescriptionsOwnSplit) {
   for (const std::string name : {"Normal", "IR007", "OR021"}) {
     std::vector<double> samples = good_samples(name);
@@ -162,8 +162,7 @@ TEST_F(IngestCheck, GoesByTheDescriptionsOwnSplit) {
                  {"rig.toml", "windows-per-class (60) must exceed test-per-class", "[split]"});
 }
 
-/// A file that the description names is not blamed on the description, too.
-/// Files that it opens then get the numbers of what is closed.
+/// Files that the program opens then get the numbers of the closed streams.
 TEST_F(IngestCheck, ReadsRecordingsWhereInputAndOutputAreClosed) {
   for (const std::string closed : {"<&-", "<&- >&-", "<&- >&- 2>&-", ">&- 2>&-"}) {
     const std::string command = "cd " + folder_.path().string() + " && " + PIAE_BIN +
@@ -173,6 +172,7 @@ TEST_F(IngestCheck, ReadsRecordingsWhereInputAndOutputAreClosed) {
   }
 }
 
+/// An error in a recording names only its file, not the description, too.
 TEST_F(IngestCheck, AMessageHasOnePlace) {
   folder_.write("data/IR007.csv", "acceleration\n1\nx\n");
   const Outcome outcome =
@@ -189,7 +189,7 @@ TEST_F(IngestCheck, WarnsOfClippedSamples) {
   expect_one_warning({"OR021 (OR021.csv, variable acceleration): clipped", "0.4"});
 }
 
-/// Noise passes the limit for a single sample at a time.
+/// Noise exceeds the limit only for single samples.
 TEST_F(IngestCheck, WarnsOfPeaksThatAreCutToOneSample) {
   std::vector<double> samples = good_samples("Normal");
   for (double& x : samples) x = std::clamp(x, -0.3, 0.3);

@@ -10,19 +10,19 @@
 #include "stages/tiny.hpp"
 #include "support/harmful_files.hpp"
 
-/// What stages do with inputs that cannot be used.
+/// Behaviour of stages with unusable inputs.
 namespace piae::stages {
 namespace {
 
-/// An input of a stage, by its option and its file in the tiny chain.
+/// An input of a stage: its option, and its file in the tiny chain.
 struct Input {
   const char* stage;
   const char* option;
   const char* file;
-  const char* kind;  ///< that it must have
+  const char* kind;  ///< required kind
 };
 
-/// How GoogleTest names it.
+/// Prints the name for GoogleTest.
 void PrintTo(const Input& input, std::ostream* out) { *out << input.stage << ' ' << input.option; }
 
 std::string name_of(const testing::TestParamInfo<Input>& info) {
@@ -34,7 +34,7 @@ class Inputs : public testing::TestWithParam<Input> {
  protected:
   void SetUp() override { tiny_.run_chain_before(GetParam().stage); }
 
-  /// The stage refuses the file that stands in the input's place now, and leaves nothing behind.
+  /// Expects that the stage refuses the file in the input's place, and leaves nothing behind.
   void expect_refused(const std::string& file, int status, std::vector<std::string> words) {
     SCOPED_TRACE(file);
     const std::set<std::string> before = tiny_.files();
@@ -86,7 +86,7 @@ INSTANTIATE_TEST_SUITE_P(Stages, Inputs,
                                          Input{"diagnose", "--normal", "B.h5", "windows"}),
                          name_of);
 
-/// With the other options of diagnose it is enough to see that they are looked at.
+/// For the other options of diagnose it suffices to test that they are checked.
 TEST(InputsOfDiagnose, AreRefusedEachByItself) {
   const Tiny tiny;
   tiny.run_chain_before("score");
@@ -132,7 +132,7 @@ TEST(InputsOfTabulate, EveryMissingOrDamagedCellIsNamed) {
   write_bytes(tiny / diagnosis, bytes);
   EXPECT_EQ(tiny.run_step("tabulate").status, 66);
   fs::copy_file(tiny / diagnosis, tiny / score);
-  EXPECT_EQ(tiny.run_step("tabulate").status, 65);  // another kind in the score's place
+  EXPECT_EQ(tiny.run_step("tabulate").status, 65);  // another kind instead of the score
   EXPECT_FALSE(fs::exists(tiny / "run/tiny/accuracy.csv"));
 }
 
@@ -163,13 +163,13 @@ TEST(Content, MoreWindowsThanFitAreRefusedWithTheNumberThatFits) {
   const Tiny tiny;
   tiny.run_chain_before("split");
   const std::set<std::string> before = tiny.files();
-  // Two records of 6000 samples hold 4977 windows each at stride 1.
+  // At stride 1, two records of 6000 samples hold 4977 windows each.
   expect_refusal(tiny.run("split", with(step_of("split").arguments, "--windows-per-class", "9955")),
                  "split", 65, {"Normal", "9954"});
   EXPECT_EQ(tiny.files(), before);
 }
 
-/// A description of two CSV recordings for ingest.
+/// Returns a description of two CSV recordings for ingest.
 std::string raw_description(const std::string& more = "") {
   return described_bearing("tiny") + described_normal + described_ir007 +
          R"([[record]]
@@ -262,8 +262,7 @@ TEST_F(Ingest, RefusesRecordingsAndDescriptionsThatArePipes) {
   expect_refused(66, {"raw.toml", "not a file"});
 }
 
-// What libraries read is read by another program, of which nothing is left and nothing else is
-// heard.
+// Another program runs the reading libraries. Neither its files nor its messages may remain.
 TEST_F(Ingest, RefusesARecordingThatSaysToHoldMoreThanItCan) {
   std::string description = raw_description();
   description.replace(description.find("inner.csv"), 9, "inner.mat");
@@ -287,7 +286,7 @@ TEST_F(Ingest, RefusesADescriptionThatIsMissingDamagedOrOfAnotherKind) {
   expect_refused(66, {"raw.toml"});
 }
 
-// Sparse files take no room on the disk, and would take all memory, or minutes.
+// Sparse files take no disk space, but reading them would take all memory, or minutes.
 TEST_F(Ingest, RefusesFilesThatSayToBeHuge) {
   fs::resize_file(folder_ / "data/inner.csv", 12'000'000'000);
   expect_refused(65, {"data/inner.csv", "is larger than 4000 MB"});
@@ -297,7 +296,7 @@ TEST_F(Ingest, RefusesFilesThatSayToBeHuge) {
                  "simulate", 65, {"raw.toml", "is larger than 1 MB"});
 }
 
-// It would be an argument of another program.
+// The variable becomes an argument of another program.
 TEST_F(Ingest, RefusesAVariableWithoutEnd) {
   std::string description = raw_description();
   description.replace(description.find("acceleration"), 12, std::string(500'000, 'v'));
@@ -321,7 +320,7 @@ TEST(Simulate, RefusesADescriptionThatCannotBeSimulated) {
   expect_refusal(tiny.run_step("simulate"), "simulate", 66, {"tiny.toml", "is not a file"});
 }
 
-// Windows of another split's C may stand in this split's A or D.
+// Windows of another split's C may be in this split's A or D.
 TEST(InputsOfDiagnoseAndScore, AGeneratorOfAnotherSplitIsRefused) {
   const Tiny tiny;
   tiny.run_chain_before("train");

@@ -6,7 +6,7 @@
 
 #include "stages/tiny.hpp"
 
-/// Stages that are cut at any moment.
+/// Stages that are interrupted at any moment.
 namespace piae::stages {
 namespace {
 
@@ -21,7 +21,7 @@ class Interruption : public testing::Test {
     return with(with(step_of("train").arguments, "--epochs", "120"), "--output", model);
   }
 
-  /// A file under its final name is complete.
+  /// Expects that a file under its final name is complete.
   void expect_nothing_or_good(const std::string& file) const {
     if (!fs::exists(tiny_ / file)) return;
     const Outcome verified = tiny_.run("verify", {file});
@@ -35,7 +35,7 @@ class Interruption : public testing::Test {
     EXPECT_EQ(tiny_.left_overs(), std::set<std::string>());
   }
 
-  /// Neither a damaged checkpoint is used nor one of another seed: training starts anew.
+  /// Expects that neither a damaged checkpoint nor one of another seed is used: training restarts.
   void expect_useless_checkpoints_are_not_used(const std::string& checkpoint) const {
     std::string damaged = checkpoint;
     damaged[damaged.size() / 2] = static_cast<char>(damaged[damaged.size() / 2] ^ 1);
@@ -76,7 +76,7 @@ TEST_F(Interruption, SigtermLeavesACheckpointFromWhichTheSameCommandGoesOn) {
   expect_useless_checkpoints_are_not_used(checkpoint);
 }
 
-/// srun passes USR1 on; HUP comes when a terminal is closed.
+/// srun forwards USR1; closing a terminal sends HUP.
 TEST_F(Interruption, OtherSignalsAreTakenLikeSigterm) {
   for (const int signal : {SIGUSR1, SIGHUP, SIGINT}) {
     Process train(tiny_.path(), "train", to("cut.h5"));
@@ -99,7 +99,7 @@ TEST_F(Interruption, KilledTrainingLeavesNothingHalf) {
     Process train(tiny_.path(), "train", to("cut.h5"));
     train.wait_until_it_catches_sigterm();
     std::this_thread::sleep_for(std::chrono::milliseconds(random_() % 30));
-    train.send(SIGTERM);  // so that the kill falls around the checkpoint
+    train.send(SIGTERM);  // so that the kill comes near the checkpoint
     std::this_thread::sleep_for(std::chrono::microseconds(random_() % 8000));
     train.send(SIGKILL);
     const int status = train.wait().status;

@@ -2,7 +2,7 @@
 
 #include "stages/tiny.hpp"
 
-/// `simulate --stream`: one machine that runs on and on.
+/// `simulate --stream`: an endless machine.
 namespace piae::stages {
 namespace {
 

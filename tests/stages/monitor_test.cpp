@@ -27,7 +27,7 @@ class Monitored : public testing::Test {
     ASSERT_EQ(outcome.status, 0) << outcome.err;
   }
 
-  /// The raw samples of a machine, in a file.
+  /// Writes the raw samples of a machine to a file.
   void simulate(const std::string& class_name, double duration_s, double appears_at_s,
                 const std::string& file) const {
     const Outcome outcome =
@@ -53,7 +53,7 @@ class Monitored : public testing::Test {
     return all;
   }
 
-  /// The time of the first line with an alarm; none where there is none.
+  /// Returns the time of the first line with an alarm, if any.
   static std::optional<double> alarm_s(const std::string& lines) {
     const std::size_t raised = lines.find("\"raised\"");
     if (raised == std::string::npos) return std::nullopt;
@@ -61,7 +61,7 @@ class Monitored : public testing::Test {
     return std::stod(lines.substr(line + 11));
   }
 
-  /// Floats with their bytes the other way round.
+  /// Returns floats with swapped bytes.
   static std::string swapped(std::string floats) {
     for (std::size_t i = 0; i + 4 <= floats.size(); i += 4) {
       std::swap(floats[i], floats[i + 3]);
@@ -69,7 +69,7 @@ class Monitored : public testing::Test {
     }
     return floats;
   }
-  /// One channel of floats at 12 kHz (0x2EE0), of unknown length.
+  /// Returns a header of one channel of floats at 12 kHz (0x2EE0), of unknown length.
   static std::string wav_header_of_a_pipe() {
     return {
         "RIFF\xFF\xFF\xFF\xFFWAVEfmt \x10\0\0\0\x03\0\x01\0\xE0\x2E\0\0\x80\xBB\0\0\x04\0\x20\0"
@@ -93,7 +93,7 @@ TEST_F(Monitored, ADefectRaisesAnAlarmSoonAfterItAppears) {
   const std::optional<double> at_s = alarm_s(outcome.out);
   ASSERT_TRUE(at_s.has_value()) << outcome.out;
   EXPECT_GT(*at_s, 10);
-  EXPECT_LT(*at_s, 15);  // of the signal, not of the clock
+  EXPECT_LT(*at_s, 15);  // in time of the signal, not of the clock
 
   EXPECT_EQ(monitor({"--input", "raw.f32"}).out, outcome.out);
   EXPECT_EQ(monitor({"--input", "-"}, piped).out, outcome.out);
@@ -142,7 +142,8 @@ TEST_F(Monitored, WhatComesTooLateIsTold) {
   std::ofstream recorder(tiny_ / "pipe", std::ios::binary);
   recorder << bytes << std::flush;
   listening.wait_until_it_says("\"time_s\": 0.939");
-  std::this_thread::sleep_for(std::chrono::milliseconds(1600));  // 0.6 s more than the next takes
+  // 0.6 s longer than the next samples take
+  std::this_thread::sleep_for(std::chrono::milliseconds(1600));
   recorder << bytes << std::flush;
   recorder.close();
   const Outcome outcome = listening.wait();
@@ -152,7 +153,7 @@ TEST_F(Monitored, WhatComesTooLateIsTold) {
   EXPECT_THAT(outcome.err, HasSubstr("; late "));
 }
 
-/// An hour of signal, sent through a pipe, against a minute.
+/// Compares an hour of signal, sent through a pipe, with a minute.
 TEST_F(Monitored, MemoryDoesNotGrowWithTime) {
   simulate("Normal", 60, 0, "minute.f32");
   const std::string minute = bytes_of(tiny_ / "minute.f32");
@@ -247,7 +248,7 @@ TEST_F(Monitored, AStreamThatCannotFitIsRefused) {
   expect_refusal(monitor({"--input", "empty.f32"}), "monitor", 65, {"empty.f32", "0 samples"});
 }
 
-/// The fault is the stream's, and its line begins with the stream's name.
+/// Errors of the stream begin with the stream's name.
 TEST_F(Monitored, WhatIsWrongWithTheStreamNamesTheStream) {
   write_bytes(tiny_ / "raw.csv", "t,acc\n0,1\n");
   write_bytes(tiny_ / "empty.f32", "");

@@ -5,7 +5,7 @@
 #include "artefact/reader.hpp"
 #include "stages/tiny.hpp"
 
-/// A split without any known fault window, and what works with it.
+/// A split without known fault windows, and the stages that work with it.
 namespace piae::stages {
 namespace {
 
@@ -15,7 +15,7 @@ const Arguments generate_of_nothing{"--model", "oracle.h5", "--count",  "25",
                                     "--seed",  "0",         "--output", "oracle_E.h5"};
 const std::string no_window = "C.h5: holds no known fault window (known-per-class = 0), and ";
 
-/// The step, with the windows of oracle in the place of others.
+/// Returns the arguments of a step, with the windows of oracle instead of others.
 Arguments of_oracle(const std::string& stage, const std::string& output) {
   return with(with(step_of(stage).arguments, "--generated", "oracle_E.h5"), "--output", output);
 }
@@ -37,7 +37,7 @@ class NothingKnown : public testing::Test {
     run_well("train", train_of_nothing);
     run_well("generate", generate_of_nothing);
   }
-  /// Without generated windows.
+  /// Returns the arguments without generated windows.
   [[nodiscard]] static Arguments of_none() {
     Arguments arguments = with(of_oracle("diagnose", "cell.h5"), "--ratio", "100to1");
     const auto generated = std::ranges::find(arguments, "--generated");

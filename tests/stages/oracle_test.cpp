@@ -3,7 +3,7 @@
 #include "artefact/reader.hpp"
 #include "stages/tiny.hpp"
 
-/// The one entry of the grid that may open D.
+/// The only entry of the grid that may open D.
 namespace piae::stages {
 namespace {
 
@@ -22,7 +22,7 @@ class Oracle : public testing::Test {
     const Outcome outcome = tiny_.run(stage, arguments);
     ASSERT_EQ(outcome.status, 0) << stage << ": " << outcome.err;
   }
-  /// Splits the records again, by other options, into the folder "other".
+  /// Splits the records again, with another option, into the folder "other".
   void split_again(const std::string& option, const std::string& value) const {
     fs::create_directory(tiny_ / "other");
     run_well("split",
@@ -49,7 +49,7 @@ TEST_F(Oracle, TakesTheDOfItsOwnSplitOnly) {
   split_again("--protocol", "blocked");
   expect_refusal(tiny_.run("train", with(train, "--real", "other/D.h5")), "train", 65,
                  {"other/D.h5", "protocol"});
-  // The same seed and protocol, but C's windows now lie in D.
+  // The seed and protocol are the same, but C's windows are now in D.
   split_again("--test-per-class", "2");
   expect_refusal(tiny_.run("train", with(train, "--real", "other/D.h5")), "train", 65,
                  {"roles C and D share a window"});

@@ -3,25 +3,25 @@
 
 #include "stages/tiny.hpp"
 
-/// What stages do when their output cannot be written.
+/// Behaviour of stages if their output cannot be written.
 namespace piae::stages {
 namespace {
 
-/// A stage, its output option, and the file that it then writes first.
+/// A stage, its output option, and the file that it writes first.
 struct Output {
   const char* stage;
   const char* option;
   const char* file;
 };
 
-/// How GoogleTest names it.
+/// Prints the name for GoogleTest.
 void PrintTo(const Output& output, std::ostream* out) { *out << output.stage; }
 
 class Outputs : public testing::TestWithParam<Output> {
  protected:
   void SetUp() override { tiny_.run_chain_before(stage_); }
 
-  /// Sends the output to a folder; the stage must fail and change no file.
+  /// Sends the output to a folder; expects that the stage fails and changes no file.
   void expect_failed(const std::string& folder, const std::string& word,
                      const Surroundings& surroundings = {}) const {
     SCOPED_TRACE(folder);
@@ -87,7 +87,7 @@ INSTANTIATE_TEST_SUITE_P(Stages, Outputs,
                                          Output{"diagnose", "--output", "diagnosis.h5"}),
                          [](const auto& info) { return info.param.stage; });
 
-// The roles of one split, and none of those of another.
+// Roles of one split must not mix with those of another.
 TEST(OutputsOfSplit, OneThatCannotBeWrittenLeavesNone) {
   const Tiny tiny;
   tiny.run_chain_before("split");
@@ -103,7 +103,7 @@ TEST(OutputsOfTabulate, OneThatCannotBeWrittenLeavesNoTable) {
   tiny.write("elsewhere", "precious");
   const std::set<std::string> before = tiny.files();
   Surroundings small_disk;
-  small_disk.largest_file = 200;  // some tables are shorter
+  small_disk.largest_file = 200;  // some tables are smaller
   expect_refusal(run(tiny.path(), "tabulate", step_of("tabulate").arguments, small_disk),
                  "tabulate", 1, {"File too large", "make room"});
   EXPECT_EQ(tiny.files(), before);
@@ -135,7 +135,7 @@ TEST(OutputsOfGenerate, DoNotReplaceWhatIsNoFile) {
   EXPECT_TRUE(fs::is_fifo(tiny / "pipes/pipe"));
 }
 
-// A training may take hours: what it could not write at its end, or meanwhile, it says before.
+// A training may take hours, so unwritable outputs are reported before it starts.
 TEST(OutputsOfTrain, AreLookedAtBeforeItBegins) {
   const Tiny tiny;
   tiny.run_chain_before("train");

@@ -25,21 +25,21 @@ namespace piae::stages {
 namespace fs = std::filesystem;
 using Arguments = std::vector<std::string>;
 
-/// How a program ended, and what it said.
+/// Exit status and output of a program.
 struct Outcome {
-  int status = -1;  ///< exit status; 128 + signal where a signal ended it, as in the shell
+  int status = -1;  ///< exit status; 128 + signal if a signal ended it, as in the shell
   std::string out;
   std::string err;
-  long peak_kb = 0;  ///< the most memory that it held
+  long peak_kb = 0;  ///< peak memory
 };
 
-/// What a run may be given beside its arguments.
+/// Conditions of a run in addition to its arguments.
 struct Surroundings {
   std::vector<std::pair<std::string, std::string>> environment = {{"OMP_NUM_THREADS", "1"}};
   rlim_t largest_file = RLIM_INFINITY;  ///< bytes; a write beyond fails as on a full disk
   rlim_t most_memory = RLIM_INFINITY;   ///< bytes of address space
   bool without_root_rights = false;     ///< permissions of files hold even for root
-  fs::path input{};                     ///< what standard input is, where it is not the test's
+  fs::path input{};                     ///< standard input; empty for the test's own
 };
 
 inline std::string read_all(std::FILE* file) {
@@ -49,7 +49,7 @@ inline std::string read_all(std::FILE* file) {
   return text;
 }
 
-/// One run of a stage in a folder. It is killed when nobody waits for it.
+/// A run of a stage in a folder. The destructor kills it if nobody waits for it.
 class Process {
  public:
   Process(const fs::path& folder, const std::string& stage, const Arguments& arguments,
@@ -79,7 +79,7 @@ class Process {
 
   void send(int signal) const { ::kill(pid_, signal); }
 
-  /// Until the program catches SIGTERM itself, or has ended.
+  /// Waits until the program catches SIGTERM itself, or has ended.
   void wait_until_it_catches_sigterm() const {
     while (!ended()) {
       std::ifstream status("/proc/" + std::to_string(pid_) + "/status");
@@ -92,11 +92,12 @@ class Process {
     }
   }
 
-  /// Until it has written this on standard output, or on standard error, or has ended.
+  /// Wait until the program has written this on standard output or standard error, or has ended.
   void wait_until_it_says(const std::string& text) const { wait_until_it_is_in(out_, text); }
   void wait_until_it_warns(const std::string& text) const { wait_until_it_is_in(err_, text); }
 
-  /// A program that does not end within two minutes hangs: it is killed, and the test fails.
+  /// Waits for the end. After two minutes the program counts as hanging: it is killed, and the test
+  /// fails.
   Outcome wait() {
     int status = 0;
     rusage usage{};
@@ -116,7 +117,7 @@ class Process {
   }
 
  private:
-  /// In the child: becomes the program.
+  /// Becomes the program, in the child process.
   [[noreturn]] void become(const fs::path& folder, const std::vector<char*>& argv,
                            const Surroundings& surroundings) const {
     for (const auto& [name, value] : surroundings.environment) {
@@ -139,7 +140,7 @@ class Process {
     ::_exit(127);
   }
 
-  /// A pipe is waited for until somebody writes to it.
+  /// Opens standard input. A pipe blocks until it has a writer.
   static bool becomes_input(const fs::path& path) {
     if (path.empty()) return true;
     return ::dup2(::open(path.c_str(), O_RDONLY), STDIN_FILENO) >= 0;
@@ -151,7 +152,7 @@ class Process {
     }
   }
 
-  /// What it has written until now, without moving where it writes on.
+  /// Returns the output so far, without moving the write position.
   [[nodiscard]] static std::string said(std::FILE* stream) {
     std::string text;
     char buffer[4096];
@@ -183,8 +184,8 @@ inline bool is_one_line(const std::string& text) {
   return text.size() > 1 && text.find('\n') == text.size() - 1;
 }
 
-/// The run failed as documented: this status, nothing on standard output, and on standard error one
-/// line that begins with the stage's name and holds these words.
+/// Expects the documented failure: this status, nothing on standard output, and on standard error
+/// one line that begins with the stage's name and holds these words.
 inline void expect_refusal(const Outcome& outcome, const std::string& stage, int status,
                            const std::vector<std::string>& words) {
   EXPECT_EQ(outcome.status, status) << outcome.err;
@@ -196,7 +197,7 @@ inline void expect_refusal(const Outcome& outcome, const std::string& stage, int
   }
 }
 
-/// Whether the programs that LibTorch is linked to were built.
+/// True if the programs with LibTorch were built.
 inline bool built_with_libtorch() { return fs::exists(fs::path(PIAE_BIN) / "train-libtorch"); }
 
 }  // namespace piae::stages

@@ -8,18 +8,18 @@
 #include "stages/program.hpp"
 #include "support/folder.hpp"
 
-/// Where read_raw may be told to write: to files, pipes, what is closed, what is full.
+/// Outputs of read_raw: files, pipes, closed and full ones.
 namespace piae::stages {
 namespace {
 
 using testing::HasSubstr;
 
-/// A place for an output, as bash writes it, with % for the output's name.
+/// An output in bash syntax, with % for the output's name.
 struct Place {
   const char* name;
-  const char* before;  ///< a line that makes it
+  const char* before;  ///< a line that creates it
   const char* redirection;
-  bool keeps;  ///< what is written there arrives in the file %
+  bool keeps;  ///< true if the output arrives in the file %
 };
 
 void PrintTo(const Place& place, std::ostream* out) { *out << place.name; }
@@ -36,7 +36,7 @@ std::string of_output(std::string text, const std::string& name) {
 
 class OutputsOfReadRaw : public testing::TestWithParam<std::tuple<Place, Place>> {
  protected:
-  /// The exit code of read_raw for a column of numbers.csv.
+  /// Returns the exit code of read_raw for a column of numbers.csv.
   [[nodiscard]] int read(const std::string& column) const {
     const auto& [out, err] = GetParam();
     folder_.write("numbers.csv", "1.5\n-2\n0.25\n");

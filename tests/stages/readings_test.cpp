@@ -4,7 +4,7 @@
 
 #include "stages/tiny.hpp"
 
-/// The tables of readings of the paper, from cells that the other stages have made.
+/// Tables of the paper's interpretations, from cells of the other stages.
 namespace piae::stages {
 namespace {
 
@@ -13,7 +13,7 @@ const Arguments readings{
     "--readings", "a=b", "--ratios",    "50to1",
     "--seeds",    "0",   "--published", std::string(PIAE_SOURCE) + "/results/published"};
 
-/// The chain's own cell stands for the base, and for the other reading one of class batches.
+/// The chain's own cell is the base; a second one with class batches is the other interpretation.
 class ReadingsStage : public testing::Test {
  protected:
   void SetUp() override {
@@ -49,13 +49,13 @@ TEST_F(ReadingsStage, MakesTheTables) {
   }
 }
 
-/// Returns the number that follows `begin` at the start of a line, or NaN if no line begins so.
+/// Returns the number after `begin` at the start of a line, or NaN if no line starts so.
 double value_behind(const std::string& csv, const std::string& begin) {
   const std::size_t line = csv.find('\n' + begin);
   return line == std::string::npos ? NAN : std::stod(csv.substr(line + 1 + begin.size()));
 }
 
-/// What the table says of the weights and losses is what the model says.
+/// The table's weights and losses are those of the model.
 TEST_F(ReadingsStage, TellsHowFarTheWeightsAreFromTheirStationaryPoint) {
   ASSERT_EQ(tiny_.run("readings", readings).status, 0);
   const std::string csv = bytes_of(tiny_ / "run/tiny/readings.csv");

@@ -4,7 +4,7 @@
 
 #include "stages/tiny.hpp"
 
-/// The table of a sweep, from cells that the other stages have made.
+/// Table of a sweep, from cells of the other stages.
 namespace piae::stages {
 namespace {
 
@@ -12,7 +12,7 @@ const Arguments sweep{"--run",    "run",     "--dataset", "tiny",  "--points", "
                       "--centre", "batch=5", "--ratios",  "50to1", "--seeds",  "0"};
 const std::string cell = "run/tiny/seed0/sweep/batch-2/50to1/wdcnn/diagnosis.h5";
 
-/// The chain has the common point; this is the other one.
+/// Makes the second point; the chain has the common one.
 void make_moved_cell(const Tiny& tiny) {
   const auto run = [&](const std::string& stage, const Arguments& arguments) {
     const Outcome outcome = tiny.run(stage, arguments);
@@ -41,7 +41,7 @@ TEST(Sweep, TableIsMadeFromItsOwnCellsAndTheGrids) {
   EXPECT_NE(bytes_of(tiny / "run/tiny/sweep.md").find("as in the grid"), std::string::npos);
 }
 
-/// Cells of smote by `nearest`: as the protocol has it, and with another number of neighbours.
+/// Makes cells of smote by `nearest`: with the protocol's number of neighbours and with another.
 void make_parts(const Tiny& tiny) {
   const auto make = [&](const std::string& folder, const std::string& neighbours) {
     const std::string model = "run/tiny/seed0/" + folder + "/model.h5";
@@ -63,7 +63,7 @@ void make_parts(const Tiny& tiny) {
   make("sweep@smote/neighbours-1", "1");
 }
 
-/// As by hand, with the protocol itself.
+/// Runs the steps by hand, with the protocol itself.
 TEST(Sweep, OfAnotherMethodIsComparedWithTheMethodAsItIs) {
   const Tiny tiny;
   tiny.run_chain_before("tabulate");

@@ -8,7 +8,7 @@
 namespace piae::stages {
 namespace {
 
-/// The step of the chain, which asks for all cells, with other options.
+/// Returns the chain's step, which requests all cells, with other methods and ratios.
 Arguments asking_for(const std::string& methods, const std::string& ratios) {
   return {"--run",     "run",   "--dataset",   "tiny",
           "--methods", methods, "--ratios",    ratios,
@@ -59,7 +59,7 @@ TEST(TablesOfAPart, NeedWhatIsAskedFor) {
   EXPECT_EQ(tables_of(tiny), of_the_whole);
 }
 
-/// Models are no cells: a run that was copied without them has all tables but this one.
+/// Models are not cells: a run copied without them has all tables but this one.
 TEST(Tabulate, SaysHowTheTrainingsOfTheTwinsEndedWhereTheRunHoldsModels) {
   const Tiny tiny;
   tiny.run_chain_before("tabulate");
@@ -75,7 +75,7 @@ TEST(Tabulate, SaysHowTheTrainingsOfTheTwinsEndedWhereTheRunHoldsModels) {
   EXPECT_NE(text.find("2γL"), std::string::npos);
 }
 
-/// The fields of the first line of a table that begins with these.
+/// Returns the fields of the first line of a table that begins with `beginning`.
 std::vector<std::string> fields_after(const std::string& table, const std::string& beginning) {
   std::istringstream lines(table);
   for (std::string line; std::getline(lines, line);) {
@@ -88,7 +88,7 @@ std::vector<std::string> fields_after(const std::string& table, const std::strin
   return {};
 }
 
-/// Of one window a decision is what the accuracy counts; A has 10 windows of each of three classes.
+/// A decision over one window is what accuracy counts; A has 10 windows of each of three classes.
 TEST(Tabulate, DecidesOverSeveralWindowsWhereTheRunHoldsTheTestWindows) {
   const Tiny tiny;
   tiny.run_chain_before("tabulate");

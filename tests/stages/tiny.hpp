@@ -17,7 +17,8 @@
 
 namespace piae::stages {
 
-/// A simulated dataset that takes a fraction of a second: three classes of two short records.
+/// A simulated dataset that takes a fraction of a second: three classes with two short records
+/// each.
 inline const std::string tiny_description = described_bearing("tiny") + described_normal +
                                             described_ir007 + described_or021 +
                                             described_simulation("2", "0.5") + "snr_db = 10\n";
@@ -28,15 +29,15 @@ inline std::vector<std::string> tables_of_tiny() {
   return files;
 }
 
-/// One step of the chain from a simulation to the tables.
+/// A step of the chain from a simulation to the tables.
 struct Step {
   std::string stage;
   Arguments arguments;
   std::vector<std::string> outputs;
 };
 
-/// The whole chain, each step with the files that it writes, below the folder it runs in. Two
-/// diagnoses: without and with generated windows.
+/// Returns the whole chain, each step with the files that it writes, relative to its folder. It has
+/// two diagnoses: without and with generated windows.
 inline const std::vector<Step>& chain() {
   static const std::string cell = "run/tiny/seed0/";
   static const std::vector<Step> steps{
@@ -72,7 +73,7 @@ inline const std::vector<Step>& chain() {
   return steps;
 }
 
-/// The last step of a stage: for diagnose the one with generated windows.
+/// Returns the last step of a stage; for diagnose it is the one with generated windows.
 inline const Step& step_of(const std::string& stage) {
   const Step* found = nullptr;
   for (const Step& step : chain()) {
@@ -82,7 +83,7 @@ inline const Step& step_of(const std::string& stage) {
   return *found;
 }
 
-/// A copy with another value for an option.
+/// Returns a copy with another value for an option.
 inline Arguments with(Arguments arguments, const std::string& option, const std::string& value) {
   for (std::size_t i = 0; i + 1 < arguments.size(); ++i) {
     if (arguments[i] == option) {
@@ -94,7 +95,7 @@ inline Arguments with(Arguments arguments, const std::string& option, const std:
   return arguments;
 }
 
-/// A folder with the description, in which the chain runs as far as a test needs it.
+/// A folder with the description, in which the chain runs as far as a test needs.
 class Tiny {
  public:
   Tiny() { folder_.write("tiny.toml", tiny_description); }
@@ -105,9 +106,9 @@ class Tiny {
     return folder_.write(name, text);
   }
 
-  /// Has the outputs of all steps before the first one of this stage; of all for an empty name.
-  /// Under ctest every test is a process of its own, and they are copied from the chain that ran
-  /// once, as the fixture (chain_test.cpp); elsewhere the steps are run.
+  /// Makes the outputs of all steps before the first one of this stage; of all steps for an empty
+  /// name. Under ctest every test is its own process, so outputs are copied from the fixture's
+  /// chain (chain_test.cpp); otherwise the steps run.
   void run_chain_before(const std::string& stage) const {
     const char* made = std::getenv("PIAE_TINY_CHAIN");
     for (const Step& step : chain()) {
@@ -127,7 +128,7 @@ class Tiny {
     return run(stage, step_of(stage).arguments);
   }
 
-  /// Names of all files and links below the folder.
+  /// Returns the names of all files and links below the folder.
   [[nodiscard]] std::set<std::string> files() const {
     std::set<std::string> names;
     for (const auto& entry : fs::recursive_directory_iterator(path())) {
@@ -135,7 +136,7 @@ class Tiny {
     }
     return names;
   }
-  /// Those among them that programs write before they rename them.
+  /// Returns the temporary files, which programs write before they rename them.
   [[nodiscard]] std::set<std::string> left_overs() const {
     std::set<std::string> names = files();
     std::erase_if(names, [](const auto& name) { return name.find(".partial") == name.npos; });
@@ -151,8 +152,8 @@ class Tiny {
   Folder folder_;
 };
 
-/// Stops a training as soon as it says that it has started, five times, and expects a checkpoint
-/// each time. step.sh sends a stage no signal that would end it once it has said so.
+/// Stops a training as soon as it reports its start, five times, and expects a checkpoint each
+/// time. step.sh sends no signal that would end a stage after this report.
 inline void expect_checkpoints_at_once(const Tiny& tiny, const Arguments& arguments) {
   const Surroundings of_step{.environment = {{"OMP_NUM_THREADS", "1"}, {"PIAE_STEP", "1"}}};
   for (int cut = 0; cut < 5; ++cut) {
@@ -169,7 +170,7 @@ inline void write_bytes(const fs::path& file, const std::string& bytes) {
   std::ofstream(file, std::ios::binary) << bytes;
 }
 
-/// All artefacts of the chain.
+/// Returns all artefacts of the chain.
 inline std::vector<std::string> artefacts() {
   std::vector<std::string> names;
   for (const Step& step : chain()) {

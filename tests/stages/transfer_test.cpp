@@ -2,7 +2,7 @@
 
 #include "stages/tiny.hpp"
 
-/// Methods in the mean over datasets, from cells that the other stages have made.
+/// Methods averaged over datasets, from cells of the other stages.
 namespace piae::stages {
 namespace {
 
@@ -50,7 +50,7 @@ TEST_F(TransferStage, ReadsTheGroupFromTheProtocol) {
   EXPECT_NE(bytes_of(tiny_ / "run/transfer@g.csv").find(",piae-dt,against,"), std::string::npos);
 }
 
-/// A seed that one of the datasets does not have is a missing cell of it.
+/// A seed that one of the datasets lacks is a missing cell.
 TEST_F(TransferStage, NamesAMissingCellAndMakesNoTable) {
   const std::set<std::string> before = tiny_.files();
   const Outcome outcome = tiny_.run("transfer", with(transfer, "--seeds", "1"));

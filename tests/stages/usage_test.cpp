@@ -84,7 +84,7 @@ TEST(Usage, TrainHelpShowsTheOptionsOfTheMethod) {
   EXPECT_NE(help.out.find("--learning-rate"), std::string::npos) << help.out;
 }
 
-/// piae-dt-phase draws class by class whatever the twin's space is.
+/// piae-dt-phase always draws class by class.
 TEST(Usage, TrainHelpShowsNoOptionThatTheMethodHasNoUseFor) {
   const Folder folder;
   for (const auto& [method, has_space] : {std::pair{"piae-dt", true}, {"piae-dt-phase", false}}) {
@@ -93,7 +93,7 @@ TEST(Usage, TrainHelpShowsNoOptionThatTheMethodHasNoUseFor) {
   }
 }
 
-/// An option whose value cannot be, and the words that must be in the answer.
+/// An option with an impossible value, and words of the error message.
 struct ImpossibleValue {
   const char* stage;
   const char* option;

@@ -7,7 +7,7 @@
 #include "stages/doctor.hpp"
 #include "stages/tiny.hpp"
 
-/// The answers of verify: a bit for each reason.
+/// Exit codes of verify: a bit for each reason.
 namespace piae::stages {
 namespace {
 
@@ -28,18 +28,18 @@ class Verify : public testing::Test {
     bytes[middle] = static_cast<char>(bytes[middle] ^ 1);
     tiny_.write(name, bytes);
   }
-  /// HDF5 that no stage wrote.
+  /// Writes HDF5 that no stage wrote.
   void write_foreign(const std::string& name) const {
     const artefact::hdf5::Handle file(
         H5Fcreate((tiny_ / name).c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), "create");
   }
-  /// A window set that holds nothing of what it must hold.
+  /// Writes a window set without its required content.
   void write_hollow(const std::string& name) const {
     artefact::Writer writer("windows");
     writer.attribute("/", "role", std::string("A"));
     writer.save(tiny_ / name, {"test", "", {}});
   }
-  /// Puts the first window of A in the place of the first one of C.
+  /// Replaces the first window of C by that of A.
   void make_a_window_play_two_roles() const {
     std::vector<std::int32_t> record = artefact::Reader(tiny_ / "A.h5", "windows")
                                            .numbers<std::int32_t>("/record/index", {0})
@@ -58,7 +58,7 @@ class Verify : public testing::Test {
   Tiny tiny_;
 };
 
-// A want of memory says nothing of a file.
+// Lack of memory is not an error of a file.
 TEST_F(Verify, SaysWhenMemoryIsShort) {
   fs::copy_file(tiny_ / "A.h5", tiny_ / "large.h5");
   fs::resize_file(tiny_ / "large.h5", 2'000'000'000);
@@ -100,7 +100,7 @@ TEST_F(Verify, RefusesKindsAndSchemasThatItDoesNotKnow) {
   expect_status({"B.h5"}, 8, 1);
 }
 
-// U+009B begins a command as ESC [ does, and U+202E turns round what follows.
+// U+009B begins a command as ESC [ does, and U+202E reverses the following text.
 TEST_F(Verify, AndTheStagesPrintNoCommandsOfATerminal) {
   for (const std::string command : {"\xC2\x9B"
                                     "2J",

@@ -3,7 +3,7 @@
 #include "artefact/reader.hpp"
 #include "stages/tiny.hpp"
 
-/// Methods that make faults from healthy windows alone, from train to score.
+/// Methods that make faults from healthy windows only, from train to score.
 namespace piae::stages {
 namespace {
 

@@ -9,7 +9,7 @@
 
 namespace piae {
 
-/// A file of the running test alone, by its name: it need not exist.
+/// Returns a file name that only the running test uses; the file need not exist.
 inline std::filesystem::path scratch_file(const std::string& name) {
   const auto* test = testing::UnitTest::GetInstance()->current_test_info();
   std::string prefix = std::string(test->test_suite_name()) + "." + test->name() + ".";
@@ -17,7 +17,7 @@ inline std::filesystem::path scratch_file(const std::string& name) {
   return std::filesystem::path(testing::TempDir()) / (prefix + name);
 }
 
-/// A checkpoint of which no file stands there yet, and which nothing interrupts.
+/// Returns a checkpoint without a file and without interruption.
 inline nets::Checkpoint checkpoint_at(const std::string& name) {
   nets::Checkpoint checkpoint;
   checkpoint.path = scratch_file(name);

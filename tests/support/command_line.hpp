@@ -8,10 +8,10 @@
 
 namespace piae::cli {
 
-/// Gives what `bind` binds the values of a command line, as a stage does. Throws Refused.
+/// Parses a command line into what `bind` binds, as a stage does. Throws Refused.
 void parse(const std::string& line, const std::function<void(const Options&)>& bind);
 
-/// A command line that a stage would not take.
+/// Thrown for a command line that a stage would refuse.
 struct Refused : std::runtime_error {
   using std::runtime_error::runtime_error;
 };

@@ -8,10 +8,10 @@
 
 namespace piae {
 
-/// A window of 2048 samples at 12 kHz that any program can make: noise by Knuth's linear
-/// congruential generator (MMIX, from 1), and 3 kHz struck at 1.004 times a 6205's BPFO at 1800
-/// rpm. The numbers that tests compare with were computed of it in float64 by numpy 1.24, by
-/// another author's program of the same equations: np.fft.rfft, np.convolve, np.median over
+/// Returns a window of 2048 samples at 12 kHz that any program can reproduce: noise by Knuth's
+/// linear congruential generator (MMIX, from 1), and impacts on a 3 kHz resonance at 1.004 times a
+/// 6205's BPFO at 1800 rpm. The expected values of tests come from another author's implementation
+/// of the same equations in float64 with numpy 1.24: np.fft.rfft, np.convolve, np.median over
 /// sliding windows, np.interp, np.bincount.
 inline std::vector<float> computed_window() {
   constexpr double rate_hz = 12000;

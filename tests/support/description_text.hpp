@@ -6,9 +6,9 @@
 
 namespace piae {
 
-/// Parts of a description, to be put together in this order.
+/// Parts of a description, to be joined in this order.
 
-/// The paper's test bearing (Table 1), and its shaft speed.
+/// Returns the paper's test bearing (Table 1), and its shaft speed.
 inline std::string described_bearing(const std::string& dataset) {
   return "name = \"" + dataset + "\"\n" + R"(sample_rate_hz = 12000
 shaft_speed_rpm = 1797
@@ -39,7 +39,7 @@ defect = "outer"
 defect_size_mm = 0.5334
 )";
 
-/// Without noise; `described_simulation(...) + "snr_db = 10\n"` adds some.
+/// Returns a simulation without noise; `described_simulation(...) + "snr_db = 10\n"` adds some.
 inline std::string described_simulation(const std::string& records_per_class,
                                         const std::string& record_s) {
   return R"([simulation]
@@ -58,7 +58,7 @@ speed_spread = 0.001
 )";
 }
 
-/// A text in which one thing stands for another, which must be there.
+/// Replaces a text, which must occur, by another.
 inline std::string replaced(std::string text, const std::string& from, const std::string& to) {
   const std::size_t at = text.find(from);
   EXPECT_NE(at, std::string::npos) << from;

@@ -2,8 +2,8 @@
 
 namespace piae {
 
-/// The slope of a function by central differences at a number that it reads. The number is as it
-/// was when this returns.
+/// Returns the slope of a function by central differences with respect to a number that it reads.
+/// The number is restored.
 template <class Function>
 double central_difference(double& number, double step, const Function& value) {
   const double before = number;

@@ -12,8 +12,7 @@
 namespace piae::bearing {
 
 /// Amplitudes of a signal's Hilbert envelope by frequency, around the resonance of the working set
-/// (1 to 3 kHz). Padded to twice the length and with a Hann window: lines keep their height within
-/// 4 %.
+/// (1 to 3 kHz). Padding to twice the length and a Hann window keep the height of lines within 4 %.
 class EnvelopeSpectrum {
  public:
   EnvelopeSpectrum(const std::vector<double>& signal, double rate_hz)
@@ -53,7 +52,7 @@ class EnvelopeSpectrum {
     return amplitudes_.begin() + std::lround(hz / bin_hz_);
   }
 
-  /// The signal around the resonance with its negative frequencies taken away.
+  /// Returns the signal around the resonance without its negative frequencies.
   static std::vector<Complex> analytic(const std::vector<double>& signal, double rate_hz) {
     const std::vector<Complex> samples(signal.begin(), signal.end());
     std::vector<Complex> spectrum(samples.size());

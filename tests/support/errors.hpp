@@ -10,7 +10,7 @@
 
 namespace piae {
 
-/// The error that an action throws; none where it throws none.
+/// Returns the error that an action throws, if any.
 inline std::optional<Error> error_of(const std::function<void()>& action) {
   try {
     action();
@@ -22,7 +22,7 @@ inline std::optional<Error> error_of(const std::function<void()>& action) {
 
 }  // namespace piae
 
-/// The action throws an Error with this exit code and, in one line, this text.
+/// Expects that the action throws an Error with this exit code and this text, in one line.
 #define EXPECT_ERROR(action, code, text)                                                  \
   do {                                                                                    \
     const auto error = ::piae::error_of([&] { (void)(action); });                         \

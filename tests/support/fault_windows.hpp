@@ -12,7 +12,7 @@
 
 namespace piae {
 
-/// CWRU's bearing and speed, with a class for each fault type: Normal, IR, B, OR.
+/// Returns CWRU's bearing and speed, with a class for each fault type: Normal, IR, B, OR.
 inline signal::DatasetInfo cwru_like() {
   signal::DatasetInfo info;
   info.name = "example";
@@ -25,8 +25,8 @@ inline signal::DatasetInfo cwru_like() {
   return info;
 }
 
-/// Returns windows at 12 kHz of a class of cwru_like() by eq. 13, each from an angle of its own,
-/// the balls and the cage sliding by 1 %, with white noise 10 dB below.
+/// Returns windows at 12 kHz of a class of cwru_like() by eq. 13, each with its own start angle, 1
+/// % slip of balls and cage, and white noise 10 dB below the signal.
 inline spectra::Windows fault_windows(int label, Eigen::Index count, Eigen::Index samples = 1024) {
   const signal::DatasetInfo dataset = cwru_like();
   const signal::ClassInfo& c = dataset.classes[static_cast<std::size_t>(label)];

@@ -10,7 +10,7 @@
 
 namespace piae {
 
-/// A folder of its own for a test, removed afterwards.
+/// A temporary folder for one test, removed afterwards.
 class Folder {
  public:
   Folder() {
@@ -40,7 +40,7 @@ class Folder {
   std::filesystem::path path_;
 };
 
-/// Everything that stands in a file, which must exist.
+/// Returns the content of a file, which must exist.
 inline std::string bytes_of(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);
   EXPECT_TRUE(in) << file;

@@ -14,8 +14,8 @@
 
 namespace piae {
 
-/// Adam's first moment of a group that `write_adam` stores: sums of the gradients that were
-/// followed, after one step 1 - beta1 times the gradient.
+/// Returns Adam's first moment of a group that `write_adam` stores. After one step it is 1 - beta1
+/// times the gradient.
 inline std::vector<float> first_moments(const std::function<void(artefact::Writer&)>& write_adam,
                                         const std::string& group) {
   artefact::Writer writer("model");
@@ -25,7 +25,11 @@ inline std::vector<float> first_moments(const std::function<void(artefact::Write
   return artefact::Reader(path, "model").numbers<float>(group + "/first_moment", {0}).values;
 }
 
-/// |a - b| / |b|
+/// Returns
+/// a - b
+///  /
+/// b
+/// .
 inline double relative_difference(const std::vector<float>& a, const std::vector<float>& b) {
   double squares = 0;
   double size = 1e-30;  // for moments that are all 0
@@ -36,9 +40,8 @@ inline double relative_difference(const std::vector<float>& a, const std::vector
   return std::sqrt(squares / size);
 }
 
-/// The gradient is that of `loss`, a function in single precision of the same numbers, at
-/// `values`: along it, and along each half of it, the loss rises as fast as it says (central
-/// differences).
+/// Expects that `gradient` is the gradient of `loss`, a function in single precision, at `values`:
+/// central differences along it, and along each half of it, give the same slope.
 inline void expect_gradient_of(const std::vector<float>& gradient, const std::vector<float>& values,
                                const std::function<double(const std::vector<float>&)>& loss) {
   ASSERT_EQ(gradient.size(), values.size());
@@ -60,7 +63,7 @@ inline void expect_gradient_of(const std::vector<float>& gradient, const std::ve
   std::vector<double> along(gradient.begin(), gradient.end());
   for (double& x : along) x /= length;
   EXPECT_NEAR(slope_along(along), length, 0.02 * length);
-  // Each half of the numbers by itself, so that errors cannot cancel.
+  // Each half is tested separately, so that errors cannot cancel.
   for (const bool second : {false, true}) {
     std::vector<double> half = along;
     double part = 0;

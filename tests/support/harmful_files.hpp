@@ -12,8 +12,8 @@
 #include <string>
 #include <vector>
 
-/// Raw recordings that are made to do harm: what a reader would allocate, follow or wait for if it
-/// took them at their word. Each has a variable or dataset x.
+/// Raw recordings designed to harm a reader that trusts them, by what it would allocate, follow or
+/// wait for. Each has a variable or dataset x.
 namespace piae::harmful {
 
 namespace fs = std::filesystem;
@@ -24,7 +24,7 @@ inline void append(std::string& bytes, std::initializer_list<std::uint32_t> numb
   }
 }
 
-/// Version 4: x is 2^28 numbers long; there are 3000 bytes of it.
+/// Returns a file of version 4: x claims 2^28 numbers; the file has 3000 bytes of them.
 inline std::string claiming_v4() {
   std::string bytes;
   append(bytes, {0, 1, 1U << 28U, 0, 2});
@@ -37,7 +37,7 @@ inline std::string v5_header() {
   return header + std::string("\0\1IM", 4);
 }
 
-/// The beginning of x as a column of double precision: up to its data.
+/// Returns the beginning of x as a column in double precision, up to its data.
 inline std::string v5_beginning(std::uint32_t length, std::uint32_t data_bytes) {
   constexpr std::uint32_t matrix = 14;
   constexpr std::uint32_t doubles = 9;
@@ -48,12 +48,13 @@ inline std::string v5_beginning(std::uint32_t length, std::uint32_t data_bytes) 
   return bytes + inside;
 }
 
-/// Version 5: x is 2^31 - 1 numbers long; there are 3 of them.
+/// Returns a file of version 5: x claims 2^31 - 1 numbers; the file has 3.
 inline std::string claiming_v5() {
   return v5_header() + v5_beginning((1U << 31U) - 1, 24) + std::string(24, '\0');
 }
 
-/// Version 5, compressed: x is so many zeros, which is a thousandth of that in the file.
+/// Returns a file of version 5, compressed: x is `length` zeros, which take a thousandth of the
+/// space.
 inline std::string bomb_v5(std::uint32_t length) {
   z_stream stream{};
   EXPECT_EQ(deflateInit(&stream, 9), Z_OK);
@@ -81,7 +82,7 @@ inline std::string bomb_v5(std::uint32_t length) {
   return bytes + packed;
 }
 
-/// A new HDF5 file that is closed with this.
+/// A new HDF5 file; the destructor closes it.
 class NewHdf5 {
  public:
   explicit NewHdf5(const fs::path& path)
@@ -90,7 +91,7 @@ class NewHdf5 {
   NewHdf5& operator=(const NewHdf5&) = delete;
   ~NewHdf5() { H5Fclose(id); }
 
-  /// A dataset of whatever was set in `creation`.
+  /// Creates a dataset with the properties of `creation`.
   void dataset(const char* name, hid_t type, hsize_t length, hid_t creation) const {
     const hid_t space = H5Screate_simple(1, &length, nullptr);
     const hid_t made = H5Dcreate2(id, name, type, space, H5P_DEFAULT, creation, H5P_DEFAULT);
@@ -102,7 +103,7 @@ class NewHdf5 {
   const hid_t id;
 };
 
-/// x is 10^9 floats long, of which none is stored.
+/// Writes a file whose x claims 10^9 floats; none is stored.
 inline void write_claiming_hdf5(const fs::path& path) {
   const NewHdf5 file(path);
   const hid_t creation = H5Pcreate(H5P_DATASET_CREATE);
@@ -112,7 +113,7 @@ inline void write_claiming_hdf5(const fs::path& path) {
   H5Pclose(creation);
 }
 
-/// Groups, each in the one before.
+/// Writes groups nested `depth` times.
 inline void write_nested_hdf5(const fs::path& path, int depth) {
   const NewHdf5 file(path);
   hid_t group = H5Gopen2(file.id, "/", H5P_DEFAULT);
@@ -124,13 +125,13 @@ inline void write_nested_hdf5(const fs::path& path, int depth) {
   H5Gclose(group);
 }
 
-/// x is a link into another file.
+/// Writes x as a link to another file.
 inline void write_external_link(const fs::path& path, const fs::path& other) {
   const NewHdf5 file(path);
   EXPECT_GE(H5Lcreate_external(other.c_str(), "/x", file.id, "x", H5P_DEFAULT, H5P_DEFAULT), 0);
 }
 
-/// x has its values in another file, whatever that holds.
+/// Writes x with its values in another file of any content.
 inline void write_external_values(const fs::path& path, const fs::path& other, hsize_t bytes) {
   const NewHdf5 file(path);
   const hid_t creation = H5Pcreate(H5P_DATASET_CREATE);

@@ -9,8 +9,9 @@
 
 namespace piae {
 
-/// A small set of known windows: three classes, five windows each of the two faulty ones, decaying
-/// oscillations of different pitch at random phase, with an offset that the twin must remove.
+/// Returns a small set of known windows: three classes, five windows of each of the two fault
+/// classes, decaying oscillations of different frequency at random phase, with an offset that the
+/// twin must remove.
 inline signal::WindowSet known_windows(std::size_t length = 64) {
   signal::WindowSet windows;
   windows.info = three_classes("example");

@@ -10,8 +10,8 @@
 
 namespace piae {
 
-/// A resonance at a quarter of the rate that is struck `strikes_hz` times a second (never for 0),
-/// in normal noise of a tenth of the strikes' height.
+/// Returns a resonance at a quarter of the rate, with `strikes_hz` impacts a second (0 for none),
+/// in normal noise of a tenth of the impacts' height.
 inline std::vector<double> struck_recording(double rate_hz, double seconds, double strikes_hz,
                                             const std::string& name) {
   Stream noise(name);

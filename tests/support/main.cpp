@@ -1,5 +1,5 @@
-// main() of the test programs. ctest runs several at a time, so each gets a folder of its own for
-// its files: testing::TempDir() and std::filesystem's.
+// main() of the test programs. ctest runs several at a time, so each gets its own folder for files:
+// testing::TempDir() and std::filesystem's.
 #include <gtest/gtest.h>
 
 #include <cstdlib>

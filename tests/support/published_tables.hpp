@@ -4,12 +4,12 @@
 
 namespace piae {
 
-/// How the paper's tables are called in the folder that report::Published reads.
+/// Names of the paper's tables in the folder that report::Published reads.
 inline constexpr const char* published_baseline = "table6-7-baseline.csv";
 inline constexpr const char* published_methods = "table8-9-methods.csv";
 inline constexpr const char* published_ablation = "table10-11-ablation.csv";
 
-/// A few of their numbers: of `none`, and of three methods at 2to1.
+/// Writes a few of their numbers: for `none`, and for three methods at 2to1.
 inline void write_published_tables(const Folder& folder) {
   folder.write(published_baseline,
                "dataset,run1,run2,run3,average\ncwru,61.8,62,61.7,61.8\nhfhp,61,62,63,62\n");

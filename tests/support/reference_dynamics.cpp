@@ -18,7 +18,7 @@ struct Contact {
   double delta_m = 0;
 };
 
-/// Which balls can carry load at a given time.
+/// Determines which balls can carry load at a given time.
 class BallPassage {
  public:
   BallPassage(const Geometry& geometry, const LocalDefect& defect, const Motion& motion,
@@ -55,7 +55,7 @@ class BallPassage {
     double sine;
   };
 
-  /// Index of the one ball that is in the defect, -1 for none.
+  /// Returns the index of the ball that is in the defect, -1 for none.
   [[nodiscard]] int ball_in_defect(double time_s, double cage_angle_rad) const {
     if (kind_ == Defect::none) return -1;
     if (kind_ == Defect::roller) {
@@ -78,7 +78,7 @@ class BallPassage {
   double clearance_m_;
   double clearance_in_defect_m_;
   double ball_distance_rad_;
-  std::vector<Ball> balls_;  // seen from the first one
+  std::vector<Ball> balls_;  // relative to the first one
 };
 
 using State = std::array<double, 2>;  // m and m/s
@@ -112,7 +112,7 @@ struct Equation {
   }
 };
 
-/// The sub-steps of eq. 13 over a passage of balls.
+/// Sub-steps of eq. 13 over a passage of balls.
 class SubSteps {
  public:
   SubSteps(const Equation& equation, const BallPassage& passage, double start_s, double step_s)

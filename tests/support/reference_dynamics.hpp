@@ -6,9 +6,9 @@
 
 namespace piae::bearing::reference {
 
-/// Eq. 13 again, one course at a time: angles instead of rotations, every ball instead of those
-/// ahead of the load zone's begin, and Boost.odeint's Runge-Kutta. What bearing::simulate is
-/// compared with; it takes no look at its arguments.
+/// Solves eq. 13 independently, one course at a time: with angles instead of rotations, every ball
+/// instead of those ahead of the load zone's start, and Boost.odeint's Runge-Kutta. It is the
+/// reference for bearing::simulate and does not check its arguments.
 std::vector<double> simulate(const Geometry& geometry, const LocalDefect& defect,
                              const Motion& motion, const DynamicsOptions& options,
                              const Sampling& sampling);

@@ -12,7 +12,7 @@
 
 namespace piae {
 
-/// A 6205 at 12 kHz and 1797 rpm: healthy, inner race and outer race.
+/// Returns a 6205 at 12 kHz and 1797 rpm: healthy, inner race and outer race.
 inline signal::DatasetInfo bearing_info() {
   signal::DatasetInfo info;
   info.name = "example";
@@ -24,15 +24,15 @@ inline signal::DatasetInfo bearing_info() {
   return info;
 }
 
-/// A window by eq. 13 and the strike angle at its middle: what the defect has turned through, as
-/// strikes, times 2 pi; 0 where the defect and a ball (or the ball's defect and a race) meet.
+/// A window by eq. 13 and the impact angle at its middle: the number of impacts up to there, times
+/// 2 pi; 0 where the defect and a ball (or the ball's defect and a race) meet.
 struct StruckWindow {
   std::vector<double> samples;
   double strike_angle_rad = 0;
 };
 
-/// A window whose (k, c), speed, slip and angles are drawn as those of a simulated dataset, with
-/// white noise 10 dB below it.
+/// Returns a window with (k, c), speed, slip and angles drawn as in a simulated dataset, with white
+/// noise 10 dB below the signal.
 inline StruckWindow struck_window(const signal::DatasetInfo& info, std::size_t label,
                                   std::size_t length, Stream stream) {
   const signal::ClassInfo& c = info.classes[label];
@@ -64,7 +64,8 @@ inline StruckWindow struck_window(const signal::DatasetInfo& info, std::size_t l
   return window;
 }
 
-/// Five known windows of each faulty class, by eq. 13 with (k, c) drawn around those given.
+/// Returns `count` known windows of each fault class, by eq. 13 with (k, c) drawn around the given
+/// values.
 inline signal::WindowSet simulated_windows(std::size_t count, const std::string& stream_name,
                                            double snr_db = 10) {
   signal::WindowSet windows;

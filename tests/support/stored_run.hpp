@@ -19,7 +19,7 @@ class StoredRun : public testing::Test {
  protected:
   explicit StoredRun(std::string dataset = "cwru") : dataset_(std::move(dataset)) {}
 
-  /// `right` of the 20 windows are recognised: each is worth 5 points.
+  /// Returns a diagnosis with `right` of the 20 windows correct; each counts 5 points.
   [[nodiscard]] scoring::DiagnosisRecord diagnosis(const std::string& method,
                                                    const std::string& ratio, int generated,
                                                    int seed, int right) const {
@@ -58,7 +58,7 @@ class StoredRun : public testing::Test {
     save("diagnosis", record,
          layout_.diagnosis(record.method, record.ratio, record.seed, record.classifier));
   }
-  /// The same windows by another classifier.
+  /// Returns the same diagnosis by another classifier.
   [[nodiscard]] static scoring::DiagnosisRecord by(const std::string& classifier,
                                                    scoring::DiagnosisRecord record) {
     record.classifier = classifier;
@@ -67,12 +67,12 @@ class StoredRun : public testing::Test {
   void add(const scoring::QualityRecord& record) const {
     save("score", record, layout_.score(record.method, record.seed));
   }
-  /// Seeds 0 and 1 of `none`: 60 and 65 percent.
+  /// Adds seeds 0 and 1 of `none`: 60 and 65 percent.
   void add_baseline() const {
     add(diagnosis("none", "100to1", 0, 0, 12));
     add(diagnosis("none", "100to1", 0, 1, 13));
   }
-  /// The same of a method: 75 and 75 percent at 10to1, 85 and 95 at 2to1.
+  /// Adds seeds 0 and 1 of a method: 75 and 75 percent at 10to1, 85 and 95 at 2to1.
   void add_method(const std::string& method) const {
     add(diagnosis(method, "10to1", 45, 0, 15));
     add(diagnosis(method, "10to1", 45, 1, 15));

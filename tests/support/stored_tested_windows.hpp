@@ -11,7 +11,7 @@
 
 namespace piae {
 
-/// Stores of the test windows of a seed what decisions need of them, and no samples.
+/// Stores the parts of a seed's test windows that decisions need, without samples.
 inline artefact::Written save_tested_windows(const run::Layout& layout, const std::string& dataset,
                                              std::int64_t seed, const std::vector<Label>& labels,
                                              const scoring::Places& places,
@@ -27,7 +27,7 @@ inline artefact::Written save_tested_windows(const run::Layout& layout, const st
   return writer.save(layout.windows("A", seed), provenance);
 }
 
-/// Windows that follow each other in one record.
+/// Returns the places of consecutive windows in one record.
 inline scoring::Places one_record(std::size_t windows) {
   scoring::Places places{.record = std::vector<std::int32_t>(windows), .first_sample = {}};
   for (std::size_t i = 0; i < windows; ++i) {

@@ -12,15 +12,15 @@
 
 namespace piae {
 
-/// What struck_window() is made of.
+/// Settings of struck_window().
 struct Struck {
   std::size_t length = 4096;
   double rate_hz = 12000;
-  double strikes_hz = 0;  ///< how often a resonance of 3 kHz is struck; 0 for never
-  double level = 10;      ///< of a strike, by the standard deviation of the noise
+  double strikes_hz = 0;  ///< impacts a second on a resonance of 3 kHz; 0 for none
+  double level = 10;      ///< height of an impact, in standard deviations of the noise
 };
 
-/// White noise, and a resonance that is struck regularly, from a random moment on.
+/// Returns white noise, and a resonance with regular impacts, from a random moment on.
 inline std::vector<float> struck_window(const Struck& made, Stream& stream) {
   std::vector<double> samples(made.length);
   for (double& sample : samples) sample = stream.normal(0, 1);
@@ -38,7 +38,7 @@ inline std::vector<float> struck_window(const Struck& made, Stream& stream) {
   return {samples.begin(), samples.end()};
 }
 
-/// A set of such windows of a 6205 at 1800 rpm, without any window yet: healthy, inner, outer.
+/// Returns an empty set of such windows for a 6205 at 1800 rpm: healthy, inner, outer.
 inline signal::WindowSet no_struck_windows(std::size_t length = 4096) {
   signal::WindowSet set;
   set.info = three_classes();
@@ -46,7 +46,7 @@ inline signal::WindowSet no_struck_windows(std::size_t length = 4096) {
   return set;
 }
 
-/// How often a defect of each class of that set is struck, in Hz: n/2 (1 +- d/D) of 30 Hz.
+/// Impact rate of each class of that set, in Hz: n/2 (1 +- d/D) times 30 Hz.
 inline const std::vector<double> strikes_of_classes_hz{0, 4.5 * (1 + 7.94 / 39) * 30,
                                                        4.5 * (1 - 7.94 / 39) * 30};
 

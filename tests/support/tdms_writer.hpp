@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-/// Writes TDMS files by NI's description ("TDMS File Format Internal Structure").
+/// Writes TDMS files according to NI's description ("TDMS File Format Internal Structure").
 namespace piae::tdms {
 
 // Bits of a segment's table of contents.
@@ -66,7 +66,7 @@ class Writer {
     return words(name) + number(text) + words(value);
   }
 
-  // Indices of an object's values.
+  // Return the index of an object's values.
   [[nodiscard]] std::string index(std::uint32_t type, std::uint64_t count) const {
     return number(std::uint32_t{20}) + number(type) + number(std::uint32_t{1}) + number(count);
   }
@@ -84,14 +84,14 @@ class Writer {
     return bytes;
   }
 
-  /// `size` is what the segment says of its length; 0 for the right number.
+  /// Returns a segment. `size` is its recorded length; 0 for the correct one.
   [[nodiscard]] std::string segment(std::uint32_t contents, const std::vector<std::string>& objects,
                                     const std::string& raw, std::uint64_t size = 0) const {
     std::string about;
     if ((contents & metadata) != 0) about = number(static_cast<std::uint32_t>(objects.size()));
     for (const std::string& object : objects) about += object;
     if (size == 0) size = about.size() + raw.size();
-    const std::string table =  // always with its low byte first
+    const std::string table =  // always little-endian
         Writer(false).number(contents | (is_big_ ? big_endian : 0U));
     return "TDSm" + table + number(std::uint32_t{4713}) + number(size) +
            number(std::uint64_t{about.size()}) + about + raw;

@@ -6,7 +6,7 @@
 
 namespace piae {
 
-/// A data set of three classes, the first of them healthy.
+/// Returns a data set of three classes, the first of them healthy.
 inline signal::DatasetInfo three_classes(const std::string& name = "toy") {
   signal::DatasetInfo info;
   info.name = name;

@@ -7,7 +7,7 @@
 
 namespace piae {
 
-/// A window with whole cycles of a cosine.
+/// Returns a window with whole cycles of a cosine.
 inline spectra::Windows tone(Eigen::Index length, double amplitude, int cycles, double phase) {
   spectra::Windows window(1, length);
   for (Eigen::Index i = 0; i < length; ++i) {

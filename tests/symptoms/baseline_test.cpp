@@ -13,7 +13,7 @@
 namespace piae::symptoms {
 namespace {
 
-/// What a window might show: a line of this height of every kind, and a spectrum that goes with it.
+/// Returns measures in which every line has this height, with a matching spectrum.
 Measures measures_of(double height) {
   Measures measures;
   measures.lines.fill(height);
@@ -22,7 +22,7 @@ Measures measures_of(double height) {
   return measures;
 }
 
-/// Healthy windows at these speeds; the i-th shows i + 1.
+/// Healthy windows at these speeds; the i-th has height i + 1.
 struct Healthy {
   explicit Healthy(const std::vector<double>& speeds_rpm) {
     windows.info = three_classes();
@@ -109,7 +109,7 @@ TEST(Baselines, AreOfTheHealthyWindowsAlone) {
   EXPECT_NEAR(baselines.at(1800).rise_db(measures_of(5.5))[0], 1, 1e-12);
 }
 
-/// Windows that say as much as real ones, each in its own way.
+/// Returns healthy windows with random numbers in all bands.
 Healthy with_all_bands(const std::vector<double>& speeds_rpm) {
   Healthy healthy(speeds_rpm);
   Stream stream("bands");
@@ -153,7 +153,7 @@ TEST_F(StoredBaselines, CompareAsBefore) {
 
 TEST_F(StoredBaselines, AreOfTheSameBands) {
   const artefact::Reader reader = written(with_all_bands(eight_of_each({1000})));
-  // At 12 kHz there are nine narrow bands, at 6 kHz fewer.
+  // There are nine narrow bands at 12 kHz, and fewer at 6 kHz.
   EXPECT_ERROR(Baselines::read(reader, "/some", 6000), Exit::bad_input, "/some/levels_db");
   EXPECT_ERROR(Baselines::read(reader, "/other", 12000), Exit::bad_input, "/other/speed_rpm");
 }

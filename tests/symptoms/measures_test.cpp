@@ -66,7 +66,7 @@ TEST(Measures, ShowTheLineOfTheKindThatIsStruck) {
   }
 }
 
-// At half the speed the same window shows its strikes at twice the order.
+// At half the speed the impacts of the same window are at twice the order.
 TEST(Measures, AreTakenAtTheSpeedOfTheWindow) {
   signal::WindowSet set = computed_set();
   set.condition = {0};
@@ -83,7 +83,8 @@ TEST(Measures, OfOtherRatesAreAsGood) {
   set.labels = {2};
   const Measures measures = measure(set, "--test").front();
   EXPECT_GT(measures.lines[2], 0.8);
-  EXPECT_GT(measures.lines[2], measures.lines[0] + 0.3);  // two harmonics of both lie close
+  // two harmonics of the lines lie close together
+  EXPECT_GT(measures.lines[2], measures.lines[0] + 0.3);
   EXPECT_EQ(measures.shape_db.size(), 48);
 }
 
@@ -105,7 +106,7 @@ TEST(Measures, NeedWindowsThatTellTheLinesApart) {
   }
 }
 
-// Nine balls of 2/7 of the pitch circle turn as often as they pass the outer race.
+// Nine balls of 2/7 of the pitch diameter spin at the frequency at which they pass the outer race.
 TEST(Measures, NeedLinesThatDoNotCoincide) {
   signal::WindowSet set = computed_set();
   set.info.bearing = {.balls = 9,

@@ -7,7 +7,7 @@
 namespace piae::symptoms {
 namespace {
 
-/// 12 windows of 5 bands: sin(3 i + j^2), and in band 2 a drift of 0.1 i.
+/// Returns 12 windows of 5 bands: sin(3 i + j^2), and in band 2 a drift of 0.1 i.
 Eigen::ArrayXXd drifting() {
   Eigen::ArrayXXd shapes(12, 5);
   for (Eigen::Index i = 0; i < 12; ++i) {
@@ -19,7 +19,7 @@ Eigen::ArrayXXd drifting() {
   return shapes;
 }
 
-// The numbers are numpy's, of the same equation (np.mean, np.var and np.std over all rows, and over
+// Computed with numpy from the same equation (np.mean, np.var and np.std over all rows, and over
 // those of three blocks of four).
 TEST(Novelty, IsTheDistanceByTheLargestOfHealthyWindowsThatWereLeftOut) {
   const Novelty novelty(drifting());

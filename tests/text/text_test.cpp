@@ -40,7 +40,7 @@ TEST(Table, IsAlignedAsMarkdown) {
             "| y\\|         |           2 |\n");
 }
 
-/// Three numbers of 7 characters: in one table 8 + 3 * 10 + 1 wide.
+/// Returns a table with three numbers of 7 characters: 8 + 3 * 10 + 1 characters wide.
 Table wide_table() {
   Table table({"class", "first", "second", "third"}, 1);
   table.row({"IR", "1234567", "1234567", "1234567"});

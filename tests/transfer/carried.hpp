@@ -14,7 +14,7 @@
 
 namespace piae::transfer {
 
-/// The logarithm of the amplitude of a structure with resonances at 1.1, 2.4 and 4.2 kHz.
+/// Returns the logarithm of the amplitude of a structure with resonances at 1.1, 2.4 and 4.2 kHz.
 inline Eigen::ArrayXd three_resonances(Eigen::Index bins, double rate_hz) {
   Eigen::ArrayXd answer(bins);
   for (Eigen::Index i = 0; i < bins; ++i) {
@@ -28,7 +28,7 @@ inline Eigen::ArrayXd three_resonances(Eigen::Index bins, double rate_hz) {
   return answer - answer.mean();
 }
 
-/// The edges of windows that are struck at this speed: the lag is `share` of the passage.
+/// Returns the edges of window i at this speed: the lag is `share` of the passage.
 inline impacts::Edges edges_at(const signal::WindowSet& windows, std::size_t i, double share,
                                double rpm) {
   return {
@@ -37,8 +37,8 @@ inline impacts::Edges edges_at(const signal::WindowSet& windows, std::size_t i, 
 
 constexpr double lag_shares[] = {0.85, 0.95, 0.9, 0.8};
 
-/// A window of 1024 samples of this structure, struck from a random moment on at the rate of the
-/// window `i`, with strengths that come again and again.
+/// Returns a window of 1024 samples of this structure, with impacts from a random moment on at the
+/// rate of window `i`, and with cyclic strengths.
 inline Eigen::ArrayXd struck_like(const signal::WindowSet& windows, std::size_t i,
                                   std::span<const double> strengths, double rms) {
   Stream random("window " + std::to_string(i));
@@ -55,8 +55,9 @@ inline Eigen::ArrayXd struck_like(const signal::WindowSet& windows, std::size_t 
   return rms * impacts::window_of(impacts::struck_frame(all, response, rate_hz), 1024);
 }
 
-/// One machine with four bearings, small and large defects of inner and outer race, five windows
-/// each at 1200 rpm, tested at 600: its structure, struck at both edges of each.
+/// Returns windows of one machine with four bearings: small and large defects of inner and outer
+/// race, five windows each at 1200 rpm, tested at 600 rpm. Both edges of each defect excite the
+/// structure.
 inline signal::WindowSet one_machine() {
   signal::WindowSet known;
   known.info = three_classes("machine");

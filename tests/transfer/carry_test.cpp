@@ -22,7 +22,7 @@ std::vector<impacts::Edges> true_edges(const signal::WindowSet& known) {
   return edges;
 }
 
-/// The same machine, of which other bearings are tested than are known.
+/// Returns the same machine, with tested bearings that differ from the known ones.
 signal::WindowSet other_bearings_tested() {
   signal::WindowSet known = one_machine();
   for (std::size_t i = 0; i < known.size(); ++i) {
@@ -85,8 +85,8 @@ TEST(Carrier, MovesTheMinimaOfTheEdgesAndLeavesTheResonances) {
     const std::vector<double> window = carried(carrier, known, 4, static_cast<std::size_t>(i));
     windows.row(i) = Eigen::Map<const Eigen::RowVectorXd>(window.data(), 1024);
   }
-  // What 100 windows of OR8 show, without the structure, is E(f) of the lag at 600 rpm.
-  // The lines of the rhythm lie closer than any quefrency of the edges.
+  // 100 windows of OR8, without the structure, must show E(f) of the lag at 600 rpm. The lines of
+  // the impact rate lie closer together than any quefrency of the edges.
   const double period = period_s(known, 19, 600) * 12000;
   const Eigen::ArrayXd seen =
       impacts::liftered(spectra::mean_power_spectrum(windows, 2).log() / 2, 0.8 * period) -
@@ -123,14 +123,14 @@ TEST_P(CarriedBy, SaysWhenTheDefectIsStruck) {
   for (std::size_t i = 1; i < carried.strikes_s->size(); ++i) {
     EXPECT_NEAR(carried.strikes_s->at(i) - carried.strikes_s->at(i - 1), period_s_told, 1e-4);
   }
-  // The comb stands a few samples behind the blow.
+  // The comb lies a few samples behind the impact.
   const Comb comb = find_comb(samples, period_s_told * 12000);
   const double behind = comb.first - carried.strikes_s->front() * 12000;
   EXPECT_GE(behind, -0.15 * comb.period);
   EXPECT_LE(behind, 0.15 * comb.period);
 }
 
-// Where nothing moves, a window is made of two: what was drawn says which the second one is.
+// If nothing moves, a window combines two known windows; the parents record the second.
 TEST(Carrier, SaysInWhichKnownWindowOneEnds) {
   signal::WindowSet known = one_machine();
   known.info.conditions.clear();
@@ -143,7 +143,7 @@ TEST(Carrier, SaysInWhichKnownWindowOneEnds) {
     Stream same("ends " + std::to_string(i));
     const Journey journey = journey_of(known, 2, i);
     ASSERT_EQ(journey.speed_ratio(), 1);
-    // The five known windows of class 2, all of one bearing, stand from 5 on.
+    // The five known windows of class 2, all of one bearing, start at index 5.
     EXPECT_EQ(carrier.carry(journey, random).parents,
               signal::parents_of({journey.known, 5 + same.below(5)}));
   }
@@ -168,7 +168,7 @@ TEST(Carrier, StrikesAsStrongAsTheKnownWindowDoes) {
     std::ranges::copy(window, known.samples.begin() + static_cast<std::ptrdiff_t>(1024 * i));
   }
   const std::vector<impacts::Edges> edges = true_edges(known);
-  // The share of strikes of which the next one is much stronger or much weaker.
+  // Returns the fraction of impacts whose successor is much stronger or much weaker.
   const auto uneven = [&](Strengths from) {
     CarryOptions options;
     options.strengths.from = from;
@@ -208,8 +208,8 @@ TEST(Carrier, TakesNoStrengthsOfOneBearingForAnother) {
   EXPECT_EQ(carried(as_known, known, 1, 0), carried(in_load_zone, known, 1, 0));
 }
 
-/// IR8 is known at both speeds, three windows and two, each with a mean of its own. At 1200 rpm
-/// those of 1200 rpm alone are joined, as they are.
+/// IR8 is known at both speeds, in three windows and two, each with its own mean. At 1200 rpm only
+/// those of 1200 rpm are joined, unchanged.
 TEST(Carrier, JoinsKnownWindowsOfABearingWhereNothingMoves) {
   signal::WindowSet known = one_machine();
   known.info.conditions[1].known = true;
@@ -227,7 +227,7 @@ TEST(Carrier, JoinsKnownWindowsOfABearingWhereNothingMoves) {
   }
   const std::vector<impacts::Edges> edges = true_edges(known);
   CarryOptions options;
-  options.equaliser.spread_db = 20;  // would be seen at once
+  options.equaliser.spread_db = 20;  // would be visible at once
   const Carrier carrier(known, edges, options);
   std::size_t joined = 0;
   for (std::size_t i = 0; i < 60; ++i) {
@@ -242,7 +242,7 @@ TEST(Carrier, JoinsKnownWindowsOfABearingWhereNothingMoves) {
     EXPECT_LT(*sources.rbegin(), 8);
     joined += sources.size() == 2;
   }
-  EXPECT_GT(joined, 10U);  // of 36, of which 24 on average go on in another window
+  EXPECT_GT(joined, 10U);  // 36 windows, of which 24 on average continue in another window
 }
 
 TEST(Carrier, NeedsHealthyWindowsOfTheTestedConditionForTheirBackground) {
@@ -251,7 +251,7 @@ TEST(Carrier, NeedsHealthyWindowsOfTheTestedConditionForTheirBackground) {
   CarryOptions options;
   options.background_from = BackgroundFrom::healthy;
   EXPECT_ERROR(Carrier(known, edges, options), Exit::usage, "give --healthy B.h5, of a data set");
-  // A background of one line at 3 kHz, and nothing else: what is not struck is there alone.
+  // The background is a single line at 3 kHz, and nothing else is there.
   Eigen::ArrayXd line = Eigen::ArrayXd::Constant(1025, -20);
   line[512] = 0;
   options.background = 1;
@@ -267,7 +267,7 @@ TEST(Carrier, NeedsHealthyWindowsOfTheTestedConditionForTheirBackground) {
     const Eigen::ArrayXd power = spectra::mean_power_spectrum(windows);
     return power[256] / power.sum();
   };
-  // Half of the power on average, of which Hann's window leaves two thirds in the bin itself.
+  // Half of the power on average; Hann's window leaves two thirds of it in the bin itself.
   EXPECT_GT(at_line(carrier), 0.2);
   EXPECT_LT(at_line(without), 0.05);
 }
@@ -284,7 +284,7 @@ TEST(Carrier, KnowsTheRingOfABearing) {
   };
   const signal::DynamicParameters ring = ring_of(0);
   const double hz = std::sqrt(ring.stiffness_n_per_m / 2) / (2 * std::numbers::pi);
-  double nearest = 1;  // of the resonances that its structure has
+  double nearest = 1;  // distance to the nearest resonance of the structure
   for (const double resonance_hz : {1100.0, 2400.0, 4200.0}) {
     nearest = std::min(nearest, std::abs(hz / resonance_hz - 1));
   }
@@ -292,7 +292,7 @@ TEST(Carrier, KnowsTheRingOfABearing) {
   EXPECT_EQ(ring_of(4).stiffness_n_per_m, ring.stiffness_n_per_m);
 }
 
-// A draw between equal bounds must end, too.
+// A draw between equal bounds must terminate.
 TEST(Carrier, KnowsTheSizeOfAnotherBearingWhereAllKnownOnesAgree) {
   const signal::WindowSet known = other_bearings_tested();
   const std::vector<impacts::Edges> edges = true_edges(known);

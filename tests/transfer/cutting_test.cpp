@@ -22,7 +22,7 @@ TEST(Cutting, CutsWhatFollowsEachStrikeThatTheWindowHoldsWhole) {
   std::vector<double> window(1024);
   for (std::size_t i = 0; i < window.size(); ++i) window[i] = static_cast<double>(i);
   const std::vector<Cut> responses = cut_responses(window, known);
-  // Strikes at 60, 220, ... 860, 1020, each cut 19 samples before it; the last is not whole.
+  // Impacts at 60, 220, ... 860, 1020, each cut 19 samples before it; the last cut is not whole.
   ASSERT_EQ(responses.size(), 6U);
   for (std::size_t i = 0; i < 6; ++i) {
     EXPECT_EQ(responses[i].size(), 160U);
@@ -38,14 +38,14 @@ TEST(Cutting, StrikesAtTheNewPeriodAndLeavesEachRingingAsItWas) {
         struck(responses, {.period = period, .jitter = 0}, 1024, random).samples;
     const Comb comb = find_comb(window, period);
     EXPECT_NEAR(comb.period, period, 0.006 * period) << period;
-    // As much ringing after each blow, so in all as many times more as there are more blows.
+    // The ringing after each impact is the same, so the power grows with the number of impacts.
     const double expected = power(ringing(0, 160, 16000)) * 160 / 16000 / period * 1024;
     EXPECT_NEAR(power(window) / expected, 1, 0.15) << period;
   }
 }
 
 TEST(Cutting, SaysWhenItStrikes) {
-  // The blow of a response of 100 samples is 12 samples after its beginning, as where it is cut.
+  // The impact of a response of 100 samples is 12 samples after its beginning, where it was cut.
   std::vector<Cut> responses(2, Cut(100, 0.0));
   for (Cut& response : responses) response[12] = 1;
   Stream random("strikes");
@@ -58,7 +58,7 @@ TEST(Cutting, SaysWhenItStrikes) {
 }
 
 TEST(Cutting, KeepsTheOrderOfResponses) {
-  // Responses as loud as 1, 2 and 3: the load zone of a race that passes it once in three strikes.
+  // Responses of levels 1, 2 and 3: a race that passes the load zone once per three impacts.
   std::vector<Cut> responses(3, Cut(100, 0.0));
   for (std::size_t i = 0; i < 3; ++i) responses[i][10] = static_cast<double>(i + 1);
   Stream random("order");
@@ -92,12 +92,12 @@ TEST(Cutting, IsAsIrregularAsItIsAskedToBe) {
       ++strikes;
     }
   }
-  // Rounding to samples adds 1/50 * sqrt(1/6) of its own: in all 0.0408.
+  // Rounding to samples adds 1/50 * sqrt(1/6): in total 0.0408.
   EXPECT_NEAR(std::sqrt(squares / strikes), 0.0408, 0.003);
 }
 
 TEST(Cutting, GoesOnBeyondTheKnownPeriodAsLoudAsItsEnds) {
-  // White noise of power 1 throughout has the same power however far apart strikes are.
+  // White noise of power 1 has the same power at any distance of impacts.
   Stream noise("noise");
   std::vector<double> window(1024);
   for (double& x : window) x = noise.normal(0, 1);

@@ -12,8 +12,8 @@ namespace {
 
 constexpr Band band{.bin_hz = 12000.0 / 1024, .first = 10, .last = 465};
 
-/// What a structure with resonances of its own shows of a bearing with such edges, its windows'
-/// scatter and its own colour on top.
+/// Returns the spectrum of a bearing with such edges on a resonant structure, with the scatter of
+/// its windows and its own colour.
 SeenBearing seen(const impacts::Edges& edges, double passage_s, double colour, Stream& random) {
   SeenBearing bearing;
   bearing.passage_s = passage_s;
@@ -52,7 +52,7 @@ TEST(EdgeFit, OfOneBearingAloneIsThePrior) {
   const SeenBearing bearing = seen({.lag_s = 0.8e-3, .exit = 0.8}, 1e-3, 0, random);
   const std::vector<impacts::Edges> edges = fit_edges({bearing}, band, {});
   EXPECT_NEAR(edges[0].lag_s, 0.9e-3, 1e-9);
-  EXPECT_NEAR(edges[0].exit, 0.65, 1e-12);  // the place of the grid that is nearest to 0.6
+  EXPECT_NEAR(edges[0].exit, 0.65, 1e-12);  // the point of the grid that is nearest to 0.6
 }
 
 TEST(EdgeFit, OfLagsThatLeaveNoMinimumIsAlmostThePrior) {

@@ -12,7 +12,7 @@
 namespace piae::transfer {
 namespace {
 
-/// Healthy windows of the known condition hum at 2 kHz, those of the tested one at 3 kHz.
+/// Returns healthy windows with a tone: 2 kHz in the known condition, 3 kHz in the tested one.
 signal::WindowSet humming() {
   signal::WindowSet healthy;
   healthy.info = one_machine().info;

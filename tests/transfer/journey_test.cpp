@@ -18,7 +18,7 @@ TEST(Journey, WithoutConditionsLeadsToWhereItBegan) {
   EXPECT_FALSE(arrived(known, journey_of(known, 2, 0), {}).condition);
 }
 
-/// Faults known at 1200 and 1000 rpm, tested at 900 and 600.
+/// Returns windows with faults known at 1200 and 1000 rpm and tested at 900 and 600 rpm.
 signal::WindowSet known_at_two_speeds() {
   signal::WindowSet known = known_windows();
   known.info.conditions = {

@@ -27,7 +27,7 @@ TEST(Path, TiltsTheSpectrumUpAtAHigherSpeedAndDownAtALowerOne) {
   for (int i = 0; i < 400; ++i) {
     Stream random("tilt " + std::to_string(i));
     const Path path = draw_path(random, path_bins, path_rate_hz, 2, false, options);
-    // From 1 to 4 kHz, path_bins 171 and 683: by a power from 0 to 1.5.
+    // From 1 to 4 kHz (bins 171 and 683), by a power from 0 to 1.5.
     const double power = (path.log_gain[683] - path.log_gain[171]) / std::log(683.0 / 171);
     EXPECT_GE(power, 0);
     EXPECT_LE(power, 1.5 + 1e-9);
@@ -67,14 +67,15 @@ TEST(Path, OfAnotherBearingDiffersByItsOwnDeviation) {
     }
     return std::sqrt(sum / 400);
   };
-  // A standard deviation of 400 is right to 1 / sqrt(800); here within three times that.
+  // A standard deviation from 400 samples is accurate to 1 / sqrt(800); the test allows three times
+  // that.
   EXPECT_NEAR(spread_db(false), 1, 0.11);
   EXPECT_NEAR(spread_db(true), 10, 1.1);
 }
 
 TEST(Path, ThatDelaysMovesTheImpulse) {
   const Eigen::ArrayXd flat = Eigen::ArrayXd::Zero(path_bins);
-  // 10 samples: pi at half the sampling rate for each.
+  // A delay of 10 samples: each is a phase of pi at half the sampling rate.
   const Path late{.log_gain = flat,
                   .phase = -10 * Eigen::ArrayXd::LinSpaced(path_bins, 0, std::numbers::pi)};
   Eigen::Index place = 0;

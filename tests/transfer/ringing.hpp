@@ -7,8 +7,8 @@
 
 namespace piae::transfer {
 
-/// A ring of 3 kHz at 12 kHz, struck at first, first + period and so on, that dies away within some
-/// 40 samples.
+/// Returns a resonance of 3 kHz at 12 kHz, excited at first, first + period and so on, that decays
+/// within about 40 samples.
 inline std::vector<double> ringing(double first, double period, std::size_t length) {
   std::vector<double> window(length, 0.0);
   for (double strike = first; strike < static_cast<double>(length); strike += period) {

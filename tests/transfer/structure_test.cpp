@@ -18,8 +18,8 @@ TEST(Structure, IsWhatTheBearingsOfOneMachineHaveInCommon) {
   const Structure structure = structure_of(known, edges);
   ASSERT_EQ(structure.common.size(), 1025);
   const Eigen::ArrayXd truth = three_resonances(1025, 12000);
-  // Above the lowest frequencies, where windows without their mean show little. 20 windows scatter:
-  // without the edges' minima, the structure shows to 1 dB (0.115).
+  // The lowest frequencies are left out, because windows without their mean show little there. 20
+  // windows scatter: away from the edges' minima, the structure shows to 1 dB (0.115).
   const auto band = [](const Eigen::ArrayXd& curve) {
     const Eigen::ArrayXd part = curve.segment(150, 800);
     return Eigen::ArrayXd(part - part.mean());

@@ -8,7 +8,7 @@
 namespace piae::transfer {
 namespace {
 
-/// Decaying pulses, the first at `first`.
+/// Returns decaying pulses, the first at `first`.
 std::vector<double> pulses(double first, double period, double height, std::size_t length) {
   std::vector<double> window(length);
   for (std::size_t i = 0; i < length; ++i) {
@@ -38,11 +38,11 @@ TEST(Turned, GoesOnInTheSecondInTheSameRhythm) {
     for (std::size_t j = 1; j < window.strikes.size(); ++j) {
       EXPECT_NEAR(window.strikes[j] - window.strikes[j - 1], 50, 1e-9);
     }
-    double before = 0;  // of the heights at the strikes
+    double before = 0;  // heights at the impacts
     for (const double strike : window.strikes) {
       const double height = window.samples[static_cast<std::size_t>(strike)];
       EXPECT_TRUE(std::abs(height - 1) < 1e-4 || std::abs(height - 9) < 1e-3) << height;
-      EXPECT_GE(height, before - 1e-3);  // once in the second it stays there
+      EXPECT_GE(height, before - 1e-3);  // once in the second window, it stays there
       before = height;
     }
     both = both ||
@@ -67,7 +67,7 @@ TEST(Turned, IsStruckInRhythmWhereThePeriodIsNoWholeNumber) {
   }
 }
 
-// Of a sensor that begins late there is a cycle, too.
+// A sensor that starts late still gives a cycle.
 TEST(Turning, IsOfTheLoudestStretch) {
   std::vector<double> window = pulses(10, 120, 1, 256);
   std::fill(window.begin(), window.begin() + 124, 0.0);
@@ -86,7 +86,7 @@ TEST(Turned, TurnsAWindowWithoutAWholeStrikeRound) {
   const Turning turning = turning_of(window, {.first = 20, .period = 100});
   Stream random("long");
   const StruckWindow turned_round = turned(turning, turning, 64, random);
-  EXPECT_TRUE(turned_round.strikes.empty());  // of which nothing is known
+  EXPECT_TRUE(turned_round.strikes.empty());  // nothing is known about them
   for (std::size_t i = 1; i < 64; ++i) {
     const double step = turned_round.samples[i] - turned_round.samples[i - 1];
     EXPECT_TRUE(step == 1 || step == -63) << step;

@@ -51,7 +51,7 @@ TEST(Batches, OfOneClassHoldAllOfItWhereItFits) {
   }
 }
 
-/// Of classes of 3, 5 and 3 windows, a batch of eight holds any two.
+/// Classes have 3, 5 and 3 windows; a batch of eight holds any two of them.
 TEST(Batches, HoldAsManyWholeClassesAsFit) {
   for (int epoch = 0; epoch < 20; ++epoch) {
     const auto parts = batches(Batches::of_one_class, 8, std::to_string(epoch));

@@ -12,7 +12,7 @@ namespace {
 
 using bearing::Defect;
 
-/// The 6205 of the paper's Table 1 at 1797 rpm.
+/// Returns the 6205 of the paper's Table 1 at 1797 rpm.
 signal::DatasetInfo paper_bearing() {
   signal::DatasetInfo info;
   info.sample_rate_hz = 12000;
@@ -54,7 +54,7 @@ TEST(Contact, OfAHealthyBearingIsAtItsClearance) {
   }
 }
 
-/// How often the share of the time in the defect rises from none.
+/// Returns the number of times that the fraction of time in the defect rises from 0.
 int passages(const Contact& contact) {
   int count = contact.passing.front() > 0 ? 1 : 0;
   for (std::size_t i = 1; i < contact.passing.size(); ++i) {
@@ -63,7 +63,7 @@ int passages(const Contact& contact) {
   return count;
 }
 
-// In one second as many as the fault frequency says: 107.3, 162.2 and 141.0.
+// The number in one second equals the fault frequency: 107.3, 162.2 and 141.0.
 TEST(Contact, IsPassedAsOftenAsTheFaultFrequencySays) {
   const auto info = paper_bearing();
   const auto hz = bearing::fault_frequencies(info.bearing, info.shaft_speed_rpm);

@@ -22,7 +22,7 @@ TEST(ConvolutionalCoder, NamesTheWindowsAndDepthsThatWork) {
   EXPECT_EQ(convolutional_coder(1024, 6).inner_length(), 1);
 }
 
-// Models that were stored with these names and shapes stay readable.
+// Stored models with these names and shapes must stay readable.
 TEST(ConvolutionalCoder, HasConvolutionsAndADenseLayer) {
   std::vector<std::string> told;
   for (const nets::ParameterSpec& spec : convolutional_coder(1024, 3).specs()) {

@@ -8,7 +8,7 @@
 namespace piae::twin {
 namespace {
 
-/// What part of the derivatives of a sine of this frequency the taps give, at a sample.
+/// Fraction of the derivatives of a sine of this frequency that the taps pass, at a sample.
 struct Passed {
   double first = 0;
   double second = 0;

@@ -4,10 +4,10 @@
 
 namespace piae::twin {
 
-/// A contact that is found at the same delta throughout.
+/// Returns a contact with the same delta throughout.
 inline Contact standing_at(double delta_m) { return {.outside_m = 0, .inside_m = delta_m}; }
 
-/// A 6205 at the working set, time in units of 1 / omega_0.
+/// Returns the constants of a 6205 at the working set, with time in units of 1 / omega_0.
 inline Physics example_physics() {
   Physics physics;
   physics.mass_kg = 1;

@@ -10,16 +10,16 @@
 
 namespace piae::twin {
 
-/// A variant of the twin, and how it follows its losses.
+/// A variant of the twin, and options of its losses.
 struct TaskOf {
   const char* name;
   TwinVariant variant;
   LossWeights loss_weights;
-  double max_gradient_norm;     ///< of which 0.01 clips
-  bool other_readings = false;  ///< of the paper than those that are the default
+  double max_gradient_norm;     ///< 0.01 clips
+  bool other_readings = false;  ///< interpretations other than the default
 };
 
-/// Training on known_windows().
+/// Returns a task that trains on known_windows().
 inline TwinTask task_of(const TaskOf& c) {
   const signal::WindowSet known = known_windows();
   const std::vector<double> scale = signal::rms_by_class(known);

@@ -1,4 +1,4 @@
-// The losses of the twin and their gradients by hand, against closed forms and finite differences.
+// Compares the twin's losses and hand-written gradients with closed forms and finite differences.
 
 #include "twin/losses.hpp"
 
@@ -33,8 +33,8 @@ Motion random_motion(std::int64_t rows, std::int64_t columns) {
           random_array("a", rows, columns)};
 }
 
-/// The gradient equals central differences of the value in every number of `x`, relative to the
-/// largest. `value` reads `x`.
+/// Expects the gradient to equal central differences of the value in every number of `x`, relative
+/// to the largest. `value` reads `x`.
 void expect_gradient(const Array& gradient, Array& x, const std::function<double()>& value,
                      double tolerance = 1e-7) {
   ASSERT_EQ(gradient.rows(), x.rows());
@@ -83,7 +83,7 @@ TEST(BatchMmd, OfEqualWindowsIsZeroAndFlat) {
   const Array x = Array::Constant(2, 8, 0.3);
   Array by_y = Array::Zero(2, 8);
   EXPECT_NEAR(add_batch_mmd<double>(x, x, nullptr, by_y), 0, 1e-12);
-  // The pulls of two windows are as large as one over the bandwidth, and cancel but for rounding.
+  // Each pull is as large as one over the bandwidth; their sum is 0 except for rounding.
   EXPECT_LT(by_y.abs().maxCoeff() * mmd_least_bandwidth, 1e-15);
 }
 
@@ -155,7 +155,7 @@ TEST(ReconstructionLoss, OfEqualWindowsIsFlatAlsoAsARoot) {
   const Array nearly = x + 1e-8 * random_array("difference", 2, 8);
   const Loss loss = reconstruction_loss<double>(x, nearly, {.mmd = Mmd::root});
   EXPECT_NEAR(loss.value, std::sqrt(mmd_least_squared), 1e-9);
-  // What is left is the slope of the squared error, which is as small as the difference.
+  // The rest is the slope of the squared error, which is as small as the difference.
   EXPECT_LT(loss.by_acceleration.abs().maxCoeff(), 1e-8);
 }
 
@@ -185,15 +185,15 @@ TEST(TwinLoss, VanishesForAFreeDampedOscillation) {
   EXPECT_GT(twin_loss<double>(k_and_c, motion, labels, physics).value, 1e-3);
 }
 
-/// Free oscillations of a mass, damped, that are struck anew before they have died out: as long as
-/// the window repeats itself, energy is in balance over it.
+/// Returns free damped oscillations of a mass, with new impacts before they have decayed. While the
+/// window repeats itself, its energy is in balance.
 Motion struck_again_and_again(double k, double damping) {
   constexpr Eigen::Index samples = 400;
   constexpr Eigen::Index between = 50;
   constexpr double step = 0.15;
   const double b = damping / 2;
   const double w = std::sqrt(k - b * b);
-  // Each strike adds the same; what is left of those before is a geometric sum.
+  // Each impact adds the same oscillation; the rest of the earlier ones is a geometric sum.
   Motion motion{Array::Zero(1, samples), Array::Zero(1, samples), Array::Zero(1, samples)};
   for (Eigen::Index t = 0; t < samples; ++t) {
     for (Eigen::Index strike = -20; strike * between <= t; ++strike) {
@@ -204,12 +204,12 @@ Motion struck_again_and_again(double k, double damping) {
     }
   }
   motion.acceleration = -(damping * motion.velocity + k * motion.displacement);
-  // The force of a strike is in the acceleration of its own sample.
+  // The force of an impact is in the acceleration of its own sample.
   for (Eigen::Index t = 0; t < samples; t += between) motion.acceleration(0, t) += 1 / step;
   return motion;
 }
 
-/// The damping c~ at which the loss of a motion is least, by trying.
+/// Returns the damping c~ with the least loss of a motion, by trying values.
 double best_damping(const Motion& motion, double k, const Physics& physics, Residual residual) {
   const std::vector<Label> labels{0};
   double best = 0;
@@ -252,7 +252,7 @@ TEST(TwinLoss, ContactAddsItsTangentStiffnessForSmallMotion) {
             1e-5 * (k + tangent) * 1e-3);
 }
 
-/// One batch of three windows of both classes.
+/// Checks one batch of three windows of both classes.
 void expect_twin_loss_gradients(const Physics& physics, const LossReading& reading = {}) {
   const std::vector<std::int32_t> labels{0, 1, 1};
   Motion motion = random_motion(3, 8);
@@ -292,13 +292,13 @@ TEST(TwinLoss, HasTheGradientsOfFiniteDifferencesWhereTheDefectIsPassed) {
   expect_twin_loss_gradients(physics);
 }
 
-/// At rest and with no ball in the defect, the passage of one takes the contact's force away.
+/// At rest without a ball in the defect: the passage of a ball removes the contact's force.
 TEST(TwinLoss, APassageIsAForceOnTheRing) {
   Physics physics = example_physics();
   physics.contact[0] = {.outside_m = 2e-6, .inside_m = 1, .at_rest = 0, .passing = {0, 0.25, 1, 0}};
   constexpr double k = 1.5;
   const double s_0 = static_equilibrium_m(k * stiffness_scale_n_per_m, physics.contact[0], physics);
-  const double force = physics.load_n - k * stiffness_scale_n_per_m * s_0;  // of the contact
+  const double force = physics.load_n - k * stiffness_scale_n_per_m * s_0;  // force of the contact
   ASSERT_GT(force, 0);
   Array k_and_c(1, 2);
   k_and_c << k, 5.0;
@@ -319,7 +319,7 @@ TEST(TwinLoss, GradientStaysFiniteWhereContactIsLost) {
       twin_loss<double>(k_and_c, {one, one, one}, labels, physics).by_k_and_c.isFinite().all());
 }
 
-/// A softplus may well be 0 in single precision.
+/// A softplus may be exactly 0 in single precision.
 TEST(TwinLoss, StaysFiniteWithItsGradientWhereThereIsNoStiffness) {
   const RowArray<float> one = RowArray<float>::Ones(1, 4);
   const RowArray<float> nothing = RowArray<float>::Zero(1, 2);

@@ -1,4 +1,4 @@
-// Whole steps of the twin on one core against finite differences of the losses that they report.
+// Compares whole steps of the twin on one core with finite differences of the reported losses.
 
 #include "twin/one_core_backend.hpp"
 
@@ -17,22 +17,22 @@ namespace {
 const std::vector<std::size_t> batch{7, 2, 5, 0, 8};
 constexpr LearningRates rates{.networks = 1e-3, .loss_weights = 1e-3};
 
-/// The gradient that the one step from these parameters followed, of "networks" or "loss_weights".
+/// Returns the gradient of the only step from these parameters, of "networks" or "loss_weights".
 std::vector<float> gradient_of(const TwinBackend& backend, const std::string& group) {
   std::vector<float> gradient = first_moments(
       [&](artefact::Writer& writer) { backend.write_adam(writer, "/adam"); }, "/adam/" + group);
-  for (float& g : gradient) g *= 10;  // of 1 - beta1 = 0.1
+  for (float& g : gradient) g *= 10;  // 1 - beta1 = 0.1
   return gradient;
 }
 
-/// Losses of the batch at other parameters.
+/// Returns the losses of the batch at other parameters.
 BatchLosses losses_at(const TwinTask& task, const std::vector<float>& values) {
   const auto probe = one_core_engine(Device::cpu).train(task, Stream("initial"));
   probe->set_values(values);
   return probe->step(TrainingStage::one, batch, rates);
 }
 
-/// Where the parameters of a network, or of several that follow each other, stand in the flat list.
+/// Position, in the flat list, of the parameters of a network or of several consecutive networks.
 struct Range {
   std::size_t begin;
   std::size_t end;
@@ -56,7 +56,7 @@ std::vector<float> part_of(const std::vector<float>& all, const Range& range) {
           all.begin() + static_cast<std::ptrdiff_t>(range.end)};
 }
 
-/// What a step of this stage makes the parameters below `prefix` follow is the gradient of `loss`.
+/// Expects the parameters below `prefix` to follow the gradient of `loss` in a step of this stage.
 void expect_followed(const TwinTask& task, TrainingStage stage, const std::string& prefix,
                      const std::function<double(const BatchLosses&)>& loss) {
   SCOPED_TRACE(prefix);
@@ -113,8 +113,8 @@ TEST(OneCoreTwin, WithoutAnEncoderItsDecoderFollowsTheReconstruction) {
                   [](const BatchLosses& losses) { return losses.reconstruction; });
 }
 
-// At the start all weights are 1: alpha L_DDL - 1/2 by ln alpha, and so on; without the logarithms,
-// the losses themselves.
+// Initially all weights are 1. The derivative by ln alpha is alpha L_DDL - 1/2, and so on; without
+// the logarithms it is the loss itself.
 TEST(OneCoreTwin, LossWeightsFollowTheClosedFormOfEquation23) {
   for (const auto& [loss_weights, held] :
        {std::pair{LossWeights::adaptive, 0.5}, std::pair{LossWeights::adaptive_without_log, 0.0}}) {

@@ -43,7 +43,7 @@ TEST(Outcome, IsRefusedWhereALossOrWeightLacksAnEpoch) {
     EXPECT_TRUE(is_refused(curves));
   }
   EXPECT_TRUE(is_refused(Curves()));
-  EXPECT_FALSE(is_refused(two_epochs()));  // but for its space, which comes after
+  EXPECT_FALSE(is_refused(two_epochs()));  // only its space is missing
 }
 
 }  // namespace

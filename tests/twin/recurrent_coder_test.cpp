@@ -23,7 +23,7 @@ TEST(RecurrentCoder, NamesTheWindowsAndDepthsThatWork) {
       "layers work");
 }
 
-// Models that were stored with these names and shapes stay readable.
+// Stored models with these names and shapes must stay readable.
 TEST(RecurrentCoder, HasLayersOfGatesAndADenseOne) {
   const RecurrentCoder coder({1024, 10}, with_depth(3));
   EXPECT_EQ(coder.frames(), 32);

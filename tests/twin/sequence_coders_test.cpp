@@ -1,4 +1,5 @@
-// The coders that are chains of layers on sequences; what they compute is tested beside LibTorch.
+// Tests coders that are chains of sequence layers; the slow tests compare their results with
+// LibTorch.
 
 #include <gtest/gtest.h>
 
@@ -20,8 +21,8 @@ Numbers random_rows(const std::string& name, std::int64_t rows, std::int64_t col
 
 class SequenceCoders : public testing::TestWithParam<CoderKind> {};
 
-/// So that the first windows that are generated are the same however many are asked for. The frames
-/// of the longer windows fill no vectors of any processor.
+/// The first generated windows must not depend on the number requested. The frames of the longer
+/// windows do not fill the vectors of any processor.
 TEST_P(SequenceCoders, GiveForAWindowTheSameWhateverStandsBesideIt) {
   for (const std::int64_t samples : {96, 544}) {
     SCOPED_TRACE(samples);

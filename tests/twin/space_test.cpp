@@ -17,7 +17,7 @@ TEST(TwinSpace, CountsPointsInBinsOfEqualWidth) {
   const TwinSpace space(four_points, 2);
   EXPECT_EQ(space.k_edges(), (std::vector<double>{1, 3, 5}));
   EXPECT_EQ(space.c_edges(), (std::vector<double>{10, 30, 50}));
-  // k = 3 lies on the edge and belongs to the upper bin; the largest value to the last.
+  // k = 3 lies on the edge and belongs to the upper bin; the largest value belongs to the last bin.
   EXPECT_EQ(space.counts(), (std::vector<std::int64_t>{2, 0, 1, 1}));
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
-// What is true of the training of a twin whatever computes it. The test of each engine includes
-// these cases and instantiates them with its own.
+// Cases that hold for the training of a twin by any engine. The test of each engine includes these
+// cases and instantiates them.
 
 #include <gtest/gtest.h>
 
@@ -20,7 +20,7 @@
 
 namespace piae::twin {
 
-/// Six epochs of a small network.
+/// Returns options for six epochs of a small network.
 inline TwinOptions quick_options() {
   TwinOptions options;
   options.epochs = 6;
@@ -28,7 +28,7 @@ inline TwinOptions quick_options() {
   return options;
 }
 
-/// A variant of the twin and what computes it, with a name for the test.
+/// A variant of the twin and its engine, with a name for the test.
 struct NamedVariant {
   const char* name;
   TwinVariant variant;
@@ -81,7 +81,7 @@ TEST_P(TwinVariantTraining, LowersItsLosses) {
   options.epochs = 120;
   options.learning_rate = 4e-3;
   options.width = 64;
-  // So few windows of a class have an MMD of their own that hides what is learned.
+  // With so few windows, the MMD of a single class would hide the learning.
   options.batches = Batches::mixed;
   Curves curves;
   curves.read(artefact::Reader(train(checkpoint_at("learn.ckpt"), options, "learn.h5",

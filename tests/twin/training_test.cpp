@@ -66,7 +66,7 @@ TEST(TwinTraining, WithoutPhysicsFollowsTheReconstructionLossAlone) {
   EXPECT_EQ(curves.alpha, ones);
   EXPECT_EQ(curves.gamma, ones);
 
-  // Settings that it has no use for change nothing but what is stored of them, which is nothing.
+  // Options without an effect on this variant must change nothing, and are not stored.
   options.mass_kg = 3;
   options.clearance_um = 7;
   options.loss_weights = LossWeights::fixed;
@@ -90,7 +90,7 @@ TEST(TwinTraining, HoldsFixedLossWeightsAtOne) {
   }
 }
 
-/// Eq. 23 is least in a weight at 1 / (2 L).
+/// The minimum of eq. 23 in a weight is at 1 / (2 L).
 TEST(TwinTraining, WeighsLossesAtTheStationaryPointOfTheEpochBefore) {
   TwinOptions options = quick_options();
   options.loss_weights = LossWeights::stationary;
@@ -113,7 +113,7 @@ TEST(TwinTraining, SaysInTheModelWhereTheWeightsAreStationaryAtTheEnd) {
   EXPECT_DOUBLE_EQ(model.real("/curves", "gamma_stationary"), 0.5 / curves.reconstruction.back());
 }
 
-/// Eq. 23 without its logarithms only ever rewards smaller weights.
+/// Eq. 23 without its logarithms always rewards smaller weights.
 TEST(TwinTraining, WithoutTheLogarithmsAllLossWeightsShrink) {
   TwinOptions options = quick_options();
   options.loss_weights = LossWeights::adaptive_without_log;
@@ -219,7 +219,7 @@ TEST(TwinGeneration, DependsOnTheModelThatIsKept) {
   EXPECT_EQ(a == b, last_is_best);
 }
 
-// Of a model that another version wrote, or that somebody edited.
+// The model may come from another version or from an edit by hand.
 TEST(TwinModel, WithAnUnknownWordForWhatItKeepsIsRefusedByName) {
   artefact::Writer writer("model");
   signal::write(writer, three_classes());

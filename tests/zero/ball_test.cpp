@@ -100,7 +100,7 @@ TEST(Ball, MeetsItsTrackForADrawnShareOfTheTime) {
     Stream random(name);
     leave_track(every_10_ms, ball_cage_hz, 200, {.least_on_track = 0.1}, random, strikes);
     Stream same(name);
-    (void)same.uniform(0, 1);  // how long it remembers
+    (void)same.uniform(0, 1);  // draws the memory first
     const double share = 0.1 + 0.9 * same.uniform(0, 1);
     int on_it = 0;
     for (const auto& strike : strikes) {
@@ -113,7 +113,7 @@ TEST(Ball, MeetsItsTrackForADrawnShareOfTheTime) {
 }
 
 TEST(Ball, LeavesItsTrackForLongerThanAStrike) {
-  // It remembers for half a turn of the cage at least, here 4 strikes: neighbours are mostly alike.
+  // The memory is at least half a turn of the cage, here 4 impacts, so most neighbours are equal.
   Train strikes = train_of(20000);
   Stream random("memory");
   leave_track(every_10_ms, ball_cage_hz, 200, {.least_on_track = 0.1}, random, strikes);
@@ -121,8 +121,8 @@ TEST(Ball, LeavesItsTrackForLongerThanAStrike) {
   for (std::size_t i = 1; i < strikes.size(); ++i) {
     changes += strikes[i].strength != strikes[i - 1].strength ? 1 : 0;
   }
-  // A process with the correlation r from strike to strike crosses its median with the probability
-  // acos(r) / pi, and any other threshold less often. r is exp(-0.01 12 / 0.5) = 0.787 at least.
+  // A process with the correlation r from impact to impact crosses its median with the probability
+  // acos(r) / pi, and any other threshold less often. r is at least exp(-0.01 12 / 0.5) = 0.787.
   EXPECT_LT(changes, 20000 * std::acos(0.787) / 3.14159);
   EXPECT_GT(changes, 0);
 }

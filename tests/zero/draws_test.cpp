@@ -28,7 +28,7 @@ TEST(Draws, AreEvenInTheLogarithm) {
     below_one += one < 1 ? 1 : 0;
   }
   // Three decades: the mean of the logarithm is 0.5, with a standard error of 3 / sqrt(12 n) =
-  // 0.006; a third of them are in the first.
+  // 0.006. A third of the draws are in the first decade.
   EXPECT_NEAR(logarithms / many_draws, 0.5, 0.025);
   EXPECT_NEAR(below_one, many_draws / 3.0, 270);
 }

@@ -10,7 +10,7 @@
 
 namespace piae::zero {
 
-/// Healthy windows of a machine with a 6205 at 1800 rpm: noise of different loudness, with an
+/// Returns healthy windows of a machine with a 6205 at 1800 rpm: noise of different levels, with an
 /// offset. Its classes are healthy, inner race, outer race and ball.
 inline signal::WindowSet healthy_windows(std::size_t length = 1024, std::size_t count = 6) {
   signal::WindowSet windows;
@@ -28,7 +28,7 @@ inline signal::WindowSet healthy_windows(std::size_t length = 1024, std::size_t 
   return windows;
 }
 
-/// A scene on one of them, of a defect of this kind, at 1800 rpm.
+/// Returns a scene on one of these windows, with a defect of this kind, at 1800 rpm.
 inline Scene scene_of(const signal::WindowSet& healthy, bearing::Defect defect) {
   const Machine machine(healthy);
   Stream random("scene");
@@ -38,7 +38,7 @@ inline Scene scene_of(const signal::WindowSet& healthy, bearing::Defect defect) 
   return {};
 }
 
-/// Standard deviation of a window.
+/// Returns the standard deviation of a window.
 inline double deviation_of(std::span<const float> window) {
   double sum = 0;
   double squares = 0;

@@ -15,10 +15,10 @@ namespace {
 TEST(Impacts, HaveTheLagOfTheSizeByTheSpeedOfTheBall) {
   const signal::WindowSet healthy = healthy_windows();
   const Prior one_size{.least_size_mm = 1, .largest_size_mm = 1};
-  // A 6205 at 30 turns a second. On a race of 46.94 mm, which the cage passes with
-  // (1 - 7.94 / 39) / 2 of that: pi 46.94 30 0.3982 = 1761.7 mm/s. On the inner one of 31.06 mm:
-  // pi 31.06 30 0.6018 = 1761.6 mm/s. A ball of 7.94 mm spins 30 39 / 7.94 / 2 (1 - 0.2036^2) =
-  // 70.62 times: 1761.6 mm/s. (It rolls, so all three are the same.)
+  // A 6205 at 30 turns a second. The cage passes the outer race of 46.94 mm at (1 - 7.94 / 39) / 2
+  // of the shaft speed: pi 46.94 30 0.3982 = 1761.7 mm/s. On the inner race of 31.06 mm: pi 31.06
+  // 30 0.6018 = 1761.6 mm/s. A ball of 7.94 mm spins 30 39 / 7.94 / 2 (1 - 0.2036^2) = 70.62 times
+  // a second: 1761.6 mm/s. (Balls roll, so all three are equal.)
   for (const auto defect :
        {bearing::Defect::inner, bearing::Defect::outer, bearing::Defect::roller}) {
     const Scene scene = scene_of(healthy, defect);
@@ -55,7 +55,7 @@ TEST(Impacts, StrikeTheSecondEdgeTheOtherWay) {
   EXPECT_LE(strikes[0].exit, 1);
   EXPECT_NEAR(sum / 2000, 0.002, 1e-5);
   EXPECT_NEAR(std::sqrt(squares / 2000 - std::pow(sum / 2000, 2)), 1e-4, 6e-6);
-  // Excitation takes the sign: 1 - exit exp(-2 pi i f lag), which is 1 - exit at 0 Hz.
+  // The excitation has the sign: 1 - exit exp(-2 pi i f lag), which is 1 - exit at 0 Hz.
   EXPECT_NEAR(impacts::excitation({strikes[0]}, 2, 100)[0].real(), 1 - strikes[0].exit, 1e-12);
 }
 
@@ -88,8 +88,8 @@ TEST(Impacts, HaveAFloorThatEndsWithTheFrame) {
 
 TEST(Rate, HasItsMeanAtTheOrderOfTheDefectAndStaysWithinTheSlip) {
   const signal::WindowSet healthy = healthy_windows();
-  // A 6205 at 30 turns a second: 4.5 (1 + 7.94 / 39) on the inner race, (1 - ...) on the outer one,
-  // and 39 / 7.94 (1 - (7.94 / 39)^2) on a ball.
+  // A 6205 at 30 turns a second: 4.5 (1 + 7.94 / 39) on the inner race, (1 - ...) on the outer
+  // race, and 39 / 7.94 (1 - (7.94 / 39)^2) on a ball.
   const double ratio = 7.94 / 39;
   const std::pair<bearing::Defect, double> orders[] = {
       {bearing::Defect::inner, 4.5 * (1 + ratio)},

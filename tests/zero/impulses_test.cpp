@@ -25,7 +25,7 @@ TEST(Impulses, ComeAtTheKinematicRateAndNothingElse) {
   EXPECT_FALSE(made.parameters);
 }
 
-/// The energy at a frequency in a window / all.
+/// Returns the fraction of a window's energy in a range of frequencies.
 double share_at(const std::vector<float>& window, double from_hz, double to_hz) {
   double share = 0;
   double all = 0;
@@ -55,7 +55,8 @@ TEST(Impulses, ExciteOneDampedResonanceAtTheDrawnLevel) {
                             .largest_level_db = 20};
   const Scene scene = scene_of(healthy, bearing::Defect::inner);
   const signal::MadeWindow made = add_impulses(machine, loud, scene, Stream("window"));
-  // Half of the power is within the half-power width of 2 zeta f = 80 Hz; within 10 of them, 0.94.
+  // Half of the power is within the half-power width of 2 zeta f = 80 Hz; 0.94 is within 10 such
+  // widths.
   EXPECT_GT(share_at(made.samples, 1600, 2400), 0.88);
   EXPECT_NEAR(deviation_of(made.samples) / deviation_of(scene.healthy), 1, 1e-5);
 }

@@ -13,7 +13,7 @@
 namespace piae::zero {
 namespace {
 
-/// The same windows, three of each of two conditions.
+/// Returns the same windows, three in each of two conditions.
 signal::WindowSet at_two_speeds() {
   signal::WindowSet healthy = healthy_windows();
   healthy.info.conditions = {{.name = "900 rpm", .shaft_speed_rpm = 900},
@@ -31,7 +31,7 @@ TEST(Machine, MakesAWindowOfOneConditionAfterTheOtherAtTheSpeedOfItsHealthyWindo
     Stream random("scene " + std::to_string(i));
     const Scene scene = machine.draw_scene(2, i, random);
     ASSERT_EQ(scene.condition, static_cast<std::int32_t>(i % 2));
-    // A 6205 has 3.5848 strikes on its outer race in a turn: 4.5 (1 - 7.94 / 39).
+    // A 6205 has 3.5848 impacts per turn on its outer race: 4.5 (1 - 7.94 / 39).
     ASSERT_NEAR(scene.strike_hz / (scene.shaft_speed_rpm / 60), 4.5 * (1 - 7.94 / 39), 1e-9);
     EXPECT_EQ(scene.defect, bearing::Defect::outer);
     speeds.insert(scene.shaft_speed_rpm);
@@ -47,8 +47,8 @@ TEST(Machine, TakesOfWindowsOfEveryConditionThoseOfItsSpeed) {
     Stream random("scene " + std::to_string(i));
     EXPECT_NEAR(machine.draw_scene(1, i, random).shaft_speed_rpm, i % 2 == 0 ? 901 : 1801, 1);
   }
-  // Where none has the tested speed, the nearest are taken: a machine turns a little slower with
-  // load.
+  // If no window has the tested speed, the nearest ones are used: a loaded machine turns a little
+  // slower.
   healthy.info.conditions[0].shaft_speed_rpm = 1700;
   const Machine loaded(healthy);
   Stream random("scene");
@@ -81,28 +81,28 @@ TEST(Machine, NeedsABearingThatCanBeAndItsSpeed) {
 
 TEST(Machine, NeedsASamplingRateAtWhichStrikesAreApart) {
   signal::WindowSet healthy = healthy_windows();
-  // BPFI of 1800 rpm is 162.5 Hz, 2 BSF 141.4 Hz.
+  // At 1800 rpm, BPFI is 162.5 Hz and 2 BSF 141.4 Hz.
   healthy.info.sample_rate_hz = 320;
   EXPECT_ERROR(Machine{healthy}, Exit::bad_input, "class IR is struck 162.485 times a second");
 }
 
 TEST(Machine, NeedsWindowsInWhichEachDefectIsStruck) {
-  // BPFO of 1800 rpm is 107.5 Hz: a strike in 111.6 samples.
+  // At 1800 rpm, BPFO is 107.5 Hz: one impact in 111.6 samples.
   const signal::WindowSet shorter = healthy_windows(111);
   EXPECT_ERROR(Machine{shorter}, Exit::bad_input,
                "class OR is struck 107.515 times a second at 1800 rpm, so that windows of 111 "
                "samples may hold no strike; 112 or more would do");
   const signal::WindowSet just_long_enough = healthy_windows(112);
   EXPECT_NO_THROW(Machine{just_long_enough});
-  // The slower the shaft, the longer.
+  // A slower shaft needs longer windows.
   signal::WindowSet slower = at_two_speeds();
   slower.shaft_speed_rpm[0] = 190;
   EXPECT_ERROR(Machine{slower}, Exit::bad_input, "at 190 rpm, so that windows of 1024 samples");
 }
 
-/// How strongly a healthy machine's spectrum ripples where each of its windows of 8192 samples
-/// holds an echo, half as strong, after `lag` samples. The logarithm of |1 + exp(-i w lag) / 2| is
-/// cos(w lag) / 2 less cos(2 w lag) / 8 and so on.
+/// Returns the ripple of a healthy machine's spectrum if each of its windows of 8192 samples
+/// contains an echo, half as strong, after `lag` samples. The logarithm of |1 + exp(-i w lag) / 2|
+/// is cos(w lag) / 2 minus cos(2 w lag) / 8 and so on.
 double ripple_of_echo(std::size_t lag) {
   signal::WindowSet healthy = healthy_windows(8192);
   const std::vector<float> direct = healthy.samples;
@@ -122,7 +122,7 @@ double ripple_of_echo(std::size_t lag) {
 }
 
 TEST(Machine, SoundsWithItsColourAndWithoutItsLines) {
-  // All that changes as slowly as with 0.7 x 256 samples is kept, and half of what does with 217.6.
+  // Ripples up to 0.7 x 256 samples are kept, and half of a ripple of 217.6 samples.
   EXPECT_NEAR(ripple_of_echo(32), 0.5, 0.05);
   EXPECT_NEAR(ripple_of_echo(170), 0.5, 0.05);
   EXPECT_NEAR(ripple_of_echo(218), 0.25, 0.05);

@@ -40,7 +40,8 @@ TEST(ZeroStructure, IsColouredByThePowerOfTheHealthySpectrum) {
   const double power = same.uniform(0, 1);
   const Eigen::ArrayXd coloured = draw_log_response(one, slope, 12000, bare, random) -
                                   draw_log_response(one, flat, 12000, bare, again);
-  // Apart from the least amplitude, 1e-4 of the largest, which is some 20 times the smallest.
+  // The tolerance allows for the least amplitude, 1e-4 of the largest, which is about 20 times the
+  // smallest.
   for (Eigen::Index i = 0; i < 513; i += 64) EXPECT_NEAR(coloured[i], power * slope[i], 3e-3);
 }
 

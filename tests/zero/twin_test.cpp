@@ -15,7 +15,8 @@ namespace {
 
 using bearing::Defect;
 
-/// Nothing but strikes alike: no slip, no path, no background beside the healthy window.
+/// Returns a prior with equal impacts only: no slip, no path, and only the healthy window as
+/// background.
 Prior plain() {
   Prior prior;
   prior.slip = 0;
@@ -52,7 +53,7 @@ TEST(ZeroTwin, SlipsWithItsCage) {
   const signal::WindowSet healthy = healthy_windows(65536, 1);
   const Machine machine(healthy);
   const Scene scene = scene_of(healthy, Defect::roller);
-  // A ball is struck in the load zone alone, for 0.37 of a turn of the cage.
+  // A ball has impacts only in the load zone, for 0.37 of a turn of the cage.
   Prior prior = plain();
   prior.slip = 0.2;
   prior.load_zone = Switch::on;
@@ -72,8 +73,8 @@ TEST(ZeroTwin, SlipsWithItsCage) {
     }
     ASSERT_GT(passes.size(), 50U);
     const double cage_s = (passes.back() - passes.front()) / static_cast<double>(passes.size() - 1);
-    // Whatever the slip, 2 BSF is 2 (D / d + 1) times FTF. Of 50 turns, the first and the last are
-    // seen to a strike.
+    // For every slip, 2 BSF is 2 (D / d + 1) times FTF. Over 50 turns, the first and the last are
+    // located to one impact.
     EXPECT_NEAR(cage_s / period_s, 2 * (39 / 7.94 + 1), 2.0 / 50) << i;
     fastest_s = std::min(fastest_s, period_s);
     slowest_s = std::max(slowest_s, period_s);
@@ -81,7 +82,8 @@ TEST(ZeroTwin, SlipsWithItsCage) {
   EXPECT_GT(slowest_s / fastest_s, 1.2);
 }
 
-/// The level of what is in a window beside the healthy one, forwards or backwards, over that.
+/// Returns the level of everything that a window adds to the healthy window, played forwards or
+/// backwards, relative to the healthy window.
 double level_beside_db(const signal::MadeWindow& made, const Scene& scene) {
   Eigen::ArrayXd healthy =
       Eigen::Map<const Eigen::ArrayXf>(scene.healthy.data(), std::ssize(scene.healthy))
@@ -93,7 +95,7 @@ double level_beside_db(const signal::MadeWindow& made, const Scene& scene) {
   const double forwards = std::abs((window * healthy).mean());
   const double backwards = std::abs((window * healthy.reverse()).mean());
   const double heard =
-      std::pow(std::max(forwards, backwards), 2) / healthy.square().mean();  // of the power
+      std::pow(std::max(forwards, backwards), 2) / healthy.square().mean();  // power ratio
   return 10 * std::log10((window.square().mean() - heard) / heard);
 }
 
@@ -101,7 +103,7 @@ TEST(ZeroTwin, KnocksAtTheirLevelOverTheBackground) {
   const signal::WindowSet healthy = healthy_windows(4096);
   const Machine machine(healthy);
   const Scene scene = scene_of(healthy, Defect::outer);
-  Prior prior = plain();  // in which nothing else is heard
+  Prior prior = plain();  // leaves only the stray impacts
   prior.stray_knocks = 1;
   prior.least_level_db = -300;
   prior.largest_level_db = -300;
@@ -115,7 +117,7 @@ TEST(ZeroTwin, KnocksAtTheirLevelOverTheBackground) {
     loudest_db = std::max(loudest_db, db);
     sum_db += db;
   }
-  // Even from -15 to 5 dB. Knocks and background are not quite strangers in 4096 samples.
+  // Uniform from -15 to 5 dB. Stray impacts and background are slightly correlated in 4096 samples.
   EXPECT_NEAR(quietest_db, -15, 0.7);
   EXPECT_NEAR(loudest_db, 5, 0.7);
   EXPECT_NEAR(sum_db / 300, -5, 4 * 20 / std::sqrt(12.0 * 300));
@@ -135,9 +137,8 @@ TEST(ZeroTwin, HasTheDrawnLevelOverTheBackground) {
     const Eigen::ArrayXd background = draw_background(scene.healthy, 0, under);
     Eigen::ArrayXd window(4096);
     for (Eigen::Index t = 0; t < 4096; ++t) window[t] = made.samples[static_cast<std::size_t>(t)];
-    // window = g (10^(db/20) y + b), with y and b of mean square 1. They know nothing of each
-    // other, so b explains 1 / (1 + 10^(db/10)) of its power, and is in the window with that
-    // correlation.
+    // window = g (10^(db/20) y + b), with y and b of mean square 1. They are independent, so b
+    // explains 1 / (1 + 10^(db/10)) of the window's power.
     const double explained = std::pow((window * background).mean(), 2) / window.square().mean();
     EXPECT_NEAR(explained, 1 / (1 + std::pow(10, db / 10)), 0.05) << db;
   }
@@ -174,7 +175,7 @@ TEST(ZeroTwin, RingsAsItsStrongestResonance) {
 TEST(ZeroTwin, MakesFiniteWindowsOfAnyLengthAndDefect) {
   for (const std::size_t length : {16U, 63U, 64U, 1024U}) {
     signal::WindowSet healthy = healthy_windows(length);
-    healthy.info.shaft_speed_rpm = 13000;  // BPFO is 776 Hz: a strike in 15.5 samples
+    healthy.info.shaft_speed_rpm = 13000;  // BPFO is 776 Hz: one impact in 15.5 samples
     const Machine machine(healthy);
     const Twin twin(machine, {});
     const signal::WindowSet made = make_windows(

@@ -10,9 +10,9 @@
 
 namespace piae::libtorch {
 
-// VAE and WGAN-GP by LibTorch's eager operations. What these functions make is described in
-// latent/vae.hpp (MakeVae), latent/wgan_gp.hpp (MakeWganGp) and latent/generator.hpp
-// (OpenGenerator). All throw Error(usage) for cuda where there is no such device.
+// VAE and WGAN-GP by LibTorch's eager operations. latent/vae.hpp (MakeVae), latent/wgan_gp.hpp
+// (MakeWganGp) and latent/generator.hpp (OpenGenerator) describe the results. All functions throw
+// Error(usage) for cuda if LibTorch finds no such device.
 
 std::unique_ptr<latent::LatentBackend> vae(latent::LatentTask task, const Stream& initial,
                                            Device device);

@@ -29,7 +29,7 @@ class Generator final : public latent::StoredGenerator {
 
  private:
   ParameterSet parameters_;
-  torch::Tensor one_hot_;  // row i is that of label i
+  torch::Tensor one_hot_;  // row i belongs to label i
 };
 
 }  // namespace

@@ -23,8 +23,8 @@ struct Batch {
 torch::Tensor run_generator(const ParameterSet& parameters, const torch::Tensor& z,
                             const torch::Tensor& classes);
 
-/// The base of LibTorch's back ends of the VAE and the WGAN-GP. It owns the parameters and the
-/// known windows.
+/// Base of LibTorch's back ends of the VAE and the WGAN-GP. Owns the parameters and the known
+/// windows.
 class SharedBackend : public latent::LatentBackend {
  public:
   [[nodiscard]] const std::vector<nets::ParameterSpec>& specs() const override { return specs_; }

@@ -12,12 +12,12 @@ struct VaeLosses {
   torch::Tensor kl;             ///< KL(q(z|x) || N(0, 1))
 };
 
-/// The losses of a batch at z = mean + sigma * noise, for noise [n, latent] drawn from N(0, 1).
+/// Returns the losses of a batch at z = mean + sigma * noise, for noise [n, latent] from N(0, 1).
 VaeLosses vae_losses(const ParameterSet& parameters, const Batch& batch,
                      const torch::Tensor& noise);
 
-/// KL(N(mean, exp(log_variance)) || N(0, 1)) for [n, latent]: the sum over the columns, then the
-/// mean over the rows.
+/// Returns KL(N(mean, exp(log_variance)) || N(0, 1)) for [n, latent]: the sum over the columns,
+/// averaged over the rows.
 torch::Tensor kl_to_standard_normal(const torch::Tensor& mean, const torch::Tensor& log_variance);
 
 }  // namespace piae::libtorch

@@ -72,7 +72,7 @@ class WganGp final : public SharedBackend {
     return run_generator(parameters(), draw_z(batch, noise), batch.classes);
   }
 
-  /// Sets the gradients of one of the two networks to those of a loss.
+  /// Sets the gradients of one network to those of a loss.
   void follow(const std::string& prefix, const torch::Tensor& loss) {
     parameters().set_gradients(prefix,
                                torch::autograd::grad({loss}, parameters().with_prefix(prefix)));

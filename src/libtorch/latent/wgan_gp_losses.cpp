@@ -15,8 +15,8 @@ torch::Tensor run_critic(const ParameterSet& parameters, const torch::Tensor& wi
 torch::Tensor gradient_penalty(const ParameterSet& parameters, const torch::Tensor& windows,
                                const torch::Tensor& classes) {
   const torch::Tensor at = windows.detach().requires_grad_();
-  // A score depends on its own window alone, so the gradient of the sum of all scores holds the
-  // gradient of each.
+  // A score depends only on its own window, so the gradient of the sum of all scores contains each
+  // score's gradient.
   const torch::Tensor gradients =
       torch::autograd::grad({run_critic(parameters, at, classes).sum()}, {at}, {},
                             /*retain_graph=*/true, /*create_graph=*/true)[0];

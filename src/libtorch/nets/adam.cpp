@@ -8,8 +8,8 @@ namespace piae::libtorch {
 
 namespace {
 
-/// Takes a step by going once over the memory of the tensors, where LibTorch's operations would go
-/// over it eight times.
+/// Takes a step in one pass over the memory of the tensors; LibTorch's operations would need eight
+/// passes.
 template <class T>
 void take_flat(const nets::AdamStep& step, const torch::Tensor& values,
                const torch::Tensor& gradients, const torch::Tensor& first_moment,

@@ -12,17 +12,17 @@
 namespace piae::libtorch {
 
 /// Adam (Kingma and Ba 2015, Algorithm 1) for parameters in one flat tensor, without weight decay.
-/// The mathematics is that of torch::optim::Adam, but its state is two plain tensors and a count.
+/// The mathematics is that of torch::optim::Adam, but the state is two plain tensors and a count.
 class Adam {
  public:
-  /// Both tensors are flat and of one size. They share their memory with those that a ParameterSet
-  /// gave (values() and gradients()), so that a step changes its parameters.
+  /// Both tensors are flat and of one size. They must share their memory with those of a
+  /// ParameterSet (values() and gradients()), so that a step changes its parameters.
   Adam(torch::Tensor values, torch::Tensor gradients, double beta1 = nets::AdamConstants::beta1,
        double beta2 = nets::AdamConstants::beta2);
 
   void step(double learning_rate);
 
-  /// The state, as nets::AdamState in `group`.
+  /// Write and read the state, as nets::AdamState in `group`.
   void write(artefact::Writer& writer, const std::string& group) const;
   void read(const artefact::Reader& reader, const std::string& group);
 
@@ -36,8 +36,8 @@ class Adam {
   std::int64_t steps_ = 0;
 };
 
-/// Scales the gradients so that their Euclidean norm is at most `max_norm`. Returns the norm that
-/// they had before.
+/// Scales the gradients so that their Euclidean norm is at most `max_norm`. Returns the previous
+/// norm.
 double clip_norm(const torch::Tensor& gradients, double max_norm);
 
 }  // namespace piae::libtorch

@@ -13,7 +13,7 @@ namespace piae::libtorch {
 torch::Tensor run_dense(const ParameterSet& parameters, const std::string& name,
                         const torch::Tensor& x);
 
-/// Runs the chain of dense layers of that name, with ReLU between them but none at the end: [batch,
+/// Runs the chain of dense layers of that name, with ReLU between them but not at the end: [batch,
 /// inputs] -> [batch, outputs]. Its parameters are those of nets::dense_chain_specs().
 torch::Tensor run_dense_chain(const ParameterSet& parameters, const std::string& name,
                               torch::Tensor x);

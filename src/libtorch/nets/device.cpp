@@ -12,7 +12,7 @@ torch::Device prepare_device(Device device) {
   if (!torch::cuda::is_available()) {
     throw Error(Exit::usage, "--device: this LibTorch finds no CUDA device; use cpu");
   }
-  // Its convolutions and recurrent layers would keep ten bits of what they multiply.
+  // With TF32, cuDNN's convolutions and recurrent layers would keep only ten bits of their factors.
   at::globalContext().setAllowTF32CuDNN(false);
   return torch::kCUDA;
 }

@@ -6,9 +6,9 @@
 
 namespace piae::libtorch {
 
-/// LibTorch's name for a device. Also limits LibTorch to one thread and to deterministic
-/// algorithms, because make and the scheduler run programs in parallel and results must not depend
-/// on that. Throws Error(usage) for cuda where LibTorch finds no such device.
+/// Returns LibTorch's name for a device. Also limits LibTorch to one thread and to deterministic
+/// algorithms: make and the scheduler run programs in parallel, and results must not depend on
+/// that. Throws Error(usage) for cuda if LibTorch finds no such device.
 torch::Device prepare_device(Device device);
 
 }  // namespace piae::libtorch

@@ -14,24 +14,23 @@
 
 namespace piae::libtorch {
 
-/// All parameters of a model in one flat tensor, and their gradients in another, so that Adam, the
-/// clipping of gradients and checkpoints each go once over contiguous memory. Every tensor that
-/// this class gives is a view of these two, and autograd adds its gradients directly into the flat
-/// one.
+/// All parameters of a model in one flat tensor, and their gradients in another. So Adam, gradient
+/// clipping and checkpoints each make one pass over contiguous memory. Every tensor that this class
+/// returns is a view of these two, and autograd adds its gradients directly into the flat one.
 class ParameterSet {
  public:
-  /// Initial values come from the stream as nets::initial_values() says.
+  /// Initial values come from the stream, by nets::initial_values().
   ParameterSet(std::vector<nets::ParameterSpec> specs, const Stream& stream,
                torch::Dtype dtype = torch::kFloat32, torch::Device device = torch::kCPU);
 
-  /// The parameter of that name, a leaf that requires a gradient. Throws std::logic_error when
-  /// there is none.
+  /// Returns the parameter of that name, a leaf that requires a gradient. Throws std::logic_error
+  /// if it does not exist.
   [[nodiscard]] const torch::Tensor& operator[](const std::string& name) const;
-  /// The parameters whose names begin with `prefix`, in the order of the specs.
+  /// Returns the parameters whose names begin with `prefix`, in the order of the specs.
   [[nodiscard]] std::vector<torch::Tensor> with_prefix(const std::string& prefix) const;
 
-  /// The flat values and gradients [size] of the parameters whose names begin with `prefix`. These
-  /// must follow each other in the specs, or std::logic_error is thrown.
+  /// Return the flat values and gradients [size] of the parameters whose names begin with `prefix`.
+  /// Throw std::logic_error if these are not consecutive in the specs.
   [[nodiscard]] torch::Tensor values(const std::string& prefix = "") const;
   [[nodiscard]] torch::Tensor gradients(const std::string& prefix = "") const;
   void zero_gradients();
@@ -39,8 +38,8 @@ class ParameterSet {
   /// them.
   void set_gradients(const std::string& prefix, const std::vector<torch::Tensor>& gradients);
 
-  /// Reads what nets::write_parameters() wrote (nets/stored_parameters.hpp). Throws
-  /// artefact::Refusal when a parameter is missing or has another shape.
+  /// Reads the output of nets::write_parameters() (nets/stored_parameters.hpp). Throws
+  /// artefact::Refusal if a parameter is missing or has another shape.
   void read(const artefact::Reader& reader, const std::string& group);
 
  private:
@@ -56,7 +55,7 @@ class ParameterSet {
   torch::Tensor gradients_;
 };
 
-/// The numbers of a tensor as float32, and back into a tensor of as many numbers.
+/// Converts the numbers of a tensor to float32, and back into a tensor of the same size.
 std::vector<float> to_vector(const torch::Tensor& tensor);
 void copy_into(const torch::Tensor& tensor, std::span<const float> values);
 

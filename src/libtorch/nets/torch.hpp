@@ -1,7 +1,7 @@
 #pragma once
 
 // The parts of LibTorch that we use: tensors, their derivatives, threads and devices.
-// <torch/torch.h> would bring modules, data loaders and more, and take twice as long to compile.
+// <torch/torch.h> would add modules, data loaders and more, and compile twice as long.
 #include <torch/csrc/autograd/autograd.h>
 #include <torch/cuda.h>
 #include <torch/types.h>

@@ -31,7 +31,7 @@ struct Losses {
   }
 };
 
-/// The losses of a variant without the physics-informed module.
+/// Returns the losses of a variant without the physics-informed module.
 Losses reconstruction_alone(const torch::Tensor& loss) {
   const torch::Tensor none = torch::zeros_like(loss);
   return {.reconstruction = loss, .differential = none, .twin = none, .total = loss};
@@ -98,7 +98,7 @@ class TwinOnTorch final : public twin::TwinBackend {
   }
 
  private:
-  /// (k~, c~), and the two numbers that the decoder is given for them, [n, 2] each.
+  /// (k~, c~), and the decoder's two inputs for them, [n, 2] each.
   struct States {
     torch::Tensor k_and_c;
     torch::Tensor decoder_input;
@@ -131,7 +131,7 @@ class TwinOnTorch final : public twin::TwinBackend {
     return losses;
   }
 
-  /// Eq. 23, or the form of it that LossWeights describes.
+  /// Eq. 23, or its variant by LossWeights.
   [[nodiscard]] torch::Tensor total_of(const Losses& losses) const {
     const twin::LossWeights kind = task_.options.loss_weights;
     const torch::Tensor& learned = parameters_[twin::log_weights_name];
@@ -159,8 +159,8 @@ class TwinOnTorch final : public twin::TwinBackend {
     return losses.values();
   }
 
-  /// Eq. 25: all networks and the weights of the losses follow the total. Weights that are not
-  /// learned have no gradient, so Adam leaves them as they are.
+  /// Eq. 25: all networks and the loss weights follow the total. Weights that are not learned have
+  /// a zero gradient, so Adam does not change them.
   twin::BatchLosses step_stage_2(const torch::Tensor& batch, const twin::LearningRates& rates) {
     parameters_.zero_gradients();
     const Losses losses = losses_of(batch);
@@ -178,7 +178,7 @@ class TwinOnTorch final : public twin::TwinBackend {
   std::vector<nets::ParameterSpec> specs_;
   torch::Tensor windows_;  // all known windows, [n, N]
   torch::Tensor labels_;   // [n]
-  States given_;           // of all known windows, where there is no encoder
+  States given_;           // states of all known windows, without an encoder
   ParameterSet parameters_;
   Adam networks_adam_;
   Adam weights_adam_;

@@ -6,7 +6,7 @@
 namespace piae::libtorch {
 
 /// Computes every variant of the twin by LibTorch's eager operations. Throws Error(usage) for cuda
-/// where there is no such device.
+/// if LibTorch finds no such device.
 twin::Engine twin_engine(Device device);
 
 }  // namespace piae::libtorch

@@ -9,15 +9,15 @@
 
 namespace piae::libtorch {
 
-/// The layers of encoder and decoder, which the ablations of paper 4.5.4 exchange for others. Their
-/// parameters are net/encoder/... and net/decoder/... of a ParameterSet.
+/// The layers of encoder and decoder, which the ablations of paper 4.5.4 replace. Their parameters
+/// are net/encoder/... and net/decoder/... of a ParameterSet.
 class Coder {
  public:
   virtual ~Coder() = default;
 
   [[nodiscard]] virtual std::vector<nets::ParameterSpec> specs() const = 0;
 
-  /// Windows [batch, N] -> [batch, 2]; softplus, which makes them positive, comes after this.
+  /// Windows [batch, N] -> [batch, 2]; the caller applies softplus, which makes them positive.
   [[nodiscard]] virtual torch::Tensor encode(const ParameterSet& parameters,
                                              const torch::Tensor& x) const = 0;
 

@@ -5,7 +5,7 @@
 
 namespace piae::libtorch {
 
-/// Encoder and decoder of Model 4 (twin::ConvolutionalCoder, which has their sizes).
+/// Encoder and decoder of Model 4; twin::ConvolutionalCoder holds their sizes.
 class ConvolutionalCoder final : public Coder {
  public:
   ConvolutionalCoder(const twin::NetworkShape& shape, const twin::TwinOptions& options)

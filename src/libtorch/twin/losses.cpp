@@ -16,8 +16,8 @@ torch::Tensor squared_distances(const torch::Tensor& rows) {
   return (squares.unsqueeze(0) + squares.unsqueeze(1) - 2 * products).clamp_min(0);
 }
 
-/// What is small for each sample [batch, samples], over the samples as the squares are read, and on
-/// average over the batch.
+/// Averages values [batch, samples] over the batch. Over the samples, sums or averages them,
+/// depending on `squares`.
 torch::Tensor averaged(const torch::Tensor& small, twin::Squares squares) {
   const torch::Tensor mean = small.mean();
   return squares == twin::Squares::sum ? mean * static_cast<double>(small.size(1)) : mean;
@@ -32,29 +32,30 @@ torch::Tensor mmd_of(const torch::Tensor& x, const torch::Tensor& y, twin::Mmd m
   return mmd == twin::Mmd::squared ? squared : squared.clamp_min(twin::mmd_least_squared).sqrt();
 }
 
-/// The derivative of signals [batch, N] at the samples that the taps reach, [batch, N - 2 reach].
-/// It is no convolution here, because oneDNN 3.7 gives that of one channel a wrong gradient.
+/// Returns the derivative of signals [batch, N] at the samples that the taps reach, [batch, N - 2
+/// reach]. Does not use a convolution, because oneDNN 3.7 computes a wrong gradient for one
+/// channel.
 torch::Tensor derivative(const torch::Tensor& signals, const std::vector<double>& taps,
                          double per_tap) {
   const torch::Tensor kernel = torch::tensor(taps, torch::kFloat64).to(signals.options());
   return signals.unfold(1, std::ssize(taps), 1).matmul(kernel) * per_tap;
 }
 
-/// The contact force in N at a displacement s in m (twin/contact.hpp).
+/// Returns the contact force in N at a displacement s in m (twin/contact.hpp).
 torch::Tensor contact_force(const torch::Tensor& s, const torch::Tensor& w,
                             const BatchPhysics& batch, const twin::Physics& physics) {
   const auto power = [&](const torch::Tensor& delta) { return (s - delta).clamp_min(0).pow(1.5); };
   return physics.contact_n_per_m15 * ((1 - w) * power(batch.outside) + w * power(batch.inside));
 }
 
-/// The numbers of a tensor [batch, 1].
+/// Returns the numbers of a tensor [batch, 1].
 std::vector<double> numbers_of(const torch::Tensor& column) {
   const torch::Tensor flat = column.detach().to(torch::kCPU, torch::kFloat64).contiguous();
   return {flat.data_ptr<double>(), flat.data_ptr<double>() + flat.numel()};
 }
 
-/// The static equilibrium s_0 [batch, 1] in m. Newton's method finds its value without autograd.
-/// One further step, with a slope that autograd takes for constant, then gives it the exact
+/// Returns the static equilibrium s_0 [batch, 1] in m. Newton's method finds its value without
+/// autograd. One further step, with a slope that is constant for autograd, gives the exact
 /// derivative ds_0/dk = -s_0 / slope.
 torch::Tensor static_equilibrium(const torch::Tensor& stiffness, const BatchPhysics& batch,
                                  const twin::Physics& physics) {
@@ -78,8 +79,8 @@ torch::Tensor static_equilibrium(const torch::Tensor& stiffness, const BatchPhys
   return s - (stiffness - stiffness.detach()) * s / slope;
 }
 
-/// The w of every sample: [batch, N] where a class says it sample by sample, as `at_rest`
-/// otherwise.
+/// Returns the w of every sample: [batch, N] if a class gives it sample by sample, otherwise like
+/// `at_rest`.
 torch::Tensor passing_of(const twin::Physics& physics, const torch::Tensor& labels,
                          const torch::Tensor& at_rest) {
   std::size_t samples = 0;

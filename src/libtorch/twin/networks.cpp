@@ -32,7 +32,7 @@ std::unique_ptr<Coder> make_coder(twin::CoderKind kind, const twin::NetworkShape
   throw std::logic_error("no such coder");
 }
 
-/// The times of the samples, from 0 to 1 over the window, in a row for each window.
+/// Returns the times of the samples, from 0 to 1 over the window, one row per window.
 torch::Tensor times_like(const torch::Tensor& acceleration) {
   return torch::linspace(0, 1, acceleration.size(1), acceleration.options())
       .expand({acceleration.size(0), -1});

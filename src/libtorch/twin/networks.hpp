@@ -21,14 +21,14 @@ struct Motion {
 /// Encoder, decoder and physics-informed module as functions of their parameters.
 class Networks {
  public:
-  /// Throws Error(usage) for a length of window or a depth that the variant's coder cannot have.
+  /// Throws Error(usage) if the variant's coder does not support the window length or the depth.
   Networks(const twin::TwinVariant& variant, const twin::NetworkShape& shape,
            const twin::TwinOptions& options);
 
-  /// The parameters of all networks that the variant has (twin::network_specs).
+  /// Returns the parameters of all networks of the variant (twin::network_specs).
   [[nodiscard]] std::vector<nets::ParameterSpec> specs() const;
 
-  /// Eq. 16, (k~, c~) = Encoder(x): [batch, N] -> [batch, 2], positive by softplus.
+  /// Eq. 16, (k~, c~) = Encoder(x): [batch, N] -> [batch, 2], made positive by softplus or exp.
   [[nodiscard]] torch::Tensor encode(const ParameterSet& parameters, const torch::Tensor& x) const;
 
   /// Eq. 17, a = Decoder(k~, c~, label): [batch, 2], one-hot [batch, classes] -> acceleration

@@ -18,7 +18,8 @@ class RecurrentCoder final : public Coder {
                                      const torch::Tensor& input) const override;
 
  private:
-  /// The states of the last recurrent layer: [batch, frames, inputs] -> [batch, frames, units].
+  /// Returns the states of the last recurrent layer: [batch, frames, inputs] -> [batch, frames,
+  /// units].
   [[nodiscard]] torch::Tensor run_gru(const ParameterSet& parameters, const std::string& name,
                                       const torch::Tensor& x) const;
 

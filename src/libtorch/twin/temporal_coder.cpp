@@ -13,8 +13,8 @@ namespace {
 using twin::decoder_name;
 using twin::encoder_name;
 
-/// A dilated convolution of [batch, channels, positions] with zeros beyond both ends. LibTorch's
-/// weight is [outputs, inputs, kernel].
+/// Runs a dilated convolution of [batch, channels, positions] with zeros beyond both ends.
+/// LibTorch's weight is [outputs, inputs, kernel].
 torch::Tensor run_dilated_convolution(const ParameterSet& parameters, const std::string& name,
                                       const torch::Tensor& x, std::int64_t dilation) {
   const torch::Tensor weight = parameters[name + "/weight"].transpose(1, 2);

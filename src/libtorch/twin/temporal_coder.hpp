@@ -8,7 +8,7 @@ namespace piae::libtorch {
 /// Encoder and decoder of `piae-dt-tcn` (twin/temporal_coder.hpp).
 class TemporalCoder final : public Coder {
  public:
-  /// Throws as twin::TemporalCoder() does.
+  /// Throws like twin::TemporalCoder().
   TemporalCoder(const twin::NetworkShape& shape, const twin::TwinOptions& options)
       : layers_(shape, options) {}
 
@@ -19,7 +19,7 @@ class TemporalCoder final : public Coder {
                                      const torch::Tensor& input) const override;
 
  private:
-  /// [batch, channels, positions] -> the same.
+  /// [batch, channels, positions] -> same shape.
   [[nodiscard]] torch::Tensor run_blocks(const ParameterSet& parameters, const std::string& network,
                                          torch::Tensor x) const;
 

@@ -23,7 +23,7 @@ torch::Tensor run_normalisation(const ParameterSet& parameters, const std::strin
                            parameters[name + "/shift"], nets::LayerNormalisation<float>::epsilon);
 }
 
-/// [batch, tokens, width] -> the same.
+/// [batch, tokens, width] -> same shape.
 torch::Tensor run_attention(const ParameterSet& parameters, const std::string& name,
                             const torch::Tensor& x) {
   const torch::Tensor parts = torch::linear(x, parameters[name + "/projections/weight"])

@@ -8,7 +8,7 @@ namespace piae::libtorch {
 /// Encoder and decoder of `piae-dt-transformer` (twin/transformer_coder.hpp).
 class TransformerCoder final : public Coder {
  public:
-  /// Throws as twin::TransformerCoder() does.
+  /// Throws like twin::TransformerCoder().
   TransformerCoder(const twin::NetworkShape& shape, const twin::TwinOptions& options)
       : tokens_(shape.samples / twin::TransformerCoder::frame), layers_(shape, options) {}
 
@@ -19,8 +19,8 @@ class TransformerCoder final : public Coder {
                                      const torch::Tensor& input) const override;
 
  private:
-  /// The positions, the blocks, and the normalisation after the last: [batch, tokens, width] -> the
-  /// same.
+  /// Applies the positions, the blocks and the last normalisation: [batch, tokens, width] -> same
+  /// shape.
   [[nodiscard]] torch::Tensor run_blocks(const ParameterSet& parameters, const std::string& network,
                                          torch::Tensor x) const;
 

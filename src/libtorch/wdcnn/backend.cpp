@@ -12,8 +12,8 @@ namespace {
 
 using Mode = WdcnnNetwork::Mode;
 
-/// How many windows are tested at a time: enough to spread the overhead, and few enough for the
-/// caches.
+/// Number of windows that are tested at a time: large enough to spread the overhead, and small
+/// enough for the caches.
 constexpr std::int64_t test_batch = 100;
 
 torch::Tensor to_tensor(const diagnosis::LabelledWindows& set, torch::Device device) {
@@ -57,7 +57,7 @@ class WdcnnOnTorch final : public diagnosis::WdcnnBackend {
     const torch::Tensor loss = torch::cross_entropy_loss(logits, labels);
     loss.backward();
     adam_.step(learning_rate_);
-    // These sums stay on the network's device, so that no step has to wait for a GPU.
+    // Keep these sums on the device, so that no step has to wait for a GPU.
     loss_sum_ += loss.detach().to(torch::kFloat64) * (end - begin);
     correct_ += logits.detach().argmax(1).eq(labels).sum();
   }

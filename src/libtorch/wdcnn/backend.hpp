@@ -6,7 +6,7 @@
 namespace piae::libtorch {
 
 /// Makes back ends that compute WDCNN by LibTorch (network.hpp) on a device. Throws Error(usage)
-/// for cuda where there is no such device.
+/// for cuda if LibTorch finds no such device.
 diagnosis::MakeWdcnnBackend wdcnn_on(Device device);
 
 }  // namespace piae::libtorch

@@ -15,8 +15,8 @@ using diagnosis::WdcnnLayers;
 
 constexpr std::size_t convolutions = WdcnnLayers::convolutions.size();
 
-/// Max-pooling of [n, channels, length]. LibTorch takes a maximum over an axis of two in two thirds
-/// of the time of its max_pool1d, with the same bits.
+/// Max-pools [n, channels, length]. A maximum over an axis of two takes two thirds of the time of
+/// LibTorch's max_pool1d and gives the same bits.
 torch::Tensor pool(torch::Tensor x) {
   const std::int64_t pooled = x.size(2) / WdcnnLayers::pooling;
   if (x.size(2) % WdcnnLayers::pooling != 0) x = x.narrow(2, 0, pooled * WdcnnLayers::pooling);
@@ -53,7 +53,7 @@ torch::Tensor WdcnnNetwork::convolve(std::size_t i, const torch::Tensor& input, 
   const Layer& layer = layers_[i];
   const torch::Tensor filtered =
       torch::conv1d(input, layer.weight, torch::Tensor(), c.stride, c.padding);
-  // ReLU after pooling gives the same as before it, and has half as many values to go over.
+  // ReLU after pooling gives the same result as before it, on half as many values.
   return pool(normalise(layer, filtered, mode)).relu_();
 }
 

@@ -12,34 +12,35 @@
 
 namespace piae::libtorch {
 
-/// WDCNN by LibTorch's operations. Its parameters have the names, shapes and initial values that
-/// diagnosis::wdcnn_parameters() says.
+/// WDCNN by LibTorch's operations. diagnosis::wdcnn_parameters() defines the names, shapes and
+/// initial values of its parameters.
 class WdcnnNetwork {
  public:
-  /// For windows of `length` samples, which must be at least
+  /// `length` is the number of samples of a window, at least
   /// diagnosis::WdcnnLayers::shortest_window.
   WdcnnNetwork(std::int64_t length, std::int64_t classes, const Stream& stream,
                torch::Dtype dtype = torch::kFloat32, torch::Device device = torch::kCPU);
 
-  /// In training, batch normalisation uses the statistics of the batch and updates the running
-  /// ones. In evaluation, it uses the running ones.
+  /// When training, batch normalisation uses the statistics of the batch and updates the running
+  /// ones. When evaluating, it uses the running ones.
   enum class Mode { training, evaluation };
 
-  /// The logits [n, classes] of windows [n, length].
+  /// Returns the logits [n, classes] of windows [n, length].
   torch::Tensor forward(const torch::Tensor& windows, Mode mode) {
     return classify(hidden(windows, mode));
   }
-  /// The dense layer after ReLU, [n, diagnosis::WdcnnLayers::hidden], of windows [n, length].
+  /// Returns the dense layer after ReLU, [n, diagnosis::WdcnnLayers::hidden], of windows [n,
+  /// length].
   torch::Tensor hidden(const torch::Tensor& windows, Mode mode);
-  /// The logits of what hidden() gave.
+  /// Returns the logits for an output of hidden().
   [[nodiscard]] torch::Tensor classify(const torch::Tensor& hidden) const;
 
   /// Runs convolution i with its normalisation, pooling and ReLU: [n, inputs, length] -> [n,
   /// outputs, a shorter length].
   torch::Tensor convolve(std::size_t i, const torch::Tensor& input, Mode mode);
 
-  /// The running statistics of the batch normalisation of layer i: 0 to 4 are the convolutions, 5
-  /// is the dense layer.
+  /// Running statistics of the batch normalisation of layer i: 0 to 4 are the convolutions, 5 is
+  /// the dense layer.
   struct RunningStatistics {
     torch::Tensor mean;      ///< [channels], starts at 0
     torch::Tensor variance;  ///< [channels], starts at 1

@@ -1,6 +1,6 @@
-// Does what the steps of a grid would do, in no time: writes their files, each of its kind and
-// small, and their logs. For scale.sh, which measures what make, status, tables, figures and report
-// make of them. What they are, the plan says of the variables in the environment, as for `plan`.
+// Replaces the steps of a grid by an instant stand-in: writes their files, each of its kind and
+// small, and their logs. scale.sh measures make, status, tables, figures and report on them. The
+// plan determines the steps from the variables in the environment, as for `plan`.
 // usage: GOALS=cells RUN=... DATASETS=... SEEDS=... fill_run      in the project's folder
 
 #include <spdlog/fmt/fmt.h>
@@ -26,8 +26,8 @@
 #include "text/file.hpp"
 #include "twin/curves.hpp"
 
-/// In the place of the system's: what is measured for a minute need not outlive a power cut, and a
-/// hundred thousand files would wait for the disk for half an hour.
+/// Replaces the system's fsync: measured files need not survive a power cut, and a hundred thousand
+/// of them would wait half an hour for the disk.
 extern "C" int fsync(int /*descriptor*/) { return 0; }
 
 namespace piae {
@@ -37,7 +37,7 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t windows_per_class = 20;
 
-/// What has been made so far, for the steps that are made of it.
+/// Files made so far, which later steps need as inputs.
 class Filled : public plan::Disk {
  public:
   void read_ahead(const std::vector<std::string>& /*files*/) override {}
@@ -60,7 +60,7 @@ class Filled : public plan::Disk {
   std::unordered_map<std::string, plan::File> files_;
 };
 
-/// A step, and how its files say that they were made.
+/// A step, and the provenance that its files record.
 struct Task {
   const plan::Step& step;
   artefact::Provenance provenance;
@@ -94,7 +94,7 @@ scoring::DiagnosisRecord diagnosis_of(const Task& task) {
   record.true_ratio = 500.0 / (5.0 + static_cast<double>(ratio.generated_per_class));
   record.seed = task.seed();
   record.labels = labels_of_windows();
-  // Some methods recognise more than others, and more at another ratio and seed.
+  // The accuracy depends on the method, the ratio and the seed.
   Stream of_method(place.method);
   const double share = of_method.uniform(0.5, 0.9);
   Stream random(fmt::format("{}/{}/{}/{}", place.dataset, task.seed(), place.method, place.ratio));
@@ -142,7 +142,7 @@ void save_model(const Task& task) {
   save(writer, task, task.step.outputs.front());
 }
 
-/// What is only there or not for make, and for those who read it holds no window.
+/// Writes a file without windows, for outputs of which only the existence matters here.
 void save_empty(const std::string& kind, const Task& task, const std::string& file) {
   artefact::Writer writer(kind);
   if (kind == "records") writer.group("/records");
@@ -173,7 +173,7 @@ void save_record(const std::string& kind, const Record& record, const Task& task
   save(writer, task, task.step.outputs.front());
 }
 
-/// The log that step.sh would leave. `count` steps have come before, one a second.
+/// Writes the log that step.sh would leave. `count` steps have come before, one per second.
 void save_log(const plan::Step& step, std::size_t count) {
   text::save_all(
       {{plan::log_of(step), fmt::format("build/bin/{0} --of {1}\n"
@@ -203,7 +203,7 @@ void fill_run(const plan::Request& request) {
   std::size_t count = 0;
   for (const plan::StepId id : plan.asked()) {
     const plan::Step& step = plan.graph().at(id);
-    // A judge keeps what it has found, so each step needs its own.
+    // A judge caches its findings, so each step needs its own.
     const artefact::Made made = plan::Judge(plan.graph(), filled).made_now(id).made;
     artefact::Provenance provenance{.program = step.stage, .options = *made.options, .inputs = {}};
     for (const artefact::MadeFrom& from : made.inputs) {

@@ -1,9 +1,9 @@
 #!/bin/bash
-# How make, status, tables, figures and the report grow with a grid: seconds, and the most memory that one process
-# held, for 10^3, 10^4 and 10^5 steps. Growth is that of processor time from each number of steps to the next; others
-# on the machine change the time elapsed. The steps themselves compute nothing: fill_run writes what they would make,
-# small and valid, so that what is measured is what the project adds to any grid. Below the table stands what a step
-# costs beside its stage.
+# Measures how make, status, tables, figures and the report grow with a grid: seconds, and the largest memory of one
+# process, for 10^3, 10^4 and 10^5 steps. Growth is the ratio of processor times between successive numbers of steps,
+# because other programs on the machine change the elapsed time. The steps compute nothing: fill_run writes small, valid
+# outputs, so the measurement shows what the project adds to any grid. The line below the table gives the cost of a
+# step in addition to its stage.
 # usage: tests/bench/scale/scale.sh PROGRAMS [DATASETSxSEEDS...]     from the project's folder; 1x10 10x10 10x100
 set -euo pipefail
 export LC_ALL=C
@@ -30,7 +30,7 @@ cp -r results/published "$scratch/results"
 cd "$scratch"
 
 for program in plan status tabulate figures report; do ln -s "$programs/$program" programs; done
-# A stage that makes its files and no more, of which the cost of a step is what is left.
+# A stage that only creates its files, so that only the cost of a step remains.
 cat >nothing/stage <<'STAGE'
 #!/bin/sh
 while [ $# -gt 1 ]; do
@@ -54,12 +54,12 @@ describe() { # data sets
   done
 }
 
-# Prints how many steps of a goal are to be done, and writes the settings files.
+# Prints the number of due steps of a goal, and writes the settings files.
 count_steps() { # goal, variables of make
   env GOALS="$1" "${@:2}" programs/plan --format make | grep -c 'pipeline/step\.sh' || true
 }
 
-# Makes what the steps of the cells would make.
+# Makes the outputs of the cells' steps.
 fill() { # variables of make
   env GOALS=cells "$@" "$programs/fill_run"
   (($(count_steps cells "$@") == 0)) || {
@@ -73,7 +73,7 @@ measure() { # name, command...
     cat said >&2
     exit 1
   }
-  # Seconds elapsed, of processor time, MB.
+  # Columns: seconds elapsed, processor time, MB.
   awk -v OFS='\t' -v name="$1" -v count="$count" \
     '{ print name, count, $1, $2 + $3, int($4 / 1000) }' used | tee -a measured >&2
 }
@@ -97,7 +97,7 @@ for size in "${sizes[@]}"; do
     "$(awk "BEGIN { printf \"%.1f\", $(stat --format=%s "results/$size/report.html") / 1e6 }")" >>measured
 done
 
-# A row for each measure, a column for each number of steps.
+# One row per measure, one column per number of steps.
 printf '\n%s\n' "seconds elapsed (of processor time), MB of the largest process; ${cores} cores"
 awk -F '\t' '{
     if (!($2 in seen)) { seen[$2]; counts[++columns] = $2 }
@@ -124,7 +124,7 @@ awk -F '\t' '{
     }
   }' measured
 
-# What make and the shell take for each step beside its stage.
+# Cost of make and the shell for each step, in addition to its stage.
 user_and_system() { # command...
   command time --quiet --format='%U %S' --output=used "$@" >/dev/null
   awk '{ print $1 + $2 }' used

@@ -1,10 +1,9 @@
 # shellcheck shell=bash
 # shellcheck disable=SC2154 # slurm.sh and support.sh set them
-# Sourced by the tests of `make cluster`, behind slurm.sh and support.sh: a Slurm whose nodes are short of
-# memory, a small grid, and what is to be seen of its jobs.
+# Sourced by the tests of `make cluster`, after slurm.sh and support.sh: a Slurm with little memory on its nodes, a
+# small grid, and checks of its jobs.
 
-# Jobs that take more memory than they asked for are killed, as by most clusters; and n4 has a GPU, or so it
-# is told.
+# Jobs that exceed their requested memory are killed, as on most clusters. n4 claims to have a GPU.
 eval "$(declare -f slurm_conf | sed '1s/slurm_conf/plain_conf/')"
 slurm_conf() {
   echo "Name=gpu File=/dev/null" >"$slurm_folder/gres.conf"
@@ -13,7 +12,7 @@ slurm_conf() {
     JobAcctGatherParams=OverMemoryKill GresTypes=gpu
 }
 
-# Programs that a test may put others in front of, settings with which all takes seconds.
+# Lays out programs that a test may wrap, and settings with which everything takes seconds.
 small_grid() { # epochs of piae-dt
   mkdir -p bin
   ln -s "$programs"/* bin
@@ -25,7 +24,7 @@ grid=(BIN=bin DATASETS=simulated-small METHODS="none smote piae-dt" RATIOS="100t
 cluster() { # target of make, variables
   make --silent "$1" "${grid[@]}" RUN=t CORES=2 "${@:2}" 2>&1
 }
-# Without jobs, into results/alone. A script computes each grid once, and its later tests copy it.
+# Makes the same without jobs, into results/alone. A script computes each grid once, and its later tests copy it.
 alone() { # target of make, variables
   local finished
   finished=$slurm_folder/alone-$({ cat pipeline/protocol.toml && echo "${grid[@]}" "$@"; } | md5sum | cut -c -32)
@@ -40,7 +39,7 @@ id_of() { awk -v kind="$1" '$1 == kind { print $2 }' results/t/.jobs/*/submitted
 nothing_queued() { [[ -z $(squeue --noheader) ]]; }
 until_done() { until_true "all jobs have ended" nothing_queued; }
 in_log() { grep -qE -- "$2" results/t/.jobs/*/"$1"; }
-# Artefacts and tables, without logs and what says when and where.
+# Prints artefacts and tables, without logs and anything that depends on time or place.
 bytes_of() {
   (cd "results/$1" && find . -name .jobs -prune -o -type f ! -name '*.log' ! -name 'run.html' ! -name 'report.*' \
     ! -name .journal ! -path '*/.settings/*' -exec sha256sum {} + | sort -k 2)
@@ -52,7 +51,7 @@ expect_as_alone() {
   expect_equal "$(diff bytes_of_jobs bytes_alone)" ""
 }
 
-# Without asking Slurm, whose requests are counted.
+# Does not query Slurm, because tests count its requests.
 wait_for_line() { # log of a job, pattern
   local tries=0
   until in_log "$1" "$2" 2>/dev/null; do
@@ -68,7 +67,7 @@ requests() {
     END { print n }'
 }
 
-# A train that does otherwise than it should for one seed.
+# Replaces train by a version that misbehaves for one seed.
 instead_of_train() { # what it does
   rm bin/train
   # shellcheck disable=SC2016
@@ -77,5 +76,5 @@ instead_of_train() { # what it does
   chmod +x bin/train
 }
 
-# Lives of a job.
+# Counts the lives of a job.
 lives() { grep -c '^job: life begun' results/t/.jobs/*/"$1"; }

@@ -1,6 +1,5 @@
 #!/bin/bash
-# `make cluster` on a real Slurm, with the programs themselves: the whole of a small grid, and what can
-# be wrong.
+# `make cluster` on a real Slurm with the real programs: a whole small grid, and possible failures.
 # shellcheck source-path=SCRIPTDIR
 source "${0%/*}/slurm.sh"
 source "${0%/*}/../../pipeline/support.sh"
@@ -90,7 +89,7 @@ test_nothing_is_written_through_what_was_planted_for_logs() {
   expect_equal "$(ls elsewhere)" ""
 }
 
-# The folder under another name, squeue's own variables, and a job of an array that calls it.
+# Covers the folder under another name, squeue's own variables, and a call from a job of an array.
 test_a_run_is_submitted_once_however_it_is_called() {
   small_grid 2
   ln -s "$PWD" link
@@ -131,7 +130,7 @@ test_another_question_takes_a_run_of_both_protocols() {
   wait_for_line tables.log '^job: life ended .* status 0: done'
   expect_line "$(<results/t/simulated-small/protocols.md)" none
   [[ -e results/t-blocked/simulated-small/seed0/none/100to1/wdcnn/diagnosis.h5 ]] || fail "the other protocol was not computed"
-  # What was submitted is known without saying it again.
+  # The submission is known without repeating its variables.
   expect_line "$(make --silent status BIN=bin RUN=t)" '^all +2 +2 +0 +0 +0 '
   until_done
 }

@@ -1,43 +1,43 @@
 # shellcheck shell=bash
-# A real Slurm for tests: slurmctld and four slurmd on this host, in a network namespace of their own,
-# since without munge their ports are open to whoever reaches them. To be sourced; the script that does is
-# started anew in the namespace. It is up in a second, also as an ordinary user.
+# A real Slurm for tests: slurmctld and four slurmd on this host. They run in a network namespace of their own, because
+# without munge their ports are open to everybody who reaches them. To be sourced; the sourcing script is restarted in
+# the namespace. Starts within a second, also as an ordinary user.
 #
-#   slurm_up, slurm_down           start it in $slurm_folder, a new one; end all of it, which the script's exit
-#                                  does, too
+#   slurm_up, slurm_down           start it in $slurm_folder, a new one; end all of it; the script's exit does so,
+#                                  too
 #   wait_for_job STATE [JOB]       until a job, or any, is in that state (RUNNING, PENDING, COMPLETED, ...)
 #   wait_for_nodes                 until all nodes are idle
-#   kill_node NODE, start_node NODE    its slurmd, its stepd and what ran on it, by SIGKILL, as when a node
-#                                  loses its power; and its slurmd anew
-#   lose_node NODE                 kill_node, and slurmctld knows it at once
-#   end_time JOB                   the time limit of a running job is over, within 30 s
-#   restart_ctld                   kill -9, and a new one that goes on from the state of the old
-#   begin_again JOB                a job that was requeued begins, without the two minutes that it would wait
+#   kill_node NODE, start_node NODE    kill its slurmd, stepd and programs by SIGKILL, as in a power failure; start a
+#                                 new slurmd
+#   lose_node NODE                 kill_node, and inform slurmctld at once
+#   end_time JOB                   let the time limit of a running job expire, within 30 s
+#   restart_ctld                   kill -9, and a new one that continues from the saved state
+#   begin_again JOB                start a requeued job without the two minutes that it would wait
 #   slurmd_of NODE                 process id of its slurmd
-#   running PROGRAM, no_jobs       process ids of a program's file; whether the queue is empty
-#   until_true WHAT COMMAND...     waits up to two minutes, and says what for if it was in vain
+#   running PROGRAM, no_jobs       process ids of a program's file; true if the queue is empty
+#   until_true WHAT COMMAND...     waits up to two minutes; on failure reports what it waited for
 #
-# What is to be known of it:
-# - Whatever runs in the namespace belongs to the test: so it is ended, by process id. A stepd is no child of
-#   its slurmd, and survives it.
-# - A node refuses a job that begins again in the second in which it was revoked.
-# - A slurmctld that is killed within 3 s of a submission has forgotten the job: wait before restart_ctld.
+# Facts about this Slurm:
+# - Everything that runs in the namespace belongs to the test, so it is ended by process id. A stepd is not a child of
+#   its slurmd and survives it.
+# - A node refuses a job that restarts in the second of its revocation.
+# - A slurmctld that is killed within 3 s of a submission has lost the job: wait before restart_ctld.
 # - `scancel --signal=TERM` goes to the steps; with --batch to the batch script, and with --full to both.
-# - A node that was lost is DOWN after SlurmdTimeout; its slurmd back again, ReturnToService makes it idle. Back
-#   before that, the jobs that it had run for ever (is_down NODE tells).
-# - Time limits are in minutes, but EndTime is not. slurmctld looks at both every 30 s.
-# - A step in an allocation waits for others unless --exact, and for memory unless --mem= says how much.
+# - A lost node is DOWN after SlurmdTimeout. When its slurmd returns later, ReturnToService makes it idle. If it returns
+#   earlier, its jobs run forever (is_down NODE tells).
+# - Time limits are in minutes, but EndTime is not. slurmctld checks both every 30 s.
+# - A step in an allocation waits for other steps unless --exact is given, and for memory unless --mem= is given.
 
 slurm_nodes=(n1 n2 n3 n4)
 slurm_programs=(slurmctld slurmd srun sbatch scontrol scancel squeue)
 
-# As count.awk reads it.
+# Prints the reason in the form that count.awk reads.
 cannot_run_slurm() {
   printf '%s: Skipped\n%s\n' "${0##*/}" "$1"
   exit 77
 }
 
-# 22 on Debian 12, 24 on Debian 13, which says some things otherwise.
+# 22 on Debian 12, 24 on Debian 13, with other messages.
 slurm_release() {
   local version
   version=$(slurmd -V)
@@ -59,13 +59,13 @@ if [[ -z ${IN_SLURM_NAMESPACE:-} ]]; then
     cannot_run_slurm "a network namespace cannot be made here (${namespace[*]})"
   IN_SLURM_NAMESPACE=1 exec "${namespace[@]}" "$0" "$@"
 fi
-# This host's name may stand for an address that is not in the namespace. Where there are loopback
-# addresses alone, Slurm resolves no name at all: so one other is there that leads nowhere.
+# This host's name may resolve to an address outside the namespace. With loopback addresses only, Slurm does not resolve
+# any name, so add another address that leads nowhere.
 hostname localhost
 ip link set lo up
 ip address add 192.0.2.1/32 dev lo
 
-# One's own environment would give options to srun and sbatch, or be taken for an allocation.
+# The user's environment would give options to srun and sbatch, or look like an allocation.
 for variable in "${!SLURM_@}" "${!SBATCH_@}" "${!SRUN_@}"; do unset "$variable"; done
 
 slurm_conf() {
@@ -108,13 +108,13 @@ CONF
   echo "PartitionName=gpu Nodes=n4 MaxTime=INFINITE State=UP"
 }
 
-# slurmd wants control groups even where no plugin uses them, and without them, as in a bare container, it ends.
-# Before 23.02 it does not know the word.
+# slurmd requires control groups even if no plugin uses them, and exits without them, as in a bare container. Versions
+# before 23.02 do not know the word.
 cgroup_conf() {
   (($(slurm_release) < 23)) || echo CgroupPlugin=disabled
 }
 
-# In a subshell, so that they are no jobs of the test's shell.
+# Runs in a subshell, so that the test's shell does not have it as a job.
 start_ctld() { (slurmctld -D -f "$SLURM_CONF" >>"$slurm_folder/output" 2>&1 &) }
 start_node() { (slurmd -D -N "$1" -f "$SLURM_CONF" >>"$slurm_folder/output" 2>&1 &) }
 
@@ -128,7 +128,7 @@ slurm_up() {
   local node
   start_ctld
   for node in "${slurm_nodes[@]}"; do start_node "$node"; done
-  # Should this script be killed, it is ended all the same.
+  # Ends everything even if this script is killed.
   (end_after_us &) >/dev/null 2>&1
   wait_for_nodes || {
     tail -n 3 "$slurm_folder"/slurmd-*.log >&2
@@ -142,7 +142,7 @@ end_after_us() {
   slurm_down
 }
 
-# The process ids of all in the namespace but this script's own.
+# Prints the process ids of everything in the namespace except this script's own.
 in_namespace() {
   local here
   here=$(stat --dereference --format=%i /proc/self/ns/net)
@@ -164,7 +164,7 @@ slurm_down() {
   rm -rf "$slurm_folder"
 }
 
-# A node's slurmd and its stepd have its log open; what they started knows its name.
+# A node's slurmd and stepd have its log open; programs started by them have its name in their environment.
 on_node() { # node
   local process
   for process in $(in_namespace); do
@@ -175,7 +175,7 @@ on_node() { # node
   done
 }
 
-# The process ids of a program in the namespace, the oldest first.
+# Prints the process ids of a program in the namespace, the oldest first.
 running() { # its file
   local process
   for process in $(in_namespace | sort -n); do
@@ -206,8 +206,8 @@ restart_ctld() {
   until_true "slurmctld answers again" scontrol ping
 }
 
-# Up to two minutes: what Slurm does by itself takes up to half of one.
-until_true() { # what is waited for, command...
+# Waits up to two minutes: Slurm's own actions take up to half a minute.
+until_true() { # description, command...
   local began=$SECONDS
   until "${@:2}" >/dev/null 2>&1; do
     sleep 0.1
@@ -225,7 +225,7 @@ all_idle() { [[ $(sinfo --noheader --partition=all --Format=StateLong | sort -u)
 is_down() { sinfo --noheader --nodes="$1" --format=%t | grep -q down; }
 wait_for_nodes() { until_true "all nodes are idle" all_idle; }
 
-# Until it has left its node Slurm may accept the new time, and then replace it by its own.
+# Until the job has left its node, Slurm may accept the new time and then replace it by its own.
 begin_again() {
   sleep 2
   until_true "job $1 begins again" begins_again "$1"
@@ -235,17 +235,17 @@ begins_again() {
     { scontrol update JobId="$1" StartTime=now && false; }
 }
 
-# As if slurmctld had waited for it in vain (SlurmdTimeout).
+# Same effect as a SlurmdTimeout of slurmctld.
 lose_node() { # node
   kill_node "$1"
   scontrol update NodeName="$1" State=DOWN Reason=lost
 }
 
-# Lets the time limit of a running job be over. slurmctld looks at the limits twice a minute.
+# Lets the time limit of a running job expire. slurmctld checks the limits twice a minute.
 end_time() { scontrol update JobId="$1" EndTime=now+1; }
 
 no_jobs() { [[ ! $(squeue --noheader) ]]; }
 
-# Of jobs that have ended Slurm knows the state for five minutes (MinJobAge).
+# Slurm knows the state of an ended job for five minutes (MinJobAge).
 in_state() { squeue --noheader --states=all --format=%T ${2:+--jobs="$2"} | grep -qx "$1"; }
 wait_for_job() { until_true "job ${2:-of any number} is $1" in_state "$@"; }

@@ -1,5 +1,5 @@
 #!/bin/bash
-# The Slurm of these tests does what they need of it.
+# Slurm must behave as these tests assume.
 # shellcheck source-path=SCRIPTDIR
 source "${0%/*}/slurm.sh"
 source "${0%/*}/../../pipeline/support.sh"
@@ -28,7 +28,7 @@ test_runs_a_job_requeues_it_at_once_and_says_how_it_ended() {
   wait_for_job CANCELLED "$job"
 }
 
-# Slurm of Debian 12 says 0, which is why a step's outputs are looked at (pipeline/step.sh); that of Debian 13 says 1.
+# Slurm of Debian 12 returns 0, which is why step.sh checks a step's outputs; that of Debian 13 returns 1.
 test_srun_may_say_0_when_its_node_is_lost() {
   expect_exit $(($(slurm_release) < 23 ? 0 : 1)) lose_a_node
   start_node n2

@@ -1,6 +1,6 @@
 #!/bin/bash
-# Single steps as jobs of a real Slurm (SUBMIT=srun ...): whatever stops them leaves a checkpoint, fails, and
-# the same command again ends in the bytes of `make -j2`.
+# Single steps as jobs of a real Slurm (SUBMIT=srun ...): every interruption leaves a checkpoint or fails, and the same
+# command then ends with the bytes of `make -j2`.
 # shellcheck source-path=SCRIPTDIR
 source "${0%/*}/slurm.sh"
 source "${0%/*}/../../pipeline/support.sh"
@@ -63,7 +63,7 @@ test_scancel() {
   expect_goes_on
 }
 
-# The stage stands still until Slurm signals it.
+# The stage is stopped until Slurm signals it.
 test_time_limit() {
   nearly_done
   start_make --time=1
@@ -75,14 +75,14 @@ test_time_limit() {
   expect_goes_on
 }
 
-# The model that is there is of another seed. srun says 0, and that of Debian 13 says 1.
+# The existing model has another seed. srun returns 0, or 1 on Debian 13.
 test_a_lost_node_is_no_success() {
   nearly_done
   mkdir "${model%/*}"
   cp "$alone/${model/seed0/seed1}" "$model"
   CHECKPOINT_WITHIN=1 start_make ''
   wait_until_it_trains
-  # On a loaded machine it would else be done before its node is.
+  # On a loaded machine it would otherwise finish before its node does.
   kill -STOP "$(running "$programs/train" | head -n 1)"
   local node words='(was its node lost|137)'
   (($(slurm_release) < 23)) || words='exit code 1 '
@@ -107,7 +107,7 @@ test_a_killed_stage() {
   expect_same_as_alone
 }
 
-# Nothing is in the way of Slurm's own USR1 to what waits: so that is taken out of the queue.
+# Slurm's own USR1 cannot reach a waiting step, so the step is taken out of the queue.
 test_a_step_in_the_queue_is_stopped_at_once() {
   nearly_done
   start_make --begin=now+1hour
@@ -120,7 +120,8 @@ test_a_step_in_the_queue_is_stopped_at_once() {
   expect_same_as_alone
 }
 
-# On a loaded machine a training would else be done before Slurm signals it. Slurm's SIGCONT, which comes first, wakes it.
+# On a loaded machine a training would otherwise finish before Slurm signals it. Slurm's SIGCONT, which comes first,
+# wakes it.
 hold_training() { # seed
   local process held=
   until_true "seed$1 is trained" grep -qsE '^step: (started|waited)' "${training/seed0/seed$1}"
@@ -130,7 +131,7 @@ hold_training() { # seed
   [[ $held ]] || fail "the training of seed$1 is not running: $(<messages)"
 }
 
-# A batch job whose steps run inside its allocation, side by side. A script that does not exec make ends at the
+# Starts a batch job whose steps run in parallel inside its allocation. A script that does not exec make ends at the
 # signal, and then Slurm kills its steps.
 start_job() { # sets `job`
   nearly_done
@@ -157,8 +158,8 @@ test_requeue() {
   expect_same_as_alone
 }
 
-# srun hears of the requeue from slurmctld and gives up after KillWait and two more seconds. Where the node is too
-# busy to have signalled the stages by then, srun returns 0 before they have written their checkpoints.
+# slurmctld informs srun of the requeue, and srun gives up after KillWait and two more seconds. On a busy node, which
+# has not signalled the stages by then, srun returns 0 before they have written checkpoints.
 test_requeue_on_a_busy_node() {
   local job slurmd
   start_job

@@ -1,5 +1,5 @@
 #!/bin/bash
-# Jobs of `make cluster` that are stopped, or run out of time, on a real Slurm: they go on from checkpoints.
+# Jobs of `make cluster` that are stopped or run out of time on a real Slurm continue from checkpoints.
 # shellcheck source-path=SCRIPTDIR
 source "${0%/*}/slurm.sh"
 source "${0%/*}/../../pipeline/support.sh"
@@ -10,7 +10,7 @@ test_stopped_trainings_leave_checkpoints_and_the_same_command_goes_on() {
   cluster cluster >/dev/null
   wait_for results/t/simulated-small/seed1/piae-dt/train.log
   wait_for results/t/simulated-small/seed0/piae-dt/train.log
-  # Twice is refused while the first is in the queue.
+  # A second submission is refused while the first is in the queue.
   expect_line "$(cluster cluster)" 'jobs of this run are in the queue already: '
   expect_line "$(cluster status)" '^  cells: 1 running$'
   expect_line "$(cluster status)" '^  tables: 1 pending \(Dependency\)$'
@@ -37,7 +37,7 @@ test_out_of_time_a_job_goes_back_and_no_other_does_and_goes_on_from_the_checkpoi
   wait_for_job RUNNING "${cells}_$last"
   wait_for_line "cells.$last.log" 'life begun'
   sleep 3
-  # What Slurm sends before the limit.
+  # Slurm sends this before the limit.
   scancel --batch --signal=USR1 "${cells}_$last"
   wait_for_line "cells.$last.log" 'status 75: out of time, goes back into the queue'
   wait_for_job PENDING "${cells}_$last"
@@ -55,7 +55,7 @@ test_a_life_that_makes_nothing_new_is_the_last() {
   cluster cluster SEEDS=1 METHODS="none piae-dt" >/dev/null
   local cells
   cells=$(id_of cells)
-  # All that can be made, is.
+  # Everything that can be made has been made.
   wait_for results/t/simulated-small/seed1/none/100to1/wdcnn/diagnosis.h5
   wait_for results/t/simulated-small/seed1/none/100to1/wdcnn/features.h5
   scancel --batch --signal=USR1 "${cells}_0"

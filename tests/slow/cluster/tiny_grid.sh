@@ -1,9 +1,9 @@
 # shellcheck shell=bash
 # shellcheck disable=SC2154 # the two that come before it set what it reads
-# The tiny grid of tests/reference with the programs themselves, for tests on a Slurm; to be sourced after
-# slurm.sh and tests/pipeline/support.sh. Its training is some seconds long, so that it can be stopped.
+# The tiny grid of tests/reference with the real programs, for tests on Slurm; to be sourced after slurm.sh and
+# tests/pipeline/support.sh. Its training takes some seconds, so that it can be stopped.
 
-# Every step a job of its own.
+# Makes every step a job of its own.
 # shellcheck disable=SC2034
 one_job_a_step="srun --quiet --nodes=1 --ntasks=1 --cpus-per-task=1 --mem=500"
 model=results/tiny/tiny/seed0/piae-dt/model.h5
@@ -18,12 +18,12 @@ lay_out_grid() {
   cp -r "$project/results/published" results
 }
 
-# Its own words, so that `"${tiny[@]}" ... &` is make itself.
+# An array of words, so that `"${tiny[@]}" ... &` is make itself.
 tiny=(make --silent "BIN=$programs" RUN=tiny DATASETS=tiny "METHODS=none smote piae-dt" "RATIOS=100to1 10to1"
   "SEEDS=0 1")
 tiny() { "${tiny[@]}" "$@"; }
 
-# What `make -j2` makes of it, once for all tests of a script; to be called before run_tests.
+# Makes the same with `make -j2`, once for all tests of a script; call it before run_tests.
 make_alone() {
   alone=$slurm_folder/alone
   mkdir "$alone"
@@ -38,14 +38,14 @@ make_alone() {
   )
 }
 
-# Logs tell of times, the journal of inodes. A checkpoint, or a file that is written beside another, is left by none
-# that has ended.
+# Ignores logs, which record times, and the journal, which records inodes. Finished steps do not leave checkpoints or
+# partial files.
 expect_same_as_alone() {
   diff -r --exclude='*.log' --exclude=.journal results/tiny "$alone/results/tiny" >difference ||
     fail "other bytes than those of make -j2: $(<difference)"
 }
 
-# All is there but one model and what comes of it.
+# Makes everything except one model and what depends on it.
 nearly_done() {
   lay_out_grid
   cp -r --preserve=timestamps "$alone/results/tiny" results

@@ -1,6 +1,6 @@
 #!/bin/bash
-# Lays out what CONTRIBUTING.md shows of a new data set, method, classifier, table, figure, stage
-# and goal, letter for letter: its files, and copies of ours with the lines that it adds to them.
+# Lays out the examples of CONTRIBUTING.md (data set, method, classifier, table, figure, stage, goal), letter for
+# letter: its files, and copies of ours with its additional lines.
 # usage: lay_out.sh PROJECT FOLDER
 set -euo pipefail
 
@@ -8,8 +8,8 @@ project=$1 folder=$2
 lines=$folder/lines
 mkdir -p "$lines"
 
-# A block of code names its file in the first line. Where that goes on with `, with #include "X" above`,
-# the block holds lines for a file of ours: they go to a folder of their own, X before them.
+# A block of code names its file in the first line. If the name continues with `, with #include "X" above`, the block
+# holds lines for one of our files: they go to a separate folder, after X.
 awk -v folder="$folder" -v lines="$lines" '
   /^```/ { inside = !inside; first = inside; file = ""; next }
   first && /^(\/\/|#) (src|stages|pipeline)\/[^ ]+\.(cpp|hpp|toml|gp)/ {
@@ -24,7 +24,7 @@ awk -v folder="$folder" -v lines="$lines" '
   { first = 0 }
   file { print >file }' "$project/CONTRIBUTING.md"
 
-# Our file with its lines before the one line that matches, and with its header.
+# Inserts the lines into our file, before the only line that matches, and adds the header.
 add_lines() { # file, pattern
   local added=$lines/$1
   mkdir -p "$folder/$(dirname "$1")"

@@ -1,6 +1,6 @@
 #!/bin/bash
-# Makes that start at once, as array jobs on a cluster do, neither hurt each other nor make each
-# other's steps run again. Many rounds of it: ROUNDS=200 tests/slow/pipeline/at_once_test.sh
+# Makes that start together, as array jobs on a cluster do, must not harm each other or rerun each other's steps. Many
+# rounds: ROUNDS=200 tests/slow/pipeline/at_once_test.sh
 # shellcheck source-path=SCRIPTDIR
 source "${0%/*}/../../pipeline/support.sh"
 
@@ -30,12 +30,12 @@ test_four_makes_do_what_one_does() {
     four_at_once $round
     diff -r --exclude='*.log' --exclude=.journal results one >difference || fail "round $round: $(<difference)"
     expect_equal "$(ran)" "$of_one"
-    # Nor is anything left to be done because one make has come after another.
+    # A later make must not find steps due because of an earlier one.
     expect_exit 0 cells SEEDS="0 1 2 3" -q
   done
 }
 
-# A setting changed: all four find it so, and one of them writes it down.
+# After a change of a setting, all four notice it and one of them writes it.
 test_four_makes_after_a_change_do_what_one_does() {
   echo 'name = "real"' >pipeline/datasets/real.toml
   cells SEEDS="0 1 2 3" -j4 >/dev/null
@@ -49,7 +49,7 @@ test_four_makes_after_a_change_do_what_one_does() {
   done
 }
 
-# A large array. What tables are of differs from make to make, and is nothing to cells.
+# A large array. The inputs of tables differ from make to make, and do not affect cells.
 test_a_hundred_makes_all_succeed() {
   echo 'name = "real"' >pipeline/datasets/real.toml
   local seed makes=()
@@ -64,7 +64,7 @@ test_a_hundred_makes_all_succeed() {
     "$(printf '%s\n' datasets diagnose.toml generate.toml score.toml split.toml train.smote.toml)"
 }
 
-# Tables of what there is, while others are only begun.
+# Tables of existing cells, while other cells have only started.
 test_tables_are_made_while_cells_are() {
   echo 'name = "real"' >pipeline/datasets/real.toml
   local seed makes=()
@@ -76,6 +76,26 @@ test_tables_are_made_while_cells_are() {
   for seed in "${!makes[@]}"; do
     wait "${makes[seed]}" || fail "seed $seed: $(<"messages-$seed")"
   done
+}
+
+# Else make would wait for the make that the script started, and that one for a job slot which the first has taken back.
+test_a_script_that_is_killed_takes_its_make_with_it() {
+  echo 'name = "real"' >pipeline/datasets/real.toml
+  printf '#!/bin/bash\ntrap "exit 75" TERM\necho $$ >>started\nwhile :; do sleep 0.1; done\n' >endless
+  chmod +x endless
+  rm fake/simulate fake/ingest
+  ln -s ../endless fake/simulate
+  ln -s ../endless fake/ingest
+  cells SEEDS=0 -j2 >messages 2>&1 &
+  local make=$! tries=0
+  wait_for started
+  pkill -KILL --parent "$(pgrep --parent "$make")"
+  while kill -0 "$make" 2>/dev/null; do
+    ((++tries < 400)) || fail "make still waits"
+    sleep 0.05
+  done
+  expect_exit 2 wait "$make"
+  expect_equal "$(ps -o pid= -p "$(paste -sd, started)")" ""
 }
 
 run_tests "$@"

@@ -1,5 +1,5 @@
 #!/bin/bash
-# The demo as a newcomer has it: built from nothing, what it answers, and the files that it names.
+# The demo as a newcomer runs it: built from nothing, its answers, and the files that it names.
 # shellcheck source-path=SCRIPTDIR
 source "${0%/*}/../../pipeline/support.sh"
 
@@ -13,7 +13,7 @@ test_the_demo_builds_what_it_runs_and_ends_with_three_answers_and_two_files_to_o
   expect_equal "$(ls build/bin)" "$(printf '%s\n' classify demo_answers diagnose figures generate plan read_raw report score \
     simulate split tabulate train)"
   answers=$(sed -n '/^Three questions/,$p' <<<"$output")
-  # The numbers may differ by processor, the words may not.
+  # Numbers may differ by processor, words may not.
   expect_equal "$(sed -E 's/[0-9]+ %/N %/g; s/\([0-9]+ ->/(N ->/' <<<"$answers")" \
     "Three questions about a simulated bearing (percent correct, 3 seeds):
 
@@ -33,7 +33,7 @@ Open results/demo/report.html    tables and figures
   expect_equal "$(demo | sed -n '/^Three questions/,$p')" "$answers" # nothing is left to do
   expect_equal "$(demo | grep -cE ' (train|generate|diagnose|score) ')" 0
 
-  rm results/demo/recording* # two demos at once make them both
+  rm results/demo/recording* # two simultaneous demos both make them
   demo >other &
   local other=$!
   demo >/dev/null || fail "one of two demos at once failed"

@@ -1,5 +1,5 @@
 #!/bin/bash
-# Installing packages, with stand-ins for dpkg-query, apt-get and sudo that write down their calls.
+# Installation of packages, with stand-ins for dpkg-query, apt-get and sudo that record their calls.
 # shellcheck source-path=SCRIPTDIR disable=SC2016
 source "${0%/*}/../../pipeline/support.sh"
 
@@ -8,13 +8,13 @@ command_that() { # name, body
   chmod +x "path/$1"
 }
 
-# Every package is installed but those named.
+# Every package is installed except the named ones.
 all_but() {
   command_that dpkg-query 'shift 3; for p; do case " '"$*"' " in
     *" $p "*) echo "config-files $p" ;; *) echo "installed $p" ;; esac; done'
 }
 
-# Only what a minimal Debian has, beside the stand-ins.
+# Has only the programs of a minimal Debian, and the stand-ins.
 machine() {
   mkdir path
   local tool
@@ -22,8 +22,8 @@ machine() {
   command_that apt-get 'echo "apt-get $* [$DEBIAN_FRONTEND]" >>apt-calls'
 }
 
-# deps.sh asks EUID who it is; a user namespace or root is not needed to play the one or the other.
-deps_as() { # 0 or another id; LIBTORCH and targets, which are on and all unless given
+# Sets EUID, which deps.sh reads, so that the test needs neither root nor a user namespace.
+deps_as() { # 0 or another id; LIBTORCH and targets, by default on and all
   local id=$1
   shift
   (($#)) || set -- on programs tests benches
@@ -83,7 +83,7 @@ test_what_is_not_asked_for_needs_no_packages() {
   expect_equal "$(deps_as 0 off programs figures)" "deps: installing gnuplot-nox qpdf fonts-dejavu-core"
 }
 
-# Which packages make asks for, and what it has built.
+# Checks which packages make requests, and what it has built.
 test_goals_ask_for_what_they_need() {
   local script
   for script in deps build; do

@@ -1,9 +1,9 @@
 #!/bin/bash
-# `make data`, from an official site on this machine, which a curl in front of curl reaches without a network.
+# `make data` from an official site on this machine, which a wrapper of curl reaches without a network.
 # shellcheck source-path=SCRIPTDIR
 source "${0%/*}/../../pipeline/support.sh"
 
-# An official site with two recordings, and an `ingest --sources` that names them.
+# Makes an official site with two recordings, and an `ingest --sources` that names them.
 site() {
   rm -f pipeline/datasets/*
   touch pipeline/datasets/real.toml
@@ -18,7 +18,7 @@ site() {
   # shellcheck disable=SC2016
   printf '#!/bin/bash\n[[ $1 == --sources ]] && cat sources\n' >fake/ingest
   chmod +x fake/ingest
-  # Files of the site by their addresses; whatever else is asked for is the real curl's.
+  # serves the site's addresses; passes all others to the real curl
   mkdir commands
   cat >commands/curl <<CURL
 #!/bin/bash
@@ -90,7 +90,7 @@ test_recordings_without_an_address() {
   expect_line "$(data)" "real: 0 files fetched, 1 were there"
 }
 
-# The programs refuse such addresses (tests/signal/description_test.cpp); curl is told to, besides.
+# The programs refuse such addresses (tests/signal/description_test.cpp), and curl is told to refuse them, too.
 test_only_the_web_is_asked() {
   site
   data >/dev/null
@@ -124,14 +124,14 @@ test_nothing_is_written_outside_the_data_folder() {
   ln -s "$PWD/elsewhere/victim" "d/real/file 1.mat.part"
   expect_line "$(data 2>&1 || true)" "d/real/file 1.mat: it or its .part is a link"
   expect_equal "$(<elsewhere/victim)" precious
-  # What is there already may be a link.
+  # an existing file may be a link
   rm d/real/*
   ln -s "$PWD"/site/* d/real/
   for n in 1 2; do mv "d/real/$n.mat" "d/real/file $n.mat"; done
   expect_line "$(data)" "real: 0 files fetched, 2 were there"
 }
 
-# A pipe would be waited for, and a file would be moved into a folder.
+# A pipe would block, and a file would be moved into a folder.
 test_what_is_no_file_is_refused() {
   site
   mkdir -p d/real

@@ -1,12 +1,12 @@
 #!/bin/bash
-# Figures of a run: drawn from the numbers that the stage `figures` writes, again when the contents of these or of the
-# scripts change, and the same bytes each time. Why a step is due, tests/plan tests in process.
+# Figures of a run: drawn from the numbers of the stage `figures`, redrawn when the contents of numbers or scripts
+# change, with the same bytes each time. tests/plan tests why a step is due, in process.
 # shellcheck source-path=SCRIPTDIR
 source "${0%/*}/../../pipeline/support.sh"
 
 drawn=results/t/made/figures
 
-# Numbers of one figure, as the stage writes them; the stand-in for it writes what `numbers` says.
+# Writes numbers of one figure, as the stage would; the stand-in for the stage writes the contents of `numbers`.
 lay_out() {
   skip_where_nothing_draws
   rm -f pipeline/datasets/*
@@ -30,7 +30,7 @@ losses() { # of the last epoch
     mean,1,1,twin,9 mean,2,2,twin,5 "mean,1,3,twin,$1"
 }
 
-# Other windows, and with them other numbers.
+# Makes other windows, and therefore other numbers.
 cell() { fake/split --output-dir results/t/made/seed0 --window "$1" >/dev/null; }
 figures() { make --silent figures BIN=fake RUN=t DATASETS=made METHODS="none piae-dt" RATIOS="100to1 10to1" SEEDS=0; }
 pictures() { sha256sum $drawn/*.svg $drawn/*.pdf; }
@@ -62,7 +62,7 @@ test_the_same_numbers_give_the_same_bytes_at_any_time_in_any_language() {
   local first
   first=$(pictures)
   rm $drawn/*.svg $drawn/*.pdf
-  sleep 1.1 # a PDF would hold the second at which it was drawn
+  sleep 1.1 # a PDF would record the second of drawing
   TZ=America/New_York LC_ALL=C.UTF-8 figures >/dev/null 2>&1
   expect_equal "$(pictures)" "$first"
 }
@@ -106,7 +106,7 @@ test_without_a_cell_nothing_is_drawn() {
   [[ ! -e results/t/made ]] || fail "made $(find results/t/made)"
 }
 
-# A sweep, the truth, and the run with the other split are shown as well.
+# Shows a sweep, the truth, and the run with the other split, too.
 test_what_comes_later_beside_the_cells_makes_new_numbers() {
   lay_out
   figures >/dev/null 2>&1
@@ -122,7 +122,7 @@ test_what_comes_later_beside_the_cells_makes_new_numbers() {
   done
 }
 
-# Of one seed, of few methods, and with classes that are named by digits.
+# Draws a single seed, few methods, and classes with digits as names.
 test_figures_of_a_few_numbers_are_drawn_without_a_word() {
   lay_out
   local sample
@@ -134,7 +134,7 @@ test_figures_of_a_few_numbers_are_drawn_without_a_word() {
   done
 }
 
-# Of one seed there is no spread.
+# A single seed does not have a spread.
 test_readings_of_one_seed_are_drawn_without_a_word() {
   lay_out
   sed -E '2,$ { s/,5,([^,]*),.*/,1,\1,/ }' "$project/tests/slow/pipeline/figures/readings.csv" >$drawn/readings.csv
@@ -154,7 +154,7 @@ test_the_weights_of_fig_8_name_their_losses() {
   expect_line "$(<$drawn/fig08-loss-weights.svg)" '>γ, reconstruction<'
 }
 
-# What others of the paper's recordings stand in for is named; a gain has a line at zero, an accuracy none.
+# Names recordings that stand in for the paper's; a gain has a line at zero, an accuracy does not.
 test_published_values_name_their_recordings() {
   lay_out
   {
@@ -162,7 +162,7 @@ test_published_values_name_their_recordings() {
     echo vae,0,10to1,45,0,3,,,,
     echo vae,0,10to1,45,mean,3,,,20,HFHP
   } >$drawn/fig15-gains.csv
-  # With 2 percent zero is near the axis, where a line at it would be seen.
+  # With 2 percent, zero is near the axis, where a line would be visible.
   sed 's/gain,/accuracy,/; s/,3,/,63,/; s/,20,/,2,/' $drawn/fig15-gains.csv >$drawn/accuracies.csv
   local name
   for name in fig15-gains accuracies; do
@@ -172,14 +172,14 @@ test_published_values_name_their_recordings() {
   expect_line "$(<$drawn/fig15-gains.svg)" "stroke='rgb\( 51,  51,  51\)'"
   expect_no_line "$(<$drawn/accuracies.svg)" "stroke='rgb\( 51,  51,  51\)'"
 
-  # The name of the run says nothing of what is drawn.
+  # The name of the run does not affect the figures.
   mkdir -p results/gains
   cp $drawn/accuracies.csv results/gains
   pipeline/figures/draw.sh results/gains/accuracies.csv
   cmp $drawn/accuracies.svg results/gains/accuracies.svg
 }
 
-# Methods of which each has but some of the ratios.
+# Methods that have only some of the ratios.
 test_ratios_stand_in_the_order_of_their_generated_windows() {
   lay_out
   {

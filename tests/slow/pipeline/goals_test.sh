@@ -1,6 +1,6 @@
 #!/bin/bash
-# The questions that have a goal of their own: contrast, sweep, readings, identify, transfer, trust. Their steps are
-# tested in process (tests/plan); here make runs them, shows their tables, and does nothing a second time.
+# Goals for single questions: contrast, sweep, readings, identify, transfer, trust. tests/plan tests their steps in
+# process; here make runs them, shows their tables, and does nothing a second time.
 # shellcheck source-path=SCRIPTDIR
 source "${0%/*}/../../pipeline/support.sh"
 
@@ -36,7 +36,7 @@ TOML
 }
 
 ask() { make --silent BIN=fake RUN=t "$@"; }
-# Makes a goal once and once more; what ran first. The words behind the goal are variables.
+# Makes a goal twice and prints what ran first. The words after the goal are variables.
 twice() { # goal, variables...
   ask "$@" >shown 2>&1 || fail "$(<shown)"
   local first
@@ -66,7 +66,7 @@ test_a_contrast_of_two_readings_of_cwru_compares_their_rates() {
     "--with results/t/cwru-as-published --without results/t/cwru --methods smote .*/rates.md$"
 }
 
-# Four points of two settings, one of each the method as it is.
+# Four points of two settings; one point of each setting is the method itself.
 test_sweeps_share_cells_with_the_grid_and_have_a_table_each() {
   describe
   ask cells DATASETS=real SEEDS=0 METHODS="none piae-dt" RATIOS="10to1 1to1" >/dev/null
@@ -115,7 +115,7 @@ test_an_identification_trains_and_compares_what_is_simulated() {
 
 test_a_transfer_is_of_groups_at_one_ratio() {
   describe
-  # Two data sets of two seeds: none by three classifiers, smote by two.
+  # Two data sets with two seeds: none by three classifiers, smote by two.
   expect_equal "$(twice transfer DATASETS="real other" METHODS="none smote" CLASSIFIERS="wdcnn wdcnn-spectra" \
     RATIOS="100to1 10to1 5to1" SEEDS="0 1")" "20 diagnose, 4 generate, 2 ingest, 4 split, 4 train, 1 transfer"
   local file
@@ -156,7 +156,7 @@ test_what_cannot_be_is_refused_before_any_cell() {
     "protocol.toml, line 18: transfer.first.datasets holds 'other', and there is no pipeline/datasets/other.toml"
   expect_exit 2 ask transfer DATASETS=real
   expect_equal "$(ran)" ""
-  ask cells DATASETS=real METHODS=none RATIOS=100to1 SEEDS=0 >/dev/null # all else goes on
+  ask cells DATASETS=real METHODS=none RATIOS=100to1 SEEDS=0 >/dev/null # everything else still runs
 }
 
 run_tests "$@"

@@ -1,5 +1,5 @@
 #!/bin/bash
-# Make runs what the plan says, and nothing else. What the steps are, and when they are due, tests/plan knows.
+# make must run exactly what the plan prints. tests/plan tests the steps and when they are due.
 # shellcheck source-path=SCRIPTDIR disable=SC2119
 source "${0%/*}/../../pipeline/small_grid.sh"
 
@@ -13,7 +13,7 @@ test_makes_every_cell_once_and_then_nothing() {
   expect_line "$output" "^tabulate --config results/t/.settings/tabulate.toml --run results/t --dataset made " # its summary
   expect_equal "$(tr -s ' ' <reports | sed 's/ $//')" \
     "report: --run results/t --datasets real made --methods none smote piae-dt --ratios 100to1 10to1 1to1 --seeds 0 1 --classifiers wdcnn --published results/published"
-  find results pipeline fake/ -exec touch {} + # times say nothing
+  find results pipeline fake/ -exec touch {} + # file times do not count
   grid >/dev/null
   expect_equal "$(ran)" ""
   expect_exit 0 make --silent -q cells BIN=fake RUN=t DATASETS=real METHODS=smote SEEDS=0 RATIOS=1to1
@@ -48,7 +48,7 @@ test_a_changed_setting_makes_what_depends_on_it() {
   expect_line "$(command_of real/seed0/piae-dt/train)" '--config results/t/.settings/train.piae-dt.toml '
 }
 
-# The same contents come out, so nothing below is made again.
+# The contents are unchanged, so nothing downstream is remade.
 test_a_lost_file_comes_back_alone() {
   finished_grid
   local file

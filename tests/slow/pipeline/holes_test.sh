@@ -1,5 +1,5 @@
 #!/bin/bash
-# What failures and signals leave of the grid, and how the holes are named.
+# Failures and signals leave missing cells in the grid, which are named.
 # shellcheck source-path=SCRIPTDIR disable=SC2119
 source "${0%/*}/../../pipeline/small_grid.sh"
 
@@ -32,10 +32,10 @@ test_holes_are_named_also_when_make_stops_at_the_first() {
   expect_line "$output" "^real/seed0/smote score and 3 more: missing$"
   rm broken
   expect_exit 0 grid
-  expect_equal "$(awk '{ print $2 }' calls | grep -c smote)" 22 # none of them twice
+  expect_equal "$(awk '{ print $2 }' calls | grep -c smote)" 22 # none twice
 }
 
-# 10 seeds of 14 cells: nobody wants to read their names.
+# 10 seeds of 14 cells are too many names to print.
 test_without_recordings_few_lines_say_so() {
   describe
   echo "ingest real/records.h5" >broken

@@ -1,6 +1,6 @@
 #!/bin/bash
-# What is installed, with the built programs: the command piae-dt runs stages and make in any folder, and every
-# program has its manual page.
+# The installation, with the built programs: the command piae-dt runs stages and make in any folder, and every program
+# has a manual page.
 # shellcheck source-path=SCRIPTDIR
 source "${0%/*}/../../pipeline/support.sh"
 
@@ -8,14 +8,14 @@ version=$(sed -nE 's/^project\(.* VERSION ([0-9.]+) .*/\1/p' "$project/CMakeList
 prefix=$(mktemp -d)
 trap 'rm -rf "$prefix"' EXIT
 
-# It is installed once, by the first test that needs it.
+# Installs once, for the first test that needs it.
 installed() {
   PATH=$prefix/bin:$PATH
   [[ ! -e $prefix/bin/piae-dt ]] || return 0
   env -u DESTDIR cmake --install "${programs%/bin}" --prefix "$prefix" >messages 2>&1 || fail "$(<messages)"
 }
 
-# As those who use it have it: they may not write where it is installed.
+# Runs as a user without write permission for the installation.
 test_the_grid_runs_in_another_folder() {
   installed
   mkdir -p elsewhere/pipeline/datasets
@@ -30,9 +30,9 @@ test_the_grid_runs_in_another_folder() {
   [[ -s results/paper/report.html ]] || fail "no report"
   cmp pipeline/protocol.toml "$project/tests/reference/protocol.toml" || fail "the settings of the folder were replaced"
   expect_equal "$(find "$prefix" -newer ../began)" ""
-  # Again there is nothing to do, and no more to be said of the folder.
+  # A second call has nothing to do, and does not mention the folder again.
   expect_no_line "$(piae-dt make cells DATASETS=tiny METHODS=none RATIOS=100to1 SEEDS=0 2>&1)" 'lays out|diagnose'
-  # What messages say of make can be typed there as it stands.
+  # Commands of make in messages can be typed as shown.
   expect_line "$(make status DATASETS=tiny METHODS="none smote" RATIOS="100to1 50to1" SEEDS=0 2>&1)" '^all +4 +4 '
   # The paper's numbers and the stored reference are found.
   expect_line "$(realpath -e results/published/table8-9-methods.csv)" "^$(realpath "$prefix")/"
@@ -71,7 +71,7 @@ test_every_program_is_installed_and_has_a_manual_page() {
   expect_line "$(piae-dt --version)" "^piae-dt $version( |$)"
 }
 
-# A stage's line is its first sentence, or as many of its words as 80 columns take.
+# A stage's line is its first sentence, or as many of its words as fit into 80 columns.
 test_the_list_of_stages_says_what_each_does() {
   installed
   local listed stage summary line said
@@ -89,12 +89,12 @@ test_the_list_of_stages_says_what_each_does() {
       [[ "$summary " == "$said. "* ]] || fail "'$said' is not the first sentence of: $summary"
     fi
   done <<<"$listed"
-  # The manual page has the name alone in front.
+  # The manual page starts with the name only.
   gzip -dc "$prefix/share/man/man1/piae-dt.1.gz" >page
   expect_equal "$(grep -A 1 '^.fBsplit.fR' page | cut -c 1-40)" $'\\fBsplit\\fR\nCuts records into windows and shares the'
 }
 
-# An option is there with its text, whether that stands beside it or below, and a dash is one that can be copied.
+# Each option has its text next to it or below, and dashes can be copied.
 test_pages_say_what_the_programs_say() {
   installed
   local page=$prefix/share/man/man1/piae-dt-split.1.gz
@@ -175,13 +175,13 @@ test_destdir_stands_for_the_root() {
   [[ -s root/opt/piae/share/man/man1/piae-dt.1.gz ]] || fail "no manual page below DESTDIR"
 }
 
-# The first heading of the list of changes is the version that is built.
+# The first heading of CHANGELOG.md must be the version that is built.
 test_the_list_of_changes_has_this_version() {
   expect_line "$version" '^[0-9]+\.[0-9]+\.[0-9]+$'
   expect_line "$(grep -m 1 '^## ' "$project/CHANGELOG.md")" "^## ${version//./\\.}, (not released yet|20[0-9]{2}-[0-9]{2}-[0-9]{2})$"
 }
 
-# Text that is folded in one file may stand in one line in the other.
+# Joins folded lines, since the other file may have the text in one line.
 in_one_line() { sed 's/^> //' "$project/$1" | tr -s ' \n' ' '; }
 test_the_citation_names_the_software_and_the_paper() {
   local cited readme title
@@ -192,11 +192,11 @@ test_the_citation_names_the_software_and_the_paper() {
     expect_line "$cited" "title: (>- |\")$title"
     expect_line "$readme" "\*$title\.\*"
   done
-  # Whom one page names, the other does.
+  # Both pages name the same people.
   expect_line "$readme" "$(grep -oE 'name: The .*' "$project/CITATION.cff" | cut -c 7-)\. \*PIAE-DT: "
   expect_line "$readme" "$(sed -nE 's/.*given-names: (.*)/\1/p' "$project/CITATION.cff" |
     paste -d ' ' - <(sed -nE 's/.*family-names: (.*)/\1/p' "$project/CITATION.cff") | paste -sd, | sed 's/,/, /g')\. \*Physics-informed"
-  # What the copy of the paper does not say is not made up.
+  # Facts that the copy of the paper lacks must not be invented.
   expect_no_line "$(<"$project/CITATION.cff")" '^ *(doi|journal|year):'
 }
 

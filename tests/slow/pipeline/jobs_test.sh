@@ -1,14 +1,14 @@
 #!/bin/bash
-# `make cluster-plan`, and `make cluster` up to where Slurm begins, which a stand-in does here. How steps are divided
-# among jobs, tests/plan tests in process; jobs on a real Slurm: tests/slow/cluster/.
+# `make cluster-plan`, and `make cluster` up to Slurm, which a stand-in replaces here. tests/plan tests the division of
+# steps among jobs in process; tests/slow/cluster/ runs jobs on a real Slurm.
 # shellcheck source-path=SCRIPTDIR disable=SC2119
 source "${0%/*}/../../pipeline/small_grid.sh"
 
 plan() { make --silent cluster-plan BIN=fake RUN=t "$@"; }
-# The words of a line of the plan, with one space between.
+# Prints the words of a line of the plan, separated by single spaces.
 line_of() { awk -v name="$2" '$1 == name { $1 = $1; print }' <<<"$1"; }
 
-# A Slurm that gives each job a number and runs none.
+# Makes a Slurm that numbers jobs and does not run them.
 slurm() {
   mkdir path
   # shellcheck disable=SC2016
@@ -37,11 +37,11 @@ test_other_questions_are_planned_too_and_planning_writes_nothing() {
 test_only_what_is_missing_is_planned() {
   make --silent all BIN=fake RUN=t METHODS=smote RATIOS=10to1 SEEDS=0 >/dev/null 2>&1
   expect_equal "$(line_of "$(plan METHODS=smote RATIOS=10to1 SEEDS=0)" all | cut -d' ' -f 2)" 1
-  # Train, generate, score and diagnose, and the split before them.
+  # Train, generate, score and diagnose, after the split.
   expect_equal "$(line_of "$(plan METHODS=smote RATIOS=10to1 SEEDS="0 1")" cells | cut -d' ' -f 8)" 4
 }
 
-# Runs the jobs of the submission one after the other, with nothing in the environment but what Slurm sets.
+# Runs the jobs of the submission in turn, with only the environment that Slurm sets.
 run_jobs() { # job:index...
   local task log
   folder=$(echo results/t/.jobs/2*)
@@ -67,7 +67,7 @@ test_submitted_jobs_make_what_make_does() {
   expect_line "$(<"$folder/tables.log")" "^spent: [0-9]+ steps in 4 jobs; "
   rm -r results/t/.jobs calls
   expect_equal "$(diff -rq --exclude='*.log' --exclude=.journal one results/t)" ""
-  # The same records come back, so all that waited for them is left as it was.
+  # The same records are made again, so everything downstream stays current.
   rm results/t/real/records.h5
   grid cluster "${which[@]}" >/dev/null
   run_jobs records: cells:0 tables:
@@ -100,7 +100,7 @@ test_wrong_numbers_and_goals_are_refused() {
   expect_equal "$(find results/t/.jobs -mindepth 1 ! -name lock)" ""
 }
 
-# What stands beside them says only which question is meant.
+# Goals next to these words only select the question.
 test_what_stands_beside_status_and_cluster_stop_is_not_computed() {
   slurm
   local front goal

@@ -1,9 +1,9 @@
 #!/bin/bash
-# Each rule of `make lint` finds what it is there for, in a copy of the project that was clean before.
+# Each rule of `make lint` must find its violations in a copy of the project that was clean before.
 # shellcheck source-path=SCRIPTDIR
 source "${0%/*}/../../pipeline/support.sh"
 
-# All files of the project as they are now, committed or not, in a repository of their own.
+# Copies all files of the project, committed or not, into a separate repository.
 copy_of_project() {
   mkdir copy
   (cd "$project" && git ls-files -z --cached --others --exclude-standard) |
@@ -49,7 +49,7 @@ test_an_unquoted_shell_variable_is_found() {
   expect_finding '^jobs/careless.sh:2: Double quote' shell jobs
 }
 
-# Lines of .ninja_log: begin and end in ms, a time, the output.
+# Lines of .ninja_log: start and end in ms, a time, the output.
 test_units_that_cost_four_times_the_median_are_named() {
   copy_of_project
   local unity=build/CMakeFiles/piae.dir/Unity stages=CMakeFiles/stage

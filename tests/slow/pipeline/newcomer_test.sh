@@ -1,13 +1,13 @@
 #!/bin/bash
-# What CONTRIBUTING.md promises a newcomer, with the built programs: a method takes one class and one
-# line of the catalogue, a classifier one function and one line, a figure takes one function and one script, a data set takes one TOML file, and the
-# grid knows them all.
+# Promises of CONTRIBUTING.md to newcomers, with the built programs: a method takes one class and one line of the
+# catalogue, a classifier one function and one line, a figure one function and one script, a data set one TOML file, and
+# the grid knows them all.
 # shellcheck source-path=SCRIPTDIR
 source "${0%/*}/../../pipeline/support.sh"
 
 shown=$(realpath "${PIAE_SHOWN:-$project/build/tests/slow/contributing}")
 
-# The programs, and those that have the shown method in the place of the others.
+# Lays out the programs, with those that contain the shown method instead of the others.
 lay_out() {
   mkdir bin
   ln -s "$programs"/* bin
@@ -16,8 +16,8 @@ lay_out() {
   cp "$project/tests/reference/protocol.toml" pipeline
 }
 
-# Ringing struck every 80 samples, ever louder from class to class, and noise.
-record() { # file, loudness
+# Writes a recording: an impact every 80 samples, with ringing at a level that increases from class to class, and noise.
+record() { # file, level
   awk -v loudness="$2" 'BEGIN {
     srand(loudness + 1)
     for (i = 0; i < 70000; ++i) {
@@ -74,7 +74,7 @@ test_the_shown_method_plays_backwards() {
   make --silent cells BIN=bin RUN=new DATASETS=rig METHODS=reverse RATIOS=10to1 SEEDS=0 \
     DATA_DIR=recordings >messages 2>&1 || fail "$(<messages)"
   local cell=results/new/rig/seed0
-  # Window 0 of E is window 0 of that class in C, from its end.
+  # Window 0 of E is the reversed window 0 of its class in C.
   first_window() { h5dump -d "/windows[0,0;;1,1024;]" -y -w 1 "$1" | grep -oE '^ +-?[0-9][0-9.e+-]*' | tr -d ' '; }
   expect_equal "$(first_window $cell/reverse/E.h5)" "$(first_window $cell/C.h5 | tac)"
 }
@@ -102,11 +102,11 @@ test_a_recording_that_is_replaced_is_noticed() {
   describe_rig
   expect_equal "$(stages_of "$(run_rig)")" "ingest split diagnose"
   expect_equal "$(run_rig)" ""
-  # The same recordings: written again, in another folder, by another path, none at all.
+  # The same recordings: rewritten, in another folder, by another path, or missing.
   touch recordings/outer.csv
   cp -r recordings copies
   expect_equal "$(run_rig)$(run_rig DATA_DIR=copies)$(run_rig DATA_DIR="$PWD/copies/")$(run_rig DATA_DIR=none)" ""
-  # Another one, as long and as old.
+  # Another recording with the same length and time.
   tr 1 2 <recordings/outer.csv >other.csv
   touch -r recordings/outer.csv other.csv
   mv other.csv recordings/outer.csv
@@ -116,7 +116,7 @@ test_a_recording_that_is_replaced_is_noticed() {
   expect_equal "$(stages_of "$(run_rig DATA_DIR=copies)")" "ingest split diagnose"
 }
 
-# They say themselves of which recordings they are.
+# Records themselves name their recordings.
 test_records_whose_journal_is_lost_are_compared_with_their_own_sums() {
   lay_out
   describe_rig
@@ -127,7 +127,7 @@ test_records_whose_journal_is_lost_are_compared_with_their_own_sums() {
   expect_equal "$(stages_of "$(run_rig)")" "ingest split diagnose"
 }
 
-# What a failed step would have made is still due.
+# Outputs of a failed step are still due.
 test_a_recording_that_cannot_be_read_leaves_the_step_due() {
   lay_out
   describe_rig
@@ -136,11 +136,11 @@ test_a_recording_that_cannot_be_read_leaves_the_step_due() {
   echo x >>recordings/outer.csv
   expect_line "$(run_rig 2>&1)" 'ingest: recordings/outer.csv, line 70001: '
   expect_line "$(run_rig 2>&1)" 'ingest: recordings/outer.csv, line 70001: '
-  cp good.csv recordings/outer.csv # of which the records still are
+  cp good.csv recordings/outer.csv # the recording that the records were made from
   expect_equal "$(run_rig)" ""
 }
 
-# A machine whose bearing is sound, and of which nothing is said: what needs no kinematics runs.
+# A machine with a sound bearing of unknown geometry: methods without kinematics run.
 test_a_fault_of_another_part_of_the_machine() {
   lay_out
   describe_rig
@@ -161,7 +161,7 @@ test_a_fault_of_another_part_of_the_machine() {
     expect_line "$(run_rig METHODS="shift $refused" RATIOS=10to1 2>&1 || true)" \
       "METHODS: $refused cannot be run; the description of rig does not say .*; choose METHODS=\"shift\""
   done
-  # Who chooses none is told which are left out.
+  # Without a choice of methods, the skipped ones are named.
   expect_line "$(make -n cells BIN=bin RUN=new DATASETS=rig SEEDS=0 DATA_DIR=recordings 2>&1)" \
     '^left out: dynamics piae-dt ae physics piae-dt-cnn piae-dt-rnn piae-dt-phase; the description of rig'
   bin/diagnose --test results/new/rig/seed0/A.h5 --normal results/new/rig/seed0/B.h5 --known results/new/rig/seed0/C.h5 \

@@ -1,5 +1,5 @@
 #!/bin/bash
-# Values that the shell or make could take for more than text: nothing of them is ever executed.
+# Values that the shell or make could take for more than text must never be executed.
 # shellcheck source-path=SCRIPTDIR
 source "${0%/*}/../../pipeline/support.sh"
 

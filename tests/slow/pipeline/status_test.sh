@@ -1,6 +1,5 @@
 #!/bin/bash
-# `make status` on a run that make made. What it counts, and what it says of each step, is tested in process
-# (tests/plan/status_test.cpp).
+# `make status` on a run by make. tests/plan/status_test.cpp tests its counts and messages in process.
 # shellcheck source-path=SCRIPTDIR
 source "${0%/*}/../../pipeline/support.sh"
 
@@ -15,14 +14,14 @@ with_grid() { # goal, variables
   make --silent "$1" BIN=fake RUN=t DATASETS=real METHODS="none smote" RATIOS="100to1 10to1 1to1" SEEDS="0 1" "${@:2}"
 }
 status() { with_grid status "$@" | tr -s ' '; }
-# Their logs say that steps took no time, whatever they did on this machine: the time left is tested by itself.
+# Sets all durations in the logs to zero, regardless of this machine: the time left has a test of its own.
 cells() {
   local code=0
   with_grid cells "$@" >/dev/null 2>&1 || code=$?
   find results -name '*.log' -exec sed -i 's/^step: exit 0 after .*/step: exit 0 after 0.0 s/' {} +
   return "$code"
 }
-# The words of a line of the table.
+# Prints the words of a line of the table.
 counts() { # data set, method, variables
   status "${@:3}" | awk -v d="$1" -v m="$2" '$1 == d && (d == "all" || $2 == m)'
 }
@@ -70,7 +69,7 @@ test_failed_tables_are_named() {
   expect_equal "$(status | tail -n 2)" $'failed\n real: tabulate: the reason (log: results/t/real/tabulate.log)'
 }
 
-# A terminal would obey them.
+# A terminal would obey control characters.
 test_control_characters_of_logs_are_not_printed() {
   describe
   echo "train real/seed1/smote/model.h5" >broken
@@ -86,7 +85,7 @@ test_control_characters_of_logs_are_not_printed() {
   expect_line "$output" '^spent: \?\[2Jnothing$'
 }
 
-# A train that runs until it is stopped.
+# Makes a train that runs until it is stopped.
 endless_train() {
   rm fake/train
   cat >fake/train <<'STAGE'
@@ -107,7 +106,7 @@ test_running_is_what_a_living_process_is_at() {
   until grep -q 40 results/t/real/seed0/smote/train.log; do sleep 0.05; done
   expect_equal "$(counts real smote SEEDS=0 | cut -d' ' -f1-7)" 'real smote 3 0 3 0 0'
   expect_line "$(status)" '^ real/seed0/smote: train ####.... 40 % \(log: '
-  # Stopped in order: a checkpoint, nothing failed.
+  # A regular stop leaves a checkpoint, and nothing fails.
   kill -TERM "$(<started)"
   expect_exit 2 wait $!
   expect_equal "$(counts real smote SEEDS=0 | cut -d' ' -f1-7)" 'real smote 3 0 0 0 3'
@@ -127,8 +126,8 @@ test_killed_is_missing_but_its_orphan_runs() {
   expect_equal "$(counts real smote SEEDS=0 | cut -d' ' -f1-7)" 'real smote 3 0 0 0 3'
 }
 
-# As if `make cluster` had submitted this run, and Slurm, which answers unless there is a file `no-slurm`, had
-# nothing of it in its queue any more.
+# Pretends that `make cluster` has submitted this run, and that Slurm, which answers unless a file `no-slurm` exists,
+# does not have it in its queue any more.
 submitted() { # goal, variables
   jobs=results/t/.jobs/20260101T000000
   mkdir -p $jobs path
@@ -147,7 +146,7 @@ test_what_is_given_goes_before_what_was_submitted() {
   expect_line "$(make --silent status cells BIN=fake RUN=t SEEDS=0 DATASETS=real METHODS=smote | tr -s ' ')" '^all 7 0 '
 }
 
-# Where locks are not shared between nodes, a step that runs is like one that was killed.
+# Without shared locks between nodes, a running step looks like a killed one.
 test_a_job_without_an_end_was_killed_only_when_slurm_says_that_it_is_gone() {
   describe
   local folder=results/t/real/seed0/smote output
@@ -163,7 +162,7 @@ test_a_job_without_an_end_was_killed_only_when_slurm_says_that_it_is_gone() {
   output=$(status)
   expect_no_line "$output" 'killed|failed$'
   expect_line "$output" 'squeue does not answer'
-  # What a log says itself is known all the same; a step may have outlived its stage, and can then only guess.
+  # Facts in the log are still known; a step may have outlived its stage and then can only guess.
   echo 'step: exit 137 after 1.0 s' >>$folder/train.log
   echo "slurmstepd: error: Detected 1 oom_kill event in StepId=5.0." >>$jobs/cells.0.log
   output=$(status)
@@ -182,7 +181,7 @@ test_of_every_goal() {
   expect_line "$output" '^real piae-dt 4 4 0 0 0 [0-9]+ s$'
   expect_line "$output" '^real sweep 4 2 0 2 0 '
   expect_line "$output" '^ real/seed1/sweep/depth-1: train: the reason '
-  # Of what was submitted to a cluster nobody need say again what it was.
+  # Arguments of a submission need not be repeated.
   submitted sweep RUN=t DATASETS=real SEEDS="0 1"
   expect_equal "$(make --silent status BIN=fake RUN=t | tr -s ' ')" "$output"
   echo "train made/seed1/piae-dt/model.h5" >broken

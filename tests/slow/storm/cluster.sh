@@ -1,8 +1,8 @@
 #!/bin/bash
-# A storm over a run on a real Slurm: first each kind of event once, then others by chance. After each the
-# run must end by itself or by the same command, with the bytes of `make -j2`, and no checkpoint may be lost.
-# Prints a line for each event.
-# usage: tests/slow/storm/cluster.sh [EVENTS [SEED]]      20 and 0; exit 77 where there is no Slurm
+# A storm over a run on a real Slurm: first each kind of event once, then random ones. After each event the run must
+# finish, by itself or by the same command, with the bytes of `make -j2` and without losing a checkpoint. Prints a line
+# for each event.
+# usage: tests/slow/storm/cluster.sh [EVENTS [SEED]]      20 and 0; exit 77 without Slurm
 # shellcheck source-path=SCRIPTDIR
 source "${0%/*}/../cluster/slurm.sh"
 source "${0%/*}/../../pipeline/support.sh"
@@ -10,11 +10,11 @@ source "${0%/*}/../cluster/tiny_grid.sh"
 
 events=${1:-20}
 RANDOM=$((${2:-0} + 1))
-# The first two are those of continuous integration: one that leaves a checkpoint, and one that does not.
+# Continuous integration uses the first two: one leaves a checkpoint, the other does not.
 kinds=(scancel_a_step kill_to_a_stage term_to_srun term_to_a_stage time_limit slurmd_killed
   slurmctld_restarted requeue)
 
-# Once: a checkpoint of each seed, so that every event has one to lose.
+# Makes one checkpoint for each seed in advance, so that every event has one to lose.
 make_checkpoints() {
   cd "$alone" || exit
   local seed
@@ -66,11 +66,11 @@ ended_well() {
   if [[ $job ]]; then in_state COMPLETED "$job"; else wait "$make"; fi
 }
 
-# ---- the events: each starts the run, and happens to it --------------------------------------------------
+# ---- the events: each starts the run and disturbs it -----------------------------------------------------
 some_time() { sleep "$((RANDOM % 2)).$((RANDOM % 10))"; }
 one_of() { shuf --head-count=1 --random-source=<(yes $RANDOM); }
 stages=("$programs"/{train,generate,score,diagnose,tabulate})
-# Of the processes that run now, one; if it has just ended, of the next.
+# Signals one of the present processes; if it has just ended, one of the next.
 hit() { # signal, programs
   local process
   until has_ended && too_late=yes; do
@@ -78,7 +78,7 @@ hit() { # signal, programs
     [[ ! $process ]] || ! kill "-$1" "$process" || return 0
   done
 }
-# srun is two processes, of which the second looks after the first.
+# srun is two processes; the second one supervises the first.
 hit_srun() { # signal
   local process
   until has_ended && too_late=yes; do
@@ -86,7 +86,7 @@ hit_srun() { # signal
     [[ ! $process ]] || ! kill "-$1" "$process" || return 0
   done
 }
-a_running_job() { # what squeue is to say of it; sets `running_job`, and fails where there is none any more
+a_running_job() { # format for squeue; sets `running_job`; fails if none is left
   until has_ended && too_late=yes; do
     running_job=$(squeue --noheader --states=RUNNING --format="$1" | one_of)
     [[ ! $running_job ]] || return 0
@@ -115,7 +115,7 @@ scancel_a_step() {
   start_and_wait ''
   a_running_job %i && scancel "$running_job"
 }
-# A minute is the least that Slurm allows; meanwhile the stage stands still.
+# A minute is Slurm's smallest limit; meanwhile the stage is stopped.
 time_limit() {
   start_steps --time=1
   wait_until_it_trains
@@ -126,14 +126,14 @@ slurmd_killed() {
   a_running_job %N || return
   local node=$running_job
   kill_node "$node"
-  # A slurmd that comes back before it is missed leaves its jobs running for ever.
+  # A slurmd that returns before it is missed leaves its jobs running forever.
   until_true "$node is down" is_down "$node"
   start_node "$node"
 }
 slurmctld_restarted() {
   start_steps ''
   wait_until_it_trains
-  sleep 3 # what was submitted later, a slurmctld that is killed has forgotten
+  sleep 3 # a killed slurmctld forgets submissions of the last 3 s
   restart_ctld
 }
 requeue() {
@@ -142,12 +142,12 @@ requeue() {
   some_time
   scontrol requeue "$job" || return 0
   until_true "job $job waits" in_state PENDING "$job" || return
-  ! lost_checkpoint || lost=yes # before the job's second life writes the logs anew
+  ! lost_checkpoint || lost=yes # before the job's second life overwrites the logs
   begin_again "$job"
 }
 
-# ---- what has become of it --------------------------------------------------------------------------------
-# A training that ended with 75 says that it has written one: then the one that was laid out does not count.
+# ---- the outcome ------------------------------------------------------------------------------------------
+# A training that ended with 75 has reported a checkpoint of its own: then the prepared one does not count.
 lost_checkpoint() {
   local seed folder
   for seed in 0 1; do
@@ -176,7 +176,7 @@ finish() { # sets `happened`
 }
 
 failures=0
-event() { # number, kind; fails where the run was over before it
+event() { # number, kind; fails if the run ended before it
   local began=$SECONDS happened="DID NOT END" lost='' too_late='' result=same
   lay_out_event
   "$2" 2>>events.log

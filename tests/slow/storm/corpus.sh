@@ -1,7 +1,7 @@
 #!/bin/bash
-# Makes what the storm damages: one small artefact of every kind and method, the options of the stage that
-# reads each (`consumers`: a line each, "FILE STAGE OPTION..."), and raw recordings of every format, with
-# descriptions and settings, in inputs/, a folder a reader.
+# Makes the files that the storm damages: one small artefact of every kind and method; the options of the stage that
+# reads each (`consumers`: a line each, "FILE STAGE OPTION..."); raw recordings of every format, with descriptions and
+# settings, in inputs/, one folder for each reader.
 # usage: tests/slow/storm/corpus.sh FOLDER BIN      (BIN: the programs, storm_raw among them)
 set -euo pipefail
 
@@ -86,7 +86,7 @@ done
 stage generate --model strike-twin.model.h5 --count 5 --seed 0 --output speeds/E.h5
 consumer speeds/E.h5 score --generated speeds/E.h5 --real speeds/D.h5 --output out.h5
 
-# A machine of whose bearing nothing is said, with a fault elsewhere.
+# A machine with unknown bearing and a fault elsewhere.
 sed -E '/^\[bearing\]/,/^contact_angle_deg/d; /^defect_size_mm/d; /^\[simulation\]/,$d; s/^defect = "(inner|outer)"/defect = "other"/
   s/"tiny"/"loose"/' tiny.toml >loose.toml
 seed=0
@@ -117,7 +117,7 @@ train smote
 train oversample
 train shift
 train oracle --real D.h5
-for method in piae-dt-phase smote; do # their windows say start angles and parents
+for method in piae-dt-phase smote; do # their windows record start angles and parents
   stage generate --model $method.model.h5 --count 5 --seed 0 --output $method.E.h5
   consumer $method.E.h5 score --generated $method.E.h5 --real D.h5 --output out.h5
   consumer $method.E.h5 export_windows --windows $method.E.h5 --output out.mat
@@ -141,8 +141,8 @@ for file in $cell/piae-dt/score.h5 $cell/piae-dt/50to1/wdcnn/diagnosis.h5 $cell/
     --published "$project/results/published"
 done
 
-# Kept classifiers, one of every kind of what it has learned, and what one says of a recording. A refusal
-# names the classifier, or the recording that does not fit it: its name holds that of the former.
+# Keeps one classifier of every learned kind, and one classification of a recording. A refusal names the classifier or
+# the unfitting recording, so the recording's name contains the classifier's.
 keep=(diagnose --test A.h5 --normal B.h5 --known C.h5 --ratio 100to1 --seed 0 --epochs 1)
 awk 'BEGIN { srand(1); for (i = 0; i < 4096; ++i) printf "%.6f\n", sin(i / 3) + rand() }' >classifier.h5.csv
 classify=(--recording classifier.h5.csv --variable 1 --sample-rate-hz 12000 --speed-rpm 1797)
@@ -156,7 +156,7 @@ consumer $cell/none/100to1/wdcnn/classifier.h5 trust --run run --dataset tiny --
 # (No stage reads it; verify does.)
 stage classify --classifier $cell/none/100to1/wdcnn/classifier.h5 "${classify[@]}" --output classification.h5
 
-# A checkpoint is what a training leaves that is stopped.
+# A stopped training leaves a checkpoint.
 long=(--method vae --known C.h5 --seed 0 --epochs 400 --width 4 --output long.h5)
 for delay in 0.1 0.2 0.05 0.4 0.02 0.8; do
   [[ ! -f long.h5.checkpoint ]] || break
@@ -169,7 +169,7 @@ else
   rm -f long.h5
 fi
 
-# ---- what is read before there are artefacts ----------------------------------------------------
+# ---- inputs other than artefacts ----------------------------------------------------------------
 mkdir -p "$folder"/inputs/{mat,csv,hdf5,sound,npy,tdms,uff,lvm,description,simulation,protocol,published,artefact}
 cd "$folder/inputs"
 "$bin/storm_raw" .
@@ -178,7 +178,7 @@ cd "$folder/inputs"
   awk 'BEGIN { for (i = 0; i < 60; ++i) printf "%.6f,%d\n", sin(i), i }'
 } >csv/comma.csv
 awk 'BEGIN { for (i = 0; i < 40; ++i) printf "%d;%.3e;text\r\n", i, cos(i) }' >csv/semicolon.csv
-samples() { head -c 480 "$1" | tail -c 240; } # of 16 bits, any will do
+samples() { head -c 480 "$1" | tail -c 240; } # any 16-bit samples
 npy="{'descr': '<i2', 'fortran_order': False, 'shape': (120,), }"
 {
   printf '\x93NUMPY\x01\x00\x76\x00%-117s\n' "$npy"

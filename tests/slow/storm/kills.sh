@@ -1,8 +1,8 @@
 #!/bin/bash
-# Kills random processes of a small grid while it runs (make, plan, pipeline/*.sh, stages; with kill -9, a third
-# of the times after a SIGTERM that brings a training to its checkpoint), and gives the same command again.
-# When the grid is done, it must hold the bytes of an undisturbed one and nothing else; it is then begun anew,
-# until there were enough kills. No checkpoint may be damaged or forgotten.
+# Kills random processes of a small grid while it runs (make, plan, pipeline/*.sh, stages; by kill -9, a third of the
+# times after a SIGTERM that makes a training write its checkpoint), and repeats the same command. A finished grid must
+# hold exactly the bytes of an undisturbed one; it is then restarted until there were enough kills. Checkpoints must
+# never be damaged or ignored.
 # usage: tests/slow/storm/kills.sh FOLDER COUNT SEED BIN
 set -uo pipefail
 
@@ -19,11 +19,11 @@ cp -r "$project"/{Makefile,pipeline} "$folder"
 mkdir "$folder/results"
 ln -s "$project/results/published" "$folder/results/published"
 run=$folder/results/r
-# A smaller experiment than the paper's: a grid takes half a minute, most of it in trainings.
+# Smaller than the paper's experiment: a grid takes half a minute, mostly for trainings.
 sed -i -E 's/^epochs = .*/epochs = 60/; s/^width = .*/width = 64/; s/^(windows-per-class) = .*/\1 = 150/
   s/^(test-per-class) = .*/\1 = 40/' "$folder/pipeline/protocol.toml"
 sed -i -E 's/^(records_per_class) = .*/\1 = 10/' "$folder/pipeline/datasets/simulated-small.toml"
-# For a few kills half of it will do.
+# A few kills need only half of it.
 seeds='0 1'
 ((count >= 8)) || seeds=0
 
@@ -36,7 +36,7 @@ miss() {
   missed=$((missed + 1))
 }
 
-# Processes of the run: make, plan, scripts and stages, and nothing else, work in this folder.
+# Prints the processes of the run: only make, plan, scripts and stages work in this folder.
 processes() {
   local link
   for link in /proc/[0-9]*/cwd; do
@@ -47,7 +47,7 @@ gone() { ! kill -0 "$1" 2>/dev/null; }
 
 checkpoints() { find "$run" -name '*.checkpoint' 2>/dev/null; }
 
-# A checkpoint is whole at any moment, and whoever begins the training again goes on from it.
+# A checkpoint is complete at any moment, and a restarted training continues from it.
 look_at_checkpoints() {
   local file said
   for file in $(checkpoints); do
@@ -63,7 +63,7 @@ kill_one() {
   ((${#victims[@]})) || return 1
   victim=${victims[RANDOM % ${#victims[@]}]}
   name=$(cat "/proc/$victim/comm" 2>/dev/null) || return 1
-  # Neither this script's own helpers nor one that ends by itself is a process of the run.
+  # Excludes this script's own helpers and processes that are about to end.
   case $name in
     make | run.sh | step.sh | plan | simulate | split | train | generate | score | diagnose) ;;
     *) return 1 ;;
@@ -76,7 +76,7 @@ kill_one() {
   killed[$name]=$((${killed[$name]:-0} + 1))
 }
 
-# The end of a round: what the same command leaves, undisturbed, is what there should be.
+# Ends a round: compares with what the same command makes undisturbed.
 finish_round() {
   local difference
   "${grid[@]}" >"$folder/log" 2>&1 || miss "the command given again ends with $?: $(tail -n 3 "$folder/log")"
@@ -111,7 +111,7 @@ while ((kills < count)); do
     sleep "$((RANDOM % 2)).$((RANDOM % 10))"
     ! gone "$make" || break
     kill_one && kills=$((kills + 1)) && look_at_checkpoints
-    # make may live on: it stops at the failed step, or the command is given again beside it.
+    # make may survive: it stops at the failed step, or the command is repeated while it runs.
     ((RANDOM % 2)) || break
   done
   ((RANDOM % 4)) || gone "$make" || while ! gone "$make"; do sleep 0.1; done
@@ -120,7 +120,7 @@ while ((kills < count)); do
     echo "kills: $kills of $count, $missed missed," \
       "$(((SECONDS - started) * (count - kills) / (kills + 1) / 60)) minutes left" >&2
   fi
-  # A grid that is done is compared, and begun anew.
+  # Compares a finished grid and restarts it.
   if gone "$make" && wait "$make"; then finish_round; fi
 done
 finish_round

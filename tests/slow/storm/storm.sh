@@ -1,15 +1,15 @@
 #!/bin/bash
-# The storm: what damage, intent and accidents can do to a run, by the thousand. Each part ends with a line
-# that counts; it fails if anything was not treated as SECURITY.md promises. What was not, is kept with the
-# bytes to see it again. A storm that was cut goes on where it was when it is asked for again.
+# The storm: thousands of damages, attacks and accidents to a run. Each part ends with a line of counts, and fails if
+# anything was not handled as SECURITY.md promises. Failures are kept with the bytes to repeat them. An interrupted
+# storm continues when it is requested again.
 #   kills     kill -9 to random processes of a small grid, and the same command again
-#   flips     one bit turned in an artefact
-#   meanings  an artefact that says something else, with good digests
-#   inputs    damaged inputs of every reader in process, where it is built so under the sanitizers
-#   cluster   accidents on a real Slurm (tests/slow/storm/cluster.sh), where one is installed
+#   flips     one flipped bit in an artefact
+#   meanings  an artefact with other contents and correct digests
+#   inputs    damaged inputs of every reader in process, with the sanitizers if built so
+#   cluster   accidents on a real Slurm (tests/slow/storm/cluster.sh), if one is installed
 # usage: tests/slow/storm/storm.sh FOLDER BIN INPUTS_BIN least|short|full [SEED]
 #        tests/slow/storm/storm.sh FOLDER BIN INPUTS_BIN PART COUNT [SEED]
-# FOLDER holds the state and what was found; BIN the programs; INPUTS_BIN those under the sanitizers.
+# FOLDER holds the state and the findings; BIN the programs; INPUTS_BIN those with the sanitizers.
 set -uo pipefail
 
 here=$(realpath "${BASH_SOURCE[0]%/*}")
@@ -27,7 +27,7 @@ case $4 in
   *) parts=("$4" "${5:?how many}") && shift ;;
 esac
 seed=${5:-1}
-# A core is left to the programs that a job runs, where there are more than two.
+# With more than two cores, leave one to the programs that a job runs.
 jobs=$(nproc)
 
 export ASAN_OPTIONS=detect_leaks=0:allocator_may_return_null=1:max_allocation_size_mb=1024:quarantine_size_mb=16
@@ -41,7 +41,7 @@ make_corpus() {
   "$here/corpus.sh" "$corpus" "$bin" && touch "$corpus/made"
 }
 
-# Several jobs share a part; each has a folder and a seed of its own. Their last lines are added up.
+# Several jobs share a part, each with a folder and a seed of its own. Their last lines are summed.
 in_jobs() { # part, count, the program's folder
   local job place pids=() share log failed=0
   for ((job = 0; job < jobs; ++job)); do
@@ -84,7 +84,7 @@ for ((i = 0; i < ${#parts[@]}; i += 2)); do
   fi
   seconds=$((SECONDS - started))
   printf '%s, %d.%d minutes\n' "$said" $((seconds / 60)) $((seconds % 60 / 6))
-  # Done well: the next storm of this kind begins anew.
+  # Success: the next storm of this kind restarts.
   if ((code == 0)); then
     rm -rf "${folder:?}/$part-$count-$seed"
   else

@@ -1,4 +1,4 @@
-// Whole steps of our VAE and WGAN-GP against LibTorch's, from the same parameters and noise.
+// Compares whole steps of our VAE and WGAN-GP with LibTorch's, from the same parameters and noise.
 
 #include <gtest/gtest.h>
 
@@ -55,7 +55,7 @@ TEST_P(DenseLatentsBesideLibtorch, StepAsLibtorchDoes) {
     EXPECT_TRUE(std::ranges::any_of(expected, [](float x) { return x != 0; })) << adam;
     EXPECT_LT(relative_difference(first_moments(*mine, adam), expected), 1e-4) << adam;
   }
-  EXPECT_EQ(my_noise.uniform(0, 1), their_noise.uniform(0, 1));  // as much was drawn
+  EXPECT_EQ(my_noise.uniform(0, 1), their_noise.uniform(0, 1));  // both drew equally many numbers
 }
 
 const WganGpOptions two_critic_steps{.critic_steps = 2};

@@ -11,7 +11,7 @@
 
 namespace piae::libtorch {
 
-/// Three layers, five units wide.
+/// Returns a generator with three layers, five units wide.
 inline latent::LatentGenerator example_generator(std::int64_t samples, std::size_t classes,
                                                  std::int64_t latent) {
   latent::LatentGenerator generator;
@@ -32,15 +32,15 @@ inline torch::Tensor random_tensor(Stream& stream, std::int64_t rows, std::int64
       .to(torch::kFloat64);
 }
 
-/// Random windows, of the classes in turn.
+/// Returns random windows with alternating classes.
 inline Batch example_batch(Stream& stream, std::int64_t n, std::int64_t samples,
                            std::int64_t classes) {
   const torch::Tensor labels = torch::arange(n).remainder(classes);
   return {random_tensor(stream, n, samples), torch::one_hot(labels, classes).to(torch::kFloat64)};
 }
 
-/// Largest difference between autograd and central differences over the parameters that begin with
-/// the prefix, relative to the largest gradient.
+/// Returns the largest difference between autograd and central differences over the parameters that
+/// begin with the prefix, relative to the largest gradient.
 inline double gradient_error(const ParameterSet& parameters, const std::string& prefix,
                              const std::function<torch::Tensor()>& loss) {
   std::vector<torch::Tensor> exact;

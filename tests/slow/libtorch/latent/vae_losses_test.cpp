@@ -29,7 +29,7 @@ TEST(KlToStandardNormal, IsTheIntegralThatDefinesIt) {
   const double m = 0.7;
   const double s = 1.6;
   double integral = 0;
-  const double step = 1e-3;  // of u = (x - m) / s
+  const double step = 1e-3;  // step of u = (x - m) / s
   for (int i = -12000; i <= 12000; ++i) {
     const double u = i * step;
     const double x = m + u * s;

@@ -11,8 +11,8 @@
 namespace piae::libtorch {
 namespace {
 
-/// A critic of one layer with the given weights on three samples, weights 7 and -5 on two classes,
-/// and bias 0.5.
+/// Returns a critic of one layer with the given weights on three samples, weights 7 and -5 on two
+/// classes, and bias 0.5.
 ParameterSet linear_critic(const std::vector<double>& weights) {
   latent::LatentGenerator generator = example_generator(3, 2, 1);
   generator.size.depth = 1;
@@ -28,7 +28,7 @@ ParameterSet linear_critic(const std::vector<double>& weights) {
 }
 
 TEST(GradientPenalty, OfALinearCriticIsThatOfItsWeights) {
-  // The gradient is (2, -3, 6) everywhere, of norm 7; the weights of the class have no part in it.
+  // The gradient is (2, -3, 6) everywhere, of norm 7; the weights of the class do not affect it.
   const ParameterSet parameters = linear_critic({2, -3, 6});
   Stream stream("linear");
   const Batch batch = example_batch(stream, 5, 3, 2);

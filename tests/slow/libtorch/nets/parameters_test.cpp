@@ -54,7 +54,7 @@ TEST(ParameterSet, InitialValuesDependOnTheirNameAlone) {
 TEST(ParameterSet, GradientsAddUpInTheFlatVector) {
   ParameterSet set = small_set();
   const auto backward = [&] {
-    // d/dw of sum(w * x) is x; d/db of sum(3 b) is 3; b/scale has no part in it.
+    // d/dw of sum(w * x) is x; d/db of sum(3 b) is 3; b/scale does not affect either.
     const torch::Tensor x = torch::arange(6).view({2, 3}).to(torch::kFloat);
     ((set["a/weight"] * x).sum() + 3 * set["a/bias"].sum()).backward();
   };

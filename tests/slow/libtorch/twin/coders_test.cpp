@@ -68,7 +68,7 @@ TEST_P(Coders, DecodeEveryPartOfTheirInput) {
   EXPECT_TRUE(differs(one, labels().narrow(0, 1, 1)));
 }
 
-/// A window is coded by itself: those beside it in a batch change nothing.
+/// Each window is coded by itself; the others of a batch change nothing.
 TEST_P(Coders, TreatTheWindowsOfABatchApart) {
   const torch::Tensor all = networks_.encode(parameters_, x_);
   const torch::Tensor one = networks_.encode(parameters_, x_.narrow(0, 1, 1));
@@ -78,8 +78,8 @@ TEST_P(Coders, TreatTheWindowsOfABatchApart) {
   EXPECT_LT((decoded.narrow(0, 1, 1) - alone).abs().max().item<double>(), 1e-12);
 }
 
-/// Through decoder, softplus and encoder: L_Rec's gradient against central differences at a few
-/// entries of every parameter.
+/// Compares L_Rec's gradient, through decoder, softplus and encoder, with central differences at a
+/// few entries of every parameter.
 TEST_P(Coders, GradientsOfTheReconstructionLossEqualFiniteDifferences) {
   constexpr double step = 1e-5;
   parameters_.zero_gradients();
@@ -121,8 +121,8 @@ std::vector<std::string> names_of(const std::vector<nets::ParameterSpec>& specs)
   return names;
 }
 
-/// What Models 2, 4 and 5, and those of the outlook, leave alone is the same in name, shape and
-/// start.
+/// Parts that Models 2, 4 and 5 and those of the outlook do not replace must have the same names,
+/// shapes and initial values.
 TEST(TwinVariants, DifferInTheirPartAlone) {
   const twin::NetworkShape shape{64, 3};
   const Networks full(twin::full_model, shape, small_options(3));
@@ -140,8 +140,8 @@ TEST(TwinVariants, DifferInTheirPartAlone) {
   }
 }
 
-/// GRU of one unit, worked by hand (Cho et al. 2014, in the form that LibTorch states): with all
-/// weights of the state 0, r = s(w_r x), z = s(w_z x), n = tanh(w_n x), h' = (1 - z) n + z h.
+/// A hand-worked GRU of one unit (Cho et al. 2014, in LibTorch's form). With all state weights 0: r
+/// = s(w_r x), z = s(w_z x), n = tanh(w_n x), h' = (1 - z) n + z h.
 TEST(RecurrentCoder, ReadsItsFramesInTurn) {
   const Networks networks(twin::recurrent_model, {64, 2}, small_options(2));
   ParameterSet parameters(networks.specs(), Stream("gru"), torch::kFloat64);
@@ -165,7 +165,7 @@ TEST(RecurrentCoder, ReadsItsFramesInTurn) {
   EXPECT_NEAR(networks.encode(parameters, x)[0][0].item<double>(), std::log1p(std::exp(h)), 1e-12);
 }
 
-/// One channel's kernel of ones at the first position: the output is its value over the samples
+/// One channel has a kernel of ones at the first position. The output is its value over the samples
 /// that the kernel covers, -2 .. 5 about position 0, cut to the window.
 TEST(ConvolutionalCoder, SpreadsAPositionOverItsKernel) {
   const Networks networks(twin::convolutional_model, {16, 2}, small_options(2));

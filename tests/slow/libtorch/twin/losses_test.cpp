@@ -18,7 +18,8 @@ using twin::example_physics;
 
 const twin::Stencil central = twin::stencil_of(twin::Derivatives::central);
 
-/// Largest difference between autograd and central differences, relative to the largest gradient.
+/// Returns the largest difference between autograd and central differences, relative to the largest
+/// gradient.
 double gradient_error(const std::function<torch::Tensor(const torch::Tensor&)>& loss,
                       const torch::Tensor& at, double step) {
   const torch::Tensor x = at.clone().requires_grad_();
@@ -182,7 +183,7 @@ TEST(TwinLoss, GradientStaysFiniteWhereContactIsLost) {
   EXPECT_TRUE(torch::autograd::grad({loss}, {k_and_c})[0].isfinite().all().item<bool>());
 }
 
-/// A softplus may well be 0 in single precision.
+/// A softplus may be exactly 0 in single precision.
 TEST(TwinLoss, StaysFiniteWithItsGradientWhereThereIsNoStiffness) {
   const twin::Physics physics = example_physics();
   const auto batch = batch_physics(physics, torch::tensor({0}, torch::kInt64), torch::kFloat32);

@@ -1,4 +1,4 @@
-// Whole steps of our back end against LibTorch's, from the same parameters.
+// Compares whole steps of our back end with LibTorch's, from the same parameters.
 
 #include "twin/one_core_backend.hpp"
 
@@ -13,7 +13,7 @@
 namespace piae::twin {
 namespace {
 
-/// The gradient of the one step that was taken: ten times Adam's first moment.
+/// Returns the gradient of the only step taken: ten times Adam's first moment.
 std::vector<float> gradient_of(const TwinBackend& backend, const std::string& group) {
   return piae::first_moments([&](artefact::Writer& writer) { backend.write_adam(writer, "/adam"); },
                              "/adam/" + group);
@@ -23,8 +23,8 @@ constexpr LearningRates rates{.networks = 1e-3, .loss_weights = 2e-2};
 
 class TwinBesideLibtorch : public testing::TestWithParam<TaskOf> {};
 
-// In single precision: LibTorch takes the distances of eq. 21's MMD from products, which leaves it
-// five digits.
+// The test uses single precision. LibTorch computes the distances of eq. 21's MMD from products,
+// which leaves five digits.
 TEST_P(TwinBesideLibtorch, StepsAsLibtorchDoes) {
   const TwinTask task = task_of(GetParam());
   const std::vector<std::size_t> batch{7, 2, 5, 0, 8};
@@ -46,11 +46,11 @@ TEST_P(TwinBesideLibtorch, StepsAsLibtorchDoes) {
   }
 }
 
-// Adam divides by the root of its second moment, so that the last digits of a gradient near zero
-// move a weight as far as any: three steps leave fewer digits than one.
+// Adam divides by the root of its second moment, so the last digits of a gradient near zero move a
+// weight as much as a large gradient does. Three steps leave fewer digits than one.
 TEST_P(TwinBesideLibtorch, FollowsLibtorchThroughBothStagesAndBatchesThatAreNotFull) {
   TwinTask task = task_of(GetParam());
-  // Other coders have two layers at least.
+  // Other coders have at least two layers.
   for (const int depth : {task.variant.coder == CoderKind::dense ? 1 : 2, 3}) {
     task.options.depth = depth;
     const auto mine = one_core_engine(Device::cpu).train(task, Stream("initial"));

@@ -30,7 +30,8 @@ torch::Tensor random_windows(std::int64_t n, std::int64_t length = 1024) {
   return windows;
 }
 
-/// Scales and shifts of batch normalisation other than 1 and 0, so that they count.
+/// Sets scales and shifts of batch normalisation to values other than 1 and 0, so that they have an
+/// effect.
 void perturb_normalisation(WdcnnNetwork& network) {
   const torch::NoGradGuard no_grad;
   for (const char* layer : {"conv1", "conv2", "conv3", "conv4", "conv5", "dense"}) {

@@ -1,4 +1,4 @@
-// Our network for one core against LibTorch's, in single and in double precision.
+// Compares our network for one core with LibTorch's, in single and in double precision.
 
 #include <gtest/gtest.h>
 #include <torch/optim/adam.h>
@@ -23,7 +23,7 @@ constexpr double learning_rate = 1e-3;
 template <class T>
 constexpr torch::Dtype dtype = std::is_same_v<T, float> ? torch::kFloat32 : torch::kFloat64;
 
-/// Relative to the greatest number of what is compared.
+/// Relative to the largest number compared.
 template <class T>
 constexpr double tolerance = std::is_same_v<T, float> ? 1e-5 : 1e-12;
 
@@ -38,8 +38,8 @@ std::vector<double> numbers(const torch::Tensor& tensor) {
   return {flat.data_ptr<double>(), flat.data_ptr<double>() + flat.numel()};
 }
 
-/// Both networks with the same parameters, scales and shifts of batch normalisation other than 1
-/// and 0 (some scales negative), and both optimisers.
+/// Both networks with the same parameters, and both optimisers. Scales and shifts of batch
+/// normalisation differ from 1 and 0; some scales are negative.
 template <class T>
 struct Pair {
   explicit Pair(std::int64_t length, std::int64_t most_windows = 40)
@@ -93,7 +93,7 @@ struct Pair {
         theirs.forward(tensor_of(batch), training ? Mode::training : Mode::evaluation));
   }
 
-  /// Gradients of the mean cross-entropy in both; returns LibTorch's sum over the batch.
+  /// Computes gradients of the mean cross-entropy in both; returns LibTorch's sum over the batch.
   double propagate(const RandomBatch& batch, BatchOutcome& outcome) {
     own_logits(batch, true);
     outcome = mine.backward(batch.labels);
@@ -143,7 +143,7 @@ TYPED_TEST(OneCoreNetworkOf, StartsFromTheSameParameters) {
 }
 
 TYPED_TEST(OneCoreNetworkOf, ForwardPassEqualsLibtorchs) {
-  for (const std::int64_t length : {1024, 1040, 2048}) {  // 1040: a time is left over in pooling
+  for (const std::int64_t length : {1024, 1040, 2048}) {  // 1040: one value is left over in pooling
     Pair<TypeParam> pair(length);
     for (const std::int64_t windows : {7, 40, 2}) {
       const RandomBatch batch = batch_of(windows, length);
@@ -193,8 +193,8 @@ TYPED_TEST(OneCoreNetworkOf, OneUpdateEqualsLibtorchs) {
   BatchOutcome outcome;
   pair.propagate(batch, outcome);
   pair.step();
-  // Adam's first step is the gradient's sign, which rounding decides where the gradient is nothing:
-  // of those, one in 1000 may be the other.
+  // Adam's first step is the gradient's sign. If the gradient is 0, rounding decides the sign, so
+  // one in 1000 of those may differ.
   for (const WdcnnParameter& parameter : pair.mine.layout()) {
     const auto ours = unfolded<TypeParam>(parameter, pair.mine.values());
     const auto gradient = numbers<TypeParam>(pair.theirs.parameters()[parameter.spec.name].grad());

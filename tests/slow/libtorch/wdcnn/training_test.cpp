@@ -11,7 +11,7 @@ INSTANTIATE_TEST_SUITE_P(Libtorch, WdcnnTraining,
                          name_of);
 
 TEST(WdcnnBackends, FollowOneCourseUntilRoundingHasGrown) {
-  const LabelledWindows train = tones(11, "train");  // 33 windows: the last batch is of 9
+  const LabelledWindows train = tones(11, "train");  // 33 windows: the last batch has 9
   const LabelledWindows test = tones(20, "test");
   const auto run = [&](const MakeWdcnnBackend& backend) {
     return train_and_test(train, test, short_training(4), Stream("course"), backend);
@@ -29,7 +29,7 @@ TEST(WdcnnBackends, FollowOneCourseUntilRoundingHasGrown) {
   }
 }
 
-/// A step so small that nothing is learnt: the networks stay equal, and rounding does not grow.
+/// The step is too small to learn anything, so the networks stay equal and rounding does not grow.
 TEST(WdcnnBackends, MakeTheSameOfEachWindow) {
   const LabelledWindows test = tones(40, "test");
   WdcnnOptions options = short_training(1);
@@ -49,7 +49,7 @@ TEST(WdcnnBackends, MakeTheSameOfEachWindow) {
   expect_near(one_core.logits, theirs.logits);
 }
 
-// What LibTorch has learned, our own network for one core makes the same of.
+// Our own network for one core must give the same outputs with weights that LibTorch learned.
 TEST(WdcnnBackends, HandOverTheirWeights) {
   const LabelledWindows test = tones(20, "test");
   for (const MakeWdcnnBackend& backend :
