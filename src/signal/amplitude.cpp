@@ -29,7 +29,7 @@ bool is_constant(std::span<const float> window) {
 
 namespace {
 
-/// For each class the summary of its windows' samples, each about its window's mean.
+/// Returns for each class the summary of its windows' samples, each window about its mean.
 template <class Summary>
 std::vector<double> by_class(const WindowSet& windows) {
   std::vector<double> all;

@@ -60,13 +60,14 @@ std::string joined_words(std::span<const std::string> words) {
   return text;
 }
 
-/// A maker or a suffix, such as SKF, C3 or 2RS, does not name a bearing: that needs a number.
+/// True if the text has at least two digits. A maker or a suffix, such as SKF, C3 or 2RS, has fewer
+/// and does not name a bearing.
 bool has_number(const std::string& asked) {
   const auto is_digit = [](unsigned char c) { return std::isdigit(c) != 0; };
   return std::ranges::count_if(asked, is_digit) >= 2;
 }
 
-/// Returns whether words of the row that follow one another are the one that is asked for.
+/// True if consecutive words of the row, joined, equal the requested designation.
 bool holds_words(const Words& row, const std::string& asked) {
   for (std::size_t first = 0; first < row.size(); ++first) {
     for (std::size_t count = 1; first + count <= row.size(); ++count) {
@@ -76,7 +77,7 @@ bool holds_words(const Words& row, const std::string& asked) {
   return false;
 }
 
-/// Gives the numbers of those keys that a row has, from field `first` on.
+/// Returns the numbers of those keys that a row has, from field `first` on.
 Keys numbers_at(const text::CsvLine& line, std::span<const char* const> names, std::size_t first) {
   Keys keys;
   for (std::size_t i = 0; i < names.size(); ++i) {
@@ -108,7 +109,7 @@ std::vector<Row> rows_of(const fs::path& table) {
   return rows;
 }
 
-/// Gives BPFO and BPFI of one turn a second.
+/// Returns BPFO and BPFI in Hz at one turn per second.
 std::array<double, 2> lines_of(const Keys& keys) {
   if (keys.contains("bpfo")) return {keys.at("bpfo"), keys.at("bpfi")};
   bearing::Geometry geometry;
@@ -130,8 +131,8 @@ std::string designations_of(const std::vector<Row>& rows) {
   return comma_list(rows, &Row::designation);
 }
 
-/// Gives the rows whose whole designation is asked for; where none is so, those that hold its
-/// words.
+/// Returns the rows whose whole designation matches. Without such a row, returns those that contain
+/// its words.
 std::vector<Row> rows_called(const std::string& asked, const std::vector<Row>& rows) {
   std::vector<Row> whole;
   std::vector<Row> part;
@@ -143,7 +144,7 @@ std::vector<Row> rows_called(const std::string& asked, const std::vector<Row>& r
   return whole.empty() ? part : whole;
 }
 
-/// Gives the rows that share a word with what was asked for, as a help.
+/// Returns the rows that share a word with the request, as a hint.
 std::vector<Row> rows_like(const Words& asked, const std::vector<Row>& rows) {
   std::vector<Row> like;
   for (const Row& row : rows) {

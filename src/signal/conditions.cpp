@@ -11,7 +11,7 @@ namespace {
 
 const std::string conditions_group = "/conditions";
 
-/// What a condition may be used for, as the artefact names it.
+/// A use of a condition: its name in the artefact and its flag.
 struct Use {
   const char* name;
   bool Condition::*flag;

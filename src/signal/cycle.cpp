@@ -8,9 +8,9 @@ namespace piae::signal {
 
 namespace {
 
-/// At least this part of a window is left to blend the cycle's end into its beginning.
+/// Smallest part of a window that is left to blend the cycle's end into its start.
 constexpr double least_blend = 1.0 / 32;
-/// In samples. A longer blend would soften more of the cycle than the seam needs.
+/// Longest blend, in samples. A longer one would soften more of the cycle than the seam needs.
 constexpr std::size_t longest_blend = 64;
 
 }  // namespace

@@ -7,33 +7,32 @@
 
 namespace piae::signal {
 
-/// The fault cycle of a window, in samples: as many whole strikes as fit into it, less a part of
-/// the window that is needed to blend the cycle's end into its beginning. From one sample to the
-/// next the strike angle grows by 2 pi m / L. L is rounded to whole samples; at 1024 samples that
-/// is an error of 0.05 %, far below that of slip.
+/// The fault cycle of a window, in samples: as many whole impact periods as fit into the window,
+/// less the part that blends the cycle's end into its start. The impact angle grows by 2 pi m / L
+/// per sample. L is rounded to whole samples; at 1024 samples the error is 0.05 %, far below slip.
 struct Cycle {
   std::size_t samples = 0;  ///< L
-  std::size_t strikes = 0;  ///< m, the strikes in L samples
-  std::size_t blend = 0;    ///< samples over which the end is blended into the beginning
+  std::size_t strikes = 0;  ///< m, the impacts in L samples
+  std::size_t blend = 0;    ///< samples that blend the end into the start
 
-  /// Samples from one strike to the j-th after it, rounded.
+  /// Returns the samples from an impact to the j-th after it, rounded.
   [[nodiscard]] std::size_t offset_of_strike(std::size_t j) const;
-  /// The strike angle of a sample of the cycle, in [0, 2 pi).
+  /// Returns the impact angle of a sample of the cycle, in [0, 2 pi).
   [[nodiscard]] double angle_rad(std::size_t sample) const;
-  /// Samples from strike to strike.
+  /// Returns the samples between two impacts.
   [[nodiscard]] double period() const;
 };
 
-/// The cycle of windows of `length` samples with a strike every `period` samples. None where not
-/// one whole strike fits.
+/// Returns the cycle of windows of `length` samples with an impact every `period` samples. Returns
+/// nothing if the window holds less than one whole period.
 std::optional<Cycle> cycle_of(double period, std::size_t length);
 
-/// One cycle of a window, [L]: its first L samples, of which the first few are blended with the
-/// samples that follow the L-th, so that the cycle has no jump where its end meets its beginning.
+/// Returns one cycle of a window, [L]: its first L samples. The first few are blended with the
+/// samples after the L-th, so that the cycle has no jump where its end meets its start.
 std::vector<double> closed_cycle(std::span<const double> window, const Cycle& cycle);
 
-/// `count` samples of a cyclic waveform from sample `start` on. A start that is j samples later
-/// gives the same result shifted by j samples, bit for bit.
+/// Returns `count` samples of a cyclic waveform from sample `start` on. A start j samples later
+/// shifts the result by j samples, bit for bit.
 template <class T>
 std::vector<T> read(std::span<const T> waveform, std::size_t start, std::size_t count) {
   std::vector<T> samples(count);

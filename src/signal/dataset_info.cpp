@@ -78,7 +78,7 @@ std::vector<ClassInfo> read_classes(const artefact::Reader& reader) {
   return classes;
 }
 
-/// Refuses a bearing, defects or a list of classes that cannot be.
+/// Refuses an impossible bearing, defect or list of classes.
 void refuse_impossible(const artefact::Reader& reader, const DatasetInfo& info) {
   try {
     (void)info.healthy_label();

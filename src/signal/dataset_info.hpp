@@ -13,57 +13,56 @@
 
 namespace piae::signal {
 
-/// Where the defect of a class sits.
+/// Location of a class's defect.
 using bearing::Defect;
 
-/// "none", "outer", "inner", "roller", "other". parse_defect throws Error(bad_input) for any other
-/// word.
+/// Convert between a defect and its word: "none", "outer", "inner", "roller", "other". parse_defect
+/// throws Error(bad_input) for any other word.
 std::string to_string(Defect defect);
 Defect parse_defect(const std::string& word);
 
 struct ClassInfo {
   std::string name;  ///< "IR007"
   Defect defect = Defect::none;
-  /// L_o, L_i or L_r; 0 for a healthy bearing, and where nobody knows it. Where the records of the
-  /// class hold several sizes: the mean of the known ones.
+  /// L_o, L_i or L_r; 0 for a healthy bearing or an unknown size. The mean of the known records'
+  /// sizes if the records of the class have their own.
   double defect_size_mm = 0;
 };
 
-/// What every artefact of a dataset says about it. A label is an index into `classes`.
+/// Description of a dataset that every artefact holds. A label is an index into `classes`.
 struct DatasetInfo {
   std::string name;           ///< "cwru"
   double sample_rate_hz = 0;  ///< of all signals and windows, after resampling
   double shaft_speed_rpm = 0;
-  double unit_m_per_s2 = 1;  ///< one unit of the signals: 9.80665 where they are in g
+  double unit_m_per_s2 = 1;  ///< one unit of the signals: 9.80665 for g
   bearing::Geometry bearing;
-  /// Whether anything is said of the bearing. Where not, all faults are `other`.
+  /// True if the bearing is described. Otherwise all faults are `other`.
   bool has_bearing = true;
   std::vector<ClassInfo> classes;
-  std::vector<Condition> conditions;  ///< empty where the dataset tells none apart
+  std::vector<Condition> conditions;  ///< empty if the dataset distinguishes none
 
-  /// The labels of all classes, ascending.
+  /// Returns the labels of all classes, ascending.
   [[nodiscard]] std::vector<Label> labels() const;
-  /// The labels of the classes with a defect, ascending.
+  /// Returns the labels of the classes with a defect, ascending.
   [[nodiscard]] std::vector<Label> fault_labels() const;
-  /// The label of the one class without a defect. Throws Error(bad_input) when there is none or
-  /// more than one.
+  /// Returns the label of the only class without a defect. Throws Error(bad_input) if the dataset
+  /// has none or several.
   [[nodiscard]] Label healthy_label() const;
   [[nodiscard]] const ClassInfo& class_of(Label label) const { return classes[index_of(label)]; }
-  /// The condition called so, or every_condition where there is none.
+  /// Returns the index of the condition with this name, or every_condition without one.
   [[nodiscard]] std::int32_t condition_called(const std::string& called) const;
-  /// The speed of a condition, or for every_condition that of the dataset.
+  /// Returns the speed of a condition; the dataset's for every_condition.
   [[nodiscard]] double speed_rpm(std::int32_t condition) const;
-  /// The conditions in which faults are known, or tested; every_condition alone where the dataset
-  /// tells none apart. And the mean of their speeds.
+  /// Return the conditions with known or tested faults, and their mean speeds. A dataset that
+  /// distinguishes no conditions returns every_condition alone.
   [[nodiscard]] std::vector<std::int32_t> known_conditions() const;
   [[nodiscard]] std::vector<std::int32_t> tested_conditions() const;
   [[nodiscard]] double known_speed_rpm() const;
   [[nodiscard]] double tested_speed_rpm() const;
 };
 
-/// In the artefact: attributes of the root and, where the bearing is described, of the group
-/// /bearing; the datasets /classes/name,
-/// /classes/defect, /classes/defect_size_mm, and the conditions.
+/// Writes attributes of the root and, for a described bearing, of the group /bearing; the datasets
+/// /classes/name, /classes/defect and /classes/defect_size_mm; and the conditions.
 void write(artefact::Writer& writer, const DatasetInfo& info);
 DatasetInfo read_dataset_info(const artefact::Reader& reader);
 

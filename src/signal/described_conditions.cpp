@@ -31,7 +31,7 @@ Names condition_names(const std::vector<RecordSource>& records) {
   return names;
 }
 
-/// Refuses a list of [transfer] that names what no record has, or one twice.
+/// Refuses a list of [transfer] with a name that no record has, or that appears twice.
 void require_named(const TomlTable& transfer, const std::string& key, const Names& list,
                    const Names& named) {
   for (const std::string& name : list) {
@@ -43,7 +43,7 @@ void require_named(const TomlTable& transfer, const std::string& key, const Name
   }
 }
 
-/// Sets what each condition is for.
+/// Sets the uses of each condition.
 void read_transfer(TomlTable& transfer, std::vector<Condition>& conditions) {
   Names named;
   for (const Condition& condition : conditions) named.push_back(condition.name);
@@ -70,7 +70,7 @@ void read_transfer(TomlTable& transfer, std::vector<Condition>& conditions) {
   }
 }
 
-/// Whether a record is of one of the conditions that have this use.
+/// True if the record's condition has this use.
 bool record_is_for(const RecordSource& record, const std::vector<Condition>& conditions,
                    bool Condition::*use) {
   if (record.condition.empty()) return true;
@@ -85,8 +85,8 @@ Names names_of(const std::vector<Condition>& conditions, bool Condition::*use) {
   return names;
 }
 
-/// A fault that belongs to every condition would be tested in windows of the recording by which it
-/// is known.
+/// Requires a condition for each fault record. Otherwise test windows and known windows would come
+/// from the same recording.
 void require_a_condition_of_faults(const TomlTable& transfer, const DatasetInfo& info,
                                    const std::vector<RecordSource>& records) {
   for (const RecordSource& record : records) {
@@ -97,7 +97,7 @@ void require_a_condition_of_faults(const TomlTable& transfer, const DatasetInfo&
   }
 }
 
-/// A fault class has records to be known by and to be tested with.
+/// Requires for each fault class a known record and a record to test with.
 void require_faults(const TomlTable& transfer, const DatasetInfo& info,
                     const std::vector<Condition>& conditions,
                     const std::vector<RecordSource>& records) {
@@ -115,7 +115,7 @@ void require_faults(const TomlTable& transfer, const DatasetInfo& info,
   }
 }
 
-/// A tested condition has healthy windows, and so has each that healthy windows are to come from.
+/// Requires healthy records in each tested condition and in each condition for healthy windows.
 void require_healthy(const TomlTable& transfer, const DatasetInfo& info,
                      const std::vector<Condition>& conditions,
                      const std::vector<RecordSource>& records) {
@@ -138,10 +138,10 @@ void require_healthy(const TomlTable& transfer, const DatasetInfo& info,
   }
 }
 
-/// Within a condition speeds differ by no more than balls slip; the largest by the least.
+/// Largest over smallest speed of a condition: no more than balls slip.
 constexpr double largest_speed_ratio = 1.02;
 
-/// Of the records that are left: the mean of a condition, which must be about that of each.
+/// Sets each condition's speed to the mean of its records, which must agree within 2 %.
 void set_speeds(const TomlTable& root, const std::vector<RecordSource>& records,
                 std::vector<Condition>& conditions) {
   for (Condition& condition : conditions) {

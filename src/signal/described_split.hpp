@@ -8,12 +8,12 @@
 
 namespace piae::signal {
 
-/// Reads what a description says of the stage split, in [split], if it says anything. Throws
-/// Error(bad_input) with file, line and key for what no option of split is, or may be, and where no
-/// fault is to be known though [transfer] says in which conditions they are.
+/// Reads [split] of a description: settings for the stage split. Throws Error(bad_input) with file,
+/// line and key for an unknown option or value, and if no fault is known although [transfer] names
+/// known conditions.
 SplitSettings read_described_split(TomlTable& root);
 
-/// The options of that stage with these settings in the place of the built-in ones.
+/// Returns the options of the stage split: the built-in ones with these settings applied.
 SplitOptions split_options_of(const Description& description);
 
 /// Throws Error(bad_input) for settings that leave no window for a role; `file` is the description.

@@ -33,8 +33,8 @@ std::string plain_name(TomlTable& table, const std::string& key) {
   return name;
 }
 
-/// Refuses frequencies in Hz where orders are expected: divided by the shaft's they belong to a
-/// usual bearing. An ftf below 0.5 says that they are orders, as a large bearing has them.
+/// Refuses frequencies in Hz instead of orders. Values that give a usual bearing when divided by
+/// the shaft frequency are taken for Hz. An ftf below 0.5 proves orders, as of a large bearing.
 void require_orders(const TomlTable& table, const bearing::Orders& orders, double shaft_hz) {
   constexpr double most_balls = 40;
   constexpr double tolerance = 0.01;
@@ -96,7 +96,7 @@ Defect described_defect(TomlTable& table) {
   }
 }
 
-/// A size means something in a bearing with dimensions alone. `table` is a class or a record.
+/// Refuses a defect size in a bearing without dimensions. `table` is a class or a record.
 void refuse_size_without_dimensions(const TomlTable& root, const TomlTable& table) {
   const bool has_dimensions = !root.plain()["bearing"]["bpfo"];
   if (has_dimensions || !table.has("defect_size_mm")) return;
@@ -105,7 +105,7 @@ void refuse_size_without_dimensions(const TomlTable& root, const TomlTable& tabl
       "needs a bearing with dimensions, and [bearing] gives its orders alone: leave it out");
 }
 
-/// Reads that of a class, or of a record of such a class.
+/// Reads the defect size of a class or of one of its records.
 std::optional<double> read_size(TomlTable& table, Defect defect) {
   const auto size = table.optional_number("defect_size_mm", ranges::defect_size_mm);
   if (size && !bearing::is_struck(defect)) {
@@ -139,7 +139,7 @@ Label label_of(const DatasetInfo& info, TomlTable& record) {
   return static_cast<Label>(found - info.classes.begin());
 }
 
-/// Refuses a file outside the data folder, since `make data` writes what it downloads there.
+/// Refuses a file outside the data folder, because `make data` writes downloads there.
 void require_file_name(const TomlTable& record, const std::string& name) {
   const fs::path path(name);
   if (path.is_absolute() || std::ranges::find(path, fs::path("..")) != path.end()) {
@@ -157,7 +157,7 @@ std::vector<std::string> read_file_names(TomlTable& record) {
   return names;
 }
 
-/// It becomes an argument of the program that reads the file, which has no room for everything.
+/// Limits the length, because the name becomes an argument of the program that reads the file.
 std::string read_variable(TomlTable& record) {
   constexpr std::size_t longest = 1000;
   std::string variable = record.text("variable");
@@ -167,7 +167,7 @@ std::string read_variable(TomlTable& record) {
   return variable;
 }
 
-/// An address that `make data` may give to a program: of the web, and nothing else.
+/// Reads an address that `make data` may pass to a program: only http and https.
 std::string read_url(TomlTable& record, const std::vector<std::string>& files) {
   std::string url = record.optional_text("url");
   if (!url.empty() && (files.size() > 1 || is_pattern(files.front()))) {
@@ -209,8 +209,8 @@ RecordSource described_record(TomlTable& table, const DatasetInfo& info) {
   return record;
 }
 
-/// "-07". Every number has as many digits as the last one, at least two, so that names sort by
-/// number.
+/// Returns a suffix such as "-07". All numbers have the same number of digits, at least two, so
+/// that names sort by number.
 std::string numbered(std::size_t number, std::size_t last) {
   const std::size_t digits = std::max<std::size_t>(2, std::to_string(last).size());
   std::string text = std::to_string(number);
@@ -218,8 +218,7 @@ std::string numbered(std::size_t number, std::size_t last) {
   return "-" + text;
 }
 
-/// "IR007" where there is one record called so; else "IR007-01", "IR007-02", ... in the order of
-/// the file.
+/// Names a single record "IR007", and several "IR007-01", "IR007-02", ... in file order.
 void name_records(const DatasetInfo& info, std::vector<RecordSource>& records) {
   std::map<std::string, std::vector<RecordSource*>> called;
   for (RecordSource& record : records)
@@ -232,7 +231,7 @@ void name_records(const DatasetInfo& info, std::vector<RecordSource>& records) {
   }
 }
 
-/// Where a class has no size of its own, it has the mean of those of its known records.
+/// Sets a missing class size to the mean of its known records' sizes.
 void set_mean_sizes(const std::vector<TomlTable>& classes, const std::vector<RecordSource>& records,
                     DatasetInfo& info) {
   const auto is_known = [&](const RecordSource& record) {
@@ -249,7 +248,7 @@ void set_mean_sizes(const std::vector<TomlTable>& classes, const std::vector<Rec
       ++known;
       if (record.defect_size_mm) sizes.push_back(*record.defect_size_mm);
     }
-    if (sizes.empty()) continue;  // nobody knows it
+    if (sizes.empty()) continue;  // unknown size
     if (sizes.size() < known) {
       classes[index_of(label)].refuse("defect_size_mm",
                                       "is missing: only some of its records have one of their own");
@@ -274,8 +273,7 @@ void require_different_names(const fs::path& file, const std::vector<RecordSourc
                                    "; rename the class that ends like a number");
 }
 
-/// The sample rate of the records, which must all have the same, for a dataset that does not say to
-/// which rate they are brought.
+/// Returns the records' sample rate for a dataset without its own. All records must have the same.
 double common_rate(const TomlTable& root, const std::vector<RecordSource>& records) {
   for (const RecordSource& record : records) {
     if (record.sample_rate_hz != records.front().sample_rate_hz) {

@@ -14,25 +14,24 @@ namespace piae::signal {
 
 /// One raw recording as the description declares it.
 struct RecordSource {
-  /// That of its class and its condition, "IR2-900-rpm", numbered where there are several of these:
-  /// "IR007-02".
+  /// Class and condition, "IR2-900-rpm"; numbered if several records share them: "IR007-02".
   std::string name;
   Label label = 0;
-  /// Below DATA_DIR: names, or patterns that stand for many (record_files.hpp). Of several files
-  /// each is a stretch of the recording, and no window crosses from one into the next.
+  /// Files below DATA_DIR: names, or patterns that match many (record_files.hpp). Each file is one
+  /// stretch of the recording. A window does not cross from one file into the next.
   std::vector<std::string> files;
   std::string variable;  ///< of a .mat; column of a .csv or .txt; dataset of an .h5
   double sample_rate_hz = 0;
   double shaft_speed_rpm = 0;
-  std::string sha256;  ///< 64 hexadecimal digits (sha256_of()); empty where it is not checked
-  std::string url;     ///< where the file can be downloaded; empty where it cannot
-  std::string condition = {};                 ///< empty where it belongs to every one
-  std::optional<double> defect_size_mm = {};  ///< its own, where the class holds several
-  /// Acceleration of one unit of the files; the dataset's where it has none of its own.
+  std::string sha256;          ///< 64 hexadecimal digits (sha256_of()); empty: not checked
+  std::string url;             ///< download address; empty if there is none
+  std::string condition = {};  ///< empty: belongs to every condition
+  std::optional<double> defect_size_mm = {};  ///< its own, if sizes differ within the class
+  /// Acceleration of one unit of the files; if empty, the dataset's.
   std::optional<double> unit_m_per_s2 = {};
-  double offset = 0;  ///< the files' number for no acceleration
+  double offset = 0;  ///< the files' value at zero acceleration
 
-  /// Gives the names and patterns in one line.
+  /// Returns the names and patterns in one line.
   [[nodiscard]] std::string file_text() const;
 };
 
@@ -42,12 +41,12 @@ using SplitSettings = std::map<std::string, std::size_t>;
 /// A dataset description (pipeline/datasets/<name>.toml):
 ///
 ///     name = "cwru"
-///     sample_rate_hz = 12000      # all records are resampled to it; without it they must agree
+///     sample_rate_hz = 12000      # resampling rate; without it all records must agree
 ///     shaft_speed_rpm = 1797
 ///     unit_m_per_s2 = 9.80665     # one unit of the signals, here g; without it m/s^2
-///     [bearing]                   # all keys of bearing::Geometry; without the raceways these
-///                                 # are the pitch diameter minus and plus the ball's. Not
-///                                 # needed where all faults are `other`
+///     [bearing]                   # all keys of bearing::Geometry; default raceways: the
+///                                 # pitch diameter minus and plus the ball's. Not
+///                                 # needed if all faults are `other`
 ///     [[class]]                   # labels in this order
 ///     name = "IR007"
 ///     defect = "inner"            # none (exactly one class), outer, inner, roller or other
@@ -57,52 +56,51 @@ using SplitSettings = std::map<std::string, std::size_t>;
 ///     file = "cwru/105.mat"       # or a list of files, or a pattern: "run/acc_*.csv"
 ///     variable = "X105_DE_time"
 ///     sample_rate_hz = 12000
-///     shaft_speed_rpm = 1797      # optional, the dataset's otherwise
+///     shaft_speed_rpm = 1797      # optional, default: the dataset's
 ///     condition = "0 HP"          # optional: the state of the machine, in any words
-///     defect_size_mm = 0.1778     # optional, the class's otherwise; a class of whose records each
-///                                 # has its own needs none
-///     unit_m_per_s2 = 0.01        # optional, the dataset's otherwise; with
-///     offset = 2048               # the number that stands for no acceleration, as in counts
+///     defect_size_mm = 0.1778     # optional, default: the class's, which may be
+///                                 # missing if each record has its own
+///     unit_m_per_s2 = 0.01        # optional, default: the dataset's; with
+///     offset = 2048               # the value at zero acceleration, as in counts
 ///     sha256 = "..."              # optional
 ///     url = "https://..."         # optional
 ///     [transfer]                  # optional: faults known in one condition, tested in another
 ///                                 # (described_conditions.hpp)
 ///     [split]                     # optional: settings of the stage split for this dataset alone,
-///     known-per-class = 5         # in the place of those of the protocol
+///     known-per-class = 5         # replacing those of the protocol
 ///
-/// or windows-per-class = 300, test-per-class = 50 where the recordings are short. (All of
-/// split_settings() may stand there.) It may be `like` another one (description_file.hpp).
+/// or windows-per-class = 300, test-per-class = 50 for short recordings. (All of
+/// split_settings() are allowed.) A description may be `like` another (description_file.hpp).
 struct Description {
   DatasetInfo info;
-  SplitSettings split = {};           ///< what it sets for the stage split
+  SplitSettings split = {};           ///< settings for the stage split
   std::vector<RecordSource> records;  ///< in alphabetical order of their names
 };
 
-/// Throws Error(bad_input) with the file, line and key for unknown or missing keys, wrong types,
-/// names twice, unknown classes, classes without a record, rates that differ without a
-/// sample_rate_hz of the dataset, and conditions that cannot be; Error(input_missing) when there is
-/// no such file.
+/// Reads a description. Throws Error(bad_input) with the file, line and key for unknown or missing
+/// keys, wrong types, duplicate names, unknown classes, classes without a record, impossible
+/// conditions, and different rates without a sample_rate_hz of the dataset. Throws
+/// Error(input_missing) if the file is missing.
 Description read_description(const std::filesystem::path& file);
 
-/// Lists the raw files of a description, a line "SHA256  FILE  URL" each, with "-" for what it does
-/// not say: those in `folder`, and what it names beyond them. Empty for a data set that is
-/// simulated.
+/// Lists the raw files of a description, one line "SHA256  FILE  URL" each, with "-" for missing
+/// entries. Lists matching files in `folder`, and the names of missing files. Empty for a simulated
+/// data set.
 std::string list_of_sources(const std::filesystem::path& description,
                             const std::filesystem::path& folder);
 
-/// Reads the part that every description has: name, shaft_speed_rpm, unit_m_per_s2, [bearing] and
-/// the given [[class]] tables, of which those without a defect_size_mm get 0. The caller reads
-/// sample_rate_hz and whatever else there may be, and then calls require_possible(), and finish()
-/// of `root` and `classes`.
+/// Reads the part common to all descriptions: name, shaft_speed_rpm, unit_m_per_s2, [bearing] and
+/// the given [[class]] tables. Classes without defect_size_mm get 0. The caller then reads
+/// sample_rate_hz and other keys, and calls require_possible() and finish() of `root` and
+/// `classes`.
 DatasetInfo read_info(TomlTable& root, std::vector<TomlTable>& classes);
 
-/// Refuses a geometry or a defect that no bearing can have, and one of a bearing that is not
-/// described.
+/// Refuses an impossible geometry or defect, and a defect of a bearing that is not described.
 void require_possible(const DatasetInfo& info, const TomlTable& root,
                       const std::vector<TomlTable>& classes);
 
-/// Refuses a class of which nothing says how it moves, and one whose size nobody knows: such a
-/// fault can be recorded, but not simulated.
+/// Refuses a class with defect `other` or an unknown size. Such a fault can be recorded, but not
+/// simulated.
 void require_simulable(const DatasetInfo& info, const std::vector<TomlTable>& classes);
 
 }  // namespace piae::signal

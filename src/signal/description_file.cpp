@@ -24,7 +24,7 @@ namespace {
                              ": " + what));
 }
 
-/// The file that a description is like, where it is like one.
+/// Returns the file named by `like`, if the description has one.
 std::optional<fs::path> model_of(const fs::path& file, const toml::table& description) {
   const toml::node* like = description.get("like");
   if (like == nullptr) return std::nullopt;
@@ -48,7 +48,7 @@ std::optional<fs::path> model_of(const fs::path& file, const toml::table& descri
   return model;
 }
 
-/// Gives `description` what it lacks of `model`.
+/// Adds to `description` the keys of `model` that it lacks.
 void complete(toml::table& description, toml::table& model) {
   for (auto&& [key, node] : model) {
     toml::node* own = description.get(key);
@@ -60,7 +60,7 @@ void complete(toml::table& description, toml::table& model) {
   }
 }
 
-/// `before` are the files that led to this one.
+/// Reads a description with its models. `before` holds the files that led to it, to detect circles.
 toml::table read_after(const std::vector<fs::path>& before, const fs::path& file) {
   toml::table description = cli::parse_toml_file(file);
   const auto model = model_of(file, description);
@@ -78,7 +78,7 @@ toml::table read_after(const std::vector<fs::path>& before, const fs::path& file
   return description;
 }
 
-/// Puts what the table of bearings has for a designation in its place.
+/// Replaces a designation by its keys from the table of bearings.
 void complete_bearing(const fs::path& file, toml::table& description) {
   toml::table* const bearing = description["bearing"].as_table();
   const toml::node* const node = bearing != nullptr ? bearing->get("designation") : nullptr;

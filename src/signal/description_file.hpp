@@ -6,21 +6,20 @@
 
 namespace piae::signal {
 
-/// The TOML of a description, completed by the one that it is like:
+/// Returns the TOML of a description, completed by the description named in `like`:
 ///
 ///     name = "hit-sm-1200to900"
 ///     like = "hit-sm-speeds"     # hit-sm-speeds.toml in the same folder
 ///
-/// Every key that is not there is taken from that file, which may itself be like another one; of
-/// tables, key by key; lists such as [[record]] are taken as a whole or not at all. `like` itself
-/// is gone from what is returned. Each node keeps the file and the line where it stands.
+/// Missing keys come from that file, which may have its own `like`. Tables are completed key by
+/// key; lists such as [[record]] are taken whole or not at all. Removes `like` itself. Each node
+/// keeps its file and line.
 ///
-/// In [bearing], `designation = "SKF 6205"` is replaced in the same way by what the file
-/// ../bearings.csv, seen from the description, has for it (bearing_table.hpp).
+/// Also replaces `designation = "SKF 6205"` in [bearing] by the keys that ../bearings.csv, relative
+/// to the description, has for it (bearing_table.hpp).
 ///
-/// Throws Error(bad_input) for a designation that is not there, for a `like` that goes in a circle,
-/// or a description that is like another and has no name of its own; Error(input_missing) where
-/// there is no such file.
+/// Throws Error(bad_input) for an unknown designation, a circular `like`, or a description with
+/// `like` and without its own name; Error(input_missing) if a file is missing.
 toml::table read_description_file(const std::filesystem::path& file);
 
 }  // namespace piae::signal

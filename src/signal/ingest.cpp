@@ -54,7 +54,7 @@ void require_finite(const fs::path& file, const RecordSource& source,
                     std::to_string(*beyond) + " (counted from 0)");
 }
 
-/// Brings samples of a record's file to the unit of the dataset.
+/// Converts samples of a record's file to the unit of the dataset.
 void scale(std::span<double> samples, const RecordSource& source, double unit_m_per_s2) {
   if (!source.unit_m_per_s2 && source.offset == 0) return;
   const double factor = source.unit_m_per_s2.value_or(unit_m_per_s2) / unit_m_per_s2;
@@ -92,7 +92,7 @@ RawRecord RecordReader::read_raw(const RecordSource& source) {
     raw.files.push_back({.name = name, .sha256 = {}});
     paths.push_back(data_dir_ / name);
   }
-  (void)raw::limits_of(paths);  // which refuses what is too large, before all of that is hashed
+  (void)raw::limits_of(paths);  // refuses too large files before hashing them
   for (SourceFile& file : raw.files) file.sha256 = sha256_of_file(data_dir_ / file.name);
   require_expected_sha256(all, source, raw.files);
   raw::Signals signals = raw::read_all(paths, source.variable, source.sample_rate_hz);

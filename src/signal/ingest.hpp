@@ -13,27 +13,27 @@
 
 namespace piae::signal {
 
-/// The samples of a record as they stand in its files.
+/// Samples of a record as its files hold them.
 struct RawRecord {
-  std::vector<double> samples;     ///< of all files, one behind the other
+  std::vector<double> samples;     ///< of all files, concatenated
   std::vector<raw::Piece> pieces;  ///< of each file
   std::vector<SourceFile> files;
 };
 
-/// Reads the raw files of a dataset below `data_dir` one by one, checks them, and brings each
-/// record to the dataset's sample rate. Samples keep the unit of their source.
+/// Reads the raw files of a dataset below `data_dir` one by one, checks them, and resamples each
+/// record to the dataset's rate. Converts samples to the dataset's unit.
 class RecordReader {
  public:
   RecordReader(const Description& description, std::filesystem::path data_dir);
 
-  /// Throws Error(input_missing) for a file that is not there, and Error(bad_input), with the file
-  /// and the record, for
-  ///   - a file whose sha256 is not the declared one, or that cannot be read (raw/file.hpp),
+  /// Reads, checks and resamples a record. Throws Error(input_missing) for a missing file. Throws
+  /// Error(bad_input), with the file and the record, for
+  ///   - a file that cannot be read (raw/file.hpp), or whose sha256 is not the declared one,
   ///   - a signal that is empty, has a NaN or infinite sample (with its index), or never changes,
-  ///   - the same samples as a record that was read before, under one label or two.
+  ///   - the same samples as an earlier record, under any label.
   Record read(const RecordSource& source) { return resampled(source, read_raw(source)); }
 
-  /// The two halves of read(), which allow a look at the samples before they are resampled.
+  /// The two halves of read(), so that callers can examine the samples before resampling.
   RawRecord read_raw(const RecordSource& source);
   [[nodiscard]] Record resampled(const RecordSource& source, RawRecord raw) const;
 
@@ -47,11 +47,11 @@ class RecordReader {
   std::map<std::string, RecordSource> read_before_;  // by the sha256 of the samples
 };
 
-/// Called after each record that was read, with how many are done.
+/// Callback, called with the number of finished records after each record.
 using RecordsDone = std::function<void(std::size_t)>;
 
-/// Reads all records of a dataset and passes them on one by one: together they may be larger than
-/// the memory. Throws RecordReader's error at the first that cannot be read.
+/// Reads all records of a dataset and passes them on one by one, because together they may exceed
+/// the memory. Throws RecordReader's error at the first unreadable record.
 void ingest(const Description& description, const std::filesystem::path& data_dir,
             const std::function<void(const Record&)>& take);
 

@@ -18,10 +18,10 @@ namespace piae::signal {
 namespace {
 
 constexpr double stretch_s = 1;
-/// Deviations are cut off at so many standard deviations, as those of records are.
+/// Limit of deviations in standard deviations, as in simulated records.
 constexpr double cut_at = 1 / bearing::spread_limit;
 
-/// The time after which nothing is left of how a solution began; at most a stretch.
+/// Returns the time in s after which the initial state has decayed; at most one stretch.
 double settling_s(const bearing::DynamicsOptions& dynamics, double damping_spread) {
   const double least_damping = dynamics.damping_ns_per_m * (1 - cut_at * damping_spread);
   const double time_constant_s = 2 * dynamics.mass_kg / least_damping;
@@ -32,7 +32,7 @@ double scattered(double mean, double spread, double deviation) {
   return mean * (1 + spread * std::clamp(deviation, -cut_at, cut_at));
 }
 
-/// The share of a standard normal distribution below a deviation.
+/// Returns the standard normal probability below a deviation.
 double share_below(double deviation) { return std::erfc(-deviation / std::numbers::sqrt2) / 2; }
 
 double turned_by(double angle_rad, double by_rad) {
@@ -100,7 +100,7 @@ Machine::Machine(const Simulation& simulation, const std::string& class_name,
   noise_deviation_ = measurement_noise(simulation);
 }
 
-/// A stretch ends where the defect appears, and where all ends.
+/// Returns the samples of the next stretch, which ends early at the onset and at the end.
 std::size_t Machine::next_length() const {
   const std::uint64_t border = done_ < onset_ ? onset_ : samples_;
   return static_cast<std::size_t>(std::min<std::uint64_t>(stretch_, border - done_));
@@ -119,7 +119,7 @@ bearing::Course Machine::course() const {
   return course;
 }
 
-/// To the end of a stretch, and on to the deviations of the next.
+/// Advances to the end of a stretch and draws the deviations of the next.
 void Machine::run_on(std::size_t samples) {
   const bearing::Motion now = course().motion;
   const bearing::Speeds speeds =

@@ -15,7 +15,7 @@ namespace piae::signal {
 
 namespace {
 
-/// Other units than those of the keys, and how many of the key's unit one of them is.
+/// A unit other than a key's, and its size in the key's unit.
 struct Unit {
   std::string_view given;
   std::string_view of_key;
@@ -28,7 +28,7 @@ constexpr std::array units{Unit{"hz", "rpm", 60},      Unit{"rps", "rpm", 60},
                            Unit{"um", "mm", 1e-3},     Unit{"mil", "mm", 0.0254},
                            Unit{"mils", "mm", 0.0254}, Unit{"rad", "deg", 180 / std::numbers::pi}};
 
-/// Other words for a key.
+/// Another word for a key.
 struct Synonym {
   std::string_view given;
   std::string_view key;
@@ -97,14 +97,14 @@ struct SplitKey {
   std::string_view unit;
 };
 
-/// Takes "shaft_speed_hz" apart at its last underscore.
+/// Splits "shaft_speed_hz" at its last underscore.
 SplitKey split_key(std::string_view key) {
   const std::size_t end = key.rfind('_');
   if (end == std::string_view::npos) return {key, {}};
   return {key.substr(0, end), key.substr(end + 1)};
 }
 
-/// Gives how many of the key's unit one of the given unit is, where both name one quantity.
+/// Returns the size of the given unit in the key's unit, if both name the same quantity.
 std::optional<double> factor_between(std::string_view given, std::string_view key) {
   const auto [stem, unit] = split_key(given);
   const auto [known_stem, known_unit] = split_key(key);
@@ -115,7 +115,7 @@ std::optional<double> factor_between(std::string_view given, std::string_view ke
   return found == units.end() ? std::nullopt : std::optional(found->factor);
 }
 
-/// Gives the least number of letters to put in, leave out or replace (Levenshtein).
+/// Returns the Levenshtein distance: the fewest letters to insert, delete or replace.
 std::size_t letters_between(std::string_view a, std::string_view b) {
   std::vector<std::size_t> row(b.size() + 1);
   std::iota(row.begin(), row.end(), std::size_t{0});

@@ -5,13 +5,12 @@
 
 namespace piae::signal {
 
-/// Says how the key of a description that `given` seems to stand for is written: "shaft_speed_rpm
-/// is meant, 60 times as much" for shaft_speed_hz, "variable is meant" for column. The key is one
-/// of `known`. Empty where none is near: another unit of the same quantity, another word for it, or
-/// a letter or two that differ.
+/// Returns which key of `known` the key `given` seems to mean, in words: "shaft_speed_rpm is meant,
+/// 60 times as much" for shaft_speed_hz, "variable is meant" for column. Recognises other units,
+/// synonyms and one or two wrong letters. Empty if no key is near.
 std::string meant_key(const std::string& given, const std::set<std::string>& known);
 
-/// Says which defect a word seems to stand for: "roller" for "ball". Empty where none is.
+/// Returns the defect that a word seems to mean: "roller" for "ball". Empty if unknown.
 std::string meant_defect(const std::string& given);
 
 }  // namespace piae::signal

@@ -8,19 +8,19 @@
 
 namespace piae::signal {
 
-/// How a split deals the windows of a class out to the roles. signal/split.hpp describes both.
+/// Assignment of the windows of a class to roles. signal/split.hpp describes both protocols.
 enum class Protocol {
   random,  ///< the paper's
   blocked  ///< contiguous blocks with gaps between them
 };
 
-/// The words for them, as an option.
+/// Returns the protocols' words, for an option.
 const std::vector<cli::Word<Protocol>>& protocol_words();
 
-/// "random" or "blocked": what artefacts store and tables show.
+/// Returns "random" or "blocked", the word in artefacts and tables.
 std::string to_string(Protocol protocol);
 
-/// The attribute `protocol` of an artefact. Throws artefact::Refusal for a word that is neither.
+/// Reads the attribute `protocol` of an artefact. Throws artefact::Refusal for any other word.
 Protocol read_protocol(const artefact::Reader& reader);
 
 }  // namespace piae::signal

@@ -5,24 +5,22 @@
 
 #include "base/range.hpp"
 
-/// What the numbers and names of data sets, windows and simulations may be. Descriptions and
-/// artefacts go by these alike; what a bearing's measures may be to each other, bearing::validate()
-/// says.
+/// Permitted numbers and names of data sets, windows and simulations, in descriptions and in
+/// artefacts. bearing::validate() checks a bearing's dimensions against each other.
 namespace piae::signal::ranges {
 
 inline constexpr Range sample_rate_hz{.low = 1, .high = 1e7, .unit = " Hz"};
-/// Of a recording as it is described. `ingest --check` warns of one in kHz, or with three zeros
-/// more.
+/// Sample rate in a description. `ingest --check` warns of a rate in kHz or with three extra zeros.
 inline constexpr Range described_rate_hz{.low = 1e-3, .high = 1e10, .unit = " Hz"};
 inline constexpr Range shaft_speed_rpm{.low = 1e-2, .high = 1e6, .unit = " rpm"};
 inline constexpr Range fault_order{.low = 1e-3, .high = 1e3};
 inline constexpr Range unit_m_per_s2{.low = 1e-9, .high = 1e9, .unit = " m/s^2"};
-/// Of a sample in either direction: its square is still far from what a double can hold.
+/// A sample. Its square is still far below the limit of a double.
 inline constexpr Range acceleration{.low = -1e30, .high = 1e30};
 /// RMS or peak of a class's windows.
 inline constexpr Range amplitude{.low = 1e-30, .high = 1e30};
 
-/// Of a data set. A method trains, and verify makes windows, for each of them.
+/// Classes of a data set. Training and verification take time for each.
 inline constexpr Range classes{.low = 1, .high = 1000};
 inline constexpr Range balls{.low = 3, .high = 1000};
 inline constexpr Range length_mm{.low = 1e-3, .high = 1e5, .unit = " mm"};
@@ -32,9 +30,9 @@ inline constexpr Range defect_size_mm{.low = 0, .high = 1e5, .unit = " mm"};
 inline constexpr Range seed{.low = 0, .high = 9.3e18};
 inline constexpr Range window_samples{.low = 1, .high = 1 << 20, .unit = " samples"};
 inline constexpr Range first_sample{.low = 0, .high = 1e12};
-/// Between two strikes: a full turn is 2 pi.
+/// Angle between two impacts: a full turn is 2 pi.
 inline constexpr Range start_angle_rad{.low = 0, .high = 2 * std::numbers::pi, .unit = " rad"};
-/// Of what eq. 13 is solved with.
+/// Parameters of eq. 13.
 inline constexpr Range mass_kg{.low = 1e-6, .high = 1e9, .unit = " kg"};
 inline constexpr Range nominal_stiffness_n_per_m{.low = 1e-3, .high = 1e15, .unit = " N/m"};
 inline constexpr Range nominal_damping_ns_per_m{.low = 1e-6, .high = 1e12, .unit = " N s/m"};
@@ -44,12 +42,12 @@ inline constexpr Range spread{.low = 0, .high = 0.3333};
 inline constexpr Range slip{.low = 0, .high = 0.9999};
 inline constexpr Range snr_db{.low = -200, .high = 200, .unit = " dB"};
 
-/// Of (k, c) that were inferred or drawn. A network may infer a stiffness of 0.
+/// Inferred or drawn (k, c). A network may infer a stiffness of 0.
 inline constexpr Range stiffness_n_per_m{.low = 0, .high = 1e30, .unit = " N/m"};
 inline constexpr Range damping_ns_per_m{.low = 0, .high = 1e30, .unit = " N s/m"};
 
-/// Names become folders, HDF5 paths, columns of a CSV and words of messages: letters, digits, '-',
-/// '_' and '.', not '.' at the beginning, and at most 100 of them.
+/// True for a valid name. Names become folders, HDF5 paths, CSV columns and words of messages, so
+/// they hold at most 100 letters, digits, '-', '_' and '.', and do not start with '.'.
 bool is_plain_name(const std::string& name);
 inline const std::string plain_name_rule =
     "may hold letters, digits, '-', '_' and '.' only, at most 100, and not begin with '.'";

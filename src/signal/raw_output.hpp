@@ -5,17 +5,16 @@
 
 namespace piae::signal {
 
-/// Raw samples that are written one after another: float32 in the byte order of this machine,
-/// without a header.
+/// Writes raw samples: float32 in the byte order of this machine, without a header.
 class RawOutput {
  public:
-  /// A new file, or standard output for "-". Throws Error(failed) where it cannot be opened.
+  /// Opens a new file, or standard output for "-". Throws Error(failed) if that fails.
   explicit RawOutput(const std::filesystem::path& path);
   RawOutput(const RawOutput&) = delete;
   RawOutput& operator=(const RawOutput&) = delete;
   ~RawOutput();
 
-  /// Throws Error(failed), as close() does.
+  /// Both throw Error(failed).
   void write(std::span<const float> samples) const;
   void close();
 

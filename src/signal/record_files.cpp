@@ -13,7 +13,7 @@ namespace fs = std::filesystem;
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
-/// Takes the digits at the front of a text, without leading zeros.
+/// Removes the digits at the front of a text and returns them without leading zeros.
 std::string_view take_number(std::string_view& text) {
   const auto* const end = std::ranges::find_if_not(text, is_digit);
   std::string_view number = text.substr(0, static_cast<std::size_t>(end - text.begin()));
@@ -34,7 +34,7 @@ std::vector<fs::path> matching_in(const fs::path& root, const fs::path& folder,
   return found;
 }
 
-/// Gives the regular files below `root` that match, folder by folder.
+/// Returns the matching regular files below `root`, folder by folder.
 std::vector<std::string> matching(const std::string& pattern, const fs::path& root) {
   std::vector<fs::path> paths{fs::path()};
   for (const fs::path& part : fs::path(pattern)) {
@@ -85,7 +85,7 @@ bool naturally_less(std::string_view left, std::string_view right) {
     }
   }
   if (left.empty() != right.empty()) return left.empty();
-  return both.first < both.second;  // they differ in leading zeros alone
+  return both.first < both.second;  // they differ only in leading zeros
 }
 
 std::vector<std::string> files_of(const std::vector<std::string>& names, const fs::path& folder) {

@@ -37,7 +37,7 @@ void write_record(artefact::Writer& writer, const Record& record, const DatasetI
   }
 }
 
-/// Reads the lengths of the pieces of a record; none where it is of one piece.
+/// Reads the lengths of the pieces of a record; empty for a record in one piece.
 std::vector<std::size_t> read_pieces(const artefact::Reader& reader, const std::string& name,
                                      std::size_t samples) {
   const std::string path = pieces_group + "/" + name;

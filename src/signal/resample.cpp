@@ -30,7 +30,7 @@ std::vector<double> resample(std::span<const double> signal, double from_hz, dou
   if (from_hz == to_hz) return {signal.begin(), signal.end()};
   const double length = std::floor(static_cast<double>(signal.size()) * to_hz / from_hz);
   std::vector<double> out(static_cast<std::size_t>(length));
-  if (out.empty()) return out;  // soxr cannot be asked for nothing
+  if (out.empty()) return out;  // soxr cannot return zero samples
   const SoxrSettings settings;
   std::size_t done = 0;
   require_resampled(
@@ -56,7 +56,7 @@ struct StreamResampler::State {
   State& operator=(const State&) = delete;
   ~State() { soxr_delete(soxr); }
 
-  /// Null samples end the signal.
+  /// Appends resampled samples. Null samples end the signal.
   void process(const double* samples, std::size_t count, std::vector<double>& resampled) const {
     const double most = std::ceil(static_cast<double>(count) * to_hz / from_hz) + 1024;
     const auto room = static_cast<std::size_t>(most);
@@ -84,7 +84,7 @@ StreamResampler& StreamResampler::operator=(StreamResampler&&) noexcept = defaul
 void StreamResampler::add(std::span<const double> samples, std::vector<double>& resampled) {
   if (!state_) {
     resampled.insert(resampled.end(), samples.begin(), samples.end());
-  } else if (!samples.empty()) {  // soxr would take nothing for the end
+  } else if (!samples.empty()) {  // soxr takes an empty input for the end
     state_->process(samples.data(), samples.size(), resampled);
   }
 }

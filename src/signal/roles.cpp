@@ -20,13 +20,13 @@ struct Piece {
 };
 using Pieces = std::map<std::string, std::vector<Piece>>;  // by the record's name
 
-/// The places at which two roles come too close to each other in one record.
+/// Places where two roles are too close to each other in one record.
 struct Conflict {
   std::size_t places = 0;
   std::int64_t first_sample = 0;  ///< of the later window at the first place
-  std::int64_t distance = 0;      ///< samples between both windows there, negative: they overlap
+  std::int64_t distance = 0;      ///< samples between both windows there; negative if they overlap
 };
-/// By the record's name and the two roles.
+/// Conflicts by record name and the two roles.
 using Conflicts = std::map<std::tuple<std::string, Role, Role>, Conflict>;
 
 void note_differences(const RoleSet& one, const RoleSet& other,
@@ -46,7 +46,7 @@ void note_differences(const RoleSet& one, const RoleSet& other,
   }
 }
 
-/// What is wrong with the conditions of a role's windows; nothing where all is well.
+/// Returns what is wrong with the conditions of a role's windows; empty if nothing is.
 std::string strange_condition(Role role, const WindowSet& windows) {
   for (const std::int32_t index : windows.condition) {
     if (index == every_condition) continue;
@@ -72,7 +72,7 @@ Pieces pieces_in_time_order(const std::vector<RoleSet>& sets) {
   return pieces;
 }
 
-/// Looks at neighbours in time order only: all windows have the same length, so no others come
+/// Compares only neighbours in time order: all windows have the same length, so no other pair is
 /// closer.
 Conflicts conflicts_in(const Pieces& pieces, std::int64_t length, Protocol protocol) {
   Conflicts conflicts;
@@ -212,7 +212,7 @@ RoleSet read_role_set(const artefact::Reader& reader) {
 std::vector<std::string> check_roles(const std::vector<RoleSet>& sets) {
   std::vector<std::string> findings;
   for (const RoleSet& set : sets) note_differences(sets.front(), set, findings);
-  // Roles of different splits may well share windows, so nothing follows where they do.
+  // Roles of different splits may share windows, so the checks below would mean nothing.
   if (!findings.empty() || sets.empty()) return findings;
   for (const RoleSet& set : sets) {
     const std::string strange = strange_condition(set.role, set.windows);

@@ -12,45 +12,44 @@
 
 namespace piae::signal {
 
-/// What a set of windows is for (paper, Table 2). Files and messages name a role by its letter.
+/// Use of a set of windows (paper, Table 2). Files and messages name a role by its letter.
 enum class Role {
-  test,      ///< A: of every class; what the classifier is tried on
-  healthy,   ///< B: of the healthy class; what the classifier learns from
-  known,     ///< C: of every fault class, or none; what generators and the classifier learn from
-  hidden,    ///< D: of every fault class; what generated windows are compared with
-  generated  ///< E: of every fault class; made by a generator
+  test,      ///< A: every class; tests the classifier
+  healthy,   ///< B: healthy class; trains the classifier
+  known,     ///< C: every fault class, or empty; trains generators and the classifier
+  hidden,    ///< D: every fault class; real windows to compare E with
+  generated  ///< E: every fault class; made by a generator
 };
 
-/// The roles that a split deals out. Generated windows are of no split.
+/// Roles that a split assigns. Generated windows do not belong to a split.
 inline constexpr std::array<Role, 4> split_roles{Role::test, Role::healthy, Role::known,
                                                  Role::hidden};
 
-/// "A" to "E".
+/// Returns "A" to "E".
 std::string to_string(Role role);
 
-/// The attribute `role` of a window set. Throws artefact::Refusal for a word that is none.
+/// Reads the attribute `role` of a window set. Throws artefact::Refusal for an unknown role.
 Role read_role(const artefact::Reader& reader);
 
-/// The name of the method to which an artefact is owed: of a model, of what it has made, and of
-/// what was measured with that. Throws artefact::Refusal for what is no plain name (ranges.hpp).
+/// Reads the method of a model, of generated windows, or of measurements of them. Throws
+/// artefact::Refusal for an invalid name (ranges.hpp).
 std::string read_method(const artefact::Reader& reader);
 
-/// Throws artefact::Refusal when a window set has another role.
+/// Throws artefact::Refusal if a window set has another role.
 void require_role(const artefact::Reader& reader, Role role);
 
-/// Whether windows of a condition may have a role: A, D and E a tested one, B one for healthy
+/// True if a role may hold windows of a condition: A, D and E need a tested one, B one for healthy
 /// windows, C a known one.
 bool may_hold(Role role, const Condition& condition);
 
-/// A must hold every class, B the healthy one, C, D and E every class with a defect, and none of
-/// them any other, nor windows of a condition that may_hold() denies them. C alone may hold no
-/// window at all: no fault is known then. Throws artefact::Refusal naming the class or the
-/// condition.
+/// Throws artefact::Refusal, naming the class or the condition, if a role holds wrong windows. A
+/// must hold every class, B only the healthy one, C, D and E exactly the classes with a defect.
+/// Only C may be empty: then no fault is known. Conditions must satisfy may_hold().
 void require_belonging(const artefact::Reader& reader, Role role, const WindowSet& windows);
 
-/// The windows of one role of a split, and which split that was.
+/// The windows of one role, and the split that they come from.
 struct RoleSet {
-  std::string file;  ///< where they were read, for messages
+  std::string file;  ///< source of the windows, for messages
   Role role = Role::test;
   Protocol protocol = Protocol::random;
   std::int64_t seed = 0;
@@ -58,29 +57,28 @@ struct RoleSet {
   WindowSet windows;
 };
 
-/// Throws artefact::Refusal when an attribute is missing, or when the windows do not say where they
-/// were cut.
+/// Reads a role. Throws artefact::Refusal if an attribute or the windows' places are missing.
 RoleSet read_role_set(const artefact::Reader& reader);
 
-/// Proves from what is stored that the sets are roles of one split and that no window has two:
+/// Checks from stored data that the sets are roles of one split and that no window has two roles:
 ///   - protocol, seed, records_digest, window length and conditions are the same in all,
-///   - no window is of a condition that its role may not hold,
+///   - no window has a condition that its role may not hold,
 ///   - no (record, first sample) has two roles,
 ///   - under Protocol::blocked, samples of different roles lie at least one window length apart.
-/// Returns one line for each thing that is not so; nothing when all is good.
+/// Returns one line for each violation; empty without violations.
 std::vector<std::string> check_roles(const std::vector<RoleSet>& sets);
 
-/// Throws Error(bad_input) with the first line of check_roles(), where there is one.
+/// Throws Error(bad_input) with the first line of check_roles(), if any.
 void require_one_split(const std::vector<RoleSet>& sets);
 
-/// Reads the windows of a role. Throws artefact::Refusal where they are not of the split of the
-/// known windows, which is proved by where each window was cut.
+/// Reads the windows of a role. Throws artefact::Refusal if it is another role, and
+/// Error(bad_input) if the places of the windows show another split than that of the known windows.
 WindowSet read_of_one_split(const artefact::Reader& other, Role role,
                             const artefact::Reader& known);
 
-/// Which known windows (C) a model was trained on. The model and the windows that it makes both
-/// carry this. A generator that has seen the C of another split may have seen windows that are A or
-/// D in this one, so what it makes must not be tried here.
+/// The known windows (C) of a model and of the windows that it generates. A generator trained on
+/// the C of another split may have used windows that are A or D here. Its windows must not be
+/// tested here.
 struct Origin {
   std::int64_t split_seed = 0;
   Protocol protocol = Protocol::random;
@@ -88,17 +86,17 @@ struct Origin {
   std::string known_digest;    ///< content digest of C
 };
 
-/// Written as attributes of the root: split_seed, protocol, records_digest, known_digest.
+/// Writes attributes of the root: split_seed, protocol, records_digest, known_digest.
 void write(artefact::Writer& writer, const Origin& origin);
 /// Reads the origin of a model or of generated windows.
 Origin read_origin(const artefact::Reader& reader);
-/// The origin of whatever will be trained on this C.
+/// Returns the origin of models trained on this C.
 Origin origin_of_known(const artefact::Reader& known);
 
-/// Throws artefact::Refusal when the generated windows come from another split than these hidden
+/// Throws artefact::Refusal if the generated windows come from another split than these hidden
 /// windows (D).
 void require_same_split(const artefact::Reader& generated, const artefact::Reader& hidden);
-/// Throws artefact::Refusal when the generated windows were learned from another C than this one.
+/// Throws artefact::Refusal if the generated windows were learned from another C.
 void require_learned_from(const artefact::Reader& generated, const artefact::Reader& known);
 
 }  // namespace piae::signal

@@ -6,9 +6,9 @@
 
 namespace piae::signal {
 
-/// The samples of all windows as networks see them, row-major [n, length]: each window without its
-/// mean (a sensor's offset is no vibration) and divided by its class's entry of `scale`, one for
-/// each class in the unit of the recordings.
+/// Returns the samples of all windows as networks need them, row-major [n, length]. Removes each
+/// window's mean, because a sensor's offset is not vibration. Divides by the entry of `scale` for
+/// the window's class, in the unit of the recordings.
 std::vector<float> scaled_windows(const WindowSet& windows, const std::vector<double>& scale);
 
 }  // namespace piae::signal

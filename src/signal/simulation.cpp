@@ -62,7 +62,7 @@ void read_table(TomlTable& table, Simulation& simulation) {
   }
 }
 
-/// The conditions of a simulation, and what [transfer] says of them.
+/// Reads the conditions of a simulation and their uses from [transfer].
 std::vector<Condition> described_conditions(TomlTable& root, TomlTable& table,
                                             const DatasetInfo& info) {
   std::vector<RecordSource> records;
@@ -88,7 +88,7 @@ struct Batch {
   std::int32_t condition = every_condition;
 };
 
-/// In the order in which they are simulated.
+/// Returns the batches in the order of simulation.
 std::vector<Batch> batches_of(const DatasetInfo& info) {
   std::vector<Batch> batches;
   for (std::size_t i = 0; i < std::max<std::size_t>(1, info.conditions.size()); ++i) {
@@ -115,7 +115,7 @@ Stream record_stream(const Simulation& simulation, const Record& record) {
                             class_name, record.name));
 }
 
-/// A record without its signal, and the course for which eq. 13 will be solved to get it.
+/// A record without its signal, and the parameters of eq. 13 for that signal.
 struct Draw {
   Record record;
   bearing::Course course;
@@ -140,8 +140,8 @@ Draw draw(const Simulation& simulation, const Batch& batch, std::size_t number) 
   return draw;
 }
 
-/// `count` records of a batch, beginning with this number, without noise. How strong the noise is
-/// depends on all records, so it is added when all are there.
+/// Returns `count` records of a batch from this number on, without noise. The noise level depends
+/// on all records, so noise is added at the end.
 std::vector<Record> clean_records(const Simulation& simulation, const Batch& batch,
                                   std::size_t number, std::size_t count) {
   std::vector<Record> records;
@@ -181,7 +181,7 @@ double faintest_faulty_power(const Recordings& recordings) {
   return *std::ranges::min_element(sums) / static_cast<double>(per_class);
 }
 
-/// Standard deviation of the measurement noise, which is found from all records without it.
+/// Returns the standard deviation of the measurement noise, from all noise-free records.
 double noise_deviation(const Simulation& simulation, const Recordings& clean) {
   return std::sqrt(faintest_faulty_power(clean) * std::pow(10, -*simulation.snr_db / 10));
 }

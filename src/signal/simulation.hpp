@@ -11,9 +11,9 @@
 
 namespace piae::signal {
 
-/// A dataset that is simulated (pipeline/datasets/simulated.toml). Its description begins as every
-/// other one (signal/description.hpp), with sample_rate_hz and without [[record]]. A table
-/// [simulation] with all of the keys below marks it as a simulated dataset.
+/// A simulated dataset (pipeline/datasets/simulated.toml). Its description begins like all others
+/// (signal/description.hpp), with sample_rate_hz and without [[record]]. A table
+/// [simulation] with the keys below marks a simulated dataset.
 ///
 ///     [simulation]
 ///     seed = 0                    # another seed, another realisation
@@ -28,10 +28,10 @@ namespace piae::signal {
 ///     load_n = 1000
 ///     slip_max = 0.01             # loss of cage and spin speed: uniform from 0 to this
 ///     speed_spread = 0.001        # standard deviation of the shaft speed / its mean
-///     snr_db = 10                 # may be left out: no noise
+///     snr_db = 10                 # optional; default: no noise
 ///
-///     [[simulation.condition]]    # may be left out. All records are made in each of these, and
-///     name = "900 rpm"            # [transfer] may say what for (described_conditions.hpp)
+///     [[simulation.condition]]    # optional. All records are simulated in each condition;
+///     name = "900 rpm"            # [transfer] may set its use (described_conditions.hpp)
 ///     shaft_speed_rpm = 900
 struct Simulation {
   DatasetInfo info;
@@ -41,29 +41,30 @@ struct Simulation {
   bearing::DynamicsOptions dynamics;  ///< with the mean stiffness and damping
   bearing::Variation variation;       ///< from record to record
 
-  /// How far, in dB, the measurement noise lies below the mean power of the faintest faulty class.
-  /// The noise is white and the same for the whole dataset, as that of one sensor would be. So a
-  /// stronger fault has a better ratio of signal to noise, and the record of a healthy bearing
-  /// holds the noise and the little vibration that the passing of the balls causes.
+  /// Measurement noise, in dB below the mean power of the weakest faulty class. The noise is white
+  /// and the same for the whole dataset, like a single sensor's. So a stronger fault has a better
+  /// signal-to-noise ratio. A healthy record holds the noise and the weak vibration of passing
+  /// balls.
   std::optional<double> snr_db;
 
-  /// How many records there are in all.
+  /// Returns the number of all records.
   [[nodiscard]] std::size_t records() const;
 };
 
-/// Throws Error(bad_input) with file, line and key for unknown and missing keys, wrong types and
-/// values that cannot be simulated; Error(input_missing) when there is no such file.
+/// Reads a simulation. Throws Error(bad_input) with file, line and key for unknown and missing
+/// keys, wrong types and values that cannot be simulated; Error(input_missing) if the file is
+/// missing.
 Simulation read_simulation(const std::filesystem::path& file);
 
-/// Simulates all records, OpenMP parallel over them; the result does not depend on the number of
+/// Simulates all records, OpenMP parallel over them. The result does not depend on the number of
 /// threads. Random numbers come from Stream("<name>/seed<k>/simulate/<class>/<record>"). A defect
-/// of the outer race sits in the middle of the load zone; all other angles are drawn for each
-/// record. `done` is told how many records are done. Throws Error(failed) when eq. 13 diverges.
+/// of the outer race sits in the middle of the load zone; other angles are drawn for each record.
+/// Calls `done` with the number of finished records. Throws Error(failed) if eq. 13 diverges.
 Recordings simulate(const Simulation& simulation,
                     const std::function<void(std::size_t)>& done = nullptr);
 
-/// The standard deviation of the noise that simulate() adds to each sample; 0 where snr_db is left
-/// out. It follows from all records, so that it takes as long as simulate().
+/// Returns the standard deviation of the noise that simulate() adds; 0 without snr_db. It depends
+/// on all records, so computing it takes as long as simulate().
 double measurement_noise(const Simulation& simulation);
 
 }  // namespace piae::signal

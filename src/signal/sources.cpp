@@ -24,13 +24,13 @@ std::vector<Share> shares_of(bool healthy, const Counts& counts) {
   if (healthy) return {{Role::test, counts.test}, {Role::healthy, rest}};
   const Share test{Role::test, counts.test};
   const Share hidden{Role::hidden, rest - counts.known};
-  // Where nothing is known, C takes part in nothing: it has no block of time, and no gap beside it.
+  // If nothing is known, C gets neither a block of time nor a gap next to it.
   if (counts.known == 0) return {test, hidden};
   return {test, {Role::known, counts.known}, hidden};
 }
 
-/// One for each condition in which the class has records, and each speed at which it has some that
-/// belong to every condition, in the order of the conditions and speeds.
+/// Returns one source for each condition of the class. Records of every condition give one source
+/// for each speed. Sorted by condition and speed.
 std::vector<Source> empty_sources(const DatasetInfo& info, Label label,
                                   std::span<const RecordPlace> records) {
   std::map<std::pair<std::int32_t, double>, Source> sources;
@@ -52,7 +52,7 @@ std::vector<Source> empty_sources(const DatasetInfo& info, Label label,
   return list;
 }
 
-/// Shares a role's windows among the sources that are for it.
+/// Distributes a role's windows over its sources.
 void share_out(const Share& share, const std::vector<Source*>& sources, const Stream& stream) {
   std::vector<std::size_t> counts(sources.size(), share.count / sources.size());
   const std::size_t rest = share.count % sources.size();

@@ -16,13 +16,13 @@ namespace piae::signal {
 
 namespace {
 
-/// A place where a window is cut.
+/// Start of a window.
 struct Place {
   std::size_t record;  ///< index into Recordings::records
   std::size_t first_sample;
 };
 
-/// A count that is an option, and a setting of a description.
+/// A count that is both an option and a setting of a description.
 struct Setting {
   const char* name;
   std::size_t SplitOptions::*value;
@@ -61,7 +61,7 @@ std::vector<RecordPlace> places_of(const Recordings& recordings) {
   return places;
 }
 
-/// Gives the samples of each stretch that no window leaves: a record, or a piece of one.
+/// Returns the lengths of the stretches that no window crosses: records, or pieces of records.
 std::vector<std::size_t> lengths_of(const Recordings& recordings,
                                     const std::vector<std::size_t>& indices) {
   std::vector<std::size_t> lengths;
@@ -71,7 +71,7 @@ std::vector<std::size_t> lengths_of(const Recordings& recordings,
   return lengths;
 }
 
-/// Gives the places where the windows of a source start, in time order, record by record.
+/// Returns the starts of a source's windows, in time order, record by record.
 std::vector<Place> places_of(const Recordings& recordings, const std::vector<std::size_t>& records,
                              const WindowGrid& grid, std::size_t stride) {
   std::vector<Place> places;
@@ -86,7 +86,7 @@ std::vector<Place> places_of(const Recordings& recordings, const std::vector<std
   return places;
 }
 
-/// The order in which the windows of a source are dealt out.
+/// Returns the order in which the windows of a source are assigned.
 std::vector<std::size_t> order_of(std::size_t count, Protocol protocol, Stream& stream) {
   if (protocol == Protocol::random) return stream.permutation(count);
   std::vector<std::size_t> order(count);
@@ -105,8 +105,8 @@ WindowGrid grid_of(const SplitOptions& options, const Source& source) {
           .guard = options.guard_windows * options.window};
 }
 
-/// Appends the window at a place to a set whose record_names are those of all recordings. The set
-/// says of each window what the recordings say of their records.
+/// Appends the window at a place, with the data of its record, to a set whose record_names are
+/// those of all recordings.
 void cut(WindowSet& set, const Recordings& recordings, const Place& place) {
   const Record& record = recordings.records[place.record];
   const auto first = record.signal.begin() + static_cast<std::ptrdiff_t>(place.first_sample);
@@ -142,14 +142,14 @@ Split empty_split(const Recordings& recordings, const SplitOptions& options) {
   return split;
 }
 
-/// The random numbers of a source.
+/// Returns the random stream of a source.
 Stream stream_of(const Stream& of_class, const DatasetInfo& info, const Source& source) {
   if (source.shaft_speed_rpm) return of_class.child(speed_label(*source.shaft_speed_rpm));
   if (source.condition == every_condition) return of_class;
   return of_class.child(info.conditions[static_cast<std::size_t>(source.condition)].name);
 }
 
-/// Deals out the windows of one source, and returns their stride.
+/// Assigns the windows of one source to roles, and returns their stride.
 std::size_t split_source(const Recordings& recordings, Label label, const Source& source,
                          const SplitOptions& options, Stream stream, Split& out) {
   const WindowGrid grid = grid_of(options, source);

@@ -8,7 +8,7 @@ namespace piae::signal {
 
 namespace {
 
-/// How many windows are left for the roles once those in the gaps are left out.
+/// Returns the number of windows left for the roles after the gaps.
 std::size_t usable_windows(const std::vector<std::size_t>& lengths, const WindowGrid& grid,
                            std::size_t stride) {
   std::size_t all = 0;
@@ -17,7 +17,8 @@ std::size_t usable_windows(const std::vector<std::size_t>& lengths, const Window
   return all > gaps ? all - gaps : 0;
 }
 
-/// The first stride to try. One beyond the longest record would give no window more than that.
+/// Returns the first stride to try. A stride beyond the longest record gives the same windows as
+/// that length.
 std::size_t first_stride(const std::vector<std::size_t>& lengths, const WindowGrid& grid) {
   std::size_t longest = 1;
   for (const std::size_t length : lengths) longest = std::max(longest, length);
@@ -58,7 +59,7 @@ std::size_t windows_in(std::size_t samples, std::size_t window, std::size_t stri
 }
 
 std::size_t skipped_windows(const WindowGrid& grid, std::size_t stride) {
-  const std::size_t apart = grid.window + grid.guard;  // the least from start to start
+  const std::size_t apart = grid.window + grid.guard;  // smallest distance of two starts
   return (apart + stride - 1) / stride - 1;
 }
 

@@ -14,9 +14,9 @@
 
 namespace piae::signal {
 
-/// One table of a description, read strictly: every key must be known, present where it is needed,
-/// and of the right type. All errors are one line with the file, the line and the key
-/// (Error(bad_input); Error(input_missing) when there is no file).
+/// One table of a description, read strictly: keys must be known, required keys present,
+/// types right. All errors are one line with the file, the line and the key
+/// (Error(bad_input); Error(input_missing) if the file is missing).
 ///
 ///     TomlTable root("pipeline/datasets/cwru.toml");
 ///     name = root.text("name");
@@ -24,19 +24,20 @@ namespace piae::signal {
 ///     root.finish();
 class TomlTable {
  public:
-  /// The whole of a description, as read_description_file() gives it.
+  /// Reads a whole description by read_description_file().
   explicit TomlTable(const std::filesystem::path& file);
 
   [[nodiscard]] bool has(const std::string& key) const { return table_->contains(key); }
 
   std::string text(const std::string& key);  ///< not empty, one line
   std::string optional_text(const std::string& key);
-  double number(const std::string& key, const Range& range);  ///< an integer will do
+  double number(const std::string& key, const Range& range);  ///< integers are accepted
   std::optional<double> optional_number(const std::string& key, const Range& range);
   std::int64_t integer(const std::string& key, const Range& range);
 
-  std::vector<std::string> texts(const std::string& key);          ///< at least one
-  std::vector<std::string> text_or_texts(const std::string& key);  ///< a text is a list of one
+  std::vector<std::string> texts(const std::string& key);  ///< at least one
+  std::vector<std::string> text_or_texts(
+      const std::string& key);  ///< a text counts as a list of one
   std::vector<std::string> optional_texts(const std::string& key);
 
   TomlTable table(const std::string& key);                          ///< [key]
@@ -44,10 +45,10 @@ class TomlTable {
   std::vector<TomlTable> tables(const std::string& key);            ///< [[key]], at least one
   std::vector<TomlTable> optional_tables(const std::string& key);
 
-  /// Call it when all keys that may stand here have been asked for: any other one is an error.
+  /// Refuses keys that no call has requested. Call it after reading all keys of the table.
   void finish() const;
 
-  /// The table as it stands, for what another reader makes of it; all of its keys may stand there.
+  /// Returns the plain table for other readers. Its keys are not checked.
   [[nodiscard]] const toml::table& plain() const { return *table_; }
 
   /// Throws Error(bad_input): "<file>, line <n>: <table>.<key> <what>".
@@ -62,14 +63,14 @@ class TomlTable {
       : file_(std::move(file)), table_(table), name_(std::move(name)) {}
 
   const toml::node& node(const std::string& key);
-  /// Says which key of the table seems to stand for a missing one; empty where none does.
+  /// Returns a hint at the key that seems to stand for a missing one; empty if none does.
   [[nodiscard]] std::string given_for(const std::string& missing) const;
   [[nodiscard]] std::string checked(const std::string& key, const std::string& text) const;
 
   std::shared_ptr<const File> file_;
   const toml::table* table_;
   std::string name_;             ///< "record"; empty for the whole file
-  std::set<std::string> asked_;  ///< the keys that may stand here
+  std::set<std::string> asked_;  ///< keys requested so far
 };
 
 }  // namespace piae::signal

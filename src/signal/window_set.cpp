@@ -12,7 +12,7 @@ namespace piae::signal {
 
 namespace {
 
-/// The index of a name in a list. A new name is added at the end.
+/// Returns the index of a name in a list. Appends a new name.
 std::int32_t index_in(std::vector<std::string>& names, const std::string& name) {
   const auto found = std::ranges::find(names, name);
   const auto index = static_cast<std::int32_t>(found - names.begin());
@@ -73,7 +73,7 @@ void read_parameters(const artefact::Reader& reader, WindowSet& windows) {
   }
 }
 
-/// One number of each window, where they say it.
+/// Reads one number per window; empty if the artefact has none.
 std::vector<double> read_each(const artefact::Reader& reader, const std::string& path,
                               std::size_t windows, const Range& range) {
   if (!reader.has(path)) return {};
@@ -95,8 +95,8 @@ void read_condition_of_windows(const artefact::Reader& reader, WindowSet& window
   }
 }
 
-/// Where the lists of windows stand: all in one, in the order of the windows, and beside it to
-/// which window each belongs.
+/// Paths of lists of windows: all values in the order of the windows, and next to them the window
+/// of each value.
 struct ListPaths {
   std::string group;
   std::string values;
@@ -120,7 +120,7 @@ void write_lists(artefact::Writer& writer, const ListPaths& paths,
   writer.numbers(paths.owners(), owners);
 }
 
-/// A list of each window, where they say it.
+/// Reads one list per window; empty if the artefact has none.
 template <class T>
 std::vector<std::vector<T>> read_lists(const artefact::Reader& reader, const ListPaths& paths,
                                        std::size_t windows) {
@@ -167,7 +167,8 @@ void read_parents(const artefact::Reader& reader, WindowSet& windows) {
   }
 }
 
-/// Appends to what some windows say what another one says, if it and all before it say it.
+/// Appends entry i of another set's optional column. Clears the column if this entry or an earlier
+/// one is missing.
 template <class T>
 void append_said(std::vector<T>& said, const std::vector<T>& other, std::size_t i,
                  std::size_t windows) {

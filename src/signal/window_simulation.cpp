@@ -22,12 +22,11 @@ namespace piae::signal {
 namespace {
 
 const std::string simulation_group = "/simulation";
-/// The most steps of a ball to a window of each class. The paper's data sets take 5 million, and a
-/// core does 10 to 50 million in a second.
+/// Most ball steps for one window of each class. The paper's data sets need 5 million; a core does
+/// 10 to 50 million per second.
 constexpr double most_ball_steps = 1e8;
 
-/// A number of the options that the artefact stores, the name under which it does, and what it may
-/// be.
+/// A stored number of the options: its name in the artefact, its member and its permitted values.
 template <class Part>
 using Stored = std::tuple<const char*, double Part::*, Range>;
 
@@ -48,7 +47,7 @@ constexpr std::array<Stored<bearing::Variation>, 4> stored_variation{{
     {"slip_max", &bearing::Variation::slip_max, ranges::slip},
 }};
 
-/// What eq. 13 is solved for to get one window.
+/// Parameters of eq. 13 for one window.
 struct WindowDraw {
   Label label = 0;
   std::int32_t condition = every_condition;
@@ -75,8 +74,8 @@ std::vector<WindowDraw> draw_all(const WindowSimulation& simulation, std::size_t
   return draws;
 }
 
-/// How far the balls are beyond places that are as far apart as they are, in the middle of a
-/// window, in rad. Where this is the same, balls touch at the same times.
+/// Returns the cage angle in the middle of a window modulo the spacing of the balls, in rad.
+/// Windows with equal angles have ball contacts at the same times.
 double balls_beyond_rad(const WindowSimulation& simulation, const WindowDraw& draw) {
   const bearing::Geometry& geometry = simulation.info.bearing;
   const double middle_s =
@@ -86,9 +85,9 @@ double balls_beyond_rad(const WindowSimulation& simulation, const WindowDraw& dr
   return std::fmod(draw.motion.cage_angle_rad + turned_rad, 2 * std::numbers::pi / geometry.balls);
 }
 
-/// The draws, of which each class has `count`, in an order in which eq. 13 solves them fastest:
-/// within a class, neighbours have their balls at nearly the same places, so that those which do
-/// not touch are left out.
+/// Returns the draws, `count` for each class, in the order that eq. 13 solves fastest. Neighbours
+/// within a class have their balls at nearly the same places, so that balls without contact are
+/// skipped.
 std::vector<const WindowDraw*> in_fast_order(const WindowSimulation& simulation,
                                              std::span<const WindowDraw> draws, std::size_t count) {
   std::vector<std::tuple<std::size_t, std::int32_t, double, const WindowDraw*>> keys;
@@ -102,7 +101,7 @@ std::vector<const WindowDraw*> in_fast_order(const WindowSimulation& simulation,
   return order;
 }
 
-/// The windows of draws that are all of one class, row by row, as eq. 13 gives them.
+/// Returns the windows of draws of one class, row by row, from eq. 13.
 std::vector<double> solve(const WindowSimulation& simulation,
                           std::span<const WindowDraw* const> draws) {
   const DatasetInfo& info = simulation.info;
@@ -117,7 +116,7 @@ std::vector<double> solve(const WindowSimulation& simulation,
   }
 }
 
-/// The signal without its mean, scaled to this RMS.
+/// Returns the signal without its mean, scaled to this RMS.
 std::vector<float> scaled(std::span<const double> signal, double rms) {
   const double mean =
       std::accumulate(signal.begin(), signal.end(), 0.0) / static_cast<double>(signal.size());
@@ -130,7 +129,7 @@ std::vector<float> scaled(std::span<const double> signal, double rms) {
   return window;
 }
 
-/// How often eq. 13 moves a ball to make one window of each class with a defect.
+/// Returns the ball steps of eq. 13 for one window of each class with a defect.
 double ball_steps(const WindowSimulation& simulation) {
   const DatasetInfo& info = simulation.info;
   const bearing::DynamicsOptions& dynamics = simulation.options.dynamics;
