@@ -58,7 +58,7 @@ void look_at_record(RecordCheck& found, const Description& description,
                            .times = piece.times});
   }
   if (found.length_s() > longest_record_s) {
-    constexpr double most = 1e15;  // beyond any record, but a number that counts samples
+    constexpr double most = 1e15;  // beyond any record, but still fits a sample count
     found.pieces = {
         static_cast<std::size_t>(std::min(most, found.length_s() * info.sample_rate_hz))};
     found.lines = fault_lines({}, info, found.source.shaft_speed_rpm);
@@ -67,14 +67,14 @@ void look_at_record(RecordCheck& found, const Description& description,
   }
 }
 
-/// Whether each record of the class can be read: else the record has the problem.
+/// True if all records of the class are readable. An unreadable record reports its own problem.
 bool are_readable(const DatasetCheck& check, Label label) {
   return std::ranges::none_of(check.records, [&](const RecordCheck& record) {
     return record.source.label == label && !record.problem.empty();
   });
 }
 
-/// Where the records of a description belong.
+/// Returns class, condition and speed of each record.
 std::vector<signal::RecordPlace> places_of(const Description& description) {
   std::vector<signal::RecordPlace> places;
   for (const signal::RecordSource& source : description.records) {
@@ -85,7 +85,7 @@ std::vector<signal::RecordPlace> places_of(const Description& description) {
   return places;
 }
 
-/// Adds what a split would find in one source of a class. Throws as largest_stride().
+/// Adds the results of a split for one source of a class. Throws as largest_stride().
 void look_at_source(const signal::Source& source, const DatasetCheck& check,
                     const signal::SplitOptions& split, const std::string& name,
                     ClassCheck& result) {

@@ -9,16 +9,16 @@ namespace piae::inspection {
 
 namespace {
 
-constexpr double agreement = 0.02;  // on either side, as fault lines are looked for
+constexpr double agreement = 0.02;  // on either side, as in the search for fault lines
 constexpr double places = 20;       // 2 ln(3 / 2) / (2 * agreement)
 constexpr double chance_of_agreement = 0.01;
 
-/// The line of the record's own class.
+/// Returns the line of the record's own class.
 const FaultLine& own_line(const signal::DatasetInfo& info, const RecordCheck& record) {
   return line_of(record.lines, info.class_of(record.source.label).defect);
 }
 
-/// The logarithm of the chance that so many of `all` records agree.
+/// Returns the log probability that this many of `all` records agree by chance.
 double log_chance(double agreeing, double all) {
   const double choices =
       std::lgamma(all + 1) - std::lgamma(agreeing + 1) - std::lgamma(all - agreeing + 1);

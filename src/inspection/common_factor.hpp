@@ -7,21 +7,21 @@
 
 namespace piae::inspection {
 
-/// A factor by which the lines of several records are away from their places.
+/// A common factor between measured and expected lines of several records.
 struct CommonFactor {
-  double factor = 1;                        ///< where they are, over where they should be
-  std::vector<const RecordCheck*> records;  ///< whose lines are there
+  double factor = 1;                        ///< measured over expected frequency
+  std::vector<const RecordCheck*> records;  ///< the records that agree
 };
 
-/// Looks for one factor by which the lines of most of these records are off, and none of them
-/// stands out at its place. Each record must be of a class with a line, and have it measured. A
-/// wrong speed or a wrong sample rate moves all lines by the same factor, by more than the 2 %
-/// within which lines are looked for.
+/// Returns the factor by which the lines of most of these records are off, if there is one and none
+/// of their lines stands out at its expected place. Each record must have a class with a measured
+/// line. A wrong speed or sample rate moves all lines by the same factor, by more than the 2 % of
+/// the line search.
 ///
-/// Without a common reason, the farthest place of a record is as likely to be any of the 20 that
-/// 2/3 to 3/2 holds, each 4 % wide. Then m of R records agree with a chance of
-/// 20 C(R, m) / 20^m, which must be below 1 %: three of three do. They must be of two kinds, since
-/// the line of another machine part has one frequency, and so another factor for each kind.
+/// Without a common cause, the strongest place of a record is equally likely any of 20 places, each
+/// 4 % wide, from 2/3 to 3/2. Then m of R records agree with a chance of 20 C(R, m) / 20^m, which
+/// must be below 1 %: three of three suffice. The records must have two fault types. The line of
+/// another machine part has one frequency, and so a different factor for each fault type.
 std::optional<CommonFactor> common_factor(const signal::DatasetInfo& info,
                                           const std::vector<const RecordCheck*>& records);
 

@@ -6,7 +6,7 @@
 
 namespace piae::inspection {
 
-/// A rectangle on paper, in pixels.
+/// A rectangle of the drawing, in pixels.
 struct Panel {
   double left = 0;
   double top = 0;
@@ -14,7 +14,7 @@ struct Panel {
   double height = 0;
 };
 
-/// A place on paper for numbers from `low` to `high`.
+/// An axis that maps numbers from `low` to `high` to pixels.
 struct Axis {
   double low;
   double high;
@@ -29,12 +29,12 @@ struct Axis {
 inline const Stroke signal_stroke{"#444444", 0.8};
 inline const Stroke grid_stroke{"#dddddd", 0.6};
 
-/// The lowest and highest of the values that fall on each pixel, joined: as many points as the
-/// paper can show. Values are `step` apart on the axis x.
+/// Returns the lowest and highest value on each pixel as joined points: the most that the drawing
+/// can show. Values are `step` apart on the axis x.
 std::vector<Point> trace_of(const std::vector<double>& values, double step, const Axis& x,
                             const Axis& y);
 
-/// 1, 2 or 5 times a power of ten: between four and ten steps to the end of an axis.
+/// Returns a tick step of 1, 2 or 5 times a power of ten, for four to ten steps on an axis.
 double tick_step(double length);
 
 }  // namespace piae::inspection

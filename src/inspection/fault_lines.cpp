@@ -21,17 +21,17 @@ using spectra::line_tolerance;
 using spectra::Windows;
 
 constexpr double turns_in_a_segment = 16;
-constexpr double largest_part = 0.4;        // of the record that a segment may take: four fit
-constexpr std::size_t most_segments = 200;  // a longer record is looked at here and there
+constexpr double largest_part = 0.4;  // largest share of the record in a segment, so that four fit
+constexpr std::size_t most_segments = 200;  // longer records are sampled at intervals
 constexpr std::size_t shortest_segment = 10;
-constexpr double chance_of_noise = 1e-3;  // that white noise alone passes for a line
+constexpr double chance_of_noise = 1e-3;  // that white noise alone counts as a line
 constexpr int fewest_harmonics = 2;
 constexpr double largest_share_elsewhere = 0.05;
-constexpr double largest_factor = 1.5;  // at twice its place a line would meet its own harmonics
-constexpr double step_between_places = 0.02;  // of the logarithm of a frequency
+constexpr double largest_factor = 1.5;        // at a factor of 2 a line meets its own harmonics
+constexpr double step_between_places = 0.02;  // in the logarithm of the frequency
 
-/// The longest length up to this one whose Fourier transform is fast: with no prime factor
-/// beyond 5.
+/// Returns the largest length up to `most` with a fast Fourier transform: without prime factors
+/// above 5.
 std::size_t fast_length(std::size_t most) {
   for (std::size_t length = most;; --length) {
     std::size_t rest = length;
@@ -44,7 +44,7 @@ std::size_t fast_length(std::size_t most) {
 
 using Pieces = std::vector<std::span<const double>>;
 
-/// Adds segments of a piece that overlap by half, spread over it where there would be too many.
+/// Adds half-overlapping segments of a piece. Spreads at most `most` of them over a long piece.
 void add_segments(std::span<const double> piece, std::size_t length, std::size_t most,
                   Pieces& segments) {
   const std::size_t half = std::max<std::size_t>(1, length / 2);
@@ -55,8 +55,8 @@ void add_segments(std::span<const double> piece, std::size_t length, std::size_t
   }
 }
 
-/// Gives segments of all pieces that are long enough, or of as many of them as there may be
-/// segments. No segment crosses from one piece into the next.
+/// Returns segments of all long enough pieces, or of a selection if there are too many. A segment
+/// does not cross from one piece into the next.
 Windows segments_of(Pieces pieces, std::size_t length) {
   std::erase_if(pieces, [&](const auto& piece) { return piece.size() < length; });
   const std::size_t step = std::max<std::size_t>(1, pieces.size() / most_segments);
@@ -73,8 +73,8 @@ Windows segments_of(Pieces pieces, std::size_t length) {
   return segments;
 }
 
-/// Gives the most samples of a segment: at least four shall fit, of several pieces one in each of
-/// four.
+/// Returns the most samples of a segment: four segments must fit into one piece, or one into each
+/// of four equal pieces.
 double longest_segment(const Pieces& pieces) {
   const std::size_t longest =
       std::ranges::max(pieces, {}, [](const auto& piece) { return piece.size(); }).size();
@@ -83,17 +83,18 @@ double longest_segment(const Pieces& pieces) {
   return (as_long >= 4 ? 1 : largest_part) * static_cast<double>(longest);
 }
 
-/// Two Hann windows that overlap by half correlate by 1/6, their powers by the square of that.
+/// Returns the number of independent averages. Half-overlapping Hann windows correlate by 1/6,
+/// their powers by the square of that.
 double independent_averages(double segments) {
   return segments / (1 + 2.0 / 36 * (segments - 1) / segments);
 }
 
-/// How far white noise's line exceeds its floor with the given chance. Power averaged over `a`
-/// segments has a gamma distribution of that shape; its logarithm has the variance trigamma(a),
-/// here by its asymptotic series, and its mean is close to that of its median. The mean over three
-/// harmonics is taken for normal, which errs to the high side, since logarithms of such powers fall
-/// off faster above. The best of all places within the tolerance is sought; as many of them are
-/// independent as the third harmonic passes bins without padding.
+/// Returns the excess of white noise's line over its floor, in dB, that occurs with the given
+/// chance. Power averaged over `a` segments has a gamma distribution of shape `a`. Its logarithm
+/// has the variance trigamma(a), here by its asymptotic series, and its mean is close to the
+/// logarithm of its median. The mean over three harmonics counts as normal, which errs to the high
+/// side, because the logarithm's upper tail falls faster. The search takes the best place within
+/// the tolerance. Independent places: the bins that the third harmonic passes, without padding.
 double noise_line_db(double averages, double places) {
   const double a = averages;
   const double variance = 1 / a + 1 / (2 * a * a) + 1 / (6 * a * a * a);
@@ -103,7 +104,7 @@ double noise_line_db(double averages, double places) {
                                                          as_good_as_normal);
 }
 
-/// Whether lines at the one place would count lines of the other as their own.
+/// True if lines at one frequency share harmonics with lines at the other.
 bool are_related(double hz, double other_hz) {
   constexpr std::array ratios{1.0 / 3, 1.0 / 2, 2.0 / 3, 1.0, 3.0 / 2, 2.0, 3.0};
   return std::ranges::any_of(ratios, [&](double ratio) {
@@ -112,8 +113,8 @@ bool are_related(double hz, double other_hz) {
   });
 }
 
-/// How far lines stand out at places between half the lowest and twice the highest fault line that
-/// no fault of this bearing has to do with.
+/// Returns the excess in dB of lines at places unrelated to faults of this bearing, from half the
+/// lowest to twice the highest fault line.
 std::vector<double> elsewhere_db(const EnvelopeSpectrum& spectrum, const FaultLines& lines) {
   const auto [low, high] = std::ranges::minmax(lines, {}, &FaultLine::hz);
   std::vector<double> decibels;
@@ -129,7 +130,7 @@ std::vector<double> elsewhere_db(const EnvelopeSpectrum& spectrum, const FaultLi
   return decibels;
 }
 
-/// See FaultLine::farthest_factor. Places are as far apart as each of them reaches.
+/// Returns FaultLine::farthest_factor. The spacing of the places equals the width of each search.
 double farthest_factor(const EnvelopeSpectrum& spectrum, double line_hz) {
   CommonLine farthest;
   farthest.decibels.fill(-std::numeric_limits<double>::infinity());

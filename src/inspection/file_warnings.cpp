@@ -13,7 +13,7 @@ namespace {
 
 using Count = std::size_t FileCheck::*;
 
-/// Gives the value that most files have; the lower one of two that are as frequent.
+/// Returns the most frequent value of the files; the lower one of a tie.
 std::size_t usual(const std::vector<FileCheck>& files, Count count) {
   std::map<std::size_t, std::size_t> files_by_count;
   for (const FileCheck& file : files) ++files_by_count[file.*count];

@@ -4,17 +4,16 @@
 
 namespace piae::inspection {
 
-/// How strong and how peaked a signal is. All three are about the mean, since a sensor's offset is
-/// no vibration.
+/// Level and peakedness of a signal, about the mean, because a sensor's offset is not vibration.
 struct Level {
   double rms = 0;  ///< in the signal's unit
-  /// The mean fourth power over the square of the mean square: 3 for normal noise, 1.5 for a sine,
-  /// more where a fault strikes.
+  /// Mean fourth power over the squared mean square: 3 for normal noise, 1.5 for a sine, more with
+  /// fault impacts.
   double kurtosis = 0;
-  double crest_factor = 0;  ///< the greatest sample over the RMS: the root of 2 for a sine
+  double crest_factor = 0;  ///< largest sample over RMS: the root of 2 for a sine
 };
 
-/// The signal must not be constant.
+/// Returns the level of a signal, which must not be constant.
 Level level_of(std::span<const double> signal);
 
 }  // namespace piae::inspection

@@ -14,12 +14,12 @@ namespace {
 using signal::DatasetInfo;
 using Lines = std::vector<std::string>;
 
-/// "BPFI (162.2 Hz, 25.4 dB)".
+/// Returns a text such as "BPFI (162.2 Hz, 25.4 dB)".
 std::string shown_line(const FaultLine& line) {
   return fmt::format("{} ({:.1f} Hz, {:.1f} dB)", line_name(line.kind), line.hz, *line.db);
 }
 
-/// Why a line does not count as one.
+/// Returns why a line does not stand out.
 std::string reason(const FaultLine& line) {
   if (*line.db <= line.noise_db) return fmt::format("noise alone reaches {:.1f}", line.noise_db);
   if (line.harmonics_above_noise < 2) return "only one of its harmonics does";
@@ -32,7 +32,7 @@ bool has_lines(const RecordCheck& record) {
          !looks_like_hz(record.source.shaft_speed_rpm) && record.turns() >= fewest_turns;
 }
 
-/// Returns what is odd about the lines of a faulty record; empty if it shows its own.
+/// Returns what is odd about the lines of a faulty record; empty if its own line is the strongest.
 std::string oddity_of_fault(const RecordCheck& record, signal::Defect defect) {
   const FaultLine& own = line_of(record.lines, defect);
   if (!own.db) return {};
@@ -50,7 +50,8 @@ std::string oddity_of_fault(const RecordCheck& record, signal::Defect defect) {
   return line + "; label, speed or rate may be wrong, or the fault stays hidden, as some do";
 }
 
-/// The weakest of the lines that records of faulty classes show of this kind, as a measure.
+/// Returns a clause with the weakest such line of faulty records, for comparison; empty without
+/// one.
 std::string measure_of(const DatasetInfo& info, const std::vector<RecordCheck>& records,
                        signal::Defect kind) {
   std::optional<double> weakest;
@@ -77,7 +78,7 @@ void add_healthy_lines(const DatasetInfo& info, const std::vector<RecordCheck>& 
   }
 }
 
-/// Reports that nearly all faulty records miss their line, since they share the reason.
+/// Reports once that most faulty records miss their line, because they share the cause.
 std::string shared_oddity(const std::vector<const RecordCheck*>& odd, std::size_t asked) {
   return fmt::format(
       "only {} of {} faulty records show the line of their class best (not {}): shaft_speed_rpm, "
@@ -85,7 +86,7 @@ std::string shared_oddity(const std::vector<const RecordCheck*>& odd, std::size_
       asked - odd.size(), asked, names_of(odd));
 }
 
-/// Reports lines that are off by one factor: the speed or the rate is wrong by it.
+/// Reports lines that are off by a common factor: the speed or the rate is wrong by it.
 std::string shared_factor(const CommonFactor& common, std::size_t asked) {
   const signal::RecordSource& first = common.records.front()->source;
   return fmt::format(

@@ -20,7 +20,7 @@ using signal::DatasetInfo;
 constexpr double page_width = 1080;
 constexpr double top = 64;  // title and legend
 constexpr double row_height = 176;
-constexpr double panel_top = 58;  // in a row: its title, and the names of the lines
+constexpr double panel_top = 58;  // in a row: title and line names
 constexpr double panel_height = 88;
 constexpr double wave_left = 64;
 constexpr double wave_width = 400;

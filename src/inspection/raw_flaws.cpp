@@ -15,7 +15,7 @@ constexpr std::size_t fewest_clipped = 3;
 constexpr double shortest_held = 10;          // samples
 constexpr double chance_of_a_stretch = 1e-3;  // in a record
 
-/// Neighbouring samples of one value, two or more.
+/// Two or more consecutive samples of one value.
 struct Run {
   std::size_t first;
   std::size_t length;
@@ -32,7 +32,7 @@ std::vector<Run> runs_of(std::span<const double> samples) {
   return runs;
 }
 
-/// Whether the run is entered or left by a step that the top of no smooth signal makes.
+/// True if a step into or out of the run exceeds that at the top of any smooth signal.
 bool is_abrupt(std::span<const double> samples, const Run& run, double quantum) {
   const auto m = static_cast<double>(run.length);
   const double most = (std::pow((m + 1) / (m - 1), 2) + 1) * quantum;
@@ -51,9 +51,9 @@ void add_run(Stretches& stretches, std::span<const double> samples, const Run& r
   stretches.value = samples[run.first];
 }
 
-/// The length that a run reaches by chance in one of a thousand records of n samples, if each
-/// sample repeats the one before it with this probability: n (1 - p) runs begin, and each goes on
-/// to the length m with probability p^(m - 1).
+/// Returns the run length that occurs by chance in one of a thousand records of n samples, if each
+/// sample repeats its predecessor with probability p: n (1 - p) runs start, and each reaches the
+/// length m with probability p^(m - 1).
 double length_by_chance(double n, double repeats) {
   const double runs = n * (1 - repeats);
   return 1 + std::log(chance_of_a_stretch / runs) / std::log(repeats);

@@ -9,11 +9,11 @@ namespace piae::inspection {
 
 namespace {
 
-constexpr std::size_t block = 32;  // each stretch of twice as many contains a whole block
+constexpr std::size_t block = 32;  // each stretch of 2 * block samples contains a whole block
 constexpr std::size_t shortest_repeat = 2 * block;
 constexpr std::size_t fewest_turns_in_a_repeat = 32;
 
-/// Hash of the last samples that were added, as a polynomial in an odd base modulo 2^64.
+/// Hash of the last `block` samples, a polynomial in an odd base modulo 2^64.
 class RollingHash {
  public:
   void add(double sample) { hash_ = hash_ * base + mixed(sample); }
@@ -38,7 +38,7 @@ class RollingHash {
   std::uint64_t hash_ = 0;
 };
 
-/// Counts how often the signal goes over from rising to falling, or back.
+/// Returns how often the signal changes between rising and falling.
 std::size_t turns_of(std::span<const double> samples) {
   std::size_t turns = 0;
   int direction = 0;
@@ -51,7 +51,7 @@ std::size_t turns_of(std::span<const double> samples) {
   return turns;
 }
 
-/// Goes through a record once, and compares each place with blocks that lie before it.
+/// Searches a record in one pass: compares each place with earlier blocks.
 class Search {
  public:
   explicit Search(std::span<const double> samples) : samples_(samples) {}
@@ -67,7 +67,7 @@ class Search {
   }
 
  private:
-  /// Hashes the block that begins here.
+  /// Hashes the block that starts here.
   std::size_t enter(std::size_t at) {
     hash_.clear();
     for (std::size_t i = at; i < at + block; ++i) hash_.add(samples_[i]);
@@ -79,7 +79,7 @@ class Search {
     return at + 1;
   }
 
-  /// Looks for an earlier block equal to the one that begins here, and keeps this one for later.
+  /// Looks for an earlier block equal to the one that starts here, and stores this one for later.
   bool match_at(std::size_t at) {
     const auto known = blocks_.find(hash_.value());
     if (known == blocks_.end()) {
@@ -97,7 +97,7 @@ class Search {
     return true;
   }
 
-  /// Extends a match of two blocks as far as both sides agree.
+  /// Extends a match of two blocks as far as both stretches agree.
   void measure(std::size_t original, std::size_t first) {
     std::size_t end = first + block;
     while (end < samples_.size() && samples_[end] == samples_[end - first + original]) ++end;
@@ -123,7 +123,7 @@ class Search {
   std::span<const double> samples_;
   RollingHash hash_;
   std::unordered_map<std::uint64_t, std::size_t> blocks_;
-  std::size_t next_kept_ = 0;     ///< the next place whose block is kept
+  std::size_t next_kept_ = 0;     ///< next place whose block is stored
   std::size_t end_of_match_ = 0;  ///< of the last match
   Repeats found_;
 };

@@ -16,7 +16,8 @@ double percent(std::size_t part, std::size_t whole) {
   return 100 * static_cast<double>(part) / static_cast<double>(whole);
 }
 
-/// Names stretches if there are any: they say more than single samples.
+/// Reports clipped stretches if there are any, because they say more than single samples; otherwise
+/// reports single clipped samples.
 void add_clipped(const RecordCheck& record, const std::string& place, Lines& lines) {
   const Stretches& clipped = record.clipped;
   if (clipped.count > 0) {
@@ -81,10 +82,10 @@ std::string times_text(std::size_t count) {
   return count == 1 ? "1 time" : fmt::format("{} times", count);
 }
 
-/// Adds a line on samples that are missing in the files of a record.
+/// Adds a warning of missing samples in the files of a record.
 void add_dropouts(const RecordCheck& record, const std::string& place, Lines& lines) {
   raw::Times found;
-  std::size_t before = 0;  // samples of the files before
+  std::size_t before = 0;  // samples of the previous files
   for (const FileCheck& file : record.files) {
     const raw::Times times =
         raw::are_rounded(file.times, record.source.sample_rate_hz) ? raw::Times{} : file.times;
@@ -105,7 +106,7 @@ void add_dropouts(const RecordCheck& record, const std::string& place, Lines& li
       found.missing == 1 ? " is" : "s are", found.longest, found.longest_after));
 }
 
-/// Adds a line where times go back: several recordings stand one behind the other.
+/// Adds a warning if times go back: the file holds several recordings one after another.
 void add_steps_back(const RecordCheck& record, const std::string& place, Lines& lines) {
   const auto file = std::ranges::find_if(
       record.files, [](const FileCheck& one) { return one.times.steps_back > 0; });
@@ -117,7 +118,7 @@ void add_steps_back(const RecordCheck& record, const std::string& place, Lines& 
       times_text(file->times.steps_back), file->times.first_back_after));
 }
 
-/// Adds a line where times step unevenly.
+/// Adds a warning if times step unevenly.
 void add_uneven(const RecordCheck& record, const std::string& place, Lines& lines) {
   const auto file =
       std::ranges::find_if(record.files, [](const FileCheck& one) { return one.times.is_uneven; });
@@ -129,11 +130,11 @@ void add_uneven(const RecordCheck& record, const std::string& place, Lines& line
       file->times.mean_step));
 }
 
-/// Adds a line where times are of another rate than the description says. Where the file says their
-/// unit, and they are even, it has been refused.
+/// Adds a warning if the times contradict sample_rate_hz. Even times with a known unit do not get
+/// here, because reading the file refuses them.
 void add_other_rate(const RecordCheck& record, const std::string& place, Lines& lines) {
   const double stated_hz = record.source.sample_rate_hz;
-  if (record.length_s() > longest_record_s) return;  // a rate in kHz, which is reported already
+  if (record.length_s() > longest_record_s) return;  // already reported as a rate in kHz
   for (const FileCheck& file : record.files) {
     const raw::Times& times = file.times;
     const auto other = raw::contradicting_rate(times, stated_hz);

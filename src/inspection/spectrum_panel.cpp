@@ -20,7 +20,7 @@ constexpr double name_height = 11;
 const std::array<Stroke, 3> line_strokes{Stroke{"#0072B2", 1, ""}, Stroke{"#D55E00", 1, "7 3"},
                                          Stroke{"#009E73", 1, "2 2"}};
 
-/// In dB over the median, by bin, and nothing below the paper's edge.
+/// Returns the spectrum in dB over its median, by bin, limited at the lower edge of the panel.
 std::vector<double> decibels_of(const EnvelopeSpectrum& spectrum) {
   const double floor = std::max(spectra::median(spectrum.power), spectrum.rounding);
   std::vector<double> decibels;
@@ -33,8 +33,8 @@ std::vector<double> decibels_of(const EnvelopeSpectrum& spectrum) {
 
 bool lines_are_known(const FaultLines& lines) { return lines.front().hz > 0; }
 
-/// Each defect's names stand on a line of their own above the panel: the higher the frequency, the
-/// closer to it, so that no line crosses a name on its left.
+/// Draws the lines and their names. Each defect has its own row of names above the panel. A higher
+/// frequency gets a row closer to the panel, so that no line crosses a name to its left.
 void draw_marks(Svg& svg, const FaultLines& lines, signal::Defect own, const Axis& x,
                 const Panel& panel) {
   if (!lines_are_known(lines)) return;
@@ -56,9 +56,9 @@ void draw_marks(Svg& svg, const FaultLines& lines, signal::Defect own, const Axi
   }
 }
 
-/// The third harmonic of the highest line, and a little more.
+/// Returns the end of the shown part: slightly above the third harmonic of the highest line.
 double highest_shown_hz(const FaultLines& lines, double shaft_hz) {
-  constexpr double shown_turns = 20;  // where there is no line
+  constexpr double shown_turns = 20;  // without lines
   if (!lines_are_known(lines)) return shown_turns * shaft_hz;
   return 3.5 * std::ranges::max(lines, {}, &FaultLine::hz).hz;
 }
@@ -89,7 +89,7 @@ void draw_envelope_spectrum(Svg& svg, const EnvelopeSpectrum& spectrum, const Fa
   if (spectrum.power.empty()) return;
   const std::vector<double> decibels = decibels_of(spectrum);
   const double highest_hz = static_cast<double>(spectrum.power.size()) * spectrum.bin_hz;
-  // The first bins hold what the taper leaves of the mean.
+  // The first bins hold the taper's remainder of the mean.
   const auto first =
       std::min(decibels.size() - 1,
                static_cast<std::size_t>(std::lround(2 * spectrum.resolution_hz / spectrum.bin_hz)));

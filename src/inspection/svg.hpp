@@ -5,12 +5,12 @@
 
 namespace piae::inspection {
 
-/// How a line of a drawing looks. Colours are those of Okabe and Ito, which people with the usual
-/// colour blindnesses tell apart; dashes tell them apart without any colour.
+/// Style of a line. The colours are those of Okabe and Ito, which people with the usual colour
+/// blindnesses can distinguish. Dashes distinguish lines without colour.
 struct Stroke {
   std::string colour;
   double width = 1;
-  std::string dashes = {};  ///< SVG's stroke-dasharray: "6 3"; empty for a whole line
+  std::string dashes = {};  ///< SVG's stroke-dasharray: "6 3"; empty: solid
 };
 
 struct Point {
@@ -20,7 +20,7 @@ struct Point {
 
 enum class Anchor { start, middle, end };
 
-/// A drawing of lines and words on white, in pixels from the top left corner. The same calls give
+/// A drawing of lines and text on white, in pixels from the top left corner. The same calls give
 /// the same bytes.
 class Svg {
  public:
@@ -29,13 +29,13 @@ class Svg {
   void line(Point from, Point to, const Stroke& stroke);
   void polyline(const std::vector<Point>& points, const Stroke& stroke);
   void frame(Point corner, double width, double height);
-  /// Filled, without an edge.
+  /// Draws a filled rectangle without an edge.
   void area(Point corner, double width, double height, const std::string& colour);
-  /// `y` is that of the line that the letters stand on.
+  /// Draws a text. `y` is its baseline.
   void text(Point at, const std::string& words, Anchor anchor = Anchor::start, double size = 11,
             bool bold = false);
 
-  /// The whole file.
+  /// Returns the whole file.
   [[nodiscard]] std::string str() const;
 
  private:

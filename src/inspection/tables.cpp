@@ -27,7 +27,7 @@ const char* const lines_note =
     "spectrum\n"
     "*: the line of the record's class; noise alone exceeds 'noise dB' in 1 of 1000 records\n\n";
 
-/// The end of a text, which tells names and files apart better than their beginning.
+/// Returns the end of a text, because names and files differ more at their end than at their start.
 std::string shortened(const std::string& text, std::size_t width) {
   if (text.size() <= width) return text;
   std::size_t first = text.size() - width + 1;
@@ -44,14 +44,14 @@ bool fits(const std::string& table) {
   });
 }
 
-/// Gives the windows that fit side by side, none of them in two files.
+/// Returns the number of windows without overlap that fit, each within one file.
 std::size_t windows_in(const RecordCheck& record, std::size_t window) {
   std::size_t windows = 0;
   for (const std::size_t length : record.pieces) windows += length / window;
   return windows;
 }
 
-/// Gives the names of the files, at most so wide, and how many they are.
+/// Returns the names of the files, shortened to this width, and their number.
 std::string files_of(const RecordCheck& record, std::size_t width) {
   const std::size_t count = record.files.size();
   return shortened(record.source.file_text(), width) +
@@ -86,7 +86,7 @@ text::Table recordings_table(const signal::Description& description, const Datas
   return table;
 }
 
-/// With the names of the files as long as the width allows.
+/// Returns the table with file names as long as the width allows.
 std::string recordings_text(const signal::Description& description, const DatasetCheck& check) {
   for (std::size_t width = widest_file;; --width) {
     std::string text = recordings_table(description, check, width).plain();
@@ -114,7 +114,7 @@ std::string lines_table(const DatasetInfo& info, const DatasetCheck& check) {
   return table.plain() + lines_note;
 }
 
-/// Of a defect whose size nobody knows, none.
+/// Returns the size of a defect, or "-" if unknown.
 std::string size_of(const signal::ClassInfo& c) {
   const bool is_unknown = c.defect != signal::Defect::none && c.defect_size_mm == 0;
   return is_unknown ? "-" : fmt::format("{:g}", c.defect_size_mm);
@@ -145,7 +145,7 @@ const char* const classes_note =
 std::string unit_name(double unit_m_per_s2) {
   constexpr double g = 9.80665;
   const auto is = [&](double other) { return std::abs(unit_m_per_s2 / other - 1) < 1e-3; };
-  // A unit of 1 is m/s², or was left out because nobody knows it (pipeline/datasets/README.md).
+  // A unit of 1 means m/s² or an unknown unit (pipeline/datasets/README.md).
   if (is(g)) return "g";
   if (is(g / 1000)) return "mg";
   return "units";

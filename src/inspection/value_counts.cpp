@@ -16,12 +16,12 @@ constexpr std::size_t most_few_values = 16;
 constexpr std::size_t samples_a_value = 10;
 
 constexpr std::size_t values_nearby = 4;
-// The sum of two ends' logarithms of chance follows a gamma distribution: (1 + 10) exp(-10) is
+// The sum of two log chances, one for each end, follows a gamma distribution: (1 + 10) exp(-10) is
 // 5e-4, in each of the two tests.
 constexpr double least_evidence = 10;
 
-// No converter has more than 24 bits: smaller differences are those of rounding, with which a
-// computed signal hides that it repeats itself.
+// No converter has more than 24 bits. Smaller differences come from rounding, which hides that a
+// computed signal repeats itself.
 const double finest = std::ldexp(1, -24);  // of the range
 
 struct NearbyValue {
@@ -30,7 +30,7 @@ struct NearbyValue {
   std::size_t samples = 0;
 };
 
-/// The extreme value and the next four levels, at steps of at least `step`.
+/// Returns the extreme value and the next four levels, at steps of at least `step`.
 std::vector<NearbyValue> levels_from(std::span<const double> samples, double extreme, double step) {
   std::vector<NearbyValue> levels;
   double last = -1;
@@ -48,7 +48,7 @@ std::vector<NearbyValue> levels_from(std::span<const double> samples, double ext
   return levels;
 }
 
-/// The negative logarithm of the chance that so many of n exceed a share, at least (Chernoff).
+/// Returns a lower bound of the negative log chance that `count` of n exceed a share (Chernoff).
 double evidence_of(double count, double n, double share) {
   if (count <= share * n) return 0;
   const double found = count / n;
@@ -56,7 +56,7 @@ double evidence_of(double count, double n, double share) {
   return n * (found * std::log(found / share) + others);
 }
 
-/// Results of both tests at one end of the values, as negative logarithms of chance.
+/// Results of both tests at one end of the values, as negative log chances.
 struct Evidence {
   double by_levels = 0;
   double by_distance = 0;

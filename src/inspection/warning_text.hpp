@@ -8,16 +8,16 @@
 
 namespace piae::inspection {
 
-// Helpers that the lines of warnings share.
+// Helpers shared by the warnings.
 
-/// "IR007 (cwru/105.mat, variable X105_DE_time)".
+/// Returns a text such as "IR007 (cwru/105.mat, variable X105_DE_time)".
 std::string place_of(const signal::RecordSource& source);
 
-/// "IR007, OR021".
+/// Returns a text such as "IR007, OR021".
 std::string names_of(const std::vector<const RecordCheck*>& records);
 
-/// Adds a line for each of up to three records. More records share one reason, so only the first
-/// gets its line, with the names of the others.
+/// Adds a line for each of up to three records. More records share one cause, so only the first
+/// gets a line, with the names of the others.
 void add_for_each(std::vector<const RecordCheck*> records,
                   const std::function<std::string(const RecordCheck&)>& text,
                   std::vector<std::string>& lines);

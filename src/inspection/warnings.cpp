@@ -21,7 +21,7 @@ using signal::Description;
 using signal::RecordSource;
 using Lines = std::vector<std::string>;
 
-constexpr std::size_t sensible_stride = 100;  // the paper's own data need no less
+constexpr std::size_t sensible_stride = 100;  // the paper's data have at least this
 
 double turns_in(double seconds, double shaft_speed_rpm) { return seconds * shaft_speed_rpm / 60; }
 
@@ -32,7 +32,7 @@ std::string hz_hint(double rpm) {
       rpm * 60);
 }
 
-/// Once for the key of the dataset, and once for each record that has its own.
+/// Warns once for the dataset's key, and once for each record with its own speed.
 void add_speeds(const Description& description, Lines& lines) {
   const double common = description.info.shaft_speed_rpm;
   if (looks_like_hz(common)) {
@@ -60,8 +60,8 @@ void add_raceways(const bearing::Geometry& g, Lines& lines) {
       g.pitch_diameter_mm + g.ball_diameter_mm));
 }
 
-/// Whether the dataset's rate lets a window hold a turn, and a line be seen, at the slowest and the
-/// fastest speed.
+/// Warns if a window holds less than one turn at the slowest speed, or if the rate is too low for a
+/// line at the fastest.
 void add_rate(const Description& description, Lines& lines) {
   std::vector<RecordSource> sources = description.records;
   std::erase_if(sources, [](const RecordSource& s) { return looks_like_hz(s.shaft_speed_rpm); });
@@ -128,11 +128,11 @@ void add_lengths(const std::vector<RecordCheck>& records, Lines& lines) {
   add_for_each(short_ones, too_short, lines);
 }
 
-/// Names records whose own rate is below the dataset's.
+/// Warns of records with a rate below the dataset's.
 void add_low_rates(const DatasetInfo& info, const std::vector<RecordCheck>& records, Lines& lines) {
   std::vector<const RecordCheck*> low;
   for (const RecordCheck& record : records) {
-    const bool may_be_khz = record.length_s() > longest_record_s;  // reported already
+    const bool may_be_khz = record.length_s() > longest_record_s;  // already reported
     if (record.source.sample_rate_hz < info.sample_rate_hz && !may_be_khz) low.push_back(&record);
   }
   const auto text = [&](const RecordCheck& record) {
@@ -146,11 +146,10 @@ void add_low_rates(const DatasetInfo& info, const std::vector<RecordCheck>& reco
   add_for_each(low, text, lines);
 }
 
-/// Names records whose level is 200 times that of the healthy ones, or a 200th of it. Faults do
-/// less: those of CWRU raise it 30 times at most, those of UESTC 56 times, and twice the speed
-/// raises it another three or four times. Confused units do more: counts of a converter or mg for g
-/// thousands of times, millivolts of a usual sensor (100 mV/g) 100 times on top of what the fault
-/// does.
+/// Warns of records with a level above 200 times the healthy one, or below a 200th. Faults change
+/// it less: up to 30 times in CWRU and 56 times in UESTC, and twice the speed three or four times
+/// more. Confused units change it more: converter counts or mg for g thousands of times, millivolts
+/// of a usual sensor (100 mV/g) 100 times in addition to the fault.
 void add_levels(const DatasetInfo& info, const std::vector<RecordCheck>& records, Lines& lines) {
   constexpr double most_times = 200;
   std::vector<double> healthy;

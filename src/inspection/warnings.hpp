@@ -8,25 +8,25 @@
 
 namespace piae::inspection {
 
-/// What is odd about a description and its recordings, one line each: where it is (key of the
-/// description; record, file and variable), what it is, and why it matters. Each can be meant so,
-/// and none keeps the grid from running. What follows from another oddity is not said again: a
-/// record whose speed looks like Hz or that is no vibration is not asked for its fault lines.
+/// Returns the oddities of a description and its recordings, one line each: where (key of the
+/// description; record, file and variable), what, and why it matters. Each may be intended, and
+/// none stops the grid. Consequences of another oddity are not repeated: a record with a speed that
+/// looks like Hz, or without vibration, is not searched for fault lines.
 std::vector<std::string> warnings_of(const signal::Description& description,
                                      const DatasetCheck& check);
 
-/// The problems of records and classes, one line each: they keep the grid from running.
+/// Returns the problems of records and classes, one line each. They stop the grid.
 std::vector<std::string> problems_of(const DatasetCheck& check);
 
-/// Returns what is odd about the samples of one record: a time instead of a vibration, clipped
-/// peaks, few distinct values, stretches of one value, samples that stand alone, stretches that
-/// repeat, and missing samples.
+/// Returns the oddities in the samples of one record: a time instead of a vibration, clipped peaks,
+/// few distinct values, stretches of one value, spikes, repeated stretches, missing samples, and
+/// times that go back, step unevenly or contradict the rate.
 std::vector<std::string> sample_warnings(const RecordCheck& record);
 
-/// What is odd about fault lines alone: a record that does not show the line of its class, or shows
-/// that of another defect farther, and a healthy record that shows one. Where three quarters of the
-/// faulty records do not, that alone is said, once; and the factor, where their lines are off by
-/// the same one.
+/// Returns the oddities in fault lines: a faulty record without the line of its class, or with a
+/// stronger line of another defect, and a healthy record with a line. If three quarters of the
+/// faulty records are odd, returns a single line instead. The same if their lines are off by one
+/// factor.
 std::vector<std::string> line_warnings(const signal::DatasetInfo& info,
                                        const std::vector<RecordCheck>& records);
 
