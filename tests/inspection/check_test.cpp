@@ -15,7 +15,7 @@ using signal::Defect;
 using signal::Description;
 using signal::RecordSource;
 
-/// Two classes, one of two files, one of one.
+/// Returns two classes, one of two files, one of one.
 Description description() {
   Description d;
   d.info.name = "rig";
@@ -27,7 +27,7 @@ Description description() {
   return d;
 }
 
-/// `samples` numbers first, -first, first, ...: RMS first, and a file of its own by `first`.
+/// Writes `samples` numbers first, -first, first, ... with RMS `first`, so that each file differs.
 void write_signal(const Folder& folder, const std::string& file, std::size_t samples, int first) {
   std::string text;
   for (std::size_t i = 0; i < samples; ++i) {
@@ -36,8 +36,8 @@ void write_signal(const Folder& folder, const std::string& file, std::size_t sam
   folder.write(file, text);
 }
 
-// 600 windows of 1024 in 1024 + 599 * 3 = 2821 samples: stride 3. In two records of 1324 at stride
-// 1: 301 windows each, and 2 at most that way.
+// 600 windows of 1024 in 1024 + 599 * 3 = 2821 samples: stride 3. Two records of 1324 give 301
+// windows each at stride 1, and too few at stride 2.
 TEST(Check, FindsSamplesLevelsAndStrides) {
   const Folder folder;
   write_signal(folder, "bad.csv", 2821, 3);
@@ -60,8 +60,8 @@ TEST(Check, FindsSamplesLevelsAndStrides) {
   EXPECT_NEAR(found.classes[1].overlap, 1021.0 / 1024, 1e-12);
 }
 
-/// Of the fault class, A and D come from one file and C from another: no test window meets a
-/// training window. 595 windows of 1024 in 1024 + 594 * 3 = 2806 samples: stride 3.
+/// A and D of the fault class come from one file and C from another: no test window shares samples
+/// with a training window. 595 windows of 1024 in 1024 + 594 * 3 = 2806 samples: stride 3.
 TEST(Check, OfATransferCountsEachConditionByItself) {
   const Folder folder;
   write_signal(folder, "bad.csv", 2806, 3);
@@ -82,7 +82,7 @@ TEST(Check, OfATransferCountsEachConditionByItself) {
   EXPECT_NEAR(found.classes[0].shared_with_training, 1, 1e-6);
 }
 
-/// What is clipped in the file is not flat any more once it is resampled.
+/// Resampling rounds clipped tops, so the check needs the file's own samples.
 TEST(Check, LooksForFlawsInTheFilesOwnSamples) {
   const Folder folder;
   write_signal(folder, "ok1.csv", 1324, 1);
@@ -99,8 +99,7 @@ TEST(Check, LooksForFlawsInTheFilesOwnSamples) {
   EXPECT_GT(found.records[0].clipped.count, 0U);
 }
 
-/// Noise that is cut at 2, with a spike, whose last quarter repeats its first, and whose times
-/// jump.
+/// Noise clipped at 2, with a spike. Its last quarter repeats its first, and its times jump.
 TEST(Check, KeepsEachFlawOfASignal) {
   const Folder folder;
   write_signal(folder, "ok1.csv", 1324, 1);
@@ -129,7 +128,7 @@ TEST(Check, KeepsEachFlawOfASignal) {
   EXPECT_EQ(found.few_values, std::nullopt);
 }
 
-/// At 1 Hz these are 47 minutes, and at half of that more than an hour: 5642 s.
+/// At 1 Hz the record lasts 47 minutes, and at half that rate more than an hour: 5642 s.
 TEST(Check, DoesNotBlowUpARecordOfMoreThanAnHour) {
   const Folder folder;
   write_signal(folder, "ok1.csv", 1324, 1);
@@ -151,7 +150,7 @@ TEST(Check, GoesOnAfterWhatCannotBeRead) {
   folder.write("ok2.csv", "1\nnan\n2\n");
   const Description d = description();
   const DatasetCheck found = check(d, folder.path());
-  EXPECT_EQ(found.exit, Exit::bad_input);  // though a file is missing, too
+  EXPECT_EQ(found.exit, Exit::bad_input);  // although a file is also missing
   EXPECT_NE(found.records[0].problem.find("no such file"), std::string::npos);
   EXPECT_EQ(found.records[1].problem, "");
   EXPECT_NE(found.records[2].problem.find("NaN"), std::string::npos) << found.records[2].problem;

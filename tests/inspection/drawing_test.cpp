@@ -22,8 +22,8 @@ TEST(TickStep, MakesFourToTenStepsOfOneTwoOrFive) {
   EXPECT_DOUBLE_EQ(tick_step(568), 100);
 }
 
-// Two pixels, five values each: the lowest and the highest of each, in the order of time. On one
-// pixel alone, which holds the last value, there is one point.
+// Two pixels, five values each: the lowest and the highest of each, in time order. The last value
+// alone is on a further pixel and gives one point.
 TEST(TraceOf, IsTheLowestAndHighestOnEachPixel) {
   const Axis x{.low = 0, .high = 10, .from = 100, .to = 102};
   const Axis y{.low = 0, .high = 1, .from = 0, .to = 1};

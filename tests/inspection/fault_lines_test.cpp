@@ -20,14 +20,14 @@ constexpr double rpm = 1797;
 constexpr double rate_hz = 12000;
 constexpr std::array kinds{Defect::outer, Defect::inner, Defect::roller};
 
-/// CWRU's bearing, which is Geometry's default.
+/// Returns the lines for CWRU's bearing, Geometry's default.
 FaultLines lines_of(const Samples& samples, double rate = rate_hz, double speed_rpm = rpm) {
   return fault_lines(envelope_spectrum(samples, rate, speed_rpm / 60), {}, speed_rpm);
 }
 
 double hz_of(Defect kind) { return line_of(lines_of({}), kind).hz; }
 
-/// Table 1's bearing at 1797 rpm, worked by hand.
+/// Worked by hand for Table 1's bearing at 1797 rpm.
 TEST(FaultLines, LieAtTheFrequenciesOfTheBearing) {
   EXPECT_NEAR(hz_of(Defect::outer), 107.34, 0.01);
   EXPECT_NEAR(hz_of(Defect::inner), 162.21, 0.01);
@@ -35,8 +35,7 @@ TEST(FaultLines, LieAtTheFrequenciesOfTheBearing) {
   EXPECT_EQ(line_name(Defect::roller), "2BSF");
 }
 
-/// Where conditions turn at other speeds, a record has the lines of its own: at 900 rpm half as
-/// high as at 1800.
+/// A record has the lines of its own speed, not of the dataset's: at 900 rpm half those at 1800.
 TEST(FaultLines, AreThoseOfTheSpeedOfTheRecordInEveryCondition) {
   signal::DatasetInfo info;
   info.conditions = {
@@ -50,8 +49,8 @@ TEST(FaultLines, AreThoseOfTheSpeedOfTheRecordInEveryCondition) {
 
 /// A carrier at a quarter of the rate with cos of depth m at f, 2 f and 3 f, in noise of deviation
 /// s. Its envelope holds the noise in phase with the carrier: s^2 in a band half as wide as the
-/// signal's, twice as dense. Hann's window makes (m L / 4)^2 of a line, and 2 s^2 (3 / 8) L of the
-/// noise: together 1 + m^2 L / (12 s^2) times the noise.
+/// signal's, twice as dense. Hann's window gives (m L / 4)^2 for a line, and 2 s^2 (3 / 8) L for
+/// the noise: together 1 + m^2 L / (12 s^2) times the noise.
 TEST(FaultLines, OfAKnownModulationHaveTheirClosedForm) {
   constexpr double m = 0.02;
   constexpr double s = 0.05;
@@ -92,7 +91,7 @@ TEST(FaultLines, DoNotStandOutWhereTheSpeedIsWrong) {
   }
 }
 
-/// Places say by how much the speed is wrong, from 2/3 to 3/2.
+/// The strongest place shows the error of the speed, from 2/3 to 3/2.
 TEST(FaultLines, AreFarthestWhereTheyAre) {
   for (const Defect kind : kinds) {
     const Samples samples = struck_recording(rate_hz, 6, hz_of(kind), "struck");
@@ -112,7 +111,7 @@ TEST(FaultLines, CountOneHarmonicOfSomethingElseForLittle) {
 }
 
 /// 3 lines of 400 records: 1.2 above noise_db are expected at a chance of 1e-3 each, and more than
-/// 6 in one of 3000 such tests; the highest of all lies near it.
+/// 6 in one of 3000 such tests. The highest of all lies near noise_db.
 TEST(FaultLines, OfWhiteNoisePassForLinesAsSeldomAsPromised) {
   int above = 0;
   double highest = 0;
@@ -131,7 +130,7 @@ TEST(FaultLines, OfWhiteNoisePassForLinesAsSeldomAsPromised) {
   EXPECT_NEAR(highest, noise_db, 0.7);
 }
 
-/// 1024 samples hold 2.6 turns, at most 1 in a segment: four strikes.
+/// 1024 samples hold 2.6 turns, at most 1 in a segment: four impacts.
 TEST(FaultLines, OfTooShortARecordOrTooLowARateAreNone) {
   for (const FaultLine& line : lines_of(struck_recording(rate_hz, 0.085, 107, "short"))) {
     EXPECT_FALSE(line.db);
@@ -144,7 +143,7 @@ TEST(FaultLines, OfTooShortARecordOrTooLowARateAreNone) {
   EXPECT_TRUE(envelope_spectrum({}, rate_hz, 30).power.empty());
 }
 
-/// 0.7 s, 21 turns, as simulated data sets have them.
+/// 0.7 s, 21 turns, as in simulated data sets.
 TEST(FaultLines, OfAShortRecordAreMeasuredInShorterSegments) {
   const Samples samples = struck_recording(rate_hz, 0.7, hz_of(Defect::inner), "short");
   const EnvelopeSpectrum spectrum = envelope_spectrum(samples, rate_hz, rpm / 60);

@@ -8,7 +8,7 @@
 namespace piae::inspection {
 
 /// A description with a healthy class, and an outer, an inner and a roller defect of CWRU's
-/// bearing, of one record each, and what a check would find in good recordings of it.
+/// bearing, one record each, and the results of a check on good recordings.
 struct Found {
   Found() {
     using signal::Defect;
@@ -38,7 +38,7 @@ struct Found {
     }
   }
 
-  /// Far above the noise, a line stands out.
+  /// Sets a line, which stands out above 3 dB.
   static void set(FaultLine& line, double db) {
     line.db = db;
     line.stands_out = db > 3;

@@ -13,7 +13,7 @@ namespace {
 
 using std::numbers::pi;
 
-/// A sin: A / sqrt(2), 3/8 A^4 over (A^2 / 2)^2, A over A / sqrt(2), whatever the offset.
+/// A sin: A / sqrt(2), 3/8 A^4 over (A^2 / 2)^2, A over A / sqrt(2), for any offset.
 TEST(Level, OfASineHasItsClosedForm) {
   std::vector<double> sine(4000);
   for (int i = 0; i < 4000; ++i) sine[i] = 7 + 2 * std::sin(2 * pi * i / 40);

@@ -67,7 +67,7 @@ TEST(LoneSamples, AreNotTheImpactsOfAFault) {
   }
 }
 
-/// A single impact, far out of the noise, through the sharpest filter that recorders have.
+/// A single impact, far above the noise, through the sharpest filter of a recorder.
 TEST(LoneSamples, AreNotASingleImpactThatAFilterSharpened) {
   for (const double shift : {0.0, 0.2, 0.5}) {
     Samples samples = ringing(0);

@@ -23,7 +23,7 @@ std::size_t count_of(const std::string& text, const std::string& word) {
   return count;
 }
 
-/// Found with the signals that the picture draws.
+/// Returns a Found with the signals for the picture.
 Found drawn() {
   Found found;
   for (RecordCheck& record : found.check.records) {
@@ -59,7 +59,7 @@ TEST(Picture, HasARowForEachRecordWithItsLinesMarkedAndNamed) {
   EXPECT_THAT(picture, HasSubstr(">ok (ok.csv), healthy<"));
   EXPECT_THAT(picture, HasSubstr(">outer (outer.csv), BPFO 107.3 Hz: 20.0 dB<"));
   for (const std::string name : {">BPFO<", ">BPFI<", ">2BSF<"}) {
-    EXPECT_EQ(count_of(picture, name), 5U) << name;  // the legend's and one a row
+    EXPECT_EQ(count_of(picture, name), 5U) << name;  // the legend's and one per row
   }
   // 600 bins of 0.47 Hz reach the second harmonics of BPFO and 2BSF. Thick: the record's own.
   EXPECT_EQ(count_of(picture, "stroke-width=\"2.4\" stroke-dasharray=\"7 3\""), 1U);

@@ -17,7 +17,7 @@ TEST(Speed, BetweenOneAndAHundredLooksLikeHz) {
   EXPECT_FALSE(looks_like_hz(101));
 }
 
-/// SKF 6205: bore 25, outside diameter 52, shoulders 33.8 and 44 mm or so.
+/// SKF 6205: bore 25, outside diameter 52, shoulders about 33.8 and 44 mm.
 TEST(Raceways, OfTheWorkingBearingFit) {
   EXPECT_FALSE(raceway_mismatch({}));
   EXPECT_FALSE(raceway_mismatch({9, 7.94, 39.04, 31.1, 46.9, 0})) << "rounded";
@@ -53,15 +53,15 @@ TEST(Raceways, OfAnAngularContactMayBeWhereTheBallsTouch) {
   EXPECT_TRUE(raceway_mismatch({9, 7.94, 39, 32.92, 45.08, 0}));
 }
 
-/// At stride 512 one window on either side overlaps: 5 of the other 599 miss both of them with the
-/// probability (597 596 595 594 593) / (599 598 597 596 595).
+/// At stride 512 one window on either side overlaps. All 5 training windows of the other 599 miss
+/// both with the probability (597 596 595 594 593) / (599 598 597 596 595).
 TEST(Overlap, OfTestAndTrainingHasItsClosedForm) {
   EXPECT_EQ(share_that_meets_training(1024, 1024, 600, 5), 0);
   EXPECT_NEAR(share_that_meets_training(512, 1024, 600, 5), 1 - 594.0 * 593 / (599.0 * 598), 1e-12);
   EXPECT_EQ(share_that_meets_training(1, 1024, 600, 5), 1);
 }
 
-/// Dealt out as split() does, away from the ends of the record.
+/// Assigned as in split(), away from the ends of the record.
 TEST(Overlap, OfTestAndTrainingIsThatOfADeal) {
   constexpr std::size_t stride = 100;
   Stream stream("overlap");

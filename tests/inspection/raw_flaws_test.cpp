@@ -17,7 +17,7 @@ using Samples = std::vector<double>;
 
 Samples struck() { return struck_recording(12000, 2, 107, "raw flaws"); }
 
-/// As a converter with this resolution has it.
+/// Rounds samples as a converter of this resolution does.
 Samples quantised(Samples samples, double quantum) {
   for (double& x : samples) x = quantum * std::round(x / quantum);
   return samples;
@@ -70,7 +70,7 @@ TEST(Clipped, WholePeaksAreNot) {
   }
 }
 
-/// The top of a slow sine of few steps is flat over many samples, and nothing was cut.
+/// The top of a slow sine of few steps is flat over many samples without clipping.
 TEST(Clipped, RoundedTopsOfACoarseConverterAreNot) {
   for (const double per_sample : {0.3, 0.031, 0.0103, 0.00107}) {
     const Samples samples = quantised(sine(per_sample, 1, 20000), 1 / 100.0);
@@ -107,7 +107,7 @@ TEST(Held, MostOfARecordCountsAsWell) {
 }
 
 TEST(Held, ValuesThatRepeatByChanceDoNot) {
-  // Of three values on average: one step in four repeats.
+  // Three values on average: one step in four repeats.
   const Samples coarse = quantised(struck_recording(12000, 10, 0, "coarse"), 0.1);
   EXPECT_EQ(held_values(coarse).count, 0U);
   EXPECT_EQ(held_values(struck()).count, 0U);

@@ -1,6 +1,6 @@
-// The real recordings, where the environment variable DATA_DIR has them. Warnings among them are
-// facts that others have seen, too: Smith and Randall (2015) could not diagnose some records of
-// CWRU from their own lines.
+// Tests on the real recordings, if the environment variable DATA_DIR is set. Others have seen such
+// warnings, too: Smith and Randall (2015) could not diagnose some records of CWRU from their own
+// lines.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -20,7 +20,7 @@ using testing::UnorderedElementsAre;
 const fs::path descriptions =
     fs::path(__FILE__).parent_path().parent_path().parent_path() / "pipeline" / "datasets";
 
-/// The warnings of a data set; nothing where its recordings are not there.
+/// Returns the warnings of a data set; nothing if its recordings are missing.
 std::optional<std::vector<std::string>> warnings_of(const std::string& dataset) {
   const char* folder = std::getenv("DATA_DIR");
   if (folder == nullptr) return std::nullopt;
@@ -40,7 +40,7 @@ TEST(RealRecordings, OfCwruHaveThreeFaultsThatDoNotShowTheirLinesBest) {
                                               about("OR014 (", "BPFO")));
 }
 
-/// The scale of their amplitude differs from file to file.
+/// The amplitude scale differs from file to file.
 TEST(RealRecordings, OfHitSmHaveAHealthyOneThatShowsALineAndAScaleOfItsOwn) {
   const auto warnings = warnings_of("hit-sm");
   if (!warnings) GTEST_SKIP() << "DATA_DIR does not have the recordings";
@@ -51,8 +51,8 @@ TEST(RealRecordings, OfHitSmHaveAHealthyOneThatShowsALineAndAScaleOfItsOwn) {
                         HasSubstr("(the same holds for IR5, IR8, OR2, OR5, OR8)"))));
 }
 
-/// 13 and 9 samples of 262144 lie on 9.999, the end of a range of 10 V, and nothing else of 32
-/// records is cut, repeats, or stands alone.
+/// 13 and 9 samples of 262144 lie on 9.999, the end of a range of 10 V. No other of the 32 records
+/// is clipped, repeats, or has a spike.
 TEST(RealRecordings, OfUestcAreCutAtTheEndOfTheirRangeInTwo) {
   auto warnings = warnings_of("uestc-speeds");
   if (!warnings) GTEST_SKIP() << "DATA_DIR does not have the recordings";

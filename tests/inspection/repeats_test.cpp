@@ -36,7 +36,7 @@ TEST(Repeats, AHalfThatRepeatsTheOtherIsOneStretch) {
   EXPECT_EQ(found.original, 0U);
 }
 
-/// Blocks need not begin where a stretch does.
+/// Blocks do not need to begin where a stretch does.
 TEST(Repeats, AShortStretchIsFoundAtAnyPlace) {
   for (const std::size_t from : {0U, 1U, 17U, 5003U}) {
     for (const std::size_t count : {100U, 101U, 1024U}) {
@@ -87,7 +87,7 @@ TEST(Repeats, AreNotConstantsOrSlopesOrShortStretches) {
   std::fill_n(zeros.begin() + 3000, 2000, 0.0);
   std::fill_n(zeros.begin() + 9000, 2000, 0.0);
   EXPECT_EQ(repeats(zeros).count, 0U);
-  // A converter of 200 steps: its cycle takes 934.58 samples.
+  // A converter of 200 steps; the cycle of the sine takes 934.58 samples.
   Samples slow(20000);
   for (std::size_t i = 0; i < slow.size(); ++i) {
     slow[i] = std::round(100 * std::sin(2 * pi * 0.00107 * static_cast<double>(i)));

@@ -34,7 +34,7 @@ Samples clamped(Samples samples, double low, double high) {
   return samples;
 }
 
-/// Full scale of a converter of so many bits, `period` samples long.
+/// Returns a sine at full scale of a converter with this many bits, with a period in samples.
 Samples full_scale_sine(double period, double phase, int bits) {
   Samples samples(length);
   for (std::size_t i = 0; i < length; ++i) {
@@ -61,7 +61,7 @@ TEST(FewValues, AreCountedUpToSixteen) {
 
 TEST(FewValues, AreNotThoseOfAWorkingConverterOrAShortRecord) {
   EXPECT_EQ(few_values(noise(1, "fine")), std::nullopt);
-  // Normal noise of three steps reaches some four deviations to either side: 24 values.
+  // Normal noise of three steps reaches about four deviations to either side: 24 values.
   EXPECT_EQ(few_values(rounded(noise(3, "coarse"), 1)), std::nullopt);
   Samples short_record;
   for (int i = 0; i < 30; ++i) short_record.push_back(i % 7);
@@ -97,7 +97,7 @@ TEST(CutTops, OfImpactsAndOfCoarseConvertersAreFound) {
   EXPECT_EQ(cut_tops(coarse).on_highest, count_of(coarse, 2));
 }
 
-/// 13 of 262144 samples of one of UESTC's records are on +10 V, and all others differ.
+/// One UESTC record has 13 of 262144 samples on +10 V, and all others differ.
 TEST(CutTops, OfAFewPeaksAreFoundWhereValuesAreFine) {
   Samples samples = rounded(noise(1, "white"), 1e-6);
   for (std::size_t i = 0; i < 9; ++i) samples[1000 * i + 500] = 5;
@@ -125,8 +125,8 @@ TEST(CutTops, AreNotThoseOfAFaultsImpacts) {
   }
 }
 
-/// Equal peaks are the hardest case: with a whole period the same samples come again and again, but
-/// for the rounding of the computation, which spares the peaks and so makes them more equal.
+/// Equal peaks are the hardest case: over a whole period the same samples recur, except for
+/// rounding. Rounding affects peaks least, and so makes them more equal.
 TEST(CutTops, AreNotThoseOfASineAtFullScale) {
   for (const double period : {2.5, 3.0, 4.0, 7.3, 10.0, 100.0, 97.31, 934.58, 6000.0}) {
     for (const double phase : {0.0, 0.4, pi / 4, pi / 2}) {
@@ -148,7 +148,7 @@ TEST(CutTops, AreNotThoseOfASineInNoise) {
   }
 }
 
-/// Samples that a recorder writes several times are one visit.
+/// Samples that a recorder repeats are one visit.
 TEST(CutTops, AreNotThoseOfRepeatedSamples) {
   Samples twelvefold;
   for (const double x : noise(1, "held")) twelvefold.insert(twelvefold.end(), 12, x);

@@ -19,7 +19,7 @@ std::vector<std::string> warnings_of(const Found& found) {
   return inspection::warnings_of(found.description, found.check);
 }
 
-/// The one warning, which is one line and holds all these words.
+/// Expects a single warning in one line with all these words.
 void expect_one(const Found& found, const std::vector<std::string>& words) {
   const std::vector<std::string> warnings = warnings_of(found);
   ASSERT_EQ(warnings.size(), 1U) << testing::PrintToString(warnings);
@@ -35,7 +35,7 @@ void set_speed(Found& found, double rpm) {
 
 TEST(Warnings, AreNoneForGoodRecordings) { EXPECT_THAT(warnings_of(Found()), IsEmpty()); }
 
-/// Nothing else is said: turns and lines follow from the speed.
+/// No further warning: turns and lines follow from the speed.
 TEST(Warnings, NameASpeedInHzOnce) {
   Found found;
   set_speed(found, 29.95);
@@ -105,8 +105,8 @@ TEST(Warnings, NameARecordOfLessThanTenTurns) {
                      "0.01 s", "0.3 turns"});
 }
 
-/// It is not asked for lines or stretches any more.
-/// 0.1 s at 1797 rpm are 3 turns: lines of such files may be any.
+/// Too short files are not searched for lines. 0.1 s at 1797 rpm are 3 turns, so any line may
+/// appear.
 TEST(Warnings, AskNoLinesOfFilesThatAreTooShort) {
   Found found;
   RecordCheck& healthy = found.check.records[0];
@@ -143,7 +143,7 @@ TEST(Warnings, NamePeaksThatAreCutToOneSample) {
   expect_one(found, {"clipped: 31 samples in 7 stretches"});
 }
 
-/// Lines and levels follow from the dead sensor, and are not reported.
+/// Lines and levels follow from the dead sensor and are not reported.
 TEST(Warnings, NameFewDistinctValues) {
   Found found;
   RecordCheck& record = found.check.records[1];
@@ -277,14 +277,14 @@ TEST(Warnings, NameAFaultThatShowsAnotherLineFarther) {
 
 TEST(Warnings, NameSpeedAndRateWhereNearlyAllFaultsDoNotShowTheirLines) {
   Found found;
-  Found::set(found.line(0, 1), 9.3);  // follows from it
+  Found::set(found.line(0, 1), 9.3);  // follows from the same error
   found.line(1, 0).stands_out = false;
   found.line(2, 1).stands_out = false;
   found.line(3, 2).stands_out = false;
   expect_one(found, {"only 0 of 3 faulty records", "(not outer, inner, ball)", "shaft_speed_rpm"});
 }
 
-/// Three of three records of three kinds, within 2 %: by chance in one of 400.
+/// Three of three records of three fault types, within 2 %: by chance in one of 400.
 TEST(Warnings, NameTheFactorByWhichAllLinesAreOff) {
   Found found;
   const std::vector<double> factors{0.95, 0.948, 0.956};
@@ -305,11 +305,11 @@ TEST(Warnings, NameTheFactorByWhichAllLinesAreOff) {
   move(2, 0.95);
   found.line(3, 2).stands_out = true;  // at its own place
   EXPECT_THAT(warnings_of(found), Not(Contains(HasSubstr("times its place"))));
-  for (const std::size_t i : own) move(i, 1.01);  // within what slip explains
+  for (const std::size_t i : own) move(i, 1.01);  // within slip
   EXPECT_THAT(warnings_of(found), ElementsAre(HasSubstr("only 0 of 3 faulty records")));
 }
 
-/// A line of the shaft is at one frequency, whatever the fault.
+/// A line of the shaft has one frequency, whatever the fault.
 TEST(Warnings, NameNoFactorThatOneKindOfFaultAloneHas) {
   Found found;
   for (const Label label : {1, 2, 3}) {

@@ -65,7 +65,7 @@ TEST(BearingTable, SaysWhatItHasInstead) {
     refused(part, "'" + part + "' has no row in " + table.string() + "; it has SKF 6205-2RS JEM");
   }
   refused("6311", "'6311' has no row in " + table.string() + "; give balls");
-  refused("620", "'620' has no row");  // no part of a word will do
+  refused("620", "'620' has no row");  // part of a word is not enough
   refused("6201", "'6201' may be one of NTN 6201, NTN 6201 wide, whose fault lines differ");
 }
 
@@ -83,7 +83,7 @@ TEST(BearingTable, IsRefusedWhereItIsDamaged) {
   EXPECT_ERROR(bearing_called("6205", folder / "none.csv"), Exit::input_missing, "none.csv: ");
 }
 
-/// The rows of the project's own table, by an independent reading of it.
+/// Returns the rows of the project's own table, by an independent reader.
 std::vector<std::vector<std::string>> own_rows() {
   std::istringstream in(bytes_of(std::filesystem::path(PIAE_SOURCE) / "pipeline/bearings.csv"));
   std::vector<std::vector<std::string>> rows;
@@ -115,7 +115,7 @@ TEST(OwnBearings, CanEachBeUsedAndHaveASource) {
   }
 }
 
-/// Harris' formulae, at one turn a second.
+/// Compares with Harris' formulae, at one turn a second.
 TEST(OwnBearings, HaveTheOrdersThatWerePublished) {
   std::size_t compared = 0;
   for (const auto& row : own_rows()) {

@@ -5,7 +5,7 @@
 namespace piae::signal {
 
 /// A description without [transfer]: a healthy and an outer class, each recorded at 900 and at 1200
-/// rpm; and a healthy record that belongs to every condition. Line 11 on are the classes.
+/// rpm, and a healthy record of every condition. The classes start at line 11.
 inline const std::string two_speeds = R"(name = "rig"
 sample_rate_hz = 8000
 shaft_speed_rpm = 900

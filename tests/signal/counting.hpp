@@ -7,7 +7,7 @@
 
 namespace piae::signal {
 
-/// A record of a label whose samples all differ: sample i of it is label * 1e6 + number * 1e5 + i.
+/// Returns a record whose samples all differ: sample i is label * 1e6 + number * 1e5 + i.
 inline Record counting_record(const std::string& name, int label, int number, std::size_t samples) {
   Record record;
   record.name = name;
@@ -21,7 +21,7 @@ inline Record counting_record(const std::string& name, int label, int number, st
   return record;
 }
 
-/// Three classes; the inner one has two records.
+/// Returns three classes; the inner one has two records.
 inline Recordings counting_recordings(std::size_t samples) {
   Recordings r;
   r.info.name = "counting";
@@ -34,7 +34,8 @@ inline Recordings counting_recordings(std::size_t samples) {
   return r;
 }
 
-/// Three classes at two speeds, all samples different: known at 900 rpm, tested at 1200 rpm.
+/// Returns three classes at two speeds, all samples different: known at 900 rpm, tested at 1200
+/// rpm.
 inline Recordings counting_transfer(std::size_t samples) {
   Recordings r = counting_recordings(1);
   r.info.conditions = {{.name = "900 rpm", .shaft_speed_rpm = 900, .test = false},

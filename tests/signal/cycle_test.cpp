@@ -10,7 +10,7 @@
 namespace piae::signal {
 namespace {
 
-// A strike every 12000 / 107.34 = 111.79 samples: 8 in 894.4, 9 would leave only 18 of 1024.
+// An impact every 12000 / 107.34 = 111.79 samples: 8 in 894.4; 9 would leave only 18 of 1024.
 TEST(Cycle, HoldsAsManyWholeStrikesAsLeaveSomethingToBlend) {
   const Cycle cycle = *cycle_of(12000 / 107.34, 1024);
   EXPECT_EQ(cycle.strikes, 8U);
@@ -25,7 +25,7 @@ TEST(Cycle, HoldsAsManyWholeStrikesAsLeaveSomethingToBlend) {
 
 TEST(Cycle, HasNoneWhereNotOneWholeStrikeFits) {
   EXPECT_FALSE(cycle_of(111.8, 100));
-  EXPECT_FALSE(cycle_of(99, 100));  // there would be nothing to blend
+  EXPECT_FALSE(cycle_of(99, 100));  // leaves too little to blend
   EXPECT_TRUE(cycle_of(96, 100));
 }
 
@@ -40,8 +40,8 @@ TEST(ClosedCycle, LeavesAPeriodicSignalAsItIs) {
   for (std::size_t i = 0; i < 90; ++i) EXPECT_NEAR(waveform[i], window[i], 1e-12);
 }
 
-// A ramp jumps by its whole height at the seam of a cut; blended, no step is larger than that of
-// the blend, height / 16, plus its own.
+// A ramp jumps by its whole height at a plain cut. After blending, each step is at most that of the
+// blend, height / 16, plus the ramp's own.
 TEST(ClosedCycle, LetsTheEndGoOverIntoTheBeginning) {
   const Cycle cycle{90, 3, 16};
   std::vector<double> window(128);
@@ -52,7 +52,7 @@ TEST(ClosedCycle, LetsTheEndGoOverIntoTheBeginning) {
   }
 }
 
-// The promise of the twin: another start angle is the same waveform, shifted.
+// The twin relies on this: another start angle gives the same waveform, shifted.
 TEST(Read, ShiftsTheWaveformBitForBit) {
   Stream stream("waveform");
   std::vector<float> waveform(97);

@@ -159,7 +159,7 @@ TEST(DescribedConditions, NoFaultNeedBeKnownInAny) {
   EXPECT_EQ(description.info.conditions.size(), 2U);
 }
 
-/// Healthy records at several speeds need not be of a condition for that.
+/// Healthy records at several speeds do not need a condition for each.
 TEST(DescribedConditions, ARecordOfNoneMayHaveASpeedOfItsOwn) {
   const Folder folder;
   const std::string text = replaced(two_speeds, "condition = \"1200 rpm\"\nshaft_speed_rpm = 1200",

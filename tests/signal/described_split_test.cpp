@@ -34,7 +34,7 @@ TEST(DescribedSplit, SimulatedDataSetsMayHaveOne) {
       Exit::bad_input, "split.known-per-class must be a whole number");
 }
 
-/// What a machine is diagnosed by that has never failed.
+/// Data to diagnose a machine that has never failed.
 TEST(DescribedSplit, WithoutKnownFaultsHealthyRecordsGeometryAndSpeedAreNeeded) {
   struct Lack {
     std::string part;

@@ -16,7 +16,7 @@ const std::string bearing_table =
     "[bearing]\nballs = 8\nball_diameter_mm = 7\npitch_diameter_mm = 33.5\n"
     "inner_raceway_mm = 26.5\nouter_raceway_mm = 40.5\ncontact_angle_deg = 15\n";
 
-/// Line 2 is the rate, lines 14 and on are what follows the bearing.
+/// Line 2 is the rate; the text after the bearing starts at line 14.
 const std::string head =
     "name = \"rig\"\nsample_rate_hz = 8000\nshaft_speed_rpm = 900\n\n" + bearing_table + "\n\n";
 
@@ -63,7 +63,7 @@ TEST(Description, IsReadAsItStands) {
   EXPECT_EQ(d.info.healthy_label(), 0);
 }
 
-/// The same with another defect, with or without what is said of it and of the bearing.
+/// Returns `good` with another defect and size, with or without its bearing.
 std::string described_fault(const std::string& defect, const std::string& size, bool bearing) {
   std::string text = good;
   text.replace(text.find("\"outer\"\ndefect_size_mm = 0.5\n"), 30, '"' + defect + "\"\n" + size);
@@ -144,13 +144,13 @@ TEST(Description, ARecordMayHaveManyFiles) {
   EXPECT_THAT(d.records[2].files, ElementsAre("rig/a.mat"));
 }
 
-/// The orders that CWRU's page prints of its drive end.
+/// Describes the bearing by orders, such as those on CWRU's page for the drive end.
 std::string described_by_orders(const std::string& orders) {
   std::string text = replaced(good, "defect_size_mm = 0.5\n", "");
   return text.replace(text.find(bearing_table), bearing_table.size(), "[bearing]\n" + orders);
 }
 
-/// CWRU's lines at 1797 rpm, 29.95 Hz.
+/// Uses CWRU's lines at 1797 rpm, 29.95 Hz.
 TEST(Description, FrequenciesInHzAreNoOrders) {
   const Folder folder;
   const auto at = [](const std::string& rpm, const std::string& orders) {
@@ -164,7 +164,7 @@ TEST(Description, FrequenciesInHzAreNoOrders) {
     const std::string text = at("1797", std::string("bpfo = 107.3\nbpfi = 162.2\n") + more);
     EXPECT_ERROR(read_description(folder.write("rig.toml", text)), Exit::bad_input, why);
   }
-  // A slewing bearing has as many balls.
+  // A slewing bearing has this many balls.
   const std::string many = "bpfo = 49\nbpfi = 51\n";
   EXPECT_ERROR(read_description(folder.write("rig.toml", at("600", many))), Exit::bad_input,
                "seem to be Hz");

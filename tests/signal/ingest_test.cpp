@@ -15,7 +15,7 @@ Recordings ingest(const Description& description, const std::filesystem::path& d
   return all;
 }
 
-/// Two classes with one CSV each, written into the folder.
+/// Returns two classes with one CSV each, written into the folder.
 Description description_in(const Folder& folder) {
   folder.write("rig/a.csv", "1\n2\n3\n4\n");
   folder.write("rig/b.csv", "5\n6\n7\n8\n");
@@ -64,7 +64,7 @@ TEST(Ingest, ScalesARecordThatHasItsOwnUnit) {
   EXPECT_EQ(r.records[1].signal, (std::vector<double>{1, 2, 3, 4}));
 }
 
-/// Three files of one record, at twice the rate of the dataset.
+/// Returns one record of three files, at twice the rate of the dataset.
 Description many_files_in(const Folder& folder) {
   Description d = description_in(folder);
   folder.write("run/acc_10.csv", "7\n9\n7\n9\n7\n9\n");
@@ -86,14 +86,14 @@ TEST(Ingest, ReadsManyFilesAsOneRecordInTheOrderOfTheirNumbers) {
   EXPECT_EQ(record.files[0].name, "run/acc_1.csv");
   EXPECT_EQ(record.files[2].name, "run/acc_10.csv");
   EXPECT_EQ(record.files[2].sha256, sha256_of_file(folder / "run/acc_10.csv"));
-  // Each file is resampled by itself: no sample of one is in the next.
+  // Each file is resampled separately: its samples do not affect the next file.
   Description alone = d;
   alone.records[0].files = {"run/acc_10.csv"};
   const std::vector<double> last = ingest(alone, folder.path()).records[0].signal;
   EXPECT_EQ(std::vector<double>(record.signal.begin() + 6, record.signal.end()), last);
 }
 
-/// Compares with what `sha256sum run/acc_1.csv run/acc_2.csv run/acc_10.csv | sha256sum` prints.
+/// Compares with the output of `sha256sum run/acc_1.csv run/acc_2.csv run/acc_10.csv | sha256sum`.
 TEST(Ingest, TheSumOfManyFilesIsThatOfTheirList) {
   const Folder folder;
   Description d = many_files_in(folder);

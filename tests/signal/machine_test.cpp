@@ -16,7 +16,7 @@ const std::string machine_description = described_bearing("small") + described_n
                                         described_ir007 + described_or021 +
                                         described_simulation("2", "0.2");
 
-/// Nothing varies.
+/// The machine description without variation.
 const std::string steady_description = replaced(
     replaced(
         replaced(replaced(machine_description, "stiffness_spread = 0.1", "stiffness_spread = 0"),
@@ -39,7 +39,7 @@ std::vector<float> signal_of(const std::string& description, const std::string& 
   return signal;
 }
 
-/// Root mean square of the samples from one time to another, in s.
+/// Returns the root mean square of the samples from one time to another, in s.
 double level(const std::vector<float>& signal, double from_s, double to_s) {
   const auto first = signal.begin() + std::lround(from_s * 12000);
   const auto last = signal.begin() + std::lround(to_s * 12000);
@@ -70,8 +70,8 @@ TEST(Machine, IsHealthyUntilTheDefectAppears) {
   }
 }
 
-/// Where stretches end depends on when the defect appears. Long after that, nothing is to be seen
-/// of it: the signal is what one uninterrupted solution of eq. 13 would give.
+/// The onset of the defect shifts the ends of later stretches. Long after it, the signal must equal
+/// one uninterrupted solution of eq. 13.
 TEST(Machine, StretchesJoinWithoutATrace) {
   const std::string roller =
       replaced(replaced(steady_description, "IR007", "B007"), "inner\"\ndef", "roller\"\ndef");
@@ -119,7 +119,7 @@ TEST(Machine, HasTheMeasurementNoiseOfTheRecords) {
   for (std::size_t i = 0; i < clean.size(); ++i) squares += std::pow(measured[i] - clean[i], 2);
   EXPECT_NEAR(std::sqrt(squares / static_cast<double>(clean.size())) / noise, 1, 0.02);
 
-  // A record of a healthy bearing holds little else.
+  // A record of a healthy bearing is almost only noise.
   const Recordings records = simulate(simulation_of(noisy));
   const auto normal = std::ranges::find(records.records, "Normal-01", &Record::name);
   ASSERT_NE(normal, records.records.end());

@@ -33,13 +33,13 @@ TEST(MeantKey, IsAnotherWord) {
   EXPECT_EQ(meant_key("Channel", of_a_record), "variable is meant");
   EXPECT_EQ(meant_key("fs", of_a_record), "sample_rate_hz is meant");
   EXPECT_EQ(meant_key("rolling-elements", of_a_bearing), "balls is meant");
-  EXPECT_EQ(meant_key("column", of_a_bearing), "");  // which has no variable
+  EXPECT_EQ(meant_key("column", of_a_bearing), "");  // a bearing has no key `variable`
 }
 
 TEST(MeantKey, DiffersByALetterOrTwo) {
   EXPECT_EQ(meant_key("varaible", of_a_record), "variable is meant");
   EXPECT_EQ(meant_key("shaft_speeds_rpm", of_a_record), "shaft_speed_rpm is meant");
-  EXPECT_EQ(meant_key("ur", of_a_record), "");  // too short to say
+  EXPECT_EQ(meant_key("ur", of_a_record), "");  // too short to guess
   EXPECT_EQ(meant_key("comment", of_a_record), "");
 }
 

@@ -13,7 +13,7 @@ std::vector<float> counting_from(float first, std::size_t count) {
   return all;
 }
 
-// A later start shifts the window; the change from one state to the other stays where it is.
+// A later start shifts the window; the change between waveforms stays at its sample.
 TEST(Splice, StartsAtTheAngleAndGoesOnInRhythm) {
   const std::vector<float> first = counting_from(0, 30);
   const std::vector<float> second = counting_from(100, 30);
@@ -23,19 +23,19 @@ TEST(Splice, StartsAtTheAngleAndGoesOnInRhythm) {
                   {.start = start, .change = 4, .turn = 2}, 8);
   };
   const std::vector<float> window = window_from(28);
-  // 28 29 0 1 of the first; then, 2 strikes of 10 samples ahead, 2 + 20 ... of the second.
+  // 28 29 0 1 of the first; then, 2 impacts of 10 samples ahead, 2 + 20 ... of the second.
   EXPECT_EQ(window, (std::vector<float>{28, 29, 0, 1, 122, 123, 124, 125}));
   const std::vector<float> later = window_from(29);
   for (const std::size_t i : {0U, 1U, 2U, 4U, 5U, 6U}) EXPECT_EQ(later[i], window[i + 1]) << i;
 }
 
 TEST(Splice, KeepsThePartOfThePeriodWherePeriodsDiffer) {
-  const std::vector<float> first = counting_from(0, 30);     // strikes at 0, 10, 20
-  const std::vector<float> second = counting_from(100, 24);  // strikes at 0, 12
+  const std::vector<float> first = counting_from(0, 30);     // impacts at 0, 10, 20
+  const std::vector<float> second = counting_from(100, 24);  // impacts at 0, 12
   const std::vector<float> window =
       splice(Waveform<float>{first, {30, 3, 4}}, Waveform<float>{second, {24, 2, 4}},
              {.start = 2, .change = 3, .turn = 1}, 6);
-  // Half a period after a strike is sample 5 of the first and, one strike ahead, 6 + 12 of the
+  // Half a period after an impact is sample 5 of the first and, one impact ahead, 6 + 12 of the
   // second.
   EXPECT_EQ(window, (std::vector<float>{2, 3, 4, 118, 119, 120}));
 }

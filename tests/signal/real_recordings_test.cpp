@@ -1,5 +1,5 @@
-// The real recordings, where the environment variable DATA_DIR has them. The descriptions are those
-// of pipeline/datasets.
+// Tests on the real recordings, if the environment variable DATA_DIR is set. The descriptions are
+// those of pipeline/datasets.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -25,7 +25,7 @@ Description description_of(const std::string& dataset) {
   return read_description(descriptions / (dataset + ".toml"));
 }
 
-/// Empty where the recordings are not there.
+/// Returns the folder of the recordings; empty if they are missing.
 fs::path data_dir_with(const Description& description) {
   const char* folder = std::getenv("DATA_DIR");
   if (folder == nullptr || *folder == '\0') return {};
@@ -83,7 +83,7 @@ TEST(Cwru, IsIngestedWithTheRecordsOfThePaper) {
   EXPECT_EQ(record_of(r, "IR007").signal.size(), 121265U);
   EXPECT_EQ(record_of(r, "B007").signal.size(), 122571U);
   EXPECT_EQ(record_of(r, "Normal").signal.size(), 60984U);  // 243938 / 4
-  // In g. The paper notes have 0.29 for IR007 (all zeros against real windows).
+  // RMS in g. The notes on the paper give 0.29 for IR007 (all zeros against real windows).
   EXPECT_NEAR(rms(record_of(r, "IR007").signal), 0.292, 0.003);
   const Recordings raw = ingest(description_of("cwru-as-published"), data_dir);
   EXPECT_EQ(record_of(raw, "Normal").signal.size(), 243938U);

@@ -57,7 +57,7 @@ TEST(Recordings, ComeBackWithTheirPieces) {
   const Recordings out = load(save(folder, in));
   EXPECT_EQ(out.records[2].pieces, (std::vector<std::size_t>{3, 7}));
   EXPECT_EQ(out.records[2].piece_lengths(), (std::vector<std::size_t>{3, 7}));
-  EXPECT_EQ(out.records[3].pieces, std::vector<std::size_t>{});  // of one: it is the record
+  EXPECT_EQ(out.records[3].pieces, std::vector<std::size_t>{});  // a single piece is not stored
   EXPECT_EQ(out.records[3].piece_lengths(), std::vector<std::size_t>{10});
   for (const std::vector<std::size_t>& wrong :
        {std::vector<std::size_t>{3, 6}, {3, 8}, {0, 10}, {11, 1}}) {

@@ -18,7 +18,7 @@ std::vector<double> sine(double hz, double rate_hz, std::size_t samples) {
   return x;
 }
 
-/// Largest difference, leaving out where the ends of the signal are felt.
+/// Returns the largest difference without the samples near the ends of the signal.
 double inner_difference(const std::vector<double>& a, const std::vector<double>& b) {
   double largest = 0;
   for (std::size_t i = 1000; i + 1000 < a.size(); ++i) {

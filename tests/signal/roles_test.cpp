@@ -15,7 +15,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-/// Windows of ten samples in the records "one" and "two".
+/// Returns a role with windows of ten samples in the records "one" and "two".
 RoleSet role(Role role, Protocol protocol,
              const std::vector<std::pair<std::int32_t, std::int64_t>>& places) {
   RoleSet set{.file = to_string(role) + ".h5",
@@ -136,7 +136,7 @@ TEST(Roles, ComeBackFromTheirFiles) {
   EXPECT_THAT(check_roles(sets), IsEmpty());
 }
 
-/// Where no fault is known: all else that C says is there.
+/// Without known faults, C keeps all its other data.
 TEST(Roles, OfKnownWindowsAloneMayHaveNone) {
   const Folder folder;
   const Recordings recordings = counting_recordings(80000);

@@ -114,8 +114,8 @@ TEST_F(SimulationTest, RecordsCarryTheirTruth) {
   EXPECT_EQ(stiffnesses.size(), 12U) << "each record has its own";
 }
 
-/// Relative power of what is left of `signal` when the best of many simulations with (k, c), which
-/// differ in the cage angle, is taken away.
+/// Returns the relative power of `signal` minus the best of many simulations with (k, c), which
+/// differ in the cage angle.
 double misfit(const std::vector<double>& signal, const DynamicParameters& truth) {
   bearing::DynamicsOptions options;
   options.stiffness_n_per_m = truth.stiffness_n_per_m;
@@ -130,7 +130,8 @@ double misfit(const std::vector<double>& signal, const DynamicParameters& truth)
     }
     return power(difference) / power(signal);
   };
-  const double sample_rad = bearing::speeds({}, 1797).cage / 12000;  // a ball comes every 112
+  const double sample_rad =
+      bearing::speeds({}, 1797).cage / 12000;  // a ball passes every 112 samples
   int nearest = 0;
   double least = INFINITY;
   for (int i = 0; i < 112; ++i) {
@@ -183,7 +184,7 @@ TEST_F(SimulationTest, ARecordDependsOnItsNameAndTheSeedAlone) {
 TEST_F(SimulationTest, NoiseIsOneLevelSetByTheFaintestFault) {
   const Recordings clean = simulate(read(description));
   const Recordings noisy = simulate(read(description + "snr_db = 10\n"));
-  const double expected = mean_power(clean, 2) / 10;  // B007 is fainter than OR021
+  const double expected = mean_power(clean, 2) / 10;  // B007 is weaker than OR021
   ASSERT_LT(mean_power(clean, 2), mean_power(clean, 1));
   for (std::size_t i = 0; i < clean.records.size(); ++i) {
     std::vector<double> noise;
@@ -281,7 +282,7 @@ TEST_F(SimulationTest, MakesAllRecordsInEachCondition) {
   EXPECT_EQ(names.size(), 24U);
 }
 
-/// Without noise, whose strength depends on all records.
+/// Without noise, because its level depends on all records.
 TEST_F(SimulationTest, AConditionIsTheSameWhateverOthersThereAre) {
   const std::string alone =
       "[[simulation.condition]]\nname = \"1200 rpm\"\nshaft_speed_rpm = 1200\n";

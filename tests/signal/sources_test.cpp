@@ -16,7 +16,7 @@ const Counts paper{.all = 600, .test = 100, .known = 5};
 constexpr Label ok_label = 0;
 constexpr Label cracked_label = 1;
 
-/// Three conditions: the first two known, the third tested, ok_label ones from all.
+/// Returns three conditions: the first two known, the third tested, healthy windows from all.
 DatasetInfo transfer() {
   DatasetInfo info;
   info.name = "rig";
@@ -88,7 +88,7 @@ TEST(Sources, ARecordOfEveryConditionServesAllRoles) {
   EXPECT_EQ(sound[0].count_of(Role::healthy), 500U);
 }
 
-/// So that a healthy window of each speed is both tested and learned from.
+/// Healthy windows of each speed must be both tested and learned from.
 TEST(Sources, RecordsOfEveryConditionAreDealtOutBySpeed) {
   const std::vector<RecordPlace> records{{ok_label, every_condition, 900},
                                          {ok_label, every_condition, 600},
@@ -103,7 +103,7 @@ TEST(Sources, RecordsOfEveryConditionAreDealtOutBySpeed) {
   EXPECT_THAT(sound[1].records, ElementsAre(0, 2));
   EXPECT_THAT(counts_of(sound, Role::test), ElementsAre(50, 50));
   EXPECT_THAT(counts_of(sound, Role::healthy), ElementsAre(250, 250));
-  // Where no conditions are told apart, records differ in speed by chance.
+  // Without conditions, records differ in speed by chance.
   DatasetInfo info = transfer();
   info.conditions.clear();
   const std::vector<RecordPlace> same{{ok_label, every_condition, 900},
@@ -113,7 +113,8 @@ TEST(Sources, RecordsOfEveryConditionAreDealtOutBySpeed) {
 
 TEST(Sources, ARoleWithoutWindowsTakesPartInNothing) {
   const Counts nothing_known{.all = 595, .test = 100, .known = 0};
-  const std::vector<RecordPlace> records{{cracked_label, 2}};  // where nothing is known anyway
+  const std::vector<RecordPlace> records{
+      {cracked_label, 2}};  // in the condition without known faults
   const auto faults = sources_of(transfer(), cracked_label, records, nothing_known, Stream("s"));
   ASSERT_EQ(faults.size(), 1U);
   ASSERT_EQ(faults[0].shares.size(), 2U);

@@ -26,7 +26,7 @@ SplitOptions options_of(Protocol protocol, std::int64_t seed = 0) {
   return options;
 }
 
-/// The roles of a split as verify would read them.
+/// Returns the roles of a split as verify would read them.
 std::vector<RoleSet> role_sets(const Split& split, const SplitOptions& options) {
   std::vector<RoleSet> sets;
   for (const Role role : split_roles) {
@@ -57,7 +57,7 @@ TEST_P(Protocols, DealOutThePapersNumbers) {
   }
 }
 
-/// Pieces of 2500, 700 and 3000 samples in turn: the second ones hold no window.
+/// Pieces of 2500, 700 and 3000 samples in turn: the second ones do not hold a window.
 TEST_P(Protocols, LetNoWindowCrossFromOnePieceIntoTheNext) {
   Recordings recordings = counting_recordings(80000);
   for (Record& record : recordings.records) {
@@ -88,7 +88,7 @@ TEST_P(Protocols, LetNoWindowCrossFromOnePieceIntoTheNext) {
   EXPECT_THAT(check_roles(role_sets(s, options)), IsEmpty());
 }
 
-/// C is there, of the same data set and records, and everybody else has what they have.
+/// C exists, of the same data set and records, and the other roles are unchanged.
 TEST_P(Protocols, LeaveCWithoutWindowsWhereNoFaultIsKnown) {
   SplitOptions options = options_of(GetParam());
   options.known_per_class = 0;
@@ -252,7 +252,7 @@ TEST(SplitBlocked, KeepsARoleInOneStretchOfTime) {
   for (std::size_t i = 1; i < indices.size(); ++i) {
     jumps += c.first_sample[indices[i]] - c.first_sample[indices[i - 1]] == stride ? 0 : 1;
   }
-  EXPECT_LE(jumps, 1);  // one where the block runs over the end of the record
+  EXPECT_LE(jumps, 1);  // one if the block wraps at the end of the record
 }
 
 TEST(SplitBlocked, KeepsAWiderGuardWhereAsked) {
@@ -273,8 +273,8 @@ TEST(SplitBlocked, KeepsAWiderGuardWhereAsked) {
   }
 }
 
-/// Two roles of 10 windows, with a window length between them and behind the last, need 22 window
-/// lengths without overlap; a third role would need one more gap.
+/// Two roles of 10 windows, with a gap of one window length between them and after the last, need
+/// 22 window lengths without overlap. A third role would need one more gap.
 TEST(SplitBlocked, HasNoGapBesideARoleThatHasNoWindow) {
   SplitOptions options = options_of(Protocol::blocked);
   options.window = options.max_stride = 100;

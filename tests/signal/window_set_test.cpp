@@ -22,7 +22,7 @@ WindowSet empty_set() {
   return set;
 }
 
-/// Three windows of two samples that were cut, with their true parameters.
+/// Returns three cut windows of two samples, with their true parameters.
 WindowSet cut_set() {
   WindowSet set = empty_set();
   set.samples = {1, 2, 3, 4, 5, 6};
@@ -76,7 +76,7 @@ TEST(WindowSet, ComesBackFromItsFile) {
   EXPECT_EQ(out.parameters[1].damping_ns_per_m, 4);
 }
 
-/// The same, which says the condition, the speed and the defect's size of each window.
+/// Returns the cut set with condition, speed and defect size of each window.
 WindowSet set_of_conditions() {
   WindowSet set = cut_set();
   set.info.conditions = {{.name = "900 rpm", .shaft_speed_rpm = 900},
@@ -184,7 +184,7 @@ TEST(WindowSet, KeepsWhenEachWindowIsStruck) {
   EXPECT_ERROR(struck(strikes_s), Exit::bad_input, "/strikes/window does not name windows");
 }
 
-/// The cut set as if made of two other windows, of one and of none.
+/// Returns the cut set as if made from two known windows, from one and from none.
 WindowSet set_with_parents() {
   WindowSet set = cut_set();
   set.parents = {{4, 0}, {2}, {}};
