@@ -20,8 +20,8 @@ struct CommonFactor {
 ///
 /// Without a common cause, the strongest place of a record is equally likely any of 20 places, each
 /// 4 % wide, from 2/3 to 3/2. Then m of R records agree with a chance of 20 C(R, m) / 20^m, which
-/// must be below 1 %: three of three suffice. The records must have two fault types. The line of
-/// another machine part has one frequency, and so a different factor for each fault type.
+/// must be below 1 %: three of three suffice. The records must have at least two fault types. The
+/// line of another machine part has one frequency, and so a different factor for each fault type.
 std::optional<CommonFactor> common_factor(const signal::DatasetInfo& info,
                                           const std::vector<const RecordCheck*>& records);
 

@@ -32,7 +32,8 @@ bool has_lines(const RecordCheck& record) {
          !looks_like_hz(record.source.shaft_speed_rpm) && record.turns() >= fewest_turns;
 }
 
-/// Returns what is odd about the lines of a faulty record; empty if its own line is the strongest.
+/// Returns what is odd about the lines of a faulty record. Empty if its own line stands out
+/// farthest, or was not measured.
 std::string oddity_of_fault(const RecordCheck& record, signal::Defect defect) {
   const FaultLine& own = line_of(record.lines, defect);
   if (!own.db) return {};

@@ -13,9 +13,8 @@ struct LoneSamples {
   double others = 0;         ///< largest distance of the other samples from the mean
 };
 
-/// Finds spikes. A spike is ten times as far as any of its eight neighbours on either side from the
-/// middle of these neighbours. It is also farther from the mean than every sample with ordinary
-/// neighbours.
+/// Finds spikes. A spike is ten times as far from the middle of its eight neighbours on either side
+/// as any of these. It is also farther from the mean than every sample with ordinary neighbours.
 ///
 /// Vibration cannot have spikes. Recorders remove frequencies above 0.45 of the sample rate. The
 /// narrowest remaining pulse is sin(0.9 pi n) / (0.9 pi n), whose neighbours reach 0.11 of its

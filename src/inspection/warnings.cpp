@@ -147,9 +147,9 @@ void add_low_rates(const DatasetInfo& info, const std::vector<RecordCheck>& reco
 }
 
 /// Warns of records with a level above 200 times the healthy one, or below a 200th. Faults change
-/// it less: up to 30 times in CWRU and 56 times in UESTC, and twice the speed three or four times
-/// more. Confused units change it more: converter counts or mg for g thousands of times, millivolts
-/// of a usual sensor (100 mV/g) 100 times in addition to the fault.
+/// it less: up to 30 times in CWRU, 56 times in UESTC, and another three or four times at twice the
+/// speed. Confused units change it more: converter counts or mg for g thousands of times,
+/// millivolts of a usual sensor (100 mV/g) 100 times in addition to the fault.
 void add_levels(const DatasetInfo& info, const std::vector<RecordCheck>& records, Lines& lines) {
   constexpr double most_times = 200;
   std::vector<double> healthy;

@@ -25,7 +25,7 @@ struct ClassInfo {
   std::string name;  ///< "IR007"
   Defect defect = Defect::none;
   /// L_o, L_i or L_r; 0 for a healthy bearing or an unknown size. The mean of the known records'
-  /// sizes if the records of the class have their own.
+  /// sizes if the class itself has none.
   double defect_size_mm = 0;
 };
 

@@ -11,7 +11,7 @@ namespace piae::signal {
 
 /// Path of a window through two cyclic waveforms of a class. It starts at an angle of the first and
 /// changes at one sample to the second, at the same impact angle but in another turn. So the window
-/// repeats no known window, and its impact rate stays constant.
+/// repeats no known window, but its impacts stay in phase.
 struct Passage {
   std::size_t start = 0;   ///< first sample, in the first cycle; uniform
   std::size_t change = 0;  ///< sample of the window where the second starts; uniform

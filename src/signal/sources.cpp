@@ -29,8 +29,8 @@ std::vector<Share> shares_of(bool healthy, const Counts& counts) {
   return {test, {Role::known, counts.known}, hidden};
 }
 
-/// Returns one source for each condition of the class. Records of every condition give one source
-/// for each speed. Sorted by condition and speed.
+/// Returns one source for each condition of the class. In a dataset with conditions, records of
+/// every condition give one source for each speed. Sorted by condition and speed.
 std::vector<Source> empty_sources(const DatasetInfo& info, Label label,
                                   std::span<const RecordPlace> records) {
   std::map<std::pair<std::int32_t, double>, Source> sources;

@@ -14,9 +14,9 @@
 
 namespace piae::signal {
 
-/// One table of a description, read strictly: keys must be known, required keys present,
-/// types right. All errors are one line with the file, the line and the key
-/// (Error(bad_input); Error(input_missing) if the file is missing).
+/// One table of a description, read strictly: keys must be known, required keys present, types
+/// right. All errors are one line with the file, the line and the key (Error(bad_input);
+/// Error(input_missing) if the file is missing).
 ///
 ///     TomlTable root("pipeline/datasets/cwru.toml");
 ///     name = root.text("name");
@@ -35,9 +35,8 @@ class TomlTable {
   std::optional<double> optional_number(const std::string& key, const Range& range);
   std::int64_t integer(const std::string& key, const Range& range);
 
-  std::vector<std::string> texts(const std::string& key);  ///< at least one
-  std::vector<std::string> text_or_texts(
-      const std::string& key);  ///< a text counts as a list of one
+  std::vector<std::string> texts(const std::string& key);          ///< at least one
+  std::vector<std::string> text_or_texts(const std::string& key);  ///< or a single text
   std::vector<std::string> optional_texts(const std::string& key);
 
   TomlTable table(const std::string& key);                          ///< [key]

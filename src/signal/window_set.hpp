@@ -13,7 +13,7 @@ namespace piae::signal {
 /// Known windows that a generated window was made from: indices into the windows of C.
 using Parents = std::vector<std::int32_t>;
 
-/// n windows of equal length with their labels. Windows cut from recordings hold their places
+/// n windows of equal length with their labels. Windows cut from recordings store their places
 /// there; generated windows do not.
 struct WindowSet {
   DatasetInfo info;

@@ -60,8 +60,7 @@ TEST(DescriptionFile, TakesABearingByItsDesignation) {
   };
   const toml::table own = described("designation = \"skf6205\"\nball_diameter_mm = 8\n");
   EXPECT_EQ(own["bearing"]["balls"].value<int>(), 9);
-  EXPECT_EQ(own["bearing"]["ball_diameter_mm"].value<double>(),
-            8);  // the description's own value wins
+  EXPECT_EQ(own["bearing"]["ball_diameter_mm"].value<double>(), 8);  // own value wins
   EXPECT_EQ(own["bearing"]["pitch_diameter_mm"].value<double>(), 39);
   EXPECT_FALSE(own["bearing"].as_table()->contains("designation"));
   EXPECT_ERROR(described("designation = \"6311\"\n"), Exit::bad_input,

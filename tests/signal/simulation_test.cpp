@@ -130,8 +130,7 @@ double misfit(const std::vector<double>& signal, const DynamicParameters& truth)
     }
     return power(difference) / power(signal);
   };
-  const double sample_rad =
-      bearing::speeds({}, 1797).cage / 12000;  // a ball passes every 112 samples
+  const double sample_rad = bearing::speeds({}, 1797).cage / 12000;  // a ball passes every 112
   int nearest = 0;
   double least = INFINITY;
   for (int i = 0; i < 112; ++i) {

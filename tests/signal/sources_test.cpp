@@ -113,8 +113,7 @@ TEST(Sources, RecordsOfEveryConditionAreDealtOutBySpeed) {
 
 TEST(Sources, ARoleWithoutWindowsTakesPartInNothing) {
   const Counts nothing_known{.all = 595, .test = 100, .known = 0};
-  const std::vector<RecordPlace> records{
-      {cracked_label, 2}};  // in the condition without known faults
+  const std::vector<RecordPlace> records{{cracked_label, 2}};  // tested, not known
   const auto faults = sources_of(transfer(), cracked_label, records, nothing_known, Stream("s"));
   ASSERT_EQ(faults.size(), 1U);
   ASSERT_EQ(faults[0].shares.size(), 2U);
