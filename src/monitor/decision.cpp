@@ -6,7 +6,8 @@ namespace piae::monitor {
 
 namespace {
 
-/// The names of classes hold nothing that JSON would have to escape (signal::ranges).
+/// Returns the name in quotes, or null. Class names hold nothing that JSON escapes
+/// (signal::ranges).
 std::string quoted(const std::string& name) {
   return name.empty() ? "null" : fmt::format("\"{}\"", name);
 }

@@ -10,20 +10,21 @@
 
 namespace piae::monitor {
 
-/// What is to be said of one or more windows that follow each other.
+/// Result for one or more successive windows.
 struct Decision {
-  double time_s = 0;  ///< of the end of the last window, counted in samples from the first one
+  double time_s = 0;  ///< end of the last window, counted in samples from the first one
   std::size_t windows = 0;
-  std::optional<Label> label;  ///< the class of the greatest mean probability; none without signal
-  double probability = 0;      ///< that mean
-  bool unknown = false;        ///< more than half of the windows look like nothing that was trained
-  double evidence = 0;         ///< for the alarm, as a share of what raises it
+  std::optional<Label> label;  ///< class with the highest mean probability; none without signal
+  double probability = 0;      ///< mean probability of `label`
+  bool unknown =
+      false;  ///< true if more than half of the windows are silent or look like no trained class
+  double evidence = 0;  ///< share of the alarm's threshold
   AlarmState alarm = AlarmState::off;
-  /// While the alarm is on, what it is for: a class, or "unknown".
+  /// Reason while the alarm is on: a class name or "unknown".
   std::string cause;
 };
 
-/// One line of JSON, with its end:
+/// Returns one line of JSON with its line end:
 ///     {"time_s": 2.048, "windows": 12, "class": "OR007", "probability": 0.981, "unknown": false,
 ///      "evidence": 1, "alarm": "raised", "cause": "OR007"}
 /// `class` and `cause` may be null.

@@ -14,9 +14,10 @@ namespace piae::monitor {
 
 namespace {
 
-constexpr int patience_ms = 200;  ///< after which the caller may look at the clock
+constexpr int patience_ms = 200;  ///< longest wait before the caller may look at the clock
 
-/// Until there is something to read, a signal comes, or patience ends. A file is always ready.
+/// Waits for input, a signal or patience_ms; returns true if there is input. A file is always
+/// ready.
 bool is_ready(int descriptor) {
   pollfd waiting{.fd = descriptor, .events = POLLIN, .revents = 0};
   return ::poll(&waiting, 1, patience_ms) > 0;
@@ -62,18 +63,18 @@ Input::Piece Input::read(std::span<std::byte> buffer) {
   if (got < 0) fail();
   if (!follow_) return {Event::end, {}};
   if (begins_anew()) return {Event::broken, {}};
-  (void)::poll(nullptr, 0, patience_ms);  // a file at its end counts as ready
+  (void)::poll(nullptr, 0, patience_ms);  // poll() reports a file at its end as ready
   return {};
 }
 
-/// Where the file is now shorter than what was read of it, or another one has its name.
+/// Restarts from the beginning if the file was cut or replaced. Returns true if it did.
 bool Input::begins_anew() {
   const struct stat own = status_of(descriptor_);
   struct stat named {};
   const bool replaced = ::stat(path_.c_str(), &named) == 0 &&
                         (named.st_ino != own.st_ino || named.st_dev != own.st_dev);
   const off_t at = ::lseek(descriptor_, 0, SEEK_CUR);
-  if (replaced && own.st_size <= at) {  // before, the rest of the former one is read
+  if (replaced && own.st_size <= at) {  // only once the old file is read to its end
     const int other = ::open(path_.c_str(), O_RDONLY | O_CLOEXEC);
     if (other < 0) return false;
     ::close(descriptor_);

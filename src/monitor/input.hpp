@@ -10,19 +10,18 @@ namespace piae::monitor {
 /// The bytes of a stream: standard input, a pipe, or a file that may be growing.
 class Input {
  public:
-  /// "-" is standard input. With `follow` a file does not end where it ends now: more is waited
-  /// for. Throws Error(input_missing) for a file that is not there or cannot be read, and
-  /// Error(usage) for a terminal, and for a pipe that is to be followed, which has an end of its
-  /// own.
+  /// Opens `path`; "-" is standard input. With `follow`, waits for more at the end of the file.
+  /// Throws Error(input_missing) if the file is missing or unreadable. Throws Error(usage) for a
+  /// terminal, and for a pipe with `follow`, because a pipe has an end of its own.
   Input(const std::filesystem::path& path, bool follow);
   Input(const Input&) = delete;
   Input& operator=(const Input&) = delete;
   ~Input();
 
   enum class Event {
-    bytes,   ///< these
-    none,    ///< there were none for a fifth of a second, or a signal came
-    broken,  ///< a followed file was cut or replaced: what comes next is its new beginning
+    bytes,   ///< bytes came
+    none,    ///< no bytes for 0.2 s, or a signal came
+    broken,  ///< a followed file was cut or replaced: next come the bytes of its new beginning
     end,
   };
   struct Piece {
@@ -30,10 +29,10 @@ class Input {
     std::span<const std::byte> bytes;
   };
 
-  /// Waits for what comes next. Throws Error(input_missing) where it cannot be read.
+  /// Waits for the next bytes or event. Throws Error(input_missing) if reading fails.
   Piece read(std::span<std::byte> buffer);
 
-  /// As it is called in messages.
+  /// Returns the name for messages.
   [[nodiscard]] const std::string& name() const { return name_; }
 
  private:

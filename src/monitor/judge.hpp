@@ -12,27 +12,28 @@
 
 namespace piae::monitor {
 
-/// What a classifier answers of windows that do move.
+/// Classifies windows that are not constant.
 using Answer = std::function<diagnosis::Answers(const signal::WindowSet&)>;
 
-/// Judges windows one after another: an alarm, and a decision every so often.
+/// Judges successive windows: updates the alarm and makes a decision at regular intervals.
 class Judge {
  public:
-  /// A decision for each `every_s` of the stream, at the end of the window that completes it; for
-  /// each window where that is 0. Where the alarm is raised or cleared, there is one at once.
+  /// Decides once per `every_s` seconds of the stream, at the end of the window that completes
+  /// them. If `every_s` is 0, decides after each window. Also decides as soon as the alarm is
+  /// raised or cleared.
   Judge(const signal::DatasetInfo& info, Alarm alarm, double every_s);
 
-  /// What was found of one window.
+  /// Classifier's output for one window.
   struct Finding {
-    double end_s = 0;                ///< of its last sample, in the stream
-    std::span<const float> classes;  ///< probabilities; empty where nothing moves in the window
+    double end_s = 0;                ///< time of its last sample in the stream
+    std::span<const float> classes;  ///< probabilities; empty if the window is constant
     bool unknown = false;
   };
 
-  /// A window that looks like nothing known, and one in which nothing moves (a dead sensor), looks
-  /// faulty; another does with the probability of all classes but the healthy one.
+  /// Adds a window; returns a decision if one is due. Unknown and constant windows (a dead sensor)
+  /// count as faulty. Other windows count with 1 less the probability of the healthy class.
   std::optional<Decision> add(const Finding& finding);
-  /// The windows since the last decision, at the end.
+  /// Decides on the windows since the last decision, at the end of the stream.
   std::optional<Decision> finish();
 
   [[nodiscard]] std::size_t alarms() const { return alarms_; }
@@ -51,14 +52,14 @@ class Judge {
   double every_s_;
   double next_s_;
 
-  // Of the windows since the last decision:
+  // State since the last decision:
   std::size_t since_ = 0;
   std::size_t since_unknown_ = 0;
   std::vector<double> since_probabilities_;
   double end_s_ = 0;
 
-  /// What made windows look faulty, by class and at last "unknown"; it fades within as many windows
-  /// as an alarm takes at least.
+  /// Fault evidence of each class and, in the last element, of "unknown". Fades over the smallest
+  /// number of windows that raise an alarm.
   std::vector<double> causes_;
 
   std::size_t alarms_ = 0;

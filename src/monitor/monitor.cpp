@@ -13,11 +13,11 @@ namespace piae::monitor {
 
 namespace {
 
-/// So many windows are classified at once, at most: enough to be fast, few enough to be small.
+/// Largest number of windows classified at once: enough to be fast, few enough to save memory.
 constexpr std::size_t most_at_once = 64;
 
-/// Beyond this a sample counts as not finite: windows are of 32 bits, which hold 3e38, and
-/// resampled samples may exceed those that came.
+/// Larger samples count as not finite. Windows are 32-bit floats, up to 3e38, and resampling may
+/// exceed the samples of the stream.
 constexpr double largest_sample = 1e36;
 
 bool is_sample(double x) { return std::abs(x) <= largest_sample; }
@@ -119,7 +119,7 @@ void Monitor::finish(const Say& say) {
   if (const auto decision = judge_.finish()) say(*decision);
 }
 
-/// Those that the resampled samples complete.
+/// Judges the windows that the resampled samples complete.
 void Monitor::judge_windows(const Say& say) {
   cutter_.add(resampled_);
   for (;;) {
@@ -144,7 +144,7 @@ void Monitor::judge_windows(const Say& say) {
   }
 }
 
-/// In their order; `answers` are of those that are not silent.
+/// Judges the windows in their order; `answers` covers those that are not silent.
 void Monitor::judge_cuts(const std::vector<Cut>& cuts, const diagnosis::Answers& answers,
                          const Say& say) {
   const std::size_t classes = info_.classes.size();

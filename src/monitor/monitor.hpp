@@ -18,42 +18,42 @@
 namespace piae::monitor {
 
 struct MonitorOptions {
-  double sample_rate_hz = 0;  ///< of the stream; must be given
-  double speed_rpm = 0;       ///< of the shaft; must be given
+  double sample_rate_hz = 0;  ///< required; rate of the stream
+  double speed_rpm = 0;       ///< required; speed of the shaft
   SampleFormat format = SampleFormat::f32;
   std::size_t stride = 0;  ///< samples between the starts of two windows; 0: their length
-  double every_s = 1;      ///< of the stream, between two decisions; 0: one for each window
+  double every_s = 1;      ///< seconds of the stream between two decisions; 0: one for each window
   AlarmOptions alarm;
 };
 
 void bind(const cli::Options& command, MonitorOptions& options);
 
-/// A stream of raw samples, judged window by window as it comes. It keeps what the next window
-/// needs and nothing else, and says the same however the stream was cut into pieces.
+/// Judges a stream of raw samples window by window, as the samples arrive. Keeps only the samples
+/// that the next window needs. The decisions do not depend on how the stream was cut into pieces.
 class Monitor {
  public:
-  /// `info` and `length` (samples in a window) are the classifier's, whose answers `answer` gives;
-  /// `stream` is what messages call the stream.
+  /// Takes the classifier's `info` and `length` (samples in a window); `answer` returns its
+  /// predictions. `stream` is the name in messages.
   Monitor(const signal::DatasetInfo& info, std::size_t length, Answer answer,
           const MonitorOptions& options, const std::string& stream);
 
   using Say = std::function<void(const Decision&)>;
 
-  /// The bytes that come next. Samples that are not finite, or beyond 1e36, and lines of text that
-  /// are not a number are a gap: no window spans it. Throws as SampleDecoder::add.
+  /// Adds the next bytes. Samples that are not finite or exceed 1e36, and lines of text that are
+  /// not a number, are a gap: no window spans a gap. Throws like SampleDecoder::add.
   void add(std::span<const std::byte> bytes, const Say& say);
-  /// What comes next does not follow what came before.
+  /// Marks a break: the next bytes do not continue the previous ones.
   void skip();
-  /// No more will come.
+  /// Judges the rest at the end of the stream.
   void finish(const Say& say);
 
   [[nodiscard]] const Judge& judge() const { return judge_; }
-  /// Of the stream, at its own rate.
+  /// Returns the number of samples so far, at the stream's own rate.
   [[nodiscard]] std::uint64_t samples() const { return samples_; }
   [[nodiscard]] double signal_s() const;
   [[nodiscard]] double rate_hz() const { return rate_hz_; }
   [[nodiscard]] double window_s() const;
-  /// Counts samples that are a gap, without lines of text that are not a number.
+  /// Returns the number of samples that are a gap, without lines of text that are not a number.
   [[nodiscard]] std::uint64_t samples_not_finite() const {
     return not_finite_ - decoder_.text().garbled();
   }
@@ -62,7 +62,7 @@ class Monitor {
  private:
   void take(std::span<const double> samples, const Say& say);
   void begin_anew();
-  /// A window that was cut. One in which nothing moves is not shown to the classifier.
+  /// A window of the stream. Silent (constant) windows are not passed to the classifier.
   struct Cut {
     double end_s = 0;
     bool silent = false;
@@ -80,7 +80,7 @@ class Monitor {
   WindowCutter cutter_;
   Judge judge_;
 
-  double begun_at_s_ = 0;  ///< when what the cutter counts its samples from came
+  double begun_at_s_ = 0;  ///< stream time of the cutter's sample 0
   std::uint64_t samples_ = 0;
   std::uint64_t not_finite_ = 0;
   std::vector<double> decoded_;

@@ -5,17 +5,16 @@
 
 namespace piae::monitor {
 
-/// Tells of a stream in real time when its samples come later than their rate says. The lag is the
-/// time on the clock less that of the samples; what counts is by how much it has grown.
+/// Finds samples of a real-time stream that arrive later than their rate implies. The lag is the
+/// clock time less the time of the samples; its growth counts, not its value.
 class SampleClock {
  public:
-  /// `late_s`: by how much a lag may grow before it is told. The clocks of a computer and of a
-  /// recorder run apart, by 50 millionths of a second in each as a rule: that much growth, and some
-  /// more, is never counted.
+  /// Reports a lag that grows by more than `late_s`. Clocks of computers and recorders typically
+  /// differ by 50 parts per million each, so growth of up to `drift` is never counted.
   SampleClock(double rate_hz, double late_s) : rate_hz_(rate_hz), late_s_(late_s) {}
 
-  /// So many samples have come until now, which is read from any clock in s. By how much they are
-  /// late, where that is to be told; then what comes is measured against this new lag. 0 otherwise.
+  /// Takes the time of any clock in s and the number of samples so far. Returns the delay in s if
+  /// it exceeds `late_s`, and measures later samples from the new lag. Returns 0 otherwise.
   double late_by(double now_s, std::uint64_t samples);
 
   [[nodiscard]] std::size_t times() const { return times_; }

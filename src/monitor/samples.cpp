@@ -26,7 +26,7 @@ T value_at(const void* from) {
   return value;
 }
 
-/// Three bytes, the lowest first.
+/// Returns the value of three bytes, lowest first.
 std::int32_t value_of_24_bits(const void* from) {
   std::array<unsigned char, 4> bytes{};
   std::memcpy(bytes.data() + 1, from, 3);
@@ -35,7 +35,7 @@ std::int32_t value_of_24_bits(const void* from) {
   return value / 256;
 }
 
-/// True if a vibration has samples of this size, in any unit. A third of random bytes do.
+/// True if a vibration may have this value, in any unit. Holds for a third of random bytes.
 bool is_plausible(double x) {
   constexpr double least = 1e-12;
   constexpr double most = 1e12;
@@ -56,8 +56,8 @@ double share_of_plausible(const std::vector<double>& values) {
   return values.empty() ? 0 : static_cast<double>(count) / static_cast<double>(values.size());
 }
 
-/// Recordings in whole numbers rarely come near their range, while three quarters of random ones
-/// are beyond a quarter of it.
+/// Returns the share of values below a quarter of the range, which recordings in integers rarely
+/// exceed; three quarters of random values do. Returns 0 if the values do not vary.
 double share_of_small(const std::vector<double>& values, double range) {
   const auto count =
       std::ranges::count_if(values, [&](double x) { return std::abs(x) < range / 4; });
@@ -65,7 +65,7 @@ double share_of_small(const std::vector<double>& values, double range) {
   return varies ? static_cast<double>(count) / static_cast<double>(values.size()) : 0;
 }
 
-/// True if every other number is 0, as of doubles with few digits that are read as floats.
+/// True if every other value is 0, as when floats are read from doubles with few digits.
 bool has_zeros_in_turn(const std::vector<double>& values) {
   std::size_t even = 0;
   std::size_t odd = 0;
@@ -76,7 +76,7 @@ bool has_zeros_in_turn(const std::vector<double>& values) {
   return many > 10 && many >= values.size() / 2 && few < many / 2;
 }
 
-/// The part of the samples that vibration may have, were the bytes in this format.
+/// Returns the share of values that vibration may have if the bytes are in this format.
 double share_that_fits(SampleFormat format, std::string_view bytes) {
   switch (format) {
     case SampleFormat::f32:
@@ -109,7 +109,7 @@ std::vector<cli::Word<SampleFormat>> sample_format_words() {
           {"wav", SampleFormat::wav},     {"text", SampleFormat::text}};
 }
 
-/// Reads whole samples of so many bytes, and keeps those of a sample that is not whole.
+/// Reads whole samples of `size` bytes, and keeps the bytes of an incomplete sample.
 template <std::size_t size, class Read>
 void SampleDecoder::add_binary(std::span<const std::byte> bytes, const Read& read) {
   const auto keep = [&](std::size_t count) {
@@ -180,7 +180,7 @@ void SampleDecoder::add(std::span<const std::byte> bytes, std::vector<double>& s
   }
 }
 
-/// Keeps the last bytes of the stream, from a place on at which samples of any size begin.
+/// Keeps the last bytes of the stream, starting where samples of any size start.
 void SampleDecoder::note_recent(std::span<const std::byte> bytes) {
   constexpr std::size_t enough = 1 << 16;
   for (; !bytes.empty();) {
@@ -200,7 +200,7 @@ void SampleDecoder::require_binary() const {
                     "tobytes())\"");
   }
   if (format_ == SampleFormat::text || format_ == SampleFormat::wav) return;
-  // Samples in binary form would hardly all have such bytes.
+  // Binary samples almost never consist of these bytes alone.
   const bool is_text =
       beginning_.find_first_not_of("0123456789+-.,;eE \t\r\n") == std::string::npos;
   if (beginning_.size() < shown_bytes || !is_text) return;

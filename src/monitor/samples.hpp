@@ -12,34 +12,34 @@
 
 namespace piae::monitor {
 
-/// The form in which a stream holds its samples. Binary ones are in the byte order of this machine,
-/// those called "be" with the highest byte first, and stand one behind the other; WAV has a header;
-/// text is one number a line.
+/// Format of a stream's samples. Binary samples follow each other directly, in the byte order of
+/// this machine; "be" formats have the highest byte first. WAV has a header. Text is one number a
+/// line.
 enum class SampleFormat { f32, f64, f32be, f64be, i16, i32, wav, text };
 
 std::vector<cli::Word<SampleFormat>> sample_format_words();
 
-/// Makes numbers of the bytes of a stream, which come in pieces that may end within a sample.
+/// Decodes the bytes of a stream into numbers. Pieces of the stream may end within a sample.
 class SampleDecoder {
  public:
-  /// `name` is the stream's, for messages, and `sample_rate_hz` what a WAV header must say.
+  /// `name` is the stream's name in messages; a WAV header must have the rate `sample_rate_hz`.
   SampleDecoder(SampleFormat format, const std::string& name, double sample_rate_hz)
       : format_(format), name_(name), text_(name), wav_(name, sample_rate_hz) {}
 
-  /// Appends the samples of what came until now. A line of text that is not a number is NaN. Throws
-  /// as WavStream::next, and Error(bad_input) for text where the format is a binary one,
-  /// and for a file of NumPy.
+  /// Appends the samples that are now complete. A line of text that is not a number becomes NaN.
+  /// Throws like WavStream::next, and Error(bad_input) for text in a binary format and for a NumPy
+  /// file.
   void add(std::span<const std::byte> bytes, std::vector<double>& samples);
-  /// When no more bytes will come: a last line of text need not end.
+  /// Appends the last sample at the end of the stream: a last line of text may lack its line end.
   void finish(std::vector<double>& samples);
   void restart();
 
-  /// Bytes of a sample that has not come whole.
+  /// Returns the number of bytes of an incomplete sample.
   [[nodiscard]] std::size_t waiting() const { return waiting_.size() + text_.waiting(); }
   [[nodiscard]] const TextSamples& text() const { return text_; }
   [[nodiscard]] const WavStream& wav() const { return wav_; }
-  /// The format that the last bytes rather look like, where this one makes odd numbers of them:
-  /// "f32be" for f32, "wav" for a stream that begins like one. Empty where there is none.
+  /// Returns the format that fits the last bytes better if this format yields implausible numbers:
+  /// "f32be" for f32, "wav" for a stream that starts with RIFF. Returns "" if there is none.
   [[nodiscard]] std::string likelier_format() const;
 
  private:
@@ -59,7 +59,7 @@ class SampleDecoder {
   TextSamples text_;
   WavStream wav_;
   std::string waiting_;
-  std::string beginning_;  ///< of the stream: shown_bytes
+  std::string beginning_;  ///< first shown_bytes of the stream
   std::string recent_;     ///< the last bytes of the stream
 };
 

@@ -21,7 +21,8 @@ std::string_view without_blanks(std::string_view line) {
   return line.substr(first, line.find_last_not_of(" \t\r") + 1 - first);
 }
 
-/// Instruments write a plus before numbers, which number_in does not read.
+/// Reads a number that may start with a plus, as instruments write it; number_in does not read a
+/// plus.
 std::optional<double> number_of(std::string_view text) {
   const bool has_plus = text.size() > 1 && text[0] == '+' && text[1] != '-';
   return number_in<double>(text.substr(has_plus ? 1 : 0));

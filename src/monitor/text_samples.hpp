@@ -9,23 +9,23 @@
 
 namespace piae::monitor {
 
-/// Makes numbers of a text with one on each line, which comes in pieces.
+/// Decodes text with one number a line, which arrives in pieces.
 class TextSamples {
  public:
-  /// `name` is the stream's, for messages.
+  /// `name` is the stream's name in messages.
   explicit TextSamples(std::string name) : name_(std::move(name)) {}
 
-  /// Appends the numbers of the lines that have ended. A line that is not a number takes the time
-  /// of a sample, and gives NaN; empty lines are passed over.
+  /// Appends the numbers of the completed lines. A line that is not a number takes the time of a
+  /// sample and becomes NaN. Skips empty lines.
   void add(std::span<const std::byte> bytes, std::vector<double>& samples);
-  /// When no more bytes will come: a last line need not end.
+  /// Appends the last number at the end of the stream: the last line may lack its line end.
   void finish(std::vector<double>& samples);
   void restart();
 
-  /// Bytes of a line that has not ended.
+  /// Returns the number of bytes of an incomplete line.
   [[nodiscard]] std::size_t waiting() const { return line_.size(); }
   [[nodiscard]] std::uint64_t garbled() const { return garbled_; }
-  /// The first line that is not a number: where and what it is. Empty while there is none.
+  /// Returns place and text of the first line that is not a number; empty if there is none.
   [[nodiscard]] const std::string& first_garbled() const { return first_garbled_; }
 
  private:

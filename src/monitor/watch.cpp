@@ -17,14 +17,14 @@ namespace piae::monitor {
 
 namespace {
 
-/// As much as a pipe holds.
+/// Capacity of a pipe.
 constexpr std::size_t bytes_at_once = 1 << 16;
 
 double now_s() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-/// Whether samples come when they should.
+/// Checks that samples arrive on time.
 class Punctuality {
  public:
   Punctuality(double rate_hz, const WatchOptions& options)
@@ -45,7 +45,7 @@ class Punctuality {
     spdlog::warn("after {:.1f} s of signal no samples come", signal_s);
   }
 
-  /// Nothing where nobody asked.
+  /// Returns "" without --realtime.
   [[nodiscard]] std::string summary() const {
     if (!options_.realtime) return "";
     if (clock_.times() == 0) return "; none was late";
@@ -63,13 +63,14 @@ std::string counted(std::uint64_t n, const std::string& one) {
   return fmt::format("{} {}{}", n, one, n == 1 ? "" : "s");
 }
 
-/// "; is it --format f32be?", where the samples look as if they were of another format.
+/// Returns "; is it --format f32be?" if the samples look like another format.
 std::string other_format(const Monitor& monitor) {
   const std::string likelier = monitor.decoder().likelier_format();
   return likelier.empty() ? "" : fmt::format("; is it --format {}?", likelier);
 }
 
-/// `ended`: the stream did, so what it promised will not come any more.
+/// Returns the counts of lost samples. Bytes that a WAV header promises count only if the stream
+/// has `ended`.
 std::string lost(const Monitor& monitor, std::size_t breaks, bool ended) {
   std::string text;
   const auto add = [&](const std::string& what) { text += (text.empty() ? "" : ", ") + what; };
@@ -88,7 +89,7 @@ std::string lost(const Monitor& monitor, std::size_t breaks, bool ended) {
   return (text.empty() ? "nothing lost" : "lost: " + text) + other_format(monitor);
 }
 
-/// Reports the first gap of a kind as it comes, since a stream may go on for days.
+/// Reports the first gap of each kind at once, because a stream may last for days.
 class Gaps {
  public:
   explicit Gaps(const Monitor& monitor) : monitor_(&monitor) {}

@@ -10,15 +10,14 @@ namespace piae::monitor {
 
 struct WatchOptions {
   bool realtime = false;  ///< compare the samples with the clock
-  double late_s = 1;      ///< by how much they may lag behind it before that is told
+  double late_s = 1;      ///< delay in s above which late samples are reported
 };
 
 void bind(const cli::Options& command, WatchOptions& options);
 
-/// Reads a stream until it ends, or `stopped` says so, and gives `write` the decisions as lines.
-/// Gaps and delays are told on standard error as they come. Returns the last line: what was heard,
-/// how many alarms there were, and what was lost. Throws Error(bad_input) where the stream ends
-/// before a window is full.
+/// Reads a stream until it ends or `stopped` returns true, and passes the decisions to `write` as
+/// lines. Reports gaps and delays on standard error at once. Returns a summary line: windows,
+/// alarms and lost samples. Throws Error(bad_input) if the stream ends before a window is full.
 std::string watch(Input& input, Monitor& monitor, const signal::DatasetInfo& info,
                   const WatchOptions& options, const std::function<bool()>& stopped,
                   const std::function<void(const std::string&)>& write);

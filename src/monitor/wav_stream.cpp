@@ -14,13 +14,13 @@ namespace {
 constexpr std::uint64_t shortest_format = 16;
 constexpr std::uint64_t longest_format = 4096;
 constexpr std::uint32_t shortest_unknown =
-    0x7FFF0000;  // sox writes 0x7FFFF000, less a part of a sample
+    0x7FFF0000;  // sox writes 0x7FFFF000 less a part of a sample
 
 constexpr std::uint32_t whole_numbers = 1;
 constexpr std::uint32_t floats = 3;
-constexpr std::uint32_t extensible = 0xFFFE;  // the coding stands farther behind
+constexpr std::uint32_t extensible = 0xFFFE;  // coding is in the extension
 
-/// Chunks end at an even byte.
+/// Returns the length with padding: chunks end at an even byte.
 std::uint64_t padded(std::uint64_t bytes) { return bytes + bytes % 2; }
 
 }  // namespace

@@ -8,28 +8,28 @@
 
 namespace piae::monitor {
 
-/// Numbers of a WAV stream: signed integers of 16, 24 or 32 bits, or floats of 32 or 64.
+/// Number format of a WAV stream: signed integers of 16, 24 or 32 bits, or floats of 32 or 64.
 struct WavCoding {
   bool is_float = false;
   unsigned bits = 0;
 };
 
-/// Finds the samples in the bytes of a WAV stream (RIFF, one channel), which come in pieces.
-/// Recorders that write into a pipe do not know its length: lengths of 0 and from 0x7FFFF000 on
-/// mean that samples go on to the end of the stream.
+/// Finds the samples in the bytes of a WAV stream (RIFF, one channel), which arrive in pieces.
+/// Recorders that write into a pipe do not know its length. Lengths of 0 and from 0x7FFF0000 on
+/// therefore mean that samples continue to the end of the stream.
 class WavStream {
  public:
-  /// `name` is the stream's, for messages, and `rate_hz` the rate that its header must have.
+  /// `name` is the stream's name in messages; its header must have the rate `rate_hz`.
   WavStream(std::string name, double rate_hz) : name_(std::move(name)), rate_hz_(rate_hz) {}
 
-  /// Takes bytes from the front of `bytes` up to the end of the next samples, and returns these;
-  /// empty where `bytes` had none. Throws Error(bad_input) for a stream that is not WAV or is
-  /// damaged, for another rate or coding, several channels, and a second recording.
+  /// Takes bytes from the front of `bytes` up to the end of the next samples, and returns the
+  /// samples. Returns an empty span if `bytes` has none. Throws Error(bad_input) if the stream is
+  /// not WAV, is damaged, has another rate or coding, several channels or a second recording.
   std::span<const std::byte> next(std::span<const std::byte>& bytes);
 
-  /// Known once samples have come.
+  /// Returns the coding; known as soon as samples have arrived.
   [[nodiscard]] const WavCoding& coding() const { return coding_; }
-  /// Bytes of samples that the header promises and that have not come.
+  /// Returns the number of sample bytes that the header promises and that have not arrived.
   [[nodiscard]] std::uint64_t missing() const;
 
   void restart() { *this = WavStream(name_, rate_hz_); }
@@ -49,8 +49,8 @@ class WavStream {
   std::string name_;
   double rate_hz_;
   Part part_ = Part::beginning;
-  std::uint64_t left_ = 12;  ///< bytes of this part that have not come
-  std::string held_;         ///< this part, if it is to be read as a whole
+  std::uint64_t left_ = 12;  ///< bytes of this part that have not arrived
+  std::string held_;         ///< bytes of a part that is read as a whole
   WavCoding coding_;
   bool has_samples_ = false;
   bool endless_ = false;

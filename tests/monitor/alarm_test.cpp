@@ -12,12 +12,13 @@
 namespace piae::monitor {
 namespace {
 
-/// p0 = 0.2 and p1 = 0.8: a window that looks faulty adds log 4, any other takes as much away. With
-/// 64 windows from one false alarm to the next the threshold is log 64, three such steps.
+/// p0 = 0.2 and p1 = 0.8: a window that looks faulty adds log 4, any other subtracts log 4. With 64
+/// windows between false alarms the threshold is log 64, three such steps.
 const AlarmOptions even{.healthy_share = 0.2, .faulty_share = 0.8, .hours_per_false_alarm = 1};
 constexpr double windows_an_hour = 64;
 
-/// The first letters of the states, with 1 for a window that looks faulty and 0 for another.
+/// Returns the second letters of the states; `windows` has 1 for a faulty-looking window, 0
+/// otherwise.
 std::string states(const std::string& windows) {
   Alarm alarm(even, windows_an_hour);
   std::string letters;
@@ -28,9 +29,9 @@ std::string states(const std::string& windows) {
 TEST(Alarm, IsRaisedAtTheThresholdAndClearedAtZero) {
   EXPECT_EQ(states("111"), "ffa");
   EXPECT_EQ(states("11011"), "ffffa");
-  EXPECT_EQ(states("000111"), "fffffa");          // health does not count in advance
-  EXPECT_EQ(states("111000"), "ffannl");          // as slowly as it was raised
-  EXPECT_EQ(states("1111110000"), "ffannnnnlf");  // nor does a long alarm
+  EXPECT_EQ(states("000111"), "fffffa");          // healthy windows do not count in advance
+  EXPECT_EQ(states("111000"), "ffannl");          // clearing takes as long as raising
+  EXPECT_EQ(states("1111110000"), "ffannnnnlf");  // a long alarm takes no longer to clear
 }
 
 TEST(Alarm, StaysAsItIsBetweenTheTwo) {
@@ -43,7 +44,7 @@ TEST(Alarm, StaysAsItIsBetweenTheTwo) {
 TEST(Alarm, WeighsAWindowByHowFaultyItLooks) {
   Alarm alarm(even, windows_an_hour);
   alarm.add(0.5);
-  EXPECT_DOUBLE_EQ(alarm.evidence(), 0);  // as likely of either machine
+  EXPECT_DOUBLE_EQ(alarm.evidence(), 0);  // equally likely for both machines
   alarm.add(0.75);
   EXPECT_NEAR(alarm.evidence(), 0.5 / 3, 1e-12);
   alarm.add(1);
@@ -66,9 +67,9 @@ TEST(Alarm, IsQuickEnoughByDefault) {
   EXPECT_LT(alarm.windows_to_alarm(defaults.faulty_share) / windows_per_s, 5);
 }
 
-/// Alarms in 200 stretches of as many windows as there shall be from one false alarm to the next,
-/// where the share of windows that look faulty is as high as a healthy machine's may be: in all
-/// likelihood far fewer than 200.
+/// Counts alarms in 200 stretches of the mean time between false alarms, in windows. The share of
+/// faulty-looking windows is the highest that a healthy machine may have, so far fewer than 200 are
+/// likely.
 TEST(Alarm, KeepsItsPromiseOfFewFalseAlarms) {
   Stream random("alarm");
   const AlarmOptions options{.healthy_share = 0.1, .faulty_share = 0.5, .hours_per_false_alarm = 1};
@@ -83,7 +84,7 @@ TEST(Alarm, KeepsItsPromiseOfFewFalseAlarms) {
     return alarms;
   };
   EXPECT_LT(alarms_at(0.1), 200U);
-  EXPECT_GT(alarms_at(0.4), 200U);  // the test can tell
+  EXPECT_GT(alarms_at(0.4), 200U);  // the test detects too many alarms
 }
 
 TEST(Alarm, RefusesSharesTheWrongWayRound) {

@@ -19,7 +19,7 @@ void append_to(const fs::path& file, const std::string& text) {
   std::ofstream(file, std::ios::binary | std::ios::app) << text;
 }
 
-/// What an input gives until it has nothing more to give, "|" where it is broken, "." at its end.
+/// Returns the bytes of an input until no more come, with "|" for a break and "." for the end.
 std::string read_on(Input& input) {
   std::array<std::byte, 4> buffer{};
   std::string text;
@@ -72,7 +72,7 @@ TEST(Input, AFollowedFileThatIsReplacedIsReadToItsEndFirst) {
   EXPECT_EQ(read_on(input), "abc");
   append_to(file, "de");
   fs::rename(file, folder / "raw.1");
-  EXPECT_EQ(read_on(input), "de");  // the next one is not there yet
+  EXPECT_EQ(read_on(input), "de");  // the new file does not exist yet
   folder.write("raw", "fghij");
   EXPECT_EQ(read_on(input), "|fghij");
 }

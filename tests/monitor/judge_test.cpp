@@ -7,7 +7,7 @@
 namespace piae::monitor {
 namespace {
 
-/// Windows of half a second: h healthy, i and o with a fault, u unknown, s silent, p between
+/// Judges windows of half a second: h healthy, i and o with a fault, u unknown, s silent, p between
 /// healthy and IR.
 std::vector<Decision> judged(const std::string& windows, double every_s) {
   Judge judge(rig(), Alarm(three_windows, 64), every_s);

@@ -9,7 +9,7 @@
 
 namespace piae::monitor {
 
-/// A data set of a healthy class and two faults, at 1000 Hz.
+/// Returns a data set with a healthy class and two faults, at 1000 Hz.
 inline signal::DatasetInfo rig() {
   signal::DatasetInfo info = three_classes("rig");
   info.sample_rate_hz = 1000;
@@ -17,12 +17,12 @@ inline signal::DatasetInfo rig() {
   return info;
 }
 
-/// Three windows that look faulty raise the alarm, and three that do not clear it (alarm_test.cpp),
-/// where there are 64 windows in an hour.
+/// Options with which three faulty-looking windows raise the alarm and three others clear it, at 64
+/// windows an hour (alarm_test.cpp).
 inline const AlarmOptions three_windows{
     .healthy_share = 0.2, .faulty_share = 0.8, .hours_per_false_alarm = 1};
 
-/// "time class state cause;" of each, with '?' where it is unknown.
+/// Returns "time class state cause; " for each decision, with '?' if it is unknown.
 inline std::string told(const std::vector<Decision>& decisions) {
   std::string text;
   for (const Decision& d : decisions) {

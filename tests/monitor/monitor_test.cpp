@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t window_length = 100;  // a tenth of a second
 
-/// A window above 0 on average has a fault of the outer race; one beyond 10 is unknown.
+/// Classifies windows by their mean: above 0 an outer race fault, above 10 unknown, too.
 diagnosis::Answers by_mean(const signal::WindowSet& windows) {
   diagnosis::Answers answers;
   for (std::size_t i = 0; i < windows.size(); ++i) {
@@ -27,7 +27,7 @@ diagnosis::Answers by_mean(const signal::WindowSet& windows) {
   return answers;
 }
 
-/// So many samples of a wave about a level, the first of which is number `from`.
+/// Appends `samples` samples of a wave about `level`; its phase continues.
 void append_wave(std::vector<float>& signal, double level, std::size_t samples,
                  double rate_hz = 1000) {
   for (std::size_t i = 0; i < samples; ++i) {
@@ -41,7 +41,7 @@ MonitorOptions options_at(double rate_hz, double every_s = 0) {
   options.sample_rate_hz = rate_hz;
   options.speed_rpm = 1500;
   options.every_s = every_s;
-  // As many windows as in judged.hpp: three raise the alarm, three clear it.
+  // Three windows raise the alarm and three clear it, as in judged.hpp.
   options.alarm = three_windows;
   options.alarm.hours_per_false_alarm = 64.0 * window_length / (3600 * 1000);
   return options;
@@ -110,7 +110,7 @@ TEST(Monitor, NoWindowSpansSamplesThatAreNotFinite) {
   }
 }
 
-/// Windows are of 32 bits, and what is resampled may exceed what came.
+/// Windows hold 32-bit floats, and resampled samples may exceed the original ones.
 TEST(Monitor, NoWindowSpansSamplesTooLargeForIt) {
   for (const double rate_hz : {1000.0, 3000.0}) {
     std::vector<double> signal;
@@ -141,7 +141,7 @@ TEST(Monitor, NoWindowSpansSamplesTooLargeForIt) {
   }
 }
 
-/// A line is a sample's time, whatever it says.
+/// Each line takes the time of one sample, whatever its text.
 TEST(Monitor, NoWindowSpansALineThatIsNotANumber) {
   std::string text = "time\n";
   for (int i = 1; i < 450; ++i) {
@@ -188,7 +188,7 @@ TEST(Monitor, AStrangeWindowIsUnknown) {
             "0.10 OR? off; 0.20 OR? off; 0.30 OR? raised unknown; ");
 }
 
-/// Fault lines are looked for at the shaft's own speed, not at the data set's.
+/// Fault lines depend on the shaft's own speed, not on the data set's.
 TEST(Monitor, TheClassifierIsToldTheSpeedOfTheShaft) {
   signal::DatasetInfo slower = rig();
   slower.conditions = {{.name = "fast", .shaft_speed_rpm = 1500},

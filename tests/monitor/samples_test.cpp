@@ -58,7 +58,7 @@ TEST(Samples, AreTheSameWhateverThePieces) {
     EXPECT_EQ(decoded(SampleFormat::i32, as_bytes_of<std::int32_t>({7, -2147483647}), piece),
               (Numbers{7, -2147483647}));
     EXPECT_EQ(decoded(SampleFormat::text, "1.5\n\n -2e3\t\r\n7", piece), (Numbers{1.5, -2000, 7}));
-    // IEEE 754 by hand: 1.5 is 0x3FC00000, -2.25 is 0xC0100000; as 64 bits 0x3FF8..., 0xC002....
+    // IEEE 754 by hand: 1.5 is 0x3FC00000, -2.25 is 0xC0100000; in 64 bits 0x3FF8..., 0xC002....
     EXPECT_EQ(decoded(SampleFormat::f32be, std::string("\x3F\xC0\0\0\xC0\x10\0\0", 8), piece),
               (Numbers{1.5, -2.25}));
     EXPECT_EQ(decoded(SampleFormat::f64be,
@@ -105,7 +105,7 @@ TEST(Samples, ALongLineIsAGap) {
   EXPECT_NE(decoder.text().first_garbled().find("1...' is not a number"), std::string::npos);
 }
 
-/// Bytes in the wrong order make numbers of all magnitudes.
+/// Text read as binary yields numbers of all magnitudes.
 TEST(Samples, ThatAreTextAreNotReadAsBinary) {
   const std::string text = "0.0125\n-0.25\n+1.5e-3\n0.125\n-0.0625\n";
   for (const SampleFormat format : {SampleFormat::f32, SampleFormat::f64, SampleFormat::f32be,
@@ -119,7 +119,7 @@ TEST(Samples, ThatAreTextAreNotReadAsBinary) {
   }
 }
 
-/// Samples of each format read as each other one, as an owner would who forgets --format.
+/// Reads samples of each format as every other one, as for an owner who forgets --format.
 TEST(Samples, TellTheFormatThatTheyLookLike) {
   std::vector<float> f32;
   std::vector<double> f64;

@@ -30,7 +30,7 @@ struct Watched {
   std::string summary;
 };
 
-/// Windows of 100 samples at 1000 Hz, in these bytes.
+/// Watches these bytes at 1000 Hz, in windows of 100 samples.
 Watched watched_bytes(const std::string& bytes, SampleFormat format = SampleFormat::f32,
                       const WatchOptions& options = {}, bool stopped = false) {
   const Folder folder;
@@ -79,8 +79,7 @@ TEST(Watch, SaysWhatWasLost) {
             "beyond 1e36, 3 bytes of an unfinished sample");
 }
 
-/// 3 s of noise whose bytes stand in the other order: about 1 sample in 30 is not finite or too
-/// large.
+/// Noise of 3 s with swapped bytes: about 1 sample in 30 is not finite or too large.
 TEST(Watch, NamesTheFormatWhereSamplesAreNotFinite) {
   Stream random("other order");
   std::vector<float> samples(3000);
@@ -90,7 +89,7 @@ TEST(Watch, NamesTheFormatWhereSamplesAreNotFinite) {
     std::reverse(bytes.begin() + static_cast<std::ptrdiff_t>(i),
                  bytes.begin() + static_cast<std::ptrdiff_t>(i + 4));
   }
-  const std::string summary = watched_bytes(bytes).summary;  // one window in 20 is whole by chance
+  const std::string summary = watched_bytes(bytes).summary;  // about 1 window in 20 has no gap
   EXPECT_TRUE(summary.ends_with(" not finite or beyond 1e36; is it --format f32be?")) << summary;
   EXPECT_EQ(watched_bytes(bytes, SampleFormat::f32be).summary,
             "30 windows in 3.0 s of signal until its end: 0 alarms; nothing lost");

@@ -13,7 +13,7 @@ namespace {
 
 using Numbers = std::vector<double>;
 
-/// A number of so many bytes, the lowest first.
+/// Returns a number in `bytes` bytes, lowest first.
 std::string le(std::uint64_t number, std::size_t bytes) {
   std::string text;
   for (std::size_t i = 0; i < bytes; ++i) text += static_cast<char>(number >> (8 * i) & 0xFFU);
@@ -31,7 +31,7 @@ std::string format_of(unsigned kind, unsigned bits, unsigned channels = 1,
          le(bits, 2);
 }
 
-/// Puts the kind into an extension, as sox does for more than 16 bits.
+/// Returns a format chunk with the kind in an extension, as sox writes it for more than 16 bits.
 std::string extensible_of(unsigned kind, unsigned bits) {
   const std::string rest("\0\0\0\0\x10\0\x80\0\0\xAA\0\x38\x9B\x71", 14);
   return format_of(0xFFFE, bits) + le(22, 2) + le(bits, 2) + le(4, 4) + le(kind, 2) + rest;
@@ -56,7 +56,7 @@ Numbers decoded_wav(const std::string& bytes, std::size_t piece = 1000, double r
   return samples;
 }
 
-/// Full scale is 1, as for recordings in files: 0x4000 of 16 bits is a half.
+/// Full scale is 1, as for recordings in files: 0x4000 in 16 bits is 0.5.
 TEST(WavStream, SamplesAreReadInEachCodingWhateverThePieces) {
   const std::string of_16 = wav_of(format_of(1, 16), le(0x4000, 2) + le(0x8000, 2) + le(1, 2));
   const std::string of_24 = wav_of(extensible_of(1, 24), le(0x400000, 3) + le(0xFFFFFF, 3));
@@ -143,7 +143,7 @@ TEST(WavStream, DamageIsRefused) {
                Exit::bad_input, "holds a second recording");
 }
 
-/// Each cut header gives nothing, and throws nothing that is not an Error.
+/// A cut header yields no samples; a flipped bit throws nothing but Error(bad_input).
 TEST(WavStream, ACutOrFlippedHeaderIsReadSafely) {
   const std::string bytes = wav_of(extensible_of(1, 24), std::string(30, '\1'));
   const std::size_t header = bytes.size() - 30;

@@ -9,7 +9,7 @@
 namespace piae::monitor {
 namespace {
 
-/// "first sample: first to last value" of each window, where sample i has the value i.
+/// Returns "first sample:first-last value" of each window, where sample i has the value i.
 std::string windows_of(std::size_t length, std::size_t stride, std::size_t samples,
                        std::size_t piece) {
   WindowCutter cutter(length, stride);
